@@ -94,8 +94,7 @@ public:
 private:
   void
   SpanWidest();
-  /** A passage that is taken into the tree for another one, and by how much more than the least gain that makes the
-   * longest way longer, mm. */
+  /** A passage that replaces another one in the tree, and its gain in the longest path beyond the minimum, mm. */
   struct Swap
   {
     int    in;

@@ -10,12 +10,12 @@ namespace shapeton
 {
 namespace
 {
-/** Of the length of the wall: where the centreline may run outside of it. Right ones have 0, those of another position
+/** Maximum share of the wall length where the centerline may be outside. Correct ones have 0, those of another position
  * of the same patient 0.24 and more. */
 constexpr double greatestShareOutside = 0.1;
-/** Narrow stretches are as good as this, mm. */
+/** Minimum radius used for narrow stretches, mm. */
 constexpr double leastRadius = 8.0;
-constexpr double pixelSize = 2.0; // mm: the middle of the tube needs no more
+constexpr double pixelSize = 2.0; // mm; sufficient for the center of the tube
 
 double
 Median(std::vector<double> values)
@@ -24,12 +24,12 @@ Median(std::vector<double> values)
   return values[values.size() / 2];
 }
 
-/** How the places of a line lie to the columns that they are assigned to. */
+/** Fit of the points of a line to the columns assigned to them. */
 struct MatchQuality
 {
-  /** Share of the tube's length along which the line is farther from the middle than the wall. */
+  /** Share of the tube length along which the line is farther from the center than the wall. */
   double shareOutside{ 0.0 };
-  /** mm. */
+  /** Median distance, mm. */
   double medianDistance{ 0.0 };
 };
 
@@ -53,7 +53,7 @@ QualityOf(const FlatColonAxis & axis, const CentrelineMatch & match)
   return { all > 0.0 ? outside / all : 1.0, Median(distances) };
 }
 
-/** The median distance of the line's points from the nearest middle of a column, mm. */
+/** Median distance of the points of the line from the nearest column center, mm. */
 double
 MedianDistanceOfLine(const FlatColonAxis & axis, const VertexMatrix & points)
 {
@@ -92,7 +92,7 @@ Assign(const FlatColonGrid & grid, const FlatColonAxis & axis, const CurveSet & 
   return match;
 }
 
-/** Only called where the assignment is bad. */
+/** Called only for a bad assignment. */
 void
 ExplainMismatch(const FlatColonGrid & grid,
                 const FlatColonAxis & axis,

@@ -10,19 +10,19 @@
 
 namespace shapeton
 {
-/** Which place of a flat map lies at which place of a centreline. */
+/** Correspondence between columns of a flat map and places on a centerline. */
 struct CentrelineMatch
 {
-  /** The centreline in order. */
+  /** Centerline points in order. */
   VertexMatrix    points;
   Eigen::VectorXd arcLength;
-  /** For each column of the map, its width in mm; never falling. */
+  /** Distance along the centerline for each column of the map, nondecreasing, and the column width, mm. */
   std::vector<double> arcLengthOfColumn;
   double              columnWidth{ 1.0 };
   Remarks             warnings;
 };
 
-/** Throws InputError where the centreline is not that of the surface, or runs from the caecum to the rectum. */
+/** Throws InputError when the centerline does not belong to the surface, or runs from the cecum to the rectum. */
 CentrelineMatch
 MatchCentreline(const FlatColon & flat, const CurveSet & centreline);
 } // namespace shapeton

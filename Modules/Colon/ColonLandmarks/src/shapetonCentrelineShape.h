@@ -8,7 +8,7 @@
 
 namespace shapeton
 {
-/** A centreline in equal steps, with what its bends are measured by. */
+/** A centerline resampled with equal steps, and measures of its bends. */
 class CentrelineShape
 {
 public:
@@ -22,7 +22,7 @@ public:
   {
     return static_cast<int>(m_Points.rows());
   }
-  /** mm, of the whole line. */
+  /** Length of the whole line, mm. */
   double
   Length() const
   {
@@ -33,13 +33,13 @@ public:
   {
     return m_Begin + i * Step;
   }
-  /** Of a patient whose left is right. */
+  /** The line of a patient with left and right swapped. */
   CentrelineShape
   Mirrored() const;
-  /** From its end to its beginning. */
+  /** The line from its end to its beginning. */
   CentrelineShape
   Reversed() const;
-  /** The nearest point. */
+  /** Index of the nearest point. */
   int
   IndexAt(double arcLength) const
   {
@@ -50,17 +50,17 @@ public:
   {
     return m_Points;
   }
-  /** Gaussian with this standard deviation, mm. */
+  /** Gaussian smoothing with this standard deviation, mm. */
   VertexMatrix
   Smoothed(double deviation) const;
-  /** Of the smoothed line, unit vectors. */
+  /** Unit tangents of the smoothed line. */
   VertexMatrix
   Tangents(double deviation) const;
-  /** Degrees between the chords of `chord` mm before and behind each point of the smoothed line. Shorter at the ends.
-   */
+  /** Angle (degrees) between the chords of `chord` mm before and after each point of the smoothed line; shorter chords
+   * at the ends. */
   Eigen::VectorXd
   Turning(double chord, double deviation) const;
-  /** Places of the points in the box of the line, 0 to 1: x to the left, y to the back, z to the head. */
+  /** Relative positions of the points in the box of the line, 0 to 1: x to the left, y to the back, z to the head. */
   VertexMatrix
   PlacesInBox() const;
 
@@ -69,7 +69,7 @@ private:
   double       m_Begin{ 0.0 };
 };
 
-/** The only curve of a centreline, its points and arcLength (mm, ascending) in order; throws InputError otherwise. */
+/** The only curve of a centerline: its points and arcLength (mm, ascending) in order; throws InputError otherwise. */
 void
 OrderedCentreline(const CurveSet & centreline, VertexMatrix & points, Eigen::VectorXd & arcLength);
 } // namespace shapeton

@@ -13,16 +13,15 @@ namespace shapeton
 namespace
 {
 constexpr double leastColon = 800.0; // mm
-/** Mean squared deviation of a feature beyond which nothing like the flexure is there. */
+/** Maximum mean squared deviation of a feature; above it the flexure is not found. */
 constexpr double greatestMeanDeviation = 4.0;
-/** How far the apex may lie from the best place, mm. The descending colon ends where it has run straight, not at a
- * bend.
- */
+/** Maximum distance of the apex from the best place, mm. The descending colon ends where its straight run ends, not at
+ * a bend. */
 constexpr std::array<double, 4> apexReach{ 14.0, 0.0, 16.0, 16.0 };
 constexpr double                impossible = -1e30;
 
-/** Near by, of the upper flexures the topmost place, of several as high the one farther back: the flexures are fixed to
- * the posterior wall, and the transverse colon hangs forwards from them. Of the rectosigmoid one the sharpest. */
+/** Nearby apex. Upper flexures: the highest place, among equally high ones the most posterior, since the flexures are
+ * fixed to the posterior wall and the transverse colon hangs forward. Rectosigmoid: the sharpest bend. */
 int
 SnapToApex(const CentrelineShape & shape, const Eigen::VectorXd & turning, int flexure, int place)
 {

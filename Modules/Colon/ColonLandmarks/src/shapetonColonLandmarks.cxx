@@ -28,7 +28,7 @@ SetArray(std::vector<SurfaceArray> & arrays, const SurfaceArray & array)
     arrays.end());
   arrays.push_back(array);
 }
-/** A remark on each segment that cannot be assessed as a whole. */
+/** Adds a remark for each segment that is not fully assessable. */
 void
 WarnOfHindrances(ColonLandmarks & landmarks)
 {

@@ -138,7 +138,7 @@ AreaOfFace(const ColonWallTube & tube, int face)
   return 0.5 * (b - a).cross(c - a).norm();
 }
 
-/** Names of those that no border tells from their neighbours. */
+/** Names of segments not separated from a neighbor because a border is missing. */
 Json
 SegmentsNotFound(const ColonLandmarks & landmarks)
 {

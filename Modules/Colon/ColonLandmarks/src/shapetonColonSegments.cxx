@@ -10,13 +10,13 @@ namespace shapeton
 {
 namespace
 {
-/** mm, straight from the end of the centreline, which is not certain in so wide a place. */
+/** mm, straight from the end of the centerline, since its course is uncertain in such a wide place. */
 constexpr double caecumLength = 60.0;
 constexpr int    borderOfCaecum = 5;
-/** The place is that of an average anatomy, not of a structure that was seen. */
+/** Low, since the place is that of average anatomy, not of a visible structure. */
 constexpr double confidenceOfCaecum = 0.3;
 
-/** Faces that are connected without crossing a loop, by numbers from 0 on. */
+/** Labels faces connected without crossing a loop, from 0. */
 std::vector<int>
 PartsBetweenLoops(const ColonWallTube & tube, const std::vector<SegmentBorder> & borders)
 {
@@ -66,12 +66,12 @@ PartsBetweenLoops(const ColonWallTube & tube, const std::vector<SegmentBorder> &
   return part;
 }
 
-/** The segment at a distance along the centreline; 0 where it cannot be said. */
+/** The segment at a distance along the centerline; 0 if unknown. */
 int
 SegmentAt(const std::vector<SegmentBorder> & borders, double arcLength)
 {
-  int before = 0;                     // number of the last border before
-  int behind = NumberOfColonSegments; // number of the first border behind
+  int before = 0;                     // number of the previous border
+  int behind = NumberOfColonSegments; // number of the next border
   for (const SegmentBorder & border : borders)
   {
     if (border.arcLength <= arcLength)
@@ -86,7 +86,7 @@ SegmentAt(const std::vector<SegmentBorder> & borders, double arcLength)
   return behind == before + 1 ? behind : 0;
 }
 
-/** Each part gets the segment of its middle. */
+/** Each part gets the segment of its center. */
 std::vector<int>
 SegmentsOfFaces(const ColonWallTube & tube, const std::vector<SegmentBorder> & borders)
 {
@@ -110,7 +110,7 @@ SegmentsOfFaces(const ColonWallTube & tube, const std::vector<SegmentBorder> & b
   return segments;
 }
 
-/** The point of the line, by its number, where the caecum begins by the average of anatomy. */
+/** Index of the line point where the cecum begins in average anatomy. */
 int
 EstimatedBeginOfCaecum(const CentrelineShape & shape)
 {

@@ -17,7 +17,7 @@ namespace shapeton
 namespace
 {
 
-/** The tube without its cut, with the arrays of the flat surface that hold for it. */
+/** The tube without its cut, with the arrays of the flat surface that remain valid. */
 SurfaceMesh
 WeldedSurface(const SurfaceMesh & flat, const ColonWallTube & tube)
 {
@@ -34,7 +34,7 @@ WeldedSurface(const SurfaceMesh & flat, const ColonWallTube & tube)
   return welded;
 }
 
-/** mm of each vertex from a taenia, near it along the colon. */
+/** Distance (mm) of each vertex from a taenia, limited to nearby vertices along the colon. */
 std::vector<double>
 DistancesFromTaenia(const SurfaceMesh & mesh, const ColonTaenia & taenia)
 {
@@ -54,8 +54,8 @@ DistancesFromTaenia(const SurfaceMesh & mesh, const ColonTaenia & taenia)
   return distances;
 }
 
-/** The cheapest path along the taenia from one boundary to the other, inside but for its ends. A mm costs 1 + (d / 5
- * mm)^2, d the distance from the taenia. */
+/** The cheapest path along the taenia from one boundary to the other, with only its ends on them. One mm costs
+ * 1 + (d / 5 mm)^2, d the distance from the taenia. */
 std::vector<int>
 CutBetween(const SurfaceMesh &         mesh,
            const SurfaceConnectivity & connectivity,
@@ -70,7 +70,7 @@ CutBetween(const SurfaceMesh &         mesh,
   std::vector<char>                                              isStart(mesh.V.rows(), 0);
   for (const int vertex : from)
   {
-    // Where the path begins must lie at the taenia, too.
+    // The start of the path must be at the taenia, too.
     cost[vertex] = 4.0 * distance[vertex];
     isStart[vertex] = 1;
     queue.emplace(cost[vertex], vertex);
@@ -108,7 +108,7 @@ CutBetween(const SurfaceMesh &         mesh,
   return {};
 }
 
-/** The corners of the cut surface in the order of its boundary: rectal, caecal, caecal, rectal end. */
+/** The corners of the cut surface in boundary order: rectal, cecal, cecal, rectal end. */
 std::vector<int>
 CornersOf(const CutSurface & cut, const std::vector<int> & path)
 {

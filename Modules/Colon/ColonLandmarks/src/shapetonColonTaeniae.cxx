@@ -70,7 +70,7 @@ DistancesOf(const TaeniaEvidence & evidence, const TaeniaTracks & a, const Taeni
   return best;
 }
 
-/** Both methods; the tracks that are kept, and how far the methods agree. */
+/** Runs both methods; returns the tracks kept, and the disagreement. */
 TaeniaTracks
 ChooseTracks(const TaeniaEvidence & evidence,
              const Progress &       progress,
@@ -116,7 +116,7 @@ ReportDisagreement(const std::vector<double> & distances, ColonTaeniae & result)
   }
 }
 
-/** A taenia has one place in each row: of two markers of one taenia there it passes the first. */
+/** A taenia has one place per row: of two markers of one taenia in a row it passes through the first. */
 void
 WarnOfMarkersThatDisagree(ColonTaeniae & result)
 {
@@ -132,7 +132,7 @@ WarnOfMarkersThatDisagree(ColonTaeniae & result)
   }
 }
 
-/** The track with least cost becomes the first one. */
+/** Makes the track with least cost the first one. */
 TaeniaTracks
 BestFirst(const TaeniaEvidence & evidence, const TaeniaTracks & tracks, std::vector<TaeniaPass> & passes)
 {

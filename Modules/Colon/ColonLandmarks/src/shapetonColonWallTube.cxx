@@ -94,7 +94,7 @@ ColonWallTube::ArcLengthOfU(double u) const
   return m_ArcLengthOfColumn[i] + (place - i) * (m_ArcLengthOfColumn[next] - m_ArcLengthOfColumn[i]);
 }
 
-// The nearest point of the centreline near that of the vertex's column: loops of the colon that touch do not mislead.
+// Uses the nearest centerline point close to that of the column of the vertex, so touching loops do not mislead.
 void
 ColonWallTube::MeasureArcLength(const FlatColon & colon, const CurveSet & centreline)
 {

@@ -10,7 +10,7 @@ namespace shapeton
 {
 namespace
 {
-/** Walks around the tube are paths in its covering: a place is a vertex and the turns made so far. */
+/** Walks around the tube are paths in its covering space: a node is a vertex and the turns made so far. */
 constexpr int sheets = 5;
 constexpr int middleSheet = 2;
 
@@ -37,7 +37,7 @@ public:
     }
   }
 
-  /** Each walk around the tube meets the cut in a vertex. */
+  /** Starts at the cut, since each walk around the tube meets it in a vertex. */
   SurfaceWalk
   Best(const Progress & progress) const
   {
@@ -126,7 +126,7 @@ private:
   }
 
   const ColonWallTube & m_Tube;
-  std::vector<double>   m_Distance; ///< from the plane; negative outside of the window
+  std::vector<double>   m_Distance; ///< from the plane; negative outside the window
   std::vector<int>      m_Starts;
 };
 } // namespace

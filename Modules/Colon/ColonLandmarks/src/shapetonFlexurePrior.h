@@ -29,18 +29,18 @@ struct PriorValue
 constexpr int NumberOfFlexureFeatures = 12;
 using FlexureFeatures = std::array<double, NumberOfFlexureFeatures>;
 
-/** What is known of a flexure from anatomy; see shapetonColonFlexures.h for the sources. */
+/** Anatomical prior of a flexure; see shapetonColonFlexures.h for the sources. */
 struct FlexurePrior
 {
   /** Share of the length before it; place in the box (0 right, front, bottom; 1 left, back, top); turning between
-   * chords of 35 and 70 mm in units of 90 degrees; direction (left, back, up) 40 mm before and 40 mm behind. */
+   * chords of 35 and 70 mm in units of 90 degrees; direction (left, back, up) 40 mm before and 40 mm after. */
   std::array<PriorValue, NumberOfFlexureFeatures> features;
-  /** Share of the length from the flexure before; of the first one see TheLengthOfRectum. */
+  /** Share of the length from the previous flexure; for the first one see TheLengthOfRectum. */
   PriorValue gap;
 };
 
 constexpr std::array<FlexurePrior, 4> TheFlexurePriors{
-  { // rectosigmoid: 16 of 152 cm; in the middle, before S3; the sigmoid leaves it forwards, to either side
+  { // rectosigmoid: 16 of 152 cm; midline, in front of S3; the sigmoid leaves it forward, to either side
     { { { { 0.105, 0.06 },
           { 0.50, 0.10 },
           { 0.70, 0.15 },
@@ -54,7 +54,7 @@ constexpr std::array<FlexurePrior, 4> TheFlexurePriors{
           { -0.40, 0.50 },
           { 0.10, 0.55 } } },
       { 0.105, 0.03 } },
-    // end of the descending colon: pelvic brim, left iliac fossa; upwards from there
+    // end of the descending colon: pelvic brim, left iliac fossa; upward from there
     { { { { 0.37, 0.07 },
           { 0.85, 0.12 },
           { 0.65, 0.20 },
@@ -68,7 +68,7 @@ constexpr std::array<FlexurePrior, 4> TheFlexurePriors{
           { 0.20, 0.35 },
           { 0.85, 0.25 } } },
       { 0.26, 0.07 } },
-    // splenic: the highest place, left and back; from it the transverse colon goes to the right, forwards and down
+    // splenic: the highest place, left and back; the transverse colon leaves it to the right, forward and down
     { { { { 0.515, 0.06 },
           { 0.90, 0.10 },
           { 0.75, 0.18 },
@@ -82,7 +82,7 @@ constexpr std::array<FlexurePrior, 4> TheFlexurePriors{
           { -0.45, 0.40 },
           { -0.40, 0.40 } } },
       { 0.145, 0.045 } },
-    // hepatic: right, one to two vertebrae lower; from it the ascending colon goes down
+    // hepatic: right, one to two vertebrae lower; the ascending colon leaves it downward
     { { { { 0.84, 0.045 },
           { 0.12, 0.10 },
           { 0.65, 0.18 },
@@ -98,21 +98,21 @@ constexpr std::array<FlexurePrior, 4> TheFlexurePriors{
       { 0.325, 0.06 } } }
 };
 
-/** Share of the length from the hepatic flexure to the end: ascending colon and caecum. */
+/** Share of the length from the hepatic flexure to the end: ascending colon and cecum. */
 constexpr PriorValue ThePriorOfRightColon{ 0.165, 0.045 };
 
-/** From the anal verge to the rectosigmoid flexure, mm: it grows with the rest of the colon hardly at all. Up to 5 cm
- * of the anal canal may lie outside the image. */
+/** Length from the anal verge to the rectosigmoid flexure, mm; it hardly depends on the length of the colon. Up to 5 cm
+ * of the anal canal may be outside the image. */
 constexpr PriorValue TheLengthOfRectum{ 150.0, 40.0 };
 
-/** What is known of all points of a section of the colon: place in the box and direction, as of a flexure. */
+/** Prior of all points of a section of the colon: place in the box and direction, as for a flexure. */
 struct SectionPrior
 {
   std::array<PriorValue, 3> place;
   std::array<PriorValue, 3> direction;
 };
 
-/** Descending colon: straight up along the left and posterior wall, from the iliac crest on. */
+/** Descending colon: straight up along the left and posterior wall, from the iliac crest. */
 constexpr SectionPrior TheDescendingColon{ { { { 0.90, 0.08 }, { 0.75, 0.20 }, { 0.68, 0.22 } } },
                                            { { { 0.00, 0.30 }, { 0.00, 0.35 }, { 0.90, 0.20 } } } };
 } // namespace shapeton

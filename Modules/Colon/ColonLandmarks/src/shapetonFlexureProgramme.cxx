@@ -9,23 +9,23 @@ namespace shapeton
 {
 namespace
 {
-constexpr int stride = 2; // of the shape's steps
-/** One feature alone cannot rule a place out: squared deviations are cut off here. */
+constexpr int stride = 2; // in steps of the shape
+/** Clamp of squared deviations: one feature alone cannot rule out a place. */
 constexpr double greatestDeviation = 60.0;
-/** Nor can one point of the descending colon: the logarithm of its likelihood ratio is cut off here. */
+/** Clamp of the log-likelihood ratio of one point of the descending colon, for the same reason. */
 constexpr double leastRatio = -12.0;
-/** Least share of the length between flexures. */
+/** Minimum share of the length between flexures. */
 constexpr double leastGap = 0.02;
-/** The features depend on each other: the likelihood counts for so much where probabilities are stated. Calibrated on
- * phantoms of the preset realistic, seeds 1 to 24. */
+/** Exponent of the likelihood in probabilities, since the features are correlated. Calibrated on phantoms of the preset
+ * realistic, seeds 1 to 24. */
 constexpr double tempering = 0.6;
-/** Points of a section depend on each other over so many mm. */
+/** Correlation length of points of a section, mm. */
 constexpr double sectionCorrelation = 40.0;
 constexpr double tolerance = 30.0; // mm
 constexpr double impossibleTerms = -1e30;
-/** Of situs inversus (about 1 in 10,000) and, more often, of images whose sides were exchanged on their way. */
+/** Prior of situs inversus (about 1 in 10,000) and, more often, of flipped images. */
 constexpr double probabilityOfMirrored = 1e-3;
-/** Of a line that begins at the caecum, as where the scan or the gas ends before the rectum. */
+/** Prior of a line that begins at the cecum, as when the scan or the gas ends before the rectum. */
 constexpr double probabilityOfBackwards = 1e-2;
 
 using Scores = std::vector<double>;
@@ -49,8 +49,8 @@ Sum(Scores a, const Scores & b)
   return a;
 }
 
-/** The likelihood ratio of the course of the descending colon when it is a usual one or, more seldom, redundant: then
- * its course tells nothing. Places did not change for shares of redundant ones from 0.02 to 0.3. */
+/** Likelihood ratio of the course of the descending colon as a mixture of a usual and a rarer redundant colon, whose
+ * course is not informative. Places did not change for shares of redundant ones from 0.02 to 0.3. */
 double
 MixedWithRedundant(double ratioOfUsual)
 {
@@ -86,7 +86,7 @@ public:
   {
     const std::array<int, 4> places = this->BestPlaces();
     FlexurePlaces            result;
-    // Only the descending-sigmoid flexure is no apex, to which a place could move.
+    // Only the descending-sigmoid flexure does not move to an apex.
     std::array<int, 4> moved = places;
     moved[1] = this->MeanPlaceNear(places[1], 1);
     result.confidence = this->Confidences(moved);
@@ -98,7 +98,7 @@ public:
     return result;
   }
 
-  /** The log-likelihood of the line, whatever the places: tempered, up to a constant. */
+  /** Tempered log-likelihood of the line for any places, up to a constant. */
   double
   Evidence() const
   {
@@ -139,8 +139,7 @@ private:
     }
   }
 
-  /** Sums over the points up to each one: how much likelier it lies in the descending colon than anywhere, in any
-   * direction. */
+  /** Cumulative log-likelihood ratio of the descending colon against any place and direction. */
   void
   ScoreDescendingColon(const CentrelineShape & shape)
   {
@@ -176,7 +175,7 @@ private:
     }
   }
 
-  /** Of the colon between flexure k and the one before. */
+  /** Log-likelihood of the section between flexure k and the previous one. */
   double
   PairScore(int k, int from, int to) const
   {
@@ -222,8 +221,8 @@ private:
     return places;
   }
 
-  /** The mean of a flexure's places within 60 mm of its best one, each counting by its probability: the best course
-   * begins the descending colon too early, as each point that looks like it adds to its likelihood. */
+  /** Probability-weighted mean of the places of a flexure within 60 mm of its best one. The best course begins the
+   * descending colon too early, since each similar point adds to its likelihood. */
   int
   MeanPlaceNear(int place, int k) const
   {
@@ -240,7 +239,7 @@ private:
     return static_cast<int>(std::lround(moment / sum));
   }
 
-  /** Log sums over all places of the flexure before (or behind), for each place of the next one. */
+  /** Log sums over all places of the previous (or next) flexure, for each place of this one. */
   Scores
   SumOver(const Scores & from, int k, bool fromBefore) const
   {
@@ -261,7 +260,7 @@ private:
     return sums;
   }
 
-  /** The probability of each flexure to lie within the tolerance of its place. */
+  /** Probability of each flexure to be within the tolerance of its place. */
   std::array<double, 4>
   Confidences(const std::array<int, 4> & at) const
   {
@@ -276,7 +275,7 @@ private:
     return result;
   }
 
-  /** For each flexure and place the log sum over all courses with the flexure there (forward and backward sums). */
+  /** For each flexure and place the log sum over all courses through it (forward and backward sums). */
   std::array<Scores, 4>
   SumsThrough() const
   {
@@ -304,7 +303,7 @@ private:
   int                          m_Last;
   std::vector<FlexureFeatures> m_Features;
   Scores                       m_Descending;
-  /** The log-likelihood of each place for each flexure, with the ends of the colon. */
+  /** Log-likelihood of each place for each flexure, including the ends of the colon. */
   std::array<Scores, 4> m_Scores;
   std::array<Scores, 4> m_Sums; ///< SumsThrough()
 };
@@ -326,7 +325,7 @@ FindFlexurePlaces(const CentrelineShape & shape)
   places.isBackwards = senses[2] > score;
   for (double & confidence : places.confidence)
   {
-    confidence *= std::exp(score - LogSum(senses)); // it takes the sense for granted
+    confidence *= std::exp(score - LogSum(senses)); // conditional on the direction
   }
   return places;
 }

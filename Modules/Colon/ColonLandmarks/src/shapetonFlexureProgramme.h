@@ -7,24 +7,24 @@
 
 namespace shapeton
 {
-/** The best places of the four flexures, before any snap to an apex. */
+/** The best places of the four flexures, before the shift to an apex. */
 struct FlexurePlaces
 {
-  /** Points of the shape. */
+  /** Indices of points of the shape. */
   std::array<int, 4> at{};
-  /** The probability, by the model, that the flexure lies within 30 mm. */
+  /** Model probability that the flexure is within 30 mm. */
   std::array<double, 4> confidence{};
-  /** Mean squared deviation of the flexure's features from the prior. */
+  /** Mean squared deviation of the features of the flexure from the prior. */
   std::array<double, 4> meanDeviation{};
-  /** The descending colon lies on the right. */
+  /** The descending colon is on the right. */
   bool isMirrored{ false };
-  /** The line is likelier to run from the caecum to the rectum. */
+  /** The line more likely runs from the cecum to the rectum. */
   bool isBackwards{ false };
 };
 
-/** Likelihoods of flexures, of the sections between them and of their lengths, as shapetonColonFlexures.h describes;
- * the best places in their order, found exactly. Of the line as it is and its mirror image the likelier one counts;
- * confidences allow for the other one and for the line run backwards. */
+/** Finds the exact best ordered places from the likelihoods of flexures, sections and lengths described in
+ * shapetonColonFlexures.h. The likelier one of the line and its mirror image is used; confidences account for the other
+ * one and for the reversed line. */
 FlexurePlaces
 FindFlexurePlaces(const CentrelineShape & shape);
 } // namespace shapeton

@@ -22,7 +22,7 @@ OnCircle(double turns)
   return std::polar(1.0, 2.0 * M_PI * turns);
 }
 
-/** Three centres on the circle; `spread` is the mean squared distance of what belongs to each. */
+/** Three centers on the circle; `spread` is the mean squared distance of their members. */
 struct Clusters
 {
   TaeniaAngles          angles{};
@@ -70,7 +70,7 @@ ClusterFrom(const std::vector<Complex> & points, const TaeniaAngles & start)
   return result;
 }
 
-/** The order of the clusters that stays nearest to those before; each without a jump. */
+/** The order of the clusters closest to the previous ones; each continuous. */
 Clusters
 Follow(const Clusters & clusters, const TaeniaAngles & before)
 {
@@ -161,7 +161,7 @@ TrackWindow(std::vector<Window> & windows, std::size_t at, std::size_t from)
                            : ClusterOf(windows[at].points, before.angles);
 }
 
-/** From the window with most fold ends to both sides. */
+/** Tracks from the window with most fold ends in both directions. */
 bool
 TrackWindows(std::vector<Window> & windows)
 {
@@ -186,7 +186,7 @@ TrackWindows(std::vector<Window> & windows)
   return true;
 }
 
-/** The tightest track, and the two others at thirds of the circumference beside it. */
+/** The tightest track, and two others at thirds of the circumference. */
 void
 ReplaceByThirds(std::vector<Window> & windows)
 {

@@ -10,20 +10,20 @@ namespace shapeton
 {
 namespace
 {
-/** Cells: 45 degrees; up to 225 degrees. */
+/** Gaps in cells: 45 degrees; up to 225 degrees. */
 constexpr int leastApart = 9;
 constexpr int gaps = 37;
-/** Of a step of all three tracks together, and of one track alone: the same for each. */
+/** Cost of a step of all three tracks together, and of one track alone, equal for each. */
 constexpr float turnCost = 0.8F;
 constexpr float moveCost = 0.7F;
 constexpr float unevenCost = 0.008F;
-/** Cells: where gaps differ more from a third of the wall, each further cell costs the same. */
+/** In cells: beyond this difference of a gap from a third of the wall the cost is linear. */
 constexpr double usualUnevenness = 2.0;
-/** Of a cell that the nearest track lies off a marker: more than any evidence. */
+/** Cost per cell between a marker and the nearest track: more than any evidence. */
 constexpr float markCost = 50.0F;
 constexpr float forbidden = 1e30F;
 
-/** Three gaps that are uneven: the loss of Huber of each. */
+/** Cost of uneven gaps: sum of Huber losses. */
 float
 UnevenCost(double first, double second)
 {
@@ -43,7 +43,7 @@ CellsBetween(double a, double b)
   return std::abs(std::remainder(a - b, static_cast<double>(anglesAround)));
 }
 
-/** The joint programme over states (angle of the first track, gap to the second, gap to the third). */
+/** Dynamic programming over states (angle of the first track, gap to the second, gap to the third). */
 class JointProgramme
 {
 public:
@@ -118,8 +118,8 @@ private:
     }
   }
 
-  /** The states of one angle: what it costs at least to come to each from the row before, and by which steps: of all
-   * tracks (times 27), of the first, second and third alone (9, 3, 1); 0, 1, or 2 for -1. */
+  /** For the states of one angle the minimum cost to reach each from the previous row, and the steps: of all tracks
+   * (times 27), of the first, second and third alone (9, 3, 1); 0, 1, or 2 for -1. */
   struct Arrivals
   {
     std::array<float, gaps * gaps>         cost;
@@ -128,7 +128,7 @@ private:
 
   static constexpr int allTracks = 27;
 
-  /** A track: its place in the steps of Arrivals, and what its step adds to the two gaps. */
+  /** A track: its factor in the steps of Arrivals, and the change of the two gaps by its step. */
   struct Track
   {
     int place;
@@ -178,7 +178,7 @@ private:
     return &m_Best[static_cast<std::size_t>((a + anglesAround) % anglesAround) * gaps * gaps];
   }
 
-  /** All tracks turn together, or none. */
+  /** Steps of all tracks together, or of none. */
   Arrivals
   Turned(int a) const
   {
@@ -198,7 +198,7 @@ private:
     return turned;
   }
 
-  /** The track moves alone, where that costs less. */
+  /** Steps of one track alone, where cheaper. */
   static void
   TakeMoved(const Arrivals & before, const Track & track, int step, Arrivals & after)
   {
@@ -219,7 +219,7 @@ private:
     }
   }
 
-  /** Middles of the cells in turns; each track without jumps. */
+  /** Cell centers in turns; each track is continuous. */
   TaeniaTracks
   Trace() const
   {
@@ -251,7 +251,7 @@ private:
   std::array<float, gaps * gaps> m_Uneven{};
 };
 
-/** The gaps behind the first track and behind the next one, in cells. */
+/** The gaps after the first track and after the next one, in cells. */
 std::array<double, 2>
 GapsOf(const TaeniaAngles & tracks)
 {
@@ -264,7 +264,7 @@ GapsOf(const TaeniaAngles & tracks)
   return { near, far - near };
 }
 
-/** Turning them together as far as is cheapest: by nothing, or as one of the tracks goes. */
+/** The cheapest common rotation: zero, or the step of one of the tracks. */
 double
 CostOfSteps(const TaeniaAngles & before, const TaeniaAngles & after)
 {

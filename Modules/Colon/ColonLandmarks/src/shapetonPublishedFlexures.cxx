@@ -10,10 +10,10 @@ namespace
 {
 constexpr double leastBend = 50.0; // degrees between chords of 40 mm
 constexpr double chord = 40.0;     // mm
-constexpr double spread = 25.0;    // mm: one bend within
+constexpr double spread = 25.0;    // mm: at most one bend within
 constexpr double comparable = 25.0;
 
-/** Degrees between the chords before and behind a point in the projection to two axes. */
+/** Angle (degrees) between the chords before and after a point in the projection to two axes. */
 double
 BendInPlane(const VertexMatrix & points, int i, int reach, int first, int second)
 {
@@ -47,7 +47,7 @@ BendsInPlane(const VertexMatrix & points, int first, int second)
   return peaks;
 }
 
-/** Bends of both projections in their order; of those closer than 20 mm the first. */
+/** Bends of both projections in order; among those closer than 20 mm the first is kept. */
 std::vector<int>
 MajorBends(const VertexMatrix & points)
 {
@@ -81,7 +81,7 @@ PublishedFlexures(const CentrelineShape & shape)
   }
   std::vector<int> byHeight = bends;
   std::stable_sort(byHeight.begin(), byHeight.end(), [&](int a, int b) { return points(a, 2) > points(b, 2); });
-  // The line comes from the rectum, so that the splenic flexure is the earlier one of the two.
+  // The line starts at the rectum, so the splenic flexure is the earlier one of the two.
   result[2] = std::min(byHeight[0], byHeight[1]);
   result[3] = std::max(byHeight[0], byHeight[1]);
   result[0] = byHeight.back();

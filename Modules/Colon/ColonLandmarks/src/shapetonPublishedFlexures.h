@@ -7,8 +7,8 @@
 
 namespace shapeton
 {
-/** The rule of the dissertation, 4.2.2: indices into the shape, from the rectosigmoid to the hepatic flexure; -1 where
- * it has none. Not checked for their order but for that of the two upper ones. */
+/** The rule of the dissertation, 4.2.2: indices into the shape, from the rectosigmoid to the hepatic flexure; -1 if not
+ * found. The order is checked only for the two upper ones. */
 std::array<int, 4>
 PublishedFlexures(const CentrelineShape & shape);
 } // namespace shapeton

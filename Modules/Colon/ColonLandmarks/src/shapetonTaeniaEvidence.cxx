@@ -13,7 +13,7 @@ namespace shapeton
 namespace
 {
 constexpr double rowLength = 2.8; // mm of the map
-/** Weights of the three kinds of evidence, and how far each is averaged: rows, angles. */
+/** Weights of the three kinds of evidence, and their smoothing: rows, angles. */
 constexpr double foldWeight = 12.0;
 constexpr double foldRows = 6.0;
 constexpr double foldAngles = 2.0;
@@ -22,13 +22,13 @@ constexpr double endRows = 6.0;
 constexpr double endAngles = 3.5;
 constexpr double wallRows = 6.0;
 constexpr double wallAngles = 2.0;
-/** Folds end where the band of a taenia begins, and fade out before: from their ends to its middle, mm. */
+/** Folds fade out at the border of a taenia band: distance from their ends to its center, mm. */
 constexpr double halfBand = 6.0;
-/** Folds cross taeniae here and there: evidence against one, beside the median of its row, is never more. */
+/** Folds occasionally cross taeniae: maximum evidence against one above the median of its row. */
 constexpr double mostAgainst = 1.0;
-/** At the ends of the tube the wall closes: evidence fades out over so many mm. */
+/** The wall closes at the ends of the tube: length over which evidence fades out, mm. */
 constexpr double fadingLength = 40.0;
-/** Folds that run along the tube end anywhere: least sine of their angle against it. */
+/** Folds along the tube end anywhere: minimum sine of their angle to the tube. */
 constexpr double leastSine = 0.35;
 
 using Cells = std::vector<double>;
@@ -54,7 +54,7 @@ Smoothed(const Cells & cells, int rows, double alongRows, double aroundAngles)
   return SmoothedRows(turned, rows, alongRows);
 }
 
-/** The share of fold in each cell. */
+/** Share of fold in each cell. */
 Cells
 FoldDensity(const FlatColonGrid & grid, const HaustralFolds & folds, const TaeniaEvidence & evidence)
 {

@@ -14,10 +14,9 @@
 
 namespace shapeton
 {
-/** Angles of the three taeniae in a row: turns around the tube in the direction of the grid's rows, as WallTurns counts
- * them. */
+/** Angles of the three taeniae in a row: turns around the tube in the direction of the grid rows, as in WallTurns. */
 using TaeniaAngles = std::array<double, 3>;
-/** For each row along the tube; each track without jumps. */
+/** Angles for each row along the tube; each track is continuous. */
 using TaeniaTracks = std::vector<TaeniaAngles>;
 
 /** The end of a fold. */
@@ -27,30 +26,30 @@ struct FoldEnd
   double angle{ 0.0 }; ///< turns, [0, 1)
 };
 
-/** A place that a taenia must pass. */
+/** A place through which a taenia must pass. */
 struct TaeniaMark
 {
   int    row{ 0 };
   double angle{ 0.0 };
 };
 
-/** Cells around the tube in which evidence is collected. */
+/** Number of evidence cells around the tube. */
 constexpr int anglesAround = 72;
 
-/** What folds tell of taeniae, on rows along the tube and angles around it. */
+/** Evidence of taeniae from folds, on rows along the tube and angles around it. */
 struct TaeniaEvidence
 {
   int rows{ 0 };
-  /** Columns of the grid for each row. */
+  /** Number of grid columns per row. */
   int columnsPerRow{ 1 };
-  /** rows x anglesAround: low where a taenia runs. */
+  /** rows x anglesAround: low where a taenia is likely. */
   std::vector<float> cost;
-  /** Along the centreline, mm, and around the wall, mm. */
+  /** Distance along the centerline and around the wall, mm. */
   std::vector<double>     arcLength;
   std::vector<double>     girth;
   std::vector<FoldEnd>    ends;
   std::vector<TaeniaMark> marks;
-  /** Of all angles here. */
+  /** Definition of all angles here. */
   WallTurns turns;
 
   float
@@ -58,7 +57,7 @@ struct TaeniaEvidence
   {
     return cost[static_cast<std::size_t>(row) * anglesAround + angle];
   }
-  /** Calls take(cell, share) for the cells of all rows that a pixel of the grid lies in. */
+  /** Calls take(cell, share) for the cells of all rows that overlap a pixel of the grid. */
   template <typename TTake>
   void
   ForCellsOfPixel(int column, int pixelRow, const TTake & take) const
@@ -77,7 +76,7 @@ struct TaeniaEvidence
   }
 };
 
-/** Angles are those of the wall; of the map, as published, where the rule is. */
+/** Computes the evidence; angles are those of the wall, or of the map for the published rule. */
 TaeniaEvidence
 MakeTaeniaEvidence(const FlatColon & flat, const ColonWallTube & tube, const HaustralFolds & folds, TaeniaRule rule);
 
@@ -85,16 +84,16 @@ MakeTaeniaEvidence(const FlatColon & flat, const ColonWallTube & tube, const Hau
 TaeniaTracks
 JointTaeniae(const TaeniaEvidence & evidence, const Progress & progress);
 
-/** Mean energy of a row. */
+/** Mean energy per row. */
 double
 EnergyOfTaeniae(const TaeniaEvidence & evidence, const TaeniaTracks & tracks);
 
 /** Tracks of windowed fuzzy C-means; with `thirds` the tightest of them and two at thirds of the circumference. Empty
- * where there are too few fold ends. */
+ * with too few fold ends. */
 TaeniaTracks
 FuzzyTaeniae(const TaeniaEvidence & evidence, bool thirds);
 
-/** Each track averaged over the rows with a Gaussian of this standard deviation. */
+/** Tracks smoothed over the rows by a Gaussian of this standard deviation. */
 TaeniaTracks
 SmoothedTracks(const TaeniaTracks & tracks, double deviation);
 

@@ -14,7 +14,7 @@ namespace shapeton
 namespace
 {
 constexpr double farthestMarker = 15.0; // mm from the wall
-constexpr double bumpLength = 30.0;     // mm, standard deviation of what a marker moves
+constexpr double bumpLength = 30.0;     // mm, standard deviation of the shift by a marker
 
 double
 Bump(double distance)
@@ -22,7 +22,7 @@ Bump(double distance)
   return std::exp(-0.5 * distance * distance / (bumpLength * bumpLength));
 }
 
-/** Moves one track by bumps so that it passes all its markers. */
+/** Moves one track by bumps through all its markers. */
 void
 BendTrack(const TaeniaEvidence &                  evidence,
           const std::vector<const TaeniaPass *> & passes,
@@ -38,7 +38,7 @@ BendTrack(const TaeniaEvidence &                  evidence,
     offset[i] = TurnsBetween(passes[i]->mark.angle, tracks[passes[i]->mark.row][track]);
     for (Eigen::Index j = 0; j < size; ++j)
     {
-      // Two markers of nearly one place may contradict each other: a ridge keeps the mean.
+      // Two markers at nearly one place may contradict each other: the ridge term averages them.
       overlap(i, j) = Bump(arcOf(i) - arcOf(j)) + (i == j ? 1e-3 : 0.0);
     }
   }

@@ -7,7 +7,7 @@
 
 namespace shapeton
 {
-/** A marker's place, and the track that passes it. */
+/** Place of a marker, and the track through it. */
 struct TaeniaPass
 {
   TaeniaMark      mark;
@@ -16,7 +16,7 @@ struct TaeniaPass
   Eigen::Vector3d point{ Eigen::Vector3d::Zero() };
 };
 
-/** Adds a mark to the evidence for each marker. Throws InputError for one that lies far from the wall. */
+/** Adds a mark to the evidence for each marker. Throws InputError for a marker far from the wall. */
 std::vector<TaeniaPass>
 LocateMarkers(const std::vector<Eigen::Vector3d> & markers,
               const FlatColonGrid &                grid,
@@ -24,11 +24,11 @@ LocateMarkers(const std::vector<Eigen::Vector3d> & markers,
               TaeniaEvidence &                     evidence,
               std::vector<UsedMarker> &            used);
 
-/** Gives each marker the nearest track and moves the tracks so that they pass through theirs. */
+/** Assigns each marker to the nearest track and moves the tracks through their markers. */
 void
 PassThroughMarkers(const TaeniaEvidence & evidence, std::vector<TaeniaPass> & passes, TaeniaTracks & tracks);
 
-/** Puts the markers' own places into the taeniae, and says what was used. */
+/** Inserts the exact marker positions into the taeniae, and records the markers used. */
 void
 InsertMarkers(const std::vector<TaeniaPass> & passes, ColonTaeniae & taeniae);
 } // namespace shapeton

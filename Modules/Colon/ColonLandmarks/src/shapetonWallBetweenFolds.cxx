@@ -7,15 +7,16 @@ namespace shapeton
 {
 namespace
 {
-/** Of the distance from the axis over the radius, and of the mean curvature times the radius (-0.5 on a tube). */
+/** Weights of the distance from the axis over the radius, and of the mean curvature times the radius (-0.5 on a
+ * tube). */
 constexpr double reliefWeight = 20.0;
 constexpr double curvatureWeight = 2.0;
-/** Of curvature times radius: more comes from steps of voxels. */
+/** Clamp of curvature times radius: larger values come from voxel steps. */
 constexpr double greatestCurvature = 2.0;
-/** Bends shift the middle of the tube and make it oval: turns around the tube that are left out. */
+/** Harmonics around the tube to remove: bends shift its center and make it oval. */
 constexpr int bendHarmonics = 2;
 
-/** Takes off each row its mean and first harmonics. */
+/** Subtracts mean and first harmonics of each row. */
 void
 RemoveBends(std::vector<double> & wall, int rows)
 {
@@ -41,7 +42,7 @@ RemoveBends(std::vector<double> & wall, int rows)
   }
 }
 
-/** Of one place of the wall. */
+/** Evidence of one place of the wall. */
 double
 InwardForm(const FlatSample & sample, const FlatColonAxis & axis, int column)
 {

@@ -10,9 +10,8 @@
 
 namespace shapeton
 {
-/** What the wall between folds tells of taeniae, for each row and angle of the evidence: high where one may run, 0 on
- * average. Haustra bulge outwards between taeniae, so that along a taenia the wall lies nearer to the axis, and is less
- * hollow. */
+/** Evidence of taeniae from the wall between folds, for each row and angle: high where one is likely, 0 on average.
+ * Haustra bulge outward between taeniae, so along a taenia the wall is nearer to the axis and less concave. */
 std::vector<double>
 WallBetweenFolds(const FlatColonGrid &  grid,
                  const FlatColonAxis &  axis,

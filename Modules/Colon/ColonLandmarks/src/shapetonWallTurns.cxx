@@ -6,11 +6,10 @@ namespace shapeton
 {
 namespace
 {
-/** Standard deviation of the mean along the tube, rows: folds make the wall longer where they stand. */
+/** Standard deviation of the smoothing along the tube, rows: folds lengthen the wall locally. */
 constexpr double smoothingOfTurns = 6.0;
 
-/** The length of wall in each pixel around, the mean over the columns of a row; that of the row's mean where there is
- * no wall. */
+/** Length of wall in each pixel around, averaged over the columns of a row; the mean of the row in holes. */
 std::vector<double>
 LengthsOfWall(const FlatColonGrid & grid, int rows, int columnsPerRow)
 {
@@ -63,7 +62,7 @@ WallTurns::WallTurns(const FlatColonGrid & grid, int rows, int columnsPerRow) : 
     {
       total += ofRow[pixel];
     }
-    double offset = 0.0; // of the map's turns from those of the wall, in the mean over the wall
+    double offset = 0.0; // of the turns of the map from those of the wall, averaged over the wall
     for (int pixel = 0; pixel < m_Pixels; ++pixel)
     {
       const double share = ofRow[pixel] / total;

@@ -10,35 +10,35 @@
 namespace shapeton
 {
 /** \class WallTurns
- * \brief Angles around the tube by the length of the wall, in turns: what lies between two of them is their difference
- * times the girth.
+ * \brief Angles around the tube measured by wall length, in turns: their difference times the girth is the length of
+ * wall in between.
  *
- * Angles of the flat map are not that: where a section is flat, a conformal map draws the side that is farther away
- * apart. Taeniae divide the wall in space into thirds, and the map into anything from 45 to 225 degrees. The two kinds
- * of angles agree in the mean over the wall of each row, so that what runs along the tube does so in both. */
+ * The angles of the flat map differ: where a section is flat, a conformal map stretches the far side. Taeniae divide
+ * the wall in space into thirds, but the map into anything from 45 to 225 degrees. The two kinds of angles agree on
+ * average over the wall of each row, so a line along the tube is one in both. */
 class WallTurns
 {
 public:
-  /** Of no row. */
+  /** Without rows. */
   WallTurns() = default;
 
-  /** For rows of so many columns of the grid. */
+  /** Measures rows of `columnsPerRow` columns of the grid. */
   WallTurns(const FlatColonGrid & grid, int rows, int columnsPerRow);
 
-  /** Those of the map itself. */
+  /** The angles of the map itself. */
   static WallTurns
   OfMap(const FlatColonGrid & grid, int rows);
 
-  /** Of an angle of the map in turns, in the direction of the grid's rows; rises by 1 with each turn. */
+  /** Converts an angle of the map in turns, in the direction of the grid rows; increases by 1 per turn. */
   double
   FromMap(int row, double turns) const;
 
-  /** The inverse. */
+  /** Inverse of the above. */
   double
   ToMap(int row, double turns) const;
 
-  /** Calls take(cell, share) for each of so many cells around the wall that a pixel of the grid lies in; shares are of
-   * a cell. */
+  /** Calls take(cell, share) for each of the cells around the wall that overlap a pixel of the grid; shares are
+   * relative to a cell. */
   template <typename TTake>
   void
   ForCellsOfPixel(int row, int pixelRow, int cells, const TTake & take) const
@@ -62,7 +62,7 @@ private:
   }
 
   int m_Pixels{ 0 };
-  /** Where each pixel of the grid begins, and at last where the turn ends. */
+  /** Start of each pixel of the grid, and the end of the turn. */
   std::vector<double> m_Borders;
 };
 } // namespace shapeton

@@ -59,7 +59,7 @@ KeyOf(const FlatColonGridOptions & options)
 template <typename TKey, typename TValue>
 using KeptValues = std::list<std::pair<TKey, TValue>>;
 
-/** What is kept under a key; made where it is not there yet. Places in a list stay where they are. */
+/** The value of a key, computed on first use. References to list elements stay valid. */
 template <typename TKey, typename TValue, typename TMake>
 const TValue &
 FindOrMake(std::mutex & mutex, KeptValues<TKey, TValue> & kept, const TKey & key, const TMake & make)
@@ -76,7 +76,7 @@ FindOrMake(std::mutex & mutex, KeptValues<TKey, TValue> & kept, const TKey & key
 }
 } // namespace
 
-/** Each kind has a mutex of its own: the axis and the curvature ask for a grid. */
+/** Each kind has its own mutex, since axis and curvature request a grid. */
 struct FlatColon::Derived
 {
   std::mutex                                                    gridMutex;

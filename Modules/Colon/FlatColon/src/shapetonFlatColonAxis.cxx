@@ -12,7 +12,7 @@ namespace shapeton
 {
 namespace
 {
-constexpr int rowsOfColumn = 96; ///< that a mean over a column needs
+constexpr int rowsOfColumn = 96; ///< used for a mean over a column
 
 /** Calls `take` for pixels of a column, evenly spaced, that have a face. */
 template <typename TTake>
@@ -30,14 +30,14 @@ ForColumn(const FlatColonGrid & grid, int column, const TTake & take)
   }
 }
 
-/** The middle of the wall (three values) and the mean distance from it; not numbers for a column without faces. */
+/** Center of the wall (three values) and the mean distance from it; NaN for a column without faces. */
 Eigen::Vector4d
 MeasureColumn(const FlatColonGrid & grid, int column)
 {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   double          weight = 0.0;
   ForColumn(grid, column, [&](const FlatSample & sample) {
-    sum += sample.scale * sample.point; // a piece of the column is that long in space
+    sum += sample.scale * sample.point; // length of this part of the column in space
     weight += sample.scale;
   });
   const Eigen::Vector3d centre = sum / weight;
@@ -47,7 +47,7 @@ MeasureColumn(const FlatColonGrid & grid, int column)
   return { centre.x(), centre.y(), centre.z(), distance / weight };
 }
 
-/** Rows that are no numbers become those of the nearest row that is; the earlier one where two are. */
+/** Replaces NaN rows by the nearest valid row; the earlier one in ties. */
 void
 FillGaps(Eigen::MatrixXd & values, const std::string & what)
 {
@@ -72,7 +72,7 @@ FillGaps(Eigen::MatrixXd & values, const std::string & what)
   }
 }
 
-/** Gaussian means along the rows; beyond the ends the values go on as they came (point reflection). */
+/** Gaussian means along the rows; extrapolated beyond the ends by point reflection. */
 Eigen::MatrixXd
 Smoothed(const Eigen::MatrixXd & values, double deviation)
 {
@@ -102,7 +102,7 @@ Smoothed(const Eigen::MatrixXd & values, double deviation)
   return smoothed;
 }
 
-/** The closest sequence (least squares) that does not fall: pools of neighbours share their mean. */
+/** Isotonic regression (least squares) by pooling adjacent violators. */
 std::vector<double>
 NeverFalling(const Eigen::MatrixXd & values)
 {
@@ -131,7 +131,7 @@ NeverFalling(const Eigen::MatrixXd & values)
   return fit;
 }
 
-/** At most `number` of `total` indices, evenly, both ends among them. */
+/** At most `number` of `total` indices, evenly spaced, including both ends. */
 std::vector<int>
 Spread(int total, int number)
 {
@@ -144,8 +144,7 @@ Spread(int total, int number)
   return indices;
 }
 
-/** For each point the number of the station that it gets; these never fall, and the sum of squared distances is least
- * (dynamic programming). */
+/** Station index of each point; nondecreasing with the least sum of squared distances (dynamic programming). */
 std::vector<int>
 AssignInOrder(const VertexMatrix & points, const VertexMatrix & stations)
 {
@@ -210,7 +209,7 @@ FrameAt(const FlatColonAxis & axis, int column, const Eigen::Vector3d & point)
   Eigen::Vector3d towards = axis.centres.row(column).transpose() - point;
   towards -= frame.right.dot(towards) * frame.right;
   frame.towards = towards.norm() > 1e-9 ? Eigen::Vector3d(towards.normalized()) : frame.right.unitOrthogonal();
-  frame.down = frame.right.cross(frame.towards); // right x down looks away from the eye on the axis
+  frame.down = frame.right.cross(frame.towards); // right x down points away from the eye on the axis
   return frame;
 }
 

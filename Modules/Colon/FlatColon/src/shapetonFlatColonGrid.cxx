@@ -18,7 +18,7 @@ constexpr int    leastRows = 4;
 constexpr double mostPixels = 1 << 27;
 constexpr double mostPixelsAcross = 1 << 16;
 
-/** The source vertices, numbered from 0 on in their order. */
+/** The source vertices, renumbered from 0 in order. */
 std::vector<int>
 NumberSources(const std::vector<int> & sourcePoints)
 {
@@ -40,7 +40,7 @@ SignedArea(const Eigen::Vector2d & a, const Eigen::Vector2d & b)
   return a.x() * b.y() - a.y() * b.x();
 }
 
-/** Twice the area of the map that is not turned over, less that which is. */
+/** Twice the unflipped area of the map minus the flipped one. */
 double
 SignedAreaOfMap(const Eigen::MatrixX2d & uv, const FaceMatrix & F)
 {
@@ -52,7 +52,7 @@ SignedAreaOfMap(const Eigen::MatrixX2d & uv, const FaceMatrix & F)
   return sum;
 }
 
-/** 1 where the faces look towards the middle of their part of the tube, else -1. */
+/** 1 if the faces are oriented toward the center of their part of the tube, else -1. */
 double
 SignOfInside(const VertexMatrix & V, const FaceMatrix & F, const Eigen::VectorXd & u, double partLength)
 {
@@ -96,7 +96,7 @@ FlatColonGrid::FlatColonGrid(const SurfaceMesh & flat, const FlatColonGridOption
   m_IsMirrored = inside * sign > 0.0;
   if (m_IsMirrored)
   {
-    m_Uv.col(1) = m_Circumference - m_Uv.col(1).array(); // from here on along the rows
+    m_Uv.col(1) = m_Circumference - m_Uv.col(1).array(); // from here on in the direction of the rows
     sign = -sign;
   }
   const SnappedMap map = SnapMap(m_Uv, m_SourceOfVertex, m_PixelSize, m_Rows);
@@ -178,7 +178,7 @@ FlatColonGrid::PixelOfUv(const Eigen::Vector2d & uv) const
   return { static_cast<int>(column), Wrap(static_cast<int>(turn * m_Rows)) };
 }
 
-/** \param uv of the picture: along the columns and along the rows. */
+/** \param uv in the picture: along the columns and along the rows. */
 Eigen::Vector3d
 FlatColonGrid::BarycentricOf(int face, Eigen::Vector2d uv) const
 {
@@ -193,7 +193,7 @@ FlatColonGrid::BarycentricOf(int face, Eigen::Vector2d uv) const
   const double    middle = a.y() + (b.y() + c.y()) / 3.0;
   const double    turns = std::round((middle - uv.y()) / m_Circumference);
   Eigen::Vector3d best = Eigen::Vector3d::Constant(-std::numeric_limits<double>::infinity());
-  for (const double other : { 0.0, -1.0, 1.0 }) // a face may reach around more than half of the tube
+  for (const double other : { 0.0, -1.0, 1.0 }) // a face may span more than half of the tube
   {
     const Eigen::Vector2d p(uv.x() - a.x(), uv.y() + (turns + other) * m_Circumference - a.y());
     const double          ofB = SignedArea(p, c) / area;
@@ -205,7 +205,7 @@ FlatColonGrid::BarycentricOf(int face, Eigen::Vector2d uv) const
       return best;
     }
   }
-  best = best.cwiseMax(0.0); // rounding: the pixel lies on an edge
+  best = best.cwiseMax(0.0); // rounding errors of pixels on an edge
   return best / best.sum();
 }
 

@@ -6,7 +6,7 @@ namespace shapeton
 {
 namespace
 {
-/** Of a point in the plane of a triangle; for one without area those of the nearest corner. */
+/** Barycentric coordinates of a point in the plane of a triangle; the nearest corner for a degenerate one. */
 Eigen::Vector3d
 BarycentricOfPoint(const VertexMatrix & V, const FaceMatrix & F, int face, const Eigen::Vector3d & point)
 {

@@ -9,7 +9,7 @@ namespace shapeton
 {
 namespace
 {
-/** Scales of pixels, evenly spaced over the row: of all that have a face, or of those that are no bridge. */
+/** Scales of pixels, evenly spaced over the row: of all with a face, or of those that are not bridged. */
 std::vector<double>
 ScalesOf(const FlatColonGrid & grid, const FlatColonRow & row, bool withBridges)
 {
@@ -49,7 +49,7 @@ MeasureScale(const FlatColonGrid & grid, FlatColonRow & row)
   row.highScale = quantile(0.9);
 }
 
-/** Nine in ten of its pixels: what else is there is the seam of a collapsed place. */
+/** At least nine in ten of its pixels: the rest is the seam of a collapsed place. */
 bool
 IsBridgedAllAround(const FlatColonGrid & grid, int column)
 {
@@ -61,12 +61,12 @@ IsBridgedAllAround(const FlatColonGrid & grid, int column)
   return 10 * bridged >= 9 * grid.Rows();
 }
 
-/** The middle of the bridges that are longer than `longest` pixels. */
+/** The middle of bridges longer than `longest` pixels. */
 std::vector<FlatColonCut>
 FindCuts(const FlatColonGrid & grid, int longest)
 {
   std::vector<FlatColonCut> cuts;
-  int                       begin = 0; // of the bridge that the column belongs to
+  int                       begin = 0; // start of the bridge that contains the column
   for (int column = 0; longest > 0 && column <= grid.Columns(); ++column)
   {
     if (column < grid.Columns() && IsBridgedAllAround(grid, column))

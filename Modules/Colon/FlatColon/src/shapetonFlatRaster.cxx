@@ -13,29 +13,29 @@ constexpr int bandColumns = 128;
 
 using Place = std::array<std::int64_t, 2>;
 
-/** Twice the area of a triangle, positive where u turns to v. */
+/** Twice the area of a triangle, positive if counterclockwise in (u, v). */
 std::int64_t
 Area(const Place & a, const Place & b, const Place & c)
 {
   return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
 }
 
-/** The least pixel whose middle is not before a place. */
+/** The first pixel whose center is not before a coordinate. */
 std::int64_t
 FirstPixel(std::int64_t place)
 {
   const std::int64_t shifted = place - SnappedMap::unit / 2 + SnappedMap::unit - 1;
-  return shifted >> SnappedMap::bits; // rounds down, below 0, too
+  return shifted >> SnappedMap::bits; // rounds down, also for negative values
 }
 
-/** Points on an edge belong to the triangle for which it is a lower one, or upright and at the left. */
+/** Points on an edge belong to the triangle for which it is a lower or left edge. */
 bool
 OwnsItsPoints(const Place & from, const Place & to)
 {
   return to[1] == from[1] ? to[0] > from[0] : to[1] < from[1];
 }
 
-/** A triangle with positive area: which middles of pixels lie in it. */
+/** A triangle with positive area: tests which pixel centers it contains. */
 class Triangle
 {
 public:
@@ -91,7 +91,7 @@ private:
   int                  m_Sign;
 };
 
-/** Faces by the bands of columns that they reach, in ascending order. */
+/** Face indices by overlapping band of columns, in ascending order. */
 std::vector<std::vector<int>>
 FacesOfBands(const SnappedMap & map, const FaceMatrix & faces, int columns)
 {

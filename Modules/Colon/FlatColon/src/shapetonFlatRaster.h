@@ -8,7 +8,7 @@
 
 namespace shapeton
 {
-/** Places of vertices in whole parts of a pixel, so that what two faces share is the same for both. */
+/** Vertex coordinates snapped to fractions of a pixel, so shared edges are identical for both faces. */
 struct SnappedMap
 {
   static constexpr int          bits = 14;
@@ -17,13 +17,13 @@ struct SnappedMap
   std::vector<std::int64_t>     v;
 };
 
-/** Copies of one vertex along the cut, which differ in v by whole turns, get places that differ by exactly so many
- * rows. A copy that is elsewhere keeps its own place. */
+/** Snaps the vertices. Copies of one vertex along the cut, which differ in v by whole turns, differ by exact multiples
+ * of the rows. A copy that is elsewhere keeps its own place. */
 SnappedMap
 SnapMap(const Eigen::MatrixX2d & uv, const std::vector<int> & sourceOfVertex, double pixelSize, int rows);
 
-/** The face of each pixel, row by row, -1 where none lies; v is taken modulo the rows. Faces whose sign of area is
- * `sign` come first, then the lower index. */
+/** The face of each pixel, row by row, -1 outside all faces; v is taken modulo the rows. Faces whose sign of area is
+ * `sign` have priority, then the lower index. */
 std::vector<int>
 RasterizeFaces(const SnappedMap & map, const FaceMatrix & faces, int columns, int rows, int sign);
 } // namespace shapeton

@@ -9,7 +9,7 @@ namespace shapeton
 {
 namespace
 {
-/** Of a face, by its corners. */
+/** Shape of a face from its corners. */
 struct FaceShape
 {
   FaceShape(const VertexMatrix & V, const FaceMatrix & F, int face)
@@ -23,7 +23,7 @@ struct FaceShape
   }
 
   Eigen::Vector3d corners[3];
-  Eigen::Vector3d normal; ///< twice the area long
+  Eigen::Vector3d normal; ///< length is twice the area
   double          area;
 };
 
@@ -46,8 +46,8 @@ public:
     : m_F(F), m_SourceOfVertex(sourceOfVertex), m_AreaOfFaces(areaOfFaces), m_AreaOfVertices(areaOfVertices)
   {}
 
-  /** Over a standard deviation of `length`. A mean over faces and back, weighted by area, has a variance of h^2 / 3 in
-   * each direction, h the mean edge. */
+  /** Smooths with a standard deviation of `length`. An area-weighted mean over faces and back has a variance of h^2 / 3
+   * in each direction, h the mean edge length. */
   template <typename TValues>
   void
   Smooth(double length, TValues & values) const
@@ -117,13 +117,13 @@ MakeFlatVertexValues(const VertexMatrix &     V,
       const int             vertex = sourceOfVertex[F(face, k)];
       const Eigen::Vector3d opposite = shape.corners[(k + 2) % 3] - shape.corners[(k + 1) % 3];
       values.normals.row(vertex) += shape.normal;
-      growth.row(vertex) += 0.5 * unit.cross(opposite); // of the area, when the corner moves
+      growth.row(vertex) += 0.5 * unit.cross(opposite); // area gradient with respect to the corner
       area[vertex] += shape.area / 3.0;
       areaOfMap[vertex] += mapped / 3.0;
     }
   }
   values.normals.rowwise().normalize();
-  // Area grows where a bulge is pulled further out: the gradient is 2 H n (Meyer et al., 2003, equation 8).
+  // The area grows as a bulge is pulled outward: the gradient is 2 H n (Meyer et al., 2003, equation 8).
   values.curvature =
     (area.array() > 0.0)
       .select(0.5 * growth.cwiseProduct(values.normals).rowwise().sum().array() / area.array().max(1e-300), 0.0);

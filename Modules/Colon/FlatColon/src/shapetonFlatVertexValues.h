@@ -7,14 +7,14 @@
 
 namespace shapeton
 {
-/** Values of vertices, in which the copies of a vertex along the cut are one. Rows by source vertex. */
+/** Vertex values with the copies along the cut merged. Rows by source vertex. */
 struct FlatVertexValues
 {
-  /** Unit vectors, means of the faces' normals by area; zero where there is no area. */
+  /** Unit vectors, area-weighted means of the face normals; zero without area. */
   VertexMatrix normals;
-  /** Mean curvature, 1/mm, positive where the surface bulges towards the side that the normals look to. */
+  /** Mean curvature, 1/mm, positive where the surface bulges to the side of the normals. */
   Eigen::VectorXd curvature;
-  /** The root of area on the surface over area of the map, of the faces around. */
+  /** Square root of the ratio of surface area to map area of the adjacent faces. */
   Eigen::VectorXd scale;
 };
 

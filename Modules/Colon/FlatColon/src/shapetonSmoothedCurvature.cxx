@@ -11,10 +11,10 @@ namespace shapeton
 {
 namespace
 {
-/** 1/mm: a ball of 1 mm. What is curved more is a fault of the mesh, such as a needle. */
+/** 1/mm: a ball of 1 mm. Larger curvature is a mesh defect, such as a needle. */
 constexpr double greatestCurvature = 1.0;
 
-/** Means of the faces' normals by area; unit vectors, or zero. */
+/** Area-weighted means of the face normals; unit vectors, or zero. */
 VertexMatrix
 VertexNormals(const VertexMatrix & V, const FaceMatrix & F)
 {
@@ -56,8 +56,8 @@ SmoothedMeanCurvature(const VertexMatrix & V, const FaceMatrix & F, double time,
   const SurfaceConnectivity         connectivity(F, static_cast<int>(V.rows()));
   const SurfaceLaplacian            laplacian = MakeSurfaceLaplacian(connectivity, EdgeLengths(connectivity, V));
   const Eigen::SparseMatrix<double> stiffness = StiffnessMatrix(laplacian);
-  // Faces without area are taken for needles. L V = -2 H M n with n outwards: where the surface bulges inwards L V
-  // points inwards.
+  // Degenerate faces count as needles. L V = -2 H M n with n outward: where the surface bulges inward L V points
+  // inward.
   Eigen::VectorXd      values = -(stiffness * V).cwiseProduct(VertexNormals(V, F)).rowwise().sum();
   const Eigen::ArrayXd area = laplacian.mass.array().max(1e-12);
   const Eigen::ArrayXd curvature = (0.5 * values.array() / area).max(-greatestCurvature).min(greatestCurvature);

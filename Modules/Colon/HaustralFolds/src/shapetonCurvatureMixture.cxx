@@ -10,14 +10,14 @@ namespace
 {
 constexpr int         rounds = 60;
 constexpr std::size_t mostSamples = 60000;
-/** Of a class, 1/mm: no wall is smoother, and a class cannot shrink to a few values. */
+/** Minimum standard deviation of a class, 1/mm: no wall is smoother, and a class cannot collapse to a few values. */
 constexpr double leastDeviation = 0.01;
 constexpr double greatestOdds = 6.0;
 /** Mean curvature of folds, 1/mm: the rim of a fold 10 mm thick has 0.1, of which smoothing leaves about half. */
 constexpr double leastFold = 0.05;
 
-/** A pixel counts for as many median ones at most: where a pouch is gathered in a few pixels, one of them may have
- * thousands of square millimetres, and curvature that says nothing of them. */
+/** Maximum weight of a pixel in median areas: where a pouch maps to a few pixels, one of them may cover thousands of
+ * square millimeters, and its curvature is not representative. */
 constexpr double greatestArea = 20.0;
 
 struct Samples
@@ -76,7 +76,7 @@ Density(const CurvatureMixture::Class & one, double value)
   return one.share * std::exp(-0.5 * z * z) / one.deviation;
 }
 
-/** Area, and its sums with values and their squares, of one class. */
+/** Area, and area-weighted sums of values and squares, of one class. */
 struct Moments
 {
   double area{ 0.0 };
@@ -98,7 +98,7 @@ struct Moments
   }
 };
 
-/** False where a class has died out. */
+/** False if a class has vanished. */
 bool
 Improve(const Samples & samples, CurvatureMixture & mixture)
 {
@@ -111,7 +111,7 @@ Improve(const Samples & samples, CurvatureMixture & mixture)
     double                sum = 0.0;
     for (int k = 0; k < 3; ++k)
     {
-      // Folds bulge more than the wall does: what bulges less, as pouches do, is not for their class to explain.
+      // Folds bulge more than the wall: weaker bulges, such as pouches, cannot belong to their class.
       const bool isPossible = k < 2 || value > mixture.wall.mean;
       densities[k] = isPossible ? Density(*classes[k], value) + 1e-12 : 0.0;
       sum += densities[k];

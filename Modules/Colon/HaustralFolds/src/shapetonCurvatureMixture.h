@@ -5,8 +5,7 @@
 
 namespace shapeton
 {
-/** Curvature of the wall, of what is uneven in it (taeniae, noise, pouches), and of folds, each normally distributed.
- */
+/** Normal distributions of the curvature of the wall, of its unevenness (taeniae, noise, pouches), and of folds. */
 struct CurvatureMixture
 {
   struct Class
@@ -21,14 +20,14 @@ struct CurvatureMixture
   /** Folds stand out from the wall and bulge into the lumen. */
   bool hasFolds{ false };
 
-  /** Logarithm of the odds of a fold against all else, both equally probable beforehand, cut to [-6, 6]: how much of
-   * the wall is folds differs between colons, what a fold looks like does not. Beyond the means it keeps its sign: what
-   * bulges more than a fold does is none the less one. */
+  /** Log-odds of a fold against the rest with equal priors, clamped to [-6, 6]: the share of folds differs between
+   * colons, their shape does not. Beyond the means the sign is kept, so a bulge stronger than a fold still counts as a
+   * fold. */
   double
   LogOdds(double curvature) const;
 };
 
-/** By expectation and maximisation over all pixels of the wall, each with its area on the surface. */
+/** Expectation maximization over all pixels of the wall, weighted by their area on the surface. */
 CurvatureMixture
 FitCurvatureMixture(const FoldPicture & picture);
 } // namespace shapeton

@@ -13,7 +13,7 @@ namespace
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-/** mm on the surface from the crest to the farthest foot that is looked for: the flank of the highest folds. */
+/** Maximum surface distance from the crest to a foot, mm: the flank of the highest folds. */
 constexpr double farthestFoot = 18.0;
 
 class HeightMeter
@@ -57,7 +57,7 @@ private:
     return m_Picture.Index(static_cast<int>(std::lround(place.x())), row < 0 ? row + m_Picture.rows : row);
   }
 
-  /** Points from the crest to the foot. False where the map ends, or the wall, before there is one. */
+  /** Points from the crest to the foot. False if the map or the wall ends before it. */
   bool
   AddFlank(const Vector2d & start, const Vector2d & course, std::vector<Vector3d> & points) const
   {
@@ -97,7 +97,7 @@ private:
 double
 HeightOfFold(const FlatColonGrid & grid, const FoldPicture & picture, const FoldCrest & crest)
 {
-  constexpr std::size_t reach = 3; // places to either side that tell the direction of the crest
+  constexpr std::size_t reach = 3; // places on either side that define the direction of the crest
   const HeightMeter     meter(grid, picture);
   std::vector<double>   heights;
   for (std::size_t i = reach; i + reach < crest.places.size(); ++i)

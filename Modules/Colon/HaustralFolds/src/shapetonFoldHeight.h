@@ -5,9 +5,9 @@
 
 namespace shapeton
 {
-/** How far a fold stands above the wall, mm, at its highest: across the crest the surface is followed to both sides to
- * where it is curved outwards most, the foot; what lies farthest from the line between the feet is the top. Nine tenths
- * of the places of the crest are no higher. Not a number where fewer than three places have two feet. */
+/** Maximum height of a fold above the wall, mm. Across the crest the surface is followed on both sides to its most
+ * convex place, the foot; the point farthest from the line between the feet is the top. Returns the 90th percentile
+ * over the crest; NaN if fewer than three places have two feet. */
 double
 HeightOfFold(const FlatColonGrid & grid, const FoldPicture & picture, const FoldCrest & crest);
 } // namespace shapeton

@@ -8,8 +8,7 @@ namespace shapeton
 /** The pixels of one fold, in the order of rows and columns. */
 using FoldPixels = std::vector<FlatPixel>;
 
-/** Connected components, eight neighbours to a pixel, the first and the last row next to each other. In the order of
- * their first pixels. */
+/** Connected components with eight neighbors per pixel, periodic in rows, ordered by their first pixels. */
 std::vector<FoldPixels>
 ConnectedFolds(const FoldPicture & picture, const std::vector<char> & mask);
 } // namespace shapeton

@@ -5,12 +5,11 @@
 
 namespace shapeton
 {
-/** 1 for the pixels of folds, by the least cut of a graph in which each pixel has four neighbours, those of the first
- * and last row each other. */
+/** 1 for the pixels of folds, by the minimum cut of a graph with four neighbors per pixel, periodic in rows. */
 std::vector<char>
 CutFolds(const FoldPicture & picture, const CurvatureMixture & mixture, const HaustralFoldOptions & options);
 
-/** 1 where the curvature lies in the published interval. */
+/** 1 where the curvature is in the published interval. */
 std::vector<char>
 ThresholdFolds(const FoldPicture & picture, const HaustralFoldOptions & options);
 } // namespace shapeton

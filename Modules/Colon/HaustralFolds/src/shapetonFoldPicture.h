@@ -5,21 +5,21 @@
 
 namespace shapeton
 {
-/** What is known of each pixel of the flat map, row by row as in the label picture. */
+/** Data of each pixel of the flat map, row by row as in the label picture. */
 struct FoldPicture
 {
   int    columns{ 0 };
   int    rows{ 0 };
   double pixelSize{ 1.0 };
-  /** After smoothing; 1/mm, positive at folds, or in the published unit, where they are negative. */
+  /** Smoothed curvature; 1/mm, positive at folds, or in the published unit, where they are negative. */
   std::vector<float> curvature;
   /** 1, or -1 where folds are negative. */
   double sign{ 1.0 };
-  /** mm on the surface for each mm of the map. */
+  /** mm on the surface per mm of the map. */
   std::vector<float> scale;
-  /** A face lies there, which was not made up. */
+  /** Whether the pixel has a face that is not bridged. */
   std::vector<char> isWall;
-  /** The number, from 1 on, of the part that the pixel belongs to; 0 for none. */
+  /** Number of the part of the pixel, from 1; 0 for none. */
   std::vector<int> part;
 
   std::size_t
@@ -32,7 +32,7 @@ struct FoldPicture
   {
     return static_cast<std::size_t>(columns) * rows;
   }
-  /** mm^2 on the surface. */
+  /** Area on the surface, mm^2. */
   double
   AreaOf(std::size_t pixel) const
   {

@@ -14,7 +14,7 @@ namespace
 {
 using Eigen::Vector2d;
 
-/** Curvature that no fold is below, 1/mm. */
+/** Minimum curvature of folds, 1/mm. */
 constexpr double floorOfFolds = 0.03;
 constexpr double degrees = 180.0 / Pi;
 class FoldMeasurer

@@ -5,7 +5,7 @@
 
 namespace shapeton
 {
-/** A fold with all that is known of it. */
+/** A fold with all its measurements. */
 struct MeasuredFold
 {
   /** Without label and reliabilities. */
@@ -14,7 +14,7 @@ struct MeasuredFold
   FoldCrest    crest;
 };
 
-/** `floor`: see TraceCrest(); the published scheme takes the axis of the ellipse for the crest. */
+/** `floor`: see TraceCrest(); the published scheme uses the axis of the ellipse as the crest. */
 MeasuredFold
 MeasureFold(const FlatColonGrid & grid, const FoldPicture & picture, FoldPixels pixels, HaustralFoldScheme scheme);
 } // namespace shapeton

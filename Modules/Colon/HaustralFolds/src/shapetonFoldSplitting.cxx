@@ -13,7 +13,7 @@ namespace shapeton
 {
 namespace
 {
-/** Parts of a fold that grow from its ridges while the level falls. */
+/** Parts of a fold that grow from its ridges as the level decreases. */
 class FoldFlood
 {
 public:
@@ -56,7 +56,7 @@ private:
   {
     return std::abs(m_Picture.curvature[this->IndexOf(i)]);
   }
-  /** The parts that are next to a pixel, that of its greatest neighbour first. */
+  /** The parts next to a pixel, that of its greatest neighbor first. */
   std::vector<int>
   PartsAround(int i)
   {
@@ -142,13 +142,13 @@ private:
   const FoldPicture &                  m_Picture;
   const FoldPixels &                   m_Pixels;
   const FoldSplittingRule &            m_Rule;
-  std::vector<int>                     m_Order; ///< falling curvature
+  std::vector<int>                     m_Order; ///< by decreasing curvature
   std::unordered_map<std::size_t, int> m_PlaceOfPixel;
   std::vector<int>                     m_PartOf;
-  std::vector<Part>                    m_Parts; ///< of the members that stand for joined parts
+  std::vector<Part>                    m_Parts; ///< indexed by the representatives of merged parts
   DisjointSets<>                       m_Joined;
 };
-/** Places along a curve, at most `step` mm apart. */
+/** Points along a curve, at most `step` mm apart. */
 std::vector<Eigen::Vector3d>
 PointsAlong(const CurveSet & curves, const std::vector<int> & curve, double step)
 {

@@ -21,7 +21,7 @@ using LabelImage = itk::Image<unsigned short, 2>;
 
 constexpr int pointsOfFold = 3;
 
-/** Of a feature: 0 the centre, 1 and 2 the ends. */
+/** A feature point: 0 the center, 1 and 2 the ends. */
 struct Feature
 {
   Feature(const HaustralFold & fold, int kind)
@@ -185,7 +185,7 @@ WriteFoldLabels(const HaustralFolds &  folds,
   {
     errno = 0;
     writer->Update();
-    reader->Update(); // a full disk is noticed
+    reader->Update(); // detects a full disk
   }
   catch (const itk::ExceptionObject & failure)
   {

@@ -93,8 +93,7 @@ private:
     return m_Mixture.hasFolds ? CutFolds(m_Picture, m_Mixture, m_Options) : std::vector<char>(m_Picture.Size(), 0);
   }
 
-  /** Connected components, split where folds have grown together. What is large enough is marked in the picture, so
-   * that crests end there. */
+  /** Connected components, with merged folds split. Large ones are marked in the picture, so crests end there. */
   std::vector<FoldPixels>
   Parts()
   {
@@ -150,7 +149,7 @@ private:
     return folds;
   }
 
-  /** Gives pixels that have no label this one; their area, mm^2. */
+  /** Assigns this label to unlabeled pixels; returns their area, mm^2. */
   double
   Paint(const FoldPixels & pixels, int label, itk::Image<unsigned short, 2> * labels) const
   {
@@ -165,7 +164,7 @@ private:
     return area;
   }
 
-  /** The cut ends before the crests do: labels go on along them. */
+  /** Extends labels along the crests, since the cut ends before them. */
   void
   LengthenLabels(HaustralFolds & folds) const
   {
@@ -184,7 +183,7 @@ private:
   std::vector<MeasuredFold>   m_Found;
 };
 
-/** Why the wall at the folds is not seen well, where the surface tells. */
+/** Sets why the wall at the folds is not clearly visible, if the surface has the array. */
 void
 NoteHindrances(const FlatColon & flat, std::vector<HaustralFold> & folds)
 {

@@ -32,7 +32,7 @@ BridgedFaces(const SurfaceMesh & surface)
   return isBridged;
 }
 
-/** Of each point of the flat surface; both sides of the cut have the same. */
+/** Value of each point of the flat surface; equal on both sides of the cut. */
 Eigen::VectorXd
 CurvatureOfPoints(const FlatColon & flat, double time)
 {
@@ -46,7 +46,7 @@ CurvatureOfPoints(const FlatColon & flat, double time)
   return curvature;
 }
 
-/** Faces are neighbours across the cut, too. */
+/** Connectivity with faces adjacent across the cut, too. */
 SurfaceConnectivity
 ConnectivityOfTube(const FlatColonGrid & grid)
 {
@@ -55,7 +55,7 @@ ConnectivityOfTube(const FlatColonGrid & grid)
   return SurfaceConnectivity(F, static_cast<int>(grid.InwardNormals().rows()));
 }
 
-/** Of each face, the mean of its corners. */
+/** Value of each face: mean of its corners. */
 std::vector<double>
 CurvatureOfFaces(const SurfaceMesh & surface, const Eigen::VectorXd & curvature)
 {
@@ -68,7 +68,7 @@ CurvatureOfFaces(const SurfaceMesh & surface, const Eigen::VectorXd & curvature)
   return result;
 }
 
-/** Otsu's threshold of the area by curvature, from -0.1 to 0.2 per mm. */
+/** Otsu's threshold of the area histogram of curvature, from -0.1 to 0.2 per mm. */
 double
 ThresholdBetween(const SurfaceMesh &         surface,
                  const std::vector<double> & curvature,
@@ -107,11 +107,11 @@ ThresholdBetween(const SurfaceMesh &         surface,
       best = bin;
     }
   }
-  // A wall without folds would be parted within: folds bulge into the lumen.
+  // At least 0, since folds bulge into the lumen: otherwise a wall without folds would be divided.
   return std::max(low + width * (best + 1), 0.0);
 }
 
-/** Faces of candidates that are connected to this one; they are taken off the candidates. */
+/** Candidate faces connected to this one; removes them from the candidates. */
 std::vector<int>
 TakeComponent(const SurfaceConnectivity & tube, int seed, std::vector<char> & isCandidate)
 {

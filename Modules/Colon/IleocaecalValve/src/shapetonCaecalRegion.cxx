@@ -48,7 +48,7 @@ CaecalRegion::PlaceGrid(const CurveSet & centreline, const Eigen::VectorXd & bef
       box.extend(centreline.V.row(i).transpose());
     }
   }
-  // In the middle of the box, so that a mirrored patient has mirrored voxels.
+  // Centered in the box, so a mirrored patient has mirrored voxels.
   const Eigen::Array3i half = ((0.5 * box.sizes().array() + margin) / Step).ceil().cast<int>();
   m_Grid.SetSize({ { 2 * half[0] + 1, 2 * half[1] + 1, 2 * half[2] + 1 } });
   m_Origin = box.center() - Step * half.cast<double>().matrix();
@@ -80,7 +80,7 @@ CaecalRegion::Sample(const LumenMask * labels, const itk::Image<float, 3> * ct)
   });
 }
 
-// Through the lumen, so that a loop that lies beside the caecum is no part of it; then a little way into the tissue.
+// Through the lumen, so a loop next to the cecum is excluded; then a little into the tissue.
 void
 CaecalRegion::MeasureBeforeEnd(const CurveSet & centreline, const Eigen::VectorXd & beforeEnd)
 {

@@ -13,18 +13,18 @@
 namespace shapeton
 {
 /** \class CaecalRegion
- * \brief The caecal end of a colon on cubic voxels along the patient's axes, whatever the axes and spacings of the
- * image, so that what is measured here depends on neither. */
+ * \brief The cecal end of a colon on cubic voxels along the axes of the patient, independent of the axes and spacings
+ * of the image. */
 class CaecalRegion
 {
 public:
-  /** mm, of a voxel. */
+  /** Voxel size, mm. */
   static constexpr double Step = 1.25;
-  /** mm along the line, before its end, where a valve may lie. */
+  /** Part of the line before its end where a valve may be, mm. */
   static constexpr double Reach = 160.0;
 
-  /** \param ct HU on the grid of the labels; null where there is none.
-   * \param margin around the line's last part, mm. */
+  /** \param ct HU on the grid of the labels; may be null.
+   * \param margin around the last part of the line, mm. */
   CaecalRegion(const LumenMask *            labels,
                const itk::Image<float, 3> * ct,
                const CurveSet &             centreline,
@@ -46,7 +46,7 @@ public:
     const auto v = m_Grid.Voxel(voxel);
     return m_Origin + Step * Eigen::Vector3d(v[0], v[1], v[2]);
   }
-  /** -1 outside. */
+  /** Index of a voxel; -1 outside. */
   std::ptrdiff_t
   VoxelAt(const Eigen::Vector3d & point) const;
   bool
@@ -59,20 +59,20 @@ public:
   {
     return m_IsLumen;
   }
-  /** HU; of no meaning without intensities. */
+  /** HU; undefined without intensities. */
   float
   Hounsfield(std::size_t voxel) const
   {
     return m_Hounsfield[voxel];
   }
-  /** mm before the end of the line: of the line's point from where the lumen was reached, also in tissue next to it;
-   * beyond Reach where it was not reached. */
+  /** Distance (mm) before the end of the line of the line point from which a lumen voxel, or tissue next to it, was
+   * reached; beyond Reach if not reached. */
   float
   BeforeEnd(std::size_t voxel) const
   {
     return m_BeforeEnd[voxel];
   }
-  /** mm from a voxel of tissue to the nearest one of the lumen; 0 in the lumen. */
+  /** Distance (mm) from a tissue voxel to the nearest lumen voxel; 0 in the lumen. */
   float
   FromLumen(std::size_t voxel) const
   {

@@ -16,15 +16,14 @@ constexpr const char * arrayName = "ileocaecalValve";
 constexpr int          valuesInArray = 7;
 constexpr double       leastConfidence = 0.5;
 
-/** Rounded down, so that what is not enough does not look so. */
+/** Rounded down, so a value below the limit never appears to reach it. */
 std::string
 PerCent(double share)
 {
   return std::to_string(static_cast<int>(std::floor(100.0 * share))) + " %";
 }
 
-/** One of the places is the valve, or none: the probability that it is this one or one next to it, which belongs to the
- * same fold. */
+/** Probability that the valve is this place or an adjacent one on the same fold; at most one place is the valve. */
 double
 ProbabilityNear(const ValveEvidence & best, const std::vector<ValveEvidence> & places, const std::vector<double> & odds)
 {

@@ -12,7 +12,7 @@ std::vector<float>
 KernelOf(double sigma)
 {
   const auto         reach = static_cast<int>(std::ceil(3.0 * sigma));
-  std::vector<float> kernel; // from the middle outwards
+  std::vector<float> kernel; // from the center outward
   double             sum = 0.0;
   for (int i = 0; i <= reach; ++i)
   {

@@ -7,7 +7,7 @@
 
 namespace shapeton
 {
-/** The values of cubic voxels smoothed by a Gaussian of `sigma` voxels; the border value goes on beyond the border. */
+/** Gaussian smoothing of cubic voxels with `sigma` voxels; border values are repeated. */
 std::vector<float>
 SmoothedField(const VoxelGrid & grid, const std::vector<unsigned char> & values, double sigma);
 } // namespace shapeton

@@ -11,15 +11,15 @@ namespace shapeton
 {
 namespace
 {
-/** mm: of the greatest ball in an ileum. Haustra, but for their corners, hold wider ones. */
+/** Radius of the largest ball in an ileum, mm. Haustra, except for their corners, contain larger ones. */
 constexpr double ilealRadius = 8.5;
-/** mm: crevices beside lips are shallower; so much of the ileum stays with the colon. */
+/** mm: crevices next to lips are shallower; this part of the ileum stays with the colon. */
 constexpr double leftWithColon = 4.0;
-/** mm from the line within which ileum is followed. */
+/** Maximum distance from the line to follow the ileum, mm. */
 constexpr double margin = 110.0;
-/** mm: how far from the valve the ileum may leave the colon. */
+/** Maximum distance from the valve at which the ileum may leave the colon, mm. */
 constexpr double fromValve = 25.0;
-/** mm: corners of haustra are shallower. */
+/** Minimum length, mm: corners of haustra are shallower. */
 constexpr double leastLength = 30.0;
 
 /** The lumen beyond the reach of balls of the ileal radius: 1 there, 0 elsewhere. */
@@ -43,7 +43,7 @@ NarrowLumen(const CaecalRegion & region)
   return narrow;
 }
 
-/** A part of the narrow lumen, from where it leaves the wide one on. */
+/** A part of the narrow lumen, starting where it leaves the wide lumen. */
 struct Branch
 {
   std::vector<std::size_t> mouth;
@@ -60,7 +60,7 @@ TouchesWideLumen(const CaecalRegion & region, const std::vector<unsigned char> &
   return touches;
 }
 
-/** Takes the connected part around a voxel out of `free`. */
+/** Removes the connected part around a voxel from `free`. */
 Branch
 GrowBranch(const CaecalRegion &               region,
            const std::vector<unsigned char> & narrow,
@@ -88,7 +88,7 @@ GrowBranch(const CaecalRegion &               region,
   return branch;
 }
 
-/** mm from the mouth to the farthest voxel, straight. */
+/** Straight distance from the mouth to the farthest voxel, mm. */
 double
 LengthOf(const CaecalRegion & region, const Branch & branch, const Eigen::Vector3d & mouth)
 {
@@ -100,7 +100,7 @@ LengthOf(const CaecalRegion & region, const Branch & branch, const Eigen::Vector
   return farthest;
 }
 
-/** 1 where the branch is, for each voxel of the region. */
+/** 1 inside the branch, for each voxel of the region. */
 std::vector<unsigned char>
 VoxelsOf(const CaecalRegion & region, const Branch & branch)
 {
@@ -147,7 +147,7 @@ MaskOf(const CaecalRegion & region, const Branch & branch, const LumenMask * lab
   return mask;
 }
 
-/** Whether it leaves the wide lumen at the valve alone; tells the middle of that place. */
+/** Whether the branch leaves the wide lumen only at the valve; returns the center of the opening. */
 bool
 LeavesAtValve(const CaecalRegion &    region,
               const Branch &          branch,

@@ -13,12 +13,12 @@ namespace shapeton
 namespace
 {
 constexpr double smoothing = 3.0; // mm
-/** Of the lesser principal curvature of a bulge, 1/mm. */
+/** Minimum of the smaller principal curvature of a bulge, 1/mm. */
 constexpr double leastCurvature = 0.01;
-/** Less is a ripple, sr. */
+/** Minimum solid angle, sr; less is a ripple. */
 constexpr double leastSolidAngle = 0.3;
 
-/** A voxel at the level, with the piece of surface in it. */
+/** A voxel at the level, with the surface element in it. */
 struct SurfaceVoxel
 {
   std::size_t     voxel;
@@ -69,11 +69,11 @@ private:
   const std::vector<float> & m_Field;
 };
 
-/** The piece of the half level in a voxel; none where the level is farther than 1.5 voxels. */
+/** The surface element of the half level in a voxel; none if the level is more than 1.5 voxels away. */
 bool
 MeasureSurface(const CaecalRegion & region, const FieldShape & shape, double value, SurfaceVoxel & one)
 {
-  constexpr double      reach = 1.5; // voxels: of the bump function that shares the surface out among voxels
+  constexpr double      reach = 1.5; // voxels: support of the bump function that distributes the surface among voxels
   const Eigen::Vector3d gradient = shape.Gradient(one.voxel);
   const double          steepness = gradient.norm();
   const double          distance = (value - 0.5) / std::max(steepness, 1e-6);
@@ -85,7 +85,7 @@ MeasureSurface(const CaecalRegion & region, const FieldShape & shape, double val
   const Eigen::Vector3d       right = one.inward.unitOrthogonal();
   Eigen::Matrix<double, 3, 2> tangents;
   tangents << right, one.inward.cross(right);
-  // The field falls from the lumen into the tissue: over a ball of tissue it rises outwards.
+  // The field decreases from the lumen into the tissue: over a ball of tissue it increases outward.
   const Eigen::Matrix2d curvature = tangents.transpose() * shape.Hessian(one.voxel) * tangents / steepness;
   const Eigen::Vector2d curvatures = PrincipalAxes(curvature).values;
   one.lesser = curvatures[0] / CaecalRegion::Step;
@@ -119,7 +119,7 @@ BulgingSurface(const CaecalRegion & region)
   return surface;
 }
 
-/** Which hang together by faces, edges or corners; ascending in each. */
+/** Components connected by faces, edges or corners; ascending in each. */
 std::vector<std::vector<SurfaceVoxel>>
 ConnectedParts(const VoxelGrid & grid, const std::vector<SurfaceVoxel> & surface)
 {
@@ -177,7 +177,7 @@ MeasureWidths(const std::vector<SurfaceVoxel> & part, ValveBulge & bulge)
   }
 }
 
-/** The median of the intensities below the surface, where no lumen is near. */
+/** Median of the intensities below the surface away from the lumen. */
 double
 AttenuationOf(const CaecalRegion & region, const std::vector<SurfaceVoxel> & part, const ValveBulge & bulge)
 {

@@ -7,7 +7,7 @@ namespace shapeton
 {
 namespace
 {
-/** The greatest one, and those around it. */
+/** The largest bulge, and those around it. */
 ValveEvidence
 EvidenceOf(const std::vector<ValveBulge> & lips)
 {
@@ -34,15 +34,15 @@ Squared(double value)
   return value * value;
 }
 
-/** From 0 to 1 about `middle`. */
+/** Smooth step from 0 to 1 about `middle`. */
 double
 Step(double value, double middle, double width)
 {
   return 1.0 / (1.0 + std::exp(-(value - middle) / width));
 }
 
-/** How much likelier a valve has such an area than other bulges, whose number falls with it. A valve has about 200
- * mm^2; more than that is no further evidence, as large polyps have it, too. */
+/** Log-likelihood ratio of the area for a valve against other bulges, which get rarer with area. A valve has about 200
+ * mm^2; more is no further evidence, since large polyps have it, too. */
 double
 LogOddsOfSize(double area)
 {
@@ -51,8 +51,8 @@ LogOddsOfSize(double area)
   return offset + std::min(area, most) / decay - 0.5 * Squared(std::log(area / typical) / spread);
 }
 
-/** How much likelier a valve has such an inside than other bulges: lips hold fat in most patients, but so does what
- * lies behind a thin wall; gas and tagged matter are no tissue. */
+/** Log-likelihood ratio of the tissue for a valve against other bulges. Lips contain fat in most patients, but so does
+ * the tissue behind a thin wall; gas and tagged matter are not tissue. */
 double
 LogOddsOfContent(double hounsfield)
 {
@@ -88,7 +88,7 @@ double
 ValveLogOdds(const ValveEvidence & evidence)
 {
   const double ofPlace = -0.5 * Squared((evidence.beforeEnd - 70.0) / 40.0);
-  // A ball of any size has 4 pi: the head of a polyp on its stalk.
+  // A ball of any size, such as the head of a polyp on its stalk, has 4 pi.
   const double ofBall = -4.0 * Step(evidence.solidAngle, 8.5, 0.7);
   return LogOddsOfSize(evidence.area) + ofPlace + ofBall + LogOddsOfContent(evidence.valve.attenuation);
 }

@@ -8,24 +8,24 @@
 
 namespace shapeton
 {
-/** A place that may be the valve: a bulge, or several that are near each other, as lips are. */
+/** A place that may be the valve: a bulge, or several nearby ones, such as lips. */
 struct ValveEvidence
 {
-  /** But for arcLength and confidence. */
+  /** Without arcLength and confidence. */
   IleocaecalValve valve;
-  /** mm before the end of the line. */
+  /** Distance before the end of the line, mm. */
   double beforeEnd{ 0.0 };
-  /** Of all bulges, mm^2. */
+  /** Total area of the bulges, mm^2. */
   double area{ 0.0 };
-  /** Of the greatest bulge, sr. */
+  /** Solid angle of the largest bulge, sr. */
   double solidAngle{ 0.0 };
 };
 
-/** The bulges, those within 18 mm of a greater one with that. */
+/** Groups bulges within 18 mm of a larger one with it. */
 std::vector<ValveEvidence>
 JoinLips(std::vector<ValveBulge> bulges);
 
-/** Of a place being the valve, against there being none. */
+/** Log-odds that a place is the valve rather than no place. */
 double
 ValveLogOdds(const ValveEvidence & evidence);
 } // namespace shapeton
