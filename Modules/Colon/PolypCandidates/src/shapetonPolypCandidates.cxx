@@ -135,7 +135,7 @@ NoteIleocaecalValve(double lengthOfCentreline, std::vector<PolypCandidate> & can
 void
 RankValveLast(const IleocaecalValve & valve, std::vector<PolypCandidate> & candidates)
 {
-  // Koenderink's limit between ridge and dome, where a cap is 1.
+  // Koenderink's limit between ridge and dome; a cap has 1.
   constexpr double leastShapeIndexOfDomes = 13.0 / 16.0;
   const double     reach = std::max(12.0, 0.5 * valve.length + 3.0); // mm
   for (PolypCandidate & one : candidates)
@@ -151,7 +151,7 @@ RankValveLast(const IleocaecalValve & valve, std::vector<PolypCandidate> & candi
       AddRemark("the ileocaecal valve", one);
     }
   }
-  // Behind those of equal score: Rank() keeps the order of these.
+  // After those of equal score: Rank() is stable.
   std::stable_partition(
     candidates.begin(), candidates.end(), [](const PolypCandidate & one) { return !one.isAtValve; });
   Rank(candidates);

@@ -20,7 +20,7 @@ Step(double value, double middle, double width)
   return 1.0 / (1.0 + std::exp(-(value - middle) / width));
 }
 
-/** What is at a place of the lumen's labels; 0 outside of the image. */
+/** Label at a place of the lumen image; 0 outside it. */
 class LumenAt
 {
 public:
@@ -34,7 +34,7 @@ public:
     return isInside ? m_Lumen->GetPixel(index) : 0;
   }
 
-  /** How far no lumen lies in any of 26 directions, mm: 0, or up to 3 in steps of 0.6. */
+  /** Distance without lumen in all of 26 directions, mm: 0, or up to 3 in steps of 0.6. */
   double
   Clearance(const Eigen::Vector3d & point) const
   {
@@ -65,7 +65,7 @@ struct InnerPoint
   double hounsfield;
 };
 
-/** mm from the surface of a head to the middle of its body. */
+/** Distance from the surface of a head to the center of its body, mm. */
 double
 DepthOf(const PolypCandidate & candidate)
 {
@@ -83,7 +83,7 @@ MiddleOf(const SurfaceMesh & wall, const PolypCandidate & candidate)
   return middle - DepthOf(candidate) * candidate.axis;
 }
 
-/** On the ways from the vertices of a head to the middle of its body. */
+/** Points on the lines from the vertices of a head to the center of its body. */
 std::vector<InnerPoint>
 InnerPointsOf(const SurfaceMesh &                                                       wall,
               const PolypCandidate &                                                    candidate,
@@ -110,8 +110,7 @@ InnerPointsOf(const SurfaceMesh &                                               
   return points;
 }
 
-/** Of the points away from the lumen, or of the deepest quarter where these are few; not a number where there is none.
- */
+/** Median HU of the points away from the lumen, or of the deepest quarter if these are few; NaN without points. */
 double
 MedianInside(std::vector<InnerPoint> points)
 {
@@ -134,7 +133,7 @@ MedianInside(std::vector<InnerPoint> points)
   return middle->hounsfield;
 }
 
-/** Of the vertices of a head, those before which fluid lies. */
+/** Share of the vertices of a head that are covered by fluid. */
 double
 SubmergedShare(const SurfaceMesh & wall, const PolypCandidate & candidate, const LumenAt & lumen)
 {

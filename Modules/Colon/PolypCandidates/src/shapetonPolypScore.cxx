@@ -31,7 +31,7 @@ TermsOf(const PolypFeatures & features)
              std::log(std::max(features.curvedness / sharp, 1.0)) } };
 }
 
-// Of Testing/Validation's FitPolypScore; the notes tell what it was run on, and how the weights were transferred since.
+// From FitPolypScore of Testing/Validation; the notes describe its data, and later transfers of the weights.
 const PolypWeights &
 FittedPolypWeights()
 {

@@ -94,7 +94,7 @@ NameSegments(const SurfaceMesh & segments, std::vector<PolypCandidate> & candida
   }
 }
 
-/** Tells of candidates where the wall is not seen as it should be. */
+/** Adds remarks to candidates where the wall is not assessable. */
 void
 NoteHindrances(const CurveSet & centreline, std::vector<PolypCandidate> & candidates)
 {

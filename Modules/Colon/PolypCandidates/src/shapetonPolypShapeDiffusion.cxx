@@ -63,7 +63,7 @@ MeanOfTissue(const TissueBox & box, const std::vector<float> & values)
   return number > 0.0 ? sum / number : 0.0;
 }
 
-/** The share of the wall, by area, with a smaller value. */
+/** Share of the wall, by area, with a smaller value. */
 Eigen::VectorXd
 RanksByArea(const Eigen::VectorXd & values, const Eigen::VectorXd & areas)
 {
@@ -80,7 +80,7 @@ RanksByArea(const Eigen::VectorXd & values, const Eigen::VectorXd & areas)
   return ranks;
 }
 
-/** Of the visits 1.5 mm below each vertex, smoothed over the wall. */
+/** Visits 1.5 mm below each vertex, smoothed over the wall. */
 Eigen::VectorXd
 DensityOnWall(const SurfaceMesh &         wall,
               const SurfaceConnectivity & connectivity,
@@ -133,7 +133,7 @@ FindPublishedPolypCandidates(const SurfaceMesh &           wall,
                              const itk::Image<float, 3> *  ct,
                              const PublishedPolypOptions & options)
 {
-  constexpr double depth = 8.0;  // mm of tissue that shapetons start in
+  constexpr double depth = 8.0;  // mm of tissue in which shapetons start
   constexpr double least = 0.96; // rank
   constexpr double narrowest = 3.0, widest = 40.0;
   RequireParameter(options.sensitivity >= 0.0 && options.sensitivity <= 1.0, "the sensitivity must be between 0 and 1");

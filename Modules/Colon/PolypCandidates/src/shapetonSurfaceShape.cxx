@@ -21,7 +21,7 @@ AreaVector(const VertexMatrix & V, const FaceMatrix & F, int face)
   return 0.5 * (b - a).cross(c - a);
 }
 
-/** Into the lumen, which lies on the inner side of the faces. */
+/** Normals into the lumen, which is on the inner side of the faces. */
 Eigen::MatrixXd
 InwardNormals(const VertexMatrix & V, const FaceMatrix & F)
 {
@@ -77,7 +77,7 @@ AnyPerpendicular(const Vector3d & normal)
   return normal.cross(Vector3d::Unit(least)).normalized();
 }
 
-/** Principal curvatures of an operator in the plane across `normal`, the greater one first. */
+/** Principal curvatures of an operator in the plane perpendicular to `normal`, the larger one first. */
 Eigen::Vector2d
 PrincipalCurvatures(const Matrix3d & shape, const Vector3d & normal)
 {

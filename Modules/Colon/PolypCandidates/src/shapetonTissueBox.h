@@ -8,12 +8,12 @@
 
 namespace shapeton
 {
-/** A part of a volume as plain arrays, x fastest: what shape diffusion works on. */
+/** A part of a volume as plain arrays, x fastest: input of shape diffusion. */
 class TissueBox
 {
 public:
-  /** The voxels of the lumen's grid within `margin` mm of the points (LPS, mm), as far as there are any. Intensities
-   * are 1 in tissue and 0 in the lumen. */
+  /** The voxels of the lumen grid within `margin` mm of the points (LPS, mm), clipped to the grid. Intensities are 1 in
+   * tissue and 0 in the lumen. */
   TissueBox(const PolypLumenImage * lumen, const std::vector<Eigen::Vector3d> & points, double margin);
 
   const std::array<std::size_t, 3> &
@@ -26,7 +26,7 @@ public:
   {
     return m_Size[0] * m_Size[1] * m_Size[2];
   }
-  /** mm. */
+  /** Voxel size, mm. */
   std::array<double, 3>
   Spacing() const;
   double
@@ -36,16 +36,16 @@ public:
   {
     return m_Intensities;
   }
-  /** HU in place of 0 and 1, from a CT on the same grid, cut to [-1000, 200] and scaled to [0, 1]. */
+  /** Replaces 0 and 1 by HU from a CT on the same grid, clamped to [-1000, 200] and scaled to [0, 1]. */
   void
   TakeIntensities(const itk::Image<float, 3> * ct);
-  /** 1 for tissue no farther than `depth` mm, along the axes, from the lumen. */
+  /** 1 for tissue at most `depth` mm, along the axes, from the lumen. */
   std::vector<unsigned char>
   TissueNearLumen(double depth) const;
-  /** The mean of values of the tissue below these points, each 0 outside of the box. */
+  /** Mean of tissue values below these points; points outside the box count as 0. */
   double
   MeanAt(const std::vector<float> & values, const std::vector<Eigen::Vector3d> & points) const;
-  /** The index of a voxel; -1 outside of the box. */
+  /** The index of a voxel; -1 outside the box. */
   std::ptrdiff_t
   VoxelAt(const Eigen::Vector3d & point) const;
 

@@ -13,13 +13,13 @@ namespace
 {
 using Eigen::Vector3d;
 
-/** The ring around the bulge that tells of its foot, mm from its rim: all of it for the curvature, the outer part,
+/** The ring around the bulge that measures its foot, mm from its rim: all of it for the curvature, the outer part,
  * beyond the fillet, for the height. */
 constexpr double ringBegin = 1.0;
 constexpr double ringEnd = 2.0;
 
 /** Measures parts of a wall where a level that is linear within faces is positive. Their rims cross faces, and all
- * measures are integrals or extents within these rims: where vertices happen to lie matters little. */
+ * measures are integrals or extents within these rims, so the vertex positions have little influence. */
 class BulgeFinder
 {
 public:
@@ -30,7 +30,7 @@ public:
     : m_Wall(wall), m_Connectivity(connectivity), m_Shape(shape), m_Level(level)
   {}
 
-  /** The connected vertices around one where the level is positive; takes them out of `isFree`. */
+  /** The connected vertices around one where the level is positive; removes them from `isFree`. */
   std::vector<int>
   Grow(int seed, std::vector<char> & isFree) const
   {
@@ -51,7 +51,7 @@ public:
     return found;
   }
 
-  /** A bulge, and where its rim crosses edges. */
+  /** A bulge, and the edge crossings of its rim. */
   struct Rimmed
   {
     WallBulge             bulge;
@@ -109,14 +109,14 @@ private:
     return polygon;
   }
 
-  /** Of the level at the corners of a face, times `sign`. */
+  /** Level at the corners of a face, times `sign`. */
   std::vector<double>
   LevelsOf(int face, double sign) const
   {
     return { sign * m_Level[m_Wall.F(face, 0)], sign * m_Level[m_Wall.F(face, 1)], sign * m_Level[m_Wall.F(face, 2)] };
   }
 
-  /** Ascending. */
+  /** In ascending order. */
   std::vector<int>
   FacesAt(const std::vector<int> & vertices) const
   {
@@ -157,7 +157,7 @@ private:
     bulge.axis = normal.normalized();
   }
 
-  /** Within the rim and on it. */
+  /** Points within the rim and on it. */
   std::vector<Vector3d>
   PointsOf(const Rimmed & part) const
   {
@@ -169,8 +169,8 @@ private:
     return points;
   }
 
-  /** Directions across the axis are counted from the one in which the points spread most: that turns and mirrors with
-   * the wall. */
+  /** Directions across the axis are measured from the direction of largest spread, so they rotate and mirror with the
+   * wall. */
   void
   MeasureWidths(Rimmed & part) const
   {
@@ -227,7 +227,7 @@ private:
     return std::sqrt(least);
   }
 
-  /** The faces within `reach` mm of the rim, straight, that are connected to it: those at its vertices at least. */
+  /** The connected faces within `reach` mm (straight) of the rim, at least those at its vertices. */
   std::vector<int>
   FacesAround(const Rimmed & part, double reach) const
   {
@@ -251,7 +251,7 @@ private:
     return this->FacesAt(reached);
   }
 
-  /** What of a face lies outside of the rim. */
+  /** The part of a face outside the rim. */
   WallPolygon
   OutsideOf(const Rimmed & part, int face) const
   {
@@ -259,7 +259,7 @@ private:
       return std::binary_search(part.bulge.vertices.begin(), part.bulge.vertices.end(), vertex);
     };
     const auto corners = m_Wall.F.row(face);
-    // Positive levels of a face that has no vertex of this bulge are those of another one.
+    // Positive levels of a face without a vertex of this bulge belong to another one.
     return isMember(corners[0]) || isMember(corners[1]) || isMember(corners[2])
              ? WherePositive(this->PolygonOf(face), this->LevelsOf(face, -1.0))
              : this->PolygonOf(face);
@@ -277,7 +277,7 @@ private:
     return WherePositive(polygon, values);
   }
 
-  /** Of the ring around a bulge. */
+  /** Measures of the ring around a bulge. */
   struct Foot
   {
     Vector3d middle{ Vector3d::Zero() };
@@ -355,7 +355,7 @@ FindWallBulges(const SurfaceMesh &         wall,
                const std::vector<char> &   isLeftOut,
                double                      leastCurvature)
 {
-  constexpr double outside = -1.0; // 1/mm: bulges end beside what is left out
+  constexpr double outside = -1.0; // 1/mm: bulges end at excluded parts
   Eigen::VectorXd  level = shape.lesser.array() - leastCurvature;
   for (Eigen::Index i = 0; i < level.size(); ++i)
   {

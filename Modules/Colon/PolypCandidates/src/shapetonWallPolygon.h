@@ -10,7 +10,7 @@
 
 namespace shapeton
 {
-/** A point of a wall with what is known there, linear between the corners of a face. */
+/** A point of a wall with values interpolated linearly within a face. */
 struct WallPlace
 {
   Eigen::Vector3d point;
@@ -20,21 +20,21 @@ struct WallPlace
   double lesser;
 };
 
-/** A part of a face: corners in order around it, in a plane. */
+/** A part of a face: corners in order, in a plane. */
 using WallPolygon = std::vector<WallPlace>;
 
 WallPlace
 Between(const WallPlace & a, const WallPlace & b, double share);
 
-/** The part where a function that is linear between the corners, with these values there, is positive. The corners that
- * are new, where it is 0, are appended to `rim` where that is given. */
+/** The part where a linear function with these corner values is positive. New corners, where it is 0, are appended to
+ * `rim` if given. */
 WallPolygon
 WherePositive(const WallPolygon &            polygon,
               const std::vector<double> &    values,
               std::vector<Eigen::Vector3d> * rim = nullptr);
 
-/** Calls body(place, area) for the middles of the edges of triangles that make up the polygon, with shares of its area:
- * sums over them are integrals, exact for quadratic functions. */
+/** Calls body(place, area) for the edge midpoints of triangles that make up the polygon, with shares of its area: sums
+ * over them are integrals, exact for quadratic functions. */
 template <typename TBody>
 void
 ForEachShare(const WallPolygon & polygon, const TBody & body)

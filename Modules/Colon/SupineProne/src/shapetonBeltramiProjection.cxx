@@ -15,7 +15,7 @@ namespace
 using Complex = std::complex<double>;
 using Coefficients = BeltramiEquations::Coefficients;
 
-/** mm, with the ends moved to circles. */
+/** Values in mm, with the ends moved to circles. */
 CylinderValues
 ValuesOf(const CylinderNodes & nodes, double targetAround)
 {
@@ -29,7 +29,7 @@ ValuesOf(const CylinderNodes & nodes, double targetAround)
   return values;
 }
 
-/** What was cut takes the mean of the triangles at its corners. */
+/** Replaces clamped coefficients by the mean of the triangles at their corners. */
 void
 Smooth(const BeltramiEquations & equations, const std::vector<char> & isCut, Coefficients & mu)
 {
@@ -56,8 +56,7 @@ Smooth(const BeltramiEquations & equations, const std::vector<char> & isCut, Coe
   }
 }
 
-/** Cuts coefficients to `greatest`, and takes the mean of the neighbourhood where that was needed; false where none was
- * too large. */
+/** Clamps coefficients to `greatest` and averages their neighborhood; false if none was too large. */
 bool
 Bound(const BeltramiEquations & equations, double greatest, Coefficients & mu)
 {
@@ -80,7 +79,7 @@ Bound(const BeltramiEquations & equations, double greatest, Coefficients & mu)
   return isAny;
 }
 
-/** Solves stiffness * values = right with the first and last `ends` nodes as they are (the first one alone for 0). */
+/** Solves stiffness * values = right with the first and last `ends` nodes fixed (only the first one for 0). */
 void
 SolveWithFixed(const Eigen::SparseMatrix<double> & stiffness, Eigen::VectorXd right, int ends, Eigen::VectorXd & values)
 {
@@ -97,7 +96,7 @@ SolveWithFixed(const Eigen::SparseMatrix<double> & stiffness, Eigen::VectorXd ri
   values.segment(first, inner) = right.segment(first, inner);
 }
 
-/** The map with these coefficients, which is turned as a whole as it was before. */
+/** The map with these coefficients and the previous overall rotation. */
 void
 Solve(const BeltramiEquations & equations, const Coefficients & mu, CylinderValues & values)
 {
@@ -155,7 +154,7 @@ ProjectToBijection(const CylinderNodes &             nodes,
     bound *= projection.flips > 0 ? 0.9 : 1.0;
     if (projection.flips == 0 && GreatestOf(mu) < 0.5 * (1.0 + options.greatest))
     {
-      break; // coefficients a little above the bound are no fault of a bijection
+      break; // coefficients slightly above the bound are acceptable in a bijection
     }
   }
   projection.greatest = GreatestOf(mu);

@@ -11,14 +11,14 @@ struct BeltramiProjectionOptions
   /** Greatest absolute value of the Beltrami coefficient, below 1. */
   double greatest{ 0.8 };
   int    iterations{ 12 };
-  /** After each map that is solved for. */
+  /** Called after each solve. */
   Progress progress;
 };
 
 struct BeltramiProjection
 {
   CylinderNodes nodes;
-  /** Triangles turned over before and after. */
+  /** Flipped triangles before and after. */
   int    flipsBefore{ 0 };
   int    flips{ 0 };
   double greatestBefore{ 0.0 };
@@ -26,11 +26,11 @@ struct BeltramiProjection
   int    iterations{ 0 };
 };
 
-/** The nearest map found that is a bijection: its Beltrami coefficient is cut to `greatest` where it is larger,
- * smoothed there, and the map with that coefficient is found from linear elliptic equations (linear Beltrami solver,
- * Lui, Lam, Yau, Gu 2014), with the ends of the source mapped to circles of the target and no other constraint;
- * repeated, with a tighter bound, for as long as a triangle is turned over. A map that is good already comes back as it
- * is, but for its ends. `sourceAround` and `targetAround` are what a turn counts for, mm. */
+/** Finds a nearby bijection. The Beltrami coefficient is clamped to `greatest` and smoothed there, and the map with
+ * that coefficient is found from linear elliptic equations (linear Beltrami solver, Lui, Lam, Yau, Gu 2014), with the
+ * ends of the source mapped to circles of the target as the only constraint. This is repeated with a tighter bound
+ * while a triangle is flipped. A valid map is returned unchanged, except for its ends. `sourceAround` and
+ * `targetAround` are the circumferences, mm. */
 BeltramiProjection
 ProjectToBijection(const CylinderNodes &             nodes,
                    double                            sourceAround,

@@ -12,8 +12,8 @@ namespace shapeton
 namespace
 {
 
-/** Means over neighbours, and a small slope, so that no two columns share a distance: steps of the assignment to the
- * centreline are no property of the wall. */
+/** Smooths, and adds a small slope to make the distances distinct: steps of the assignment to the centerline are not a
+ * property of the wall. */
 std::vector<double>
 StrictlyAscending(const std::vector<double> & values, int reach, double leastStep)
 {
@@ -21,7 +21,7 @@ StrictlyAscending(const std::vector<double> & values, int reach, double leastSte
   std::vector<double> ascending(values.size());
   for (int i = 0; i <= last; ++i)
   {
-    const int near = std::min({ reach, i, last - i }); // symmetric: the ends stay where they are
+    const int near = std::min({ reach, i, last - i }); // symmetric: the ends stay fixed
     double    sum = 0.0;
     for (int j = i - near; j <= i + near; ++j)
     {

@@ -11,7 +11,7 @@ namespace shapeton
 constexpr int    WarpAngles = 48;   ///< rotations of the warping
 constexpr double WarpRowStep = 3.0; ///< mm between its rows
 
-/** Two positions with what is known of them before they are registered. The positions must outlive it. */
+/** Two positions with derived data, before registration. The positions must outlive it. */
 struct ColonPair
 {
   ColonPair(const ColonPosition & source, const ColonPosition & target);
@@ -25,10 +25,10 @@ struct ColonPair
   TaeniaAngles                         sourceTaeniae;
   TaeniaAngles                         targetTaeniae;
   PiecewiseLine                        frame;
-  /** Places of the source, mm, where segments meet that are registered by themselves. */
+  /** Distances (mm) in the source where separately registered segments meet. */
   std::vector<double> breaks;
 
-  /** Of the target, mm. */
+  /** The same in the target, mm. */
   double
   Around() const
   {
@@ -41,12 +41,12 @@ struct ColonPair
   }
 };
 
-/** Fills in taeniae, frame and, where `isSegmentWise`, breaks. Throws InputError where the positions have no landmarks
- * in common. */
+/** Sets taeniae, frame and, if `isSegmentWise`, breaks. Throws InputError when the positions have no landmarks in
+ * common. */
 void
 FindFrame(ColonPair & pair, bool isSegmentWise, std::vector<std::string> & warnings);
 
-/** Nothing is to be seen at this place of a colon. */
+/** Whether the wall at this place of a colon is not visible. */
 bool
 IsExcluded(const ColonPosition & position, const ColonCylinder & cylinder, const CylinderPlace & place);
 } // namespace shapeton

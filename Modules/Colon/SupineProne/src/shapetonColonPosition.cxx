@@ -20,7 +20,7 @@ IsMostlyBridged(const FlatColonGrid & grid, int column)
   return 2 * bridged > grid.Rows();
 }
 
-/** Columns that lie at a gap of the centreline. */
+/** Marks columns at a gap of the centerline. */
 void
 ExcludeGaps(const ColonCylinder & cylinder, const CurveSet & centreline, std::vector<char> & isExcluded)
 {

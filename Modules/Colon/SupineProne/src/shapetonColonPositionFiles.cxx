@@ -14,7 +14,7 @@ namespace shapeton
 {
 namespace
 {
-/** A folder of an examination, from which files are taken one by one. */
+/** Reads the files of an examination folder. */
 class Examination
 {
 public:
@@ -32,7 +32,7 @@ public:
     return fs::is_regular_file(this->PathOf(stage, file));
   }
 
-  /** The path of a file that must be there. */
+  /** The path of a required file. */
   std::string
   Take(const std::string & stage, const std::string & file, const std::string & tool)
   {
@@ -102,7 +102,7 @@ ReadLandmarks(Examination & examination, ColonPositionFiles & files)
   }
 }
 
-/** The lumen, where it came from a CT, says how the patient lay: the two examinations may have changed places. */
+/** Checks the patient position stored with a lumen from a CT: the two examinations may be swapped. */
 void
 WarnOfPosition(const Examination & examination, ColonPositionFiles & files)
 {
@@ -138,7 +138,7 @@ ReadColonPosition(const std::string & folder, const std::string & name)
   RequireSound(position.centreline, name + ": the centreline");
   const std::string flatPath = examination.Take("flattening", "flat.vtp", "ColonFlattening");
   position.flat = std::make_shared<FlatColon>(ReadSurface(flatPath).mesh, FlatColonGridOptions{}, '"' + flatPath + '"');
-  position.flat->Grid(); // refuses a surface that is not flat before the rest is read
+  position.flat->Grid(); // rejects a surface that is not flat before the rest is read
   ReadLandmarks(examination, files);
   const std::string foldsPath = examination.Take("landmarks", "folds-surface.vtp", "ColonLandmarks");
   position.curvature = CurvatureOf(ReadSurface(foldsPath).mesh, position.flat->Surface(), foldsPath);

@@ -13,7 +13,7 @@ namespace
 {
 constexpr double rowStep = 3.0; // mm
 
-/** Stretched to so many rows from end to end. */
+/** Picture stretched to this number of rows from end to end. */
 CylinderPicture
 PictureOf(const ColonWithFolds & colon, double step, int rows)
 {
@@ -27,7 +27,7 @@ PictureOf(const ColonWithFolds & colon, double step, int rows)
   return MakeCylinderPicture(colon.position, colon.cylinder, colon.folds, form);
 }
 
-/** Bit 1: the angles run the other way; bit 2: the rows do. */
+/** Bit 1: the angles are reversed; bit 2: the rows are. */
 CylinderPicture
 Turned(CylinderPicture picture, int way)
 {

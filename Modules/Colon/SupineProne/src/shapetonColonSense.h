@@ -9,7 +9,7 @@
 
 namespace shapeton
 {
-/** A colon with the probability of a fold at each pixel of its grid. Nothing is owned. */
+/** A colon with the fold probability at each pixel of its grid. Non-owning. */
 struct ColonWithFolds
 {
   const ColonPosition &      position;
@@ -17,9 +17,9 @@ struct ColonWithFolds
   const std::vector<float> & folds;
 };
 
-/** Throws InputError where a colon fits better when it is turned: then it runs the other way, or is a mirror image.
- * Nothing but the ends and the folds is used. Returns by how much the energy of the best turned warp exceeds that of
- * the straight one; two patients have about 0. */
+/** Throws InputError when a transformed colon fits better: then it is reversed or a mirror image. Uses only the ends
+ * and the folds. Returns the energy of the best transformed warp minus that of the original one; about 0 for two
+ * patients. */
 double
 RequireSameSense(const ColonWithFolds & source, const ColonWithFolds & target, const Progress & progress);
 } // namespace shapeton

@@ -9,13 +9,13 @@ namespace shapeton
 {
 namespace
 {
-/** Taeniae of the source are to come to lie on those of the target, where the map takes them along the colon. In the
- * rectum the muscle is one coat without bands; what is found there are mere continuations. */
+/** Constraints that map taeniae of the source to those of the target. In the rectum the muscle is one coat without
+ * bands; taeniae there are only extrapolated. */
 std::vector<DirectionConstraint>
 ConstraintsOfTaeniae(const ColonPair & pair, const RowMap & map, double deviation)
 {
   constexpr double                 step = 6.0;      // mm
-  constexpr double                 greatest = 15.0; // mm: farther away it is another one, or none
+  constexpr double                 greatest = 15.0; // mm: farther away it is another one
   constexpr double                 rectum = 100.0;  // mm from the anal verge
   std::vector<DirectionConstraint> constraints;
   const double                     begin = pair.sourceCylinder->Begin() + rectum;
@@ -43,7 +43,7 @@ ConstraintsOfTaeniae(const ColonPair & pair, const RowMap & map, double deviatio
   return constraints;
 }
 
-/** Each round about the map of the one before. */
+/** Matches folds; each iteration uses the map of the previous one. */
 void
 MatchAndFit(const ColonPair &  pair,
             FoldMatchingMethod method,
@@ -117,7 +117,7 @@ FitCorrection(const ColonPair &                pair,
   corrected.pairWeights.clear();
   for (std::size_t i = 0; i < corrected.matching.pairs.size(); ++i)
   {
-    corrected.pairWeights.push_back(weights[3 * i]); // of the middle
+    corrected.pairWeights.push_back(weights[3 * i]); // of the center
   }
 }
 

@@ -8,19 +8,19 @@
 
 namespace shapeton
 {
-/** A map that moves rows as a whole, with a smooth correction. */
+/** A map that moves whole rows, with a smooth correction. */
 struct RowMap
 {
   PiecewiseLine                           s;
   PiecewiseLine                           rotation;
   std::shared_ptr<const SmoothCorrection> correction;
-  double                                  around{ 1.0 }; ///< of the target, mm
+  double                                  around{ 1.0 }; ///< circumference of the target, mm
 
   CylinderPlace
   operator()(const CylinderPlace & place) const;
 };
 
-/** A warp with the pairs of folds that were taken about it, and the correction that they ask for. */
+/** A warp with its matched pairs of folds, and the correction computed from them. */
 struct CorrectedWarp
 {
   CylindricalWarp                         warp;
@@ -28,9 +28,9 @@ struct CorrectedWarp
   std::shared_ptr<const SmoothCorrection> correction;
   /** Standard deviation of the taeniae as constraints of the correction, mm. */
   double taeniaDeviation{ 3.0 };
-  /** Of the correction, mm^2. */
+  /** Stiffness of the correction, mm^2. */
   double stiffness{ 2.0 };
-  /** How much the correction follows the middle of each pair, 0 to 1. */
+  /** How much the correction follows the center of each pair, 0 to 1. */
   std::vector<double> pairWeights;
 
   /** The map without its correction, and with it. */
@@ -38,30 +38,30 @@ struct CorrectedWarp
   Warp(const ColonPair & pair) const;
   RowMap
   Map(const ColonPair & pair) const;
-  /** Pairs that the map follows, less those that it does not. */
+  /** Number of pairs that the map follows minus the others. */
   double
   Support() const;
 };
 
-/** Matches folds about the warp, and again about the corrected one; the correction is a thin plate through the middles
- * and ends of matched folds and along the taeniae. To judge a warp: taeniae count as much as folds, and the stiff
+/** Matches folds about the warp, and again about the corrected one. The correction is a thin plate through the centers
+ * and ends of matched folds and along the taeniae. Used to rate a warp: taeniae have the weight of folds, and the stiff
  * correction cannot follow wrong pairs. */
 CorrectedWarp
 CorrectWarp(const ColonPair & pair, const CylindricalWarp & warp, FoldMatchingMethod method, const Progress & progress);
 
-/** The same once more and softer, for the warp that was chosen. Taeniae are found less exactly than folds, and
- * neighbouring points of one err together, so that each counts for a quarter of a fold. */
+/** Repeats it with less stiffness for the chosen warp. Taeniae are less accurate than folds, and errors of neighboring
+ * points of one are correlated, so each has a quarter of the weight of a fold. */
 CorrectedWarp
 CorrectChosenWarp(const ColonPair &       pair,
                   const CylindricalWarp & warp,
                   FoldMatchingMethod      method,
                   const Progress &        progress);
 
-/** Corrects it further by the pictures of folds themselves (Gauss-Newton). */
+/** Refines the correction by the fold pictures themselves (Gauss-Newton). */
 void
 RefineByPictures(const ColonPair & pair, CorrectedWarp & corrected, const Progress & progress);
 
-/** Fits the correction anew through the matched folds, the taeniae as the map takes them, and what else is known. */
+/** Refits the correction to the matched folds, the taeniae under the map, and further constraints. */
 void
 FitCorrection(const ColonPair &                pair,
               const RowMap &                   map,

@@ -7,11 +7,11 @@ namespace shapeton
 {
 namespace
 {
-constexpr double beyond = 1000.0; ///< mm, what is added at each end
+constexpr double beyond = 1000.0; ///< mm, added at each end
 constexpr double binSize = 5.0;   ///< mm along the target
 constexpr int    binAngles = 36;
 
-/** Rows of the extended nodes are unevenly spaced: this is where they lie. */
+/** Position of the unevenly spaced rows of the extended nodes. */
 double
 RowPlace(const CylinderNodes & nodes, double s)
 {
@@ -67,7 +67,7 @@ CornersOf(const CylinderNodes & nodes, int triangle)
            isSecond ? nodes.At(row, angle + 1) : nodes.At(row + 1, angle + 1) };
 }
 
-/** Twice the area, in mm times turns, positive where the triangle is not turned over. */
+/** Twice the area, in mm times turns, positive unless the triangle is flipped. */
 double
 AreaOf(const CylinderPlace & a, const CylinderPlace & b, const CylinderPlace & c)
 {
@@ -120,8 +120,8 @@ CylinderMap::Forward(const CylinderPlace & place) const
   const CylinderPlace a = m_Extended.At(i, j);
   const CylinderPlace c = m_Extended.At(i + 1, j + 1);
   const CylinderPlace b = p >= q ? m_Extended.At(i + 1, j) : m_Extended.At(i, j + 1);
-  const double        first = p >= q ? p - q : q - p; // share of the corner b
-  const double        both = std::min(p, q);          // of the corner c
+  const double        first = p >= q ? p - q : q - p; // weight of corner b
+  const double        both = std::min(p, q);          // of corner c
   const double        rest = 1.0 - first - both;
   return { rest * a.s + first * b.s + both * c.s, rest * a.turn + first * b.turn + both * c.turn + around };
 }

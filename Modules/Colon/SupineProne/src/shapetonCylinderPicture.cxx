@@ -36,7 +36,7 @@ AddPixel(Splat & splat, double row, double angle, double value)
   }
 }
 
-/** The share of a row that excluded columns make up decides over it. */
+/** Excludes a row by its share of excluded columns. */
 void
 Normalize(CylinderPicture & picture, const std::vector<char> & isExcluded)
 {

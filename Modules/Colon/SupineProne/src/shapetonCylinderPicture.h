@@ -8,15 +8,15 @@
 
 namespace shapeton
 {
-/** How much of a fold the wall shows, on a cylinder: rows are even steps along the colon, columns are angles. Mean 0
- * and deviation 1 over what is not excluded; excluded rows are 0. */
+/** Picture of the fold probability on a cylinder: rows are equal steps along the colon, columns are angles. Normalized
+ * to mean 0 and deviation 1 over rows that are not excluded; excluded rows are 0. */
 struct CylinderPicture
 {
   Eigen::MatrixXd   values;
   std::vector<char> isExcluded;
-  /** The same of bands along the taeniae, mean 0 and deviation 1 of each row; empty where they are not known. */
+  /** Picture of bands along the taeniae, mean 0 and deviation 1 in each row; empty if unknown. */
   Eigen::MatrixXd taeniae;
-  /** Of the middle of the first row, and from row to row, in the unit of the coordinate along the colon, mm. */
+  /** Center of the first row, and row distance, in the coordinate along the colon, mm. */
   double begin{ 0.0 };
   double step{ 1.0 };
 
@@ -38,10 +38,10 @@ struct CylinderPictureForm
   double step{ 3.0 };
   int    rows{ 1 };
   int    angles{ 48 };
-  /** Standard deviations of smoothing, in rows and angles. */
+  /** Standard deviations of the smoothing, in rows and angles. */
   double smoothRows{ 1.0 };
   double smoothAngles{ 1.0 };
-  /** From the distance along the centreline, mm, to the coordinate of the rows; must ascend. */
+  /** Maps the distance along the centerline, mm, to the row coordinate; must ascend. */
   std::function<double(double)> coordinate;
 };
 
@@ -51,7 +51,7 @@ MakeCylinderPicture(const ColonPosition &       position,
                     const std::vector<float> &  probability,
                     const CylinderPictureForm & form);
 
-/** Between its pixels; the ends repeat. The middle of the first angle lies at half a pixel. */
+/** Interpolates between pixels; the ends repeat. The center of the first angle is at half a pixel. */
 double
 SampleOf(const CylinderPicture & picture, double s, double turn);
 

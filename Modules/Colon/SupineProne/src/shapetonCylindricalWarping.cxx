@@ -11,11 +11,11 @@ namespace shapeton
 namespace
 {
 constexpr float infinite = std::numeric_limits<float>::infinity();
-/** Target rows passed from row to row. The centreline takes short cuts through collapsed stretches, so that their
- * length differs by much more than that of others. */
+/** Maximum number of target rows per row. The centerline takes shortcuts through collapsed stretches, so their length
+ * differs by much more than that of others. */
 constexpr int           greatestAdvance = 3;
 constexpr int           greatestUnseenAdvance = 8;
-constexpr unsigned char jumped = 255; ///< the step of a jump
+constexpr unsigned char jumped = 255; ///< code of a jump step
 
 /** State (offset, rotation) of each row: the target row is 2 * row + offset - reach, the rotation that of the frame,
  * rounded, plus rotation - width. */
@@ -96,11 +96,11 @@ private:
     return now;
   }
 
-  /** Where nothing is seen the path may go on in any rotation, and any way farther along. */
+  /** Where the wall is not visible the path may continue in any rotation, and anywhere farther along. */
   void
   Jump(int row, const std::vector<float> & before, const std::vector<float> & cost, std::vector<float> & now)
   {
-    std::vector<int> least; // state of each offset
+    std::vector<int> least; // best state of each offset
     for (int offset = 0; offset < m_Offsets; ++offset)
     {
       const auto begin = before.begin() + static_cast<std::ptrdiff_t>(offset) * m_Rotations;
@@ -145,8 +145,8 @@ private:
     return m_Source.isExcluded[row] || m_Source.isExcluded[row - 1];
   }
 
-  /** Steps that the frame turns from the row before on. Where nothing is seen taeniae are not known either, and the
-   * path follows the frame, whatever it does. */
+  /** Rotation steps of the frame from the previous row. Where the wall is not visible the taeniae are unknown, too, and
+   * the path follows the frame. */
   int
   Turned(int row) const
   {
@@ -155,7 +155,7 @@ private:
     return this->IsUnseen(row) || std::abs(turned) > greatest ? 0 : turned;
   }
 
-  /** step = 3 * rows passed + change of rotation + 1; -1 where there is none. */
+  /** step = 3 * rows passed + change of rotation + 1; -1 if none. */
   int
   StateBefore(int offset, int rotation, int turned, int step) const
   {
@@ -227,7 +227,7 @@ private:
   CylindricalWarpingOptions  m_Options;
   std::vector<int>           m_Centre;
   std::vector<unsigned char> m_Step;
-  std::vector<int>           m_Origin; ///< the state that a jump to a row and an offset comes from
+  std::vector<int>           m_Origin; ///< origin state of a jump to a row and an offset
   int                        m_Reach;
   RowCosts                   m_Costs;
   int                        m_Angles{ 1 };

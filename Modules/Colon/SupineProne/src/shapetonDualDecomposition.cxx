@@ -42,7 +42,7 @@ private:
     return choice[row] < 0 ? static_cast<int>(m_Problem.candidates[row].size()) : choice[row];
   }
 
-  /** Adds to the cost of a label in the subproblem of assignment. */
+  /** Adds to the cost of a label in the assignment subproblem. */
   void
   AddToLabel(AssignmentProblem & problem, int row, int label, double value) const
   {
@@ -54,7 +54,7 @@ private:
   Iterate(double step)
   {
     m_Modified = m_Problem;
-    AssignmentProblem votes = m_Problem; // rounding: what the pairs want counts most
+    AssignmentProblem votes = m_Problem; // rounding: the pair subproblems dominate
     for (std::size_t p = 0; p < m_Pairs.size(); ++p)
     {
       for (int label = 0; label < m_First[p].size(); ++label)

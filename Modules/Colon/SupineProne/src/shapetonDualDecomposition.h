@@ -7,7 +7,7 @@
 
 namespace shapeton
 {
-/** Two rows of an assignment whose choices depend on each other; the last label of a row is its dustbin. */
+/** Two rows of an assignment with dependent choices; the last label of a row is its dustbin. */
 struct PairTerm
 {
   int             first;
@@ -22,7 +22,7 @@ struct PairedAssignment
   int        iterations{ 0 };
 };
 
-/** Minimises assignment and pair terms by dual decomposition. Deterministic; ends early where the bound is reached. */
+/** Minimizes assignment and pair terms by dual decomposition. Deterministic; stops early when the bound is reached. */
 PairedAssignment
 SolvePairedAssignment(const AssignmentProblem & problem, const std::vector<PairTerm> & pairs, int iterations);
 } // namespace shapeton

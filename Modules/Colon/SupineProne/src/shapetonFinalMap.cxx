@@ -60,7 +60,7 @@ MarkExcluded(const ColonPair & pair, SupineProneRegistration & registration)
   }
 }
 
-/** `weights` are those of the pairs of registration.matching. */
+/** `weights` correspond to the pairs of registration.matching. */
 void
 FillIn(const ColonPair &           pair,
        CylinderMap                 map,

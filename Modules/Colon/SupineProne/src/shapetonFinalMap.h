@@ -6,11 +6,11 @@
 
 namespace shapeton
 {
-/** A map at the nodes of the final one: every 4 mm and 10 degrees. */
+/** Samples a map at the nodes of the final one: every 4 mm and 10 degrees. */
 CylinderNodes
 NodesOf(const ColonPair & pair, const RowMap & map);
 
-/** Fills in map, matching and matches, what is excluded, and the figures of these. */
+/** Sets map, matching, matches, exclusions, and their figures. */
 void
 ProjectMap(const ColonPair &         pair,
            const CorrectedWarp &     corrected,
@@ -18,7 +18,7 @@ ProjectMap(const ColonPair &         pair,
            SupineProneRegistration & registration,
            const Progress &          progress);
 
-/** The same by FindPublishedMap() about the frame of the registration; warns of triangles that are turned over. */
+/** The same by FindPublishedMap() about the frame of the registration; warns of flipped triangles. */
 void
 MapAsPublished(const ColonPair &         pair,
                FoldMatchingMethod        method,

@@ -10,7 +10,7 @@ namespace
 constexpr int    pairAngles = 48;
 constexpr double pairStep = 3.0; // mm
 
-/** From mm along the centreline to mm along the flat wall. */
+/** Converts mm along the centerline to mm along the flat wall. */
 double
 FlatOfArc(const ColonCylinder & cylinder, double s)
 {
@@ -23,7 +23,7 @@ ArcOfFlat(const ColonCylinder & cylinder, double u)
   return cylinder.ArcOfColumn(u / cylinder.Grid().PixelSize());
 }
 
-/** mm of the centreline for each mm of the flat wall, between two places of it. */
+/** mm of the centerline per mm of the flat wall, between two places of it. */
 double
 SlopeOf(const ColonCylinder & cylinder, double from, double to)
 {

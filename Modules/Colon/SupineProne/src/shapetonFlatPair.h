@@ -7,9 +7,9 @@
 
 namespace shapeton
 {
-/** The flat walls of a pair, which are conformal, and nodes on the source in rows of even distance along its
- * centreline. Maps between the flat walls have values in mm of the target's; nodes and places are in mm along the
- * centrelines. The pair must outlive it. */
+/** The conformal flat walls of a pair, and nodes on the source in equidistant rows along its centerline. Maps between
+ * the flat walls have values in mm of the target wall; nodes and places are in mm along the centerlines. The pair must
+ * outlive it. */
 class FlatPair
 {
 public:
@@ -37,15 +37,15 @@ public:
   NodesOf(const CylinderValues & values) const;
   BeltramiEquations::Place
   PlaceOf(const CylinderPlace & place) const;
-  /** Where a map takes a place of the source. */
+  /** Image of a place of the source under a map. */
   CylinderPlace
   Mapped(const CylinderPlace & place, const CylinderValues & values) const;
-  /** The place goes to `s` of the target. Between nodes a map is straight in mm of the centreline, in which `s` is
-   * known, while the condition is one of mm of the flat wall: each corner counts for as much as the first grows with
-   * the second from `s` to where the values have the corner. */
+  /** Condition that the place maps to `s` of the target. Between nodes a map is linear in mm of the centerline, in
+   * which `s` is known, while the condition is in mm of the flat wall. So each corner is weighted by the ratio of the
+   * two between `s` and its current value. */
   MapCondition
   Along(const CylinderPlace & place, double s, const CylinderValues & values) const;
-  /** The place goes to `turn` of the target, by the shorter way from where the values have it. */
+  /** Condition that the place maps to `turn` of the target, by the shorter way from its current value. */
   MapCondition
   Around(const CylinderPlace & place, double turn, const CylinderValues & values) const;
 

@@ -72,7 +72,7 @@ MakeProblem(const std::vector<FoldFeature> & source,
   return problem;
 }
 
-/** Pairs of a fold and one of its nearest. */
+/** Pairs of each fold and its nearest neighbors. */
 std::set<std::pair<int, int>>
 Neighbours(const std::vector<FoldFeature> & folds, double turn, int number)
 {

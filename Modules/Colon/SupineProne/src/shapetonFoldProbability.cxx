@@ -11,7 +11,7 @@ namespace shapeton
 {
 namespace
 {
-/** `ofPoints` as ColonPosition has it. */
+/** `ofPoints` as in ColonPosition. */
 double
 CurvatureAt(const FlatColonGrid & grid, const Eigen::VectorXd & ofPoints, int column, int row)
 {
@@ -63,7 +63,7 @@ BulgeOfPixels(const ColonPosition & position)
   return curvature;
 }
 
-/** Raises the pixels about a place of the map, v of any turn, to a Gaussian. */
+/** Raises the pixels around a place of the map, v of any turn, to a Gaussian. */
 void
 DrawPoint(const FlatColonGrid & grid, const Eigen::Vector2d & uv, double pixel, std::vector<float> & picture)
 {
@@ -83,7 +83,7 @@ DrawPoint(const FlatColonGrid & grid, const Eigen::Vector2d & uv, double pixel, 
   }
 }
 
-/** 0 to 1: near the line from one end of a fold through its middle to the other. */
+/** 0 to 1: proximity to the line from one end of a fold through its center to the other. */
 std::vector<float>
 DrawFolds(const ColonPosition & position)
 {

@@ -5,9 +5,9 @@
 
 namespace shapeton
 {
-/** 0 for the wall, 1 for folds, of each pixel of the grid (row by row): the mean of two views. One is a cubic step of
- * curvature between its median and the value that 95 % do not exceed, which sees low folds, and loops that press in;
- * the other one are the folds that were found, from end to end through their middles, all alike. */
+/** Fold probability of each pixel of the grid (row by row), 0 for wall, 1 for folds: the mean of two views. One is a
+ * cubic step of curvature between its median and its 95th percentile, which also shows low folds and impressions of
+ * other loops. The other one is the detected folds, drawn from end to end through their centers, all alike. */
 std::vector<float>
 FoldProbability(const ColonPosition & position);
 } // namespace shapeton

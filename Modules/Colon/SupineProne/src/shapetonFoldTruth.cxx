@@ -49,7 +49,7 @@ Way(const CylinderPlace & from, const CylinderPlace & to, double around)
   return { to.s - from.s, TurnDifference(to.turn, from.turn) * around };
 }
 
-/** Where a place goes as the points around it do; nothing where there are none. */
+/** Moves a place with the points around it; empty without points. */
 std::optional<CylinderPlace>
 Moved(const CylinderPlace & place, const std::vector<PlacePair> & pairs, double around)
 {
@@ -78,7 +78,7 @@ Moved(const CylinderPlace & place, const std::vector<PlacePair> & pairs, double 
   return CylinderPlace{ place.s + moved.s / weights, place.turn + firstTurn + moved.turn / weights };
 }
 
-/** Of a place to the line from a to b, all on the plane. */
+/** Distance of a place to the line from a to b, in the plane. */
 double
 DistanceToLine(const Eigen::Vector2d & place, const Eigen::Vector2d & a, const Eigen::Vector2d & b)
 {
@@ -88,7 +88,7 @@ DistanceToLine(const Eigen::Vector2d & place, const Eigen::Vector2d & a, const E
   return (place - a - share * edge).norm();
 }
 
-/** End, middle and end of a crest in mm on a plane. */
+/** End, center and end of a crest in mm on a plane. */
 using Crest = std::array<Eigen::Vector2d, 3>;
 
 double
@@ -113,7 +113,7 @@ PlacesOfCrest(const HaustralFold & fold, const ColonCylinder & cylinder)
   };
 }
 
-/** Ends without points near them move as the middle does; nothing where that has none either. */
+/** Ends without nearby points move with the center; empty if that has none either. */
 std::optional<std::array<CylinderPlace, 3>>
 MovedCrest(const std::array<CylinderPlace, 3> & crest, const std::vector<PlacePair> & pairs, double around)
 {
@@ -133,7 +133,7 @@ MovedCrest(const std::array<CylinderPlace, 3> & crest, const std::vector<PlacePa
   return moved;
 }
 
-/** On the plane about a place. */
+/** Crest in the plane about a place. */
 Crest
 Unrolled(const std::array<CylinderPlace, 3> & crest, const CylinderPlace & about, double around)
 {

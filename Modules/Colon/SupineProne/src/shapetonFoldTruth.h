@@ -5,10 +5,10 @@
 
 namespace shapeton
 {
-/** Which folds are the same, as points with known correspondence tell. All on the unrolled walls, so that the height of
- * folds is of no account: each place of a supine crest moves as the points within 10 mm do. Two folds are the same
- * where the shorter crest lies within 8 mm of the longer one in the mean (folds slide some mm against the wall, and lie
- * 15 mm apart or more); one that was found in two pieces is the same as both. */
+/** True fold correspondence, from points with known correspondence. Computed on the unrolled walls, so the height of
+ * folds does not matter: each place of a supine crest moves with the points within 10 mm. Two folds are the same if the
+ * mean distance of the shorter crest from the longer one is at most 8 mm (folds slide some mm on the wall, and are at
+ * least 15 mm apart). A fold detected in two pieces is the same as both. */
 class FoldTruth
 {
 public:
@@ -17,13 +17,13 @@ public:
             const SupineProneRegistration & registration,
             const std::vector<PointPair> &  points);
 
-  /** Of each supine fold, with these pairs of indices. A fold without a partner is unmatched where a prone one is the
-   * same that is in no correct pair. */
+  /** Verdict on each supine fold for these pairs of indices. A fold without a partner is unmatched if a prone fold is
+   * the same and is in no correct pair. */
   std::vector<FoldVerdict>
   Judge(const std::vector<FoldMatch> & matches) const;
 
 private:
-  /** Of supine folds: whether points are near, and the prone folds that are the same. */
+  /** For each supine fold: whether points are nearby, and the prone folds that are the same. */
   std::vector<char>             m_IsKnown;
   std::vector<std::vector<int>> m_Same;
 };

@@ -9,15 +9,15 @@
 
 namespace shapeton
 {
-/** Where a map takes a place of the source. */
+/** Maps a place of the source to the target. */
 using PlaceMap = std::function<CylinderPlace(const CylinderPlace &)>;
 
-/** MatchFolds() of all folds of the pair, those of the source being where the map takes them. */
+/** MatchFolds() for all folds of the pair, with those of the source at their mapped places. */
 FoldMatching
 MatchFoldsAbout(const ColonPair & pair, const PlaceMap & map, FoldMatchingMethod method);
 
-/** How much more than the map moves them matched folds are to move: of each pair the middle, then both ends, paired as
- * they lie. */
+/** Displacements of matched folds in addition to the map: the center of each pair, then both ends, paired by
+ * position. */
 std::vector<DisplacementConstraint>
 ConstraintsOfFolds(const ColonPair & pair, const PlaceMap & map, const FoldMatching & matching);
 } // namespace shapeton

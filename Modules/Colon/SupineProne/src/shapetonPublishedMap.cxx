@@ -11,14 +11,14 @@ namespace shapeton
 {
 namespace
 {
-/** A place of the source and where it must go. */
+/** A place of the source and its prescribed image. */
 struct Landmark
 {
   CylinderPlace source;
   CylinderPlace target;
 };
 
-/** What landmarks ask of a map. */
+/** Conditions on a map from landmarks. */
 class PublishedConditions
 {
 public:
@@ -43,7 +43,7 @@ public:
   std::vector<Landmark> landmarks;
 
 private:
-  /** The taenia of the target that the first one of the source, the best supported, comes nearest to. */
+  /** The taenia of the target nearest to the first, best supported, taenia of the source. */
   static int
   MainTaeniaOfTarget(const ColonPair & pair, const CylinderMap & frame)
   {
@@ -73,7 +73,7 @@ private:
     }
   }
 
-  /** Where there are neither taeniae nor other landmarks the map keeps the rotation that it has at its beginning. */
+  /** Without taeniae and other landmarks the map keeps its initial rotation. */
   void
   AddTaenia(const CylinderValues & values, std::vector<MapCondition> & around) const
   {
@@ -96,7 +96,7 @@ private:
   int               m_TargetTaenia;
 };
 
-/** The pair with folds kept within their segments. */
+/** The pair with folds restricted to their segments. */
 ColonPair
 SegmentWise(ColonPair pair)
 {
@@ -125,7 +125,7 @@ LandmarksOf(const ColonPair & pair, const CylinderMap & map, const FoldMatching 
   return landmarks;
 }
 
-/** How much the map follows the middle of each pair, as SmoothCorrection weighs it. */
+/** How much the map follows the center of each pair, weighted as in SmoothCorrection. */
 std::vector<double>
 PairWeights(const ColonPair & pair, const CylinderMap & map, const FoldMatching & matching)
 {
@@ -140,7 +140,7 @@ PairWeights(const ColonPair & pair, const CylinderMap & map, const FoldMatching 
   return weights;
 }
 
-/** A quasi-conformal map through all that is known of the pair, and landmarks. */
+/** A quasi-conformal map through all landmarks of the pair, and additional ones. */
 class LandmarkMapper
 {
 public:
@@ -150,7 +150,7 @@ public:
     m_Options.greatest = greatestDilatation;
   }
 
-  /** Beginning with the last map that was found. */
+  /** Starts from the previous map. */
   QuasiConformalMap
   Find(std::vector<Landmark> landmarks, const Progress & progress)
   {

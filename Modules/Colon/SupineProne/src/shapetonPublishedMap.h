@@ -13,7 +13,7 @@ struct PublishedMap
 {
   CylinderMap  map;
   FoldMatching matching;
-  /** How much the map follows the middle of each pair, 0 to 1. */
+  /** How much the map follows the center of each pair, 0 to 1. */
   std::vector<double> pairWeights;
   double              greatestDilatation{ 0.0 };
   /** See QuasiConformalMap. */
@@ -22,14 +22,14 @@ struct PublishedMap
 };
 
 /** Supine to prone as in 4.3 and 5.4.2 of the dissertation, which refers to Zeng, Marino, Gurijala, Gu, Kaufman 2010: a
- * quasi-conformal map of the flat walls, which are conformal, through landmarks. Ends and flexures go to ends and
- * flexures, as circles that may turn, and the main taenia, along which the method cuts the wall, goes to the main
- * taenia. Folds are matched once about the map that this gives, segment by segment, and the final map is forced
- * through the ends of all that were matched, right or wrong.
+ * quasi-conformal map of the conformal flat walls through landmarks. Ends and flexures map to ends and flexures, as
+ * circles that may rotate, and the main taenia, along which the method cuts the wall, to the main taenia. Folds are
+ * matched once about this map, segment by segment, and the final map is forced through the ends of all matched folds,
+ * right or wrong.
  *
- * Open in the dissertation, and chosen here: how the Beltrami coefficient is found, see FindQuasiConformalMap(). It
- * gives ends of folds near the main taenia more weight than others, which hard constraints cannot. Other than there
- * the map is periodic around, and `frame` tells which taenia is which. */
+ * The dissertation does not specify how the Beltrami coefficient is found; see FindQuasiConformalMap(). It gives ends
+ * of folds near the main taenia more weight than others, which hard constraints cannot. Here the map is periodic
+ * around, and `frame` determines the correspondence of the taeniae. */
 PublishedMap
 FindPublishedMap(const ColonPair &   pair,
                  const CylinderMap & frame,
@@ -37,7 +37,7 @@ FindPublishedMap(const ColonPair &   pair,
                  double              greatestDilatation,
                  const Progress &    progress = {});
 
-/** The same map through the ends of folds that are matched already, and the ends of the colon, but nothing else. */
+/** The same map through only the ends of already matched folds and the ends of the colon. */
 CylinderMap
 QuasiConformalMapThrough(const ColonPair &    pair,
                          const CylinderMap &  start,

@@ -34,8 +34,8 @@ GreatestMiss(const std::vector<MapCondition> & conditions, const Eigen::VectorXd
   return greatest;
 }
 
-/** Adds weight * share * share^T of each condition; its nodes are corners of one triangle, so that the pattern stays.
- */
+/** Adds weight * share * share^T for each condition; its nodes are corners of one triangle, so the pattern is
+ * unchanged. */
 void
 AddConditions(const std::vector<MapCondition> & conditions, double weight, Eigen::SparseMatrix<double> & matrix)
 {
@@ -51,7 +51,7 @@ AddConditions(const std::vector<MapCondition> & conditions, double weight, Eigen
   }
 }
 
-/** Keeps the analysis of the pattern, which all coefficients and conditions share. */
+/** Reuses the symbolic factorization, which is the same for all coefficients and conditions. */
 class ConditionedSolver
 {
 public:
@@ -70,8 +70,8 @@ public:
   }
 
 private:
-  /** The least energy under conditions, by the method of multipliers: each round takes as much off what is missed as
-   * the weight of the conditions is above that of the stiffness, so that few are needed. */
+  /** Minimizes the energy under conditions by the method of multipliers. Each iteration reduces the violation by the
+   * ratio of the condition weight to the stiffness, so few are needed. */
   Eigen::VectorXd
   Coordinate(Eigen::SparseMatrix<double>       stiffness,
              const Eigen::VectorXd &           right,
@@ -121,8 +121,8 @@ private:
   SparseCholesky            m_Solver;
 };
 
-/** (mass + length^2 stiffness) nu = mass mu at the nodes. As neighbours of nodes of right-angled triangles never count
- * below 0, no value becomes greater than the greatest. */
+/** Solves (mass + length^2 stiffness) nu = mass mu at the nodes. Right-angled triangles give no negative weights, so
+ * the maximum is not exceeded. */
 class CoefficientSmoother
 {
 public:
@@ -206,7 +206,7 @@ GreatestCoefficient(const Coefficients & mu)
   return GreatestDifference(mu, Coefficients(mu.size()));
 }
 
-/** Conditions that depend on the map are asked for about the map itself, until it keeps them. */
+/** Repeats with conditions that depend on the map until the map satisfies them. */
 void
 SettleConditions(ConditionedSolver &                                              solver,
                  const Coefficients &                                             mu,

@@ -7,7 +7,7 @@ namespace shapeton
 {
 namespace
 {
-constexpr double followed = 0.5; ///< least weight of a pair that the map follows
+constexpr double followed = 0.5; ///< minimum weight of a pair that the map follows
 
 bool
 IsFoldSeen(const ColonCylinder & cylinder, const ColonPosition & position, const HaustralFold & fold)
@@ -45,7 +45,7 @@ CountMatches(const ColonPosition & source, const ColonPosition & target, SupineP
   confidence.residual = std::sqrt(squares / std::max(1, followedPairs));
 }
 
-/** Of each node: pairs that the map follows nearby, against folds that it does not explain. */
+/** Confidence of each node: nearby pairs that the map follows, against folds that it does not explain. */
 void
 JudgeNodes(const ColonPosition & source, SupineProneRegistration & registration)
 {
@@ -72,7 +72,7 @@ JudgeNodes(const ColonPosition & source, SupineProneRegistration & registration)
   {
     for (int j = 0; j < nodes.Angles(); ++j)
     {
-      constexpr double doubt = 0.5; // a fold, unexplained, at the very place: where there is no fold nothing is sure
+      constexpr double doubt = 0.5; // prior weight of one unexplained fold at the node, for nodes without folds
       double           sum = 0.0;
       double           weights = doubt;
       for (const Evidence & item : evidence)
@@ -99,7 +99,7 @@ Logistic(double value, double middle, double width)
   return 1.0 / (1.0 + std::exp(-(value - middle) / width));
 }
 
-/** Of one piece of evidence. */
+/** Log-odds of one piece of evidence. */
 double
 LogOdds(double value, double middle, double width)
 {

@@ -5,7 +5,7 @@
 
 namespace shapeton
 {
-/** Fills in all of it but energies and margin, which it uses. */
+/** Sets the confidence, from its energies and margin. */
 void
 JudgeRegistration(const ColonPosition & source, const ColonPosition & target, SupineProneRegistration & registration);
 } // namespace shapeton

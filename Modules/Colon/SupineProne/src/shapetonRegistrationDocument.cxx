@@ -48,7 +48,7 @@ SegmentToJson(const SegmentMatches & row, bool hasTruth)
   return json;
 }
 
-/** `share` of a whole that may be 0. */
+/** Ratio to a total that may be 0. */
 Json
 Share(int share, int whole)
 {

@@ -5,8 +5,8 @@
 
 namespace shapeton
 {
-/** registration.json of results whose other members are there. \param frame errors of the frame of flexures and
- * taeniae, empty without points. */
+/** registration.json of results whose other members are set. \param frame errors of the frame of flexures and taeniae,
+ * empty without points. */
 Json
 DocumentOf(const SupineProneRegistration & registration,
            const RegistrationResults &     results,

@@ -20,7 +20,7 @@ AddArray(SurfaceMesh & surface, const std::string & name, int columns, bool areI
   return surface.pointArrays.back();
 }
 
-/** `flat` with what lies in the other position at each vertex. */
+/** `flat` with the corresponding place in the other position at each vertex. */
 template <typename TMap>
 SurfaceMesh
 MappedSurface(const SurfaceMesh & flat, const TMap & map, const Progress & progress)
@@ -47,7 +47,7 @@ MappedSurface(const SurfaceMesh & flat, const TMap & map, const Progress & progr
   return surface;
 }
 
-/** Its name; "" outside of all. */
+/** Name of the segment; "" outside all. */
 std::string
 SegmentAt(const std::vector<ColonSegmentExtent> & segments, double arcLength)
 {
@@ -55,7 +55,7 @@ SegmentAt(const std::vector<ColonSegmentExtent> & segments, double arcLength)
   return segment != nullptr ? segment->name : "";
 }
 
-/** Of the columns of the flat map. */
+/** Excluded columns of the flat map. */
 Json
 ExcludedShare(const ColonPosition & position)
 {
@@ -143,7 +143,7 @@ private:
     }
   }
 
-  /** The row of a segment; "" is that of places whose segment is not known. */
+  /** The row of a segment; "" collects places whose segment is unknown. */
   SegmentMatches &
   RowOf(const std::string & segment)
   {
@@ -221,13 +221,13 @@ private:
         }
       }
     }
-    return sum / number; // not a number where nothing is to be seen
+    return sum / number; // NaN if no part is visible
   }
 
   const ColonPositionFiles &      m_Supine;
   const ColonPositionFiles &      m_Prone;
   const SupineProneRegistration & m_Registration;
-  std::vector<FoldVerdict>        m_Verdicts; ///< of the supine folds
+  std::vector<FoldVerdict>        m_Verdicts; ///< verdicts of the supine folds
   RegistrationResults             m_Results;
 };
 } // namespace

@@ -10,7 +10,7 @@ namespace shapeton
 {
 namespace
 {
-/** From end to end of both flat maps, straight in mm of the maps. */
+/** From end to end of both flat maps, linear in mm of the maps. */
 PiecewiseLine
 FrameOfRectangles(const ColonPair & pair)
 {
@@ -28,7 +28,7 @@ FrameOfRectangles(const ColonPair & pair)
   return frame;
 }
 
-/** Turns by which the target is turned as a whole, where the pictures of folds agree best about the frame. */
+/** Overall rotation (turns) of the target for the best agreement of the fold pictures about the frame. */
 double
 BestRotation(const ColonPair & pair, const PiecewiseLine & frame)
 {
@@ -92,7 +92,7 @@ MapOfScheme(RegistrationScheme              scheme,
 {
   const double             greatestDilatation = SupineProneOptions().greatestDilatation;
   ColonPair                pair(source, target);
-  std::vector<std::string> warnings; // the registration has told them
+  std::vector<std::string> warnings; // already reported by the registration
   FindFrame(pair, false, warnings);
   switch (scheme)
   {

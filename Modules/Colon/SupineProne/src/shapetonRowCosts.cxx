@@ -8,9 +8,9 @@ namespace shapeton
 {
 namespace
 {
-constexpr double costOutside = 8.0; ///< of a row that would lie beyond the end of the target or of its segment
+constexpr double costOutside = 8.0; ///< cost of a row beyond the end of the target or of its segment
 
-/** Mean product when b is turned back by `shift` columns, 0 or more. */
+/** Mean product with b shifted back by `shift` >= 0 columns. */
 double
 ProductOf(const Eigen::RowVectorXd & a, const Eigen::RowVectorXd & b, Eigen::Index shift)
 {

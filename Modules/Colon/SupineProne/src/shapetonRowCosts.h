@@ -5,21 +5,21 @@
 
 namespace shapeton
 {
-/** What it costs to lay rows of the source on rows of the target, in states of offset and rotation. The pictures must
+/** Costs of assigning rows of the source to rows of the target, for states of offset and rotation. The pictures must
  * outlive it. */
 class RowCosts
 {
 public:
-  /** Offsets are 0 to 2 reach: at offset `reach` a row lies in the frame. */
+  /** Offsets are 0 to 2 reach: at offset `reach` a row is in the frame. */
   RowCosts(const CylinderPicture &           source,
            const CylinderPicture &           target,
            int                               reach,
            const CylindricalWarpingOptions & options);
 
-  /** Of all offsets with `rotations` steps of rotation each, from `firstRotation` on. */
+  /** Costs of all offsets with `rotations` steps of rotation each, from `firstRotation`. */
   std::vector<float>
   OfRow(int row, int firstRotation, int rotations) const;
-  /** The part that pulls to the frame. */
+  /** Cost of the spring to the frame. */
   double
   SpringOf(int offset) const;
 

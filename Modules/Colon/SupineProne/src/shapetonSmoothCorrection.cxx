@@ -13,7 +13,7 @@ namespace
 using SparseMatrix = Eigen::SparseMatrix<double>;
 using Triplets = std::vector<Eigen::Triplet<double>>;
 
-/** Laplacian of a grid of rows, which end, and angles, which go around, with weights 1 / distance^2. */
+/** Laplacian of a grid of rows (bounded) and angles (periodic), with weights 1 / distance^2. */
 SparseMatrix
 CylinderLaplacian(int rows, int angles, double rowStep, double angleStep)
 {
@@ -117,7 +117,7 @@ SmoothCorrection::Solve(const std::vector<DisplacementConstraint> & constraints,
   }
   for (int node = 0; node < 2 * nodes; ++node)
   {
-    constexpr double noDrift = 1e-6; // far from all constraints nothing moves
+    constexpr double noDrift = 1e-6; // no displacement far from all constraints
     entries.emplace_back(node, node, noDrift);
   }
   for (std::size_t i = 0; i < constraints.size(); ++i)

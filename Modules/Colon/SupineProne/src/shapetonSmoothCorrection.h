@@ -6,7 +6,7 @@
 
 namespace shapeton
 {
-/** A place of the source is to move by so much more, mm along and around the target. */
+/** Prescribed displacement of a place of the source, mm along and around the target. */
 struct DisplacementConstraint
 {
   CylinderPlace   place;
@@ -14,8 +14,8 @@ struct DisplacementConstraint
   double          weight{ 1.0 };
 };
 
-/** Only what a displacement has along a direction is known: direction . displacement = value (mm). Around the tube for
- * a taenia, along the gradient for a picture. */
+/** Constraint on one component of a displacement: direction . displacement = value (mm). Around the tube for a taenia,
+ * along the gradient for a picture. */
 struct DirectionConstraint
 {
   CylinderPlace   place;
@@ -23,23 +23,23 @@ struct DirectionConstraint
   double          value{ 0.0 };
   /** 1 / variance. */
   double weight{ 0.0 };
-  /** Loses its weight as other constraints do where it contradicts them. */
+  /** Whether it is down-weighted like other constraints if it contradicts them. */
   bool isRobust{ false };
 };
 
 struct SmoothCorrectionOptions
 {
-  /** Distance of the nodes along the colon, mm, and their number around. */
+  /** Node distance along the colon, mm, and number of nodes around. */
   double step{ 10.0 };
   int    angles{ 24 };
-  /** Of a constraint, mm. */
+  /** Standard deviation of a constraint, mm. */
   double deviation{ 3.0 };
-  /** Errors beyond this lose their weight (Cauchy), mm. */
+  /** Errors beyond this are down-weighted (Cauchy), mm. */
   double robust{ 8.0 };
   int    iterations{ 4 };
-  /** Of the integral of the squared Laplacian, mm^2. */
+  /** Weight of the integral of the squared Laplacian, mm^2. */
   double stiffness{ 2.0 };
-  /** Of the integral of the squared gradient: beyond the constraints the plate does not swing away. */
+  /** Weight of the integral of the squared gradient, which limits extrapolation. */
   double tension{ 0.01 };
 };
 
@@ -50,13 +50,13 @@ class SmoothCorrection
 public:
   SmoothCorrection(double begin, double end, double around, const SmoothCorrectionOptions & options = {});
 
-  /** Returns the weight that each constraint has in the end, in (0, 1], times its own. */
+  /** Returns the final weight of each constraint, in (0, 1], times its own. */
   std::vector<double>
   Fit(const std::vector<DisplacementConstraint> & constraints,
       const std::vector<DirectionConstraint> &    directions,
       const Progress &                            progress);
 
-  /** mm along and around. */
+  /** Displacement, mm along and around. */
   Eigen::Vector2d
   At(const CylinderPlace & place) const;
 
@@ -79,7 +79,7 @@ private:
   double                  m_Begin;
   double                  m_Around;
   int                     m_Rows;
-  Eigen::VectorXd         m_Values; ///< along of all nodes, then around
+  Eigen::VectorXd         m_Values; ///< values along of all nodes, then around
 };
 } // namespace shapeton
 

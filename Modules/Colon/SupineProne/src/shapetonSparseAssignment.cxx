@@ -11,7 +11,7 @@ namespace
 {
 constexpr double unreached = std::numeric_limits<double>::infinity();
 
-/** Columns from number `columns` on are the dustbins of the rows. */
+/** Columns from index `columns` are the dustbins of the rows. */
 class AugmentingPaths
 {
 public:
@@ -25,7 +25,7 @@ public:
     m_ColumnPotential.assign(m_Columns + rows, 0.0);
   }
 
-  /** Gives the row a column along the shortest path of reduced costs (Dijkstra). */
+  /** Assigns a column to the row along the shortest path of reduced costs (Dijkstra). */
   void
   Augment(int row)
   {
@@ -84,7 +84,7 @@ private:
     return choice < 0 ? m_Columns + row : m_Problem.candidates[row][choice].column;
   }
 
-  /** What the choice changes against leaving the column alone. */
+  /** Change of the cost against leaving the column unassigned. */
   double
   CostOf(int row, int choice) const
   {
@@ -142,7 +142,7 @@ private:
     }
   }
 
-  /** Turns the path that ends at this column over. */
+  /** Flips the assignments along the path that ends at this column. */
   void
   Flip(int column)
   {
@@ -159,7 +159,7 @@ private:
       m_ChoiceOfColumn[column] = m_Through[column];
       if (previous >= 0)
       {
-        m_RowOfColumn[previous] = -1; // taken by the next step of the path
+        m_RowOfColumn[previous] = -1; // assigned by the next step of the path
       }
       column = previous;
     }

@@ -5,7 +5,7 @@
 
 namespace shapeton
 {
-/** Assignment with dustbins: rows may go to columns for a cost, or stay alone. */
+/** Assignment with dustbins: rows are assigned to columns at a cost, or stay unassigned. */
 struct AssignmentProblem
 {
   struct Candidate
@@ -13,22 +13,22 @@ struct AssignmentProblem
     int    column;
     double cost;
   };
-  /** Of each row. */
+  /** Candidates of each row. */
   std::vector<std::vector<Candidate>> candidates;
-  /** Of each row and column that stays alone. */
+  /** Cost of each unassigned row and column. */
   std::vector<double> rowAlone;
   std::vector<double> columnAlone;
 };
 
 struct Assignment
 {
-  /** The number of the candidate that each row takes, or -1. */
+  /** Index of the candidate chosen by each row, or -1. */
   std::vector<int> choice;
   double           cost{ 0.0 };
 };
 
-/** The cheapest assignment in which no column is taken twice: Hungarian method (Kuhn 1955) by shortest augmenting paths
- * on the candidates alone. Each row has its own dustbin, so that a path always exists. */
+/** The cheapest one-to-one assignment: Hungarian method (Kuhn 1955) by shortest augmenting paths over the candidates
+ * only. Each row has its own dustbin, so a path always exists. */
 Assignment
 SolveAssignment(const AssignmentProblem & problem);
 } // namespace shapeton

@@ -12,7 +12,7 @@ namespace
 {
 constexpr double greatestStretch = 3.0;
 
-/** Whether each piece is stretched at most `greatestStretch` times against the whole, either way. */
+/** Whether each piece is stretched at most `greatestStretch` times relative to the whole, either way. */
 bool
 IsPlausible(const PiecewiseLine & frame)
 {
@@ -48,7 +48,7 @@ FrameOf(const ColonPosition &    source,
   return frame;
 }
 
-/** Of an error that is within 30 mm with this probability, mm (inverse error function after Winitzki 2008). */
+/** Standard deviation (mm) of an error within 30 mm with this probability (inverse error function by Winitzki 2008). */
 double
 DeviationOf(double confidence)
 {
@@ -60,7 +60,7 @@ DeviationOf(double confidence)
   return within / std::sqrt(2.0 * (std::sqrt(b * b - logarithm / a) - b));
 }
 
-/** Confidence of the flexure that was found at this place. */
+/** Confidence of the flexure at this place. */
 double
 ConfidenceOfFlexure(const ColonPosition & position, double arcLength)
 {
@@ -80,7 +80,7 @@ struct AngleSample
   double turn;
 };
 
-/** Places along one taenia, in ascending order of s. */
+/** Samples along one taenia, in ascending order of s. */
 std::vector<AngleSample>
 SamplesOfTaenia(const CurveSet &         curves,
                 const std::vector<int> & curve,
@@ -107,7 +107,7 @@ SamplesOfTaenia(const CurveSet &         curves,
   return samples;
 }
 
-/** Straight between samples, constant beyond them. */
+/** Linear between samples, constant beyond them. */
 std::vector<double>
 Resampled(const std::vector<AngleSample> & samples, double begin, double step, int number)
 {
@@ -132,7 +132,7 @@ Resampled(const std::vector<AngleSample> & samples, double begin, double step, i
   return turns;
 }
 
-/** How far a taenia lies around the tube from the first one, turns in [0, 1), in the middle of all places. */
+/** Median angle of a taenia around the tube relative to the first one, turns in [0, 1). */
 double
 MedianOffset(const std::vector<double> & turns, const std::vector<double> & first)
 {
@@ -260,7 +260,7 @@ RotationOfTaeniae(const TaeniaAngles &        source,
       directions.row(i) += Eigen::RowVector2d(std::cos(2.0 * Pi * turn), std::sin(2.0 * Pi * turn));
     }
   }
-  constexpr double    smoothing = 15.0; // mm: a taenia that is found wrongly for a while makes no jump
+  constexpr double    smoothing = 15.0; // mm: a taenia with a local error does not cause a jump
   const double        step = s.size() > 1 ? (s.back() - s.front()) / (s.size() - 1.0) : 1.0;
   std::vector<double> rotation;
   for (std::size_t i = 0; i < s.size(); ++i)

@@ -8,8 +8,8 @@
 
 namespace shapeton
 {
-/** An ascending function of the distance along one colon to that along the other, straight between its nodes and
- * beyond them. */
+/** An ascending function from the distance along one colon to that along the other, piecewise linear and extrapolated
+ * linearly. */
 struct PiecewiseLine
 {
   std::vector<double> from;
@@ -24,8 +24,8 @@ struct PiecewiseLine
   }
 };
 
-/** The ends of both colons, and the flexures that were found in both. A flexure that would stretch the colon beside it
- * more than three times against the rest is left out, with a warning. */
+/** Frame from the ends of both colons and the flexures found in both. A flexure that would stretch the adjacent colon
+ * more than three times relative to the rest is left out, with a warning. */
 PiecewiseLine
 FlexureFrame(const ColonPosition &      source,
              const ColonCylinder &      sourceCylinder,
@@ -33,17 +33,17 @@ FlexureFrame(const ColonPosition &      source,
              const ColonCylinder &      targetCylinder,
              std::vector<std::string> & warnings);
 
-/** The frame of the ends alone. */
+/** Frame from the ends only. */
 PiecewiseLine
 EndFrame(const PiecewiseLine & frame);
 
-/** Between EndFrame() and FlexureFrame(): each flexure moves the frame as far as its confidence in both positions
- * supports, against a deviation from proportional lengths of 40 mm that is expected of colons anyway. */
+/** Between EndFrame() and FlexureFrame(): each flexure moves the frame according to its confidence in both positions,
+ * against an expected deviation of 40 mm from proportional lengths. */
 PiecewiseLine
 CautiousFrame(const PiecewiseLine & frame, const ColonPosition & source, const ColonPosition & target);
 
-/** Angles of the three taeniae in turns, without jumps, every `step` mm from the beginning of the colon; in the order
- * in which they follow each other around the tube. */
+/** Angles of the three taeniae in turns, continuous, every `step` mm from the beginning of the colon; in order around
+ * the tube. */
 struct TaeniaAngles
 {
   double                             begin{ 0.0 };
@@ -55,12 +55,12 @@ struct TaeniaAngles
   At(int taenia, double s) const;
 };
 
-/** Not known, with a warning, where there are not three taeniae. */
+/** Empty, with a warning, unless there are three taeniae. */
 TaeniaAngles
 AnglesOfTaeniae(const ColonPosition & position, const ColonCylinder & cylinder, std::vector<std::string> & warnings);
 
-/** By how many turns the target is turned against the source, at places `s` of the source, when taenia i of the source
- * is taenia i + shift of the target. Without jumps. */
+/** Rotation (turns) of the target relative to the source, at places `s` of the source, if taenia i of the source
+ * corresponds to taenia i + shift of the target. Continuous. */
 std::vector<double>
 RotationOfTaeniae(const TaeniaAngles &        source,
                   const TaeniaAngles &        target,

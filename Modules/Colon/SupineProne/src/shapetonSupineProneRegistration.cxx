@@ -14,7 +14,7 @@ namespace shapeton
 {
 namespace
 {
-/** Whether folds tell the map from one that is turned by a third. */
+/** Measures whether folds distinguish the map from one rotated by a third. */
 void
 JudgeThirds(const WarpingChoice & choice, RegistrationConfidence & confidence)
 {
@@ -39,7 +39,7 @@ RequireUsable(const ColonPosition & position)
                    position.name + ": the number of excluded columns must be that of the grid");
 }
 
-/** The node that is nearest to a place. */
+/** The node nearest to a place. */
 std::pair<int, int>
 NearestNode(const CylinderNodes & nodes, const CylinderPlace & place)
 {

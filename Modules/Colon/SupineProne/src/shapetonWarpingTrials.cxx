@@ -8,7 +8,7 @@ namespace shapeton
 {
 namespace
 {
-/** A frame to try, and how far the path may leave it. */
+/** A frame to try, and the allowed deviation of the path. */
 struct Trial
 {
   PiecewiseLine frame;
@@ -20,8 +20,8 @@ struct Trial
   double taeniae;
 };
 
-/** Flexures are found with errors of centimetres, and lengths are not quite proportional: neither is a frame that can
- * be trusted alone. Segments need the flexures themselves. */
+/** Flexures have errors of centimeters, and lengths are not quite proportional, so neither frame is reliable alone.
+ * Segments need the flexures themselves. */
 std::vector<Trial>
 Trials(const ColonPair & pair)
 {
@@ -72,7 +72,7 @@ BandsOf(const TaeniaAngles & taeniae, const std::vector<double> & s, int angles)
   return bands;
 }
 
-/** Rows of the warping lie in the coordinate of the source. The source without a frame. */
+/** Picture with warping rows in the coordinate of the source; without a frame for the source. */
 CylinderPicture
 PictureOf(const ColonPair & pair, const PiecewiseLine * frame)
 {
@@ -125,7 +125,7 @@ FrameOf(const CylindricalWarp & warp)
   return frame;
 }
 
-/** Least energies near the warp, and near it turned by one and two thirds. */
+/** Least energies near the warp, and near it rotated by one and two thirds. */
 std::vector<double>
 EnergiesOfThirds(const ColonPair &       pair,
                  const CylindricalWarp & warp,
@@ -150,8 +150,7 @@ EnergiesOfThirds(const ColonPair &       pair,
   return energies;
 }
 
-/** Of the frame of flexures, from the taeniae: of the three ways in which they may correspond the one that turns most
- * as the warp does. */
+/** Rotation of the frame of flexures from the taeniae, in the one of three correspondences closest to the warp. */
 std::vector<double>
 RotationOfFrame(const ColonPair & pair, const CylindricalWarp & warp)
 {

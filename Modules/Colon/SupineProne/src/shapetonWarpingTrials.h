@@ -5,19 +5,20 @@
 
 namespace shapeton
 {
-/** The warp that was chosen of many, and what the others tell. */
+/** The best warp of several trials, and measures from the others. */
 struct WarpingChoice
 {
   CorrectedWarp best;
-  /** Least energies near it, and near it turned by one and two thirds, which is how taeniae may be confused. */
+  /** Least energies near it, and near it rotated by one and two thirds, to detect confused taeniae. */
   std::vector<double> energies;
-  /** Of the frame of flexures, at the rows of the warp: from the taeniae, in the way that agrees best with it. */
+  /** Rotation of the frame of flexures at the rows of the warp: from the taeniae, in the correspondence that agrees
+   * best. */
   std::vector<double> frameRotation;
 };
 
-/** Warps about several frames, free in rotation, with and without taeniae in the picture. Energy does not tell a path
- * that is one fold too far from the right one; how many pairs of folds a smooth map can follow does, so that decides
- * between the trials. */
+/** Computes warps about several frames, free in rotation, with and without taeniae in the picture. The energy does not
+ * detect a path shifted by one fold, but the number of fold pairs that a smooth map can follow does, so that number
+ * selects the trial. */
 WarpingChoice
 WarpByTrials(const ColonPair & pair, FoldMatchingMethod method, const Progress & progress);
 } // namespace shapeton
