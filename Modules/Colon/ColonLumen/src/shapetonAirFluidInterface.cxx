@@ -9,7 +9,7 @@ namespace shapeton
 {
 namespace
 {
-/** Binomial smoothing 1 2 1 of a line in place, nothing beyond its ends. */
+/** Binomial smoothing 1 2 1 of a line in place; zero beyond its ends. */
 void
 SmoothCells(float * line, std::size_t stride, int length)
 {
@@ -225,7 +225,7 @@ LevelSurface::MeasureBlur(std::vector<double> & shares)
   const double median = shares[shares.size() / 2];
   double       low = 0.2;
   double       high = 3.0;
-  // The rise over a step that holds the crossing, at a phase of a quarter step: between the best and the worst.
+  // The rise over a step that contains the crossing, at a phase of a quarter step: between the best and the worst.
   for (int i = 0; i < 40; ++i)
   {
     const double sigma = 0.5 * (low + high);

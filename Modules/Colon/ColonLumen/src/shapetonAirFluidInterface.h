@@ -8,16 +8,16 @@
 
 namespace shapeton
 {
-/** The intensity of tagged fluid around a place: means over cells of about 2 mm of what is deep in the fluid, smoothed
- * with a standard deviation of about 3 mm and carried on to the surroundings. */
+/** Local intensity of tagged fluid: means of voxels deep in the fluid over cells of about 2 mm, smoothed with a
+ * standard deviation of about 3 mm and extrapolated to the surroundings. */
 class LocalFluid
 {
 public:
-  /** `fluid`: voxels with a non-zero value that are at least 2 mm from anything else are averaged. `fallback` holds
-   * where there are none near. */
+  /** Averages voxels with a nonzero value in `fluid` that are at least 2 mm from other voxels. `fallback` is used if
+   * there are none nearby. */
   LocalFluid(const ColonGrid & grid, const VoxelValues & hu, const std::vector<unsigned char> & fluid, double fallback);
 
-  /** Linear between the cells. */
+  /** Linear interpolation between the cells. */
   double
   At(int i, int j, int k) const;
 
@@ -32,14 +32,14 @@ private:
     return x + m_Size[0] * (y + static_cast<std::size_t>(m_Size[1]) * z);
   }
 
-  std::array<int, 3> m_Edge; ///< voxels in a cell along each axis
+  std::array<int, 3> m_Edge; ///< voxels per cell along each axis
   std::array<int, 3> m_Size;
   double             m_Fallback;
   std::vector<float> m_Sum;
   std::vector<float> m_Weight;
 };
 
-/** Where gas meets fluid, finer than voxels: the depth at which values pass the mean of gas and local fluid. */
+/** Subvoxel interface of gas and fluid: the depth at which values cross the mean of gas and local fluid. */
 class LevelSurface
 {
 public:
@@ -51,8 +51,8 @@ public:
                const LocalFluid &                 fluid,
                double                             gas);
 
-  /** The depth of the level around a voxel minus the voxel's own depth, mm: positive in gas above it. Nothing where no
-   * level lies within 5 mm across and 4 mm along gravity. */
+  /** Depth of the level around a voxel minus that of the voxel, mm: positive in gas above it. Empty without a level
+   * within 5 mm across and 4 mm along gravity. */
   std::optional<double>
   HeightAbove(std::size_t voxel) const;
 

@@ -59,7 +59,7 @@ LateralCells::LateralCells(const std::vector<Place> & places, double cellSize) :
 
 namespace
 {
-/** The half-height below one gas voxel, found within three steps; false where the gas goes on or the grid ends. */
+/** The half height below one gas voxel, found within three steps; false if the gas continues or the grid ends. */
 bool
 FloorBelow(const ColonGrid &    grid,
            const VoxelValues &  hu,
@@ -178,7 +178,7 @@ public:
   }
 
 private:
-  /** What is below one floor, 3 to 6 mm deep; false where the grid ends. */
+  /** Intensity 3 to 6 mm below one floor; false if the grid ends. */
   bool
   Below(std::size_t floor, double & mean) const
   {
@@ -198,7 +198,7 @@ private:
     return count > 0;
   }
 
-  /** The value at some depth below the half-height of one floor, linear between voxels; false beyond the grid. */
+  /** The value at a depth below the half height of one floor, linear between voxels; false outside the grid. */
   bool
   EdgeBelow(std::size_t f, double & value) const
   {
@@ -220,16 +220,16 @@ private:
     return true;
   }
 
-  /** How values rise below one floor. */
+  /** Rise of the values below one floor. */
   struct Rise
   {
-    double end{ 0.0 }; ///< where the rise of a level is over
+    double end{ 0.0 }; ///< end of the rise of a level
     bool   isOver{ false };
-    double excess{ 0.0 }; ///< variance of the rise beyond that of the blur, as a share of what a thin wall adds to it
+    double excess{ 0.0 }; ///< variance of the rise beyond that of the blur, relative to the contribution of a thin wall
   };
 
-  /** False beyond the grid. The variance of a sampled rise hardly depends on where the voxels lie, not even where they
-   * are as large as the rise is thick: values in between do. */
+  /** False outside the grid. The variance of a sampled rise hardly depends on the positions of the voxels, even if they
+   * are as large as the rise is thick, unlike intermediate values. */
   bool
   RiseBelow(std::size_t f, Rise & rise) const
   {
@@ -268,7 +268,7 @@ private:
     return rise.end > m_Tissue + LeastTagging && gas < m_Tissue;
   }
 
-  /** What lies right below a level whose rise is as steep as the blur lets it be; nothing where it is not. */
+  /** The matter directly below a level whose rise is as steep as the blur allows; empty otherwise. */
   double
   EndOfSteepRise(const Level & level) const
   {
@@ -306,7 +306,7 @@ struct Plane
   double          count{ 0.0 };
 };
 
-/** Sums for a plane through points, relative to one place. */
+/** Sums for fitting a plane to points, relative to one place. */
 class PlaneFit
 {
 public:
@@ -336,7 +336,7 @@ private:
   double          m_Square{ 0.0 };
 };
 
-/** Decides which floors are flat and which of them belong together. */
+/** Decides which floors are flat and which of them form one level. */
 class LevelFinder
 {
 public:
@@ -349,7 +349,7 @@ public:
     , m_Cells(m_Places, m_Radius)
   {}
 
-  /** The largest first; their floors are indices. */
+  /** Largest first; their floors are indices. */
   std::vector<Level>
   Find() const
   {
@@ -504,20 +504,20 @@ FindLevels(const ColonGrid &          grid,
 
 namespace
 {
-constexpr double FirstDepth = 1.2;  // mm below the half-height; above it the rise is too steep to be judged
-constexpr double GreatestDip = 0.3; // of the contrast between tissue and what is fainter, the level's fluid or the goal
+constexpr double FirstDepth = 1.2;  // mm below the half height; above it the rise is too steep to be tested
+constexpr double GreatestDip = 0.3; // of the contrast of the fainter of level fluid and goal
 constexpr double NoiseInDip = 2.0;  // standard deviations
 constexpr double LogisticRate = 1.7; // the logistic curve of this rate is within 1 % of the normal distribution
 
-/** The normal distribution, near enough, with the share `half` at 0. */
+/** Approximate normal distribution, with the share `half` at 0. */
 double
 ShareOfRise(double depth, double half, double blur)
 {
   return 1.0 / (1.0 + (1.0 / half - 1.0) * std::exp(-LogisticRate * depth / blur));
 }
 
-/** How much deeper the half-height lies than the line between the two voxels around it says; `above` is the depth of
- * the upper one, at most 0. The line bends away from a rise that is thinner than a voxel. */
+/** Depth of the half height below the linear interpolation of the two adjacent voxels; `above` is the depth of the
+ * upper one, at most 0. The interpolation is biased for a rise thinner than a voxel. */
 double
 ErrorOfLine(double above, double step, double half, double blur)
 {

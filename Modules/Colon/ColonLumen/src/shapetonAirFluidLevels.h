@@ -7,9 +7,8 @@
 
 namespace shapeton
 {
-/** A voxel's way down along gravity: step t leads to the voxel nearest to the point t steps below. The steps are as
- * long as it takes to pass from voxel to voxel, so that they are columns where gravity is within a few degrees of an
- * axis. */
+/** Path from a voxel down along gravity: step t leads to the voxel nearest to the point t steps below. A step is the
+ * distance from voxel to voxel, so paths are columns if gravity is within a few degrees of an axis. */
 struct GravitySteps
 {
   Eigen::Vector3d direction;   ///< of gravity, unit vector in LPS
@@ -25,7 +24,7 @@ struct GravitySteps
                static_cast<int>(std::lround(steps * m_VoxelsPerStep[1])),
                static_cast<int>(std::lround(steps * m_VoxelsPerStep[2])) } };
   }
-  /** Area that one column stands for, mm^2. */
+  /** Area represented by one column, mm^2. */
   double
   ColumnArea(const ColonGrid & grid) const
   {
@@ -36,7 +35,7 @@ private:
   Eigen::Vector3d m_VoxelsPerStep;
 };
 
-/** Points in a plane, sorted into square cells, to find those near a place. */
+/** Points in a plane, sorted into square cells for neighbor search. */
 class LateralCells
 {
 public:
@@ -46,7 +45,7 @@ public:
   };
   LateralCells(const std::vector<Place> & places, double cellSize);
 
-  /** Calls `body(index)` for all points of the 3 by 3 cells around a place: at least those within the cell size. */
+  /** Calls `body(index)` for all points in the 3 by 3 cells around a place: at least those within the cell size. */
   template <typename TBody>
   void
   ForEachNear(double a, double b, const TBody & body) const
@@ -80,15 +79,15 @@ private:
   std::vector<int>         m_Order;
 };
 
-/** Where the gas ends downwards. */
+/** The lower end of gas. */
 struct Floor
 {
-  std::size_t voxel; ///< the last one of the gas
-  int         gas;   ///< its piece
-  float       depth; ///< of the half-height, along gravity, mm
+  std::size_t voxel; ///< last voxel of the gas
+  int         gas;   ///< index of its piece
+  float       depth; ///< of the half height, along gravity, mm
 };
 
-/** The floors of all gas for whose piece `use` holds. */
+/** The floors of all pieces of gas for which `use` holds. */
 std::vector<Floor>
 FloorsOfGas(const ColonGrid &         grid,
             const VoxelValues &       hu,
@@ -98,31 +97,31 @@ FloorsOfGas(const ColonGrid &         grid,
             const GravitySteps &      fall,
             const ColonThresholds &   thresholds);
 
-constexpr double UsualBlur = 0.8;      // mm, standard deviation of the scanner's
+constexpr double UsualBlur = 0.8;      // mm, standard deviation of the scanner blur
 constexpr double LeastTagging = 100.0; // HU above tissue
-constexpr double LeastAtEdge = 0.7;    // of the fluid's contrast, where the rise of a level is over
-constexpr double StepsToFluid = 3.0;   // from a gas voxel above a level: two may lie in the rise
+constexpr double LeastAtEdge = 0.7;    // of the fluid contrast, where the rise of a level ends
+constexpr double StepsToFluid = 3.0;   // from a gas voxel above a level: two may be in the rise
 
-/** A flat part of the floor of some gas: depth = depth + slope . (place - centre), in mm along and across gravity. */
+/** A flat part of a gas floor: depth = depth + slope . (place - centre), in mm along and across gravity. */
 struct Level
 {
   int                 gas{ 0 };     ///< the piece above it
   double              area{ 0.0 };  ///< mm^2
-  double              width{ 0.0 }; ///< standard deviation along its shorter way, mm
+  double              width{ 0.0 }; ///< standard deviation along its shorter side, mm
   double              depth{ 0.0 };
   Eigen::Vector2d     slope;
   Eigen::Vector2d     centre;
   std::vector<size_t> floors;       ///< indices of the gas voxels just above it
   double              below{ 0.0 }; ///< median intensity 3 to 6 mm below it
-  double              edge{ 0.0 };  ///< median intensity where a level is over and a wall is not: about 2 mm below it
+  double              edge{ 0.0 };  ///< median intensity about 2 mm below it: the rise of a level has ended, a wall has not
 
-  /** Of what lies below; shallow pools are brightest near the level. */
+  /** Intensity of the matter below; shallow pools are brightest near the level. */
   double
   Fluid() const
   {
     return below > edge ? below : edge;
   }
-  /** Bright matter lies right below, no wall in between. */
+  /** Bright matter is directly below, without a wall in between. */
   bool
   IsTagged(double tissue) const
   {
@@ -130,8 +129,8 @@ struct Level
   }
 };
 
-/** The flat parts of floors, perpendicular to gravity within 6 degrees, at least 30 mm^2, the largest first. Walls are
- * curved: the bottom of a haustrum is flat on a few mm^2 only. */
+/** Finds flat parts of floors, perpendicular to gravity within 6 degrees, of at least 30 mm^2, largest first. Walls are
+ * curved: the bottom of a haustrum is flat on only a few mm^2. */
 std::vector<Level>
 FindLevels(const ColonGrid &          grid,
            const VoxelValues &        hu,
@@ -141,8 +140,8 @@ FindLevels(const ColonGrid &          grid,
 
 /** Columns along gravity, from a level down to bright matter.
  *
- * Below a level values rise as the blur has it, and stay. Where they lag behind that rise, or fall again before the
- * bright matter is reached, a wall lies in between: what is bright there is another bowel. */
+ * Below a level values rise with the blur, then stay constant. If they lag behind that rise, or drop again before the
+ * bright matter, a wall is in between, and the bright matter is in another bowel. */
 class LevelColumn
 {
 public:
@@ -152,7 +151,7 @@ public:
     std::size_t open{ 0 };
     std::size_t all{ 0 };
 
-    /** Noise opens some columns through a wall, and closes some that are open. */
+    /** Majority vote, since noise opens some columns through a wall and closes some open ones. */
     bool
     AreOpen() const
     {
@@ -168,7 +167,7 @@ public:
               double                  noise,
               double                  smoothing);
 
-  /** Whether no wall shows between the level and the voxel `steps` below one of its floors; both on the grid. */
+  /** Whether no wall is visible between the level and the voxel `steps` below one of its floors; both on the grid. */
   bool
   IsOpen(const Level & level, const std::array<int, 3> & floor, int steps) const;
 

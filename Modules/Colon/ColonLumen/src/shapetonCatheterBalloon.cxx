@@ -12,26 +12,26 @@ namespace
 constexpr std::size_t LeastSections = 8; // 1 mm each
 constexpr double      ShareOfRays = 1.0 / 3;
 constexpr double      ThickestMembrane = 3.0; // mm, blurred
-constexpr double ThinnestInFluid = 2.0; // mm, blurred: values pass those of a membrane at any level of bright fluid
+constexpr double ThinnestInFluid = 2.0; // mm, blurred: at a level of bright fluid values cross those of a membrane
 constexpr double LeastRoom = 2.5;       // mm between tube and ball
 constexpr double LargestBalloon = 30.0; // mm, radius
 constexpr double FarFromBall = 1.5;     // mm
 constexpr double ShareOnBall = 0.75;
-constexpr double LeastResidual = 0.6; // mm that is always allowed
+constexpr double LeastResidual = 0.6; // mm, always allowed
 constexpr double ShareOfRadius = 1.0 / 12;
 constexpr double ShareOffAxis = 1.0 / 3; // of the radius
 constexpr double ShareOfCylinder = 0.5;  // of the residual of a cylinder
 
 using Exits = std::vector<BalloonExit>;
 
-/** Where a membrane is seen, HU: blur may leave a quarter of it. */
+/** Threshold for a membrane, HU: blur may leave a quarter of its contrast. */
 double
 MembraneBoundary(const ColonThresholds & thresholds)
 {
   return thresholds.gas + 0.25 * (thresholds.tissue - thresholds.gas);
 }
 
-/** Where the ray leaves what is around the tube at this place. */
+/** Exit point of the ray from the matter around the tube at this place. */
 std::optional<BalloonExit>
 ExitOf(const CatheterTube & tube, const TubeSection & section, int number, const CatheterRegion & region)
 {
@@ -73,8 +73,8 @@ ExitsOf(const CatheterTube & tube, const TubeSection & section, const CatheterRe
   return exits;
 }
 
-/** The ball of least squares: |x|^2 = 2 c x + r^2 - c^2 is linear in c and r^2 - c^2. Of places in a plane it is that
- * with its centre in the plane. */
+/** Least squares ball: |x|^2 = 2 c x + r^2 - c^2 is linear in c and r^2 - c^2. For coplanar points its center is in the
+ * plane. */
 CatheterBalloon
 FittedBall(const Exits & exits)
 {
@@ -114,7 +114,7 @@ RootMeanSquare(const CatheterBalloon & ball)
   return std::sqrt(sum / static_cast<double>(ball.exits.size()));
 }
 
-/** The ball that most of the places lie on: what is far from it is left out, turn by turn. */
+/** The ball that fits most of the points; outliers are removed iteratively. */
 CatheterBalloon
 BallThroughMost(Exits exits)
 {
@@ -135,7 +135,7 @@ BallThroughMost(Exits exits)
   return ball;
 }
 
-/** The root mean square of the distances of places from the cylinder of least squares along a direction. */
+/** Root mean square distance of points from the least squares cylinder along a direction. */
 double
 CylinderResidual(const Exits & exits, const Eigen::Vector3d & along)
 {
@@ -160,7 +160,7 @@ IsAroundTube(const CatheterBalloon & ball, const CatheterTube & tube)
          RootMeanSquare(ball) <= ShareOfCylinder * CylinderResidual(ball.exits, nearest->along);
 }
 
-/** What the sections from the first to before the last show, if it is a balloon. */
+/** Balloon of the sections from `first` to before `last`, if there is one. */
 std::optional<CatheterBalloon>
 BalloonOf(const CatheterTube & tube, const std::vector<Exits> & ofSection, std::size_t first, std::size_t last)
 {

@@ -44,7 +44,7 @@ ForEachVoxelOf(const VoxelBox & box, const ColonGrid & grid, const TBody & body)
   }
 }
 
-/** Calls `body(index, ray, distance from the axis)` for the voxels of the slice of a tube that a section stands for. */
+/** Calls `body(index, ray, distance from the axis)` for the voxels of the slice of a tube represented by a section. */
 template <typename TBody>
 void
 ForEachAcross(const ColonGrid & grid, const TubeSection & section, double reach, const TBody & body)
@@ -60,8 +60,8 @@ ForEachAcross(const ColonGrid & grid, const TubeSection & section, double reach,
   });
 }
 
-/** What fills a tube: bore and wall, as fluid where the wall lies before fluid, else as gas; where the wall's end is
- * not seen, as in the anal canal, out to the tube's usual radius. */
+/** Voxels of a tube: bore and wall, as fluid where the wall is next to fluid, otherwise as gas. Where the end of the
+ * wall is not visible, as in the anal canal, up to the usual radius of the tube. */
 ClassVolume
 VoxelsOfTube(const CatheterTube & tube, const ColonGrid & grid)
 {
@@ -79,7 +79,7 @@ VoxelsOfTube(const CatheterTube & tube, const ColonGrid & grid)
   return taken;
 }
 
-/** What closing the lumen in a part by a ball adds to it. */
+/** Voxels added by closing the lumen in a part by a ball. */
 std::vector<unsigned char>
 AddedByClosing(const ColonGrid & grid, const ClassVolume & classes, double radius)
 {
@@ -95,7 +95,7 @@ AddedByClosing(const ColonGrid & grid, const ClassVolume & classes, double radiu
   return mask;
 }
 
-/** What lies around a balloon, by the exit nearest in direction. */
+/** Matter around a balloon, from the exit nearest in direction. */
 class AroundBalloon
 {
 public:
@@ -119,10 +119,10 @@ public:
 
 private:
   Eigen::Vector3d          m_Centre;
-  std::vector<BalloonExit> m_Exits; ///< with directions in place of positions
+  std::vector<BalloonExit> m_Exits; ///< with directions instead of positions
 };
 
-/** Gives gas that is not the colon's and does not reach the region's border the class PocketGas. */
+/** Sets the class PocketGas for gas outside the colon that does not touch the border of the region. */
 void
 MarkPockets(CatheterRegion & region)
 {
@@ -165,7 +165,7 @@ public:
     this->FillPockets();
   }
 
-  /** What a balloon holds, and its membrane; gas that is not the colon's stays as it is. */
+  /** Adds the content of a balloon and its membrane; gas outside the colon keeps its class. */
   void
   FillBalloon(const CatheterBalloon & balloon)
   {
@@ -185,8 +185,8 @@ public:
     });
   }
 
-  /** What closing the lumen adds within `reach` of a place and hangs on what is filled, with the class that
-   * `classAt(position)` gives. Gives its voxels. */
+  /** Adds the closing of the lumen within `reach` of a place if connected to the filled part, with the class from
+   * `classAt(position)`. Returns its voxels. */
   template <typename TClassAt>
   VoxelSet
   FillHanging(const Eigen::Vector3d & place, double reach, double closing, const TClassAt & classAt)
@@ -227,7 +227,7 @@ public:
   }
 
 private:
-  /** The pockets of gas around the tube are lumen, too. */
+  /** Adds the pockets of gas around the tube to the lumen. */
   void
   FillPockets()
   {
@@ -275,7 +275,7 @@ Described(const CatheterTube & tube)
   return catheter;
 }
 
-/** Carries the axis on through the middle of the tip to its end. */
+/** Extends the axis through the middle of the tip to its end. */
 void
 ExtendToTip(const ColonGrid & grid, const VoxelSet & tip, RectalCatheter & catheter)
 {

@@ -11,17 +11,17 @@ namespace
 {
 constexpr double      FarthestFromAnus = 150.0; // mm
 constexpr double      MostOutside = 0.25;       // of the rays inside the body
-constexpr double      LeastMentioned = 0.25;    // confidence
+constexpr double      LeastMentioned = 0.25;    // minimum confidence for a report
 constexpr double      LeastClosed = 0.9;        // of the rays across a bore end at its wall
 constexpr double      MostOval = 0.1;           // of a bore's section
 constexpr double      MostUneven = 0.5;         // mm, range of its radius
 constexpr std::size_t LongestHole = 6;          // sections
 
-/** A limit and how far from it a value is no longer doubtful, on either side. */
+/** A limit and the width of the uncertain range on either side. */
 struct Margin
 {
   double limit;
-  double width; ///< negative where the value has to be below the limit
+  double width; ///< negative if the value must be below the limit
 
   /** .5 at the limit, 1 and 0 at its sides. */
   double
@@ -45,7 +45,7 @@ Percentile(std::vector<double> values, double share)
   return *at;
 }
 
-/** Those whose share is not surely too low, by falling share. */
+/** Sections whose share is not clearly too low, by descending share. */
 std::vector<const TubeSection *>
 EnclosedSections(const std::vector<TubeSection> & sections)
 {
@@ -63,7 +63,7 @@ EnclosedSections(const std::vector<TubeSection> & sections)
   return enclosed;
 }
 
-/** Radii and wall of a tube by its enclosed sections. */
+/** Radii and wall of a tube from its enclosed sections. */
 void
 MeasureWall(const std::vector<const TubeSection *> & enclosed, CatheterTube & tube)
 {
@@ -83,7 +83,7 @@ MeasureWall(const std::vector<const TubeSection *> & enclosed, CatheterTube & tu
   tube.wallHU = MedianOf(hu);
 }
 
-/** Sections next to each other, from the first to before the last. */
+/** Consecutive sections, from the first to before the last. */
 struct Stretch
 {
   std::size_t first{ 0 };
@@ -96,7 +96,7 @@ struct Stretch
   }
 };
 
-/** The longest stretch of round sections, all about as wide. */
+/** The longest stretch of round sections of similar width. */
 Stretch
 LongestEven(const std::vector<TubeSection> & sections)
 {
@@ -124,7 +124,7 @@ LongestEven(const std::vector<TubeSection> & sections)
   return longest;
 }
 
-/** A stretch with what goes on as wide on both sides, across holes in the wall, and with an end of the bore near by. */
+/** Extends a stretch on both sides at the same width, across holes in the wall, up to a nearby end of the bore. */
 Stretch
 AcrossHoles(const std::vector<TubeSection> & sections, const Stretch & even, double radius)
 {
@@ -153,7 +153,7 @@ MeasuredAlong(const std::vector<TubeSection> & sections, const Stretch & stretch
   return values;
 }
 
-/** The tube that some sections in the body show best. */
+/** The tube from the sections in the body with the best evidence. */
 CatheterTube
 TubeOf(const std::vector<TubeSection> & sections)
 {
@@ -187,7 +187,7 @@ TubeOf(const std::vector<TubeSection> & sections)
   return tube;
 }
 
-/** The longest part of some sections that lies in the body; the anal side first. */
+/** The longest sequence of sections in the body; anal side first. */
 std::vector<TubeSection>
 InsideBody(const std::vector<TubeSection> & sections)
 {
@@ -232,7 +232,7 @@ BoxOfCatheter(const ColonGrid & grid, const ClassVolume & classes)
 std::optional<CatheterTube>
 FindCatheterTube(const CatheterRegion & region)
 {
-  // Half a voxel more than the radii of bores, for the distance ends in the middle of a voxel of the wall.
+  // Half a voxel more than the radii of bores, since the distance ends at the center of a wall voxel.
   const double               half = 0.5 * region.grid.spacing.maxCoeff();
   const double               leastLength = LengthMargin.limit - LengthMargin.width;
   std::vector<unsigned char> gas(region.hu.size());

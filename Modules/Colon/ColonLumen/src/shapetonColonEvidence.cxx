@@ -17,11 +17,11 @@ namespace shapeton
 namespace
 {
 constexpr double SeedShare = 0.7;     // of the way from tissue to fluid
-constexpr double BrighterBowel = 1.2; // bowel's contrast by that of the colon's fluid
+constexpr double BrighterBowel = 1.2; // contrast of a bowel relative to that of the fluid of the colon
 constexpr double FaintestPercentile = 0.1;
 constexpr double FaintestShare = 0.75; // of the typical fluid's contrast
 
-/** The value that a share of the levels' area stays below. */
+/** Area-weighted percentile of the levels. */
 double
 PercentileBelow(std::vector<const Level *> levels, double share)
 {
@@ -40,7 +40,7 @@ PercentileBelow(std::vector<const Level *> levels, double share)
   return levels.back()->Fluid();
 }
 
-/** Large levels over bright fluid, whatever the gas above them. */
+/** Large levels over bright fluid, below any gas. */
 std::vector<const Level *>
 LargeTaggedLevels(const ColonEvidence & evidence)
 {
@@ -55,7 +55,7 @@ LargeTaggedLevels(const ColonEvidence & evidence)
   return tagged;
 }
 
-/** The bright pieces that columns under a level meet within 8 mm, on 20 mm^2 at least and mostly without a wall in
+/** Bright pieces reached by columns under a level within 8 mm, on at least 20 mm^2 and mostly without a wall in
  * between; one level may cover several pools. */
 std::vector<int>
 BrightUnder(const ColonEvidence & evidence, const GravitySteps & fall, const Level & level)
@@ -105,8 +105,8 @@ Enclose(VoxelBox & box, const std::array<int, 3> & low, const std::array<int, 3>
   }
 }
 
-/** What a wall between the fluid and a bowel that is brighter still may reach, noise included: the more the prefilter
- * blurs, the brighter walls are. */
+/** Upper bound of the intensity of a wall between the fluid and a brighter bowel, including noise: walls get brighter
+ * with the blur of the prefilter. */
 double
 BrightestWall(const ColonEvidence & evidence)
 {
@@ -208,7 +208,7 @@ BoxOfColon(const ColonEvidence & evidence)
     return box;
   }
   box = evidence.grid.Widened(box, 12.0);
-  // The anal canal, which may hold a catheter.
+  // Includes the anal canal, which may contain a catheter.
   const int canal = static_cast<int>(50.0 / evidence.grid.spacing[2]);
   if (evidence.grid.axes(2, 2) > 0.0)
   {
@@ -245,7 +245,7 @@ VoxelOf(const ColonGrid & grid, const itk::Point<double, 3> & point)
   return grid.Index(v[0], v[1], v[2]);
 }
 
-/** The voxel near this one whose value, times `sign`, is greatest, and greater than a threshold. */
+/** The nearby voxel with the greatest value times `sign`, above a threshold. */
 std::optional<std::size_t>
 MostExtreme(const ColonEvidence & evidence, std::size_t voxel, double sign, double threshold)
 {
@@ -288,11 +288,11 @@ namespace
 {
 constexpr double ClearLevels = 500.0; // mm^2
 constexpr double ClearRatio = 3.0;
-// Against the header of a file. On a well-tagged examination the levels have 200 cm^2, other directions 3 cm^2 at most.
+// Against a file header. On a well-tagged examination the levels have 200 cm^2, other directions at most 3 cm^2.
 constexpr double CertainLevels = 5000.0; // mm^2
 constexpr double CertainRatio = 5.0;
 
-/** What lies flat along one direction. */
+/** Flat levels along one direction. */
 struct LevelsOfDirection
 {
   itk::Vector<double, 3> gravity;
@@ -345,7 +345,7 @@ FindGravity(const std::string & patientPosition, ColonEvidence & evidence, Colon
 {
   const auto given = GravityOfPatientPosition(patientPosition);
   const auto assumed = *GravityOfPatientPosition("supine");
-  // Of the direction that is given, or else assumed, and of the one with most levels.
+  // For the given or assumed direction, and for the one with most levels.
   LevelsOfDirection usual;
   LevelsOfDirection clearest;
   for (const char * name : { "supine", "prone", "leftDecubitus", "rightDecubitus" })
@@ -363,7 +363,7 @@ FindGravity(const std::string & patientPosition, ColonEvidence & evidence, Colon
   }
   const bool isClear = Outweigh(clearest, ClearLevels, ClearRatio, given ? usual.area : 0.0);
   const bool isContradiction = given && isClear && !(clearest.gravity == *given);
-  // A name is somebody's word.
+  // A name was given explicitly.
   const bool isOfHeader = given && patientPosition != NameOfGravity(*given);
   const bool isOverruled = isContradiction && isOfHeader && Outweigh(clearest, CertainLevels, CertainRatio, usual.area);
   lumen.gravitySource = given && !isOverruled ? ColonGravitySource::PatientPosition

@@ -89,7 +89,7 @@ private:
     m_Options.progress(0.2);
   }
 
-  /** In steps of 0.3 mm, no more than the noise asks for. */
+  /** Increases smoothing in steps of 0.3 mm, only as far as the noise requires. */
   void
   Smooth()
   {
@@ -155,7 +155,7 @@ private:
     m_Options.progress(0.45);
   }
 
-  /** The pieces at seed points are colon, unless they are lung. */
+  /** Pieces at seed points are colon, except lung. */
   void
   KeepSeeds()
   {
@@ -171,7 +171,7 @@ private:
     }
   }
 
-  /** Typical gas is what lies deep inside the core. */
+  /** Typical gas is estimated deep inside the core. */
   void
   MeasureGas()
   {
@@ -189,7 +189,7 @@ private:
     {
       const double seed = m_Evidence.thresholds.gasSeed;
       this->SetGasThresholds(sum / ml);
-      m_Evidence.thresholds.gasSeed = seed; // the pieces stay what they are
+      m_Evidence.thresholds.gasSeed = seed; // the pieces are unchanged
     }
   }
 
@@ -243,7 +243,7 @@ std::string
 FailureOfMask(const itk::Image<float, 3> * ct, const itk::Image<unsigned char, 3> * mask)
 {
   constexpr float            lungBelow = -600.0F; // HU; keeps lung at quiet breathing in one piece
-  constexpr double           leastMl = 20.0;      // of a piece that can be judged
+  constexpr double           leastMl = 20.0;      // of a piece large enough to be classified
   constexpr double           mostly = 0.5;        // share of lung in the gas of a mask of lungs
   const ColonGrid            grid = GridOfImage(ct);
   const VoxelValues          hu = LoadVoxels(ct, grid);

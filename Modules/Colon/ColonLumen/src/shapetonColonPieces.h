@@ -5,16 +5,15 @@
 
 namespace shapeton
 {
-/** Kinds of gas that are not colon; SmallBowelKind may be colon but for its width. */
+/** Kinds of gas that are not colon; SmallBowelKind may be colon, except for its width. */
 inline const char * const SmallBowelKind = "small bowel or undistended colon";
 inline const char * const OutsideKind = "outside air";
 inline const char * const LungKind = "lung";
 inline const char * const AirwayKind = "airway or esophagus";
 
-/** Pieces of a set that come within 60 mm of the anus, and 30 mm nearer than all gas and fluid that is known as colon.
- * What lies there and may lie in a bowel is the rectum, or the sigmoid before it, though it is as thin as small bowel.
- * None while there is no colon. Places are judged by the box around all gas that may lie in a bowel, see ColonExtent.
- */
+/** Pieces of a set that come within 60 mm of the anus, and 30 mm nearer than all known gas and fluid of the colon. Such
+ * pieces of bowel are rectum, or sigmoid before it, although as thin as small bowel. None without a known colon.
+ * Positions are relative to the box around all gas that may be in a bowel, see ColonExtent. */
 std::vector<char>
 PiecesNearerToAnus(const ColonEvidence & evidence, const VoxelRuns & set, const RunLabels & labels);
 
@@ -22,10 +21,10 @@ PiecesNearerToAnus(const ColonEvidence & evidence, const VoxelRuns & set, const 
 void
 ChooseCore(ColonEvidence & evidence);
 
-/** With the levels known: a piece with fluid of the colon's brightness below it is as wide as both together. A piece
- * over much fluid that is far fainter than the rest of the colon's is stomach. Where no colon comes near the anus,
- * what lies there over tagged fluid is the rectum or the sigmoid, which a collapse parts from the rest, though both
- * together are no wider than small bowel. Returns the pieces that are taken for these. */
+/** Uses the levels: the width of a piece includes fluid of the colon's brightness below it. A piece over much fluid
+ * that is far fainter than in the rest of the colon is stomach. If no colon is near the anus, gas there over tagged
+ * fluid is rectum or sigmoid, separated from the rest by a collapse, although both together are no wider than small
+ * bowel. Returns the pieces identified as these. */
 std::vector<int>
 ReviewCore(ColonEvidence & evidence);
 } // namespace shapeton

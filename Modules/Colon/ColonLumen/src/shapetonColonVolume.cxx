@@ -10,7 +10,7 @@ namespace shapeton
 {
 namespace
 {
-/** The image axes in the order of the working grid: the one closest to the patient's long axis comes last. */
+/** The image axes in the order of the working grid: the one closest to the long axis of the patient is last. */
 std::array<int, 3>
 WorkingOrder(const itk::ImageBase<3> * image)
 {
@@ -134,7 +134,7 @@ MomentsOfBlock(const ColonGrid & grid, const VoxelValues & hu, const VoxelBox & 
   return { { mean, std::sqrt(std::max(0.0, squares / count - mean * mean) * count / (count - 1.0)) } };
 }
 
-/** One line through the grid, convolved. */
+/** Convolution of one line of the grid. */
 void
 SmoothLine(float *                     line,
            std::size_t                 stride,
@@ -264,7 +264,7 @@ SmoothVoxels(const ColonGrid & grid, VoxelValues & hu, double sigma)
   for (int a = 0; a < 3; ++a)
   {
     const auto kernel = HalfKernel(sigma / grid.spacing[a]);
-    const int  other = a == 2 ? 1 : 2; // lines of one slab along this axis go to one thread
+    const int  other = a == 2 ? 1 : 2; // lines of one slab along this axis are processed by one thread
     const int  third = 3 - a - other;
     ParallelFor(grid.size[other], [&](std::size_t s) {
       std::vector<float> buffer;
@@ -437,7 +437,7 @@ FindDeepestVoxel(const ColonGrid & grid,
   const auto      distance = SquaredDistanceToBackground(part, MaskOfRuns(grid, set, labels, label, box));
   const auto      place = std::max_element(distance.begin(), distance.end());
   DeepestVoxel    deepest;
-  // A piece that fills its whole box has no background at all.
+  // A piece that fills its whole box has no background.
   deepest.radius = std::sqrt(std::min(*place, 1e6F));
   deepest.voxel = part.Voxel(static_cast<std::size_t>(place - distance.begin()));
   for (int a = 0; a < 3; ++a)

@@ -19,15 +19,15 @@
 
 namespace shapeton
 {
-/** Where the voxels of a working grid lie. Its third axis is the axis of the image that is closest to the patient's
- * long axis, so that its slices are axial; the other two keep their order. */
+/** Geometry of a working grid. Its third axis is the image axis closest to the long axis of the patient, so its slices
+ * are axial; the other two keep their order. */
 struct ColonGrid : VoxelGrid
 {
   Eigen::Vector3d    spacing;
-  Eigen::Matrix3d    axes;   ///< unit directions in LPS, one in each column
+  Eigen::Matrix3d    axes;   ///< unit directions in LPS, one per column
   Eigen::Vector3d    origin; ///< centre of the first voxel, LPS, mm
   std::array<int, 3> imageAxis{ { 0, 1, 2 } };
-  std::array<int, 3> corner{ { 0, 0, 0 } }; ///< the first voxel in the whole grid
+  std::array<int, 3> corner{ { 0, 0, 0 } }; ///< first voxel in the whole grid
 
   Eigen::Vector3d
   Position(const Eigen::Vector3d & voxel) const
@@ -54,7 +54,7 @@ struct ColonGrid : VoxelGrid
   /** The part of this grid in a box. */
   ColonGrid
   Part(const VoxelBox & box) const;
-  /** The box with a margin in mm on all sides, inside the grid. */
+  /** The box with a margin in mm on all sides, clipped to the grid. */
   VoxelBox
   Widened(const VoxelBox & box, double margin) const;
 };
@@ -64,8 +64,8 @@ using ColonImage = itk::Image<float, 3>;
 ColonGrid
 GridOfImage(const itk::ImageBase<3> * image);
 
-/** The part of an image in a working grid. Values are limited to [-1100, 32767]: padding counts as air; what is not a
- * number counts as padding. */
+/** The part of an image in a working grid. Values are clamped to [-1100, 32767]: padding counts as air, NaN as
+ * padding. */
 VoxelValues
 LoadVoxels(const ColonImage * image, const ColonGrid & grid);
 
@@ -105,12 +105,12 @@ ForEachVoxel(const itk::ImageBase<3> * image, const ColonGrid & grid, const TBod
   });
 }
 
-/** The mode of soft tissue, HU; 40 where the volume shows none between -20 and 120. */
+/** Mode of soft tissue, HU; 40 if the volume has none between -20 and 120. */
 double
 ModeOfTissue(const VoxelValues & hu);
 
-/** Moments of blocks of about 5 mm, at least 2 voxels along each axis; what is left over at the upper ends belongs to
- * no block. */
+/** Moments of blocks of about 5 mm, at least 2 voxels along each axis; the remainder at the upper ends is in no
+ * block. */
 struct VoxelBlocks
 {
   std::array<int, 3>  edge{ { 1, 1, 1 } }; ///< voxels
@@ -118,7 +118,7 @@ struct VoxelBlocks
   std::vector<double> mean;                ///< HU
   std::vector<double> deviation;           ///< standard deviation, HU
 
-  /** Whether the blocks hold voxels of a row. */
+  /** Whether the blocks contain voxels of a row. */
   bool
   HoldRow(int j, int k) const
   {
@@ -129,32 +129,32 @@ struct VoxelBlocks
 VoxelBlocks
 MeasureBlocks(const ColonGrid & grid, const VoxelValues & hu);
 
-/** Standard deviation of noise in soft tissue: the lower quartile of that in blocks of about 5 mm with a mean within 60
- * HU of `tissue`. 0 where fewer than 20 blocks are found. */
+/** Standard deviation of noise in soft tissue: its lower quartile over blocks of about 5 mm with a mean within 60 HU of
+ * `tissue`. 0 with fewer than 20 blocks. */
 double
 NoiseInTissue(const ColonGrid & grid, const VoxelValues & hu, double tissue);
 
-/** The share of a normal distribution below x standard deviations. */
+/** Cumulative normal distribution at x standard deviations. */
 inline double
 NormalDistribution(double x)
 {
   return 0.5 * std::erfc(-x / std::sqrt(2.0));
 }
 
-/** Gaussian smoothing in place, sigma in mm, the border value going on beyond the border. */
+/** Gaussian smoothing in place, sigma in mm; border values are repeated. */
 void
 SmoothVoxels(const ColonGrid & grid, VoxelValues & hu, double sigma);
 
-/** What the middle of a wall of 2 mm between two bowels still shows of their contrast, 0..1, after a prefilter of sigma
- * `smoothing` in mm. */
+/** Remaining contrast, 0..1, in the middle of a 2 mm wall between two bowels after a prefilter of sigma `smoothing` in
+ * mm. */
 double
 ShareInWall(const ColonGrid & grid, double smoothing);
 
 /** Indices of voxels, ascending: a small part of a large grid. */
 using VoxelSet = std::vector<std::size_t>;
 
-/** Whether `holds(index, squared distance in mm^2)` for each voxel of the box that reaches `reach` mm to each side of
- * this one; stops at the first one for which it does not. */
+/** Whether `holds(index, squared distance in mm^2)` for each voxel of the box within `reach` mm to each side of this
+ * one; stops at the first failure. */
 template <typename THolds>
 bool
 ForAllWithin(const ColonGrid & grid, std::size_t voxel, double reach, const THolds & holds)
@@ -178,31 +178,30 @@ ForAllWithin(const ColonGrid & grid, std::size_t voxel, double reach, const THol
   return true;
 }
 
-/** Parts of a set: voxels without an entry are one more part. */
+/** Part labels of a set: voxels without an entry form one more part. */
 using VoxelParts = std::unordered_map<std::size_t, int>;
 
-/** The pieces whose voxels are joined by faces, in the order of their first voxels; each one in the order in which it
- * is reached. Voxels join only those of their own part. */
+/** Face-connected pieces in the order of their first voxels; each in traversal order. Voxels connect only within their
+ * part. */
 std::vector<std::vector<std::size_t>>
 ConnectedPieces(const ColonGrid & grid, const VoxelSet & voxels, const VoxelParts & parts = {});
 
-/** Cuts a set at its necks, where no ball of this radius (mm) fits that holds nothing but the set and what is `isOpen`:
- * for each voxel the number, from 1, of the wide part that is the next within the set. None where there is no wide
- * part. */
+/** Cuts a set at its necks, where no ball of this radius (mm) fits into the set and `isOpen`: for each voxel the
+ * number, from 1, of the nearest wide part within the set. Empty without a wide part. */
 VoxelParts
 PartsAtNecks(const ColonGrid &                        grid,
              const VoxelSet &                         voxels,
              double                                   radius,
              const std::function<bool(std::size_t)> & isOpen);
 
-/** A labelled part of a VoxelRuns. */
+/** A labeled part of a VoxelRuns. */
 struct RunPiece
 {
   std::size_t voxels{ 0 };
   VoxelBox    box;
 };
 
-/** The pieces 1, 2, ... of labelled runs; entry 0 counts for nothing. */
+/** The pieces 1, 2, ... of labeled runs; entry 0 is unused. */
 std::vector<RunPiece>
 PiecesOfRuns(const VoxelRuns & set, const RunLabels & labels);
 
@@ -210,7 +209,7 @@ PiecesOfRuns(const VoxelRuns & set, const RunLabels & labels);
 std::vector<unsigned char>
 MaskOfRuns(const ColonGrid & grid, const VoxelRuns & set, const RunLabels & labels, int label, const VoxelBox & box);
 
-/** The middle of the largest ball in a piece. */
+/** Center of the largest ball in a piece. */
 struct DeepestVoxel
 {
   std::array<int, 3> voxel{ { 0, 0, 0 } };

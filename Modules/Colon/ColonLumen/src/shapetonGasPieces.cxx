@@ -20,14 +20,14 @@ constexpr double NearPlace = 20.0;   // mm along a row
 constexpr double ShareOfShell = 0.3;
 constexpr double MeasuredMl = 0.5;
 
-/** How a piece of a slice, or a group of such pieces, is bounded within the slices; mm or mm^2. */
+/** Boundary lengths and area of a slice piece, or a group of them, within the slices; mm or mm^2. */
 struct Outline
 {
   double border{ 0.0 };
   double edge{ 0.0 }; ///< inside the image
 };
 
-/** The outline of each labelled part of the slices. */
+/** The outline of each labeled part of the slices. */
 std::vector<Outline>
 OutlinesInSlices(const ColonGrid & grid, const VoxelRuns & set, const RunLabels & labels)
 {
@@ -43,7 +43,7 @@ OutlinesInSlices(const ColonGrid & grid, const VoxelRuns & set, const RunLabels 
     (j == 0 ? outline.border : outline.edge) += length;
     (j == grid.size[1] - 1 ? outline.border : outline.edge) += length;
   });
-  // A column that two rows share was counted from above and from below.
+  // A column shared by two rows was counted from above and from below.
   for (int k = 0; k < set.size[2]; ++k)
   {
     for (int j = 1; j < set.size[1]; ++j)
@@ -67,7 +67,7 @@ RunsOf(const RunLabels & labels, const std::vector<char> & isIn)
   return use;
 }
 
-/** 1 for each part that holds one of the voxels. */
+/** 1 for each part that contains one of the voxels. */
 std::vector<char>
 PartsOf(const VoxelRuns & set, const RunLabels & parts, const std::vector<std::array<int, 3>> & voxels)
 {
@@ -119,7 +119,7 @@ OutsideRuns(const ColonGrid & grid, const VoxelRuns & set, const std::vector<std
   return RunsOf(groups, isOutside);
 }
 
-/** Voxels of a part of a slice, and in the slice that is asked about their moments in mm. */
+/** Voxels of a slice part, and their moments in mm in the current slice. */
 struct Section
 {
   double          voxels{ 0.0 };
@@ -134,8 +134,8 @@ struct Section
     return PrincipalAxes(squares / voxels - mean * mean.transpose());
   }
 
-  /** Long, and rather from the front to the back than from side to side, as the natal cleft is, or open to the side as
-   * air beside the table is: gas over a level of fluid is long, too, but lies across within the body. */
+  /** Long, and oriented front to back rather than side to side, like the natal cleft, or open to the side like air next
+   * to the table. Gas over a level of fluid is long, too, but oriented sideways within the body. */
   bool
   IsLikeCleft(const ColonGrid & grid) const
   {
@@ -167,9 +167,9 @@ SectionsOfParts(const ColonGrid & grid, const VoxelRuns & set, const RunLabels &
   return sections;
 }
 
-/** Adds the natal cleft, and strips of air beside the table, to the air outside. They are long and narrow, from front
- * to back or out to the side, where the caudal border of the image cuts them, which a rectum is not, and go on upwards
- * as long as the next slice shows a quarter of them: the canal is much smaller. */
+/** Adds the natal cleft, and strips of air next to the table, to the air outside. They are long and narrow, front to
+ * back or open to the side where the caudal border of the image cuts them, unlike a rectum. They continue upward while
+ * the next slice shows a quarter of them; the anal canal is much smaller. */
 void
 AddCleft(const ColonGrid &                       grid,
          const VoxelRuns &                       set,
@@ -215,8 +215,8 @@ AddCleft(const ColonGrid &                       grid,
   }
 }
 
-/** Whether the image's border cuts a box, its caudal one not counted where a scan shows the whole outline of the body:
- * what it cuts there is the natal cleft. */
+/** Whether the border of the image cuts a box, ignoring the caudal border of a scan with the whole outline of the body,
+ * where it cuts the natal cleft. */
 bool
 IsCut(const ColonGrid & grid, const VoxelBox & box, bool showsOutside)
 {
@@ -291,8 +291,8 @@ FindPockets(const ColonGrid & grid, GasOfVolume & gas)
   }
 }
 
-/** Whether the first or last row of a slice shows air outside near a place: a quarter of it. Elsewhere it cuts the
- * body. */
+/** Whether at least a quarter of the first or last row of a slice near a place is outside air. Otherwise the row cuts
+ * the body. */
 bool
 ShowsAir(const ColonGrid & grid, const GasOfVolume & gas, int i, int j, int k)
 {
@@ -309,8 +309,8 @@ ShowsAir(const ColonGrid & grid, const GasOfVolume & gas, int i, int j, int k)
   return outside >= ShareOfWalls * (end - begin);
 }
 
-/** Whether nothing but a thin shell parts the end of a column of gas from the air outside, or from the image's border
- * where that lies in air. */
+/** Whether only a thin shell separates the end of a column of gas from the outside air, or from a border of the image
+ * that is in air. */
 bool
 IsThinlyCovered(const ColonGrid & grid, const GasOfVolume & gas, int i, int j, int k, int towards)
 {
@@ -330,8 +330,8 @@ IsThinlyCovered(const ColonGrid & grid, const GasOfVolume & gas, int i, int j, i
   return false;
 }
 
-/** Hollow tables, cushions and blankets, and the natal cleft that lies on them: front or back lies under a thin shell,
- * under which is air known to be outside. Returns whether any was found. */
+/** Hollow tables, cushions and blankets, and the natal cleft on them: their front or back is under a thin shell next to
+ * known outside air. Returns whether any was found. */
 bool
 FindShells(const ColonGrid & grid, GasOfVolume & gas)
 {
@@ -365,7 +365,7 @@ FindShells(const ColonGrid & grid, GasOfVolume & gas)
   return isAnyNew;
 }
 
-/** Adds voxels that have four neighbours in a mask: oblique columns leave gaps where they change voxel rows. */
+/** Adds voxels with four neighbors in a mask: oblique columns have gaps where they change voxel rows. */
 void
 FillGaps(const ColonGrid & grid, std::vector<unsigned char> & mask)
 {
@@ -428,7 +428,7 @@ MeasureDepth(const ColonGrid & grid, const VoxelValues & hu, GasOfVolume & gas)
     const VoxelBox  box = grid.Widened(piece.box, 1e-6);
     const ColonGrid part = grid.Part(box);
     const auto      d = SquaredDistanceToBackground(part, MaskOfRuns(grid, gas.set, gas.labels, p, box));
-    // A piece that fills its whole box has no background at all.
+    // A piece that fills its whole box has no background.
     const float deepest = std::min(*std::max_element(d.begin(), d.end()), 1e6F);
     piece.radius = std::sqrt(deepest);
     const float least = std::min(9.0F, 0.36F * deepest);

@@ -15,13 +15,13 @@ struct GasPiece
   VoxelBox        box;
   Eigen::Vector3d centre{ 0.0, 0.0, 0.0 }; ///< LPS
   double          mean{ 0.0 };             ///< HU
-  double          radius{ 0.0 };           ///< of the largest ball in it, mm; 0 below 0.5 ml
+  double          radius{ 0.0 };           ///< of the largest ball inside, mm; 0 below 0.5 ml
   double          inside{ 0.0 };           ///< mean HU at least 3 mm deep, or in its deepest part
-  bool            isOutside{ false };      ///< air that belongs to the outside, though a slice encloses it
-  bool            isCut{ false }; ///< the border of the image cuts it, its caudal one not counted beside outside air
+  bool            isOutside{ false };      ///< outside air, even if enclosed in a slice
+  bool            isCut{ false }; ///< cut by the border of the image, except by its caudal one next to outside air
 };
 
-/** All gas of a volume, and which part of it lies outside the body. Entry 0 of `pieces` stands for the air outside. */
+/** All gas of a volume, and its part outside the body. Entry 0 of `pieces` is the air outside. */
 struct GasOfVolume
 {
   VoxelRuns             set;
@@ -30,17 +30,18 @@ struct GasOfVolume
   std::vector<char>     isOutsideRun;
 };
 
-/** Voxels below `seed`. Air is outside where a slice shows it at the border of the image and the border is at least as
- * long as 0.6 of its edge inside the image, or a quarter of the image's own border: the way around a convex body is
- * never shorter than the body's own outline, measured along rows and columns, while gas in a bowel that the border cuts
- * has a long wall and a short cut. Slices are looked at one by one because an open rectal tube joins the rectum to the
- * room. A piece that opens to the outside across slices with more than a quarter of its largest section belongs to it,
- * too. A piece that mostly ends, in front or behind, at a thin shell over such air belongs to it: tables, cushions.
- * The natal cleft is outside, too. Air that holds one of the `kept` voxels is not outside. */
+/** Finds voxels below `seed`. Air is outside if in a slice it touches the border of the image and this border is at
+ * least
+ * 0.6 times as long as its edge inside the image, or a quarter of the image border. The path around a convex body is
+ * never shorter than the outline of the body, measured along rows and columns, while gas in a bowel cut by the border
+ * has a long wall and a short cut. Slices are tested one by one because an open rectal tube connects the rectum to the
+ * room. A piece that opens to the outside across slices with more than a quarter of its largest section is outside,
+ * too, and so is a piece that mostly ends, in front or behind, at a thin shell over outside air: tables, cushions. The
+ * natal cleft is outside, too. Air that contains one of the `kept` voxels is not outside. */
 GasOfVolume
 FindGas(const ColonGrid & grid, const VoxelValues & hu, double seed, const std::vector<std::array<int, 3>> & kept);
 
-/** Fills in `radius` and `inside` of pieces from 0.5 ml on. */
+/** Sets `radius` and `inside` of pieces of at least 0.5 ml. */
 void
 MeasureDepth(const ColonGrid & grid, const VoxelValues & hu, GasOfVolume & gas);
 struct MeasuredPiece
@@ -49,7 +50,7 @@ struct MeasuredPiece
   double radius{ 0.0 }; ///< mm
 };
 
-/** Volume and inscribed radius of a piece together with some voxels. */
+/** Volume and inscribed radius of a piece together with additional voxels. */
 MeasuredPiece
 MeasureTogether(const ColonGrid &                       grid,
                 const GasOfVolume &                     gas,

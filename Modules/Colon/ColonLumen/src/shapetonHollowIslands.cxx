@@ -13,7 +13,7 @@ constexpr double LargestIsland = 250.0; // mm^2
 constexpr double TipLength = 4.0;       // mm
 constexpr double LargestBore = 80.0;    // mm^2
 constexpr double WallThickness = 1.0;   // mm
-constexpr double CanalReach = 60.0;     // mm below the rectum's gas
+constexpr double CanalReach = 60.0;     // mm below the gas of the rectum
 constexpr double RingWidth = 4.0;       // mm around the catheter
 constexpr double LeastBody = 0.75;      // of the ring, tissue or lumen
 
@@ -51,7 +51,7 @@ FindIslands(const ColonGrid & grid, const VoxelValues & hu, double gasBoundary, 
   return islands;
 }
 
-/** Small islands over or under one that is taken are taken, too, slice by slice up to the tip. */
+/** Adds small islands above or below accepted ones, slice by slice up to the tip. */
 void
 TakeTips(const ColonGrid & grid, const Islands & islands, std::vector<char> & taken)
 {
@@ -74,7 +74,7 @@ TakeTips(const ColonGrid & grid, const Islands & islands, std::vector<char> & ta
   }
 }
 
-/** Follows the catheter's gas from the rectum down the anal canal, slice by slice, until it leaves the body. */
+/** Follows the gas of the catheter from the rectum down the anal canal, slice by slice, until it leaves the body. */
 class CanalWalk
 {
 public:
@@ -82,7 +82,7 @@ public:
     : m_Grid(grid), m_Hu(hu), m_GasBoundary(gasBoundary), m_Classes(classes), m_State(grid.stride[2], Unseen)
   {}
 
-  /** \param bore the catheter's gas in a slice where lumen encloses it. */
+  /** \param bore gas of the catheter in a slice where lumen encloses it. */
   void
   Walk(std::vector<std::size_t> bore)
   {
@@ -112,14 +112,14 @@ private:
     Seen
   };
 
-  /** Gas that is not known to be lumen: that of the catheter, and outside air. */
+  /** Gas not known to be lumen: that of the catheter, and outside air. */
   bool
   IsOtherGas(std::size_t p) const
   {
     return m_Hu[p] < m_GasBoundary && !IsColonLumen(m_Classes[p]);
   }
 
-  /** Voxels of the slice within a distance of those given, with them. */
+  /** Voxels of the slice within a distance of the given ones, including these. */
   std::vector<std::size_t>
   Around(const std::vector<std::size_t> & voxels, double distance)
   {
@@ -156,7 +156,7 @@ private:
     }
   }
 
-  /** The gas in this slice that is connected to what lies over or under the bore; none where it is no bore. */
+  /** Gas in this slice connected to the voxels above or below the bore; empty if it is not a bore. */
   std::vector<std::size_t>
   NextBore(const std::vector<std::size_t> & bore, int slice)
   {
@@ -224,7 +224,7 @@ FillHollowIslands(const ColonGrid & grid, const VoxelValues & hu, double gasBoun
     taken[i] = islands.isSmall[i] && islands.hasGas[i];
   }
   TakeTips(grid, islands, taken);
-  // The catheter's gas in each slice where lumen encloses it.
+  // Gas of the catheter in each slice where lumen encloses it.
   std::vector<std::vector<std::size_t>> bores(taken.size());
   ForEachRun(islands.set, [&](std::size_t r, int j, int k) {
     const int island = islands.labels.ofRun[r];

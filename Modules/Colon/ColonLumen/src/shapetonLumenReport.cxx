@@ -17,7 +17,7 @@ constexpr double LeastPieceMl = 0.05;
 constexpr double LeastLeftOutMl = 1.0;
 constexpr double LeastBrightMl = 10.0;
 constexpr double LeastBrightRadius = 7.0; // mm
-constexpr double UsableMl = 400.0;        // or UsableShare of the body, where the image shows less of it
+constexpr double UsableMl = 400.0;        // or UsableShare of the body, if the image shows less of it
 constexpr double UsableShare = 0.02;
 constexpr double UsableRadius = 10.0; // mm
 
@@ -164,7 +164,7 @@ DescribeOtherBright(const LumenVoxels & voxels, ColonLumen & lumen)
   }
 }
 
-/** Of each piece of gas that may be colon but for its width: a voxel of each cell of 5 mm. */
+/** For each piece of gas that may be colon except for its width: one voxel per cell of 5 mm. */
 std::vector<std::vector<itk::Point<double, 3>>>
 PlacesOfThinGas(const ColonEvidence & evidence)
 {
@@ -189,7 +189,7 @@ PlacesOfThinGas(const ColonEvidence & evidence)
   return places;
 }
 
-/** Why a piece of gas is of its kind. */
+/** Reason for the kind of a piece of gas. */
 std::string
 ReasonOf(const ColonEvidence & evidence, std::size_t piece)
 {
@@ -197,7 +197,7 @@ ReasonOf(const ColonEvidence & evidence, std::size_t piece)
   const std::string & kind = evidence.kind[piece];
   if (kind == LungKind)
   {
-    const double vessels = evidence.lung[piece].vessels; // 0 in pieces too small to be measured
+    const double vessels = evidence.lung[piece].vessels; // 0 for pieces too small to measure
     return "it has " + Rounded(gas.radius > 0.0 ? gas.inside : gas.mean, 0) + " HU" +
            (vessels > 0.0 ? ", with " + Rounded(vessels, 1) + " cross sections of vessels per 100 cm^2" : "");
   }

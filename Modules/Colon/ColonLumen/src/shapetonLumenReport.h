@@ -11,22 +11,22 @@ EmptyLabels(const ColonImage * image);
 void
 WriteLabels(const ColonImage * image, const LumenVoxels & voxels, ColonLumen & lumen);
 
-/** Connected parts of the lumen from 0.05 ml on; smaller ones are taken out of the labels by WriteLabels(). */
+/** Connected parts of the lumen of at least 0.05 ml; WriteLabels() removes smaller ones from the labels. */
 void
 DescribePieces(const LumenVoxels & voxels, ColonLumen & lumen);
 
 void
 DescribeLevels(const ColonEvidence & evidence, const LumenVoxels & voxels, ColonLumen & lumen);
 
-/** What is as bright as the colon's fluid but not colon, from 10 ml on, where it holds a ball of 7 mm radius. */
+/** Other matter as bright as the fluid of the colon, of at least 10 ml and with a ball of 7 mm radius. */
 void
 DescribeOtherBright(const LumenVoxels & voxels, ColonLumen & lumen);
 
-/** Thresholds, noise, and gas from 1 ml on that is not colon. */
+/** Thresholds, noise, and gas of at least 1 ml that is not colon. */
 void
 DescribeRest(const ColonEvidence & evidence, ColonLumen & lumen);
 
-/** Says why the lumen is not usable, if so. */
+/** Sets the failure if the lumen is not usable. */
 void
 JudgeLumen(const ColonEvidence & evidence, ColonLumen & lumen);
 } // namespace shapeton

@@ -167,7 +167,7 @@ namespace
 constexpr double LevelReach = 6.0;  // mm around the flat part of a level
 constexpr double LevelLeeway = 0.5; // mm
 
-/** From where values leave the gas to where they reach the fluid, mm: between 31 % and 81 % of a blurred step. */
+/** Distance over which values pass from gas to fluid, mm: between 31 % and 81 % of a blurred step. */
 double
 LayerThickness(const LumenField & field)
 {
@@ -175,7 +175,7 @@ LayerThickness(const LumenField & field)
   return 1.38 * std::sqrt(UsualBlur * UsualBlur + smoothing * smoothing + field.fall.step * field.fall.step / 12.0);
 }
 
-/** The floors of the colon's levels: which places lie near one. */
+/** Proximity to the floors of the levels of the colon. */
 class NearLevels
 {
 public:
@@ -226,7 +226,7 @@ private:
   LateralCells                     m_Cells;
 };
 
-/** Looks up and down from a voxel. A table of the steps, as most voxels are asked for all of them. */
+/** Searches up and down from a voxel. The steps are tabulated, since most voxels need all of them. */
 class Column
 {
 public:
@@ -239,7 +239,7 @@ public:
     }
   }
 
-  /** Whether gas is above the voxel and fluid below, nothing else in between, all within the steps. */
+  /** Whether gas is above the voxel and fluid below within the steps, and nothing else in between. */
   bool
   IsBetweenGasAndFluid(std::size_t p) const
   {
@@ -249,7 +249,7 @@ public:
   }
 
 private:
-  /** Steps to the first voxel that is something, where that is of this class; else 0. */
+  /** Steps to the first nonempty voxel if it is of this class; otherwise 0. */
   int
   StepsTo(unsigned char wanted, const std::array<int, 3> & v, int direction, int most) const
   {
@@ -275,7 +275,8 @@ private:
   std::vector<std::array<int, 3>> m_Offsets;
 };
 
-/** Fills the layer in which values pass from gas to fluid, near levels only: elsewhere a wall may lie between. */
+/** Fills the layer in which values pass from gas to fluid, only near levels: elsewhere there may be a wall in
+ * between. */
 void
 FillLevelLayers(LumenField & field)
 {
@@ -298,7 +299,7 @@ FillLevelLayers(LumenField & field)
 
 constexpr double GrowthReach = 3.0;       // mm
 constexpr double LeastCompetingMl = 0.05; // of other bright matter that competes
-constexpr double FaintDepth = 2.0;        // mm below a level, where faintly tagged fluid is looked for
+constexpr double FaintDepth = 2.0;        // mm below a level, searched for faintly tagged fluid
 constexpr double FilledCavityMl = 0.03;
 
 void
@@ -326,7 +327,7 @@ PaintBright(LumenField & field)
   });
 }
 
-/** Pockets of gas that share a level with the colon's fluid. */
+/** Pockets of gas that share a level with the fluid of the colon. */
 bool
 TakeGasOverFluid(LumenField & field)
 {
@@ -352,7 +353,7 @@ TakeGasOverFluid(LumenField & field)
   return found;
 }
 
-/** Bright pieces under levels of gas that has become colon: to be decided like those found at first. */
+/** Bright pieces under levels of gas newly identified as colon: to be decided like the initial ones. */
 bool
 TakeBrightUnderGas(LumenField & field)
 {
@@ -380,7 +381,7 @@ TakeBrightUnderGas(LumenField & field)
   return found;
 }
 
-/** Where gas and fluid are sure, they take what belongs to them around. */
+/** Grows certain gas and fluid into the voxels around. */
 void
 Grow(LumenField & field)
 {
@@ -400,7 +401,7 @@ Grow(LumenField & field)
   });
 }
 
-/** Faintly tagged fluid under the colon's levels, where no surely bright matter lies. */
+/** Faintly tagged fluid under the levels of the colon, without certainly bright matter. */
 std::vector<std::size_t>
 FaintSeeds(const LumenField & field)
 {
@@ -426,7 +427,7 @@ FaintSeeds(const LumenField & field)
   return seeds;
 }
 
-/** Walls are looked for in the input itself: the prefilter would hide them. */
+/** Walls are detected in the input itself, since the prefilter would hide them. */
 void
 AddUnmixed(const ColonImage * image, LumenField & field)
 {
@@ -445,7 +446,7 @@ AddUnmixed(const ColonImage * image, LumenField & field)
   }
 }
 
-/** Specks that noise left inside the lumen; polyps on thin stalks are larger. */
+/** Removes noise specks inside the lumen; polyps on thin stalks are larger. */
 void
 FillCavities(LumenField & field)
 {

@@ -9,7 +9,7 @@
 
 namespace shapeton
 {
-/** What a voxel of the working volume holds. */
+/** Class of a voxel of the working volume. */
 enum LumenClass : unsigned char
 {
   Nothing = 0,
@@ -17,46 +17,46 @@ enum LumenClass : unsigned char
   ColonFluid = 2,
   OtherGas = 3,
   OtherBright = 4,
-  Undecided = 5 ///< bright, and joined to the colon's fluid, perhaps by a leak
+  Undecided = 5 ///< bright and connected to the fluid of the colon, possibly by a leak
 };
 
 using ClassVolume = std::vector<unsigned char>;
 
-/** Of a LumenClass. */
+/** Whether a LumenClass is lumen. */
 inline bool
 IsColonLumen(unsigned char c)
 {
   return c == ColonGas || c == ColonFluid;
 }
 
-/** Grows the first four classes at the same pace, by faces, `layers` times at most, into voxels where `mayEnter(voxel,
- * class)` holds. Where two arrive at once the colon's are served first. */
+/** Grows the first four classes at the same rate, by faces, by at most `layers`, into voxels where `mayEnter(voxel,
+ * class)` holds. The colon has priority in ties. */
 void
 GrowClasses(const ColonGrid &                                               grid,
             ClassVolume &                                                   classes,
             int                                                             layers,
             const std::function<bool(std::size_t voxel, unsigned char c)> & mayEnter);
 
-/** The part of the volume around the colon while its voxels are decided. The evidence stays that of the whole volume.
- */
+/** The part of the volume around the colon during voxel classification. The evidence refers to the whole volume. */
 struct LumenField
 {
-  /** Takes the intensities out of `evidence` to save memory. */
+  /** Moves the intensities out of `evidence` to save memory. */
   explicit LumenField(ColonEvidence & colonEvidence);
 
-  /** Gives the voxels of a run of the whole volume a class. */
+  /** Sets the class of the voxels of a run of the whole volume. */
   void
   Fill(const VoxelRun & run, int j, int k, unsigned char voxelClass);
 
-  /** Voxel of this part; false where a voxel of the whole volume lies outside. */
+  /** Voxel of this part; false for a voxel of the whole volume outside it. */
   bool
   Local(std::size_t whole, std::array<int, 3> & v) const;
 
-  /** The voxel t steps below v, or -1 beyond the grid. */
+  /** The voxel t steps below v, or -1 outside the grid. */
   std::ptrdiff_t
   Below(const std::array<int, 3> & v, int t) const;
 
-  /** From the last voxel of gas down to fluid under a level, mm: three coarse voxels, two of which lie in the rise. */
+  /** Distance from the last gas voxel down to fluid under a level, mm: three coarse voxels, two of which are in the
+   * rise. */
   double
   FluidReach() const;
 
@@ -67,11 +67,11 @@ struct LumenField
     return level.IsTagged(evidence.thresholds.tissue);
   }
 
-  /** Whether most columns under a level end in the colon's fluid. */
+  /** Whether most columns under a level end in the fluid of the colon. */
   bool
   LiesOnColonFluid(const Level & level) const;
 
-  /** Levels between the colon's gas and its fluid. */
+  /** Levels between the gas of the colon and its fluid. */
   std::vector<Level>
   ColonLevels() const;
 
@@ -94,8 +94,8 @@ struct LumenVoxels
   std::optional<RectalCatheter> catheter;
 };
 
-/** Decides voxel by voxel. Takes the intensities out of `evidence` to save memory, and marks there the pieces of gas
- * that turn out to be colon because they lie over its fluid. */
+/** Classifies voxels. Moves the intensities out of `evidence` to save memory, and marks there pieces of gas identified
+ * as colon by their position over its fluid. */
 LumenVoxels
 DecideVoxels(const ColonImage * image, ColonEvidence & evidence);
 } // namespace shapeton

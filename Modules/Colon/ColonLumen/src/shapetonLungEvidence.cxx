@@ -10,12 +10,12 @@ namespace shapeton
 namespace
 {
 // Real scans (median HU above room air, parenchyma, vessels per 100 cm^2): lungs of a chest 108, .99, 9.5, lung bases
-// 92, .91, 11.7; gas of colons 3 to 38, .03 to .15 (.30 in one piece of 38 ml), 0 to 0.2. The limits lie in the middle
+// 92, .91, 11.7; gas of colons 3 to 38, .03 to .15 (.30 in one piece of 38 ml), 0 to 0.2. The limits are in the middle
 // of the gaps.
-constexpr double LungExcess = 105.0;      // HU above air; denser gas is lung whatever else it shows
+constexpr double LungExcess = 105.0;      // HU above air; denser gas is always lung
 constexpr double ParenchymaExcess = 60.0; // HU above air
 constexpr double DensestExcess = 500.0;   // HU above air; lung at full expiration
-constexpr double MixedShare = 0.2;        // of the variance that a mixture of gas and tissue of that mean has
+constexpr double MixedShare = 0.2;        // of the variance of a mixture of gas and tissue with that mean
 constexpr double MostlyParenchyma = 0.5;  // with few vessels
 constexpr double FewVessels = 1.5;        // per 100 cm^2
 constexpr double SomeParenchyma = 0.2;    // with many vessels: emphysema has nearly the HU of air
@@ -25,18 +25,18 @@ constexpr double ShareInside = 0.9;       // of a block
 constexpr int    NearBlocks = 2;          // 10 mm
 constexpr double LeastSection = 300.0;    // mm^2 of gas in an axial slice
 constexpr double LeastVessel = 3.0;       // mm^2
-constexpr double LargestVessel = 100.0;   // mm^2; beyond that a fold or a wall
-constexpr float  VesselHU = -500.0F;      // a vessel reaches half of the contrast even where the scanner blurs it
-constexpr float  Padding = -1095.0F;      // values of the reconstruction outside its circle are below
+constexpr double LargestVessel = 100.0;   // mm^2; a larger one is a fold or a wall
+constexpr float  VesselHU = -500.0F;      // a vessel reaches half of the contrast even when blurred by the scanner
+constexpr float  Padding = -1095.0F;      // reconstruction values outside the circle are below
 
-/** Islands of tissue that the gas of a slice encloses, and the area of the gas, mm^2. */
+/** Number of islands of tissue enclosed by the gas of a slice, and area of the gas, mm^2. */
 struct SliceCount
 {
   double area{ 0.0 };
   int    vessels{ 0 };
 };
 
-/** The places of a slice, 1 where it holds gas of the piece; a place is cleared when it has been counted. */
+/** Pixels of a slice, 1 for gas of the piece; counted pixels are cleared. */
 class SliceIslands
 {
 public:
@@ -56,7 +56,7 @@ public:
     }
   }
 
-  /** Calls `body(i, j)` for the places of an island; false where there is none. */
+  /** Calls `body(i, j)` for the pixels of an island; false if there is none. */
   template <typename TBody>
   bool
   Take(int i, int j, const TBody & body)
@@ -65,7 +65,7 @@ public:
   }
 
 private:
-  /** `reach` 1: across edges of pixels; 2: across corners, too. */
+  /** `reach` 1: across edges of pixels; 2: also across corners. */
   template <typename TBody>
   bool
   Fill(int i, int j, int reach, const TBody & body)
@@ -129,7 +129,7 @@ LungEvidence::IsLung() const
 double
 RoomAir(const ColonGrid & grid, const VoxelValues & hu, const GasOfVolume & gas)
 {
-  constexpr int         margin = 3; // voxels from the body or the table, where values mix
+  constexpr int         margin = 3; // voxels from the body or the table, where values are mixed
   constexpr std::size_t least = 1000;
   std::vector<float>    values;
   ForEachRun(gas.set, [&](std::size_t r, int j, int k) {
@@ -152,12 +152,12 @@ RoomAir(const ColonGrid & grid, const VoxelValues & hu, const GasOfVolume & gas)
   return std::clamp<double>(*middle, -1000.0, -950.0);
 }
 
-/** Blocks of a piece. */
+/** Block statistics of a piece. */
 struct LungSearch::Shares
 {
   std::size_t         parenchyma{ 0 };
   std::size_t         gas{ 0 };
-  std::vector<double> means; ///< of blocks wholly inside
+  std::vector<double> means; ///< of blocks entirely inside
 };
 
 LungSearch::LungSearch(const ColonGrid &   grid,
@@ -206,7 +206,7 @@ LungSearch::Measure(int piece) const
   return evidence;
 }
 
-/** Uniform and denser than air: a block across the border of gas and tissue has the mean of both, but varies. */
+/** Uniform and denser than air: a block across the border of gas and tissue has a similar mean, but varies. */
 bool
 LungSearch::IsParenchyma(std::size_t block) const
 {

@@ -8,10 +8,10 @@
 
 namespace shapeton
 {
-/** \brief Evidence that tells lung from the gas of a bowel; each measure is absolute.
+/** \brief Absolute measures that distinguish lung from the gas of a bowel.
  *
  * Gas in a bowel has the HU of room air up to a thin wall. Lung is denser than air throughout, uniform over a few mm,
- * and holds vessels, whose cross sections are islands of tissue in each axial slice. */
+ * and contains vessels, whose cross sections are islands of tissue in each axial slice. */
 struct LungEvidence
 {
   double excess{ 0.0 };     ///< median of blocks of 5 mm inside the piece above room air, HU
@@ -20,13 +20,13 @@ struct LungEvidence
 
   bool
   IsLung() const;
-  /** Lung beyond doubt, which not even a foam table or a blanket resembles. */
+  /** Certain lung, which not even a foam table or a blanket resembles. */
   bool
   IsVascularLung() const;
 };
 
-/** The HU of air outside the body, at least -1000 (a scanner may cut off below) and at most -950; -1000 if the volume
- * shows none. */
+/** HU of air outside the body, clamped to [-1000, -950] (a scanner may cut off below); -1000 without such air in the
+ * volume. */
 double
 RoomAir(const ColonGrid & grid, const VoxelValues & hu, const GasOfVolume & gas);
 
@@ -35,7 +35,7 @@ RoomAir(const ColonGrid & grid, const VoxelValues & hu, const GasOfVolume & gas)
 class LungSearch
 {
 public:
-  /** `tissue` and `noise`: the mode of soft tissue and the standard deviation of noise in it, HU. The references must
+  /** `tissue` and `noise`: the mode of soft tissue and the standard deviation of its noise, HU. The references must
    * outlive this object. */
   LungSearch(const ColonGrid & grid, const VoxelValues & hu, const GasOfVolume & gas, double tissue, double noise);
 
@@ -59,7 +59,7 @@ private:
   double              m_Contrast; ///< of tissue above air, HU
   double              m_Noise;
   VoxelBlocks         m_Blocks;
-  std::vector<char>   m_IsOutside; ///< blocks that hold air outside the body
+  std::vector<char>   m_IsOutside; ///< blocks that contain air outside the body
 };
 } // namespace shapeton
 

@@ -16,12 +16,12 @@ namespace shapeton
 {
 namespace
 {
-constexpr double PassageRadius = 2.5;   // mm; what joins two parts of the fluid more narrowly is a leak
-constexpr double PassageInVoxels = 1.4; // the least radius of a passage: a layer of voxels that a wall crosses is none
+constexpr double PassageRadius = 2.5;   // mm; a narrower connection of two parts of the fluid is a leak
+constexpr double PassageInVoxels = 1.4; // the minimum radius of a passage, to exclude layers crossed by a wall
 constexpr double ThinReach = 12.0;      // mm from wide fluid, or from a level, to the end of a thin layer
 constexpr double DeepestWide = 20.0;    // mm from a level down to a wide part
 
-/** The parts of the undecided matter that are as wide as a passage, and which of them are the colon's. */
+/** The parts of the undecided matter as wide as a passage, with those of the colon marked. */
 class WideFluid
 {
 public:
@@ -44,7 +44,7 @@ public:
     m_IsColon.assign(m_Labels.number + 1, 0);
   }
 
-  /** Marks the fluid right under the colon's levels, and the wide parts of it that columns from there reach without a
+  /** Marks the fluid directly under the levels of the colon, and its wide parts reached by columns from there without a
    * wall in between. */
   void
   MarkUnderLevels()
@@ -157,10 +157,10 @@ SplitAtNecks(LumenField & field)
 namespace
 {
 constexpr double LeastPoolContrast = 100.0; // HU above tissue
-constexpr double Plateau = 0.75;            // of a core's contrast: a wall in between goes below it
-constexpr double GreatestDepth = 15.0;      // mm, a core's volume by its open contact with the fluid
+constexpr double Plateau = 0.75;            // of the contrast of a core: a wall in between is below it
+constexpr double GreatestDepth = 15.0;      // mm, volume of a core over its open contact area with the fluid
 constexpr double LeastCoreMl = 0.05;
-constexpr double NeckRadius = 2.5; // mm; what is connected more narrowly is judged alone
+constexpr double NeckRadius = 2.5; // mm; narrower connected matter is judged separately
 
 struct Arrival
 {
@@ -205,7 +205,7 @@ public:
   }
 
 private:
-  /** The mean of a voxel and those that share a face: less noise, and a wall of two voxels still shows. */
+  /** Mean of a voxel and its face neighbors: less noise, and a wall of two voxels remains visible. */
   float
   Mean(std::size_t voxel) const
   {
@@ -218,7 +218,7 @@ private:
     return sum / static_cast<float>(count);
   }
 
-  /** Visits what the paths reach, the brightest ways first, so that each voxel gets the best of its ways. */
+  /** Visits reachable voxels, brightest paths first, so each voxel gets its best path. */
   void
   Flood(const VoxelSet & seeds)
   {
@@ -261,7 +261,7 @@ private:
     }
   }
 
-  /** Whether fluid lies within two voxels, or 2 mm: what is reached there may be its blurred edge. */
+  /** Whether fluid is within two voxels, or 2 mm: reached matter there may be its blurred edge. */
   bool
   IsNearFluid(std::size_t p) const
   {
@@ -271,8 +271,7 @@ private:
     });
   }
 
-  /** Reached voxels beyond the blurred edge, in pieces of LeastCoreMl at least that are open to
-   * the fluid; in the order of their index. */
+  /** Reached voxels beyond the blurred edge, in pieces of at least LeastCoreMl that are open to the fluid; by index. */
   VoxelSet
   Cores(const VoxelSet & seeds) const
   {
@@ -290,8 +289,7 @@ private:
     return this->OpenPieces(cores);
   }
 
-  /** The lowest value on the straight way to the nearest fluid voxel within three voxels; nothing where there is none.
-   */
+  /** The lowest value on the straight line to the nearest fluid voxel within three voxels; empty if there is none. */
   std::optional<double>
   DipTowardsFluid(std::size_t p) const
   {
@@ -323,7 +321,8 @@ private:
     return dip;
   }
 
-  /** Whether a core meets the fluid broadly and mostly without a dip of the values in between, or holds a seed. */
+  /** Whether a core has a broad contact to the fluid, mostly without a dip of the values in between, or contains a
+   * seed. */
   bool
   IsOpenToFluid(const VoxelSet & piece) const
   {
@@ -364,7 +363,7 @@ private:
     return kept;
   }
 
-  /** The cores and what is next to them above their half-height. */
+  /** Adds the cores and adjacent voxels above their half height. */
   void
   GrowBack(const VoxelSet & cores)
   {
@@ -423,15 +422,15 @@ AddUnmixedFluid(const ColonGrid &                grid,
 namespace
 {
 constexpr double LeastMl = 50.0;
-constexpr double LeastRadius = 14.0; // mm; small bowel is 25 mm wide, and voxels add to it
+constexpr double LeastRadius = 14.0; // mm; small bowel is 25 mm wide, plus voxel effects
 constexpr double RectumMl = 20.0;
 constexpr double PoolRectumRadius = 10.0; // mm
-constexpr double LeastLength = 2.5;       // volumes of the inscribed ball
+constexpr double LeastLength = 2.5;       // in volumes of the inscribed ball
 constexpr double WellTagged = 300.0;      // HU above tissue
 constexpr double SimilarShare = 0.25;     // of the fluid's contrast
 
-/** In the middle of the largest ball, mean of up to 27 voxels: a ball that the border of the image cuts may have its
- * middle there. */
+/** Mean of up to 27 voxels at the center of the largest ball, which may be on the border of the image if that cuts the
+ * ball. */
 bool
 IsAsBright(const ColonEvidence & evidence, const std::array<int, 3> & middle)
 {

@@ -19,7 +19,7 @@ namespace
 constexpr double AxisStep = 1.0;   // mm
 constexpr double AxisSmooth = 3.0; // mm, standard deviation
 
-/** The part of a mask that no ball inside of it covers. */
+/** The part of a mask not covered by any ball inside it. */
 std::vector<unsigned char>
 WithoutBalls(const ColonGrid &                  grid,
              const std::vector<unsigned char> & mask,
@@ -36,7 +36,7 @@ WithoutBalls(const ColonGrid &                  grid,
   return rest;
 }
 
-/** Indices of voxels of each piece. */
+/** Voxel indices of each piece. */
 std::vector<VoxelSet>
 PiecesOf(const ColonGrid & grid, const std::vector<unsigned char> & mask)
 {
@@ -52,11 +52,11 @@ PiecesOf(const ColonGrid & grid, const std::vector<unsigned char> & mask)
   return pieces;
 }
 
-/** Shortest ways within a set from one voxel to each, by their numbers in it. */
+/** Shortest paths within a set from one voxel to each, by their numbers in the set. */
 struct Ways
 {
   std::vector<double>      length; ///< mm
-  std::vector<std::size_t> before; ///< the voxel before the last of the way
+  std::vector<std::size_t> before; ///< previous voxel on the path
 
   std::size_t
   Farthest() const
@@ -65,7 +65,7 @@ struct Ways
   }
 };
 
-/** Finds ways within a connected set over faces, edges and corners of voxels. */
+/** Finds paths in a connected set over faces, edges and corners of voxels. */
 class WaysWithin
 {
 public:
@@ -128,7 +128,7 @@ private:
   const VoxelSet &  m_Voxels; ///< ascending
 };
 
-/** The same line by even steps, at least as many as its length holds. */
+/** Resamples a line with equal steps, at least as many as fit into its length. */
 BoreAxis
 Resampled(const BoreAxis & line, double step)
 {
@@ -152,7 +152,7 @@ Resampled(const BoreAxis & line, double step)
   return axis;
 }
 
-/** The same line, longer on both sides. */
+/** Extends a line on both sides. */
 BoreAxis
 Lengthened(const BoreAxis & line, double by)
 {
@@ -169,8 +169,7 @@ Lengthened(const BoreAxis & line, double by)
   return longer;
 }
 
-/** Gaussian means along a line of even steps. Beyond its ends the line goes on as its mirror image in the end, so that
- * it is not drawn inwards. */
+/** Gaussian smoothing of a line with equal steps. The line is reflected at its ends to avoid shrinking. */
 BoreAxis
 Smoothed(const BoreAxis & line, double step)
 {
@@ -197,7 +196,7 @@ Smoothed(const BoreAxis & line, double step)
   return smooth;
 }
 
-/** The longest way through a piece, with what lies across it. */
+/** The longest path through a piece, with the voxels across it. */
 class Trunk
 {
 public:
@@ -219,7 +218,7 @@ public:
       {
         n = ways.before[n];
       }
-      if (m_Bins[n] == bin) // a step over a corner may pass one
+      if (m_Bins[n] == bin) // a diagonal step may skip one
       {
         m_Middle.push_back(this->TakeAcross(n));
       }
@@ -232,7 +231,7 @@ public:
     return m_Length;
   }
 
-  /** mm^2, the mean of its sections. */
+  /** Mean area of its sections, mm^2. */
   double
   Section() const
   {
@@ -243,11 +242,11 @@ public:
   BoreAxis
   Axis() const
   {
-    // The first and the last mean lie half a step inside.
+    // The first and the last mean are half a step inside.
     return Resampled(Lengthened(Smoothed(m_Middle, m_Step), 0.5 * m_Step), AxisStep);
   }
 
-  /** The pieces that it leaves. */
+  /** The pieces that remain without it. */
   std::vector<VoxelSet>
   Branches() const
   {
@@ -271,8 +270,8 @@ public:
   }
 
 private:
-  /** Each voxel by its place on the way, from the end that is farther from it: what is as far from there lies flat
-   * across a bore, what is near to an end lies in shells around a corner of it. */
+  /** Assigns each voxel its position on the path, measured from the end farther from it: voxels at equal distance from
+   * a far end are flat across a bore, those near an end form shells around its corner. */
   void
   Place(const Ways & fromStart, const Ways & fromEnd)
   {
@@ -285,7 +284,7 @@ private:
     }
   }
 
-  /** The voxels that are connected with one within those that `isPart` holds for. */
+  /** The voxels connected to a given one within those where `isPart` holds. */
   template <typename TIsPart>
   std::vector<std::size_t>
   Connected(std::size_t start, const TIsPart & isPart) const
@@ -304,8 +303,8 @@ private:
     return connected;
   }
 
-  /** Takes the voxels beside one on the way, not those of other branches, and gives their mean place. They are
-   * connected by those a step before or after, for at the end of a bore the farthest are a ring. */
+  /** Takes the voxels across from one on the path, without those of other branches, and returns their center. They are
+   * connected by voxels one step before or after, since at the end of a bore the farthest ones form a ring. */
   Eigen::Vector3d
   TakeAcross(std::size_t onWay)
   {
@@ -328,19 +327,18 @@ private:
   const ColonGrid &        m_Grid;
   const VoxelSet &         m_Voxels;
   WaysWithin               m_Search;
-  double                   m_Step;   ///< mm; so that no bin is empty
+  double                   m_Step;   ///< mm; chosen so that no bin is empty
   double                   m_Length; ///< mm
-  std::vector<std::size_t> m_Bins;   ///< where along the way each voxel is, in steps
+  std::vector<std::size_t> m_Bins;   ///< position of each voxel along the path, in steps
   BoreAxis                 m_Middle; ///< from the end to the start
   std::vector<char>        m_IsTaken;
 };
 
-/** The middles of a piece and of its branches along their longest ways, but of those that are shorter or wider than a
- * bore. */
+/** Centerlines of a piece and of its branches along their longest paths, except those shorter or wider than a bore. */
 std::vector<BoreAxis>
 AxesOf(const ColonGrid & grid, VoxelSet && piece, double leastLength)
 {
-  constexpr double      thinnest = 2.0; // mm^2, mean section of what is worth the search
+  constexpr double      thinnest = 2.0; // mm^2, minimum mean section worth searching
   const auto            least = static_cast<std::size_t>(thinnest * leastLength / grid.VoxelVolume());
   std::vector<BoreAxis> axes;
   std::vector<VoxelSet> pieces{ std::move(piece) };

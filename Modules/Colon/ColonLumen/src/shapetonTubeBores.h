@@ -7,12 +7,12 @@ namespace shapeton
 {
 constexpr double LargestBoreRadius = 4.5; // mm
 
-/** The middle of a long, thin piece of gas: a point each mm, LPS. */
+/** Centerline of a long, thin piece of gas: one point per mm, LPS. */
 using BoreAxis = std::vector<Eigen::Vector3d>;
 
-/** Long, thin pieces of gas: what a ball of radius `reach` does not enter, at least `leastLength` long along its middle
- * and no wider on average than a bore of LargestBoreRadius. Both in mm. Bores may be bent. A larger reach sees wider
- * bores, and more of the gas beside their openings. */
+/** Finds long, thin pieces of gas: the part not reached by a ball of radius `reach`, at least `leastLength` long along
+ * its centerline and on average no wider than a bore of LargestBoreRadius. Both in mm. Bores may be bent. A larger
+ * reach finds wider bores, and more of the gas next to their openings. */
 class TubeBores
 {
 public:

@@ -15,19 +15,19 @@ namespace shapeton
 namespace
 {
 constexpr double RayStep = 0.2;                          // mm
-constexpr int    CentringTurns = 2;                      // the second across the direction that the first one gives
+constexpr int    CentringTurns = 2;                      // the second perpendicular to the direction from the first
 constexpr double CentringSmooth = 2.0;                   // sections, standard deviation
-constexpr double LeastClosedRays = 0.9;                  // of the rays, of a section whose middle is known
+constexpr double LeastClosedRays = 0.9;                  // of the rays, for a section with a known center
 constexpr double LargestReach = LargestBoreRadius + 1.0; // mm, of the rays within a bore
 
-/** Where between two samples the value passes the boundary of gas. */
+/** Position between two samples where the value crosses the boundary of gas. */
 double
 Passed(double before, double after, double boundary)
 {
   return std::clamp((boundary - before) / (after - before), 0.0, 1.0);
 }
 
-/** The end of the gas at `start`; 0 where it does not end within `reach`, or there is none. */
+/** End of the gas at `start`; 0 if it does not end within `reach`, or there is none. */
 double
 EndOfGas(const CatheterRegion & region, const OutwardRay & ray, double start, double reach)
 {
@@ -44,7 +44,7 @@ EndOfGas(const CatheterRegion & region, const OutwardRay & ray, double start, do
   return 0.0;
 }
 
-/** What the gas is that a ray enters; the voxel at the entry itself may still be one of the wall. */
+/** Kind of the gas that a ray enters; the voxel at the entry may still belong to the wall. */
 BehindLayer
 KindOfGas(const CatheterRegion & region, const Eigen::Vector3d & entry, const Eigen::Vector3d & direction)
 {
@@ -61,7 +61,7 @@ KindOfGas(const CatheterRegion & region, const Eigen::Vector3d & entry, const Ei
   }
 }
 
-/** Those whose rays see nothing yet. */
+/** Sections without ray results. */
 std::vector<TubeSection>
 SectionsAcross(const BoreAxis & axis)
 {
@@ -79,8 +79,8 @@ SectionsAcross(const BoreAxis & axis)
   return sections;
 }
 
-/** From a place in a bore to its middle: the first harmonic of the radius over the angle, which is just that for a
- * circle. None where the bore is open. */
+/** Offset from a place in a bore to its center: the first harmonic of the radius over the angle, exact for a circle.
+ * Empty where the bore is open. */
 std::optional<Eigen::Vector3d>
 ToMiddle(const CatheterRegion & region, const TubeSection & section)
 {
@@ -104,11 +104,11 @@ ToMiddle(const CatheterRegion & region, const TubeSection & section)
   {
     return std::nullopt;
   }
-  // Open rays count with the mean radius; the directions of all rays add up to nothing.
+  // Open rays count with the mean radius; the directions of all rays sum to zero.
   return Eigen::Vector3d(2.0 / TubeSection::NumberOfRays * (sum - radii / closed * directions));
 }
 
-/** The shift of the section nearest to the n-th that has one, the one before first; none where none has. */
+/** The shift of the section nearest to the n-th that has one, preferring earlier ones; zero if none has. */
 Eigen::Vector3d
 NearestShift(const std::vector<std::optional<Eigen::Vector3d>> & shifts, std::ptrdiff_t n)
 {
@@ -126,7 +126,7 @@ NearestShift(const std::vector<std::optional<Eigen::Vector3d>> & shifts, std::pt
   return Eigen::Vector3d::Zero();
 }
 
-/** Moves an axis into the middle of its bore, smoothly; where that is open, as far as next to it. */
+/** Moves an axis smoothly to the center of its bore; open sections use adjacent shifts. */
 void
 MoveToMiddle(const CatheterRegion & region, BoreAxis & axis)
 {
