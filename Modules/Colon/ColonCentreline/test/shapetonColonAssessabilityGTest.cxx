@@ -27,7 +27,7 @@ public:
     this->Fill(0, length, 12.0);
   }
 
-  /** Gas within the radius, above what lies `level` mm below the axis. */
+  /** Gas within the radius, above `level` mm below the axis. */
   void
   Fill(int begin, int end, double radius, double level = 100.0)
   {
@@ -58,7 +58,7 @@ public:
     m_Lumen.levels.push_back(level);
   }
 
-  /** From `begin` to the end of the tube. */
+  /** The line from `begin` to the end of the tube. */
   shapeton::CurveSet
   Line(int begin = 20, double radius = 12.0) const
   {
@@ -104,7 +104,7 @@ TEST(ColonAssessability, TheAnalCanalIsNarrowByNature)
   shapeton::CurveSet line = Tube().Line();
   line.pointArrays[1].values.block(0, 0, 35, 1).setConstant(4.0);
   EXPECT_TRUE(Tube().Stretches(line).empty());
-  line.pointArrays[1].values.block(0, 0, 60, 1).setConstant(4.0); // and the rectum
+  line.pointArrays[1].values.block(0, 0, 60, 1).setConstant(4.0); // also in the rectum
   const auto stretches = Tube().Stretches(line);
   ASSERT_EQ(stretches.size(), 1u);
   EXPECT_EQ(stretches[0].begin, 40.5);
@@ -140,7 +140,7 @@ TEST(ColonAssessability, NarrowStretchesCountAndSingleFoldsDoNot)
   EXPECT_EQ(part.Hindrances(), (std::vector<ColonHindrance>{ ColonHindrance::Narrow, ColonHindrance::NoLumen }));
   EXPECT_EQ(shapeton::HindranceAt(stretches, 70.0), ColonHindrance::Narrow);
   EXPECT_EQ(shapeton::HindranceAt(stretches, 90.0), ColonHindrance::None);
-  // A line that was not marked tells the same of its shape.
+  // An unmarked line gives the same from its shape.
   EXPECT_EQ(shapeton::FindHinderedStretches(line).size(), 2u);
 }
 
@@ -173,12 +173,12 @@ TEST(ColonAssessability, WhatTheScanCutsIsNotSeen)
   ASSERT_EQ(stretches.size(), 2u);
   EXPECT_EQ(stretches[0].hindrance, ColonHindrance::CutByScan);
   EXPECT_EQ(stretches[0].begin, 0.0);
-  EXPECT_NEAR(stretches[0].end, 8.5, 0.6); // as far from the border as the wall
+  EXPECT_NEAR(stretches[0].end, 8.5, 0.6); // distance to the border equals that to the wall
 }
 
 TEST(ColonAssessability, AGapBetweenTwoPlacesThatTheScanCutsLiesOutsideOfIt)
 {
-  for (const int turn : { 3, 40 }) // mm from the border where the lumen ends
+  for (const int turn : { 3, 40 }) // mm from the border to the end of the lumen
   {
     shapeton::CurveSet line = Tube().Line();
     const auto         points = static_cast<int>(line.V.rows());

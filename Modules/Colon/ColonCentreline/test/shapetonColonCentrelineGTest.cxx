@@ -53,7 +53,7 @@ MeanDistance(const TubePoints & from, const TubePoints & to)
   return sum / from.size();
 }
 
-/** Share of `truth` that lies within `reach` mm of the line. */
+/** Share of `truth` within `reach` mm of the line. */
 double
 Covered(const TubePoints & truth, const TubePoints & line, double reach)
 {
@@ -70,7 +70,7 @@ HasWarning(const ColonCentreline & line, const std::string & text)
   });
 }
 
-/** Whether each point lies in a lumen voxel, but for those on bridges. */
+/** Whether each point is in a lumen voxel, except on bridges. */
 bool
 IsInside(const ColonCentreline & line, const shapeton::LumenMask * mask)
 {
@@ -87,7 +87,7 @@ IsInside(const ColonCentreline & line, const shapeton::LumenMask * mask)
   return true;
 }
 
-/** Trilinear between 1 for lumen and 0; a surface of the mask lies where it is 0.5. */
+/** Trilinear between 1 for lumen and 0; the surface of the mask is at 0.5. */
 double
 Occupancy(const shapeton::LumenMask * mask, const Eigen::Vector3d & at)
 {
@@ -109,7 +109,7 @@ Occupancy(const shapeton::LumenMask * mask, const Eigen::Vector3d & at)
   return sum;
 }
 
-/** How far along a curve it passes nearest to a point: a share of its points. */
+/** Share of the points of a curve before its nearest point to a given one. */
 double
 ShareAt(const TubePoints & points, const Eigen::Vector3d & point)
 {
@@ -119,8 +119,8 @@ ShareAt(const TubePoints & points, const Eigen::Vector3d & point)
   return (std::min_element(points.begin(), points.end(), nearer) - points.begin()) / static_cast<double>(points.size());
 }
 
-/** A curve through places of rectum and sigmoid, up the descending, along the transverse and down the ascending colon
- * to the pole of the caecum. */
+/** A curve through rectum and sigmoid, up the descending, along the transverse and down the ascending colon to the pole
+ * of the cecum. */
 TubePoints
 ColonThrough(TubePoints places, const Eigen::Vector3d & pole)
 {
@@ -135,7 +135,7 @@ ColonThrough(TubePoints places, const Eigen::Vector3d & pole)
   return shapeton::CurveThrough(places);
 }
 
-/** Several limbs one beside the other, as a radiator; the axes of limbs are `pitch` mm apart. It begins caudal. */
+/** Adjacent limbs, as in a radiator; the axes of limbs are `pitch` mm apart. It begins caudally. */
 TubePoints
 Serpentine(int limbs, double length, double pitch)
 {
@@ -215,7 +215,7 @@ TEST(ColonCentreline, CoversAWideLumenButNotABranch)
 
 TEST(ColonCentreline, DoubtsARectumAtAnUnlikelyPlace)
 {
-  for (const double begin : { 0.0, 0.5 }) // the right half alone ends at the caecum
+  for (const double begin : { 0.0, 0.5 }) // the right half starts at the cecum
   {
     const TubePoints truth = shapeton::PartOf(shapeton::ColonCurve(), begin, 1.0);
     TubeMask         mask(truth, 30.0, { 2.0, 2.0, 2.0 });
@@ -262,7 +262,7 @@ TEST(ColonCentreline, OfATorusArcAndAHelixHasTheClosedLength)
     TubeMask mask(truth, 20.0, { 1.3, 1.3, 1.7 }, shapeton::ObliqueFrame());
     mask.Paint(truth, 14.0);
     const ColonCentreline line = shapeton::TraceColonCentreline(mask.Get());
-    // Round caps may lengthen the line by what lies beyond the ends of the axis.
+    // Round caps may lengthen the line beyond the ends of the axis.
     EXPECT_GT(line.length, 0.98 * LengthOf(truth));
     EXPECT_LT(line.length, 1.02 * LengthOf(truth) + 2.0 * 14.0);
     EXPECT_LT(MeanDistance(PointsOf(line), truth), 2.0);
@@ -306,7 +306,7 @@ TEST(ColonCentreline, GoesThroughANarrowPlaceRatherThanAWiderHole)
 {
   const double     pitch = 30.0;
   const TubePoints truth = Serpentine(3, 220.0, pitch);
-  // The colon is 5 mm wide in the middle of its second limb, the holes between the limbs up to half as wide as they.
+  // The colon is 5 mm wide in the middle of its second limb, the holes between the limbs up to half their width.
   for (const double hole : { 4.0, 6.8, 7.5 })
   {
     TubeMask mask(truth, 25.0, { 1.2, 1.0, 1.2 });
@@ -362,7 +362,7 @@ TEST(ColonCentreline, BridgesCollapsedStretchesInTheOrderOfTheColon)
 
 TEST(ColonCentreline, CutsAHoleThatHangsTheCaecumOnAnotherLoop)
 {
-  // A collapsed stretch after the second limb; the third one leaks into the first limb's neighbour instead.
+  // A collapsed stretch after the second limb; the third one leaks into the neighbor of the first limb instead.
   const double     pitch = 36.0;
   const TubePoints truth = Serpentine(3, 220.0, pitch);
   TubeMask         mask(truth, 25.0, { 1.5, 1.5, 1.5 });
@@ -377,8 +377,8 @@ TEST(ColonCentreline, CutsAHoleThatHangsTheCaecumOnAnotherLoop)
 
 TEST(ColonCentreline, CutsAHoleByWhichThePouchOfTheLastPieceHangsOnTheFirst)
 {
-  // The first limb hangs by a narrow hole together with the pouch at the end of the third one, whose joint to the
-  // second one has collapsed, as has that of the second one to the first.
+  // A narrow hole connects the first limb to the rest together with the pouch at the end of the third one. The joint of
+  // the third limb to the second has collapsed, as has that of the second to the first.
   const TubePoints truth = ColonThrough(
     { { 0, 40, -150 }, { 0, 35, -90 }, { -50, 0, -60 }, { -40, -25, -20 }, { 40, 0, -50 } }, { -105, 0, -75 });
   TubeMask mask(truth, 35.0, { 1.5, 1.5, 1.5 });
@@ -405,7 +405,7 @@ TEST(ColonCentreline, CutsAHoleByWhichThePouchOfTheLastPieceHangsOnTheFirst)
 
 TEST(ColonCentreline, GoesOnAtATaperRatherThanAtANearerCaecum)
 {
-  // The sigmoid collapses beside the pole of the caecum, and goes on farther away.
+  // The sigmoid collapses next to the pole of the cecum, and continues farther away.
   const Eigen::Vector3d collapses(-22, -45, -80);
   const Eigen::Vector3d goesOn(30, -75, -100);
   const TubePoints      truth = ColonThrough({ { 0, 40, -150 },
@@ -430,8 +430,8 @@ TEST(ColonCentreline, GoesOnAtATaperRatherThanAtANearerCaecum)
 
 TEST(ColonCentreline, BeginsAtARectumThatLooksLikeASideBranch)
 {
-  // The sigmoid has collapsed where it meets the descending colon, which leaks into the rectum: the longest way through
-  // the lumen comes down the descending colon and goes up the sigmoid.
+  // The sigmoid has collapsed where it meets the descending colon, which leaks into the rectum: the longest path
+  // through the lumen runs down the descending colon and up the sigmoid.
   const Eigen::Vector3d collapses(40, -35, -75);
   const Eigen::Vector3d goesOn(28, 22, -78);
   const Eigen::Vector3d leaks(0, 40, -85);
@@ -466,12 +466,12 @@ TEST(ColonCentreline, ReachesThePoleOfAWideCaecum)
   const TubePoints      points = PointsOf(shapeton::TraceColonCentreline(mask.Get()));
   const Eigen::Vector3d out = (truth.back() - truth[truth.size() - 20]).normalized();
   const Eigen::Vector3d pole = truth.back() + radius * out;
-  // 3 mm before the wall, and no more than the grid's spacing off.
+  // 3 mm before the wall, within the spacing of the grid.
   EXPECT_NEAR((pole - points.back()).dot(out), 3.0, 3.0);
   EXPECT_LT((points.back() - pole).norm(), 9.0);
 }
 
-/** A pouch beside the caecum turns back up, and touches the ascending colon: the path ends in it. */
+/** A pouch next to the cecum turns back up, and touches the ascending colon: the path ends in it. */
 TEST(ColonCentreline, ReachesThePoleBesideAPouchThatTurnsBack)
 {
   const Eigen::Vector3d pole(-115, -75, -95);
@@ -555,7 +555,7 @@ TEST(ColonCentreline, HasTheSameBytesForAnyNumberOfThreads)
   itk::MultiThreaderBase::SetGlobalDefaultNumberOfThreads(before);
 }
 
-/** Every second voxel, where it and its neighbours are lumen: walls do not vanish. */
+/** Every second voxel, if it and its neighbors are lumen: walls do not vanish. */
 shapeton::LumenMask::Pointer
 Coarser(const itk::Image<float, 3> * image)
 {
@@ -595,7 +595,7 @@ TEST(ColonCentreline, OfARealColonPassesAllOfItsParts)
   const auto mask = Coarser(volume.image);
   const auto line = shapeton::TraceColonCentreline(mask);
   EXPECT_TRUE(IsInside(line, mask));
-  // Read off projections of the mask: rectum, the low and high bends, the flexure on the right, the caecum.
+  // Read from projections of the mask: rectum, the low and high bends, the flexure on the right, the cecum.
   const TubePoints points = PointsOf(line);
   EXPECT_LT((points.front() - Eigen::Vector3d(-15, -4, -503)).norm(), 25.0);
   for (const Eigen::Vector3d & place : { Eigen::Vector3d(80, -40, -390),

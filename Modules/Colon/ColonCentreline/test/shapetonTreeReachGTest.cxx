@@ -15,7 +15,7 @@ struct Edge
   double length;
 };
 
-/** A random tree, and which of its cells are core. */
+/** A random tree with core cells. */
 struct Tree
 {
   std::vector<Edge> edges;
@@ -33,7 +33,7 @@ RandomTree(int cells, double coreShare, unsigned seed)
     tree.isCore.push_back(uniform(random) < coreShare ? 1 : 0);
     if (cell > 0)
     {
-      // Long ways with short branches, and some stars.
+      // Long paths with short branches, and some stars.
       const int nearest = std::max(0, cell - 1 - static_cast<int>(4.0 * uniform(random)));
       const int parent = uniform(random) < 0.8 ? nearest : cell / 3;
       tree.edges.push_back({ parent, cell, 1.0 + 9.0 * uniform(random) });
@@ -63,7 +63,7 @@ WalkFrom(const TreeLinks & links, int start)
   return walk;
 }
 
-/** By a walk from each core cell. */
+/** Reference by a walk from each core cell. */
 double
 LongestWay(const Tree & tree)
 {
@@ -83,7 +83,7 @@ LongestWay(const Tree & tree)
   return longest;
 }
 
-/** The way from the start of a walk to a cell, backwards. */
+/** The path from the start of a walk to a cell, reversed. */
 TreeRing
 RingTo(const TreeWalk & walk, int cell)
 {
@@ -97,7 +97,7 @@ RingTo(const TreeWalk & walk, int cell)
   return ring;
 }
 
-/** Compares the longest way with that of brute force for each passage between two cells that is exchanged. */
+/** Compares the longest path with brute force for each swapped passage between two cells. */
 void
 ExpectWays(const Tree & tree, int from, int to)
 {

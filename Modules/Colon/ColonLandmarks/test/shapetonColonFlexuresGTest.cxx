@@ -111,7 +111,7 @@ TEST(ColonFlexures, OfAPartOfAColonAreNotNamed)
 
 TEST(ColonFlexures, OfALineLikeNoColonAreNotFound)
 {
-  // Straight up: nothing hangs, nothing lies right or left.
+  // Straight up: no part hangs, none is right or left.
   const ColonFlexures found = FindColonFlexures(RoundedCurve({ { 0, 0, 0 }, { 0, 0, 1500 } }));
   EXPECT_LT(found.NumberFound(), 4);
   EXPECT_FALSE(found.warnings.empty());

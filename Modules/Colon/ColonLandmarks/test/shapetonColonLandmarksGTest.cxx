@@ -25,7 +25,7 @@ BorderAt(const ColonWallTube & tube, int number, double z)
   return border;
 }
 
-/** A cylinder that is said to be rectum, sigmoid and descending colon, with a straight taenia. */
+/** A cylinder labeled as rectum, sigmoid and descending colon, with a straight taenia. */
 ColonLandmarks
 LandmarksOfCylinder(const shapeton::SurfaceMesh & flat)
 {
@@ -57,7 +57,7 @@ TEST(ColonSplitting, OfACylinderHasTheModulusOfItsRectangles)
   const shapeton::SurfaceMesh flat = flattubes::MakeCylinder(form);
   const shapeton::ColonPieces pieces = SplitColon(flat, LandmarksOfCylinder(flat));
   ASSERT_EQ(pieces.pieces.size(), 2u);
-  EXPECT_EQ(pieces.warnings.size(), 4u); // of the segments that are not there
+  EXPECT_EQ(pieces.warnings.size(), 4u); // for the missing segments
   const double lengths[] = { 40.0, 60.0 };
   for (int i = 0; i < 2; ++i)
   {
@@ -139,7 +139,7 @@ TEST(ColonLandmarks, SegmentsAndBordersTellWhereTheWallIsNotSeen)
   landmarks.taeniae = {}; // these have no confidence
   EXPECT_NEAR(shapeton::AssessabilityOfSegment(landmarks, 1)->share, 0.9, 1e-12);
   EXPECT_EQ(shapeton::AssessabilityOfSegment(landmarks, 2)->Verdict(), "partly");
-  EXPECT_FALSE(shapeton::AssessabilityOfSegment(landmarks, 3)); // its end is not known
+  EXPECT_FALSE(shapeton::AssessabilityOfSegment(landmarks, 3)); // its end is unknown
   const shapeton::Json json = shapeton::ColonLandmarksToJson(landmarks);
   EXPECT_EQ(json["notAssessable"].size(), 2u);
   EXPECT_EQ(json["segmentsNotFound"], shapeton::Json({ "descending", "transverse", "ascending", "caecum" }));
@@ -164,5 +164,5 @@ TEST(ColonLandmarks, AreNotFoundAfterAnAbort)
     options.progress = progress;
     FindColonLandmarks(flat, colon.centreline, options);
   };
-  shapeton::test::ExpectProgress(work, 100); // one for each place that a loop may start from, too
+  shapeton::test::ExpectProgress(work, 100); // including one for each possible start of a loop
 }

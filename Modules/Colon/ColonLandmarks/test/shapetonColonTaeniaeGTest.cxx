@@ -21,7 +21,7 @@ struct Tube
   ColonWallTube tube{ flat, landmarktubes::StraightLine(length) };
 };
 
-/** mm around the tube between a place of a taenia and the nearest true one. */
+/** Distance (mm) around the tube between a place of a taenia and the nearest true one. */
 double
 ErrorAt(const Eigen::Vector3d & point)
 {
@@ -70,7 +70,7 @@ TEST(ColonTaeniae, RunWhereFoldsEnd)
   EXPECT_LT(found.disagreeingShare, 0.1);
 }
 
-// 50, 92 and 218 degrees apart in the middle: none goes on as its neighbour there.
+// 50, 92 and 218 degrees apart in the middle: none continues as its neighbor there.
 TEST(ColonTaeniae, StayThemselvesWhereTwoComeNear)
 {
   const double        nearer = 70.0 * landmarktubes::pi / 180.0;
@@ -147,7 +147,7 @@ TEST(ColonTaeniae, PassThroughMarkers)
   EXPECT_LT(GreatestErrorWithin(found, 300.0, 440.0), 5.0);
 }
 
-// A sixth of a turn beside the true ones, where all evidence speaks against them.
+// A sixth of a turn from the true ones, where all evidence is against them.
 TEST(ColonTaeniae, GoWhereverEnoughMarkersTell)
 {
   constexpr double             sixth = landmarktubes::pi / 3.0 * foldtubes::radius; // mm

@@ -21,7 +21,7 @@ Cylinder(double sway = 1.0)
   return flattubes::MakeCylinder(form);
 }
 
-/** What an InputError says. */
+/** Message of an InputError. */
 std::string
 MessageOf(const shapeton::SurfaceMesh & flat, const shapeton::CurveSet & centreline)
 {

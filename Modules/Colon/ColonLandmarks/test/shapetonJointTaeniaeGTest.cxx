@@ -50,7 +50,7 @@ CellsOf(const TaeniaAngles & angles)
   return cells;
 }
 
-/** Three tracks may lie in these cells and the next ones. */
+/** Three tracks are allowed in these cells and the next ones. */
 constexpr std::array<int, 3> freeCells{ 5, 29, 50 };
 
 bool
@@ -115,7 +115,7 @@ TEST(JointTaeniae, HaveTheLeastEnergy)
   }
 }
 
-// Which track is counted as the first, and in which sense, is not to matter.
+// The result must not depend on which track is first, or on the direction.
 TEST(JointTaeniae, OfAMirroredWallAreMirrored)
 {
   for (const unsigned int seed : { 1, 2, 3 })

@@ -4,12 +4,12 @@
 #include "shapetonFoldTubes.h"
 #include "shapetonSchematicColon.h"
 
-/** Flat tubes with known landmarks, and their centrelines. */
+/** Flat tubes with known landmarks, and their centerlines. */
 namespace landmarktubes
 {
 using flattubes::pi;
 
-/** How far the wall stands out into the lumen, mm, at (mm along, angle). */
+/** Height of the wall toward the axis, mm, at (mm along, angle). */
 using Relief = std::function<double(double, double)>;
 
 /** A tube along a curve with points every millimetre. */
@@ -55,8 +55,8 @@ StraightLine(double length)
   return RoundedCurve({ { 0.0, 0.0, 0.0 }, { 0.0, 0.0, length } });
 }
 
-/** The angle of a taenia of TubeWithTaeniae(), radians. In the middle the second one lies `nearer` to the first,
- * and the third one follows it. */
+/** Angle of a taenia of TubeWithTaeniae(), radians. In the middle the second one is `nearer` to the first, and the
+ * third one follows it. */
 inline double
 TaeniaAngle(int taenia, double u, double nearer = 0.0)
 {
@@ -66,8 +66,8 @@ TaeniaAngle(int taenia, double u, double nearer = 0.0)
          nearer * shares[taenia % 3] * std::exp(-0.5 * middle * middle);
 }
 
-/** A straight tube, 480 mm long, with folds between three taeniae that wind. Folds begin before `foldsEnd` mm; the wall
- * bulges outwards by up to `bulge` mm between taeniae, all along. `nearer` as above. */
+/** A straight tube, 480 mm long, with folds between three winding taeniae. Folds begin before `foldsEnd` mm; the wall
+ * bulges outward by up to `bulge` mm between taeniae along the whole tube. `nearer` as above. */
 inline shapeton::SurfaceMesh
 TubeWithTaeniae(double foldsEnd = 480.0, double bulge = 0.0, double nearer = 0.0)
 {
@@ -105,7 +105,7 @@ TubeWithTaeniae(double foldsEnd = 480.0, double bulge = 0.0, double nearer = 0.0
   });
 }
 
-/** Where a taenia of TubeWithTaeniae() runs. */
+/** A point on a taenia of TubeWithTaeniae(). */
 inline Eigen::Vector3d
 PointOfTaenia(int taenia, double u, double aside = 0.0)
 {

@@ -6,7 +6,7 @@
 #include <array>
 #include <vector>
 
-/** The centreline of a colon as textbooks draw it, with flexures at known places. */
+/** A schematic centerline of a colon with flexures at known places. */
 struct SchematicColon
 {
   shapeton::CurveSet    centreline;
@@ -54,7 +54,7 @@ ArcLengthNear(const shapeton::CurveSet & curve, const Eigen::Vector3d & point)
   return curve.pointArrays[0].values(i, 0);
 }
 
-/** \param loop places of a loop of the descending colon, for a redundant one. */
+/** \param loop points of a loop of the descending colon, for a redundant one. */
 inline SchematicColon
 MakeSchematicColon(const std::vector<Eigen::Vector3d> & loop = {})
 {

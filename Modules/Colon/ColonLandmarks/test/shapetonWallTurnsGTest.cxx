@@ -16,7 +16,7 @@ constexpr double tubeRadius = 20.0;
 constexpr int    rows = 17;
 constexpr int    columnsPerRow = 3;
 
-/** The angle around a torus that a conformal map draws at this one; both are 0 at the outer side. */
+/** Angle around a torus for an angle of the conformal map; both are 0 at the outer side. */
 double
 AngleOnTorus(double onMap)
 {
@@ -25,7 +25,7 @@ AngleOnTorus(double onMap)
   return 2.0 * (std::atan(stretch * std::tan(half)) + 0.5 * onMap - half);
 }
 
-/** A quarter of a torus with its conformal map, which draws the inner side narrow. */
+/** A quarter of a torus with its conformal map, which narrows the inner side. */
 FlatColonGrid
 BentTube()
 {
@@ -59,7 +59,7 @@ TEST(WallTurns, OfATorusAreItsAngles)
     EXPECT_NEAR(onMap, turns.ToMap(rows / 2, turns.FromMap(rows / 2, onMap)), 1e-12);
     greatest = std::max(greatest, std::abs(expected - alongV));
   }
-  EXPECT_GT(greatest, 0.05); // what the map itself is off
+  EXPECT_GT(greatest, 0.05); // error of the map itself
 }
 
 TEST(WallTurns, OfTheMapAreItsOwn)

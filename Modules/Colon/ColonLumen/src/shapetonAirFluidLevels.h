@@ -113,7 +113,7 @@ struct Level
   Eigen::Vector2d     centre;
   std::vector<size_t> floors;       ///< indices of the gas voxels just above it
   double              below{ 0.0 }; ///< median intensity 3 to 6 mm below it
-  double              edge{ 0.0 };  ///< median intensity about 2 mm below it: the rise of a level has ended, a wall has not
+  double              edge{ 0.0 };  ///< median intensity about 2 mm below it, past the rise of a level
 
   /** Intensity of the matter below; shallow pools are brightest near the level. */
   double

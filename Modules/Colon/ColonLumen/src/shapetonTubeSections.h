@@ -36,7 +36,7 @@ enum class BehindLayer
   Outside ///< other gas, such as around the body
 };
 
-constexpr double ThinnestTubeWall = 1.0; // mm, if gas lies behind the wall
+constexpr double ThinnestTubeWall = 1.0; // mm, if gas is behind the wall
 /** mm, if fluid is behind the wall. Partial volume between gas and bright fluid alone resembles a wall of 1.2 mm. */
 constexpr double ThinnestWallInFluid = 1.6;
 constexpr double ThickestTubeWall = 4.5; // mm

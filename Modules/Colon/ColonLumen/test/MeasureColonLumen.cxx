@@ -1,7 +1,7 @@
 // usage: MeasureColonLumen INPUT [--truth FOLDER] [--position P] [--pictures PREFIX] [--seed x,y,z]
 //
-// Segments and cleanses a CT and prints what was found; beside the truth of a phantom, how far it is off. INPUT:
-// whatever ReadVolume() takes, or a NumPy file of 16-bit integers (1 mm voxels).
+// Segments and cleanses a CT and prints the result; with the truth of a phantom, also its error. INPUT: any input of
+// ReadVolume(), or a NumPy file of 16-bit integers (1 mm voxels).
 
 #include "shapetonColonMeasures.h"
 #include "shapetonLumenPictures.h"
@@ -65,7 +65,7 @@ Print(const shapeton::ColonLumen & lumen)
   std::cout << "failure: " << lumen.failure << '\n';
 }
 
-/** Whole slices, or with --look x,y,z (LPS, mm) what is around that point. */
+/** Whole slices, or with --look x,y,z (LPS, mm) the surroundings of that point. */
 void
 Draw(const itk::Image<float, 3> *         image,
      const shapeton::ColonLumen &         lumen,

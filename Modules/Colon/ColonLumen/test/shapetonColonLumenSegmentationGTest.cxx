@@ -34,7 +34,7 @@ Identity()
   return m;
 }
 
-/** Turned about z and then about x, degrees. */
+/** Rotation about z and then about x, degrees. */
 itk::Matrix<double, 3, 3>
 Oblique(double aboutZ, double aboutX)
 {
@@ -52,8 +52,8 @@ Oblique(double aboutZ, double aboutX)
   return z * x;
 }
 
-/** A half filled colon, and beside it, behind a wall of 3 mm, a thinner bowel filled with fluid of the same brightness.
- */
+/** A half-filled colon, and next to it, behind a wall of 3 mm, a thinner bowel filled with fluid of the same
+ * brightness. */
 ColonTestScene
 ColonAndBowel(const Vec & gravity)
 {
@@ -126,7 +126,7 @@ TEST(ColonLumenSegmentation, TakesGasAndFluidAndNoBowelOfEqualBrightness)
   EXPECT_NEAR(lumen.pieces[0].inscribedRadius, 18.0, 1.5);
 }
 
-/** A pool of badly mixed fluid runs out on a slanting floor; 2 mm below it lies bowel as bright as good fluid. */
+/** A pool of poorly mixed fluid ends on a slanting floor; 2 mm below it is bowel as bright as well-mixed fluid. */
 TEST(ColonLumenSegmentation, BrightBowelUnderAShallowFaintPoolStaysOut)
 {
   const auto     floor = [](const Vec & x) { return 12.5 + 0.25 * (x[0] - 28.0); };
@@ -156,8 +156,8 @@ TEST(ColonLumenSegmentation, BrightBowelUnderAShallowFaintPoolStaysOut)
   EXPECT_EQ(label(-28, 10), 2);
 }
 
-/** Voxels of 2.8 mm: wherever the level lies between them, the pool under it is found, though a bowel as bright hangs
- * on it through a wall of 1 mm that hardly shows. */
+/** Voxels of 2.8 mm: for any position of the level between them, the pool below is found, although an equally bright
+ * bowel is connected to it through a barely visible wall of 1 mm. */
 TEST(ColonLumenSegmentation, APoolOfCoarseVoxelsIsFoundThoughABrightBowelHangsOnIt)
 {
   for (const double level : { 3.0, 3.7, 4.4, 5.1 })
@@ -268,7 +268,7 @@ TEST(ColonLumenSegmentation, FluidWithoutGasIsColonWhereItIsWiderThanSmallBowel)
   EXPECT_EQ(wide.pieces.size(), 2U);
   ASSERT_EQ(wide.warnings.size(), 1U);
   EXPECT_NE(wide.warnings[0].find("tagged fluid without gas"), std::string::npos) << wide.warnings[0];
-  scene.lumens[1].depth = Tube(At(25, 30, 0), 2, 200, 16); // the border of the image cuts it at both ends
+  scene.lumens[1].depth = Tube(At(25, 30, 0), 2, 200, 16); // cut by the image border at both ends
   scene.Sample(image);
   EXPECT_EQ(Segment(image, "HFS").pieces.size(), 2U);
   scene.lumens[1].depth = Tube(At(25, 30, 0), 2, 45, 11);
@@ -278,7 +278,7 @@ TEST(ColonLumenSegmentation, FluidWithoutGasIsColonWhereItIsWiderThanSmallBowel)
   EXPECT_TRUE(narrow.warnings.empty());
 }
 
-/** Ascending and descending colon, each half full, and further bowel, a tube along the patient that fluid fills below
+/** Ascending and descending colon, each half full, and further bowel, a tube along the patient filled with fluid below
  * `level`. */
 shapeton::ColonLumen
 SegmentWithBowel(const Vec & middle, double halfLength, double radius, double level)
@@ -333,7 +333,7 @@ LabelledMl(const shapeton::ColonLumen & lumen, double low, double high)
   return 1e-3 * spacing[0] * spacing[1] * spacing[2] * static_cast<double>(count);
 }
 
-/** The rectum ends at z = -18, the body at z = -45; a catheter of 4 mm radius lies in both and in the canal between. */
+/** The rectum ends at z = -18, the body at z = -45; a catheter of 4 mm radius is in both and in the canal between. */
 TEST(ColonLumenSegmentation, TheCatheterIsLumenDownToTheAnalVerge)
 {
   ColonTestScene scene;
@@ -353,7 +353,7 @@ TEST(ColonLumenSegmentation, TheCatheterIsLumenDownToTheAnalVerge)
   }
 }
 
-/** Air under a thin shell over air under a thin shell over the room: a cleft that lies on a cushion. */
+/** Air under a thin shell over air under a thin shell over the room: a cleft on a cushion. */
 TEST(ColonLumenSegmentation, AirThatOnlyThinShellsCoverIsOutside)
 {
   ColonTestScene scene;
@@ -368,7 +368,7 @@ TEST(ColonLumenSegmentation, AirThatOnlyThinShellsCoverIsOutside)
   const auto image = shapeton::CentredImage({ 72, 72, 60 }, { 2.0, 2.0, 2.0 }, Identity());
   scene.Sample(image);
   EXPECT_EQ(Segment(image).pieces.size(), 1U);
-  scene.lumens.pop_back(); // without the cushion it lies under a wall of 18 mm
+  scene.lumens.pop_back(); // without the cushion it is under a wall of 18 mm
   scene.Sample(image);
   EXPECT_EQ(Segment(image).pieces.size(), 2U);
 }
@@ -392,8 +392,8 @@ TEST(ColonLumenSegmentation, LargeLevelsOverruleTheCodeOfAHeader)
   EXPECT_EQ(Segment(image, "prone").gravity, At(0, -1, 0));
 }
 
-/** Gas over fluid that the caudal border cuts lies across; the natal cleft runs from front to back, and a strip of air
- * beside the table goes on to the side of the image. */
+/** Gas over fluid cut by the caudal border is oriented sideways; the natal cleft runs from front to back, and a strip
+ * of air next to the table extends to the side of the image. */
 TEST(ColonLumenSegmentation, AFlatLumenThatTheCaudalBorderCutsIsNoCleft)
 {
   const auto flat = [](double across, double deep, double middle) {
@@ -403,7 +403,7 @@ TEST(ColonLumenSegmentation, AFlatLumenThatTheCaudalBorderCutsIsNoCleft)
   };
   const auto pieces = [&](double across, double deep, double middle) {
     ColonTestScene scene;
-    scene.bodyRadius = 90.0; // only the corners of the image show the room
+    scene.bodyRadius = 90.0; // only the corners of the image are room air
     scene.lumens.push_back({ Tube(At(0, -30, 20), 2, 30, 18), 1e9, 0.0 });
     scene.lumens.push_back({ flat(across, deep, middle), 1e9, 0.0 });
     const auto image = shapeton::CentredImage({ 72, 72, 60 }, { 2.0, 2.0, 2.0 }, Identity());
@@ -415,7 +415,7 @@ TEST(ColonLumenSegmentation, AFlatLumenThatTheCaudalBorderCutsIsNoCleft)
   EXPECT_EQ(pieces(30.0, 12.0, 45.0), 1U);
 }
 
-/** In a small field of view the border in front cuts the body, while the one behind shows the room. */
+/** In a small field of view the front border cuts the body, while the back border is in room air. */
 TEST(ColonLumenSegmentation, ABorderThatCutsTheBodyIsNoThinShell)
 {
   ColonTestScene scene;
@@ -501,7 +501,7 @@ TEST(ColonLumenSegmentation, LungOfAnyDensityIsNotColon)
   {
     const auto lumen = Segment(Chest(Lungs(parenchyma, true)));
     EXPECT_NE(lumen.failure, "") << parenchyma;
-    if (parenchyma < -790.0) // what is denser is not gas at all
+    if (parenchyma < -790.0) // denser lung is not gas
     {
       EXPECT_EQ(lumen.failure.find("no distended colon found: the largest gas is lung"), 0U) << lumen.failure;
     }
@@ -511,7 +511,7 @@ TEST(ColonLumenSegmentation, LungOfAnyDensityIsNotColon)
 TEST(ColonLumenSegmentation, GasIsColonWhereItHasTheDensityOfAirAndHoldsNoVessels)
 {
   EXPECT_EQ(Segment(Chest(Lungs(-1000.0, false))).failure, "");
-  EXPECT_EQ(Segment(Chest(Lungs(-960.0, false))).failure, ""); // as beam hardening makes it
+  EXPECT_EQ(Segment(Chest(Lungs(-960.0, false))).failure, ""); // typical of beam hardening
 }
 
 TEST(ColonLumenSegmentation, ColonBesideLungIsFound)

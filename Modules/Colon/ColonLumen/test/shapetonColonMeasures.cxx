@@ -88,7 +88,7 @@ PrintOverlap(const ColonLumen & lumen, const itk::Image<float, 3> * truth, std::
   out << " )\n";
 }
 
-/** Found voxels with no true lumen within 3 mm along any axis: other organs, not an inexact border. */
+/** Voxels found without true lumen within 3 mm along any axis: other organs, not an inexact border. */
 void
 PrintLeak(const ColonLumen & lumen, const itk::Image<float, 3> * truth, std::ostream & out)
 {
@@ -183,7 +183,7 @@ PrintBlobs(const ColonLumen &           lumen,
   }
 }
 
-/** How much tissue there is around some points, found and true, and how much of the lumen around it is fluid. */
+/** Volume of tissue around some points, found and true, and fluid share of the lumen around it. */
 struct Relief
 {
   double          found{ 0.0 };

@@ -8,11 +8,11 @@
 
 namespace shapeton
 {
-/** A volume for measurements: what ReadVolume() takes, or a NumPy file of 16-bit integers with voxels of 1 mm. */
+/** A volume for measurements: any input of ReadVolume(), or a NumPy file of 16-bit integers with voxels of 1 mm. */
 itk::Image<float, 3>::Pointer
 ReadColonTestVolume(const std::string & path, std::string & patientPosition);
 
-/** Points of the 0.5 level of an occupancy, in LPS: where it passes 0.5 between two voxels that share a face. */
+/** Points of the 0.5 isosurface of an occupancy, in LPS: crossings of 0.5 between face-adjacent voxels. */
 std::vector<itk::Point<double, 3>>
 HalfLevelPoints(const itk::Image<float, 3> * occupancy);
 

@@ -11,14 +11,14 @@
 
 namespace shapeton
 {
-/** A made-up abdomen in physical space: functions say what is where, and voxels are means over 3 by 3 by 3 points of
- * it, so that their values are those of partial volume. */
+/** A synthetic abdomen in physical space: functions define its matter, and voxels are means over 3 by 3 by 3 points,
+ * which models partial volume. */
 class ColonTestScene
 {
 public:
   using Vec = itk::Vector<double, 3>;
 
-  /** A ball, tube or box: depth(x) is positive inside. Gas lies above `level` (mm along gravity), fluid below. */
+  /** A ball, tube or box: depth(x) is positive inside. Gas is above `level` (mm along gravity), fluid below. */
   struct Lumen
   {
     std::function<double(const Vec &)> depth;
@@ -29,9 +29,9 @@ public:
 
   Vec                gravity{ 0.0 };
   std::vector<Lumen> lumens;
-  /** Soft tissue inside, outside air beyond; mm from the middle. */
+  /** Soft tissue inside, outside air beyond; mm from the center. */
   double bodyRadius{ 65.0 };
-  /** Matter in place of all else where it is positive, for example a fold: 50 HU. */
+  /** Replaces all other matter where positive, for example a fold: 50 HU. */
   std::function<double(const Vec &)> fold;
 
   ColonTestScene() { gravity[1] = 1.0; }

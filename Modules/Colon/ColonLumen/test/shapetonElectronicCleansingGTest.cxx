@@ -94,8 +94,8 @@ TEST(ElectronicCleansing, TheWallIsFoundFinerThanVoxels)
   EXPECT_LT(Percentile(nearLevel, 1.0), 2.0);
 }
 
-/** Gas in a dome over a wide pool: beyond the dome's edge the pool's roof lies 1.5 mm above the level, and fluid, which
- * wets it, keeps the gas out. */
+/** Gas in a dome over a wide pool: beyond the edge of the dome the roof of the pool is 1.5 mm above the level, and
+ * fluid, which wets it, keeps the gas out. */
 TEST(ElectronicCleansing, NoSlitsAreLeftAtTheRimOfALevel)
 {
   const auto box = [](double halfWidth, double top, double bottom) {
@@ -160,7 +160,7 @@ TEST(ElectronicCleansing, FoldsInFluidAndThroughTheLevelStay)
     if (std::abs(v[2]) < 6.0 && c.scene.lumens[0].depth(v) > 3.0 && v[1] > 0.0 &&
         c.result.occupancy->TransformPhysicalPointToIndex(x, inside))
     {
-      // Lumen outside the plate, over its extent, is what remains of the slab.
+      // Lumen outside the plate, over its extent, is the remaining slab.
       kept += 1.0 - c.result.occupancy->GetPixel(inside);
       all += fold(v) > 0.0;
     }
@@ -168,7 +168,7 @@ TEST(ElectronicCleansing, FoldsInFluidAndThroughTheLevelStay)
   EXPECT_NEAR(kept / all, 1.0, 0.1);
 }
 
-/** The share of a ball of tissue that lies above the half-height between gas and tissue. */
+/** Share of a ball of tissue above the half height between gas and tissue. */
 double
 KeptOfBall(const itk::Image<float, 3> * ct, const Vec & middle, double radius)
 {
@@ -201,8 +201,8 @@ TEST(ElectronicCleansing, WhatTheBlurTakesFromAPolypInFluidComesBack)
   options.patientPosition = "HFS";
   c.lumen = shapeton::SegmentColonLumen(blur->GetOutput(), options);
   const auto result = shapeton::CleanseColon(blur->GetOutput(), c.lumen);
-  // The half-height of a blurred ball lies sigma^2 / radius = 0.16 mm inside, and voxels of 1.4 mm take more: 81 %
-  // would be left.
+  // The half height of a blurred ball is sigma^2 / radius = 0.16 mm inside, and voxels of 1.4 mm add to that: 81 %
+  // would remain.
   EXPECT_GT(KeptOfBall(result.ct, middle, 3.5), 0.87);
 }
 
@@ -215,7 +215,7 @@ TEST(ElectronicCleansing, TheCropHasTheGeometryOfItsPart)
   itk::Point<double, 3> corner;
   c.ct->TransformIndexToPhysicalPoint(shift, corner);
   EXPECT_LT((corner - c.result.occupancy->GetOrigin()).GetNorm(), 1e-9);
-  // Nothing of the lumen reaches the border of the crop.
+  // No lumen reaches the border of the crop.
   const auto size = c.result.occupancy->GetBufferedRegion().GetSize();
   for (std::size_t p = 0; p < size[0] * size[1] * size[2]; ++p)
   {

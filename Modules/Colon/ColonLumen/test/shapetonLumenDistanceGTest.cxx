@@ -112,7 +112,7 @@ TEST(LumenDistance, OfATubeIsItsRadiusOnTheAxisOfAnObliqueImage)
 
 TEST(LumenDistance, CountsWhatLiesBeyondTheImageAsLumen)
 {
-  // A slab of 5 voxels that goes on over all other borders.
+  // A slab of 5 voxels that extends beyond all other borders.
   const auto mask = MakeMask({ { 9, 7, 6 } }, { 1.0, 2.0, 3.0 });
   for (std::size_t i = 0; i < mask->GetBufferedRegion().GetNumberOfPixels(); ++i)
   {
@@ -163,7 +163,7 @@ TEST(LumenRegion, IsTheBoxOfTheLumenWithinTheImage)
 TEST(LumenComponents, HangTogetherByFacesAlone)
 {
   const auto mask = MakeMask({ { 8, 8, 8 } }, { 1.0, 2.0, 5.0 });
-  // A ring around a column, and a voxel that touches it by an edge only.
+  // A ring around a column, and a voxel connected to it only by an edge.
   for (long x = 1; x < 6; ++x)
   {
     for (long y = 1; y < 6; ++y)

@@ -16,7 +16,7 @@ namespace shapeton
 {
 using ColonPicture = itk::Image<itk::RGBPixel<unsigned char>, 2>;
 
-/** Draws slices of a CT beside what was found in it. Window -1100..1000 HU. */
+/** Draws slices of a CT next to the segmentation. Window -1100..1000 HU. */
 class ColonSlices
 {
 public:
@@ -32,7 +32,7 @@ public:
   {}
 
   /** Part of one slice across index axis `axis`. From left to right: the CT; the CT with gas outlined red and fluid
-   * green; the CT with the truth outlined, where there is one; the cleansed CT with the half-level of the occupancy. */
+   * green; the CT with the truth outlined, if given; the cleansed CT with the 0.5 level of the occupancy. */
   ColonPicture::Pointer
   Draw(int axis, const itk::Index<3> & middle, int reach, int scale) const
   {

@@ -27,7 +27,7 @@ At(double x, double y, double z)
   return v;
 }
 
-/** Along z through (x, y) up to `tip`, bent by `bend` mm towards x over its way through the rectum. */
+/** Tube along z through (x, y) up to `tip`, bent by `bend` mm toward x within the rectum. */
 std::function<double(const Vec &)>
 BentTube(double x, double y, double tip, double radius, double bend)
 {
@@ -183,10 +183,10 @@ TEST(RectalCatheter, ABalloonOfGasInFluidIsFilledIn)
   ExpectBalloon(scene);
 }
 
-/** Blur leaves less than half of it, so that the gas on both sides is one. */
+/** Blur leaves less than half of it, so the gas on both sides is connected. */
 TEST(RectalCatheter, ABalloonWithAThinMembraneIsSeen) { ExpectBalloon(BalloonScene(-1000.0, -550.0)); }
 
-/** What lies round the tube and ends straight is no ball. */
+/** A collar around the tube with flat ends is not a ball. */
 TEST(RectalCatheter, ACollarIsNoBalloon)
 {
   auto       scene = RectumScene(24.0);
@@ -197,7 +197,7 @@ TEST(RectalCatheter, ACollarIsNoBalloon)
   EXPECT_EQ(lumen.catheter->balloonDiameter, 0.0);
 }
 
-/** A balloon without content lies on the tube as a sleeve. */
+/** An empty balloon is a sleeve on the tube. */
 TEST(RectalCatheter, ASleeveIsNoBalloon)
 {
   auto       scene = RectumScene(24.0);
@@ -216,7 +216,7 @@ TEST(RectalCatheter, TheAxisRunsInTheMiddleOfTheBore)
   int number = 0;
   for (const auto & p : lumen.catheter->axis)
   {
-    if (p[2] < 14.0) // beyond it closes at the tip
+    if (p[2] < 14.0) // above, it closes at the tip
     {
       const double share = std::max(0.0, p[2] + 20.0) / 60.0;
       EXPECT_LT(std::hypot(p[0] - bend * share * share, p[1] - y), 0.25) << p;
@@ -226,7 +226,7 @@ TEST(RectalCatheter, TheAxisRunsInTheMiddleOfTheBore)
   EXPECT_GT(number, 50);
 }
 
-/** Mirrored left to right and at another spacing it is the same one. */
+/** The result is the same mirrored left to right and at another spacing. */
 TEST(RectalCatheter, MirrorAndResamplingKeepIt)
 {
   auto       scene = RectumScene(24.0, -6.0, Plastic, 8.0);
@@ -262,13 +262,13 @@ TEST(RectalCatheter, ABowelWithoutOneHasNone)
   EXPECT_FALSE(Segment(scene).catheter.has_value());
 }
 
-/** Rays towards the wall that it comes to lie on end in tissue. */
+/** Rays toward the touched wall end in tissue. */
 TEST(RectalCatheter, ATubeThatSinksOntoTheWallIsFoundAndFilledIn)
 {
   ExpectTube(Segment(RectumScene(24.0, 4.0, 30.0, (Rectum - Outer) / 0.54)), 24.0);
 }
 
-/** Gas beside the tube that a hole in its wall leads to does not draw the axis aside. */
+/** Gas next to the tube, connected by a hole in its wall, does not shift the axis. */
 TEST(RectalCatheter, TheAxisKeepsToTheBoreWhereItBranches)
 {
   auto       scene = RectumScene(24.0);
@@ -283,7 +283,7 @@ TEST(RectalCatheter, TheAxisKeepsToTheBoreWhereItBranches)
   }
 }
 
-/** A few millimetres in the rectum are enough to mention it, not to be sure. */
+/** A few millimeters in the rectum give a doubtful catheter, not a certain one. */
 TEST(RectalCatheter, AShortPieceInTheRectumIsDoubtful)
 {
   const auto lumen = Segment(RectumScene(-10.0));

@@ -14,7 +14,7 @@ namespace shapeton
 /** Points in LPS, mm. */
 using TubePoints = std::vector<Eigen::Vector3d>;
 
-/** A right-angled frame that no axis of the patient agrees with; mirrored where asked for. */
+/** An orthonormal frame not aligned with any patient axis; optionally mirrored. */
 inline Eigen::Matrix3d
 ObliqueFrame(bool isLeftHanded = false)
 {
@@ -28,7 +28,7 @@ ObliqueFrame(bool isLeftHanded = false)
   return frame;
 }
 
-/** The curve through control points (Catmull, Rom), a point each mm or closer. */
+/** The curve through control points (Catmull, Rom), with points at most 1 mm apart. */
 inline TubePoints
 CurveThrough(const TubePoints & control)
 {
@@ -52,7 +52,7 @@ CurveThrough(const TubePoints & control)
   return points;
 }
 
-/** A colon: rectum, sigmoid loop lower than the rectum's end is high, descending, transverse, ascending, caecum. */
+/** A colon: rectum, sigmoid loop that dips below the top of the rectum, descending, transverse, ascending, cecum. */
 inline TubePoints
 ColonCurve()
 {
@@ -94,7 +94,7 @@ PartOf(const TubePoints & points, double from, double to)
 }
 
 /** \class TubeMask
- * \brief A mask that tubes are painted into, on a grid around them.
+ * \brief A mask on a grid around painted tubes.
  */
 class TubeMask
 {
@@ -135,7 +135,7 @@ public:
     m_Mask->Allocate(true);
   }
 
-  /** All voxels whose centres are within the radius of the curve get the value. */
+  /** Sets all voxels with centers within the radius of the curve to the value. */
   void
   Paint(const TubePoints & points, const std::function<double(double)> & radiusOfShare, unsigned char value = 1)
   {

@@ -20,7 +20,7 @@ namespace
 using CtImage = itk::Image<float, 3>;
 using Source = shapeton::ColonPhantomImageSource;
 
-/** A coarse patient: 2.8 mm, or as the grid says. */
+/** A coarse patient: 2.8 mm, or the given grid. */
 Source::Pointer
 MakePatient(const Source::DirectionType & direction, int collapsed = 0)
 {
@@ -73,7 +73,7 @@ ExpectTube(const shapeton::SurfaceMesh & mesh)
   EXPECT_TRUE(quality.isOriented);
 }
 
-/** How far the points of the line lie from the true centreline on average, mm. */
+/** Mean distance of the points of the line from the true centerline, mm. */
 double
 MeanDistance(const shapeton::CurveSet & line, const shapeton::CurveSet & truth)
 {
@@ -112,8 +112,7 @@ ExpectQuality(const shapeton::ColonModel & model)
   EXPECT_EQ(quality.at("surface").at("wall-simplified").at("faces").get<int>(), model.wall.simplified.NumberOfFaces());
 }
 
-/** What the baselines are compared with: an axial slice of the cleansed CT, and the centreline as an image of 3
- * columns. */
+/** Baseline data: an axial slice of the cleansed CT, and the centerline as an image of 3 columns. */
 void
 WriteForBaselines(const shapeton::ColonModel & model)
 {
@@ -193,7 +192,7 @@ ExpectModelOfMask(Source * patient)
   EXPECT_LT(MeanDistance(model.centreline.curve, patient->GetAnatomy().Centreline()), 3.0);
 }
 
-/** No position is given: gravity points from the gas to the fluid. */
+/** Without a position gravity points from the gas to the fluid. */
 void
 ExpectGasAndFluidOfMask(Source * patient)
 {
@@ -263,7 +262,7 @@ TEST(ColonModel, WithoutAColonSaysSo)
   EXPECT_EQ(quality.at("failure").get<std::string>(), model.failure);
 }
 
-/** Soft tissue with a bag of gas, 100 mm long and 50 mm wide, as a stomach is; and a mask of the bag. */
+/** Soft tissue with a bag of gas, 100 mm long and 50 mm wide, like a stomach; and a mask of the bag. */
 std::pair<CtImage::Pointer, shapeton::LumenMask::Pointer>
 BagOfGas()
 {
@@ -330,15 +329,15 @@ TEST(ColonModel, AMaskWithoutGasIsRefused)
   EXPECT_THROW(shapeton::BuildColonModel(ct.GetPointer(), mask.GetPointer(), Options()), shapeton::InputError);
 }
 
-/** Around a piece of a line along z. */
+/** Region around a piece of a line along z. */
 bool
 IsInCapsule(const itk::Point<double, 3> & p, double x, double begin, double end, double radius)
 {
   return std::hypot(p[0] - x, p[1], p[2] - std::clamp(p[2], begin, end)) < radius;
 }
 
-/** A straight colon of 36 mm in a block of soft tissue, parted by 118 mm; 110 mm of gas as thin as small bowel lie as
- * far aside from the gap as is said. LPS, mm; voxels of 2 mm. */
+/** A straight colon of 36 mm in a block of soft tissue with a gap of 118 mm; 110 mm of gas as thin as small bowel at
+ * the given distance from the gap. LPS, mm; voxels of 2 mm. */
 CtImage::Pointer
 ColonInTwoParts(double aside)
 {

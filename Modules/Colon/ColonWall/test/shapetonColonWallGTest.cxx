@@ -83,7 +83,7 @@ CentreOfLoop(const shapeton::SurfaceMesh & mesh, const char * name)
   return sum / static_cast<double>(loop.size());
 }
 
-/** The greatest distance of the vertices to the wall of a shape. */
+/** Maximum distance of the vertices from the wall of a shape. */
 double
 GreatestError(const shapeton::SurfaceMesh & mesh, const Depth & depth)
 {
@@ -113,7 +113,7 @@ TEST(ColonWall, ClosedFormsOnAnyGrid)
     const auto mesh = shapeton::ExtractWall(TubeOccupancy(grid));
     EXPECT_TRUE(shapeton::SurfaceConnectivity(mesh).IsClosed());
     EXPECT_TRUE(shapeton::SurfaceConnectivity(mesh).IsOriented());
-    EXPECT_NEAR(volume, shapeton::EnclosedVolume(mesh.V, mesh.F), 0.005 * volume); // positive: the faces look outwards
+    EXPECT_NEAR(volume, shapeton::EnclosedVolume(mesh.V, mesh.F), 0.005 * volume); // positive: outward faces
     EXPECT_NEAR(area, shapeton::SurfaceArea(mesh.V, mesh.F), 0.005 * area);
     EXPECT_GT(0.03, GreatestError(mesh, Tube({ TubeAxis.front(), TubeAxis.back() }, TubeRadius)));
   }
@@ -241,14 +241,14 @@ TEST(ColonWall, OpensBothEnds)
 
 TEST(ColonWall, MakesTheDiscSmallerWhereItIsNone)
 {
-  // 20 mm around the pole of a tube of 5 mm and 30 mm length meet the other end.
+  // A disc of 20 mm around the pole of a tube of 5 mm radius and 30 mm length reaches the other end.
   const Points axis = Line({ 0, 0, 0 }, { 0, 0, 20 });
   const auto   closed = shapeton::ExtractWall(Occupancy(Tube({ axis.front(), axis.back() }, 5), BoxOf(axis, 5)));
   const auto   open = shapeton::OpenColonEnds(closed, Centreline(axis));
   EXPECT_EQ(20.0, open.rectumRadius);
   EXPECT_GT(20.0, open.caecumRadius);
   ExpectOpenEnds(open.mesh, 0);
-  // A torus within the disc is none, either.
+  // A region with a torus inside is not a disc, either.
   const Depth lumen = Union(Tube({ { 0, 0, 0 }, { 0, 0, 50 } }, 6), Torus({ 0, 0, -6 }, 4, 2));
   const auto  handle = shapeton::ExtractWall(
     Occupancy(Union(lumen, Torus({ 6, 0, -4 }, 5, 1.5)), BoxOf({ { 0, 0, 0 }, { 0, 0, 50 } }, 14), {}, 1.0));
@@ -391,7 +391,7 @@ TEST(ColonWall, TheChainCutsALeak)
 
 TEST(ColonWall, ArcLengthIsThatOfTheOwnLoop)
 {
-  // A wide leg beside a narrow one, 1 mm between them: its wall is closer to the axis of the narrow leg.
+  // A wide leg next to a narrow one, 1 mm between them: its wall is closer to the axis of the narrow leg.
   Points axis = Line({ 0, 0, 0 }, { 0, 0, 50 });
   for (const Points & part : { Line({ 1, 0, 50 }, { 19, 0, 50 }), Line({ 19, 0, 49 }, { 19, 0, 0 }) })
   {

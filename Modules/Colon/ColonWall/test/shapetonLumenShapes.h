@@ -10,7 +10,7 @@
 #include <cmath>
 #include <functional>
 
-/** Lumens given by a depth below their wall, mm, positive inside. */
+/** Lumens defined by the depth below their wall, mm, positive inside. */
 namespace lumenshapes
 {
 constexpr double Pi = 3.14159265358979323846;
@@ -89,7 +89,7 @@ Sphere(const Eigen::Vector3d & centre, double radius)
   return [=](const Eigen::Vector3d & p) { return radius - (p - centre).norm(); };
 }
 
-/** In a plane z = const. */
+/** Shapes in a plane z = const. */
 inline Depth
 Torus(const Eigen::Vector3d & centre, double ring, double radius)
 {
@@ -161,7 +161,7 @@ Line(const Eigen::Vector3d & a, const Eigen::Vector3d & b, double step = 1.0)
   return points;
 }
 
-/** A centreline with arrays arcLength, radius and gap; `isGap` tells which points lie in a gap. */
+/** A centerline with arrays arcLength, radius and gap; `isGap` selects the points in a gap. */
 inline shapeton::CurveSet
 Centreline(const Points & points, const std::function<bool(const Eigen::Vector3d &)> & isGap = {})
 {

@@ -30,7 +30,7 @@ struct SurfaceNumbers
   long components{ 0 };
 };
 
-/** What VTK makes of a mask with a layer of background around. */
+/** VTK surface of a mask padded with background. */
 SurfaceNumbers
 SurfaceOfMask(const shapeton::LumenMaskImage * mask)
 {
@@ -137,7 +137,7 @@ TEST(TopologyPreservingGrowth, SimplePointsChangeNoNumberOfTheSurface)
     {
       bits |= static_cast<std::uint32_t>(mask->GetBufferPointer()[k]) << k;
     }
-    ASSERT_EQ(shapeton::IsSimplePoint(bits), shapeton::IsSimplePoint(bits ^ 1U << 13)); // it does not matter itself
+    ASSERT_EQ(shapeton::IsSimplePoint(bits), shapeton::IsSimplePoint(bits ^ 1U << 13)); // the center bit is ignored
     mask->GetBufferPointer()[13] = 0;
     const SurfaceNumbers without = SurfaceOfMask(mask);
     mask->GetBufferPointer()[13] = 1;

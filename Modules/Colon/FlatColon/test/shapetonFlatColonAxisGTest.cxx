@@ -52,7 +52,7 @@ TEST(FlatColonAxis, FollowsABentTube)
   {
     const double          turn = (column + 0.5) / bendRadius;
     const Eigen::Vector3d tangent(-std::sin(turn), 0.0, std::cos(turn));
-    // The wall is longer, and so weighs more, at the outside of the bend: by r^2 / 4R = 0.9 mm.
+    // The wall is longer, and so has more weight, at the outside of the bend: by r^2 / 4R = 0.9 mm.
     ASSERT_LT((axis.centres.row(column).transpose() - OnArc(column + 0.5)).norm(), 1.0);
     ASSERT_NEAR(axis.radii[column], 18.0, 0.3);
     if (column > 8 && column < grid.Columns() - 8)
@@ -119,7 +119,7 @@ TEST(FlatColonAxis, DistanceOfACentreline)
 
 TEST(FlatColonAxis, TouchingLoopsDoNotMislead)
 {
-  // A hairpin whose legs are 2 mm apart; the axis is that of the whole of it.
+  // A hairpin with legs 2 mm apart; the axis is that of all of it.
   std::vector<Eigen::Vector3d> points;
   for (int i = 0; i <= 100; ++i)
   {

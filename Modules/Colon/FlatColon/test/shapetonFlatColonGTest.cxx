@@ -59,7 +59,7 @@ TEST(FlatColon, HasTheGridAndTheAxisOfItsSurface)
   EXPECT_EQ(flat.Surface().V, mesh.V);
 }
 
-// A cylinder of radius R bulges outwards: -1/(2R), also along the cut, whatever side the faces look at.
+// A cylinder of radius R bulges outward: -1/(2R), also along the cut, for either orientation of the faces.
 TEST(FlatColon, KnowsTheCurvatureOfTheTubeWithoutItsCut)
 {
   for (const bool isInsideOut : { false, true })

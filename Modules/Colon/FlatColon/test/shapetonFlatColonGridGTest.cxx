@@ -13,7 +13,7 @@ using namespace flattubes;
 using shapeton::FlatColonGrid;
 using shapeton::FlatSample;
 
-/** Where a pixel of the cylinder lies: on the chord between two vertices. */
+/** Point of a pixel of the cylinder: on the chord between two vertices. */
 Eigen::Vector3d
 PointOnPolygon(const TubeForm & form, double u, double v)
 {
@@ -31,7 +31,7 @@ Jitter(int i)
   return x - std::floor(x) - 0.5;
 }
 
-/** Vertices moved about within the map, the copies on the cut alike. */
+/** Moves vertices within the map, the copies on the cut together. */
 shapeton::SurfaceMesh
 MakeIrregularCylinder(const TubeForm & form, double amount)
 {
@@ -86,7 +86,7 @@ TEST(FlatColonGrid, CylinderClosedForms)
       ASSERT_NEAR(sample.scale, scale, 1e-12);
       ASSERT_NEAR(sample.arcLength, 10.0 + uv.x(), 1e-10);
       ASSERT_FALSE(sample.isBridged);
-      if (column > 2 && column < 147) // at an end half of the surroundings is missing
+      if (column > 2 && column < 147) // at an end half of the neighborhood is missing
       {
         const Eigen::Vector3d inward = -Eigen::Vector3d(expected.x(), expected.y(), 0.0).normalized();
         ASSERT_LT((sample.inwardNormal - inward).norm(), 1e-11);

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <functional>
 
-/** Tubes with their flat maps, as a flattening gives them: the vertices of the cut are there twice. */
+/** Tubes with flat maps as from a flattening: the vertices of the cut are duplicated. */
 namespace flattubes
 {
 constexpr double pi = 3.14159265358979323846;
@@ -19,9 +19,9 @@ struct TubeForm
   int    along{ 60 };
   double circumference{ 120.0 };
   double length{ 150.0 };
-  /** How far the cut leaves v = 0, and steps of columns in which it does. */
+  /** Deviation of the cut from v = 0, and the column steps over which it occurs. */
   double cutSway{ 0.0 };
-  /** Faces that look into the lumen, a map that runs the other way around. */
+  /** Faces oriented into the lumen, a map in the opposite direction. */
   bool isInsideOut{ false };
   bool isMirrored{ false };
 };
@@ -38,8 +38,8 @@ AddArray(std::vector<shapeton::SurfaceArray> & arrays,
   arrays.push_back(std::move(array));
 }
 
-/** A tube with position(u, angle) in space, whose map is u along and angle / (2 pi) of the circumference around; right
- * for a conformal map only if the position is one. */
+/** A tube with position(u, angle) in space, whose map is u along and angle / (2 pi) of the circumference around;
+ * conformal only if the position is. */
 inline shapeton::SurfaceMesh
 MakeFlatTube(const TubeForm & form, const std::function<Eigen::Vector3d(double, double)> & position)
 {

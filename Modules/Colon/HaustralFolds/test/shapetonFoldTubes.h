@@ -13,11 +13,11 @@ constexpr double radius = 20.0;
 struct Fold
 {
   double u{ 0.0 };          ///< mm
-  double angle{ 0.0 };      ///< of the middle, radians
+  double angle{ 0.0 };      ///< of the center, radians
   double halfLength{ 0.0 }; ///< mm around the tube
   double height{ 0.0 };     ///< mm
-  double dip{ 0.0 };        ///< share of the height that is missing in the middle
-  double slant{ 0.0 };      ///< mm of u for each mm around
+  double dip{ 0.0 };        ///< share of the height missing in the middle
+  double slant{ 0.0 };      ///< mm of u per mm around
   double thickness{ 1.5 };  ///< standard deviation across, mm
 };
 

@@ -79,7 +79,7 @@ TEST(HaustralFoldFiles, TheTableHasARowForEachFold)
   EXPECT_EQ(table.GetRows()[0][column("fold")], "1");
   EXPECT_NEAR(std::stod(table.GetRows()[1][column("length")]), folds.folds[1].length, 1e-3);
   EXPECT_NEAR(std::stod(table.GetRows()[1][column("end2Z")]), folds.folds[1].ends[1].z(), 1e-3);
-  EXPECT_EQ(table.GetRows()[1][column("height")], ""); // not known
+  EXPECT_EQ(table.GetRows()[1][column("height")], ""); // unknown
 }
 
 TEST(HaustralFoldFiles, FoldsWhereTheWallIsNotSeenTellWhy)

@@ -227,14 +227,14 @@ TEST(HaustralFolds, OrientationOfFacesAndMapDoesNotMatter)
 TEST(HaustralFolds, NeedlesDoNoHarm)
 {
   shapeton::SurfaceMesh mesh = MakeTube(FourFolds());
-  // A vertex on the line between two neighbours: a face without area.
+  // A vertex on the line between two neighbors: a degenerate face.
   const Eigen::Index face = 2 * 120 * 75;
   const auto         corner = [&](int k) { return mesh.V.row(mesh.F(face, k)); };
   corner(0) = 0.5 * (corner(1) + corner(2)).eval();
   EXPECT_EQ(FindHaustralFolds(FlatColon(mesh)).folds.size(), 4u);
 }
 
-// A knob that the map gathers in a pixel has the area of all folds there, and one curvature.
+// A knob that the map shrinks to a pixel has the area of all folds there, and one curvature.
 TEST(HaustralFolds, AreaInOnePixelDoesNotOutweighFolds)
 {
   constexpr double      reach = 8.0; // mm
@@ -321,5 +321,5 @@ TEST(HaustralFolds, AreNotFoundAfterAnAbort)
     options.progress = progress;
     FindHaustralFolds(flat, options);
   };
-  shapeton::test::ExpectProgress(work, 12); // one for each fold, too
+  shapeton::test::ExpectProgress(work, 12); // including one for each fold
 }

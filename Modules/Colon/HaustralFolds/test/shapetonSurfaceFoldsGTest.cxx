@@ -57,7 +57,7 @@ TEST(SurfaceFolds, AreNotMadeUpWhereTheWallIs)
   EXPECT_EQ(FindSurfaceFolds(FlatColon(bridged)).number, 0);
 }
 
-// The fold lies on the cut.
+// The fold is on the cut.
 TEST(SurfaceFolds, AreOneOnBothSidesOfTheCut)
 {
   foldtubes::Fold fold;

@@ -9,11 +9,11 @@
 
 #include <cmath>
 
-/** The end of a colon: a tube of 24 mm radius along z from 0 to a half ball at 200 mm, with what is put into it. */
+/** The end of a colon: a tube of 24 mm radius along z from 0 to a half ball at 200 mm, with added structures. */
 namespace caecalscene
 {
 constexpr double radius = 24.0, end = 200.0;
-/** Of the valve: half an ellipsoid on the wall, 24 mm around the tube, 18 mm along it, 11 mm high. */
+/** Base of the valve: half an ellipsoid on the wall, 24 mm around the tube, 18 mm along it, 11 mm high. */
 const Eigen::Vector3d valveBase(radius, 0.0, 130.0);
 
 struct Scene
@@ -22,9 +22,9 @@ struct Scene
   bool   hasFold{ false };
   double ileumLength{ 0.0 };
   double ileumRadius{ 5.0 };
-  /** HU inside of the valve. */
+  /** HU inside the valve. */
   float core{ -80.0F };
-  /** Of the patient: turns the tube, mirrors it at x = 0. */
+  /** Transformation of the patient: rotates the tube, mirrors it at x = 0. */
   Eigen::Matrix3d turn{ Eigen::Matrix3d::Identity() };
 };
 
@@ -63,7 +63,7 @@ struct Images
   itk::Image<float, 3>::Pointer ct{ itk::Image<float, 3>::New() };
 };
 
-/** On voxels of this spacing, whose axes are the columns of `axes`. */
+/** Images with voxels of this spacing, whose axes are the columns of `axes`. */
 inline Images
 Draw(const Scene &           scene,
      const Eigen::Vector3d & spacing = Eigen::Vector3d::Constant(1.5),

@@ -10,7 +10,7 @@ using shapeton::ValveSearch;
 
 namespace
 {
-/** The middle of the valve's surface lies between its base and its top, 11 mm above. */
+/** The center of the surface of the valve is between its base and its top, 11 mm above. */
 void
 ExpectValve(const ValveSearch & search, const Eigen::Matrix3d & turn)
 {

@@ -39,7 +39,7 @@ TEST(PolypCandidates, HalfEllipsoidIsFoundWithItsSize)
     EXPECT_EQ(one.number, 1);
     EXPECT_NEAR(one.diameter, 10.0, 1.0) << spacing;
     EXPECT_NEAR(one.leastDiameter, 10.0, 1.2) << spacing;
-    // Above a ring on the hollow wall, which is higher than the base itself.
+    // Above a ring on the concave wall, which is higher than the base itself.
     EXPECT_GT(one.height, 3.8) << spacing;
     EXPECT_LT(one.height, 6.0) << spacing;
     EXPECT_LT((one.position - Base(0.0)).norm(), 5.0);
@@ -51,7 +51,7 @@ TEST(PolypCandidates, HalfEllipsoidIsFoundWithItsSize)
   }
 }
 
-// Edges of 2 mm and more, longer than the ring that the foot is taken from.
+// Edges of 2 mm or more, longer than the ring of the foot.
 TEST(PolypCandidates, CoarseWallsHaveFeetToo)
 {
   for (const double spacing : { 1.4, 2.0, 2.8 })
@@ -69,7 +69,7 @@ TEST(PolypCandidates, BallIsMeasuredAcross)
     const auto candidates = Find(MakeWall({ Ball(Base(0.0) + 0.8 * radiusOfHead * Vector3d::UnitZ(), radiusOfHead) }));
     ASSERT_EQ(candidates.size(), 1u) << radiusOfHead;
     EXPECT_NEAR(candidates.front().diameter, 2.0 * radiusOfHead, 0.5);
-    EXPECT_GT(candidates.front().features.solidAngle, 2.0 * M_PI); // more than half of it is seen
+    EXPECT_GT(candidates.front().features.solidAngle, 2.0 * M_PI); // more than half of it is visible
   }
 }
 
@@ -83,7 +83,7 @@ TEST(PolypCandidates, FoldIsNoneAndPolypOnItIs)
   EXPECT_NEAR(candidates.front().diameter, 8.0, 1.0);
 }
 
-// Caps of one ball that look out of the wall more or less: their feet are less hollow, the less they do.
+// Caps of one ball that protrude from the wall by different amounts: lower ones have less concave feet.
 TEST(PolypCandidates, FootOfALowHeadIsLessHollow)
 {
   constexpr double ballRadius = 8.0;
@@ -125,7 +125,7 @@ TEST(PolypCandidates, SmallerOnesThanAskedForAreLeftOut)
 
 TEST(PolypCandidates, ScoreGoesWithItsFeatures)
 {
-  shapeton::PolypFeatures lump; // as what is left of badly mixed fluid
+  shapeton::PolypFeatures lump; // residue of poorly mixed fluid
   lump.shapeIndex = 0.74;
   lump.roundness = 0.8;
   lump.hollowness = 0.9;
@@ -133,7 +133,7 @@ TEST(PolypCandidates, ScoreGoesWithItsFeatures)
   const double score = shapeton::PolypScore(lump);
   EXPECT_GT(score, 1.0 - shapeton::defaultPolypSensitivity);
   shapeton::PolypFeatures other = lump;
-  other.curvedness = 0.1; // how large a head is does not matter as long as it is no crumb
+  other.curvedness = 0.1; // the size of a head does not matter above a minimum
   EXPECT_EQ(shapeton::PolypScore(other), score);
   other.curvedness = 0.45;
   EXPECT_LT(shapeton::PolypScore(other), 0.05);
@@ -169,7 +169,7 @@ TEST(PolypCandidates, RigidMotionMovesThemAlong)
 
 namespace
 {
-/** The same wall in a mirror, its vertices and faces in another order. */
+/** The same wall mirrored, with its vertices and faces in another order. */
 shapeton::SurfaceMesh
 MirroredAndRenumbered(const shapeton::SurfaceMesh & wall)
 {
@@ -178,7 +178,7 @@ MirroredAndRenumbered(const shapeton::SurfaceMesh & wall)
   other.V = wall.V.colwise().reverse();
   other.V.col(0) *= -1.0;
   other.F = (vertices - 1 - wall.F.array()).matrix().colwise().reverse();
-  other.F.col(1).swap(other.F.col(2)); // the mirror has turned them over
+  other.F.col(1).swap(other.F.col(2)); // undoes the flip by mirroring
   return other;
 }
 } // namespace
@@ -202,8 +202,8 @@ TEST(PolypCandidates, AMirroredWallHasTheMirroredList)
   }
 }
 
-// A head so small that its widths are a few voxels: where the voxels lie must not decide. It is moved around the tube,
-// which turns it against the grid, and by parts of a voxel along it.
+// A head whose widths are a few voxels: the result must not depend on the voxel grid. It is moved around the tube,
+// which rotates it relative to the grid, and by fractions of a voxel along it.
 TEST(PolypCandidates, ASmallHeadIsOneWhateverTheVoxelsAre)
 {
   for (const double spacing : { 0.7, 0.85, 1.0, 1.2 })
@@ -292,7 +292,7 @@ TEST(PolypCandidates, PlacesAreReadFromTheTable)
   candidates[1].position = { -40.0, 50.5, 60.0 };
   candidates[1].score = 0.25;
   candidates[1].other = shapeton::PolypInOtherPosition();
-  candidates[1].other->ownScore = 0.75; // .25 is what it was weighed to
+  candidates[1].other->ownScore = 0.75; // .25 is the updated score
   shapeton::TableOfPolypCandidates(candidates).Write(path);
   const auto others = shapeton::ReadOtherPolypCandidates(path);
   ASSERT_EQ(others.size(), 2u);
@@ -335,7 +335,7 @@ TEST(PolypCandidates, ATableTellsWhatWasWritten)
   EXPECT_EQ(shapeton::TableOfPolypCandidates(shapeton::ReadPolypCandidates(path)).GetRows(), table.GetRows());
 }
 
-// Heat of a closed body goes with its surface over its volume.
+// The heat of a closed body scales with its surface to volume ratio.
 TEST(PolypCandidates, SmallHeadsAreHotter)
 {
   std::vector<double> heats;
@@ -365,7 +365,7 @@ TEST(PolypCandidates, ContentIsMeasuredInsideAndRanks)
                                              { 600.0, shapeton::PolypTissue::Tagged } })
   {
     const double inside = hounsfield;
-    // A partial volume 2 mm wide; none of it may enter the value.
+    // Partial volume over 2 mm; it must not affect the value.
     const auto ct = MakeImage<itk::Image<float, 3>>(
       0.8, [=](double d) { return inside + (-900.0 - inside) * std::clamp(0.5 * d + 0.5, 0.0, 1.0); }, bodies);
     const auto gas = MakeImage<shapeton::PolypLumenImage>(
@@ -431,7 +431,7 @@ TEST(PolypCandidates, TissueLikelihoodKeepsTissueAndDropsGas)
   EXPECT_NEAR(shapeton::TissueLikelihood(500.0), 0.25, 1e-3);
   EXPECT_EQ(shapeton::TissueLikelihood(std::nan("")), 1.0);
   EXPECT_EQ(shapeton::TissueLikelihood(40.0, std::nan("")), shapeton::TissueLikelihood(40.0, 0.0));
-  // Under fluid no gas darkens a head: what is darker than fat is a bubble, of 3 mm on CT at -150 to -270 HU.
+  // Under fluid no gas darkens a head: values below fat are bubbles, 3 mm ones on CT have -150 to -270 HU.
   EXPECT_GT(shapeton::TissueLikelihood(40.0, 1.0), 0.99);
   EXPECT_GT(shapeton::TissueLikelihood(-90.0, 1.0), 0.85);
   EXPECT_LT(shapeton::TissueLikelihood(-160.0, 1.0), 0.25);
@@ -460,7 +460,7 @@ TEST(PolypCandidates, OtherPositionIsFoundThroughTheMap)
                                 candidates);
   ASSERT_TRUE(candidates.front().other.has_value());
   const shapeton::PolypInOtherPosition & other = *candidates.front().other;
-  EXPECT_LT((other.point - there).norm(), 3.0); // the nearest point of the wall is taken
+  EXPECT_LT((other.point - there).norm(), 3.0); // the nearest point of the wall is used
   EXPECT_EQ(other.candidate, 2);
   EXPECT_TRUE(other.isSeen);
   EXPECT_NEAR(other.confidence, 0.75, 1e-9);
@@ -468,7 +468,7 @@ TEST(PolypCandidates, OtherPositionIsFoundThroughTheMap)
   EXPECT_NEAR(other.likeness, 0.9 * std::exp(-0.5 * away * away), 1e-9);
   shapeton::FindInOtherPosition(map, "map", { { 7, there + Vector3d(0.0, 80.0, 0.0), diameter, 1.0 } }, candidates);
   EXPECT_FALSE(candidates.front().other->isSeen);
-  EXPECT_EQ(candidates.front().other->candidate, 7); // the nearest, where none is alike
+  EXPECT_EQ(candidates.front().other->candidate, 7); // the nearest, if none is similar
   map.pointArrays[2].values.setOnes();
   shapeton::FindInOtherPosition(map, "map", { { 1, there, diameter, 1.0 } }, candidates);
   EXPECT_TRUE(candidates.front().other->isExcluded);
@@ -614,17 +614,17 @@ TEST(PolypCandidates, TheOtherPositionWeighsWhatItShows)
     shapeton::WeighByOtherPosition(confidence, one);
     return one[0];
   };
-  EXPECT_EQ(weighed(0.0, 0.9, 0.0).score, 0.9);       // a registration that tells nothing
-  EXPECT_EQ(weighed(1.0, 0.9, 0.0, true).score, 0.9); // a place that is not seen
+  EXPECT_EQ(weighed(0.0, 0.9, 0.0).score, 0.9);       // a registration without evidence
+  EXPECT_EQ(weighed(1.0, 0.9, 0.0, true).score, 0.9); // a place that is not visible
   EXPECT_TRUE(std::isnan(weighed(1.0, 0.9, 0.0, true).other->ownScore));
   EXPECT_LT(weighed(1.0, 0.9, 0.0).score, 0.25);
   EXPECT_GT(weighed(1.0, 0.9, 0.9).score, 0.9);
   EXPECT_NE(weighed(1.0, 0.9, 0.0).remark, "");
   EXPECT_EQ(weighed(1.0, 0.9, 0.9).remark, "");
   EXPECT_EQ(weighed(1.0, 0.9, 0.3).other->ownScore, 0.9);
-  // Probabilities of a map that is right and of one that is not.
+  // Probabilities of a correct map and of a wrong one.
   EXPECT_NEAR(weighed(0.75, 0.9, 0.0).score, 0.75 * weighed(1.0, 0.9, 0.0).score + 0.25 * 0.9, 1e-12);
-  // The share of tissue stays: half of the score of the shape before and after; a catheter remains one.
+  // The tissue factor stays: half of the shape score before and after; a catheter remains one.
   EXPECT_NEAR(weighed(1.0, 0.45, 0.5).score, 0.5 * weighed(1.0, 0.9, 0.5).score, 1e-12);
   EXPECT_EQ(weighed(1.0, 0.0, 1.0).score, 0.0);
   double last = 0.0;
@@ -652,7 +652,7 @@ TEST(PolypCandidates, WeighedCandidatesKeepTheirNumbers)
     candidates[i].other->likeness = i;
   }
   shapeton::WeighByOtherPosition(0.9, candidates);
-  EXPECT_EQ(candidates[0].number, 2); // seen in both positions
+  EXPECT_EQ(candidates[0].number, 2); // visible in both positions
   EXPECT_EQ(candidates[1].number, 1);
   EXPECT_GT(candidates[0].score, candidates[1].score);
 }
@@ -660,8 +660,8 @@ TEST(PolypCandidates, WeighedCandidatesKeepTheirNumbers)
 namespace
 {
 
-/** Ranked by a valve at the origin, confidence .95, and weighed by another position that shows nothing at the origin
- * and the same 100 mm away. */
+/** Ranked by a valve at the origin, confidence .95, and weighed by another position without a match at the origin, and
+ * the same 100 mm away. */
 std::vector<PolypCandidate>
 RankedByValve(std::vector<PolypCandidate> candidates)
 {
@@ -693,7 +693,7 @@ HeadOf(double shapeIndex, double shapeScore, const Eigen::Vector3d & position)
 
 } // namespace
 
-/** Whatever the confidence of the valve and the other position say: it is listed, last. */
+/** For any valve confidence and other position it is listed, last. */
 TEST(PolypCandidates, LargePolypThatIsTakenForTheValveStaysInTheList)
 {
   const auto candidates =

@@ -9,24 +9,24 @@
 #include <functional>
 #include <vector>
 
-/** Closed straight lumens of radius 20 mm along x, with bodies of a known form in them. */
+/** Closed straight lumens of radius 20 mm along x that contain bodies of a known form. */
 namespace polyptubes
 {
 using Eigen::Vector3d;
-/** mm to the surface of a body of tissue, negative inside; of first order. */
+/** Signed distance (mm) to a body of tissue, negative inside; first order. */
 using Body = std::function<double(const Vector3d &)>;
 
 constexpr double radius = 20.0;
 constexpr double halfLength = 28.0;
 
-/** On the wall below the middle. */
+/** Point on the wall below the center. */
 inline Vector3d
 Base(double x)
 {
   return { x, 0.0, -radius };
 }
 
-/** Half of it stands in the lumen, on the wall below. */
+/** An ellipsoid half in the lumen, on the lower wall. */
 inline Body
 Ellipsoid(const Vector3d & middle, double halfWidth, double height)
 {
@@ -43,19 +43,19 @@ Ball(const Vector3d & middle, double ballRadius)
   return [=](const Vector3d & p) { return (p - middle).norm() - ballRadius; };
 }
 
-/** A rounded plate across the lower half of the tube, 3 mm thick, as a fold. */
+/** A rounded plate across the lower half of the tube, 3 mm thick, like a fold. */
 inline Body
 Plate(double x, double height)
 {
   return [=](const Vector3d & p) {
-    const double          toCrest = radius - height - std::hypot(p.y(), p.z()); // negative within the plate's rim
+    const double          toCrest = radius - height - std::hypot(p.y(), p.z()); // negative within the rim of the plate
     const double          sideways = std::max(0.0, p.z() + 4.0);
     const Eigen::Vector2d off(p.x() - x, std::max(0.0, toCrest + 1.5));
     return std::hypot(off.norm(), sideways) - 1.5;
   };
 }
 
-/** mm to the wall, positive in the lumen. */
+/** Distance to the wall (mm), positive in the lumen. */
 inline double
 Distance(const Vector3d & p, const std::vector<Body> & bodies)
 {

@@ -15,7 +15,7 @@ Measure(const shapeton::SurfaceMesh & mesh, double time)
 }
 } // namespace
 
-// A ball in the lumen: the faces look into it.
+// A ball in the lumen: the faces are oriented into it.
 TEST(SurfaceShape, BallHasItsCurvatureWhateverTheSmoothing)
 {
   shapeton::SurfaceMesh ball = testsurfaces::Icosphere(4, 5.0);

@@ -11,7 +11,7 @@ namespace
 {
 constexpr double turn = 120.0; // mm
 
-/** A sequence without a pattern, the same everywhere. */
+/** A pseudorandom sequence, the same on all platforms. */
 double
 Uneven(int i)
 {
@@ -48,7 +48,7 @@ PairCost(const shapeton::FoldFeature &         a,
          std::pow(std::log(a.area / b.area) / options.deviationArea, 2);
 }
 
-/** Tries all. */
+/** Brute force. */
 double
 LeastCost(const std::vector<shapeton::FoldFeature> & a,
           const std::vector<shapeton::FoldFeature> & b,
@@ -105,7 +105,7 @@ TEST(FoldMatching, DualDecompositionWithoutPairTermsIsHungarian)
 
 TEST(FoldMatching, TheBoundLiesBelowAndNeighboursMoveAlike)
 {
-  // All folds move by 13 mm along; a stray fold lies nearer to the place where one of them was.
+  // All folds move by 13 mm along; a stray fold is nearer to the former place of one of them.
   auto a = SomeFolds(30, 3, 500.0);
   auto b = a;
   for (shapeton::FoldFeature & fold : b)

@@ -33,7 +33,7 @@ struct Known
   }
 };
 
-/** Takes ends to ends; bent in between. */
+/** Maps ends to ends; bent in between. */
 Known
 BentMap(double x, double y)
 {
@@ -109,7 +109,7 @@ AtNode(int node, double value)
   return { { node, node, node }, { 1.0, 0.0, 0.0 }, value };
 }
 
-/** Ends go to circles as the values have them, and a node of the first row keeps its place around. */
+/** Ends map to circles at their current values, and a node of the first row keeps its angle. */
 MapConditions
 EndsOf(const BeltramiEquations & equations, const CylinderValues & values, int kept = 0)
 {
@@ -124,7 +124,7 @@ EndsOf(const BeltramiEquations & equations, const CylinderValues & values, int k
   return conditions;
 }
 
-/** A place in rows and angles of the nodes goes so many mm away from where the values have it. */
+/** Moves a place, in rows and angles of the nodes, by this many mm from its current value. */
 void
 AddLandmark(const BeltramiEquations & equations,
             const CylinderValues &    values,
@@ -159,7 +159,7 @@ MissOf(const MapCondition & condition, const Eigen::VectorXd & values)
          values[condition.node[2]] * condition.share[2] - condition.value;
 }
 
-/** Error of the map that is found for the coefficient of BentMap, mm. */
+/** Error of the map found for the coefficient of BentMap, mm. */
 double
 ErrorOfBentMap(int rows, int angles)
 {
@@ -175,7 +175,7 @@ Find(const BeltramiEquations & equations, const CylinderValues & start, const Ma
   return shapeton::FindQuasiConformalMap(equations, start, [&](const CylinderValues &) { return conditions; }, {});
 }
 
-/** Three landmarks that move some mm, far from each other; `turned` so many angles on. */
+/** Three distant landmarks that move some mm; `turned` shifts them by this many angles. */
 MapConditions
 SomeLandmarks(const BeltramiEquations & equations, const CylinderValues & values, int turned = 0, double scale = 1.0)
 {
@@ -223,7 +223,7 @@ TEST(QuasiConformalMap, CoefficientsOfAKnownMap)
   }
 }
 
-/** Ends alone leave the conformal map where the target is as long as it must be. */
+/** The ends alone give the conformal map if the target has the matching length. */
 TEST(QuasiConformalMap, LandmarksThatAgreeGiveTheConformalMap)
 {
   const BeltramiEquations equations = Equations(40, 36);
@@ -253,7 +253,7 @@ TEST(QuasiConformalMap, LandmarksHold)
   }
 }
 
-/** Points have no capacity: a harmonic map goes back at once around a landmark, and folds there. */
+/** Points have zero capacity: a harmonic map deviates only locally around a landmark, and folds there. */
 TEST(QuasiConformalMap, IsOneToOneWhereTheHarmonicMapFolds)
 {
   const BeltramiEquations equations = Equations(40, 36);
@@ -290,7 +290,7 @@ TEST(QuasiConformalMap, ScaledCylindersAreConformal)
   const BeltramiEquations equations = Equations(40, 36);
   const CylinderValues    start = ValuesOf(equations, StretchedMap);
   const auto              map = Find(equations, start, SomeLandmarks(equations, start));
-  // Conditions are in mm of the target; mm of the source count for smoothing, so that they stay.
+  // Conditions are in mm of the target, but smoothing in mm of the source, so it is unchanged.
   constexpr double        scale = 2.5;
   const BeltramiEquations large = Equations(40, 36, 1.0, scale);
   const CylinderValues    largeStart{ scale * start.along, scale * start.around };

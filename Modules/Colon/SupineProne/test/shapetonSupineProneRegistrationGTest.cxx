@@ -21,7 +21,7 @@ SomeMovement()
   return { 0.37, 8.0 };
 }
 
-/** The middle of the tube is collapsed: this is seen of it no more. */
+/** The position with a collapse in the middle of the tube, which is not visible. */
 shapeton::ColonPosition
 WithCollapse(shapeton::ColonPosition position)
 {
@@ -38,7 +38,7 @@ WithCollapse(shapeton::ColonPosition position)
   return position;
 }
 
-/** Errors of a map in mm of the flat map at places all over the tube, but for so many mm about its middle. */
+/** Errors of a map in mm of the flat map all over the tube, except for this many mm about its middle. */
 double
 GreatestError(const shapeton::SupineProneRegistration & registration,
               const shapeton::CylinderMap &             map,
@@ -87,8 +87,8 @@ TEST(SupineProneRegistration, FindsAKnownMovement)
   EXPECT_GT(registration.matches.size(), 0.9 * FoldsOfPatient(1).size());
 }
 
-/** Taeniae alone cannot tell it: the tube turns by a third where nothing is seen, so that they lie where they would
- * without. */
+/** Taeniae alone cannot detect it: the tube rotates by a third where the wall is not visible, so they end at the same
+ * places. */
 TEST(SupineProneRegistration, TheRotationMayChangeInACollapse)
 {
   Movement movement = SomeMovement();
@@ -136,18 +136,18 @@ TEST(SupineProneRegistration, EvidenceOfOnePatientAddsUp)
     confidence.senseMargin = senseMargin;
     return confidence.ProbabilityOfOnePatient();
   };
-  // The best of each kind that two patients had in 14 pairs, and the worst that one patient had in 20.
+  // The best value of each kind from two patients in 14 pairs, and the worst from one patient in 20.
   EXPECT_LT(probability(0.75, 0.13, 0.15, 0.042), 0.5);
   EXPECT_GT(probability(0.80, 0.13, 0.14, 0.052), 0.5);
-  // Many folds that only one position shows, in a picture that fits in one way alone.
+  // Many folds visible in only one position, in a picture that fits in only one orientation.
   EXPECT_GT(probability(0.61, 0.14, 0.23, 0.096), 0.9);
-  // Few folds that are alike in two patients, and fit as well in another way.
+  // Few folds that are similar in two patients, and fit as well in another orientation.
   EXPECT_LT(probability(0.94, 0.106, 0.33, 0.037), 0.5);
   EXPECT_LT(probability(1.0, 0.2, 0.05, 0.0), 0.5);
   EXPECT_LT(probability(0.6, 0.2, 0.05, 0.2), 0.5);
 }
 
-/** As in the dissertation: what is known holds, and the figures tell of what is lost for it. */
+/** As in the dissertation: conditions hold, and the figures report the cost. */
 TEST(SupineProneRegistration, ThePublishedMapGoesThroughItsLandmarks)
 {
   const shapeton::ColonPosition supine = MakePosition("supine", 1, {});
@@ -223,7 +223,7 @@ TEST(SupineProneRegistration, ErrorsAreMeasuredAgainstPointsInSpace)
   std::vector<shapeton::PointPair> pairs;
   for (double u = 50.0; u < 550.0; u += 10.0)
   {
-    const Eigen::Vector3d point = flattubes::OnCylinder(radius, u, 0.0); // on a taenia, where no fold stands
+    const Eigen::Vector3d point = flattubes::OnCylinder(radius, u, 0.0); // on a taenia, without folds
     pairs.push_back({ point, point });
   }
   pairs.push_back({ Eigen::Vector3d(500.0, 0.0, 0.0), Eigen::Vector3d(500.0, 0.0, 0.0) });
@@ -243,13 +243,13 @@ TEST(SupineProneRegistration, SimplerSchemesFindWhatTheyCanExpress)
     const auto                    registration = shapeton::RegisterColonPositions(supine, prone);
     return GreatestError(registration, shapeton::MapOfScheme(scheme, supine, prone, registration), movement);
   };
-  const Movement turned{ 0.375, 0.0 }; // a rotation that the schemes try, of 48
+  const Movement turned{ 0.375, 0.0 }; // a rotation tested by the schemes, one of 48
   for (const Scheme scheme : { Scheme::Rectangles, Scheme::Centreline, Scheme::Landmarks, Scheme::Published })
   {
     EXPECT_LT(errorOf(scheme, turned), 3.0) << static_cast<int>(scheme);
   }
   const Movement both = SomeMovement();
-  EXPECT_GT(errorOf(Scheme::Centreline, both), 7.0); // 8 mm of stretch are out of its reach
+  EXPECT_GT(errorOf(Scheme::Centreline, both), 7.0); // cannot follow 8 mm of stretch
   EXPECT_LT(errorOf(Scheme::Warping, both), 5.0);
   EXPECT_LT(errorOf(Scheme::Published, both), 4.0);
   EXPECT_LT(errorOf(Scheme::QuasiConformal, both), 4.0);
@@ -268,6 +268,6 @@ TEST(SupineProneRegistration, IsAbortedByProgressWhateverTheMap)
       options.progress = progress;
       RegisterColonPositions(supine, prone, options);
     };
-    shapeton::test::ExpectProgress(work, 500); // one for each row of each warp, too
+    shapeton::test::ExpectProgress(work, 500); // including one for each row of each warp
   }
 }

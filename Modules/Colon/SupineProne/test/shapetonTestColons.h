@@ -11,18 +11,18 @@
 #include <algorithm>
 #include <filesystem>
 
-/** Colons of made-up patients as straight tubes with three bands and folds between them, in several positions. */
+/** Synthetic colons as straight tubes with three bands and folds between them, in several positions. */
 namespace tubecolons
 {
 using flattubes::pi;
 constexpr double radius = 20.0;
 constexpr double length = 600.0;
-constexpr double firstArc = 10.0; ///< the test tubes count from here, mm
+constexpr double firstArc = 10.0; ///< distance at the start of the test tubes, mm
 
 struct Fold
 {
   double s;    ///< mm
-  double turn; ///< of its middle
+  double turn; ///< of its center
 };
 
 inline double
@@ -32,7 +32,7 @@ Uneven(int i)
   return value - std::floor(value);
 }
 
-/** Between three bands at the turns 0, 1/3 and 2/3, with uneven gaps. */
+/** Folds between three bands at the turns 0, 1/3 and 2/3, with uneven gaps. */
 inline std::vector<Fold>
 FoldsOfPatient(int patient)
 {
@@ -48,7 +48,7 @@ FoldsOfPatient(int patient)
   return folds;
 }
 
-/** Where the second position has a place of the first one. */
+/** Maps a place of the first position to the second one. */
 struct Movement
 {
   double rotation{ 0.0 };   ///< turns
@@ -77,7 +77,7 @@ Form()
   return form;
 }
 
-/** The tube with folds that stand 5 mm high. */
+/** The tube with folds 5 mm high. */
 inline shapeton::SurfaceMesh
 MakeWall(const std::vector<shapeton::CylinderPlace> & folds)
 {
@@ -117,7 +117,7 @@ MakeFold(int label, const shapeton::CylinderPlace & place)
   return fold;
 }
 
-/** Three bands; their first is at this turn. */
+/** Three bands, with the first at this turn. */
 inline shapeton::CurveSet
 MakeTaeniae(double firstTurn, bool isReversed)
 {
@@ -154,7 +154,7 @@ MakeCentreline()
   return centreline;
 }
 
-/** The colon of a patient; `isReversed` begins at the caecum. Curvature is that of the grid. */
+/** The colon of a patient; `isReversed` begins at the cecum. Curvature is that of the grid. */
 inline shapeton::ColonPositionFiles
 MakeExamination(const std::string & name, int patient, const Movement & movement, bool isReversed = false)
 {
@@ -196,7 +196,7 @@ MakePosition(const std::string & name, int patient, const Movement & movement, b
   return MakeExamination(name, patient, movement, isReversed).position;
 }
 
-/** landmarks.json, as far as it is read back. */
+/** The parts of landmarks.json that are read. */
 inline shapeton::Json
 LandmarksOf(const shapeton::ColonPositionFiles & files)
 {
@@ -221,7 +221,7 @@ LandmarksOf(const shapeton::ColonPositionFiles & files)
   return document;
 }
 
-/** A folder as VirtualColonoscopy writes it, as far as registration reads it. */
+/** Writes the files of a VirtualColonoscopy folder that registration reads. */
 inline void
 WriteExamination(const shapeton::ColonPositionFiles & files, const std::string & folder)
 {
@@ -247,7 +247,7 @@ WriteExamination(const shapeton::ColonPositionFiles & files, const std::string &
   shapeton::TableOfFolds(folds).Write(folder + "/folds/folds.csv");
 }
 
-/** Places all over the wall between the folds, in the first position and after the movement. */
+/** Points all over the wall between the folds, in the first position and after the movement. */
 inline std::vector<shapeton::PointPair>
 KnownPoints(const Movement & movement)
 {
