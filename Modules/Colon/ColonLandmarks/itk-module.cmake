@@ -1,5 +1,5 @@
 set(DOCUMENTATION "Landmarks of a colon: flexures of its centreline, the loops on the wall there, six segments, folds on the surface and the three
-taeniae, splitting along them.")
+taeniae coli; splitting along them.")
 
 itk_module(ColonLandmarks
   ENABLE_SHARED

@@ -1,5 +1,5 @@
-set(DOCUMENTATION "From CT colonography, or a mask of the lumen, to the model of a colon: lumen, cleansed CT, centreline, distension
-and wall, with what was measured and the files that hold it.")
+set(DOCUMENTATION "Model of a colon from CT colonography or a mask of the lumen: lumen, cleansed CT, centreline, distension
+and wall, with measurements and files.")
 
 itk_module(ColonModel
   ENABLE_SHARED

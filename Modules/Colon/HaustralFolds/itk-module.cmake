@@ -1,4 +1,4 @@
-set(DOCUMENTATION "Haustral folds on the flat map of a colon by a least cut of curvature: labels, lengths, end points and how sure they are.")
+set(DOCUMENTATION "Haustral folds on the flat map of a colon by a minimum cut of curvature: labels, lengths, end points and reliability.")
 
 itk_module(HaustralFolds
   ENABLE_SHARED

@@ -31,7 +31,7 @@ namespace shapeton
  * \ingroup ColonCentreline */
 ///@{
 
-/** Why the wall is not seen at a point of the centreline. The numbers are those of the array notAssessable. */
+/** Why the wall is not visible at a point of the centerline. The values are those of the array notAssessable. */
 enum class ColonHindrance
 {
   None = 0,

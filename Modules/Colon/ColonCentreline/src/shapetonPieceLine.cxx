@@ -68,7 +68,7 @@ EndAt(const PathTree & paths, const std::vector<int> & core, const std::vector<i
   return end;
 }
 
-/** The nodes at the wall whose paths are within the caliber of the end as long as that to the farthest one. */
+/** The nodes at the wall whose path length is within the caliber of the end of the longest one. */
 std::vector<int>
 NodesAtEnd(const LumenGrid &        grid,
            const PathTree &         paths,

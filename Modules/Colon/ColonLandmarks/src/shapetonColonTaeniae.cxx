@@ -124,9 +124,9 @@ WarnOfMarkersThatDisagree(ColonTaeniae & result)
   {
     if (result.markers[m].distanceOfTaenia > leastContradiction)
     {
-      result.warnings.push_back("marker " + std::to_string(m + 1) + " lies " +
+      result.warnings.push_back("marker " + std::to_string(m + 1) + " is " +
                                 std::to_string(static_cast<int>(std::lround(result.markers[m].distanceOfTaenia))) +
-                                " mm beside another marker of taenia " + std::to_string(result.markers[m].taenia) +
+                                " mm from another marker of taenia " + std::to_string(result.markers[m].taenia) +
                                 ", which passes through the other marker: remove one of them");
     }
   }

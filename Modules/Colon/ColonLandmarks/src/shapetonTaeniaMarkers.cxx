@@ -68,7 +68,7 @@ LocateMarkers(const std::vector<Eigen::Vector3d> & markers,
     pass.point = marker;
     if (pass.place.distance > farthestMarker)
     {
-      throw InputError("marker " + std::to_string(passes.size() + 1) + " lies " +
+      throw InputError("marker " + std::to_string(passes.size() + 1) + " is " +
                        std::to_string(static_cast<int>(std::lround(pass.place.distance))) +
                        " mm from the wall; markers of taeniae must be on it (LPS, mm). Set it on this surface.");
     }

@@ -58,8 +58,8 @@ struct FlatColonTick
   double distance{ 0.0 };
 };
 
-/** Where the distance along the centreline is a multiple of `step` (mm, greater than 0). A value that holds on over
- * several columns has its mark at the first. \ingroup FlatColon */
+/** Ticks at multiples of `step` (mm, greater than 0) of the distance along the centerline. A value that is constant
+ * over several columns has its tick at the first. \ingroup FlatColon */
 FlatColon_EXPORT std::vector<FlatColonTick>
                  RulerTicks(const std::vector<double> & distanceOfColumns, double step);
 } // namespace shapeton
