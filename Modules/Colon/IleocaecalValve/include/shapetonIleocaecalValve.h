@@ -24,8 +24,7 @@ struct IleocaecalValve
   /** Distance along the centerline from the anal verge. */
   double arcLength{ 0.0 };
   /** Extent of the bulge across its axis: greatest width (of two lips from end to end), and least width of the larger
-   * lip.
-   */
+   * lip. */
   double length{ 0.0 };
   double width{ 0.0 };
   /** Median HU inside: lips contain fat. NaN without a CT. */
@@ -64,8 +63,8 @@ FindIleocaecalValve(const LumenMask * labels, const itk::Image<float, 3> * ct, c
 /** Stores the valve in the curve, or removes it. \ingroup IleocaecalValve */
 IleocaecalValve_EXPORT void
 SetIleocaecalValve(const std::optional<IleocaecalValve> & valve, CurveSet & centreline);
-/** The valve stored in a centerline; empty without one. Throws InputError for an array of the wrong size. \ingroup
- * IleocaecalValve */
+/** The valve stored in a centerline; empty without one. Throws InputError for an array of the wrong size.
+ * \ingroup IleocaecalValve */
 IleocaecalValve_EXPORT std::optional<IleocaecalValve>
                        IleocaecalValveOf(const CurveSet & centreline);
 ///@}
