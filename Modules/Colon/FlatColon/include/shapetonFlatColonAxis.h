@@ -29,8 +29,8 @@ struct FlatColonFrame
 };
 
 /** Computes the axis. `smoothing` is a standard deviation in mm of the map; 0 uses a fifth of the circumference.
- * Columns without faces are filled from their neighbors; throws InputError when no column has a face. \ingroup
- * FlatColon */
+ * Columns without faces are filled from their neighbors; throws InputError when no column has a face.
+ * \ingroup FlatColon */
 FlatColon_EXPORT FlatColonAxis
 MakeFlatColonAxis(const FlatColonGrid & grid, double smoothing = 0.0);
 
@@ -46,8 +46,8 @@ FlatColon_EXPORT std::vector<double>
 
 /** Distance of each column from a centerline with the point array arcLength (mm): the centers of the columns are
  * assigned to its vertices in order, with the least squared distances and no column before the one to its left.
- * Touching loops of the colon do not mislead it. Throws InputError when the centerline has no arcLength. \ingroup
- * FlatColon */
+ * Touching loops of the colon do not mislead it. Throws InputError when the centerline has no arcLength.
+ * \ingroup FlatColon */
 FlatColon_EXPORT std::vector<double>
                  DistanceOfColumns(const FlatColonAxis & axis, const CurveSet & centreline);
 } // namespace shapeton
