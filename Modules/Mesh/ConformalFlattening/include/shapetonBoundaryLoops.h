@@ -10,24 +10,24 @@ namespace shapeton
 /** A closed boundary of a surface. \ingroup ConformalFlattening */
 struct BoundaryLoop
 {
-  /** In the order of the boundary, with the surface on the left as seen from outside. */
+  /** Vertices in boundary order, with the surface on the left as seen from outside. */
   std::vector<int> vertices;
-  /** Of its straight edges, mm. */
+  /** Length of the straight edges (mm). */
   double length{ 0.0 };
 };
 
-/** The boundary loops of a surface, the longest first, of equally long ones that with the least vertex. Loop number i
- * of tools and statistics is element i - 1. Throws InputError where a boundary is not closed or touches itself or
- * another one in a vertex. \ingroup ConformalFlattening */
+/** Returns the boundary loops of a surface, longest first; ties are broken by the lowest vertex index. Loop number i of
+ * tools and statistics is element i - 1. Throws InputError if a boundary is not closed, or touches itself or another
+ * boundary at a vertex. \ingroup ConformalFlattening */
 ConformalFlattening_EXPORT std::vector<BoundaryLoop>
                            BoundaryLoopsByLength(const SurfaceConnectivity & connectivity, const VertexMatrix & V);
 
-/** For each vertex the element of the loops that it lies on, or -1. \ingroup ConformalFlattening */
+/** For each vertex, the index of its loop, or -1. \ingroup ConformalFlattening */
 ConformalFlattening_EXPORT std::vector<int>
                            LoopOfVertices(const std::vector<BoundaryLoop> & loops, int numberOfVertices);
 
-/** Faces with all three corners on one loop: a function that is constant on the loop is constant on them, so that its
- * map gives them no area. In ascending order. \ingroup ConformalFlattening */
+/** Faces with all three corners on one loop, in ascending order. A function constant on the loop is constant on these
+ * faces, so their mapped area is zero. \ingroup ConformalFlattening */
 ConformalFlattening_EXPORT std::vector<int>
                            EarsOfLoops(const FaceMatrix & F, const std::vector<int> & loopOfVertices);
 } // namespace shapeton

@@ -11,14 +11,14 @@
 
 namespace shapeton
 {
-/** The lengths of edges that a flat map keeps conformally. \ingroup ConformalFlattening */
+/** Edge lengths that the flat map preserves conformally. \ingroup ConformalFlattening */
 enum class FlatMetric
 {
-  /** Straight lengths of edges. */
+  /** Straight edge lengths. */
   Euclidean,
-  /** Heat diffusion distances of all eigenpairs. */
+  /** Heat diffusion distances from all eigenpairs. */
   HeatDiffusion,
-  /** Those of the first eigenpairs, as published. */
+  /** Heat diffusion distances from the first eigenpairs, as published. */
   TruncatedHeatDiffusion
 };
 
@@ -26,82 +26,82 @@ enum class FlatMetric
 struct ColonFlatteningOptions
 {
   FlatMetric metric{ FlatMetric::HeatDiffusion };
-  /** Time of diffusion, mm^2; 0: DefaultDiffusionTime(), or the Euclidean metric where IsTooCoarseForDiffusion(). */
+  /** Diffusion time (mm^2). 0 selects DefaultDiffusionTime(), or the Euclidean metric if IsTooCoarseForDiffusion(). */
   double time{ 0.0 };
-  /** Of TruncatedHeatDiffusion. */
+  /** Number of eigenpairs of TruncatedHeatDiffusion. */
   int eigenpairs{ 50 };
-  /** Detects handles on the Euclidean map and cuts them out, several times if need be, before the map is made. */
+  /** Detects handles on the Euclidean map and removes them before the final map, repeatedly if necessary. */
   bool        removeHandles{ false };
   TubeOptions tube;
-  /** From the rectum to the caecum; tells the rectum where the surface does not name it. May be empty. */
+  /** Centerline from the rectum to the cecum; identifies the rectum if the surface does not name it. May be empty. */
   CurveSet centreline;
-  /** Told the stage and the share of the whole, from 0 to 1. */
+  /** Receives the stage name and the completed fraction of the whole run, from 0 to 1. */
   Progress progress;
 };
 
-/** A flattened colon with what was measured. \ingroup ConformalFlattening */
+/** A flattened colon with its measurements. \ingroup ConformalFlattening */
 struct ColonFlattening
 {
-  /** The tube that was flattened: prepared, without ears, without handles if they were removed, and with caps where
-   * pouches were cut off (UnfoldedTube). */
+  /** The flattened tube: prepared, without ears, without handles if they were removed, and with caps in place of
+   * cut-off pouches (UnfoldedTube). */
   SurfaceMesh surface;
   TubeMap     map;
-  /** How often u and v of the map were computed: once, where it had no folds. */
+  /** Number of times u and v were computed; 1 if the first map had no folds. */
   int                   solves{ 0 };
   std::vector<PouchCap> caps;
-  /** Faces that TrimEars() removed. */
+  /** Number of faces removed by TrimEars(). */
   int ears{ 0 };
-  /** The part of the area of the prepared tube that ears and cut off pouches had. */
+  /** Area of ears and cut-off pouches, as a fraction of the area of the prepared tube. */
   double     cutOffAreaFraction{ 0.0 };
   FlatMetric metric{ FlatMetric::HeatDiffusion };
-  /** mm^2; 0 for the Euclidean metric. */
+  /** Diffusion time (mm^2); 0 for the Euclidean metric. */
   double time{ 0.0 };
   int    eigenpairs{ 0 };
-  /** HeatDiffusionMetric::drownedEdges of the map's metric. */
+  /** HeatDiffusionMetric::drownedEdges of the metric of the map. */
   int drownedEdges{ 0 };
-  /** NarrowestLevelRadius(), mm; 0 where the time was given. */
+  /** NarrowestLevelRadius() (mm); 0 if the time was given. */
   double narrowestRadius{ 0.0 };
-  /** What told which end is the rectum: "rectumLoop", "centreline" or "firstLoop". */
+  /** Source of the rectum end: "rectumLoop", "centreline" or "firstLoop". */
   std::string rectumFrom;
   int         genusBefore{ 0 };
   int         genusAfter{ 0 };
-  /** In the metric of the map, and in space. */
+  /** Distortion in the metric of the map, and in space. */
   FlatDistortion  distortion;
   FlatDistortion  distortionInSpace;
   TriangleQuality quality;
   TriangleQuality qualityInSpace;
-  /** On the surface before removal; `flatPlace` is on the final map. */
+  /** Handles of the surface before removal; `flatPlace` is on the final map. */
   HandleDetection handles;
-  /** Flipped faces farther than 3 rings from a handle. */
+  /** Flipped faces more than 3 rings away from a handle. */
   int     flipsAwayFromHandles{ 0 };
   Remarks warnings;
 };
 
-/** From a tube to its flat map: preparation, metric, map, handles. Throws InputError that begins with `what` where the
- * surface is no tube, and for a time that suits no metric; ParameterError for a time below 0 or not finite.
- * \ingroup ConformalFlattening */
+/** Flattens a tube: preparation, metric, map, handle removal. Throws InputError with the prefix `what` if the surface
+ * is not a tube or the time does not suit a metric; ParameterError if the time is negative or not finite. \ingroup
+ * ConformalFlattening */
 ConformalFlattening_EXPORT ColonFlattening
 FlattenColon(SurfaceMesh mesh, const std::string & what, const ColonFlatteningOptions & options = {});
 
-/** The statistics for programs. Keys: faces, genusBefore, genusAfter, metric, time (mm^2), eigenpairs (null: all),
- * drownedEdges, modulusU, modulusV, modulusGap (relative), circumference, length (mm), flips, flipsAwayFromHandles,
- * solves, ears (faces), caps (a list of neck in mm, area in mm^2 and place in LPS mm), cutOffAreaFraction, dilatation
- * and dilatationInSpace (median, p95, p99: of faces of the wall, not of caps, that are not flipped, each counting
- * once), triangleQuality and triangleQualityInSpace (mean, shareBelowThreshold, histogram), handles (a list of genus,
- * place, flatPlace, radius), falseAlarms, rectumFrom, narrowestRadius (mm; null: not needed). Numbers are rounded to 9
- * significant digits. \ingroup ConformalFlattening */
+/** Statistics as JSON. Keys: faces, genusBefore, genusAfter, metric, time (mm^2), eigenpairs (null: all), drownedEdges,
+ * modulusU, modulusV, modulusGap (relative), circumference, length (mm), flips, flipsAwayFromHandles, solves, ears
+ * (faces), caps (a list of neck in mm, area in mm^2 and place in LPS mm), cutOffAreaFraction, dilatation and
+ * dilatationInSpace (median, p95, p99 over unflipped wall faces without caps, each counted once), triangleQuality and
+ * triangleQualityInSpace (mean, shareBelowThreshold, histogram), handles (a list of genus, place, flatPlace, radius),
+ * falseAlarms, rectumFrom, narrowestRadius (mm; null: not needed). Numbers are rounded to 9 significant digits.
+ * \ingroup ConformalFlattening */
 ConformalFlattening_EXPORT Json
 ColonFlatteningToJson(const ColonFlattening & flattening);
 
-/** Writes the handles as points of a VTP file with the arrays genus, uv and radius (mm), and these facts; no points
- * where there are no handles. Throws OutputError. \ingroup ConformalFlattening */
+/** Writes the handles as points of a VTP file with the arrays genus, uv and radius (mm), and these facts. Without
+ * handles the file has no points. Throws OutputError. \ingroup ConformalFlattening */
 ConformalFlattening_EXPORT void
 WriteHandles(const std::vector<SurfaceHandle> &                       handles,
              const std::vector<std::pair<std::string, std::string>> & facts,
              const std::string &                                      path);
 
-/** The points of the only curve. Throws InputError that begins with `what` where there are several curves, or it is a
- * point. \ingroup ConformalFlattening */
+/** Returns the points of the only curve. Throws InputError with the prefix `what` if there are several curves, or the
+ * curve is a single point. \ingroup ConformalFlattening */
 ConformalFlattening_EXPORT std::vector<Eigen::Vector3d>
                            OnlyCurve(const CurveSet & curves, const std::string & what);
 } // namespace shapeton

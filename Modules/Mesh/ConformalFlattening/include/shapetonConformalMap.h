@@ -10,16 +10,16 @@
 
 namespace shapeton
 {
-/** Where to map a surface. \ingroup ConformalFlattening */
+/** Target domain of a conformal map. \ingroup ConformalFlattening */
 enum class ConformalDomain
 {
   /** One boundary: a rectangle with four corners. Several: the logarithm of the slit map, a strip cut open from the
-   * outer to the inner boundary, in which slits are segments of constant u. */
+   * outer to the inner boundary; slits become segments of constant u. */
   Rectangle,
-  /** An outer and one inner boundary: concentric circles. */
+  /** One outer and one inner boundary: concentric circles. */
   Annulus,
-  /** An outer and any number of inner boundaries: an annulus with concentric circular slits, one for each choice of the
-   * boundary that becomes the inner circle. */
+  /** One outer and any number of inner boundaries: an annulus with concentric circular slits, one map for each choice
+   * of the boundary that becomes the inner circle. */
   Slit
 };
 
@@ -27,8 +27,8 @@ enum class ConformalDomain
 struct ConformalMapOptions
 {
   ConformalDomain domain{ ConformalDomain::Slit };
-  /** Numbers of boundaries from 1 in the order of BoundaryLoopsByLength(); 0: the longest one as outer, and the longest
-   * one left as inner. */
+  /** Boundary numbers, from 1, in the order of BoundaryLoopsByLength(). 0 selects the longest one as outer, and the
+   * longest remaining one as inner. */
   int outerBoundary{ 0 };
   int innerBoundary{ 0 };
   /** Four vertices of the only boundary as for MapQuadrilateral(); none: SpreadCorners(). */
@@ -55,30 +55,30 @@ struct ConformalMap
   /** 0 unless there are handles. */
   int                       genus{ 0 };
   std::vector<BoundaryLoop> loops;
-  /** Elements of `loops`; the inner one is -1 where there is one boundary. */
+  /** Indices into `loops`; the inner one is -1 for a surface with one boundary. */
   int outer{ 0 };
   int inner{ -1 };
-  /** Of the rectangle of one boundary; none otherwise. */
+  /** Corners of the rectangle of a surface with one boundary; empty otherwise. */
   std::vector<int> corners;
   /** Height over width of the rectangle, or 2 pi / ln(R / r) of the annulus, as in QuadrilateralMap and SlitMap. */
   double modulusU{ 0.0 };
   double modulusV{ 0.0 };
-  /** The map of `inner`, and with Slit those of all inner boundaries; none for a rectangle of one boundary. */
+  /** The slit map of `inner`, and for Slit those of all inner boundaries; empty for a rectangle with one boundary. */
   std::vector<SlitMap> slitMaps;
-  /** In the metric of the map. */
+  /** Distortion in the metric of the map. */
   FlatDistortion distortion;
-  /** Faces that the map gives no area, see EarsOfLoops() (and, with four corners, those on one side); they are no
-   * flips.
-   */
+  /** Faces with zero mapped area, see EarsOfLoops() (and, with four corners, those on one side). They do not count as
+   * flips. */
   std::vector<int> ears;
-  /** Flipped faces that are no ears. */
+  /** Flipped faces, ears excluded. */
   int flips{ 0 };
-  /** Those of them that touch a slit: at its ends the map is a square root, which no triangle can be. */
+  /** Flipped faces that touch a slit. At slit ends the map behaves like a square root, which piecewise linear maps
+   * cannot represent. */
   int flipsAtSlits{ 0 };
-  /** Over the faces that are neither. */
+  /** Dilatation over faces that are neither flipped nor ears. */
   DistortionQuantiles dilatation;
-  /** How often the map was computed: again, with weights of edges brought nearer to 1, where faces away from slits were
-   * flipped, though there is no handle. */
+  /** Number of times the map was computed. It is recomputed with edge weights closer to 1 if faces away from slits were
+   * flipped although the surface has no handle. */
   int     solves{ 1 };
   Remarks warnings;
 
@@ -87,17 +87,17 @@ struct ConformalMap
   ModulusGap() const;
 };
 
-/** Maps a surface to the plane. One with handles is mapped with a warning: the map is conformal away from them as far
- * as they are small. Throws InputError, which begins with `what`, where the surface is not one manifold, oriented
- * component, has too few or too many boundaries for the domain, a boundary or corner does not exist, and as
- * MakeSurfaceLaplacian() does. \ingroup ConformalFlattening */
+/** Maps a surface to the plane. A surface with handles is mapped with a warning: the map is conformal away from small
+ * handles. Throws InputError with the prefix `what` if the surface is not a single oriented manifold component, the
+ * domain does not allow its number of boundaries, or a boundary or corner does not exist; also throws as
+ * MakeSurfaceLaplacian(). \ingroup ConformalFlattening */
 ConformalFlattening_EXPORT ConformalMap
 MapConformally(const SurfaceMesh & mesh, const ConformalMapOptions & options, const std::string & what);
 
-/** The figures for programs. Keys, whose names stay: faces, genus, domain, boundaries (a list of number, vertices,
- * length in mm, role), outerBoundary, innerBoundary, corners, modulusU, modulusV, modulusGap, flips, flipsAtSlits,
- * solves, ears, dilatation (median, p95, p99), slitMaps (a list of innerBoundary, modulusU, modulusV, and for each
- * boundary logRadius and turns). \ingroup ConformalFlattening */
+/** Statistics as JSON. The keys are stable: faces, genus, domain, boundaries (a list of number, vertices, length in mm,
+ * role), outerBoundary, innerBoundary, corners, modulusU, modulusV, modulusGap, flips, flipsAtSlits, solves, ears,
+ * dilatation (median, p95, p99), slitMaps (a list of innerBoundary, modulusU, modulusV, and for each boundary
+ * logRadius and turns). \ingroup ConformalFlattening */
 ConformalFlattening_EXPORT Json
 ConformalMapToJson(const ConformalMap & map);
 } // namespace shapeton

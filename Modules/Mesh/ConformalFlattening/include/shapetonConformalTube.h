@@ -8,13 +8,13 @@
 
 namespace shapeton
 {
-/** How the second coordinate of a tube is computed. \ingroup ConformalFlattening */
+/** Method for the second coordinate of a tube. \ingroup ConformalFlattening */
 enum class TubeConjugate
 {
   /** A second Laplacian with a unit jump across the cut and natural boundaries. */
   Laplacian,
-  /** As published: the Hodge star of du in each face, averaged over the faces of each edge, is summed along a tree of
-   * edges. Handles make the sum depend on the tree. */
+  /** As published: the Hodge star of du in each face, averaged over the faces of each edge and summed along an edge
+   * tree. With handles the sum depends on the tree. */
   Published
 };
 
@@ -22,12 +22,13 @@ enum class TubeConjugate
 struct TubeOptions
 {
   TubeConjugate conjugate{ TubeConjugate::Laplacian };
-  /** A curve near which the tube is cut, such as a taenia; LPS, mm. Empty: a path is found. */
+  /** Curve near which to cut the tube, such as a taenia (LPS, mm). Empty: a path is computed. */
   std::vector<Eigen::Vector3d> cutCurve;
-  /** Edges within so many rings of a saddle of u cost saddleCost times their length: that is where handles are. */
+  /** Within this many rings of a saddle of u, edges cost saddleCost times their length, because saddles mark handles.
+   */
   int    saddleRings{ 3 };
   double saddleCost{ 1000.0 };
-  /** It may throw in order to abort. */
+  /** May throw to abort. */
   Progress progress;
 };
 
@@ -36,14 +37,14 @@ struct TubeMap
 {
   /** A flat surface with `circumference` and `length`. */
   SurfaceMesh flat;
-  /** For each vertex of the tube, 0 on its first loop and 1 on the second: harmonic. */
+  /** Harmonic coordinate of each tube vertex: 0 on the first loop, 1 on the second. */
   Eigen::VectorXd u;
-  /** The vertices of the tube along which it was cut, from the first loop to the second. */
+  /** Tube vertices along the cut, from the first loop to the second. */
   std::vector<int> cutPath;
-  /** \name Circumference over length of the rectangle that is conformally equivalent
-   * modulusU = E(u), the integral of |grad u|^2, is not less than the true one; modulusV = 1 / E(v), with v of period
-   * 1, is not greater (Dirichlet's principle), if there are no handles: their gap is the error bar. For the published
-   * route modulusV is the mean period of the summed v. */
+  /** \name Circumference over length of the conformally equivalent rectangle
+   * Without handles, modulusU = E(u), the integral of |grad u|^2, is an upper bound of the true modulus, and modulusV
+   * = 1 / E(v), with v of period 1, a lower bound (Dirichlet's principle). Their gap is the error bar. For the
+   * published method modulusV is the mean period of the summed v. */
   ///@{
   double modulusU{ 0.0 };
   double modulusV{ 0.0 };
@@ -56,24 +57,24 @@ struct TubeMap
   ///@}
   double circumference{ 0.0 }; ///< mm
   double length{ 0.0 };        ///< mm
-  /** Critical points of u with their multiplicity, two for each handle at least; none on an ideal tube. */
+  /** Critical points of u with multiplicity: at least two per handle, none on an ideal tube. */
   int saddles{ 0 };
 };
 
-/** Maps a tube to the plane, conformally in the metric of these lengths of edges (dissertation 5.3).
+/** Maps a tube to the plane, conformally in the metric given by the edge lengths (dissertation 5.3).
  *
- * u is harmonic, 0 and 1 on the loops; a path from loop to loop that avoids handles is the cut; v is the harmonic
- * function that grows by 1 around the tube and has natural boundaries. uv = (length u, circumference v), circumference
- * as in \ref FlatSurface and length = circumference / sqrt(modulusU modulusV), which makes the map as conformal as it
- * can be. Seen from inside with u to the right, v points up.
+ * u is harmonic, 0 and 1 on the loops. The cut is a path from loop to loop that avoids handles. v is the harmonic
+ * function that grows by 1 around the tube, with natural boundaries. uv = (length u, circumference v), with the
+ * circumference of \ref FlatSurface and length = circumference / sqrt(modulusU modulusV), which minimizes conformal
+ * distortion. Seen from inside with u to the right, v points up.
  *
- * The surface has to be cut along edges, so v leaves [0, circumference] by as much as the cut deviates from a line of
- * v = 0, and a point (u, v) is also a point (u, v + circumference). The path found is a shortest one, laid a second
- * time along v = 0 when v is known. It keeps away from handles.
+ * The cut follows edges, so v leaves [0, circumference] by the deviation of the cut from the line v = 0; the points (u,
+ * v) and (u, v + circumference) are equivalent. The computed path is a shortest path that avoids handles, recomputed
+ * along v = 0 once v is known.
  *
- * \param edgeLengths in the order of the edges of the connectivity, in any metric and unit.
- * \pre The surface is a tube: FindTubeEnds(). Throws InputError as MakeSurfaceLaplacian() does, and where the cut curve
- * is far from the surface. \ingroup ConformalFlattening */
+ * \param edgeLengths in the edge order of the connectivity, in any metric and unit.
+ * \pre The surface is a tube: FindTubeEnds(). Throws InputError as MakeSurfaceLaplacian(), and if the cut curve is far
+ * from the surface. \ingroup ConformalFlattening */
 ConformalFlattening_EXPORT TubeMap
 FlattenTube(const SurfaceMesh &         mesh,
             const SurfaceConnectivity & connectivity,
@@ -81,22 +82,23 @@ FlattenTube(const SurfaceMesh &         mesh,
             const TubeEnds &            ends,
             const TubeOptions &         options = {});
 
-/** The harmonic function with 0 on the first loop and 1 on the second. \ingroup ConformalFlattening */
+/** The harmonic function that is 0 on the first loop and 1 on the second. \ingroup ConformalFlattening */
 ConformalFlattening_EXPORT Eigen::VectorXd
 HarmonicAlongTube(const SurfaceLaplacian & laplacian, const TubeEnds & ends, const Progress & progress = {});
 
-/** The mean length of the level sets of u, 0 <= u <= 1, on the surface in space: the integral of |grad u|; mm.
- * \ingroup ConformalFlattening */
+/** Mean length of the level sets of u, 0 <= u <= 1, on the surface in space: the integral of |grad u| (mm). \ingroup
+ * ConformalFlattening */
 ConformalFlattening_EXPORT double
 MeanLevelLength(const SurfaceMesh & mesh, const Eigen::VectorXd & u);
 
-/** The lengths of the level sets u = (i + 1/2) / number, i = 0, 1, ...; mm. \ingroup ConformalFlattening */
+/** Lengths of the level sets u = (i + 1/2) / number, i = 0, 1, ... (mm). \ingroup ConformalFlattening */
 ConformalFlattening_EXPORT Eigen::VectorXd
                            LevelLengths(const SurfaceMesh & mesh, const Eigen::VectorXd & u, int number);
 
-/** The least of 500 level lengths over 2 pi, mm: the radius for DefaultDiffusionTime(). It is the way around the tube
- * along its folds that diffusion takes; the greatest ball inside is smaller. Levels through faces with the cell array
- * `bridged` are left out, as those are synthetic; all count where none is left. \ingroup ConformalFlattening */
+/** The smallest of 500 level lengths divided by 2 pi (mm): the radius for DefaultDiffusionTime(). It measures the way
+ * around the tube along its folds, which diffusion follows; the largest inscribed ball is smaller. Levels through
+ * faces with the cell array `bridged` are skipped because those faces are synthetic; if no level remains, all are
+ * used. \ingroup ConformalFlattening */
 ConformalFlattening_EXPORT double
 NarrowestLevelRadius(const SurfaceMesh & mesh, const Eigen::VectorXd & u);
 } // namespace shapeton

@@ -17,29 +17,29 @@ namespace shapeton
  * \ingroup ConformalFlattening */
 ///@{
 
-/** A cut surface with its places in the plane, a row for each of its vertices. Throws InputError where a place is not
- * finite or a row is missing. */
+/** Builds a flat surface from a cut surface and its plane coordinates, one row per vertex. Throws InputError if a
+ * coordinate is not finite or a row is missing. */
 ConformalFlattening_EXPORT SurfaceMesh
 MakeFlatSurface(CutSurface cut, const Eigen::MatrixX2d & uv);
 
-/** Gives a flat surface `circumference` and `length`, mm. */
+/** Sets `circumference` and `length` of a flat surface (mm). */
 ConformalFlattening_EXPORT void
 SetFlatExtent(SurfaceMesh & flat, double circumference, double length);
 
-/** `uv`, a row for each vertex. Throws InputError that begins with `what` where there is none, and names the tool that
- * makes it. */
+/** Returns `uv`, one row per vertex. If it is missing, throws InputError with the prefix `what` that names the tool to
+ * run. */
 ConformalFlattening_EXPORT Eigen::MatrixX2d
                            FlatCoordinates(const SurfaceMesh & flat, const std::string & what);
 
-/** `circumference` in mm. Throws InputError that begins with `what` where there is none, or it is not positive. */
+/** Returns `circumference` (mm). Throws InputError with the prefix `what` if it is missing or not positive. */
 ConformalFlattening_EXPORT double
 FlatCircumference(const SurfaceMesh & flat, const std::string & what);
 
-/** `length` in mm; as FlatCircumference(). */
+/** Returns `length` (mm); errors as FlatCircumference(). */
 ConformalFlattening_EXPORT double
 FlatLength(const SurfaceMesh & flat, const std::string & what);
 
-/** `sourcePointId`. Throws InputError that begins with `what` where there is none. */
+/** Returns `sourcePointId`. Throws InputError with the prefix `what` if it is missing. */
 ConformalFlattening_EXPORT std::vector<int>
                            FlatSourcePoints(const SurfaceMesh & flat, const std::string & what);
 ///@}

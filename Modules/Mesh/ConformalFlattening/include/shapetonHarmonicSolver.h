@@ -15,18 +15,18 @@ namespace shapeton
  * \brief Functions on a surface with given values at some vertices and a given Laplacian at the others.
  *
  * Solves (L x)_i = source_i at the free vertices i, x = given at the fixed ones; boundaries without fixed vertices are
- * natural (Neumann). With source 0 this is the harmonic function of the fixed values. L is factorised once by
- * SparseCholesky, any number of right-hand sides follow. The same input gives the same bytes.
+ * natural (Neumann). With source 0 this is the harmonic extension of the fixed values. L is factorized once by
+ * SparseCholesky and reused for all right-hand sides. Results are bitwise reproducible.
  *
  * \ingroup ConformalFlattening
  */
 class ConformalFlattening_EXPORT HarmonicSolver
 {
 public:
-  /** Throws InputError where a fixed vertex does not exist or is named twice, a component of the surface has no fixed
-   * vertex (the solution would not be unique), or the factorisation breaks down. */
+  /** Throws InputError if a fixed vertex does not exist or is repeated, a component of the surface has no fixed vertex
+   * (the solution would not be unique), or the factorization fails. */
   HarmonicSolver(const SurfaceLaplacian & laplacian, std::vector<int> fixedVertices, const Progress & progress = {});
-  /** \param symbolic Analyse() of the surface: finding it is two thirds of the work, and it serves any fixed vertices
+  /** \param symbolic Analyse() of the surface. It takes two thirds of the work and can be reused for any fixed vertices
    * and any metric. */
   HarmonicSolver(const SurfaceLaplacian &      laplacian,
                  std::vector<int>              fixedVertices,
@@ -37,11 +37,12 @@ public:
   HarmonicSolver &
   operator=(HarmonicSolver &&) noexcept;
 
-  /** \param fixedValues a row for each fixed vertex, in the order given to the constructor, a column for each function.
-   * \param source a row for each vertex of the surface, of which those of fixed vertices count for nothing, and a
-   * column for each function; empty for 0. Unit: that of the function, as L has none.
-   * \return a row for each vertex, a column for each function. Throws InputError where sizes do not fit or the solution
-   * is not finite. */
+  /** \param fixedValues one row for each fixed vertex, in the order given to the constructor; one column for each
+   * function.
+   * \param source one row for each vertex of the surface (rows of fixed vertices are ignored), one column for each
+   * function; empty for 0. Same unit as the function, because L is dimensionless.
+   * \return one row for each vertex, one column for each function. Throws InputError if sizes do not match or the
+   * solution is not finite. */
   Eigen::MatrixXd
   Solve(const Eigen::MatrixXd & fixedValues, const Eigen::MatrixXd & source = {}) const;
 

@@ -9,23 +9,23 @@
 
 namespace shapeton
 {
-/** A holomorphic 1-form df + i *df by its integral (dissertation 5.2.2, Figure 5.3 d to f): f is harmonic, 1 on one
- * inner boundary and 0 on all others (5.12), *df is its conjugate. \ingroup ConformalFlattening */
+/** A holomorphic 1-form df + i *df, stored as its integral (dissertation 5.2.2, Figure 5.3 d to f). f is harmonic, 1 on
+ * one inner boundary and 0 on all others (5.12); *df is its conjugate. \ingroup ConformalFlattening */
 struct HolomorphicForm
 {
-  /** The element of the loops on which f is 1. */
+  /** Index of the loop on which f is 1. */
   int inner{ -1 };
-  /** The surface, cut open from the outer to each inner boundary: across these cuts the conjugate jumps. The vertices
-   * of the surface keep their numbers. */
+  /** The surface, cut open from the outer to each inner boundary; the conjugate jumps across these cuts. The surface
+   * vertices keep their indices. */
   SurfaceMesh mesh;
-  /** For each vertex of `mesh` f and its conjugate, which is 0 at no particular place. */
+  /** f and its conjugate at each vertex of `mesh`. The additive constant of the conjugate is arbitrary. */
   Eigen::MatrixX2d values;
 };
 
 /** The forms of all inner boundaries, in the order of the slit maps. f_j and its conjugate are sums of -logRadius and
- * -angle of the slit maps with the same weights, those with which f_j is 1 and 0 on the boundaries. Throws
- * ParameterError for a map of another domain than ConformalDomain::Slit, which does not hold all slit maps.
- * \ingroup ConformalFlattening */
+ * -angle of the slit maps, with the weights that make f_j 1 and 0 on the boundaries. Throws ParameterError unless the
+ * domain of the map is ConformalDomain::Slit, because other maps do not hold all slit maps. \ingroup
+ * ConformalFlattening */
 ConformalFlattening_EXPORT std::vector<HolomorphicForm>
                            HolomorphicFormsOf(const ConformalMap & map);
 } // namespace shapeton

@@ -8,28 +8,29 @@
 
 namespace shapeton
 {
-/** The conformal map of a surface onto an annulus with concentric circular slits, as its logarithm.
- * \ingroup ConformalFlattening */
+/** Logarithm of the conformal map of a surface onto an annulus with concentric circular slits. \ingroup
+ * ConformalFlattening */
 struct SlitMap
 {
-  /** The element of the loops that becomes the inner circle. */
+  /** Index of the loop that becomes the inner circle. */
   int inner{ -1 };
-  /** For each vertex the logarithm of the radius; 0 on the outer circle, negative inside, constant on each loop. */
+  /** Logarithm of the radius at each vertex: 0 on the outer circle, negative inside, constant on each loop. */
   Eigen::VectorXd logRadius;
-  /** For each vertex its angle in radians, 0 at the first vertex of the outer loop. Counterclockwise as seen from
-   * outside the surface. In the corners `left` it is larger by 2 pi; the angle itself is not reduced to one turn. */
+  /** Angle at each vertex in radians, 0 at the first vertex of the outer loop, counterclockwise as seen from outside
+   * the surface. It is 2 pi larger in the corners `left`; it is not reduced to one turn. */
   Eigen::VectorXd angle;
-  /** Vertices from the outer to the inner loop, where the angle jumps; they go around as little as edges can. */
+  /** Vertices of the cut from the outer to the inner loop, across which the angle jumps; chosen to wind as little as
+   * possible. */
   std::vector<int> cut;
-  /** The corners left of the cut, see LeftCorners(). */
+  /** Corners left of the cut, see LeftCorners(). */
   std::vector<int> left;
-  /** For each loop its value of logRadius. */
+  /** Value of logRadius on each loop. */
   Eigen::VectorXd logRadiusOfLoops;
-  /** For each loop the flux of grad logRadius through it, outwards of the surface, in turns: 1 for the outer loop, -1
-   * for the inner one, 0 for the slits (5.16). */
+  /** Outward flux of grad logRadius through each loop, in turns: 1 for the outer loop, -1 for the inner one, 0 for the
+   * slits (5.16). */
   Eigen::VectorXd turnsOfLoops;
-  /** Two values of the modulus 2 pi / ln(R / r) of the annulus, circumference over length of the strip: from logRadius,
-   * not less than the true one, and from the energy of the angle, not greater (on a surface of genus 0). */
+  /** Two estimates of the modulus 2 pi / ln(R / r) of the annulus, circumference over length of the strip. On a surface
+   * of genus 0, the one from logRadius is an upper bound and the one from the angle's energy a lower bound. */
   double modulusU{ 0.0 };
   double modulusV{ 0.0 };
 };
@@ -42,12 +43,12 @@ struct SlitMap
  * the others (5.16), which holds exactly for the discrete flux. As it is constant on each loop, these become two
  * circles and n - 1 circular slits.
  *
- * The angle is the conjugate function: a second harmonic function, which jumps by 2 pi across one path from the outer
- * loop to loop k and has natural boundaries elsewhere. No path of integration is chosen, and the angle has no turn
- * around slits by itself. (The dissertation integrates an averaged Hodge star along a tree.)
+ * The angle is the conjugate function: a second harmonic function that jumps by 2 pi across one path from the outer
+ * loop to loop k and has natural boundaries elsewhere. No integration path is needed, and the angle has no period
+ * around slits. (The dissertation integrates an averaged Hodge star along a tree.)
  *
- * With handles the angle has no period around them either, and the map is conformal away from them as far as they are
- * small (5.2.2); the gap of the two moduli tells.
+ * With handles the angle has no period around them either, and the map is conformal away from small handles (5.2.2);
+ * the gap between the two moduli measures the error.
  *
  * \ingroup ConformalFlattening
  */
@@ -55,11 +56,11 @@ class ConformalFlattening_EXPORT SlitMapSolver
 {
 public:
   /** \param edgeLengths in any metric, such as that of heat diffusion.
-   * \param outer the element of `loops` that becomes the outer circle.
-   * \param weightLevels for each vertex 0, or from 1 to 6 how near to 1 the weights of its edges are brought so that no
-   * face is flipped; empty: 0. Fluxes and moduli are those of these weights.
-   * \pre One manifold, oriented component; the loops are those of BoundaryLoopsByLength(). Throws InputError where
-   * there are fewer than two loops or no such outer one, and as MakeSurfaceLaplacian() does. */
+   * \param outer index of the loop that becomes the outer circle.
+   * \param weightLevels for each vertex 0, or 1 to 6: how close to 1 the weights of its edges are clamped to avoid
+   * flipped faces; empty: 0. Fluxes and moduli use these weights.
+   * \pre One oriented manifold component; the loops are those of BoundaryLoopsByLength(). Throws InputError if there
+   * are fewer than two loops or the outer loop does not exist, and as MakeSurfaceLaplacian(). */
   SlitMapSolver(const SurfaceMesh &         mesh,
                 const SurfaceConnectivity & connectivity,
                 const Eigen::VectorXd &     edgeLengths,
@@ -69,7 +70,7 @@ public:
                 const Progress &            progress = {});
   ~SlitMapSolver();
 
-  /** Throws InputError where there is no such loop or it is the outer one. */
+  /** Throws InputError if the loop does not exist or is the outer one. */
   SlitMap
   Map(int inner, const Progress & progress = {}) const;
 
@@ -79,7 +80,7 @@ public:
   /** P, n x n, symmetric positive definite. */
   const Eigen::MatrixXd &
   Fluxes() const;
-  /** The elements of the loops without the outer one, ascending. */
+  /** Indices of all loops except the outer one, ascending. */
   const std::vector<int> &
   InnerLoops() const;
   const std::vector<BoundaryLoop> &

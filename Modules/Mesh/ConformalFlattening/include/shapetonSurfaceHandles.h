@@ -5,50 +5,48 @@
 
 namespace shapeton
 {
-/** A place where a flattened surface has handles. \ingroup ConformalFlattening */
+/** A handle, or a group of close handles, of a flattened surface. \ingroup ConformalFlattening */
 struct SurfaceHandle
 {
-  /** How many handles: more than 1 where several are too close to be told apart. */
+  /** Number of handles; more than 1 if several are too close to separate. */
   int genus{ 0 };
-  /** The mean of its vertices; LPS, mm. */
+  /** Mean of its vertices (LPS, mm). */
   Eigen::Vector3d place{ Eigen::Vector3d::Zero() };
-  /** The mean place of its faces in the plane. */
+  /** Mean position of its faces in the plane. */
   Eigen::Vector2d flatPlace{ Eigen::Vector2d::Zero() };
-  /** The greatest distance of its vertices from `place`, mm. */
+  /** Largest distance of its vertices from `place` (mm). */
   double radius{ 0.0 };
-  /** Its vertices on the surface that was flattened, one ring around the singular ones included; ascending. */
+  /** Its vertices on the flattened surface, including one ring around the singular ones; ascending. */
   std::vector<int> vertices;
 };
 
-/** The handles of a flat tube and what was taken for one by mistake. See DetectHandles().
- * \ingroup ConformalFlattening */
+/** Handles of a flat tube, with the number of false detections. See DetectHandles(). \ingroup ConformalFlattening */
 struct HandleDetection
 {
   /** In the order of their first vertices. */
   std::vector<SurfaceHandle> handles;
-  /** Clusters of singular vertices without a handle. */
+  /** Number of clusters of singular vertices without a handle. */
   int falseAlarms{ 0 };
-  /** The sum over the handles. */
+  /** Total genus of the handles. */
   int genus{ 0 };
 };
 
 /** Finds the handles of a surface from its flat map (dissertation 5.4.3).
  *
- * A flat map has no angle defect but where it is folded, and it must be folded at handles. Vertices with a defect of
- * more than 1e-6, with one ring around them, fall into clusters. By Gauss and Bonnet the defects of a cluster sum to
- * -4 pi times its genus; clusters with sum 0 are false alarms. The map needs to be right elsewhere: that of
- * FlattenTube() with the Laplacian, in any metric.
+ * A flat map has angle defects only at folds, and it must fold at handles. Vertices with a defect above 1e-6, dilated
+ * by one ring, form clusters. By Gauss-Bonnet the defects of a cluster sum to -4 pi times its genus; clusters with sum
+ * 0 are false alarms. The map must be unfolded elsewhere, as that of FlattenTube() with the Laplacian in any metric.
  *
- * \param connectivity of the surface before it was cut.
- * \param flat the flat surface, whose faces are those in their order.
- * Throws InputError where `flat` is no flat surface of that one. \ingroup ConformalFlattening */
+ * \param connectivity of the surface before the cut.
+ * \param flat the flat surface, with the same faces in the same order.
+ * Throws InputError if `flat` is not a flat surface of `connectivity`. \ingroup ConformalFlattening */
 ConformalFlattening_EXPORT HandleDetection
 DetectHandles(const SurfaceConnectivity & connectivity, const SurfaceMesh & flat);
 
-/** Marks the faces with a corner at most so many edges away from a vertex of a handle. \ingroup ConformalFlattening */
+/** Marks the faces with a corner at most this many edges away from a handle vertex. \ingroup ConformalFlattening */
 ConformalFlattening_EXPORT std::vector<char>
 FacesNearHandles(const SurfaceConnectivity & connectivity, const std::vector<SurfaceHandle> & handles, int rings);
-/** A surface without the handles that were cut out. \ingroup ConformalFlattening */
+/** A surface after handle removal. \ingroup ConformalFlattening */
 struct HandleRemoval
 {
   /** Point arrays of new vertices are means over the rim of the hole; cell arrays of new faces are 0, and the cell
@@ -57,16 +55,16 @@ struct HandleRemoval
   int         removedFaces{ 0 };
   int         filledHoles{ 0 };
   int         filledFaces{ 0 };
-  /** Of the handles that are left: those next to a boundary are not touched. */
+  /** Total genus of the remaining handles; handles next to a boundary are not removed. */
   int genus{ 0 };
 };
 
-/** Deletes the vertices of the handles with their faces, and what that cuts off, and fills the holes with triangles of
- * the size of those around them (Liepa, Filling holes in meshes, 2003), laid so that the surface bends least: the
- * squares of the uniform Laplacian at new vertices and at the rim sum to a minimum. Boundaries stay as they are.
+/** Deletes the handle vertices with their faces and any parts this disconnects, and fills the holes with triangles of
+ * the surrounding size (Liepa, Filling holes in meshes, 2003). The filling minimizes bending: the sum of squared
+ * uniform Laplacians at new vertices and at the rim. Boundaries are unchanged.
  *
- * \pre The surface is one manifold, oriented component, the handles are of it; else InputError.
- * \ingroup ConformalFlattening */
+ * \pre The surface is one oriented manifold component and the handles belong to it; else InputError. \ingroup
+ * ConformalFlattening */
 ConformalFlattening_EXPORT HandleRemoval
 RemoveHandles(const SurfaceMesh &                mesh,
               const SurfaceConnectivity &        connectivity,

@@ -14,14 +14,14 @@ namespace shapeton
 {
 namespace
 {
-/** In warnings, which go to result files, where no path belongs. */
+/** Name of the surface in warnings. Result files contain warnings, so it must not be a path. */
 constexpr const char * surfaceName = "the surface";
 constexpr int          ringsOfHandle = 3;
-constexpr int          mostRounds = 5;     // of removal
+constexpr int          mostRounds = 5;     // maximum number of removal rounds
 constexpr double       largeHandle = 30.0; // mm; loops of noise are smaller
-constexpr double       foldedShare = 0.01; // of the faces
+constexpr double       foldedShare = 0.01; // fraction of the faces
 
-/** The chain of one surface; m_Result fills up on the way. */
+/** The processing chain for one surface; fills m_Result step by step. */
 class ColonFlattener
 {
 public:
@@ -97,7 +97,7 @@ private:
     }
   }
 
-  /** All that depends on the faces, after each change of them. */
+  /** Updates everything that depends on the faces; called after each change of them. */
   void
   Connect()
   {
@@ -129,8 +129,8 @@ private:
     return least;
   }
 
-  /** The time given, or the default one, which needs to know how narrow the tube is; the Euclidean metric where no time
-   * would do. */
+  /** The given time, or the default time, which depends on the narrowest radius; the Euclidean metric if no time is
+   * suitable. */
   void
   ChooseTime()
   {
@@ -167,7 +167,7 @@ private:
       std::to_string(m_Result.narrowestRadius) + " mm: the metric is euclidean; take a finer surface");
   }
 
-  /** The lengths of the edges of a surface in the metric of the map. */
+  /** Edge lengths of a surface in the metric of the map. */
   Eigen::VectorXd
   MetricLengths(const SurfaceMesh & surface, const SurfaceConnectivity & connectivity, const Progress & progress)
   {
@@ -265,7 +265,7 @@ private:
     }
   }
 
-  /** Where the handles that were removed lie on the final map: at the nearest vertex. */
+  /** Positions of the removed handles on the final map: at the nearest vertex. */
   void
   PlaceOnMap()
   {

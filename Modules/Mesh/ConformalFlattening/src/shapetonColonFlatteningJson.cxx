@@ -24,7 +24,7 @@ NameOf(FlatMetric metric)
   }
 }
 
-/** With 9 significant digits. */
+/** Rounds to 9 significant digits. */
 Json
 Number(double value)
 {

@@ -11,7 +11,7 @@ namespace shapeton
 namespace
 {
 
-/** The points of the annulus, whose area is given, mm. \equation{5.17} by the parts of its logarithm. */
+/** Points of the annulus of the given area (mm). \equation{5.17} from the real and imaginary part of its logarithm. */
 Eigen::MatrixX2d
 PlacesInAnnulus(const SlitMap & map, double area)
 {

@@ -9,7 +9,7 @@ namespace shapeton
 std::vector<int>
 EarsOfSides(const FaceMatrix & F, const QuadrilateralMap & map);
 
-/** Flat surfaces as ConformalMap::flat describes them. */
+/** Flat surfaces as documented in ConformalMap::flat. */
 SurfaceMesh
 LayOutRectangle(const SurfaceMesh & mesh, const SurfaceConnectivity & connectivity, const QuadrilateralMap & map);
 SurfaceMesh

@@ -14,9 +14,9 @@ namespace shapeton
 {
 namespace
 {
-/** Part of a modulus: more than the grain of a mesh makes. */
+/** Relative gap of the moduli, larger than mesh discretization alone produces. */
 constexpr double wideGap = 0.1;
-/** Part of the outer circle. */
+/** Fraction of the outer circle. */
 constexpr double smallestCircle = 0.01;
 
 std::string
@@ -174,8 +174,8 @@ EarMarks(const ConformalMap & map)
   return isEar;
 }
 
-/** Counts flipped faces but for ears, and marks those away from slits: a map of a surface without handles need not have
- * any. */
+/** Counts flipped faces except ears, and marks those away from slits. On a surface without handles they are avoidable.
+ */
 std::vector<char>
 CountFlips(const FaceMatrix & sourceFaces, const SurfaceConnectivity & connectivity, ConformalMap & map)
 {
@@ -226,7 +226,7 @@ Warn(ConformalMap & map)
   }
 }
 
-/** Which boundaries go where. */
+/** Assigns the boundaries to the circles. */
 ConformalMap
 ChosenDomain(const SurfaceMesh & mesh, const SurfaceConnectivity & connectivity, const ConformalMapOptions & options)
 {
@@ -239,7 +239,7 @@ ChosenDomain(const SurfaceMesh & mesh, const SurfaceConnectivity & connectivity,
   return map;
 }
 
-/** A map of the domain chosen, with its distortion. */
+/** Maps to the chosen domain and computes the distortion. */
 ConformalMap
 MapOnce(const SurfaceMesh &         mesh,
         const SurfaceConnectivity & connectivity,
@@ -263,7 +263,7 @@ MapOnce(const SurfaceMesh &         mesh,
   return map;
 }
 
-/** Maps again, with weights bounded at flipped faces and at last everywhere, where faces are flipped needlessly. */
+/** Recomputes a map with avoidable flips, with weights clamped at flipped faces and finally everywhere. */
 ConformalMap
 MapSoundSurface(const SurfaceMesh & mesh, const SurfaceConnectivity & connectivity, const ConformalMapOptions & options)
 {

@@ -19,7 +19,7 @@ RoleOf(const ConformalMap & map, int loop)
   return loop == map.outer ? "outer" : loop == map.inner ? "inner" : "slit";
 }
 
-/** Rounded to 9 significant digits, so that rounding does not show. */
+/** Rounds to 9 significant digits, which hides rounding noise. */
 double
 Figure(double value)
 {

@@ -17,11 +17,11 @@ namespace shapeton
 {
 namespace
 {
-/** A path that deviates from the line v = 0 by this part of the circumference costs twice as much. */
+/** Deviation from the line v = 0 that doubles the path cost, as a fraction of the circumference. */
 constexpr double deviation = 1.0 / 12.0;
-/** Beyond this part of the circumference no path is looked for at first. */
+/** Half-width of the first search band, as a fraction of the circumference. */
 constexpr double band = 0.15;
-/** Vertices with more than this defect of angle, radians, belong to faces that are flipped or singular. */
+/** Vertices with a larger angle defect (radians) belong to flipped or singular faces. */
 constexpr double leastDefect = 1e-6;
 
 /** Values at the vertices of the ends: 0 on the first loop, 1 on the second. */
@@ -36,7 +36,7 @@ EndValues(const TubeEnds & ends)
 
 } // namespace
 
-/** All of one map, from its metric to the rectangle. */
+/** State of one map, from metric to rectangle. */
 class TubeSolver::Flattening
 {
 public:
@@ -77,7 +77,7 @@ public:
     return std::move(m_Map);
   }
 
-  /** \param levels of the vertices, for BoundedWeights(). */
+  /** \param levels vertex levels for BoundedWeights(). */
   void
   BoundWeights(const std::vector<int> & levels)
   {
@@ -85,7 +85,7 @@ public:
   }
 
 private:
-  /** The symbolic analysis beside the Laplacian. */
+  /** Symbolic analysis, run in parallel with the Laplacian. */
   void
   Prepare()
   {
@@ -115,7 +115,7 @@ private:
     }
   }
 
-  /** The costs of edges near vertices that the cut shall keep away from. */
+  /** Costs of edges near vertices that the cut avoids. */
   void
   Avoid(std::vector<char> isAvoided, int rings, Eigen::VectorXd & costs) const
   {
@@ -139,7 +139,7 @@ private:
     const bool isFinal = m_Options.conjugate == TubeConjugate::Published || !m_Options.cutCurve.empty();
     if (m_Map.saddles == 0 && !isFinal)
     {
-      // Without handles any path will do: the cut is laid again when v is known.
+      // Without handles any path works: the cut is recomputed when v is known.
       const std::vector<int> path = AscendingPath(m_Graph, m_Ends, m_Map.u);
       if (!path.empty())
       {
@@ -195,7 +195,7 @@ private:
     m_V = this->ValuesOfCut(lifted);
   }
 
-  /** Of a function that is continuous on the cut surface. */
+  /** Vertex values of a function that is continuous on the cut surface. */
   Eigen::VectorXd
   ValuesOfCut(const CornerValues & lifted) const
   {
@@ -207,8 +207,8 @@ private:
     return values;
   }
 
-  /** Cuts along v = 0 in place of the first path. It is not done, and the answer is false, where the two cuts do not
-   * bound together: they pass a handle on different sides of its hole, and v would be of several values. */
+  /** Moves the cut to v = 0. Returns false and keeps the first path if the two cuts together do not bound: they pass a
+   * handle on different sides of its hole, so v would be multivalued. */
   bool
   CutAlongLine(const Eigen::VectorXd & v, const CornerValues & lifted, const Progress & progress)
   {
@@ -232,7 +232,7 @@ private:
     return true;
   }
 
-  /** The cheapest path near v = 0, or the cheapest of all where the mesh is too coarse for one. */
+  /** The cheapest path near v = 0, or the overall cheapest if the mesh is too coarse for one. */
   std::vector<int>
   PathInBand(const Eigen::VectorXd & costs, const Eigen::VectorXd & v) const
   {
@@ -278,7 +278,7 @@ private:
     return CheapestPath(m_Graph, m_Ends, costs);
   }
 
-  /** Places in the plane of a map with this v, of any scale. */
+  /** Plane coordinates of a map with this v, up to scale. */
   CornerPlaces
   PlacesOfCorners(const CornerValues & lifted) const
   {
@@ -291,7 +291,7 @@ private:
     return places;
   }
 
-  /** The published conjugate, whose period need not be the same all along the cut. */
+  /** The published conjugate, whose period may vary along the cut. */
   void
   SumAlongTree()
   {
@@ -342,7 +342,7 @@ private:
   const TubeOptions &                  m_Options;
   std::optional<SymbolicFactorisation> m_Symbolic;
   SurfaceLaplacian                     m_Laplacian; ///< of the metric
-  SurfaceLaplacian                     m_Solved;    ///< with the weights that are solved with
+  SurfaceLaplacian                     m_Solved;    ///< with the weights of the solved system
   EdgeGraph                            m_Graph;
   Eigen::VectorXd                      m_Lengths; ///< in space
   std::unique_ptr<HarmonicSolver>      m_Along;

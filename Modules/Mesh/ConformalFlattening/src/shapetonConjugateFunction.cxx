@@ -25,7 +25,7 @@ StarAlongSide(const SideLengths & sides, Eigen::Index face, const std::array<dou
   return (withNext * steps[last] - withLast * steps[next]) / doubleArea;
 }
 
-/** The corner of a face at a vertex; -1 where there is none. */
+/** Corner of a face at a vertex, or -1. */
 int
 CornerOf(const FaceMatrix & F, int face, int vertex)
 {

@@ -6,14 +6,14 @@
 
 namespace shapeton
 {
-/** For each corner 3 * face + k a value. */
+/** One value for each corner 3 * face + k. */
 using CornerValues = std::vector<double>;
 
-/** A function of vertices with a jump, corner by corner: 1 is added at the corners left of the cut. */
+/** Corner values of a vertex function with a jump: adds 1 at the corners left of the cut. */
 CornerValues
 LiftedValues(const FaceMatrix & F, const Eigen::VectorXd & values, const std::vector<int> & leftCorners);
 
-/** The harmonic function with natural boundaries that is greater by 1 on the left of the cut, up to a constant. The
+/** The harmonic function with natural boundaries that is larger by 1 on the left of the cut, up to a constant. The
  * solver has one fixed vertex. */
 Eigen::VectorXd
 SolveWithUnitJump(const SurfaceLaplacian &    laplacian,
@@ -22,24 +22,24 @@ SolveWithUnitJump(const SurfaceLaplacian &    laplacian,
                   const SurfaceConnectivity & connectivity,
                   const std::vector<int> &    leftCorners);
 
-/** The integral of |grad x|^2 for a function that is linear in each face and has one difference along each edge. */
+/** The integral of |grad x|^2 for a function linear in each face, with one difference along each edge. */
 double
 EnergyOfCorners(const SurfaceLaplacian &    laplacian,
                 const SurfaceConnectivity & connectivity,
                 const FaceMatrix &          F,
                 const CornerValues &        values);
 
-/** The differences along the edges, from the lesser vertex on, of the published conjugate: the gradient of u turned by
- * 90 degrees in each face, clockwise as seen from outside, averaged over the faces of the edge. */
+/** Differences of the published conjugate along the edges, directed from the lower vertex index: the gradient of u in
+ * each face, rotated clockwise by 90 degrees as seen from outside, averaged over the faces of the edge. */
 Eigen::VectorXd
 AveragedHodgeStar(const FaceMatrix &          F,
                   const SurfaceConnectivity & connectivity,
                   const SideLengths &         sides,
                   const Eigen::VectorXd &     u);
 
-/** By how many turns the values of each face have to be raised so that they are continuous on a cut surface; the first
- * face keeps its own. The values are continuous in each face and, but for whole turns, across edges. The answer is
- * false where that cannot be. */
+/** Number of turns to add to the values of each face to make them continuous on a cut surface; the first face keeps its
+ * values. The input is continuous in each face and, up to whole turns, across edges. Returns false if no solution
+ * exists. */
 bool
 TurnsOfFaces(const FaceMatrix &          F,
              const SurfaceConnectivity & connectivity,
@@ -47,8 +47,8 @@ TurnsOfFaces(const FaceMatrix &          F,
              const CornerValues &        values,
              std::vector<int> &          turns);
 
-/** The sums of differences along a tree of edges of a cut surface, breadth first from vertex 0. The edges and the
- * differences are those of the whole surface. */
+/** Sums of differences along a breadth-first edge tree of a cut surface from vertex 0. The edges and differences are
+ * those of the uncut surface. */
 Eigen::VectorXd
 IntegrateAlongTree(const CutSurface &          cut,
                    const SurfaceConnectivity & connectivity,

@@ -9,7 +9,7 @@ namespace shapeton
 {
 namespace
 {
-/** For each vertex the number of its boundary loop from 1 on, 0 inside. */
+/** For each vertex the number of its boundary loop from 1; 0 inside. */
 std::vector<int>
 EndOfVertices(const SurfaceConnectivity & connectivity)
 {
@@ -24,7 +24,7 @@ EndOfVertices(const SurfaceConnectivity & connectivity)
   return ends;
 }
 
-/** The faces of the greatest part that is left when edges within one end part the surface; ascending. */
+/** Faces of the largest part left when edges within one end split the surface; ascending. */
 std::vector<int>
 FacesWithoutEars(const SurfaceConnectivity & connectivity)
 {
@@ -56,7 +56,7 @@ FacesWithoutEars(const SurfaceConnectivity & connectivity)
   return faces;
 }
 
-/** The new number of each vertex once only these faces are left, -1 for those that are gone. */
+/** New index of each vertex if only these faces remain, or -1 if it is removed. */
 std::vector<int>
 NumbersOfVertices(const SurfaceMesh & mesh, const std::vector<int> & faces)
 {
@@ -76,7 +76,7 @@ NumbersOfVertices(const SurfaceMesh & mesh, const std::vector<int> & faces)
   return numbers;
 }
 
-/** The vertices of an end that are left are the new end, in their order. */
+/** The remaining vertices of an end form the new end, in their order. */
 void
 TrimLoop(const std::vector<int> & numbers, SurfaceArray & array)
 {

@@ -8,7 +8,7 @@ namespace shapeton
 {
 namespace
 {
-/** A sum of doubles without rounding: terms that do not overlap, the least first. */
+/** An exact sum of doubles: nonoverlapping terms, smallest first. */
 class Expansion
 {
 public:
@@ -17,7 +17,7 @@ public:
   {
     for (int i = 0; i < m_Number; ++i)
     {
-      // Knuth's two-sum: `value` becomes the rounded sum, the term what that lacks.
+      // Knuth's two-sum: `value` becomes the rounded sum, the term its rounding error.
       const double sum = value + m_Terms[i];
       const double part = sum - value;
       m_Terms[i] = (value - (sum - part)) + (m_Terms[i] - part);
@@ -34,7 +34,7 @@ public:
     this->Add(product);
   }
 
-  /** That of the greatest term that is not 0. */
+  /** Sign of the largest nonzero term. */
   int
   Sign() const
   {

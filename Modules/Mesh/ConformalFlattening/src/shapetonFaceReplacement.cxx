@@ -10,7 +10,7 @@ namespace shapeton
 {
 namespace
 {
-/** The number of edges of a vertex with a deleted face on one side only. */
+/** Number of edges of a vertex with a deleted face on exactly one side. */
 int
 RimsAtVertex(const SurfaceConnectivity & connectivity, int vertex, const std::vector<char> & isDeleted)
 {
@@ -23,7 +23,7 @@ RimsAtVertex(const SurfaceConnectivity & connectivity, int vertex, const std::ve
   return rims;
 }
 
-/** Of the faces that are not deleted those of the greatest component, ascending. */
+/** Remaining faces of the largest component, ascending. */
 std::vector<int>
 KeptFaces(const SurfaceMesh & mesh, const std::vector<char> & isDeleted)
 {
@@ -50,7 +50,7 @@ KeptFaces(const SurfaceMesh & mesh, const std::vector<char> & isDeleted)
   return faces;
 }
 
-/** The vertices that these faces name, ascending: vertex i of FacesOfSurface() is element i. */
+/** The vertices used by these faces, ascending: vertex i of FacesOfSurface() is element i. */
 std::vector<int>
 VerticesOfFaces(const SurfaceMesh & mesh, const std::vector<int> & faces)
 {
@@ -73,7 +73,7 @@ VerticesOfFaces(const SurfaceMesh & mesh, const std::vector<int> & faces)
   return vertices;
 }
 
-/** Those that are not at the boundaries of the surface before, by the positions of their vertices. */
+/** Loops that are not boundaries of the original surface, by the positions of their vertices. */
 std::vector<std::vector<int>>
 NewLoops(const SurfaceMesh &         before,
          const SurfaceConnectivity & connectivity,
@@ -113,7 +113,7 @@ MeanOfRows(const Eigen::Ref<const SurfaceArray::ValueMatrix> & values, const std
   return mean;
 }
 
-/** Rows for the new vertices: means over the rims. */
+/** Appends rows for the new vertices: means over the rims. */
 template <typename TMatrix>
 void
 AppendRimMeans(TMatrix & values, const std::vector<HoleFilling> & fillings, bool areIntegers)

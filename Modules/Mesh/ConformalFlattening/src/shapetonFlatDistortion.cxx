@@ -14,8 +14,8 @@ namespace
 {
 constexpr double qualityThreshold = 0.6;
 
-/** 16 times the square of the area by Kahan's ordering, which keeps the digits of needles; 0 where the sides form no
- * triangle. */
+/** 16 times the squared area in Kahan's ordering, which is accurate for needles; 0 if the sides do not form a triangle.
+ */
 double
 HeronProduct(double x, double y, double z)
 {
@@ -41,7 +41,7 @@ SignedFlatArea(const FaceMatrix & F, const Eigen::MatrixX2d & uv, Eigen::Index f
   return 0.5 * (a[0] * b[1] - a[1] * b[0]);
 }
 
-/** K of a face of this area in the metric and in the plane. */
+/** K of a face with this area in the metric and in the plane. */
 double
 Dilatation(const FaceMatrix &       F,
            const Eigen::MatrixX2d & uv,

@@ -11,7 +11,7 @@ namespace
 {
 constexpr const char * filledName = "filled";
 
-/** Faces to delete: those of the vertices of handles, but for vertices next to a boundary. */
+/** Faces to delete: those of handle vertices, except vertices next to a boundary. */
 std::vector<char>
 FacesOfHandles(const SurfaceConnectivity & connectivity, const std::vector<SurfaceHandle> & handles)
 {

@@ -10,7 +10,7 @@ namespace shapeton
 {
 namespace
 {
-/** For each vertex 0 where it is free, or -1 - its row among the fixed ones. */
+/** For each vertex 0 if it is free, or -1 - its row among the fixed ones. */
 std::vector<int>
 RowsOfVertices(int vertices, const std::vector<int> & fixed)
 {
@@ -38,7 +38,7 @@ SymbolicOf(int vertices, const std::vector<std::array<int, 2>> & edges)
   return SymbolicFactorisation(vertices, edges, EliminationOrder::MinimumDegree);
 }
 
-/** The solution is unique where each component has a fixed vertex. */
+/** The solution is unique if each component has a fixed vertex. */
 void
 RequireFixedComponents(const SurfaceLaplacian & laplacian, const std::vector<int> & fixed)
 {
@@ -70,12 +70,12 @@ struct HarmonicSolver::Factor
          const SymbolicFactorisation & symbolic,
          const Progress &              progress);
 
-  std::vector<int>                                   rows; ///< -1 - the row among the fixed vertices, 0 of free ones
-  std::vector<std::pair<std::array<int, 2>, double>> weightsToFixed; ///< of edges from a free to a fixed vertex
+  std::vector<int>                                   rows; ///< -1 - the row among the fixed vertices, 0 for free ones
+  std::vector<std::pair<std::array<int, 2>, double>> weightsToFixed; ///< for edges from a free to a fixed vertex
   SparseCholesky                                     cholesky;
 };
 
-/** The rows of fixed vertices become those of the identity, so that all choices of them have one pattern. */
+/** Replaces the rows of fixed vertices by identity rows, so that the pattern is the same for any fixed vertices. */
 HarmonicSolver::Factor::Factor(const SurfaceLaplacian &      laplacian,
                                const std::vector<int> &      fixed,
                                const SymbolicFactorisation & symbolic,
@@ -104,7 +104,7 @@ HarmonicSolver::Factor::Factor(const SurfaceLaplacian &      laplacian,
     diagonal[vertex] = 1.0;
   }
   cholesky.Factorise(diagonal, offDiagonal, progress);
-  if (!cholesky.HasFactor()) // bounded weights can make it indefinite
+  if (!cholesky.HasFactor()) // clamped weights can make it indefinite
   {
     throw InputError("the stiffness matrix of the surface cannot be factorised; repair or remesh the surface");
   }
@@ -142,7 +142,7 @@ HarmonicSolver::HarmonicSolver(HarmonicSolver &&) noexcept = default;
 HarmonicSolver &
 HarmonicSolver::operator=(HarmonicSolver &&) noexcept = default;
 
-/** \equation{5.13} where the source is 0. */
+/** \equation{5.13} for source 0. */
 Eigen::MatrixXd
 HarmonicSolver::Solve(const Eigen::MatrixXd & fixedValues, const Eigen::MatrixXd & source) const
 {

@@ -10,9 +10,9 @@ namespace shapeton
 {
 namespace
 {
-/** A ring with so many vertices or less gets one in its middle. */
+/** Rings with at most this many vertices get a single center vertex. */
 constexpr int smallRing = 8;
-/** The triangulation of a patch takes the cube of this. */
+/** Longer rims are filled by rings, because patch triangulation takes cubic time. */
 constexpr int longRim = 400;
 constexpr int ringStep = 6; // as in a plane of equilateral triangles
 
@@ -26,7 +26,7 @@ JoinRings(const std::vector<int> & outer, const std::vector<int> & inner, std::v
   long       j = 0;
   while (i < n || j < m)
   {
-    // The side whose next step has its middle first.
+    // Advance on the side whose next edge has the earlier midpoint.
     const bool isOuter = j == m || (i < n && (2 * i + 1) * m <= (2 * j + 1) * n);
     if (isOuter)
     {
@@ -67,7 +67,7 @@ TriangulateByRings(const std::vector<int> & loop, int firstVertex)
   return filling;
 }
 
-/** The mean length of the edges of a vertex. */
+/** Mean length of the edges of a vertex. */
 double
 EdgeScale(const SurfaceConnectivity & connectivity, const VertexMatrix & V, int vertex)
 {

@@ -14,17 +14,17 @@ struct HoleFilling
   std::vector<std::array<int, 3>> faces;
 };
 
-/** Triangles for a loop of a surface that runs in the direction of its faces: a HolePatch, or, where the loop is very
- * long or only edges that the surface has already would do, rings of new vertices, each with six less, around a vertex
- * or a triangle in the middle. New vertices are numbered from `firstVertex` on. */
+/** Triangulates a loop that runs in the direction of its faces. The result is a HolePatch. If the loop is very long, or
+ * a patch would repeat existing edges, it consists of rings of new vertices, each with six fewer, around a center
+ * vertex or triangle. New vertices are numbered from `firstVertex`. */
 HoleFilling
 TriangulateHole(const std::vector<int> &    loop,
                 const VertexMatrix &        V,
                 const SurfaceConnectivity & connectivity,
                 int                         firstVertex);
 
-/** Places the new vertices so that the squares of the uniform Laplacian at them and at the rim sum to a minimum.
- * `connectivity` is that of the closed surface. */
+/** Places the new vertices to minimize the sum of squared uniform Laplacians at them and at the rim. `connectivity` is
+ * that of the closed surface. */
 void
 SmoothFilling(const HoleFilling & filling, const SurfaceConnectivity & connectivity, VertexMatrix & V);
 } // namespace shapeton

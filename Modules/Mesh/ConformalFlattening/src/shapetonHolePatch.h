@@ -11,29 +11,29 @@
 namespace shapeton
 {
 /** \class HolePatch
- * \brief A disk that closes a polygon, with triangles as large as those around it.
+ * \brief A disk that closes a polygon with triangles of the surrounding size.
  *
- * After Liepa, Filling holes in meshes (2003): the triangulation of least area (dynamic programming), whose triangles
- * are split at their centres until their corners are as near as the edges around the hole are long; edges are flipped
- * in between so that opposite angles sum to less than 180 degrees. */
+ * After Liepa, Filling holes in meshes (2003). Starts from the minimum-area triangulation (dynamic programming).
+ * Triangles are split at their centers down to the length of the surrounding edges; in between, edges are flipped until
+ * opposite angles sum to less than 180 degrees. */
 class HolePatch
 {
 public:
-  /** \param rim the polygon, counterclockwise where seen from the side that the faces look to.
-   * \param scales the length that edges shall have at each vertex of it.
-   * \param isTaken whether two vertices of the rim have an edge outside, which must not get a second time. */
+  /** \param rim the polygon, counterclockwise as seen from the side that the faces point to.
+   * \param scales target edge length at each rim vertex.
+   * \param isTaken whether two rim vertices already share an edge outside, which must not be duplicated. */
   HolePatch(std::vector<Eigen::Vector3d>               rim,
             std::vector<double>                        scales,
             std::function<bool(int first, int second)> isTaken);
 
-  /** False where all triangulations need a taken edge. */
+  /** False if every triangulation needs a taken edge. */
   bool
   Triangulate();
 
   void
   Refine();
 
-  /** The vertices of the rim, then new ones. */
+  /** The rim vertices, followed by new ones. */
   const std::vector<Eigen::Vector3d> &
   Points() const
   {

@@ -11,12 +11,12 @@ namespace shapeton
 namespace
 {
 
-/** Column j: how often each slit map counts in f_j. */
+/** Column j: weight of each slit map in f_j. */
 Eigen::MatrixXd
 WeightsOfForms(const std::vector<SlitMap> & maps)
 {
   const auto      n = static_cast<Eigen::Index>(maps.size());
-  Eigen::MatrixXd levels(n, n); // of -logRadius on the inner boundaries, a column for each map
+  Eigen::MatrixXd levels(n, n); // of -logRadius on the inner boundaries, one column per map
   for (Eigen::Index k = 0; k < n; ++k)
   {
     for (Eigen::Index i = 0; i < n; ++i)
@@ -27,7 +27,7 @@ WeightsOfForms(const std::vector<SlitMap> & maps)
   return levels.inverse();
 }
 
-/** -logRadius and -angle of a slit map at the vertices of the surface that was cut open. */
+/** -logRadius and -angle of a slit map at the vertices of the cut surface. */
 Eigen::MatrixX2d
 ValuesOnCutSurface(const SlitMap & map, const CutSurface & cut, const std::vector<int> & leftCorners)
 {

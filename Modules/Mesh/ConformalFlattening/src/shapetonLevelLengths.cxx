@@ -20,8 +20,8 @@ struct ValuedCorner
   Eigen::Vector3d place;
 };
 
-/** The length of the line value = level in a triangle, corners in the order of their values. A level at the lowest
- * corners, or below them by rounding, has no length here: it has it in the triangle below. */
+/** Length of the line value = level in a triangle with corners sorted by value. A level at (or, by rounding, below) the
+ * lowest corners has length 0 here; the triangle below counts it. */
 double
 LengthInTriangle(const std::array<ValuedCorner, 3> & corners, double level)
 {

@@ -13,8 +13,8 @@ namespace shapeton
 {
 namespace
 {
-/** \name Area scales, as parts of the mean one
- * Below the first, places drown in rounding and nothing is to be seen; at the second a pouch is cut off. */
+/** \name Area scales, relative to the mean
+ * Below the first, positions are lost to rounding and nothing is visible; pouches are cut off at the second. */
 ///@{
 constexpr double invisibleScale = 1e-6;
 constexpr double smallScale = 1e-3;
@@ -22,7 +22,7 @@ constexpr double smallScale = 1e-3;
 
 using FaceMarks = std::vector<char>;
 
-/** For each face the number of its cap, 0 on the wall. */
+/** For each face its cap number, 0 on the wall. */
 std::vector<int>
 CapOfFaces(const SurfaceMesh & mesh)
 {
@@ -44,7 +44,7 @@ AreaOfFace(const SurfaceMesh & mesh, int face)
   return 0.5 * (b - a).cross(c - a).norm();
 }
 
-/** For each vertex the area of its faces in the plane over that in space, of the mean one. */
+/** For each vertex, plane area over space area of its faces, relative to the mean. */
 Eigen::VectorXd
 ScalesOfStars(const SurfaceMesh & mesh, const SurfaceMesh & flat)
 {
@@ -66,7 +66,7 @@ ScalesOfStars(const SurfaceMesh & mesh, const SurfaceMesh & flat)
   return (flatAreas.array() / areas.array()) * (areas.sum() / flatAreas.sum());
 }
 
-/** For each face the one that stands for its part: faces of one kind that are joined by edges. */
+/** For each face the representative of its part: faces of one kind joined by edges. */
 std::vector<int>
 PartsOfFaces(const SurfaceConnectivity & connectivity, const FaceMarks & kind)
 {
@@ -87,7 +87,7 @@ PartsOfFaces(const SurfaceConnectivity & connectivity, const FaceMarks & kind)
   return part;
 }
 
-/** Marks of faces that grow to what can be cut off. */
+/** Face marks that grow to a region that can be cut off. */
 class PouchGrowth
 {
 public:
@@ -125,7 +125,7 @@ private:
     }
   }
 
-  /** What is cut off from the greatest part of the rest. */
+  /** Marks everything that is disconnected from the largest remaining part. */
   void
   TakeIslands()
   {
@@ -142,7 +142,7 @@ private:
     }
   }
 
-  /** Pouches with a vertex on an end stay. */
+  /** Unmarks pouches with a vertex on an end. */
   void
   LeaveEnds()
   {
@@ -167,7 +167,7 @@ private:
   FaceMarks                   m_IsPouch;
 };
 
-/** The faces around all of whose corners the scale is below this; none with a corner on an end. */
+/** Marks the faces with a smaller scale around all corners and no corner on an end. */
 FaceMarks
 SmallFaces(const SurfaceMesh & mesh, const SurfaceConnectivity & connectivity, const SurfaceMesh & flat, double scale)
 {
@@ -181,7 +181,7 @@ SmallFaces(const SurfaceMesh & mesh, const SurfaceConnectivity & connectivity, c
   return isSmall;
 }
 
-/** Marks the core, and of the other marked faces those joined to it. */
+/** Marks the core and the other marked faces connected to it. */
 FaceMarks
 PartsWithCore(const SurfaceConnectivity & connectivity, FaceMarks isMarked, const FaceMarks & isCore)
 {
@@ -210,7 +210,7 @@ LengthOfRim(const SurfaceMesh & mesh, const std::vector<int> & rim)
   return length;
 }
 
-/** Of each cap the part in which it was cut off, or -1. */
+/** For each cap the part that contained it, or -1. */
 std::vector<int>
 PartsOfCaps(std::size_t              caps,
             const std::vector<int> & capOfFaces,
@@ -228,7 +228,7 @@ PartsOfCaps(std::size_t              caps,
   return partOfCap;
 }
 
-/** The new number of each old one: those without a part are counted again. */
+/** New number of each old cap; caps without a part are renumbered. */
 std::vector<int>
 NumbersOfCapsLeft(const std::vector<int> & partOfCap)
 {
@@ -241,7 +241,7 @@ NumbersOfCapsLeft(const std::vector<int> & partOfCap)
   return numbers;
 }
 
-/** Of each filling of a hole the part of the faces that were there. */
+/** For each hole filling the part of the replaced faces. */
 std::vector<int>
 PartsOfFillings(const SurfaceConnectivity & connectivity,
                 const FaceReplacement &     replacement,
@@ -268,7 +268,7 @@ MakeCap(const SurfaceMesh & mesh, const std::vector<int> & rim, double area)
   return cap;
 }
 
-/** Writes the cell array: wall and old caps have new numbers, the fillings come last. */
+/** Writes the cell array: wall and old caps get new numbers, the fillings come last. */
 void
 NumberCaps(SurfaceMesh &                    mesh,
            const std::vector<HoleFilling> & fillings,
@@ -337,7 +337,7 @@ CutOffPouches(const SurfaceMesh &           mesh,
     }
     else
     {
-      areaOfPart[partOfCap[i]] += caps[i].area; // the wall that it stood for
+      areaOfPart[partOfCap[i]] += caps[i].area; // the wall area it replaced
     }
   }
   NumberCaps(

@@ -5,37 +5,37 @@
 
 namespace shapeton
 {
-/** The cell array that holds the number of the cap of a face, 0 on the wall. */
+/** Cell array with the cap number of each face, 0 on the wall. */
 constexpr const char * capName = "cap";
 
-/** Marks the faces, caps left out, around all of whose corners the area scale is below 1e-6 of the mean: nobody sees
- * them on the map, and their places drown in rounding. Scale: area in the plane over area in space. \param flat the map
- * of the surface, with its faces in their order. */
+/** Marks the faces, except caps, with an area scale below 1e-6 of the mean around all corners. Such faces are invisible
+ * on the map and lost to rounding. Scale: area in the plane over area in space. \param flat the map of the surface,
+ * with its faces in their order. */
 std::vector<char>
 InvisibleFaces(const SurfaceMesh & mesh, const SurfaceConnectivity & connectivity, const SurfaceMesh & flat);
 
-/** Marks the pouches with a marked face in their core: the faces around all of whose corners the area scale is below
- * 1e-3 of the mean and that are joined to the core, and the core itself. They can be cut off as they are: the rest is
- * connected, at each vertex it is one fan, and no end is touched; caps are whole in a pouch or not at all. All 0 where
- * nothing can be cut off. */
+/** Marks the pouches with a marked face in their core. A pouch consists of its core and all faces connected to it with
+ * an area scale below 1e-3 of the mean around all corners. The marked region can be removed as is: the rest is
+ * connected with one fan at each vertex, ends are untouched, and each cap is either wholly marked or not at all. All 0
+ * if nothing can be cut off. */
 std::vector<char>
 FacesOfPouches(const SurfaceMesh &         mesh,
                const SurfaceConnectivity & connectivity,
                const SurfaceMesh &         flat,
                const std::vector<char> &   isCore);
 
-/** A surface whose pouches were cut off. */
+/** A surface after removal of its pouches. */
 struct CappedSurface
 {
-  /** As ReplaceFaces() gives it; the cell array `cap` has the number of the cap, 0 on the wall. */
+  /** Result of ReplaceFaces(); the cell array `cap` is the cap number, 0 on the wall. */
   SurfaceMesh mesh;
-  /** The vertices of the surface before that are left: vertex i of `mesh` was number keptVertices[i]. */
+  /** Remaining vertices of the original surface: vertex i of `mesh` was number keptVertices[i]. */
   std::vector<int> keptVertices;
-  /** Number i is element i - 1. */
+  /** Cap number i is element i - 1. */
   std::vector<PouchCap> caps;
 };
 
-/** Cuts off the faces that FacesOfPouches() marks and closes the holes. \param caps those that the surface has. */
+/** Cuts off the faces marked by FacesOfPouches() and closes the holes. \param caps existing caps of the surface. */
 CappedSurface
 CutOffPouches(const SurfaceMesh &           mesh,
               const SurfaceConnectivity &   connectivity,

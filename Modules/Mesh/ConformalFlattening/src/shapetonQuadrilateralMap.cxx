@@ -12,7 +12,7 @@ namespace shapeton
 {
 namespace
 {
-/** The places of the corners along the boundary, ascending from that of the first corner on. */
+/** Positions of the corners along the boundary, ascending from the first corner. */
 std::array<int, 4>
 PlacesOfCorners(const std::vector<int> & boundary, const std::array<int, 4> & corners)
 {
@@ -41,7 +41,7 @@ PlacesOfCorners(const std::vector<int> & boundary, const std::array<int, 4> & co
   return places;
 }
 
-/** The vertices from one place of the boundary to another, both included. */
+/** Vertices between two boundary positions, both included. */
 std::vector<int>
 SideOfBoundary(const std::vector<int> & boundary, int from, int to)
 {
@@ -115,13 +115,13 @@ public:
   {
     return static_cast<int>(m_Points.size());
   }
-  /** Of its projection along its mean normal, twice. */
+  /** Area of its projection along its mean normal, doubled. */
   double
   Area(const std::array<int, 4> & at) const
   {
     return (m_Points[at[2]] - m_Points[at[0]]).cross(m_Points[at[3]] - m_Points[at[1]]).norm();
   }
-  /** The places at quarters of the length from `first` on. */
+  /** The positions at quarters of the length, starting at `first`. */
   std::array<int, 4>
   Quarters(int first) const
   {
@@ -148,14 +148,14 @@ private:
   std::vector<Eigen::Vector3d> m_Points;
 };
 
-/** An area counts as larger only beyond rounding, so that equal ones do not depend on it. */
+/** Areas equal up to rounding are ties, so that the result does not depend on rounding. */
 bool
 IsLarger(double area, double than)
 {
   return area > than * (1.0 + 1e-9);
 }
 
-/** Moves one corner between its neighbours to where the area is largest. */
+/** Moves one corner between its neighbors to maximize the area. */
 bool
 MoveCorner(const Inscribed & curve, int corner, std::array<int, 4> & at)
 {

@@ -15,13 +15,13 @@ namespace shapeton
 {
 namespace
 {
-/** What a way around costs the cut, against its way in. */
+/** Cost of winding around, relative to the radial path length. */
 constexpr double sideways = 20.0;
-/** What it costs to touch a place to be avoided. */
+/** Cost of touching a vertex to avoid. */
 constexpr double detour = 1000.0;
 constexpr int    ringsAroundSaddles = 3;
 
-/** Of each loop the sum of a function over its vertices. */
+/** Sum of a function over the vertices of each loop. */
 Eigen::VectorXd
 SumsOfLoops(const std::vector<BoundaryLoop> & loops, const Eigen::VectorXd & x)
 {
@@ -72,7 +72,7 @@ VerticesOfLoops(const std::vector<BoundaryLoop> & loops)
   return vertices;
 }
 
-/** The values there of functions that are 1 on one inner loop each and 0 on all others. */
+/** Loop values of the functions that are 1 on one inner loop and 0 on all others. */
 Eigen::MatrixXd
 ValuesOfLoops(const std::vector<BoundaryLoop> & loops, const std::vector<int> & innerLoops)
 {
@@ -96,7 +96,7 @@ ValuesOfLoops(const std::vector<BoundaryLoop> & loops, const std::vector<int> & 
 
 struct SlitMapSolver::State
 {
-  /** The harmonic functions of all inner loops and their fluxes. \equation{5.12} */
+  /** Harmonic functions of all inner loops and their fluxes. \equation{5.12} */
   State(const SurfaceMesh &         surface,
         const SurfaceConnectivity & itsConnectivity,
         const Eigen::VectorXd &     edgeLengths,
@@ -125,8 +125,8 @@ struct SlitMapSolver::State
     P = 0.5 * (fluxes + fluxes.transpose());
   }
 
-  /** Cuts along the cheapest path that touches no other boundary and keeps away from saddles, which handles have, and
-   * computes the angle; returns its energy. */
+  /** Cuts along the cheapest path that touches no other boundary and avoids saddles, which occur at handles. Computes
+   * the angle and returns its energy. */
   double
   ComputeAngle(Eigen::VectorXd edgeCosts, const std::vector<char> & isAvoided, SlitMap & map) const
   {
@@ -161,7 +161,7 @@ struct SlitMapSolver::State
     }
     return isAvoided;
   }
-  /** How far each edge goes around. */
+  /** Angular extent of each edge. */
   Eigen::VectorXd
   AngleSteps(const SlitMap & map) const
   {

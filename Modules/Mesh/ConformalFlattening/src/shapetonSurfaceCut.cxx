@@ -45,7 +45,7 @@ public:
   {
     return CornerOfVertex(m_F, face, m_Vertex);
   }
-  /** The edge where the face begins or ends, counterclockwise. */
+  /** The edge at the start or end of the face, counterclockwise. */
   int
   FirstEdge(int face) const
   {
@@ -56,7 +56,7 @@ public:
   {
     return m_Connectivity.EdgeOfFace(face, (this->Corner(face) + 2) % 3);
   }
-  /** The face that begins, or ends, at this edge of the vertex; -1 at a boundary. */
+  /** The face that starts, or ends, at this edge of the vertex; -1 at a boundary. */
   int
   FaceFrom(int edge) const
   {
@@ -81,7 +81,8 @@ public:
     }
     return -1;
   }
-  /** The corners from the edge `from` counterclockwise up to the edge `to` or a boundary, which is told. */
+  /** Corners from the edge `from` counterclockwise to the edge `to` or a boundary; reports if a boundary was reached.
+   */
   bool
   Sweep(int from, int to, std::vector<int> & corners) const
   {
@@ -95,7 +96,7 @@ public:
     }
     return true;
   }
-  /** The same clockwise. */
+  /** Clockwise version of the above. */
   bool
   SweepBack(int from, int to, std::vector<int> & corners) const
   {
@@ -116,7 +117,7 @@ private:
   int                         m_Vertex;
 };
 
-/** The corners left of a path at a vertex that it enters and leaves by these edges; -1 where it begins or ends. */
+/** Corners left of a path at a vertex, given the incoming and outgoing edges; -1 at the path ends. */
 std::vector<int>
 LeftAtVertex(const Fan & fan, int entered, int left)
 {
@@ -125,7 +126,7 @@ LeftAtVertex(const Fan & fan, int entered, int left)
   {
     return entered == -1 ? std::vector<int>{} : corners;
   }
-  // At a boundary the left side ends there, and may go on beyond it.
+  // At a boundary the left side ends, and may continue beyond it.
   if (entered != -1 && !fan.SweepBack(entered, left, corners))
   {
     return left == -1 ? std::vector<int>{} : corners;
@@ -144,7 +145,7 @@ EdgesOfPath(const SurfaceConnectivity & connectivity, const std::vector<int> & p
   return edges;
 }
 
-/** For each face of a vertex the number of its fan when no fan goes across a cut edge. */
+/** Fan number of each face of a vertex if fans end at cut edges. */
 std::vector<int>
 FansBetweenCuts(const FaceMatrix &          F,
                 const SurfaceConnectivity & connectivity,

@@ -13,7 +13,7 @@ namespace
 {
 constexpr double leastAngularDefect = 1e-6; // radians
 
-/** For each vertex of the source one of its vertices on the flat surface. */
+/** For each source vertex, one of its vertices on the flat surface. */
 FaceMatrix
 SourceFaces(const SurfaceMesh & flat, const std::vector<int> & source)
 {
@@ -25,7 +25,7 @@ SourceFaces(const SurfaceMesh & flat, const std::vector<int> & source)
   return F;
 }
 
-/** Marked vertices that are connected by edges, each list ascending, in the order of their first vertices. */
+/** Marked vertices connected by edges; each list ascending, lists in the order of their first vertices. */
 std::vector<std::vector<int>>
 Clusters(const EdgeGraph & graph, const std::vector<char> & isMarked)
 {
@@ -57,8 +57,8 @@ Clusters(const EdgeGraph & graph, const std::vector<char> & isMarked)
   return clusters;
 }
 
-/** The mean of the corners of the faces around the vertices, taken to the period of the first face: a handle at the
- * seam is placed on the side of that face. */
+/** Mean of the corners of the faces around the vertices, shifted to the period of the first face: a handle at the seam
+ * is placed on the side of that face. */
 Eigen::Vector2d
 MeanFlatPlace(const SurfaceConnectivity & connectivity,
               const CornerPlaces &        places,
@@ -84,7 +84,7 @@ MeanFlatPlace(const SurfaceConnectivity & connectivity,
   return sum / number;
 }
 
-/** 0 for a map that is not periodic. */
+/** 0 for a nonperiodic map. */
 double
 PeriodOf(const SurfaceMesh & flat)
 {
@@ -92,7 +92,7 @@ PeriodOf(const SurfaceMesh & flat)
 }
 } // namespace
 
-/** \equation{6.3} with flat faces, for the genus of each cluster of vertices. */
+/** \equation{6.3} with flat faces, for the genus of each vertex cluster. */
 HandleDetection
 DetectHandles(const SurfaceConnectivity & connectivity, const SurfaceMesh & flat)
 {
@@ -122,7 +122,7 @@ DetectHandles(const SurfaceConnectivity & connectivity, const SurfaceMesh & flat
       handle.place += flat.V.row(v).transpose() / static_cast<double>(cluster.size());
     }
     handle.genus = static_cast<int>(std::lround(-sum / (4.0 * Pi)));
-    if (handle.genus <= 0) // negative: next to a boundary, whose defects are not known
+    if (handle.genus <= 0) // negative: next to a boundary, where defects are unknown
     {
       ++detection.falseAlarms;
       continue;

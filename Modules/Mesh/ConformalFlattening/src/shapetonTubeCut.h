@@ -7,7 +7,7 @@
 
 namespace shapeton
 {
-/** For each vertex its neighbours with the edges to them. */
+/** Neighbors of each vertex, with the edges to them. */
 class EdgeGraph
 {
 public:
@@ -39,32 +39,30 @@ private:
   std::vector<Step> m_Steps;
 };
 
-/** The cheapest path from a vertex of the first loop to one of the second; all others of it lie inside. Of equal paths
- * the one that vertices with less indices come to first. Costs are positive; edges of infinite cost are left out, and
- * the path is empty where there is none without them. */
+/** The cheapest path from the first to the second loop, with all other vertices inside. Ties are broken by lower vertex
+ * indices. Costs are positive; edges of infinite cost are excluded. Empty if no path exists. */
 std::vector<int>
 CheapestPath(const EdgeGraph & graph, const TubeEnds & ends, const Eigen::VectorXd & costs);
 
-/** A path from the first loop along which u grows, by the steepest edge at each vertex; empty where u has a maximum on
- * the way. */
+/** A steepest-ascent path of u from the first loop; empty if it ends at a maximum of u. */
 std::vector<int>
 AscendingPath(const EdgeGraph & graph, const TubeEnds & ends, const Eigen::VectorXd & u);
 
-/** The length of the shortest path of edges from each vertex to one of the sources. */
+/** Shortest edge-path length from each vertex to the sources. */
 Eigen::VectorXd
 DistancesAlongEdges(const EdgeGraph & graph, const Eigen::VectorXd & lengths, const std::vector<int> & sources);
 
-/** Marks also the vertices within so many rings of marked ones. */
+/** Dilates the marks by the given number of rings. */
 void
 Dilate(const EdgeGraph & graph, std::vector<char> & isMarked, int rings);
 
-/** The multiplicity of each vertex as a saddle: 0 for a regular one, -1 for an extremum; 0 on boundaries. Equal values
- * are told apart by the indices. */
+/** Saddle multiplicity of each vertex: 0 for a regular vertex, -1 for an extremum; 0 on boundaries. Ties are broken by
+ * index. */
 std::vector<int>
 SaddleMultiplicities(const FaceMatrix & F, const SurfaceConnectivity & connectivity, const Eigen::VectorXd & u);
 
-/** Distances from a curve in space, measured along the edges from the vertices next to it. Throws InputError where
- * most of the curve is farther than 10 mm from the surface. */
+/** Distances from a curve in space, measured along edges from the vertices next to it. Throws InputError if most of the
+ * curve is more than 10 mm from the surface. */
 Eigen::VectorXd
 DistancesFromCurve(const SurfaceMesh &                  mesh,
                    const EdgeGraph &                    graph,

@@ -47,7 +47,7 @@ ListOfLoops(const SurfaceMesh & mesh, const std::vector<std::vector<int>> & loop
   return text.str();
 }
 
-/** What a surface that is no tube needs. */
+/** Advice for a surface that is not a tube. */
 std::string
 AdviceFor(const SurfaceMesh & mesh, const std::vector<std::vector<int>> & loops)
 {
@@ -107,7 +107,7 @@ IsSoundTube(const SurfaceMesh & mesh, const SurfaceConnectivity & connectivity)
   return std::find(components.begin(), components.end(), -1) == components.end();
 }
 
-/** Six times the volume between the surface and its ends, each closed by a fan around its centre. */
+/** Six times the volume between the surface and its ends, each closed by a fan around its center. */
 double
 SixfoldVolume(const SurfaceMesh & mesh, const SurfaceConnectivity & connectivity)
 {
@@ -130,7 +130,7 @@ SixfoldVolume(const SurfaceMesh & mesh, const SurfaceConnectivity & connectivity
     }
     for (std::size_t k = 0; k < loop.size(); ++k)
     {
-      // The face runs along the loop, so its neighbour in the cap runs against it.
+      // The face runs along the loop, so its neighbor in the cap runs against it.
       volume += tetrahedron(mesh.V.row(loop[(k + 1) % loop.size()]), mesh.V.row(loop[k]), centre);
     }
   }

@@ -8,13 +8,13 @@
 namespace shapeton
 {
 /** \class TubeSolver
- * \brief FlattenTube() as often as one likes, with other weights of the edges each time.
+ * \brief Repeatable FlattenTube() with different edge weights.
  *
- * The moduli are those of the metric whatever the weights: modulusU stays an upper and modulusV a lower bound. */
+ * The moduli are those of the metric for any weights: modulusU stays an upper and modulusV a lower bound. */
 class TubeSolver
 {
 public:
-  /** The arguments are those of FlattenTube() and are referred to. */
+  /** Same arguments as FlattenTube(), held by reference. */
   TubeSolver(const SurfaceMesh &         mesh,
              const SurfaceConnectivity & connectivity,
              const Eigen::VectorXd &     edgeLengths,
@@ -22,11 +22,11 @@ public:
              const TubeOptions &         options);
   ~TubeSolver();
 
-  /** Progress is told of this map alone. */
+  /** Progress covers this map alone. */
   TubeMap
   Solve(const Progress & progress);
 
-  /** From now on the weights are BoundedWeights() of these levels of the vertices. */
+  /** Sets the weights to BoundedWeights() of these vertex levels. */
   void
   BoundWeights(const std::vector<int> & levels);
 

@@ -15,7 +15,7 @@ namespace shapeton
 {
 namespace
 {
-constexpr int          mostCuts = 5; // of cutting off
+constexpr int          mostCuts = 5; // maximum number of removals
 constexpr int          ringsAroundHandle = 3;
 constexpr const char * wallPointName = "wallPointId";
 
@@ -34,7 +34,7 @@ RemoveArray(const std::string & name, std::vector<SurfaceArray> & arrays)
   arrays.erase(std::remove_if(arrays.begin(), arrays.end(), isIt), arrays.end());
 }
 
-/** The numbers of the vertices that are left; the others have gone. */
+/** Indices of the remaining vertices; removed ones are dropped. */
 std::vector<int>
 Renumbered(const std::vector<int> & vertices, const std::vector<int> & kept)
 {
@@ -46,7 +46,7 @@ Renumbered(const std::vector<int> & vertices, const std::vector<int> & kept)
   return numbers;
 }
 
-/** A tube on its way to a map without folds. */
+/** State of a tube while its folds are removed. */
 class TubeUnfolding
 {
 public:
@@ -78,7 +78,7 @@ public:
     }
     else if (!isDone)
     {
-      // Handles that were not found fold the map whatever the weights are: those of the metric are the best.
+      // Undetected handles fold the map for any weights; the metric weights are best.
       TubeSolver solver(m_Tube.surface, *m_Connectivity, m_Tube.edgeLengths, m_Tube.ends, m_Options);
       this->Map(solver);
     }
@@ -86,7 +86,7 @@ public:
   }
 
 private:
-  /** All that depends on the faces, after each change of them. */
+  /** Updates everything that depends on the faces; called after each change of them. */
   void
   Connect()
   {
@@ -96,8 +96,8 @@ private:
     m_IsTube = m_Connectivity->Components().front().genus == 0;
   }
 
-  /** Maps with weights that are bounded where faces are flipped, at first with this level everywhere. The answer is
-   * false where that does not help, or pouches that nobody would see are to be cut off first. */
+  /** Maps with weights clamped at flipped faces, starting with this level everywhere. Returns false if that does not
+   * help, or if invisible pouches must be cut off first. */
   bool
   MapUntilUnfolded(int level)
   {
@@ -127,7 +127,7 @@ private:
     return false;
   }
 
-  /** One map; marks the faces that are flipped and ought not to be. */
+  /** Computes one map and marks the avoidable flipped faces. */
   void
   Map(TubeSolver & solver)
   {
@@ -144,7 +144,7 @@ private:
     }
   }
 
-  /** Those that nobody sees; none where there are handles. */
+  /** Invisible pouches; none if there are handles. */
   FaceMarks
   InvisiblePouches() const
   {
@@ -158,7 +158,7 @@ private:
     return FacesOfPouches(m_Tube.surface, *m_Connectivity, m_Tube.map.flat, isCore);
   }
 
-  /** Whether there is something to cut off: pouches that nobody sees, else those with flipped faces. */
+  /** Finds pouches to cut off: invisible ones, else those with flipped faces. Returns whether any exist. */
   bool
   FindPouches()
   {
@@ -185,7 +185,7 @@ private:
     this->Connect();
   }
 
-  /** Gives the surface `wallPointId` before it changes for the first time. */
+  /** Adds `wallPointId` to the surface before its first change. */
   void
   NumberWallPoints()
   {
@@ -207,11 +207,11 @@ private:
 
   const TubeMetric &                   m_Metric;
   const TubeOptions &                  m_Options;
-  OpenEndedProgress                    m_Steps;      ///< as long as a metric or a map, or less
-  const int                            m_MostSolves; ///< of a round
+  OpenEndedProgress                    m_Steps;      ///< each as long as a metric or a map, or less
+  const int                            m_MostSolves; ///< per round
   UnfoldedTube                         m_Tube;
   std::unique_ptr<SurfaceConnectivity> m_Connectivity;
-  bool                                 m_IsTube{ true }; ///< it has no handles
+  bool                                 m_IsTube{ true }; ///< no handles
   FaceMarks                            m_IsFlipped;
   FaceMarks                            m_IsPouch;
 };

@@ -24,7 +24,7 @@ MapTo(ConformalDomain domain, const SurfaceMesh & mesh, int outer = 0, int inner
   return MapConformally(mesh, options, "the test");
 }
 
-/** What MapConformally() says of a surface that it refuses. */
+/** Error message of MapConformally() for a rejected surface. */
 std::string
 Refusal(const SurfaceMesh & mesh, const ConformalMapOptions & options)
 {
@@ -161,7 +161,7 @@ TEST(ConformalMap, OfASurfaceWithAHandleSaysSo)
   }
   const ConformalMap map = MapTo(ConformalDomain::Rectangle, FacesOfSurface(torus, faces));
   EXPECT_EQ(map.genus, 1);
-  EXPECT_GT(map.ModulusGap(), 0.05); // the handle is the surface
+  EXPECT_GT(map.ModulusGap(), 0.05); // the handle makes up the surface
   ASSERT_FALSE(map.warnings.empty());
   EXPECT_NE(map.warnings[0].find("1 handle"), std::string::npos);
 }
@@ -216,7 +216,7 @@ TEST(ConformalMap, NoiseDoesNotFoldMaps)
     rough.seed = seed;
     rough.noise = 0.8;
     const shapeton::SurfaceMesh tube = MakeRoughTube(rough);
-    // Without the faces of two columns it has one boundary.
+    // Without the faces of two columns there is one boundary.
     std::vector<int> faces;
     for (int face = 0; face < tube.NumberOfFaces(); ++face)
     {

@@ -17,7 +17,7 @@ namespace
 {
 using namespace testsurfaces;
 
-/** A tube, its map in the metric of space unless another one is given, and the distortion in that. */
+/** A tube, its map in the space metric unless another is given, and the distortion in that metric. */
 struct Flattened
 {
   explicit Flattened(const shapeton::SurfaceMesh & surface, const shapeton::TubeOptions & options = {})
@@ -63,7 +63,7 @@ Cone(int around, int along, double r0, double r1, double height)
   });
 }
 
-/** Of all vertices of handles, how many lie on the cut. */
+/** Number of handle vertices on the cut. */
 int
 HandlesOnCut(const ColonTube & tube, const std::vector<int> & path)
 {
@@ -75,7 +75,7 @@ HandlesOnCut(const ColonTube & tube, const std::vector<int> & path)
   return static_cast<int>(std::count_if(path.begin(), path.end(), [&](int v) { return vertices.count(v) > 0; }));
 }
 
-/** Marks faces with a vertex within so many rings of a handle. */
+/** Marks faces with a vertex within the given rings of a handle. */
 std::vector<char>
 FacesNearHandles(const ColonTube & tube, int rings)
 {
@@ -270,7 +270,7 @@ TEST(ConformalTube, MapDoesNotDependOnPlaceScaleAndNumbering)
   EXPECT_NEAR(flat.map.modulusV, other.map.modulusV, 1e-10);
   EXPECT_NEAR(2.5 * flat.map.circumference, other.map.circumference, 1e-7);
   EXPECT_NEAR(2.5 * flat.map.length, other.map.length, 1e-7);
-  // The offset of v is that of the cut; areas know nothing of it.
+  // The offset of v depends on the cut; areas do not.
   EXPECT_LT((flat.distortion.areaScale - other.distortion.areaScale).cwiseAbs().maxCoeff(), 1e-6);
 }
 

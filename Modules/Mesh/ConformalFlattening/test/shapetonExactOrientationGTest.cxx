@@ -11,7 +11,7 @@ namespace
 {
 using Place = Eigen::RowVector2d;
 
-/** So many steps of the last bit of x. */
+/** Moves x by the given number of ulps. */
 double
 Stepped(double x, int steps)
 {
@@ -52,7 +52,7 @@ TEST(ExactOrientation, StepsOfTheLastBitCount)
 
 TEST(ExactOrientation, TermsOfManyMagnitudesDoNotCancel)
 {
-  // Near the line y = x, by far less than the last bit of the greater coordinates.
+  // Near the line y = x, by far less than an ulp of the larger coordinates.
   const double tiny = std::ldexp(1.0, -60);
   const Place  b(1.0, 1.0), c(1e8, 1e8);
   EXPECT_EQ(0, shapeton::ExactOrientation({ tiny, tiny }, b, c));

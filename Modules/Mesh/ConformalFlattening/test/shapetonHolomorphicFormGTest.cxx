@@ -17,7 +17,7 @@ At(const HolomorphicForm & form, int vertex)
   return { form.values(vertex, 0), form.values(vertex, 1) };
 }
 
-/** The share of the energy of the form that is not holomorphic: of each face the part with the conjugate of z. */
+/** Fraction of the energy of the form in its antiholomorphic part. */
 double
 ShareNotHolomorphic(const HolomorphicForm & form)
 {
@@ -85,7 +85,7 @@ TEST(HolomorphicForm, IsOneOnItsBoundaryZeroOnOthersAndHolomorphic)
         EXPECT_NEAR(forms[j].values(vertex, 0), static_cast<int>(loop) == forms[j].inner ? 1.0 : 0.0, 1e-10);
       }
     }
-    EXPECT_LT(ShareNotHolomorphic(forms[j]), 0.02) << j; // most of it at the ends of slits
+    EXPECT_LT(ShareNotHolomorphic(forms[j]), 0.02) << j; // mostly at the slit ends
   }
 }
 

@@ -6,7 +6,7 @@
 
 #include <complex>
 
-/** Domains of the plane whose conformal maps are known. Faces are counterclockwise as seen from above. */
+/** Planar domains with known conformal maps. Faces are counterclockwise as seen from above. */
 namespace testsurfaces
 {
 /** Rings of a polar grid whose radii form a geometric series from `inner` to 1, so that all triangles are similar. */
@@ -35,12 +35,12 @@ struct PolarGrid
                              std::polar(std::pow(inner, 1.0 - t), 2 * Pi * s).imag(),
                              0.0);
     });
-    mesh.F.col(1).swap(mesh.F.col(2)); // outwards is up
+    mesh.F.col(1).swap(mesh.F.col(2)); // outward is up
     return mesh;
   }
 };
 
-/** The image under z -> (z + a) / (1 + a z), which takes the unit disk to itself and circles to circles. */
+/** The image under z -> (z + a) / (1 + a z), an automorphism of the unit disk that maps circles to circles. */
 inline shapeton::SurfaceMesh
 Moebius(shapeton::SurfaceMesh mesh, double a)
 {
@@ -53,7 +53,7 @@ Moebius(shapeton::SurfaceMesh mesh, double a)
   return mesh;
 }
 
-/** The surface with slits: cut along paths that begin and end inside. */
+/** Cuts slits into the surface, along paths that start and end inside. */
 inline shapeton::SurfaceMesh
 WithSlits(const shapeton::SurfaceMesh & mesh, const std::vector<std::vector<int>> & paths)
 {
@@ -72,7 +72,7 @@ Arc(const PolarGrid & grid, int ring, int first, int last)
   return path;
 }
 
-/** The unit half disk above the real axis, rings of equal distance around the middle of its base. */
+/** The unit half disk above the real axis, rings of equal spacing around the middle of its base. */
 inline shapeton::SurfaceMesh
 HalfDisk(int rings)
 {
@@ -87,7 +87,7 @@ HalfDisk(int rings)
       const double r = static_cast<double>(ring) / rings;
       points.emplace_back(r * std::cos(angle), r * std::sin(angle), 0.0);
     }
-    // Steps along both rings, always on the one that is behind.
+    // Step along both rings, always on the one that is behind.
     for (int i = 0, j = 0; i < 3 * ring || j < 3 * (ring - 1);)
     {
       const bool isOuter = j == 3 * (ring - 1) || (i + 1) * (ring - 1) <= (j + 1) * ring;
@@ -101,8 +101,9 @@ HalfDisk(int rings)
   return FromLists(points, faces);
 }
 
-/** Width over height of the rectangle to which the upper half plane goes with four points of the real axis, width along
- * the side from the second to the third, by their cross ratio: K'/K by the arithmetic-geometric mean. */
+/** Width over height of the rectangle conformally equivalent to the upper half plane with four marked points on the
+ * real axis; the width is along the side from the second to the third. From the cross ratio: K'/K by the
+ * arithmetic-geometric mean. */
 inline double
 ModulusOfCrossRatio(double lambda)
 {

@@ -20,7 +20,7 @@ struct Disk
   {
     return MapQuadrilateral(connectivity, EdgeLengths(connectivity, mesh.V), boundary, corners);
   }
-  /** The vertex at a place. */
+  /** The vertex at a position. */
   int
   At(double x, double y) const
   {
@@ -85,7 +85,7 @@ TEST(QuadrilateralMap, HalfDisksHaveTheModulusOfTheirCrossRatio)
 TEST(QuadrilateralMap, DisksWithSymmetricCornersAreSquares)
 {
   const Disk   disk(Grid(40, 40, Wrap::None, [](double s, double t) {
-    // A square wrapped onto a disk, its corners on the diagonals.
+    // A square mapped onto a disk, its corners on the diagonals.
     const double x = 2 * s - 1, y = 2 * t - 1;
     return Eigen::Vector3d(x * std::sqrt(1 - 0.5 * y * y), y * std::sqrt(1 - 0.5 * x * x), 0.0);
   }));

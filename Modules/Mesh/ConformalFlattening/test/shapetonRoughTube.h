@@ -12,16 +12,16 @@ struct RoughTubeOptions
   std::uint64_t seed{ 1 };
   int           around{ 24 };
   int           along{ 40 };
-  double        noise{ 0.0 }; ///< greatest shift of a vertex, of an edge
+  double        noise{ 0.0 }; ///< largest vertex displacement, in edge lengths
   int           pouches{ 0 };
-  int           pouchRings{ 8 }; ///< of three edges each: a fold of e^-4 in the scale of area
+  int           pouchRings{ 8 }; ///< of three edges each: each scales the area by e^-4
   int           needles{ 0 };
   int           ears{ 0 };
 };
 
 namespace roughtube
 {
-/** Lists that grow, and random numbers. */
+/** Growing lists, and random numbers. */
 struct Builder
 {
   Builder(const shapeton::SurfaceMesh & mesh, std::uint64_t itsSeed) : seed(itsSeed)
@@ -42,7 +42,7 @@ struct Builder
     return shapeton::UnitFloat(shapeton::Philox4x32(seed, { next++, 7, 0, 0 }).a);
   }
 
-  /** One of the first `number`. */
+  /** A random index below `number`. */
   int
   AnyFace(int number)
   {
@@ -55,7 +55,7 @@ struct Builder
   std::uint32_t                   next{ 0 };
 };
 
-/** Puts a closed sock in the place of a face, outwards. */
+/** Replaces a face by a closed sock that points outward. */
 inline void
 AddPouch(Builder & tube, int face, int rings, double step)
 {
@@ -99,7 +99,7 @@ AddNeedle(Builder & tube, int face)
   tube.faces.push_back({ corners[2], corners[0], middle });
 }
 
-/** Puts a face with a new corner on the edge from vertex a to b of the first end. */
+/** Adds a face with a new corner on the edge from vertex a to b of the first end. */
 inline void
 AddEar(Builder & tube, int a, int b)
 {

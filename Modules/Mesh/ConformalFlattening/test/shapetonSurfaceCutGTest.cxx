@@ -32,7 +32,7 @@ Cut(const shapeton::SurfaceMesh & mesh, const std::vector<std::vector<int>> & pa
   return shapeton::CutAlongPaths(mesh, shapeton::SurfaceConnectivity(mesh), paths);
 }
 
-/** The greatest difference within a face of a function of vertices with a unit jump at these corners. */
+/** Largest difference within a face of a vertex function with a unit jump at these corners. */
 double
 GreatestStep(const shapeton::SurfaceMesh & mesh,
              const std::vector<double> &   values,
@@ -147,7 +147,7 @@ TEST(SurfaceCut, CrossingLoopsOpenATorus)
 
 TEST(SurfaceCut, LeftGoesOnBehindABoundary)
 {
-  // A path from inside to the rim of a square and back inside: what lies between its edges is left or right of it.
+  // A path from inside to the rim of a square and back inside: the region between its edges is left or right of it.
   const shapeton::SurfaceMesh         mesh = Square(4, 4.0);
   const shapeton::SurfaceConnectivity connectivity(mesh);
   const std::vector<int>              left = shapeton::LeftCorners(mesh.F, connectivity, { 7, 2, 8 });

@@ -56,7 +56,7 @@ PlaceOf(const shapeton::SurfaceMesh & mesh, const std::array<int, 6> & handle)
   return sum;
 }
 
-/** How many of the true places lie within `distance` of a handle found, each of which serves once. */
+/** Number of true places within `distance` of a detected handle, each used once. */
 int
 Located(std::vector<Eigen::Vector3d> truth, const std::vector<shapeton::SurfaceHandle> & found, double distance)
 {

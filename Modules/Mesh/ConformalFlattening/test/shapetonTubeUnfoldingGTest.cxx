@@ -40,7 +40,7 @@ FlipsOf(const shapeton::SurfaceMesh & flat)
   return static_cast<int>(std::count(isFlipped.begin(), isFlipped.end(), 1));
 }
 
-/** By the map of one solve. */
+/** Map computed in one solve. */
 int
 FlipsAtFirst(const shapeton::SurfaceMesh & mesh)
 {
@@ -49,7 +49,7 @@ FlipsAtFirst(const shapeton::SurfaceMesh & mesh)
   return FlipsOf(shapeton::FlattenTube(mesh, connectivity, StraightLengths(mesh, connectivity, {}), ends).flat);
 }
 
-/** Faces of the wall are those of the surface before, and what was cut off is accounted for. */
+/** Checks that wall faces are those of the original surface and that the removed area is accounted for. */
 void
 ExpectWallWithCaps(const shapeton::SurfaceMesh & before, const shapeton::UnfoldedTube & tube)
 {
@@ -93,7 +93,7 @@ ExpectWallWithCaps(const shapeton::SurfaceMesh & before, const shapeton::Unfolde
   EXPECT_EQ(0, connectivity.Components().front().genus);
 }
 
-/** Flat on disk, too. */
+/** Checks that the map on disk is flat, too. */
 void
 ExpectNoFolds(const RoughTubeOptions & rough, const shapeton::ColonFlatteningOptions & options)
 {
@@ -113,7 +113,7 @@ ExpectNoFolds(const RoughTubeOptions & rough, const shapeton::ColonFlatteningOpt
   EXPECT_LE(cutOff, flat.cutOffAreaFraction * (1.0 + 1e-12));
 }
 
-/** Number n of many: all kinds of faults, and both metrics. */
+/** Random tube number n: all kinds of defects, and both metrics. */
 void
 ExpectNoFoldsOfTube(int n)
 {
@@ -239,7 +239,7 @@ TEST(TubeUnfolding, BlindPouchesAreCutOffAndListed)
   }
 }
 
-/** Along a deep pouch distances of diffusion fall below the error of the default number of poles. */
+/** In a deep pouch diffusion distances fall below the error of the default number of poles. */
 TEST(TubeUnfolding, DeepPouchesAreMeasuredByMorePoles)
 {
   RoughTubeOptions rough;

@@ -5,38 +5,36 @@
 
 namespace shapeton
 {
-/** \defgroup HeatKernel Heat kernel and what is derived from it
- * From the eigenpairs of a spectrum, all of them, at a time t in mm^2: the solution of du/dt = -M^-1 L u. Each throws
- * InputError for a t that is not positive and finite and for a vertex that there is not. What the missing pairs would
- * contribute decays like exp(-lambda_K t): a spectrum of K pairs serves times well above 1 / lambda_K.
- * \ingroup HeatDiffusionMetric */
+/** \defgroup HeatKernel Heat kernel and derived quantities
+ * Computed from all eigenpairs of a spectrum at a time t in mm^2: the solution of du/dt = -M^-1 L u. All functions
+ * throw InputError if t is not positive and finite, or if a vertex does not exist. The truncation error decays like
+ * exp(-lambda_K t): K pairs are sufficient for times well above 1 / lambda_K. \ingroup HeatDiffusionMetric */
 ///@{
-/** K_t(p, q) = sum_i exp(-lambda_i t) phi_i(p) phi_i(q) (5.3): heat at q of a unit source at p; 1/mm^2. */
+/** K_t(p, q) = sum_i exp(-lambda_i t) phi_i(p) phi_i(q) (5.3): heat at q from a unit source at p (1/mm^2). */
 HeatDiffusionMetric_EXPORT double
 HeatKernel(const SurfaceSpectrum & spectrum, int p, int q, double t);
 
-/** K_t(p, p) for each vertex p; 1/mm^2 (Sun, Ovsjanikov and Guibas, 2009). */
+/** K_t(p, p) for each vertex p (1/mm^2; Sun, Ovsjanikov and Guibas, 2009). */
 HeatDiffusionMetric_EXPORT Eigen::VectorXd
                            HeatKernelSignature(const SurfaceSpectrum & spectrum, double t);
 
-/** Times that a heat kernel signature is worth to be looked at, mm^2: `number` of them, even in the logarithm, from 4
- * ln 10 / lambda_K, below which the missing pairs count, to 4 ln 10 / lambda_1, where all is even (lambda_1 the first
- * one above 0; Sun, Ovsjanikov and Guibas, 2009). Throws InputError where the spectrum has fewer than two distinct
- * eigenvalues above 0. */
+/** Sample times for a heat kernel signature (mm^2): `number` of them, logarithmically spaced from 4 ln 10 / lambda_K,
+ * below which truncation matters, to 4 ln 10 / lambda_1, where heat is uniform (lambda_1 is the first positive
+ * eigenvalue; Sun, Ovsjanikov and Guibas, 2009). Throws InputError if the spectrum has fewer than two distinct
+ * positive eigenvalues. */
 HeatDiffusionMetric_EXPORT std::vector<double>
                            HeatKernelSignatureTimes(const SurfaceSpectrum & spectrum, int number);
 
-/** The share that the last pair has still at the time t, exp(-lambda_K t): what a sum over the pairs leaves out is of
- * this order. */
+/** Weight exp(-lambda_K t) of the last pair at time t; the truncation error is of this order. */
 HeatDiffusionMetric_EXPORT double
 ShareOfLastPair(const SurfaceSpectrum & spectrum, double t);
 
-/** The L2 distance of the heats that p and q have sent out by the time t; its square is sum_i exp(-2 lambda_i t)
- * (phi_i(p) - phi_i(q))^2 (5.5); 1/mm. */
+/** L2 distance of the heat distributions of p and q at time t; its square is sum_i exp(-2 lambda_i t) (phi_i(p) -
+ * phi_i(q))^2 (5.5) (1/mm). */
 HeatDiffusionMetric_EXPORT double
 DiffusionDistance(const SurfaceSpectrum & spectrum, int p, int q, double t);
 
-/** The distances from p to all vertices. */
+/** Distances from p to all vertices. */
 HeatDiffusionMetric_EXPORT Eigen::VectorXd
                            DiffusionDistances(const SurfaceSpectrum & spectrum, int p, double t);
 ///@}

@@ -11,7 +11,7 @@
 
 namespace shapeton
 {
-/** How the area of a surface is shared among its vertices. \ingroup HeatDiffusionMetric */
+/** Distribution of the surface area among the vertices. \ingroup HeatDiffusionMetric */
 enum class MassLumping
 {
   /** A third of each face to each corner. */
@@ -20,25 +20,24 @@ enum class MassLumping
   MixedVoronoi
 };
 
-/** Mass and least height of faces for MakeSurfaceLaplacian(). \ingroup HeatDiffusionMetric */
+/** Mass lumping and minimum face height for MakeSurfaceLaplacian(). \ingroup HeatDiffusionMetric */
 struct SurfaceLaplacianOptions
 {
   MassLumping lumping{ MassLumping::Barycentric };
-  /** A face whose least height is below this part of its longest side is taken to have that height: its stiffness is
-   * scaled down, so that it stays positive semidefinite, and cannot swamp that of its neighbours. */
+  /** Minimum face height, relative to the longest side. The stiffness of a flatter face is scaled down to that of a
+   * face with this height: it stays positive semidefinite and cannot dominate that of its neighbors. */
   double leastHeight{ 1e-6 };
 };
 
 /** \class SurfaceLaplacian
  * \brief Cotangent stiffness L and lumped mass M of a triangle surface: the operator -div grad is M^-1 L.
- *
  * L is symmetric, positive semidefinite and has row sums 0 (natural, that is Neumann boundaries); u^T L u is the
  * integral of |grad u|^2 for the piecewise linear u (Pinkall and Polthier, 1993; dissertation 5.2.1 with the sign of
- * the forward heat equation). The weight of an edge is half the sum of the cotangents of the angles opposite to it. It
- * is negative where these exceed 180 degrees together; L stays semidefinite there, only the maximum principle is lost.
+ * the forward heat equation). An edge weight is half the sum of the cotangents of the opposite angles. It is negative
+ * if these sum to more than 180 degrees; L stays semidefinite, only the maximum principle is lost.
  *
- * Only lengths of edges count, so there is a Laplacian for any metric on the surface. Vertices and edges are numbered
- * as in SurfaceConnectivity. Unit of L: 1, of M: mm^2.
+ * L depends only on edge lengths, so any metric on the surface has a Laplacian. Vertices and edges are numbered as in
+ * SurfaceConnectivity. L is dimensionless; M is in mm^2.
  *
  * \ingroup HeatDiffusionMetric
  */
@@ -47,7 +46,7 @@ struct SurfaceLaplacian
   std::vector<std::array<int, 2>> edges;
   Eigen::VectorXd                 weights; ///< for each edge; L_ij = -weight
   Eigen::VectorXd                 mass;    ///< for each vertex
-  /** Needles that were given leastHeight. */
+  /** Needles that were adjusted to leastHeight. */
   std::vector<int> clampedFaces;
 
   int
@@ -57,33 +56,33 @@ struct SurfaceLaplacian
   }
 };
 
-/** The straight lengths of the edges, in their order; mm. \ingroup HeatDiffusionMetric */
+/** Straight edge lengths, in edge order (mm). \ingroup HeatDiffusionMetric */
 HeatDiffusionMetric_EXPORT Eigen::VectorXd
                            EdgeLengths(const SurfaceConnectivity & connectivity, const VertexMatrix & V);
 
-/** The Laplacian of a surface with these lengths of edges. Throws InputError where a length is not finite or not
- * positive, lengths of a face break the triangle inequality by more than 1e-5 of the longest, a face is degenerate, or
- * a vertex has no face. Lengths that break it by less are taken for a needle. \ingroup HeatDiffusionMetric */
+/** Laplacian of a surface with these edge lengths. Throws InputError if a length is not finite or not positive, a face
+ * violates the triangle inequality by more than 1e-5 of its longest side, a face is degenerate, or a vertex has no
+ * face. Smaller violations are treated as needles. \ingroup HeatDiffusionMetric */
 HeatDiffusionMetric_EXPORT SurfaceLaplacian
 MakeSurfaceLaplacian(const SurfaceConnectivity &     connectivity,
                      const Eigen::VectorXd &         edgeLengths,
                      const SurfaceLaplacianOptions & options = {});
 
-/** The Laplacian of the surface in space; throws InputError also for faces without area (a height below 1e-12 of the
- * longest side), which RepairSurface() cannot mend: remesh, or simplify. \ingroup HeatDiffusionMetric */
+/** Laplacian of the surface in space. Also throws InputError for zero-area faces (height below 1e-12 of the longest
+ * side), which RepairSurface() cannot repair: remesh or simplify. \ingroup HeatDiffusionMetric */
 HeatDiffusionMetric_EXPORT SurfaceLaplacian
 MakeSurfaceLaplacian(const SurfaceConnectivity &     connectivity,
                      const VertexMatrix &            V,
                      const SurfaceLaplacianOptions & options = {});
 
-/** Whether the lengths of each face are those of a triangle, as far as MakeSurfaceLaplacian() asks. Other errors are
- * left to it. \ingroup HeatDiffusionMetric */
+/** Whether the lengths of each face form a triangle within the tolerance of MakeSurfaceLaplacian(). Other errors are
+ * not checked. \ingroup HeatDiffusionMetric */
 HeatDiffusionMetric_EXPORT bool
 AreTriangles(const SurfaceConnectivity & connectivity, const Eigen::VectorXd & edgeLengths);
 
-/** For lengths that are known but for a small error, of which the shortest side of a face has least left: where it is
- * too short for a triangle, it becomes as long as the difference of the other two. Gives the edges that were changed;
- * faces may be left that are no triangles. Errors as those of MakeSurfaceLaplacian(). \ingroup HeatDiffusionMetric */
+/** For lengths with a small error, which affects the shortest side of a face most. If that side is too short for a
+ * triangle, it is set to the difference of the other two. Returns the changed edges; some faces may still violate the
+ * triangle inequality. Errors as MakeSurfaceLaplacian(). \ingroup HeatDiffusionMetric */
 HeatDiffusionMetric_EXPORT std::set<int>
 LengthenShortestSides(const SurfaceConnectivity & connectivity, Eigen::VectorXd & edgeLengths);
 
@@ -91,7 +90,7 @@ LengthenShortestSides(const SurfaceConnectivity & connectivity, Eigen::VectorXd 
 HeatDiffusionMetric_EXPORT Eigen::VectorXd
                            StiffnessDiagonal(const SurfaceLaplacian & laplacian);
 
-/** L with both triangles. \ingroup HeatDiffusionMetric */
+/** L as a full symmetric matrix. \ingroup HeatDiffusionMetric */
 HeatDiffusionMetric_EXPORT Eigen::SparseMatrix<double>
                            StiffnessMatrix(const SurfaceLaplacian & laplacian);
 
@@ -99,8 +98,8 @@ HeatDiffusionMetric_EXPORT Eigen::SparseMatrix<double>
 HeatDiffusionMetric_EXPORT double
 GradientEnergy(const SurfaceLaplacian & laplacian, const Eigen::VectorXd & u);
 
-/** Throws InputError, which begins with `what`, unless the surface is one manifold component whose faces all have three
- * corners: what diffusion distances are defined for. \ingroup HeatDiffusionMetric */
+/** Throws InputError with the prefix `what` unless the surface is one manifold component without degenerate faces, as
+ * diffusion distances require. \ingroup HeatDiffusionMetric */
 HeatDiffusionMetric_EXPORT void
 RequireOneManifold(const SurfaceConnectivity & connectivity, const std::string & what);
 } // namespace shapeton

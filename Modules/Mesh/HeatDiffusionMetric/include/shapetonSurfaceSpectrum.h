@@ -6,14 +6,15 @@
 
 namespace shapeton
 {
-/** The smoothest eigenfunctions of a surface: L phi = lambda M phi. \ingroup HeatDiffusionMetric */
+/** The lowest eigenpairs of a surface: L phi = lambda M phi. \ingroup HeatDiffusionMetric */
 struct SurfaceSpectrum
 {
-  /** Ascending from 0 on; 1/mm^2. */
+  /** Eigenvalues, ascending from 0 (1/mm^2). */
   Eigen::VectorXd eigenvalues;
-  /** In columns, phi^T M phi = 1 (1/mm). Of one sign each: the component of largest magnitude is positive. */
+  /** Eigenfunctions in columns, phi^T M phi = 1 (1/mm). Sign convention: the component of largest magnitude is
+   * positive. */
   Eigen::MatrixXd eigenfunctions;
-  /** Of each pair: the norm of M^-1/2 (L phi - lambda M phi), relative to the largest eigenvalue asked for. */
+  /** Residual of each pair: the norm of M^-1/2 (L phi - lambda M phi), relative to the largest requested eigenvalue. */
   Eigen::VectorXd residuals;
 
   int
@@ -23,21 +24,21 @@ struct SurfaceSpectrum
   }
 };
 
-/** When the iteration of ComputeSurfaceSpectrum() ends: residual of an eigenpair relative to the largest one, and
- * restarts. \ingroup HeatDiffusionMetric */
+/** Stopping criteria of ComputeSurfaceSpectrum(): residual of an eigenpair relative to the largest one, and restarts.
+ * \ingroup HeatDiffusionMetric */
 struct SurfaceSpectrumOptions
 {
   double tolerance{ 1e-10 };
   int    restarts{ 300 };
-  /** After each step of the iteration. It may throw in order to abort. */
+  /** Called after each iteration step. May throw to abort. */
   Progress progress;
 };
 
-/** The `pairs` smallest eigenpairs by shift and invert: implicitly restarted Lanczos (Spectra) on a sparse Cholesky
- * factorisation, or a dense decomposition where the surface has few vertices. It starts from a fixed vector, so the
- * same surface gives the same bytes. Eigenfunctions of a multiple eigenvalue are some basis of their space. Memory:
- * about 40 bytes for each vertex and pair while it runs. Throws InputError where `pairs` is not in [1, vertices], or it
- * does not converge. \ingroup HeatDiffusionMetric */
+/** Computes the `pairs` smallest eigenpairs by shift-and-invert: implicitly restarted Lanczos (Spectra) with a sparse
+ * Cholesky factorization, or a dense decomposition for small surfaces. The start vector is fixed, so results are
+ * bitwise reproducible. Eigenfunctions of a multiple eigenvalue are an arbitrary basis of their eigenspace. Peak
+ * memory: about 40 bytes per vertex and pair. Throws InputError if `pairs` is not in [1, vertices], or if the
+ * iteration does not converge. \ingroup HeatDiffusionMetric */
 HeatDiffusionMetric_EXPORT SurfaceSpectrum
 ComputeSurfaceSpectrum(const SurfaceLaplacian & laplacian, int pairs, const SurfaceSpectrumOptions & options = {});
 } // namespace shapeton

@@ -9,7 +9,7 @@ namespace shapeton
 {
 namespace
 {
-/** Coarser meshes do not get longer times, mm. */
+/** Cap of the mean edge in the default time (mm). */
 constexpr double greatestEdge = 3.0;
 
 void
@@ -46,7 +46,7 @@ IsTooCoarseForDiffusion(double meanEdge, double narrowestRadius)
 int
 FacesForDiffusion(double area, double narrowestRadius)
 {
-  constexpr double areaOfFace = 0.42; // of the square of the mean edge: most faces are nearly equilateral
+  constexpr double areaOfFace = 0.42; // relative to the squared mean edge: most faces are nearly equilateral
   RequireRadius(narrowestRadius);
   constexpr double mappedWell = 2.0; // mm: at 2.5 mm the dilatation of 1 % of the faces of a patient's wall exceeds 1.9
   const double     edge = std::min(mappedWell, narrowestRadius);

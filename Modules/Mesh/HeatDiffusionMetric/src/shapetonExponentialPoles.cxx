@@ -7,9 +7,9 @@ namespace shapeton
 const ExponentialPoles &
 GetExponentialPoles(int pairs)
 {
-  // Poles and residues minimise the largest (1 + x)^2 |r(x) - exp(-x)|, x >= 0, among the functions that decay like
-  // 1 / x^2, that is with real parts of the residues that add up to 0: least squares in the poles, the residues solved
-  // for, points reweighted by their errors until these are even, in extended precision, from Talbot's contour on.
+  // Poles and residues minimize the largest (1 + x)^2 |r(x) - exp(-x)|, x >= 0, among the functions that decay like 1 /
+  // x^2 (the real parts of the residues sum to 0). Computed by least squares in the poles, with the residues solved for
+  // and points reweighted by their errors until these are equal, in extended precision, starting from Talbot's contour.
   static const std::array<ExponentialPoles, 6> tables{
     { { { { { 1.17166496534825756, 0.930558759750549751 }, { 0.622622542601877458, 1.93091698769926236 } },
           { { -0.146479424765349248, 2.83846008184863755 }, { -0.682970145797239016, -0.378392928978626017 } },

@@ -11,11 +11,11 @@ struct ExponentialPoles
 {
   struct Term
   {
-    std::complex<double> pole; ///< in the upper half plane; its conjugate is in the real part
+    std::complex<double> pole; ///< in the upper half plane; the real part includes its conjugate
     std::complex<double> residue;
   };
   std::vector<Term> terms;
-  /** A bound of |r(x) - exp(-x)| (1 + x)^2. */
+  /** Bound of |r(x) - exp(-x)| (1 + x)^2. */
   double error;
 };
 

@@ -10,9 +10,9 @@ namespace shapeton
 {
 namespace
 {
-/** Below this part of H_pp + H_qq a difference has no digits left. */
+/** Below this fraction of H_pp + H_qq a difference has no valid digits. */
 constexpr double rounding = 1e-12;
-/** Tips of needles have such edges on sound surfaces, too; where there are more, the time is too long. */
+/** Allowed fraction of such edges. Sound surfaces have some at needle tips; more mean that the time is too long. */
 constexpr double mostOfDrowned = 1e-3;
 
 void
@@ -27,8 +27,8 @@ RequireFewDrowned(const HeatDiffusionMetric & metric)
   }
 }
 
-/** The distances of the ends of all edges from elements of the heat kernel at twice the time. \equation{5.4} as the
- * square of the distance; the source gives it as the distance itself, at odds with (5.5). */
+/** Edge distances from elements of the heat kernel at twice the time. \equation{5.4} for the squared distance; the
+ * source gives it for the distance itself, which contradicts (5.5). */
 HeatDiffusionMetric
 MetricOf(const SurfaceLaplacian & laplacian, const Eigen::VectorXd & diagonal, const Eigen::VectorXd & offDiagonal)
 {

@@ -11,11 +11,11 @@ namespace shapeton
 {
 namespace
 {
-/** So much of the longest side may the others lack. */
+/** Tolerance of the triangle inequality, as a fraction of the longest side. */
 constexpr double inequalitySlack = 1e-5;
 constexpr double zeroHeight = 1e-12;
 
-/** A triangle by its sides, side k opposite to corner k. */
+/** Side lengths of a triangle, side k opposite to corner k. */
 struct Triangle
 {
   std::array<double, 3> sides;
@@ -24,7 +24,7 @@ struct Triangle
   bool                  isClamped{ false };
 };
 
-/** 16 times the square of the area, by Kahan's ordering of the terms, which keeps the digits of needles. */
+/** 16 times the squared area in Kahan's ordering, which is accurate for needles. */
 double
 HeronProduct(double longest, double middle, double shortest)
 {
@@ -38,7 +38,7 @@ FaceName(int face)
   return "face " + std::to_string(face);
 }
 
-/** Whether the longest side, the last, exceeds the others together by rounding at most. */
+/** Whether the longest side, the last one, exceeds the sum of the others by rounding at most. */
 bool
 IsTriangle(const std::array<double, 3> & sorted)
 {
@@ -75,7 +75,7 @@ SolveTriangle(int face, std::array<double, 3> sides, double leastHeight)
   return triangle;
 }
 
-/** The part of a corner in the area of a triangle. */
+/** Area fraction of a corner of a triangle. */
 double
 MassOfCorner(const Triangle & triangle, int k, MassLumping lumping)
 {
@@ -131,7 +131,7 @@ CheckMass(const Eigen::VectorXd & mass)
   }
 }
 
-/** The side opposite to corner k is the edge from the next corner on. */
+/** The side opposite to corner k is the edge that starts at the next corner. */
 std::array<double, 3>
 SidesOfFace(const SurfaceConnectivity & connectivity, const Eigen::VectorXd & lengths, int face)
 {
@@ -148,7 +148,7 @@ SidesOfFace(const SurfaceConnectivity & connectivity, const Eigen::VectorXd & le
   return sides;
 }
 
-/** The corner of a face that lies opposite to the edge from the next corner on. */
+/** Corner of a face opposite to the edge that starts at the next corner. */
 int
 CornerOf(const SurfaceConnectivity & connectivity, int face, int k)
 {
@@ -189,7 +189,7 @@ AreTriangles(const SurfaceConnectivity & connectivity, const Eigen::VectorXd & e
 std::set<int>
 LengthenShortestSides(const SurfaceConnectivity & connectivity, Eigen::VectorXd & edgeLengths)
 {
-  constexpr int mostSweeps = 100; // a side that was lengthened may be too long for the face beside it
+  constexpr int mostSweeps = 100; // a lengthened side may be too long for the adjacent face
   std::set<int> lengthened;
   for (int sweep = 0; sweep < mostSweeps && !AreTriangles(connectivity, edgeLengths); ++sweep)
   {

@@ -16,7 +16,7 @@ namespace shapeton
 {
 namespace
 {
-/** A dense decomposition is faster below. */
+/** A dense decomposition is faster below this size. */
 constexpr int fewVertices = 300;
 
 /** Pairs of M^-1/2 L M^-1/2. */
@@ -25,7 +25,7 @@ struct SymmetricPairs
   std::vector<double>          values;
   std::vector<Eigen::VectorXd> vectors;
 
-  /** Ascending eigenvalues. */
+  /** Eigenvalues, ascending. */
   void
   Sort()
   {
@@ -42,13 +42,13 @@ struct SymmetricPairs
   }
 };
 
-/** The inverse of M^-1/2 L M^-1/2 + shift, as Spectra asks for it, on the complement of the pairs already known. */
+/** Inverse of M^-1/2 L M^-1/2 + shift in the interface of Spectra, on the complement of the known pairs. */
 class ShiftedInverse
 {
 public:
   using Scalar = double;
 
-  /** \param steps hears of each vector that the inverse is applied to. */
+  /** \param steps notified of each vector that the inverse is applied to. */
   ShiftedInverse(const SurfaceLaplacian &      laplacian,
                  const SymbolicFactorisation & symbolic,
                  double                        shift,
@@ -119,14 +119,14 @@ DensePairs(const SurfaceLaplacian & laplacian, int pairs)
   return found;
 }
 
-/** By Weyl's law the eigenvalues grow by 4 pi / area on the average. */
+/** By Weyl's law the mean spacing of the eigenvalues is 4 pi / area. */
 double
 EigenvalueStep(const SurfaceLaplacian & laplacian)
 {
   return 4.0 * Pi / laplacian.mass.sum();
 }
 
-/** Adds the smallest pairs that are not known. */
+/** Adds the smallest unknown pairs. */
 void
 AddPairs(ShiftedInverse &               inverse,
          double                         shift,
@@ -155,8 +155,8 @@ AddPairs(ShiftedInverse &               inverse,
   known.Sort();
 }
 
-/** Lanczos with one vector sees one direction of the space of a multiple eigenvalue, and others through rounding alone.
- * So the pairs are counted, and those that are missing are looked for in the complement of the others. */
+/** Single-vector Lanczos finds one direction of a multiple eigenspace, and others only through rounding. Therefore the
+ * pairs are counted, and missing ones are computed in the complement of the others. */
 SymmetricPairs
 LanczosPairs(const SurfaceLaplacian & laplacian, int pairs, const SurfaceSpectrumOptions & options)
 {
@@ -167,7 +167,8 @@ LanczosPairs(const SurfaceLaplacian & laplacian, int pairs, const SurfaceSpectru
   const SymbolicFactorisation symbolic(laplacian.NumberOfVertices(), laplacian.edges, EliminationOrder::MinimumDegree);
   const Eigen::VectorXd       diagonal = StiffnessDiagonal(laplacian);
   steps.Step();
-  // L - number M has as many negative eigenvalues as there are eigenvalues below the number.
+  // L - number M has as many negative eigenvalues as there are eigenvalues below the number (Sylvester's law of
+  // inertia).
   auto countBelow = [&, counter = SparseCholesky(symbolic)](double number) mutable {
     counter.Factorise(diagonal - number * laplacian.mass, -laplacian.weights, steps.NextStep());
     return counter.NegativeEigenvalues();
@@ -177,7 +178,7 @@ LanczosPairs(const SurfaceLaplacian & laplacian, int pairs, const SurfaceSpectru
   AddPairs(inverse, shift, pairs + spare, options, found);
   for (int attempt = 0; attempt < attempts; ++attempt)
   {
-    // The widest gap above those asked for, where a count is certain.
+    // The widest gap above the requested pairs, where a count is reliable.
     int below = pairs;
     for (int i = pairs; i < pairs + spare; ++i)
     {
@@ -217,7 +218,7 @@ ComputeSurfaceSpectrum(const SurfaceLaplacian & laplacian, int pairs, const Surf
     throw InputError("a surface of " + std::to_string(vertices) + " vertices has as many eigenpairs, not " +
                      std::to_string(pairs));
   }
-  const bool isDense = vertices <= fewVertices || 3 * pairs > vertices; // and Lanczos keeps twice the pairs, and some
+  const bool isDense = vertices <= fewVertices || 3 * pairs > vertices; // Lanczos keeps more than twice the pairs
   const SymmetricPairs  found = isDense ? DensePairs(laplacian, pairs) : LanczosPairs(laplacian, pairs, options);
   SurfaceSpectrum       spectrum{ Eigen::VectorXd(pairs), Eigen::MatrixXd(vertices, pairs), {} };
   const Eigen::VectorXd rootMass = laplacian.mass.cwiseSqrt();

@@ -12,7 +12,7 @@
 #include <cstdint>
 #include <stdexcept>
 
-/** Surfaces like a colon, of known topology and with handles at known places. */
+/** Colon-like surfaces with known topology and handles at known positions. */
 namespace testsurfaces
 {
 struct ColonTubeOptions
@@ -23,8 +23,8 @@ struct ColonTubeOptions
   double        length{ 1500.0 };    ///< mm
   double        radius{ 22.0 };      ///< mean, mm
   double        haustrum{ 32.0 };    ///< from fold to fold, mm
-  double        foldDepth{ 0.3 };    ///< of the radius
-  double        irregularity{ 0.2 }; ///< of an edge
+  double        foldDepth{ 0.3 };    ///< relative to the radius
+  double        irregularity{ 0.2 }; ///< relative to the edge
   int           handleSpan{ 4 };     ///< edges between the two faces that a handle joins
 };
 
@@ -40,14 +40,14 @@ namespace colontube
 {
 constexpr double pi = 3.14159265358979323846;
 
-/** In [0, 1), by seed and counter. */
+/** Random number in [0, 1), by seed and counter. */
 inline double
 Uniform(std::uint64_t seed, std::uint32_t stream, std::uint32_t number)
 {
   return shapeton::UnitFloat(shapeton::Philox4x32(seed, { number, stream, 0, 0 }).a);
 }
 
-/** Rectum, sigmoid, descending, transverse, ascending, caecum; without unit. */
+/** Rectum, sigmoid, descending, transverse, ascending, cecum; dimensionless. */
 inline Eigen::Vector3d
 ControlPoint(int i)
 {
@@ -72,8 +72,7 @@ PathPoint(double u)
          (2.0 * b + (c - a) * t + (2.0 * a - 5.0 * b + 4.0 * c - d) * t * t + (3.0 * (b - c) + d - a) * t * t * t);
 }
 
-/** Means of neighbouring points, three times over: bends get wider than the tube, so that it does not fold into itself.
- */
+/** Averages neighboring points three times, so that bends are wider than the tube and it does not intersect itself. */
 inline std::vector<Eigen::Vector3d>
 Smoothed(std::vector<Eigen::Vector3d> path, int reach)
 {
@@ -93,7 +92,7 @@ Smoothed(std::vector<Eigen::Vector3d> path, int reach)
   return path;
 }
 
-/** A centreline with frames that do not twist. */
+/** A centerline with twist-free frames. */
 class Centreline
 {
 public:
@@ -150,7 +149,7 @@ private:
   std::vector<Eigen::Vector3d> m_Points, m_Normals, m_Binormals;
 };
 
-/** Semilunar folds between three taeniae, in each third of the circumference at another place; a wider caecum. */
+/** Semilunar folds between three taeniae, staggered between the thirds of the circumference; a wider cecum. */
 inline double
 Radius(const ColonTubeOptions & options, double s, double angle)
 {
@@ -164,13 +163,13 @@ Radius(const ColonTubeOptions & options, double s, double angle)
   return options.radius * width * (1.0 - options.foldDepth * ridge * between);
 }
 
-/** Joins two faces by a tube of six triangles in place of them. */
+/** Replaces two faces by a tube of six triangles that joins them. */
 inline std::array<int, 6>
 JoinFaces(std::vector<std::array<int, 3>> & faces, int first, int second)
 {
   const std::array<int, 3>        a = faces[first];
   const std::array<int, 3>        b = faces[second];
-  const std::array<int, 3>        turned{ b[0], b[2], b[1] }; // the rim of the other hole runs the other way round
+  const std::array<int, 3>        turned{ b[0], b[2], b[1] }; // the rim of the other hole has the opposite direction
   std::vector<std::array<int, 3>> tube;
   for (int k = 0; k < 3; ++k)
   {
@@ -184,7 +183,7 @@ JoinFaces(std::vector<std::array<int, 3>> & faces, int first, int second)
   return { a[0], a[1], a[2], b[0], b[1], b[2] };
 }
 
-/** The grid of a tube: rows of `around` vertices, each row half a step further than the one before. */
+/** Grid of a tube: rows of `around` vertices, each row shifted by half a step against the previous one. */
 struct Grid
 {
   int around;
@@ -194,7 +193,7 @@ struct Grid
   {
     return row * around + (column + around) % around;
   }
-  /** The even face between a row and the next one; the odd face follows it. */
+  /** The even face between a row and the next one; the odd face follows. */
   int
   Face(int row, int column) const
   {
@@ -221,7 +220,7 @@ Faces(const Grid & grid)
   return faces;
 }
 
-/** Handles between faces some edges apart in a row, and at least 3 rings of free vertices around each. */
+/** Handles between faces of one row, with at least 3 rings of free vertices around each. */
 inline std::vector<std::array<int, 6>>
 AddHandles(const ColonTubeOptions & options, const Grid & grid, std::vector<std::array<int, 3>> & faces)
 {
@@ -253,8 +252,8 @@ AddHandles(const ColonTubeOptions & options, const Grid & grid, std::vector<std:
 }
 } // namespace colontube
 
-/** A tube along a path like that of a colon, from the rectum to the caecum, open at both ends: about `faces` faces,
- * nearly equilateral but for the folds, oriented outward; each handle adds one to the genus and 4 faces. */
+/** A tube along a colon-like path from the rectum to the cecum, open at both ends. It has about `faces` faces, oriented
+ * outward and nearly equilateral except at folds. Each handle adds one to the genus and 4 faces. */
 inline ColonTube
 MakeColonTube(const ColonTubeOptions & options)
 {

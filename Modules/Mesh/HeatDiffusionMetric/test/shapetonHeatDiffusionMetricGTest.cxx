@@ -45,7 +45,7 @@ RelativeRms(const Eigen::VectorXd & a, const Eigen::VectorXd & b)
   return std::sqrt(((a - b).array() / b.array()).square().mean());
 }
 
-/** A prism with closed end, this wide and long, in place of a vertex of a convex surface with these faces around. */
+/** A closed prism of this width and length that replaces a vertex of a convex surface with these incident faces. */
 SurfaceMesh
 WithNeedle(const SurfaceMesh & body, int tip, double radius, double length)
 {
@@ -53,7 +53,7 @@ WithNeedle(const SurfaceMesh & body, int tip, double radius, double length)
   const Eigen::RowVector3d     end = foot + length * foot.normalized();
   std::vector<Eigen::Vector3i> faces;
   VertexMatrix                 V = body.V;
-  V.conservativeResize(2 * V.rows(), Eigen::NoChange); // a vertex has its foot and its top at most once
+  V.conservativeResize(2 * V.rows(), Eigen::NoChange); // each vertex has at most one foot and one top
   std::map<int, int> feet;
   const auto         footOf = [&](int v) {
     const auto [place, isNew] = feet.emplace(v, static_cast<int>(body.V.rows() + 2 * feet.size()));
@@ -94,7 +94,7 @@ WithNeedle(const SurfaceMesh & body, int tip, double radius, double length)
   return mesh;
 }
 
-/** With all eigenpairs, from a dense decomposition. */
+/** From all eigenpairs, by a dense decomposition. */
 Eigen::VectorXd
 DenseMetric(const SurfaceLaplacian & laplacian, double t)
 {
@@ -242,8 +242,8 @@ TEST(HeatDiffusionMetric, BeginsWithTheMassesAndEndsWithTheSlowestFunction)
     const auto & [p, q] = laplacian.edges[edge];
     EXPECT_NEAR(early[edge], std::sqrt(1.0 / laplacian.mass[p] + 1.0 / laplacian.mass[q]), 1e-6);
   }
-  const SurfaceSpectrum spectrum = ComputeSurfaceSpectrum(laplacian, 4); // the constant and three of one eigenvalue
-  const double          t = 2.0 / spectrum.eigenvalues[3];               // the next have e^-8 less in the square
+  const SurfaceSpectrum spectrum = ComputeSurfaceSpectrum(laplacian, 4); // constant and a triple eigenvalue
+  const double          t = 2.0 / spectrum.eigenvalues[3];               // the next add e^-8 less to the square
   const Eigen::VectorXd late = solver.Compute(t, 8).edgeLengths;
   for (std::size_t edge = 0; edge < laplacian.edges.size(); ++edge)
   {
@@ -272,7 +272,7 @@ TEST(HeatDiffusionMetric, GivesTheSameBytesForAnyNumberOfThreads)
 
 TEST(HeatDiffusionMetric, TruncatedLacksTheAnglesOfALongTube)
 {
-  // Why 50 pairs, as published, do not do for a whole colon: none of them varies around the tube.
+  // 50 pairs, as published, are not sufficient for a whole colon: none of them varies around the tube.
   const SurfaceMesh         mesh = Cylinder(12, 300, 1.0, 200.0);
   const SurfaceConnectivity connectivity(mesh);
   const auto                laplacian = MakeSurfaceLaplacian(connectivity, mesh.V);
@@ -321,7 +321,7 @@ TEST(HeatDiffusionMetric, MeanEdgeAt55000FacesDoesNotDependOnTheMesh)
   EXPECT_NEAR(meanEdge(32000), meanEdge(8000), 0.1 * meanEdge(8000));
 }
 
-/** Around a needle heat is the same but for what rounding leaves; the rest of the surface does not feel it. */
+/** Around a needle heat is constant up to rounding; the rest of the surface is not affected. */
 TEST(HeatDiffusionMetric, NeedlesHaveTheLeastLengthThatCanBeTold)
 {
   const SurfaceMesh         sphere = Icosphere(5, 10.0);

@@ -4,10 +4,10 @@
 #include "shapetonSurfaceLaplacian.h"
 #include "shapetonTestSurfaces.h"
 
-/** Flat surfaces by their lengths of edges, whose spectra are known exactly. */
+/** Flat surfaces given by edge lengths, with exactly known spectra. */
 namespace testsurfaces
 {
-/** A grid with its true lengths in the plane, whatever it is wrapped into. */
+/** A grid with its true planar lengths, however it is wrapped. */
 struct FlatGrid
 {
   FlatGrid(int around, int along, Wrap wrap, double width, double height)

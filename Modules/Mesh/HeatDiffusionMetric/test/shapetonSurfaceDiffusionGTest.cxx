@@ -23,7 +23,7 @@ TEST(SurfaceDiffusion, CoordinatesOfASphereDecayAsKnown)
   DiffuseOverSurface(laplacian, time, values);
   const double step = 1.0 + time / (radius * radius);
   EXPECT_LT((values.leftCols(3) - sphere.V / (step * step)).cwiseAbs().maxCoeff(), 0.02);
-  EXPECT_LT((values.col(3).array() - 7.0).abs().maxCoeff(), 1e-7); // what is even stays
+  EXPECT_LT((values.col(3).array() - 7.0).abs().maxCoeff(), 1e-7); // constants are preserved
 }
 
 TEST(SurfaceDiffusion, HeatIsConservedAndNoTimeChangesNothing)

@@ -111,7 +111,7 @@ TEST(SurfaceLaplacian, FromLengthsAloneIsTheSame)
 TEST(SurfaceLaplacian, NeedlesAreClampedAndStaySemidefinite)
 {
   SurfaceMesh mesh = Square(6, 6.0);
-  mesh.V(24, 0) = mesh.V(25, 0) - 1e-9; // faces whose least height is 1e-9 of their side
+  mesh.V(24, 0) = mesh.V(25, 0) - 1e-9; // faces with a height of 1e-9 of their longest side
   const auto laplacian = LaplacianOf(mesh);
   EXPECT_FALSE(laplacian.clampedFaces.empty());
   EXPECT_LT(laplacian.weights.cwiseAbs().maxCoeff(), 1e7);
@@ -149,7 +149,7 @@ TEST(SurfaceLaplacian, SidesTooShortForTheirTrianglesAreLengthened)
   lengths[edge] = straight[edge];
   EXPECT_EQ(straight, lengths);
 
-  // Vertices nearer to each other than the errors of distances: only lengths as small as these change.
+  // Vertices closer than the error of the distances: only lengths of this size change.
   constexpr double error = 1e-3;
   SurfaceMesh      dense = mesh;
   dense.V *= 0.2 * error / straight[edge];

@@ -6,51 +6,50 @@
 namespace shapeton
 {
 /** \class CurveSet
- * \brief Polylines in space, such as a centreline or taeniae, and single points: vertices V and arrays on them.
+ * \brief Polylines in space, such as a centerline or taeniae, and single points: vertices V with data arrays.
  * \ingroup SurfaceMesh
  */
 struct CurveSet
 {
-  /** LPS, mm. */
+  /** Vertex positions (LPS, mm). */
   VertexMatrix V;
   /** The vertices of each curve in order; a curve of one vertex is a point. */
   std::vector<std::vector<int>> curves;
-  /** A row for each vertex. */
+  /** One row for each vertex. */
   std::vector<SurfaceArray> pointArrays;
-  /** A row for each curve. */
+  /** One row for each curve. */
   std::vector<SurfaceArray> cellArrays;
-  /** About the curves as a whole. */
+  /** Arrays for the curve set as a whole. */
   std::vector<SurfaceArray> fieldArrays;
-  /** Facts in words, for example provenance. */
+  /** Key-value metadata as text, for example provenance. */
   std::vector<std::pair<std::string, std::string>> facts;
 };
 
-/** Throws InputError, with `what` in front, when there is no vertex, a curve is empty or names a vertex that is not
- * there, a coordinate is not finite, or an array lacks rows. \ingroup SurfaceMesh */
+/** Throws InputError with the prefix `what` if there are no vertices, a curve is empty or has an invalid vertex index,
+ * a coordinate is not finite, or an array has too few rows. \ingroup SurfaceMesh */
 SurfaceMesh_EXPORT void
 RequireSound(const CurveSet & curves, const std::string & what);
 
-/** The values of a point array with one component, one for each vertex. Throws InputError, with `what` in front, where
- * the array is missing. \ingroup SurfaceMesh */
+/** Values of a single-component point array, one per vertex. Throws InputError with the prefix `what` if the array is
+ * missing. \ingroup SurfaceMesh */
 SurfaceMesh_EXPORT Eigen::VectorXd
                    PointValues(const CurveSet & curves, const std::string & array, const std::string & what);
 
-/** Writes curves as VTP (.vtp) with LPS stated, points as VTK's verts, which come before the lines; reading them back
- * gives the curves in that order. Equal curves give equal bytes.
- * Throws OutputError when the file cannot be written, ParameterError for another extension, InputError as
- * RequireSound(), but a set of no curves is written. \ingroup SurfaceMesh */
+/** Writes curves as VTP (.vtp), marked as LPS. Points are written as VTK verts, which come before the lines; reading
+ * restores the curves in that order. Equal curves give equal bytes.
+ * Throws OutputError if the file cannot be written, ParameterError for another extension, and InputError as
+ * RequireSound(), except that an empty set is allowed. \ingroup SurfaceMesh */
 SurfaceMesh_EXPORT void
 WriteCurves(CurveSet curves, const std::string & path);
 
-/** Writes curves as WriteCurves() does, and the triangles of a surface through their vertices as VTK's polys, which
- * come after the lines; cell arrays have rows for these, too. ReadCurves() of the file gives the curves, ReadSurface()
- * the surface. Throws as WriteCurves(). \ingroup SurfaceMesh */
+/** Writes curves as WriteCurves(), and the triangles of a surface on their vertices as VTK polys, which come after the
+ * lines. Cell arrays have rows for these faces, too. ReadCurves() returns the curves of the file, ReadSurface() the
+ * surface. Throws as WriteCurves(). \ingroup SurfaceMesh */
 SurfaceMesh_EXPORT void
 WriteCurvesOnSurface(CurveSet curves, const FaceMatrix & faces, const std::string & path);
 
-/** Reads the lines and verts of a VTP file, which may have none; faces are left out. Throws InputError that names the
- * file and the fault.
- * \ingroup SurfaceMesh */
+/** Reads the lines and verts of a VTP file (possibly none); faces are ignored. Throws InputError that names the file
+ * and the error. \ingroup SurfaceMesh */
 SurfaceMesh_EXPORT CurveSet
 ReadCurves(const std::string & path);
 } // namespace shapeton

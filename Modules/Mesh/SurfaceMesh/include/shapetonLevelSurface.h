@@ -7,19 +7,19 @@
 
 namespace shapeton
 {
-/** The surface on which values on a grid pass a level, by marching cubes (vtkFlyingEdges3D), in units of the grid.
+/** Isosurface of values on a grid, by marching cubes (vtkFlyingEdges3D), in grid units.
  *
- * It is closed where the outermost layer of values lies on one side of the level. Keep values away from the level:
- * where several edges cross it at one grid point, faces have no area.
+ * The surface is closed if the outermost layer of values is on one side of the level. Avoid values equal or close to
+ * the level: if several edges cross it at one grid point, faces have zero area.
  *
- * \param size of the grid, at least 2 along each axis; the first axis runs fastest in `values`, which are only read.
- * \param first the coordinate of the first value along each axis.
- * Throws std::invalid_argument when the sizes disagree. \ingroup SurfaceMesh */
+ * \param size of the grid, at least 2 along each axis; the first axis runs fastest in `values`, which are not modified.
+ * \param first coordinate of the first value along each axis.
+ * Throws std::invalid_argument if the sizes disagree. \ingroup SurfaceMesh */
 SurfaceMesh_EXPORT SurfaceMesh
 LevelSurface(std::vector<float> & values, const std::array<int, 3> & size, double level, double first = 0.0);
 
-/** The component that encloses the greatest volume, with its faces outwards. \pre The surface has a face.
- * \ingroup SurfaceMesh */
+/** The component with the largest enclosed volume, faces oriented outward. \pre The surface has a face. \ingroup
+ * SurfaceMesh */
 SurfaceMesh_EXPORT SurfaceMesh
 OuterShell(const SurfaceMesh & mesh);
 } // namespace shapeton

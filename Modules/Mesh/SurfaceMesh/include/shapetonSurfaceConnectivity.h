@@ -8,7 +8,7 @@
 
 namespace shapeton
 {
-/** Some numbers that lie one after another in an array of a SurfaceConnectivity. \ingroup SurfaceMesh */
+/** A contiguous range of numbers in an array of a SurfaceConnectivity. \ingroup SurfaceMesh */
 class IndexRange
 {
 public:
@@ -39,7 +39,7 @@ private:
   const int * m_Last;
 };
 
-/** A connected component by edges: numbers of one component. \ingroup SurfaceMesh */
+/** Statistics of one edge-connected component. \ingroup SurfaceMesh */
 struct SurfaceComponent
 {
   int faces{ 0 };
@@ -48,24 +48,23 @@ struct SurfaceComponent
   int boundaryLoops{ 0 };
   /** vertices - edges + faces. */
   int eulerCharacteristic{ 0 };
-  /** No non-manifold edge, and one fan at each vertex. */
+  /** Whether no edge is non-manifold and each vertex has a single fan. */
   bool isManifold{ true };
-  /** The faces can be turned so that all neighbours agree; false for a Moebius strip. */
+  /** Whether the faces can be oriented consistently; false for a Moebius strip. */
   bool isOrientable{ true };
-  /** Handles, (2 - boundaryLoops - eulerCharacteristic) / 2; nothing where the component is not manifold or not
+  /** Handles, (2 - boundaryLoops - eulerCharacteristic) / 2; not set if the component is not manifold or not
    * orientable. */
   std::optional<int> genus;
-  /** The least index of its faces. */
+  /** Lowest index of its faces. */
   int firstFace{ 0 };
 };
 
 /** \class SurfaceConnectivity
- * \brief Which vertices, edges and faces of a triangle surface meet; built once, never changed.
+ * \brief Vertex, edge and face adjacency of a triangle surface; immutable.
  *
- * An edge is a pair of vertices, whatever the number of its faces. A degenerate face, one that names a vertex twice,
- * takes part in nothing: it has no edges and no component. Faces are connected where they share an edge; two that share
- * only a vertex do not. Everything is in the order of the indices, so equal input gives equal output. Memory: about 100
- * bytes for each face.
+ * An edge is a pair of vertices with any number of faces. Degenerate faces (with a repeated vertex) are ignored: they
+ * have no edges and no component. Faces are connected through a shared edge, not through a shared vertex. All lists are
+ * in index order, so equal input gives equal output. Memory: about 100 bytes per face.
  *
  * \ingroup SurfaceMesh
  */
@@ -95,25 +94,25 @@ public:
 
   /** \name Edges, in the order of their vertices */
   ///@{
-  /** The two vertices, the lesser one first. */
+  /** The two vertices, the lower index first. */
   const std::array<int, 2> &
   VerticesOfEdge(int edge) const
   {
     return m_EdgeVertices[edge];
   }
-  /** One for a boundary, two inside a surface, more where it is not manifold. In ascending order. */
+  /** Faces of an edge, ascending: one on a boundary, two inside a surface, more if non-manifold. */
   IndexRange
   FacesOfEdge(int edge) const
   {
     return { m_EdgeFaces.data() + m_EdgeBegin[edge], m_EdgeFaces.data() + m_EdgeBegin[edge + 1] };
   }
-  /** The edge from corner k to the next corner of a face; -1 for a degenerate face. */
+  /** The edge from corner k of a face to its next corner; -1 for a degenerate face. */
   int
   EdgeOfFace(int face, int k) const
   {
     return m_FaceEdges[3 * face + k];
   }
-  /** The edge between two vertices; -1 where there is none. */
+  /** The edge between two vertices, or -1. */
   int
   FindEdge(int a, int b) const;
   bool
@@ -126,70 +125,70 @@ public:
   {
     return this->FacesOfEdge(edge).size() > 2;
   }
-  /** Two faces that run along the edge in the same direction: one of them is turned over. */
+  /** Whether two faces run along the edge in the same direction, so that one of them is flipped. */
   bool
   IsInconsistentEdge(int edge) const;
   ///@}
 
   /** \name Vertices */
   ///@{
-  /** In ascending order; none for a vertex that only degenerate faces name. */
+  /** Faces of a vertex, ascending; empty for a vertex used only by degenerate faces. */
   IndexRange
   FacesOfVertex(int vertex) const
   {
     return { m_VertexFaces.data() + m_VertexBegin[vertex], m_VertexFaces.data() + m_VertexBegin[vertex + 1] };
   }
-  /** The vertices at the other ends of its edges, ascending. */
+  /** Vertices at the other ends of its edges, ascending. */
   std::vector<int>
   NeighboursOfVertex(int vertex) const;
   bool
   IsBoundaryVertex(int vertex) const;
-  /** For each of FacesOfVertex() the number, from 0 on, of the fan that it belongs to: faces that are connected by
-   * edges at this vertex; with `throughManifoldEdges` only by edges of two faces. */
+  /** For each face in FacesOfVertex(), its fan number from 0: faces connected by edges at this vertex. With
+   * `throughManifoldEdges`, only edges with two faces count. */
   std::vector<int>
   FanOfFaces(int vertex, bool throughManifoldEdges = false) const;
-  /** The number of these fans: 1 where the surface is manifold, 0 where there is no face. */
+  /** Number of these fans: 1 if the surface is manifold, 0 if the vertex has no faces. */
   int
   FansOfVertex(int vertex) const;
-  /** At a non-manifold edge, or with several fans. */
+  /** Whether the vertex is at a non-manifold edge or has several fans. */
   bool
   IsNonManifoldVertex(int vertex) const;
   ///@}
 
-  /** Closed walks of vertices along the edges that have one face, in the direction of the first face met, each from its
-   * least vertex on, in the order of these. At a vertex with several fans a walk stays in its fan. A walk that meets a
-   * non-manifold edge ends there and is an open chain. */
+  /** Closed walks along edges with one face, in the direction of the first face met, each starting at its lowest
+   * vertex; ordered by these vertices. At a vertex with several fans a walk stays in its fan. A walk that reaches a
+   * non-manifold edge ends there as an open chain. */
   const std::vector<std::vector<int>> &
   BoundaryLoops() const
   {
     return m_Loops;
   }
 
-  /** In the order of their first faces. */
+  /** Components in the order of their first faces. */
   const std::vector<SurfaceComponent> &
   Components() const
   {
     return m_Components;
   }
-  /** Of each face; -1 for a degenerate one. */
+  /** Component of each face; -1 for a degenerate one. */
   const std::vector<int> &
   ComponentOfFaces() const
   {
     return m_ComponentOfFace;
   }
-  /** For each face whether it must be turned over to agree with the first face of its component. */
+  /** Whether each face must be flipped to agree with the first face of its component. */
   const std::vector<bool> &
   TurnedFaces() const
   {
     return m_IsTurned;
   }
-  /** Each edge has one or two faces and each vertex at most one fan. */
+  /** Whether each edge has one or two faces and each vertex at most one fan. */
   bool
   IsManifold() const;
-  /** IsManifold() without boundary, degenerate faces or unreferenced vertices left aside. */
+  /** Whether the surface is manifold without boundary; degenerate faces and unreferenced vertices are ignored. */
   bool
   IsClosed() const;
-  /** No inconsistent edge. */
+  /** Whether no edge is inconsistent. */
   bool
   IsOriented() const;
 
@@ -218,7 +217,7 @@ private:
   std::vector<int>                m_VertexBegin;
   std::vector<int>                m_VertexFaces;
   std::vector<std::array<int, 2>> m_EdgeVertices;
-  std::vector<int>                m_FirstEdgeOfVertex; ///< edges by their lesser vertex
+  std::vector<int>                m_FirstEdgeOfVertex; ///< edges by their lower vertex
   std::vector<int>                m_EdgeBegin;
   std::vector<int>                m_EdgeFaces;
   std::vector<int>                m_FaceEdges;

@@ -7,8 +7,8 @@ namespace shapeton
 {
 /** The point of a triangle a b c that is closest to p.
  *
- * After Ericson, Real-Time Collision Detection (2005), section 5.1.5. Works for triangles without area, too.
- * \ingroup SurfaceMesh */
+ * After Ericson, Real-Time Collision Detection (2005), section 5.1.5. Also handles zero-area triangles. \ingroup
+ * SurfaceMesh */
 SurfaceMesh_EXPORT Eigen::Vector3d
                    ClosestPointOfTriangle(const Eigen::Vector3d & p,
                                           const Eigen::Vector3d & a,
@@ -16,10 +16,10 @@ SurfaceMesh_EXPORT Eigen::Vector3d
                                           const Eigen::Vector3d & c);
 
 /** \class SurfaceLocator
- * \brief Closest points on a surface, exact, by a tree of boxes around its faces.
+ * \brief Exact closest-point queries on a surface, by a bounding box tree of its faces.
  *
- * Keeps a copy of the surface. Building takes n log n, on several threads, a question about log n. A question may be
- * asked from any number of threads at once.
+ * Keeps a copy of the surface. Building is O(n log n) and multithreaded; a query is about O(log n). Queries are
+ * thread-safe.
  *
  * \ingroup SurfaceMesh
  */
@@ -33,12 +33,11 @@ public:
     double          distance{ 0.0 };
   };
 
-  /** \pre There is a face, and all indices are in range; else std::invalid_argument. */
+  /** \pre There is at least one face, and all indices are in range; else std::invalid_argument. */
   SurfaceLocator(const VertexMatrix & V, const FaceMatrix & F);
   ~SurfaceLocator();
 
-  /** Of several equally close faces the one with the least index, up to rounding. Throws std::invalid_argument for a
-   * place that is not finite. */
+  /** Ties go to the lowest face index, up to rounding. Throws std::invalid_argument if the position is not finite. */
   Closest
   FindClosest(const Eigen::Vector3d & p) const;
 
@@ -47,10 +46,10 @@ private:
   {
     Eigen::Vector3d low, high;
     int             begin, end; ///< its faces in m_Order
-    int             right;      ///< the second child; the first one follows the node; 0 for a leaf
+    int             right;      ///< second child; the first one follows the node; 0 for a leaf
   };
 
-  /** Faces that make a subtree, and its first node. */
+  /** Faces of a subtree, and its root node. */
   struct Part
   {
     int node, begin, end;

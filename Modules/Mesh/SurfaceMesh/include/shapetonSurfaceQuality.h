@@ -6,17 +6,17 @@
 
 namespace shapeton
 {
-/** What is wrong with a surface: indices, in ascending order. RepairSurface() mends all but zeroAreaFaces.
- * \ingroup SurfaceMesh */
+/** Defects of a surface, as ascending indices. RepairSurface() repairs all except zeroAreaFaces. \ingroup SurfaceMesh
+ */
 struct SurfaceDefects
 {
-  /** Faces that name a vertex twice. */
+  /** Faces with a repeated vertex. */
   std::vector<int> degenerateFaces;
-  /** Other faces whose height is below 1e-12 of their longest side. */
+  /** Other faces with a height below 1e-12 of their longest side. */
   std::vector<int> zeroAreaFaces;
   /** Faces with the vertices of an earlier one, in any order. */
   std::vector<int> duplicateFaces;
-  /** Vertices that no face names. */
+  /** Vertices not used by any face. */
   std::vector<int> unreferencedVertices;
   /** Vertices at exactly the position of an earlier one. */
   std::vector<int> coincidentVertices;
@@ -24,19 +24,19 @@ struct SurfaceDefects
   std::vector<int> nonManifoldEdges;
   /** Vertices with more than one fan of faces, or at a non-manifold edge. */
   std::vector<int> nonManifoldVertices;
-  /** Edges along which two faces run in the same direction. */
+  /** Edges with two faces in the same direction. */
   std::vector<int> inconsistentEdges;
 
-  /** Nothing but, perhaps, coincident vertices: two components may touch. */
+  /** No defects except, possibly, coincident vertices: two components may touch. */
   SurfaceMesh_EXPORT bool
   AreNone() const;
 };
 
-/** The faces, edges and vertices that keep a surface from being a proper mesh. \ingroup SurfaceMesh */
+/** Finds the defective faces, edges and vertices of a surface. \ingroup SurfaceMesh */
 SurfaceMesh_EXPORT SurfaceDefects
 FindSurfaceDefects(const SurfaceMesh & mesh, const SurfaceConnectivity & connectivity);
 
-/** Order statistics, by linear interpolation between the two nearest values. \ingroup SurfaceMesh */
+/** Order statistics, by linear interpolation between neighboring values. \ingroup SurfaceMesh */
 struct SurfaceStatistics
 {
   double minimum{ 0.0 };
@@ -46,11 +46,11 @@ struct SurfaceStatistics
   double maximum{ 0.0 };
 };
 
-/** The minimum, percentiles and maximum of some values; zeros for none. \ingroup SurfaceMesh */
+/** Minimum, percentiles and maximum; zeros for an empty list. \ingroup SurfaceMesh */
 SurfaceMesh_EXPORT SurfaceStatistics
 StatisticsOf(std::vector<double> values);
 
-/** What a surface is like. Lengths in mm, areas in mm^2, volumes in mm^3, angles in degrees. \ingroup SurfaceMesh */
+/** Statistics of a surface. Lengths in mm, areas in mm^2, volumes in mm^3, angles in degrees. \ingroup SurfaceMesh */
 struct SurfaceQuality
 {
   int vertices{ 0 };
@@ -65,50 +65,49 @@ struct SurfaceQuality
   bool                isManifold{ false };
   bool                isClosed{ false };
   bool                isOriented{ false };
-  /** The sum over the components; nothing where one of them has none. */
+  /** Sum over the components; not set if any component has none. */
   std::optional<int> genus;
   double             area{ 0.0 };
-  /** Enclosed volume; nothing where the surface is not closed, manifold and oriented. Negative where the faces look
-   * inwards. */
+  /** Enclosed volume; not set unless the surface is closed, manifold and oriented. Negative if the faces point inward.
+   */
   std::optional<double> volume;
   Eigen::Vector3d       lowestCorner{ Eigen::Vector3d::Zero() };
   Eigen::Vector3d       highestCorner{ Eigen::Vector3d::Zero() };
   SurfaceStatistics     edgeLength;
-  /** Of the smallest angle of each face. */
+  /** Smallest angle of each face. */
   SurfaceStatistics smallestAngle;
-  /** Of the largest angle of each face. */
+  /** Largest angle of each face. */
   SurfaceStatistics largestAngle;
-  /** Longest side over 2 sqrt(3) inscribed radii: 1 for an equilateral triangle. Faces without area are left out. */
+  /** Longest side over 2 sqrt(3) inscribed radii: 1 for an equilateral triangle. Zero-area faces are skipped. */
   SurfaceStatistics aspectRatio;
   SurfaceDefects    defects;
 };
 
-/** Inspects a surface. Time and memory grow in proportion to its faces. Throws InputError as RequireSound() does.
- * \ingroup SurfaceMesh */
+/** Computes the statistics of a surface in linear time and memory. Throws InputError as RequireSound(). \ingroup
+ * SurfaceMesh */
 SurfaceMesh_EXPORT SurfaceQuality
 InspectSurface(const SurfaceMesh & mesh);
 
-/** The sum of the areas of the faces in mm^2. \ingroup SurfaceMesh */
+/** Total area of the faces (mm^2). \ingroup SurfaceMesh */
 SurfaceMesh_EXPORT double
 SurfaceArea(const VertexMatrix & V, const FaceMatrix & F);
 
-/** The volume in mm^3 that a closed oriented surface encloses (divergence theorem); negative where its faces look
- * inwards. \ingroup SurfaceMesh */
+/** Volume enclosed by a closed oriented surface (mm^3, divergence theorem); negative if its faces point inward.
+ * \ingroup SurfaceMesh */
 SurfaceMesh_EXPORT double
 EnclosedVolume(const VertexMatrix & V, const FaceMatrix & F);
 
-/** The quality for programs. Keys, whose names stay: vertices, edges, faces, eulerCharacteristic, genus (null: not
- * defined), manifold, closed, oriented, area, volume (null), extent, lowestCorner, highestCorner, components (a list of
- * faces, vertices, edges, boundaryLoops, eulerCharacteristic, manifold, orientable, genus), boundaryLoops (a list of
+/** Quality as JSON. The keys are stable: vertices, edges, faces, eulerCharacteristic, genus (null: not defined),
+ * manifold, closed, oriented, area, volume (null), extent, lowestCorner, highestCorner, components (a list of faces,
+ * vertices, edges, boundaryLoops, eulerCharacteristic, manifold, orientable, genus), boundaryLoops (a list of
  * vertices, length), edgeLength, smallestAngle, largestAngle, aspectRatio (minimum, percentile1, median, percentile99,
- * maximum), defects (how many: degenerateFaces, zeroAreaFaces, duplicateFaces, unreferencedVertices,
- * coincidentVertices, nonManifoldEdges, nonManifoldVertices, inconsistentEdges). Numbers are rounded to 9 significant
- * digits.
- * \ingroup SurfaceMesh */
+ * maximum), defects (counts: degenerateFaces, zeroAreaFaces, duplicateFaces, unreferencedVertices, coincidentVertices,
+ * nonManifoldEdges, nonManifoldVertices, inconsistentEdges). Numbers are rounded to 9 significant digits. \ingroup
+ * SurfaceMesh */
 SurfaceMesh_EXPORT Json
 SurfaceQualityToJson(const SurfaceQuality & quality);
 
-/** The quality for people, some lines; long lists are cut after ten. \ingroup SurfaceMesh */
+/** Quality as human-readable text; long lists are cut after ten items. \ingroup SurfaceMesh */
 SurfaceMesh_EXPORT std::string
                    FormatSurfaceQuality(const SurfaceQuality & quality);
 } // namespace shapeton

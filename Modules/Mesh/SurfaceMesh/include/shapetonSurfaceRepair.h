@@ -5,58 +5,57 @@
 
 namespace shapeton
 {
-/** What RepairSurface() may do. \ingroup SurfaceMesh */
+/** Options of RepairSurface(). \ingroup SurfaceMesh */
 struct SurfaceRepairOptions
 {
-  /** Merge vertices at one position. */
+  /** Merges vertices at equal positions. */
   bool mergeVertices{ true };
-  /** Merge vertices nearer than this, mm, from 0; the default 0 merges equal positions only. A chain of vertices, each
-   * near the next, becomes one. */
+  /** Merges vertices closer than this distance (mm), from 0; the default 0 merges equal positions only. Merging is
+   * transitive along chains of close vertices. */
   double mergeDistance{ 0.0 };
-  /** Turn faces so that neighbours agree: those of a closed component look outwards, of an open one the fewest turn. */
+  /** Orients faces consistently: outward for a closed component; with the fewest flips for an open one. */
   bool orient{ true };
-  /** Cut where a surface is not manifold. */
+  /** Cuts the surface where it is not manifold. */
   bool split{ true };
 };
 
-/** What RepairSurface() has done. \ingroup SurfaceMesh */
+/** Report of RepairSurface(). \ingroup SurfaceMesh */
 struct SurfaceRepairReport
 {
   int mergedVertices{ 0 };
   int degenerateFaces{ 0 };
   int duplicateFaces{ 0 };
   int unreferencedVertices{ 0 };
-  /** Vertices that were added where the surface was cut. */
+  /** Number of vertices added by cuts. */
   int addedVertices{ 0 };
   int turnedFaces{ 0 };
-  /** Components that no turning makes consistent, such as a Moebius strip; left as they are. */
+  /** Number of nonorientable components, such as a Moebius strip; left unchanged. */
   int nonOrientableComponents{ 0 };
 
-  /** In words, one for each kind of change; empty when nothing was done. */
+  /** One text per kind of change; empty if nothing changed. */
   SurfaceMesh_EXPORT std::vector<std::string>
                      Words() const;
 };
 
-/** A manifold, consistently oriented surface of the same faces, in their order.
+/** Repairs a surface to a manifold, consistently oriented one with the same faces, in their order.
  *
- * In this order: coincident vertices are merged into the first one, faces that name a vertex twice and duplicates of
- * earlier faces are dropped, each edge with more than two faces and each vertex with several fans is cut (every fan of
- * faces that are connected by edges of two faces gets a vertex of its own), faces are turned, unreferenced vertices are
- * dropped. Vertices keep their order, added ones follow. Point arrays are copied to added vertices; arrays come along.
- * Cutting opens boundaries along non-manifold edges; the positions stay, so nothing is torn apart. Faces without area
- * but with three vertices stay, because dropping them would open holes. Field arrays are kept as they are: their
- * indices of vertices lose their meaning when vertices are merged or dropped.
+ * Steps, in order: merge coincident vertices into the first one; drop faces with a repeated vertex and duplicates of
+ * earlier faces; cut non-manifold edges and vertices, so that each fan of faces connected by edges with two faces has
+ * its own vertex; orient faces; drop unreferenced vertices. Vertices keep their order, added ones follow. Point arrays
+ * are copied to added vertices; other arrays are kept. Cuts open boundaries along non-manifold edges without moving
+ * vertices. Zero-area faces with three distinct vertices are kept because dropping them would open holes. Field arrays
+ * are not changed: vertex indices in them become invalid if vertices are merged or dropped.
  *
- * Throws InputError as RequireSound() does, and when every face is degenerate; ParameterError for a mergeDistance that
- * is negative or not finite. \ingroup SurfaceMesh */
+ * Throws InputError as RequireSound(), and if every face is degenerate; ParameterError if mergeDistance is negative or
+ * not finite. \ingroup SurfaceMesh */
 SurfaceMesh_EXPORT SurfaceMesh
 RepairSurface(const SurfaceMesh &          mesh,
               const SurfaceRepairOptions & options = {},
               SurfaceRepairReport *        report = nullptr);
 
-/** Whether a surface has what simplification and remeshing need: manifold, consistently oriented, without degenerate
- * faces. Returns its connectivity, by which that is told. Throws InputError that begins with `what`, names the first
- * fault and the repair. \ingroup SurfaceMesh */
+/** Checks the requirements of simplification and remeshing: manifold, consistently oriented, no degenerate faces.
+ * Returns the connectivity used for the check. Throws InputError with the prefix `what` that names the first defect
+ * and the repair. \ingroup SurfaceMesh */
 SurfaceMesh_EXPORT SurfaceConnectivity
 RequireManifold(const SurfaceMesh & mesh, const std::string & what);
 } // namespace shapeton

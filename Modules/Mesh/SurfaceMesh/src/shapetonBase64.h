@@ -9,8 +9,8 @@
 
 namespace shapeton
 {
-/** Decodes base64 from `place` on to a character that is none of it, which `place` is set to, or until `wanted` bytes
- * are there. */
+/** Decodes base64 from `place` until `wanted` bytes are decoded or a non-base64 character is found; advances `place` to
+ * it. */
 inline std::string
 DecodeBase64(const std::string & text,
              std::size_t &       place,
@@ -25,7 +25,7 @@ DecodeBase64(const std::string & text,
     {
       table[static_cast<unsigned char>(c)] = value++;
     }
-    table[0] = none; // ends the alphabet
+    table[0] = none; // end of the alphabet
     return table;
   }();
   std::string   bytes;

@@ -8,7 +8,7 @@
 
 namespace shapeton
 {
-/** The value whose bytes, least significant first unless `isBigEndian`, begin at `offset`; within the bytes. */
+/** Reads the value at `offset`, little endian unless `isBigEndian`. \pre The value is within the bytes. */
 template <typename TValue>
 TValue
 ValueAt(const std::string & bytes, std::size_t offset, bool isBigEndian = false)
@@ -27,7 +27,7 @@ ValueAt(const std::string & bytes, std::size_t offset, bool isBigEndian = false)
   return value;
 }
 
-/** Appends a value, least significant byte first. */
+/** Appends a value in little endian order. */
 template <typename TValue>
 void
 AppendValue(std::string & bytes, TValue value)

@@ -46,7 +46,7 @@ CornerTable::Link(int a, int b)
   }
 }
 
-// Lets the vertex that h starts from keep h or, on a boundary, the half-edge without a twin.
+// Sets the outgoing half-edge of the start vertex of h to h or, on a boundary, to the half-edge without a twin.
 void
 CornerTable::KeepOutgoing(int h)
 {
@@ -117,7 +117,7 @@ CornerTable::CanCollapse(int h) const
   const bool isOnBoundary = t < 0;
   if (isOnBoundary ? m_Twin[Next(h)] < 0 && m_Twin[Previous(h)] < 0 : this->IsBoundary(u) && this->IsBoundary(v))
   {
-    return false; // a triangle on its own; a bridge between boundaries
+    return false; // an isolated triangle, or a bridge between boundaries
   }
   ++m_Stamp;
   this->ForEachNeighbour(u, [&](int w) { m_Mark[w] = m_Stamp; });
@@ -127,7 +127,7 @@ CornerTable::CanCollapse(int h) const
   {
     return false;
   }
-  // Inside the surface a vertex opposite to the edge must keep three neighbours: false only for a tetrahedron.
+  // Inside the surface a vertex opposite to the edge must keep three neighbors; fails only for a tetrahedron.
   const auto staysSound = [&](int w) { return this->IsBoundary(w) || this->Valence(w) > 3; };
   return isOnBoundary || (staysSound(this->Apex(h)) && staysSound(this->Apex(t)));
 }
@@ -152,7 +152,7 @@ CornerTable::Collapse(int h)
     this->Link(a, b);
     const int ofOne = a >= 0 ? a : b; // the merged edge: v and the apex
     this->KeepOutgoing(ofOne);
-    this->KeepOutgoing(Next(ofOne)); // starts at the other end of it
+    this->KeepOutgoing(Next(ofOne)); // starts at its other end
   }
 }
 

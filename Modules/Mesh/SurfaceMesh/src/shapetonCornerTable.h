@@ -6,18 +6,18 @@
 namespace shapeton
 {
 /** \class CornerTable
- * \brief An oriented manifold triangle surface that changes by collapses, flips and splits of edges.
+ * \brief An oriented manifold triangle surface with edge collapses, flips and splits.
  *
- * Half-edge h of face h / 3 runs from its corner h to the next corner. Positions are kept by the caller. Removed faces
- * and vertices keep their indices until Faces() and a renumbering leave them out.
+ * Half-edge h of face h / 3 runs from its corner h to the next corner. The caller stores the positions. Removed faces
+ * and vertices keep their indices; Faces() skips and renumbers them.
  *
- * The half-edge that a vertex keeps is, on a boundary, the one without a twin, so that walking around the vertex meets
- * all of its faces.
+ * On a boundary, a vertex stores the outgoing half-edge without a twin, so that a walk around the vertex visits all of
+ * its faces.
  */
 class CornerTable
 {
 public:
-  /** Of the faces that RequireManifold() has given the connectivity of. */
+  /** \pre RequireManifold() returned the connectivity. */
   CornerTable(const FaceMatrix & F, const SurfaceConnectivity & connectivity);
   ~CornerTable();
 
@@ -47,7 +47,7 @@ public:
   {
     return m_Corner[Previous(h)];
   }
-  /** The half-edge of the other face, -1 on a boundary. */
+  /** The opposite half-edge in the adjacent face, -1 on a boundary. */
   int
   Twin(int h) const
   {
@@ -83,7 +83,7 @@ public:
   {
     return m_Twin[m_Outgoing[v]] < 0;
   }
-  /** One of the two half-edges of an edge stands for it. */
+  /** Whether this half-edge represents its edge. */
   bool
   StandsForEdge(int h) const
   {
@@ -108,7 +108,7 @@ public:
     }
   }
 
-  /** Calls visit(h) for each edge at a live vertex, with one of its half-edges. */
+  /** Calls visit(h) for each edge at a live vertex, with one half-edge per edge. */
   template <typename TVisit>
   void
   ForEachEdge(int v, TVisit && visit) const
@@ -143,28 +143,28 @@ public:
   /** The number of edges at a live vertex. */
   int
   Valence(int v) const;
-  /** The half-edge from v to w, or from w to v where only that one exists; -1 when they are no neighbours. */
+  /** The half-edge from v to w, or from w to v if only that one exists; -1 if they are not neighbors. */
   int
   FindHalfEdge(int v, int w) const;
 
-  /** The link condition (Dey, Edelsbrunner, Guha, Nekhayev 1999): whether collapsing the edge leaves a manifold of the
-   * same topology: same genus, boundary loops and components. */
+  /** Link condition (Dey, Edelsbrunner, Guha, Nekhayev 1999): whether collapsing the edge preserves a manifold with the
+   * same genus, boundary loops and components. */
   bool
   CanCollapse(int h) const;
-  /** Removes the edge, the one or two faces beside it and the vertex From(h); To(h) stays. \pre CanCollapse(h). */
+  /** Collapses the edge: removes its one or two faces and the vertex From(h); keeps To(h). \pre CanCollapse(h). */
   void
   Collapse(int h);
-  /** Whether the edge has two faces and the other diagonal of them is no edge yet. */
+  /** Whether the edge has two faces and their other diagonal is not yet an edge. */
   bool
   CanFlip(int h) const;
   /** Replaces the edge by the other diagonal of its two faces. \pre CanFlip(h). */
   void
   Flip(int h);
-  /** Puts a new vertex into the edge and cuts its faces in two. Returns the vertex. */
+  /** Splits the edge and its faces by a new vertex. Returns the vertex. */
   int
   Split(int h);
 
-  /** Vertices and faces that are left, renumbered in their order. */
+  /** Remaining vertices and faces, renumbered in their order. */
   SurfaceMesh
   ToSurface(const std::vector<Eigen::Vector3d> & positions) const;
 

@@ -31,7 +31,7 @@ RequireVertices(const CurveSet & curves, const std::string & what)
   }
 }
 
-/** The curves in VTK's order of cells: points, then lines. Rows of cell arrays that belong to faces stay last. */
+/** The curves in VTK cell order: points, then lines. Cell array rows of faces stay last. */
 CurveSet
 PointsFirst(CurveSet curves, int faces)
 {
@@ -55,7 +55,7 @@ RequireVtp(const std::string & path)
   RequireParameter(SurfaceExtension(path) == "vtp", "\"" + path + "\" names no format of curves; use .vtp");
 }
 
-/** With rows of cell arrays for so many faces beside the curves; curves of no points are consistent. */
+/** Checks cell arrays with rows for `faces` additional faces; an empty curve set is valid. */
 void
 RequireConsistent(const CurveSet & curves, Eigen::Index faces, const std::string & what)
 {

@@ -5,8 +5,8 @@
 
 namespace shapeton
 {
-/** Whether a walk from face to face around a vertex over edges of two faces meets all of its faces. True for nearly
- * every vertex, and told without memory; where it is false, SurfaceConnectivity::FanOfFaces() tells the fans. */
+/** Whether a walk around a vertex across edges with two faces visits all of its faces. True for nearly every vertex and
+ * computed without allocation; otherwise SurfaceConnectivity::FanOfFaces() returns the fans. */
 inline bool
 IsOneFan(const SurfaceConnectivity & connectivity, const FaceMatrix & F, int vertex)
 {
@@ -20,7 +20,7 @@ IsOneFan(const SurfaceConnectivity & connectivity, const FaceMatrix & F, int ver
     return std::array<int, 2>{ connectivity.EdgeOfFace(face, k), connectivity.EdgeOfFace(face, (k + 2) % 3) };
   };
   int met = 1;
-  for (int edge : edgesAt(faces[0])) // one way round, and from a boundary the other way, too
+  for (int edge : edgesAt(faces[0])) // one direction, and from a boundary also the other
   {
     int face = faces[0];
     for (IndexRange sides = connectivity.FacesOfEdge(edge); sides.size() == 2; sides = connectivity.FacesOfEdge(edge))

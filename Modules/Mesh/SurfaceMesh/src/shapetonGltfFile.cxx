@@ -20,7 +20,7 @@ enum Mode : std::size_t
   Fan = 6
 };
 
-/** Appends the triangles of a primitive; turned over where `isMirrored`. */
+/** Appends the triangles of a primitive, flipped if `isMirrored`. */
 void
 AddTriangles(const std::vector<std::int64_t> & indices,
              std::size_t                       mode,
@@ -90,7 +90,7 @@ private:
       const Eigen::Vector4d p = transform * Eigen::Vector4d(positions[i], positions[i + 1], positions[i + 2], 1.0);
       m_Surface.AddPoint(p[0], p[1], p[2]);
     }
-    if (m_Surface.points.size() > MostPoints) // few bytes can name one mesh many times
+    if (m_Surface.points.size() > MostPoints) // a few bytes can reference one mesh many times
     {
       RefuseSurface(m_Path, "there are more than 50 million vertices", "cut or simplify the surface");
     }
@@ -108,7 +108,7 @@ private:
     AddTriangles(indices, mode, transform.topLeftCorner<3, 3>().determinant() < 0.0, firstVertex, m_Surface);
   }
 
-  // Before the vertices of several meshes are put together: an index too large would name one of the next mesh.
+  // Check before meshes are merged: an index out of range would refer to a vertex of the next mesh.
   void
   CheckIndices(const std::vector<std::int64_t> & indices, std::size_t vertices) const
   {

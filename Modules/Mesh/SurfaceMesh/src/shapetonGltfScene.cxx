@@ -295,7 +295,7 @@ GltfScene::ViewOf(std::size_t index, const std::string & type) const
   {
     RefuseSurface(m_Path, "accessor " + std::to_string(index) + " has a wrong type or stride");
   }
-  // Each number is compared with what is left, so that no sum overflows.
+  // Compare each number with the remaining size, so that sums do not overflow.
   const bool fitsBuffer = begin <= buffer.size() && length <= buffer.size() - begin;
   const bool fitsView =
     offset <= length && (count == 0 || (row <= length - offset && (count - 1) <= (length - offset - row) / stride));

@@ -11,15 +11,15 @@
 
 namespace shapeton
 {
-/** A whole number from 0 on. Throws std::out_of_range for any other value. */
+/** A nonnegative integer. Throws std::out_of_range for any other value. */
 std::size_t
 GltfIndex(const Json & json);
 
 /** \class GltfScene
- * \brief The document of a glTF 2.0 or GLB file, its buffers and the nodes that have a mesh.
+ * \brief Document, buffers and mesh nodes of a glTF 2.0 or GLB file.
  *
  * https://registry.khronos.org/glTF/specs/2.0/glTF-2.0.html. Throws InputError; nlohmann's exceptions and
- * std::out_of_range where the document lacks what it must have.
+ * std::out_of_range if required content is missing.
  */
 class GltfScene
 {
@@ -34,7 +34,7 @@ public:
   GltfScene(const std::string & bytes, const std::string & path);
   ~GltfScene();
 
-  /** The nodes of the scene that have a mesh, in the order of a walk from its roots. */
+  /** Mesh nodes of the scene, in depth-first order from its roots. */
   std::vector<Instance>
   Instances() const;
 

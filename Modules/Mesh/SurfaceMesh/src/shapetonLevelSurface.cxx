@@ -42,17 +42,17 @@ MeshOf(vtkPolyData * surface)
   return mesh;
 }
 
-/** One at a time: VTK's choice of threads is that of the whole process. */
+/** Serializes the calls, because VTK's thread settings are process-wide. */
 void
 UpdateOnOneThread(vtkFlyingEdges3D * contour)
 {
   static std::mutex                 mutex;
   const std::lock_guard<std::mutex> lock(mutex);
-  // VTK's other backends have thread counts of their own, and warn on stderr when they change.
+  // VTK's other backends have separate thread counts, and warn on stderr when these change.
   vtkSMPTools::LocalScope(vtkSMPTools::Config(std::string("Sequential")), [contour] { contour->Update(); });
 }
 
-/** For each vertex the least vertex of its component. */
+/** For each vertex the lowest vertex of its component. */
 std::vector<int>
 ComponentOfVertices(const SurfaceMesh & mesh)
 {
@@ -70,8 +70,7 @@ ComponentOfVertices(const SurfaceMesh & mesh)
   return least;
 }
 
-/** Six times the volume that each component encloses, at the least vertex of the component; negative where its faces
- * look inwards. */
+/** Six times the enclosed volume of each component, stored at its lowest vertex; negative if its faces point inward. */
 std::vector<double>
 VolumesOfComponents(const SurfaceMesh & mesh, const std::vector<int> & component)
 {
@@ -96,7 +95,7 @@ LevelSurface(std::vector<float> & values, const std::array<int, 3> & size, doubl
     throw std::invalid_argument("The values and the size of their grid disagree");
   }
   vtkNew<vtkFloatArray> scalars;
-  scalars->SetArray(values.data(), static_cast<vtkIdType>(values.size()), 1); // VTK does not free them
+  scalars->SetArray(values.data(), static_cast<vtkIdType>(values.size()), 1); // VTK does not take ownership
   vtkNew<vtkImageData> field;
   field->SetDimensions(size.data());
   field->SetOrigin(first, first, first);

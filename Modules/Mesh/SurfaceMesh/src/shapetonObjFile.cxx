@@ -55,7 +55,7 @@ public:
   }
 
 private:
-  // "7", "7/1", "7//3", "7/1/3"; from 1 on, or counted back from the last vertex.
+  // "7", "7/1", "7//3", "7/1/3"; from 1, or negative: relative to the last vertex.
   void
   ReadFace()
   {
@@ -104,7 +104,7 @@ private:
     }
   }
 
-  std::string    m_Text; // an empty line before the first one, so that NextLine() finds that
+  std::string    m_Text; // starts with an empty line, so that NextLine() finds the first one
   TextScanner    m_Scanner;
   PolygonSurface m_Surface;
   int            m_LeftOut{ 0 };

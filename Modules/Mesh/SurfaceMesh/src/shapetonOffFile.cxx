@@ -5,7 +5,7 @@ namespace shapeton
 {
 namespace
 {
-/** Reads the keyword; what follows on its line may already be the counts. */
+/** Reads the keyword; the rest of its line may already contain the counts. */
 void
 ReadKeyword(TextScanner & scanner)
 {

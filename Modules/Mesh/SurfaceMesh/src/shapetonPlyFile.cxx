@@ -70,7 +70,7 @@ TypeOf(const std::string & name, const TextScanner & scanner)
   return found->second;
 }
 
-/** Values one after another, from text or bytes. */
+/** Sequential values, from text or bytes. */
 class PlyValues
 {
 public:
@@ -121,7 +121,7 @@ public:
     }
   }
 
-  /** A whole number from -2^31 to 2^32 - 1. */
+  /** An integer from -2^31 to 2^32 - 1. */
   std::int64_t
   NextWhole(PlyType type)
   {

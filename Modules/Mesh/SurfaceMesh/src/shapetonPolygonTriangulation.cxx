@@ -5,7 +5,7 @@ namespace shapeton
 {
 namespace
 {
-/** The normal of a polygon by Newell's sum. */
+/** Polygon normal by Newell's method. */
 Eigen::Vector3d
 NormalOf(const std::vector<Eigen::Vector3d> & corners)
 {
@@ -75,7 +75,7 @@ private:
   std::size_t
   BestEar() const
   {
-    std::size_t best = 1; // a fan, where nothing is an ear
+    std::size_t best = 1; // a fan, if there are no ears
     double      leastCosine = 2.0;
     for (std::size_t i = 0; i < m_Ring.size(); ++i)
     {

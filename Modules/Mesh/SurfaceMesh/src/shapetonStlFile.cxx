@@ -100,7 +100,7 @@ ReadText(const std::string & bytes, const std::string & path)
   surface.repeatsVertices = true;
   surface.isRas = SaysRas(bytes.substr(0, bytes.find('\n')));
   TextScanner scanner(bytes, path);
-  bool        isInside = true; // of a solid: its first line is skipped with its name
+  bool        isInside = true; // in a solid: its first line is skipped with its name
   while (scanner.NextLine())
   {
     const std::string word(scanner.WordOfLine());

@@ -6,7 +6,7 @@
 
 namespace shapeton
 {
-// Faces that meet at any edge are one component; the least of them stands for it.
+// Faces that share an edge form a component, represented by its lowest face.
 void
 SurfaceConnectivity::BuildComponents()
 {
@@ -85,7 +85,7 @@ SurfaceConnectivity::TurnFaces()
   }
 }
 
-// A vertex counts once for each component that has a face there.
+// A vertex counts once for each component with a face at it.
 void
 SurfaceConnectivity::CountVertices()
 {
@@ -106,7 +106,7 @@ SurfaceConnectivity::CountVertices()
     int fans = 0;
     for (int i = 0; i < faces.size(); ++i)
     {
-      if (fan[i] == fans) // the first face of a further fan
+      if (fan[i] == fans) // first face of another fan
       {
         ++fans;
         const int component = m_ComponentOfFace[faces[i]];
@@ -154,7 +154,7 @@ SurfaceConnectivity::CountComponents()
   }
 }
 
-// The boundary edge that follows `edge` at `vertex`: around the fan of its face; -1 at a non-manifold edge.
+// The boundary edge after `edge` at `vertex`, around the fan of its face; -1 at a non-manifold edge.
 int
 SurfaceConnectivity::NextBoundaryEdge(int edge, int vertex) const
 {

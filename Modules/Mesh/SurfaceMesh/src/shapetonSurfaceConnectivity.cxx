@@ -30,7 +30,7 @@ RequireIndices(const FaceMatrix & F, int numberOfVertices)
   }
 }
 
-/** Turns counts of each bucket, which stand one place too far, into the beginnings of the buckets. */
+/** Converts bucket counts, stored one position too far, to bucket starts. */
 void
 Accumulate(std::vector<int> & counts)
 {
@@ -42,19 +42,19 @@ Accumulate(std::vector<int> & counts)
 
 constexpr int VerticesOfBlock = 8192;
 
-/** A side of a face, from its lesser vertex to the other one, which begins at its corner k or ends there. */
+/** A side of a face, from its lower vertex to the other one; corner k is its start or end. */
 struct Side
 {
   int vertex, other, face, k;
 };
 
-/** By their vertices, those of one edge by their faces. */
+/** Sorted by vertices, then by face. */
 std::vector<Side>
 SidesOfBlock(const SurfaceConnectivity & connectivity, const FaceMatrix & F, int block)
 {
   const int         last = std::min(connectivity.NumberOfVertices(), (block + 1) * VerticesOfBlock);
   std::vector<Side> sides;
-  sides.reserve(std::size_t{ 7 } * VerticesOfBlock); // six at most vertices
+  sides.reserve(std::size_t{ 7 } * VerticesOfBlock); // at most six per vertex on average
   for (int v = block * VerticesOfBlock; v < last; ++v)
   {
     const auto first = static_cast<std::ptrdiff_t>(sides.size());
@@ -125,7 +125,7 @@ SurfaceConnectivity::BuildVertexFaces()
   }
 }
 
-// Blocks of vertices find their edges beside each other; then each knows the number of its first one.
+// Vertex blocks find their edges in parallel; then the number of the first edge of each block is known.
 void
 SurfaceConnectivity::BuildEdges()
 {
@@ -163,7 +163,7 @@ SurfaceConnectivity::BuildEdges()
       m_FirstEdgeOfVertex[side.vertex + 1] = edge + 1;
     }
   });
-  for (int v = 0; v < m_NumberOfVertices; ++v) // those that are the lesser vertex of no edge
+  for (int v = 0; v < m_NumberOfVertices; ++v) // vertices that are not the lower vertex of any edge
   {
     m_FirstEdgeOfVertex[v + 1] = std::max(m_FirstEdgeOfVertex[v + 1], m_FirstEdgeOfVertex[v]);
   }

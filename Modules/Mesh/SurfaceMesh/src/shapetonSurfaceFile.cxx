@@ -13,7 +13,7 @@ namespace shapeton
 {
 namespace
 {
-constexpr std::size_t MostCornersToSearchEars = 1000; // the search takes the cube of them
+constexpr std::size_t MostCornersToSearchEars = 1000; // ear search is cubic in the corners
 
 void
 CheckPolygons(const PolygonSurface & polygons, const std::string & path)
@@ -44,7 +44,7 @@ CheckPolygons(const PolygonSurface & polygons, const std::string & path)
   }
 }
 
-/** The triangles of polygons; `polygonOf` gets the polygon of each. */
+/** Triangles of polygons; `polygonOf` receives the polygon of each. */
 std::vector<int>
 TrianglesOf(const PolygonSurface & polygons, std::vector<int> & polygonOf)
 {
@@ -91,7 +91,7 @@ NamePartsApart(std::vector<SurfacePart> & parts)
   }
 }
 
-/** Arrays and parts of the polygons as those of their triangles. */
+/** Maps arrays and parts from polygons to their triangles. */
 void
 CarryToTriangles(const PolygonSurface & polygons, const std::vector<int> & polygonOf, SurfaceFile & file)
 {
@@ -121,7 +121,7 @@ CarryToTriangles(const PolygonSurface & polygons, const std::vector<int> & polyg
 void
 RefuseSurface(const std::string & path, const std::string & fault, const std::string & advice)
 {
-  throw InputError("\"" + path + "\": " + Printable(fault) + "; " + advice); // it may quote bytes of the file
+  throw InputError("\"" + path + "\": " + Printable(fault) + "; " + advice); // the fault may quote bytes of the file
 }
 
 std::string

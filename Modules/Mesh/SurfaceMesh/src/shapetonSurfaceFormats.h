@@ -10,29 +10,29 @@
 
 namespace shapeton
 {
-/** The field data in which 3D Slicer looks for LPS or RAS. */
+/** Field data in which 3D Slicer stores LPS or RAS. */
 constexpr const char * VtpSpaceName = "SPACE";
 
-/** What a reader of a format hands over: polygons of any number of corners, not checked. */
+/** Unchecked output of a reader: polygons with any number of corners. */
 struct PolygonSurface
 {
-  /** Three for each vertex, in `unit`. */
+  /** Three coordinates per vertex, in `unit`. */
   std::vector<double> points;
-  /** Of all polygons, one after another; not checked, so wide enough for what a file may hold. */
+  /** Corners of all polygons, concatenated; unchecked, so wide enough for any file. */
   std::vector<std::int64_t> corners;
-  /** Where the corners of each polygon end. */
+  /** End of each polygon in the corner list. */
   std::vector<std::size_t>  ends;
   std::vector<SurfaceArray> pointArrays;
-  std::vector<SurfaceArray> cellArrays; ///< a row for each polygon
+  std::vector<SurfaceArray> cellArrays; ///< one row for each polygon
   std::vector<SurfaceArray> fieldArrays;
-  /** In polygons. */
+  /** Parts, as polygon indices. */
   std::vector<SurfacePart>                         parts;
   std::vector<std::pair<std::string, std::string>> facts;
   Remarks                                          notes;
   std::string                                      unit{ "mm" };
-  /** Axes to the right, to the front, upwards, in place of LPS. */
+  /** Whether the axes are RAS instead of LPS. */
   bool isRas{ false };
-  /** Vertices at equal positions are one, because the format repeats them. */
+  /** Whether to merge vertices at equal positions, because the format repeats them. */
   bool repeatsVertices{ false };
 
   void
@@ -40,7 +40,7 @@ struct PolygonSurface
   {
     points.insert(points.end(), { x, y, z });
   }
-  /** Ends a polygon whose corners have been appended. */
+  /** Ends a polygon after its corners were appended. */
   void
   EndPolygon()
   {
@@ -63,7 +63,7 @@ PolygonSurface
 ReadPly(const std::string & bytes, const std::string & path);
 PolygonSurface
 ReadOff(const std::string & bytes, const std::string & path);
-/** Both glTF and GLB; reads the files of its buffers. */
+/** Reads glTF and GLB, including their buffer files. */
 PolygonSurface
 ReadGltf(const std::string & bytes, const std::string & path);
 ///@}
@@ -83,15 +83,15 @@ void
 WritePly(const SurfaceMesh & mesh, const std::string & path);
 ///@}
 
-/** Checks the indices, cuts the polygons into triangles, turns RAS to LPS and scales to mm. */
+/** Checks indices, triangulates polygons, converts RAS to LPS and scales to mm. */
 SurfaceFile
 SurfaceOfPolygons(PolygonSurface && polygons, const std::string & path);
 
-/** The extension of a name in small letters, without the dot. */
+/** Lower-case extension of a name, without the dot. */
 std::string
 SurfaceExtension(const std::string & path);
 
-/** \name What soundness of surfaces and curves has in common; throw InputError with `what` in front. */
+/** \name Common checks of surfaces and curves; throw InputError with the prefix `what`. */
 ///@{
 void
 RequireFinite(const VertexMatrix & V, Eigen::Index vertex, const std::string & what);
@@ -99,15 +99,15 @@ void
 RequireRows(const std::vector<SurfaceArray> & arrays, Eigen::Index rows, const std::string & what);
 ///@}
 
-/** The lowest and the highest corner of the vertices that faces use; others may be anywhere. */
+/** Bounding box corners of the vertices used by faces; other vertices are ignored. */
 std::array<Eigen::RowVector3d, 2>
 CornersOfFaces(const SurfaceMesh & mesh);
 
-/** The arrays with some of their rows, in that order. */
+/** Selects rows of the arrays, in the given order. */
 std::vector<SurfaceArray>
 RowsOfArrays(const std::vector<SurfaceArray> & arrays, const std::vector<int> & rows);
 
-/** Throws InputError: path: fault; advice. */
+/** Throws InputError "path: fault; advice". */
 [[noreturn]] void
 RefuseSurface(const std::string & path, const std::string & fault, const std::string & advice = "write the file again");
 } // namespace shapeton

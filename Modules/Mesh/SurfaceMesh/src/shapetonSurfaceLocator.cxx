@@ -29,7 +29,7 @@ ClosestPointOfSegment(const Eigen::Vector3d & p, const Eigen::Vector3d & a, cons
   return a + std::clamp(place, 0.0, 1.0) * direction;
 }
 
-/** The closest of the three sides; for a triangle without area. */
+/** Closest point on the three sides; for a zero-area triangle. */
 Eigen::Vector3d
 ClosestPointOfSides(const Eigen::Vector3d & p,
                     const Eigen::Vector3d & a,
@@ -62,7 +62,7 @@ ClosestPointOfTriangle(const Eigen::Vector3d & p,
   const double          va = d3 * d6 - d5 * d4;
   const double          vb = d5 * d2 - d1 * d6;
   const double          vc = d1 * d4 - d3 * d2;
-  const double          sum = va + vb + vc; // the square of twice the area
+  const double          sum = va + vb + vc; // squared double area
   if (va > 0.0 && vb > 0.0 && vc > 0.0 && sum > 1e-24 * ab.squaredNorm() * ac.squaredNorm())
   {
     return a + (vb / sum) * ab + (vc / sum) * ac;
@@ -88,7 +88,7 @@ SurfaceLocator::SurfaceLocator(const VertexMatrix & V, const FaceMatrix & F) : m
 
 SurfaceLocator::~SurfaceLocator() = default;
 
-/** Cuts the tree into parts that are built beside each other. The nodes of each lie where one thread would put them. */
+/** Splits the tree into parts that are built in parallel. Node positions are the same as with one thread. */
 void
 SurfaceLocator::BuildTop(const VertexMatrix & centres)
 {
@@ -96,7 +96,7 @@ SurfaceLocator::BuildTop(const VertexMatrix & centres)
   std::vector<Part> parts{ { 0, 0, static_cast<int>(m_Order.size()) } };
   for (int level = 0; level < levels; ++level)
   {
-    std::vector<Part> halves(2 * parts.size(), Part{ 0, 0, 0 }); // without faces where a part is a leaf
+    std::vector<Part> halves(2 * parts.size(), Part{ 0, 0, 0 }); // empty if a part is a leaf
     ParallelFor(parts.size(), [&](std::size_t i) {
       const Part & part = parts[i];
       const int    middle = this->Split(part, centres);
@@ -115,8 +115,8 @@ SurfaceLocator::BuildTop(const VertexMatrix & centres)
   ParallelFor(parts.size(), [&](std::size_t i) { this->Build(parts[i], centres); });
 }
 
-/** Sets the first node of a part, and sorts its faces into halves: where the second one begins, or, of a leaf, the part
- * itself. */
+/** Sets the first node of a part and splits its faces into halves. Returns the start of the second half, or for a leaf
+ * that of the part. */
 int
 SurfaceLocator::Split(const Part & part, const VertexMatrix & centres)
 {
@@ -145,7 +145,7 @@ SurfaceLocator::Split(const Part & part, const VertexMatrix & centres)
   return middle;
 }
 
-/** The node after the last one of the subtree. */
+/** The node after the end of the subtree. */
 int
 SurfaceLocator::Build(const Part & part, const VertexMatrix & centres)
 {

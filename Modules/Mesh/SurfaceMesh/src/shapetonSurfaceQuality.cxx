@@ -12,7 +12,7 @@ namespace shapeton
 namespace
 {
 constexpr double DegreesPerRadian = 57.295779513082320877;
-constexpr double LeastHeight = 1e-12; // of the longest side
+constexpr double LeastHeight = 1e-12; // relative to the longest side
 
 struct Triangle
 {
@@ -92,7 +92,7 @@ CoincidentVertices(const VertexMatrix & V)
   places.reserve(V.rows());
   for (int v = 0; v < V.rows(); ++v)
   {
-    if (V.row(v).allFinite()) // others have no position
+    if (V.row(v).allFinite()) // the others have no position
     {
       places.emplace_back(std::array<double, 3>{ V(v, 0), V(v, 1), V(v, 2) }, v);
     }
@@ -164,7 +164,7 @@ MeasureEdges(const SurfaceMesh & mesh, const SurfaceConnectivity & connectivity,
     for (std::size_t i = 0; i < loop.size(); ++i)
     {
       const int next = loop[(i + 1) % loop.size()];
-      if (connectivity.FindEdge(loop[i], next) >= 0) // not so where an open chain ends
+      if (connectivity.FindEdge(loop[i], next) >= 0) // false at the end of an open chain
       {
         length += (mesh.V.row(loop[i]) - mesh.V.row(next)).norm();
       }
@@ -238,7 +238,7 @@ FindSurfaceDefects(const SurfaceMesh & mesh, const SurfaceConnectivity & connect
       defects.inconsistentEdges.push_back(e);
     }
   }
-  const int vertices = connectivity.IsManifold() ? 0 : mesh.NumberOfVertices(); // to look at
+  const int vertices = connectivity.IsManifold() ? 0 : mesh.NumberOfVertices(); // to check
   for (int v = 0; v < vertices; ++v)
   {
     if (connectivity.IsNonManifoldVertex(v))

@@ -11,7 +11,7 @@ namespace
 {
 constexpr std::size_t MostLines = 10;
 
-/** Nine digits: the last ones of a double depend on how a processor's mathematics library rounds. */
+/** Nine digits: the last digits of a double depend on the math library. */
 Json
 Rounded(double value)
 {
@@ -64,7 +64,7 @@ ToJson(const SurfaceComponent & component)
   return json;
 }
 
-/** Each kind of defect: the key of JSON, the words for people, and how many there are. */
+/** Each kind of defect: JSON key, text, and count. */
 struct DefectCount
 {
   const char * key;

@@ -44,7 +44,7 @@ ExtentOf(const SurfaceMesh & mesh)
   return (corners[1] - corners[0]).transpose();
 }
 
-/** Items separated by semicolons, the rest of a long list as a number. */
+/** Joins items by semicolons; the rest of a long list is given as a count. */
 std::string
 Join(const std::vector<std::string> & items)
 {
@@ -116,7 +116,7 @@ TextOfPlace(const SurfaceMesh & mesh, int vertex)
          CsvTable::Rounded(mesh.V(vertex, 2), 4) + ")";
 }
 
-/** How many edges have more than two faces, and where the first one is; empty where none has. */
+/** Number of edges with more than two faces and position of the first one; empty if there are none. */
 std::string
 TextOfNonManifoldEdges(const SurfaceMesh & mesh, const SurfaceConnectivity & connectivity)
 {
@@ -139,7 +139,7 @@ TextOfNonManifoldEdges(const SurfaceMesh & mesh, const SurfaceConnectivity & con
          " mm";
 }
 
-/** Joins faces along seams: pairs of boundary edges between the same positions, which have vertices of their own. */
+/** Joins faces along seams: pairs of boundary edges with separate vertices at the same positions. */
 void
 JoinSeams(const SurfaceMesh & mesh, const SurfaceConnectivity & connectivity, DisjointSets<> & sets)
 {
@@ -167,7 +167,7 @@ JoinSeams(const SurfaceMesh & mesh, const SurfaceConnectivity & connectivity, Di
   }
 }
 
-/** The faces that RepairSurface() keeps where a surface is not manifold. */
+/** The faces that RepairSurface() keeps if a surface is not manifold. */
 std::vector<int>
 FacesKept(const SurfaceMesh & mesh, const SurfaceConnectivity & connectivity)
 {
@@ -188,8 +188,8 @@ FacesKept(const SurfaceMesh & mesh, const SurfaceConnectivity & connectivity)
   return kept;
 }
 
-/** The faces of each component, the one with most faces first. Components are those that RepairSurface() leaves, as all
- * tools count them: faces hang together along edges of two faces and along seams, and not where an edge has more. */
+/** Faces of each component, largest component first. Components are those that RepairSurface() leaves: faces are
+ * connected by edges with two faces and by seams, but not by edges with more faces. */
 std::vector<std::vector<int>>
 FacesOfComponents(const SurfaceMesh & mesh, const SurfaceConnectivity & connectivity)
 {
@@ -210,7 +210,7 @@ FacesOfComponents(const SurfaceMesh & mesh, const SurfaceConnectivity & connecti
   std::vector<std::size_t>      componentOf(kept.size());
   for (std::size_t f = 0; f < kept.size(); ++f)
   {
-    const auto first = static_cast<std::size_t>(sets.Find(static_cast<int>(f))); // not greater than f
+    const auto first = static_cast<std::size_t>(sets.Find(static_cast<int>(f))); // at most f
     componentOf[f] = first == f ? components.size() : componentOf[first];
     components.resize(std::max(components.size(), componentOf[f] + 1));
     components[componentOf[f]].push_back(kept[f]);
@@ -250,16 +250,16 @@ RefuseSeveral(const SurfaceFile &                   file,
       (options.takesOneComponent ? "" : ", or all with the parameter \"component\" = -1"));
 }
 
-/** With `isCut` the components count that are left where the surface is cut, even where all faces are connected. */
+/** With `isCut`, counts the components after cutting, even if all faces are connected. */
 void
 TakeComponent(SurfaceFile & file, const SurfaceReadOptions & options, bool isCut, const std::string & path)
 {
   if (options.component < 0)
   {
-    return; // all of them
+    return; // all components
   }
   const SurfaceConnectivity connectivity(file.mesh);
-  const std::size_t         connected = connectivity.Components().size(); // by edges of any number of faces
+  const std::size_t         connected = connectivity.Components().size(); // by edges with any number of faces
   const bool                isManifold = connectivity.IsManifold();
   if (options.component == 0 && connected <= 1 && isManifold)
   {

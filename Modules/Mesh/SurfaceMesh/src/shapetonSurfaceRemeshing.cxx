@@ -56,11 +56,11 @@ private:
     return (m_Positions[m_Table.From(h)] - m_Positions[m_Table.To(h)]).norm();
   }
 
-  // The longest first: in any other order a long edge that waits makes its faces thinner and thinner without end.
+  // Longest edges first: in any other order a waiting long edge makes its faces ever thinner.
   void
   SplitLongEdges()
   {
-    using Entry = std::tuple<double, int, int>; // length and vertices: a split gives half-edges to other edges
+    using Entry = std::tuple<double, int, int>; // length and vertices: splits reassign half-edges to other edges
     std::priority_queue<Entry> queue;
     const auto                 add = [&](int h) {
       if (this->LengthOf(h) > LongestOfTarget * m_Target)
@@ -79,7 +79,7 @@ private:
     {
       m_Interruption.Check();
       const int h = m_Table.FindHalfEdge(std::get<1>(queue.top()), std::get<2>(queue.top()));
-      queue.pop(); // each edge comes once
+      queue.pop(); // each edge occurs once
       const Eigen::Vector3d middle = 0.5 * (m_Positions[m_Table.From(h)] + m_Positions[m_Table.To(h)]);
       m_Positions.push_back(middle);
       m_Table.ForEachEdge(m_Table.Split(h), add);
@@ -124,7 +124,7 @@ private:
     }
   }
 
-  /** Whether the boundary is nearly straight where the boundary half-edge h begins. */
+  /** Whether the boundary is nearly straight at the start of the boundary half-edge h. */
   bool
   IsStraightAt(int h) const
   {
@@ -139,7 +139,7 @@ private:
            offset.cross(direction).norm() <= BoundaryDeviationOfTarget * m_Target * length;
   }
 
-  /** Whether no face turns over and no edge becomes too long when both ends of h come to `place`. */
+  /** Whether no face flips over and no edge becomes too long if both ends of h move to `place`. */
   bool
   KeepsShape(int h, const Eigen::Vector3d & place) const
   {
@@ -155,7 +155,7 @@ private:
     return keeps;
   }
 
-  /** Whether the faces at w, but those with the vertex `leftOut`, keep their sides when w moves. */
+  /** Whether the faces at w, except those with the vertex `leftOut`, keep their orientation if w moves. */
   bool
   NoFaceTurnsOver(int w, const Eigen::Vector3d & place, int leftOut) const
   {
@@ -223,7 +223,7 @@ private:
   void
   Smooth()
   {
-    std::vector<Eigen::Vector3d> goals = m_Positions; // all from the old positions
+    std::vector<Eigen::Vector3d> goals = m_Positions; // all computed from the old positions
     for (int v = 0; v < m_Table.NumberOfVertices(); ++v)
     {
       m_Interruption.Check();
@@ -241,7 +241,7 @@ private:
     }
   }
 
-  /** The centre of the faces around v by area, moved back into the tangent plane and onto the surface. */
+  /** Area-weighted center of the faces around v, projected into the tangent plane and onto the surface. */
   Eigen::Vector3d
   GoalOf(int v) const
   {

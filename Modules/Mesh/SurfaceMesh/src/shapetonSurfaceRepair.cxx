@@ -105,8 +105,8 @@ SplitVertices(SurfaceMesh & mesh, SurfaceRepairReport & report)
   report.addedVertices = static_cast<int>(sources.size());
 }
 
-/** Whether all faces of a component are to be turned once more: a closed one that looks inwards, or an open one where
- * that turns fewer. */
+/** Whether to flip all faces of a component: a closed one that points inward, or an open one if that flips fewer faces.
+ */
 std::vector<bool>
 ComponentsToTurn(const SurfaceMesh & mesh, const SurfaceConnectivity & connectivity)
 {

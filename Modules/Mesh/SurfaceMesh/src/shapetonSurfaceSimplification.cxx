@@ -16,12 +16,12 @@ namespace shapeton
 {
 namespace
 {
-constexpr double PointWeight = 1e-3;          // of the distance to the old vertices against that to the planes
+constexpr double PointWeight = 1e-3;          // of the distance to old vertices, relative to the planes
 constexpr double LeastProductOfNormals = 0.3; // of the normals of a face before and after
 constexpr double RadiansPerDegree = 0.017453292519943295769;
 constexpr double StepOfAngles = 5.0; // degrees
 
-/** An edge at the time when it was put into the queue. */
+/** Queue entry of an edge, with its state at insertion. */
 struct Candidate
 {
   double   cost;
@@ -29,7 +29,7 @@ struct Candidate
   unsigned versionU, versionV;
 
   bool
-  operator<(const Candidate & other) const // the queue gives the greatest one first
+  operator<(const Candidate & other) const // the queue pops the largest first
   {
     if (cost != other.cost)
     {
@@ -39,8 +39,8 @@ struct Candidate
   }
 };
 
-/** The cheapest candidate first. Candidates of about the same cost share a bucket. Only the cheapest bucket is a heap,
- * which stays in the cache; steps of one heap of all of them would go through memory at random. */
+/** Priority queue, cheapest candidate first. Candidates of similar cost share a bucket. Only the cheapest bucket is a
+ * heap, which stays in the cache; a single large heap would access memory at random. */
 class CandidateQueue
 {
 public:
@@ -93,7 +93,7 @@ public:
 private:
   static constexpr int BitsOfBucket = 18; // sign, exponent and six of the mantissa
 
-  /** Numbers from 0 on are in the order of their bits. */
+  /** Maps nonnegative numbers to their bits, which preserves the order. */
   static std::size_t
   BucketOf(double cost)
   {
@@ -104,7 +104,7 @@ private:
   }
 
   std::vector<std::vector<Candidate>> m_Buckets;
-  std::size_t                         m_Cheapest{ 0 }; ///< those before it are empty
+  std::size_t                         m_Cheapest{ 0 }; ///< all earlier buckets are empty
   std::size_t                         m_Size{ 0 };
 };
 
@@ -195,7 +195,7 @@ Simplifier::Run(SurfaceSimplificationReport & report)
     }
     if (report.collapses > before)
     {
-      continue; // what was refused may be possible now
+      continue; // rejected collapses may now be possible
     }
     if (limit <= 0.0)
     {
@@ -253,7 +253,7 @@ Simplifier::AddQuadricsOfBoundary(int h, const Eigen::Vector3d & normal)
   }
 }
 
-/** Where the vertices of an edge would meet, and what that costs. */
+/** Merge position of the vertices of an edge, and its cost. */
 double
 Simplifier::Place(int u, int v, Eigen::Vector3d & place) const
 {
@@ -314,7 +314,7 @@ Simplifier::CollapseQueue(SurfaceSimplificationReport & report)
     if (!m_Table.IsLiveVertex(candidate.u) || !m_Table.IsLiveVertex(candidate.v) ||
         m_Version[candidate.u] != candidate.versionU || m_Version[candidate.v] != candidate.versionV)
     {
-      continue; // a later entry stands for the edge, or it is gone
+      continue; // the edge has a later entry or was removed
     }
     if (this->TryCollapse(candidate.u, candidate.v))
     {
@@ -354,7 +354,7 @@ Simplifier::ForEachFaceAt(int u, int v, const TVisit & visit) const
   }
 }
 
-/** Whether no face that stays turns over or gets too small an angle. */
+/** Whether no remaining face flips over or gets too small an angle. */
 bool
 Simplifier::KeepsShape(int u, int v, const Eigen::Vector3d & place) const
 {
@@ -364,7 +364,7 @@ Simplifier::KeepsShape(int u, int v, const Eigen::Vector3d & place) const
     const int other = w == u ? v : u;
     if (turnsOver || m_Table.To(h) == other || m_Table.Apex(h) == other)
     {
-      return; // goes with the edge
+      return; // removed with the edge
     }
     const Eigen::Vector3d & b = m_Positions[m_Table.To(h)];
     const Eigen::Vector3d & c = m_Positions[m_Table.Apex(h)];
@@ -377,7 +377,7 @@ Simplifier::KeepsShape(int u, int v, const Eigen::Vector3d & place) const
   {
     return !turnsOver;
   }
-  double worstBefore = m_CosineLimit; // an angle that is small already may stay so
+  double worstBefore = m_CosineLimit; // an angle that is already small may stay small
   this->ForEachFaceAt(u, v, [&](int h, int w) {
     const double before =
       CosineOfSmallestAngle(m_Positions[w], m_Positions[m_Table.To(h)], m_Positions[m_Table.Apex(h)]);

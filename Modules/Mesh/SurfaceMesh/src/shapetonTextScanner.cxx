@@ -26,7 +26,7 @@ TextScanner::TextScanner(const std::string & text,
   : m_Text(text), m_Path(path), m_Comment(comment), m_Continuation(continuation), m_Place(begin), m_Line(line)
 {}
 
-/** Where the next line begins if a line is continued at `place`; 0 if it is not. */
+/** Start of the next line if a line is continued at `place`, else 0. */
 std::size_t
 TextScanner::EndOfContinuation(std::size_t place) const
 {
@@ -74,7 +74,7 @@ TextScanner::NextLine()
 {
   for (;;)
   {
-    while (m_Continuation && !this->WordOfLine().empty()) // the end of this line may be some lines below
+    while (m_Continuation && !this->WordOfLine().empty()) // the logical line may end several lines below
     {}
     m_Place = std::min(m_Text.find('\n', m_Place), m_Text.size());
     if (m_Place == m_Text.size())
@@ -127,7 +127,7 @@ TextScanner::Number(const char * what, bool onLaterLines)
   const std::string_view word = this->WordFor(what, onLaterLines);
   double                 value = 0.0;
   const auto             result = std::from_chars(word.data(), word.data() + word.size(), value);
-  const bool             isTiny = result.ec == std::errc::result_out_of_range && // rounded to 0; others are too large
+  const bool             isTiny = result.ec == std::errc::result_out_of_range && // underflow to 0; others are too large
                       (word.find("e-") != std::string_view::npos || word.find("E-") != std::string_view::npos);
   if ((result.ec != std::errc() && !isTiny) || result.ptr != word.data() + word.size())
   {

@@ -7,13 +7,12 @@
 
 namespace shapeton
 {
-/** Reads words and numbers of a text, and says where something is wrong. Keeps references to both strings. */
+/** Reads words and numbers of a text, and reports error locations. Keeps references to both strings. */
 class TextScanner
 {
 public:
-  /** `comment` begins a comment that goes to the end of the line; 0 for none. Reading starts at `begin`, which lies in
-   * line number `line`. `continuation` at the end of a line, outside of a comment, continues it in the next one; 0 for
-   * none. */
+  /** `comment` starts a comment until the end of the line; 0 for none. Reading starts at `begin`, in line number
+   * `line`. `continuation` at the end of a line, outside a comment, continues it on the next line; 0 for none. */
   TextScanner(const std::string & text,
               const std::string & path,
               char                comment = 0,
@@ -21,7 +20,7 @@ public:
               int                 line = 1,
               char                continuation = 0);
 
-  /** Goes to the next line that holds a word; false at the end of the text. */
+  /** Advances to the next line that contains a word; false at the end of the text. */
   bool
   NextLine();
   /** The next word of this line; empty at its end. */
@@ -31,14 +30,14 @@ public:
   std::string_view
   Word();
 
-  /** The next word of this line, or with `onLaterLines` of the text, as a number. Any number that a double can hold,
-   * also "nan" and "inf". `what` is for the message. */
+  /** The next word of this line, or with `onLaterLines` of the text, as a number in the range of a double, including
+   * "nan" and "inf". `what` is used in messages. */
   double
   Number(const char * what, bool onLaterLines = false);
   std::int64_t
   Integer(const char * what, bool onLaterLines = false);
 
-  /** Throws InputError that names the line. */
+  /** Throws InputError with the line number. */
   [[noreturn]] void
   Refuse(const std::string & fault) const;
 

@@ -9,14 +9,14 @@
 
 namespace shapeton
 {
-/** Twice the area, along the normal. */
+/** Normal vector, with the length of twice the area. */
 inline Eigen::Vector3d
 DoubleAreaNormal(const Eigen::Vector3d & a, const Eigen::Vector3d & b, const Eigen::Vector3d & c)
 {
   return (b - a).cross(c - a);
 }
 
-/** The angle at `a` in radians; 0 where a side has no length. */
+/** The angle at `a` in radians; 0 if a side has zero length. */
 inline double
 AngleAt(const Eigen::Vector3d & a, const Eigen::Vector3d & b, const Eigen::Vector3d & c)
 {
@@ -25,7 +25,7 @@ AngleAt(const Eigen::Vector3d & a, const Eigen::Vector3d & b, const Eigen::Vecto
   return std::atan2(u.cross(v).norm(), u.dot(v));
 }
 
-/** The cosine of the smallest angle, the one opposite to the shortest side; 1 for a triangle without area. */
+/** Cosine of the smallest angle, opposite to the shortest side; 1 for a zero-area triangle. */
 inline double
 CosineOfSmallestAngle(const Eigen::Vector3d & a, const Eigen::Vector3d & b, const Eigen::Vector3d & c)
 {
@@ -44,7 +44,7 @@ CosineOfSmallestAngle(const Eigen::Vector3d & a, const Eigen::Vector3d & b, cons
   return product > 0.0 ? std::min((y + z - x) / (2.0 * std::sqrt(product)), 1.0) : 1.0;
 }
 
-/** Longest side over the diameter of the inscribed circle, 1 for an equilateral triangle; infinity without area. */
+/** Longest side over the inscribed diameter, scaled to 1 for an equilateral triangle; infinity for zero area. */
 inline double
 AspectRatio(const Eigen::Vector3d & a, const Eigen::Vector3d & b, const Eigen::Vector3d & c)
 {

@@ -29,7 +29,7 @@ struct HashOfCell
   }
 };
 
-/** Equal positions: the bits are the key; -0 is 0. */
+/** Equal positions, hashed by their bits; -0 equals 0. */
 void
 JoinEqual(const VertexMatrix & V, DisjointSets<> & groups)
 {
@@ -52,7 +52,7 @@ JoinEqual(const VertexMatrix & V, DisjointSets<> & groups)
   }
 }
 
-/** Near positions: each vertex is compared with those in the 27 cells of side `distance` around it. */
+/** Close positions: each vertex is compared with those in the 27 surrounding cells of side `distance`. */
 void
 JoinNear(const VertexMatrix & V, double distance, DisjointSets<> & groups)
 {
@@ -75,7 +75,7 @@ JoinNear(const VertexMatrix & V, double distance, DisjointSets<> & groups)
     Cell own;
     for (int axis = 0; axis < 3; ++axis)
     {
-      // Far cells are clamped: they only become larger, and what lies in them is compared as well.
+      // Far cells are clamped: they only become larger, and all their vertices are compared.
       own[axis] = static_cast<std::int64_t>(std::min((V(v, axis) - corner[axis]) / distance, 1e15));
     }
     for (int i = 0; i < 27; ++i)
@@ -96,7 +96,7 @@ JoinNear(const VertexMatrix & V, double distance, DisjointSets<> & groups)
 void
 KeepRows(SurfaceMesh & mesh, const std::vector<int> & kept)
 {
-  for (std::size_t i = 0; i < kept.size(); ++i) // rows only move forwards
+  for (std::size_t i = 0; i < kept.size(); ++i) // rows only move forward
   {
     mesh.V.row(static_cast<Eigen::Index>(i)) = mesh.V.row(kept[i]).eval();
     for (SurfaceArray & array : mesh.pointArrays)
@@ -116,7 +116,7 @@ KeepRows(SurfaceMesh & mesh, const std::vector<int> & kept)
 int
 MergeVertices(SurfaceMesh & mesh, double distance)
 {
-  DisjointSets groups(mesh.V.rows()); // the least vertex stands for all
+  DisjointSets groups(mesh.V.rows()); // represented by the lowest vertex
   JoinEqual(mesh.V, groups);
   if (distance > 0.0)
   {
@@ -126,7 +126,7 @@ MergeVertices(SurfaceMesh & mesh, double distance)
   std::vector<int> kept;
   for (int v = 0; v < mesh.NumberOfVertices(); ++v)
   {
-    const int first = groups.Find(v); // not greater than v
+    const int first = groups.Find(v); // at most v
     if (first == v)
     {
       newIndex[v] = static_cast<int>(kept.size());

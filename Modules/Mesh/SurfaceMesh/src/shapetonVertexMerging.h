@@ -5,8 +5,8 @@
 
 namespace shapeton
 {
-/** Merges vertices at one position, or nearer than `distance` when that is greater than 0, into the first of them,
- * which keeps its position and its arrays. Returns how many vertices went. Faces are kept, degenerate ones too. */
+/** Merges vertices at equal positions, or closer than a positive `distance`, into the first of them, which keeps its
+ * position and arrays. Returns the number of removed vertices. All faces are kept, including degenerate ones. */
 int
 MergeVertices(SurfaceMesh & mesh, double distance);
 } // namespace shapeton

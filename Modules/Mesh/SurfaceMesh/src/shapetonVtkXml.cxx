@@ -56,7 +56,7 @@ CompressorOf(const std::string & name)
   return nullptr;
 }
 
-/** Keeps VTK's messages from stderr. */
+/** Suppresses VTK messages on stderr. */
 class SilentVTK
 {
 public:
@@ -110,7 +110,7 @@ VtkXml::Refuse(const std::string & fault) const
   RefuseSurface(m_Path, fault, "copy or write the file again");
 }
 
-// To the next tag that is no declaration or comment.
+// Skip declarations and comments up to the next tag.
 bool
 VtkXml::SkipToTag(std::size_t & place) const
 {
@@ -230,7 +230,7 @@ VtkXml::IntegerOf(const std::string & header, std::size_t index) const
                              : ValueAt<std::uint32_t>(header, 4 * index, m_IsBigEndian);
 }
 
-// So many bytes from `place` on, which moves behind them.
+// Returns the given number of bytes at `place` and advances it.
 std::string
 VtkXml::Take(std::size_t & place, std::size_t size, bool isRaw) const
 {

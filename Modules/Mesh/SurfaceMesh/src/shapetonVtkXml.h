@@ -8,7 +8,7 @@
 
 namespace shapeton
 {
-/** An element of a VTK XML file; what it holds as text begins at `text`. */
+/** An element of a VTK XML file; its text content starts at `text`. */
 struct VtkXmlElement
 {
   std::string                        name;
@@ -16,19 +16,19 @@ struct VtkXmlElement
   std::size_t                        text{ 0 };
   std::vector<VtkXmlElement>         children;
 
-  /** "" where there is none. */
+  /** Empty if the attribute does not exist. */
   std::string
   Get(const std::string & attribute) const;
-  /** nullptr where there is none. */
+  /** nullptr if there is none. */
   const VtkXmlElement *
   Find(const std::string & child) const;
 };
 
 /** \class VtkXml
- * \brief The elements of a VTK XML file and the values of its arrays: text, base64 and appended, raw and compressed.
+ * \brief Elements of a VTK XML file and values of its arrays: text, base64 and appended, raw and compressed.
  *
- * https://docs.vtk.org/en/latest/vtk_file_formats/vtkxml_file_format.html. Reading checks all that the file states,
- * which VTK's own reader does not. Throws InputError.
+ * https://docs.vtk.org/en/latest/vtk_file_formats/vtkxml_file_format.html. Validates everything that the file states,
+ * unlike VTK's own reader. Throws InputError.
  */
 class VtkXml
 {
@@ -45,13 +45,13 @@ public:
   /** The values of a DataArray. */
   std::vector<double>
   Values(const VtkXmlElement & array) const;
-  /** The texts of an Array of type String. */
+  /** Strings of an Array of type String. */
   std::vector<std::string>
   Strings(const VtkXmlElement & array) const;
-  /** A whole number from 0 on that is plausible for the length of the file. */
+  /** A nonnegative integer that is plausible for the file length. */
   std::size_t
   Number(const VtkXmlElement & element, const std::string & attribute) const;
-  /** The type of its values is none of Float32, Float64. */
+  /** Whether the value type is neither Float32 nor Float64. */
   static bool
   AreIntegers(const VtkXmlElement & array);
 
@@ -81,7 +81,7 @@ private:
   std::size_t         m_SizeOfHeader{ 4 };
   bool                m_IsBigEndian{ false };
   bool                m_IsRaw{ false };
-  std::size_t         m_Appended{ std::string::npos }; ///< the first byte of the appended data
+  std::size_t         m_Appended{ std::string::npos }; ///< first byte of the appended data
 };
 } // namespace shapeton
 

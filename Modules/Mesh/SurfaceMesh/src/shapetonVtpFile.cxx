@@ -50,7 +50,7 @@ public:
   }
 
 private:
-  /** Rows of the pieces one after another; those of all pieces make an array. */
+  /** Concatenates the rows of the pieces; keeps arrays that exist in all pieces. */
   struct Gathered
   {
     SurfaceArray        array;
@@ -133,7 +133,7 @@ private:
     m_LeftOut += verts + lines;
     this->ReadCells(piece.Find("Polys"), polys, firstPoint, points, false);
     this->ReadCells(piece.Find("Strips"), strips, firstPoint, points, true);
-    if (strips == 0) // the triangles of strips have no rows of their own
+    if (strips == 0) // triangles of strips have no rows of their own
     {
       this->Gather(piece.Find("CellData"), verts + lines, polys, verts + lines + polys, m_CellArrays);
     }
@@ -179,14 +179,14 @@ private:
       m_Surface.EndPolygon();
       return;
     }
-    for (std::size_t i = 2; i < corners.size(); ++i) // every other triangle of a strip runs backwards
+    for (std::size_t i = 2; i < corners.size(); ++i) // every other triangle of a strip is reversed
     {
       m_Surface.corners.insert(m_Surface.corners.end(), { corners[i - 2 + i % 2], corners[i - 1 - i % 2], corners[i] });
       m_Surface.EndPolygon();
     }
   }
 
-  /** Appends `rows` rows from `first` on of each numerical array that has `all` rows. */
+  /** Appends `rows` rows, starting at `first`, of each numeric array with `all` rows. */
   void
   Gather(const VtkXmlElement *   parent,
          std::size_t             first,

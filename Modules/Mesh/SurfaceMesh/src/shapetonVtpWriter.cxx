@@ -21,7 +21,7 @@ namespace shapeton
 {
 namespace
 {
-/** VTK writes names as they are, and the file would be none. */
+/** VTK does not escape names, which would make the file invalid. */
 void
 RequireName(const std::string & name)
 {

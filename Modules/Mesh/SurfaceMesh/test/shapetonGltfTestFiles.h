@@ -5,7 +5,7 @@
 #include <cstring>
 #include <string>
 
-/** Files of glTF and GLB as bytes. */
+/** glTF and GLB files as bytes. */
 namespace testsurfaces
 {
 inline std::string
@@ -40,8 +40,7 @@ TetrahedronBuffer()
   return bytes;
 }
 
-/** Two nodes: a tetrahedron as it is, and one that its parent moves by 3 m and its own transform enlarges and mirrors.
- */
+/** Two nodes: a tetrahedron as is, and one that its parent shifts by 3 m and its own transform scales and mirrors. */
 inline std::string
 GltfDocument(const std::string & buffer)
 {

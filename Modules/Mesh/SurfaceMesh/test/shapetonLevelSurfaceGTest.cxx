@@ -13,7 +13,7 @@ namespace
 {
 constexpr std::array<int, 3> size{ { 40, 30, 30 } };
 
-/** Values that pass 0 on a sphere of radius 9 around (14, 15, 15) and on one of radius 4 around (31, 15, 15). */
+/** Values with zero level sets on a sphere of radius 9 around (14, 15, 15) and one of radius 4 around (31, 15, 15). */
 std::vector<float>
 TwoBalls()
 {
@@ -53,7 +53,7 @@ TEST(LevelSurface, StartsWhereItIsTold)
   std::vector<float> values = TwoBalls();
   const SurfaceMesh  mesh = LevelSurface(values, size, 0.0);
   const SurfaceMesh  moved = LevelSurface(values, size, 0.0, -1.0);
-  EXPECT_LT(((mesh.V - moved.V).array() - 1.0).abs().maxCoeff(), 1e-5); // VTK's points are of single precision
+  EXPECT_LT(((mesh.V - moved.V).array() - 1.0).abs().maxCoeff(), 1e-5); // VTK points have single precision
   EXPECT_EQ(mesh.F, moved.F);
 }
 

@@ -185,7 +185,7 @@ FacesWith(const shapeton::FaceMatrix & F, int a, int b)
   return faces;
 }
 
-/** The number of classes of `faces` when those are joined that share two vertices, one of them v unless v < 0. */
+/** Number of classes of `faces` after joining those that share two vertices, one of them v unless v < 0. */
 int
 BruteForceClasses(const shapeton::FaceMatrix & F, const std::vector<int> & faces, int v)
 {

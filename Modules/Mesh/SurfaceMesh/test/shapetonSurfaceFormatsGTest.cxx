@@ -220,7 +220,7 @@ TEST(SurfaceFormats, ObjDialectsGiveTheSameSurface)
 TEST(SurfaceFormats, VerticesThatNoFaceUsesDoNotMatter)
 {
   const shapeton::SurfaceMesh sphere = Icosphere(1, 30);
-  shapeton::SurfaceMesh       mesh = sphere; // with vertices in front, that faces skip
+  shapeton::SurfaceMesh       mesh = sphere; // with leading vertices not used by faces
   mesh.V.resize(sphere.V.rows() + 4, 3);
   mesh.V.topRows(4) << std::nan(""), 0, 0, 1e30, 0, 0, 0, HUGE_VAL, 0, -1e300, std::nan(""), std::nan("");
   mesh.V.bottomRows(sphere.V.rows()) = sphere.V;
@@ -324,7 +324,7 @@ ExpectTwoTetrahedra(const shapeton::SurfaceFile & file)
   EXPECT_EQ(file.mesh.V.colwise().maxCoeff(), Eigen::RowVector3d(5000, 2000, 1000));
   EXPECT_EQ(file.mesh.V.colwise().minCoeff(), Eigen::RowVector3d(0, 0, -2000));
   const shapeton::SurfaceQuality quality = shapeton::InspectSurface(file.mesh);
-  ASSERT_TRUE(quality.volume.has_value()); // 1/6 and 8/6 m^3, both outwards although one is mirrored
+  ASSERT_TRUE(quality.volume.has_value()); // 1/6 and 8/6 m^3, both outward although one is mirrored
   EXPECT_NEAR(*quality.volume, 1.5e9, 1.0);
 }
 

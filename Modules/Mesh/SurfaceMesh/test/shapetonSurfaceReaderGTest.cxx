@@ -80,7 +80,7 @@ TEST(SurfaceReader, ClosedSurfacesThatTouchAreTwo)
   shapeton::SurfaceMesh beside = CubeOfSixSquares(20);
   beside.V.col(0).array() += 20;
   const Folder folder;
-  // Each cube is closed by the seams between its sides; they have one side in common.
+  // Each cube is closed by the seams between its sides; the cubes share one side.
   shapeton::SurfaceMesh one = shapeton::RepairSurface(CubeOfSixSquares(20));
   shapeton::WriteSurface(Together({ one, shapeton::RepairSurface(beside) }), folder / "a.ply");
   shapeton::SurfaceReadOptions options;
@@ -101,7 +101,7 @@ TEST(SurfaceReader, ASurfaceThatIsNotManifoldIsCutIntoComponents)
   const std::string where =
     "it is not manifold: 2 edges have more than two faces, the first from (0, 0, 0) to (0, 0, 9) mm; "
     "cut there it has 3 components: 1: 2 faces";
-  // It is accepted for inspection, with the number of components that all tools count.
+  // Accepted for inspection, with the common number of components.
   const shapeton::Surface asItIs = shapeton::ReadSurface(folder / "a.ply");
   ASSERT_EQ(asItIs.notes.size(), 1u);
   EXPECT_EQ(asItIs.notes[0].find(where), 0u) << asItIs.notes[0];
@@ -269,7 +269,7 @@ TEST(SurfaceReader, MissingFilesAndFolders)
   EXPECT_THROW(shapeton::WriteSurface(Octahedron(), folder / "a.off"), shapeton::ParameterError);
 }
 
-// Every file that is cut short is refused or, where a text ends at a whole line, a smaller surface; none crashes.
+// Each truncated file is rejected or, if a text ends at a whole line, gives a smaller surface; none crashes.
 TEST(SurfaceReader, TruncatedBinaryFilesAreRefused)
 {
   const Folder folder;
@@ -287,7 +287,7 @@ TEST(SurfaceReader, TruncatedBinaryFilesAreRefused)
 class SurfaceReaderOfMutants : public testing::TestWithParam<std::string>
 {};
 
-// A mutant is refused, or what it gives is sound; nothing else is thrown, and nothing crashes.
+// A mutant is rejected or gives a sound surface; nothing else is thrown, and nothing crashes.
 TEST_P(SurfaceReaderOfMutants, AreRefusedOrSound)
 {
   const Folder      folder;

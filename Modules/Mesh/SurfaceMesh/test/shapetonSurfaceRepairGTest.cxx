@@ -83,7 +83,7 @@ TEST(SurfaceRepair, TurnsTheFewerFacesOfAnOpenSurface)
   const Eigen::Vector3d a = repaired.V.row(repaired.F(0, 0));
   const Eigen::Vector3d normal =
     (repaired.V.row(repaired.F(0, 1)).transpose() - a).cross(repaired.V.row(repaired.F(0, 2)).transpose() - a);
-  EXPECT_GT(normal.dot(Eigen::Vector3d(a[0], a[1], 0.0)), 0.0); // outwards, as most of them were
+  EXPECT_GT(normal.dot(Eigen::Vector3d(a[0], a[1], 0.0)), 0.0); // outward, as most of them were
 }
 
 TEST(SurfaceRepair, LeavesAMoebiusStripAndSaysSo)
@@ -124,7 +124,7 @@ TEST(SurfaceRepair, TwoCubesThatShareACornerComeApart)
 class SurfaceRepairOfRandomFaces : public testing::TestWithParam<int>
 {};
 
-// Whatever the faces are, what comes out is manifold and holds the same triangles.
+// For any faces, the result is manifold and has the same triangles.
 TEST_P(SurfaceRepairOfRandomFaces, IsManifoldAndKeepsTheTriangles)
 {
   Random                          random(GetParam());

@@ -18,7 +18,7 @@ Simplified(const shapeton::SurfaceMesh & mesh, int faces, shapeton::SurfaceSimpl
   return shapeton::SimplifySurface(mesh, options, report);
 }
 
-/** What no collapse may change. */
+/** Topological invariants of collapses. */
 void
 ExpectSameTopology(const shapeton::SurfaceMesh & before, const shapeton::SurfaceMesh & after)
 {
@@ -125,7 +125,7 @@ TEST(SurfaceSimplification, StopsWithAReasonWhenTopologyForbidsMore)
 class SurfaceSimplificationToTheEnd : public testing::TestWithParam<int>
 {};
 
-// Rough surfaces of every kind, as far down as it goes: whatever the geometry, the topology stays.
+// Rough surfaces of every kind, simplified as far as possible: the topology is preserved for any geometry.
 TEST_P(SurfaceSimplificationToTheEnd, KeepsTheTopology)
 {
   const int                   seed = GetParam();

@@ -22,8 +22,7 @@ ReadBytes(const std::string & extension, const std::string & bytes)
   return shapeton::ReadSurfaceFile(path);
 }
 
-/** The message of the InputError that reading these bytes throws, without the name of the file; "" when it throws none.
- */
+/** Message of the InputError thrown for these bytes, without the file name; empty if nothing is thrown. */
 inline std::string
 FaultOf(const std::string & extension, const std::string & bytes)
 {

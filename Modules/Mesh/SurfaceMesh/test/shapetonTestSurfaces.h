@@ -11,7 +11,7 @@
 #include <functional>
 #include <map>
 
-/** Surfaces of known shape and topology. */
+/** Surfaces with known shape and topology. */
 namespace testsurfaces
 {
 constexpr double Pi = 3.14159265358979323846;
@@ -41,7 +41,7 @@ Octahedron()
     { { 0, 2, 4 }, { 2, 1, 4 }, { 1, 3, 4 }, { 3, 0, 4 }, { 2, 0, 5 }, { 1, 2, 5 }, { 3, 1, 5 }, { 0, 3, 5 } });
 }
 
-/** A sphere around the origin: an icosahedron whose faces are cut in four `levels` times, 20 4^levels faces. */
+/** A sphere around the origin: an icosahedron, subdivided `levels` times, 20 4^levels faces. */
 inline shapeton::SurfaceMesh
 Icosphere(int levels, double radius)
 {
@@ -81,8 +81,8 @@ Icosphere(int levels, double radius)
   return FromLists(points, faces);
 }
 
-/** A grid of `around` x `along` quadrilaterals, each cut in two, wrapped in one direction (Wrap::Around), both, none,
- * or one with a half turn. position(s, t) takes s, t in [0, 1]. */
+/** A grid of `around` x `along` quadrilaterals, each split in two, wrapped in one direction (Wrap::Around), both, none,
+ * or one with a half twist. position(s, t) takes s, t in [0, 1]. */
 enum class Wrap
 {
   None,
@@ -154,7 +154,7 @@ Square(int cells, double side)
   return Grid(cells, cells, Wrap::None, [=](double s, double t) { return Eigen::Vector3d(side * s, side * t, 0.0); });
 }
 
-/** A cube of the given side from the origin on, four vertices of its own for each of the six sides. */
+/** A cube of the given side with a corner at the origin; four separate vertices for each of its six sides. */
 inline shapeton::SurfaceMesh
 CubeOfSixSquares(double side)
 {
@@ -177,7 +177,7 @@ CubeOfSixSquares(double side)
   return FromLists(points, faces);
 }
 
-/** Several surfaces as one, not joined. */
+/** Several surfaces as one, not connected. */
 inline shapeton::SurfaceMesh
 Together(const std::vector<shapeton::SurfaceMesh> & meshes)
 {
@@ -194,8 +194,8 @@ Together(const std::vector<shapeton::SurfaceMesh> & meshes)
   return together;
 }
 
-/** The surface with a seam between the faces beyond and the others: the vertices of both have a copy at the same place,
- * which the faces beyond use. */
+/** The surface with a seam between the faces beyond and the others: vertices on it get a copy at the same position,
+ * used by the faces beyond. */
 inline shapeton::SurfaceMesh
 WithSeam(shapeton::SurfaceMesh mesh, const std::function<bool(int)> & isBeyond)
 {
@@ -226,7 +226,7 @@ WithSeam(shapeton::SurfaceMesh mesh, const std::function<bool(int)> & isBeyond)
   return mesh;
 }
 
-/** Numbers that are the same everywhere. */
+/** Platform-independent random numbers. */
 class Random
 {
 public:
@@ -244,7 +244,7 @@ public:
   {
     return static_cast<int>(this->Next() % static_cast<std::uint64_t>(n));
   }
-  /** In [-1, 1). */
+  /** Random number in [-1, 1). */
   double
   Signed()
   {

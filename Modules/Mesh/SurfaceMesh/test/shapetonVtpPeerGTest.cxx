@@ -18,7 +18,7 @@
 
 #include "gtest/gtest.h"
 
-// VTK's reader and writer of VTP, which 3D Slicer uses, as peers of ours.
+// VTK's VTP reader and writer, which 3D Slicer uses, as reference implementations.
 namespace
 {
 using namespace testsurfaces;
