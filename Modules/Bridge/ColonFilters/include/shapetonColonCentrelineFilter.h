@@ -9,11 +9,11 @@
 namespace shapeton
 {
 /** \class ColonCentrelineFilter
- * \brief The centreline of a colon from the labels of its lumen: TraceColonCentreline() in the pipeline.
+ * \brief Pipeline filter of TraceColonCentreline(): the centerline of a colon from the labels of its lumen.
  *
  * \par Inputs and Outputs
- * Input: labels or a mask; what is not 0 is lumen. Output 0: the curve, CurveSet. Output 1: ColonCentreline with gaps,
- * pieces and the rest.
+ * Input: labels or a mask; nonzero voxels are lumen. Output 0: the curve, CurveSet. Output 1: ColonCentreline with
+ * gaps, pieces and further results.
  *
  * \ingroup ColonFilters */
 class ColonFilters_EXPORT ColonCentrelineFilter : public StageFilter<itk::ProcessObject>

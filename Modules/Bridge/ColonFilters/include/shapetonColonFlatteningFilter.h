@@ -11,12 +11,13 @@
 namespace shapeton
 {
 /** \class ColonFlatteningFilter
- * \brief The flat map of a tube: FlattenColon() in the pipeline.
+ * \brief Pipeline filter of FlattenColon(): the flat map of a tube.
  *
  * \par Inputs and Outputs
- * Input: a tube, such as the output 0 of ColonModelFilter. Optional input Centreline: tells the rectum where the mesh
- * does not. Output 0: the tube cut open, its points in space, with the arrays of \ref FlatSurface, so a PipelineMesh is
- * wanted. Output 1: ColonFlattening. Output 2: FlatColon, which folds, landmarks, positions and candidates take.
+ * Input: a tube, such as output 0 of ColonModelFilter. Optional input Centreline: identifies the rectum if the mesh
+ * does not. Output 0: the tube cut open, its points in space, with the arrays of \ref FlatSurface; use a PipelineMesh.
+ * Output 1: ColonFlattening. Output 2: FlatColon, the input of the filters for folds, landmarks, positions and
+ * candidates.
  *
  * \ingroup ColonFilters */
 template <typename TInputMesh = PipelineMesh, typename TOutputMesh = TInputMesh>
@@ -85,7 +86,7 @@ protected:
 
   void
   GenerateOutputInformation() override
-  {} // meshes of two types have nothing to take over
+  {} // information cannot be copied between different mesh types
 
   void
   Compute() override
@@ -117,8 +118,8 @@ private:
 };
 
 /** \class FlatColonFilter
- * \brief The flat colon of a mesh with the arrays of \ref FlatSurface, for example one that was read from a file, or
- * that filters between have changed: what folds, landmarks, positions and candidates take. \ingroup ColonFilters */
+ * \brief Makes a FlatColon from a mesh with the arrays of \ref FlatSurface, for example one read from a file or changed
+ * by other filters: the input of the filters for folds, landmarks, positions and candidates. \ingroup ColonFilters */
 template <typename TInputMesh = PipelineMesh>
 class FlatColonFilter : public StageFilter<itk::ProcessObject>
 {
@@ -170,7 +171,7 @@ protected:
   {
     const auto * const mesh = static_cast<const TInputMesh *>(this->itk::ProcessObject::GetInput(0));
     const auto         flat = std::make_shared<const FlatColon>(SurfaceOf(*mesh), m_Options, "the mesh");
-    flat->Grid(); // refuses a mesh that is not flat here rather than later
+    flat->Grid(); // reject a mesh that is not flat here rather than later
     this->GetOutput()->Set(flat);
   }
 

@@ -9,11 +9,11 @@
 namespace shapeton
 {
 /** \class ColonLandmarksFilter
- * \brief Flexures, segments and taeniae of a flat colon: FindColonLandmarks() in the pipeline.
+ * \brief Pipeline filter of FindColonLandmarks(): flexures, segments and taeniae of a flat colon.
  *
  * \par Inputs and Outputs
- * Inputs FlatColon and Centreline. Output 0: ColonLandmarks. Output 1: the taeniae as curves, CurveSet, with none where
- * they were not found.
+ * Inputs FlatColon and Centreline. Output 0: ColonLandmarks. Output 1: the taeniae as curves, CurveSet; empty if they
+ * were not found.
  *
  * \ingroup ColonFilters */
 class ColonFilters_EXPORT ColonLandmarksFilter : public StageFilter<itk::ProcessObject>

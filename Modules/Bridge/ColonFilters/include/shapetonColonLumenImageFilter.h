@@ -10,13 +10,13 @@
 namespace shapeton
 {
 /** \class ColonLumenImageFilter
- * \brief The gas and the tagged fluid in the colon of a CT colonography: SegmentColonLumen() in the pipeline.
+ * \brief Pipeline filter of SegmentColonLumen(): gas and tagged fluid in the colon of a CT colonography.
  *
  * \par Inputs and Outputs
- * Input: a CT in HU, scalar voxels of any type, any axes. Output 0: labels on its grid, 1 gas, 2 fluid. Output 1: all
- * that was found, ColonLumen, which ElectronicCleansingImageFilter takes; its labels begin at index 0.
+ * Input: a CT in HU, scalar voxels of any type, any axes. Output 0: labels on its grid, 1 gas, 2 fluid. Output 1: the
+ * complete ColonLumen, the input of ElectronicCleansingImageFilter; its labels start at index 0.
  *
- * Throws InputError where this is no prepared colon, unless KeepPartial is on, and as SegmentColonLumen().
+ * Throws InputError if no prepared colon is found, unless KeepPartial is on, and as SegmentColonLumen().
  *
  * \ingroup ColonFilters */
 template <typename TInputImage>
@@ -41,7 +41,8 @@ public:
   shapetonOptionMacro(SeedPoints, seedPoints);
   ///@}
 
-  /** Give what was found where the colon is not distended or tagged enough, with ColonLumen::failure. Default off. */
+  /** Return partial results, with ColonLumen::failure, if the colon is not sufficiently distended or tagged. Default
+   * off. */
   itkSetMacro(KeepPartial, bool);
   itkGetConstMacro(KeepPartial, bool);
   itkBooleanMacro(KeepPartial);

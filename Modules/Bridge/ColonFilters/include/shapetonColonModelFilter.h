@@ -12,18 +12,18 @@
 namespace shapeton
 {
 /** \class ColonModelFilter
- * \brief From a CT colonography to the wall of the colon in one filter: BuildColonModel() in the pipeline, what the
- * tool ColonSegmentation calls.
+ * \brief Pipeline filter of BuildColonModel(), the core of the tool ColonSegmentation: from a CT colonography to the
+ * wall of the colon.
  *
- * It does what ColonLumenImageFilter, ElectronicCleansingImageFilter, ColonCentrelineFilter and ColonWallFilter do one
- * after another, finds the ileocaecal valve, and cuts the terminal ileum off.
+ * Combines ColonLumenImageFilter, ElectronicCleansingImageFilter, ColonCentrelineFilter and ColonWallFilter, finds the
+ * ileocecal valve, and cuts off the terminal ileum.
  *
  * \par Inputs and Outputs
- * Input: a CT in HU, scalar voxels of any type. Optional input LumenMask: in place of the automatic lumen, on the grid
- * of the CT. Outputs: 0 the simplified wall, 1 the repaired one, 2 the raw one; 3 the centreline, CurveSet; 4 the whole
- * ColonModel, whose images begin at index 0.
+ * Input: a CT in HU, scalar voxels of any type. Optional input LumenMask: replaces the automatic lumen, on the grid of
+ * the CT. Outputs: 0 the simplified wall, 1 the repaired one, 2 the raw one; 3 the centerline, CurveSet; 4 the complete
+ * ColonModel, whose images start at index 0.
  *
- * Throws InputError where this is no prepared colon or the mask lies on another grid, and as BuildColonModel().
+ * Throws InputError if no prepared colon is found or the mask is on another grid, and as BuildColonModel().
  *
  * \ingroup ColonFilters */
 template <typename TInputImage, typename TOutputMesh = PipelineMesh>
@@ -53,7 +53,7 @@ public:
   itkBooleanMacro(KeepPieces);
   ///@}
 
-  using itk::MeshSource<TOutputMesh>::GetOutput; // of any index
+  using itk::MeshSource<TOutputMesh>::GetOutput; // for any index
   ResultObject<CurveSet> *
   GetCentrelineOutput()
   {

@@ -10,10 +10,10 @@
 namespace shapeton
 {
 /** \class ColonPositionFilter
- * \brief The colon in one position as its registration needs it: MakeColonPosition() in the pipeline.
+ * \brief Pipeline filter of MakeColonPosition(): the colon in one position, prepared for registration.
  *
  * \par Inputs and Outputs
- * Inputs FlatColon, Centreline, Landmarks, Folds. Output: ColonPosition, which SupineProneRegistrationFilter takes.
+ * Inputs FlatColon, Centreline, Landmarks, Folds. Output: ColonPosition, the input of SupineProneRegistrationFilter.
  *
  * \ingroup ColonFilters */
 class ColonFilters_EXPORT ColonPositionFilter : public StageFilter<itk::ProcessObject>
@@ -38,7 +38,7 @@ public:
   itkSetInputMacro(Folds, ResultObject<HaustralFolds>);
   itkGetInputMacro(Folds, ResultObject<HaustralFolds>);
 
-  /** For messages. Default "the colon". */
+  /** Name in messages. Default "the colon". */
   itkSetStringMacro(PositionName);
   itkGetStringMacro(PositionName);
 

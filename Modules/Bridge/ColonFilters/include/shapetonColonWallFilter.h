@@ -11,12 +11,12 @@
 namespace shapeton
 {
 /** \class ColonWallFilter
- * \brief The wall of a colon as a mesh: BuildColonWall() in the pipeline.
+ * \brief Pipeline filter of BuildColonWall(): the wall of a colon as a mesh.
  *
  * \par Inputs and Outputs
- * Either the input Cleansed, the output 1 of ElectronicCleansingImageFilter, or the input Mask, a mask of the lumen.
- * Input Centreline: the output of ColonCentrelineFilter. Outputs: 0 the simplified wall, which is what is flattened, 1
- * the repaired one, 2 the raw one with its handles; 3 ColonWall with its report. A PipelineMesh holds all arrays.
+ * Either the input Cleansed, output 1 of ElectronicCleansingImageFilter, or the input Mask, a mask of the lumen. Input
+ * Centreline: output of ColonCentrelineFilter. Outputs: 0 the simplified wall, for flattening, 1 the repaired one, 2
+ * the raw one with its handles; 3 ColonWall with its report. A PipelineMesh holds all arrays.
  *
  * \ingroup ColonFilters */
 template <typename TOutputMesh = PipelineMesh>
@@ -90,7 +90,7 @@ protected:
 
   void
   GenerateOutputInformation() override
-  {} // the centreline has nothing that a mesh could take over
+  {} // the centerline has no information to copy to a mesh
 
   void
   Compute() override

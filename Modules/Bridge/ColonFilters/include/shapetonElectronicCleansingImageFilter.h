@@ -11,12 +11,12 @@
 namespace shapeton
 {
 /** \class ElectronicCleansingImageFilter
- * \brief A CT without tagged fluid: CleanseColon() in the pipeline.
+ * \brief Pipeline filter of CleanseColon(): a CT without tagged fluid.
  *
  * \par Inputs and Outputs
- * Input: a CT in HU. Input Lumen: the output 1 of the ColonLumenImageFilter of the same CT. Output 0: the CT with gas
- * in place of fluid, float. Output 1: CleansedColon with the occupancy, which ColonWallFilter takes; it begins at index
- * 0. Throws InputError where the lumen is not on the grid of the CT.
+ * Input: a CT in HU. Input Lumen: output 1 of the ColonLumenImageFilter of the same CT. Output 0: the CT with gas in
+ * place of fluid, float. Output 1: CleansedColon with the occupancy, the input of ColonWallFilter; it starts at index
+ * 0. Throws InputError if the lumen is not on the grid of the CT.
  *
  * \ingroup ColonFilters */
 template <typename TInputImage>

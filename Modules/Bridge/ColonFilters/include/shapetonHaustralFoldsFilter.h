@@ -11,12 +11,12 @@
 namespace shapeton
 {
 /** \class HaustralFoldsFilter
- * \brief The haustral folds on the flat map of a colon: FindHaustralFolds() in the pipeline.
+ * \brief Pipeline filter of FindHaustralFolds(): the haustral folds on the flat map of a colon.
  *
  * \par Inputs and Outputs
- * Input FlatColon. Optional input Taeniae, curves on the wall along which folds are split. Output 0: labels on the grid
- * of the flat colon; its size is known only when the flat colon has been made, so UpdateOutputInformation() updates the
- * input. Output 1: HaustralFolds.
+ * Input FlatColon. Optional input Taeniae, curves on the wall that split folds. Output 0: labels on the grid of the
+ * flat colon. The grid size is known only once the flat colon exists, so UpdateOutputInformation() updates the input.
+ * Output 1: HaustralFolds.
  *
  * \ingroup ColonFilters */
 class ColonFilters_EXPORT HaustralFoldsFilter : public StageFilter<itk::ImageSource<itk::Image<unsigned short, 2>>>

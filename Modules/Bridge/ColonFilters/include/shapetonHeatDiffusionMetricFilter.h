@@ -8,11 +8,11 @@
 namespace shapeton
 {
 /** \class HeatDiffusionMetricFilter
- * \brief The heat diffusion distances of the edges of a mesh: ComputeHeatDiffusionMetric() in the pipeline.
+ * \brief Pipeline filter of ComputeHeatDiffusionMetric(): the heat diffusion distances of the edges of a mesh.
  *
  * \par Inputs and Outputs
- * Input: a mesh of triangles, one manifold. Output: HeatDiffusionMetric, whose edges are those of SurfaceConnectivity
- * of the mesh (SurfaceOf()).
+ * Input: a triangle mesh, a single manifold. Output: HeatDiffusionMetric, with the edges of SurfaceConnectivity of the
+ * mesh (SurfaceOf()).
  *
  * \ingroup ColonFilters */
 template <typename TInputMesh = PipelineMesh>
@@ -36,7 +36,7 @@ public:
     this->SetNthInput(0, const_cast<TInputMesh *>(mesh));
   }
 
-  /** Of diffusion, mm^2, greater than 0; DefaultDiffusionTime() suits tubes. Default 1. */
+  /** Diffusion time (mm^2), positive; DefaultDiffusionTime() suits tubes. Default 1. */
   itkSetMacro(Time, double);
   itkGetConstMacro(Time, double);
 

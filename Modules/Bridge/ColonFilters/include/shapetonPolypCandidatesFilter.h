@@ -10,15 +10,15 @@
 namespace shapeton
 {
 /** \class PolypCandidatesFilter
- * \brief Places of the wall that look like polyps: SearchPolyps() in the pipeline. For research use; a candidate is no
+ * \brief Pipeline filter of SearchPolyps(): polyp-like sites of the wall. For research use; a candidate is not a
  * finding.
  *
  * \par Inputs and Outputs
- * Input: the repaired wall, such as the output 1 of ColonModelFilter. Input Model: its ColonModel, which tells lumen,
- * cleansed CT, centreline and catheter. Optional inputs FlatColon, for places on the map, and, beside it, Landmarks,
- * for segments. Output: the candidates by falling score.
+ * Input: the repaired wall, such as output 1 of ColonModelFilter. Input Model: its ColonModel, with lumen, cleansed CT,
+ * centerline and catheter. Optional inputs: FlatColon, for positions on the map, and with it Landmarks, for segments.
+ * Output: the candidates in order of decreasing score.
  *
- * The tool ColonPolyps reads a CT of whole HU; heads here have the attenuation of the CT before it was rounded.
+ * The tool ColonPolyps reads a CT in whole HU; here heads have the attenuation of the CT before rounding.
  *
  * \ingroup ColonFilters */
 template <typename TInputMesh = PipelineMesh>

@@ -11,10 +11,10 @@
 namespace shapeton
 {
 /** \class ResultObject
- * \brief A result that is no image and no mesh, such as a centreline, as data of ITK's pipeline.
+ * \brief A pipeline data object for results that are neither images nor meshes, such as a centerline.
  *
- * As itk::SimpleDataObjectDecorator, but for types that can be neither compared nor copied. The value is shared: who
- * takes it keeps it, whatever the pipeline does later.
+ * Like itk::SimpleDataObjectDecorator, but for types that cannot be compared or copied. The value is shared and stays
+ * alive independently of the pipeline.
  *
  * \ingroup ColonFilters */
 template <typename TResult>
@@ -50,7 +50,7 @@ public:
   {
     return m_Result != nullptr;
   }
-  /** \exception itk::ExceptionObject where there is none: the filter that makes it has not been updated. */
+  /** \exception itk::ExceptionObject if there is no value, because the source filter has not been updated. */
   const TResult &
   Get() const
   {

@@ -16,7 +16,7 @@
 #include <stdexcept>
 #include <type_traits>
 
-/** Set and Get of a parameter that is a member of m_Options, of the type OptionsType. */
+/** Set and Get methods of a parameter stored in m_Options of type OptionsType. */
 #define shapetonOptionMacro(name, member)                                                                              \
   virtual void Set##name(const decltype(OptionsType::member) & value)                                                  \
   {                                                                                                                    \
@@ -32,8 +32,8 @@
 namespace shapeton
 {
 /** \class StageFilter
- * \brief What the stages of virtual colonoscopy share as process objects: they work on whole inputs, report progress,
- * can be aborted, and throw ITK's exceptions.
+ * \brief Base class of the virtual colonoscopy filters: they process whole inputs, report progress, can be aborted, and
+ * throw ITK exceptions.
  *
  * \tparam TSuperclass itk::ProcessObject or a class derived from it.
  * \ingroup ColonFilters */
@@ -51,14 +51,14 @@ public:
   using Superclass::MakeOutput;
   shapetonIndexedOutputsMacro();
 
-  /** What is being done, in words, while progress is reported; empty before and after. */
+  /** Description of the current stage while progress is reported; empty before and after. */
   itkGetConstReferenceMacro(Stage, std::string);
 
 protected:
   StageFilter() = default;
   ~StageFilter() override = default;
 
-  /** Hands progress on to ITK's observers, with the stage, and aborts where that was asked for. */
+  /** Forwards progress and stage to ITK observers, and aborts on request. */
   shapeton::Progress
   Reporter()
   {
@@ -75,7 +75,7 @@ protected:
   GenerateData() override
   {
     const Interruption interruption([this] { AbortIfAsked(*this); });
-    const struct Clear // also when the run is aborted
+    const struct Clear // also after an abort
     {
       ~Clear() { stage.clear(); }
       std::string & stage;
@@ -84,7 +84,7 @@ protected:
     {
       this->Compute();
     }
-    catch (const std::logic_error & error) // mistakes of the calling code
+    catch (const std::logic_error & error) // errors of the calling code
     {
       itkExceptionMacro(<< error.what());
     }
@@ -133,10 +133,10 @@ private:
   std::string m_Stage;
 };
 
-/** \name Images for functions that take whole volumes
- * The buffered region of an image with its first voxel at index 0 and at the same place. */
+/** \name Images for functions on whole volumes
+ * The buffered region of an image with its first voxel at index 0 and the same position. */
 ///@{
-/** The voxels are shared, not copied. \ingroup ColonFilters */
+/** Shares the voxels without copying. \ingroup ColonFilters */
 template <typename TImage>
 typename TImage::ConstPointer
 FromIndexZero(const TImage * image)
@@ -151,7 +151,7 @@ FromIndexZero(const TImage * image)
   return view.GetPointer();
 }
 
-/** Voxels that are no floats are converted. \ingroup ColonFilters */
+/** Converts voxels to float if necessary. \ingroup ColonFilters */
 template <typename TImage>
 itk::Image<float, 3>::ConstPointer
 FloatsFromIndexZero(const TImage * image)
@@ -170,8 +170,8 @@ FloatsFromIndexZero(const TImage * image)
   }
 }
 
-/** Copies the voxels of an image that begins at index 0 to the output of a filter, whose regions are set: filters that
- * work in place on the output change no result beside it.
+/** Copies the voxels of an image that starts at index 0 to the output of a filter with its regions set, so that filters
+ * that work in place on the output do not modify other results.
  * \pre Both have the same size. \ingroup ColonFilters */
 template <typename TImage>
 void
@@ -183,14 +183,14 @@ HandOver(const TImage * voxels, TImage * output)
 }
 ///@}
 
-/** Fills the mesh that a filter puts out. \ingroup ColonFilters */
+/** Fills the output mesh of a filter. \ingroup ColonFilters */
 template <typename TMesh, typename = typename TMesh::MeshTraits>
 void
 HandOver(const SurfaceMesh & surface, TMesh * output)
 {
-  output->Initialize(); // the pipeline does so only where data may be released
+  output->Initialize(); // the pipeline does so only if data may be released
   FillMesh(surface, *output);
-  output->SetBufferedRegion(output->GetRequestedRegion()); // else the pipeline takes it for unfinished
+  output->SetBufferedRegion(output->GetRequestedRegion()); // else the pipeline considers it incomplete
 }
 } // namespace shapeton
 

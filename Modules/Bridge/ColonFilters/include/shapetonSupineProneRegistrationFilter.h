@@ -9,10 +9,10 @@
 namespace shapeton
 {
 /** \class SupineProneRegistrationFilter
- * \brief The map between the walls of a colon in two positions: RegisterColonPositions() in the pipeline.
+ * \brief Pipeline filter of RegisterColonPositions(): the map between the walls of a colon in two positions.
  *
  * \par Inputs and Outputs
- * Inputs Source and Target, outputs of a ColonPositionFilter each. Output: SupineProneRegistration.
+ * Inputs Source and Target, each the output of a ColonPositionFilter. Output: SupineProneRegistration.
  *
  * \ingroup ColonFilters */
 class ColonFilters_EXPORT SupineProneRegistrationFilter : public StageFilter<itk::ProcessObject>

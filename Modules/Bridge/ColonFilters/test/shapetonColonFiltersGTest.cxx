@@ -29,7 +29,7 @@ namespace
 using Source = ColonPhantomImageSource;
 using CtImage = Source::ImageType;
 
-/** A coarse patient of 3.2 mm, turned about the axis of the body. */
+/** A coarse phantom with 3.2 mm voxels, rotated about the body axis. */
 CtImage::Pointer
 ObliqueCt()
 {
@@ -50,7 +50,7 @@ ObliqueCt()
   return source->GetOutput();
 }
 
-/** Of all tests. */
+/** Shared by all tests. */
 const CtImage *
 Ct()
 {
@@ -94,7 +94,7 @@ NewModelFilter()
   return filter;
 }
 
-/** The whole chain to candidates, connected and not yet run. */
+/** The whole chain to candidates, connected but not run. */
 struct Pipeline
 {
   ModelFilter::Pointer             model = NewModelFilter();
@@ -133,7 +133,7 @@ FinishedPipeline()
   return pipeline;
 }
 
-/** Counts the executions of a process object, keeps its progress, and may abort it. */
+/** Counts the executions of a process object, records its progress, and may abort it. */
 class Observer : public itk::Command
 {
 public:
@@ -243,7 +243,7 @@ TEST(ColonFilters, TheChainDoesWhatTheFunctionsDo)
   EXPECT_EQ(position.flexures[3], landmarks.flexures.flexures[3].arcLength);
   const auto & candidates = pipeline.candidates->GetOutput()->Get();
   ASSERT_FALSE(candidates.empty());
-  EXPECT_GT(candidates.front().segment, 0); // told by the landmarks
+  EXPECT_GT(candidates.front().segment, 0); // from the landmarks
   EXPECT_TRUE(std::isfinite(candidates.front().uv[0]));
   EXPECT_TRUE(std::isfinite(candidates.front().attenuation));
 }
@@ -271,7 +271,7 @@ TEST(ColonFilters, NothingIsComputedTwiceAndChangesAreFollowed)
   EXPECT_EQ(model->starts, 0);
   EXPECT_EQ(folds->starts, 0);
   const auto number = pipeline.folds->GetFoldsOutput()->Get().folds.size();
-  pipeline.folds->SetMinimumLength(7.0); // as it is
+  pipeline.folds->SetMinimumLength(7.0); // unchanged value
   pipeline.folds->Update();
   EXPECT_EQ(folds->starts, 0);
   pipeline.folds->SetMinimumLength(30.0);
@@ -366,7 +366,7 @@ TEST(ColonFilters, AnImageMayBeginAtAnyIndex)
   itk::Offset<3> offset{ { 7, -3, 12 } };
   shift->ChangeRegionOn();
   shift->SetOutputOffset(offset);
-  auto origin = Ct()->GetOrigin(); // the voxels stay where they are
+  auto origin = Ct()->GetOrigin(); // the voxels keep their positions
   for (unsigned int axis = 0; axis < 3; ++axis)
   {
     origin -= itk::Vector<double, 3>(Ct()->GetDirection().GetVnlMatrix().get_column(axis).data_block()) *

@@ -11,8 +11,8 @@
 
 namespace shapeton
 {
-/** A mesh that keeps all of a surface, arrays and the last digit of positions, which are floats in ITK's default
- * meshes: what goes from filter to filter. \ingroup ITKMeshes */
+/** A mesh type that preserves surfaces completely, with all arrays and double-precision positions (ITK's default meshes
+ * use floats); used between filters. \ingroup ITKMeshes */
 using PipelineMesh = itk::Mesh<itk::VariableLengthVector<double>,
                                3,
                                itk::DefaultStaticMeshTraits<itk::VariableLengthVector<double>,
@@ -23,9 +23,9 @@ using PipelineMesh = itk::Mesh<itk::VariableLengthVector<double>,
                                                             itk::VariableLengthVector<double>>>;
 
 /** \name Surfaces as itk::Mesh and itk::QuadEdgeMesh
- * TMesh has three dimensions and coordinates of any precision; positions are LPS, mm. Pixels that are
- * itk::VariableLengthVector hold all arrays, the components of one after those of another; other pixels hold one
- * array. Names, field arrays and facts are kept in the MetaDataDictionary. */
+ * TMesh has three dimensions and coordinates of any precision; positions are LPS, mm. Pixels of type
+ * itk::VariableLengthVector hold all arrays, with concatenated components; other pixels hold one array. Names, field
+ * arrays and facts are stored in the MetaDataDictionary. */
 ///@{
 namespace meshadapter
 {
@@ -42,7 +42,7 @@ template <typename TMesh>
 struct IsQuadEdgeMesh<TMesh, std::void_t<typename TMesh::QEPrimal>> : std::true_type
 {};
 
-/** Adds a triangle and gives the identifier of its cell. */
+/** Adds a triangle and returns its cell identifier. */
 template <typename TMesh>
 typename TMesh::CellIdentifier
 AddTriangle(const FaceMatrix & F, Eigen::Index face, TMesh & mesh)
@@ -84,9 +84,9 @@ ValueOf(const itk::MetaDataDictionary & dictionary, const char * key)
 } // namespace meshadapter
 
 /** Fills an empty mesh.
- * \param pointArray, cellArray the arrays that pixels of a fixed number of components hold; empty for none.
- * Throws ParameterError where the mesh is not empty, or there is no such array; InputError as RequireSound(), and for a
- * QuadEdgeMesh where the surface is no oriented manifold. \ingroup ITKMeshes */
+ * \param pointArray, cellArray the arrays for pixels with a fixed number of components; empty for none.
+ * Throws ParameterError if the mesh is not empty or an array does not exist; InputError as RequireSound(), and for a
+ * QuadEdgeMesh if the surface is not an oriented manifold. \ingroup ITKMeshes */
 template <typename TMesh>
 void
 FillMesh(const SurfaceMesh & surface,
@@ -133,7 +133,7 @@ FillMesh(const SurfaceMesh & surface,
 
 namespace meshadapter
 {
-/** Places, values and the row of each point identifier, which may have gaps. */
+/** Positions, values and the row of each point identifier; identifiers may have gaps. */
 template <typename TMesh>
 std::map<typename TMesh::PointIdentifier, int>
 TakePoints(const TMesh & mesh, SurfaceMesh & surface)
@@ -159,7 +159,7 @@ TakePoints(const TMesh & mesh, SurfaceMesh & surface)
   return rows;
 }
 
-/** The identifiers of the triangles. */
+/** Identifiers of the triangles. */
 template <typename TMesh>
 std::vector<typename TMesh::CellIdentifier>
 TrianglesOf(const TMesh & mesh)
@@ -214,9 +214,9 @@ TakeTriangles(const TMesh & mesh, const std::map<typename TMesh::PointIdentifier
 }
 } // namespace meshadapter
 
-/** The triangles of a mesh as a surface: points by ascending identifier, cells, too. Vertices and lines are
- * left out. Values whose names are not known, or that a filter has replaced, make one array pointData or cellData.
- * Throws InputError for polygons of other than three points, solids, cells of missing points, and as RequireSound().
+/** Converts the triangles of a mesh to a surface, points and cells by ascending identifier. Vertices and lines are
+ * dropped. Values with unknown names, or replaced by a filter, become one array named pointData or cellData. Throws
+ * InputError for polygons with more than three points, solids, cells with missing points, and as RequireSound().
  * \ingroup ITKMeshes */
 template <typename TMesh, typename = typename TMesh::MeshTraits>
 SurfaceMesh

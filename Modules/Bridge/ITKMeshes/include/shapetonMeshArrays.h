@@ -12,7 +12,7 @@
 
 namespace shapeton
 {
-/** ITK asks this, from 5.4 on, of all that a MetaDataDictionary holds. \ingroup ITKMeshes */
+/** ITK 5.4 and later requires this operator for all values of a MetaDataDictionary. \ingroup ITKMeshes */
 inline bool
 operator==(const SurfaceArray & left, const SurfaceArray & right)
 {
@@ -21,8 +21,8 @@ operator==(const SurfaceArray & left, const SurfaceArray & right)
          left.values == right.values;
 }
 
-/** What the pixels of a mesh hold: the components of one or several arrays, one after another. It is kept in the mesh's
- * MetaDataDictionary as text, so that the names come back. \ingroup ITKMeshes */
+/** Layout of mesh pixels: the concatenated components of one or several arrays. Stored as text in the
+ * MetaDataDictionary of the mesh, to restore the names. \ingroup ITKMeshes */
 namespace mesharrays
 {
 /** Whether pixels may have any number of components. */
@@ -33,7 +33,7 @@ template <typename TValue>
 struct IsVariable<itk::VariableLengthVector<TValue>> : std::true_type
 {};
 
-/** A line for each array: components, 1 for whole numbers, name. */
+/** One line for each array: number of components, 1 for integers, name. */
 inline std::string
 LayoutOf(const std::vector<SurfaceArray> & arrays)
 {
@@ -45,8 +45,8 @@ LayoutOf(const std::vector<SurfaceArray> & arrays)
   return text.str();
 }
 
-/** The arrays that the text tells, without rows; none where their components are not as many as those of the pixels,
- * because a filter in between has put something else there. */
+/** The arrays described by the text, without rows. Empty if their components do not match those of the pixels because a
+ * filter has replaced the values. */
 inline std::vector<SurfaceArray>
 ArraysOfLayout(const std::string & layout, Eigen::Index components)
 {
@@ -68,8 +68,8 @@ ArraysOfLayout(const std::string & layout, Eigen::Index components)
   return sum == components ? arrays : std::vector<SurfaceArray>();
 }
 
-/** Those that pixels of this type hold: all of them, or the one of this name. Throws ParameterError where there is none
- * of this name, or it has another number of components than the pixels. */
+/** Arrays stored by this pixel type: all of them, or the named one. Throws ParameterError if the named array does not
+ * exist or its number of components differs from that of the pixels. */
 template <typename TPixel>
 std::vector<SurfaceArray>
 ArraysForPixels(const std::vector<SurfaceArray> & arrays, const std::string & name)
@@ -94,7 +94,7 @@ ArraysForPixels(const std::vector<SurfaceArray> & arrays, const std::string & na
   }
 }
 
-/** The pixel of a row. */
+/** Pixel of a row. */
 template <typename TPixel>
 TPixel
 PixelOf(const std::vector<SurfaceArray> & arrays, Eigen::Index row)
@@ -137,12 +137,12 @@ ComponentsOf(const TPixel & pixel)
 }
 
 /** \class ArrayReader
- * \brief Takes pixels row by row and gives the arrays that they hold. \ingroup ITKMeshes */
+ * \brief Reads pixels row by row and returns their arrays. \ingroup ITKMeshes */
 template <typename TPixel>
 class ArrayReader
 {
 public:
-  /** \param otherwise the name of all components together where the layout does not suit them. */
+  /** \param otherwise name of the combined array if the layout does not match. */
   ArrayReader(const std::string & layout, std::string otherwise, Eigen::Index rows)
     : m_Layout(layout), m_Otherwise(std::move(otherwise)), m_Rows(rows)
   {}

@@ -13,7 +13,7 @@ using namespace shapeton;
 
 namespace
 {
-/** A square of two triangles, with a hole in it if the second is left out. */
+/** A square of two triangles, or a single one if the second is omitted. */
 SurfaceMesh
 Square()
 {
@@ -64,7 +64,7 @@ TYPED_TEST(MeshAdapter, ASurfaceComesBackWithAllThatIsOnIt)
   ExpectEqual(back.cellArrays, surface.cellArrays);
   ExpectEqual(back.fieldArrays, surface.fieldArrays);
   EXPECT_EQ(back.facts, surface.facts);
-  for (Eigen::Index f = 0; f < 2; ++f) // the same corners in the same sense; a cell may begin with another one
+  for (Eigen::Index f = 0; f < 2; ++f) // the same corners in the same order; a cell may start with another one
   {
     int shift = 0;
     while (shift < 2 && back.F(f, shift) != surface.F(f, 0))
@@ -178,7 +178,7 @@ TEST(MeshAdapterOfOthers, WhatIsNoTriangleIsRefused)
   EXPECT_THROW(FillMesh(thrice, *itk::QuadEdgeMesh<double, 3>::New()), InputError);
   const auto filled = PipelineMesh::New();
   EXPECT_NO_THROW(FillMesh(thrice, *filled));
-  EXPECT_THROW(FillMesh(thrice, *filled), ParameterError); // it is not empty any more
+  EXPECT_THROW(FillMesh(thrice, *filled), ParameterError); // it is no longer empty
 }
 
 TEST(MeshAdapterOfOthers, LinesOfThreePointsAreNoTrianglesAndPointsMustBeThere)

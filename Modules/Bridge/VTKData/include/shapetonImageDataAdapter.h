@@ -21,18 +21,18 @@
 
 namespace shapeton
 {
-/** Throws InputError where the data have no scalars of so many components, or more dimensions. \ingroup VTKData */
+/** Throws InputError unless the data have scalars with this number of components and at most these dimensions.
+ * \ingroup VTKData */
 VTKData_EXPORT void
 RequireScalars(vtkImageData & data, unsigned int dimension, int components);
 
 /** \name Images as vtkImageData
  * Images of two or three dimensions with pixels of one or several components (RGBPixel, Vector; ImageDataOf() also
- * VectorImage). Spacing, origin and direction cosines come along; SPACE in the field data says in which axes. Filters
- * of VTK that are older than its 9.0 overlook directions: give them images along the axes. Pixels are copied. */
+ * VectorImage). Spacing, origin and direction cosines are kept; SPACE in the field data states the axes. VTK filters
+ * before version 9.0 ignore directions: give them images along the axes. Pixels are copied. */
 ///@{
 
-/** An image in the given space. The buffered region alone, so that its first pixel lies at the origin.
- * \ingroup VTKData */
+/** Converts the buffered region of an image to the given space; its first pixel is at the origin. \ingroup VTKData */
 template <typename TImage>
 vtkSmartPointer<vtkImageData>
 ImageDataOf(const TImage * image, PatientSpace space = PatientSpace::LPS)
@@ -49,7 +49,7 @@ ImageDataOf(const TImage * image, PatientSpace space = PatientSpace::LPS)
   double     spacings[3] = { 1.0, 1.0, 1.0 };
   double     place[3] = { 0.0, 0.0, 0.0 };
 
-  vtkNew<vtkMatrix3x3> direction; // the identity
+  vtkNew<vtkMatrix3x3> direction; // identity
   for (unsigned int i = 0; i < dimension; ++i)
   {
     const double sign = space == PatientSpace::RAS && i < 2 ? -1.0 : 1.0;
@@ -77,9 +77,9 @@ ImageDataOf(const TImage * image, PatientSpace space = PatientSpace::LPS)
   return data;
 }
 
-/** The scalars as an image in LPS. `space` is that of the data where their field data state none. Values are converted
- * to the type of the pixels as static_cast does. Throws InputError where there are no scalars, or their number of
- * components is not that of the pixels. \ingroup VTKData */
+/** Converts the scalars to an image in LPS. `space` is used unless the field data state a space. Values are converted
+ * to the pixel type by static_cast. Throws InputError if there are no scalars, or if their number of components
+ * differs from that of the pixels. \ingroup VTKData */
 template <typename TImage>
 typename TImage::Pointer
 ImageOf(vtkImageData & data, PatientSpace space = PatientSpace::LPS)

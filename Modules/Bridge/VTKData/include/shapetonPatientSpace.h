@@ -9,8 +9,8 @@ class vtkFieldData;
 
 namespace shapeton
 {
-/** The axes of positions in mm: DICOM and ITK have LPS, 3D Slicer's scene and NIfTI RAS. The one is the other with x
- * and y negated, a half turn, so that surfaces keep their outside. \ingroup VTKData */
+/** Axes of positions in mm: LPS for DICOM and ITK, RAS for 3D Slicer scenes and NIfTI. They differ by negated x and y,
+ * a half turn that preserves surface orientation. \ingroup VTKData */
 enum class PatientSpace
 {
   LPS,
@@ -21,12 +21,11 @@ enum class PatientSpace
 VTKData_EXPORT std::string
                NameOf(PatientSpace space);
 
-/** States the space as 3D Slicer does, in the field data SPACE. \ingroup VTKData */
+/** Writes the space to the field data SPACE, as 3D Slicer does. \ingroup VTKData */
 VTKData_EXPORT void
 SetSpace(PatientSpace space, vtkFieldData & data);
 
-/** The space that the field data state, else `otherwise`. Throws InputError where they state a third one.
- * \ingroup VTKData */
+/** The space stated in the field data, else `otherwise`. Throws InputError for any other value. \ingroup VTKData */
 VTKData_EXPORT PatientSpace
 SpaceOf(vtkFieldData & data, PatientSpace otherwise);
 } // namespace shapeton

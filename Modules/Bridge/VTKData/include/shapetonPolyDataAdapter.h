@@ -12,27 +12,26 @@ namespace shapeton
 {
 /** \name Surfaces and curves as vtkPolyData
  * Positions in double precision; point, cell and field arrays and facts; SPACE in the field data. With
- * PatientSpace::RAS positions are turned; arrays stay as they are, so that vectors in them are those of LPS. All values
- * are copied. */
+ * PatientSpace::RAS positions are converted; arrays are not, so vectors in them stay in LPS. All values are copied. */
 ///@{
-/** Triangles are VTK's polys. \ingroup VTKData */
+/** Triangles become VTK polys. \ingroup VTKData */
 VTKData_EXPORT vtkSmartPointer<vtkPolyData>
                PolyDataOf(const SurfaceMesh & mesh, PatientSpace space = PatientSpace::LPS);
-/** \pre Curves of one vertex stand first, as VTK numbers its cells. \ingroup VTKData */
+/** \pre Single-vertex curves come first, as in VTK cell order. \ingroup VTKData */
 VTKData_EXPORT vtkSmartPointer<vtkPolyData>
                PolyDataOf(const CurveSet & curves, PatientSpace space = PatientSpace::LPS);
 ///@}
 
-/** \name And back, in LPS
- * `space` is that of the data where their field data state none (SPACE). Numeric arrays are kept, of integer type as
- * whole numbers; texts of the field data become facts, other arrays of texts are left out. */
+/** \name Conversion back, in LPS
+ * `space` is used unless the field data state a space (SPACE). Numeric arrays are kept, integer types as integers.
+ * Strings of the field data become facts; other string arrays are dropped. */
 ///@{
-/** Polygons and strips are cut into triangles (vtkTriangleFilter), each with the values of its polygon; points and
- * lines are left out. Throws InputError where there is no polygon, and as RequireSound(). \ingroup VTKData */
+/** Polygons and strips are triangulated (vtkTriangleFilter), and each triangle gets the values of its polygon; points
+ * and lines are dropped. Throws InputError if there are no polygons, and as RequireSound(). \ingroup VTKData */
 VTKData_EXPORT SurfaceMesh
 SurfaceOf(vtkPolyData & data, PatientSpace space = PatientSpace::LPS);
-/** Verts, each a curve of one vertex, and lines with their values; polygons are left out. Throws as RequireSound()
- * where there is neither. \ingroup VTKData */
+/** Verts (each a single-vertex curve) and lines with their values; polygons are dropped. Throws as RequireSound() if
+ * there are neither. \ingroup VTKData */
 VTKData_EXPORT CurveSet
 CurvesOf(vtkPolyData & data, PatientSpace space = PatientSpace::LPS);
 ///@}

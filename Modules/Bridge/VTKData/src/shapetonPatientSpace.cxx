@@ -25,7 +25,7 @@ SetSpace(PatientSpace space, vtkFieldData & data)
   vtkNew<vtkStringArray> text;
   text->SetName(SpaceName);
   text->InsertNextValue(NameOf(space));
-  data.AddArray(text); // in place of one of this name
+  data.AddArray(text); // replaces an array of the same name
 }
 
 PatientSpace

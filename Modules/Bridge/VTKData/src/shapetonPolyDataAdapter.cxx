@@ -56,7 +56,7 @@ VerticesOf(vtkPolyData & data, PatientSpace space)
   return V;
 }
 
-/** Whether SurfaceArray::areIntegers holds, which are written with 32 bits. */
+/** Whether to set SurfaceArray::areIntegers, which are written with 32 bits. */
 bool
 HoldsIntegers(vtkDataArray & array, const SurfaceArray::ValueMatrix & values)
 {
@@ -66,7 +66,7 @@ HoldsIntegers(vtkDataArray & array, const SurfaceArray::ValueMatrix & values)
                                  values.maxCoeff() <= std::numeric_limits<std::int32_t>::max()));
 }
 
-/** The numeric arrays; of each the tuples from `begin` to `end`. */
+/** The numeric arrays, restricted to the tuples from `begin` to `end`. */
 std::vector<SurfaceArray>
 ArraysOf(vtkFieldData & data, vtkIdType begin, vtkIdType end)
 {
@@ -90,7 +90,7 @@ ArraysOf(vtkFieldData & data, vtkIdType begin, vtkIdType end)
   return arrays;
 }
 
-/** Field arrays have as many rows as they like. */
+/** Field arrays may have any number of rows. */
 template <typename TGeometry>
 void
 TakeFieldData(vtkFieldData & data, TGeometry & geometry)
@@ -112,7 +112,7 @@ TakeFieldData(vtkFieldData & data, TGeometry & geometry)
   }
 }
 
-/** Points and arrays but those of cells. */
+/** Converts points and arrays, except cell arrays. */
 template <typename TGeometry>
 TGeometry
 WithoutCells(vtkPolyData & data, PatientSpace space)
@@ -124,13 +124,13 @@ WithoutCells(vtkPolyData & data, PatientSpace space)
   return geometry;
 }
 
-/** Curves, and the cell of each. */
+/** The curves, and the cell of each. */
 class CurveReader
 {
 public:
   explicit CurveReader(CurveSet & curves) : m_Curves(curves) {}
 
-  /** Cells of several points are one curve or, where they are loose, one for each point. */
+  /** A cell with several points is one curve, or one curve per point if they are loose. */
   void
   Append(vtkCellArray & cells, bool areLoose)
   {

@@ -70,7 +70,7 @@ TEST(ImageDataAdapter, AnImageComesBackFromEitherSpace)
   const auto image = ObliqueImage<float>();
   for (const PatientSpace space : { PatientSpace::LPS, PatientSpace::RAS })
   {
-    // The space that the data state counts, not the one that is given.
+    // The space stated by the data takes precedence over the argument.
     const auto back = ImageOf<itk::Image<float, 3>>(*ImageDataOf(image.GetPointer(), space), PatientSpace::RAS);
     EXPECT_EQ(back->GetSpacing(), image->GetSpacing());
     EXPECT_EQ(back->GetDirection(), image->GetDirection());

@@ -72,7 +72,7 @@ TEST(PolyDataAdapter, RasTurnsPlacesAndKeepsTheOutside)
   EXPECT_EQ(place[1], -1.7);
   EXPECT_EQ(place[2], 0.0);
   EXPECT_EQ(SpaceOf(*data->GetFieldData(), PatientSpace::LPS), PatientSpace::RAS);
-  // The volume that the faces enclose keeps its sign: a half turn is no reflection.
+  // The enclosed volume keeps its sign: a half turn is not a reflection.
   double volume = 0.0;
   for (int f = 0; f < 4; ++f)
   {
@@ -104,7 +104,7 @@ TEST(PolyDataAdapter, PolygonsAreCutAndKeepTheirValues)
   polys->InsertNextCell({ 1, 4, 2 });
   vtkNew<vtkIntArray> labels;
   labels->SetName("label");
-  for (const int label : { 9, 5, 6 }) // the line's comes first
+  for (const int label : { 9, 5, 6 }) // the cell of the line comes first
   {
     labels->InsertNextValue(label);
   }

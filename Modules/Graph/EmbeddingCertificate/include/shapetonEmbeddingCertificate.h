@@ -13,9 +13,8 @@
 
 namespace shapeton
 {
-/** The geometry of the surface: that of the unit sphere (genus 0), of the plane (genus 1) or of the hyperbolic plane of
- * curvature -1 (genus 2 and more).
- * \ingroup EmbeddingCertificate */
+/** Geometry of the surface: unit sphere (genus 0), plane (genus 1) or hyperbolic plane of curvature -1 (genus 2 and
+ * more). \ingroup EmbeddingCertificate */
 enum class EmbeddingGeometry
 {
   Spherical,
@@ -23,38 +22,37 @@ enum class EmbeddingGeometry
   Hyperbolic
 };
 
-/** \brief A side of the fundamental polygon: the deck transformation that is met when a half-edge is crossed.
+/** \brief A side of the fundamental polygon: the deck transformation applied when a half-edge is crossed.
  *
  * `z -> (a z + b) / (conj(b) z + conj(a))` with |a|^2 - |b|^2 = 1 in the Poincare disk, `z -> z + b` (a = 1) in the
- * plane. It takes the frame of the end node of `halfEdge` to the frame that is reached when one walks along `halfEdge`
- * from the frame of its start node.
+ * plane. It maps the frame of the end node of `halfEdge` to the frame reached from its start node along `halfEdge`.
  * \ingroup EmbeddingCertificate */
 struct DeckTransformation
 {
-  /** Of the packed map. */
+  /** A half-edge of the packed map. */
   int                  halfEdge{ -1 };
   std::complex<double> a{ 1.0 };
   std::complex<double> b{ 0.0 };
 };
 
-/** \brief A graph on a surface and the pattern of circles that carries it: all that a verifier or a picture needs.
+/** \brief An embedded graph and its circle pattern: all data needed to verify or draw it.
  *
  * Half-edge 2e leaves the first node of edge e, 2e + 1 the second one; a face lies to the left of its half-edges. A
- * rotation lists, node after node, the half-edges that leave the node, counter-clockwise; the length of a node's
- * list is its degree, a loop counted twice.
+ * rotation lists, node by node, the outgoing half-edges counter-clockwise. The list length of a node is its degree,
+ * with loops counted twice.
  *
- * **The packed map** is the graph with dummy nodes and edges that make it 3-connected. It is connected and its genus is
- * that of the surface. Nodes below `graph.nodes` are those of the graph, the others are dummies. Edge e below the
- * number of edges of the graph has the same start node as edge e of the graph, and also the same end node unless a path
- * in `subdivided` says otherwise (a loop or one of several parallel edges, which no circle packing of the sphere has).
- * All other edges are dummies. Without dummies the packed map equals the graph.
+ * **The packed map** is the graph plus dummy nodes and edges that make it 3-connected. It is connected and has the
+ * genus of the surface. Nodes below `graph.nodes` are those of the graph, the others are dummies. Edge e of the graph
+ * and edge e of the packed map have the same start node. They also have the same end node unless `subdivided` contains
+ * a path for e (a loop or a parallel edge, which no circle packing of the sphere has). All other edges are dummies.
+ * Without dummies the packed map equals the graph.
  *
- * **Circles**: one for each packed node and one for each face. Faces are numbered in the order of their lowest
- * half-edge. The circles of the ends of an edge are tangent, so are those of the faces beside it, at the same point;
- * the circle of a node and that of a face that meet are orthogonal. A place is
- * - on the sphere a unit vector, the centre of a cap, and the radius is its angle in (0, pi);
- * - in the plane and in the Poincare disk a complex number (x, y), the radius a length in the plane, or of hyperbolic
- *   geometry. A node has one place, its lift; a face lies beside the lift of the start node of its lowest half-edge.
+ * **Circles**: one for each packed node and one for each face. Faces are numbered by their lowest half-edge. The
+ * circles of the two ends of an edge are tangent, and so are those of its two faces, at the same point. Node and face
+ * circles that meet are orthogonal. A place is
+ * - on the sphere a unit vector, the center of a cap, with the cap angle in (0, pi) as radius;
+ * - in the plane and in the Poincare disk a complex number (x, y), with a Euclidean or hyperbolic length as radius.
+ *   Each node has one lift; a face is adjacent to the lift of the start node of its lowest half-edge.
  *
  * Units: radians on the sphere; in the plane any unit.
  * \ingroup EmbeddingCertificate */
@@ -71,8 +69,8 @@ struct EmbeddingCertificate
 
   Graph            packed;         /**< without names */
   std::vector<int> packedRotation; /**< of the half-edges of `packed` */
-  /** For an edge of the graph that is a path of the packed map: the half-edges from its start node to its end node; the
-   * first is 2e for edge e. Its inner nodes are dummies. */
+  /** Path of a graph edge in the packed map: the half-edges from its start node to its end node. The first is 2e for
+   * edge e; inner nodes are dummies. */
   std::vector<std::vector<int>> subdivided;
 
   std::vector<double> nodeRadii;     /**< one for each packed node */
@@ -80,44 +78,41 @@ struct EmbeddingCertificate
   std::vector<double> faceRadii;     /**< one for each face of the packed map */
   std::vector<double> facePositions; /**< 3 or 2 numbers for each face */
 
-  /** \name Plane and disk alone; empty on the sphere. */
+  /** \name Plane and disk only; empty on the sphere. */
   ///@{
-  /** For each packed node the direction, in the chart at its place, of the first half-edge of its rotation. Radians. */
+  /** For each packed node, the direction of the first half-edge of its rotation in the chart at its place (radians). */
   std::vector<double> nodeAngles;
-  /** For each packed node the half-edge that leads to it from its parent, -1 for the root. The lifts of the nodes
-   * follow this tree: walking along it one meets no deck transformation. */
+  /** For each packed node, the half-edge from its parent in the tree of lifts, -1 for the root. No deck transformation
+   * applies along the tree. */
   std::vector<int> tree;
-  /** 2g transformations. With the tree, their edges cut the surface into one disk. */
+  /** The 2g deck transformations. Together with the tree, their edges cut the surface into one disk. */
   std::vector<DeckTransformation> generators;
-  /** The boundary of that disk, 4g letters: k + 1 for generator k, -(k + 1) for its inverse. The product of the
+  /** Boundary word of that disk, 4g letters: k + 1 for generator k, -(k + 1) for its inverse. The product of the
    * transformations in this order is the identity. */
   std::vector<int> word;
-  /** Words A1, B1, ..., Ag, Bg in the letters of `word`: A1 B1 A1^-1 B1^-1 ... is freely equal to `word` or to a cyclic
-   * rotation of it. Empty where no canonical polygon was asked for. */
+  /** Words A1, B1, ..., Ag, Bg in the letters of `word`: A1 B1 A1^-1 B1^-1 ... is freely equal to `word` up to cyclic
+   * rotation. Empty if no canonical polygon was requested. */
   std::vector<std::vector<int>> canonicalWords;
-  /** In the plane: a reduced basis w1, w2 of the lattice, Im(conj(w1) w2) > 0, as numbers x1, y1, x2, y2. */
+  /** Plane: a reduced basis w1, w2 of the lattice, Im(conj(w1) w2) > 0, as numbers x1, y1, x2, y2. */
   std::vector<double> periods;
   ///@}
 
-  /** Facts that are stated for readers and that a verifier measures itself: residual, smallestRadius, ... */
+  /** Statistics for readers, which a verifier recomputes: residual, smallestRadius, ... */
   std::vector<std::pair<std::string, double>> statistics;
 };
 
-/** The number of coordinates of a place: 3 on the sphere, else 2.
- * \ingroup EmbeddingCertificate */
+/** Number of coordinates of a place: 3 on the sphere, else 2. \ingroup EmbeddingCertificate */
 inline int
 CoordinatesOf(EmbeddingGeometry geometry)
 {
   return geometry == EmbeddingGeometry::Spherical ? 3 : 2;
 }
 
-/** What circles are small beside: a period of the torus, else 1.
- * \ingroup EmbeddingCertificate */
+/** Reference length for circle sizes: a period of the torus, else 1. \ingroup EmbeddingCertificate */
 EmbeddingCertificate_EXPORT double
 UnitOfSurface(const EmbeddingCertificate & certificate);
 
-/** The radius of the smallest circle of a node of the graph, in that unit.
- * \ingroup EmbeddingCertificate */
+/** Radius of the smallest node circle of the graph, in that unit. \ingroup EmbeddingCertificate */
 EmbeddingCertificate_EXPORT double
 SmallestCircle(const EmbeddingCertificate & certificate);
 
@@ -126,14 +121,13 @@ SmallestCircle(const EmbeddingCertificate & certificate);
 EmbeddingCertificate_EXPORT std::string
                             NameOf(EmbeddingGeometry geometry);
 
-/** The rotation of the half-edges of the graph that a rotation of the packed map implies: dummies left out, subdivided
- * edges taken as one. Throws InputError when the packed map does not fit the graph.
- * \ingroup EmbeddingCertificate */
+/** Rotation of the graph implied by a rotation of the packed map: skips dummies and contracts subdivided edges. Throws
+ * InputError if the packed map does not match the graph. \ingroup EmbeddingCertificate */
 EmbeddingCertificate_EXPORT std::vector<int>
                             RotationOfGraph(const EmbeddingCertificate & certificate);
 
-/** The rotation of a map as one list; the map of a list that names each half-edge once. The second throws InputError
- * when the list is no rotation of the graph. \ingroup EmbeddingCertificate */
+/** Converts between a map and its rotation as one list of half-edges. The second throws InputError if the list is not a
+ * rotation of the graph. \ingroup EmbeddingCertificate */
 ///@{
 EmbeddingCertificate_EXPORT std::vector<int>
                             FlatRotation(const CombinatorialMap & map);
@@ -141,15 +135,13 @@ EmbeddingCertificate_EXPORT CombinatorialMap
 MapOfRotation(const Graph & graph, const std::vector<int> & rotation);
 ///@}
 
-/** Writes a certificate as JSON, number by number, so that a million nodes need no copy in memory. Numbers read back as
- * they were. Throws OutputError, and std::invalid_argument for a number that is not finite.
- * \ingroup EmbeddingCertificate */
+/** Writes a certificate as JSON in a streaming fashion, without a copy in memory. Numbers are round-trip exact. Throws
+ * OutputError, and std::invalid_argument if a number is not finite. \ingroup EmbeddingCertificate */
 EmbeddingCertificate_EXPORT void
 WriteEmbeddingCertificate(const EmbeddingCertificate & certificate, const std::string & path);
 
-/** Reads what WriteEmbeddingCertificate wrote. The sizes of all lists are checked against each other and all indices
- * are in range; nothing else is. Throws InputError that names the file and the place or the entry.
- * \ingroup EmbeddingCertificate */
+/** Reads a file written by WriteEmbeddingCertificate. Checks only that list sizes are consistent and indices are in
+ * range. Throws InputError that names the file and the location or entry. \ingroup EmbeddingCertificate */
 EmbeddingCertificate_EXPORT EmbeddingCertificate
 ReadEmbeddingCertificate(const std::string & path);
 } // namespace shapeton

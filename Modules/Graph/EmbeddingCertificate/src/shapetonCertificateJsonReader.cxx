@@ -13,7 +13,7 @@ namespace shapeton
 {
 namespace
 {
-/** What an entry of the file is read into, by its path of keys, such as "graph.edges". */
+/** Maps key paths of the file, such as "graph.edges", to the destination of each entry. */
 struct EntryTables
 {
   std::map<std::string, std::vector<int>>              integers;
@@ -50,7 +50,7 @@ struct EntryTables
   }
 };
 
-/** Fills the tables while the parser goes through the file; entries it does not know are passed over. */
+/** Fills the tables during parsing; unknown entries are skipped. */
 class EntryHandler : public nlohmann::json_sax<Json>
 {
 public:
@@ -134,7 +134,7 @@ public:
     {
       this->RefuseIfKnown("an object");
     }
-    constexpr std::size_t mostDepth = 16; // paths of keys grow with it
+    constexpr std::size_t mostDepth = 16; // limits the length of key paths
     if (m_Objects.size() >= mostDepth)
     {
       this->Refuse("holds objects in objects, more than a certificate has");
@@ -247,7 +247,7 @@ private:
   int                      m_Depth{ 0 }; // of lists
 };
 
-/** Takes entries out of the tables and checks their sizes. */
+/** Moves entries out of the tables and checks their sizes. */
 class EntryReader
 {
 public:

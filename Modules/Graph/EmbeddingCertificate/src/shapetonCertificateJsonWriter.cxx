@@ -12,7 +12,7 @@ namespace shapeton
 {
 namespace
 {
-/** A file that is written in blocks; each failure is an OutputError. */
+/** A file written in blocks; each failure throws OutputError. */
 class BlockFile
 {
 public:
@@ -81,7 +81,7 @@ private:
   std::string m_Block;
 };
 
-/** JSON with one entry on each line; the caller opens and closes objects. */
+/** JSON writer with one entry per line; the caller opens and closes objects. */
 class EntryWriter
 {
 public:

@@ -10,19 +10,19 @@
 
 namespace shapeton
 {
-/** What a verification found.
- * \ingroup EmbeddingVerification */
+/** Result of a verification. \ingroup EmbeddingVerification */
 struct EmbeddingVerdict
 {
-  /** Empty: the certificate holds. Else the first thing that is wrong, with node, edge or face and figures. */
+  /** Empty if the certificate is valid; otherwise the first error, with its node, edge or face and the measured values.
+   */
   std::string refusal;
-  /** What was measured until then, by name: genus, nodes, edges, dummyNodes, faces, tangency, orthogonality, angleSum,
-   * smallestRadius, ... Lengths in the geometry of the certificate, angles in radians. */
+  /** Measured values up to that point, by name: genus, nodes, edges, dummyNodes, faces, tangency, orthogonality,
+   * angleSum, smallestRadius, ... Lengths are in the geometry of the certificate, angles in radians. */
   std::vector<std::pair<std::string, double>> measures;
 };
 
-/** Checks a certificate from its numbers alone; see README.md for what is checked in which order, and why this proves
- * that no two edges cross. Own code for all of it: nothing is shared with the program that computed the certificate.
+/** Verifies a certificate from its numbers alone; see README.md for the checks and for the proof that no two edges
+ * cross. The implementation is independent of the program that computed the certificate.
  * \ingroup EmbeddingVerification */
 EmbeddingVerification_EXPORT EmbeddingVerdict
 VerifyEmbedding(const EmbeddingCertificate & certificate);

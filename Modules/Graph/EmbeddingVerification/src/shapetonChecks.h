@@ -10,12 +10,12 @@ namespace shapeton
 {
 using Measures = std::vector<std::pair<std::string, double>>;
 
-/** \name Each throws Refusal when its part of the certificate does not hold, and appends what it measured. */
+/** \name Each check throws Refusal if its part of the certificate is invalid, and appends its measurements. */
 ///@{
-/** The packed map holds the graph: its edges, its paths and its rotation, with dummies inside its faces alone. */
+/** The packed map contains the graph: edges, paths and rotation, with dummies only inside its faces. */
 void
 CheckMap(const EmbeddingCertificate & certificate, const TracedMap & packed, Measures & measures);
-/** On the sphere: the packed map is 3-connected, without which a pattern of circles does not exist. */
+/** Sphere: the packed map is 3-connected, which the existence of a circle pattern requires. */
 void
 CheckPackingExists(const TracedMap & packed);
 void
@@ -24,28 +24,28 @@ void
 CheckPlane(const EmbeddingCertificate & certificate, const TracedMap & packed, Measures & measures);
 void
 CheckDisk(const EmbeddingCertificate & certificate, const TracedMap & packed, Measures & measures);
-/** Genus 1 and more: tree and generators cut the surface into a disk, whose boundary is the word; canonical words. */
+/** Genus 1 and more: tree and generators cut the surface into a disk bounded by the word; checks canonical words. */
 void
 CheckCutGraph(const EmbeddingCertificate & certificate, const TracedMap & packed);
 ///@}
 
-/** The figure of a message: three digits. */
+/** Formats a number for a message with three digits. */
 std::string
 Figure(double value);
 
-/** The first radius that is not in (least, most). */
+/** The first radius outside (least, most). */
 void
 RequireRadii(const std::vector<double> & radii, double least, double most, const std::string & what);
 
-/** Throws Refusal unless at each node and each face the angles of the kites sum to 2 pi; `tolerance` is that of a
- * circle. Returns the largest deviation. */
+/** Throws Refusal unless the kite angles at each node and each face sum to 2 pi within `tolerance` per circle. Returns
+ * the largest deviation. */
 double
 RequireAngleSums(const std::vector<double> & angleSums,
                  const std::vector<double> & tolerance,
                  const std::string &         what);
 
-/** A curved or flat direction: the sums of the angles of kites at the nodes and at the faces; `HalfAngle(r, s)` is half
- * the angle, at the centre of the circle of radius r, of the kite with a circle of radius s. */
+/** Sums of kite angles at the nodes and at the faces, in flat or hyperbolic geometry. `HalfAngle(r, s)` is half the
+ * kite angle at the center of a circle of radius r, for an orthogonal circle of radius s. */
 template <typename HalfAngle>
 void
 SumKiteAngles(const EmbeddingCertificate & certificate,
@@ -65,8 +65,8 @@ SumKiteAngles(const EmbeddingCertificate & certificate,
   }
 }
 
-/** In plane and disk: the kites around each circle fit; radii are right to their scale there. Appends how well, and the
- * smallest radius of a node of the graph. */
+/** Plane and disk: the kites around each circle close up, with tolerances relative to the radii. Appends the deviation
+ * and the smallest node radius of the graph. */
 template <typename HalfAngle>
 void
 CheckKiteAngles(const EmbeddingCertificate & certificate,
@@ -85,7 +85,7 @@ CheckKiteAngles(const EmbeddingCertificate & certificate,
   measures.emplace_back("smallestRadius", *std::min_element(certificate.nodeRadii.begin(), end));
 }
 
-/** In plane and disk: the direction of each half-edge in the chart at its node, one kite after the other. */
+/** Plane and disk: direction of each half-edge in the chart at its node, by adding kite angles. */
 template <typename HalfAngle>
 std::vector<double>
 DirectionsOfHalfEdges(const EmbeddingCertificate & certificate, const TracedMap & packed, const HalfAngle & halfAngle)

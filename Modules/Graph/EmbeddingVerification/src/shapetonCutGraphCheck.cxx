@@ -6,7 +6,7 @@ namespace shapeton
 {
 namespace
 {
-/** Which edges belong to the cut graph: 0 none, 1 of the tree, 2 of a generator. */
+/** Edges of the cut graph: 0 none, 1 of the tree, 2 of a generator. */
 using CutEdges = std::vector<char>;
 
 /** The tree reaches each node from its parent. */
@@ -52,7 +52,7 @@ AddGenerators(const EmbeddingCertificate & certificate, CutEdges & cut)
   }
 }
 
-/** What is left when the surface is cut is connected. It is a disk then, by Euler's formula. */
+/** The surface remains connected after the cut. By Euler's formula it is then a disk. */
 void
 RequireDisk(const TracedMap & packed, const CutEdges & cut)
 {
@@ -73,7 +73,7 @@ RequireDisk(const TracedMap & packed, const CutEdges & cut)
   }
 }
 
-/** The letters along the boundary of the disk, which lies to the left. */
+/** Letters along the boundary of the disk, which lies to the left. */
 std::vector<int>
 BoundaryWord(const EmbeddingCertificate & certificate, const TracedMap & packed, const CutEdges & cut)
 {
@@ -133,7 +133,7 @@ AppendPower(std::vector<int> & word, const std::vector<int> & factor, bool isInv
   }
 }
 
-/** The words A1, B1, ... generate: their product of commutators is the word, by cancelling alone. */
+/** The words A1, B1, ... are valid: their product of commutators reduces to the word by cancellation. */
 void
 CheckCanonicalWords(const EmbeddingCertificate & certificate)
 {
@@ -155,7 +155,7 @@ CheckCanonicalWords(const EmbeddingCertificate & certificate)
     AppendPower(product, words[k], true);
     AppendPower(product, words[k + 1], true);
   }
-  std::size_t ends = 0; // a cyclic word may cancel over its ends
+  std::size_t ends = 0; // cyclic words may also cancel across their ends
   while (2 * ends + 1 < product.size() && product[ends] == -product[product.size() - 1 - ends])
   {
     ++ends;

@@ -9,12 +9,12 @@ namespace shapeton
 {
 namespace
 {
-// Products of transformations of the disk lose as many digits as their numbers have.
+// Products of disk transformations lose as many digits as their entries have.
 using Real = long double;
 using LongComplex = std::complex<Real>;
 
 constexpr double MostPlaceError = 1e-9; // a hyperbolic length
-/** Of the smallest radius, and of the smallest to the largest one: see the plane. */
+/** Bounds of the smallest radius, absolute and relative to the largest one: see the plane. */
 constexpr double LeastRadius = 1e-11;
 
 /** z -> (a z + b) / (conj(b) z + conj(a)). */
@@ -35,7 +35,7 @@ struct Isometry
     return { std::conj(a), -b };
   }
 
-  /** From the identity; a transformation and its negative are one. */
+  /** Distance from the identity; a transformation and its negative are equivalent. */
   double
   Deviation() const
   {
@@ -70,14 +70,14 @@ public:
 private:
   void
   CheckRadii(Measures & measures) const;
-  /** Of the right triangle with these legs, at the end of the first. */
+  /** Angle of the right triangle with these legs, at the end of the first. */
   static double
   HalfAngle(double r, double s)
   {
     return std::atan2(std::tanh(s), std::sinh(r));
   }
 
-  /** Of the right angle between these legs: cosh l = cosh r cosh s, without cancellation for small circles. */
+  /** Hypotenuse for these legs: cosh l = cosh r cosh s, without cancellation for small circles. */
   static double
   Diagonal(double r, double s)
   {
@@ -96,7 +96,7 @@ private:
 
   Isometry
   Frame(int node, double angle) const;
-  /** The frame of the end node, its axis along the twin, as it is reached by a walk along the half-edge. */
+  /** Frame of the end node, with its axis along the twin, reached by following the half-edge. */
   Isometry
   Reached(int h) const
   {
@@ -104,14 +104,14 @@ private:
     return this->Frame(m_Packed.node[h], m_Direction[h]) * Walk(length) * Turn(Pi);
   }
 
-  /** The transformation that is met along a half-edge. */
+  /** Deck transformation across a half-edge. */
   Isometry
   Transformation(int h) const
   {
     return this->Reached(h) * this->Frame(m_Packed.node[h ^ 1], m_Direction[h ^ 1]).Inverse();
   }
 
-  /** Rounding of a place near the rim is a long way. */
+  /** Near the rim, rounding of a place is a large hyperbolic distance. */
   static double
   Tolerance(LongComplex z)
   {
@@ -142,7 +142,7 @@ private:
 
   double
   GeneratorTolerance(int halfEdge, const Isometry & transformation) const;
-  /** How far rounding takes |a|^2 - |b|^2 from 1. */
+  /** Rounding error of |a|^2 - |b|^2 = 1. */
   static Real
   DriftOfFactor(const Isometry & transformation)
   {
@@ -196,7 +196,7 @@ DiskCheck::CheckPlaces() const
   }
 }
 
-/** Takes the centre of the disk to the place of a node, and the direction of the real axis to `angle` there. */
+/** Maps the disk center to the place of a node, and the direction of the real axis to `angle` there. */
 Isometry
 DiskCheck::Frame(int node, double angle) const
 {
@@ -206,7 +206,7 @@ DiskCheck::Frame(int node, double angle) const
   return { scale * turn, scale * z * std::conj(turn) };
 }
 
-/** Along the tree each node is where its parent says: the circles touch, and it looks back at the parent. */
+/** Each node is placed by its parent in the tree: the circles touch, and its direction points back to the parent. */
 void
 DiskCheck::CheckTree(Measures & measures) const
 {
@@ -229,7 +229,7 @@ DiskCheck::CheckTree(Measures & measures) const
   measures.emplace_back("tangency", largest);
 }
 
-/** The circle of each face lies where the kite of its lowest half-edge says. */
+/** The circle of each face is placed by the kite of its lowest half-edge. */
 void
 DiskCheck::CheckFaces(Measures & measures) const
 {
@@ -256,8 +256,8 @@ DiskCheck::CheckFaces(Measures & measures) const
   measures.emplace_back("orthogonality", largest);
 }
 
-/** Relative to the numbers of the transformation F L G^-1 from the frames F, G of the ends: rounding of a place moves
- * its frame by about |F|^2 times the spacing of doubles, which F and G^-1 enlarge. */
+/** Error relative to the entries of the transformation F L G^-1 of the end frames F and G. Rounding of a place changes
+ * its frame by about |F|^2 times the spacing of doubles, amplified by F and G^-1. */
 double
 DiskCheck::GeneratorTolerance(int halfEdge, const Isometry & transformation) const
 {
@@ -277,7 +277,8 @@ DiskCheck::CheckGenerators(Measures & measures) const
     const Isometry stated = IsometryOf(generator);
     const Isometry measured = this->Transformation(generator.halfEdge);
     const Real     size = std::abs(measured.a);
-    // A common real factor changes nothing; that of a transformation of far places cannot be told from 1 in doubles.
+    // A common real factor has no effect; for transformations of distant places it cannot be distinguished from 1 in
+    // doubles.
     const Real   factor = std::real(stated.a * std::conj(measured.a)) / (size * size);
     const Real   drift = std::abs(std::abs(factor) - 1.0L);
     const double error = static_cast<double>(
@@ -297,13 +298,13 @@ DiskCheck::CheckGenerators(Measures & measures) const
   measures.emplace_back("generatorError", largest);
 }
 
-/** The product along the word. That it is the identity follows from all else; what may be missing is what rounding of
- * the generators explains: an error of the factor between two partial products, of which the second is nearly the
- * inverse of all that follows. */
+/** Product along the word. It is the identity by the other checks; deviations must be explained by rounding of the
+ * generators: an error factor between two partial products, of which the second is nearly the inverse of the remaining
+ * product. */
 void
 DiskCheck::CheckWord(Measures & measures) const
 {
-  constexpr Real rounding = 1e-14L; // of the numbers of a generator, with its places
+  constexpr Real rounding = 1e-14L; // of the entries of a generator, including its places
   Isometry       product;
   Real           explained = 1e-10L;
   for (const int letter : m_Certificate.word)

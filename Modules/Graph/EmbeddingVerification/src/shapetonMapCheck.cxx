@@ -6,7 +6,8 @@ namespace shapeton
 {
 namespace
 {
-/** Marks what a path of a subdivided edge uses; refuses one that is no path of dummies, or meets another. */
+/** Marks the elements used by a path of a subdivided edge; rejects a path that leaves the dummies or meets another
+ * path. */
 class PathCheck
 {
 public:
@@ -41,7 +42,7 @@ public:
       m_Packed.Node(path.back() ^ 1) == m_Certificate.graph.edges[edge][1], edge, "does not lead to its end node");
   }
 
-  /** All edges that are not subdivided have the ends of the graph. */
+  /** All edges that are not subdivided have the same ends as in the graph. */
   void
   CheckOthers() const
   {
@@ -72,7 +73,7 @@ private:
   std::vector<bool>            m_IsSubdivided;
 };
 
-/** Of each packed half-edge the half-edge of the graph that starts with it; -1 for the others. */
+/** For each packed half-edge the graph half-edge that starts with it; -1 for the others. */
 std::vector<int>
 StartsOfGraph(const EmbeddingCertificate & certificate, const TracedMap & packed)
 {
@@ -89,7 +90,7 @@ StartsOfGraph(const EmbeddingCertificate & certificate, const TracedMap & packed
   return starts;
 }
 
-/** Around each node of the graph the packed map shows the half-edges of the graph in the order of its rotation. */
+/** Around each graph node the packed map has the half-edges of the graph in the order of its rotation. */
 void
 RequireSameRotation(const EmbeddingCertificate & certificate, const TracedMap & packed, const TracedMap & graph)
 {
@@ -150,7 +151,7 @@ CheckMap(const EmbeddingCertificate & certificate, const TracedMap & packed, Mea
   }
   const TracedMap graph(certificate.graph, certificate.rotation, "the rotation of the graph");
   RequireSameRotation(certificate, packed, graph);
-  // A part of a map has its genus only where what was left out lies inside the faces of the part.
+  // A submap keeps the genus only if the removed parts lie inside its faces.
   if (graph.Genus() != certificate.genus)
   {
     throw Refusal("the rotation of the graph has genus " + std::to_string(graph.Genus()) + ", but the surface " +

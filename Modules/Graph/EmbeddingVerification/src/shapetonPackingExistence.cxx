@@ -9,7 +9,7 @@ namespace shapeton
 {
 namespace
 {
-/** The graph of nodes and faces that meet: neighbours of nodes 0 ... n - 1 and of faces n ... */
+/** Incidence graph of nodes and faces: neighbors of nodes 0 ... n - 1 and of faces n ... */
 class Incidence
 {
 public:
@@ -69,7 +69,7 @@ RefuseFourCycle(const TracedMap & map, int first, int second)
                 " meet more than once, so a pattern of circles does not exist and the solution is degenerate");
 }
 
-/** The paths of length two from one point: how many lead to each other point, and over which points the last two. */
+/** Paths of length two from one point: their number for each end point, and the middle points of the last two. */
 struct TwoPaths
 {
   explicit TwoPaths(int points) : number(points, 0), middles(points) {}
@@ -99,8 +99,8 @@ struct TwoPaths
   std::vector<int>                reached;
 };
 
-/** True when an edge leads from one point to the other (an edge between nodes, or the one that crosses it between
- * faces) and has these two points beside it. */
+/** True if an edge joins the two points (an edge between nodes, or a dual edge between faces) and has these two points
+ * beside it. */
 bool
 AreBesideAnEdge(const TracedMap & map, int from, int to, const std::array<int, 2> & middles)
 {
@@ -122,10 +122,10 @@ AreBesideAnEdge(const TracedMap & map, int from, int to, const std::array<int, 2
 }
 } // namespace
 
-/* On the sphere two nodes share two faces exactly when an edge joins them, and then the faces beside it; two faces
- * likewise. All 4-cycles of the graph of nodes and faces are found as two paths of length two from their first point,
- * in the order of falling degrees with the points before left out (Chiba and Nishizeki 1985): linear on a planar map.
- */
+/* On the sphere two nodes share exactly two faces if and only if an edge joins them, and these are the faces of the
+ * edge; likewise for two faces. All 4-cycles of the incidence graph are found as pairs of paths of length two from
+ * their first point, in the order of decreasing degree with earlier points removed (Chiba and Nishizeki 1985): linear
+ * on a planar map. */
 void
 CheckPackingExists(const TracedMap & packed)
 {

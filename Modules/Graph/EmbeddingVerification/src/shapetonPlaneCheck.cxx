@@ -11,8 +11,8 @@ namespace
 {
 using Complex = std::complex<double>;
 
-constexpr double MostErrorOfPeriod = 1e-9; // of the lattice's shorter period
-/** Of the smallest to the largest radius: what lies below cannot be told from a solution that degenerates. */
+constexpr double MostErrorOfPeriod = 1e-9; // relative to the shorter period of the lattice
+/** Smallest to largest radius; below this ratio a degenerating solution cannot be excluded. */
 constexpr double LeastRatio = 1e-11;
 
 class PlaneCheck
@@ -54,7 +54,7 @@ private:
     CheckKiteAngles(m_Certificate, m_Packed, HalfAngle, measures);
   }
 
-  /** The periods are a reduced basis, and their parallelogram is as large as all kites: it is the whole torus once. */
+  /** The periods are a reduced basis, and their parallelogram has the area of all kites: it covers the torus once. */
   void
   CheckLattice(Measures & measures) const
   {
@@ -84,7 +84,7 @@ private:
     return { places[2 * static_cast<std::size_t>(index)], places[2 * static_cast<std::size_t>(index) + 1] };
   }
 
-  /** The translation that is met along a half-edge. */
+  /** Translation across a half-edge. */
   Complex
   Translation(int h) const
   {
@@ -93,7 +93,7 @@ private:
            Place(m_Certificate.nodePositions, m_Packed.node[h ^ 1]);
   }
 
-  /** The distance of a vector from the lattice. */
+  /** Distance of a vector from the lattice. */
   double
   LatticeError(Complex vector) const
   {
@@ -102,7 +102,7 @@ private:
     return std::abs(vector - first * m_First - second * m_Second);
   }
 
-  /** Walking along an edge one meets a translation of the lattice, none along the tree, and no turn. */
+  /** Each edge crosses a lattice translation without rotation; tree edges cross none. */
   void
   CheckEdges(Measures & measures) const
   {
@@ -128,7 +128,7 @@ private:
     measures.emplace_back("tangency", largest);
   }
 
-  /** The circle of each face lies where its kites say, up to the lattice; beside its lowest half-edge exactly there. */
+  /** The circle of each face is placed by its kites, up to the lattice; beside its lowest half-edge exactly. */
   void
   CheckFaces(Measures & measures) const
   {

@@ -9,11 +9,11 @@ namespace shapeton
 {
 namespace
 {
-// On the unit sphere, as far as the numbers of a double carry: caps of 1e-12 are 10^4 times their spacing.
+// On the unit sphere, limited by double precision: a cap of 1e-12 is 10^4 times the spacing of doubles.
 constexpr double LeastSphereRadius = 1e-12;
 constexpr double MostTangencyError = 1e-9;
 constexpr double MostOrthogonalityError = 1e-10;
-// Of the sine of the right angle of a kite, which rounding bends where caps are tiny.
+// Minimum sine of the right angle of a kite; rounding affects it for tiny caps.
 constexpr double LeastSine = 0.5;
 
 using Point = std::array<double, 3>;
@@ -42,7 +42,7 @@ Length(const Point & a)
   return std::sqrt(Dot(a, a));
 }
 
-/** The angle between unit vectors; exact for small and for large angles. */
+/** Angle between unit vectors, accurate for small and large angles. */
 double
 Angle(const Point & a, const Point & b)
 {
@@ -121,7 +121,7 @@ private:
     return { p[0], p[1], p[2] };
   }
 
-  /** Circles of the ends of an edge touch; so do those of the faces beside it. */
+  /** Circles of the ends of an edge touch, and so do those of its two faces. */
   void
   CheckTangency(Measures & measures)
   {
@@ -145,7 +145,7 @@ private:
         throw Refusal("the circles of " + Circles("faces", f, g) + " are not tangent: they miss by " + Figure(ofFaces));
       }
       largest = std::max({ largest, ofNodes, ofFaces });
-      // From the smaller circle, so that the point is right to its scale.
+      // Computed from the smaller circle, so that the point is accurate at its scale.
       const int    near = m_Certificate.nodeRadii[v] <= m_Certificate.nodeRadii[w] ? v : w;
       const double radius = m_Certificate.nodeRadii[near];
       const Point  centre = NodePlace(near);
@@ -177,7 +177,8 @@ private:
     measures.emplace_back("orthogonality", largest);
   }
 
-  /** Both triangles of a kite, (node, touching point, face) and its mirror image, are oriented as their map says. */
+  /** Both triangles of each kite, (node, touching point, face) and its mirror image, have the orientation of the map.
+   */
   void
   CheckKites() const
   {
@@ -200,7 +201,7 @@ private:
     }
   }
 
-  /** The kites go around each node and each face once. */
+  /** The kites wind around each node and each face once. */
   void
   CheckWinding() const
   {
@@ -226,7 +227,7 @@ private:
   {
     for (std::size_t i = 0; i < angles.size(); ++i)
     {
-      if (!(std::abs(angles[i] - 2.0 * Pi) < Pi)) // a multiple of 2 pi but for rounding
+      if (!(std::abs(angles[i] - 2.0 * Pi) < Pi)) // a multiple of 2 pi up to rounding
       {
         throw Refusal("the kites go " + Figure(angles[i] / (2.0 * Pi)) + " times around " + kind + ' ' +
                       std::to_string(i));
@@ -234,8 +235,7 @@ private:
     }
   }
 
-  /** By the radii alone. A radius has the absolute error of a double on the sphere, which counts where caps are small.
-   */
+  /** Uses the radii alone. On the sphere radii have the absolute error of a double, which matters for small caps. */
   void
   CheckAngleSums(Measures & measures) const
   {

@@ -9,17 +9,17 @@
 
 namespace shapeton
 {
-/** The reason why a certificate is refused. */
+/** Reason for rejecting a certificate. */
 class Refusal : public std::runtime_error
 {
 public:
   using std::runtime_error::runtime_error;
 };
 
-/** A rotation system, traced: faces lie to the left of their half-edges. */
+/** A rotation system with traced faces: each face lies to the left of its half-edges. */
 struct TracedMap
 {
-  /** Throws Refusal that begins with `what` unless `rotation` lists, node after node, each half-edge once. */
+  /** Throws Refusal with the prefix `what` unless `rotation` lists each half-edge once, node by node. */
   TracedMap(const Graph & graph, const std::vector<int> & rotation, const std::string & what);
 
   int
@@ -58,7 +58,7 @@ private:
   CountComponents();
 };
 
-/** Disjoint sets; of its own, since the verifier shares no code with what it checks. */
+/** Disjoint sets; a separate implementation, because the verifier is independent of the code it checks. */
 class UnitedElements
 {
 public:
@@ -67,7 +67,7 @@ public:
   int
   Find(int element);
 
-  /** False when both were in one set already. */
+  /** Returns false if both were already in one set. */
   bool
   Unite(int first, int second);
 

@@ -7,7 +7,7 @@
 #include <array>
 #include <cmath>
 
-/** Certificates from closed forms. */
+/** Certificates with closed-form solutions. */
 namespace certificatetest
 {
 using shapeton::EmbeddingCertificate;
@@ -58,7 +58,7 @@ Around(int node, const std::vector<Point> & places, const std::vector<std::array
   return halfEdges;
 }
 
-/** Without dummies: the packed map is the graph. */
+/** Sets a packed map without dummies: the graph itself. */
 inline void
 PackAsIs(EmbeddingCertificate & certificate)
 {
@@ -67,7 +67,7 @@ PackAsIs(EmbeddingCertificate & certificate)
   certificate.packedRotation = certificate.rotation;
 }
 
-/** A regular polyhedron with these corners: nodes that are nearest to each other are neighbours. */
+/** A regular polyhedron with these corners; nearest nodes are neighbors. */
 inline EmbeddingCertificate
 Polyhedron(std::vector<Point> corners)
 {
@@ -242,8 +242,8 @@ Octagon()
   return certificate;
 }
 
-/** K4 on the sphere as the graph, and the same with a dummy in one face: the packing of the octahedron-like map is not
- * needed; the graph is a path of three nodes inside a tetrahedron whose other parts are dummies. */
+/** K4 on the sphere as the packed map; the graph is a path of three nodes inside the tetrahedron, and all other parts
+ * are dummies. */
 inline EmbeddingCertificate
 PathInTetrahedron()
 {

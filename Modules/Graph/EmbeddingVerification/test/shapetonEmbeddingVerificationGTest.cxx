@@ -64,7 +64,7 @@ TEST(EmbeddingVerification, DummiesAreNoPartOfTheGraph)
   EXPECT_EQ(1.0, MeasuresOf(PathInTetrahedron()).at("dummyNodes"));
 }
 
-/** Edge 0 of the octahedron as a path over a dummy: 0-4-1, where 4 stands for node 4. */
+/** Edge 0 of the octahedron as a path over a dummy: 0-4-1, where node 4 is the dummy. */
 TEST(EmbeddingVerification, SubdividedEdges)
 {
   EmbeddingCertificate certificate = Octahedron();
@@ -87,7 +87,7 @@ TEST(EmbeddingVerification, PerturbedCirclesOfTheSphere)
   ExpectRefused(Cube(), "are not tangent", [](auto & c) { c.faceRadii[3] *= 1.0 + 1e-8; });
   ExpectRefused(Cube(), "is not on the unit sphere", [](auto & c) { c.nodePositions[4] *= 1.001; });
   ExpectRefused(Cube(), "are not tangent", [](auto & c) {
-    const double angle = 1e-7; // a turn of one node about the z axis
+    const double angle = 1e-7; // a rotation of one node about the z axis
     const double x = c.nodePositions[0];
     c.nodePositions[0] = std::cos(angle) * x - std::sin(angle) * c.nodePositions[1];
     c.nodePositions[1] = std::sin(angle) * x + std::cos(angle) * c.nodePositions[1];
@@ -96,7 +96,7 @@ TEST(EmbeddingVerification, PerturbedCirclesOfTheSphere)
   ExpectRefused(Cube(), "the radius of face 2 is -0.1", [](auto & c) { c.faceRadii[2] = -0.1; });
 }
 
-/** All circles are tangent and orthogonal in a mirror, but the map goes the other way around. */
+/** In a mirror all circles are tangent and orthogonal, but the map has the opposite orientation. */
 TEST(EmbeddingVerification, MirroredPlacesAreNotPositivelyOriented)
 {
   ExpectRefused(Cube(), "is not positively oriented", [](auto & c) {
@@ -140,7 +140,7 @@ TEST(EmbeddingVerification, WrongTopology)
     Cube(), "begins at another node", [](auto & c) { std::swap(c.graph.edges[0][0], c.graph.edges[0][1]); });
 }
 
-/** K4 without an edge, and K2,3: whatever circles are stated, none exist. */
+/** K4 without an edge, and K2,3: no circle packing exists, whatever circles are given. */
 TEST(EmbeddingVerification, DegenerateMapsAreRefused)
 {
   const auto without = [](const EmbeddingCertificate & whole, const std::vector<int> & removed) {
@@ -174,7 +174,7 @@ TEST(EmbeddingVerification, DegenerateMapsAreRefused)
   EXPECT_NE(std::string::npos, RefusalOf(without(Tetrahedron(), { 0 })).find("is not 3-connected"));
   EXPECT_NE(std::string::npos, RefusalOf(without(Tetrahedron(), { 0, 1 })).find("is not 3-connected"));
   EXPECT_NE(std::string::npos, RefusalOf(without(Cube(), { 0 })).find("is not 3-connected"));
-  // K2,4 is the octahedron without its equator; K2,3 has a face less.
+  // K2,4 is the octahedron without its equator; K2,3 has one face less.
   EXPECT_NE(std::string::npos, RefusalOf(without(Octahedron(), { 0, 1, 2, 3 })).find("is not 3-connected"));
 }
 
@@ -206,6 +206,6 @@ TEST(EmbeddingVerification, PerturbedOctagon)
   ExpectRefused(Octagon(), "beside its place", [](auto & c) { c.facePositions[0] += 1e-7; });
   ExpectRefused(Octagon(), "outside the disk", [](auto & c) { c.nodePositions[0] = 1.0; });
   ExpectRefused(Octagon(), "the word is not", [](auto & c) { std::swap(c.word[0], c.word[1]); });
-  // Seen from another place and direction it is the same.
+  // The check is invariant under translation and rotation.
   EXPECT_EQ("", RefusalOf(Octagon(), [](auto & c) { c.word = { -2, 3, 4, -3, -4, 1, 2, -1 }; }));
 }

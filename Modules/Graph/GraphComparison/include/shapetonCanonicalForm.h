@@ -8,22 +8,22 @@
 
 namespace shapeton
 {
-/** \brief A graph renumbered so that isomorphic graphs, and they alone, become the same.
+/** \brief A canonical renumbering of a graph: equal for two graphs if and only if they are isomorphic.
  *
- * Labelled by Traces (McKay and Piperno 2014). Loops and multiple edges count: as many in the one graph as in the
- * other. \ingroup GraphComparison */
+ * Labeled by Traces (McKay and Piperno 2014). Loops and multiple edges count with their multiplicity.
+ * \ingroup GraphComparison */
 struct GraphComparison_EXPORT CanonicalForm
 {
   explicit CanonicalForm(const Graph & original);
 
-  /** The canonical number of each node. */
+  /** Canonical number of each node. */
   std::vector<int> rank;
-  /** With these numbers; each edge from the smaller to the greater one, in ascending order. The names are those of the
-   * original nodes; all else is equal for isomorphic graphs. */
+  /** The renumbered graph; each edge from the lower to the higher node, in ascending order. The names are those of the
+   * original nodes; everything else is equal for isomorphic graphs. */
   Graph graph;
 };
 
-/** For each node of `a` that of `b`; empty when the graphs are not isomorphic. \ingroup GraphComparison */
+/** For each node of `a` its image in `b`; empty if the graphs are not isomorphic. \ingroup GraphComparison */
 GraphComparison_EXPORT std::vector<int>
                        Isomorphism(const CanonicalForm & a, const CanonicalForm & b);
 } // namespace shapeton

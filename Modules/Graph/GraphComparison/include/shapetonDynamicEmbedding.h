@@ -12,25 +12,25 @@
 
 namespace shapeton
 {
-/** What differs between two steps of a dynamic graph, or two graphs whose nodes have names. Node and edge indices are
- * those of the step they belong to. \ingroup GraphComparison */
+/** Differences between two steps of a dynamic graph, or two graphs with named nodes. Node and edge indices refer to the
+ * step they belong to. \ingroup GraphComparison */
 struct GraphChanges
 {
   std::vector<int> removedNodes; /**< of the first step */
   std::vector<int> removedEdges; /**< of the first step */
   std::vector<int> addedNodes;   /**< of the second step */
   std::vector<int> addedEdges;   /**< of the second step */
-  /** Of the second step, ascending: nodes that are new or have gained or lost an edge. The regions of change. */
+  /** Changed nodes of the second step, ascending: new nodes and those that gained or lost an edge. */
   std::vector<int> changedNodes;
-  /** Nodes that both steps have and that did not change, and how far they lie from each other when the second
-   * sphere is turned to the first as a whole, in radians; not a number on other surfaces, or without such nodes. */
+  /** Unchanged nodes of both steps, and their displacement in radians after a rotation of the second sphere onto the
+   * first. NaN on other surfaces, or if there are no such nodes. */
   int    unchangedNodes{ 0 };
   double meanDisplacement;
   double largestDisplacement;
 };
 
-/** Compares embeddings by the names of the nodes. With another correspondence, give for each node of `a` that of `b`,
- * or -1. \ingroup GraphComparison */
+/** Compares embeddings by node names. For another correspondence, pass for each node of `a` its node of `b`, or -1.
+ * \ingroup GraphComparison */
 ///@{
 GraphComparison_EXPORT GraphChanges
 ChangesBetween(const EmbeddingCertificate & a, const EmbeddingCertificate & b);
@@ -38,7 +38,7 @@ GraphComparison_EXPORT GraphChanges
 ChangesBetween(const EmbeddingCertificate & a, const EmbeddingCertificate & b, const std::vector<int> & image);
 ///@}
 
-/** The rotation that turns sphere `b` to sphere `a`, by the nodes that correspond; the identity on other surfaces.
+/** Rotation that aligns sphere `b` with sphere `a` by corresponding nodes; the identity on other surfaces.
  * \ingroup GraphComparison */
 GraphComparison_EXPORT std::array<double, 9>
 RotationTo(const EmbeddingCertificate & a, const EmbeddingCertificate & b, const std::vector<int> & image);
@@ -47,27 +47,27 @@ RotationTo(const EmbeddingCertificate & a, const EmbeddingCertificate & b, const
 struct DynamicStep
 {
   EmbeddingCertificate certificate;
-  /** Against the step before; empty for the first one. */
+  /** Changes since the previous step; empty for the first one. */
   GraphChanges changes;
-  /** The rotation system was sought anew, or blocks and dummies were arranged anew, which may move nodes far. */
+  /** Whether the rotation system was recomputed, or blocks and dummies were rearranged, which may move nodes far. */
   bool embeddedAnew{ false };
 };
 
 /** \class DynamicEmbedding
- * \brief Embeds the steps of a dynamic graph so that what does not change stays where it is.
+ * \brief Embeds the steps of a dynamic graph so that unchanged parts stay in place.
  *
- * The first step has its blocks arranged, see EmbedGraph(); each other one takes over the rotation system of the
- * step before. Its sphere is turned so that nodes that did not change lie as near to their old places as can be. It is
- * packed with the dummies that can stay (see CarryPackedMap()), which is steadier after few changes, and where nodes
- * move then also with new ones, which is steadier after many; what moves less is taken. Where that leaves an illegible
- * circle, blocks and dummies are arranged anew if this makes the smallest one ten times larger.
+ * The first step has its blocks arranged, see EmbedGraph(); later steps reuse the rotation system of the previous step.
+ * Each sphere is rotated to bring unchanged nodes as close as possible to their old places. The graph is packed with
+ * the reusable dummies (see CarryPackedMap()), which is steadier after few changes. If nodes move, it is also packed
+ * with new dummies, which is steadier after many changes, and the steadier result is used. If a circle is then
+ * illegibly small, blocks and dummies are rearranged, provided that the smallest circle becomes ten times larger.
  * \ingroup GraphComparison */
 class GraphComparison_EXPORT DynamicEmbedding
 {
 public:
   explicit DynamicEmbedding(GenusOptions genus = {}, GraphEmbeddingOptions embedding = {});
 
-  /** The next step. Throws InputError as FindEmbedding() and EmbedGraph() do. */
+  /** Embeds the next step. Throws InputError as FindEmbedding() and EmbedGraph(). */
   DynamicStep
   Add(const Graph & graph);
 

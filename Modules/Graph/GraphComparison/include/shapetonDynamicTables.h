@@ -10,7 +10,7 @@
 
 namespace shapeton
 {
-/** A sequence of embedded graphs and the names of the files it was read from. \ingroup GraphComparison */
+/** A sequence of embedded graphs and their file names. \ingroup GraphComparison */
 struct DynamicSequence
 {
   std::vector<std::string> files;
@@ -18,19 +18,19 @@ struct DynamicSequence
 };
 
 /** One row for each step: step, file, nodes, edges, addedNodes, removedNodes, addedEdges, removedEdges, changedNodes,
- * genus, embeddedAnew (0 or 1), meanDisplacement, largestDisplacement (radians; empty for the first step and beyond the
- * sphere), smallestRadius of a circle of the graph. \ingroup GraphComparison */
+ * genus, embeddedAnew (0 or 1), meanDisplacement, largestDisplacement (radians; empty for the first step and on
+ * surfaces other than the sphere), smallestRadius of a circle of the graph. \ingroup GraphComparison */
 GraphComparison_EXPORT CsvTable
 TableOfSteps(const DynamicSequence & sequence);
 
-/** For each step and each of these nodes: step, file, node, present (0 or 1), x, y, z (z is empty beyond the sphere),
- * radius, degree, neighbours (names, separated by spaces). Throws ParameterError for a name that no step has.
- * \ingroup GraphComparison */
+/** One row for each step and each of these nodes: step, file, node, present (0 or 1), x, y, z (z is set on the sphere
+ * only), radius, degree, neighbours (names, separated by spaces). Throws ParameterError if a name does not occur in
+ * any step. \ingroup GraphComparison */
 GraphComparison_EXPORT CsvTable
 TableOfTrackedNodes(const DynamicSequence & sequence, const std::vector<std::string> & names);
 
-/** `steps`, with the changes of each one by names, and `stability`: mean and largest displacement over all steps,
- * steps that were embedded anew. \ingroup GraphComparison */
+/** JSON with `steps` (the changes of each step, by node names) and `stability` (mean and largest displacement over all
+ * steps, number of steps embedded anew). \ingroup GraphComparison */
 GraphComparison_EXPORT Json
 SequenceToJson(const DynamicSequence & sequence);
 } // namespace shapeton

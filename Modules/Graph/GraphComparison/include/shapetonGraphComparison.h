@@ -11,7 +11,7 @@
 
 namespace shapeton
 {
-/** Numbers that isomorphic graphs have in common. \ingroup GraphComparison */
+/** Graph invariants, equal for isomorphic graphs. \ingroup GraphComparison */
 struct GraphFigures
 {
   int nodes{ 0 };
@@ -21,52 +21,52 @@ struct GraphFigures
   int components{ 0 };
   int blocks{ 0 };
   int triangles{ 0 };
-  /** How many nodes have each degree, from 0. */
+  /** Number of nodes of each degree, from 0. */
   std::vector<int> nodesOfDegree;
 };
 
 GraphComparison_EXPORT GraphFigures
 FiguresOf(const Graph & graph);
 
-/** Sentences: what differs between the figures of two graphs. \ingroup GraphComparison */
+/** Describes the differences between the invariants of two graphs, one sentence each. \ingroup GraphComparison */
 GraphComparison_EXPORT std::vector<std::string>
                        DifferencesBetween(const GraphFigures & a, const GraphFigures & b);
 
-/** Which nodes correspond, and by what. \ingroup GraphComparison */
+/** Node correspondence and its method. \ingroup GraphComparison */
 struct NodeCorrespondence
 {
-  /** "isomorphism", "names", "neighbourhoods": nodes that are the only ones of both graphs whose surroundings, up to
-   * four edges away, look as they do; or "none". */
+  /** "isomorphism", "names", "neighbourhoods" (nodes with a neighborhood of up to four edges that is unique in both
+   * graphs), or "none". */
   std::string by;
-  /** For each node of the first graph that of the second one, or -1. */
+  /** For each node of the first graph its node of the second one, or -1. */
   std::vector<int> image;
 };
 
-/** By an isomorphism where there is one, else by names where both graphs have names and at least half of the nodes of
- * the smaller one find theirs, else by neighbourhoods. Indices are those of the graphs of the canonical forms.
+/** Matches nodes by an isomorphism if one exists; else by names, if both graphs have names and at least half of the
+ * nodes of the smaller graph match; else by neighborhoods. Indices refer to the graphs of the canonical forms.
  * \ingroup GraphComparison */
 GraphComparison_EXPORT NodeCorrespondence
 CorrespondingNodes(const CanonicalForm & a, const CanonicalForm & b);
 
-/** Two graphs side by side. \ingroup GraphComparison */
+/** Result of comparing two graphs. \ingroup GraphComparison */
 struct GraphComparison
 {
   bool isomorphic{ false };
-  /** Of the graphs in canonical order: node k of the certificate is that with canonical number k. Isomorphic graphs
-   * have the same certificates but for their names. */
+  /** Embeddings of the graphs in canonical order: node k of the certificate has canonical number k. Isomorphic graphs
+   * have the same certificates except for their names. */
   EmbeddingCertificate a;
   EmbeddingCertificate b;
   NodeCorrespondence   correspondence;
-  /** What differs where nodes correspond, and how far they lie apart. */
+  /** Differences and displacements of corresponding nodes. */
   GraphChanges changes;
-  /** Sentences; empty for isomorphic graphs. */
+  /** Differences, one sentence each; empty for isomorphic graphs. */
   std::vector<std::string> differences;
 };
 
-/** Labels both graphs canonically and embeds them. An embedding of a graph that is not isomorphic to the first one
- * takes over its rotation system where nodes correspond by names, and its sphere is moved to the first one by a
- * Moebius transformation. Progress is that of the whole; that of the options is not told.
- * \ingroup GraphComparison */
+/** Labels both graphs canonically and embeds them. If the graphs are not isomorphic, the second embedding reuses the
+ * rotation system of the first where nodes correspond by names, and its sphere is aligned with the first by a Moebius
+ * transformation. Reports overall progress; the progress function in the options is ignored. \ingroup GraphComparison
+ */
 GraphComparison_EXPORT GraphComparison
 CompareGraphs(const Graph &                 a,
               const Graph &                 b,
@@ -74,16 +74,16 @@ CompareGraphs(const Graph &                 a,
               const GraphEmbeddingOptions & embedding = {},
               const Progress &              progress = {});
 
-/** "#rrggbb" for each node of both graphs: corresponding nodes have one colour, neighbours in canonical order far ones;
- * nodes without a partner are grey. \ingroup GraphComparison */
+/** "#rrggbb" for each node of both graphs. Corresponding nodes share a color; colors of neighbors in canonical order
+ * differ strongly; unmatched nodes are gray. \ingroup GraphComparison */
 GraphComparison_EXPORT std::array<std::vector<std::string>, 2>
                        ColoursOfNodes(const GraphComparison & comparison);
 
-/** All of a comparison but the embeddings, by the names of the nodes. \ingroup GraphComparison */
+/** Comparison as JSON without the embeddings, by node names. \ingroup GraphComparison */
 GraphComparison_EXPORT Json
 ComparisonToJson(const GraphComparison & comparison);
 
-/** Changes by the names of the nodes. \ingroup GraphComparison */
+/** Changes as JSON, by node names. \ingroup GraphComparison */
 GraphComparison_EXPORT Json
 ChangesToJson(const GraphChanges & changes, const Graph & a, const Graph & b);
 } // namespace shapeton

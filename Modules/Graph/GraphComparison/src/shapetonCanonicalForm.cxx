@@ -4,7 +4,7 @@
 #include <map>
 #include <numeric>
 
-// The headers of nauty 2.8 are C11 where they declare its own thread-local variables.
+// In nauty 2.8 the headers declare thread-local variables in C11 syntax.
 #define _Thread_local __thread
 #include <nauty/traces.h>
 #undef _Thread_local
@@ -13,8 +13,8 @@ namespace shapeton
 {
 namespace
 {
-/** A simple graph with coloured nodes: the colour of a node is its number of loops; a multiple edge has a node in its
- * middle, coloured by how many they are. */
+/** A simple graph with colored nodes: the color of a node is its number of loops; a multiple edge gets a middle node,
+ * colored by the multiplicity. */
 struct ColouredGraph
 {
   explicit ColouredGraph(const Graph & graph) : colour(graph.nodes, 0)

@@ -10,10 +10,10 @@ namespace shapeton
 {
 namespace
 {
-/** Rings of dummies halve from one to the next: nobody is farther from what has changed in a face of 2^8 half-edges. */
+/** Rings of dummies halve in size, so in a face of 2^8 half-edges this reaches every dummy from a change. */
 constexpr int farthestReach = 8;
 
-/** The new graph, and the dummies that stay, as a map. */
+/** The new graph and the reused dummies, as a map. */
 class CarriedMap
 {
 public:
@@ -31,7 +31,7 @@ public:
 
   CombinatorialMap
   Build() const;
-  /** As PackedMap has it. */
+  /** As in PackedMap. */
   const std::vector<std::vector<int>> &
   Subdivided() const
   {
@@ -54,7 +54,7 @@ private:
 
   const CombinatorialMap & m_Packed;
   const CombinatorialMap & m_Map;
-  StepMatch                m_Match; ///< of dummies and their half-edges, too, once they are added
+  StepMatch                m_Match; ///< includes dummies and their half-edges, once added
   FaceDummies              m_Dummies;
   DummyStretches           m_Stretches;
   Graph                    m_Graph;
@@ -62,7 +62,7 @@ private:
   std::vector<std::vector<int>> m_Subdivided;
 };
 
-/** Where a way begins is the edge itself, which ends at the first dummy now. */
+/** A path starts with the edge itself, which now ends at the first dummy. */
 void
 CarriedMap::BeginWay(const DummyWay & way)
 {
@@ -106,7 +106,7 @@ CarriedMap::AddDummies(const std::vector<DummyWay> & ways)
   std::for_each(ways.begin(), ways.end(), [this](const DummyWay & way) { this->EndWay(way); });
 }
 
-/** What a stretch has in the new map. */
+/** Elements of a stretch in the new map. */
 void
 CarriedMap::Append(const DummyStretch * stretch, std::vector<int> & order) const
 {
@@ -114,7 +114,7 @@ CarriedMap::Append(const DummyStretch * stretch, std::vector<int> & order) const
   {
     return;
   }
-  int        next = 0; // of the dummies
+  int        next = 0; // index of a dummy
   const auto appendDummiesTo = [&](int end) {
     for (; next < end; ++next)
     {
@@ -206,7 +206,7 @@ struct DrawnGraph
   CombinatorialMap map;
 };
 
-/** What of a graph was there in the step before, too. */
+/** Elements of a graph that also exist in the previous step. */
 DrawnGraph
 CommonPart(const Graph & after, const CombinatorialMap & map, const StepMatch & match)
 {
@@ -244,7 +244,7 @@ CommonPart(const Graph & after, const CombinatorialMap & map, const StepMatch & 
   return { graph, CombinatorialMap(graph, rotation) };
 }
 
-/** More and more dummies go until those that stay fit the map. */
+/** Removes more and more dummies until the remaining ones fit the map. */
 PackedMap
 Carry(const Graph & before, const PackedMap & packed, const Graph & after, const CombinatorialMap & map)
 {

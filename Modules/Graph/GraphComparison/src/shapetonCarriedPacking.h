@@ -6,23 +6,23 @@
 
 namespace shapeton
 {
-/** Of the steps of a dynamic graph: faces with more than six half-edges are filled with dummies whether they need them
- * or not, so that later edges find a way there. \ingroup GraphComparison */
+/** Options for dynamic graphs: faces with more than six half-edges are always filled with dummies, so that later edges
+ * can be routed there. \ingroup GraphComparison */
 GraphComparison_EXPORT AugmentationOptions
 FilledFaces();
 
-/** \brief The packed map of a graph that has changed, with the dummies of the step before where they can stay.
+/** \brief The packed map of a changed graph that reuses dummies of the previous step where possible.
  *
- * Circles far from a change hardly move when the packed map changes in few places alone. Made anew, the dummies of a
- * long face all change with one of its edges, and two faces that an edge has parted become one that takes far more room
- * than both. So, first, the dummies of faces that lose an edge stay, and hold nodes of edges that are gone in their
- * places; where a part of the graph has turned over or changed its face, those beside it go, and if the others do not
- * fit then, those beside these. Then new edges are added. One whose ends a single dummy parts takes its place. Another
- * one becomes a path along the fewest dummies (PackedMap::subdivided), and nothing moves: its ends, which would have to
- * come from far, do not touch, their circles and those of the dummies between them do. Each time faces in conflict and
- * long ones are filled as MakePackedMap() does it, which all of the map is left to with loops or parallel edges.
+ * Circles far from a change hardly move if the packed map changes locally. With new dummies, all dummies of a long face
+ * change with one edge, and two faces merged by a deleted edge take far more room than before. Therefore dummies of
+ * faces that lose an edge are kept first, and hold the nodes of deleted edges in place. Where a part of the graph
+ * flipped or changed its face, adjacent dummies are removed, and further neighbors as long as the rest does not fit.
+ * Then new edges are added. An edge whose ends are separated by a single dummy replaces it. Any other edge becomes a
+ * path along the fewest dummies (PackedMap::subdivided), so that nothing moves: the circles of its ends do not touch,
+ * but those along the path do. Faces in conflict and long faces are then filled as in MakePackedMap(), which handles
+ * the whole map if it has loops or parallel edges.
  *
- * Nodes are the same by their names. \pre `packed` is a packed map of `before`, `map` a map of `after`.
+ * Nodes are identified by name. \pre `packed` is a packed map of `before`, `map` a map of `after`.
  * \ingroup GraphComparison */
 GraphComparison_EXPORT PackedMap
 CarryPackedMap(const Graph & before, const PackedMap & packed, const Graph & after, const CombinatorialMap & map);

@@ -54,7 +54,7 @@ EdgesOfSameEnds(const Graph & a, const Graph & b, const std::vector<int> & image
 
 namespace
 {
-/** Puts edges into the map of those that stayed. */
+/** Inserts edges into the map of the kept ones. */
 class EdgeInsertion
 {
 public:
@@ -108,7 +108,7 @@ private:
   NextAround() const;
 
   const Graph &                 m_After;
-  std::vector<int>              m_IndexOfEdge; // in m_Map, of each edge of m_After; -1 for new loops
+  std::vector<int>              m_IndexOfEdge; // in m_Map, for each edge of m_After; -1 for new loops
   IncrementalMap                m_Map;
   DisjointSets<>                m_Components;
   std::vector<std::vector<int>> m_NewEdgesOf;
@@ -154,7 +154,7 @@ EdgeInsertion::Run()
   return CombinatorialMap(m_After.nodes, m_After.edges, NextAround());
 }
 
-/** The old map without what is gone; its edges are numbered in the order of `after`. */
+/** The old map without deleted elements; its edges are numbered in the order of `after`. */
 IncrementalMap
 EdgeInsertion::KeptMap(const Graph & before, const CombinatorialMap & map)
 {
@@ -179,7 +179,7 @@ EdgeInsertion::KeptMap(const Graph & before, const CombinatorialMap & map)
   }
   const auto imageOf = [&](int h) {
     const int e = edgeImage[h / 2];
-    // Which of its two half-edges: the one that leaves the same node; of a loop the one of the same number.
+    // Match half-edges that leave the same node; for a loop, those of the same number.
     const bool turned = e >= 0 && edges[m_IndexOfEdge[e]][h % 2] != image[map.Node(h)];
     return e < 0 ? -1 : 2 * m_IndexOfEdge[e] + (turned ? 1 - h % 2 : h % 2);
   };
@@ -199,7 +199,7 @@ EdgeInsertion::KeptMap(const Graph & before, const CombinatorialMap & map)
   return IncrementalMap(CombinatorialMap(m_After.nodes, edges, std::move(next)));
 }
 
-/** Where a part that an edge joins has most room; -1 for a node without edges. */
+/** Largest corner for a part to be joined by an edge; -1 for a node without edges. */
 int
 EdgeInsertion::CornerOfLongestFace(int node) const
 {
@@ -211,7 +211,7 @@ EdgeInsertion::CornerOfLongestFace(int node) const
   return longest;
 }
 
-/** Puts an edge into a face that has both ends, or between two components, which costs no handle. */
+/** Inserts an edge into a face that has both ends, or between two components, without adding a handle. */
 bool
 EdgeInsertion::InsertIfFree(int edge)
 {
@@ -241,7 +241,7 @@ EdgeInsertion::InsertIfFree(int edge)
   return true;
 }
 
-/** Each node without a place goes into the face that has most of its neighbours. */
+/** Inserts each unplaced node into the face with most of its neighbors. */
 bool
 EdgeInsertion::InsertNodes()
 {
@@ -259,7 +259,7 @@ EdgeInsertion::InsertNodes()
 bool
 EdgeInsertion::InsertNode(int node)
 {
-  std::map<int, std::map<int, int>> cornersOfFace; // of each face, a corner of each neighbour
+  std::map<int, std::map<int, int>> cornersOfFace; // for each face, one corner of each neighbor
   const auto                        neighbourBy = [&](int e) {
     return m_After.edges[e][0] == node ? m_After.edges[e][1] : m_After.edges[e][0];
   };
@@ -297,7 +297,7 @@ EdgeInsertion::InsertEdges()
   return progress;
 }
 
-/** Puts the rest in where that takes no handle, at the price of parts that turn over. */
+/** Inserts the remaining edges where no handle is needed; parts may flip. */
 bool
 EdgeInsertion::InsertAll()
 {
@@ -312,7 +312,7 @@ EdgeInsertion::InsertAll()
   return true;
 }
 
-/** In the numbers of `after`, with new loops, each in a corner of its own. */
+/** Result in the numbering of `after`, with each new loop in a corner of its own. */
 std::vector<int>
 EdgeInsertion::NextAround() const
 {

@@ -8,31 +8,31 @@
 
 namespace shapeton
 {
-/** For each node of `a` that of `b` with the same name, or -1. \ingroup GraphComparison */
+/** For each node of `a` the node of `b` with the same name, or -1. \ingroup GraphComparison */
 GraphComparison_EXPORT std::vector<int>
                        NodesOfSameName(const Graph & a, const Graph & b);
 
-/** For each edge of `a` an edge of `b` between the images of its ends, or -1; of parallel edges each has its own, in
- * order. `image` is -1 for nodes that `b` lacks. \ingroup GraphComparison */
+/** For each edge of `a` an edge of `b` between the images of its ends, or -1; parallel edges are matched in order.
+ * `image` is -1 for nodes missing in `b`. \ingroup GraphComparison */
 GraphComparison_EXPORT std::vector<int>
                        EdgesOfSameEnds(const Graph & a, const Graph & b, const std::vector<int> & image);
 
-/** A rotation system that was carried over to a changed graph. \ingroup GraphComparison */
+/** A rotation system transferred to a changed graph. \ingroup GraphComparison */
 struct CarriedRotation
 {
   CombinatorialMap map;
-  /** No part of the old rotation system was kept, for a new one has a smaller genus; it is turned to the side that
-   * agrees with the old one in more places. */
+  /** Whether the rotation system was recomputed because this gives a smaller genus; it is then mirrored if that agrees
+   * with the old one in more places. */
   bool embeddedAnew{ false };
 };
 
-/** \brief The rotation system of a graph that has changed: nodes are the same by their names.
+/** \brief The rotation system of a changed graph; nodes are identified by name.
  *
- * Edges that are gone are taken out, orders of the others stay. A new edge is put into a face that has both of its ends
- * where there is one, a new node into the face that has most of its neighbours. Only when no edge can be put in that
- * way one costs a handle. When that made the genus rise, an embedding is sought anew, with its blocks arranged, and
- * taken if its genus is smaller; one that has handles gives them up when the graph is planar. \pre `map` is one of
- * `before`. \ingroup GraphComparison */
+ * Deleted edges are removed, and the order of the others is kept. A new edge is inserted into a face with both of its
+ * ends if possible, a new node into the face with most of its neighbors. A handle is added only if no edge can be
+ * inserted otherwise. If the genus rises, a new embedding with arranged blocks is computed and used if its genus is
+ * smaller; an embedding with handles is replaced if the graph is planar. \pre `map` is one of `before`.
+ * \ingroup GraphComparison */
 GraphComparison_EXPORT CarriedRotation
 CarryRotation(const Graph &            before,
               const CombinatorialMap & map,

@@ -6,8 +6,8 @@ namespace shapeton
 {
 namespace
 {
-/** Calls `visit` for half-edges around a node from `first` on, once around at most, as long as they are not `known`.
- * Returns the one that ends the stretch; -1 for a node without any. */
+/** Calls `visit` for half-edges around a node from `first`, at most once around, until one is `known`. Returns the one
+ * that ends the stretch; -1 if there is none. */
 template <typename TVisit>
 int
 WalkStretch(const CombinatorialMap & map, int first, const std::vector<int> & known, const TVisit & visit)
@@ -29,7 +29,7 @@ WalkStretch(const CombinatorialMap & map, int first, const std::vector<int> & kn
   return h;
 }
 
-/** Which corners are the same ones in both steps: those after half-edges of the new map that both have. */
+/** Corners that are the same in both steps: those after half-edges of the new map that exist in both. */
 class SameCorners
 {
 public:
@@ -56,13 +56,13 @@ public:
   }
 
 private:
-  /** At a node with one or two half-edges: their order stays when the part of the graph around has turned over. */
+  /** At a node with one or two half-edges the order is unchanged if the surrounding part of the graph flipped. */
   bool
   IsInChain(int halfEdge) const
   {
     return m_Next[halfEdge] >= 0 && m_Next[m_Next[halfEdge]] == halfEdge;
   }
-  /** Along the face to the first corner that is not in a chain; the one itself where there is none. */
+  /** Follows the face to the first corner that is not in a chain; returns the start if there is none. */
   template <typename TVisit>
   int
   Walk(int halfEdge, bool isForward, const TVisit & visit) const
@@ -75,7 +75,7 @@ private:
     } while (this->IsInChain(h) && h != halfEdge);
     return h;
   }
-  /** The corners of a chain are those at both of its ends. */
+  /** The corners of a chain are matched at both of its ends. */
   void
   JudgeChains()
   {
@@ -144,7 +144,7 @@ DummyStretches::DummyStretches(const CombinatorialMap & packed,
   }
 }
 
-/** Returns the number of the stretch, which is empty then; -1 when it has been so. */
+/** Returns the number of the stretch, which is now empty; -1 if it already was. */
 int
 DummyStretches::Add(DummyStretch & stretch)
 {

@@ -6,17 +6,17 @@
 
 namespace shapeton
 {
-/** What lies between two half-edges that both steps have, one after the other around a node; or all around a node that
- * has none. */
+/** The elements between two consecutive half-edges around a node that exist in both steps; all elements around a node
+ * without such half-edges. */
 struct DummyStretch
 {
   std::vector<int> dummies; ///< half-edges of the old packed map that lead to dummies
   std::vector<int> added;   ///< half-edges of the new graph
-  std::vector<int> places;  ///< of each added one: which of the dummies makes room for it, or is on its way; -1: none
+  std::vector<int> places;  ///< of each added one: the dummy to remove, or on its path; -1: none
 };
 
-/** All stretches that are not empty. Where the corner between its half-edges has become another one the dummies of a
- * stretch go; with `reach` >= 1 also those where edges are added, and with k those beside them k - 1 times. */
+/** All nonempty stretches. Dummies of a stretch are removed if the corner between its half-edges changed. With `reach`
+ * >= 1, this also applies where edges are added, and with k to dummies up to k - 1 neighbors away. */
 class DummyStretches
 {
 public:
@@ -26,7 +26,7 @@ public:
                  FaceDummies &            dummies,
                  int                      reach);
 
-  /** After a half-edge that both steps have, or around a new one; null for an empty one. */
+  /** The stretch after a half-edge of both steps, or around a new one; null if empty. */
   DummyStretch *
   Of(int halfEdge)
   {
@@ -37,7 +37,7 @@ public:
   {
     return m_OfHalfEdge[halfEdge] < 0 ? nullptr : &m_All[m_OfHalfEdge[halfEdge]];
   }
-  /** Around a node without edges; null for an empty one. */
+  /** The stretch around a node without edges; null if empty. */
   const DummyStretch *
   Around(int node) const
   {

@@ -13,9 +13,9 @@ namespace shapeton
 {
 namespace
 {
-/** A mean displacement that nobody sees. Radians. */
+/** Imperceptible mean displacement (radians). */
 constexpr double steadyEnough = 1e-3;
-/** What another arrangement has to bring. */
+/** Minimum gain of another arrangement. */
 constexpr double worthwhileGain = 10.0;
 
 bool
@@ -167,7 +167,7 @@ DynamicEmbedding::EmbedAnew(const Graph & graph, const CombinatorialMap & map) c
   return EmbedGraph(graph, map, options);
 }
 
-/** Turned to the step before, with what has changed since. */
+/** Rotates onto the previous step and computes the changes since then. */
 DynamicStep
 DynamicEmbedding::StepTo(EmbeddingCertificate certificate) const
 {
@@ -182,7 +182,8 @@ DynamicEmbedding::StepTo(EmbeddingCertificate certificate) const
   return step;
 }
 
-/** The first one that is steady enough, or the steadiest. Throws what the first one threw where none has a packing. */
+/** The first sufficiently steady candidate, or the steadiest. If none has a packing, rethrows the error of the first
+ * one. */
 DynamicStep
 DynamicEmbedding::StepBy(const Graph &                  graph,
                          const CombinatorialMap &       map,

@@ -26,7 +26,7 @@ SmallestRadius(const EmbeddingCertificate & certificate)
   return *std::min_element(certificate.nodeRadii.begin(), certificate.nodeRadii.begin() + certificate.graph.nodes);
 }
 
-/** Of a step against the one before it; empty changes for the first step. */
+/** Changes of a step since the previous one; empty for the first step. */
 GraphChanges
 ChangesOf(const DynamicSequence & sequence, std::size_t i)
 {
@@ -174,7 +174,7 @@ SequenceToJson(const DynamicSequence & sequence)
     }
     steps.push_back(std::move(entry));
   }
-  const double none = std::numeric_limits<double>::quiet_NaN(); // null in a file
+  const double none = std::numeric_limits<double>::quiet_NaN(); // written as null
   return { { "stability",
              { { "measuredSteps", measured },
                { "meanDisplacement", measured > 0 ? sum / measured : none },

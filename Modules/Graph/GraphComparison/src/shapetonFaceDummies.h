@@ -5,11 +5,11 @@
 
 namespace shapeton
 {
-/** The dummies of a packed map: which of them stay in the next step. */
+/** Dummies of a packed map, and which of them are kept in the next step. */
 class FaceDummies
 {
 public:
-  /** Nodes from `first` on are dummies. */
+  /** Nodes from index `first` are dummies. */
   FaceDummies(const CombinatorialMap & packed, int first)
     : m_Packed(packed), m_First(first), m_IsGone(packed.Nodes(), 0), m_IsTaken(packed.Nodes(), 0)
   {}
@@ -19,7 +19,7 @@ public:
   {
     return node >= m_First;
   }
-  /** Where a half-edge of the packed map leads. */
+  /** Node at the end of a half-edge of the packed map. */
   int
   Head(int halfEdge) const
   {
@@ -30,7 +30,7 @@ public:
   {
     return !m_IsGone[dummy];
   }
-  /** Stays, and is on no edge's way. */
+  /** Whether the dummy is kept and not on the path of an edge. */
   bool
   IsFree(int dummy) const
   {
@@ -41,13 +41,13 @@ public:
   {
     m_IsGone[dummy] = 1;
   }
-  /** For the way of an edge. */
+  /** Reserves it for the path of an edge. */
   void
   Take(int dummy)
   {
     m_IsTaken[dummy] = 1;
   }
-  /** Those that half-edges lead to, but for what is on an edge's way. */
+  /** Removes the dummies at the ends of half-edges, except those on the path of an edge. */
   void
   DropHeads(const std::vector<int> & halfEdges)
   {
@@ -59,7 +59,7 @@ public:
       }
     }
   }
-  /** All that are beside one that has gone. */
+  /** All neighbors of removed dummies. */
   void
   DropNeighbours();
 

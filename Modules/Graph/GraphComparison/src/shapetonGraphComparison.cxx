@@ -107,7 +107,7 @@ namespace
 {
 constexpr int roundsOfRefinement = 4;
 
-/** Colours of the nodes of both graphs by what lies around them; equal colours, equal surroundings. */
+/** Refines node colors of both graphs by their neighborhoods; equal colors mean equal neighborhoods. */
 class Refinement
 {
 public:
@@ -137,7 +137,7 @@ public:
     m_Colour.swap(refined);
   }
 
-  /** Pairs nodes that are the only ones of their colour in both graphs and have no partner yet. */
+  /** Pairs unmatched nodes whose color is unique in both graphs. */
   void
   PairUnique(std::vector<int> & image, std::vector<bool> & taken) const
   {
@@ -264,7 +264,7 @@ CompareGraphs(const Graph &                 a,
 
 namespace
 {
-/** Hues by the golden angle, three lightnesses in turn. */
+/** Hues by the golden angle, cycling through three lightness values. */
 std::string
 ColourOf(int index)
 {

@@ -8,7 +8,7 @@ namespace shapeton
 {
 namespace
 {
-/** The nodes near the ends of missing edges. */
+/** Nodes near the ends of missing edges. */
 class OpenRegion
 {
 public:
@@ -24,7 +24,7 @@ public:
   {
     return m_IsInside[node] != 0;
   }
-  /** By the nodes that so many steps along the faces around its nodes lead to. False when there is no other node. */
+  /** Grows by the nodes within the given steps along the incident faces. Returns false if no node was added. */
   bool
   Grow(int steps)
   {
@@ -41,7 +41,7 @@ public:
   }
 
 private:
-  /** Other walks go on from nodes that were inside. */
+  /** Other walks continue from interior nodes. */
   template <typename TNext>
   void
   Walk(int halfEdge, int steps, const std::vector<char> & before, const TNext & next)
@@ -68,13 +68,13 @@ GraphOf(const IncrementalMap & map)
   return graph;
 }
 
-/** Puts wheels into the face of a half-edge: one for each row of corners outside the region, with a node of its rim for
- * each of these, which fixes their order. */
+/** Inserts wheels into the face of a half-edge: one for each row of corners outside the region. Its rim has a node for
+ * each corner, which fixes their order. */
 void
 AddWheels(const IncrementalMap & map, const OpenRegion & region, int halfEdge, Graph & graph)
 {
   const auto isHeld = [&](int h) { return !region.Contains(map.Node(h)); };
-  int        start = halfEdge; // of a row, where not all corners are held
+  int        start = halfEdge; // of a row, unless all corners are held
   do
   {
     start = map.FaceNext(start);
@@ -125,7 +125,7 @@ WithWheels(const IncrementalMap & map, const OpenRegion & region)
   return graph;
 }
 
-/** The map of a graph whose first nodes and edges are those of a map with more. */
+/** The submap for a graph that has the first nodes and edges of a map. */
 CombinatorialMap
 PartOf(const CombinatorialMap & map, const Graph & graph)
 {

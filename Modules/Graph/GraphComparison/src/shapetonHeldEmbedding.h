@@ -5,13 +5,13 @@
 
 namespace shapeton
 {
-/** The side of `fresh` whose orders agree with `carried` in more places. */
+/** The mirror image of `fresh` (or itself) that agrees with `carried` in more places. */
 CombinatorialMap
 TurnedTo(const IncrementalMap & carried, const CombinatorialMap & fresh);
 
-/** Embeds all edges of a map of the sphere, some of which are not put in: near the ends of those parts turn over or
- * move to other faces, while the corners elsewhere are held. They are held by wheels, whose rims have a node for each;
- * the region without wheels grows until the graph has a planar embedding. False when no corner could be held. */
+/** Embeds all edges of a map of the sphere, including those not yet inserted. Near their ends parts may flip or move to
+ * other faces; corners elsewhere are held by wheels with a rim node for each corner. The region without wheels grows
+ * until the graph has a planar embedding. Returns false if no corner could be held. */
 bool
 EmbedHeld(const IncrementalMap & map, CombinatorialMap & embedded);
 } // namespace shapeton

@@ -8,18 +8,17 @@ namespace shapeton
 {
 namespace
 {
-/** Ends that more dummies than these part would have to come from far to touch, and move all that is around them. */
+/** If more dummies separate the ends, contact would move them far, and everything around them. */
 constexpr std::size_t mostDummiesTakenOut = 1;
 
-/** An end of a new edge: a place in the order around its node. */
+/** An end of a new edge: a position in the order around its node. */
 struct EdgeEnd
 {
   DummyStretch * stretch;
-  std::size_t    index; ///< in the list of what is added
+  std::size_t    index; ///< in the list of added half-edges
 };
 
-/** The dummies of a stretch between those that the edges beside this one go through; each edge that has no place yet
- * is left one. */
+/** The dummies of a stretch between those used by adjacent edges; one is left for each edge that has no place yet. */
 struct PlacesOfEnd
 {
   explicit PlacesOfEnd(const EdgeEnd & end) : end(static_cast<int>(end.stretch->dummies.size()))
@@ -33,7 +32,7 @@ struct PlacesOfEnd
     {
       this->end = places[i] >= 0 ? places[i] : this->end - 1;
     }
-    this->end = std::max(this->end, 0); // there may be too few for all
+    this->end = std::max(this->end, 0); // there may be too few
     first = std::min(first, this->end);
   }
   int first{ 0 };
@@ -113,7 +112,7 @@ private:
   std::vector<DummyWay>    m_Ways;
 };
 
-/** False when dummies are in the way that cannot make room. */
+/** Returns false if dummies that cannot be removed block the way. */
 bool
 RoomForEdges::MakeBetween(int edge, const EdgeEnd & from, const EdgeEnd & to)
 {
@@ -128,7 +127,7 @@ RoomForEdges::MakeBetween(int edge, const EdgeEnd & from, const EdgeEnd & to)
   return from.stretch && to.stretch && this->MakeAlongWay(edge, from, to);
 }
 
-/** For an edge to a leaf. */
+/** Handles an edge to a leaf. */
 bool
 RoomForEdges::MakeInTheMiddle(const EdgeEnd & end)
 {
@@ -143,7 +142,7 @@ RoomForEdges::MakeInTheMiddle(const EdgeEnd & end)
   return true;
 }
 
-/** Where a dummy stands at an end of a new edge; -1 for elsewhere. */
+/** Position of a dummy at an end of a new edge, or -1. */
 int
 RoomForEdges::PlaceOf(const EdgeEnd & end, int dummy) const
 {
@@ -158,7 +157,7 @@ RoomForEdges::PlaceOf(const EdgeEnd & end, int dummy) const
   return -1;
 }
 
-/** False when there is no way. */
+/** Returns false if no path exists. */
 bool
 RoomForEdges::MakeAlongWay(int edge, const EdgeEnd & from, const EdgeEnd & to)
 {
@@ -185,12 +184,12 @@ RoomForEdges::MakeAlongWay(int edge, const EdgeEnd & from, const EdgeEnd & to)
   return true;
 }
 
-/** Half-edges of the old packed map, each to a free dummy, from one end of an edge to one beside the other; empty when
- * there is none. */
+/** Half-edges of the old packed map, each to a free dummy, from one end of an edge to a neighbor of the other; empty if
+ * no such path exists. */
 std::vector<int>
 RoomForEdges::ShortestWay(const EdgeEnd & from, const EdgeEnd & to) const
 {
-  std::unordered_map<int, int> arrival; // at each dummy that was met
+  std::unordered_map<int, int> arrival; // at each visited dummy
   std::vector<int>             queue;
   const auto                   meet = [&](int h) {
     const int node = m_Dummies.Head(h);

@@ -5,16 +5,16 @@
 
 namespace shapeton
 {
-/** The way of a new edge through dummies: half-edges of the old packed map, from its first node to its second one. */
+/** Path of a new edge through dummies: half-edges of the old packed map, from its first node to its second one. */
 struct DummyWay
 {
   int              edge;
   std::vector<int> halfEdges;
 };
 
-/** Makes room for edges which the next step adds, and says in their stretches where these go through. A dummy that lies
- * between the two ends of an edge goes, or makes room for a leaf; where there are more, the edge runs along them and
- * they stay. Where dummies cannot make room so, all of the face go. */
+/** Makes room for edges added by the next step, and records their paths in the stretches. A single dummy between the
+ * ends of an edge is removed, or shifted for a leaf. If there are more, the edge is routed along them and they are
+ * kept. If dummies cannot make room this way, all dummies of the face are removed. */
 std::vector<DummyWay>
 MakeRoomForEdges(const CombinatorialMap & packed,
                  const CombinatorialMap & map,

@@ -41,7 +41,7 @@ using Vector6 = Eigen::Matrix<double, 6, 1>;
 
 constexpr int    motionSteps = 30;
 constexpr double smallestStep = 1e-13;
-// Distances below this one, in radians, count alike.
+// Distances below this threshold (radians) have equal weight.
 constexpr double leastDistance = 1e-6;
 constexpr double longestStep = 0.3;
 
@@ -53,7 +53,7 @@ CapOf(const double * centre, double radius)
   return cap;
 }
 
-/** The motion of a boost b and a turn w: exp of the generator, by its series; the step is short. */
+/** Motion with boost b and rotation w: exp of the generator, by its series; the step is short. */
 Matrix4
 MotionOf(const Vector6 & step)
 {
@@ -72,7 +72,7 @@ MotionOf(const Vector6 & step)
   return motion;
 }
 
-/** How far a point moves with each of the six parameters. */
+/** Derivative of a point with respect to the six parameters. */
 Eigen::Matrix<double, 3, 6>
 DerivativeAt(const Vector & p)
 {
@@ -82,7 +82,7 @@ DerivativeAt(const Vector & p)
   return derivative;
 }
 
-/** The step to the least sum of distances, each in a quadratic form that touches it where the points are now. */
+/** Step to the least sum of distances, each bounded by a quadratic form that touches it at the current points. */
 Vector6
 StepTo(const std::vector<Vector> & targets, const std::vector<Vector4> & caps, const Matrix4 & motion)
 {

@@ -5,13 +5,13 @@
 
 namespace shapeton
 {
-/** What the packed map of one step of a dynamic graph and the map of the next one share. A node without an edge that
- * both have counts as a new one, unless it has no edges at all: it comes to its new neighbours, not they to it. */
+/** Common elements of the packed map of one step of a dynamic graph and the map of the next one. A node without common
+ * edges counts as new, unless it has no edges at all: it moves to its new neighbors, not they to it. */
 struct StepMatch
 {
   StepMatch(const Graph & before, const PackedMap & packed, const Graph & after, const CombinatorialMap & map);
 
-  /** Numbers there of what is here, -1 for what is not there. */
+  /** Indices in the other step, or -1 if missing there. */
   std::vector<int> nodeOf;      ///< of nodes of `before`
   std::vector<int> oldNode;     ///< of nodes of `after`
   std::vector<int> halfEdgeOf;  ///< of half-edges of `packed`

@@ -11,7 +11,7 @@
 
 namespace
 {
-/** The edges of a grid that are marked; every other square is large where most of them are. */
+/** The marked edges of a grid; if most are marked, every other square is large. */
 shapeton::Graph
 PartOfGrid(const std::vector<char> & isThere)
 {
@@ -27,7 +27,7 @@ PartOfGrid(const std::vector<char> & isThere)
   return part;
 }
 
-/** Packed half-edges that begin half-edges of the graph, and these; an edge may be a path along dummies. */
+/** Packed half-edges that start graph half-edges, and these; an edge may be a path along dummies. */
 std::map<int, int>
 HalfEdgesOfGraph(const shapeton::PackedMap & packed)
 {
@@ -52,7 +52,7 @@ HalfEdgesOfGraph(const shapeton::PackedMap & packed)
   return image;
 }
 
-/** Packable, and without the dummies the map is left, each order but where a component of its own lies. */
+/** Checks that the map is packable and, without the dummies, keeps each order, except where components lie. */
 void
 ExpectPackedMapOf(const shapeton::PackedMap & packed, const shapeton::CombinatorialMap & map)
 {
@@ -75,7 +75,7 @@ ExpectPackedMapOf(const shapeton::PackedMap & packed, const shapeton::Combinator
   }
 }
 
-/** Nodes of the graph around which nothing has changed, dummies included. */
+/** Number of graph nodes with unchanged surroundings, including dummies. */
 int
 NodesAsBefore(const shapeton::PackedMap & a, const shapeton::PackedMap & b)
 {
@@ -138,10 +138,11 @@ TEST(CarriedPacking, DummiesFarFromAnEditStay)
   const shapeton::PackedMap        carried = shapeton::CarryPackedMap(before, packed, after, edited);
   ExpectPackedMapOf(carried, edited);
   EXPECT_GT(NodesAsBefore(packed, carried), 180);
-  EXPECT_LT(NodesAsBefore(packed, shapeton::MakePackedMap(edited)), 150); // made anew
+  EXPECT_LT(NodesAsBefore(packed, shapeton::MakePackedMap(edited)), 150); // without reuse
 }
 
-/** The ends of an edge across a long face do not move: it runs along dummies, and all circles stay as they are. */
+/** The ends of an edge across a long face do not move: the edge is routed along dummies, and all circles keep their
+ * places. */
 TEST(CarriedPacking, AnEdgeAcrossALongFaceRunsAlongDummies)
 {
   const auto [before, map, packed] = PackedRing(200);
@@ -155,14 +156,14 @@ TEST(CarriedPacking, AnEdgeAcrossALongFaceRunsAlongDummies)
   EXPECT_EQ(carried.map.Nodes(), packed.map.Nodes());
   EXPECT_EQ(carried.map.Edges(), packed.map.Edges());
   EXPECT_EQ(NodesAsBefore(packed, carried), before.nodes);
-  // So do a second and a third edge beside it.
+  // The same holds for a second and a third edge beside it.
   after.edges.insert(after.edges.end(), { { 20, 40 }, { 52, 100 } });
   const shapeton::CombinatorialMap both = shapeton::CarryRotation(before, map, after).map;
   const shapeton::PackedMap        all = shapeton::CarryPackedMap(before, packed, after, both);
   ExpectPackedMapOf(all, both);
   EXPECT_EQ(all.subdivided.size(), 3U);
   EXPECT_EQ(NodesAsBefore(packed, all), before.nodes);
-  // The next step finds the way again, and gives it up with its edge.
+  // The next step recovers the path, and releases it with its edge.
   const shapeton::PackedMap again = shapeton::CarryPackedMap(after, all, after, both);
   ExpectPackedMapOf(again, both);
   EXPECT_EQ(again.map.GetRotation().size(), all.map.GetRotation().size());

@@ -15,7 +15,7 @@ WithNames(shapeton::Graph graph)
   return graph;
 }
 
-/** For each half-edge the next one around its node that is also in the other map, as names of nodes. */
+/** For each half-edge, the next one around its node that is also in the other map, by node names. */
 int
 KeptOrders(const shapeton::CombinatorialMap & before, const shapeton::CombinatorialMap & after, int edges)
 {
@@ -84,8 +84,8 @@ TEST(CarriedRotation, EditsStayPlanarAndLocal)
   EXPECT_EQ(back.map.GetRotation(), map.GetRotation());
 }
 
-/** A ladder between two nodes of the rim of a grid: one of its rails lies beside the face around, the other beside the
- * grid. For an edge from there to the far rim it turns over, and the grid keeps its orders. */
+/** A ladder between two nodes of the rim of a grid: one rail borders the outer face, the other the grid. To add an edge
+ * from the latter to the far rim, the ladder flips, and the grid keeps its orders. */
 TEST(CarriedRotation, OnlyWhatIsInTheWayTurnsOver)
 {
   shapeton::Graph before = shapeton::GridGraph(12, 10);
@@ -108,7 +108,7 @@ TEST(CarriedRotation, OnlyWhatIsInTheWayTurnsOver)
     EXPECT_EQ(carried.map.Genus(), 0);
     EXPECT_EQ(carried.map.ToGraph().edges, after.edges);
     const int changed = 2 * edges - KeptOrders(map, carried.map, edges);
-    EXPECT_LE(changed, 2 + 18 + 2 * 3); // the new edge's ends, the ladder, where it begins and ends
+    EXPECT_LE(changed, 2 + 18 + 2 * 3); // the ends of the new edge, the ladder and its two ends
     turned += changed > 2 ? 1 : 0;
   }
   EXPECT_EQ(turned, 1);

@@ -10,23 +10,23 @@
 namespace shapeton
 {
 /** \class IncrementalMap
- * \brief A rotation system whose edges are taken out and put in while its faces are kept up to date.
+ * \brief A rotation system with edge insertion and removal and incrementally updated faces.
  *
- * A corner is named by the half-edge before it, counter-clockwise: an edge that is put in "after a" has its half-edge
- * between a and NextAround(a), within the face FaceOfCorner(a). An edge put between two corners of one face divides it;
- * one between two faces joins them, which costs a handle when both belong to one component. Of a face that is divided,
- * the shorter part is named anew, of two that are joined, the shorter one: a change costs the length of the shorter
- * face. Conventions are those of CombinatorialMap. Loops may lie in the map, but are neither taken out nor put in.
+ * A corner is named by the half-edge before it, counter-clockwise: an edge inserted "after a" has its half-edge between
+ * a and NextAround(a), within the face FaceOfCorner(a). Inserting an edge between two corners of one face splits the
+ * face. Inserting it between two faces merges them, which adds a handle if both are in one component. The shorter part
+ * is relabeled, so a change costs the length of the shorter face. Conventions are those of CombinatorialMap. Existing
+ * loops are kept, but loops cannot be inserted or removed.
  *
  * \ingroup GraphGenus
  */
 class GraphGenus_EXPORT IncrementalMap
 {
 public:
-  /** A map of these edges, none of them put in yet. */
+  /** A map with these edges, none inserted yet. */
   IncrementalMap(int nodes, const std::vector<std::array<int, 2>> & edges);
 
-  /** All edges put in as they lie in `map`. */
+  /** All edges inserted as in `map`. */
   explicit IncrementalMap(const CombinatorialMap & map);
 
   int
@@ -39,7 +39,7 @@ public:
   {
     return static_cast<int>(m_Node.size() / 2);
   }
-  /** Faces of the edges that are put in. */
+  /** Number of faces of the inserted edges. */
   int
   Faces() const
   {
@@ -60,7 +60,7 @@ public:
   {
     return m_Degree[node];
   }
-  /** A half-edge of the node; -1 when there is none. */
+  /** A half-edge of the node, or -1. */
   int
   Any(int node) const
   {
@@ -98,19 +98,19 @@ public:
     return m_Length[label];
   }
 
-  /** Appends an edge that is not put in; returns its index. */
+  /** Appends an edge without inserting it; returns its index. */
   int
   AddEdge(int node0, int node1);
 
-  /** Puts an edge between the corners after `a`, at the edge's first node, and after `b`, at its second one; -1 for a
-   * node that has no half-edge. */
+  /** Inserts an edge between the corner after `a`, at its first node, and the corner after `b`, at its second one; -1
+   * for a node without half-edges. */
   void
   Insert(int edge, int a, int b);
 
   void
   Remove(int edge);
 
-  /** The permutation that CombinatorialMap takes; -1 for edges that are not put in. */
+  /** The permutation for CombinatorialMap; -1 for edges that are not inserted. */
   const std::vector<int> &
   GetNextAround() const
   {

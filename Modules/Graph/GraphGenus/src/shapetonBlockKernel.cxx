@@ -38,7 +38,7 @@ BlockKernel::BlockKernel(const Graph & block)
   BuildKernel();
 }
 
-/** An edge that has its ends already is dropped, with the note beside which one it lies. */
+/** Drops an edge parallel to a kept one, and records the kept edge. */
 void
 BlockKernel::Add(const Edge & edge)
 {
@@ -122,7 +122,7 @@ BlockKernel::Expand(const std::vector<int> & kernelNextAround) const
   {
     if (step->isParallel)
     {
-      // Beside the edge that was kept: after it at one end, before it at the other.
+      // Beside the kept edge: after it at one end, before it at the other.
       InsertAfter(next, step->lost[0], step->kept[0]);
       InsertAfter(next, step->lost[1], PreviousAround(next, step->kept[1]));
     }

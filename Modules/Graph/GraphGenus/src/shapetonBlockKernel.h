@@ -9,17 +9,17 @@
 namespace shapeton
 {
 /** \class BlockKernel
- * \brief A 2-connected graph without its nodes of degree two and multiple edges, and the way back.
+ * \brief Reduces a 2-connected graph by its nodes of degree two and multiple edges, and restores them.
  *
- * A node of degree two becomes part of an edge, of parallel edges one is kept, until nothing changes: a simple graph
- * whose nodes have three neighbours or more is left, or one edge. Embeddings of it and of the whole have the same
+ * Nodes of degree two are contracted into edges, and one of several parallel edges is kept, until nothing changes. The
+ * result is a simple graph of minimum degree three, or one edge. Embeddings of it and of the whole block have the same
  * genus.
  *
  * \ingroup GraphGenus */
 class BlockKernel
 {
 public:
-  /** `block` is 2-connected, or one edge that is no loop. */
+  /** \pre `block` is 2-connected, or a single edge that is not a loop. */
   explicit BlockKernel(const Graph & block);
 
   const Graph &
@@ -28,19 +28,18 @@ public:
     return m_Kernel;
   }
 
-  /** From an embedding of the kernel, the half-edge after each one of the block. */
+  /** From an embedding of the kernel, the successor of each half-edge of the block. */
   std::vector<int>
   Expand(const std::vector<int> & kernelNextAround) const;
 
 private:
-  /** An edge of what is left: at both ends the half-edge of the block that begins it. */
+  /** A kernel edge: for both ends the half-edge of the block that starts it. */
   struct Edge
   {
     int node[2];
     int halfEdge[2];
   };
-  /** What was done: the two half-edges of a node that became part of an edge, or an edge that was dropped beside the
-   * one that was kept. */
+  /** A reduction step: the two half-edges of a contracted node, or a dropped edge and the kept one beside it. */
   struct Step
   {
     bool isParallel;

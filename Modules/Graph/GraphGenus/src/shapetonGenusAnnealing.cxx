@@ -9,14 +9,14 @@ namespace shapeton
 {
 namespace
 {
-// While edges are put in for the first time.
+// Exponent during the initial insertion.
 constexpr int growthExponent = 3;
 constexpr int breadthExponent = 12;
-// Of so many edges that wait one gets a handle before the others are tried again.
+// Number of waiting edges per added handle before the others are tried again.
 constexpr std::size_t edgesOfAHandle = 256;
-// Whether the search is in vain is asked every so many moves.
+// Number of moves between two calls of isInVain.
 constexpr int movesBetweenQuestions = 4096;
-// The lengths of the parts of a longer face are taken as equal beyond this one.
+// Beyond this length the parts of a face are treated as equal.
 constexpr int longestWalk = 64;
 } // namespace
 
@@ -53,7 +53,7 @@ GenusAnnealing::RandomCorner(int node)
   return corner;
 }
 
-/** A spanning tree, breadth first, from a random node, with random orders. */
+/** A random breadth-first spanning tree from a random node, with random orders. */
 void
 GenusAnnealing::GrowTree()
 {
@@ -83,13 +83,13 @@ GenusAnnealing::GrowTree()
   }
 }
 
-/** The placed region grows like a disk on the surface, with short faces inside: the next node is one with most
- * neighbours in it, the one that waits longest of several. */
+/** Grows the placed region like a disk on the surface, with short faces inside. The next node has most neighbors in it;
+ * ties go to the one that has waited longest. */
 void
 GenusAnnealing::GrowByBreadth()
 {
   const Incidence                         incidence(m_Graph);
-  std::priority_queue<std::array<int, 3>> queue; // neighbours in the region, minus the time of discovery, node
+  std::priority_queue<std::array<int, 3>> queue; // neighbors in the region, negative discovery time, node
   std::vector<int>                        placedNeighbours(m_Graph.nodes, 0);
   std::vector<int>                        discovered(m_Graph.nodes, 0);
   int                                     time = 0;
@@ -118,7 +118,7 @@ GenusAnnealing::GrowByBreadth()
   }
 }
 
-/** All edges to nodes that have a place, in the face that has most of these; edges that need a handle wait. */
+/** Inserts all edges to placed nodes, in the face with most of them; edges that need a handle wait. */
 void
 GenusAnnealing::PlaceNode(int node, int root, const Incidence & incidence)
 {
@@ -128,7 +128,7 @@ GenusAnnealing::PlaceNode(int node, int root, const Incidence & incidence)
   {
     const int edge = incidence.halfEdges[i] / 2;
     const int neighbour = m_Map.Node(incidence.halfEdges[i] ^ 1);
-    if (neighbour == root && m_Map.Any(root) < 0) // the first edge of all
+    if (neighbour == root && m_Map.Any(root) < 0) // first edge
     {
       m_Map.Insert(edge, -1, -1);
     }
@@ -171,7 +171,7 @@ GenusAnnealing::PlaceNode(int node, int root, const Incidence & incidence)
   }
 }
 
-/** Of these corners one in the face that has most of them, the longest one of several such faces. */
+/** One of these corners in the face with most of them; ties go to the longest face. */
 int
 GenusAnnealing::CornerForNode(const std::vector<int> & corners)
 {
@@ -207,7 +207,7 @@ GenusAnnealing::CornerOfLongestFace(int node) const
   return best;
 }
 
-/** Edges that divide a face come first; one that needs a handle is put in only when no other is left. */
+/** Inserts edges that split a face first; one that needs a handle only if no other remains. */
 void
 GenusAnnealing::InsertRest()
 {
@@ -241,7 +241,7 @@ GenusAnnealing::InsertRest()
     }
     if (later.size() == rest.size())
     {
-      // A handle joins the longest faces: short ones are good as they are.
+      // A handle merges the longest faces; short faces are kept.
       for (std::size_t handles = 1 + later.size() / edgesOfAHandle; handles > 0; --handles)
       {
         const auto [node0, node1] = m_Graph.edges[later.back()];
@@ -253,7 +253,7 @@ GenusAnnealing::InsertRest()
   }
 }
 
-/** All pairs of corners of the edge's nodes that lie in one face. */
+/** All pairs of corners of the edge's nodes in a common face. */
 void
 GenusAnnealing::CollectCorners(int edge)
 {
@@ -283,7 +283,7 @@ GenusAnnealing::CollectCorners(int edge)
   forCorners(node1, [](int, int & first) { first = -1; });
 }
 
-/** Edges between two corners of a face along its shorter side, but longestWalk at most. */
+/** Edges between two corners of a face along its shorter side, up to longestWalk. */
 int
 GenusAnnealing::ShorterPart(int a, int b) const
 {
@@ -299,7 +299,7 @@ GenusAnnealing::ShorterPart(int a, int b) const
   return length;
 }
 
-/** Of the map with the edge there, relative to the map without it. */
+/** Weight of the map with the edge there, relative to the map without it. */
 double
 GenusAnnealing::WeightOf(const Corners & corners, int exponent) const
 {
@@ -314,7 +314,7 @@ GenusAnnealing::WeightOf(const Corners & corners, int exponent) const
   return weight;
 }
 
-/** One of m_Corners, which is not empty. */
+/** Draws one of m_Corners. \pre m_Corners is not empty. */
 GenusAnnealing::Corners
 GenusAnnealing::DrawCorners(int exponent)
 {
@@ -338,7 +338,7 @@ GenusAnnealing::DrawCorners(int exponent)
   return m_Corners[i];
 }
 
-/** Puts an edge where it divides a face, if it can, otherwise anywhere. */
+/** Inserts an edge where it splits a face, if possible, otherwise anywhere. */
 void
 GenusAnnealing::Reinsert(int edge, int exponent)
 {

@@ -13,28 +13,27 @@ namespace shapeton
 /** \class GenusAnnealing
  * \brief Searches for a rotation system of small genus of a connected graph without loops.
  *
- * Edges are put in one by one. Then a random edge is taken out and put in anew between two
- * corners of one face, so the genus never rises; it falls where the edge had one face on both sides and finds one to
- * divide. Among the pairs of corners that are there the edge draws one by heat bath: a map has the weight of the
- * product of length^-c over its faces. It favours many short faces beside few long ones, which edges leave for a place
- * elsewhere. The exponent c rises while the search goes on. A move is never rejected, and none makes a handle: both
- * would cost time without leading to a smaller genus.
+ * Edges are inserted one by one. Then a random edge is removed and reinserted between two corners of one face, so the
+ * genus never rises. It falls if the edge had one face on both sides and now splits a face. The pair of corners is
+ * drawn by heat bath: a map has the weight of the product of length^-c over its faces. This favors many short faces and
+ * a few long ones, from which edges move away. The exponent c increases during the search. Moves are never rejected and
+ * never add a handle: both would cost time without reducing the genus.
  *
  * \ingroup GraphGenus */
 class GenusAnnealing
 {
 public:
-  /** How edges are put in at first. */
+  /** Initial insertion order of the edges. */
   enum class Growth
   {
     Tree,   ///< a random spanning tree, then the others in random order
-    Breadth ///< node by node, each with all its edges to nodes before it: finds surfaces that short faces tile
+    Breadth ///< node by node, with all edges to earlier nodes: finds surfaces tiled by short faces
   };
 
   GenusAnnealing(const Graph & graph, PhiloxStream random, Growth growth);
 
-  /** Moves `moves` edges while the exponent rises from half of `lastExponent` to all of it; ends early at genus `goal`,
-   * or when `isInVain`, which is asked now and then, says so. */
+  /** Moves `moves` edges while the exponent increases from half of `lastExponent` to its full value. Ends early at
+   * genus `goal`, or if `isInVain`, called periodically, returns true. */
   void
   Anneal(std::int64_t moves, int lastExponent, int goal, const std::function<bool()> & isInVain);
 
@@ -43,7 +42,7 @@ public:
   {
     return m_BestGenus;
   }
-  /** The half-edge after each one, of the best map. */
+  /** Successor of each half-edge in the best map. */
   const std::vector<int> &
   BestNextAround() const
   {
@@ -89,9 +88,9 @@ private:
   const Graph &        m_Graph;
   PhiloxStream         m_Random;
   IncrementalMap       m_Map;
-  std::vector<Corners> m_Corners; // where an edge would divide a face
+  std::vector<Corners> m_Corners; // where an edge would split a face
   std::vector<double>  m_Weights;
-  std::vector<int>     m_FirstOfFace; // a list of the corners of one node for each face
+  std::vector<int>     m_FirstOfFace; // per face, a list of the corners of one node
   std::vector<int>     m_NextInFace;
   std::vector<int>     m_Best;
   int                  m_BestGenus;

@@ -11,20 +11,20 @@ namespace
 {
 constexpr std::int64_t unlimited = std::numeric_limits<std::int64_t>::max() / 8;
 
-/** Counts cycles by walks from their smallest node. */
+/** Counts cycles by walks from their lowest node. */
 class CycleCount
 {
 public:
   CycleCount(const Graph & graph, int length)
     : m_Incidence(graph), m_Neighbours(m_Incidence.halfEdges), m_OnWalk(graph.nodes, false), m_Length(length)
   {
-    for (int & neighbour : m_Neighbours) // has been the half-edge that leads there
+    for (int & neighbour : m_Neighbours) // still the half-edge that leads there
     {
       neighbour = graph.edges[neighbour / 2][1 - neighbour % 2];
     }
   }
 
-  /** Of so many walks at most; `unlimited` when that does not suffice. */
+  /** Counts with at most this number of walks; returns `unlimited` if that is not sufficient. */
   std::int64_t
   Count(std::int64_t walks)
   {
@@ -69,12 +69,12 @@ private:
   std::int64_t      m_WalksLeft{ 0 };
 };
 
-/** The greatest number of faces: short cycles first, as long as there are any, out of twice the edges. */
+/** Maximum number of faces: fills twice the edges with short cycles first, as long as there are any. */
 std::int64_t
 GreatestNumberOfFaces(const Graph & graph)
 {
   constexpr std::int64_t mostWalks = 20000000;
-  constexpr int          longestCounted = 5; // a longer walk around a face need not be a cycle
+  constexpr int          longestCounted = 5; // a longer walk around a face may not be a cycle
   const int              girth = Girth(graph);
   std::int64_t           edgesLeft = 2 * static_cast<std::int64_t>(graph.edges.size());
   std::int64_t           faces = 0;

@@ -16,18 +16,17 @@ namespace shapeton
 namespace
 {
 constexpr std::uint32_t annealingPurpose = 0x6E05A1;
-// Of the searches in turn. Sparse graphs of large genus like low exponents, complete graphs high ones: K15 finds its
-// genus of 11 with 16 alone. With 0 (any corner is as good as another) a quarter more handles are left.
+// Exponents of successive searches. Sparse graphs of large genus need low exponents, complete graphs high ones: K15
+// reaches its genus of 11 only with 16. With 0 (all corners equal) a quarter more handles remain.
 constexpr int lastExponents[] = { 8, 16, 12, 6 };
-// Of one search at effort 1. On the Rome graphs and K15 more moves of one search gain nothing that more searches do
-// not.
+// Moves of one search at effort 1. On the Rome graphs and K15, longer searches gain nothing over more searches.
 constexpr double movesOfAnEdge = 4000.0;
 constexpr double mostMoves = 3.0e6;
 constexpr double mostCorners = 4.0e8;
-// A node with very many neighbours would be looked at once for each of them.
+// A node with very many neighbors would be visited once for each of them.
 constexpr double mostCornersOfBreadth = 2000.0;
 
-/** A part of the graph that is searched on its own. */
+/** An independently searched part of the graph. */
 struct SearchPart
 {
   const Graph *    graph;
@@ -35,9 +34,9 @@ struct SearchPart
   std::vector<int> nextAround;
 };
 
-/** Runs all searches of all parts on all threads. Of a part the best search counts, of equal ones the first, so a
- * search may be left out when an earlier one has reached the lower bound, and the result depends on no thread. A search
- * asks often whether it is in vain: then progress is reported, and after an abort all are. */
+/** Runs all searches of all parts on all threads. For each part the best search counts, ties go to the first. A search
+ * is skipped if an earlier one has reached the lower bound, so the result is independent of threads. Searches poll
+ * often: this reports progress, and stops all of them after an abort. */
 template <typename TSearch>
 void
 SearchAll(std::vector<SearchPart> & parts, int restarts, const TSearch & search, const Progress & progress)
@@ -86,7 +85,7 @@ SearchAll(std::vector<SearchPart> & parts, int restarts, const TSearch & search,
            !firstAtBound[part].compare_exchange_weak(first, restart))
     {}
   };
-  // The first search is often all that is needed: of a large graph the others would only take time and memory.
+  // The first search is often sufficient; for a large graph the others would only cost time and memory.
   ParallelFor(parts.size(), [&](std::size_t part) { run(part, 0); });
   const std::size_t others = restarts - 1;
   ParallelFor(parts.size() * others, [&](std::size_t i) { run(i / others, 1 + static_cast<int>(i % others)); });
@@ -99,7 +98,7 @@ SearchAll(std::vector<SearchPart> & parts, int restarts, const TSearch & search,
   }
 }
 
-/** Mean number of corners that a move looks at: those of both ends of an edge. */
+/** Mean number of corners examined by a move: those of both ends of an edge. */
 double
 CornersOfAMove(const Graph & graph)
 {
@@ -121,7 +120,7 @@ struct Block
   BlockKernel kernel;
 };
 
-/** Draws the orders of a block into those of the graph, each in one corner of what is there. */
+/** Inserts the orders of a block into those of the graph, each in one existing corner. */
 void
 AddOrders(const Graph &            graph,
           const std::vector<int> & edges,
@@ -134,7 +133,7 @@ AddOrders(const Graph &            graph,
   {
     next[ofGraph(static_cast<int>(h))] = ofGraph(blockNext[h]);
   }
-  std::vector<int> corners; // of nodes that the block meets for the first time
+  std::vector<int> corners; // of nodes first met in this block
   for (std::size_t h = 0; h < blockNext.size(); ++h)
   {
     const int halfEdge = ofGraph(static_cast<int>(h));
@@ -155,7 +154,7 @@ AddOrders(const Graph &            graph,
   }
 }
 
-/** Of a graph that is not planar: one of its blocks at least is not. */
+/** For a nonplanar graph: at least one of its blocks is not planar. */
 class AnnealedEmbedding
 {
 public:
@@ -230,7 +229,7 @@ private:
   const Graph &        m_Graph;
   const GenusOptions & m_Options;
   std::vector<int>     m_Next;
-  std::vector<int>     m_Any; // a half-edge of each node that is drawn already
+  std::vector<int>     m_Any; // a half-edge of each placed node
   std::vector<Block>   m_Blocks;
   int                  m_LowerBound{ 0 };
 };
@@ -246,7 +245,7 @@ FindAnnealed(const Graph & graph, const GenusOptions & options)
   return AnnealedEmbedding(graph, options).Find();
 }
 
-/** A pair of corners of the edge's nodes in two faces; false when there is none. */
+/** Finds a pair of corners of the edge's nodes in two faces; returns false if there is none. */
 bool
 FindCornersOfTwoFaces(const IncrementalMap & map, int edge, int & a, int & b)
 {
@@ -269,8 +268,8 @@ FindCornersOfTwoFaces(const IncrementalMap & map, int edge, int & a, int & b)
   return false;
 }
 
-/** Adds handles until the map has the genus: an edge between two faces is taken out, which joins them, and put between
- * two faces again. */
+/** Adds handles until the map has the requested genus: removes an edge between two faces, which merges them, and
+ * reinserts it between two faces. */
 CombinatorialMap
 RaiseGenus(const Graph & graph, const CombinatorialMap & map, int genus)
 {

@@ -108,7 +108,7 @@ IncrementalMap::Relabel(int start, int label)
   } while (h != start);
 }
 
-/** Gives the faces of two half-edges one label, and returns it. */
+/** Gives the faces of two half-edges a common label, and returns it. */
 int
 IncrementalMap::Join(int one, int other)
 {
@@ -128,8 +128,8 @@ IncrementalMap::Join(int one, int other)
   return kept;
 }
 
-/** The half-edges lie in two faces that still have one label. Walks around both at once until the shorter one closes.
- */
+/** Splits the label of two half-edges that are now in two faces. Walks around both at once until the shorter one
+ * closes. */
 void
 IncrementalMap::Divide(int one, int other)
 {
@@ -181,7 +181,7 @@ IncrementalMap::Remove(int edge)
 {
   const int one = 2 * edge;
   const int other = one + 1;
-  // The corners that stay where the edge was: after these half-edges.
+  // Corners that remain at the ends of the edge: after these half-edges.
   const int  a = m_Previous[one] == one ? -1 : m_Previous[one];
   const int  b = m_Previous[other] == other ? -1 : m_Previous[other];
   const bool divides = a >= 0 && b >= 0 && m_Face[one] == m_Face[other];

@@ -92,7 +92,7 @@ LeftRightPlanarity::OrientFrom(int root)
     const int edge = m_Edges[m_Place[node]++];
     if (m_From[edge] >= 0)
     {
-      continue; // seen from the other end
+      continue; // visited from the other end
     }
     const int other = m_Graph.edges[edge][0] == node ? m_Graph.edges[edge][1] : m_Graph.edges[edge][0];
     m_From[edge] = node;
@@ -112,7 +112,7 @@ LeftRightPlanarity::OrientFrom(int root)
   }
 }
 
-/** The order of nesting, and the return points of the edge that leads to this one. */
+/** Nesting order, and the return points of the parent edge. */
 void
 LeftRightPlanarity::FinishOriented(int edge)
 {
@@ -138,7 +138,7 @@ LeftRightPlanarity::FinishOriented(int edge)
   }
 }
 
-/** Leaves in m_Edges those that leave each node, in the order of nesting. */
+/** Keeps in m_Edges the edges that leave each node, in nesting order. */
 void
 LeftRightPlanarity::SortLeaving()
 {
@@ -213,7 +213,7 @@ LeftRightPlanarity::TestFrom(int root)
   }
 }
 
-/** Brings the return edges of an edge into those of the ones before it at the node; `position` is its own. */
+/** Merges the return edges of an edge into those of earlier edges at the node; `position` is its own. */
 bool
 LeftRightPlanarity::FinishTested(int edge, int position)
 {
@@ -246,7 +246,7 @@ LeftRightPlanarity::AddConstraints(int edge, int parent)
   return true;
 }
 
-/** All return edges of the edge lie on one side. */
+/** All return edges of the edge are on one side. */
 bool
 LeftRightPlanarity::MergeReturnEdges(int edge, int parent, ConflictPair & merged)
 {
@@ -282,7 +282,7 @@ LeftRightPlanarity::MergeReturnEdges(int edge, int parent, ConflictPair & merged
   return true;
 }
 
-/** Return edges of the edges before that end above the lowest return point of this one lie on the other side. */
+/** Return edges of earlier edges that end above the lowest return point of this one are on the other side. */
 bool
 LeftRightPlanarity::MergeConflicting(int edge, ConflictPair & merged)
 {
@@ -319,7 +319,7 @@ LeftRightPlanarity::MergeConflicting(int edge, ConflictPair & merged)
   return true;
 }
 
-/** Takes return edges to the node off an interval, from above. */
+/** Trims return edges to the node from the top of an interval. */
 void
 LeftRightPlanarity::Trim(Interval & trimmed, const Interval & other, int node)
 {
@@ -335,7 +335,7 @@ LeftRightPlanarity::Trim(Interval & trimmed, const Interval & other, int node)
   }
 }
 
-/** Return edges that end where the tree edge begins are done. */
+/** Removes return edges that end at the start of the tree edge. */
 void
 LeftRightPlanarity::RemoveBackEdges(int edge)
 {
@@ -364,13 +364,13 @@ LeftRightPlanarity::RemoveBackEdges(int edge)
 
 // ---- embedding ----
 
-/** Orders around nodes that may be walked both ways. */
+/** Node orders that can be traversed in both directions. */
 class LeftRightPlanarity::EdgeOrders
 {
 public:
   explicit EdgeOrders(std::vector<int> & next) : m_Next(next), m_Previous(next.size(), -1) {}
 
-  /** -1 begins an order. */
+  /** -1 starts an order. */
   void
   InsertAfter(int halfEdge, int after)
   {
@@ -392,11 +392,11 @@ private:
   std::vector<int>   m_Previous;
 };
 
-/** The side of an edge relative to that of its reference, and so on, without recursion. */
+/** Resolves the side of an edge relative to its chain of references, without recursion. */
 int
 LeftRightPlanarity::SideOf(int edge)
 {
-  std::vector<int> & chain = m_StackBottom; // no longer needed: holds the way back
+  std::vector<int> & chain = m_StackBottom; // no longer needed: stores the way back
   int                last = -1;
   while (m_Reference[edge] >= 0)
   {
@@ -448,7 +448,7 @@ LeftRightPlanarity::WriteNextAround(std::vector<int> & next)
   }
 }
 
-/** Around each node its leaving edges, in their order. */
+/** Leaving edges around each node, in their order. */
 void
 LeftRightPlanarity::LinkLeaving(EdgeOrders & orders) const
 {
@@ -464,8 +464,8 @@ LeftRightPlanarity::LinkLeaving(EdgeOrders & orders) const
   }
 }
 
-/** The tree edge to a node comes before its leaving edges; a back edge to it lies beside the tree edge of the subtree
- * that it returns from, outside of those that did before. */
+/** The tree edge to a node precedes its leaving edges. A back edge to it is placed beside the tree edge of the subtree
+ * it returns from, outside of earlier ones. */
 void
 LeftRightPlanarity::EmbedFrom(int root, EdgeOrders & orders)
 {

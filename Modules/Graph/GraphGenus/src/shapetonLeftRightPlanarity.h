@@ -9,17 +9,17 @@ namespace shapeton
 {
 /** \class LeftRightPlanarity
  * \brief The left-right planarity test and embedding (de Fraysseix and Rosenstiehl; Brandes, The Left-Right Planarity
- * Test, 2009), in linear time but for sorts of the edges of each node, without recursion.
+ * Test, 2009), in linear time except for sorting the edges of each node, without recursion.
  *
- * A depth-first search orients all edges: tree edges away from the root, back edges towards it. Two back edges whose
- * paths cross must lie on one side, or on different sides, of the tree; the graph is planar when all these demands can
- * be met. They are kept as a stack of pairs of intervals of back edges.
+ * A depth-first search orients all edges: tree edges away from the root, back edges towards it. Two back edges with
+ * crossing paths must be on the same side, or on different sides, of the tree. The graph is planar if all these
+ * constraints can be satisfied. They are stored as a stack of pairs of intervals of back edges.
  *
  * \ingroup GraphGenus */
 class LeftRightPlanarity
 {
 public:
-  /** Of the edges with `isUsed` alone, which are neither loops nor parallel. */
+  /** Uses only edges with `isUsed`, which are neither loops nor parallel. */
   LeftRightPlanarity(const Graph & graph, const std::vector<bool> & isUsed);
 
   bool
@@ -28,7 +28,7 @@ public:
     return m_IsPlanar;
   }
 
-  /** Writes the half-edge after each one of the edges that are used; only of a planar graph, and once. */
+  /** Writes the successor of each used half-edge. \pre The graph is planar; called once. */
   void
   WriteNextAround(std::vector<int> & next);
 
@@ -88,8 +88,8 @@ private:
 
   const Graph &    m_Graph;
   std::vector<int> m_Start;  // of each node in m_Edges
-  std::vector<int> m_Edges;  // first all of each node, then those that leave it
-  std::vector<int> m_End;    // of those that leave each node
+  std::vector<int> m_Edges;  // first all of each node, then its outgoing ones
+  std::vector<int> m_End;    // of the outgoing edges of each node
   std::vector<int> m_From;   // of each edge
   std::vector<int> m_To;     // of each edge
   std::vector<int> m_Height; // of each node, -1 before the search

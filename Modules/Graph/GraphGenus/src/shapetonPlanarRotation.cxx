@@ -8,7 +8,7 @@ namespace shapeton
 {
 namespace
 {
-/** Embeds the edges that are first of their kind; false when that cannot be. */
+/** Embeds the first of each set of parallel edges; returns false if this is impossible. */
 bool
 EmbedSimple(const Graph & graph, const std::vector<int> & first, std::vector<int> & next)
 {
@@ -25,7 +25,7 @@ EmbedSimple(const Graph & graph, const std::vector<int> & first, std::vector<int
   return planarity.IsPlanar();
 }
 
-/** Puts each further parallel edge beside the first one, so that they bound a face of two edges. */
+/** Inserts each further parallel edge beside the first one, so that they bound a face of two edges. */
 void
 AddParallels(const Graph & graph, const std::vector<int> & first, std::vector<int> & next)
 {

@@ -7,7 +7,7 @@
 
 namespace shapeton
 {
-/** Puts a half-edge that has no place yet into the order around its node, after another one. */
+/** Inserts a half-edge into the order around its node, after another one. */
 inline void
 InsertAfter(std::vector<int> & nextAround, int halfEdge, int after)
 {
@@ -26,7 +26,7 @@ SpliceOrders(std::vector<int> & nextAround, int one, int other)
 int
 PreviousAround(const std::vector<int> & nextAround, int halfEdge);
 
-/** The half-edge after each one in a planar embedding; empty when the graph has edges and is not planar. */
+/** Successor of each half-edge in a planar embedding; empty if the graph has edges and is not planar. */
 std::vector<int>
 PlanarNextAround(const Graph & graph);
 } // namespace shapeton

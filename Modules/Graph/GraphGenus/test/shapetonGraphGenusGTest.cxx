@@ -8,7 +8,7 @@
 
 namespace
 {
-/** The map is one of the graph: same edges in the same order. Returns its genus. */
+/** Checks that the map has the edges of the graph in the same order. Returns its genus. */
 int
 GenusOf(const shapeton::Graph & graph, const shapeton::SurfaceEmbedding & embedding)
 {
@@ -25,7 +25,7 @@ GenusOf(const shapeton::Graph & graph, const shapeton::GenusOptions & options = 
   return GenusOf(graph, shapeton::FindEmbedding(graph, options));
 }
 
-/** Both graphs side by side, or with one node in common. */
+/** Disjoint union of both graphs, or with one node in common. */
 shapeton::Graph
 Together(const shapeton::Graph & a, const shapeton::Graph & b, int common)
 {
@@ -38,7 +38,7 @@ Together(const shapeton::Graph & a, const shapeton::Graph & b, int common)
   return result;
 }
 
-/** Each edge as a path of `pieces` edges, each node with a leaf, each edge with a parallel one. */
+/** Each edge as a path of `pieces` edges, with a leaf at each node and a parallel to each edge. */
 shapeton::Graph
 Decorated(const shapeton::Graph & graph, int pieces)
 {
@@ -137,7 +137,7 @@ TEST(GraphGenus, DecorationsChangeNoGenus)
 TEST(GraphGenus, GenusThatIsAskedForIsReachedOrRefused)
 {
   shapeton::GenusOptions options;
-  for (options.genus = 1; options.genus <= 3; ++options.genus) // 3 is the greatest one of K5
+  for (options.genus = 1; options.genus <= 3; ++options.genus) // 3 is the maximum genus of K5
   {
     EXPECT_EQ(GenusOf(shapeton::CompleteGraph(5), options), options.genus);
   }

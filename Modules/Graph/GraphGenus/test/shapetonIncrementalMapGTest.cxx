@@ -7,7 +7,7 @@
 
 namespace
 {
-/** The labels of the faces agree with those that are traced anew. */
+/** Checks that the face labels agree with newly traced faces. */
 void
 ExpectFacesOf(const shapeton::IncrementalMap & map, const std::vector<std::array<int, 2>> & edges)
 {

@@ -11,7 +11,7 @@
 
 namespace
 {
-/** The peer: Boost's test of Boyer and Myrvold. */
+/** Reference: Boost's Boyer-Myrvold test. */
 bool
 IsPlanarByBoost(const shapeton::Graph & graph)
 {
@@ -23,7 +23,7 @@ IsPlanarByBoost(const shapeton::Graph & graph)
   return boost::boyer_myrvold_planarity_test(boostGraph);
 }
 
-/** The map is planar, and one of the graph: CombinatorialMap has checked the orders. */
+/** Checks that the map is planar and has the edges of the graph; CombinatorialMap has checked the orders. */
 bool
 IsPlanar(const shapeton::Graph & graph)
 {
@@ -37,7 +37,7 @@ IsPlanar(const shapeton::Graph & graph)
   return planar;
 }
 
-/** Random simple graph with so many edges at most. */
+/** Random simple graph with at most this many edges. */
 shapeton::Graph
 RandomGraph(int nodes, int edges, shapeton::PhiloxStream & random)
 {
@@ -57,8 +57,7 @@ RandomGraph(int nodes, int edges, shapeton::PhiloxStream & random)
   return graph;
 }
 
-/** A triangulation of the plane with all edges in random order: nodes are put into random triangles, then edges flip.
- */
+/** A planar triangulation with all edges in random order: nodes are inserted into random triangles, then edges flip. */
 shapeton::Graph
 RandomTriangulation(int nodes, shapeton::PhiloxStream & random)
 {

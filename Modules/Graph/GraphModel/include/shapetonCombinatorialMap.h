@@ -8,20 +8,19 @@
 
 namespace shapeton
 {
-/** For each node the half-edges that leave it, counter-clockwise. \ingroup GraphModel */
+/** For each node its outgoing half-edges, counter-clockwise. \ingroup GraphModel */
 using Rotation = std::vector<std::vector<int>>;
 
 /** \class CombinatorialMap
- * \brief A graph drawn on closed orientable surfaces, one for each component, given by the order of the half-edges
+ * \brief A graph embedded in closed orientable surfaces, one for each component, given by the order of the half-edges
  * around each node (rotation system).
  *
  * Half-edge 2e leaves edges[e][0], 2e + 1 leaves edges[e][1]; Twin(h) = h ^ 1. The order around a node is
- * counter-clockwise, as seen from outside. The face of a half-edge lies to its left:
- * FaceNext(h) = PreviousAround(Twin(h)), so a walk along FaceNext goes counter-clockwise around its face. A loop has
- * both of its half-edges at one node.
+ * counter-clockwise, as seen from outside. The face of a half-edge lies to its left: FaceNext(h) =
+ * PreviousAround(Twin(h)), so FaceNext traverses a face counter-clockwise. Both half-edges of a loop leave the same
+ * node.
  *
- * Faces are numbered in the order of their smallest half-edges. A node without edges is a component of genus 0 and
- * counts no face, for no half-edge bounds it.
+ * Faces are numbered by their lowest half-edge. A node without edges is a component of genus 0 without faces.
  *
  * \ingroup GraphModel
  */
@@ -31,11 +30,11 @@ public:
   /** The empty map. */
   CombinatorialMap() = default;
 
-  /** Throws InputError when `rotation` is no rotation system of `graph`: each half-edge once, at its own node. */
+  /** Throws InputError if `rotation` is not a rotation system of `graph`: each half-edge once, at its own node. */
   CombinatorialMap(const Graph & graph, const Rotation & rotation);
 
-  /** By the permutation that gives the half-edge after each one, counter-clockwise; without a list for each node.
-   * Throws InputError when the cycles of `nextAround` are not the half-edges of one node each. */
+  /** From the permutation of half-edges counter-clockwise around their nodes, without a list for each node. Throws
+   * InputError unless each cycle of `nextAround` consists of the half-edges of one node. */
   CombinatorialMap(int nodes, const std::vector<std::array<int, 2>> & edges, std::vector<int> nextAround);
 
   int
@@ -63,7 +62,7 @@ public:
   {
     return halfEdge ^ 1;
   }
-  /** The node that the half-edge leaves. */
+  /** Start node of the half-edge. */
   int
   Node(int halfEdge) const
   {
@@ -95,32 +94,32 @@ public:
   {
     return Twin(m_Next[halfEdge]);
   }
-  /** The smallest half-edge that leaves the node; -1 when there is none. */
+  /** Lowest half-edge that leaves the node, or -1. */
   int
   FirstAround(int node) const
   {
     return m_FirstAround[node];
   }
-  /** The smallest half-edge of the face. */
+  /** Lowest half-edge of the face. */
   int
   FirstOfFace(int face) const
   {
     return m_FirstOfFace[face];
   }
-  /** Half-edges of a node, counter-clockwise from the smallest one. */
+  /** Half-edges of a node, counter-clockwise from the lowest one. */
   std::vector<int>
   Around(int node) const;
-  /** Half-edges of a face in the order of FaceNext, from the smallest one. */
+  /** Half-edges of a face in the order of FaceNext, from the lowest one. */
   std::vector<int>
   Boundary(int face) const;
-  /** Of each node: the number of half-edges that leave it; a loop counts twice. */
+  /** Degree of each node; a loop counts twice. */
   std::vector<int>
   Degrees() const;
-  /** Of each face: the number of its half-edges. */
+  /** Number of half-edges of each face. */
   std::vector<int>
   FaceLengths() const;
 
-  /** The component of each node, numbered in the order of their smallest nodes. */
+  /** Component of each node, numbered by the lowest node. */
   const std::vector<int> &
   ComponentOfNode() const
   {
@@ -131,29 +130,29 @@ public:
   {
     return static_cast<int>(m_GenusOfComponent.size());
   }
-  /** The genus of the surface of each component, by Euler's formula V - E + F = 2 - 2g. */
+  /** Genus of each component, by Euler's formula V - E + F = 2 - 2g. */
   const std::vector<int> &
   GenusOfComponent() const
   {
     return m_GenusOfComponent;
   }
-  /** The sum over the components. */
+  /** Sum over the components. */
   int
   Genus() const;
 
-  /** The map whose nodes are the faces: half-edge h of the dual leaves Face(h) and crosses h from left to right. Its
-   * node f is this map's face f. The dual of the dual has half-edge h where this map has Twin(h). Nodes without edges
-   * have no face and are lost. */
+  /** The dual map: half-edge h of the dual leaves Face(h) and crosses h from left to right; its node f is face f of
+   * this map. In the dual of the dual, half-edge h corresponds to Twin(h) of this map. Nodes without edges have no
+   * face and are lost. */
   CombinatorialMap
   Dual() const;
 
-  /** The map as seen from the other side: every order is reversed. */
+  /** The mirror image of the map: every order is reversed. */
   CombinatorialMap
   Mirrored() const;
 
   Rotation
   GetRotation() const;
-  /** The graph that is drawn, without names. */
+  /** The embedded graph, without names. */
   Graph
   ToGraph() const;
 
@@ -177,10 +176,9 @@ private:
   std::vector<int> m_GenusOfComponent;
 };
 
-/** The overlap graph of a map and its dual (vertex-face-edge graph): the nodes are the map's nodes, then its faces,
- * then its edges. Edge h of it, for a half-edge h of the map, joins Node(h) with the node of edge h / 2; edge
- * HalfEdges() + h joins Face(h) with it. All its faces are kites of four half-edges: node, edge, face, edge.
- * \ingroup GraphModel */
+/** Overlap graph of a map and its dual (vertex-face-edge graph): its nodes are the nodes of the map, then its faces,
+ * then its edges. For each half-edge h of the map, edge h joins Node(h) and edge HalfEdges() + h joins Face(h) with
+ * the node of edge h / 2. All faces are kites of four half-edges: node, edge, face, edge. \ingroup GraphModel */
 struct GraphModel_EXPORT OverlapGraph
 {
   explicit OverlapGraph(const CombinatorialMap & original);

@@ -10,8 +10,7 @@
 
 namespace shapeton
 {
-/** A graph and what its file said besides.
- * \ingroup GraphModel */
+/** A graph with metadata of its file. \ingroup GraphModel */
 struct GraphFile
 {
   Graph graph;
@@ -19,31 +18,29 @@ struct GraphFile
   std::string format;
   /** "sha256:...", of the bytes. */
   std::string identity;
-  /** What a user may want to know, for example that branches out of service were left out. */
+  /** Remarks for the user, for example that branches out of service were skipped. */
   Remarks notes;
 };
 
-/** Reads an undirected graph. The content decides the format where it is unmistakable (XML, DOT, GML, MATPOWER, a line
- * "p ...", the header of graph6), else the extension:
+/** Reads an undirected graph. The format is detected from the content if unambiguous (XML, DOT, GML, MATPOWER, a line
+ * "p ...", the header of graph6), else from the extension:
  * .graphml .xml, .gml, .dot .gv, .txt .edges .edgelist .el .csv .tsv, .graph .metis, .m, .gr .col, .g6, .s6.
  *
- * Nodes stand in the order of the file and are called by its ids: names has one entry for each node. Loops and multiple
- * edges are kept, edges stand in the order of the file. Weights, labels and attributes are passed over.
+ * Nodes and edges keep the order of the file. Node names are the ids of the file, one for each node. Loops and multiple
+ * edges are kept. Weights, labels and attributes are ignored.
  *
- * Throws InputError that names the file, the line and what to do: for a file that is empty, binary, malformed,
- * truncated, or holds more than one graph, a node that is declared twice, an edge to a node that is not declared, and a
- * directed graph (an embedding has no directions; whoever wants it drawn states it as undirected).
- * \ingroup GraphModel */
+ * Throws InputError that names the file, the line and the remedy if a file is empty, binary, malformed or truncated, or
+ * holds more than one graph; if a node is declared twice or an edge uses an undeclared node; and for a directed graph
+ * (embeddings are undirected; convert it to an undirected graph first). \ingroup GraphModel */
 GraphModel_EXPORT GraphFile
 ReadGraph(const std::string & path);
 
-/** The files of a folder that holds one graph for each step, in the order of their names; hidden files and .json are
- * left out. Throws InputError when the folder cannot be read or has no such file. \ingroup GraphModel */
+/** Files of a folder with one graph per step, sorted by name; hidden files and .json are skipped. Throws InputError if
+ * the folder cannot be read or has no such file. \ingroup GraphModel */
 GraphModel_EXPORT std::vector<std::string>
                   GraphFilesOf(const std::string & folder);
 
-/** Writes GraphML that ReadGraph reads back to the same graph; nodes without names are called n0, n1, ... Throws
- * OutputError.
+/** Writes GraphML that ReadGraph reads back to the same graph; unnamed nodes are called n0, n1, ... Throws OutputError.
  * \ingroup GraphModel */
 GraphModel_EXPORT void
 WriteGraphML(const Graph & graph, const std::string & path);

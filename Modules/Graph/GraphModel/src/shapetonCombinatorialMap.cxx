@@ -8,7 +8,7 @@ namespace shapeton
 {
 namespace
 {
-/** The message is made only when it is needed: this is asked for every half-edge. */
+/** The message is created on demand only, because this runs for every half-edge. */
 template <typename TFault>
 void
 Require(bool condition, const TFault & fault)
@@ -79,7 +79,7 @@ CombinatorialMap::Build()
   FindComponents();
 }
 
-/** Checks that the cycles of m_Next are the nodes: a permutation that never leaves a node, with one cycle for each. */
+/** Checks that the cycles of m_Next are the nodes: a permutation within each node, with one cycle per node. */
 void
 CombinatorialMap::LinkNodes()
 {

@@ -9,7 +9,7 @@ namespace shapeton
 {
 namespace
 {
-/** A parser by recursive descent of the grammar of the DOT language; attributes are passed over. */
+/** Recursive-descent parser of the DOT language; attributes are ignored. */
 class DotReader
 {
 public:
@@ -83,11 +83,11 @@ private:
     return isThere;
   }
 
-  /** { statements }; the nodes that they name. */
+  /** { statements }; returns the nodes that they name. */
   Nodes
   ReadBody()
   {
-    constexpr int mostDepth = 200; // each level takes stack
+    constexpr int mostDepth = 200; // each level uses stack
     m_Text.Require(++m_Depth <= mostDepth, m_Token.line, "subgraphs lie more than 200 deep in each other");
     this->Expect(this->SkipSymbol("{"), "an opening brace");
     Nodes nodes;
@@ -127,7 +127,7 @@ private:
     return this->ReadChain(this->ReadEnd());
   }
 
-  /** The node of a name that has been read, with its port. */
+  /** The node for a name that was just read, with its port. */
   Nodes
   NodeOf(const DotToken & name)
   {
@@ -201,7 +201,7 @@ private:
     }
   }
 
-  /** An edge from each node of one end to each of the other. */
+  /** Adds an edge from each node of one end to each of the other. */
   void
   AddEdges(const Nodes & from, const Nodes & to, int line)
   {

@@ -20,7 +20,7 @@ IsDigit(char c)
   return std::isdigit(static_cast<unsigned char>(c)) != 0;
 }
 
-/** The length of [-]?(.[0-9]+ | [0-9]+(.[0-9]*)?), 0 when the text begins otherwise. */
+/** Length of [-]?(.[0-9]+ | [0-9]+(.[0-9]*)?), or 0 if the text does not start with a number. */
 std::size_t
 LengthOfNumber(std::string_view text)
 {
@@ -114,7 +114,7 @@ DotTokens::Plain()
   return token;
 }
 
-/** A text in quotes, with those joined to it by a plus sign. */
+/** A quoted string, with others concatenated by a plus sign. */
 DotToken
 DotTokens::QuotedText()
 {
@@ -135,7 +135,7 @@ DotTokens::QuotedText()
         token.text += pair;
         ++end;
       }
-      else if (pair == "\\\n" || m_Rest.substr(end, 3) == "\\\r\n") // a line that is continued
+      else if (pair == "\\\n" || m_Rest.substr(end, 3) == "\\\r\n") // a continued line
       {
         end += pair == "\\\n" ? 1 : 2;
       }

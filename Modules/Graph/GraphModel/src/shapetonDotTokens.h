@@ -17,7 +17,7 @@ struct DotToken
   Kind        kind{ Kind::End };
   std::string text;
   int         line{ 0 };
-  /** Of a name: keywords stand without quotes. */
+  /** Whether a name is quoted; keywords are not. */
   bool isQuoted{ false };
 
   bool
@@ -37,8 +37,8 @@ struct DotToken
   }
 };
 
-/** The tokens of a DOT file one after another. Comments are skipped: from two slashes to the end of the line, between
- * slash and asterisk, and lines that begin with #, which a preprocessor writes. */
+/** Tokenizer of a DOT file. Skips comments: from two slashes to the end of the line, between slash and asterisk, and
+ * lines that start with # (preprocessor output). */
 class DotTokens
 {
 public:
@@ -62,7 +62,7 @@ private:
   const GraphText & m_Text;
   std::string_view  m_Rest;
   int               m_Line{ 1 };
-  bool              m_IsLineStart{ true }; ///< nothing but blanks before it in its line
+  bool              m_IsLineStart{ true }; ///< only blanks before it in its line
 };
 } // namespace shapeton
 

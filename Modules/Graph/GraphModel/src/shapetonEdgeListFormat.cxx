@@ -15,7 +15,7 @@ IsComment(std::string_view word)
   return word[0] == '#' || word[0] == '%' || word.substr(0, 2) == "//";
 }
 
-/** What follows the two names of an edge: nothing, weights and times, or attributes in braces as NetworkX writes them.
+/** Optional content after the two names of an edge: weights and times, or attributes in braces as written by NetworkX.
  */
 bool
 IsWeight(std::string_view word)
@@ -24,7 +24,7 @@ IsWeight(std::string_view word)
   return ParseDouble(word, number);
 }
 
-/** The names of columns, as tables have them in their first line. */
+/** Column names in the first line of a table. */
 bool
 IsHeader(const std::vector<std::string_view> & words)
 {

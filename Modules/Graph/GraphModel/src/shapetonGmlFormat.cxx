@@ -115,7 +115,7 @@ public:
   }
 
 private:
-  /** The value of a key that stands once in its list, and the line of the key; 0 before. */
+  /** The value of a key that occurs once in its list, and the line of the key; 0 if not yet seen. */
   struct Entry
   {
     std::string_view value;
@@ -142,7 +142,7 @@ private:
     entry = { value, key.line };
   }
 
-  /** The token after a key, which must be one. */
+  /** The token after a key; it must exist. */
   GmlToken
   ValueOf(const GmlToken & key)
   {

@@ -25,7 +25,7 @@ RequireSound(const Graph & graph, const std::string & what)
   {
     for (const int node : graph.edges[e])
     {
-      if (node < 0 || node >= graph.nodes) // the message is made only when it is needed
+      if (node < 0 || node >= graph.nodes) // create the message on demand only
       {
         require(false,
                 "edge " + std::to_string(e) + " names node " + std::to_string(node) + ", but there are " +

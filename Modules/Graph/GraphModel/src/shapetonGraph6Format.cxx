@@ -70,7 +70,7 @@ struct GraphLine
   int              number;
 };
 
-/** The only line of the file that holds a graph, without the header. */
+/** The only line of the file with a graph, without the header. */
 GraphLine
 OnlyLine(const GraphText & text, std::string_view header)
 {
@@ -158,7 +158,7 @@ ReadSparse6(const GraphText & text, std::vector<std::string> &)
     }
     if (current >= builder.Nodes() || other >= builder.Nodes())
     {
-      break; // the padding
+      break; // padding
     }
     if (other > current)
     {

@@ -9,21 +9,21 @@
 
 namespace shapeton
 {
-/** Nodes by their names, edges between names. */
+/** Builds a graph from node names and edges between names. */
 class GraphBuilder
 {
 public:
   explicit GraphBuilder(const GraphText & text) : m_Text(text) {}
 
-  /** Declares a node; refuses a name that has been declared. */
+  /** Declares a node; rejects a duplicate name. */
   void
   AddNode(std::string_view name, int line);
 
-  /** The node of this name, made when there is none. */
+  /** The node with this name, created if necessary. */
   int
   NodeOf(std::string_view name);
 
-  /** The node of this name; refuses a name that is not declared. */
+  /** The node with this name; rejects an undeclared name. */
   int
   DeclaredNode(std::string_view name, int line) const;
 
@@ -39,7 +39,7 @@ public:
     return m_Graph.edges.size();
   }
 
-  /** The graph; refuses one without nodes. */
+  /** The graph; rejects a graph without nodes. */
   Graph
   Take();
 
@@ -52,11 +52,11 @@ private:
   std::unordered_map<std::string, int> m_Nodes;
 };
 
-/** A graph of nodes 1 ... n, as formats of numbers have it. */
+/** Builds a graph with nodes 1 ... n, for numeric formats. */
 class NumberedGraphBuilder
 {
 public:
-  /** Refuses a number of nodes that is not in [1, 10 million]. `firstName` is the name of node 0. */
+  /** Rejects a number of nodes outside [1, 10 million]. `firstName` is the name of node 0. */
   NumberedGraphBuilder(const GraphText & text, int nodes, int line, int firstName = 1);
 
   /** `first` and `second` in [0, nodes). */
@@ -77,7 +77,7 @@ public:
     return m_Graph.edges.size();
   }
 
-  /** The graph with the numbers of the file as names. */
+  /** The graph, with the numbers in the file as names. */
   Graph
   Take();
 

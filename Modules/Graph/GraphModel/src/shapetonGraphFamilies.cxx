@@ -10,7 +10,7 @@ namespace shapeton
 {
 namespace
 {
-/** `nodes` as a real number, which does not overflow. */
+/** `nodes` as a double, which does not overflow. */
 void
 RequireCounts(std::initializer_list<int> counts, int least, double nodes)
 {

@@ -39,7 +39,7 @@ FormatOfExtension(const std::string & path)
   return found != formats.end() ? found->second : nullptr;
 }
 
-/** The words of the first lines that are no comments of any format. */
+/** The words of the first lines that are not comments in any format. */
 std::vector<std::string_view>
 FirstWords(std::string_view bytes)
 {
@@ -64,7 +64,7 @@ StartsWith(std::string_view text, std::string_view start)
   return text.substr(0, start.size()) == start;
 }
 
-/** The format whose first words cannot be those of another one. */
+/** The format that is unambiguous by its first words. */
 const GraphFormat *
 FormatOfContent(std::string_view bytes)
 {

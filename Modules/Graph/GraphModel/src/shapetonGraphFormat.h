@@ -8,14 +8,14 @@
 
 namespace shapeton
 {
-/** A format: its name and the function that reads it. */
+/** A format: its name and its reader. */
 struct GraphFormat
 {
   const char * name;
   Graph (*read)(const GraphText & text, std::vector<std::string> & notes);
 };
 
-/** The format of a file by its content or extension; refuses what is none. */
+/** Detects the format of a file by content or extension; rejects unknown formats. */
 GraphFormat
 FormatOf(const GraphText & text);
 

@@ -14,7 +14,7 @@ namespace shapeton
 {
 namespace
 {
-/** Listens to expat. Errors wait until the parser has returned: an exception may not pass through a C library. */
+/** expat handlers. Errors are stored until the parser returns: exceptions must not pass through a C library. */
 class GraphMLReader
 {
 public:

@@ -15,7 +15,7 @@ ReadGraph(const std::string & path)
   GraphText text{ path, ReadFileBytes(path) };
   GraphFile file;
   file.identity = "sha256:" + Sha256OfBytes(text.bytes);
-  if (text.bytes.compare(0, 3, "\xEF\xBB\xBF") == 0) // a byte order mark, as some editors write it
+  if (text.bytes.compare(0, 3, "\xEF\xBB\xBF") == 0) // byte order mark, written by some editors
   {
     text.bytes.erase(0, 3);
   }

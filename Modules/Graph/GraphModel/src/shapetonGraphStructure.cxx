@@ -96,7 +96,7 @@ ConnectedComponents(const Graph & graph)
 
 namespace
 {
-/** Tarjan's search for blocks with a stack of edges, without recursion. */
+/** Tarjan's block search with a stack of edges, without recursion. */
 class BlockSearch
 {
 public:
@@ -287,7 +287,7 @@ FirstParallels(const Graph & graph)
 
 namespace
 {
-/** The shortest cycle that there may be: 3 without loops and parallel edges. */
+/** Minimum possible cycle length: 3 without loops and parallel edges. */
 int
 LeastGirth(const Graph & graph)
 {

@@ -7,13 +7,13 @@
 
 namespace shapeton
 {
-/** A graph file as text: the bytes, and the errors that name it. */
+/** A graph file as text: the bytes, and errors with the file name. */
 struct GraphText
 {
   std::string path;
   std::string bytes;
 
-  /** Throws InputError: "PATH", line N: fault; advice. Line 0 stands for the whole file. */
+  /** Throws InputError: "PATH", line N: fault; advice. Line 0 refers to the whole file. */
   [[noreturn]] void
   Refuse(int line, const std::string & fault, const std::string & advice = "correct the file there") const;
 
@@ -21,7 +21,7 @@ struct GraphText
   Require(bool condition, int line, std::string_view fault, std::string_view advice = "correct the file there") const;
 };
 
-/** The lines of a text one after another, without their ends (LF or CR LF). */
+/** Iterates over the lines of a text, without line ends (LF or CR LF). */
 class LineReader
 {
 public:
@@ -30,7 +30,7 @@ public:
   bool
   Next(std::string_view & line);
 
-  /** Of the line that Next gave, from 1 on. */
+  /** Number of the line returned by Next, from 1. */
   int
   Number() const
   {
@@ -46,15 +46,15 @@ private:
 std::vector<std::string_view>
 Words(std::string_view line, std::string_view separators = {});
 
-/** True, and the number, when all of `word` is a decimal integer of type int. */
+/** True, with the number, if all of `word` is a decimal integer of type int. */
 bool
 ParseInt(std::string_view word, int & value);
 
-/** True, and the number, when all of `word` is a decimal floating-point number. */
+/** True, with the number, if all of `word` is a decimal floating-point number. */
 bool
 ParseDouble(std::string_view word, double & value);
 
-/** A piece of the file for a message: in quotes, printable, shortened. */
+/** A part of the file for a message: quoted, printable, shortened. */
 std::string
 Quoted(std::string_view text);
 

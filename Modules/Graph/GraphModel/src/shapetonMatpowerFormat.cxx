@@ -26,7 +26,7 @@ WithoutComment(std::string_view line)
   return line.substr(0, line.find('%'));
 }
 
-/** The place after the bracket of "mpc.NAME = [" or "NAME = ["; npos when the line has none. */
+/** The position after the bracket of "mpc.NAME = [" or "NAME = [", or npos. */
 std::size_t
 StartOfMatrix(std::string_view line, std::string_view name)
 {
@@ -98,7 +98,7 @@ CellOf(const GraphText & text, const MatrixRow & row, std::size_t column)
   return value;
 }
 
-/** A number of a bus as the name of its node: "7" also for 7.0. */
+/** Node name of a bus number: "7" also for 7.0. */
 std::string
 BusOf(const GraphText & text, const MatrixRow & row, std::size_t column)
 {

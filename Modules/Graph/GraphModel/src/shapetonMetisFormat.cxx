@@ -33,7 +33,7 @@ public:
   {
     this->ReadHeader();
     NumberedGraphBuilder builder(m_Text, m_Header.nodes, m_Lines.Number());
-    // Each node has a line of its own, an empty one when it has no neighbours.
+    // Each node has its own line, an empty one if it has no neighbors.
     if (m_Text.bytes.size() < static_cast<std::size_t>(m_Header.nodes))
     {
       m_Text.Refuse(m_Lines.Number(),
@@ -50,7 +50,7 @@ public:
   }
 
 private:
-  /** The next line that is no comment; false at the end. */
+  /** The next line that is not a comment; false at the end. */
   bool
   NextLine(std::vector<std::string_view> & words)
   {

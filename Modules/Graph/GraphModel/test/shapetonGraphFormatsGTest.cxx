@@ -63,7 +63,7 @@ TEST(Dot, CommentsOfEachKind)
   EXPECT_EQ("a#b-c (a#b c)", AnswerTo("a.dot", "graph {\n\"a#b\" -- c }"));
 }
 
-// The one escape within quotes is that of a quote; two backslashes stay two and escape nothing.
+// Within quotes only a quote can be escaped; two backslashes stay two and escape nothing.
 TEST(Dot, EscapesInQuotes)
 {
   EXPECT_EQ("a\"b-c\\\\ (a\"b c\\\\)", AnswerTo("a.dot", "graph { \"a\\\"b\" -- \"c\\\\\" }"));
@@ -129,7 +129,7 @@ TEST(Pace, PlainAndDimacsEdges)
   EXPECT_EQ("1-2 2-3 (1 2 3)", AnswerTo("a.col", "p edge 3 2\ne 1 2\ne 2 3\n"));
 }
 
-/** The examples of the format's description by McKay, and the Petersen graph of nauty's geng. */
+/** The examples of McKay's format description, and the Petersen graph of nauty's geng. */
 TEST(Graph6, ExamplesOfTheFormat)
 {
   EXPECT_EQ("0-2 1-3 0-4 3-4 (0 1 2 3 4)", AnswerTo("a.g6", "DQc\n"));

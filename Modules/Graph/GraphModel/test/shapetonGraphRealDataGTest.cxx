@@ -38,7 +38,7 @@ TEST(GraphRealData, AllFilesAreRead)
   EXPECT_GE(files, 187); // the folder may grow
 }
 
-/** Numbers that the files state, or that are known of the graphs. */
+/** Numbers stated in the files, or known for the graphs. */
 TEST(GraphRealData, KnownSizes)
 {
   if (GraphFolder().empty())

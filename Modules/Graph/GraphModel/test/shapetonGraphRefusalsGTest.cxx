@@ -90,7 +90,7 @@ TEST(GraphRefusals, KeysOfGmlThatStandTwice)
                   { "a.gml",
                     "graph [ node [ id 1 ] ]\ngraph [ ]",
                     "line 2: the file holds a second graph; the first one begins in line 1" } });
-  // A key in a list of its own is another one.
+  // A key in a nested list is a different key.
   EXPECT_EQ(
     "1-2 (1 2)",
     AnswerTo("a.gml",

@@ -12,7 +12,7 @@
 
 namespace graphtest
 {
-/** A file with this text, removed at the end. */
+/** A file with this text, removed at scope exit. */
 class GraphTestFile
 {
 public:
@@ -59,7 +59,7 @@ Shown(const shapeton::Graph & graph)
   return shown + ')';
 }
 
-/** What the reader says of this text: the graph, or the exception. */
+/** Result of the reader for this text: the graph, or the exception. */
 inline std::string
 AnswerTo(const std::string & name, const std::string & text)
 {

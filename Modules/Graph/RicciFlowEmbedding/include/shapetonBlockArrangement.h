@@ -6,12 +6,12 @@
 
 namespace shapeton
 {
-/** \brief The same graph on the same surface with its blocks side by side, not one within a small face of another.
+/** \brief Rearranges the blocks of a map side by side on the same surface, instead of nesting them in small faces.
  *
- * A circle within a face is small, one within a face of a block within a face smaller still. Each block keeps the order
- * of its own half-edges. The largest block turns its longest face to the others, each other one the longest face at the
- * node that leads to the largest, and where that does not come to a node its longest face there. Blocks that were mixed
- * up around a node are parted, which can only make the genus smaller. Maps of one block stay as they are.
+ * A circle within a face is small, and shrinks further with each level of nesting. Each block keeps the order of its
+ * own half-edges. The largest block turns its longest face to the others. Each other block turns the longest face at
+ * the node that leads to the largest, and where that face does not meet a node, its longest face there. Blocks
+ * interleaved around a node are separated, which can only reduce the genus. Maps with a single block are unchanged.
  * \ingroup RicciFlowEmbedding */
 RicciFlowEmbedding_EXPORT CombinatorialMap
 ArrangeBlocks(const CombinatorialMap & map);

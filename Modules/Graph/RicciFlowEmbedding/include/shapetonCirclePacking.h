@@ -17,18 +17,18 @@ enum class FlowGeometry
   Hyperbolic
 };
 
-/** Circles of infinite radius: one flag for each node or face, or empty lists for none. A straight line, in hyperbolic
- * geometry a geodesic, is seen under the angle pi by the circles that it meets at a right angle. A horocycle touches
- * the ideal boundary. \ingroup RicciFlowEmbedding */
+/** Circles of infinite radius: one flag for each node or face, or empty lists for none. A straight line (in hyperbolic
+ * geometry a geodesic) subtends the angle pi at circles orthogonal to it. A horocycle is tangent to the ideal
+ * boundary. \ingroup RicciFlowEmbedding */
 struct CirclesAtInfinity
 {
   std::vector<char> lineNodes;
   std::vector<char> lineFaces;
-  std::vector<char> horocycleFaces; ///< hyperbolic geometry alone
+  std::vector<char> horocycleFaces; ///< hyperbolic geometry only
 };
 
-/** \brief Radii of the circles of nodes and faces: circles of nodes that an edge joins are tangent, so are those of the
- * faces beside it, at the same point, where the two pairs are orthogonal. Infinite ones are infinity.
+/** \brief Radii of the node and face circles: circles of adjacent nodes are tangent, and so are those of the two faces
+ * of their edge, at the same point, where the two pairs are orthogonal. Infinite radii are infinity.
  * \ingroup RicciFlowEmbedding */
 struct CirclePacking
 {
@@ -36,19 +36,20 @@ struct CirclePacking
   std::vector<double> nodeRadii;
   std::vector<double> faceRadii;
   std::vector<char>   horocycleFaces; ///< see CirclesAtInfinity
-  /** What rounding has taken off the radii; empty where the last steps were in double precision. */
+  /** Rounding residuals of the radii; empty if the last steps were in double precision. */
   std::vector<double> nodeRests;
   std::vector<double> faceRests;
-  /** The largest curvature, 2 pi minus the sum of angles, that is left at a circle. Radians. */
+  /** Largest remaining curvature (2 pi minus the angle sum) of a circle, in radians. */
   double residual{ 0.0 };
   int    steps{ 0 };
 };
 
-/** Of the last steps and of the layout. Along a chain of n circles around another one, errors grow as n^2: some maps of
- * thousands of nodes need extended precision, which takes a few times longer. \ingroup RicciFlowEmbedding */
+/** Precision of the last steps and of the layout. Along a chain of n circles around another one, errors grow as n^2:
+ * some maps with thousands of nodes need extended precision, which takes a few times longer.
+ * \ingroup RicciFlowEmbedding */
 enum class PackingPrecision
 {
-  Double, ///< extended where the Hessian is seen to ask for it
+  Double, ///< extended if the Hessian requires it
   Extended
 };
 
@@ -56,18 +57,18 @@ enum class PackingPrecision
  *
  * u = log r in Euclidean, log tanh(r / 2) in hyperbolic geometry; K = 2 pi minus the sum of the angles at a circle,
  * with one kite of angle 2 atan(r_f / r_v), or 2 atan2(tanh r_f, sinh r_v), for each half-edge: a node and the face to
- * the left. The energy whose gradient is K is convex. Its Hessian has h / l = 2 r_v r_f / (r_v^2 + r_f^2) for each
- * kite, or (6.7) and (6.8) of the dissertation with the signs of dK/du, where cosh^2 a cosh^2 b - 1 is computed as
- * sinh^2 a cosh^2 b + sinh^2 b. A face of three finite nodes is eliminated: r_f^2 = abc / (a + b + c), or tanh^2 r_f =
- * sinh a sinh b sinh c / sinh(a + b + c). One analysis of the sparsity serves all steps. A step is halved while the
- * energy rises along it at its end by more than half of what it fell at the start; in hyperbolic geometry it ends at 95
- * % of the way to u = 0.
+ * the left. The energy with gradient K is convex. Its Hessian has h / l = 2 r_v r_f / (r_v^2 + r_f^2) for each kite, or
+ * (6.7) and (6.8) of the dissertation with the signs of dK/du, where cosh^2 a cosh^2 b - 1 is computed as sinh^2 a
+ * cosh^2 b + sinh^2 b. A face of three finite nodes is eliminated: r_f^2 = abc / (a + b + c), or tanh^2 r_f = sinh a
+ * sinh b sinh c / sinh(a + b + c). The symbolic analysis is reused for all steps. A step is halved while the slope of
+ * the energy at its end exceeds half of the initial descent; in hyperbolic geometry a step covers at most 95 % of the
+ * way to u = 0.
  *
- * Throws InputError where the curvature does not vanish: the map has no packing, or not in double precision.
+ * Throws InputError if the curvature does not vanish: the map has no packing, or none in double precision.
  *
- * \pre `map` is connected, without loops and parallel edges, and no face meets a node twice; genus 1 for Euclidean
- * geometry without circles at infinity, 2 and more for hyperbolic geometry. That the map is 3-connected (see
- * FaceConflicts) is not checked here. \ingroup RicciFlowEmbedding */
+ * \pre `map` is connected, without loops and parallel edges, and no face meets a node twice. Genus 1 for Euclidean
+ * geometry without circles at infinity, 2 and more for hyperbolic geometry. 3-connectivity (see FaceConflicts) is not
+ * checked here. \ingroup RicciFlowEmbedding */
 RicciFlowEmbedding_EXPORT CirclePacking
 PackCircles(const CombinatorialMap &  map,
             FlowGeometry              geometry,
@@ -75,7 +76,7 @@ PackCircles(const CombinatorialMap &  map,
             PackingPrecision          precision = PackingPrecision::Double,
             const Progress &          progress = {});
 
-/** Half the angle of the kite of two circles at the first, finite one. Of infinite radius the other one is a straight
+/** Half the kite angle of two circles at the first, finite one. If the second radius is infinite, it is a straight
  * line, or with `isHorocycle` a horocycle. \ingroup RicciFlowEmbedding */
 template <typename TReal>
 TReal
@@ -93,7 +94,7 @@ HalfKiteAngle(FlowGeometry geometry, TReal radius, TReal otherRadius, bool isHor
                                              : std::atan2(std::tanh(otherRadius), std::sinh(radius));
 }
 
-/** \name Radii with their rests, where TReal can hold them \ingroup RicciFlowEmbedding */
+/** \name Radii with their rounding residuals, if TReal can represent them \ingroup RicciFlowEmbedding */
 ///@{
 template <typename TReal>
 TReal
@@ -109,7 +110,7 @@ FaceRadius(const CirclePacking & packing, int face)
 }
 ///@}
 
-/** The curvatures of given radii: nodes, then faces; 0 for infinite circles. \ingroup RicciFlowEmbedding */
+/** Curvatures of given radii: nodes, then faces; 0 for infinite circles. \ingroup RicciFlowEmbedding */
 RicciFlowEmbedding_EXPORT std::vector<double>
                           CurvaturesOf(const CombinatorialMap & map, const CirclePacking & packing);
 

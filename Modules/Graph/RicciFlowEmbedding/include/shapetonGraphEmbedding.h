@@ -8,45 +8,43 @@
 
 namespace shapeton
 {
-/** How a graph is embedded. \ingroup RicciFlowEmbedding */
+/** Options of a graph embedding. \ingroup RicciFlowEmbedding */
 struct GraphEmbeddingOptions
 {
   Augmentation    augmentation{ Augmentation::Ring };
-  PointAtInfinity infinity{ PointAtInfinity::Circle }; ///< genus 0 alone
-  /** Nobody has chosen the rotation system: blocks may be arranged anew (see ArrangeBlocks). */
+  PointAtInfinity infinity{ PointAtInfinity::Circle }; ///< genus 0 only
+  /** Whether the rotation system was not chosen by the user: blocks may be rearranged (see ArrangeBlocks). */
   bool isRotationFree{ false };
-  /** With that, a map of genus 0 may be seen from its other side, so that which of the two it is does not depend on
-   * numbers. */
+  /** In addition, a map of genus 0 may be mirrored, so that its side does not depend on the numbering. */
   bool isSideFree{ true };
   /** See AugmentationOptions. */
   int longestFace{ AugmentationOptions().longestFace };
-  /** It may throw in order to abort. */
+  /** May throw to abort. */
   Progress progress;
 };
 
-/** Below this radius, of a cap in radians or of a circle in the hyperbolic plane or as part of the lattice's shorter
- * period, a circle of the graph is not legible in any picture: a warning. \ingroup RicciFlowEmbedding */
+/** Below this radius a circle of the graph is not legible in any picture, and a warning is given. Units: cap angle in
+ * radians, hyperbolic radius, or fraction of the shorter lattice period. \ingroup RicciFlowEmbedding */
 constexpr double smallestLegibleRadius = 1e-9;
 
-/** \brief Embeds a graph, whose map says how it lies on a surface, by the circle packing of that map: on the unit
- * sphere for genus 0, a flat torus for genus 1, a hyperbolic surface for genus 2 and more.
+/** \brief Embeds a graph with its map by the circle packing of that map: on the unit sphere for genus 0, a flat torus
+ * for genus 1, a hyperbolic surface for genus 2 and more.
  *
- * On the sphere the packing is unique but for Moebius transformations; the conformal barycentre of the touch points of
- * the graph's edges is at the centre, and a rotation that the map alone determines, not the numbering, stands the
- * sphere up (see TurnToCanonicalPosition). A graph of several components is embedded on the connected sum of their
- * surfaces.
+ * On the sphere the packing is unique up to Moebius transformations. It is normalized so that the conformal barycenter
+ * of the touch points of the graph's edges is at the center, and by a rotation determined by the map, not the numbering
+ * (see TurnToCanonicalPosition). A graph with several components is embedded on the connected sum of their surfaces.
  *
- * The certificate has all but the provenance. Throws InputError where no packing exists or none is found.
+ * The certificate is complete except for the provenance. Throws InputError if no packing exists or none is found.
  * \pre `map` is one of `graph`. \ingroup RicciFlowEmbedding */
 RicciFlowEmbedding_EXPORT EmbeddingCertificate
 EmbedGraph(const Graph & graph, const CombinatorialMap & map, const GraphEmbeddingOptions & options = {});
 
-/** The same by a packed map that is given. \pre `packed` is one of `map`, which is one of `graph`.
- * \ingroup RicciFlowEmbedding */
+/** The same for a given packed map. \pre `packed` is one of `map`, which is one of `graph`. \ingroup RicciFlowEmbedding
+ */
 RicciFlowEmbedding_EXPORT EmbeddingCertificate
 EmbedPackedGraph(const Graph & graph, const CombinatorialMap & map, const PackedMap & packed, PointAtInfinity infinity);
 
-/** The packed map of a certificate. \ingroup RicciFlowEmbedding */
+/** Packed map of a certificate. \ingroup RicciFlowEmbedding */
 RicciFlowEmbedding_EXPORT PackedMap
 PackedMapOf(const EmbeddingCertificate & certificate);
 } // namespace shapeton

@@ -9,28 +9,26 @@
 
 namespace shapeton
 {
-/** \brief A map of genus g, cut along g closed curves into a map of genus 0 with a hub on either side of each cut.
+/** \brief Cuts a map of genus g along g closed curves into a map of genus 0 with a hub on either side of each cut.
  *
- * Each curve runs through faces and crosses edges, meets neither itself nor another curve, and leaves the surface in
- * one piece. Both holes that it makes are filled by a node, the hub, where the halves of the crossed edges end. So all
- * faces stay disks, and putting the hubs of each pair together again, reversed, gives the map back.
+ * Each curve passes through faces and crosses edges. The curves are simple and disjoint, and do not disconnect the
+ * surface. Each of the two holes of a cut is filled by a node, the hub, where the halves of the crossed edges end. All
+ * faces remain disks, and gluing each pair of hubs together, reversed, restores the map.
  *
- * A curve is the shortest, in crossed edges, of the loops that trees of the dual from some faces make: from each face
- * where the map is small. (Tree and cotree: Eppstein 2003; the loop through an edge in neither tree crosses a loop of
- * the map once, so it does not divide the surface.) Components of genus 0 stay as they are.
- * \ingroup RicciFlowEmbedding */
+ * Each curve is the shortest, in crossed edges, of the loops found by dual trees from some root faces (from every face
+ * on small maps). (Tree and cotree: Eppstein 2003; the loop through an edge in neither tree crosses a loop of the map
+ * once, so it does not separate the surface.) Components of genus 0 are unchanged. \ingroup RicciFlowEmbedding */
 struct RicciFlowEmbedding_EXPORT HandleCut
 {
   explicit HandleCut(const CombinatorialMap & map);
 
-  /** Genus 0. Nodes and half-edges 2e of the map keep their numbers and places; the halves of crossed edges end at
-   * hubs, whose numbers are above those of the nodes. */
+  /** The cut map of genus 0. Nodes and half-edges 2e of the map keep their numbers and places. The halves of crossed
+   * edges end at hubs, which are numbered after the nodes. */
   CombinatorialMap sphere;
-  /** The two hubs of each handle. Half-edges that `across` joins stand counter-clockwise around the first, clockwise
+  /** The two hubs of each handle. Half-edges joined by `across` are counter-clockwise around the first hub, clockwise
    * around the second. */
   std::vector<std::array<int, 2>> hubs;
-  /** Of each half-edge of `sphere` that leaves a hub, the one at the other hub that goes on with its edge; -1 for
-   * others. */
+  /** For each half-edge of `sphere` that leaves a hub, its continuation at the other hub; -1 for others. */
   std::vector<int> across;
 };
 } // namespace shapeton

@@ -8,13 +8,13 @@
 
 namespace shapeton
 {
-/** Reads a rotation system of a graph: from a certificate of the same graph (.json), or from text with one line for
- * each node that has edges, its name and then the names of its neighbours, counter-clockwise, in blanks; a colon after
- * the first name and lines that begin with # are passed over. The text needs a graph without loops and multiple edges;
- * a certificate does not.
+/** Reads a rotation system of a graph, either from a certificate of the same graph (.json) or from text. The text has
+ * one line for each node with edges: its name and the names of its neighbors, counter-clockwise, separated by blanks.
+ * A colon after the first name and lines that start with # are ignored. The text format requires a graph without loops
+ * and multiple edges; a certificate does not.
  *
- * Throws InputError that names the file, the line, and what is wrong: a name that is no node, a node with two lines or
- * none, neighbours that are not those of the graph. \ingroup RicciFlowEmbedding */
+ * Throws InputError with the file, the line and the error: an unknown name, a node with two lines or none, or neighbors
+ * that differ from those of the graph. \ingroup RicciFlowEmbedding */
 RicciFlowEmbedding_EXPORT CombinatorialMap
 ReadRotation(const Graph & graph, const std::string & path);
 } // namespace shapeton

@@ -10,10 +10,10 @@ namespace shapeton
 {
 namespace
 {
-/** The length of a face, and a number that is its own; see BlockMaps::FaceLengths(). */
+/** Length and unique number of a face; see BlockMaps::FaceLengths(). */
 using FaceKey = std::pair<int, int>;
 
-/** Of each block the face that it turns to the others, see ArrangeBlocks(). */
+/** For each block the face turned to the other blocks, see ArrangeBlocks(). */
 std::vector<FaceKey>
 OuterFaces(const CombinatorialMap & map, const BlockMaps & blocks, const std::vector<FaceKey> & faces)
 {
@@ -68,8 +68,8 @@ OuterFaces(const CombinatorialMap & map, const BlockMaps & blocks, const std::ve
   return outer;
 }
 
-/** The half-edges of a block around a node, from the one after the corner of the outer face, or of the longest one
- * where that does not come here, to the one before it. */
+/** Half-edges of a block around a node, from the one after the corner of the outer face (or of the longest face, if the
+ * outer one does not meet the node) to the one before it. */
 std::vector<int>
 FromOuterFace(const BlockMaps & blocks, const std::vector<FaceKey> & faces, const FaceKey & outer, int any)
 {
@@ -89,7 +89,7 @@ FromOuterFace(const BlockMaps & blocks, const std::vector<FaceKey> & faces, cons
   return order;
 }
 
-/** Whether it is of one block: a node that joins blocks has several corners in one face. */
+/** Whether the map is a single block: a node that joins blocks has several corners in one face. */
 bool
 IsOneBlock(const CombinatorialMap & map)
 {

@@ -8,13 +8,13 @@
 
 namespace shapeton
 {
-/** The blocks of a map as maps of their own, in one permutation. */
+/** The blocks of a map as separate maps, in one permutation. */
 struct BlockMaps
 {
   explicit BlockMaps(const CombinatorialMap & map);
 
-  /** Of each half-edge, the number of half-edges of the face to its left, and the smallest of them, negative: the
-   * greater of two pairs is that of the longer face, and of equal ones always of the same. */
+  /** For each half-edge, the number of half-edges of the face to its left, and the lowest of them, negated. Pairs
+   * compare by face length; ties are broken consistently. */
   std::vector<std::pair<int, int>>
   FaceLengths() const;
 

@@ -21,7 +21,7 @@ Mix(std::uint64_t x)
   return x ^ (x >> 31);
 }
 
-/** A half-edge and the sense of turning. */
+/** A half-edge and a sense of rotation. */
 struct Start
 {
   int  halfEdge;
@@ -66,7 +66,7 @@ private:
   std::vector<std::uint64_t> m_Hash;
 };
 
-/** The hash that occurs least often, the smallest of those. */
+/** The least frequent hash; ties go to the smallest. */
 std::uint64_t
 RarestHash(const std::vector<Neighbourhoods> & senses, std::size_t & occurrences)
 {
@@ -128,13 +128,13 @@ RarestStarts(const CombinatorialMap & map, bool mayMirror)
   return starts;
 }
 
-/** Writes a map down from one start. */
+/** Computes the code of a map from one start. */
 class Coder
 {
 public:
   explicit Coder(const CombinatorialMap & map) : m_Map(map), m_Rank(map.Nodes()), m_Arrival(map.Nodes()) {}
 
-  /** Replaces `code` where that of this start is smaller or there is none yet. */
+  /** Replaces `code` if that of this start is smaller or there is none yet. */
   bool
   Improve(const Start & start, std::vector<int> & code)
   {
@@ -162,7 +162,7 @@ public:
         }
         h = start.isMirrored ? m_Map.PreviousAround(h) : m_Map.NextAround(h);
       } while (h != m_Arrival[i]);
-      own.push_back(-1); // ends the node
+      own.push_back(-1); // end of the node
       if (!isSmaller && code[own.size() - 1] != -1)
       {
         isSmaller = true;
@@ -181,7 +181,7 @@ public:
   }
 
 private:
-  /** Numbers the node of a half-edge; the walk around it will begin there. */
+  /** Numbers the node of a half-edge; the walk around it will start there. */
   void
   Meet(int halfEdge)
   {

@@ -8,17 +8,16 @@
 
 namespace shapeton
 {
-/** \brief A numbering of the nodes of a connected map that its structure determines, but for its symmetries, and not
- * the numbers they came with.
+/** \brief A node numbering of a connected map determined by its structure, up to symmetries, independent of the given
+ * numbering.
  *
- * A walk in breadth from a half-edge, counter-clockwise around each node, numbers the nodes and writes the map down as
- * a code; the half-edge with the smallest code starts it. Only half-edges of the rarest neighbourhood, by hashes that
- * are refined until one is unique or for 32 rounds, are tried, as many as 2e7 steps allow: a map that has more of them,
- * of several kinds that differ only further away, gets a numbering that may depend on its numbers.
- * \ingroup RicciFlowEmbedding */
+ * A breadth-first walk from a half-edge, counter-clockwise around each node, numbers the nodes and yields a code for
+ * the map; the half-edge with the smallest code is the start. Only half-edges with the rarest neighborhood are tried,
+ * by hashes refined until one is unique or for 32 rounds, up to a limit of 2e7 steps. The numbering may depend on the
+ * input if more candidates exist and they differ only further away. \ingroup RicciFlowEmbedding */
 struct RicciFlowEmbedding_EXPORT CanonicalMapOrder
 {
-  /** With `mayMirror` the walks clockwise are tried, too. */
+  /** With `mayMirror`, also tries clockwise walks. */
   CanonicalMapOrder(const CombinatorialMap & map, bool mayMirror);
 
   int              start{ -1 }; ///< half-edge

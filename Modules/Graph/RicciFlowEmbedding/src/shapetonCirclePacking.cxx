@@ -23,18 +23,18 @@ AsVector(std::vector<double> & values)
 }
 
 constexpr double restOfPi = 1.2246467991473532e-16; // see RicciEnergy
-/** The curvature that is asked for, and the largest that rounding may leave. Radians. */
+/** Target residual curvature, and the largest one attributed to rounding (radians). */
 constexpr double wantedResidual = 1e-12;
 constexpr double worstResidual = 1e-10;
 constexpr int    mostSteps = 200;
 constexpr double usualSteps = 10.0;
-/** Steps without a better residual, far from the solution and at the limit of rounding. */
+/** Steps without a better residual, far from the solution and at the rounding limit. */
 constexpr int mostStepsInVain = 60;
 constexpr int mostStepsAtTheLimit = 2;
-/** The uncertainty of a logarithm of a radius that asks for extended precision, and the most steps in it. */
+/** Uncertainty of log r that triggers extended precision, and the maximum number of steps in it. */
 constexpr double mostUncertainty = 1e-13;
 constexpr int    mostRefinements = 6;
-/** The largest change of a logarithm in one step. */
+/** Largest change of log r in one step. */
 constexpr double longestStep = 8.0;
 
 double
@@ -62,7 +62,7 @@ ShortNumber(double value)
   return text;
 }
 
-/** Newton's method for one energy. \equation{6.5} in its limit, where the curvature is the wanted one, 0. */
+/** Newton's method for one energy. \equation{6.5} in its limit, with target curvature 0. */
 class NewtonFlow
 {
 public:
@@ -134,7 +134,7 @@ NewtonFlow::SolveForDirection(std::vector<double> gradient)
   m_Solver.SolveInPlace(AsVector(m_Direction));
 }
 
-/** The part of the Newton step that stays in the domain and is not longer than longestStep. */
+/** Part of the Newton step inside the domain and at most longestStep long. */
 double
 NewtonFlow::LongestStep() const
 {
@@ -188,8 +188,8 @@ NewtonFlow::IsDone()
   return residual <= wantedResidual || m_StepsInVain >= (residual < 1e-8 ? mostStepsAtTheLimit : mostStepsInVain);
 }
 
-/** One more step by the last factor, which is good to about the square of the residual and costs no factorisation.
- * Returns its length: what the rounding of the curvatures does to the unknowns. */
+/** Takes one more step with the last factor, which is accurate to about the square of the residual and needs no
+ * factorization. Returns its length: the effect of curvature rounding on the unknowns. */
 double
 NewtonFlow::Polish()
 {
@@ -204,8 +204,8 @@ NewtonFlow::Polish()
   return LargestOf(m_Direction);
 }
 
-/** The last steps in extended precision, where the Hessian has eigenvalues so small that the rounding of the curvatures
- * would show in the layout. */
+/** Last steps in extended precision, for Hessians with eigenvalues so small that curvature rounding would be visible in
+ * the layout. */
 CirclePacking
 NewtonFlow::Refined()
 {
@@ -235,7 +235,7 @@ NewtonFlow::Refined()
 CirclePacking
 NewtonFlow::Run(PackingPrecision precision)
 {
-  m_Steps.Step(); // the analysis
+  m_Steps.Step(); // analysis
   m_Energy.Evaluate(m_Point);
   int steps = 0;
   while (steps < mostSteps && !this->IsDone())

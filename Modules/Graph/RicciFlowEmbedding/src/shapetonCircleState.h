@@ -11,8 +11,8 @@
 
 namespace shapeton
 {
-/** A circle by sinh and cosh of its radius; in Euclidean geometry by the radius and 1. Then the formulae of both
- * geometries are the same. */
+/** A circle by sinh and cosh of its radius, or in Euclidean geometry by the radius and 1. The formulas of both
+ * geometries are then the same. */
 template <typename TReal>
 struct CircleSize
 {
@@ -20,7 +20,7 @@ struct CircleSize
   TReal cosh{ 1 };
 };
 
-/** The circles at a point u of the flow, and the gradient of the energy there, in double or extended precision. */
+/** Circles at a point u of the flow and the energy gradient there, in double or extended precision. */
 template <typename TReal>
 class CircleState
 {
@@ -56,13 +56,13 @@ public:
     TReal largest = 0;
     for (const TReal k : m_Gradient)
     {
-      largest = std::abs(k) <= largest ? largest : std::abs(k); // keeps what is no number
+      largest = std::abs(k) <= largest ? largest : std::abs(k); // propagates NaN
     }
     return largest;
   }
   void
   Evaluate(const std::vector<TReal> & u);
-  /** The radii, in extended precision with the rests. */
+  /** The radii, in extended precision with the residuals. */
   CirclePacking
   Packing() const;
 
@@ -90,10 +90,9 @@ private:
   {
     return m_Unknowns.geometry == FlowGeometry::Euclidean;
   }
-  /** What is missing in pi. The fixed circle has the sum of all curvatures, in which a bias would count. */
+  /** Rounding error of pi. The fixed circle accumulates all curvatures, so a bias would matter. */
   static constexpr TReal restOfPi = std::is_same<TReal, double>::value ? TReal(1.2246467991473532e-16L) : TReal(0);
-  /** \equation{6.2} away from the boundary, of which a closed surface has none; by the halves of the angles of kites.
-   */
+  /** \equation{6.2} without boundary terms (closed surfaces), by half kite angles. */
   static TReal
   CurvatureOf(TReal halfAngles)
   {
@@ -125,8 +124,8 @@ CircleState<TReal>::SizeOf(TReal u) const
   return { 2 * t / d, (1 + t * t) / d };
 }
 
-/** The circle orthogonal to three that touch one another: with p = sinh a sinh b sinh c and sum = sinh(a + b + c) - p
- * it is tanh^2 r = p / (sum + p), cosh^2 r = 1 + p / sum. */
+/** Circle orthogonal to three mutually tangent ones: with p = sinh a sinh b sinh c and sum = sinh(a + b + c) - p,
+ * tanh^2 r = p / (sum + p), cosh^2 r = 1 + p / sum. */
 template <typename TReal>
 CircleSize<TReal>
 CircleState<TReal>::SizeOfEliminated(int face) const
@@ -139,7 +138,7 @@ CircleState<TReal>::SizeOfEliminated(int face) const
   const TReal  cothA = a.cosh / a.sinh;
   const TReal  cothB = b.cosh / b.sinh;
   const TReal  cothC = c.cosh / c.sinh;
-  const TReal  ratio = 1 / (cothB * cothC + cothC * cothA + cothA * cothB); // p / sum, where p alone might overflow
+  const TReal  ratio = 1 / (cothB * cothC + cothC * cothA + cothA * cothB); // p / sum, since p alone might overflow
   return { std::sqrt(ratio), this->IsEuclidean() ? TReal(1) : std::sqrt(1 + ratio) };
 }
 

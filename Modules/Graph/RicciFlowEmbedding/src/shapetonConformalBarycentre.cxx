@@ -13,10 +13,10 @@ namespace
 {
 constexpr int    mostBoosts = 200;
 constexpr double wantedOffset = 1e-14;
-/** The fastest boost of one step, in units of the speed of light. */
+/** Maximum boost of one step, in units of the speed of light. */
 constexpr double fastest = 0.6;
 
-/** A boost of Minkowski space: on the sphere, the Moebius transformation that moves everything away from `velocity`. */
+/** A boost of Minkowski space: the Moebius transformation of the sphere that moves points away from `velocity`. */
 class Boost
 {
 public:
@@ -28,7 +28,7 @@ public:
     return m_Double.Moved(circle);
   }
 
-  /** A circle in extended precision, as the sum of two. */
+  /** A circle in extended precision, as a sum of two. */
   void
   Move(SphereCircle & circle, SphereCircle & rest) const
   {
@@ -84,7 +84,7 @@ struct Moments
   Eigen::Matrix3d rejection{ Eigen::Matrix3d::Zero() }; ///< of 1 - x x^T
 };
 
-/** By blocks of a fixed size, so that the rounding does not depend on the number of threads. */
+/** Sums in blocks of fixed size, so that rounding is independent of the number of threads. */
 Moments
 MomentsOf(const std::vector<std::array<double, 3>> & points, const std::vector<int> & chosen)
 {
@@ -110,7 +110,7 @@ MomentsOf(const std::vector<std::array<double, 3>> & points, const std::vector<i
   return all;
 }
 
-/** The step of Newton's method for the function of hyperbolic space whose minimum is the barycentre. */
+/** Newton step for the function on hyperbolic space that is minimal at the barycenter. */
 Eigen::Vector3d
 NewtonStep(const std::vector<std::array<double, 3>> & points, const std::vector<int> & chosen, double & offset)
 {
@@ -158,7 +158,7 @@ CentrePacking(SphericalPacking & packing, const std::vector<int> & edges, double
 
 namespace
 {
-/** The fourth root of cot(angle / 2) of the cap with this cotangent of its angle. */
+/** Fourth root of cot(angle / 2) for the cap with this cotangent of its angle. */
 double
 CapWeight(double cotangent)
 {
@@ -166,7 +166,7 @@ CapWeight(double cotangent)
   return std::sqrt(std::sqrt(cotangent > 0.0 ? length + cotangent : 1.0 / (length - cotangent)));
 }
 
-/** The sum of the weights of caps, and its derivatives, for a viewpoint that moves from the centre of the ball. */
+/** Sum of cap weights, with derivatives, for a viewpoint that moves from the center of the ball. */
 struct CapSum
 {
   explicit CapSum(const std::vector<SphereCircle> & caps)
@@ -199,7 +199,7 @@ SumAfter(const std::vector<SphereCircle> & caps, const Boost & boost)
   return sum;
 }
 
-/** The step of Newton's method, shortened until the sum falls; of length 0 where it does not. */
+/** Newton step, shortened until the sum decreases; of length 0 if it does not. */
 Eigen::Vector3d
 StepToLargerCaps(const std::vector<SphereCircle> & caps)
 {
@@ -248,7 +248,7 @@ EnlargeSmallCaps(SphericalPacking & packing, const std::vector<char> & isVisible
 
 namespace
 {
-/** The sum of the centres, each with a weight that looks random and depends on its rank. */
+/** Sum of the centers with pseudorandom weights by rank. */
 Eigen::Vector3d
 WeightedSum(const std::vector<SphereCircle> & nodes, const std::vector<int> & rank, double frequency)
 {
@@ -267,7 +267,7 @@ Rejected(const Eigen::Vector3d & vector, const Eigen::Vector3d & unit)
   return vector - vector.dot(unit) * unit;
 }
 
-/** Rows: the new axes. Sums that are too short to have a direction are passed over. */
+/** The new axes, as rows. Sums too short to define a direction are skipped. */
 Eigen::Matrix3d
 CanonicalAxes(const SphericalPacking & packing, const std::vector<int> & rank)
 {

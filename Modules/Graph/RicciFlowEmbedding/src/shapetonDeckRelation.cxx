@@ -9,12 +9,12 @@ namespace shapeton
 {
 namespace
 {
-/** 320 digits: the letters of canonical words move the origin far out and back. */
+/** 320 digits, because the letters of canonical words move the origin far out and back. */
 using Real = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<320>, boost::multiprecision::et_off>;
-/** A relation that holds worse than this is not refined: it says nothing. */
+/** A relation with a larger residual is meaningless and is not refined. */
 constexpr double worstRelation = 0.1;
 constexpr int    mostNewtonSteps = 12;
-/** Words of so many letters are not multiplied out: the time grows with the third power. */
+/** Longer words are not multiplied out: the time is cubic in their length. */
 constexpr std::size_t longestWord = 160;
 
 struct ExactComplex
@@ -60,7 +60,7 @@ Inverse(const ExactMotion & x)
   return { Conj(x.a), { -x.b.re, -x.b.im } };
 }
 
-/** |a| from |b|: their squares differ by 1, which far translations in double precision have lost to rounding. */
+/** |a| from |b|. Their squares differ by 1, which is lost to rounding in double precision for long translations. */
 ExactMotion
 Normalised(const ExactMotion & x)
 {
@@ -103,7 +103,7 @@ Product(const ExactMotions & generators, const std::vector<int> & word)
   return product;
 }
 
-/** The largest difference to plus or minus the identity. */
+/** Largest difference to plus or minus the identity. */
 double
 Deviation(const ExactMotion & motion)
 {
@@ -126,7 +126,7 @@ Conjugated(const ExactMotion & s, const Algebra & x)
   return { product.a.im, product.b.re, product.b.im };
 }
 
-/** Close to the identity the group's element 1 + x up to second order; the sign of -1 is taken out. */
+/** Element 1 + x of the group near the identity, up to second order; a factor -1 is removed. */
 Algebra
 Logarithm(const ExactMotion & motion)
 {
@@ -137,13 +137,13 @@ Logarithm(const ExactMotion & motion)
 ExactMotion
 Exponential(const Algebra & x)
 {
-  // Cayley's map: in the group to all orders, equal to the exponential to the second.
+  // Cayley map: exactly in the group, agrees with the exponential to second order.
   const Algebra     half{ x[0] / 2, x[1] / 2, x[2] / 2 };
   const ExactMotion plus{ { 1, half[0] }, { half[1], half[2] } };
   return Normalised(plus * plus);
 }
 
-/** The solution of a symmetric 3 x 3 system by Cramer's rule. */
+/** Solves a symmetric 3 x 3 system by Cramer's rule. */
 Algebra
 Solve(const std::array<Algebra, 3> & matrix, const Algebra & right)
 {
@@ -156,8 +156,8 @@ Solve(const std::array<Algebra, 3> & matrix, const Algebra & right)
            determinant(matrix[0], matrix[1], right) / whole };
 }
 
-/** How the product of the word changes, as product (1 + sum), when generator k becomes G exp(x_k): the columns of the
- * derivative, three for each generator. */
+/** Derivative of the word product, as product (1 + sum), when generator k becomes G exp(x_k): three columns for each
+ * generator. */
 std::vector<std::array<Algebra, 3>>
 Derivative(const ExactMotions & generators, const std::vector<int> & word)
 {
@@ -181,7 +181,7 @@ Derivative(const ExactMotions & generators, const std::vector<int> & word)
   return columns;
 }
 
-/** One step of Newton's method with the smallest change. */
+/** One Newton step with the smallest change. */
 void
 Refine(ExactMotions & generators, const std::vector<int> & word)
 {
@@ -255,7 +255,7 @@ CanonicalWords(const std::vector<int> & word)
   while (!rest.empty())
   {
     const auto find = [&rest](int letter) { return std::find(rest.begin(), rest.end(), letter); };
-    // The first letter a, and the first b after it whose inverse lies beyond that of a.
+    // The first letter a, and the first b after it with its inverse beyond that of a.
     const auto a = rest.begin();
     const auto aInverse = find(-*a);
     auto       b = a + 1;

@@ -24,8 +24,8 @@ Advance(TReal length)
   return BasicPlaneMotion<TReal>::Translation(FlowGeometry::Hyperbolic, length);
 }
 
-/** The circle around the image of the origin. With its centre (zeta, w) on the hyperboloid it is (zeta, -cosh r, w) /
- * sinh r, and w - cosh r is computed without cancellation. */
+/** The circle around the image of the origin. With its center (zeta, w) on the hyperboloid it is (zeta, -cosh r, w) /
+ * sinh r; w - cosh r is computed without cancellation. */
 template <typename TReal>
 std::array<TReal, 4>
 FromCircle(const BasicPlaneMotion<TReal> & m, TReal radius, TReal scale)
@@ -38,7 +38,7 @@ FromCircle(const BasicPlaneMotion<TReal> & m, TReal radius, TReal scale)
   return FromScaled(zeta.real() / s, zeta.imag() / s, (out - up) / s, (TReal(2) + out + up) / s, scale);
 }
 
-/** What lies ahead of the geodesic that crosses the real axis at the origin. */
+/** The half plane ahead of the geodesic that crosses the real axis at the origin. */
 template <typename TReal>
 std::array<TReal, 4>
 FromGeodesic(const BasicPlaneMotion<TReal> & m, TReal scale)
@@ -48,8 +48,8 @@ FromGeodesic(const BasicPlaneMotion<TReal> & m, TReal scale)
   return FromScaled(zeta.real(), zeta.imag(), w, w, scale);
 }
 
-/** The horocycle at the end of the real axis that is orthogonal to the circle of this radius around the origin: with
- * the light ray (zeta, w) it is (zeta cosh r, -1, w cosh r). */
+/** The horocycle at the end of the real axis orthogonal to the circle of this radius around the origin: with the light
+ * ray (zeta, w) it is (zeta cosh r, -1, w cosh r). */
 template <typename TReal>
 std::array<TReal, 4>
 FromHorocycle(const BasicPlaneMotion<TReal> & m, TReal radius, TReal scale)
@@ -71,8 +71,8 @@ FromPoint(const BasicPlaneMotion<TReal> & m, TReal scale)
   return PointOnSphere(static_cast<double>(z.real()), static_cast<double>(z.imag()));
 }
 
-/** Everything that finite nodes touch. Only the frames of the nodes follow one from another; circles and points are
- * computed from the frames, each from the first or last of its nodes in the order of the tree. */
+/** Places everything that finite nodes touch. Only the node frames are chained; circles and points are computed from
+ * the frame of the first or last of their nodes in tree order. */
 template <typename TReal>
 class DiskLayout
 {
@@ -119,7 +119,7 @@ private:
   {
     return m_Rank[m_Map.Node(halfEdge)];
   }
-  /** The frame at the touch point on a half-edge. */
+  /** Frame at the touch point on a half-edge. */
   Motion
   TouchFrame(int halfEdge) const
   {
@@ -132,7 +132,7 @@ private:
   TReal                    m_Scale;
   std::vector<TReal>       m_Angles;
   std::vector<Motion>      m_Frames;
-  std::vector<int>         m_Rank; ///< in the order of the tree; -1 for infinite nodes
+  std::vector<int>         m_Rank; ///< in tree order; -1 for infinite nodes
 };
 
 template <typename TReal>
@@ -154,7 +154,7 @@ DiskLayout<TReal>::PlaceFrames(const LayoutTree & tree)
   }
 }
 
-/** An infinite node is a geodesic beyond the last of its neighbours. */
+/** An infinite node is a geodesic beyond the last of its neighbors. */
 template <typename TReal>
 void
 DiskLayout<TReal>::PlaceNode(int node)
@@ -198,7 +198,7 @@ DiskLayout<TReal>::PlaceFace(int face)
   }
   if (this->RankBefore(first) < 0)
   {
-    return; // the ideal boundary
+    return; // ideal boundary
   }
   const TReal  radius = FaceRadius<TReal>(m_Packing, face);
   const TReal  own = NodeRadius<TReal>(m_Packing, m_Map.Node(first));
@@ -214,7 +214,7 @@ DiskLayout<TReal>::PlaceFace(int face)
   faces[face] = FromCircle(ahead * Advance(distance), radius, m_Scale);
 }
 
-/** Rounded, with the rests. */
+/** Rounded, with the residuals. */
 void
 Split(const std::vector<std::array<long double, 4>> & circles,
       std::vector<SphereCircle> &                     rounded,
@@ -233,7 +233,7 @@ Split(const std::vector<std::array<long double, 4>> & circles,
   }
 }
 
-/** Nothing is to be rounded. */
+/** No rounding is needed. */
 void
 Split(std::vector<SphereCircle> & circles, std::vector<SphereCircle> & rounded, std::vector<SphereCircle> & /*rests*/)
 {
@@ -247,7 +247,7 @@ LayOutDisk(const CombinatorialMap & map, const CirclePacking & packing, int root
   const TReal       scale = TReal(1) / std::tanh(TReal(0.5) * NodeRadius<TReal>(packing, root));
   DiskLayout<TReal> layout(map, packing, LayoutTree::OfLargestCircles(map, packing, root), scale);
   layout.faces[boundaryFace] = FromScaled(TReal(0), TReal(0), TReal(1), TReal(-1), scale);
-  // The edges of the boundary face join geodesics: they touch at the end of the horocycle beside them.
+  // The edges of the boundary face join geodesics, which touch at the end of the adjacent horocycle.
   for (const int h : map.Boundary(boundaryFace))
   {
     const std::array<TReal, 4> & horocycle = layout.faces[map.Face(CombinatorialMap::Twin(h))];

@@ -8,7 +8,7 @@ namespace shapeton
 {
 namespace
 {
-/** The nodes of faces that are no triangles. */
+/** Nodes of faces that are not triangles. */
 std::vector<char>
 NodesOfLongFaces(const CombinatorialMap & map)
 {
@@ -24,9 +24,9 @@ NodesOfLongFaces(const CombinatorialMap & map)
   return isOne;
 }
 
-/** The graph of nodes and faces, without the multiple edges of a face that meets a node twice: node v is v, face f is
- * Nodes() + f. Only with the nodes that two faces may share in conflict: one of the faces is no triangle then, for
- * without parallel edges two triangles that share two nodes share the edge between them. */
+/** Graph of nodes and faces, without multiple edges of a face that meets a node twice: node v is v, face f is Nodes() +
+ * f. Contains only nodes that two faces in conflict may share. One of these faces is not a triangle, because two
+ * triangles that share two nodes share the edge between them if there are no parallel edges. */
 struct RadialGraph
 {
   explicit RadialGraph(const CombinatorialMap & map) : neighbours(map.Nodes() + map.Faces())
@@ -73,7 +73,7 @@ AreAcrossAnEdge(const CombinatorialMap & map, int node, int other, int face, int
   return false;
 }
 
-/** Lists, for each pair that has two common neighbours or more, all of them; from the member of higher degree. */
+/** Lists all common neighbors of each pair with at least two; started from the member of higher degree. */
 class FourCycles
 {
 public:
@@ -83,7 +83,7 @@ public:
     std::vector<int> order;
     for (std::size_t i = 0; i < m_Neighbours.size(); ++i)
     {
-      if (m_Neighbours[i].size() > 1) // no cycle goes through the others
+      if (m_Neighbours[i].size() > 1) // the others are not on any cycle
       {
         order.push_back(static_cast<int>(i));
       }
@@ -94,7 +94,7 @@ public:
     {
       m_Rank[order[i]] = static_cast<int>(i);
     }
-    // The neighbours of higher degree, which have had their turn, stand last, and are cut off.
+    // Neighbors of higher degree were processed earlier; they are last and are cut off.
     for (std::vector<int> & list : m_Neighbours)
     {
       std::sort(list.begin(), list.end(), [this](int a, int b) { return m_Rank[a] > m_Rank[b]; });
@@ -113,7 +113,7 @@ public:
       {
         if (m_Rank[middle] <= m_Rank[start])
         {
-          break; // has had its turn, and its cycles with it
+          break; // already processed, with its cycles
         }
         this->Gather(start, middle, met);
       }

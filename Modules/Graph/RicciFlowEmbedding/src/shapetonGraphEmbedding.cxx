@@ -14,10 +14,10 @@ namespace shapeton
 {
 namespace
 {
-/** The packing of a larger graph is not computed several times to choose the best. */
+/** For larger graphs only one packing is computed instead of several candidates. */
 constexpr int mostEdgesForChoice = 4000;
-/** A smaller circle of a node makes it worth while to arrange split components anew, which takes quadratic time: not in
- * larger graphs. Units of the surface. */
+/** If a node circle is smaller, split components are rearranged. This takes quadratic time, so larger graphs are
+ * excluded. Units of the surface. */
 constexpr double smallCircle = 1e-4;
 constexpr int    mostEdgesForSplits = 10000;
 
@@ -66,15 +66,14 @@ IsSameMap(const CombinatorialMap & one, const CombinatorialMap & other)
   return true;
 }
 
-/** A way to draw a graph: an arrangement of its blocks, and the width of rings. */
+/** A candidate for the drawing: an arrangement of blocks and the width of rings. */
 struct Candidate
 {
   const CombinatorialMap * map;
   int                      halfEdgesOfDummy;
 };
 
-/** All that are worth a try: the maps, in this order, with rings of several widths where there are rings and the graph
- * is small. */
+/** All candidates: the maps, in this order, with several ring widths if there are rings and the graph is small. */
 std::vector<Candidate>
 CandidatesOf(const std::vector<const CombinatorialMap *> & maps, const GraphEmbeddingOptions & options)
 {
@@ -126,13 +125,13 @@ public:
       }
     }
   }
-  /** Its smallest circle; 0 where there is none. */
+  /** Its smallest circle; 0 if it has none. */
   double
   Smallest() const
   {
     return m_Smallest;
   }
-  /** Throws what the first candidate threw where none has a packing. */
+  /** If no candidate has a packing, rethrows the error of the first one. */
   EmbeddingCertificate
   Take()
   {
@@ -154,7 +153,7 @@ private:
   double                        m_Smallest{ 0.0 };
 };
 
-/** Blocks, and where circles are small also split components, arranged anew. */
+/** Rearranges blocks and, if circles are small, also split components. */
 EmbeddingCertificate
 EmbedArranged(const Graph & graph, const CombinatorialMap & map, const GraphEmbeddingOptions & options)
 {
@@ -163,7 +162,7 @@ EmbedArranged(const Graph & graph, const CombinatorialMap & map, const GraphEmbe
   const bool       isSame = IsSameMap(map, other);
   if (isSame)
   {
-    other = CombinatorialMap(); // of a large map one copy is enough
+    other = CombinatorialMap(); // avoids a second copy of a large map
   }
   const CombinatorialMap & blocks = isSame ? map : other;
   const bool               isChoice = !isSame && map.Edges() <= mostEdgesForChoice && map.Genus() == blocks.Genus();

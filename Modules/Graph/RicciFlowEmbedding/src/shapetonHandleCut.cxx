@@ -8,10 +8,10 @@ namespace shapeton
 {
 namespace
 {
-/** So many steps are spent on the search for the shortest curve of one handle. */
+/** Maximum number of steps to search the shortest curve of one handle. */
 constexpr long mostVisits = 10'000'000;
 
-/** The faces of a component by their distance from one of them: breadth first. */
+/** Faces of a component by distance from one of them, breadth first. */
 struct DualTree
 {
   DualTree(const CombinatorialMap & map, int root)
@@ -39,13 +39,11 @@ struct DualTree
   }
 
   std::vector<int>  depth;   ///< -1 in other components
-  std::vector<int>  arrival; ///< the half-edge that is crossed from left to right to get there; -1 for the root
+  std::vector<int>  arrival; ///< the half-edge crossed from left to right to get there; -1 for the root
   std::vector<char> isCrossed;
 };
 
-/** The edge in neither tree with the shortest loop, -1 where there is none; edges with long loops join the cotree
- * first.
- */
+/** The edge in neither tree with the shortest loop, or -1; edges with long loops join the cotree first. */
 int
 EdgeOfShortestLoop(const CombinatorialMap & map, const DualTree & tree)
 {
@@ -68,7 +66,7 @@ EdgeOfShortestLoop(const CombinatorialMap & map, const DualTree & tree)
   return last;
 }
 
-/** The half-edges that a loop crosses from left to right. */
+/** Half-edges crossed by a loop from left to right. */
 std::vector<int>
 LoopThrough(const CombinatorialMap & map, const DualTree & tree, int edge)
 {
@@ -89,7 +87,7 @@ LoopThrough(const CombinatorialMap & map, const DualTree & tree, int edge)
   return there;
 }
 
-/** The shortest loop that some root faces find; empty on genus 0. */
+/** Shortest loop found from some root faces; empty on genus 0. */
 std::vector<int>
 ShortestHandleCurve(const CombinatorialMap & map)
 {
@@ -113,7 +111,7 @@ ShortestHandleCurve(const CombinatorialMap & map)
   {
     tryRoot(static_cast<int>(face));
   }
-  // A component with handles may have been passed over.
+  // A component with handles may have been skipped.
   for (int face = 0; best.empty() && face < map.Faces(); ++face)
   {
     const int component = map.ComponentOfNode()[map.Node(map.FirstOfFace(face))];
@@ -125,7 +123,7 @@ ShortestHandleCurve(const CombinatorialMap & map)
   return best;
 }
 
-/** A map in the making. */
+/** A map under construction. */
 class Cutter
 {
 public:
@@ -153,7 +151,7 @@ public:
     {
       const int end = (h & ~1) + 1;
       const int start = this->SplitEdge(h / 2);
-      // The tail of h lies on the right bank.
+      // The tail of h is on the right bank.
       const bool isStartOnRight = h % 2 == 0;
       right.push_back(isStartOnRight ? end : start);
       left.push_back(isStartOnRight ? start : end);
@@ -177,8 +175,8 @@ public:
   }
 
 private:
-  /** Half-edge 2e stays; a new edge takes the place of 2e + 1 at the end node. Returns its first half-edge, which goes
-   * on where 2e + 1 ends. */
+  /** Keeps half-edge 2e; a new edge replaces 2e + 1 at the end node. Returns its first half-edge, which continues where
+   * 2e + 1 ends. */
   int
   SplitEdge(int edge)
   {

@@ -11,7 +11,7 @@ namespace shapeton
 {
 namespace
 {
-/** Takes nodes by the greatest priority, which `priorityOf(that of the node before, half-edge)` gives. */
+/** Visits nodes by highest priority, given by `priorityOf(priority of the previous node, half-edge)`. */
 template <typename TPriority>
 LayoutTree
 GrowTree(const CombinatorialMap & map, const CirclePacking & packing, int root, const TPriority & priorityOf)
@@ -29,7 +29,7 @@ GrowTree(const CombinatorialMap & map, const CirclePacking & packing, int root, 
   };
   LayoutTree                   tree;
   std::vector<char>            isDone(map.Nodes(), 0);
-  std::vector<double>          best(map.Nodes(), -std::numeric_limits<double>::infinity()); // of what is in the queue
+  std::vector<double>          best(map.Nodes(), -std::numeric_limits<double>::infinity()); // best queued priority
   std::priority_queue<Arrival> queue;
   tree.arrival.assign(map.Nodes(), -1);
   queue.push({ 0.0, root, -1 });
@@ -52,7 +52,7 @@ GrowTree(const CombinatorialMap & map, const CirclePacking & packing, int root, 
       if (!isDone[node] && !std::isinf(packing.nodeRadii[node]))
       {
         const double priority = priorityOf(next.priority, h);
-        if (priority >= best[node]) // others would come out too late
+        if (priority >= best[node]) // others would be popped too late
         {
           best[node] = priority;
           queue.push({ priority, node, h });

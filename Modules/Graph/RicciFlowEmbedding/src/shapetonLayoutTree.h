@@ -9,15 +9,14 @@
 
 namespace shapeton
 {
-/** The order in which the nodes are laid out, each one from a neighbour that has been before. Infinite nodes are left
- * out. */
+/** Layout order of the nodes, each placed from an earlier neighbor. Infinite nodes are skipped. */
 struct LayoutTree
 {
-  /** A spanning tree along which the circles stay as large as can be, so that rounding errors do: of maximum
-   * bottleneck, from `root`. */
+  /** Maximum-bottleneck spanning tree from `root`: circles along it are as large as possible, which limits rounding
+   * errors. */
   static LayoutTree
   OfLargestCircles(const CombinatorialMap & map, const CirclePacking & packing, int root);
-  /** The shortest paths from the centre of the largest circle: the least spread of the lifts. */
+  /** Shortest paths from the center of the largest circle, which minimize the spread of the lifts. */
   static LayoutTree
   OfShortestPaths(const CombinatorialMap & map, const CirclePacking & packing);
 
@@ -26,11 +25,11 @@ struct LayoutTree
   std::vector<int> arrival;
 };
 
-/** The largest circle of a node that is not infinite. */
+/** Finite node with the largest circle. */
 int
 LargestFiniteNode(const CirclePacking & packing);
 
-/** The angle from the first half-edge of its node to each half-edge, counter-clockwise, in [0, 2 pi); not for infinite
+/** Counter-clockwise angle from the first half-edge of its node to each half-edge, in [0, 2 pi); not set for infinite
  * nodes. */
 template <typename TReal = double>
 std::vector<TReal>

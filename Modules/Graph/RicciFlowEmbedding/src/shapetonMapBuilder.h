@@ -5,7 +5,7 @@
 
 namespace shapeton
 {
-/** A map to which nodes and edges are added. \ingroup RicciFlowEmbedding */
+/** Builds a map by adding nodes and edges. \ingroup RicciFlowEmbedding */
 class MapBuilder
 {
 public:
@@ -26,16 +26,16 @@ public:
   {
     return m_Edges[halfEdge / 2][halfEdge % 2];
   }
-  /** Adds an edge that is at no place around its nodes yet; returns the half-edge that leaves the first one. */
+  /** Adds an edge without places around its nodes; returns the half-edge that leaves the first one. */
   int
   AddEdge(int from, int to);
-  /** Puts a half-edge counter-clockwise after another one of the same node. */
+  /** Inserts a half-edge counter-clockwise after another one of the same node. */
   void
   InsertAfter(int halfEdge, int added);
-  /** Makes these half-edges, counter-clockwise, all there are around their node. */
+  /** Sets these half-edges, counter-clockwise, as the complete order around their node. */
   void
   SetAround(const std::vector<int> & halfEdges);
-  /** Divides an edge into so many: returns the half-edges of the path, the first of them 2 edge. */
+  /** Subdivides an edge into the given number of edges. Returns the half-edges of the path; the first is 2 edge. */
   std::vector<int>
   Divide(int edge, int parts);
   CombinatorialMap

@@ -6,9 +6,9 @@ namespace shapeton
 {
 namespace
 {
-/** Maps with fewer edges fit the caches of a processor. */
+/** Maps with fewer edges fit the processor caches. */
 constexpr int fewestEdges = 200'000;
-/** The mean step from a node to its neighbour, of all nodes; a third in random order. */
+/** Mean index distance between neighbors, as a fraction of the nodes; one third in random order. */
 constexpr double mostScattered = 0.03;
 } // namespace
 

@@ -5,17 +5,16 @@
 
 namespace shapeton
 {
-/** \brief A map with neighbours at near places of memory, and the way back.
+/** \brief Renumbers a map so that neighbors are close in memory, and maps results back.
  *
- * The numbers of a file may be in any order; then each step from a circle to its neighbour waits for the memory, which
- * makes a million nodes three times slower. Nodes and edges are numbered breadth first from node 0. \pre The map is
- * connected. */
+ * With arbitrary numbering each step from a circle to its neighbor is a cache miss, which makes a million nodes three
+ * times slower. Nodes and edges are renumbered breadth first from node 0. \pre The map is connected. */
 class NearbyOrder
 {
 public:
   explicit NearbyOrder(const CombinatorialMap & map);
 
-  /** Whether the map is so large and scattered that the other order pays. */
+  /** Whether the map is large and scattered enough for the renumbering to pay off. */
   static bool
   Pays(const CombinatorialMap & map);
 
@@ -31,7 +30,7 @@ public:
     return m_EdgeOf[edge];
   }
 
-  /** \name Values of nodes, faces and edges: to the new order, and back to that of the given map */
+  /** \name Converts values of nodes, faces and edges to the new order, and back to the given one */
   ///@{
   template <typename T>
   std::vector<T>

@@ -5,7 +5,7 @@
 
 namespace shapeton
 {
-/** Calls `visit(face, node)` for each corner of a face at a node that the walk around the face has met before. */
+/** Calls `visit(face, node)` for each repeated corner of a face at a node. */
 template <typename TVisit>
 void
 ForEachNodeMetTwice(const CombinatorialMap & map, const TVisit & visit)

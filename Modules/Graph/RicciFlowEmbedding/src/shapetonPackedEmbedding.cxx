@@ -12,10 +12,10 @@ namespace shapeton
 {
 namespace
 {
-/** What a verifier takes, of the largest matrix. */
+/** Tolerance of a verifier, relative to the largest matrix. */
 constexpr double worstWordResidual = 1e-6;
 
-/** Packed edges that the graph's edges are made of. */
+/** Packed edges that form the edges of the graph. */
 std::vector<int>
 EdgesOfGraph(const PackedMap & packed)
 {
@@ -31,7 +31,7 @@ EdgesOfGraph(const PackedMap & packed)
   return edges;
 }
 
-/** After the packing, so as not to stand in its memory. */
+/** Called after the packing, to reduce peak memory. */
 void
 AddMaps(const Graph & graph, const PackedMap & packed, EmbeddingCertificate & certificate)
 {
@@ -51,7 +51,7 @@ AddSphere(const PackedMap &      packed,
   std::vector<char> isVisible(packed.map.Nodes(), 0);
   std::fill_n(isVisible.begin(), packed.graphNodes, 1);
   SphericalPacking sphere = PackOnSphere(packed.map, infinity, EdgesOfGraph(packed), isVisible, progress);
-  rank.resize(packed.graphNodes); // dummies may be numbered differently on the other side
+  rank.resize(packed.graphNodes); // dummies may be numbered differently in the mirror image
   TurnToCanonicalPosition(sphere, rank);
   certificate.geometry = EmbeddingGeometry::Spherical;
   const auto add =
@@ -69,7 +69,7 @@ AddSphere(const PackedMap &      packed,
   certificate.statistics.emplace_back("newtonSteps", sphere.steps);
 }
 
-/** Puts a number of the plane or the disk at the end of a list. */
+/** Appends a number of the plane or the disk to a list. */
 void
 Append(const PlaneMotion::Complex & z, std::vector<double> & list)
 {
@@ -126,7 +126,7 @@ AddTorus(const CombinatorialMap & map, const Progress & progress, EmbeddingCerti
   std::vector<PlaneMotion> generators = GeneratorsOf(layout);
   for (PlaneMotion & generator : generators)
   {
-    generator.a = 1.0; // a translation, but for rounding
+    generator.a = 1.0; // a translation up to rounding
   }
   certificate.geometry = EmbeddingGeometry::Euclidean;
   certificate.nodeRadii = packing.nodeRadii;
@@ -143,8 +143,7 @@ AddTorus(const CombinatorialMap & map, const Progress & progress, EmbeddingCerti
   certificate.statistics.emplace_back("wordResidual", WordResidual(generators, layout.Word()) / std::abs(lattice[0]));
 }
 
-/** A fundamental domain of many handles reaches so far that all beyond lies on the circle at infinity, to double
- * precision. */
+/** With many handles the outer part of a fundamental domain is on the circle at infinity, to double precision. */
 void
 RequireFinite(const std::vector<PlaneMotion> & generators, int genus)
 {
@@ -159,7 +158,7 @@ RequireFinite(const std::vector<PlaneMotion> & generators, int genus)
   }
 }
 
-/** Products of very many matrices overflow: then there is no figure, and a warning says that the relation fails. */
+/** Products of very many matrices overflow: then no value is given, and a warning states that the relation fails. */
 void
 AddResidual(const std::string & name, double residual, EmbeddingCertificate & certificate)
 {

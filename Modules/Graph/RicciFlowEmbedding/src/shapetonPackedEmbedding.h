@@ -5,8 +5,8 @@
 
 namespace shapeton
 {
-/** Packs circles, lays them out on the surface of the certificate's genus, and adds all of it to the certificate but
- * the rotation system of the graph. `rank` is that of CanonicalMapOrder, for genus 0. */
+/** Packs circles, lays them out on the surface of the certificate's genus, and adds everything to the certificate
+ * except the rotation system of the graph. `rank` is that of CanonicalMapOrder, for genus 0. */
 void
 AddPacking(const Graph &            graph,
            const PackedMap &        packed,
@@ -15,7 +15,7 @@ AddPacking(const Graph &            graph,
            const Progress &         progress,
            EmbeddingCertificate &   certificate);
 
-/** Adds the smallest circle of a node of the graph, and a warning where there are circles too small to be seen. */
+/** Adds the smallest node circle of the graph, and a warning if circles are too small to be visible. */
 void
 AddSmallestCircle(EmbeddingCertificate & certificate);
 } // namespace shapeton

@@ -10,10 +10,10 @@ namespace shapeton
 {
 namespace
 {
-/** A ring of this many or fewer is closed by one dummy. */
+/** Rings with at most this many nodes are closed by a single dummy. */
 constexpr std::size_t largestStar = 6;
 
-/** Loops, and edges that are parallel to one of a smaller number. */
+/** Loops, and edges parallel to one with a lower number. */
 struct BadEdges
 {
   explicit BadEdges(const CombinatorialMap & map)
@@ -35,7 +35,7 @@ struct BadEdges
   std::vector<int> parallel;
 };
 
-/** The longest face of each component: its smallest half-edge, or -1 for a node without edges. */
+/** The longest face of each component, by its lowest half-edge; -1 for a node without edges. */
 std::vector<int>
 CornersOfLongestFaces(const CombinatorialMap & map)
 {
@@ -104,7 +104,7 @@ DivideBadEdges(const CombinatorialMap & map, std::vector<std::vector<int>> & sub
   return builder.Build();
 }
 
-/** Where each dummy of a ring begins: the indices of its first half-edges, ascending. */
+/** Start of each dummy of a ring: the indices of its first half-edges, ascending. */
 using RingParts = std::vector<int>;
 
 RingParts
@@ -118,7 +118,7 @@ EvenParts(std::size_t length, std::size_t covered)
   return parts;
 }
 
-/** Turns a boundary that visits leaves so that it begins at one; nothing else changes. */
+/** Rotates a boundary that visits leaves to start at one; otherwise unchanged. */
 void
 BeginAtLeaf(std::vector<int> & boundary)
 {
@@ -132,13 +132,13 @@ BeginAtLeaf(std::vector<int> & boundary)
   }
 }
 
-/** Parts of at most `covered` half-edges, none of which meets a node twice: few dummies, so the nodes stay large. */
+/** Parts of at most `covered` half-edges, none of which meets a node twice. Few dummies keep the node circles large. */
 RingParts
 SimpleParts(const MapBuilder & builder, const std::vector<int> & boundary, int covered)
 {
   const int        length = static_cast<int>(boundary.size());
   RingParts        parts;
-  std::vector<int> nodes; // of the part, its end included
+  std::vector<int> nodes; // of the part, including its end
   for (int i = 0; i < length; ++i)
   {
     const int end = builder.Node(boundary[(i + 1) % length]);
@@ -152,8 +152,8 @@ SimpleParts(const MapBuilder & builder, const std::vector<int> & boundary, int c
   return parts.size() < 3 ? EvenParts(length, 1) : parts;
 }
 
-/** Dummies for a face whose half-edges are `boundary`: each is joined with all nodes of its part, and with the dummies
- * before and after it. Returns the boundary of the face that is left. */
+/** Adds dummies for a face with the half-edges `boundary`: each is joined to all nodes of its part, and to the dummies
+ * before and after it. Returns the boundary of the remaining face. */
 std::vector<int>
 AddRing(MapBuilder & builder, const std::vector<int> & boundary, const RingParts & parts)
 {
@@ -161,14 +161,14 @@ AddRing(MapBuilder & builder, const std::vector<int> & boundary, const RingParts
   const int                     number = static_cast<int>(parts.size());
   const int                     first = builder.Nodes();
   std::vector<std::vector<int>> around(number);
-  std::vector<int>              last(boundary); // at each corner: after it comes what is still to be put there
+  std::vector<int>              last(boundary); // at each corner, the half-edge to insert after
   std::vector<int>              ring(number);
   for (int j = 0; j < number; ++j)
   {
     builder.AddNode();
   }
   const auto endOf = [&](int j) { return j + 1 < number ? parts[j + 1] : length; };
-  // At a corner between two dummies the later one's half-edge comes first, counter-clockwise.
+  // At a corner between two dummies the half-edge of the later one comes first, counter-clockwise.
   for (int j = 0; j < number; ++j)
   {
     const int begin = parts[j];
@@ -209,7 +209,7 @@ AddStar(MapBuilder & builder, const std::vector<int> & boundary)
   builder.SetAround(around);
 }
 
-/** K1 and K2 become K4; the two faces of a triangle get a node each. */
+/** K1 and K2 become K4; each of the two faces of a triangle gets a node. */
 CombinatorialMap
 FillSmallMap(const CombinatorialMap & map)
 {
@@ -240,7 +240,7 @@ FillSmallMap(const CombinatorialMap & map)
   return builder.Build();
 }
 
-/** The faces that are no triangles and in conflict, or long. */
+/** Faces that are not triangles and are in conflict, or long. */
 std::vector<int>
 FacesToFill(const CombinatorialMap & map, const FaceConflicts & conflicts, int longestFace)
 {

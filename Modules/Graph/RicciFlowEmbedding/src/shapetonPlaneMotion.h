@@ -8,21 +8,21 @@
 
 namespace shapeton
 {
-/** \brief A motion that keeps orientation: `z -> (a z + b) / (conj(b) z + conj(a))`, |a|^2 - |b|^2 = 1, of the Poincare
- * disk, or `z -> a z + b`, |a| = 1, of the plane. Motions of the disk are the same for (a, b) and (-a, -b).
+/** \brief An orientation-preserving motion: `z -> (a z + b) / (conj(b) z + conj(a))`, |a|^2 - |b|^2 = 1, of the
+ * Poincare disk, or `z -> a z + b`, |a| = 1, of the plane. In the disk (a, b) and (-a, -b) are the same motion.
  * \ingroup RicciFlowEmbedding */
 template <typename TReal>
 struct BasicPlaneMotion
 {
   using Complex = std::complex<TReal>;
 
-  /** Around the origin. Radians. */
+  /** Rotation around the origin (radians). */
   static BasicPlaneMotion
   Rotation(FlowGeometry geometry, TReal angle)
   {
     return { geometry, std::polar(TReal(1), geometry == FlowGeometry::Euclidean ? angle : TReal(0.5) * angle), 0.0 };
   }
-  /** Of the origin along the real axis. */
+  /** Translation of the origin along the real axis. */
   static BasicPlaneMotion
   Translation(FlowGeometry geometry, TReal length)
   {
@@ -30,7 +30,7 @@ struct BasicPlaneMotion
              ? BasicPlaneMotion{ geometry, TReal(1), length }
              : BasicPlaneMotion{ geometry, std::cosh(TReal(0.5) * length), std::sinh(TReal(0.5) * length) };
   }
-  /** First `other`, then this one. */
+  /** Composition: first `other`, then this one. */
   BasicPlaneMotion
   operator*(const BasicPlaneMotion & other) const
   {
@@ -51,7 +51,7 @@ struct BasicPlaneMotion
   {
     return geometry == FlowGeometry::Euclidean ? a * z + b : (a * z + b) / (std::conj(b) * z + std::conj(a));
   }
-  /** The direction of the real axis at the image of the origin. Radians. */
+  /** Direction of the real axis at the image of the origin (radians). */
   TReal
   Direction() const
   {
@@ -59,7 +59,7 @@ struct BasicPlaneMotion
              ? std::arg(a)
              : std::remainder(TReal(2) * std::arg(a), TReal(2) * std::acos(TReal(-1)));
   }
-  /** Takes rounding errors of many products out of |a|; |a|^2 - |b|^2 itself would cancel far from the origin. */
+  /** Removes accumulated rounding errors from |a|; |a|^2 - |b|^2 itself would cancel far from the origin. */
   BasicPlaneMotion
   Normalised() const
   {

@@ -29,7 +29,7 @@ FromCircle(const Complex & centre, double radius, double scale)
                     scale);
 }
 
-/** The half plane ahead of a point in a direction of length 1. */
+/** Half plane ahead of a point in a unit direction. */
 SphereCircle
 FromHalfPlane(const Complex & ahead, const Complex & point, double scale)
 {
@@ -51,7 +51,7 @@ public:
   {
     sphere.nodes.resize(map.Nodes());
     sphere.faces.resize(map.Faces());
-    sphere.touchPoints.assign(map.Edges(), { 0.0, 0.0, 1.0 }); // that of the edge between two lines
+    sphere.touchPoints.assign(map.Edges(), { 0.0, 0.0, 1.0 }); // touch point of the two lines
   }
   void
   Place(int node, int arrival);
@@ -99,7 +99,7 @@ PlaneLayout::Place(int node, int arrival)
   } while (h != first);
 }
 
-/** The touch point on a half-edge, and the circle beyond it where that is a line. */
+/** The touch point on a half-edge, and the circle beyond it if that is a line. */
 void
 PlaneLayout::PlaceAlong(int node, int halfEdge)
 {

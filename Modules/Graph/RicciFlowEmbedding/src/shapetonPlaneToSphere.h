@@ -6,10 +6,10 @@
 
 namespace shapeton
 {
-/** \name Packings of the plane and of the Poincare disk as packings of the sphere.
- * The circle of `root`, a finite node, becomes the unit circle of the plane, the equator; everything is computed from
- * there, so that it is most exact there, whatever the size of that circle. Stereographic projection is that of (6.3.3)
- * of the dissertation. */
+/** \name Converts packings of the plane and of the Poincare disk to packings of the sphere.
+ * The circle of `root`, a finite node, becomes the unit circle of the plane, the equator. Everything is computed from
+ * there, so the accuracy is highest there for any size of that circle. Stereographic projection is that of (6.3.3) of
+ * the dissertation. */
 ///@{
 SphericalPacking
 PlaneToSphere(const CombinatorialMap & map, const CirclePacking & packing, int root);
@@ -22,8 +22,8 @@ DiskToSphere(const CombinatorialMap & map,
              PackingPrecision         precision);
 ///@}
 
-/** A circle (x, y, t + n, t - n): in the plane center / radius, (|centre|^2 - radius^2) / radius and 1 / radius, which
- * a change of scale multiplies by 1, scale and 1 / scale without loss. */
+/** A circle (x, y, t + n, t - n): in the plane center / radius, (|center|^2 - radius^2) / radius and 1 / radius.
+ * Scaling multiplies these by 1, scale and 1 / scale, without loss. */
 template <typename TReal>
 std::array<TReal, 4>
 FromScaled(TReal x, TReal y, TReal sum, TReal difference, TReal scale)

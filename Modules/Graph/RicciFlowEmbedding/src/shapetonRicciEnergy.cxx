@@ -4,8 +4,8 @@ namespace shapeton
 {
 namespace
 {
-/** 2 sinh a sinh b / (cosh^2 a cosh^2 b - 1), without overflow. \equation{6.7} without its sign, and times two
- * for the two triangles of a kite. */
+/** 2 sinh a sinh b / (cosh^2 a cosh^2 b - 1), without overflow. \equation{6.7} without its sign, doubled for the two
+ * triangles of a kite. */
 double
 KiteElement(const CircleSize<double> & a, const CircleSize<double> & b)
 {
@@ -49,7 +49,7 @@ RicciEnergy::BuildPattern()
   }
 }
 
-/** \equation{6.8} times two for the two triangles of a kite; its sign is that of dK/du. */
+/** \equation{6.8} doubled for the two triangles of a kite; with the sign of dK/du. */
 void
 RicciEnergy::KitesOfFace(int face)
 {
@@ -75,7 +75,7 @@ RicciEnergy::KitesOfFace(int face)
   } while (h != first);
 }
 
-/** What is left of the kites of a triangle when its face is eliminated from the Hessian (Schur's complement). */
+/** Schur complement of the kites of a triangle when its face is eliminated from the Hessian. */
 void
 RicciEnergy::KitesOfEliminated(int face)
 {

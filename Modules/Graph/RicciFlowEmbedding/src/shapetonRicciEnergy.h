@@ -7,8 +7,7 @@
 
 namespace shapeton
 {
-/** The convex energy of a Ricci flow: its gradient, which is the curvature, and its Hessian, as functions of the
- * unknowns u.
+/** The convex energy of a Ricci flow: its gradient (the curvature) and its Hessian, as functions of the unknowns u.
  *
  * \equation{6.6} by its first and second derivatives. */
 class RicciEnergy
@@ -16,7 +15,7 @@ class RicciEnergy
 public:
   explicit RicciEnergy(const RicciUnknowns & unknowns);
 
-  /** The pattern of the Hessian, once: nothing else needs it. */
+  /** Moves the Hessian pattern out; valid once, for a single consumer. */
   std::vector<std::array<int, 2>>
   TakePattern()
   {
@@ -33,7 +32,7 @@ public:
   {
     return m_State.Gradient();
   }
-  /** The largest curvature of an unknown circle. */
+  /** Largest curvature of an unknown circle. */
   double
   Residual() const
   {
@@ -41,7 +40,7 @@ public:
   }
   void
   Hessian(std::vector<double> & diagonal, std::vector<double> & offDiagonal);
-  /** The radii of the last evaluation. */
+  /** Radii of the last evaluation. */
   CirclePacking
   Packing() const
   {
@@ -62,10 +61,10 @@ private:
   const CombinatorialMap &        m_Map;
   CircleState<double>             m_State;
   std::vector<std::array<int, 2>> m_Pattern;
-  /** The map's edge of each element of the pattern up to m_EdgeElements, then the half-edge of its kite. */
+  /** For pattern elements up to m_EdgeElements the edge of the map, then the half-edge of the kite. */
   std::vector<int> m_Source;
   std::size_t      m_EdgeElements{ 0 };
-  /** Of each half-edge: what its kite adds to the diagonal, and to the element of its edge or kite. */
+  /** For each half-edge, the contribution of its kite to the diagonal, and to the element of its edge or kite. */
   std::vector<double> m_KiteDiagonal;
   std::vector<double> m_KiteElement;
 };

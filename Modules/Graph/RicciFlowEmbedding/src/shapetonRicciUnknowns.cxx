@@ -67,7 +67,7 @@ RicciUnknowns::FindKinds(const CirclesAtInfinity & infinite)
   }
 }
 
-/** Only ratios of radii count in the plane. */
+/** In the plane only ratios of radii matter. */
 void
 RicciUnknowns::FixOneNode()
 {
@@ -86,7 +86,7 @@ RicciUnknowns::FixOneNode()
   }
 }
 
-/** In the hyperbolic plane equal circles that would fill a disk of radius 2. */
+/** Initial unknowns; hyperbolic: those of equal circles that would fill a disk of radius 2. */
 std::vector<double>
 RicciUnknowns::StartingPoint() const
 {

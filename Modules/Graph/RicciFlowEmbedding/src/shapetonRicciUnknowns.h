@@ -8,8 +8,8 @@
 
 namespace shapeton
 {
-/** What is known of each circle of a map before the flow. Unknown are the finite nodes, in Euclidean geometry but the
- * one of highest degree, and the finite faces that are not eliminated. */
+/** Role of each circle of a map in the flow. Unknowns are the finite nodes (in Euclidean geometry except the one of
+ * highest degree) and the finite faces that are not eliminated. */
 struct RicciUnknowns
 {
   RicciUnknowns(const CombinatorialMap & map, FlowGeometry geometry, const CirclesAtInfinity & infinite);
@@ -18,7 +18,7 @@ struct RicciUnknowns
   {
     Unknown,
     Fixed,
-    Eliminated, ///< a face whose three nodes give its radius
+    Eliminated, ///< a face with its radius given by its three nodes
     Line,
     Horocycle
   };

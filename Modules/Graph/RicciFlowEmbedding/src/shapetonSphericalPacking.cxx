@@ -17,18 +17,18 @@ namespace shapeton
 {
 namespace
 {
-/** A layout is moved so far at once at most, e^9 in size: then it is computed anew from what has become large. One that
- * was moved less than e^2 is exact enough. */
+/** Maximum scaling of a layout in one motion, e^9; beyond it the layout is recomputed from the circles that became
+ * large. Below e^2 the layout is accurate enough. */
 constexpr double mostRapidity = 9.0;
 constexpr double smallRapidity = 2.0;
 constexpr int    mostLayouts = 40;
 
-/** The worst layout that is taken for one, and the worst of double precision that is not computed anew. Radians. */
+/** Largest accepted layout error, and the largest error in double precision without recomputation (radians). */
 constexpr double worstTangency = 1e-9;
 constexpr double goodTangency = 5e-11;
 
-/** The edge whose ends both have many neighbours: its four circles are large in a packing of even density, so the
- * others keep their sizes when these become straight lines. */
+/** The edge whose ends both have many neighbors. Its four circles are large in a packing of even density, so the others
+ * keep their sizes when these become straight lines. */
 int
 EdgeForInfinity(const CombinatorialMap & map)
 {
@@ -56,8 +56,8 @@ CirclesThrough(const CombinatorialMap & map, int edge)
   return infinite;
 }
 
-/** The longest face, and of those the one whose nodes have most neighbours, the last one: dummies in the middle of the
- * rings, which come last, have large circles. */
+/** The longest face; ties go to the one whose nodes have most neighbors, then to the last one: the central dummies of
+ * rings come last and have large circles. */
 int
 LongestFace(const CombinatorialMap & map)
 {
@@ -85,7 +85,7 @@ LongestFace(const CombinatorialMap & map)
   return longest;
 }
 
-/** The circle of a face as the ideal boundary: its nodes become geodesics, the faces beside it horocycles. */
+/** Makes the circle of a face the ideal boundary: its nodes become geodesics, the adjacent faces horocycles. */
 CirclesAtInfinity
 CirclesAround(const CombinatorialMap & map, int face)
 {
@@ -93,7 +93,7 @@ CirclesAround(const CombinatorialMap & map, int face)
   infinite.lineNodes.assign(map.Nodes(), 0);
   infinite.lineFaces.assign(map.Faces(), 0);
   infinite.horocycleFaces.assign(map.Faces(), 0);
-  infinite.lineFaces[face] = 1; // meets lines alone, and no kite is computed
+  infinite.lineFaces[face] = 1; // meets only lines, and no kite is computed
   for (const int h : map.Boundary(face))
   {
     infinite.lineNodes[map.Node(h)] = 1;
@@ -103,7 +103,7 @@ CirclesAround(const CombinatorialMap & map, int face)
 }
 
 /** The printed projection sends the origin to the south pole, which is seen from the other side: counter-clockwise
- * turns would become clockwise ones. */
+ * rotations would become clockwise. */
 void
 SeeFromOutside(SphericalPacking & sphere)
 {
@@ -136,7 +136,7 @@ RadiusOf(const SphereCircle & circle)
 
 namespace
 {
-/** A packing that is laid out on the sphere from any finite node. */
+/** A packing with a layout on the sphere from any finite node. */
 class FlatPacking
 {
 public:
@@ -147,7 +147,7 @@ public:
     , m_Circles(this->Packed())
     , m_Root(LargestFiniteNode(m_Circles))
   {}
-  /** From here on the layout is in extended precision, of radii that are. */
+  /** Uses extended precision from here on if the radii have it. */
   void
   Refine()
   {
@@ -171,7 +171,7 @@ public:
   {
     return m_Circles;
   }
-  /** The node that the layout starts from. */
+  /** Start node of the layout. */
   int
   Root() const
   {
@@ -205,14 +205,14 @@ private:
   int                      m_Root;
 };
 
-/** The largest cap of those that are finite in the flat packing. */
+/** The largest cap among those finite in the flat packing. */
 int
 LargestOnSphere(const SphericalPacking & sphere, const CirclePacking & flat)
 {
   int largest = -1;
   for (std::size_t node = 0; node < sphere.nodes.size(); ++node)
   {
-    // The cotangent of the angle falls with the angle.
+    // The cotangent decreases with the angle.
     if (!std::isinf(flat.nodeRadii[node]) && (largest < 0 || sphere.nodes[node][3] < sphere.nodes[largest][3]))
     {
       largest = static_cast<int>(node);
@@ -229,7 +229,7 @@ AngleBetween(const std::array<double, 3> & a, const std::array<double, 3> & b)
   return 2.0 * std::atan2(difference, sum);
 }
 
-/** How far circles that should touch miss each other, at most. Radians. */
+/** Largest gap between circles that should touch (radians). */
 double
 WorstTangency(const CombinatorialMap & map, const SphericalPacking & sphere)
 {
@@ -239,13 +239,13 @@ WorstTangency(const CombinatorialMap & map, const SphericalPacking & sphere)
     const SphereCircle & one = sphere.nodes[map.Node(2 * edge)];
     const SphereCircle & other = sphere.nodes[map.Node(2 * edge + 1)];
     const double miss = std::abs(AngleBetween(CentreOf(one), CentreOf(other)) - RadiusOf(one) - RadiusOf(other));
-    worst = miss <= worst ? worst : miss; // keeps what is no number
+    worst = miss <= worst ? worst : miss; // propagates NaN
   }
   return worst;
 }
 
-/** A packing that `move` has brought into its position: laid out anew from the circle that has become largest, until
- * the way is short. `move` returns its rapidity and may stop on the way. */
+/** A packing moved into position by `move`. It is laid out again from the circle that became largest, until the motion
+ * is short. `move` returns its rapidity and may stop early. */
 template <typename TMove>
 SphericalPacking
 LayOut(FlatPacking & flat, const TMove & move)
@@ -279,7 +279,7 @@ HasSmallCap(const SphericalPacking & sphere, const std::vector<char> & isVisible
   return false;
 }
 
-/** In the position that PackOnSphere() describes. */
+/** In the position documented in PackOnSphere(). */
 SphericalPacking
 Positioned(FlatPacking & flat, const std::vector<int> & edges, const std::vector<char> & isVisible)
 {
@@ -324,7 +324,7 @@ PackInGivenOrder(const CombinatorialMap &  map,
                   miss);
     throw InputError(text);
   }
-  sphere.nodeRests.clear(); // they would not follow a rotation
+  sphere.nodeRests.clear(); // the rotation would invalidate them
   sphere.faceRests.clear();
   return sphere;
 }

@@ -10,7 +10,7 @@ namespace shapeton
 {
 namespace
 {
-/** The blocks of a map side by side: a node for each block that a node belongs to. */
+/** The blocks of a map side by side: one node for each block of a node. */
 struct PartedMap
 {
   explicit PartedMap(const CombinatorialMap & map)
@@ -36,12 +36,12 @@ struct PartedMap
     parts = CombinatorialMap(static_cast<int>(original.size()), edges, std::move(blocks.next));
   }
   CombinatorialMap parts;
-  std::vector<int> original; ///< node of the given map, of each node of `parts`
+  std::vector<int> original; ///< node of the given map, for each node of `parts`
 };
 
 using NodePair = std::array<int, 2>;
 
-/** Nodes that share three faces or more in a planar block, ascending. */
+/** Nodes that share at least three faces in a planar block, ascending. */
 std::vector<NodePair>
 SplitPairs(const CombinatorialMap & parts)
 {
@@ -79,7 +79,7 @@ SplitPairs(const CombinatorialMap & parts)
   return pairs;
 }
 
-/** How many follow each other as they did, by their numbers. */
+/** Number of consecutive elements that keep their original order. */
 int
 KeptNeighbours(const std::vector<int> & order)
 {
@@ -92,7 +92,7 @@ KeptNeighbours(const std::vector<int> & order)
   return kept;
 }
 
-/** The largest in the middle, the next ones in turn on both sides. */
+/** The largest in the middle, the next ones alternately on both sides. */
 std::vector<int>
 MiddleOut(const std::vector<int> & sizes)
 {
@@ -107,8 +107,8 @@ MiddleOut(const std::vector<int> & sizes)
   return { line.begin(), line.end() };
 }
 
-/** Changes the order of split components, one pair of nodes after another. They stay the same components in all
- * embeddings, and each keeps its half-edges together around both nodes. */
+/** Permutes split components, one pair of nodes after another. The components are the same in all embeddings, and each
+ * keeps its half-edges contiguous around both nodes. */
 class Arranger
 {
 public:
@@ -142,11 +142,11 @@ public:
     };
     order = rank(reversed) > rank(order) ? reversed : order;
     this->Relink(pair[0], order);
-    std::reverse(order.begin(), order.end()); // around the other node they follow each other the other way
+    std::reverse(order.begin(), order.end()); // reversed around the other node
     this->Relink(pair[1], order);
   }
 
-  /** The arranged blocks, one after another around the nodes of the given map. */
+  /** The rearranged blocks, one after another around the nodes of the given map. */
   CombinatorialMap
   Result() const
   {
@@ -187,11 +187,11 @@ private:
   std::vector<int>         m_Previous;
   std::vector<int>         m_SharedFace; ///< 1, 2, ... in their order around the first node of a pair; 0 for others
   std::vector<int>         m_Component;  ///< of each half-edge around the two nodes
-  std::vector<int>         m_Seen;       ///< the last search that has met a node
+  std::vector<int>         m_Seen;       ///< the last search that visited a node
   int                      m_Searches{ 0 };
 };
 
-/** Numbers the components around both nodes, as they lie in the given map; returns how many there are. */
+/** Numbers the components around both nodes in the order of the given map; returns their number. */
 int
 Arranger::FindComponents(const NodePair & pair)
 {
@@ -221,7 +221,7 @@ Arranger::FindComponents(const NodePair & pair)
   return number;
 }
 
-/** Component k lies counter-clockwise after shared face k around the first node, before it around the second. */
+/** Component k is counter-clockwise after shared face k around the first node, before it around the second. */
 void
 Arranger::LabelAround(int node, int number, int offset)
 {
@@ -241,7 +241,7 @@ Arranger::LabelAround(int node, int number, int offset)
   } while (h != first);
 }
 
-/** Nodes within each component, with all that is connected to them; 0 for an edge. */
+/** Number of nodes within each component, with everything connected to them; 0 for an edge. */
 std::vector<int>
 Arranger::SizesOf(const NodePair & pair, int number)
 {
@@ -261,7 +261,7 @@ Arranger::SizesOf(const NodePair & pair, int number)
   return sizes;
 }
 
-/** The nodes beyond a half-edge that this search has not met. */
+/** Nodes beyond a half-edge that this search has not visited. */
 int
 Arranger::CountFrom(int half, int search)
 {
@@ -288,7 +288,7 @@ Arranger::CountFrom(int half, int search)
   return static_cast<int>(found.size());
 }
 
-/** Of each component: half-edges along its last side around `node`, counter-clockwise, to the other node. */
+/** For each component: half-edges along its last side around `node`, counter-clockwise, to the other node. */
 std::vector<int>
 Arranger::SidesOf(int node, int other, int number) const
 {
@@ -308,8 +308,8 @@ Arranger::SidesOf(int node, int other, int number) const
   return sides;
 }
 
-/** The sum of the squares of the lengths of the faces between the components: one long face is better than many that
- * lie within each other, as those of a ladder whose rungs stand on different sides. */
+/** Sum of the squared lengths of the faces between the components. One long face is better than many nested ones, such
+ * as those of a ladder with rungs on different sides. */
 double
 Arranger::Unevenness(const std::vector<int> & order, const std::vector<int> & before, const std::vector<int> & after)
 {

@@ -62,7 +62,7 @@ SurfaceLayout::FaceCentre(int face) const
           PlaneMotion::Translation(geometry, distance))(0.0);
 }
 
-/** Edges beside the tree are crossed from the longest loop to the shortest, where that joins two faces. */
+/** Crosses edges outside the tree, from the longest loop to the shortest, if that joins two faces. */
 void
 SurfaceLayout::FindCut(const std::vector<double> & distances)
 {
@@ -100,7 +100,7 @@ SurfaceLayout::FindCut(const std::vector<double> & distances)
   this->ReadWord(isCrossed);
 }
 
-/** Walks around the one face of the map of the edges that are not crossed. */
+/** Walks around the single face of the map of the uncrossed edges. */
 void
 SurfaceLayout::ReadWord(const std::vector<char> & isCrossed)
 {

@@ -10,9 +10,9 @@ namespace shapeton
 {
 /** \brief A packing of a surface of genus >= 1, cut open along a graph and laid out in the plane or the Poincare disk.
  *
- * The nodes lie along the tree of shortest paths from the centre of the largest circle, which is the origin. The other
- * edges that are not cut form a tree of the dual graph; it has the longest loops, so the 2g loops that are left, and
- * their deck transformations, are the shortest that one base point allows (Erickson and Whittlesey 2005).
+ * The nodes are laid out along the shortest-path tree from the center of the largest circle, which is the origin. The
+ * other uncut edges form a tree of the dual graph with the longest loops. The remaining 2g loops, and their deck
+ * transformations, are therefore the shortest for one base point (Erickson and Whittlesey 2005).
  * \ingroup RicciFlowEmbedding */
 class RicciFlowEmbedding_EXPORT SurfaceLayout
 {
@@ -21,7 +21,7 @@ public:
    * layout. */
   SurfaceLayout(const CombinatorialMap & map, const CirclePacking & packing);
 
-  /** Of each node: the motion that takes the origin to its lift and the real axis to its first half-edge. */
+  /** For each node, the motion that maps the origin to its lift and the real axis to its first half-edge. */
   const std::vector<PlaneMotion> &
   Frames() const
   {
@@ -33,24 +33,24 @@ public:
   {
     return m_Arrivals;
   }
-  /** The frame of the end node that is reached along a half-edge from the frame of its start node. */
+  /** Frame of the end node, reached along a half-edge from the frame of its start node. */
   PlaneMotion
   FrameAcross(int halfEdge) const;
   /** The deck transformation from the frame of the end node to FrameAcross(). */
   PlaneMotion
   DeckTransformationOf(int halfEdge) const;
-  /** The lift of a face that lies beside the lift of the start node of its smallest half-edge. */
+  /** Lift of a face, adjacent to the lift of the start node of its lowest half-edge. */
   PlaneMotion::Complex
   FaceCentre(int face) const;
 
-  /** The half-edges 2e of the 2g edges that cut the surface open, with the tree, into one disk; ascending. */
+  /** The half-edges 2e of the 2g edges that, with the tree, cut the surface into one disk; ascending. */
   const std::vector<int> &
   CutHalfEdges() const
   {
     return m_Cut;
   }
-  /** The boundary of the disk: k + 1 where half-edge CutHalfEdges()[k] is met, -(k + 1) for its twin. Each letter
-   * stands for its deck transformation; their product in this order is the identity. */
+  /** Boundary word of the disk: k + 1 for half-edge CutHalfEdges()[k], -(k + 1) for its twin. Each letter denotes its
+   * deck transformation; their product in this order is the identity. */
   const std::vector<int> &
   Word() const
   {
@@ -77,13 +77,13 @@ private:
 /** \brief The words of a canonical fundamental polygon: A1, B1, ... Ag, Bg with A1 B1 A1^-1 B1^-1 ... equal to `word`
  * in the free group.
  *
- * For a word U a P b Q a^-1 R b^-1 S: A = U a Q^-1 R^-1 U^-1, B = U R Q P b R^-1 U^-1, and U R Q P S is left. Throws
- * std::invalid_argument for a word that is not that of a closed orientable surface cut into one disk.
+ * A word U a P b Q a^-1 R b^-1 S gives A = U a Q^-1 R^-1 U^-1, B = U R Q P b R^-1 U^-1 and the remaining word U R Q P
+ * S. Throws std::invalid_argument if the word is not that of a closed orientable surface cut into one disk.
  * \ingroup RicciFlowEmbedding */
 RicciFlowEmbedding_EXPORT std::vector<std::vector<int>>
                           CanonicalWords(const std::vector<int> & word);
 
-/** The cyclic rotation of a word of motions of the disk whose partial products stay smallest: rounding errors of the
+/** The cyclic rotation of a word of disk motions with the smallest partial products, because rounding errors of the
  * product grow with the square of their size. \ingroup RicciFlowEmbedding */
 RicciFlowEmbedding_EXPORT std::vector<int>
                           CentredWord(const std::vector<PlaneMotion> & generators, const std::vector<int> & word);
@@ -93,24 +93,24 @@ RicciFlowEmbedding_EXPORT std::vector<int>
 RicciFlowEmbedding_EXPORT std::array<std::complex<double>, 2>
                           ReducedLattice(std::complex<double> w1, std::complex<double> w2);
 
-/** \brief Motions of the Poincare disk that obey a relation, to 300 digits.
+/** \brief Motions of the Poincare disk that satisfy a relation to 300 digits.
  *
- * The generators come from radii in double precision, so their relation holds to about 1e-11 times the size of the
- * matrices. The least change of all of them that makes the relation exact is found by Newton's method, so that long
- * words keep their meaning. \ingroup RicciFlowEmbedding */
+ * The generators come from radii in double precision, so their relation holds to about 1e-11 times the matrix size.
+ * Newton's method finds the smallest change of all generators that makes the relation exact, so that long words remain
+ * meaningful. \ingroup RicciFlowEmbedding */
 struct DeckRelation
 {
-  /** The generators after the change, rounded. */
+  /** The corrected generators, rounded. */
   std::vector<PlaneMotion> generators;
-  /** Whether they were changed: not where the relation does not even hold to 0.1, for genera of about 30 and more. */
+  /** Whether they were corrected; false if the relation does not even hold to 0.1, for genera of about 30 and more. */
   bool isRefined{ false };
-  /** The largest |product - identity| of the relation: as given, with the rounded generators after the change, and of
-   * the product of commutators of `canonicalWords` with the exact ones. */
+  /** Largest |product - identity| of the relation: as given, with the corrected and rounded generators, and of the
+   * product of commutators of `canonicalWords` with the exact ones. */
   double givenResidual{ 0.0 };
   double residual{ 0.0 };
   double canonicalResidual{ 0.0 };
-  /** The motions of the canonical words, rounded; empty for words of more than 160 letters (genus 40), for which the
-   * residual is 0, too. */
+  /** Motions of the canonical words, rounded; empty for words of more than 160 letters (genus 40), for which the
+   * residual is also 0. */
   std::vector<PlaneMotion> canonical;
 };
 
@@ -119,13 +119,13 @@ RefineDeckRelation(const std::vector<PlaneMotion> &      generators,
                    const std::vector<int> &              word,
                    const std::vector<std::vector<int>> & canonicalWords);
 
-/** The largest difference between a product of motions of the disk, by letters, and plus or minus the identity, in
- * double precision. \ingroup RicciFlowEmbedding */
+/** Largest difference between a product of disk motions, given by letters, and plus or minus the identity, in double
+ * precision. \ingroup RicciFlowEmbedding */
 RicciFlowEmbedding_EXPORT double
 WordResidual(const std::vector<PlaneMotion> & generators, const std::vector<int> & word);
 
-/** The `number` elements of the group whose images of the origin lie nearest to it, the identity first: a finite part
- * of the universal cover. \ingroup RicciFlowEmbedding */
+/** The `number` group elements that move the origin least, the identity first: a finite part of the universal cover.
+ * \ingroup RicciFlowEmbedding */
 RicciFlowEmbedding_EXPORT std::vector<PlaneMotion>
                           UniversalCover(const std::vector<PlaneMotion> & generators, int number);
 } // namespace shapeton

@@ -114,7 +114,7 @@ WordsOfHandle(int k)
   return words;
 }
 
-/** The product of commutators, one of each handle in any order after the first, that comes closest to the identity. */
+/** The product of commutators, one per handle in any order after the first, that is closest to the identity. */
 std::vector<int>
 ClosestRelation(const std::vector<shapeton::PlaneMotion> & generators)
 {

@@ -16,7 +16,7 @@
 
 namespace
 {
-/** A triangulation of the sphere: nodes put into triangles, whose choice looks random. */
+/** A triangulation of the sphere: nodes inserted into pseudorandom triangles. */
 shapeton::CombinatorialMap
 StackedTriangles(int nodes)
 {
@@ -174,7 +174,7 @@ TEST(GraphEmbedding, ALongPathKeepsItsCirclesLarge)
 
 TEST(GraphEmbedding, NestedTrianglesAreEmbeddedWithAWarning)
 {
-  // Each triangle within the one before: the radii fall by a constant factor from one to the next.
+  // Nested triangles: the radii decrease by a constant factor from one to the next.
   shapeton::Graph    graph;
   shapeton::Rotation rotation;
   constexpr int      layers = 20;
@@ -227,7 +227,7 @@ TEST(GraphEmbedding, NestedTrianglesAreEmbeddedWithAWarning)
 
 TEST(GraphEmbedding, BlocksOfAFaceComeOutOfIt)
 {
-  // Two triangles with a common node, one within the other; then side by side, and the faces are 3, 3 and 6 long.
+  // Two triangles with a common node, nested; then side by side, with faces of length 3, 3 and 6.
   const shapeton::Graph            graph{ 5, { { 0, 1 }, { 1, 2 }, { 2, 0 }, { 0, 3 }, { 3, 4 }, { 4, 0 } }, {} };
   const shapeton::CombinatorialMap mixed(graph, { { 0, 6, 5, 11 }, { 1, 2 }, { 3, 4 }, { 7, 8 }, { 9, 10 } });
   ASSERT_EQ(mixed.Genus(), 1);
@@ -282,7 +282,7 @@ TEST(GraphEmbedding, RungsOfALadderComeToTheSameSide)
   constexpr int      rungs = 12;
   shapeton::Graph    ladder{ 2 * rungs, {}, {} };
   shapeton::Rotation rotation(ladder.nodes);
-  for (int i = 0; i < rungs; ++i) // edges 3 i: rung, 3 i + 1 and 3 i + 2: onwards
+  for (int i = 0; i < rungs; ++i) // edges 3 i: rung, 3 i + 1 and 3 i + 2: rails
   {
     ladder.edges.push_back({ i, rungs + i });
     if (i + 1 < rungs)
@@ -326,8 +326,8 @@ TEST(GraphEmbedding, SplitComponentsWithEqualSidesStayAsTheyAre)
 
 namespace
 {
-/** In each generation every edge gets a new node, joined with both of its ends (Dorogovtsev, Goltsev and Mendes). The
- * oldest and largest triangles lie next to their edge, far from all else. */
+/** In each generation every edge gets a new node, joined to both of its ends (Dorogovtsev, Goltsev and Mendes). The
+ * oldest and largest triangles are next to their edge, far from everything else. */
 struct NestedTriangles
 {
   explicit NestedTriangles(int generations)
@@ -340,7 +340,7 @@ struct NestedTriangles
     rotation[0] = first;
     rotation[1].assign(second.rbegin(), second.rend());
   }
-  /** Half-edges of an edge and of all that lies to its left: around the first node counter-clockwise, around the second
+  /** Half-edges of an edge and of everything to its left: around the first node counter-clockwise, around the second
    * clockwise. */
   void
   Grow(int edge, int generations, std::vector<int> & first, std::vector<int> & second)
@@ -408,6 +408,6 @@ TEST(GraphEmbedding, IsAbortedByProgressOnEachSurface)
       options.progress = progress;
       EmbedGraph(map.ToGraph(), map, options);
     };
-    shapeton::test::ExpectProgress(work, 6); // the regular torus takes no step of Newton's method
+    shapeton::test::ExpectProgress(work, 6); // on the regular torus Newton's method takes no step
   }
 }

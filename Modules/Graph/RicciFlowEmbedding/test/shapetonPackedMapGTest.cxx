@@ -11,7 +11,7 @@
 
 namespace
 {
-/** Triangles of a torus, and longer faces where some of their edges are left out. */
+/** Triangles of a torus, with longer faces where some of the edges are removed. */
 shapeton::CombinatorialMap
 TrianglesWithGaps(unsigned int seed)
 {
@@ -58,7 +58,7 @@ IsEdgeBetween(const shapeton::CombinatorialMap & map, int node, int other, int f
   });
 }
 
-/** FaceConflicts::sharesTwoNodes by all pairs of nodes and faces. */
+/** FaceConflicts::sharesTwoNodes by brute force over all pairs of nodes and faces. */
 std::vector<char>
 SharesTwoNodes(const shapeton::CombinatorialMap & map)
 {
@@ -85,7 +85,7 @@ SharesTwoNodes(const shapeton::CombinatorialMap & map)
   return shares;
 }
 
-/** The rotation system in which the half-edges of each node stand in ascending order. */
+/** The rotation system with ascending half-edges at each node. */
 shapeton::CombinatorialMap
 AnyMap(const shapeton::Graph & graph)
 {
@@ -116,7 +116,7 @@ ExpectPackable(const shapeton::CombinatorialMap & original)
   EXPECT_NO_THROW(shapeton::MakePackedMap(map, shapeton::Augmentation::None));
 }
 
-/** The order around the nodes of the graph with dummies left out. */
+/** The order around the graph nodes, without dummies. */
 void
 ExpectRotationKept(const shapeton::CombinatorialMap & original)
 {

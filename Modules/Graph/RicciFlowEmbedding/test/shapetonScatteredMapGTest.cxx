@@ -9,14 +9,14 @@
 
 namespace
 {
-/** Number i of n, when they are scattered over all of them; `n` is no multiple of 7919. */
+/** Scatters number i over 0 ... n - 1; `n` is not a multiple of 7919. */
 int
 Scattered(long i, long n)
 {
   return static_cast<int>((i * 7919 + 13) % n);
 }
 
-/** The map with nodes and edges in an order without neighbourhood. */
+/** The map with nodes and edges in an order without locality. */
 shapeton::CombinatorialMap
 ScatteredMap(const shapeton::CombinatorialMap & map)
 {
@@ -31,7 +31,7 @@ ScatteredMap(const shapeton::CombinatorialMap & map)
   return { map.Nodes(), edges, next };
 }
 
-/** A torus of squares without each 13th edge, so that circles differ; no node loses two. */
+/** A torus of squares without each 13th edge, so that circles differ; each node loses at most one. */
 shapeton::CombinatorialMap
 TorusWithHoles(int columns, int rows)
 {
@@ -109,7 +109,7 @@ Angle(const std::array<double, 3> & a, const std::array<double, 3> & b)
 }
 } // namespace
 
-/** Large maps are packed in another order of nodes and edges; what comes back belongs to the given one. */
+/** Large maps are packed in another order of nodes and edges; results are in the given one. */
 TEST(ScatteredMap, RadiiAreThoseOfTheirCircles)
 {
   const shapeton::CombinatorialMap map = ScatteredMap(TorusWithHoles(330, 340));
@@ -150,7 +150,7 @@ TEST(ScatteredMap, CirclesOfTheSphereTouch)
 
 TEST(ScatteredMap, AHubIsFarFromItsNeighboursInAnyOrder)
 {
-  // A wheel whose hub comes first.
+  // A wheel with its hub first.
   constexpr int      spokes = 101'000;
   shapeton::Graph    graph{ spokes + 1, {}, {} };
   shapeton::Rotation rotation(graph.nodes);

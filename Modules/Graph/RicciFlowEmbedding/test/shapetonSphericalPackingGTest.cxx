@@ -82,7 +82,7 @@ TEST(SphericalPacking, WheelsHaveTheRadiiOfTheClosedForm)
     {
       EXPECT_NEAR(shapeton::RadiusOf(packing.nodes[i]), rim, 1e-10);
     }
-    // Neighbours on the rim lie at the same distance d from the hub: sin(r) = sin(d) sin(pi / n), d = r + hub.
+    // Neighbors on the rim have the same distance d from the hub: sin(r) = sin(d) sin(pi / n), d = r + hub.
     const double d = rim + shapeton::RadiusOf(packing.nodes[spokes]);
     EXPECT_NEAR(std::sin(rim), std::sin(d) * std::sin(std::acos(-1.0) / spokes), 1e-10);
   }
@@ -116,8 +116,8 @@ TEST(SphericalPacking, ATreeIsPackedWithDummies)
 
 namespace
 {
-/** Triangles in triangles: node i in that of the three before it, so that circles shrink by the same factor each time;
- * and some more nodes around the first three. */
+/** Nested triangles: node i is in that of the three nodes before it, so that circles shrink by a constant factor; plus
+ * some nodes around the first three. */
 shapeton::CombinatorialMap
 NestedTriangles(int chain, int more)
 {
@@ -192,7 +192,7 @@ TEST(SphericalPacking, VerySmallVisibleCapsAreEnlarged)
   {
     EXPECT_NEAR(component / sum, 0.0, 1e-7);
   }
-  // Caps that nobody sees, or that are large enough, leave the barycentre where it is.
+  // Caps that are invisible or large enough do not change the barycenter.
   std::vector<char> firstAlone(map.Nodes(), 0);
   firstAlone[0] = 1;
   const auto same = shapeton::PackOnSphere(map, shapeton::PointAtInfinity::Circle, {}, firstAlone);
@@ -201,8 +201,8 @@ TEST(SphericalPacking, VerySmallVisibleCapsAreEnlarged)
 
 TEST(SphericalPacking, LongRingsKeepTheirAccuracy)
 {
-  // A prism: all circles of its nodes are equal, and errors of double precision would grow with the square of their
-  // number on the way around.
+  // A prism: all node circles are equal, and errors of double precision would grow with the square of their number
+  // around the prism.
   constexpr int      sides = 1500;
   shapeton::Graph    graph{ 2 * sides, {}, {} };
   shapeton::Rotation rotation(graph.nodes);

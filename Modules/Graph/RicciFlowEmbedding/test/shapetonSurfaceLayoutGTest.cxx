@@ -12,7 +12,7 @@ namespace
 {
 const double pi = std::acos(-1.0);
 
-/** The rotation system in which the half-edges of each node stand in ascending order: of high genus. */
+/** The rotation system with ascending half-edges at each node: of high genus. */
 shapeton::PackedMap
 AnyPackedMap(const shapeton::Graph & graph)
 {
@@ -158,7 +158,7 @@ TEST(SurfaceLayout, DeckTransformationsOfHyperbolicSurfacesObeyTheirRelation)
 
 TEST(SurfaceLayout, FarDeckTransformationsStayWhatTheyAre)
 {
-  // Rounded, the squares of their numbers no longer differ by 1.
+  // After rounding, the squares of their numbers no longer differ by 1.
   for (const double length : { 1.0, 30.0, 60.0 })
   {
     for (const double angle : { 0.3, 1.1, 2.9 })
@@ -166,7 +166,7 @@ TEST(SurfaceLayout, FarDeckTransformationsStayWhatTheyAre)
       const shapeton::PlaneMotion far = shapeton::PlaneMotion::Rotation(shapeton::FlowGeometry::Hyperbolic, angle) *
                                         shapeton::PlaneMotion::Translation(shapeton::FlowGeometry::Hyperbolic, length);
       const shapeton::DeckRelation relation =
-        shapeton::RefineDeckRelation({ far }, { 1 }, {}); // no relation: none is refined
+        shapeton::RefineDeckRelation({ far }, { 1 }, {}); // no relation to refine
       ASSERT_EQ(relation.generators.size(), 1U);
       EXPECT_LE(std::abs(relation.generators[0].a - far.a), 1e-15 * std::abs(far.a));
       EXPECT_LE(std::abs(relation.generators[0].b - far.b), 1e-15 * std::abs(far.b));

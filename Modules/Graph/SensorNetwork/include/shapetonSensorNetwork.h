@@ -10,11 +10,11 @@
 
 namespace shapeton
 {
-/** Which links between devices become edges. \ingroup SensorNetwork */
+/** Selection of links that become edges. \ingroup SensorNetwork */
 enum class PlanarSubgraph
 {
   None,   ///< all links: a unit-disk graph, which is not planar
-  Gabriel ///< links whose disk, that with the link as diameter, holds no other device of the network; planar
+  Gabriel ///< links whose diametral disk contains no other device of the network; planar
 };
 
 /** Number, reach and motion of the devices of a SensorNetwork. \ingroup SensorNetwork */
@@ -22,38 +22,38 @@ struct SensorNetworkOptions
 {
   int           devices{ 200 };
   std::uint64_t seed{ 1 };
-  /** Reach of a device at full power, m; > 0. */
+  /** Reach of a device at full power (m); positive. */
   double range{ 120.0 };
-  /** The area is a square with this side, m. */
+  /** Side of the square area (m). */
   double side{ 1000.0 };
-  /** Mean way of a device in a step, m. */
+  /** Mean distance traveled by a device in a step (m). */
   double         speed{ 4.0 };
   PlanarSubgraph planar{ PlanarSubgraph::Gabriel };
 };
 
-/** A device at one time. \ingroup SensorNetwork */
+/** State of a device at one step. \ingroup SensorNetwork */
 struct SensorDevice
 {
   double x{ 0.0 }; ///< m
   double y{ 0.0 }; ///< m
-  /** Charge of the battery in [0, 1]; the reach is range * sqrt(power). */
+  /** Battery charge in [0, 1]; the reach is range * sqrt(power). */
   double power{ 1.0 };
-  /** Within the area and with charge enough to send. */
+  /** Whether the device is within the area and has enough charge to send. */
   bool inNetwork{ true };
 };
 
 /** \class SensorNetwork
- * \brief Devices that move, run low and charge again, leave an area and come back (section 6.7).
+ * \brief Devices that move, discharge and recharge, leave an area and return (section 6.7).
  *
- * Each device walks straight on and turns a little at random; it may leave the area by a tenth of its side before it
- * turns around, and is not in the network meanwhile. Sending costs charge; a device whose charge is below a tenth is
- * out of the network until it is charged to one half. Two devices have a link when each one reaches the other.
+ * Each device moves nearly straight, with small random turns. It may leave the area by a tenth of the side before it
+ * turns around, and is not in the network meanwhile. Sending consumes charge; a device with less than a tenth of its
+ * charge is out of the network until it is half charged. Two devices are linked if each reaches the other.
  *
- * Same options, same network, step by step. \ingroup SensorNetwork */
+ * The same options give the same network at every step. \ingroup SensorNetwork */
 class SensorNetwork_EXPORT SensorNetwork
 {
 public:
-  /** At step 0. Throws ParameterError for an option out of range. */
+  /** Starts at step 0. Throws ParameterError if an option is out of range. */
   explicit SensorNetwork(const SensorNetworkOptions & options);
 
   /** Moves all devices by one step. */
@@ -66,11 +66,11 @@ public:
     return m_Devices;
   }
 
-  /** "d00017" for device 17. */
+  /** Name of a device: "d00017" for device 17. */
   static std::string
   NameOfDevice(int device);
 
-  /** The nodes are the devices in the network, by their names. */
+  /** Graph of the step; the nodes are the devices in the network, by name. */
   Graph
   GetGraph() const;
 
@@ -83,8 +83,8 @@ private:
   std::vector<bool>         m_IsCharging;
 };
 
-/** The links between points whose reaches are at least their distance, ascending pairs; with `gabriel` only those whose
- * disk holds no other point. \ingroup SensorNetwork */
+/** Links between points whose reaches are at least their distance, as ascending pairs. With `gabriel`, only those whose
+ * diametral disk contains no other point. \ingroup SensorNetwork */
 SensorNetwork_EXPORT std::vector<std::array<int, 2>>
 LinksBetween(const std::vector<std::array<double, 2>> & points, const std::vector<double> & reach, bool gabriel);
 } // namespace shapeton

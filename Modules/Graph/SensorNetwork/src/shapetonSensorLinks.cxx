@@ -28,7 +28,7 @@ public:
       m_Low = { std::min(m_Low[0], p[0]), std::min(m_Low[1], p[1]) };
       high = { std::max(high[0], p[0]), std::max(high[1], p[1]) };
     }
-    // No more cells than points: a small reach needs no finer ones.
+    // At most as many cells as points: finer cells do not help for a small reach.
     const double extent = std::max(high[0] - m_Low[0], high[1] - m_Low[1]);
     m_Cell = std::max({ cell, extent / std::ceil(std::sqrt(static_cast<double>(points.size()))), 1e-300 });
     m_Columns = static_cast<int>((high[0] - m_Low[0]) / m_Cell) + 1;
@@ -79,7 +79,7 @@ private:
   std::vector<std::vector<int>> m_PointsOfCell;
 };
 
-/** Another point in the disk that has the link as diameter, its border included. */
+/** Whether another point is in the diametral disk of the link, including its boundary. */
 bool
 IsBlocked(const std::vector<Point> & points, const PointCells & cells, int a, int b)
 {

@@ -13,9 +13,9 @@ namespace
 {
 constexpr std::uint32_t startPurpose = 0x5E4501;
 constexpr std::uint32_t stepPurpose = 0x5E4502;
-// Devices turn around here, beyond the area, in parts of its side.
+// Turning margin beyond the area, as a fraction of its side.
 constexpr double margin = 0.1;
-// A device in the network loses this part of its charge in a step, on the average, and gains so much when charging.
+// Mean charge lost per step in the network, and charge gained per step when charging.
 constexpr double meanDrain = 0.01;
 constexpr double chargeOfStep = 0.05;
 constexpr double leastPower = 0.1;
@@ -28,7 +28,7 @@ Unit(std::uint32_t word)
   return word * (1.0 / 4294967296.0);
 }
 
-/** A coordinate beyond the margin is mirrored back. Returns whether it was. */
+/** Reflects a coordinate beyond the margin. Returns whether it did. */
 bool
 Reflect(double & x, double side)
 {

@@ -78,8 +78,8 @@ struct ColonFlattening
 };
 
 /** Flattens a tube: preparation, metric, map, handle removal. Throws InputError with the prefix `what` if the surface
- * is not a tube or the time does not suit a metric; ParameterError if the time is negative or not finite. \ingroup
- * ConformalFlattening */
+ * is not a tube or the time does not suit a metric; ParameterError if the time is negative or not finite.
+ * \ingroup ConformalFlattening */
 ConformalFlattening_EXPORT ColonFlattening
 FlattenColon(SurfaceMesh mesh, const std::string & what, const ColonFlatteningOptions & options = {});
 

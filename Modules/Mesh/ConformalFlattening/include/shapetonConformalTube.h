@@ -86,8 +86,8 @@ FlattenTube(const SurfaceMesh &         mesh,
 ConformalFlattening_EXPORT Eigen::VectorXd
 HarmonicAlongTube(const SurfaceLaplacian & laplacian, const TubeEnds & ends, const Progress & progress = {});
 
-/** Mean length of the level sets of u, 0 <= u <= 1, on the surface in space: the integral of |grad u| (mm). \ingroup
- * ConformalFlattening */
+/** Mean length of the level sets of u, 0 <= u <= 1, on the surface in space: the integral of |grad u| (mm).
+ * \ingroup ConformalFlattening */
 ConformalFlattening_EXPORT double
 MeanLevelLength(const SurfaceMesh & mesh, const Eigen::VectorXd & u);
 

@@ -10,8 +10,8 @@ namespace shapeton
 using SideLengths = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
 
 /** \defgroup FlatDistortion How a map to the plane distorts the faces of a surface, in any metric on it
- * A cut preserves the faces, so the side lengths of the surface also apply to the cut surface. \ingroup
- * ConformalFlattening */
+ * A cut preserves the faces, so the side lengths of the surface also apply to the cut surface.
+ * \ingroup ConformalFlattening */
 ///@{
 
 /** Sides of all faces from edge lengths in any metric, such as HeatDiffusionMetric::edgeLengths. */

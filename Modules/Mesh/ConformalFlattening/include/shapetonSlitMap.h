@@ -8,8 +8,8 @@
 
 namespace shapeton
 {
-/** Logarithm of the conformal map of a surface onto an annulus with concentric circular slits. \ingroup
- * ConformalFlattening */
+/** Logarithm of the conformal map of a surface onto an annulus with concentric circular slits.
+ * \ingroup ConformalFlattening */
 struct SlitMap
 {
   /** Index of the loop that becomes the inner circle. */

@@ -63,8 +63,8 @@ struct HandleRemoval
  * the surrounding size (Liepa, Filling holes in meshes, 2003). The filling minimizes bending: the sum of squared
  * uniform Laplacians at new vertices and at the rim. Boundaries are unchanged.
  *
- * \pre The surface is one oriented manifold component and the handles belong to it; else InputError. \ingroup
- * ConformalFlattening */
+ * \pre The surface is one oriented manifold component and the handles belong to it; else InputError.
+ * \ingroup ConformalFlattening */
 ConformalFlattening_EXPORT HandleRemoval
 RemoveHandles(const SurfaceMesh &                mesh,
               const SurfaceConnectivity &        connectivity,

@@ -22,8 +22,8 @@ struct TubeEnds
 };
 
 /** Throws InputError unless the surface is one oriented manifold component with exactly two boundary loops. Handles are
- * allowed. The message starts with `what`, describes the surface and names the tool to use. \ingroup
- * ConformalFlattening */
+ * allowed. The message starts with `what`, describes the surface and names the tool to use.
+ * \ingroup ConformalFlattening */
 ConformalFlattening_EXPORT TubeEnds
 FindTubeEnds(const SurfaceMesh & mesh, const SurfaceConnectivity & connectivity, const std::string & what);
 

@@ -14,8 +14,8 @@ MeanEdgeAt55000Faces(const SurfaceConnectivity & connectivity, const Eigen::Vect
 
 /** \name Mesh and diffusion time for a tube, by its narrowest radius r in mm
  * With mean edge length h, mesh noise requires t >= h^2 and shape preservation t <= 1.3 r^2 (measured on patient
- * walls). Throw InputError if the radius is not positive; infinity is allowed if there is no lumen. \ingroup
- * HeatDiffusionMetric */
+ * walls). Throw InputError if the radius is not positive; infinity is allowed if there is no lumen.
+ * \ingroup HeatDiffusionMetric */
 ///@{
 
 /** min(8 min(h, 3 mm)^2, max(0.6 r^2, h^2)), mm^2. At 8 h^2, loops of about 8 edges (the handles) are smoothed away ('t

@@ -76,8 +76,8 @@ private:
   SelectedInversion m_Inversion;
 };
 
-/** Metric of a surface with its straight edge lengths. \pre RequireOneManifold(); else InputError. \ingroup
- * HeatDiffusionMetric */
+/** Metric of a surface with its straight edge lengths. \pre RequireOneManifold(); else InputError.
+ * \ingroup HeatDiffusionMetric */
 HeatDiffusionMetric_EXPORT HeatDiffusionMetric
 ComputeHeatDiffusionMetric(const SurfaceMesh & mesh, double t, const Progress & progress = {});
 

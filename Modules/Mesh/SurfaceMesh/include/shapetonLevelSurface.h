@@ -18,8 +18,8 @@ namespace shapeton
 SurfaceMesh_EXPORT SurfaceMesh
 LevelSurface(std::vector<float> & values, const std::array<int, 3> & size, double level, double first = 0.0);
 
-/** The component with the largest enclosed volume, faces oriented outward. \pre The surface has a face. \ingroup
- * SurfaceMesh */
+/** The component with the largest enclosed volume, faces oriented outward. \pre The surface has a face.
+ * \ingroup SurfaceMesh */
 SurfaceMesh_EXPORT SurfaceMesh
 OuterShell(const SurfaceMesh & mesh);
 } // namespace shapeton

@@ -7,8 +7,8 @@ namespace shapeton
 {
 /** The point of a triangle a b c that is closest to p.
  *
- * After Ericson, Real-Time Collision Detection (2005), section 5.1.5. Also handles zero-area triangles. \ingroup
- * SurfaceMesh */
+ * After Ericson, Real-Time Collision Detection (2005), section 5.1.5. Also handles zero-area triangles.
+ * \ingroup SurfaceMesh */
 SurfaceMesh_EXPORT Eigen::Vector3d
                    ClosestPointOfTriangle(const Eigen::Vector3d & p,
                                           const Eigen::Vector3d & a,

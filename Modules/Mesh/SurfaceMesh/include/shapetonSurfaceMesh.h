@@ -16,8 +16,8 @@ using VertexMatrix = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
 /** Triangles, three vertex indices per row, counterclockwise as seen from outside. \ingroup SurfaceMesh */
 using FaceMatrix = Eigen::Matrix<int, Eigen::Dynamic, 3, Eigen::RowMajor>;
 
-/** Named values: one row for each vertex or face, or any number of rows for the surface as a whole. \ingroup
- * SurfaceMesh */
+/** Named values: one row for each vertex or face, or any number of rows for the surface as a whole.
+ * \ingroup SurfaceMesh */
 struct SurfaceArray
 {
   using ValueMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;

@@ -83,8 +83,8 @@ struct SurfaceQuality
   SurfaceDefects    defects;
 };
 
-/** Computes the statistics of a surface in linear time and memory. Throws InputError as RequireSound(). \ingroup
- * SurfaceMesh */
+/** Computes the statistics of a surface in linear time and memory. Throws InputError as RequireSound().
+ * \ingroup SurfaceMesh */
 SurfaceMesh_EXPORT SurfaceQuality
 InspectSurface(const SurfaceMesh & mesh);
 
@@ -102,8 +102,8 @@ EnclosedVolume(const VertexMatrix & V, const FaceMatrix & F);
  * vertices, edges, boundaryLoops, eulerCharacteristic, manifold, orientable, genus), boundaryLoops (a list of
  * vertices, length), edgeLength, smallestAngle, largestAngle, aspectRatio (minimum, percentile1, median, percentile99,
  * maximum), defects (counts: degenerateFaces, zeroAreaFaces, duplicateFaces, unreferencedVertices, coincidentVertices,
- * nonManifoldEdges, nonManifoldVertices, inconsistentEdges). Numbers are rounded to 9 significant digits. \ingroup
- * SurfaceMesh */
+ * nonManifoldEdges, nonManifoldVertices, inconsistentEdges). Numbers are rounded to 9 significant digits.
+ * \ingroup SurfaceMesh */
 SurfaceMesh_EXPORT Json
 SurfaceQualityToJson(const SurfaceQuality & quality);
 
