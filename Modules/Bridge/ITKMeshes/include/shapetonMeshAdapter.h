@@ -55,8 +55,8 @@ AddTriangle(const FaceMatrix & F, Eigen::Index face, TMesh & mesh)
     if (!edge)
     {
       throw InputError("the face " + std::to_string(face) +
-                       " shares an edge with two others, or runs against a neighbour: a QuadEdgeMesh holds oriented "
-                       "manifolds alone; repair the surface first");
+                       " shares an edge with two others or is flipped: a QuadEdgeMesh must be an oriented manifold; "
+                       "repair the surface first");
     }
     return edge->GetLeft();
   }
@@ -94,7 +94,7 @@ FillMesh(const SurfaceMesh & surface,
          const std::string & pointArray = "",
          const std::string & cellArray = "")
 {
-  static_assert(TMesh::PointDimension == 3, "surfaces lie in space");
+  static_assert(TMesh::PointDimension == 3, "surfaces are three-dimensional");
   RequireParameter(mesh.GetNumberOfPoints() == 0 && mesh.GetNumberOfCells() == 0,
                    "the mesh to be filled is not empty; call its Initialize() first");
   RequireSound(surface, "the surface");
@@ -222,7 +222,7 @@ template <typename TMesh, typename = typename TMesh::MeshTraits>
 SurfaceMesh
 SurfaceOf(const TMesh & mesh)
 {
-  static_assert(TMesh::PointDimension == 3, "surfaces lie in space");
+  static_assert(TMesh::PointDimension == 3, "surfaces are three-dimensional");
   if (!mesh.GetPoints() || !mesh.GetCells())
   {
     throw InputError("the mesh is empty");

@@ -39,7 +39,7 @@ SpaceOf(vtkFieldData & data, PatientSpace otherwise)
   const std::string name = const_cast<vtkStringArray *>(text)->GetValue(0);
   if (name != "LPS" && name != "RAS")
   {
-    throw InputError("the field data state SPACE=" + name + "; LPS and RAS are known");
+    throw InputError("the field data state SPACE=" + name + "; expected LPS or RAS");
   }
   return name == "RAS" ? PatientSpace::RAS : PatientSpace::LPS;
 }

@@ -100,7 +100,7 @@ public:
     }
     else
     {
-      this->RefuseIfKnown("a number that is no index");
+      this->RefuseIfKnown("a number that is not an index");
     }
     return true;
   }
@@ -137,7 +137,7 @@ public:
     constexpr std::size_t mostDepth = 16; // limits the length of key paths
     if (m_Objects.size() >= mostDepth)
     {
-      this->Refuse("holds objects in objects, more than a certificate has");
+      this->Refuse("has too many nested objects");
     }
     m_Objects.push_back(m_Path);
     return true;
@@ -149,7 +149,7 @@ public:
     m_Path = m_Objects.back().empty() ? value : m_Objects.back() + '.' + value;
     if (!m_Seen.insert(m_Path).second)
     {
-      this->Refuse("stands there twice");
+      this->Refuse("is repeated");
     }
     return true;
   }
@@ -227,7 +227,7 @@ private:
     if (m_Tables.integers.count(m_Path) > 0 || m_Tables.numbers.count(m_Path) > 0 || m_Tables.texts.count(m_Path) > 0 ||
         m_Tables.words.count(m_Path) > 0 || IsIn("statistics") || IsIn("provenance"))
     {
-      this->Refuse("holds " + what + ", which has no place there");
+      this->Refuse("holds " + what + ", which is not allowed there");
     }
   }
 
@@ -257,7 +257,7 @@ public:
   Text(const std::string & key) const
   {
     const auto found = m_Tables.text.find(key);
-    Require(found != m_Tables.text.end(), key, "is missing or no text");
+    Require(found != m_Tables.text.end(), key, "is missing or not a string");
     return found->second;
   }
 
@@ -265,7 +265,7 @@ public:
   Integer(const std::string & key, int least) const
   {
     const auto found = m_Tables.integer.find(key);
-    Require(found != m_Tables.integer.end(), key, "is missing or no whole number");
+    Require(found != m_Tables.integer.end(), key, "is missing or not an integer");
     Require(found->second >= least, key, "is less than " + std::to_string(least));
     return found->second;
   }
@@ -362,7 +362,7 @@ GeometryOf(const EntryReader & entries)
       return geometry;
     }
   }
-  entries.Require(false, "geometry", "is \"" + name + "\", none of spherical, euclidean, hyperbolic");
+  entries.Require(false, "geometry", "is \"" + name + "\"; expected spherical, euclidean or hyperbolic");
   return {};
 }
 
@@ -375,7 +375,7 @@ TakeGraph(EntryReader & entries, EmbeddingCertificate & certificate)
   graph.names = entries.Texts("graph.names");
   entries.Require(graph.names.empty() || graph.names.size() == static_cast<std::size_t>(graph.nodes),
                   "graph.names",
-                  "has not one name for each node");
+                  "must have one name for each node");
   const std::size_t halfEdges = 2 * graph.edges.size();
   certificate.rotation = entries.Integers("graph.rotation", halfEdges, 0, halfEdges);
 }
@@ -401,7 +401,7 @@ TakePackedMap(EntryReader & entries, bool hasPackedMap, EmbeddingCertificate & c
   {
     const bool isSound = path.size() >= 2 && path.front() % 2 == 0 &&
                          static_cast<std::size_t>(path.front()) < 2 * certificate.graph.edges.size();
-    entries.Require(isSound, "packed.subdivided", "has a path that is no subdivided edge of the graph");
+    entries.Require(isSound, "packed.subdivided", "has a path that is not a subdivided edge of the graph");
   }
 }
 

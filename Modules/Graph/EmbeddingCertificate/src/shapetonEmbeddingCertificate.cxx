@@ -27,7 +27,7 @@ GraphHalfEdges(const EmbeddingCertificate & certificate)
     if (path.empty() || path.front() % 2 != 0 || static_cast<std::size_t>(path.front()) >= 2 * edges)
     {
       throw InputError(
-        "a path of the certificate's list subdivided does not begin with an edge of the graph; compute the "
+        "a path of the certificate's list subdivided does not start with an edge of the graph; compute the "
         "certificate again");
     }
     image[path.front() + 1] = -1;

@@ -179,7 +179,7 @@ CheckCutGraph(const EmbeddingCertificate & certificate, const TracedMap & packed
   const std::vector<int> word = BoundaryWord(certificate, packed, cut);
   if (!AreCyclicallyEqual(word, certificate.word))
   {
-    throw Refusal("the word is not what one reads along the boundary of the fundamental polygon");
+    throw Refusal("the word does not match the boundary of the fundamental polygon");
   }
   CheckCanonicalWords(certificate);
 }

@@ -249,7 +249,7 @@ DiskCheck::CheckFaces(Measures & measures) const
     if (!(error <= std::max(ToleranceOf(v), Tolerance(place))))
     {
       throw Refusal("the circles of node " + std::to_string(v) + " and face " + std::to_string(f) +
-                    " are not orthogonal: the face lies " + Figure(error) + " beside its place");
+                    " are not orthogonal: the face lies " + Figure(error) + " from its expected position");
     }
     largest = std::max(largest, error);
   }

@@ -63,7 +63,7 @@ private:
     if (!(m_Area > 0.0) || !(std::abs(m_First) <= slack * std::abs(m_Second)) ||
         !(std::abs(shear) <= 0.5 * slack * std::norm(m_First)))
     {
-      throw Refusal("the periods are no reduced basis of a lattice");
+      throw Refusal("the periods are not a reduced basis of a lattice");
     }
     double kites = 0.0;
     for (int h = 0; h < m_Packed.HalfEdges(); ++h)
@@ -145,7 +145,7 @@ private:
       if (!(error <= tolerance))
       {
         throw Refusal("the circles of node " + std::to_string(v) + " and face " + std::to_string(f) +
-                      " are not orthogonal: the face lies " + Figure(error) + " beside its place");
+                      " are not orthogonal: the face lies " + Figure(error) + " from its expected position");
       }
       largest = std::max(largest, error);
     }

@@ -229,7 +229,7 @@ private:
     {
       if (!(std::abs(angles[i] - 2.0 * Pi) < Pi)) // a multiple of 2 pi up to rounding
       {
-        throw Refusal("the kites go " + Figure(angles[i] / (2.0 * Pi)) + " times around " + kind + ' ' +
+        throw Refusal("the kites wind " + Figure(angles[i] / (2.0 * Pi)) + " times around " + kind + ' ' +
                       std::to_string(i));
       }
     }

@@ -43,7 +43,7 @@ TracedMap::TracedMap(const Graph & graph, const std::vector<int> & rotation, con
     const int         owner = node[rotation[start]];
     if (firstOfNode[owner] >= 0)
     {
-      throw Refusal(what + ": the half-edges of node " + std::to_string(owner) + " do not stand together");
+      throw Refusal(what + ": the half-edges of node " + std::to_string(owner) + " are not consecutive");
     }
     firstOfNode[owner] = rotation[start];
     for (; i < rotation.size() && node[rotation[i]] == owner; ++i)
@@ -52,7 +52,7 @@ TracedMap::TracedMap(const Graph & graph, const std::vector<int> & rotation, con
       const int  after = isLast ? rotation[start] : rotation[i + 1];
       if (next[rotation[i]] >= 0)
       {
-        throw Refusal(what + ": half-edge " + std::to_string(rotation[i]) + " stands in it twice");
+        throw Refusal(what + ": half-edge " + std::to_string(rotation[i]) + " is listed twice");
       }
       next[rotation[i]] = after;
       previous[after] = rotation[i];

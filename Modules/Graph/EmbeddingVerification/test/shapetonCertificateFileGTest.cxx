@@ -108,7 +108,7 @@ TEST(CertificateFile, RefusalsNameTheEntry)
   EXPECT_NE(std::string::npos,
             MessageOf(Replaced(text, "\"nodeRadii\": [0.5,", "\"nodeRadii\": [1e999,")).find("too large"));
   EXPECT_NE(std::string::npos,
-            MessageOf(Replaced(text, "\"genus\": 1", "\"genus\": 1, \"genus\": 1")).find("stands there twice"));
+            MessageOf(Replaced(text, "\"genus\": 1", "\"genus\": 1, \"genus\": 1")).find("is repeated"));
   EXPECT_NE(std::string::npos,
             MessageOf(Replaced(text, "\"version\": 1", "\"version\": 2")).find("\"version\" is not 1"));
 }

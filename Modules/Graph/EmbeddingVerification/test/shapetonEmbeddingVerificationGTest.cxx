@@ -121,8 +121,8 @@ TEST(EmbeddingVerification, SwappedRotations)
   ExpectRefused(Octahedron(), "the rotation of the graph and that of the packed map differ", swapGraph);
   ExpectRefused(Octahedron(), "the rotation has 6 faces, but the certificate 8", swapBoth);
   ExpectRefused(
-    Octahedron(), "do not stand together", [](auto & c) { std::swap(c.packedRotation[0], c.packedRotation[5]); });
-  ExpectRefused(Octahedron(), "stands in it twice", [](auto & c) { c.packedRotation[0] = c.packedRotation[1]; });
+    Octahedron(), "are not consecutive", [](auto & c) { std::swap(c.packedRotation[0], c.packedRotation[5]); });
+  ExpectRefused(Octahedron(), "is listed twice", [](auto & c) { c.packedRotation[0] = c.packedRotation[1]; });
 }
 
 TEST(EmbeddingVerification, WrongTopology)
@@ -184,14 +184,14 @@ TEST(EmbeddingVerification, PerturbedTorus)
   ExpectRefused(grid, "the angles at node 5 sum to", [](auto & c) { c.nodeRadii[5] *= 1.0 + 1e-9; });
   ExpectRefused(grid, "are not tangent", [](auto & c) { c.nodePositions[6] += 1e-7; });
   ExpectRefused(grid, "the directions at the ends", [](auto & c) { c.nodeAngles[2] += 1e-7; });
-  ExpectRefused(grid, "beside its place", [](auto & c) { c.facePositions[6] += 1e-7; });
+  ExpectRefused(grid, "from its expected position", [](auto & c) { c.facePositions[6] += 1e-7; });
   ExpectRefused(grid, "cover", [](auto & c) {
     c.periods[0] *= 2.0;
     std::swap(c.periods[0], c.periods[3]);
   });
-  ExpectRefused(grid, "no reduced basis", [](auto & c) { c.periods[2] += 4.0; });
+  ExpectRefused(grid, "not a reduced basis", [](auto & c) { c.periods[2] += 4.0; });
   ExpectRefused(grid, "is not its translation", [](auto & c) { c.generators[1].b += 1e-6; });
-  ExpectRefused(grid, "the word is not", [](auto & c) { c.word = { 1, -2, -1, 2 }; });
+  ExpectRefused(grid, "the word does not match", [](auto & c) { c.word = { 1, -2, -1, 2 }; });
   ExpectRefused(grid, "commutators", [](auto & c) { c.canonicalWords = { { 1 }, { 1 } }; });
   ExpectRefused(grid, "the tree", [](auto & c) { c.tree[3] = -1; });
   ExpectRefused(grid, "the tree does not lead to node 5", [](auto & c) { c.tree[5] ^= 1; });
@@ -203,9 +203,9 @@ TEST(EmbeddingVerification, PerturbedOctagon)
 {
   ExpectRefused(Octagon(), "the angles at node 0 sum to", [](auto & c) { c.nodeRadii[0] *= 1.0 + 1e-9; });
   ExpectRefused(Octagon(), "is not its deck transformation", [](auto & c) { c.generators[2].b *= 1.0 + 1e-6; });
-  ExpectRefused(Octagon(), "beside its place", [](auto & c) { c.facePositions[0] += 1e-7; });
+  ExpectRefused(Octagon(), "from its expected position", [](auto & c) { c.facePositions[0] += 1e-7; });
   ExpectRefused(Octagon(), "outside the disk", [](auto & c) { c.nodePositions[0] = 1.0; });
-  ExpectRefused(Octagon(), "the word is not", [](auto & c) { std::swap(c.word[0], c.word[1]); });
+  ExpectRefused(Octagon(), "the word does not match", [](auto & c) { std::swap(c.word[0], c.word[1]); });
   // The check is invariant under translation and rotation.
   EXPECT_EQ("", RefusalOf(Octagon(), [](auto & c) { c.word = { -2, 3, 4, -3, -4, 1, 2, -1 }; }));
 }

@@ -250,7 +250,7 @@ CompareGraphs(const Graph &                 a,
     result.differences = DifferencesBetween(FiguresOf(a), FiguresOf(b));
     if (result.differences.empty())
     {
-      result.differences.push_back("the counts agree, the canonical forms do not");
+      result.differences.push_back("the counts agree, but the canonical forms differ");
     }
     if (result.a.geometry == EmbeddingGeometry::Spherical && result.b.geometry == EmbeddingGeometry::Spherical)
     {

@@ -305,10 +305,10 @@ RequireGenus(int genus, const SurfaceEmbedding & least, const CombinatorialMap &
 {
   if (greatest.Genus() != genus)
   {
-    throw InputError("no embedding of genus " + std::to_string(genus) + " was found, only of genus " +
+    throw InputError("no embedding of genus " + std::to_string(genus) + " was found, only genus " +
                      std::to_string(least.map.Genus()) + " to " + std::to_string(greatest.Genus()) +
-                     (genus < least.lowerBound ? "; none exists below " + std::to_string(least.lowerBound) : "") +
-                     "; ask for one of these");
+                     (genus < least.lowerBound ? "; the lower bound is " + std::to_string(least.lowerBound) : "") +
+                     "; choose one of these");
   }
 }
 } // namespace
@@ -316,9 +316,9 @@ RequireGenus(int genus, const SurfaceEmbedding & least, const CombinatorialMap &
 SurfaceEmbedding
 FindEmbedding(const Graph & graph, const GenusOptions & options)
 {
-  RequireParameter(options.genus >= -1, "the genus is negative; give 0 or more");
-  RequireParameter(options.restarts >= 1, "there are no restarts; give 1 or more");
-  RequireParameter(options.effort > 0.0, "the effort is not positive; give a number above 0");
+  RequireParameter(options.genus >= -1, "the genus must not be negative; use 0 or more");
+  RequireParameter(options.restarts >= 1, "the number of restarts must be at least 1");
+  RequireParameter(options.effort > 0.0, "the effort must be positive");
   RequireSound(graph, "embedding");
   options.progress(0.0);
   SurfaceEmbedding result = FindAnnealed(graph, options);

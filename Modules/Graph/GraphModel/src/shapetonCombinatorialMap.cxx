@@ -15,7 +15,7 @@ Require(bool condition, const TFault & fault)
 {
   if (!condition)
   {
-    throw InputError("the rotation system is none of this graph: " + fault());
+    throw InputError("the rotation system does not match the graph: " + fault());
   }
 }
 
@@ -31,8 +31,8 @@ NextAroundOf(const Graph & graph, const Rotation & rotation)
     for (std::size_t i = 0; i < order.size(); ++i)
     {
       const int halfEdge = order[i];
-      Require(halfEdge >= 0 && halfEdge < halfEdges, [&] { return "no half-edge " + std::to_string(halfEdge); });
-      Require(next[halfEdge] < 0, [&] { return "half-edge " + std::to_string(halfEdge) + " stands there twice"; });
+      Require(halfEdge >= 0 && halfEdge < halfEdges, [&] { return "invalid half-edge " + std::to_string(halfEdge); });
+      Require(next[halfEdge] < 0, [&] { return "half-edge " + std::to_string(halfEdge) + " is listed twice"; });
       next[halfEdge] = order[(i + 1) % order.size()];
     }
   }
@@ -66,7 +66,7 @@ CombinatorialMap::CombinatorialMap(int                                     nodes
   for (std::size_t h = 0; h < m_Node.size(); ++h)
   {
     m_Node[h] = edges[h / 2][h % 2];
-    Require(m_Node[h] >= 0 && m_Node[h] < nodes, [&] { return "no node " + std::to_string(m_Node[h]); });
+    Require(m_Node[h] >= 0 && m_Node[h] < nodes, [&] { return "invalid node " + std::to_string(m_Node[h]); });
   }
   Build();
 }
@@ -89,7 +89,7 @@ CombinatorialMap::LinkNodes()
     const int next = m_Next[h];
     Require(next >= 0 && next < HalfEdges(), [&] { return "half-edge " + std::to_string(h) + " is missing"; });
     Require(m_Node[next] == m_Node[h], [&] { return "half-edge " + std::to_string(next) + " leaves another node"; });
-    Require(m_Previous[next] < 0, [&] { return "half-edge " + std::to_string(next) + " stands there twice"; });
+    Require(m_Previous[next] < 0, [&] { return "half-edge " + std::to_string(next) + " is listed twice"; });
     m_Previous[next] = h;
   }
   std::vector<bool> seen(HalfEdges(), false);

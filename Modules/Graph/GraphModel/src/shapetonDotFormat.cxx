@@ -22,7 +22,7 @@ public:
     m_Text.Require(!m_Token.IsKeyword("digraph"),
                    m_Token.line,
                    "the graph is directed (digraph)",
-                   "write \"graph\" and \"--\" to have its edges without directions");
+                   "write \"graph\" and \"--\" to make its edges undirected");
     this->Expect(this->SkipKeyword("graph"), "the keyword graph");
     if (m_Token.IsName())
     {
@@ -32,11 +32,11 @@ public:
     if (m_Token.kind != DotToken::Kind::End)
     {
       m_Text.Refuse(
-        m_Token.line, Quoted(m_Token.text) + " stands after the end of the graph", "give one graph in a file");
+        m_Token.line, Quoted(m_Token.text) + " follows the end of the graph", "give one graph in a file");
     }
     if (m_Dropped > 0)
     {
-      notes.push_back(std::to_string(m_Dropped) + " repeated edges are left out, as the graph is strict");
+      notes.push_back(std::to_string(m_Dropped) + " repeated edges were skipped because the graph is strict");
     }
     return m_Builder.Take();
   }
@@ -56,7 +56,7 @@ private:
     if (!condition)
     {
       m_Text.Refuse(m_Token.line,
-                    what + " is expected, but " + Quoted(m_Token.text) + " stands there",
+                    "expected " + what + ", found " + Quoted(m_Token.text),
                     m_Token.kind == DotToken::Kind::End ? "take a whole copy of the file" : "correct the file there");
     }
   }
@@ -88,7 +88,7 @@ private:
   ReadBody()
   {
     constexpr int mostDepth = 200; // each level uses stack
-    m_Text.Require(++m_Depth <= mostDepth, m_Token.line, "subgraphs lie more than 200 deep in each other");
+    m_Text.Require(++m_Depth <= mostDepth, m_Token.line, "subgraphs are nested more than 200 deep");
     this->Expect(this->SkipSymbol("{"), "an opening brace");
     Nodes nodes;
     while (!this->SkipSymbol("}"))
@@ -166,7 +166,7 @@ private:
     {
       m_Text.Require(m_Token.Is("--"),
                      m_Token.line,
-                     "an edge \"->\" has a direction, but the graph is none of directed edges",
+                     "an edge \"->\" is directed, but the graph is undirected",
                      "write \"--\"");
       const int line = m_Token.line;
       this->Advance();

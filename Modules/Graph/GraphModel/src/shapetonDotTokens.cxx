@@ -70,7 +70,7 @@ DotTokens::SkipBlanks()
     else if (m_Rest.substr(0, 2) == "/*")
     {
       const std::size_t end = m_Rest.find("*/", 2);
-      m_Text.Require(end != std::string_view::npos, m_Line, "a comment has no end");
+      m_Text.Require(end != std::string_view::npos, m_Line, "a comment is not closed");
       this->Skip(end + 2);
     }
     else
@@ -144,7 +144,7 @@ DotTokens::QuotedText()
         token.text += m_Rest[end];
       }
     }
-    m_Text.Require(end < m_Rest.size(), token.line, "a text in quotes has no end");
+    m_Text.Require(end < m_Rest.size(), token.line, "a quoted string is not closed");
     this->Skip(end + 1);
     this->SkipBlanks();
     goesOn = !m_Rest.empty() && m_Rest[0] == '+';
@@ -165,7 +165,7 @@ DotTokens::Html()
   std::size_t end = 0;
   do
   {
-    m_Text.Require(end < m_Rest.size(), m_Line, "a text in angle brackets has no end");
+    m_Text.Require(end < m_Rest.size(), m_Line, "an HTML string is not closed");
     depth += m_Rest[end] == '<' ? 1 : m_Rest[end] == '>' ? -1 : 0;
     ++end;
   } while (depth > 0);

@@ -52,7 +52,7 @@ ReadEdgeList(const GraphText & text, std::vector<std::string> & notes)
     const int number = lines.Number();
     if (std::exchange(isFirst, false) && IsHeader(words))
     {
-      notes.push_back("line " + std::to_string(number) + " names the columns and is no edge");
+      notes.push_back("line " + std::to_string(number) + " has column names and was skipped");
       continue;
     }
     if (words.size() < 2)
@@ -66,7 +66,7 @@ ReadEdgeList(const GraphText & text, std::vector<std::string> & notes)
       if (!IsWeight(words[i]))
       {
         text.Refuse(number,
-                    Quoted(words[i]) + " after the two nodes of an edge is no number",
+                    Quoted(words[i]) + " after the two nodes of an edge is not a number",
                     "write the names of two nodes, without blanks, and at most numbers after them");
       }
     }

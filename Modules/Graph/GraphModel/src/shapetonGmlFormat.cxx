@@ -43,7 +43,7 @@ public:
     if (m_Rest[0] == '"')
     {
       const std::size_t end = m_Rest.find('"', 1);
-      m_Text.Require(end != std::string_view::npos, m_Line, "a text in quotes has no end");
+      m_Text.Require(end != std::string_view::npos, m_Line, "a quoted string is not closed");
       return this->Take(GmlToken::Kind::Text, end + 1);
     }
     return this->Take(GmlToken::Kind::Word, std::min(m_Rest.find_first_of(" \t\r\n\f\v[]\"#"), m_Rest.size()));
@@ -95,7 +95,7 @@ public:
       {
         m_Text.Require(graph.line == 0,
                        key.line,
-                       "the file holds a second graph; the first one begins in line " + std::to_string(graph.line),
+                       "the file contains a second graph; the first one begins in line " + std::to_string(graph.line),
                        "give one graph in a file");
         graph.line = key.line;
         this->ReadGraph(key.line);
@@ -105,7 +105,7 @@ public:
         this->SkipValue(value);
       }
     }
-    m_Text.Require(graph.line > 0, 0, "the entry \"graph [ ... ]\" is missing", "give a file that holds a graph");
+    m_Text.Require(graph.line > 0, 0, "the entry \"graph [ ... ]\" is missing", "give a file that contains a graph");
     for (const Edge & edge : m_Edges)
     {
       const int first = m_Builder.DeclaredNode(edge.source, edge.line);
@@ -149,7 +149,7 @@ private:
     if (!(key.kind == GmlToken::Kind::Word &&
           (std::isalpha(static_cast<unsigned char>(key.text[0])) != 0 || key.text[0] == '_')))
     {
-      m_Text.Refuse(key.line, "a key is expected, but " + Quoted(key.text) + " stands there");
+      m_Text.Refuse(key.line, "expected a key, found " + Quoted(key.text));
     }
     const GmlToken value = m_Tokens.Next();
     if (value.kind == GmlToken::Kind::End)
@@ -211,7 +211,7 @@ private:
           m_Text.Require(value.text == "0",
                          key.line,
                          "the graph is directed",
-                         "write \"directed 0\" to have its edges without directions");
+                         "write \"directed 0\" to make its edges undirected");
           this->TakeOnce(key, value.text, "the graph", directed);
         }
         this->SkipValue(value);
@@ -225,7 +225,7 @@ private:
     int number = 0;
     if (!(value.kind == GmlToken::Kind::Word && ParseInt(value.text, number)))
     {
-      m_Text.Refuse(value.line, Quoted(value.text) + " is no whole number, but ids of nodes are");
+      m_Text.Refuse(value.line, Quoted(value.text) + " is not an integer; node ids must be integers");
     }
     return value.text;
   }

@@ -86,10 +86,10 @@ OnlyLine(const GraphText & text, std::string_view header)
     {
       continue;
     }
-    text.Require(only.number == 0, lines.Number(), "the file holds a second graph", "give one graph in a file");
+    text.Require(only.number == 0, lines.Number(), "the file contains a second graph", "give one graph in a file");
     only = { line, lines.Number() };
   }
-  text.Require(only.number > 0, 0, "the file holds no graph", "give a file that holds a graph");
+  text.Require(only.number > 0, 0, "the file does not contain a graph", "give a file that contains a graph");
   text.Require(
     only.text[0] != '&', only.number, "the graph is directed (digraph6)", "write it as an undirected graph, graph6");
   return only;

@@ -65,14 +65,14 @@ GraphBuilder::AddEdge(int first, int second, int line)
 Graph
 GraphBuilder::Take()
 {
-  m_Text.Require(m_Graph.nodes > 0, 0, "the graph has no nodes", "give a graph with one node at least");
+  m_Text.Require(m_Graph.nodes > 0, 0, "the graph has no nodes", "give a graph with at least one node");
   return std::move(m_Graph);
 }
 
 NumberedGraphBuilder::NumberedGraphBuilder(const GraphText & text, int nodes, int line, int firstName)
   : m_FirstName(firstName)
 {
-  text.Require(nodes > 0, line, "the graph has no nodes", "give a graph with one node at least");
+  text.Require(nodes > 0, line, "the graph has no nodes", "give a graph with at least one node");
   if (nodes > MostNodes)
   {
     text.Refuse(line,

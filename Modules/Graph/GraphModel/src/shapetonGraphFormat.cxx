@@ -104,7 +104,7 @@ RequireText(const GraphText & text)
   text.Require(text.bytes.find_first_not_of(" \t\r\n\f\v") != std::string::npos,
                0,
                "the file is empty",
-               "give a file that holds a graph");
+               "give a file that contains a graph");
   const bool isBinary = std::any_of(text.bytes.begin(), text.bytes.end(), [](char c) {
     const auto byte = static_cast<unsigned char>(c);
     return byte < 0x09 || (byte > 0x0D && byte < 0x20 && byte != 0x1A && byte != 0x1B);
@@ -127,7 +127,7 @@ FormatOf(const GraphText & text)
   const GraphFormat * const format = FormatOfExtension(text.path);
   text.Require(format != nullptr,
                0,
-               "neither the extension nor the content tells the format of the graph",
+               "the format of the graph is not recognized by extension or content",
                "name it .graphml, .gml, .dot, .edges, .graph (METIS), .m (MATPOWER), .gr (PACE) or .g6 (graph6)");
   return *format;
 }

@@ -45,7 +45,7 @@ public:
                       "take a whole copy of the file or correct it there");
       }
     }
-    m_Text.Require(m_HasGraph, 0, "the element graph is missing", "give a GraphML file that holds a graph");
+    m_Text.Require(m_HasGraph, 0, "the element graph is missing", "give a GraphML file that contains a graph");
     for (const Edge & edge : m_Edges)
     {
       const int first = m_Builder.DeclaredNode(edge.source, edge.line);
@@ -133,7 +133,7 @@ private:
   BeginGraph(const XML_Char ** attributes)
   {
     m_Text.Require(
-      !m_HasGraph, this->Line(), "the file holds a second graph, or one inside a node", "give one graph in a file");
+      !m_HasGraph, this->Line(), "the file contains a second graph, or one inside a node", "give one graph in a file");
     const std::string kind = Attribute(attributes, "edgedefault");
     if (!(kind.empty() || kind == "directed" || kind == "undirected"))
     {
@@ -151,7 +151,7 @@ private:
     m_Text.Require(direction.empty() ? !m_IsDirected : direction == "false",
                    line,
                    "the graph is directed: this edge has a direction",
-                   "state edgedefault=\"undirected\" to have its edges without directions");
+                   "state edgedefault=\"undirected\" to make its edges undirected");
     Edge edge{ Attribute(attributes, "source"), Attribute(attributes, "target"), line };
     m_Text.Require(!edge.source.empty() && !edge.target.empty(), line, "the edge has no source or no target");
     m_Edges.push_back(std::move(edge));

@@ -93,7 +93,7 @@ CellOf(const GraphText & text, const MatrixRow & row, std::size_t column)
   const bool isNumber = column < row.cells.size() && ParseDouble(row.cells[column], value);
   if (!isNumber)
   {
-    text.Refuse(row.line, "column " + std::to_string(column + 1) + " of the matrix is missing or no number");
+    text.Refuse(row.line, "column " + std::to_string(column + 1) + " of the matrix is missing or not a number");
   }
   return value;
 }
@@ -105,7 +105,7 @@ BusOf(const GraphText & text, const MatrixRow & row, std::size_t column)
   const double number = CellOf(text, row, column);
   if (!(number >= 0.0 && number <= 1e9 && number == static_cast<int>(number)))
   {
-    text.Refuse(row.line, Quoted(row.cells[column]) + " is no number of a bus");
+    text.Refuse(row.line, Quoted(row.cells[column]) + " is not a bus number");
   }
   return std::to_string(static_cast<int>(number));
 }
@@ -133,7 +133,7 @@ ReadMatpower(const GraphText & text, std::vector<std::string> & notes)
   }
   if (left > 0)
   {
-    notes.push_back(std::to_string(left) + " branches that are out of service are left out");
+    notes.push_back(std::to_string(left) + " branches that are out of service were skipped");
   }
   return builder.Take();
 }

@@ -71,7 +71,7 @@ private:
     int value = 0;
     if (!(ParseInt(word, value) && value >= least))
     {
-      m_Text.Refuse(m_Lines.Number(), Quoted(word) + " is no whole number from " + std::to_string(least) + " on");
+      m_Text.Refuse(m_Lines.Number(), Quoted(word) + " is not an integer from " + std::to_string(least) + " on");
     }
     return value;
   }
@@ -92,7 +92,7 @@ private:
     if (!(format % 10 < 2 && format / 10 % 10 < 2 && format / 100 < 2))
     {
       m_Text.Refuse(m_Lines.Number(),
-                    "the format " + Quoted(words.size() > 2 ? words[2] : "") + " is not of the digits 0 and 1");
+                    "the format " + Quoted(words.size() > 2 ? words[2] : "") + " must consist of the digits 0 and 1");
     }
     const int weights = words.size() > 3 ? this->Number(words[3], 1) : 1;
     m_Header.hasEdgeWeights = format % 10 == 1;
@@ -113,14 +113,14 @@ private:
     const auto        start = static_cast<std::size_t>(m_Header.numbersOfNode);
     m_Text.Require(words.size() >= start && (words.size() - start) % step == 0,
                    m_Lines.Number(),
-                   "the line of a node has not the weights that the first line states");
+                   "the line of a node does not have the weights stated in the first line");
     for (std::size_t i = start; i < words.size(); i += step)
     {
       const int other = this->Number(words[i], 1);
       if (other > m_Header.nodes)
       {
         m_Text.Refuse(m_Lines.Number(),
-                      "there is no node " + Quoted(words[i]) + ": nodes are numbered from 1 to " +
+                      "node " + Quoted(words[i]) + " does not exist: nodes are numbered from 1 to " +
                         std::to_string(m_Header.nodes));
       }
       m_Neighbours.push_back({ node, other - 1 });
@@ -135,7 +135,7 @@ private:
       if (!(words.empty()))
       {
         m_Text.Refuse(m_Lines.Number(),
-                      "the file goes on after the last of its " + std::to_string(m_Header.nodes) + " nodes",
+                      "the file continues after the last of its " + std::to_string(m_Header.nodes) + " nodes",
                       "correct the first line or remove what follows");
       }
     }
@@ -189,7 +189,7 @@ private:
     {
       m_Text.Refuse(0,
                     "node " + std::to_string(first + 1) + " lists node " + std::to_string(second + 1) +
-                      " more often than that lists it: the graph is directed or the file damaged",
+                      " more often than the reverse: the graph is directed or the file is damaged",
                     "list each edge at both of its nodes");
     }
   }

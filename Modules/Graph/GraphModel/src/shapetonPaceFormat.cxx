@@ -57,11 +57,11 @@ private:
   void
   ReadEdge(const std::vector<std::string_view> & words)
   {
-    m_Text.Require(m_Builder.has_value(), m_Line, "an edge stands before the line \"p tw NODES EDGES\"");
+    m_Text.Require(m_Builder.has_value(), m_Line, "an edge precedes the line \"p tw NODES EDGES\"");
     const std::size_t skip = words[0] == "e" ? 1 : 0;
     m_Text.Require(
       words[0] != "a", m_Line, "the graph is directed (an arc \"a\")", "write its edges without directions");
-    m_Text.Require(words.size() == skip + 2, m_Line, "the line is no edge: it should have two numbers of nodes");
+    m_Text.Require(words.size() == skip + 2, m_Line, "the line is not an edge: expected two node numbers");
     const int first = this->NodeOf(words[skip]);
     m_Builder->AddEdge(first, this->NodeOf(words[skip + 1]));
   }
@@ -73,7 +73,8 @@ private:
     if (!(ParseInt(word, number) && number >= 1 && number <= m_Builder->Nodes()))
     {
       m_Text.Refuse(m_Line,
-                    Quoted(word) + " is no node: nodes are numbered from 1 to " + std::to_string(m_Builder->Nodes()));
+                    Quoted(word) + " is not a node: nodes are numbered from 1 to " +
+                      std::to_string(m_Builder->Nodes()));
     }
     return number - 1;
   }

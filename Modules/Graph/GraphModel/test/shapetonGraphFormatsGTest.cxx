@@ -101,7 +101,7 @@ TEST(EdgeList, NamesOfColumnsAreNoEdge)
   const shapeton::GraphFile file = ReadText("a.csv", "Source,Target,2\na,b,1\nsource,target\n");
   EXPECT_EQ("a-b source-target (a b source target)", graphtest::Shown(file.graph));
   ASSERT_EQ(1u, file.notes.size());
-  EXPECT_EQ("line 1 names the columns and is no edge", file.notes[0]);
+  EXPECT_EQ("line 1 has column names and was skipped", file.notes[0]);
 }
 
 TEST(Metis, EdgesAtBothEndsWithWeights)
@@ -120,7 +120,7 @@ TEST(Matpower, BusesBranchesAndThoseOutOfService)
              "7 3 0 0 0 0 0 0 0 0 0;\n];\nmpc.bus_name = { 'a [b]' };\n");
   EXPECT_EQ("10-7 10-7 (10 7 3)", graphtest::Shown(file.graph));
   ASSERT_EQ(1u, file.notes.size());
-  EXPECT_EQ("1 branches that are out of service are left out", file.notes[0]);
+  EXPECT_EQ("1 branches that are out of service were skipped", file.notes[0]);
 }
 
 TEST(Pace, PlainAndDimacsEdges)

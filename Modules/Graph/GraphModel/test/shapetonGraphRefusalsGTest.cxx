@@ -40,7 +40,7 @@ TEST(GraphRefusals, EmptyAndBinaryFiles)
                   { "a.dot", std::string("graph { a\0b }", 13), "the file is binary" },
                   { "a.g6", "\x89PNG\r\n\x1a\n\x01", "the file is binary" },
                   { "a.graphml", std::string("\xFF\xFE<\0g\0", 6), "the file is binary" },
-                  { "a.unknown", "hello world\n", "neither the extension nor the content" },
+                  { "a.unknown", "hello world\n", "is not recognized by extension or content" },
                   { "a.edges", "# nothing\n", "the graph has no nodes" } });
 }
 
@@ -54,8 +54,8 @@ TEST(GraphRefusals, DirectedGraphs)
       { "a.graphml", GraphMLOf("<node id=\"a\"/><edge directed=\"true\" source=\"a\" target=\"a\"/>"), "is directed" },
       { "a.gml", "graph [\n directed 1 ]", "line 2: the graph is directed" },
       { "a.dot", "digraph { a -> b }", "line 1: the graph is directed" },
-      { "a.dot", "graph { a -> b }", "has a direction" },
-      { "a.graph", "3 2\n2\n3\n2\n", "more often than that lists it" },
+      { "a.dot", "graph { a -> b }", "is directed" },
+      { "a.graph", "3 2\n2\n3\n2\n", "more often than the reverse" },
       { "a.gr", "p sp 2 1\na 1 2 3\n", "is directed" },
       { "a.g6", "&BP_", "is directed" } });
 }
@@ -69,9 +69,9 @@ TEST(GraphRefusals, DuplicateAndMissingNodes)
       { "a.graphml", GraphMLOf("<node id=\"a\"/>\n<edge source=\"a\" target=\"b\"/>"), "line 4: an edge names" },
       { "a.gml", "graph [ node [ id 1 ]\n edge [ source 1 target 2 ] ]", "line 2: an edge names the node \"2\"" },
       { "a.m", "mpc.bus = [ 1 1 ];\nmpc.branch = [ 1 2 ];", "line 2: an edge names the node \"2\"" },
-      { "a.gr", "p tw 3 1\n1 4\n", "line 2: \"4\" is no node" },
-      { "a.gr", "p tw 3 1\n0 1\n", "line 2: \"0\" is no node" },
-      { "a.graph", "2 1\n3\n1\n", "line 2: there is no node \"3\"" } });
+      { "a.gr", "p tw 3 1\n1 4\n", "line 2: \"4\" is not a node" },
+      { "a.gr", "p tw 3 1\n0 1\n", "line 2: \"0\" is not a node" },
+      { "a.graph", "2 1\n3\n1\n", "line 2: node \"3\" does not exist" } });
 }
 
 TEST(GraphRefusals, KeysOfGmlThatStandTwice)
@@ -89,7 +89,7 @@ TEST(GraphRefusals, KeysOfGmlThatStandTwice)
                   { "a.gml", "graph [ directed 0\ndirected 0 ]", "line 2: the graph has a second \"directed\"" },
                   { "a.gml",
                     "graph [ node [ id 1 ] ]\ngraph [ ]",
-                    "line 2: the file holds a second graph; the first one begins in line 1" } });
+                    "line 2: the file contains a second graph; the first one begins in line 1" } });
   // A key in a nested list is a different key.
   EXPECT_EQ(
     "1-2 (1 2)",
@@ -102,8 +102,8 @@ TEST(GraphRefusals, TruncatedFiles)
   ExpectRefused({ { "a.graphml", "<graphml>\n<graph>\n<node id=\"a\"/>\n<no", "line 4: the XML is not well-formed" },
                   { "a.gml", "graph [ node [ id 1 ]", "no closing bracket" },
                   { "a.gml", "graph [ node [ id", "the file ends after the key \"id\"" },
-                  { "a.dot", "graph {\n a -- b", "but \"the end of the file\" stands there" },
-                  { "a.dot", "graph {\n a -- \"b", "line 2: a text in quotes has no end" },
+                  { "a.dot", "graph {\n a -- b", "found \"the end of the file\"" },
+                  { "a.dot", "graph {\n a -- \"b", "line 2: a quoted string is not closed" },
                   { "a.edges", "a b\nc", "line 2: the line has one word" },
                   { "a.graph", "3 2\n2\n1 3\n", "the file ends at node 2 of 3" },
                   { "a.m", "mpc.bus = [ 1 1 ];\nmpc.branch = [ 1 1\n", "line 2: the matrix \"branch\" has no end" },
@@ -120,20 +120,20 @@ TEST(GraphRefusals, MalformedFiles)
                   { "a.graphml", GraphMLOf("<hyperedge/>"), "a hyperedge" },
                   { "a.graphml", GraphMLOf("<node/>"), "a node has no id" },
                   { "a.gml", "graph [ ] graph [ ]", "a second graph" },
-                  { "a.gml", "graph [ node [ id x ] ]", "\"x\" is no whole number" },
+                  { "a.gml", "graph [ node [ id x ] ]", "\"x\" is not an integer" },
                   { "a.gml", "graph [ node [ label \"x\" ] ]", "the node has no id" },
-                  { "a.dot", "graph { a [b=] }", "the value of an attribute is expected, but \"]\"" },
-                  { "a.dot", "graph { a } graph { b }", "stands after the end of the graph" },
+                  { "a.dot", "graph { a [b=] }", "expected the value of an attribute, found \"]\"" },
+                  { "a.dot", "graph { a } graph { b }", "follows the end of the graph" },
                   { "a.dot", "graph { a -- ? }", "\"?\" does not belong there" },
                   { "a.dot", "graph " + std::string(5000, '{'), "200 deep" },
-                  { "a.edges", "a b c\n", "\"c\" after the two nodes of an edge is no number" },
+                  { "a.edges", "a b c\n", "\"c\" after the two nodes of an edge is not a number" },
                   { "a.graph", "2 2\n2\n1\n", "has 1 edges, but its first line states 2" },
-                  { "a.graph", "2 1 7\n2\n1\n", "not of the digits 0 and 1" },
-                  { "a.graph", "2 1\n2\n1\n1\n", "goes on after the last" },
+                  { "a.graph", "2 1 7\n2\n1\n", "must consist of the digits 0 and 1" },
+                  { "a.graph", "2 1\n2\n1\n1\n", "continues after the last" },
                   { "a.graph", "2000000000 1\n", "more than 10 million" },
-                  { "a.gr", "1 2\n", "stands before the line \"p tw" },
+                  { "a.gr", "1 2\n", "precedes the line \"p tw" },
                   { "a.gr", "p tw 2 0\np tw 2 0\n", "line 2: a second line \"p\"" },
-                  { "a.m", "mpc.bus = [ 1.5 1 ];\nmpc.branch = [];", "\"1.5\" is no number of a bus" },
+                  { "a.m", "mpc.bus = [ 1.5 1 ];\nmpc.branch = [];", "\"1.5\" is not a bus number" },
                   { "a.g6", "DQc\nDQc\n", "a second graph" },
                   { "a.g6", "D Q", "does not belong to the format" } });
 }

@@ -117,7 +117,7 @@ NewtonFlow::FindDirection()
   {
     throw InputError("the Hessian of the Ricci energy is not positive to working accuracy, with a curvature of " +
                      ShortNumber(m_Energy.Residual()) +
-                     " left: the circles become too different in size; check that the map is 3-connected or use "
+                     " remaining: the circle sizes differ too much; check that the map is 3-connected or use "
                      "the parameter \"augmentation\" = ring");
   }
   this->SolveForDirection(m_Energy.Gradient());
@@ -292,7 +292,7 @@ PackInGivenOrder(const CombinatorialMap &  map,
   }
   if (!(packing.residual <= worstResidual))
   {
-    throw InputError("the Ricci flow does not reach its target: after " + std::to_string(packing.steps) +
+    throw InputError("the Ricci flow does not converge: after " + std::to_string(packing.steps) +
                      " steps of Newton's method a curvature of " + ShortNumber(packing.residual) +
                      " rad is left; check that the map is 3-connected or use the parameter \"augmentation\" = ring");
   }

@@ -152,8 +152,8 @@ RequireFinite(const std::vector<PlaneMotion> & generators, int genus)
     if (!std::isfinite(std::abs(generator.a)) || !std::isfinite(std::abs(generator.b)))
     {
       throw InputError("the surface of genus " + std::to_string(genus) +
-                       " cannot be laid out: its fundamental domain reaches farther than double precision tells "
-                       "places apart. Take out edges, or embed parts of the graph");
+                       " cannot be laid out: its fundamental domain exceeds the range of double precision. "
+                       "Remove edges, or embed parts of the graph");
     }
   }
 }
@@ -203,8 +203,8 @@ AddHyperbolicSurface(const CombinatorialMap & map, const Progress & progress, Em
   if (!(relation.residual <= worstWordResidual * largest))
   {
     certificate.warnings.emplace_back(
-      "the relation of the deck transformations does not hold in double precision, as their "
-      "matrices are large: the verifier refuses this certificate; the packing itself is "
+      "the relation of the deck transformations does not hold in double precision, because their "
+      "matrices are large: the verifier rejects this certificate; the packing itself is "
       "not affected");
   }
 }
@@ -245,8 +245,8 @@ AddSmallestCircle(EmbeddingCertificate & certificate)
     char text[320];
     std::snprintf(text,
                   sizeof(text),
-                  "%ld of %d nodes have circles below %.0e of the surface, the smallest that of node %s with %.1e: no "
-                  "picture is legible there, and the verifier refuses circles below 1e-12",
+                  "%ld of %d nodes have circles below %.0e of the surface, the smallest that of node %s with %.1e: "
+                  "they are not legible in pictures, and the verifier rejects circles below 1e-12",
                   static_cast<long>(illegible),
                   certificate.graph.nodes,
                   smallestLegibleRadius,

@@ -312,8 +312,8 @@ RequirePackable(const CombinatorialMap & map, const std::vector<std::string> & n
   if (!reason.empty())
   {
     throw InputError(
-      "without dummy nodes this map has no circle packing, only a degenerate limit that a small residual "
-      "does not show: " +
+      "without dummy nodes this map has no circle packing, only a degenerate limit, even if the residual "
+      "is small: " +
       reason + "; use the parameter \"augmentation\" = ring");
   }
 }

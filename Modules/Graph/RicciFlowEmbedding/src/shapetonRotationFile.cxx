@@ -29,7 +29,7 @@ public:
       if (from == to || !m_HalfEdge.emplace(std::pair(from, to), h).second ||
           !m_HalfEdge.emplace(std::pair(to, from), h + 1).second)
       {
-        throw InputError('"' + path + "\": a rotation as text needs a graph without loops and multiple edges; give a " +
+        throw InputError('"' + path + "\": a text rotation requires a graph without loops and multiple edges; give a " +
                          "certificate (.json) instead");
       }
     }
@@ -105,7 +105,7 @@ private:
     }
     catch (const InputError & error)
     {
-      throw InputError('"' + m_Path + "\" is no rotation system of the graph: " + error.what());
+      throw InputError('"' + m_Path + "\" is not a rotation system of the graph: " + error.what());
     }
   }
 

@@ -52,11 +52,11 @@ IsInside(const SensorDevice & device, double side)
 SensorNetwork::SensorNetwork(const SensorNetworkOptions & options)
   : m_Options(options), m_Devices(options.devices > 0 ? options.devices : 0), m_IsCharging(m_Devices.size(), false)
 {
-  RequireParameter(options.devices >= 1, "there are no devices; give 1 or more");
-  RequireParameter(options.range > 0.0, "the range is not positive; give metres above 0");
-  RequireParameter(options.side > 0.0, "the side of the area is not positive; give metres above 0");
+  RequireParameter(options.devices >= 1, "the number of devices must be at least 1");
+  RequireParameter(options.range > 0.0, "the range must be positive (m)");
+  RequireParameter(options.side > 0.0, "the side of the area must be positive (m)");
   RequireParameter(options.speed >= 0.0 && options.speed < 0.05 * options.side,
-                   "the speed is out of range; give 0 or more metres, less than a twentieth of the side");
+                   "the speed is out of range; give 0 or more meters per step, less than a twentieth of the side");
   for (std::uint32_t i = 0; i < m_Devices.size(); ++i)
   {
     const auto words = Philox4x32(options.seed, { i, 0, 0, startPurpose });

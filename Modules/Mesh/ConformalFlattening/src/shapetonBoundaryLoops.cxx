@@ -28,7 +28,7 @@ RequireSimpleLoop(const SurfaceConnectivity & connectivity, const std::vector<in
     const int edge = connectivity.FindEdge(loop[i], loop[(i + 1) % loop.size()]);
     if (edge == -1 || !connectivity.IsBoundaryEdge(edge) || isTaken[loop[i]])
     {
-      throw InputError("the boundary is no simple closed curve at vertex " + std::to_string(loop[i]) +
+      throw InputError("the boundary is not a simple closed curve at vertex " + std::to_string(loop[i]) +
                        "; repair the surface");
     }
     isTaken[loop[i]] = 1;

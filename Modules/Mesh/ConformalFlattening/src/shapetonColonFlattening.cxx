@@ -70,8 +70,8 @@ private:
     if (!m_Laplacian.clampedFaces.empty())
     {
       m_Result.warnings.push_back(std::string(surfaceName) + ": " + std::to_string(m_Laplacian.clampedFaces.size()) +
-                                  " faces with hardly any area, such as face " +
-                                  std::to_string(m_Laplacian.clampedFaces.front()) + ", were taken for thin ones");
+                                  " nearly degenerate faces, such as face " +
+                                  std::to_string(m_Laplacian.clampedFaces.front()) + ", were treated as thin faces");
     }
     if (m_Result.rectumFrom == "firstLoop")
     {
@@ -93,7 +93,7 @@ private:
       m_Result.ears = trimmed.faces;
       m_Result.cutOffAreaFraction = trimmed.area / m_AreaOfTube;
       m_Result.warnings.push_back(std::string(surfaceName) + ": " + std::to_string(trimmed.faces) +
-                                  " faces were removed that edges cut off from one of its ends");
+                                  " faces at its ends were removed because single edges cut them off");
     }
   }
 
@@ -151,9 +151,9 @@ private:
     if (m_Result.time < edge * edge)
     {
       m_Result.warnings.push_back(
-        std::string(surfaceName) + ": the time of diffusion is less than the square of the mean edge, which is " +
+        std::string(surfaceName) + ": the diffusion time is less than the square of the mean edge length, " +
         std::to_string(edge) +
-        " mm, so the metric shows the mesh; take a finer surface or the parameter \"metric\" = euclidean");
+        " mm, so the metric depends on the mesh; take a finer surface or the parameter \"metric\" = euclidean");
     }
   }
 
@@ -162,8 +162,8 @@ private:
   {
     m_Result.metric = FlatMetric::Euclidean;
     m_Result.warnings.push_back(
-      std::string(surfaceName) + ": the mean edge, which is " + std::to_string(edge) +
-      " mm, is too long for a time of diffusion that keeps the narrowest place, whose radius is " +
+      std::string(surfaceName) + ": the mean edge length, " + std::to_string(edge) +
+      " mm, is too long for a diffusion time that preserves the narrowest part, of radius " +
       std::to_string(m_Result.narrowestRadius) + " mm: the metric is euclidean; take a finer surface");
   }
 
@@ -231,7 +231,7 @@ private:
     m_Result.cutOffAreaFraction += area;
     std::ostringstream text;
     text << surfaceName << ": " << m_Result.caps.size() << " blind pouches with " << 100.0 * area
-         << " % of the wall were cut off and closed by caps, as their flat map would be folded";
+         << " % of the wall were cut off and closed by caps, because their flat map would be folded";
     m_Result.warnings.push_back(text.str());
   }
 
@@ -288,8 +288,8 @@ private:
       {
         std::ostringstream text;
         text << surfaceName << ": a handle of radius " << handle.radius << " mm at " << handle.place.transpose()
-             << ": parts of the colon seem to touch there, and what lies between them is not mapped; take a surface "
-             << "with its topology repaired, as wall-repaired.vtp of ColonSegmentation";
+             << ": parts of the colon seem to touch there, and the wall between them is not mapped; use a surface "
+             << "with repaired topology, such as wall-repaired.vtp of ColonSegmentation";
         m_Result.warnings.push_back(text.str());
       }
     }
@@ -298,8 +298,8 @@ private:
       m_Result.warnings.push_back(std::string(surfaceName) + " has " + std::to_string(m_Result.genusBefore) +
                                   " handles, but " + std::to_string(m_Result.handles.genus) + " were located: " +
                                   (m_Options.tube.conjugate == TubeConjugate::Published
-                                     ? "the published method folds the map elsewhere, too"
-                                     : "others lie at a boundary, or the map is folded in many places"));
+                                     ? "the published method also folds the map elsewhere"
+                                     : "the others are at a boundary, or the map is folded in many places"));
     }
   }
 
@@ -343,7 +343,7 @@ ColonFlattening
 FlattenColon(SurfaceMesh mesh, const std::string & what, const ColonFlatteningOptions & options)
 {
   RequireParameter(options.time >= 0.0 && std::isfinite(options.time),
-                   "the time of diffusion must be a number of mm^2, or 0 for one that suits the surface");
+                   "the diffusion time must be a number in mm^2, or 0 for automatic choice");
   return ColonFlattener(what, options).Run(std::move(mesh));
 }
 } // namespace shapeton

@@ -41,27 +41,27 @@ RequireBoundaries(const ConformalMapOptions & options, std::size_t count)
 {
   if (count == 0)
   {
-    throw InputError("it has no boundary, but a map to the plane needs one; cut it open: one boundary for a rectangle, "
-                     "two or more for an annulus");
+    throw InputError("the surface has no boundary, but a map to the plane needs one; cut it open: one boundary for a "
+                     "rectangle, two or more for an annulus");
   }
   if (count == 1 && options.domain != ConformalDomain::Rectangle)
   {
     throw InputError(
-      "an annulus needs an outer and an inner boundary, and it has 1 boundary; map it to a rectangle, or "
+      "an annulus needs an outer and an inner boundary, but the surface has 1 boundary; map it to a rectangle, or "
       "cut a hole");
   }
   if (count > 2 && options.domain == ConformalDomain::Annulus)
   {
-    throw InputError("an annulus has two boundaries, and it has " + std::to_string(count) +
+    throw InputError("an annulus has two boundaries, but the surface has " + std::to_string(count) +
                      "; map it to an annulus with slits (domain slit), or fill its holes");
   }
   if (count > 1 && !options.corners.empty())
   {
-    throw InputError("corners belong to a surface with one boundary, and it has " + std::to_string(count));
+    throw InputError("corners require a surface with one boundary, but it has " + std::to_string(count));
   }
   if (count == 1 && options.innerBoundary != 0)
   {
-    throw InputError("it has 1 boundary and no inner one");
+    throw InputError("the surface has 1 boundary and no inner one");
   }
 }
 
@@ -77,7 +77,7 @@ ChooseBoundaries(const ConformalMapOptions & options, ConformalMap & map)
       options.innerBoundary == 0 ? (map.outer == 0 ? 1 : 0) : ElementOfBoundary(options.innerBoundary, count, "inner");
     if (map.inner == map.outer)
     {
-      throw InputError("boundary " + std::to_string(map.inner + 1) + " cannot be the outer and the inner one");
+      throw InputError("boundary " + std::to_string(map.inner + 1) + " cannot be both the outer and the inner one");
     }
   }
 }
@@ -201,7 +201,7 @@ Warn(ConformalMap & map)
   if (map.genus > 0)
   {
     map.warnings.push_back("the surface has " + std::to_string(map.genus) + (map.genus == 1 ? " handle" : " handles") +
-                           ": the map is conformal away from them as far as they are small");
+                           ": the map is conformal away from small handles");
   }
   if (!map.ears.empty())
   {
@@ -222,7 +222,8 @@ Warn(ConformalMap & map)
   if (map.domain != ConformalDomain::Rectangle &&
       map.slitMaps.front().logRadiusOfLoops.minCoeff() < std::log(smallestCircle))
   {
-    map.warnings.push_back("the inner circle is less than a hundredth of the outer one; domain rectangle shows more");
+    map.warnings.push_back(
+      "the inner circle is less than a hundredth of the outer one; the domain rectangle shows more");
   }
 }
 
@@ -303,7 +304,7 @@ MapConformally(const SurfaceMesh & mesh, const ConformalMapOptions & options, co
   RequireOneManifold(connectivity, what);
   if (!connectivity.IsOriented())
   {
-    throw InputError(what + ": neighbouring faces are turned against each other; repair the surface");
+    throw InputError(what + ": neighboring faces have opposite orientations; repair the surface");
   }
   try
   {

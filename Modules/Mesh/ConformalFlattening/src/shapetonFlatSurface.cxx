@@ -37,7 +37,7 @@ RequirePointArray(const SurfaceMesh & flat, const std::string & name, int compon
   const SurfaceArray * array = FindSurfaceArray(flat.pointArrays, name);
   if (!array || array->values.cols() != components || array->values.rows() != flat.V.rows())
   {
-    throw InputError(what + " is no flat surface: it has no point array \"" + name + "\" of " +
+    throw InputError(what + " is not a flat surface: it has no point array \"" + name + "\" of " +
                      std::to_string(components) + (components == 1 ? " component" : " components") +
                      "; flatten it with ColonFlattening or ConformalMap");
   }
@@ -50,8 +50,8 @@ RequireExtent(const SurfaceMesh & flat, const std::string & name, const std::str
   const SurfaceArray * array = FindSurfaceArray(flat.fieldArrays, name);
   if (!array || array->values.size() != 1)
   {
-    throw InputError(what + " has no field array \"" + name + "\" of one value, as flat tubes have; flatten it with " +
-                     "ColonFlattening");
+    throw InputError(what + " has no field array \"" + name + "\" with one value, as flat tubes have; flatten it " +
+                     "with ColonFlattening");
   }
   const double value = array->values(0, 0);
   if (!std::isfinite(value) || value <= 0.0)
@@ -68,7 +68,7 @@ MakeFlatSurface(CutSurface cut, const Eigen::MatrixX2d & uv)
   if (uv.rows() != cut.mesh.V.rows() || !uv.allFinite())
   {
     throw InputError("the flat map has " + std::to_string(uv.rows()) + " places for " +
-                     std::to_string(cut.mesh.V.rows()) + " vertices, or one that is not finite");
+                     std::to_string(cut.mesh.V.rows()) + " vertices, or a place is not finite");
   }
   SurfaceMesh  flat = std::move(cut.mesh);
   SurfaceArray source{ sourceName, {}, true };

@@ -30,7 +30,7 @@ FacesOfHandles(const SurfaceConnectivity & connectivity, const std::vector<Surfa
     {
       if (v < 0 || v >= connectivity.NumberOfVertices())
       {
-        throw InputError("a handle names vertex " + std::to_string(v) + ", which the surface has not");
+        throw InputError("a handle names vertex " + std::to_string(v) + ", which does not exist");
       }
       const std::vector<int> around = connectivity.NeighboursOfVertex(v);
       const bool             isNearRim =

@@ -25,7 +25,7 @@ RowsOfVertices(int vertices, const std::vector<int> & fixed)
     }
     if (rows[vertex] < 0)
     {
-      throw InputError("vertex " + std::to_string(vertex) + " is given two values");
+      throw InputError("vertex " + std::to_string(vertex) + " has two fixed values");
     }
     rows[vertex] = -1 - static_cast<int>(i);
   }
@@ -56,7 +56,8 @@ RequireFixedComponents(const SurfaceLaplacian & laplacian, const std::vector<int
   {
     if (!hasFixed[components.Find(vertex)])
     {
-      throw InputError("a harmonic function needs a fixed value in each component of the surface; that of vertex " +
+      throw InputError("a harmonic function needs a fixed value in each component of the surface; the component of "
+                       "vertex " +
                        std::to_string(vertex) + " has none");
     }
   }
@@ -106,7 +107,7 @@ HarmonicSolver::Factor::Factor(const SurfaceLaplacian &      laplacian,
   cholesky.Factorise(diagonal, offDiagonal, progress);
   if (!cholesky.HasFactor()) // clamped weights can make it indefinite
   {
-    throw InputError("the stiffness matrix of the surface cannot be factorised; repair or remesh the surface");
+    throw InputError("the stiffness matrix of the surface cannot be factorized; repair or remesh the surface");
   }
 }
 

@@ -24,7 +24,7 @@ PlacesOfCorners(const std::vector<int> & boundary, const std::array<int, 4> & co
     if (found == boundary.end())
     {
       throw InputError("corner " + std::to_string(corners[i]) +
-                       " is no vertex of the boundary; choose four of its vertices, for example " +
+                       " is not a boundary vertex; choose four boundary vertices, for example " +
                        std::to_string(boundary[0]));
     }
     places[i] = static_cast<int>(found - boundary.begin());
@@ -36,7 +36,7 @@ PlacesOfCorners(const std::vector<int> & boundary, const std::array<int, 4> & co
   }
   if (!(0 < isAfter(1) && isAfter(1) < isAfter(2) && isAfter(2) < isAfter(3)))
   {
-    throw InputError("the corners must be four different vertices in the order in which the boundary passes them");
+    throw InputError("the corners must be four different vertices in boundary order");
   }
   return places;
 }

@@ -209,7 +209,7 @@ SlitMapSolver::Map(int inner, const Progress & progress) const
   const auto    place = std::find(s.innerLoops.begin(), s.innerLoops.end(), inner);
   if (place == s.innerLoops.end())
   {
-    throw InputError("boundary " + std::to_string(inner + 1) + " is no inner one; choose another");
+    throw InputError("boundary " + std::to_string(inner + 1) + " is not an inner one; choose another");
   }
   const auto            k = static_cast<Eigen::Index>(place - s.innerLoops.begin());
   const auto            n = static_cast<Eigen::Index>(s.innerLoops.size());

@@ -153,7 +153,7 @@ FindTubeEnds(const SurfaceMesh & mesh, const SurfaceConnectivity & connectivity,
   if (connectivity.Components().size() != 1)
   {
     throw InputError(what + " has " + std::to_string(connectivity.Components().size()) +
-                     " components once it is cut where it is not manifold or touches itself, and a tube is one; remesh "
+                     " components after cutting where it is not manifold or touches itself, but a tube has one; remesh "
                      "the surface, or give one component");
   }
   if (!connectivity.IsManifold())
@@ -162,12 +162,12 @@ FindTubeEnds(const SurfaceMesh & mesh, const SurfaceConnectivity & connectivity,
   }
   if (!connectivity.Components().front().isOrientable)
   {
-    throw InputError(what + " is one-sided (not orientable), like a Moebius strip, and a tube has two sides; cut it "
+    throw InputError(what + " is one-sided (not orientable), like a Moebius strip, but a tube has two sides; cut it "
                             "open so that it has two sides");
   }
   if (!connectivity.IsOriented())
   {
-    throw InputError(what + " has faces that are turned over; repair it");
+    throw InputError(what + " has flipped faces; repair it");
   }
   const auto & loops = connectivity.BoundaryLoops();
   if (loops.size() != 2)
@@ -235,7 +235,7 @@ PrepareTube(SurfaceMesh mesh, const std::string & what)
   if (SixfoldVolume(tube.mesh, connectivity) < 0.0)
   {
     tube.mesh.F.col(1).swap(tube.mesh.F.col(2));
-    tube.warnings.emplace_back("the surface: its faces looked inwards; they were turned");
+    tube.warnings.emplace_back("the surface: its faces pointed inward and were flipped");
   }
   return tube;
 }

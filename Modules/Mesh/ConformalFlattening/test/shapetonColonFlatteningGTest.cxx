@@ -152,7 +152,7 @@ TEST(ColonFlattening, FacesWithoutAreaAreTakenForThinOnes)
   mesh.V.row(mesh.F(400, 1)) = 0.5 * (mesh.V.row(mesh.F(400, 0)) + mesh.V.row(mesh.F(400, 2)));
   const shapeton::ColonFlattening result = shapeton::FlattenColon(mesh, "it", {});
   EXPECT_TRUE(std::any_of(result.warnings.begin(), result.warnings.end(), [](const std::string & warning) {
-    return warning.find("face 400, were taken for thin ones") != std::string::npos;
+    return warning.find("face 400, were treated as thin faces") != std::string::npos;
   }));
   EXPECT_TRUE(shapeton::FlatCoordinates(result.map.flat, "it").allFinite());
 }

@@ -66,7 +66,7 @@ TEST(FlatSurface, MissingOrBrokenArraysAreNamed)
     return {};
   };
   EXPECT_NE(std::string::npos,
-            errorOf([&] { shapeton::FlatCoordinates(plain, "a.vtp"); }).find("a.vtp is no flat surface"));
+            errorOf([&] { shapeton::FlatCoordinates(plain, "a.vtp"); }).find("a.vtp is not a flat surface"));
   EXPECT_NE(std::string::npos, errorOf([&] { shapeton::FlatSourcePoints(plain, "a.vtp"); }).find("sourcePointId"));
   EXPECT_NE(std::string::npos, errorOf([&] { shapeton::FlatCircumference(plain, "a.vtp"); }).find("\"circumference\""));
   shapeton::SurfaceMesh flat = FlatSquare();

@@ -95,9 +95,9 @@ TEST(HarmonicSolver, RefusesWhatHasNoUniqueSolution)
   two.V.bottomRows(6) = two.V.topRows(6).array() + 10.0;
   two.F.conservativeResize(16, Eigen::NoChange);
   two.F.bottomRows(8) = two.F.topRows(8).array() + 6;
-  EXPECT_NE(std::string::npos, ErrorOf(two, { 0 }).find("that of vertex 6 has none"));
+  EXPECT_NE(std::string::npos, ErrorOf(two, { 0 }).find("the component of vertex 6 has none"));
   EXPECT_EQ("", ErrorOf(two, { 0, 6 }));
-  EXPECT_NE(std::string::npos, ErrorOf(two, { 0, 0, 6 }).find("two values"));
+  EXPECT_NE(std::string::npos, ErrorOf(two, { 0, 0, 6 }).find("two fixed values"));
   EXPECT_NE(std::string::npos, ErrorOf(two, { 12 }).find("no vertex 12"));
   EXPECT_NE(std::string::npos, ErrorOf(two, { -1 }).find("no vertex -1"));
 }

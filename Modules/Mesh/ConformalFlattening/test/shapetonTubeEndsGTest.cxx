@@ -109,7 +109,7 @@ TEST(TubeEnds, OtherSurfacesAreRefusedWithWhatTheyNeed)
   const auto faces = two.F.rows();
   two.F.conservativeResize(2 * faces, Eigen::NoChange);
   two.F.bottomRows(faces) = two.F.topRows(faces).array() + half;
-  EXPECT_NE(std::string::npos, ErrorOf(two).find("has 2 components once it is cut"));
+  EXPECT_NE(std::string::npos, ErrorOf(two).find("has 2 components after cutting"));
   shapeton::SurfaceMesh broken = Tube();
   broken.V(7, 1) = std::nan("");
   EXPECT_NE(std::string::npos, ErrorOf(broken).find("vertex 7 has a coordinate that is not finite"));
@@ -132,7 +132,7 @@ TEST(TubeEnds, InvertedTubesAreTurned)
   const shapeton::PreparedTube tube = shapeton::PrepareTube(inverted, "it");
   EXPECT_EQ(mesh.F, tube.mesh.F);
   ASSERT_EQ(1U, tube.warnings.size());
-  EXPECT_NE(std::string::npos, tube.warnings[0].find("looked inwards"));
+  EXPECT_NE(std::string::npos, tube.warnings[0].find("pointed inward"));
 }
 
 TEST(TubeEnds, DefectsAreRepairedWithAWarning)

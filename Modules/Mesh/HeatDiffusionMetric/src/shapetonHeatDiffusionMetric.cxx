@@ -23,7 +23,7 @@ RequireFewDrowned(const HeatDiffusionMetric & metric)
   {
     throw InputError("the diffusion distances of " + std::to_string(metric.drownedEdges) + " of " +
                      std::to_string(edges) +
-                     " edges drown in rounding; take a shorter time, eigenpairs, or remesh the surface");
+                     " edges are lost to rounding; use a shorter time, eigenpairs, or remesh the surface");
   }
 }
 

@@ -53,7 +53,7 @@ SolveTriangle(int face, std::array<double, 3> sides, double leastHeight)
   if (!IsTriangle(sorted))
   {
     throw InputError(FaceName(face) + ": its edges of length " + std::to_string(sorted[0]) + ", " +
-                     std::to_string(sorted[1]) + " and " + std::to_string(sorted[2]) + " form no triangle");
+                     std::to_string(sorted[1]) + " and " + std::to_string(sorted[2]) + " do not form a triangle");
   }
   if (sorted[2] > sorted[1] + sorted[0])
   {
@@ -126,7 +126,7 @@ CheckMass(const Eigen::VectorXd & mass)
   {
     if (!(mass[vertex] > 0.0))
     {
-      throw InputError("vertex " + std::to_string(vertex) + " belongs to no face; repair the surface");
+      throw InputError("vertex " + std::to_string(vertex) + " does not belong to any face; repair the surface");
     }
   }
 }

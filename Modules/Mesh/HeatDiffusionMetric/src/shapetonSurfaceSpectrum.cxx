@@ -58,7 +58,7 @@ public:
     if (!m_Factor.Factorise(
           StiffnessDiagonal(laplacian) + shift * laplacian.mass, -laplacian.weights, steps.NextStep()))
     {
-      throw InputError("the stiffness matrix of the surface cannot be factorised; repair or remesh the surface");
+      throw InputError("the stiffness matrix of the surface cannot be factorized; repair or remesh the surface");
     }
   }
   void
@@ -194,7 +194,7 @@ LanczosPairs(const SurfaceLaplacian & laplacian, int pairs, const SurfaceSpectru
     }
     AddPairs(inverse, shift, std::max(1, missing), options, found);
   }
-  throw InputError("eigenpairs of multiple eigenvalues are missing; roughen or remesh the surface");
+  throw InputError("eigenpairs of multiple eigenvalues are missing; perturb or remesh the surface");
 }
 
 void

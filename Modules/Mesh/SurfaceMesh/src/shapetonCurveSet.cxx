@@ -52,7 +52,8 @@ PointsFirst(CurveSet curves, int faces)
 void
 RequireVtp(const std::string & path)
 {
-  RequireParameter(SurfaceExtension(path) == "vtp", "\"" + path + "\" names no format of curves; use .vtp");
+  RequireParameter(SurfaceExtension(path) == "vtp",
+                   "\"" + path + "\" does not have the extension of a curve format; use .vtp");
 }
 
 /** Checks cell arrays with rows for `faces` additional faces; an empty curve set is valid. */
@@ -114,7 +115,7 @@ ReadCurves(const std::string & path)
 {
   if (SurfaceExtension(path) != "vtp")
   {
-    RefuseSurface(path, "no format of curves", "give a .vtp file");
+    RefuseSurface(path, "not a curve format", "give a .vtp file");
   }
   PolygonSurface read = ReadVtpCurves(ReadFileBytes(path), path);
   CurveSet       curves;

@@ -68,7 +68,7 @@ public:
     }
     if (m_LeftOut)
     {
-      m_Surface.notes.push_back(std::to_string(m_LeftOut) + " sets of points or lines were left out");
+      m_Surface.notes.push_back(std::to_string(m_LeftOut) + " sets of points or lines were skipped");
     }
     return std::move(m_Surface);
   }
@@ -138,11 +138,11 @@ ReadGltf(const std::string & bytes, const std::string & path)
   }
   catch (const Json::exception & error)
   {
-    RefuseSurface(path, std::string("no valid glTF (") + error.what() + ")");
+    RefuseSurface(path, std::string("not a valid glTF file (") + error.what() + ")");
   }
   catch (const std::out_of_range & error)
   {
-    RefuseSurface(path, std::string("no valid glTF (") + error.what() + ")");
+    RefuseSurface(path, std::string("not a valid glTF file (") + error.what() + ")");
   }
 }
 } // namespace shapeton

@@ -83,7 +83,7 @@ GltfIndex(const Json & json)
 {
   if (!json.is_number_unsigned())
   {
-    throw std::out_of_range(json.dump().substr(0, 40) + " stands where a whole number from 0 on should be");
+    throw std::out_of_range(json.dump().substr(0, 40) + " is not a nonnegative integer");
   }
   return json.get<std::size_t>();
 }
@@ -301,7 +301,7 @@ GltfScene::ViewOf(std::size_t index, const std::string & type) const
     offset <= length && (count == 0 || (row <= length - offset && (count - 1) <= (length - offset - row) / stride));
   if (!fitsBuffer || !fitsView)
   {
-    RefuseSurface(m_Path, "accessor " + std::to_string(index) + " reaches beyond its data", Again);
+    RefuseSurface(m_Path, "accessor " + std::to_string(index) + " extends beyond its data", Again);
   }
   return { &buffer, begin + offset, stride, count, static_cast<int>(componentType) };
 }
@@ -312,7 +312,7 @@ GltfScene::Positions(std::size_t accessor) const
   const View view = this->ViewOf(accessor, "VEC3");
   if (view.componentType != 5126)
   {
-    RefuseSurface(m_Path, "its positions are no floats", "write it without quantization");
+    RefuseSurface(m_Path, "its positions are not floats", "write it without quantization");
   }
   std::vector<double> positions;
   for (std::size_t i = 0; i < 3 * view.count; ++i)
@@ -342,7 +342,7 @@ GltfScene::Indices(std::size_t accessor) const
         indices.push_back(ValueAt<std::uint32_t>(*view.bytes, place));
         break;
       default:
-        RefuseSurface(m_Path, "accessor " + std::to_string(accessor) + " has no whole numbers from 0 on as indices");
+        RefuseSurface(m_Path, "accessor " + std::to_string(accessor) + " has indices that are not unsigned integers");
     }
   }
   return indices;

@@ -92,7 +92,7 @@ LevelSurface(std::vector<float> & values, const std::array<int, 3> & size, doubl
 {
   if (values.size() != static_cast<std::size_t>(size[0]) * size[1] * size[2])
   {
-    throw std::invalid_argument("The values and the size of their grid disagree");
+    throw std::invalid_argument("The number of values does not match the grid size");
   }
   vtkNew<vtkFloatArray> scalars;
   scalars->SetArray(values.data(), static_cast<vtkIdType>(values.size()), 1); // VTK does not take ownership

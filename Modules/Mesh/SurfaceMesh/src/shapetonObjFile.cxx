@@ -49,7 +49,7 @@ public:
     this->EndPart();
     if (m_LeftOut)
     {
-      m_Surface.notes.push_back(std::to_string(m_LeftOut) + " points, lines or curves were left out");
+      m_Surface.notes.push_back(std::to_string(m_LeftOut) + " points, lines or curves were skipped");
     }
     return std::move(m_Surface);
   }
@@ -67,12 +67,12 @@ private:
       const bool   isWhole = result.ptr == word.data() + word.size() || *result.ptr == '/';
       if (result.ec != std::errc() || !isWhole || index == 0)
       {
-        m_Scanner.Refuse("\"" + std::string(word.substr(0, 40)) + "\" is not the index of a vertex, from 1 on");
+        m_Scanner.Refuse("\"" + std::string(word.substr(0, 40)) + "\" is not a vertex index (from 1)");
       }
       m_Surface.corners.push_back(index > 0 ? index - 1 : vertices + index);
       if (m_Surface.corners.back() < 0)
       {
-        m_Scanner.Refuse("the index " + std::to_string(index) + " goes back behind the first vertex");
+        m_Scanner.Refuse("the index " + std::to_string(index) + " points before the first vertex");
       }
     }
     m_Surface.EndPolygon();

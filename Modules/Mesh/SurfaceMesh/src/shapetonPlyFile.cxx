@@ -65,7 +65,7 @@ TypeOf(const std::string & name, const TextScanner & scanner)
   const auto                                  found = types.find(name);
   if (found == types.end())
   {
-    scanner.Refuse("\"" + name.substr(0, 40) + "\" is no type of a property");
+    scanner.Refuse("\"" + name.substr(0, 40) + "\" is not a property type");
   }
   return found->second;
 }
@@ -128,7 +128,7 @@ public:
     const double value = this->Next(type);
     if (!(std::abs(value) <= 4294967295.0) || value != std::floor(value))
     {
-      RefuseSurface(m_Path, "a count or index is no whole number", "correct the file");
+      RefuseSurface(m_Path, "a count or index is not an integer", "correct the file");
     }
     return static_cast<std::int64_t>(value);
   }
@@ -166,7 +166,7 @@ private:
     const std::size_t end = m_Bytes.find("end_header");
     if (m_Bytes.compare(0, 3, "ply") != 0 || end == std::string::npos)
     {
-      RefuseSurface(m_Path, "no PLY file: it lacks \"ply\" or \"end_header\"", "give a surface");
+      RefuseSurface(m_Path, "not a PLY file: it lacks \"ply\" or \"end_header\"", "give a surface");
     }
     const std::string header = m_Bytes.substr(0, end);
     m_DataBegin = std::min(m_Bytes.find('\n', end), m_Bytes.size() - 1) + 1;
@@ -215,7 +215,7 @@ private:
     }
     else
     {
-      scanner.Refuse("\"" + keyword.substr(0, 40) + "\" is no keyword of a PLY header");
+      scanner.Refuse("\"" + keyword.substr(0, 40) + "\" is not a PLY header keyword");
     }
   }
 

@@ -35,8 +35,8 @@ ReadBinary(const std::string & bytes, const std::string & path)
   if (stated > held)
   {
     RefuseSurface(path,
-                  "truncated, or no STL file: it states " + std::to_string(stated) + " triangles and has room for " +
-                    std::to_string(held),
+                  "truncated, or not an STL file: it states " + std::to_string(stated) +
+                    " triangles and has room for " + std::to_string(held),
                   "copy or write the file again");
   }
   PolygonSurface surface;

@@ -178,7 +178,7 @@ ReadSurfaceFile(const std::string & path)
   const auto                                 reader = readers.find(SurfaceExtension(path));
   if (reader == readers.end())
   {
-    RefuseSurface(path, "no format of a surface", "give a .vtp, .stl, .obj, .ply, .off, .gltf or .glb file");
+    RefuseSurface(path, "not a surface format", "give a .vtp, .stl, .obj, .ply, .off, .gltf or .glb file");
   }
   if (bytes.empty())
   {

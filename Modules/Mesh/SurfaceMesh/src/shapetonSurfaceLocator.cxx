@@ -74,7 +74,7 @@ SurfaceLocator::SurfaceLocator(const VertexMatrix & V, const FaceMatrix & F) : m
 {
   if (F.rows() == 0 || F.minCoeff() < 0 || F.maxCoeff() >= V.rows())
   {
-    throw std::invalid_argument("SurfaceLocator: there is no face, or an index is out of range");
+    throw std::invalid_argument("SurfaceLocator: no faces, or an index is out of range");
   }
   std::iota(m_Order.begin(), m_Order.end(), 0);
   VertexMatrix centres(F.rows(), 3);

@@ -26,7 +26,7 @@ MillimetresOf(const std::string & unit)
 {
   static const std::map<std::string, double> millimetres{ { "m", 1000.0 }, { "mm", 1.0 }, { "um", 0.001 } };
   const auto                                 found = millimetres.find(unit);
-  RequireParameter(found != millimetres.end(), "the unit \"" + unit + "\" is none of m, mm, um");
+  RequireParameter(found != millimetres.end(), "the unit \"" + unit + "\" must be m, mm or um");
   return found->second;
 }
 
@@ -101,7 +101,7 @@ TakePart(SurfaceFile & file, const std::string & name, const std::string & path)
                   file.parts.empty() ? "it has no named parts"
                                      : "it has no part \"" + name + "\" but " + ListOfParts(file),
                   file.parts.empty() ? "leave the parameter \"part\" out"
-                                     : "choose one of them with the parameter \"part\" = NAME");
+                                     : "choose one with the parameter \"part\" = NAME");
   }
   std::vector<int> faces(part->numberOfFaces);
   std::iota(faces.begin(), faces.end(), part->firstFace);
@@ -243,10 +243,11 @@ RefuseSeveral(const SurfaceFile &                   file,
   const bool        isPartOpen = options.part.empty() && file.parts.size() > 1;
   RefuseSurface(
     path,
-    (defects.empty() ? "it" : defects + "; cut there it") + " has " + std::to_string(components.size()) +
+    (defects.empty() ? "it" : defects + "; after cutting there it") + " has " + std::to_string(components.size()) +
       " components: " + ListOfComponents(file.mesh, components) + (isPartOpen ? ". Parts: " + ListOfParts(file) : ""),
     std::string("choose one with the parameter \"component\" = N") +
-      (isPartOpen ? " or the parameter \"part\" = NAME" : "") + (defects.empty() ? "" : ", or mend the surface there") +
+      (isPartOpen ? " or the parameter \"part\" = NAME" : "") +
+      (defects.empty() ? "" : ", or repair the surface there") +
       (options.takesOneComponent ? "" : ", or all with the parameter \"component\" = -1"));
 }
 
@@ -276,7 +277,7 @@ TakeComponent(SurfaceFile & file, const SurfaceReadOptions & options, bool isCut
     RefuseSurface(path,
                   "it has no component " + std::to_string(options.component) + " but " + std::to_string(count) + ": " +
                     ListOfComponents(file.mesh, components),
-                  "choose one of them with the parameter \"component\" = N");
+                  "choose one with the parameter \"component\" = N");
   }
   if (options.component > 0)
   {
@@ -290,7 +291,7 @@ TakeComponent(SurfaceFile & file, const SurfaceReadOptions & options, bool isCut
   }
   else if (count > 1)
   {
-    file.notes.push_back(TextOfNonManifoldEdges(file.mesh, connectivity) + "; cut there it has " +
+    file.notes.push_back(TextOfNonManifoldEdges(file.mesh, connectivity) + "; after cutting there it has " +
                          std::to_string(count) + " components: " + ListOfComponents(file.mesh, components));
   }
 }

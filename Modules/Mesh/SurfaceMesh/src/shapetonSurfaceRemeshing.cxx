@@ -278,13 +278,13 @@ SurfaceMesh
 RemeshSurface(const SurfaceMesh & mesh, const SurfaceRemeshingOptions & options)
 {
   RequireParameter(options.targetEdgeLength > 0.0 && std::isfinite(options.targetEdgeLength),
-                   "targetEdgeLength must be a finite number of mm greater than 0");
+                   "targetEdgeLength must be finite and positive (mm)");
   RequireParameter(options.iterations >= 1 && options.iterations <= 100, "iterations must be from 1 to 100");
   const SurfaceConnectivity connectivity = RequireManifold(mesh, "the surface");
   const double faces = SurfaceArea(mesh.V, mesh.F) / (0.433 * options.targetEdgeLength * options.targetEdgeLength);
   if (!(faces <= MostFaces))
   {
-    throw InputError("the surface would get more than 100 million faces; ask for longer edges");
+    throw InputError("the surface would get more than 100 million faces; use a longer target edge length");
   }
   Remesher remesher(mesh, connectivity, options.targetEdgeLength);
   for (int i = 0; i < options.iterations; ++i)

@@ -170,7 +170,7 @@ SurfaceRepairReport::Words() const
   add(addedVertices,
       "vertex was added where the surface was not manifold",
       "vertices were added where the surface was not manifold");
-  add(turnedFaces, "face was turned", "faces were turned");
+  add(turnedFaces, "face was flipped", "faces were flipped");
   add(nonOrientableComponents, "component cannot be oriented", "components cannot be oriented");
   return words;
 }
@@ -180,7 +180,7 @@ RepairSurface(const SurfaceMesh & mesh, const SurfaceRepairOptions & options, Su
 {
   RequireSound(mesh, "the surface");
   RequireParameter(options.mergeDistance >= 0.0 && std::isfinite(options.mergeDistance),
-                   "mergeDistance must be a finite number of mm from 0 on");
+                   "mergeDistance must be finite and nonnegative (mm)");
   SurfaceRepairReport done;
   SurfaceMesh         repaired = mesh;
   if (options.mergeVertices)
@@ -226,7 +226,7 @@ RequireManifold(const SurfaceMesh & mesh, const std::string & what)
   refuse(defects.degenerateFaces, "faces name a vertex twice");
   refuse(defects.nonManifoldEdges, "edges have more than two faces");
   refuse(defects.nonManifoldVertices, "vertices have several fans of faces");
-  refuse(defects.inconsistentEdges, "edges lie between faces of opposite orientation");
+  refuse(defects.inconsistentEdges, "edges have faces of opposite orientation");
   return connectivity;
 }
 } // namespace shapeton

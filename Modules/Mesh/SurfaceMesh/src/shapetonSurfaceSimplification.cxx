@@ -405,7 +405,7 @@ SimplifySurface(const SurfaceMesh &                  mesh,
   RequireParameter(options.targetFaces >= 1, "targetFaces must be 1 or more");
   RequireParameter(options.smallestAngle >= 0.0 && options.smallestAngle <= 30.0, "smallestAngle must be from 0 to 30");
   RequireParameter(options.boundaryWeight >= 0.0 && std::isfinite(options.boundaryWeight),
-                   "boundaryWeight must be a finite number from 0 on");
+                   "boundaryWeight must be finite and nonnegative");
   SurfaceSimplificationReport done;
   SurfaceMesh                 simplified;
   if (mesh.NumberOfFaces() <= options.targetFaces)

@@ -15,7 +15,7 @@ WriteSurface(const SurfaceMesh & mesh, const std::string & path)
   };
   const auto writer = writers.find(SurfaceExtension(path));
   RequireParameter(writer != writers.end(),
-                   "\"" + path + "\" names no format of a surface; use .vtp, .stl, .ply or .obj");
+                   "\"" + path + "\" does not have the extension of a surface format; use .vtp, .stl, .ply or .obj");
   RequireSound(mesh, "the surface");
   writer->second(mesh, path);
 }

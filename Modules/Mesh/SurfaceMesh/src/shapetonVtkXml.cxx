@@ -90,7 +90,7 @@ VtkXml::VtkXml(const std::string & bytes, const std::string & path) : m_Bytes(by
   std::size_t place = 0;
   if (!this->SkipToTag(place))
   {
-    this->Refuse("no VTP file");
+    this->Refuse("not a VTP file");
   }
   m_Root = this->ParseElement(place, 0);
   m_SizeOfHeader = m_Root.Get("header_type") == "UInt64" ? 8 : 4;
@@ -150,7 +150,7 @@ VtkXml::ParseAttributes(VtkXmlElement & element, std::size_t & place) const
     const std::size_t close = isQuoted ? m_Bytes.find(m_Bytes[open], open + 1) : std::string::npos;
     if (close == std::string::npos)
     {
-      this->Refuse("no valid XML in a tag of <" + element.name.substr(0, 40) + ">");
+      this->Refuse("invalid XML in a tag of <" + element.name.substr(0, 40) + ">");
     }
     const std::size_t nameEnd = std::min(m_Bytes.find_first_of(Blanks, place), equals);
     element.attributes[m_Bytes.substr(place, nameEnd - place)] = Unescaped(m_Bytes.substr(open + 1, close - open - 1));
@@ -165,7 +165,7 @@ VtkXml::ParseElement(std::size_t & place, int depth)
   const std::size_t nameEnd = m_Bytes.find_first_of(" \t\r\n/>", place + 1);
   if (nameEnd == std::string::npos || depth > DeepestElement)
   {
-    this->Refuse("no VTP file, or truncated");
+    this->Refuse("not a VTP file, or truncated");
   }
   element.name = m_Bytes.substr(place + 1, nameEnd - place - 1);
   place = nameEnd;
@@ -189,7 +189,7 @@ VtkXml::ParseElement(std::size_t & place, int depth)
     {
       if (m_Bytes.compare(place + 2, element.name.size(), element.name) != 0)
       {
-        this->Refuse("no valid XML: <" + element.name.substr(0, 40) + "> is not closed");
+        this->Refuse("invalid XML: <" + element.name.substr(0, 40) + "> is not closed");
       }
       ++place;
       return element;
@@ -212,7 +212,7 @@ VtkXml::Number(const VtkXmlElement & element, const std::string & attribute) con
   if (result.ec != std::errc() || result.ptr != text.data() + text.size() || number > BestCompression * m_Bytes.size())
   {
     this->Refuse(attribute + "=\"" + text.substr(0, 40) + "\" of <" + element.name +
-                 "> is no number that the file can hold");
+                 "> is not a valid number for this file");
   }
   return number;
 }
@@ -355,7 +355,7 @@ ValuesOfText(const std::string & text, std::size_t begin, const VtkXml & xml)
     if (result.ec == std::errc::invalid_argument)
     {
       xml.Refuse("\"" + text.substr(i, std::min<std::size_t>(text.find_first_of(" \t\r\n<", i) - i, 40)) +
-                 "\" is no number");
+                 "\" is not a number");
     }
     values.push_back(value);
     i = static_cast<std::size_t>(result.ptr - text.data());

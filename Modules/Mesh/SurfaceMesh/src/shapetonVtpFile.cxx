@@ -25,7 +25,7 @@ public:
     const VtkXmlElement * const data = m_Xml.Root().Find("PolyData");
     if (m_Xml.Root().name != "VTKFile" || !data)
     {
-      m_Xml.Refuse("no VTP file: it lacks <VTKFile> or <PolyData>");
+      m_Xml.Refuse("not a VTP file: it lacks <VTKFile> or <PolyData>");
     }
     for (const VtkXmlElement & child : data->children)
     {
@@ -43,8 +43,8 @@ public:
     if (m_LeftOut)
     {
       m_Surface.notes.push_back(std::to_string(m_LeftOut) + (m_Wanted == VtpCells::Faces
-                                                               ? " points and lines were left out"
-                                                               : " faces were left out"));
+                                                               ? " points and lines were skipped"
+                                                               : " faces were skipped"));
     }
     return std::move(m_Surface);
   }
@@ -161,7 +161,7 @@ private:
       {
         if (!(connectivity[k] >= 0.0 && connectivity[k] < static_cast<double>(points)))
         {
-          m_Xml.Refuse("face " + std::to_string(i) + " names a vertex that is none of the " + std::to_string(points));
+          m_Xml.Refuse("face " + std::to_string(i) + " names a vertex outside the " + std::to_string(points));
         }
         corners.push_back(firstPoint + static_cast<std::int64_t>(connectivity[k]));
       }

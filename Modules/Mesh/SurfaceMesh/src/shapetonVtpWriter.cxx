@@ -31,7 +31,7 @@ RequireName(const std::string & name)
   if (!isFit)
   {
     throw InputError("the array " + Quoted(Printable(name)) +
-                     " has a control character or one of \" < > & in its name, which VTP cannot hold; rename it");
+                     " has a control character or one of \" < > & in its name, which VTP does not allow; rename it");
   }
 }
 
@@ -58,7 +58,7 @@ AddArrays(const std::vector<SurfaceArray> & arrays, vtkFieldData & data)
     RequireName(array.name);
     if (array.values.cols() == 0)
     {
-      throw InputError("the array " + Quoted(array.name) + " has no column; leave it out");
+      throw InputError("the array " + Quoted(array.name) + " has no columns; leave it out");
     }
     data.AddArray(array.areIntegers ? Filled<vtkIntArray>(array) : Filled<vtkDoubleArray>(array));
   }
@@ -70,7 +70,7 @@ AddFact(const std::string & name, const std::string & value, vtkFieldData & data
   RequireName(name);
   if (value.find('\0') != std::string::npos)
   {
-    throw InputError("the fact " + Quoted(name) + " holds a zero byte, which VTP cannot hold; leave it out");
+    throw InputError("the fact " + Quoted(name) + " contains a zero byte, which VTP does not allow; leave it out");
   }
   vtkNew<vtkStringArray> fact;
   fact->SetName(name.c_str());

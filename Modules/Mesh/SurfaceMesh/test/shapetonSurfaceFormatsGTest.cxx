@@ -180,7 +180,7 @@ TEST(SurfaceFormats, ObjWithGroupsNegativeIndicesAndContinuedLines)
   EXPECT_EQ(file.parts[0].name, "left part");
   EXPECT_EQ(file.parts[1].name, "right");
   EXPECT_EQ(file.parts[1].firstFace, 1);
-  EXPECT_EQ(file.notes, std::vector<std::string>({ "1 points, lines or curves were left out" }));
+  EXPECT_EQ(file.notes, std::vector<std::string>({ "1 points, lines or curves were skipped" }));
 }
 
 /** An octahedron in every dialect of OBJ that does not change the surface. */
@@ -347,17 +347,17 @@ TEST(SurfaceFormats, FaultyGltf)
   const std::string document = GltfDocument("");
   EXPECT_EQ(FaultOf("glb", Glb(document)), "");
   EXPECT_NE(replaced(document, "\"2.0\"", "\"1.0\"").find("version"), std::string::npos);
-  EXPECT_NE(replaced(document, "\"count\":4", "\"count\":5").find("accessor 0 reaches beyond"), std::string::npos);
+  EXPECT_NE(replaced(document, "\"count\":4", "\"count\":5").find("accessor 0 extends beyond"), std::string::npos);
   EXPECT_NE(replaced(document, "\"count\":4", "\"count\":3").find("names vertex 3"), std::string::npos);
   EXPECT_NE(replaced(document, "\"count\":12", "\"count\":18446744073709551615").find("beyond"), std::string::npos);
-  EXPECT_NE(replaced(document, "\"count\":12", "\"count\":-1").find("no valid glTF"), std::string::npos);
+  EXPECT_NE(replaced(document, "\"count\":12", "\"count\":-1").find("not a valid glTF"), std::string::npos);
   EXPECT_NE(replaced(document, "\"children\":[2]", "\"children\":[1]").find("two parents"), std::string::npos);
-  EXPECT_NE(replaced(document, "\"children\":[2]", "\"children\":[9]").find("no valid glTF"), std::string::npos);
-  EXPECT_NE(replaced(document, "\"buffer\":0", "\"buffer\":7").find("no valid glTF"), std::string::npos);
-  EXPECT_NE(replaced(document, "5126", "5121").find("no floats"), std::string::npos);
+  EXPECT_NE(replaced(document, "\"children\":[2]", "\"children\":[9]").find("not a valid glTF"), std::string::npos);
+  EXPECT_NE(replaced(document, "\"buffer\":0", "\"buffer\":7").find("not a valid glTF"), std::string::npos);
+  EXPECT_NE(replaced(document, "5126", "5121").find("not floats"), std::string::npos);
   EXPECT_NE(FaultOf("gltf", GltfDocument(R"(,"uri":"../secret.bin")")).find("outside its folder"), std::string::npos);
   EXPECT_NE(FaultOf("gltf", GltfDocument(R"(,"uri":"absent.bin")")).find("No such file"), std::string::npos);
   EXPECT_NE(FaultOf("glb", Glb(document).substr(0, 400)).find("truncated"), std::string::npos);
-  EXPECT_NE(FaultOf("gltf", "{}").find("no valid glTF"), std::string::npos);
+  EXPECT_NE(FaultOf("gltf", "{}").find("not a valid glTF"), std::string::npos);
 }
 } // namespace

@@ -100,7 +100,7 @@ TEST(SurfaceReader, ASurfaceThatIsNotManifoldIsCutIntoComponents)
     folder / "a.ply");
   const std::string where =
     "it is not manifold: 2 edges have more than two faces, the first from (0, 0, 0) to (0, 0, 9) mm; "
-    "cut there it has 3 components: 1: 2 faces";
+    "after cutting there it has 3 components: 1: 2 faces";
   // Accepted for inspection, with the common number of components.
   const shapeton::Surface asItIs = shapeton::ReadSurface(folder / "a.ply");
   ASSERT_EQ(asItIs.notes.size(), 1u);
@@ -204,7 +204,7 @@ FaultyFiles()
   const std::string text = "This is a letter,\nno surface.\n";
   const std::string solidStl = "solid" + std::string(75, ' ') + std::string("\1\0\0\0", 4); // states a triangle
   return { { "off", "", "the file is empty" },
-           { "txt", text, "no format of a surface" },
+           { "txt", text, "not a surface format" },
            { "off", text, "line 1: the file does not begin with OFF" },
            { "off", "OFF 3 1 0\n" + triangle, "the file ends at face 0 of 1" },
            { "off", "OFF 3 1 0\n0 0 0\n1 0 0\n", "the file ends at vertex 2 of 3" },
@@ -221,29 +221,29 @@ FaultyFiles()
            { "obj", text, "there are no faces" },
            { "obj", "v 0 0 0\nv 1 0\n", "line 2: the line ends where a coordinate" },
            { "obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n", "face 0 names vertex 3" },
-           { "obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 0 1 2\n", "line 4: \"0\" is not the index" },
-           { "obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf -4 1 2\n", "behind the first vertex" },
+           { "obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 0 1 2\n", "line 4: \"0\" is not a vertex index" },
+           { "obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf -4 1 2\n", "before the first vertex" },
            { "obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2\n", "face 0 has 2 corners" },
            { "obj", "v 0 0 0\nv 1 0 inf\nv 0 1 0\nf 1 2 3\n", "not finite" },
-           { "ply", text, "no PLY file" },
+           { "ply", text, "not a PLY file" },
            { "ply", ply + triangle, "the file ends where a value" },
            { "ply", ply + triangle + "3 0 1 7\n", "face 0 names vertex 7" },
-           { "ply", ply + triangle + "3 0 1 1.5\n", "no whole number" },
+           { "ply", ply + triangle + "3 0 1 1.5\n", "not an integer" },
            { "ply", "ply\nformat binary_little_endian 1.0\n" + ply.substr(ply.find("element")) + "abc", "truncated" },
            { "ply", "ply\nformat ascii 1.0\nelement vertex 99999999\nend_header\n", "more than the file can hold" },
-           { "ply", "ply\nformat ascii 1.0\nelement vertex 1\nproperty quad x\nend_header\n", "no type of a property" },
+           { "ply", "ply\nformat ascii 1.0\nelement vertex 1\nproperty quad x\nend_header\n", "not a property type" },
            { "ply", "ply\nformat morse 1.0\nend_header\n", "the format \"morse\" is unknown" },
            { "stl", text, "neither a text nor a binary STL file" },
-           { "stl", std::string(84, '\xFF'), "truncated, or no STL file: it states 4294967295 triangles" },
+           { "stl", std::string(84, '\xFF'), "truncated, or not an STL file: it states 4294967295 triangles" },
            { "stl", std::string(84, '\0'), "there are no faces" },
            { "stl", "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n", "truncated" },
            { "stl", "solid a\nendsolid a\n", "there are no faces" },
-           { "stl", solidStl, "truncated, or no STL file: it states 1 triangles" },
+           { "stl", solidStl, "truncated, or not an STL file: it states 1 triangles" },
            { "stl", "solid a\nsph\1ere\n", "line 2: \"sph ere\" stands where \"facet\"" },
            { "stl", "solid a\nsphere\n", "line 2: \"sphere\" stands where \"facet\"" },
-           { "gltf", text, "no valid glTF" },
+           { "gltf", text, "not a valid glTF" },
            { "glb", "glTF\2", "truncated" },
-           { "vtp", text, "no VTP file" },
+           { "vtp", text, "not a VTP file" },
            { "vtp", "<VTKFile type=\"PolyData\"", "truncated: it ends within a tag" },
            { "vtp", "<html><body></body></html>", "lacks <VTKFile> or <PolyData>" },
            { "vtp", "<VTKFile><PolyData></VTKFile>", "<PolyData> is not closed" } };

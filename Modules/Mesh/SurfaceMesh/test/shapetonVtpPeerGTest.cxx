@@ -106,7 +106,7 @@ TEST_P(VtpPeer, WeReadWhatVtkWrites)
   EXPECT_TRUE(mesh.cellArrays[0].areIntegers);
   ASSERT_EQ(mesh.facts.size(), 1u);
   EXPECT_EQ(mesh.facts[0].second, "made by VTK");
-  EXPECT_EQ(file.notes.front(), "2 points and lines were left out");
+  EXPECT_EQ(file.notes.front(), "2 points and lines were skipped");
 }
 
 INSTANTIATE_TEST_SUITE_P(
