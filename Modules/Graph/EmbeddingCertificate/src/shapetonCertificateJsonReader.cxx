@@ -244,7 +244,7 @@ private:
   std::string              m_Key;
   std::vector<std::string> m_Objects;
   std::set<std::string>    m_Seen;
-  int                      m_Depth{ 0 }; // of lists
+  int                      m_Depth{ 0 }; // list nesting depth
 };
 
 /** Moves entries out of the tables and checks their sizes. */

@@ -157,7 +157,7 @@ private:
 
   const EmbeddingCertificate & m_Certificate;
   const TracedMap &            m_Packed;
-  std::vector<double>          m_Direction; // of each half-edge at its node
+  std::vector<double>          m_Direction; // direction of each half-edge at its node
 };
 
 void
@@ -304,7 +304,7 @@ DiskCheck::CheckGenerators(Measures & measures) const
 void
 DiskCheck::CheckWord(Measures & measures) const
 {
-  constexpr Real rounding = 1e-14L; // of the entries of a generator, including its places
+  constexpr Real rounding = 1e-14L; // relative to the entries of a generator, including its places
   Isometry       product;
   Real           explained = 1e-10L;
   for (const int letter : m_Certificate.word)

@@ -176,7 +176,7 @@ private:
   Complex                      m_First;
   Complex                      m_Second;
   double                       m_Area;
-  std::vector<double>          m_Direction; // of each half-edge at its node
+  std::vector<double>          m_Direction; // direction of each half-edge at its node
 };
 } // namespace
 

@@ -260,7 +260,7 @@ private:
 
   const EmbeddingCertificate & m_Certificate;
   const TracedMap &            m_Packed;
-  std::vector<Point>           m_Touch; // of each edge
+  std::vector<Point>           m_Touch; // touching point of each edge
 };
 } // namespace
 

@@ -12,7 +12,7 @@ struct DummyStretch
 {
   std::vector<int> dummies; ///< half-edges of the old packed map that lead to dummies
   std::vector<int> added;   ///< half-edges of the new graph
-  std::vector<int> places;  ///< of each added one: the dummy to remove, or on its path; -1: none
+  std::vector<int> places;  ///< per added half-edge: the dummy to remove, or on its path; -1: none
 };
 
 /** All nonempty stretches. Dummies of a stretch are removed if the corner between its half-edges changed. With `reach`

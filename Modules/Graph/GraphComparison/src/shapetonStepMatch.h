@@ -12,10 +12,10 @@ struct StepMatch
   StepMatch(const Graph & before, const PackedMap & packed, const Graph & after, const CombinatorialMap & map);
 
   /** Indices in the other step, or -1 if missing there. */
-  std::vector<int> nodeOf;      ///< of nodes of `before`
-  std::vector<int> oldNode;     ///< of nodes of `after`
-  std::vector<int> halfEdgeOf;  ///< of half-edges of `packed`
-  std::vector<int> oldHalfEdge; ///< of half-edges of `map`
+  std::vector<int> nodeOf;      ///< indexed by nodes of `before`
+  std::vector<int> oldNode;     ///< indexed by nodes of `after`
+  std::vector<int> halfEdgeOf;  ///< indexed by half-edges of `packed`
+  std::vector<int> oldHalfEdge; ///< indexed by half-edges of `map`
 };
 } // namespace shapeton
 

@@ -133,7 +133,7 @@ AddOrders(const Graph &            graph,
   {
     next[ofGraph(static_cast<int>(h))] = ofGraph(blockNext[h]);
   }
-  std::vector<int> corners; // of nodes first met in this block
+  std::vector<int> corners; // nodes first met in this block
   for (std::size_t h = 0; h < blockNext.size(); ++h)
   {
     const int halfEdge = ofGraph(static_cast<int>(h));

@@ -87,12 +87,12 @@ private:
   EmbedFrom(int root, EdgeOrders & orders);
 
   const Graph &    m_Graph;
-  std::vector<int> m_Start;  // of each node in m_Edges
+  std::vector<int> m_Start;  // start of each node in m_Edges
   std::vector<int> m_Edges;  // first all of each node, then its outgoing ones
-  std::vector<int> m_End;    // of the outgoing edges of each node
-  std::vector<int> m_From;   // of each edge
-  std::vector<int> m_To;     // of each edge
-  std::vector<int> m_Height; // of each node, -1 before the search
+  std::vector<int> m_End;    // end of the outgoing edges of each node
+  std::vector<int> m_From;   // start node of each edge
+  std::vector<int> m_To;     // end node of each edge
+  std::vector<int> m_Height; // depth of each node, -1 before the search
   std::vector<int> m_Parent; // the tree edge to each node
   std::vector<int> m_Low;    // lowest return point of each edge
   std::vector<int> m_SecondLow;
@@ -102,9 +102,9 @@ private:
   std::vector<int> m_LowEdge;
   std::vector<int> m_StackBottom;
   std::vector<int> m_Roots;
-  std::vector<int> m_LeftOf;  // of each node: the outermost half-edge beside its last tree edge, on the left
-  std::vector<int> m_RightOf; // of each node: its last tree edge
-  std::vector<int> m_Place;   // of the search in m_Edges, of each node
+  std::vector<int> m_LeftOf;  // per node: the outermost half-edge beside its last tree edge, on the left
+  std::vector<int> m_RightOf; // per node: its last tree edge
+  std::vector<int> m_Place;   // per node: search position in m_Edges
 
   std::vector<ConflictPair> m_Stack;
   bool                      m_IsPlanar{ true };

@@ -130,7 +130,7 @@ void
 CombinatorialMap::FindComponents()
 {
   m_ComponentOfNode.assign(Nodes(), -1);
-  std::vector<int> euler; // of each component
+  std::vector<int> euler; // Euler characteristic of each component
   std::vector<int> stack;
   for (int start = 0; start < Nodes(); ++start)
   {

@@ -223,7 +223,7 @@ private:
   DotTokens                     m_Tokens;
   GraphBuilder                  m_Builder;
   DotToken                      m_Token;
-  std::set<std::pair<int, int>> m_Known; // of a strict graph
+  std::set<std::pair<int, int>> m_Known; // known edges of a strict graph
   int                           m_Dropped{ 0 };
   int                           m_Depth{ 0 };
   bool                          m_IsStrict{ false };

@@ -154,7 +154,7 @@ private:
     }
     std::sort(forward.begin(), forward.end());
     std::sort(backward.begin(), backward.end());
-    std::size_t next = 0; // of backward
+    std::size_t next = 0; // index into backward
     for (std::size_t i = 0; i < forward.size(); ++i)
     {
       const auto [first, second] = forward[i];

@@ -195,7 +195,7 @@ private:
 
   const CombinatorialMap & m_Map;
   std::vector<int>         m_Rank;
-  std::vector<int>         m_Arrival; ///< of the node of each rank
+  std::vector<int>         m_Arrival; ///< arrival half-edge of the node of each rank
   int                      m_Known{ 0 };
 };
 } // namespace

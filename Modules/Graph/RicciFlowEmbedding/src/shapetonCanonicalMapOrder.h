@@ -22,7 +22,7 @@ struct RicciFlowEmbedding_EXPORT CanonicalMapOrder
 
   int              start{ -1 }; ///< half-edge
   bool             isMirrored{ false };
-  std::vector<int> rank; ///< of each node
+  std::vector<int> rank; ///< rank of each node
 };
 } // namespace shapeton
 

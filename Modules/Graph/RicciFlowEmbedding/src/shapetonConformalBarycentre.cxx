@@ -81,7 +81,7 @@ private:
 struct Moments
 {
   Eigen::Vector3d first{ Eigen::Vector3d::Zero() };
-  Eigen::Matrix3d rejection{ Eigen::Matrix3d::Zero() }; ///< of 1 - x x^T
+  Eigen::Matrix3d rejection{ Eigen::Matrix3d::Zero() }; ///< sum of 1 - x x^T
 };
 
 /** Sums in blocks of fixed size, so that rounding is independent of the number of threads. */
@@ -176,7 +176,7 @@ struct CapSum
     {
       const double          weight = CapWeight(cap[3]);
       const double          length = std::hypot(1.0, cap[3]);
-      const Eigen::Vector3d slope = Eigen::Vector3d(cap.data()) / -length; // of the distance to the plane
+      const Eigen::Vector3d slope = Eigen::Vector3d(cap.data()) / -length; // gradient of the distance to the plane
       const double          bend = std::max(0.0, cap[3] / length);
       value += weight;
       gradient += power * weight * slope;

@@ -138,7 +138,7 @@ SimpleParts(const MapBuilder & builder, const std::vector<int> & boundary, int c
 {
   const int        length = static_cast<int>(boundary.size());
   RingParts        parts;
-  std::vector<int> nodes; // of the part, including its end
+  std::vector<int> nodes; // nodes of the part, including its end
   for (int i = 0; i < length; ++i)
   {
     const int end = builder.Node(boundary[(i + 1) % length]);

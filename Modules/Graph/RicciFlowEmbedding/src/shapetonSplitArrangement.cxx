@@ -183,10 +183,10 @@ private:
   const CombinatorialMap & m_Map;
   const std::vector<int> & m_Original;
   const CombinatorialMap & m_Parts;
-  std::vector<int>         m_Next; ///< of the parts, as arranged
+  std::vector<int>         m_Next; ///< successors in the parts, as arranged
   std::vector<int>         m_Previous;
   std::vector<int>         m_SharedFace; ///< 1, 2, ... in their order around the first node of a pair; 0 for others
-  std::vector<int>         m_Component;  ///< of each half-edge around the two nodes
+  std::vector<int>         m_Component;  ///< component of each half-edge around the two nodes
   std::vector<int>         m_Seen;       ///< the last search that visited a node
   int                      m_Searches{ 0 };
 };

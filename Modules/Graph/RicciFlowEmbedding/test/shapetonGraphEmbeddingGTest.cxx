@@ -262,7 +262,7 @@ TEST(GraphEmbedding, LargerSplitComponentsComeNearerToTheMiddle)
   const shapeton::CombinatorialMap arranged = shapeton::ArrangeSplitComponents(map);
   EXPECT_EQ(arranged.Genus(), 0);
   EXPECT_EQ(arranged.ToGraph().edges, graph.edges);
-  std::vector<int> sizes; // of the paths around node 0, from the edge on
+  std::vector<int> sizes; // lengths of the paths around node 0, from the edge on
   for (const int h : arranged.Around(0))
   {
     int node = arranged.Node(h + 1);

@@ -79,7 +79,7 @@ private:
   std::uint32_t             m_Step{ 0 };
   std::vector<SensorDevice> m_Devices;
   std::vector<double>       m_Direction; // radians
-  std::vector<double>       m_Drain;     // of the charge, in a step
+  std::vector<double>       m_Drain;     // charge lost per step
   std::vector<bool>         m_IsCharging;
 };
 

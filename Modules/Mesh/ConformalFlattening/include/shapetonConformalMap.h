@@ -31,25 +31,25 @@ struct ConformalMapOptions
    * longest remaining one as inner. */
   int outerBoundary{ 0 };
   int innerBoundary{ 0 };
-  /** Four vertices of the only boundary as for MapQuadrilateral(); none: SpreadCorners(). */
+  /** Four vertices of the only boundary, as for MapQuadrilateral(); empty: SpreadCorners(). */
   std::vector<int> corners;
-  /** Lengths of the edges in another metric; empty for the straight ones. */
+  /** Edge lengths in another metric; empty for straight lengths. */
   Eigen::VectorXd edgeLengths;
-  /** It may throw in order to abort. */
+  /** May throw to abort. */
   Progress progress;
 };
 
-/** A surface on the plane, and how well. \ingroup ConformalFlattening */
+/** A conformal map of a surface to the plane, with its distortion. \ingroup ConformalFlattening */
 struct ConformalMap
 {
   /** As in shapetonFlatSurface.h, with `uv` in mm, counterclockwise as seen from outside, u to the right and v up.
-   * - Rectangle of one boundary: from (0, 0) on; height over width is the geometric mean of the two moduli, and the
+   * - Rectangle of one boundary: starts at (0, 0); height over width is the geometric mean of the two moduli, and the
    *   area is that of the surface.
-   * - Rectangle of several: u from 0 at the outer boundary, one turn is `circumference`, the mean length of the level
-   *   sets of the radius; u at the inner boundary is `length`, circumference over the geometric mean of the moduli. The
-   * cut is straight in space, not in the plane.
-   * - Annulus, slit: around (0, 0); the annulus has the area of the surface. No vertex is duplicated, and `slitMap1`,
-   *   `slitMap2`, ... hold the maps that have boundary 1, 2, ... as the inner circle (Slit alone). */
+   * - Rectangle of several: u is 0 at the outer boundary, and one turn is `circumference`, the mean length of the level
+   *   sets of the radius. At the inner boundary u is `length`, circumference over the geometric mean of the moduli. The
+   *   cut is straight in space, not in the plane.
+   * - Annulus, slit: centered at (0, 0); the annulus has the area of the surface. No vertex is duplicated. For Slit,
+   *   `slitMap1`, `slitMap2`, ... are the maps with boundary 1, 2, ... as the inner circle. */
   SurfaceMesh     flat;
   ConformalDomain domain{ ConformalDomain::Slit };
   /** 0 unless there are handles. */

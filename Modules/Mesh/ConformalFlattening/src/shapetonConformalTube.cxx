@@ -341,7 +341,7 @@ private:
   const TubeEnds &                     m_Ends;
   const TubeOptions &                  m_Options;
   std::optional<SymbolicFactorisation> m_Symbolic;
-  SurfaceLaplacian                     m_Laplacian; ///< of the metric
+  SurfaceLaplacian                     m_Laplacian; ///< metric of the map
   SurfaceLaplacian                     m_Solved;    ///< with the weights of the solved system
   EdgeGraph                            m_Graph;
   Eigen::VectorXd                      m_Lengths; ///< in space
@@ -349,7 +349,7 @@ private:
   std::unique_ptr<HarmonicSolver>      m_Around;
   std::vector<char>                    m_IsSaddle;
   CutSurface                           m_Cut;
-  Eigen::VectorXd                      m_V; ///< of the vertices of the cut surface, period 1
+  Eigen::VectorXd                      m_V; ///< v at the vertices of the cut surface, period 1
   TubeMap                              m_Map;
 };
 

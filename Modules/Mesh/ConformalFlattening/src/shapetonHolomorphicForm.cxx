@@ -16,7 +16,7 @@ Eigen::MatrixXd
 WeightsOfForms(const std::vector<SlitMap> & maps)
 {
   const auto      n = static_cast<Eigen::Index>(maps.size());
-  Eigen::MatrixXd levels(n, n); // of -logRadius on the inner boundaries, one column per map
+  Eigen::MatrixXd levels(n, n); // -logRadius on the inner boundaries, one column per map
   for (Eigen::Index k = 0; k < n; ++k)
   {
     for (Eigen::Index i = 0; i < n; ++i)

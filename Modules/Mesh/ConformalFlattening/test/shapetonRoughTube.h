@@ -14,7 +14,7 @@ struct RoughTubeOptions
   int           along{ 40 };
   double        noise{ 0.0 }; ///< largest vertex displacement, in edge lengths
   int           pouches{ 0 };
-  int           pouchRings{ 8 }; ///< of three edges each: each scales the area by e^-4
+  int           pouchRings{ 8 }; ///< three edges each; each scales the area by e^-4
   int           needles{ 0 };
   int           ears{ 0 };
 };

@@ -49,7 +49,7 @@ HeatKernelSignatureTimes(const SurfaceSpectrum & spectrum, int number)
 {
   const Eigen::VectorXd & values = spectrum.eigenvalues;
   const double            highest = values.size() > 0 ? values[values.size() - 1] : 0.0;
-  const double            rounding = 1e-9 * highest; // of a zero eigenvalue
+  const double            rounding = 1e-9 * highest; // rounding level of a zero eigenvalue
   const double * const    lowest =
     std::find_if(values.data(), values.data() + values.size(), [&](double value) { return value > rounding; });
   if (highest <= 0.0 || *lowest >= highest)

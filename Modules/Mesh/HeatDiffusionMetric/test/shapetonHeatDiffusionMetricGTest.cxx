@@ -330,7 +330,7 @@ TEST(HeatDiffusionMetric, NeedlesHaveTheLeastLengthThatCanBeTold)
   const double              t = 8.0;
   const HeatDiffusionMetric metric = ComputeHeatDiffusionMetric(needle, t);
   EXPECT_GE(metric.drownedEdges, 5);
-  EXPECT_LE(metric.drownedEdges, 20); // of the needle
+  EXPECT_LE(metric.drownedEdges, 20); // edges of the needle
   EXPECT_TRUE(AreTriangles(connectivity, metric.edgeLengths));
   const HeatDiffusionMetric whole = ComputeHeatDiffusionMetric(sphere, t);
   EXPECT_EQ(0, whole.drownedEdges);

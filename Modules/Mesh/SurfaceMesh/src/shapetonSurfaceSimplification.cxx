@@ -16,8 +16,8 @@ namespace shapeton
 {
 namespace
 {
-constexpr double PointWeight = 1e-3;          // of the distance to old vertices, relative to the planes
-constexpr double LeastProductOfNormals = 0.3; // of the normals of a face before and after
+constexpr double PointWeight = 1e-3;          // weight of distances to old vertices, relative to planes
+constexpr double LeastProductOfNormals = 0.3; // face normals before and after
 constexpr double RadiansPerDegree = 0.017453292519943295769;
 constexpr double StepOfAngles = 5.0; // degrees
 
@@ -97,7 +97,7 @@ private:
   static std::size_t
   BucketOf(double cost)
   {
-    const double  positive = cost + 0.0; // of -0, 0
+    const double  positive = cost + 0.0; // turns -0 into 0
     std::uint64_t bits = 0;
     std::memcpy(&bits, &positive, sizeof(bits));
     return static_cast<std::size_t>(bits >> (64 - BitsOfBucket));
