@@ -30,8 +30,8 @@ ElementOfBoundary(int number, std::size_t count, const char * role)
 {
   if (number < 1 || number > static_cast<int>(count))
   {
-    throw InputError("there is no boundary " + std::to_string(number) + " to be the " + role + " one; it has " +
-                     CountOfBoundaries(count) + ", number 1 is the longest");
+    throw InputError("boundary " + std::to_string(number) + ", chosen as the " + role +
+                     " one, does not exist; the surface has " + CountOfBoundaries(count) + ", number 1 is the longest");
   }
   return number - 1;
 }

@@ -20,7 +20,7 @@ RowsOfVertices(int vertices, const std::vector<int> & fixed)
     const int vertex = fixed[i];
     if (vertex < 0 || vertex >= vertices)
     {
-      throw InputError("there is no vertex " + std::to_string(vertex) + " to give a value to, but " +
+      throw InputError("fixed vertex " + std::to_string(vertex) + " does not exist; the surface has " +
                        std::to_string(vertices) + " vertices");
     }
     if (rows[vertex] < 0)

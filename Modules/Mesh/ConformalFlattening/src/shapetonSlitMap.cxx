@@ -46,7 +46,7 @@ InnerOf(const std::vector<BoundaryLoop> & loops, int outer)
   }
   if (outer < 0 || outer >= static_cast<int>(loops.size()))
   {
-    throw InputError("there is no boundary " + std::to_string(outer + 1) + " to be the outer one, but " +
+    throw InputError("boundary " + std::to_string(outer + 1) + ", chosen as the outer one, does not exist; there are " +
                      std::to_string(loops.size()));
   }
   std::vector<int> inner;

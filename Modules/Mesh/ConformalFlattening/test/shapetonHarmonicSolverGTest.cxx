@@ -98,8 +98,8 @@ TEST(HarmonicSolver, RefusesWhatHasNoUniqueSolution)
   EXPECT_NE(std::string::npos, ErrorOf(two, { 0 }).find("the component of vertex 6 has none"));
   EXPECT_EQ("", ErrorOf(two, { 0, 6 }));
   EXPECT_NE(std::string::npos, ErrorOf(two, { 0, 0, 6 }).find("two fixed values"));
-  EXPECT_NE(std::string::npos, ErrorOf(two, { 12 }).find("no vertex 12"));
-  EXPECT_NE(std::string::npos, ErrorOf(two, { -1 }).find("no vertex -1"));
+  EXPECT_NE(std::string::npos, ErrorOf(two, { 12 }).find("fixed vertex 12 does not exist"));
+  EXPECT_NE(std::string::npos, ErrorOf(two, { -1 }).find("fixed vertex -1 does not exist"));
 }
 
 TEST(HarmonicSolver, RefusesSizesThatDoNotFit)

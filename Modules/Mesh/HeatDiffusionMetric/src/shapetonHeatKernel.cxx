@@ -14,7 +14,7 @@ CheckVertex(const SurfaceSpectrum & spectrum, int vertex)
 {
   if (vertex < 0 || vertex >= spectrum.eigenfunctions.rows())
   {
-    throw InputError("there is no vertex " + std::to_string(vertex) + " among " +
+    throw InputError("vertex " + std::to_string(vertex) + " does not exist; there are " +
                      std::to_string(spectrum.eigenfunctions.rows()));
   }
 }
