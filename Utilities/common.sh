@@ -1,4 +1,4 @@
-# Functions of the scripts in this folder; sourced, never run.
+# Shared functions of the scripts in this folder; to be sourced, not run.
 # shellcheck shell=bash
 
 set -euo pipefail
@@ -11,21 +11,21 @@ say() { printf '%s\n' "$*"; }
 
 step() { printf '\n==> %s\n' "$*"; }
 
-# fail MESSAGE [STATUS]: one line on stderr; 2 is wrong usage, 3 an unsuitable input, 1 everything else.
+# fail MESSAGE [STATUS]: prints one line on stderr and exits; 2 is a usage error, 3 an unsuitable input, 1 everything else.
 fail() {
   printf '%s: %s\n' "$(basename "$0")" "$1" >&2
   exit "${2:-1}"
 }
 
-# usage: prints the comment at the head of the calling script, which is its documentation.
+# usage: prints the header comment of the calling script, which is its documentation.
 usage() { sed -n '2,/^[^#]/{/^#/!d;s/^# \{0,1\}//;p;}' "$0"; }
 
-# needs_value OPTION COUNT: COUNT is the number of words from the option on.
+# needs_value OPTION COUNT: COUNT is the number of remaining words, including the option.
 needs_value() { [ "$2" -ge 2 ] || fail "$1 needs a value; see --help" 2; }
 
 cores() { getconf _NPROCESSORS_ONLN; }
 
-# build_jobs: a compiler of ITK and VTK code takes up to 1.5 GB.
+# build_jobs: number of parallel jobs; compiling ITK and VTK code takes up to 1.5 GB per job.
 build_jobs() {
   local jobs memory
   jobs=$(cores)
@@ -40,7 +40,7 @@ configure() {
   local tree=$1
   shift
   if ! mkdir -p "$buildRoot/$tree" 2>/dev/null || [ ! -w "$buildRoot/$tree" ]; then
-    fail "cannot write $buildRoot; set SHAPETON_BUILD_DIR to a folder that can be written"
+    fail "cannot write $buildRoot; set SHAPETON_BUILD_DIR to a writable folder"
   fi
   (cd "$repository" && cmake --preset "$tree" -B "$buildRoot/$tree" "$@" >"$buildRoot/$tree/configure.log" 2>&1) || {
     cat "$buildRoot/$tree/configure.log" >&2
@@ -48,7 +48,7 @@ configure() {
   }
 }
 
-# build TREE [TARGETS...]: all targets when none is named.
+# build TREE [TARGETS...]: builds the targets (default: all).
 build() {
   local tree=$1
   shift
@@ -56,9 +56,9 @@ build() {
     fail "the build of $buildRoot/$tree failed; see above"
 }
 
-# build_tools TOOLS...: installs what is missing and builds the tools into the folder "tools".
+# build_tools TOOLS...: installs missing packages, builds the tools and sets "tools" to their folder.
 build_tools() {
-  local testing=() # a tree that run-tests made keeps its tests
+  local testing=() # keep the tests of a tree made by run-tests
   "$repository/Utilities/install-dependencies" demo
   step "Building (the first time takes minutes)"
   [ -e "$buildRoot/release/CMakeCache.txt" ] || testing=(-DBUILD_TESTING=OFF)
@@ -68,8 +68,8 @@ build_tools() {
   export tools
 }
 
-# run_ctest FOLDER [CTEST ARGUMENTS...]: runs tests of a build and prints how many passed, were skipped and failed; the status
-# is that of ctest.
+# run_ctest FOLDER [CTEST ARGUMENTS...]: runs the tests of a build, prints the numbers of passed, skipped and failed tests, and
+# returns the status of ctest.
 run_ctest() {
   local folder=$1 results=$1/Testing/results.xml status=0
   shift

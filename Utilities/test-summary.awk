@@ -1,5 +1,5 @@
-# Reads ctest's JUnit file: counts the tests, names the failed ones, and the skipped ones by the reason they gave.
-# A GoogleTest gives it on the line after "...: Skipped", another test on its last line.
+# Summarizes ctest's JUnit file: counts tests, lists failed ones, and groups skipped ones by reason. The reason is the line
+# after "...: Skipped" for GoogleTest, the last line for other tests.
 
 function attribute(name) {
   if (!match($0, " " name "=\"[^\"]*\"")) return ""
@@ -22,7 +22,7 @@ function plain(text) {
   followsMark = complete = asked = 0
 }
 
-/<skipped message="SKIP_/ { asked = 1 } # a test that did not run for want of its program failed
+/<skipped message="SKIP_/ { asked = 1 } # a test that did not run because its program is missing counts as failed
 
 inside {
   line = $0
