@@ -1,9 +1,9 @@
-# Called by shapeton_compare_devices: PLUGIN is the stand-in, or nothing for a real GPU.
+# Called by shapeton_compare_devices. PLUGIN is the stand-in, or empty for a real GPU.
 unset(ENV{SHAPETON_DEVICE_PLUGIN})
 if(PLUGIN)
   set(ENV{SHAPETON_DEVICE_PLUGIN} ${PLUGIN})
 endif()
-foreach(device cuda cpu) # where there is no GPU that is known at once
+foreach(device cuda cpu) # cuda first, to fail early without a GPU
   set(folder ${OUT}/${device})
   file(REMOVE_RECURSE ${folder})
   file(MAKE_DIRECTORY ${folder})
@@ -42,4 +42,4 @@ endforeach()
 if(NOT records)
   message(FATAL_ERROR "no run record among ${files}")
 endif()
-message("${number} files, the same bytes on CPU and ${device}")
+message("${number} files are identical on CPU and ${device}")

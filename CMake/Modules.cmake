@@ -1,5 +1,5 @@
-# The modules of Shapeton, each one after all it depends on. This list is the only place that names them;
-# ModuleLayeringTest checks that no include points to a later one.
+# The modules of Shapeton, each after its dependencies. This is the only list of modules; the test ModuleLayersOfThisRepository
+# checks that includes point only to earlier ones.
 set(Shapeton_MODULES
   Core/Base
   Core/Devices

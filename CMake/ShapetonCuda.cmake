@@ -1,10 +1,10 @@
-# The kernels of a GPU. Modules name their .cu files; all of them together are one plug-in, which is loaded where it is found:
-# no library and no tool needs CUDA. The same files, compiled as C++, are the stand-in with which the tests compare the CPU.
-set(SHAPETON_USE_CUDA AUTO CACHE STRING "Build the plug-in for NVIDIA GPUs: AUTO (where the CUDA toolkit is found), ON or OFF")
+# GPU kernels. Modules register their .cu files, which are built into one plug-in, loaded at run time if present; libraries and
+# tools do not depend on CUDA. The same files, compiled as C++, form the stand-in that the tests compare with the CPU.
+set(SHAPETON_USE_CUDA AUTO CACHE STRING "Build the plug-in for NVIDIA GPUs: AUTO (if the CUDA toolkit is found), ON or OFF")
 set_property(CACHE SHAPETON_USE_CUDA PROPERTY STRINGS AUTO ON OFF)
 
-# shapeton_add_device_sources(<file.cu>... [FLUSH_TO_ZERO]): called in src/CMakeLists.txt of a module. FLUSH_TO_ZERO: results too
-# small for a normal float count as 0, as in FlushToZero.
+# shapeton_add_device_sources(<file.cu>... [FLUSH_TO_ZERO]): called in src/CMakeLists.txt of a module. FLUSH_TO_ZERO: subnormal
+# float results are flushed to 0, as in FlushToZero.
 function(shapeton_add_device_sources)
   cmake_parse_arguments(PARSE_ARGV 0 device "FLUSH_TO_ZERO" "" "")
   foreach(source IN LISTS device_UNPARSED_ARGUMENTS)
@@ -16,7 +16,7 @@ function(shapeton_add_device_sources)
     ${CMAKE_CURRENT_SOURCE_DIR} $<TARGET_PROPERTY:${itk-module},INCLUDE_DIRECTORIES>)
 endfunction()
 
-# Looks for the toolkit in its usual places: PATH, CUDACXX, CUDAToolkit_ROOT, /usr/local/cuda, Debian's package.
+# Searches for the toolkit in the usual places: PATH, CUDACXX, CUDAToolkit_ROOT, /usr/local/cuda, Debian's package.
 function(shapeton_find_cuda found)
   set(${found} OFF PARENT_SCOPE)
   if(SHAPETON_USE_CUDA STREQUAL "OFF")
@@ -26,7 +26,7 @@ function(shapeton_find_cuda found)
   if(CUDAToolkit_FOUND AND NOT DEFINED ENV{CUDACXX})
     set(ENV{CUDACXX} ${CUDAToolkit_NVCC_EXECUTABLE})
   endif()
-  if(NOT CMAKE_CUDA_COMPILER) # a compiler that was not found before may be installed now
+  if(NOT CMAKE_CUDA_COMPILER) # the compiler may have been installed since the last configuration
     unset(CMAKE_CUDA_COMPILER CACHE)
   endif()
   include(CheckLanguage)
@@ -34,11 +34,11 @@ function(shapeton_find_cuda found)
   if(CMAKE_CUDA_COMPILER)
     set(${found} ON PARENT_SCOPE)
   elseif(NOT SHAPETON_USE_CUDA STREQUAL "AUTO")
-    message(FATAL_ERROR "SHAPETON_USE_CUDA=ON, but no CUDA compiler works here: install the CUDA toolkit, or name it by CUDAToolkit_ROOT")
+    message(FATAL_ERROR "SHAPETON_USE_CUDA=ON, but no working CUDA compiler was found: install the CUDA toolkit, or set CUDAToolkit_ROOT")
   endif()
 endfunction()
 
-# The capabilities from 7.0 to 9.0 that this toolkit knows, and PTX for GPUs to come.
+# The compute capabilities from 7.0 to 9.0 that this toolkit supports, and PTX for future GPUs.
 function(shapeton_cuda_architectures list)
   execute_process(COMMAND ${CMAKE_CUDA_COMPILER} --list-gpu-arch OUTPUT_VARIABLE known)
   set(architectures "")
@@ -51,7 +51,7 @@ function(shapeton_cuda_architectures list)
   set(${list} ${architectures} ${newest}-virtual PARENT_SCOPE)
 endfunction()
 
-# What both plug-ins share: the version, and nothing of a*b+c fused.
+# Settings of both plug-ins: the version, and no fusing of a*b+c.
 function(shapeton_device_library target)
   get_property(includes GLOBAL PROPERTY Shapeton_DEVICE_INCLUDES)
   target_include_directories(${target} PRIVATE ${includes})
@@ -80,7 +80,7 @@ function(shapeton_add_cuda_plugin)
   install(TARGETS ShapetonCuda LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT Cuda)
 endfunction()
 
-# Each file is included by one that has the extension of C++.
+# Each .cu file is included by a wrapper with a C++ extension.
 function(shapeton_add_device_stand_in)
   get_property(sources GLOBAL PROPERTY Shapeton_DEVICE_SOURCES)
   set(wrappers "")
@@ -95,12 +95,12 @@ function(shapeton_add_device_stand_in)
     list(APPEND wrappers ${wrapper})
   endforeach()
   add_library(DeviceStandIn MODULE ${wrappers})
-  set_target_properties(DeviceStandIn PROPERTIES UNITY_BUILD OFF) # each is to compile as nvcc does
+  set_target_properties(DeviceStandIn PROPERTIES UNITY_BUILD OFF) # compile each file on its own, as nvcc does
   shapeton_device_library(DeviceStandIn)
 endfunction()
 
 set(SHAPETON_CUDA OFF)
-if(NOT SHAPETON_SANITIZE AND NOT SHAPETON_PYTHON_ONLY AND NOT SHAPETON_MODULES) # a selection of modules is for static libraries
+if(NOT SHAPETON_SANITIZE AND NOT SHAPETON_PYTHON_ONLY AND NOT SHAPETON_MODULES) # selected modules are for static libraries
   shapeton_find_cuda(SHAPETON_CUDA)
 endif()
 if(SHAPETON_CUDA)

@@ -1,15 +1,15 @@
-# All that CMake must know about versions of ITK, 5.2 to 6.0; for the sources it is shapetonITKCompatibility.h. Installed with
+# Differences between ITK 5.2 and 6.0 for CMake; shapetonITKCompatibility.h is the counterpart for the sources. Installed with
 # Shapeton, because a consumer's ITK needs the same.
 
 # ITK::<Module>Module: one INTERFACE target for each ITK module, so that the DEPENDS of an itk-module.cmake can be
-# linked by name and stay transitive. The ITK 5 packages carry no include directories on their targets; ITK 6 does.
+# linked by name and stay transitive. The targets of the ITK 5 packages lack include directories; those of ITK 6 have them.
 function(shapeton_itk_targets)
   foreach(module IN LISTS ARGN)
     if(TARGET ITK::${module}Module)
       continue()
     endif()
     if(NOT module IN_LIST ITK_MODULES_ENABLED)
-      message(FATAL_ERROR "This ITK has no module \"${module}\".")
+      message(FATAL_ERROR "ITK was built without the module \"${module}\".")
     endif()
     itk_module_config(_shapeton_itk ${module})
     add_library(ITK::${module}Module INTERFACE IMPORTED GLOBAL)
@@ -18,7 +18,7 @@ function(shapeton_itk_targets)
   endforeach()
 endfunction()
 
-# Finds Eigen3::Eigen. Headers of ITK 6 include the Eigen 5 that it brings, so that all else must take that one, too.
+# Finds Eigen3::Eigen. The headers of ITK 6 include its bundled Eigen 5, so all other code must use that Eigen, too.
 macro(shapeton_find_eigen)
   if(TARGET eigen_external) # inside ITK's source tree
     if(NOT TARGET Eigen3::Eigen)
@@ -32,8 +32,8 @@ macro(shapeton_find_eigen)
   endif()
 endmacro()
 
-# shapeton_link_eigen(<target> <scope>): with Eigen. ITK 5 brings an Eigen of its own, too, which clashes with the system's in
-# one source file; its headers take the system's where ITK_USE_SYSTEM_EIGEN is defined.
+# shapeton_link_eigen(<target> <scope>): links Eigen. The Eigen bundled with ITK 5 conflicts with the system's in one translation
+# unit; ITK's headers use the system's if ITK_USE_SYSTEM_EIGEN is defined.
 function(shapeton_link_eigen target scope)
   shapeton_find_eigen()
   target_link_libraries(${target} ${scope} Eigen3::Eigen)

@@ -1,4 +1,4 @@
-# What CMake files of the modules call beyond ITK's own functions, when ITK's build reads them. Shapeton_SOURCE_DIR and
+# CMake functions that the modules use in addition to ITK's when they are built inside ITK. Shapeton_SOURCE_DIR and
 # Shapeton_BINARY_DIR are those of the module Shapeton, the repository.
 include(GoogleTest)
 include(${Shapeton_SOURCE_DIR}/CMake/ShapetonITKTargets.cmake)
@@ -6,9 +6,9 @@ include(${Shapeton_SOURCE_DIR}/CMake/ShapetonKernels.cmake)
 include(${Shapeton_SOURCE_DIR}/CMake/ShapetonPages.cmake)
 include(${Shapeton_SOURCE_DIR}/CMake/ShapetonTests.cmake)
 set(SHAPETON_TEST_DATA_DIR "$ENV{SHAPETON_TEST_DATA_DIR}" CACHE PATH
-  "Folder of real data; tests that need it are skipped when this is empty")
+  "Folder of real data; tests that need it are skipped if this is empty")
 file(MAKE_DIRECTORY ${Shapeton_BINARY_DIR}/Testing/Temporary)
-# The plug-in for GPUs, and tests that need it, are part of our own build alone.
+# The GPU plug-in and its tests are part of the stand-alone build only.
 function(shapeton_add_device_sources)
 endfunction()
 function(shapeton_device_tests)

@@ -1,6 +1,6 @@
-# shapeton_add_kernels(<name> <source> [<sources compiled once>...]): compiles a source of kernels once for each
-# instruction set, see shapetonInstructionSets.h; the other sources with the same options for the baseline alone. A
-# library or a test of what it does not export takes them by target_link_libraries(<target> PRIVATE $<BUILD_INTERFACE:<name>>).
+# shapeton_add_kernels(<name> <source> [<sources compiled once>...]): compiles a kernel source once per instruction set, see
+# shapetonInstructionSets.h, and the other sources with the same options for the baseline only. A library, or a test of
+# unexported code, links them with target_link_libraries(<target> PRIVATE $<BUILD_INTERFACE:<name>>).
 function(shapeton_add_kernels name source)
   set(sets Baseline)
   if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
@@ -10,7 +10,7 @@ function(shapeton_add_kernels name source)
   set(bytes_Avx2 32)
   set(bytes_Avx512 64)
   set(option_Avx2 -mavx2)
-  # GCC takes the operands that its own AVX-512 intrinsics leave open for uninitialized ones.
+  # GCC warns that undefined operands of its own AVX-512 intrinsics are uninitialized.
   set(option_Avx512 -mavx512f $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
   add_library(${name} INTERFACE)
   foreach(set IN LISTS sets)
@@ -24,7 +24,7 @@ function(shapeton_add_kernels name source)
     target_compile_features(${name}${set} PRIVATE cxx_std_17)
     target_compile_definitions(${name}${set} PRIVATE
       SHAPETON_INSTRUCTION_SET=${set} SHAPETON_VECTOR_BYTES=${bytes_${set}})
-    # The same operations on every CPU: a*b+c is never fused. Vectorised also where the build type alone would not.
+    # Never fuse a*b+c, for the same results on every CPU. Vectorize regardless of the build type.
     target_compile_options(${name}${set} PRIVATE
       -ffp-contract=off -fno-math-errno -Wno-psabi $<$<NOT:$<CONFIG:Debug>>:-O3> ${option_${set}})
     target_include_directories(${name}${set} PRIVATE

@@ -1,5 +1,5 @@
-# What a module's files call. The names and meanings are those of ITK's own build, so that the same module folder also
-# builds inside an ITK source tree; ITK's versions of these macros refuse to work on an installed ITK.
+# Macros called by module files. Names and meanings are those of ITK's build, so that a module folder also builds inside an ITK
+# source tree; ITK's own macros do not work with an installed ITK.
 
 include(GenerateExportHeader)
 include(ShapetonITKTargets)
@@ -16,7 +16,7 @@ macro(itk_module name)
   endforeach()
 endmacro()
 
-# Links modules, ours and ITK's, by their names.
+# Links Shapeton and ITK modules by name.
 function(shapeton_link_modules target scope)
   foreach(module IN LISTS ARGN)
     if(TARGET Shapeton::${module})
@@ -36,7 +36,7 @@ function(itk_module_add_library name)
   set_target_properties(${name} PROPERTIES
     UNITY_BUILD_BATCH_SIZE 32 CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON
     OUTPUT_NAME Shapeton${name}-${Shapeton_SERIES} VERSION ${Shapeton_VERSION} SOVERSION ${Shapeton_VERSION_MAJOR}
-    INSTALL_RPATH "$ORIGIN") # modules find each other where they are installed
+    INSTALL_RPATH "$ORIGIN") # installed modules find each other
   target_include_directories(${name} PUBLIC
     $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include> $<BUILD_INTERFACE:${PROJECT_BINARY_DIR}/include>)
   shapeton_link_modules(${name} PUBLIC ${itk-module_DEPENDS} ${itk-module_COMPILE_DEPENDS})
@@ -49,7 +49,7 @@ endfunction()
 # itk_module_impl(): called by the module's CMakeLists.txt after project() and find_package().
 macro(itk_module_impl)
   if(EXISTS ${PROJECT_SOURCE_DIR}/src/CMakeLists.txt)
-    if(NOT "${${itk-module}_LIBRARIES}" STREQUAL itk-module) # by which ITK's build links the module
+    if(NOT "${${itk-module}_LIBRARIES}" STREQUAL itk-module) # ITK's build links the module by this variable
       message(FATAL_ERROR "The module ${itk-module} does not set ${itk-module}_LIBRARIES to ${itk-module}.")
     endif()
     add_subdirectory(src)
@@ -76,7 +76,7 @@ macro(itk_module_impl)
   endif()
 endmacro()
 
-# Every public header compiles on its own: one translation unit for each, built by the target HeaderTests.
+# Checks that every public header compiles on its own: one translation unit per header, built by the target HeaderTests.
 function(shapeton_header_self_compile_test module)
   file(GLOB headers CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/include/*.h)
   set(sources "")
@@ -98,7 +98,8 @@ endfunction()
 
 # ---- tests ----
 
-# itk_module_test(): called first in test/CMakeLists.txt. ITKGoogleTest is for ITK's own build; GoogleTest is found beside ITK.
+# itk_module_test(): called first in test/CMakeLists.txt. ITKGoogleTest is used in ITK's build only; here GoogleTest is a separate
+# package.
 macro(itk_module_test)
   set(${itk-module}-Test_LIBRARIES Shapeton::${itk-module})
   foreach(_dependency IN LISTS itk-module_TEST_DEPENDS)

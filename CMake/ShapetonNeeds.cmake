@@ -1,13 +1,13 @@
-# shapeton_write_needs(<file>): for each module the targets of other packages that its users link, so that
-# find_package(Shapeton COMPONENTS ...) looks for nothing else.
+# shapeton_write_needs(<file>): writes the targets of other packages that the users of each module link, so that
+# find_package(Shapeton COMPONENTS ...) finds only these packages.
 function(shapeton_write_needs file)
-  set(text "# What the users of each module link of other packages.\n")
+  set(text "# Targets of other packages that the users of each module link.\n")
   foreach(path IN LISTS Shapeton_MODULES)
     get_filename_component(module ${path} NAME)
     shapeton_needs_of(needs hidden ${module})
     set(needs_${module} ${needs})
     set(hidden_${module} ${hidden})
-    if("${needs}" MATCHES "VTK::") # all targets of VTK are then there, and those that are linked want what they link
+    if("${needs}" MATCHES "VTK::") # then all VTK targets exist, and the linked ones need their dependencies
       list(APPEND needs ${hidden})
       list(REMOVE_DUPLICATES needs)
     endif()
@@ -17,8 +17,8 @@ function(shapeton_write_needs file)
   file(WRITE ${file} "${text}set(Shapeton_MODULES ${modules})\n")
 endfunction()
 
-# What the users of a module link of other packages, and what of VTK shared libraries hide from them. Reads needs_<module> and
-# hidden_<module> of the modules before this one.
+# Targets of other packages that the users of a module link, and VTK targets hidden by shared libraries. Reads needs_<module> and
+# hidden_<module> of the earlier modules.
 function(shapeton_needs_of needs_variable hidden_variable module)
   get_target_property(public ${module} INTERFACE_LINK_LIBRARIES)
   get_target_property(type ${module} TYPE)
@@ -28,11 +28,11 @@ function(shapeton_needs_of needs_variable hidden_variable module)
     get_target_property(private ${module} LINK_LIBRARIES)
     set(hidden ${private})
     list(FILTER hidden INCLUDE REGEX "^VTK::")
-    list(FILTER private INCLUDE REGEX "^Shapeton::") # CMake follows what a shared library of ours links, too
+    list(FILTER private INCLUDE REGEX "^Shapeton::") # CMake also follows the link dependencies of our shared libraries
   endif()
   set(needs "")
   foreach(library IN LISTS public private)
-    string(REGEX REPLACE "^\\$<LINK_ONLY:(.*)>$" "\\1" library "${library}") # private, of a static library
+    string(REGEX REPLACE "^\\$<LINK_ONLY:(.*)>$" "\\1" library "${library}") # private dependency of a static library
     if(library MATCHES "^Shapeton::(.*)$")
       list(APPEND needs ${needs_${CMAKE_MATCH_1}})
       list(APPEND hidden ${hidden_${CMAKE_MATCH_1}})

@@ -1,4 +1,4 @@
-# The installed package: find_package(Shapeton), and the packages that cpack makes.
+# The installed package for find_package(Shapeton), and the cpack packages.
 include(CMakePackageConfigHelpers)
 include(ShapetonNeeds)
 configure_package_config_file(CMake/ShapetonConfig.cmake.in ${PROJECT_BINARY_DIR}/ShapetonConfig.cmake
@@ -34,13 +34,13 @@ set(CPACK_DEBIAN_TOOLS_PACKAGE_NAME shapeton)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libshapeton${Shapeton_SERIES}-dev)
 set(CPACK_DEBIAN_ENABLE_COMPONENT_DEPENDS ON) # of the same version
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
-set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS ${CMAKE_LIBRARY_OUTPUT_DIRECTORY}) # ours need no package of others
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS ${CMAKE_LIBRARY_OUTPUT_DIRECTORY}) # our own libraries are not dependencies on other packages
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SHLIBDEPS OFF)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "libinsighttoolkit5-dev, libvtk9-dev, libeigen3-dev, nlohmann-json3-dev")
 if(SHAPETON_CUDA)
   list(APPEND CPACK_COMPONENTS_ALL Cuda)
   set(CPACK_COMPONENT_CUDA_DEPENDS Runtime)
-  set(CPACK_COMPONENT_CUDA_DESCRIPTION "The plug-in of Shapeton for NVIDIA GPUs, which holds the CUDA runtime.")
+  set(CPACK_COMPONENT_CUDA_DESCRIPTION "The Shapeton plug-in for NVIDIA GPUs, including the CUDA runtime.")
   set(CPACK_DEBIAN_CUDA_PACKAGE_NAME libshapeton${Shapeton_SERIES}-cuda)
 endif()
 include(CPack)

@@ -1,7 +1,7 @@
 # shapeton_join_scripts(NAME FILES file... [START statement])
 #
-# Joins scripts or styles of a page, in the order of their dependencies, into shapetonNAME.cxx in the current binary directory,
-# which defines shapeton::NAME, pieces of text for PageText(). How: ShapetonScripts.cmake.
+# Joins the scripts or styles of a page, in dependency order, into shapetonNAME.cxx in the current binary directory, which defines
+# shapeton::NAME, the text pieces for PageText(). See ShapetonScripts.cmake.
 function(shapeton_join_scripts name)
   cmake_parse_arguments(JOIN "" "START" "FILES" ${ARGN})
   set(out ${CMAKE_CURRENT_BINARY_DIR}/shapeton${name}.cxx)
@@ -11,7 +11,7 @@ function(shapeton_join_scripts name)
     COMMAND ${CMAKE_COMMAND} -DOUT=${out} -DNAME=${name} "-DSTART=${JOIN_START}" "-DFILES=${JOIN_FILES}" -P ${join})
 endfunction()
 
-# Scripts that pages share, before their own.
+# Shared page scripts; they precede a page's own scripts.
 set(SHAPETON_PAGE_KIT_SCRIPTS math bytes view page keys gl)
 list(TRANSFORM SHAPETON_PAGE_KIT_SCRIPTS REPLACE "(.+)" "${Shapeton_SOURCE_DIR}/Modules/Visualization/PageKit/scripts/\\1.mjs")
 set(SHAPETON_PAGE_KIT_STYLE "${Shapeton_SOURCE_DIR}/Modules/Visualization/PageKit/scripts/page.css")
@@ -19,7 +19,7 @@ set(SHAPETON_PAGE_KIT_STYLE "${Shapeton_SOURCE_DIR}/Modules/Visualization/PageKi
 find_program(NODE_EXECUTABLE node)
 find_program(CHROMIUM_EXECUTABLE chromium)
 
-# shapeton_script_test(NAME name SCRIPT file LABELS label...): a test of scripts that need no page; skipped without node.
+# shapeton_script_test(NAME name SCRIPT file LABELS label...): tests scripts that do not need a page; skipped without node.
 function(shapeton_script_test)
   cmake_parse_arguments(PARSE_ARGV 0 test "" "NAME;SCRIPT" "LABELS")
   set(command ${CMAKE_COMMAND} -E echo "node is not installed")
@@ -30,8 +30,8 @@ function(shapeton_script_test)
   set_tests_properties(${test_NAME} PROPERTIES LABELS "${test_LABELS}" SKIP_REGULAR_EXPRESSION "node is not installed")
 endfunction()
 
-# shapeton_browser_test(NAME name SCRIPT file [ENVIRONMENT NAME=value...] [FIXTURES fixture...] [LABELS label...]): a script of node
-# that reads pages in a browser as a person would (Testing/Browser/browser.mjs); skipped without node and chromium.
+# shapeton_browser_test(NAME name SCRIPT file [ENVIRONMENT NAME=value...] [FIXTURES fixture...] [LABELS label...]): runs a node script
+# that operates pages in a browser like a user (Testing/Browser/browser.mjs); skipped without node and chromium.
 function(shapeton_browser_test)
   cmake_parse_arguments(PARSE_ARGV 0 test "" "NAME;SCRIPT" "ENVIRONMENT;FIXTURES;LABELS")
   set(command ${CMAKE_COMMAND} -E echo "node and chromium are not installed")

@@ -1,9 +1,9 @@
-# Half of the time of a build were the headers of ITK, Eigen, JSON and the standard library: they are compiled once. A source
-# still includes what it uses: clang-tidy, the tests of public headers and builds of selected modules have no such help.
+# Precompiles the headers of ITK, Eigen, JSON and the standard library, which took half of the build time. Sources must still
+# include what they use: clang-tidy, header tests and builds of selected modules do not use precompiled headers.
 
-# shapeton_precompile(<target>): lets a library, tool or test take the precompiled headers, where this build has them.
+# shapeton_precompile(<target>): makes a library, tool or test use the precompiled headers, if enabled in this build.
 function(shapeton_precompile target)
-  if(SHAPETON_MODULES OR CMAKE_CXX_CLANG_TIDY) # these need not have all the packages, or are to see each source as it is
+  if(SHAPETON_MODULES OR CMAKE_CXX_CLANG_TIDY) # these may lack packages, or must see each source as it is
     return()
   endif()
   if(NOT TARGET ShapetonPrecompiled)
@@ -25,7 +25,7 @@ function(shapeton_precompile target)
   target_precompile_headers(${target} REUSE_FROM ShapetonPrecompiled)
 endfunction()
 
-# Precompiled headers serve those that are compiled by the same flags.
+# Precompiled headers can be used only with the same compiler flags.
 function(shapeton_precompiled_flags target)
   set_target_properties(${target} PROPERTIES CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
   target_compile_features(${target} PRIVATE cxx_std_17)
@@ -33,7 +33,7 @@ function(shapeton_precompiled_flags target)
   if(type STREQUAL "EXECUTABLE")
     target_compile_options(${target} PRIVATE -fPIC) # after the -fPIE of CMake
   endif()
-  if(ITK_VERSION_MAJOR LESS 6) # its headers take the Eigen that is precompiled
+  if(ITK_VERSION_MAJOR LESS 6) # its headers use the precompiled Eigen
     get_property(eigen GLOBAL PROPERTY ShapetonPrecompiled_EIGEN)
     target_compile_definitions(${target} PRIVATE ITK_USE_SYSTEM_EIGEN)
     target_include_directories(${target} SYSTEM PRIVATE ${eigen})

@@ -1,11 +1,11 @@
-# Joins the scripts of a page into a C++ source; needs no JavaScript tools.
+# Joins the scripts of a page into a C++ source, without JavaScript tools.
 #
 # cmake -DOUT=F.cxx -DNAME=N "-DFILES=a.mjs;b.mjs" [-DSTART=statement] -P ShapetonScripts.cmake
 #
-# ES modules, in the order of their dependencies, become one classic script in a function of its own, because a browser refuses
-# modules from file://. The lines "import ..." and the words "export" go, so names at the top level have to be unique. Other
-# files, such as styles, are joined as they are. F.cxx defines the array shapeton::N of pieces, as no compiler has to take longer
-# literals than 64 kB; beside it lies the text as F.txt.
+# ES modules, in dependency order, are combined into one classic script inside a function, because browsers reject modules from
+# file://. The lines "import ..." and the words "export" are removed, so top-level names must be unique. Other files, such as
+# styles, are joined unchanged. F.cxx defines the array shapeton::N of pieces, because compilers need not support literals longer
+# than 64 kB; F.txt contains the whole text.
 set(text "")
 foreach(file IN LISTS FILES)
   file(READ "${file}" part)
@@ -19,7 +19,7 @@ if(FILES MATCHES "\\.mjs")
   set(text "(() => {\n'use strict';\n${text}${START}\n})();\n")
 endif()
 if(text MATCHES "\\)piece\"" OR text MATCHES "</(script|style)")
-  message(FATAL_ERROR "a script holds the end of a C++ literal or of its element")
+  message(FATAL_ERROR "a script contains the end of a C++ literal or of a script or style element")
 endif()
 string(REGEX REPLACE "\\.cxx$" ".txt" plain "${OUT}")
 file(WRITE "${plain}" "${text}")

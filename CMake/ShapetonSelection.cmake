@@ -1,11 +1,11 @@
-# shapeton_select_modules(<list> <names...>): leaves in the list of modules those named and those that they need.
+# shapeton_select_modules(<list> <names...>): reduces the list of modules to the named ones and their dependencies.
 function(shapeton_select_modules list)
   if(BUILD_TESTING)
-    message(FATAL_ERROR "The tests need all modules: set BUILD_TESTING to OFF, or SHAPETON_MODULES to nothing")
+    message(FATAL_ERROR "The tests need all modules: set BUILD_TESTING to OFF, or clear SHAPETON_MODULES")
   endif()
   set(wanted ${ARGN})
   set(selected "")
-  list(REVERSE ${list}) # each module stands after those that it needs
+  list(REVERSE ${list}) # each module follows its dependencies
   foreach(module IN LISTS ${list})
     get_filename_component(name ${module} NAME)
     if(name IN_LIST wanted)
@@ -16,7 +16,7 @@ function(shapeton_select_modules list)
   endforeach()
   foreach(name IN LISTS ARGN)
     if(NOT "${selected}" MATCHES "/${name}(;|$)")
-      message(FATAL_ERROR "SHAPETON_MODULES names \"${name}\", which is no module; see CMake/Modules.cmake")
+      message(FATAL_ERROR "SHAPETON_MODULES contains the unknown module \"${name}\"; see CMake/Modules.cmake")
     endif()
   endforeach()
   set(${list} ${selected} PARENT_SCOPE)

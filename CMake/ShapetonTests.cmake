@@ -1,14 +1,14 @@
-# What test/CMakeLists.txt of a module calls, in our build and inside an ITK source tree.
+# Functions called by test/CMakeLists.txt of a module, in the stand-alone build and inside an ITK source tree.
 
 # creategoogletestdriver(<kit> "<libraries>" "<sources>" [ALONE <source>...] [TOGETHER] [LONG <Suite.Test>...]):
-# one executable <kit>GTestDriver; sources after ALONE, which have names of others, are compiled alone in a unity build;
-# each TEST is a ctest. Those after LONG have the label Long: Utilities/run-tests runs them with --long. TOGETHER: all are one
-# ctest, and those after LONG another one, because they share what takes long to make, which a process can make once.
+# builds the executable <kit>GTestDriver; each TEST is a ctest. Sources after ALONE, whose names clash with others, are excluded
+# from the unity build. Tests after LONG have the label Long: Utilities/run-tests runs them with --long. TOGETHER: all tests are one
+# ctest, and those after LONG another one, because they share expensive data that is computed once per process.
 function(creategoogletestdriver kit libraries sources)
   cmake_parse_arguments(PARSE_ARGV 3 driver "TOGETHER" "" "ALONE;LONG")
   add_executable(${kit}GTestDriver ${sources})
   target_link_libraries(${kit}GTestDriver PRIVATE ${libraries} GTest::gtest_main)
-  # What is tested is in the libraries; of the time of a test most is its compilation, and -O3 makes it a fifth longer.
+  # The tested code is in the libraries. Most of the time of a test is its compilation, which -O3 makes a fifth longer.
   target_compile_options(${kit}GTestDriver PRIVATE $<$<CONFIG:Release>:-O1>)
   shapeton_precompile(${kit}GTestDriver)
   set_source_files_properties(${driver_ALONE} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
@@ -29,9 +29,9 @@ function(creategoogletestdriver kit libraries sources)
   endif()
 endfunction()
 
-# shapeton_device_tests(<kit> "<libraries>" "<sources>" [<include folders>...]): a driver whose tests compare a GPU with the CPU.
-# They run with the stand-in, as StandIn.<Suite.Test>, and with the plug-in, as Gpu.<Suite.Test>, which is skipped where there is
-# no GPU.
+# shapeton_device_tests(<kit> "<libraries>" "<sources>" [<include folders>...]): builds a driver whose tests compare a GPU with the
+# CPU. They run with the stand-in, as StandIn.<Suite.Test>, and with the plug-in, as Gpu.<Suite.Test>, which is skipped without a
+# GPU.
 function(shapeton_device_tests kit libraries sources)
   add_executable(${kit}GTestDriver ${sources})
   target_link_libraries(${kit}GTestDriver PRIVATE ${libraries} Shapeton::Devices GTest::gtest_main)
@@ -49,8 +49,8 @@ function(shapeton_device_tests kit libraries sources)
 endfunction()
 
 # shapeton_compare_devices(<tool> <arguments>...): runs the tool on the CPU and on the stand-in, as <tool>Devices, or on a GPU, as
-# <tool>Gpu, with {OUT} in the arguments for a folder of each; all files but the run records must be the same bytes. Where there is
-# no GPU, --device cuda must fail by one line.
+# <tool>Gpu; {OUT} in the arguments is the output folder of each run. All files except the run records must be identical. Without
+# a GPU, --device cuda must fail with one line.
 function(shapeton_compare_devices tool)
   shapeton_tool_target(target ${tool})
   foreach(test Devices Gpu)
@@ -64,13 +64,13 @@ function(shapeton_compare_devices tool)
   set_tests_properties(${tool}Devices ${tool}Gpu PROPERTIES LABELS Applications SKIP_REGULAR_EXPRESSION "there is no GPU")
 endfunction()
 
-# One ctest of the tests of a driver that a filter of GoogleTest lets through.
+# Adds one ctest for all tests of a driver that match a GoogleTest filter.
 function(shapeton_add_together name kit filter label)
   add_test(NAME ${name} COMMAND ${kit}GTestDriver --gtest_filter=${filter})
   set_tests_properties(${name} PROPERTIES LABELS ${label})
 endfunction()
 
-# The tests of a driver that a filter of GoogleTest lets through.
+# Adds one ctest for each test of a driver that matches a GoogleTest filter.
 function(shapeton_discover_tests kit filter label)
   string(MD5 list "${filter}")
   gtest_discover_tests(${kit}GTestDriver DISCOVERY_TIMEOUT 120 TEST_FILTER "${filter}" TEST_LIST ${kit}${list}
@@ -79,7 +79,7 @@ function(shapeton_discover_tests kit filter label)
 endfunction()
 
 # shapeton_compare_test(NAME <name> DEPENDS <test that writes it> OUTPUT <file> BASELINE <file> [TOLERANCE <t>] [PIXELS <n>])
-# Compares an image with its baseline by itkTestDriver: at most PIXELS pixels (default 0) may differ by more than TOLERANCE.
+# Compares an image with its baseline using itkTestDriver: at most PIXELS pixels (default 0) may differ by more than TOLERANCE.
 function(shapeton_compare_test)
   cmake_parse_arguments(PARSE_ARGV 0 test "" "NAME;OUTPUT;BASELINE;TOLERANCE;PIXELS;DEPENDS" "")
   if(NOT test_TOLERANCE)

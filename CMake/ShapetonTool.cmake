@@ -1,6 +1,6 @@
 # shapeton_add_tool(<Name> MODULES a b ...)
-# <Name>.cxx + <Name>.xml -> bin/<Name>, with the XML inside (--xml prints it) and beside it (3D Slicer reads that one).
-# The target is <Name>, or <Name>Tool where a module has that name.
+# Builds bin/<Name> from <Name>.cxx and <Name>.xml, with the XML embedded (--xml prints it) and next to it (read by 3D Slicer).
+# The target is <Name>, or <Name>Tool if a module has that name.
 function(shapeton_add_tool name)
   cmake_parse_arguments(PARSE_ARGV 1 tool "" "" "MODULES;LIBRARIES")
   set(xml ${CMAKE_CURRENT_SOURCE_DIR}/${name}.xml)
@@ -15,7 +15,7 @@ function(shapeton_add_tool name)
   shapeton_link_modules(${target} PRIVATE CommandLine ${tool_MODULES})
   target_link_libraries(${target} PRIVATE ${tool_LIBRARIES})
   shapeton_precompile(${target})
-  # The libraries are two folders above the tools; one above in an extension of 3D Slicer.
+  # The libraries are two folders above the tools, or one above in a 3D Slicer extension.
   set_target_properties(${target} PROPERTIES OUTPUT_NAME ${name} INSTALL_RPATH "$ORIGIN/../..;$ORIGIN/..")
   install(TARGETS ${target} RUNTIME DESTINATION ${Shapeton_INSTALL_TOOLS_DIR} COMPONENT Tools)
   install(FILES ${xml} DESTINATION ${Shapeton_INSTALL_TOOLS_DIR} COMPONENT Tools)
@@ -31,7 +31,7 @@ function(shapeton_add_tool name)
   endif()
 endfunction()
 
-# A link to the tool in the folder of commands; one to where nothing is yet, so that it is relative wherever it is installed.
+# Creates a link to the tool in bin; the link is relative, and its target need not exist yet.
 function(shapeton_install_command name)
   file(RELATIVE_PATH tool /${CMAKE_INSTALL_BINDIR} /${Shapeton_INSTALL_TOOLS_DIR}/${name})
   file(MAKE_DIRECTORY ${CMAKE_BINARY_DIR}/commands)
@@ -39,7 +39,7 @@ function(shapeton_install_command name)
   install(PROGRAMS ${CMAKE_BINARY_DIR}/commands/${name} DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT Tools)
 endfunction()
 
-# The name of a tool's target.
+# Name of a tool's target.
 function(shapeton_tool_target variable name)
   if(TARGET Shapeton::${name})
     set(name ${name}Tool)
@@ -48,9 +48,9 @@ function(shapeton_tool_target variable name)
 endfunction()
 
 # shapeton_tool_test(NAME <name> [STATUS <exit status>] [STDOUT <regex>] [STDERR <regex>] [DATA] [LONG] COMMAND <tool> <arguments...>)
-# Runs a tool; the exit status must be the one asked for (default 0), stderr empty when it is 0 and one line otherwise.
-# DATA: the test reads SHAPETON_TEST_DATA_DIR and is reported as skipped where that is not set.
-# LONG: Utilities/run-tests runs it with --long.
+# Runs a tool. The exit status must equal STATUS (default 0); stderr must be empty for 0 and one line otherwise.
+# DATA: the test reads SHAPETON_TEST_DATA_DIR and is skipped if that is not set.
+# LONG: Utilities/run-tests runs the test only with --long.
 function(shapeton_tool_test)
   cmake_parse_arguments(PARSE_ARGV 0 test "DATA;LONG" "NAME;STATUS;STDOUT;STDERR" "COMMAND")
   if(NOT test_STATUS)
