@@ -254,7 +254,7 @@ private:
       m_Faults.push_back({ Shown(file, m_Root),
                            line,
                            "names the option --" + mention.name + ", which " +
-                             (isOfOther ? mention.tool + " does not declare" : "no tool that may say so declares") });
+                             (isOfOther ? mention.tool + " does not declare" : "no tool that may print it declares") });
     }
   }
 
@@ -297,7 +297,7 @@ private:
   AddFault(const fs::path & file, int line, const Mention & mention, const std::string & tool)
   {
     m_Faults.push_back(
-      { Shown(file, m_Root), line, "names --" + mention.name + " " + mention.value + ", which " + tool + " refuses" });
+      { Shown(file, m_Root), line, "names --" + mention.name + " " + mention.value + ", which " + tool + " rejects" });
   }
 
   fs::path                                        m_Root;

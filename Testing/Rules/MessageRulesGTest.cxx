@@ -52,7 +52,7 @@ TEST_F(MessageRules, AcceptAdviceThatIsTaken)
 TEST_F(MessageRules, RefuseOptionsThatNobodyDeclares)
 {
   EXPECT_EQ(FaultsOf("Applications/Cutter", "\"a\"\n  \"b --color\""),
-            "Applications/Cutter/a.cxx:3: names the option --color, which no tool that may say so declares\n");
+            "Applications/Cutter/a.cxx:3: names the option --color, which no tool that may print it declares\n");
   EXPECT_EQ(FaultsOf("Applications/Cutter", "\"Painter (--sheet 3)\""),
             "Applications/Cutter/a.cxx:3: names the option --sheet, which Painter does not declare\n");
 }
@@ -60,16 +60,16 @@ TEST_F(MessageRules, RefuseOptionsThatNobodyDeclares)
 TEST_F(MessageRules, RefuseParametersOfOtherTools)
 {
   EXPECT_EQ(FaultsOf("Modules/Core/Sheets/src", "\"the parameter \\\"color\\\"\""),
-            "Modules/Core/Sheets/src/a.cxx:3: names the option --color, which no tool that may say so declares\n");
+            "Modules/Core/Sheets/src/a.cxx:3: names the option --color, which no tool that may print it declares\n");
 }
 
 TEST_F(MessageRules, RefuseValuesThatAreRefused)
 {
   EXPECT_EQ(FaultsOf("Modules/Core/Sheets/src", "\"the parameter \\\"sheet\\\" = -1\""),
-            "Modules/Core/Sheets/src/a.cxx:3: names --sheet -1, which Cutter refuses\n");
+            "Modules/Core/Sheets/src/a.cxx:3: names --sheet -1, which Cutter rejects\n");
   EXPECT_EQ(FaultsOf("Applications/Cutter", "\"give --shape oval or --sheet 10\""),
-            "Applications/Cutter/a.cxx:3: names --shape oval, which Cutter refuses\n"
-            "Applications/Cutter/a.cxx:3: names --sheet 10, which Cutter refuses\n");
+            "Applications/Cutter/a.cxx:3: names --shape oval, which Cutter rejects\n"
+            "Applications/Cutter/a.cxx:3: names --sheet 10, which Cutter rejects\n");
 }
 
 TEST_F(MessageRules, RefuseWordingThatReadsAsTranslated)

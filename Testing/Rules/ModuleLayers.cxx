@@ -239,7 +239,7 @@ private:
     }
     if (m_Modules.empty())
     {
-      this->Add(list, 0, "names no module");
+      this->Add(list, 0, "does not list any module");
     }
   }
 
@@ -250,7 +250,7 @@ private:
     const auto        group = std::find(Groups.begin(), Groups.end(), name);
     if (group == Groups.end())
     {
-      this->Add(list, 0, "names the module " + module.name + " in the group " + name + ", which is none");
+      this->Add(list, 0, "names the module " + module.name + " in the unknown group " + name);
       return;
     }
     if (group - Groups.begin() < m_Group)
@@ -272,7 +272,7 @@ private:
       const auto module = m_Modules.find(file.parent_path().filename().string());
       if (module == m_Modules.end() || module->second.folder != file.parent_path())
       {
-        this->Add(file, 0, "is no module of CMake/Modules.cmake");
+        this->Add(file, 0, "is not listed in CMake/Modules.cmake");
       }
     }
   }
@@ -316,11 +316,11 @@ private:
   {
     if (text.find("EXCLUDE_FROM_DEFAULT") == std::string::npos)
     {
-      this->Add(file, 0, "must say EXCLUDE_FROM_DEFAULT, or ITK's source tree builds the module unasked");
+      this->Add(file, 0, "must set EXCLUDE_FROM_DEFAULT, so that ITK does not build the module by default");
     }
     if (text.find(';') != std::string::npos)
     {
-      this->Add(file, 0, "holds a semicolon, at which ITK ends an argument");
+      this->Add(file, 0, "contains a semicolon, which ITK takes for an argument separator");
     }
   }
 
@@ -370,11 +370,12 @@ private:
         const auto dependency = m_Modules.find(name);
         if (dependency == m_Modules.end() && name.compare(0, 3, "ITK") != 0)
         {
-          this->Add(module.folder / "itk-module.cmake", 0, kind + " names " + name + ", which is no module");
+          this->Add(module.folder / "itk-module.cmake", 0, kind + " names " + name + ", which is not a module");
         }
         else if (dependency != m_Modules.end() && dependency->second.position >= module.position)
         {
-          this->Add(module.folder / "itk-module.cmake", 0, kind + " names " + name + ", which is no earlier module");
+          this->Add(
+            module.folder / "itk-module.cmake", 0, kind + " names " + name + ", which is not an earlier module");
         }
       }
     }
@@ -575,7 +576,7 @@ CheckLibraryTexts(const fs::path & root)
       ++line;
       if (std::regex_match(text, entersItk))
       {
-        faults.push_back({ shown, line, "enters the namespace itk; ours is shapeton" });
+        faults.push_back({ shown, line, "opens the namespace itk; use shapeton" });
       }
       if (isLibrary && std::regex_search(text, namesOption))
       {

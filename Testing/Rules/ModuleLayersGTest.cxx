@@ -76,19 +76,19 @@ TEST_F(ModuleLayers, DistinguishPublicPrivateAndTestDependencies)
 TEST_F(ModuleLayers, RefuseADependencyOnALaterModule)
 {
   this->Declare("Core/Low", "Low PRIVATE_DEPENDS ITKCommon High");
-  this->ExpectFault("Modules/Core/Low/itk-module.cmake: PRIVATE_DEPENDS names High, which is no earlier module");
+  this->ExpectFault("Modules/Core/Low/itk-module.cmake: PRIVATE_DEPENDS names High, which is not an earlier module");
 }
 
 TEST_F(ModuleLayers, RefuseADependencyOnItself)
 {
   this->Declare("Core/Low", "Low DEPENDS Low");
-  this->ExpectFault("DEPENDS names Low, which is no earlier module");
+  this->ExpectFault("DEPENDS names Low, which is not an earlier module");
 }
 
 TEST_F(ModuleLayers, RefuseAnUnknownDependency)
 {
   this->Declare("Core/Low", "Low DEPENDS Lower");
-  this->ExpectFault("DEPENDS names Lower, which is no module");
+  this->ExpectFault("DEPENDS names Lower, which is not a module");
 }
 
 TEST_F(ModuleLayers, RefuseAnotherName)
@@ -100,15 +100,15 @@ TEST_F(ModuleLayers, RefuseAnotherName)
 TEST_F(ModuleLayers, RefuseWhatItkTakesForSomethingElse)
 {
   this->Write("Modules/Core/Low/itk-module.cmake", "itk_module(Low DEPENDS ITKCommon)\n");
-  this->ExpectFault("Modules/Core/Low/itk-module.cmake: must say EXCLUDE_FROM_DEFAULT");
+  this->ExpectFault("Modules/Core/Low/itk-module.cmake: must set EXCLUDE_FROM_DEFAULT");
   this->Declare("Core/Low", "Low DEPENDS ITKCommon DESCRIPTION \"Boxes; spheres\"");
-  this->ExpectFault("Modules/Core/Low/itk-module.cmake: holds a semicolon");
+  this->ExpectFault("Modules/Core/Low/itk-module.cmake: contains a semicolon");
 }
 
 TEST_F(ModuleLayers, RefuseAModuleThatTheListLacks)
 {
   this->Declare("Mesh/New", "New DEPENDS ITKCommon");
-  this->ExpectFault("Modules/Mesh/New/itk-module.cmake: is no module of CMake/Modules.cmake");
+  this->ExpectFault("Modules/Mesh/New/itk-module.cmake: is not listed in CMake/Modules.cmake");
 }
 
 TEST_F(ModuleLayers, RefuseAListedModuleWithoutFolder)
@@ -120,7 +120,7 @@ TEST_F(ModuleLayers, RefuseAListedModuleWithoutFolder)
 TEST_F(ModuleLayers, RefuseAnEmptyList)
 {
   this->Write("CMake/Modules.cmake", "");
-  this->ExpectFault("CMake/Modules.cmake: names no module");
+  this->ExpectFault("CMake/Modules.cmake: does not list any module");
 }
 
 TEST_F(ModuleLayers, RefuseAPathThatLeavesItsFolder)
@@ -151,7 +151,7 @@ TEST_F(ModuleLayers, RefuseAGroupBelowAnEarlierOne)
   this->Write("CMake/Modules.cmake", "set(Shapeton_MODULES Filtering/Middle Core/Low Filtering/High)\n");
   this->ExpectFault("names the module Low of Core after a module of Filtering");
   this->Write("CMake/Modules.cmake", "set(Shapeton_MODULES Core/Low Shapes/Middle Filtering/High)\n");
-  this->ExpectFault("names the module Middle in the group Shapes, which is none");
+  this->ExpectFault("names the module Middle in the unknown group Shapes");
 }
 
 TEST_F(ModuleLayers, AreDescribed)
@@ -165,7 +165,7 @@ TEST_F(ModuleLayers, RefuseADeclarationInTheNamespaceOfItk)
 {
   EXPECT_EQ(ToText(rules::CheckLibraryTexts(m_Root)), "");
   this->Write("Modules/Filtering/High/src/itkHigh.cxx", "#include \"itkHigh.h\"\nnamespace itk\n{\n}\n");
-  EXPECT_NE(ToText(rules::CheckLibraryTexts(m_Root)).find("High/src/itkHigh.cxx:2: enters the namespace itk"),
+  EXPECT_NE(ToText(rules::CheckLibraryTexts(m_Root)).find("High/src/itkHigh.cxx:2: opens the namespace itk"),
             std::string::npos);
 }
 

@@ -53,7 +53,7 @@ CheckChannel(const XMLElement & parameter, XMLFaults & faults)
   const std::string channel = parameter.TextOf("channel");
   if (parameter.Find("channel") && channel != "input" && channel != "output")
   {
-    faults.Add(parameter.line, NameOf(parameter) + ": <channel> is \"" + channel + "\", none of input, output");
+    faults.Add(parameter.line, NameOf(parameter) + ": <channel> is \"" + channel + "\", not one of input, output");
   }
   const bool isData = NodeKinds.count(parameter.name) || parameter.name == "file" || parameter.name == "directory";
   if (isData && !parameter.Find("channel"))
@@ -89,7 +89,7 @@ CheckIndex(const XMLElement & parameter, XMLFaults & faults)
   }
   if (ToNumber(parameter.TextOf("index"), "integer").value_or(-1) < 0)
   {
-    faults.Add(parameter.line, NameOf(parameter) + ": <index> must be an integer from 0 on");
+    faults.Add(parameter.line, NameOf(parameter) + ": <index> must be a non-negative integer");
   }
 }
 
@@ -113,7 +113,7 @@ CheckConstraints(const XMLElement & parameter, XMLFaults & faults)
     if (!ToNumber(limit.text, parameter.name))
     {
       faults.Add(limit.line,
-                 NameOf(parameter) + ": <" + limit.name + "> \"" + limit.text + "\" is no number of the type");
+                 NameOf(parameter) + ": <" + limit.name + "> \"" + limit.text + "\" is not a number of the type");
     }
   }
   const auto minimum = LimitOf(parameter, "minimum");
@@ -146,18 +146,18 @@ CheckElements(const XMLElement & parameter, XMLFaults & faults)
     }
     if (IsNumeric(parameter.name) && !ToNumber(child.text, parameter.name))
     {
-      faults.Add(child.line, NameOf(parameter) + ": <element> \"" + child.text + "\" is no number of the type");
+      faults.Add(child.line, NameOf(parameter) + ": <element> \"" + child.text + "\" is not a number of the type");
     }
   }
   if (IsEnumeration(parameter.name) != (count > 0))
   {
     faults.Add(parameter.line,
-               NameOf(parameter) + (count ? " is no enumeration but has <element>" : " lacks <element>"));
+               NameOf(parameter) + (count ? " is not an enumeration but has <element>" : " lacks <element>"));
   }
   const std::string value = parameter.TextOf("default");
   if (count && parameter.Find("default") && !values.count(value))
   {
-    faults.Add(parameter.line, NameOf(parameter) + ": <default> \"" + value + "\" is none of its elements");
+    faults.Add(parameter.line, NameOf(parameter) + ": <default> \"" + value + "\" is not one of its elements");
   }
 }
 
@@ -167,14 +167,14 @@ CheckDefaultNumber(const XMLElement & parameter, const std::string & text, XMLFa
   const auto value = ToNumber(text, parameter.name);
   if (!value)
   {
-    faults.Add(parameter.line, NameOf(parameter) + ": <default> \"" + text + "\" is no number of the type");
+    faults.Add(parameter.line, NameOf(parameter) + ": <default> \"" + text + "\" is not a number of the type");
     return;
   }
   const auto minimum = LimitOf(parameter, "minimum");
   const auto maximum = LimitOf(parameter, "maximum");
   if ((minimum && *value < *minimum) || (maximum && *value > *maximum))
   {
-    faults.Add(parameter.line, NameOf(parameter) + ": <default> " + text + " lies outside its constraints");
+    faults.Add(parameter.line, NameOf(parameter) + ": <default> " + text + " is outside its constraints");
   }
 }
 
@@ -189,11 +189,12 @@ CheckDefault(const XMLElement & parameter, XMLFaults & faults)
   }
   if (isGiven && NodeKinds.count(parameter.name))
   {
-    faults.Add(parameter.line, NameOf(parameter) + " cannot have a <default>: Slicer takes it for the name of a node");
+    faults.Add(parameter.line,
+               NameOf(parameter) + " cannot have a <default>: Slicer would use it as the name of a node");
   }
   if (isGiven && parameter.Find("index"))
   {
-    faults.Add(parameter.line, NameOf(parameter) + ": a positional argument is never left out and has no <default>");
+    faults.Add(parameter.line, NameOf(parameter) + ": a positional argument is required and cannot have a <default>");
   }
   // Slicer always passes a scalar option, with an empty value where it has no default.
   const bool isAlwaysPassed = (IsNumeric(parameter.name) && !IsVector(parameter.name)) || IsEnumeration(parameter.name);
@@ -218,7 +219,7 @@ CheckFileExtensions(const XMLElement & parameter, XMLFaults & faults)
     if (extension.size() < 2 || extension[0] != '.')
     {
       faults.Add(parameter.line,
-                 NameOf(parameter) + ": file extension \"" + extension + "\" must begin with a full stop");
+                 NameOf(parameter) + ": file extension \"" + extension + "\" must begin with a period");
     }
   }
 }

@@ -48,7 +48,7 @@ CheckPositions(const Parameters & parameters, XMLFaults & faults)
   {
     if (index != expected++)
     {
-      faults.Add(parameter->line, NameOf(*parameter) + ": the indices must run from 0 without a gap");
+      faults.Add(parameter->line, NameOf(*parameter) + ": the indices must be consecutive and start at 0");
       return;
     }
     if (parameter->Attribute("multiple") == "true" && expected != static_cast<int>(positions.size()))
@@ -69,7 +69,7 @@ CheckReferences(const Parameters & parameters, XMLFaults & faults)
   const auto check = [&](const XMLElement & place, const std::string & name) {
     if (!name.empty() && !names.count(name))
     {
-      faults.Add(place.line, "the reference to \"" + name + "\" names no parameter");
+      faults.Add(place.line, "the reference to \"" + name + "\" does not match any parameter");
     }
   };
   for (const XMLElement * parameter : parameters)

@@ -141,7 +141,7 @@ CheckComments(const fs::path & root)
     {
       if (NamesAGroupAlone(comment.text))
       {
-        faults.push_back({ Shown(file, root), comment.line, "a comment names a group and says nothing" });
+        faults.push_back({ Shown(file, root), comment.line, "a comment contains only a group" });
       }
     }
   }
@@ -169,7 +169,8 @@ CheckGroups(const fs::path & root)
     {
       if (!groupsOf[ModuleOf(file, root)].count(word.text))
       {
-        faults.push_back({ Shown(file, root), word.line, "names the group " + word.text + ", not one of its module" });
+        faults.push_back(
+          { Shown(file, root), word.line, "names the group " + word.text + ", which is not a group of its module" });
       }
     }
   }

@@ -36,8 +36,8 @@ TEST_F(ReferenceRules, RefuseCommentsThatSayNothing)
     "class C;\n///@{\n/***/\n/** Text. */\n");
   this->Write("Modules/A/B/src/c.h", "/** \\ingroup B */\n");
   EXPECT_EQ(ToText(rules::CheckComments(m_Root)),
-            "Modules/A/B/include/b.h:3: a comment names a group and says nothing\n"
-            "Modules/A/B/include/b.h:5: a comment names a group and says nothing\n");
+            "Modules/A/B/include/b.h:3: a comment contains only a group\n"
+            "Modules/A/B/include/b.h:5: a comment contains only a group\n");
 }
 
 TEST_F(ReferenceRules, RefuseGroupsOfOtherModules)
@@ -47,8 +47,8 @@ TEST_F(ReferenceRules, RefuseGroupsOfOtherModules)
               "int a;\n/** Text. \\ingroup Part */\nint b;\n/** Text. \\ingroup C */\nint c;\n");
   this->Write("Modules/A/C/include/c.h", "/** Text.\n * \\ingroup Part */\nint a;\n/** Text. \\ingroup C */\n");
   EXPECT_EQ(ToText(rules::CheckGroups(m_Root)),
-            "Modules/A/B/src/b.cxx:4: names the group C, not one of its module\n"
-            "Modules/A/C/include/c.h:1: names the group Part, not one of its module\n");
+            "Modules/A/B/src/b.cxx:4: names the group C, which is not a group of its module\n"
+            "Modules/A/C/include/c.h:1: names the group Part, which is not a group of its module\n");
 }
 
 TEST(ThisRepository, MarksEachEquationOnce)

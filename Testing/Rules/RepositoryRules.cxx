@@ -105,12 +105,12 @@ FaultOfLink(const std::string & target, const fs::path & page, const fs::path & 
   }
   if (!fs::exists(file))
   {
-    return "the link " + target + " leads nowhere";
+    return "the link " + target + " points to a missing file";
   }
   const bool hasAnchor = mark != std::string::npos && file.extension() == ".md";
   if (hasAnchor && !AnchorsOf(ReadText(file)).count(target.substr(mark + 1)))
   {
-    return "the link " + target + " leads to no heading";
+    return "the link " + target + " points to a missing heading";
   }
   return {};
 }
@@ -283,11 +283,11 @@ CheckTexts(const fs::path & root)
     {
       continue;
     }
-    FindWords(text, MachineFolders, Shown(file, root), "names a folder of one machine: ", faults);
+    FindWords(text, MachineFolders, Shown(file, root), "contains a machine-specific path: ", faults);
     if (IsSource(file))
     {
-      FindWords(text, ForeignLicences, Shown(file, root), "carries a licence of its own: ", faults);
-      FindWords(text, OtherLoops, Shown(file, root), "has a loop that is none of shapetonParallelFor.h: ", faults);
+      FindWords(text, ForeignLicences, Shown(file, root), "contains a foreign license: ", faults);
+      FindWords(text, OtherLoops, Shown(file, root), "has a loop that does not use shapetonParallelFor.h: ", faults);
     }
   }
   return faults;
@@ -308,7 +308,8 @@ CheckTools(const fs::path & root)
     const std::size_t lines = isTool ? Lines(ReadText(file)).size() : 0;
     if (lines > LongestTool)
     {
-      faults.push_back({ Shown(file, root), 0, "has " + std::to_string(lines) + " lines; a module is missing" });
+      faults.push_back(
+        { Shown(file, root), 0, "has " + std::to_string(lines) + " lines, more than 150; move code to a module" });
     }
   }
   return faults;

@@ -33,11 +33,11 @@ TEST_F(RepositoryRules, NameBrokenLinks)
               "[a](nowhere.md)\n[h](Documentation/guide.md#other)\n[s](#none)\n<img src=\"no.png\">\n[r]: no.md\n");
   EXPECT_EQ(ToText(rules::CheckLinks(m_Root)),
             "Documentation/guide.md:2: the link ../../x.md leaves the repository\n"
-            "README.md:1: the link nowhere.md leads nowhere\n"
-            "README.md:2: the link Documentation/guide.md#other leads to no heading\n"
-            "README.md:3: the link #none leads to no heading\n"
-            "README.md:4: the link no.png leads nowhere\n"
-            "README.md:5: the link no.md leads nowhere\n");
+            "README.md:1: the link nowhere.md points to a missing file\n"
+            "README.md:2: the link Documentation/guide.md#other points to a missing heading\n"
+            "README.md:3: the link #none points to a missing heading\n"
+            "README.md:4: the link no.png points to a missing file\n"
+            "README.md:5: the link no.md points to a missing file\n");
 }
 
 TEST_F(RepositoryRules, AskForAPageOfEachModuleAndTool)
@@ -84,7 +84,7 @@ TEST_F(RepositoryRules, RefuseFoldersOfOneMachine)
                           "/x",
                           8));
   EXPECT_EQ(ToText(rules::CheckTexts(m_Root)),
-            "a.cmake:2: names a folder of one machine: /home"
+            "a.cmake:2: contains a machine-specific path: /home"
             "/\n");
 }
 
@@ -95,7 +95,7 @@ TEST_F(RepositoryRules, RefuseForeignLicencesInSources)
   this->Write("LICENSE", notice);
   this->Write("a.cxx", notice);
   EXPECT_EQ(ToText(rules::CheckTexts(m_Root)),
-            "a.cxx:1: carries a licence of its own: Copy"
+            "a.cxx:1: contains a foreign license: Copy"
             "right (\n");
 }
 
@@ -105,7 +105,7 @@ TEST_F(RepositoryRules, RefuseOtherParallelLoops)
                            "->Parallelize";
   this->Write("a.cxx", "itk::" + call + "Array(0, n, body, nullptr);\n");
   EXPECT_EQ(ToText(rules::CheckTexts(m_Root)),
-            "a.cxx:1: has a loop that is none of shapetonParallelFor.h: " + call + "\n");
+            "a.cxx:1: has a loop that does not use shapetonParallelFor.h: " + call + "\n");
 }
 
 TEST_F(RepositoryRules, LimitTheLengthOfTools)
@@ -118,7 +118,8 @@ TEST_F(RepositoryRules, LimitTheLengthOfTools)
   this->Write("Applications/Tool/Tool.cxx", lines);
   EXPECT_EQ(ToText(rules::CheckTools(m_Root)), "");
   this->Write("Applications/Tool/Tool.cxx", lines + "x\n");
-  EXPECT_EQ(ToText(rules::CheckTools(m_Root)), "Applications/Tool/Tool.cxx: has 151 lines; a module is missing\n");
+  EXPECT_EQ(ToText(rules::CheckTools(m_Root)),
+            "Applications/Tool/Tool.cxx: has 151 lines, more than 150; move code to a module\n");
 }
 
 TEST(ThisRepository, HasNoBrokenLink) { ExpectNone(rules::CheckLinks(SHAPETON_SOURCE_DIR)); }

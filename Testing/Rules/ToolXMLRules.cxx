@@ -37,7 +37,7 @@ CheckGroup(const XMLElement & group, Parameters & parameters, XMLFaults & faults
   }
   if (parameters.size() == before)
   {
-    faults.Add(group.line, "<parameters> holds no parameter");
+    faults.Add(group.line, "<parameters> does not contain any parameter");
   }
 }
 

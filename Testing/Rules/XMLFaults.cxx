@@ -22,7 +22,7 @@ XMLFaults::CheckAttributes(const XMLElement & element, const Attributes & allowe
     else if (!known->second.empty() && !known->second.count(value))
     {
       this->Add(element.line,
-                "attribute \"" + name + "\" of <" + element.name + "> is \"" + value + "\", none of " +
+                "attribute \"" + name + "\" of <" + element.name + "> is \"" + value + "\", not one of " +
                   Join(known->second));
     }
   }
@@ -33,7 +33,7 @@ XMLFaults::CheckChildren(const XMLElement & element, const Names & allowed, cons
 {
   if (!element.text.empty())
   {
-    this->Add(element.line, "<" + element.name + "> holds stray text \"" + element.text + "\"");
+    this->Add(element.line, "<" + element.name + "> contains unexpected text \"" + element.text + "\"");
   }
   Names seen;
   for (const XMLElement & child : element.children)
@@ -50,7 +50,7 @@ XMLFaults::CheckChildren(const XMLElement & element, const Names & allowed, cons
       !ParameterKinds().count(child.name) && child.name != "parameters" && child.name != "constraints";
     if (isLeaf && !child.children.empty())
     {
-      this->Add(child.line, "<" + child.name + "> holds elements where only text belongs");
+      this->Add(child.line, "<" + child.name + "> contains elements where only text is allowed");
     }
     if (isLeaf && child.name != "reference")
     {
@@ -75,7 +75,7 @@ XMLFaults::RequireSentence(const XMLElement & element)
   const std::string text = element.TextOf("description");
   if (!text.empty() && text.back() != '.')
   {
-    this->Add(element.line, "the <description> of " + NameOf(element) + " must end with a full stop");
+    this->Add(element.line, "the <description> of " + NameOf(element) + " must end with a period");
   }
 }
 

@@ -14,7 +14,7 @@ const FORBIDDEN = [
   [/[^=!]==[^=]|!=[^=]/, 'compares without ==='],
   [/\s$/, 'ends with a blank'],
   [/\t/, 'holds a tab'],
-  [/innerHTML(?! = [A-Z]+;)/, 'makes elements from text that is no constant'],
+  [/innerHTML(?! = [A-Z]+;)/, 'makes elements from text that is not a constant'],
 ];
 const faults = [];
 const tell = (file, line, text) => faults.push(`${file}:${line}: ${text}`);
@@ -27,7 +27,7 @@ function scriptsIn(folder) {
   });
 }
 
-// What stands in comments and literals is no code.
+// What stands in comments and literals is not code.
 const codeOf = (line) => line.replace(/(['"])(?:\\.|(?!\1).)*\1/g, "''").replace(/(^|\s)\/\/.*/, '');
 
 function checkLines(file, lines) {
