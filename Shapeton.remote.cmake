@@ -33,10 +33,10 @@
 #--   - [X] Code complies on at least 1 platform
 #--
 #-- ### Please document here any justification for the criteria above
-#       Level 2: Linux alone, and VTK, DCMTK, OpenCV, METIS, nauty, Spectra and SQLite are needed
+#       Level 2: Linux only; requires VTK, DCMTK, OpenCV, METIS, nauty, Spectra and SQLite
 
-# Shapeton has no public address. Where Modules/Remote/Shapeton is there already, a clone or a link to one, it is taken as it is;
-# otherwise Shapeton_GIT_REPOSITORY says what to clone, and Module_Shapeton_GIT_TAG, ITK's own option, which commit of it.
+# Shapeton does not have a public address. An existing clone (or a link to one) in Modules/Remote/Shapeton is used as it is;
+# otherwise set Shapeton_GIT_REPOSITORY to a clone and ITK's option Module_Shapeton_GIT_TAG to a commit.
 itk_fetch_module(
   Shapeton
   "Shape-based analysis of medical volumes: heat and shapeton diffusion, virtual colonoscopy, graphs on surfaces"

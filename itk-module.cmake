@@ -1,8 +1,8 @@
-# The repository as one module of ITK, which stands for all of Modules/; see Shapeton.remote.cmake.
+# The repository as one ITK module that represents all of Modules/; see Shapeton.remote.cmake.
 include(${CMAKE_CURRENT_LIST_DIR}/CMake/Modules.cmake)
 list(TRANSFORM Shapeton_MODULES REPLACE "^.*/" "" OUTPUT_VARIABLE Shapeton_modules)
 if(BUILD_TESTING)
-  list(APPEND Shapeton_modules ITKTestKernel) # itkTestDriver, which compares pictures
+  list(APPEND Shapeton_modules ITKTestKernel) # itkTestDriver, which compares images
 endif()
 
 itk_module(Shapeton

@@ -1,4 +1,4 @@
-// Drives Debian's Chromium without any package: the DevTools protocol over a pipe (file descriptors 3 and 4, messages end with 0).
+// Drives Debian's Chromium without npm packages, by the DevTools protocol over a pipe (file descriptors 3 and 4, 0-terminated).
 import { spawn } from 'node:child_process';
 import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
@@ -6,12 +6,12 @@ import { join, resolve } from 'node:path';
 
 const FLAGS = [
   '--headless=new', '--no-sandbox', '--remote-debugging-pipe', '--no-first-run', '--disable-extensions', '--disable-component-update',
-  '--disable-background-networking', '--disable-gpu-compositing', // as a browser without a graphics card does
+  '--disable-background-networking', '--disable-gpu-compositing', // like a browser without a graphics card
 ];
 const SOFTWARE_GL = ['--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader'];
 const NO_GL = ['--disable-gpu', '--disable-3d-apis'];
 
-// Requests and answers over the pipe; events go to the listeners.
+// Sends requests and receives answers over the pipe; dispatches events to the listeners.
 class Pipe {
   constructor(child) {
     const [, , , to, from] = child.stdio;
@@ -41,7 +41,7 @@ class Pipe {
   }
 }
 
-// A page, with what a person does to it. errors: what it threw or logged as an error; requests: the addresses it asked for.
+// A page with user actions. errors: exceptions and logged errors; requests: requested addresses.
 class Page {
   constructor(child, pipe, session, profile) {
     Object.assign(this, { child, pipe, session, profile, errors: [], requests: [], dialogs: [] });
@@ -68,7 +68,7 @@ class Page {
     await loaded;
   }
 
-  // Runs a function in the page.
+  // Evaluates a function in the page.
   async evaluate(f, ...args) {
     const expression = `(${f})(...${JSON.stringify(args)})`;
     const { result, exceptionDetails } = await this.send('Runtime.evaluate', { expression, awaitPromise: true, returnByValue: true });
@@ -98,7 +98,7 @@ class Page {
 
   wheel(x, y, deltaY, extra = {}) { return this.mouse('mouseWheel', x, y, { button: 'none', deltaX: 0, deltaY, ...extra }); }
 
-  // modifiers: 2 Ctrl, 8 Shift.
+  // modifiers: 2 is Ctrl, 8 is Shift.
   async key(key, modifiers = 0) {
     const text = key.length === 1 && modifiers !== 2 ? key : undefined;
     await this.send('Input.dispatchKeyEvent', { type: 'keyDown', key, text, modifiers });
@@ -128,7 +128,7 @@ class Page {
   }
 }
 
-// hasGl: with WebGL in software, or none at all; downloads: the folder that saved files go to.
+// hasGl: with software WebGL or without WebGL; downloads: folder of saved files.
 export async function launch({ width = 1600, height = 1000, downloads = null, hasGl = true } = {}) {
   const profile = mkdtempSync(join(tmpdir(), 'shapeton-browser-'));
   const flags = [...FLAGS, ...(hasGl ? SOFTWARE_GL : NO_GL), `--user-data-dir=${profile}`, `--window-size=${width},${height}`];

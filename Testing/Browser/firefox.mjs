@@ -1,4 +1,4 @@
-// Drives Debian's Firefox without any package: the Marionette protocol over a local socket, messages "length:[type, number, ...]".
+// Drives Debian's Firefox without npm packages, by the Marionette protocol over a local socket: "length:[type, number, ...]".
 import { spawn } from 'node:child_process';
 import { existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { connect } from 'node:net';
@@ -7,7 +7,7 @@ import { join, resolve } from 'node:path';
 
 const wait = (ms) => new Promise((done) => { setTimeout(done, ms); });
 
-// Firefox writes the port that it has chosen into its profile.
+// Firefox writes the chosen port into its profile.
 async function portOf(profile) {
   const file = join(profile, 'MarionetteActivePort');
   for (const end = Date.now() + 60000; Date.now() < end;) {
@@ -18,7 +18,7 @@ async function portOf(profile) {
   throw new Error('Firefox does not listen');
 }
 
-// A page, with what a person does to it.
+// A page with user actions.
 class FirefoxPage {
   constructor(child, socket, profile) {
     Object.assign(this, { child, socket, profile, waiting: new Map(), next: 1, rest: Buffer.alloc(0) });
@@ -52,7 +52,7 @@ class FirefoxPage {
 
   open(file) { return this.send('Navigate', { url: `file://${resolve(file)}` }); }
 
-  // Runs a function in the page.
+  // Evaluates a function in the page.
   evaluate(f, ...args) {
     const script = `const [args, done] = arguments; Promise.resolve((${f})(...args)).then(done);`;
     return this.send('ExecuteAsyncScript', { script, args: [args], sandbox: null, newSandbox: false });
@@ -86,7 +86,7 @@ class FirefoxPage {
   }
 }
 
-// Without WebGL, as on a desktop whose driver Firefox does not trust.
+// Without WebGL, as on a desktop with a driver that Firefox blocks.
 export async function launchFirefox({ width = 1600, height = 1000 } = {}) {
   const profile = mkdtempSync(join(tmpdir(), 'shapeton-firefox-'));
   writeFileSync(join(profile, 'user.js'), 'user_pref("marionette.port", 0);\nuser_pref("webgl.disabled", true);\n');

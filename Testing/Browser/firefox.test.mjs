@@ -1,4 +1,4 @@
-// What needs no WebGL works in Firefox, too. usage: VIEWER=folder of viewer.html SPHERE=folder of index.html
+// Tests views without WebGL in Firefox. usage: VIEWER=folder of viewer.html SPHERE=folder of index.html
 // HEAT=folder of explorer.html [SHOTS=folder] node --test firefox.test.mjs
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
@@ -58,7 +58,7 @@ test('without WebGL 2 the explorer of heat says so, and a pick on the histogram 
   await page.until(() => Boolean(window.explorer));
   assert.match(await page.evaluate(() => document.getElementById('notices').textContent), /no WebGL 2/);
   const pictures = () => page.evaluate(() => explorer.idle().then(() => explorer.slices.map((slice) => slice.canvas.toDataURL())));
-  const at = await page.evaluate(() => { // of a line that the report has found
+  const at = await page.evaluate(() => { // center of a line found by the report
     const { axis, lines: [{ lower, upper }], histogramView: { canvas, plot } } = explorer, { x, y } = canvas.getBoundingClientRect();
     return [x + plot.left + axis.positionOf((lower + upper) / 2) * (plot.width - 1), y + plot.top + 0.6 * plot.height];
   });

@@ -1,4 +1,4 @@
-// Reads pages of graphs that the tools wrote, as a person would, in a headless Chromium from file://.
+// Tests the graph pages of the tools like a user, in headless Chromium from file://.
 // usage: SPHERE=folder of index.html TORUS=... DISK=... COMPARED=... STEPS=... [SHOTS=folder for pictures] node --test graphs.test.mjs
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
@@ -25,7 +25,7 @@ const told = () => page.evaluate(() => document.getElementById('told').textConte
 const found = () => page.evaluate(() => document.getElementById('found').textContent);
 const picture = () => page.evaluate(() => graphPage.views[0].picture.canvas.toDataURL());
 
-// Where on the window a node or the middle of an edge of a view is painted, and its name; in a tile of the covering.
+// Window position of a node or of the middle of an edge in a view, and its name; in a tile of the cover.
 const place = (view, kind, index, tile = 0) => page.evaluate((v, k, i, t) => {
   const { box, picture: { tiles }, graph } = graphPage.views[v];
   box.scrollIntoView({ block: 'center' });
@@ -34,7 +34,7 @@ const place = (view, kind, index, tile = 0) => page.evaluate((v, k, i, t) => {
   return { at: [x + p[0], y + p[1]], name: k === 'node' ? graph.name(i) : graph.nameOfEdge(i), tiles: tiles.length };
 }, view, kind, index, tile);
 
-// How many pixels of the marks within `reach` of a node's place have a colour.
+// Number of mark pixels with a color within `reach` of a node.
 const marked = (view, node, colour, tile = 0, reach = 14) => page.evaluate((v, i, [r, g, b], t, d) => {
   const { canvas, context, w, picture: { tiles } } = graphPage.views[v], ratio = canvas.width / w, [x, y] = tiles[t].pixelOf(i);
   const { data } = context.getImageData((x - d) * ratio, (y - d) * ratio, 2 * d * ratio, 2 * d * ratio);

@@ -1,4 +1,4 @@
-// Every page that the tools write opens from file:// without errors and without a network, in the style that all share.
+// Checks that every page of the tools opens from file:// without errors, without network requests, and in the shared style.
 // usage: PAGES=FOLDER|FILE.html|... node --test pages.test.mjs
 import assert from 'node:assert/strict';
 import { readdirSync, statSync } from 'node:fs';

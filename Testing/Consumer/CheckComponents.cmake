@@ -1,9 +1,9 @@
-# Components look for what they need and for nothing else; a name that is none is an error that says so, here and in the
-# modules that a build selects.
+# Checks that components find only the packages that they need, and that an unknown name is an error with a clear message, both
+# for components and for SHAPETON_MODULES.
 include(${CMAKE_CURRENT_LIST_DIR}/Consumers.cmake)
 set(source ${SOURCE_DIR}/Testing/Consumer/Component)
 
-# find(<folder> <modules> <arguments...>): `status` and `errors` of a configuration.
+# find(<folder> <modules> <arguments...>): configures and sets `status` and `errors`.
 function(find folder modules)
   file(REMOVE_RECURSE "${WORK_DIR}/${folder}")
   execute_process(COMMAND ${CMAKE_COMMAND} -S ${source} -B "${WORK_DIR}/${folder}" -G Ninja -DCMAKE_CXX_COMPILER=${COMPILER}

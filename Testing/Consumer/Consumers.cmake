@@ -1,10 +1,10 @@
-# Functions of the scripts in this folder, which ctest calls. They read
-#   BUILD_DIR, COMPILER, BUILD_TYPE, SANITIZE   of the build that is tested
+# Shared functions of the scripts in this folder, which ctest calls. They read
+#   BUILD_DIR, COMPILER, BUILD_TYPE, SANITIZE   settings of the tested build
 #   SOURCE_DIR                                  the repository
-#   WORK_DIR                                    a folder of the test's own, which may be removed
+#   WORK_DIR                                    the test's own folder, which may be removed
 cmake_minimum_required(VERSION 3.22)
 
-# run(<command...>): stops the test where the command fails; its output is in `out`.
+# run(<command...>): runs a command and sets `out` to its output; aborts the test if the command fails.
 function(run)
   execute_process(COMMAND ${ARGN} OUTPUT_VARIABLE out ERROR_VARIABLE errors RESULT_VARIABLE status)
   if(NOT status EQUAL 0)
@@ -13,14 +13,14 @@ function(run)
   set(out "${out}" PARENT_SCOPE)
 endfunction()
 
-# expect(<regex>): what the last run printed.
+# expect(<regex>): checks the output of the last run.
 function(expect regex)
   if(NOT out MATCHES "${regex}")
     message(FATAL_ERROR "[${out}] does not match ${regex}")
   endif()
 endfunction()
 
-# Staged by DESTDIR under a name with a space and used elsewhere: a package may not know where it was built or installed.
+# Installs with DESTDIR under a name with a space and moves the result: a package must not depend on its build or install location.
 function(install_moved prefix)
   file(REMOVE_RECURSE "${WORK_DIR}/stage" "${prefix}")
   run(${CMAKE_COMMAND} -E env "DESTDIR=${WORK_DIR}/stage" ${CMAKE_COMMAND} --install ${BUILD_DIR} --prefix "/opt/of one")
@@ -29,7 +29,7 @@ function(install_moved prefix)
   file(RENAME "${WORK_DIR}/stage/opt/of one" "${prefix}")
 endfunction()
 
-# configure(<source> <build> <arguments...>): with the compiler of the build that is tested.
+# configure(<source> <build> <arguments...>): configures with the compiler of the tested build.
 function(configure source build)
   set(flags "")
   if(SANITIZE)

@@ -1,3 +1,3 @@
-# The installation that the other tests use; see CMakeLists.txt.
+# Makes the installation that the other tests use; see CMakeLists.txt.
 include(${CMAKE_CURRENT_LIST_DIR}/Consumers.cmake)
 install_moved("${PREFIX}")

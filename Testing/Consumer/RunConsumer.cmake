@@ -1,7 +1,7 @@
 # Builds the project against the installation and runs it and every installed tool; see CMakeLists.txt.
 include(${CMAKE_CURRENT_LIST_DIR}/Consumers.cmake)
 
-# The last bytes of a file: the voxels of a NRRD file that is not compressed.
+# Extracts the last bytes of a file: the voxels of an uncompressed NRRD file.
 function(voxels variable file bytes)
   file(SIZE "${file}" size)
   math(EXPR begin "${size} - ${bytes}")
@@ -9,7 +9,7 @@ function(voxels variable file bytes)
   set(${variable} ${hex} PARENT_SCOPE)
 endfunction()
 
-# A median of single voxels changes nothing, so the heat is that of the tool; a larger one changes it.
+# A median of radius 0 changes nothing, so the heat equals that of the tool; a larger radius changes it.
 file(REMOVE_RECURSE "${WORK_DIR}/build")
 configure(${SOURCE_DIR}/Examples/Project "${WORK_DIR}/build" "-DCMAKE_PREFIX_PATH=${PREFIX}")
 run(${CMAKE_COMMAND} --build "${WORK_DIR}/build")
@@ -39,7 +39,7 @@ foreach(description IN LISTS descriptions)
   message("${tool}: ${out}")
 endforeach()
 
-# What the installed libraries and tools need: nothing of the build folder, nothing under the GPL.
+# Installed libraries and tools must not depend on the build folder or on GPL libraries.
 function(needs file)
   execute_process(COMMAND readelf --dynamic "${file}" OUTPUT_VARIABLE out ERROR_VARIABLE errors RESULT_VARIABLE status)
   if(NOT status EQUAL 0)
@@ -50,7 +50,7 @@ function(needs file)
   endif()
   string(FIND "${out}" "${BUILD_DIR}" place)
   if(NOT place EQUAL -1)
-    message(FATAL_ERROR "${file} looks for libraries in the build folder:\n${out}")
+    message(FATAL_ERROR "${file} has a library path in the build folder:\n${out}")
   endif()
 endfunction()
 
@@ -66,7 +66,7 @@ foreach(description IN LISTS descriptions)
   needs("${tool}")
 endforeach()
 
-# The tools as an extension of 3D Slicer holds them: one folder below the libraries.
+# Runs a tool in the layout of a 3D Slicer extension: one folder below the libraries.
 set(extension "${WORK_DIR}/extension/lib/Slicer")
 file(REMOVE_RECURSE "${WORK_DIR}/extension")
 file(GLOB runtime "${PREFIX}/lib/libShapeton*.so.*")

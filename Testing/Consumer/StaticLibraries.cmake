@@ -1,4 +1,4 @@
-# Builds and installs static libraries of MODULES and of those that they need; see CMakeLists.txt.
+# Builds and installs static libraries of MODULES and their dependencies; see CMakeLists.txt.
 include(${CMAKE_CURRENT_LIST_DIR}/Consumers.cmake)
 file(WRITE "${WORK_DIR}/modules.cmake" "set(SHAPETON_MODULES ${MODULES} CACHE STRING \"\")\n")
 configure(${SOURCE_DIR} "${WORK_DIR}/static" -C "${WORK_DIR}/modules.cmake" -DBUILD_TESTING=OFF -DBUILD_SHARED_LIBS=OFF)

@@ -1,4 +1,4 @@
-# Two series of versions in one prefix: a later one, made of the same sources, beside the one that was built.
+# Installs two version series into one prefix: the tested build, and a later version built from the same sources.
 include(${CMAKE_CURRENT_LIST_DIR}/Consumers.cmake)
 set(prefix "${WORK_DIR}/prefix of two")
 string(REGEX MATCH "^([0-9]+)\\.([0-9]+)" series ${VERSION})

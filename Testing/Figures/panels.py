@@ -12,7 +12,7 @@ GAP, CAPTION = 6, 16
 
 
 def panel_of(argument, width):
-    """The picture that an argument names, and its caption."""
+    """Returns the picture of an argument and its caption."""
     path, _, caption = argument.partition("=")
     path, _, part = path.partition("@")
     picture = Image.open(path).convert("RGB")
@@ -24,7 +24,7 @@ def panel_of(argument, width):
 
 
 def sheet_of(panels, columns, width):
-    """All panels on white, each below its caption."""
+    """Arranges all panels on white, each below its caption."""
     rows = [panels[i:i + columns] for i in range(0, len(panels), columns)]
     head = CAPTION if any(caption for _, caption in panels) else 0
     heights = [max(picture.height for picture, _ in row) + head for row in rows]

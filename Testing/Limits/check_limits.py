@@ -29,7 +29,7 @@ def inputs(tools, work, size):
 
 
 def fast_commands(work):
-    """Of each tool: its arguments; those that start with OUT/ are outputs."""
+    """Command lines of the tools; arguments that start with OUT/ are outputs."""
     shapes, data = work / "shapes.nrrd", Path(__file__).parents[2] / "Data"
     return [
         ["ColonPhantom", "OUT/series", "--size", "64,64,60"],
@@ -44,7 +44,7 @@ def fast_commands(work):
 
 
 def run(tools, command, out, memory=None):
-    """The status, the messages, and the peak of the address space in bytes."""
+    """Returns the status, the messages, and the peak address space in bytes."""
     limit = (lambda: resource.setrlimit(resource.RLIMIT_AS, (memory, memory))) if memory else None
     arguments = [str(tools / command[0]), *(str(word).replace("OUT/", f"{out}/") for word in command[1:]), "--quiet"]
     with tempfile.TemporaryFile("w+", encoding="utf-8") as messages:
@@ -67,7 +67,7 @@ def size_on_disk(folder):
 
 
 def earlier_results(command, folder):
-    """What an earlier run has left where the command writes files."""
+    """Creates files of an earlier run at the output paths of the command."""
     shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir()
     for word in map(str, command):
@@ -76,7 +76,7 @@ def earlier_results(command, folder):
 
 
 def judge(status, messages, pattern, before, out, complete):
-    """What is wrong with a run that had little: it succeeds with all files, or fails with the right message and none."""
+    """Fault of a run with limited resources, if any: it must write all files, or fail with the right message and none."""
     after = content(out)
     if status == 0:
         return None if set(after) == complete else f"success without {sorted(complete ^ set(after))}"
@@ -114,7 +114,7 @@ def disk_faults(tools, work, command):
 
 
 def colonoscopy_faults(tools, work):
-    """The disk fills up in one stage after the other; each run with more space goes on where the last one ended."""
+    """Fills the disk in each stage in turn; each run with more space must resume where the last one ended."""
     full = work / "full"
     command = ["VirtualColonoscopy", work / "colon", "OUT/run", "--faces", "20000", "--viewer", "--dicomResults"]
     mounted(full, 1 << 20)
@@ -129,7 +129,7 @@ def colonoscopy_faults(tools, work):
             return faults + ([] if len(set(stages)) > 3 else [f"the disk was never full halfway: {stages} files before each run"])
         if status != 1 or not DISK.search(messages.strip()):
             faults.append(f"VirtualColonoscopy with {megabytes} MB of disk: status {status}: {messages}")
-    return faults + [f"VirtualColonoscopy does not go on when there is space again: {messages}"]
+    return faults + [f"VirtualColonoscopy does not resume after space was freed: {messages}"]
 
 
 def memory_faults(tools, work, command):
@@ -157,7 +157,7 @@ def main(kind, tools, work, is_colonoscopy):
     if kind == "disk" and "SHAPETON_NAMESPACE" not in os.environ:
         unshare = ["unshare", "--mount"] + ([] if os.geteuid() == 0 else ["--map-root-user"])
         if subprocess.run([*unshare, "mount", "-t", "tmpfs", "none", "/mnt"], check=False, capture_output=True).returncode != 0:
-            print("no right to mount a file system here")
+            print("no permission to mount a file system")
             sys.exit(SKIPPED)
         os.environ["SHAPETON_NAMESPACE"] = "1"
         os.execvp("unshare", [*unshare, sys.executable, *sys.argv])

@@ -50,9 +50,9 @@ def inflated(data):
 
 
 def views(data):
-    """The bytes, and what they hold in a coded form."""
+    """Yields the bytes and their decoded content."""
     yield data
-    yield data.replace(b"\0", b"")  # UTF-16
+    yield data.replace(b"\0", b"")  # for UTF-16
     header_end = data.find(b"\n\n") + 2 if data.startswith(b"NRRD") else 0
     yield from inflated(data[header_end:])
     for text in re.findall(rb"[A-Za-z0-9+/]{16,}={0,2}", data):
@@ -104,12 +104,12 @@ def main(tools, work, is_colonoscopy):
     found = {path: marks_in(path.read_bytes()) for path in sorted(out.rglob("*")) if path.is_file()}
     faults = [f"{path.relative_to(out)}: {name}" for path, names in found.items() for name in sorted(names - allowed_in(path))]
     if not any(found.values()):
-        faults.append("no mark was found at all, not even the series UID: this test is blind")
+        faults.append("no mark was found, not even the series UID: the search does not work")
     if is_colonoscopy and "PatientName" not in found[out / "colon/dicom/sr.dcm"]:
         faults.append("DICOM results do not name the patient of their series")
     if faults:
-        sys.exit("found where Documentation/privacy.md does not state it:\n" + "\n".join(faults))
-    print(f"{len(found)} files hold nothing that identifies the patient beyond Documentation/privacy.md")
+        sys.exit("identifying data not stated in Documentation/privacy.md:\n" + "\n".join(faults))
+    print(f"{len(found)} files contain no identifying data beyond Documentation/privacy.md")
 
 
 if __name__ == "__main__":
