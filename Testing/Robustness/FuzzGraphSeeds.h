@@ -3,7 +3,7 @@
 
 #include "FuzzSeeds.h"
 
-/** Graphs in all formats that are read, and certificates of embeddings. */
+/** Graphs in all supported formats, and embedding certificates. */
 std::vector<FuzzSeed>
 MakeGraphSeeds();
 #endif

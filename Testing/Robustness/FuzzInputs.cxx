@@ -1,13 +1,12 @@
 // FuzzInputs --files N --seed S [--kind all|volumes|graphs|files|results] [--folder DIR]
 //
-// Spoils DICOM files, NRRD, NIfTI and MetaImage files, surfaces, graphs and certificates of embeddings, and gives them
-// to the readers (and what could be read of certificates to the verifier). --kind graphs: graphs and certificates
-// alone; --kind volumes: volumes and surfaces alone; --kind files: files of other programs that are not DICOM, which
-// are images, surfaces and graphs; --kind results: DICOM segmentations and reports alone. A reader may read such a file
-// or refuse it by an InputError; it may not crash, hang, take memory without bound, or draw a report from a sanitizer.
-// A file that made it do so is kept and named, and the exit status is 1. The files are made in a new folder inside DIR
-// (default: the folder for temporary files), which is removed when there was no fault. --self-test: checks that each of
-// these faults is noticed.
+// Mutates DICOM files, NRRD, NIfTI and MetaImage files, surfaces, graphs and embedding certificates, and passes them to
+// the readers (and readable certificates to the verifier). --kind graphs: only graphs and certificates; --kind volumes:
+// only volumes and surfaces; --kind files: only images, surfaces and graphs that are not DICOM; --kind results: only
+// DICOM segmentations and reports. A reader may read a mutant or reject it with an InputError. It must not crash, hang,
+// use unbounded memory, or cause a sanitizer report. Files that violate this are kept and listed, and the exit status is
+// 1. The mutants are created in a new folder inside DIR (default: the folder for temporary files), which is removed if
+// there was no fault. --self-test: checks that each of these faults is detected.
 
 #include "FuzzGraphSeeds.h"
 #include "FuzzMutation.h"
@@ -110,7 +109,7 @@ IsSurface(const std::string & path)
   return surfaces.count(extension) > 0;
 }
 
-/** Reads, inspects and repairs a surface, and a VTP file as curves, too. */
+/** Reads, inspects and repairs a surface; also reads a VTP file as curves. */
 bool
 ReadAllOfSurface(const std::string & path)
 {
@@ -137,7 +136,7 @@ ReadAllOfSurface(const std::string & path)
   return isRead;
 }
 
-/** Scans and reads a file as the tools do, with all repairs; a DICOM file also among sound slices of its series. */
+/** Scans and reads a file like the tools, with all repairs; also adds a DICOM file to valid slices of its series. */
 bool
 ReadAllOfVolume(const std::string & path, const std::string & soundFolder)
 {
@@ -174,7 +173,7 @@ IsGraph(const std::string & path)
   return graphs.count(fs::path(path).extension()) > 0;
 }
 
-/** Reads a graph, or a certificate and verifies it. */
+/** Reads a graph, or reads and verifies a certificate. */
 bool
 ReadAllOfGraph(const std::string & path)
 {
@@ -210,7 +209,7 @@ ReadAll(const std::string & path, const std::string & soundFolder, const shapeto
   return IsSurface(path) ? ReadAllOfSurface(path) : ReadAllOfVolume(path, soundFolder);
 }
 
-/** Runs trials, several at once, and counts what comes out. */
+/** Runs several trials at a time and counts their outcomes. */
 class Campaign
 {
 public:
@@ -327,11 +326,11 @@ Fuzz(const Options & options)
   const std::string            sound = shapeton::MakeFolder(options.folder + "/sound");
   const shapeton::DicomFixture fixture;
   auto                         slices = fixture.MakeSeries();
-  slices.erase(slices.begin() + 2); // the place of the mutants
+  slices.erase(slices.begin() + 2); // mutants take this position
   shapeton::SaveDicom(slices, sound);
   const shapeton::DicomSource source = MakeResultSource(shapeton::MakeFolder(options.folder + "/source"));
   const auto                  seeds = SeedsOf(options, source);
-  Campaign                    campaign(std::chrono::seconds(120)); // the readers give up earlier
+  Campaign                    campaign(std::chrono::seconds(120)); // the readers time out earlier
   for (std::size_t i = 0; i < options.files; ++i)
   {
     FuzzRandom        random(options.seed, i);
@@ -347,7 +346,7 @@ Fuzz(const Options & options)
   return campaign.Report(options);
 }
 
-// ---- self-test: readers with the faults that must be noticed ----
+// ---- self-test: readers with faults that must be detected ----
 
 [[noreturn]] void
 Crash()
@@ -362,7 +361,7 @@ Crash()
 }
 
 #if defined(__SANITIZE_ADDRESS__)
-/** Sound on the outside: only the report of the sanitizer tells. */
+/** Succeeds apparently; only the sanitizer's report reveals the fault. */
 bool
 CrashInChild(const std::string &)
 {
@@ -408,7 +407,7 @@ SelfTest(const Options & options)
     campaign.Finish();
     if (campaign.GetFaults() != 1)
     {
-      std::cout << "not noticed: " << reader.first << "\n";
+      std::cout << "not detected: " << reader.first << "\n";
       ++missed;
     }
   }
@@ -416,7 +415,7 @@ SelfTest(const Options & options)
   shapeton::WriteText(options.folder + "/sound", "x");
   sound.Start(options.folder + "/sound", [](const std::string &) { return true; });
   sound.Finish();
-  std::cout << faulty.size() - static_cast<std::size_t>(missed) << " of " << faulty.size() << " faults noticed\n";
+  std::cout << faulty.size() - static_cast<std::size_t>(missed) << " of " << faulty.size() << " faults detected\n";
   return missed == 0 && sound.GetFaults() == 0 ? 0 : 1;
 }
 } // namespace
@@ -434,7 +433,7 @@ main(int argc, char * argv[])
   {
     const fs::path parent = options.folder.empty() ? fs::temp_directory_path() : fs::path(options.folder);
     fs::create_directories(parent);
-    // A folder of its own: what lies beside it is not ours to remove.
+    // Use a new folder, because other files in the given one must not be removed.
     options.folder = (fs::canonical(parent) / ("FuzzInputs-" + std::to_string(getpid()))).string();
     shapeton::MakeFolder(options.folder);
     const int status = options.isSelfTest ? SelfTest(options) : Fuzz(options);

@@ -27,7 +27,7 @@ SetBytes(std::string & bytes, const std::string &, FuzzRandom & random)
   bytes.replace(place, count, count, values[random.Below(std::size(values))]);
 }
 
-/** Lengths, sizes and offsets are 16 or 32 bits wide, in either byte order. */
+/** Overwrites an integer of 16 or 32 bits in either byte order, as used for lengths, sizes and offsets. */
 void
 SetNumber(std::string & bytes, const std::string &, FuzzRandom & random)
 {
@@ -50,7 +50,7 @@ SetNumber(std::string & bytes, const std::string &, FuzzRandom & random)
   bytes.replace(random.Below(bytes.size() - width + 1), width, number, width);
 }
 
-/** DICOM's decimal strings and the text headers of NRRD and MetaImage. */
+/** Replaces a number in text, such as DICOM's decimal strings and the text headers of NRRD and MetaImage. */
 void
 SetDigits(std::string & bytes, const std::string &, FuzzRandom & random)
 {
@@ -63,7 +63,7 @@ SetDigits(std::string & bytes, const std::string &, FuzzRandom & random)
   }
   const std::size_t end = std::min(bytes.find_first_not_of(digits, start), bytes.size());
   std::string       value = values[random.Below(std::size(values))];
-  if (random.Below(2) == 0) // of the same length, so that the lengths around it stay true
+  if (random.Below(2) == 0) // of the same length, so that surrounding lengths stay valid
   {
     value.resize(end - start, ' ');
   }

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string>
 
-/** SplitMix64 (Steele, Lea, Flood 2014): the same numbers on each machine. */
+/** SplitMix64 (Steele, Lea, Flood 2014): reproducible on every machine. */
 class FuzzRandom
 {
 public:
@@ -22,7 +22,7 @@ public:
     return z ^ (z >> 31);
   }
 
-  /** In [0, limit); 0 for limit 0. */
+  /** Returns a number in [0, limit); 0 for limit 0. */
   std::size_t
   Below(std::size_t limit)
   {
@@ -33,8 +33,8 @@ private:
   std::uint64_t m_State;
 };
 
-/** Spoils a file by one to four changes: bits, bytes, lengths, numbers in text, pieces cut out, doubled, or taken from
- * another file. */
+/** Mutates a file by one to four changes: bits, bytes, lengths, numbers in text; pieces removed, duplicated, or taken
+ * from another file. */
 std::string
 Mutate(std::string bytes, const std::string & other, FuzzRandom & random);
 #endif

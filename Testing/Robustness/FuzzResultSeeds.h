@@ -5,18 +5,18 @@
 
 #include "shapetonDicomSource.h"
 
-/** The ending of the mutants of these seeds, by which they are told from slices. */
+/** File extension of mutants of these seeds, which distinguishes them from slices. */
 constexpr const char * ResultExtension = ".result.dcm";
 
-/** A series that results belong to; made in `folder`. */
+/** Source series of the results; created in `folder`. */
 shapeton::DicomSource
 MakeResultSource(const std::string & folder);
 
-/** Segmentations and reports beside a source; made in `folder`. */
+/** Segmentations and reports of a source series; created in `folder`. */
 std::vector<FuzzSeed>
 MakeResultSeeds(const std::string & folder, const shapeton::DicomSource & source);
 
-/** Reads a file as a segmentation and as a report; whether it was one of them. */
+/** Reads a file as a segmentation and as a report; returns whether it was one of them. */
 bool
 ReadAllOfResult(const std::string & path, const shapeton::DicomSource & source);
 #endif

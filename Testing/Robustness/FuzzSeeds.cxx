@@ -124,7 +124,7 @@ AddImageSeeds(const std::string & folder, std::vector<FuzzSeed> & seeds)
     seeds.push_back({ extension, BytesOf(path) });
   }
   seeds.push_back({ ".nii.gz", BytesOf(folder + "/seed.nii"), true });
-  niftitest::NiftiFile swapped(1, true); // a qform, in meters, rescaled
+  niftitest::NiftiFile swapped(1, true); // with a qform in meters and rescaled values
   swapped.SetVoxels<std::int16_t>(4);
   swapped.SetScale(2.0, -1000.0);
   swapped.SetUnits(1);

@@ -4,23 +4,23 @@
 #include <string>
 #include <vector>
 
-/** A sound file for a mutation to spoil. */
+/** A valid file to mutate. */
 struct FuzzSeed
 {
-  /** Of a mutant, so that the reader takes it for the format. */
+  /** File extension of mutants, so that the reader assumes the format. */
   std::string extension;
   std::string bytes;
-  /** The bytes are compressed as gzip after the mutation: a damaged gzip file is refused for its checksum, and nothing
-   * behind it would be tested. */
+  /** Compress the bytes with gzip after the mutation. A mutated gzip file would only fail its checksum, and the code
+   * behind would not be tested. */
   bool isGzipped{ false };
 };
 
 /** DICOM slices and multi-frame files in several encodings, NRRD, NIfTI and MetaImage files, and surfaces in all
- * formats that are read; made in `folder`. */
+ * supported formats; created in `folder`. */
 std::vector<FuzzSeed>
 MakeFuzzSeeds(const std::string & folder);
 
-/** The bytes as a gzip file. */
+/** Compresses the bytes to a gzip file. */
 std::string
 Gzip(const std::string & bytes);
 #endif

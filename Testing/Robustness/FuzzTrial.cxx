@@ -20,10 +20,10 @@ constexpr int Read = 40;
 constexpr int Refused = 41;
 constexpr int WrongException = 42;
 
-/** What stands for a library when a contained process has reached its limit of memory. */
+/** Placeholder for the library if a contained process has reached its memory limit. */
 constexpr const char * MemoryLimit = "(limit of memory)";
 
-// The mutants have a few thousand bytes. A sanitizer keeps freed memory for a while.
+// Mutants have a few thousand bytes. A sanitizer keeps freed memory for a while.
 #if defined(__SANITIZE_ADDRESS__)
 constexpr long MostKilobytes = 1500 * 1024;
 #else
@@ -36,7 +36,7 @@ Work(const std::string & path, const std::string & log, const FuzzTrial::Reader 
   const int file = open(log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644);
   dup2(file, STDOUT_FILENO);
   dup2(file, STDERR_FILENO);
-  setpgid(0, 0); // so that the contained processes end with this one
+  setpgid(0, 0); // so that contained processes are killed with this one
   const rlimit noCore{ 0, 0 };
   setrlimit(RLIMIT_CORE, &noCore);
   int status = WrongException;
@@ -59,7 +59,7 @@ TextOf(const std::string & path)
   return { std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>() };
 }
 
-/** The library of a stack frame, "(/usr/lib/libfoo.so.1+0x12)"; empty for those that are in every stack. */
+/** Library of a stack frame, "(/usr/lib/libfoo.so.1+0x12)"; empty for libraries that are in every stack. */
 std::string
 LibraryOf(const std::string & frame)
 {
@@ -99,7 +99,7 @@ IsForeign(const std::string & library)
   return false;
 }
 
-/** The library at fault of a sanitizer's report: the first of its stack that is not in every stack. */
+/** Library at fault in a sanitizer's report: the first one of the stack that is not in every stack. */
 std::string
 LibraryAtFault(const std::string & log)
 {
@@ -116,7 +116,7 @@ LibraryAtFault(const std::string & log)
       }
     }
   }
-  // Where the limit has been reached, the sanitizer has no memory left to print a stack.
+  // At the memory limit, the sanitizer cannot print a stack.
   return log.find("allocator is out of memory") != std::string::npos ? MemoryLimit : "unknown";
 }
 
@@ -179,7 +179,7 @@ FuzzTrial::Judge(int status, long peakKilobytes)
   const std::string log = TextOf(m_Log);
   const std::string report = FirstReport(log);
   const std::string library = report.empty() ? "" : LibraryAtFault(log);
-  const bool        isUndefined = report.compare(0, 13, "runtime error") == 0; // only our code is checked for this
+  const bool        isUndefined = report.compare(0, 13, "runtime error") == 0; // only our code is instrumented for this
   const int         exitStatus = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
   m_Outcome.kind = FuzzOutcome::Kind::fault;
   if (m_IsOutOfTime)

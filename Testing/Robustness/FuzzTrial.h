@@ -6,34 +6,34 @@
 #include <string>
 #include <sys/types.h>
 
-/** What a mutant did to the readers. */
+/** Effect of a mutant on the readers. */
 struct FuzzOutcome
 {
   enum class Kind
   {
     read,
     refused,
-    /** Our fault: a crash, a sanitizer's report, an exception that is no InputError, too much time or memory. */
+    /** A crash, a sanitizer's report, an exception other than InputError, or too much time or memory. */
     fault
   };
   Kind        kind{ Kind::fault };
   std::string reason;
-  /** A decoder of another project crashed inside its contained process; the name of its library. */
+  /** Name of the third-party library that crashed inside its contained process; empty if none did. */
   std::string contained;
 };
 
-/** Work on a mutant in a child, under limits of time and memory. */
+/** Processes a mutant in a child process with time and memory limits. */
 class FuzzTrial
 {
 public:
-  /** Reads the mutant at `path`; in the child. Returns true when it was read, false when it was refused by an
+  /** Reads the mutant at `path` in the child process. Returns true if it was read, false if it was rejected with an
    * InputError; any other exception is a fault. */
   using Reader = std::function<bool(const std::string & path)>;
 
-  /** Starts the work, for at most `limit`; `path` is removed at the end unless the outcome is a fault. */
+  /** Starts the child process for at most `limit`; `path` is removed at the end unless the outcome is a fault. */
   FuzzTrial(const std::string & path, const std::string & log, const Reader & reader, std::chrono::seconds limit);
 
-  /** True when the child has ended or has been ended. */
+  /** True if the child has ended or was killed. */
   bool
   HasEnded();
 

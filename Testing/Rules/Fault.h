@@ -6,7 +6,7 @@
 
 namespace rules
 {
-/** One violation of a rule of the repository: where, and what is wrong. Line 0 means the whole file. */
+/** Violation of a repository rule. Line 0 means the whole file. */
 struct Fault
 {
   std::string file;
@@ -16,7 +16,7 @@ struct Fault
 
 using Faults = std::vector<Fault>;
 
-/** file:line: message, one fault in each line. */
+/** Formats faults as "file:line: message", one per line. */
 inline std::string
 ToText(const Faults & faults)
 {

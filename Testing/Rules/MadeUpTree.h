@@ -9,7 +9,7 @@
 
 namespace rules
 {
-/** A folder of files that a test makes up; removed when the test ends. */
+/** Temporary folder of files written by a test; removed when the test ends. */
 class MadeUpTree : public ::testing::Test
 {
 protected:

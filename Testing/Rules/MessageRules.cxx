@@ -19,9 +19,9 @@ using Words = std::set<std::string>;
 
 const Words BuiltIn{ "help", "version", "xml", "quiet", "returnparameterfile" };
 
-/** Values of messages that a tool which refuses them does not print, and why: `component` = -1 is left out where
+/** Values in messages that a tool rejects but never prints. `component` = -1 is omitted if
  * SurfaceReadOptions::takesOneComponent is set; the test SurfaceReader.ASurfaceThatIsNotManifoldIsCutIntoComponents and
- * those of Testing/Advice check that. */
+ * those of Testing/Advice check this. */
 const std::set<std::pair<std::string, std::string>> Conditional{ { "component", "-1" } };
 
 // ---- texts of a source ----
@@ -32,14 +32,14 @@ struct Literal
   std::string text;
 };
 
-/** The strings of a C++ source, those that follow one another as one. Comments are skipped; raw strings, which hold no
- * messages, are not expected. */
+/** The string literals of a C++ source; adjacent ones are joined. Comments are skipped. Raw strings are not supported,
+ * because they do not contain messages. */
 std::vector<Literal>
 LiteralsOf(const std::string & source)
 {
   std::vector<Literal> literals;
   int                  line = 1;
-  bool                 continues = false; // nothing but blanks and comments since the last string
+  bool                 continues = false; // only blanks and comments since the last string
   for (std::size_t i = 0; i < source.size(); ++i)
   {
     if (source.compare(i, 2, "//") == 0)
@@ -79,13 +79,13 @@ LiteralsOf(const std::string & source)
   return literals;
 }
 
-/** An option that a text names, with what follows it. */
+/** An option named in a text, with the text that follows it. */
 struct Mention
 {
-  std::string tool; ///< another one, whose option it is
+  std::string tool; ///< another tool that has the option
   std::string name;
   std::string value;
-  bool        isStated{ false }; ///< by "= value"; else it is the next word, which need not be a value
+  bool        isStated{ false }; ///< the value follows "="; otherwise it is the next word, which may not be a value
 };
 
 std::vector<Mention>
@@ -107,7 +107,7 @@ MentionsOf(const std::string & text)
 struct Tool
 {
   std::map<std::string, XMLElement> parameters;
-  Words                             modules; ///< linked, also through others
+  Words                             modules; ///< linked, also transitively
 };
 
 void
@@ -123,7 +123,7 @@ AddParameters(const XMLElement & element, Tool & tool)
   }
 }
 
-/** Words in the parentheses after `call`. */
+/** Returns the words in the parentheses after `call`. */
 std::vector<std::string>
 ArgumentsOf(const std::string & text, const std::string & call)
 {
@@ -207,7 +207,7 @@ private:
     }
   }
 
-  /** Whether a tool may print what a file says. */
+  /** Whether a tool may print messages of a file. */
   bool
   MaySay(const std::string & name, const Tool & tool, const fs::path & file) const
   {

@@ -21,7 +21,7 @@ struct Module
   fs::path                     folder;
   std::string                  name;
   std::size_t                  position{ 0 };
-  std::map<std::string, Names> dependencies; ///< by kind: DEPENDS, PRIVATE_DEPENDS, ...
+  std::map<std::string, Names> dependencies; ///< keys: DEPENDS, PRIVATE_DEPENDS, ...
 };
 
 std::string
@@ -37,7 +37,7 @@ Words(const std::string & text)
   return { std::istream_iterator<std::string>(stream), {} };
 }
 
-/** The words between `opening` and the next closing parenthesis. */
+/** Returns the words between `opening` and the next closing parenthesis. */
 Names
 ArgumentsOf(const std::string & cmake, const std::string & opening)
 {
@@ -50,7 +50,7 @@ ArgumentsOf(const std::string & cmake, const std::string & opening)
   return Words(cmake.substr(first, cmake.find(')', first) - first));
 }
 
-/** The header that a line includes, or nothing. */
+/** Returns the header that a line includes, or an empty string. */
 std::string
 IncludeOf(const std::string & line)
 {
@@ -59,12 +59,12 @@ IncludeOf(const std::string & line)
   return std::regex_match(line, match, include) ? match[1].str() : std::string();
 }
 
-/** The groups of modules, each of which uses those before it. */
+/** Groups of modules; each may use the groups before it. */
 const Names Groups{
   "Core", "Mesh", "IO", "Filtering", "Phantom", "Graph", "Colon", "Bridge", "Visualization", "Tools"
 };
 
-/** What a file includes of an ITK module that the modules declare; ITKCommon is everywhere. */
+/** Headers of ITK modules that modules must declare; ITKCommon is used everywhere. */
 const std::map<std::string, std::string> HeadersOfItk{
   { "ITKConnectedComponents", "itkConnectedComponent\\w+\\.h" },
   { "ITKDistanceMap", "itk\\w+DistanceMap\\w+\\.h" },
@@ -176,7 +176,7 @@ private:
     return ours;
   }
 
-  /** How many public headers there are, and how many of them a file outside their module includes. */
+  /** Numbers of public headers, and of those included outside of their module. */
   std::string
   CountHeaders() const
   {
@@ -310,7 +310,7 @@ private:
     this->ReadHeaders(module);
   }
 
-  /** What ITK's build asks of a module that is not its own. */
+  /** Checks the requirements of ITK's build for remote modules. */
   void
   CheckDeclaration(const fs::path & file, const std::string & text)
   {
@@ -381,8 +381,8 @@ private:
     }
   }
 
-  /** The headers that the files in a part of a module include. Of those that tests share, and of those in src that
-   * tests include, all that they include, too. */
+  /** Headers included by the files of a part of a module, including those reached through shared test headers and
+   * through sources that tests include. */
   std::set<std::string>
   IncludedIn(const Module & module, const std::string & part) const
   {
@@ -463,7 +463,7 @@ private:
     }
   }
 
-  /** The modules whose headers a file in `part` of a module may include. */
+  /** Modules whose headers a file in `part` of a module may include. */
   std::set<std::string>
   ReachableFrom(const Module & module, const std::string & part) const
   {
@@ -542,8 +542,8 @@ private:
   fs::path                           m_Root;
   std::map<std::string, Module>      m_Modules;
   std::map<std::string, std::string> m_Owners;      ///< header name to module name
-  std::map<std::string, fs::path>    m_TestHeaders; ///< those that tests share
-  std::ptrdiff_t                     m_Group{ 0 };  ///< of the last module
+  std::map<std::string, fs::path>    m_TestHeaders; ///< shared test headers
+  std::ptrdiff_t                     m_Group{ 0 };  ///< group of the last module
   Faults                             m_Faults;
 };
 } // namespace

@@ -9,13 +9,13 @@ namespace
 const Names ParameterElements{ "name",    "flag",  "longflag", "label",       "description", "default",
                                "channel", "index", "element",  "constraints", "reference" };
 const Names ConstraintElements{ "minimum", "maximum", "step" };
-/** Options that shapeton::CommandLine or Slicer gives every tool. */
+/** Options that shapeton::CommandLine or Slicer adds to every tool. */
 const Names ReservedNames{
   "help",      "version",    "xml", "quiet", "echo", "returnparameterfile", "processinformationaddress",
   "serialize", "deserialize"
 };
 
-/** Data that Slicer hands over as files made from nodes of its scene. */
+/** Data that Slicer passes as files made from nodes of its scene. */
 const Names NodeKinds{ "image", "geometry", "transform", "table", "measurement", "pointfile" };
 
 void
@@ -196,7 +196,7 @@ CheckDefault(const XMLElement & parameter, XMLFaults & faults)
   {
     faults.Add(parameter.line, NameOf(parameter) + ": a positional argument is required and cannot have a <default>");
   }
-  // Slicer always passes a scalar option, with an empty value where it has no default.
+  // Slicer always passes a scalar option, with an empty value if it has no default.
   const bool isAlwaysPassed = (IsNumeric(parameter.name) && !IsVector(parameter.name)) || IsEnumeration(parameter.name);
   if (!isGiven && isAlwaysPassed && parameter.Find("longflag"))
   {

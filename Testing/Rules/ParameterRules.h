@@ -5,11 +5,11 @@
 
 namespace rules
 {
-/** What one parameter of a tool must be by itself. */
+/** Checks a single parameter of a tool. */
 void
 CheckParameter(const XMLElement & parameter, XMLFaults & faults);
 
-/** Of the constraints of a parameter: "minimum", "maximum" or "step". */
+/** Value of the constraint "minimum", "maximum" or "step" of a parameter. */
 std::optional<double>
 LimitOf(const XMLElement & parameter, const std::string & limit);
 } // namespace rules

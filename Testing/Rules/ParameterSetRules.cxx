@@ -26,7 +26,7 @@ CheckUniqueness(const Parameters & parameters, XMLFaults & faults)
   }
 }
 
-/** Indices run from 0 without gaps; only the last positional argument may take several values. */
+/** Indices must be consecutive and start at 0; only the last positional argument may take several values. */
 void
 CheckPositions(const Parameters & parameters, XMLFaults & faults)
 {
@@ -110,8 +110,8 @@ CheckThreads(const XMLElement & root, const Parameters & parameters, XMLFaults &
   }
 }
 
-/** A tool that has an input of this kind, or one of these options, has all of them. One that refers to the slices of a
- * series chooses it by seriesUID; it may move its slices by deshear, but not add or drop any. */
+/** A tool that has an input of this kind, or one of these options, must have all of the options. A tool that refers to
+ * the slices of a series selects it by seriesUID; it may move its slices by deshear, but not add or drop slices. */
 void
 CheckInputOptions(const XMLElement &                         root,
                   const Parameters &                         parameters,
@@ -143,7 +143,7 @@ CheckInputOptions(const XMLElement &                         root,
   }
 }
 
-/** A tool that takes a volume gives its user the choice of the series and the repairs. */
+/** A tool that reads a volume must have the options to select the series and to repair it. */
 void
 CheckVolumeOptions(const XMLElement & root, const Parameters & parameters, XMLFaults & faults)
 {
@@ -158,7 +158,7 @@ CheckVolumeOptions(const XMLElement & root, const Parameters & parameters, XMLFa
                     faults);
 }
 
-/** A tool that takes a surface gives its user the choice of part, component and unit. */
+/** A tool that reads a surface must have the options to select part, component and unit. */
 void
 CheckSurfaceOptions(const XMLElement & root, const Parameters & parameters, XMLFaults & faults)
 {

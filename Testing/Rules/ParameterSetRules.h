@@ -7,8 +7,7 @@ namespace rules
 {
 using Parameters = std::vector<const XMLElement *>;
 
-/** What the parameters of a tool must be together: names, positions, references, and options that tools of a kind have
- * in common. */
+/** Checks the parameters of a tool together: names, positions, references, and options that tools of a kind share. */
 void
 CheckParameterSet(const XMLElement & root, const Parameters & parameters, XMLFaults & faults);
 } // namespace rules

@@ -14,7 +14,7 @@ namespace
 {
 const std::vector<std::string> WantedEquations{ "2.4", "3.10", "5.5", "6.7", "8.5" };
 
-/** A comment that Doxygen reads, without its opening and closing marks. */
+/** A Doxygen comment without its opening and closing marks. */
 struct DocComment
 {
   int         line;
@@ -56,7 +56,7 @@ SourcesOfModules(const fs::path & root)
   return sources;
 }
 
-/** The words after a command, with the lines of their comments. */
+/** Returns the words after a command, with the lines of their comments. */
 std::vector<DocComment>
 WordsAfter(const std::string & commands, const std::vector<DocComment> & comments)
 {
@@ -72,7 +72,7 @@ WordsAfter(const std::string & commands, const std::vector<DocComment> & comment
   return words;
 }
 
-/** Modules/Group/Name of a file of a module. */
+/** Returns Modules/Group/Name of a file of a module. */
 fs::path
 ModuleOf(const fs::path & file, const fs::path & root)
 {

@@ -21,7 +21,7 @@ struct Link
   std::string target;
 };
 
-/** The links and pictures of a Markdown file, outside of code. */
+/** Returns the links and pictures of a Markdown file, outside of code. */
 std::vector<Link>
 LinksOf(const std::string & markdown)
 {
@@ -57,7 +57,7 @@ IsOfTheWeb(const std::string & target)
   return std::regex_match(target, scheme);
 }
 
-/** The anchor that a Markdown viewer makes of a heading. */
+/** Returns the anchor that a Markdown viewer generates for a heading. */
 std::string
 AnchorOf(const std::string & heading)
 {
@@ -92,7 +92,7 @@ AnchorsOf(const std::string & markdown)
   return anchors;
 }
 
-/** What is wrong with a link, or nothing. */
+/** Returns the fault of a link, or an empty string. */
 std::string
 FaultOfLink(const std::string & target, const fs::path & page, const fs::path & root)
 {
@@ -121,7 +121,7 @@ IsMarkdown(const fs::path & path)
   return path.extension() == ".md";
 }
 
-/** The folders of modules and tools; the repository itself has an itk-module.cmake, too. */
+/** Returns the folders of modules and tools; the repository itself also has an itk-module.cmake. */
 std::vector<fs::path>
 DocumentedFolders(const fs::path & root)
 {
@@ -190,7 +190,7 @@ IsText(const std::string & bytes)
   return bytes.find('\0') == std::string::npos;
 }
 
-/** Joined here, so that this file does not find itself. */
+/** Concatenated, so that this file does not match itself. */
 const std::string              Slash = "/";
 const std::vector<std::string> MachineFolders{ Slash + "home/",
                                                Slash + "root/",
@@ -200,8 +200,7 @@ const std::vector<std::string> MachineFolders{ Slash + "home/",
 const std::vector<std::string> ForeignLicences{ std::string("General ") + "Public License",
                                                 std::string("All rights ") + "reserved",
                                                 std::string("Copy") + "right (" };
-/** Called within a loop, they may wait for threads that wait for them; where progress throws, they return while threads
- * still work. */
+/** Nested calls may deadlock; if progress throws, they return while threads are still running. */
 const std::vector<std::string> OtherLoops{ std::string("MultiThreaderBase::New()") + "->Parallelize",
                                            std::string("GetMultiThreader()") + "->Parallelize" };
 

@@ -7,26 +7,26 @@
 
 namespace rules
 {
-/** Every link of every Markdown file leads to a file, or a heading of one, inside the repository; addresses of the web
- * are not followed. */
+/** Checks that every link of every Markdown file points to an existing file or heading inside the repository; web
+ * addresses are not checked. */
 Faults
 CheckLinks(const std::filesystem::path & root);
 
-/** Every module and every tool has a README.md to which Documentation/index.md has a link, and Data/README.md names
- * every file or folder beside it. */
+/** Checks that every module and tool has a README.md linked by Documentation/index.md, and that Data/README.md names
+ * every file and folder next to it. */
 Faults
 CheckPages(const std::filesystem::path & root);
 
-/** No file is larger than 1 MB. */
+/** Checks that files are not larger than 1 MB. */
 Faults
 CheckSizes(const std::filesystem::path & root);
 
-/** No text names a folder of somebody's machine; no source carries a licence or copyright of its own, which a copied
- * one would. */
+/** Checks that texts do not contain machine-specific paths, and that sources do not contain a license or copyright
+ * notice, which would indicate copied code. */
 Faults
 CheckTexts(const std::filesystem::path & root);
 
-/** No tool is longer than 150 lines: it parses, calls and writes, and what is more belongs in a module. */
+/** Checks that tools have at most 150 lines: a tool parses options, calls modules and writes results. */
 Faults
 CheckTools(const std::filesystem::path & root);
 } // namespace rules

@@ -7,11 +7,11 @@
 
 namespace rules
 {
-/** The files of the repository below `root`, sorted: all but what .gitignore names and git's own. */
+/** Returns the sorted files of the repository below `root`, without git's own and those in .gitignore. */
 std::vector<std::filesystem::path>
 RepositoryFiles(const std::filesystem::path & root);
 
-/** The bytes of a file; throws std::runtime_error when it cannot be read. */
+/** Returns the bytes of a file. Throws std::runtime_error if it cannot be read. */
 std::string
 ReadText(const std::filesystem::path & path);
 
@@ -22,7 +22,7 @@ Lines(const std::string & text);
 bool
 IsSource(const std::filesystem::path & path);
 
-/** `path` as faults show it: relative to `root`, with slashes. */
+/** Returns `path` relative to `root` with slashes, as shown in faults. */
 std::string
 Shown(const std::filesystem::path & path, const std::filesystem::path & root);
 } // namespace rules

@@ -10,20 +10,20 @@
 namespace rules
 {
 using Names = std::set<std::string>;
-/** Attribute to its values; an empty set allows any value. */
+/** Allowed values of each attribute; an empty set allows any value. */
 using Attributes = std::map<std::string, Names>;
 
 extern const Names Booleans;
 
-/** What Slicer's parser reads of each kind of parameter. An attribute it ignores is a mistake as well. */
+/** Attributes that Slicer's parser reads for each kind of parameter. Other attributes are faults. */
 const std::map<std::string, Attributes> &
 ParameterKinds();
 
-/** "double-vector" to "double". */
+/** Element type of a parameter kind: "double" for "double-vector". */
 std::string
 ElementKind(const std::string & kind);
 
-/** "double-vector", "integer". */
+/** Whether the kind is numeric, such as "double-vector" or "integer". */
 bool
 IsNumeric(const std::string & kind);
 
@@ -33,22 +33,22 @@ IsVector(const std::string & kind);
 bool
 IsEnumeration(const std::string & kind);
 
-/** A value of a command line, not a file or a point. */
+/** Whether the kind is a plain value, not a file or a point. */
 bool
 IsSimple(const std::string & kind);
 
 bool
 IsCamelCase(const std::string & text);
 
-/** The whole text as a number of that kind. */
+/** Parses the whole text as a number of that kind. */
 std::optional<double>
 ToNumber(const std::string & text, const std::string & kind);
 
-/** At commas. */
+/** Splits the text at commas. */
 std::vector<std::string>
 Split(const std::string & text);
 
-/** "a, b". */
+/** Joins the names as "a, b". */
 std::string
 Join(const Names & names);
 } // namespace rules

@@ -1,4 +1,4 @@
-// ToolXMLLint FILE.xml...: prints the faults of module descriptions; status 1 when there are any.
+// ToolXMLLint FILE.xml...: prints the faults of module descriptions; status 1 if there are any.
 #include "ToolXMLRules.h"
 
 #include <fstream>

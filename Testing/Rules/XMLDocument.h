@@ -7,7 +7,7 @@
 
 namespace rules
 {
-/** An XML element with its own text, trimmed, and the line on which it starts. */
+/** An XML element with its trimmed text and its first line. */
 struct XMLElement
 {
   std::string                                      name;
@@ -16,27 +16,27 @@ struct XMLElement
   std::vector<XMLElement>                          children;
   int                                              line{ 0 };
 
-  /** The first child of that name, or null. */
+  /** Returns the first child of that name, or null. */
   const XMLElement *
   Find(const std::string & child) const;
 
-  /** The text of the first child of that name, or nothing. */
+  /** Returns the text of the first child of that name, or an empty string. */
   std::string
   TextOf(const std::string & child) const;
 
-  /** The value of an attribute, or nothing. */
+  /** Returns the value of an attribute, or an empty string. */
   std::string
   Attribute(const std::string & attribute) const;
 };
 
-/** Why a document is not well-formed, and where. */
+/** Syntax error of a document and its position. */
 struct XMLError
 {
   int         line;
   std::string message;
 };
 
-/** The root element. Throws XMLError. */
+/** Parses a document and returns the root element. Throws XMLError. */
 XMLElement
 ParseXML(const std::string & document);
 } // namespace rules

@@ -7,11 +7,11 @@
 
 namespace rules
 {
-/** "<image> input". */
+/** Name of a parameter in faults: "<image> input". */
 std::string
 NameOf(const XMLElement & element);
 
-/** The faults of an XML file, and the checks of an element by itself. */
+/** Collects the faults of an XML file and checks single elements. */
 class XMLFaults
 {
 public:
@@ -30,7 +30,7 @@ public:
 
   void
   CheckAttributes(const XMLElement & element, const Attributes & allowed);
-  /** Only known children, each once unless it is repeatable, and no text between them. */
+  /** Checks that there are only known children, each once unless repeatable, and no text between them. */
   void
   CheckChildren(const XMLElement & element, const Names & allowed, const Names & repeatable);
   void
