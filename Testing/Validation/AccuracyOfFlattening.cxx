@@ -1,4 +1,4 @@
-// Maps of colon-like tubes without and with handles against what is asked of them.
+// Accuracy of maps of colon-like tubes with and without handles, compared with the bounds.
 #include "FlatteningTrial.h"
 #include "NewtonFlattening.h"
 #include "ValidationReport.h"
@@ -76,7 +76,7 @@ private:
   };
 };
 
-/** What handles change in the modulus of one metric, per cent. */
+/** Change of the modulus by handles in one metric, percent. */
 struct Change
 {
   Change(const TubeMap & before, const TubeMap & after)
@@ -87,13 +87,14 @@ struct Change
   double v;
 };
 
-/** Maps in the metric of heat diffusion of tubes with handles. */
+/** Heat diffusion maps of tubes with handles. */
 class HandleTable
 {
 public:
   explicit HandleTable(ValidationReport & report) : m_Report(report) {}
 
-  /** `t` in multiples of the squared mean edge at 55,000 faces. Only 8 is asked; other times are shown. */
+  /** `t` in multiples of the squared mean edge length at 55,000 faces. The bound applies to 8; other times are only
+   * reported. */
   void
   AddRow(const TubeCase & plain, int faces, int handles, int seed, int span, double length, double factor)
   {
@@ -170,7 +171,7 @@ private:
   }
 
 public:
-  /** Of a simplified surface, where the true places are not known. */
+  /** Results of a simplified surface, on which the true positions are unknown. */
   void
   AddDecimated(int handles, int seed)
   {
@@ -199,7 +200,7 @@ private:
               int                     genus,
               bool                    isGood)
   {
-    // A place where two handles touch counts twice, by its genus; a false alarm is a cluster reported without one.
+    // Two touching handles count twice, by genus; a cluster without a handle is a false positive.
     m_Places.AddRow({ name,
                       std::to_string(seed),
                       std::to_string(handles),
@@ -235,7 +236,7 @@ private:
                                  "" } };
 };
 
-/** Round polyps on the Euclidean map and on that of heat diffusion. */
+/** Round polyps on the Euclidean and on the heat diffusion map. */
 class PolypTable
 {
 public:
@@ -301,7 +302,7 @@ ValidateAccuracyOfFlattening(const ValidationSettings & settings, ValidationRepo
       {
         polyps.AddRow(faces, seed, length);
       }
-      const bool isLarge = faces > 200000; // minutes each: one row serves
+      const bool isLarge = faces > 200000; // minutes each: a single row is enough
       for (const int handles : { 10, 43, 100 })
       {
         for (const int span : { 2, 4 })

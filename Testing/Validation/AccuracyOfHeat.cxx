@@ -10,7 +10,7 @@ namespace
 {
 constexpr double dt = HeatDiffusionSolver::MaximumTimeStepLength;
 
-/** The largest error of all recorded fields against the same steps in double precision. */
+/** Largest error of all recorded fields relative to the same steps in double precision. */
 double
 LargestError(const test::Volume &                       volume,
              const VolumeGradientOperator::Parameters & parameters,
@@ -77,7 +77,7 @@ ValidateAccuracyOfHeat(const ValidationSettings & settings, ValidationReport & r
     add(side, p, cubic, Method::Chebyshev, 512);
     add(side, p, anisotropic, Method::Chebyshev, 512);
   }
-  add(side, 7.0, cubic, Method::Chebyshev, 2); // the last step alone, in one go
+  add(side, 7.0, cubic, Method::Chebyshev, 2); // only the last step, in a single expansion
   add(side, 7.0, cubic, Method::Explicit, 20);
   if (!settings.quick)
   {

@@ -1,5 +1,5 @@
-// Heat diffusion distances of edges against eight poles, against 500 eigenpairs, and against columns of exp(-2t M^-1 L)
-// by Chebyshev expansion, which needs no factorisation.
+// Accuracy of the heat diffusion distances of edges (eight poles), compared with 500 eigenpairs and with columns of
+// exp(-2t M^-1 L) by Chebyshev expansion, which needs no factorization.
 #include "ValidationReport.h"
 
 #include "shapetonColonTube.h"
@@ -17,7 +17,7 @@ using Columns = Eigen::Matrix<double, Eigen::Dynamic, 8, Eigen::RowMajor>;
 
 constexpr int mostFacesForPairs = 60000;
 
-/** The coefficients of exp(-half (1 + s)) in Chebyshev polynomials of s in [-1, 1]. */
+/** Coefficients of exp(-half (1 + s)) in Chebyshev polynomials of s in [-1, 1]. */
 std::vector<double>
 ChebyshevCoefficients(double half)
 {
@@ -36,11 +36,11 @@ ChebyshevCoefficients(double half)
   return coefficients;
 }
 
-/** exp(-2t A) on some columns, A = M^-1/2 L M^-1/2. */
+/** Applies exp(-2t A) to some columns, A = M^-1/2 L M^-1/2. */
 Columns
 ApplyExponential(const Eigen::SparseMatrix<double, Eigen::RowMajor> & A, double t, const Columns & start)
 {
-  double bound = 0.0; // of the largest eigenvalue, by Gershgorin
+  double bound = 0.0; // bound of the largest eigenvalue, by Gershgorin
   for (Eigen::Index row = 0; row < A.rows(); ++row)
   {
     double sum = 0.0;
@@ -66,7 +66,7 @@ ApplyExponential(const Eigen::SparseMatrix<double, Eigen::RowMajor> & A, double 
   return sum;
 }
 
-/** The largest relative error of the distances of random edges, four edges at a time. */
+/** Largest relative error of the distances of random edges, four edges at a time. */
 double
 ErrorAgainstColumns(const SurfaceLaplacian & laplacian, const HeatDiffusionMetric & metric, int blocks)
 {
@@ -110,7 +110,8 @@ RelativeErrors(const Eigen::VectorXd & values, const Eigen::VectorXd & right)
   return { std::sqrt(errors.square().mean()), errors.abs().maxCoeff() };
 }
 
-/** The rms against 500 eigenpairs; as many serve surfaces of any size, but take minutes for large ones. */
+/** Root mean square error against 500 eigenpairs, which suffice for surfaces of any size but take minutes for large
+ * ones. */
 double
 ErrorAgainstPairs(const SurfaceLaplacian & laplacian, const HeatDiffusionMetric & metric)
 {
@@ -126,7 +127,7 @@ AddRow(int faces, bool isQuick, ValidationReport & report, CsvTable & table)
 {
   testsurfaces::ColonTubeOptions options;
   options.faces = faces;
-  options.length = std::min(1500.0, 1500.0 * faces / 55000.0); // small ones are short, so that t serves their radius
+  options.length = std::min(1500.0, 1500.0 * faces / 55000.0); // small tubes are short, so that t matches their radius
   const auto                      tube = testsurfaces::MakeColonTube(options);
   const SurfaceConnectivity       connectivity(tube.mesh);
   const SurfaceLaplacian          laplacian = MakeSurfaceLaplacian(connectivity, tube.mesh.V);

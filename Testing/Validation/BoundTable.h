@@ -3,14 +3,15 @@
 
 #include "ValidationReport.h"
 
-/** A table of measures, some of which have a bound to reach. */
+/** Table of measurements, some of which have a bound. */
 class BoundTable
 {
 public:
-  /** Without bounds all is reported only. */
+  /** Without bounds, measurements are only reported. */
   BoundTable(ValidationReport & report, bool hasBounds);
 
-  /** `all` is of all exams together, `exams` the measure of each; `isReached` decides. */
+  /** Adds a measurement with a bound: `all` for all exams together, `exams` for each exam; `isReached` tells whether
+   * the bound holds. */
   void
   AddBounded(const std::string &         what,
              const std::string &         bound,
@@ -28,18 +29,18 @@ private:
   shapeton::CsvTable m_Table;
 };
 
-/** 0 for none. */
+/** Mean; 0 without values. */
 double
 MeanOf(const std::vector<double> & values);
-/** The value that this share of them does not exceed; 0 for none. */
+/** Value that this share of the values does not exceed; 0 without values. */
 double
 Percentile(std::vector<double> values, double share);
-/** 1 where there is nothing. */
+/** Returns part / whole; 1 if `whole` is 0. */
 double
 ShareOf(int part, int whole);
 std::string
 Rounded(double value, int digits = 3);
-/** "part / whole = share". */
+/** Formats "part / whole = share". */
 std::string
 RatioOf(int part, int whole);
 

@@ -11,8 +11,8 @@ using namespace shapeton;
 
 namespace
 {
-/** The share of an object's voxels that lie in the class which holds most of them, mean over the objects; and how many
- * classes such objects are the main one of. */
+/** Share of the voxels of an object in its main class (the class with most of its voxels), averaged over the objects,
+ * and the number of main classes shared by objects. */
 struct Agreement
 {
   double      purity{ 0.0 };

@@ -1,4 +1,4 @@
-// The rectal catheter: whether it is found where there is one, and nowhere else.
+// Detection of the rectal catheter, with false positives.
 #include "BoundTable.h"
 #include "LandmarkErrors.h"
 
@@ -24,7 +24,7 @@ constexpr int    patientsWithout = 50;
 constexpr double spacing = 0.8; // mm
 constexpr double leastFound = 0.95;
 
-/** The rectum alone: 200 mm across, from 15 mm below the anal verge to 185 mm above it. */
+/** Grid of the rectum: 200 mm wide, from 15 mm below the anal verge to 185 mm above it. */
 Source::Pointer
 MakeRectum(const ColonPhantomParameters & parameters)
 {
@@ -43,21 +43,21 @@ MakeRectum(const ColonPhantomParameters & parameters)
   return source;
 }
 
-/** An exam of a rectum. */
+/** Exam of a rectum. */
 struct CatheterTrial
 {
   std::string name;
   bool        isThere{ false };
-  std::string kind; ///< with its balloon
+  std::string kind; ///< catheter kind with its balloon
   bool        isFound{ false };
   double      confidence{ 0.0 };
-  double      distance{ 0.0 };     ///< mm from the axis found to the true one, mean
+  double      distance{ 0.0 };     ///< mean distance from the detected axis to the true one (mm)
   double      boreError{ 0.0 };    ///< mm
   double      outerError{ 0.0 };   ///< mm
-  bool        hasBalloon{ false }; ///< that gas or fluid fills
+  bool        hasBalloon{ false }; ///< filled with gas or fluid
   bool        seesBalloon{ false };
-  double      balloonError{ 0.0 };    ///< mm, of its diameter
-  double      balloonDistance{ 0.0 }; ///< mm, of its centre
+  double      balloonError{ 0.0 };    ///< error of its diameter (mm)
+  double      balloonDistance{ 0.0 }; ///< error of its center (mm)
 };
 
 std::vector<Eigen::Vector3d>

@@ -11,7 +11,7 @@ namespace
 {
 constexpr int patientsAsked = 10;
 
-/** What must be reached. */
+/** Bounds to be reached. */
 struct FoldBounds
 {
   double recall;
@@ -19,20 +19,20 @@ struct FoldBounds
   double ends; ///< mm
 };
 
-/** Patients of one preset, their models made in one way. */
+/** Patients of one preset whose models are made in the same way. */
 struct Column
 {
   std::string               title;
   std::vector<LandmarkCase> cases;
-  /** Without them nothing is asked. */
+  /** If false, results are only reported. */
   bool           hasBounds{ true };
   FoldBounds     folds{ 0.95, 0.95, 2.5 };
   LandmarkBounds landmarks{ 3.5, 0.95, 1.0, 0.8, 0.95 };
-  /** Asked of the preset realistic alone. */
+  /** Set for the preset realistic only. */
   std::optional<StructureBounds> structures;
 };
 
-/** Errors of all exams of a column, and of each. */
+/** Errors of all exams of a column, together and per exam. */
 struct FoldScores
 {
   FoldErrors          all;
@@ -41,7 +41,7 @@ struct FoldScores
   std::vector<double> ends;
 };
 
-/** What is lost between the lumen and its CT. */
+/** Relaxes the bounds for models made from CT instead of the true lumen. */
 void
 Ease(Column & column)
 {
@@ -73,7 +73,7 @@ MakeColumn(const std::string & preset, bool isFromCt, double spacing, const std:
   {
     Ease(column);
   }
-  if (preset == "realistic") // asked of both
+  if (preset == "realistic") // both have bounds
   {
     column.landmarks.flexures = 0.8;
     column.landmarks.calibration = 0.1;
@@ -222,7 +222,7 @@ Explain(const ValidationSettings & settings, ValidationReport & report)
     "found counts as missed. Exams in which nothing is found count as all wrong.");
 }
 
-/** The bounds are those of finer voxels and many patients, so only that it works is checked. */
+/** The bounds are for finer voxels and many patients, so this only checks that the code runs. */
 void
 TryCoarsePatient(const ValidationSettings & settings, ValidationReport & report)
 {

@@ -11,7 +11,7 @@ using namespace shapeton;
 
 namespace
 {
-/** What must be reached. */
+/** Bounds to be reached. */
 struct PolypBounds
 {
   double large{ 0.95 };
@@ -29,10 +29,10 @@ struct Column
 };
 
 constexpr double defaultScore = 1.0 - defaultPolypSensitivity;
-/** Exams of a column that the published preset is tried on. */
+/** Number of exams per column used with the published preset. */
 constexpr std::size_t publishedExams = 2;
 
-/** What is lost between the lumen and its CT. */
+/** Relaxes the bounds for models made from CT instead of the true lumen. */
 void
 Ease(PolypBounds & bounds)
 {
@@ -65,7 +65,7 @@ MakeColumn(const std::string & preset, bool isFromCt, double spacing, const std:
   return column;
 }
 
-/** Which polyps are counted. */
+/** Type and size range of the polyps to count. */
 struct Group
 {
   bool   isFlat;
@@ -114,7 +114,7 @@ CountFrom(const std::vector<double> & scores, double least)
   return static_cast<int>(std::count_if(scores.begin(), scores.end(), [&](double score) { return score >= least; }));
 }
 
-/** Of each patient: both positions together. */
+/** Combines both positions of each patient. */
 std::vector<double>
 FalsePerPatient(const std::vector<PolypExam> & exams, double score, bool withValve = true)
 {
@@ -132,7 +132,7 @@ FalsePerPatient(const std::vector<PolypExam> & exams, double score, bool withVal
   return patients;
 }
 
-/** |measured - true|, mm, of those found. */
+/** |measured - true| of the polyps found (mm). */
 std::vector<double>
 SizeErrors(const std::vector<PolypExam> & exams, const std::vector<Group> & groups, double score)
 {
@@ -248,7 +248,7 @@ TableOfMissed(const std::vector<PolypExam> & exams)
   return table;
 }
 
-/** The published preset at full sensitivity: what it finds among how many. */
+/** Results of the published preset at full sensitivity. */
 void
 TryPublished(const std::vector<PolypExam> & exams, BoundTable & table)
 {
@@ -276,12 +276,12 @@ TryPublishedExam(const LandmarkCase & one, const ColonExam & exam)
   return ComparePolyps(one, *exam.anatomy, FindPublishedPolypCandidates(exam.wall, exam.lumen, nullptr, options));
 }
 
-/** What was found in the exams of a column. */
+/** Results of the exams of a column. */
 struct Results
 {
-  /** As a run of both positions delivers it, with default options. */
+  /** As in a run of both positions with default options. */
   std::vector<PolypExam> delivered;
-  /** By each position alone, at any sensitivity. */
+  /** Each position alone, at any sensitivity. */
   std::vector<PolypExam> alone;
   std::vector<PolypExam> published;
   int                    pairs{ 0 };
@@ -300,7 +300,7 @@ TryPatient(const LandmarkCase * cases, const std::string & title, ValidationRepo
     if (!exams[i].failure.empty())
     {
       report.AddText(NameOfCase(cases[i]) + " FAILED: " + exams[i].failure + ' ' + report.Check(false));
-      results.alone.push_back(ComparePolyps(cases[i], *exams[i].anatomy, {})); // all are missed
+      results.alone.push_back(ComparePolyps(cases[i], *exams[i].anatomy, {})); // all polyps are missed
       continue;
     }
     candidates[i] = FindJudgedCandidates(exams[i], defaultPolypSensitivity);
@@ -382,7 +382,7 @@ Explain(const ValidationSettings & settings, ValidationReport & report)
     "taken as independent; intervals of means are over patients or polyps.");
 }
 
-/** Coarse voxels of one patient: only that it works is checked. */
+/** Coarse voxels of one patient; only checks that the code runs. */
 void
 TryCoarsePatient(const ValidationSettings & settings, ValidationReport & report)
 {

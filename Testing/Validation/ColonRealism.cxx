@@ -18,14 +18,14 @@ using namespace shapeton;
 
 namespace
 {
-/** A column of the tables. */
+/** Column of the tables. */
 struct Colons
 {
   std::string title;
   ColonShape  shape;
 };
 
-/** A number for each place, fold or colon of a segment. */
+/** One value per position, fold or colon of a segment. */
 struct Measure
 {
   std::string         title;
@@ -70,7 +70,7 @@ Plain(double value)
   return Rounded(value, value < 1000.0 ? 3 : 4);
 }
 
-/** The mean; of ten samples and more also the values that 10, 50 and 90 % do not exceed. */
+/** Mean; for ten samples and more, also the 10, 50 and 90 % quantiles. */
 std::string
 InWords(const std::vector<double> & samples)
 {

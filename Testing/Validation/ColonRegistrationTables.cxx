@@ -15,10 +15,10 @@ struct RegistrationBounds
   double recall;
   double mean; ///< mm
   double shareWithin10;
-  double worst; ///< of patients that are not flagged, mm
+  double worst; ///< over unflagged patients (mm)
   double shareFlagged;
   double onMap;      ///< width 1
-  double timesFrame; ///< how many times better than the frame
+  double timesFrame; ///< factor by which the map is better than the frame
 };
 
 /** Patients of one preset. */
@@ -31,7 +31,7 @@ struct Column
   double                    spacing{ 0.8 };
 };
 
-/** What is lost between the lumen and its CT. How the map compares with its frame stays. */
+/** Relaxes the bounds for models made from CT; the comparison of map and frame is unchanged. */
 void
 Ease(RegistrationBounds & bounds)
 {
@@ -181,7 +181,7 @@ AddTrust(const RegistrationBounds & bounds, const PatientScores & patients, bool
   table.AddBounded("triangles turned over", "0", std::to_string(flips), {}, isWhole && flips == 0);
 }
 
-/** With found landmarks there are bounds; with the true ones all is reported only. */
+/** Bounds apply with found landmarks; with true ones, results are only reported. */
 void
 WriteSummary(const Column & column, const PatientScores & patients, bool hasBounds, ValidationReport & report)
 {
@@ -297,7 +297,7 @@ WriteSchemes(const PatientScores & patients, ValidationReport & report)
   report.AddTable(table);
 }
 
-/** Each patient supine and the next one prone. */
+/** Pairs each supine patient with the next one prone. */
 void
 TellPatientsApart(const std::vector<LandmarkExam> & supine,
                   const std::vector<LandmarkExam> & prone,
@@ -379,7 +379,7 @@ Explain(const ValidationSettings & settings, ValidationReport & report)
     "cut of the flat map.");
 }
 
-/** The bounds are those of finer voxels and many patients, so only that it works is checked. */
+/** The bounds are for finer voxels and many patients, so this only checks that the code runs. */
 void
 TryCoarsePair(const ValidationSettings & settings, ValidationReport & report)
 {

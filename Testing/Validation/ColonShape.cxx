@@ -14,7 +14,7 @@ namespace
 {
 constexpr double pi = 3.14159265358979323846;
 
-/** A stretch of the line, mm. */
+/** Stretch of the centerline (mm). */
 struct Stretch
 {
   double begin{ 0.0 };
@@ -32,7 +32,7 @@ struct Stretch
   }
 };
 
-/** The whole line at 0, then the segments; empty where a border is missing. */
+/** Stretch 0 is the whole line, followed by the segments; empty if a border is missing. */
 std::array<Stretch, 7>
 StretchesOf(const ColonSegments & segments, double length)
 {
@@ -94,7 +94,7 @@ public:
     return radii;
   }
 
-  /** The mean over 20 mm of the line; 0 where there is none. */
+  /** Mean over 20 mm of the line; 0 without values. */
   double
   MeanAbout(double arcLength) const
   {
@@ -108,7 +108,7 @@ public:
   }
 
 private:
-  /** By the vector area of the column, as it need not be plane. Not a number where the column has a hole. */
+  /** Radius from the vector area of the column, which need not be planar; NaN if the column has a hole. */
   static double
   RadiusOf(const FlatColonGrid & grid, int column)
   {
@@ -149,8 +149,8 @@ public:
     }
   }
 
-  /** At half of the height: the median of the rows where the fold is at least half as high as at its highest. Not a
-   * number where fewer than three rows show both flanks. */
+  /** Median thickness at half of the height, over rows where the fold has at least half of its maximum height. NaN if
+   * fewer than three rows show both flanks. */
   double
   ThicknessOf(const HaustralFold & fold) const
   {
@@ -183,7 +183,7 @@ private:
     return (m_Grid.PointOfPixel(column, row) - m_Axis.centres.row(column).transpose()).norm();
   }
 
-  /** The straight way through the fold in a row of the map; 0 where a flank is missing. */
+  /** Straight distance through the fold in a row of the map; 0 if a flank is missing. */
   double
   ChordIn(int row, int first, int last, double height) const
   {
@@ -202,7 +202,7 @@ private:
     return (this->FlankAt(row, crest, -1, level) - this->FlankAt(row, crest, 1, level)).norm();
   }
 
-  /** How far the wall sinks beside the crest within 25 columns. */
+  /** Descent of the wall next to the crest within 25 columns. */
   double
   DepthBeside(int row, int crest, int step) const
   {
@@ -216,7 +216,7 @@ private:
     return depth;
   }
 
-  /** Where the wall, from the crest on, first comes to this distance from the axis; there is such a place. */
+  /** First point from the crest on where the wall reaches this distance from the axis; such a point must exist. */
   Eigen::Vector3d
   FlankAt(int row, int crest, int step, double level) const
   {
@@ -232,7 +232,7 @@ private:
 
   const FlatColonGrid &                 m_Grid;
   const FlatColonAxis &                 m_Axis;
-  std::map<int, std::map<int, Stretch>> m_Rows; ///< columns of each label in each row
+  std::map<int, std::map<int, Stretch>> m_Rows; ///< columns of each label, per row
 };
 
 /** \class FoldMeter
@@ -252,7 +252,7 @@ public:
   Measure(const Stretch & stretch, SegmentShape & shape) const
   {
     shape.radii = m_Sections.Within(stretch);
-    double turns = 0.0; // around the tube, of all folds
+    double turns = 0.0; // sum over all folds, around the tube
     int    number = 0;
     for (const HaustralFold & fold : m_Folds.folds)
     {
@@ -289,13 +289,13 @@ private:
   }
 
   const FlatColonGrid & m_Grid;
-  std::vector<double>   m_Distances; ///< of the columns, along the line
+  std::vector<double>   m_Distances; ///< distance of each column along the line
   SectionMeter          m_Sections;
   HaustralFolds         m_Folds;
   ThicknessMeter        m_Thickness;
 };
 
-/** Points of the line, each mm, as a mean with a Gaussian of 10 mm. */
+/** Points of the line, one per mm, smoothed by a Gaussian of 10 mm. */
 VertexMatrix
 Smoothed(const VertexMatrix & V)
 {

@@ -7,34 +7,34 @@
 #include <array>
 #include <vector>
 
-/** What a segment of the colon is like: samples, so that those of several colons can be put together. Lengths in mm. */
+/** Shape samples of a colon segment, which can be merged over several colons. Lengths in mm. */
 struct SegmentShape
 {
   /** \name One for each colon */
   ///@{
   std::vector<double> lengths;
-  /** Length over the straight way between the ends. */
+  /** Length over the straight distance between the ends. */
   std::vector<double> tortuosities;
-  /** How far the line, smoothed by 10 mm, turns in all, degrees for each dm. */
+  /** Total turning of the line, smoothed by 10 mm (degrees per dm). */
   std::vector<double> turnings;
   std::vector<double> foldsPerDecimetre;
-  /** From fold to fold along the wall, as a walker on a straight way meets them: the length over the sum of the shares
-   * of the circumference that the folds take. */
+  /** Distance between folds along a straight path on the wall: the length over the sum of the circumference shares
+   * covered by the folds. */
   std::vector<double> spacings;
   ///@}
   /** \name One for each mm of the line */
   ///@{
-  /** Of the largest ball on the line; bridges are left out. */
+  /** Radius of the largest ball centered on the line; bridges are excluded. */
   std::vector<double> inscribedRadii;
-  /** Of the circle with the area of the section of the wall. Folds are cut into it. */
+  /** Radius of the circle with the area of the wall's cross section, into which folds protrude. */
   std::vector<double> radii;
   ///@}
   /** \name One for each fold */
   ///@{
   std::vector<double> heights;
-  /** Between the flanks at half of the height, where the fold is 3 mm high or more and both flanks can be seen. */
+  /** Distance between the flanks at half height, for folds of at least 3 mm height with both flanks visible. */
   std::vector<double> thicknesses;
-  /** Of the circumference, degrees. */
+  /** Extent along the circumference (degrees). */
   std::vector<double> extents;
   ///@}
 
@@ -42,11 +42,11 @@ struct SegmentShape
   Add(const SegmentShape & other);
 };
 
-/** The segments 1 to 6, and at 0 the whole colon. */
+/** Segments 1 to 6; index 0 is the whole colon. */
 using ColonShape = std::array<SegmentShape, 7>;
 
-/** Segments and folds as the tools find them with default options: folds split along the taeniae. A segment without
- * both of its borders stays empty. */
+/** Measures segments and folds detected with default options: folds split along the taeniae. A segment without both
+ * borders is empty. */
 ColonShape
 MeasureColonShape(const shapeton::FlatColon & flat, const shapeton::CurveSet & centreline);
 

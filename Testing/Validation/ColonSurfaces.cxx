@@ -7,7 +7,7 @@ using namespace shapeton;
 
 namespace
 {
-/** Values of one measure over all patients of a group. */
+/** Values of one measurement over all patients of a group. */
 struct Row
 {
   std::string         measure;
@@ -16,7 +16,7 @@ struct Row
   bool                passed{ true };
 };
 
-/** Patients seen by one scanner. */
+/** Patients imaged by one scanner. */
 struct Group
 {
   std::string            title;
@@ -143,7 +143,7 @@ AddCase(const ColonCase & one, const ColonErrors & errors, CsvTable & table)
                  Number(errors.seconds, 2) });
 }
 
-/** Collects what is bound, and says whether all patients keep it. */
+/** Collects the bounded measurements and reports whether all patients meet the bounds. */
 class Bounds
 {
 public:
@@ -259,7 +259,7 @@ ValidateColonSurfaces(const ValidationSettings & settings, ValidationReport & re
     TryGroup(MakeGroup("1.4 mm voxels", settings.Seeds(10), 1.4), Faces, report);
     return;
   }
-  // Coarse: the bounds are those of finer voxels, so only that it works is checked.
+  // Coarse voxels; the bounds are for finer ones, so this only checks that the code runs.
   const ColonCase   one = MakeCase(settings.Seeds(1).front(), "supine", 0.2, 2.8);
   const ColonErrors errors = TryColon(one, 20000);
   CsvTable          table = EmptyCaseTable();

@@ -75,7 +75,7 @@ MeasureLumen(const ColonModel & model, Source * truth, ColonErrors & errors)
   errors.dice = 2.0 * static_cast<double>(both) / static_cast<double>(found + real);
 }
 
-/** Every n-th vertex so that about `count` are taken. */
+/** Every n-th vertex, so that about `count` vertices are used. */
 std::vector<int>
 SomeVertices(const SurfaceMesh & mesh, int count)
 {
@@ -141,7 +141,7 @@ MeasureSurface(const ColonModel & model, Source * truth, ColonErrors & errors)
   errors.missed95 = Percentile(missed, 0.95);
 }
 
-/** Whether true tissue keeps 90 % of its volume in the cleansed CT. */
+/** Checks whether true tissue keeps 90 % of its volume in the cleansed CT. */
 class TissueKeeper
 {
 public:
@@ -151,8 +151,8 @@ public:
     m_Interpolator->SetInputImage(model.cleansed);
   }
 
-  /** Compares volumes within `radius` of the centres, from `depth` mm below the true surface to 1.5 mm above it, as far
-   * as blur spreads tissue. The found volume is the sum of the shares of tissue, which blur and interpolation keep. */
+  /** Compares volumes within `radius` of the centers, from `depth` mm below the true surface to 1.5 mm above it, the
+   * reach of the blur. The found volume is the sum of the tissue fractions, which blur and interpolation preserve. */
   bool
   IsKept(const std::vector<Eigen::Vector3d> & centres, double radius, double depth) const
   {
@@ -184,7 +184,7 @@ public:
   }
 
 private:
-  /** Share of tissue by the value, 0 to 1. */
+  /** Tissue fraction of a value, 0 to 1. */
   double
   TissueAt(const Eigen::Vector3d & p) const
   {
@@ -209,8 +209,9 @@ public:
     , m_IsCollapsed(PointValues(m_Line, "collapsed", "the true centreline"))
   {}
 
-  /** Arc length of a point in or near the lumen, and its distance from the line, whose points lie about 2 mm apart. The
-   * lumen knows its arc length: the closest point of the line may lie in a loop or a collapsed stretch alongside. */
+  /** Arc length of a point in or near the lumen, and its distance from the line, whose points are about 2 mm apart. The
+   * arc length comes from the lumen, because the closest point of the line may be in an adjacent loop or collapsed
+   * stretch. */
   double
   Place(const Eigen::Vector3d & p, double & distance) const
   {
@@ -243,7 +244,7 @@ MeasurePolyps(const ColonAnatomy & anatomy, const TissueKeeper & keeper, ColonEr
   {
     if (polyp.diameter >= 6.0 && !line.IsCollapsedAt(polyp.arcLength))
     {
-      // Deeper than 1.5 mm lies its inside, or fat beyond the wall.
+      // Deeper than 1.5 mm is its interior, or fat beyond the wall.
       ++errors.polyps;
       errors.keptPolyps += keeper.IsKept({ polyp.position }, 0.5 * polyp.diameter + 1.5, 1.5);
     }
@@ -271,14 +272,14 @@ MeasureFolds(Source * truth, const TissueKeeper & keeper, ColonErrors & errors)
     if (isSubmerged)
     {
       ++errors.folds;
-      // A fold is no deeper than half its thickness; what is deeper near its root is the wall.
+      // A fold is at most half its thickness deep; anything deeper near its root is the wall.
       const double half = 0.5 * thickness->values(row, 0);
       errors.keptFolds += keeper.IsKept(crest, std::max(0.8 * height->values(row, 0), half + 1.5), half + 0.25);
     }
   }
 }
 
-/** Jumps and steps back of the line along the true one. */
+/** Jumps and reversals of the line along the true one. */
 void
 MeasureOrder(const CurveSet & line, const Eigen::VectorXd & gap, const TrueLine & trueLine, ColonErrors & errors)
 {

@@ -6,7 +6,7 @@
 
 #include <array>
 
-/** A synthetic patient in one position, as one scanner sees it. */
+/** Synthetic patient in one position, imaged by one scanner. */
 struct ColonCase
 {
   shapeton::ColonPhantomParameters parameters;
@@ -14,41 +14,41 @@ struct ColonCase
   double                           spacing{ 1.4 };
 };
 
-/** How far the model of a colon is from the truth. Shares are of what there is; 1 where there is nothing. */
+/** Errors of a colon model. Shares are relative to the existing structures; 1 if there are none. */
 struct ColonErrors
 {
   double dice{ 0.0 };
-  /** Labelled voxels more than 2 mm outside the true lumen, beyond its wall. */
+  /** Labeled voxels more than 2 mm outside of the true lumen, beyond its wall. */
   double leakMl{ 0.0 };
-  /** From vertices of the raw wall, bridges left out, to the true wall, mm. */
+  /** Distance from vertices of the raw wall, without bridges, to the true wall (mm). */
   double surfaceMedian{ 0.0 };
   double surface95{ 0.0 };
-  /** Of the vertices within 3 mm of a level. */
+  /** The same for vertices within 3 mm of a fluid level. */
   double level95{ 0.0 };
-  /** From the true wall to the raw one, mm: what was missed. */
+  /** Distance from the true wall to the raw one (mm), to detect missed parts. */
   double missed95{ 0.0 };
-  /** Folds at least 2.5 mm thick that lie in fluid, and polyps of at least 6 mm where the colon is not collapsed, that
-   * keep 90 % of their volume in the cleansed CT. */
+  /** Folds of at least 2.5 mm thickness in fluid, and polyps of at least 6 mm outside of collapsed stretches, that keep
+   * 90 % of their volume in the cleansed CT. */
   int keptFolds{ 0 };
   int folds{ 0 };
   int keptPolyps{ 0 };
   int polyps{ 0 };
 
-  /** Length over true length, less 1. */
+  /** Length / true length - 1. */
   double lengthError{ 0.0 };
-  /** From the line, gaps left out, to the true one, mm. */
+  /** Distance from the line, without gaps, to the true line (mm). */
   double meanLineDistance{ 0.0 };
-  /** Of the true line where it is not collapsed, within the lumen's radius of the line. */
+  /** Share of the true line outside of collapsed stretches that is within the lumen's radius of the line. */
   double covered{ 0.0 };
-  /** Places where the line jumps by more than 40 mm along the true one, gaps left out, or goes back. */
+  /** Number of jumps of more than 40 mm along the true line, without gaps, and of reversals. */
   int shortCuts{ 0 };
-  /** The pieces follow each other as they do in the truth. */
+  /** The pieces are in the true order. */
   bool isOrderRight{ true };
 
   int    genusRaw{ 0 };
   int    genusRepaired{ 0 };
   double changedMl{ 0.0 };
-  /** All three surfaces: one component, two loops, manifold. */
+  /** All three surfaces are manifold with one component and two boundary loops. */
   bool   areTubes{ false };
   int    faces{ 0 };
   double smallestAngle{ 0.0 };
@@ -58,7 +58,7 @@ struct ColonErrors
   std::string failure;
 };
 
-/** Makes the phantom, builds the model from its CT alone, and measures. `faces` are asked for. */
+/** Makes the phantom, builds the model from its CT only, and measures it. `faces` is the requested number of faces. */
 ColonErrors
 TryColon(const ColonCase & one, int faces);
 

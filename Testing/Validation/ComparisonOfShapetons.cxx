@@ -71,7 +71,7 @@ struct PhantomCase
 {
   std::string              preset;
   std::string              title;
-  std::vector<std::string> objects; ///< by label
+  std::vector<std::string> objects; ///< indexed by label
   std::uint32_t            printedShapetons;
   std::string              sees;
 };
@@ -102,7 +102,7 @@ TabulateTrials(const Comparison & comparison, const TrialVolume & volume, const 
                             comparison.report.Check(between.back() >= 0.7) + ").");
 }
 
-/** Means of the objects in units of that of the first one. */
+/** Means of the objects relative to the first one. */
 void
 TabulateObjects(const Comparison &         comparison,
                 const PhantomCase &        phantom,

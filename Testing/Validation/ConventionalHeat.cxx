@@ -9,7 +9,7 @@ using namespace shapeton;
 
 namespace
 {
-/** The heat of one source in the box that it has reached. */
+/** Heat of one source in the box that it has reached. */
 class SingleSource
 {
 public:
@@ -51,7 +51,7 @@ public:
     std::swap(m_Heat, m_Next);
   }
 
-  /** Sum of products of the heat now and one step before. */
+  /** Sum of products of the current heat and the heat one step before. */
   double
   ProductWithPrevious()
   {

@@ -10,14 +10,14 @@ using namespace shapeton;
 
 namespace
 {
-/** (5.6) for each vertex, from the distances of all vertices to p and to q. */
+/** Evaluates (5.6) at each vertex from the distances of all vertices to p and to q. */
 Eigen::VectorXd
 DetourOf(const Eigen::VectorXd & fromP, const Eigen::VectorXd & fromQ, int q)
 {
   return (fromP + fromQ).array() - fromP[q];
 }
 
-/** One of the two hands with what is measured on it. */
+/** One of the two hands with its measurements. */
 struct Hand
 {
   Hand(const SurfaceMesh & surface, int pairs)

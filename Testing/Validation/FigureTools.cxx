@@ -11,8 +11,8 @@ using Eigen::Vector3d;
 
 namespace
 {
-/** The distance at c of a plane wave that reaches a and b of a triangle at these distances; infinite where it comes
- * from outside the triangle. */
+/** Arrival distance at c of a plane wave that reaches a and b of a triangle at the given distances; infinite if it
+ * comes from outside of the triangle. */
 double
 WaveThrough(const Vector3d & a, const Vector3d & b, const Vector3d & c, double atA, double atB)
 {

@@ -4,21 +4,21 @@
 #include "shapetonSurfaceConnectivity.h"
 #include "shapetonSurfaceRendering.h"
 
-/** What several figures of chapter 5 need. */
+/** Functions shared by figures of chapter 5. */
 
-/** Lengths of shortest ways on the surface from a vertex: fast marching from triangle to triangle (Kimmel and Sethian,
- * 1998), first order, mm. */
+/** Geodesic distances on the surface from a vertex (mm): first-order fast marching on triangles (Kimmel and Sethian,
+ * 1998). */
 Eigen::VectorXd
 GeodesicDistances(const shapeton::SurfaceMesh & mesh, const shapeton::SurfaceConnectivity & connectivity, int source);
 
-/** A way of edges from a vertex down to where the distance is 0, as a curve. */
+/** Descending path of edges from a vertex to distance 0, as a curve. */
 shapeton::CurveSet
 WayDown(const shapeton::SurfaceMesh &         mesh,
         const shapeton::SurfaceConnectivity & connectivity,
         const Eigen::VectorXd &               distances,
         int                                   from);
 
-/** A view of a surface coloured by a value of each vertex, blue at `lower` to red at `upper`. */
+/** Rendering of a surface colored by a value per vertex, from blue at `lower` to red at `upper`. */
 shapeton::Picture::Pointer
 DrawValues(const shapeton::SurfaceMesh &             mesh,
            const Eigen::VectorXd &                   values,
@@ -27,7 +27,7 @@ DrawValues(const shapeton::SurfaceMesh &             mesh,
            const shapeton::SurfaceRenderingOptions & options,
            const shapeton::CurveSet *                white = nullptr);
 
-/** Root of the mean square of a - b over that of a. */
+/** Root mean square of a - b relative to that of a. */
 double
 RelativeChange(const Eigen::VectorXd & a, const Eigen::VectorXd & b);
 

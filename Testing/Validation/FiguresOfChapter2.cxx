@@ -64,7 +64,7 @@ Figure24(ValidationReport & report)
     "reaches one heat, 1 / 40, after about 4,000 of our steps.");
 }
 
-/** What conventional diffusion leaves in the middle of a closed cube of 64 voxels. */
+/** Heat left by conventional diffusion in the middle of a closed cube of 64 voxels. */
 double
 EndOfConventionalHeat()
 {

@@ -1,10 +1,10 @@
-// Fits the weights of PolypScore() to phantoms and prints them: FitPolypScore, without arguments. The exams are those
-// of TrainingExams(), with 0.8 mm voxels; from CT each takes minutes, unless SHAPETON_LANDMARK_CACHE holds it.
+// Fits the weights of PolypScore() to phantoms and prints them. usage: FitPolypScore. The exams are those of
+// TrainingExams(), with 0.8 mm voxels; those from CT take minutes each unless SHAPETON_LANDMARK_CACHE holds them.
 //
-// Positive: of the candidates at a polyp of 5.5 mm and more the one with the greatest solid angle. Negative: those at
-// no polyp; each counts by the share of its score that content and catheter leave. Those at the ileocaecal valve are
-// left out: it has the shape of a polyp. Logistic regression by Newton's method, with the penalty of half the squared
-// weights of the terms over their standard deviations.
+// Positive samples: for each polyp of at least 5.5 mm, the candidate with the greatest solid angle. Negative samples:
+// candidates away from polyps, weighted by the share of the score that content and catheter leave. Candidates at the
+// ileocaecal valve are excluded, because it has the shape of a polyp. Logistic regression by Newton's method, with a
+// penalty of half the squared weights of the terms over their standard deviations.
 #include "PolypTrial.h"
 
 #include "shapetonPolypContent.h"
@@ -26,13 +26,13 @@ using Row = Eigen::Matrix<double, 1, unknowns>;
 
 struct Samples
 {
-  std::vector<Row>    terms; ///< and 1
+  std::vector<Row>    terms; ///< with the constant 1
   std::vector<double> isPolyp;
   std::vector<double> weight;
 };
 
-/** Seeds below 100 alone: the others are for validation. From the true lumen there are more negatives of the anatomy,
- * and from CT those that noise, segmentation and residue make. */
+/** Only seeds below 100; the others are for validation. The true lumen adds negatives of the anatomy; CT adds those
+ * caused by noise, segmentation and residue. */
 std::vector<LandmarkCase>
 TrainingExams()
 {
@@ -124,7 +124,7 @@ StandardDeviations(const Samples & samples)
     square += (row - mean).cwiseAbs2() / static_cast<double>(samples.terms.size());
   }
   Row deviations = square.cwiseSqrt();
-  deviations[numberOfPolypTerms] = 1.0; // of the constant
+  deviations[numberOfPolypTerms] = 1.0; // the constant
   return deviations;
 }
 

@@ -1,10 +1,9 @@
-// Fits the constants of SignatureDistance() and ProbabilityOfSameShape() and prints them: FitShapeDistance, without
-// arguments, some minutes. The shapes are generated ones, seeds 1 to 64, with their copies.
+// Fits the constants of SignatureDistance() and ProbabilityOfSameShape() and prints them. usage: FitShapeDistance;
+// takes some minutes. Uses generated shapes, seeds 1 to 64, and their copies.
 //
-// Units: root mean squares of the differences of copies from their shapes. Parts: how often the nearest of all shapes
-// is the right one, by each combination of parts. Probability: for halves of the shapes drawn at random, the copies of
-// all of them are looked up in that half; whether the nearest entry is the right one, by logistic regression (Newton's
-// method).
+// Units: root mean squares of the differences between copies and their shapes. Parts: how often the nearest shape is
+// the correct one, for each combination of parts. Probability: for random halves of the shapes, all copies are looked
+// up in that half; logistic regression (Newton's method) predicts whether the nearest entry is correct.
 #include "ShapeCollection.h"
 
 #include "shapetonPhiloxStream.h"
@@ -32,7 +31,7 @@ PartsOf(const SignatureDifference & difference)
            difference.surface,       difference.elongation,   difference.flatness };
 }
 
-/** A copy, and how it differs from all originals. */
+/** A copy and its differences from all originals. */
 struct Query
 {
   std::size_t        shape;
@@ -75,7 +74,7 @@ RootMeanSquares(const std::vector<Query> & queries)
   return units;
 }
 
-/** The root mean square of the parts in a set of bits, in their units. */
+/** Root mean square of the parts in a bit set, in their units. */
 double
 Distance(const Parts & difference, const Parts & units, unsigned int used)
 {
@@ -161,7 +160,7 @@ DrawHalves(const std::vector<Query> & queries, const Parts & units)
   return samples;
 }
 
-/** With a light penalty, so that shapes that separate fully have a solution. */
+/** With a light penalty, so that a solution exists for fully separated shapes. */
 Eigen::Vector3d
 Fit(const Samples & samples)
 {

@@ -18,7 +18,7 @@ namespace
 struct FlatColon
 {
   TubeMap map;
-  /** For each vertex of the tube. */
+  /** One value per vertex of the tube. */
   Eigen::VectorXd u;
   int             flips{ 0 };
 };
@@ -37,15 +37,14 @@ Flatten(const SurfaceMesh & mesh, double t)
   return colon;
 }
 
-/** How far vertices lie along the colon from where they lie without handles when the whole is stretched to one length,
- * mm. */
+/** Displacement of vertices along the colon (mm) relative to the map without handles, after scaling to equal length. */
 Eigen::VectorXd
 Shifts(const FlatColon & colon, const FlatColon & ideal)
 {
   return (ideal.map.length / colon.map.length * colon.u - ideal.u).cwiseAbs();
 }
 
-/** The strip coloured by the shift, blue for none, red for `most` and above. */
+/** The strip colored by the displacement, blue for 0, red for `most` and above. */
 Picture::Pointer
 DrawStrip(const FlatColon & colon, const Eigen::VectorXd & shifts, double most, const PictureSheet::Layout & layout)
 {
@@ -75,12 +74,12 @@ TubeWith(int handles, int faces, int seed, double length)
   return testsurfaces::MakeColonTube(options).mesh;
 }
 
-/** What handles change in one metric. */
+/** Effect of handles in one metric. */
 struct Comparison
 {
   FlatColon       with;
   Eigen::VectorXd shifts;
-  double          changeU{ 0.0 }; ///< of the modulus, per cent
+  double          changeU{ 0.0 }; ///< change of the modulus (percent)
   double          changeV{ 0.0 };
 
   double

@@ -94,7 +94,7 @@ LocatedHandles(const std::vector<SurfaceHandle> & found, std::vector<SurfaceHand
 
 namespace
 {
-/** Sums over the faces around each vertex, not of unit length, outwards. */
+/** Sums of face normals around each vertex, outward, not normalized. */
 VertexMatrix
 OutwardNormals(const SurfaceMesh & mesh)
 {
@@ -110,7 +110,7 @@ OutwardNormals(const SurfaceMesh & mesh)
   return normals;
 }
 
-/** Moves the wall inwards by 0.8 of the radius at most, by the square of a cosine. */
+/** Moves the wall inward by up to 0.8 of the radius, with a squared cosine profile. */
 void
 AddBump(const VertexMatrix &       before,
         int                        centre,

@@ -6,14 +6,14 @@
 #include "shapetonFlatDistortion.h"
 #include "shapetonSurfaceHandles.h"
 
-/** A colon-like tube of the test generator with all that maps of it need. */
+/** Colon-like tube of the test generator with the data needed for its maps. */
 struct TubeCase
 {
   explicit TubeCase(const testsurfaces::ColonTube & generated);
 
   shapeton::TubeMap
   Flatten(const Eigen::VectorXd & metric) const;
-  /** Heat diffusion distances of the edges, t in mm^2. */
+  /** Returns the heat diffusion distances of the edges, t in mm^2. */
   Eigen::VectorXd
   Diffused(double t) const;
   shapeton::FlatDistortion
@@ -22,28 +22,28 @@ struct TubeCase
   testsurfaces::ColonTube       tube;
   shapeton::SurfaceConnectivity connectivity;
   shapeton::TubeEnds            ends;
-  Eigen::VectorXd               lengths; ///< of the edges in space, mm
+  Eigen::VectorXd               lengths; ///< Euclidean edge lengths (mm)
 };
 
-/** `span`: edges between the two faces that a handle joins. */
+/** `span` is the number of edges between the two faces that a handle joins. */
 testsurfaces::ColonTube
 GenerateTube(int faces, int handles, int seed, int span = 4, double length = 1500.0);
 
-/** A tube of a million faces with handles that is simplified to 55,000. */
+/** Tube of a million faces with handles, simplified to 55,000 faces. */
 testsurfaces::ColonTube
 GenerateDecimatedTube(int handles, int seed);
 
-/** The handles that the generator made. */
+/** Handles made by the generator. */
 std::vector<shapeton::SurfaceHandle>
 TrueHandles(const testsurfaces::ColonTube & tube);
 
-/** How many of the handles found lie within `distance` mm of a true one, each of which serves once. */
+/** Number of detected handles within `distance` mm of a true one; each true handle is matched once. */
 int
 LocatedHandles(const std::vector<shapeton::SurfaceHandle> & found,
                std::vector<shapeton::SurfaceHandle>         truth,
                double                                       distance);
 
-/** A tube with polyps: round bumps inwards around vertices far apart; the faces of each. */
+/** Tube with polyps, round inward bumps around distant vertices, and the faces of each polyp. */
 struct PolypTube
 {
   testsurfaces::ColonTube       tube;
@@ -52,7 +52,7 @@ struct PolypTube
 PolypTube
 GenerateTubeWithPolyps(int faces, int seed, double length, double radius);
 
-/** The ratio of the axes of the ellipse with the second moments of these faces on the map, at least 1. */
+/** Axis ratio (at least 1) of the ellipse with the second moments of these faces on the map. */
 double
 AspectRatioOnMap(const shapeton::SurfaceMesh & flat, const std::vector<int> & faces);
 

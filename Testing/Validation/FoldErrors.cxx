@@ -27,14 +27,14 @@ CellValue(const CurveSet & curves, const std::string & name, std::size_t curve)
   return FindSurfaceArray(curves.cellArrays, name)->values(static_cast<Eigen::Index>(curve), 0);
 }
 
-/** A true fold and what covers it. */
+/** A true fold and the labels that cover it. */
 struct TrueFold
 {
   int                          number{ 0 };
   double                       height{ 0.0 };
   double                       length{ 0.0 };
   double                       arcLength{ 0.0 };
-  std::vector<Eigen::Vector3d> crest; ///< where it stands out of the wall
+  std::vector<Eigen::Vector3d> crest; ///< where it protrudes from the wall
   Eigen::Vector3d              ends[2];
   int                          seen{ 0 };
   std::map<int, int>           samplesOfLabel;
@@ -232,7 +232,7 @@ private:
     }
   }
 
-  /** Folds that lie farther away than they are long are skipped. */
+  /** Folds farther away than their length are skipped. */
   bool
   IsNearCrest(const Eigen::Vector3d & point) const
   {

@@ -5,38 +5,36 @@
 
 #include <string>
 
-/** How the folds found on a flat map differ from the true ones.
- *
- * The true crest of a fold is sampled where it stands at least 1 mm above the wall; each sample goes to the nearest
- * point of the flat surface. It is seen when that is within 3 mm and not on a bridge; a fold of which less than half is
- * seen is hidden and counts for nothing. A true fold is found when at least half of its seen samples lie within 2 mm of
- * one and the same label. Each label is given to the one true fold (of 2 mm and more) of which it covers most samples:
- * what else it covers has been merged with it, and is not found. A label is right when at least half of its pixels lie
- * within 4 mm, in space, of the crest of a true fold that is at least 1.5 mm high. Errors of ends are distances in
- * space from the ends of the true crest, where it has come down to the wall, to those of the fold it was given, in the
- * better of both orders. */
+/** Errors of the folds found on a flat map relative to the true ones. The true crest of a fold is sampled where it is
+ * at least 1 mm above the wall; each sample is assigned to the nearest point of the flat surface. A sample is visible
+ * if that point is within 3 mm and not on a bridge. A fold with less than half of its samples visible is hidden and
+ * ignored. A true fold is found if at least half of its visible samples are within 2 mm of a single label. Each label
+ * is assigned to the one true fold (of at least 2 mm) of which it covers most samples; other folds that it covers are
+ * merged with it and count as missed. A label is correct if at least half of its pixels are within 4 mm, in 3D, of the
+ * crest of a true fold of at least 1.5 mm height. End point errors are 3D distances between the ends of the true crest,
+ * at the wall, and those of the assigned fold, in the better of both orders. */
 struct FoldErrors
 {
-  /** Of the true folds with a height of 3.5 mm and more. */
+  /** True folds with a height of at least 3.5 mm. */
   int present{ 0 };
   int found{ 0 };
-  /** The same without the rule that a label goes to one fold alone. */
+  /** The same without the rule that a label is assigned to a single fold. */
   int covered{ 0 };
-  /** Of those of 2 to 3.5 mm. */
+  /** True folds of 2 to 3.5 mm. */
   int lowPresent{ 0 };
   int lowFound{ 0 };
   int hidden{ 0 };
-  /** Labels, and those that are right. */
+  /** Labels, and correct labels. */
   int labels{ 0 };
   int right{ 0 };
   /** Labels that cover half of more than one true fold. */
   int merged{ 0 };
-  /** Of the folds found, mm: two for each. */
+  /** End point errors of the folds found (mm), two per fold. */
   std::vector<double> ends;
-  /** Length found over length of the true crest, and height found less true height, mm, of the folds found. */
+  /** Found length / true crest length, and found height - true height (mm), of the folds found. */
   std::vector<double> lengthRatios;
   std::vector<double> heightErrors;
-  /** For people: folds not found and labels that are wrong. */
+  /** Readable descriptions of missed folds and wrong labels. */
   std::vector<std::string> faults;
 
   /** Adds the counts of another exam. */
@@ -44,7 +42,7 @@ struct FoldErrors
   Add(const FoldErrors & other);
 };
 
-/** `truth` as ColonAnatomy::Folds() gives it, in the space of the surface. */
+/** `truth` is the result of ColonAnatomy::Folds() in the coordinates of the surface. */
 FoldErrors
 MeasureFoldErrors(const shapeton::FlatColonGrid & grid,
                   const shapeton::HaustralFolds & found,

@@ -19,7 +19,7 @@ namespace
 SignedDistance
 Ellipsoid(const Vector3d & centre, const Vector3d & radii)
 {
-  // Not the distance, but its gradient is about 1 near the surface.
+  // Not an exact distance, but its gradient is about 1 near the surface.
   return [=](const Vector3d & p) {
     const Vector3d q = (p - centre).cwiseQuotient(radii);
     const double   slope = q.cwiseQuotient(radii).norm();
@@ -45,7 +45,7 @@ LargestComponent(const SurfaceMesh & mesh)
   return FacesOfSurface(mesh, faces);
 }
 
-/** Cuts faces along the lines where a function of place is 0. */
+/** Cuts faces along the zero set of a function of position. */
 class Clipper
 {
 public:
@@ -57,7 +57,7 @@ public:
       m_Values.push_back(inside(m_Points.back()));
     }
   }
-  /** What lies where the function is positive. */
+  /** Part of the surface where the function is positive. */
   SurfaceMesh
   Positive()
   {
@@ -104,7 +104,7 @@ private:
     const auto [place, isNew] = m_Crossings.emplace(std::make_pair(a, b), static_cast<int>(m_Points.size()));
     if (isNew)
     {
-      const double share = std::clamp(m_Values[a] / (m_Values[a] - m_Values[b]), 0.02, 0.98); // no face without area
+      const double share = std::clamp(m_Values[a] / (m_Values[a] - m_Values[b]), 0.02, 0.98); // avoids degenerate faces
       m_Points.emplace_back(m_Points[a] + share * (m_Points[b] - m_Points[a]));
     }
     return place->second;
@@ -116,7 +116,7 @@ private:
   std::map<std::pair<int, int>, int> m_Crossings;
 };
 
-/** The largest part of the surface on which the function of place is positive, with even triangles of this edge. */
+/** Largest part of the surface where the function of position is positive, remeshed with this edge length. */
 SurfaceMesh
 PartWhere(const SurfaceMesh & mesh, const std::function<double(const Vector3d &)> & inside, double edge)
 {

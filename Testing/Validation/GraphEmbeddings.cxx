@@ -20,7 +20,7 @@ using namespace shapeton;
 
 namespace
 {
-/** More edges together with a genus above 20 are left out: the search takes minutes. */
+/** Graphs with more edges and a genus above 20 are skipped, because the search takes minutes. */
 constexpr std::size_t mostEdges = 1000;
 constexpr std::size_t largestGenus = 20;
 
@@ -46,7 +46,7 @@ ValueOf(const std::vector<std::pair<std::string, double>> & values, const std::s
   return found == values.end() ? 0.0 : found->second;
 }
 
-/** What the graphs of one folder or file have shown. */
+/** Results of the graphs of one folder or file. */
 struct GraphSet
 {
   void
@@ -54,11 +54,11 @@ struct GraphSet
 
   int    graphs{ 0 };
   int    accepted{ 0 };
-  int    largest{ 0 }; ///< genus
+  int    largest{ 0 }; ///< largest genus
   double residual{ 0.0 };
   double tangency{ 0.0 };
   double orthogonality{ 0.0 };
-  /** Circles of nodes; of the sphere, the disk, and of the torus in its shorter period. */
+  /** Radii of node circles: on the sphere, in the disk, and on the torus relative to its shorter period. */
   std::vector<double> caps;
 };
 
@@ -83,7 +83,7 @@ GraphSet::Add(const Graph & graph)
   }
 }
 
-/** The files of a folder, or one file, in the order of their names. */
+/** Files of a folder, or one file, sorted by name. */
 std::vector<std::string>
 FilesOf(const std::string & path)
 {
@@ -109,7 +109,7 @@ CountBelow(const std::vector<double> & caps, double limit)
   return static_cast<int>(std::count_if(caps.begin(), caps.end(), [=](double cap) { return cap < limit; }));
 }
 
-/** The bound of small circles is one of whole sets: `hasBounds`. */
+/** `hasBounds`: the bound of small circles applies to complete sets only. */
 void
 AddSet(const std::string & name, const GraphSet & set, bool hasBounds, ValidationReport & report, CsvTable & table)
 {
@@ -276,7 +276,7 @@ CompareSpeed(bool isQuick, ValidationReport & report)
   report.AddTable(table);
 }
 
-/** Ten edits; the bounds are those for 3,000 to 5,000 nodes. */
+/** Ten edits; the bounds apply to 3,000 to 5,000 nodes. */
 void
 AddStability(const std::string & name, const Graph & graph, ValidationReport & report, CsvTable & table)
 {
@@ -293,7 +293,7 @@ AddStability(const std::string & name, const Graph & graph, ValidationReport & r
                  hasBound && hasSfdp ? report.Check(stability.sfdp >= 10.0 * stability.moebius) : "" });
 }
 
-/** Of a sensor network with the same number of links for each device, whatever their number. */
+/** Sensor network with the same number of links per device, for any number of devices. */
 Graph
 GabrielGraph(int devices, std::uint64_t seed)
 {
@@ -323,7 +323,7 @@ MoveLittle(bool isQuick, ValidationReport & report)
   report.AddTable(table);
 }
 
-/** The same on networks that nothing was tuned on, as it differs from one to the other. */
+/** The same on networks not used for tuning, as results differ between networks. */
 void
 MoveLittleOnNetworks(bool isQuick, ValidationReport & report)
 {

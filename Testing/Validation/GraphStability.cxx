@@ -15,7 +15,7 @@ namespace
 {
 using Places = std::vector<std::complex<double>>;
 
-/** The graph without some edges. */
+/** Removes some edges from the graph. */
 Graph
 Without(const Graph & graph, std::vector<std::size_t> gone)
 {
@@ -30,7 +30,7 @@ Without(const Graph & graph, std::vector<std::size_t> gone)
   return rest;
 }
 
-/** Around its centre, of size 1. */
+/** Centers the layout and scales it to size 1. */
 Places
 Normalised(const std::vector<std::array<double, 2>> & layout)
 {
@@ -54,7 +54,7 @@ Normalised(const std::vector<std::array<double, 2>> & layout)
   return places;
 }
 
-/** The mean distance after the similarity of least squares, a reflection allowed, of the nodes that did not change. */
+/** Mean distance of the unchanged nodes after the least-squares similarity, with reflection allowed. */
 double
 MeanDistance(const Places & a, const Places & b, const std::vector<char> & isChanged)
 {
@@ -96,7 +96,7 @@ SfdpDisplacement(const Graph & before, const Graph & after, const std::vector<in
   return MeanDistance(Normalised(a.places), Normalised(b.places), isChanged);
 }
 
-/** The same circles with their barycentre at the centre of the sphere, as without the step before. */
+/** The same circles with their barycenter at the center of the sphere, as without a previous step. */
 EmbeddingCertificate
 NotMoved(const EmbeddingCertificate & certificate)
 {

@@ -3,20 +3,20 @@
 
 #include "shapetonGraph.h"
 
-/** How far nodes move when a few edges change. Lengths are in radii of the sphere, or of the layout: the root mean
- * square distance of its nodes from their centre. */
+/** Displacement of nodes when a few edges change. Lengths are in radii of the sphere or of the layout (the root mean
+ * square distance of its nodes from their center). */
 struct GraphStability
 {
   int    unchangedNodes{ 0 };
   double moebius{
     0.0
-  }; ///< mean displacement, the sphere moved by the best Moebius transformation, as DynamicGraph does
-  double rotation{ 0.0 }; ///< by the best rotation alone
-  double sfdp{ -1.0 };    ///< of the layout by forces, moved by the best similarity; negative: not installed
+  }; ///< mean displacement after the best Moebius transformation, as in DynamicGraph
+  double rotation{ 0.0 }; ///< mean displacement after the best rotation
+  double sfdp{ -1.0 };    ///< force layout, after the best similarity; negative: not installed
 };
 
-/** Two steps of a graph: both lack `edits` / 2 edges, not the same ones, spread evenly over their list. So edits / 2
- * edges go and as many come. */
+/** Two steps of a graph. Each lacks a different set of `edits` / 2 edges, spread evenly over the edge list, so edits /
+ * 2 edges disappear and as many appear. */
 GraphStability
 MeasureStability(const shapeton::Graph & graph, int edits, bool withSfdp);
 

@@ -17,7 +17,7 @@ constexpr double close = 10.0; // mm
 
 using Points = std::vector<Eigen::Vector3d>;
 
-/** The arcLength of the point of a line that is nearest. */
+/** Arc length of the nearest point of a line. */
 double
 ArcLengthNear(const shapeton::CurveSet & line, const Eigen::VectorXd & arcLength, const Eigen::Vector3d & point)
 {
@@ -79,8 +79,8 @@ ShareWithTrueSegment(const shapeton::ColonLandmarks & landmarks, const shapeton:
 /** Points of the three true taeniae along one stretch of the colon. */
 using Stretch = std::array<Points, 3>;
 
-/** Distances between the k-th points of the three taeniae, mm, in rising order. Where a fold reaches over the phantom's
- * own centreline the taeniae meet in it. */
+/** Sorted distances between the k-th points of the three taeniae (mm). Where a fold covers the phantom's own
+ * centreline, the taeniae meet in it. */
 std::array<double, 3>
 DistancesBetween(const shapeton::CurveSet & taeniae, std::size_t k)
 {
@@ -96,8 +96,7 @@ AreOnePoint(const shapeton::CurveSet & taeniae, std::size_t k)
   return DistancesBetween(taeniae, k)[2] < 1.0;
 }
 
-/** The open stretches, between the collapsed ones, as far as there is a wall: bridges are longer than what is
- * collapsed. */
+/** Open stretches between the collapsed ones, where there is a wall: bridges are longer than the collapsed parts. */
 std::vector<Stretch>
 OpenStretches(const shapeton::ColonAnatomy & anatomy, const shapeton::ColonWallTube & tube)
 {
@@ -132,7 +131,7 @@ OpenStretches(const shapeton::ColonAnatomy & anatomy, const shapeton::ColonWallT
   return result;
 }
 
-/** All stretches as one. */
+/** Joins all stretches. */
 Stretch
 Joined(const std::vector<Stretch> & stretches)
 {
@@ -147,8 +146,7 @@ Joined(const std::vector<Stretch> & stretches)
   return all;
 }
 
-/** Distances of the points of each true taenia, for the assignment of found taeniae to true ones with the least mean.
- */
+/** Distances of the points of each true taenia, for the assignment of found to true taeniae with the smallest mean. */
 std::array<std::vector<double>, 3>
 DistancesOfTaeniae(const shapeton::ColonTaeniae & found, const Stretch & truth)
 {

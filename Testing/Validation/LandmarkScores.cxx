@@ -10,7 +10,7 @@ using namespace shapeton;
 
 namespace
 {
-/** Also where nothing is found. */
+/** Also valid if nothing is found. */
 LandmarkErrors
 TryLandmarks(const LandmarkExam & exam, const ColonLandmarkOptions & options, std::string & failure)
 {

@@ -8,7 +8,7 @@
 
 #include <optional>
 
-/** What taeniae, flexures and segments must reach. Shares of 0 to 1. */
+/** Bounds for taeniae, flexures and segments. Shares from 0 to 1. */
 struct LandmarkBounds
 {
   double taeniaMean; ///< mm
@@ -20,13 +20,13 @@ struct LandmarkBounds
   std::optional<double> calibration{};
 };
 
-/** Errors of landmarks over the exams of a column, by our rules, by the published ones, and with a marker on each
+/** Landmark errors over the exams of a column, with our rules, with the published ones, and with a marker on each
  * taenia. */
 class LandmarkScores
 {
 public:
-  /** Finds the landmarks of an exam; what was missed is told in words. Where they cannot be found at all the exam
-   * counts as all wrong. */
+  /** Finds the landmarks of an exam and returns a description of missed ones. If landmarks cannot be computed, the exam
+   * counts as entirely wrong. */
   std::vector<std::string>
   Add(const LandmarkExam & exam);
 
@@ -35,7 +35,7 @@ public:
   void
   AddReported(BoundTable & table) const;
 
-  /** Of the confidence of flexures. */
+  /** Reliability of the confidence of flexures. */
   void
   WriteReliability(ValidationReport & report) const;
 
@@ -56,7 +56,7 @@ private:
   Rule m_Ours;
   Rule m_Published;
   Rule m_Marked;
-  /** Of each flexure that was found. */
+  /** One value per flexure found. */
   Reliability m_FlexureReliability;
   int         m_FlexuresClose{ 0 };
   int         m_Flexures{ 0 };

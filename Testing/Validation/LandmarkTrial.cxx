@@ -59,7 +59,7 @@ MakeModel(const LandmarkCase & one)
   return BuildColonModel(cast->GetOutput(), options);
 }
 
-/** Without an extension; empty where nothing is kept. */
+/** File name without extension; empty if exams are not cached. */
 std::string
 CachedName(const LandmarkCase & one)
 {
@@ -74,7 +74,7 @@ CachedName(const LandmarkCase & one)
          std::to_string(std::lround(1000.0 * one.spacing));
 }
 
-/** As far as 15 mm around the lumen. */
+/** Crops to 15 mm around the lumen. */
 template <typename TImage>
 typename TImage::Pointer
 AroundLumen(const TImage * image, const LumenMask * lumen)
@@ -129,7 +129,7 @@ Keep(const ColonExam & exam, const std::string & cached)
   }
   WriteSurface(exam.flat, cached + ".vtp");
   WriteSurface(exam.wall, cached + ".wall.vtp");
-  WriteCurves(exam.centreline, cached + ".line.vtp"); // last: it tells that all is there
+  WriteCurves(exam.centreline, cached + ".line.vtp"); // written last, to mark a complete cache entry
 }
 
 void

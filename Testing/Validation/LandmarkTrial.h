@@ -8,41 +8,41 @@
 #include <memory>
 #include <string>
 
-/** A synthetic patient in one position, whose colon is flattened. */
+/** Synthetic patient in one position whose colon is flattened. */
 struct LandmarkCase
 {
   shapeton::ColonPhantomParameters parameters;
-  /** mm. */
+  /** Voxel spacing (mm). */
   double spacing{ 0.8 };
-  /** The model is made from the CT; else from the true lumen on the same grid. */
+  /** Whether the model is made from the CT, or else from the true lumen on the same grid. */
   bool isFromCt{ false };
 };
 
-/** What landmarks are looked for on, and the truth. */
+/** Input of the landmark search, and the truth. */
 struct LandmarkExam
 {
   std::shared_ptr<const shapeton::ColonAnatomy> anatomy;
-  /** As ColonFlattening makes it from the simplified wall. */
+  /** Flat colon as made by ColonFlattening from the simplified wall. */
   shapeton::SurfaceMesh flat;
   shapeton::CurveSet    centreline;
-  /** Of full resolution, without handles. */
+  /** Wall at full resolution, without handles. */
   shapeton::SurfaceMesh wall;
-  /** Empty, or why there is no model; then the surfaces are empty. */
+  /** Empty, or the reason why the model is missing; then the surfaces are empty. */
   std::string failure;
 };
 
-/** With what else candidates are judged by. */
+/** Exam with the additional data used to judge candidates. */
 struct ColonExam : LandmarkExam
 {
-  /** 1 gas, 2 fluid. */
+  /** 1: gas, 2: fluid. */
   itk::Image<unsigned char, 3>::Pointer lumen;
-  /** HU, cleansed; null where the model is not made from a CT. */
+  /** Cleansed CT (HU); null if the model is not made from a CT. */
   itk::Image<float, 3>::Pointer ct;
-  /** The axis of a rectal catheter that was found, see CurveOfCatheter(). */
+  /** Axis of a detected rectal catheter, see CurveOfCatheter(). */
   shapeton::CurveSet catheter;
 };
 
-/** A patient of the validation, see ValidationSettings::Seeds(). */
+/** Exam of a validation patient, see ValidationSettings::Seeds(). */
 LandmarkCase
 ValidationCase(const std::string & preset,
                unsigned int        seed,
@@ -50,16 +50,16 @@ ValidationCase(const std::string & preset,
                double              spacing,
                bool                isFromCt);
 
-/** Phantom, model, flat map. Where SHAPETON_LANDMARK_CACHE names a folder, exams are kept there and taken from
- * there: for development alone, as nothing tells whether the programs have changed since. */
+/** Makes phantom, model and flat map. If SHAPETON_LANDMARK_CACHE names a folder, exams are cached there. For
+ * development only, because cached exams are not invalidated when the programs change. */
 LandmarkExam
 MakeLandmarkExam(const LandmarkCase & one);
 
-/** The same with images, as far as 15 mm around the lumen. */
+/** The same with images, cropped to 15 mm around the lumen. */
 ColonExam
 MakeColonExam(const LandmarkCase & one);
 
-/** Bounds of shares lose this, and errors may grow by this factor, where the colon is found in the CT. */
+/** Relaxation of bounds if the colon is segmented from CT: subtracted from shares, and factor for errors. */
 inline constexpr double lossFromCt = 0.03;
 inline constexpr double growthFromCt = 1.3;
 

@@ -16,7 +16,7 @@ constexpr int    mostHalvings = 30;
 
 using Sparse = Eigen::SparseMatrix<double>;
 
-/** Lengths, cotangents, areas and defects for one choice of scales. */
+/** Lengths, cotangents, areas and angle defects for given scale factors. */
 struct State
 {
   Eigen::VectorXd                    lengths;
@@ -163,7 +163,7 @@ private:
   Eigen::SimplicialLDLT<Sparse>         m_Solver;
 };
 
-/** Faces laid side by side from the first on, not across the cut. */
+/** Lays out faces one by one from the first, without crossing the cut. */
 Eigen::MatrixX2d
 LayOut(const shapeton::SurfaceConnectivity & connectivity, const shapeton::CutSurface & cut, const State & state)
 {

@@ -4,14 +4,14 @@
 #include "shapetonFlatDistortion.h"
 #include "shapetonTubeEnds.h"
 
-/** The peer of harmonic flattening: conformal equivalence of triangle meshes, by Newton's method (Springborn, Schroeder
- * and Pinkall, 2008), whose flow is discrete Ricci flow. */
+/** Peer of harmonic flattening: conformal equivalence of triangle meshes by Newton's method (Springborn, Schroeder and
+ * Pinkall, 2008), whose flow is discrete Ricci flow. */
 struct NewtonFlattening
 {
   bool             hasConverged{ false };
   int              iterations{ 0 };
   double           modulus{ 0.0 }; ///< circumference over length of the flat cylinder
-  Eigen::MatrixX2d uv;             ///< of the vertices of the cut surface
+  Eigen::MatrixX2d uv;             ///< one row per vertex of the cut surface
 };
 
 /** Scales the lengths of the edges by exp((w_a + w_b) / 2) until all vertices inside are flat and all boundaries

@@ -11,7 +11,7 @@ using namespace shapeton;
 
 namespace
 {
-/** For each organ the class of the greatest Dice overlap. */
+/** Class with the greatest Dice overlap for each organ. */
 struct Overlap
 {
   double        dice{ 0.0 };

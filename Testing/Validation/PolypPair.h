@@ -7,12 +7,13 @@
 
 #include <vector>
 
-/** Candidates as SearchPolyps() judges them by one position, without the shape diffusion, which counts for nothing. */
+/** Candidates as judged by SearchPolyps() from one position, without the shape diffusion, which does not affect the
+ * score. */
 std::vector<shapeton::PolypCandidate>
 FindJudgedCandidates(const ColonExam & exam, double sensitivity);
 
-/** Weighs the candidates of two positions of a patient by each other, as a run of both does: registered by the
- * landmarks that are found. False, and nothing is changed, where the positions cannot be registered. */
+/** Combines the candidates of two positions of a patient, as in a run of both: registered with the landmarks found.
+ * Returns false, without changes, if the positions cannot be registered. */
 bool
 WeighPair(const ColonExam &                       first,
           const ColonExam &                       second,

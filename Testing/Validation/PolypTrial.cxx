@@ -8,7 +8,7 @@ using namespace shapeton;
 
 namespace
 {
-/** Whether the centreline of the true colon is collapsed at a distance. */
+/** Whether the true colon is collapsed at a distance along its centreline. */
 bool
 IsCollapsedAt(const CurveSet & centreline, double arcLength)
 {

@@ -7,28 +7,28 @@
 
 #include <vector>
 
-/** A polyp of a phantom that could be found, and what was. */
+/** Detectable polyp of a phantom and its best candidate. */
 struct PolypTruth
 {
   shapeton::ColonPolyp polyp;
-  /** Of the candidate with the highest score at it; 0 for none. */
+  /** Highest score of a candidate at the polyp; 0 if there is none. */
   double score{ 0.0 };
-  /** Of that candidate, mm. */
+  /** Diameter of that candidate (mm). */
   double diameter{ 0.0 };
 };
 
-/** What was found in an exam. */
+/** Results of an exam. */
 struct PolypExam
 {
   std::string name;
-  /** Outside of collapsed stretches. */
+  /** Polyps outside of collapsed stretches. */
   std::vector<PolypTruth> truths;
-  /** Scores of candidates that are at no polyp, and of those at the ileocaecal valve among them. */
+  /** Scores of false positive candidates, and of those at the ileocaecal valve among them. */
   std::vector<double> falseScores;
   std::vector<double> valveScores;
 };
 
-/** How far from a polyp's head or base, beyond its radius, a candidate may be that has found it, mm. */
+/** Maximum distance (mm) of a matching candidate from a polyp's head or base, beyond its radius. */
 constexpr double polypReach = 3.0;
 
 /** Whether a candidate is at a polyp. */
@@ -39,7 +39,7 @@ IsAt(const shapeton::PolypCandidate & candidate, const shapeton::ColonPolyp & po
 bool
 IsAtValve(const shapeton::ColonAnatomy & anatomy, const shapeton::PolypCandidate & candidate);
 
-/** Compares candidates, in any order, with the truth. The valve is the true one. */
+/** Compares candidates, in any order, with the truth, including the true valve. */
 PolypExam
 ComparePolyps(const LandmarkCase &                          one,
               const shapeton::ColonAnatomy &                anatomy,
@@ -49,7 +49,7 @@ ComparePolyps(const LandmarkCase &                          one,
 std::vector<shapeton::ColonPolyp>
 VisiblePolyps(const shapeton::ColonAnatomy & anatomy);
 
-/** The lower end of Wilson's 95 % interval (two-sided) of a share; 0 for none. */
+/** Lower end of Wilson's two-sided 95 % interval of a share; 0 without samples. */
 double
 WilsonLowerBound(int part, int whole);
 

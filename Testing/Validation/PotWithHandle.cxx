@@ -12,7 +12,7 @@ using namespace shapeton;
 
 namespace
 {
-/** A patch mapped to a rectangle in one metric. The cut leaves two rims inside, which are natural boundaries. */
+/** A patch mapped to a rectangle in one metric. The cut leaves two inner rims, which are natural boundaries. */
 struct MappedPatch
 {
   Eigen::MatrixX2d uv;

@@ -13,7 +13,7 @@ using namespace shapeton;
 
 namespace
 {
-/** The distance of two histograms in the L2 norm, in parts of the faces (5.2.1). */
+/** L2 distance of two histograms, as shares of the faces (5.2.1). */
 double
 DistanceOfHistograms(const TriangleQuality & a, const TriangleQuality & b, int faces)
 {
@@ -25,12 +25,12 @@ DistanceOfHistograms(const TriangleQuality & a, const TriangleQuality & b, int f
   return std::sqrt(sum);
 }
 
-/** One metric of the tube. */
+/** Results of one metric of the tube. */
 struct Metric
 {
   Eigen::VectorXd lengths;
   TriangleQuality quality;
-  /** Of the flat colon; 0 where these lengths make no map. */
+  /** Modulus of the flat colon; 0 if the map does not exist for these lengths. */
   double modulus{ 0.0 };
 };
 
@@ -45,12 +45,12 @@ MetricOf(const SurfaceMesh & mesh, const SurfaceConnectivity & connectivity, con
   }
   catch (const InputError &)
   {
-    // Lengths that break the triangle inequality: that is a result.
+    // A violated triangle inequality is a result, too.
   }
   return metric;
 }
 
-/** Rows of one time; returns the differences for a chart. */
+/** Writes the rows of one diffusion time; returns the differences for a chart. */
 class QualityOfTime
 {
 public:
@@ -63,7 +63,7 @@ public:
     , m_Exact(MetricOf(mesh, m_Connectivity, solver.Compute(m_Time).edgeLengths))
   {}
 
-  /** Adds the row of so many pairs; returns their difference from the exact distances. */
+  /** Adds the row of a number of eigenpairs; returns their difference from the exact distances. */
   double
   AddPairs(const SurfaceSpectrum & spectrum, int pairs, CsvTable & table) const
   {

@@ -15,7 +15,7 @@ using namespace shapeton;
 
 namespace
 {
-/** A folder that is gone with the object. */
+/** Temporary folder, removed on destruction. */
 class WorkFolder
 {
 public:
@@ -34,7 +34,7 @@ private:
   std::filesystem::path m_Path;
 };
 
-/** Runs the script that calls scikit-image; false where that is missing. */
+/** Runs the script that calls scikit-image; returns false if it is not installed. */
 bool
 RunScript(const std::string & arguments)
 {

@@ -14,7 +14,7 @@ using namespace shapeton;
 
 namespace
 {
-/** Along the centreline of the exam, mm: where one true segment ends and the next begins. */
+/** Positions along the centreline (mm) of the borders between true segments. */
 std::array<double, 4>
 TrueFlexures(const LandmarkExam & exam)
 {
@@ -59,7 +59,7 @@ IsBorderPoint(const FlatColonGrid & grid, const Eigen::Vector2d & uv)
   return std::min(uv.y(), grid.Circumference() - uv.y()) <= close;
 }
 
-/** `outcome` of each fold of the source. */
+/** Sets `outcome` of each fold of the source. */
 void
 CountPoints(const ColonPosition &                   source,
             const TrueFolds &                       truth,
@@ -94,7 +94,7 @@ IsSeen(const ColonPosition & position, const HaustralFold & fold)
   return position.isExcluded.empty() || !position.isExcluded[position.flat->Grid().PixelOfUv(fold.centreUv).column];
 }
 
-/** True folds of what is seen; -1 for what is none. */
+/** True fold of each detected one; -1 for false positives. */
 std::vector<int>
 FoldsSeen(const ColonPosition & position, const TrueFolds & truth, std::vector<char> & isSeen)
 {

@@ -9,8 +9,8 @@
 #include <array>
 #include <map>
 
-/** Feature points of one segment of the source: ends of folds that can be seen, by what became of their fold (Table 4.1
- * of the dissertation, which counts unmatched ones as incorrect). */
+/** Feature points (ends of visible folds) of one segment of the source, by the match of their fold (Table 4.1 of the
+ * dissertation, which counts unmatched ones as incorrect). */
 struct FeaturePointCounts
 {
   int correct{ 0 };
@@ -21,20 +21,20 @@ struct FeaturePointCounts
   Add(const FeaturePointCounts & other);
 };
 
-/** By segment, 1 to 6; 0 for the whole colon. */
+/** Counts by segment, 1 to 6; index 0 is the whole colon. */
 using FeaturePointTable = std::array<FeaturePointCounts, 7>;
 
-/** A map by one scheme. */
+/** Result of one registration scheme. */
 struct SchemeScore
 {
   shapeton::RegistrationErrors errors;
   int                          flips{ 0 };
 };
 
-/** One synthetic patient, prone registered to supine or the other way about, against the truth. */
+/** Results of one synthetic patient, prone registered to supine or vice versa, compared with the truth. */
 struct RegistrationScore
 {
-  /** Of the map, and of simpler ways to register. Keys are names for a table. */
+  /** Errors of the map, of the frame, and of simpler schemes; the keys are table labels. */
   shapeton::RegistrationErrors       errors;
   shapeton::RegistrationErrors       frame;
   std::map<std::string, SchemeScore> schemes;
@@ -42,30 +42,30 @@ struct RegistrationScore
   bool                               isFlagged{ false };
   double                             confidence{ 0.0 };
   double                             seconds{ 0.0 };
-  /** Pairs of folds that are one fold in truth, all pairs, and folds that can be seen in both positions. */
+  /** Correct fold pairs, all pairs, and folds visible in both positions. */
   int right{ 0 };
   int pairs{ 0 };
   int common{ 0 };
-  /** Ends within 15 mm of the border of the flat map, and all. */
+  /** Fold ends within 15 mm of the border of the flat map, and all fold ends. */
   FeaturePointTable borderPoints;
   FeaturePointTable allPoints;
-  /** Empty, or why there is no map. */
+  /** Empty, or the reason why the map is missing. */
   std::string failure;
 };
 
-/** An exam as the registration takes it: with the landmarks that ColonLandmarks finds, or the true ones. */
+/** Makes the registration input of an exam, with the landmarks found by ColonLandmarks or the true ones. */
 shapeton::ColonPosition
 MakeColonPosition(const LandmarkExam & exam, const std::string & name, bool hasTrueLandmarks);
 
-/** Points of the wall that both positions have, outside true collapse. */
+/** Wall points visible in both positions, outside of true collapse. */
 std::vector<shapeton::PointPair>
 TruePairs(const shapeton::ColonAnatomy & source, const shapeton::ColonAnatomy & target);
 
-/** Registers the first to the second and measures. `comparesSchemes` adds the simpler ones. */
+/** Registers the first exam to the second and measures the errors. `comparesSchemes` adds the simpler schemes. */
 RegistrationScore
 TryRegistration(const LandmarkExam & first, const LandmarkExam & second, bool hasTrueLandmarks, bool comparesSchemes);
 
-/** Whether exams of two patients are told apart: flagged, or refused. */
+/** Whether exams of two different patients are flagged or rejected. */
 bool
 AreToldApart(const LandmarkExam & first, const LandmarkExam & second);
 

@@ -6,22 +6,22 @@
 #include <string>
 #include <vector>
 
-/** Stated probabilities beside what came true. */
+/** Comparison of stated probabilities with outcomes. */
 class Reliability
 {
 public:
-  /** `borders` of the classes of confidence, ascending from 0 to 1; five even ones by default. */
+  /** `borders` are the ascending limits of the confidence classes, from 0 to 1. */
   explicit Reliability(std::vector<double> borders = { 0.0, 0.2, 0.4, 0.6, 0.8, 1.0 });
 
   void
   Add(double confidence, bool isRight);
 
-  /** Expected calibration error: the mean, over all statements, of how far the mean confidence of their class lies from
-   * the share that came true; 0 for none. */
+  /** Expected calibration error: the mean, over all statements, of the difference between the mean confidence of their
+   * class and the share of correct ones; 0 without statements. */
   double
   CalibrationError() const;
 
-  /** A row for each class: number, mean confidence, share that came true. */
+  /** Writes one row per class: number, mean confidence, share of correct statements. */
   void
   Write(const std::string & what, ValidationReport & report) const;
 

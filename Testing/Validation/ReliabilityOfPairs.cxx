@@ -1,4 +1,4 @@
-// Confidence of pairs of positions, of one patient and of two, against what is true of them.
+// Reliability of the confidence of pairs of positions, of the same patient or of two patients.
 #include "BoundTable.h"
 #include "RegistrationTrial.h"
 #include "Reliability.h"
@@ -12,14 +12,14 @@ using namespace shapeton;
 
 namespace
 {
-/** A pair of positions as the registration judges it. */
+/** Pair of positions as judged by the registration. */
 struct JudgedPair
 {
   std::string            name;
   bool                   isOnePatient{ false };
   bool                   isRefused{ false };
   RegistrationConfidence confidence;
-  /** mm; 0 for two patients. */
+  /** Error (mm); 0 for two patients. */
   double error{ 0.0 };
 
   double
@@ -27,16 +27,16 @@ struct JudgedPair
   {
     return isRefused ? 0.0 : confidence.whole;
   }
-  /** What the confidence is the probability of: one patient, and a map that most folds can be found by. */
+  /** Event predicted by the confidence: the same patient, and a map good enough to find most folds. */
   bool
   IsRight() const
   {
-    constexpr double greatest = 10.0; // mm, less than half of the distance of folds
+    constexpr double greatest = 10.0; // mm, less than half of the distance between folds
     return isOnePatient && !isRefused && error <= greatest;
   }
 };
 
-/** All positions of a preset. */
+/** All exams of a preset. */
 struct Patients
 {
   std::string                preset;
@@ -94,7 +94,7 @@ Judge(const Patients & patients, std::size_t i, std::size_t j)
   return pair;
 }
 
-/** Each patient with itself, and supine with the prone positions of the next ones. */
+/** Pairs each patient with itself, and supine positions with prone positions of the next patients. */
 std::vector<JudgedPair>
 JudgeAll(const Patients & patients)
 {
@@ -112,7 +112,7 @@ JudgeAll(const Patients & patients)
   return pairs;
 }
 
-/** Shares of pairs that are flagged, or refused: of one patient, wrongly, and of two. */
+/** Shares of flagged or rejected pairs: of one patient (wrongly), and of two. */
 void
 WriteFlagged(const std::string & preset, const std::vector<JudgedPair> & pairs, ValidationReport & report)
 {

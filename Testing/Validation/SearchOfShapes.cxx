@@ -25,14 +25,14 @@ Squared(double a, double b)
   return std::pow(std::log(a / b), 2);
 }
 
-/** Volume, surface and elongation, as one would look at first. */
+/** Baseline: volume, surface and elongation. */
 double
 MeasuresDistance(const ShapeSignature & a, const ShapeSignature & b)
 {
   return std::sqrt(Squared(a.volume, b.volume) + Squared(a.surface, b.surface) + Squared(a.elongation, b.elongation));
 }
 
-/** The same without scale. */
+/** The same, scale-invariant. */
 double
 ProportionsDistance(const ShapeSignature & a, const ShapeSignature & b)
 {
@@ -40,7 +40,7 @@ ProportionsDistance(const ShapeSignature & a, const ShapeSignature & b)
   return std::hypot(difference.surface, difference.elongation, difference.flatness);
 }
 
-/** The heat kernel signature of the surface, its mean over it, at 16 times even in the logarithm; area 1. */
+/** Baseline: mean heat kernel signature of the surface at 16 logarithmically spaced times, scaled to area 1. */
 double
 HeatKernelDistance(const ShapeSignature & a, const ShapeSignature & b)
 {
@@ -91,7 +91,7 @@ Collect(const ValidationSettings & settings)
   return shapes;
 }
 
-/** For each shape the share of its copies to which the nearest of all originals is the right one. */
+/** For each shape, the share of copies whose nearest original is the correct one. */
 std::vector<double>
 NearestIsRight(const std::vector<MeasuredShape> & shapes, const Distance & distance)
 {
@@ -112,7 +112,7 @@ NearestIsRight(const std::vector<MeasuredShape> & shapes, const Distance & dista
   return shares;
 }
 
-/** Of one signature among all others, those of its shape being wanted. */
+/** Retrieval score of one signature among all others; signatures of the same shape are relevant. */
 double
 AveragePrecision(const ShapeSignature &             query,
                  std::size_t                        queryShape,
@@ -145,7 +145,7 @@ AveragePrecision(const ShapeSignature &             query,
   return precision / wanted;
 }
 
-/** For each shape the mean over itself and its copies. */
+/** For each shape, the mean over itself and its copies. */
 std::vector<double>
 AveragePrecisions(const std::vector<MeasuredShape> & shapes, const Distance & distance)
 {
@@ -220,12 +220,12 @@ ReportKinds(const std::vector<MeasuredShape> & shapes, ValidationReport & report
   report.AddTable(table);
 }
 
-/** What a database without a fifth of the shapes answers. */
+/** Results of queries to a database that lacks a fifth of the shapes. */
 struct Answers
 {
   std::vector<double>                  unknownOfLeftOut; ///< for each shape, the share of its copies
   std::vector<double>                  rightOfEntries;
-  std::vector<std::pair<double, bool>> probabilities; ///< and whether the nearest is the right one
+  std::vector<std::pair<double, bool>> probabilities; ///< and whether the nearest is correct
 };
 
 Answers
@@ -258,7 +258,7 @@ AskWithoutAFifth(const std::vector<MeasuredShape> & shapes)
       if (i % folds == fold)
       {
         answers.unknownOfLeftOut.push_back(MeanOf(unknown));
-        right[i].resize(right[i].size() - unknown.size()); // those were no entries
+        right[i].resize(right[i].size() - unknown.size()); // these were not in the database
       }
     }
   }

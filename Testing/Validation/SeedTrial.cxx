@@ -33,7 +33,7 @@ EmptyLabels(const itk::ImageBase<3> * grid)
   return labels;
 }
 
-/** The voxels of each label from 1 on. */
+/** Voxels of each label, starting at 1. */
 std::vector<Voxels>
 VoxelsOfLabels(const SeedImage * labels, std::size_t number)
 {
@@ -48,7 +48,7 @@ VoxelsOfLabels(const SeedImage * labels, std::size_t number)
   return voxels;
 }
 
-/** CPU time of this process, all threads together. */
+/** CPU time of this process over all threads. */
 class CpuClock
 {
 public:

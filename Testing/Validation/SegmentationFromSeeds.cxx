@@ -19,11 +19,11 @@ namespace
 {
 using ImageType = LabelledVolume::ImageType;
 
-constexpr int judgedNumber = 20; // seeds of each label, at which the bounds are asked
+constexpr int judgedNumber = 20; // seeds per label at which the bounds apply
 
 // ---- volumes ----
 
-/** Intensities scaled to [0, 1] by a window: what all methods get. */
+/** Intensities scaled to [0, 1] by a window, the input of all methods. */
 template <typename TImage>
 ImageType::Pointer
 Windowed(const TImage * image, double lower, double upper)
@@ -39,7 +39,8 @@ Windowed(const TImage * image, double lower, double upper)
   return windowed;
 }
 
-/** Label 1 for the background and what is too small or not wanted (none: all are), then a label for each part. */
+/** Sets label 1 for the background and for parts that are too small or not wanted (empty: all are wanted), then one
+ * label per part. */
 template <typename TImage>
 void
 SetTruth(const TImage * parts, std::size_t leastVoxels, const std::set<int> & wanted, LabelledVolume & volume)
@@ -108,7 +109,7 @@ Abdomen(const std::string & dataFolder, const std::string & name, const std::set
 
 // ---- trials ----
 
-/** Dice of each label and cost, of one draw. */
+/** Dice coefficient of each label and cost, for one draw. */
 struct Score
 {
   std::vector<double> dice;
@@ -116,13 +117,13 @@ struct Score
   bool                hasConverged{ true };
 };
 
-/** The draws of one method with one number of seeds; none where the method is missing. */
+/** Draws of one method for one number of seeds; empty if the method is not available. */
 using Scores = std::vector<Score>;
 
 struct MethodScores
 {
   std::string           name;
-  std::map<int, Scores> ofNumber; ///< of seeds
+  std::map<int, Scores> ofNumber; ///< keyed by the number of seeds
 };
 
 Score
@@ -149,7 +150,7 @@ CpuSeconds(const Scores & scores)
   return seconds;
 }
 
-/** Of all draws the seeds, by their number. */
+/** Seeds of all draws, by their number. */
 std::map<int, std::vector<DrawnSeeds>>
 DrawAll(const LabelledVolume & volume, const std::vector<int> & numbers, int draws)
 {
@@ -210,7 +211,7 @@ RunRandomWalker(const LabelledVolume & volume, const std::map<int, std::vector<D
   return scores;
 }
 
-/** Ours first, then the random walker, then the others. */
+/** Methods in order: ours, the random walker, the others. */
 std::vector<MethodScores>
 RunMethods(const LabelledVolume & volume, const std::map<int, std::vector<DrawnSeeds>> & seeds)
 {
@@ -243,7 +244,7 @@ ReportMeans(const std::vector<MethodScores> & methods, ValidationReport & report
   report.AddTable(table);
 }
 
-/** Ours less each peer, by draws. */
+/** Difference between our method and each peer, per draw. */
 void
 ReportDifferences(const std::vector<MethodScores> & methods, ValidationReport & report)
 {
@@ -301,7 +302,7 @@ ReportLabels(const LabelledVolume & volume, const std::vector<MethodScores> & me
   report.AddRows("labels", table);
 }
 
-/** Which numbers of seeds had to be taken at the border of thin labels. */
+/** Numbers of seeds for which seeds at the border of thin labels were needed. */
 std::string
 ThinLabels(const std::map<int, std::vector<DrawnSeeds>> & seeds)
 {
@@ -383,7 +384,7 @@ ReportPhantoms(const ValidationSettings & settings, ValidationReport & report)
 
 // ---- agreement ----
 
-/** A phantom of 0 and 1. */
+/** Phantom with values 0 and 1. */
 LabelledVolume
 TwoValues(unsigned int side)
 {
@@ -391,7 +392,7 @@ TwoValues(unsigned int side)
   auto * const   values = volume.image->GetBufferPointer();
   std::transform(
     values, values + volume.image->GetLargestPossibleRegion().GetNumberOfPixels(), values, [](float value) {
-      return value > 0.02F ? 1.0F : 0.0F; // noise makes every sixth voxel of the background one of 1
+      return value > 0.02F ? 1.0F : 0.0F; // noise turns every sixth background voxel into a 1
     });
   return volume;
 }
@@ -411,7 +412,7 @@ StandardDeviation(const ImageType * image)
   return std::sqrt(squares / static_cast<double>(number) - mean * mean);
 }
 
-/** The greatest difference of a probability, over voxels and labels. */
+/** Greatest difference of a probability over voxels and labels. */
 double
 GreatestDifference(const LabelledVolume &                  volume,
                    const SeedImage *                       seeds,

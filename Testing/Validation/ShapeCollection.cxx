@@ -36,7 +36,7 @@ ImageOf(const VoxelRuns & shape, const itk::ImageBase<3> * grid)
   return image;
 }
 
-/** The voxels of a label of a scene, or of all labels (0). */
+/** Voxels of a label of a scene, or of all labels (0). */
 LabelMap::Pointer
 Sample(const ShapeScene & scene, unsigned int size, unsigned char label)
 {
@@ -57,7 +57,7 @@ Sample(const ShapeScene & scene, unsigned int size, unsigned char label)
 
 // ---- generated shapes ----
 
-/** Random numbers of one shape. */
+/** Random numbers for one shape. */
 class Dice
 {
 public:
@@ -77,7 +77,7 @@ public:
   {
     return Scene{ { "axis", this->Direction() }, { "angle", this->Between(0.0, 180.0) } };
   }
-  /** A place within a box around the middle. */
+  /** Random point in a box around the middle. */
   Scene
   Place(double reach)
   {
@@ -201,7 +201,7 @@ GeneratedShape(unsigned int seed)
 
 // ---- real shapes ----
 
-/** The part of an image around a shape, so that a collection of them is small. */
+/** Crops an image to a shape, to save memory. */
 LabelMap::Pointer
 Cropped(const VoxelRuns & shape, const itk::ImageBase<3> * grid)
 {
@@ -239,15 +239,15 @@ Cropped(const VoxelRuns & shape, const itk::ImageBase<3> * grid)
 
 // ---- copies ----
 
-/** How a copy differs from its shape. */
+/** Differences between a copy and its shape. */
 struct CopyPlan
 {
   std::string     kind;
   double          degrees{ 0.0 };
   double          scale{ 1.0 };
-  Eigen::Vector3d voxel{ 1.0, 1.0, 1.0 }; ///< in voxels of the original, the smallest of their sides
-  double          slant{ 0.0 };           ///< degrees by which the axes of the image are turned
-  double          noise{ 0.0 };           ///< share of the voxels at the boundary that change sides
+  Eigen::Vector3d voxel{ 1.0, 1.0, 1.0 }; ///< in units of the original's smallest voxel side
+  double          slant{ 0.0 };           ///< rotation of the image axes (degrees)
+  double          noise{ 0.0 };           ///< share of boundary voxels that are flipped
 };
 
 std::vector<CopyPlan>
@@ -278,7 +278,7 @@ RandomTurn(double degrees, PhiloxStream & stream)
   return Eigen::AngleAxisd(degrees * M_PI / 180.0, RandomAxis(stream)).toRotationMatrix();
 }
 
-/** An image around the middle of another one that holds it turned and scaled. */
+/** Image centered on another one, large enough for its rotated and scaled content. */
 LabelMap::Pointer
 ImageForCopy(const LabelMap *        shape,
              const CopyPlan &        plan,
@@ -331,7 +331,7 @@ MiddleOf(const LabelMap * image)
   return { 0.5 * (first[0] + last[0]), 0.5 * (first[1] + last[1]), 0.5 * (first[2] + last[2]) };
 }
 
-/** Voxels next to the other side of the boundary change sides with this probability. */
+/** Flips voxels at the boundary with this probability. */
 void
 AddNoise(LabelMap * image, double probability, PhiloxStream & stream)
 {
@@ -354,7 +354,7 @@ AddNoise(LabelMap * image, double probability, PhiloxStream & stream)
   }
 }
 
-/** A copy: each voxel has the value of the nearest voxel of the shape. */
+/** Makes a copy by nearest-neighbor interpolation. */
 LabelMap::Pointer
 CopyOf(const LabelMap * shape, const CopyPlan & plan, PhiloxStream & stream)
 {
@@ -424,7 +424,7 @@ BonesOfFeet(const std::string & dataFolder, std::size_t number)
 {
   constexpr float             dense = 350.0F;    // HU
   constexpr float             depth = 2.0F;      // mm: bones touch by bridges that are thinner than twice that
-  constexpr std::size_t       leastVoxels = 900; // of what is deeper
+  constexpr std::size_t       leastVoxels = 900; // deeper than `depth`
   const Volume                ct = ReadVolume(dataFolder + "/ct/visible-female-ankle");
   const auto                  size = ct.image->GetBufferedRegion().GetSize();
   const VoxelGrid             grid(size[0], size[1], size[2]);
@@ -496,7 +496,7 @@ Measure(const CollectedShape & shape, unsigned int seed)
     }
     catch (const InputError &)
     {
-      continue; // too small: it has no signature
+      continue; // too small for a signature
     }
   }
   return measured;

@@ -7,38 +7,38 @@
 #include <string>
 #include <vector>
 
-/** A shape of a collection: the voxels of an image that are not 0. */
+/** Shape of a collection: the nonzero voxels of an image. */
 struct CollectedShape
 {
   std::string                 name;
   shapeton::LabelMap::Pointer image;
 };
 
-/** Shapes of ShapePhantom's presets, no two of them alike. */
+/** Distinct shapes of ShapePhantom's presets. */
 std::vector<CollectedShape>
 PresetShapes();
 
-/** Shapes of eight families with random proportions: ellipsoids, twisted boxes, bent capsules, rings, knotty tubes,
- * balls with bumps, bodies with limbs, boxes with rods, in images of 96^3 voxels. A seed is a shape. */
+/** Shapes of eight families with random proportions in images of 96^3 voxels: ellipsoids, twisted boxes, bent capsules,
+ * rings, knotty tubes, balls with bumps, bodies with limbs, boxes with rods. Each seed gives one shape. */
 std::vector<CollectedShape>
 GeneratedShapes(unsigned int firstSeed, int number);
 
-/** Bones of two feet, the largest: what is above a threshold in CT, opened so that bones that touch come apart. */
+/** Largest bones of two feet: thresholded CT, opened to separate touching bones. */
 std::vector<CollectedShape>
 BonesOfFeet(const std::string & dataFolder, std::size_t number);
 
-/** Organs of an abdomen of at least 1000 voxels, the largest. */
+/** Organs of an abdomen with at least 1000 voxels, largest first. */
 std::vector<CollectedShape>
 Organs(const std::string & dataFolder, std::size_t number);
 
-/** Copies of a shape, each of a kind. */
+/** Kinds of copies of a shape. */
 struct ShapeCopy
 {
   std::string              kind;
   shapeton::ShapeSignature signature;
 };
 
-/** A shape and its copies as signatures. */
+/** Signatures of a shape and its copies. */
 struct MeasuredShape
 {
   std::string              name;
@@ -46,14 +46,14 @@ struct MeasuredShape
   std::vector<ShapeCopy>   copies;
 };
 
-/** The signatures of a shape and of copies of it: turned by 30 degrees, scaled by 0.5 and by 2 (in voxels of one size),
- * resampled (voxels 1.3 x 1.3 x 2.6 times as large, on slanted axes), noisy (a fifth of the voxels on either side of
- * the boundary change sides), and all of that together. `seed` decides axes and noise. Copies that are too small for a
- * signature are left out. */
+/** Signatures of a shape and its copies: rotated by 30 degrees, scaled by 0.5 and by 2 (in isotropic voxels), resampled
+ * (voxels 1.3 x 1.3 x 2.6 times as large, on slanted axes), noisy (a fifth of the voxels on either side of the boundary
+ * flipped), and all of these combined. `seed` determines axes and noise. Copies that are too small for a signature are
+ * omitted. */
 MeasuredShape
 Measure(const CollectedShape & shape, unsigned int seed);
 
-/** Measure() for each of them, on all processors. */
+/** Calls Measure() for each shape, on all processors. */
 std::vector<MeasuredShape>
 Measure(const std::vector<CollectedShape> & shapes);
 

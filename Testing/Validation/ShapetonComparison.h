@@ -9,13 +9,13 @@
 #include <string>
 #include <vector>
 
-/** What all parts of the comparison need. */
+/** Data shared by all parts of the comparison. */
 struct Comparison
 {
   const ValidationSettings & settings;
   ValidationReport &         report;
 
-  /** Writes the sheet beside the other pictures, and shows it. */
+  /** Writes the sheet to the picture folder and shows it on the page. */
   void
   Show(const PictureSheet & sheet, const std::string & name) const
   {
@@ -35,25 +35,25 @@ struct Comparison
   }
 };
 
-/** "12.3 %". */
+/** Formats a share as "12.3 %". */
 std::string
 Percent(double share);
-/** With two digits after the point. */
+/** Formats a value with two decimals. */
 std::string
 Hundredths(double value);
 
 std::vector<std::string>
 Joined(std::vector<std::string> cells, const std::vector<std::string> & more);
 
-/** The values in the order of the keys. */
+/** Values in the order of the keys. */
 std::vector<double>
 Values(const std::map<int, double> & map);
 
-/** Method and settings in few words. */
+/** Short description of method and settings. */
 std::string
 CaptionOf(const Trial & trial);
 
-/** What all tables of trials begin with. */
+/** First columns of all tables of trials. */
 extern const std::vector<std::string> columnsOfTrials;
 std::vector<std::string>
 CellsOf(const TrialVolume & volume, const Trial & trial);

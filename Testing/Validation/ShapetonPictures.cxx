@@ -23,7 +23,8 @@ ColorOfLevel(unsigned int level)
   return HeatColor((level - 0.5) / numberOfLevels);
 }
 
-/** Whether all but a few values are equal to half a per cent: ranks would show the last digits of a converged field. */
+/** Whether all but a few values are equal to within half a percent; ranks would then show the rounding of a converged
+ * field. */
 bool
 IsFlat(std::vector<float> values)
 {

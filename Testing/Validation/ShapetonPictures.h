@@ -9,21 +9,21 @@
 #include <string>
 #include <vector>
 
-/** The levels of colour that a field is drawn in. */
+/** Number of color levels of a field. */
 constexpr unsigned int numberOfLevels = 12;
 
-/** The levels of the result in the object voxels: equal shares of these voxels from 1 (blue, least) to numberOfLevels
- * (red, most), 0 elsewhere and where no shapeton came. Equal values, to the width of a bin of the heat histogram, have
- * one level. */
+/** Color levels of the result in the object voxels: equal shares of these voxels from 1 (blue, least) to numberOfLevels
+ * (red, most); 0 elsewhere and in voxels without visits. Equal values, to within a bin of the heat histogram, have the
+ * same level. */
 itk::Image<unsigned char, 3>::Pointer
 LevelsOf(const TrialVolume & volume, const Trial & trial);
 
-/** The volume seen from the front, turned and from above a little, each level in its colour. */
+/** Renders the volume from the front, rotated and slightly from above, with each level in its color. */
 shapeton::Picture::Pointer
 RenderLevels(const itk::Image<unsigned char, 3> * levels, unsigned int width, unsigned int height, double azimuth = 30);
 
-/** One slice perpendicular to an axis, as large as fits: levels in their colours, grey elsewhere; grey everywhere
- * without levels. Left and right, front and back are shown the radiological way. */
+/** Draws one slice perpendicular to an axis at the largest size that fits: levels in color, gray elsewhere; all gray
+ * without levels. Uses the radiological orientation. */
 shapeton::Picture::Pointer
 DrawPlane(const TrialVolume &                  volume,
           const itk::Image<unsigned char, 3> * levels,
@@ -42,9 +42,9 @@ public:
   {
     std::size_t  rows{ 1 };
     std::size_t  columns{ 3 };
-    unsigned int width{ 320 }; ///< of a panel
+    unsigned int width{ 320 }; ///< width of a panel
     unsigned int height{ 240 };
-    bool         hasScale{ true }; ///< of shapetons
+    bool         hasScale{ true }; ///< shows the color scale of shapetons
   };
   PictureSheet(const std::string & title, const Layout & layout);
 

@@ -8,7 +8,7 @@ using namespace shapeton;
 
 namespace
 {
-/** The row of a field at the cube's corner, edge, face and centre: means over all eight corners and so on. */
+/** Values of a field at the cube's corner, edge, face and center, averaged over all eight corners and so on. */
 std::array<double, 4>
 CubeFeatures(const TrialVolume & volume, const itk::Image<float, 3> * field)
 {
@@ -36,12 +36,12 @@ CubeFeatures(const TrialVolume & volume, const itk::Image<float, 3> * field)
   return sums;
 }
 
-/** For thin vessels, large vessel and aneurysm the mean visits in units of those of all voxels, then the share of
- * their voxels that was visited; at last the share of all visits that they have together. */
+/** For thin vessels, large vessel and aneurysm: the mean visits relative to all voxels, and the share of visited
+ * voxels; last, their joint share of all visits. */
 std::vector<std::string>
 CellsOfVessels(const TrialVolume & volume, const Trial & trial)
 {
-  std::array<std::array<double, 3>, 5> sums{}; // voxels, visits, visited voxels of each label; of all
+  std::array<std::array<double, 3>, 5> sums{}; // voxels, visits and visited voxels of each label; last, of all
   for (std::size_t i = 0; i < volume.GetNumberOfVoxels(); ++i)
   {
     const std::uint32_t visits = trial.visits->GetBufferPointer()[i];

@@ -252,7 +252,7 @@ RankCorrelation(const std::vector<double> & a, const std::vector<double> & b)
 
 namespace
 {
-/** Means of both fields over a block; false where a voxel of it is no object voxel. */
+/** Means of both fields over a block; false if it contains a voxel outside of the objects. */
 bool
 BlockMeans(const TrialVolume &                  volume,
            const std::array<const float *, 2> & fields,

@@ -9,12 +9,12 @@
 #include <string>
 #include <vector>
 
-/** A volume on which heat and shapetons are tried. */
+/** Volume used to compare heat and shapetons. */
 struct TrialVolume
 {
   std::string                           name;
   itk::Image<float, 3>::Pointer         image;
-  itk::Image<unsigned char, 3>::Pointer labels; ///< null where no truth is known
+  itk::Image<unsigned char, 3>::Pointer labels; ///< null if the truth is unknown
   /** Intensities that map to 0 and 1. Voxels above `lower` are the object voxels. */
   double lower{ 0.0 };
   double upper{ 1.0 };
@@ -31,11 +31,11 @@ struct TrialVolume
   }
 };
 
-/** A preset of ShapePhantom; the window reaches from the background to the greatest intensity. */
+/** Makes a preset of ShapePhantom; the window ranges from the background to the greatest intensity. */
 TrialVolume
 MakeTrialPhantom(const std::string & preset, const itk::Size<3> & size);
 
-/** A rule by which shapetons walk. */
+/** Walk rule of shapetons. */
 struct WalkRule
 {
   std::string                 name;
@@ -43,9 +43,9 @@ struct WalkRule
   shapeton::PathRule          path;
   shapeton::ShapetonPlacement placement;
 };
-/** The rule of chapter 3. */
+/** Rule of chapter 3. */
 extern const WalkRule publishedWalk;
-/** The rule whose density obeys the operator of heat. */
+/** Rule whose density follows the heat operator. */
 extern const WalkRule controlledWalk;
 
 struct WalkSettings
@@ -53,14 +53,14 @@ struct WalkSettings
   std::uint32_t shapetons{ 65000 };
   double        distance{ 0.01 };
   std::uint64_t steps{ 2500 };
-  bool          startInObjects{ false }; ///< in labelled voxels; by default anywhere
+  bool          startInObjects{ false }; ///< start in labeled voxels; by default anywhere
 };
 
-/** Of all cores together: hardly changed by other work on the machine, unlike the time of the clock. */
+/** CPU time of all cores, which, unlike wall time, hardly depends on other load. */
 double
 ProcessorSeconds(std::clock_t ticks);
 
-/** What one method made of a volume. */
+/** Result of one method on a volume. */
 struct Trial
 {
   std::string                           method;
@@ -78,24 +78,24 @@ RunHeat(const TrialVolume & volume, double p, std::uint64_t steps);
 Trial
 RunShapetons(const TrialVolume & volume, double p, const WalkRule & rule, const WalkSettings & settings);
 
-/** The length of a step in units of the smallest spacing, and the steps of heat with the spread of the controlled walk
+/** Step length in units of the smallest spacing, and the number of heat steps with the spread of the controlled walk
  * (see shapeton::EquivalentHeatTimeSteps). */
 double
 StepInVoxels(const TrialVolume & volume, double distance);
 std::uint64_t
 MatchedHeatSteps(const TrialVolume & volume, const WalkSettings & settings);
 
-/** Mean of the field over the voxels of each label but 0. */
+/** Mean of the field over the voxels of each nonzero label. */
 std::map<int, double>
 MeansOfObjects(const TrialVolume & volume, const itk::Image<float, 3> * field);
 
-/** The share of the variance of the field over the labelled voxels that lies between the objects: 1 when each object
- * has one value of its own, 0 when all means are equal. */
+/** Share of the variance of the field over the labeled voxels that is between the objects: 1 if each object has one
+ * value, 0 if all means are equal. */
 double
 VarianceBetweenObjects(const TrialVolume & volume, const itk::Image<float, 3> * field);
 
-/** The classes of the field without the background, and their adjusted Rand index against the labels over the labelled
- * voxels: 1 for the same partition, 0 on average for one made by chance. */
+/** Classes of the field without the background, and their adjusted Rand index against the labels over the labeled
+ * voxels: 1 for identical partitions, 0 on average for random ones. */
 struct ClassAgreement
 {
   std::size_t classes{ 0 };
@@ -104,12 +104,12 @@ struct ClassAgreement
 ClassAgreement
 CompareClasses(const TrialVolume & volume, const Trial & trial);
 
-/** Spearman's rank correlation; ties have their mean rank. 0 where one side is constant. */
+/** Spearman's rank correlation; ties have their mean rank. 0 if one side is constant. */
 double
 RankCorrelation(const std::vector<double> & a, const std::vector<double> & b);
 
-/** Rank correlation of two fields over the object voxels, averaged over blocks of `block` voxels along each axis that
- * hold nothing but object voxels. */
+/** Rank correlation of two fields, averaged over blocks of `block` voxels along each axis that contain only object
+ * voxels. */
 double
 RankCorrelationOfFields(const TrialVolume &          volume,
                         const itk::Image<float, 3> * a,

@@ -12,7 +12,7 @@ using namespace shapeton;
 
 namespace
 {
-/** Larger ones are cropped to their object voxels. */
+/** Larger volumes are cropped to their object voxels. */
 constexpr std::size_t largestVolume = std::size_t{ 1 } << 25;
 
 struct RealCase
@@ -20,17 +20,17 @@ struct RealCase
   std::string                 name;
   std::string                 title;
   std::string                 file;
-  std::string                 labels; ///< empty: none
+  std::string                 labels; ///< empty: without labels
   double                      lower;
   double                      upper;
   double                      p;
   double                      distance;
   std::array<unsigned int, 2> axes;   ///< of the two planes shown
-  std::array<double, 2>       places; ///< in [0, 1] along these axes
+  std::array<double, 2>       places; ///< positions in [0, 1] along these axes
   std::string                 sees;
 };
 
-/** To the box around the object voxels and eight voxels more on all sides, inside the volume. */
+/** Crops to the bounding box of the object voxels plus eight voxels on all sides, inside the volume. */
 void
 CropToObjects(TrialVolume & volume)
 {

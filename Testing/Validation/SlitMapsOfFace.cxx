@@ -64,7 +64,7 @@ DrawFace(const SurfaceMesh & mesh, const ConformalMap & map, const std::string &
   sheet.Write(path);
 }
 
-/** The largest deviation of a boundary from a circle around the middle, relative to its radius. */
+/** Largest deviation of a boundary from a circle around the middle, relative to its radius. */
 double
 DeviationFromCircles(const ConformalMap & map, const SurfaceArray::ValueMatrix & places)
 {

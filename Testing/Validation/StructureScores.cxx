@@ -19,7 +19,7 @@ NumberClose(const std::vector<double> & errors)
   return static_cast<int>(std::count_if(errors.begin(), errors.end(), [](double error) { return error <= close; }));
 }
 
-/** Of those that are finite. */
+/** Statistics of the finite values. */
 std::vector<double>
 Finite(std::vector<double> errors)
 {

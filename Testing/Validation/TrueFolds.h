@@ -5,20 +5,20 @@
 
 #include <vector>
 
-/** The folds of a phantom, to tell which one a fold that was found is. */
+/** True folds of a phantom, to identify detected ones. */
 class TrueFolds
 {
 public:
   explicit TrueFolds(const shapeton::ColonAnatomy & anatomy);
 
-  /** Index of the fold whose crest, where it stands at least 1 mm above the wall, lies nearest, within 6 mm; -1 where
-   * there is none. */
+  /** Index of the fold with the nearest crest, where it is at least 1 mm above the wall, within 6 mm; -1 if there is
+   * none. */
   int
   NearestTo(const Eigen::Vector3d & point) const;
-  /** The same in all positions of one patient. */
+  /** Number of the fold, identical in all positions of one patient. */
   int
   NumberOf(int index) const;
-  /** Of the colon, 1 to 6, of the fold with this number. */
+  /** Colon segment, 1 to 6, of the fold with this number. */
   int
   SegmentOf(int number) const;
 

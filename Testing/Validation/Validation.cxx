@@ -70,17 +70,17 @@ PartNames()
   return names;
 }
 
-/** What the command line asks for. */
+/** Command line options. */
 struct Request
 {
   ValidationSettings settings;
   std::string        output{ "." };
   std::string        rows; ///< for CSV files; empty for the output folder
   std::string        wanted;  ///< empty for all parts
-  std::string        options; ///< that change what a page holds
+  std::string        options; ///< options that change the content of a page
 };
 
-/** Takes the value of an option; false where it is wrong. */
+/** Reads the value of an option; returns false if it is invalid. */
 using Taker = std::function<bool(const std::string &, Request &)>;
 
 const std::map<std::string, Taker> takers = {
@@ -121,7 +121,7 @@ const std::map<std::string, Taker> takers = {
     } },
 };
 
-/** False where an argument is wrong. */
+/** Returns false if an argument is invalid. */
 bool
 Parse(const std::vector<std::string> & arguments, Request & request)
 {

@@ -14,7 +14,7 @@ using shapeton::CsvTable;
 
 constexpr double left = 80, right = 600, top = 20, bottom = 400;
 
-/** One logarithmic axis: from powers of ten around the values to a place on the page. */
+/** Logarithmic axis: maps powers of ten around the values to positions on the page. */
 struct Axis
 {
   Axis(double begin, double end) : first(begin), last(end) {}

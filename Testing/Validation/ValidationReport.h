@@ -23,7 +23,7 @@ public:
   void
   AddRows(const std::string & name, const shapeton::CsvTable & table);
 
-  /** Notes the check and returns "pass" or "FAIL" for a table; failures are counted. */
+  /** Records a check and returns "pass" or "FAIL" for a table; failures are counted. */
   std::string
   Check(bool passed);
 
@@ -36,7 +36,7 @@ public:
   void
   Write(const std::string & folder, const std::string & rowsFolder, const std::string & page) const;
 
-  /** Tells on the standard error what a long part is at; the page does not change. */
+  /** Prints the progress of a long part to standard error, without changing the page. */
   static void
   Progress(const std::string & what);
 
@@ -51,7 +51,7 @@ private:
   unsigned int m_Failures{ 0 };
 };
 
-/** The mean of some values and its 95 % confidence interval by the t distribution; all of the line for one value. */
+/** Mean of values and its 95 % confidence interval by the t distribution; infinite for a single value. */
 struct MeanInterval
 {
   explicit MeanInterval(const std::vector<double> & values);
@@ -60,32 +60,32 @@ struct MeanInterval
   double upper{ 0.0 };
 };
 
-/** "mean [lower, upper]". */
+/** Formats "mean [lower, upper]". */
 std::string
 MeanWithInterval(const std::vector<double> & values);
 
-/** What a part may use. */
+/** Settings of a part. */
 struct ValidationSettings
 {
-  /** Of the synthetic patients of a preset: `asked` of them (20 of realistic), or as many as are set, from the first
-   * seed on: 100, of realistic 140, or the one that is set. */
+  /** Seeds of the synthetic patients of a preset: `asked` of them (20 for realistic) or the set number, starting at 100
+   * (140 for realistic) or the set first seed. */
   std::vector<unsigned int>
   Seeds(int asked, const std::string & preset = "standard") const;
 
-  /** The same in words, and what these patients were used for. */
+  /** Describes these seeds and the previous use of these patients. */
   std::string
   SeedsInWords() const;
 
   bool         quick{ false };
-  int          patients{ 0 };  ///< synthetic ones of each preset; 0 for what is asked
-  unsigned int firstSeed{ 0 }; ///< 0 for those of the published tables
-  /** Of the synthetic patients. */
+  int          patients{ 0 };  ///< synthetic patients per preset; 0: default of the part
+  unsigned int firstSeed{ 0 }; ///< 0: that of the published tables
+  /** Presets of the synthetic patients. */
   std::vector<std::string> presets{ "standard", "hard", "realistic" };
-  int                      draws{ 0 };          ///< of seeds, in seeded-heat and seeded-heat-organs; 0 for 3
-  int                      seedsOfLabel{ 0 };   ///< there; 0 for 5, 20 and 100
-  std::string              dataFolder;          ///< empty where there is no real data
-  std::string              outputFolder{ "." }; ///< for pictures beside the page
-  std::string              pictureFolder;       ///< for those of Documentation/pictures
+  int                      draws{ 0 };          ///< seed draws in seeded-heat and seeded-heat-organs; 0: 3
+  int                      seedsOfLabel{ 0 };   ///< seeds per label there; 0: 5, 20 and 100
+  std::string              dataFolder;          ///< empty without real data
+  std::string              outputFolder{ "." }; ///< folder of the page and its pictures
+  std::string              pictureFolder;       ///< folder of pictures in Documentation/pictures
 };
 void
 ValidateAccuracyOfHeat(const ValidationSettings & settings, ValidationReport & report);

@@ -3,7 +3,7 @@
 
 #include "shapetonShapeDiffusionTestVolumes.h"
 
-/** A cube of 1 in the middle of a volume of 0. */
+/** Cube of value 1 in the middle of a volume of 0. */
 inline shapeton::test::Volume
 Cube(std::size_t volumeSide, std::size_t side)
 {

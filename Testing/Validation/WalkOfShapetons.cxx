@@ -1,4 +1,4 @@
-// The open question 7.2.1 of the dissertation: what a number of steps of shapetons means as a scale.
+// Open question 7.2.1 of the dissertation: the relation between the number of shapeton steps and scale.
 #include "ValidationChart.h"
 #include "ValidationReport.h"
 #include "ValidationVolumes.h"
@@ -14,7 +14,7 @@ namespace
 using Density = std::vector<double>; // relative to its mean over a domain, for the voxels of the domain
 using Mask = std::vector<unsigned char>;
 
-/** How shapetons walk. */
+/** Walk rule of shapetons. */
 struct Walk
 {
   const char *      name;
@@ -82,7 +82,7 @@ Relative(const std::vector<TValue> & values, const Mask & domain)
   return density;
 }
 
-/** The visits of the domain after each of `steps`, for several seeds; placed in the domain where `masked`. */
+/** Visits of the domain after each of `steps`, for several seeds; shapetons start in the domain if `masked`. */
 std::vector<std::vector<Density>>
 VisitsOf(const test::Volume &               volume,
          ShapetonDiffusionSettings          settings,
@@ -106,8 +106,8 @@ VisitsOf(const test::Volume &               volume,
   return densities;
 }
 
-/** The mean squared deviation of the expected density from a reference: products of the deviations of different seeds,
- * whose sampling errors are independent, so that these cancel on average. A value for each pair of seeds. */
+/** Mean squared deviation of the expected density from a reference, one value per pair of seeds. The products of
+ * deviations of different seeds have independent sampling errors, which cancel on average. */
 std::vector<double>
 SquaredDeviations(const std::vector<Density> & densities, const Density & reference)
 {
@@ -135,7 +135,7 @@ Spread(const Density & density)
   return std::sqrt(squares / static_cast<double>(density.size()));
 }
 
-/** A root mean square with its interval, in percent of something. */
+/** Root mean square with its interval, in percent of a reference value. */
 struct Percent
 {
   Percent(const std::vector<double> & squares, double whole)
@@ -150,7 +150,7 @@ struct Percent
   std::string text;
 };
 
-/** The variance of the voxel's displacement along an axis in one step of a walk without walls. */
+/** Variance of the voxel displacement along an axis in one step of a walk without walls. */
 double
 VarianceOfStep(double stepInVoxels)
 {
@@ -203,8 +203,8 @@ SpreadOfTheWalk(const ValidationSettings & settings, ValidationReport & report)
   report.AddTable(table);
 }
 
-/** A closed object of side 12 in 16^3, 0 around, in which voxels of two levels are mixed: soft, all its weights
- * strictly between 0 and 1, those between the levels small; or of hard walls alone, all its weights 0 or 1. */
+/** Closed object of side 12 in 16^3 voxels, 0 around, with two mixed intensity levels: soft (all weights strictly
+ * between 0 and 1, small between the levels) or with hard walls only (all weights 0 or 1). */
 test::Volume
 ClosedObject(bool hard)
 {
@@ -218,7 +218,7 @@ ClosedObject(bool hard)
   return volume;
 }
 
-/** The mean heat at the times of the steps of a walk: explicit steps of at most 1/96 in double precision. */
+/** Mean heat at the times of the steps of a walk, by explicit steps of at most 1/96 in double precision. */
 Density
 MeanHeat(const test::Volume & volume, double p, double stepInVoxels, std::uint64_t steps, const Mask & domain)
 {
@@ -237,7 +237,7 @@ MeanHeat(const test::Volume & volume, double p, double stepInVoxels, std::uint64
   return Relative(sum, domain);
 }
 
-/** The deviation from heat of a walk by steps of several lengths, in the same time. */
+/** Deviation from heat of walks with several step lengths, over the same time. */
 Percent
 DeviationFromHeat(const ValidationSettings & settings, const Walk & walk, bool hard, double a, std::uint64_t steps)
 {
@@ -316,8 +316,8 @@ constexpr std::size_t cubeSide = 40;
 /** Steps that take as long as two time steps of 1/12. */
 constexpr double stepOfFigure = 2.0 / 3.0;
 
-/** Visits near the corners, edges and faces of the cube of figure 2.4 (less than 2 voxels from so many of its sides,
- * at least 10 from the others) and around its centre; means over the voxels of the cube. */
+/** Mean visits near the corners, edges and faces of the cube of figure 2.4 (less than 2 voxels from that many sides, at
+ * least 10 from the others) and around its center. */
 std::array<double, 4>
 MeansOfRegions(const Density & density)
 {
@@ -344,7 +344,7 @@ MeansOfRegions(const Density & density)
   return sums;
 }
 
-/** The mean heat of the cube over every second time step up to each of `times`. */
+/** Mean heat of the cube over every second time step up to each of `times`. */
 std::vector<Density>
 MeanHeatOfCube(const test::Volume & volume, const Mask & domain, const std::vector<std::uint64_t> & times)
 {
@@ -356,7 +356,7 @@ MeanHeatOfCube(const test::Volume & volume, const Mask & domain, const std::vect
   {
     steps.push_back(step);
   }
-  // For each worker and each piece of time.
+  // One field per worker and piece of time.
   std::vector<std::vector<Density>> sums(itk::MultiThreaderBase::GetGlobalDefaultNumberOfThreads(),
                                          std::vector<Density>(times.size(), Density(volume.values.size())));
   HeatDiffusionSolver               solver(volumeGradient, HeatDiffusionSolver::Method::Chebyshev, 1.0 / 12.0, 1e-5);
@@ -378,7 +378,7 @@ MeanHeatOfCube(const test::Volume & volume, const Mask & domain, const std::vect
   return means;
 }
 
-/** The correlation over the voxels of the expected visits with heat: sampling errors would lower that of the visits. */
+/** Correlation of the expected visits with heat over the voxels; sampling errors would reduce that of the visits. */
 double
 CorrelationOfExpectation(const std::vector<Density> & densities, const Density & heat)
 {
@@ -537,7 +537,7 @@ UniformPlacement(const ValidationSettings & settings, ValidationReport & report)
                  "wall are visited less, whatever the shape of the object.");
 }
 
-/** Each voxel as `factor`^3 voxels. */
+/** Replaces each voxel by `factor`^3 voxels. */
 test::Volume
 Upsampled(const test::Volume & volume, std::size_t factor)
 {
@@ -577,7 +577,7 @@ Objects()
   return volume;
 }
 
-/** The mean visits of the object of an intensity, for each seed. */
+/** Mean visits of the object with an intensity, for each seed. */
 std::vector<double>
 MeansOfObject(const test::Volume & volume, float intensity, const std::vector<Density> & densities)
 {
@@ -603,9 +603,9 @@ Differences(const std::vector<double> & a, const std::vector<double> & b)
   return differences;
 }
 
-constexpr std::size_t cuts = 4; // of a voxel along each axis
+constexpr std::size_t cuts = 4; // subdivisions of a voxel along each axis
 
-/** Rows of a walk: its objects in the coarse and in the fine volume, whose visits are summed over the coarse voxels. */
+/** Rows of a walk: its objects in the coarse and in the fine volume, with the fine visits summed over coarse voxels. */
 void
 AddObjects(const test::Volume &         volume,
            const Walk &                 walk,
@@ -628,7 +628,7 @@ AddObjects(const test::Volume &         volume,
   {
     const auto a = MeansOfObject(volume, intensity, coarse);
     const auto b = MeansOfObject(volume, intensity, fine);
-    // Hard walls: none leaves its object, so that the numbers in the objects are binomial.
+    // Hard walls: shapetons do not leave their object, so the numbers per object are binomial.
     const double voxels = static_cast<double>(std::count(volume.values.begin(), volume.values.end(), intensity));
     const double mean = MeanInterval(a).mean;
     const double share = mean * voxels / static_cast<double>(ones.size());
