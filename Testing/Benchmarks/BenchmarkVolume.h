@@ -7,11 +7,11 @@
 #include <cstddef>
 #include <vector>
 
-/** Three balls of soft edges on an uneven ground, in noise: 0 to 255 like the classic volumes, x fastest. */
+/** Three balls with soft edges on a nonuniform, noisy background: 0 to 255 like the classic volumes, x fastest. */
 std::vector<float>
 MakeBenchmarkVolume(const std::array<std::size_t, 3> & size);
 
-/** The window from the least to the greatest intensity; all else as by default. */
+/** Parameters with the window from the least to the greatest intensity; all others are defaults. */
 shapeton::VolumeGradientOperator::Parameters
 WholeWindow(const std::vector<float> & intensities);
 

@@ -1,4 +1,4 @@
-// What a GPU does, against what was asked of it: seconds by the clock, the best of three runs after a first one. Run by
+// GPU timings compared with their bounds: wall time in seconds, the best of three runs after a warm-up. Run by
 // Utilities/run-benchmarks --device cuda.
 #include "BenchmarkVolume.h"
 
@@ -22,7 +22,7 @@ double
 SecondsOf(const std::function<void()> & work)
 {
   double best = HUGE_VAL;
-  work(); // kernels are loaded, memory is touched
+  work(); // warm-up: loads kernels, touches memory
   for (int run = 0; run < 3; ++run)
   {
     const auto start = std::chrono::steady_clock::now();
@@ -39,7 +39,7 @@ Print(const char * what, double value, const char * unit, double atMost)
   std::fflush(stdout);
 }
 
-/** A volume with p = 7. */
+/** Test volume with p = 7. */
 struct Setting
 {
   explicit Setting(std::size_t edge)
@@ -63,7 +63,7 @@ struct Setting
   PaddedField                  initial;
 };
 
-/** Counts every row. */
+/** Counts all rows of the histogram. */
 class Counter : public HeatSnapshots
 {
 public:
@@ -91,7 +91,7 @@ private:
   std::vector<std::uint32_t> m_Counts;
 };
 
-/** Bytes a second. */
+/** Bandwidth in bytes per second. */
 double
 MeasureTriad()
 {
@@ -147,7 +147,7 @@ MeasureHistogram(const Setting & s)
   Print("256^3, t = 1e5, 512 rows of the histogram", seconds, "s", 0.8);
 }
 
-/** Seconds of steps after those that a run has taken. */
+/** Time of additional steps, in seconds, after those of an earlier run. */
 double
 SecondsOfShapetons(const Setting & s, std::uint32_t shapetons, std::uint64_t steps)
 {

@@ -1,7 +1,6 @@
-// What each DICOM object of an examination takes by itself, beside the whole.
-// usage: DicomResultsBenchmark [EXAM SOURCE]; without arguments a phantom of 512 x 512 x 400 voxels is made and
-// analysed first, by the tools beside this program, which takes many minutes. Seconds are those of the processor, of
-// one thread.
+// Time of each DICOM object of an examination, and of all together. usage: DicomResultsBenchmark [EXAM SOURCE]; without
+// arguments, a phantom of 512 x 512 x 400 voxels is generated and analyzed first with the tools next to this program,
+// which takes many minutes. Times are CPU seconds of one thread.
 #include "shapetonTestFolder.h"
 
 #include "shapetonColonDicomResults.h"
@@ -44,7 +43,7 @@ struct Stage
   double      begin;
 };
 
-/** The stages of writing all objects into `folder`; the last one is the end. */
+/** Stages of writing all objects into `folder`; the last one marks the end. */
 std::vector<Stage>
 WriteAll(const std::string & exam, const std::string & source, const std::string & folder, bool isDeflated)
 {
@@ -84,7 +83,7 @@ Run(const std::string & command)
   }
 }
 
-/** A run and its series. */
+/** A run and its source series. */
 std::pair<std::string, std::string>
 MakePhantomRun(const std::string & tools, const basetest::Folder & folder)
 {

@@ -1,5 +1,5 @@
-// Flat pictures of a made-up colon of 55,000 faces at 3000 x 200 and 12000 x 800 pixels: seconds of each step by the
-// clock and of the processor.
+// Flat pictures of a generated colon of 55,000 faces at 3000 x 200 and 12000 x 800 pixels: wall and CPU time of each
+// step.
 #include "shapetonFlatColonPage.h"
 #include "shapetonFlatColonStrip.h"
 #include "shapetonFlatCoordinateMap.h"
@@ -71,7 +71,7 @@ MakeCt()
   return ct;
 }
 
-/** The median of some repetitions, and their processor time. */
+/** Median time of some repetitions, and their CPU time. */
 void
 Time(const char * what, const std::function<void()> & run)
 {

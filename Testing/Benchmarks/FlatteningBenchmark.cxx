@@ -1,6 +1,6 @@
-// Flattening of colon-like tubes beside Newton's method for conformal equivalence, LSCM and ARAP of CGAL on the cut
-// surface, and the 2g solves of the holomorphic method. usage: FlatteningBenchmark [faces...]; without arguments 12000
-// 55000. What the maps are worth: Utilities/run-validation flattening-accuracy.
+// Flattening of colon-like tubes compared with Newton's method for conformal equivalence, CGAL's LSCM and ARAP on the
+// cut surface, and the 2g solves of the holomorphic method. usage: FlatteningBenchmark [faces...]; default: 12000
+// 55000. For the accuracy of the maps, see Utilities/run-validation flattening-accuracy.
 #include "FlatteningTrial.h"
 #include "NewtonFlattening.h"
 
@@ -28,7 +28,7 @@ using namespace shapeton;
 namespace smp = CGAL::Surface_mesh_parameterization;
 using CgalMesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
 
-constexpr int facesOfPeers = 60000; // ARAP takes long
+constexpr int facesOfPeers = 60000; // ARAP is slow
 
 template <typename TBody>
 double
@@ -50,7 +50,7 @@ PrintBound(const char * text, double value, double asked)
   std::printf("  %-66s %10.4g   asked <= %g   %s\n", text, value, asked, value <= asked ? "met" : "NOT MET");
 }
 
-/** Seconds of all processors. */
+/** CPU seconds of all processors. */
 template <typename TBody>
 double
 ProcessorSeconds(const TBody & body)
@@ -124,7 +124,7 @@ CompareTimes(int faces)
   PrintBound("time against CGAL ARAP", ours / byArap, 0.03);
 }
 
-/** A pair of Laplacians, each with its factorisation, against one factorisation with 2g solves. */
+/** Compares two Laplacians, each with its own factorization, with one factorization and 2g solves. */
 void
 CompareWithHolomorphicForms(int faces, int handles)
 {
@@ -152,7 +152,7 @@ CompareWithHolomorphicForms(int faces, int handles)
               pair / forms);
 }
 
-/** Detection on a map and removal, on a surface with handles. */
+/** Detection on a map and removal, for a surface with handles. */
 void
 MeasureHandles(int faces, int handles)
 {

@@ -1,6 +1,6 @@
-// Circle packing by Newton's method beside a sweep of Thurston's method and the plain gradient flow, on the same map
-// with the same circles at infinity, all to a curvature of 1e-10; the embedding beside Graphviz's sfdp: time and
-// crossings. usage: GraphEmbeddingBenchmark [--large], which adds maps of a million nodes.
+// Circle packing by Newton's method compared with a sweep of Thurston's method and plain gradient flow, on the same map
+// with the same circles at infinity, to a curvature of 1e-10; embedding time and crossings compared with Graphviz's
+// sfdp. usage: GraphEmbeddingBenchmark [--large]; --large adds maps of a million nodes.
 #include "GraphPackingPeers.h"
 
 #include "shapetonGraphEmbedding.h"

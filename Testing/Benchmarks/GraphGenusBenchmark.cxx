@@ -1,5 +1,5 @@
-// Planarity of random triangulated grids beside Boost's test of Boyer and Myrvold, in one process; then the genus of
-// known graphs. Arguments: the side of the grid (default 200).
+// Planarity test of random triangulated grids compared with Boost's Boyer-Myrvold test, in one process; then the genus
+// of known graphs. Argument: side of the grid (default 200).
 #include "shapetonGraphFamilies.h"
 #include "shapetonGraphGenus.h"
 #include "shapetonPhiloxStream.h"
@@ -25,7 +25,7 @@ SecondsOf(const std::function<void()> & work)
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-/** A grid with a random diagonal in each square, its nodes and edges in random order. */
+/** Grid with a random diagonal in each square, with shuffled nodes and edges. */
 shapeton::Graph
 TriangulatedGrid(int side)
 {
@@ -54,7 +54,7 @@ TriangulatedGrid(int side)
   return graph;
 }
 
-/** With the embedding, as ours. */
+/** Includes the embedding, like ours. */
 bool
 EmbedByBoost(const shapeton::Graph & graph)
 {

@@ -27,7 +27,7 @@ SecondsSince(std::chrono::steady_clock::time_point start)
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-/** Two triangles of a square, divided by a diagonal that looks random. */
+/** Two triangles of a square, split by a pseudo-random diagonal. */
 void
 AddSquare(int p, int q, int r, int s, unsigned int & state, std::vector<Triangle> & triangles)
 {
@@ -78,7 +78,7 @@ MapOf(int nodes, const std::vector<Triangle> & triangles)
   return { nodes, edges, next };
 }
 
-/** Circles as one list, nodes first, each with those it meets at a right angle. */
+/** All circles in one list, nodes first, each with the circles that it crosses at right angles. */
 struct Packing
 {
   Packing(const CombinatorialMap & map, const shapeton::CirclesAtInfinity & infinite)
@@ -132,7 +132,7 @@ struct Packing
   std::vector<char>             isLine;
 };
 
-/** Returns the largest curvature that was met. */
+/** Returns the largest curvature encountered. */
 double
 Sweep(Packing & packing)
 {
@@ -226,7 +226,7 @@ CirclesThroughFirstEdge(const CombinatorialMap & map)
   shapeton::CirclesAtInfinity infinite;
   infinite.lineNodes.assign(map.Nodes(), 0);
   infinite.lineFaces.assign(map.Faces(), 0);
-  const int last = 2 * map.Edges() - 2; // beside the node that closes the grid
+  const int last = 2 * map.Edges() - 2; // next to the node that closes the grid
   for (int h = last; h < last + 2; ++h)
   {
     infinite.lineNodes[map.Node(h)] = 1;

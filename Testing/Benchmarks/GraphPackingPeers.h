@@ -7,10 +7,10 @@
 #include <array>
 #include <vector>
 
-/** Peers of the circle packing: methods that the literature names, and a layout by forces. */
+/** Peers of circle packing: methods of the literature and a force layout. */
 namespace peers
 {
-/** Triangulated grids, each diagonal one of the two: on the sphere with one node that closes the boundary. */
+/** Triangulated grids with random diagonals; on the sphere, one node closes the boundary. */
 shapeton::CombinatorialMap
 GridOnSphere(int side);
 shapeton::CombinatorialMap
@@ -21,9 +21,8 @@ CirclesThroughFirstEdge(const shapeton::CombinatorialMap & map);
 
 enum class Method
 {
-  ThurstonSweep, ///< each circle in turn takes the radius that uniform neighbours would give it (Collins and
-                 ///< Stephenson)
-  GradientFlow   ///< du = -h K with the largest h that is stable
+  ThurstonSweep, ///< sets each radius in turn to that for uniform neighbors (Collins and Stephenson)
+  GradientFlow   ///< du = -h K with the largest stable h
 };
 
 struct PeerRun
@@ -34,7 +33,7 @@ struct PeerRun
   bool   isExtrapolated{ false };
 };
 
-/** Runs to a curvature of 1e-10 or for a minute, then time and steps are extrapolated. */
+/** Runs to a curvature of 1e-10, or for a minute and extrapolates time and steps. */
 PeerRun
 RunPeer(const shapeton::CombinatorialMap & map, const shapeton::CirclesAtInfinity & infinite, Method method);
 
@@ -45,7 +44,7 @@ struct SfdpRun
   std::vector<std::array<double, 2>> places;
 };
 
-/** Graphviz's layout of a large graph by forces. Crossings are counted by all pairs of edges. */
+/** Graphviz's force layout of a large graph. Crossings are counted over all pairs of edges. */
 SfdpRun
 RunSfdp(const shapeton::Graph & graph, bool countsCrossings = true);
 } // namespace peers

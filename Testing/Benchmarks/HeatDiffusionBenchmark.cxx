@@ -1,5 +1,5 @@
-// Cumulative heat diffusion of 256^3 voxels beside its peers, all in one process: the memory roofline (a triad), a
-// plain scalar loop, and ITK's gradient anisotropic diffusion. Prints absolute times, then the ratios of medians.
+// Cumulative heat diffusion of 256^3 voxels compared with its peers in one process: the memory roofline (a triad), a
+// plain scalar loop, and ITK's gradient anisotropic diffusion. Prints absolute times, then ratios of medians.
 #include "BenchmarkVolume.h"
 #include "ScalarPeer.h"
 
@@ -26,7 +26,7 @@ constexpr std::size_t side = 256;
 constexpr double      voxels = static_cast<double>(side) * side * side;
 constexpr float       dt = 1.0F / 12.0F;
 
-/** The volume, its operator with p = 7, and fields to work on. */
+/** The volume, its operator with p = 7, and work buffers. */
 struct Setting
 {
   Setting()
@@ -121,7 +121,7 @@ Sweep(benchmark::State & state)
   s.Reset();
 }
 
-/** Sixteen steps by tiles in space and time. */
+/** Sixteen steps with tiling in space and time. */
 void
 Tiled(benchmark::State & state)
 {
@@ -152,7 +152,8 @@ TiledCompensated(benchmark::State & state)
   s.Reset();
 }
 
-/** Five iterations of the nearest filter of ITK: conductances from the evolving image, recomputed in each iteration. */
+/** Five iterations of the most similar ITK filter, which recomputes conductances from the evolving image in each
+ * iteration. */
 void
 ItkGradientAnisotropicDiffusion(benchmark::State & state)
 {
@@ -204,7 +205,7 @@ Snapshots(benchmark::State & state)
   s.Reset();
 }
 
-// Bandwidth changes from second to second on shared machines: peers take turns in random order, and medians count.
+// Bandwidth fluctuates on shared machines, so peers run in random order and medians are compared.
 constexpr int turns = 7;
 BENCHMARK(Triad)->Unit(benchmark::kMillisecond)->UseRealTime()->Iterations(40)->Repetitions(turns);
 BENCHMARK(Scalar)->Unit(benchmark::kMillisecond)->UseRealTime()->Iterations(4)->Repetitions(turns);
@@ -215,7 +216,7 @@ BENCHMARK(ItkGradientAnisotropicDiffusion)->Unit(benchmark::kMillisecond)->UseRe
 BENCHMARK(FinalState)->Arg(100000)->Arg(1000000)->Unit(benchmark::kMillisecond)->UseRealTime()->Iterations(1);
 BENCHMARK(Snapshots)->Arg(100000)->Unit(benchmark::kMillisecond)->UseRealTime()->Iterations(1);
 
-/** Prints as usual and keeps the medians. */
+/** Prints the usual output and stores the medians. */
 class Reporter : public benchmark::ConsoleReporter
 {
 public:
@@ -241,7 +242,7 @@ PrintRatio(const char * text, double ratio, double asked)
 {
   if (!std::isfinite(ratio) || ratio <= 0.0)
   {
-    return; // left out by --benchmark_filter
+    return; // excluded by --benchmark_filter
   }
   std::printf("%-62s %8.2f   asked %g   %s\n", text, ratio, asked, ratio >= asked ? "met" : "NOT MET");
 }

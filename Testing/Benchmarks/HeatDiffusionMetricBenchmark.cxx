@@ -1,5 +1,5 @@
 // Heat diffusion distances of all edges of colon-like tubes: exact, and from 50, 200 and 500 eigenpairs, in one run.
-// The numbers of faces are arguments. What the distances are worth: Utilities/run-validation flattening-metric.
+// Arguments: numbers of faces. For the accuracy, see Utilities/run-validation flattening-metric.
 #include "shapetonColonTube.h"
 #include "shapetonHeatDiffusionMetric.h"
 
@@ -69,7 +69,7 @@ Run(int faces)
 {
   testsurfaces::ColonTubeOptions options;
   options.faces = faces;
-  options.length = std::min(1500.0, 1500.0 * faces / 55000.0); // small ones are short, so that t serves their radius
+  options.length = std::min(1500.0, 1500.0 * faces / 55000.0); // small tubes are short, so that t matches their radius
   const auto                tube = testsurfaces::MakeColonTube(options);
   const SurfaceConnectivity connectivity(tube.mesh);
   const SurfaceLaplacian    laplacian = MakeSurfaceLaplacian(connectivity, tube.mesh.V);

@@ -3,7 +3,7 @@
 
 #include "shapetonVolumeGradientOperator.h"
 
-/** One explicit step as anyone would write it: one loop over the voxels, no vectors, one thread. */
+/** One explicit step in a straightforward implementation: one loop over the voxels, scalar, single-threaded. */
 void
 ScalarStep(const shapeton::VolumeGradientOperator & volumeGradient, const float * f, float * out, float dt);
 

@@ -1,5 +1,5 @@
-// Shapeton diffusion of 65,536 shapetons in 256^3 voxels beside a scalar loop as published, in one process and in
-// turns. Prints nanoseconds per shapeton and step and the ratios of medians.
+// Shapeton diffusion of 65,536 shapetons in 256^3 voxels compared with the published scalar loop, alternating in one
+// process. Prints nanoseconds per shapeton and step and the ratios of medians.
 #include "BenchmarkVolume.h"
 #include "ShapetonPeer.h"
 
@@ -28,7 +28,7 @@ constexpr unsigned int  stepsOfIteration = 16;
 constexpr double        shapetonSteps = static_cast<double>(shapetons) * stepsOfIteration;
 constexpr double        distance = 0.01;
 
-/** The phantom in [0, 1]. */
+/** The phantom scaled to [0, 1]. */
 std::vector<float>
 MakeIntensities(std::size_t side)
 {
@@ -54,7 +54,7 @@ Settings(DirectionSampling sampling, PathRule rule = PathRule::Endpoint)
   return settings;
 }
 
-/** A run of the product, with the visits that it counts. */
+/** A run of the library, including the counting of visits. */
 struct Product
 {
   Product(const std::vector<float> & intensities, std::size_t side, const ShapetonDiffusionSettings & settings)
@@ -138,7 +138,7 @@ SectorArea(benchmark::State & state)
   Take(state, Usual(DirectionSampling::SectorArea));
 }
 
-/** The steady rule measures each step; this one never ends the run. */
+/** The steady-state criterion is evaluated at each step; this one never ends the run. */
 void
 EachStepMeasured(benchmark::State & state)
 {
@@ -153,7 +153,7 @@ Traversal(benchmark::State & state)
   Take(state, Usual(DirectionSampling::Uniform, PathRule::Traversal));
 }
 
-/** One thread, the same phantom and distance in volumes of several resolutions. */
+/** One thread; the same phantom and distance in volumes of several resolutions. */
 void
 Resolution(benchmark::State & state)
 {
@@ -167,7 +167,7 @@ Resolution(benchmark::State & state)
   Take(state, *product);
 }
 
-/** What the kernels work on, without the rest of the product. */
+/** Input of the kernels, without the rest of the library. */
 struct Bench
 {
   Bench()
@@ -193,7 +193,7 @@ struct Bench
     return bench;
   }
 
-  /** Group by group, as the product does. */
+  /** Processes shapetons in groups, like the library. */
   void
   TakeSteps(unsigned int steps, const ShapetonKernels::Set & kernels, ShapetonKernels::Draw draw)
   {
@@ -239,7 +239,7 @@ Kernels(benchmark::State & state, const ShapetonKernels::Set & kernels, Shapeton
 void
 Register()
 {
-  // The speed changes from second to second on shared machines: peers take turns in random order, and medians count.
+  // The speed fluctuates on shared machines, so peers run in random order and medians are compared.
   const auto inTurns = [](benchmark::internal::Benchmark * one, int iterations) {
     return one->Unit(benchmark::kMillisecond)->UseRealTime()->Iterations(iterations)->Repetitions(9);
   };
@@ -269,7 +269,7 @@ Register()
   }
 }
 
-/** Prints as usual and keeps the medians, as nanoseconds per shapeton and step. */
+/** Prints the usual output and stores the medians, in nanoseconds per shapeton and step. */
 class Reporter : public benchmark::ConsoleReporter
 {
 public:
@@ -290,7 +290,7 @@ public:
   std::map<std::string, double> nanoseconds;
 };
 
-/** What a run of the peer and one of the product can be compared by. */
+/** Quantities for comparing a run of the peer with one of the library. */
 struct Summary
 {
   static constexpr unsigned int numbers = 7;
@@ -340,7 +340,7 @@ struct Summary
   double value_[numbers]{};
 };
 
-/** Mean and standard error over runs of several seeds. */
+/** Mean and standard error over runs with several seeds. */
 std::string
 MeanOf(const std::vector<Summary> & runs, unsigned int i)
 {
@@ -359,7 +359,8 @@ MeanOf(const std::vector<Summary> & runs, unsigned int i)
   return text;
 }
 
-/** Is the peer the same process? Up to what its tolerance does to the angles where weights are small. */
+/** Checks that the peer simulates the same process, up to the effect of its tolerance on the angles where weights are
+ * small. */
 void
 CompareResults(double p)
 {
@@ -410,7 +411,7 @@ PrintRatio(const char * text, double ratio, double asked, bool atMost = false)
 {
   if (!std::isfinite(ratio) || ratio <= 0.0)
   {
-    return; // left out by --benchmark_filter
+    return; // excluded by --benchmark_filter
   }
   const bool met = atMost ? ratio <= asked : ratio >= asked;
   std::printf("%-66s %7.2f   asked %s%g   %s\n", text, ratio, atMost ? "<= " : "", asked, met ? "met" : "NOT MET");

@@ -6,9 +6,9 @@
 #include <cstdint>
 #include <vector>
 
-/** Shapeton diffusion as published and as anyone would write it: the printed formulas (8.5), (8.6) and (8.7), a binary
- * search with an absolute tolerance (8.3), weights from intensities where they are needed, one shapeton after the
- * other. The random numbers are those of the product. */
+/** Straightforward implementation of the published shapeton diffusion: the printed formulas (8.5), (8.6) and (8.7), a
+ * binary search with an absolute tolerance (8.3), weights computed from intensities on demand, one shapeton at a time.
+ * The random numbers are those of the library. */
 class ShapetonPeer
 {
 public:
@@ -26,7 +26,7 @@ public:
                const Parameters &                        parameters,
                const std::array<std::vector<float>, 3> & places);
 
-  /** Takes so many steps; each thread moves its own part of the shapetons. */
+  /** Runs a number of steps; each thread moves its own part of the shapetons. */
   void
   Run(unsigned int steps, unsigned int threads);
 
@@ -51,7 +51,7 @@ private:
   WeightsAt(const std::array<std::size_t, 3> & index) const;
   Direction
   DrawDirection(const std::array<float, 6> & w, float first, float second) const;
-  /** The voxel where it ends. */
+  /** Returns the final voxel. */
   std::size_t
   MoveOne(std::size_t shapeton, std::uint64_t step);
   void

@@ -1,5 +1,5 @@
-// Simplification of a bumpy sphere beside its peers, all in one process: VTK's quadric decimation and CGAL's edge
-// collapse (Lindstrom-Turk, link condition). Prints times, what became of the surface, and the ratios of medians.
+// Simplification of a bumpy sphere compared with its peers in one process: VTK's quadric decimation and CGAL's edge
+// collapse (Lindstrom-Turk, link condition). Prints times, properties of the results, and the ratios of medians.
 #include "shapetonSurfaceQuality.h"
 #include "shapetonSurfaceSimplification.h"
 #include "shapetonTestSurfaces.h"
@@ -28,7 +28,7 @@ using shapeton::SurfaceMesh;
 constexpr int    Repetitions = 3;
 constexpr double KeptShare = 0.1;
 
-/** 327,680 faces with bumps of several sizes. */
+/** Sphere of 327,680 faces with bumps of several sizes. */
 SurfaceMesh
 MakeSurface()
 {
@@ -124,7 +124,7 @@ SimplifyByCgal(const SurfaceMesh & mesh)
   return result;
 }
 
-/** The median of the seconds; prints what became of the surface. */
+/** Median time in seconds; prints the properties of the result. */
 double
 Measure(const char * name, const SurfaceMesh & mesh, const std::function<SurfaceMesh(const SurfaceMesh &)> & simplify)
 {

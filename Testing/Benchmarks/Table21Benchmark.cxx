@@ -1,4 +1,4 @@
-// Table 2.1 of the dissertation with our column. Rows whose data are not at hand are run on a phantom of that size.
+// Table 2.1 of the dissertation with our column. Rows whose data are not available use a phantom of that size.
 #include "BenchmarkVolume.h"
 
 #include "shapetonCumulativeHeatDiffusion.h"
@@ -33,7 +33,7 @@ const std::array<Row, 7> rows = { {
   { "Bonsai", { { 256, 256, 256 } }, 1000000, 8.5, "845,572", 50.4, "volumes/bonsai.nii.gz" },
 } };
 
-/** The volume of a row; `real` tells whether it is the published one. */
+/** Volume of a row; `real` is true if it is the published one. */
 std::vector<float>
 Load(const Row & row, bool & real)
 {
@@ -76,7 +76,7 @@ int
 main()
 {
   const shapeton::DeviceUse gpu = shapeton::ChooseDevice(shapeton::Device::Automatic, 0);
-  std::printf("\nTable 2.1, %u threads, GPU: %s; * phantom of that size, the data set is not at hand\n\n",
+  std::printf("\nTable 2.1, %u threads, GPU: %s; * phantom of that size, the data set is not available\n\n",
               itk::MultiThreaderBase::GetGlobalDefaultNumberOfThreads(),
               gpu.Describe().c_str());
   std::printf("| data set | resolution | steps | p | conventional, s per step (published) | cumulative, ms per step "
