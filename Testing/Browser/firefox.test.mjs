@@ -11,7 +11,7 @@ before(async () => { page = await launchFirefox(); });
 after(() => page.close());
 const shot = async (name) => { if (SHOTS) await page.screenshot(`${SHOTS}/${name}.png`); };
 
-test('without WebGL 2 the viewer of a colon says so, and its views in the plane go on', async () => {
+test('without WebGL 2 the colon viewer shows a notice, and its 2D views still work', async () => {
   await page.open(`${VIEWER}/viewer.html`);
   await page.until(() => Boolean(window.viewer));
   assert.match(await page.evaluate(() => document.getElementById('notices').textContent), /no WebGL 2/);
@@ -39,7 +39,7 @@ test('without WebGL 2 the viewer of a colon says so, and its views in the plane 
   await shot('firefox-viewer');
 });
 
-test('a click on a node of a page of graphs selects it', async () => {
+test('a click on a node of a graph page selects it', async () => {
   await page.open(`${SPHERE}/index.html`);
   await page.evaluate(() => graphPage.idle());
   const at = await page.evaluate(() => {
@@ -53,7 +53,7 @@ test('a click on a node of a page of graphs selects it', async () => {
   await shot('firefox-graph');
 });
 
-test('without WebGL 2 the explorer of heat says so, and a pick on the histogram colours the slices', async () => {
+test('without WebGL 2 the heat explorer shows a notice, and a pick on the histogram colors the slices', async () => {
   await page.open(`${HEAT}/explorer.html`);
   await page.until(() => Boolean(window.explorer));
   assert.match(await page.evaluate(() => document.getElementById('notices').textContent), /no WebGL 2/);

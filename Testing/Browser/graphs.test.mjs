@@ -78,7 +78,7 @@ test('a click on a node selects it, marks it and its neighbours, and fades the r
   await page.until(() => getComputedStyle(document.querySelector('.picture')).opacity === '1');
 });
 
-test('a click selects an edge, or the node of a circle, and beside them nothing', async () => {
+test('a click selects an edge or the node of a circle, and nothing elsewhere', async () => {
   await open(SPHERE);
   const edge = await page.evaluate(() => {
     const { graph, picture: { tiles: [tile] } } = graphPage.views[0];
@@ -115,7 +115,7 @@ test('a node is marked in all tiles of the torus and of the disk', async () => {
   }
 });
 
-test('in a comparison the partner is marked, which the table of nodes names', async () => {
+test('in a comparison the partner listed in the node table is marked', async () => {
   await open(COMPARED);
   const rows = readFileSync(`${COMPARED}/nodes.csv`, 'utf8').trim().split('\n').slice(1).map((row) => row.split(','));
   const names = await page.evaluate(() => graphPage.views.map((v) => v.graph.data.names));
@@ -133,7 +133,7 @@ test('in a comparison the partner is marked, which the table of nodes names', as
   await shot('3-compared');
 });
 
-test('a node is marked in all steps; a step that lacks it is named', async () => {
+test('a node is marked in all steps; steps without it are listed', async () => {
   await open(STEPS);
   const names = await page.evaluate(() => graphPage.views.map((v) => v.graph.data.names));
   assert.ok(names.length > 2 && names.some((list) => !list.includes('6')));
@@ -148,7 +148,7 @@ test('a node is marked in all steps; a step that lacks it is named', async () =>
   await shot('4-steps');
 });
 
-test('search finds by name, Enter goes on, and brings what is found to the middle', async () => {
+test('search finds nodes by name, Enter selects the next match and centers it', async () => {
   await open(SPHERE);
   await press('/');
   await page.key('x');

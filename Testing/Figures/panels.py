@@ -1,8 +1,8 @@
 #!/usr/bin/python3
 """usage: panels.py OUT.png COLUMNS WIDTH IN.png[@LEFT,TOP,WIDTH,HEIGHT][=CAPTION]...
 
-Puts pictures side by side, each WIDTH pixels wide, COLUMNS in a row, as a PNG of at most 256 colours: small enough for a
-page. Of a picture with @ that part alone is taken. Called by make-figures.
+Arranges pictures side by side, each WIDTH pixels wide, COLUMNS per row, as a small PNG of at most 256 colors. @ selects a part of a
+picture. Called by make-figures.
 """
 import sys
 

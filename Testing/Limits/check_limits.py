@@ -1,9 +1,10 @@
-"""Runs tools on a full disk or with too little memory: their last message must say so, the status be 1, and nothing be lost.
+"""Runs tools on a full disk or with too little memory. The last message must state the cause, the status must be 1, and existing
+files must be kept.
 
 usage: check_limits.py disk|memory TOOL_FOLDER WORK_FOLDER [--colonoscopy]
 
-disk mounts a small file system in a namespace of its own, needs the right to do so and ends with status 77 (skipped) without it.
---colonoscopy takes VirtualColonoscopy, whose finished stages a second run has to take up; otherwise the fast tools are taken."""
+disk mounts a small file system in a new namespace; without the permission to do so, the status is 77 (skipped). --colonoscopy tests
+VirtualColonoscopy, which must resume after its finished stages; otherwise the fast tools are tested."""
 
 import os
 import re

@@ -1,9 +1,9 @@
-"""Runs tools on a series whose identifying attributes are marked, and looks for the marks in everything that they write.
+"""Runs tools on a series with marked identifying attributes and searches all their output for the marks.
 
 usage: check_privacy.py TOOL_FOLDER WORK_FOLDER [--colonoscopy]
 
-Documentation/privacy.md states what may be found where; this program fails if anything else is found. It looks into base64, gzip and
-deflated data, too. --colonoscopy runs VirtualColonoscopy with viewer and DICOM results, otherwise the fast tools run."""
+Fails if marks are found that Documentation/privacy.md does not state. Base64, gzip and deflated data are searched, too.
+--colonoscopy runs VirtualColonoscopy with viewer and DICOM results; otherwise the fast tools run."""
 
 import base64
 import re

@@ -1,4 +1,4 @@
-# Doxygen finds no fault in the comments of the modules.
+# Checks that Doxygen reports no warnings for the comments of the modules.
 cmake_minimum_required(VERSION 3.22)
 
 find_program(DOXYGEN doxygen)

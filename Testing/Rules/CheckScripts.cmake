@@ -1,4 +1,4 @@
-# Every shell script passes shellcheck and prints its usage.
+# Checks that every shell script passes shellcheck and prints its usage.
 cmake_minimum_required(VERSION 3.22)
 
 file(GLOB files ${SHAPETON_SOURCE_DIR}/Utilities/* ${SHAPETON_SOURCE_DIR}/.ci/*

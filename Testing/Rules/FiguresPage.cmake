@@ -1,5 +1,5 @@
-# Documentation/figures.md is what Testing/Figures/make-figures writes, so that its commands are those that made the pictures; each
-# picture is shown, and is small.
+# Checks that Documentation/figures.md equals the output of Testing/Figures/make-figures, so that its commands are those that made
+# the pictures, and that each picture is used and small.
 cmake_minimum_required(VERSION 3.22)
 
 set(folder ${SHAPETON_SOURCE_DIR}/Documentation)
@@ -7,7 +7,7 @@ execute_process(COMMAND ${SHAPETON_SOURCE_DIR}/Testing/Figures/make-figures --pa
 file(READ ${folder}/figures.md page)
 file(READ ${WORK_DIR}/figures.md made)
 if(NOT status EQUAL 0 OR NOT page STREQUAL made)
-  message(FATAL_ERROR "Documentation/figures.md is not what Testing/Figures/make-figures --page writes: run it")
+  message(FATAL_ERROR "Documentation/figures.md differs from the output of Testing/Figures/make-figures --page: run it")
 endif()
 
 set(total 0)
@@ -15,7 +15,7 @@ file(GLOB pictures ${folder}/pictures/figures/*.png)
 foreach(picture IN LISTS pictures)
   get_filename_component(name ${picture} NAME)
   if(NOT page MATCHES "\\(pictures/figures/${name}\\)")
-    message(FATAL_ERROR "${name} is not shown on Documentation/figures.md: remove it")
+    message(FATAL_ERROR "${name} is not used in Documentation/figures.md: remove it")
   endif()
   file(SIZE ${picture} size)
   math(EXPR total "${total} + ${size}")

@@ -1,4 +1,4 @@
-# Loads a tool in 3D Slicer: its description is found, parsed and becomes a module.
+# Loads a tool in 3D Slicer: Slicer must find and parse its description and create a module.
 #   cmake -DSlicer_EXECUTABLE=... -DTOOL=<executable> -DXML=<description> -DWORK_DIR=... -P LoadInSlicer.cmake
 cmake_minimum_required(VERSION 3.22)
 
@@ -10,7 +10,7 @@ if(NOT Slicer_EXECUTABLE)
   return()
 endif()
 
-# A folder with this tool alone: Slicer starts every executable that it finds.
+# Use a folder with only this tool, because Slicer starts every executable that it finds.
 file(REMOVE_RECURSE ${WORK_DIR})
 file(COPY ${TOOL} ${XML} DESTINATION ${WORK_DIR})
 get_filename_component(name ${TOOL} NAME)

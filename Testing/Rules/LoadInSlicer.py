@@ -1,4 +1,4 @@
-"""Run by Slicer: ends with status 0 when the command-line module named by the argument has been loaded."""
+"""Run by Slicer: ends with status 0 if the command-line module named by the argument is loaded."""
 import sys
 import traceback
 

@@ -7,12 +7,12 @@
 
 namespace rules
 {
-/** Messages give no advice that the tool refuses. In the texts of C++ sources below `root`, outside of tests:
- *  - an option that a tool names (`--p`, or `the parameter "p"`) is declared by its XML, or built in;
- *  - a parameter that a module names is declared by a tool that is linked with the module;
- *  - a value that follows an option or parameter is accepted wherever a tool that may say so declares it: an element of
- *    its enumeration, a number in its range.
- * An option after the name of another tool and an opening parenthesis is that of the other tool. */
+/** Checks that messages do not give advice that the tool rejects. In strings of C++ sources below `root`, except tests:
+ *  - an option named by a tool (`--p`, or `the parameter "p"`) is declared by its XML, or built in;
+ *  - a parameter named by a module is declared by a tool that links the module;
+ *  - a value after an option or parameter is valid in every tool that may print it and declares the option: an element
+ *    of its enumeration, or a number in its range.
+ * An option after the name of another tool and an opening parenthesis is an option of that tool. */
 Faults
 CheckMessages(const std::filesystem::path & root);
 

@@ -7,12 +7,12 @@
 
 namespace rules
 {
-/** Checks the module description of a tool: whether 3D Slicer's ModuleDescriptionParser takes it and its command-line
- * logic passes arguments that the tool accepts, and the rules of the tool contract.
+/** Checks the module description of a tool: 3D Slicer's ModuleDescriptionParser must accept it, Slicer's command-line
+ * logic must pass arguments that the tool accepts, and it must follow the tool contract.
  *
  * \param xml the description
  * \param file its name in the faults
- * \param version what `<version>` has to say
+ * \param version the required content of `<version>`
  */
 Faults
 CheckToolXML(const std::string & xml, const std::string & file, const std::string & version);

@@ -1,20 +1,19 @@
-// Lint of the scripts of pages and their tests: lint-page-scripts.mjs FOLDER... Prints each fault with file and line; status 1 where
-// there is one. The modules of a folder `scripts` are joined to one script with those that they import, so names at
-// their top level have to differ.
+// Lint of page scripts and their tests. usage: lint-page-scripts.mjs FOLDER... Prints each fault with file and line; status 1 if there
+// are any. The modules of a folder `scripts` are joined with their imports into one script, so top-level names must be unique.
 import { spawnSync } from 'node:child_process';
 import { readdirSync, readFileSync } from 'node:fs';
 import { basename, dirname, join } from 'node:path';
 
 const WIDTH = 140, LONGEST = 60; // characters of a line, lines of a function or method at the top level or in a class
 const FORBIDDEN = [
-  [/\b(fetch|XMLHttpRequest|WebSocket|EventSource|sendBeacon|importScripts)\b/, 'asks for a network'],
-  [/https?:\/\//, 'names an address of the network'],
-  [/\b(eval|Function)\s*\(/, 'makes code from text'],
-  [/\b(var|debugger|alert)\b[^.,;:'’]/, 'is not used here'],
+  [/\b(fetch|XMLHttpRequest|WebSocket|EventSource|sendBeacon|importScripts)\b/, 'uses the network'],
+  [/https?:\/\//, 'contains a network address'],
+  [/\b(eval|Function)\s*\(/, 'evaluates text as code'],
+  [/\b(var|debugger|alert)\b[^.,;:'’]/, 'is not allowed'],
   [/[^=!]==[^=]|!=[^=]/, 'compares without ==='],
   [/\s$/, 'ends with a blank'],
-  [/\t/, 'holds a tab'],
-  [/innerHTML(?! = [A-Z]+;)/, 'makes elements from text that is not a constant'],
+  [/\t/, 'contains a tab'],
+  [/innerHTML(?! = [A-Z]+;)/, 'creates elements from nonconstant text'],
 ];
 const faults = [];
 const tell = (file, line, text) => faults.push(`${file}:${line}: ${text}`);
@@ -27,7 +26,7 @@ function scriptsIn(folder) {
   });
 }
 
-// What stands in comments and literals is not code.
+// Removes comments and literals.
 const codeOf = (line) => line.replace(/(['"])(?:\\.|(?!\1).)*\1/g, "''").replace(/(^|\s)\/\/.*/, '');
 
 function checkLines(file, lines) {
@@ -40,7 +39,7 @@ function checkLines(file, lines) {
   });
 }
 
-// A block that begins in column 0 or 2 and ends with a brace in the same column.
+// Blocks that start in column 0 or 2 and end with a brace in the same column.
 function checkLengths(file, lines) {
   for (const [start, end] of [[/^(export )?(async )?function .*\{$/, '}'], [/^ {2}(async |get )?\w+\(.*\) \{$/, '  }']]) {
     lines.forEach((line, i) => {
@@ -72,10 +71,10 @@ function checkJoined(modules, all) {
   }
 }
 
-// The modules of a folder and all that they import.
+// Returns the modules of a folder and all their imports.
 function joinedWith(folder) {
   const files = new Set(modules.map(({ file }) => file).filter((file) => dirname(file) === folder));
-  for (const file of files) { // grows while it is walked
+  for (const file of files) { // grows during the iteration
     const { text } = modules.find((m) => m.file === file);
     for (const [, from] of text.matchAll(/^import [^;]* from '(\.[^']*)'/gm)) files.add(join(dirname(file), from));
   }

@@ -1,7 +1,7 @@
 // usage: ColonRealism TABLE.md NAME=RUN[,RUN...] [NAME=RUN[,RUN...] ...]
 //
-// Writes what colons are like beside each other, segment by segment: length, course, calibre, folds. RUN is a finished
-// folder of VirtualColonoscopy; those of one NAME are put together in one column. For phantoms beside real colons; see
+// Compares colons segment by segment: length, course, caliber, folds. RUN is a finished folder of VirtualColonoscopy;
+// the runs of a NAME are merged into one column. Used to compare phantoms with real colons; see
 // Documentation/validation/colon-realism.md.
 #include "BoundTable.h"
 #include "ColonShape.h"

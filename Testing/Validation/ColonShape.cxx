@@ -54,8 +54,8 @@ StretchesOf(const ColonSegments & segments, double length)
 }
 
 /** \class SectionMeter
- * \brief The radius of the circle with the area of the wall's section, mm by mm of the line; 0 where no column of the
- * map lies. */
+ * \brief Radius of the circle with the area of the wall's cross section, for each mm of the line; 0 without a column of
+ * the map. */
 class SectionMeter
 {
 public:
@@ -127,7 +127,7 @@ private:
 };
 
 /** \class ThicknessMeter
- * \brief How thick folds are between their flanks, along the rows of the map. */
+ * \brief Thickness of folds between their flanks, along the rows of the map. */
 class ThicknessMeter
 {
 public:
@@ -236,7 +236,7 @@ private:
 };
 
 /** \class FoldMeter
- * \brief Sections and folds of a colon, stretch by stretch. */
+ * \brief Cross sections and folds of a colon, per stretch. */
 class FoldMeter
 {
 public:

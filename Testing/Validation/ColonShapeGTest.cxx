@@ -67,7 +67,7 @@ TEST(ColonShape, TubeWithFoldsIsMeasuredAsItWasMade)
   EXPECT_NEAR(MeanOf(shape.extents), 360.0 * 2.0 * oneFold.halfLength / turn, 12.0);
   EXPECT_NEAR(shape.spacings.at(0), 159.0 / (4.0 * 2.0 * oneFold.halfLength / turn), 13.0);
   ASSERT_EQ(shape.heights.size(), 4U);
-  // Above the feet, where the flank is curved outwards most: for a Gaussian at sqrt(3) standard deviations.
+  // Measured above the feet, where the flank curves outward most; for a Gaussian, at sqrt(3) standard deviations.
   EXPECT_GT(MeanOf(shape.heights), oneFold.height * (1.0 - std::exp(-1.5)));
   EXPECT_LT(MeanOf(shape.heights), oneFold.height);
   ASSERT_EQ(shape.thicknesses.size(), 4U);

@@ -33,7 +33,7 @@ DrawPlane(const TrialVolume &                  volume,
           unsigned int                         height);
 
 /** \class PictureSheet
- * \brief Panels in rows and columns under a title, with a caption above each and, if wanted, the scale of colours of
+ * \brief Panels in rows and columns under a title, with a caption above each and, optionally, the color scale of
  * shapetons below. */
 class PictureSheet
 {

@@ -1,10 +1,10 @@
 #!/usr/bin/python3
 """usage: random-walker.py [--beta B] [--tol T] [--times FILE] [--probabilities] IMAGE SEEDS OUT [SEEDS OUT]...
 
-Segments a volume from seeds by scikit-image's random_walker, mode cg_j: the peer of the validation of seeded heat. OUT is the
-label map of SEEDS, or with --probabilities a folder for probability1.nii and so on. Several seeds are done at a time, as many as
-there are processors. FILE gets a line for each: CPU seconds, and 1 where the solver converged, 0 where it says that it did not.
-Status 77 where python3-skimage is missing.
+Segments a volume from seeds with scikit-image's random_walker, mode cg_j: the peer in the validation of seeded heat. OUT is the
+label map of SEEDS, or with --probabilities a folder for probability1.nii etc. Seed images are processed in parallel on all
+processors. FILE receives one line per seed image: CPU seconds, and 1 if the solver converged, else 0. Status 77 if
+python3-skimage is not installed.
 """
 import argparse
 import os
@@ -13,7 +13,7 @@ import time
 import warnings
 from concurrent.futures import ProcessPoolExecutor
 
-os.environ["OPENBLAS_NUM_THREADS"] = "1"  # threads that wait would count as CPU time
+os.environ["OPENBLAS_NUM_THREADS"] = "1"  # waiting threads would count as CPU time
 
 try:
     import nibabel
