@@ -10,26 +10,26 @@
 
 namespace shapeton
 {
-/** How the results of an examination are written. \ingroup ColonResults */
+/** Options for writing the results of an examination. \ingroup ColonResults */
 struct ColonDicomOptions
 {
-  /** The segmentation is written in Deflated Explicit VR Little Endian. */
+  /** If true, the segmentation is written in Deflated Explicit VR Little Endian. */
   bool isDeflated{ false };
-  /** Its stages are "Reading" and the names of the files. */
+  /** Progress receiver; its stages are "Reading" and the file names. */
   Progress progress;
 };
 
-/** Writes what VirtualColonoscopy has found in one series as DICOM objects beside this series: seg.dcm (lumen, folds,
- * heads of candidates, segments of the colon), sr.dcm (TID 1500), cad.dcm (Colon CAD SR), sc.dcm (the flat colon),
- * stl.dcm (the wall).
+/** Writes the results of VirtualColonoscopy for one series as DICOM objects: seg.dcm (lumen, folds, heads of
+ * candidates, segments of the colon), sr.dcm (TID 1500), cad.dcm (Colon CAD SR), sc.dcm (the flat colon), stl.dcm (the
+ * wall).
  *
  * \param exam the folder of the run, or its folder `second`.
- * \param source the folder with the series that the run has read: checked by its UID, its grid, and its digest in the
+ * \param source the folder with the series that the run read: checked by its UID, its grid, and its digest in the
  * record of the segmentation.
- * \param outputPath maps final names in `folder`, which is there, to those to write to.
- * Returns what is missing in the examination and therefore in the results. Equal input gives equal bytes.
+ * \param outputPath maps final names in the existing `folder` to the names to write to.
+ * Returns a list of what is missing in the examination, and therefore in the results. Equal input gives equal bytes.
  *
- * Throws InputError for a run that is not finished, did not read DICOM, or read another series; OutputError.
+ * Throws InputError if the run is unfinished, did not read DICOM, or read another series; OutputError.
  * \ingroup ColonResults */
 ColonResults_EXPORT Remarks
 WriteColonDicomResults(const std::string &       exam,

@@ -11,12 +11,12 @@
 
 namespace shapeton
 {
-/** \defgroup DicomToColon DICOM objects of any maker as inputs of the colon's tools
+/** \defgroup DicomToColon DICOM objects of any vendor as inputs of the colon tools
  * \ingroup ColonResults */
 ///@{
 
-/** The segments that are the lumen of a colon: those of gas and of intraluminal fluid, else the only one; fluid
- * without gas is none. Throws InputError, with a list of all, where that cannot be told. */
+/** Numbers of the segments that form the colon lumen: gas and intraluminal fluid, or the only segment. Fluid without
+ * gas does not count as a lumen. Throws InputError, listing all segments, if the choice is ambiguous. */
 ColonResults_EXPORT std::vector<int>
                     LumenSegmentsOf(const DicomSegmentationFile & file);
 
@@ -24,13 +24,13 @@ ColonResults_EXPORT std::vector<int>
 ColonResults_EXPORT std::vector<int>
                     AllSegmentsOf(const DicomSegmentationFile & file);
 
-/** A row for each of these segments: number, name, code, scheme, meaning, voxels, volume in ml. */
+/** A row for each given segment: number, name, code, scheme, meaning, voxels, volume in ml. */
 ColonResults_EXPORT CsvTable
 TableOfSegments(const DicomSegmentationFile & file,
                 const std::vector<int> &      numbers,
                 const DicomSegmentVoxels &    voxels);
 
-/** A list of points, named as the measurements that they belong to. */
+/** Point lists, named after the measurements they belong to. */
 ColonResults_EXPORT std::vector<Markup>
                     MarkupsOfReport(const std::vector<DicomReportPoints> & points);
 ///@}

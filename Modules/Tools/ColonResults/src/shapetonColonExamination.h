@@ -13,37 +13,37 @@
 
 namespace shapeton
 {
-/** What VirtualColonoscopy has found in one series. */
+/** Results of VirtualColonoscopy for one series. */
 struct ColonExamination
 {
   std::string folder;
-  /** Of the series that it read, with "#part" for a part of a mixed series. */
+  /** UID of the series that was read; "#part" is appended for a part of a mixed series. */
   std::string seriesUID;
-  /** Of what the folder of the series held, "sha256:...". */
+  /** Digest of the series folder's contents, "sha256:...". */
   std::string digest;
   Json        quality;
-  /** Whether candidates were looked for. */
+  /** Whether the run searched for candidates. */
   bool isSearched{ false };
-  /** 1 gas, 2 fluid, 3 terminal ileum. */
+  /** Labels: 1 gas, 2 fluid, 3 terminal ileum. */
   DicomLabelImage::Pointer        lumen;
   CurveSet                        centreline;
   std::vector<ColonSegmentExtent> segments;
   std::vector<PolypCandidate>     candidates;
-  /** The numbers of candidates; null where there is none. */
+  /** Candidate numbers; null without candidates. */
   DicomLabelImage::Pointer heads;
-  /** The flat wall, and the fold of each of its faces; empty where folds were not found. */
+  /** The flat wall, and the fold index of each of its faces; empty if folds were not found. */
   SurfaceMesh                 flat;
   std::vector<unsigned short> folds;
-  /** What the run remarked, each with its stage in front. */
+  /** Warnings of the run, each prefixed with its stage. */
   Remarks warnings;
-  /** What is missing. */
+  /** Missing results. */
   Remarks missing;
 
-  /** Whether a file of a stage, "STAGE/FILE", is there; if not, `what` goes to the missing. Throws InputError where it
-   * is there and does not belong to the rest. */
+  /** Whether a stage file, "STAGE/FILE", exists; if not, adds `what` to the missing results. Throws InputError if the
+   * file exists but does not match the rest. */
   bool
   Has(const std::string & name, const std::string & what);
-  /** Throws InputError unless the file is there and belongs to the rest. */
+  /** Throws InputError unless the file exists and matches the rest. */
   std::string
   Required(const std::string & name) const;
   std::string
@@ -53,7 +53,7 @@ struct ColonExamination
   }
 };
 
-/** Reads the folder. Lumen and centreline must be there. Throws InputError. */
+/** Reads the folder. Lumen and centreline are required. Throws InputError. */
 ColonExamination
 ReadColonExamination(const std::string & folder);
 } // namespace shapeton

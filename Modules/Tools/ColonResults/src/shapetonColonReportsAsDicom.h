@@ -6,12 +6,12 @@
 
 namespace shapeton
 {
-/** What each report says of each candidate. */
+/** Note on each candidate in every report. */
 constexpr const char * CandidateNote =
   "a candidate of a computer program, no finding of a reader; its certainty is the score of the program; for research "
   "use; not a diagnosis";
 
-/** What was measured of lumen, candidates and segments of the colon, as groups of TID 1500. */
+/** Measurements of lumen, candidates and segments of the colon, as groups of TID 1500. */
 DicomMeasurementReport
 MeasurementsOfColon(const ColonExamination & exam, const ColonSegmentsAsDicom & segments);
 

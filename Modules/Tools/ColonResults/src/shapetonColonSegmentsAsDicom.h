@@ -6,10 +6,10 @@
 namespace shapeton
 {
 /** \class ColonSegmentsAsDicom
- * \brief What of an examination is written as a segment of voxels, and under which number.
+ * \brief Assigns the structures of an examination to DICOM segments and their numbers.
  *
- * Lumen, terminal ileum, folds and heads of candidates share no voxel; the segments of the colon are those of its lumen
- * once more, by their place along the colon. */
+ * Lumen, terminal ileum, folds and heads of candidates are disjoint. The segments of the colon divide the same lumen
+ * by position along the colon. */
 class ColonSegmentsAsDicom
 {
 public:
@@ -28,13 +28,13 @@ public:
   {
     return m_Segments;
   }
-  /** By which a candidate is known in all objects. */
+  /** UID that identifies a candidate in all objects. */
   std::string
   TrackingUIDOfCandidate(const PolypCandidate & candidate) const;
-  /** The number in the file, or 0, by tracking UID. */
+  /** Segment number in the file for a tracking UID; 0 if there is none. */
   int
   NumberOf(const std::string & trackingUID) const;
-  /** ml */
+  /** Volume in ml. */
   double
   VolumeOf(const std::string & trackingUID) const;
 
@@ -61,8 +61,8 @@ private:
   PlaceOf(const std::string & trackingUID) const;
 
   const ColonExamination &  m_Exam;
-  DicomLabelImage::Pointer  m_Parts;         ///< lumen, ileum, folds, heads
-  DicomLabelImage::Pointer  m_ColonSegments; ///< of the colon
+  DicomLabelImage::Pointer  m_Parts;         ///< lumen, ileum, folds, heads of candidates
+  DicomLabelImage::Pointer  m_ColonSegments; ///< segments of the colon
   std::vector<DicomSegment> m_Segments;
   DicomSegmentation         m_Written;
 };

@@ -7,7 +7,7 @@
 
 namespace shapeton
 {
-/** \brief The terms of the colon: SNOMED CT, DICOM, UCUM and LOINC; a private one where none of these has it. */
+/** \brief Colon terms from SNOMED CT, DICOM, UCUM and LOINC, and private codes where none exists. */
 namespace colonterms
 {
 inline const DicomCode anatomy{ "123037004", "SCT", "Anatomical Structure" };
@@ -41,7 +41,7 @@ inline const DicomCode ml{ "ml", "UCUM", "ml" };
 inline const DicomCode hounsfield{ "[hnsf'U]", "UCUM", "Hounsfield unit" };
 inline const DicomCode percent{ "%", "UCUM", "Percent" };
 
-/** 1 rectum to 6 caecum; the colon for other numbers. */
+/** Code of a colon segment, 1 rectum to 6 caecum; other numbers give the colon. */
 const DicomCode &
 CodeOfSegment(int segment);
 } // namespace colonterms

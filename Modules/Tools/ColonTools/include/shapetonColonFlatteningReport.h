@@ -12,25 +12,25 @@ namespace shapeton
 {
 class CommandLine;
 
-/** The handles of a flattening as marks, numbered from 1 on. \ingroup ColonTools */
+/** Handles of a flattening as annotations, numbered from 1. \ingroup ColonTools */
 ColonTools_EXPORT std::vector<FlatAnnotation>
                   AnnotationsOfHandles(const ColonFlattening & flattening);
 
-/** What a report on a flattening tells beside the flattening itself. \ingroup ColonTools */
+/** Additional content of a report on a flattening. \ingroup ColonTools */
 struct ColonFlatteningReportContent
 {
   using Facts = std::vector<std::pair<std::string, std::string>>;
 
   const ColonFlattening * flattening{ nullptr };
-  /** Of the flat surface of this flattening. */
+  /** Parts of the flat surface. */
   FlatColonParts parts;
   Remarks        warnings;
   Facts          provenance;
 };
 
-/** Writes a report into an existing folder: index.html, which holds its pictures, and these as files: flat-volume.png
- * where there is a CT, flat-relief.png, flat-curvature.png, triangle-quality.png. Their pixels are 1/200 of the
- * circumference. Equal content gives equal bytes. Throws OutputError, and as FlatColonPictures does.
+/** Writes a report into an existing folder: a self-contained index.html, and its pictures as files: flat-volume.png
+ * (if there is a CT), flat-relief.png, flat-curvature.png, triangle-quality.png. The pixel size is 1/200 of the
+ * circumference. Equal content gives equal bytes. Throws OutputError and the exceptions of FlatColonPictures.
  * \ingroup ColonTools */
 ColonTools_EXPORT void
 WriteColonFlatteningReport(const ColonFlatteningReportContent & content,
@@ -45,14 +45,14 @@ WriteColonFlatteningReport(const ColonFlatteningReportContent & content,
 class ColonTools_EXPORT ColonFlatteningViews
 {
 public:
-  /** Asks for the outputs and makes the folder. Throws ParameterError and OutputError. */
+  /** Registers the outputs and creates the folder. Throws ParameterError and OutputError. */
   explicit ColonFlatteningViews(CommandLine & commandLine);
 
-  /** Whether a picture of any kind is wanted. */
+  /** Whether any picture is requested. */
   bool
   ArePicturesWanted() const;
 
-  /** The centreline may have no curve. `ct` may be null. */
+  /** The centreline may be empty. `ct` may be null. */
   void
   Write(const ColonFlattening & flattening, const CurveSet & centreline, const itk::Image<float, 3> * ct) const;
 

@@ -10,20 +10,20 @@ namespace shapeton
 class CommandLine;
 
 /** \class ColonLandmarkFiles
- * \brief The files of landmarks in a folder, as the tools write them.
+ * \brief Landmark files in a folder, as the tools write them.
  *
  * taeniae.vtp, flexures.vtp, segments.vtp, folds-surface.vtp, landmarks.json, taeniae.mrk.json, flexures.mrk.json,
- * ileocaecal-valve.mrk.json; segment-NAME.vtp of pieces. What was not found has no file: one that an earlier run left
- * is removed. All state their provenance.
+ * ileocaecal-valve.mrk.json; segment-NAME.vtp for pieces. Landmarks that were not found have no file; a stale file of
+ * an earlier run is removed. All files state their provenance.
  *
  * \ingroup ColonTools */
 class ColonTools_EXPORT ColonLandmarkFiles
 {
 public:
-  /** Makes the folder. Throws OutputError where nothing can be written. */
+  /** Creates the folder. Throws OutputError if it cannot be written to. */
   ColonLandmarkFiles(CommandLine & commandLine, const std::string & folder);
 
-  /** `pieces` may be null. The warnings of the command line go into landmarks.json. */
+  /** `pieces` may be null. The warnings of the command line are written to landmarks.json. */
   void
   Write(const SurfaceMesh & flat, const ColonLandmarks & landmarks, const ColonPieces * pieces) const;
 
@@ -48,8 +48,8 @@ private:
   SceneFiles    m_Scene;
 };
 
-/** Markers for taeniae that a tool was given: points and vertices of a VTP file, or of markups of 3D Slicer; LPS, mm.
- * Throws InputError for a file without points, ParameterError for another extension. \ingroup ColonTools */
+/** Reads markers for taeniae: points and vertices of a VTP file or of 3D Slicer markups; LPS, mm.
+ * Throws InputError for a file without points, ParameterError for an unsupported extension. \ingroup ColonTools */
 ColonTools_EXPORT std::vector<Eigen::Vector3d>
                   ReadTaeniaMarkers(CommandLine & commandLine, const std::string & parameter);
 } // namespace shapeton

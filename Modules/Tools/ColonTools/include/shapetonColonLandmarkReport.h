@@ -10,12 +10,12 @@ namespace shapeton
 class CommandLine;
 
 /** \class ColonLandmarkReport
- * \brief Report of the tool ColonLandmarks: index.html with its pictures, which lie beside it as PNG.
+ * \brief Report of the tool ColonLandmarks: index.html and its pictures as PNG files in the same folder.
  * \ingroup ColonTools */
 class ColonTools_EXPORT ColonLandmarkReport
 {
 public:
-  /** Makes the folder; an empty name is no report. Throws OutputError. */
+  /** Creates the folder; an empty name disables the report. Throws OutputError. */
   ColonLandmarkReport(CommandLine & commandLine, const std::string & folder);
 
   /** `pieces` may be null. */

@@ -16,26 +16,26 @@ namespace shapeton
 class CommandLine;
 
 /** \class ColonModelFiles
- * \brief The files of a colon in a folder, as the tools write and read them.
+ * \brief Files of a colon model in a folder, as the tools write and read them.
  *
- * lumen.nrrd (1 gas, 2 fluid, 3 terminalIleum), cleansed.nrrd (HU; not of a mask alone), centreline.vtp, catheter.vtp
- * (where one is found), wall.vtp, wall-repaired.vtp, wall-simplified.vtp, quality.json. All state their provenance.
+ * lumen.nrrd (1 gas, 2 fluid, 3 terminalIleum), cleansed.nrrd (HU; not for a mask), centreline.vtp, catheter.vtp
+ * (if one is found), wall.vtp, wall-repaired.vtp, wall-simplified.vtp, quality.json. All files state their provenance.
  *
  * \ingroup ColonTools
  */
 class ColonTools_EXPORT ColonModelFiles
 {
 public:
-  /** Makes the folder. Throws OutputError where nothing can be written. */
+  /** Creates the folder. Throws OutputError if it cannot be written to. */
   ColonModelFiles(CommandLine & commandLine, const std::string & folder);
 
-  /** Has the surfaces state their provenance, and the parts of the model written as soon as they are there, beside what
-   * follows. To be called before the model is made; no other output may be asked for meanwhile. */
+  /** Adds the provenance to the surfaces, and writes each part of the model in parallel as soon as it is available.
+   * Call before computing the model; do not register other outputs meanwhile. */
   void
   WriteBeside(ColonModelOptions & options);
 
-  /** Writes what the model has, and is not written yet. With `atOnce` the files get their names now, even if the run
-   * fails later. */
+  /** Writes the parts of the model that are not written yet. With `atOnce` the files get their final names immediately,
+   * even if the run fails later. */
   void
   Write(const ColonModel & model, bool atOnce = false);
 
@@ -53,18 +53,18 @@ private:
   WallsOf(const SurfaceMesh & raw, const SurfaceMesh & repaired);
   static File
   FileOf(const char * name, const SurfaceMesh & surface);
-  /** All. Those that take long come first, as several are written at a time. */
+  /** All files, slowest first, because several are written in parallel. */
   std::vector<File>
   FilesOf(const ColonModel & model) const;
-  /** Even where they have been written. */
+  /** Writes the files even if they were already written. */
   void
   WriteFiles(const std::vector<File> & files);
 
   CommandLine &                      m_CommandLine;
   std::string                        m_Folder;
   SceneFiles                         m_Scene;
-  std::mutex                         m_Mutex;   ///< of what follows, and of the outputs of the command line
-  std::map<std::string, std::string> m_Outputs; ///< by their names
+  std::mutex                         m_Mutex;   ///< guards the next member and the command line's outputs
+  std::map<std::string, std::string> m_Outputs; ///< by name
 };
 } // namespace shapeton
 

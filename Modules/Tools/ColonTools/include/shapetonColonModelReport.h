@@ -12,16 +12,16 @@ class CommandLine;
 struct Volume;
 
 /** \class ColonModelReport
- * \brief The report of a tool on the model of a colon, in a folder.
+ * \brief Report on a colon model, written into a folder.
  * \ingroup ColonTools */
 class ColonTools_EXPORT ColonModelReport
 {
 public:
-  /** Makes the folder; none is written where its name is empty. Throws OutputError. */
+  /** Creates the folder; an empty name disables the report. Throws OutputError. */
   ColonModelReport(CommandLine & commandLine, const std::string & folder);
 
-  /** With `atOnce` the files get their names now, even if the run fails later. `volume` is the input: the CT, or the
-   * mask where the model has no intensities. */
+  /** With `atOnce` the files get their final names immediately, even if the run fails later. `volume` is the input: the
+   * CT, or the mask for a model without intensities. */
   void
   Write(const ColonModel & model, const Volume & volume, bool atOnce = false) const;
 

@@ -10,14 +10,14 @@ namespace shapeton
 struct ColonPhantomParameters;
 class CommandLine;
 
-/** The parameters of ColonPhantom: those of the option `preset`, but for the options that are given. Of the options
- * that `standard` and `hard` do without, only those that are given enter the provenance, so that results of these
- * presets stay as they were. Throws ParameterError. \ingroup ColonTools */
+/** Parameters of ColonPhantom: those of the option `preset`, overridden by the given options. Options that `standard`
+ * and `hard` do not use enter the provenance only when given, so that results of these presets keep their bytes.
+ * Throws ParameterError. \ingroup ColonTools */
 ColonTools_EXPORT ColonPhantomParameters
 ReadColonPhantomParameters(CommandLine & commandLine);
 
-/** The option `center` of ColonPhantom: where the center of the volume lies in the patient (LPS, mm). It enters the
- * provenance only when it is given. Throws ParameterError unless it has three numbers within 1000 mm.
+/** The option `center` of ColonPhantom: the center of the volume in the patient (LPS, mm). It enters the provenance
+ * only when given. Throws ParameterError unless it has three numbers within 1000 mm.
  * \ingroup ColonTools */
 ColonTools_EXPORT itk::Point<double, 3>
                   ReadPhantomCenter(CommandLine & commandLine);

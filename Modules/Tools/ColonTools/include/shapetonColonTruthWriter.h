@@ -12,14 +12,14 @@ namespace shapeton
 class ColonPhantomImageSource;
 class CommandLine;
 
-/** Writes the truth of an updated source as outputs of a tool to a folder, which is made where it does not exist:
+/** Writes the ground truth of an updated source as outputs of a tool to a folder, created if needed:
  * lumen.nrrd (1 gas, 2 fluid), segments.nrrd (1 to 6) and structures.nrrd (ColonStructure) on the grid of the image,
  * wall.vtp, centreline.vtp, folds.vtp, taeniae.vtp, correspondence.vtp, polyps.csv, and structures.json and
  * structures.vtp: valve, caecal pole, terminal ileum. All in LPS, mm.
- * \param other correspondence.vtp of another position of this patient; then points.csv, too: pairs of points, first
- * that of the other position (TableOfPointPairs()). May be null.
+ * \param other correspondence.vtp of another position of this patient; if not null, points.csv is also written: pairs
+ * of points, the point of the other position first (TableOfPointPairs()).
  *
- * Throws OutputError, InputError as TableOfPointPairs() does. \ingroup ColonTools */
+ * Throws OutputError, and InputError as TableOfPointPairs() does. \ingroup ColonTools */
 ColonTools_EXPORT void
 WriteColonTruth(CommandLine &             commandLine,
                 ColonPhantomImageSource & source,

@@ -10,19 +10,20 @@ namespace shapeton
 {
 class CommandLine;
 
-/** Begins a section on candidates: what they are and are not, a table, the category that their sizes imply.
+/** Begins a section on candidates: a note on how to read them, a table, and the category implied by their sizes.
  * \ingroup ColonTools */
 ColonTools_EXPORT void
 AddPolypCandidateTable(HtmlReport & report, const std::vector<PolypCandidate> & candidates);
 
-/** What the pictures of a section show: all candidates for 0, or the one of this number.
+/** Caption of a picture in the section: for all candidates if the number is 0, otherwise for one candidate.
  * \ingroup ColonTools */
 ColonTools_EXPORT std::string
                   CaptionOfPolypPicture(int candidate);
 
-/** Adds a section on candidates to a report: AddPolypCandidateTable(), the flat colon with all of them, each close by.
- * Pictures go to `folder`, which exists, under names that begin with "polyp-candidate". Without a flat map there are no
- * pictures. Throws OutputError, and as PolypCandidatePictures does. \ingroup ColonTools */
+/** Adds a section on candidates to a report: AddPolypCandidateTable(), the flat colon with all candidates, and a
+ * close-up of each. Pictures are written to the existing `folder` under names that begin with "polyp-candidate".
+ * Without a flat map there are no pictures. Throws OutputError and the exceptions of PolypCandidatePictures.
+ * \ingroup ColonTools */
 ColonTools_EXPORT void
 AddPolypCandidateSection(HtmlReport &                        report,
                          const PolypColon &                  colon,
@@ -30,7 +31,7 @@ AddPolypCandidateSection(HtmlReport &                        report,
                          const std::string &                 folder,
                          const OutputPath &                  outputPath);
 
-/** Writes index.html with that section and the provenance into a folder; none where its name is empty.
+/** Writes index.html with that section and the provenance into a folder; does nothing if the folder name is empty.
  * \ingroup ColonTools */
 ColonTools_EXPORT void
 WritePolypCandidateReport(CommandLine &                       commandLine,

@@ -11,22 +11,22 @@ namespace shapeton
 class CommandLine;
 
 /** \class RegistrationFiles
- * \brief The files of a registration in a folder: map-supine-to-prone.vtp, map-prone-to-supine.vtp, matches.csv,
- * registration.json, and errors.csv where points were given.
+ * \brief Files of a registration in a folder: map-supine-to-prone.vtp, map-prone-to-supine.vtp, matches.csv,
+ * registration.json, and errors.csv if points were given.
  *
- * Surfaces and document state the provenance. An errors.csv of an earlier run is removed where there are no points.
+ * Surfaces and the JSON file state the provenance. Without points, an errors.csv of an earlier run is removed.
  *
  * \ingroup ColonTools */
 class ColonTools_EXPORT RegistrationFiles
 {
 public:
-  /** Makes the folder. Throws OutputError where nothing can be written, ParameterError where the folder is one of the
-   * examinations, or that of one of their stages; within them it may lie. */
+  /** Creates the folder. Throws OutputError if it cannot be written to, ParameterError if the folder is an examination
+   * or one of its stages; a new folder inside an examination is allowed. */
   RegistrationFiles(CommandLine &                    commandLine,
                     const std::string &              folder,
                     const std::vector<std::string> & examinations);
 
-  /** The warnings of the command line go into registration.json. */
+  /** The warnings of the command line are written to registration.json. */
   void
   Write(const RegistrationResults & results) const;
 
@@ -49,23 +49,23 @@ private:
 ColonTools_EXPORT CsvTable
 TableOfMatches(const RegistrationResults & results);
 
-/** A row for each point: coordinates, counted, excluded or offSurface, distance in space (mm) and on the map (width
- * 1). */
+/** A row for each point: coordinates, status (counted, excluded or offSurface), distance in space (mm) and on the map
+ * (width 1). */
 ColonTools_EXPORT CsvTable
 TableOfErrors(const RegistrationResults & results);
 
 /** Reads points of the wall in both positions: a table with the columns sx, sy, sz (supine) and px, py, pz (prone),
- * LPS, mm. Throws InputError with file and line, also where there are no points. */
+ * LPS, mm. Throws InputError with file and line; also if the table has no points. */
 ColonTools_EXPORT std::vector<PointPair>
                   ReadPointPairs(const std::string & path);
 
-/** Reads a folder back, for reports and for what goes on from a registration. Throws InputError for a file that is
- * missing or not what RegistrationFiles writes. */
+/** Reads a folder back, for reports and later stages. Throws InputError if a file is missing or not written by
+ * RegistrationFiles. */
 ColonTools_EXPORT RegistrationResults
 ReadRegistrationResults(const std::string & folder);
 
-/** How far a registration in a folder can be trusted, 0 to 1; 0 where it is flagged. Throws InputError for a document
- * that does not tell. */
+/** Confidence of a registration in a folder, 0 to 1; 0 if it is flagged. Throws InputError if the JSON file does not
+ * state it. */
 ColonTools_EXPORT double
 ConfidenceOfRegistration(const std::string & folder);
 ///@}

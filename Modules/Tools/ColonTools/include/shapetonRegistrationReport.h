@@ -12,18 +12,18 @@ namespace shapeton
 {
 class CommandLine;
 
-/** Puts a picture with its caption into a page; `name` is that of a file, without extension. \ingroup ColonTools
+/** Adds a picture with its caption to a page; `name` is a file name without extension. \ingroup ColonTools
  */
 using AddPictureToPage =
   std::function<void(const Picture * picture, const std::string & name, const std::string & caption)>;
 
-/** What to know about the registration in short: name and value. \ingroup ColonTools */
+/** Summary of the registration: names and values. \ingroup ColonTools */
 ColonTools_EXPORT std::vector<std::pair<std::string, std::string>>
                   RegistrationFacts(const RegistrationParts & parts);
 
-/** The part of a page on both positions: confidence, both walls row under row, the checkerboard, a table of matches by
- * segments, and errors where points are known. Of parts that were just made, or read back by ReadColonPosition() and
- * ReadRegistrationResults(), so that any report can hold it. \ingroup ColonTools */
+/** Adds the section on both positions to a page: confidence, both walls in paired rows, the checkerboard, a table of
+ * matches by segment, and errors if points are known. The arguments may be newly computed or read back by
+ * ReadColonPosition() and ReadRegistrationResults(), so any report can include this section. \ingroup ColonTools */
 ColonTools_EXPORT void
 AddRegistrationSection(HtmlReport &                 html,
                        const RegistrationParts &    parts,
@@ -31,12 +31,12 @@ AddRegistrationSection(HtmlReport &                 html,
                        const AlignedColonsOptions & options = {});
 
 /** \class RegistrationReport
- * \brief index.html in a folder, with its pictures inside of it and beside it.
+ * \brief index.html in a folder; its pictures are embedded and also written as files.
  * \ingroup ColonTools */
 class ColonTools_EXPORT RegistrationReport
 {
 public:
-  /** Makes the folder. Nothing is written where the folder is "". Throws OutputError. */
+  /** Creates the folder; an empty name disables the report. Throws OutputError. */
   RegistrationReport(CommandLine & commandLine, const std::string & folder);
 
   void

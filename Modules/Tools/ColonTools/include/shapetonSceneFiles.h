@@ -11,8 +11,8 @@ namespace shapeton
 class CommandLine;
 
 /** \class SceneFiles
- * \brief Copies of results in a folder, each a file that a parameter names: 3D Slicer loads them as nodes of its scene,
- * which it cannot do with a folder.
+ * \brief Copies of results as single files, each named by a parameter. 3D Slicer can load a file as a node of its
+ * scene, but not a folder.
  * \ingroup ColonTools
  */
 class ColonTools_EXPORT SceneFiles
@@ -20,20 +20,20 @@ class ColonTools_EXPORT SceneFiles
 public:
   struct Choice
   {
-    /** An output of the tool. */
+    /** Output parameter of the tool. */
     std::string parameter;
-    /** The file in the folder; the copy has its extension. */
+    /** File in the folder; the copy has the same extension. */
     std::string name;
   };
 
-  /** Throws ParameterError where a name has another extension, OutputError where a copy cannot be written. */
+  /** Throws ParameterError for a name with another extension, OutputError if a copy cannot be written. */
   SceneFiles(CommandLine & commandLine, const std::vector<Choice> & choices);
 
-  /** Copies the result `name`, which lies at `path`, where it is asked for. Throws OutputError. */
+  /** Copies the result `name`, stored at `path`, if it was requested. Throws OutputError. */
   void
   Copy(const std::string & name, const std::string & path) const;
 
-  /** Copies from the folder all that are asked for. Throws OutputError. */
+  /** Copies all requested files from the folder. Throws OutputError. */
   void
   CopyFrom(const std::string & folder) const;
 

@@ -6,7 +6,7 @@
 
 namespace shapeton
 {
-/** The histogram of 2r/R over the faces, in space and in the metric of the map; its threshold of 0.6. */
+/** Histogram of 2r/R over the faces, in space and in the metric of the map, with the threshold 0.6. */
 Picture::Pointer
 DrawTriangleQualities(const ColonFlattening & flattening);
 } // namespace shapeton

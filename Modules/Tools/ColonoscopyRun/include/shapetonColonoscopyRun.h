@@ -9,13 +9,13 @@ namespace shapeton
 {
 class CommandLine;
 
-/** The tool VirtualColonoscopy: runs the stages inspection, segmentation, flattening, landmarks, folds and polyps, of
- * two positions also the registration, in the folder that the parameter outputFolder names, by the tools in
- * `toolFolder`, as far as their results are not there yet; then writes report.html and the files for 3D Slicer.
- * Landmarks come before folds, because folds that have grown together are split along the taeniae.
+/** The tool VirtualColonoscopy. Runs the stages inspection, segmentation, flattening, landmarks, folds and polyps, and
+ * for two positions also the registration, with the tools in `toolFolder`. Results are written to the folder named by
+ * the parameter outputFolder; stages with up-to-date results are skipped. Then writes report.html and the files for 3D
+ * Slicer. Landmarks precede folds because merged folds are split along the taeniae.
  *
- * A stage that fails ends the run after the report on what there is: throws the exception of its exit status, which
- * names the stage and what was kept. Throws ParameterError, InputError and OutputError of its own, too.
+ * A failed stage ends the run after a report on the existing results: the exception for its exit status is thrown,
+ * with the stage and the kept results in the message. Also throws ParameterError, InputError and OutputError.
  * \ingroup ColonoscopyRun */
 ColonoscopyRun_EXPORT void
 RunColonoscopy(CommandLine & commandLine, const std::string & toolFolder);

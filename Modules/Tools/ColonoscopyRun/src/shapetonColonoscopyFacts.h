@@ -14,14 +14,14 @@ SummaryOf(const ColonoscopyReportContent & content);
 CsvTable
 SegmentTable(const ColonoscopyResults & results);
 
-/** Place and confidence of each flexure; those that were not found, too. */
+/** Position and confidence of each flexure, including those that were not found. */
 CsvTable
 FlexureTable(const ColonoscopyResults & results);
 
 CsvTable
 TaeniaTable(const ColonoscopyResults & results);
 
-/** Which stage ran what, how it ended, and where its files lie. */
+/** For each stage: its tool, how it ended, and the location of its files. */
 CsvTable
 StageTable(const ColonoscopyReportContent & content);
 } // namespace shapeton

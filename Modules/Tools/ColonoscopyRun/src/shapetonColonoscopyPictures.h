@@ -7,20 +7,20 @@
 
 namespace shapeton
 {
-/** The centreline's segments with the share that is distended, for the chart; what the segmentation guesses where there
- * are no landmarks. */
+/** Segments of the centreline with their distended fraction, for the chart. Without landmarks, the segments estimated
+ * by the segmentation. */
 std::vector<ColonSegment>
 ChartSegmentsOf(const ColonoscopyResults & results);
 
-/** The wall coloured by segments with taeniae and flexures. */
+/** The wall colored by segment, with taeniae and flexures. */
 Picture::Pointer
 DrawSegments(const ColonoscopyResults & results, PatientSide side);
 
-/** See-through, with the centreline, taeniae and the places of the flexures. */
+/** Transparent wall with the centreline, taeniae and flexures. */
 Picture::Pointer
 DrawInside(const ColonoscopyResults & results, PatientSide side);
 
-/** The flat colon in rows with segments, taeniae and folds. */
+/** The flat colon in rows, with segments, taeniae and folds. */
 Picture::Pointer
 DrawFlat(const ColonoscopyResults & results, FlatColoring coloring);
 } // namespace shapeton

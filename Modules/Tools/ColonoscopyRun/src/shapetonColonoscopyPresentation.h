@@ -10,18 +10,18 @@
 
 namespace shapeton
 {
-/** What the report of a series is made of. */
+/** Inputs of the report on a series. */
 struct ColonoscopyPresentation
 {
   std::string              folder;
   std::vector<StageResult> stages;
   Remarks                  warnings;
   Provenance               provenance;
-  /** "" where all is well. */
+  /** Error message of the failed stage; "" if there was none. */
   std::string failure;
 };
 
-/** Writes report.html and the files for Slicer; again when a stage or one of these files has changed. */
+/** Writes report.html and the files for Slicer; rewrites them if a stage or one of these files has changed. */
 void
 Present(CommandLine & commandLine, const ColonoscopyPresentation & presentation);
 } // namespace shapeton

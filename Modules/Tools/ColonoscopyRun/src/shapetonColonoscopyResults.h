@@ -23,7 +23,7 @@
 
 namespace shapeton
 {
-/** A fold by its centre. \ingroup ColonoscopyRun */
+/** A fold, located by its center. \ingroup ColonoscopyRun */
 struct ColonoscopyFold
 {
   int    label{ 0 };
@@ -39,27 +39,27 @@ struct ColonoscopyPair
   RegistrationResults registration;
 };
 
-/** What the stages have found, read from their files; of a stage that did not come to its end, nothing.
+/** Results of the completed stages, read from their files.
  * \ingroup ColonoscopyRun */
 struct ColonoscopyRun_EXPORT ColonoscopyResults
 {
-  /** Those that were tried, in order. */
+  /** Stages that were started, in order. */
   std::vector<StageResult> stages;
 
-  Json                          quality; ///< of the segmentation
+  Json                          quality; ///< quality report of the segmentation
   CurveSet                      centreline;
   SurfaceMesh                   wall;
-  itk::Image<float, 3>::Pointer ct;     ///< cleansed; null of a mask
-  DeviceUse                     device; ///< that renders it
+  itk::Image<float, 3>::Pointer ct;     ///< cleansed; null for a mask
+  DeviceUse                     device; ///< device that renders the CT
 
   Json flatStatistics;
-  /** Null where it was not read. */
+  /** Null if it was not read. */
   std::shared_ptr<const FlatColon> flat;
 
   Json                            landmarks;
   CurveSet                        taeniae;
   CurveSet                        flexures;
-  SurfaceMesh                     labelled; ///< with the cell array segment
+  SurfaceMesh                     labelled; ///< has the cell array segment
   std::vector<ColonSegmentExtent> segments;
 
   itk::Image<unsigned short, 2>::Pointer foldLabels;
@@ -67,23 +67,23 @@ struct ColonoscopyRun_EXPORT ColonoscopyResults
   std::vector<ColonoscopyFold>           folds;
 
   std::vector<PolypCandidate> polyps;
-  /** Files of pictures of the candidates: the flat colon, then one of each. */
+  /** Picture files of the candidates: the flat colon, then one per candidate. */
   std::vector<std::string> polypPictures;
 
-  /** Where a second series was registered with this one. */
+  /** Set if a second series was registered with this one. */
   std::shared_ptr<const ColonoscopyPair> pair;
 
-  /** Null where it was not tried. */
+  /** The result of a stage; null if it was not started. */
   const StageResult *
   Find(const std::string & stage) const;
   bool
   IsDone(const std::string & stage) const;
 };
 
-/** The folder of the second series in that of the run. \ingroup ColonoscopyRun */
+/** Folder of the second series inside the folder of the run. \ingroup ColonoscopyRun */
 constexpr const char * colonoscopySecondFolder = "second";
 
-/** Reads what is there. Throws InputError for a file that cannot be read. \ingroup ColonoscopyRun */
+/** Reads the existing results. Throws InputError for a file that cannot be read. \ingroup ColonoscopyRun */
 ColonoscopyRun_EXPORT ColonoscopyResults
 ReadColonoscopyResults(const std::string & folder, const std::vector<StageResult> & stages);
 } // namespace shapeton

@@ -11,7 +11,7 @@ namespace shapeton
 {
 class CommandLine;
 
-/** A stage that is made when those before it have come to their end, and its share of the time. */
+/** A stage that is created once its predecessors have completed, and its share of the run time. */
 struct ColonoscopyStage
 {
   std::string                             name;
@@ -19,53 +19,53 @@ struct ColonoscopyStage
   std::function<Stage(const StagedRun &)> make;
 };
 
-/** One of the series of a run. Options that belong to one series alone (seriesUID, lumen, markers, seedPoint, position)
- * have "second" in front for the second one. */
+/** One of the series of a run. For the second series, the options specific to a series (seriesUID, lumen, markers,
+ * seedPoint, position) have the prefix "second". */
 enum class ColonoscopySeries
 {
   First,
   Second
 };
 
-/** Where results of a series lie in the output folder of the run. */
+/** Folder of the results of a series inside the output folder of the run. */
 std::string
 FolderOfSeries(const std::string & outputFolder, ColonoscopySeries series);
 
-/** The parameter of the tool that gives this option to this series: seriesUID or secondSeriesUID; inputVolume or
+/** Parameter of the tool that sets this option for this series, e.g. seriesUID or secondSeriesUID, inputVolume or
  * second. */
 std::string
 ParameterOfSeries(const std::string & option, ColonoscopySeries series);
 
-/** The stages of a series up to its landmarks, in their order, with the options that the command line gives them. */
+/** Stages of a series up to its landmarks, in order, with their options from the command line. */
 std::vector<ColonoscopyStage>
 StagesOfSeries(const CommandLine & commandLine, ColonoscopySeries series);
 
-/** The folds of a series, when its landmarks are there. */
+/** The fold stage of a series; requires its landmarks. */
 ColonoscopyStage
 StageOfFolds(const CommandLine & commandLine, ColonoscopySeries series);
 
-/** What looks at both series, when each has come to its end. */
+/** The registration of both series; requires that both have completed. */
 ColonoscopyStage
 StageOfRegistration(const CommandLine & commandLine);
 
-/** The candidates of the first series alone, which those of the second are compared with. */
+/** Candidates of the first series alone; those of the second series are compared with them. */
 ColonoscopyStage
 StageOfSearch(const CommandLine & commandLine);
 
-/** The search for polyps in a series. Where there are two, candidates are weighed by what the other one shows at their
- * place; that of the second takes the results of StageOfSearch(), that of the first those of the second. */
+/** The polyp search in a series. With two series, candidates are weighted by the findings at the corresponding position
+ * in the other one: the second series uses the results of StageOfSearch(), the first uses those of the second. */
 ColonoscopyStage
 StageOfPolyps(const CommandLine & commandLine, ColonoscopySeries series);
 
-/** The page on which a person reads the run, with both positions where there are two. */
+/** The viewer page of the run, with both positions if there are two. */
 ColonoscopyStage
 StageOfViewer(const CommandLine & commandLine);
 
-/** Throws ParameterError where results in DICOM are asked for and a series is no DICOM that they could belong to. */
+/** Throws ParameterError if DICOM results are requested and a series is not DICOM. */
 void
 CheckDicomResults(const CommandLine & commandLine);
 
-/** The results of a series as DICOM objects beside it, when all else has come to its end. */
+/** The results of a series as DICOM objects; runs after all other stages. */
 ColonoscopyStage
 StageOfDicomResults(const CommandLine & commandLine, ColonoscopySeries series);
 } // namespace shapeton

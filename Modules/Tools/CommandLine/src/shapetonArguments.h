@@ -9,10 +9,10 @@
 
 namespace shapeton
 {
-/** What the user has said on the command line. */
+/** The parsed command line. */
 struct Arguments
 {
-  std::map<std::string, std::vector<std::string>> given; ///< checked values by the name of the parameter
+  std::map<std::string, std::vector<std::string>> given; ///< validated values by parameter name
   std::string                                     returnFile;
   bool                                            quiet{ false };
 };
@@ -21,7 +21,7 @@ struct Arguments
 std::string
 FindQuestion(const std::vector<std::string> & arguments);
 
-/** Throws ParameterError for what the module description does not allow. */
+/** Throws ParameterError for arguments that the module description does not allow. */
 Arguments
 ParseArguments(const ModuleDescription & module, const std::vector<std::string> & arguments);
 } // namespace shapeton

@@ -6,7 +6,7 @@
 
 namespace shapeton
 {
-/** A 3D Slicer module description, as far as a command line needs it. */
+/** The parts of a 3D Slicer module description that a command line needs. */
 struct ModuleDescription
 {
   struct Parameter
@@ -24,17 +24,17 @@ struct ModuleDescription
     int                      index{ -1 };
     bool                     multiple{ false };
 
-    /** Three coordinates. */
+    /** Whether the type is a point of three coordinates. */
     bool
     IsPoint() const;
-    /** Several numbers with commas between them. */
+    /** Whether the type is a comma-separated list of numbers. */
     bool
     IsVector() const;
     bool
     IsNumeric() const;
     bool
     IsInteger() const;
-    /** Names a file or folder. */
+    /** Whether the value names a file or folder. */
     bool
     IsPath() const;
     bool
@@ -42,7 +42,7 @@ struct ModuleDescription
     {
       return index >= 0;
     }
-    /** How a message names it. */
+    /** Name of the parameter in messages. */
     std::string
     Display() const;
   };
@@ -53,7 +53,7 @@ struct ModuleDescription
   std::string            documentationUrl;
   std::vector<Parameter> parameters;
 
-  /** In the order of their index. */
+  /** Positional parameters, ordered by index. */
   std::vector<const Parameter *>
   Positionals() const;
 };

@@ -11,8 +11,8 @@
 
 namespace shapeton
 {
-/** The files that a tool writes: temporary until Commit() renames all of them. What is not committed is removed by the
- * destructor, and by the handlers of the signals that end a program. */
+/** The files that a tool writes: temporary until Commit() renames them. Uncommitted files are removed by the
+ * destructor and by the handlers of termination signals. */
 class OutputFiles
 {
 public:
@@ -22,23 +22,23 @@ public:
   operator=(const OutputFiles &) = delete;
   ~OutputFiles();
 
-  /** The temporary name for a final path. Throws OutputError when nothing can be written there. */
+  /** Temporary name for a final path. Throws OutputError if it cannot be written to. */
   std::string
   Add(const std::string & path);
 
-  /** A message with the paths as the user wrote them in place of temporary names. */
+  /** The message with temporary names replaced by the paths the user wrote. */
   std::string
   InFinalNames(std::string message) const;
 
-  /** Makes a folder and its parents. */
+  /** Creates a folder and its parents. */
   void
   MakeFolder(const std::string & path);
 
-  /** Makes one file durable and gives it its final name now; its path may be added again. Throws OutputError. */
+  /** Syncs one file to disk and renames it to its final name; its path may be added again. Throws OutputError. */
   void
   Publish(const std::string & path);
 
-  /** Makes the files durable and gives them their final names. Throws OutputError. */
+  /** Syncs the files to disk and renames them to their final names. Throws OutputError. */
   void
   Commit();
 
@@ -65,7 +65,7 @@ private:
 
   std::list<File>                 m_Files;
   std::size_t                     m_Added{ 0 };
-  std::vector<Folder>             m_Folders; // made by us, parents first
+  std::vector<Folder>             m_Folders; // created by this run, parents first
   std::set<std::filesystem::path> m_TidyFolders;
 };
 } // namespace shapeton

@@ -8,19 +8,19 @@
 
 namespace shapeton
 {
-/** The parts of a comma-separated list; none for the empty text. */
+/** Parts of a comma-separated list; empty for empty text. */
 std::vector<std::string>
 SplitAtCommas(const std::string & text);
 
-/** The finite number that the whole of `text` denotes, independent of the locale. Throws ParameterError. */
+/** Parses all of `text` as a finite number, independent of the locale. Throws ParameterError. */
 double
 ParseNumber(const ModuleDescription::Parameter & parameter, const std::string & text);
 
-/** Throws ParameterError unless `value` has the type of the parameter and keeps its enumeration and constraints. */
+/** Throws ParameterError unless `value` matches the type, enumeration and constraints of the parameter. */
 void
 CheckValue(const ModuleDescription::Parameter & parameter, const std::string & value);
 
-/** The value in the one spelling that all equal values share: "+7.0" and "7" are "7". */
+/** Canonical spelling of a value: "+7.0" and "7" give "7". */
 std::string
 CanonicalValue(const ModuleDescription::Parameter & parameter, const std::string & value);
 } // namespace shapeton

@@ -21,7 +21,7 @@ public:
     Off
   };
 
-  /** Bar or XML, by what stdout is. */
+  /** Bar on a terminal, XML otherwise. */
   static Mode
   ModeOfStdout();
 
@@ -31,19 +31,19 @@ public:
     m_Mode = mode;
   }
 
-  /** Fractions are forced into [0, 1] and never go back; a new stage name ends the previous stage, an empty
-   * one continues it. Complete() alone shows the end of the run. */
+  /** Fractions are clamped to [0, 1] and never decrease. A new stage name ends the previous stage; an empty name
+   * continues it. Only Complete() shows the end of the run. */
   void
   Update(const std::string & stage, double stageFraction, double fraction);
-  /** The run has succeeded: shows the fraction 1, once, unless nothing was reported. */
+  /** Marks the run as successful: shows the fraction 1 once, unless nothing was reported. */
   void
   Complete();
   void
   Comment(const std::string & text);
   void
   End();
-  /** The stages that have ended, in the order of their first begin, and how long they took, in seconds; also where
-   * nothing is shown. */
+  /** Completed stages in the order they were first started, with their durations in seconds; recorded even if nothing
+   * is shown. */
   std::vector<std::pair<std::string, double>>
   StageSeconds() const
   {
@@ -73,10 +73,10 @@ private:
   std::string                                 m_Stage;
   double                                      m_Fraction{ 0.0 };
   double                                      m_StageFraction{ 0.0 };
-  double                                      m_ShownFraction{ -1.0 }; // negative: nothing of this stage yet
+  double                                      m_ShownFraction{ -1.0 }; // negative: nothing shown for this stage yet
   double                                      m_ShownStageFraction{ -1.0 };
   bool                                        m_HasReports{ false };
-  std::size_t                                 m_BarWidth{ 0 }; // of what stands on the terminal
+  std::size_t                                 m_BarWidth{ 0 }; // width of the text on the terminal
   std::vector<std::pair<std::string, double>> m_StageSeconds;
   Clock::time_point                           m_Start{ Clock::now() };
   Clock::time_point                           m_StageStart{ m_Start };

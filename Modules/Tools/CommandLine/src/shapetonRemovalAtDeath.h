@@ -5,15 +5,15 @@
 
 namespace shapeton
 {
-/** While it lives, the file (or the empty folder) of this name is removed by the handlers of the signals that end the
- * program. What was made last is removed first. */
+/** RAII guard: while it exists, the handlers of termination signals remove the named file or empty folder. The latest
+ * guard is processed first. */
 class RemovalAtDeath
 {
 public:
   struct Node;
 
-  /** Installs the handlers. A signal whose handling somebody else has chosen stays as it is: SIGHUP under nohup,
-   * SIGSEGV under a sanitizer. */
+  /** Installs the handlers. Signals that are already handled or ignored stay as they are: SIGHUP under nohup, SIGSEGV
+   * under a sanitizer. */
   static void
   InstallHandlers();
 
@@ -27,7 +27,7 @@ private:
   Node * m_Node;
 };
 
-/** While it lives, SIGINT, SIGTERM and their like wait: a program is not killed between two renames. */
+/** RAII guard that defers SIGINT, SIGTERM and similar signals, so that a program is not killed between two renames. */
 class DeathDelay
 {
 public:

@@ -12,31 +12,31 @@
 
 namespace shapeton
 {
-/** What pictures of graphs side by side need besides the graphs.
+/** Options of pictures that show graphs side by side.
  * \ingroup GraphTools */
 struct GraphSideBySide
 {
-  /** Where the files go. */
+  /** Output folder. */
   std::string folder;
-  /** Names of nodes beside them. */
+  /** Whether nodes are labeled with their names. */
   bool hasLabels{ false };
-  /** For the report. */
+  /** Provenance for the report. */
   std::vector<std::pair<std::string, std::string>> provenance{};
   std::vector<std::string>                         warnings{};
 };
 
-/** Writes comparison.svg and index.html: both graphs, corresponding circles in one colour, those without a partner
- * grey; what differs, in words and figures. Throws OutputError. \ingroup GraphTools */
+/** Writes comparison.svg and index.html: both graphs, with corresponding circles in one color and unmatched ones grey,
+ * and a list of differences with numbers. Throws OutputError. \ingroup GraphTools */
 GraphTools_EXPORT void
 WriteComparisonPictures(const GraphComparison & comparison, const GraphSideBySide & sheet, const OutputPath & output);
 
-/** The number of steps that a picture of a sequence shows at most; of longer ones that many, from the first to the
- * last, as evenly as can be. \ingroup GraphTools */
+/** Maximum number of steps in a picture of a sequence. Longer sequences are sampled evenly from the first to the last
+ * step. \ingroup GraphTools */
 constexpr int mostStepsOfPicture = 12;
 
-/** Writes steps.svg (small multiples: nodes that changed since the step before green, others red, tracked ones blue),
- * correspondence.svg (a colour for each name through all steps), index.html with the first of them, and compare.svg
- * where two steps are compared: what changed between them green. Throws OutputError. \ingroup GraphTools */
+/** Writes steps.svg (small multiples: nodes changed since the previous step green, others red, tracked ones blue),
+ * correspondence.svg (one color per name through all steps), and index.html with the first of them. If two steps are
+ * compared, also writes compare.svg with the changes in green. Throws OutputError. \ingroup GraphTools */
 GraphTools_EXPORT void
 WriteSequencePictures(const DynamicSequence &          sequence,
                       const std::vector<int> &         compared,

@@ -7,26 +7,26 @@
 
 namespace shapeton
 {
-/** What a report of embedded graphs says.
+/** Content of a report on embedded graphs.
  * \ingroup GraphTools */
 struct GraphReport
 {
   std::string title;
-  /** Side by side, grouped by geometry; turning, zooming and moving one does so with all of its group. */
+  /** Views side by side, grouped by geometry; turning, zooming and moving one applies to its group. */
   std::vector<GraphView>   views{};
   std::vector<std::string> paragraphs{};
   std::vector<std::string> warnings{};
   /** Names and values, such as provenance and statistics. */
   std::vector<std::pair<std::string, std::string>> facts{};
-  /** With their captions. */
+  /** Captions and tables. */
   std::vector<std::pair<std::string, CsvTable>> tables{};
-  /** How the hyperbolic plane is shown first; a reader can choose. */
+  /** Initial model of the hyperbolic plane; the reader can change it. */
   DiskModel disk{ DiskModel::Poincare };
 };
 
-/** Writes one HTML file that opens without a network: a view on a canvas for each graph, to turn (drag), to move by
- * Moebius transformations (shift and drag; on the disk: drag) and to zoom (wheel), with switches for graph, dual,
- * circles, labels and projection; then paragraphs, warnings, tables and facts. Equal reports give equal bytes. Throws
+/** Writes one HTML file that opens offline: a canvas view for each graph, to rotate (drag), to move by Moebius
+ * transformations (shift and drag; on the disk: drag) and to zoom (wheel), with switches for graph, dual, circles,
+ * labels and projection; then paragraphs, warnings, tables and facts. Equal reports give equal bytes. Throws
  * OutputError. \ingroup GraphTools */
 GraphTools_EXPORT void
 WriteGraphReport(const GraphReport & report, const std::string & path);

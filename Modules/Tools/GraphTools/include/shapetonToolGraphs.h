@@ -9,7 +9,7 @@ namespace shapeton
 {
 class CommandLine;
 
-/** ReadGraph() for the input parameter of a tool; states its identity and tells the notes as warnings.
+/** ReadGraph() for the input parameter of a tool; states its identity and reports the notes as warnings.
  * \ingroup GraphTools */
 GraphTools_EXPORT Graph
 ReadGraph(CommandLine & commandLine, const std::string & parameter);

@@ -6,8 +6,8 @@
 
 namespace shapeton
 {
-/** What the scripts of a page know of a graph: places and radii of nodes (dummies have places only) and faces, halves
- * of edges from a node to where circles touch, the dual, tiles. Coordinates stand one after the other. */
+/** Data of a graph for the page scripts: positions and radii of nodes (dummies have positions only) and faces, half
+ * edges from a node to the tangency point of its circle, the dual, tiles. Coordinates are stored consecutively. */
 Json
 PageDataOf(const GraphView & view);
 } // namespace shapeton

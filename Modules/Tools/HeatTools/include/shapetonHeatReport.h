@@ -25,66 +25,65 @@
 
 namespace shapeton
 {
-/** What a report on diffusion tells, of heat or of shapetons. The pointers are not owned and must not be null.
+/** Content of a diffusion report, for heat or shapetons. The pointers are not owned and must not be null.
  * \ingroup HeatTools */
 struct HeatReportContent
 {
   using Facts = std::vector<std::pair<std::string, std::string>>;
 
   std::string title{ "Cumulative heat diffusion" };
-  /** What `heat` holds. */
+  /** Quantity stored in `heat`. */
   ShapeQuantity quantity;
-  /** What was analysed, for example its name, modality, repairs. The geometry of `grey` is added. */
+  /** Input, for example its name, modality, repairs. The geometry of `grey` is added. */
   Facts input;
-  /** The parameters of the run, and where automatic ones come from. */
+  /** Parameters of the run, with the source of automatic values. */
   Facts   parameters;
   Facts   provenance;
   Remarks warnings;
 
   const HeatHistogram * histogram{ nullptr };
-  /** Lays out axis and colours in its place, where given. */
+  /** If given, defines axis and colors instead. */
   const HeatHistogram * axisHistogram{ nullptr };
   HeatScale             scale{ HeatScale::Equalized };
-  /** Ranges that are opened; by default none. A second histogram shows the last one, a second rendering the lines that
-   * are found in it, and the explorer begins there. */
+  /** Zoomed ranges; none by default. A second histogram shows the last range, a second rendering the lines found in it,
+   * and the explorer starts there. */
   HeatRanges ranges;
-  /** Marked in the histogram. */
+  /** Time steps marked in the histogram. */
   std::vector<std::uint64_t> markedTimeSteps;
 
-  /** The intensity image and the heat, on one grid. */
+  /** The intensity image and the heat, on the same grid. */
   const itk::Image<float, 3> * grey{ nullptr };
   const itk::Image<float, 3> * heat{ nullptr };
-  /** The time step that `heat` shows, where that is known. */
+  /** The time step of `heat`, if known. */
   std::optional<std::uint64_t> timeStep;
-  /** Grey values of the slices. */
+  /** Intensity window of the slices. */
   IntensityWindow window;
 
   /** The classes of `heat`. */
   std::vector<HeatClass> classes;
-  /** What the rendering shows; by default ShapeTransferFunction::FromClasses. */
+  /** Transfer function of the rendering; by default ShapeTransferFunction::FromClasses. */
   std::optional<ShapeTransferFunction> transferFunction;
-  /** Draws the rendering, where given; it must be of the same heat and transfer function. */
+  /** Renderer, if given; it must use the same heat and transfer function. */
   const VolumeRenderer * renderer{ nullptr };
-  /** The page that WriteExplorer() writes stands beside the report, which links to it. */
+  /** Whether WriteExplorer() writes its page to the same folder; the report links to it. */
   bool hasExplorer{ false };
 };
 
-/** Writes a report into an existing folder: index.html (self-contained), histogram.png, slices-heat.png
- * (named by the quantity),
- * slices-classes.png, rendering.png, classes.csv and report.json; of opened ranges also histogram-range.png and
- * rendering-range.png. Equal content gives equal bytes. Throws OutputError,
- * and std::invalid_argument for incomplete content. \ingroup HeatTools */
+/** Writes a report into an existing folder: index.html (self-contained), histogram.png, slices-heat.png (named after
+ * the quantity), slices-classes.png, rendering.png, classes.csv and report.json; with zoomed ranges also
+ * histogram-range.png and rendering-range.png. Equal content gives equal bytes. Throws OutputError, and
+ * std::invalid_argument for incomplete content. \ingroup HeatTools */
 HeatTools_EXPORT void
 WriteHeatReport(const HeatReportContent & content, const std::string & folder, const OutputPath & outputPath);
 
-/** Writes the page explorer.html of what the report shows; the time step of the report is added as the last one where
- * it is not there. Throws OutputError. \ingroup HeatTools */
+/** Writes the page explorer.html for the report. The time step of the report is added as the last one if missing.
+ * Throws OutputError. \ingroup HeatTools */
 HeatTools_EXPORT void
 WriteExplorer(const HeatReportContent & content, HeatExplorer & explorer);
 
 /** The classes as a table: label, lowerHeat, upperHeat, meanHeat, voxels, volume (mm^3), borderShare, components,
- * normalizedHeat, and the colour in pictures ("#rrggbb"; empty for the background). For visits, Density in place of
- * Heat, and meanVisits in place of components and normalizedHeat. \ingroup HeatTools */
+ * normalizedHeat, and the color in pictures ("#rrggbb"; empty for the background). For visits, Density replaces Heat,
+ * and meanVisits replaces components and normalizedHeat. \ingroup HeatTools */
 HeatTools_EXPORT CsvTable
 ClassTable(const std::vector<HeatClass> & classes, const HeatAxis & axis, const ShapeQuantity & quantity = {});
 
@@ -96,22 +95,22 @@ ClassTable(const HeatReportContent & content);
 HeatTools_EXPORT Picture::Pointer
                  DrawHistogram(const HeatReportContent & content);
 
-/** The same of content.ranges, with the lines that are found inside the last one in place of the classes.
+/** The histogram of content.ranges, with the lines found inside the last range in place of the classes.
  * \ingroup HeatTools */
 HeatTools_EXPORT Picture::Pointer
                  DrawOpenedHistogram(const HeatReportContent & content);
 
-/** Says that nothing was ever counted in the last of content.ranges; empty where something was, or nothing is opened.
+/** A warning if the last of content.ranges has no counts; empty otherwise, or if no range is zoomed.
  * \ingroup HeatTools */
 HeatTools_EXPORT Remarks
 RangeRemarks(const HeatReportContent & content);
 
-/** The counts of a heat histogram that are not 0, in 32 ranges for each factor of two of the heat: timeStep, lowerHeat,
- * upperHeat, voxels. \ingroup HeatTools */
+/** Nonzero counts of a heat histogram, in 32 ranges per factor of two of the heat: timeStep, lowerHeat, upperHeat,
+ * voxels. \ingroup HeatTools */
 HeatTools_EXPORT CsvTable
 HistogramTable(const HeatHistogram & histogram, const ShapeQuantity & quantity = {});
 
-/** The parameters of a run in words, with the reason where a parameter was chosen from the data.
+/** Parameters of a run as text, with the reason for each value chosen from the data.
  * \ingroup HeatTools */
 HeatTools_EXPORT HeatReportContent::Facts
                  RunFacts(const CumulativeHeatDiffusionResult & result);
@@ -123,8 +122,8 @@ MakeReportContent(const CumulativeHeatDiffusionResult & result,
                   const itk::Image<float, 3> *          grey,
                   const itk::Image<float, 3> *          heat);
 
-/** What the user of a run should know: a constant volume, a heat that is not steady although that was asked for,
- * snapshots up to `lastSnapshotStep` that the steady state cut off. \ingroup HeatTools */
+/** Warnings on a run: a constant volume, heat that did not reach the requested steady state, snapshots up to
+ * `lastSnapshotStep` skipped because the steady state came first. \ingroup HeatTools */
 HeatTools_EXPORT std::vector<std::string>
 RunRemarks(const CumulativeHeatDiffusionResult & result, bool untilSteady, std::uint64_t lastSnapshotStep);
 } // namespace shapeton

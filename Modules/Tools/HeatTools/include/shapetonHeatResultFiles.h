@@ -16,20 +16,20 @@ class CommandLine;
 class DicomMapOutput;
 
 /** \class HeatResultFiles
- * \brief The files that a tool of heat diffusion writes, by the parameters of its XML.
+ * \brief The output files of a heat diffusion tool, declared by the parameters of its XML.
  *
  * outputHeat, initialHeatOutput and labels are volumes, classTable and histogramTable CSV, histogram a PNG, report a
- * folder, which gets a HeatExplorer, too. histogramRange opens ranges of histogram and report. Those that were not
- * given are not written. A record of the run
- * (`<outputHeat>.run.json`) is. Volumes carry the provenance of the run, heat also its time step (key `timeStep`).
+ * folder, which also gets a HeatExplorer. histogramRange zooms ranges of histogram and report. Outputs that were not
+ * requested are not written, except the record of the run (`<outputHeat>.run.json`). Volumes carry the provenance of
+ * the run, heat also its time step (key `timeStep`).
  *
  * \ingroup HeatTools
  */
 class HeatTools_EXPORT HeatResultFiles
 {
 public:
-  /** Registers the outputs. Throws ParameterError for a volume whose extension cannot be written and for wrong ranges,
-   * and OutputError where nothing can be written. */
+  /** Registers the outputs. Throws ParameterError for an unsupported volume extension or wrong ranges, OutputError if a
+   * file cannot be written. */
   explicit HeatResultFiles(CommandLine & commandLine);
   ~HeatResultFiles();
 
@@ -49,16 +49,16 @@ public:
     return !m_Labels.empty() || !m_ClassTable.empty() || !m_Report.empty();
   }
 
-  /** Writes all but the initial heat: content.heat is the heat after content.timeStep; `labels` may be null where no
-   * classes are wanted. The ranges of the content are those of histogramRange. */
+  /** Writes all but the initial heat: content.heat is the heat after content.timeStep; `labels` may be null if no
+   * classes are requested. The ranges of the content are those of histogramRange. */
   void
   Write(HeatReportContent content, const itk::Image<unsigned char, 3> * labels) const;
 
   void
   WriteInitialHeat(const itk::Image<float, 3> * heat) const;
 
-  /** Writes the heat after a time step into a folder of snapshots, see HeatSnapshotName(), unless its name is empty,
-   * and adds it to the explorer of the report. */
+  /** Writes the heat after a time step into a folder of snapshots, see HeatSnapshotName(), and adds it to the explorer
+   * of the report. Does nothing if the folder name is empty. */
   void
   WriteSnapshot(const itk::Image<float, 3> * heat, std::uint64_t timeStep, const std::string & folder) const;
 

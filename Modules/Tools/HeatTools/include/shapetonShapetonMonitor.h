@@ -11,41 +11,41 @@ namespace shapeton
 {
 class CommandLine;
 
-/** How far a run of shapeton diffusion has come, for a person who watches.
+/** Progress of a shapeton diffusion run, for display.
  * \ingroup HeatTools */
 struct ShapetonProgress
 {
   ShapetonMeasures measures;
-  std::uint64_t    timeSteps{ 0 };        ///< that the run takes at most
-  double           stepsPerSecond{ 0.0 }; ///< of all shapetons together; 0 where it is not known
-  double           epsilon{ 0.0 };        ///< greatest change of a steady state
+  std::uint64_t    timeSteps{ 0 };        ///< maximum number of steps of the run
+  double           stepsPerSecond{ 0.0 }; ///< of all shapetons together; 0 if unknown
+  double           epsilon{ 0.0 };        ///< largest change in a steady state
 };
 
-/** Three slices through `cut` with the visits so far in colour, red for most and blue for fewest, and above them step,
- * rate, coverage and distance from the steady state. \ingroup HeatTools */
+/** Three slices through `cut` with the visits so far in color, from blue (fewest) to red (most). The header shows
+ * step, rate, coverage and distance from the steady state. \ingroup HeatTools */
 HeatTools_EXPORT Picture::Pointer
                  DrawShapetonPreview(const itk::Image<float, 3> *         grey,
                                      const itk::Image<std::uint32_t, 3> * visits,
                                      const itk::Index<3> &                cut,
                                      const ShapetonProgress &             progress);
 
-/** The voxel in the middle of all whose intensity lies above `lower`; the middle of the volume where none does.
+/** Mean position of the voxels with intensity above `lower`; the center of the volume if there are none.
  * \ingroup HeatTools */
 HeatTools_EXPORT itk::Index<3>
                  MiddleOfObjects(const itk::Image<float, 3> * grey, double lower);
 
-/** Has the filter go on from the checkpoint that the parameter `resume` names, which the new checkpoint may replace.
- * Throws InputError for a file that is no checkpoint, ParameterError where the run would end before it.
+/** Resumes the filter from the checkpoint named by the parameter `resume`; the new checkpoint may replace it.
+ * Throws InputError if the file is not a checkpoint, ParameterError if the run would end before its time step.
  * \ingroup HeatTools */
 HeatTools_EXPORT void
 ResumeFromCheckpoint(CommandLine & commandLine, ShapetonDiffusionImageFilter<itk::Image<float, 3>> * filter);
 
 /** \class ShapetonMonitor
- * \brief What a tool shows and saves while shapetons diffuse, by the parameters of its XML: `preview`, a PNG or the
- * page of LiveExplorer (.html) that is replaced every `previewEvery` seconds, and `checkpoint`, a saved state that is
+ * \brief Preview and checkpoint of a shapeton diffusion run, declared by the parameters of the tool's XML: `preview`,
+ * a PNG or the page of LiveExplorer (.html) replaced every `previewEvery` seconds, and `checkpoint`, a saved state
  * replaced about every minute.
  *
- * Both are replaced once more by Finish(). The picture states a rate and is, unlike results, not the same in two runs.
+ * Finish() replaces both once more. The picture states a rate and so, unlike results, differs between runs.
  *
  * \ingroup HeatTools
  */
@@ -54,14 +54,14 @@ class HeatTools_EXPORT ShapetonMonitor
 public:
   using FilterType = ShapetonDiffusionImageFilter<itk::Image<float, 3>>;
 
-  /** Registers the outputs and begins to watch the filter, whose input must be set. Both must outlive the monitor. */
+  /** Registers the outputs and observes the filter, whose input must be set. Both must outlive the monitor. */
   ShapetonMonitor(CommandLine & commandLine, FilterType * filter);
   ~ShapetonMonitor();
   ShapetonMonitor(const ShapetonMonitor &) = delete;
   ShapetonMonitor &
   operator=(const ShapetonMonitor &) = delete;
 
-  /** To be called when the filter has run. */
+  /** Call after the filter has run. */
   void
   Finish();
 

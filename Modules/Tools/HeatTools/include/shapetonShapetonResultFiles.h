@@ -15,22 +15,23 @@ class CommandLine;
 class DicomMapOutput;
 struct Volume;
 
-/** What the user of a run of shapeton diffusion should know: trapped shapetons, a density that is not steady although
- * that was asked for, few visits. \ingroup HeatTools */
+/** Warnings on a run of shapeton diffusion: trapped shapetons, density that did not reach the requested steady state,
+ * few visits. \ingroup HeatTools */
 HeatTools_EXPORT std::vector<std::string>
                  ShapetonRemarks(const ShapetonDiffusionImageFilter<itk::Image<float, 3>> * filter);
 
-/** The parameters and measures of a run in words, with reasons where the distance and the number of shapetons were
- * chosen from the data. \ingroup HeatTools */
+/** Parameters and measures of a run as text, with reasons if the distance and the number of shapetons were chosen from
+ * the data. \ingroup HeatTools */
 HeatTools_EXPORT HeatReportContent::Facts
                  ShapetonFacts(const ShapetonDiffusionImageFilter<itk::Image<float, 3>> * filter);
 
 /** \class ShapetonResultFiles
- * \brief The files that the tool of shapeton diffusion writes, by the parameters of its XML.
+ * \brief The output files of the shapeton diffusion tool, declared by the parameters of its XML.
  *
- * outputDensity and labels are volumes, classTable a CSV, report a folder, which gets a HeatExplorer, too;
- * histogramRange opens ranges of its histogram. Those that were not given are not written. A record of the run
- * (`<outputDensity>.run.json`) is. The density holds visits and states its time step (key `timeStep`) and provenance.
+ * outputDensity and labels are volumes, classTable a CSV, report a folder, which also gets a HeatExplorer;
+ * histogramRange zooms ranges of its histogram. Outputs that were not requested are not written, except the record of
+ * the run (`<outputDensity>.run.json`). The density holds visits and states its time step (key `timeStep`) and
+ * provenance.
  *
  * \ingroup HeatTools
  */
@@ -39,8 +40,8 @@ class HeatTools_EXPORT ShapetonResultFiles
 public:
   using FilterType = ShapetonDiffusionImageFilter<itk::Image<float, 3>>;
 
-  /** Registers the outputs. Throws ParameterError for a volume whose extension cannot be written and for wrong ranges,
-   * and OutputError where nothing can be written. */
+  /** Registers the outputs. Throws ParameterError for an unsupported volume extension or wrong ranges, OutputError if a
+   * file cannot be written. */
   explicit ShapetonResultFiles(CommandLine & commandLine);
   ~ShapetonResultFiles();
 

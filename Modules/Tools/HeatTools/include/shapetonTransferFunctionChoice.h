@@ -13,22 +13,23 @@ namespace shapeton
 {
 class CommandLine;
 
-/** The lines and the time step that a user chose: by the parameters `lines` and `timeStep`, or by `from`, a file that
- * the heat explorer saved. \ingroup HeatTools */
+/** The lines and the time step chosen by the user: by the parameters `lines` and `timeStep`, or by `from`, a file
+ * saved by the heat explorer. \ingroup HeatTools */
 struct TransferFunctionChoice
 {
   std::optional<ShapeTransferFunction> lines;
   std::optional<std::uint64_t>         timeStep;
-  /** What the lines are of, where the file states it. */
+  /** Quantity of the lines, if the file states it. */
   std::string quantity;
 };
 
-/** Of a file, lines and time step become part of the provenance. Throws ParameterError for lines that cannot be read
- * and for `from` beside another parameter, InputError for a file that the explorer did not save. \ingroup HeatTools */
+/** Reads the choice; lines and time step of a file become part of the provenance. Throws ParameterError for lines that
+ * cannot be read and for `from` with another parameter, InputError for a file not saved by the explorer.
+ * \ingroup HeatTools */
 HeatTools_EXPORT TransferFunctionChoice
 ReadTransferFunctionChoice(CommandLine & commandLine);
 
-/** Throws InputError where the lines were picked on the other quantity than `path` holds. \ingroup HeatTools */
+/** Throws InputError if the lines were picked for another quantity than that of `path`. \ingroup HeatTools */
 HeatTools_EXPORT void
 RequireQuantity(const TransferFunctionChoice & choice, const ShapeQuantity & found, const std::string & path);
 } // namespace shapeton

@@ -12,20 +12,20 @@ class CommandLine;
 struct DicomSource;
 
 /** \class DicomMapOutput
- * \brief The option dicomMap of a tool that computes a value for each voxel: its result as a DICOM Parametric Map
- * beside the series that it was made from. */
+ * \brief The option dicomMap of a tool that computes a value per voxel: writes the result as a DICOM Parametric Map
+ * that references the input series. */
 class DicomMapOutput
 {
 public:
-  /** Reads the headers of the series, so that a run that could not be written ends before it begins. Throws
-   * ParameterError where the input is no DICOM, InputError as ReadDicomSource(). */
+  /** Reads the headers of the series, so that unsuitable input is rejected before the run. Throws ParameterError if the
+   * input is not DICOM, InputError as ReadDicomSource() does. */
   explicit DicomMapOutput(CommandLine & commandLine);
   ~DicomMapOutput();
 
-  /** Writes what was asked for. `code` is in the scheme 99SHAPETON, `meaning` in words; values have no unit. */
+  /** Writes the map if requested. `code` is in the scheme 99SHAPETON, `meaning` is its text; values have no unit. */
   void
   Write(const itk::Image<float, 3> * image, const std::string & code, const std::string & meaning) const;
-  /** The same of counts, which 32 bits of floating point hold exactly up to 2^24. */
+  /** Writes counts, which 32-bit floats represent exactly up to 2^24. */
   void
   Write(const itk::Image<unsigned int, 3> * image, const std::string & code, const std::string & meaning) const;
 

@@ -7,7 +7,7 @@
 
 namespace shapeton
 {
-/** The ranges of the parameter histogramRange. Throws ParameterError for wrong ones, and where no file shows them. */
+/** The ranges of the parameter histogramRange. Throws ParameterError for wrong ranges, or if no output shows them. */
 inline HeatRanges
 ReadOpenedRanges(const CommandLine & commandLine)
 {
@@ -19,7 +19,7 @@ ReadOpenedRanges(const CommandLine & commandLine)
   return ranges;
 }
 
-/** Has the content show the ranges, with a warning where they hold nothing. */
+/** Sets the ranges of the content, with a warning for an empty range. */
 inline void
 OpenRanges(CommandLine & commandLine, const HeatRanges & ranges, HeatReportContent & content)
 {

@@ -8,7 +8,7 @@
 
 namespace shapeton
 {
-/** Makes the folder of a report and, within it, that of the data of its explorer. */
+/** Creates the folder of a report and, inside it, the data folder of its explorer. */
 inline std::unique_ptr<HeatExplorer>
 MakeExplorer(CommandLine & commandLine, const std::string & folder)
 {

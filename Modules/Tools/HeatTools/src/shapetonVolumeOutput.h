@@ -6,7 +6,7 @@
 
 namespace shapeton
 {
-/** CommandLine::OutputOf() for a volume: throws ParameterError when its extension cannot be written. */
+/** CommandLine::OutputOf() for a volume: throws ParameterError for an unsupported extension. */
 inline std::string
 VolumeOutput(CommandLine & commandLine, const std::string & parameter)
 {

@@ -7,10 +7,10 @@
 
 namespace shapeton
 {
-/** What a file or a folder holds, as "sha256:...": of a file its bytes; of a folder the names below it and the bytes of
- * all files, hidden ones left out. A header of NRRD or MetaImage with its voxels beside it (.nhdr, .mhd) counts with
- * the files beside it that have its name but for the extension. Files are read on several threads; neither times nor
- * the place of the folder count. Throws InputError for what cannot be read. \ingroup StagedRun */
+/** Content identity of a file or folder, "sha256:...". For a file it covers its bytes; for a folder, the names below it
+ * and the bytes of all files except hidden ones. For a NRRD or MetaImage header with detached data (.nhdr, .mhd) it
+ * includes the files in the same folder that share its stem. Files are read on several threads; times and the location
+ * of the folder do not matter. Throws InputError if something cannot be read. \ingroup StagedRun */
 StagedRun_EXPORT std::string
                  IdentityOf(const std::string & path);
 } // namespace shapeton

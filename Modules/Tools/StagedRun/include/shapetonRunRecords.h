@@ -9,10 +9,10 @@
 namespace shapeton
 {
 /** \class RunRecords
- * \brief What the records in the folder of a StagedRun say, for programs that take its results.
+ * \brief Reads the records in the folder of a StagedRun, for programs that use its results.
  *
- * A run that was interrupted, or goes on at this moment, leaves results of stages that were made from older results of
- * others. Nobody should take both for one examination.
+ * A run that was interrupted or is still active may contain stages computed from outdated results of other stages.
+ * Such results must not be combined into one examination.
  *
  * \ingroup StagedRun */
 class StagedRun_EXPORT RunRecords
@@ -20,17 +20,17 @@ class StagedRun_EXPORT RunRecords
 public:
   explicit RunRecords(const std::string & folder);
 
-  /** Throws InputError unless a file of a stage is the one that the stage wrote when it had come to its end, and all
-   * results that it was made from, through all stages before, are those that lie in the run now. */
+  /** Throws InputError unless the file is the one that the completed stage wrote, and all results it was computed from,
+   * through all earlier stages, are the current results of the run. */
   void
   RequireCurrent(const std::string & stage, const std::string & file) const;
 
-  /** The same of all that a stage wrote, without reading it: throws InputError where the stage has come to its end and
-   * was made from results that are no longer there. */
+  /** The same for all results of a stage, without reading them: throws InputError if the stage completed but was
+   * computed from results that no longer exist. */
   void
   RequireCurrent(const std::string & stage) const;
 
-  /** Remarks of the tool of a stage; none where it has no record. */
+  /** Warnings of the tool of a stage; empty if it has no record. */
   Remarks
   WarningsOf(const std::string & stage) const;
 

@@ -10,7 +10,7 @@
 namespace shapeton
 {
 /** \class Stage
- * \brief One call of a tool: its command line, and what of it decides on the result.
+ * \brief One call of a tool: its command line, and which arguments affect the result.
  *
  * \code
  * Stage stage("flattening", "ColonFlattening");
@@ -25,7 +25,7 @@ namespace shapeton
 class StagedRun_EXPORT Stage
 {
 public:
-  /** Gives what an input holds, as far as it counts for this stage. */
+  /** Returns the identity of an input's content, as far as it matters for this stage. */
   using Identity = std::function<std::string(const std::string & path)>;
 
   struct Argument
@@ -41,31 +41,31 @@ public:
     std::string flag;
     std::string value;
     Identity    identity;
-    /** Of an input that is a folder: what the tool reads of it; empty for all. */
+    /** For an input folder: the files in it that the tool reads; empty for all. */
     std::vector<std::string> files;
   };
 
-  /** The stage's folder has its name; the program lies beside the others. */
+  /** The stage's folder has its name; the program is in the folder of the tools. */
   Stage(const std::string & name, const std::string & program);
   ~Stage();
 
-  /** Changes the result. */
+  /** An option that affects the result. */
   Stage &
   Option(const std::string & flag, const std::string & value);
-  /** Does not, as the number of threads. */
+  /** An option that does not affect the result, such as the number of threads. */
   Stage &
   Idle(const std::string & flag, const std::string & value);
-  /** Its content changes the result; IdentityOf() tells it unless another function is given. */
+  /** An input whose content affects the result; identified by IdentityOf() unless another function is given. */
   Stage &
   Input(const std::string & flag, const std::string & path, const Identity & identity = {});
-  /** A folder of which the tool reads these files, or those of them that are there; their contents change the result.
+  /** An input folder from which the tool reads these files, if they exist; their contents affect the result.
    */
   Stage &
   InputFolder(const std::string & flag, const std::string & path, const std::vector<std::string> & files);
-  /** A file, or a folder, in the stage's folder; "" is that folder itself. Must be there when the tool is done. */
+  /** A file or folder in the stage's folder; "" is that folder itself. Must exist when the tool has finished. */
   Stage &
   Output(const std::string & flag, const std::string & name);
-  /** Files that the tool writes without an argument for each. */
+  /** Files that the tool writes without a separate argument. */
   Stage &
   Expect(const std::vector<std::string> & names);
 
@@ -84,13 +84,13 @@ public:
   {
     return m_Arguments;
   }
-  /** Names in the stage's folder. */
+  /** Names of the outputs in the stage's folder. */
   const std::vector<std::string> &
   GetExpected() const
   {
     return m_Expected;
   }
-  /** What the program is called with, where the stage's folder is `folder`. */
+  /** Arguments of the program if the stage's folder is `folder`. */
   std::vector<std::string>
   CommandIn(const std::string & folder) const;
 

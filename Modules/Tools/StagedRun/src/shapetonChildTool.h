@@ -9,22 +9,21 @@
 
 namespace shapeton
 {
-/** How a tool that ran as a child ended. */
+/** Outcome of a tool that ran as a child process. */
 struct ChildOutcome
 {
-  /** Exit status; 1 where a signal ended it. */
+  /** Exit status; 1 if a signal ended it. */
   int status{ 0 };
-  /** What it wrote to stderr, without its name; where a signal ended it, that. */
+  /** stderr without the tool's name; if a signal ended the tool, a message that says so. */
   std::string message;
-  /** What it wrote to stdout beside progress. */
+  /** stdout without the progress. */
   std::string text;
-  /** Its remarks. */
+  /** Warnings of the tool. */
   Remarks warnings;
 };
 
-/** Runs a tool with an shapeton::CommandLine and reads the progress that it writes for 3D Slicer: its step in its
- * words, and the share of its work. The child gets SIGTERM when this process dies. Throws OutputError where it cannot
- * be started. */
+/** Runs a tool with a shapeton::CommandLine and reads the progress that it writes for 3D Slicer: the name of its step
+ * and the fraction. The child gets SIGTERM when this process dies. Throws OutputError if it cannot be started. */
 ChildOutcome
 RunChildTool(const std::string & program, const std::vector<std::string> & arguments, const Progress & progress = {});
 } // namespace shapeton

@@ -5,11 +5,11 @@
 
 namespace shapeton
 {
-/** While it lives, and while a child that was started meanwhile lives, no other one of the same folder can be made. */
+/** Exclusive lock of a folder, held while this object or a child process started meanwhile exists. */
 class StagedRun::Lock
 {
 public:
-  /** Waits some seconds for a child of a killed run. Throws OutputError. */
+  /** Waits a few seconds for a child of a killed run. Throws OutputError. */
   explicit Lock(const std::string & folder);
   Lock(const Lock &) = delete;
   Lock &

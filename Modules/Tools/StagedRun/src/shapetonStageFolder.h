@@ -10,24 +10,24 @@ namespace shapeton
 /** Names of files and their SHA-256, in alphabetical order. */
 using FileHashes = std::vector<std::pair<std::string, std::string>>;
 
-/** Whether equal runs need not write equal bytes to a file of this name. */
+/** Whether a file of this name may differ between equal runs. */
 bool
 IsRecordOfOneRun(const std::string & name);
 
-/** Of the files below a folder; empty where there is none. Throws OutputError. */
+/** Hashes of the files below a folder; empty if it does not exist. Throws OutputError. */
 FileHashes
 HashesOfFolder(const std::string & folder);
 
-/** Makes a folder that is empty. Throws OutputError. */
+/** Creates an empty folder. Throws OutputError. */
 void
 MakeEmptyFolder(const std::string & folder);
 
-/** Removes a folder with all it holds. Throws OutputError. */
+/** Removes a folder and its contents. Throws OutputError. */
 void
 RemoveFolder(const std::string & folder);
 
-/** Moves all files below `from` to the same places below `to` and removes `from`; before that removes the files `old`
- * below `to`, and folders that become empty. Throws OutputError. */
+/** Removes the files `old` below `to`, and folders that become empty. Then moves all files below `from` to the same
+ * relative paths below `to` and removes `from`. Throws OutputError. */
 void
 ReplaceFiles(const std::string & from, const std::string & to, const FileHashes & old);
 } // namespace shapeton

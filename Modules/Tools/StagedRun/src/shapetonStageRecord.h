@@ -8,25 +8,25 @@
 
 namespace shapeton
 {
-/** What the file of a record says. */
+/** Content of a record file. */
 struct StageRecord
 {
   std::string signature;
-  /** Results of other stages that it was made from: where they lie, from the folder of the run on, and their SHA-256.
+  /** Results of other stages that were used: their paths relative to the folder of the run, and their SHA-256.
    */
   FileHashes  inputs;
   StageResult result;
 };
 
-/** Where the record of the stage is that has written this file into its folder. */
+/** Path of the record of the stage that wrote this file into its folder. */
 std::string
 RecordPathOf(const std::string & file);
 
-/** Nothing where there is no record, or it is damaged: then the stage is computed again. */
+/** Empty if the record is missing or damaged; the stage is then computed again. */
 std::optional<StageRecord>
 ReadStageRecord(const std::string & path);
 
-/** Whole or not at all. Throws OutputError. */
+/** Writes the record atomically. Throws OutputError. */
 void
 WriteStageRecord(const StageRecord & record, const std::string & path);
 } // namespace shapeton

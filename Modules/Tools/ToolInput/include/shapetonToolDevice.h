@@ -12,8 +12,8 @@ class CommandLine;
 ToolInput_EXPORT Device
 ReadDevice(const CommandLine & commandLine);
 
-/** Before any work on pictures of a CT: throws DeviceError where the GPU is asked for and none can be used,
- * ParameterError where it is asked for and there is no CT. \ingroup ToolInput */
+/** Checks the device before any work on pictures of a CT. Throws DeviceError if the GPU was requested and none is
+ * usable, ParameterError if it was requested and there is no CT. \ingroup ToolInput */
 ToolInput_EXPORT void
 RequireDeviceForCt(const CommandLine & commandLine, bool hasCt);
 } // namespace shapeton

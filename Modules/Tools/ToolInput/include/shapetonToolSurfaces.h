@@ -10,28 +10,28 @@ namespace shapeton
 class CommandLine;
 
 /** ReadSurface() for a tool that takes one component: `parameter` names the input in the tool's XML, which also
- * declares the options part, component and unit ("file" keeps that of the format). Adds the identity to the provenance
- * and notes to the warnings. \ingroup ToolInput */
+ * declares the options part, component and unit ("file" keeps the unit of the format). Adds the identity to the
+ * provenance and notes to the warnings. \ingroup ToolInput */
 ToolInput_EXPORT Surface
 ReadSurface(CommandLine & commandLine, const std::string & parameter);
 
-/** As ReadSurface(), but of any number of components and without warnings: for a tool whose result is text and prints
- * nothing else. \ingroup ToolInput */
+/** ReadSurface() for any number of components and without warnings: for a tool that prints its result as text.
+ * \ingroup ToolInput */
 ToolInput_EXPORT Surface
 ReadSurfaceToInspect(CommandLine & commandLine, const std::string & parameter);
 
-/** ReadRepairedSurface() for a tool: as ReadSurface() for a tool, with a warning for each kind of change and these
- * words in the provenance as `repairs`. The options of the tool replace part, component and unit of `options`.
+/** ReadRepairedSurface() for a tool, with a warning for each kind of change and the same text in the provenance as
+ * `repairs`. The options of the tool override part, component and unit of `options`.
  * \ingroup ToolInput */
 ToolInput_EXPORT Surface
 ReadRepairedSurface(CommandLine & commandLine, const std::string & parameter, const SurfaceReadOptions & options = {});
 
-/** ReadCurves() for a tool, of the parameter with this name; adds the identity of the file to the provenance.
+/** ReadCurves() for the parameter of a tool; adds the identity of the file to the provenance.
  * \ingroup ToolInput */
 ToolInput_EXPORT CurveSet
 ReadCurves(CommandLine & commandLine, const std::string & parameter);
 
-/** ReadMarkups() for a tool, of the parameter with this name; adds the identity of the file to the provenance.
+/** ReadMarkups() for the parameter of a tool; adds the identity of the file to the provenance.
  * \ingroup ToolInput */
 ToolInput_EXPORT std::vector<Markup>
                  ReadMarkups(CommandLine & commandLine, const std::string & parameter);

@@ -14,23 +14,23 @@ class CommandLine;
 ToolInput_EXPORT Volume
 ReadVolume(CommandLine & commandLine, const std::string & parameter, bool allowSingleSlice = false);
 
-/** Warns of a volume that says it is of another modality, for a tool that takes values for Hounsfield units.
+/** Warns if a volume states another modality, for a tool that interprets values as Hounsfield units.
  * \ingroup ToolInput */
 ToolInput_EXPORT void
 WarnUnlessCT(CommandLine & commandLine, const Volume & volume);
 
-/** MaskForImage() for a tool, of the volume that the input `parameter` names. Adds its identity to the provenance.
+/** MaskForImage() for the volume named by the input `parameter`. Adds its identity to the provenance.
  * \ingroup ToolInput */
 ToolInput_EXPORT itk::Image<unsigned char, 3>::Pointer
                  ReadMask(CommandLine & commandLine, const std::string & parameter, const itk::ImageBase<3> * image);
 
-/** The same of an image of labels: throws InputError where it holds a negative or broken number, as a CT does.
+/** The same for a label image: throws InputError if it holds a negative or fractional number, as a CT does.
  * \ingroup ToolInput */
 ToolInput_EXPORT itk::Image<unsigned char, 3>::Pointer
 ReadLabelMask(CommandLine & commandLine, const std::string & parameter, const itk::ImageBase<3> * image);
 
-/** Throws ParameterError unless the option intensityWindow, if given, holds two ascending numbers. \ingroup ToolInput
- */
+/** Throws ParameterError unless the option intensityWindow is absent or holds two ascending numbers.
+ * \ingroup ToolInput */
 ToolInput_EXPORT void
 RequireIntensityWindow(const CommandLine & commandLine);
 } // namespace shapeton
