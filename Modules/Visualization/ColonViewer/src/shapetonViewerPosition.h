@@ -6,22 +6,22 @@
 
 namespace shapeton
 {
-/** One number in a JSON document for a page: two places after the point. */
+/** A number in a JSON document for a page, with two decimals. */
 Json
 Hundredths(double value);
 
-/** Reads the files of one position that a run of VirtualColonoscopy left in `exam`, puts their data into blocks with
- * this prefix, and returns what is told in words: name, seriesUID, circumference, candidates, taeniae, flexures, and
- * `missing`, the stages that left no file. Throws InputError where wall, centreline or lumen are missing. */
+/** Reads the files of one position of a VirtualColonoscopy run in `exam` and adds their data as blocks with this
+ * prefix. Returns the JSON values: name, seriesUID, circumference, candidates, taeniae, flexures, and `missing`, the
+ * stages without a file. Throws InputError if wall, centreline or lumen are missing. */
 Json
 PutViewerPosition(PageBlocks &               blocks,
                   const std::string &        prefix,
                   const std::string &        exam,
                   const ColonViewerOptions & options);
 
-/** Puts the map from the position in the folder `exam` to the other one: `prefix`mapped, the place (LPS, mm) of each
- * point, and `prefix`trust, its confidence times 200, 255 where the wall is not seen in a position. Throws InputError
- * for a map of another wall. */
+/** Adds the map from the position in the folder `exam` to the other one: `prefix`mapped, the mapped position (LPS, mm)
+ * of each point, and `prefix`trust, its confidence times 200, or 255 if the wall is not visible in one position. Throws
+ * InputError for a map of another wall. */
 void
 PutViewerMap(PageBlocks & blocks, const std::string & prefix, const std::string & exam, const std::string & path);
 } // namespace shapeton

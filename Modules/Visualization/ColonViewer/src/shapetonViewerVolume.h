@@ -8,10 +8,10 @@
 
 namespace shapeton
 {
-/** Puts the box of a volume that holds these points, with a margin of 15 mm, into the blocks as `name`. The header
- * tells geometry (LPS, with oblique directions), the HU of a stored value (offset and step), and the size of the blocks
- * whose voxels are means; block `name`Coarse holds a byte for each of these: 1 where they are means, which are those
- * farther than `options.near` from the lumen. Without a CT the volume is a mask. */
+/** Adds the bounding box of these points in a volume, with a margin of 15 mm, to the blocks as `name`. The header holds
+ * the geometry (LPS, with oblique directions), the HU of a stored value (offset and step), and the block size of the
+ * means. Block `name`Coarse holds a byte per block: 1 if its voxels are means, that is, farther than `options.near`
+ * from the lumen. Without a CT the volume is a mask. */
 void
 PutViewerVolume(PageBlocks &                         blocks,
                 const std::string &                  name,

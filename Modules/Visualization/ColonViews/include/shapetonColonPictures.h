@@ -14,11 +14,11 @@
 
 namespace shapeton
 {
-/** What a colon is made of. Nothing is owned.
+/** Inputs of pictures of a colon. Not owned.
  *
- * Only the lumen is needed. The centreline is one curve from the anal verge on with the point arrays arcLength and
- * radius (mm) and, where there are gaps, gap (1 on a bridge over one, else 0). The wall may have a cell array bridged
- * (1: made up over a gap).
+ * Only the lumen is required. The centreline is one curve from the anal verge on with the point arrays arcLength and
+ * radius (mm) and, if there are gaps, gap (1 on a bridge over one, else 0). The wall may have a cell array bridged
+ * (1: interpolated over a gap).
  * \ingroup ColonViews */
 struct ColonParts
 {
@@ -36,34 +36,34 @@ struct ColonSegment
   std::string name;
   double      begin{ 0.0 };
   double      end{ 0.0 };
-  /** Share of its centreline with a calibre of at least 10 mm; below 0 where not known. */
+  /** Fraction of its centreline with a caliber of at least 10 mm; negative if unknown. */
   double distendedShare{ -1.0 };
 };
 
-/** The slices that show most of the lumen: the one with the largest area, and others evenly between the ends of the
- * lumen. Ascending indices along the axis through the plane; all slices of the lumen where these are fewer.
+/** Indices of the slices that show most of the lumen: the one with the largest area, and others evenly spaced over the
+ * extent of the lumen. Ascending along the axis through the plane; all slices of the lumen if there are fewer.
  * \ingroup ColonViews */
 ColonViews_EXPORT std::vector<itk::IndexValueType>
                   ChooseSlices(const itk::Image<unsigned char, 3> * lumen, SlicePlane plane, int number);
 
-/** Some slices side by side with the outlines of gas and fluid and the cut through the wall; without a CT the lumen is
- * painted flat. The window is that of CT colonography, -1100 to 500 HU by default.
+/** Slices side by side with the outlines of gas and fluid and the section of the wall; without a CT the lumen is
+ * filled. The default window is that of CT colonography, -1100 to 500 HU.
  *
- * Throws std::invalid_argument where there is no lumen, or the CT lies on another grid. \ingroup ColonViews */
+ * Throws std::invalid_argument without a lumen, or if the CT has another grid. \ingroup ColonViews */
 ColonViews_EXPORT Picture::Pointer
                   DrawColonSlices(const ColonParts &      colon,
                                   SlicePlane              plane,
                                   int                     number = 3,
                                   const IntensityWindow & window = { -1100.0, 500.0 });
 
-/** Looks through the colon along the volume's axis of a coronal or sagittal plane: how many mm of lumen lie behind each
- * other, in grey, and the centreline coloured by the distance from the anal verge. Throws the same.
+/** Projects the colon along the volume's axis of a coronal or sagittal plane: the lumen thickness (mm) in grey, and the
+ * centreline colored by the distance from the anal verge. Throws the same exceptions.
  * \ingroup ColonViews */
 ColonViews_EXPORT Picture::Pointer
                   DrawColonProjection(const ColonParts & colon, SlicePlane plane);
 
-/** The wall from a side: solid, or see-through with the centreline inside. Bridges have a colour of their own, the ends
- * of the centreline are named. Throws std::invalid_argument where there is no wall, or no centreline to see.
+/** The wall from one side: opaque, or transparent with the centreline inside. Bridges have their own color, the ends
+ * of the centreline are labeled. Throws std::invalid_argument without a wall, or without a centreline if transparent.
  * \ingroup ColonViews */
 ColonViews_EXPORT Picture::Pointer
                   DrawColonWall(const ColonParts & colon, PatientSide side, bool isSolid);

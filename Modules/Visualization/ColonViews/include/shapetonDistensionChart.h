@@ -6,7 +6,7 @@
 
 namespace shapeton
 {
-/** Least calibre, mm, of a colon that is distended enough to be looked at. \ingroup ColonViews */
+/** Minimum caliber (mm) of a sufficiently distended colon. \ingroup ColonViews */
 constexpr double distendedCalibre = 10.0;
 
 /** Title and size of a DrawDistensionChart(). \ingroup ColonViews */
@@ -18,17 +18,17 @@ struct DistensionChartOptions
   unsigned int height{ 460 };
 };
 
-/** The calibre (twice the radius of the centreline, mm) by the distance from the anal verge, with a line at 10 mm, what
- * lies below it in a colour of its own, gaps shaded, and the segments' borders and names.
+/** The caliber (twice the radius of the centreline, mm) by the distance from the anal verge, with a line at 10 mm and
+ * smaller calibers in another color, gaps shaded, and segment boundaries and names.
  *
- * Throws InputError where the centreline has no arrays arcLength and radius, std::invalid_argument for a picture too
- * small. \ingroup ColonViews */
+ * Throws InputError if the centreline lacks the arrays arcLength or radius, std::invalid_argument for a too small
+ * picture. \ingroup ColonViews */
 ColonViews_EXPORT Picture::Pointer
                   DrawDistensionChart(const CurveSet &                  centreline,
                                       const std::vector<ColonSegment> & segments,
                                       const DistensionChartOptions &    options = {});
 
-/** Where the values lie in that picture. \ingroup ColonViews */
+/** Plot area and axes of that picture. \ingroup ColonViews */
 ColonViews_EXPORT PlotFrame
 DistensionFrame(const CurveSet & centreline, const DistensionChartOptions & options = {});
 } // namespace shapeton

@@ -12,27 +12,27 @@
 
 namespace shapeton
 {
-/** Labels on the flat map, to be drawn as outlines. \ingroup ColonViews */
+/** Labels on the flat map, drawn as outlines. \ingroup ColonViews */
 struct FlatOutlines
 {
-  /** Of any grid on the same map, `columns` to a row; not owned. */
+  /** Label image on any grid of the same map, `columns` per row; not owned. */
   const unsigned short * labels{ nullptr };
   int                    columns{ 0 };
   int                    rows{ 0 };
-  /** Of a label; 0 is never asked for. */
+  /** Color of a label; never called for 0. */
   std::function<RGBColor(int)> colorOf;
-  /** Pixels of the strip. */
+  /** Outline thickness in pixels of the strip. */
   int thickness{ 2 };
 };
 
 /** A line on the flat map. \ingroup ColonViews */
 struct FlatLine
 {
-  /** (u, v), mm; from place to place the shorter way around the tube is taken. A place that is not finite breaks the
-   * line. */
+  /** (u, v), mm; consecutive points are connected the shorter way around the tube. A non-finite point breaks the line.
+   */
   std::vector<Eigen::Vector2d> places;
   RGBColor                     color;
-  /** Pixels of the strip. */
+  /** Line thickness in pixels of the strip. */
   double thickness{ 2.0 };
 };
 
@@ -41,35 +41,35 @@ struct FlatDot
 {
   Eigen::Vector2d uv{ Eigen::Vector2d::Zero() };
   RGBColor        color;
-  /** Pixels of the strip. */
+  /** Radius in pixels of the strip. */
   double radius{ 2.5 };
 };
 
-/** \defgroup FlatColonOverlay What is drawn over a strip (see FlatColonStrip) before it goes to a page
- * All of them go on around the tube. The strip must have the size of the grid, else std::invalid_argument.
+/** \defgroup FlatColonOverlay Overlays drawn on a strip (see FlatColonStrip) before page layout
+ * All of them wrap around the tube. The strip must have the size of the grid, else std::invalid_argument is thrown.
  * \ingroup ColonViews */
 ///@{
-/** Pixels inside of a label that are next to its border. */
+/** Draws the pixels inside a label that are next to its border. */
 ColonViews_EXPORT void
 DrawFlatOutlines(Picture * strip, const FlatColonGrid & grid, const FlatOutlines & outlines);
 
 ColonViews_EXPORT void
 DrawFlatLine(Picture * strip, const FlatColonGrid & grid, const FlatLine & line);
 
-/** With a dark rim. */
+/** Draws dots with a dark rim. */
 ColonViews_EXPORT void
 DrawFlatDot(Picture * strip, const FlatColonGrid & grid, const FlatDot & dot);
 
-/** Slanted lines over the columns whose distances along the centreline (mm, one for each column) lie in stretches that
- * cannot be assessed. Without distances nothing is drawn. */
+/** Hatches the columns whose distances along the centreline (mm, one per column) are in sections that cannot be
+ * assessed. Without distances nothing is drawn. */
 ColonViews_EXPORT void
 DrawFlatHatching(Picture *                            strip,
                  const FlatColonGrid &                grid,
                  const std::vector<double> &          distanceOfColumns,
                  const std::vector<HinderedStretch> & stretches);
 
-/** The places on the map of a curve in space, by the nearest points of the surface, at most `step` mm apart; not finite
- * where the surface is more than `farthest` mm away. */
+/** Maps a curve in space to the flat map by nearest surface points, at most `step` mm apart; non-finite where the
+ * surface is more than `farthest` mm away. */
 ColonViews_EXPORT std::vector<Eigen::Vector2d>
                   PlacesOfCurve(const FlatColonGrid &                grid,
                                 const std::vector<Eigen::Vector3d> & points,

@@ -12,12 +12,12 @@
 
 namespace shapeton
 {
-/** Something to tell about a place. \ingroup ColonViews */
+/** An annotation of a position. \ingroup ColonViews */
 struct FlatAnnotation
 {
   enum class Kind
   {
-    /** A segment of the colon begins here; the text is its name. Only the place along the colon counts. */
+    /** Start of a colon segment; the text is its name. Only the position along the colon counts. */
     Segment,
     /** A ring of `diameter`. */
     Polyp,
@@ -26,16 +26,16 @@ struct FlatAnnotation
   };
   Kind        kind{ Kind::Mark };
   std::string text;
-  /** \name The place: one of these */
+  /** \name Position: exactly one of these */
   ///@{
   /** mm of the map. */
   std::optional<Eigen::Vector2d> uv;
-  /** LPS, mm; goes to the nearest point of the wall. */
+  /** LPS, mm; moved to the nearest point of the wall. */
   std::optional<Eigen::Vector3d> point;
-  /** mm along the centreline; for segments. */
+  /** mm along the centreline; for segments only. */
   std::optional<double> distance;
   ///@}
-  /** mm on the surface, of a polyp. */
+  /** Diameter of a polyp on the surface, mm. */
   double diameter{ 6.0 };
 };
 
@@ -43,28 +43,28 @@ struct FlatAnnotation
 struct FlatColonPageOptions
 {
   std::string title;
-  /** Below the title; lines end with \n. */
+  /** Text below the title; lines end with \n. */
   std::string note;
-  /** Pixels of the longest row. */
+  /** Maximum length of a row, pixels. */
   int greatestColumns{ 1500 };
-  /** A stretch that is bridged all around, and made up therefore, is cut short to so many pixels, with a break in the
-   * strip: a conformal map gives such narrow places much room. 0 shows all. */
+  /** Maximum length (pixels) of a section that is bridged all around and hence interpolated; longer ones are cut short
+   * with a break in the strip, because a conformal map enlarges such narrow places. 0 shows all. */
   int longestBridge{ 60 };
-  /** The picture goes on around the tube by this share of the circumference above and below, paler, so that nothing is
-   * cut in two. 0 to 0.5. */
+  /** Fraction of the circumference by which the picture is repeated above and below, paler, so that no structure is cut
+   * in two. 0 to 0.5. */
   double overlap{ 0.08 };
-  /** At the right of the page. */
+  /** Color bar at the right of the page. */
   std::optional<ColorScale> colorBar;
 };
 
 /** A page with a strip in rows.
  *
- * Below each row a ruler with the distance along the centreline in cm (where it is not known, `distanceOfColumns` is
- * empty and the ruler counts along the map), above it a bar of round length with the row's local scale: the median, and
- * the range from 10 to 90 % of the pixels. Stretches of the wall that were made up over a gap are hatched.
+ * Below each row is a ruler with the distance along the centreline in cm; if `distanceOfColumns` is empty, the ruler
+ * counts along the map. Above it is a scale bar of round length with the row's local scale: the median, and the range
+ * from 10 to 90 % of the pixels. Wall interpolated over a gap is hatched.
  *
- * Throws std::invalid_argument when the strip has not the size of the grid, distances do not have its columns, or an
- * annotation has no place.
+ * Throws std::invalid_argument if the strip does not have the size of the grid, the distances do not match its columns,
+ * or an annotation has no position.
  * \ingroup ColonViews */
 ColonViews_EXPORT Picture::Pointer
                   DrawFlatColonPage(const Picture *                     strip,
@@ -73,7 +73,7 @@ ColonViews_EXPORT Picture::Pointer
                                     const std::vector<FlatAnnotation> & annotations = {},
                                     const FlatColonPageOptions &        options = {});
 
-/** The same place in two strips. \ingroup ColonViews */
+/** Corresponding positions in two strips. \ingroup ColonViews */
 struct FlatColonLink
 {
   /** (u, v), mm of the map of the grid, in the upper and in the lower strip. */
@@ -82,20 +82,20 @@ struct FlatColonLink
   RGBColor        color;
 };
 
-/** Two strips that are to be compared place by place. Nothing is owned. \ingroup ColonViews */
+/** Two strips to be compared. Not owned. \ingroup ColonViews */
 struct FlatColonPair
 {
   const Picture * upper{ nullptr };
   const Picture * lower{ nullptr };
-  /** At their left, for example "supine" and "prone". */
+  /** Names at the left of the strips, for example "supine" and "prone". */
   std::string upperName;
   std::string lowerName;
-  /** Lines from strip to strip, at the columns of their places. */
+  /** Lines between the strips, at the columns of the positions. */
   std::vector<FlatColonLink> links;
 };
 
-/** DrawFlatColonPage() of two strips on one grid: in each row the lower one below the upper one, so that what agrees
- * lies at the same place across. \ingroup ColonViews */
+/** DrawFlatColonPage() for two strips on one grid: each row shows the lower strip below the upper one, so that
+ * corresponding places are aligned. \ingroup ColonViews */
 ColonViews_EXPORT Picture::Pointer
                   DrawFlatColonPairPage(const FlatColonPair &               pair,
                                         const FlatColonGrid &               grid,

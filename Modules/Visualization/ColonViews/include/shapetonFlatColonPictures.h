@@ -8,12 +8,12 @@
 
 namespace shapeton
 {
-/** What a flat picture shows. \ingroup ColonViews */
+/** Shading of a flat picture. \ingroup ColonViews */
 enum class FlatColoring
 {
   Relief,
   Curvature,
-  /** Needs a CT. */
+  /** Requires a CT. */
   Volume
 };
 
@@ -21,29 +21,29 @@ enum class FlatColoring
 ColonViews_EXPORT std::string
                   NameOf(FlatColoring coloring);
 
-/** What flat pictures of a colon are made of. Nothing is owned. \ingroup ColonViews */
+/** Inputs of flat pictures of a colon. Not owned. \ingroup ColonViews */
 struct FlatColonParts
 {
   const FlatColon * flat{ nullptr };
-  /** One curve with the point array arcLength; tells the distances of the ruler where the surface has no arcLength, and
-   * what is hatched as not assessable where it tells that. */
+  /** One curve with the point array arcLength, used for the ruler if the surface has no arcLength, and for hatching
+   * sections that cannot be assessed, if it marks them. */
   const CurveSet * centreline{ nullptr };
   /** Hounsfield units. */
   const itk::Image<float, 3> * ct{ nullptr };
   std::vector<FlatAnnotation>  annotations;
-  /** \name What is drawn over the picture, in this order */
+  /** \name Overlays, drawn in this order */
   ///@{
   std::vector<FlatOutlines> outlines;
   std::vector<FlatLine>     lines;
   ///@}
-  /** Where the CT is rendered; see ChooseFlatVolumeDevice(). */
+  /** Device that renders the CT; see ChooseFlatVolumeDevice(). */
   DeviceUse device{};
 };
 
 /** \class FlatColonPictures
- * \brief Pages of one flat colon, with the settings that suit reading.
+ * \brief Pages of one flat colon, with settings suited to reading.
  *
- * Strips are painted with 2 x 2 pixels for each one of the page, as long as these are at most 16 million, and averaged.
+ * Strips are painted with 2 x 2 samples per page pixel, up to 16 million samples, and averaged.
  * Curvature is averaged over 2 mm, normals over 1 mm.
  *
  * \ingroup ColonViews */
@@ -56,19 +56,21 @@ public:
   FlatColonPictures(const FlatColonParts & parts, double pixelSize);
   ~FlatColonPictures();
 
-  /** A pixel for each of the page's strips. */
+  /** Grid with one pixel per strip pixel of the page. */
   const FlatColonGrid &
   Grid() const
   {
     return *m_Grid;
   }
-  /** For each column, mm; empty where neither surface nor centreline tell. */
+  /** Distance of each column, mm; empty if neither surface nor centreline states it. */
   const std::vector<double> &
   Distances() const
   {
     return m_Distances;
   }
-  /** Throws std::invalid_argument for Volume without a CT, else as PaintFlatVolume() and DrawFlatColonPage(). */
+  /** Throws std::invalid_argument for Volume without a CT, and the exceptions of PaintFlatVolume() and
+   * DrawFlatColonPage().
+   */
   Picture::Pointer
   Draw(FlatColoring coloring, const std::string & title, int greatestColumns = 1500) const;
 
@@ -78,8 +80,8 @@ private:
 
   FlatColonParts        m_Parts;
   const FlatColonGrid * m_Grid;
-  const FlatColonGrid * m_Fine{ nullptr }; ///< only where it is another one
-  const FlatColonAxis * m_Axis{ nullptr }; ///< of the finer grid
+  const FlatColonGrid * m_Fine{ nullptr }; ///< set only if it differs
+  const FlatColonAxis * m_Axis{ nullptr }; ///< axis of the finer grid
   std::vector<double>   m_Distances;
 };
 } // namespace shapeton

@@ -9,58 +9,58 @@
 
 namespace shapeton
 {
-/** \defgroup FlatColonStrip Pictures of a whole flat colon, a pixel for each of its grid
- * What an eye on the axis of the tube sees that goes along the colon and looks at the wall beside it all around (filet
- * view): each pixel is lit in the frame of the smooth tube (FrameAt()), from the left, which is along u, and from
- * above. So folds are bands across with a bright and a dark side, whatever the bends of the colon. Pixels without a
- * face are grey. The axis must be that of the grid. Equal input gives equal bytes for any number of threads.
+/** \defgroup FlatColonStrip Pictures of a whole flat colon with one pixel per grid sample
+ * A filet view: the wall as seen by an eye that moves along the axis of the tube and looks sideways in all directions.
+ * Each pixel is lit in the frame of the smooth tube (FrameAt()), from the left (along u) and above. Folds are thus
+ * transverse bands with a bright and a dark side, independent of the bends of the colon. Pixels without a face are
+ * grey. The axis must be that of the grid. Equal input gives equal bytes for any number of threads.
  * \ingroup ColonViews */
 ///@{
 
-/** How a relief looks. */
+/** Appearance of a relief. */
 struct FlatReliefOptions
 {
-  /** Folds are paler and pockets darker than the wall at its mean height; 0 for one colour, 1 is strong. */
+  /** Strength with which folds are drawn paler and pockets darker than the mean wall; 0 for one color, 1 is strong. */
   double heightContrast{ 0.4 };
 };
 
-/** The surface, lit, in the colours of mucosa. */
+/** The lit surface in mucosa colors. */
 ColonViews_EXPORT Picture::Pointer
 PaintFlatRelief(const FlatColonGrid & grid, const FlatColonAxis & axis, const FlatReliefOptions & options = {});
 
-/** Blue where the wall bulges outwards, white, and orange to red where it bulges into the lumen. `limit`: 1/mm at the
- * ends. */
+/** Blue where the wall bulges outwards, white, and orange to red where it bulges into the lumen. `limit`: curvature at
+ * the ends, 1/mm. */
 ColonViews_EXPORT ColorScale
 CurvatureScale(double limit = 0.2);
 
-/** The curvature of the grid (FlatColonGridOptions::curvatureLength averages it) in these colours; shading of this
- * strength, 0 to 1, tells the relief. */
+/** The curvature of the grid (averaged over FlatColonGridOptions::curvatureLength) in these colors, shaded with this
+ * strength, 0 to 1. */
 ColonViews_EXPORT Picture::Pointer
                   PaintFlatCurvature(const FlatColonGrid & grid,
                                      const FlatColonAxis & axis,
                                      const ColorScale &    scale = CurvatureScale(),
                                      double                shading = 0.35);
 
-/** How the CT is seen. Hounsfield units and mm. */
+/** Rendering parameters of the CT. Hounsfield units and mm. */
 struct FlatVolumeOptions
 {
-  /** Opacity rises from none to full between these: the boundary of gas and wall. */
+  /** Opacity rises from 0 to 1 between these values: the boundary of gas and wall. */
   double gas{ -750.0 };
   double tissue{ -250.0 };
-  /** A ray starts so far inside of the surface, or at the tissue that is nearer. */
+  /** Distance from the surface into the lumen where a ray starts; it starts later if tissue is nearer. */
   double depthOfLumen{ 3.0 };
-  /** It ends so far outside. */
+  /** Distance beyond the surface where it ends. */
   double depthOfWall{ 4.0 };
-  /** Extinction of tissue, 1/mm: how deep one sees. */
+  /** Extinction of tissue, 1/mm; controls the visible depth. */
   double extinction{ 2.5 };
 };
 
-/** Direct volume rendering (dissertation 5.5.1): a ray for each pixel, along the normal of the wall from the lumen
- * outwards, through the trilinear CT; colour by intensity (fat, soft tissue, contrast medium), light by its gradient.
- * The volume's origin, spacing and direction are respected. With a CT whose fluid was cleansed the wall below it is
- * seen, with another one the fluid's surface.
+/** Direct volume rendering (dissertation 5.5.1). Casts one ray per pixel from the lumen outwards along the wall normal,
+ * through the trilinear CT. Colored by intensity (fat, soft tissue, contrast medium), lit by its gradient. The volume's
+ * origin, spacing and direction are respected. A cleansed CT shows the wall below the fluid, any other CT the surface
+ * of the fluid.
  *
- * Throws InputError where more than 5 % of the wall lie outside of the CT, ParameterError for options out of range. */
+ * Throws InputError if more than 5 % of the wall is outside the CT, ParameterError for options out of range. */
 ColonViews_EXPORT Picture::Pointer
                   PaintFlatVolume(const FlatColonGrid &        grid,
                                   const FlatColonAxis &        axis,
@@ -68,13 +68,13 @@ ColonViews_EXPORT Picture::Pointer
                                   const FlatVolumeOptions &    options = {},
                                   const DeviceUse &            use = {});
 
-/** Where to paint it: `use`, with which the picture is the same bytes. Throws DeviceError where the GPU is asked for
- * and cannot be used. */
+/** The device for rendering as requested by `use`; all devices give the same bytes. Throws DeviceError if the GPU is
+ * requested and not usable. */
 ColonViews_EXPORT DeviceUse
 ChooseFlatVolumeDevice(const itk::Image<float, 3> * ct, Device wanted);
 
-/** The means of `factor` x `factor` pixels, in linear light: a strip painted on a grid with pixels so much smaller,
- * without jagged edges. */
+/** Averages `factor` x `factor` pixels in linear light, to antialias a strip painted on a correspondingly finer grid.
+ */
 ColonViews_EXPORT Picture::Pointer
                   ReduceStrip(const Picture * strip, unsigned int factor, unsigned int width, unsigned int height);
 ///@}

@@ -11,35 +11,35 @@
 namespace shapeton
 {
 /** \class PolypCandidatePictures
- * \brief Each candidate close by, as Figures 3.10 and 5.6 of the dissertation show polyps, and all on the flat colon.
+ * \brief Close-ups of each candidate, as Figures 3.10 and 5.6 of the dissertation show polyps, and the flat colon with
+ * all of them.
  *
  * The head is tinted in all pictures. Equal input gives equal bytes for any number of threads. The colon must outlive
- * the object; its wall and flat map are needed, and the centreline for views from within.
+ * the object; its wall and flat map are required, and the centreline for endoluminal views.
  * \ingroup ColonViews */
 class ColonViews_EXPORT PolypCandidatePictures
 {
 public:
-  /** Throws InputError where the colon has no flat map, and as FlatColonGrid does. */
+  /** Throws InputError if the colon has no flat map, and the exceptions of FlatColonGrid. */
   PolypCandidatePictures(const PolypColon & colon, const std::vector<PolypCandidate> & candidates);
   ~PolypCandidatePictures();
 
-  /** The flat colon in rows, a ring with its number around each candidate. */
+  /** The flat colon in rows, with a numbered ring around each candidate. */
   Picture::Pointer
   DrawFlatColon() const;
 
-  /** The relief of the wall of full resolution on the flat map around it, with pixels a quarter of those of
-   * DrawFlatColon(), and enlarged further where the map is so small that more than 60 mm of wall would be seen. 400 x
-   * 300 pixels. */
+  /** Relief of the full-resolution wall around the candidate on the flat map. Pixels are a quarter of those of
+   * DrawFlatColon(), or smaller, so that at most 60 mm of wall are visible. 400 x 300 pixels. */
   Picture::Pointer
   DrawCloseUp(const PolypCandidate & candidate) const;
 
-  /** What an endoscope on the centreline sees that looks at the candidate. Of the places of the centreline 15 to 60 mm
-   * away the one is taken from which the apex is seen best: not hidden, facing the eye, about 25 mm away. Where the
-   * centreline is not known, or the candidate is hidden from it, the eye is above the head, 6 to 25 mm away. */
+  /** Endoluminal view of the candidate from the centreline. Among the points of the centreline 15 to 60 mm away, picks
+   * the one with the best view of the apex: not occluded, facing the eye, about 25 mm away. Without a centreline, or if
+   * the candidate is occluded, the eye is above the head, 6 to 25 mm away. */
   Picture::Pointer
   DrawFromWithin(const PolypCandidate & candidate) const;
 
-  /** Close-up and view from within, side by side, with a title. */
+  /** Close-up and endoluminal view, side by side, with a title. */
   Picture::Pointer
   DrawCandidate(const PolypCandidate & candidate) const;
 

@@ -9,12 +9,12 @@
 namespace shapeton
 {
 /** \defgroup RegistrationPictures Pictures of a colon in two positions
- * All are of files alone: of results that were just made, or read back by ReadRegistrationResults(). Equal parts give
- * equal bytes for any number of threads. Throw InputError where the results are of other examinations.
+ * All use newly computed results or results read back by ReadRegistrationResults(). Equal parts give equal bytes for
+ * any number of threads. All throw InputError if the results belong to other examinations.
  * \ingroup ColonViews */
 ///@{
 
-/** Nothing is owned. */
+/** Inputs of the pictures. Not owned. */
 struct RegistrationParts
 {
   const ColonPositionFiles *  supine{ nullptr };
@@ -22,33 +22,32 @@ struct RegistrationParts
   const RegistrationResults * results{ nullptr };
 };
 
-/** How much is shown. */
+/** Resolution of the pictures. */
 struct AlignedColonsOptions
 {
   /** Pixels around the tube. */
   int pixelsAround{ 150 };
-  /** Pixels of the longest row. */
+  /** Maximum length of a row, pixels. */
   int greatestColumns{ 1500 };
 };
 
-/** Both flat walls row under row: the supine one, and below it the prone one in the supine frame, so that what the map
- * takes for the same lies at the same place across. Matched folds have one colour in both and a line from strip to
- * strip (red where the map contradicts the pair, or points tell that it is wrong), folds that stay alone are black;
- * excluded stretches are hatched. */
+/** Both flat walls in paired rows: the supine one, and below it the prone one in the supine frame, so that mapped
+ * points are aligned. Matched folds share a color and are joined by a line (red if the map contradicts the pair, or if
+ * known points show that it is wrong), unmatched folds are black; excluded sections are hatched. */
 ColonViews_EXPORT Picture::Pointer
                   DrawAlignedColons(const RegistrationParts & parts, const AlignedColonsOptions & options = {});
 
-/** The curvature of both walls in the supine frame in alternating squares: folds go on from square to square where the
- * map is right. */
+/** Checkerboard of the curvature of both walls in the supine frame; folds continue from square to square where the map
+ * is correct. */
 ColonViews_EXPORT Picture::Pointer
                   DrawCurvatureCheckerboard(const RegistrationParts & parts, const AlignedColonsOptions & options = {});
 
-/** The confidence along the supine colon: mean and least value around the tube; excluded stretches are grey. */
+/** Confidence along the supine colon: mean and minimum around the tube; excluded sections are grey. */
 ColonViews_EXPORT Picture::Pointer
                   DrawConfidenceChart(const RegistrationParts & parts);
 
-/** The errors of the points along the supine colon, a dot for each that counts. Throws std::invalid_argument where
- * there are no points. */
+/** Errors of the points along the supine colon, a dot for each counted point. Throws std::invalid_argument without
+ * points. */
 ColonViews_EXPORT Picture::Pointer
                   DrawErrorChart(const RegistrationParts & parts);
 ///@}

@@ -8,24 +8,24 @@
 
 namespace shapeton
 {
-/** A map file as a function on the flat map that it is written on. The surface and the grid must outlive it. */
+/** A map file as a function on its own flat map. The surface and the grid must outlive it. */
 class MapOfSurface
 {
 public:
-  /** \param circumference of the other flat map, mm. */
+  /** \param circumference circumference of the other flat map, mm. */
   MapOfSurface(const SurfaceMesh & surface, const FlatColonGrid & grid, double circumference);
 
-  /** What the map says at a pixel of the grid. */
+  /** Value of the map at a pixel of the grid. */
   struct Place
   {
-    /** mm of the other flat map, v in [0, circumference); not a number where there is no wall. */
+    /** mm of the other flat map, v in [0, circumference); NaN where there is no wall. */
     Eigen::Vector2d uv;
     double          confidence{ 0.0 };
     bool            isExcluded{ true };
   };
   Place
   AtPixel(int column, int row) const;
-  /** Of the pixel that the place lies in. */
+  /** Value at the pixel that contains a position. */
   Place
   At(const Eigen::Vector2d & uv) const;
 
@@ -37,7 +37,7 @@ private:
   double                m_Circumference;
 };
 
-/** Paints a wall, a pixel for each of the grid. */
+/** Paints a wall with one pixel per grid sample. */
 using StripPainter = std::function<Picture::Pointer(const FlatColonGrid &, const FlatColonAxis &)>;
 
 /** \class AlignedColons
@@ -47,13 +47,13 @@ class AlignedColons
 public:
   AlignedColons(const RegistrationParts & parts, int pixelsAround);
 
-  /** Of the supine wall, of the strips. */
+  /** Grid of the strips, on the supine wall. */
   const FlatColonGrid &
   Grid() const
   {
     return m_Grid;
   }
-  /** mm along the supine centreline of each column. */
+  /** Distance of each column along the supine centreline, mm. */
   const std::vector<double> &
   Distances() const
   {
@@ -62,13 +62,13 @@ public:
   /** The supine wall. */
   Picture::Pointer
   PaintSupine(const StripPainter & paint) const;
-  /** The prone wall where the map puts it; grey where there is none. */
+  /** The prone wall as mapped into the supine frame; grey where there is none. */
   Picture::Pointer
   PaintProne(const StripPainter & paint) const;
-  /** Stripes over what is excluded. */
+  /** Hatches the excluded sections. */
   void
   Hatch(Picture * strip) const;
-  /** A place of the prone flat map in the supine one. */
+  /** Maps a position of the prone flat map to the supine one. */
   Eigen::Vector2d
   InSupineFrame(const Eigen::Vector2d & proneUv) const;
 
@@ -78,9 +78,9 @@ private:
 
   RegistrationParts     m_Parts;
   const FlatColonGrid & m_Grid;
-  const FlatColonGrid & m_Fine; ///< of the supine wall, painted on
+  const FlatColonGrid & m_Fine; ///< grid of the supine wall that is painted on
   const FlatColonAxis & m_FineAxis;
-  const FlatColonGrid & m_Prone; ///< of the prone wall, as fine
+  const FlatColonGrid & m_Prone; ///< grid of the prone wall, equally fine
   const FlatColonAxis & m_ProneAxis;
   std::vector<double>   m_Distances;
 };

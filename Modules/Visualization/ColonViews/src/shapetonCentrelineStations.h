@@ -18,16 +18,16 @@ struct CentrelineStation
   bool            isGap;
 };
 
-/** The points of all curves in order. Throws InputError where there is none, or the arrays arcLength or radius
- * are missing. */
+/** Points of all curves, in order. Throws InputError if there are none, or if the array arcLength or radius is missing.
+ */
 std::vector<CentrelineStation>
 StationsOf(const CurveSet & centreline);
 
-/** The colours of the distance from the anal verge, in every picture of a colon. */
+/** Colors for the distance from the anal verge, in every picture of a colon. */
 ColorScale
 DistanceScale(const std::vector<CentrelineStation> & stations);
 
-/** Of bridges over gaps, in every picture. */
+/** Color of bridges over gaps, in every picture. */
 RGBColor
 GapColor();
 } // namespace shapeton

@@ -6,7 +6,7 @@
 namespace shapeton
 {
 /** \class DeviceWallRays
- * \brief A CT in the memory of a GPU, and rays through it. */
+ * \brief A CT in GPU memory, and rays through it. */
 class DeviceWallRays
 {
 public:
@@ -16,12 +16,12 @@ public:
   operator=(const DeviceWallRays &) = delete;
   virtual ~DeviceWallRays() = default;
 
-  /** Three linear colours for each ray that is covered; the others are left as they are. */
+  /** Computes three linear color components for each covered ray; the others are unchanged. */
   virtual void
   Cast(const WallRay * rays, std::size_t number, float * colors) = 0;
 };
 
-/** The type of the plug-in's function ShapetonMakeWallRays(). `volume` and `look` are in the memory of the host. */
+/** Type of the plug-in's function ShapetonMakeWallRays(). `volume` and `look` are in host memory. */
 using MakeDeviceWallRaysFunction = DeviceWallRays *(const WallVolume & volume, const WallLook & look);
 } // namespace shapeton
 

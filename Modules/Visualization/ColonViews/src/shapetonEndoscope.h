@@ -7,15 +7,15 @@
 
 namespace shapeton
 {
-/** See PolypCandidatePictures::DrawFromWithin(). */
+/** Camera of PolypCandidatePictures::DrawFromWithin(). */
 PerspectiveCamera
 ChooseEye(const SurfaceLocator & wall, const CurveSet & centreline, const PolypCandidate & candidate);
 
-/** Unit vectors of the vertices into the lumen, by area of the faces. */
+/** Unit vertex normals into the lumen, weighted by face area. */
 VertexMatrix
 InwardNormalsOf(const SurfaceMesh & wall);
 
-/** The faces with a corner within `reach` mm of a point. */
+/** Faces with a corner within `reach` mm of a point. */
 SurfaceMesh
 WallAround(const SurfaceMesh & wall, const Eigen::Vector3d & point, double reach);
 } // namespace shapeton

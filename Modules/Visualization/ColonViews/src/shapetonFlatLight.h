@@ -5,7 +5,7 @@
 
 namespace shapeton
 {
-/** The directions in which a pixel of a flat picture is seen: a FlatColonFrame in plain numbers. */
+/** View directions of a pixel of a flat picture: a FlatColonFrame as plain numbers. */
 struct FlatAxes
 {
   double right[3];
@@ -13,23 +13,23 @@ struct FlatAxes
   double towards[3];
 };
 
-/** The light on a piece of wall: how bright its own colour is, and white that is added. */
+/** Lighting of a piece of wall: brightness of its own color, and added white. */
 struct FlatLight
 {
   float brightness;
   float highlight;
 
-  /** `normal`: unit length, into the lumen. */
+  /** `normal`: unit vector into the lumen. */
   SHAPETON_HOST_DEVICE static FlatLight
   On(const double normal[3], const FlatAxes & axes)
   {
-    // To the light: from the left and a little from above, (-0.62, -0.22, 0.75); halfway between that and the eye.
+    // Towards the light, from the left and slightly above: (-0.62, -0.22, 0.75); and the half vector to the eye.
     constexpr double toLight[] = { -0.6214621561237835, -0.22051882959231028, 0.7517687372465124 };
     constexpr double halfway[] = { -0.33201775133635536, -0.11781275047419061, 0.9358869422228607 };
     constexpr double ambient = 0.10;
     constexpr double diffuse = 0.80;
     constexpr double fromEye = 0.12;
-    constexpr double wrap = 0.7; // light reaches around the edge, so that sides in shadow keep their shape
+    constexpr double wrap = 0.7; // wraps light around edges, so that shadowed sides keep their shape
     constexpr float  specular = 0.10F;
     const double     seen[] = { HostDevice::Product(normal, axes.right),
                                 HostDevice::Product(normal, axes.down),

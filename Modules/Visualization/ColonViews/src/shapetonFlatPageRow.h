@@ -6,26 +6,26 @@
 
 namespace shapeton
 {
-/** An annotation with its place in columns and rows of the grid. */
+/** An annotation with its position in columns and rows of the grid. */
 struct PlacedAnnotation
 {
   FlatAnnotation annotation;
   double         column{ 0.0 };
   double         row{ 0.0 };
-  /** Of a polyp, in pixels. */
+  /** Diameter of a polyp, pixels. */
   double diameter{ 0.0 };
 };
 
-/** A row of the page: where it lies, and what it shows. */
+/** Layout and content of a row of the page. */
 struct FlatPageRow
 {
-  static constexpr int header = 50; ///< pixels above the strip: the scale, and below it names
-  static constexpr int ruler = 44;  ///< below it
+  static constexpr int header = 50; ///< pixels above the strip: the scale bar, and names below it
+  static constexpr int ruler = 44;  ///< pixels below the strip
 
   FlatColonRow row;
-  int          left{ 0 };    ///< of the first column
-  int          top{ 0 };     ///< of the header
-  int          overlap{ 0 }; ///< pixels above and below one turn
+  int          left{ 0 };    ///< left edge of the first column
+  int          top{ 0 };     ///< top edge of the header
+  int          overlap{ 0 }; ///< repeated pixels above and below one turn
   int          turn{ 0 };    ///< rows of the grid
 
   int
@@ -43,7 +43,7 @@ struct FlatPageRow
   {
     return this->StripTop() + this->StripHeight() + ruler;
   }
-  /** The picture's x of a place in columns of the grid (0: the left border of the first one). */
+  /** x coordinate in the picture of a position in grid columns (0: left edge of the first one). */
   double
   XOf(double column) const
   {
@@ -56,19 +56,19 @@ struct FlatPageRow
   }
 };
 
-/** The strip, hatched where the wall is bridged, broken where a bridge is cut short, paler beyond one turn. */
+/** Draws the strip: hatched where the wall is bridged, broken at shortened bridges, paler beyond one turn. */
 void
 DrawStripOfRow(Picture * picture, const FlatPageRow & place, const Picture * strip, const FlatColonGrid & grid);
 
-/** Ticks every cm, with numbers where there is room. */
+/** Draws ticks every cm, with numbers where they fit. */
 void
 DrawRulerOfRow(Picture * picture, const FlatPageRow & place, const std::vector<double> & distanceOfColumns, bool isArc);
 
-/** The bar of the local scale, at the right above the names. */
+/** Draws the local scale bar, at the right above the names. */
 void
 DrawScaleOfRow(Picture * picture, const FlatPageRow & place, double pixelSize);
 
-/** Names of segments above the strip, polyps and marks on it. */
+/** Draws segment names above the strip, and polyps and marks on it. */
 void
 DrawAnnotationsOfRow(Picture * picture, const FlatPageRow & place, const std::vector<PlacedAnnotation> & annotations);
 } // namespace shapeton

@@ -14,7 +14,7 @@ namespace shapeton
 /** Red, green, blue; linear light, 0 to 1 and above. */
 using LinearColor = Eigen::Vector3f;
 
-/** Where no face lies. */
+/** Grey level of pixels without a face. */
 constexpr unsigned char uncoveredGrey = 96;
 
 /** sRGB, by IEC 61966-2-1. */
@@ -59,14 +59,14 @@ LightOn(const FlatSample & sample, const FlatColonFrame & frame)
   return FlatLight::On(sample.inwardNormal.data(), AxesOf(frame));
 }
 
-/** Grey all over. */
+/** A grey strip. */
 inline Picture::Pointer
 NewStrip(const FlatColonGrid & grid)
 {
   return NewPicture(grid.Columns(), grid.Rows(), MakeColor(uncoveredGrey, uncoveredGrey, uncoveredGrey));
 }
 
-/** A strip whose pixels are colorOf(sample, column); grey where no face lies. */
+/** A strip whose pixels are colorOf(sample, column); grey where there is no face. */
 template <typename TColorOf>
 Picture::Pointer
 PaintStrip(const FlatColonGrid & grid, const TColorOf & colorOf)

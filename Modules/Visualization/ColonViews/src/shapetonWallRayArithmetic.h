@@ -8,19 +8,19 @@
 
 namespace shapeton
 {
-/** A CT between its voxels, by indices that stand for points in space: along a ray they are steps of a vector. */
+/** A CT interpolated between its voxels. Positions in space are continuous indices; a step along a ray is a vector. */
 struct WallVolume
 {
   const float *  voxels;
   int            size[3];
   std::ptrdiff_t stride[3];
-  double         first[3];        ///< the middle of the first voxel, LPS, mm
-  double         toIndex[3][3];   ///< of a vector in space
-  double         indexPerMm[3];   ///< the greatest change of each index over a mm
+  double         first[3];        ///< center of the first voxel, LPS, mm
+  double         toIndex[3][3];   ///< maps a vector in space to index space
+  double         indexPerMm[3];   ///< maximum change of each index per mm
   double         smallestSpacing; ///< mm
 };
 
-/** How rays see it. Hounsfield units and mm. */
+/** Rendering parameters of the rays. Hounsfield units and mm. */
 struct WallLook
 {
   static constexpr int numberOfOpacities = 4096;
@@ -28,28 +28,28 @@ struct WallLook
 
   double        gas;
   double        tissue;
-  double        step;   ///< between two samples
-  double        reach;  ///< of all that a ray looks at, around the surface
-  int           inside; ///< steps into the lumen at most
+  double        step;   ///< distance between two samples
+  double        reach;  ///< maximum distance of samples from the surface
+  int           inside; ///< maximum number of steps into the lumen
   int           outside;
-  double        stepsBehind; ///< where the colour of the boundary is taken
-  const float * opacities;   ///< of a sample: from gas to tissue, both included, and once more the last
-  float         darkest;     ///< intensity of the first colour
+  double        stepsBehind; ///< where the color of the boundary is sampled
+  const float * opacities;   ///< per sample, from gas to tissue inclusive, last one repeated
+  float         darkest;     ///< intensity of the first color
   float         colorStep;
-  const float * colors; ///< linear red, green, blue of each
+  const float * colors; ///< linear red, green, blue
   float         nothing[3];
 };
 
-/** What a pixel looks at. */
+/** The surface point and ray of a pixel. */
 struct WallRay
 {
-  double   point[3];  ///< of the surface
+  double   point[3];  ///< surface point
   double   normal[3]; ///< into the lumen
   FlatAxes axes;
-  int      isCovered; ///< 0 where there is no surface
+  int      isCovered; ///< 0 if there is no surface
 };
 
-/** The colour of a pixel: the one source of this arithmetic for the CPU and for the kernels of a GPU. */
+/** Computes the color of a pixel; shared by the CPU and the GPU kernels. */
 namespace WallRayArithmetic
 {
 using HostDevice::Larger;
@@ -69,7 +69,7 @@ Moved(const Place & place, double steps, const Place & step)
              place.index[2] + steps * step.index[2] } };
 }
 
-/** Of a vector in space. */
+/** Index-space vector of a vector in space. */
 SHAPETON_HOST_DEVICE Place
 IndexOfVector(const WallVolume & volume, const double vector[3])
 {
@@ -78,7 +78,7 @@ IndexOfVector(const WallVolume & volume, const double vector[3])
   };
 }
 
-/** From (0, 0, 0) in the middle of the first voxel on. */
+/** Continuous index of a point; (0, 0, 0) is the center of the first voxel. */
 SHAPETON_HOST_DEVICE Place
 IndexOf(const WallVolume & volume, const double point[3])
 {
@@ -86,7 +86,7 @@ IndexOf(const WallVolume & volume, const double point[3])
   return IndexOfVector(volume, fromFirst);
 }
 
-/** Whether a place lies within so many voxels of the middle of one. */
+/** Whether a position is within this number of voxels of a voxel center. */
 SHAPETON_HOST_DEVICE bool
 Holds(const WallVolume & volume, const Place & place, double reach)
 {
@@ -98,7 +98,7 @@ Holds(const WallVolume & volume, const Place & place, double reach)
   return holds;
 }
 
-/** Whether a ball, `radius` mm, lies within the voxels' middles. */
+/** Whether a ball of `radius` mm is inside the grid of voxel centers. */
 SHAPETON_HOST_DEVICE bool
 HoldsBall(const WallVolume & volume, const Place & middle, double radius)
 {
@@ -111,14 +111,14 @@ HoldsBall(const WallVolume & volume, const Place & middle, double radius)
   return holds;
 }
 
-/** Beyond the border what is at the border; with VIsInside the place must lie within the voxels' middles. */
+/** Trilinear intensity, clamped at the border; with VIsInside the position must be inside the grid of voxel centers. */
 template <bool VIsInside>
 SHAPETON_HOST_DEVICE float
 ValueAt(const WallVolume & volume, const Place & place)
 {
   const float *  corner = volume.voxels;
   double         share[3];
-  std::ptrdiff_t next[3]; // to the voxels on the other side; 0 in the last ones
+  std::ptrdiff_t next[3]; // offsets to the upper neighbors; 0 at the last voxels
   for (int k = 0; k < 3; ++k)
   {
     const double within = VIsInside ? place.index[k] : Smaller(Larger(place.index[k], 0.0), volume.size[k] - 1.0);
@@ -138,7 +138,7 @@ ValueAt(const WallVolume & volume, const Place & place)
   return static_cast<float>(low + (high - low) * share[2]);
 }
 
-/** Of a sample; 0 of what is no number. */
+/** Opacity of a sample; 0 for NaN. */
 SHAPETON_HOST_DEVICE float
 OpacityOf(const WallLook & look, float hu)
 {
@@ -160,8 +160,8 @@ ColorOf(const WallLook & look, float hu)
   return look.colors + 3 * Smaller(Larger(color, 0), WallLook::numberOfColors - 1);
 }
 
-/** Light by the normal against the gradient, towards the gas; by that of the surface where the CT is even. Differences
- * over a smallest spacing to both sides along each axis of the volume. */
+/** Lighting by the normal opposite to the gradient, towards the gas, or by the surface normal where the CT is uniform.
+ * Central differences over the smallest spacing along each axis of the volume. */
 template <bool VIsInside>
 SHAPETON_HOST_DEVICE FlatLight
 LightAt(const WallVolume & volume, const Place & place, const WallRay & ray)
@@ -192,7 +192,7 @@ LightAt(const WallVolume & volume, const Place & place, const WallRay & ray)
   return FlatLight::On(normal, ray.axes);
 }
 
-/** The furthest step into the lumen at which something is seen, without tissue between it and the surface. */
+/** Farthest step into the lumen with a visible sample and no tissue between it and the surface. */
 template <bool VIsInside>
 SHAPETON_HOST_DEVICE int
 FirstStep(const WallVolume & volume, const WallLook & look, const Place & surface, const Place & outwards)
@@ -206,7 +206,7 @@ FirstStep(const WallVolume & volume, const WallLook & look, const Place & surfac
     const bool  isGas = hu < boundary;
     if (wasGas && !isGas)
     {
-      break; // the other side of a fold or of the lumen
+      break; // opposite side of a fold or of the lumen
     }
     wasGas = isGas;
     first = hu > look.gas ? step : first;
@@ -218,7 +218,7 @@ template <bool VIsInside>
 SHAPETON_HOST_DEVICE void
 Cast(const WallVolume & volume, const WallLook & look, const WallRay & ray, const Place & surface, float color[3])
 {
-  constexpr float faint = 0.12F; // adds so little that the light of the sample before will do
+  constexpr float faint = 0.12F; // contributes so little that the previous sample's lighting is reused
   const double    wayOut[] = { -look.step * ray.normal[0], -look.step * ray.normal[1], -look.step * ray.normal[2] };
   const Place     outwards = IndexOfVector(volume, wayOut);
   FlatLight       light = FlatLight::On(ray.normal, ray.axes);
@@ -252,7 +252,7 @@ Cast(const WallVolume & volume, const WallLook & look, const WallRay & ray, cons
   }
 }
 
-/** Linear red, green and blue, 0 to 1 and above. */
+/** Linear red, green and blue; may exceed 1. */
 SHAPETON_HOST_DEVICE void
 ColorOfRay(const WallVolume & volume, const WallLook & look, const WallRay & ray, float color[3])
 {

@@ -7,7 +7,7 @@
 
 namespace shapeton
 {
-/** What a picture shows of a certificate: all of it local to the lifts of the nodes, dummies hidden. */
+/** Geometry of a certificate for pictures, local to the lifts of the nodes, with dummies hidden. */
 struct GraphViews_EXPORT EmbeddedGraph
 {
   explicit EmbeddedGraph(const EmbeddingCertificate & certificate);
@@ -19,24 +19,24 @@ struct GraphViews_EXPORT EmbeddedGraph
   CombinatorialMap             map; ///< packed
   std::vector<Place>           nodes;
   std::vector<Place>           faces;
-  /** Of each packed half-edge: where the circles of its ends touch, and the centre of the face to its left, both seen
-   * from the lift of its start node. */
+  /** For each packed half-edge: the tangency point of the circles of its ends and the center of the face to its left,
+   * as seen from the lift of its start node. */
   std::vector<Place> touch;
   std::vector<Place> corner;
-  /** Packed edges that belong to edges of the graph. */
+  /** Whether a packed edge belongs to an edge of the graph. */
   std::vector<char> isVisibleEdge;
-  /** Of the graph: each half, from a node or a dummy of a path to the touching point. */
+  /** Halves of the graph's edges, each from a node or a dummy of a path to the tangency point. */
   std::vector<Segment> halfEdges;
-  /** Of the dual: from edge nodes to the representatives of faces. */
+  /** Halves of the dual's edges, from edge nodes to the representatives of faces. */
   std::vector<Segment> dual;
-  /** Of each edge of the graph: the packed half-edge where it and its dual cross. */
+  /** For each edge of the graph: the packed half-edge where it crosses its dual. */
   std::vector<int> crossings;
-  /** Packed faces that represent the faces of the graph; those that are a face of the graph have visible circles. */
+  /** Packed faces that represent the faces of the graph; faces that coincide with one have visible circles. */
   std::vector<int>  representatives;
   std::vector<char> isVisibleFace;
-  /** On the sphere: the centre of the largest circle within the face of the graph that covers most of it. */
+  /** Sphere only: center of the largest circle inside the graph face that covers the largest area. */
   Place pole;
-  /** On the sphere: from where most of the graph is seen, as a unit vector. */
+  /** Sphere only: unit vector of the direction that shows most of the graph. */
   Place front;
 
 private:

@@ -11,12 +11,12 @@
 namespace shapeton
 {
 /** Writes nodes (points) and edges (polylines) of a graph on a surface in space as VTP: genus 0 on the unit sphere as
- * WriteGraphVtp() does, genus 1 on a torus (see TorusInSpace), genus 2 and more on a sphere with handles (see
- * SurfaceWithHandles), whose triangles stand in the file, too. Dummies are left out.
+ * WriteGraphVtp() does, genus 1 on a torus (see TorusInSpace), higher genus on a sphere with handles (see
+ * SurfaceWithHandles), whose triangles are also in the file. Dummies are left out.
  *
- * Cell arrays from genus 1 on: kind (0 node, 1 edge, 2 triangle) and id, counted for each kind from 0. Field arrays of
+ * Cell arrays from genus 1 on: kind (0 node, 1 edge, 2 triangle) and id, counted from 0 for each kind. Field arrays of
  * the torus, whose radius is 1: tubeRadius and dilatation; of the sphere with handles: twist, the turns of the edges
- * on each handle. Throws OutputError, and InputError where there is no place for all handles. \ingroup GraphViews */
+ * on each handle. Throws OutputError, and InputError if the handles do not all fit. \ingroup GraphViews */
 GraphViews_EXPORT void
 WriteGraphInSpace(const EmbeddingCertificate &                             certificate,
                   const std::vector<std::pair<std::string, std::string>> & facts,

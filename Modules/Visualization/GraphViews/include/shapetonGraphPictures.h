@@ -10,7 +10,7 @@
 
 namespace shapeton
 {
-/** How the hyperbolic plane is shown: with circles and angles as they are, or with straight edges.
+/** Model of the hyperbolic plane: Poincare (conformal, circles stay circles) or Klein (straight edges).
  * \ingroup GraphViews */
 enum class DiskModel
 {
@@ -18,18 +18,18 @@ enum class DiskModel
   Klein
 };
 
-/** An embedded graph as it is to be shown.
+/** An embedded graph and how to draw it.
  * \ingroup GraphViews */
 struct GraphView
 {
   std::string                  title;
   const EmbeddingCertificate * certificate{ nullptr };
-  /** Of the circle of each node of the graph, "#rrggbb"; empty for one colour. */
+  /** Color of each node's circle, "#rrggbb"; empty for one color. */
   std::vector<std::string> nodeColors{};
-  /** Names of nodes beside them. */
+  /** Whether nodes are labeled with their names. */
   bool hasLabels{ false };
-  /** For pages: a number of each node that it shares with those of other graphs that correspond to it; empty where
-   * names say so. */
+  /** For pages: a key of each node, shared with the corresponding nodes of other graphs; if empty, nodes correspond by
+   * name. */
   std::vector<int> nodeKeys{};
 };
 
@@ -39,23 +39,23 @@ struct GraphPictureOptions
   DiskModel disk{ DiskModel::Poincare };
   /** Width and height of a panel, pixels. */
   int panelSize{ 600 };
-  /** Panels in a row. */
+  /** Number of panels per row. */
   int columns{ 2 };
 };
 
 /** Writes a picture of one graph with a panel for each of
- * - the overlap graph: nodes red, edges black, the dual green, edge nodes where an edge and its dual cross;
- * - circles of nodes (red) and of faces (green),
- * on the sphere both by stereographic projection from the largest face, and the sphere itself from two sides; on the
- * torus with the period parallelogram and the copies around it; on the disk with the tiles of the universal cover
- * around the fundamental domain, each in its colour, and the fundamental polygon. Dummies are hidden. Nothing smaller
- * than a tenth of a pixel is drawn; of graphs of more than 2,000 edges nothing below a limit that grows to a pixel, and
- * the title says how many lines are left out. Equal certificates give equal bytes. Throws OutputError.
+ * - the overlap graph: nodes red, edges black, the dual green, edge nodes where an edge crosses its dual;
+ * - circles of nodes (red) and of faces (green).
+ * The sphere is shown by stereographic projection from the largest face, and from two sides. The torus is shown with
+ * the period parallelogram and its surrounding copies. The disk is shown with the colored tiles of the universal cover
+ * around the fundamental domain, and the fundamental polygon. Dummies are hidden. Items smaller than a tenth of a pixel
+ * are skipped; for graphs of more than 2,000 edges this limit grows up to a pixel, and the title states the number of
+ * skipped lines. Equal certificates give equal bytes. Throws OutputError.
  * \ingroup GraphViews */
 GraphViews_EXPORT void
 WriteGraphSvg(const GraphView & view, const GraphPictureOptions & options, const std::string & path);
 
-/** Writes small multiples: one panel for each graph, its circles in their colours and its edges.
+/** Writes small multiples: one panel per graph with its colored circles and its edges.
  * \ingroup GraphViews */
 GraphViews_EXPORT void
 WriteGraphSheetSvg(const std::vector<GraphView> & views, const GraphPictureOptions & options, const std::string & path);
@@ -68,7 +68,7 @@ WriteGraphVtp(const EmbeddingCertificate &                             certifica
               const std::vector<std::pair<std::string, std::string>> & facts,
               const std::string &                                      path);
 
-/** `count` colours that differ in hue, for nodes that correspond to each other.
+/** `count` colors of different hue, for corresponding nodes.
  * \ingroup GraphViews */
 GraphViews_EXPORT std::vector<std::string>
                   DistinctColors(int count);

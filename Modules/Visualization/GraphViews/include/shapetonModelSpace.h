@@ -16,14 +16,14 @@ struct Place
   double z{ 0.0 };
 };
 
-/** A motion of the plane or the disk: z -> z + b, or z -> (a z + b) / (conj(b) z + conj(a)). */
+/** An isometry of the plane or the disk: z -> z + b, or z -> (a z + b) / (conj(b) z + conj(a)). */
 struct Motion
 {
   std::complex<double> a{ 1.0 };
   std::complex<double> b{ 0.0 };
 };
 
-/** Points, geodesics and circles of one of the three geometries. */
+/** Points, geodesics and circles of the sphere, the plane or the hyperbolic disk. */
 class GraphViews_EXPORT ModelSpace
 {
 public:
@@ -35,34 +35,34 @@ public:
     return m_Geometry;
   }
 
-  /** The point of the geodesic from one point to another at this share of its length. */
+  /** The point at this fraction of the geodesic between two points. */
   Place
   Between(const Place & from, const Place & to, double share) const;
 
-  /** `number` points of a circle in turn. */
+  /** `number` consecutive points of a circle. */
   std::vector<Place>
   Circle(const Place & centre, double radius, int number) const;
 
-  /** The point at this distance from `from`, in this direction of the chart; plane and disk alone. */
+  /** The point at this distance from `from`, in this direction of the chart; plane and disk only. */
   Place
   Walk(const Place & from, double direction, double distance) const;
 
-  /** On the sphere: the point at this distance from `from` on the arc to `to`. */
+  /** Sphere only: the point at this distance from `from` on the arc to `to`. */
   static Place
   OnArc(const Place & from, const Place & to, double distance);
 
-  /** Half the angle, at the centre of a circle of radius r, of the kite with a circle of radius s; plane and disk. */
+  /** Half the angle at the center of a circle of radius r, in its kite with a circle of radius s; plane and disk. */
   double
   HalfKiteAngle(double r, double s) const;
 
-  /** The distance of centres of orthogonal circles; plane and disk. */
+  /** Distance between the centers of orthogonal circles; plane and disk. */
   double
   KiteDiagonal(double r, double s) const;
 
   Place
   Moved(const Motion & motion, const Place & place) const;
 
-  /** The motion that does `second` first. */
+  /** Composition of two motions; `second` is applied first. */
   Motion
   Product(const Motion & first, const Motion & second) const;
 

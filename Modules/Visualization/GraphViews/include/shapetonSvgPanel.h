@@ -15,28 +15,28 @@ struct Pixel
   double y{ 0.0 };
 };
 
-/** From points of a geometry to the plane of a picture. */
+/** Projection from a geometry to the picture plane. */
 struct PictureMap
 {
   std::function<Pixel(const Place &)> map;
-  /** False for what lies behind. */
+  /** False for hidden points. */
   std::function<bool(const Place &)> isVisible;
-  /** Circles stay circles. */
+  /** Whether circles stay circles. */
   bool keepsCircles{ true };
-  /** Geodesics become straight. */
+  /** Whether geodesics are straight. */
   bool isStraight{ false };
-  /** Points of the rim between what is seen and what lies behind, counter-clockwise; empty where all is seen. */
+  /** Points of the silhouette between visible and hidden parts, counterclockwise; empty if everything is visible. */
   std::vector<Place> rim;
 };
 
-/** A rectangle of the plane of a picture. */
+/** A rectangle of the picture plane. */
 struct PictureWindow
 {
   Pixel  centre;
   double halfWidth{ 1.0 };
 };
 
-/** How a line or an area is drawn; empty colours leave it out. */
+/** Stroke and fill of a line or an area; an empty color disables it. */
 struct SvgStyle
 {
   std::string stroke;
@@ -46,22 +46,22 @@ struct SvgStyle
   bool        isDashed{ false };
 };
 
-/** A number with at most two decimals, with a full stop, without trailing zeros. */
+/** Formats a number with at most two decimals, a decimal point and no trailing zeros. */
 GraphViews_EXPORT std::string
                   SvgNumber(double value);
 
-/** Text as it may stand in XML. */
+/** Escapes text for XML. */
 GraphViews_EXPORT std::string
                   SvgText(const std::string & text);
 
-/** The content of one panel of a picture, in pixels; what is outside of the panel or too small is left out. */
+/** Content of one panel, in pixels. Items outside the panel or too small are skipped. */
 class GraphViews_EXPORT SvgPanel
 {
 public:
-  /** `least`: pixels below which a thing that is shown once is left out. */
+  /** `least`: size in pixels below which a nonrepeated item is skipped. */
   SvgPanel(const ModelSpace & space, const PictureMap & picture, const PictureWindow & window, int size, double least);
 
-  /** Geodesics, moved by each of the motions, as one path. */
+  /** Draws geodesics, moved by each of the motions, as one path. */
   void
   AddSegments(const std::vector<EmbeddedGraph::Segment> & segments,
               const std::vector<Motion> &                 motions,
@@ -70,30 +70,31 @@ public:
   void
   AddCircle(const Place & centre, double radius, const Motion & motion, const SvgStyle & style);
 
-  /** A round mark of a size in pixels. */
+  /** Draws a round mark with a size in pixels. */
   void
   AddDot(const Place & place, const Motion & motion, double radius, const std::string & color);
 
-  /** An area between geodesics. */
+  /** Fills an area bounded by geodesics. */
   void
   AddPolygon(const std::vector<Place> & corners, const Motion & motion, const SvgStyle & style);
 
-  /** A name of a size that suits the circle from its centre to its rim; false where that would be too small to read. */
+  /** Draws a label sized to the circle with this center and rim point; returns false if it would be unreadably
+   * small. */
   bool
   AddLabel(const Place & centre, const Place & rim, const std::string & text);
 
   void
   AddTitle(const std::vector<std::string> & lines);
 
-  /** A circle or rectangle of the picture itself, such as the rim of the disk: centre and radius in its plane. */
+  /** Draws a circle or rectangle in the picture plane, such as the rim of the disk. */
   void
   AddRim(const Pixel & centre, double radius, const SvgStyle & style);
 
-  /** The radius in pixels of a circle of the geometry about there; for sizes of dots. */
+  /** Approximate radius in pixels of a circle of the geometry at this place; for dot sizes. */
   double
   PixelsOf(const Place & centre, double radius, const Motion & motion) const;
 
-  /** How many of the segments that the panel should show were too small. */
+  /** Number of segments skipped because they were too small. */
   std::size_t
   LeftOut() const
   {

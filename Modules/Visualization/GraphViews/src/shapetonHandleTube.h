@@ -13,7 +13,7 @@ struct TubeSection
   {
     return centre + radius * (std::cos(angle) * first + std::sin(angle) * second);
   }
-  /** The angle of a point of the circle. */
+  /** Angle of a point of the circle. */
   double
   AngleOf(const Eigen::Vector3d & point) const
   {
@@ -28,11 +28,11 @@ struct TubeSection
 
 /** \brief A tube outside the unit sphere from the rim of one hole to that of another.
  *
- * It rises from both holes as a chimney, whose radius becomes `radius`, and bends from one to the other in the plane of
- * their axes, `lift` higher than the chimneys. */
+ * It rises radially from both holes as a chimney, whose radius becomes `radius`, and bends from one to the other in the
+ * plane of their axes, `lift` higher than the chimneys. */
 struct HandleTube
 {
-  /** From the first hole to the second, both rims included. */
+  /** Sections from the first hole to the second, including both rims. */
   std::vector<TubeSection>
   Sections() const;
 
@@ -42,8 +42,8 @@ struct HandleTube
   double     lift;
 };
 
-/** Tubes for pairs of holes, apart from each other. Where they would meet, they pass at several heights, then all
- * become thinner. Throws InputError where no way is found. */
+/** Disjoint tubes for pairs of holes. Tubes that would intersect use different heights; if this fails, all become
+ * thinner. Throws InputError if no arrangement is found. */
 std::vector<HandleTube>
 PlaceTubes(const std::vector<std::array<SphereHole, 2>> & pairs);
 } // namespace shapeton

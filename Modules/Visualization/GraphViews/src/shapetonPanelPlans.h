@@ -9,7 +9,7 @@
 
 namespace shapeton
 {
-/** What a panel shows. */
+/** Content of a panel. */
 struct PanelPlan
 {
   std::string         title;
@@ -26,11 +26,11 @@ struct PanelPlan
 std::vector<PanelPlan>
 PlansOfSphere(const EmbeddedGraph & graph, const Place & outer);
 
-/** The panels that show an embedding; the second one has the circles. */
+/** Panels of an embedding; the second one shows the circles. */
 std::vector<PanelPlan>
 PlansOf(const EmbeddedGraph & graph, DiskModel model);
 
-/** One window for all spheres: the square around theirs. A plan for each graph. */
+/** Sets a common window for all spheres: their bounding square. One plan per graph. */
 void
 UniteWindows(const std::list<EmbeddedGraph> & graphs, std::vector<PanelPlan> & plans);
 } // namespace shapeton

@@ -5,7 +5,7 @@
 
 namespace shapeton
 {
-/** An orthonormal frame; z looks at the reader. */
+/** An orthonormal frame; z points to the viewer. */
 struct Frame
 {
   Place x;
@@ -16,19 +16,19 @@ struct Frame
 Frame
 FrameOf(const Place & z);
 
-/** The half of the sphere that looks at the reader. */
+/** The hemisphere facing the viewer. */
 PictureMap
 Orthographic(const Frame & frame);
 
-/** From the pole -z of the frame; seen as from outside the sphere. */
+/** Stereographic projection from the pole -z of the frame, as seen from outside the sphere. */
 PictureMap
 Stereographic(const Frame & frame);
 
-/** The plane, or the disk of Poincare, as it is. */
+/** The plane, or the Poincare disk, unchanged. */
 PictureMap
 Flat(bool isStraight);
 
-/** The disk of Klein. */
+/** The Klein disk. */
 PictureMap
 Klein();
 } // namespace shapeton

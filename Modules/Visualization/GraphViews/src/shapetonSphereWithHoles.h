@@ -12,19 +12,19 @@ namespace shapeton
 struct SphereHole
 {
   int             node;
-  Eigen::Vector3d centre; ///< a unit vector
+  Eigen::Vector3d centre; ///< unit vector
   double          angle;  ///< from the centre to the rim
 };
 
-/** \brief The unit sphere as triangles along a circle packing, with holes around some nodes.
+/** \brief Triangulation of the unit sphere along a circle packing, with holes around some nodes.
  *
- * Before refinement the triangles are those of node, touching point and face; at a hole they end on its rim. So edges
- * of the packed map are paths of the mesh. Edges are halved until none is longer than `longest`, new vertices lie on
- * the sphere, or on the rim between two of the rim. */
+ * Before refinement, each triangle is formed by a node, a tangency point and a face; at a hole it ends at the rim.
+ * Edges of the packed map are therefore paths of the mesh. Edges are bisected until none is longer than `longest`. New
+ * vertices are on the sphere, or on the rim if both ends are. */
 class SphereWithHoles
 {
 public:
-  /** Nodes come first, in their order, those with holes left out. The references must outlive the constructor only. */
+  /** Nodes come first, in order, without those with holes. The references are used only by the constructor. */
   SphereWithHoles(const PackedMap &               packed,
                   const SphericalPacking &        packing,
                   const std::vector<SphereHole> & holes,
@@ -40,14 +40,14 @@ public:
   {
     return m_Triangles;
   }
-  /** Of each vertex: on the rim of which hole it is, or -1. */
+  /** For each vertex: the hole whose rim contains it, or -1. */
   const std::vector<int> &
   Rims() const
   {
     return m_Rims;
   }
-  /** The vertices of each edge of the graph from its start node to its end node; from and to the rim, where there is a
-   * hole. */
+  /** Vertices of each edge of the graph from its start node to its end node; at a hole, from or to the rim.
+   */
   const std::vector<std::vector<int>> &
   Paths() const
   {
@@ -87,7 +87,8 @@ private:
   std::vector<std::array<int, 3>> m_Triangles;
   std::vector<std::vector<int>>   m_Paths;
 
-  /** \name Vertices of the packing; of half-edges that leave a hole's node: on the rim, towards touching point and face
+  /** \name Vertices of the packing. Half-edges at a node with a hole have rim vertices, towards tangency point and
+   * face.
    */
   ///@{
   std::vector<int> m_HoleOfNode;

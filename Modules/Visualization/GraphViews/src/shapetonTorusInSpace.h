@@ -9,22 +9,22 @@
 
 namespace shapeton
 {
-/** \brief A flat torus on the torus ((R + r cos v) cos u, (R + r cos v) sin u, r sin v) in space, the printed formula
- * of section 6.3.3, R = 1.
+/** \brief Maps a flat torus to the torus ((R + r cos v) cos u, (R + r cos v) sin u, r sin v) in space, the printed
+ * formula of section 6.3.3, R = 1.
  *
  * Its conformal types are the rectangles of sides 1 and r / sqrt(R^2 - r^2); r is chosen so that the affine map from
  * the lattice of the graph has the least dilatation (the nearest rectangle in the upper half plane has the same
- * modulus). The longer period goes around; along the tube v is a function of the isothermal parameter: tan(v / 2) =
- * sqrt((R + r) / (R - r)) tan(pi s). Outside stays outside. \ingroup GraphViews */
+ * modulus). The longer period runs around the torus. Along the tube, v is a function of the isothermal parameter:
+ * tan(v / 2) = sqrt((R + r) / (R - r)) tan(pi s). Orientation is preserved. \ingroup GraphViews */
 class GraphViews_EXPORT TorusInSpace
 {
 public:
   using Point = std::array<double, 3>;
 
-  /** \pre The certificate is one of genus 1. It must outlive this object. */
+  /** \pre The certificate has genus 1. It must outlive this object. */
   explicit TorusInSpace(const EmbeddingCertificate & certificate);
 
-  /** The place of a point of the plane. */
+  /** Image of a point of the plane. */
   Point
   operator()(const std::complex<double> & z) const;
 
@@ -33,18 +33,18 @@ public:
   {
     return m_TubeRadius;
   }
-  /** Ratio of the axes of the small ellipses that small circles become, but for the curvature of the torus: 1 where the
-   * lattice is rectangular. */
+  /** Axis ratio of the images of infinitesimal circles under the affine map: 1 for a rectangular lattice.
+   */
   double
   Dilatation() const
   {
     return m_Dilatation;
   }
-  /** The places of the graph's nodes. */
+  /** Positions of the graph's nodes. */
   std::vector<Point>
   Nodes() const;
-  /** The curve of each of the graph's edges, `pieces` for each packed edge that it is made of: geodesics of the flat
-   * torus. */
+  /** Curves of the graph's edges, with `pieces` segments per packed edge: geodesics of the flat torus.
+   */
   std::vector<std::vector<Point>>
   Edges(int pieces = 16) const;
 

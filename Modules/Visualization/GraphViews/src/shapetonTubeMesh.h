@@ -5,28 +5,28 @@
 
 namespace shapeton
 {
-/** \brief The triangles of a tube between two rims, with curves along it.
+/** \brief Triangulation of a tube between two rims, with curves along it.
  *
- * Curves keep their order around every section: their angles there are means of those at both rims, counted on without
- * a jump, where whole turns are chosen so that they wind least. */
+ * Curves keep their order around every section. Their angles are interpolated between both rims without jumps, with
+ * whole turns chosen to minimize the winding. */
 class TubeMesh
 {
 public:
-  /** `ends` are the vertices of each curve on both rims, in the order of growing angles of the sections. Vertices and
-   * triangles are added to the lists. */
+  /** `ends` are the vertices of each curve on both rims, ordered by increasing angle of the sections. Vertices and
+   * triangles are appended to the lists. */
   TubeMesh(const std::vector<TubeSection> &        sections,
            const std::array<std::vector<int>, 2> & rims,
            const std::vector<std::array<int, 2>> & ends,
            std::vector<Eigen::Vector3d> &          vertices,
            std::vector<std::array<int, 3>> &       triangles);
 
-  /** The vertices of each curve from the first rim to the second. */
+  /** Vertices of each curve from the first rim to the second. */
   const std::vector<std::vector<int>> &
   Curves() const
   {
     return m_Curves;
   }
-  /** In turns. */
+  /** Twist, in turns. */
   double
   Twist() const
   {
@@ -34,8 +34,8 @@ public:
   }
 
 private:
-  /** Vertices around a section with angles that grow, the first one again at the end; `curves` are the places of the
-   * curves, and the last place. */
+  /** Vertices around a section by increasing angle, with the first one repeated at the end; `curves` are the indices of
+   * the curves, followed by the last index. */
   struct Ring
   {
     std::vector<int>         vertices;

@@ -18,49 +18,49 @@
 
 namespace shapeton
 {
-/** What the page shows besides the volumes of heat. The pointers are not owned and must not be null, but for
+/** Content of the page in addition to the heat volumes. The pointers are not owned and must not be null, except
  * axisHistogram. \ingroup HeatExplorer */
 struct HeatExplorerContent
 {
   std::string           title;
   ShapeQuantity         quantity;
   const HeatHistogram * histogram{ nullptr };
-  /** Lays out the axis in its place, where given. */
+  /** If given, defines the axis instead. */
   const HeatHistogram *        axisHistogram{ nullptr };
   HeatScale                    scale{ HeatScale::Equalized };
   const itk::Image<float, 3> * grey{ nullptr };
-  /** Grey values of the slices. */
+  /** Intensity window of the slices. */
   IntensityWindow window;
-  /** The lines that the page begins with. */
+  /** Initial lines of the page. */
   ShapeTransferFunction lines;
-  /** The ranges that are opened when the page begins; B closes the last one. */
+  /** Initially zoomed ranges; the key B leaves the last one. */
   HeatRanges ranges;
 };
 
 /** \class HeatExplorer
- * \brief The page explorer.html: lines of the heat histogram picked by hand, with slices and a rendering that follow.
+ * \brief The page explorer.html: interactive selection of lines of the heat histogram, with slices and a rendering.
  *
- * The page opens from a file and asks for no network; its data are scripts in the folder `explorer` beside it. Heats
- * are kept as the bins of HeatHistogram, so that nothing is lost that the histogram shows; of volumes with more than
- * 2^25 voxels every n-th voxel of each axis is kept, which the page says. Equal input gives equal bytes.
+ * The page opens from a file and works offline; its data are scripts in the folder `explorer` next to it. Heats are
+ * stored as HeatHistogram bins, so the page has the full resolution of the histogram. Volumes with more than 2^25
+ * voxels are subsampled along each axis, which the page states. Equal input gives equal bytes.
  *
  * \ingroup HeatExplorer */
 class HeatExplorer_EXPORT HeatExplorer
 {
 public:
-  /** `folder` and the folder `explorer` within it are there already; `outputPath` maps final names to those to write
-   * to. */
+  /** `folder` and its folder `explorer` must exist; `outputPath` maps final names to the names to write to.
+   */
   HeatExplorer(const std::string & folder, const OutputPath & outputPath);
 
-  /** The name of the folder of the data, within that of the page. */
+  /** Name of the data folder inside the folder of the page. */
   static const char * const DataFolder;
 
-  /** Stores the values, in [0, 1], of a time step; in ascending order of the steps. A step that is there already is not
-   * stored again. Throws OutputError. */
+  /** Stores the values, in [0, 1], of a time step; steps must ascend. A step that is already stored is skipped. Throws
+   * OutputError. */
   void
   AddStep(const itk::Image<float, 3> * values, std::uint64_t timeStep);
 
-  /** Writes the page. Throws OutputError, and std::logic_error where no step was added. */
+  /** Writes the page. Throws OutputError, and std::logic_error if no step was added. */
   void
   Write(const HeatExplorerContent & content);
 

@@ -11,7 +11,7 @@
 
 namespace shapeton
 {
-/** How far a run has come, in words. \ingroup HeatExplorer */
+/** Progress of a run, as text. \ingroup HeatExplorer */
 struct LiveState
 {
   std::uint64_t timeStep{ 0 };
@@ -20,29 +20,29 @@ struct LiveState
 };
 
 /** \class LiveExplorer
- * \brief The page of HeatExplorer for a run that goes on: it looks for a new state every few seconds.
+ * \brief The HeatExplorer page for a running computation; polls for a new state every few seconds.
  *
- * The states are one file, so that the page never sees half of one when it is replaced by renaming. The page keeps the
+ * Each state is a single file, replaced by renaming, so the page never reads a partial state. The page keeps the
  * histogram of the states so far, at most 64 of them.
  *
  * \ingroup HeatExplorer */
 class HeatExplorer_EXPORT LiveExplorer
 {
 public:
-  /** The page lies beside the folder of its data, DataFolder(), which is there already. */
+  /** The page is next to its data folder, DataFolder(), which must exist. */
   LiveExplorer(const std::string & page, const OutputPath & outputPath);
 
-  /** "now-data" of "now.html", with the folder that both lie in. */
+  /** "now-data" for "now.html", including the path of their folder. */
   std::string
   DataFolder() const;
-  /** Files that WritePage() writes. */
+  /** Files written by WritePage(). */
   std::vector<std::string>
   PageFiles() const;
-  /** The file that WriteState() writes. */
+  /** File written by WriteState(). */
   std::string
   StateFile() const;
 
-  /** Of the content, title, image, window and scale. Throws OutputError. */
+  /** Uses title, image, window and scale of the content. Throws OutputError. */
   void
   WritePage(const HeatExplorerContent & content, double secondsBetweenStates) const;
   /** Throws OutputError. */

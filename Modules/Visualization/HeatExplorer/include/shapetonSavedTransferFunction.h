@@ -9,7 +9,7 @@
 
 namespace shapeton
 {
-/** A transfer function that the page of HeatExplorer saved. \ingroup HeatExplorer */
+/** A transfer function saved by the page of HeatExplorer. \ingroup HeatExplorer */
 struct SavedTransferFunction
 {
   /** "heat" or "density". */
@@ -18,9 +18,9 @@ struct SavedTransferFunction
   ShapeTransferFunction lines;
 };
 
-/** Reads transfer-function.json. Throws InputError, which names the file, what is wrong in it and what to do, for a
- * file that is missing, is no JSON or is not what the page saves: a key that is missing, unknown or of another kind,
- * and lines that ShapeTransferFunction refuses. \ingroup HeatExplorer */
+/** Reads transfer-function.json. Throws InputError, with the file, the error and a remedy, if the file is missing, not
+ * JSON or not in the format that the page saves: a missing, unknown or mistyped key, or lines that
+ * ShapeTransferFunction rejects. \ingroup HeatExplorer */
 HeatExplorer_EXPORT SavedTransferFunction
 ReadTransferFunction(const std::string & path);
 } // namespace shapeton

@@ -8,18 +8,18 @@
 
 namespace shapeton
 {
-/** The bins of the voxels of a volume with values in [0, 1]. */
+/** Histogram bins of the voxels of a volume with values in [0, 1]. */
 void
 PutBins(PageBlocks & blocks, const std::string & name, const itk::Image<float, 3> * values);
 
-/** The grey values of the slices. */
+/** Grey values of the slices. */
 void
 PutGrey(PageBlocks & blocks, const itk::Image<float, 3> * grey, const IntensityWindow & window);
 
 void
 PutCounts(PageBlocks & blocks, const std::string & name, const HeatHistogram & histogram);
 
-/** What the page knows of volume and views before any heat. */
+/** Page data on volume and views that do not depend on the heat. */
 Json
 InfoOf(const HeatExplorerContent & content);
 
@@ -29,7 +29,7 @@ JsonOf(const ShapeQuantity & quantity);
 Json
 JsonOf(const ShapeTransferFunction & transferFunction);
 
-/** The page that reads its data in a folder beside it. */
+/** The page that reads its data from a folder next to it. */
 void
 WriteExplorerPage(const std::string & path, const std::string & dataFolder);
 } // namespace shapeton

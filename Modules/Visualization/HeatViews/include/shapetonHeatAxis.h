@@ -11,17 +11,17 @@
 
 namespace shapeton
 {
-/** How heats are laid out on the horizontal axis of a heat histogram (dissertation 2.3.1, Figure 2.3).
+/** Layout of heats on the horizontal axis of a heat histogram (dissertation 2.3.1, Figure 2.3).
  * \ingroup HeatViews */
 enum class HeatScale
 {
-  /** By the share of counts below: every feature gets room. */
+  /** Position by the cumulative count, so that every feature gets space. */
   Equalized,
-  /** Proportional to heat. */
+  /** Position proportional to heat. */
   Normalized
 };
 
-/** The heats lower to upper, 0 <= lower < upper <= 1. The default stands for all heat that occurs.
+/** The heats from lower to upper, 0 <= lower < upper <= 1. The default means all heats that occur.
  * \ingroup HeatViews */
 struct HeatRange
 {
@@ -29,18 +29,17 @@ struct HeatRange
   double upper{ 0.0 };
 };
 
-/** A histogram of one row whose classes have equal weight: the axis that it lays out gives each class the same room.
- * For densities of shapetons, where the surroundings do not cool to the background and would take nearly all of the
- * axis. \ingroup HeatViews */
+/** A one-row histogram whose classes have equal weight, so that its axis gives each class the same width. For densities
+ * of shapetons, where the surroundings do not cool to the background and would occupy nearly all of the axis.
+ * \ingroup HeatViews */
 HeatViews_EXPORT HeatHistogram
 BalanceClasses(const HeatHistogram & histogram, std::size_t row, const std::vector<HeatClass> & classes);
 
 /** \class HeatAxis
- * \brief The place of a heat on the axis of a heat histogram, and its colour, the same in all pictures of one result.
+ * \brief Position of a heat on the axis of a heat histogram, and its color, consistent in all pictures of one result.
  *
- * The equalised axis is the map HeatHistogram::GetEqualization(), interpolated linearly inside a bin; on a part of the
- * heats, it is re-equalised inside that part (the hierarchical histogram). Where no heat was counted in the part, all
- * bins are equally wide.
+ * The equalized axis is the map HeatHistogram::GetEqualization(), interpolated linearly inside a bin. A sub-range of
+ * heats is re-equalized (the hierarchical histogram). If the range has no counts, all bins are equally wide.
  *
  * \ingroup HeatViews
  */
@@ -52,16 +51,17 @@ public:
                     HeatScale             scale = HeatScale::Equalized,
                     const HeatRange &     range = {});
 
-  /** 0 at the lower end, 1 at the upper end; heats beyond the ends are clamped. Never falls with heat. */
+  /** Position from 0 at the lower end to 1 at the upper end; heats beyond the ends are clamped. Nondecreasing in
+   * heat. */
   double
   PositionOf(double heat) const;
 
-  /** The least heat at this position in [0, 1]. */
+  /** The smallest heat at this position in [0, 1]. */
   double
   HeatAt(double position) const;
 
-  /** The colour of a heat, of its line in the histogram, and of objects of that heat: HeatColor() of its position; on
-   * the equalised axis, of the middle of its bin, where the line is drawn. */
+  /** Color of a heat, of its line in the histogram, and of objects of that heat: HeatColor() of its position. On the
+   * equalized axis it is the position of the center of its bin, where the line is drawn. */
   RGBColor
   ColorOf(double heat) const;
 

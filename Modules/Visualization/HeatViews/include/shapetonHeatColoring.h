@@ -13,22 +13,23 @@
 
 namespace shapeton
 {
-/** The colour of a voxel by its heat; none where the voxel is not to be coloured.
+/** Color of a voxel by its heat; empty for an uncolored voxel.
  * \ingroup HeatViews */
 using HeatColoring = std::function<std::optional<RGBColor>(float)>;
 
-/** Every heat but the background's (below the first bin of HeatHistogram) by its place on the axis.
+/** Colors all heats except the background (below the first bin of HeatHistogram) by axis position.
  * \ingroup HeatViews */
 HeatViews_EXPORT HeatColoring
 ColorByHeat(const HeatAxis & axis);
 
-/** Every class but the background in ClassColor(). Colours by heat would not tell classes apart: on the equalised axis
- * heat that sinks in early time steps takes nearly all room, and classes of late ones share one colour.
+/** Colors each class except the background by ClassColor(). Heat colors would not distinguish the classes: on the
+ * equalized axis, the decreasing heats of early time steps take most of the space, and classes of late steps share one
+ * color.
  * \ingroup HeatViews */
 HeatViews_EXPORT HeatColoring
 ColorByClass(const std::vector<HeatClass> & classes);
 
-/** The lines of a transfer function in their colours.
+/** Colors voxels by the lines of a transfer function.
  * \ingroup HeatViews */
 HeatViews_EXPORT HeatColoring
 ColorByLine(const ShapeTransferFunction & transferFunction);

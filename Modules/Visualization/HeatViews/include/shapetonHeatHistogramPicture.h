@@ -15,28 +15,28 @@
 
 namespace shapeton
 {
-/** What a picture of a heat histogram shows.
+/** Content of a picture of a heat histogram.
  * \ingroup HeatViews */
 struct HeatHistogramPictureOptions
 {
   std::string   title{ "Heat histogram" };
   ShapeQuantity quantity;
   HeatScale     scale{ HeatScale::Equalized };
-  /** The histogram that lays out the axis and its colours; by default the one that is drawn. */
+  /** Histogram that defines the axis and its colors; by default the drawn one. */
   const HeatHistogram * axisHistogram{ nullptr };
-  /** Only the last of these heats, equalised anew inside it, and above the plot how it opens from all heats; by default
-   * all. */
+  /** Shows only the last of these ranges, equalized separately, with the zoom levels from all heats above the plot; by
+   * default all heats. */
   HeatRanges ranges;
-  /** Time steps marked by pink lines (Figure 2.4); those outside the recorded ones are left out. */
+  /** Time steps marked by pink lines (Figure 2.4); those outside the recorded range are skipped. */
   std::vector<std::uint64_t> markedTimeSteps;
-  /** Classes marked below the plot by their ranges, numbers and colours. */
+  /** Classes marked below the plot by their ranges, numbers and colors. */
   std::vector<HeatClass> classes;
   /** Pixels; at least 600 x 400. */
   unsigned int width{ 1200 };
   unsigned int height{ 900 };
 };
 
-/** The pixels of a picture that hold counts.
+/** Pixels of a picture that show counts.
  * \ingroup HeatViews */
 struct PlotArea
 {
@@ -46,19 +46,19 @@ struct PlotArea
   int height{ 0 };
 };
 
-/** Where DrawHeatHistogram() plots: the heat at axis position p lies in the column left + p * (width - 1), rounded; row
- * r of n rows lies from top + r * height / n. \ingroup HeatViews */
+/** The plot area of DrawHeatHistogram(): the heat at axis position p is in column left + p * (width - 1), rounded; row
+ * r of n rows starts at top + r * height / n. \ingroup HeatViews */
 HeatViews_EXPORT PlotArea
 PlotAreaOf(const HeatHistogramPictureOptions & options);
 
 /** Draws a heat histogram as in the dissertation's Figures 2.3 to 2.7: time runs downwards, heat to the right. The
- * colour of a point tells its heat (HeatAxis::ColorOf), its brightness the logarithm of the number of voxels, raised
- * where a row has more than nearby, so that lines stand out; the white line at the left border is the background, bin
- * 0. Rows are drawn one below the other with equal heights, and the time axis is labelled with their time steps,
- * whether they are spaced linearly or not. The heat axis is labelled with heats on both scales.
+ * color of a point encodes its heat (HeatAxis::ColorOf), its brightness the logarithm of the number of voxels, raised
+ * where a row has more than its neighborhood, so that lines stand out. The white line at the left border is the
+ * background, bin 0. Rows have equal heights. The time axis is labeled with their time steps, for linear and nonlinear
+ * spacing. The heat axis is labeled with heats on both scales.
  *
- * A range that was opened fills the plot. Above it is a strip for each level, at most the last six: the axis of that
- * level, with the colours that its pictures have, and lines from the heats that the next one shows.
+ * A zoomed range fills the plot. Above it is a strip for each level, at most the last six: the axis of that level in
+ * the colors of its pictures, with lines from the heats that the next level shows.
  *
  * Drawn on the CPU; equal input gives equal bytes. Throws std::invalid_argument for a histogram without rows and for
  * a picture that is too small.

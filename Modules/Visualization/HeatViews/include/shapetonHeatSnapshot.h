@@ -11,7 +11,7 @@
 
 namespace shapeton
 {
-/** A heat volume on disk and the time step that it shows, where that is known.
+/** A heat volume on disk and its time step, if known.
  * \ingroup HeatViews */
 struct HeatSnapshot
 {
@@ -21,10 +21,10 @@ struct HeatSnapshot
 
 /** Finds a heat volume.
  *
- * `path` is a heat volume, or a folder of snapshots named heat-<time step, 9 digits>.nrrd. `timeStep` picks a snapshot
- * of a folder (by default the last one); of a single volume, it must agree with the time step in its header (key
- * `timeStep`; NRRD and MetaImage), where there is one. Throws InputError for a path that is missing and for a folder
- * without snapshots, and ParameterError for a time step that is not there, with those that are. \ingroup HeatViews */
+ * `path` is a heat volume, or a folder of snapshots named heat-<time step, 9 digits>.nrrd. `timeStep` selects a
+ * snapshot of a folder (by default the last one). For a single volume it must match the time step in the header (key
+ * `timeStep`; NRRD and MetaImage), if there is one. Throws InputError for a missing path and for a folder without
+ * snapshots, and ParameterError for a missing time step, listing the available ones. \ingroup HeatViews */
 HeatViews_EXPORT HeatSnapshot
 FindHeatSnapshot(const std::string & path, std::optional<std::uint64_t> timeStep = {});
 
@@ -33,13 +33,13 @@ FindHeatSnapshot(const std::string & path, std::optional<std::uint64_t> timeStep
 HeatViews_EXPORT std::string
                  HeatSnapshotName(std::uint64_t timeStep);
 
-/** Throws InputError, which names `path`, when a value is not in [0, 1] (within 1e-4): such a volume is no heat.
+/** Throws InputError with `path` if a value is outside [0, 1] (tolerance 1e-4): such a volume is not a heat volume.
  * \ingroup HeatViews */
 HeatViews_EXPORT void
 RequireHeat(const itk::Image<float, 3> * heat, const std::string & path);
 
-/** The visits of shapetons that a volume holds: whole numbers, some above 1, in a file whose header states their time
- * step (so that no other volume is taken for visits). Null for any other volume. \ingroup HeatViews */
+/** Shapeton visits of a volume: integers, some above 1, in a file whose header states the time step (so that other
+ * volumes are not mistaken for visits). Null for any other volume. \ingroup HeatViews */
 HeatViews_EXPORT itk::Image<std::uint32_t, 3>::Pointer
                  VisitsOf(const itk::Image<float, 3> * values, const HeatSnapshot & file);
 } // namespace shapeton

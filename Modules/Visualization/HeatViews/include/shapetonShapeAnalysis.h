@@ -13,7 +13,7 @@
 
 namespace shapeton
 {
-/** One volume of heat or of visits, and all that pictures and tables of it need.
+/** A volume of heat or of visits, with all data that its pictures and tables need.
  * \ingroup HeatViews */
 struct ShapeAnalysis
 {
@@ -22,7 +22,7 @@ struct ShapeAnalysis
   HeatHistogram                         histogram; ///< one row
   std::vector<HeatClass>                classes;
   itk::Image<unsigned char, 3>::Pointer labels;
-  /** Lays out the axis and the colours. */
+  /** Defines the axis and the colors. */
   HeatHistogram axisHistogram;
 };
 
@@ -30,8 +30,8 @@ struct ShapeAnalysis
 HeatViews_EXPORT ShapeAnalysis
 AnalyzeHeat(const itk::Image<float, 3> * heat, std::uint64_t timeStep);
 
-/** Visits of shapetons after `timeStep`, as a density; its axis balances the classes. Without labels, which take a look
- * at every voxel, the classes lack borderShare, volume and exact numbers of voxels. \ingroup HeatViews */
+/** Visits of shapetons after `timeStep`, as a density; its axis balances the classes. Without labels, which require a
+ * pass over all voxels, the classes lack borderShare, volume and exact voxel counts. \ingroup HeatViews */
 HeatViews_EXPORT ShapeAnalysis
 AnalyzeVisits(const itk::Image<std::uint32_t, 3> * visits, std::uint64_t timeStep, bool wantLabels = true);
 } // namespace shapeton

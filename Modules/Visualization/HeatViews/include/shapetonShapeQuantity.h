@@ -6,17 +6,17 @@
 
 namespace shapeton
 {
-/** What the values in [0, 1] of the voxels are, for titles, axes and tables: heat by default.
+/** Quantity of the voxel values in [0, 1], for titles, axes and tables; heat by default.
  * \ingroup HeatViews */
 struct ShapeQuantity
 {
-  /** One word in small letters, for one and for several. */
+  /** Lowercase name, singular and plural. */
   std::string name{ "heat" };
   std::string plural{ "heats" };
-  /** The number of visits that a value of 1 stands for; 0 where the values are no visits. */
+  /** Number of visits that a value of 1 represents; 0 if the values are not visits. */
   std::uint32_t greatestVisits{ 0 };
 
-  /** The name with a capital. */
+  /** The capitalized name. */
   std::string
   GetTitle() const
   {
@@ -25,7 +25,7 @@ struct ShapeQuantity
     return title;
   }
 
-  /** Shapeton density: visits in units of the greatest number of visits. */
+  /** Shapeton density: visits divided by the maximum number of visits. */
   static ShapeQuantity
   Density(std::uint32_t greatestVisits)
   {

@@ -16,43 +16,42 @@
 
 namespace shapeton
 {
-/** What a montage of slices shows.
+/** Options of a montage of slices.
  * \ingroup HeatViews */
 struct SliceMontageOptions
 {
   std::string     title;
   IntensityWindow window;
-  /** The voxel that the three slices meet in; by default where most colours are seen (see DrawSliceMontage). */
+  /** Intersection voxel of the three slices; by default where most colors are visible (see DrawSliceMontage). */
   std::optional<itk::Index<3>> cut;
   std::vector<LegendEntry>     legend;
-  /** Of the colours over the grey values, in [0, 1]. */
+  /** Opacity of the colors over the grey values, in [0, 1]. */
   double opacity{ 0.6 };
   /** Pixels; at least 600. */
   unsigned int width{ 1200 };
 };
 
-/** The window itself, or where it is the default, the quantiles of the image that it stands for.
+/** The window itself; for the default window, the image quantiles it represents.
  * \ingroup HeatViews */
 HeatViews_EXPORT IntensityWindow
 WindowOf(const itk::Image<float, 3> * grey, const IntensityWindow & window);
 
-/** Three orthogonal slices, axial, coronal and sagittal, of the grey image with the colours of the heat over it.
+/** Three orthogonal slices, axial, coronal and sagittal, of the grey image with the colors of the heat over it.
  *
- * The slices follow the volume's own axes; each is shown the radiological way, as near as these axes allow (axial: the
+ * The slices follow the volume's own axes, in the radiological convention as closely as these axes allow (axial: the
  * patient's right at the left, anterior on top; coronal: right at the left, head on top; sagittal: anterior at the
- * left, head on top), with the true letters at its borders. All three have one scale in mm, whatever the spacing. By
- * default each axis is cut where the slice shows most different colours, then most coloured voxels, then nearest to the
- * middle.
+ * left, head on top), with the true letters at the borders. All three have one scale in mm, independent of the spacing.
+ * By default each slice maximizes the number of different colors, then of colored voxels, then closeness to the center.
  *
- * Throws std::invalid_argument when the images differ in size, when the cut lies outside, or when the width is too
- * small. \ingroup HeatViews */
+ * Throws std::invalid_argument if the images differ in size, the cut is outside, or the width is too small.
+ * \ingroup HeatViews */
 HeatViews_EXPORT Picture::Pointer
                  DrawSliceMontage(const itk::Image<float, 3> * grey,
                                   const itk::Image<float, 3> * heat,
                                   const HeatColoring &         coloring,
                                   const SliceMontageOptions &  options = {});
 
-/** A legend for the classes but the background: ClassColor(), number, mean value.
+/** A legend for the classes except the background: ClassColor(), number, mean value.
  * \ingroup HeatViews */
 HeatViews_EXPORT std::vector<LegendEntry>
                  LegendOf(const std::vector<HeatClass> & classes, const ShapeQuantity & quantity = {});

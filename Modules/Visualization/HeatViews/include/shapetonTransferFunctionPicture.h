@@ -13,10 +13,10 @@
 
 namespace shapeton
 {
-/** What a transfer function shows of a heat volume, on one page: the rendered volume from the front (turned a little,
- * so that depth is seen), its lines with the number of voxels of each, and three slices of the grey image with the
- * lines' colours. 1200 pixels wide. `title` is one line. `renderer` draws the volume, where given; it must be of the
- * same heat and transfer function. Throws std::invalid_argument when the images differ in size. \ingroup HeatViews */
+/** One page that shows a transfer function on a heat volume: the volume rendered from the front, turned slightly for
+ * depth, its lines with their voxel counts, and three slices of the grey image with the colors of the lines. 1200
+ * pixels wide. `title` is one line. `renderer`, if given, draws the volume; it must use the same heat and transfer
+ * function. Throws std::invalid_argument if the images differ in size. \ingroup HeatViews */
 HeatViews_EXPORT Picture::Pointer
                  DrawTransferFunction(const itk::Image<float, 3> *  grey,
                                       const itk::Image<float, 3> *  heat,

@@ -14,17 +14,17 @@
 
 namespace shapeton
 {
-/** How a volume is looked at.
+/** View of a volume rendering.
  * \ingroup HeatViews */
 struct VolumeRenderingOptions : PatientViewOptions
 {
-  /** The part of the volume that fills the picture; by default all of it. The rest is seen where there is room. */
+  /** Part of the volume that fills the picture; by default all of it. The rest is visible where space permits. */
   std::optional<itk::ImageRegion<3>> focus;
   /** Orientation letters at the borders and a scale bar. */
   bool annotations{ true };
 };
 
-/** The projection of a rendering with these options: the focus in the middle of the picture. \ingroup HeatViews */
+/** Projection for these options, with the focus at the center of the picture. \ingroup HeatViews */
 HeatViews_EXPORT PatientView
 ViewOfVolume(const itk::ImageBase<3> * volume, const VolumeRenderingOptions & options);
 
@@ -32,18 +32,18 @@ ViewOfVolume(const itk::ImageBase<3> * volume, const VolumeRenderingOptions & op
  * \brief Pictures of a heat volume with a shape-based transfer function (dissertation 2.5, Figures 2.6, 2.9 to 2.11).
  *
  * Direct volume rendering by ray casting, on the CPU or on a GPU with the same bytes; needs neither a display nor a
- * graphics driver. Each voxel is classified by its own heat, once, and colour and opacity are interpolated: heat is
- * not, because between an object and the background it would pass through the heats of all other objects and paint
- * their colours around this one. Opacity is for a path of one smallest spacing; of what is transparent little more than
- * the surface is drawn, so that objects inside others can be seen. Light comes from over the viewer's left shoulder.
- * Origin, spacing and direction cosines are respected. Equal input gives equal bytes for any number of threads; ITK's
- * global default number is used.
+ * graphics driver. Each voxel is classified by its own heat, and color and opacity are interpolated. Heat is not
+ * interpolated, because between an object and the background it would pass through the heats of all other objects and
+ * surround the object with their colors. Opacity refers to a path of one smallest spacing. Of transparent objects
+ * little more than the surface is drawn, so that objects inside them are visible. The light comes from above the
+ * viewer's left shoulder. Origin, spacing and direction cosines are respected. Equal input gives equal bytes for any
+ * number of threads; ITK's global default number is used.
  *
  * \ingroup HeatViews */
 class HeatViews_EXPORT VolumeRenderer
 {
 public:
-  /** Throws std::invalid_argument for an empty volume, DeviceError where the device cannot be used. */
+  /** Throws std::invalid_argument for an empty volume, DeviceError if the device cannot be used. */
   VolumeRenderer(const itk::Image<float, 3> *  heat,
                  const ShapeTransferFunction & transferFunction,
                  Device                        device = Device::Automatic);
@@ -56,7 +56,7 @@ public:
   Picture::Pointer
   Render(const VolumeRenderingOptions & options = {}) const;
 
-  /** Where the pictures are computed. */
+  /** Device that computes the pictures. */
   const DeviceUse &
   GetDeviceUse() const;
 
@@ -72,7 +72,7 @@ HeatViews_EXPORT Picture::Pointer
                               const ShapeTransferFunction &  transferFunction,
                               const VolumeRenderingOptions & options = {});
 
-/** The smallest region that holds all voxels with a line of the transfer function; empty where there is none.
+/** Smallest region that contains all voxels with a line of the transfer function; empty if there are none.
  * \ingroup HeatViews */
 HeatViews_EXPORT std::optional<itk::ImageRegion<3>>
                  VisibleRegion(const itk::Image<float, 3> * heat, const ShapeTransferFunction & transferFunction);

@@ -13,7 +13,7 @@
 namespace shapeton
 {
 /** \class ClassifiedVolume
- * \brief A heat volume as a ray caster needs it: the transfer function's line of each voxel, and smooth opacity for
+ * \brief A heat volume prepared for ray casting: the transfer function's line of each voxel, and smoothed opacity for
  * normals.
  */
 class ClassifiedVolume
@@ -21,7 +21,7 @@ class ClassifiedVolume
 public:
   ClassifiedVolume(const itk::Image<float, 3> * heat, const ShapeTransferFunction & transferFunction);
 
-  /** What a ray caster reads; it belongs to this object. */
+  /** Data for the ray caster, owned by this object. */
   RayVolume
   GetRayVolume() const;
 
@@ -48,10 +48,10 @@ private:
 
   std::array<int, 3>         m_Size{};
   std::array<int, 3>         m_Blocks{};
-  std::vector<RaySample>     m_Samples; // of "no line" and of each line
+  std::vector<RaySample>     m_Samples; // for "no line" and for each line
   std::vector<std::uint8_t>  m_Lines;   // 0: none, else the line's index + 1
   std::vector<std::uint16_t> m_SmoothOpacity;
-  std::vector<Content>       m_Content; // of each block
+  std::vector<Content>       m_Content; // for each block
 };
 } // namespace shapeton
 

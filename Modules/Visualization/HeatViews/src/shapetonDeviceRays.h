@@ -6,7 +6,7 @@
 namespace shapeton
 {
 /** \class DeviceRays
- * \brief A classified volume in the memory of a GPU, and pictures of it. */
+ * \brief A classified volume in GPU memory, and pictures of it. */
 class DeviceRays
 {
 public:
@@ -16,12 +16,12 @@ public:
   operator=(const DeviceRays &) = delete;
   virtual ~DeviceRays() = default;
 
-  /** `pixels`: three bytes for each, row by row. */
+  /** `pixels`: three bytes each, row by row. */
   virtual void
   Render(const RayView & view, std::size_t width, std::size_t height, unsigned char * pixels) const = 0;
 };
 
-/** The type of the plug-in's function ShapetonMakeRays(). `volume` is in the memory of the host. */
+/** Type of the plug-in's function ShapetonMakeRays(). `volume` is in host memory. */
 using MakeDeviceRaysFunction = DeviceRays *(const RayVolume & volume, std::size_t samples);
 } // namespace shapeton
 

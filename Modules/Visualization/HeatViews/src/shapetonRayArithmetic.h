@@ -10,38 +10,38 @@
 
 namespace shapeton
 {
-/** Colour multiplied by opacity, and opacity, all in [0, 1]. */
+/** Color premultiplied by opacity, and opacity, all in [0, 1]. */
 struct RaySample
 {
   float channel[4];
 };
 
-/** What the neighbourhood of a position holds, without looking at its voxels. */
+/** Content of the neighborhood of a position, precomputed to skip voxel access. */
 enum class RayContent : std::uint8_t
 {
   Transparent,
   Mixed,
-  /** One line, so far around that there is no gradient. */
+  /** A single line, extending far enough that the gradient is 0. */
   Uniform
 };
 
-/** Edge of a block of voxels with one RayContent. */
+/** Edge length of a block of voxels with one RayContent. */
 constexpr int RayBlockSize = 8;
-/** Opacity is kept smooth in units of one by this. */
+/** Integer value of smoothed opacity 1. */
 constexpr float FullOpacity = 65535.0F;
 
-/** A ClassifiedVolume as a ray caster reads it. */
+/** A ClassifiedVolume as raw arrays for the ray caster. */
 struct RayVolume
 {
   int                   size[3];
   int                   blocks[3];
-  const RaySample *     samples;       ///< of "no line" and of each line
-  const std::uint8_t *  lines;         ///< of each voxel, 0: none, else the line's index + 1
-  const std::uint16_t * smoothOpacity; ///< of each voxel
-  const RayContent *    content;       ///< of each block
+  const RaySample *     samples;       ///< for "no line" and for each line
+  const std::uint8_t *  lines;         ///< per voxel, 0: none, else the line's index + 1
+  const std::uint16_t * smoothOpacity; ///< per voxel
+  const RayContent *    content;       ///< per block
 };
 
-/** Where a picture's rays run in a volume: lengths in mm, in patient space, and in voxels, in index space. */
+/** Geometry of a picture's rays in a volume: lengths in mm, in patient space, and in voxels, in index space. */
 struct RayView
 {
   // The picture plane.
@@ -52,17 +52,17 @@ struct RayView
   double middleX;
   double middleY;
   // The volume.
-  double inverse[3][3]; ///< of the direction cosines
+  double inverse[3][3]; ///< inverse of the direction cosines
   double spacing[3];
-  double first[3]; ///< the first voxel
-  // The light and the way of a ray.
+  double first[3]; ///< first voxel
+  // The light, and the sampling along a ray.
   double        step[3]; ///< between two samples, in voxels
   double        toLight[3];
   double        halfway[3];
   unsigned char background[3];
 };
 
-/** The colour of a pixel: the one source of the ray caster's arithmetic for the CPU and for the kernels of a GPU.
+/** Computes the color of a pixel; shared by the CPU and the GPU kernels.
  * Positions are continuous indices relative to the first voxel. */
 namespace RayArithmetic
 {
@@ -70,7 +70,7 @@ using HostDevice::Larger;
 using HostDevice::Product;
 using HostDevice::Smaller;
 
-/** The coordinate within the voxels' centres. */
+/** The coordinate clamped to the voxel centers. */
 SHAPETON_HOST_DEVICE double
 Within(double coordinate, int size)
 {
@@ -95,7 +95,7 @@ ContentAt(const RayVolume & volume, const double position[3])
     .content[(static_cast<std::size_t>(block[2]) * volume.blocks[1] + block[1]) * volume.blocks[0] + block[0]];
 }
 
-/** The two voxels around a coordinate, at the border one and the same, and the share of the second one. */
+/** The two voxels around a coordinate, identical at the border, and the weight of the second one. */
 struct Neighbours
 {
   int   first;
@@ -111,7 +111,7 @@ NeighboursOf(double coordinate, int size)
   return { first, Smaller(first + 1, size - 1), static_cast<float>(within - first) };
 }
 
-/** Colour and opacity where the content is uniform. */
+/** Color and opacity in uniform content. */
 SHAPETON_HOST_DEVICE RaySample
 UniformSampleAt(const RayVolume & volume, const double position[3])
 {
@@ -123,8 +123,8 @@ UniformSampleAt(const RayVolume & volume, const double position[3])
   return volume.samples[volume.lines[VoxelIndex(volume, index[0], index[1], index[2])]];
 }
 
-/** Colour and opacity between voxels. The border of an object, where half of it is interpolated, is made twice as
- * steep, so that the object keeps its size. */
+/** Color and opacity between voxels. The slope at the border of an object, where opacity is interpolated to one half,
+ * is doubled, so that the object keeps its size. */
 SHAPETON_HOST_DEVICE RaySample
 SampleAt(const RayVolume & volume, const double position[3])
 {
@@ -169,7 +169,7 @@ struct Gradient
   float along[3];
 };
 
-/** The gradient, for each voxel along its axis, of the smoothed opacity. */
+/** Gradient of the smoothed opacity, per voxel along each axis. */
 SHAPETON_HOST_DEVICE Gradient
 GradientAt(const RayVolume & volume, const double position[3])
 {
@@ -204,7 +204,7 @@ GradientAt(const RayVolume & volume, const double position[3])
   return gradient;
 }
 
-/** A physical vector as the volume's indices see it. */
+/** Index-space components of a physical vector. */
 SHAPETON_HOST_DEVICE void
 ToIndexVector(const RayView & view, const double physical[3], double index[3])
 {
@@ -214,7 +214,7 @@ ToIndexVector(const RayView & view, const double physical[3], double index[3])
   }
 }
 
-/** Where the ray of a pixel meets the picture plane, as a continuous index. */
+/** Intersection of a pixel's ray with the picture plane, as a continuous index. */
 SHAPETON_HOST_DEVICE void
 StartOfRay(const RayView & view, double x, double y, double start[3])
 {
@@ -228,7 +228,7 @@ StartOfRay(const RayView & view, double x, double y, double start[3])
   ToIndexVector(view, fromFirst, start);
 }
 
-/** The samples between which the ray is inside the volume, whose voxels reach half a voxel beyond their centres. */
+/** Range of samples for which the ray is inside the volume, whose voxels extend half a voxel beyond their centers. */
 SHAPETON_HOST_DEVICE bool
 Clip(const RayVolume & volume, const RayView & view, const double start[3], double & first, double & last)
 {
@@ -263,7 +263,7 @@ LightAt(const RayView & view, const Gradient & perVoxel)
   {
     perMillimetre[axis] = perVoxel.along[axis] / view.spacing[axis];
   }
-  // The inverse's transpose: direction cosines need not be exactly orthogonal.
+  // Inverse transpose: direction cosines need not be exactly orthogonal.
   double gradient[3];
   for (unsigned int axis = 0; axis < 3; ++axis)
   {
@@ -275,12 +275,12 @@ LightAt(const RayView & view, const Gradient & perVoxel)
   {
     return Lighting::Even();
   }
-  // A surface is lit from both sides.
+  // Two-sided lighting.
   return Lighting::Of(static_cast<float>(fabs(Product(gradient, view.toLight)) / length),
                       static_cast<float>(fabs(Product(gradient, view.halfway)) / length));
 }
 
-/** Adds a sample behind those that the ray has passed; `visible` is what they let through. \equation{1.3} */
+/** Composites a sample behind the previous ones of the ray; `visible` is their transmittance. \equation{1.3} */
 SHAPETON_HOST_DEVICE void
 Accumulate(const RayVolume & volume,
            const RayView &   view,
@@ -298,7 +298,7 @@ Accumulate(const RayVolume & volume,
   const Gradient perVoxel = isUniform ? Gradient{} : GradientAt(volume, position);
   const float *  g = perVoxel.along;
   const float    steepness = Smaller(4.0F * sqrtf(g[0] * g[0] + g[1] * g[1] + g[2] * g[2]), 1.0F);
-  // What is opaque is so all through; of what is transparent little more than the surface is drawn.
+  // Opaque objects are opaque throughout; of transparent objects little more than the surface is drawn.
   const float    power2 = sample[3] * sample[3];
   const float    inside = power2 * power2;
   const float    opacity = sample[3] * (inside + (1.0F - inside) * Smaller(steepness / sample[3], 1.0F));
@@ -311,7 +311,7 @@ Accumulate(const RayVolume & volume,
   visible -= ofSample;
 }
 
-/** The colour that is seen through a pixel. */
+/** Color of a pixel. */
 SHAPETON_HOST_DEVICE void
 ColorOfPixel(const RayVolume & volume, const RayView & view, double x, double y, unsigned char seen[3])
 {
@@ -323,7 +323,7 @@ ColorOfPixel(const RayVolume & volume, const RayView & view, double x, double y,
   float visible = 1.0F;
   if (Clip(volume, view, start, first, last))
   {
-    // Whole sample numbers, counted from the picture plane: neighbouring rays sample the same planes.
+    // Integer sample numbers, counted from the picture plane: adjacent rays sample the same planes.
     for (double t = ceil(first); t <= last && visible > 0.004F; t += 1.0)
     {
       const double position[3] = { start[0] + t * view.step[0],

@@ -12,16 +12,16 @@
 
 namespace shapeton
 {
-/** JSON that may stand within a script element: no character of markup.
+/** JSON that is safe inside a script element: it contains no markup characters.
  * \ingroup PageKit */
 PageKit_EXPORT std::string
                ScriptText(const Json & value);
 
 /** \class PageBlocks
- * \brief Arrays as scripts that a page from file:// can load: block(name, {header}, "base64 of gzip").
+ * \brief Arrays as scripts that a file:// page can load: block(name, {header}, "base64 of gzip").
  *
- * A page from file:// may load scripts beside it, but may not fetch files. Values are stored as differences to the
- * value `delta` places before, modulo 2^n, which compresses better. In a single page the scripts are part of it.
+ * A file:// page may load scripts from its folder, but may not fetch files. Values are stored as differences to the
+ * value `delta` positions before, modulo 2^n, which compresses better. A single page embeds the scripts.
  *
  * \ingroup PageKit */
 class PageKit_EXPORT PageBlocks
@@ -35,8 +35,8 @@ public:
       const std::vector<TValue> & values,
       std::size_t                 delta = 0,
       Json                        header = Json::object());
-  /** Rows of reals as whole numbers of 16 or 32 bits between the least and the greatest of their column; values that
-   * are not finite become the least. */
+  /** Quantizes rows of reals to 16- or 32-bit integers between the minimum and the maximum of their column; non-finite
+   * values become the minimum. */
   template <typename TValue = std::uint16_t>
   void
   PutReals(const std::string & name, const SurfaceArray::ValueMatrix & rows);
@@ -46,7 +46,7 @@ public:
   /** The script elements of a single page; empty otherwise. */
   std::string
   Inline() const;
-  /** The blocks of a single page as one script, for a file that is replaced while the page shows it. */
+  /** The blocks of a single page as one script, for a file that is replaced while the page is open. */
   std::string
   Script() const;
 
@@ -60,7 +60,7 @@ private:
   bool        m_IsSingle;
   OutputPath  m_OutputPath;
 
-  std::vector<std::string> m_Scripts; // of a single page
+  std::vector<std::string> m_Scripts; // scripts of a single page
 };
 } // namespace shapeton
 

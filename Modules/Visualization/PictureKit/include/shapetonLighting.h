@@ -5,14 +5,14 @@
 
 namespace shapeton
 {
-/** Blinn-Phong with one light over the viewer's left shoulder and the numbers of the volume property (see
- * ShapeTransferFunction). */
+/** Blinn-Phong lighting with one light above the viewer's left shoulder and the coefficients of the volume property
+ * (see ShapeTransferFunction). */
 struct Lighting
 {
-  float brightness; ///< of the colour
-  float highlight;  ///< white, added
+  float brightness; ///< factor of the color
+  float highlight;  ///< added white
 
-  /** The cosines of a normal to the light and to the direction halfway to the viewer; both at least 0. */
+  /** The cosines of a normal with the light direction and with the half vector to the viewer; both at least 0. */
   SHAPETON_HOST_DEVICE static Lighting
   Of(float towardsLight, float halfway)
   {

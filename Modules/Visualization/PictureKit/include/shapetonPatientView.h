@@ -9,11 +9,11 @@
 
 namespace shapeton
 {
-/** How a parallel projection looks at a patient.
+/** Options of a parallel projection of a patient.
  * \ingroup PictureKit */
 struct PatientViewOptions
 {
-  /** Degrees about the patient's long axis: 0 from the front (anterior; the patient's left is on the right of the
+  /** Degrees around the patient's long axis: 0 from the front (anterior; the patient's left is on the right of the
    * picture), 90 from the patient's left, 180 from the back, -90 from the right. */
   double azimuth{ 0.0 };
   /** Degrees, -90 to 90: positive from above (the head). */
@@ -21,7 +21,7 @@ struct PatientViewOptions
   /** Pixels. */
   unsigned int width{ 800 };
   unsigned int height{ 600 };
-  /** 1 shows the whole focus from any side; larger values enlarge its centre. */
+  /** 1 shows the whole focus from any side; larger values enlarge its center. */
   double zoom{ 1.0 };
 };
 
@@ -36,7 +36,7 @@ enum class PatientSide
   Inferior
 };
 
-/** Sets azimuth and elevation for a look from this side. From below, the patient's front is on top, as in axial slices;
+/** Sets azimuth and elevation for a view from this side. From below, the patient's front is on top, as in axial slices;
  * from above, the back is. \ingroup PictureKit */
 PictureKit_EXPORT void
 LookFrom(PatientSide side, PatientViewOptions & options);
@@ -48,7 +48,7 @@ PictureKit_EXPORT std::string
 /** \class PatientView
  * \brief A parallel projection of patient space (LPS, mm) onto the pixels of a picture.
  *
- * The centre of the focus lies in the centre of the picture; all lengths have one scale.
+ * The center of the focus is at the center of the picture; the scale is isotropic.
  *
  * \ingroup PictureKit
  */
@@ -58,17 +58,17 @@ public:
   using PointType = itk::ImageBase<3>::PointType;
   using VectorType = itk::Vector<double, 3>;
 
-  /** Throws std::invalid_argument for an elevation beyond 90 degrees, a zoom that is not positive, or no pixels. */
+  /** Throws std::invalid_argument for an elevation beyond 90 degrees, a nonpositive zoom, or an empty picture. */
   PatientView(const itk::ImageBase<3> * volume, const itk::ImageRegion<3> & focus, const PatientViewOptions & options);
 
-  /** Shows so many mm on each side of the centre, along GetRight() and GetUp(). Throws the same. */
+  /** Shows these distances (mm) on each side of the center, along GetRight() and GetUp(). Throws the same. */
   PatientView(const PointType & center, double halfWidth, double halfHeight, const PatientViewOptions & options);
 
-  /** The place in the picture, in pixels (x to the right, y downwards), of a physical point. */
+  /** Picture position, in pixels (x to the right, y downwards), of a physical point. */
   itk::Point<double, 2>
   Project(const PointType & point) const;
 
-  /** The point of the picture plane (through the centre of the focus) that is seen in pixel (x, y). */
+  /** Point of the picture plane (through the center of the focus) at pixel (x, y). */
   PointType
   PointOfPixel(double x, double y) const;
 
@@ -82,7 +82,7 @@ public:
   {
     return m_Up;
   }
-  /** From the viewer into the picture. */
+  /** View direction, from the viewer into the picture. */
   const VectorType &
   GetForward() const
   {
@@ -93,7 +93,7 @@ public:
   {
     return m_MillimetresPerPixel;
   }
-  /** The middle of the picture, in pixels, and what is seen there. */
+  /** Center of the picture, in pixels, and the point shown there. */
   double
   GetMiddleX() const
   {

@@ -19,7 +19,7 @@ using RGBColor = itk::RGBPixel<unsigned char>;
 PictureKit_EXPORT RGBColor
 MakeColor(unsigned char red, unsigned char green, unsigned char blue);
 
-/** The colour `share` of the way from `from` (0) to `to` (1).
+/** Color interpolated between `from` (`share` 0) and `to` (1).
  * \ingroup PictureKit */
 PictureKit_EXPORT RGBColor
 MixColors(const RGBColor & from, const RGBColor & to, double share);
@@ -29,24 +29,24 @@ MixColors(const RGBColor & from, const RGBColor & to, double share);
  * \ingroup PictureKit */
 using Picture = itk::Image<RGBColor, 2>;
 
-/** A picture of one colour. Throws std::invalid_argument when a side is 0.
+/** A picture filled with one color. Throws std::invalid_argument if a side is 0.
  * \ingroup PictureKit */
 PictureKit_EXPORT Picture::Pointer
                   NewPicture(unsigned int width, unsigned int height, const RGBColor & background);
 
-/** Writes PNG, whatever the extension of `path`. Throws OutputError, also when the disk is full.
+/** Writes PNG, independent of the extension of `path`. Throws OutputError, also if the disk is full.
  * \ingroup PictureKit */
 PictureKit_EXPORT void
 WritePng(const Picture * picture, const std::string & path);
 
-/** A picture that is still to be drawn, and the file that it goes to. \ingroup PictureKit */
+/** A function that draws a picture, and the file to write it to. \ingroup PictureKit */
 struct PictureFile
 {
   std::string                       path;
   std::function<Picture::Pointer()> draw;
 };
 
-/** Draws pictures beside each other and writes each as PNG. Throws what drawing and WritePng() throw.
+/** Draws pictures in parallel and writes each as PNG. Throws the exceptions of drawing and of WritePng().
  * \ingroup PictureKit */
 PictureKit_EXPORT void
 WritePngs(const std::vector<PictureFile> & files);
@@ -62,12 +62,12 @@ FillRectangle(Picture *        picture,
               const RGBColor & color,
               double           opacity = 1.0);
 
-/** The outermost pixels, `thickness` deep, of that rectangle.
+/** Draws the border of that rectangle, `thickness` pixels wide, inside it.
  * \ingroup PictureKit */
 PictureKit_EXPORT void
 DrawRectangle(Picture * picture, int left, int top, int width, int height, const RGBColor & color, int thickness = 1);
 
-/** A straight antialiased line, `thickness` pixels wide; (x, y) is the centre of pixel (x, y).
+/** Draws a straight antialiased line, `thickness` pixels wide; (x, y) is the center of pixel (x, y).
  * \ingroup PictureKit */
 PictureKit_EXPORT void
 DrawLine(Picture *        picture,
@@ -79,12 +79,12 @@ DrawLine(Picture *        picture,
          double           thickness = 1.0,
          double           opacity = 1.0);
 
-/** Copies `source` with its upper left pixel to (left, top).
+/** Copies `source` so that its upper left pixel is at (left, top).
  * \ingroup PictureKit */
 PictureKit_EXPORT void
 PastePicture(Picture * picture, const Picture * source, int left, int top);
 
-/** Where a text lies relative to its anchor point.
+/** Horizontal position of a text relative to its anchor point.
  * \ingroup PictureKit */
 enum class HorizontalAnchor
 {
@@ -92,7 +92,7 @@ enum class HorizontalAnchor
   Center,
   Right
 };
-/** Which part of a text its vertical place means. \ingroup PictureKit */
+/** The part of a text at its vertical anchor. \ingroup PictureKit */
 enum class VerticalAnchor
 {
   Top,
@@ -100,44 +100,44 @@ enum class VerticalAnchor
   Bottom
 };
 
-/** How a text is set: the sans-serif face inside VTK, so that it looks the same on every machine.
+/** Style of a text, in VTK's built-in sans-serif font, so that it looks the same on every machine.
  * \ingroup PictureKit */
 struct TextStyle
 {
-  /** Height of the face in pixels. */
+  /** Font height in pixels. */
   int              size{ 16 };
   RGBColor         color; ///< black
   bool             bold{ false };
   HorizontalAnchor horizontal{ HorizontalAnchor::Left };
   VerticalAnchor   vertical{ VerticalAnchor::Top };
-  /** Turned by a quarter, reading upwards; the anchors then refer to the turned text. */
+  /** Rotated by 90 degrees, reading upwards; the anchors then refer to the rotated text. */
   bool upwards{ false };
 };
 
-/** The box of a drawn text, pixels. \ingroup PictureKit */
+/** Bounding box of a drawn text, pixels. \ingroup PictureKit */
 struct TextExtent
 {
   int width{ 0 };
   int height{ 0 };
 };
 
-/** The pixels that a text takes; the height depends on the style alone. One line of UTF-8.
+/** Size of one line of UTF-8 text in pixels; the height depends only on the style.
  * \ingroup PictureKit */
 PictureKit_EXPORT TextExtent
 MeasureText(const std::string & text, const TextStyle & style);
 
-/** The style with the largest size, at most its own and at least 8, at which the text is no wider than `width` pixels.
+/** The style with the largest size, at least 8 and at most its own, at which the text fits in `width` pixels.
  * \ingroup PictureKit */
 PictureKit_EXPORT TextStyle
 FitText(const std::string & text, TextStyle style, int width);
 
-/** Draws one line of UTF-8 text at the anchor point (x, y). Needs no display. Throws std::runtime_error when the text
- * cannot be set.
+/** Draws one line of UTF-8 text at the anchor point (x, y). Needs no display. Throws std::runtime_error if the text
+ * cannot be rendered.
  * \ingroup PictureKit */
 PictureKit_EXPORT void
 DrawText(Picture * picture, const std::string & text, int x, int y, const TextStyle & style);
 
-/** DrawText() with a rim, one pixel wide, of another colour, for grounds that may be bright or dark.
+/** DrawText() with a one-pixel outline in another color, for backgrounds that may be bright or dark.
  * \ingroup PictureKit */
 PictureKit_EXPORT void
 DrawRimmedText(Picture *           picture,

@@ -7,7 +7,7 @@
 
 namespace shapeton
 {
-/** One axis of a chart: values and where they lie. \ingroup PictureKit */
+/** One axis of a chart: its values and pixels. \ingroup PictureKit */
 struct PlotAxis
 {
   std::string title;
@@ -15,7 +15,7 @@ struct PlotAxis
   double      upper{ 1.0 };
 };
 
-/** A chart with two linear axes: the pixels of its area, and the values at their borders. \ingroup PictureKit */
+/** A chart with two linear axes: the pixels of its area, and the values at its borders. \ingroup PictureKit */
 struct PlotFrame
 {
   int      left{ 0 };
@@ -25,7 +25,7 @@ struct PlotFrame
   PlotAxis x; ///< to the right
   PlotAxis y; ///< upwards
 
-  /** Where a value lies, in pixels: the lower end in the middle of the first pixel, the upper one in that of the last.
+  /** Pixel position of a value: the lower end is the center of the first pixel, the upper end that of the last.
    */
   double
   PixelOfX(double value) const
@@ -39,8 +39,8 @@ struct PlotFrame
   }
 };
 
-/** Draws grid lines, the border, ticks at round values with numbers, and titles; these lie outside of the area, at most
- * 74 pixels to the left and 52 below it. \ingroup PictureKit */
+/** Draws grid lines, the border, ticks with numbers at round values, and titles. Labels extend at most 74 pixels to the
+ * left of the area and 52 below it. \ingroup PictureKit */
 PictureKit_EXPORT void
 DrawPlotFrame(Picture * picture, const PlotFrame & frame);
 } // namespace shapeton

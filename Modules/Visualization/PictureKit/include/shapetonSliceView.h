@@ -13,7 +13,7 @@
 
 namespace shapeton
 {
-/** Grey values: lower is black, upper is white. The default stands for the 0.5 % and 99.5 % quantiles of the image.
+/** Intensity window: lower is black, upper is white. The default means the 0.5 % and 99.5 % quantiles of the image.
  * \ingroup PictureKit */
 struct IntensityWindow
 {
@@ -21,7 +21,7 @@ struct IntensityWindow
   double upper{ 0.0 };
 };
 
-/** The planes of a patient in which slices are shown. \ingroup PictureKit */
+/** Anatomical planes of slices. \ingroup PictureKit */
 enum class SlicePlane
 {
   Axial,
@@ -33,7 +33,7 @@ enum class SlicePlane
 PictureKit_EXPORT std::string
                   NameOf(SlicePlane plane);
 
-/** The axes of a volume in the picture of a slice, and whether the picture runs against the index.
+/** Volume axes of the picture of a slice, and whether they are flipped.
  * \ingroup PictureKit */
 struct SliceAxes
 {
@@ -44,25 +44,25 @@ struct SliceAxes
   bool         isDownReversed{ false };
 };
 
-/** The radiological way, as near as the volume's own axes allow: axial with the patient's right at the left and
+/** Radiological convention, as closely as the volume's own axes allow: axial with the patient's right at the left and
  * anterior on top; coronal with right at the left and the head on top; sagittal with anterior at the left and the head
  * on top. \ingroup PictureKit */
 PictureKit_EXPORT SliceAxes
 AxesOf(const itk::ImageBase<3> * volume, SlicePlane plane);
 
 /** \class SliceView
- * \brief Where the voxels of a slice, or of a part of it, lie in its picture.
+ * \brief Mapping between the voxels of a slice, or of a part of it, and its picture.
  *
- * A slice follows two of the volume's own axes; the picture has one scale in mm, whatever the spacing.
+ * A slice follows two of the volume's own axes; the picture has one scale in mm, independent of the spacing.
  *
  * \ingroup PictureKit
  */
 class PictureKit_EXPORT SliceView
 {
 public:
-  /** The voxels of `focus` fill the picture; `slice` is an index along the axis through it. Throws
-   * std::invalid_argument for a focus that is empty or outside of the volume, a slice outside of it, or a scale that is
-   * not positive. The volume must outlive the view. */
+  /** The voxels of `focus` fill the picture; `slice` is an index along the axis perpendicular to it. Throws
+   * std::invalid_argument for a focus that is empty or outside the volume, a slice outside it, or a nonpositive scale.
+   * The volume must outlive the view. */
   SliceView(const itk::ImageBase<3> *   volume,
             const itk::ImageRegion<3> & focus,
             SlicePlane                  plane,
@@ -105,18 +105,18 @@ public:
     return m_Volume;
   }
 
-  /** Of the picture, in LPS. */
+  /** Direction of a picture axis, in LPS. */
   itk::Vector<double, 3>
   GetRight() const;
   itk::Vector<double, 3>
   GetUp() const;
 
-  /** The place in the volume of the middle of a pixel, inside of the focus. */
+  /** Volume position of the center of a pixel, inside the focus. */
   itk::ContinuousIndex<double, 3>
   IndexOfPixel(int x, int y) const;
 
-  /** The place in the picture, in pixels, of a place in the volume; what lies off the slice is projected along the axis
-   * through it. */
+  /** Picture position, in pixels, of a volume position; positions off the slice are projected along the perpendicular
+   * axis. */
   itk::Point<double, 2>
   PixelOf(const itk::ContinuousIndex<double, 3> & index) const;
 
@@ -130,20 +130,20 @@ private:
   unsigned int              m_Height;
 };
 
-/** A slice in grey, linear between its voxels. \pre The image has the geometry of the view's volume.
+/** A slice in grey, linearly interpolated. \pre The image has the geometry of the view's volume.
  * \ingroup PictureKit */
 PictureKit_EXPORT Picture::Pointer
                   PaintSlice(const SliceView & view, const itk::Image<float, 3> * grey, const IntensityWindow & window);
 
-/** Lays colours over the pixels of voxels; none leaves the picture as it is. \ingroup PictureKit */
+/** Blends colors over the pixels of voxels; an empty color leaves the picture unchanged. \ingroup PictureKit */
 PictureKit_EXPORT void
 ColorSlice(Picture *                                                             picture,
            const SliceView &                                                     view,
            const std::function<std::optional<RGBColor>(const itk::Index<3> &)> & colorOf,
            double                                                                opacity);
 
-/** Draws the border of a set of voxels: between the centres of a voxel inside and one outside, in the middle (marching
- * squares). What lies outside of the view's focus counts as outside. \ingroup PictureKit */
+/** Draws the border of a set of voxels, halfway between the centers of a voxel inside and one outside (marching
+ * squares). Voxels outside the view's focus count as outside. \ingroup PictureKit */
 PictureKit_EXPORT void
 DrawMaskOutline(Picture *                                          picture,
                 const SliceView &                                  view,
@@ -151,7 +151,7 @@ DrawMaskOutline(Picture *                                          picture,
                 const RGBColor &                                   color,
                 double                                             thickness);
 
-/** Draws the line in which a slice cuts a surface. \ingroup PictureKit */
+/** Draws the intersection of a slice with a surface. \ingroup PictureKit */
 PictureKit_EXPORT void
 DrawSurfaceCut(Picture *           picture,
                const SliceView &   view,
@@ -159,7 +159,7 @@ DrawSurfaceCut(Picture *           picture,
                const RGBColor &    color,
                double              thickness);
 
-/** The letters of the patient's sides at the borders of a slice. \ingroup PictureKit */
+/** Draws the orientation letters at the borders of a slice. \ingroup PictureKit */
 PictureKit_EXPORT void
 DrawSliceLetters(Picture * picture, const SliceView & view);
 } // namespace shapeton

@@ -20,18 +20,18 @@ namespace shapeton
 struct SurfaceActor
 {
   const SurfaceMesh * surface{ nullptr };
-  /** Where neither vertices nor faces have colours. */
+  /** Used if neither vertices nor faces have colors. */
   RGBColor color{ MakeColor(226, 178, 164) };
-  /** One for each vertex, blended over the faces; or none. */
+  /** Empty, or one color per vertex, interpolated over the faces. */
   std::vector<RGBColor> vertexColors;
-  /** One for each face; or none. They win over those of the vertices. */
+  /** Empty, or one color per face; these override vertex colors. */
   std::vector<RGBColor> faceColors;
-  /** In (0, 1]; 1 hides what is behind. Less looks like a double-contrast X-ray: a face seen edge-on is denser than one
-   * seen from the front, so that contours stay clear and what lies inside is seen. */
+  /** In (0, 1]; 1 is opaque. Lower values resemble a double-contrast X-ray: a face seen edge-on is denser than one seen
+   * from the front, so that contours stay clear and the interior is visible. */
   double opacity{ 1.0 };
 };
 
-/** Curves in a scene, drawn as tubes; a curve of one vertex is a ball. Not owned.
+/** Curves in a scene, drawn as tubes; a curve with one vertex is a ball. Not owned.
  * \ingroup PictureKit */
 struct CurveActor
 {
@@ -39,11 +39,11 @@ struct CurveActor
   /** mm. */
   double   radius{ 1.5 };
   RGBColor color{ MakeColor(255, 255, 255) };
-  /** One for each vertex of the set; or none. */
+  /** Empty, or one color per vertex of the set. */
   std::vector<RGBColor> vertexColors;
 };
 
-/** A ball with a name beside it.
+/** A ball with a label.
  * \ingroup PictureKit */
 struct MarkerActor
 {
@@ -55,7 +55,7 @@ struct MarkerActor
   std::string label;
 };
 
-/** What a picture shows.
+/** Content of a picture.
  * \ingroup PictureKit */
 struct SurfaceScene
 {
@@ -64,33 +64,33 @@ struct SurfaceScene
   std::vector<MarkerActor>  markers;
 };
 
-/** How a scene is shown.
+/** View and annotations of a scene.
  * \ingroup PictureKit */
 struct SurfaceRenderingOptions : PatientViewOptions
 {
-  /** Above the picture; none takes no room. */
+  /** Title above the picture; an empty title takes no space. */
   std::string title;
-  /** At the right of the picture. */
+  /** Color bar at the right of the picture. */
   std::optional<ColorScale> colorBar;
-  /** In the upper left corner. */
+  /** Legend in the upper left corner. */
   std::vector<LegendEntry> legend;
   /** Orientation letters at the borders and a scale bar. */
   bool annotations{ true };
-  /** Darkens solid surfaces where they lie behind their surroundings, so that loops stand apart; 0 for none (where
-   * colours are values to be read), 1 is strong. */
+  /** Darkens opaque surfaces that are behind their surroundings, to separate overlapping loops; 0 for none (if colors
+   * encode values), 1 is strong. */
   double depthShading{ 0.6 };
 };
 
-/** A picture of surfaces, curves and markers in a parallel projection that shows all of them at zoom 1.
+/** Renders surfaces, curves and markers in a parallel projection that shows all of them at zoom 1.
  *
- * Drawn with a depth buffer on the CPU: 3 x 3 samples for each pixel, normals blended over the faces, light from over
- * the viewer's left shoulder, both sides of a face alike. Opaque things hide each other sample by sample; see-through
- * ones (SurfaceActor::opacity) lie over what is behind them whatever their order, and hide nothing. Equal input gives
- * equal bytes for any number of threads; ITK's global default number is used. Memory: about 30 bytes for each vertex
- * and face, and 5 for each pixel.
+ * Drawn with a depth buffer on the CPU: 3 x 3 samples per pixel, interpolated normals, light from above the viewer's
+ * left shoulder, two-sided faces. Opaque objects hide each other sample by sample. Transparent ones
+ * (SurfaceActor::opacity) are blended over the objects behind them in any order, and hide nothing. Equal input gives
+ * equal bytes for any number of threads; ITK's global default number is used. Memory: about 30 bytes per vertex and
+ * face, and 5 per pixel.
  *
- * Throws std::invalid_argument for a scene without anything, a null pointer, colours that do not match in number, an
- * index out of range, an opacity or radius out of range, and for wrong options (see PatientView).
+ * Throws std::invalid_argument for an empty scene, a null pointer, a wrong number of colors, an index out of range, an
+ * opacity or radius out of range, and wrong options (see PatientView).
  * \ingroup PictureKit */
 PictureKit_EXPORT Picture::Pointer
                   RenderSurfaces(const SurfaceScene & scene, const SurfaceRenderingOptions & options = {});

@@ -5,14 +5,14 @@
 
 namespace shapeton
 {
-/** A mesh and a colour for each of its vertices. */
+/** A mesh with a color per vertex. */
 struct ColoredMesh
 {
   SurfaceMesh           mesh;
   std::vector<RGBColor> colors;
 };
 
-/** The curves as tubes with round ends. */
+/** The curves as tubes with round caps. */
 ColoredMesh
 TubesAround(const CurveActor & actor);
 

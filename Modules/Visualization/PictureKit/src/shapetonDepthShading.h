@@ -9,19 +9,19 @@
 namespace shapeton
 {
 /** \class DepthShading
- * \brief Darkens what lies farther away than the mean of its surroundings (Luft, Colditz, Deussen: Image enhancement by
- * unsharp masking the depth buffer, 2006). Samples without depth take no part. */
+ * \brief Darkens samples that are farther away than the mean of their surroundings (Luft, Colditz, Deussen: Image
+ * enhancement by unsharp masking the depth buffer, 2006). Samples without depth are ignored. */
 class DepthShading
 {
 public:
-  /** `strength` in [0, 1]: the share of light that is taken at most. */
+  /** `strength` in [0, 1]: the maximum fraction of light removed. */
   DepthShading(const std::vector<SeenSample> & samples,
                unsigned int                    width,
                unsigned int                    height,
                double                          millimetresPerPixel,
                double                          strength);
 
-  /** The share of light that a sample of a pixel keeps. */
+  /** Fraction of light that a sample of a pixel keeps. */
   float
   LightOf(const SeenSample & sample, std::size_t pixel) const
   {
@@ -33,8 +33,8 @@ public:
   }
 
 private:
-  std::vector<float> m_MeanDepth; ///< of the surroundings of each pixel
-  float              m_DarkDepth; ///< mm behind them that are darkest
+  std::vector<float> m_MeanDepth; ///< mean depth around each pixel
+  float              m_DarkDepth; ///< distance behind them of maximum darkening, mm
   float              m_Strength;
 };
 } // namespace shapeton

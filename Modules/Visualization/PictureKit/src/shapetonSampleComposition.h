@@ -5,7 +5,7 @@
 
 namespace shapeton
 {
-/** The mean of the samples of each pixel over the background. */
+/** Averages the samples of each pixel over the background. */
 void
 ComposeSamples(Picture *                       picture,
                const std::vector<SeenSample> & samples,

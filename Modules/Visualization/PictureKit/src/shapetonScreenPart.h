@@ -9,23 +9,23 @@
 
 namespace shapeton
 {
-/** Samples for each pixel along a side. */
+/** Samples per pixel along each side. */
 constexpr int samplesAlongPixel = 3;
-/** Places on the screen are whole numbers of this part of a sample: what two faces share is the same for both, so that
- * no gap opens between them and no sample counts twice. */
+/** Screen positions are multiples of this fraction of a sample. Shared edges are therefore identical for both faces, so
+ * there are no gaps and no sample counts twice. */
 constexpr int subsamples = 64;
 
-/** A vertex as the picture sees it. */
+/** A projected vertex. */
 struct ScreenVertex
 {
-  int   x; ///< to the right, in parts of a sample
-  int   y; ///< downwards
-  float z; ///< mm away from the viewer
-  /** To the right, up, towards the viewer; of length 1, or 0 where there is none. */
+  int   x; ///< to the right, in subsamples
+  int   y; ///< downwards, in subsamples
+  float z; ///< depth away from the viewer, mm
+  /** Components to the right, up and towards the viewer; unit length, or 0 without a normal. */
   float normal[3];
 };
 
-/** A mesh as the picture sees it. The faces are not owned. */
+/** A projected mesh. The faces are not owned. */
 struct ScreenPart
 {
   std::vector<ScreenVertex> vertices;
@@ -34,19 +34,19 @@ struct ScreenPart
   std::vector<RGBColor>     faceColors;
   RGBColor                  color;
   float                     opacity{ 1.0F };
-  /** Whether what lies behind its surroundings is darkened: not where the colour is a value to be read. */
+  /** Whether depth shading applies; false if colors encode values. */
   bool hasDepthShading{ true };
 };
 
-/** A place in pixels as a ScreenVertex has it. */
+/** Converts a position in pixels to the units of ScreenVertex. */
 int
 ScreenPlace(double pixel);
 
-/** The sum of the normals of the faces around each vertex, by area, to length 1. */
+/** Area-weighted vertex normals of unit length. */
 VertexMatrix
 VertexNormals(const VertexMatrix & V, const FaceMatrix & F);
 
-/** Without colours. */
+/** Projects a mesh, without colors. */
 ScreenPart
 ProjectMesh(const SurfaceMesh & mesh, const PatientView & view);
 } // namespace shapeton

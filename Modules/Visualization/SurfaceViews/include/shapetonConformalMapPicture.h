@@ -10,34 +10,34 @@
 
 namespace shapeton
 {
-/** \defgroup PlanePattern Patterns that a map takes from the plane to a surface
- * The colour of each place (u, v). \ingroup SurfaceViews */
+/** \defgroup PlanePattern Patterns mapped from the plane to a surface
+ * A pattern gives the color of each point (u, v). \ingroup SurfaceViews */
 ///@{
 using PlanePattern = std::function<RGBColor(double u, double v)>;
 
-/** Squares of two colours with the given side. Throws std::invalid_argument unless it is positive. */
+/** Checkerboard of two colors with the given side. Throws std::invalid_argument unless it is positive. */
 SurfaceViews_EXPORT PlanePattern
 Checkerboard(double side);
 
-/** `around` checks of equal angle about (0, 0), rings of the same aspect: squares for a conformal map of an annulus.
- * Throws std::invalid_argument unless `around` is even and positive. */
+/** Polar checkerboard: `around` checks of equal angle around (0, 0), and rings of the same aspect ratio; squares for a
+ * conformal map of an annulus. Throws std::invalid_argument unless `around` is even and positive. */
 SurfaceViews_EXPORT PlanePattern
 PolarCheckerboard(int around);
 
-/** Bands of constant u of the given width, coloured from blue (`lower`) to red (`upper`) with a dark line between.
+/** Bands of constant u of the given width, colored from blue (`lower`) to red (`upper`), separated by dark lines.
  * Throws std::invalid_argument unless the numbers ascend and the width is positive. */
 SurfaceViews_EXPORT PlanePattern
 LevelSets(double lower, double upper, double width);
 ///@}
 
-/** The surface on the plane: its vertices at (u, 0, v), which a view from the patient's front shows with u to the right
+/** The surface mapped to the plane: vertices at (u, 0, v), so that a view from the patient's front shows u to the right
  * and v up. \ingroup SurfaceViews */
 SurfaceViews_EXPORT SurfaceMesh
 PlaneOf(const SurfaceMesh & flat, const Eigen::MatrixX2d & uv);
 
-/** Draws `shape` in the colours that the pattern has at `uv`, which has a row for each vertex; edges of the pattern are
- * finer than the faces. `boundaries` are drawn on top, each in a colour of its own (the first one yellow),
- * and may be empty. Options: as for RenderSurfaces(). \ingroup SurfaceViews */
+/** Draws `shape` in the colors of the pattern at `uv`, which has a row for each vertex; the pattern is resolved more
+ * finely than the faces. `boundaries` may be empty; they are drawn on top, each in its own color (the first one
+ * yellow). Options: as for RenderSurfaces(). \ingroup SurfaceViews */
 SurfaceViews_EXPORT Picture::Pointer
                     DrawPattern(const SurfaceMesh &               shape,
                                 const Eigen::MatrixX2d &          uv,
@@ -45,18 +45,18 @@ SurfaceViews_EXPORT Picture::Pointer
                                 const std::vector<BoundaryLoop> & boundaries,
                                 const SurfaceRenderingOptions &   options);
 
-/** Sets azimuth and elevation so that a viewer faces most of an open surface, its mean normal; from the front where it
- * has none, as where it is closed. \ingroup SurfaceViews */
+/** Sets azimuth and elevation to view an open surface along its mean normal; from the front if this is zero, for
+ * example for a closed surface. \ingroup SurfaceViews */
 SurfaceViews_EXPORT void
 LookAtSurface(const SurfaceMesh & mesh, PatientViewOptions & options);
 
 /** Size and checks of a picture of a conformal map. \ingroup SurfaceViews */
 struct ConformalMapPictureOptions
 {
-  /** Of the whole picture, pixels. */
+  /** Width of the whole picture, pixels. */
   unsigned int width{ 1600 };
   unsigned int height{ 800 };
-  /** Number of checks around an annulus, even, or along the longer side of a rectangle. */
+  /** Number of checks around an annulus (even), or along the longer side of a rectangle. */
   int checks{ 36 };
 };
 
@@ -65,10 +65,11 @@ struct ConformalMapPictureOptions
 SurfaceViews_EXPORT Picture::Pointer
                     DrawConformalMap(const ConformalMap & map, const ConformalMapPictureOptions & options = {});
 
-/** The holomorphic 1-forms of a surface, a row for each inner boundary (dissertation, Figure 5.3 d to f): level sets,
- * 20 from 0 to 1, of the harmonic function that is 1 on this boundary and 0 on the others, those of its conjugate at
- * the same distance, and both as a checkerboard. Throws as HolomorphicFormsOf() does. `panel`: side of one view,
- * pixels. \ingroup SurfaceViews */
+/** Draws the holomorphic 1-forms of a surface, a row for each inner boundary (dissertation, Figure 5.3 d to f): 20
+ * level sets from 0 to 1 of the harmonic function that is 1 on this boundary and 0 on the others, equally spaced level
+ * sets of its conjugate, and both as a checkerboard. Throws as HolomorphicFormsOf() does. `panel`: side of one view,
+ * pixels.
+ * \ingroup SurfaceViews */
 SurfaceViews_EXPORT Picture::Pointer
                     DrawHolomorphicForms(const ConformalMap & map, unsigned int panel = 480);
 } // namespace shapeton

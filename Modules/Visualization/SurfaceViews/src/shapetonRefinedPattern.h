@@ -5,15 +5,15 @@
 
 namespace shapeton
 {
-/** A surface with a colour for each face. */
+/** A surface with a color per face. */
 struct ColoredSurface
 {
   SurfaceMesh           mesh;
   std::vector<RGBColor> faceColors;
 };
 
-/** The surface, its faces cut in four until there are enough of them to show a pattern, each in the colour that it has
- * at its centre. */
+/** The surface with faces subdivided 1-to-4 until they resolve the pattern, each in the pattern's color at its center.
+ */
 ColoredSurface
 RefineForPattern(const SurfaceMesh & shape, const Eigen::MatrixX2d & uv, const PlanePattern & pattern);
 } // namespace shapeton
