@@ -63,7 +63,7 @@ Finding(const PolypCandidate &       candidate,
   return finding;
 }
 
-/** TID 4015: what was looked for. */
+/** TID 4015: the detections performed. */
 DicomContent
 Detections(const ColonExamination & exam, const DicomResultHeader & header)
 {
@@ -79,7 +79,7 @@ Detections(const ColonExamination & exam, const DicomResultHeader & header)
     ContainerContent("INFERRED FROM", { "111063", "DCM", "Successful Detections" }, { performed }));
   return summary;
 }
-/** Nothing that was found is told from nothing that was looked for. */
+/** Distinguishes "no findings" from "not searched". */
 DicomCode
 StateOf(const ColonExamination & exam)
 {

@@ -33,7 +33,7 @@ ReadSourceOf(const ColonExamination & exam, const std::string & path)
   return source;
 }
 
-/** The objects name the run, not the program that wrote them. Numbers of series follow each other. */
+/** The objects name the run, not the program that wrote them. Series numbers are consecutive. */
 DicomResultHeader
 HeaderOf(const ColonExamination & exam, int number, const std::string & what)
 {
@@ -41,7 +41,7 @@ HeaderOf(const ColonExamination & exam, int number, const std::string & what)
   return { "VirtualColonoscopy", version, 9000 + number, "Research: " + what };
 }
 
-/** The flat colon, where there is one, and the wall. */
+/** Writes the wall, and the flat colon if there is one. */
 void
 WritePictures(ColonExamination &  exam,
               const DicomSource & series,

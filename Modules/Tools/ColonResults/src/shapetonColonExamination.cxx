@@ -29,7 +29,7 @@ ReadLabels(const std::string & path)
   return ReadImage<DicomLabelImage>(path, itk::NrrdImageIO::New(), "run VirtualColonoscopy again");
 }
 
-/** By what the run knows its series: the UID that it read, and the digest of its files. */
+/** Checks the series that the run read: its UID, and the digest of its files. */
 void
 TakeSource(ColonExamination & exam)
 {

@@ -11,7 +11,7 @@ namespace
 {
 using namespace colonterms;
 
-/** What is not known is left out. */
+/** Adds a measurement; unknown values are left out. */
 void
 Add(DicomMeasurementGroup &  group,
     const DicomCode &        name,
@@ -64,7 +64,7 @@ GroupOf(const PolypCandidate & candidate, const ColonSegmentsAsDicom & segments)
   return group;
 }
 
-/** Of the centreline's points in the segment; not a number where there is none. */
+/** Computed over the centreline points in the segment; NaN if there are none. */
 double
 MeanDiameter(const CurveSet & centreline, const ColonSegmentExtent & segment)
 {

@@ -18,10 +18,10 @@ namespace
 constexpr unsigned short ileumLabel = 3;
 constexpr unsigned short foldLabel = 4;
 
-/** The tissue near a face belongs to its fold. */
+/** Tissue within this distance of a face belongs to its fold. */
 constexpr double foldDepth = 2.0; // mm
 
-/** Marks voxels that are nothing yet. */
+/** Labels voxels that have no label yet. */
 class VoxelPainter
 {
 public:
@@ -42,8 +42,8 @@ private:
   unsigned short    m_Label;
 };
 
-/** Places of a triangle, no further apart than `step`, and from each to both sides as far as a fold is deep: what is
- * lumen stays lumen, so that the side does not matter. */
+/** Sample points of a triangle at most `step` apart, each extended to both sides by the depth of a fold. Lumen voxels
+ * stay lumen, so the side does not matter. */
 void
 PaintNear(const Eigen::Matrix3d & corners, double step, VoxelPainter & painter)
 {
@@ -87,7 +87,7 @@ ColonMask(const DicomLabelImage * lumen)
 ColonSegmentsAsDicom::ColonSegmentsAsDicom(const ColonExamination & exam) : m_Exam(exam), m_Parts(exam.lumen)
 {
   this->AddLumen();
-  this->AddHeads(); // before folds: a polyp on a fold is a polyp
+  this->AddHeads(); // before folds, so that a polyp on a fold stays a polyp
   this->AddFolds();
   this->AddColonSegments();
 }

@@ -36,7 +36,7 @@ std::vector<int>
 LumenSegmentsOf(const DicomSegmentationFile & file)
 {
   std::vector<int> numbers;
-  bool             hasGas = false; // fluid alone is no lumen
+  bool             hasGas = false; // fluid alone does not count as a lumen
   for (const DicomSegmentInFile & segment : file.segments)
   {
     hasGas = hasGas || segment.type == colonterms::gas;

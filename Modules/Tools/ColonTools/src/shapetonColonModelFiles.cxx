@@ -15,7 +15,7 @@ namespace shapeton
 {
 namespace
 {
-/** Whole HU, as a scanner gives them. */
+/** Rounded to integer HU, as in the original scan. */
 itk::Image<short, 3>::Pointer
 RoundedToHU(const itk::Image<float, 3> * image)
 {
@@ -38,7 +38,7 @@ WithProvenance(CurveSet curves, const CommandLine & commandLine)
   return curves;
 }
 
-/** The labels of the lumen, and 3 for the terminal ileum. */
+/** The labels of the lumen, with 3 for the terminal ileum. */
 itk::Image<unsigned char, 3>::Pointer
 LabelsOf(const ColonModel & model)
 {
@@ -161,11 +161,11 @@ ColonModelFiles::WriteFiles(const std::vector<File> & files)
 void
 ColonModelFiles::WriteBeside(ColonModelOptions & options)
 {
-  options.facts = ProvenanceMetadata(m_CommandLine.GetProvenance()); // not added later, which would take a copy
+  options.facts = ProvenanceMetadata(m_CommandLine.GetProvenance()); // adding it later would copy
   options.onCleansed = [this](const auto * cleansed) { this->WriteFiles({ this->CleansedFile(cleansed) }); };
   options.besideWall = [this](const ColonModel & model) { this->WriteFiles({ this->LumenFile(model) }); };
   options.besideSimplification = [this](const SurfaceMesh & raw, const SurfaceMesh & repaired) {
-    for (const File & file : WallsOf(raw, repaired)) // one after the other, which takes half of the memory
+    for (const File & file : WallsOf(raw, repaired)) // sequentially, to halve the memory
     {
       this->WriteFiles({ file });
     }

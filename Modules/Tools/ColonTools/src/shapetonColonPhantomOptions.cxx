@@ -13,7 +13,7 @@ namespace shapeton
 {
 namespace
 {
-// A value that is that of the description's default counts as not given.
+// A value equal to the default of the module description counts as not given.
 template <typename TNumber>
 void
 Override(const CommandLine & commandLine, const char * name, TNumber & value)
@@ -55,7 +55,7 @@ Override(const CommandLine & commandLine, const char * name, std::vector<std::st
   }
 }
 
-// Of a part that `standard` and `hard` do not have.
+// For options of structures that `standard` and `hard` do not have.
 template <typename TValue>
 void
 OverridePart(CommandLine & commandLine, const char * name, TValue & value)
@@ -131,7 +131,7 @@ ReadPhantomCenter(CommandLine & commandLine)
   {
     commandLine.LeaveOutOfProvenance("center");
   }
-  constexpr double          farthest = 1000.0; // mm; nothing of the patient is farther away
+  constexpr double          farthest = 1000.0; // mm; larger than any patient
   const std::vector<double> numbers = commandLine.GetDoubles("center");
   RequireParameter(numbers.size() == 3,
                    "the parameter \"center\" needs 3 numbers, not " + std::to_string(numbers.size()));

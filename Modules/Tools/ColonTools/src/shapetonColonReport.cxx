@@ -10,7 +10,7 @@ namespace shapeton
 {
 namespace
 {
-/** Writes pictures beside the page and into it. */
+/** Writes pictures as files and embeds them into the page. */
 class PicturePages
 {
 public:

@@ -186,7 +186,7 @@ StructuresToJson(const Provenance & provenance, const ColonAnatomy & anatomy, co
   json["provenance"] = ProvenanceToJson(provenance);
   json["labels"] = { { "valve", 1 }, { "ileum", 2 },  { "ileumWall", 3 }, { "catheter", 4 },   { "balloon", 5 },
                      { "stool", 6 }, { "bubble", 7 }, { "foam", 8 },      { "smallBowel", 9 }, { "stomach", 10 } };
-  // The files of patients without them stay as they were.
+  // Files of patients without diverticula keep their bytes.
   if (anatomy.GetParameters().diverticula > 0)
   {
     json["labels"]["diverticulum"] = static_cast<int>(ColonStructure::Diverticulum);

@@ -31,7 +31,7 @@ const std::vector<std::string> matchColumns{
 const std::vector<std::string> pointColumns{ "sx", "sy", "sz", "px", "py", "pz" };
 const std::vector<std::string> errorColumns{ "sx", "sy", "sz", "px", "py", "pz", "kind", "inSpace", "onMap" };
 
-/** Not the folder of an examination or of one of its stages, where names would meet. */
+/** Rejects the folder of an examination or of one of its stages, where file names would collide. */
 void
 RequireOwnFolder(const std::string & folder, const std::string & examination)
 {
@@ -54,7 +54,7 @@ PointOf(const CsvFile & file, std::size_t row, const std::string & prefix)
   return { file.Number(row, prefix + "x"), file.Number(row, prefix + "y"), file.Number(row, prefix + "z") };
 }
 
-/** To a thousandth, of mm or of a share: more is not known. Empty for what is no number. */
+/** Rounded to 0.001 (mm or fraction), the meaningful precision. Empty for NaN. */
 std::string
 Cell(double value)
 {
@@ -139,7 +139,7 @@ ReadErrors(const std::string & path, RegistrationResults & results)
   }
 }
 
-/** Where a document lacks it: not a number. */
+/** NaN if the document lacks it. */
 double
 NumberAt(const Json & json, const char * key)
 {

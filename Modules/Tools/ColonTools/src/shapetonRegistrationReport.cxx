@@ -11,7 +11,7 @@ namespace
 {
 using Facts = std::vector<std::pair<std::string, std::string>>;
 
-/** An empty text for what is not known. */
+/** Empty text for an unknown value. */
 std::string
 Rounded(const Json & value, int digits = 3)
 {

@@ -29,7 +29,7 @@ Percentages(const std::vector<int> & histogram)
   return percentages;
 }
 
-/** Bars that fill a half of each part of the axis, the left or the right one. */
+/** Draws bars that fill the left or the right half of each bin. */
 void
 DrawBars(Picture *                   picture,
          const PlotFrame &           frame,

@@ -30,7 +30,7 @@ Percent(double share)
   return share < 0.0 ? "" : Rounded(std::round(100.0 * share), 3) + " %";
 }
 
-/** A number of a document, or not a number. */
+/** A number of a document, or NaN. */
 double
 NumberAt(const Json & document, const char * pointer)
 {
@@ -39,7 +39,7 @@ NumberAt(const Json & document, const char * pointer)
                                                                  : std::numeric_limits<double>::quiet_NaN();
 }
 
-/** "at 228 cm, confidence .97", or why not. */
+/** "at 228 cm, confidence .97", or the reason why it is missing. */
 std::string
 ValveInWords(const Json & valve)
 {
@@ -97,7 +97,7 @@ AddMapFacts(const Json & statistics, ColonoscopyFacts & facts)
   }
 }
 
-/** Of a curve, by a cell array. */
+/** Value of a curve in a cell array. */
 double
 CellValue(const CurveSet & curves, const char * array, std::size_t curve)
 {
@@ -142,7 +142,7 @@ MeanConfidence(const CurveSet & curves, std::size_t curve)
   return sum / static_cast<double>(curves.curves[curve].size());
 }
 
-/** How many, by which method, and how far the other one lies from it. */
+/** Number of folds, their method, and the distance of the other result. */
 std::string
 TaeniaeInWords(const ColonoscopyResults & results)
 {
@@ -161,7 +161,7 @@ TaeniaeInWords(const ColonoscopyResults & results)
   return text;
 }
 
-/** "yes", or how much and why not. */
+/** "yes", or the fraction and the reason. */
 std::string
 AssessableInWords(const Json & landmarks, int number)
 {

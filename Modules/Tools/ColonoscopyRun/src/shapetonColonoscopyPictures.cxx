@@ -24,7 +24,7 @@ SideInWords(PatientSide side)
   return side == PatientSide::Anterior ? "front" : side == PatientSide::Posterior ? "back" : NameOf(side);
 }
 
-/** The label of a curve by a cell array; its number where there is none. */
+/** Label of a curve in a cell array; its index if there is no array. */
 int
 LabelOf(const CurveSet & curves, const char * array, std::size_t curve)
 {
@@ -124,7 +124,7 @@ AddCentreline(SurfaceScene & scene, SurfaceRenderingOptions & options, const Cur
   scene.curves.push_back(actor);
 }
 
-/** The share of the centreline between two distances with a calibre of at least 10 mm; gaps have none. */
+/** Fraction of the centreline between two distances with a caliber of at least 10 mm; gaps count as 0. */
 double
 DistendedShare(const CurveSet & centreline, double begin, double end)
 {

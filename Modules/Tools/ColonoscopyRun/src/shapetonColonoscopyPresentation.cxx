@@ -93,7 +93,7 @@ private:
     Json record;
     record["signature"] = signature;
     const auto publish = [&](const std::string & name) {
-      m_CommandLine.Publish(m_Folder + '/' + name); // the run may fail: the report is there all the same
+      m_CommandLine.Publish(m_Folder + '/' + name); // keep the report even if the run fails
       record["files"][name] = IdentityOf(m_Folder + '/' + name);
     };
     WriteColonoscopyReport(content, m_CommandLine.Output(m_Folder + "/report.html"), m_Folder + "/.report.part");

@@ -12,8 +12,8 @@ namespace shapeton
 {
 namespace
 {
-/** Puts pictures into the page alone: they pass through a folder that is removed; what a killed run leaves of it the
- * next one removes. */
+/** Embeds pictures into the page only. They are written to a temporary folder, which is removed; leftovers of a killed
+ * run are removed by the next one. */
 class PagePictures
 {
 public:
@@ -42,7 +42,7 @@ public:
     std::string                       caption;
   };
 
-  /** Those that are drawn beside each other. */
+  /** Draws several pictures in parallel. */
   void
   Add(const std::vector<Drawing> & drawings)
   {

@@ -20,7 +20,7 @@ namespace
 {
 namespace names = colonoscopystage;
 
-/** Reads the files of stages that are there. */
+/** Reads the existing files of stages. */
 class StageFiles
 {
 public:
@@ -42,7 +42,7 @@ private:
   const ColonoscopyResults & m_Results;
 };
 
-/** The centres (kind 0) among the feature points. */
+/** The centers (kind 0) among the feature points. */
 std::vector<ColonoscopyFold>
 FoldsOf(const CurveSet & features)
 {
@@ -63,7 +63,7 @@ FoldsOf(const CurveSet & features)
   return folds;
 }
 
-/** Those that the report of ColonPolyps has: the flat colon, and one for each candidate. */
+/** Pictures in the report of ColonPolyps: the flat colon, and one per candidate. */
 std::vector<std::string>
 PicturesOfPolyps(const StageFiles & files, std::size_t polyps)
 {
@@ -77,7 +77,7 @@ PicturesOfPolyps(const StageFiles & files, std::size_t polyps)
   return paths;
 }
 
-/** mm; 0 where the curve does not tell. */
+/** mm; 0 if the curve lacks the value. */
 double
 LengthOfCentreline(const CurveSet & centreline)
 {
@@ -85,7 +85,7 @@ LengthOfCentreline(const CurveSet & centreline)
   return distance && distance->values.size() > 0 ? distance->values.maxCoeff() : 0.0;
 }
 
-/** On a thread of its own, which may not start the processes that read images. */
+/** Runs in its own thread, which must not start the processes that read images. */
 void
 ReadAllButImages(const StageFiles & files, const std::string & folder, ColonoscopyResults & results)
 {

@@ -30,10 +30,10 @@ Joined(const std::vector<std::string> & words)
   return text;
 }
 
-/** Options of the registration, which change nothing that is told of one series alone. */
+/** Options of the registration; they do not affect the results of a single series. */
 const std::vector<std::string> optionsOfPair{ "matching", "refine", "segmentWise", "evaluate" };
 
-/** What comes last where it is asked for. */
+/** Final stages, if requested. */
 std::vector<ColonoscopyStage>
 LastStages(const CommandLine & commandLine, ColonoscopySeries series)
 {
@@ -42,14 +42,14 @@ LastStages(const CommandLine & commandLine, ColonoscopySeries series)
   {
     stages.push_back(StageOfDicomResults(commandLine, series));
   }
-  if (commandLine.GetFlag("viewer") && series == ColonoscopySeries::First) // shows both
+  if (commandLine.GetFlag("viewer") && series == ColonoscopySeries::First) // one page for both series
   {
     stages.push_back(StageOfViewer(commandLine));
   }
   return stages;
 }
 
-/** The stages of one series in its folder. */
+/** Runs the stages of one series in its folder. */
 class SeriesRun
 {
 public:
@@ -73,7 +73,7 @@ public:
     }
   }
 
-  /** All up to the first that fails; they take `share` of the time of the whole run. */
+  /** Runs all stages until one fails; they account for `share` of the progress of the whole run. */
   bool
   Run(const std::vector<ColonoscopyStage> & stages, double begin, double share)
   {
@@ -89,8 +89,8 @@ public:
     return true;
   }
 
-  /** Two stages, neither of which takes a result of the other: beside each other where threads allow it, and both even
-   * if one fails. Progress is that of the second one then, which takes longer. */
+  /** Runs two independent stages, in parallel if there are enough threads; both run even if one fails. Progress is that
+   * of the second one, which takes longer. */
   bool
   RunBoth(const ColonoscopyStage & shorter, const ColonoscopyStage & longer, double begin, double share)
   {
@@ -115,7 +115,7 @@ public:
     return this->Status() == 0;
   }
 
-  /** Of the first stage that failed; 0 where all is well. */
+  /** Exit status of the first failed stage; 0 if there is none. */
   int
   Status() const
   {
@@ -124,7 +124,7 @@ public:
     return failed == m_Results.end() ? 0 : failed->status;
   }
 
-  /** "" where all is well. */
+  /** Error message of the first failed stage; "" if there is none. */
   std::string
   Failure() const
   {
@@ -212,7 +212,7 @@ LeaveOut(const std::vector<std::string> & options, Provenance & provenance)
   provenance.erase(std::remove_if(provenance.begin(), provenance.end(), isOne), provenance.end());
 }
 
-/** What 3D Slicer loads as nodes. */
+/** Files that 3D Slicer loads as nodes. */
 SceneFiles
 SceneFilesOf(CommandLine & commandLine)
 {
@@ -229,7 +229,7 @@ SceneFilesOf(CommandLine & commandLine)
              { "flatPicture", "flattening/flat.png" } } };
 }
 
-/** The run fails as its stage did. */
+/** Ends the run with the failure of its stage. */
 [[noreturn]] void
 ThrowFailure(int status, const std::string & failure)
 {
@@ -260,11 +260,11 @@ RunOne(CommandLine & commandLine, SeriesRun & only)
   }
 }
 
-/** The report of the first series tells what both have in common, so it comes last. */
+/** The report of the first series includes the results of both, so it is written last. */
 void
 RunTwo(CommandLine & commandLine, SeriesRun & first, SeriesRun & second)
 {
-  constexpr double share = 0.4; // of the time, for each series
+  constexpr double share = 0.4; // fraction of the progress, for each series
   const auto       withFolds = [&](ColonoscopySeries series) {
     std::vector<ColonoscopyStage> stages = StagesOfSeries(commandLine, series);
     stages.push_back(StageOfFolds(commandLine, series));

@@ -19,7 +19,7 @@ namespace
 {
 namespace names = colonoscopystage;
 
-/** Hands options on to the tools, in the one spelling that provenance has for each. */
+/** Passes options to the tools, in the canonical spelling of the provenance. */
 class OptionPasser
 {
 public:
@@ -27,7 +27,7 @@ public:
     : m_CommandLine(commandLine), m_Provenance(commandLine.GetProvenance()), m_Series(series)
   {}
 
-  /** Options that hold for all series. */
+  /** Passes options that apply to all series. */
   void
   Pass(Stage & stage, const std::vector<std::string> & options) const
   {
@@ -40,7 +40,7 @@ public:
     }
   }
 
-  /** One of this series alone. */
+  /** Passes an option specific to this series. */
   void
   PassOwn(Stage & stage, const std::string & option) const
   {
@@ -72,7 +72,7 @@ public:
     }
   }
 
-  /** The series itself. */
+  /** The input path of the series. */
   std::string
   Volume() const
   {
@@ -100,10 +100,10 @@ private:
 bool
 IsDicom(const std::string & path)
 {
-  return fs::is_directory(path) || !IsImageFile(path); // as ReadVolume() takes it
+  return fs::is_directory(path) || !IsImageFile(path); // as in ReadVolume()
 }
 
-/** A stage with the tool that it runs. */
+/** Creates a stage with the tool that it runs. */
 Stage
 NewStage(const char * name)
 {
@@ -126,7 +126,7 @@ Segmentation(const OptionPasser & passer)
   stage.Input("", passer.Volume())
     .Output("", "")
     .Output("report", "report")
-    .Option("keepPartial", "true") // so that the report shows why it failed
+    .Option("keepPartial", "true") // so that the report can show the reason of a failure
     .Expect({ "lumen.nrrd", "centreline.vtp", "wall.vtp", "wall-repaired.vtp", "wall-simplified.vtp", "quality.json" });
   passer.Pass(stage, { "inputIsLumen", "faces", "resampleGaps", "deshear", "dropDuplicates" });
   passer.PassOwn(stage, "position");
@@ -174,8 +174,8 @@ Landmarks(const OptionPasser & passer, const StagedRun & run)
   return stage;
 }
 
-/** What the curves are, without the facts on how they were made: another option that leaves them as they are does not
- * ask for new folds. */
+/** Identity of the curves without the provenance: an option that does not change them does not require new folds.
+ */
 std::string
 IdentityOfCurves(const std::string & path)
 {
@@ -225,7 +225,7 @@ Folds(const OptionPasser & passer, const StagedRun & run)
   return stage;
 }
 
-/** A search for candidates on the wall in a folder, and their table. */
+/** A search for candidates on the wall in a folder, with their table. */
 Stage
 SearchForCandidates(const char * name, const OptionPasser & passer, const std::string & folder)
 {

@@ -42,7 +42,7 @@ ReadBoolean(const std::string & option, const std::string & value)
   return value == "true";
 }
 
-/** 3D Slicer passes every option, those that the user has left alone with their default. */
+/** 3D Slicer passes every option, including unchanged ones with their default. */
 bool
 IsDefault(const Parameter & parameter, const std::string & value)
 {
@@ -56,7 +56,7 @@ IsDefault(const Parameter & parameter, const std::string & value)
          CanonicalValue(parameter, value) == CanonicalValue(parameter, parameter.defaultValue);
 }
 
-/** How many letters must be inserted, removed or replaced to turn one text into the other (Levenshtein). */
+/** Levenshtein distance of two texts. */
 std::size_t
 EditDistance(const std::string & a, const std::string & b)
 {
@@ -75,7 +75,7 @@ EditDistance(const std::string & a, const std::string & b)
   return row.back();
 }
 
-/** Walks once through the arguments. */
+/** Parses the arguments in one pass. */
 class Parser
 {
 public:
@@ -157,7 +157,7 @@ private:
     const std::string value = this->TakeValue();
     if (!parameter.multiple)
     {
-      m_Result.given.erase(parameter.name); // the last one counts
+      m_Result.given.erase(parameter.name); // the last one wins
       if (IsDefault(parameter, value))
       {
         return;
@@ -191,7 +191,7 @@ private:
       throw ParameterError(m_Option + " needs a value");
     }
     const std::string & value = m_Arguments[m_Next++];
-    if (value.compare(0, 2, "--") == 0) // a forgotten value, not a file of that name
+    if (value.compare(0, 2, "--") == 0) // a missing value, not a file of that name
     {
       throw ParameterError(m_Option + " needs a value; one that begins with two hyphens is written " + m_Option +
                            "=VALUE");
@@ -252,7 +252,7 @@ private:
   std::size_t                      m_NextPositional{ 0 };
   Arguments                        m_Result;
 
-  // the option at hand
+  // the current option
   std::string m_Option;
   std::string m_Value;
   bool        m_HasValue{ false };

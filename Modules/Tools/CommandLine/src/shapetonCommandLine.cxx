@@ -37,7 +37,7 @@ namespace
 {
 using Parameter = ModuleDescription::Parameter;
 
-// A tool started with a closed stdout would otherwise open an output file as stdout and print its progress into it.
+// If stdout was closed at start, an output file could be opened as stdout and receive the progress.
 void
 OpenMissingStandardStreams()
 {
@@ -45,7 +45,7 @@ OpenMissingStandardStreams()
   {
     if (fcntl(descriptor, F_GETFD) < 0 && errno == EBADF)
     {
-      open("/dev/null", O_RDWR); // gets the lowest free number, which is this one
+      open("/dev/null", O_RDWR); // gets the lowest free descriptor, which is this one
     }
   }
 }
@@ -60,7 +60,7 @@ FlushStdout()
   }
 }
 
-// Without "ITK ERROR: Class(0x55d0c0a8): ", and without the location that a rethrown exception carries before it.
+// Strips "ITK ERROR: Class(0x55d0c0a8): ", and the location that precedes it in a rethrown exception.
 std::string
 WithoutItkPrefix(const std::string & message)
 {
@@ -167,7 +167,7 @@ struct CommandLine::State
   const char *                                xml{ nullptr };
   ModuleDescription                           module;
   std::string                                 program;
-  std::vector<std::string>                    arguments; // as they came
+  std::vector<std::string>                    arguments; // unchanged
   Arguments                                   parsed;
   std::string                                 returnFile; // temporary name
   std::map<std::string, std::string>          returned;
@@ -177,7 +177,7 @@ struct CommandLine::State
   std::vector<std::string>                    runRecords; // temporary names
   OutputFiles                                 outputs;
   std::set<std::string>                       replaceable;                 // inputs that an output may replace
-  std::set<std::string>                       idle{ "threads", "device" }; // options that change no result
+  std::set<std::string>                       idle{ "threads", "device" }; // options that do not affect results
   ProgressDisplay                             display;
   const std::chrono::system_clock::time_point start{ std::chrono::system_clock::now() };
   const std::chrono::steady_clock::time_point steadyStart{ std::chrono::steady_clock::now() };
@@ -218,7 +218,7 @@ CommandLine::State::Find(const std::string & name) const
   return *parameter;
 }
 
-// A double need not fit into an int.
+// A double may exceed the range of int.
 void
 CommandLine::State::CheckInteger(const std::string & name) const
 {
@@ -228,7 +228,7 @@ CommandLine::State::CheckInteger(const std::string & name) const
   }
 }
 
-// An output never replaces an input of the same run.
+// An output must not replace an input of the same run.
 void
 CommandLine::State::RequireNoInput(const std::string & path) const
 {
@@ -248,7 +248,7 @@ CommandLine::State::RequireNoInput(const std::string & path) const
   }
 }
 
-// Null when the default holds.
+// Null if the default applies.
 const std::vector<std::string> *
 CommandLine::State::FindGiven(const std::string & name) const
 {
@@ -256,7 +256,7 @@ CommandLine::State::FindGiven(const std::string & name) const
   return values == parsed.given.end() ? nullptr : &values->second;
 }
 
-// Inputs stand there by their identity; where outputs go and what computes them changes no result.
+// Inputs are recorded by identity; output locations and devices do not affect the result.
 bool
 CommandLine::State::IsInProvenance(const Parameter & parameter) const
 {
@@ -369,14 +369,14 @@ CommandLine::CommandLine(const char * xml) : m_State(std::make_unique<State>())
 
 CommandLine::~CommandLine()
 {
-  m_State->display.End(); // a failure's message begins on a line of its own
+  m_State->display.End(); // so that the error message starts on a new line
 }
 
 int
 CommandLine::Run(const char * xml, int argc, const char * const argv[], const Body & body)
 {
   OpenMissingStandardStreams();
-  itk::Object::GlobalWarningDisplayOff(); // ITK's warnings would go to stderr of a run that succeeds
+  itk::Object::GlobalWarningDisplayOff(); // ITK's warnings would be printed to stderr of a successful run
   const std::string path = argc > 0 ? argv[0] : "";
   std::string       program = path.substr(path.find_last_of('/') + 1);
   program = program.empty() ? "tool" : program;
@@ -483,7 +483,7 @@ CommandLine::GetPoints(const std::string & name) const
   const auto * const                 values = m_State->FindGiven(name);
   for (std::size_t i = 0; values && i < values->size(); ++i)
   {
-    const auto numbers = SplitAtCommas((*values)[i]); // three of them, as has been checked
+    const auto numbers = SplitAtCommas((*values)[i]); // three, already validated
     points.push_back(
       { ParseNumber(parameter, numbers[0]), ParseNumber(parameter, numbers[1]), ParseNumber(parameter, numbers[2]) });
   }

@@ -6,18 +6,18 @@
 #  include <sys/mman.h>
 #endif
 
-// The address sanitizer keeps its own books of new and delete.
+// The address sanitizer replaces new and delete itself.
 #if defined(__linux__) && !defined(__SANITIZE_ADDRESS__)
-/** Large memory of a tool comes on huge pages, where the system has them: volumes and graphs are walked through in all
- * directions, and most of the time would go into the translation of addresses. Takes the place of the operator of the
- * standard library in every program that is linked with this library; memory is freed as ever. */
+/** Allocates large memory of a tool on huge pages, where the system supports them: volumes and graphs are traversed in
+ * all directions, and address translation would dominate the run time. Replaces the operator of the standard library in
+ * every program linked with this library; memory is freed as usual. */
 __attribute__((visibility("default"))) void *
 operator new(std::size_t size)
 {
   constexpr std::size_t page = std::size_t{ 1 } << 21;
   constexpr std::size_t large = 4 * page;
-  // A fixed threshold: glibc would raise its own to 32 MB, and large memory that is freed would stay with the process.
-  // Small memory may stay: given back at each chance, its pages would be taken and cleared again and again.
+  // A fixed threshold: glibc would raise it to 32 MB, and freed large memory would stay with the process.
+  // Small memory may stay: if it was returned each time, its pages would be mapped and cleared again and again.
   static const bool isKnown = mallopt(M_MMAP_THRESHOLD, large) != 0 && mallopt(M_TRIM_THRESHOLD, 8 * large) != 0;
   const bool        isLarge = isKnown && size >= large;
   void * const      memory = isLarge ? std::aligned_alloc(page, size) : std::malloc(size + !size);

@@ -45,7 +45,7 @@ WithoutHyphens(const std::string & text)
   return text.substr(std::min(text.find_first_not_of('-'), text.size()));
 }
 
-/** The state of expat's walk through the document. */
+/** State of the expat parser. */
 struct Reader
 {
   ModuleDescription        module;

@@ -33,7 +33,7 @@ CheckName(const std::string & path)
   }
 }
 
-// The file that the path means: a symbolic link stays and its target is replaced, as `cp` and a redirection do.
+// Resolves the path to the file to replace: a symbolic link stays and its target is replaced, as with `cp`.
 fs::path
 ResolveTarget(const std::string & path)
 {
@@ -78,7 +78,7 @@ CheckTarget(const std::string & path, const fs::path & target)
   }
 }
 
-// Fails now and not after an hour; what the check made is gone again when it returns.
+// Fails early instead of after the computation; the check leaves no files.
 void
 CheckCreation(const std::string & path, const std::string & temporary)
 {
@@ -112,7 +112,7 @@ Sync(const fs::path & path)
   return error;
 }
 
-// An old result that only its owner could read does not become readable for all by being made anew.
+// Keeps the permissions of the old file: a private result does not become world-readable.
 void
 KeepPermissions(const fs::path & target, const std::string & temporary)
 {
@@ -152,7 +152,7 @@ OutputFiles::~OutputFiles()
   }
 }
 
-// Leftovers of runs that were killed beyond help (SIGKILL, power).
+// Removes leftovers of runs that could not clean up (SIGKILL, power failure).
 void
 OutputFiles::RemoveLeftovers(const fs::path & folder)
 {
@@ -224,7 +224,7 @@ OutputFiles::MakeFolder(const std::string & path)
     {
       ThrowCannotWrite(path, error.message(), "choose a place that can be written");
     }
-    if (isNew) // and not made by another run in the meantime
+    if (isNew) // and not created by another run meanwhile
     {
       m_Folders.push_back({ folder, std::move(removal) });
     }
@@ -235,7 +235,7 @@ OutputFiles::MakeFolder(const std::string & path)
   }
 }
 
-// Checks that the file was written, and makes it durable.
+// Checks that the file was written, and syncs it to disk.
 void
 OutputFiles::Finish(const File & file)
 {
@@ -293,7 +293,7 @@ OutputFiles::Commit()
   }
   for (const fs::path & folder : m_TidyFolders)
   {
-    Sync(folder); // makes the new names durable; they are in place already
+    Sync(folder); // syncs the new names, which are already in place
   }
 }
 } // namespace shapeton

@@ -30,7 +30,7 @@ PrintElement(const char * tag, const std::string & content)
   std::printf("<%s>%s</%s>\n", tag, EscapedXML(content).c_str(), tag);
 }
 
-// With a full stop in every locale.
+// With a decimal point in every locale.
 std::string
 Decimal(double value)
 {
@@ -64,7 +64,7 @@ Columns()
 double
 Forwards(double value, double previous)
 {
-  return value > previous ? std::min(value, 1.0) : previous; // so is NaN
+  return value > previous ? std::min(value, 1.0) : previous; // also for NaN
 }
 } // namespace
 
@@ -126,7 +126,7 @@ ProgressDisplay::ClearBar()
 {
   if (m_BarWidth > 0)
   {
-    std::printf("\r%s\r", std::string(m_BarWidth, ' ').c_str()); // any terminal understands that
+    std::printf("\r%s\r", std::string(m_BarWidth, ' ').c_str()); // works on any terminal
     m_BarWidth = 0;
   }
 }
@@ -142,7 +142,7 @@ ProgressDisplay::DrawBar()
                      std::string(3 - percent.size(), ' ') + percent + " %  " + m_Stage;
   const std::string remaining = Remaining(elapsed, m_Fraction);
   line += remaining.empty() ? "" : "  " + remaining;
-  line.resize(std::min(line.size(), Columns() - 1)); // a line that wraps could not be cleared
+  line.resize(std::min(line.size(), Columns() - 1)); // a wrapped line could not be cleared
 
   this->ClearBar();
   m_BarWidth = line.size();
@@ -150,7 +150,7 @@ ProgressDisplay::DrawBar()
   std::fflush(stdout);
 }
 
-// stdout is slow: about 100 lines.
+// stdout is slow: limit the output to about 100 lines.
 bool
 ProgressDisplay::IsNews() const
 {

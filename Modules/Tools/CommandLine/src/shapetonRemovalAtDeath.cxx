@@ -7,8 +7,8 @@
 
 namespace shapeton
 {
-/** An entry of the list that the handlers walk. Nodes are never freed, because a handler may run in any thread at any
- * time; only `isWanted` changes. */
+/** An entry of the list that the handlers traverse. Nodes are never freed, because a handler may run in any thread at
+ * any time; only `isWanted` changes. */
 struct RemovalAtDeath::Node
 {
   std::string       path;

@@ -17,8 +17,8 @@ namespace
 {
 const std::string mark = ".part";
 
-// Process numbers mean something only inside one process name space of one host: of a run on another one that shares
-// the folder nothing can be known.
+// Process numbers are only unique inside one process namespace of one host: the state of a run on another host that
+// shares the folder is unknown.
 std::string
 ComputeMachineTag()
 {
@@ -45,7 +45,7 @@ MachineTag()
   return tag;
 }
 
-// Where the extension of a file name begins; ".nii.gz" and ".mrk.json" are one.
+// Position of the extension of a file name; ".nii.gz" and ".mrk.json" are one extension.
 std::size_t
 ExtensionStart(const std::string & name)
 {
@@ -60,7 +60,7 @@ ExtensionStart(const std::string & name)
   return isDouble && before != std::string::npos ? before : last;
 }
 
-// At most `size` bytes, no character of UTF-8 cut in two.
+// At most `size` bytes, without splitting a UTF-8 character.
 std::string
 Shortened(const std::string & text, std::size_t size)
 {
@@ -75,7 +75,7 @@ Shortened(const std::string & text, std::size_t size)
   return text.substr(0, size);
 }
 
-// Reads a number and moves behind it; -1 when there is none.
+// Parses a number and advances past it; returns -1 if there is none.
 long
 TakeNumber(const char *& position, const char * end)
 {
@@ -89,7 +89,7 @@ TakeNumber(const char *& position, const char * end)
 fs::path
 TemporaryNameFor(const fs::path & target, std::size_t number)
 {
-  constexpr std::size_t longest = 255; // of a name in the file systems of Linux
+  constexpr std::size_t longest = 255; // maximum name length in Linux file systems
   const std::string     name = target.filename().string();
   const std::size_t     extension = ExtensionStart(name);
   const std::string     end =
@@ -115,7 +115,7 @@ IsLeftover(const std::string & name)
   {
     return false;
   }
-  // A process of our own number is dead too: it came before us.
+  // A process with our own number is dead too: it must have ended before this one started.
   return process == getpid() || (kill(static_cast<pid_t>(process), 0) != 0 && errno == ESRCH);
 }
 } // namespace shapeton

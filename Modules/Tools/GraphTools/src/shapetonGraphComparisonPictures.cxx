@@ -22,7 +22,7 @@ SentenceOf(const GraphComparison & comparison)
          "; its circle has the same colour. Circles without a partner are grey.";
 }
 
-/** Numbers that partners share. */
+/** Keys shared by corresponding nodes. */
 std::array<std::vector<int>, 2>
 KeysOfNodes(const GraphComparison & comparison)
 {

@@ -11,7 +11,7 @@ namespace shapeton
 {
 namespace
 {
-/** A number with 9 digits: more than a screen shows, and half the bytes. */
+/** Rounds to 9 digits: more than screen resolution, and half the bytes. */
 double
 Rounded(double value)
 {
@@ -92,7 +92,7 @@ private:
     }
   }
 
-  /** The edge of the graph of each packed edge, -1 for those of dummies. */
+  /** Graph edge of each packed edge; -1 for edges of dummies. */
   std::vector<int>
   EdgesOfGraph() const
   {
@@ -168,7 +168,7 @@ private:
   Json
   Tiles() const
   {
-    constexpr double mostSegments = 60000.0; // that a canvas paints while the mouse is dragged
+    constexpr double mostSegments = 60000.0; // that a canvas can paint interactively
     const double     segments = static_cast<double>(m_Graph.halfEdges.size() + 1);
     const double     least = 4.0 * m_View.certificate->genus + 1.0;
     const int        count = static_cast<int>(std::clamp(mostSegments / segments, least, std::max(least, 120.0)));
@@ -183,8 +183,8 @@ private:
     return tiles;
   }
 
-  /** Tiles, the boundary of the domain, and what a picture has in its middle: of the plane the domain, of the sphere
-   * its front. */
+  /** Tiles, the boundary of the domain, and the center of the view: the domain in the plane, the front on the sphere.
+   */
   void
   AddCover()
   {

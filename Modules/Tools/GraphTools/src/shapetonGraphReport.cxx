@@ -20,7 +20,7 @@ Switch(const char * name, const char * label, bool isOn)
          "/> " + label + "</label>\n";
 }
 
-/** Graphs of one geometry, which are moved together. */
+/** Graphs of one geometry, moved together. */
 using ViewGroup = std::vector<const GraphView *>;
 
 std::string
@@ -81,7 +81,7 @@ AddGroup(const ViewGroup & views, DiskModel disk, int & number, HtmlReport & pag
   page.AddParagraph(HelpOf(views.front()->certificate->geometry));
 }
 
-/** Views by geometry; a note on the page in place of those that are too large. */
+/** Views by geometry; views that are too large are replaced by a note on the page. */
 std::vector<ViewGroup>
 GroupsOf(const std::vector<GraphView> & views, HtmlReport & page)
 {

@@ -30,7 +30,7 @@ ColorsOfChange(const Graph & graph, const std::vector<int> & changed, const std:
   return colors;
 }
 
-/** Steps from the first to the last, at most mostStepsOfPicture. */
+/** Evenly sampled steps from the first to the last, at most mostStepsOfPicture. */
 std::vector<int>
 ShownSteps(int steps)
 {
@@ -49,7 +49,7 @@ TitleOf(const DynamicSequence & sequence, int step)
   return "step " + std::to_string(step) + ": " + sequence.files[step];
 }
 
-/** The same colour for a name in all steps, in the order in which names appear. */
+/** Consistent color per name in all steps, in order of first appearance. */
 class ColorsOfNames
 {
 public:
@@ -81,7 +81,7 @@ private:
   std::vector<std::string>   m_Colors;
 };
 
-/** What changed between the two steps: on the second step, and on the first the ends of what is gone. */
+/** Marks the changes between two steps: on the second step, and on the first the ends of removed edges. */
 void
 WriteComparedSteps(const DynamicSequence &          sequence,
                    const std::vector<int> &         compared,

@@ -58,14 +58,14 @@ Combined(Facts facts, const Facts & more)
   return facts;
 }
 
-/** Components are sought for heat alone. */
+/** Components are computed for heat only. */
 bool
 IsHeat(const ShapeQuantity & quantity)
 {
   return quantity.greatestVisits == 0;
 }
 
-/** The table for people: rounded, with volumes in ml. */
+/** The table for readers: rounded, with volumes in ml. */
 CsvTable
 ReadableClassTable(const std::vector<HeatClass> & classes, const HeatAxis & axis, const ShapeQuantity & quantity)
 {
@@ -142,14 +142,14 @@ JsonOf(const std::vector<HeatClass> & classes, const HeatAxis & axis, const Shap
   return list;
 }
 
-/** The axis of the innermost range, or of all heats. */
+/** Axis of the innermost range, or of all heats. */
 HeatAxis
 AxisOf(const HeatReportContent & content, const HeatRange & range = {})
 {
   return HeatAxis(content.axisHistogram ? *content.axisHistogram : *content.histogram, content.scale, range);
 }
 
-/** What the innermost of the opened ranges holds at the last time step. */
+/** Contents of the innermost zoomed range at the last time step. */
 struct OpenedRange
 {
   explicit OpenedRange(const HeatReportContent & content)
@@ -165,7 +165,7 @@ struct OpenedRange
   ShapeTransferFunction  lines;
 };
 
-/** The ranges, and of the innermost one the lines. */
+/** The ranges, and the lines of the innermost one. */
 Json
 JsonOfRanges(const HeatReportContent & content)
 {

@@ -23,7 +23,7 @@ namespace
 {
 using Clock = std::chrono::steady_clock;
 
-/** A state is as large as the volume: it is saved no more often than this. */
+/** Minimum interval, because a state is as large as the volume. */
 constexpr double secondsBetweenCheckpoints = 60.0;
 
 double
@@ -120,7 +120,7 @@ struct ShapetonMonitor::Impl
     , previewEvery(line.GetDouble("previewEvery"))
   {
     commandLine.LeaveOutOfProvenance("previewEvery");
-    // Refused now if they cannot be written.
+    // Reject now if they cannot be written.
     Register(checkpoint);
     if (std::filesystem::path(preview).extension() == ".html")
     {
@@ -190,7 +190,7 @@ struct ShapetonMonitor::Impl
     WritePng(DrawShapetonPreview(filter->GetInput(), filter->GetOutput(), *cut, progress), temporary[preview]);
   }
 
-  /** All that does not change, the first time. */
+  /** Writes the constant part, the first time. */
   void
   WritePage()
   {
@@ -259,9 +259,9 @@ struct ShapetonMonitor::Impl
   const double                       previewEvery;
   std::map<std::string, std::string> temporary;
   std::optional<itk::Index<3>>       cut;
-  std::optional<LiveExplorer>        page; // where the preview is one
+  std::optional<LiveExplorer>        page; // if the preview is a page
   bool                               isPageWritten{ false };
-  double                             secondsOfPreview{ 0.0 }; // the last one took
+  double                             secondsOfPreview{ 0.0 }; // duration of the last one
   unsigned long                      observer{ 0 };
   const Clock::time_point            start{ Clock::now() };
   Clock::time_point                  previewTime{ start };

@@ -161,7 +161,7 @@ ShapetonResultFiles::Write(const FilterType * filter, const Volume & volume) con
   content.provenance = m_CommandLine.GetProvenance();
   content.warnings = m_CommandLine.GetWarnings();
   content.histogram = filter->GetHistogram().GetNumberOfRows() > 0 ? &filter->GetHistogram() : &shape.histogram;
-  // The first rows are noise, and a resumed run lacks them.
+  // The first rows are noisy, and missing in a resumed run.
   content.axisHistogram = &shape.axisHistogram;
   content.grey = volume.image;
   content.heat = shape.values;

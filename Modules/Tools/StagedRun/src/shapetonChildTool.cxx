@@ -20,12 +20,12 @@ namespace shapeton
 {
 namespace
 {
-/** A pipe that only the child's end of is inherited. */
+/** A pipe whose child end is inherited only by the child. */
 struct Pipe
 {
   Pipe()
   {
-    if (pipe2(ends, O_CLOEXEC) != 0) // at once: another thread may start a tool, too
+    if (pipe2(ends, O_CLOEXEC) != 0) // atomically: another thread may start a tool concurrently
     {
       throw OutputError(std::string("cannot open a pipe (") + std::strerror(errno) + "); close other programs");
     }
@@ -64,7 +64,7 @@ Unescaped(std::string text)
   return text;
 }
 
-/** Reads what a tool writes to stdout, line by line. */
+/** Parses a tool's stdout, line by line. */
 class ProgressReader
 {
 public:
@@ -82,7 +82,7 @@ public:
   }
 
 private:
-  /** Whether the line is the element of this tag; then its content. */
+  /** Whether the line is the element with this tag; if so, returns its content. */
   static bool
   IsElement(const std::string & line, const std::string & tag, std::string & content)
   {
@@ -100,7 +100,7 @@ private:
     std::string content;
     if (line == "<filter-start>" || line == "<filter-end>")
     {
-      m_IsInBlock = true; // names and comments in it belong to a step of the tool
+      m_IsInBlock = true; // its names and comments belong to a step of the tool
     }
     else if (line == "</filter-start>" || line == "</filter-end>")
     {
@@ -139,13 +139,13 @@ private:
   bool             m_IsInBlock{ false };
 };
 
-/** In the child, which has the memory of the parent until exec(): system calls alone. */
+/** Runs in the child, which shares the memory of the parent until exec(): system calls only. */
 [[noreturn]] void
 BecomeTool(char * const * arguments, int out, int err, pid_t parent)
 {
 #ifdef __linux__
   prctl(PR_SET_PDEATHSIG, SIGTERM);
-  if (getppid() != parent) // it died before that call
+  if (getppid() != parent) // the parent died before that call
   {
     _exit(1);
   }
@@ -185,7 +185,7 @@ Start(const std::string & program, const std::vector<std::string> & arguments, c
   return child;
 }
 
-/** Reads both pipes until the child has closed them. */
+/** Reads both pipes until the child closes them. */
 void
 ReadPipes(const Pipe & out, const Pipe & err, ProgressReader & reader, std::string & errors)
 {
@@ -195,7 +195,7 @@ ReadPipes(const Pipe & out, const Pipe & err, ProgressReader & reader, std::stri
   {
     if (poll(polled, 2, -1) < 0)
     {
-      continue; // a signal that does not end this process
+      continue; // interrupted by a signal
     }
     for (pollfd & pipe : polled)
     {
@@ -216,7 +216,7 @@ ReadPipes(const Pipe & out, const Pipe & err, ProgressReader & reader, std::stri
   }
 }
 
-/** The last line, without "Tool: " in front. */
+/** The last line, without the prefix "Tool: ". */
 std::string
 MessageIn(std::string errors, const std::string & program)
 {

@@ -15,7 +15,7 @@ namespace shapeton
 {
 namespace
 {
-/** A name and the file that it stands for. */
+/** Names and the files they stand for. */
 using NamedFiles = std::vector<std::pair<std::string, std::string>>;
 
 bool

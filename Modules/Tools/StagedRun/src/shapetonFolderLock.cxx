@@ -13,7 +13,7 @@
 
 namespace shapeton
 {
-// The descriptor is inherited by children, on purpose: the lock is held as long as any of them lives.
+// Children inherit the descriptor on purpose: the lock is held as long as any of them runs.
 StagedRun::Lock::Lock(const std::string & folder)
   : m_Descriptor(open((folder + "/.lock").c_str(), O_RDWR | O_CREAT, 0666))
 {
@@ -21,7 +21,7 @@ StagedRun::Lock::Lock(const std::string & folder)
   {
     throw OutputError("cannot write to the folder \"" + folder + "\" (" + std::strerror(errno) + "); name another one");
   }
-  constexpr int tries = 30; // of 0.1 s: how long a tool may take to remove its temporary files
+  constexpr int tries = 30; // of 0.1 s each; time for a tool to remove its temporary files
   for (int i = 0; flock(m_Descriptor, LOCK_EX | LOCK_NB) != 0; ++i)
   {
     if (errno != EINTR && (errno != EWOULDBLOCK || i >= tries))

@@ -31,7 +31,7 @@ ReadFinished(const std::string & path)
   return *record;
 }
 
-/** "" for a file that the stage did not write. */
+/** "" if the stage did not write the file. */
 std::string
 HashOf(const StageRecord & record, const std::string & file)
 {
@@ -40,7 +40,7 @@ HashOf(const StageRecord & record, const std::string & file)
   return found == files.end() ? std::string() : found->second;
 }
 
-/** That what a stage read is what the stages before it have written. */
+/** Checks that each stage read the current results of the earlier stages. */
 class ChainOfStages
 {
 public:

@@ -31,7 +31,7 @@ JsonOf(const FileHashes & hashes)
   return json;
 }
 
-/** Old files are removed by their names: none may lead out of the stage's folder. */
+/** Old files are removed by name: no name may point outside the stage's folder. */
 void
 RequireInside(const std::string & name)
 {

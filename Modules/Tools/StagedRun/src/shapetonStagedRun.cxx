@@ -29,7 +29,7 @@ WithoutRecordsOfOneRun(FileHashes files)
   return files;
 }
 
-/** Where the tool says it is done but lacks a file, it is not. */
+/** Fails a stage if its tool reports success but a file is missing. */
 void
 RequireExpected(const Stage & stage, const std::string & folder, StageResult & result)
 {
@@ -43,7 +43,7 @@ RequireExpected(const Stage & stage, const std::string & folder, StageResult & r
   }
 }
 
-/** Those that are there. */
+/** The existing ones. */
 std::vector<std::string>
 FilesReadOf(const Stage::Argument & argument)
 {
@@ -61,7 +61,7 @@ FilesReadOf(const Stage::Argument & argument)
   return paths;
 }
 
-/** Without what names its kind. */
+/** The identity without the prefix of its kind. */
 std::string
 HashIn(const std::string & identity)
 {
@@ -129,7 +129,7 @@ StagedRun::IdentityOfInput(const Stage::Argument & argument)
   return "sha256:" + Sha256OfBytes(lines);
 }
 
-/** Those inputs that are results of stages, of this run or of one beside it. */
+/** Inputs that are results of stages, of this run or of another one. */
 FileHashes
 StagedRun::ResultsReadBy(const Stage & stage)
 {
@@ -158,7 +158,7 @@ StagedRun::Identify(const std::string & path)
       return known->second;
     }
   }
-  const std::string     identity = IdentityOf(path); // takes long
+  const std::string     identity = IdentityOf(path); // expensive
   const std::lock_guard lock(m_Mutex);
   return m_Identities[path] = identity;
 }
@@ -235,7 +235,7 @@ StagedRun::Run(const Stage & stage, const Progress & progress)
   {
     RemoveFolder(scratch);
   }
-  if (hasNew || (isDone && old->inputs != inputs)) // what counts of an input may be the same, though its bytes are not
+  if (hasNew || (isDone && old->inputs != inputs)) // the identity of an input may be equal though its bytes differ
   {
     WriteStageRecord({ signature, inputs, result }, recordPath);
   }

@@ -50,7 +50,7 @@ ReadWhole(CommandLine & commandLine, const std::string & parameter)
   return volume;
 }
 
-/** A CT in place of its mask would be taken for lumen wherever it is not 0. */
+/** A CT given instead of its mask would be treated as lumen wherever it is not 0. */
 void
 RequireLabels(const Volume & volume, const std::string & path)
 {

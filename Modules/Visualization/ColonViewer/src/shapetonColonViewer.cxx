@@ -39,7 +39,7 @@ PositionsOf(const std::string & exam, const ColonViewerOptions & options)
   return folders;
 }
 
-/** Empty where the positions are not registered. */
+/** Empty if the positions are not registered. */
 std::string
 RegistrationOf(const std::string & exam, const ColonViewerOptions & options)
 {
@@ -47,7 +47,7 @@ RegistrationOf(const std::string & exam, const ColonViewerOptions & options)
   return options.second.empty() && Exists(ofRun + "/map-supine-to-prone.vtp") ? ofRun : options.registration;
 }
 
-/** What verdicts refer to: the flat wall, which depends on all that was computed before, and the list of candidates. */
+/** Identity that verdicts refer to: the flat wall, which depends on all earlier results, and the list of candidates. */
 std::string
 Fingerprint(const std::vector<std::string> & folders)
 {
@@ -94,7 +94,7 @@ Identity(Json & positions, const std::vector<std::string> & folders, bool isAnon
   return { { "seriesUIDs", series }, { "sha256", Fingerprint(folders) } };
 }
 
-/** Both maps; false where there are none. */
+/** Adds both maps; false if there are none. */
 bool
 PutMaps(PageBlocks & blocks, const std::vector<std::string> & folders, const std::string & registration)
 {

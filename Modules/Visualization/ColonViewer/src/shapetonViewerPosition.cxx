@@ -34,7 +34,7 @@ ValuesOf(const std::vector<SurfaceArray> & arrays, const std::string & name, con
   return array->values;
 }
 
-/** Files of one position. What a stage that failed did not leave is noted as missing. */
+/** Files of one position. Files missing after a failed stage are recorded as missing. */
 class PositionFolder
 {
 public:
@@ -159,7 +159,7 @@ PutCentreline(PageBlocks & blocks, const std::string & prefix, const std::string
   blocks.PutReals(prefix + "centreline", rows);
 }
 
-/** The relief as rows of red, green and blue; what the page draws as the flat wall. */
+/** The relief as rows of red, green and blue, drawn by the page as the flat wall. */
 Json
 PutRelief(PageBlocks & blocks, const std::string & prefix, const FlatColon & flat)
 {
@@ -181,7 +181,7 @@ PutRelief(PageBlocks & blocks, const std::string & prefix, const FlatColon & fla
            { "vSign", grid.IsMirrored() ? -1 : 1 } };
 }
 
-/** What of the faces goes into blocks, in the order along the colon. */
+/** Face data for blocks, in the order along the colon. */
 class FlatFaces
 {
 public:
@@ -212,7 +212,9 @@ public:
     blocks.Put(name, corners, 3);
   }
 
-  /** Bits 0 to 2: segment; 3 to 5: hindrance (why the wall is not seen); 6: made up over a gap; 7: cap of a pouch. */
+  /** Bits 0 to 2: segment; 3 to 5: hindrance (why the wall is not visible); 6: interpolated over a gap; 7: cap of a
+   * pouch.
+   */
   void
   PutKinds(PageBlocks & blocks, const std::string & name, const Eigen::MatrixXd & segments) const
   {
@@ -242,7 +244,7 @@ public:
   }
 
 private:
-  /** Arrays that are written only where there is something to mark. */
+  /** Arrays that are written only if any value is set. */
   Eigen::MatrixXd
   MarksOf(const std::string & name) const
   {
@@ -276,10 +278,10 @@ void
 PutPoints(PageBlocks & blocks, const std::string & prefix, const SurfaceMesh & mesh, const std::string & path)
 {
   blocks.PutReals(prefix + "points", mesh.V);
-  // Faces of folds are thousandths of a millimetre on the map.
+  // Faces of folds may measure only thousandths of a millimeter on the map.
   blocks.PutReals<std::uint32_t>(prefix + "uv", ValuesOf(mesh.pointArrays, "uv", path));
   blocks.PutReals(prefix + "arc", ValuesOf(mesh.pointArrays, "arcLength", path));
-  // Equal on both sides of the cut. Numbered anew, because a page keeps an array of them.
+  // Equal on both sides of the cut. Renumbered, because a page indexes an array with them.
   const Eigen::MatrixXd      sources = ValuesOf(mesh.pointArrays, "sourcePointId", path);
   std::vector<std::uint32_t> first(static_cast<std::size_t>(sources.maxCoeff()) + 1, mesh.NumberOfVertices());
   std::vector<std::uint32_t> source(mesh.NumberOfVertices());
@@ -319,7 +321,7 @@ PutWall(PageBlocks &        blocks,
   return mesh.V;
 }
 
-/** The CT without its tagged fluid; of a run on a lumen mask the mask itself. */
+/** The CT without its tagged fluid; for a run on a lumen mask, the mask itself. */
 void
 PutVolume(PageBlocks &               blocks,
           const std::string &        prefix,

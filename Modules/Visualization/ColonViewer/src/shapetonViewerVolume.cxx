@@ -14,9 +14,9 @@ using VolumeType = itk::Image<float, 3>;
 using MaskType = itk::Image<unsigned char, 3>;
 
 constexpr double margin = 15.0;
-constexpr int    side = 4; // of the blocks that become means
+constexpr int    side = 4; // of the blocks that are averaged
 
-/** How a value is stored. 8 bits: steps of 6 HU, below the noise of CT colonography. */
+/** Encoding of a value. 8 bits: steps of 6 HU, below the noise of CT colonography. */
 struct Quantisation
 {
   double lowest{ -1024.0 };
@@ -91,7 +91,7 @@ public:
   {
     return m_Blocks;
   }
-  /** Of the voxel with this number in the box. */
+  /** Block of the voxel with this index in the box. */
   std::size_t
   BlockOf(std::size_t voxel) const
   {
@@ -134,7 +134,7 @@ Widened(const std::vector<char> & marked, const BlockGrid & grid, int axis, int 
   return wide;
 }
 
-/** 1 for the blocks that have no voxel of the lumen within `near` mm: boxes around the lumen, so never too few. */
+/** 1 for blocks without a lumen voxel within `near` mm. Uses boxes around the lumen, so it never marks too many. */
 std::vector<std::uint8_t>
 FarBlocks(const MaskType & lumen, const VolumeType::RegionType & box, const BlockGrid & grid, double near)
 {

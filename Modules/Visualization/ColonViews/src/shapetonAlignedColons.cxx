@@ -10,7 +10,7 @@ namespace shapeton
 {
 namespace
 {
-constexpr int  finer = 2; ///< pixels that are painted for each one of a strip
+constexpr int  finer = 2; ///< painted pixels per strip pixel
 const RGBColor noWall = MakeColor(150, 150, 156);
 const RGBColor stripe = MakeColor(70, 74, 84);
 

@@ -45,7 +45,7 @@ AddSegmentLegend(const ColonSegments & segments, SurfaceRenderingOptions & optio
   }
 }
 
-/** A place of the loop that looks to the viewer, as names inside of the colon could not be seen. */
+/** Point of the loop that faces the viewer, because labels inside the colon would be hidden. */
 Eigen::Vector3d
 FrontOfLoop(const ColonLandmarks & landmarks, const SegmentBorder & border, const PatientView & view)
 {
@@ -84,7 +84,7 @@ AddTaeniae(const ColonTaeniae & taeniae, std::vector<CurveSet> & sets, SurfaceSc
   }
 }
 
-/** The line of a closed walk on the map. */
+/** Line of a closed walk on the map. */
 FlatLine
 LineOfLoop(const ColonWallTube & tube, const SurfaceWalk & loop)
 {

@@ -24,7 +24,7 @@ ThicknessColor(double share)
   return MixColors(background, MakeColor(236, 238, 240), 0.85 * std::sqrt(share));
 }
 
-/** Millimetres of lumen behind each voxel of a plane. */
+/** Lumen thickness (mm) behind each voxel of a plane. */
 class ThicknessMap
 {
 public:
@@ -60,7 +60,7 @@ public:
     return std::max(*std::max_element(m_Values.begin(), m_Values.end()), 1.0);
   }
 
-  /** Linear between voxels. */
+  /** Linearly interpolated between voxels. */
   double
   Between(const itk::ContinuousIndex<double, 3> & place) const
   {
@@ -104,7 +104,7 @@ PixelOf(const SliceView & view, const Eigen::Vector3d & point)
   return view.PixelOf(view.GetVolume()->TransformPhysicalPointToContinuousIndex<double>(place));
 }
 
-/** With a dark rim, so that it stands out from bright lumen. */
+/** Draws with a dark rim, for contrast with bright lumen. */
 void
 DrawCentreline(Picture *                              picture,
                const SliceView &                      view,
@@ -139,11 +139,11 @@ struct Box
   int halfHeight;
 };
 
-/** Whether text there lies within the picture and on none of the orientation letters at the middles of its sides. */
+/** Whether text there is inside the picture and avoids the orientation letters at the centers of its sides. */
 bool
 IsFree(const Box & text, int width, int height)
 {
-  constexpr int letter = 17; // half of it, with room around it
+  constexpr int letter = 17; // half its size, with margin
   bool          isFree =
     text.x - text.halfWidth >= 4 && text.x + text.halfWidth <= width - 4 && text.y >= 12 && text.y <= height - 12;
   for (const auto & [x, y] : { std::make_pair(width / 2, letter),
@@ -156,7 +156,7 @@ IsFree(const Box & text, int width, int height)
   return isFree;
 }
 
-/** Where a name of this width stands beside a place: right, left, above or below, and further off where needed. */
+/** Position of a label of this width next to a point: right, left, above or below, farther away if needed. */
 Box
 BoxBeside(int x, int y, int textWidth, int width, int height)
 {
@@ -238,7 +238,7 @@ PaintThickness(const SliceView & view, const ThicknessMap & map, const ColorScal
   return panel;
 }
 
-/** The panel with title, colour bars and so on around it. */
+/** The panel framed with title and color bars. */
 Picture::Pointer
 MakePage(const Picture * panel, const std::string & title, const std::vector<ColorScale> & scales, bool hasGaps)
 {

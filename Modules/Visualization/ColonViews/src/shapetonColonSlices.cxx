@@ -14,7 +14,7 @@ namespace
 const RGBColor gasColor = MakeColor(64, 224, 255);
 const RGBColor fluidColor = MakeColor(255, 150, 40);
 const RGBColor wallColor = MakeColor(255, 70, 160);
-// Without a CT.
+// Used without a CT.
 const RGBColor outside = MakeColor(58, 60, 68);
 const RGBColor flatGas = MakeColor(14, 15, 20);
 const RGBColor flatFluid = MakeColor(206, 208, 212);
@@ -45,7 +45,7 @@ PaintPanel(const ColonParts & colon, const SliceView & view, const IntensityWind
       },
       1.0);
   }
-  // The wall lies below: it is seen where it departs from the outlines.
+  // The wall is drawn first: it is visible where it departs from the outlines.
   constexpr double thickness = 1.5;
   if (colon.wall)
   {
@@ -60,7 +60,7 @@ PaintPanel(const ColonParts & colon, const SliceView & view, const IntensityWind
   return picture;
 }
 
-/** The scale at which so many slices side by side fill the page without being too high. */
+/** Scale at which this number of slices side by side fills the page width, with limited height. */
 double
 ScaleFor(const LumenType * lumen, const itk::ImageRegion<3> & focus, const SliceAxes & axes, std::size_t number)
 {
@@ -82,7 +82,7 @@ SlicesOf(const LumenType * lumen, const LumenAreas & areas, unsigned int axis, i
   {
     slices.push_back(box.GetIndex(axis) + static_cast<itk::IndexValueType>((i + 0.5) / shown * count));
   }
-  // The largest area takes the place of the nearest.
+  // The slice with the largest area replaces the nearest one.
   const auto                most = std::max_element(areas[axis].begin(), areas[axis].end()) - areas[axis].begin();
   const itk::IndexValueType largest = lumen->GetBufferedRegion().GetIndex(axis) + most;
   const auto                nearest =

@@ -1,4 +1,4 @@
-// Launches alone: the arithmetic is that of the CPU.
+// Kernel launches only; the arithmetic is shared with the CPU.
 #include "shapetonDeviceWallRays.h"
 #include "shapetonDeviceRuntime.h"
 

@@ -21,7 +21,7 @@ const RGBColor limitColor = MakeColor(196, 44, 44);
 
 using Stations = std::vector<CentrelineStation>;
 
-/** The values at a distance from the anal verge, between two stations. */
+/** Interpolated values at a distance from the anal verge. */
 struct Place
 {
   double calibre{ 0.0 };
@@ -106,7 +106,7 @@ DrawLimit(Picture * picture, const PlotFrame & frame)
   DrawText(picture, CsvTable::Rounded(distendedCalibre, 3) + " mm", frame.left + frame.width + 6, y, style);
 }
 
-/** The borders, and the names above the chart, on the first of two lines with room for them. */
+/** Draws segment borders, and names above the chart on the first of two lines where they fit. */
 void
 DrawSegments(Picture * picture, const PlotFrame & frame, const std::vector<ColonSegment> & segments)
 {

@@ -18,8 +18,8 @@ constexpr double nearestEye = 15.0; // mm
 constexpr double farthestEye = 60.0;
 constexpr double bestDistance = 25.0;
 
-/** Whether nothing lies between two points; `to` may touch the wall. Steps are no longer than the distance to the wall.
- */
+/** Whether the line between two points is unobstructed; `to` may touch the wall. Steps are no longer than the distance
+ * to the wall. */
 bool
 IsFree(const SurfaceLocator & wall, const Vector3d & from, const Vector3d & to)
 {
@@ -39,7 +39,7 @@ IsFree(const SurfaceLocator & wall, const Vector3d & from, const Vector3d & to)
   return true;
 }
 
-/** What is lost against a look from the best distance straight down. */
+/** Penalty relative to a perpendicular view from the best distance. */
 double
 CostOf(const Vector3d & eye, const PolypCandidate & candidate)
 {
@@ -85,7 +85,7 @@ ChooseEye(const SurfaceLocator & wall, const CurveSet & centreline, const PolypC
   });
   camera.eye = best == places.end() ? EyeAbove(wall, candidate) : Vector3d(centreline.V.row(best->second).transpose());
   const Vector3d look = (camera.focus - camera.eye).normalized();
-  camera.up = std::abs(look.z()) < 0.9 ? Vector3d::UnitZ() : Vector3d(-Vector3d::UnitY()); // the head, or the front
+  camera.up = std::abs(look.z()) < 0.9 ? Vector3d::UnitZ() : Vector3d(-Vector3d::UnitY()); // head up, or anterior up
   return camera;
 }
 

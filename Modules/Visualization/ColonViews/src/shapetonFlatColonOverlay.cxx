@@ -22,7 +22,7 @@ RequireSize(const Picture * strip, const FlatColonGrid & grid)
   }
 }
 
-/** Columns and rows of a place on the map; (0, 0) is the middle of the first pixel. */
+/** Column and row of a position on the map; (0, 0) is the center of the first pixel. */
 Eigen::Vector2d
 PictureOfUv(const FlatColonGrid & grid, const Eigen::Vector2d & uv)
 {
@@ -79,7 +79,7 @@ DrawFlatLine(Picture * strip, const FlatColonGrid & grid, const FlatLine & line)
     const Eigen::Vector2d from = PictureOfUv(grid, line.places[i]);
     Eigen::Vector2d       to = PictureOfUv(grid, line.places[i + 1]);
     to.y() = from.y() + std::remainder(to.y() - from.y(), turn);
-    for (const double shift : { -turn, 0.0, turn }) // what leaves the strip above comes in below
+    for (const double shift : { -turn, 0.0, turn }) // wrap around the tube
     {
       DrawLine(strip, from.x(), from.y() + shift, to.x(), to.y() + shift, line.color, line.thickness);
     }

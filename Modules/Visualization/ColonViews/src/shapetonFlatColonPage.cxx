@@ -22,7 +22,7 @@ constexpr int leastWidth = 480;
 constexpr int noteLineHeight = 20;
 constexpr int gapOfLinks = 26; ///< between two strips of a row
 
-/** The place of a distance along the centreline, in columns. */
+/** Column of a distance along the centreline. */
 double
 ColumnOfDistance(const std::vector<double> & distanceOfColumns, double distance)
 {
@@ -73,7 +73,7 @@ private:
 
   const FlatColonGrid &             m_Grid;
   const std::vector<double> &       m_DistanceOfColumns;
-  std::unique_ptr<FlatColonLocator> m_Locator; ///< only where it is needed
+  std::unique_ptr<FlatColonLocator> m_Locator; ///< created on first use
 };
 
 std::vector<PlacedAnnotation>
@@ -164,7 +164,7 @@ RequireFit(const Picture * strip, const FlatColonGrid & grid, const std::vector<
   }
 }
 
-/** \param strips of each row, below each other. */
+/** \param strips strips of each row, one below the other. */
 std::vector<FlatPageRow>
 LayOut(const FlatColonGrid & grid, const FlatColonPageOptions & options, int strips)
 {
@@ -184,7 +184,7 @@ LayOut(const FlatColonGrid & grid, const FlatColonPageOptions & options, int str
   return places;
 }
 
-/** The place of the second strip of a row. */
+/** Layout of the second strip of a row. */
 FlatPageRow
 Lower(FlatPageRow place)
 {
@@ -192,7 +192,7 @@ Lower(FlatPageRow place)
   return place;
 }
 
-/** What a page is made of: one strip, or a pair. */
+/** Content of a page: one strip, or a pair. */
 struct PageParts
 {
   const FlatColonGrid &               grid;

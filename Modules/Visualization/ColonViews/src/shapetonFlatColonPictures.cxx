@@ -24,7 +24,7 @@ OptionsFor(double pixelSize)
 std::string
 NoteOn(const FlatColonGrid & grid, FlatColoring coloring)
 {
-  constexpr int     widthOfOneLine = 800; // columns; a narrower page would have to shrink it
+  constexpr int     widthOfOneLine = 800; // columns; a narrower page would require a smaller font
   const std::string end = grid.Columns() < widthOfOneLine ? "\n" : " ";
   const std::string light = coloring == FlatColoring::Curvature ? "" : ", light from the left";
   return "Seen from the lumen, rectum at the left" + light + "." + end + "A pixel is " +

@@ -34,7 +34,7 @@ PaintFlatCurvature(const FlatColonGrid & grid, const FlatColonAxis & axis, const
   RequireParameter(shading >= 0.0 && shading <= 1.0, "the strength of shading must be from 0 to 1");
   return PaintStrip(grid, [&](const FlatSample & sample, int column) {
     const FlatLight light = LightOn(sample, FrameAt(axis, column, sample.point));
-    const float     brightness = std::min(1.0F, 1.2F * light.brightness); // level wall keeps its colour
+    const float     brightness = std::min(1.0F, 1.2F * light.brightness); // a flat wall keeps its color
     const auto      share = static_cast<float>(shading);
     return FromLinear((1.0F - share + share * brightness) * ToLinear(scale.ColorOf(sample.curvature)));
   });

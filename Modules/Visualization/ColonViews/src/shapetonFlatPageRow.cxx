@@ -27,7 +27,7 @@ StyleOf(int size, const RGBColor & color, HorizontalAnchor horizontal, VerticalA
   return style;
 }
 
-/** A ring of short lines, dark below the colour so that it is seen on any ground. */
+/** A ring of short lines, with a dark outline for contrast on any background. */
 void
 DrawRing(Picture * picture, double x, double y, double radius, const RGBColor & color)
 {
@@ -59,7 +59,7 @@ DrawCross(Picture * picture, double x, double y, double radius, const RGBColor &
   }
 }
 
-/** A polyp or mark at this place of the picture; the name at its right, or at its left where there is no room. */
+/** Draws a polyp or mark at this position, with the name at its right, or at its left where it does not fit. */
 void
 DrawSpot(Picture * picture, const FlatPageRow & place, const PlacedAnnotation & placed, double x, double y)
 {
@@ -83,7 +83,7 @@ DrawSpot(Picture * picture, const FlatPageRow & place, const PlacedAnnotation & 
   DrawRimmedText(picture, placed.annotation.text, textX, static_cast<int>(std::lround(y)), style, InkColor);
 }
 
-/** Two slanted lines across the strip: something is left out. */
+/** Two slanted lines across the strip that mark an omission. */
 void
 DrawBreak(Picture * picture, const FlatPageRow & place, int x)
 {
@@ -112,7 +112,7 @@ LabelStep(double pixelsPerCm, double least)
   return step;
 }
 
-/** mm along the ruler without what is left out. */
+/** Length along the ruler in mm, without omitted sections. */
 double
 LengthShown(const FlatColonRow & row, const std::vector<double> & distanceOfColumns)
 {
@@ -124,7 +124,7 @@ LengthShown(const FlatColonRow & row, const std::vector<double> & distanceOfColu
   return length;
 }
 
-/** The segment that began before this row, unless the next one begins where its name would stand. */
+/** The segment that began before this row, unless the label of the next one is at the same position. */
 const PlacedAnnotation *
 SegmentGoingOn(const FlatPageRow & place, const std::vector<PlacedAnnotation> & annotations, const TextStyle & style)
 {
@@ -152,7 +152,7 @@ DrawStripOfRow(Picture * picture, const FlatPageRow & place, const Picture * str
 {
   constexpr int    hatchPeriod = 8;
   constexpr double pale = 0.5;
-  constexpr double madeUp = 0.85; // what lies there is no wall
+  constexpr double madeUp = 0.85; // this part is not wall
   const int        stripWidth = grid.Columns();
   const RGBColor * source = strip->GetBufferPointer();
   for (int x = 0; x < place.Width(); ++x)
@@ -191,7 +191,7 @@ DrawRulerOfRow(Picture * picture, const FlatPageRow & place, const std::vector<d
 {
   constexpr double millimetresPerCm = 10.0;
   constexpr int    roomAtTheRight = 18;
-  constexpr int    leastDistance = 3; // of ticks
+  constexpr int    leastDistance = 3; // between ticks
   const int        top = place.StripTop() + place.StripHeight() + 3;
   const double     length = LengthShown(place.row, distanceOfColumns);
   const double     pixelsPerCm = length > 0.0 ? place.Width() / length * millimetresPerCm : place.Width();
@@ -283,7 +283,7 @@ DrawAnnotationsOfRow(Picture * picture, const FlatPageRow & place, const std::ve
       drawName(placed.annotation.text, static_cast<int>(x) + 6);
       continue;
     }
-    for (const int turns : { -1, 0, 1 }) // once more where the picture goes on around the tube
+    for (const int turns : { -1, 0, 1 }) // repeat in the overlap
     {
       const double y = placed.row + turns * place.turn + place.overlap;
       if (y >= 0.0 && y < place.StripHeight())

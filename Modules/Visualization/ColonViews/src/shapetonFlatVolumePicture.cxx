@@ -16,10 +16,10 @@ namespace shapeton
 {
 namespace
 {
-constexpr std::size_t raysInBatch = std::size_t{ 1 } << 18; ///< of a GPU
+constexpr std::size_t raysInBatch = std::size_t{ 1 } << 18; ///< on a GPU
 
-/** The colour of tissue by its Hounsfield units: fat, soft tissue, contrast medium and bone. Linear red, green and blue
- * from `darkest` on. */
+/** Color of tissue by its Hounsfield units: fat, soft tissue, contrast medium and bone. Linear red, green and blue from
+ * `darkest` on. */
 std::vector<float>
 ColorsOfTissue(double darkest, double colorStep)
 {
@@ -49,7 +49,7 @@ ColorsOfTissue(double darkest, double colorStep)
   return colors;
 }
 
-/** Of a sample in the middle of a piece of this length, between gas and tissue; the last one twice. */
+/** Opacity of a sample at the center of a piece of this length, from gas to tissue; the last one is repeated. */
 std::vector<float>
 OpacitiesOf(double extinction, double length)
 {
@@ -100,8 +100,7 @@ public:
   WallRays(const itk::Image<float, 3> * ct, const FlatVolumeOptions & options) : m_Volume(VolumeOf(ct))
   {
     constexpr double stepInVoxels = 0.4;
-    // On the boundary the mean of gas and contrast medium would look like tissue: a voxel and a half further out it
-    // does not.
+    // On the boundary, the mean of gas and contrast medium would look like tissue; 1.5 voxels farther out it does not.
     constexpr double voxelsBehind = 1.5;
     m_Look.gas = options.gas;
     m_Look.tissue = options.tissue;
@@ -129,7 +128,7 @@ public:
     });
   }
 
-  /** As many rows at a time as the GPU takes rays. */
+  /** Renders as many rows at a time as the GPU takes rays. */
   Picture::Pointer
   PaintOnGpu(const FlatColonGrid & grid, const FlatColonAxis & axis) const
   {
@@ -189,7 +188,7 @@ void
 RequireCover(const FlatColonGrid & grid, const itk::Image<float, 3> * ct)
 {
   constexpr double greatestShare = 0.05;
-  constexpr double voxelsBeyond = 1.5; // where the border of the scan cuts the colon, its wall is closed outside
+  constexpr double voxelsBeyond = 1.5; // where the scan border cuts the colon, the wall is closed outside
   const WallVolume volume = VolumeOf(ct);
   const auto &     points = grid.Points();
   int              outside = 0;

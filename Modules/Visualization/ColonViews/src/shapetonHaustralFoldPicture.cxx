@@ -23,7 +23,7 @@ GridOptionsFor(double pixelSize)
   return options;
 }
 
-/** Neighbours along the colon differ, and all stand out from mucosa, the green of ends and the yellow of taeniae. */
+/** Neighbors along the colon differ, and all contrast with mucosa, the green of ends and the yellow of taeniae. */
 RGBColor
 ColorOf(int label)
 {

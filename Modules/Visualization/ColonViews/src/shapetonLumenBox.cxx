@@ -11,8 +11,8 @@ namespace shapeton
 {
 namespace
 {
-/** The next place from `begin` on that is not 0, or `end`; looks at eight voxels at once, for most of a volume is no
- * lumen. */
+/** Position of the next nonzero value from `begin` on, or `end`. Tests eight voxels at once, because most of a volume
+ * is not lumen. */
 const unsigned char *
 NextFilled(const unsigned char * begin, const unsigned char * end)
 {

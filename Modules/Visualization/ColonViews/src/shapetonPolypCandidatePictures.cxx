@@ -24,16 +24,16 @@ using Eigen::Vector3d;
 constexpr unsigned int viewWidth = 400;
 constexpr unsigned int viewHeight = 300;
 constexpr int          heightOfTitle = 34;
-/** The close-up over the flat colon. */
+/** Magnification of the close-up relative to the flat colon. */
 constexpr double magnification = 4.0;
-/** mm of wall across a close-up at most. */
+/** Maximum width of wall in a close-up, mm. */
 constexpr double widestCloseUp = 60.0;
 const RGBColor   mucosa = MakeColor(232, 164, 144);
 const RGBColor   head = MakeColor(92, 138, 236);
 const RGBColor   ground = MakeColor(18, 19, 25);
 const RGBColor   lightInk = MakeColor(222, 226, 234);
 
-/** As on the strips of FlatColonView: from the left and a little from above. */
+/** Lit as on the strips of FlatColonView: from the left and slightly above. */
 RGBColor
 Lit(const RGBColor & color, const FlatColonFrame & frame, const Vector3d & normal)
 {
@@ -49,7 +49,7 @@ Lit(const RGBColor & color, const FlatColonFrame & frame, const Vector3d & norma
   return lit;
 }
 
-/** mm of wall for each mm of the map around a place; the heads of polyps are small on the map. */
+/** mm of wall per mm of the map around a position; the heads of polyps are small on the map. */
 double
 MeanScaleAround(const FlatColonGrid & grid, const FlatPixel & middle)
 {
@@ -72,7 +72,7 @@ MeanScaleAround(const FlatColonGrid & grid, const FlatPixel & middle)
   return number > 0 ? sum / number : 1.0;
 }
 
-/** Linear between the middles of four pixels; not a number beyond the ends and in holes. */
+/** Bilinear interpolation between pixel centers; NaN outside and in holes. */
 Vector3d
 PointBetweenPixels(const FlatColonGrid & grid, double column, double row)
 {
@@ -127,7 +127,7 @@ struct PolypCandidatePictures::Data
     wallWithHeads.pointArrays.push_back(std::move(isHead));
   }
 
-  /** Of the wall that is nearest to a point of the flat surface. */
+  /** Color of the wall point nearest to a point of the flat surface. */
   RGBColor
   ColorAt(const FlatColonFrame & frame, const Vector3d & point) const
   {

@@ -67,7 +67,7 @@ struct Chart
   PlotFrame        frame;
 };
 
-/** The confidence around the tube at a column. */
+/** Confidence around the tube in a column. */
 struct ColumnConfidence
 {
   double mean{ 0.0 };
@@ -102,7 +102,7 @@ DrawConfidenceChart(const RegistrationParts & parts)
   const AlignedColons       colons(parts, 60);
   const FlatColonGrid &     grid = colons.Grid();
   const std::vector<double> distances = colons.Distances();
-  const MapOfSurface        map(parts.results->supineToProne, grid, 1.0); // the circumference is of no account here
+  const MapOfSurface        map(parts.results->supineToProne, grid, 1.0); // the circumference is not used here
   Chart                     chart(parts, distances, { "confidence", 0.0, 1.0 }, 0.5);
   ColumnConfidence          before;
   for (int column = 0; column < grid.Columns(); ++column)

@@ -16,7 +16,7 @@ const RGBColor colorOfAlone = MakeColor(24, 24, 28);
 const RGBColor colorOfDoubt = MakeColor(230, 20, 20);
 constexpr char seenFrom[] = "Seen from the lumen, rectum at the left. For research use; not a diagnosis.";
 
-/** Neighbours along the colon differ; all stand out from mucosa, black and red. */
+/** Neighbors along the colon differ; all contrast with mucosa, black and red. */
 RGBColor
 ColorOfPair(std::size_t pair)
 {
@@ -65,7 +65,7 @@ public:
       const auto to = prone.find(matches[i].proneFold);
       if (from == supine.end() || to == prone.end())
       {
-        continue; // of another run of ColonFolds: shown as alone
+        continue; // from another run of ColonFolds: shown as unmatched
       }
       const RGBColor color = IsDoubtful(matches[i]) ? colorOfDoubt : ColorOfPair(i);
       this->DrawCrest(upper, *from->second, false, color, 3.0);
@@ -156,7 +156,7 @@ DrawCurvatureCheckerboard(const RegistrationParts & parts, const AlignedColonsOp
   const Picture::Pointer board = colons.PaintSupine(PaintCurvature);
   const Picture::Pointer prone = colons.PaintProne(PaintCurvature);
   const int              rows = colons.Grid().Rows();
-  constexpr int          squaresAround = 4; // an even number, so that colours alternate across the cut, too
+  constexpr int          squaresAround = 4; // even, so that colors also alternate across the cut
   for (int row = 0; row < rows; ++row)
   {
     for (int column = 0; column < colons.Grid().Columns(); ++column)

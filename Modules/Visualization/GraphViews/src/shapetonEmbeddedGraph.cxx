@@ -91,7 +91,7 @@ EmbeddedGraph::FindVisibleEdges()
   }
 }
 
-/** From the touching point of the edge to the centres of the faces on both sides. */
+/** Segments from the tangency point of the edge to the centers of the faces on both sides. */
 void
 EmbeddedGraph::AddDualCrossing(int halfEdge)
 {
@@ -100,8 +100,8 @@ EmbeddedGraph::AddDualCrossing(int halfEdge)
   dual.push_back({ touch[twin], corner[twin] });
 }
 
-/** Packed faces that dummies alone divide are one face of the graph. Its representative is the one with the largest
- * circle; the dual runs there from face to face. */
+/** Merges packed faces separated only by dummies into one face of the graph. The representative is the face with the
+ * largest circle; the dual connects it from face to face. */
 void
 EmbeddedGraph::FindDual()
 {
@@ -148,7 +148,7 @@ EmbeddedGraph::FindDual()
   }
 }
 
-/** Within a face of the graph are the circles of its packed faces, and of dummies that no edge of the graph runs along.
+/** A face of the graph contains the circles of its packed faces, and of dummies that are not on an edge of the graph.
  * `owner` is the representative of each packed face. */
 void
 EmbeddedGraph::FindPole(const std::vector<int> & owner)
@@ -189,8 +189,8 @@ EmbeddedGraph::FindPole(const std::vector<int> & owner)
   }
 }
 
-/** The middle of the nodes, which count as their radii: small ones are many, large ones are what one sees. Where the
- * graph surrounds the sphere evenly, a side from which polyhedra look solid. */
+/** Center of the nodes, weighted by radius, because small ones are many and large ones dominate the view. If the graph
+ * surrounds the sphere evenly, a direction from which polyhedra look solid. */
 void
 EmbeddedGraph::FindFront()
 {
@@ -207,7 +207,8 @@ EmbeddedGraph::FindFront()
   front = length > uneven * total ? Place{ sum.x / length, sum.y / length, sum.z / length } : Place{ 0.48, -0.6, 0.64 };
 }
 
-/** Each edge is crossed once, where it touches in the middle of its path; from there the dual follows the parents. */
+/** Each edge is crossed once, at the tangency point in the middle of its path; from there the dual follows the parents.
+ */
 void
 EmbeddedGraph::DrawDual(const std::vector<int> & parent)
 {

@@ -17,7 +17,7 @@ Column(const std::vector<double> & values)
   return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
 }
 
-/** What kind of cell each cell is, and its number in its kind. */
+/** Kind of each cell, and its index within its kind. */
 std::vector<SurfaceArray>
 CellArraysOf(const std::array<std::size_t, 3> & numbers)
 {

@@ -51,7 +51,7 @@ WriteGraphSheetSvg(const std::vector<GraphView> & views, const GraphPictureOptio
 {
   std::list<EmbeddedGraph> graphs;
   std::vector<PanelPlan>   plans;
-  const Place *            pole = nullptr; // one for all spheres, so that what stays in place does so in the pictures
+  const Place *            pole = nullptr; // shared by all spheres, so that unchanged nodes keep their position
   for (const GraphView & view : views)
   {
     const EmbeddedGraph & graph = graphs.emplace_back(*view.certificate);
@@ -74,7 +74,7 @@ WriteGraphSheetSvg(const std::vector<GraphView> & views, const GraphPictureOptio
 std::vector<std::string>
 DistinctColors(int count)
 {
-  constexpr double         golden = 0.61803398874989485; // neighbours in number differ most in hue
+  constexpr double         golden = 0.61803398874989485; // consecutive numbers differ most in hue
   std::vector<std::string> colors;
   for (int i = 0; i < count; ++i)
   {

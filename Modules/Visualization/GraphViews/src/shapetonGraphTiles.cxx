@@ -21,7 +21,7 @@ RootOf(const EmbeddedGraph & graph)
   return static_cast<int>(std::find(tree.begin(), tree.end(), -1) - tree.begin());
 }
 
-/** True when both ends of the edge touch at one place: no deck transformation is met along it. */
+/** True if both ends of the edge touch at the same place, so that no deck transformation is involved. */
 bool
 IsInside(const EmbeddedGraph & graph, int halfEdge)
 {
@@ -39,7 +39,7 @@ struct Candidate
   double distance;
 };
 
-/** Numbers whose order is that of how far a motion moves the root. */
+/** Sort key of a motion by the displacement of the root. */
 Candidate
 CandidateOf(const EmbeddedGraph & graph, const Motion & motion, const Place & root)
 {
@@ -96,7 +96,7 @@ DomainBoundary(const EmbeddedGraph & graph)
   return boundary;
 }
 
-/* The nearest motion whose neighbours have not been looked at is next, as in Dijkstra's algorithm. */
+/* Visits the nearest motion with unvisited neighbors next, as in Dijkstra's algorithm. */
 std::vector<Motion>
 TilesAround(const EmbeddedGraph & graph, int count)
 {

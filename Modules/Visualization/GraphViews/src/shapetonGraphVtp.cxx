@@ -19,8 +19,8 @@ enum CellKind
   FaceCircleCell = 3
 };
 
-/** How far a chord may be from its arc where that needs more than the fewest and not more than the most corners of a
- * circle, or pieces of half an edge. Units of the surface. */
+/** Maximum distance of a chord from its arc, within the limits on the number of corners of a circle or pieces of half
+ * an edge. Units of the surface. */
 constexpr double flatness = 1e-4;
 constexpr double fewestCorners = 8.0;
 constexpr double mostCorners = 32.0;
@@ -64,7 +64,7 @@ public:
   CurveSet
   Take()
   {
-    const std::vector<Place> points = std::move(m_Points); // not longer than needed: there may be tens of millions
+    const std::vector<Place> points = std::move(m_Points); // freed early: there may be tens of millions
     CurveSet                 set;
     set.V.resize(static_cast<Eigen::Index>(points.size()), 3);
     for (std::size_t i = 0; i < points.size(); ++i)
@@ -92,7 +92,7 @@ private:
   std::vector<double>           m_Radii;
 };
 
-/** Points along one packed half-edge and its twin: seen from the start node, then from the end node's lift. */
+/** Points along one packed half-edge and its twin, seen from the start node, then from the end node's lift. */
 void
 AddHalfEdge(const EmbeddedGraph & graph, int halfEdge, int id, CellCollector & cells)
 {
@@ -118,7 +118,7 @@ WriteGraphVtp(const EmbeddingCertificate &                             certifica
   const auto          circle = [&](const Place & centre, double radius) {
     return graph.space.Circle(centre, radius, CornersOfCircle(radius / unit));
   };
-  std::vector<int> edgeOf(certificate.packed.edges.size(), -1); // of packed edges that belong to one of the graph
+  std::vector<int> edgeOf(certificate.packed.edges.size(), -1); // for packed edges that belong to an edge of the graph
   for (std::size_t e = 0; e < certificate.graph.edges.size(); ++e)
   {
     edgeOf[e] = static_cast<int>(e);

@@ -24,7 +24,7 @@ AngleBetween(const Eigen::Vector3d & p, const Eigen::Vector3d & q)
   return std::atan2(p.cross(q).norm(), p.dot(q));
 }
 
-/** The normal of the plane of both axes; any where they are in line. */
+/** Normal of the plane of both axes; arbitrary if they are collinear. */
 Eigen::Vector3d
 NormalOf(const Eigen::Vector3d & p, const Eigen::Vector3d & q)
 {
@@ -32,8 +32,8 @@ NormalOf(const Eigen::Vector3d & p, const Eigen::Vector3d & q)
   return normal.norm() > 1e-9 ? normal.normalized() : p.unitOrthogonal();
 }
 
-/** The height where a chimney ends. Its profile is a parabola above the tangent of the sphere at the rim, and a bend of
- * this radius there stays outside the sphere. */
+/** Height where a chimney ends. Its profile is a parabola above the sphere's tangent at the rim; a bend of this radius
+ * there stays outside the sphere. */
 double
 HeightOfChimney(const SphereHole & hole, double radius)
 {
@@ -42,7 +42,7 @@ HeightOfChimney(const SphereHole & hole, double radius)
   return std::max(1.0 + 1.5 * radius, low + 2.5 * std::max(0.0, rim - radius) * rim / low);
 }
 
-/** Upwards, without its lowest section; `along` is the direction of the tube there. */
+/** Sections going up, without the lowest one; `along` is the direction of the tube there. */
 std::vector<TubeSection>
 Chimney(const SphereHole & hole, double radius, const Eigen::Vector3d & normal, const Eigen::Vector3d & along)
 {
@@ -61,7 +61,7 @@ Chimney(const SphereHole & hole, double radius, const Eigen::Vector3d & normal, 
   return sections;
 }
 
-/** The free space between two tubes, by their sections as balls; negative where they meet. */
+/** Clearance between two tubes, with sections as balls; negative if they intersect. */
 double
 Clearance(const std::vector<TubeSection> & one, const std::vector<TubeSection> & other)
 {
@@ -76,7 +76,7 @@ Clearance(const std::vector<TubeSection> & one, const std::vector<TubeSection> &
   return least;
 }
 
-/** The lowest tube between two holes that stays clear of the others by the radius of a tube. */
+/** The lowest tube between two holes that keeps a clearance of one tube radius to the others. */
 bool
 PlaceTube(HandleTube & tube, std::vector<std::vector<TubeSection>> & placed)
 {
@@ -111,7 +111,7 @@ HandleTube::Sections() const
   for (int i = 1; i < bendSections; ++i)
   {
     const double t = static_cast<double>(i) / bendSections;
-    // The angle stands still at both ends, where the tube rises: so it leaves the chimneys along their axes.
+    // Zero angular velocity at both ends, so that the tube leaves the chimneys along their axes.
     const double          smooth = t * t * (3.0 - 2.0 * t);
     const double          slope = 6.0 * t * (1.0 - t);
     const double          height = low + rise * smooth + 4.0 * lift * t * (1.0 - t);

@@ -29,7 +29,7 @@ Combination(double a, const Place & p, double b, const Place & q)
   return { a * p.x + b * q.x, a * p.y + b * q.y, a * p.z + b * q.z };
 }
 
-/** The direction at p of the arc to q. */
+/** Direction at p of the arc to q. */
 Place
 Tangent(const Place & p, const Place & q)
 {
@@ -49,7 +49,7 @@ PlaceOf(Complex z)
   return { z.real(), z.imag(), 0.0 };
 }
 
-/** The Moebius transformation of the disk that takes 0 to z. */
+/** Moebius transformation of the disk that maps 0 to z. */
 Complex
 FromCentre(Complex z, Complex w)
 {

@@ -10,7 +10,7 @@ namespace shapeton
 {
 namespace
 {
-/** The square around these points, a little larger. */
+/** Bounding square of these points, slightly enlarged. */
 PictureWindow
 WindowAround(const std::vector<Pixel> & pixels, double enlargement)
 {
@@ -25,7 +25,7 @@ WindowAround(const std::vector<Pixel> & pixels, double enlargement)
   return { { 0.5 * (least.x + most.x), 0.5 * (least.y + most.y) }, enlargement * half };
 }
 
-/** All nodes and edges of the graph, and its circles where they are not much larger than that. */
+/** All nodes and edges of the graph, and its circles if they are not much larger. */
 PictureWindow
 WindowOfSphere(const EmbeddedGraph & graph, const PictureMap & picture)
 {
@@ -67,7 +67,7 @@ PlansOfTorus(const EmbeddedGraph & graph)
   }
   PanelPlan overlap{ "Universal cover: overlap graph and fundamental domain", flat, WindowAround(pixels, 1.4) };
   overlap.hasTiles = true;
-  // Copies of a large graph are grey; painting them takes as long as the original each.
+  // Copies of a large graph are grey; each takes as long to paint as the original.
   const std::size_t segments = graph.halfEdges.size() + graph.dual.size();
   overlap.tiles = TilesAround(graph, segments > 1000000 ? 1 : segments > 100000 ? 9 : 25);
   PanelPlan circles = overlap;
@@ -76,7 +76,7 @@ PlansOfTorus(const EmbeddedGraph & graph)
   return { overlap, circles };
 }
 
-/** Tiles shrink towards the rim, so large graphs need no more of them. */
+/** Tiles shrink towards the rim, so large graphs need fewer of them. */
 int
 NumberOfTiles(const EmbeddedGraph & graph)
 {
@@ -86,11 +86,11 @@ NumberOfTiles(const EmbeddedGraph & graph)
   return static_cast<int>(std::clamp(mostSegments / segments, static_cast<double>(least), 240.0));
 }
 
-/** The tiles that a picture of the disk shows as more than a speck. */
+/** Tiles that are large enough to be visible in a picture of the disk. */
 std::vector<Motion>
 VisibleTiles(const EmbeddedGraph & graph, const PictureMap & picture)
 {
-  constexpr double         least = 1e-4; // of an area of the disk's plane, about 9 pixels of a panel
+  constexpr double         least = 1e-4; // area in the disk's plane, about 9 pixels of a panel
   const std::vector<Place> boundary = DomainBoundary(graph);
   std::vector<Motion>      tiles;
   for (const Motion & tile : TilesAround(graph, NumberOfTiles(graph)))

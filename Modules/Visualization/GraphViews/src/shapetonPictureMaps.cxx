@@ -53,7 +53,7 @@ Stereographic(const Frame & frame)
             const double share = 1.0 / std::max(1e-12, 1.0 + ScalarProduct(p, frame.z));
             return Pixel{ share * ScalarProduct(p, frame.x), -share * ScalarProduct(p, frame.y) };
           },
-           [frame](const Place & p) { return ScalarProduct(p, frame.z) > -0.9999; }, // the pole is out of any picture
+           [frame](const Place & p) { return ScalarProduct(p, frame.z) > -0.9999; }, // the pole is outside any picture
            true,
            false,
            {} };

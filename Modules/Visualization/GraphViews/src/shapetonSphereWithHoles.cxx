@@ -11,7 +11,7 @@ namespace shapeton
 {
 namespace
 {
-/** Edges of a rim in radii of the hole. */
+/** Maximum edge length of a rim, in radii of the hole. */
 constexpr double longestOnRim = 0.45;
 
 Eigen::Vector3d
@@ -21,7 +21,7 @@ VectorOf(const std::array<double, 3> & point)
 }
 } // namespace
 
-/** The new vertices in the middle of edges; -1 where an edge stays whole. */
+/** New vertices at edge midpoints; -1 if an edge is not split. */
 class SphereWithHoles::EdgeMiddles
 {
 public:
@@ -76,7 +76,7 @@ SphereWithHoles::Add(const Eigen::Vector3d & vertex, int rim)
   return static_cast<int>(m_Vertices.size()) - 1;
 }
 
-/** The point of a rim in the direction of a point of the sphere. */
+/** Point of a rim in the direction of a point of the sphere. */
 int
 SphereWithHoles::AddRim(int hole, const Eigen::Vector3d & towards)
 {
@@ -117,7 +117,7 @@ SphereWithHoles::AddVertices(const SphericalPacking & packing)
   }
 }
 
-/** On both sides of each half-edge: to the left the face of its own, to the right that of the half-edge before. */
+/** Adds both sides of each half-edge: its own face to the left, that of the previous half-edge to the right. */
 void
 SphereWithHoles::AddTriangles()
 {
@@ -202,7 +202,7 @@ SphereWithHoles::Halved(const std::vector<int> & path, const EdgeMiddles & middl
   return finer;
 }
 
-/** Halves all edges that are too long, once. Returns whether there was one. */
+/** Bisects all edges that are too long, once. Returns whether there were any. */
 bool
 SphereWithHoles::Refine()
 {
@@ -236,11 +236,11 @@ SphereWithHoles::Refine()
   return true;
 }
 
-/** Adds the parts of a triangle whose halved edges have these middles. */
+/** Adds the parts of a triangle whose split edges have these midpoints. */
 void
 SphereWithHoles::AddParts(std::array<int, 3> t, const EdgeMiddles & middles)
 {
-  // A halved edge comes first and a whole one last, where there are both.
+  // If there are both, a split edge comes first and a whole one last.
   for (int turn = 0; turn < 3 && (middles(t[0], t[1]) < 0 || middles(t[2], t[0]) >= 0); ++turn)
   {
     std::rotate(t.begin(), t.begin() + 1, t.end());

@@ -10,7 +10,7 @@ namespace shapeton
 {
 namespace
 {
-/** Of the circle of a hub, and in radians, a hole takes at most so much. */
+/** Maximum size of a hole: this fraction of its hub's circle, and an angle in radians. */
 constexpr double shareOfHub = 0.6;
 constexpr double largestHole = 0.3;
 
@@ -38,14 +38,14 @@ HolesOf(const HandleCut & cut, const SphericalPacking & packing)
   return pairs;
 }
 
-/** The end of a path that belongs to a half-edge. */
+/** End of a path that belongs to a half-edge. */
 int
 EndAt(const std::vector<std::vector<int>> & paths, int halfEdge)
 {
   return halfEdge % 2 == 0 ? paths[halfEdge / 2].front() : paths[halfEdge / 2].back();
 }
 
-/** Adds a path, from either end, to a curve that may end where it begins. */
+/** Appends a path, in either direction, to a curve, which may be closed. */
 void
 Append(const std::vector<int> & path, bool isForward, std::vector<int> & curve)
 {
@@ -57,7 +57,7 @@ Append(const std::vector<int> & path, bool isForward, std::vector<int> & curve)
   curve.insert(curve.end(), directed.begin() + (curve.empty() ? 0 : 1), directed.end());
 }
 
-/** The tubes of a sphere with holes, and the curves on them. */
+/** Tubes of a sphere with holes, and the curves on them. */
 class Tubes
 {
 public:
@@ -97,7 +97,7 @@ public:
     }
     twists.push_back(mesh.Twist());
   }
-  /** The whole curve of an edge of the map: along its parts on the sphere and through the tubes between them. */
+  /** The whole curve of an edge of the map: its parts on the sphere and through the tubes between them. */
   std::vector<int>
   CurveOf(int edge) const
   {
@@ -120,7 +120,7 @@ private:
   const HandleCut &             m_Cut;
   const SphereWithHoles &       m_Sphere;
   std::vector<std::vector<int>> m_Rims;   ///< vertices on the rim of each hole
-  std::vector<std::vector<int>> m_Curves; ///< of half-edges that leave a first hub, from there to the second one
+  std::vector<std::vector<int>> m_Curves; ///< for half-edges at a first hub, from there to the second
 };
 } // namespace
 

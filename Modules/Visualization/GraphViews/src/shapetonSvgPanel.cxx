@@ -41,7 +41,7 @@ struct FlatCircle
   double radius;
 };
 
-/** The circle through three points; a huge one for points on a line. */
+/** Circle through three points; a huge one if they are collinear. */
 FlatCircle
 CircleThrough(const Pixel & a, const Pixel & b, const Pixel & c)
 {
@@ -92,7 +92,7 @@ SvgText(const std::string & text)
       case '"':
         safe += "&quot;";
         break;
-      default: // control characters have no place in XML
+      default: // control characters are not allowed in XML
         safe += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
     }
   }
@@ -107,7 +107,7 @@ SvgPanel::SvgPanel(const ModelSpace &    space,
   : m_Space(space), m_Picture(picture), m_Window(window), m_Size(size), m_Least(least)
 {}
 
-/** Copies of what is shown once need no detail. */
+/** Size limit: repeated copies need less detail. */
 double
 SvgPanel::LeastOf(const Motion & motion) const
 {
@@ -128,7 +128,7 @@ SvgPanel::IsNear(const Pixel & pixel, double margin) const
   return pixel.x > -margin && pixel.y > -margin && pixel.x < m_Size + margin && pixel.y < m_Size + margin;
 }
 
-/** "M x y L x y ..." with as many points as the bend needs; `goesOn` leaves the first point out. */
+/** "M x y L x y ..." with as many points as the curvature requires; `goesOn` omits the first point. */
 std::string
 SvgPanel::PathOfSegment(const Place & from, const Place & to, bool goesOn) const
 {
@@ -139,7 +139,7 @@ SvgPanel::PathOfSegment(const Place & from, const Place & to, bool goesOn) const
   const double     bend =
     m_Picture.isStraight ? 0.0 : Distance(middle, { 0.5 * (start.x + end.x), 0.5 * (start.y + end.y) });
   const int pieces = static_cast<int>(
-    std::min(most, std::max(1.0, std::ceil(std::sqrt(bend / 0.05))))); // a twentieth of a pixel beside it
+    std::min(most, std::max(1.0, std::ceil(std::sqrt(bend / 0.05))))); // at most 0.05 pixels off
   std::string path = goesOn ? "" : 'M' + Pair(start);
   for (int i = 1; i <= pieces; ++i)
   {
@@ -148,7 +148,7 @@ SvgPanel::PathOfSegment(const Place & from, const Place & to, bool goesOn) const
   return path;
 }
 
-/** Cuts off the part of a geodesic that lies behind; false when nothing is left. */
+/** Clips the hidden part of a geodesic; false if nothing is left. */
 bool
 SvgPanel::Shorten(Place & from, Place & to) const
 {
@@ -220,7 +220,7 @@ SvgPanel::AddCircle(const Place & centre, double radius, const Motion & motion, 
   const std::vector<Place> points = m_Space.Circle(place, radius, 3);
   const FlatCircle circle = CircleThrough(this->ToPixel(points[0]), this->ToPixel(points[1]), this->ToPixel(points[2]));
   const double     margin = circle.radius;
-  constexpr double most = 1e5; // a line, as far as the picture goes
+  constexpr double most = 1e5; // practically a line
   if (!(circle.radius >= LeastOf(motion) && circle.radius < most) || !IsNear(circle.centre, margin))
   {
     return;
@@ -233,7 +233,7 @@ SvgPanel::AddCircle(const Place & centre, double radius, const Motion & motion, 
     m_Content += "<circle cx=\"" + x + "\" cy=\"" + y + "\" r=\"" + r + '"' + Attributes(style) + "/>\n";
     return;
   }
-  // The centre lies beyond: the inside of the circle is the outside of the flat one.
+  // The center is hidden: the inside of the circle is the outside of the flat one.
   const std::string size = SvgNumber(m_Size);
   const std::string arc = 'A' + r + ' ' + r + " 0 0 0 ";
   m_Content += "<path fill-rule=\"evenodd\" d=\"M-9 -9H" + size + "9V" + size + "9H-9ZM" +
@@ -242,7 +242,7 @@ SvgPanel::AddCircle(const Place & centre, double radius, const Motion & motion, 
                Pair({ circle.centre.x - circle.radius, circle.centre.y }) + "Z\"" + Attributes(style) + "/>\n";
 }
 
-/** On from the last visible point of a cap's circle along the rim, as far as it lies inside the cap. */
+/** Continues from the last visible point of a cap's circle along the rim, as far as it is inside the cap. */
 std::string
 SvgPanel::PathAlongRim(const Place & centre, double radius, const Pixel & end) const
 {
@@ -274,7 +274,7 @@ SvgPanel::PathAlongRim(const Place & centre, double radius, const Pixel & end) c
   return path;
 }
 
-/** The visible part of a circle that is no circle in the picture, as a polygon; where it goes behind, along the rim. */
+/** Visible part of a circle that is not a circle in the picture, as a polygon; closed along the rim where hidden. */
 void
 SvgPanel::AddOutline(const Place & centre, double radius, const SvgStyle & style)
 {
@@ -286,7 +286,7 @@ SvgPanel::AddOutline(const Place & centre, double radius, const SvgStyle & style
   const auto               number = static_cast<std::size_t>(std::clamp(8.0 * std::sqrt(size), 8.0, 160.0));
   const std::vector<Place> points = m_Space.Circle(centre, radius, static_cast<int>(number));
   const auto               isSeen = [&](std::size_t i) { return m_Picture.isVisible(points[i % number]); };
-  std::size_t              start = 0; // the first point that comes into sight, if one is out of sight
+  std::size_t              start = 0; // the first point after a hidden one, if any
   while (start < number && (isSeen(start + number - 1) || !isSeen(start)))
   {
     ++start;
@@ -321,7 +321,7 @@ SvgPanel::AddDot(const Place & place, const Motion & motion, double radius, cons
 void
 SvgPanel::AddPolygon(const std::vector<Place> & corners, const Motion & motion, const SvgStyle & style)
 {
-  const double       least = 2.0 * LeastOf(motion); // corners that are nearer to each other become one
+  const double       least = 2.0 * LeastOf(motion); // closer corners are merged
   std::vector<Place> kept;
   bool               isSeen = false;
   for (const Place & corner : corners)
@@ -349,7 +349,7 @@ SvgPanel::AddLabel(const Place & centre, const Place & rim, const std::string & 
 {
   constexpr double largest = 12.0;
   constexpr double smallest = 6.0;
-  constexpr double widthOfLetter = 0.55; // of the size
+  constexpr double widthOfLetter = 0.55; // relative to the font size
   if (!m_Picture.isVisible(centre))
   {
     return true;

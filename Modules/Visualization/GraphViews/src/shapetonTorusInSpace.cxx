@@ -11,7 +11,7 @@ namespace
 
 using Complex = std::complex<double>;
 
-/** The coordinates of z in the basis w1, w2. */
+/** Coordinates of z in the basis w1, w2. */
 std::array<double, 2>
 Coordinates(const Complex & z, const Complex & w1, const Complex & w2)
 {
@@ -36,7 +36,7 @@ TorusInSpace::Point
 TorusInSpace::operator()(const Complex & z) const
 {
   const auto [s, t] = Coordinates(z, m_W1, m_W2);
-  const double u = -2.0 * Pi * t; // so that counter-clockwise stays so, seen from outside
+  const double u = -2.0 * Pi * t; // keeps the orientation as seen from outside
   const double r = m_TubeRadius;
   const double v = 2.0 * std::atan2(std::sqrt(1.0 + r) * std::sin(Pi * s), std::sqrt(1.0 - r) * std::cos(Pi * s));
   const double distance = 1.0 + r * std::cos(v);
@@ -49,7 +49,7 @@ TorusInSpace::Place(int node) const
   return { m_Certificate.nodePositions[2 * node], m_Certificate.nodePositions[2 * node + 1] };
 }
 
-/** The vector of an edge: of all lifts of its end the one at the distance of touching circles. */
+/** Vector of an edge: the lift of its end at the distance of tangent circles. */
 Complex
 TorusInSpace::Along(int halfEdge) const
 {

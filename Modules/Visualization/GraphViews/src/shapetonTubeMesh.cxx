@@ -10,7 +10,7 @@ namespace shapeton
 {
 namespace
 {
-/** The widest angle between neighbours of a section. */
+/** Maximum angle between neighbors of a section. */
 constexpr double widest = Pi / 10.0;
 } // namespace
 
@@ -57,7 +57,7 @@ TubeMesh::RimOf(const TubeSection & section, const std::vector<int> & rim, std::
   return ring;
 }
 
-/** Whole turns of the last ring, so that curves wind least on average. */
+/** Whole turns of the last ring that minimize the mean winding of the curves. */
 void
 TubeMesh::Unwind(const Ring & first, Ring & last)
 {
@@ -101,7 +101,7 @@ TubeMesh::RingBetween(const Ring & first, const Ring & last, const TubeSection &
   return ring;
 }
 
-/** Triangles between two rings, from curve to curve, and the pieces of the curves. */
+/** Triangles between two rings, from curve to curve, and the segments of the curves. */
 void
 TubeMesh::Join(const Ring & from, const Ring & to)
 {

@@ -18,7 +18,7 @@ namespace
 {
 using ImageType = itk::Image<float, 3>;
 
-/** Every n-th voxel of each axis, so that the page opens within seconds. */
+/** Subsamples each axis by n, so that the page opens within seconds. */
 class VoxelGrid
 {
 public:
@@ -62,7 +62,7 @@ public:
     return values;
   }
 
-  /** Size, spacing, origin and axes of what is kept. */
+  /** Size, spacing, origin and axes of the subsampled grid. */
   Json
   Geometry() const
   {
@@ -85,7 +85,7 @@ private:
   std::array<std::size_t, 3> m_Size{};
 };
 
-/** How the slices of a plane lie on the screen: axes of the image, whether they run against the screen, letters. */
+/** Orientation of the slices of a plane on the screen: image axes, flips, letters. */
 Json
 PlaneOf(const ImageType * image, SlicePlane plane)
 {

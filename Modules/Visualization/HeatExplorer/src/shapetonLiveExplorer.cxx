@@ -82,7 +82,7 @@ LiveExplorer::WriteState(const ShapeAnalysis & shape, const LiveState & state)
   WriteFileBytes(m_OutputPath(this->StateFile()), blocks.Script());
 }
 
-/** Beyond the greatest number every second row goes. */
+/** Beyond the maximum number, every second row is dropped. */
 void
 LiveExplorer::Remember(const HeatHistogram & row)
 {

@@ -16,7 +16,7 @@ Refuse(const std::string & path, const std::string & fault)
   throw InputError(path + " is no transfer function that the heat explorer saved, " + fault + ": save it again");
 }
 
-/** One file, and what is wrong in it. */
+/** Reader of one file, with errors that name it. */
 class Reader
 {
 public:

@@ -9,7 +9,7 @@ namespace shapeton
 {
 namespace
 {
-/** The binomial kernel 1 2 1 along a line of values, in place; the ends repeat. */
+/** Filters a line of values in place with the binomial kernel 1 2 1; the ends are repeated. */
 void
 SmoothLine(std::uint16_t * line, int length, std::size_t stride)
 {
@@ -72,7 +72,7 @@ void
 ClassifiedVolume::MarkOccupiedBlocks()
 {
   m_Content.assign(this->BlockIndex(0, 0, m_Blocks[2]), Content::Transparent);
-  // A block looks one voxel beyond its borders, as far as interpolation does.
+  // A block includes one voxel beyond its borders, as interpolation does.
   ParallelFor(m_Blocks[2], [&](int blockZ) {
     const int firstZ = std::max(blockZ * BlockSize - 1, 0);
     const int endZ = std::min((blockZ + 1) * BlockSize + 1, m_Size[2]);
@@ -103,8 +103,7 @@ ClassifiedVolume::MarkOccupiedBlocks()
 void
 ClassifiedVolume::MarkUniformBlocks()
 {
-  // A block and all its neighbours: they reach farther than the smoothing of opacity and the difference for the
-  // gradient.
+  // A block and all its neighbors: they extend farther than the smoothing of opacity and the gradient's differences.
   constexpr std::uint8_t    several = 255;
   std::vector<std::uint8_t> lineOfBlock(m_Content.size());
   ParallelFor(m_Blocks[2], [&](int blockZ) {

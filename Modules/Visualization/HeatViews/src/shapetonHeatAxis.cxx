@@ -11,7 +11,7 @@ namespace shapeton
 {
 namespace
 {
-/** From the first to the last bin, without the background, that holds a count in any row. */
+/** From the first to the last bin with a count in any row, without the background. */
 HeatRange
 RangeOf(const HeatHistogram & histogram)
 {
@@ -35,7 +35,7 @@ RangeOf(const HeatHistogram & histogram)
   return { HeatHistogram::LowerEdge(first), HeatHistogram::LowerEdge(last + 1) };
 }
 
-/** Bins as a continuous coordinate: bin k covers [k, k + 1), linear in heat inside. */
+/** Continuous bin coordinate: bin k covers [k, k + 1), linear in heat inside. */
 double
 BinCoordinateOf(double heat)
 {
@@ -145,7 +145,7 @@ BalanceClasses(const HeatHistogram & histogram, std::size_t row, const std::vect
   };
   for (const HeatClass & heatClass : classes)
   {
-    const unsigned int          first = std::max(1U, binAt(heatClass.lowerHeat)); // bin 0 has no room on the axis
+    const unsigned int          first = std::max(1U, binAt(heatClass.lowerHeat)); // bin 0 is not on the axis
     const unsigned int          end = binAt(heatClass.upperHeat);
     const std::uint32_t * const source = histogram.GetRow(row);
     double                      voxels = 0.0;

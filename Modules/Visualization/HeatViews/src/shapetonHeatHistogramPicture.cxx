@@ -19,10 +19,10 @@ constexpr int classStripHeight = 44;
 constexpr int tickLength = 6;
 constexpr int openingStripHeight = 8;
 constexpr int openingHeight = 30; // a strip and the lines to the next one
-// Of a histogram that was opened more often, the last ones are drawn: any number of ranges fits.
+// If there are more zoom levels, only the last ones are drawn, so that any number of ranges fits.
 constexpr std::size_t mostOpenings = 6;
-// A bin is drawn at most this wide: on the equalised axis a converged line owns a large share of the counts and of the
-// axis, but is to look like a line.
+// Maximum width of a drawn bin: on the equalized axis, a converged line has a large fraction of the counts and of the
+// axis, but should look like a line.
 constexpr double greatestLineWidth = 6.0;
 
 const RGBColor faintInk = MakeColor(96, 100, 110);
@@ -41,7 +41,7 @@ Style(int size, HorizontalAnchor horizontal, VerticalAnchor vertical, const RGBC
   return style;
 }
 
-/** The counts of every column of the plot, for each row of the histogram. */
+/** Counts of every column of the plot, for each row of the histogram. */
 class ColumnCounts
 {
 public:
@@ -72,8 +72,8 @@ public:
   }
 
 private:
-  /** Adds the counts of a bin: in rows where its neighbours hold counts as well, over all columns that it covers; in
-   * others, as a line in its middle. */
+  /** Adds the counts of a bin: over all columns that it covers in rows where neighboring bins have counts, otherwise as
+   * a line at its center. */
   void
   AddBin(const HeatHistogram & histogram, unsigned int bin, double left, double right)
   {
@@ -97,7 +97,7 @@ private:
            histogram.GetCount(row, bin + 1) > least;
   }
 
-  /** Spreads a count over the columns around a place, each from half a pixel left to half a pixel right of it. */
+  /** Distributes a count over the columns within half a pixel of a position. */
   void
   AddCount(std::size_t row, std::uint32_t count, double center, double width)
   {
@@ -116,7 +116,7 @@ private:
   std::vector<float> m_Counts;
 };
 
-/** The brightness, in [0, 1], of a count: logarithmic; a single voxel is still seen, no voxel is not. */
+/** Brightness, in [0, 1], of a count: logarithmic; a single voxel is visible, 0 is black. */
 double
 BrightnessOf(double count, double greatest)
 {
@@ -125,8 +125,8 @@ BrightnessOf(double count, double greatest)
                                        : 0.0;
 }
 
-/** Raises what is brighter than its neighbourhood in the row and lowers the rest, so that lines stand out from the haze
- * of drifting heat that equalisation spreads evenly. */
+/** Raises pixels brighter than their neighborhood in the row and lowers the rest, so that lines stand out from the haze
+ * of drifting heat that equalization spreads evenly. */
 void
 Sharpen(std::vector<double> & brightness)
 {
@@ -150,7 +150,7 @@ Sharpen(std::vector<double> & brightness)
   }
 }
 
-/** The place of a time step on the vertical axis. */
+/** Position of a time step on the vertical axis. */
 class TimeAxis
 {
 public:
@@ -203,7 +203,7 @@ DrawBackgroundLine(Picture * picture, const HeatHistogram & histogram, const Tim
   }
 }
 
-/** The brightnesses of a line of pixels; where several rows share it, the greatest count shows. */
+/** Brightness of a line of pixels; where several rows share it, the largest count is shown. */
 std::vector<double>
 BrightnessOfLine(const ColumnCounts & counts, int firstRow, int endRow, int columns, double greatest)
 {
@@ -290,7 +290,7 @@ DrawHeatTicks(Picture * picture, const HeatAxis & axis, const PlotArea & area, i
   const auto          pixelOf = [&](double heat) { return area.left + axis.PositionOf(heat) * (area.width - 1); };
   const HeatRange &   range = axis.GetRange();
   std::vector<double> heats = HeatTicks(range.lower, range.upper, leastDistance, pixelOf);
-  const bool          isNarrow = heats.size() < 2; // no two round numbers lie in it
+  const bool          isNarrow = heats.size() < 2; // it does not contain two round numbers
   if (isNarrow)
   {
     heats = { range.lower, range.upper };
@@ -307,8 +307,8 @@ DrawHeatTicks(Picture * picture, const HeatAxis & axis, const PlotArea & area, i
   }
 }
 
-/** A bar from the lower to the upper heat of each class in its colour, its number below, on the first of two lines with
- * room for it. */
+/** Draws a bar from the lower to the upper heat of each class in its color, with its number below, on the first of two
+ * lines where it fits. */
 void
 DrawClasses(Picture *                      picture,
             const HeatAxis &               axis,
@@ -347,7 +347,7 @@ DrawClasses(Picture *                      picture,
   }
 }
 
-/** The heights of labels that do not overlap, each as near below its own as possible, all above `bottom`. */
+/** Label positions without overlap, each as close below its own as possible, all above `bottom`. */
 std::vector<int>
 SpreadLabels(const std::vector<double> & wanted, int distance, int bottom)
 {
@@ -410,8 +410,8 @@ TextOf(const HeatRange & range)
   return HeatLabel(range.lower, 4) + " to " + HeatLabel(range.upper, 4);
 }
 
-/** The strip of an axis, dim but for the heats that are opened, and lines from their ends to the ends of what lies
- * below. */
+/** Draws the strip of an axis, dimmed except for the zoomed heats, and lines from their ends to the ends of the next
+ * level. */
 void
 DrawOpening(Picture *           picture,
             const HeatAxis &    axis,

@@ -14,7 +14,7 @@ ExactTextOf(const HeatRange & range)
   return CsvTable::Number(range.lower) + " to " + CsvTable::Number(range.upper);
 }
 
-/** Whether a bin holds heats of the range. */
+/** Whether a bin overlaps the range. */
 bool
 IsInside(unsigned int bin, const HeatRange & range)
 {
@@ -73,7 +73,7 @@ std::vector<HeatClass>
 FindClassesInside(const HeatHistogram & histogram, std::size_t row, const HeatRange & range)
 {
   HeatClassificationRule rule;
-  rule.backgroundHeat = 0.0; // what is low belongs to the range as well
+  rule.backgroundHeat = 0.0; // low heats are part of the range as well
   std::vector<HeatClass> classes = FindHeatClasses(RowInside(histogram, row, range), 0, rule);
   classes.erase(classes.begin()); // the background, bin 0
   if (!classes.empty())

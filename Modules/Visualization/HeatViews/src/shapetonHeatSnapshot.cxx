@@ -61,7 +61,7 @@ SnapshotsIn(const std::string & folder)
   return snapshots;
 }
 
-/** The first time steps, and the last one. */
+/** The first few time steps, and the last one. */
 std::string
 ListOf(const std::map<std::uint64_t, std::string> & snapshots)
 {
@@ -107,7 +107,7 @@ TimeStepInHeader(const std::string & path)
   });
   if (format == formats.end())
   {
-    return std::nullopt; // NIfTI has no room for it
+    return std::nullopt; // NIfTI cannot store it
   }
   const itk::ImageIOBase::Pointer & reader = *format;
   try

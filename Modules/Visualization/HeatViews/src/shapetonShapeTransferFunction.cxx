@@ -24,7 +24,7 @@ constexpr double narrowestLine = 1e-7;
 // 3D Slicer reads the lines of a .vp file into a buffer of 1024 characters.
 constexpr std::size_t greatestLineLength = 1023;
 
-// The light on a shaded heat volume.
+// Lighting of a shaded heat volume.
 constexpr double ambient = 0.3;
 constexpr double diffuse = 0.6;
 constexpr double specular = 0.2;
@@ -54,7 +54,7 @@ Split(const std::string & text, char separator)
   return parts;
 }
 
-/** Takes the longest unsigned number off the start of a text; false when it does not start with one. */
+/** Removes the longest unsigned number from the start of a text; false if there is none. */
 bool
 TakeNumber(std::string & text, double & value)
 {
@@ -138,7 +138,7 @@ Check(const TransferFunctionLine & line)
   }
 }
 
-/** Joins the two neighbouring classes that are closest on the axis. */
+/** Merges the two adjacent classes that are closest on the axis. */
 void
 JoinClosest(std::vector<HeatClass> & classes, const HeatAxis & axis)
 {
@@ -163,8 +163,8 @@ JoinClosest(std::vector<HeatClass> & classes, const HeatAxis & axis)
   classes.erase(classes.begin() + static_cast<std::ptrdiff_t>(closest) + 1);
 }
 
-/** 0.9 for classes up to the middle one by number of voxels; less, by that ratio to the power of 2/3, for larger ones,
- * down to 0.03: what fills much of the volume is a veil. */
+/** 0.9 for classes up to the median voxel count; smaller for larger ones, by that ratio to the power of 2/3, down to
+ * 0.03: a class that fills much of the volume becomes a veil. */
 double
 OpacityFor(std::uint64_t voxels, std::uint64_t middleVoxels)
 {
@@ -189,8 +189,8 @@ MiddleNumberOfVoxels(const std::vector<HeatClass> & classes)
 template <std::size_t Size>
 using Points = std::vector<std::array<double, Size + 1>>;
 
-/** The width of the ramp that stands for a step: small against the line, yet wide enough for renderers that sample the
- * function at its smallest distance of points. */
+/** Width of the ramp that approximates a step: small relative to the line, but wide enough for renderers that sample
+ * the function at its smallest point distance. */
 double
 RampOf(const TransferFunctionLine & line)
 {
@@ -333,7 +333,7 @@ ShapeTransferFunction::LineOf(float heat) const
     });
   if (after == m_Lines.begin() || heat >= (after - 1)->upperHeat)
   {
-    // The greatest heat belongs to a line that ends there.
+    // The maximum heat belongs to a line that ends there.
     const bool isAtEnd = !m_Lines.empty() && heat >= 1.0F && m_Lines.back().upperHeat >= 1.0;
     return isAtEnd ? static_cast<int>(m_Lines.size()) - 1 : -1;
   }

@@ -27,14 +27,14 @@ constexpr int captionHeight = 26;
 constexpr int legendWidth = 190;
 constexpr int greatestPanelHeight = 460;
 
-/** Colours, coarsely, and coloured voxels of a slice. */
+/** Number of (coarsely quantized) colors and of colored voxels of a slice. */
 struct SliceScore
 {
   std::bitset<4096> colors;
   std::size_t       voxels{ 0 };
 };
 
-/** The cut of DrawSliceMontage(); looks at every n-th voxel of each axis, at most some millions. */
+/** The cut of DrawSliceMontage(); samples every n-th voxel of each axis, at most some millions. */
 itk::Index<3>
 MostColorfulCut(const ImageType * heat, const HeatColoring & coloring)
 {
@@ -84,7 +84,7 @@ MostColorfulCut(const ImageType * heat, const HeatColoring & coloring)
   return cut;
 }
 
-/** The extent, in mm, of the volume along an axis. */
+/** Extent of the volume along an axis, mm. */
 double
 LengthOf(const itk::ImageBase<3> * image, unsigned int axis)
 {
@@ -107,7 +107,7 @@ PaintColoredSlice(const SliceView &       view,
   return picture;
 }
 
-/** The scale at which three slices side by side fill the width without being too high. */
+/** Scale at which three slices side by side fill the width, with limited height. */
 double
 ScaleFor(const itk::ImageBase<3> * image, int width)
 {

@@ -14,7 +14,7 @@ namespace shapeton
 {
 namespace
 {
-// Behind the volume: dark, because every colour of the heat map is light.
+// Dark background, because every color of the heat map is light.
 const RGBColor background = MakeColor(18, 19, 25);
 const RGBColor annotation = MakeColor(214, 218, 226);
 
@@ -26,7 +26,7 @@ CopyVector(const double * from, double to[3])
   std::copy(from, from + 3, to);
 }
 
-/** Fills in what the rays of a picture see of the volume. */
+/** Sets up the geometry of a picture's rays in the volume. */
 RayView
 MakeRayView(const itk::ImageBase<3> * volume, const PatientView & view)
 {
@@ -47,7 +47,7 @@ MakeRayView(const itk::ImageBase<3> * volume, const PatientView & view)
   rays.millimetresPerPixel = view.GetMillimetresPerPixel();
   rays.middleX = view.GetMiddleX();
   rays.middleY = view.GetMiddleY();
-  // Two samples for each smallest voxel: the opacity of a sample is then a square root away from that of a voxel.
+  // Two samples per smallest voxel: the opacity of a sample then follows by a square root from that of a voxel.
   const Vector3 step = view.GetForward() * (0.5 * std::min({ spacing[0], spacing[1], spacing[2] }));
   RayArithmetic::ToIndexVector(rays, step.GetDataPointer(), rays.step);
   const Vector3 toLight = Lighting::DirectionToLight(view.GetRight(), view.GetUp(), view.GetForward());

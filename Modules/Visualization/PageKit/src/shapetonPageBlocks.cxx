@@ -20,8 +20,8 @@ std::string
 Gzip(const std::string & bytes)
 {
   constexpr int gzipWindow = 15 + 16;
-  // Differences of voxels are small numbers at random, for which Z_FILTERED is made; level 6 takes three times as long
-  // for 1 %.
+  // Differences of voxels are small random numbers, which Z_FILTERED is made for; level 6 takes three times as long to
+  // save 1 %.
   z_stream stream{};
   if (deflateInit2(&stream, 4, Z_DEFLATED, gzipWindow, 9, Z_FILTERED) != Z_OK)
   {
@@ -42,7 +42,7 @@ Gzip(const std::string & bytes)
   return packed;
 }
 
-/** Least significant byte first, whatever the machine. */
+/** Little-endian on every machine. */
 template <typename TValue>
 std::string
 BytesOfDifferences(const std::vector<TValue> & values, std::size_t delta)

@@ -11,14 +11,14 @@ namespace shapeton
 {
 namespace
 {
-/** Takes values, best first, that keep their distance from all taken before. */
+/** Accepts values, best first, that keep a minimum distance from all accepted ones. */
 template <typename TValue>
 class TickCollector
 {
 public:
   TickCollector(double leastDistance, const PixelOf & pixelOf) : m_LeastDistance(leastDistance), m_PixelOf(pixelOf) {}
 
-  /** Takes the value if it is `distances` times the least distance away from all others. */
+  /** Accepts the value if it is at least `distances` times the minimum distance away from all others. */
   void
   Offer(TValue value, double distances = 1.0)
   {
@@ -64,7 +64,7 @@ std::vector<double>
 HeatTicks(double lower, double upper, double leastDistance, const PixelOf & pixelOf)
 {
   TickCollector<double> ticks(leastDistance, pixelOf);
-  // Multipliers by roundness: one digit, then two, then three, these only where much room is left.
+  // Multipliers by roundness: one digit, then two, then three, the last only where there is enough space.
   constexpr double                    room = 1.4;
   constexpr double                    muchRoom = 2.2;
   const std::vector<std::vector<int>> roundness{ { 1 }, { 2, 5 }, { 3, 4, 6, 7, 8, 9 } };

@@ -17,7 +17,7 @@ constexpr std::array<std::array<unsigned char, 3>, 33> heatColors{
     { 237, 105, 44 }, { 229, 85, 44 },  { 221, 61, 44 } }
 };
 
-// Found by search from the colours of Okabe and Ito, of which yellow and orange are but 17 apart for deutan sight.
+// Found by search from the colors of Okabe and Ito, whose yellow and orange are only 17 apart for deutan vision.
 constexpr std::array<unsigned int, 12> classColors{ 0x05bffa, 0xffeb07, 0x1538ff, 0x973f2c, 0x73ffcf, 0x0e7dfa,
                                                     0xdc760a, 0x974f79, 0xc2f78a, 0x7c3f9d, 0x0eb479, 0x11d4d6 };
 

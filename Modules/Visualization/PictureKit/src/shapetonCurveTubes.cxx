@@ -15,7 +15,7 @@ using Vector3 = Eigen::Vector3d;
 constexpr int sides = 12;
 constexpr int stacks = 10; // of a ball, from pole to pole
 
-/** Vertices and faces, one after the other. */
+/** Collects vertices and faces. */
 class MeshBuilder
 {
 public:
@@ -86,7 +86,7 @@ private:
   std::vector<std::array<int, 3>> m_Faces;
 };
 
-/** A vector across `tangent` that is as near to `last` as can be, so that the tube does not twist. */
+/** The unit vector perpendicular to `tangent` that is closest to `last`, so that the tube does not twist. */
 Vector3
 AcrossLike(const Vector3 & last, const Vector3 & tangent)
 {

@@ -4,7 +4,7 @@ namespace shapeton
 {
 namespace
 {
-/** The sums of 2 reach + 1 values around each of `number` values that lie `stride` apart. */
+/** Sums of 2 reach + 1 values around each of `number` values spaced by `stride`. */
 void
 SumAround(const std::vector<double> & from,
           std::vector<double> &       to,
@@ -31,7 +31,7 @@ SumAround(const std::vector<double> & from,
   }
 }
 
-/** Two box sums along each axis: a tent. */
+/** Two box filters along each axis: a tent filter. */
 void
 Blur(std::vector<double> & values, int width, int height, int reach)
 {
@@ -58,7 +58,7 @@ DepthShading::DepthShading(const std::vector<SeenSample> & samples,
   : m_Strength(static_cast<float>(strength))
 {
   const int reach = std::max(static_cast<int>(std::max(width, height)) / 60, 2);
-  m_DarkDepth = static_cast<float>(2.0 * reach * millimetresPerPixel); // as deep as the surroundings reach
+  m_DarkDepth = static_cast<float>(2.0 * reach * millimetresPerPixel); // equal to the extent of the surroundings
   if (strength <= 0.0)
   {
     return;

@@ -10,10 +10,10 @@ namespace shapeton
 {
 namespace
 {
-// The share of the picture that the volume takes.
+// Fraction of the picture filled by the volume.
 constexpr double filled = 0.88;
 
-/** Exact for whole quarter turns, so that views along the axes sample whole voxels. */
+/** Exact for multiples of 90 degrees, so that views along the axes sample whole voxels. */
 double
 SineOfDegrees(double degrees)
 {

@@ -32,7 +32,7 @@ public:
     m_Scale = 0.5 * camera.width / std::tan(0.5 * camera.fieldOfView * M_PI / 180.0);
   }
 
-  /** mm in front of the eye. */
+  /** Depth in front of the eye, mm. */
   double
   DepthOf(const Vector3d & point) const
   {
@@ -53,7 +53,7 @@ public:
   {
     const double          depth = std::max(this->DepthOf(point), m_Camera.nearest);
     const Eigen::Vector2d place = this->PlaceOf(m_Camera.eye + (point - m_Camera.eye) * (depth / this->DepthOf(point)));
-    // 1 / depth is linear over a face on the screen, and so is this, which grows with the depth.
+    // 1 / depth is linear over a face on the screen, and so is this value, which increases with depth.
     const double order = -1000.0 * m_Camera.nearest / depth;
     return { ScreenPlace(place.x()),
              ScreenPlace(place.y()),
@@ -79,7 +79,7 @@ private:
   double                    m_Scale{ 1.0 };
 };
 
-/** The faces that lie in front of the eye as a whole. */
+/** Faces that are entirely in front of the eye. */
 FaceMatrix
 FacesInFront(const SurfaceMesh & surface, const Projection & projection, double nearest)
 {

@@ -55,11 +55,11 @@ IsInside(const Picture * picture, int x, int y)
   return x >= 0 && y >= 0 && x < WidthOf(picture) && y < HeightOf(picture);
 }
 
-/** As PNG in memory: a failing disk is then met by plain writing, and not inside of an image library. */
+/** Encodes PNG in memory, so that a failing disk causes an error in plain writing and not inside an image library. */
 std::string
 EncodePng(const Picture * picture)
 {
-  vtkNew<vtkImageFlip> upwards; // rows of VTK run upwards
+  vtkNew<vtkImageFlip> upwards; // VTK's rows run upwards
   upwards->SetInputData(ImageDataOf(picture));
   upwards->SetFilteredAxis(1);
   vtkNew<vtkPNGWriter> writer;
@@ -70,12 +70,12 @@ EncodePng(const Picture * picture)
   return std::string(reinterpret_cast<const char *>(bytes->GetPointer(0)), bytes->GetNumberOfValues());
 }
 
-/** The coverage of a text: 4 components for each pixel, the last one is it; the extent is relative to the upright,
- * lower left anchored position. */
+/** Coverage of a text, in the last of 4 components per pixel; the extent is relative to the upright, lower left
+ * anchored position. */
 void
 RenderText(const std::string & text, const TextStyle & style, vtkImageData * coverage, int dimensions[2])
 {
-  // The size of a face is given in points: at 72 points an inch a point is a pixel.
+  // The font size is given in points: at 72 points per inch, a point is a pixel.
   constexpr int           pointsPerInch = 72;
   vtkNew<vtkTextProperty> property;
   property->SetFontFamilyToArial();
@@ -83,7 +83,7 @@ RenderText(const std::string & text, const TextStyle & style, vtkImageData * cov
   property->SetBold(style.bold);
   property->SetColor(1.0, 1.0, 1.0);
   property->SetOrientation(style.upwards ? 90.0 : 0.0);
-  static std::mutex                 mutex; // VTK keeps faces and glyphs for all
+  static std::mutex                 mutex; // VTK shares fonts and glyphs between threads
   const std::lock_guard<std::mutex> lock(mutex);
   if (!vtkFreeTypeTools::GetInstance()->RenderString(property, vtkStdString(text), pointsPerInch, coverage, dimensions))
   {

@@ -15,7 +15,7 @@ namespace
 const RGBColor black = MakeColor(0, 0, 0);
 const RGBColor white = MakeColor(255, 255, 255);
 
-/** The volume's axis that runs most along each of the patient's axes (left, posterior, head). */
+/** Volume axis closest to each of the patient's axes (left, posterior, head). */
 std::array<unsigned int, 3>
 AxesOfPatient(const itk::ImageBase<3> * image)
 {
@@ -87,7 +87,7 @@ GreyAt(const itk::Image<float, 3> * grey, const SliceAxes & axes, const itk::Con
 }
 
 /** \class MaskSlice
- * \brief A mask in a slice, with a rim of one voxel that is outside. */
+ * \brief A mask in a slice, padded by one outside voxel. */
 class MaskSlice
 {
 public:
@@ -140,11 +140,11 @@ private:
     return m_View.PixelOf(index);
   }
 
-  /** Cuts off each corner of the cell that differs from both neighbours, or the cell in two halves. */
+  /** Cuts off each corner of the cell that differs from both neighbors, or cuts the cell in half. */
   void
   DrawCell(Picture * picture, int row, int column, const RGBColor & color, double thickness) const
   {
-    // Corners and, after each one, the edge to the next.
+    // Corners, each followed by the edge to the next one.
     const std::array<bool, 4> corner{
       { this->At(row, column), this->At(row, column + 1), this->At(row + 1, column + 1), this->At(row + 1, column) }
     };
@@ -165,7 +165,7 @@ private:
     }
     for (int k = 0; k < 4; ++k)
     {
-      // One alone, or two across from each other: those inside are cut off.
+      // A single one, or two diagonal ones: the inside corners are cut off.
       const bool isAlone = inside == 3 ? !corner[k] : inside < 3 && corner[k];
       if (isAlone)
       {

@@ -14,7 +14,7 @@ namespace
 {
 constexpr int rowsOfBand = 36;
 
-/** The first sample whose centre is at or after a place, and the last one at or before it. */
+/** The first sample with its center at or after a position, and the last one at or before it. */
 int
 FirstSample(int place)
 {
@@ -29,7 +29,7 @@ LastSample(int place)
 
 static_assert(subsamples == 1 << 6, "the shifts above");
 
-/** The faces that touch each band, in their order. */
+/** Faces that overlap each band, in order. */
 class BandFaces
 {
 public:
@@ -71,7 +71,7 @@ public:
   }
 
 private:
-  /** False where the face covers no sample. */
+  /** False if the face covers no sample. */
   static bool
   BandsOf(const ScreenPart & part, Eigen::Index face, int columns, int bands, int & first, int & last)
   {
@@ -95,7 +95,7 @@ private:
   std::vector<int>         m_Faces;
 };
 
-/** A face on the screen, and where in it a sample lies. */
+/** A face on the screen, with interpolation at its samples. */
 class ScreenFace
 {
 public:
@@ -171,7 +171,7 @@ public:
     return m_Corner[0]->z + w1 * (m_Corner[1]->z - m_Corner[0]->z) + w2 * (m_Corner[2]->z - m_Corner[0]->z);
   }
 
-  /** To the right, up, and towards the viewer, who sees the side of the face that is turned to him; of length 1. */
+  /** Components to the right, up and towards the viewer, flipped to face him; unit length. */
   std::array<float, 3>
   NormalAt(float w1, float w2) const
   {
@@ -223,14 +223,14 @@ ColorAt(const ScreenPart & part, int face, float w1, float w2)
   return color;
 }
 
-/** The colour of a place on a face in the light. */
+/** Lit color of a point on a face. */
 std::array<float, 3>
 ShadeAt(const ScreenPart & part, int face, float w1, float w2, const std::array<float, 3> & normal)
 {
-  // Right, up, towards the viewer; see Lighting::DirectionToLight. The direction halfway is theirs and (0, 0, 1).
+  // Right, up, towards the viewer; see Lighting::DirectionToLight. The half vector is the mean with (0, 0, 1).
   constexpr float toLight[3] = { -0.33686077F, 0.42107596F, 0.84215192F };
   constexpr float halfway[3] = { -0.17549822F, 0.21937277F, 0.95972702F };
-  // The light reaches a little around what it falls on, so that what is turned away keeps its form.
+  // Wrap lighting, so that surfaces facing away from the light keep their shape.
   constexpr float around = 0.35F;
   const auto      product = [&normal](const float(&direction)[3]) {
     return normal[0] * direction[0] + normal[1] * direction[1] + normal[2] * direction[2];
@@ -245,7 +245,7 @@ ShadeAt(const ScreenPart & part, int face, float w1, float w2, const std::array<
   return color;
 }
 
-/** The nearest opaque place in a sample. */
+/** Nearest opaque surface in a sample. */
 struct SolidSample
 {
   float depth{ std::numeric_limits<float>::infinity() };
@@ -255,7 +255,7 @@ struct SolidSample
   float w2{ 0.0F };
 };
 
-/** The see-through faces in front of it. */
+/** Transparent faces in front of it. */
 struct VeilSample
 {
   float color[3]{ 0.0F, 0.0F, 0.0F };
@@ -337,7 +337,7 @@ private:
         return;
       }
       const std::array<float, 3> normal = screen.NormalAt(w1, w2);
-      // A layer of even thickness is denser the flatter it is looked at.
+      // A layer of uniform thickness is denser at grazing angles.
       const float                flat = 1.0F - std::min(std::fabs(normal[2]), 1.0F);
       const float                opacity = m_Parts[part].opacity * (0.25F + 0.75F * flat * flat);
       const std::array<float, 3> color = ColorAt(m_Parts[part], face, w1, w2);
@@ -354,7 +354,7 @@ private:
   SeenSample
   SeenIn(std::size_t i) const
   {
-    std::array<float, 4> seen{ { 0.0F, 0.0F, 0.0F, 0.0F } }; // the last one is the coverage
+    std::array<float, 4> seen{ { 0.0F, 0.0F, 0.0F, 0.0F } }; // the last one is coverage
     SeenSample           sample;
     float                behind = 1.0F;
     if (!m_Veil.empty() && m_Veil[i].weight > 0.0F)

@@ -57,7 +57,7 @@ Check(const SurfaceScene & scene)
   }
 }
 
-/** How far a scene reaches to the right, up and away from the viewer. */
+/** Extent of a scene to the right, up and away from the viewer. */
 class SceneExtent
 {
 public:
@@ -90,7 +90,7 @@ public:
     Eigen::RowVector3d       half = 0.5 * (m_Highest - m_Lowest);
     if (half[0] <= 0.0 && half[1] <= 0.0)
     {
-      half.setOnes(); // a single point needs a scale, too
+      half.setOnes(); // a single point also needs a scale
     }
     return { PatientView::PointType(centre.data()), half[0], half[1], m_Options };
   }
@@ -115,7 +115,7 @@ private:
   Eigen::RowVector3d m_Highest = Eigen::RowVector3d::Constant(-std::numeric_limits<double>::infinity());
 };
 
-/** The pixels of a picture that the scene may take: all but the colour bar. */
+/** Pixels of a picture available to the scene: all except the color bar. */
 PatientViewOptions
 SceneArea(const SurfaceRenderingOptions & options)
 {
@@ -126,7 +126,7 @@ SceneArea(const SurfaceRenderingOptions & options)
   return area;
 }
 
-/** The scene as the picture sees it; keeps the meshes of tubes and balls. */
+/** The projected scene; owns the meshes of tubes and balls. */
 class ScreenScene
 {
 public:
@@ -179,7 +179,7 @@ struct Box
   }
 };
 
-/** Writes each label at the side of its marker where it meets no other one, with a dark rim. */
+/** Draws each label at the side of its marker where it does not overlap others, with a dark rim. */
 void
 DrawLabels(Picture * picture, const std::vector<MarkerActor> & markers, const PatientView & view, int width)
 {

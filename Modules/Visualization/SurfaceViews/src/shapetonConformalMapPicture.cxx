@@ -60,7 +60,7 @@ PatternOf(const ConformalMap & map, int checks)
   {
     return Checkerboard(longer / checks);
   }
-  // The checks meet along the cut where a turn has an even number of them.
+  // The checks match along the cut if a turn has an even number of them.
   const double circumference = FlatCircumference(map.flat, "the map");
   const double around = 2.0 * std::max(1.0, std::round(0.5 * checks * circumference / longer));
   return Checkerboard(circumference / around);
@@ -150,7 +150,7 @@ Picture::Pointer
 DrawHolomorphicForms(const ConformalMap & map, unsigned int panel)
 {
   constexpr int    captionHeight = 30;
-  constexpr double distance = 0.05; // of level sets
+  constexpr double distance = 0.05; // between level sets
   const auto       forms = HolomorphicFormsOf(map);
   const auto       side = static_cast<int>(panel);
   const auto       picture =

@@ -51,7 +51,7 @@ LevelSets(double lower, double upper, double width)
     const double     band = std::floor((u - lower) / width);
     const double     within = (u - lower) / width - band;
     const RGBColor   color = HeatColor((band + 0.5) * width / (upper - lower));
-    constexpr double line = 0.06; // of the width, on either side of a level
+    constexpr double line = 0.06; // fraction of the width, on either side of a level
     return std::min(within, 1.0 - within) < line ? MixColors(color, MakeColor(20, 22, 28), 0.8) : color;
   };
 }

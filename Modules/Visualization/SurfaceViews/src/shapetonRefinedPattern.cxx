@@ -7,9 +7,9 @@ namespace shapeton
 {
 namespace
 {
-/** Enough for shading that is smooth. */
+/** Sufficient for smooth shading. */
 constexpr Eigen::Index enoughFaces = 50000;
-/** A face is cut until its parts are as small, in parts of the whole shape: about two pixels. */
+/** Faces are subdivided down to this fraction of the whole shape, about two pixels. */
 constexpr double finest = 1.0 / 500.0;
 constexpr int    mostParts = 400;
 
@@ -48,7 +48,7 @@ CutInFour(const Refined & coarse)
   return fine;
 }
 
-/** Into how many parts the sides of a face are cut. */
+/** Number of parts into which the sides of a face are divided. */
 int
 PartsOfSides(const SurfaceMesh & mesh, Eigen::Index face, double length)
 {
@@ -60,7 +60,7 @@ PartsOfSides(const SurfaceMesh & mesh, Eigen::Index face, double length)
   return std::clamp(static_cast<int>(std::ceil(longest / length)), 1, mostParts);
 }
 
-/** The points of a face with sides in equal parts, and its colours, appended to the surface. */
+/** Appends the points of a face with evenly divided sides, and their colors, to the surface. */
 class FaceCutter
 {
 public:
