@@ -29,6 +29,6 @@ done
 "$tool" "$input" "$folder" --quiet "$@" || fail "the run that goes on ended with $?"
 diff <(digests "$finished") <(digests "$folder") || fail "the files differ"
 second=$(flock "$folder/.lock" "$tool" "$input" "$folder" --quiet "$@" 2>&1; echo "status $?")
-[[ $second == *"another run is at work"*"status 1" ]] || fail "beside another run it said: $second"
+[[ $second == *"another run is using"*"status 1" ]] || fail "beside another run it said: $second"
 left=$(find "$folder" -name '.*.part*')
 [ -z "$left" ] || fail "this was left: $left"

@@ -21,14 +21,14 @@ ReadSourceOf(const ColonExamination & exam, const std::string & path)
   const DicomSource source = ReadDicomSource(path, { exam.seriesUID });
   if (IdentityOf(path) != exam.digest)
   {
-    throw InputError("\"" + path + "\" is not what the examination \"" + exam.folder +
-                     "\" was made from, although it holds its series: files differ; give that folder, or run "
+    throw InputError("\"" + path + "\" differs from the folder that the examination \"" + exam.folder +
+                     "\" was made from, although the series is the same; give that folder, or run "
                      "VirtualColonoscopy on this one");
   }
   if (!HaveSameGrid(exam.lumen, source.grid))
   {
     throw InputError("the examination \"" + exam.folder +
-                     "\" was made from a repaired series, so that its voxels have no slices to belong to");
+                     "\" was made from a repaired series, whose voxels do not match the original slices");
   }
   return source;
 }

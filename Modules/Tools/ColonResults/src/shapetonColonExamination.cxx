@@ -40,7 +40,7 @@ TakeSource(ColonExamination & exam)
   if (exam.seriesUID.empty() || exam.digest.empty())
   {
     throw InputError("the examination \"" + exam.folder +
-                     "\" was not made from a DICOM series, so that its results have none to belong to; run "
+                     "\" was not made from a DICOM series, which DICOM results must reference; run "
                      "VirtualColonoscopy on the series");
   }
 }

@@ -47,7 +47,7 @@ LumenSegmentsOf(const DicomSegmentationFile & file)
   }
   if (!hasGas && file.segments.size() != 1)
   {
-    throw InputError('"' + file.path + "\" has no segment of gas; choose by the parameter \"segments\" of " +
+    throw InputError('"' + file.path + "\" has no gas segment; select segments with the parameter \"segments\" of " +
                      ListOf(file));
   }
   return hasGas ? numbers : AllSegmentsOf(file);

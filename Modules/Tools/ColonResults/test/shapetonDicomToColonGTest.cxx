@@ -50,7 +50,7 @@ TEST(DicomToColon, WhatMayBeTheLumenIsAsked)
   catch (const InputError & error)
   {
     EXPECT_EQ(std::string(error.what()),
-              "\"seg.dcm\" has no segment of gas; choose by the parameter \"segments\" of 1 (a), 2 (b)");
+              "\"seg.dcm\" has no gas segment; select segments with the parameter \"segments\" of 1 (a), 2 (b)");
   }
 }
 

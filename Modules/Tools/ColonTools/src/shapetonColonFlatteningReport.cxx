@@ -63,7 +63,7 @@ SummaryOf(const ColonFlattening & flattening)
                { "Flipped faces", flips } };
   if (flattening.cutOffAreaFraction > 0.0)
   {
-    facts.emplace_back("Cut off, as its map would be folded", Percent(flattening.cutOffAreaFraction) + " of the wall");
+    facts.emplace_back("Cut off, because its map would fold", Percent(flattening.cutOffAreaFraction) + " of the wall");
   }
   return facts;
 }
@@ -74,9 +74,9 @@ CaptionOf(FlatColoring coloring)
   switch (coloring)
   {
     case FlatColoring::Volume:
-      return "The CT along the normals of the wall: gas is clear, tissue opaque, contrast medium white.";
+      return "The CT along the wall normals: gas is transparent, tissue opaque, contrast medium white.";
     case FlatColoring::Relief:
-      return "The wall in the light from the left: folds are bands across with a bright and a dark side.";
+      return "The wall lit from the left: folds are transverse bands with a bright and a dark side.";
     default:
       return "Mean curvature: red bulges into the lumen (folds, polyps), blue outwards.";
   }
@@ -92,9 +92,9 @@ AddPictures(HtmlReport &              html,
   html.AddHeading("Flat pictures");
   html.AddParagraph(
     "The wall from the rectum to the caecum, cut open along the colon and unrolled, in rows. Rulers "
-    "count the distance along the centreline. Shapes are kept, sizes are not: the bar above each row "
-    "holds for its middle value. Grey hatched stretches are synthetic wall over a collapsed place; long ones "
-    "are cut short at a break.");
+    "show the distance along the centreline. The map preserves shapes but not sizes: the bar above each row "
+    "is valid for its median scale. Grey hatched parts are wall interpolated over a collapsed segment; long ones "
+    "are shortened at a break.");
   std::vector<PictureFile>  files;
   std::vector<FlatColoring> colorings{ FlatColoring::Relief, FlatColoring::Curvature };
   if (hasCt)
@@ -169,7 +169,7 @@ AddHandles(HtmlReport & html, const ColonFlattening & flattening)
   const auto & handles = flattening.handles.handles;
   if (handles.empty())
   {
-    html.AddParagraph("None was found.");
+    html.AddParagraph("No handles were found.");
     return;
   }
   CsvTable table({ "number", "genus", "place, LPS mm", "u, v on the map, mm", "radius, mm" });
@@ -184,7 +184,7 @@ AddHandles(HtmlReport & html, const ColonFlattening & flattening)
   }
   const std::string before =
     flattening.genusAfter < flattening.genusBefore ? "; u, v on the map before they were removed" : "";
-  html.AddTable(table, "Handles by Gauss and Bonnet, marked in the pictures" + before);
+  html.AddTable(table, "Handles by the Gauss-Bonnet theorem, marked in the pictures" + before);
 }
 
 void
@@ -195,7 +195,7 @@ AddCaps(HtmlReport & html, const ColonFlattening & flattening)
     return;
   }
   html.AddHeading("Blind pouches");
-  html.AddParagraph("The flat map of these would be folded, and nothing of them would be seen. They were cut off and "
+  html.AddParagraph("The flat map of these pouches would fold and hide them. They were cut off and "
                     "closed by caps (cell array cap).");
   CsvTable table({ "cap", "place, LPS mm", "neck, mm", "area cut off, mm^2" });
   for (std::size_t i = 0; i < flattening.caps.size(); ++i)

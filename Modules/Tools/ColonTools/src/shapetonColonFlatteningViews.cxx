@@ -11,14 +11,14 @@ ColonFlatteningViews::ColonFlatteningViews(CommandLine & commandLine) : m_Comman
 {
   const std::string coloring = commandLine.GetString("coloring");
   RequireParameter(commandLine.GetDouble("pixelSize") > 0.0, "--pixelSize must be greater than 0");
-  RequireParameter(coloring != "volume" || commandLine.IsGiven("volume"), "--coloring volume needs --volume CT");
+  RequireParameter(coloring != "volume" || commandLine.IsGiven("volume"), "--coloring volume requires --volume CT");
   RequireCoordinateMapName(commandLine.GetString("coordinateMap"));
   RequireDeviceForCt(commandLine, commandLine.IsGiven("volume"));
   m_Picture = commandLine.OutputOf("picture");
   m_CoordinateMap = commandLine.OutputOf("coordinateMap");
   m_Report = commandLine.GetString("report");
   RequireParameter(!commandLine.IsGiven("volume") || this->ArePicturesWanted(),
-                   "--volume serves pictures alone: give --picture or --report, too");
+                   "--volume is only used for pictures; give --picture or --report as well");
   if (!m_Report.empty())
   {
     commandLine.MakeFolder(m_Report);

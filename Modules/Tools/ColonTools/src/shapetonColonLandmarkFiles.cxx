@@ -203,7 +203,7 @@ ReadTaeniaMarkers(CommandLine & commandLine, const std::string & parameter)
   }
   if (points.empty())
   {
-    throw InputError('"' + path + "\" holds no points for markers");
+    throw InputError('"' + path + "\" contains no points for markers");
   }
   return points;
 }

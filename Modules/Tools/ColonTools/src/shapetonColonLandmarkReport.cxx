@@ -20,7 +20,7 @@ std::string
 RemarkOn(const SegmentBorder & border, const ColonLandmarks & landmarks)
 {
   const std::string hindrance = landmarks.hindered ? InWords(HindranceAt(*landmarks.hindered, border.arcLength)) : "";
-  return !hindrance.empty() ? "not assessable: " + hindrance : border.confidence < 0.5 ? "uncertain: look at it" : "";
+  return !hindrance.empty() ? "not assessable: " + hindrance : border.confidence < 0.5 ? "uncertain: check it" : "";
 }
 
 CsvTable
@@ -109,10 +109,10 @@ HowTaeniaeWereFound(const ColonTaeniae & taeniae)
   {
     return "No taeniae: " + taeniae.reason + ".";
   }
-  return "Rule " + NameOf(taeniae.rule) + ", kept: " + taeniae.kept + ". Energy of the joint programme " +
+  return "Rule " + NameOf(taeniae.rule) + ", kept: " + taeniae.kept + ". Energy of the joint optimization " +
          CsvTable::Rounded(taeniae.jointEnergy, 4) + ", of fuzzy C-means " + CsvTable::Rounded(taeniae.fuzzyEnergy, 4) +
-         " (less is better). They are " + CsvTable::Rounded(taeniae.meanDisagreement, 3) +
-         " mm apart in the mean, more than 10 mm along " + Whole(100.0 * taeniae.disagreeingShare) + " % of the colon.";
+         " (lower is better). They are " + CsvTable::Rounded(taeniae.meanDisagreement, 3) +
+         " mm apart on average, more than 10 mm along " + Whole(100.0 * taeniae.disagreeingShare) + " % of the colon.";
 }
 } // namespace
 
@@ -150,7 +150,7 @@ ColonLandmarkReport::Write(const FlatColon & flat, const ColonLandmarks & landma
   report.AddTable(FlexureTable(landmarks), "Flexures");
   report.AddParagraph(ValveInWords(landmarks));
   report.AddHeading("Flat colon");
-  report.AddPicture(pictures[2].path, "Taeniae and flexures on the flat colon; what is hatched is not assessable");
+  report.AddPicture(pictures[2].path, "Taeniae and flexures on the flat colon; hatched parts are not assessable");
   report.AddParagraph(HowTaeniaeWereFound(landmarks.taeniae));
   report.AddTable(TaeniaTable(landmarks.taeniae), "Taeniae");
   report.AddHeading("Folds on the surface");

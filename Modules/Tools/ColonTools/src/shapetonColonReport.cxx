@@ -73,7 +73,7 @@ AddDistension(HtmlReport & html, PicturePages & pages, const ColonReportContent 
                    CsvTable::Rounded(std::round(segment.end - segment.begin), 6),
                    Share(segment.distendedShare) });
   }
-  html.AddTable(table, "Segments by distance from the anal verge, and the share of their centreline that is distended");
+  html.AddTable(table, "Segments by distance from the anal verge, with the distended fraction of their centreline");
 }
 
 void
@@ -86,7 +86,7 @@ AddSurface(HtmlReport & html, PicturePages & pages, const ColonParts & colon)
     drawings.push_back(
       { "inside-anterior.png",
         [&] { return DrawColonWall(colon, PatientSide::Anterior, false); },
-        "The wall, see-through, from the front, and the centreline coloured by the distance from the anal verge." });
+        "The transparent wall from the front, with the centreline coloured by the distance from the anal verge." });
     drawings.push_back({ "inside-left.png",
                          [&] { return DrawColonWall(colon, PatientSide::Left, false); },
                          "The same from the patient's left side." });
@@ -106,7 +106,7 @@ AddProjections(HtmlReport & html, PicturePages & pages, const ColonParts & colon
   {
     drawings.push_back({ "projection-" + NameOf(plane) + ".png",
                          [&colon, plane] { return DrawColonProjection(colon, plane); },
-                         "Millimetres of gas and fluid behind each other, " + NameOf(plane) + " view" +
+                         "Thickness of gas and fluid (mm), " + NameOf(plane) + " view" +
                            (colon.centreline ? ", with the centreline." : ".") });
   }
   pages.Add(drawings);
@@ -118,7 +118,7 @@ AddSlices(HtmlReport & html, PicturePages & pages, const ColonParts & colon)
   html.AddHeading("Slices");
   if (!colon.ct)
   {
-    html.AddParagraph("The input is a mask of the lumen: there is no CT to show beneath the outlines.");
+    html.AddParagraph("The input is a lumen mask; the outlines are shown without a CT.");
   }
   std::vector<PicturePages::Drawing> drawings;
   for (const SlicePlane plane : { SlicePlane::Axial, SlicePlane::Coronal, SlicePlane::Sagittal })
@@ -126,7 +126,7 @@ AddSlices(HtmlReport & html, PicturePages & pages, const ColonParts & colon)
     drawings.push_back({ "slices-" + NameOf(plane) + ".png",
                          [&colon, plane] { return DrawColonSlices(colon, plane); },
                          "Outlines of gas and fluid in " + NameOf(plane) +
-                           " slices; one of them is the slice with the largest area of lumen." });
+                           " slices, including the one with the largest lumen area." });
   }
   pages.Add(drawings);
 }

@@ -66,8 +66,8 @@ void
 AddPolypCandidateTable(HtmlReport & report, const std::vector<PolypCandidate> & candidates)
 {
   report.AddHeading("Polyp candidates");
-  report.AddNote("For research use; not a diagnosis. A candidate is a place whose shape is that of a polyp. It may be "
-                 "stool, the ileocaecal valve or the end of a fold, and a polyp may be missing from the list.");
+  report.AddNote("For research use; not a diagnosis. A candidate is a location shaped like a polyp. It may be "
+                 "stool, the ileocaecal valve or the end of a fold, and the list may miss polyps.");
   if (candidates.empty())
   {
     report.AddParagraph("No candidates at this sensitivity.");

@@ -44,8 +44,8 @@ RequireOwnFolder(const std::string & folder, const std::string & examination)
     isTaken = isTaken || own == whole / stage || (!relative.empty() && *relative.begin() != "..");
   }
   RequireParameter(!isTaken,
-                   "the output folder \"" + folder + "\" is that of the examination \"" + examination +
-                     "\" or of one of its stages; give a folder of its own");
+                   "the output folder \"" + folder + "\" is the folder of the examination \"" + examination +
+                     "\" or of one of its stages; give a separate folder");
 }
 
 Eigen::Vector3d
@@ -117,7 +117,7 @@ ReadMap(const std::string & path)
     const SurfaceArray * const array = FindSurfaceArray(surface.pointArrays, name);
     if (!array || array->values.cols() != columns)
     {
-      throw InputError('"' + path + "\" has no point array " + name + "; it must be one that ColonRegistration writes");
+      throw InputError('"' + path + "\" has no point array " + name + "; give a file written by ColonRegistration");
     }
   }
   return surface;
@@ -171,7 +171,7 @@ SegmentsOfDocument(const Json & document, const std::string & path)
   }
   catch (const Json::exception & error)
   {
-    throw InputError('"' + path + "\" is not what ColonRegistration writes (" + error.what() + "); run it again");
+    throw InputError('"' + path + "\" is not a file written by ColonRegistration (" + error.what() + "); run it again");
   }
   return segments;
 }
@@ -292,7 +292,7 @@ ReadPointPairs(const std::string & path)
   }
   if (points.empty())
   {
-    throw InputError('"' + path + "\" holds no points; give a row of sx,sy,sz,px,py,pz (LPS, mm) for each");
+    throw InputError('"' + path + "\" contains no points; give a row of sx,sy,sz,px,py,pz (LPS, mm) for each");
   }
   return points;
 }
@@ -322,7 +322,7 @@ ConfidenceOfRegistration(const std::string & folder)
   const Json        confidence = document.value("confidence", Json::object());
   if (!confidence.contains("whole") || !confidence["whole"].is_number() || !confidence.contains("flagged"))
   {
-    throw InputError('"' + path + "\" tells no confidence; it must be one that ColonRegistration writes");
+    throw InputError('"' + path + "\" states no confidence; give a file written by ColonRegistration");
   }
   return confidence["flagged"] == true ? 0.0 : std::clamp(confidence["whole"].get<double>(), 0.0, 1.0);
 }

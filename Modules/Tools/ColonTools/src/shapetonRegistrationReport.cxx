@@ -71,9 +71,9 @@ MatchTable(const RegistrationResults & results)
 Facts
 ErrorFacts(const Json & errors, const Json & document)
 {
-  return { { "Points that count",
-             Rounded(errors["counted"], 9) + " (left aside: " + Rounded(errors["excluded"], 9) +
-               " in excluded stretches, " + Rounded(errors["offSurface"], 9) + " off the wall)" },
+  return { { "Counted points",
+             Rounded(errors["counted"], 9) + " (excluded: " + Rounded(errors["excluded"], 9) +
+               " in excluded sections, " + Rounded(errors["offSurface"], 9) + " off the wall)" },
            { "Mean error in space (mm)",
              Rounded(errors["mean"]) + " +- " + Rounded(errors["halfInterval"], 2) + " (95 % interval)" },
            { "Median, 95th percentile (mm)", Rounded(errors["median"]) + ", " + Rounded(errors["percentile95"]) },
@@ -98,7 +98,7 @@ RegistrationFacts(const RegistrationParts & parts)
     { "Pairs of folds",
              Rounded(matches["followed"], 9) + " matched, " + Rounded(matches["contradicted"], 9) + " contradicted, of " +
                Rounded(matches["supineFolds"], 9) + " supine and " + Rounded(matches["proneFolds"], 9) + " prone folds" },
-    { "Excluded (nothing to be seen)",
+    { "Excluded (not visible)",
              Percent(map["excludedShareOfSupine"]) + " supine, " + Percent(map["excludedShareOfProne"]) + " prone" },
     { "Triangles turned over in the map", Rounded(map["flips"], 9) }
   };
@@ -123,18 +123,18 @@ AddRegistrationSection(HtmlReport &                 html,
   }
   addPicture(DrawAlignedColons(parts, options),
              "aligned",
-             "Both flat walls row under row, the prone one carried over by the map. Matched folds have one colour.");
+             "Both flat walls in paired rows, the prone one in the supine frame. Matched folds share a colour.");
   html.AddTable(
     MatchTable(*parts.results),
-    "Matches of folds by segments. Matched: the map follows them; contradicted: it does not. Prone folds count "
-    "where the prone landmarks put them." +
+    "Fold matches by segment. Matched: the map agrees; contradicted: it does not. Prone folds are counted "
+    "in the segment given by the prone landmarks." +
       std::string(parts.results->points.empty()
                     ? ""
-                    : " Correct, wrong and not matched as the known points tell, where these are near."));
+                    : " Correct, wrong and not matched are judged by known points nearby."));
   addPicture(
     DrawConfidenceChart(parts),
     "confidence",
-    "Confidence along the colon: dark the mean, pale the least around the tube; below the dashed line doubtful. "
+    "Confidence along the colon: mean (dark) and minimum (pale) around the tube; doubtful below the dashed line. "
     "Grey: excluded.");
   addPicture(DrawCurvatureCheckerboard(parts, options),
              "checkerboard",

@@ -65,7 +65,7 @@ TEST(ColonFlatteningReport, HoldsPicturesTablesAndWarnings)
                              "a &amp; b",
                              "heat diffusion distance of all eigenpairs, t = ",
                              "Quasi-conformal dilatation",
-                             "Handles by Gauss and Bonnet" })
+                             "Handles by the Gauss-Bonnet theorem" })
   {
     EXPECT_NE(html.find(text), std::string::npos) << text;
   }

@@ -313,5 +313,5 @@ TEST(RegistrationFiles, PointPairsAreReadOrRefusedByLine)
   };
   EXPECT_NE(fault("sx,sy,sz,px,py,pz\n1,2,3,4,five,6\n").find("line 2: py is \"five\""), std::string::npos);
   EXPECT_NE(fault("x,y,z\n1,2,3\n").find("no column \"sx\""), std::string::npos);
-  EXPECT_NE(fault("sx,sy,sz,px,py,pz\n").find("holds no points"), std::string::npos);
+  EXPECT_NE(fault("sx,sy,sz,px,py,pz\n").find("contains no points"), std::string::npos);
 }

@@ -155,7 +155,7 @@ TaeniaeInWords(const ColonoscopyResults & results)
   const double disagreement = NumberAt(taeniae, "/meanDisagreement");
   if (std::isfinite(disagreement))
   {
-    text += "; the other method lies " + Rounded(disagreement, 2) + " mm from it on average, more than 10 mm along " +
+    text += "; the other method differs by " + Rounded(disagreement, 2) + " mm on average, by more than 10 mm along " +
             Percent(NumberAt(taeniae, "/disagreeingShare")) + " of the colon";
   }
   return text;

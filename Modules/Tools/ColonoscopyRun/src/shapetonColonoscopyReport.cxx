@@ -71,7 +71,7 @@ AddDistension(HtmlReport & html, PagePictures & pictures, const ColonoscopyResul
     DrawDistensionChart(results.centreline, ChartSegmentsOf(results)),
     std::string("Calibre (twice the radius of the largest ball inside) along the centreline. The dashed line "
                 "marks 10 mm. ") +
-      (results.segments.empty() ? "Borders of segments are customary shares of the length."
+      (results.segments.empty() ? "Segment borders are at typical fractions of the length."
                                 : "Borders of segments are those of the landmarks."));
 }
 
@@ -102,9 +102,9 @@ AddFlat(HtmlReport & html, PagePictures & pictures, const ColonoscopyResults & r
   html.AddHeading("The flat colon");
   html.AddParagraph(
     "The wall from the rectum to the caecum, cut open along the colon and unrolled, in rows, as seen from "
-    "the lumen. Rulers count the distance along the centreline. Shapes are kept, sizes are not: the bar "
-    "above each row holds for its middle value. Grey hatched stretches are synthetic wall over a "
-    "collapsed place; what is hatched the other way, over the picture, is not assessable.");
+    "the lumen. Rulers show the distance along the centreline. The map preserves shapes but not sizes: the bar "
+    "above each row is valid for its median scale. Grey hatched parts are wall interpolated over a "
+    "collapsed segment; parts hatched in the other direction, over the picture, are not assessable.");
   std::string marks;
   marks += results.taeniae.curves.empty() ? "" : " Taeniae: 1 yellow, 2 blue, 3 pink.";
   marks += results.foldLabels ? " Green outlines: haustral folds." : "";
@@ -134,7 +134,8 @@ AddPair(HtmlReport & html, PagePictures & pictures, const ColonoscopyPair & pair
 {
   const RegistrationParts parts{ &pair.first, &pair.second, &pair.registration };
   html.AddHeading("Two positions");
-  html.AddParagraph("The first series is called supine here, the second prone. The report of the second by itself is " +
+  html.AddParagraph("Here the first series is called supine and the second prone. "
+                    "The separate report of the second is " +
                     std::string(colonoscopySecondFolder) + "/report.html.");
   html.AddFacts(RegistrationFacts(parts));
   AddRegistrationSection(html, parts, [&](const Picture * picture, const std::string &, const std::string & caption) {
@@ -148,7 +149,7 @@ AddTables(HtmlReport & html, const ColonoscopyResults & results)
   html.AddHeading("Landmarks");
   if (!results.IsDone(colonoscopystage::landmarks))
   {
-    html.AddParagraph("None: the stage was not done.");
+    html.AddParagraph("None: the stage was not run.");
     return;
   }
   html.AddTable(SegmentTable(results), "Segments by distance from the anal verge along the centreline");
@@ -183,7 +184,8 @@ WriteColonoscopyReport(const ColonoscopyReportContent & content,
   if (results.IsDone(colonoscopystage::viewer))
   {
     html.AddLink("viewer/viewer.html",
-                 "Read this examination: flat wall, wall in space, view from inside and slices with one crosshair");
+                 "Read this examination: flat wall, wall in space, endoluminal view and slices with a linked "
+                 "crosshair");
   }
   if (!results.centreline.curves.empty())
   {

@@ -218,7 +218,7 @@ SceneFilesOf(CommandLine & commandLine)
 {
   RequireParameter(!commandLine.GetFlag("inputIsLumen") ||
                      !(commandLine.IsGiven("cleansedVolume") || commandLine.IsGiven("lumenLabels")),
-                   "the input is a lumen: the parameters \"cleansedVolume\" and \"lumenLabels\" need a CT");
+                   "the input is a lumen mask: the parameters \"cleansedVolume\" and \"lumenLabels\" require a CT");
   return { commandLine,
            { { "cleansedVolume", "segmentation/cleansed.nrrd" },
              { "lumenLabels", "segmentation/lumen.nrrd" },

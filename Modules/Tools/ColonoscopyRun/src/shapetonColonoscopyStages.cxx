@@ -388,8 +388,8 @@ CheckDicomResults(const CommandLine & commandLine)
   {
     RequireParameter(!commandLine.GetFlag("dicomResults") || !commandLine.IsGiven(input) ||
                        IsDicom(commandLine.GetString(input)),
-                     std::string("the parameter \"dicomResults\" needs DICOM series, to which the results belong: \"") +
-                       commandLine.GetString(input) + "\" is none");
+                     std::string("the parameter \"dicomResults\" requires a DICOM series as input: \"") +
+                       commandLine.GetString(input) + "\" is not one");
   }
 }
 

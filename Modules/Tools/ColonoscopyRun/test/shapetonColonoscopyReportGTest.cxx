@@ -73,7 +73,7 @@ TEST(ColonoscopyReport, OfARunThatFailedTellsWhatFailed)
                                    "partial: the stage segmentation failed",
                                    "look &lt;here&gt;",
                                    "<td>failed: no &lt;colon&gt; found</td>",
-                                   "None: the stage was not done." })
+                                   "None: the stage was not run." })
   {
     EXPECT_NE(html.find(text), std::string::npos) << text;
   }

@@ -56,7 +56,7 @@ FlushStdout()
   std::cout.flush();
   if (std::fflush(stdout) != 0 || std::ferror(stdout) || !std::cout)
   {
-    throw OutputError("cannot write to the standard output; free some space or send it elsewhere");
+    throw OutputError("cannot write to the standard output; free some space or redirect it");
   }
 }
 
@@ -224,7 +224,7 @@ CommandLine::State::CheckInteger(const std::string & name) const
 {
   if (!this->Find(name).IsInteger())
   {
-    throw std::logic_error("\"" + name + "\" is no integer parameter");
+    throw std::logic_error("\"" + name + "\" is not an integer parameter");
   }
 }
 
@@ -547,7 +547,7 @@ CommandLine::RequireApart(const std::string & input, const std::string & outputF
   }
   const fs::path relative = fs::weakly_canonical(outputFolder).lexically_relative(fs::weakly_canonical(input));
   RequireParameter(!fs::is_directory(input) || relative.empty() || *relative.begin() == "..",
-                   "the output folder lies in the input folder; name one beside it");
+                   "the output folder is inside the input folder; choose one outside");
 }
 
 std::string
@@ -616,7 +616,7 @@ CommandLine::Return(const std::string & name, const std::string & value)
   const auto & parameter = m_State->Find(name);
   if (parameter.channel != "output" || parameter.IsPath())
   {
-    throw std::logic_error("\"" + name + "\" is no output parameter of a simple type");
+    throw std::logic_error("\"" + name + "\" is not an output parameter of a simple type");
   }
   m_State->returned[name] = Printable(value);
 }

@@ -222,7 +222,7 @@ OutputFiles::MakeFolder(const std::string & path)
     const bool     isNew = fs::create_directory(folder, error);
     if (error)
     {
-      ThrowCannotWrite(path, error.message(), "choose a place that can be written");
+      ThrowCannotWrite(path, error.message(), "choose a writable folder");
     }
     if (isNew) // and not created by another run meanwhile
     {
@@ -231,7 +231,7 @@ OutputFiles::MakeFolder(const std::string & path)
   }
   if (!fs::is_directory(target, error))
   {
-    ThrowCannotWrite(path, "it exists and is no folder", "give another name");
+    ThrowCannotWrite(path, "it exists and is not a folder", "give another name");
   }
 }
 
@@ -267,7 +267,7 @@ OutputFiles::Publish(const std::string & path)
     std::find_if(m_Files.begin(), m_Files.end(), [&](const File & candidate) { return candidate.target == target; });
   if (file == m_Files.end())
   {
-    throw std::logic_error("\"" + path + "\" is no output of this run that waits to be published");
+    throw std::logic_error("\"" + path + "\" is not an unpublished output of this run");
   }
   Finish(*file);
   const DeathDelay delay;

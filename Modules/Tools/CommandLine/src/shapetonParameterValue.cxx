@@ -32,7 +32,7 @@ CheckEnumeration(const Parameter & parameter, const std::string & value)
   {
     all += (all.empty() ? "" : ", ") + element;
   }
-  Refuse(parameter, Quoted(value) + " is none of " + all);
+  Refuse(parameter, Quoted(value) + " is not one of " + all);
 }
 
 void
@@ -119,7 +119,7 @@ CheckValue(const Parameter & parameter, const std::string & value)
   const auto numbers = NumbersOf(parameter, value);
   if (parameter.IsPoint() && numbers.size() != 3)
   {
-    Refuse(parameter, Quoted(value) + " is no point; give three coordinates, LPS in mm, for example -12.5,40,310");
+    Refuse(parameter, Quoted(value) + " is not a point; give three coordinates, LPS in mm, for example -12.5,40,310");
   }
   for (const auto & number : numbers)
   {

@@ -235,8 +235,8 @@ TEST(CommandLineArguments, VectorsThatAreNone)
 TEST(CommandLineArguments, Enumerations)
 {
   EXPECT_EQ(StringOf("solver", { "--solver", "explicit" }), "explicit");
-  ExpectBadOption({ "--solver", "Explicit" }, "--solver: \"Explicit\" is none of chebyshev, explicit");
-  ExpectBadOption({ "--solver=" }, "--solver: \"\" is none of chebyshev, explicit");
+  ExpectBadOption({ "--solver", "Explicit" }, "--solver: \"Explicit\" is not one of chebyshev, explicit");
+  ExpectBadOption({ "--solver=" }, "--solver: \"\" is not one of chebyshev, explicit");
 }
 
 TEST(CommandLineArguments, MissingAndUnexpected)
@@ -353,7 +353,7 @@ TEST(CommandLineArguments, IntegersAreOnlyThoseOfIntegerParameters)
   {
     const auto outcome = RunWithOptions({}, bodies[i]);
     EXPECT_EQ(outcome.status, 1);
-    EXPECT_EQ(outcome.err, std::string("TestTool: \"") + names[i] + "\" is no integer parameter\n");
+    EXPECT_EQ(outcome.err, std::string("TestTool: \"") + names[i] + "\" is not an integer parameter\n");
   }
 }
 
@@ -398,7 +398,7 @@ TEST(CommandLineArguments, PointsMayBeGivenSeveralTimes)
             "-1.5 2 3|4 5 6|-1.5,2,3,4,5,6");
   EXPECT_EQ(RunTool({}, print, pointsXml).out, "");
   ExpectUsageError({ "--seed", "1,2" },
-                   "--seed: \"1,2\" is no point; give three coordinates, LPS in mm, for example -12.5,40,310",
+                   "--seed: \"1,2\" is not a point; give three coordinates, LPS in mm, for example -12.5,40,310",
                    pointsXml);
   ExpectUsageError({ "--seed", "1,2,a" }, "--seed: \"a\" is not a number", pointsXml);
 }

@@ -143,7 +143,7 @@ TEST(CommandLineFailures, TextThatCannotBeWrittenIsAFailure)
     return RunHere({ "in", "out" }, [](shapeton::CommandLine &) { std::cout << "the result"; });
   });
   EXPECT_EQ(outcome.status, 1);
-  EXPECT_EQ(outcome.err, "TestTool: cannot write to the standard output; free some space or send it elsewhere\n");
+  EXPECT_EQ(outcome.err, "TestTool: cannot write to the standard output; free some space or redirect it\n");
 }
 
 TEST(CommandLineFailures, AClosedStdoutIsNoOutputFile)

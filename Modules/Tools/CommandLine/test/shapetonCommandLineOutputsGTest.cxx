@@ -766,11 +766,11 @@ TEST(CommandLineOutputs, FoldersThatCannotBeMade)
     return std::to_string(outcome.status) + ' ' + outcome.err;
   };
   EXPECT_EQ(messageOf(""), "2 TestTool: the name of a folder for outputs is empty; give one\n");
-  EXPECT_EQ(messageOf("file"), "1 TestTool: cannot write \"file\": it exists and is no folder; give another name\n");
+  EXPECT_EQ(messageOf("file"), "1 TestTool: cannot write \"file\": it exists and is not a folder; give another name\n");
   EXPECT_EQ(messageOf("file/sub"),
-            "1 TestTool: cannot write \"file/sub\": Not a directory; choose a place that can be written\n");
+            "1 TestTool: cannot write \"file/sub\": Not a directory; choose a writable folder\n");
   EXPECT_EQ(messageOf("/proc/sub"),
-            "1 TestTool: cannot write \"/proc/sub\": No such file or directory; choose a place that can be written\n");
+            "1 TestTool: cannot write \"/proc/sub\": No such file or directory; choose a writable folder\n");
 }
 
 TEST(CommandLineOutputs, OfferedAtTheSameTimeByManyRunsAreOfOneOfThem)

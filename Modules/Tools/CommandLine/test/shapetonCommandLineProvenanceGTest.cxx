@@ -219,7 +219,7 @@ TEST(CommandLineReturn, OnlySimpleOutputParametersReturnValues)
     const auto outcome =
       RunWithOptions({}, [&name](shapeton::CommandLine & commandLine) { commandLine.Return(name, "1"); });
     EXPECT_EQ(outcome.status, 1);
-    EXPECT_EQ(outcome.err, "TestTool: \"" + name + "\" is no output parameter of a simple type\n");
+    EXPECT_EQ(outcome.err, "TestTool: \"" + name + "\" is not an output parameter of a simple type\n");
   }
 }
 } // namespace

@@ -81,7 +81,7 @@ TEST(CommandLineQuestions, AnAnswerThatCannotBeWrittenIsAFailure)
       return freopen("/dev/full", "w", stdout) ? RunHere({ question }, [](shapeton::CommandLine &) {}) : 99;
     });
     EXPECT_EQ(outcome.status, 1);
-    EXPECT_EQ(outcome.err, "TestTool: cannot write to the standard output; free some space or send it elsewhere\n");
+    EXPECT_EQ(outcome.err, "TestTool: cannot write to the standard output; free some space or redirect it\n");
   }
 }
 

@@ -19,7 +19,7 @@ SentenceOf(const GraphComparison & comparison)
   const std::string by = comparison.correspondence.by;
   return std::string(comparison.isomorphic ? "The graphs are isomorphic. " : "The graphs are not isomorphic. ") +
          std::to_string(partners) + " nodes have a partner, found by " + by +
-         "; its circle has the same colour. Circles without a partner are grey.";
+         "; their circles share a colour. Circles without a partner are grey.";
 }
 
 /** Keys shared by corresponding nodes. */

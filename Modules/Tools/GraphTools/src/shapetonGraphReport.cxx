@@ -56,8 +56,8 @@ HelpOf(EmbeddingGeometry geometry)
   switch (geometry)
   {
     case EmbeddingGeometry::Spherical:
-      return "Drag to turn the sphere, shift and drag to move by a Moebius transformation, wheel to zoom about the "
-             "pointer by one: circles stay circles, and no edges cross.";
+      return "Drag to turn the sphere, shift and drag to move by a Moebius transformation, wheel to zoom "
+             "about the pointer by another one: circles stay circles, and edges do not cross.";
     case EmbeddingGeometry::Euclidean:
       return "Drag to move, shift and drag to turn, wheel to zoom. The domains are copies of one torus.";
     default:
@@ -92,7 +92,7 @@ GroupsOf(const std::vector<GraphView> & views, HtmlReport & page)
     const std::size_t edges = view.certificate->packed.edges.size();
     if (edges > mostEdges)
     {
-      page.AddNote(view.title + ": the map has " + std::to_string(edges) + " edges, too many for the view of a page.");
+      page.AddNote(view.title + ": the map has " + std::to_string(edges) + " edges, too many to show on a page.");
       continue;
     }
     const EmbeddingGeometry geometry = view.certificate->geometry;
@@ -115,7 +115,7 @@ AddViews(const GraphReport & report, HtmlReport & page)
     return;
   }
   page.AddStyle(PageText(GraphStyle));
-  page.AddMarkup("<noscript><p>The view needs JavaScript, which this page brings along.</p></noscript>\n"
+  page.AddMarkup("<noscript><p>The view requires JavaScript, which is included in this page.</p></noscript>\n"
                  "<div id=\"tools\"></div>\n");
   int number = 0;
   for (const ViewGroup & group : groups)

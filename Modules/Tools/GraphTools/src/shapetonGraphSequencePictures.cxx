@@ -136,13 +136,13 @@ WriteSequencePictures(const DynamicSequence &          sequence,
   }
   GraphReport report{ "Dynamic graph", changes, {}, sheet.warnings, sheet.provenance, {} };
   report.paragraphs = {
-    "Green: nodes that are new or have gained or lost an edge since the step before; blue: tracked nodes; "
+    "Green: nodes that are new, or gained or lost an edge since the previous step; blue: tracked nodes; "
     "red: all others."
   };
   if (steps > mostStepsOfPicture)
   {
     report.paragraphs.push_back(std::to_string(mostStepsOfPicture) + " of " + std::to_string(steps) +
-                                " steps are shown; the tables hold all of them.");
+                                " steps are shown; the tables list all of them.");
   }
   report.tables.emplace_back("All steps", TableOfSteps(sequence));
   WriteGraphReport(report, output(sheet.folder + "/index.html"));

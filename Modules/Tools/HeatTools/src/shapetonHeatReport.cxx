@@ -278,21 +278,21 @@ std::vector<std::string>
 ReadingGuideOfHeat()
 {
   return {
-    "Every voxel starts with heat where the image has edges; with each time step heat flows to neighbours of "
-    "similar intensity and hardly across edges. What is closed off by edges ends at one heat of its own, which "
-    "depends on its shape and size; what is open to the border of the volume loses its heat and joins the "
+    "Heat starts at the edges of the image. In each time step it flows to neighbours of "
+    "similar intensity and hardly across edges. A region enclosed by edges converges to one heat, which "
+    "depends on its shape and size. A region open to the border of the volume loses its heat to the "
     "background.",
     "Histogram: time runs downwards, heat to the right. A vertical line at the bottom is an object, or several "
-    "objects of similar shape. Few time steps (top) show local shape such as edges and corners, many (bottom) "
-    "whole objects. On the equalized scale, room is given by the number of voxels, so distances along the axis "
-    "are no differences of heat: read the numbers.",
-    "The colour of a heat is its place on the histogram's axis, from blue (least heat) to red (most), also in the "
-    "rendering: similar heats have similar colours. Classes have colours of their own, which tell them apart: in "
+    "objects of similar shape. Early time steps (top) show local shape such as edges and corners, late ones (bottom) "
+    "whole objects. On the equalized scale, width is proportional to the number of voxels, so distances along the "
+    "axis are not differences of heat: read the numbers.",
+    "The colour of a heat is given by its position on the histogram's axis, from blue (lowest) to red (highest), "
+    "also in the rendering: similar heats have similar colours. Classes have separate, distinguishable colours: in "
     "their slices, in the table and in the bars below the histogram. A class is a range of heats; two objects "
-    "may share a class without being alike in any other way, and one organ may fall into several classes. The class "
-    "that holds most of the volume's border is what surrounds the objects; the rendering leaves it out. "
-    "Heat depends on size too: it is lower for a larger object of the same shape. The scale-normalized heat "
-    "of closed components makes up for that."
+    "may share a class without being similar otherwise, and one organ may span several classes. The class "
+    "that covers most of the volume's border is the surroundings; the rendering leaves it out. "
+    "Heat also depends on size: it is lower for a larger object of the same shape. The scale-normalized heat "
+    "of closed components compensates for that."
   };
 }
 
@@ -300,18 +300,18 @@ std::vector<std::string>
 ReadingGuideOfVisits()
 {
   return {
-    "Shapetons are particles. In each time step every one of them moves by the same distance, in a direction that "
-    "the edges of the image make more or less likely, and the voxel where it ends counts one visit. Density is "
-    "the number of visits in units of the greatest one.",
+    "Shapetons are particles. In each time step, each of them moves by the same distance in a random direction, "
+    "weighted by the edges of the image, and the voxel where it ends counts one visit. Density is "
+    "the number of visits divided by the maximum.",
     "Histogram: time runs downwards, density to the right. A vertical line at the bottom is an object, or several "
-    "objects that are visited alike. Visits are a sample: n visits are right to about the square root of n, so "
-    "that lines are broad where visits are few; more shapetons or steps make them sharper.",
-    "The colour of a density is its place on the histogram's axis, from blue (fewest visits) to red (most), also in "
-    "the rendering. Classes have colours of their own, which tell them apart: in their slices, in the table and in "
+    "objects with similar visits. Visits are a sample: n visits have an error of about the square root of n, so "
+    "lines are broad if visits are few; more shapetons or steps make them sharper.",
+    "The colour of a density is given by its position on the histogram's axis, from blue (fewest visits) to red "
+    "(most), also in the rendering. Classes have separate, distinguishable colours: in their slices, in the table and in "
     "the bars below the histogram. A class is a range of densities; two objects may share a class without being "
-    "alike in any other way.",
-    "As published, a step ends where it ends: steps longer than a feature pass over it and over its walls. Where "
-    "all six neighbours are cut off by edges a shapeton stays for ever; such voxels have by far the most visits."
+    "similar otherwise.",
+    "As published, only the end of a step matters: steps longer than a feature pass over it and over its walls. If "
+    "all six neighbours are cut off by edges, a shapeton is trapped; such voxels have by far the most visits."
   };
 }
 
@@ -396,8 +396,8 @@ RangeRemarks(const HeatReportContent & content)
     }
   }
   const HeatRange whole = AxisOf(content).GetRange();
-  return { "the opened histogram is empty: no " + content.quantity.name +
-           " lies in its range at any recorded time step, all are between " + CsvTable::Rounded(whole.lower, 4) +
+  return { "the zoomed histogram is empty: no " + content.quantity.name +
+           " is in its range at any recorded time step; all are between " + CsvTable::Rounded(whole.lower, 4) +
            " and " + CsvTable::Rounded(whole.upper, 4) };
 }
 

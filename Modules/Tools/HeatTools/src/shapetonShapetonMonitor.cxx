@@ -98,7 +98,7 @@ ResumeFromCheckpoint(CommandLine & commandLine, ShapetonDiffusionImageFilter<itk
   }
   catch (const std::runtime_error & error)
   {
-    throw InputError(path + " is no usable checkpoint, " + (stream.is_open() ? error.what() : "it cannot be read") +
+    throw InputError(path + " is not a usable checkpoint, " + (stream.is_open() ? error.what() : "it cannot be read") +
                      ": give a file written by --checkpoint");
   }
   if (state.step > filter->GetTimeSteps())

@@ -14,7 +14,7 @@ ReadTransferFunctionChoice(CommandLine & commandLine)
   if (const std::string path = commandLine.GetString("from"); !path.empty())
   {
     RequireParameter(!commandLine.IsGiven("lines") && !commandLine.IsGiven("timeStep"),
-                     "--from gives lines and time step; leave out --lines and --timeStep");
+                     "--from sets lines and time step; remove --lines and --timeStep");
     const SavedTransferFunction saved = ReadTransferFunction(path);
     commandLine.AddInput("from", "sha256:" + Sha256OfFile(path));
     commandLine.AddProvenance("chosen.lines", saved.lines.ToText());

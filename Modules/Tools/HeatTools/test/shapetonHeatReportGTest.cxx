@@ -175,7 +175,7 @@ TEST_F(HeatReport, AnOpenedRangeWithoutHeatIsReportedAndRemarkedUpon)
   m_Content.ranges = shapeton::HeatRangesOf({ 0.3, 0.4 });
   const auto remarks = shapeton::RangeRemarks(m_Content);
   ASSERT_EQ(remarks.size(), 1U);
-  EXPECT_NE(remarks[0].find("the opened histogram is empty"), std::string::npos);
+  EXPECT_NE(remarks[0].find("the zoomed histogram is empty"), std::string::npos);
   EXPECT_NE(remarks[0].find("0.25"), std::string::npos);
   const std::string folder = shapeton::TemporaryFolder("report-empty-range");
   EXPECT_NO_THROW(shapeton::WriteHeatReport(m_Content, folder, inPlace));

@@ -92,7 +92,7 @@ IdentityOf(const std::string & path)
   }
   catch (const fs::filesystem_error & error)
   {
-    throw InputError("\"" + path + "\" cannot be read (" + error.code().message() + "); check its rights");
+    throw InputError("\"" + path + "\" cannot be read (" + error.code().message() + "); check its permissions");
   }
 }
 } // namespace shapeton

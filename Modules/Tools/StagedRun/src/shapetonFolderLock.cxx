@@ -19,7 +19,8 @@ StagedRun::Lock::Lock(const std::string & folder)
 {
   if (m_Descriptor < 0)
   {
-    throw OutputError("cannot write to the folder \"" + folder + "\" (" + std::strerror(errno) + "); name another one");
+    throw OutputError("cannot write to the folder \"" + folder + "\" (" + std::strerror(errno) +
+                      "); choose another one");
   }
   constexpr int tries = 30; // of 0.1 s each; time for a tool to remove its temporary files
   for (int i = 0; flock(m_Descriptor, LOCK_EX | LOCK_NB) != 0; ++i)
@@ -29,8 +30,8 @@ StagedRun::Lock::Lock(const std::string & folder)
       const bool isBusy = errno == EWOULDBLOCK;
       close(m_Descriptor);
       throw OutputError(isBusy
-                          ? "another run is at work in the folder \"" + folder + "\"; wait for it or name another one"
-                          : "the folder \"" + folder + "\" cannot be locked; name one on another disk");
+                          ? "another run is using the folder \"" + folder + "\"; wait for it or choose another one"
+                          : "the folder \"" + folder + "\" cannot be locked; choose one on another disk");
     }
     std::this_thread::sleep_for(std::chrono::milliseconds(100));
   }

@@ -17,7 +17,7 @@ namespace
 [[noreturn]] void
 Refuse(const std::string & what)
 {
-  throw InputError(what + "; let the run come to its end");
+  throw InputError(what + "; let the run finish");
 }
 
 StageRecord
@@ -26,7 +26,7 @@ ReadFinished(const std::string & path)
   const auto record = ReadStageRecord(path);
   if (!record || record->result.status != 0)
   {
-    Refuse("the stage of \"" + path + "\" has not come to its end");
+    Refuse("the stage of \"" + path + "\" has not finished");
   }
   return *record;
 }
@@ -60,7 +60,7 @@ public:
       if (HashOf(maker, input.filename().string()) != hash)
       {
         Refuse("the results of the stage " + record.result.name + " in \"" + run.string() +
-               "\" were made from another \"" + name + "\" than the one that is there now");
+               "\" were computed from a \"" + name + "\" that has changed since");
       }
       this->Check(path, maker);
     }

@@ -38,7 +38,7 @@ RequireInside(const std::string & name)
   const std::filesystem::path path = name;
   if (path.is_absolute() || path.lexically_normal().string().rfind("..", 0) == 0)
   {
-    throw InputError("a record names the file \"" + name + "\", which is none of its stage; remove the record");
+    throw InputError("a record names the file \"" + name + "\", which does not belong to its stage; remove the record");
   }
 }
 

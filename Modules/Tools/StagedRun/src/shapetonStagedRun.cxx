@@ -254,7 +254,7 @@ FolderOfThisProgram()
   const fs::path  program = fs::read_symlink("/proc/self/exe", error);
   if (error)
   {
-    throw OutputError("cannot tell where this program lies (" + error.message() + "); mount /proc");
+    throw OutputError("cannot locate this program (" + error.message() + "); mount /proc");
   }
   return program.parent_path().string();
 }

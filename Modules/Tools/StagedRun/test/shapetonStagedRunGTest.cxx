@@ -326,7 +326,7 @@ TEST(RunRecords, ResultsOfAnInterruptedRunAreToldFromThoseThatBelongTogether)
     return MessageOf([&] { records.RequireCurrent(stage, "copy"); });
   };
   const std::string none = "no error";
-  EXPECT_NE(faultOf("third").find("has not come to its end"), std::string::npos);
+  EXPECT_NE(faultOf("third").find("has not finished"), std::string::npos);
   RunChain(bench, "a", 3);
   EXPECT_EQ(faultOf("third"), none);
   RunChain(bench, "b", 1); // interrupted after the first stage

@@ -34,7 +34,7 @@ WarnUnlessCT(CommandLine & commandLine, const Volume & volume)
   if (!volume.modality.empty() && volume.modality != "CT")
   {
     commandLine.Warn("the series is of modality " + volume.modality +
-                     ", no CT: its values are taken for Hounsfield units all the same");
+                     ", not CT: its values are interpreted as Hounsfield units");
   }
 }
 
@@ -60,8 +60,8 @@ RequireLabels(const Volume & volume, const std::string & path)
   if (odd != end)
   {
     std::ostringstream text;
-    text << path << ": this is no mask, it holds the value " << *odd
-         << "; give an image of whole numbers from 0 on, 0 outside";
+    text << path << ": this is not a mask, because it contains the value " << *odd
+         << "; give an image of non-negative integers, 0 outside";
     throw InputError(text.str());
   }
 }

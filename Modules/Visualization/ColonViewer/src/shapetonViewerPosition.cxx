@@ -262,7 +262,7 @@ RequireSameFaces(const SurfaceMesh & mesh, const SurfaceMesh & flat, const std::
   if (mesh.F.rows() != flat.F.rows() || mesh.F != flat.F)
   {
     throw InputError("the file \"" + path +
-                     "\" is of another surface than flattening/flat.vtp of its position; run again");
+                     "\" belongs to another surface than flattening/flat.vtp of its position; run again");
   }
 }
 

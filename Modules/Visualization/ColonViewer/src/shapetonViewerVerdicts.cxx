@@ -61,17 +61,17 @@ ReadVerdicts(const std::string & path, const Json & exam)
   {
     if (verdicts.at("version") != 1)
     {
-      Refuse(path, "have a version that this tool does not know; save them again");
+      Refuse(path, "have an unsupported version; save them again");
     }
     if (verdicts.at("exam").at("sha256") != exam.at("sha256"))
     {
-      Refuse(path, "are of another examination; take those that were saved from this one");
+      Refuse(path, "belong to another examination; give verdicts saved for this one");
     }
     MarkupOfVerdicts(verdicts, Json::array());
   }
   catch (const Json::exception &)
   {
-    Refuse(path, "are not what the viewer saves; save them again");
+    Refuse(path, "were not saved by the viewer; save them again");
   }
   return verdicts;
 }

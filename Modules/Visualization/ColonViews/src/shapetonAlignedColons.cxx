@@ -44,7 +44,7 @@ RequireFit(const SurfaceMesh & map, const ColonPositionFiles & files)
   const SurfaceMesh & flat = files.position.flat->Surface();
   if (map.V.rows() != flat.V.rows() || map.F.rows() != flat.F.rows() || map.V != flat.V)
   {
-    throw InputError("the registration is not that of the " + files.position.name +
+    throw InputError("the registration does not belong to the " + files.position.name +
                      " examination; run ColonRegistration again");
   }
 }

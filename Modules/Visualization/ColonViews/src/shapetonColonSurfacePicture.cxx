@@ -81,7 +81,7 @@ DrawColonWall(const ColonParts & colon, PatientSide side, bool isSolid)
 {
   if (!colon.wall || (!isSolid && !colon.centreline))
   {
-    throw std::invalid_argument("a picture of the colon needs a wall, and a centreline to see inside of it");
+    throw std::invalid_argument("a picture of the colon requires a wall, and a centreline for the transparent view");
   }
   SurfaceScene            scene;
   SurfaceRenderingOptions options;

@@ -18,7 +18,7 @@ RequireSize(const Picture * strip, const FlatColonGrid & grid)
   if (size[0] != static_cast<itk::SizeValueType>(grid.Columns()) ||
       size[1] != static_cast<itk::SizeValueType>(grid.Rows()))
   {
-    throw std::invalid_argument("the strip has not the size of the grid");
+    throw std::invalid_argument("the strip does not have the size of the grid");
   }
 }
 

@@ -49,7 +49,7 @@ public:
     }
     if (!annotation.uv && !annotation.point)
     {
-      throw std::invalid_argument("the annotation '" + annotation.text + "' has no place on the map");
+      throw std::invalid_argument("the annotation '" + annotation.text + "' has no position on the map");
     }
     const FlatPixel pixel = annotation.uv ? m_Grid.PixelOfUv(*annotation.uv) : this->Locate(*annotation.point);
     placed.column = pixel.column + 0.5;
@@ -152,11 +152,11 @@ RequireFit(const Picture * strip, const FlatColonGrid & grid, const std::vector<
   if (size[0] != static_cast<itk::SizeValueType>(grid.Columns()) ||
       size[1] != static_cast<itk::SizeValueType>(grid.Rows()))
   {
-    throw std::invalid_argument("the strip has not the size of the grid");
+    throw std::invalid_argument("the strip does not have the size of the grid");
   }
   if (!distances.empty() && distances.size() != size[0])
   {
-    throw std::invalid_argument("there is not a distance for each column");
+    throw std::invalid_argument("the number of distances does not match the columns");
   }
   if (!(overlap >= 0.0 && overlap <= 0.5))
   {

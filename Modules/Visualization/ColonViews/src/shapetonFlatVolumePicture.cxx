@@ -200,8 +200,8 @@ RequireCover(const FlatColonGrid & grid, const itk::Image<float, 3> * ct)
   const double share = static_cast<double>(outside) / points.rows();
   if (share > greatestShare)
   {
-    throw InputError("the volume does not hold the surface: " + CsvTable::Rounded(100.0 * share, 3) +
-                     " % of it lie outside; give the CT that the surface was made from");
+    throw InputError("the volume does not contain the surface: " + CsvTable::Rounded(100.0 * share, 3) +
+                     " % of it are outside; give the CT that the surface was made from");
   }
 }
 } // namespace

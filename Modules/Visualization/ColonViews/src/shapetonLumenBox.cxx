@@ -89,7 +89,7 @@ CheckParts(const ColonParts & colon)
   if (colon.ct &&
       (colon.ct->GetBufferedRegion() != colon.lumen->GetBufferedRegion() || !HaveSameGrid(colon.ct, colon.lumen)))
   {
-    throw std::invalid_argument("the CT and the lumen of a colon lie on different grids");
+    throw std::invalid_argument("the CT and the lumen of a colon have different grids");
   }
 }
 } // namespace shapeton

@@ -13,7 +13,7 @@ namespace
 [[noreturn]] void
 Refuse(const std::string & path, const std::string & fault)
 {
-  throw InputError(path + " is no transfer function that the heat explorer saved, " + fault + ": save it again");
+  throw InputError(path + " is not a transfer function saved by the heat explorer: " + fault + "; save it again");
 }
 
 /** Reader of one file, with errors that name it. */
@@ -27,7 +27,7 @@ public:
   {
     if (!object.is_object())
     {
-      Refuse(m_Path, name + " is no object");
+      Refuse(m_Path, name + " is not an object");
     }
     for (const auto & [key, value] : object.items())
     {
@@ -50,7 +50,7 @@ public:
   {
     if (!object[key].is_number())
     {
-      Refuse(m_Path, "\"" + key + "\" is no number");
+      Refuse(m_Path, "\"" + key + "\" is not a number");
     }
     return object[key].get<double>();
   }
@@ -62,7 +62,7 @@ public:
     const auto color = object["colour"].is_string() ? ColorOf(object["colour"].get<std::string>()) : std::nullopt;
     if (!color)
     {
-      Refuse(m_Path, "\"colour\" is no colour #rrggbb");
+      Refuse(m_Path, "\"colour\" is not a colour #rrggbb");
     }
     return { this->Number(object, "lower"), this->Number(object, "upper"), *color, this->Number(object, "opacity") };
   }
@@ -72,7 +72,7 @@ public:
   {
     if (!array.is_array() || array.empty())
     {
-      Refuse(m_Path, "\"lines\" is no list with a line");
+      Refuse(m_Path, "\"lines\" is not a non-empty list");
     }
     std::vector<TransferFunctionLine> lines;
     for (const Json & line : array)
@@ -102,7 +102,7 @@ ReadTransferFunction(const std::string & path)
   reader.RequireKeys(document, "it", { "shapeton", "version", "quantity", "timeStep", "lines" });
   if (document["shapeton"] != "transfer function" || document["version"] != 1)
   {
-    Refuse(path, "its kind or version is another one");
+    Refuse(path, "its kind or version is unsupported");
   }
   if (document["quantity"] != "heat" && document["quantity"] != "density")
   {
@@ -110,7 +110,7 @@ ReadTransferFunction(const std::string & path)
   }
   if (!document["timeStep"].is_number_unsigned())
   {
-    Refuse(path, "\"timeStep\" is no time step");
+    Refuse(path, "\"timeStep\" is not a time step");
   }
   return { document["quantity"].get<std::string>(),
            document["timeStep"].get<std::uint64_t>(),

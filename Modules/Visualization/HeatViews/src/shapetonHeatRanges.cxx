@@ -26,12 +26,12 @@ RequireRange(const HeatRange & range)
 {
   const std::string parameter = "the parameter \"histogramRange\": " + ExactTextOf(range);
   RequireParameter(range.lower >= 0.0 && range.lower < range.upper && range.upper <= 1.0,
-                   parameter + " is no range; give two numbers from 0 to 1, the lower one first");
+                   parameter + " is not a range; give two numbers from 0 to 1, the lower one first");
   const unsigned int bin = HeatHistogram::BinOf(static_cast<float>(range.lower));
   RequireParameter(IsInside(bin + 1, range) && bin + 1 < HeatHistogram::NumberOfBins,
-                   parameter + " lies in one bin of the histogram, which reaches to " +
+                   parameter + " is inside one bin of the histogram, which extends to " +
                      CsvTable::Number(HeatHistogram::LowerEdge(bin + 1)) +
-                     ": nothing can be told apart in it; give a wider range");
+                     "; give a wider range");
 }
 } // namespace
 
@@ -49,7 +49,7 @@ HeatRangesOf(const std::vector<double> & ends)
     RequireRange(range);
     RequireParameter(
       ranges.empty() || (range.lower >= ranges.back().lower && range.upper <= ranges.back().upper),
-      "the parameter \"histogramRange\": " + ExactTextOf(range) + " does not lie within the range before it, " +
+      "the parameter \"histogramRange\": " + ExactTextOf(range) + " is not inside the previous range, " +
         (ranges.empty() ? "" : ExactTextOf(ranges.back())) + "; give ranges from the widest to the narrowest");
     ranges.push_back(range);
   }

@@ -85,14 +85,14 @@ FindInFolder(const std::string & folder, std::optional<std::uint64_t> timeStep)
   const std::map<std::uint64_t, std::string> snapshots = SnapshotsIn(folder);
   if (snapshots.empty())
   {
-    throw InputError("the folder " + folder + " holds no heat-<time step>.nrrd: give a folder written by " +
+    throw InputError("the folder " + folder + " contains no heat-<time step>.nrrd: give a folder written by " +
                      "CumulativeHeatDiffusion as its snapshots, or a heat volume");
   }
   const auto found = timeStep ? snapshots.find(*timeStep) : std::prev(snapshots.end());
   if (found == snapshots.end())
   {
-    throw ParameterError("the folder " + folder + " holds no snapshot of time step " + std::to_string(*timeStep) +
-                         ": there are " + ListOf(snapshots));
+    throw ParameterError("the folder " + folder + " contains no snapshot of time step " + std::to_string(*timeStep) +
+                         "; available: " + ListOf(snapshots));
   }
   return { found->second, found->first };
 }
@@ -129,7 +129,7 @@ FindHeatSnapshot(const std::string & path, std::optional<std::uint64_t> timeStep
 {
   if (!std::filesystem::exists(path))
   {
-    throw InputError("there is no heat volume " + path + ": give a heat volume or a folder of snapshots");
+    throw InputError("no heat volume found at " + path + ": give a heat volume or a folder of snapshots");
   }
   if (std::filesystem::is_directory(path))
   {
@@ -138,7 +138,7 @@ FindHeatSnapshot(const std::string & path, std::optional<std::uint64_t> timeStep
   const std::optional<std::uint64_t> stated = TimeStepInHeader(path);
   if (timeStep && stated && *timeStep != *stated)
   {
-    throw ParameterError("the heat volume " + path + " shows time step " + std::to_string(*stated) + ", not " +
+    throw ParameterError("the heat volume " + path + " is of time step " + std::to_string(*stated) + ", not " +
                          std::to_string(*timeStep) + ": leave out the time step, or give a folder of snapshots");
   }
   return { path, stated ? stated : timeStep };
@@ -162,7 +162,7 @@ RequireHeat(const itk::Image<float, 3> * heat, const std::string & path)
   if (!isHeat)
   {
     throw InputError(
-      path + " is no heat volume, its values are not in [0, 1]: give one written by CumulativeHeatDiffusion, or a "
+      path + " is not a heat volume, its values are not in [0, 1]: give one written by CumulativeHeatDiffusion, or a "
              ".nrrd or .mha with the visits of ShapetonDiffusion");
   }
 }

@@ -102,14 +102,15 @@ ParseLine(const std::string & text)
   const auto color = ColorOf(parts[1]);
   if (!color)
   {
-    throw ParameterError("\"" + parts[1] + "\" in the line \"" + text + "\" is no colour: give #rrggbb or one of " +
+    throw ParameterError("\"" + parts[1] + "\" in the line \"" + text + "\" is not a colour: give #rrggbb or one of " +
                          ColorNames());
   }
   line.color = *color;
   std::string opacity(parts[2]);
   if (!TakeNumber(opacity, line.opacity) || !opacity.empty())
   {
-    throw ParameterError("\"" + parts[2] + "\" in the line \"" + text + "\" is no opacity: give a number from 0 to 1");
+    throw ParameterError("\"" + parts[2] + "\" in the line \"" + text +
+                         "\" is not an opacity: give a number from 0 to 1");
   }
   return line;
 }
@@ -403,14 +404,15 @@ ShapeTransferFunction::WriteVolumeProperty(const std::string & path, double unit
     if (row.size() > greatestLineLength)
     {
       throw OutputError("the volume property " + path +
-                        " would have a line longer than 3D Slicer reads: use fewer lines");
+                        " would have a line longer than 3D Slicer can read: use fewer lines");
     }
     file << row << '\n';
   }
   file.close();
   if (!file)
   {
-    throw OutputError("cannot write the volume property " + path + ": is the folder there, writable and not full?");
+    throw OutputError("cannot write the volume property " + path +
+                      ": check that the folder exists, is writable and not full");
   }
 }
 } // namespace shapeton

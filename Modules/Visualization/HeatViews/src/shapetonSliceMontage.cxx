@@ -132,7 +132,7 @@ Check(const ImageType * grey, const ImageType * heat, const SliceMontageOptions 
   }
   if (options.cut && !grey->GetBufferedRegion().IsInside(*options.cut))
   {
-    throw std::invalid_argument("the cut of a montage lies outside of the volume");
+    throw std::invalid_argument("the cut of a montage is outside the volume");
   }
   if (options.width < 600)
   {

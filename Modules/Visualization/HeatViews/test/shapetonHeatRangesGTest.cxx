@@ -83,12 +83,12 @@ TEST(HeatRanges, WrongOnesAreNamed)
   EXPECT_NE(ErrorOf({ 0.1, 0.2, 0.15 }).find("pairs of numbers"), std::string::npos);
   for (const auto & ends : { std::vector<double>{ 0.4, 0.1 }, { 0.2, 0.2 }, { -0.1, 0.2 }, { 0.1, 1.5 } })
   {
-    EXPECT_NE(ErrorOf(ends).find("is no range"), std::string::npos) << ends[0];
+    EXPECT_NE(ErrorOf(ends).find("is not a range"), std::string::npos) << ends[0];
   }
-  EXPECT_NE(ErrorOf({ std::nan(""), 0.5 }).find("is no range"), std::string::npos);
-  EXPECT_NE(ErrorOf({ 0.1, 0.4, 0.05, 0.2 }).find("0.05 to 0.2 does not lie within the range before it, 0.1 to 0.4"),
+  EXPECT_NE(ErrorOf({ std::nan(""), 0.5 }).find("is not a range"), std::string::npos);
+  EXPECT_NE(ErrorOf({ 0.1, 0.4, 0.05, 0.2 }).find("0.05 to 0.2 is not inside the previous range, 0.1 to 0.4"),
             std::string::npos);
-  EXPECT_NE(ErrorOf({ 0.1, 0.2, 0.1, 0.3 }).find("does not lie within"), std::string::npos);
+  EXPECT_NE(ErrorOf({ 0.1, 0.2, 0.1, 0.3 }).find("is not inside"), std::string::npos);
 }
 
 TEST(HeatRanges, ASingleBinCannotBeOpened)

@@ -24,7 +24,8 @@ public:
     if (!(across.norm() > 1e-9 * camera.up.norm() * look.norm()) || !(camera.fieldOfView > 0.0) ||
         !(camera.fieldOfView < 170.0) || !(camera.nearest > 0.0) || !(camera.lightReach > 0.0))
     {
-      throw std::invalid_argument("a perspective camera looks nowhere, along its up, or has a number out of range");
+      throw std::invalid_argument(
+        "a perspective camera has no view direction, looks along its up, or has a number out of range");
     }
     m_Forward = look.normalized();
     m_Right = across.normalized();

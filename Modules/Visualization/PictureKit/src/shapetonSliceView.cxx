@@ -223,7 +223,7 @@ SliceView::SliceView(const itk::ImageBase<3> *   volume,
   if (focus.GetNumberOfPixels() == 0 || !region.IsInside(focus) || slice < region.GetIndex(m_Axes.through) ||
       slice > region.GetUpperIndex()[m_Axes.through] || !(millimetresPerPixel > 0.0))
   {
-    throw std::invalid_argument("the view of a slice needs a part of its volume and a positive scale");
+    throw std::invalid_argument("the view of a slice requires a part of its volume and a positive scale");
   }
   m_Width = PixelsAlong(volume, focus, m_Axes.across, millimetresPerPixel);
   m_Height = PixelsAlong(volume, focus, m_Axes.down, millimetresPerPixel);

@@ -28,14 +28,14 @@ Require(bool condition, const char * what)
 void
 Check(const SurfaceScene & scene)
 {
-  Require(!scene.surfaces.empty() || !scene.curves.empty() || !scene.markers.empty(), "a scene needs something in it");
+  Require(!scene.surfaces.empty() || !scene.curves.empty() || !scene.markers.empty(), "a scene must not be empty");
   for (const SurfaceActor & actor : scene.surfaces)
   {
     Require(actor.surface && actor.surface->NumberOfVertices() > 0, "a surface of a scene needs vertices");
     const FaceMatrix & faces = actor.surface->F;
     const int          vertices = actor.surface->NumberOfVertices();
     Require(faces.size() == 0 || (faces.minCoeff() >= 0 && faces.maxCoeff() < vertices),
-            "a face of a scene names a vertex that is not there");
+            "a face of a scene has an invalid vertex index");
     Require(actor.vertexColors.empty() || static_cast<int>(actor.vertexColors.size()) == vertices,
             "a scene needs a colour for each vertex of a surface, or none");
     Require(actor.faceColors.empty() || static_cast<int>(actor.faceColors.size()) == faces.rows(),
@@ -49,7 +49,7 @@ Check(const SurfaceScene & scene)
     {
       Require(!curve.empty() && *std::min_element(curve.begin(), curve.end()) >= 0 &&
                 *std::max_element(curve.begin(), curve.end()) < actor.curves->V.rows(),
-              "a curve of a scene is empty or names a vertex that is not there");
+              "a curve of a scene is empty or has an invalid vertex index");
     }
     Require(actor.vertexColors.empty() ||
               static_cast<Eigen::Index>(actor.vertexColors.size()) == actor.curves->V.rows(),
