@@ -76,7 +76,7 @@ test('verdicts of another examination are refused, and the old page stays', () =
   writeFileSync(`${work}/other.json`, verdictsOf('0'.repeat(64)));
   const { status, stderr } = make('single', '--single', '--verdicts', `${work}/other.json`);
   assert.equal(status, 3);
-  assert.match(stderr, /of another examination/);
+  assert.match(stderr, /belong to another examination/);
   writeFileSync(`${work}/other.json`, '{"version": 1, "exam": 3}');
   assert.equal(make('single', '--single', '--verdicts', `${work}/other.json`).status, 3);
   assert.ok(readFileSync(`${work}/single/viewer.html`).equals(old));
@@ -94,7 +94,7 @@ test('a truncated volume is told, and all else goes on', async () => {
   const folder = broken('noVolume', '0-volume.js');
   await open(folder);
   await page.until(() => Boolean(window.viewer));
-  assert.match(await notices(), /The data "0\/volume" in data\/0-volume\.js is damaged.*go on without slices/);
+  assert.match(await notices(), /The data "0\/volume" in data\/0-volume\.js is damaged.*still work/);
   await page.evaluate(async () => { viewer.stepEntry(1); viewer.nextVerdict(); await viewer.idle(); });
   assert.ok(await page.evaluate(() => viewer.panels[0].flat.shown && viewer.verdicts.document().candidates[0].verdict === 'polyp'));
 });
@@ -105,7 +105,7 @@ test('a truncated surface and a missing file are told', async () => {
   const folder = broken('noFaces', '0-faces.js');
   rmSync(`${folder}/data/0-faces.js`);
   await open(folder);
-  assert.match(await notices(), /data\/0-faces\.js is missing beside this page/);
+  assert.match(await notices(), /data\/0-faces\.js of this page is missing/);
 });
 
 test('a browser without DecompressionStream is told which ones have it', async () => {

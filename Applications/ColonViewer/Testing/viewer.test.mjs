@@ -373,7 +373,7 @@ test('verdicts, notes and findings are saved, opened again, and refused for anot
   assert.ok(finding.diameter > 0 && finding.lps.length === 3 && finding.uv.length === 2);
   await page.evaluate(() => { viewer.verdicts.entries[0].verdict = 'unsure'; viewer.verdicts.removeFinding(viewer.verdicts.findings[0]); });
   await openVerdicts(text.replace(verdicts.exam.sha256, '0'.repeat(64)));
-  assert.match(await page.evaluate(() => document.getElementById('notices').textContent), /of another examination; nothing was changed/);
+  assert.match(await page.evaluate(() => document.getElementById('notices').textContent), /belong to another examination; nothing was changed/);
   assert.equal(await page.evaluate(() => viewer.verdicts.entries[0].verdict), 'unsure');
   await openVerdicts('{"version": 1');
   assert.match(await page.evaluate(() => document.getElementById('notices').textContent), /no JSON/);
@@ -424,7 +424,7 @@ test('the other position is dimmed where the map is not to be trusted', async (t
     return [viewer.panels[1].root.classList.contains('dim'), document.getElementById('trust').textContent];
   }));
   assert.deepEqual(dims.map(([isDim]) => isDim), [true, true, false]);
-  assert.match(dims[0][1], /not to be trusted/);
+  assert.match(dims[0][1], /unreliable/);
   assert.match(dims[2][1], /0\.95/);
 });
 

@@ -266,7 +266,7 @@ test('everything by keys', async () => {
   await press('Delete');
   assert.equal((await ranges()).length, 0);
   await press('w');
-  assert.match(await page.evaluate(() => document.getElementById('status').textContent), /no line to save/);
+  assert.match(await page.evaluate(() => document.getElementById('status').textContent), /nothing to save/);
 });
 
 test('a click on a slice moves the crosshair to the voxel', async () => {
@@ -310,7 +310,7 @@ test('damaged and missing data are told, and what is there goes on', async () =>
     assert.match(await notices(), new RegExp(`The data .* in explorer/${file} is damaged`));
   }
   await open(broken('histogram.js', true));
-  assert.match(await notices(), /explorer\/histogram\.js is missing beside this page/);
+  assert.match(await notices(), /explorer\/histogram\.js of this page is missing/);
   await open(broken('bins-100.js'));
   const before = await ranges();
   await press('PageUp');
@@ -325,7 +325,7 @@ test('a file that is no transfer function is refused, one that was saved is open
   const old = await ranges(), json = await saved('transfer-function.json', 's', CTRL);
   writeFileSync(`${WORK}/other.json`, '{"lines": []}');
   await page.chooseFile('#file', `${WORK}/other.json`);
-  await page.until(() => document.getElementById('notices').textContent.includes('no transfer function'));
+  await page.until(() => document.getElementById('notices').textContent.includes('not a transfer function'));
   await setLines([]);
   await page.chooseFile('#file', json);
   await page.until(() => explorer.lines.length > 0);

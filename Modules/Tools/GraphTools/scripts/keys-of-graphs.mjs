@@ -5,11 +5,11 @@ const keys = [
   ['Select', [
     ['/', '/', 'search by name', 'search'],
     ['n', 'N', 'next node, of those found if a name was searched', 'stepNode', 1],
-    ['p', 'P', 'the node before', 'stepNode', -1],
-    ['e', 'E', 'next edge of the node; Shift: the one before', 'stepEdge', 1],
+    ['p', 'P', 'previous node', 'stepNode', -1],
+    ['e', 'E', 'next edge of the node; Shift: previous', 'stepEdge', 1],
     ['Shift+e', '', '', 'stepEdge', -1],
     ['Enter', 'Enter', 'along the selected edge to its other end', 'follow'],
-    ['m', 'M', 'what is selected to the middle', 'bring'],
+    ['m', 'M', 'center the selection', 'bring'],
     ['Escape', 'Esc', 'select nothing, leave search or help', 'leave'],
   ]],
   ['Move', [
@@ -23,7 +23,7 @@ const keys = [
     ['Shift+ArrowDown', '', '', 'move', [0, -STEP, true]],
     ['+', '+', 'zoom in', 'zoom', 0.2],
     ['-', '-', 'zoom out', 'zoom', -0.2],
-    ['r', 'R', 'as it was at first', 'reset'],
+    ['r', 'R', 'reset the view', 'reset'],
     ['v', 'V', 'the next view gets the keys', 'nextView'],
   ]],
   ['Show', [

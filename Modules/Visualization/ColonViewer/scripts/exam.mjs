@@ -234,7 +234,7 @@ export class Exam {
     if (place.off > 5) out.push(`${place.off.toFixed(0)} mm off the wall`);
     const hindrance = hindranceNames[clamp(this.hindranceOf(place.face), 0, 4)];
     if (hindrance) out.push(`not assessable: ${hindrance}`);
-    if (this.isSynthetic(place.face)) out.push('wall made up over a gap');
+    if (this.isSynthetic(place.face)) out.push('wall interpolated over a gap');
     return out.join(' · ');
   }
 }

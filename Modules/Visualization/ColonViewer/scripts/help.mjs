@@ -21,7 +21,7 @@ const keyList = [
     ['Shift+ArrowLeft', 'Shift ←', 'left on the flat wall by 2 mm', 'moveFlat', [-2, 0]],
     ['Shift+ArrowUp', 'Shift ↑', 'up on the flat wall by 2 mm', 'moveFlat', [0, -2]],
     ['Shift+ArrowDown', 'Shift ↓', 'down on the flat wall by 2 mm', 'moveFlat', [0, 2]],
-    ['a', 'A', 'next axial slice; Shift: the one before', 'stepSlice', [0, 1]],
+    ['a', 'A', 'next axial slice; Shift: previous', 'stepSlice', [0, 1]],
     ['c', 'C', 'next coronal slice', 'stepSlice', [1, 1]],
     ['s', 'S', 'next sagittal slice', 'stepSlice', [2, 1]],
     ['Shift+a', '', '', 'stepSlice', [0, -1]],
@@ -41,7 +41,7 @@ const keyList = [
   ]],
   ['Reading', [
     ['n', 'N', 'next candidate or finding', 'stepEntry', 1],
-    ['p', 'P', 'the one before', 'stepEntry', -1],
+    ['p', 'P', 'previous one', 'stepEntry', -1],
     ['e', 'E', 'next verdict on it', 'nextVerdict'],
     ['t', 'T', 'write a note on it', 'writeNote'],
     ['f', 'F', 'add a finding at the crosshair', 'addFinding'],

@@ -134,11 +134,11 @@ export class Verdicts {
   // Replaces all by the text of a file. Throws a sentence for what does not belong here; then nothing has changed.
   open(text) {
     let saved;
-    try { saved = JSON.parse(text); } catch { throw new Error('This file is no JSON: choose a verdicts.json that this page saved.'); }
+    try { saved = JSON.parse(text); } catch { throw new Error('This file is not JSON: choose a verdicts.json saved by this page.'); }
     if (saved?.version !== 1 || !Array.isArray(saved.candidates) || !Array.isArray(saved.findings)) {
-      throw new Error('This file holds no verdicts: choose a verdicts.json that this page saved.');
+      throw new Error('This file contains no verdicts: choose a verdicts.json saved by this page.');
     }
-    if (saved.exam?.sha256 !== this.exam.sha256) throw new Error('These verdicts are of another examination; nothing was changed.');
+    if (saved.exam?.sha256 !== this.exam.sha256) throw new Error('These verdicts belong to another examination; nothing was changed.');
     this.take(saved);
     this.isSaved = true;
     this.list();

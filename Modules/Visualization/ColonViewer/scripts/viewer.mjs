@@ -220,7 +220,7 @@ class Viewer {
     const { panel, verdicts } = this, { seen } = panel.exam;
     $('status').textContent = panel.describe();
     $('share').textContent = seen.sum ? `wall seen in flight: ${(100 * seen.share).toFixed(1)} %` : '';
-    $('trust').textContent = !this.maps ? '' : this.trust === null ? 'not seen in one position: the other place is not to be trusted'
+    $('trust').textContent = !this.maps ? '' : this.trust === null ? 'not visible in one position: the other place is unreliable'
       : this.trust === undefined ? '' : `confidence of the map ${this.trust.toFixed(2)}`;
     $('unsaved').textContent = verdicts?.isSaved === false ? 'not saved yet' : '';
     $('way').textContent = panel.inside.way > 0 ? '→ caecum' : '← anal verge';
@@ -238,7 +238,7 @@ class Viewer {
         if (!exam.volume.isCt) this.panels[k].setWindow([1, 0.5]);
       } catch (error) {
         this.panels[k].volumeText = 'The volume cannot be shown.';
-        notice(`${error.message} Flat wall and wall in space go on without slices.`);
+        notice(`${error.message} Flat wall and wall in space still work.`);
       }
       this.times[`volume${k}`] = performance.now() - started;
       this.panels[k].changed();
@@ -258,10 +258,10 @@ function tellMissing(info, painter) {
   if (!painter.gl) notice('This browser has no WebGL 2: flat wall, slices and verdicts work, the two views in space do not.');
   for (const position of info.positions) {
     const { missing, name } = position, what = missing.filter((m) => m !== 'CT');
-    if (missing.includes('CT')) notice('This run was made from a mask of the lumen: slices show the mask, not a CT.');
-    if (what.length) notice(`The run left no ${what.join(', ')}${name ? ` (${name})` : ''}.`);
+    if (missing.includes('CT')) notice('This run was made from a lumen mask: slices show the mask, not a CT.');
+    if (what.length) notice(`The run has no ${what.join(', ')}${name ? ` (${name})` : ''}.`);
   }
-  if (info.positions.length > 1 && !info.hasMap) notice('The run left no registration: the positions are not linked.');
+  if (info.positions.length > 1 && !info.hasMap) notice('The run has no registration: the positions are not linked.');
 }
 
 async function open(folder) {

@@ -57,7 +57,7 @@ class HeatExplorer {
     this.rendering = new RenderingView(root, this);
     this.slices = this.info.planes.map((plane) => new HeatSliceView(root, this, plane));
     if (!this.rendering.isPossible) notice('This browser has no WebGL 2: histogram, slices and files work, the volume in space does not.');
-    if (this.volume.stride > 1) notice(`The volume is large: of each axis every ${this.volume.stride}. voxel is shown.`);
+    if (this.volume.stride > 1) notice(`The volume is large: only every ${this.volume.stride}. voxel of each axis is shown.`);
     this.listen();
   }
 
@@ -173,7 +173,7 @@ class HeatExplorer {
   }
 
   setLines(lines, lower, kind = null) {
-    if (lines.length > MOST_LINES) { this.tell(`there is no room for more than ${MOST_LINES} lines: remove one first`); return; }
+    if (lines.length > MOST_LINES) { this.tell(`at most ${MOST_LINES} lines are possible: remove one first`); return; }
     this.chosen = lines.findIndex((l) => l.lower === lower);
     this.change({ lines }, kind);
   }
@@ -292,7 +292,7 @@ class HeatExplorer {
   // ---- files ----
   linesToSave() {
     const lines = this.lines.filter((line) => line.isOn);
-    if (!lines.length) this.tell('there is no line to save: pick one first');
+    if (!lines.length) this.tell('nothing to save: pick a line first');
     return lines;
   }
 

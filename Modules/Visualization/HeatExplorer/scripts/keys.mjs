@@ -17,7 +17,7 @@ export const explorerKeys = new KeyTable([
   ]],
   ['Lines', [
     ['n', 'N', 'next line', 'stepLine', 1],
-    ['p', 'P', 'the line before', 'stepLine', -1],
+    ['p', 'P', 'previous line', 'stepLine', -1],
     ['Delete', 'Del', 'remove the chosen line', 'removeChosen'],
     ['k', 'K', 'next colour of it', 'nextColour'],
     ['+', '+', 'more opaque', 'addOpacity', 0.05],
@@ -32,7 +32,7 @@ export const explorerKeys = new KeyTable([
     ['Ctrl+Shift+z', '', '', 'redo'],
   ]],
   ['Slices and rendering', [
-    ['a', 'A', 'next axial slice; Shift: the one before', 'stepSlice', [0, 1]],
+    ['a', 'A', 'next axial slice; Shift: previous', 'stepSlice', [0, 1]],
     ['c', 'C', 'next coronal slice', 'stepSlice', [1, 1]],
     ['s', 'S', 'next sagittal slice', 'stepSlice', [2, 1]],
     ['Shift+a', '', '', 'stepSlice', [0, -1]],

@@ -107,13 +107,13 @@ export function linesFromText(text, quantity) {
   try {
     saved = JSON.parse(text);
   } catch {
-    throw new Error('This file is no transfer function: it is no JSON.');
+    throw new Error('This file is not a transfer function: it is not JSON.');
   }
   const isRange = (a, b) => a >= 0 && a < b && b <= 1, isShare = (x) => x >= 0 && x <= 1;
   const isLine = (l) => isRange(l.lower, l.upper) && isShare(l.opacity) && /^#[0-9a-f]{6}$/.test(l.colour);
   const isKnown = saved?.shapeton === 'transfer function' && saved.version === 1 && Array.isArray(saved.lines);
   if (!isKnown || saved.lines.length > MOST_LINES || !saved.lines.every(isLine)) {
-    throw new Error('This file is no transfer function that this page saved.');
+    throw new Error('This file is not a transfer function saved by this page.');
   }
   if (saved.quantity !== quantity) throw new Error(`This transfer function is for ${saved.quantity}, not for ${quantity}.`);
   return saved.lines.reduce((lines, line) => withLine(lines, { ...line, isOn: true }), []);

@@ -63,7 +63,7 @@ test('saved lines are read again, and others refused', () => {
   assert.deepEqual(linesFromText(text, 'heat'), lines);
   const other = [['0.5,', '2.5,'], ['#05bffa', 'blue'], ['"version": 1', '"version": 9']].map((pair) => text.replace(...pair));
   for (const wrong of ['', '{}', ...other]) {
-    assert.throws(() => linesFromText(wrong, 'heat'), /This file is no transfer function/);
+    assert.throws(() => linesFromText(wrong, 'heat'), /This file is not a transfer function/);
   }
   assert.throws(() => linesFromText(text, 'density'), /for heat, not for density/);
 });

@@ -8,7 +8,7 @@ function loadScript(src) {
   return new Promise((done, fail) => {
     const script = document.createElement('script');
     script.onload = () => { script.remove(); done(); };
-    script.onerror = () => fail(new Error(`The file ${src} is missing beside this page.`));
+    script.onerror = () => fail(new Error(`The file ${src} of this page is missing.`));
     script.src = src;
     document.head.append(script);
   });
@@ -63,7 +63,7 @@ export async function readBlock(folder, name, version = '') {
   if (!blocks.has(name) && folder !== null) await loadScript(file + version);
   const found = blocks.get(name);
   blocks.delete(name);
-  const damaged = (why) => new Error(`The data "${name}" in ${file} is damaged (${why}): make the page again.`);
+  const damaged = (why) => new Error(`The data "${name}" in ${file} is damaged (${why}): create the page again.`);
   if (!found) throw damaged('truncated');
   if (!found.header) return found.body;
   try {

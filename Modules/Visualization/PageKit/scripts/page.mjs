@@ -24,7 +24,7 @@ function refuse(text) {
 // Opens the page, or says in a sentence why it cannot.
 export async function openPage(open) {
   if (typeof DecompressionStream === 'undefined') {
-    refuse('This browser cannot unpack the data (it lacks DecompressionStream): take Firefox 113, Chrome 80, Safari 16.4 or newer.');
+    refuse('This browser cannot unpack the data (it lacks DecompressionStream): use Firefox 113, Chrome 80, Safari 16.4 or newer.');
     return;
   }
   try {
