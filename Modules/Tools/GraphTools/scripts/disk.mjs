@@ -3,18 +3,18 @@ import { Flat } from './plane.mjs';
 
 const ALMOST = 1 - 1e-15;
 
-// A point of the Klein disk in the Poincare disk.
+// Maps a point of the Klein disk to the Poincare disk.
 function fromKlein(p) {
   const k = 1 / (1 + Math.sqrt(Math.max(0, 1 - p[0] * p[0] - p[1] * p[1])));
   return [k * p[0], k * p[1]];
 }
 
-function within(p) { // the disk, with room for the next motion
+function within(p) { // clamps to the disk, with margin for the next motion
   const n = Math.hypot(p[0], p[1]) / 0.97;
   return n > 1 ? [p[0] / n, p[1] / n] : p;
 }
 
-// The hyperbolic plane as Poincare or Klein disk; moved points are those of the Poincare disk.
+// The hyperbolic plane as Poincare or Klein disk; motions apply to points of the Poincare disk.
 export class Disk extends Flat {
   constructor() {
     super();

@@ -1,5 +1,5 @@
-// A graph of the page: what its data say, and the ways between nodes, edges and those of other graphs. A node is known in other
-// graphs by its key: its name, or a number that the page gives to nodes that correspond.
+// A graph of the page: its data, and the correspondence of its nodes and edges with those of other graphs. A node is identified
+// across graphs by its key: its name, or a number that the page assigns to corresponding nodes.
 export class PageGraph {
   constructor(data) {
     this.data = data;
@@ -10,7 +10,7 @@ export class PageGraph {
   get nodes() { return this.data.names.length; }
   get edges() { return this.data.ends.length / 2; }
 
-  // Of each node: its edges are around[first[node]] to around[first[node + 1] - 1]; a loop is there twice. Likewise the halves of
+  // The edges of a node are around[first[node]] to around[first[node + 1] - 1]; a loop occurs twice. Likewise for the halves of
   // each edge.
   findEdgesAround() {
     const { ends, edgeOf } = this.data;
@@ -32,7 +32,7 @@ export class PageGraph {
     return this.numbers.get(key) ?? -1;
   }
 
-  // Edges between two nodes in their order, so that the k-th of parallel edges is that of the other graph.
+  // Edges between two nodes in order, so that the k-th parallel edge corresponds to the k-th one of the other graph.
   edgesBetween(a, b) { return [...new Set(this.edgesAt(a))].filter((e) => this.otherEnd(e, a) === b); }
 
   keyOfEdge(edge) {
@@ -46,7 +46,7 @@ export class PageGraph {
   }
 }
 
-// The positions of each number below count in an array, as the bounds of lists and the lists, one after the other.
+// Inverts an array: for each number below count the positions where it occurs, as list bounds and concatenated lists.
 function lists(numbers, count, valueOf) {
   const first = new Uint32Array(count + 1), all = new Uint32Array(numbers.length);
   for (const n of numbers) first[n + 1]++;

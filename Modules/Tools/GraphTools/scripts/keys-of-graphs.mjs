@@ -1,6 +1,6 @@
 import { KeyTable } from '../../../Visualization/PageKit/scripts/keys.mjs';
 
-const STEP = 0.12; // of the radius of a view
+const STEP = 0.12; // fraction of the radius of a view
 const keys = [
   ['Select', [
     ['/', '/', 'search by name', 'search'],

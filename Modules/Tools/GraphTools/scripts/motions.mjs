@@ -13,13 +13,13 @@ function quotient(p, q) {
 
 export const movedBy = (m, p) => quotient(plus(times(m.a, p), m.b), plus(times(conjugate(m.b), p), conjugate(m.a)));
 
-// First n, then m.
+// Composition: first n, then m.
 export const product = (m, n) => ({
   a: plus(times(m.a, n.a), times(m.b, conjugate(n.b))),
   b: plus(times(m.a, n.b), times(m.b, conjugate(n.a))),
 });
 
-// The motion that takes 0 to p along their line.
+// Translation of 0 to p along their geodesic.
 export function toPlace(p) {
   const s = 1 / Math.sqrt(1 - p[0] * p[0] - p[1] * p[1]);
   return { a: [s, 0], b: [s * p[0], s * p[1]] };
@@ -27,7 +27,7 @@ export function toPlace(p) {
 
 export const inverseOf = (m) => ({ a: conjugate(m.a), b: [-m.b[0], -m.b[1]] });
 
-// Rounding moves long products of motions away from |a|^2 - |b|^2 = 1.
+// Renormalizes: rounding in long products of motions violates |a|^2 - |b|^2 = 1.
 export function normalised({ a, b }) {
   const n = Math.sqrt(a[0] ** 2 + a[1] ** 2 - b[0] ** 2 - b[1] ** 2);
   return { a: [a[0] / n, a[1] / n], b: [b[0] / n, b[1] / n] };

@@ -14,7 +14,7 @@ const TOOLS = `<label>search <input type="search" id="name" placeholder="name of
 const HINT = 'Click a node or an edge, or search a name.';
 const MODELS = { spherical: Sphere, euclidean: Plane, hyperbolic: Disk };
 
-// Graphs of one geometry, which are moved together, with their switches.
+// Graphs of one geometry, moved together, with their switches.
 class Group {
   constructor(root, page) {
     this.root = root;
@@ -50,7 +50,7 @@ class Group {
     this.changed();
   }
 
-  // As if the box was clicked.
+  // Same as clicking the box.
   flip(name) { this.boxes.find((box) => box.name === name)?.click(); }
 
   project() {
@@ -89,14 +89,14 @@ class GraphPage {
     this.views.forEach((v) => v.box.classList.toggle('active', v === view && this.views.length > 1));
   }
 
-  // After what is selected has changed.
+  // Called after a change of the selection.
   selected() {
     document.getElementById('told').textContent = this.selection.describe() || HINT;
     this.tellFound();
     this.views.forEach((view) => view.changed());
   }
 
-  // Nodes whose name is like the text of the field: of the view with the keys, else of the first that has some.
+  // Nodes that match the text of the field: in the view with the keyboard focus, else in the first one with matches.
   find() {
     const order = [this.view, ...this.views.filter((view) => view !== this.view)];
     const view = order.find((v) => nodesNamed(v.graph, this.field.value).length);
@@ -121,7 +121,7 @@ class GraphPage {
     this.bring();
   }
 
-  // ---- what keys do ----
+  // ---- key actions ----
   search() { this.field.select(); this.field.focus(); }
   help() { toggle(document.getElementById('keys')); }
   flip(name) { this.view.group.flip(name); }
@@ -143,7 +143,7 @@ class GraphPage {
   stepEdge(by) { this.selection.stepAround(by); this.selected(); }
   follow() { this.selection.follow(); this.selected(); this.bring(); }
 
-  // From the side or from above, so that turning with Shift has a lever.
+  // Starts off-center, so that turning with Shift has a lever arm.
   move([dx, dy, isShift]) {
     const { model } = this.view.group, from = isShift && model.step === 2 ? [dy && 0.5, dx && 0.5] : [0, 0];
     model.drag(from, [from[0] + dx, from[1] + dy], Boolean(isShift));
@@ -165,7 +165,7 @@ class GraphPage {
     this.selected();
   }
 
-  // For tests: all that was asked for has been painted.
+  // For tests: everything requested has been painted.
   async idle() {
     do await new Promise((done) => { requestAnimationFrame(() => setTimeout(done)); });
     while (View.pending);

@@ -1,8 +1,8 @@
 const NODE = '#c62828', DUAL = '#2e7d32', EDGE = '#212121', CIRCLE = '#f3b3ac';
 const PASTEL = ['#fff3c4', '#cfe8ff', '#ffd9d4', '#d6f5d6', '#eadcff', '#ffe3c2', '#d2f4f0', '#ffd6ec', '#e8f0c8', '#dfe3ee'];
-// Of what is selected: hues that the colour-blind tell apart (Okabe and Ito), and of another width each.
+// Selection styles: hues that are safe for color-blind readers (Okabe and Ito), each with its own width.
 const CHOSEN = '#0072b2', NEAR = '#d55e00';
-const MOST_LINES = 500; // of one path: browsers take longer for each line of a long one
+const MOST_LINES = 500; // per path: in longer paths, browsers take more time per line
 const FULL = 2 * Math.PI;
 
 const colourOf = (data, node) => (data.colors ? data.colors[node] : CIRCLE);
@@ -80,7 +80,7 @@ export function paintDomain(g, tile, index) {
   g.stroke();
 }
 
-// Text that is read on circles and lines.
+// Text with a halo, readable on circles and lines.
 function name(g, tile, i, isChosen) {
   const [x, y] = tile.pixelOf(i), text = tile.data.names[i];
   g.font = isChosen ? 'bold 14px sans-serif' : '12px sans-serif';
@@ -91,7 +91,7 @@ function name(g, tile, i, isChosen) {
   g.fillText(text, x + 8, y - 7);
 }
 
-// Smaller in small copies, but seen there, too.
+// Smaller in small copies, but still visible.
 function ring(g, tile, i, colour, width) {
   const size = Math.max(0.3, Math.min(1, tile.model.sizeOfDot(tile.node(i))));
   g.strokeStyle = colour;
@@ -101,7 +101,7 @@ function ring(g, tile, i, colour, width) {
   g.stroke();
 }
 
-// What is selected and its neighbours, above all else.
+// The selection and its neighbors, drawn on top.
 export function paintMarks(g, tile, show, graph, { node, edge, near, edges }, hasNames) {
   const nodes = node >= 0 ? [...near, node] : near, seen = nodes.filter((i) => tile.isSeen(i));
   for (const i of show.nodeCircles ? nodes : []) {

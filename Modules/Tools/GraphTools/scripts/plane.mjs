@@ -1,6 +1,6 @@
 import { minus, plus, polar, times } from './motions.mjs';
 
-// What plane and disk share: a scale, and no hidden side.
+// Base of plane and disk: a scale, and no hidden side.
 export class Flat {
   constructor() {
     this.step = 2;
@@ -11,7 +11,7 @@ export class Flat {
   zoom(at, amount) { this.scale = Math.min(1e6, Math.max(0.05, this.scale * Math.exp(amount))); }
 }
 
-// The universal cover of a flat torus. frame has the middle of the domain and the length that is the radius of a view.
+// The universal cover of a flat torus. frame: the center of the domain and the length of the radius of a view.
 export class Plane extends Flat {
   reset() { Object.assign(this, { scale: 1, turned: 0, shift: [0, 0] }); }
   get isStraight() { return true; }

@@ -1,4 +1,4 @@
-// The node or edge that is selected, by its key, in all graphs of a page.
+// The selected node or edge, by its key, in all graphs of a page.
 export class Selection {
   constructor(graphs) {
     this.graphs = graphs;
@@ -9,10 +9,10 @@ export class Selection {
   get isEmpty() { return this.graph === null; }
   chooseNode(graph, node) { Object.assign(this, { graph, node, edge: -1, key: graph.keys[node] }); }
 
-  // hub: the end around which the next edge is sought.
+  // hub: the end whose next edge is selected by stepping.
   chooseEdge(graph, edge, hub = graph.ends(edge)[0]) { Object.assign(this, { graph, node: -1, edge, key: graph.keyOfEdge(edge), hub }); }
 
-  // What is marked in a graph: {node, edge, near: nodes, edges}, -1 where it is the other kind; null where the graph lacks it.
+  // Marks in a graph: {node, edge, near: nodes, edges}; -1 for the other kind; null if the graph lacks the selection.
   marksIn(graph) {
     if (this.isEmpty) return null;
     if (this.edge >= 0) {
@@ -24,7 +24,7 @@ export class Selection {
     return { node, edge: -1, near: graph.neighbours(node).filter((n) => n !== node), edges: [...new Set(graph.edgesAt(node))] };
   }
 
-  // To the next edge around a node, or the one before.
+  // Selects the next or previous edge around a node.
   stepAround(by) {
     const { graph, node, edge } = this;
     if (this.isEmpty) return;
@@ -33,7 +33,7 @@ export class Selection {
     if (n) this.chooseEdge(graph, list[(at + n) % n], hub);
   }
 
-  // Along a selected edge to its far end.
+  // Follows a selected edge to its far end.
   follow() { if (this.edge >= 0) this.chooseNode(this.graph, this.graph.otherEnd(this.edge, this.hub)); }
 
   describe() {
@@ -42,7 +42,7 @@ export class Selection {
     return [...(edge >= 0 ? wordsOfEdge(graph, edge) : wordsOfNode(graph, node)), ...this.mates()].join(' · ');
   }
 
-  // Where else it is, and under which name; where it is not.
+  // In which other graphs the selection occurs, with its name there, and in which it does not.
   mates() {
     const others = this.graphs.filter((g) => g !== this.graph), own = this.nameIn(this.graph), absent = [], words = [];
     for (const graph of others) {
@@ -78,7 +78,7 @@ function wordsOfEdge(graph, edge) {
   return [`edge ${graph.nameOfEdge(edge)} of ${graph.data.title}`, `degrees of its ends ${degrees.join(' and ')}`];
 }
 
-// The nodes whose name is a text, or begins with it, or holds it, the best first; letters large or small.
+// Nodes whose name equals, begins with or contains a text, best matches first; case-insensitive.
 export function nodesNamed(graph, text) {
   const wanted = text.trim().toLowerCase(), ranks = [[], [], []];
   if (!wanted) return [];

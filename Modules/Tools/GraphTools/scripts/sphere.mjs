@@ -23,10 +23,10 @@ function frameTowards(eye) {
   return [...right, 0, ...up, 0, ...eye, 0, 0, 0, 0, 1];
 }
 
-const FLAT = 0.45; // radius of the equator in the stereographic picture, where the ball has 1
+const FLAT = 0.45; // radius of the equator in the stereographic picture; the ball has radius 1
 
-// The sphere as a ball or stereographic, from the point that is farthest from the eye. What a picture shows is in units of the
-// ball; frame has the middle c and the radius R of a view in pixels.
+// The sphere as a ball, or stereographic from the point farthest from the eye. Pictures are in units of the ball; frame has the
+// center c and the radius R of a view in pixels.
 export class Sphere {
   constructor(front) {
     this.start = frameTowards(front);
@@ -48,7 +48,7 @@ export class Sphere {
     return [0, 4, 8, 12].map((i) => m[i] * x + m[i + 1] * y + m[i + 2] * z + m[i + 3] * t);
   }
 
-  // A function that moves the point of an array at an index.
+  // Returns a function that moves the point at an index of an array.
   mover() {
     return (array, at) => {
       const [x, y, z, t] = this.apply(array[at], array[at + 1], array[at + 2], 1);
@@ -68,7 +68,7 @@ export class Sphere {
     return [0, 1, 2].map((i) => f * p[i] + g * q[i]);
   }
 
-  // The circle as a path; returns its radius in pixels: 0 where it is not seen, below 0 where its inside is the outside.
+  // Adds the circle as a path; returns its radius in pixels: 0 if it is hidden, negative if inside and outside are swapped.
   circle(g, frame, move, array, at, r) {
     const sin = Math.sin(r), cos = Math.cos(r);
     const [x, y, z, t] = this.apply(array[at] / sin, array[at + 1] / sin, array[at + 2] / sin, cos / sin);
@@ -92,7 +92,7 @@ export class Sphere {
     return theta + s > Math.PI ? -size : size;
   }
 
-  // The part of a cap on this side of the ball, along the limb. One that just touches the limb may be all on one side.
+  // The visible part of a cap, closed along the limb. A cap that just touches the limb may be entirely on one side.
   partOfCap(g, frame, u, s) {
     const { c, R } = frame;
     const x = unit(Math.abs(u[0]) < 0.7 ? cross([1, 0, 0], u) : cross([0, 1, 0], u)), y = cross(u, x), number = 64;
@@ -129,7 +129,7 @@ export class Sphere {
     if (isShift) this.boost(scaled(d, 1 / length), 1.2 * length); else this.turn(d[0], -d[1]);
   }
 
-  // By a Moebius transformation that keeps the point under the pointer.
+  // Zooms by a Moebius transformation that fixes the point under the pointer.
   zoom([x, y], amount) { this.boost(this.isFlat ? this.flatPoint(x / FLAT, y / FLAT) : this.ballPoint(x, y), -amount); }
 
   flatPoint(x, y) {
@@ -142,6 +142,6 @@ export class Sphere {
     return n < 1 ? [x, y, Math.sqrt(1 - n * n)] : [x / n, y / n, 0];
   }
 
-  // Turns a moved point to the middle.
+  // Rotates a moved point to the center.
   centre([x, y, z]) { this.turn(-Math.atan2(x, z), Math.atan2(y, Math.hypot(x, z))); }
 }

@@ -1,12 +1,12 @@
-const SHORTEST = 0.4; // pixels of a line
+const SHORTEST = 0.4; // minimum length of a line, pixels
 
-// What is seen of a graph in one tile of its covering (on the sphere there is one): places in pixels, found when they are needed.
+// The graph in one tile of its covering (the sphere has one tile): positions in pixels, computed on demand.
 export class Tile {
   constructor(model, data, frame, motion) {
     Object.assign(this, { model, data, frame, move: model.mover(frame, motion), moved: [] });
   }
 
-  // The place of a node after the motion of the view.
+  // Position of a node after the motion of the view.
   node(i) {
     this.moved[i] ??= this.move(this.data.places, this.model.step * i);
     return this.moved[i];
@@ -15,7 +15,7 @@ export class Tile {
   isSeen(i) { return this.model.isSeen(this.node(i)); }
   pixelOf(i) { return this.model.pixel(this.frame, this.node(i)); }
 
-  // Half an edge, from its node to where the circles touch: pixels, or null where it is hidden or too short.
+  // Half an edge, from its node to the tangency point: pixels, or null if hidden or too short.
   half(h) { return this.curve(this.node(this.data.starts[h]), this.move(this.data.touches, this.model.step * h)); }
 
   dual(i) {
@@ -34,7 +34,7 @@ export class Tile {
     return points;
   }
 
-  // Begins the path of the circle of a node or face; its radius in pixels, see Sphere.
+  // Begins the path of the circle of a node or face; returns its radius in pixels, see Sphere.
   nodeCircle(g, i) { return this.circle(g, this.data.places, i, this.data.radii); }
   faceCircle(g, i) { return this.circle(g, this.data.faces, i, this.data.faceRadii); }
 
@@ -50,7 +50,7 @@ function gapToPiece([x, y], a, b) {
   return Math.hypot(a[0] + t * dx - x, a[1] + t * dy - y);
 }
 
-// The gap between a pixel and a half of an edge. What is certainly farther than `far` is not looked at closely.
+// Distance between a pixel and half an edge. Halves certainly farther than `far` are skipped.
 function gapToHalf(tile, h, at, far) {
   const { model, frame, data: { starts } } = tile, p = tile.node(starts[h]);
   if (model.isSeen(p)) {
@@ -64,7 +64,7 @@ function gapToHalf(tile, h, at, far) {
   return gap;
 }
 
-// The nearest node of the tiles within `reach` pixels, or -1. Of nodes as near as each other the first one.
+// Nearest node of the tiles within `reach` pixels, or -1; the first one among ties.
 export function nodeUnder(tiles, graph, at, reach) {
   let best = reach, found = -1;
   for (const tile of tiles) {

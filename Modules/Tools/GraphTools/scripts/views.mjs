@@ -2,15 +2,15 @@ import { View } from '../../../Visualization/PageKit/scripts/view.mjs';
 import { paintDomain, paintMarks, paintTile, widthsOf } from './paint.mjs';
 import { edgeUnder, nodeUnder, Tile } from './tile.mjs';
 
-const MOST_NAMED = 40; // neighbours that are named
+const MOST_NAMED = 40; // maximum number of labeled neighbors
 const EDGE_REACH = 6;  // pixels
 
-// The whole graph. What is selected is painted above it by GraphMarks, so that a click need not paint the graph again.
+// The whole graph. GraphMarks paints the selection above it, so that a click does not repaint the graph.
 export class GraphPicture extends View {
   constructor(root, graph, group) {
     super(root, 'picture', graph.data.title);
     Object.assign(this, { graph, group, tiles: [] });
-    this.label.remove(); // the caption says it
+    this.label.remove(); // redundant with the caption
   }
 
   get frame() {
@@ -18,7 +18,7 @@ export class GraphPicture extends View {
     return { c: this.w / 2, R: 0.48 * this.w, extent, middle };
   }
 
-  // Tiles that are large enough, the one of the data first: [tile, index].
+  // Tiles that are large enough, the original one first: [tile, index].
   findTiles() {
     const { graph: { data }, group: { model } } = this, { tiles: t } = data, { frame } = this, found = [];
     for (let i = 0; i < t.length; i += 4) {
@@ -29,7 +29,7 @@ export class GraphPicture extends View {
     return found;
   }
 
-  // Marks stand on the tiles of the last picture.
+  // Marks use the tiles of the last picture.
   paint() {
     super.paint();
     this.marks.paint();
@@ -51,7 +51,7 @@ export class GraphPicture extends View {
   }
 }
 
-// What is selected, above the picture, and the gestures of both.
+// The selection above the picture, and the gestures of both.
 export class GraphMarks extends View {
   constructor(root, picture, page) {
     super(root, 'marks', `${picture.graph.data.title}: what is selected`);
@@ -99,7 +99,7 @@ export class GraphMarks extends View {
 
   nodeAt(x, y) { return nodeUnder(this.picture.tiles, this.graph, [x, y], 0.03 * this.picture.frame.R); }
 
-  // The node of the circle that a pixel lies in, where circles are shown.
+  // The node whose circle contains a pixel, if circles are shown.
   circleAt(x, y) {
     const { context: g, picture: { tiles } } = this, ratio = this.canvas.width / this.w;
     for (const tile of this.group.show.nodeCircles ? tiles : []) {
@@ -123,7 +123,7 @@ export class GraphMarks extends View {
 
   clicked() { this.page.selected(); }
 
-  // Brings a node to the middle.
+  // Centers a node.
   centre(node) {
     this.group.model.centre(new Tile(this.group.model, this.graph.data, this.picture.frame, { a: [1, 0], b: [0, 0] }).node(node));
     this.group.changed();

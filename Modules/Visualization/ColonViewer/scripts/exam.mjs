@@ -6,10 +6,10 @@ const segmentNames = ['', 'rectum', 'sigmoid', 'descending', 'transverse', 'asce
 const hindranceNames = ['', 'no lumen', 'cut by the scan', 'untagged fluid', 'calibre below 10 mm'];
 const BRIDGED = 64; // and 128 for the cap of a pouch
 
-// The rest of v on a circle of length c, in [0, c).
+// v modulo c, in [0, c).
 const turn = (v, c) => v - c * Math.floor(v / c);
 
-// One position of a patient: the wall with its flat map, the centreline, the volume, and the ways between them.
+// One position of a patient: the wall with its flat map, the centreline, the volume, and the mappings between them.
 export class Exam {
   async load(folder, prefix, info, painter) {
     const names = ['points', 'uv', 'arc', 'source', 'faces', 'kinds', 'folds', 'relief', 'centreline'];
@@ -31,7 +31,7 @@ export class Exam {
     return this;
   }
 
-  // x, y, z of a candidate lie in the middle of its head, behind the wall: what is shown is its place on the wall.
+  // x, y, z of a candidate are the center of its head, behind the wall; its position on the wall is shown instead.
   placeCandidate(c) {
     c.xyz = [c.x, c.y, c.z];
     c.place = this.fromUv(c.u, c.v) || this.fromXyz(c.xyz, false);
@@ -82,7 +82,7 @@ export class Exam {
     return out;
   }
 
-  // Normals by area; vertices on both sides of the cut share theirs.
+  // Area-weighted normals; vertices on both sides of the cut share them.
   makeNormals() {
     const { points: P, faces: F, source } = this, n = P.length / 3, sum = new Float32Array(P.length);
     for (let f = 0; f < F.length; f += 3) {
@@ -96,7 +96,7 @@ export class Exam {
     }
   }
 
-  // A direction and an upright at each point of the centreline; the upright is carried along so that the view does not spin.
+  // Direction and up vector at each point of the centreline; the up vector is parallel transported, so the view does not spin.
   orient() {
     const c = this.centre, reach = 4;
     let up = [0, 0, 1];
@@ -119,7 +119,7 @@ export class Exam {
     return arc - c[lo].arc < c[hi].arc - arc ? lo : hi;
   }
 
-  // Faces lie in the order of their distance along the colon: how many lie before one.
+  // Number of faces before a distance; faces are sorted by distance along the colon.
   facesBefore(arc) {
     let lo = 0, hi = this.faces.length / 3;
     while (lo < hi) {
@@ -141,7 +141,7 @@ export class Exam {
   hindranceOf(face) { return (this.kinds[face] >> 3) & 7; }
   isSynthetic(face) { return this.kinds[face] >= BRIDGED; } // bridged, or the cap of a pouch
 
-  // Everything about a point of the wall; xyz if the place is beside the wall.
+  // All properties of a point of the wall; xyz if the point is off the wall.
   place(face, weights, xyz = null) {
     const wall = this.mix(this.points, 3, face, weights);
     const [u, v] = this.mix(this.uv, 2, face, weights), [arc] = this.mix(this.arc, 1, face, weights);
@@ -158,7 +158,7 @@ export class Exam {
     return hit && this.place(hit.face, hit.weights);
   }
 
-  // Beyond the ends of the map.
+  // Clamps beyond the ends of the map.
   nearestUv(u, v) {
     const c = this.circumference, found = [0, -1, 1].map((k) => this.map.nearest([u, turn(v, c) + k * c, 0]));
     const { face, weights } = found.reduce((a, b) => (b.squared < a.squared ? b : a));
@@ -170,14 +170,14 @@ export class Exam {
     return hit && this.place(hit.face, hit.weights);
   }
 
-  // Whether the wall lies between an eye and a place on it.
+  // Whether the wall occludes a point of it from an eye.
   hidden(eye, p) {
     const d = sub(p, eye);
     return this.wall.ray(eye, unit(d), norm(d) - 1.5, true) !== null;
   }
 
-  // From where a point of the wall is seen best: {index of the centreline, eye}. On the centreline, where eye is null: free sight,
-  // about 25 mm away, looked at squarely. Where no point of it sees the place, such as behind a fold: before the wall there.
+  // Best view of a point of the wall: {index of the centreline, eye}. eye is null on the centreline: unoccluded, about 25 mm away,
+  // close to perpendicular. If no point of the centreline sees it, for example behind a fold, the eye is in front of the wall.
   viewpoint(place) {
     const mid = this.centreAt(place.arc), n = this.inward(place.face), reach = 60;
     let best = { score: -Infinity, index: mid };
@@ -189,13 +189,13 @@ export class Exam {
     return { index: best.index, eye: best.score > -Infinity ? null : this.before(place, n) };
   }
 
-  // Half-way from a place to the wall on the other side, at most 15 mm.
+  // Halfway from a point to the opposite wall, at most 15 mm.
   before(place, n) {
     const hit = this.wall.ray(place.wall.map((x, k) => x + 0.01 * n[k]), n, 30);
     return place.wall.map((x, k) => x + (hit ? hit.t / 2 : 15) * n[k]);
   }
 
-  // The normal of a face, into the lumen: all faces are turned alike, so that the centreline lies before most of them.
+  // Normal of a face, into the lumen. All faces have the same orientation, with the centreline in front of most of them.
   inward(face) {
     if (!this.side) {
       const { points: P, faces: F, centre } = this;
@@ -209,11 +209,11 @@ export class Exam {
     return normalOf(this.points, this.faces, face).map((x) => this.side * x);
   }
 
-  // Millimetres along the axes of the image, from the middle of its first voxel; and back.
+  // Millimeters along the axes of the image, from the center of its first voxel; and back.
   toImage(p) { const d = sub(p, this.volume.origin); return this.volume.axes.map((a) => dot(d, a)); }
   fromImage(q) { return this.volume.origin.map((o, k) => o + this.volume.axes.reduce((s, a, j) => s + q[j] * a[k], 0)); }
 
-  // {hu, isMean} of the voxel that a point lies in, or null outside.
+  // {hu, isMean} of the voxel that contains a point, or null outside.
   voxelAt(p) {
     const v = this.volume;
     if (!v) return null;
@@ -224,7 +224,7 @@ export class Exam {
     return { hu: v.hu[0] + v.hu[1] * v.data[i + nx * (j + ny * k)], isMean };
   }
 
-  // What is told about a place in words.
+  // Description of a position for the status line.
   describe(place) {
     const voxel = this.voxelAt(place.xyz), fold = this.folds[place.face], out = [];
     if (voxel && this.volume.isCt) out.push(`${Math.round(voxel.hu)} HU${voxel.isMean ? ' (mean of 4×4×4)' : ''}`);

@@ -2,13 +2,13 @@ import { clamp } from '../../PageKit/scripts/math.mjs';
 import { paintFlat, segmentColours, taeniaColours } from './layers.mjs';
 import { View } from '../../PageKit/scripts/view.mjs';
 
-const OVERVIEW = 34; // pixels of the strip above that shows all of the colon
+const OVERVIEW = 34; // height of the overview strip of the whole colon, pixels
 
 function canvasOf(columns, rows) {
   return Object.assign(document.createElement('canvas'), { width: columns, height: rows });
 }
 
-// The flat wall as an eye inside sees it: u to the right from the rectum on, v around, without an end.
+// The flat wall as seen from inside: u to the right from the rectum on, v around the tube, wrapping.
 export class FlatView extends View {
   constructor(root, panel) {
     super(root, 'flat', 'flat wall');
@@ -36,7 +36,7 @@ export class FlatView extends View {
     return marks.filter(Boolean).map((c) => ({ cm: Math.round(c.arc / 10), u: exam.fromXyz(c.xyz).uv[0] }));
   }
 
-  // The layers lie in an image of their own, made anew when they have changed.
+  // The layers have a separate image, redrawn after changes.
   repaintLayers() {
     const { columns, rows } = this.relief, image = new ImageData(columns, rows);
     paintFlat(this.panel.exam, this.panel.layers, image);
@@ -62,7 +62,7 @@ export class FlatView extends View {
     };
   }
 
-  // The same height once more for each turn around the tube that is in sight.
+  // The same height, repeated for each visible turn around the tube.
   turns(y, s) {
     const period = this.panel.exam.circumference * s, out = [];
     for (let q = y - Math.ceil(y / period) * period; q < this.h + period; q += period) out.push(q);
@@ -84,7 +84,7 @@ export class FlatView extends View {
     this.overview(g, w, f);
   }
 
-  // The one of the places around the tube that is nearest to the middle of the view.
+  // The copy around the tube that is nearest to the center of the view.
   nearestTurn(f, v) {
     return this.turns(f.y(v), f.s).reduce((best, y) => (Math.abs(y - this.middle) < Math.abs(best - this.middle) ? y : best));
   }
@@ -113,7 +113,7 @@ export class FlatView extends View {
     }
   }
 
-  // Stretches of u by segment.
+  // Ranges of u by segment.
   bands() {
     if (this.memory) return this.memory;
     const { exam } = this.panel, out = [];
@@ -175,7 +175,7 @@ export class FlatView extends View {
     g.fillRect(x(place.uv[0]) - 1, 0, 2, height);
   }
 
-  // Keeps the crosshair in sight.
+  // Keeps the crosshair visible.
   reveal(place) {
     if (!this.w) return;
     const f = this.frame(), x = f.x(place.uv[0]), c = this.panel.exam.circumference;
@@ -206,7 +206,7 @@ export class FlatView extends View {
   wheel(d, at) { this.scaleAt(1.25 ** -d, at.x, at.y); }
   scaleBy(by) { this.scaleAt(by, this.w / 2, this.middle); }
 
-  // What lies at (x, y) stays there.
+  // Zooms with (x, y) fixed.
   scaleAt(by, x, y) {
     const f = this.frame(), [u, v] = f.back(x, y), s = clamp(f.s * by, 0.05, 16);
     this.scale = s;
@@ -215,7 +215,7 @@ export class FlatView extends View {
     this.changed();
   }
 
-  // Moves the crosshair on the map by millimetres to the right and down.
+  // Moves the crosshair on the map by millimeters to the right and down.
   move(right, down) {
     const [u, v] = this.panel.place.uv, place = this.panel.exam.fromUv(u + right, v + down * this.relief.vSign);
     if (place) this.panel.set(place, null);

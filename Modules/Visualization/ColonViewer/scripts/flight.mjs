@@ -1,11 +1,11 @@
 import { axesOf, cross, distance, dot, norm, sub, third, unit } from '../../PageKit/scripts/math.mjs';
 
-const SIGHT = 200;    // mm; wall that is farther is not seen well
-const AROUND = 250;  // mm along the colon, before and behind the eye
+const SIGHT = 200;    // mm; wall farther away counts as unseen
+const AROUND = 250;  // mm along the colon, ahead of and behind the eye
 const TOLERANCE = 0.2; // mm, so that a face does not hide itself
 
-// Which faces were in sight while flying: the middle of a face lies in the picture and nothing between it and the eye. Wall that was
-// made up does not count. The eye goes on at once; the faces are looked at when there is time.
+// Faces seen during the flight: the center of the face is inside the picture and not occluded. Wall interpolated over a gap does
+// not count. The eye moves immediately; faces are tested in idle time.
 export class Seen {
   constructor(exam) {
     const { points: P, faces: F } = exam, n = F.length / 3;
@@ -27,7 +27,7 @@ export class Seen {
     this.queue.push({ camera, aspect, at: exam.facesBefore(arc - AROUND), to: exam.facesBefore(arc + AROUND) });
   }
 
-  // Works for so many milliseconds; true while there is more to do.
+  // Works for this number of milliseconds; returns true while there is more to do.
   work(milliseconds) {
     const end = performance.now() + milliseconds;
     while (this.queue.length && performance.now() < end) {
@@ -52,7 +52,7 @@ export class Seen {
   }
 }
 
-// Whether a point lies in the picture of a camera.
+// Whether a point is inside the picture of a camera.
 function pictureOf({ camera, aspect }) {
   const { right, up, back } = axesOf(camera), high = Math.tan(camera.fov / 2), wide = high * aspect;
   return (p) => {

@@ -1,17 +1,17 @@
 import { distance, dot, sub, third } from '../../PageKit/scripts/math.mjs';
 
-const PLACES = [1 / 6, 1 / 2, 5 / 6]; // on each edge, through which a first path may go
+const PLACES = [1 / 6, 1 / 2, 5 / 6]; // points on each edge that an initial path may pass
 const SWEEPS = 300;
 
-// Shortest paths on a surface that is cut: points with the same source are one. First the shortest path through three places on each
-// edge (Lanthier et al. 2001), then the crossings slide along their edges until each triangle pair is passed straight.
+// Shortest paths on a cut surface: points with the same source are identified. First the shortest path through three points on each
+// edge (Lanthier et al. 2001), then the crossings slide along their edges until the path is straight across each triangle pair.
 export class SurfacePaths {
   constructor({ points, faces, source }) {
     const n = faces.length;
-    Object.assign(this, { points, faces, edgeOf: new Int32Array(n) }); // of the corner and the next one
-    this.ends = new Uint32Array(2 * n);             // two points for each edge
-    this.sides = new Int32Array(2 * n).fill(-1);    // one or two faces for each edge
-    const head = new Int32Array(points.length / 3).fill(-1), next = new Int32Array(n); // chains of the edges of a point
+    Object.assign(this, { points, faces, edgeOf: new Int32Array(n) }); // edge from the corner to the next one
+    this.ends = new Uint32Array(2 * n);             // two points per edge
+    this.sides = new Int32Array(2 * n).fill(-1);    // one or two faces per edge
+    const head = new Int32Array(points.length / 3).fill(-1), next = new Int32Array(n); // linked lists of the edges of a point
     let count = 0;
     for (let i = 0; i < n; i++) {
       const a = faces[i], b = faces[i % 3 === 2 ? i - 2 : i + 1], isUp = source[a] < source[b], [lo, hi] = isUp ? [a, b] : [b, a];
@@ -33,14 +33,14 @@ export class SurfacePaths {
     return a.map((x, k) => x + t * (b[k] - x));
   }
 
-  // {length, line} of the path between two places {face, wall}, or null where it would be longer than `limit` mm.
+  // {length, line} of the path between two positions {face, wall}, or null if longer than `limit` mm.
   between(from, to, limit = 1000) {
     if (from.face === to.face) return { length: distance(from.wall, to.wall), line: [from.wall, to.wall] };
     const edges = this.search(from, to, limit);
     return edges && this.straighten(from.wall, edges, to.wall);
   }
 
-  // Crossings {edge, t} of the shortest path through PLACES: A*, with the straight distance as what is at least left.
+  // Crossings {edge, t} of the shortest path through PLACES: A* with the straight distance as lower bound.
   search(from, to, limit) {
     const queue = new Queue(), best = new Map(), before = new Map(), done = new Set(), END = -1;
     const offer = (node, g, place, previous) => {
@@ -82,7 +82,7 @@ export class SurfacePaths {
     return crossings.reverse();
   }
 
-  // The length is convex in the places of the crossings, so that sliding one after the other ends at the shortest.
+  // The length is convex in the positions of the crossings, so sliding them one at a time converges to the minimum.
   straighten(start, crossings, end) {
     const line = [start, ...crossings.map((c) => this.at(c.edge, c.t)), end];
     for (let sweep = 0; sweep < SWEEPS; sweep++) {
@@ -99,7 +99,7 @@ export class SurfacePaths {
     return { length, line };
   }
 
-  // Where an edge is crossed straight from p to q when the two triangles beside it lie in one plane.
+  // Where the straight line from p to q crosses an edge after unfolding its two triangles into a plane.
   slide(edge, p, q) {
     const a = third(this.points, this.ends[2 * edge]), e = sub(third(this.points, this.ends[2 * edge + 1]), a), ee = dot(e, e) || 1;
     const s = dot(sub(p, a), e) / ee, t = dot(sub(q, a), e) / ee;
@@ -110,7 +110,7 @@ export class SurfacePaths {
   }
 }
 
-// A binary heap: pop() gives the value with the least key.
+// A binary heap: pop() returns the value with the smallest key.
 class Queue {
   constructor() { this.keys = []; this.values = []; }
   get size() { return this.keys.length; }

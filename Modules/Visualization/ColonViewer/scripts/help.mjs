@@ -1,6 +1,6 @@
 import { KeyTable } from '../../PageKit/scripts/keys.mjs';
 
-// act: name of a method of the viewer, with what it is called with.
+// act: name of a method of the viewer, followed by its argument.
 const keyList = [
   ['Flight', [
     ['ArrowUp', '↑', 'fly ahead 2 mm', 'fly', 2],

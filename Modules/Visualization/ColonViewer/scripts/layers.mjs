@@ -1,4 +1,4 @@
-// What can be shown or hidden. Colours are those of Okabe and Ito, which the colour-blind can tell apart.
+// Layers that can be shown or hidden. The colors are those of Okabe and Ito, which are safe for color-blind readers.
 export const layerList = [
   ['candidates', 'candidates', true],
   ['folds', 'folds', false],
@@ -21,7 +21,7 @@ export const flexureColour = [20, 20, 60];
 export const centrelineColour = [213, 94, 0];
 const FOLD = [0, 158, 115], HINDERED = [130, 130, 140], MADE_UP = [190, 190, 190], UNSEEN = [90, 60, 170], DOUBT = [40, 40, 110];
 
-// The colour and opacity that the layers give a face, or null; the later ones lie above.
+// Color and opacity of a face from the layers, or null; later layers are on top.
 function faceColour(exam, layers, face) {
   const { trust, seen } = exam;
   if (exam.isSynthetic(face)) return [MADE_UP, 0.9];
@@ -38,7 +38,7 @@ function faceColour(exam, layers, face) {
 
 const WALL = [226, 160, 142];
 
-// Colours of the vertices for the views in space.
+// Vertex colors for the views in space.
 export function paintWall(exam, layers) {
   const { faces: F, kinds, colours: C } = exam;
   for (let i = 0; i < C.length; i += 4) { C[i] = WALL[0]; C[i + 1] = WALL[1]; C[i + 2] = WALL[2]; C[i + 3] = 255; }
@@ -51,11 +51,11 @@ export function paintWall(exam, layers) {
   if (exam.mesh) exam.painter.recolour(exam.mesh, C);
 }
 
-// The layers as an image over the flat wall.
+// The layers as an overlay image of the flat wall.
 export function paintFlat(exam, layers, image) {
   const { faceOfPixel, folds, info: { relief: { columns } } } = exam, words = new Uint32Array(image.data.buffer);
   const foldAt = (i) => (faceOfPixel[i] < 0 ? 0 : folds[faceOfPixel[i]]);
-  const areas = { ...layers, folds: false }; // folds are outlined here
+  const areas = { ...layers, folds: false }; // folds are drawn as outlines here
   for (let i = 0; i < faceOfPixel.length; i++) {
     const face = faceOfPixel[i], layer = face < 0 ? null : faceColour(exam, areas, face);
     words[i] = layer ? packed(...layer) : 0;

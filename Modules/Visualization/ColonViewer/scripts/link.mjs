@@ -1,8 +1,8 @@
 import { distance, third } from '../../PageKit/scripts/math.mjs';
 import { hitOf, Tree } from './tree.mjs';
 
-// The faces of a position where they lie on the map of the other one, as triangles of their own, because those that cross its cut
-// are there in one piece. uv: of the vertices, on the other map, of circumference c.
+// Faces of a position on the map of the other one, as separate triangles, because faces that cross its cut are kept whole.
+// uv: vertex coordinates on the other map, of circumference c.
 function imageOf({ faces }, uv, c) {
   const points = new Float64Array(3 * faces.length);
   for (let i = 0; i < faces.length; i++) {
@@ -13,15 +13,15 @@ function imageOf({ faces }, uv, c) {
   return new Tree(points, Uint32Array.from({ length: faces.length }, (_, i) => i));
 }
 
-// The length of the longest side of a face of a tree.
+// Longest edge of the faces of a tree.
 function sizeOf({ points, faces }, face) {
   const [a, b, c] = [0, 1, 2].map((k) => third(points, faces[3 * face + k]));
   return Math.max(distance(a, b), distance(b, c), distance(c, a));
 }
 
-// The ways between two positions. Each knows at its vertices the place on the flat map of the other one; mapped: these (u, v).
-// Between vertices the map is followed, not a straight line in space, which would leave the wall. Where the way there stretches
-// the faces more than the way back, that one has more vertices: its inverse is taken.
+// Mappings between two positions. Each vertex has its position on the flat map of the other one; mapped: these (u, v).
+// Between vertices the map is interpolated, because a straight line in space would leave the wall. Where the forward map
+// stretches the faces more than the backward map, the latter has more vertices, and its inverse is used.
 export class Link {
   constructor(exams, mapped) {
     Object.assign(this, { exams, images: exams.map((exam, k) => imageOf(exam, mapped[k], exams[1 - k].circumference)) });
@@ -29,7 +29,7 @@ export class Link {
 
   stretch(k, face) { return sizeOf(this.images[k], face) / sizeOf(this.exams[k].map, face); }
 
-  // The place in the other position of a place in position k.
+  // Maps a point of position k to the other position.
   from(k, { face, weights, uv }) {
     const other = this.exams[1 - k], back = hitOf(this.images[1 - k], this.exams[k].circumference, uv);
     if (back && this.stretch(1 - k, back.face) < this.stretch(k, face)) return other.place(back.face, back.weights);

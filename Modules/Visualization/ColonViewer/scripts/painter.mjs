@@ -13,7 +13,7 @@ void main() {
   gl_Position = projection * e;
 }`;
 
-// Lit from the eye. reach: mm of the light inside the colon, 0 outside; clear: opacity of the rim where the wall is transparent.
+// Lit from the eye. reach: range of the light inside the colon in mm, 0 outside; clear: rim opacity of a transparent wall.
 const FRAGMENT = `
 in vec3 N, E; in vec4 C;
 uniform float reach, clear;

@@ -5,12 +5,12 @@ import { FlatView } from './flat.mjs';
 import { SliceView } from './slice.mjs';
 import { tube } from './painter.mjs';
 
-const ON_WALL = 2;     // mm; a place that is farther from the wall has no distance along it
-const EYE_REACH = 120; // mm; farther wall is no place to look at
+const ON_WALL = 2;     // mm; points farther from the wall have no distance along it
+const EYE_REACH = 120; // mm; wall farther away is not a target
 
 // All views of one position, around one crosshair.
 export class Panel {
-  // told: called with this panel when its crosshair has moved; marksOf: candidates and findings to show.
+  // told: callback with this panel after its crosshair has moved; marksOf: candidates and findings to show.
   constructor(root, exam, layers, told, marksOf) {
     Object.assign(this, { root, exam, layers, told, marksOf, window: [1500, -200], paintings: 0, measure: null });
     this.volumeText = 'Loading the volume …';
@@ -42,7 +42,7 @@ export class Panel {
 
   marks() { return this.marksOf(this); }
 
-  // Paints the layers anew.
+  // Repaints the layers.
   repaint() {
     this.paintings++;
     paintWall(this.exam, this.layers);
@@ -57,13 +57,13 @@ export class Panel {
     this.slices.forEach((v) => v.changed());
   }
 
-  // A new crosshair. from: the view where it was set, which keeps its direction.
+  // Sets the crosshair. from: the view where it was set, which keeps its direction.
   set(place, from = null) {
     this.follow(place, from);
     this.told(this);
   }
 
-  // The crosshair stands where a person wants to measure from or to.
+  // Measures from or to the crosshair.
   clicked() {
     if (!this.measure) return;
     this.measurePlace(this.place);
@@ -71,7 +71,7 @@ export class Panel {
     this.told(this);
   }
 
-  // The same without telling, for the crosshair of the other position.
+  // The same without the callback, for the crosshair of the other position.
   follow(place, from = null) {
     this.place = place;
     if (from !== this.flat) this.flat.reveal(place);
@@ -79,7 +79,7 @@ export class Panel {
     this.changed();
   }
 
-  // Along the line by so many millimetres, in the direction of the flight.
+  // Flies along the centreline by this number of millimeters, in the direction of flight.
   fly(mm) {
     const { centre } = this.exam, i = this.inside;
     i.go(this.exam.centreAt(centre[i.index].arc + mm * i.way));
@@ -90,7 +90,7 @@ export class Panel {
     return way > 0 ? index === this.exam.centre.length - 1 : index === 0;
   }
 
-  // The eye has moved: the crosshair goes to the wall ahead of it.
+  // After a move of the eye, sets the crosshair to the wall ahead of it.
   flown() {
     const camera = this.inside.camera(), place = this.exam.fromRay(camera.eye, sub(camera.at, camera.eye));
     const isNear = place && distance(place.xyz, camera.eye) < EYE_REACH;
@@ -101,7 +101,7 @@ export class Panel {
     this.told(this);
   }
 
-  // Two places and the paths between them; a third begins anew.
+  // Two points and the paths between them; a third point starts over.
   startMeasure(done = null) { this.measure = { places: [], done }; this.changed(); }
   endMeasure() { this.measure = null; this.changed(); }
 
@@ -118,7 +118,7 @@ export class Panel {
     if (m.done) m.done(straight);
   }
 
-  // at: pixel of a point in space, or null.
+  // at: maps a point in space to its pixel, or null.
   drawMeasure(view, g, at) {
     if (!this.measure) return;
     const { places, path } = this.measure, ends = places.map((p) => at(p.xyz));

@@ -2,28 +2,28 @@ import { clamp, dot } from '../../PageKit/scripts/math.mjs';
 import { View } from '../../PageKit/scripts/view.mjs';
 
 const PLANES = ['sagittal', 'coronal', 'axial'];
-const LETTERS = [['R', 'L'], ['A', 'P'], ['I', 'S']]; // of the ends of the patient's axes, LPS
+const LETTERS = [['R', 'L'], ['A', 'P'], ['I', 'S']]; // for the ends of the patient's axes, LPS
 
-// For each axis of the patient the axis of the image that is nearest to it.
+// The image axis closest to each of the patient's axes.
 export function nearestAxes(axes) {
   const orders = [[0, 1, 2], [0, 2, 1], [1, 0, 2], [1, 2, 0], [2, 0, 1], [2, 1, 0]];
   const agreement = (order) => order.reduce((sum, image, patient) => sum + Math.abs(axes[image][patient]), 0);
   return orders.reduce((best, order) => (agreement(order) > agreement(best) + 1e-9 ? order : best));
 }
 
-// A slice of the volume as it was scanned, oblique directions kept: its rows and columns are those of the image.
+// A slice of the volume as scanned, without resampling: its rows and columns are those of the image.
 export class SliceView extends View {
   constructor(root, panel, plane) {
     super(root, PLANES[plane], PLANES[plane]);
     Object.assign(this, { panel, plane, zoom: 1, middle: null, image: document.createElement('canvas'), key: '' });
   }
 
-  // Which axes of the image run to the right and down, and whether they run against the screen.
+  // Image axes to the right and down, and whether they are flipped.
   layout() {
     const { axes } = this.panel.exam.volume, order = nearestAxes(axes), plane = this.plane;
     const [right, down] = [[1, 2], [0, 2], [0, 1]][plane];
     const across = order[right], below = order[down];
-    const isUp = plane !== 2; // coronal and sagittal slices have the head above
+    const isUp = plane !== 2; // coronal and sagittal slices have the head on top
     this.axis = order[plane];
     this.across = across;
     this.down = below;
@@ -40,7 +40,7 @@ export class SliceView extends View {
     const extent = (k) => v.size[k] * v.spacing[k];
     const s = this.zoom * Math.min(this.w / extent(this.across), this.h / extent(this.down));
     if (this.zoom === 1 || !this.middle) this.middle = pair.map((k) => extent(k) / 2 - v.spacing[k] / 2);
-    // Only where the crosshair would leave the view: two clicks measure a distance.
+    // Only if the crosshair would leave the view, so that two clicks can measure a distance.
     const leaves = pair.some((k, i) => Math.abs(p[k] - this.middle[i]) * s > 0.46 * [this.w, this.h][i]);
     if (this.zoom > 1 && leaves) this.middle = pair.map((k) => p[k]);
     const [mx, my] = this.middle, sx = this.flipX ? -s : s, sy = this.flipY ? -s : s;
@@ -84,7 +84,7 @@ export class SliceView extends View {
     g.drawImage(this.image, x - (f.s * dx) / 2, y - (f.s * dy) / 2, nx * dx * f.s, ny * dy * f.s);
   }
 
-  // Grey values of a slice through the window. Means of 4^3 voxels are bluish, so that nobody takes them for the scan.
+  // Windowed grey values of a slice. Means of 4^3 voxels are bluish, to distinguish them from scanned voxels.
   fill(index) {
     const { exam: { volume: v }, window: [width, level] } = this.panel, key = [index, width, level].join();
     if (key === this.key) return;
@@ -150,7 +150,7 @@ export class SliceView extends View {
   wheel(d, at, isScaling) { if (isScaling) this.scale(1.25 ** -d); else this.step(d); }
   scale(by) { this.zoom = clamp(this.zoom * by, 1, 12); this.changed(); }
 
-  // Moves the crosshair by so many slices.
+  // Moves the crosshair by this number of slices.
   step(n) {
     const { panel } = this, { exam } = panel;
     if (!exam.volume) return;
@@ -165,7 +165,7 @@ export class SliceView extends View {
   }
 }
 
-// Where the wall crosses a plane across an axis of the image: pairs of points in millimetres of the image.
+// Intersection of the wall with a plane perpendicular to an image axis: pairs of points in image millimeters.
 function contour(exam, axis, value) {
   const { points: P, faces: F, volume: { origin, axes } } = exam, n = axes[axis], shift = dot(n, origin) + value;
   const height = new Float32Array(P.length / 3), out = [];

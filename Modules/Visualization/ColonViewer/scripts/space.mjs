@@ -1,7 +1,7 @@
 import { add, axesOf, clamp, cross, distance, dot, norm, project, rayThrough, scaled, sub, unit } from '../../PageKit/scripts/math.mjs';
 import { View } from '../../PageKit/scripts/view.mjs';
 
-// What the two views in space share: picking, candidates, crosshair.
+// Base of the two views in space: picking, candidates, crosshair.
 class SpaceView extends View {
   constructor(root, name, title, panel) {
     super(root, name, title);
@@ -21,7 +21,7 @@ class SpaceView extends View {
     if (q) this.cross(g, ...q, exam.hidden(camera.eye, place.xyz));
   }
 
-  // A crosshair that moves alone needs no new picture.
+  // If only the crosshair moves, the picture is reused.
   render(camera, width, height) {
     const { exam, paintings, layers } = this.panel, key = JSON.stringify([camera, width, height, layers, paintings]);
     if (key === this.key) return;
@@ -65,7 +65,7 @@ export class OutsideView extends SpaceView {
     Object.assign(this, { centre: scaled(add(lo, hi), 0.5), radius: distance(lo, hi) / 2, yaw: 0, pitch: 0, zoom: 1 });
   }
 
-  // From the front at first: the patient's anterior is -y.
+  // Initially from the front: the patient's anterior is -y.
   camera() {
     const fov = 0.75, d = (this.radius * 2.6) / this.zoom, c = Math.cos(this.pitch);
     const back = [Math.sin(this.yaw) * c, -Math.cos(this.yaw) * c, Math.sin(this.pitch)];
@@ -74,7 +74,7 @@ export class OutsideView extends SpaceView {
   }
 
   items() {
-    const { layers, centreline, exam: { mesh } } = this.panel; // the eye inside lies on the centreline and does not show it
+    const { layers, centreline, exam: { mesh } } = this.panel; // the endoluminal eye is on the centreline and does not show it
     const lines = [...this.lines(), ...(layers.centreline ? centreline.map((line) => ({ mesh: line })) : [])];
     return layers.through ? [...lines, { mesh, clear: 0.75 }] : [{ mesh }, ...lines];
   }
@@ -99,11 +99,11 @@ export class OutsideView extends SpaceView {
   scale(by) { this.zoom = clamp(this.zoom * by, 0.4, 20); this.changed(); }
 }
 
-const REACH = 90;    // mm that the light inside the colon goes
-const STRETCH = 250; // mm along the colon, before and behind the eye, that can be in sight
+const REACH = 90;    // range of the light inside the colon, mm
+const STRETCH = 250; // visible range along the colon ahead of and behind the eye, mm
 
-// An eye on the centreline. It sees 120 degrees from top to bottom: with 92 a flight both ways misses a tenth of what it could see.
-// way: 1 to the caecum, -1 to the rectum; look: a place that it looks at, else yaw and pitch count.
+// An eye on the centreline. Its vertical field of view is 120 degrees; with 92, a flight both ways misses a tenth of the wall.
+// way: 1 to the caecum, -1 to the rectum; look: the target point, if any; otherwise yaw and pitch apply.
 export class EndoView extends SpaceView {
   constructor(root, panel) {
     super(root, 'inside', 'from the centreline', panel);
@@ -112,7 +112,7 @@ export class EndoView extends SpaceView {
 
   get point() { return this.panel.exam.centre[this.index]; }
 
-  // Goes to where a place of the wall is seen best.
+  // Moves to the best view of a point of the wall.
   lookAt(place) {
     Object.assign(this, this.panel.exam.viewpoint(place), { look: place.xyz, yaw: 0, pitch: 0 });
     this.label.textContent = this.eye ? 'from beside the centreline' : 'from the centreline';
@@ -123,7 +123,7 @@ export class EndoView extends SpaceView {
     const level = add(scaled(c.ahead, this.way * cos(this.yaw)), scaled(right, sin(this.yaw)));
     let ahead = unit(add(scaled(level, cos(this.pitch)), scaled(c.up, sin(this.pitch)))), { up } = c;
     if (this.look) ahead = unit(sub(this.look, eye));
-    if (norm(cross(ahead, up)) < 0.2) up = unit(cross(ahead, right)); // looks along the upright
+    if (norm(cross(ahead, up)) < 0.2) up = unit(cross(ahead, right)); // the view direction is parallel to up
     return { eye, at: add(eye, ahead), up, fov: this.fov, near: 0.3, far: 600 };
   }
 
@@ -148,7 +148,7 @@ export class EndoView extends SpaceView {
     this.go(this.index);
   }
 
-  // Turns from where the eye looks now.
+  // Turns relative to the current view direction.
   turn(yaw, pitch) {
     if (this.look) this.straighten();
     this.yaw += yaw;
@@ -156,7 +156,7 @@ export class EndoView extends SpaceView {
     this.panel.flown();
   }
 
-  // Yaw and pitch of the direction to the place that is looked at.
+  // Yaw and pitch of the direction to the target.
   straighten() {
     const c = this.point, d = unit(sub(this.look, this.eye || c.xyz)), ahead = scaled(c.ahead, this.way), right = cross(ahead, c.up);
     const part = (a) => dot(d, a);

@@ -2,7 +2,7 @@ import { cross, dot, sub, third } from '../../PageKit/scripts/math.mjs';
 
 const LEAF = 4; // triangles
 
-// A tree of boxes over triangles: where a ray hits first, and which point of the surface is nearest.
+// A bounding volume hierarchy of triangles, for first ray hits and nearest surface points.
 export class Tree {
   constructor(points, faces) {
     const n = faces.length / 3;
@@ -11,9 +11,9 @@ export class Tree {
     this.order = Uint32Array.from({ length: n }, (_, i) => i);
     this.middles = this.middlesOf(n);
     const most = Math.max(1, 2 * n);
-    this.box = new points.constructor(6 * most); // least, greatest corner; as exact as the points
-    this.first = new Int32Array(most);     // leaf: first of its triangles; else ~(left child), the right one follows it
-    this.count = new Int32Array(most);     // 0: no leaf
+    this.box = new points.constructor(6 * most); // minimum and maximum corner; same precision as the points
+    this.first = new Int32Array(most);     // leaf: its first triangle; else ~(left child), followed by the right child
+    this.count = new Int32Array(most);     // 0: inner node
     this.build(n);
     this.middles = null;
   }
@@ -45,7 +45,7 @@ export class Tree {
     }
   }
 
-  // Sets the box of a node; returns where to cut it: the axis along which the middles of the triangles spread most.
+  // Sets the box of a node; returns the split: the axis of the largest spread of triangle centers.
   fit(node, from, to) {
     const { points: P, faces: F, middles, order, box } = this;
     const cut = { axis: 0, at: 0, width: -1 };
@@ -78,7 +78,7 @@ export class Tree {
     return i;
   }
 
-  // The first triangle that a ray from o in the direction d hits before `far`, or null. any: one of them, which is faster.
+  // First triangle hit by the ray from o in direction d before `far`, or null. any: any hit, which is faster.
   ray(o, d, far = Infinity, any = false) {
     const inverse = d.map((x) => 1 / (Math.abs(x) < 1e-12 ? 1e-12 : x));
     const { first, count, order } = this;
@@ -106,7 +106,7 @@ export class Tree {
     return lo <= hi;
   }
 
-  // Written out for each coordinate: the areas that are seen need a million of these in a flight.
+  // Unrolled by coordinate: a flight needs a million of these for the seen areas.
   hit(f, o, d, far) {
     const { points: P, faces: F } = this;
     const a = 3 * F[3 * f], b = 3 * F[3 * f + 1], c = 3 * F[3 * f + 2];
@@ -124,7 +124,7 @@ export class Tree {
     return t > 1e-6 && t < far ? { face: f, t, weights: [1 - u - v, u, v] } : null;
   }
 
-  // {face, squared, weights} of the nearest point of the surface.
+  // {face, squared, weights} of the nearest surface point.
   nearest(p) {
     const { first, count, order } = this;
     const stack = [[0, 0]];
@@ -192,7 +192,7 @@ export function normalOf(points, faces, face) {
   return n.map((x) => x / length);
 }
 
-// The face of a map of circumference c that holds (u, v), or null.
+// The face of a map of circumference c that contains (u, v), or null.
 export function hitOf(tree, c, [u, v]) {
   const rest = v - c * Math.floor(v / c);
   for (const k of [0, -1, 1]) { // the cut deviates from v = 0 by less than a turn

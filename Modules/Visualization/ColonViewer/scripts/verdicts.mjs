@@ -2,7 +2,7 @@ import { element, saveFile } from '../../PageKit/scripts/page.mjs';
 
 const VERDICTS = ['unread', 'polyp', 'not a polyp', 'unsure'];
 
-// What a person thinks of the candidates, and findings of their own; the list beside the views. Saved as verdicts.json.
+// The reader's verdicts on candidates and additional findings, as the list next to the views. Saved as verdicts.json.
 export class Verdicts {
   // actions: jump(mark), resize(finding), changed().
   constructor(root, info, exams, actions) {
@@ -22,7 +22,7 @@ export class Verdicts {
     this.actions.changed();
   }
 
-  // What the views show of an entry.
+  // Data of an entry for the views.
   markOf(entry) {
     const chosen = entry === this.chosen, { candidate: c } = entry;
     if (c) return { text: c.candidate, xyz: c.xyz, wall: c.place.xyz, uv: c.uv, diameter: c.diameter || 0, chosen };
@@ -31,7 +31,7 @@ export class Verdicts {
 
   marks(position) { return this.all.filter((e) => e.position === position).map((e) => this.markOf(e)); }
 
-  // The next entry, or the one before.
+  // Selects the next or previous entry.
   step(by) {
     const { all } = this, n = all.length;
     if (n) this.choose(all[(all.indexOf(this.chosen) + by + (this.chosen || by > 0 ? 0 : 1) + n) % n]);
@@ -47,7 +47,7 @@ export class Verdicts {
 
   itemOf(entry) { return [...this.root.children].find((item) => item.dataset.id === entry.id); }
 
-  // Of the chosen one: the verdict after its own.
+  // Changes the chosen entry to its next verdict.
   nextVerdict() {
     if (!this.chosen?.candidate) return;
     this.chosen.verdict = VERDICTS[(VERDICTS.indexOf(this.chosen.verdict) + 1) % VERDICTS.length];
@@ -131,7 +131,7 @@ export class Verdicts {
     this.actions.changed();
   }
 
-  // Replaces all by the text of a file. Throws a sentence for what does not belong here; then nothing has changed.
+  // Replaces all entries by the text of a file. Throws a message for the reader if it is unsuitable, without changes.
   open(text) {
     let saved;
     try { saved = JSON.parse(text); } catch { throw new Error('This file is not JSON: choose a verdicts.json saved by this page.'); }

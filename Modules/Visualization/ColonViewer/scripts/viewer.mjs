@@ -13,7 +13,7 @@ import { byId, letGo, notice, openPage } from '../../PageKit/scripts/page.mjs';
 import { scaleViews, View } from '../../PageKit/scripts/view.mjs';
 
 const DOUBTFUL = 0.3; // below this confidence of the map the other position is dimmed
-const EXCLUDED = 255;   // in `trust`: not seen in one of the positions
+const EXCLUDED = 255;   // in `trust`: not visible in one of the positions
 
 const PAGE = `
 <header>
@@ -41,7 +41,7 @@ const PAGE = `
 
 const $ = byId;
 
-// Panels of one or two positions, linked by the registration, and what acts on them.
+// Panels of one or two positions, linked by the registration, and their actions.
 class Viewer {
   constructor(info, exams, maps, painter) {
     Object.assign(this, { info, exams, maps, painter, current: 0, isFlying: false, times: {} });
@@ -63,7 +63,7 @@ class Viewer {
     $('panels').append(root);
     exam.seen = new Seen(exam);
     let paths = null;
-    exam.paths = () => (paths ??= new SurfacePaths(exam)); // made for the first distance
+    exam.paths = () => (paths ??= new SurfacePaths(exam)); // created for the first distance
     return new Panel(root, exam, this.layers, (panel) => this.moved(panel), (panel) => this.verdicts.marks(this.panels.indexOf(panel)));
   }
 
@@ -100,7 +100,7 @@ class Viewer {
     viewerKeys.fillHelp($('keys'));
   }
 
-  // ---- what keys and buttons do ----
+  // ---- key and button actions ----
   fly(mm) { this.panel.fly(mm); }
   turn([yaw, pitch]) { this.panel.inside.turn(yaw, pitch); }
   reverse() { this.panel.inside.reverse(); this.told(); }
@@ -143,7 +143,7 @@ class Viewer {
     this.told();
   }
 
-  // The size of a finding by two clicks.
+  // Measures a finding by two clicks.
   resize(finding) {
     this.panels[finding.position].startMeasure((mm) => {
       this.verdicts.setDiameter(finding, mm);
@@ -183,7 +183,7 @@ class Viewer {
     $('file').value = '';
   }
 
-  // ---- what follows a moved crosshair ----
+  // ---- updates after a move of the crosshair ----
   moved(panel) {
     this.current = this.panels.indexOf(panel);
     if (this.maps && $('link').checked) this.linkFrom(this.current);
@@ -191,7 +191,7 @@ class Viewer {
     this.told();
   }
 
-  // The other position goes to the mapped place, dimmed where the map is not to be trusted there.
+  // Moves the other position to the mapped point, dimmed if the map is unreliable there.
   linkFrom(k) {
     const { place } = this.panels[k], other = this.panels[1 - k], t = this.maps[k].trust[this.exams[k].faces[3 * place.face]];
     this.trust = t === EXCLUDED ? null : t / 200;
@@ -200,7 +200,7 @@ class Viewer {
     other.root.classList.toggle('dim', this.trust === null || this.trust < DOUBTFUL);
   }
 
-  // Works on what the eye has seen: a little at a time, less while flying, so that pictures come first.
+  // Updates the seen areas in small steps, smaller ones while flying, so that rendering has priority.
   lookAround(seen) {
     if (seen.isBusy) return;
     seen.isBusy = true;
@@ -246,14 +246,14 @@ class Viewer {
     this.told();
   }
 
-  // For tests: all that was asked for has been painted.
+  // For tests: everything requested has been painted.
   async idle() {
     do await new Promise((done) => { requestAnimationFrame(() => setTimeout(done)); });
     while (View.pending || this.exams.some((e) => e.seen.isBusy));
   }
 }
 
-// What the reader should know before looking.
+// Notices to show before reading.
 function tellMissing(info, painter) {
   if (!painter.gl) notice('This browser has no WebGL 2: flat wall, slices and verdicts work, the two views in space do not.');
   for (const position of info.positions) {
@@ -280,10 +280,10 @@ async function open(folder) {
   viewer.repaint();
   await viewer.loadVolumes(folder);
   viewer.times.all = performance.now() - started;
-  globalThis.viewer = viewer; // for tests, and for those who like the console
+  globalThis.viewer = viewer; // for tests and for use in the console
 }
 
-// folder: where the scripts of data lie beside the page; null: they are in the page.
+// folder: the folder of the data scripts, relative to the page; null if they are in the page.
 export async function startColonViewer(folder) {
   document.body.innerHTML = PAGE;
   await openPage(() => open(folder));

@@ -1,6 +1,6 @@
 import { binOf, lowerEdge, NUMBER_OF_BINS } from './lines.mjs';
 
-// The share, from 0 to 1, of the counts without bin 0 below the lower edge of each bin, mean over the rows.
+// Fraction of the counts (without bin 0) below the lower edge of each bin, averaged over the rows.
 export function equalization(counts) {
   const below = new Float64Array(NUMBER_OF_BINS + 1);
   for (let at = 0; at < counts.length; at += NUMBER_OF_BINS) {
@@ -13,7 +13,7 @@ export function equalization(counts) {
   return below.map((x, bin) => (total > 0 ? x / total : bin / NUMBER_OF_BINS));
 }
 
-// From the first to the last bin that holds a count in any row, without the background.
+// From the first to the last bin with a count in any row, without the background.
 export function rangeOfCounts(counts) {
   let first = NUMBER_OF_BINS, last = 0;
   for (let at = 0; at < counts.length; at += NUMBER_OF_BINS) {
@@ -26,13 +26,13 @@ export function rangeOfCounts(counts) {
   return last === 0 ? [lowerEdge(1), 1] : [lowerEdge(first), lowerEdge(last + 1)];
 }
 
-// The place of a heat on the axis of the histogram, from 0 to 1, as HeatAxis has it: equalised inside the range, or linear.
+// Position of a heat on the axis of the histogram, from 0 to 1, as in HeatAxis: equalized inside the range, or linear.
 export class HeatAxis {
   constructor(shares, isEqualized, [lower, upper]) {
     Object.assign(this, { shares, isEqualized, lower, upper });
     this.setEnds();
     if (this.high > this.low) return;
-    this.shares = Float64Array.from({ length: NUMBER_OF_BINS + 1 }, (_, edge) => edge); // nothing was counted here
+    this.shares = Float64Array.from({ length: NUMBER_OF_BINS + 1 }, (_, edge) => edge); // no counts in the range
     this.setEnds();
   }
 
@@ -51,12 +51,12 @@ export class HeatAxis {
     return Math.min(1, Math.max(0, this.isEqualized ? equalized : linear));
   }
 
-  // The least heat at this place.
+  // Smallest heat at this position.
   heatAt(position) {
     const within = Math.min(1, Math.max(0, position));
     if (!this.isEqualized) return this.lower + within * (this.upper - this.lower);
     const share = this.low + within * (this.high - this.low);
-    let first = 0, last = NUMBER_OF_BINS; // the first edge with at least this share
+    let first = 0, last = NUMBER_OF_BINS; // first edge with at least this fraction
     while (first < last) {
       const middle = (first + last) >> 1;
       if (this.shares[middle] < share) first = middle + 1; else last = middle;

@@ -16,7 +16,7 @@ import { RenderingView } from './rendering.mjs';
 import { HeatSliceView, paintsOf } from './slices.mjs';
 
 const CURSOR_STEP = 4; // pixels
-const KEPT_STEPS = 2;  // volumes of time steps that are kept in memory
+const KEPT_STEPS = 2;  // volumes of time steps kept in memory
 
 const PAGE = `
 <header>
@@ -31,8 +31,8 @@ const PAGE = `
 <footer><span id="status" role="status"></span><b>For research use; not a diagnosis. This page holds the volume.</b></footer>
 <dialog id="keys"></dialog>`;
 
-// The lines picked on the histogram of a volume, and all views of them. What can be undone is in `history`: time step, lines, opened
-// ranges; crosshair, chosen line and camera are not.
+// The lines picked on the histogram of a volume, and all their views. `history` holds the undoable state: time step, lines, opened
+// ranges; it does not include crosshair, chosen line and camera.
 class HeatExplorer {
   constructor(folder, info, grey, histogram, axisCounts) {
     const { volume } = info, state = { step: info.stored.at(-1), lines: shownLines(info.lines), ranges: info.ranges };
@@ -88,20 +88,20 @@ class HeatExplorer {
   undo() { this.history.undo(); return this.follow(); }
   redo() { this.history.redo(); return this.follow(); }
 
-  // Shows the state of the history. kind: of a slider, which stays while it is moved.
+  // Shows the current state of the history. kind: the slider that is being moved, if any; it is not rebuilt.
   async follow(kind = null) {
     const { step } = this;
     this.busy++;
     try {
       const shown = await this.load(step);
-      if (step !== this.step) return; // another change came meanwhile
+      if (step !== this.step) return; // superseded by another change
       Object.assign(this, shown);
       this.chosen = Math.min(this.chosen, this.lines.length - 1);
       this.setAxis();
       this.recolour();
       if (kind === null) fillLineList(byId('lines'), this);
       this.tell();
-    } catch (error) { // of data that cannot be read
+    } catch (error) { // unreadable data
       notice(error.message);
       this.history.drop();
       this.tell();
@@ -110,7 +110,7 @@ class HeatExplorer {
     }
   }
 
-  // A newer state of a run that goes on.
+  // Loads a newer state of an active run.
   take({ state, histogram, axisCounts, live }) {
     Object.assign(this.info, state);
     this.live = live;
@@ -119,7 +119,7 @@ class HeatExplorer {
     return this.follow();
   }
 
-  // The bins of a time step and how many voxels each holds.
+  // Bins of a time step, with the number of voxels in each.
   async load(step) {
     const { steps } = this;
     if (this.live) return this.live;
@@ -132,7 +132,7 @@ class HeatExplorer {
     return steps.get(step);
   }
 
-  // Tables of bins give each voxel the number of its line, and colour times opacity.
+  // Lookup tables by bin: the number of the line, and premultiplied color.
   recolour() {
     const started = performance.now(), { bins, lines } = this, seen = [0, ...lines.map(premultiplied)];
     this.numbers = linesOfBins(lines);
@@ -162,7 +162,7 @@ class HeatExplorer {
     if (found) this.pick(...found); else this.tell(`no voxel has ${this.info.quantity.name} ${shortNumber(heat)} in this time step`);
   }
 
-  // From place to place on the axis: whole bins.
+  // Picks the range between two axis positions, in whole bins.
   rangeOf(a, b) { return [lowerEdge(binOf(this.axis.heatAt(a))), lowerEdge(binOf(this.axis.heatAt(b)) + 1)]; }
   pickPlaces(a, b) { this.pick(...this.rangeOf(a, b)); }
   openPlaces(a, b) { this.openRange(...this.rangeOf(a, b)); }
@@ -248,11 +248,11 @@ class HeatExplorer {
     this.alterChosen((line) => ({ colour: lineColours[(lineColours.indexOf(line.colour) + 1) % lineColours.length] }));
   }
 
-  // Moves an end by bins, as far as the line keeps one; what it takes from its neighbours is theirs no more.
+  // Moves an end by bins, keeping at least one bin; bins taken from neighbors are removed from them.
   moveEnd([end, by]) {
     const line = this.lines[this.chosen];
     if (!line) return;
-    const bin = line[end] === 1 ? NUMBER_OF_BINS : binOf(line[end]); // as the end of a line, 1 is the end of the last bin
+    const bin = line[end] === 1 ? NUMBER_OF_BINS : binOf(line[end]); // as the end of a line, 1 means the end of the last bin
     const moved = { ...line, [end]: lowerEdge(clamp(bin + by, 1, NUMBER_OF_BINS)) };
     if (moved.lower >= moved.upper) return;
     this.setLines(withLine(this.lines.filter((l) => l !== line), moved), moved.lower);
@@ -334,7 +334,7 @@ class HeatExplorer {
     if (this.mark !== undefined) this.toggleMark();
   }
 
-  // What is under the crosshair.
+  // Description of the voxel under the crosshair.
   describe() {
     const { info: { quantity, window: [low, high] }, grey, voxel, place, bins, numbers } = this, line = numbers[bins[voxel]];
     const value = low + (grey[voxel] / 255) * (high - low), mm = this.rendering.toSpace(place).map((x) => x.toFixed(1)).join(', ');
@@ -342,7 +342,7 @@ class HeatExplorer {
     return `${mm} mm (LPS), intensity about ${shortNumber(value)}, ${quantity.name} ${edges}${line ? `, line ${line}` : ''}`;
   }
 
-  // text: what has just happened, where there is something to say of it.
+  // text: message on the last action, if any.
   tell(text = null) {
     const ranges = this.state.ranges.map((r) => r.map(shortNumber).join('–'));
     byId('status').textContent = text ?? this.describe();
@@ -353,7 +353,7 @@ class HeatExplorer {
     byId('ranges').textContent = `axis: ${['all', ...ranges].join(' › ')}${this.isEqualized ? '' : ' (not equalised)'}`;
   }
 
-  // For tests: all that was asked for has been painted; in full, unless a coarse picture will do.
+  // For tests: everything requested has been painted, at full quality unless a coarse picture suffices.
   async idle(isCoarseEnough = false) {
     do await new Promise((done) => { requestAnimationFrame(() => setTimeout(done)); });
     while (View.pending || this.busy || (this.rendering.isCoarse && !isCoarseEnough));
@@ -362,14 +362,14 @@ class HeatExplorer {
 
 const shownLines = (lines) => lines.map((line) => ({ ...line, isOn: true }));
 
-// Bins of a volume with how many voxels each holds.
+// Bins of a volume, with the number of voxels in each.
 function counted(bins) {
   const counts = new Uint32Array(NUMBER_OF_BINS);
   for (let i = 0; i < bins.length; i++) counts[bins[i]]++;
   return { bins, counts };
 }
 
-// A state of a run that goes on: one file, replaced again and again. Null for the one that is known.
+// The state of an active run: one file that is replaced repeatedly. Null if it is unchanged.
 async function readState(folder, version = '', known = {}) {
   const state = await readBlock(folder, 'live', version);
   if (state.stored[0] === known.stored?.[0] && state.isFinished === known.isFinished) return null;
@@ -377,7 +377,7 @@ async function readState(folder, version = '', known = {}) {
   return { state, histogram, axisCounts, live: counted(await readBlock(folder, 'bins-live')) };
 }
 
-// Follows a run until it is finished. What the reader has picked stays; lines that were found are found again.
+// Follows a run until it finishes. Lines picked by the reader stay; automatic lines are recomputed.
 function followRun(explorer) {
   const { info, folder } = explorer, wait = 1000 * Math.max(0.2, info.secondsBetweenStates);
   let news = performance.now(), number = 0;
@@ -409,15 +409,15 @@ async function openExplorer(folder) {
   first.axisCounts ??= info.hasAxis ? await readBlock(folder, 'axis') : first.histogram;
   const explorer = new HeatExplorer(folder, Object.assign(info, first.state), grey, first.histogram, first.axisCounts);
   explorer.live = first.live ?? null;
-  Object.assign(explorer, await explorer.load(explorer.step)); // a first step that cannot be read is told instead of the page
+  Object.assign(explorer, await explorer.load(explorer.step)); // an unreadable first step is reported instead of the page
   explorer.makeViews();
   await explorer.follow();
   explorer.times.open = performance.now() - started;
   if (explorer.live) followRun(explorer);
-  globalThis.explorer = explorer; // for tests, and for those who like the console
+  globalThis.explorer = explorer; // for tests and for use in the console
 }
 
-// folder: where the scripts of data lie beside the page.
+// folder: the folder of the data scripts, relative to the page.
 export async function startHeatExplorer(folder) {
   document.body.innerHTML = PAGE;
   await openPage(() => openExplorer(folder));

@@ -6,7 +6,7 @@ const WIDEST_LINE = 6, LEFT = 62, BOTTOM = 46, TOP = 22; // pixels
 
 const brightnessOf = (count, greatest) => (count > 0 ? 0.15 + (0.85 * Math.log2(1 + count)) / Math.log2(1 + greatest) : 0);
 
-// The counts of every column, for each row of the histogram. A bin whose neighbours hold no counts is a line in its middle.
+// Counts of every column, for each row of the histogram. A bin without counts in adjacent bins is drawn as a line at its center.
 function columnCounts(counts, axis, columns) {
   const rows = counts.length / NUMBER_OF_BINS, out = new Float32Array(rows * columns);
   for (let bin = 1; bin < NUMBER_OF_BINS; bin++) {
@@ -28,7 +28,7 @@ function columnCounts(counts, axis, columns) {
   return out;
 }
 
-// Raises what is brighter than its neighbourhood in the row, so that lines stand out from the haze of drifting heat.
+// Raises pixels brighter than their neighborhood in the row, so that lines stand out from the haze of drifting heat.
 function sharpen(row) {
   const reach = 16, before = new Float64Array(row.length + 1);
   for (let x = 0; x < row.length; x++) before[x + 1] = before[x] + row[x];
@@ -68,7 +68,7 @@ export class HistogramView extends View {
   positionAt(x) { const { left, width } = this.plot; return clamp((x - left) / (width - 1), 0, 1); }
   xOf(heat) { const { left, width } = this.plot; return left + this.page.axis.positionOf(heat) * (width - 1); }
 
-  // The middle of the row of a time step.
+  // Center of the row of a time step.
   yOf(step) {
     const { top, height } = this.plot, steps = this.page.info.timeSteps, after = steps.findIndex((s) => s > step);
     const below = after < 0 ? steps.length - 1 : Math.max(0, after - 1), next = steps[below + 1];
@@ -179,7 +179,7 @@ export class HistogramView extends View {
     if (this.shown) mark(this.shown[0], '▾ crosshair', '#ffd400');
   }
 
-  // A click at the left chooses a stored time step, one on the plot a line.
+  // A click on the left border selects a stored time step, a click on the plot a line.
   pick(x, y) {
     const { stored } = this.page.info;
     if (x < LEFT) this.page.showStep(stored.reduce((a, b) => (Math.abs(this.yOf(b) - y) < Math.abs(this.yOf(a) - y) ? b : a)));

@@ -1,8 +1,8 @@
-// What can be undone: states that are never changed, only replaced.
+// Undo history of immutable states.
 export class History {
   constructor(state) { Object.assign(this, { state, before: [], after: [], kind: null }); }
 
-  // kind: changes of the same kind one after the other are undone together, such as those of a slider.
+  // kind: consecutive changes of the same kind, such as those of a slider, are undone together.
   change(state, kind = null) {
     if (kind === null || kind !== this.kind) this.before.push(this.state);
     Object.assign(this, { state, after: [], kind });
@@ -11,7 +11,7 @@ export class History {
   undo() { this.swap(this.before, this.after); }
   redo() { this.swap(this.after, this.before); }
 
-  // Takes the last change back for good.
+  // Reverts the last change without redo.
   drop() {
     this.undo();
     this.after.pop();

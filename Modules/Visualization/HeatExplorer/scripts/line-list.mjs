@@ -2,7 +2,7 @@ import { element, letGo } from '../../PageKit/scripts/page.mjs';
 
 export const shortNumber = (x) => String(Number(x.toPrecision(4)));
 
-// The lines beside the views. page: lines, chosen, sizeOf(line), and what the buttons do.
+// The list of lines next to the views. page: lines, chosen, sizeOf(line), and the button actions.
 export function fillLineList(root, page) {
   root.replaceChildren(...page.lines.map((line, i) => itemOf(line, i, page)));
 }

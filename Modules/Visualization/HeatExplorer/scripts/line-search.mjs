@@ -1,6 +1,6 @@
 import { lowerEdge, NUMBER_OF_BINS } from './lines.mjs';
 
-// The line around a bin with many counts: both slopes, down to where a twentieth is left or the counts rise again.
+// The line around a bin with many counts: both slopes, down to a twentieth of the peak or until the counts rise again.
 export function lineAround(counts, top) {
   const at = (i) => (counts[i - 1] + 2 * counts[i] + (counts[i + 1] ?? 0)) / 4; // single bins are noisy
   const least = at(top) / 20;
@@ -18,7 +18,7 @@ export function lineAround(counts, top) {
   return [lowerEdge(end(-1)), lowerEdge(end(1) + 1)];
 }
 
-// The line that is drawn at a place of the axis, within `reach` (in parts of the axis); null where no voxel has such a heat.
+// The line drawn at a position of the axis, within `reach` (fraction of the axis); null if no voxel has such a heat.
 export function lineNear(counts, axis, position, reach) {
   let top = 0;
   for (let bin = 1; bin < NUMBER_OF_BINS; bin++) {

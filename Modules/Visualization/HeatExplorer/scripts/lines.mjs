@@ -1,10 +1,10 @@
-// Lines of a heat histogram as a transfer function: {lower, upper, colour '#rrggbb', opacity, isOn}. A line holds the voxels with
+// Lines of a heat histogram as a transfer function: {lower, upper, colour '#rrggbb', opacity, isOn}. A line contains the voxels with
 // lower <= heat < upper. The bins are those of HeatHistogram.
 const BINS_PER_OCTAVE = 256, OCTAVES = 16;
 export const NUMBER_OF_BINS = BINS_PER_OCTAVE * OCTAVES + 1;
 export const MOST_LINES = 12; // 3D Slicer reads no more
 
-// The least heat of a bin; exact, as whole parts of powers of two are.
+// Lower edge of a bin; exact, because it is an integer fraction of a power of two.
 export function lowerEdge(bin) {
   if (bin === 0) return 0;
   return (1 + ((bin - 1) % BINS_PER_OCTAVE) / BINS_PER_OCTAVE) * 2 ** (Math.floor((bin - 1) / BINS_PER_OCTAVE) - OCTAVES);
@@ -20,13 +20,13 @@ export function binOf(heat) {
 
 export const channelsOf = (colour) => [1, 3, 5].map((k) => parseInt(colour.slice(k, k + 2), 16));
 
-// Colour times opacity, and opacity, as bytes of a word.
+// Premultiplied color and opacity as the bytes of a word.
 export function premultiplied({ colour, opacity }) {
   const [r, g, b, a] = [...channelsOf(colour).map((c) => Math.round(c * opacity)), Math.round(255 * opacity)];
   return ((a << 24) | (b << 16) | (g << 8) | r) >>> 0;
 }
 
-// For each bin the number of its line, counted from 1; 0 where there is none.
+// Line number of each bin, counted from 1; 0 for none.
 export function linesOfBins(lines) {
   const out = new Uint8Array(NUMBER_OF_BINS);
   lines.forEach((line, i) => {
@@ -38,7 +38,7 @@ export function linesOfBins(lines) {
   return out;
 }
 
-// The lines with one more, which takes its heats from those that it overlaps.
+// Adds a line; overlapped parts are removed from the other lines.
 export function withLine(lines, line) {
   const rest = lines.flatMap((l) => {
     const pieces = [{ ...l, upper: Math.min(l.upper, line.lower) }, { ...l, lower: Math.max(l.lower, line.upper) }];
@@ -47,7 +47,7 @@ export function withLine(lines, line) {
   return [...rest, line].sort((a, b) => a.lower - b.lower);
 }
 
-// A number as C prints it with %g and so many digits: ties go to the even digit, which toExponential() does not.
+// Formats a number like C's %g with this number of digits: ties round to even, unlike toExponential().
 export function rounded(x, digits) {
   if (x === 0) return '0';
   const exact = x.toExponential(60), [mantissa] = exact.split('e'), kept = mantissa.slice(0, digits + 1).replace(/\.$/, '');
@@ -60,7 +60,7 @@ export function rounded(x, digits) {
   return short(`${figures.slice(0, exponent + 1)}.${figures.slice(exponent + 1)}`);
 }
 
-// The width of the ramp that stands for a step, as in ShapeTransferFunction.
+// Width of the ramp that approximates a step, as in ShapeTransferFunction.
 const rampOf = (line) => Math.min(1e-6, 0.125 * (line.upper - line.lower));
 
 function opacityPoints(lines) {
@@ -101,7 +101,7 @@ export function savedText(lines, quantity, timeStep) {
   return `${JSON.stringify({ shapeton: 'transfer function', version: 1, quantity, timeStep, lines: saved }, null, 2)}\n`;
 }
 
-// The lines of such a text. Throws a sentence for what is none; the tool that reads it checks more.
+// Parses the lines of such a text. Throws a message for the reader if invalid; HeatTransferFunction checks more strictly.
 export function linesFromText(text, quantity) {
   let saved = null;
   try {

@@ -2,33 +2,33 @@ import { glProgram } from '../../PageKit/scripts/gl.mjs';
 import { add, clamp, cross, dot, scaled, sub, unit } from '../../PageKit/scripts/math.mjs';
 import { View } from '../../PageKit/scripts/view.mjs';
 
-const BLOCK = 8, FILLED = 0.88; // voxels of a block's side; the share of the picture that the volume takes
+const BLOCK = 8, FILLED = 0.88; // edge length of a block, voxels; fraction of the picture filled by the volume
 const BUDGET = [200, 1500], LEAST_PART = 0.1; // ms for a coarse and for a fine picture; of the pixels of the screen, along a side
-const MIXED = 1, UNIFORM = 2; // what a block holds; 0: nothing that is seen
+const MIXED = 1, UNIFORM = 2; // content of a block; 0: nothing visible
 
 // One triangle covers the picture.
 const CORNERS = 'void main() { gl_Position = vec4(gl_VertexID == 1 ? 3. : -1., gl_VertexID == 2 ? 3. : -1., 0, 1); }';
 
-// Rays through a volume of colours times opacity, as RenderVolume casts them: voxels get colour and opacity of their line first, and
-// these are interpolated. Between two voxels no line appears that neither of them has.
+// Casts rays through a volume of premultiplied colors, as RenderVolume does: voxels are classified first, then color and opacity
+// are interpolated, so no line appears between two voxels that neither of them has.
 const RAYS = `
 precision highp sampler3D;
 uniform sampler3D voxels, blocks;
 uniform vec3 origin, across, below, stride, size; // in voxels: of the upper left pixel, to the next ones, to the next sample
 uniform vec3 toLight, halfway;
-uniform mat3 normals;  // from a gradient for each voxel to a direction in space
+uniform mat3 normals;  // maps a per-voxel gradient to a direction in space
 uniform float height;  // pixels
 out vec4 o;
 
 vec4 at(vec3 p) { return textureLod(voxels, (p + .5) / size, 0.); }
 
-// Of the opacity, from the corners of a tetrahedron.
+// Gradient of the opacity, from the corners of a tetrahedron.
 vec3 gradientAt(vec3 p) {
   const vec2 k = vec2(1, -1);
   return (k.xxx * at(p + k.xxx).a + k.xyy * at(p + k.xyy).a + k.yxy * at(p + k.yxy).a + k.yyx * at(p + k.yyx).a) / 4.;
 }
 
-// What is opaque is so all through; of what is transparent little more than the surface is drawn.
+// Opaque objects are opaque throughout; of transparent objects little more than the surface is drawn.
 vec4 shaded(vec4 c, vec3 gradient) {
   float steep = min(4. * length(gradient), 1.), inside = c.a * c.a * c.a * c.a;
   float alpha = c.a * (inside + (1. - inside) * min(steep / c.a, 1.));
@@ -63,8 +63,8 @@ void main() {
   o = vec4(colour + seen * vec3(18, 19, 25) / 255., 1);
 }`;
 
-// For each block what rays find in it, one voxel beyond its far sides included, as far as interpolation looks. numbers: the line of
-// each bin; colours: its colour and, in the highest byte, its opacity.
+// Content of each block, including one voxel beyond its far sides for interpolation. numbers: the line of each bin;
+// colours: its color and, in the highest byte, its opacity.
 export function contentsOf(bins, numbers, colours, [nx, ny, nz]) {
   const bx = Math.ceil(nx / BLOCK), by = Math.ceil(ny / BLOCK), bz = Math.ceil(nz / BLOCK), any = new Uint8Array(bx * by * bz);
   const least = new Uint8Array(any.length).fill(255), most = new Uint8Array(any.length), isSeen = colours.map((colour) => colour >>> 24);
@@ -92,7 +92,7 @@ export function contentsOf(bins, numbers, colours, [nx, ny, nz]) {
   return markUniform(any, least, most, [bx, by, bz]);
 }
 
-// Blocks that hold one line, as all their neighbours do: there is no gradient.
+// Blocks with a single line that all their neighbors share: the gradient is 0.
 function markUniform(any, least, most, [bx, by, bz]) {
   const out = any.slice();
   for (let b = 0; b < any.length; b++) {
@@ -112,7 +112,7 @@ function markUniform(any, least, most, [bx, by, bz]) {
   return out;
 }
 
-// Casts the rays by WebGL 2.
+// Casts the rays with WebGL 2.
 class RayCaster {
   constructor(size) {
     this.canvas = document.createElement('canvas');
@@ -187,7 +187,7 @@ export class RenderingView extends View {
   load(bins, numbers, colours) {
     if (!this.isPossible) return;
     this.caster.load(bins, numbers, colours);
-    this.cost = null; // rays that end at an opaque voxel say nothing of those through a clear one
+    this.cost = null; // the cost of rays that end at opaque voxels does not predict that of transparent ones
     this.quickly();
   }
 
@@ -222,17 +222,17 @@ export class RenderingView extends View {
     this.cross(g, x, y, true);
   }
 
-  // A picture as sharp as the time for it allows, by how long the last one took; sharper again where most of the time was left.
+  // Chooses the resolution for the time budget by the cost of the last picture; repeats at higher resolution if time is left.
   cast(w, h, ratio) {
     const budget = this.budget[this.isCoarse ? 0 : 1];
-    if (this.cost === null) this.render(w, h, LEAST_PART); // tells the cost
+    if (this.cost === null) this.render(w, h, LEAST_PART); // measures the cost
     const part = clamp(Math.sqrt(budget / (this.cost * w * h)), LEAST_PART, ratio), time = this.render(w, h, part);
     this.page.times[this.isCoarse ? 'coarse' : 'fine'] = time;
     this.isStale = !this.isCoarse && part < ratio && time < budget / 2;
     if (this.isStale) this.changed();
   }
 
-  // Draws a picture with so many pixels for each of the screen, along a side, and measures what one costs. Returns the time, ms.
+  // Draws a picture with this number of pixels per screen pixel along each side, and measures their cost. Returns the time, ms.
   render(w, h, part) {
     const started = performance.now();
     const [W, H] = [w, h].map((n) => Math.max(1, Math.round(n * part))), { right, up, forward, mm, middle } = this.projection(W, H);
@@ -256,7 +256,7 @@ export class RenderingView extends View {
     return [(w - 1) / 2 + dot(d, right) / mm, (h - 1) / 2 - dot(d, up) / mm];
   }
 
-  // The crosshair goes to the first voxel of a line that the ray through the pixel meets.
+  // Moves the crosshair to the first voxel of a line on the ray through the pixel.
   pick(x, y) {
     const { bins, colours, volume: { size, spacing, origin } } = this.page, { w, h } = this;
     const { right, up, forward, mm, middle } = this.projection(w, h);

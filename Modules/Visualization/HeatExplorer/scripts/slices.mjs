@@ -4,7 +4,7 @@ import { channelsOf } from './lines.mjs';
 
 const OPACITY = 0.6; // of the colours of lines over the grey values, as in pictures of reports
 
-// A slice along the image's own axes, with its voxels in the colours of their lines. plane: as HeatExplorer writes it.
+// A slice along the image's own axes, with voxels in the colors of their lines. plane: as written by HeatExplorer.
 export class HeatSliceView extends View {
   constructor(root, page, plane) {
     super(root, plane.name, plane.name);
@@ -16,12 +16,12 @@ export class HeatSliceView extends View {
     Object.assign(this.image, { width: this.size[0], height: this.size[1] });
   }
 
-  // From an index of the image to the screen and back.
+  // Maps an image index to the screen and back.
   frame() {
     const { plane, page: { place } } = this, [nx, ny] = this.size, [dx, dy] = this.steps;
     const s = this.zoom * Math.min(this.w / (nx * dx), this.h / (ny * dy));
     const own = (i, n, isFlipped) => (isFlipped ? n - 1 - i : i) + 0.5;
-    // Enlarged, the slice follows the crosshair, but stays within the view where it can.
+    // When enlarged, the slice follows the crosshair, but fills the view if possible.
     const start = (room, n, step, i) => {
       const length = n * step * s;
       return length <= room ? (room - length) / 2 : clamp(room / 2 - i * step * s, room - length, 0);
@@ -57,7 +57,7 @@ export class HeatSliceView extends View {
     this.cross(g, ...f.at(page.place));
   }
 
-  // Classes are those of the voxels themselves: colours are mixed between voxels, heats are not.
+  // Voxels are classified first: colors are interpolated between voxels, heats are not.
   fill() {
     const { plane, page: { volume, grey, bins, numbers, place, paints } } = this, [nx, ny] = this.size;
     const strides = [1, volume.size[0], volume.size[0] * volume.size[1]], out = new Uint32Array(this.pixels.data.buffer);

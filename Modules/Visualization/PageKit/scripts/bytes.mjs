@@ -29,7 +29,7 @@ async function gunzip(bytes, size) {
   for (;;) {
     const { done, value } = await reader.read();
     if (done) break;
-    out.set(value, at); // throws where the data is longer than its header says
+    out.set(value, at); // throws if the data are longer than the header says
     at += value.length;
   }
   if (at !== size) throw new Error(`ends after ${at} of ${size} bytes`);
@@ -38,7 +38,7 @@ async function gunzip(bytes, size) {
 
 const TYPES = { u8: Uint8Array, u16: Uint16Array, u32: Uint32Array };
 
-// Reals were stored as whole numbers between the least and the greatest of their column.
+// Reals are stored as integers between the minimum and the maximum of their column.
 function realsOf(values, { offset, step }) {
   const out = values.BYTES_PER_ELEMENT > 2 ? new Float64Array(values.length) : new Float32Array(values.length);
   for (let i = 0, k = 0; i < out.length; i++) {
@@ -56,8 +56,8 @@ async function decode({ header, body }) {
   return Object.assign(header.step ? realsOf(values, header) : values, { header });
 }
 
-// The array of a block, with its header, or the value of a JSON block. folder: null where all blocks are in the page. version: what
-// tells a file that was replaced from the one before.
+// The array of a block, with its header, or the value of a JSON block. folder: null if all blocks are in the page. version:
+// distinguishes a replaced file from the previous one.
 export async function readBlock(folder, name, version = '') {
   const file = folder === null ? 'this page' : `${folder}/${name.replaceAll('/', '-')}.js`;
   if (!blocks.has(name) && folder !== null) await loadScript(file + version);

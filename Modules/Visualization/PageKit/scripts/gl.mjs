@@ -1,4 +1,4 @@
-// A program of WebGL 2, with the places of its uniforms by name.
+// A WebGL 2 program, with its uniform locations by name.
 export function glProgram(gl, vertex, fragment) {
   const program = gl.createProgram(), uniforms = {};
   for (const [type, text] of [[gl.VERTEX_SHADER, vertex], [gl.FRAGMENT_SHADER, fragment]]) {

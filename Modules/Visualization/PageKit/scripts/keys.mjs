@@ -1,4 +1,4 @@
-// The keys of a page: what the help lists is what works. groups: [title, [[key, its name, text, act, value], ...]]; act: the method
+// The keys of a page, the single source of behavior and help. groups: [title, [[key, its name, text, act, value], ...]]; act: the method
 // of the page that is called with the value. A key without a name is not listed.
 export class KeyTable {
   constructor(groups, mouse) {
@@ -15,7 +15,7 @@ export class KeyTable {
     });
   }
 
-  // The action of a key event, or undefined; fields and buttons keep what they need.
+  // The action of a key event, or undefined; fields and buttons keep the keys they need.
   actionOf(e) {
     const isLetter = /^[a-z]$/i.test(e.key), key = isLetter ? e.key.toLowerCase() : e.key, isCtrl = e.ctrlKey || e.metaKey;
     const isText = /^(INPUT|SELECT|TEXTAREA)$/.test(e.target.tagName) && e.target.type !== 'checkbox';
@@ -47,5 +47,5 @@ function tableOf(title, rows) {
   return table;
 }
 
-// A dialog that the same key opens and closes.
+// A dialog opened and closed by the same key.
 export function toggle(dialog) { if (dialog.open) dialog.close(); else dialog.showModal(); }

@@ -1,4 +1,4 @@
-// What pages with scripts have in common around their views. A page has an element #notices for sentences to the reader.
+// Functions shared by script pages. A page has an element #notices for messages to the reader.
 export const byId = (id) => document.getElementById(id);
 
 export function element(tag, properties = {}, children = []) {
@@ -7,21 +7,21 @@ export function element(tag, properties = {}, children = []) {
   return e;
 }
 
-// After a click with the mouse keys go to the views again; who came by keyboard stays.
+// After a mouse click, returns the keyboard focus to the views; keyboard users keep their focus.
 export const letGo = (e) => { if (e.detail) e.target.blur(); };
 
-// A sentence for the reader that stays.
+// Shows a permanent message.
 export function notice(text) {
   byId('notices').append(element('p', { textContent: text }));
 }
 
-// Why nothing can be shown at all.
+// Shows the reason why the page cannot open.
 function refuse(text) {
   document.body.classList.add('failed');
   notice(text);
 }
 
-// Opens the page, or says in a sentence why it cannot.
+// Opens the page, or shows the reason why it cannot.
 export async function openPage(open) {
   if (typeof DecompressionStream === 'undefined') {
     refuse('This browser cannot unpack the data (it lacks DecompressionStream): use Firefox 113, Chrome 80, Safari 16.4 or newer.');
@@ -35,7 +35,7 @@ export async function openPage(open) {
   }
 }
 
-// Hands a text to the reader as a file.
+// Saves a text as a file.
 export function saveFile(name, text, type) {
   const url = URL.createObjectURL(new Blob([text], { type }));
   element('a', { href: url, download: name }).click();

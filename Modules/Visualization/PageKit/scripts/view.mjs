@@ -1,4 +1,4 @@
-// A canvas that follows the size of its box, paints when it has to, and tells of gestures.
+// A canvas that follows the size of its box, repaints on demand, and reports gestures.
 export class View {
   constructor(root, name, title) {
     this.box = document.createElement('div');
@@ -91,7 +91,7 @@ export class View {
     g.fillText(text, 10, this.h / 2, this.w - 20);
   }
 
-  // The crosshair, open in the middle; broken where the place is hidden.
+  // The crosshair, open at its center; dashed if the position is hidden.
   cross(g, x, y, hidden = false) {
     this.shown = [x, y, hidden];
     for (const [colour, width] of [['#000a', 3.5], ['#ffd400', 1.6]]) {
@@ -108,7 +108,7 @@ export class View {
     g.setLineDash([]);
   }
 
-  // A numbered ring around a candidate or finding; the chosen one is thicker, not only of another colour.
+  // A numbered ring around a candidate or finding; the chosen one is also thicker, not only differently colored.
   ring(g, x, y, text, chosen) {
     g.strokeStyle = chosen ? '#ff9d4d' : '#56b4e9';
     g.lineWidth = chosen ? 3 : 1.6;
@@ -136,7 +136,7 @@ export class View {
     g.stroke();
   }
 }
-View.pending = 0; // how many views wait for their picture
-View.scale = 1;   // pixels of the page for one of a view: on a large screen all that is drawn grows with the text
+View.pending = 0; // number of views waiting for their picture
+View.scale = 1;   // page pixels per view pixel: on a large screen, drawings scale with the text
 
 export function scaleViews() { View.scale = parseFloat(getComputedStyle(document.body).fontSize) / 13; }
