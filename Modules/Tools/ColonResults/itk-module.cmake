@@ -1,4 +1,4 @@
-set(DOCUMENTATION "The results of a virtual colonoscopy as DICOM objects: the terms of the colon, and what of an examination becomes which object.")
+set(DOCUMENTATION "Results of a virtual colonoscopy as DICOM objects, and DICOM objects as inputs of the colon tools.")
 
 itk_module(ColonResults
   ENABLE_SHARED

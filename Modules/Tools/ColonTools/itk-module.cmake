@@ -1,4 +1,4 @@
-set(DOCUMENTATION "What tools of the colon share: their result files and reports.")
+set(DOCUMENTATION "Result files and reports shared by the colon tools.")
 
 itk_module(ColonTools
   ENABLE_SHARED

@@ -1,4 +1,4 @@
-# The stages of a virtual colonoscopy, and the tool that each runs. This list is the only one: the C++ code gets it as
+# The stages of a virtual colonoscopy and their tools. This is the single list: the C++ code includes it as
 # shapetonColonoscopyStageTools.h, and the target VirtualColonoscopy depends on these tools.
 set(ColonoscopyRun_STAGES inspection segmentation flattening landmarks folds registration search polyps viewer dicom)
 set(ColonoscopyRun_TOOL_inspection DicomSeriesInspector)

@@ -1,5 +1,4 @@
-set(DOCUMENTATION "Virtual colonoscopy from the CT to the report: the stages and what feeds what, the report on all of them, files for 3D
-Slicer.")
+set(DOCUMENTATION "Virtual colonoscopy from the CT to the report: the stages and their inputs, the report, files for 3D Slicer.")
 
 itk_module(ColonoscopyRun
   ENABLE_SHARED

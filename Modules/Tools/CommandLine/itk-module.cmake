@@ -1,5 +1,5 @@
 set(DOCUMENTATION "The contract of a command-line tool: options declared in a 3D Slicer XML, progress, exit status,
-outputs that appear whole or not at all, and the provenance of a result.")
+outputs that are written completely or not at all, and the provenance of a result.")
 
 itk_module(CommandLine
   ENABLE_SHARED

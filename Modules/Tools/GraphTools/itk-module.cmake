@@ -1,4 +1,4 @@
-set(DOCUMENTATION "What tools of graphs share: graphs by the parameters of a command line, interactive reports.")
+set(DOCUMENTATION "Shared parts of the graph tools: graphs from command line parameters, interactive reports.")
 
 itk_module(GraphTools
   ENABLE_SHARED

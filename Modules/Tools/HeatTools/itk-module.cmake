@@ -1,4 +1,4 @@
-set(DOCUMENTATION "What tools of heat and shapeton diffusion share: their result files, reports, and the monitor of a run.")
+set(DOCUMENTATION "Shared parts of the heat and shapeton diffusion tools: result files, reports, and the monitor of a run.")
 
 itk_module(HeatTools
   ENABLE_SHARED

@@ -1,5 +1,5 @@
-set(DOCUMENTATION "A chain of tools, each in a process and a folder of its own: what is unchanged is not computed again, what failed is
-told with what was kept.")
+set(DOCUMENTATION "A chain of tools, each in its own process and folder. Stages with unchanged inputs are skipped; a failure is
+reported with the results that were kept.")
 
 itk_module(StagedRun
   ENABLE_SHARED

@@ -1,4 +1,4 @@
-set(DOCUMENTATION "What tools read, by the parameters of their command line: volumes, masks, surfaces, curves, markups.")
+set(DOCUMENTATION "Inputs of tools from command line parameters: volumes, masks, surfaces, curves, markups.")
 
 itk_module(ToolInput
   ENABLE_SHARED

@@ -1,5 +1,5 @@
-set(DOCUMENTATION "A page on which a person reads a virtual colonoscopy: the flat wall, the wall in space and from inside, and slices,
-with one crosshair.")
+set(DOCUMENTATION "A page for reading a virtual colonoscopy: the flat wall, the wall in space, the endoluminal view and slices with a
+linked crosshair.")
 
 itk_module(ColonViewer
   ENABLE_SHARED

@@ -1,5 +1,5 @@
-set(DOCUMENTATION "The colon made visible: slices, projections, the flat colon and what is marked on it, supine beside prone,
-polyp candidates seen close by.")
+set(DOCUMENTATION "Pictures of a colon: slices, projections, the annotated flat colon, supine and prone walls side by side,
+close-ups of polyp candidates.")
 
 itk_module(ColonViews
   ENABLE_SHARED

@@ -1,4 +1,4 @@
-set(DOCUMENTATION "Embedded graphs made visible: pictures (SVG), surfaces in space (VTP).")
+set(DOCUMENTATION "Pictures of embedded graphs: SVG pictures, surfaces in space (VTP).")
 
 itk_module(GraphViews
   ENABLE_SHARED

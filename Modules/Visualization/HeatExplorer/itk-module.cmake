@@ -1,4 +1,4 @@
-set(DOCUMENTATION "A page on which a person picks lines of the heat histogram and sees them on slices and in space.")
+set(DOCUMENTATION "A page for selecting lines of the heat histogram, shown on slices and in a rendering.")
 
 itk_module(HeatExplorer
   ENABLE_SHARED

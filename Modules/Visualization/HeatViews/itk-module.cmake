@@ -1,4 +1,4 @@
-set(DOCUMENTATION "Heat and visits made visible: histogram pictures, slices, volume renderings, transfer functions.")
+set(DOCUMENTATION "Pictures of heat and shapeton visits: histograms, slices, volume renderings, transfer functions.")
 
 itk_module(HeatViews
   ENABLE_SHARED

@@ -1,4 +1,4 @@
-set(DOCUMENTATION "Pages with scripts that open from a file: data blocks, the page around them, and scripts that pages share.")
+set(DOCUMENTATION "Script pages that open from a file: data blocks, the page around them, and shared scripts.")
 
 itk_module(PageKit
   ENABLE_SHARED

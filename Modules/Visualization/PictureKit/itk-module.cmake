@@ -1,4 +1,4 @@
-set(DOCUMENTATION "Pictures without a display: axes and text, slices, surfaces and curves seen from the sides of a patient.")
+set(DOCUMENTATION "Pictures without a display: axes and text, slices, surfaces and curves in views of a patient.")
 
 itk_module(PictureKit
   ENABLE_SHARED

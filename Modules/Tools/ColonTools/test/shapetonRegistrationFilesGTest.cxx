@@ -182,7 +182,7 @@ TEST(RegistrationResults, TheMapOnTheSurfaceIsThatOfTheRegistration)
   {
     EXPECT_LT((shapeton::MapUv(pair.registration, uv.row(i).transpose()) - mappedUv.row(i).transpose()).norm(), 1e-9);
     EXPECT_LT((map.V.row(i) + displacement.row(i) - mapped.row(i)).norm(), 1e-9);
-    // On the prone wall: at most 5 mm, the height of a fold, inside of the tube.
+    // On the prone wall: at most 5 mm (the height of a fold) inside the tube.
     EXPECT_LT(mapped.row(i).head<2>().norm(), radius + 1e-6);
     EXPECT_GT(mapped.row(i).head<2>().norm(), radius - 5.1);
   }
@@ -210,7 +210,7 @@ TEST(RegistrationResults, PointsInSpaceGoThere)
 {
   const Pair &                     pair = TestPair();
   const shapeton::ColonPointMapper mapper(pair.registration);
-  const shapeton::PointPair        known = KnownPoints(movement)[240]; // of a taenia
+  const shapeton::PointPair        known = KnownPoints(movement)[240]; // on a taenia
   const shapeton::MappedPoint      at = mapper.Forward(known.source);
   EXPECT_LT((at.point - known.target).norm(), 3.0);
   EXPECT_LT((mapper.Inverse(at.point).point - known.source).norm(), 0.5);
@@ -245,7 +245,7 @@ TEST(RegistrationResults, CountsOfSegmentsAddUp)
 TEST(RegistrationResults, VerdictsFollowTheTruth)
 {
   const Pair & pair = TestPair();
-  // As if the prone wall lay one gap between folds farther along: hardly a pair can be right by chance.
+  // Shifts the prone wall by one gap between folds: hardly any pair can be correct by chance.
   std::vector<shapeton::PointPair> shifted = KnownPoints(movement);
   for (shapeton::PointPair & known : shifted)
   {
@@ -253,14 +253,14 @@ TEST(RegistrationResults, VerdictsFollowTheTruth)
   }
   const auto wrong = shapeton::MakeRegistrationResults(pair.supine, pair.prone, pair.registration, shifted);
   EXPECT_GT(wrong.document["matches"]["wrong"], 0.6 * wrong.matches.size());
-  // A pair that is taken away is missed, both alike.
+  // A removed pair is reported as missing for both folds.
   shapeton::SupineProneRegistration fewer = pair.registration;
   fewer.matches.erase(fewer.matches.begin() + 20);
   const auto missed = shapeton::MakeRegistrationResults(pair.supine, pair.prone, fewer, pair.results.points);
   EXPECT_EQ(missed.document["matches"]["unmatched"], 1);
   EXPECT_EQ(missed.document["matches"]["correct"], pair.results.document["matches"]["correct"].get<int>() - 1);
   EXPECT_EQ(missed.matches[20].verdict, shapeton::FoldVerdict::Correct);
-  // Without points nothing is known.
+  // Without points nothing can be judged.
   const auto unknown = shapeton::MakeRegistrationResults(pair.supine, pair.prone, pair.registration);
   EXPECT_EQ(unknown.matches[0].verdict, shapeton::FoldVerdict::Unknown);
   EXPECT_FALSE(unknown.document["matches"].contains("correct"));

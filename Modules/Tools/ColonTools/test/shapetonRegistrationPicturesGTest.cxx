@@ -108,7 +108,7 @@ TEST(RegistrationPictures, OfOneColonWithItselfBothStripsAreEqual)
   const shapeton::RegistrationParts parts{ &supine, &supine, &same };
   const auto                        size = Small();
   const shapeton::Picture::Pointer  page = shapeton::DrawAlignedColons(parts, size);
-  // Row by row of the page: each strip is found again below itself.
+  // Each strip of the page is repeated below itself, row by row.
   const int gap = 26;
   const int strip = size.pixelsAround + 2 * static_cast<int>(std::lround(0.08 * size.pixelsAround));
   int       equal = 0, all = 0;
@@ -123,7 +123,7 @@ TEST(RegistrationPictures, OfOneColonWithItselfBothStripsAreEqual)
       ++all;
     }
   }
-  EXPECT_GT(equal, 0.95 * all); // borders of segments are drawn above alone
+  EXPECT_GT(equal, 0.95 * all); // borders of segments are only drawn above
 }
 
 TEST(RegistrationPictures, ExcludedStretchesAreStriped)
@@ -139,11 +139,11 @@ TEST(RegistrationPictures, ExcludedStretchesAreStriped)
       array.values(i, 0) = results.supineToProne.V(i, 2) > 250.0 && results.supineToProne.V(i, 2) < 350.0;
     }
   }
-  const double share = 2.0 / 9.0 * 100.0 / length;                     // of the stripes
+  const double share = 2.0 / 9.0 * 100.0 / length;                     // fraction of the stripes
   const double pixels = 100.0 * 100.0 * length / Form().circumference; // around, and along for 600 mm
   const int    striped = DifferentPixels(before, shapeton::DrawCurvatureCheckerboard(parts, Small()));
   EXPECT_GT(striped, 0.8 * share * pixels);
-  EXPECT_LT(striped, 1.5 * share * pixels); // the strip goes on above and below
+  EXPECT_LT(striped, 1.5 * share * pixels); // the strip continues above and below
 }
 
 TEST(RegistrationPictures, ChartsNeedPointsOnlyForErrors)

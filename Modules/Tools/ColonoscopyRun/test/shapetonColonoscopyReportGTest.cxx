@@ -11,7 +11,7 @@ namespace
 using basetest::Folder;
 namespace stages = shapeton::colonoscopystage;
 
-/** As ColonLandmarks writes them where the hepatic flexure was not found. */
+/** Landmarks as written by ColonLandmarks if the hepatic flexure was not found. */
 shapeton::Json
 Landmarks()
 {

@@ -12,7 +12,7 @@ using namespace tooltest;
 
 const std::string absent = "(not given)";
 
-/** What GetString says of a parameter after parsing `options`. */
+/** GetString() of a parameter after parsing `options`. */
 std::string
 StringOf(const std::string & name, const Words & options)
 {

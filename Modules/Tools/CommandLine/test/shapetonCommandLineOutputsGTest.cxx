@@ -52,7 +52,7 @@ Write(const Words & paths)
   return RunWithOptions({}, WriterOf(paths));
 }
 
-/** Expects that a run which writes to `path` fails at once: before the body goes on, and with nothing changed. */
+/** Expects that a run that writes to `path` fails before the body continues, without changes. */
 void
 ExpectRefused(const std::string & path, int status, const std::string & message)
 {
@@ -340,7 +340,7 @@ INSTANTIATE_TEST_SUITE_P(Requests,
                          CommandLineKilled,
                          testing::Values(SIGTERM, SIGINT, SIGHUP, SIGQUIT, SIGPIPE, SIGXCPU, SIGALRM),
                          NameOfSignal);
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) // which report crashes themselves
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) // these report crashes themselves
 INSTANTIATE_TEST_SUITE_P(Crashes, CommandLineKilled, testing::Values(SIGABRT, SIGSEGV, SIGBUS, SIGFPE), NameOfSignal);
 #endif
 
@@ -703,7 +703,7 @@ TEST(CommandLineOutputs, FoldersAreMadeWithTheirParents)
   const Scratch scratch;
   const auto    outcome = RunWithOptions({}, [](shapeton::CommandLine & commandLine) {
     commandLine.MakeFolder("report/deep/");
-    commandLine.MakeFolder("report"); // there already
+    commandLine.MakeFolder("report"); // exists already
     WriteText(commandLine.Output("report/deep/index.html"), newText);
   });
   EXPECT_EQ(outcome.status, 0) << outcome.err;
@@ -735,7 +735,7 @@ TEST(CommandLineOutputs, AFolderStaysAfterARunThatSucceeds)
   const auto    outcome = InProcess([] {
     const int status =
       RunHere({ "in", "out" }, [](shapeton::CommandLine & commandLine) { commandLine.MakeFolder("a/empty one"); });
-    raise(SIGTERM); // what comes after the run does not touch it either
+    raise(SIGTERM); // signals after the run do not touch it either
     return status;
   });
   EXPECT_EQ(outcome.status, -SIGTERM);

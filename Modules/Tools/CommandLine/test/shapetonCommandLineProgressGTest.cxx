@@ -206,7 +206,7 @@ TEST(CommandLineProgress, WarningsAreKeptAndToldAsWellFormedComments)
             Words({ "slices 3 <and> 4 & \"5\" of [31m????? \xC3\xA4", "another" }));
 }
 
-/** A source whose progress is told step by step. */
+/** A source whose progress is set step by step. */
 class SlowSource : public itk::ImageSource<itk::Image<float, 3>>
 {
 public:
@@ -259,7 +259,7 @@ TEST(CommandLineProgress, ByDefaultAFilterIsTheWholeRun)
     commandLine.Watch(source, "Diffusing");
     source->Update();
     source->Modified();
-    source->Update(); // again: the progress does not go back
+    source->Update(); // again: the progress does not decrease
   });
   EXPECT_EQ(NumbersOf(ReadXml(outcome.out), "filter-progress"), std::vector<double>({ 0.0, 0.25, 0.5, 1.0 }));
 }
@@ -351,7 +351,7 @@ TEST(CommandLineTerminal, ShowsABarWithTheRemainingTimeAndClearsIt)
                                        [](shapeton::CommandLine & commandLine) {
                                          commandLine.Progress("Diffusing", 0.0);
                                          std::this_thread::sleep_for(std::chrono::milliseconds(60));
-                                         commandLine.Progress("Diffusing", 0.05); // 19 times as long is left
+                                         commandLine.Progress("Diffusing", 0.05); // the remaining time is 19 times as long
                                          commandLine.Progress("Writing", 1.0);
                                        }),
                                   120);

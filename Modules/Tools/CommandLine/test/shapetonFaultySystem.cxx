@@ -14,7 +14,7 @@ FaultySystem faultySystem;
 
 using tooltest::faultySystem;
 
-// A function of the program is found before that of the same name in a library, also by the libraries.
+// Functions of the program override library functions of the same name, also for calls from libraries.
 extern "C" int
 fsync(int descriptor) noexcept(noexcept(::fsync(0)))
 {

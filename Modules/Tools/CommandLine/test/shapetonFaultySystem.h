@@ -3,14 +3,14 @@
 
 namespace tooltest
 {
-/** What the calls of the operating system do in this process in place of their work; 0: nothing special. */
+/** Faults injected into system calls of this process; 0: none. */
 struct FaultySystem
 {
   int  fsyncError{ 0 };
   int  renameError{ 0 };
-  int  callOfRename{ 1 };           ///< the call, counted from 1, that is special
+  int  callOfRename{ 1 };           ///< number of the faulty call, counted from 1
   int  signalAtRename{ 0 };         ///< raised before the work
-  bool losesRaceForFolder{ false }; ///< another process makes each folder just before this one
+  bool losesRaceForFolder{ false }; ///< simulates another process that creates each folder first
 };
 
 extern FaultySystem faultySystem;

@@ -70,7 +70,7 @@ ReadUntilHangUp(int terminal)
   return text;
 }
 
-// What the parent has not flushed would be printed by the child as well.
+// Unflushed output of the parent would also be printed by the child.
 pid_t
 Fork()
 {
@@ -124,7 +124,7 @@ OnTerminal(const std::function<int()> & work, unsigned short columns)
     dup2(fileno(err), STDERR_FILENO);
     Work(work);
   }
-  // The last close by the child ends the reading: the terminal is opened nowhere else.
+  // Reading ends when the child closes the terminal, which is not open anywhere else.
   std::string out = ReadUntilHangUp(terminal);
   const int   status = StatusOf(child);
   return { status, out, ReadAll(err) };

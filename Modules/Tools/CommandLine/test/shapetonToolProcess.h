@@ -23,7 +23,7 @@ struct Outcome
 Outcome
 InProcess(const std::function<int()> & work);
 
-/** The same with a pseudo-terminal of so many columns as stdout; 0: a terminal that does not tell its width. */
+/** The same with a pseudo-terminal of this number of columns as stdout; 0: a terminal of unknown width. */
 Outcome
 OnTerminal(const std::function<int()> & work, unsigned short columns);
 
@@ -40,7 +40,7 @@ RunHere(const Words &       arguments,
         const char *        xml = Xml,
         const std::string & path = "/opt/bin/TestTool");
 
-/** CommandLine::Run in a process of its own. */
+/** CommandLine::Run in a separate process. */
 Outcome
 RunTool(const Words & arguments, const Body & body, const char * xml = Xml);
 
@@ -59,7 +59,7 @@ ReadText(const std::string & path);
 Words
 NamesIn(const std::string & folder = ".");
 
-/** Gives up the rights of root, which may write everywhere. */
+/** Drops root privileges, which allow writing everywhere. */
 void
 BecomeNobody();
 } // namespace tooltest

@@ -38,7 +38,7 @@ NamedWheel(int spokes)
 }
 } // namespace
 
-/** Each colour of a node of one picture is that of its partner in the other one. */
+/** Corresponding nodes of both pictures have the same color. */
 TEST(GraphComparisonPictures, PartnersHaveOneColor)
 {
   const Folder                    folder;

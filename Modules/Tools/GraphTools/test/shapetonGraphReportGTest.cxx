@@ -33,7 +33,7 @@ TEST(GraphReport, IsWholeAndWellFormed)
   EXPECT_EQ(2u, page.elements.at("script").size());
   EXPECT_NE(std::string::npos, page.text.find("a warning"));
   EXPECT_NE(std::string::npos, page.text.find("residual"));
-  EXPECT_EQ(std::string::npos, page.text.find("</script>\",")); // names are no markup
+  EXPECT_EQ(std::string::npos, page.text.find("</script>\",")); // names are escaped
 }
 
 TEST(GraphReport, NeedsNoNetwork)
@@ -45,7 +45,7 @@ TEST(GraphReport, NeedsNoNetwork)
   EXPECT_EQ(std::string::npos, page.text.find("import"));
 }
 
-/** Graphs of one geometry are moved together, those of others have switches of their own. */
+/** Graphs of one geometry are moved together; other geometries have separate switches. */
 TEST(GraphReport, GroupsOfGeometries)
 {
   const EmbeddingCertificate cube = Cube();

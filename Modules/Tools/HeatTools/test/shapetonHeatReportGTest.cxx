@@ -12,7 +12,7 @@ namespace
 {
 using ImageType = itk::Image<float, 3>;
 
-/** A small report with everything in it. */
+/** A small report with all sections. */
 class HeatReport : public testing::Test
 {
 protected:

@@ -26,7 +26,7 @@ using shapeton::Stage;
 using shapeton::StagedRun;
 using shapeton::StageResult;
 
-/** A folder for tools, which are shell scripts, one for a run, and a file that counts how often a tool worked. */
+/** A folder of tools (shell scripts), a folder for a run, and a file that counts the calls of tools. */
 class Bench
 {
 public:
@@ -75,7 +75,7 @@ echo "$$" > "$to/copy.run.json"
     return fs::exists(m_Folder / "log") ? shapeton::ReadFileBytes(m_Folder / "log") : "";
   }
 
-  /** The files of the run but records of single runs, with their bytes. */
+  /** Files of the run with their bytes, except records of single runs. */
   std::map<std::string, std::string>
   Files() const
   {
@@ -302,7 +302,7 @@ TEST(StagedRun, AFolderOfWhichFilesAreReadCountsWithThese)
   EXPECT_FALSE(RunOnce(bench, copying).isResumed);
 }
 
-/** Three stages, each of which copies what the one before has copied. */
+/** Three stages, each of which copies the output of the previous one. */
 void
 RunChain(const Bench & bench, const std::string & suffix, int stages)
 {
@@ -371,7 +371,7 @@ TEST(StagedRun, TwoRunsInOneFolderAreRefused)
   EXPECT_NE(message.find("another run"), std::string::npos);
 }
 
-/** Runs a stage that takes long in a process of its own and kills that when the tool is at work. */
+/** Runs a long stage in a separate process, and kills that process while the tool is running. */
 void
 KillRun(const Bench & bench, const Stage & stage, int signal)
 {
@@ -386,7 +386,7 @@ KillRun(const Bench & bench, const Stage & stage, int signal)
   {
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
   }
-  std::this_thread::sleep_for(std::chrono::milliseconds(50)); // let it set its trap
+  std::this_thread::sleep_for(std::chrono::milliseconds(50)); // let the tool install its trap
   kill(process, signal);
   int status = 0;
   waitpid(process, &status, 0);

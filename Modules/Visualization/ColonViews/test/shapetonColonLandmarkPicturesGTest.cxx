@@ -21,7 +21,7 @@ struct Colon
   }
 };
 
-/** Pixels with the hue of a colour: channels in its proportions, but for shading. */
+/** Number of pixels with the hue of a color, independent of shading. */
 int
 PixelsLike(const shapeton::Picture * picture, const shapeton::RGBColor & color)
 {

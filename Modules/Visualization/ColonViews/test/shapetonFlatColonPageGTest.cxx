@@ -43,7 +43,7 @@ CountOf(const shapeton::Picture * picture, const shapeton::RGBColor & color)
   return static_cast<int>(std::count(pixels, pixels + picture->GetBufferedRegion().GetNumberOfPixels(), color));
 }
 
-/** The rows of the picture that have a pixel of this colour. */
+/** Rows of the picture with a pixel of this color. */
 std::vector<int>
 RowsWith(const shapeton::Picture * picture, const shapeton::RGBColor & color)
 {
@@ -136,7 +136,7 @@ TEST(FlatColonPage, APolypHasItsRingWhereItLies)
   options.overlap = 0.0;
   const auto with = DrawFlatColonPage(page.strip, page.grid, page.distances, { Polyp() }, options);
   ASSERT_GT(CountOf(with, ring), 40);
-  // The ring's own middle row and the strip's first pixel tell where it lies.
+  // Its position follows from the ring's middle row and the strip's first pixel.
   const std::vector<int> stripRows = RowsWith(with, plain);
   int                    left = 0;
   while (At(with, left, stripRows.front()) != plain)

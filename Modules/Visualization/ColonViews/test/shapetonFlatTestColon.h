@@ -51,7 +51,7 @@ Wall(double (*radiusAt)(double, double) = RadiusAt)
   return mesh;
 }
 
-/** Of a point at this place of the wall's smooth tube. */
+/** Value for a point at this position of the wall's smooth tube. */
 inline Eigen::Vector3d
 PointAt(double u, double angle, double r)
 {

@@ -11,7 +11,7 @@ namespace flatcolon
 {
 using Ct = itk::Image<float, 3>;
 
-/** What the wall's CT shows: gas inside of this radius, soft tissue outside, a boundary of about 1 mm. */
+/** CT of the wall: gas inside this radius, soft tissue outside, a boundary of about 1 mm. */
 inline float
 HuAt(const Eigen::Vector3d & point, double (*radiusAt)(double, double))
 {

@@ -12,7 +12,7 @@ namespace
 {
 using namespace polyptubes;
 
-/** The wall of the test below along x, coarsely, as a flattening gives it. */
+/** A coarse wall of the test below along x, as produced by a flattening. */
 shapeton::SurfaceMesh
 FlatTube()
 {
@@ -49,7 +49,7 @@ FlatTube()
   return flat;
 }
 
-/** Share of the pixels that are more blue than red, in a rectangle. */
+/** Fraction of pixels in a rectangle that are more blue than red. */
 double
 BlueShare(const shapeton::Picture * picture, int left, int top, int width, int height)
 {
@@ -115,7 +115,7 @@ TEST(PerspectiveRendering, PlacesAreThoseOfAPinhole)
   EXPECT_THROW(shapeton::ProjectPoint({ 0.0, 10.0, 0.0 }, camera), std::invalid_argument);
 }
 
-// Two squares: the near one hides the far one, whatever their order.
+// Two squares: the near one hides the far one, independent of their order.
 TEST(PerspectiveRendering, NearHidesFar)
 {
   shapeton::SurfaceMesh squares;

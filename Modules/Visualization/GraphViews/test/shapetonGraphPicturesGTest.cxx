@@ -53,7 +53,7 @@ TEST(GraphPictures, Baselines)
   ExpectBaseline(TorusGrid(3, 2), "TorusGrid.svg");
 }
 
-/** Small graphs on one side of the sphere are seen from there, those that surround it from a fixed side. */
+/** Small graphs on one side of the sphere are viewed from that side, graphs around it from a fixed side. */
 TEST(GraphPictures, TheFrontShowsTheGraph)
 {
   const EmbeddingCertificate    path = PathInTetrahedron();
@@ -91,7 +91,7 @@ TEST(GraphPictures, DummiesAreHidden)
   EXPECT_NE(std::string::npos, page.text.find(">left<"));
 }
 
-/** Where tiles of the torus and of the octagon meet nothing is left out: each colour of a tile has its polygon. */
+/** Tiles of the torus and of the octagon have no gaps: each tile color has its polygon. */
 TEST(GraphPictures, TilesOfTheUniversalCover)
 {
   for (const auto & certificate : { TorusGrid(3, 3), Octagon() })

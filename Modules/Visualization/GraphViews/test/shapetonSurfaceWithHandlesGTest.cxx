@@ -13,7 +13,7 @@
 
 namespace
 {
-/** Half-edges of each node in ascending order: of high genus. */
+/** Half-edges of each node in ascending order, which gives a high genus. */
 shapeton::CombinatorialMap
 AscendingMap(const shapeton::Graph & graph)
 {
@@ -78,7 +78,7 @@ LastHalfEdge(const shapeton::HandleCut & cut, int edge)
   return end;
 }
 
-/** A list that goes around, from its least element on. */
+/** A cyclic list, rotated to start at its smallest element. */
 std::vector<int>
 FromLeast(std::vector<int> around)
 {
@@ -103,7 +103,7 @@ MeshOf(const shapeton::SurfaceWithHandles & surface)
   return mesh;
 }
 
-/** The neighbours of a vertex, counter-clockwise: of each the next one. */
+/** Maps each neighbor of a vertex to the next one counterclockwise. */
 std::vector<std::map<int, int>>
 Fans(const shapeton::SurfaceMesh & mesh)
 {
@@ -118,7 +118,7 @@ Fans(const shapeton::SurfaceMesh & mesh)
   return fans;
 }
 
-/** Where the line from p to q passes through a triangle. */
+/** Intersection of the line from p to q with a triangle. */
 bool
 Pierces(const Eigen::Vector3d & p, const Eigen::Vector3d & q, const std::array<Eigen::Vector3d, 3> & t)
 {

@@ -34,7 +34,7 @@ HistogramOf(const shapeton::Json & rows)
   return histogram;
 }
 
-/** What HeatRangesOf() says against it. */
+/** Error message of HeatRangesOf(). */
 std::string
 ErrorOf(const std::vector<double> & ends)
 {

@@ -13,7 +13,7 @@
 
 namespace
 {
-/** The message of the ParameterError that a text gives; empty when it gives none. */
+/** Message of the ParameterError for a text; empty if there is none. */
 std::string
 MessageOf(const std::string & text)
 {
@@ -106,7 +106,7 @@ Interpolate(const std::vector<std::vector<double>> & nodes, double heat, std::si
   return nodes.back()[value];
 }
 
-/** The property, wherever a heat is more than `margin` away from the ends of lines, tells what the lines tell. */
+/** Expects that the property matches the lines for all heats more than `margin` away from their ends. */
 void
 ExpectSameFunction(const shapeton::ShapeTransferFunction & expected,
                    const SlicerVolumeProperty &            property,

@@ -91,7 +91,7 @@ MakePhantom()
   return image;
 }
 
-/** The mean place of all pixels whose channel is much brighter than the others; the count as third value. */
+/** Mean position of all pixels whose channel is much brighter than the others; the third value is their count. */
 itk::Vector<double, 3>
 MeanPlaceOf(const shapeton::Picture * picture, unsigned int channel)
 {

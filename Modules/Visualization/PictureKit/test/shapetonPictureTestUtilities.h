@@ -18,7 +18,7 @@
 
 namespace shapeton
 {
-/** A fresh folder for the files of one test. */
+/** Creates an empty folder for the files of one test. */
 inline std::string
 TemporaryFolder(const std::string & name)
 {
@@ -64,7 +64,7 @@ private:
   unsigned int m_Before;
 };
 
-/** The greatest difference of two pictures in a channel; 256 when their sizes differ. */
+/** Largest channel difference of two pictures; 256 if their sizes differ. */
 inline int
 GreatestDifference(const Picture * a, const Picture * b)
 {

@@ -92,7 +92,7 @@ TEST(SurfaceRendering, ASphereCoversItsDisc)
   scene.surfaces.push_back(Actor(sphere));
   const auto options = PlainOptions();
   const auto picture = shapeton::RenderSurfaces(scene, options);
-  // In parts of what is seen in the middle, where the face of the sphere is full: its border is covered in part.
+  // Relative to the center, where the sphere covers pixels fully; its border covers them partly.
   double covered = 0.0;
   for (itk::SizeValueType i = 0; i < picture->GetBufferedRegion().GetNumberOfPixels(); ++i)
   {
@@ -203,7 +203,7 @@ TEST(SurfaceRendering, SidesShowThePatientTheRightWayRound)
 
 TEST(SurfaceRendering, FillsThePictureFromEverySide)
 {
-  // A thin rod across the view: its box is much larger than what is seen of it.
+  // A thin diagonal rod: its bounding box is much larger than its visible extent.
   const shapeton::SurfaceMesh rod = shapeton::ParametricMesh(40, 12, [](double u, double v) {
     const double a = 2.0 * shapeton::testPi * v;
     return Eigen::RowVector3d(200 * u + std::cos(a), 200 * u + std::sin(a), 7.0 * std::sin(a));
@@ -349,7 +349,7 @@ TEST(SurfaceRendering, DepthShadingDarkensWhatLiesBehind)
   const auto plain = SeenAt(scene, options, 0.5, 0, 0);
   EXPECT_EQ(plain, SeenAt(scene, options, -0.5, 0, 0));
   options.depthShading = 0.6;
-  EXPECT_LT(SeenAt(scene, options, 0.5, 0, 0)[0], plain[0] - 30); // beside the step
+  EXPECT_LT(SeenAt(scene, options, 0.5, 0, 0)[0], plain[0] - 30); // next to the step
   EXPECT_EQ(SeenAt(scene, options, -0.5, 0, 0), plain);
   EXPECT_EQ(SeenAt(scene, options, 17, 0, 0), plain); // far from it
 }
