@@ -12,8 +12,7 @@ namespace shapeton
 {
 class CommandLine;
 
-/** Adds a picture with its caption to a page; `name` is a file name without extension. \ingroup ColonTools
- */
+/** Adds a picture with its caption to a page; `name` is a file name without extension. \ingroup ColonTools */
 using AddPictureToPage =
   std::function<void(const Picture * picture, const std::string & name, const std::string & caption)>;
 

@@ -174,8 +174,7 @@ Landmarks(const OptionPasser & passer, const StagedRun & run)
   return stage;
 }
 
-/** Identity of the curves without the provenance: an option that does not change them does not require new folds.
- */
+/** Identity of the curves without the provenance: an option that does not change them does not require new folds. */
 std::string
 IdentityOfCurves(const std::string & path)
 {

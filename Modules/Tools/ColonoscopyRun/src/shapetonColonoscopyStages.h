@@ -31,8 +31,8 @@ enum class ColonoscopySeries
 std::string
 FolderOfSeries(const std::string & outputFolder, ColonoscopySeries series);
 
-/** Parameter of the tool that sets this option for this series, e.g. seriesUID or secondSeriesUID, inputVolume or
- * second. */
+/** Parameter of the tool that sets this option for this series, such as seriesUID or secondSeriesUID, inputVolume
+ * or second. */
 std::string
 ParameterOfSeries(const std::string & option, ColonoscopySeries series);
 

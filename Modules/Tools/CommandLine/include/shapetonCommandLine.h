@@ -136,8 +136,7 @@ public:
   static std::string
   InOptions(const std::string & text);
 
-  /** Reports a warning: kept for the report and printed on stdout, for Slicer or the terminal.
-   */
+  /** Reports a warning: kept for the report and printed on stdout, for Slicer or the terminal. */
   void
   Warn(const std::string & message);
   /** Reports each warning. */

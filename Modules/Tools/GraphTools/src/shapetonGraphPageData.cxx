@@ -183,8 +183,8 @@ private:
     return tiles;
   }
 
-  /** Tiles, the boundary of the domain, and the center of the view: the domain in the plane, the front on the sphere.
-   */
+  /** Tiles, the boundary of the domain, and the center of the view: the domain in the plane, the front on the
+   * sphere. */
   void
   AddCover()
   {

@@ -58,8 +58,7 @@ public:
   /** An input whose content affects the result; identified by IdentityOf() unless another function is given. */
   Stage &
   Input(const std::string & flag, const std::string & path, const Identity & identity = {});
-  /** An input folder from which the tool reads these files, if they exist; their contents affect the result.
-   */
+  /** An input folder from which the tool reads these files, if they exist; their contents affect the result. */
   Stage &
   InputFolder(const std::string & flag, const std::string & path, const std::vector<std::string> & files);
   /** A file or folder in the stage's folder; "" is that folder itself. Must exist when the tool has finished. */

@@ -12,8 +12,7 @@ namespace shapeton
 struct StageRecord
 {
   std::string signature;
-  /** Results of other stages that were used: their paths relative to the folder of the run, and their SHA-256.
-   */
+  /** Results of other stages that were used: their paths relative to the folder of the run, and their SHA-256. */
   FileHashes  inputs;
   StageResult result;
 };

@@ -28,8 +28,8 @@ struct FlatOutlines
 /** A line on the flat map. \ingroup ColonViews */
 struct FlatLine
 {
-  /** (u, v), mm; consecutive points are connected the shorter way around the tube. A non-finite point breaks the line.
-   */
+  /** (u, v), mm; consecutive points are connected the shorter way around the tube. A non-finite point breaks the
+   * line. */
   std::vector<Eigen::Vector2d> places;
   RGBColor                     color;
   /** Line thickness in pixels of the strip. */

@@ -73,8 +73,8 @@ ColonViews_EXPORT Picture::Pointer
 ColonViews_EXPORT DeviceUse
 ChooseFlatVolumeDevice(const itk::Image<float, 3> * ct, Device wanted);
 
-/** Averages `factor` x `factor` pixels in linear light, to antialias a strip painted on a correspondingly finer grid.
- */
+/** Averages `factor` x `factor` pixels in linear light, to antialias a strip painted on a correspondingly finer
+ * grid. */
 ColonViews_EXPORT Picture::Pointer
                   ReduceStrip(const Picture * strip, unsigned int factor, unsigned int width, unsigned int height);
 ///@}

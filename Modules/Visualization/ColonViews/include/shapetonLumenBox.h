@@ -14,8 +14,8 @@ using LumenAreas = std::array<std::vector<std::size_t>, 3>;
 ColonViews_EXPORT LumenAreas
 AreasOf(const itk::Image<unsigned char, 3> * lumen);
 
-/** Bounding box of the lumen, with a margin in mm, clipped to the volume. Throws std::invalid_argument without a lumen.
- */
+/** Bounding box of the lumen, with a margin in mm, clipped to the volume. Throws std::invalid_argument without a
+ * lumen. */
 ColonViews_EXPORT itk::ImageRegion<3>
                   LumenBox(const itk::Image<unsigned char, 3> * lumen, const LumenAreas & areas, double margin);
 

@@ -18,8 +18,8 @@ struct CentrelineStation
   bool            isGap;
 };
 
-/** Points of all curves, in order. Throws InputError if there are none, or if the array arcLength or radius is missing.
- */
+/** Points of all curves, in order. Throws InputError if there are none, or if the array arcLength or radius is
+ * missing. */
 std::vector<CentrelineStation>
 StationsOf(const CurveSet & centreline);
 

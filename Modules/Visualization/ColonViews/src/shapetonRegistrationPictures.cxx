@@ -126,7 +126,7 @@ NoteOnMatches(const RegistrationResults & results)
   return std::to_string(results.matches.size()) +
          " pairs of folds, each of one colour in both; red: " + std::to_string(doubtful) +
          (results.points.empty() ? " that the map contradicts" : " contradicted or wrong") +
-         "; black: alone.\nThe prone wall lies where the map takes it. Striped: nothing to be seen in one of them.\n" +
+         "; black: unmatched.\nThe prone wall is drawn as mapped. Striped: not visible in one position.\n" +
          seenFrom;
 }
 } // namespace
@@ -172,8 +172,8 @@ DrawCurvatureCheckerboard(const RegistrationParts & parts, const AlignedColonsOp
   FlatColonPageOptions page;
   page.title = "Curvature of both walls in squares";
   page.note =
-    std::string("Greenish squares: prone; the others: supine. Folds go on from square to square where the map is "
-                "right.\nStriped: nothing to be seen in one of them.\n") +
+    std::string("Greenish squares: prone; the others: supine. Folds continue across squares where the map is "
+                "correct.\nStriped: not visible in one position.\n") +
     seenFrom;
   page.greatestColumns = options.greatestColumns;
   return DrawFlatColonPage(board, colons.Grid(), colons.Distances(), SegmentAnnotations(parts.supine->segments), page);

@@ -5,8 +5,7 @@
 
 namespace shapeton
 {
-/** Closed boundary of the fundamental domain formed by all kites of the lifts of nodes. Empty on the sphere.
- */
+/** Closed boundary of the fundamental domain formed by all kites of the lifts of nodes. Empty on the sphere. */
 GraphViews_EXPORT std::vector<Place>
                   DomainBoundary(const EmbeddedGraph & graph);
 
@@ -14,8 +13,8 @@ GraphViews_EXPORT std::vector<Place>
 GraphViews_EXPORT std::vector<Motion>
                   TilesAround(const EmbeddedGraph & graph, int count);
 
-/** Corners of the fundamental polygon: images of the root of the tree, in the order of the word. Disk and torus only.
- */
+/** Corners of the fundamental polygon: images of the root of the tree, in the order of the word. Disk and torus
+ * only. */
 GraphViews_EXPORT std::vector<Place>
                   PolygonCorners(const EmbeddedGraph & graph);
 } // namespace shapeton

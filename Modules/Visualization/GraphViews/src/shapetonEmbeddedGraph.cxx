@@ -207,8 +207,8 @@ EmbeddedGraph::FindFront()
   front = length > uneven * total ? Place{ sum.x / length, sum.y / length, sum.z / length } : Place{ 0.48, -0.6, 0.64 };
 }
 
-/** Each edge is crossed once, at the tangency point in the middle of its path; from there the dual follows the parents.
- */
+/** Each edge is crossed once, at the tangency point in the middle of its path; from there the dual follows the
+ * parents. */
 void
 EmbeddedGraph::DrawDual(const std::vector<int> & parent)
 {

@@ -46,8 +46,7 @@ public:
   {
     return m_Rims;
   }
-  /** Vertices of each edge of the graph from its start node to its end node; at a hole, from or to the rim.
-   */
+  /** Vertices of each edge of the graph from its start node to its end node; at a hole, from or to the rim. */
   const std::vector<std::vector<int>> &
   Paths() const
   {

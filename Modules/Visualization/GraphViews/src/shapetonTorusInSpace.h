@@ -33,8 +33,7 @@ public:
   {
     return m_TubeRadius;
   }
-  /** Axis ratio of the images of infinitesimal circles under the affine map: 1 for a rectangular lattice.
-   */
+  /** Axis ratio of the images of infinitesimal circles under the affine map: 1 for a rectangular lattice. */
   double
   Dilatation() const
   {
@@ -43,8 +42,7 @@ public:
   /** Positions of the graph's nodes. */
   std::vector<Point>
   Nodes() const;
-  /** Curves of the graph's edges, with `pieces` segments per packed edge: geodesics of the flat torus.
-   */
+  /** Curves of the graph's edges, with `pieces` segments per packed edge: geodesics of the flat torus. */
   std::vector<std::vector<Point>>
   Edges(int pieces = 16) const;
 

@@ -48,8 +48,7 @@ struct HeatExplorerContent
 class HeatExplorer_EXPORT HeatExplorer
 {
 public:
-  /** `folder` and its folder `explorer` must exist; `outputPath` maps final names to the names to write to.
-   */
+  /** `folder` and its folder `explorer` must exist; `outputPath` maps final names to the names to write to. */
   HeatExplorer(const std::string & folder, const OutputPath & outputPath);
 
   /** Name of the data folder inside the folder of the page. */

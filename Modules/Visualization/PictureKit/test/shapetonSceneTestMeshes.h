@@ -11,8 +11,8 @@ namespace shapeton
 {
 constexpr double testPi = 3.14159265358979323846;
 
-/** A grid of u x v quadrangles; `at` maps [0, 1] x [0, 1] to LPS. Its faces look along the product of the derivatives.
- */
+/** A grid of u x v quadrangles; `at` maps [0, 1] x [0, 1] to LPS. Its faces look along the product of the
+ * derivatives. */
 inline SurfaceMesh
 ParametricMesh(int u, int v, const std::function<Eigen::RowVector3d(double, double)> & at)
 {
