@@ -11,7 +11,8 @@
 namespace shapeton
 {
 /** \class ByteWriter
- * \brief Numbers, texts and lists of them as bytes, between two processes of one program. \ingroup Base */
+ * \brief Serializes numbers, strings and lists of them for transfer between two processes of one program.
+ * \ingroup Base */
 class ByteWriter
 {
 public:
@@ -54,8 +55,8 @@ private:
 };
 
 /** \class ByteReader
- * \brief Reads what ByteWriter wrote. The bytes come from a process that works on untrusted data: each length is
- * checked; throws std::runtime_error where bytes are missing. \ingroup Base */
+ * \brief Reads the data written by ByteWriter. The bytes come from a process that parses untrusted data, so each
+ * length is checked; throws std::runtime_error if bytes are missing. \ingroup Base */
 class ByteReader
 {
 public:

@@ -12,16 +12,16 @@
 namespace shapeton
 {
 /** \class ContainedProcess
- * \brief A forked child that works on untrusted bytes, with limits on memory and time.
+ * \brief A forked child process that parses untrusted bytes, with limits on memory and time.
  *
- * The parsers and decoders of DCMTK, GDCM, NrrdIO and nifti are not ours to trust: a malformed file may crash them,
- * make them loop, or make them ask for all memory. They run in the child; a death there is an ordinary error here.
+ * A malformed file may crash the parsers of DCMTK, GDCM, NrrdIO and nifti, make them loop forever, or make them
+ * allocate all memory. They therefore run in the child, whose crash becomes an ordinary error here.
  *
- * A request and its response are byte strings over a socket; bulk data (pixels) come back in a memory block that both
- * processes see. The child has one thread, prints nothing, and dies with its parent.
+ * A request and its response are byte strings over a socket; bulk data (pixels) are returned in a shared memory block.
+ * The child has one thread, prints nothing, and is killed when its parent exits.
  *
- * Make and call it while no other thread works on ITK's pool: both may fork. Before a fork ITK's threader joins the
- * threads of the pool, and a child that inherits the locked pool hangs.
+ * Construct and call it only while no other thread uses ITK's thread pool, since both may fork. ITK's threader joins
+ * the pool's threads before a fork, and a child that inherits the locked pool hangs.
  *
  * \ingroup Base */
 class Base_EXPORT ContainedProcess
@@ -29,19 +29,19 @@ class Base_EXPORT ContainedProcess
 public:
   struct Limits
   {
-    /** What the child may allocate on top of what the parent has. */
+    /** Memory that the child may allocate in addition to that of the parent. */
     std::size_t memoryBytes;
-    /** Computing time of one request. */
+    /** CPU time limit of one request. */
     unsigned int cpuSeconds;
-    /** Elapsed time of one request; generous, for slow network drives. */
+    /** Elapsed-time limit of one request; generous, for slow network drives. */
     unsigned int wallSeconds;
   };
 
-  /** Works on one request in the child; may write `sharedBytes` bytes to `shared`. An exception becomes a Failure with
-   * its message in the parent, and the child lives on. */
+  /** Handles one request in the child; may write `sharedBytes` bytes to `shared`. An exception is rethrown in the
+   * parent as a Failure with the same message, and the child keeps running. */
   using Service = std::function<std::string(const std::string & request, char * shared)>;
 
-  /** The child died, ran out of time or memory, or reported an error; the message completes "FILE: ...". */
+  /** The child crashed, exceeded its limits, or reported an error; the message completes "FILE: ...". */
   struct Base_EXPORT Failure : public std::runtime_error
   {
     using std::runtime_error::runtime_error;
@@ -53,7 +53,7 @@ public:
   ContainedProcess &
   operator=(const ContainedProcess &) = delete;
 
-  /** Sends a request and waits for the response; throws Failure. A child that is gone is started again. */
+  /** Sends a request and waits for the response; throws Failure. Restarts the child if it has died. */
   std::string
   Call(const std::string & request);
 
@@ -63,7 +63,7 @@ public:
     return m_Shared;
   }
 
-  /** Stops and starts the child again; called for a child whose state is not to be trusted any more. */
+  /** Kills the child and starts a new one; for a child in an unreliable state. */
   void
   Stop();
 

@@ -9,23 +9,23 @@
 namespace shapeton
 {
 /** \class DisjointSets
- * \brief Sets of the numbers 0, 1, ... that are joined two by two (union-find).
+ * \brief Disjoint sets of the numbers 0, 1, ... (union-find).
  *
- * Each set is known by one of its members. After Join() it is the least one, whatever the order of the joins, so
- * numbers and labels that follow from it are the same for any order. Paths are halved: logarithmic amortised time.
+ * Each set is represented by one of its members. After Join() the representative is the smallest member, so labels
+ * derived from it do not depend on the order of the joins. Uses path halving: logarithmic amortized time.
  *
  * \ingroup Base */
 template <typename TIndex = int>
 class DisjointSets
 {
 public:
-  /** Each number a set of its own. */
+  /** Each number is a set of its own. */
   explicit DisjointSets(std::size_t number = 0) : m_Parents(number)
   {
     std::iota(m_Parents.begin(), m_Parents.end(), TIndex{ 0 });
   }
 
-  /** The next number as a set of its own. */
+  /** Adds the next number as a set of its own. */
   TIndex
   Add()
   {
@@ -33,7 +33,7 @@ public:
     return m_Parents.back();
   }
 
-  /** The member that stands for the set of this one. */
+  /** The representative of the set that contains `member`. */
   TIndex
   Find(TIndex member)
   {
@@ -44,7 +44,8 @@ public:
     return member;
   }
 
-  /** The lesser one of the two members that stood for the sets stands for both. Whether they have been apart. */
+  /** Merges two sets; the smaller of the two representatives represents the union. Returns whether the sets were
+   * distinct. */
   bool
   Join(TIndex a, TIndex b)
   {
@@ -54,7 +55,7 @@ public:
     return a != b;
   }
 
-  /** The member that stood for the set of `keeper` stands for both. Whether they have been apart. */
+  /** Merges two sets; the representative of `keeper` represents the union. Returns whether the sets were distinct. */
   bool
   Absorb(TIndex keeper, TIndex other)
   {

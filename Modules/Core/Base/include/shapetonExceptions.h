@@ -10,11 +10,11 @@
 namespace shapeton
 {
 /** \class Exception
- * \brief What all errors of Shapeton derive from; itself an itk::ExceptionObject.
+ * \brief Base class of all errors of Shapeton; derived from itk::ExceptionObject.
  *
- * The description, which what() gives as it is, is one line: what is wrong, with which file or parameter, and what to
- * do. It names a parameter as `the parameter "name"`, so that a command-line tool can put its option in that place.
- * File, line and location are those of the code that throws. Throw one of the three derived classes.
+ * what() returns the description unchanged. It is one line: what is wrong, with which file or parameter, and what to
+ * do. It names a parameter as `the parameter "name"`, which a command-line tool can replace by its option. File, line
+ * and location are those of the throwing code. Throw one of the three derived classes.
  *
  * \ingroup Base */
 class Base_EXPORT Exception : public itk::ExceptionObject
@@ -32,7 +32,7 @@ protected:
   Exception(const std::string & description, const char * file, unsigned int line, const char * function);
 };
 
-// The defaults of the last three arguments are evaluated where the exception is made.
+// The default arguments are evaluated at the call site of the constructor.
 #define SHAPETON_EXCEPTION(name)                                                                                       \
   explicit name(const std::string & description,                                                                       \
                 const char *        file = __builtin_FILE(),                                                           \
@@ -42,7 +42,7 @@ protected:
   const char * GetNameOfClass() const override
 
 /** \class ParameterError
- * \brief A parameter is missing, out of range or contradicts another one: the call is wrong, whatever the data.
+ * \brief A parameter is missing, out of range or contradicts another one: the call is wrong for any input data.
  * \ingroup Base */
 class Base_EXPORT ParameterError : public Exception
 {
@@ -70,7 +70,7 @@ public:
 
 #undef SHAPETON_EXCEPTION
 
-/** Throws ParameterError with the description unless the condition holds.
+/** Throws ParameterError with the description if the condition is false.
  * \ingroup Base */
 inline void
 RequireParameter(bool                condition,

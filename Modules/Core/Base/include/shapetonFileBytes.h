@@ -7,12 +7,12 @@
 
 namespace shapeton
 {
-/** All bytes of a file. Throws InputError when it cannot be read.
+/** Reads all bytes of a file. Throws InputError if it cannot be read.
  * \ingroup Base */
 Base_EXPORT std::string
             ReadFileBytes(const std::string & path);
 
-/** Makes a file of these bytes, or replaces what it held. Throws OutputError, also when the disk is full.
+/** Writes these bytes to a file, replacing any previous content. Throws OutputError, also if the disk is full.
  * \ingroup Base */
 Base_EXPORT void
 WriteFileBytes(const std::string & path, const std::string & bytes);

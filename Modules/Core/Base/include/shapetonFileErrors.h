@@ -7,19 +7,19 @@
 
 namespace shapeton
 {
-/** Throws InputError with the reason of `error` (an errno) and what to do. \ingroup Base */
+/** Throws InputError with the reason of `error` (an errno) and advice. \ingroup Base */
 [[noreturn]] Base_EXPORT void
 ThrowCannotRead(const std::string & path, int error);
 
-/** Throws InputError: the path and what is wrong there. \ingroup Base */
+/** Throws InputError with the path and what is wrong with it. \ingroup Base */
 [[noreturn]] Base_EXPORT void
 ThrowUnsuitable(const std::string & path, const std::string & reason);
 
-/** Throws OutputError with the reason of `error` (an errno) and what to do. \ingroup Base */
+/** Throws OutputError with the reason of `error` (an errno) and advice. \ingroup Base */
 [[noreturn]] Base_EXPORT void
 ThrowCannotWrite(const std::string & path, int error);
 
-/** For a library that does not report why it failed: `error` is errno since before the attempt; where that is 0,
+/** For a library that does not report why it failed. `error` is the errno set since before the attempt; if it is 0,
  * `otherwise` is the reason. */
 [[noreturn]] Base_EXPORT void
 ThrowCannotWrite(const std::string & path, int error, const std::string & otherwise);

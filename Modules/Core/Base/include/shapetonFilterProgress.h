@@ -5,7 +5,7 @@
 
 namespace shapeton
 {
-/** Throws itk::ProcessAborted where the filter is to be aborted. \ingroup Base */
+/** Throws itk::ProcessAborted if AbortGenerateData is set on the filter. \ingroup Base */
 inline void
 AbortIfAsked(const itk::ProcessObject & filter)
 {
@@ -15,8 +15,8 @@ AbortIfAsked(const itk::ProcessObject & filter)
   }
 }
 
-/** Hands the share of a filter's work on to ITK's observers; throws itk::ProcessAborted where the filter is to be
- * aborted. From the thread of the filter only. \ingroup Base */
+/** Reports the progress of a filter to its observers; throws itk::ProcessAborted if the filter is to be aborted.
+ * Call it from the filter's thread only. \ingroup Base */
 inline void
 ReportProgress(itk::ProcessObject & filter, double share)
 {

@@ -7,8 +7,8 @@
 
 namespace shapeton
 {
-/** Within its life, results too small for a normal float count as 0 in this thread: heat that has left would otherwise
- * slow every step by a factor of ten. \ingroup Base */
+/** While an object of this class exists, subnormal results are flushed to 0 in this thread. Residual heat near 0
+ * would otherwise slow down every step by a factor of ten. \ingroup Base */
 class FlushToZero
 {
 public:

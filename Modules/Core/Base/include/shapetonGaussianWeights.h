@@ -6,8 +6,8 @@
 
 namespace shapeton
 {
-/** Weights of a Gaussian with this standard deviation at whole numbers, as far as `reach` standard deviations to both
- * sides; their sum is 1, and the middle one is that of 0. A single weight of 1 where the deviation is 0.
+/** Weights of a Gaussian with this standard deviation at integer offsets, up to `reach` standard deviations to both
+ * sides. Their sum is 1; the middle weight is that of offset 0. A single weight of 1 for a deviation of 0.
  * \ingroup Base */
 inline std::vector<double>
 GaussianWeights(double deviation, double reach)

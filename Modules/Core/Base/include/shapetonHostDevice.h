@@ -1,16 +1,16 @@
 #ifndef shapetonHostDevice_h
 #define shapetonHostDevice_h
 
-/** In front of a function that runs on the CPU and in the kernels of a GPU: one source for both, so that both do the
- * same operations in the same order. Always inlined: kernels are compiled for several instruction sets, and of a
- * function that is not inlined the linker would keep the code for one of them. */
+/** Prefix of a function that runs on the CPU and in GPU kernels: one source for both, so that both perform the same
+ * operations in the same order. Always inlined: kernels are compiled for several instruction sets, and the linker
+ * would keep the code of a non-inlined function for only one of them. */
 #if defined(__CUDACC__)
 #  define SHAPETON_HOST_DEVICE __host__ __device__ __forceinline__
 #else
 #  define SHAPETON_HOST_DEVICE __attribute__((always_inline)) inline
 #endif
 
-/** Asks a CPU for memory that is needed soon; a GPU has other threads to run meanwhile. */
+/** Prefetches memory on a CPU; a GPU hides the latency with other threads. */
 #if defined(__CUDA_ARCH__)
 #  define SHAPETON_PREFETCH(...) static_cast<void>(0)
 #else
@@ -19,7 +19,7 @@
 
 namespace shapeton
 {
-/** Arithmetic of kernels that the standard library does not promise to a GPU. \ingroup Base */
+/** Arithmetic for kernels where the standard library gives no guarantee on a GPU. \ingroup Base */
 namespace HostDevice
 {
 template <typename T>
@@ -36,7 +36,7 @@ Larger(T a, T b)
   return a < b ? b : a;
 }
 
-/** Of two vectors, from the first component on. */
+/** Dot product, accumulated from the first component on. */
 SHAPETON_HOST_DEVICE double
 Product(const double a[3], const double b[3])
 {

@@ -3,16 +3,16 @@
 
 #include "itkMacro.h"
 
-// All that the sources must know about versions of ITK, 5.2 to 6.0; for CMake it is CMake/ShapetonITKTargets.cmake.
+// All source code that depends on the version of ITK, 5.2 to 6.0; the CMake part is CMake/ShapetonITKTargets.cmake.
 
-// From 5.4 on in place of itkTypeMacro, which 6.0 drops.
+// Replaces itkTypeMacro from 5.4 on; 6.0 drops that one.
 #ifndef itkOverrideGetNameOfClassMacro
 #  define itkOverrideGetNameOfClassMacro(thisClass)                                                                    \
     const char * GetNameOfClass() const override { return #thisClass; }                                                \
     ITK_MACROEND_NOOP_STATEMENT
 #endif
 
-// ITK's macros of inputs call this by its bare name, which 6.0 has in the namespace itk.
+// ITK's input macros use this unqualified name, which 6.0 declares in the namespace itk.
 #if ITK_VERSION_MAJOR >= 6
 namespace shapeton
 {

@@ -4,8 +4,8 @@
 #include "itkProcessObject.h"
 
 /** \def shapetonIndexedOutputsMacro
- * In a filter whose outputs are of several types, which it makes by MakeOutput(index): an output that is disconnected
- * from the pipeline is replaced by one of its own type. itk::ImageSource would make one of the type of the first. */
+ * For filters with outputs of several types, created by MakeOutput(index): an output disconnected from the pipeline
+ * is replaced by one of its own type. itk::ImageSource would create one of the type of the first output. */
 #define shapetonIndexedOutputsMacro()                                                                                  \
   itk::DataObject::Pointer MakeOutput(const itk::ProcessObject::DataObjectIdentifierType & name) override              \
   {                                                                                                                    \

@@ -1,13 +1,13 @@
 #ifndef shapetonInstructionSets_h
 #define shapetonInstructionSets_h
 
-/** The words of a macro as a string. */
+/** Macro expansion as a string literal. */
 #define SHAPETON_STRING(text) SHAPETON_STRING_OF(text)
 #define SHAPETON_STRING_OF(text) #text
 
 namespace shapeton
 {
-/** The instruction sets that kernels are compiled for, as tags. A family of kernels is a struct of function pointers,
+/** Tags of the instruction sets that kernels are compiled for. A family of kernels is a struct of function pointers,
  *
  * \code
  * struct Set
@@ -20,10 +20,10 @@ namespace shapeton
  * };
  * \endcode
  *
- * and one source file, which CMake's shapeton_add_kernels() compiles once for each instruction set. That file defines
- * Compiled(InstructionSets::SHAPETON_INSTRUCTION_SET), has SHAPETON_VECTOR_BYTES in a vector, and includes no standard
- * library, whose inline functions would be compiled for that CPU, too. BestKernels() chooses when the program runs. All
- * sets of a family do the same operations in the same order, so that every CPU gives the same bytes. */
+ * and one source file, which CMake's shapeton_add_kernels() compiles once per instruction set. That file defines
+ * Compiled(InstructionSets::SHAPETON_INSTRUCTION_SET), uses vectors of SHAPETON_VECTOR_BYTES, and includes no
+ * standard header, whose inline functions would be compiled for that CPU, too. BestKernels() chooses at run time.
+ * All sets of a family perform the same operations in the same order, so every CPU gives the same bytes. */
 namespace InstructionSets
 {
 struct Baseline

@@ -11,11 +11,11 @@
 namespace shapeton
 {
 /** \class Interruption
- * \brief Lets work be stopped between two reports of its progress.
+ * \brief Allows work to be stopped between two progress reports.
  *
- * As long as it lives, reports, loops and long steps of the thread that made it ask `check` whether to go on, many
- * times a second at no certain moments. `check` may throw; the exception reaches the caller of the work, and threads
- * that work for it stop, too. Where one lives within another, both are asked.
+ * While it exists, progress reports, loops and long steps of the thread that constructed it call `check` many times a
+ * second, at irregular times. `check` may throw; the exception propagates to the caller of the work, and its worker
+ * threads stop, too. Interruptions can be nested; then both are called.
  *
  * \code
  * const Interruption interruption([&] { if (stopButton) { throw itk::ProcessAborted(__FILE__, __LINE__); } });
@@ -31,16 +31,17 @@ public:
   Interruption &
   operator=(const Interruption &) = delete;
 
-  /** Throws where the work of this thread has to stop. Costs some nanoseconds. */
+  /** Throws if the work of this thread has to stop. Takes a few nanoseconds. */
   static void
   Check();
 
-  /** What the work of this thread asks; null for nothing. */
+  /** The active Interruption of this thread, or null. */
   static Interruption *
   OfThread();
 
   /** \class Inherited
-   * \brief This thread, which works for another one, asks what that one does as long as this lives. \ingroup Base */
+   * \brief Makes a worker thread use the Interruption of the thread that it works for, while this object exists.
+   * \ingroup Base */
   class Base_EXPORT Inherited
   {
   public:
@@ -61,12 +62,12 @@ private:
   const std::function<void()> m_Check;
   const std::thread::id       m_Owner{ std::this_thread::get_id() };
   Interruption * const        m_Outer;
-  std::exception_ptr          m_Exception; ///< written before m_HasStopped is
+  std::exception_ptr          m_Exception; ///< written before m_HasStopped is set
   std::atomic<bool>           m_HasStopped{ false };
 };
 
 /** \class RareInterruption
- * \brief Asks Interruption once in many calls, for steps that take less than a microsecond.
+ * \brief Calls Interruption once in many calls, for steps that take less than a microsecond.
  *
  * \ingroup Base */
 class RareInterruption

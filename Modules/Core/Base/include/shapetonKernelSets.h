@@ -7,7 +7,7 @@
 
 namespace shapeton
 {
-/** The sets of a family of kernels that this CPU runs, from the baseline to the fastest; see InstructionSets. */
+/** The kernel sets of a family that this CPU supports, from the baseline to the fastest; see InstructionSets. */
 template <typename TSet>
 std::vector<const TSet *>
 KernelsOfThisCpu()
@@ -26,7 +26,7 @@ KernelsOfThisCpu()
   return sets;
 }
 
-/** The fastest set of a family that this CPU runs. */
+/** The fastest kernel set of a family that this CPU supports. */
 template <typename TSet>
 const TSet &
 BestKernels()

@@ -7,7 +7,7 @@
 
 namespace shapeton
 {
-/** A number as messages and listings show it: so many significant digits, a decimal point in any locale.
+/** Formats a number for messages and listings: given significant digits, a decimal point in any locale.
  * \ingroup Base */
 inline std::string
 NumberText(double value, int digits = 6)

@@ -6,9 +6,9 @@
 namespace shapeton
 {
 /** \class OpenEndedProgress
- * \brief Reports on steps of which nobody knows how many there will be, such as those of an iteration.
+ * \brief Reports progress of work with an unknown number of steps, such as an iteration.
  *
- * The share grows with each step and never reaches 1; it is half after as many steps as are usual.
+ * The share grows with each step and never reaches 1; it is one half after the typical number of steps.
  *
  * \ingroup Base */
 class OpenEndedProgress
@@ -16,7 +16,7 @@ class OpenEndedProgress
 public:
   OpenEndedProgress(Progress progress, double usualSteps) : m_Progress(std::move(progress)), m_Usual(usualSteps) {}
 
-  /** Reports that one more step is done. */
+  /** Reports that one more step is complete. */
   void
   Step(const std::string & stage = {})
   {
@@ -24,7 +24,7 @@ public:
     m_Progress(stage, this->Share());
   }
 
-  /** The receiver for one more step, which is known to the whole as `stage`. */
+  /** Progress receiver for one more step, reported to the whole as `stage`. */
   Progress
   NextStep(const std::string & stage = {})
   {

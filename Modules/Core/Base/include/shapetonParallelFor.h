@@ -13,16 +13,16 @@
 
 namespace shapeton
 {
-/** The number of threads that ITK's settings allow. \ingroup Base */
+/** Number of threads that ITK's settings allow. \ingroup Base */
 Base_EXPORT unsigned int
 NumberOfThreads();
 
-/** How many parallel loops the work of this thread lies in. \ingroup Base */
+/** Nesting depth of parallel loops in this thread. \ingroup Base */
 Base_EXPORT unsigned int &
 DepthOfLoops();
 
 /** \class LoopDepth
- * \brief Sets DepthOfLoops() for as long as it lives.
+ * \brief Sets DepthOfLoops() while it exists.
  * \ingroup Base */
 class LoopDepth
 {
@@ -37,16 +37,17 @@ private:
   unsigned int m_Before;
 };
 
-/** Runs `body(worker)` on `workers` workers: of ITK's threader, or within another loop on threads of their own, as
- * threads of ITK's pool that wait for loops would leave none to do them. A loop within a loop within a loop is done by
- * its caller alone. A worker may start after another one has ended, so none may wait for one that has not begun. The
- * first exception is thrown again when all workers have ended; ITK's threader would lose those of all workers but one.
+/** Runs `body(worker)` on `workers` workers. These use ITK's threader; in a nested loop they use threads of their own,
+ * as pool threads that wait for inner loops would leave none to run them. At the third level the caller runs the loop
+ * alone. A worker may start after another one has ended, so none may wait for one that has not started. The first
+ * exception is rethrown when all workers have ended; ITK's threader would keep only that of one worker.
  * \ingroup Base */
 Base_EXPORT void
 ParallelWorkers(unsigned int workers, const std::function<void(unsigned int worker)> & body);
 
 /** \class ProgressOfWorkers
- * \brief Lets one thread alone report progress, that which has made this object: the caller of workers is one of them.
+ * \brief Restricts progress reports to the thread that constructed this object; the caller of the workers is one of
+ * them.
  *
  * \ingroup Base */
 class ProgressOfWorkers
@@ -54,14 +55,14 @@ class ProgressOfWorkers
 public:
   explicit ProgressOfWorkers(const Progress & progress) : m_Progress(progress) {}
 
-  /** Whether this thread may report. */
+  /** Whether this thread reports progress. */
   bool
   IsReporter() const
   {
     return std::this_thread::get_id() == m_Reporter;
   }
 
-  /** Reports if this thread may; all ask Interruption. */
+  /** Reports if this thread is the reporter; every thread checks Interruption. */
   void
   operator()(double share) const
   {
@@ -81,7 +82,7 @@ private:
 };
 
 /** Calls `body(i, worker)` once for each i with 0 <= i < number, in unspecified order. Progress is reported after each
- * i that the calling thread has taken. After an exception, of a body or of progress, no further i is started.
+ * i processed by the calling thread. After an exception, from a body or from progress, no further i is started.
  *
  * \ingroup Base */
 Base_EXPORT void
@@ -90,11 +91,11 @@ ParallelForWorkers(std::size_t                                                  
                    const Progress &                                                progress = {});
 
 /** Calls `body(i)` once for each i with 0 <= i < number, in unspecified order; for bodies that take a microsecond or
- * more. Progress as of ParallelForWorkers(). \ingroup Base */
+ * more. Progress is reported as in ParallelForWorkers(). \ingroup Base */
 Base_EXPORT void
 ParallelFor(std::size_t number, const std::function<void(std::size_t i)> & body, const Progress & progress = {});
 
-/** ParallelFor() in blocks, for bodies that take less. \ingroup Base */
+/** ParallelFor() in blocks, for shorter bodies. \ingroup Base */
 template <typename TBody>
 void
 ParallelForBlocks(std::size_t number, const TBody & body, const Progress & progress = {})

@@ -7,8 +7,8 @@
 
 namespace shapeton
 {
-/** Calls `first` on this thread and `second` at the same time on another one, where ITK's settings allow two; else one
- * after the other. Both may use ParallelFor(). Where both throw, the exception of `first` is thrown again.
+/** Calls `first` on this thread and `second` concurrently on another one if ITK's settings allow two threads, else one
+ * after the other. Both may use ParallelFor(). If both throw, the exception of `first` is rethrown.
  * \ingroup Base */
 Base_EXPORT void
 ParallelInvoke(const std::function<void()> & first, const std::function<void()> & second);

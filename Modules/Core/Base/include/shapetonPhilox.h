@@ -7,7 +7,7 @@
 
 namespace shapeton
 {
-/** Four words: a counter, or the random numbers that belong to it.
+/** Four words: a counter, or the random numbers generated from it.
  * \ingroup Base */
 template <typename TWord>
 struct PhiloxWords
@@ -18,7 +18,7 @@ struct PhiloxWords
   TWord d;
 };
 
-/** The product of two 32-bit numbers, in two words.
+/** The product of two 32-bit numbers as two words.
  * \ingroup Base */
 struct PhiloxMultiply
 {
@@ -31,7 +31,7 @@ struct PhiloxMultiply
   }
 };
 
-/** The block of random words of a key and a counter: Philox4x32-10, ten rounds of multiply, xor and swap (Salmon et
+/** The block of random words for a key and a counter: Philox4x32-10, ten rounds of multiply, xor and swap (Salmon et
  * al., SC 2011). All 128 bits are uniform; blocks of different counters are independent.
  *
  * `TWord` is an unsigned 32-bit integer, or a vector of them that works element by element; `TMultiply` multiplies one
@@ -60,7 +60,7 @@ SHAPETON_HOST_DEVICE PhiloxWords<std::uint32_t>
   return Philox4x32<std::uint32_t>(key, counter, PhiloxMultiply());
 }
 
-/** The 24 high bits of a word as a number in [0, 1).
+/** The 24 high bits of a word, scaled to [0, 1).
  * \ingroup Base */
 SHAPETON_HOST_DEVICE float
 UnitFloat(std::uint32_t word)

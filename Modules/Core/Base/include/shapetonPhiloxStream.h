@@ -6,8 +6,8 @@
 namespace shapeton
 {
 /** \class PhiloxStream
- * \brief A sequence of random numbers for work that asks one after the other; each stream of a seed is independent of
- * the others and gives the same sequence whoever draws from them meanwhile.
+ * \brief A sequential random number generator. The streams of a seed are independent, and each gives the same sequence
+ * regardless of draws from the others.
  * \ingroup Base */
 class PhiloxStream
 {
@@ -36,14 +36,14 @@ public:
     return m_Words[--m_Left];
   }
 
-  /** In [0, n), for 1 <= n < 2^31; the largest departure from uniform is n / 2^32. */
+  /** Uniform in [0, n), for 1 <= n < 2^31; the largest deviation from uniform is n / 2^32. */
   int
   Below(int n)
   {
     return static_cast<int>((std::uint64_t{ Word() } * static_cast<std::uint32_t>(n)) >> 32);
   }
 
-  /** In [0, 1), a multiple of 2^-32. */
+  /** Uniform in [0, 1), a multiple of 2^-32. */
   double
   Unit()
   {

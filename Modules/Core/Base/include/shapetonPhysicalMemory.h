@@ -5,7 +5,7 @@
 
 namespace shapeton
 {
-/** Bytes of the machine's memory. \ingroup Base */
+/** Physical memory of the machine in bytes. \ingroup Base */
 inline double
 PhysicalMemory()
 {

@@ -6,7 +6,7 @@
 
 namespace shapeton
 {
-/** "12.3": tenths, without a locale. \ingroup Base */
+/** "12.3": one decimal place, independent of the locale. \ingroup Base */
 inline std::string
 InTenths(double value)
 {
@@ -15,7 +15,7 @@ InTenths(double value)
   return sign + std::to_string(tenths / 10) + "." + std::to_string(tenths % 10);
 }
 
-/** "(1, -2, 3) mm". \ingroup Base */
+/** Formats a point as "(1, -2, 3) mm". \ingroup Base */
 template <typename TPoint>
 std::string
 PlaceInWords(const TPoint & point)

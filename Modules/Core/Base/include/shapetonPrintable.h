@@ -7,25 +7,25 @@
 
 namespace shapeton
 {
-/** The text as one line of valid UTF-8 without control characters: white space and control characters collapse into
- * single blanks, malformed bytes become '?'. File names may hold anything; terminals and XML may not.
+/** The text as one line of valid UTF-8: white space and control characters collapse into single blanks, malformed bytes
+ * become '?'. File names may contain anything; terminals and XML do not accept it.
  * \ingroup Base */
 Base_EXPORT std::string
             Printable(const std::string & text);
 
-/** `text` in double quotes, shortened when it is too long for a message. \ingroup Base */
+/** `text` in double quotes, shortened if it is too long for a message. \ingroup Base */
 Base_EXPORT std::string
             Quoted(const std::string & text);
 
-/** The text without blanks, tabs, ends of lines and zeros at its begin and end. \ingroup Base */
+/** The text without leading and trailing blanks, tabs, line ends and zeros. \ingroup Base */
 Base_EXPORT std::string
             Trimmed(const std::string & text);
 
-/** With a to z for A to Z, whatever the locale; other characters stay. \ingroup Base */
+/** Converts A to Z to lower case in any locale; other characters are unchanged. \ingroup Base */
 Base_EXPORT std::string
             LowerCase(std::string text);
 
-/** A folder's name without slashes at its end, so that names can be made from it. \ingroup Base */
+/** A folder name without trailing slashes, so that names can be appended to it. \ingroup Base */
 Base_EXPORT std::string
             WithoutTrailingSlashes(std::string path);
 } // namespace shapeton

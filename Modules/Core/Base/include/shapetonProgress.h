@@ -11,11 +11,11 @@
 namespace shapeton
 {
 /** \class Progress
- * \brief Receives how far a piece of work has come; every long function of Shapeton takes one.
+ * \brief Progress receiver; every long function of Shapeton takes one.
  *
- * A copyable value that holds a function of the stage in words and the share of the whole that is done, from 0 to 1, or
- * a function of the share alone, or nothing. It is called from the thread that called the work. The function may throw
- * in order to abort the work; the exception reaches the caller. A report asks Interruption first.
+ * A copyable wrapper of a function that takes the stage in words and the completed share of the whole, from 0 to 1, or
+ * the share alone; it may be empty. It is called from the thread that called the work. The function may throw to abort
+ * the work; the exception propagates to the caller. Each report checks Interruption first.
  *
  * \code
  * options.progress = [&](const std::string & stage, double share) { std::cout << stage << ' ' << share << '\n'; };
@@ -43,7 +43,7 @@ public:
     }
   }
 
-  /** Reports the stage and the share of the whole. */
+  /** Reports the stage and the completed share of the whole. */
   void
   operator()(const std::string & stage, double share) const
   {
@@ -54,14 +54,14 @@ public:
     }
   }
 
-  /** Reports the share of work that has one stage alone. */
+  /** Reports the completed share of work that has a single stage. */
   void
   operator()(double share) const
   {
     (*this)(std::string(), share);
   }
 
-  /** The receiver for a part of the work, which is known to the whole as `stage` and fills [begin, end] of it. */
+  /** Progress receiver for a part of the work, reported to the whole as `stage`; it fills [begin, end] of the whole. */
   Progress
   Part(const std::string & stage, double begin, double end) const
   {

@@ -6,12 +6,12 @@
 
 namespace shapeton
 {
-/** What a user should know about a result that is no failure, such as what is missing or doubtful: one line for each. A
- * parameter is named as Exception says.
+/** Remarks on a result that a user should know but that are not errors, such as missing or doubtful findings; one line
+ * each. Parameters are named as described in Exception.
  * \ingroup Base */
 using Remarks = std::vector<std::string>;
 
-/** Puts `more` behind `remarks`. \ingroup Base */
+/** Appends `more` to `remarks`. \ingroup Base */
 inline void
 AppendRemarks(Remarks & remarks, const Remarks & more)
 {

@@ -7,7 +7,7 @@
 
 namespace shapeton
 {
-/** SHA-256 of a file as 64 lower-case hexadecimal digits. Throws InputError when it cannot be read.
+/** SHA-256 of a file as 64 lower-case hexadecimal digits. Throws InputError if the file cannot be read.
  * \ingroup Base */
 Base_EXPORT std::string
             Sha256OfFile(const std::string & path);

@@ -8,10 +8,10 @@
 
 namespace shapeton
 {
-/** Starts a work on a thread of its own, where ITK's settings allow two; else it is done when it is waited for. Wait
- * for it by get(), which throws what the work has thrown; without get(), the destructor waits for one that has begun.
- * Such a thread is none of ITK's pool, and loops of the pool never wait for it; it must not start a ContainedProcess,
- * see there. It asks the Interruption of the thread that started it, which must outlive the work.
+/** Starts a task on its own thread if ITK's settings allow two threads; else the task runs when it is waited for. get()
+ * waits and rethrows the exception of the task; without get(), the destructor waits for a task that has started. The
+ * thread does not belong to ITK's pool, and pool loops never wait for it; it must not start a ContainedProcess (see
+ * there). It uses the Interruption of the starting thread, which must outlive the task.
  * \ingroup Base */
 Base_EXPORT std::future<void>
             StartBeside(std::function<void()> work);

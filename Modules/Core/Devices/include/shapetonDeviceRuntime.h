@@ -12,19 +12,19 @@
 #include <type_traits>
 #include <vector>
 
-/** In front of a function of the plug-in that FindDeviceFunction() finds. */
+/** Prefix of a plug-in function that FindDeviceFunction() can find. */
 #define SHAPETON_DEVICE_FUNCTION extern "C" __attribute__((visibility("default")))
 
 namespace shapeton
 {
-/** What the kernels in .cu files are written with: memory of the device, and launches of a body for each element. The
- * bodies are SHAPETON_HOST_DEVICE functions that the CPU runs, too.
+/** Device memory and launches of a body per element, for the kernels in .cu files. The bodies are SHAPETON_HOST_DEVICE
+ * functions that the CPU runs, too.
  *
- * nvcc compiles such a file for the GPU. Any C++ compiler compiles it as well: a launch is then a loop, and the memory
- * of the device is that of the host. This stand-in is slow; tests compare its results with those of the CPU, byte for
- * byte, and so prove all but the hardware.
+ * nvcc compiles these files for the GPU. Any C++ compiler accepts them as well: a launch is then a loop, and device
+ * memory is host memory. This emulation is slow; tests compare its results with those of the CPU byte by byte, which
+ * covers everything but the hardware.
  *
- * Launches come back before their work is done; each sees the results of those before it, and copies wait for them.
+ * Launches are asynchronous; each sees the results of the previous ones, and copies wait for them.
  *
  * \ingroup Devices */
 namespace DeviceRuntime
@@ -61,8 +61,8 @@ Free(void * memory)
   cudaFree(memory);
 }
 
-/** Pins memory of the host: the device then copies it by itself, twice as fast. What is small, of the device, or cannot
- * be pinned is left as it is. */
+/** Pins host memory, so that the device copies it by DMA, twice as fast. Small memory, device memory and memory that
+ * cannot be pinned is left unchanged. */
 class PinnedPages
 {
 public:
@@ -74,14 +74,14 @@ public:
     {
       return;
     }
-    void * const pages = const_cast<void *>(memory); // pinning writes nothing
+    void * const pages = const_cast<void *>(memory); // pinning does not write
     if (cudaHostRegister(pages, bytes, cudaHostRegisterDefault) == cudaSuccess)
     {
       m_Pages = pages;
     }
     else
     {
-      cudaGetLastError(); // no error of what follows
+      cudaGetLastError(); // clear the error
     }
   }
   PinnedPages(const PinnedPages &) = delete;
@@ -101,7 +101,7 @@ private:
   void * m_Pages{ nullptr };
 };
 
-/** Between host and device or on the device, in whatever direction. */
+/** Copies between host and device or on the device, in any direction. */
 inline void
 CopyBytes(void * to, const void * from, std::size_t bytes)
 {
@@ -116,7 +116,7 @@ ClearBytes(void * memory, std::size_t bytes)
   Check(cudaMemset(memory, 0, bytes), "clear memory");
 }
 
-/** Waits until all launches are done. */
+/** Waits until all launches have finished. */
 inline void
 Synchronize()
 {
@@ -131,7 +131,7 @@ Allocate(std::size_t bytes)
   {
     throw DeviceError("the GPU failed to allocate memory");
   }
-  std::memset(memory, 0x7f, bytes); // what nothing has written shows
+  std::memset(memory, 0x7f, bytes); // makes reads of uninitialized memory visible
   return memory;
 }
 
@@ -158,7 +158,7 @@ Synchronize()
 {}
 #endif
 
-/** Memory of the device for a number of elements, with any content at first. */
+/** Device memory for a number of elements, initially uninitialized. */
 template <typename T>
 class Memory
 {
@@ -176,7 +176,7 @@ public:
   }
   ~Memory() { Free(m_Data); }
 
-  /** Null where there is none. */
+  /** Null if empty. */
   T *
   Get() const
   {
@@ -239,7 +239,7 @@ ForEachKernel(std::size_t number, TBody body)
   }
 }
 
-/** A block of threads is a tile of 32 x 8 voxels: neighbours along y meet in its cache. */
+/** A block of threads is a tile of 32 x 8 voxels, whose neighbors along y share its cache. */
 template <typename TBody>
 __global__ void
 ForVoxelsKernel(Extent extent, TBody body)
@@ -252,19 +252,20 @@ ForVoxelsKernel(Extent extent, TBody body)
   }
 }
 
-// A block of ForVoxelsTwice(): its threads are a tile with a border of one voxel, and go through so many slices.
+// Size of a block of ForVoxelsTwice(): its threads cover a tile with a border of one voxel and process this many
+// slices.
 constexpr int TwiceX = 32;
 constexpr int TwiceY = 8;
 constexpr int TwiceZ = 64;
 #  if defined(__CUDA_ARCH__) && __CUDA_ARCH__ == 750
-constexpr int TwiceBlocks = 4; // a multiprocessor has room for
+constexpr int TwiceBlocks = 4; // blocks that fit on a multiprocessor
 #  else
 constexpr int TwiceBlocks = 6;
 #  endif
 
-/** The threads of a tile go from slice to slice. Each computes the first values of its column, of which it keeps three;
- * those of its neighbours in a slice are shared. The border computes first values alone. Three slices are shared in
- * turn, so that one barrier for each is enough. */
+/** The threads of a tile advance slice by slice. Each computes the first values of its column and keeps three of
+ * them; those of its neighbors in a slice are shared. The border computes first values only. Three slices are
+ * shared in rotation, so that one barrier per slice is enough. */
 template <typename TBody>
 __global__ void
 __launch_bounds__(TwiceX * TwiceY, TwiceBlocks) ForVoxelsTwiceKernel(Extent extent, TBody body)
@@ -320,7 +321,8 @@ template <typename TSum, typename TBody>
 __global__ void
 ReduceKernel(std::size_t number, TBody body, TSum * partial)
 {
-  __shared__ alignas(TSum) unsigned char memory[ThreadsInBlock * sizeof(TSum)]; // sums are made without a constructor
+  __shared__ alignas(TSum) unsigned char memory[ThreadsInBlock * sizeof(TSum)]; // sums are created without a
+                                                                                // constructor
   TSum * const                           sums = reinterpret_cast<TSum *>(memory);
   TSum                                   sum;
   for (std::size_t i = static_cast<std::size_t>(blockIdx.x) * ThreadsInBlock + threadIdx.x; i < number;
@@ -343,7 +345,7 @@ ReduceKernel(std::size_t number, TBody body, TSum * partial)
   }
 }
 
-/** Each block counts for itself, in its shared memory. */
+/** Each block counts separately, in its shared memory. */
 template <unsigned int VBins, unsigned int VRows, typename TBody>
 __global__ void
 CountKernel(std::size_t number, TBody body, std::uint32_t * counts)
@@ -385,7 +387,7 @@ BlocksOfLoop(std::size_t number)
   return blocks < BlocksOfReduction ? blocks : BlocksOfReduction;
 }
 
-/** body(i) for i < number. */
+/** Calls body(i) for i < number. */
 template <typename TBody>
 void
 ForEach(std::size_t number, const TBody & body)
@@ -397,7 +399,7 @@ ForEach(std::size_t number, const TBody & body)
   }
 }
 
-/** body(x, y, z) for all voxels. */
+/** Calls body(x, y, z) for all voxels. */
 template <typename TBody>
 void
 ForVoxels(const Extent & extent, const TBody & body)
@@ -407,11 +409,11 @@ ForVoxels(const Extent & extent, const TBody & body)
   Check(cudaGetLastError(), "start a kernel");
 }
 
-/** Two steps at once of what computes a voxel from its neighbours, so that the first ones' values do not pass through
- * memory. body.First(x, y, z, kept) returns the value of the first step and keeps a number; then body.Second(x, y, z,
- * neighbourhood, kept) is given the values of the first step at the voxel and its six neighbours, 0 outside the volume,
- * in the order of TBody::Neighbourhood, and that number. First() is called more than once for some voxels, at any time:
- * neither of them writes what First() reads. */
+/** Two steps at once of a stencil computation, so that the values of the first step are not written to memory.
+ * body.First(x, y, z, kept) returns the value of the first step and stores a number in `kept`. Then body.Second(x,
+ * y, z, neighbourhood, kept) receives the first-step values of the voxel and its six neighbors, 0 outside the
+ * volume, in the order of TBody::Neighbourhood, and that number. First() is called more than once for some voxels,
+ * at any time, so neither function may write what First() reads. */
 template <typename TBody>
 void
 ForVoxelsTwice(const Extent & extent, const TBody & body)
@@ -421,8 +423,8 @@ ForVoxelsTwice(const Extent & extent, const TBody & body)
   Check(cudaGetLastError(), "start a kernel");
 }
 
-/** The sum of what body(i, sum) adds for i < number, in any order: TSum is of whole numbers or extrema, 0 at first,
- * with Add(). */
+/** The sum over i < number of what body(i, sum) adds, in any order. TSum consists of integers or extrema, is
+ * initially 0 and has Add(). */
 template <typename TSum, typename TBody>
 TSum
 Reduce(std::size_t number, const TBody & body)
@@ -433,7 +435,7 @@ Reduce(std::size_t number, const TBody & body)
     return whole;
   }
   const unsigned int        blocks = BlocksOfLoop(number);
-  static const Memory<TSum> partial(BlocksOfReduction); // allocation would take longer than many a sum
+  static const Memory<TSum> partial(BlocksOfReduction); // allocation would take longer than most sums
   ReduceKernel<<<blocks, ThreadsInBlock>>>(number, body, partial.Get());
   Check(cudaGetLastError(), "start a kernel");
   std::vector<TSum> sums(blocks);
@@ -454,7 +456,7 @@ Count(std::size_t number, const TBody & body, std::uint32_t * counts)
   Check(cudaGetLastError(), "start a kernel");
 }
 #else
-/** Around the loops: kernels that flush to zero on the GPU do so here. */
+/** Placed around the loops: kernels that flush to zero on the GPU do so here as well. */
 #  if defined(SHAPETON_FLUSH_TO_ZERO)
 using LoopMode = FlushToZero;
 #  else
@@ -548,7 +550,7 @@ Count(std::size_t number, const TBody & body, std::uint32_t * counts)
 }
 #endif
 
-/** Adds 1 to a count that several threads share; returns what it was. */
+/** Adds 1 to a counter shared by several threads; returns its previous value. */
 SHAPETON_HOST_DEVICE std::uint32_t
                      CountOne(std::uint32_t * count)
 {

@@ -6,18 +6,17 @@
 namespace shapeton
 {
 /** \class CsvFile
- * \brief A table as CsvTable writes it, read from a file: a header, then rows with as many cells.
+ * \brief A table read from a CSV file as written by CsvTable: a header, then rows with as many cells.
  *
- * RFC 4180: comma, double quotes where needed, LF or CRLF; a byte order mark and lines without a character are passed
- * over. Faults are named with the file and its line.
+ * RFC 4180: comma, double quotes where needed, LF or CRLF; a byte order mark and empty lines are skipped. Errors name
+ * the file and the line.
  *
- * \ingroup Report
- */
+ * \ingroup Report */
 class Report_EXPORT CsvFile
 {
 public:
-  /** Throws InputError where the file cannot be read, has no header, lacks one of these columns, names a column twice,
-   * or a row has not the cells of the header. Other columns are welcome, in any order. */
+  /** Throws InputError if the file cannot be read, has no header, lacks one of these columns, repeats a column name,
+   * or a row has a different number of cells than the header. Other columns are allowed, in any order. */
   CsvFile(const std::string & path, const std::vector<std::string> & columns);
 
   std::size_t
@@ -25,22 +24,22 @@ public:
   {
     return m_Rows.size();
   }
-  /** Whether there is a column that was not asked for. */
+  /** Whether the file has a column that was not required. */
   bool
   HasColumn(const std::string & column) const
   {
     return this->ColumnOf(column) < m_Columns.size();
   }
-  /** One of the columns asked for, or one that is there. Rows count from 0. */
+  /** The cell of a required or existing column. Rows count from 0. */
   const std::string &
   Text(std::size_t row, const std::string & column) const;
-  /** Throws InputError for what is no finite number with a full stop. */
+  /** Throws InputError unless the cell is a finite number with a decimal point. */
   double
   Number(std::size_t row, const std::string & column) const;
-  /** Not a number for an empty cell. */
+  /** NaN for an empty cell. */
   double
   NumberOrNothing(std::size_t row, const std::string & column) const;
-  /** Of the file, from 1 on. */
+  /** Line of the row in the file, from 1 on. */
   int
   LineOf(std::size_t row) const
   {

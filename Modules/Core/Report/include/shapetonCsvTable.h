@@ -21,7 +21,7 @@ public:
   explicit CsvTable(std::vector<std::string> columns);
   ~CsvTable();
 
-  /** Throws std::invalid_argument when the number of cells differs from that of the columns. */
+  /** Throws std::invalid_argument if the number of cells differs from the number of columns. */
   void
   AddRow(std::vector<std::string> cells);
 
@@ -40,11 +40,11 @@ public:
   void
   Write(const std::string & path) const;
 
-  /** The shortest text that reads back as `value`, with a full stop in every locale; "nan", "inf", "-inf". */
+  /** The shortest text that reads back as `value`, with a decimal point in every locale; "nan", "inf", "-inf". */
   static std::string
   Number(double value);
 
-  /** `value` with `digits` significant digits (1 to 17), for people. */
+  /** `value` with `digits` significant digits (1 to 17), for display. */
   static std::string
   Rounded(double value, int digits);
 

@@ -11,70 +11,69 @@
 
 namespace shapeton
 {
-/** Maps the final path of a file to the path to write it to, for example to a temporary one.
+/** Maps the final path of a file to the path to write to, for example a temporary one.
  * \ingroup Report */
 using OutputPath = std::function<std::string(const std::string &)>;
 
-/** The text that shapeton_join_scripts() of CMake makes from the scripts or styles of a page: literals, ended by
- * nullptr. \ingroup Report */
+/** The text that shapeton_join_scripts() of CMake makes from the scripts or styles of a page: string literals,
+ * terminated by nullptr. \ingroup Report */
 Report_EXPORT std::string
               PageText(const char * const pieces[]);
 
-/** The style sheet that all pages share; one with the class `dark` at its root is dark.
+/** The style sheet shared by all pages; a root element of class `dark` selects dark colors.
  * \ingroup Report */
 Report_EXPORT std::string
               PageStyle();
 
 /** \class HtmlReport
- * \brief One HTML file that opens without a network or other files: styles and pictures are inside it.
+ * \brief A self-contained HTML file with embedded styles and pictures; it opens without a network or other files.
  *
- * Text is UTF-8, is escaped, and shows numbers as ReadableText() does. The page is HTML 5, and well-formed XML too. The
- * bytes depend on the content alone.
+ * Text is UTF-8, escaped, and formats numbers as ReadableText() does. The page is HTML 5 and well-formed XML. The
+ * bytes depend on the content only.
  *
- * \ingroup Report
- */
+ * \ingroup Report */
 class Report_EXPORT HtmlReport
 {
 public:
   explicit HtmlReport(const std::string & title);
   ~HtmlReport();
 
-  /** That it is for research use, and no diagnosis. */
+  /** Adds the note that the report is for research use only, not for diagnosis. */
   void
   AddResearchNote();
-  /** How a report begins: that note, what was found, and what is missing or doubtful. */
+  /** Adds the head of a report: the research note, the findings, and what is missing or doubtful. */
   void
   AddHead(const std::vector<std::pair<std::string, std::string>> & summary, const std::vector<std::string> & warnings);
-  /** A box for each kind of warning, the worst first: what failed or is missing, what is doubtful, notes. Warnings that
-   * are the same but for numbers and quoted names share a box with their number, which unfolds to their full texts. */
+  /** Adds a box for each kind of warning, the most severe first: failures and missing results, doubtful results,
+   * notes. Warnings that differ only in numbers and quoted names share a box with their count, which expands to the
+   * full texts. */
   void
   AddWarnings(const std::vector<std::string> & warnings);
   void
   AddHeading(const std::string & text);
   void
   AddParagraph(const std::string & text);
-  /** A paragraph that leads to another page, named relative to this one. */
+  /** Adds a paragraph with a link to another page, relative to this one. */
   void
   AddLink(const std::string & path, const std::string & text);
-  /** A box for what a reader must not miss, for example a warning. */
+  /** Adds a highlighted box, for example for a warning. */
   void
   AddNote(const std::string & text);
-  /** Embeds a PNG file. Throws InputError when it cannot be read or is none. The caption is its alternative text, too.
-   */
+  /** Embeds a PNG file. Throws InputError if it cannot be read or is not a PNG file. The caption is also the
+   * alternative text. */
   void
   AddPicture(const std::string & pngPath, const std::string & caption);
-  /** Columns of numbers are aligned at the right, with the unit that all share in the head; a colour "#rrggbb" is a
-   * patch that tells its name. A table that is too wide scrolls in a box of its own. */
+  /** Adds a table. Columns of numbers are right-aligned, with their common unit in the header; a color "#rrggbb" is
+   * shown as a patch that displays its value. A table that is too wide scrolls in its own box. */
   void
   AddTable(const CsvTable & table, const std::string & caption);
-  /** Two columns: name and value. A name with a full stop is that of an option, whose value stays as it was given. */
+  /** Adds a table of names and values. A name with a period is that of an option, whose value is shown unchanged. */
   void
   AddFacts(const std::vector<std::pair<std::string, std::string>> & facts);
-  /** Markup as it is, well-formed XML, for drawings and scripts that are part of the page. The caller has escaped it.
-   */
+  /** Adds markup unchanged: well-formed XML for drawings and scripts of the page, escaped by the caller. */
   void
   AddMarkup(const std::string & markup);
-  /** Rules of a style sheet after those that all pages share; without "<" and "&". */
+  /** Adds style sheet rules after the shared ones; without "<" and "&". */
   void
   AddStyle(const std::string & rules);
 

@@ -5,8 +5,8 @@
 
 namespace shapeton
 {
-/** A JSON document that keeps the order of its keys. Headers include this file, which declares it; what looks into a
- * document includes shapetonJson.h, which takes a second more to compile.
+/** A JSON document that keeps the order of its keys. Headers include this forward declaration; code that accesses a
+ * document includes shapetonJson.h, which takes a second longer to compile.
  * \ingroup Report */
 using Json = nlohmann::ordered_json;
 } // namespace shapeton

@@ -8,12 +8,13 @@
 
 namespace shapeton
 {
-/** A number as CsvTable writes it, in plain decimal notation: "2.322e+04" becomes "23220". Beyond 15 places left or
- * 6 right of the decimal point it keeps a power of ten, in superscript. Any other text stays. \ingroup Report */
+/** A number as written by CsvTable, in plain decimal notation: "2.322e+04" becomes "23220". Beyond 15 places left or
+ * 6 right of the decimal point it keeps a power of ten, in superscript. Any other text is unchanged.
+ * \ingroup Report */
 Report_EXPORT std::string
               PlainNumber(const std::string & number);
 
-/** A number that is followed by nothing, or by a blank and a unit such as mm, ml or %.
+/** A number, optionally followed by a blank and a unit such as mm, ml or %.
  * \ingroup Report */
 struct Quantity
 {
@@ -21,18 +22,18 @@ struct Quantity
   std::string unit;
 };
 
-/** Empty for a text that is something else. Digits of the number may be grouped by blanks.
+/** Parses a quantity; empty for any other text. Digits of the number may be grouped by blanks.
  * \ingroup Report */
 Report_EXPORT std::optional<Quantity>
               QuantityOf(const std::string & text);
 
-/** For people: the number in plain notation, its thousands separated by narrow spaces where no line breaks, then the
+/** A quantity for display: the number in plain notation, its thousands separated by narrow no-break spaces, then the
  * unit. \ingroup Report */
 Report_EXPORT std::string
               ReadableQuantity(const Quantity & quantity);
 
-/** A text for people: its numbers in plain notation, the thousands of those with a unit separated, mm^2 in superscript.
- * Names that hold digits stay as they are. \ingroup Report */
+/** A text for display: numbers in plain notation, thousands separated for those with a unit, mm^2 in superscript.
+ * Names that contain digits are unchanged. \ingroup Report */
 Report_EXPORT std::string
               ReadableText(const std::string & text);
 } // namespace shapeton

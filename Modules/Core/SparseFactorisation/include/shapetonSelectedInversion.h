@@ -10,7 +10,7 @@ namespace shapeton
 {
 struct FactorLayout;
 
-/** The elements of a sparse symmetric matrix: one for each vertex, one for each edge. \ingroup SparseFactorisation */
+/** The nonzero elements of a sparse symmetric matrix: one per vertex, one per edge. \ingroup SparseFactorisation */
 struct SymmetricElements
 {
   Eigen::VectorXcd diagonal;
@@ -18,24 +18,23 @@ struct SymmetricElements
 };
 
 /** \class SelectedInversion
- * \brief Elements of the inverse of sparse complex-symmetric matrices (A = A^T, not Hermitian) where the matrix has
- * some.
+ * \brief Computes elements of the inverse of sparse complex-symmetric matrices (A = A^T, not Hermitian) on the
+ * sparsity pattern of the matrix.
  *
- * A is factorised as L D L^T, D with dense blocks, front by front (multifrontal, supernodes); Takahashi's recursion
- * then runs from the root of the elimination tree to its leaves and needs the inverse on the pattern of the factor
- * alone. In a front with pivot block P and rows F below it, G = F P^-1 is kept, and the inverse Z obeys Z_RI = -Z_RR G,
+ * A is factorized as L D L^T, D block diagonal, front by front (multifrontal, supernodes). Takahashi's recursion then
+ * runs from the root of the elimination tree to its leaves and needs the inverse only on the pattern of the factor. In
+ * a front with pivot block P and rows F below it, G = F P^-1 is stored, and the inverse Z satisfies Z_RI = -Z_RR G,
  * Z_II = P^-1 - G^T Z_RI.
  *
- * There is no pivoting. That is safe where all x^* A x (x != 0) lie in a half plane of the complex numbers that does
- * not contain 0 on its border, as then all Schur complements have the property, too, and elements cannot grow much: A =
- * z M + s L with M positive, L positive semidefinite, s > 0 has it for every complex z off the negative real axis and
- * 0. The worse the nearer z is to that axis.
+ * There is no pivoting. This is stable if all x^* A x (x != 0) lie in an open half plane of the complex numbers whose
+ * border contains 0: all Schur complements then have this property, too, and element growth is bounded. A = z M + s L
+ * with M positive, L positive semidefinite, s > 0 has it for every complex z off the negative real axis and 0. The
+ * growth increases as z approaches that axis.
  *
- * An object serves any number of matrices of its pattern, concurrently. The same elements come out for any number of
- * threads and on any CPU.
+ * An object can invert any number of matrices with its pattern, concurrently. The results are identical for any number
+ * of threads and on any CPU.
  *
- * \ingroup SparseFactorisation
- */
+ * \ingroup SparseFactorisation */
 class SparseFactorisation_EXPORT SelectedInversion
 {
 public:
@@ -45,13 +44,13 @@ public:
   SelectedInversion &
   operator=(SelectedInversion &&) noexcept;
 
-  /** The elements of the inverse on the diagonal and on the edges. Throws InputError where a pivot block is singular
-   * or an element is not finite. */
+  /** The elements of the inverse on the diagonal and on the edges. Throws InputError if a pivot block is singular or
+   * an element is not finite. */
   SymmetricElements
   Invert(const SymmetricElements & matrix) const;
 
-  /** Inverts matrixOf(0), ... matrixOf(number - 1), at most `atOnce` at a time, which the memory depends on, with all
-   * of ITK's threads. Hands them to `take` in this order, one by one. `matrixOf` may be called concurrently. */
+  /** Inverts matrixOf(0), ... matrixOf(number - 1) with all of ITK's threads, at most `atOnce` at a time, which
+   * determines the memory. Passes them to `take` in this order, one by one. `matrixOf` may be called concurrently. */
   void
   InvertAll(int                                                         number,
             const std::function<SymmetricElements(int)> &               matrixOf,

@@ -7,14 +7,13 @@
 namespace shapeton
 {
 /** \class SparseCholesky
- * \brief Solves A x = b for real symmetric matrices A, as a rule positive definite ones.
+ * \brief Solves A x = b for real symmetric matrices A, usually positive definite ones.
  *
- * A = L D L^T with D of 1 and, where A is not positive definite, -1; front by front (multifrontal, supernodes), with
- * dense kernels for the instruction set of the CPU at hand and all of ITK's threads. The same bytes come out for any
- * number of threads and on any CPU.
+ * A = L D L^T, with D = 1, or +-1 if A is not positive definite; front by front (multifrontal, supernodes), with dense
+ * kernels for the instruction set of the CPU and all of ITK's threads. The result has the same bytes for any number of
+ * threads and on any CPU.
  *
- * \ingroup SparseFactorisation
- */
+ * \ingroup SparseFactorisation */
 class SparseFactorisation_EXPORT SparseCholesky
 {
 public:
@@ -24,27 +23,28 @@ public:
   SparseCholesky &
   operator=(SparseCholesky &&) noexcept;
 
-  /** Factorises the matrix with this diagonal and these elements at the edges, without pivoting. True where it is
-   * positive definite to working accuracy. An indefinite one has a factor, too, unless a pivot is 0 or not finite: see
-   * HasFactor(). There is none after progress has thrown. */
+  /** Factorizes the matrix with this diagonal and these edge elements, without pivoting. Returns true if it is
+   * positive definite to working accuracy. An indefinite matrix has a factor, too, unless a pivot is 0 or not
+   * finite: see HasFactor(). After progress has thrown there is no factor. */
   bool
   Factorise(const Eigen::Ref<const Eigen::VectorXd> & diagonal,
             const Eigen::Ref<const Eigen::VectorXd> & offDiagonal,
             const Progress &                          progress = {});
 
-  /** The same for a matrix of the pattern that the analysis was made of, of which the lower triangle is read. */
+  /** The same for a matrix with the analyzed pattern; its lower triangle is read. */
   bool
   Factorise(const Eigen::SparseMatrix<double> & matrix, const Progress & progress = {});
 
   bool
   HasFactor() const;
 
-  /** Of the last matrix; by Sylvester's law of inertia the number of negative pivots. \pre HasFactor(). */
+  /** Number of negative eigenvalues of the last matrix: by Sylvester's law of inertia that of the negative pivots.
+   * \pre HasFactor(). */
   int
   NegativeEigenvalues() const;
 
-  /** Replaces each column b by x; exact to rounding for a positive definite matrix, while elements of the factor of an
-   * indefinite one can grow. \pre HasFactor(). */
+  /** Replaces each column b by x. Exact to rounding for a positive definite matrix; the factor of an indefinite one
+   * may have large elements. \pre HasFactor(). */
   void
   SolveInPlace(Eigen::Ref<Eigen::MatrixXd> b, const Progress & progress = {}) const;
 
@@ -53,8 +53,8 @@ private:
   std::unique_ptr<Implementation> m_Implementation;
 };
 
-/** Replaces each column b by the solution of A x = b; false where A, of which the lower triangle is read, is not
- * positive definite, and b is as it was. \ingroup SparseFactorisation */
+/** Replaces each column b by the solution of A x = b; reads the lower triangle of A. Returns false and leaves b
+ * unchanged if A is not positive definite. \ingroup SparseFactorisation */
 SparseFactorisation_EXPORT bool
 SolvePositiveDefinite(const Eigen::SparseMatrix<double> & A,
                       Eigen::Ref<Eigen::MatrixXd>         b,

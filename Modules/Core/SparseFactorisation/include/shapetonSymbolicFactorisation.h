@@ -12,57 +12,55 @@
 
 namespace shapeton
 {
-/** How the order of elimination is found. \ingroup SparseFactorisation */
+/** How the elimination order is computed. \ingroup SparseFactorisation */
 enum class EliminationOrder
 {
-  /** Approximate minimum degree (Eigen): quickly found, for one or two factorisations of real matrices. */
+  /** Approximate minimum degree (Eigen): fast to compute; for one or two factorizations of real matrices. */
   MinimumDegree,
-  /** Nested dissection (METIS): fewer operations, and large subtrees that threads can share; its search costs as much
-   * as ten real factorisations. METIS seeds std::rand() and leaves it changed; calls take turns, and nobody else should
-   * call it meanwhile. */
+  /** Nested dissection (METIS): fewer operations, and large subtrees that threads can share; computing it takes as
+   * long as ten real factorizations. METIS seeds std::rand() and leaves it changed; calls are serialized, and no
+   * other code should call std::rand() meanwhile. */
   NestedDissection
 };
 
 /** \class SymbolicFactorisation
- * \brief The analysis of a sparse symmetric pattern: order of elimination, elimination tree, supernodes.
+ * \brief Symbolic analysis of a sparse symmetric pattern: elimination order, elimination tree, supernodes.
  *
- * The pattern is a graph: a row for each vertex, two elements off the diagonal for each edge. One analysis serves any
- * number of matrices, real ones by SparseCholesky and complex-symmetric ones by SelectedInversion, concurrently; copies
- * share it. For planar graphs and graphs of bounded genus with n vertices a factor takes O(n^1.5) operations and
- * O(n log n) memory. The same graph gives the same analysis.
+ * The pattern is a graph: one row per vertex, two off-diagonal elements per edge. One analysis can be used for any
+ * number of matrices concurrently, real ones with SparseCholesky and complex-symmetric ones with SelectedInversion;
+ * copies share it. For planar graphs and graphs of bounded genus with n vertices a factorization takes O(n^1.5)
+ * operations and O(n log n) memory. The analysis is deterministic.
  *
- * \ingroup SparseFactorisation
- */
+ * \ingroup SparseFactorisation */
 class SparseFactorisation_EXPORT SymbolicFactorisation
 {
 public:
   struct Parts;
 
-  /** Edges name pairs of different vertices in [0, numberOfVertices), each pair once; else InputError. The graph may
-   * have several components. */
+  /** Edges are pairs of different vertices in [0, numberOfVertices), each pair once; else throws InputError. The
+   * graph may have several components. */
   SymbolicFactorisation(int numberOfVertices, const std::vector<std::array<int, 2>> & edges, EliminationOrder order);
 
-  /** The pattern of a symmetric matrix, of which the lower triangle is read; its edges follow one another column by
-   * column. */
+  /** The pattern of a symmetric matrix, read from its lower triangle; its edges are numbered column by column. */
   SymbolicFactorisation(const Eigen::SparseMatrix<double> & matrix, EliminationOrder order);
 
   int
   NumberOfVertices() const;
   int
   NumberOfEdges() const;
-  /** \name What a factorisation costs */
+  /** \name Cost of a factorization */
   ///@{
   int
   NumberOfSupernodes() const;
-  /** Elements of a real factor, with those that the merging of supernodes adds. */
+  /** Elements of a real factor, including those added by merging supernodes. */
   std::size_t
   FactorElements() const;
-  /** Products of elimination and selected inversion together. */
+  /** Multiplications of factorization and selected inversion together. */
   double
   Products() const;
   ///@}
 
-  /** For the factorisations of this module. */
+  /** For the factorizations of this module. */
   const Parts &
   GetParts() const
   {

@@ -10,7 +10,7 @@
 
 namespace shapeton
 {
-/** What SquaredDistances() gives where no voxel outside the mask is known, or none within `farthest`, mm^2.
+/** Value of SquaredDistances() if no voxel outside the mask is known, or none within `farthest`, mm^2.
  * \ingroup Voxels */
 constexpr float UnknownSquaredDistance = 1e12F;
 
@@ -18,19 +18,19 @@ constexpr float UnknownSquaredDistance = 1e12F;
 struct VoxelRows
 {
   const unsigned char * first;
-  /** Voxels from one row to the next, and from one slice to the next. */
+  /** Offset from one row to the next, and from one slice to the next, in voxels. */
   std::size_t rowStride;
   std::size_t sliceStride;
 };
 
-/** For each voxel of the mask (not 0) the squared distance in mm^2 from its centre to that of the nearest voxel outside
- * it (0), for these 0; exact. What lies beyond the box counts as neither.
+/** Exact squared distance in mm^2 from the center of each mask voxel (not 0) to that of the nearest voxel outside the
+ * mask; 0 outside the mask. Voxels beyond the box are ignored.
  *
  * Lower envelopes of parabolas, line by line (Felzenszwalb, Huttenlocher: Distance transforms of sampled functions,
- * Theory of Computing 8, 2012): linear in voxels; threads do not change the values.
+ * Theory of Computing 8, 2012): linear time; the values do not depend on the number of threads.
  *
  * \param box the voxels of the box; `squares` holds as many values, in its order.
- * \param farthest mm; greater distances are not told. A small one takes less time.
+ * \param farthest mm; larger distances are not computed. A small value reduces the run time.
  * \ingroup Voxels */
 Voxels_EXPORT void
 SquaredDistances(const VoxelRows &             mask,
@@ -39,7 +39,7 @@ SquaredDistances(const VoxelRows &             mask,
                  float *                       squares,
                  double                        farthest = std::numeric_limits<double>::infinity());
 
-/** The same of a mask on a grid. \ingroup Voxels */
+/** The same for a mask on a grid. \ingroup Voxels */
 Voxels_EXPORT VoxelValues
 SquaredDistances(const VoxelGrid &                  grid,
                  const std::array<double, 3> &      spacing,

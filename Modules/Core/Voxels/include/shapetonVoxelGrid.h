@@ -20,13 +20,13 @@ struct VoxelBox
 };
 
 /** \class VoxelGrid
- * \brief The order of voxels in memory, the first axis running fastest: from a voxel to its index and back.
+ * \brief Memory layout of voxels, first axis fastest: conversion from a voxel to its index and back.
  *
  * \ingroup Voxels */
 struct VoxelGrid
 {
   std::array<int, 3>         size{ { 0, 0, 0 } };
-  std::array<std::size_t, 3> stride{ { 1, 0, 0 } }; ///< from a voxel to the next one along each axis
+  std::array<std::size_t, 3> stride{ { 1, 0, 0 } }; ///< index offset of the next voxel along each axis
 
   VoxelGrid() = default;
   VoxelGrid(int ni, int nj, int nk) { this->SetSize({ { ni, nj, nk } }); }
@@ -60,7 +60,7 @@ struct VoxelGrid
   {
     return i >= 0 && j >= 0 && k >= 0 && i < size[0] && j < size[1] && k < size[2];
   }
-  /** What a step of i, j and k voxels, backwards where negative, adds to an index. */
+  /** Index offset of a step of i, j and k voxels; negative steps are allowed. */
   std::ptrdiff_t
   Offset(int i, int j, int k) const
   {
@@ -68,7 +68,7 @@ struct VoxelGrid
   }
 };
 
-/** Calls `body(index)` for the voxels that share a face with this one. \ingroup Voxels */
+/** Calls `body(index)` for the face neighbors of this voxel. \ingroup Voxels */
 template <typename TBody>
 void
 ForEachNeighbour(const VoxelGrid & grid, std::size_t voxel, const TBody & body)

@@ -17,7 +17,7 @@ struct VoxelRun
 };
 
 /** \class VoxelRuns
- * \brief A set of voxels as runs along the first axis, row by row.
+ * \brief A set of voxels as run-length-encoded rows along the first axis.
  *
  * \ingroup Voxels */
 struct Voxels_EXPORT VoxelRuns
@@ -31,19 +31,19 @@ struct Voxels_EXPORT VoxelRuns
   {
     return j + static_cast<std::size_t>(k) * size[1];
   }
-  /** The run that holds a voxel; -1 where there is none. */
+  /** Index of the run that contains a voxel; -1 if there is none. */
   std::ptrdiff_t
   Find(int i, int j, int k) const;
 };
 
-/** A number from 1 on for each run, in the order of the first runs; 0 for a run that takes no part. \ingroup Voxels */
+/** A label from 1 on for each run, in the order of the first runs; 0 for an excluded run. \ingroup Voxels */
 struct RunLabels
 {
   std::vector<int> ofRun;
   int              number{ 0 };
 };
 
-/** Which voxels hang together: those that share a face, a face within one slice, or a face or an edge.
+/** Which voxels are connected: those that share a face, a face within one slice, or a face or an edge.
  * \ingroup Voxels */
 enum class VoxelContact
 {
@@ -52,12 +52,12 @@ enum class VoxelContact
   FaceOrEdge
 };
 
-/** Connected components. Only runs with a true entry in `use` take part, where it is not empty. \ingroup Voxels */
+/** Connected components. If `use` is not empty, only runs with a true entry are labeled. \ingroup Voxels */
 Voxels_EXPORT RunLabels
 LabelRuns(const VoxelRuns & set, VoxelContact contact = VoxelContact::Face, const std::vector<char> & use = {});
 
-/** Calls `body(r, s, overlap)` for each pair of runs of two rows that share columns, `overlap` of them. With `reach` 1
- * also for runs that meet at a corner, with an overlap of 0. \ingroup Voxels */
+/** Calls `body(r, s, overlap)` for each pair of runs of two rows that share `overlap` columns. With `reach` 1 also
+ * for runs that touch at a corner, with an overlap of 0. \ingroup Voxels */
 template <typename TBody>
 void
 ForEachOverlap(const VoxelRuns & set, std::size_t rowA, std::size_t rowB, const TBody & body, int reach = 0)
@@ -93,7 +93,8 @@ ForEachRun(const VoxelRuns & set, const TBody & body)
   }
 }
 
-/** The voxels for which `row(j, k)` gives a function of i that holds; each slice is read by one thread.
+/** Collects the voxels for which the predicate over i returned by `row(j, k)` holds; each slice is processed by one
+ * thread.
  * \ingroup Voxels */
 template <typename TRow>
 VoxelRuns
@@ -136,7 +137,7 @@ CollectRunsOfRows(const std::array<int, 3> & size, const TRow & row)
   return set;
 }
 
-/** The voxels for whose index `isIn` holds. \ingroup Voxels */
+/** Collects the voxels for whose index `isIn` holds. \ingroup Voxels */
 template <typename TPredicate>
 VoxelRuns
 CollectRuns(const VoxelGrid & grid, const TPredicate & isIn)

@@ -9,8 +9,8 @@
 namespace shapeton
 {
 /** \class UninitializedAllocator
- * \brief Leaves elements without a value where none is given, so that the threads that fill a volume are the first to
- * touch its memory: what one thread would take to set hundreds of megabytes to 0 is saved.
+ * \brief Allocator that default-initializes elements, so that the threads that fill a volume touch its memory first.
+ * This avoids zeroing hundreds of megabytes in one thread.
  * \ingroup Voxels */
 template <typename T>
 class UninitializedAllocator : public std::allocator<T>
@@ -42,7 +42,7 @@ public:
   }
 };
 
-/** Values of the voxels of a grid; those of VoxelValues(n) are to be set before they are read. \ingroup Voxels */
+/** Values of the voxels of a grid; those of VoxelValues(n) must be set before they are read. \ingroup Voxels */
 using VoxelValues = std::vector<float, UninitializedAllocator<float>>;
 } // namespace shapeton
 
