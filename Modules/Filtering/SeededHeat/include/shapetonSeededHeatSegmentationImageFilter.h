@@ -12,11 +12,11 @@
 namespace shapeton
 {
 /** \class SeededHeatSegmentationImageFilter
- * \brief Labels each voxel by the seeds whose heat reaches it most: SeededHeatSolver as a filter.
+ * \brief Labels each voxel by the seeds whose heat is greatest there: SeededHeatSolver as a filter.
  *
  * Inputs: a volume, and Seeds, a label map on the same grid (0: no seed). Outputs: labels, and the uncertainty of each
- * (SeededHeatResult). Where nothing but the seeds has changed since the last Update() and probabilities are kept, the
- * solution starts from the last one: for interactive use. Update() throws itk::ExceptionObject, of the derived classes
+ * (SeededHeatResult). If only the seeds have changed since the last Update() and probabilities are kept, the solver
+ * starts from the last solution, for interactive use. Update() throws itk::ExceptionObject, of the derived classes
  * InputError (fewer than two labels have seeds) and ParameterError.
  *
  * \ingroup SeededHeat */
@@ -37,11 +37,11 @@ public:
   itkNewMacro(Self);
   itkOverrideGetNameOfClassMacro(SeededHeatSegmentationImageFilter);
 
-  /** The label of each voxel with a seed, else 0. */
+  /** Seed label of each voxel, 0 for none. */
   itkSetInputMacro(Seeds, LabelImageType);
   itkGetInputMacro(Seeds, LabelImageType);
 
-  /** Choose p from noise and edges, as ChooseP() does, in place of P. */
+  /** SeededHeatSettings::tolerance, default 1e-5. */
   itkSetMacro(AutomaticP, bool);
   itkGetConstMacro(AutomaticP, bool);
   itkBooleanMacro(AutomaticP);
@@ -50,13 +50,13 @@ public:
   itkSetMacro(Tolerance, double);
   itkGetConstMacro(Tolerance, double);
 
-  /** VolumeGradientOperator::Parameters::leastWeight, positive, 0.2 by default: what an edge that insulates still lets
-   * through, so that parts without a seed take the label around them, and a voxel between two parts that of the more
-   * alike. */
+  /** VolumeGradientOperator::Parameters::leastWeight, positive, default 0.2: the conductance that remains on an
+   * insulating edge. Regions without a seed thus take the label around them, and a voxel between two regions that
+   * of the more similar one. */
   itkSetMacro(LeastWeight, double);
   itkGetConstMacro(LeastWeight, double);
 
-  /** Whether GetProbabilities() may be called after Update(), and memory is kept for it. On by default. */
+  /** Whether to keep the probabilities in memory for GetProbabilities() after Update(). Default on. */
   itkSetMacro(KeepProbabilities, bool);
   itkGetConstMacro(KeepProbabilities, bool);
   itkBooleanMacro(KeepProbabilities);
@@ -68,28 +68,28 @@ public:
     return static_cast<HeatImageType *>(this->ProcessObject::GetOutput(1));
   }
 
-  /** The labels that have seeds, ascending; after Update(). */
+  /** The labels that have seeds, ascending; valid after Update(). */
   const std::vector<unsigned short> &
   GetLabelValues() const
   {
     return m_LabelValues;
   }
 
-  /** The probability of a label in each voxel, as a new image; after Update(). Throws ParameterError. */
+  /** The probability of a label in each voxel, as a new image; valid after Update(). Throws ParameterError. */
   typename HeatImageType::Pointer
   GetProbabilities(unsigned short label) const;
 
-  /** p, noise and edge contrast where AutomaticP is on; after Update(). */
+  /** p, noise and edge contrast if AutomaticP is on; valid after Update(). */
   const std::optional<AutomaticP> &
   GetChosenP() const
   {
     return m_ChosenP;
   }
 
-  /** Iterations of the last solution. */
+  /** Number of iterations of the last solution. */
   itkGetConstMacro(Iterations, unsigned int);
 
-  /** SeededHeatResult::remarks; after Update(). */
+  /** SeededHeatResult::remarks; valid after Update(). */
   const Remarks &
   GetRemarks() const
   {
@@ -109,7 +109,7 @@ protected:
   PrintSelf(std::ostream & os, itk::Indent indent) const override;
 
 private:
-  /** What an operator was made for. */
+  /** The input and parameters that an operator was built from. */
   struct Origin
   {
     const void *                       pixels;
@@ -135,7 +135,7 @@ private:
   std::optional<Origin>                         m_Origin;
   std::unique_ptr<const VolumeGradientOperator> m_Operator;
   std::unique_ptr<SeededHeatSolver>             m_Solver;
-  HeatImageType::Pointer                        m_Grid; ///< of the last solution, without voxels
+  HeatImageType::Pointer                        m_Grid; ///< grid of the last solution, without voxels
 };
 } // namespace shapeton
 

@@ -43,7 +43,7 @@ SeededHeatSegmentationImageFilter<TInputImage>::Origin::operator==(const Origin 
   return all(*this) == all(other);
 }
 
-/** Makes operator and solver anew unless they were made for the same. */
+/** Rebuilds operator and solver unless input and parameters are unchanged. */
 template <typename TInputImage>
 void
 SeededHeatSegmentationImageFilter<TInputImage>::PrepareSolver()

@@ -12,53 +12,53 @@
 namespace shapeton
 {
 /** \class SeededHeatSettings
- * \brief How seeded heat is solved.
+ * \brief Settings of SeededHeatSolver.
  * \ingroup SeededHeat */
 struct SeededHeatSettings
 {
-  /** Greatest error of a probability, as the solver estimates it; in [1e-6, 0.1]. */
+  /** Largest error of a probability, as estimated by the solver; in [1e-6, 0.1]. */
   double tolerance{ 1e-5 };
-  /** Keep the probabilities of all labels, four bytes for each voxel and label but one: for GetProbabilities(), and for
-   * a solution that starts from the last one. */
+  /** Keep the probabilities of all labels, for GetProbabilities() and for starting from the last solution. Takes
+   * four bytes per voxel and label but one. */
   bool keepProbabilities{ true };
 };
 
 /** \class SeededHeatResult
- * \brief What SeededHeatSolver finds; one entry for each voxel, x fastest.
+ * \brief Result of SeededHeatSolver; one entry per voxel, x fastest.
  * \ingroup SeededHeat */
 struct SeededHeatResult
 {
-  /** The label of greatest probability, the lowest one of equals. */
+  /** The label of greatest probability, the lowest one in case of ties. */
   std::vector<unsigned short> labels;
-  /** 1 minus the difference of the two greatest probabilities: 0 where one label is sure, 1 where two are equal. */
+  /** 1 minus the difference of the two greatest probabilities: 0 for a certain label, 1 for a tie of two. */
   std::vector<float> uncertainty;
   /** The labels that have seeds, ascending. */
   std::vector<unsigned short> labelValues;
-  /** Of the conjugate gradients, at most. */
+  /** Largest number of iterations of the conjugate gradients. */
   unsigned int iterations{ 0 };
-  /** Labels that hardly leave their seeds: where half of the voxels or more have no seed, those that get fewer than
-   * FewestVoxels of them. A point alone is such a seed where nothing holds its heat back. */
+  /** Remarks on labels that hardly grow beyond their seeds: those with fewer than FewestVoxels unseeded voxels, if
+   * at least half of the voxels have no seed. An isolated point is such a seed if no edges confine its heat. */
   Remarks remarks;
 
-  /** 5^3: a part of this size takes fewer strokes to paint than to seed. */
+  /** 5^3: a smaller part is painted with fewer strokes than it takes to seed it. */
   static constexpr std::size_t FewestVoxels = 125;
 };
 
 /** \class SeededHeatSolver
- * \brief The steady state of heat that leaves the seeds of each label, on the conductances of a VolumeGradientOperator.
+ * \brief Steady state of heat diffusion from the seeds of each label, on the conductances of a VolumeGradientOperator.
  *
- * The seeds of a label are held at heat 1, all other seeds at 0; no heat leaves the volume. In the steady state each
- * voxel has for each label l the heat
+ * The seeds of a label are held at heat 1, all other seeds at 0; no heat leaves the volume. In the steady state the
+ * heat f_l of each label l satisfies at each voxel i without a seed
  *
  *   sum_j c_ij (f_l(i) - f_l(j)) = 0,
  *
- * which is the probability that a walker who steps from i over its edges in proportion to their conductances meets a
- * seed of l first: Grady, Random walks for image segmentation, IEEE TPAMI 28 (2006), with the weights of (2.5). The
- * probabilities of all labels sum to 1; where there are two, their boundary is at one half.
+ * and f_l(i) is the probability that a random walker from i, which takes edges in proportion to their conductances,
+ * reaches a seed of l first: Grady, Random walks for image segmentation, IEEE TPAMI 28 (2006), with the weights of
+ * (2.5). The probabilities of all labels sum to 1; for two labels, their boundary is at one half.
  *
- * Solved in single precision by conjugate gradients with a multigrid preconditioner, without a matrix on the finest
- * level, for up to four labels in one pass over memory. The same bytes for any number of threads. Memory, beside the
- * operator: 16 bytes for each voxel, 16 for each voxel and label of a pass, and a third more for the coarse levels.
+ * Solved in single precision by conjugate gradients with a multigrid preconditioner, matrix-free on the finest level,
+ * for up to four labels in one pass over memory. The result has the same bytes for any number of threads. Memory
+ * besides the operator: 16 bytes per voxel, 16 per voxel and label of a pass, and a third more for the coarse levels.
  *
  * \ingroup SeededHeat */
 class SeededHeat_EXPORT SeededHeatSolver
@@ -68,10 +68,10 @@ public:
   explicit SeededHeatSolver(const VolumeGradientOperator & volumeGradient, const SeededHeatSettings & settings = {});
   ~SeededHeatSolver();
 
-  /** `seeds`: the label of each voxel, 0 for none, x fastest. With kept probabilities and the labels of the call
-   * before, the solution starts from the last one: few changed seeds take few iterations. Throws InputError where fewer
-   * than two labels have seeds, or a volume is too large (2^32 places); `progress` may throw to abort, and the next
-   * call starts anew. */
+  /** `seeds`: the label of each voxel, 0 for none, x fastest. With kept probabilities and the labels of the previous
+   * call, the solver starts from the last solution: a few changed seeds then take few iterations. Throws InputError
+   * if fewer than two labels have seeds, or the volume is too large (2^32 voxels with padding). `progress` may
+   * throw to abort; the next call then starts from scratch. */
   const SeededHeatResult &
   Solve(const unsigned short * seeds, const Progress & progress = {});
 
@@ -81,8 +81,8 @@ public:
     return m_Result;
   }
 
-  /** The probability of a label in each voxel, in [0, 1]; those of all labels sum to 1 but for rounding. Throws
-   * ParameterError where probabilities were not kept or the label has no seed. */
+  /** The probability of a label in each voxel, in [0, 1]; the probabilities of all labels sum to 1 up to rounding.
+   * Throws ParameterError if probabilities were not kept or the label has no seed. */
   void
   GetProbabilities(unsigned short label, float * probabilities) const;
 
@@ -109,7 +109,7 @@ private:
   std::vector<Batch>             m_Batches;
   std::vector<float>             m_Best;
   std::vector<float>             m_Second;
-  std::vector<float>             m_Sum; ///< of the labels that were solved for: all but the last one
+  std::vector<float>             m_Sum; ///< of all solved labels: all but the last one
 };
 } // namespace shapeton
 

@@ -11,27 +11,26 @@
 namespace shapeton
 {
 /** \class CumulativeHeatDiffusionImageFilter
- * \brief Describes each voxel by the heat that it holds after diffusion from all voxels at once (CHD).
+ * \brief Describes each voxel by its heat after diffusion from all voxels at once (CHD).
  *
  * Each voxel starts with the initial heat (2.3) and heat flows between neighbours by the volume gradient operator
- * (2.4)-(2.6): f_i += dt * sum_j c_ij (f_j - f_i). Few steps show local shape (edges, corners), many steps whole
- * objects: a closed object ends at the mean of its initial heat, which its shape and size decide.
+ * (2.4)-(2.6): f_i += dt * sum_j c_ij (f_j - f_i). Few steps reveal local shape (edges, corners), many steps whole
+ * objects: a closed object converges to the mean of its initial heat, which depends on its shape and size.
  *
  * \par Inputs and Outputs
  * Input: a scalar volume of finite intensities. Output 0: the heat after the last step, in [0, 1], float, on the grid
- * of the input. Output 1: the initial heat. After Update() GetResult() holds the step that was reached, the heat
- * histogram and the components.
+ * of the input. Output 1: the initial heat. After Update() GetResult() returns the last step, the heat histogram and
+ * the components.
  *
  * \par Parameters
- * See the setters. The filter works on the whole volume at once; its threads follow ITK's global setting. It needs
- * about 8 single-precision fields of the volume, 13 when a histogram is asked for. Results have the same bytes for any
- * number of threads.
+ * See the setters. The filter processes the whole volume at once, with ITK's global number of threads. It needs memory
+ * for about 8 single-precision copies of the volume, 13 with a histogram. Results have the same bytes for any number
+ * of threads.
  *
- * Source: Gurijala, Shape-based analysis, chapter 2. Differences: the time step and the scaling of intensities are not
- * given there; (2.4) is read as a product on anisotropic grids; steps are taken by a Chebyshev expansion.
+ * Source: Gurijala, Shape-based analysis, chapter 2. Differences: the source specifies neither the time step nor the
+ * scaling of intensities; (2.4) is read as a product on anisotropic grids; steps are taken by a Chebyshev expansion.
  *
- * \ingroup ShapeDiffusion
- */
+ * \ingroup ShapeDiffusion */
 template <typename TInputImage>
 class ITK_TEMPLATE_EXPORT CumulativeHeatDiffusionImageFilter
   : public VolumeDiffusionImageFilter<TInputImage, itk::Image<float, 3>>
@@ -51,8 +50,8 @@ public:
   itkNewMacro(Self);
   itkOverrideGetNameOfClassMacro(CumulativeHeatDiffusionImageFilter);
 
-  /** Let ChooseP() find p from noise and edges; P is then not used. GetResult() tells the choice and why. Default off.
-   */
+  /** Let ChooseP() choose p from noise and edges; P is then ignored. GetResult() returns the choice and its reason.
+   * Default off. */
   itkSetMacro(AutomaticP, bool);
   itkGetConstMacro(AutomaticP, bool);
   itkBooleanMacro(AutomaticP);
@@ -65,15 +64,15 @@ public:
   itkSetEnumMacro(Method, Method);
   itkGetEnumMacro(Method, Method);
 
-  /** Bound of the error of the heat, in [1e-6, 1]; single precision holds about 5e-6. Default 1e-5. */
+  /** Error bound of the heat, in [1e-6, 1]; single precision achieves about 5e-6. Default 1e-5. */
   itkSetMacro(Tolerance, double);
   itkGetConstMacro(Tolerance, double);
 
-  /** How the spacing enters; see VolumeGradientOperator. Default Physical. */
+  /** How the spacing affects conductances; see VolumeGradientOperator. Default Physical. */
   itkSetEnumMacro(Conductance, Conductance);
   itkGetEnumMacro(Conductance, Conductance);
 
-  /** Treat voxels as cubes of side 1. Default off. */
+  /** Treat voxels as unit cubes. Default off. */
   itkSetMacro(IgnoreSpacing, bool);
   itkGetConstMacro(IgnoreSpacing, bool);
   itkBooleanMacro(IgnoreSpacing);
@@ -88,18 +87,18 @@ public:
   itkGetConstMacro(WantComponents, bool);
   itkBooleanMacro(WantComponents);
 
-  /** Steps that become rows of the heat histogram; ascending, at most TimeSteps. Default none. */
+  /** Steps recorded as rows of the heat histogram; ascending, at most TimeSteps. Default none. */
   void
   SetHistogramSteps(const StepsType & steps);
 
   /** Receives the heat after `step`, on the grid of the input; valid during the call. */
   using SnapshotConsumer = std::function<void(std::uint64_t step, const HeatImageType * heat)>;
 
-  /** Steps whose heat is handed to the consumer, ascending, at most TimeSteps. Default none. */
+  /** Steps whose heat is passed to the consumer, ascending, at most TimeSteps. Default none. */
   void
   SetSnapshotSteps(const StepsType & steps, const SnapshotConsumer & consumer);
 
-  /** What the last Update() found besides the heat. */
+  /** Result of the last Update() besides the heat. */
   const CumulativeHeatDiffusionResult &
   GetResult() const
   {
@@ -112,7 +111,7 @@ public:
     return dynamic_cast<HeatImageType *>(this->ProcessObject::GetOutput(1));
   }
 
-  /** Compute output 1 too. Default off: output 1 is empty then, and must not be connected. */
+  /** Compute output 1 as well. Default off: output 1 is then empty and must not be connected. */
   itkSetMacro(WantInitialHeat, bool);
   itkGetConstMacro(WantInitialHeat, bool);
   itkBooleanMacro(WantInitialHeat);

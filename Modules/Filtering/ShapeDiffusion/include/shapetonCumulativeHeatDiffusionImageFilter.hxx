@@ -86,9 +86,9 @@ CumulativeHeatDiffusionImageFilter<TInputImage>::GenerateData()
   }
   else
   {
-    initialHeat->Initialize(); // nothing of an earlier run stays
+    initialHeat->Initialize(); // clears the result of an earlier run
   }
-  // Other pixel types are converted in the output, which the heat replaces at the end.
+  // Other pixel types are converted into the output buffer, which the heat overwrites at the end.
   const float * intensities = heat->GetBufferPointer();
   if constexpr (std::is_same_v<typename TInputImage::PixelType, float>)
   {

@@ -15,7 +15,7 @@ namespace shapeton
 class HeatEngine;
 
 /** \class HeatDiffusionSolver
- * \brief Carries heat through time steps f_i += dt * sum_j c_ij (f_j - f_i) of a VolumeGradientOperator.
+ * \brief Performs time steps f_i += dt * sum_j c_ij (f_j - f_i) of a VolumeGradientOperator.
  *
  * Chebyshev (default): t steps are the polynomial (1 - dt L)^t of the operator L. On [0, lambda_max] a Chebyshev
  * expansion of degree about sqrt(t dt lambda_max ln(2 / tolerance)) equals it within the tolerance, so that t = 100,000
@@ -23,16 +23,15 @@ class HeatEngine;
  * precision near 3e-6 where t explicit steps in single precision lose 1e-4.
  * Explicit: the steps one by one, with compensated (Kahan) sums.
  *
- * Many fields in between cost little more than the last one: after 16 explicit steps the time is cut into intervals
- * with an end / start ratio of at most 2.5, one Chebyshev pass gives the fields at seven Lobatto nodes in log(t), and
- * any field in between is their barycentric combination (error below 1.3e-6 for every decay rate).
+ * Many intermediate fields cost little more than the last one: after 16 explicit steps the time is divided into
+ * intervals with an end / start ratio of at most 2.5. One Chebyshev pass gives the fields at seven Lobatto nodes in
+ * log(t), and any field between them is their barycentric combination (error below 1.3e-6 for every decay rate).
  *
  * Results are the same bytes for any number of threads, on every x86-64 CPU and on a GPU.
  *
  * \equation{2.1} with the sign of the forward heat equation.
  *
- * \ingroup ShapeDiffusion
- */
+ * \ingroup ShapeDiffusion */
 class ShapeDiffusion_EXPORT HeatDiffusionSolver
 {
 public:
@@ -46,32 +45,32 @@ public:
    * as smooth ones. */
   static constexpr double MaximumTimeStepLength = 1.0 / 12.0;
 
-  /** `timeStepLength` dt in (0, 1/12]; `tolerance` of the heat, in [1e-6, 1]; throws std::invalid_argument.
-   * The operator must outlive the solver. */
+  /** `timeStepLength` dt in (0, 1/12]; `tolerance` of the heat, in [1e-6, 1]; throws std::invalid_argument. The
+   * operator must outlive the solver. */
   HeatDiffusionSolver(const VolumeGradientOperator & volumeGradient,
                       Method                         method,
                       double                         timeStepLength,
                       double                         tolerance);
 
-  /** Receives row `row` = y + ny * z of the heat after steps[snapshot]; called from several threads, `worker` tells
-   * them apart and is less than the number of ITK's threads. */
+  /** Receives row `row` = y + ny * z of the heat after steps[snapshot]. Called from several threads, distinguished
+   * by `worker`, which is less than the number of ITK's threads. */
   using Visitor = std::function<void(std::size_t snapshot, std::size_t row, const float * heat, unsigned int worker)>;
 
-  /** Told the progress in [0, 1] on the calling thread; may throw to abort. */
+  /** Receives the progress in [0, 1] on the calling thread; may throw to abort. */
   void
   SetProgress(Progress progress)
   {
     m_Progress = std::move(progress);
   }
 
-  /** Where the heat is computed; by default on the CPU. A volume that does not fit into the memory of a GPU that is
-   * asked for goes through it in slabs. */
+  /** Where the heat is computed; default: the CPU. If a requested GPU does not have enough memory for the volume, it
+   * processes slabs. */
   void
   SetDevice(Device device)
   {
     m_Device = device;
   }
-  /** Where the last Run was. */
+  /** The device used by the last Run. */
   const DeviceUse &
   GetDeviceUse() const
   {
@@ -79,7 +78,7 @@ public:
   }
 
   /** Stop as soon as the heat is steady: over a time interval of ratio 2.5 at most the share `voxels` of all voxels
-   * changes by more than `change` times its own heat, or times `leastHeat` where it is colder. Off by default. */
+   * changes by more than `change` times its own heat, or times `leastHeat` if it is colder. Off by default. */
   struct SteadyRule
   {
     double change{ 0.01 };
@@ -93,9 +92,9 @@ public:
     m_SteadyRule = rule;
   }
 
-  /** Carries `heat` from step 0 to `lastStep` (or the step where it is steady) and shows the visitor the heat after
-   * each of `steps` (ascending, none beyond `lastStep`; those beyond the step that was reached are left out). Returns
-   * the step that was reached. Throws DeviceError where the device cannot be used. */
+  /** Advances `heat` from step 0 to `lastStep`, or to the step at which it is steady. Calls the visitor with the
+   * heat after each of `steps` (ascending, none beyond `lastStep`; steps not reached are omitted). Returns the last
+   * step. Throws DeviceError if the device cannot be used. */
   std::uint64_t
   Run(PaddedField &                      heat,
       std::uint64_t                      lastStep,
@@ -104,7 +103,7 @@ public:
   std::uint64_t
   Run(PaddedField & heat, std::uint64_t lastStep, const std::vector<std::uint64_t> & steps, HeatSnapshots & snapshots);
 
-  /** True when the last Run ended because the heat was steady. */
+  /** True if the last Run ended because the heat was steady. */
   bool
   IsSteady() const
   {
@@ -118,15 +117,15 @@ public:
     return m_Applications;
   }
 
-  /** Coefficients c_k, k = 0, 1, ..., of (1 - beta (1 - x) / 2)^steps = sum c_k T_k(x) on [-1, 1], cut off where the
-   * rest is below `tolerance`; beta = dt lambda_max in (0, 1]. */
+  /** Coefficients c_k, k = 0, 1, ..., of (1 - beta (1 - x) / 2)^steps = sum c_k T_k(x) on [-1, 1], truncated when
+   * the remainder is below `tolerance`; beta = dt lambda_max in (0, 1]. */
   static std::vector<double>
   ChebyshevCoefficients(std::uint64_t steps, double beta, double tolerance);
 
 private:
   class Recorder;
   struct Interval;
-  using Expansions = std::vector<std::vector<double>>; // coefficients of each node of an interval
+  using Expansions = std::vector<std::vector<double>>; // coefficients for each node of an interval
 
   static std::vector<Interval>
   PlanIntervals(std::uint64_t start, std::uint64_t last, const std::vector<std::uint64_t> & steps, bool checkSteady);
@@ -143,17 +142,17 @@ private:
                  std::uint64_t                      lastStep,
                  const std::vector<std::uint64_t> & steps,
                  Recorder &                         recorder);
-  /** Shows the requested steps of an interval whose nodes are computed. */
+  /** Passes the requested steps of an interval to the visitor, from its computed nodes. */
   void
   ShowNodes(HeatEngine & engine, const Interval & interval, Recorder & recorder);
 
-  /** Whether the rounding errors of explicit steps are carried along; a few steps do without. */
+  /** Whether explicit steps compensate rounding errors; not needed for a few steps. */
   enum class Sums
   {
     Plain,
     Compensated
   };
-  /** The heat carried on by explicit steps. */
+  /** Advances the heat by explicit steps. */
   void
   Advance(HeatEngine & engine, std::uint64_t steps, Sums sums);
   /** Node g = sum_k coefficients[g][k] T_k(X) heat, X the operator mapped to [-1, 1]. */

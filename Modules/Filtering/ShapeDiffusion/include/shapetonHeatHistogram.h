@@ -11,12 +11,11 @@ namespace shapeton
 /** \class HeatHistogram
  * \brief Counts of voxels by heat, one row for each recorded time step (dissertation 2.3.1, Figures 2.3 to 2.7).
  *
- * Heat lies in [0, 1]. Bins are fine: BinsPerOctave equal ones for each factor of two from 2^-Octaves to 1, so that
- * lines close to each other stay apart at any heat; bin 0 counts all heat below 2^-Octaves: the background, whose heat
- * has left through the boundary of the volume. Coarser pictures are made from these counts.
+ * Heat lies in [0, 1]. Bins are fine: BinsPerOctave equal bins per factor of two from 2^-Octaves to 1, so that close
+ * lines remain distinct at any heat. Bin 0 counts all heat below 2^-Octaves: the background, whose heat has left
+ * through the boundary of the volume. Coarser pictures are derived from these counts.
  *
- * \ingroup ShapeDiffusion
- */
+ * \ingroup ShapeDiffusion */
 class ShapeDiffusion_EXPORT HeatHistogram
 {
 public:
@@ -27,10 +26,10 @@ public:
   HeatHistogram() = default;
   explicit HeatHistogram(std::vector<std::uint64_t> timeSteps);
 
-  /** The bin of a heat; values below 0 count as 0 and above 1 as 1. */
+  /** The bin of a heat value; clamped to [0, 1]. */
   static unsigned int
   BinOf(float heat);
-  /** The least heat of a bin; LowerEdge(NumberOfBins) is 1. */
+  /** Lower edge of a bin; LowerEdge(NumberOfBins) is 1. */
   static double
   LowerEdge(unsigned int bin);
 
@@ -39,7 +38,7 @@ public:
   {
     return m_TimeSteps.size();
   }
-  /** Ascending. */
+  /** Time steps of the rows, ascending. */
   const std::vector<std::uint64_t> &
   GetTimeSteps() const
   {
@@ -59,18 +58,18 @@ public:
   /** Adds counts to a row; `counts` has NumberOfBins entries. */
   void
   AddToRow(std::size_t row, const std::uint32_t * counts);
-  /** Counts `number` heats. */
+  /** Counts `number` heat values. */
   void
   AddToRow(std::size_t row, const float * heats, std::size_t number);
 
-  /** Adds `number` heats to `counts`, which has NumberOfBins entries. */
+  /** Adds `number` heat values to `counts`, which has NumberOfBins entries. */
   static void
   CountHeats(const float * heats, std::size_t number, std::uint32_t * counts);
 
-  /** The equalisation of 2.3.1: the share, in [0, 1], of the counts without bin 0 that lie below the lower edge of each
-   * bin, mean over the rows (NumberOfBins + 1 values, ascending from 0 to 1). One map for all rows, so that a converged
-   * line stays at one place; each row counts the same, so that objects that keep their heat get room when the rest has
-   * cooled. */
+  /** The equalization of 2.3.1: the share, in [0, 1], of the counts without bin 0 below the lower edge of each bin,
+   * averaged over the rows (NumberOfBins + 1 values, ascending from 0 to 1). One map is used for all rows, so that
+   * a converged line stays at one position. Rows have equal weight, so that objects that keep their heat get room
+   * even when the rest has cooled. */
   std::vector<double>
   GetEqualization() const;
 

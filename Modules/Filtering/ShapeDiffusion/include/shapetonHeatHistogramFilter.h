@@ -14,16 +14,15 @@
 namespace shapeton
 {
 /** \class HeatHistogramFilter
- * \brief The heat histogram of heat volumes that exist already, one row for each.
+ * \brief Computes the heat histogram of existing heat volumes, one row per volume.
  *
- * Where the heats are not kept, CumulativeHeatDiffusionImageFilter makes the same histogram while it runs.
+ * If the heat volumes are not stored, CumulativeHeatDiffusionImageFilter computes the same histogram while it runs.
  *
  * \par Inputs and Outputs
  * Inputs: heat volumes in [0, 1] in the order of ascending time steps, by AddHeat(). Output: a HeatHistogram in a
  * SimpleDataObjectDecorator.
  *
- * \ingroup ShapeDiffusion
- */
+ * \ingroup ShapeDiffusion */
 class ShapeDiffusion_EXPORT HeatHistogramFilter : public itk::ProcessObject
 {
 public:
@@ -39,14 +38,14 @@ public:
   itkNewMacro(Self);
   itkOverrideGetNameOfClassMacro(HeatHistogramFilter);
 
-  /** Adds the heat after `timeStep`, which must not be less than the one before it. */
+  /** Adds the heat after `timeStep`, which must not be less than that of the previous call. */
   void
   AddHeat(const HeatImageType * heat, std::uint64_t timeStep);
 
   const OutputType *
   GetOutput() const;
 
-  /** The histogram itself; valid after Update(). */
+  /** The histogram; valid after Update(). */
   const HeatHistogram &
   GetHistogram() const
   {

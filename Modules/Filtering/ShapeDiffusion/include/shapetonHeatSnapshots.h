@@ -7,20 +7,20 @@
 namespace shapeton
 {
 /** \class HeatSnapshots
- * \brief What HeatDiffusionSolver shows the heat to, after each of the steps that it is asked for.
+ * \brief Receives the heat from HeatDiffusionSolver after each requested step.
  * \ingroup ShapeDiffusion */
 class HeatSnapshots
 {
 public:
   virtual ~HeatSnapshots() = default;
 
-  /** Whether the heat of a snapshot is counted by HeatHistogram: row by row on the CPU, all at once on a GPU. */
+  /** Whether HeatHistogram counts the heat of a snapshot: row by row on the CPU, all at once on a GPU. */
   virtual bool
   IsCounted(std::size_t) const
   {
     return false;
   }
-  /** Called from several threads; `worker` tells them apart and is less than the number of ITK's threads. */
+  /** Called from several threads, distinguished by `worker`, which is less than the number of ITK's threads. */
   virtual void
   CountRow(std::size_t, const float *, unsigned int)
   {}
@@ -28,13 +28,13 @@ public:
   AddCounts(std::size_t, const std::uint32_t *)
   {}
 
-  /** Whether the heat of a snapshot is shown. */
+  /** Whether ShowRow() is called for a snapshot. */
   virtual bool
   IsShown(std::size_t) const
   {
     return true;
   }
-  /** Row `row` = y + ny * z of the heat; threads as of CountRow(). */
+  /** Row `row` = y + ny * z of the heat; threads as in CountRow(). */
   virtual void
   ShowRow(std::size_t snapshot, std::size_t row, const float * heat, unsigned int worker) = 0;
 };

@@ -10,12 +10,11 @@
 namespace shapeton
 {
 /** \class PaddedGrid
- * \brief How a field on an nx x ny x nz volume lies in memory with one layer of voxels around it.
+ * \brief Memory layout of a field on an nx x ny x nz volume with a border of one voxel.
  *
- * Rows along x are padded to whole cache lines; the layer lets the diffusion run without a test for the boundary.
+ * Rows along x are padded to whole cache lines; the border avoids boundary tests in the diffusion.
  *
- * \ingroup ShapeDiffusion
- */
+ * \ingroup ShapeDiffusion */
 class PaddedGrid
 {
 public:
@@ -37,7 +36,7 @@ public:
   {
     return m_Size[0] * m_Size[1] * m_Size[2];
   }
-  /** Distance in memory of neighbours along an axis. */
+  /** Distance in memory between neighbors along an axis. */
   std::size_t
   GetStride(unsigned int axis) const
   {
@@ -49,7 +48,7 @@ public:
   {
     return m_Length;
   }
-  /** Place of the first voxel of a row; y and z may be -1 and ny, nz. */
+  /** Offset of the first voxel of a row; y and z may be -1 and ny, nz. */
   std::size_t
   GetRow(std::ptrdiff_t y, std::ptrdiff_t z) const
   {
@@ -66,9 +65,8 @@ private:
 };
 
 /** \class PaddedField
- * \brief The values of a field on a PaddedGrid, all 0 at first.
- * \ingroup ShapeDiffusion
- */
+ * \brief Values of a field on a PaddedGrid, initially 0.
+ * \ingroup ShapeDiffusion */
 class ShapeDiffusion_EXPORT PaddedField
 {
 public:

@@ -13,16 +13,16 @@
 
 namespace shapeton
 {
-/** What a step of a shapeton passes.
+/** What can stop a step of a shapeton.
  * \ingroup ShapeDiffusion */
 enum class PathRule
 {
-  /** As published (3.2.1): the step ends where it ends, whatever lies between. A long step jumps over walls. */
+  /** As published (3.2.1): only the end point of the step matters. A long step jumps over walls. */
   Endpoint,
-  /** The step is walked voxel by voxel: each face lets the shapeton pass with a probability equal to the weight of its
-   * edge and reflects it otherwise. The place inside the voxel is drawn anew before each step, so that the shapetons
-   * are a Markov chain on the voxels. With DirectionSampling::Uniform its transition matrix is symmetric, and for steps
-   * shorter than a voxel the expected density obeys the operator of cumulative heat diffusion: see
+  /** The step is traced voxel by voxel: each face transmits the shapeton with a probability equal to the weight of
+   * its edge and reflects it otherwise. The position within the voxel is drawn anew before each step, so that the
+   * shapetons are a Markov chain on the voxels. With DirectionSampling::Uniform its transition matrix is symmetric,
+   * and for steps shorter than a voxel the expected density obeys the operator of cumulative heat diffusion: see
    * EquivalentHeatTimeSteps(). */
   Traversal
 };
@@ -31,10 +31,10 @@ enum class PathRule
  * \ingroup ShapeDiffusion */
 enum class ShapetonPlacement
 {
-  /** Anywhere in the volume, or in the mask, with the same probability (3.2). */
+  /** Uniformly in the volume, or in the mask (3.2). */
   Uniform,
-  /** In proportion to the initial heat (2.3), inside the mask where there is one: their density is then to heat what a
-   * sample is to its distribution. */
+  /** In proportion to the initial heat (2.3), within the mask if there is one: their density is then a sample of the
+   * heat distribution. */
   InitialHeat
 };
 
@@ -48,11 +48,11 @@ ShapeDiffusion_EXPORT const char *
 NameOf(ShapetonPlacement placement);
 ///@}
 
-/** What to compute; see ShapetonDiffusionImageFilter for the meaning of each setting.
+/** Settings of ShapetonDiffusion; see ShapetonDiffusionImageFilter for their meaning.
  * \ingroup ShapeDiffusion */
 struct ShapetonDiffusionSettings
 {
-  /** Edge weights; its spacing, in mm, also scales the steps. The conductance does not matter. */
+  /** Edge weights; their spacing, in mm, also scales the steps. The conductance is not used. */
   VolumeGradientOperator::Parameters volumeGradient;
   std::uint32_t                      shapetons{ 65000 }; ///< at least 1
   double                             distance{ 0.01 };   ///< in (0, 1]
@@ -60,42 +60,42 @@ struct ShapetonDiffusionSettings
   PathRule                           pathRule{ PathRule::Endpoint };
   ShapetonPlacement                  placement{ ShapetonPlacement::Uniform };
   std::uint64_t                      seed{ 1 };
-  /** Where the shapetons move; the results are the same bytes. */
+  /** Where the shapetons move; all devices give the same bytes. */
   Device device{ Device::Automatic };
 };
 
-/** When shapeton diffusion counts as steady: (3.10) holds in at least 90 % of the last 50 steps.
+/** Steady rule of shapeton diffusion: (3.10) holds in at least 90 % of the last 50 steps.
  * \ingroup ShapeDiffusion */
 struct SteadyRule
 {
-  /** Greatest change of a step; see ShapetonMeasures::change. */
+  /** Largest change of a step; see ShapetonMeasures::change. */
   double epsilon{ 0.05 };
-  /** Take ShapetonMeasures::automaticEpsilon in its place. */
+  /** Use ShapetonMeasures::automaticEpsilon instead. */
   bool automatic{ false };
 };
 
-/** How far a run has come. Exact: sums of whole numbers.
+/** Progress of a run. Exact: sums of integers.
  * \ingroup ShapeDiffusion */
 struct ShapetonMeasures
 {
   std::uint64_t step{ 0 };
-  std::uint32_t maximumVisits{ 0 }; ///< of the voxel that was visited most
+  std::uint32_t maximumVisits{ 0 }; ///< visits of the most visited voxel
   std::uint64_t voxelsReached{ 0 }; ///< voxels with at least one visit
-  /** Object voxels: those of the mask; without one, those whose intensity lies above the lower end of the window, or
-   * all where none does. */
+  /** Object voxels: those of the mask. Without a mask, those with an intensity above the lower end of the window, or
+   * all voxels if there are none. */
   std::uint64_t objectVoxels{ 0 };
   std::uint64_t objectVoxelsReached{ 0 };
-  /** Shapetons in voxels whose six weights are 0: they stay there for ever. */
+  /** Shapetons in voxels whose six weights are all 0; they never move. */
   std::uint32_t trappedShapetons{ 0 };
-  /** (3.10) with densities normalised to a greatest value of 1: the sum over the voxels of the squared change in this
-   * step. As printed, with raw counts, it is never less than the number of shapetons. */
+  /** (3.10) with densities normalized to a maximum of 1: the sum over the voxels of the squared change in this step.
+   * As printed, with raw counts, it is never less than the number of shapetons. */
   double change{ 0.0 };
-  /** The change at which the voxels reached have 100 visits on average, so that counts are right to about 10 %:
-   * n (1 + n / R) / (100 M / m)^2 with n shapetons, R voxels reached, greatest and mean number of visits M and m. */
+  /** The change at which the reached voxels have 100 visits on average, so that counts are accurate to about 10 %: n
+   * (1 + n / R) / (100 M / m)^2 with n shapetons, R reached voxels, maximum and mean number of visits M and m. */
   double automaticEpsilon{ 0.0 };
   bool   steady{ false };
 
-  /** The 'convergence' of Table 3.1: the share of the object voxels that were visited, in [0, 1]. */
+  /** The 'convergence' of Table 3.1: the share of the object voxels with visits, in [0, 1]. */
   double
   GetCoverage() const
   {
@@ -104,21 +104,20 @@ struct ShapetonMeasures
 };
 
 /** \class ShapetonDiffusion
- * \brief Particles that move at random through a volume as its edge weights allow, and the visits of each voxel
+ * \brief Random walk of particles through a volume according to its edge weights, counting the visits of each voxel
  * (dissertation chapter 3).
  *
  * In each step a shapeton draws a direction from the six weights of its voxel (3.2.1), moves by a fixed distance, and
- * the voxel where it ends counts one visit. The distance is given in the unit cube around the volume: 1 is the longest
- * side of the volume in millimetres, and a step has the same length in millimetres in all directions. At the border of
- * the volume a shapeton is reflected; where all six weights are 0 it stays.
+ * the voxel where it ends counts one visit. The distance is relative to the longest side of the volume in millimeters;
+ * a step has the same length in millimeters in all directions. A shapeton is reflected at the border of the volume and
+ * does not move if all six weights are 0.
  *
- * Random numbers belong to the seed, the shapeton and the step (Philox4x32-10), and visits are whole numbers: results
- * have the same bytes for any number of threads, on any CPU, and however a run is cut into pieces.
+ * Random numbers depend only on the seed, the shapeton and the step (Philox4x32-10), and visits are integers: results
+ * have the same bytes for any number of threads, on any CPU, and for any division of a run.
  *
- * Weights are stored in units of 1 / 65535. Memory: 20 bytes a voxel, those of `visits` included, and 16 a shapeton.
+ * Weights are stored in units of 1 / 65535. Memory: 20 bytes per voxel, including `visits`, and 16 per shapeton.
  *
- * \ingroup ShapeDiffusion
- */
+ * \ingroup ShapeDiffusion */
 class ShapeDiffusion_EXPORT ShapetonDiffusion
 {
 public:
@@ -126,12 +125,12 @@ public:
    * may throw to abort. `visits` and GetPlaces() are those of that step. */
   using Observer = std::function<void(const ShapetonMeasures &)>;
 
-  /** Places the shapetons. `intensities` and `mask` (may be null: no mask; else 0 is outside) hold size[0] * size[1] *
-   * size[2] values, x fastest, and are not needed afterwards. `visits` holds as many and must outlive the object; it is
-   * set to 0. `poll` is called now and then, by Run() in the middle of long steps, and may throw to abort: the object
-   * is of no use then. Throws std::invalid_argument for settings out of range, std::domain_error where no shapeton can
-   * be placed (an empty mask; no initial heat), std::length_error for 2^31 voxels or more, or 2^24 along an axis,
-   * DeviceError where the device cannot be used. */
+  /** Places the shapetons. `intensities` and `mask` (null: no mask; 0 is outside) hold size[0] * size[1] * size[2]
+   * values, x fastest, and are not needed afterwards. `visits` has the same size, is set to 0 and must outlive the
+   * object. `poll` is called occasionally, by Run() also within long steps, and may throw to abort; the object must
+   * not be used afterwards. Throws std::invalid_argument for settings out of range, std::domain_error if no
+   * shapeton can be placed (an empty mask; no initial heat), std::length_error for 2^31 voxels or more, or 2^24
+   * along an axis, DeviceError if the device cannot be used. */
   ShapetonDiffusion(const float *                      intensities,
                     const std::array<std::size_t, 3> & size,
                     const ShapetonDiffusionSettings &  settings,
@@ -143,9 +142,8 @@ public:
   ShapetonDiffusion &
   operator=(const ShapetonDiffusion &) = delete;
 
-  /** Takes steps until `lastStep` has been taken, or until the rule, if there is one, finds the density steady. With a
-   * rule every step is measured, which takes twice as long. Throws std::overflow_error when a voxel would be visited
-   * more often than 32 bits can count. */
+  /** Performs steps up to `lastStep`, or until the rule, if given, finds the density steady. With a rule every step
+   * is measured, which takes twice as long. Throws std::overflow_error if the visits of a voxel exceed 32 bits. */
   void
   Run(std::uint64_t lastStep, const std::optional<SteadyRule> & rule = {}, const Observer & observer = {});
 
@@ -156,16 +154,16 @@ public:
   const DeviceUse &
   GetDeviceUse() const;
 
-  /** Places in voxels along an axis: the voxel of index i holds the places from i to i + 1. */
+  /** Positions in voxels along an axis: the voxel of index i covers the interval from i to i + 1. */
   const float *
   GetPlaces(unsigned int axis) const;
 
-  /** All that is needed to go on later: places, visits, measures. */
+  /** The state needed to continue later: positions, visits, measures. */
   ShapetonState
   GetState() const;
 
-  /** Goes on from a state. Throws std::invalid_argument, which names the difference, when the state is of another
-   * volume or of other settings. */
+  /** Continues from a state. Throws std::invalid_argument, which names the difference, if the state is of another
+   * volume or other settings. */
   void
   SetState(const ShapetonState & state);
 
@@ -174,14 +172,14 @@ private:
   std::unique_ptr<Impl> m_Impl;
 };
 
-/** The number of time steps of cumulative heat diffusion after which heat has spread as far as shapetons after
- * `steps` steps of `stepInVoxels` smallest spacings, with PathRule::Traversal and DirectionSampling::Uniform:
- * the mean squared displacement of both along an axis is the same where there are no walls,
+/** The number of time steps of cumulative heat diffusion after which heat has spread as far as shapetons after `steps`
+ * steps of `stepInVoxels` smallest spacings, with PathRule::Traversal and DirectionSampling::Uniform. Without walls
+ * the mean squared displacements along an axis are equal:
  *
  *   2 dt t = steps (a^2 / 3 + (n / 6 + f^2 / 2 - f^3 / 3) / a), which is steps (a / 2) for a <= 1,
  *
- * a = stepInVoxels, n and f its whole and its broken part. The open question 7.2.1 of the dissertation; valid on cubic
- * voxels. `timeStepLength` is dt. \ingroup ShapeDiffusion */
+ * a = stepInVoxels, n and f its integer and fractional part. This answers the open question 7.2.1 of the
+ * dissertation; valid for cubic voxels. `timeStepLength` is dt. \ingroup ShapeDiffusion */
 ShapeDiffusion_EXPORT double
 EquivalentHeatTimeSteps(double steps, double stepInVoxels, double timeStepLength);
 } // namespace shapeton

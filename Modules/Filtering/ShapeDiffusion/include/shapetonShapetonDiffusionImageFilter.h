@@ -15,7 +15,7 @@
 namespace shapeton
 {
 /** \class ShapetonInputError
- * \brief The input of shapeton diffusion leaves no place for shapetons, or its initial state belongs to another run.
+ * \brief No shapeton can be placed in the input, or the initial state is of another run.
  * \ingroup ShapeDiffusion */
 class ShapetonInputError : public itk::ExceptionObject
 {
@@ -25,39 +25,37 @@ public:
 };
 
 /** \class ShapetonDiffusionImageFilter
- * \brief Describes each voxel by the number of visits of particles that move at random through the volume (shapeton
+ * \brief Describes each voxel by its number of visits by particles that move at random through the volume (shapeton
  * diffusion).
  *
  * Shapetons start at random places. In each step every shapeton draws a direction from the six edge weights of its
- * voxel, moves by a fixed distance, and adds one visit to the voxel where it ends. The more often a voxel is visited
- * the more its surroundings hold shapetons back.
+ * voxel, moves by a fixed distance, and adds one visit to the voxel where it ends. Frequent visits indicate
+ * surroundings that confine shapetons.
  *
  * \par Inputs and Outputs
  * Input 0: a scalar volume of finite intensities. Input 1, optional: a mask on the same grid; shapetons start where it
  * is not 0. Output: the visits, on the grid of the input; they sum to shapetons x steps.
  *
  * \par Events
- * IterationEvent several times a second while the filter runs, at the ends of steps: GetOutput() then holds the visits
- * so far and GetMeasures() tells how far the run has come, so that a program can show the density as it grows. In the
- * middle of longer steps there is a ProgressEvent. SetAbortGenerateData takes effect within a tenth of a second.
+ * IterationEvent is invoked several times a second at the ends of steps: GetOutput() then holds the visits so far and
+ * GetMeasures() the progress of the run, so that a program can display the growing density. Within longer steps
+ * ProgressEvent is invoked. SetAbortGenerateData takes effect within a tenth of a second.
  *
  * \par Going on
- * GetState() gives all that is needed to go on; a filter with the same input and settings and SetInitialState() ends,
- * byte for byte, as if it had run from the start.
+ * GetState() returns the state needed to continue; a filter with the same input and settings and SetInitialState()
+ * gives the same bytes as an uninterrupted run.
  *
  * \par Errors
- * ShapetonInputError for an empty mask, for a volume without initial heat where shapetons are to be placed by it, for a
- * feature size that the volume cannot show, and for an initial state of another run; ExceptionObject for settings out
- * of range.
+ * ShapetonInputError for an empty mask, for placement by initial heat in a volume without any, for a feature size that
+ * the volume cannot resolve, and for an initial state of another run; ExceptionObject for settings out of range.
  *
  * Results have the same bytes for any number of threads, which follow ITK's global setting, and on any CPU. Memory: 20
- * bytes a voxel besides the input, 4 more unless its pixels are float.
+ * bytes per voxel besides the input, 4 more unless its pixels are float.
  *
  * Source: Gurijala, Shape-based analysis, chapter 3 and appendix 8. Differences: directions follow the solid angle
  * (DirectionSampling), long steps may be stopped by walls (PathRule), the steady rule (3.10) uses normalised densities.
  *
- * \ingroup ShapeDiffusion
- */
+ * \ingroup ShapeDiffusion */
 template <typename TInputImage>
 class ITK_TEMPLATE_EXPORT ShapetonDiffusionImageFilter
   : public VolumeDiffusionImageFilter<TInputImage, itk::Image<std::uint32_t, 3>>
@@ -76,7 +74,7 @@ public:
   itkNewMacro(Self);
   itkOverrideGetNameOfClassMacro(ShapetonDiffusionImageFilter);
 
-  /** Where shapetons start: voxels that are not 0. The grid must be that of the input. */
+  /** Mask of the start voxels (not 0). Its grid must be that of the input. */
   void
   SetMaskImage(const MaskImageType * mask)
   {
@@ -97,9 +95,9 @@ public:
   itkSetMacro(Distance, double);
   itkGetConstMacro(Distance, double);
 
-  /** Size in mm of the features that are looked for: with AutomaticDistance and AutomaticNumberOfShapetons these are
-   * chosen by it (ChooseShapetons) when the filter runs, and Distance and NumberOfShapetons then hold what was chosen.
-   * Default 0, off, off. */
+  /** Size in mm of the features of interest. With AutomaticDistance and AutomaticNumberOfShapetons,
+   * ChooseShapetons() derives these parameters from it when the filter runs; Distance and NumberOfShapetons then
+   * hold the chosen values. Default 0, off, off. */
   itkSetMacro(FeatureSize, double);
   itkGetConstMacro(FeatureSize, double);
   itkSetMacro(AutomaticDistance, bool);
@@ -109,7 +107,7 @@ public:
   itkGetConstMacro(AutomaticNumberOfShapetons, bool);
   itkBooleanMacro(AutomaticNumberOfShapetons);
 
-  /** What ChooseShapetons() found, and why; valid after Update() where it was asked. */
+  /** Result of ChooseShapetons() with its reason; valid after Update() if requested. */
   const AutomaticShapetons &
   GetAutomaticShapetons() const
   {
@@ -128,18 +126,18 @@ public:
   itkSetEnumMacro(Placement, ShapetonPlacement);
   itkGetConstMacro(Placement, ShapetonPlacement);
 
-  /** Any number; the same gives the same result. Default 1. */
+  /** Any number; equal seeds give equal results. Default 1. */
   itkSetMacro(Seed, std::uint64_t);
   itkGetConstMacro(Seed, std::uint64_t);
 
-  /** Where the last Update() was computed. */
+  /** The device used by the last Update(). */
   const DeviceUse &
   GetDeviceUse() const
   {
     return m_DeviceUse;
   }
 
-  /** Stop when the density is steady by (3.10) with Epsilon, or with the epsilon that the run itself suggests
+  /** Stop when the density is steady by (3.10) with Epsilon, or with the epsilon derived from the run itself
    * (AutomaticEpsilon). Default off, 0.05, off. */
   itkSetMacro(UntilSteady, bool);
   itkGetConstMacro(UntilSteady, bool);
@@ -150,7 +148,7 @@ public:
   itkGetConstMacro(AutomaticEpsilon, bool);
   itkBooleanMacro(AutomaticEpsilon);
 
-  /** Steps after which the visits are counted in the histogram; ascending, in [1, TimeSteps]. Default none. */
+  /** Steps recorded as rows of the visit histogram; ascending, in [1, TimeSteps]. Default none. */
   void
   SetHistogramSteps(const StepsType & steps);
   const StepsType &
@@ -159,7 +157,7 @@ public:
     return m_HistogramSteps;
   }
 
-  /** Goes on from a state in place of placing shapetons; TimeSteps still counts from the start of the first run. */
+  /** Continue from a state instead of placing shapetons; TimeSteps still counts from the start of the first run. */
   void
   SetInitialState(ShapetonState state);
 
@@ -168,18 +166,18 @@ public:
   itkGetConstMacro(WantState, bool);
   itkBooleanMacro(WantState);
 
-  /** The state after the last step taken: during an IterationEvent, and with WantState also after Update(). */
+  /** The state after the last completed step: during an IterationEvent, and with WantState also after Update(). */
   ShapetonState
   GetState() const;
 
-  /** How far the run has come. */
+  /** Measures of the run so far. */
   const ShapetonMeasures &
   GetMeasures() const
   {
     return m_Measures;
   }
 
-  /** Rows for the HistogramSteps that were reached; steps before an initial state have none. */
+  /** Rows for the HistogramSteps that were reached; steps before an initial state have no row. */
   const HeatHistogram &
   GetHistogram() const
   {

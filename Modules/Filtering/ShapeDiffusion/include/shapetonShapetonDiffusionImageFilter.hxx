@@ -192,7 +192,7 @@ ShapetonDiffusionImageFilter<TInputImage>::GenerateData()
   visits->Allocate();
   m_Measures = ShapetonMeasures();
   m_FinalState = ShapetonState();
-  const struct Release // also when the run is aborted: the volume's weights are large
+  const struct Release // also if the run is aborted: the volume's weights are large
   {
     ~Release() { diffusion.reset(); }
     std::unique_ptr<ShapetonDiffusion> & diffusion;
@@ -214,7 +214,7 @@ ShapetonDiffusionImageFilter<TInputImage>::GenerateData()
   {
     itkExceptionMacro(<< error.what());
   }
-  catch (const std::overflow_error & error) // of a voxel's visits
+  catch (const std::overflow_error & error) // visits of a voxel overflow
   {
     itkExceptionMacro(<< error.what());
   }

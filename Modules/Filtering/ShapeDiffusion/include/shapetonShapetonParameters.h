@@ -10,7 +10,7 @@
 
 namespace shapeton
 {
-/** A distance and a number of shapetons chosen from the volume and the features that are looked for, and why.
+/** Distance and number of shapetons chosen from the volume and the size of its features, with the reason.
  * \ingroup ShapeDiffusion */
 struct AutomaticShapetons
 {
@@ -22,10 +22,9 @@ struct AutomaticShapetons
 
 /** Chooses the step and the number of shapetons (3.4.1, 3.4.2).
  *
- * A step longer than a feature passes over it (Figure 3.7): the step is half of `featureSize`, in mm. Too few shapetons
- * never cover the volume (Figure 3.6): there are as many as give each voxel 20 visits on average in `timeSteps` steps,
- * and at least so many that three start in the volume of a feature; at least 1000 and at most ten million, in
- * thousands.
+ * A step longer than a feature skips it (Figure 3.7), so the step is half of `featureSize`, in mm. Too few shapetons
+ * never cover the volume (Figure 3.6). Their number gives each voxel 20 visits on average in `timeSteps` steps, and at
+ * least three start positions in the volume of a feature; it is in [1000, 10,000,000], in thousands.
  *
  * `size` in voxels, `spacing` in mm. Throws std::invalid_argument for a feature smaller than a voxel or larger than the
  * volume. \ingroup ShapeDiffusion */

@@ -12,28 +12,29 @@
 
 namespace shapeton
 {
-/** A run of ShapetonDiffusion at the end of a step.
+/** State of a run of ShapetonDiffusion at the end of a step.
  * \ingroup ShapeDiffusion */
 struct ShapetonState
 {
-  /** What the run is of: name and value of each setting, and a hash of the volume's weights. */
+  /** Identity of the run: name and value of each setting, and a hash of the volume's weights. */
   std::vector<std::pair<std::string, std::string>> identity;
   std::uint64_t                                    step{ 0 };
-  double                                           change{ 0.0 }; ///< of that step; see ShapetonMeasures
-  /** The last 50 steps, newest in the lowest bit, that satisfied the steady rule, and how many were tested. */
+  double                                           change{ 0.0 }; ///< change of that step; see ShapetonMeasures
+  /** Bits of the last 50 steps, newest lowest: 1 if the step satisfied the steady rule. Then the number of steps
+   * tested. */
   std::uint64_t                     steadyHistory{ 0 };
   std::uint64_t                     testedSteps{ 0 };
   std::array<std::vector<float>, 3> places;
   std::vector<std::uint32_t>        visits;
 };
 
-/** Writes a state: lines of text, an empty line, the arrays in little-endian binary, a checksum of all that.
+/** Writes a state: lines of text, an empty line, the arrays in little-endian binary, a checksum of all these.
  * \ingroup ShapeDiffusion */
 ShapeDiffusion_EXPORT void
 WriteShapetonState(const ShapetonState & state, std::ostream & stream);
 
-/** Reads what WriteShapetonState() wrote. Throws std::runtime_error for anything else: other content, an unknown
- * version, a truncated or damaged file.
+/** Reads a file written by WriteShapetonState(). Throws std::runtime_error for other content, an unknown version, or a
+ * truncated or damaged file.
  * \ingroup ShapeDiffusion */
 ShapeDiffusion_EXPORT ShapetonState
 ReadShapetonState(std::istream & stream);

@@ -9,10 +9,9 @@
 namespace shapeton
 {
 /** \class VolumeDiffusionImageFilter
- * \brief What the filters share that let heat or particles diffuse through a volume step by step.
+ * \brief Base class of the filters that let heat or particles diffuse through a volume in time steps.
  *
- * \ingroup ShapeDiffusion
- */
+ * \ingroup ShapeDiffusion */
 template <typename TInputImage, typename TOutputImage>
 class ITK_TEMPLATE_EXPORT VolumeDiffusionImageFilter : public VolumeGradientImageFilter<TInputImage, TOutputImage>
 {
@@ -26,12 +25,12 @@ public:
 
   itkOverrideGetNameOfClassMacro(VolumeDiffusionImageFilter);
 
-  /** Number of time steps; at least 1. The default is that of the filter. */
+  /** Number of time steps; at least 1. The default depends on the filter. */
   itkSetMacro(TimeSteps, std::uint64_t);
   itkGetConstMacro(TimeSteps, std::uint64_t);
 
-  /** Where the diffusion is computed: by default on the GPU where one is there and has the memory, else on the CPU; the
-   * output is the same bytes. Update() throws DeviceError where Device::Cuda is asked for and cannot be used. */
+  /** Where the diffusion is computed. Default: the GPU if one is available and has enough memory, else the CPU; all
+   * devices give the same bytes. Update() throws DeviceError if Device::Cuda is requested and cannot be used. */
   void
   SetDevice(Device device)
   {

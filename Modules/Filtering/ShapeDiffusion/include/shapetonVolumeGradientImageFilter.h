@@ -14,12 +14,11 @@
 namespace shapeton
 {
 /** \class VolumeGradientImageFilter
- * \brief What the filters share that take a volume by its volume gradient operator: p and the intensity window.
+ * \brief Base class of the filters that use a volume through its volume gradient operator: p and the intensity window.
  *
- * They work on the whole volume at once.
+ * They process the whole volume at once.
  *
- * \ingroup ShapeDiffusion
- */
+ * \ingroup ShapeDiffusion */
 template <typename TInputImage, typename TOutputImage>
 class ITK_TEMPLATE_EXPORT VolumeGradientImageFilter : public itk::ImageToImageFilter<TInputImage, TOutputImage>
 {
@@ -38,20 +37,20 @@ public:
   using Superclass::MakeOutput;
   shapetonIndexedOutputsMacro();
 
-  /** Steepness p of (2.5): an edge insulates where the half gradient reaches 1 / p. Not negative. Default 7, unless the
-   * filter says otherwise. */
+  /** Steepness p of (2.5): an edge insulates if the half gradient reaches 1 / p. Not negative. Default 7, unless the
+   * filter documents another one. */
   itkSetMacro(P, double);
   itkGetConstMacro(P, double);
 
-  /** Intensities that map to 0 and to 1, for CT in Hounsfield units. Default: the least and the greatest intensity,
-   * which WindowLower and WindowUpper hold after Update(). */
+  /** Intensities that map to 0 and to 1, for CT in Hounsfield units. Default: the minimum and maximum intensity,
+   * which WindowLower and WindowUpper return after Update(). */
   void
   SetIntensityWindow(double lower, double upper);
   itkGetConstMacro(WindowLower, double);
   itkGetConstMacro(WindowUpper, double);
 
 protected:
-  /** `p`: the default of P. */
+  /** `p`: the default value of P. */
   explicit VolumeGradientImageFilter(double p = 7.0) : m_P(p) {}
   ~VolumeGradientImageFilter() override = default;
 
@@ -67,12 +66,11 @@ protected:
   std::array<std::size_t, 3>
   GetVolumeSize() const;
 
-  /** The intensities of the input: those of the image itself where its pixels are float, else written to `converted`.
-   */
+  /** The intensities of the input: its own buffer if its pixels are float, else a copy in `converted`. */
   const float *
   GetIntensities(std::vector<float> & converted) const;
 
-  /** p, window and spacing; finds the window in the intensities where none was set. */
+  /** p, window and spacing; computes the window from the intensities if it is not set. */
   VolumeGradientOperator::Parameters
   MakeOperatorParameters(const float * intensities);
 

@@ -11,24 +11,23 @@
 namespace shapeton
 {
 /** \class VolumeGradientOperator
- * \brief The edge weights that a volume's intensities give to the diffusion of heat or particles.
+ * \brief Edge weights for the diffusion of heat or particles, computed from the intensities of a volume.
  *
  * Between neighbours i and j along axis k, with intensities scaled to [0, 1] by a window,
  *
  *   halfGradient = |I_i - I_j| / res_k,   weight = clamp(1 - p * halfGradient, 0, 1)      (2.5, 2.6)
  *
- * where res_k = h_k / h_min is the distance of the neighbours relative to the smallest spacing, so that p keeps its
- * meaning. The Laplacian of an anisotropic grid does not cancel as it does in (2.4) on a cubic one: the conductance of
- * an edge is weight * (h_min / h_k)^2 (Physical, the default; (2.4) writes a sum, ours is a product) or the weight
- * alone (Published). The diffusion uses the conductances, the initial heat the weights.
+ * where res_k = h_k / h_min is the distance of the neighbors relative to the smallest spacing, which makes p
+ * independent of the unit. The Laplacian of an anisotropic grid does not cancel as it does in (2.4) on a cubic one:
+ * the conductance of an edge is weight * (h_min / h_k)^2 (Physical, the default; (2.4) writes a sum, ours is a
+ * product) or the weight alone (Published). The diffusion uses the conductances, the initial heat the weights.
  *
  * The volume is extended by one layer that repeats the border intensities (weight 1) and stays at heat 0.
  *
- * Source: Gurijala, Shape-based analysis, chapter 2. The source does not say how I is scaled; the window is our
- * reading.
+ * Source: Gurijala, Shape-based analysis, chapter 2. The source does not specify the scaling of I; the window is our
+ * interpretation.
  *
- * \ingroup ShapeDiffusion
- */
+ * \ingroup ShapeDiffusion */
 class ShapeDiffusion_EXPORT VolumeGradientOperator
 {
 public:
@@ -40,21 +39,21 @@ public:
 
   struct Parameters
   {
-    /** Steepness; non-negative. An edge insulates where the half gradient reaches 1 / p. Default 7. */
+    /** Steepness; non-negative. An edge insulates if the half gradient reaches 1 / p. Default 7. */
     double p{ 7.0 };
-    /** Intensity that maps to 0, and the greater one that maps to 1; intensities beyond are clamped. */
+    /** Intensities that map to 0 and to 1 (lower < upper); intensities outside are clamped. */
     double lower{ 0.0 };
     double upper{ 1.0 };
     /** Voxel spacing in mm along x, y, z; positive. Use {1, 1, 1} to ignore it. */
     std::array<double, 3> spacing{ { 1.0, 1.0, 1.0 } };
     Conductance           conductance{ Conductance::Physical };
-    /** Weight of an edge of half gradient 1 / p, in [0, 1]; beyond, it falls with the square of the gradient. 0, as in
-     * (2.5): such edges insulate. Default 0. */
+    /** Weight of an edge of half gradient 1 / p, in [0, 1]; beyond, it decreases with the square of the gradient.
+     * With 0, as in (2.5), such edges insulate. Default 0. */
     double leastWeight{ 0.0 };
   };
 
-  /** `intensities`: size[0] * size[1] * size[2] values, x fastest. Throws std::invalid_argument for parameters out of
-   * range and for intensities that are not finite. When lower == upper the volume counts as constant. `progress` may
+  /** `intensities`: size[0] * size[1] * size[2] values, x fastest. Throws std::invalid_argument for parameters out
+   * of range and for non-finite intensities. If lower == upper the volume is treated as constant. `progress` may
    * throw to abort. */
   VolumeGradientOperator(const float *                      intensities,
                          const std::array<std::size_t, 3> & size,
@@ -72,9 +71,8 @@ public:
     return std::abs(a - b) / resolution;
   }
 
-  /** In [0, 1]. What rounding leaves of a weight that is 0 would be a leak: it is cut off. Not smaller than
-   * leastWeight / max(1, p halfGradient)^2, with which a voxel that no edge joins still tells the more alike of its
-   * neighbours.
+  /** In [0, 1]. Rounding residues of a zero weight are set to 0, as they would be leaks. At least leastWeight / max(1,
+   * p halfGradient)^2, so that an insulated voxel still prefers the more similar of its neighbors.
    *
    * \equation{2.5}
    *
@@ -99,7 +97,7 @@ public:
     return m_Parameters;
   }
 
-  /** Conductances along an axis: entry i belongs to the edge from voxel i to its successor; on the padded grid. */
+  /** Conductances along an axis on the padded grid: entry i belongs to the edge from voxel i to its successor. */
   const float *
   GetConductances(unsigned int axis) const
   {
@@ -117,7 +115,7 @@ public:
   ComputeInitialHeat(PaddedField & heat) const;
 
   /** An upper bound of the eigenvalues of the diffusion operator L, (L f)_i = sum_j c_ij (f_i - f_j): 12 on a cubic
-   * grid. Gershgorin: twice the largest sum of conductances that the grid allows. */
+   * grid. Gershgorin: twice the largest possible sum of conductances on the grid. */
   double
   GetEigenvalueBound() const;
 

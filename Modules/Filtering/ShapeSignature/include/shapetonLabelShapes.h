@@ -8,11 +8,11 @@
 
 namespace shapeton
 {
-/** Labels as files of volumes give them: whole numbers, 0 for the background. \ingroup ShapeSignature */
+/** Label maps as read from volume files: integers, 0 for the background. \ingroup ShapeSignature */
 using LabelMap = itk::Image<float, 3>;
 
-/** The labels of a label map, ascending, without 0. Throws InputError for values that are no whole numbers from 0 to
- * 65535, and when there is none. \ingroup ShapeSignature */
+/** The labels of a label map, ascending, without 0. Throws InputError for values that are not integers from 0 to
+ * 65535, and if there is no label. \ingroup ShapeSignature */
 ShapeSignature_EXPORT std::vector<int>
                       LabelsOf(const LabelMap * labels);
 
@@ -20,7 +20,7 @@ ShapeSignature_EXPORT std::vector<int>
 ShapeSignature_EXPORT VoxelRuns
 VoxelsOfLabel(const LabelMap * labels, int label);
 
-/** The parts of a shape that are connected by faces and have at least so many voxels, the largest first.
+/** The face-connected components of a shape with at least this number of voxels, the largest first.
  * \ingroup ShapeSignature */
 ShapeSignature_EXPORT std::vector<VoxelRuns>
                       ComponentsOf(const VoxelRuns & shape, std::size_t leastVoxels = 1);

@@ -8,11 +8,11 @@
 
 namespace shapeton
 {
-/** How much two signatures differ, part by part: root mean squares of the differences of logarithms. 0 for equal ones.
- * Volume takes no part, so that shapes of any size compare. \ingroup ShapeSignature */
+/** Differences of two signatures, part by part: root mean squares of the differences of logarithms. 0 for equal
+ * ones. Volume is excluded, so that shapes of any size can be compared. \ingroup ShapeSignature */
 struct SignatureDifference
 {
-  /** Of 0.01 + remainingHeat: heats below a hundredth tell little. */
+  /** Logarithm of 0.01 + remainingHeat: heat below a hundredth carries little information. */
   double remainingHeat{ 0.0 };
   double displacement{ 0.0 };
   double spectrum{ 0.0 };
@@ -25,19 +25,19 @@ struct SignatureDifference
 ShapeSignature_EXPORT SignatureDifference
 DifferenceOf(const ShapeSignature & a, const ShapeSignature & b);
 
-/** The distance of two signatures, from 0: the root mean square of their differences, each in units of the root mean
- * square of what copies of one shape differ by, so that those are about 1 away from their shape. The copies are
- * turned, scaled, resampled and noisy ones of generated shapes (seeds 1 to 64). \ingroup ShapeSignature */
+/** Distance of two signatures, at least 0: the root mean square of their differences, each in units of the root mean
+ * square of the differences between copies of one shape, which are thus about 1 apart. The copies are rotated,
+ * scaled, resampled and noisy versions of generated shapes (seeds 1 to 64). \ingroup ShapeSignature */
 ShapeSignature_EXPORT double
 SignatureDistance(const ShapeSignature & a, const ShapeSignature & b);
 
-/** The probability that the nearest entry is of the same shape as what is looked for: logistic in the logarithms of its
- * distance and of the margin, the distance of the nearest entry of another name over it, at most 10. Fitted to
- * generated shapes (seeds 1 to 99), half of which had no entry. \ingroup ShapeSignature */
+/** The probability that the nearest entry has the same shape as the query: logistic in the logarithms of its
+ * distance and of the margin, the distance of the nearest entry of another name divided by it, at most 10. Fitted
+ * to generated shapes (seeds 1 to 99), half of which had no entry. \ingroup ShapeSignature */
 ShapeSignature_EXPORT double
 ProbabilityOfSameShape(double distance, double margin);
 
-/** A shape with a name, which several may share. \ingroup ShapeSignature */
+/** A named shape; several shapes may share a name. \ingroup ShapeSignature */
 struct NamedShape
 {
   std::string    name;
@@ -51,15 +51,15 @@ struct ShapeNeighbour
   double      distance{ 0.0 };
 };
 
-/** What FindShape() answers. \ingroup ShapeSignature */
+/** Result of FindShape(). \ingroup ShapeSignature */
 struct ShapeSearchResult
 {
-  /** The nearest first; of equal distances the earlier entry. */
+  /** The nearest first; in case of ties the earlier entry. */
   std::vector<ShapeNeighbour> neighbours;
-  /** ProbabilityOfSameShape() of the first one; where all entries have one name there is no margin: it counts as 1. */
+  /** ProbabilityOfSameShape() of the first one; if all entries share a name there is no margin, and it is set to 1. */
   double probability{ 0.0 };
 
-  /** More likely than not the shape is of none of the names. */
+  /** Whether the shape most likely matches none of the names. */
   bool
   IsUnknown() const
   {
@@ -67,7 +67,7 @@ struct ShapeSearchResult
   }
 };
 
-/** Looks a shape up among entries, of which there is at least one; `nearest` neighbours at most.
+/** Searches the entries, at least one, for the `nearest` neighbors of a shape.
  * \ingroup ShapeSignature */
 ShapeSignature_EXPORT ShapeSearchResult
 FindShape(const ShapeSignature & shape, const std::vector<NamedShape> & entries, std::size_t nearest);

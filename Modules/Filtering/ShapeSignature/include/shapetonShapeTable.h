@@ -14,10 +14,11 @@ namespace shapeton
 struct ShapeRow
 {
   int label{ 0 };
-  /** 1 for the largest component of the label; 0 for the label as a whole. */
+  /** 1 for the largest component of the label; 0 for the whole label. */
   int         component{ 0 };
   std::size_t voxels{ 0 };
-  /** Of the intensities of its voxels, so that a person knows what the row is about; not part of the signature. */
+  /** Mean and deviation of the intensities of its voxels, to help a user recognize the shape; not part of the
+   * signature. */
   double         meanIntensity{ 0.0 };
   double         intensityDeviation{ 0.0 };
   ShapeSignature signature;
@@ -34,26 +35,26 @@ struct ShapeTable
   Remarks               remarks;
 };
 
-/** Describes each label, or each connected component of each label. Shapes that are too small or too thin for a
- * signature are left out with a remark. `intensities` has the grid of `labels`. Throws InputError when no shape is
- * left, and as LabelsOf() does; std::invalid_argument when the sizes differ. \ingroup ShapeSignature */
+/** Describes each label, or each connected component of each label. Shapes too small or too thin for a signature are
+ * skipped with a remark. `intensities` has the grid of `labels`. Throws InputError if no shape remains, and as
+ * LabelsOf() does; std::invalid_argument if the sizes differ. \ingroup ShapeSignature */
 ShapeSignature_EXPORT ShapeTable
 DescribeShapes(const itk::Image<float, 3> * intensities,
                const LabelMap *             labels,
                bool                         components,
                const Progress &             progress = {});
 
-/** Writes a CSV file, a line for each shape; numbers read back as they were. Throws OutputError.
+/** Writes a CSV file with one line per shape; numbers read back unchanged. Throws OutputError.
  * \ingroup ShapeSignature */
 ShapeSignature_EXPORT void
 WriteShapeTable(const ShapeTable & table, const std::string & path);
 
-/** Reads what WriteShapeTable() wrote. Throws InputError that names the file and the line when it is no such table, or
- * a number is out of range. \ingroup ShapeSignature */
+/** Reads a table written by WriteShapeTable(). Throws InputError with file and line if it is not such a table, or a
+ * number is out of range. \ingroup ShapeSignature */
 ShapeSignature_EXPORT ShapeTable
 ReadShapeTable(const std::string & path);
 
-/** Throws InputError that begins with `what` where a signature cannot be that of a shape. \ingroup ShapeSignature */
+/** Throws InputError that begins with `what` if a signature is not possible for any shape. \ingroup ShapeSignature */
 ShapeSignature_EXPORT void
 RequireSound(const ShapeSignature & signature, const std::string & what);
 } // namespace shapeton
