@@ -13,8 +13,8 @@ namespace shapeton
 /** \class ShapeSignature
  * \brief Shape descriptor of a binary object, nearly invariant to position, rotation and sampling.
  *
- * Volume and surface are in mm^3 and mm^2; all other measures are dimensionless and scale-invariant. Times are t / r^2, r
- * the radius of the ball of the same volume; see Times().
+ * Volume and surface are in mm^3 and mm^2; all other measures are dimensionless and scale-invariant. Times are t / r^2,
+ * r the radius of the ball of the same volume; see Times().
  *
  * Two curves of heat over logarithmic time:
  * - `remainingHeat`: the object starts at heat 1, its surroundings stay at 0; the share of its heat that has not left

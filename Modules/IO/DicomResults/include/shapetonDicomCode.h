@@ -5,7 +5,7 @@
 
 namespace shapeton
 {
-/** A coded term: value, scheme (SCT is SNOMED CT, DCM, LN, UCUM, or a private one that begins with 99), meaning.
+/** A coded term: value, scheme (SCT for SNOMED CT, DCM, LN, UCUM, or a private one that begins with 99), meaning.
  * \ingroup DicomResults */
 struct DicomCode
 {

@@ -7,27 +7,27 @@
 
 namespace shapeton
 {
-/** A number with what it means. \ingroup DicomResults */
+/** A number with its meaning and unit. \ingroup DicomResults */
 struct DicomMeasurement
 {
   DicomCode name;
   /** A decimal number of at most 16 characters. */
   std::string digits;
   DicomCode   unit;
-  /** How it was derived from several ones, such as their mean. */
+  /** How it was derived from several values, such as their mean. */
   std::optional<DicomCode> derivation;
 };
 
-/** What was measured of one thing: a segment, or a part of the patient that has none. \ingroup DicomResults */
+/** Measurements of one object: a segment, or a part of the patient without a segment. \ingroup DicomResults */
 struct DicomMeasurementGroup
 {
   std::string              trackingID;
   std::string              trackingUID;
   DicomCode                finding;
   std::optional<DicomCode> site;
-  /** In DicomMeasurementReport::segmentation; 0 for none. */
+  /** Segment number in DicomMeasurementReport::segmentation; 0 for none. */
   int segment{ 0 };
-  /** Its middle, LPS, mm. */
+  /** Center, LPS, mm. */
   std::optional<std::array<double, 3>> center;
   std::vector<DicomMeasurement>        measurements;
   std::vector<std::string>             comments;
@@ -36,17 +36,17 @@ struct DicomMeasurementGroup
 /** A measurement report (TID 1500). \ingroup DicomResults */
 struct DicomMeasurementReport
 {
-  /** By what the images were made, and the part of the body that they show. */
+  /** Procedure that acquired the images, and the body part that they show. */
   DicomCode                          procedure;
   DicomCode                          region;
   DicomInstance                      segmentation;
   std::vector<DicomMeasurementGroup> groups;
-  /** On all of it. */
+  /** Comments on the whole report. */
   std::vector<std::string> comments;
 };
 
-/** Writes a Comprehensive 3D SR of the template TID 1500: an observer that is a program, an image library of all
- * slices, a group (TID 1411) for each thing that was measured. Equal input gives equal bytes. Throws OutputError.
+/** Writes a Comprehensive 3D SR of the template TID 1500: a program as observer, an image library of all slices, a
+ * measurement group (TID 1411) per measured object. Equal input gives equal bytes. Throws OutputError.
  * \ingroup DicomResults */
 DicomResults_EXPORT DicomInstance
 WriteDicomMeasurements(const DicomSource &            source,
@@ -54,7 +54,7 @@ WriteDicomMeasurements(const DicomSource &            source,
                        const DicomResultHeader &      header,
                        const std::string &            path);
 
-/** What a report says first: that its language is English, and who observed. \ingroup DicomResults */
+/** The first items of a report: English as its language, and the observer. \ingroup DicomResults */
 DicomResults_EXPORT std::vector<DicomContent>
                     ContextOfReport(const DicomResultHeader & header);
 } // namespace shapeton

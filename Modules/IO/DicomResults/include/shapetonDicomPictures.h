@@ -10,7 +10,7 @@
 
 namespace shapeton
 {
-/** Writes a picture as Secondary Capture, in RGB. Throws InputError for more than 65535 rows or columns, OutputError.
+/** Writes a picture as Secondary Capture in RGB. Throws InputError for more than 65535 rows or columns, OutputError.
  * \ingroup DicomResults */
 DicomResults_EXPORT DicomInstance
 WriteDicomPicture(const DicomSource &                                 source,
@@ -18,8 +18,8 @@ WriteDicomPicture(const DicomSource &                                 source,
                   const DicomResultHeader &                           header,
                   const std::string &                                 path);
 
-/** Writes a surface (LPS, mm) as Encapsulated STL in the frame of reference of the source. `what` is a term for it.
- * Throws InputError as WriteSurface(), OutputError. \ingroup DicomResults */
+/** Writes a surface (LPS, mm) as Encapsulated STL in the frame of reference of the source. `what` is the coded term
+ * of the surface. Throws InputError as WriteSurface() does, OutputError. \ingroup DicomResults */
 DicomResults_EXPORT DicomInstance
 WriteDicomSurface(const DicomSource &       source,
                   const SurfaceMesh &       mesh,
@@ -27,7 +27,7 @@ WriteDicomSurface(const DicomSource &       source,
                   const DicomResultHeader & header,
                   const std::string &       path);
 
-/** What the values of a map are. \ingroup DicomResults */
+/** Meaning of the values of a map. \ingroup DicomResults */
 struct DicomMapMeaning
 {
   DicomCode quantity;
@@ -35,13 +35,13 @@ struct DicomMapMeaning
   /** At most 16 characters. */
   std::string label;
   std::string explanation;
-  /** Where in the body. */
+  /** Body region. */
   DicomCode region;
 };
 
-/** Writes an image as Parametric Map: 32 bits, floating point, a frame for each slice of the source, with a real-world
- * value mapping that leaves the values as they are. Throws InputError for another grid than that of the source,
- * OutputError. \ingroup DicomResults */
+/** Writes an image as Parametric Map: 32-bit floating point, a frame per slice of the source, with an identity
+ * real-world value mapping. Throws InputError if the grid is not that of the source, OutputError.
+ * \ingroup DicomResults */
 DicomResults_EXPORT DicomInstance
 WriteDicomMap(const DicomSource &          source,
               const itk::Image<float, 3> * image,

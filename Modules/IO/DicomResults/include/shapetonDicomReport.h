@@ -11,8 +11,8 @@
 namespace shapeton
 {
 /** \class DicomContent
- * \brief A node of the content tree of a DICOM Structured Report: how it relates to its parent, what it is about, its
- * value, and the nodes below it. Made by the functions below.
+ * \brief A node of the content tree of a DICOM Structured Report: its relationship to the parent, concept, value, and
+ * child nodes. Created by the functions below.
  * \ingroup DicomResults */
 struct DicomContent
 {
@@ -23,31 +23,31 @@ struct DicomContent
     Code,
     Number,
     UID,
-    /** A reference to an instance, with a frame or segment where it has them. */
+    /** A reference to an instance, optionally with a frame or segment. */
     Image,
-    /** A point in pixels of the image that is its child. */
+    /** A point in pixels of the image that is its child node. */
     PixelPoint,
-    /** A point of the frame of reference, LPS, mm. */
+    /** A point in the frame of reference, LPS, mm. */
     SpacePoint
   };
   Kind        kind{ Kind::Container };
   std::string relationship;
   DicomCode   name;
-  /** Of Text and UID; of Number its digits; of Container the template, as "1500", where it begins one. */
+  /** Value of Text and UID; digits of Number; template of a Container that starts one, such as "1500". */
   std::string text;
-  /** Of Code its value, of Number its unit. */
+  /** Value of Code, unit of Number. */
   DicomCode code;
-  /** Of Image. */
+  /** The referenced instance of Image. */
   DicomInstance instance;
   int           segment{ 0 };
   int           frame{ 0 };
-  /** Of points. */
+  /** Coordinates of PixelPoint and SpacePoint. */
   std::array<double, 3>     point{ { 0.0, 0.0, 0.0 } };
   std::vector<DicomContent> children;
 };
 
 /** \defgroup DicomContents Nodes of a content tree
- * `relationship` is that of DICOM, such as "CONTAINS".
+ * `relationship` is the DICOM relationship type, such as "CONTAINS".
  * \ingroup DicomResults */
 ///@{
 DicomResults_EXPORT DicomContent
@@ -69,13 +69,13 @@ DicomResults_EXPORT DicomContent
 UIDContent(const std::string & relationship, const DicomCode & name, const std::string & uid);
 DicomResults_EXPORT DicomContent
 SegmentContent(const std::string & relationship, const DicomCode & name, const DicomInstance & instance, int segment);
-/** A slice of a source. */
+/** A reference to a slice of a source. */
 DicomResults_EXPORT DicomContent
 SliceContent(const std::string & relationship, const DicomSlice & slice);
 /** LPS, mm. */
 DicomResults_EXPORT DicomContent
 SpacePointContent(const std::string & relationship, const DicomCode & name, const std::array<double, 3> & point);
-/** A place on the slice of the source that is nearest to a point (LPS, mm). */
+/** The pixel position of a point (LPS, mm) on the nearest slice of the source. */
 DicomResults_EXPORT DicomContent
 PixelPointContent(const std::string &           relationship,
                   const DicomCode &             name,
@@ -90,8 +90,8 @@ enum class DicomReportKind
   ColonCAD
 };
 
-/** Writes a Structured Report: partial, unverified, preliminary. All slices of the source and `others` are its
- * evidence. Equal input gives equal bytes. Throws OutputError. \ingroup DicomResults */
+/** Writes a Structured Report: partial, unverified, preliminary. Its evidence is all slices of the source and
+ * `others`. Equal input gives equal bytes. Throws OutputError. \ingroup DicomResults */
 DicomResults_EXPORT DicomInstance
 WriteDicomReport(const DicomSource &                source,
                  DicomReportKind                    kind,

@@ -10,20 +10,20 @@
 
 namespace shapeton
 {
-/** Points that a report names in one place. \ingroup DicomResults */
+/** Points that a report lists together. \ingroup DicomResults */
 struct DicomReportPoints
 {
-  /** The tracking identifier of the measurement that they belong to, else what they are. */
+  /** The tracking identifier of the measurement that contains the points, else their concept name. */
   std::string name;
   /** LPS, mm. */
   std::vector<itk::Point<double, 3>> places;
 };
 
 /** Reads the points of a Structured Report of any template: those in space (SCOORD3D) and those in pixels of slices of
- * the source (SCOORD). Of a circle, an ellipse or an ellipsoid its middle; of lines and polygons their vertices.
+ * the source (SCOORD). Circles, ellipses and ellipsoids give their centers, lines and polygons their vertices.
  *
- * Throws InputError for a file that is no report or has no point, and for points of another frame of reference or in
- * images that are no slices of the source. \ingroup DicomResults */
+ * Throws InputError for a file that is not a report or contains no point, for points in another frame of reference,
+ * and for points in images other than the slices of the source. \ingroup DicomResults */
 DicomResults_EXPORT std::vector<DicomReportPoints>
                     ReadDicomReportPoints(const std::string & path, const DicomSource & source);
 } // namespace shapeton

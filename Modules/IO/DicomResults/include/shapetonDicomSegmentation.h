@@ -13,10 +13,10 @@
 
 namespace shapeton
 {
-/** Labels of voxels; 0 is nothing. \ingroup DicomResults */
+/** Label of each voxel; 0 for none. \ingroup DicomResults */
 using DicomLabelImage = itk::Image<unsigned short, 3>;
 
-/** A segment to be written. \ingroup DicomResults */
+/** A segment to write. \ingroup DicomResults */
 struct DicomSegment
 {
   /** At most 64 characters, as trackingID. */
@@ -24,33 +24,33 @@ struct DicomSegment
   std::string description;
   DicomCode   category;
   DicomCode   type;
-  /** Where in the body. */
+  /** Body region. */
   std::optional<DicomCode> region;
-  /** By which the segment is the same thing in other objects; trackingUID is a UID. */
+  /** Identifies the same object across DICOM instances; trackingUID is a UID. */
   std::string                  trackingID;
   std::string                  trackingUID;
   std::array<unsigned char, 3> color{ { 255, 255, 255 } };
-  /** Its voxels: those of `labels` that are `label`, on the grid of the source. */
+  /** Its voxels: those of `labels` with the value `label`, on the grid of the source. */
   const DicomLabelImage * labels{ nullptr };
   unsigned short          label{ 1 };
 };
 
-/** What was written. \ingroup DicomResults */
+/** The written segmentation. \ingroup DicomResults */
 struct DicomSegmentation
 {
   DicomInstance instance;
-  /** The number of each segment in the file, from 1; 0 of one that has no voxel and was left out. */
+  /** The number of each segment in the file, from 1; 0 for a segment without voxels, which is skipped. */
   std::vector<int> numbers;
-  /** Voxels of each segment. */
+  /** Number of voxels of each segment. */
   std::vector<std::size_t> voxels;
 };
 
-/** Writes a binary DICOM Segmentation: a frame for each segment and slice where it has voxels. Segments may overlap.
+/** Writes a binary DICOM Segmentation: a frame per segment and slice with voxels of it. Segments may overlap.
  *
- * Frames lie in the planes of the slices that they refer to. With `isDeflated` the file is in the transfer syntax
- * Deflated Explicit VR Little Endian. Equal input gives equal bytes.
+ * Frames are in the planes of the slices that they reference. With `isDeflated` the transfer syntax is Deflated
+ * Explicit VR Little Endian. Equal input gives equal bytes.
  *
- * Throws InputError where labels lie on another grid than the source, and where no segment has a voxel; OutputError.
+ * Throws InputError if the labels are on another grid than the source, or no segment has a voxel; OutputError.
  * \ingroup DicomResults */
 DicomResults_EXPORT DicomSegmentation
 WriteDicomSegmentation(const DicomSource &               source,

@@ -11,14 +11,14 @@ struct DicomSegmentInFile
 {
   int         number{ 0 };
   std::string name;
-  /** The name is what its bytes mean in their character set. */
+  /** Whether the name is valid in its character set. */
   bool        isNameDecoded{ true };
   DicomCode   category;
   DicomCode   type;
   std::string trackingUID;
 };
 
-/** A frame of a file: one segment in one plane, all of them in a label map. \ingroup DicomResults */
+/** A frame of a file: one segment in one plane, or all segments in a label map. \ingroup DicomResults */
 struct DicomSegmentFrame
 {
   /** 0 in a label map. */
@@ -26,60 +26,60 @@ struct DicomSegmentFrame
   itk::Point<double, 3> position{};
 };
 
-/** What the header of a DICOM Segmentation says. \ingroup DicomResults */
+/** The header of a DICOM Segmentation. \ingroup DicomResults */
 struct DicomSegmentationFile
 {
   std::string path;
   std::string frameOfReferenceUID;
-  /** Of the series that it refers to; empty where it names none. */
+  /** The referenced series; empty if the file names none. */
   std::string  seriesUID;
   unsigned int columns{ 0 };
   unsigned int rows{ 0 };
-  /** Distance of columns, of rows, mm. */
+  /** Distance of columns and of rows, mm. */
   double spacing[2]{ 0.0, 0.0 };
-  /** Along a row, then along a column. */
+  /** Direction along a row, then along a column. */
   double orientation[6]{};
-  /** Value of a voxel that is wholly inside a fractional segment; 0 if the segmentation is not fractional. */
+  /** Value of a voxel completely inside a fractional segment; 0 if the segmentation is not fractional. */
   unsigned int wholeValue{ 0 };
   /** Bytes of a pixel of a label map, 1 or 2; 0 if the segmentation is not a label map. */
   unsigned int bytesPerLabel{ 0 };
-  /** Without those that a label map declares as background. */
+  /** Excludes segments that a label map declares as background. */
   std::vector<DicomSegmentInFile> segments;
   std::vector<DicomSegmentFrame>  frames;
-  /** Values of pixels of a label map that belong to no segment: 0 unless it is declared, Pixel Padding Value, and the
-   * numbers of segments of the type Background (125040, DCM). */
+  /** Pixel values of a label map that belong to no segment: 0 unless declared, Pixel Padding Value, and the numbers
+   * of segments of the type Background (125040, DCM). */
   std::vector<int> background;
-  /** What a user should know, one line each. */
+  /** Remarks for the user, one line each. */
   std::vector<std::string> notes;
 };
 
-/** Reads the header of a DICOM Segmentation of any maker: binary, fractional or a label map (Supplement 243, 8 or 16
- * bits, whatever its colors), not compressed or deflated; all frames in parallel planes; slices without a segment may
- * be missing. Throws InputError that names the file and the fault. \ingroup DicomResults */
+/** Reads the header of a DICOM Segmentation from any vendor: binary, fractional or a label map (Supplement 243, 8 or
+ * 16 bits, with any colors), uncompressed or deflated. All frames must be in parallel planes; slices without a
+ * segment may be missing. Throws InputError that names the file and the error. \ingroup DicomResults */
 DicomResults_EXPORT DicomSegmentationFile
 ReadDicomSegmentation(const std::string & path);
 
-/** Throws InputError unless a segmentation names the series of the source, or at least its frame of reference, as the
- * one that it was made on, and no other. Grids may be equal by chance. \ingroup DicomResults */
+/** Throws InputError unless the segmentation references the series of the source, or at least its frame of
+ * reference, and no other. Equal grids alone may be a coincidence. \ingroup DicomResults */
 DicomResults_EXPORT void
 RequireMadeOn(const DicomSegmentationFile & file, const DicomSource & source);
 
-/** Segments as they were read. \ingroup DicomResults */
+/** Voxels of the segments read from a file. \ingroup DicomResults */
 struct DicomSegmentVoxels
 {
-  /** The number of the segment of each voxel, 0 for none; of several the one that was asked for last. */
+  /** The segment number of each voxel, 0 for none; where segments overlap, the last requested one. */
   DicomLabelImage::Pointer labels;
-  /** Voxels of each segment that was asked for, whatever others lie over it. */
+  /** Voxels of each requested segment, including those covered by other segments. */
   std::vector<std::size_t> voxels;
 };
 
-/** The voxels of segments on the grid of the source series. A voxel of a fractional segment belongs to it from a half
- * on. On the grid of a tilted series (DicomSourceOptions::deshear) each slice is moved by whole pixels, so that no
- * voxel is lost or doubled.
+/** The voxels of segments on the grid of the source series. A voxel belongs to a fractional segment from one half on.
+ * On the grid of a tilted series (DicomSourceOptions::deshear) each slice is shifted by whole pixels, so that no voxel
+ * is lost or duplicated.
  *
- * Throws InputError where a frame does not lie in a slice of the series with the same pixels, two of a segment lie in
- * one, and for a file that is not whole; ParameterError for a number that is not there, or twice, or 0, which means no
- * segment here. \ingroup DicomResults */
+ * Throws InputError if a frame does not match the pixels of a slice of the series, two frames of a segment are in
+ * one slice, or the file is truncated; ParameterError for a segment number that does not exist, is repeated, or is
+ * 0, which means no segment. \ingroup DicomResults */
 DicomResults_EXPORT DicomSegmentVoxels
 ReadDicomSegments(const DicomSegmentationFile & file, const std::vector<int> & numbers, const DicomSource & source);
 } // namespace shapeton

@@ -10,41 +10,41 @@
 
 namespace shapeton
 {
-/** The series that results were made from. They belong to its patient, study and frame of reference, and refer to its
- * slices. \ingroup DicomResults */
+/** The series that results were computed from. Results have its patient, study and frame of reference, and reference
+ * its slices. \ingroup DicomResults */
 struct DicomSource
 {
   DicomSeries series;
   /** The grid of its voxels: size, spacing, origin, direction. */
   itk::ImageBase<3>::Pointer grid;
-  /** What results take over of the header of the first slice, as a data set in explicit VR little endian: patient,
-   * study, character set, time zone, clinical trial, de-identification, dates. */
+  /** Attributes that results copy from the header of the first slice, as a data set in explicit VR little endian:
+   * patient, study, character set, time zone, clinical trial, de-identification, dates. */
   std::string header;
 };
 
-/** Which series a result belongs to, and what it must have. \ingroup DicomResults */
+/** The source series of a result, and its requirements. \ingroup DicomResults */
 struct DicomSourceOptions
 {
-  /** As VolumeReadOptions has it. */
+  /** As in VolumeReadOptions. */
   std::string seriesUID;
-  /** Take a tilted series: the grid is then that of the repair `deshear`. For reading alone. */
+  /** Accept a tilted series; the grid is then that of the repair `deshear`. For reading only. */
   bool deshear{ false };
-  /** A message on a tilted series may advise `deshear`. */
+  /** Whether a message on a tilted series may advise `deshear`. */
   bool offersDeshear{ false };
-  /** An irregular series, a single slice, or one without a frame of reference is enough: points in pixels need the
-   * place of their slice alone. For reading alone. */
+  /** Accept an irregular series, a single slice, or a series without a frame of reference: points in pixels need
+   * only the position of their slice. For reading only. */
   bool forPoints{ false };
 };
 
-/** Reads the headers of a series. It must be a regular one: a slice of a repaired volume would have nothing to refer
- * to. Throws InputError as ReadVolume() does, and where slices have no SOP Instance UID. \ingroup DicomResults */
+/** Reads the headers of a series, which must be regular: the slices of a repaired volume could not be referenced.
+ * Throws InputError as ReadVolume() does, and if slices have no SOP Instance UID. \ingroup DicomResults */
 DicomResults_EXPORT DicomSource
 ReadDicomSource(const std::string & path, const DicomSourceOptions & options = {});
 
-/** How a result names itself. \ingroup DicomResults */
+/** Description of a result in its header. \ingroup DicomResults */
 struct DicomResultHeader
 {
-  /** The program that made it. */
+  /** The program that created it. */
   std::string tool;
   std::string version;
   int         seriesNumber{ 0 };
@@ -52,7 +52,7 @@ struct DicomResultHeader
   std::string seriesDescription;
 };
 
-/** By which other objects refer to a result. \ingroup DicomResults */
+/** Reference to a result from other objects. \ingroup DicomResults */
 struct DicomInstance
 {
   std::string sopClassUID;
@@ -60,7 +60,7 @@ struct DicomInstance
   std::string seriesUID;
 };
 
-/** What each result says of itself: for research use, no diagnosis. \ingroup DicomResults */
+/** Statement in each result: for research use, not for diagnosis. \ingroup DicomResults */
 constexpr const char * DicomResearchNote = "For research use; not a diagnosis.";
 } // namespace shapeton
 

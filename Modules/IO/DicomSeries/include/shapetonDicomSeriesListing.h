@@ -9,18 +9,17 @@
 
 namespace shapeton
 {
-/** Changes the words of an advice, for a program with options in place of parameters. \ingroup DicomSeries */
+/** Adapts the words of an advice, for a program with options in place of parameters. \ingroup DicomSeries */
 using AdviceInWords = std::function<std::string(const std::string & advice)>;
 
-/** The listing of a folder as text for people: a table with a line for each series (one line for all single slices of
- * one UID), then for each series its UID, encoding and defects with what to do about them, then the files outside any
- * series. \ingroup DicomSeries */
+/** The listing of a folder as text: a table with a line per series (one line for all single slices of one UID), then
+ * for each series its UID, encoding and defects with advice, then the files outside any series.
+ * \ingroup DicomSeries */
 DicomSeries_EXPORT std::string
                    FormatDicomScan(const DicomScan & scan, const AdviceInWords & inWords = {});
 
-/** Writes the listing of a folder as JSON for programmes. Names are stable, files are relative to the folder; lengths
- * in mm, LPS. Throws OutputError. \code
- * {
+/** Writes the listing of a folder as JSON for programs. Names are stable, files are relative to the folder; lengths in
+ * mm, LPS. Throws OutputError. \code {
  *   "schema": "shapeton.dicomSeries.1",
  *   "files": 40,
  *   "series": [{
@@ -40,7 +39,7 @@ DicomSeries_EXPORT std::string
  *   "otherFiles": [{ "name": "notAnImage", "message": "...", "files": ["README"] }]
  * }
  * \endcode
- * The names of defects are those of DicomDefectKind; slices and frames are counted from 1.
+ * The names of defects are those of DicomDefectKind; slices and frames count from 1.
  * \ingroup DicomSeries */
 DicomSeries_EXPORT void
 WriteDicomScan(const DicomScan & scan, const std::string & path, const AdviceInWords & inWords = {});

@@ -15,7 +15,7 @@
 
 namespace shapeton
 {
-/** \brief What can be wrong with the files of a DICOM folder. The names are fixed; programmes may rely on them.
+/** \brief Defects of the files of a DICOM folder. The names are stable; programs may rely on them.
  * \ingroup DicomSeries */
 enum class DicomDefectKind
 {
@@ -27,53 +27,54 @@ enum class DicomDefectKind
   gap,
   /** The distance between slices changes. */
   variableSpacing,
-  /** The slices are displaced within their plane: gantry tilt. */
+  /** The slices are displaced within their planes: gantry tilt. */
   shear,
-  /** A planning image (Image Type says LOCALIZER), no part of a volume. */
+  /** A planning image (Image Type contains LOCALIZER), not part of a volume. */
   localizer,
   /** One Series Instance UID with images that do not form one volume. */
   mixedSeries,
-  /** A file ends before its content does. */
+  /** A file ends prematurely. */
   truncated,
-  /** Pixels in an encoding that cannot be read (video, JPIP, ...). */
+  /** Pixels in an unsupported encoding (video, JPIP, ...). */
   unsupportedTransferSyntax,
   /** A file without a slice image: text, report, structure set, DICOMDIR, ... */
   notAnImage,
-  /** The slices of one volume name several frames of reference, a flaw of some de-identifications: a remark. */
+  /** The slices of one volume have several frames of reference, a flaw of some de-identifications: a remark. */
   mixedFrameOfReference,
-  /** The slices of one volume name several patients (Patient ID), another such flaw: a remark. */
+  /** The slices of one volume have several patients (Patient ID), another flaw of some de-identifications: a remark. */
   mixedPatient,
-  /** A number of the geometry or the intensities cannot be read, for example for its decimal comma. */
+  /** A number of the geometry or the intensities cannot be parsed, for example because of a decimal comma. */
   malformedValue,
-  /** A text whose bytes do not fit its character set: a remark. */
+  /** A text that is invalid in its character set: a remark. */
   undecodableText
 };
 
-/** The fixed name, for example "duplicateIdentical".
+/** The stable name, for example "duplicateIdentical".
  * \ingroup DicomSeries */
 DicomSeries_EXPORT const char *
 GetDicomDefectName(DicomDefectKind kind);
 
-/** \brief One defect, in a sentence, with the files and slices concerned.
+/** \brief One defect: a message, and the files and slices concerned.
  * \ingroup DicomSeries */
 struct DicomDefect
 {
   DicomDefectKind kind;
   std::string     message;
-  /** Files concerned, in the order of position, then of name. */
+  /** Files concerned, ordered by position, then by name. */
   std::vector<std::string> files;
   /** Slices concerned, numbered from 1 along the normal; empty for defects of files. */
   std::vector<unsigned int> slices;
-  /** False for gaps and shear beyond what ReadVolume() repairs: the grid would be several times the slices. */
+  /** False for gaps and shear beyond what ReadVolume() repairs: the grid would have several times the number of
+   * slices. */
   bool isRepairable{ true };
 };
 
-/** What a person can do about a defect, for example the option of the tools that repairs it.
+/** Advice on a defect, for example the option of the tools that repairs it.
  * \ingroup DicomSeries */
 DicomSeries_EXPORT const char *
 GetDicomDefectAdvice(const DicomDefect & defect);
 
-/** \brief How the stored pixels of a slice become intensities: value = slope * stored + intercept.
+/** \brief Conversion of the stored pixels of a slice to intensities: value = slope * stored + intercept.
  * \ingroup DicomSeries */
 struct DicomPixelFormat
 {
@@ -83,9 +84,9 @@ struct DicomPixelFormat
   bool          isSigned{ false };
   double        slope{ 1.0 };
   double        intercept{ 0.0 };
-  /** The header has a slope or an intercept. Slices with and without are in different units: a mixed series. */
+  /** The header has a slope or an intercept. Slices with and without have different units: a mixed series. */
   bool hasRescale{ false };
-  /** Stored values in [paddingLow, paddingHigh] are no measurement (Pixel Padding Value). */
+  /** Stored values in [paddingLow, paddingHigh] are not measurements (Pixel Padding Value). */
   bool         hasPadding{ false };
   std::int64_t paddingLow{ 0 };
   std::int64_t paddingHigh{ 0 };
@@ -98,9 +99,9 @@ struct DicomSlice
   std::string file;
   /** Frame of the file, from 0. */
   unsigned int frame{ 0 };
-  /** The file has frames, be it one: who refers to the slice names its frame. */
+  /** The file is multi-frame, possibly with a single frame: references to the slice include the frame number. */
   bool isMultiFrame{ false };
-  /** By which other objects refer to the file. */
+  /** UIDs by which other objects reference the file. */
   std::string sopClassUID;
   std::string sopInstanceUID;
   int         instanceNumber{ 0 };
@@ -108,9 +109,9 @@ struct DicomSlice
   itk::Point<double, 3> imagePosition{};
   /** Distance from the first slice along the normal, mm. */
   double position{ 0.0 };
-  /** Displacement against the first slice along rows and columns, mm; 0 unless the series is sheared. */
+  /** Displacement relative to the first slice along rows and columns, mm; 0 unless the series is sheared. */
   double offset[2]{ 0.0, 0.0 };
-  /** Slice Thickness, mm; 0 when not stated. Used for the spacing of a single slice and for nothing else. */
+  /** Slice Thickness, mm; 0 if not stated. Used only for the spacing of a single slice. */
   double           thickness{ 0.0 };
   DicomPixelFormat pixels;
 };
@@ -121,14 +122,16 @@ struct DicomSeries
 {
   std::string uid;
   std::string studyUID;
-  /** Of the first slice. */
+  /** Frame of reference of the first slice. */
   std::string frameOfReferenceUID;
-  /** 1 of 1, unless the series is mixed: then its parts are numbered and chosen as "UID#1", "UID#2". */
+  /** Part number and number of parts; 1 of 1 unless the series is mixed: then parts are selected as "UID#1",
+   * "UID#2". */
   unsigned int part{ 1 };
   unsigned int parts{ 1 };
   int          number{ 0 };
   std::string  description;
-  /** What tells this part from the others, for example "ConvolutionKernel B70f"; empty where its geometry does. */
+  /** What distinguishes this part from the others, for example "ConvolutionKernel B70f"; empty if it is the
+   * geometry. */
   std::string distinction;
   std::string modality;
   std::string patientPosition;
@@ -136,29 +139,30 @@ struct DicomSeries
   std::string transferSyntax;
   /** Columns, rows, slices. */
   unsigned int size[3]{ 0, 0, 0 };
-  /** Distance of columns, of rows, of slices along the normal, mm. The last one is the usual distance (median) where
-   * the series is irregular, and 0 for a single slice. */
+  /** Distance of columns, of rows, and of slices along the normal, mm. The last one is the median distance if the
+   * series is irregular, and 0 for a single slice. */
   double spacing[3]{ 0.0, 0.0, 0.0 };
   /** Columns: along a row, along a column, normal. */
   itk::Matrix<double, 3, 3> direction{};
-  /** Pixels went through a lossy compression. */
+  /** The pixels were compressed lossily. */
   bool isLossy{ false };
-  /** MONOCHROME1: low values are shown bright. The values themselves are not affected. */
+  /** MONOCHROME1: low values are displayed bright. The values themselves are not affected. */
   bool isInverted{ false };
-  /** In ascending order along the normal. */
+  /** Ascending along the normal. */
   std::vector<DicomSlice>  slices;
   std::vector<DicomDefect> defects;
-  /** What is unusual and keeps nobody from reading the volume. */
+  /** Irregularities that do not prevent reading the volume. */
   std::vector<DicomDefect> remarks;
-  /** Why this is no volume, when no defect says it: colour, 2-D image, a single slice, ... Empty otherwise. */
+  /** Why the series is not a volume, if no defect explains it: color, 2-D image, a single slice, ... Empty
+   * otherwise. */
   std::string refusal;
-  /** The slices are sound but there is only one. */
+  /** The slices are valid but there is only one. */
   bool isSingleSlice{ false };
 
-  /** Text that chooses this series: the UID, with "#part" for a part of a mixed series. */
+  /** Text that selects this series: the UID, with "#part" for a part of a mixed series. */
   DicomSeries_EXPORT std::string
                      GetSelector() const;
-  /** True when a volume can be read without a repair. */
+  /** True if a volume can be read without repair. */
   bool
   IsUsable() const
   {
@@ -168,38 +172,38 @@ struct DicomSeries
   Has(DicomDefectKind kind) const;
 };
 
-/** \brief What a folder holds.
+/** \brief Contents of a folder.
  * \ingroup DicomSeries */
 struct DicomScan
 {
   std::string path;
-  /** Number of files looked at. */
+  /** Number of files examined. */
   unsigned int files{ 0 };
-  /** In the order of series number, UID and part. */
+  /** Ordered by series number, UID and part. */
   std::vector<DicomSeries> series;
-  /** Files outside any series: not DICOM, DICOM without an image, too damaged to tell. */
+  /** Files outside any series: not DICOM, DICOM without an image, or too damaged to identify. */
   std::vector<DicomDefect> otherFiles;
-  /** How many DICOM objects without an image there are of each kind, for example "RTStructureSetStorage". */
+  /** Number of DICOM objects without an image by kind, for example "RTStructureSetStorage". */
   std::map<std::string, unsigned int> otherObjects;
 };
 
-/** \brief Lists the DICOM series in a folder (searched recursively; each file and folder once, symbolic links followed)
- * or in one file. Reads headers only, except of slices at equal positions, whose pixels are compared.
+/** \brief Lists the DICOM series in a folder (searched recursively; each file and folder once, following symbolic
+ * links) or in one file. Reads only headers, except for slices at equal positions, whose pixels are compared.
  *
  * Grouping: by Series Instance UID, Patient ID, Patient Position, frame of reference, orientation, size and pixel
- * spacing. Groups of one study that differ in patient or frame of reference alone are one volume with the remark
- * mixedPatient or mixedFrameOfReference where their slices, three or more, are equidistant together. Then by
- * an attribute of acquisition or reconstruction (acquisition number, temporal position, echo, b-value, stack, image
- * type, kernel, filter, diameter, thickness, kVp, series description and others), where several such groups, each a
- * grid on its own, cover the same positions or interleave: then each is coarser than the whole. Slices are ordered by
- * Image Position (Patient) along the normal of Image Orientation (Patient); Slice Thickness, Spacing Between Slices,
- * Slice Location and Instance Number are not used.
+ * spacing. Groups of one study that differ only in patient or frame of reference are one volume with the remark
+ * mixedPatient or mixedFrameOfReference if their combined slices, three or more, are equidistant. Then by an attribute
+ * of acquisition or reconstruction (acquisition number, temporal position, echo, b-value, stack, image type, kernel,
+ * filter, diameter, thickness, kVp, series description and others), if several of these groups, each a regular grid,
+ * cover the same positions or interleave: then each is coarser than the whole. Slices are ordered by Image Position
+ * (Patient) along the normal of Image Orientation (Patient); Slice Thickness, Spacing Between Slices, Slice Location
+ * and Instance Number are not used.
  *
  * Tolerances. Direction cosines: 1e-4. Pixel spacing: relative 1e-4. Positions along the normal and within the plane:
- * 1 % of the slice distance (of the pixel spacing), at least 0.01 mm, where that is at most 10 % of the distance; real
- * series jitter by micrometres. Distances below 0.001 mm are no distance.
+ * 1 % of the slice distance (of the pixel spacing), at least 0.01 mm if that is at most 10 % of the distance; real
+ * series jitter by micrometers. Distances below 0.001 mm count as 0.
  *
- * Throws InputError when the path does not exist, cannot be read, or is an empty folder.
+ * Throws InputError if the path does not exist, cannot be read, or is an empty folder.
  * \ingroup DicomSeries */
 DicomSeries_EXPORT DicomScan
 ScanDicom(const std::string & path, const Progress & progress = {});

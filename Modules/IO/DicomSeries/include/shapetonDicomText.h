@@ -8,11 +8,12 @@
 
 namespace shapeton
 {
-/** \defgroup DicomText Values as DICOM writes them
+/** \defgroup DicomText Formatting of DICOM values
  * \ingroup DicomSeries */
 ///@{
 
-/** A Decimal String: at most 16 characters, as many digits as fit. Throws InputError for what is no finite number. */
+/** A Decimal String: at most 16 characters, as many digits as fit. Throws InputError for a number that is not
+ * finite. */
 DicomSeries_EXPORT std::string
                    DicomDecimal(double value);
 
@@ -20,16 +21,17 @@ DicomSeries_EXPORT std::string
 DicomSeries_EXPORT std::string
                    JoinDicomValues(const std::vector<std::string> & values);
 
-/** The values of "a\b\c" without blanks around them; none for a text without any. */
+/** The values of "a\b\c" without surrounding blanks; none for an empty text. */
 DicomSeries_EXPORT std::vector<std::string>
                    SplitDicomValues(const std::string & text);
 
-/** Texts in one, each with its length before it, so that no two lists give the same: for MakeDicomUID(). */
+/** Concatenates texts, each preceded by its length, so that different lists give different results: for
+ * MakeDicomUID(). */
 DicomSeries_EXPORT std::string
                    ConcatenateTexts(const std::vector<std::string> & texts);
 
-/** "2.25." and a UUID in decimal digits (DICOM PS3.5 B.2), the UUID a custom one (RFC 9562, version 8) from the SHA-256
- * of the text: equal texts, equal UIDs. */
+/** "2.25." and a UUID in decimal digits (DICOM PS3.5 B.2). The UUID is a custom one (RFC 9562, version 8) from the
+ * SHA-256 of the text: equal texts give equal UIDs. */
 DicomSeries_EXPORT std::string
                    MakeDicomUID(const std::string & text);
 ///@}

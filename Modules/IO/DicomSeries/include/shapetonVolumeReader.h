@@ -12,25 +12,25 @@
 
 namespace shapeton
 {
-/** What a reader may repair. By default an irregular series is refused.
+/** Options of the reader, with the allowed repairs. By default an irregular series is rejected.
  * \ingroup DicomSeries */
 struct VolumeReadOptions
 {
-  /** The Series Instance UID to take; needed where a folder holds two or more usable volumes. "UID#2" takes the second
-   * part of a mixed series, as DicomSeriesInspector numbers them. */
+  /** Series Instance UID to read; required if a folder contains two or more usable volumes. "UID#2" selects the
+   * second part of a mixed series, as numbered by DicomSeriesInspector. */
   std::string seriesUID;
-  /** Fill gaps and uneven spacing by linear interpolation along the slice axis. Slices that lie on the new grid are
-   * kept as they are. */
+  /** Fill gaps and uneven spacing by linear interpolation along the slice axis. Slices on the new grid are kept
+   * unchanged. */
   bool resampleGaps{ false };
-  /** Resample a sheared (tilted) volume onto a grid with perpendicular axes: each slice keeps its plane and is moved
-   * within it by linear interpolation; what no slice covers gets the lowest intensity. */
+  /** Resample a sheared (tilted) volume onto a grid with perpendicular axes: each slice keeps its plane and is
+   * shifted within it by linear interpolation; voxels not covered by a slice get the lowest intensity. */
   bool deshear{ false };
-  /** Keep the first of several slices at one position. */
+  /** Keep the first of several slices at the same position. */
   bool dropDuplicates{ false };
-  /** Take one DICOM slice as a volume of one slice; its thickness is its Slice Thickness, 1 mm where that is missing.
-   */
+  /** Read a single DICOM slice as a volume of one slice; its spacing is its Slice Thickness, or 1 mm if that is
+   * missing. */
   bool allowSingleSlice{ false };
-  /** The repairs that messages may advise; fewer where others refer to the slices as they are. */
+  /** The repairs that messages may advise; fewer if other objects reference the original slices. */
   enum class Advice
   {
     none,
@@ -38,37 +38,38 @@ struct VolumeReadOptions
     allRepairs
   };
   Advice advice{ Advice::allRepairs };
-  /** Told of each file and of each slice of a DICOM series. It may throw in order to abort. */
+  /** Receives the progress for each file and each slice of a DICOM series. It may throw to abort. */
   Progress progress;
 };
 
-/** The series of a folder that ReadVolume() would read with these options. Throws InputError as it does.
+/** The series of a folder that ReadVolume() would read with these options. Throws InputError like ReadVolume().
  * \ingroup DicomSeries */
 DicomSeries_EXPORT const DicomSeries &
 SelectDicomSeries(const DicomScan & scan, const VolumeReadOptions & options = {});
 
-/** The grid of the volume that ReadVolume() makes of a series without gaps and duplicates; with `isDesheared`, of the
- * repair `deshear`. \ingroup DicomSeries */
+/** The grid of the volume that ReadVolume() creates from a series without gaps and duplicates; with `isDesheared`,
+ * that of the repair `deshear`. \ingroup DicomSeries */
 DicomSeries_EXPORT itk::ImageBase<3>::Pointer
                    GridOfDicomSeries(const DicomSeries & series, bool isDesheared = false);
 
-/** Throws InputError for a folder or file without an image: what it holds instead, and what to do. `wanted` is the
- * advice where it holds nothing of DICOM. \ingroup DicomSeries */
+/** Throws InputError for a folder or file without an image, with its actual contents and advice. `wanted` is the
+ * advice if it contains no DICOM. \ingroup DicomSeries */
 DicomSeries_EXPORT void
 RequireDicomImages(const DicomScan & scan, const std::string & wanted = "name the folder that holds the series");
 
 /** Reads a folder (searched recursively), one DICOM file, or one NRRD, NIfTI or MetaImage file.
  *
- * A folder: one usable series beside localizers, other images or irregular series is taken with a note; two or more
- * need VolumeReadOptions::seriesUID. One DICOM file: that file alone, all frames of an enhanced multi-frame image,
- * never the other files of its folder. Pixel Padding Value becomes the lowest other intensity of the volume.
+ * A folder: a single usable series is read, with a note on skipped localizers, other images or irregular series; two
+ * or more require VolumeReadOptions::seriesUID. One DICOM file: only that file, with all frames of an enhanced
+ * multi-frame image, never the other files of its folder. Pixel Padding Value becomes the lowest other intensity of
+ * the volume.
  *
  * NRRD (.nrrd, .nhdr), NIfTI (.nii, .nii.gz) and MetaImage (.mha, .mhd): three-dimensional scalar images with positive
  * finite spacing, perpendicular axes and finite voxels. A fourth dimension must have the size 1. Left-handed axes, as
  * most NIfTI files have, are kept.
  *
- * Throws InputError that names the file or series, the defect and the slices concerned, and what to do; ParameterError
- * when a series is chosen from a file that has none. \ingroup DicomSeries */
+ * Throws InputError that names the file or series, the defect and the slices concerned, and what to do;
+ * ParameterError if a series is selected in a file without series. \ingroup DicomSeries */
 DicomSeries_EXPORT Volume
 ReadVolume(const std::string & path, const VolumeReadOptions & options = {});
 } // namespace shapeton

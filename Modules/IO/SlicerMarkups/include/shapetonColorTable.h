@@ -9,7 +9,7 @@
 
 namespace shapeton
 {
-/** What a value of a label map means, and how it is shown. \ingroup SlicerMarkups */
+/** Meaning and color of a value of a label map. \ingroup SlicerMarkups */
 struct LabelColor
 {
   /** 1 to 32767; 0 is the background. */
@@ -19,14 +19,15 @@ struct LabelColor
   std::array<double, 3> color{ 1.0, 1.0, 1.0 };
 };
 
-/** A colour far from those of the labels just before: hues in steps of the golden angle, two strengths, two values.
+/** A color different from those of the preceding labels: hues in steps of the golden angle, two saturations, two
+ * values.
  * \ingroup SlicerMarkups */
 SlicerMarkups_EXPORT std::array<double, 3>
                      ColorOfLabel(int label);
 
-/** Writes a colour table of 3D Slicer (.ctbl): a line for each label, the background clear. Blanks in names become
- * underscores, as in Slicer's own files. Throws ParameterError for another extension, std::invalid_argument for a value
- * or colour out of range, a value given twice or an empty name; OutputError. \ingroup SlicerMarkups */
+/** Writes a colour table of 3D Slicer (.ctbl): one line per label, transparent background. Blanks in names become
+ * underscores, as in Slicer's files. Throws ParameterError for another extension, std::invalid_argument for a value
+ * or color out of range, a duplicate value or an empty name; OutputError. \ingroup SlicerMarkups */
 SlicerMarkups_EXPORT void
 WriteColorTable(const std::vector<LabelColor> & labels, const std::string & path);
 } // namespace shapeton

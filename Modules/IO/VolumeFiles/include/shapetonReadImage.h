@@ -9,8 +9,8 @@
 
 namespace shapeton
 {
-/** An image in the type of its own that a run of the tools has written, by the reader of its format. Throws InputError
- * that names the file and ends with `advice`, what to do. \ingroup VolumeFiles */
+/** Reads an image with its own pixel type that one of the tools has written. Throws InputError that names the file
+ * and ends with `advice`. \ingroup VolumeFiles */
 template <typename TImage>
 typename TImage::Pointer
 ReadImage(const std::string & path, itk::ImageIOBase * format, const std::string & advice)

@@ -11,21 +11,21 @@
 
 namespace shapeton
 {
-/** A volume with its geometry (LPS, mm) and where it comes from.
+/** A volume with its geometry (LPS, mm) and its origin.
  * \ingroup VolumeFiles */
 struct Volume
 {
   using ImageType = itk::Image<float, 3>;
   /** Rescaled intensities; Hounsfield units for CT. */
   ImageType::Pointer image;
-  /** "CT", "MR", ...; empty for formats that do not say. */
+  /** "CT", "MR", ...; empty for formats without a modality. */
   std::string modality;
-  /** DICOM Patient Position, for example "HFS"; empty when not known. */
+  /** DICOM Patient Position, for example "HFS"; empty if unknown. */
   std::string patientPosition;
   std::string seriesUID;
   /** "seriesInstanceUID:..." or "sha256:..." of the file. */
   std::string identity;
-  /** Repairs that were made, in words; part of the provenance. */
+  /** Descriptions of the applied repairs; part of the provenance. */
   std::vector<std::string> repairs;
   /** Remarks for the user, for example "2 localizer images were left out". */
   Remarks notes;
@@ -36,22 +36,22 @@ struct Volume
 VolumeFiles_EXPORT std::string
                    IdentityOfSeries(const std::string & selector);
 
-/** The selector in such an identity; empty for the identity of anything else. \ingroup VolumeFiles */
+/** The selector contained in a series identity; empty for any other identity. \ingroup VolumeFiles */
 VolumeFiles_EXPORT std::string
                    SeriesOfIdentity(const std::string & identity);
 
-/** Whether two volumes have the same size and all their voxels lie at the same places, to a hundredth of the smallest
- * spacing. \ingroup VolumeFiles */
+/** Whether two volumes have the same size and the same voxel positions, to a hundredth of the smallest spacing.
+ * \ingroup VolumeFiles */
 VolumeFiles_EXPORT bool
 HaveSameGrid(const itk::ImageBase<3> * a, const itk::ImageBase<3> * b);
 
-/** 1 where the voxels of a volume are not 0. Throws InputError, with `path` in front, when there are none.
+/** A mask that is 1 where the volume is not 0. Throws InputError, prefixed by `path`, if all voxels are 0.
  * \ingroup VolumeFiles */
 VolumeFiles_EXPORT itk::Image<unsigned char, 3>::Pointer
                    MaskOfVolume(const Volume & volume, const std::string & path);
 
-/** MaskOfVolume() of a volume that was read from `path` for an image. Throws InputError where it has another grid than
- * the image, or no voxel other than 0. \ingroup VolumeFiles */
+/** MaskOfVolume() of a volume read from `path`, for use with an image. Throws InputError if its grid differs from
+ * that of the image, or it has no voxel other than 0. \ingroup VolumeFiles */
 VolumeFiles_EXPORT itk::Image<unsigned char, 3>::Pointer
                    MaskForImage(const Volume & volume, const std::string & path, const itk::ImageBase<3> * image);
 } // namespace shapeton

@@ -11,20 +11,20 @@
 
 namespace shapeton
 {
-/** Key and value pairs kept in the header of formats that have room for them (NRRD, MetaImage), such as
+/** Key and value pairs stored in the header of formats that support them (NRRD, MetaImage), such as
  * ProvenanceMetadata().
  * \ingroup VolumeFiles */
 using VolumeMetadata = std::vector<std::pair<std::string, std::string>>;
 
-/** `path`, when it is empty (no output is wanted) or WriteVolume can write it; ParameterError otherwise. For a check
- * before a long computation. \ingroup VolumeFiles */
+/** Returns `path` if it is empty (no output wanted) or WriteVolume can write it; throws ParameterError otherwise.
+ * For a check before a long computation. \ingroup VolumeFiles */
 VolumeFiles_EXPORT const std::string &
                          RequireVolumeName(const std::string & path);
 
-/** Writes NRRD, NIfTI or MetaImage by the extension of `path`; labels (integer pixels) compressed, float pixels raw.
- * The file is read back before the function returns, so that a full disk is noticed. Throws OutputError, and
- * ParameterError for an extension that is none of .nrrd, .nii, .nii.gz, .mha.
- * Instantiated for float, short, unsigned char, unsigned short and unsigned int pixels.
+/** Writes NRRD, NIfTI or MetaImage, depending on the extension of `path`; labels (integer pixels) compressed, float
+ * pixels raw. The file is read back before the function returns, to detect a full disk. Throws OutputError, and
+ * ParameterError for an extension other than .nrrd, .nii, .nii.gz, .mha. Instantiated for float, short, unsigned char,
+ * unsigned short and unsigned int pixels.
  * \ingroup VolumeFiles */
 template <typename TPixel>
 void
@@ -41,7 +41,7 @@ WriteVolume(const itk::Image<unsigned short, 3> *, const std::string &, const Vo
 extern template VolumeFiles_EXPORT void
 WriteVolume(const itk::Image<unsigned int, 3> *, const std::string &, const VolumeMetadata &);
 
-/** The volume with 16-bit integers, or null when an intensity is no integer in their range.
+/** The volume as 16-bit integers, or null if an intensity is not an integer in their range.
  * \ingroup VolumeFiles */
 VolumeFiles_EXPORT itk::Image<short, 3>::Pointer
                    ToShort(const itk::Image<float, 3> * image);
