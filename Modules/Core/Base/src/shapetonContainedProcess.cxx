@@ -34,11 +34,11 @@ constexpr char Done = 'D';
 constexpr char Failed = 'F';
 constexpr char OutOfMemory = 'M';
 
-/** Held over each fork: ITK's threader joins the threads of its pool before one and starts them again after it; two at
- * a time crash or hang. Also while ends of a channel are open that no other child should inherit. */
+/** Held during each fork: ITK's threader joins the threads of its pool before a fork and restarts them afterwards;
+ * two concurrent forks crash or hang. Also held while a channel has open ends that no other child should inherit. */
 std::mutex forkMutex;
 
-// A response is a header or a sentence; the pixels travel in shared memory.
+// A response is a header or a sentence; the pixels are in shared memory.
 constexpr std::uint64_t MaximumMessageBytes = 256u << 20;
 
 #ifdef MSG_NOSIGNAL
@@ -125,11 +125,11 @@ SetLimit(TResource resource, rlim_t value)
   setrlimit(resource, &limit);
 }
 
-/** Limits what the process may allocate beyond what it has inherited. */
+/** Limits the memory that the process may allocate beyond what it has inherited. */
 void
 LimitMemory(std::size_t bytes)
 {
-  // Pages: whole size, resident, shared, text, nothing, data and stack. All stay 0 where there is no such file.
+  // Pages: total size, resident, shared, text, unused, data and stack. All remain 0 if the file does not exist.
   unsigned long pages[6] = {};
   std::ifstream status("/proc/self/statm");
   for (unsigned long & number : pages)
@@ -143,7 +143,7 @@ LimitMemory(std::size_t bytes)
 #endif
 }
 
-/** Grants the next request its computing time; the limit of the system counts from the start of the process. */
+/** Sets the CPU time limit of the next request; the system's limit counts from the start of the process. */
 void
 LimitComputingTime(unsigned int seconds)
 {
@@ -152,7 +152,7 @@ LimitComputingTime(unsigned int seconds)
   SetLimit(RLIMIT_CPU, static_cast<rlim_t>(usage.ru_utime.tv_sec + usage.ru_stime.tv_sec) + 1 + seconds);
 }
 
-/** What the libraries print is no output of the tool. */
+/** Output printed by the libraries is not output of the tool. */
 void
 SilenceStandardStreams()
 {
@@ -275,7 +275,7 @@ ContainedProcess::Serve(int channel) const
 #endif
     signal(number, SIG_DFL);
   }
-  signal(SIGINT, SIG_IGN); // the parent decides
+  signal(SIGINT, SIG_IGN); // the parent handles it
   SilenceStandardStreams();
   SetLimit(RLIMIT_CORE, 0);
   LimitMemory(m_Limits.memoryBytes);

@@ -10,13 +10,13 @@
 #include <mutex>
 #include <vector>
 
-// Loops are compiled here once, not for each body: the threads behind them are what costs most in a build.
+// Loops are compiled here once, not for each body: the thread code dominates the build time.
 namespace shapeton
 {
 namespace
 {
-// Calls work(worker) once for each of `workers` workers: the calling thread takes the first one, threads of their own
-// the others. `work` must not throw.
+// Calls work(worker) once for each of `workers` workers: the calling thread runs the first one, separate threads the
+// others. `work` must not throw.
 void
 OnOwnThreads(unsigned int workers, const std::function<void(unsigned int)> & work)
 {
@@ -130,7 +130,7 @@ ParallelInvoke(const std::function<void()> & first, const std::function<void()> 
     second();
     return;
   }
-  // So that ITK's pool has a free thread for filters of ITK in `second`, which keeps one.
+  // Leaves a thread of ITK's pool free for ITK filters in `second`, which occupies one.
   itk::MultiThreaderBase::New()->SetMaximumNumberOfThreads(2);
   std::exception_ptr failures[2];
   ParallelWorkers(2, [&](unsigned int worker) {
@@ -156,7 +156,7 @@ std::future<void>
 StartBeside(std::function<void()> work)
 {
   const auto policy = NumberOfThreads() > 1 ? std::launch::async : std::launch::deferred;
-  itk::MultiThreaderBase::New(); // the first object of ITK sets up its factories and its pool, unlocked
+  itk::MultiThreaderBase::New(); // the first ITK object sets up factories and the thread pool without locking
   return std::async(policy, [work = std::move(work), interruption = Interruption::OfThread()] {
     const LoopDepth               inside(1); // as one of two workers
     const Interruption::Inherited inherited(interruption);

@@ -12,7 +12,7 @@ ByteAt(const std::string & text, std::size_t position)
   return position < text.size() ? static_cast<unsigned char>(text[position]) : 0;
 }
 
-// The number of bytes of the character that begins at `position`; 0 when it is malformed (RFC 3629, section 4).
+// The number of bytes of the character at `position`; 0 if it is malformed (RFC 3629, section 4).
 std::size_t
 LengthOfCharacter(const std::string & text, std::size_t position)
 {
@@ -39,7 +39,7 @@ LengthOfCharacter(const std::string & text, std::size_t position)
   return isOverlong || isNoScalar ? 0 : length;
 }
 
-// The C1 controls U+0080 to U+009F steer terminals as the C0 controls do.
+// The C1 controls U+0080 to U+009F control terminals like the C0 controls.
 bool
 IsBlank(const std::string & text, std::size_t position)
 {

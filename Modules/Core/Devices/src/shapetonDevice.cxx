@@ -9,14 +9,14 @@ namespace shapeton
 {
 namespace
 {
-/** The library of kernels, which stays open once it is found, or why there is none. */
+/** The library of kernels, kept open once found, or the reason why it is not available. */
 struct Plugin
 {
   void *      handle{ nullptr };
   std::string missing;
 };
 
-/** The folder of this code: that of the library, or of the program that it is linked into. */
+/** The folder of this code: that of the library, or of the program that contains it. */
 std::filesystem::path
 FolderOfThisLibrary()
 {
@@ -66,8 +66,8 @@ Megabytes(std::size_t bytes)
   return std::to_string((bytes + 999999) / 1000000) + " MB";
 }
 
-/** The memory of the GPU that may be used: what is free, or less where others share it and the environment variable
- * SHAPETON_DEVICE_MEMORY says so. */
+/** The usable memory of the GPU: the free memory, or less if others share the GPU and the environment variable
+ * SHAPETON_DEVICE_MEMORY limits it. */
 std::size_t
 AllowedMemory(std::size_t bytesFree)
 {
@@ -75,7 +75,7 @@ AllowedMemory(std::size_t bytesFree)
   return given ? std::min<std::size_t>(bytesFree, std::strtoull(given, nullptr, 10)) : bytesFree;
 }
 
-/** Fills in the GPU's name and memory; returns what is missing, or nothing. */
+/** Sets name and memory of the GPU; returns what is missing, or an empty text. */
 std::string
 FindGpu(DeviceUse & use)
 {

@@ -24,7 +24,7 @@ struct Triad
 };
 } // namespace
 
-// For benchmarks: what the memory gives at best.
+// For benchmarks: the peak memory bandwidth.
 SHAPETON_DEVICE_FUNCTION void
 ShapetonRunTriads(std::size_t number, unsigned int triads)
 {

@@ -12,7 +12,7 @@ namespace shapeton
 {
 namespace
 {
-/** Takes a text apart, row by row. */
+/** Parses a text row by row. */
 class Scanner
 {
 public:
@@ -34,7 +34,7 @@ public:
     return m_Line;
   }
 
-  /** False where a quote is not closed. */
+  /** False if a quote is not closed. */
   bool
   ReadRow(std::vector<std::string> & cells)
   {

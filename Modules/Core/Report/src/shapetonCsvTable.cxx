@@ -29,7 +29,7 @@ LineOf(const std::vector<std::string> & cells)
 {
   if (cells.size() == 1 && cells[0].empty())
   {
-    return "\"\"\n"; // readers skip an empty line
+    return "\"\"\n"; // readers skip empty lines
   }
   std::string line;
   for (std::size_t i = 0; i < cells.size(); ++i)
@@ -78,7 +78,7 @@ std::string
 CsvTable::Rounded(double value, int digits)
 {
   char       text[32];
-  const int  kept = std::clamp(digits, 1, 17); // a double has no more
+  const int  kept = std::clamp(digits, 1, 17); // precision of a double
   const auto result = std::to_chars(text, text + sizeof(text), value, std::chars_format::general, kept);
   return std::string(text, result.ptr);
 }

@@ -33,7 +33,7 @@ Escaped(const std::string & text)
       case '"':
         escaped += "&quot;";
         break;
-      default: // control characters have no place in a page
+      default: // control characters are not allowed in a page
         escaped += static_cast<unsigned char>(c) >= 0x20 || c == '\n' || c == '\t' ? c : ' ';
     }
   }
@@ -46,14 +46,14 @@ Element(const std::string & tag, const std::string & text)
   return '<' + tag + '>' + Escaped(text) + "</" + tag + ">\n";
 }
 
-/** "#23cbac" as CsvTable holds the colour of a class. */
+/** "#23cbac", the color of a class in a CsvTable. */
 bool
 IsColor(const std::string & text)
 {
   return text.size() == 7 && text[0] == '#' && text.find_first_not_of("0123456789abcdef", 1) == std::string::npos;
 }
 
-/** What the cells of a column have in common: where all that are not empty hold numbers of one unit. */
+/** Whether all nonempty cells of a column are numbers with one unit. */
 struct ColumnStyle
 {
   bool        isNumber{ false };
@@ -92,7 +92,7 @@ TableCell(const std::string & text, const ColumnStyle & style)
 {
   if (style.isNumber)
   {
-    const auto quantity = QuantityOf(text); // its unit stands in the head
+    const auto quantity = QuantityOf(text); // its unit is in the header
     return "<td class=\"number\">" + Escaped(quantity ? ReadableQuantity({ quantity->number, "" }) : text) + "</td>\n";
   }
   if (IsColor(text))
@@ -102,7 +102,7 @@ TableCell(const std::string & text, const ColumnStyle & style)
   return Element("td", ReadableText(text));
 }
 
-/** The value of a fact for people; options and inputs of a program ("option.faces") stay as they were given. */
+/** The value of a fact for display; options and inputs of a program ("option.faces") are unchanged. */
 std::string
 FactValue(const std::string & name, const std::string & value)
 {

@@ -39,11 +39,12 @@ TakeDigits(const std::string & text, std::size_t & at)
   return text.substr(begin, at - begin);
 }
 
-/** 3 for "e+03"; 0, and nothing is taken, for all that CsvTable does not write, such as the begin of a hash. */
+/** 3 for "e+03"; 0 without consuming text for exponents that CsvTable does not write, such as the beginning of a
+ * hash. */
 int
 TakeExponent(const std::string & text, std::size_t & at)
 {
-  constexpr std::size_t mostDigits = 3; // of a double
+  constexpr std::size_t mostDigits = 3; // digits of an exponent of a double
   if (at + 1 >= text.size() || text[at] != 'e' || (text[at + 1] != '-' && text[at + 1] != '+'))
   {
     return 0;
@@ -59,7 +60,7 @@ TakeExponent(const std::string & text, std::size_t & at)
   return (isNegative ? -1 : 1) * std::stoi(digits);
 }
 
-/** Takes a number off the text at a place, which moves behind it. A zero in front of other digits makes a name. */
+/** Parses a number at a position and advances the position past it. Leading zeros indicate a name. */
 std::optional<Decimal>
 TakeDecimal(const std::string & text, std::size_t & at)
 {
@@ -103,7 +104,7 @@ Superscript(int number)
   return text;
 }
 
-/** The decimal point moved by the exponent, digit by digit, so that nothing is rounded. */
+/** Shifts the decimal point by the exponent, digit by digit, to avoid rounding. */
 Decimal
 Expanded(Decimal decimal)
 {
@@ -138,7 +139,7 @@ PlainText(const Decimal & decimal, bool isGrouped)
   return TextOf(plain);
 }
 
-/** The name of a unit at a place; longer names of the same begin come first. */
+/** Parses the name of a unit at a position; longer names with the same prefix come first. */
 std::string
 UnitAt(const std::string & text, std::size_t at)
 {
@@ -156,14 +157,14 @@ UnitAt(const std::string & text, std::size_t at)
   return "";
 }
 
-/** Whether a number may begin behind this place, and is no part of a name. */
+/** Whether a number that is not part of a name may start after this position. */
 bool
 IsBegin(const std::string & text, std::size_t at)
 {
   return at == 0 || std::string(" \t\n([=").find(text[at - 1]) != std::string::npos;
 }
 
-/** Whether a number ends here: behind punctuation comes a blank or nothing. */
+/** Whether a number ends here: punctuation must be followed by a blank or the end. */
 bool
 IsEnd(const std::string & text, std::size_t at)
 {
@@ -184,7 +185,7 @@ WithSuperscripts(std::string text)
   return text;
 }
 
-/** The text without the blanks that separate thousands, as in 246 908. */
+/** Removes the blanks that separate thousands, as in 246 908. */
 std::string
 WithoutGroups(const std::string & text)
 {

@@ -7,7 +7,7 @@ namespace shapeton
 {
 namespace
 {
-/** A warning cut at its numbers and quoted names: words[0] values[0] words[1] ... */
+/** A warning split at its numbers and quoted names: words[0] values[0] words[1] ... */
 struct WarningParts
 {
   std::vector<std::string> words{ "" };
@@ -20,7 +20,7 @@ IsDigitAt(const std::string & text, std::size_t at)
   return at < text.size() && std::isdigit(static_cast<unsigned char>(text[at]));
 }
 
-/** Where the number or quoted name at a place ends; at that place itself when there is none. */
+/** The end of the number or quoted name at a position; the position itself if there is none. */
 std::size_t
 EndOfValue(const std::string & text, std::size_t at)
 {
@@ -61,8 +61,9 @@ PartsOf(const std::string & warning)
   return parts;
 }
 
-/** 0 for what failed or is missing, 1 for what is doubtful, 2 for notes. A warning is no more than its text, so its
- * words decide: those of the warnings of this repository. What they do not name comes last, but is never left out. */
+/** 0 for failures and missing results, 1 for doubtful results, 2 for notes. Warnings are plain text, so the class is
+ * determined by the words used in the warnings of this repository. Unknown words are ranked last, but never
+ * dropped. */
 int
 RankOf(const std::string & warning)
 {
@@ -111,7 +112,7 @@ RankOf(const std::string & warning)
   return static_cast<int>(rank - wordsOfRank.begin());
 }
 
-/** Makes of what a kind has in common with one more warning. */
+/** Merges one more warning into the common text of a kind. */
 void
 JoinValues(std::vector<std::string> & values, const std::vector<std::string> & more)
 {

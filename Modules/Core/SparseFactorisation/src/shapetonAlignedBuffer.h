@@ -8,7 +8,7 @@
 
 namespace shapeton
 {
-/** Doubles that begin at a cache line, not initialised. */
+/** An uninitialized array of doubles, aligned to a cache line. */
 class AlignedBuffer
 {
 public:

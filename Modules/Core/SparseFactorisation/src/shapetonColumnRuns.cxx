@@ -9,7 +9,7 @@ namespace shapeton
 {
 namespace
 {
-/** A supernode while supernodes are being merged: a node of their tree, its columns as a list. */
+/** A supernode during merging: a node of the tree, with its columns as a list. */
 struct Node
 {
   int parent{ -1 };
@@ -21,9 +21,8 @@ struct Node
   int lastColumn{ -1 };
 };
 
-/** The time of a front, in products of vectors, for what it is made of: its own overhead, moving the rows x rows
- * elements in and out of its parent, and the dense products. The weights were fitted to measured times; they decide how
- * much is merged, nothing else. */
+/** Estimated time of a front, in vector products: its overhead, moving rows x rows elements to and from its parent,
+ * and the dense products. The weights were fitted to measured times; they only affect how much is merged. */
 double
 CostOf(int width, int rows)
 {
@@ -62,7 +61,7 @@ public:
   }
 
 private:
-  /** Fundamental supernodes: each column has the structure of the next one and that one. */
+  /** Fundamental supernodes: each column has the structure of the next one plus that column itself. */
   void
   FindNodes(const EliminationTree & tree)
   {
@@ -112,7 +111,7 @@ private:
            CostOf(parent.width + child.width, parent.rows);
   }
 
-  /** Takes the child whose merging saves most, as long as one saves anything. */
+  /** Merges the child with the largest saving, as long as there is a saving. */
   void
   MergeChildren(int parent)
   {

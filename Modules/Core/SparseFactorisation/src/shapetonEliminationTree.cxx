@@ -7,7 +7,7 @@ namespace shapeton
 {
 namespace
 {
-/** The earlier neighbours of each column. */
+/** The earlier neighbors of each column. */
 struct UpperPattern
 {
   UpperPattern(const std::vector<int> & place, const std::vector<std::array<int, 2>> & edges)
@@ -59,7 +59,7 @@ std::vector<int>
 PostorderOf(const std::vector<int> & parent)
 {
   const int        n = static_cast<int>(parent.size());
-  std::vector<int> firstChild(n + 1, -1); // of the column n: the roots
+  std::vector<int> firstChild(n + 1, -1); // column n: the roots
   std::vector<int> sibling(n, -1);
   for (int i = n - 1; i >= 0; --i)
   {
@@ -88,7 +88,7 @@ PostorderOf(const std::vector<int> & parent)
   return postorder;
 }
 
-/** Row by row: the columns of a row of the factor are a part of the tree below that row. */
+/** Row by row: the nonzero columns of a row of the factor form a subtree below that row. */
 std::vector<int>
 CountsOf(const UpperPattern & pattern, const std::vector<int> & parent)
 {

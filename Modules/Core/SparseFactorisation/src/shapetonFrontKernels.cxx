@@ -1,4 +1,4 @@
-// Compiled once for each instruction set: see shapetonInstructionSets.h. Sums are made in tiles of C that fill the
+// Compiled once per instruction set: see shapetonInstructionSets.h. Sums are computed in tiles of C that fill the
 // registers.
 #include "shapetonFrontKernels.h"
 
@@ -9,17 +9,17 @@ namespace FrontKernels
 namespace
 {
 constexpr int lanes = SHAPETON_VECTOR_BYTES / 8;
-/** Vectors x columns of a tile: the registers are 16, 32 with AVX-512. */
+/** Tile size in vectors x columns: there are 16 registers, 32 with AVX-512. */
 constexpr int realVectors = SHAPETON_VECTOR_BYTES > 16 ? 3 : 2;
 constexpr int realColumns = SHAPETON_VECTOR_BYTES > 32 ? 8 : 4;
 constexpr int complexVectors = 2;
 constexpr int complexColumns = SHAPETON_VECTOR_BYTES > 32 ? 4 : 2;
-/** Columns of a real front that are eliminated together. */
+/** Number of columns of a real front that are eliminated together. */
 constexpr int blockWidth = 8;
-/** So much of a sum at a time: a tile of A then stays in the first-level cache. */
+/** Depth of a partial sum: a tile of A then stays in the first-level cache. */
 constexpr int depthBlock = 128;
 
-// Aligned as doubles, and allowed to lie over them.
+// Aligned as doubles, and allowed to alias them.
 using Vector = double __attribute__((vector_size(SHAPETON_VECTOR_BYTES), aligned(8), may_alias));
 
 #define SHAPETON_INLINE __attribute__((always_inline)) inline
@@ -38,7 +38,7 @@ Save(Vector value, double * to)
 
 // ---- real
 
-/** C -= A diag(signs) B^T for a tile: `b` points to its rows of B. */
+/** C -= A diag(signs) B^T for a tile; `b` points to its rows of B. */
 template <int VVectors, int VColumns>
 SHAPETON_INLINE void
 SubtractTile(int            depth,
@@ -135,7 +135,7 @@ SubtractSquare(int rows, int begin, int end, int depth, const Panel & A, const d
   }
 }
 
-/** Eliminates the columns [begin, end) of a panel from which those before have been subtracted. */
+/** Eliminates the columns [begin, end) of a panel; the contributions of earlier columns are already subtracted. */
 SHAPETON_INLINE int
 FactorBlock(int rows, int begin, int end, const Panel & panel, double * signs)
 {
@@ -268,7 +268,7 @@ MultiplyRows(int columns, int depth, const Block & A, Elements B, Block C, Store
   }
 }
 
-/** The columns of a lower triangle that rows up to `end` meet. */
+/** Number of columns of a lower triangle in rows below `end`. */
 SHAPETON_INLINE int
 ColumnsOfRows(int end, int columns, bool lowerOnly)
 {
@@ -337,7 +337,7 @@ Multiply(int              rows,
   }
 }
 
-/** Column j of the Gauss-Jordan step with the scaled element (re, im) of the pivot's row: P_j -= factor v. */
+/** Updates column j in a Gauss-Jordan step with the scaled element (re, im) of the pivot row: P_j -= factor v. */
 SHAPETON_INLINE void
 SubtractMultiple(int padded, const double * v, double re, double im, double * column, std::ptrdiff_t plane)
 {

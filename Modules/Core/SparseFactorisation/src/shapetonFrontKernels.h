@@ -7,11 +7,11 @@
 
 namespace shapeton
 {
-/** Dense kernels of frontal matrices, real and complex, for each instruction set: see InstructionSets. A sum runs over
+/** Dense kernels of frontal matrices, real and complex, for each instruction set: see InstructionSets. Sums run over
  * one index in ascending order. */
 namespace FrontKernels
 {
-/** Rows of a matrix come in groups of so many doubles, a cache line; the last group is padded. */
+/** Rows of a matrix are grouped into cache lines of this many doubles; the last group is padded. */
 constexpr int rowGroup = 8;
 
 inline constexpr int
@@ -20,14 +20,14 @@ PaddedRows(int rows)
   return (rows + rowGroup - 1) / rowGroup * rowGroup;
 }
 
-/** A real matrix, column by column. */
+/** A real column-major matrix. */
 struct Panel
 {
   double *       data;
   std::ptrdiff_t stride; ///< from one column to the next
 };
 
-/** A complex matrix, column by column: all real parts, then, `plane` doubles further, all imaginary parts. */
+/** A complex column-major matrix: all real parts, then, at an offset of `plane` doubles, all imaginary parts. */
 struct Block
 {
   double *       data;
@@ -35,7 +35,7 @@ struct Block
   std::ptrdiff_t plane;
 };
 
-/** A complex matrix that is read element by element. */
+/** A complex matrix that is accessed element by element. */
 struct Elements
 {
   const double * data;
@@ -55,13 +55,12 @@ enum class Store
 struct Set
 {
   const char * name;
-  /** Replaces the first `width` columns of a real symmetric front of `rows` rows, of which the lower triangle is given,
-   * by those of L, and sets `signs`, so that L diag(signs) L^T is the front: Cholesky's factor where all are 1. The
-   * stride is PaddedRows(rows) or more. Returns the first column whose pivot is 0 or not finite, or -1. */
+  /** Replaces the first `width` columns of a real symmetric front of `rows` rows, given by its lower triangle, by
+   * those of L, and sets `signs`, such that L diag(signs) L^T is the front: the Cholesky factor if all are 1. The
+   * stride is at least PaddedRows(rows). Returns the first column whose pivot is 0 or not finite, or -1. */
   int (*Factor)(int rows, int width, const Panel & panel, double * signs);
-  /** Subtracts from the lower triangle of the real C, columns `begin` <= j < `end`, the elements of A diag(signs) A^T:
-   * A has `rows` rows and `depth` columns. `begin` is a multiple of rowGroup. C and A are read up to PaddedRows(rows).
-   */
+  /** Subtracts A diag(signs) A^T from columns `begin` <= j < `end` of the lower triangle of the real C; A has `rows`
+   * rows and `depth` columns. `begin` is a multiple of rowGroup. C and A are read up to PaddedRows(rows). */
   void (
     *SubtractSquare)(int rows, int begin, int end, int depth, const Panel & A, const double * signs, const Panel & C);
   /** Stores A B into the complex C: C has `rows` rows, a multiple of rowGroup, and `columns` columns; A has `depth`

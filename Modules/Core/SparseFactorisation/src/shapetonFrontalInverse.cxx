@@ -46,7 +46,7 @@ Get(const FrontKernels::Block & block, int row, int column)
   return { at[0], at[block.plane] };
 }
 
-/** Adds a column of a child's update to places of a front. */
+/** Scatters and adds a column of a child's update to a front. */
 void
 AddColumn(const double * from,
           std::ptrdiff_t fromPlane,
@@ -154,7 +154,7 @@ FrontalInverse::UpdateBlock(int s) const
   return BlockAt(m_Updates[s].Data(), rows, rows);
 }
 
-/** The front of the inverse: its rows first, then, from a multiple of the row group on, its own columns. */
+/** The front of the inverse: its rows first, then its own columns, aligned to the row group. */
 FrontKernels::Block
 FrontalInverse::InverseFront(int s) const
 {
@@ -183,7 +183,8 @@ FrontalInverse::AssembleEntries(int s, const Block & pivots, const Block & panel
   }
 }
 
-/** Adds the lower triangle of a child's update to the front; its places ascend, so that it stays a lower triangle. */
+/** Adds the lower triangle of a child's update to the front; its indices ascend, so the result is a lower triangle,
+ * too. */
 void
 FrontalInverse::AddUpdate(int child, const Block & pivots, const Block & panel, const Block & update) const
 {

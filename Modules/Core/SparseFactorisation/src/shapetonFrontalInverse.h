@@ -10,17 +10,17 @@
 
 namespace shapeton
 {
-/** Where the factor keeps the fronts: for each supernode the inverse pivot block, then G. */
+/** Storage layout of the factor: for each supernode the inverse pivot block, then G. */
 struct FactorLayout
 {
   explicit FactorLayout(const Supernodes & supernodes);
 
-  std::vector<std::size_t> begin; ///< in doubles; one more than supernodes
+  std::vector<std::size_t> begin; ///< in doubles; one entry more than supernodes
   int                      largestWidth{ 0 };
   int                      largestRows{ 0 };
 };
 
-/** What a thread needs of its own. */
+/** Per-thread buffers. */
 struct FrontWorkspace
 {
   explicit FrontWorkspace(const FactorLayout & layout);
@@ -30,12 +30,12 @@ struct FrontWorkspace
   std::vector<int> places;
 };
 
-/** The selected inversion of one matrix, supernode by supernode: Factor() for all, children before parents, then
+/** Selected inversion of one matrix, supernode by supernode: Factor() for all, children before parents, then
  * Invert() for all, parents before children. Calls for supernodes of different subtrees may run concurrently. */
 class FrontalInverse
 {
 public:
-  /** `elements` become those of the inverse. `factor` is memory for layout.begin.back() doubles. */
+  /** `elements` are replaced by those of the inverse. `factor` is memory for layout.begin.back() doubles. */
   FrontalInverse(const Supernodes &   supernodes,
                  const FactorLayout & layout,
                  SymmetricElements    elements,
@@ -43,7 +43,7 @@ public:
 
   void
   Factor(int s, FrontWorkspace & workspace);
-  /** Takes from the parent's front what Invert() needs; it does so by itself where this has not been called. */
+  /** Copies what Invert() needs from the parent's front. Invert() calls it if it has not been called. */
   void
   Gather(int s, FrontWorkspace & workspace);
   void
@@ -55,7 +55,7 @@ public:
   {
     return m_Elements;
   }
-  /** Memory for another one, when this one is done. */
+  /** Reuses the memory for another matrix after this one is complete. */
   AlignedBuffer
   TakeFactor()
   {
@@ -87,8 +87,8 @@ private:
   const FrontKernels::Set &  m_Kernels;
   SymmetricElements          m_Elements;
   AlignedBuffer              m_Factor;
-  std::vector<AlignedBuffer> m_Updates; ///< of each supernode until its parent has taken it
-  std::vector<AlignedBuffer> m_Fronts;  ///< of the inverse, until all children have taken theirs
+  std::vector<AlignedBuffer> m_Updates; ///< of each supernode until its parent has assembled it
+  std::vector<AlignedBuffer> m_Fronts;  ///< of the inverse, until all children have copied their parts
   std::vector<int>           m_ChildrenToCome;
 };
 } // namespace shapeton

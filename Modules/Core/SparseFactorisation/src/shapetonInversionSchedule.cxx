@@ -54,7 +54,7 @@ InversionSchedule::PiecesOf(Stage stage) const
   }
 }
 
-/** A piece of the earliest matrix that has one to be taken. */
+/** Takes a task of the earliest matrix with available tasks. */
 InversionSchedule::Flight *
 InversionSchedule::FindWork()
 {
@@ -76,7 +76,7 @@ InversionSchedule::Report()
   m_Progress(static_cast<double>(m_Done) / static_cast<double>(ofOne * m_Number));
 }
 
-/** The longest piece, so others may stop it, and it reports on its way. */
+/** The longest task, so it checks for interruption and reports progress. */
 void
 InversionSchedule::RunTrunk(FrontalInverse & inverse, FrontWorkspace & workspace)
 {
@@ -88,7 +88,7 @@ InversionSchedule::RunTrunk(FrontalInverse & inverse, FrontWorkspace & workspace
   for (auto s = m_Tasks.trunk.rbegin(); s != m_Tasks.trunk.rend() && !m_Stops; ++s)
   {
     inverse.Invert(*s, workspace);
-    inverse.GatherChildren(*s, workspace); // frees the front, and subtrees can be worked on alone
+    inverse.GatherChildren(*s, workspace); // frees the front; the subtrees are now independent
     this->Report();
   }
 }
@@ -127,7 +127,8 @@ InversionSchedule::RunPiece(Flight & flight, Stage stage, std::size_t piece, Fro
   }
 }
 
-/** Called under the lock when a piece is done. The results of the first matrices in flight are handed on in order. */
+/** Called under the lock when a task is complete. The results of the first matrices in flight are passed on in
+ * order. */
 void
 InversionSchedule::Advance(Flight & flight)
 {
@@ -147,14 +148,14 @@ InversionSchedule::Advance(Flight & flight)
   m_Changed.notify_all();
 }
 
-/** Does one piece, or waits a moment for one. Called under the lock. */
+/** Runs one task, or waits briefly for one. Called under the lock. */
 void
 InversionSchedule::Step(std::unique_lock<std::mutex> & lock, FrontWorkspace & workspace)
 {
   Flight * const flight = this->FindWork();
   if (!flight)
   {
-    // Some other worker is at a piece, and will say so when it is done.
+    // Another worker is running a task and will notify when it is complete.
     m_Changed.wait_for(lock, std::chrono::milliseconds(20));
     lock.unlock();
     this->Report();

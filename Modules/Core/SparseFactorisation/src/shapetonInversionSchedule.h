@@ -15,10 +15,10 @@
 
 namespace shapeton
 {
-/** Inverts several matrices of one pattern with several threads: subtrees of all matrices in flight are work to be
- * taken, the trunk of each is one piece. What is computed does not depend on who computes it, so the results are the
- * same for any number of threads. Work() is called by each of them and returns when there is nothing left to do.
- * Progress is reported by the thread that has made this, which is to be one of them. */
+/** Inverts several matrices of one pattern with several threads. The tasks are the subtrees of all matrices in
+ * flight, and the trunk of each. Results do not depend on the thread that computes a task, so they are the same for
+ * any number of threads. Each thread calls Work(), which returns when no tasks are left. Progress is reported by
+ * the thread that constructed this object, which must be one of them. */
 class InversionSchedule
 {
 public:
@@ -50,9 +50,9 @@ private:
   {
     int                             matrix;
     Stage                           stage{ Stage::Begin };
-    std::size_t                     next{ 0 };    ///< the subtree to be taken
-    std::size_t                     running{ 0 }; ///< pieces taken and not done
-    AlignedBuffer                   factor;       ///< of a matrix that is done, or none
+    std::size_t                     next{ 0 };    ///< the next subtree to process
+    std::size_t                     running{ 0 }; ///< tasks started but not complete
+    AlignedBuffer                   factor;       ///< reused from a completed matrix, or empty
     std::unique_ptr<FrontalInverse> inverse;
   };
 
@@ -81,13 +81,13 @@ private:
   const int                m_Number;
   const ProgressOfWorkers  m_Progress;
   int                      m_Started{ 0 };
-  std::atomic<std::size_t> m_Done{ 0 };      ///< pieces of all matrices
-  std::atomic<bool>        m_Stops{ false }; ///< somebody has failed
+  std::atomic<std::size_t> m_Done{ 0 };      ///< completed tasks of all matrices
+  std::atomic<bool>        m_Stops{ false }; ///< a worker has failed
 
   std::mutex              m_Mutex;
   std::condition_variable m_Changed;
   AlignedBuffer           m_SpareFactor;
-  std::deque<Flight>      m_Flights; ///< in the order of their matrices
+  std::deque<Flight>      m_Flights; ///< ordered by matrix
   std::exception_ptr      m_Failure;
 };
 } // namespace shapeton

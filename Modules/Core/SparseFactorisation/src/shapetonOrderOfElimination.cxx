@@ -13,7 +13,7 @@ namespace shapeton
 {
 namespace
 {
-/** Below this any order will do. */
+/** Below this size any order is sufficient. */
 constexpr int fewVertices = 16;
 
 struct Graph
@@ -41,7 +41,7 @@ struct Graph
 void
 RunMetis(Graph & graph, std::vector<idx_t> & order, std::vector<idx_t> & place)
 {
-  static std::mutex                 mutex; // std::rand() is one for all threads
+  static std::mutex                 mutex; // std::rand() has one state for all threads
   const std::lock_guard<std::mutex> lock(mutex);
   idx_t                             options[METIS_NOPTIONS];
   METIS_SetDefaultOptions(options);
@@ -76,7 +76,7 @@ NestedDissection(int numberOfVertices, const std::vector<std::array<int, 2>> & e
 std::vector<int>
 MinimumDegree(int numberOfVertices, const std::vector<std::array<int, 2>> & edges)
 {
-  // The lower triangle with the diagonal, which AMDOrdering needs; values do not count.
+  // The lower triangle with the diagonal, as required by AMDOrdering; values are ignored.
   const auto                  elements = static_cast<Eigen::Index>(numberOfVertices + edges.size());
   Eigen::SparseMatrix<double> pattern(numberOfVertices, numberOfVertices);
   pattern.resizeNonZeros(elements);

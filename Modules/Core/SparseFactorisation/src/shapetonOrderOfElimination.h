@@ -5,8 +5,8 @@
 
 namespace shapeton
 {
-/** An order of elimination of a graph with little fill. Element i is the vertex that is eliminated as number i. The
- * edges name each pair of different vertices once. The same graph gives the same order. */
+/** A fill-reducing elimination order of a graph. Element i is the i-th eliminated vertex. The edges list each pair
+ * of different vertices once. Deterministic. */
 std::vector<int>
 OrderOfElimination(int numberOfVertices, const std::vector<std::array<int, 2>> & edges, EliminationOrder order);
 } // namespace shapeton

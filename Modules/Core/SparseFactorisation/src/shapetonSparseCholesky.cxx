@@ -18,7 +18,7 @@ using FrontKernels::Panel;
 
 namespace
 {
-/** An update of this many rows or more is computed by several threads. */
+/** Minimum number of rows of an update that is computed by several threads. */
 constexpr int rowsWorthSharing = 512;
 
 void
@@ -83,10 +83,10 @@ private:
   SymbolicFactorisation      m_Symbolic;
   const Supernodes &         m_Supernodes;
   const FrontKernels::Set &  m_Kernels;
-  std::vector<std::size_t>   m_Begin; ///< of the panel of each supernode, Rows x Width without padding
+  std::vector<std::size_t>   m_Begin; ///< start of the panel of each supernode, Rows x Width without padding
   std::size_t                m_LargestPanel{ 0 };
   AlignedBuffer              m_Factor;
-  std::vector<double>        m_Signs; ///< of the pivots
+  std::vector<double>        m_Signs; ///< signs of the pivots
   std::vector<AlignedBuffer> m_Updates;
   bool                       m_HasFactor{ false };
   const double *             m_Diagonal{ nullptr };
@@ -110,8 +110,7 @@ SparseCholesky::Implementation::Implementation(SymbolicFactorisation symbolic)
   m_Factor = AlignedBuffer(m_Begin.back());
 }
 
-/** Adds what the elimination of a child subtracted. The columns of its update go to those of the front or its update.
- */
+/** Adds the update of a child to the columns of the front or of its update. */
 void
 SparseCholesky::Implementation::AddChild(int child, int s, const Panel & front, const Panel & update) const
 {
@@ -212,7 +211,7 @@ SparseCholesky::Implementation::Eliminate(int s, bool shared, AlignedBuffer & wo
   return true;
 }
 
-/** Each subtree by one thread. */
+/** One thread per subtree. */
 bool
 SparseCholesky::Implementation::EliminateSubtrees(const Progress & progress)
 {
@@ -239,7 +238,7 @@ SparseCholesky::Implementation::EliminateSubtrees(const Progress & progress)
   return isRegular;
 }
 
-/** Front by front, each by all threads. */
+/** Front by front, with all threads. */
 bool
 SparseCholesky::Implementation::EliminateTrunk(const Progress & progress)
 {

@@ -4,7 +4,7 @@ namespace shapeton
 {
 namespace
 {
-/** A subtree has at most this part of all work. */
+/** Largest share of all work in a subtree. */
 constexpr double largestPart = 1.0 / 12.0;
 } // namespace
 

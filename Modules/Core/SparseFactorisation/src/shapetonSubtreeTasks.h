@@ -5,13 +5,13 @@
 
 namespace shapeton
 {
-/** Parts of the elimination tree that threads can work on at the same time: subtrees, and the trunk above them. The
- * cut depends on the tree alone. */
+/** Parts of the elimination tree that threads can process concurrently: subtrees, and the trunk above them. The
+ * partition depends only on the tree. */
 struct SubtreeTasks
 {
   explicit SubtreeTasks(const Supernodes & supernodes);
 
-  std::vector<int> roots; ///< of the subtrees, ascending
+  std::vector<int> roots; ///< roots of the subtrees, ascending
   std::vector<int> trunk; ///< the other supernodes, ascending
   double           products{ 0.0 };
 };

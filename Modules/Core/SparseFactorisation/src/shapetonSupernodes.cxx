@@ -9,7 +9,7 @@ namespace shapeton
 {
 namespace
 {
-/** The later neighbours of each column. */
+/** The later neighbors of each column. */
 struct LowerPattern
 {
   LowerPattern(const std::vector<int> & place, const std::vector<std::array<int, 2>> & edges)
@@ -67,7 +67,8 @@ Supernodes::SupernodeOfColumns() const
   return supernode;
 }
 
-/** The rows of a supernode are those of its columns in the matrix and those of its children, less its own columns. */
+/** The rows of a supernode are the union of the rows of its columns in the matrix and those of its children, without
+ * its own columns. */
 void
 Supernodes::BuildRows(const std::vector<int> & place, const std::vector<std::array<int, 2>> & edges)
 {
@@ -75,7 +76,7 @@ Supernodes::BuildRows(const std::vector<int> & place, const std::vector<std::arr
   const LowerPattern     pattern(place, edges);
   const std::vector<int> supernodeOf = this->SupernodeOfColumns();
   std::vector<int>       seen(order.size(), -1);
-  std::vector<int>       lastOne(number, -1); // of the children that are known
+  std::vector<int>       lastOne(number, -1); // of the children found so far
   std::vector<int>       before(number, -1);
   parent.assign(number, -1);
   rowBegin.assign(1, 0);
@@ -108,7 +109,8 @@ Supernodes::BuildRows(const std::vector<int> & place, const std::vector<std::arr
   }
 }
 
-/** The panels of a supernode form a chain: each has those after it in its rows, all children belong to the first. */
+/** The panels of a supernode form a chain: the rows of each include the columns of the following ones, and all
+ * children belong to the first. */
 void
 Supernodes::CutWideOnes()
 {

@@ -10,11 +10,11 @@ namespace shapeton
 {
 /** The symbolic analysis of a sparse symmetric matrix: order of elimination, elimination tree, supernodes.
  *
- * A supernode is a run of columns that are eliminated together as one dense front. Its front has its own columns first,
- * then its rows: the later columns that the factor has below it. Small supernodes are merged with their parents where a
- * larger dense front costs less than two; the zeros that this adds are treated as elements. Wide ones are cut into
- * chains of panels of at most maximalWidth columns. The supernodes are numbered in postorder: those of a subtree follow
- * one another and end with its root. */
+ * A supernode is a range of columns eliminated together as one dense front. Its front has its own columns first,
+ * then its rows: the later columns with factor elements below it. Small supernodes are merged with their parents if
+ * one larger dense front is cheaper than two; the added zeros are treated as elements. Wide ones are divided into
+ * chains of panels of at most maximalWidth columns. The supernodes are numbered in postorder: those of a subtree
+ * are consecutive and end with its root. */
 struct Supernodes
 {
   static constexpr int maximalWidth = 48;
@@ -37,33 +37,33 @@ struct Supernodes
   {
     return static_cast<int>(rowBegin[s + 1] - rowBegin[s]);
   }
-  /** Products of the elimination and the selected inversion of a supernode. */
+  /** Multiplications of the elimination and the selected inversion of a supernode. */
   double
   Products(int s) const;
 
   /** The vertex of each column. */
   std::vector<int> order;
-  /** One for each supernode, and the number of columns. */
+  /** One for each supernode, then the number of columns. */
   std::vector<int> firstColumn;
-  /** The supernode of the first row; -1 for a root. */
+  /** Parent: the supernode of the first row; -1 for a root. */
   std::vector<int> parent;
   /** The first supernode of the subtree that ends with this one. */
   std::vector<int> firstDescendant;
   std::vector<int> numberOfChildren;
-  /** The children of each one as a list, from the last to the first; -1 at its end. */
+  /** The children of each supernode as a linked list, from the last to the first, terminated by -1. */
   std::vector<int>         lastChild;
   std::vector<int>         sibling;
   std::vector<std::size_t> rowBegin;
-  /** Columns, ascending. */
+  /** Column indices, ascending. */
   std::vector<int> rows;
-  /** Where each row is in the front of the parent: a column of its own, or the parent's width + a row. */
+  /** Index of each row in the front of the parent: one of its own columns, or the parent's width + a row. */
   std::vector<int> placeInParent;
 
-  /** An element of the matrix that belongs to a supernode's front. */
+  /** A matrix element that is assembled into a supernode's front. */
   struct Entry
   {
-    int row;    ///< in the front: below the width one of the own columns
-    int column; ///< of the supernode
+    int row;    ///< row in the front: one of the own columns if below the width
+    int column; ///< column in the supernode
     int source; ///< the edge, or -1 - vertex for a diagonal element
   };
   std::vector<std::size_t> entryBegin;

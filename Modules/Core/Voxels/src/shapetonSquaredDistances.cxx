@@ -12,7 +12,7 @@ namespace
 {
 constexpr float unknown = UnknownSquaredDistance;
 
-/** The lower envelope of the parabolas f(k) + (s (i - k))^2 over one line, where f is 0 outside the lumen. */
+/** The lower envelope of the parabolas f(k) + (s (i - k))^2 over one line, with f = 0 outside the mask. */
 class LineEnvelope
 {
 public:
@@ -26,8 +26,7 @@ public:
     return m_Line;
   }
 
-  /** Parabolas beyond a voxel outside the lumen are never below its own, so runs between such voxels are
-   * independent. */
+  /** Parabolas beyond a voxel outside the mask are never below its own, so runs between such voxels are independent. */
   void
   Transform()
   {
@@ -109,7 +108,7 @@ private:
   std::vector<float>       m_Values;
 };
 
-/** Squared distances along x of one row, up to the greatest one. */
+/** Squared distances along x of one row, limited to the largest one. */
 void
 TransformRow(const unsigned char * lumen, float * squared, std::size_t size, double spacing, float greatest)
 {
@@ -129,7 +128,7 @@ TransformRow(const unsigned char * lumen, float * squared, std::size_t size, dou
   }
 }
 
-/** All lines of one plane that run across the rows; some rows side by side, since memory comes by cache lines. */
+/** Processes all lines of one plane across the rows, several rows at once, because memory is read by cache lines. */
 void
 TransformPlane(float * plane, std::size_t width, std::size_t lines, std::size_t stride, double spacing, float greatest)
 {

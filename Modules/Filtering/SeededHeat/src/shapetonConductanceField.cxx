@@ -6,7 +6,7 @@ namespace shapeton
 {
 namespace
 {
-/** Cuts the seeds out of the edges of one slice: each edge belongs to the lower one of its voxels. */
+/** Removes the seeds from the edges of one slice: each edge belongs to the lower one of its voxels. */
 class SeedCutter
 {
 public:

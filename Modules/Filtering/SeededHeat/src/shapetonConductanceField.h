@@ -11,16 +11,16 @@
 
 namespace shapeton
 {
-/** An edge from a voxel without a seed to one with a seed, through which heat flows in. */
+/** An edge from an unseeded voxel to a seed, through which heat flows in. */
 struct SeedEdge
 {
-  std::size_t    voxel; ///< its place on the padded grid
+  std::size_t    voxel; ///< its index on the padded grid
   unsigned short label;
   float          conductance;
 };
 
-/** The conductances of a volume of which the voxels with seeds are cut out: edges to them are the leak of their
- * neighbours. No heat passes the border of the volume. Nodes are places on the padded grid. */
+/** The conductances of a volume without the seeded voxels: edges to them become leaks of their neighbors. No heat
+ * crosses the border of the volume. Nodes are indices on the padded grid. */
 struct ConductanceField
 {
   PaddedGrid                 grid;
@@ -31,7 +31,7 @@ struct ConductanceField
 
   ConductanceField(const VolumeGradientOperator & volumeGradient, const unsigned short * seeds);
 
-  // What a hierarchy of graphs asks of its finest level and of all others.
+  // Interface of a level in a hierarchy of graphs, the finest and all others.
 
   std::array<std::size_t, 3>
   GetCells() const
@@ -92,7 +92,7 @@ struct ConductanceField
     }
   }
 
-  /** Nodes of slices [first, end) lie in these places. */
+  /** Nodes of slices [first, end) have these indices. */
   std::array<std::size_t, 2>
   GetPlacesOfSlices(std::size_t first, std::size_t end) const
   {

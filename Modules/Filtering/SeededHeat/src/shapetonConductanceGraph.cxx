@@ -12,14 +12,14 @@ namespace shapeton
 {
 namespace
 {
-// An edge is strong when it has at least this share of the strongest one at both its ends: measured on CT. With 0.5
-// levels are so large that the whole takes half as long again; with less than 0.15 iterations become too many.
+// An edge is strong if it has at least this share of the strongest edge at both its ends. Measured on CT: with 0.5
+// levels are so large that the run time grows by half; below 0.15 there are too many iterations.
 constexpr float strong = 0.15F;
 
-// Marks a node of the cell at hand, whose number in the cell is in the other bits.
+// Marks a node of the current cell; the other bits are its number in the cell.
 constexpr std::uint32_t inCell = std::uint32_t(1) << 31;
 
-/** How many places of a level a cell of the next one takes along each axis. */
+/** Number of nodes of a level per cell of the next one along each axis. */
 std::array<std::size_t, 3>
 StepsOf(const std::array<std::size_t, 3> & cells, const std::array<double, 3> & spacing)
 {
@@ -58,7 +58,7 @@ public:
     }
   }
 
-  /** Of each aggregate, the cell that it lies in. */
+  /** The cell that contains each aggregate. */
   const std::vector<std::array<std::uint16_t, 2>> &
   GetCells() const
   {
@@ -102,7 +102,7 @@ private:
     m_FirstOfAggregate.push_back(0);
   }
 
-  /** Finds the aggregates of a cell and sorts its nodes by them. */
+  /** Finds the aggregates of a cell and sorts its nodes by aggregate. */
   void
   Aggregate(std::size_t cell)
   {
@@ -152,7 +152,7 @@ private:
     {
       m_Level.ForEachEdge(begin[i], [&](std::size_t neighbour, float conductance) {
         m_Strongest[i] = std::max(m_Strongest[i], conductance);
-        if (neighbour > begin[i] && neighbour < m_Places[1]) // each edge once; other slices are not ours to look at
+        if (neighbour > begin[i] && neighbour < m_Places[1]) // each edge once; other slices belong to other threads
         {
           const std::uint32_t mark = m_AggregateOf[neighbour];
           if (mark != noAggregate && (mark & inCell) != 0)
@@ -164,8 +164,8 @@ private:
     }
   }
 
-  /** Joins nodes over edges that are strong for both; then each node that is still alone to its strongest neighbour in
-   * the cell, if the edge is strong for this node: what is insulated all around follows its surroundings. */
+  /** Joins nodes over edges that are strong for both. Each remaining single node then joins its strongest neighbor
+   * in the cell if the edge is strong for this node: an insulated node thus follows its surroundings. */
   void
   JoinStrong(std::uint32_t number)
   {
@@ -209,7 +209,7 @@ private:
   std::vector<std::uint32_t>                m_Nodes;
   std::vector<std::uint32_t>                m_FirstOfAggregate;
   std::vector<std::array<std::uint16_t, 2>> m_Cells;
-  // Of the cell at hand.
+  // State of the current cell.
   std::vector<Edge>           m_Edges;
   std::vector<Edge>           m_Best;
   std::vector<float>          m_Strongest;
@@ -218,10 +218,10 @@ private:
   DisjointSets<std::uint32_t> m_Sets;
 };
 
-/** The edges and leaks of the aggregates of one slice. */
+/** Edges and leaks of the aggregates of one slice. */
 struct SliceEdges
 {
-  std::vector<std::uint64_t>                    ends; ///< of the edges of each aggregate
+  std::vector<std::uint64_t>                    ends; ///< end of the edges of each aggregate
   std::vector<std::pair<std::uint32_t, double>> edges;
   std::vector<float>                            leak;
 };
@@ -267,7 +267,7 @@ JoinAggregates(const TLevel &                     level,
   return result;
 }
 
-/** Puts the edges of a slice where they belong. */
+/** Copies the edges of a slice into the graph. */
 void
 Store(const SliceEdges & slice, std::uint64_t firstNode, std::uint64_t firstEdge, ConductanceGraph & graph)
 {

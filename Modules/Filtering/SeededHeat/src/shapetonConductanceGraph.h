@@ -10,15 +10,15 @@
 
 namespace shapeton
 {
-/** A coarse level of the hierarchy: its nodes are aggregates of nodes of the level below, joined by the sums of their
- * conductances (Galerkin's operator for values that are constant on each aggregate). Nodes are sorted by the slice of
- * cells that they lie in; edges join nodes of the same or of neighbouring slices. */
+/** A coarse level of the hierarchy. Its nodes are aggregates of nodes of the finer level, joined by the sums of
+ * their conductances (Galerkin operator for piecewise constant values). Nodes are sorted by the slice of their
+ * cells; edges join nodes of the same or of adjacent slices. */
 struct ConductanceGraph
 {
   template <typename T>
   using OfEdges = std::vector<T, UninitializedAllocator<T>>;
 
-  std::vector<std::uint64_t>                firstEdge; ///< of each node, and the number of all
+  std::vector<std::uint64_t>                firstEdge; ///< for each node, then the number of all edges
   OfEdges<std::uint32_t>                    neighbours;
   OfEdges<float>                            conductances;
   std::vector<float>                        leak;
@@ -78,12 +78,12 @@ struct ConductanceGraph
   }
 };
 
-/** The aggregate of a place that is no node. */
+/** Aggregate of an index that is not a node. */
 constexpr std::uint32_t noAggregate = ~std::uint32_t(0);
 
-/** The next coarser level: aggregates are what strong edges join within cells of two places along each axis, but one
- * along an axis whose spacing is more than 1.5 times the smallest. So no aggregate reaches across an edge that
- * insulates, which a fixed box would. `aggregateOf` gets the aggregate of each place. The same for any number of
+/** Computes the next coarser level. Aggregates are sets joined by strong edges within cells of two nodes along each
+ * axis, one along an axis whose spacing is more than 1.5 times the smallest. So no aggregate crosses an insulating
+ * edge, unlike a fixed box. `aggregateOf` receives the aggregate of each node. Independent of the number of
  * threads. TLevel is ConductanceField or ConductanceGraph. */
 template <typename TLevel>
 ConductanceGraph

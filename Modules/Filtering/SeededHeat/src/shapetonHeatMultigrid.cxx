@@ -13,14 +13,14 @@ namespace
 constexpr std::size_t coarsestNodes = 200;
 constexpr std::size_t mostLevels = 16;
 constexpr int         sweepsOnCoarsest = 10;
-// Graphs whose next level is visited twice in a cycle: measured on CT, where with three of them in place of five the
-// whole takes a tenth longer.
+// Number of graphs whose next level is visited twice per cycle. Measured on CT: with three instead of five, the run
+// time grows by a tenth.
 constexpr std::size_t firstTwice = 1;
 constexpr std::size_t endTwice = 6;
 constexpr unsigned    mostIterations = 1000;
 
-/** The values of all labels at a place: arithmetic acts on each of them. The compiler does not find these vectors where
- * the places come from a list. */
+/** The values of all labels at a node, with elementwise arithmetic. Compilers do not vectorize over labels for
+ * indirect indices. */
 template <int VLabels>
 struct LaneTypes;
 template <>
@@ -78,8 +78,8 @@ AddProducts(DoubleLanes<VLabels> & sums, const Lanes<VLabels> & a, const Lanes<V
   }
 }
 
-/** Calls body(first slice, end) for the slabs of `thickness` slices that are one of `stride`, from the `first` one on,
- * in parallel. */
+/** Calls body(first slice, end) in parallel for every `stride`-th slab of `thickness` slices, from the slab `first`
+ * on. */
 template <typename TBody>
 void
 ForEachSlab(std::size_t slices, std::size_t thickness, std::size_t first, std::size_t stride, const TBody & body)
@@ -92,8 +92,8 @@ ForEachSlab(std::size_t slices, std::size_t thickness, std::size_t first, std::s
   });
 }
 
-/** Calls body(first slice, end) for slabs of `thickness` slices, every other one at first, then the rest; the other way
- * round unless `forward`. Slabs of one half do not touch each other. */
+/** Calls body(first slice, end) for slabs of `thickness` slices: the even ones, then the odd ones; in reverse order
+ * unless `forward`. Slabs of one half are not adjacent. */
 template <typename TBody>
 void
 SweepSlabs(std::size_t slices, std::size_t thickness, bool forward, const TBody & body)
@@ -104,7 +104,7 @@ SweepSlabs(std::size_t slices, std::size_t thickness, bool forward, const TBody 
   }
 }
 
-/** Calls body(place of the row's first voxel) for the rows of a slice. */
+/** Calls body(index of the row's first voxel) for the rows of a slice. */
 template <typename TBody>
 void
 ForEachRowOfSlice(const PaddedGrid & grid, std::size_t slice, const TBody & body)
@@ -126,11 +126,11 @@ ForEachRow(const PaddedGrid & grid, const TBody & body)
   });
 }
 
-// Slices of a slab, of the sweeps over the finest level.
+// Slab thickness in slices for the sweeps over the finest level.
 constexpr std::size_t slabOfField = 4;
 
-/** Which neighbours of the voxels of a slice a forward sweep over the finest level changes before them, beside those to
- * the west and south. */
+/** Which neighbors of the voxels of a slice a forward sweep over the finest level updates before them, besides those
+ * to the west and south. */
 struct SweptBefore
 {
   bool isBelow, isAbove;
@@ -161,7 +161,7 @@ struct Star
     , strideZ(field.grid.GetStride(2))
   {}
 
-  /** 1 / (sum of the conductances and the leak); 0 where there are none, as at a seed. */
+  /** 1 / (sum of the conductances and the leak); 0 if there are none, as for a seed. */
   float
   InverseDiagonal() const
   {
@@ -169,7 +169,7 @@ struct Star
     return diagonal > 0.0F ? 1.0F / diagonal : 0.0F;
   }
 
-  /** The sum of the values of the neighbours of voxel i, times their conductances. */
+  /** The sum of the neighbor values of voxel i, weighted by their conductances. */
   template <int VLabels>
   Lanes<VLabels>
   Gather(const float * v, std::size_t i) const
@@ -179,7 +179,7 @@ struct Star
            (below * Load<VLabels>(v, i - strideZ) + above * Load<VLabels>(v, i + strideZ));
   }
 
-  /** The part of Gather() that a forward sweep has changed before voxel i. */
+  /** The part of Gather() from neighbors that a forward sweep updates before voxel i. */
   template <int VLabels>
   Lanes<VLabels>
   GatherBefore(const float * v, std::size_t i, const SweptBefore & before) const
@@ -196,7 +196,7 @@ struct Star
     return sum;
   }
 
-  /** The other part. */
+  /** The remaining part of Gather(). */
   template <int VLabels>
   Lanes<VLabels>
   GatherAfter(const float * v, std::size_t i, const SweptBefore & before) const
@@ -213,7 +213,7 @@ struct Star
     return sum;
   }
 
-  /** What flows out of voxel i: in differences, which lose no digits where values are alike. */
+  /** Net outflow of voxel i, computed from differences to avoid cancellation. */
   template <int VLabels>
   Lanes<VLabels>
   Outflow(const float * v, std::size_t i) const
@@ -251,7 +251,7 @@ SumOf(const std::vector<std::array<double, VLabels>> & parts)
   return sum;
 }
 
-/** numerator / denominator of each label; 0 where the denominator is. */
+/** numerator / denominator for each label; 0 if the denominator is 0. */
 template <std::size_t VLabels>
 std::array<float, VLabels>
 Ratio(const std::array<double, VLabels> & numerator, const std::array<double, VLabels> & denominator)
@@ -382,7 +382,7 @@ HeatMultigrid<VLabels>::SweepGraph(std::size_t level, bool forward)
   });
 }
 
-/** After a forward sweep from 0 a voxel's residual is what later neighbours have got since. */
+/** After a forward sweep from 0 the residual of a voxel depends only on its later neighbors. */
 template <int VLabels>
 void
 HeatMultigrid<VLabels>::RestrictFromField(const float * values)
@@ -470,8 +470,8 @@ HeatMultigrid<VLabels>::ProlongToGraph(std::size_t level)
   });
 }
 
-/** From the residuals of a graph to its values. The sweeps before and after are mirror images, so the whole is
- * symmetric, as conjugate gradients need it. */
+/** Computes the correction of a graph from its residuals. Pre- and post-smoothing are mirrored, so the cycle is
+ * symmetric, as conjugate gradients require. */
 template <int VLabels>
 void
 HeatMultigrid<VLabels>::CycleGraph(std::size_t level)
@@ -558,7 +558,7 @@ HeatMultigrid<VLabels>::Advance(const Factors & step,
     });
     std::memcpy(energies[z].data(), &sums, sizeof(sums));
   };
-  // Where slabs meet the directions are turned first, so that each slab may then go through memory once.
+  // Directions at slab boundaries are updated first, so that each slab then needs one pass through memory.
   ForEachSlab(slices, thickness, 0, 1, [&](std::size_t begin, std::size_t end) {
     turn(begin);
     if (begin + 1 < end)
@@ -589,9 +589,9 @@ HeatMultigrid<VLabels>::Solve(LabelField &     potentials,
   LabelField   directions(residuals.GetLength());
   LabelField   corrections(residuals.GetLength());
   Sums         before{};
-  Factors      step{}; // along the directions; potentials and residuals take it when they are next passed through
+  Factors      step{}; // along the directions; potentials and residuals apply it in the next pass
   double       firstChange = 0.0;
-  double       share = 0.0; // changes may grow now and then, what is reported does not
+  double       share = 0.0; // changes may increase occasionally; the reported share does not
   unsigned int iteration = 0;
   for (; iteration < mostIterations; ++iteration)
   {

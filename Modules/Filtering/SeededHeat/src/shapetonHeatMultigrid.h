@@ -9,7 +9,7 @@
 
 namespace shapeton
 {
-/** A conductance field and the coarser levels that belong to it. */
+/** A conductance field and its coarser levels. */
 class ConductanceHierarchy
 {
 public:
@@ -40,11 +40,11 @@ private:
   std::vector<std::vector<std::uint32_t>> m_Aggregates;
 };
 
-/** Values of several labels at each node, side by side: one pass over memory serves all labels. */
+/** Values of several labels per node, interleaved: one pass over memory processes all labels. */
 class LabelField
 {
 public:
-  /** All 0. */
+  /** Initially 0. */
   explicit LabelField(std::size_t length);
 
   float *
@@ -70,18 +70,18 @@ private:
   std::size_t              m_Length;
 };
 
-/** Conjugate gradients for the potentials of `VLabels` labels at once, preconditioned by a multigrid cycle whose
- * aggregates follow the conductances (Notay, Electronic Transactions on Numerical Analysis 37, 2010). Gauss-Seidel
- * sweeps go through slabs of slices, every other one at a time, so that results are the same for any number of threads.
- * Each label has coefficients of its own. */
+/** Conjugate gradients for the potentials of `VLabels` labels at once, preconditioned by a multigrid cycle with
+ * conductance-based aggregates (Notay, Electronic Transactions on Numerical Analysis 37, 2010). Gauss-Seidel sweeps
+ * process alternating slabs of slices, so the results are the same for any number of threads. Each label has its
+ * own coefficients. */
 template <int VLabels>
 class HeatMultigrid
 {
 public:
   explicit HeatMultigrid(const ConductanceHierarchy & hierarchy);
 
-  /** Changes `potentials` until no correction of the preconditioner, which estimates the error, exceeds `tolerance`.
-   * `residuals` are those of the start; they are changed. Returns the number of iterations. */
+  /** Iterates on `potentials` until no correction of the preconditioner, which estimates the error, exceeds
+   * `tolerance`. `residuals` are those of the start values and are overwritten. Returns the number of iterations. */
   unsigned int
   Solve(LabelField & potentials, LabelField & residuals, double tolerance, const Progress & progress);
 
@@ -94,25 +94,25 @@ private:
   using Factors = std::array<float, VLabels>;
   struct Measure
   {
-    Sums  products; ///< of residuals and corrections
-    float greatest; ///< correction
+    Sums  products; ///< dot products of residuals and corrections
+    float greatest; ///< largest correction
   };
 
-  // StepAndSweep(), SweepBack() and Advance() pass through memory once each: where a volume is large, that is what
-  // takes time.
+  // StepAndSweep(), SweepBack() and Advance() make one pass through memory each, which dominates the time of large
+  // volumes.
 
-  /** Residuals lose `step` times the corrections, which are the image of the directions; corrections become those of
-   * the residuals. */
+  /** Subtracts `step` times the corrections (the images of the directions) from the residuals, then computes the
+   * corrections for the new residuals. */
   Measure
   Precondition(const Factors & step, float * residuals, float * corrections);
-  /** The first part of that, with the forward sweep, which starts from 0. */
+  /** First part of the cycle, including the forward sweep, which starts from 0. */
   void
   StepAndSweep(const Factors & step, float * residuals, float * corrections) const;
-  /** The last part of it. */
+  /** Last part of the cycle. */
   Measure
   SweepBack(const float * residuals, float * corrections) const;
-  /** Potentials get `step` times the directions; directions become corrections and `share` times themselves;
-   * corrections become the image of the directions. Returns the products of directions and image. */
+  /** Adds `step` times the directions to the potentials; directions become corrections + `share` * directions;
+   * corrections become the images of the directions. Returns the products of directions and images. */
   Sums
   Advance(const Factors & step, const Factors & share, float * potentials, float * directions, float * corrections)
     const;

@@ -30,7 +30,7 @@ GridOf(const itk::ImageBase<3> * image)
   return { static_cast<int>(size[0]), static_cast<int>(size[1]), static_cast<int>(size[2]) };
 }
 
-/** Marks the voxels of one node of markups. */
+/** Marks the voxels of one markups node. */
 class SeedPen
 {
 public:
@@ -44,8 +44,8 @@ public:
     this->Mark(m_Markup.points[number], number);
   }
 
-  /** The voxels of the straight piece from a point to another one: the middle between two crossings of faces lies in
-   * the voxel that they bound. */
+  /** The voxels of the segment between two points: the midpoint of two consecutive face crossings is in the voxel
+   * between these faces. */
   void
   MarkPiece(std::size_t from, std::size_t to)
   {
@@ -74,7 +74,7 @@ private:
     return Eigen::Vector3d(index.GetDataPointer());
   }
 
-  /** 0, 1, and where between a and b faces of voxels are crossed, which lie halfway between indices; ascending. */
+  /** 0, 1, and the crossings of voxel faces, which are halfway between indices, from a to b; ascending. */
   std::vector<double>
   CrossingsOf(const Eigen::Vector3d & a, const Eigen::Vector3d & b) const
   {
@@ -124,7 +124,7 @@ private:
   const unsigned short m_Label;
 };
 
-/** Marks a set of voxels but those at its border; all of them where it is border all over. */
+/** Marks a set of voxels without its border; all of them if the border is the whole set. */
 void
 MarkInside(const VoxelGrid &                grid,
            const std::vector<std::size_t> & voxels,

@@ -12,7 +12,7 @@ namespace shapeton
 {
 namespace
 {
-// The estimate of the error is the preconditioner's: measured, errors are up to four times as large.
+// The preconditioner estimates the error; measured errors are up to four times larger.
 constexpr double safety = 0.1;
 
 std::vector<unsigned short>
@@ -35,7 +35,7 @@ LabelsOf(const unsigned short * seeds, std::size_t number)
 }
 } // namespace
 
-/** Labels that are solved for in one pass, and their potentials. */
+/** Labels that are solved in one pass, and their potentials. */
 struct SeededHeatSolver::Batch
 {
   std::vector<unsigned short> labels;
@@ -55,7 +55,7 @@ SeededHeatSolver::SeededHeatSolver(const VolumeGradientOperator & volumeGradient
 
 SeededHeatSolver::~SeededHeatSolver() = default;
 
-/** Puts the heat of seeds where it belongs, in old potentials, too. */
+/** Sets the heat of seeds, also in potentials of an earlier solution. */
 void
 SeededHeatSolver::SetSeedValues(Batch & batch, const unsigned short * seeds) const
 {
@@ -98,7 +98,7 @@ SeededHeatSolver::SolveBatch(Batch &                      batch,
   m_Result.iterations = std::max(m_Result.iterations, iterations);
 }
 
-/** Takes the labels of a batch into the two greatest probabilities of each voxel. */
+/** Updates the two greatest probabilities of each voxel with the labels of a batch. */
 void
 SeededHeatSolver::Compare(const Batch & batch)
 {
@@ -130,7 +130,7 @@ SeededHeatSolver::Compare(const Batch & batch)
   });
 }
 
-/** The last label has what the others leave. */
+/** The last label gets the remaining probability. */
 void
 SeededHeatSolver::Finish()
 {
@@ -199,7 +199,7 @@ SeededHeatSolver::Solve(const unsigned short * seeds, const Progress & progress)
     m_Batches.clear();
   }
   m_Result = {};
-  auto batches = std::move(m_Batches); // after an abort there is nothing to start from
+  auto batches = std::move(m_Batches); // after an abort there is no start solution
   m_Batches.clear();
   const ConductanceHierarchy hierarchy(m_VolumeGradient, seeds, progress.Part("", 0.0, 0.1));
   m_Result.labels.assign(number, labels.front());

@@ -16,7 +16,7 @@ constexpr int SchemaVersion = 1;
 const std::string schema = "CREATE TABLE shape ("
                            "  id INTEGER PRIMARY KEY,"
                            "  name TEXT NOT NULL,"
-                           "  source TEXT NOT NULL," // identity of the table
+                           "  source TEXT NOT NULL," // identity of the source table
                            "  label TEXT NOT NULL,"
                            "  volume REAL NOT NULL,"  // mm^3
                            "  surface REAL NOT NULL," // mm^2
@@ -70,7 +70,7 @@ RequireShapeDatabase(const SqliteFile & file)
   }
 }
 
-/** A file of no bytes, or a database of no one yet. */
+/** An empty file, or a database without an application id. */
 bool
 IsEmpty(const SqliteFile & file)
 {
@@ -78,7 +78,7 @@ IsEmpty(const SqliteFile & file)
          file.Number("SELECT count(*) FROM sqlite_schema") == 0;
 }
 
-/** Within a transaction. */
+/** Only the last line depends on the file, the others on the database. */
 void
 MakeOrRequire(const SqliteFile & file)
 {
@@ -136,7 +136,7 @@ ShapeOf(const SqliteStatement & row, const std::string & path)
   return shape;
 }
 
-/** Open for reading, with nothing left to undo. */
+/** Opens for reading if there is nothing to roll back. */
 SqliteFile
 OpenForReading(const std::string & path)
 {
@@ -144,7 +144,7 @@ OpenForReading(const std::string & path)
   {
     return file;
   }
-  SqliteFile(path, SqliteFile::Access::Repair).Number("SELECT count(*) FROM sqlite_schema"); // a read undoes it
+  SqliteFile(path, SqliteFile::Access::Repair).Number("SELECT count(*) FROM sqlite_schema"); // a read rolls it back
   return SqliteFile(path, SqliteFile::Access::Read);
 }
 } // namespace
@@ -158,7 +158,7 @@ AddToShapeDatabase(const std::string & path,
   RequireParameter(!name.empty(), "a shape is added under a name that is not empty");
   const SqliteFile file(path, SqliteFile::Access::Write);
   file.Execute("PRAGMA synchronous = FULL");
-  file.Execute("BEGIN IMMEDIATE"); // what throws before COMMIT is undone when the file is closed
+  file.Execute("BEGIN IMMEDIATE"); // an exception before COMMIT rolls back when the file is closed
   MakeOrRequire(file);
   for (const ShapeRow & row : table.rows)
   {

@@ -12,7 +12,7 @@ namespace shapeton
 {
 namespace
 {
-/** How long to wait for a process that adds. */
+/** How long to wait for another writing process. */
 constexpr int MostMilliseconds = 20000;
 
 int
@@ -29,7 +29,7 @@ FlagsOf(SqliteFile::Access access)
   }
 }
 
-/** SQLite would make a database in memory of some names, and says little of what is no regular file. */
+/** For some names SQLite would open a database in memory, and its message for a non-regular file is unclear. */
 std::string
 RegularFile(const std::string & path, SqliteFile::Access access)
 {

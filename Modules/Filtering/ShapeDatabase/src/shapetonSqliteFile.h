@@ -10,17 +10,16 @@ struct sqlite3_stmt;
 namespace shapeton
 {
 /** \class SqliteFile
- * \brief An open SQLite database. All that fails is an exception: InputError for a file that is no sound database,
- * OutputError for what cannot be written.
- */
+ * \brief An open SQLite database. Failures throw InputError for a file that is not a valid database, OutputError
+ * for a failed write. */
 class SqliteFile
 {
 public:
   enum class Access
   {
     Read,
-    Write, ///< and makes the file where there is none
-    Repair ///< undoes what an interrupted process has begun
+    Write, ///< creates the file if it does not exist
+    Repair ///< rolls back an interrupted transaction
   };
 
   SqliteFile(const std::string & path, Access access);
@@ -37,11 +36,11 @@ public:
   std::string
   Text(const std::string & sql) const;
 
-  /** True when an interrupted process has left work to undo, which a file opened for reading cannot. */
+  /** True if an interrupted transaction must be rolled back, which is not possible in a file opened read-only. */
   bool
   NeedsRepair() const;
 
-  /** Throws what a result code of SQLite means. */
+  /** Throws the exception for a result code of SQLite. */
   [[noreturn]] void
   Fail(int code) const;
 
@@ -68,8 +67,7 @@ private:
 };
 
 /** \class SqliteStatement
- * \brief A prepared statement; values are bound and read in the order of its columns.
- */
+ * \brief A prepared statement; values are bound and read in column order. */
 class SqliteStatement
 {
 public:
@@ -80,7 +78,7 @@ public:
   SqliteStatement &
   Bind(double number);
 
-  /** The next row; false where there is none. */
+  /** Advances to the next row; false if there is none. */
   bool
   Step();
 

@@ -10,7 +10,7 @@ namespace shapeton
 {
 namespace
 {
-constexpr std::size_t bins = 8192; // of half gradients in [0, 1]
+constexpr std::size_t bins = 8192; // for half gradients in [0, 1]
 using Histogram = std::vector<std::uint64_t>;
 
 std::uint64_t
@@ -24,7 +24,7 @@ Sum(const Histogram & histogram, std::size_t first = 0)
   return sum;
 }
 
-/** The half gradient below which the share of the counts from bin `first` on lies. */
+/** The given quantile of the half gradients, counting from bin `first` on. */
 double
 Quantile(const Histogram & histogram, double share, std::size_t first)
 {
@@ -41,7 +41,8 @@ Quantile(const Histogram & histogram, double share, std::size_t first)
   return 1.0;
 }
 
-/** Counts the half gradients along all lines of the volume; `peaksOnly`: those that exceed both their neighbours. */
+/** Counts the half gradients along all lines of the volume; with `peaksOnly` only those that exceed both their
+ * neighbors. */
 Histogram
 CountHalfGradients(const float *                      intensities,
                    const std::array<std::size_t, 3> & size,
@@ -73,7 +74,7 @@ CountHalfGradients(const float *                      intensities,
           if (!peaksOnly || (value > half(voxel - strides[axis]) && value >= half(voxel + strides[axis])))
           {
             ++histograms[worker]
-                        [value < 1.0 ? static_cast<std::size_t>(value * bins) : bins - 1]; // NaN is refused later
+                        [value < 1.0 ? static_cast<std::size_t>(value * bins) : bins - 1]; // NaN is rejected later
           }
         }
       }
@@ -116,7 +117,7 @@ ChooseP(const float *                      intensities,
     return choice;
   }
   choice.edgeContrast = Quantile(peaks, 0.25, firstEdge);
-  // Between what noise reaches and what edges exceed, with room on both sides.
+  // Between the reach of noise and the contrast of edges, with a margin on both sides.
   const double reach = std::max(4.0 * choice.noise, 0.25 * choice.edgeContrast);
   const double cut = std::sqrt(reach * std::max(choice.edgeContrast, reach));
   choice.p = std::clamp(1.0 / cut, 1.0, 50.0);

@@ -6,7 +6,8 @@
 
 namespace shapeton
 {
-/** A 64-bit sum that finds damage and differences, not forgery. Depends on how the bytes are cut into calls. */
+/** A 64-bit checksum that detects damage and differences, not forgery. Depends on how the bytes are split into
+ * calls. */
 class Checksum
 {
 public:
@@ -21,7 +22,7 @@ public:
       this->Mix(word);
     }
     std::uint64_t rest = number;
-    if (number > 0) // nothing may lie at a null pointer
+    if (number > 0) // the pointer may be null
     {
       std::memcpy(reinterpret_cast<unsigned char *>(&rest) + 1, next, number);
     }

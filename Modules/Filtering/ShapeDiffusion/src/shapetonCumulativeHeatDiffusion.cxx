@@ -64,7 +64,7 @@ IsZero(const PaddedGrid & grid, const PaddedField & field)
   return std::all_of(data, data + grid.GetLength(), [](float value) { return value == 0.0F; });
 }
 
-/** Sorts what the solver shows into histogram rows and whole volumes. */
+/** Distributes the solver's snapshots to histogram rows and whole volumes. */
 class SnapshotSorter : public HeatSnapshots
 {
 public:
@@ -139,7 +139,7 @@ public:
     ++volume.rows;
   }
 
-  /** Hands out the volumes that are complete; called from one thread while no row is visited. */
+  /** Passes complete volumes to the consumer; called from one thread while no row is visited. */
   void
   Deliver()
   {
@@ -180,7 +180,7 @@ private:
     std::atomic<std::size_t> rows{ 0 };
   };
 
-  /** Counts of all rows; each worker mostly has its own. */
+  /** Counts of all rows; mostly one copy per worker. */
   struct CountTable
   {
     std::mutex                 mutex;
@@ -193,7 +193,7 @@ private:
     return table.counts.data() + m_HistogramRow[snapshot] * HeatHistogram::NumberOfBins;
   }
 
-  /** One for each thread, but no more than 256 MB of them. */
+  /** One for each thread, up to a total of 256 MB. */
   static std::size_t
   NumberOfTables(std::size_t rows)
   {
@@ -212,7 +212,7 @@ private:
   std::size_t                                    m_RowsPerVolume;
   const HeatSnapshotConsumer &                   m_Consumer;
   std::vector<std::uint64_t>                     m_Steps;
-  std::vector<std::ptrdiff_t>                    m_HistogramRow; // of each step, or -1
+  std::vector<std::ptrdiff_t>                    m_HistogramRow; // histogram row of each step, or -1
   std::vector<CountTable>                        m_Counts;
   std::map<std::size_t, std::unique_ptr<Volume>> m_Volumes;
 };
@@ -239,7 +239,7 @@ DiffuseCumulativeHeat(const float *                           intensities,
     result.p = ChooseP(intensities, size, parameters.spacing, parameters.lower, parameters.upper);
     parameters.p = result.p.p;
   }
-  // Preparation is a small part of the work; it counts as none, but may be aborted.
+  // Preparation is a small part of the work: it reports no progress, but can be aborted.
   const Progress               preparation = progress.Part("", 0.0, 0.0);
   const VolumeGradientOperator volumeGradient(intensities, size, parameters, preparation);
   HeatDiffusionSolver          solver(volumeGradient, settings.method, settings.timeStepLength, settings.tolerance);

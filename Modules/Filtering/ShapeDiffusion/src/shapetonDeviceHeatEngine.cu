@@ -1,4 +1,4 @@
-// Launches alone: the arithmetic is that of the CPU.
+// Contains only launches: the arithmetic is shared with the CPU.
 #include "shapetonDeviceHeatEngine.h"
 #include "shapetonDeviceRuntime.h"
 #include "shapetonDiffusionArithmetic.h"
@@ -9,7 +9,7 @@ namespace
 {
 using DeviceRuntime::Memory;
 
-/** The places of a field's voxels in memory. */
+/** Memory indices of a field's voxels. */
 struct Places
 {
   std::size_t first;
@@ -54,8 +54,8 @@ struct Compensated
   }
 };
 
-/** Two steps of the recurrence, from T_k of even k to the next one, and what they add to the nodes while their values
- * are at hand. What neighbours still read is not written over: all results have places of their own. */
+/** Two steps of the recurrence, from T_k of even k to the next one, and their contributions to the nodes while the
+ * values are in registers. Values still needed by neighbors are not overwritten: all results have separate memory. */
 struct TwoChebyshevSteps
 {
   using Neighbourhood = DiffusionArithmetic::Neighbourhood;
@@ -85,7 +85,7 @@ struct TwoChebyshevSteps
   Second(std::size_t x, std::size_t y, std::size_t z, const Neighbourhood & odd, float kept) const
   {
     const std::size_t i = at(x, y, z);
-    float             sums[HeatEngine::MostNodes]; // read at once: memory answers late
+    float             sums[HeatEngine::MostNodes]; // loaded together to hide the memory latency
     for (unsigned int g = 0; g < HeatEngine::MostNodes; ++g)
     {
       sums[g] = g < pairs ? nodes[g][i] : 0.0F;
@@ -132,7 +132,7 @@ struct Clamped
   }
 };
 
-/** The number of a voxel as its place in memory. */
+/** Converts the number of a voxel to its memory index. */
 struct Numbered
 {
   Places      at;
@@ -173,7 +173,7 @@ struct Moved
   }
 };
 
-/** The heat of snapshots between the fields at the nodes. */
+/** The heat of snapshots, interpolated between the fields at the nodes. */
 struct Combination
 {
   const float *       nodes[HeatEngine::MostNodes];
@@ -267,7 +267,7 @@ public:
   unsigned int
   GetLongestStretch(bool) const override
   {
-    return 64; // some milliseconds: progress is told in between
+    return 64; // a few milliseconds, then progress is reported
   }
 
   void
@@ -383,7 +383,7 @@ public:
       combination.weights[0] = weights[i];
       if (m_Snapshots->IsShown(first + i))
       {
-        // Difference is free between two expansions.
+        // Difference is unused between two expansions.
         DeviceRuntime::ForVoxels(m_Extent, CombinedField{ m_Places, combination, this->Get(Difference) });
         this->ShowField(first + i, Difference);
       }
@@ -406,7 +406,7 @@ private:
     if (!m_Fields[field].Get())
     {
       m_Fields[field] = Memory<float>(m_Grid.GetLength());
-      m_Fields[field].Clear(); // the layer around the volume stays at 0
+      m_Fields[field].Clear(); // the border of the volume stays at 0
     }
     return m_Fields[field].Get();
   }
@@ -425,7 +425,7 @@ private:
     }
   }
 
-  /** Two snapshots at once read each node once. */
+  /** Processing two snapshots at once reads each node once. */
   void
   CountCombined(std::size_t first, Combination combination, const std::vector<Weights> & weights)
   {

@@ -7,7 +7,7 @@
 
 namespace shapeton
 {
-/** A volume, or some slices of one, as the plug-in for GPUs sees it: see VolumeGradientOperator. */
+/** A volume, or a range of its slices, as passed to the GPU plug-in: see VolumeGradientOperator. */
 struct DeviceHeatVolume
 {
   PaddedGrid                   grid;
@@ -15,20 +15,20 @@ struct DeviceHeatVolume
 };
 
 /** \class DeviceHeatEngine
- * \brief An engine whose fields stay in the memory of a GPU. */
+ * \brief A heat engine whose fields are in GPU memory. */
 class DeviceHeatEngine : public HeatEngine
 {
 public:
   /** `values`: a field on the padded grid. */
   virtual void
   Upload(Field field, const float * values) = 0;
-  /** `number` slices from `first` on, with the layer around each; `values` is the begin of the field on the host. */
+  /** `number` slices from `first` on, with the border around each; `values` is the start of the field on the host. */
   virtual void
   Download(Field field, float * values, std::size_t first, std::size_t number) = 0;
 };
 
-/** The type of the plug-in's function ShapetonMakeHeatEngine(). The engine takes the heat from `heat` and gives it back
- * there by Finish(); without it, or without snapshots, fields are exchanged by hand and nothing is shown. */
+/** Type of the plug-in's function ShapetonMakeHeatEngine(). The engine reads the heat from `heat` and writes it back
+ * in Finish(). Without `heat`, or without snapshots, fields are exchanged explicitly and no snapshot is shown. */
 using MakeDeviceHeatEngineFunction = DeviceHeatEngine *(const DeviceHeatVolume & volume,
                                                         float *                  heat,
                                                         HeatSnapshots *          snapshots);

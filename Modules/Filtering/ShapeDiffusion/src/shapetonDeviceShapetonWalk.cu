@@ -1,4 +1,4 @@
-// Launches alone: the arithmetic is that of the CPU.
+// Contains only launches: the arithmetic is shared with the CPU.
 #include "shapetonDeviceShapetonWalk.h"
 #include "shapetonDeviceRuntime.h"
 #include "shapetonPlaceInVoxel.h"
@@ -15,8 +15,7 @@ using namespace ShapetonKernels;
 using DeviceRuntime::Memory;
 using Arithmetic = ShapetonArithmetic<ScalarLanes>;
 
-/** Some steps of a shapeton. It needs nothing of the others, whose visits it only counts beside its own: all steps are
- * one launch. */
+/** Several steps of a shapeton. Shapetons are independent and only add their visits, so all steps are one launch. */
 template <Sampling VSampling, bool VTraversal>
 struct Walk
 {

@@ -8,7 +8,7 @@
 
 namespace shapeton
 {
-/** What the plug-in for GPUs is told of a walk; all memory is the host's. */
+/** Parameters of a walk for the GPU plug-in; all memory is on the host. */
 struct DeviceShapetonSettings
 {
   ShapetonKernels::Surroundings       surroundings;
@@ -19,7 +19,7 @@ struct DeviceShapetonSettings
   std::uint64_t                       seed;
 };
 
-/** Where the shapetons are, and what they have visited. */
+/** Positions and visits of the shapetons. */
 struct ShapetonArrays
 {
   float *         places[3];
@@ -28,7 +28,7 @@ struct ShapetonArrays
 };
 
 /** \class DeviceShapetonWalk
- * \brief Shapetons in the memory of a GPU, as ShapetonWalk has them on the CPU. */
+ * \brief Shapetons in GPU memory, equivalent to ShapetonWalk on the CPU. */
 class DeviceShapetonWalk
 {
 public:
@@ -48,7 +48,7 @@ public:
   SumOverShapetons() = 0;
 };
 
-/** The type of the plug-in's function ShapetonMakeWalk(). */
+/** Type of the plug-in's function ShapetonMakeWalk(). */
 using MakeDeviceShapetonWalkFunction = DeviceShapetonWalk *(const DeviceShapetonSettings & settings);
 } // namespace shapeton
 

@@ -8,7 +8,7 @@
 
 namespace shapeton
 {
-/** Where the edges and neighbours of a row lie. */
+/** Memory offsets of the edges and neighbors of a row. */
 struct DiffusionEdges
 {
   const float *  x;
@@ -18,14 +18,13 @@ struct DiffusionEdges
   std::ptrdiff_t strideZ;
 };
 
-/** What the diffusion computes of one voxel, `i`: the one source of this arithmetic for all instruction sets and for
- * the kernels of a GPU. */
+/** The diffusion arithmetic of one voxel, `i`: the single source for all instruction sets and GPU kernels. */
 namespace DiffusionArithmetic
 {
-/** Values of a row that an interpolation in time combines. */
+/** Values of a row for interpolation in time. */
 constexpr std::size_t NumberOfNodes = 7;
 
-/** Values of a voxel and of its six neighbours. */
+/** Values of a voxel and of its six neighbors. */
 struct Neighbourhood
 {
   float centre;
@@ -37,7 +36,7 @@ struct Neighbourhood
   float above;
 };
 
-/** What flows into a voxel from its six neighbours: sum_j c_ij (f_j - f_i). \equation{2.2} */
+/** Net inflow to a voxel from its six neighbors: sum_j c_ij (f_j - f_i). \equation{2.2} */
 SHAPETON_HOST_DEVICE float
 Flow(const DiffusionEdges & e, const Neighbourhood & f, std::size_t i)
 {
@@ -64,7 +63,7 @@ ExplicitStep(const DiffusionEdges & edges, const float * f, float * out, std::si
   out[i] = f[i] + dt * Flow(edges, f, i);
 }
 
-/** The same with the rounding error of `f` carried along in `rest` (Kahan), for many steps. */
+/** The same with compensation of the rounding error of `f` in `rest` (Kahan), for many steps. */
 SHAPETON_HOST_DEVICE void
 CompensatedStep(const DiffusionEdges & edges, const float * f, float * out, float * rest, std::size_t i, float dt)
 {
@@ -107,7 +106,7 @@ AddPair(float * sum, const float * f, const float * g, std::size_t i, float a, f
   sum[i] = WithPair(sum[i], f[i], g[i], a, b);
 }
 
-/** f = max(f, 0): an expansion of a field that is nowhere negative may fall below 0 by its error. */
+/** f = max(f, 0): an expansion of a non-negative field may be negative within its error. */
 SHAPETON_HOST_DEVICE float
 ClampedToZero(float heat)
 {
@@ -124,11 +123,11 @@ Combined(const float * const * nodes, std::size_t i, const float * weights)
     ((weights[4] * nodes[4][i] + weights[5] * nodes[5][i]) + weights[6] * nodes[6][i]));
 }
 
-/** Bits of a float in [2^-octaves, 1] as a bin number from 1 on, 0 below; see HeatHistogram. */
+/** Converts the bits of a float in [2^-octaves, 1] to a bin number from 1 on, 0 below; see HeatHistogram. */
 SHAPETON_HOST_DEVICE unsigned short
 BinOf(float heat)
 {
-  // The bits of a positive float grow with its value, and evenly within each octave.
+  // The bits of a positive float are monotonic in its value, and linear within each octave.
   constexpr std::int32_t one = 0x3f800000;
   constexpr std::int32_t perOctave = 1 << 23;
   constexpr std::int32_t least = one - static_cast<std::int32_t>(HeatHistogram::Octaves) * perOctave;
@@ -140,7 +139,7 @@ BinOf(float heat)
   return static_cast<unsigned short>(bits < least ? 0 : bin < last ? bin : last);
 }
 
-/** Whether a voxel has moved by more than `change` times its heat, or times `least` where it is colder. */
+/** Whether a voxel has changed by more than `change` times its heat, or times `least` if it is colder. */
 SHAPETON_HOST_DEVICE bool
 HasMoved(const float * before, const float * after, std::size_t i, float change, float least)
 {

@@ -1,7 +1,7 @@
-// Compiled once for each instruction set: see shapetonInstructionSets.h.
+// Compiled once per instruction set: see shapetonInstructionSets.h.
 #include "shapetonDiffusionKernels.h"
 
-// The rows that a kernel reads and writes never overlap but where it reads and writes the same element.
+// The rows that a kernel reads and writes overlap only for in-place updates.
 #if defined(__clang__)
 #  define SHAPETON_INDEPENDENT _Pragma("clang loop vectorize(assume_safety)")
 #elif defined(__GNUC__)
@@ -79,7 +79,7 @@ ClampToZero(float * f, std::size_t n)
 void
 Combine(float * out, const float * const * nodes, std::size_t n, const float * weights)
 {
-  // Copies, which the compiler knows that `out` does not change.
+  // Local copies: the compiler can assume that `out` does not alias them.
   const float         w[] = { weights[0], weights[1], weights[2], weights[3], weights[4], weights[5], weights[6] };
   const float * const rows[] = { nodes[0], nodes[1], nodes[2], nodes[3], nodes[4], nodes[5], nodes[6] };
   SHAPETON_INDEPENDENT

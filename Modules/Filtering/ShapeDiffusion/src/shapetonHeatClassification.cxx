@@ -19,15 +19,16 @@ struct Hill
   unsigned int end;
   double       peak;
   unsigned int peakBin;
-  double       mass; // voxels, not smoothed
+  double       mass; // voxels, unsmoothed
 };
 
-/** Voxels for each unit of log(heat): bins are wider at the start of each octave. */
+/** Voxels per unit of log(heat): bins are wider at the start of each octave. */
 std::vector<double>
 SmoothedDensity(const std::uint32_t * counts)
 {
   constexpr int                   radius = 2;
-  constexpr std::array<double, 3> kernel = { 0.36, 0.24, 0.08 }; // about a Gaussian of 1.1 bins: 0.4 % of the heat
+  constexpr std::array<double, 3> kernel = { 0.36, 0.24, 0.08 }; // approximately a Gaussian of 1.1 bins: 0.4 % of the
+                                                                 // heat
   constexpr auto                  last = static_cast<int>(HeatHistogram::NumberOfBins) - 1;
   std::vector<double>             density(HeatHistogram::NumberOfBins, 0.0);
   for (int bin = 1; bin <= last; ++bin)
@@ -65,7 +66,8 @@ FindHills(const std::vector<double> & smooth, const std::uint32_t * counts)
     {
       hill.end = ++bin;
     }
-    while (bin < bins && smooth[bin] == 0.0) // half of an empty stretch would do: the cut lies in it either way
+    while (bin < bins && smooth[bin] == 0.0) // the cut is somewhere in the empty stretch, its position there is
+                                             // irrelevant
     {
       hill.end = ++bin;
     }
@@ -83,7 +85,7 @@ FindHills(const std::vector<double> & smooth, const std::uint32_t * counts)
   return hills;
 }
 
-/** Joins the hill least worth keeping with a neighbour until all satisfy the rule. */
+/** Merges the least significant hill with a neighbor until all satisfy the rule. */
 void
 JoinHills(std::vector<Hill> & hills, const std::vector<double> & smooth, const HeatClassificationRule & rule)
 {
@@ -102,7 +104,7 @@ JoinHills(std::vector<Hill> & hills, const std::vector<double> & smooth, const H
   };
   while (hills.size() > 1)
   {
-    // What breaks the rule goes first, then what rises least above its valley, by its mass.
+    // Hills that violate the rule come first, then those of smallest prominence, weighted by mass.
     std::size_t             weakest = 0;
     std::pair<bool, double> least{ true, std::numeric_limits<double>::max() };
     bool                    allowed = hills.size() <= rule.maximumNumberOfClasses;

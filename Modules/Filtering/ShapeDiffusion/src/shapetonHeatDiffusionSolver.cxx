@@ -11,13 +11,13 @@
 
 namespace shapeton
 {
-/** A stretch of time at whose nodes fields are computed. The requested steps in it are nodes, or are interpolated. */
+/** A time interval with fields at its nodes. The requested steps in it are nodes, or are interpolated. */
 struct HeatDiffusionSolver::Interval
 {
   std::uint64_t              start;
   std::uint64_t              end;
   std::size_t                endSnapshot; // the number of requested steps up to the end
-  std::vector<std::uint64_t> nodes;       // without the start
+  std::vector<std::uint64_t> nodes;       // excluding the start
   bool                       interpolate;
 };
 
@@ -25,16 +25,16 @@ namespace
 {
 constexpr std::size_t NumberOfNodes = HeatEngine::MostNodes;
 
-// Time intervals with this end / start ratio and seven nodes give 1.3e-6; see the class documentation.
+// Time intervals with this end / start ratio and seven nodes achieve an error of 1.3e-6; see the class documentation.
 constexpr double        intervalRatio = 2.5;
 constexpr std::uint64_t explicitStart = 16;
 
-// A long stretch of time is cut where the ratio to its start would exceed this: rounding errors grow with the degree of
-// an expansion and with the fine detail of its start, which the stretch before has smoothed away.
+// A long time interval is split if the ratio to its start would exceed this: rounding errors grow with the degree of an
+// expansion and with the fine detail of its start, which the previous interval has smoothed.
 constexpr std::uint64_t longestRatio = 32;
 constexpr std::uint64_t shortestStretch = 1000;
 
-/** Seven Lobatto nodes in log(step), rounded to whole steps; the start is not returned. */
+/** Seven Lobatto nodes in log(step), rounded to integers; the start is not returned. */
 std::vector<std::uint64_t>
 LobattoNodes(std::uint64_t start, std::uint64_t end)
 {
@@ -64,7 +64,7 @@ IsSteadyBetween(HeatEngine &                            engine,
   return static_cast<double>(moved) <= rule.voxels * static_cast<double>(grid.GetNumberOfVoxels());
 }
 
-/** Shows everything to a visitor. */
+/** Passes all snapshots to a visitor. */
 class VisitedSnapshots : public HeatSnapshots
 {
 public:
@@ -102,7 +102,7 @@ HeatDiffusionSolver::PlanIntervals(std::uint64_t                      start,
     {
       interval.end = std::min(last, ratioEnd);
     }
-    else if (steps.size() - snapshot > few) // as far as the requested steps themselves can be the nodes, or the ratio
+    else if (steps.size() - snapshot > few) // up to where the requested steps themselves can be the nodes, or the ratio
     {
       interval.end = std::min(interval.end, std::max(steps[snapshot + few - 1], ratioEnd));
     }
@@ -168,7 +168,7 @@ HeatDiffusionSolver::HeatDiffusionSolver(const VolumeGradientOperator & volumeGr
   : m_VolumeGradient(volumeGradient), m_Method(method), m_TimeStepLength(timeStepLength), m_Tolerance(tolerance)
 {
   if (!(timeStepLength > 0.0) ||
-      timeStepLength > MaximumTimeStepLength * (1.0 + 1e-6)) // 0.08333333 is meant to be 1/12
+      timeStepLength > MaximumTimeStepLength * (1.0 + 1e-6)) // accepts 0.08333333 as 1/12
   {
     throw std::invalid_argument("the length of a time step must be positive and at most 1/12");
   }
@@ -195,7 +195,7 @@ HeatDiffusionSolver::ChebyshevCoefficients(std::uint64_t steps, double beta, dou
     const double sine = std::sin(0.5 * M_PI * (j + 0.5) / points);
     samples[j] = std::exp(t * std::log1p(-beta * sine * sine)); // (1 - x) / 2 = sine^2
   }
-  // Late samples underflow to 0: for a billion steps all but a few thousand of them.
+  // Late samples underflow to 0: for a billion steps all but a few thousand.
   const std::size_t   used = std::find(samples.begin(), samples.end(), 0.0) - samples.begin();
   std::vector<double> coefficients(degree + 1);
   ParallelFor(degree + 1, [&](std::size_t k) {
@@ -260,20 +260,20 @@ HeatDiffusionSolver::Expand(HeatEngine & engine, const Expansions & coefficients
   const std::size_t longest = engine.GetLongestStretch(true);
   for (std::size_t done = 0; done < degree; done += longest)
   {
-    // An even number of terms, so that they can be added in pairs.
+    // Makes the number of terms even, so that they can be added in pairs.
     const auto count = static_cast<unsigned int>(std::min(longest, (degree - done + 1) / 2 * 2));
     engine.StepChebyshev(done, count, 2.0F * step, coefficients);
     this->ReportProgress(count);
   }
 }
 
-/** Shows the snapshots the heat after each requested step. */
+/** Passes the heat after each requested step to the snapshots. */
 class HeatDiffusionSolver::Recorder
 {
 public:
   Recorder(HeatEngine & engine, const std::vector<std::uint64_t> & steps) : m_Engine(engine), m_Steps(steps) {}
 
-  /** The next requested step, or `otherwise` when there is none before it. */
+  /** The next requested step, or `otherwise` if there is none before it. */
   std::uint64_t
   Next(std::uint64_t otherwise) const
   {
@@ -314,7 +314,7 @@ public:
   }
 
 private:
-  // Whole volumes that are collected are complete after each group: few of them are open at once.
+  // Collected volumes are complete after each group, which limits the number of open volumes.
   static constexpr std::size_t snapshotsAtOnce = 4;
 
   HeatEngine &                       m_Engine;
@@ -362,12 +362,12 @@ HeatDiffusionSolver::Run(PaddedField &                      heat,
 std::uint64_t
 HeatDiffusionSolver::RunExplicitly(HeatEngine & engine, std::uint64_t lastStep, Recorder & recorder)
 {
-  constexpr HeatEngine::Field before = HeatEngine::Difference; // which explicit steps do not need
+  constexpr HeatEngine::Field before = HeatEngine::Difference; // not needed by explicit steps
   m_PlannedApplications = static_cast<double>(lastStep);
   std::uint64_t step = 0;
   while (step < lastStep && !m_Steady)
   {
-    // Stretches of the time ratio, for the check of the steady state.
+    // Intervals of the time ratio, for the steady check.
     const auto end =
       m_StopWhenSteady
         ? std::min(lastStep, std::max(explicitStart, static_cast<std::uint64_t>(std::ceil(step * intervalRatio))))
@@ -415,7 +415,7 @@ HeatDiffusionSolver::RunByExpansion(HeatEngine &                       engine,
     this->Expand(engine, expansions[i]);
     this->ShowNodes(engine, plan[i], recorder);
     const auto last = HeatEngine::FirstNode + static_cast<HeatEngine::Field>(plan[i].nodes.size()) - 1;
-    // A last interval that was cut short is too short to tell.
+    // A truncated last interval is too short for the check.
     m_Steady = m_StopWhenSteady && plan[i].end >= intervalRatio * plan[i].start &&
                IsSteadyBetween(engine, m_VolumeGradient.GetGrid(), HeatEngine::Heat, last, m_SteadyRule);
     engine.Exchange(HeatEngine::Heat, last);
@@ -439,7 +439,7 @@ HeatDiffusionSolver::ShowNodes(HeatEngine & engine, const Interval & interval, R
   for (std::size_t k = 0; k < interval.nodes.size(); ++k)
   {
     recorder.Show(HeatEngine::FirstNode + static_cast<HeatEngine::Field>(k), interval.nodes[k]);
-    this->ReportProgress(0.0); // lets the snapshots hand out what is complete
+    this->ReportProgress(0.0); // lets the snapshots pass on complete volumes
   }
 }
 
@@ -447,7 +447,7 @@ std::vector<HeatDiffusionSolver::Expansions>
 HeatDiffusionSolver::PlanExpansions(std::uint64_t explicitSteps, const std::vector<Interval> & plan)
 {
   const double            beta = std::min(1.0, m_TimeStepLength * m_VolumeGradient.GetEigenvalueBound());
-  const double            truncation = 0.02 * m_Tolerance; // rounding takes most of the tolerance
+  const double            truncation = 0.02 * m_Tolerance; // most of the tolerance is reserved for rounding
   std::vector<Expansions> expansions;
   m_PlannedApplications = static_cast<double>(explicitSteps);
   for (const Interval & interval : plan)

@@ -9,12 +9,11 @@
 namespace shapeton
 {
 /** \class HeatEngine
- * \brief The fields of a run of HeatDiffusionSolver and what is computed with them: on the CPU or on a GPU, with the
- * same bytes.
+ * \brief Fields of a run of HeatDiffusionSolver and the operations on them, on the CPU or on a GPU with the same
+ * bytes.
  *
- * Fields have numbers; one that was never written holds anything. The plug-in for GPUs has its own engine and is given
- * nothing but numbers: this header includes no code of the library.
- */
+ * Fields are identified by numbers and initially uninitialized. The GPU plug-in has its own engine and receives
+ * only numbers: this header includes no code of the library. */
 class HeatEngine
 {
 public:
@@ -24,7 +23,7 @@ public:
   static constexpr Field Odd = 2;  ///< for steps of the recurrence; the rest of compensated sums
   static constexpr Field Difference = 3;
   static constexpr Field FirstNode = 4;
-  /** Those that the solver requests at most: as many as an interpolation has nodes. */
+  /** Largest number of fields that the solver requests: the number of interpolation nodes. */
   static constexpr std::size_t MostNodes = 7;
   static constexpr std::size_t MostFields = FirstNode + MostNodes;
 
@@ -36,7 +35,7 @@ public:
   operator=(const HeatEngine &) = delete;
   virtual ~HeatEngine() = default;
 
-  /** How many steps one call takes at most; even. */
+  /** Largest number of steps per call; even. */
   virtual unsigned int
   GetLongestStretch(bool chebyshev) const = 0;
 
@@ -52,42 +51,43 @@ public:
   virtual void
   ClampToZero(Field field) = 0;
 
-  /** Explicit steps of the heat; changes Even. `compensated` carries the rounding errors along in Odd. */
+  /** Explicit steps of the heat; overwrites Even. With `compensated`, Odd accumulates the rounding errors. */
   virtual void
   StepExplicitly(unsigned int steps, float dt, bool compensated) = 0;
 
-  /** Steps done + 1 .. done + steps, both even, of the recurrence from T_done in Even and its difference: the last T_k
-   * is in Even, Odd is changed, and sum_k coefficients[g][k] T_k is added to the nodes, by pairs of terms. The first
-   * step of all is half as long as `scale`. */
+  /** Steps done + 1 .. done + steps, both even, of the recurrence from T_done in Even and its difference. Afterwards
+   * the last T_k is in Even, Odd is overwritten, and sum_k coefficients[g][k] T_k is added to the nodes, in pairs
+   * of terms. The very first step has half of `scale`. */
   virtual void
   StepChebyshev(std::size_t done, unsigned int steps, float scale, const Expansions & coefficients) = 0;
 
-  /** How many voxels have moved by more than `change` times their heat, or times `least` where it is colder. */
+  /** The number of voxels that have changed by more than `change` times their heat, or times `least` if they are
+   * colder. */
   virtual std::uint64_t
   CountMoved(Field before, Field after, float change, float least) = 0;
 
-  /** Shows the field as the heat of a snapshot. */
+  /** Passes the field to the snapshots as the heat of a snapshot. */
   virtual void
   Show(std::size_t snapshot, Field field) = 0;
 
   using Weights = std::array<float, MostNodes>;
-  /** Shows sum_k weights[i][k] * nodes[k], and 0 where that is negative, as the heat of snapshot first + i. */
+  /** Passes max(0, sum_k weights[i][k] * nodes[k]) to the snapshots as the heat of snapshot first + i. */
   virtual void
   ShowCombined(std::size_t first, const std::array<Field, MostNodes> & nodes, const std::vector<Weights> & weights) = 0;
 
-  /** The heat is where the engine was given it. */
+  /** Writes the heat back to the field given to the engine. */
   virtual void
   Finish() = 0;
 };
 
-/** The part of a recurrence's coefficients that a step adds: those of the terms k and k - 1, k even. */
+/** The coefficients that a step of the recurrence adds: those of the terms k and k - 1, k even. */
 struct ChebyshevPair
 {
   float even;
   float odd;
 };
 
-/** False where the expansion has ended before. */
+/** False if the expansion has ended before. */
 inline bool
 FindPair(const std::vector<double> & coefficients, std::size_t k, ChebyshevPair & pair)
 {

@@ -10,7 +10,7 @@ namespace shapeton
 {
 namespace
 {
-// Measured on 256^3: the tile's rows of all fields stay in the cache while it moves.
+// Measured on 256^3: the rows of a tile of all fields stay in the cache while it advances.
 constexpr TimeTileShape explicitTile{ 32, 32, 16 };
 constexpr TimeTileShape chebyshevTile{ 16, 16, 8 };
 
@@ -30,7 +30,7 @@ EdgesOfRow(const VolumeGradientOperator & op, std::size_t row)
            static_cast<std::ptrdiff_t>(op.GetGrid().GetStride(2)) };
 }
 
-/** Calls body(row number, place in memory, worker) for all rows, in parallel over slices. */
+/** Calls body(row number, memory index, worker) for all rows, in parallel over slices. */
 template <typename TBody>
 void
 ForAllRows(const PaddedGrid & grid, const TBody & body)

@@ -10,12 +10,12 @@
 namespace shapeton
 {
 /** \class HeatEngineOnCpu
- * \brief Time tiles of rows, vectors along x. */
+ * \brief CPU heat engine with time tiles of rows, vectorized along x. */
 class HeatEngineOnCpu : public HeatEngine
 {
 public:
-  /** Works in `heat` and gives it back by Finish(). Fields are allocated when they are first needed; those of a large
-   * volume take a while: each is told to `allocated`. */
+  /** Works in `heat` and writes it back in Finish(). Fields are allocated on first use; as this takes a while for
+   * large volumes, each allocation is reported to `allocated`. */
   HeatEngineOnCpu(const VolumeGradientOperator & volumeGradient,
                   PaddedField &                  heat,
                   HeatSnapshots &                snapshots,
@@ -49,7 +49,7 @@ public:
   Finish() override;
 
 protected:
-  /** A field, allocated when it is first asked for. */
+  /** Returns a field, allocating it on first use. */
   float *
   Get(Field field);
 

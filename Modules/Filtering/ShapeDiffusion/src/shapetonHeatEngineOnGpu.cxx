@@ -10,12 +10,11 @@ namespace
 {
 using Field = HeatEngine::Field;
 
-/** Steps that a slab takes at once; as many slices on either side of it go with it, whose values are lost on the way.
- */
+/** Number of steps per slab visit, and of overlap slices on either side, whose values become invalid. */
 constexpr unsigned int SlabSteps = 32;
 
-/** Bytes of all fields, one more that the GPU writes steps to, and conductances of so many slices, and some more for
- * sums and counts. */
+/** Bytes of all fields, one extra output field, and conductances for a number of slices, and some more for sums and
+ * counts. */
 std::size_t
 BytesOfSlices(const PaddedGrid & grid, std::size_t slices)
 {
@@ -23,14 +22,14 @@ BytesOfSlices(const PaddedGrid & grid, std::size_t slices)
   return part.GetLength() * sizeof(float) * (HeatEngine::MostFields + 1 + 3) + (std::size_t{ 16 } << 20);
 }
 
-/** A slab with its overlap on both sides is at least so thick. */
+/** Minimum thickness of a slab with its overlap on both sides. */
 std::size_t
 LeastSlices(const PaddedGrid & grid)
 {
   return std::min<std::size_t>(grid.GetSize()[2], 4 * SlabSteps);
 }
 
-/** How many slices have room; those of LeastSlices() have, see ChooseDeviceForHeat(). */
+/** The number of slices that fit; at least LeastSlices(), see ChooseDeviceForHeat(). */
 std::size_t
 SlicesThatFit(const PaddedGrid & grid, std::size_t memory)
 {
@@ -49,8 +48,8 @@ MakeDeviceEngine(const DeviceHeatVolume & volume, float * heat, HeatSnapshots * 
   return std::unique_ptr<DeviceHeatEngine>(make(volume, heat, snapshots));
 }
 
-/** Slices of the volume on the GPU: `first` to `end`, of which `ownFirst` to `ownEnd` are right after SlabSteps steps.
- */
+/** Slices of the volume on the GPU: `first` to `end`, of which `ownFirst` to `ownEnd` are valid after SlabSteps
+ * steps. */
 struct Slab
 {
   Slab(std::size_t begin, std::size_t number, std::size_t slices)
@@ -67,10 +66,10 @@ struct Slab
 };
 
 /** \class SlabEngine
- * \brief For volumes larger than the memory of a GPU: the steps run there, slab by slab, and all else on the CPU.
+ * \brief For volumes larger than GPU memory: steps run on the GPU, slab by slab, and everything else on the CPU.
  *
- * What lies beyond a slab does not change on the GPU while its steps run, so that with each step one more slice from
- * its border is wrong: those alone overlap the slabs beside it, and are left there. */
+ * Values beyond a slab do not change during its steps, so each step invalidates one more slice from its border.
+ * These slices overlap the adjacent slabs and are not copied back. */
 class SlabEngine : public HeatEngineOnCpu
 {
 public:
@@ -135,7 +134,7 @@ public:
   }
 
 private:
-  // Results must not replace what the next slab starts from.
+  // Results must not overwrite the input of the next slab.
   static constexpr Field NextOdd = MostFields;
   static constexpr Field NextDifference = MostFields;
 

@@ -10,12 +10,12 @@
 
 namespace shapeton
 {
-/** Whether the fields of a volume have room on a GPU; where it is asked for, whether those of some slices have. */
+/** Whether the fields of a volume fit on a GPU; if the GPU is requested, whether those of some slices fit. */
 DeviceUse
 ChooseDeviceForHeat(Device wanted, const PaddedGrid & grid);
 
-/** An engine on the GPU that was chosen: with all fields there, or, where they have no room, with the fields in the
- * memory of the host and slabs of them on the GPU. Arguments as of HeatEngineOnCpu. */
+/** An engine on the chosen GPU: with all fields there, or, if they do not fit, with the fields in host memory and
+ * slabs of them on the GPU. Arguments as for HeatEngineOnCpu. */
 std::unique_ptr<HeatEngine>
 MakeHeatEngineOnGpu(const DeviceUse &              use,
                     const VolumeGradientOperator & volumeGradient,

@@ -8,8 +8,8 @@
 
 namespace shapeton
 {
-/** The place along an axis `within`, in [0, 1], of the voxel with this index. Never the begin of the next voxel: not
- * for a place on the upper face, and not where the sum is rounded up. */
+/** The position along an axis at `within`, in [0, 1], of the voxel with this index. Never the start of the next
+ * voxel, neither on the upper face nor after rounding. */
 SHAPETON_HOST_DEVICE float
 PlaceInVoxel(std::uint32_t index, float within)
 {

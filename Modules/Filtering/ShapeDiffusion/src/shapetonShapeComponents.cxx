@@ -15,7 +15,7 @@ constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 
 using VoxelSets = DisjointSets<std::uint32_t>;
 
-/** The least voxel stands for its set. */
+/** The smallest voxel index represents its set. */
 VoxelSets
 JoinVoxels(const VolumeGradientOperator & op)
 {
@@ -130,7 +130,7 @@ MeasureArea(Labelling & labelling, const std::array<std::size_t, 3> & size, cons
     const double length = std::hypot(offset[0] * spacing[0], offset[1] * spacing[1], offset[2] * spacing[2]);
     const double area = 2.0 * weights[d] * voxelVolume / length;
     const auto   step = offset[0] + sizeOf(0) * (offset[1] + sizeOf(1) * offset[2]);
-    // A closed component touches no border: its neighbours exist.
+    // A closed component does not touch the border: its neighbors exist.
     for (std::ptrdiff_t z = 1; z + 1 < sizeOf(2); ++z)
     {
       for (std::ptrdiff_t y = 1; y + 1 < sizeOf(1); ++y)
@@ -188,13 +188,13 @@ CroftonWeights(const std::array<double, 3> & spacing)
       component /= std::sqrt(norm);
     }
   }
-  // Evenly spread directions (a spherical Fibonacci lattice), each given to its nearest axis.
+  // Evenly distributed directions (a spherical Fibonacci lattice), each assigned to its nearest axis.
   constexpr int          samples = 40000;
   const double           goldenAngle = M_PI * (3.0 - std::sqrt(5.0));
   std::array<double, 13> weights{};
   for (int i = 0; i < samples; ++i)
   {
-    const double                z = (i + 0.5) / samples; // a half sphere is enough
+    const double                z = (i + 0.5) / samples; // a hemisphere is enough
     const double                r = std::sqrt(1.0 - z * z);
     const std::array<double, 3> direction = { r * std::cos(i * goldenAngle), r * std::sin(i * goldenAngle), z };
     unsigned int                nearest = 0;

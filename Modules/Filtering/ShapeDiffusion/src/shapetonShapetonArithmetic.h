@@ -9,12 +9,11 @@ namespace shapeton
 {
 namespace ShapetonKernels
 {
-/** What the shapetons compute in a step: the one source of this arithmetic for all instruction sets and for the kernels
- * of a GPU.
+/** Arithmetic of a shapeton step: the single source for all instruction sets and GPU kernels.
  *
- * `TLanes` says what a number is: a vector, or, as ScalarLanes does, one number of one shapeton. It has the types
- * Floats, Integers (32 bits), Words (the same without sign) and Truth (of a comparison), and the operations below that
- * operators do not give. */
+ * `TLanes` defines the number types: vectors, or scalars for one shapeton (ScalarLanes). It provides the types
+ * Floats, Integers (32 bits), Words (unsigned) and Truth (result of a comparison), and the operations below that
+ * have no operators. */
 template <typename TLanes>
 struct ShapetonArithmetic
 {
@@ -53,7 +52,7 @@ struct ShapetonArithmetic
     return TLanes::SquareRoot(a);
   }
 
-  /** Cube root of numbers that are not negative: an estimate from the exponent, and two steps of Halley's method. */
+  /** Cube root of non-negative numbers: an estimate from the exponent, and two steps of Halley's method. */
   SHAPETON_HOST_DEVICE static Floats
   CubeRoot(Floats a)
   {
@@ -84,14 +83,14 @@ struct ShapetonArithmetic
     return (TLanes::ToFloats(TLanes::Signed(words >> 8)) + 1.0F) * (1.0F / 16777216.0F);
   }
 
-  /** The value where bit 0 of `bit` is set, else its negative. */
+  /** The value if bit 0 of `bit` is set, else its negative. */
   SHAPETON_HOST_DEVICE static Floats
   WithSign(Floats value, Integers bit)
   {
     return TLanes::FromBits(TLanes::BitsOf(value) ^ TLanes::Signed((TLanes::Unsigned(bit) & 1U) << 31 ^ 0x80000000U));
   }
 
-  /** The six weights, in units of 1 / 65535: directions depend on their ratios alone. */
+  /** The six weights, in units of 1 / 65535; only their ratios affect directions. */
   struct Weights
   {
     Floats w[6];
@@ -102,7 +101,7 @@ struct ShapetonArithmetic
   static constexpr float moment2 = static_cast<float>(ShapetonMoments::moment[2]);
   static constexpr float moment3 = static_cast<float>(ShapetonMoments::moment[3]);
 
-  /** The octant that was drawn and its three weights; bits 0, 1, 2 of `octant` say +x, +y, +z. */
+  /** The sampled octant and its three weights; bits 0, 1, 2 of `octant` mean +x, +y, +z. */
   struct Octant
   {
     Integers octant;
@@ -151,8 +150,8 @@ struct ShapetonArithmetic
     return drawn;
   }
 
-  /** s = 2 phi / pi by partial volume (8.5): the zero of a quartic by three Newton steps from where it would be if the
-   * weight of the first axis only shifted the others. Error of the distribution function 1e-6. */
+  /** s = 2 phi / pi by partial volume (8.5): the zero of a quartic by three Newton steps. The start value is exact
+   * if the weight of the first axis is a mere offset. Error of the distribution function 1e-6. */
   SHAPETON_HOST_DEVICE static Floats
   DrawPhi(Floats w1, Floats w2, Floats w3, Floats random)
   {
@@ -189,8 +188,9 @@ struct ShapetonArithmetic
     Floats sine;
   };
 
-  /** theta with density R^3 sin(theta). The cube of R = w1 (1 - u) + W u has four terms, and theta given the term does
-   * not depend on the weights: one random number draws the term, the other looks theta up. */
+  /** theta with density R^3 sin(theta). The cube of R = w1 (1 - u) + W u has four terms, and the distribution of
+   * theta for a given term does not depend on the weights: one random number selects the term, the other is used to
+   * look up theta. */
   SHAPETON_HOST_DEVICE static Angle
   DrawThetaBySolidAngle(Floats w1, Floats across, Floats random, Floats termRandom, const ThetaTable & table)
   {
@@ -222,7 +222,7 @@ struct ShapetonArithmetic
   SHAPETON_HOST_DEVICE static Angle
   DrawThetaBySectorArea(Floats w1, Floats across, Floats random)
   {
-    // Scaled by the larger weight, so that cubes neither overflow nor vanish.
+    // Scaled by the larger weight, so that cubes neither overflow nor underflow.
     const Floats scale = 1.0F / Maximum(Maximum(w1, across), Broadcast(1e-20F));
     const Floats a = w1 * scale;
     const Floats b = across * scale;
@@ -233,7 +233,7 @@ struct ShapetonArithmetic
     return { SineOfQuarter(1.0F - u), SineOfQuarter(u) };
   }
 
-  /** Draws a direction from the weights of a shapeton's voxel; the zero vector where all weights are 0. */
+  /** Samples a direction from the weights of a shapeton's voxel; the zero vector if all weights are 0. */
   template <Sampling VSampling>
   SHAPETON_HOST_DEVICE static void
   DrawDirection(const std::uint16_t * records,
@@ -279,7 +279,7 @@ struct ShapetonArithmetic
     direction[2] = empty ? zero : WithSign(theta.sine * SineOfQuarter(s), octant >> 2);
   }
 
-  /** Folds a place at the borders 0 and `size`, as often as needed, into [0, size). */
+  /** Reflects a position at the borders 0 and `size`, repeatedly if needed, into [0, size). */
   SHAPETON_HOST_DEVICE static Floats
   Reflect(Floats place, float size)
   {
@@ -304,7 +304,7 @@ struct ShapetonArithmetic
   }
 };
 
-/** One shapeton. */
+/** Scalar operations for one shapeton. */
 struct ScalarLanes
 {
   using Floats = float;
@@ -347,7 +347,7 @@ struct ScalarLanes
   {
     return static_cast<std::uint32_t>(number);
   }
-  /** 1 where true. */
+  /** 1 if true. */
   SHAPETON_HOST_DEVICE static std::int32_t
   Number(bool truth)
   {
@@ -357,7 +357,7 @@ struct ScalarLanes
   SquareRoot(float number)
   {
 #if defined(__CUDA_ARCH__)
-    return sqrtf(number); // rounded correctly, as compiled with --prec-sqrt=true
+    return sqrtf(number); // correctly rounded, compiled with --prec-sqrt=true
 #else
     return __builtin_sqrtf(number);
 #endif

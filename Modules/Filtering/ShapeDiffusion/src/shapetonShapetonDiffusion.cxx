@@ -14,15 +14,15 @@ namespace
 {
 using namespace ShapetonKernels;
 
-/** Shapeton steps between two calls of the observer: some hundredths of a second. */
+/** Shapeton steps between two calls of the observer: a few hundredths of a second. */
 constexpr std::uint64_t EndpointBlock = std::uint64_t{ 1 } << 20;
 constexpr std::uint64_t TraversalBlock = std::uint64_t{ 1 } << 16;
-/** So many times as many on a GPU, from which the visits have to be fetched for the observer. */
+/** Factor on a GPU, from which the visits have to be copied for the observer. */
 constexpr std::uint64_t BlocksOnDevice = 128;
-/** The steady rule looks at so many steps and allows so many of them to fail. */
+/** Window length of the steady rule, and number of steps in it that may fail. */
 constexpr std::uint64_t HistoryLength = 50;
 constexpr int           AllowedFailures = 5;
-/** Mean number of visits of the voxels reached when the automatic rule is satisfied. */
+/** Mean number of visits of the reached voxels at which the automatic rule is satisfied. */
 constexpr double WantedVisits = 100.0;
 
 void
@@ -37,7 +37,7 @@ CheckSettings(const ShapetonDiffusionSettings & settings, const std::array<std::
     throw std::invalid_argument("the distance must lie in (0, 1], in units of the longest side of the volume");
   }
   constexpr std::size_t limit = std::size_t{ 1 } << 31;
-  constexpr std::size_t longest = std::size_t{ 1 } << 24; // a place in single precision
+  constexpr std::size_t longest = std::size_t{ 1 } << 24; // a position in single precision
   if (size[0] == 0 || size[1] == 0 || size[2] == 0)
   {
     throw std::invalid_argument("the volume is empty");
@@ -79,7 +79,7 @@ NameOf(ShapetonPlacement placement)
   return placement == ShapetonPlacement::Uniform ? "uniform" : "initialHeat";
 }
 
-/** The walk, and what is measured of it. */
+/** The walk and its measures. */
 struct ShapetonDiffusion::Impl : ShapetonWalk
 {
   Impl(const float *                      intensities,
@@ -109,14 +109,15 @@ struct ShapetonDiffusion::Impl : ShapetonWalk
   void
   Note(const ShapetonTally & tally, std::uint64_t number)
   {
-    // A count that grows from `old` by one grows by 2 old + 1 in its square.
+    // The square of a count `old` grows by 2 old + 1 if the count grows by one.
     sumOfSquares += 2.0 * static_cast<double>(tally.sumOfOld) + static_cast<double>(number);
     measures.maximumVisits = std::max(measures.maximumVisits, tally.maximum);
     measures.voxelsReached += tally.reached;
     measures.objectVoxelsReached += tally.objectsReached;
   }
 
-  /** Takes steps up to `end`, the last one measured. A step of many shapetons is cut where `poll` may abort. */
+  /** Performs steps up to `end`, measuring the last one. Steps of many shapetons are divided so that `poll` can
+   * abort. */
   void
   Advance(std::uint64_t end)
   {
@@ -151,10 +152,10 @@ struct ShapetonDiffusion::Impl : ShapetonWalk
     Measure(tally, sum.visits, squaresBefore, maximumBefore);
   }
 
-  /** The change in the step whose tally this is. With S the counts before, c those of the step, and n shapetons:
-   * sumOfOld = sum S c + (sum c^2 - n) / 2, and `sumAfter` = sum (S + c) c.
+  /** The change in the step of this tally. With S the counts before, c those of the step, and n shapetons: sumOfOld =
+   * sum S c + (sum c^2 - n) / 2, and `sumAfter` = sum (S + c) c.
    *
-   * \equation{3.10} of densities with a greatest value of 1; as printed, of raw counts, it never falls below n. */
+   * \equation{3.10} for densities with a maximum of 1; as printed, with raw counts, it is never below n. */
   void
   Measure(const ShapetonTally & tally, std::uint64_t sumAfter, double squaresBefore, std::uint32_t maximumBefore)
   {
@@ -215,7 +216,7 @@ struct ShapetonDiffusion::Impl : ShapetonWalk
              { "volume or mask (checksum of the edge weights)", std::to_string(records.GetChecksum()) } };
   }
 
-  /** What the sums over all voxels were when a state was taken. */
+  /** Sums over all voxels at the time a state was taken. */
   void
   MeasureAgain()
   {
@@ -373,8 +374,8 @@ EquivalentHeatTimeSteps(double steps, double stepInVoxels, double timeStepLength
   {
     return 0.0;
   }
-  // Along an axis a step covers m voxels, m even in [0, a]; from an even place in its voxel that is a whole number of
-  // voxels with a mean square of m^2 + g (1 - g), g the broken part of m.
+  // Along an axis a step covers m voxels, with m uniform in [0, a]. From a uniform position in its voxel, the
+  // displacement is an integer number of voxels with a mean square of m^2 + g (1 - g), g the fractional part of m.
   const double a = stepInVoxels;
   const double whole = std::floor(a);
   const double part = a - whole;

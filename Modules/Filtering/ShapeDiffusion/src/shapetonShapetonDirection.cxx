@@ -53,8 +53,8 @@ struct VolumeDensity
   std::array<double, 4> bernstein;
 };
 
-/** The zero in [0, upper] of an increasing function from its value and slope: Newton's method, halving where it would
- * leave the bracket or crawl. */
+/** The zero in [0, upper] of an increasing function from its value and slope: Newton's method, with bisection if it
+ * would leave the bracket or converge slowly. */
 template <typename TFunction, typename TSlope>
 double
 FindZero(const TFunction & function, const TSlope & slope, double upper)
@@ -142,7 +142,7 @@ ThetaOfSectorArea(double w1, double w2, double area)
   {
     return 0.5 * halfPi;
   }
-  // The cube of the radius grows evenly with the area; the angle from it without a difference of like numbers.
+  // The cube of the radius is linear in the area; the angle is computed from it without cancellation.
   const double share = std::clamp(area / whole, 0.0, 1.0);
   const double radius = std::cbrt(Cube(w1) * (1.0 - share) + Cube(w2) * share);
   const double denominator = w1 * w1 + w1 * radius + radius * radius;
@@ -204,7 +204,7 @@ DrawDirection(const EdgeWeights & weights, DirectionSampling sampling, const std
   {
     return {};
   }
-  // Added up in the order of `whole`, so that rounding draws no empty octant beyond the last one.
+  // Summed in the order of `whole`, so that rounding never selects an empty octant beyond the last one.
   unsigned int octant = 0;
   double       below = volumes[0];
   while (octant < 7 && random[0] * whole > below)

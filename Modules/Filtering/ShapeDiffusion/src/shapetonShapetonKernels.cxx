@@ -10,8 +10,8 @@ namespace ShapetonKernels
 {
 namespace
 {
-/** The integral of (1 - u)^(3-j) u^j sin(theta) between two angles by Gauss' rule of eight points: right to rounding,
- * as a polynomial of degree 15 follows the sine that closely. */
+/** The integral of (1 - u)^(3-j) u^j sin(theta) between two angles by eight-point Gauss quadrature: accurate to
+ * rounding, as a polynomial of degree 15 approximates the sine that closely. */
 double
 Integral(int j, double from, double to)
 {
@@ -37,7 +37,7 @@ Integral(int j, double from, double to)
   return sum * half;
 }
 
-/** The angle below which, or above which, `integral` lies. */
+/** The angle at which the integral from below, or from above, equals `integral`. */
 double
 AngleOf(int j, double integral, bool above)
 {

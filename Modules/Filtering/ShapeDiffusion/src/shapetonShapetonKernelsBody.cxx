@@ -1,4 +1,4 @@
-// Compiled once for each instruction set: see shapetonInstructionSets.h.
+// Compiled once per instruction set: see shapetonInstructionSets.h.
 #include "shapetonShapetonArithmetic.h"
 
 #if defined(__x86_64__)
@@ -29,13 +29,13 @@ Store(void * memory, TVector vector)
   __builtin_memcpy(memory, &vector, sizeof(vector));
 }
 
-/** As many shapetons as a vector holds. */
+/** The number of shapetons in a vector. */
 struct VectorLanes
 {
   using Floats = float __attribute__((vector_size(SHAPETON_VECTOR_BYTES)));
   using Integers = std::int32_t __attribute__((vector_size(SHAPETON_VECTOR_BYTES)));
   using Words = std::uint32_t __attribute__((vector_size(SHAPETON_VECTOR_BYTES)));
-  using Truth = Integers; // -1 where true
+  using Truth = Integers; // -1 if true
 
   struct Multiply
   {

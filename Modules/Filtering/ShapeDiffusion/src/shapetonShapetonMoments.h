@@ -3,7 +3,7 @@
 
 namespace shapeton
 {
-/** The integrals over theta in [0, pi/2] that the shape distribution of an octant is made of. */
+/** The integrals over theta in [0, pi/2] used by the shape distribution of an octant. */
 namespace ShapetonMoments
 {
 

@@ -9,7 +9,7 @@ namespace shapeton
 /** A step by PathRule::Traversal, for the CPU and for the kernels of a GPU: see TraverseVoxels(). */
 namespace ShapetonKernels
 {
-/** The random numbers of one shapeton in one step beyond those of its direction, as many as are asked for. */
+/** The random numbers of one shapeton in one step besides those of its direction, as many as needed. */
 class Numbers
 {
 public:
@@ -19,7 +19,7 @@ public:
     , m_Counter{ shapeton, static_cast<std::uint32_t>(random.step), static_cast<std::uint32_t>(random.step >> 32), 0 }
   {}
 
-  /** In [0, 1). */
+  /** Uniform in [0, 1). */
   SHAPETON_HOST_DEVICE float
   Next()
   {
@@ -43,19 +43,19 @@ private:
   unsigned int               m_Used{ 4 };
 };
 
-/** A shapeton on its way through one step. */
+/** A shapeton during one step. */
 struct Path
 {
   Numbers       numbers;
   std::uint32_t voxel;
-  float         rest; ///< share of the step that is left
+  float         rest; ///< remaining share of the step
   std::int32_t  index[3];
-  float         place[3]; ///< in the voxel, in [0, 1]
-  float         way[3];   ///< of the whole step, in voxels
+  float         place[3]; ///< position in the voxel, in [0, 1]
+  float         way[3];   ///< displacement of the whole step, in voxels
 };
 
-/** The axis of the face that is reached next, and the share of the step that it takes; 3 when none is reached within
- * the rest. */
+/** The axis of the next face, and the share of the step needed to reach it; 3 if none is reached within the
+ * remaining step. */
 SHAPETON_HOST_DEVICE unsigned int
 NextFace(const Path & path, float & share)
 {
@@ -65,7 +65,7 @@ NextFace(const Path & path, float & share)
   {
     const float way = path.way[axis];
     const float distance = way > 0.0F ? 1.0F - path.place[axis] : path.place[axis];
-    const float need = way == 0.0F ? 3.402823466e38F /* the greatest */ : distance / (way < 0.0F ? -way : way);
+    const float need = way == 0.0F ? 3.402823466e38F /* largest float */ : distance / (way < 0.0F ? -way : way);
     face = need < share ? axis : face;
     share = need < share ? need : share;
   }
@@ -78,7 +78,7 @@ SHAPETON_HOST_DEVICE const std::uint16_t *
   return surroundings.records + static_cast<std::size_t>(path.voxel) * RecordLength;
 }
 
-/** Goes on to the next face and through it or back; false where the step ends before. */
+/** Advances to the next face and through it or back; false if the step ends before. */
 SHAPETON_HOST_DEVICE bool
 GoOn(const Surroundings & surroundings, Path & path)
 {

@@ -35,7 +35,7 @@ Place(const ShapetonKernels::Surroundings & surroundings,
   shapetons.voxel[i] = (index[2] * surroundings.size[1] + index[1]) * surroundings.size[0] + index[0];
 }
 
-/** Whole numbers in proportion to the density of the shapetons, summed by rows. */
+/** Integers proportional to the density of the shapetons, summed by rows. */
 class RowDensities
 {
 public:
@@ -71,7 +71,7 @@ public:
     return m_Below.back();
   }
 
-  /** The voxel at which the sum of densities first exceeds `wanted`, which is less than the whole. */
+  /** The voxel at which the cumulative density first exceeds `wanted`, which is less than the total. */
   std::array<std::uint32_t, 3>
   Find(std::uint64_t wanted) const
   {

@@ -8,14 +8,14 @@
 
 namespace shapeton
 {
-/** Places shapetons anywhere in the volume with the same probability. */
+/** Places shapetons uniformly in the volume. */
 void
 PlaceUniformly(const ShapetonKernels::Surroundings & surroundings,
                const ShapetonKernels::Shapetons &    shapetons,
                std::uint64_t                         seed);
 
-/** Places shapetons in voxels with the same probability, or in proportion to their initial heat, where `mask` (may be
- * null) is not 0. Throws std::domain_error where that is nowhere. */
+/** Places shapetons in voxels uniformly, or in proportion to their initial heat, where `mask` (may be null) is not
+ * 0. Throws std::domain_error if there is no such voxel. */
 void
 PlaceByDensity(const ShapetonKernels::Surroundings & surroundings,
                const ShapetonKernels::Shapetons &    shapetons,

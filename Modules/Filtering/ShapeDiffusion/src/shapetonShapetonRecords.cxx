@@ -16,7 +16,7 @@ namespace
 {
 using namespace ShapetonKernels;
 
-/** Only a weight of 0 becomes 0: every other one keeps its edge open. */
+/** Only a weight of 0 becomes 0: any other weight keeps its edge open. */
 std::uint16_t
 Quantized(float conductance, float perWeight)
 {
@@ -57,7 +57,7 @@ FillRow(const VolumeGradientOperator & volumeGradient, std::size_t y, std::size_
   }
 }
 
-/** Some slices with a slice more on either side, where the volume has one: their weights are those of the volume. */
+/** Some slices with one more slice on either side, if it exists: their weights are those of the volume. */
 struct RecordSlab
 {
   RecordSlab(std::size_t begin, std::size_t number, std::size_t slices)
@@ -73,7 +73,7 @@ struct RecordSlab
   std::size_t outerEnd;
 };
 
-/** Voxels of a slab: small enough to be done before somebody waits for an answer. */
+/** Voxels of a slab: few enough for a responsive abort. */
 constexpr std::size_t SlabVoxels = std::size_t{ 1 } << 20;
 } // namespace
 

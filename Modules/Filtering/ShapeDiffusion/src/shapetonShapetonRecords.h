@@ -9,11 +9,11 @@
 
 namespace shapeton
 {
-/** The six weights of each voxel side by side, as the shapetons read them: see ShapetonKernels::RecordLength. */
+/** The six weights of each voxel, interleaved, as the shapetons read them: see ShapetonKernels::RecordLength. */
 class ShapetonRecords
 {
 public:
-  /** `mask` may be null; object voxels as in ShapetonMeasures. `poll` is called now and then and may throw. */
+  /** `mask` may be null; object voxels are defined in ShapetonMeasures. `poll` is called occasionally and may throw. */
   ShapetonRecords(const float *                              intensities,
                   const std::array<std::size_t, 3> &         size,
                   const VolumeGradientOperator::Parameters & parameters,

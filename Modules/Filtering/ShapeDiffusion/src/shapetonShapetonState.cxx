@@ -40,7 +40,7 @@ Write(const std::vector<TNumber> & numbers, std::ostream & stream, Checksum & ch
   stream.write(reinterpret_cast<const char *>(numbers.data()), numbers.size() * sizeof(TNumber));
 }
 
-/** Grows with what the stream holds, so that a damaged length does not ask for all memory. */
+/** Grows with the data read from the stream, so that a damaged length does not allocate all memory. */
 template <typename TNumber>
 void
 Read(std::vector<TNumber> & numbers, std::uint64_t number, std::istream & stream, Checksum & checksum)
@@ -61,7 +61,7 @@ Read(std::vector<TNumber> & numbers, std::uint64_t number, std::istream & stream
 
 constexpr std::size_t longestHeader = 65536;
 
-/** Not more than a header may hold: another file may be one endless line. */
+/** Limited to the size of a header: another file may be one endless line. */
 bool
 GetLine(std::istream & stream, std::string & line)
 {

@@ -7,8 +7,8 @@
 
 namespace shapeton
 {
-/** What counting visits one by one finds out. `old` is the count before a visit; the order of visits is arbitrary, but
- * these sums do not depend on it. */
+/** Sums updated with each visit. `old` is the count before a visit; the order of visits is arbitrary, but these sums
+ * do not depend on it. */
 struct ShapetonTally
 {
   std::uint64_t sumOfOld{ 0 };
@@ -25,7 +25,7 @@ struct ShapetonTally
     objectsReached += other.objectsReached;
   }
 
-  /** A visit; `isObject` says whether the voxel counts for the coverage. */
+  /** Adds a visit; `isObject`: whether the voxel counts for the coverage. */
   SHAPETON_HOST_DEVICE void
   Count(std::uint32_t old, bool isObject)
   {
@@ -36,7 +36,7 @@ struct ShapetonTally
   }
 };
 
-/** The visits of the shapetons' voxels, summed over the shapetons, and how many are trapped. */
+/** The visits of the shapetons' voxels, summed over the shapetons, and the number of trapped shapetons. */
 struct ShapetonSum
 {
   std::uint64_t visits{ 0 };

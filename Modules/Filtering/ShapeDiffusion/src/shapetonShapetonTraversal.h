@@ -5,9 +5,9 @@
 
 namespace shapeton
 {
-/** Moves shapetons by PathRule::Traversal: from a place drawn anew in their voxels along their directions, voxel by
- * voxel; each face lets them pass with the probability of its weight and reflects them otherwise, as the border of the
- * volume does. Shapetons without direction stay in their voxels. */
+/** Moves shapetons by PathRule::Traversal: from a random position in their voxels along their directions, voxel by
+ * voxel. Each face transmits them with the probability of its weight and reflects them otherwise, as does the
+ * border of the volume. Shapetons without direction stay in their voxels. */
 void
 TraverseVoxels(const ShapetonKernels::Surroundings & surroundings,
                const ShapetonKernels::Shapetons &    shapetons,

@@ -15,7 +15,7 @@ using namespace ShapetonKernels;
 
 namespace
 {
-/** So many shapetons are moved together: what they need next is fetched while the others move. */
+/** Number of shapetons that are moved together: data needed next is prefetched while the others move. */
 constexpr std::size_t GroupSize = 256;
 
 const ThetaTable &
@@ -32,7 +32,7 @@ WeightsAlone(VolumeGradientOperator::Parameters parameters)
   return parameters;
 }
 
-/** Small groups of work do not pay for a second thread. */
+/** For small groups a second thread does not pay off. */
 unsigned int
 WorkersFor(std::uint64_t shapetonSteps)
 {
@@ -142,7 +142,7 @@ ShapetonWalk::Count(const Shapetons & group) const
     }
     tally.sumOfOld += old;
     tally.maximum = std::max(tally.maximum, old + 1);
-    if (old == 0) // seldom: only then is the record read
+    if (old == 0) // rare: the record is read only then
     {
       ++tally.reached;
       tally.objectsReached += records.GetRecord(voxel)[MarksOfRecord] & ObjectMark;

@@ -14,7 +14,7 @@
 
 namespace shapeton
 {
-/** The shapetons of a run in their volume: where they are, how they move, and how their visits are counted. */
+/** The shapetons of a run in their volume: positions, motion, and visit counts. */
 struct ShapetonWalk
 {
   /** Places the shapetons; see ShapetonDiffusion. */
@@ -38,7 +38,7 @@ struct ShapetonWalk
   ShapetonSum
   SumOverShapetons();
 
-  /** Where a GPU moves the shapetons: places, voxels and visits come from there, or go there. */
+  /** For a GPU that moves the shapetons: transfers positions, voxels and visits. */
   void
   FetchFromDevice();
   void
@@ -51,7 +51,7 @@ struct ShapetonWalk
   const ShapetonKernels::ThetaTable & table;
   const ShapetonRecords               records;
   ShapetonKernels::Surroundings       surroundings{};
-  std::array<std::vector<float>, 3>   places; ///< in voxels, as long as the kernels want them
+  std::array<std::vector<float>, 3>   places; ///< in voxels, in the layout of the kernels
   std::vector<std::uint32_t>          voxels;
   DeviceUse                           deviceUse;
 
@@ -64,7 +64,7 @@ private:
   Place(const unsigned char * mask);
   ShapetonKernels::Shapetons
   Group(std::size_t first, std::size_t number);
-  /** One step of a group: directions, move. */
+  /** One step of a group: directions, then moves. */
   void
   Move(const ShapetonKernels::Shapetons & group, std::uint64_t step) const;
   template <bool VShared>

@@ -12,7 +12,7 @@
 
 namespace shapeton
 {
-/** How many rows along y and slices along z a tile of the sweep holds, and how many steps it goes in one visit. */
+/** Rows along y and slices along z of a tile of the sweep, and steps per visit. */
 struct TimeTileShape
 {
   std::ptrdiff_t y;
@@ -21,12 +21,11 @@ struct TimeTileShape
 };
 
 /** Calls `operation(step, row)` for steps 1 .. `steps` and all rows of the grid, in an order that respects the stencil:
- * a row's step s comes after step s-1 of itself and its four neighbours, and before their step s+1.
+ * step s of a row comes after step s-1 of itself and its four neighbours, and before their step s+1.
  *
- * Tiles of rows are carried through all steps while they lie in the cache; each step moves a tile by one row and one
- * slice towards the origin (time skewing), so that all it needs is its own or was done by tiles before it. Two buffers,
- * used in turn, are enough. The result does not depend on the number of threads.
- */
+ * Tiles of rows perform all steps while they are in the cache; each step shifts a tile by one row and one slice
+ * toward the origin (time skewing), so that it depends only on itself and earlier tiles. Two alternating buffers
+ * are enough. The result does not depend on the number of threads. */
 template <typename TOperation>
 void
 RunTimeTiles(const PaddedGrid & grid, unsigned int steps, const TimeTileShape & shape, const TOperation & operation)
@@ -41,7 +40,7 @@ RunTimeTiles(const PaddedGrid & grid, unsigned int steps, const TimeTileShape & 
     std::ptrdiff_t y;
     std::ptrdiff_t z;
   };
-  std::vector<Tile> order; // by diagonals: what a tile waits for stands before it
+  std::vector<Tile> order; // by diagonals: the dependencies of a tile precede it
   for (std::ptrdiff_t diagonal = 0; diagonal < tilesY + tilesZ - 1; ++diagonal)
   {
     for (std::ptrdiff_t z = std::max<std::ptrdiff_t>(0, diagonal - tilesY + 1); z <= std::min(diagonal, tilesZ - 1);
@@ -74,8 +73,8 @@ RunTimeTiles(const PaddedGrid & grid, unsigned int steps, const TimeTileShape & 
       }
     }
   };
-  // Tiles are taken in order, so whatever a tile waits for has been taken by a worker that runs: no deadlock, however
-  // few of the workers the threader really starts.
+  // Tiles are taken in order, so the dependencies of a tile have been taken by running workers: no deadlock, even if
+  // the threader starts fewer workers.
   const auto workers = std::min<std::size_t>(NumberOfThreads(), std::min(tilesY, tilesZ));
   ParallelWorkers(static_cast<unsigned int>(workers), [&](unsigned int) {
     const FlushToZero flushToZero;

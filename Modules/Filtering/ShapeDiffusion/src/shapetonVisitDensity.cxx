@@ -22,7 +22,7 @@ ForSlices(const itk::Image<std::uint32_t, 3> * visits, const TBody & body)
   ParallelFor(size[2], [&](std::size_t z) { body(z * length, length); });
 }
 
-/** How many voxels have so many visits. */
+/** The number of voxels for each number of visits. */
 std::map<std::uint32_t, std::uint64_t>
 VoxelsByVisits(const itk::Image<std::uint32_t, 3> * visits)
 {
@@ -43,7 +43,7 @@ VoxelsByVisits(const itk::Image<std::uint32_t, 3> * visits)
   return voxels;
 }
 
-/** Spreads `voxels` evenly over the densities from `lower` to `upper`, whole voxels to each bin. */
+/** Distributes `voxels` evenly over the densities from `lower` to `upper`, an integer number to each bin. */
 void
 Spread(double lower, double upper, std::uint64_t voxels, std::vector<std::uint32_t> & counts)
 {

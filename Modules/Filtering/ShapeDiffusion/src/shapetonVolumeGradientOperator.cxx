@@ -39,7 +39,7 @@ CheckParameters(const VolumeGradientOperator::Parameters & parameters)
   }
 }
 
-// One slice of intensities, scaled to [0, 1] and padded by a repeated border.
+// One slice of intensities, scaled to [0, 1] and padded by repeating the border.
 class ScaledSlice
 {
 public:
@@ -50,7 +50,7 @@ public:
     , m_Values((m_Size[0] + 2) * (m_Size[1] + 2))
   {}
 
-  /** Returns false when an intensity is not finite. */
+  /** Returns false if an intensity is not finite. */
   bool
   Load(const float * intensities, std::ptrdiff_t z)
   {
@@ -109,15 +109,15 @@ VolumeGradientOperator::VolumeGradientOperator(const float *                    
   this->ComputeConductances(intensities, progress);
 }
 
-/** The part of the grid, a factor for each axis, times that of the intensities. \equation{2.4} as a product; the source
+/** The factor of the grid for each axis, times that of the intensities. \equation{2.4} as a product; the source
  * writes a sum. */
 void
 VolumeGradientOperator::ComputeConductances(const float * intensities, const Progress & progress)
 {
-  constexpr std::size_t slicesAtOnce = 32; // then the caller may abort
+  constexpr std::size_t slicesAtOnce = 32; // between calls the caller may abort
   const auto &          size = m_Grid.GetSize();
   std::atomic<bool>     finite{ true };
-  // Slices -1 .. nz - 1: the edges of the layer before the first slice belong to it.
+  // Slices -1 .. nz - 1: the edges below the first slice belong to slice -1.
   const auto computeSlice = [&](std::ptrdiff_t z) {
     ScaledSlice slice(m_Grid, m_Parameters);
     ScaledSlice above(m_Grid, m_Parameters);
@@ -189,7 +189,7 @@ VolumeGradientOperator::ComputeInitialHeat(PaddedField & heat) const
       float * const row = heat.GetData() + m_Grid.GetRow(y, z);
       for (std::size_t x = 0; x < size[0]; ++x)
       {
-        row[x] = 1.0F - row[x] / maximum; // the layer's edges have weight 1: maximum > 0
+        row[x] = 1.0F - row[x] / maximum; // border edges have weight 1: maximum > 0
       }
     }
   });

@@ -19,7 +19,7 @@ GridOf(const LabelMap * labels)
   return VoxelGrid(static_cast<int>(size[0]), static_cast<int>(size[1]), static_cast<int>(size[2]));
 }
 
-/** The runs of a shape with this number. */
+/** The runs with this label. */
 VoxelRuns
 Part(const VoxelRuns & shape, const RunLabels & numbers, int number)
 {

@@ -10,16 +10,16 @@ namespace shapeton
 {
 namespace
 {
-/** Where the boundary lies. */
+/** Position of the boundary. */
 constexpr float BoundaryLevel = 0.5F;
-/** A boundary is never nearer to the middle of a voxel than this, in voxels: its conductance would swamp the others. */
+/** Minimum distance of a boundary from a voxel center, in voxels: otherwise its conductance would dominate. */
 constexpr double LeastDistance = 0.1;
-/** Less heat than this is what rounding leaves. */
+/** Smaller heat values are rounding errors. */
 constexpr double LeastHeat = 1e-9;
-/** Voxels that are filled less hold nothing. */
+/** Voxels with a smaller fraction are empty. */
 constexpr float LeastShare = 1e-3F;
 
-/** The voxels that take part: their places on the grid, and the number of each place, -1 where it takes no part. */
+/** The active voxels: their grid indices, and the number for each index, -1 if inactive. */
 struct Participants
 {
   std::vector<std::size_t> places;
@@ -43,14 +43,14 @@ struct Participants
   }
 };
 
-/** Of a voxel inside: how far from its middle towards a neighbour outside the boundary lies, in voxels. */
+/** Distance from the center of an inside voxel to the boundary toward an outside neighbor, in voxels. */
 double
 DistanceOfBoundary(float inside, float outside)
 {
   return std::max(LeastDistance, static_cast<double>((inside - BoundaryLevel) / (inside - outside)));
 }
 
-/** -Laplace with heat 0 on the boundary. */
+/** Negative Laplacian with heat 0 on the boundary. */
 SymmetricMatrix
 LeavingOperator(const ShapeOccupancy & occupancy, const Participants & inside)
 {
@@ -72,7 +72,7 @@ LeavingOperator(const ShapeOccupancy & occupancy, const Participants & inside)
   return matrix;
 }
 
-/** M^-1/2 L M^-1/2 of heat that stays: M the shares, L of the conductances of the faces. */
+/** M^-1/2 L M^-1/2 for heat that stays inside: M the filled fractions, L from the conductances of the faces. */
 SymmetricMatrix
 StayingOperator(const ShapeOccupancy & occupancy, const Participants & filled)
 {

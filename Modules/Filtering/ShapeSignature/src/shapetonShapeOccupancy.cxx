@@ -11,10 +11,10 @@ namespace shapeton
 {
 namespace
 {
-/** Half a gigabyte of shares. */
+/** Half a gigabyte of filled fractions. */
 constexpr double MostVoxels = 1 << 27;
 
-/** From indices of an image to LPS mm: p = origin + matrix * index. */
+/** From image indices to LPS mm: p = origin + matrix * index. */
 struct IndexToPoint
 {
   Eigen::Matrix3d matrix;
@@ -49,7 +49,7 @@ ForEachVoxel(const VoxelRuns & shape, const TBody & body)
   });
 }
 
-/** Quadratic B-spline around 0, the share that a voxel has in places so many voxels away. */
+/** Quadratic B-spline around 0: the share of a voxel at a given distance in voxels. */
 double
 QuadraticSpline(double x)
 {
@@ -57,15 +57,15 @@ QuadraticSpline(double x)
   return distance < 0.5 ? 0.75 - distance * distance : 0.5 * (1.5 - distance) * (1.5 - distance);
 }
 
-/** A point of mass in the neighbourhood of a voxel, in units of its grid. */
+/** A point mass in the neighborhood of a voxel, in units of its grid. */
 struct MassPoint
 {
   double offset;
   double mass;
 };
 
-/** Points along an axis that a voxel is spread to: at least two for each voxel of the finer grid. A voxel much smaller
- * than those is one point. */
+/** Number of points along an axis that represent a voxel: at least two per voxel of the finer grid. A voxel much
+ * smaller than those is one point. */
 std::vector<MassPoint>
 PointsOfVoxel(double voxelsOfGrid)
 {
@@ -76,7 +76,7 @@ PointsOfVoxel(double voxelsOfGrid)
   const int              pointsOfVoxel = static_cast<int>(std::ceil(2.0 * voxelsOfGrid));
   std::vector<MassPoint> points;
   for (int i = 0; i < 3 * pointsOfVoxel;
-       ++i) // a whole number for each voxel: the masses of neighbours sum to 1 everywhere
+       ++i) // an integer per voxel: the masses of neighbors sum to 1 everywhere
   {
     const double offset = (i + 0.5) / pointsOfVoxel - 1.5;
     points.push_back({ offset, QuadraticSpline(offset) / pointsOfVoxel });
@@ -84,7 +84,7 @@ PointsOfVoxel(double voxelsOfGrid)
   return points;
 }
 
-/** Shares of the voxels around a place, by trilinear weights. */
+/** Shares of the voxels around a point, by trilinear weights. */
 void
 AddMass(const Eigen::Vector3d & place, double mass, ShapeOccupancy & occupancy)
 {
@@ -103,7 +103,7 @@ AddMass(const Eigen::Vector3d & place, double mass, ShapeOccupancy & occupancy)
   }
 }
 
-/** The offsets and masses of the points that each voxel is spread to, in units of the finer grid. */
+/** The offsets and masses of the points that represent each voxel, in units of the finer grid. */
 std::vector<std::pair<Eigen::Vector3d, double>>
 SpreadOfVoxel(const Eigen::Matrix3d & toGrid)
 {
@@ -127,7 +127,7 @@ SpreadOfVoxel(const Eigen::Matrix3d & toGrid)
   return spread;
 }
 
-/** The grid that holds places from `low` to `high`, with a layer around. */
+/** The grid that covers `low` to `high`, with a border. */
 VoxelGrid
 GridBetween(const Eigen::Vector3d & low, const Eigen::Vector3d & high)
 {

@@ -9,12 +9,12 @@
 
 namespace shapeton
 {
-/** Volume, place and extent of a set of voxels, in LPS mm. */
+/** Volume, center and extent of a set of voxels, in LPS mm. */
 struct ShapeMoments
 {
   double          volume{ 0.0 };
   Eigen::Vector3d centre{ Eigen::Vector3d::Zero() };
-  /** Of the longest, the middle and the shortest principal axis; voxels count as boxes. */
+  /** Along the longest, the middle and the shortest principal axis; voxels count as boxes. */
   Eigen::Vector3d deviations{ Eigen::Vector3d::Zero() };
   /** The axes in columns; right-handed. */
   Eigen::Matrix3d axes{ Eigen::Matrix3d::Identity() };
@@ -23,14 +23,14 @@ struct ShapeMoments
 ShapeMoments
 MomentsOf(const VoxelRuns & shape, const itk::ImageBase<3> * image);
 
-/** The share of each voxel of a grid along the principal axes that a shape fills. The outermost layer is empty. */
+/** The filled fraction of each voxel of a grid along the principal axes. The outermost layer is empty. */
 struct ShapeOccupancy
 {
   VoxelGrid          grid;
   std::vector<float> values;
 };
 
-/** \param spacing of the grid, mm. */
+/** \param spacing grid spacing, mm. */
 ShapeOccupancy
 OccupancyOf(const VoxelRuns & shape, const itk::ImageBase<3> * image, const ShapeMoments & moments, double spacing);
 } // namespace shapeton

@@ -8,16 +8,16 @@ namespace shapeton
 {
 namespace
 {
-/** What FitShapeDistance prints. */
+/** Output of FitShapeDistance. */
 constexpr SignatureDifference DifferenceOfCopies{ 0.0263, 0.0106, 0.0097, 0.0412, 0.0054, 0.0075 };
 constexpr double              ProbabilityConstant = -1.650;
 constexpr double              ProbabilityOfDistance = -1.354;
 constexpr double              ProbabilityOfMargin = 2.042;
 
-/** Heat that counts as much as none. */
+/** Heat equivalent to none. */
 constexpr double NegligibleHeat = 0.01;
 constexpr double GreatestMargin = 10.0;
-/** Equal signatures: nearer than any copy. */
+/** Equal signatures: closer than any copy. */
 constexpr double LeastDifference = 1e-3;
 
 template <std::size_t Size>
@@ -45,7 +45,7 @@ RelativeSurface(const ShapeSignature & shape)
   return shape.surface / std::cbrt(shape.volume * shape.volume);
 }
 
-/** The nearest entry of another name than the nearest of all; infinity where there is none. */
+/** The nearest entry with a name other than that of the overall nearest; infinity if there is none. */
 double
 SecondDistance(const std::vector<ShapeNeighbour> & ranking, const std::vector<NamedShape> & entries)
 {

@@ -21,7 +21,7 @@ namespace
 SurfaceMesh
 BoundaryOf(ShapeOccupancy & occupancy)
 {
-  // Values at the level would give faces without area.
+  // Values equal to the level would give degenerate faces.
   constexpr float level = 0.5F, leastStep = 0.001F;
   for (float & value : occupancy.values)
   {
@@ -33,7 +33,7 @@ BoundaryOf(ShapeOccupancy & occupancy)
 std::array<double, ShapeSignature::NumberOfEigenvalues>
 SpectrumOf(const SurfaceMesh & shell)
 {
-  constexpr int pairs = static_cast<int>(ShapeSignature::NumberOfEigenvalues) + 1; // and the 0
+  constexpr int pairs = static_cast<int>(ShapeSignature::NumberOfEigenvalues) + 1; // including the 0
   const auto    laplacian = MakeSurfaceLaplacian(SurfaceConnectivity(shell), shell.V);
   const auto    eigenvalues = ComputeSurfaceSpectrum(laplacian, pairs).eigenvalues;
   const double  area = laplacian.mass.sum();

@@ -71,7 +71,7 @@ DescribeIntensities(const itk::Image<float, 3> * intensities, const VoxelRuns & 
   row.intensityDeviation = std::sqrt(std::max(0.0, squares / voxels - row.meanIntensity * row.meanIntensity));
 }
 
-/** Adds a shape, or the remark that it has no signature. */
+/** Adds a shape, or a remark that it has no signature. */
 void
 Describe(const itk::Image<float, 3> * intensities, const VoxelRuns & shape, ShapeRow row, ShapeTable & table)
 {
@@ -113,7 +113,7 @@ DescribeComponents(const itk::Image<float, 3> * intensities,
   }
 }
 
-/** Whether the numbers go from `first` on in one direction, but for what rounding leaves. */
+/** Whether the numbers from `first` on are monotonic up to rounding. */
 template <std::size_t Size>
 bool
 IsMonotonic(const std::array<double, Size> & values, bool ascending)
@@ -222,7 +222,7 @@ void
 RequireSound(const ShapeSignature & signature, const std::string & what)
 {
   ForEachNumber(signature, [&](const std::string & column, double value) {
-    const bool isHeat = column.rfind(HeatColumn, 0) == 0; // which comes to an end
+    const bool isHeat = column.rfind(HeatColumn, 0) == 0; // which ends at 0
     if (!(std::isfinite(value) && (isHeat ? value >= 0.0 : value > 0.0)))
     {
       throw InputError(what + ": " + column + " is " + CsvTable::Number(value) + ", which no shape has");

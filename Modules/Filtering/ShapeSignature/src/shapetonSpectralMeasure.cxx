@@ -9,11 +9,11 @@ namespace shapeton
 {
 namespace
 {
-/** Enough for curves that no longer change: the error of exp(-t A) falls like exp(-steps^2 / (t |A|)). */
+/** Enough for converged curves: the error of exp(-t A) decreases like exp(-steps^2 / (t |A|)). */
 constexpr int Steps = 240;
 
-/** The Lanczos process from b: a tridiagonal matrix. Without reorthogonalisation eigenvalues appear several times,
- * which share their weight. */
+/** The Lanczos process from b: a tridiagonal matrix. Without reorthogonalization eigenvalues appear several times
+ * and share their weight. */
 struct Tridiagonal
 {
   std::vector<double> diagonal;

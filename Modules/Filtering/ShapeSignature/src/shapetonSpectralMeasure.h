@@ -8,7 +8,7 @@
 
 namespace shapeton
 {
-/** A sparse symmetric matrix: a diagonal and, for pairs of rows, what is subtracted. */
+/** A sparse symmetric matrix: a diagonal, and the subtracted weights of pairs of rows. */
 struct SymmetricMatrix
 {
   struct Entry
@@ -26,8 +26,7 @@ struct SymmetricMatrix
 
 /** \class SpectralMeasure
  * \brief b^T f(A) b as the sum of weight * f(node), for any f: Gauss quadrature by the Lanczos process (Golub and
- * Meurant: Matrices, moments and quadrature, 1994).
- */
+ * Meurant: Matrices, moments and quadrature, 1994). */
 class SpectralMeasure
 {
 public:
@@ -36,7 +35,7 @@ public:
   /** b^T exp(-t A) b. */
   double
   Remaining(double t) const;
-  /** b^T (1 - exp(-t A)) b, exact to rounding for small t, too. */
+  /** b^T (1 - exp(-t A)) b, exact to rounding even for small t. */
   double
   Gone(double t) const;
 

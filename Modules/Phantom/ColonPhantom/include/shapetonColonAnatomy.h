@@ -19,90 +19,90 @@ struct ColonPolyp
 {
   int             id;        ///< from 1
   std::string     kind;      ///< sessile, pedunculated or flat
-  double          diameter;  ///< mm, the widest of the head
-  double          height;    ///< mm, how far it stands out of the wall
-  Eigen::Vector3d position;  ///< the middle of the head, LPS mm
-  Eigen::Vector3d base;      ///< where it sits on the wall, LPS mm
+  double          diameter;  ///< mm, largest width of the head
+  double          height;    ///< mm, height above the wall
+  Eigen::Vector3d position;  ///< center of the head, LPS mm
+  Eigen::Vector3d base;      ///< attachment point on the wall, LPS mm
   double          arcLength; ///< mm
   int             segment;
   bool            onFold;     ///< on the crest of a fold
-  int             materialId; ///< the nearest wall point of Correspondence()
+  int             materialId; ///< nearest wall point of Correspondence()
 };
 
-/** A diverticulum of the phantom: a sac outside of the wall, which a neck joins to the lumen. LPS, mm.
+/** A diverticulum of the phantom: a sac outside the wall, connected to the lumen by a neck. LPS, mm.
  * \ingroup ColonPhantom */
 struct ColonDiverticulum
 {
   int             id;         ///< from 1; the same in all positions of one seed
-  Eigen::Vector3d mouth;      ///< where the neck leaves the wall
-  Eigen::Vector3d position;   ///< the middle of the sac, a ball
+  Eigen::Vector3d mouth;      ///< origin of the neck on the wall
+  Eigen::Vector3d position;   ///< center of the sac, a ball
   double          neck;       ///< inner diameter
-  double          diameter;   ///< of the sac, less than in other positions where it has little room
-  double          arcLength;  ///< of the mouth
-  int             segment;    ///< of the mouth
-  int             materialId; ///< of the mouth, the nearest wall point of Correspondence()
-  /** stool, or of ColonAnatomy lumen: what the lumen holds there; of ColonStructures gas or fluid, by the middle. */
+  double          diameter;   ///< diameter of the sac; smaller than in other positions if space is limited
+  double          arcLength;  ///< arc length of the mouth
+  int             segment;    ///< segment of the mouth
+  int             materialId; ///< nearest wall point of Correspondence() to the mouth
+  /** Content: stool or, in ColonAnatomy, lumen (filled like the lumen at the mouth). ColonStructures replaces lumen
+   * by gas or fluid, evaluated at the center of the sac. */
   std::string content;
-  double      intensity; ///< of stool, HU; else 0
+  double      intensity; ///< HU of the stool; else 0
 };
 
 /** The ileocaecal valve of the phantom. LPS, mm. \ingroup ColonPhantom */
 struct ColonValve
 {
   std::string     kind;      ///< bump or lips
-  Eigen::Vector3d position;  ///< in the middle between base and crest
-  Eigen::Vector3d base;      ///< on the wall without folds
-  Eigen::Vector3d mouth;     ///< where the ileum opens, at the bottom of the cleft between the lips; of a bump its top
-  Eigen::Vector3d direction; ///< unit vector out of the wall into the lumen
+  Eigen::Vector3d position;  ///< midpoint of base and crest
+  Eigen::Vector3d base;      ///< point on the wall without folds
+  Eigen::Vector3d mouth;     ///< opening of the ileum, at the bottom of the cleft between the lips; for a bump its top
+  Eigen::Vector3d direction; ///< unit vector from the wall into the lumen
   Eigen::Vector3d slit;      ///< unit vector around the colon, along the mouth
-  Eigen::Vector3d upperLip;  ///< the middle of the crest of the lip towards the ascending colon; of a bump its top
-  Eigen::Vector3d lowerLip;  ///< of that towards the caecum
+  Eigen::Vector3d upperLip;  ///< midpoint of the crest of the lip toward the ascending colon; for a bump its top
+  Eigen::Vector3d lowerLip;  ///< the same for the lip toward the cecum
   double          length;    ///< along the slit
   double          height;    ///< above the wall
-  double          thickness; ///< of each lip; of a bump the whole
+  double          thickness; ///< of each lip; for a bump the total thickness
   double          arcLength;
 };
 
-/** A place of the wall. LPS, mm. \ingroup ColonPhantom */
+/** A point of the wall. LPS, mm. \ingroup ColonPhantom */
 struct ColonPlace
 {
-  Eigen::Vector3d point;   ///< where a ray from the centreline first meets tissue
-  Eigen::Vector3d inwards; ///< unit vector to the centreline
-  double          radius;  ///< from the centreline
-  double          angle;   ///< material, about the centreline
+  Eigen::Vector3d point;   ///< first tissue hit by a ray from the centerline
+  Eigen::Vector3d inwards; ///< unit vector toward the centerline
+  double          radius;  ///< distance from the centerline
+  double          angle;   ///< material angle about the centerline
   double          arcLength;
 };
 
 /** \class ColonAnatomy
- * \brief The colon of a synthetic patient in one position, known exactly.
+ * \brief The colon of a synthetic patient in one position, with exactly known geometry.
  *
  * Physical LPS, mm, around (0, 0, 0): +x is left, +y posterior, +z superior. Segments: 1 rectum (with the anal canal),
- * 2 sigmoid, 3 descending, 4 transverse, 5 ascending, 6 caecum. Arc length is that of the centreline of this position,
- * from the anal verge. The lumen keeps clear of the spine, a cylinder along z through x = 0, y = 80 with the radius 30
- * for z > -50, which below goes on as the sacrum behind the rectum (see SpineAxis()).
+ * 2 sigmoid, 3 descending, 4 transverse, 5 ascending, 6 caecum. Arc length is measured along the centerline of this
+ * position, from the anal verge. The lumen does not intersect the spine, a cylinder along z through x = 0, y = 80 with
+ * the radius 30 for z > -50, which continues below as the sacrum behind the rectum (see SpineAxis()).
  *
- * All functions are constant and may be called by many threads at a time. The same parameters give the same bytes.
- * \ingroup ColonPhantom
- */
+ * All functions are const and thread-safe. The same parameters give the same bytes.
+ * \ingroup ColonPhantom */
 class ColonPhantom_EXPORT ColonAnatomy
 {
 public:
-  /** Beyond this many mm from the wall, on either side, Sample::distance is cut to it. */
+  /** Sample::distance is clamped to this distance in mm on either side of the wall. */
   static constexpr double Reach = 10.0;
 
   struct Sample
   {
-    /** mm to the wall, positive in the lumen, in [-Reach, Reach]; of first order near the wall. */
+    /** Distance to the wall in mm, positive in the lumen, in [-Reach, Reach]; first-order accurate near the wall. */
     double distance;
-    /** mm; of no meaning where distance == -Reach. */
+    /** mm; undefined if distance == -Reach. */
     double arcLength;
-    /** Material angle about the centreline, radians in (-pi, pi]. */
+    /** Material angle about the centerline, radians in (-pi, pi]. */
     double angle;
-    /** 0 where distance == -Reach. */
+    /** 0 if distance == -Reach. */
     int segment;
   };
 
-  /** Throws ParameterError as RequireValid(). */
+  /** Throws ParameterError as RequireValid() does. */
   explicit ColonAnatomy(const ColonPhantomParameters & parameters);
   ~ColonAnatomy();
   ColonAnatomy(const ColonAnatomy &) = delete;
@@ -115,8 +115,9 @@ public:
   Sample
   Evaluate(const Eigen::Vector3d & point) const;
 
-  /** One curve from the anal verge to the caecum with the point arrays arcLength (mm), radius (mean radius of the wall
-   * without folds, mm), inscribedRadius (distance to the nearest wall or fold, mm), segment and collapsed (0 or 1). */
+  /** A single curve from the anal verge to the cecum with the point arrays arcLength (mm), radius (mean radius of
+   * the wall without folds, mm), inscribedRadius (distance to the nearest wall or fold, mm), segment and collapsed
+   * (0 or 1). */
   CurveSet
   Centreline() const;
 
@@ -132,35 +133,34 @@ public:
   std::vector<ColonPolyp>
   Polyps() const;
 
-  /** Those that are open in this position, in the order of their numbers. */
+  /** The diverticula that are open in this position, ordered by id. */
   std::vector<ColonDiverticulum>
   Diverticula() const;
 
   ColonValve
   Valve() const;
 
-  /** The point of the wall that is farthest from the mouth of the caecum, the middle of the lumen at the valve. */
+  /** The point of the wall farthest from the mouth of the cecum, which is the center of the lumen at the valve. */
   Eigen::Vector3d
   CaecalPole() const;
 
-  /** Points of the wall on a grid in material coordinates with the point arrays materialId, arcLength, angle, segment,
-   * collapsed and onFold. The same materialId is the same piece of wall in all positions of one seed. */
+  /** Points of the wall on a grid in material coordinates with the point arrays materialId, arcLength, angle,
+   * segment, collapsed and onFold. Equal materialId values are the same piece of wall in all positions of one seed. */
   CurveSet
   Correspondence() const;
 
-  /** The wall at a share of the colon's length at rest and an angle: the same piece of wall in all positions of one
-   * seed.
-   */
+  /** The wall point at a share of the colon's length at rest and an angle: the same piece of wall in all positions
+   * of one seed. */
   ColonPlace
   PlaceAt(double share, double angle) const;
 
-  /** The surface of the lumen, closed at both ends, normals out of the lumen, sampled with `edgeLength` mm. Edges
-   * above 0.7 of the thinnest septum join stretches that touch, those above 0.5 of the narrowest neck may cut a
-   * diverticulum off. */
+  /** The surface of the lumen, closed at both ends, normals pointing out of the lumen, sampled with `edgeLength` mm.
+   * Edges longer than 0.7 of the thinnest septum join touching stretches; those longer than 0.5 of the narrowest
+   * neck may cut off a diverticulum. */
   SurfaceMesh
   Wall(double edgeLength) const;
 
-  /** mm, from the anal verge to the end in the caecum. */
+  /** mm, from the anal verge to the end in the cecum. */
   double
   Length() const;
 
@@ -171,15 +171,15 @@ public:
   static std::string
   SegmentName(int segment);
 
-  /** Corners of a box that holds the lumen with `margin` mm to spare. */
+  /** Corners of a box that contains the lumen with a margin of `margin` mm. */
   void
   BoundingBox(double margin, Eigen::Vector3d & low, Eigen::Vector3d & high) const;
 
-  /** Where the middle of the spine is at a height z: the colon keeps 30 mm from it. For a scanner to put bone there. */
+  /** Center of the spine at a height z; the colon keeps a distance of 30 mm. For a scanner that adds the bone. */
   static Eigen::Vector3d
   SpineAxis(double z);
 
-  /** Where the catheter enters and which way the anal canal goes from there, a unit vector into the body. */
+  /** Entry point of the catheter and direction of the anal canal there, a unit vector into the body. */
   void
   AnalVerge(Eigen::Vector3d & point, Eigen::Vector3d & inwards) const;
 

@@ -11,46 +11,45 @@
 
 namespace shapeton
 {
-/** A connected piece of tagged fluid under one level. \ingroup ColonPhantom */
+/** A connected pool of tagged fluid with one level. \ingroup ColonPhantom */
 struct ColonPool
 {
-  double level;     ///< height of the level: up * point, mm
-  double bottom;    ///< height of its lowest point, mm
+  double level;     ///< height of the fluid level: up * point, mm
+  double bottom;    ///< height of the lowest point, mm
   double volume;    ///< ml
   double intensity; ///< mean, HU
-  /** HU of the unmixed wedge at the bottom; 0 where there is none. */
+  /** HU of the unmixed wedge at the bottom; 0 if there is none. */
   double wedge;
 };
 
 /** \class ColonFluid
- * \brief The tagged fluid in the lumen of a colon: pools under levels perpendicular to gravity.
+ * \brief The tagged fluid in the lumen of a colon: pools with levels perpendicular to gravity.
  *
- * The lumen is sampled on a lattice. Slices of it by arc length are the nodes of a graph; an edge has the height at
- * which fluid passes from one slice to the other. Basins grow together in the order of these heights; the resulting
- * tree is filled from its root: where the fluid of a node suffices to pass its ridge, all of it has one level, else the
- * ridge divides it. So no level lies above a ridge that it has not passed, and no fluid stands free.
+ * The lumen is sampled on a lattice. Slices of it by arc length are the nodes of a graph; the height of an edge is
+ * that at which fluid passes from one slice to the other. Basins are merged in the order of these heights, and the
+ * resulting tree is filled from its root: if the fluid of a node suffices to pass its ridge, it has one level, else
+ * the ridge divides it. Thus no level is above a ridge that it has not passed, and no fluid is unsupported.
  *
- * The share of the lumen's volume is that of the parameters (error below 0.002 on the lattice). Basins below 2 ml hold
- * fluid only together with their neighbours. Fluid may fill a stretch up to its ceiling; gas on both sides of such a
- * stretch has levels of equal height.
+ * The share of the lumen's volume is that of the parameters (error below 0.002 on the lattice). Basins below 2 ml
+ * contain fluid only together with their neighbors. Fluid may fill a stretch up to its ceiling; the levels on both
+ * sides of such a stretch have equal height.
  *
- * \ingroup ColonPhantom
- */
+ * \ingroup ColonPhantom */
 class ColonPhantom_EXPORT ColonFluid
 {
 public:
-  /** The anatomy has to outlive this object. */
+  /** The anatomy must outlive this object. */
   explicit ColonFluid(const ColonAnatomy & anatomy);
 
-  /** The direction of gravity, a unit vector: that of the position, tilted by at most 1 degree. */
+  /** Direction of gravity, a unit vector: that of the position, tilted by at most 1 degree. */
   const Eigen::Vector3d &
   Down() const
   {
     return m_Down;
   }
 
-  /** How far in mm a point of the lumen lies below the level of its stretch, negative above it; far below zero where
-   * there is no fluid. */
+  /** Depth in mm of a point of the lumen below the fluid level of its stretch, negative above it; a large negative
+   * value where there is no fluid. */
   double
   DepthBelowLevel(const Eigen::Vector3d & point, double arcLength) const;
 
@@ -64,7 +63,7 @@ public:
     return m_Pools;
   }
 
-  /** The volume of the lumen, ml. */
+  /** -1 if there is no fluid */
   double
   LumenVolume() const
   {
@@ -91,8 +90,8 @@ private:
   std::array<Wave, 8>    m_Waves;
 };
 
-/** The direction of gravity in a position, tilted by at most 1 degree in a way that the seed fixes. Throws
- * ParameterError for another position. \ingroup ColonPhantom */
+/** Direction of gravity in a position, tilted by at most 1 degree depending on the seed. Throws ParameterError for
+ * an unknown position. \ingroup ColonPhantom */
 ColonPhantom_EXPORT Eigen::Vector3d
                     GravityOf(const ColonPhantomParameters & parameters);
 } // namespace shapeton

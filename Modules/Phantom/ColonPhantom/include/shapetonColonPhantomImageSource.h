@@ -18,28 +18,27 @@
 namespace shapeton
 {
 /** \class ColonPhantomImageSource
- * \brief The CT volume of a synthetic patient for CT colonography, and its truth.
+ * \brief CT colonography volume of a synthetic patient, with its ground truth.
  *
- * The patient lies in physical space (LPS, mm), with the middle of the abdomen at (0, 0, 0): grids with other spacings
- * or directions show the same patient. Each voxel is the mean of what lies in it (BodySampler), blurred by the scanner,
- * with correlated noise (CorrelatedNoise), rounded to whole HU and clamped to [-1024, 31743].
+ * The patient is defined in physical space (LPS, mm), with the center of the abdomen at (0, 0, 0): grids with other
+ * spacings or directions show the same patient. Each voxel is the mean of its content (BodySampler), blurred by the
+ * scanner, with correlated noise (CorrelatedNoise), rounded to integer HU and clamped to [-1024, 31743].
  *
- * The lumen's truth is that of the voxel's centre: neither blur nor noise changes it. The catheter lies in the lumen
- * and counts as part of it.
+ * The lumen's ground truth is evaluated at the voxel center: neither blur nor noise changes it. The catheter is in the
+ * lumen and counts as part of it.
  *
- * Each voxel depends on its index and position alone: the same bytes for any number of threads. The whole volume is
- * made at once.
+ * Each voxel depends only on its index and position: the same bytes for any number of threads. The whole volume is
+ * generated at once.
  *
  * \par Inputs and Outputs
  * No input. Output 0 is the image in HU; output 1 the lumen (1 gas, 2 fluid); output 2 the segments of the lumen (see
- * ColonAnatomy); output 3 what else is known of a voxel (ColonStructure).
+ * ColonAnatomy); output 3 other structures (ColonStructure).
  *
  * \par Parameters
  * Size (default 256, 256, 240), Spacing (default 1.4 mm), Origin (default: such that the volume's centre is at the
  * patient's (0, 0, 0)) and Direction are those of GenerateImageSource; CenterOutput() moves the origin after a change.
  *
- * \ingroup ColonPhantom
- */
+ * \ingroup ColonPhantom */
 class ColonPhantom_EXPORT ColonPhantomImageSource : public itk::GenerateImageSource<itk::Image<short, 3>>
 {
 public:
@@ -55,7 +54,7 @@ public:
   itkNewMacro(Self);
   itkOverrideGetNameOfClassMacro(ColonPhantomImageSource);
 
-  /** The patient and the position; default: the preset standard. Throws ParameterError when a parameter is out of
+  /** The patient and the position; default: the preset standard. Throws ParameterError if a parameter is out of
    * range. */
   void
   SetParameters(const ColonPhantomParameters & parameters);
@@ -65,24 +64,25 @@ public:
     return m_Parameters;
   }
 
-  /** Standard deviation of the profile of a plane face, mm, in [0, 3]; default 0.75. A voxel's own width is part of it.
-   * A soft kernel has 1.2 times as much, a sharp one 0.75 times; along the third axis the slice thickness adds to it.
-   */
+  /** Standard deviation of the profile of a plane face, mm, in [0, 3]; default 0.75. It includes the width of a
+   * voxel. It is 1.2 times larger for a soft kernel, 0.75 times for a sharp one; along the third axis the slice
+   * thickness is added. */
   itkSetClampMacro(Blur, double, 0.0, 3.0);
   itkGetConstMacro(Blur, double);
 
-  /** Make the outputs 1 to 3 alone, which takes a small part of the time; output 0 stays without pixels. Default off.
-   */
+  /** Generate only the outputs 1 to 3, which takes a small fraction of the time; output 0 then has no pixels.
+   * Default off. */
   itkSetMacro(TruthOnly, bool);
   itkGetConstMacro(TruthOnly, bool);
   itkBooleanMacro(TruthOnly);
 
-  /** Sets the origin from size, spacing and direction such that the center of the volume is at `center` (LPS, mm). The
-   * middle of the abdomen is (0, 0, 0), the diaphragm rises to about z = 160, the lungs reach up to about z = 345. */
+  /** Sets the origin from size, spacing and direction such that the center of the volume is at `center` (LPS, mm).
+   * The center of the abdomen is (0, 0, 0), the diaphragm rises to about z = 160, the lungs reach up to about z =
+   * 345. */
   void
   CenterOutput(const PointType & center = PointType(0.0));
 
-  /** The truth; made when it is first asked for. Valid until the parameters change. */
+  /** The ground truth; computed on first use. Valid until the parameters change. */
   const ColonAnatomy &
   GetAnatomy();
   const ColonFluid &
@@ -112,7 +112,7 @@ protected:
   void
   PrintSelf(std::ostream & os, itk::Indent indent) const override;
 
-  /** Distances of voxels are positive. */
+  /** Requires positive spacings. */
   void
   VerifyPreconditions() const override;
   void

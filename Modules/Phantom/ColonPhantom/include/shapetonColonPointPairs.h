@@ -8,9 +8,10 @@
 
 namespace shapeton
 {
-/** The same pieces of wall in two positions of a patient, each a correspondence.vtp (ColonAnatomy::Correspondence()): a
- * row sx,sy,sz,px,py,pz (LPS, mm) for each materialId that both have and that lies in a collapsed stretch of neither,
- * in ascending order. Throws InputError where an array is missing or no materialId is common. \ingroup ColonPhantom */
+/** Corresponding wall points in two positions of a patient, each a correspondence.vtp
+ * (ColonAnatomy::Correspondence()): a row sx,sy,sz,px,py,pz (LPS, mm) for each materialId that exists in both and
+ * is not in a collapsed stretch in either, in ascending order. Throws InputError if an array is missing or there is
+ * no common materialId. \ingroup ColonPhantom */
 ColonPhantom_EXPORT CsvTable
 TableOfPointPairs(const CurveSet & first, const CurveSet & second);
 } // namespace shapeton

@@ -13,51 +13,51 @@
 
 namespace shapeton
 {
-/** What a voxel of the truth may belong to besides the lumen of the colon. \ingroup ColonPhantom */
+/** Structure of a voxel of the ground truth besides the lumen of the colon. \ingroup ColonPhantom */
 enum class ColonStructure : unsigned char
 {
   None,
   Valve,          ///< the tissue of its lips, or the bump
   Ileum,          ///< the lumen of the terminal ileum, up to the mouth of the valve
-  IleumWall,      ///< and all of an ileum that is collapsed
-  Catheter,       ///< its wall and its bore
-  Balloon,        ///< its wall and what it holds
-  Stool,          ///< with the gas in it
+  IleumWall,      ///< also the whole of a collapsed ileum
+  Catheter,       ///< its wall and bore
+  Balloon,        ///< its wall and content
+  Stool,          ///< including the gas in it
   Bubble,         ///< of gas, in fluid
-  Foam,           ///< bubbles and the films between them
+  Foam,           ///< bubbles and films between them
   SmallBowel,     ///< the lumen of its other loops
   Stomach,        ///< its lumen
-  Diverticulum,   ///< its neck and sac, with what they hold
-  RightUpperLobe, ///< of the lung: its parenchyma; this and what follows in a whole chest alone
+  Diverticulum,   ///< its neck and sac, including their content
+  RightUpperLobe, ///< parenchyma of the lobe; this and the following only in a whole chest
   RightMiddleLobe,
   RightLowerLobe,
   LeftUpperLobe,
   LeftLowerLobe,
   Airway,     ///< the lumen of trachea and bronchi
-  AirwayWall, ///< and all of a bronchus that is thinner than its wall
-  LungVessel, ///< pulmonary arteries and veins from the heart on
-  Heart       ///< without its fat
+  AirwayWall, ///< also the whole of a bronchus thinner than its wall
+  LungVessel, ///< pulmonary arteries and veins, from the heart on
+  Heart       ///< excluding its fat
 };
 
 /** Stool, a bubble or a patch of foam in the lumen. LPS, mm. \ingroup ColonPhantom */
 struct ColonResidue
 {
   ColonStructure  structure;
-  Eigen::Vector3d position;  ///< its middle
-  double          diameter;  ///< nominal
-  double          intensity; ///< HU; of foam that of the films
-  std::string     kind;      ///< plain or mottled (with gas in it) stool, bubble, foam
+  Eigen::Vector3d position;  ///< its center
+  double          diameter;  ///< nominal diameter
+  double          intensity; ///< HU; for foam that of the films
+  std::string     kind;      ///< plain or mottled (containing gas) stool, bubble, foam
 };
 
 /** The terminal ileum of a valve with lips. LPS, mm. \ingroup ColonPhantom */
 struct ColonIleum
 {
   std::string content; ///< collapsed, gas or fluid
-  bool        isOpen;  ///< its lumen and that of the colon are one
+  bool        isOpen;  ///< whether its lumen is connected to that of the colon
   double      slitWidth;
   double      bore;
   double      length;
-  double      intensity; ///< of the content, HU; 0 where collapsed
+  double      intensity; ///< HU of the content; 0 if collapsed
 };
 
 /** The rectal catheter. LPS, mm. \ingroup ColonPhantom */
@@ -66,55 +66,54 @@ struct ColonCatheter
   std::string     kind;      ///< central, rigid or soft
   double          bore;      ///< inner diameter
   double          wall;      ///< thickness
-  double          intensity; ///< of the wall, HU
+  double          intensity; ///< HU of the wall
   int             sideHoles;
-  Eigen::Vector3d tip;     ///< the last point of the axis
+  Eigen::Vector3d tip;     ///< last point of the axis
   std::string     balloon; ///< none, gas, fluid or deflated
   Eigen::Vector3d balloonCenter{ 0.0, 0.0, 0.0 };
-  double          balloonDiameter{ 0.0 }; ///< with its wall
+  double          balloonDiameter{ 0.0 }; ///< including its wall
 };
 
 /** \class ColonStructures
- * \brief What else belongs to the examination of a colon, with its truth: lungs, heart, small bowel, stomach, valve,
- * terminal ileum, residue in the lumen, rectal catheter.
+ * \brief Structures of an examination besides the colon, with their ground truth: lungs, heart, small bowel, stomach,
+ * valve, terminal ileum, residue in the lumen, rectal catheter.
  *
- * A voxel's label depends on its position alone.
+ * A voxel's label depends only on its position.
  *
- * \ingroup ColonPhantom
- */
+ * \ingroup ColonPhantom */
 class ColonPhantom_EXPORT ColonStructures
 {
 public:
   using LabelImageType = itk::Image<unsigned char, 3>;
 
-  /** Anatomy and fluid have to outlive this object. */
+  /** Anatomy and fluid must outlive this object. */
   ColonStructures(const ColonAnatomy & anatomy, const ColonFluid & fluid);
   ~ColonStructures();
   ColonStructures(const ColonStructures &) = delete;
   ColonStructures &
   operator=(const ColonStructures &) = delete;
 
-  /** Null where the valve is a bump. */
+  /** Null if the valve is a bump. */
   const ColonIleum *
   GetIleum() const;
 
-  /** Null where there is none. */
+  /** Null if there is none. */
   const ColonCatheter *
   GetCatheter() const;
 
   const std::vector<ColonResidue> &
   GetResidue() const;
 
-  /** Those of the anatomy, with what they hold. */
+  /** The diverticula of the anatomy, with their content. */
   const std::vector<ColonDiverticulum> &
   GetDiverticula() const;
 
-  /** The axis of each long structure, that of the ileum from the colon on, that of the catheter to its tip, with the
-   * cell array structure (a ColonStructure). */
+  /** The axis of each tubular structure, with the cell array structure (a ColonStructure); that of the ileum starts
+   * at the colon, that of the catheter ends at its tip. */
   CurveSet
   Axes() const;
 
-  /** The ColonStructure at a point; where several claim it, the one that is painted last. */
+  /** The ColonStructure at a point; if several overlap, the one painted last. */
   ColonStructure
   At(const Eigen::Vector3d & point) const;
 
@@ -123,7 +122,7 @@ public:
   Fill(LabelImageType * image, const itk::ImageRegion<3> & region) const;
 
   struct Part;
-  /** In the order of painting. */
+  /** In painting order. */
   const std::vector<Part> &
   GetParts() const;
 

@@ -7,9 +7,9 @@
 
 namespace shapeton
 {
-/** A standard normal number that depends on `seed` and `counter` alone, so that threads may ask in any order.
- * Philox4x32-10 (Salmon et al. 2011) and the inverse normal distribution function AS 241 (Wichura 1988). Only
- * operations that IEEE 754 rounds correctly are used: every machine gets the same number. \ingroup ShapePhantom */
+/** A standard normal number that depends only on `seed` and `counter`, so that threads may request numbers in any
+ * order. Philox4x32-10 (Salmon et al. 2011) and the inverse normal distribution function AS 241 (Wichura 1988).
+ * Uses only operations that IEEE 754 rounds correctly: every machine gets the same number. \ingroup ShapePhantom */
 ShapePhantom_EXPORT double
 NormalNoise(std::uint64_t seed, std::uint64_t counter);
 

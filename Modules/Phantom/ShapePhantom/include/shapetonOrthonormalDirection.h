@@ -7,13 +7,14 @@
 
 namespace shapeton
 {
-/** Removes the rounding of typed direction cosines: makes the columns of a matrix perpendicular unit vectors, keeping
- * the direction of the first, the plane of the first two, and the handedness. Returns false, and changes nothing, when
- * a scalar product of two columns is wrong by more than `tolerance`, or not finite. \ingroup ShapePhantom */
+/** Removes the rounding of typed direction cosines: makes the columns of a matrix perpendicular unit vectors,
+ * preserving the direction of the first, the plane of the first two, and the handedness. Returns false and changes
+ * nothing if a scalar product of two columns is wrong by more than `tolerance`, or not finite.
+ * \ingroup ShapePhantom */
 ShapePhantom_EXPORT bool
 MakeOrthonormal(itk::Matrix<double, 3, 3> & direction, double tolerance);
 
-/** True when the third column points against the cross product of the first two.
+/** True if the third column is opposite to the cross product of the first two.
  * \ingroup ShapePhantom */
 ShapePhantom_EXPORT bool
 IsLeftHanded(const itk::Matrix<double, 3, 3> & direction);

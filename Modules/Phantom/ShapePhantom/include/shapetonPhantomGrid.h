@@ -10,7 +10,7 @@
 
 namespace shapeton
 {
-/** The voxels of a phantom.
+/** The grid of a phantom.
  * \ingroup ShapePhantom */
 struct PhantomGrid
 {
@@ -19,10 +19,10 @@ struct PhantomGrid
   itk::ImageBase<3>::DirectionType direction;
 };
 
-/** Makes a grid of what a user gives: size (three integers from 2), spacing (three numbers from 0.001 to 1000 mm) and
- * direction (nine numbers, row by row; orthonormal to 0.001, which is removed). `bytesPerVoxel` is what will be held in
- * memory. `extent` in mm is what the voxels cover together where no spacing is given.
- * Throws ParameterError, also when the volume does not fit into the memory of the machine.
+/** Creates a grid from user input: size (three integers from 2), spacing (three numbers from 0.001 to 1000 mm) and
+ * direction (nine numbers, row by row; orthonormal to 0.001, then orthonormalized). `bytesPerVoxel` is the memory per
+ * voxel. `extent` is the total extent of the voxels in mm if no spacing is given. Throws ParameterError, also if the
+ * volume does not fit into the memory of the machine.
  * \ingroup ShapePhantom */
 ShapePhantom_EXPORT PhantomGrid
 MakePhantomGrid(const std::vector<int> &                      size,

@@ -18,29 +18,28 @@ namespace shapeton
 /** \class ShapePhantomImageSource
  * \brief Samples a ShapeScene as an image in Hounsfield units and a label image.
  *
- * The scene lies in physical space, so images with other spacings or directions sample the same objects.
+ * The scene is defined in physical space, so images with other spacings or directions sample the same objects.
  *
- * Consecutive objects of equal intensity form one body, their union; bodies are painted in order, each over those
- * before. Where a body covers the share a of a voxel, the value v becomes v + a (intensity - v). Without blur a is 1
- * where the voxel's centre lies in the body or on its surface, else 0. With blur, a = Phi(-d / blur), with d the signed
- * distance of the centre and Phi the normal distribution function: across a plane face that is the convolution with a
- * Gaussian. Then noise is added, and the value is rounded to whole HU and clamped to [-1024, 31743], the range of a
+ * Consecutive objects of equal intensity form one body, their union; bodies are painted in order, each over the
+ * previous ones. If a body covers the share a of a voxel, the value v becomes v + a (intensity - v). Without blur a is
+ * 1 if the voxel center is in the body or on its surface, else 0. With blur, a = Phi(-d / blur), with d the signed
+ * distance of the center and Phi the normal distribution function: for a plane face this is a convolution with a
+ * Gaussian. Then noise is added, and the value is rounded to integer HU and clamped to [-1024, 31743], the range of a
  * written CT series.
  *
- * A voxel's label is that of the last object that holds its centre (signed distance <= 0), 0 where there is none.
- * Neither blur nor noise changes it.
+ * A voxel's label is that of the last object that contains its center (signed distance <= 0), or 0. Neither blur nor
+ * noise changes it.
  *
- * Each voxel depends on its index and physical position alone: the same bytes for any number of threads or pieces.
+ * Each voxel depends only on its index and physical position: the same bytes for any number of threads or pieces.
  *
  * \par Inputs and Outputs
  * No input. Output 0 is the image, output 1 the labels.
  *
  * \par Parameters
  * Size (default 64 each), Spacing, Origin and Direction are those of GenerateImageSource; CenterOutput() moves the
- * origin such that the volume's centre is the scene's centre, (0, 0, 0).
+ * origin such that the center of the volume is that of the scene, (0, 0, 0).
  *
- * \ingroup ShapePhantom
- */
+ * \ingroup ShapePhantom */
 class ShapePhantom_EXPORT ShapePhantomImageSource : public itk::GenerateImageSource<itk::Image<short, 3>>
 {
 public:
@@ -56,7 +55,7 @@ public:
   itkNewMacro(Self);
   itkOverrideGetNameOfClassMacro(ShapePhantomImageSource);
 
-  /** What to sample. A relative scene is scaled to the shortest extent (size * spacing) of the output. */
+  /** The scene to sample. A relative scene is scaled to the shortest extent (size * spacing) of the output. */
   void
   SetScene(const ShapeScene & scene);
   const ShapeScene &
@@ -86,8 +85,8 @@ public:
   const LabelImageType *
   GetLabelOutput() const;
 
-  /** The names of the objects that the volume does not hold as a whole: voxels of its border layer lie inside them, or
-   * they lie outside. Call it after UpdateOutputInformation(). */
+  /** The names of the objects that are not completely inside the volume: they contain voxels of its border layer, or
+   * are outside. Call it after UpdateOutputInformation(). */
   std::vector<std::string>
   FindIncompleteObjects() const;
 
@@ -129,7 +128,7 @@ private:
   double        m_NoiseStandardDeviation{ 0.0 };
   std::uint64_t m_Seed{ 0 };
 
-  // Of the scene in the unit length of the current output.
+  // The scene, scaled to the current output.
   ShapeScene                      m_ScaledScene;
   std::vector<ShapeScene::Object> m_Objects;
 };

@@ -14,25 +14,24 @@
 namespace shapeton
 {
 /** \class ShapeScene
- * \brief Objects with known shape, place, intensity and label: the truth of a phantom.
+ * \brief Objects with known shape, position, intensity and label: the ground truth of a phantom.
  *
  * Objects are solids given by signed distance functions: spheres, ellipsoids, cubes, boxes, cylinders, capsules, tori
- * and tubes along polylines, turned, placed, and deformed by bending, twisting or bumps. Coordinates are physical LPS
- * with the scene's centre at (0, 0, 0).
+ * and tubes along polylines, rotated, translated, and deformed by bending, twisting or bumps. Coordinates are physical
+ * LPS with the center of the scene at (0, 0, 0).
  *
  * A scene is a JSON document; the README of the module describes its schema. Presets follow the synthetic data of the
  * dissertation: figure2.4 (one cube), figure2.7a (a cube and two spheres of different size), figure2.7b (two cubes and
  * two cuboids of different size and orientation), figure3.4 (a cube, two cuboids, a sphere), figure3.5 (a cuboid, the
  * same cuboid bent and twisted, a sphere, the same sphere with bumps), hydrogen (a nucleus, two lobes and an orbit,
  * like Figure 3.11a), and vessels (thin tubes, a large vessel and an aneurysm, like the data of Figures 2.10 and 3.7).
- * The dissertation gives no measures; they are ours.
+ * The dissertation does not specify dimensions; these are our choice.
  *
- * A scene has its own unit of length: millimetres, or for a relative scene (all presets) a length that
- * ShapePhantomImageSource sets to the shortest extent of the volume. Presets fit into a ball with the diameter of 0.96
- * units, so that no direction of the image axes cuts them.
+ * A scene has its own unit of length: millimeters, or for a relative scene (all presets) a length that
+ * ShapePhantomImageSource sets to the shortest extent of the volume. Presets fit into a ball with a diameter of 0.96
+ * units, so that they are complete for any direction of the image axes.
  *
- * \ingroup ShapePhantom
- */
+ * \ingroup ShapePhantom */
 class ShapePhantom_EXPORT ShapeScene
 {
 public:
@@ -47,17 +46,17 @@ public:
     double        boundingRadius; ///< mm
   };
 
-  /** An empty scene with background 0. */
+  /** Creates an empty scene with background 0. */
   ShapeScene();
 
   static const std::vector<std::string> &
   GetPresetNames();
 
-  /** A preset, or else a JSON file. Throws ParameterError when it is neither, and what FromFile throws. */
+  /** Loads a preset, or else a JSON file. Throws ParameterError if it is neither, and the exceptions of FromFile. */
   static ShapeScene
   Load(const std::string & presetOrFile);
 
-  /** Throws InputError that names the file and the key. */
+  /** Throws InputError with the file and the key. */
   static ShapeScene
   FromFile(const std::string & path);
 
@@ -78,7 +77,7 @@ public:
     return m_UnitLength;
   }
 
-  /** Intensity where there is no object, HU. */
+  /** Intensity outside all objects, HU. */
   double
   GetBackground() const;
 
@@ -88,12 +87,12 @@ public:
   GetObject(std::size_t object) const;
 
   /** Signed distance in mm from a point to the surface of an object, negative inside, rounded to 2^-30 mm. Exact for
-   * undeformed objects but ellipsoids (inside a sharp bend of a tube, a lower bound), to first order near the surface
-   * for the others; the sign is exact for all. */
+   * undeformed objects except ellipsoids (inside a sharp bend of a tube, a lower bound); first-order accurate near
+   * the surface for the others. The sign is exact for all. */
   double
   SignedDistance(std::size_t object, const PointType & point) const;
 
-  /** The label at a point: that of the last object whose signed distance is <= 0, or 0. */
+  /** The label at a point: that of the last object with signed distance <= 0, or 0. */
   unsigned char
   GetLabel(const PointType & point) const;
 
