@@ -41,12 +41,12 @@ public:
   itkSetInputMacro(Seeds, LabelImageType);
   itkGetInputMacro(Seeds, LabelImageType);
 
-  /** SeededHeatSettings::tolerance, default 1e-5. */
+  /** Choose p from noise and edges by ChooseP(), instead of P. */
   itkSetMacro(AutomaticP, bool);
   itkGetConstMacro(AutomaticP, bool);
   itkBooleanMacro(AutomaticP);
 
-  /** SeededHeatSettings::tolerance, 1e-5 by default. */
+  /** SeededHeatSettings::tolerance, default 1e-5. */
   itkSetMacro(Tolerance, double);
   itkGetConstMacro(Tolerance, double);
 

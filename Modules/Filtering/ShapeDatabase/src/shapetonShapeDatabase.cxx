@@ -64,7 +64,7 @@ RequireShapeDatabase(const SqliteFile & file)
   }
   if (const std::string fault = file.Text("PRAGMA quick_check(1)"); fault != "ok")
   {
-    // The lines before the last one name the database alone.
+    // All lines except the last one only name the database.
     throw InputError(file.Path() + ": the database is damaged (" + fault.substr(fault.rfind('\n') + 1) +
                      "); restore a copy of it");
   }
@@ -78,7 +78,7 @@ IsEmpty(const SqliteFile & file)
          file.Number("SELECT count(*) FROM sqlite_schema") == 0;
 }
 
-/** Only the last line depends on the file, the others on the database. */
+/** Must be called within a transaction. */
 void
 MakeOrRequire(const SqliteFile & file)
 {

@@ -63,7 +63,7 @@ public:
     return m_Pools;
   }
 
-  /** -1 if there is no fluid */
+  /** The volume of the lumen, ml. */
   double
   LumenVolume() const
   {
@@ -85,7 +85,7 @@ private:
   const ColonAnatomy &   m_Anatomy;
   Eigen::Vector3d        m_Down;
   double                 m_LumenVolume{ 0.0 };
-  std::vector<int>       m_PoolOfBin; // -1 without fluid
+  std::vector<int>       m_PoolOfBin; // -1 if there is no fluid
   std::vector<ColonPool> m_Pools;
   std::array<Wave, 8>    m_Waves;
 };
