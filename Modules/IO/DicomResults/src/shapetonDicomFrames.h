@@ -8,7 +8,7 @@
 
 namespace shapeton
 {
-/** An attribute by which frames are ordered before their place. */
+/** An attribute by which frames are ordered before their position. */
 struct FrameDimension
 {
   DcmTagKey    attribute;
@@ -16,11 +16,11 @@ struct FrameDimension
   const char * name;
 };
 
-/** How frames are ordered: by `first`, where it is given, then along the normal. */
+/** Frame order: by `first`, if given, then along the normal. */
 void
 PutDimensions(DicomItem root, const DicomSeries & series, const std::optional<FrameDimension> & first);
 
-/** The place of a frame: that of slice number `place`, from 0; `first` as PutDimensions() has it. */
+/** Dimension index of a frame: slice number `place`, from 0; `first` as in PutDimensions(). */
 void
 PutFramePlace(DicomItem frame, const DicomSlice & slice, std::size_t place, std::vector<Uint32> first);
 } // namespace shapeton

@@ -12,36 +12,36 @@
 namespace shapeton
 {
 /** \class DicomItem
- * \brief A data set or an item of a sequence, written attribute by attribute; throws OutputError. */
+ * \brief A data set or a sequence item, written attribute by attribute; throws OutputError. */
 class DicomItem
 {
 public:
   explicit DicomItem(DcmItem & item) : m_Item(&item) {}
 
-  /** An empty text is an attribute without a value. */
+  /** An empty text gives an attribute without value. */
   DicomItem &
   Text(const DcmTagKey & tag, const std::string & value);
   DicomItem &
   Decimals(const DcmTagKey & tag, const std::vector<double> & values);
-  /** Of 16 or 32 bits, as the attribute has them. */
+  /** 16 or 32 bits, depending on the attribute. */
   DicomItem &
   Integers(const DcmTagKey & tag, const std::vector<Uint32> & values);
   DicomItem &
   Floats(const DcmTagKey & tag, const std::vector<float> & values);
   DicomItem &
   Double(const DcmTagKey & tag, double value);
-  /** Made even in number. */
+  /** Padded to an even number. */
   DicomItem &
   Bytes(const DcmTagKey & tag, std::vector<Uint8> values);
   DicomItem &
   Tag(const DcmTagKey & tag, const DcmTagKey & value);
-  /** A sequence with this code as one more item. */
+  /** Appends an item with this code to a sequence. */
   DicomItem &
   Code(const DcmTagKey & sequence, const DicomCode & code);
-  /** A sequence without items. */
+  /** Adds an empty sequence. */
   DicomItem &
   NoItems(const DcmTagKey & sequence);
-  /** One more item of a sequence, which is made where there is none. */
+  /** Appends an item to a sequence, which is created if it does not exist. */
   DicomItem
   Add(const DcmTagKey & sequence);
 

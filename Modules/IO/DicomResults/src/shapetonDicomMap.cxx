@@ -13,7 +13,7 @@ namespace
 {
 constexpr const char * frameType = "DERIVED\\PRIMARY\\VOLUME\\NONE";
 
-/** Values are what they are: slope 1, intercept 0. */
+/** Identity: slope 1, intercept 0. */
 void
 PutMapping(DicomItem shared, const DicomMapMeaning & meaning, float least, float greatest)
 {

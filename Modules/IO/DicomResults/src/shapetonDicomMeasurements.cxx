@@ -23,7 +23,7 @@ ContentOf(const DicomMeasurement & measurement, const DicomResultHeader & header
   return number;
 }
 
-/** TID 1411; without a segment TID 1501. */
+/** TID 1411; TID 1501 without a segment. */
 DicomContent
 ContentOf(const DicomMeasurementGroup &  group,
           const DicomMeasurementReport & report,

@@ -11,7 +11,7 @@ namespace shapeton
 {
 namespace
 {
-/** The bytes of a surface as an STL file, which is made beside the object and removed. */
+/** The bytes of a surface as an STL file, via a temporary file next to the object. */
 std::string
 StlOf(const SurfaceMesh & mesh, const std::string & path)
 {
@@ -22,7 +22,7 @@ StlOf(const SurfaceMesh & mesh, const std::string & path)
   return bytes;
 }
 
-/** Refers to all slices of the source. */
+/** References all slices of the source. */
 void
 PutSlices(DicomResultObject & object, const DcmTagKey & sequence, const DicomSource & source)
 {
@@ -54,7 +54,7 @@ WriteDicomPicture(const DicomSource &                                 source,
     .Text(DCM_ConversionType, "WSD")
     .Text(DCM_ImageType, "DERIVED\\SECONDARY")
     .Text(DCM_PatientOrientation, "")
-    .Text(DCM_ImageLaterality, "U") // not one of a pair
+    .Text(DCM_ImageLaterality, "U") // not a paired body part
     .Text(DCM_BurnedInAnnotation, "NO")
     .Text(DCM_ImageComments, DicomResearchNote)
     .Integers(DCM_SamplesPerPixel, { 3 })

@@ -13,7 +13,7 @@ namespace shapeton
 {
 namespace
 {
-/** Longer values stay on disk until they are asked for. */
+/** Longer values stay on disk until they are accessed. */
 constexpr Uint32 MaximumEagerValue = 4096;
 } // namespace
 
@@ -119,7 +119,7 @@ ReadContained(const std::string &                                               
   {
     throw InputError("\"" + path + "\" is no file; give a DICOM file");
   }
-  if (!dcmDataDict.isDictionaryLoaded()) // here, so that the child inherits it
+  if (!dcmDataDict.isDictionaryLoaded()) // loaded here, so that the child inherits it
   {
     throw std::runtime_error("DCMTK's data dictionary is missing; install dcmtk or set DCMDICTPATH");
   }

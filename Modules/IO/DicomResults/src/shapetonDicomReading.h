@@ -10,23 +10,23 @@
 #include <string>
 #include <vector>
 
-// Attributes of untrusted files: what follows runs in a contained process, but for ReadContained().
+// Attributes of untrusted files: the following functions run in a contained process, except ReadContained().
 
 namespace shapeton
 {
-/** One line of UTF-8, at most 256 bytes; empty where there is none. */
+/** One line of UTF-8, at most 256 bytes; empty if missing. */
 std::string
 TextOf(DcmItem & item, const DcmTagKey & tag);
 
-/** So many finite numbers; throws std::runtime_error that names the attribute and its value. */
+/** A number of finite values; throws std::runtime_error that names the attribute and its value. */
 std::vector<double>
 NumbersOf(DcmItem & item, const DcmTagKey & tag, std::size_t count);
 
-/** A whole number from 0 to 65535; throws std::runtime_error as NumbersOf() does. */
+/** An integer from 0 to 65535; throws std::runtime_error as NumbersOf() does. */
 int
 WordOf(DcmItem & item, const DcmTagKey & tag);
 
-/** Item number `number` of a sequence, from 0; null where there is none. */
+/** Item number `number` of a sequence, from 0; null if it does not exist. */
 DcmItem *
 ItemOf(DcmItem & item, const DcmTagKey & sequence, signed long number = 0);
 
@@ -34,16 +34,16 @@ ItemOf(DcmItem & item, const DcmTagKey & sequence, signed long number = 0);
 std::vector<DcmItem *>
 ItemsOf(DcmItem & item, const DcmTagKey & sequence);
 
-/** Empty where there is none. */
+/** Empty if missing. */
 DicomCode
 CodeOf(DcmItem & item, const DcmTagKey & sequence);
 
-/** Loads a file of one of these classes, long values left on disk; throws std::runtime_error, also for a transfer
- * syntax that DCMTK does not know. */
+/** Loads a file of one of these classes, leaving long values on disk; throws std::runtime_error, also for a transfer
+ * syntax unknown to DCMTK. */
 void
 LoadDicomObject(DcmFileFormat & file, const std::string & path, const std::vector<std::string> & sopClassUIDs);
 
-/** Calls `service` on `request` in a contained process that may write `sharedBytes`, which `take` then gets with the
+/** Calls `service` on `request` in a contained process that may write `sharedBytes`; `take` receives them with the
  * response. A failure becomes an InputError that names the file. */
 void
 ReadContained(const std::string &                                                          path,

@@ -139,7 +139,7 @@ PutEvidence(DicomItem root, const DicomSource & source, const std::vector<DicomI
   std::string last;
   for (const DicomSlice & slice : source.series.slices)
   {
-    if (slice.sopInstanceUID != last) // the frames of one instance follow each other
+    if (slice.sopInstanceUID != last) // the frames of one instance are consecutive
     {
       last = slice.sopInstanceUID;
       PutInstance(slices, slice.sopClassUID, slice.sopInstanceUID);

@@ -15,15 +15,15 @@ namespace
 {
 constexpr int DeepestTree = 64;
 
-/** A content item with coordinates, as the file has it. */
+/** A content item with coordinates, as stored in the file. */
 struct Graphic
 {
   std::string name;
   std::string type;
-  /** Of points in space. */
+  /** For points in space. */
   std::string frameOfReferenceUID;
   bool        isInPixels{ false };
-  /** Of points in pixels; empty where none is named, or more than one. */
+  /** For points in pixels; empty if none or more than one is referenced. */
   std::string        sopInstanceUID;
   std::uint32_t      frame{ 1 };
   std::vector<float> values;
@@ -52,7 +52,7 @@ TransmitGraphic(TStream & stream, TGraphic & graphic)
 
 // ---- in the contained process ----
 
-/** Walks over the tree of a report and keeps what has coordinates. */
+/** Traverses the tree of a report and collects items with coordinates. */
 class GraphicFinder
 {
 public:
@@ -113,7 +113,7 @@ private:
     m_Found.push_back(graphic);
   }
 
-  /** The image is a child, or a child names its place in the tree. */
+  /** The image is a child, or a child references it by its position in the tree. */
   void
   TakeImage(DcmItem & item, Graphic & graphic) const
   {
@@ -200,7 +200,7 @@ ReadGraphics(const std::string & path)
   return graphics;
 }
 
-/** The coordinates of a report in the space of a source. */
+/** Converts the coordinates of a report to the space of a source. */
 class PlaceFinder
 {
 public:
@@ -233,7 +233,7 @@ public:
 private:
   using Place = itk::Point<double, 3>;
 
-  /** Whether a graphic of this type has so many points: DICOM PS3.3, C.18.6 and C.18.9. */
+  /** Whether the number of points is valid for this graphic type: DICOM PS3.3, C.18.6 and C.18.9. */
   static bool
   MayHave(const std::string & type, std::size_t points)
   {
@@ -299,7 +299,7 @@ private:
     return place;
   }
 
-  /** A circle is given by its middle and a point of it, an ellipse by the ends of its axes. */
+  /** A circle is given by its center and a point on it, an ellipse by the ends of its axes. */
   static void
   KeepMiddle(const std::string & type, std::vector<Place> & places)
   {

@@ -11,13 +11,13 @@ namespace shapeton
 {
 namespace
 {
-/** Attributes that must be there, be it without a value. */
+/** Required attributes, possibly empty. */
 const DcmTagKey expected[] = {
   DCM_PatientName, DCM_PatientID, DCM_PatientBirthDate,       DCM_PatientSex, DCM_StudyInstanceUID,
   DCM_StudyDate,   DCM_StudyTime, DCM_ReferringPhysicianName, DCM_StudyID,    DCM_AccessionNumber
 };
 
-/** The dates of a source, the best first. */
+/** The dates of a source, in order of preference. */
 const std::pair<DcmTagKey, DcmTagKey> dates[] = { { DCM_AcquisitionDate, DCM_AcquisitionTime },
                                                   { DCM_ContentDate, DCM_ContentTime },
                                                   { DCM_SeriesDate, DCM_SeriesTime },
@@ -91,8 +91,8 @@ DicomResultObject::PutSourceHeader()
   }
 }
 
-/** Those of the source, never those of now: equal runs, equal bytes. Content Date and Time must have a value, so that a
- * source without any date gets the first one that some readers take. */
+/** Dates are copied from the source, never the current ones: equal runs give equal bytes. Content Date and Time must
+ * not be empty; without any date in the source they get the earliest one that some readers accept. */
 void
 DicomResultObject::PutDates()
 {
@@ -120,7 +120,7 @@ DicomResultObject::PutDates()
   }
 }
 
-/** The value of an attribute of the source that is not one of every result. */
+/** The value of a source attribute that is not copied to all results. */
 std::string
 DicomResultObject::Take(const DcmTagKey & tag)
 {
@@ -162,7 +162,7 @@ DicomResultObject::PutReferencedSeries()
   std::string last;
   for (const DicomSlice & slice : m_Source.series.slices)
   {
-    if (slice.sopInstanceUID != last) // the frames of one instance follow each other
+    if (slice.sopInstanceUID != last) // the frames of one instance are consecutive
     {
       last = slice.sopInstanceUID;
       series.Add(DCM_ReferencedInstanceSequence)
@@ -183,7 +183,7 @@ DicomResultObject::PutSharedPlane()
     .Decimals(DCM_ImageOrientationPatient, { axes(0, 0), axes(1, 0), axes(2, 0), axes(0, 1), axes(1, 1), axes(2, 1) });
   const double thickness = m_Source.series.slices.front().thickness;
   shared.Add(DCM_PixelMeasuresSequence)
-    .Decimals(DCM_PixelSpacing, { spacing[1], spacing[0] }) // of rows first
+    .Decimals(DCM_PixelSpacing, { spacing[1], spacing[0] }) // row spacing first
     .Decimals(DCM_SpacingBetweenSlices, { spacing[2] })
     .Decimals(DCM_SliceThickness, { thickness > 0.0 ? thickness : spacing[2] });
   return shared;
@@ -192,7 +192,7 @@ DicomResultObject::PutSharedPlane()
 DicomInstance
 DicomResultObject::Save(const std::string & path, bool isDeflated)
 {
-  // UIDs from the bytes without them.
+  // UIDs are derived from the bytes without them.
   const std::string none = "2.25.0";
   this->Root().Text(DCM_SeriesInstanceUID, none).Text(DCM_SOPInstanceUID, none);
   SaveFile(m_File, path, EXS_LittleEndianExplicit);

@@ -7,10 +7,10 @@
 namespace shapeton
 {
 /** \class DicomResultObject
- * \brief A DICOM object that belongs to a source series: what all results have in common, and how they are saved.
+ * \brief A DICOM object derived from a source series: attributes common to all results, and writing.
  *
- * Patient, study and dates are those of the source; the UIDs of series and instance come from all else in the file, so
- * that equal results have equal bytes, and different ones never share a UID. */
+ * Patient, study and dates are those of the source; the UIDs of series and instance are derived from all other data
+ * of the file, so that equal results have equal bytes, and different ones never share a UID. */
 class DicomResultObject
 {
 public:
@@ -25,19 +25,20 @@ public:
     return DicomItem(*m_File.getDataset());
   }
 
-  /** Frame of reference of the source: of images and surfaces. */
+  /** Frame of reference of the source; for images and surfaces. */
   void
   PutFrameOfReference();
-  /** Whether pixels went through a lossy compression, here or in the source: of images. */
+  /** Whether pixels were compressed lossily, here or in the source; for images. */
   void
   PutLossiness();
-  /** RESEARCH: of images. Reports have flags of their own. */
+  /** RESEARCH; for images. Reports have their own flags. */
   void
   PutContentQualification();
-  /** Which series and slices the result was made from. */
+  /** References to the source series and slices. */
   void
   PutReferencedSeries();
-  /** What all frames share: orientation, pixel spacing, distance of slices. Returns the shared functional groups. */
+  /** Properties common to all frames: orientation, pixel spacing, slice distance. Returns the shared functional
+   * groups. */
   DicomItem
   PutSharedPlane();
 
@@ -60,12 +61,11 @@ private:
   DcmFileFormat       m_File;
 };
 
-/** A reference to a slice of the source: class and instance, and the frame where the
- * instance has frames. */
+/** A reference to a slice of the source: class and instance, and the frame number if the instance is multi-frame. */
 void
 PutReferenceToSlice(DicomItem item, const DicomSlice & slice);
 
-/** That a frame was made from a slice, by this kind of processing (CID 7203). */
+/** References the slice from which a frame was derived, with this kind of processing (CID 7203). */
 void
 PutDerivation(DicomItem frame, const DicomSlice & slice, const DicomCode & processing);
 

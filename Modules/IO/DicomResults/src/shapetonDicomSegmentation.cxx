@@ -14,7 +14,7 @@ namespace shapeton
 {
 namespace
 {
-/** Bits one after the other, the lowest of a byte first; frames are not padded (DICOM PS3.5 8.1.1). */
+/** Packs bits consecutively, lowest bit of a byte first; frames are not padded (DICOM PS3.5 8.1.1). */
 class BitWriter
 {
 public:
@@ -38,7 +38,7 @@ private:
   std::size_t        m_Bits{ 0 };
 };
 
-/** How many voxels of each label each slice has. */
+/** Number of voxels of each label in each slice. */
 class LabelCount
 {
 public:
@@ -76,7 +76,7 @@ private:
   CountSlice(const unsigned short * first, const unsigned short * last)
   {
     Counts counts;
-    while (first != last) // run by run: most of a slice is nothing
+    while (first != last) // run by run: most of a slice is empty
     {
       const auto end = std::find_if(first, last, [label = *first](unsigned short other) { return other != label; });
       counts[*first] += static_cast<std::size_t>(end - first);
@@ -176,7 +176,7 @@ PutFrame(DicomItem frame, const DicomSlice & slice, std::size_t place, int numbe
   PutDerivation(frame, slice, { "113076", "DCM", "Segmentation" });
 }
 
-/** Returns how many. */
+/** Returns their number. */
 int
 WriteFrames(DicomItem            root,
             const DicomSource &  source,
@@ -199,7 +199,7 @@ WriteFrames(DicomItem            root,
   return frames;
 }
 
-/** Whether voxels may have two segments: those of one image of labels never do. */
+/** Whether segments may overlap: those of one label image never do. */
 bool
 DoOverlap(const std::vector<DicomSegment> & segments)
 {

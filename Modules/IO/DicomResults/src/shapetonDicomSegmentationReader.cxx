@@ -22,7 +22,7 @@ const std::vector<std::string> segmentationClasses{ UID_SegmentationStorage, Lab
 
 // ---- in the contained process ----
 
-/** A functional group of a frame, or of all; throws where it is missing. */
+/** A functional group of a frame, or the shared one; throws if it is missing. */
 DcmItem &
 GroupOf(DcmItem * frame, DcmItem * shared, const DcmTagKey & group)
 {
@@ -68,7 +68,7 @@ ReadSegments(DcmItem & dataset, DicomSegmentationFile & file)
   }
 }
 
-/** Takes the background out of the segments of a label map. */
+/** Removes the background from the segments of a label map. */
 void
 TakeBackground(DcmItem & dataset, DicomSegmentationFile & file)
 {
@@ -95,7 +95,7 @@ TakeBackground(DcmItem & dataset, DicomSegmentationFile & file)
   }
 }
 
-/** Orientation and spacing must be those of all frames. */
+/** Orientation and spacing must be common to all frames. */
 void
 TakePlane(DcmItem & orientation, DcmItem & measures, bool isFirst, DicomSegmentationFile & file)
 {
@@ -104,7 +104,7 @@ TakePlane(DcmItem & orientation, DcmItem & measures, bool isFirst, DicomSegmenta
   if (isFirst)
   {
     std::copy(cosines.begin(), cosines.end(), file.orientation);
-    file.spacing[0] = spacing[1]; // DICOM has that of rows first
+    file.spacing[0] = spacing[1]; // row spacing first in DICOM
     file.spacing[1] = spacing[0];
   }
   const auto isClose = [](double a, double b) { return std::abs(a - b) <= 1e-4; };
@@ -156,7 +156,7 @@ BytesOfPixels(const DicomSegmentationFile & file)
   return bytes > 0 ? bytes * pixels : (pixels + 7) / 8;
 }
 
-/** The pixel data are as long as frames and format ask for: checked before memory is asked for. */
+/** Checks the length of the pixel data against frames and format before any allocation. */
 void
 RequirePixels(DcmDataset & dataset, const DicomSegmentationFile & file)
 {
@@ -270,7 +270,7 @@ CopyPixels(const std::string & path, std::size_t bytes, char * shared)
   LoadDicomObject(format, path, segmentationClasses);
   DcmDataset & dataset = *format.getDataset();
   DcmElement * pixels = nullptr;
-  // Whatever the VR: pixels of 8 bits and less are OW where the encoding does not tell it.
+  // Accepts any VR: pixels of up to 8 bits are OW if the encoding does not specify it.
   const bool isRead = dataset.findAndGetElement(DCM_PixelData, pixels).good() && pixels &&
                       pixels->getLength(dataset.getOriginalXfer()) >= bytes &&
                       pixels->getPartialValue(shared, 0, static_cast<Uint32>(bytes)).good();
@@ -283,7 +283,7 @@ CopyPixels(const std::string & path, std::size_t bytes, char * shared)
 
 // ---- in this process ----
 
-/** Where frames lie in the slices of a series. */
+/** The positions of frames in the slices of a series. */
 class SeriesPlanes
 {
 public:
@@ -329,7 +329,7 @@ public:
   }
 
 private:
-  static constexpr double Tolerance = 0.05; // of a voxel: positions are rounded by some writers
+  static constexpr double Tolerance = 0.05; // of a voxel: some writers round positions
 
   [[noreturn]] void
   Refuse() const
@@ -343,15 +343,15 @@ private:
   const DicomSeries &           m_Series;
 };
 
-/** The labels of a slice, on which frames are painted. */
+/** The labels of a slice, into which frames are painted. */
 struct Canvas
 {
   unsigned short * labels;
-  /** Pixels from one row to the next. */
+  /** Offset from one row to the next, in pixels. */
   std::size_t pitch;
 };
 
-/** The place of a slice on the grid of a source, to the nearest pixel. */
+/** The grid position of a slice of a source, to the nearest pixel. */
 Canvas
 CanvasOf(DicomLabelImage * labels, const DicomSlice & slice, std::size_t number)
 {
@@ -402,7 +402,7 @@ private:
   const unsigned char *         m_Bytes;
 };
 
-/** Returns how many voxels it has painted. */
+/** Returns the number of painted voxels. */
 std::size_t
 PaintFrame(const DicomSegmentationFile & file, std::size_t frame, const char * data, int number, const Canvas & canvas)
 {
@@ -423,7 +423,7 @@ PaintFrame(const DicomSegmentationFile & file, std::size_t frame, const char * d
   return painted;
 }
 
-/** Each pixel of a label map has the number of a segment, or belongs to the background. */
+/** Each pixel of a label map is the number of a segment or background. */
 void
 RequireDeclaredLabels(const DicomSegmentationFile & file, const char * data)
 {
@@ -460,7 +460,7 @@ RequireSegments(const DicomSegmentationFile & file, const std::vector<int> & num
   }
 }
 
-/** The slice of each frame. */
+/** The slice index of each frame. */
 std::vector<std::size_t>
 SlicesOf(const DicomSegmentationFile & file, const DicomSeries & series)
 {

@@ -14,7 +14,7 @@ namespace shapeton
 {
 namespace
 {
-/** What results take over. */
+/** Attributes copied to results. */
 const DcmTagKey taken[] = { DCM_SpecificCharacterSet,
                             DCM_TimezoneOffsetFromUTC,
                             DCM_PatientName,
@@ -61,7 +61,7 @@ Require(const OFCondition & condition)
 std::string
 BytesOf(DcmDataset & dataset)
 {
-  std::string           bytes(1 << 20, '\0'); // of headers without sequences of any length
+  std::string           bytes(1 << 20, '\0'); // for headers without sequences of arbitrary length
   DcmOutputBufferStream stream(&bytes[0], static_cast<offile_off_t>(bytes.size()));
   dataset.transferInit();
   const OFCondition condition = dataset.write(stream, EXS_LittleEndianExplicit, EET_ExplicitLength, nullptr);
@@ -74,7 +74,7 @@ BytesOf(DcmDataset & dataset)
   return bytes;
 }
 
-/** In the contained process. */
+/** Runs in the contained process. */
 std::string
 HeaderOf(const std::string & path)
 {

@@ -17,7 +17,7 @@ namespace shapeton
 {
 namespace
 {
-// Longer texts are cut: they are for tables and messages.
+// Longer texts are truncated: they are for tables and messages.
 constexpr std::size_t LongestText = 256;
 
 std::string
@@ -50,7 +50,7 @@ NumberIn(const DcmTagKey & tag, const std::string & value, const std::string & t
   }
   return number;
 }
-/** Printable words with the blanks between them as they are. */
+/** Printable words separated by the original blanks. */
 std::string
 PrintableWords(const std::string & text)
 {

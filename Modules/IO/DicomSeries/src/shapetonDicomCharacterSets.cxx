@@ -18,7 +18,7 @@ namespace
 {
 constexpr char Escape = '\x1b';
 
-/** "100" of "ISO_IR 100", "ISO 2022 IR 100" and of misspellings like "ISO_IR_100"; other terms as they are. */
+/** "100" for "ISO_IR 100", "ISO 2022 IR 100" and misspellings like "ISO_IR_100"; other terms are unchanged. */
 std::string
 ShortTerm(const std::string & term)
 {
@@ -40,7 +40,7 @@ Holds(const std::vector<std::string> & sets, const std::string & term)
   return std::find(sets.begin(), sets.end(), term) != sets.end();
 }
 
-/** The terms as DcmSpecificCharacterSet knows them. The sets of several bytes exist with code extensions alone. */
+/** The terms expected by DcmSpecificCharacterSet. Multi-byte sets exist only with code extensions. */
 std::string
 TermsOf(const std::vector<std::string> & sets)
 {
@@ -65,7 +65,7 @@ ConvertByTerms(const std::string & terms, std::string & text)
   return isConverted;
 }
 
-/** `encoding` as iconv names it. */
+/** `encoding` is an iconv name. */
 bool
 ConvertByName(const std::string & encoding, std::string & text)
 {
@@ -77,8 +77,8 @@ ConvertByName(const std::string & encoding, std::string & text)
   return isConverted;
 }
 
-/** Rewrites text with the Japanese escape sequences (PS3.3 C.12.1.1.2) as EUC-JP, which holds the same sets and needs
- * no sequences; returns false where it has others. */
+/** Converts text with the Japanese escape sequences (PS3.3 C.12.1.1.2) to EUC-JP, which contains the same sets
+ * without escape sequences; returns false for other sequences. */
 bool
 RewriteAsEucJp(const std::string & text, std::string & rewritten)
 {
@@ -89,7 +89,7 @@ RewriteAsEucJp(const std::string & text, std::string & rewritten)
   for (std::size_t i = 0; i < text.size(); ++i)
   {
     const bool isWide = !set.empty() && text[i] > ' ';
-    if (text.compare(i, 3, "\x1b)I") == 0) // katakana are the upper bytes anyway
+    if (text.compare(i, 3, "\x1b)I") == 0) // katakana are always the upper bytes
     {
       i += 2;
     }
@@ -131,7 +131,7 @@ ConvertJapanese(std::string & text)
   return true;
 }
 
-/** Some writers leave out the escape sequence: the bytes are those of one of the declared sets. */
+/** Some writers omit the escape sequence: the bytes are in one of the declared sets. */
 bool
 ConvertWithoutEscapes(const std::vector<std::string> & sets, std::string & text)
 {

@@ -18,16 +18,16 @@ namespace shapeton
 {
 namespace
 {
-// Values longer than this stay on disk until they are asked for.
+// Longer values stay on disk until they are accessed.
 constexpr Uint32 MaximumEagerValue = 4096;
 
-// A decoder may be asked for this many bytes of a frame whatever the size of its input ...
+// Frame size in bytes that a decoder may produce from input of any size ...
 constexpr std::uint64_t HarmlessFrameBytes = 64u << 20;
-// ... and for this many times its input. JPEG and RLE compress less; JPEG-LS and JPEG 2000 more, on constant images.
+// ... and as a multiple of its input. JPEG and RLE compress less; JPEG-LS and JPEG 2000 more, for constant images.
 constexpr std::uint64_t MaximumCompression = 2000;
 constexpr std::uint64_t MaximumDeflateRatio = 1032;
 
-// Cosines are written with six digits or so; more error than this is no rotation.
+// Cosines are written with about six digits; a larger error indicates an invalid rotation.
 constexpr double CosineTolerance = 1e-3;
 
 std::string
@@ -36,7 +36,7 @@ GetText(DcmItem & item, const DcmTagKey & tag)
   return DicomTextOf(item, tag).text;
 }
 
-/** A whole number; `missing` where there is none. */
+/** An integer; `missing` if there is none. */
 int
 GetInteger(DcmItem & item, const DcmTagKey & tag, int missing)
 {
@@ -66,11 +66,11 @@ GetItem(DcmItem * item, const DcmTagKey & sequence, signed long number = 0)
   return item && item->findAndGetSequenceItem(sequence, found, number).good() ? found : nullptr;
 }
 
-/** The bytes that tell DICOM from other files, so that no parser guesses at those. */
+/** Signature bytes of DICOM, so that no parser guesses the type of other files. */
 enum class Signature
 {
   none,
-  /** A data set without a meta header, perhaps. */
+  /** Possibly a data set without a meta header. */
   dataSet,
   file
 };
@@ -93,7 +93,7 @@ FindSignature(const std::string & path)
 
 // ---- frames ----
 
-/** Where an attribute of a frame lies: in the frame's own functional group, in the shared one, or in the data set. */
+/** The location of a frame attribute: in the frame's own functional group, in the shared one, or in the data set. */
 class FrameAttributes
 {
 public:
@@ -101,7 +101,7 @@ public:
     : m_Dataset(dataset), m_Own(own), m_Shared(shared), m_IsEnhanced(isEnhanced)
   {}
 
-  /** The item that holds the attributes of a functional group. */
+  /** The item that contains the attributes of a functional group. */
   DcmItem *
   Find(const DcmTagKey & group) const
   {
@@ -192,8 +192,8 @@ ReadRescale(const FrameAttributes & attributes, DicomPixelFormat & pixels, std::
   }
 }
 
-/** An attribute that tells acquisitions and reconstructions apart: in a plain image, and in a functional group of an
- * enhanced one; `noAttribute` where it does not exist. */
+/** An attribute that distinguishes acquisitions and reconstructions: in a plain image, and in a functional group of
+ * an enhanced one; `noAttribute` if it does not exist there. */
 struct AcquisitionKey
 {
   DcmTagKey plain;
@@ -253,7 +253,7 @@ SignExtended(std::int64_t value, unsigned int bits)
   return ((value & (2 * sign - 1)) ^ sign) - sign;
 }
 
-/** Pixel Padding Value is written as US or SS, not always as the one that the pixels have. */
+/** The VR of Pixel Padding Value is US or SS, not always that of the pixels. */
 void
 ReadPadding(DcmItem & dataset, DicomPixelFormat & pixels)
 {
@@ -376,7 +376,7 @@ CheckEncapsulated(DcmPixelData & pixelData, E_TransferSyntax syntax, std::uint64
   return {};
 }
 
-/** Compares what the header claims with what the file holds; returns what is missing. */
+/** Compares the size claimed in the header with that of the file; returns what is missing. */
 std::string
 CheckPixelData(DcmDataset & dataset, const DicomFile & file, const DicomPixelFormat & pixels)
 {
@@ -411,8 +411,8 @@ CheckPixelData(DcmDataset & dataset, const DicomFile & file, const DicomPixelFor
 
 // ---- the file ----
 
-/** True where the frames of an image are described by functional groups. Some scanners add such groups to plain slices
- * (CT or MR Image Storage), whose own attributes say everything. */
+/** True if functional groups describe the frames of an image. Some scanners add such groups to plain slices (CT or
+ * MR Image Storage), whose own attributes are complete. */
 bool
 IsEnhanced(DcmDataset & dataset)
 {
@@ -448,7 +448,7 @@ ReadFrames(DcmDataset & dataset, std::uint64_t count, DicomFile & file)
   }
 }
 
-/** The number of frames, as far as the file has descriptions of them. */
+/** The number of frames that the file describes. */
 std::uint64_t
 CountFrames(DcmDataset & dataset, DicomFile & file)
 {
@@ -529,7 +529,7 @@ ReadImage(DcmDataset & dataset, DicomFile & file, bool isIncomplete)
   }
 }
 
-/** What an object without an image is called. */
+/** The name of an object without an image. */
 std::string
 ObjectName(DcmFileFormat & format, DcmDataset & dataset)
 {

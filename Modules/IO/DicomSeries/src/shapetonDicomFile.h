@@ -10,21 +10,21 @@
 
 namespace shapeton
 {
-/** What the header of a DICOM file says of one frame. */
+/** Header data of one frame of a DICOM file. */
 struct DicomFrame
 {
   bool   hasGeometry{ false };
   double position[3]{};
-  /** Cosines along a row, then along a column. */
+  /** Direction cosines along a row, then along a column. */
   double orientation[6]{};
-  /** Between rows, between columns. */
+  /** Distance of rows, distance of columns. */
   double           spacing[2]{};
   double           thickness{ 0 };
   bool             isLocalizer{ false };
   DicomPixelFormat pixels;
 
-  /** Attributes of which one volume has one value each, as a rule: they tell acquisitions and reconstructions apart
-   * that interleave or lie at equal positions. */
+  /** Attributes that are usually constant in a volume: they distinguish acquisitions and reconstructions that
+   * interleave or have equal positions. */
   static constexpr unsigned int NumberOfAcquisitionKeys = 20;
   /** Their values, in the order of their names. */
   std::string acquisition[NumberOfAcquisitionKeys];
@@ -32,21 +32,21 @@ struct DicomFrame
   NameOfAcquisitionKey(unsigned int key);
 };
 
-/** What the header of a file says. */
+/** Header data of a file. */
 struct DicomFile
 {
   enum class Kind : std::uint8_t
   {
     notDicom,
     notImage,
-    /** Ends before its series is known. */
+    /** Truncated before its series UID. */
     damaged,
     image
   };
 
   std::string path;
   Kind        kind{ Kind::notDicom };
-  /** notImage: what the object is. damaged: what is wrong. */
+  /** notImage: the kind of object. damaged: the defect. */
   std::string what;
 
   std::string studyUID;
@@ -54,10 +54,10 @@ struct DicomFile
   std::string sopInstanceUID;
   std::string seriesUID;
   std::string frameOfReferenceUID;
-  /** Only compared: it names a person. */
+  /** Only compared: it identifies a person. */
   std::string patientID;
   std::string description;
-  /** The bytes of the description do not fit its character set. */
+  /** The bytes of the description are invalid in its character set. */
   bool        isUndecodable{ false };
   std::string modality;
   std::string patientPosition;
@@ -71,25 +71,25 @@ struct DicomFile
   bool          isInverted{ false };
   /** The image has functional groups: its frames are slices. */
   bool isMultiFrame{ false };
-  /** The encoding of the pixels cannot be read. */
+  /** The pixel encoding is not supported. */
   bool isUnsupportedTransferSyntax{ false };
-  /** What is missing; empty for a whole file. */
+  /** What is missing; empty for a complete file. */
   std::string truncation;
-  /** A number of its geometry or intensities that cannot be read: attribute and value. Then it has no frames. */
+  /** Attribute and value of an unreadable number of its geometry or intensities. The file then has no frames. */
   std::string malformedValue;
-  /** Why its pixels are no slice of a volume: colour, 2-D, ... */
+  /** Why its pixels are not a slice of a volume: color, 2-D, ... */
   std::string refusal;
-  /** The refusal says that the image is of another kind, and no damaged part of a volume. */
+  /** The refusal means an image of another kind, not a damaged part of a volume. */
   bool isOtherObject{ false };
 
   std::vector<DicomFrame> frames;
 };
 
-/** Parses the header of a file by DCMTK. Runs in a contained process. */
+/** Parses the header of a file with DCMTK. Runs in a contained process. */
 DicomFile
 ParseDicomFile(const std::string & path);
 
-/** Writes or reads all members of a file but its path. */
+/** Writes or reads all members of a file except its path. */
 template <typename TStream, typename TFile>
 void
 Transmit(TStream & stream, TFile & file)

@@ -16,7 +16,7 @@ namespace shapeton
 {
 namespace
 {
-/** A private attribute by the name of its block (PS3.5 7.8.1); null where it is missing. */
+/** A private attribute by the name of its block (PS3.5 7.8.1); null if it is missing. */
 DcmElement *
 FindPrivate(DcmItem & item, Uint16 group, const std::string & creator, unsigned int number)
 {
@@ -39,7 +39,7 @@ FindPrivate(DcmItem & item, Uint16 group, const std::string & creator, unsigned 
   return nullptr;
 }
 
-/** The bytes of an element; private ones come as US, or as OB or UN where the encoding does not tell the VR. */
+/** The bytes of an element; private ones have the VR US, or OB or UN if the encoding does not specify it. */
 std::vector<char>
 BytesOf(DcmElement & element)
 {
@@ -59,8 +59,8 @@ CountsTiles(DcmItem & dataset)
   return bytes.size() >= 2 && (bytes[1] != 0 || static_cast<unsigned char>(bytes[0]) > 1);
 }
 
-/** The CSA header is a list of named elements, each with a list of texts. GDCM's parser ends the process where one of
- * them is unusual, so that an ordinary slice would be lost. */
+/** The CSA header is a list of named elements, each with a list of texts. GDCM's parser terminates the process if
+ * one of them is unusual, so that an ordinary slice would be lost. */
 bool
 CountsTilesInCsaHeader(DcmItem & dataset)
 {

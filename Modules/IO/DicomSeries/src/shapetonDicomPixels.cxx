@@ -30,12 +30,12 @@ namespace shapeton
 {
 namespace
 {
-// Decoding is limited by the memory's speed beyond this.
+// Beyond this, memory bandwidth limits decoding.
 constexpr std::size_t MaximumProcesses = 16;
 
 // ---- in the contained process ----
 
-/** The file that was asked for last: the frames of a multi-frame file come one after the other. */
+/** The most recently requested file: the frames of a multi-frame file are read consecutively. */
 struct OpenFile
 {
   std::string                    path;
@@ -95,7 +95,7 @@ ListFragments(DcmPixelSequence & sequence)
   return fragments;
 }
 
-/** Offsets of the frames from the first fragment's item tag; empty when the file has no table. */
+/** Offsets of the frames from the first fragment's item tag; empty if the file has no table. */
 std::vector<std::size_t>
 ReadOffsetTable(DcmPixelSequence & sequence)
 {
@@ -113,7 +113,7 @@ ReadOffsetTable(DcmPixelSequence & sequence)
   return offsets;
 }
 
-/** The first fragment of each frame, by the offset table. */
+/** The first fragment of each frame, from the offset table. */
 std::vector<std::size_t>
 FindFrameStarts(const std::vector<Fragment> & fragments, const std::vector<std::size_t> & offsets)
 {
@@ -131,7 +131,7 @@ FindFrameStarts(const std::vector<Fragment> & fragments, const std::vector<std::
   return starts;
 }
 
-/** The first fragment of each frame, by the marker with which each JPEG (-LS, 2000) image starts. */
+/** The first fragment of each frame, from the start marker of each JPEG (-LS, 2000) image. */
 std::vector<std::size_t>
 FindFrameStarts(const std::vector<Fragment> & fragments)
 {
@@ -192,7 +192,7 @@ ReadGdcmPixelFormat(DcmDataset & dataset)
   return gdcm::PixelFormat(1, allocated, stored, high, representation);
 }
 
-/** Returns the precision that the compressed stream states. */
+/** Returns the precision given in the compressed stream. */
 std::uint16_t
 DecodeFragments(DcmDataset & dataset, const std::vector<Fragment> & fragments, std::size_t bytes, char * pixels)
 {
@@ -227,7 +227,7 @@ DecodeFragments(DcmDataset & dataset, const std::vector<Fragment> & fragments, s
   {
     throw std::runtime_error("its compressed pixels cannot be decoded");
   }
-  // The codec corrects the format where the compressed stream has other bits than the header says.
+  // The codec corrects the format if the compressed stream and the header have different bits.
   if (image.GetBufferLength() != bytes)
   {
     throw std::runtime_error("its compressed pixels are not of the size that the header states");
@@ -236,8 +236,8 @@ DecodeFragments(DcmDataset & dataset, const std::vector<Fragment> & fragments, s
   return image.GetPixelFormat().GetBitsStored();
 }
 
-/** Returns the bits of a decoded pixel where the encoding defines them, otherwise 0: then the header does. A JPEG 2000
- * stream holds numbers, sometimes of more bits than Bits Stored says; the other encodings hold words. */
+/** Returns the bits of a decoded pixel if the encoding defines them, otherwise 0: then the header defines them. A
+ * JPEG 2000 stream contains numbers, sometimes of more bits than Bits Stored; the other encodings contain words. */
 std::uint16_t
 DecodeFrame(OpenFile & file, const std::string & path, unsigned int frame, std::size_t bytes, char * pixels)
 {
@@ -323,7 +323,7 @@ BytesOf(const DicomSlice & slice, std::size_t pixels)
   return pixels * (slice.pixels.bitsAllocated / 8);
 }
 
-/** The first failure, in the order of the slices, of threads that share the work. */
+/** The first failure, in slice order, of worker threads. */
 class FirstFailure
 {
 public:

@@ -9,16 +9,16 @@
 
 namespace shapeton
 {
-/** Turns stored pixels into intensities; padding becomes NaN. */
+/** Converts stored pixels to intensities; padding becomes NaN. */
 void
 ConvertDicomPixels(const char * stored, const DicomPixelFormat & format, std::size_t count, float * intensities);
 
 /** Reads slices of equal size into consecutive blocks of `columns` x `rows` intensities; padding becomes NaN.
  *
- * Native encodings (implicit and explicit, little and big endian, deflated) are read by DCMTK, which has parsed the
- * header anyway and reads one frame from the middle of a large file; compressed frames are decoded by GDCM, which has
- * all codecs. Both work in contained processes, several at once. Progress is told of each slice that the calling thread
- * has taken. Throws InputError that names the file. */
+ * Native encodings (implicit and explicit, little and big endian, deflated) are read by DCMTK, which has already
+ * parsed the header and can read one frame from the middle of a large file; compressed frames are decoded by GDCM,
+ * which has all codecs. Both run in contained processes, several at once. Progress is reported for each slice
+ * processed by the calling thread. Throws InputError that names the file. */
 void
 ReadDicomSlices(const std::vector<const DicomSlice *> & slices,
                 unsigned int                            columns,

@@ -43,7 +43,7 @@ HaveEqualPixels(const DicomSeries & series, const SlicesGeometry::Duplicate & du
   return true;
 }
 
-/** Pixels that cannot be read are not known to be equal. */
+/** Unreadable pixels are not considered equal. */
 bool
 AreIdentical(const DicomSeries & series, const SlicesGeometry::Duplicate & duplicate)
 {

@@ -14,7 +14,7 @@ namespace shapeton
 std::string
 Count(std::size_t count, const std::string & noun);
 
-/** "slice 3 (im0003.dcm)"; `index` counts from 0. */
+/** "slice 3 (im0003.dcm)" for an `index` from 0. */
 std::string
 NameOfSlice(const DicomSeries & series, unsigned int index);
 
@@ -28,20 +28,19 @@ DefectOfSlices(const DicomSeries &               series,
                const std::string &               message,
                const std::vector<unsigned int> & indices);
 
-/** Adds it to the defects. */
+/** Adds the defect to the series. */
 void
 AddDefect(DicomSeries &                     series,
           DicomDefectKind                   kind,
           const std::string &               message,
           const std::vector<unsigned int> & indices);
 
-/** How many elements of a list of series from `first` on are single slices of one Series Instance UID: what a person
- * wants to read in one line. 1 for any other series. */
+/** The number of elements of a list of series from `first` on that are single slices of one Series Instance UID, to
+ * be listed on one line. 1 for any other series. */
 std::size_t
 LengthOfSingles(const std::vector<const DicomSeries *> & list, std::size_t first);
 
-/** Adds the duplicates, gaps, changes of spacing and shear that an examination of the slices has found. Reads the
- * pixels of duplicates. */
+/** Adds the duplicates, gaps, spacing changes and shear found in the slices. Reads the pixels of duplicates. */
 void
 AddGeometryDefects(DicomSeries & series, const SlicesGeometry & geometry);
 } // namespace shapeton

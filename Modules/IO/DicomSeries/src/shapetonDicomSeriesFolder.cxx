@@ -61,7 +61,7 @@ IsOurSlice(const fs::directory_entry & entry)
          manufacturer == DicomSeriesManufacturer && model == DicomSeriesModel;
 }
 
-// The real folder: through links, without a trailing separator.
+// The real path of a folder: links resolved, no trailing separator.
 fs::path
 TargetOf(const std::string & folder)
 {
@@ -123,7 +123,7 @@ CheckTarget(const fs::path & target)
   }
 }
 
-// Removes the slices of a folder and the folder, unless other things lie there. Never more than that.
+// Removes the slices of a folder and the folder, unless it contains other files. Never removes anything else.
 void
 RemoveSeries(const fs::path & folder)
 {
@@ -149,7 +149,7 @@ HiddenName(const fs::path & target, const std::string & process, const std::stri
   return target.parent_path() / ('.' + target.filename().string() + '.' + process + kind);
 }
 
-// The hidden folders `.name.<process>.<kind>` of processes that are gone.
+// The hidden folders `.name.<process>.<kind>` of terminated processes.
 std::vector<fs::path>
 FindLeftovers(const fs::path & target, const std::string & kind)
 {
@@ -173,7 +173,7 @@ FindLeftovers(const fs::path & target, const std::string & kind)
   return leftovers;
 }
 
-// Tidies after runs that were killed: a series that had been moved aside comes back, unfinished ones go.
+// Cleans up after killed runs: restores a series that was moved aside, removes unfinished ones.
 void
 Recover(const fs::path & target)
 {
@@ -195,7 +195,7 @@ Recover(const fs::path & target)
   }
 }
 
-// Postpones the signals that end a program until the unfinished folder has been removed or has its name.
+// Defers the signals that terminate a program until the unfinished folder has been removed or renamed.
 class DeferredSignals
 {
 public:
@@ -240,7 +240,7 @@ private:
 
 volatile std::sig_atomic_t DeferredSignals::pending = 0;
 
-// The folder that becomes the target, or goes.
+// The folder that becomes the target, or is removed.
 class TemporaryFolder
 {
 public:
@@ -274,7 +274,7 @@ public:
     }
     else if (renameat2(AT_FDCWD, m_Path.c_str(), AT_FDCWD, m_Target.c_str(), RENAME_EXCHANGE) != 0)
     {
-      this->ReplaceInTwoSteps(); // not every file system can exchange
+      this->ReplaceInTwoSteps(); // not every file system supports the exchange
     }
   }
 
@@ -306,7 +306,7 @@ private:
     }
   }
 
-  // A kill between the two steps leaves the old series under a name from which Recover() brings it back.
+  // A kill between the two steps leaves the old series under a name that Recover() restores.
   void
   ReplaceInTwoSteps()
   {

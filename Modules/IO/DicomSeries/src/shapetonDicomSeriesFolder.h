@@ -8,7 +8,7 @@
 
 namespace shapeton
 {
-/** Manufacturer and model in the headers of our slices; by them we know a series that we may replace. */
+/** Manufacturer and model in the headers of our slices; they identify a series that may be replaced. */
 constexpr const char * DicomSeriesManufacturer = "Shapeton";
 constexpr const char * DicomSeriesModel = "DicomSeries";
 
@@ -16,7 +16,7 @@ constexpr const char * DicomSeriesModel = "DicomSeries";
 std::string
 DicomSliceName(std::size_t number);
 
-/** WriteDicomSeries that calls `beforeSlice` before each slice; what it throws ends the writing. */
+/** WriteDicomSeries that calls `beforeSlice` before each slice; an exception of it stops the writing. */
 void
 WriteDicomSlices(const itk::Image<short, 3> *   image,
                  const std::string &            folder,

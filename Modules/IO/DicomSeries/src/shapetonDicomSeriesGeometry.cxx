@@ -14,7 +14,7 @@ constexpr double AbsoluteTolerance = 0.01; // mm
 constexpr double LargestTolerance = 0.1;   // of the spacing
 constexpr double SmallestDistance = 0.001; // mm
 
-/** So many equal wide distances in a row are a change of the spacing and not missing slices. */
+/** This number of equal wide distances in a row is a change of the spacing, not missing slices. */
 constexpr unsigned int RunOfChangedSpacing = 3;
 
 double
@@ -44,7 +44,7 @@ UsualDistance(const std::vector<SlicePlace> & slices)
   return Median(distances);
 }
 
-/** The first slice of each position. */
+/** The first slice at each position. */
 std::vector<unsigned int>
 FindDuplicates(const std::vector<SlicePlace> & slices, SlicesGeometry & geometry)
 {
@@ -84,7 +84,7 @@ IsChangeOfSpacing(const std::vector<SlicesGeometry::Gap> & gaps)
   return false;
 }
 
-/** Compares each slice with its place in the grid that ends at the first and the last slice. */
+/** Compares each slice with its position in the grid from the first to the last slice. */
 void
 CheckGrid(const std::vector<SlicePlace> & slices, const std::vector<unsigned int> & firsts, SlicesGeometry & geometry)
 {
@@ -106,7 +106,7 @@ FindGaps(const std::vector<SlicePlace> & slices, const std::vector<unsigned int>
 {
   const double                     tolerance = PositionTolerance(geometry.spacing);
   std::vector<unsigned int>        odd;
-  std::vector<SlicesGeometry::Gap> gapsByPosition; // `before` counts positions, for the runs
+  std::vector<SlicesGeometry::Gap> gapsByPosition; // for the runs, `before` counts positions
   for (unsigned int i = 1; i < firsts.size(); ++i)
   {
     const double distance = slices[firsts[i]].position - slices[firsts[i - 1]].position;

@@ -6,26 +6,26 @@
 
 namespace shapeton
 {
-/** Where a slice lies: along the normal, and displaced within the plane along rows and columns; mm. */
+/** Position of a slice: along the normal, and displacement within the plane along rows and columns; mm. */
 struct SlicePlace
 {
   double position;
   double offset[2];
 };
 
-/** What is irregular about slices in ascending order of position. */
+/** Irregularities of slices in ascending order of position. */
 struct SlicesGeometry
 {
-  /** Usual distance of the slices, mm: the median; 0 for fewer than two positions. */
+  /** Typical distance of the slices, mm: the median; 0 for fewer than two positions. */
   double spacing{ 0.0 };
-  /** Slices at one position: the first, and the number of them (two or more). */
+  /** Slices at one position: the first, and their number (two or more). */
   struct Duplicate
   {
     unsigned int first;
     unsigned int count;
   };
   std::vector<Duplicate> duplicates;
-  /** A distance of more than one slice: the slices before and after it, and the number of slices that are missing. */
+  /** A distance of more than one slice: the slices before and after it, and the number of missing slices. */
   struct Gap
   {
     unsigned int before;
@@ -33,7 +33,8 @@ struct SlicesGeometry
     unsigned int missing;
   };
   std::vector<Gap> gaps;
-  /** The distances are no multiples of one distance, or change for good; the slices before the unusual distances. */
+  /** The distances are not multiples of one distance, or change permanently; the slices before the unusual
+   * distances. */
   bool                      isVariable{ false };
   std::vector<unsigned int> unusual;
   /** The slices are displaced within their planes by a constant step, or irregularly. */
@@ -41,7 +42,7 @@ struct SlicesGeometry
   bool   isLinearShear{ false };
   double tiltDegrees{ 0.0 };
 
-  /** All slices lie on one grid along the normal, each at a place of its own; some may be missing. */
+  /** All slices are on one grid along the normal, each at its own position; some may be missing. */
   bool
   IsGrid() const
   {
@@ -54,19 +55,19 @@ struct SlicesGeometry
   }
 };
 
-/** The distance that counts as none where slices or pixels are `spacing` apart; see ScanDicom. */
+/** Largest distance that counts as 0 if slices or pixels are `spacing` apart; see ScanDicom. */
 double
 PositionTolerance(double spacing);
 
-/** A repair may give at most this many times the slices or pixels that were measured, else it would invent most of the
- * volume. */
+/** Largest factor by which a repair may increase the number of slices or pixels; beyond it most of the volume would
+ * be invented. */
 constexpr double LargestGrowth = 4;
 
-/** Steps of the grid that covers slices `length` mm apart in distances of about `spacing`. */
+/** Number of grid steps that cover `length` mm at distances of about `spacing`. */
 double
 ResampledSteps(double length, double spacing);
 
-/** Whether that grid stays within LargestGrowth. */
+/** Whether that grid is within LargestGrowth. */
 bool
 CanBeResampled(std::size_t slices, double length, double spacing);
 

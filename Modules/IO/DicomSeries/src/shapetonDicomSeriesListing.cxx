@@ -16,7 +16,7 @@ namespace
 namespace fs = std::filesystem;
 using Row = std::vector<std::string>;
 
-// An axis within 5 degrees of one of the body's is named after it.
+// An axis within 5 degrees of a body axis is named after it.
 constexpr double AxisCosine = 0.9962;
 
 constexpr std::size_t LongestFileList = 20;
@@ -57,7 +57,7 @@ SpacingOf(const DicomSeries & series)
   return series.spacing[2] > 0 ? plane + " x " + NumberText(series.spacing[2], 5) : plane;
 }
 
-/** "yes", or the reasons in a few words. */
+/** "yes", or brief reasons. */
 std::string
 VerdictOn(const DicomSeries & series)
 {
@@ -79,7 +79,7 @@ OrDash(const std::string & text)
   return text.empty() ? "-" : text;
 }
 
-/** Columns of equal width; characters are counted, not bytes, as far as UTF-8 goes. */
+/** Columns of equal width, counted in UTF-8 characters, not bytes. */
 std::string
 Align(const std::vector<Row> & rows)
 {
@@ -119,7 +119,7 @@ PointersTo(const DicomScan & scan)
   return list;
 }
 
-/** "3", or "3-277": elements of a list from an index on, counted from 1. */
+/** "3", or "3-277": a range of list elements from an index on, counted from 1. */
 std::string
 NumbersFrom(std::size_t index, std::size_t number)
 {

@@ -26,7 +26,7 @@ namespace
 constexpr double EqualCosineTolerance = 1e-4;
 constexpr double PixelSpacingTolerance = 1e-4;
 
-/** One slice on its way into a series; null frame: the image has none that can be described. */
+/** A slice being assigned to a series; null frame: the image has no frame that can be described. */
 struct Item
 {
   const DicomFile *  file;
@@ -70,7 +70,7 @@ ParseContained(ContainedProcess & process, const std::string & path)
 std::vector<DicomFile>
 ParseFiles(const std::vector<std::string> & paths, const Progress & progress)
 {
-  if (!dcmDataDict.isDictionaryLoaded()) // here, so that each child inherits it
+  if (!dcmDataDict.isDictionaryLoaded()) // loaded here, so that each child inherits it
   {
     throw std::runtime_error("DCMTK's data dictionary is missing; install dcmtk or set DCMDICTPATH");
   }
@@ -88,7 +88,7 @@ ParseFiles(const std::vector<std::string> & paths, const Progress & progress)
 
 // ---- grouping ----
 
-/** True for an image that has its place in a volume, or would have if it were whole. */
+/** True for an image with a position in a volume, or that would have one if it were complete. */
 bool
 IsPartOfVolume(const Item & item)
 {
@@ -108,14 +108,14 @@ AreClose(const double * a, const double * b, int count, double tolerance)
   return true;
 }
 
-/** True unless both say how the patient lay, and differ. */
+/** True unless both state a patient position, and these differ. */
 bool
 AreOfOnePosition(const DicomFile & a, const DicomFile & b)
 {
   return a.patientPosition == b.patientPosition || a.patientPosition.empty() || b.patientPosition.empty();
 }
 
-/** True for images of one kind, whatever patient and frame of reference they name. */
+/** True for images of one kind, regardless of patient and frame of reference. */
 bool
 AreOfOneKind(const Item & a, const Item & b)
 {
@@ -129,12 +129,12 @@ AreOfOneKind(const Item & a, const Item & b)
     return true;
   }
   return a.frame->hasGeometry == b.frame->hasGeometry && a.frame->isLocalizer == b.frame->isLocalizer &&
-         a.frame->pixels.hasRescale == b.frame->pixels.hasRescale && // else some slices would be in other units
+         a.frame->pixels.hasRescale == b.frame->pixels.hasRescale && // otherwise some slices would have other units
          AreClose(a.frame->orientation, b.frame->orientation, 6, EqualCosineTolerance) &&
          AreClose(a.frame->spacing, b.frame->spacing, 2, PixelSpacingTolerance * a.frame->spacing[0]);
 }
 
-/** Groups of items of which each belongs to the first one of its group. */
+/** Groups of items in which each item matches the first one of its group. */
 template <typename TBelong>
 std::vector<Items>
 GroupBy(const Items & items, const TBelong & belong)
@@ -226,7 +226,7 @@ ExamineItems(const Items & sorted)
   return ExamineSlices(PlacesOf(sorted), pixelSpacing);
 }
 
-/** True when two groups cover the same stretch of the normal. */
+/** True if two groups cover the same interval along the normal. */
 bool
 Overlap(const Items & a, const Items & b, double spacing)
 {
@@ -240,7 +240,7 @@ Overlap(const Items & a, const Items & b, double spacing)
 
 // ---- patients and frames of reference ----
 
-/** True for groups of which two are volumes on their own that cover the same stretch. */
+/** True for groups of which two are complete volumes that cover the same interval. */
 bool
 HaveTwoVolumes(std::vector<Items> groups)
 {
@@ -259,8 +259,8 @@ HaveTwoVolumes(std::vector<Items> groups)
   return false;
 }
 
-/** Items of one kind by their patients and frames of reference; one group where these are a flaw, and the slices of one
- * volume. Two slices are always equidistant, and tell nothing. */
+/** Items of one kind by their patients and frames of reference; one group if the differences are a flaw within the
+ * slices of one volume. Two slices are always equidistant, which proves nothing. */
 std::vector<Items>
 SplitByIdentity(Items items)
 {
@@ -297,18 +297,18 @@ SplitByGeometry(const Items & items)
 
 // ---- acquisitions ----
 
-/** Items of one volume, and what tells them from others of their kind. */
+/** Items of one volume, and what distinguishes them from others of their kind. */
 struct Part
 {
   Items       items;
   std::string distinction;
 };
 
-/** Groups whose slices are more than this times as far apart as all slices together interleave: two groups are twice as
- * far apart, and jitter of positions is some hundredths. */
+/** Groups interleave if their slice distance is more than this multiple of that of all slices together: two groups
+ * have twice the distance, and the jitter of positions is a few hundredths. */
 constexpr double CoarserGrid = 1.5;
 
-/** The value of an attribute; of all of them together behind the last one. */
+/** The value of an attribute; an index past the last one gives all of them together. */
 std::string
 ValueOf(const DicomFrame & frame, unsigned int key)
 {
@@ -325,7 +325,7 @@ HaveOneValue(const Items & items, unsigned int key)
   });
 }
 
-/** "ConvolutionKernel B30f, FilterType 0": what all of a group have in common, and not all others with them. */
+/** "ConvolutionKernel B30f, FilterType 0": the attributes common to a group but not to all other groups. */
 std::string
 DistinctionOf(const Items & group, const Part & whole)
 {
@@ -342,8 +342,8 @@ DistinctionOf(const Items & group, const Part & whole)
   return text;
 }
 
-/** Groups by one attribute; none when it does not tell volumes apart: then it merely numbers the steps of one scan.
- * Volumes apart are grids of their own, which cover the same positions, or interleave to a grid as a whole. */
+/** Groups by one attribute; none if it does not distinguish volumes but merely numbers the steps of one scan.
+ * Separate volumes are grids of their own, which cover the same positions, or interleave to a combined grid. */
 std::vector<Part>
 SplitByKey(const Part & whole, const SlicesGeometry & geometry, unsigned int key)
 {
@@ -370,7 +370,7 @@ SplitByKey(const Part & whole, const SlicesGeometry & geometry, unsigned int key
   return parts;
 }
 
-/** The volumes of which items of one kind consist. */
+/** The volumes formed by items of one kind. */
 std::vector<Part>
 SplitByAcquisition(Part whole)
 {
@@ -396,7 +396,7 @@ SplitByAcquisition(Part whole)
 
 // ---- defects ----
 
-/** The indices of items of which this is true. */
+/** The indices of the items that satisfy a predicate. */
 std::vector<unsigned int>
 IndicesOf(const Items & items, const std::function<bool(const DicomFile &)> & isWanted)
 {
@@ -411,7 +411,7 @@ IndicesOf(const Items & items, const std::function<bool(const DicomFile &)> & is
   return indices;
 }
 
-/** Defects that the headers of single files state. */
+/** Defects stated by the headers of single files. */
 void
 AddFileDefects(DicomSeries & series, const Items & items)
 {
@@ -446,7 +446,7 @@ AddFileDefects(DicomSeries & series, const Items & items)
   }
 }
 
-/** Tells where the slices of one volume do not agree in a member of their files; `names` says what it is. */
+/** Adds a remark if the slices of one volume differ in a member of their files; `names` is its name. */
 void
 RemarkOnIdentity(DicomSeries & series,
                  const Items & items,
@@ -607,7 +607,7 @@ Extent(const DicomSeries & series)
   return std::to_string(series.size[0]) + "x" + std::to_string(series.size[1]) + "x" + std::to_string(series.size[2]);
 }
 
-/** True for an image that lies beside the volume of a series and is no part of it. */
+/** True for an image that accompanies the volume of a series but is not part of it. */
 bool
 IsBesideTheVolume(const DicomSeries & part)
 {
@@ -628,7 +628,7 @@ ListParts(const std::vector<DicomSeries> & parts)
   return parts.size() > longestList ? list + ", ..." : list;
 }
 
-/** Why the parts of a series are no volume together. */
+/** Why the parts of a series do not form one volume. */
 std::string
 MixtureOf(const std::vector<DicomSeries> & parts)
 {
@@ -643,7 +643,7 @@ MixtureOf(const std::vector<DicomSeries> & parts)
                " kinds (columns x rows x slices): " + ListParts(parts);
 }
 
-/** Numbers the groups of one series; several groups that could be volumes make it a mixed series. */
+/** Numbers the groups of one series; a series with several groups that may be volumes is mixed. */
 void
 NumberParts(std::vector<DicomSeries> & parts, unsigned int volumes)
 {
@@ -660,7 +660,7 @@ NumberParts(std::vector<DicomSeries> & parts, unsigned int volumes)
   }
 }
 
-/** A file whose place is not known may be a slice of any volume of its series: none of them is known to be whole. */
+/** A file without a known position may be a slice of any volume of its series, so all of them may be incomplete. */
 void
 SpreadMalformedValues(std::vector<DicomSeries> & parts)
 {

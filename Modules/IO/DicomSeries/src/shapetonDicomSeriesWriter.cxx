@@ -137,7 +137,7 @@ CheckImage(const ShortImage * image)
   CheckValues(image);
 }
 
-// The texts and numbers that are equal in all slices.
+// Texts and numbers common to all slices.
 struct SeriesHeader
 {
   std::string studyUID;
@@ -202,7 +202,7 @@ MakeSeriesHeader(const ShortImage * image, const DicomSeriesDescription & descri
                                          DicomDecimal(direction(1, 1)),
                                          DicomDecimal(direction(2, 1)) });
   const auto & spacing = image->GetSpacing();
-  header.pixelSpacing = JoinDicomValues({ DicomDecimal(spacing[1]), DicomDecimal(spacing[0]) }); // rows first
+  header.pixelSpacing = JoinDicomValues({ DicomDecimal(spacing[1]), DicomDecimal(spacing[0]) }); // row spacing first
   header.sliceThickness = DicomDecimal(spacing[2]);
 
   const short * const first = image->GetBufferPointer();
@@ -215,7 +215,7 @@ MakeSeriesHeader(const ShortImage * image, const DicomSeriesDescription & descri
   return header;
 }
 
-// Inserts attributes and remembers the first failure.
+// Inserts attributes and records the first failure.
 class DatasetWriter
 {
 public:
@@ -301,7 +301,7 @@ PutImage(DatasetWriter &                writer,
   writer.Text(DCM_ImageType, "ORIGINAL\\PRIMARY\\AXIAL");
   writer.Text(DCM_InstanceNumber, number);
   writer.Text(DCM_AcquisitionNumber, "1");
-  writer.Text(DCM_ImageLaterality, "U"); // not one of a pair
+  writer.Text(DCM_ImageLaterality, "U"); // not a paired body part
   writer.Text(DCM_AcquisitionDate, "20000101");
   writer.Text(DCM_AcquisitionTime, "120000");
   writer.Text(DCM_ContentDate, "20000101");

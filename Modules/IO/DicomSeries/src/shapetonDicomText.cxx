@@ -19,7 +19,7 @@ DicomDecimal(double value)
   {
     throw InputError("a number that is not finite cannot be written as a DICOM Decimal String");
   }
-  value = value == 0.0 ? 0.0 : value; // no "-0"
+  value = value == 0.0 ? 0.0 : value; // avoids "-0"
   for (int digits = 16; digits > 0; --digits)
   {
     std::array<char, 40> text{};

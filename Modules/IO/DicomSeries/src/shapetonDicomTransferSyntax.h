@@ -9,7 +9,7 @@
 
 namespace shapeton
 {
-/** True for the encodings whose pixels can be read: native ones by DCMTK, compressed ones by GDCM. */
+/** True for encodings with readable pixels: native ones by DCMTK, compressed ones by GDCM. */
 inline bool
 IsSupported(E_TransferSyntax syntax)
 {
@@ -35,14 +35,14 @@ IsSupported(E_TransferSyntax syntax)
   }
 }
 
-/** True for encodings that always lose something; the others say so in Lossy Image Compression. */
+/** True for encodings that are always lossy; for the others see Lossy Image Compression. */
 inline bool
 IsLossy(E_TransferSyntax syntax)
 {
   return syntax == EXS_JPEGProcess1 || syntax == EXS_JPEGProcess2_4 || syntax == EXS_JPEGLSLossy;
 }
 
-/** The name of a transfer syntax that is newer than DCMTK 3.6.7; its UID where it is not one of these. */
+/** The name of a transfer syntax newer than DCMTK 3.6.7; otherwise its UID. */
 inline std::string
 NameOfNewTransferSyntax(const std::string & uid)
 {

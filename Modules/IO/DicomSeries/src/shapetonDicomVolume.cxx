@@ -19,7 +19,7 @@ namespace
 using ImageType = Volume::ImageType;
 using Slices = std::vector<DicomSlice>;
 
-// Rounding of coordinates, in pixels.
+// Rounding error of coordinates, in pixels.
 constexpr double IndexTolerance = 1e-6;
 
 [[noreturn]] void
@@ -37,8 +37,8 @@ CheckMemory(const DicomSeries & series, double voxels)
   }
 }
 
-/** A grid along the series' rows, columns and normal; `start` is its first voxel, from the first pixel of the series.
- */
+/** A grid along the series' rows, columns and normal; `start` is its first voxel, relative to the first pixel of the
+ * series. */
 itk::ImageBase<3>::Pointer
 MakeGrid(const DicomSeries & series, const ImageType::SizeType & size, double sliceSpacing, const double (&start)[3])
 {
@@ -70,7 +70,7 @@ MakeImage(const DicomSeries & series, const ImageType::SizeType & size, double s
   return image;
 }
 
-/** The first slice of each position. */
+/** The first slice at each position. */
 Slices
 DropDuplicates(const DicomSeries & series, Volume & volume)
 {
@@ -101,7 +101,7 @@ UniformSpacing(const Slices & slices)
   return slices.front().thickness > 0 ? slices.front().thickness : 1.0;
 }
 
-/** The slices as they are, one behind the other. */
+/** The unchanged slices, one after another. */
 ImageType::Pointer
 ReadStack(const DicomSeries & series, const Slices & slices, const Progress & progress)
 {
@@ -148,11 +148,11 @@ FillPadding(const DicomSeries & series, ImageType * image, Volume & volume)
 
 // ---- deshear ----
 
-/** A slice moved within its plane, sampled by bilinear interpolation. */
+/** A slice shifted within its plane, by bilinear interpolation. */
 class MovedSlice
 {
 public:
-  /** The sample at index (0, 0) of the new slice lies at (startX, startY) of the old one. */
+  /** The sample at index (0, 0) of the new slice is at (startX, startY) of the old one. */
   MovedSlice(const float * pixels, const ImageType::SizeType & size, double startX, double startY, float outside)
     : m_Pixels(pixels)
     , m_Columns(static_cast<std::ptrdiff_t>(size[0]))
@@ -182,7 +182,7 @@ public:
   }
 
 private:
-  /** The pixel before a coordinate and the fraction of the way to the next one; -1 outside of the slice. */
+  /** The pixel before a coordinate and the fractional distance to the next one; -1 outside the slice. */
   static std::ptrdiff_t
   Split(double coordinate, std::ptrdiff_t size, double & fraction)
   {
@@ -204,7 +204,7 @@ private:
   float          m_Outside;
 };
 
-/** The grid that covers all slices, and the slices moved onto it. */
+/** The grid that covers all slices, and the slices resampled to it. */
 ImageType::Pointer
 Deshear(const DicomSeries & series,
         const Slices &      slices,
@@ -249,7 +249,7 @@ Deshear(const DicomSeries & series,
 
 // ---- resample ----
 
-/** The slice before a position, and the fraction of the way to the next one; 0 for a slice that lies there. */
+/** The slice before a position, and the fractional distance to the next one; 0 at a slice. */
 std::size_t
 FindSlice(const Slices & slices, double position, double tolerance, double & fraction)
 {
@@ -314,7 +314,7 @@ ResampleGaps(const DicomSeries & series,
   return image;
 }
 
-/** The UID; for a series whose UID has been removed, a digest of its files in the order of their slices. */
+/** The UID; if it has been removed, a digest of the files in slice order. */
 std::string
 IdentityOf(const DicomSeries & series)
 {
@@ -368,7 +368,7 @@ PlaneOfSlices(const DicomSeries & series, const std::vector<DicomSlice> & slices
     plane.start[axis] = range.first->offset[axis];
     const double extra = (range.second->offset[axis] - plane.start[axis]) / series.spacing[axis];
     plane.growth *= 1 + extra / series.size[axis];
-    const double largest = LargestGrowth * series.size[axis]; // beyond it the plane is refused
+    const double largest = LargestGrowth * series.size[axis]; // a larger plane is rejected
     plane.size[axis] += static_cast<std::size_t>(std::ceil(std::min(extra, largest) - IndexTolerance));
   }
   return plane;

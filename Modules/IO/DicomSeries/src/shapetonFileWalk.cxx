@@ -19,7 +19,7 @@ namespace
 namespace fs = std::filesystem;
 using FileIdentity = std::pair<dev_t, ino_t>;
 
-/** The entries of a folder in the order of their names, so that "the first file" is the same everywhere. */
+/** The entries of a folder sorted by name, so that "the first file" is deterministic. */
 std::vector<std::string>
 ListFolder(const std::string & folder)
 {
@@ -68,7 +68,7 @@ ListFiles(const std::string & path)
   {
     const std::string next = waiting.back();
     waiting.pop_back();
-    const bool isFound = stat(next.c_str(), &status) == 0; // a dangling link is nothing
+    const bool isFound = stat(next.c_str(), &status) == 0; // a dangling link is skipped
     if (!isFound || !seen.emplace(status.st_dev, status.st_ino).second)
     {
       continue;

@@ -6,8 +6,8 @@
 
 namespace shapeton
 {
-/** The regular files below a folder, sorted, or the file itself. Symbolic links are followed; a file or folder that is
- * reached by several ways is listed once. Throws InputError when something cannot be read. */
+/** The regular files below a folder, sorted, or the file itself. Symbolic links are followed; a file or folder
+ * reached by several paths is listed once. Throws InputError if something cannot be read. */
 std::vector<std::string>
 ListFiles(const std::string & path);
 } // namespace shapeton

@@ -41,7 +41,7 @@ IsRepaired(const DicomDefect & defect, const VolumeReadOptions & options, bool i
   }
 }
 
-/** False for the advice of a repair that the caller does not make. */
+/** False for advice on a repair that the caller does not support. */
 bool
 MayAdvise(const DicomDefect & defect, const VolumeReadOptions & options)
 {
@@ -51,12 +51,12 @@ MayAdvise(const DicomDefect & defect, const VolumeReadOptions & options)
   return !IsRepaired(defect, repairs, false);
 }
 
-/** Why a series cannot be read with these options; empty when it can. */
+/** Why a series cannot be read with these options; empty if it can. */
 std::string
 RefusalOf(const DicomSeries & series, const VolumeReadOptions & options)
 {
   const bool isChosenPart = series.parts > 1 && options.seriesUID == series.GetSelector();
-  // Slices that do not fit the others leave gaps: that they do not fit is to be told first.
+  // Slices that do not fit leave gaps, so the misfit is reported first.
   std::vector<DicomDefect> defects = series.defects;
   std::stable_partition(defects.begin(), defects.end(), [](const DicomDefect & defect) {
     return defect.kind == DicomDefectKind::mixedSeries;
@@ -100,7 +100,7 @@ List(const SeriesList & list, const std::function<std::string(const DicomSeries 
   return i < list.size() ? joined + "; and " + std::to_string(list.size() - i) + " more" : joined;
 }
 
-/** True for what a person calls a series of slices, whole or not. */
+/** True for a series of slices, complete or not. */
 bool
 IsVolumeLike(const DicomSeries & series)
 {
@@ -133,7 +133,7 @@ ListObjects(const DicomScan & scan)
   return text;
 }
 
-/** What a person can do with DICOM objects that are not images. */
+/** Advice on DICOM objects that are not images. */
 std::string
 AdviceOnObjects(const DicomScan & scan)
 {
@@ -147,7 +147,7 @@ AdviceOnObjects(const DicomScan & scan)
          "name the folder that holds the image series to which they refer";
 }
 
-/** A damaged file whose series is not known may be the first or last slice of any. */
+/** A damaged file of unknown series may be the first or last slice of any series. */
 void
 RefuseUnknownDamage(const DicomScan & scan)
 {
@@ -172,7 +172,7 @@ SelectByUID(const DicomScan & scan, const VolumeReadOptions & options)
   if (list.empty())
   {
     list = Select(scan, [&uid](const DicomSeries & series) { return series.uid == uid; });
-    // The localizers and other images of a series are no parts to choose from.
+    // The localizers and other images of a series cannot be selected.
     const auto volumes =
       Select(scan, [&](const DicomSeries & series) { return series.uid == uid && IsVolumeLike(series); });
     list = volumes.empty() ? list : volumes;
@@ -190,7 +190,7 @@ SelectByUID(const DicomScan & scan, const VolumeReadOptions & options)
   return *list.front();
 }
 
-/** The images of the same series that are no slices: a gap may be theirs. */
+/** Images of the same series that are not slices: they may explain a gap. */
 std::string
 UnusableSlicesOf(const DicomSeries & series, const DicomScan & scan)
 {
@@ -221,7 +221,7 @@ SelectOnlyOne(const DicomScan & scan, const VolumeReadOptions & options)
                       " usable volumes; choose one by the parameter \"seriesUID\": " + List(usable, Describe));
   }
   const auto volumes = Select(scan, IsVolumeLike);
-  // A single slice is taken where nothing else is meant, and not in place of a volume that is irregular.
+  // A single slice is read only if there is nothing else, never instead of an irregular volume.
   if (usable.size() == 1 && (volumes.empty() || !usable.front()->isSingleSlice))
   {
     return *usable.front();
@@ -233,7 +233,7 @@ SelectOnlyOne(const DicomScan & scan, const VolumeReadOptions & options)
   ThrowUnsuitable(scan.path, List(volumes.empty() ? all : volumes, explain));
 }
 
-/** One line on the rest of a folder, out of which the user has chosen. */
+/** One line on the other contents of a folder, after the user's selection. */
 void
 CountOthers(const DicomScan & scan, Volume & volume)
 {
@@ -245,7 +245,7 @@ CountOthers(const DicomScan & scan, Volume & volume)
   }
 }
 
-/** What was left out although nobody has said so. */
+/** Images skipped without a request. */
 void
 ListOthers(const DicomScan & scan, const DicomSeries & taken, Volume & volume)
 {
@@ -269,7 +269,7 @@ ListOthers(const DicomScan & scan, const DicomSeries & taken, Volume & volume)
   }
 }
 
-/** What is unusual about the series, and what else is in the folder. */
+/** Irregularities of the series, and the other contents of the folder. */
 void
 NoteOthers(const DicomScan & scan, const DicomSeries & taken, bool isChosen, Volume & volume)
 {

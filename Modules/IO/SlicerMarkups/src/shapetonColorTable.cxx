@@ -13,9 +13,9 @@ namespace shapeton
 {
 namespace
 {
-constexpr int greatestLabel = 32767; // Slicer's reader refuses more
+constexpr int greatestLabel = 32767; // limit of Slicer's reader
 
-/** From hue (turns), saturation and value. */
+/** From hue (in turns), saturation and value. */
 std::array<double, 3>
 FromHsv(double hue, double saturation, double value)
 {

@@ -9,7 +9,7 @@ namespace shapeton
 {
 namespace
 {
-// The name that Slicer itself writes; its readers ask for the end of it only.
+// The extension that Slicer itself writes; its readers check only the end of it.
 const char * const schema = "https://raw.githubusercontent.com/slicer/slicer/master/Modules/Loadable/Markups/Resources/"
                             "Schema/markups-schema-v1.0.3.json#";
 
@@ -70,7 +70,7 @@ ControlPointOf(const Markup & markup, std::size_t i)
   return point;
 }
 
-/** A point that was selected has the selected colour, and all are at first. */
+/** Selected points are shown in the selected color, and initially all points are selected. */
 Json
 DisplayOf(const Markup & markup)
 {
@@ -146,7 +146,7 @@ MarkupOfCurve(const CurveSet & curves, std::size_t curve, Markup::Kind kind, dou
   double length = 0.0; // since the last control point
   for (std::size_t i = 0; i < count; ++i)
   {
-    // A vertex is kept where the next one lies further from the last control point than the spacing.
+    // A vertex is kept if the next one is farther from the last control point than the spacing.
     const bool   isLast = i + 1 == count;
     const double step = isLast ? 0.0 : (pointOf(i + 1) - pointOf(i)).norm();
     if (kind == Markup::Kind::Points || i == 0 || (isLast && !isClosed) || length + step > spacing ||

@@ -15,7 +15,7 @@ Refuse(const std::string & path, const std::string & fault, const std::string & 
   throw InputError("\"" + path + "\" " + fault + "; " + advice);
 }
 
-/** The text of a key, "" where it is missing. Throws Json::type_error where it is no text. */
+/** The text of a key, "" if it is missing. Throws Json::type_error if it is not a text. */
 std::string
 TextOf(const Json & object, const char * key)
 {
@@ -41,7 +41,7 @@ KindOf(const std::string & type)
   return std::nullopt;
 }
 
-/** What the coordinates of a markup are multiplied with to be LPS in mm. */
+/** Factors that convert the coordinates of a markup to LPS in mm. */
 Eigen::Vector3d
 FactorOf(const Json & markup, const std::string & path)
 {

@@ -47,7 +47,7 @@ struct ImageHeader
   std::uint32_t              components{ 0 };
   bool                       isScalar{ false };
   bool                       statesSpacing{ true };
-  /** \name NIfTI: what its voxels need, and the notes on its header */
+  /** \name NIfTI: conversion of its voxels, and notes on its header */
   ///@{
   bool    isSwapped{ false };
   double  slope{ 1.0 };
@@ -84,8 +84,8 @@ Transmit(TStream & stream, THeader & header)
   stream & header.componentType & header.componentBytes & header.components & header.isScalar & header.statesSpacing;
 }
 
-/** The cause that an ITK exception states, without names of classes and functions. NrrdIO lists the functions from the
- * outermost to the one that knows. */
+/** The cause stated by an ITK exception, without class and function names. NrrdIO lists the functions from the
+ * outermost to the one that reports the cause. */
 std::string
 Summary(const itk::ExceptionObject & error)
 {
@@ -170,7 +170,7 @@ Contained(const std::function<std::string()> & work)
   }
 }
 
-/** For work on `bytes` bytes of voxels; a slow machine handles a megabyte in a second. */
+/** Time limit for work on `bytes` bytes of voxels; a slow machine processes a megabyte per second. */
 ContainedProcess::Limits
 LimitsFor(double bytes)
 {
@@ -309,7 +309,7 @@ CheckGeometry(const std::string & path, const ImageHeader & header)
   }
 }
 
-/** The voxels' bytes; refuses a header that claims more than the file can hold, or the machine. */
+/** The size of the voxels in bytes; rejects a header that claims more than the file or the machine can hold. */
 double
 CheckSize(const std::string & path, const ImageHeader & header, const StoredVoxels & stored)
 {
@@ -426,7 +426,7 @@ CheckFinite(const std::string & path, const ImageHeader & header, const Volume::
   ThrowUnsuitable(path, text.str());
 }
 
-/** Whole numbers are exact up to 2^24 in single precision. */
+/** Integers are exact up to 2^24 in single precision. */
 void
 NoteRounding(const ImageHeader & header, Volume & volume)
 {
@@ -518,7 +518,7 @@ ReadImage(const std::string &  path,
     static_cast<std::size_t>(bytes),
     LimitsFor(bytes));
   std::future<void> beside = StartBeside([&] {
-    volume.image = MakeImage(header); // its memory is there, then, when it is needed
+    volume.image = MakeImage(header); // after the memory check
     volume.identity = IdentityOf(path, stored);
   });
   try
@@ -551,7 +551,7 @@ ReadImageFile(const std::string & path)
 {
   const ImageFormat  format = ImageFormatOf(path);
   const bool         isNifti = format == ImageFormat::nifti;
-  const std::string  file = isNifti ? NiftiHeaderFile(path) : path; // that holds the header
+  const std::string  file = isNifti ? NiftiHeaderFile(path) : path; // the file that contains the header
   const StoredVoxels stored = LocateVoxels(file, format);
   const ImageHeader  header = isNifti ? HeaderOfNifti(file) : ReadHeaderContained(file, format);
   CheckKind(path, header);

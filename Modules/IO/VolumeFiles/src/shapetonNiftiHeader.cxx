@@ -26,12 +26,12 @@ using ComponentEnum = itk::ImageIOBase::IOComponentEnum;
 constexpr int Nifti1Bytes = 348;
 constexpr int Nifti2Bytes = 540;
 
-// Half a voxel of the last of 500: less is rounding.
+// Tolerance of half a voxel in 500: smaller deviations are rounding.
 constexpr double RelativeSpacingTolerance = 1e-3;
 
 constexpr double DegreesPerRadian = 57.295779513082320877;
 
-/** The offsets of the fields that are read. */
+/** Offsets of the fields that are read. */
 struct Layout
 {
   int magic, dim, datatype, pixdim, voxelOffset, slope, units, qformCode, sformCode, quaternion, srow;
@@ -49,7 +49,7 @@ Text(const Vector & vector, const char * separator)
   return text.str();
 }
 
-/** The first bytes of a file, inflated where it is compressed. */
+/** The first bytes of a file, inflated if compressed. */
 std::string
 FirstBytes(const std::string & path, std::size_t size)
 {
@@ -60,7 +60,7 @@ FirstBytes(const std::string & path, std::size_t size)
   return bytes;
 }
 
-/** The fields of a header, whatever its version and byte order. */
+/** The fields of a header of any version and byte order. */
 class Fields
 {
 public:
@@ -110,7 +110,7 @@ public:
     return m_IsNifti2 ? "NIfTI-2" : "NIfTI-1";
   }
 
-  /** Whether the voxels lie in the same file. */
+  /** Whether the voxels are in the same file. */
   bool
   IsSingleFile() const
   {
@@ -214,7 +214,7 @@ private:
     std::memcpy(&number, bytes, sizeof(TNumber));
     return number;
   }
-  /** The i-th of several real numbers, in single precision in NIfTI-1. */
+  /** The i-th of several floating-point numbers, in single precision in NIfTI-1. */
   double
   Real(int offset, int i = 0) const
   {
@@ -258,7 +258,7 @@ struct DataType
   std::uint32_t components;
 };
 
-/** Others, such as bits and real numbers of 128 bits, have no type in ITK. */
+/** Other types, such as bits and 128-bit floating point, do not exist in ITK. */
 constexpr DataType DataTypes[] = { { 2, ComponentEnum::UCHAR, 1, 1 },       { 4, ComponentEnum::SHORT, 2, 1 },
                                    { 8, ComponentEnum::INT, 4, 1 },         { 16, ComponentEnum::FLOAT, 4, 1 },
                                    { 32, ComponentEnum::FLOAT, 4, 2 },      { 64, ComponentEnum::DOUBLE, 8, 1 },
@@ -279,7 +279,8 @@ SetVoxels(const Fields & fields, NiftiHeader & header)
     fields.Require(size > 0 || i > 3,
                    "dim[" + std::to_string(i) + "], a number of voxels, is " + std::to_string(size) +
                      "; it must be positive");
-    header.size.push_back(static_cast<std::uint64_t>(std::max<std::int64_t>(size, 1))); // some write 0 for unused ones
+    header.size.push_back(static_cast<std::uint64_t>(std::max<std::int64_t>(size, 1))); // some writers use 0 for unused
+                                                                                        // ones
   }
   const auto * const type = std::find_if(
     std::begin(DataTypes), std::end(DataTypes), [&](const DataType & t) { return t.code == fields.DataType(); });
@@ -290,7 +291,7 @@ SetVoxels(const Fields & fields, NiftiHeader & header)
   header.components = type->components;
   header.isSwapped = fields.IsSwapped();
   const double slope = fields.Slope();
-  if (std::isfinite(slope) && slope != 0.0) // else the stored values are the intensities
+  if (std::isfinite(slope) && slope != 0.0) // otherwise the stored values are the intensities
   {
     header.slope = slope;
     header.intercept = fields.Intercept();
@@ -298,15 +299,14 @@ SetVoxels(const Fields & fields, NiftiHeader & header)
   }
 }
 
-/** Without .gz. */
+/** The name without .gz. */
 fs::path
 Uncompressed(const fs::path & path)
 {
   return LowerCase(path.extension().string()) == ".gz" ? fs::path(path).replace_extension() : path;
 }
 
-/** The other file of a pair, with an extension in small or capital letters, compressed or not; empty where it is
- * missing. */
+/** The other file of a pair, with a lower- or upper-case extension, compressed or not; empty if it is missing. */
 std::string
 FileBeside(const fs::path & path, const std::string & extension, const std::string & capitals)
 {
@@ -339,7 +339,7 @@ SetPlace(const std::string & path, const Fields & fields, NiftiHeader & header)
 
 // ---- geometry ----
 
-/** Axes of voxels in the space of NIfTI, RAS, in the unit of the file. */
+/** Axes of voxels in NIfTI space, RAS, in the unit of the file. */
 struct Frame
 {
   std::array<Vector, 3> axes; ///< from a voxel to the next
@@ -352,7 +352,7 @@ NumberOf(int axis)
   return std::to_string(axis + 1);
 }
 
-/** A spacing in pixdim, or 1 where there is none. */
+/** A spacing from pixdim, or 1 if it is missing. */
 double
 SpacingOf(const Fields & fields, int axis, NiftiHeader & header)
 {
@@ -371,7 +371,7 @@ SpacingOf(const Fields & fields, int axis, NiftiHeader & header)
   return std::abs(stated);
 }
 
-/** Rows from quaternions: nifti1.h, "method 2". */
+/** Rows of the rotation matrix from quaternions: nifti1.h, "method 2". */
 Frame
 QformOf(const Fields & fields, NiftiHeader & header)
 {
@@ -450,8 +450,8 @@ RequireOrthogonal(const Fields & fields, const Frame & frame)
   }
 }
 
-/** A note where the qform puts a corner of the volume more than half a voxel from where the sform puts it: programs
- * differ in which of them they use. */
+/** A note if qform and sform place a corner of the volume more than half a voxel apart: programs differ in which of
+ * them they use. */
 void
 NoteOtherQform(const Fields & fields, const Frame & sform, double scale, NiftiHeader & header)
 {
@@ -460,7 +460,7 @@ NoteOtherQform(const Fields & fields, const Frame & sform, double scale, NiftiHe
   {
     return;
   }
-  NiftiHeader ignored; // its notes on pixdim, which is not used
+  NiftiHeader ignored; // its notes on pixdim, which is unused here
   const Frame qform = QformOf(fields, ignored);
   double      distance = 0.0;
   double      voxel = sform.axes[0].GetNorm();
@@ -488,7 +488,7 @@ NoteOtherQform(const Fields & fields, const Frame & sform, double scale, NiftiHe
 double
 MillimetersPerUnit(const Fields & fields, NiftiHeader & header)
 {
-  const int unit = fields.Units() & 7; // the other bits are the unit of time
+  const int unit = fields.Units() & 7; // the other bits are the time unit
   switch (unit)
   {
     case 0: // unknown
@@ -511,7 +511,7 @@ void
 SetGeometry(const Fields & fields, NiftiHeader & header)
 {
   const double scale = MillimetersPerUnit(fields, header);
-  // Neither known: the axes of ITK's space.
+  // Neither is known: uses the axes of ITK's space.
   Frame frame{ { Vector(0.0), Vector(0.0), Vector(0.0) }, Vector(0.0) };
   if (fields.SformCode() > 0)
   {
@@ -537,11 +537,12 @@ SetGeometry(const Fields & fields, NiftiHeader & header)
   {
     const double length = frame.axes[axis].GetNorm();
     header.spacing[axis] = scale * length;
-    header.origin[axis] = scale * toLps[axis] * frame.origin[axis] + 0.0; // 0, not -0
+    header.origin[axis] = scale * toLps[axis] * frame.origin[axis] + 0.0; // avoids -0
     for (int row = 0; row < 3; ++row)
     {
       const double cosine = toLps[row] * frame.axes[axis][row] / length;
-      // Less is rounding, and the singular values of a matrix with denormal numbers do not converge in VNL.
+      // Smaller values are rounding errors, and VNL's singular values of a matrix with subnormal numbers do not
+      // converge.
       const bool isNothing = std::abs(cosine) < std::numeric_limits<double>::epsilon();
       header.direction(row, axis) = isNothing ? 0.0 : cosine;
     }

@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 // The limit of the deflate format.
 constexpr double MaximumDeflateRatio = 1032;
 
-// Any real text header is shorter.
+// Longer than any real text header.
 constexpr std::size_t LongestTextHeader = 1u << 20;
 
 bool
@@ -77,7 +77,7 @@ ReadTextHeader(const std::string & path, const std::function<bool(const std::str
   return header;
 }
 
-/** A data file named by a header: one plain file. Lists and patterns of files are refused. */
+/** A data file named by a header: one plain file. Lists and patterns of files are rejected. */
 std::string
 DetachedFile(const std::string & path, const std::string & name)
 {
@@ -107,7 +107,7 @@ ReadMetaHeader(const std::string & path)
   return ReadTextHeader(path, [](const std::string & line) { return line.compare(0, 15, "ElementDataFile") == 0; });
 }
 
-/** "nan" is how NRRD says that an axis has none. */
+/** "nan" means that an axis has no spacing in NRRD. */
 bool
 NrrdStatesSpacing(const TextHeader & header)
 {
@@ -194,7 +194,7 @@ LocateNiftiVoxels(const std::string & path)
   StoredVoxels      voxels{ header.voxelFile };
   voxels.canBeTaken = true;
   std::ifstream file(header.voxelFile, std::ios::binary);
-  if (file.get() == 0x1F && file.get() == 0x8B) // gzip, whatever the file is called
+  if (file.get() == 0x1F && file.get() == 0x8B) // gzip, regardless of the file name
   {
     voxels.coding = StoredVoxels::Coding::deflated;
     voxels.inflatedOffset = header.voxelOffset;
@@ -220,16 +220,16 @@ LengthOf(const StoredVoxels & voxels)
 struct Stream
 {
   std::uint64_t bytes{ 0 };
-  TakeBytes     take; ///< if any, gets all of them
+  TakeBytes     take; ///< if set, receives all of them
 };
 
-/** Inflates a zlib or gzip stream, of one member or several, and checks its checksums. */
+/** Inflates a zlib or gzip stream of one or several members, and verifies its checksums. */
 class Inflater
 {
 public:
   Inflater()
   {
-    if (inflateInit2(&m_State, 15 + 32) != Z_OK) // zlib or gzip, whichever it is
+    if (inflateInit2(&m_State, 15 + 32) != Z_OK) // automatic detection of zlib or gzip
     {
       throw std::bad_alloc();
     }
@@ -239,7 +239,7 @@ public:
   Inflater &
   operator=(const Inflater &) = delete;
 
-  /** False after the end of the last member; what follows it is not looked at. */
+  /** False after the end of the last member; trailing data is ignored. */
   bool
   Take(char * data, std::size_t size, Stream & stream)
   {
@@ -353,7 +353,7 @@ ImageFormatOf(const std::string & path)
   const auto hasExtension = [&](const std::string & extension) {
     return EndsWith(name, extension) || EndsWith(name, extension + ".gz");
   };
-  // An .img without a header beside it may be anything, also DICOM.
+  // An .img without a header next to it may be anything, including DICOM.
   if (hasExtension(".nii") || hasExtension(".hdr") || (hasExtension(".img") && !NiftiHeaderFile(path).empty()))
   {
     return ImageFormat::nifti;
@@ -401,7 +401,7 @@ CanHold(const StoredVoxels & voxels, double bytes, double values)
     case StoredVoxels::Coding::deflated:
       return bytes <= MaximumDeflateRatio * length;
     case StoredVoxels::Coding::text:
-      return values <= length; // a digit for each
+      return values <= length; // at least one digit per value
     default:
       return bytes <= length;
   }
@@ -410,7 +410,7 @@ CanHold(const StoredVoxels & voxels, double bytes, double values)
 void
 VerifyVoxels(const StoredVoxels & voxels, std::uint64_t bytes)
 {
-  if (voxels.coding != StoredVoxels::Coding::text) // NRRD: its reader notices when the numbers end
+  if (voxels.coding != StoredVoxels::Coding::text) // NRRD's reader detects a lack of numbers
   {
     const bool isDeflated = voxels.coding == StoredVoxels::Coding::deflated;
     RequireBytes(isDeflated ? ReadDeflated(voxels).bytes : LengthOf(voxels), bytes);

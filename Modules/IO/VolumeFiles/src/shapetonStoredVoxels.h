@@ -7,7 +7,7 @@
 
 namespace shapeton
 {
-/** The image formats that are no DICOM. */
+/** The supported image formats other than DICOM. */
 enum class ImageFormat
 {
   none,
@@ -24,7 +24,7 @@ ImageFormatOf(const std::string & path);
 std::string
 NameOf(ImageFormat format);
 
-/** Where the voxels of an image file lie and how they are coded. */
+/** Location and coding of the voxels of an image file. */
 struct StoredVoxels
 {
   enum class Coding
@@ -33,40 +33,40 @@ struct StoredVoxels
     deflated,
     text
   };
-  /** The file itself, or the data file that a header names. */
+  /** The file itself, or the data file named by a header. */
   std::string   file;
   std::uint64_t offset{ 0 };
   Coding        coding{ Coding::raw };
-  /** TakeVoxels() gives them, so that no other reader is needed. */
+  /** Whether TakeVoxels() can provide them without another reader. */
   bool canBeTaken{ false };
-  /** Bytes of the inflated stream before the voxels. */
+  /** Bytes before the voxels in the inflated stream. */
   std::uint64_t inflatedOffset{ 0 };
 };
 
-/** Finds the voxels by the header of a file. Throws InputError. */
+/** Locates the voxels from the header of a file. Throws InputError. */
 StoredVoxels
 LocateVoxels(const std::string & path, ImageFormat format);
 
-/** False where the header of NRRD or MetaImage names no spacing, or none for some axis: ITK then takes 1 mm. To be
- * called for a file that ITK has read. */
+/** False if the header of NRRD or MetaImage states no spacing for some axis: ITK then assumes 1 mm. To be called for
+ * a file that ITK has read. */
 bool
 StatesSpacing(const std::string & path, ImageFormat format);
 
-/** True when the file is long enough for `bytes` bytes of voxels in the worst case of its coding. Cheap: a claim that
- * fails here is not worth an allocation. */
+/** True if the file is long enough for `bytes` bytes of voxels in the worst case of its coding. Cheap: checked
+ * before any allocation. */
 bool
 CanHold(const StoredVoxels & voxels, double bytes, double values);
 
-/** Reads the stored bytes to their end and compares them with the need and with their checksum: ITK's reader of
- * MetaImage takes truncated and damaged files for good ones. Runs in a contained process; throws std::runtime_error. */
+/** Reads all stored bytes and verifies their number and checksum: ITK's MetaImage reader accepts truncated and
+ * damaged files. Runs in a contained process; throws std::runtime_error. */
 void
 VerifyVoxels(const StoredVoxels & voxels, std::uint64_t bytes);
 
-/** Gets a piece of the stored bytes, and its place among them. */
+/** Receives a piece of the stored bytes and its offset. */
 using TakeBytes = std::function<void(std::uint64_t place, const char * piece, std::size_t size)>;
 
-/** Hands over the first `bytes` bytes of voxels that can be taken, in their order and as they are stored, and verifies
- * them as VerifyVoxels() does. Throws std::runtime_error. */
+/** Passes on the first `bytes` bytes of voxels, in stored order and format, and verifies them like VerifyVoxels().
+ * Throws std::runtime_error. */
 void
 TakeVoxels(const StoredVoxels & voxels, std::uint64_t bytes, const TakeBytes & take);
 } // namespace shapeton

@@ -27,7 +27,7 @@ namespace shapeton
 {
 namespace
 {
-// NIfTI keeps its geometry as float.
+// NIfTI stores its geometry as float.
 constexpr double GeometryTolerance = 1e-4;
 
 bool
@@ -55,7 +55,7 @@ MakeImageIO(const std::string & path)
   throw ParameterError(path + ": the extension is none of .nrrd, .nii, .nii.gz, .mha");
 }
 
-/** The header is text with one entry for each line. */
+/** The header is text with one entry per line. */
 std::string
 OnOneLine(std::string text)
 {
@@ -92,7 +92,7 @@ MakeDictionary(const VolumeMetadata & metadata)
   return dictionary;
 }
 
-/** Waits until the file has reached the disk, where a late failure shows. */
+/** Waits until the file is on the disk, which reveals late failures. */
 void
 Flush(const std::string & path)
 {
@@ -117,8 +117,8 @@ Flush(const std::string & path)
   }
 }
 
-/** ITK's writers of MetaImage and NIfTI print to the standard error what they also report, or should. The standard
- * error of a tool holds its one message and nothing else. */
+/** ITK's writers of MetaImage and NIfTI print errors to the standard error in addition to exceptions. The standard
+ * error of a tool contains only its one message. */
 class QuietStandardError
 {
 public:
@@ -152,7 +152,7 @@ public:
   operator=(const QuietStandardError &) = delete;
 
 private:
-  // Volumes may be written on several threads; the first one redirects, the last one restores.
+  // Volumes may be written from several threads; the first one redirects, the last one restores.
   static inline std::mutex s_Mutex;
   static inline int        s_Users{ 0 };
   static inline int        s_Saved{ -1 };
@@ -191,7 +191,7 @@ HasSameGeometry(const TImage * a, const TImage * b)
   return true;
 }
 
-/** Whether a file holds these voxels; its reader is one for the format. */
+/** Whether a file contains these voxels; read with the reader of its format. */
 template <typename TImage>
 bool
 HoldsVoxels(const TImage * image, const std::string & path, itk::ImageFileReader<TImage> * reader)
@@ -199,7 +199,7 @@ HoldsVoxels(const TImage * image, const std::string & path, itk::ImageFileReader
   const StoredVoxels stored = LocateVoxels(path, ImageFormatOf(path));
   const char * const voxels = reinterpret_cast<const char *>(image->GetBufferPointer());
   const std::size_t  bytes = image->GetLargestPossibleRegion().GetNumberOfPixels() * sizeof(typename TImage::PixelType);
-  if (stored.canBeTaken) // as it lies in memory: this machine has written it
+  if (stored.canBeTaken) // same layout as in memory: written on this machine
   {
     bool isEqual = true;
     TakeVoxels(stored, bytes, [&](std::uint64_t place, const char * piece, std::size_t size) {
@@ -207,7 +207,7 @@ HoldsVoxels(const TImage * image, const std::string & path, itk::ImageFileReader
     });
     return isEqual;
   }
-  // ITK reads the missing end of a compressed file as zeros, which labels may end with.
+  // ITK reads a truncated compressed file as trailing zeros, which labels may contain.
   VerifyVoxels(stored, bytes);
   reader->Update();
   return std::memcmp(voxels, reader->GetOutput()->GetBufferPointer(), bytes) == 0;
@@ -248,7 +248,7 @@ WriteVolume(const itk::Image<TPixel, 3> * image, const std::string & path, const
 {
   using ImageType = itk::Image<TPixel, 3>;
   const itk::ImageIOBase::Pointer io = MakeImageIO(path);
-  // A copy of the header that shares the pixels, so that the caller's image keeps its own dictionary.
+  // A copy of the header that shares the pixels, so that the caller's image keeps its dictionary.
   const auto output = ImageType::New();
   output->Graft(image);
   output->SetMetaDataDictionary(MakeDictionary(metadata));

@@ -23,7 +23,7 @@ AddBone(PhantomBodies & bodies, const PhantomSolid & bone, double thickness, dou
   bodies.push_back(MakeSolidBody(Grown(bone, -thickness), marrow));
 }
 
-// Height above the middle of the nearest vertebra.
+// Height above the center of the nearest vertebra.
 double
 InVertebra(double z)
 {
@@ -31,7 +31,7 @@ InVertebra(double z)
   return (turns - std::floor(turns) - 0.5) * vertebraPitch;
 }
 
-// A solid around the middle of each vertebra, at most `height` mm high.
+// Repeats a solid around the center of each vertebra, at most `height` mm high.
 PhantomSolid
 EachVertebra(const PhantomSolid & section, double height)
 {
@@ -62,7 +62,7 @@ AddSpine(PhantomBodies & bodies)
   bodies.push_back(MakeSolidBody(Both(ColumnSolid(0.0, 99.0, 10.0, 8.5), high), 20.0)); // canal
 }
 
-// Follows the axis that the colon keeps clear of; the tip is narrow.
+// Follows the axis that the colon avoids; the tip is narrow.
 PhantomSolid
 Sacrum()
 {
@@ -82,7 +82,7 @@ void
 AddPelvis(PhantomBodies & bodies)
 {
   AddBone(bodies, Sacrum(), 1.8, 200.0);
-  // The wings of the ilium widen upwards.
+  // The wings of the ilium become wider upward.
   const auto bowl = ShellOf(EllipsoidSolid(MakePoint(0, 34, -35), MakeVector(136, 78, 152), 2.5), 11.0);
   const auto slab = Both(HalfSpaceSolid(MakeVector(0, 0, 1), -34.0), HalfSpaceSolid(MakeVector(0, 0, -1), 172.0));
   const auto front = HalfSpaceSolid(MakeVector(0, -0.9578, -0.2873), 38.0);
@@ -97,9 +97,9 @@ AddPelvis(PhantomBodies & bodies)
   }
 }
 
-constexpr double ribDescent = 105.0; // mm from the spine to the sternum, were the rib to reach it
+constexpr double ribDescent = 105.0; // mm from the spine to the sternum, if the rib reached it
 
-// A rib descends from the spine towards the front, along the wall of the chest.
+// A rib descends from the spine to the front, along the chest wall.
 PhantomSolid
 Rib(double height, const PhantomSolid & wall, double descent = ribDescent)
 {

@@ -180,7 +180,7 @@ AddOrgans(PhantomBodies & bodies, const ColonAnatomy & anatomy, const itk::Vecto
   }
 }
 
-// They fan out from the aorta.
+// They branch off the aorta.
 void
 AddMesentery(PhantomBodies & bodies, unsigned seed)
 {

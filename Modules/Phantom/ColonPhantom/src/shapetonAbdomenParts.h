@@ -6,7 +6,7 @@
 
 namespace shapeton
 {
-/** Adds a solid of one intensity, HU. */
+/** Adds a solid of uniform intensity, HU. */
 void
 AddPart(PhantomBodies & bodies, const PhantomSolid & solid, double intensity);
 
@@ -20,7 +20,7 @@ BodyOutline();
 PhantomSolid
 AbdominalCavity();
 
-/** The top of the abdominal cavity; the diaphragm lies on it. */
+/** The top of the abdominal cavity, covered by the diaphragm. */
 PhantomSolid
 DiaphragmDome();
 
@@ -48,7 +48,7 @@ StomachLumen(const ColonAnatomy & anatomy);
 void
 AddMesentery(PhantomBodies & bodies, unsigned seed);
 
-/** The plain chest: lung bases of one intensity over the diaphragm, and the heart between them. */
+/** The plain chest: lung bases of uniform intensity above the diaphragm, and the heart between them. */
 void
 AddChest(PhantomBodies & bodies, const ColonAnatomy & anatomy);
 

@@ -17,7 +17,7 @@ NumberOf(const CellIndex & size)
   return static_cast<std::size_t>(size[0]) * size[1] * size[2];
 }
 
-// Blurs the middle axis of an array [outer][length][inner] and takes each `step`-th result.
+// Blurs the middle axis of an array [outer][length][inner] and keeps every `step`-th result.
 std::vector<float>
 BlurAxis(const std::vector<float> & in,
          std::size_t                outer,
@@ -49,7 +49,7 @@ BlurAxis(const std::vector<float> & in,
 }
 } // namespace
 
-// The cells of one region with the margin that its blur needs.
+// The cells of one region with the margin required by the blur.
 class BodySampler::Canvas
 {
 public:
@@ -85,7 +85,7 @@ private:
     return point;
   }
 
-  // Of the block's cells and their faces' ramps.
+  // For the block's cells and the ramps of their faces.
   double
   RadiusOf(const CellIndex & size) const
   {
@@ -115,8 +115,8 @@ private:
     }
   }
 
-  // Pushes those of the bodies from `begin` on that the block may show; true when it shows one body only, without its
-  // faces, or none. What a body covers wholly is not even looked at.
+  // Pushes the bodies from `begin` on that may affect the block; true if the block shows at most one body, without its
+  // faces. Completely covered bodies are skipped.
   bool
   SelectBodies(const PointType & center, double radius, std::size_t begin, bool & textured)
   {
@@ -216,7 +216,7 @@ private:
   CellIndex                        m_Size;
   std::vector<float>               m_Values;
   double                           m_CellWidth;
-  std::vector<const PhantomBody *> m_Stack; // the bodies in question at each depth of the recursion
+  std::vector<const PhantomBody *> m_Stack; // the relevant bodies at each depth of the recursion
 };
 
 BodySampler::BodySampler(PhantomBodies                 bodies,
@@ -238,7 +238,7 @@ BodySampler::BodySampler(PhantomBodies                 bodies,
   grid->TransformContinuousIndexToPhysicalPoint(first, m_FirstCell);
 }
 
-// The voxel's own width is part of the blur: variances add.
+// The blur includes the voxel width: variances add.
 BodySampler::Axis
 BodySampler::MakeAxis(double spacing, double blur)
 {

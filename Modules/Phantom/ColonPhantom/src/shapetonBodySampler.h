@@ -10,17 +10,16 @@
 namespace shapeton
 {
 /** \class BodySampler
- * \brief The intensities that a scanner would give to the voxels of a grid.
+ * \brief Intensities of the voxels of a grid as measured by a scanner.
  *
- * Each voxel is split into up to three cells along each axis, none wider than about 0.8 mm where that suffices. A cell
- * takes the mean intensity of the bodies in it, faces being plane over its width; cells far from all faces are filled
- * in blocks. Then the cells are blurred by a Gaussian and averaged over the voxel. The profile of a plane face has the
+ * Each voxel is split into up to three cells along each axis, with a width of at most about 0.8 mm if possible. A cell
+ * has the mean intensity of the bodies in it, assuming plane faces over its width; cells far from all faces are filled
+ * in blocks. The cells are then blurred by a Gaussian and averaged over the voxel. The profile of a plane face has the
  * standard deviation `blur`, or that of the voxel's own width (spacing / sqrt(12)) where this is larger.
  *
- * A voxel's value depends on its position alone.
+ * A voxel's value depends only on its position.
  *
- * \ingroup ColonPhantom
- */
+ * \ingroup ColonPhantom */
 class ColonPhantom_EXPORT BodySampler
 {
 public:
@@ -33,15 +32,15 @@ public:
               const std::array<double, 3> & blur,
               double                        background);
 
-  /** The values of a region, the first index running fastest. */
+  /** The values of a region, first index fastest. */
   std::vector<float>
   Sample(const RegionType & region) const;
 
 private:
   struct Axis
   {
-    int                cells;  // in a voxel
-    int                margin; // cells that the blur reaches beyond it
+    int                cells;  // per voxel
+    int                margin; // cells of the blur beyond it
     double             width;  // mm
     std::vector<float> weights;
   };

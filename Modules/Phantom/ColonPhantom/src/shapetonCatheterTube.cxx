@@ -15,15 +15,15 @@ namespace
 using Eigen::Vector3d;
 
 constexpr double outside = 40.0;     // mm below the anal verge
-constexpr double canal = 32.0;       // mm, along which the tube follows the centreline
+constexpr double canal = 32.0;       // mm, length of the tube that follows the centerline
 constexpr double pointApart = 6.0;   // mm
 constexpr double rubber = 100.0;     // HU, of a balloon
 constexpr double balloonWall = 1.0;  // mm
 constexpr double water = 8.0;        // HU
-constexpr double sleeve = 1.2;       // mm by which a balloon without content thickens the tube
+constexpr double sleeve = 1.2;       // mm by which an empty balloon thickens the tube
 constexpr double leastBalloon = 3.0; // mm of gas or fluid around the tube
 constexpr double clearance = 0.5;    // mm between tube or balloon and wall of the rectum
-constexpr double pastBalloon = 4.0;  // mm, at least, of the tube beyond it
+constexpr double pastBalloon = 4.0;  // mm, minimum length of the tube beyond the balloon
 constexpr double holeRadius = 1.6;   // mm
 
 std::vector<itk::Point<double, 3>>
@@ -37,7 +37,7 @@ ToPoints(const std::vector<Vector3d> & axis)
   return points;
 }
 
-/** Lays the axis of a tube through the rectum. */
+/** Computes the axis of a tube through the rectum. */
 class TubeCourse
 {
 public:
@@ -47,7 +47,7 @@ public:
     m_ArcLength = PointValues(m_Line, "arcLength", "the centreline of the phantom");
   }
 
-  /** On the centreline. */
+  /** Along the centerline. */
   std::vector<Vector3d>
   Middle(double depth) const
   {
@@ -82,7 +82,7 @@ public:
     return axis;
   }
 
-  /** Sinks onto the wall beyond `free` mm, nowhere steeper than it can bend. */
+  /** Sinks onto the wall beyond `free` mm, within the limits of its bending. */
   std::vector<Vector3d>
   Sinking(double depth, double free) const
   {
@@ -137,7 +137,7 @@ private:
   Eigen::VectorXd      m_ArcLength;
 };
 
-/** Even directions: along a spiral, turned by the golden angle from one to the next. */
+/** Uniform directions: a spiral with golden-angle steps. */
 std::vector<Vector3d>
 EvenDirections(int number)
 {
@@ -152,12 +152,12 @@ EvenDirections(int number)
   return directions;
 }
 
-/** The radius of the largest ball around a place that the rectum holds, `largest` at most. */
+/** The radius of the largest ball around a point that fits into the rectum, at most `largest`. */
 double
 RoomAround(const ColonAnatomy & anatomy, const Vector3d & centre, double largest)
 {
   constexpr double step = 0.5;
-  constexpr double apart = 0.5 * ColonAnatomy::Reach; // of the shell that is looked at from the ball's surface
+  constexpr double apart = 0.5 * ColonAnatomy::Reach; // between the points tested around the ball's surface
   static const std::vector<Vector3d> directions = EvenDirections(400);
   const double                       distance = anatomy.Evaluate(centre).distance;
   double                             room = distance - clearance;
@@ -179,7 +179,7 @@ BallSolid(const Vector3d & center, double radius)
   return EllipsoidSolid(MakePoint(center[0], center[1], center[2]), MakeVector(radius, radius, radius));
 }
 
-/** Adds the parts of a catheter in the order of painting. */
+/** Adds the parts of a catheter in painting order. */
 class CatheterBuilder
 {
 public:
@@ -187,8 +187,8 @@ public:
     : m_Anatomy(anatomy), m_Fluid(fluid), m_Catheter(catheter)
   {}
 
-  // Just inside the canal, as wide as wanted or as rectum and tip leave room for; where that is too narrow it stays
-  // without content.
+  // Just inside the canal, with the requested diameter or as wide as rectum and tip permit; if that is too narrow it
+  // remains empty.
   void
   AddBalloon(double wanted)
   {
@@ -238,7 +238,7 @@ public:
   }
 
 private:
-  // Every 6 mm from the tip, as far as the balloon, which a hole would empty.
+  // Every 6 mm from the tip, up to the balloon, which a hole would empty.
   std::vector<std::size_t>
   PlacesOfHoles() const
   {
@@ -276,7 +276,7 @@ private:
     m_Catheter.parts.push_back({ label, solid, MakeSolidBody(solid, intensity), false });
   }
 
-  // They alternate between four sides; each holds what lies outside of it.
+  // They alternate between four sides; each has the content of the lumen outside.
   void
   AddHole(std::size_t place, double outer)
   {
@@ -296,7 +296,7 @@ private:
   const ColonAnatomy & m_Anatomy;
   const ColonFluid &   m_Fluid;
   CatheterTube &       m_Catheter;
-  double               m_BalloonReach{ 0.0 }; ///< mm along the tube from the balloon's middle
+  double               m_BalloonReach{ 0.0 }; ///< mm along the tube from the balloon's center
 };
 } // namespace
 

@@ -7,7 +7,7 @@
 
 namespace shapeton
 {
-/** The tube through the anal canal into the rectum: its truth, and its parts in the order of painting. */
+/** The tube through the anal canal into the rectum: its ground truth, and its parts in painting order. */
 struct CatheterTube
 {
   ColonCatheter                      truth;
@@ -15,7 +15,7 @@ struct CatheterTube
   std::vector<ColonStructures::Part> parts;
 };
 
-/** Of an anatomy with a catheter. Anatomy and fluid have to outlive the parts. */
+/** For an anatomy with a catheter. Anatomy and fluid must outlive the parts. */
 CatheterTube
 MakeCatheterTube(const ColonAnatomy & anatomy, const ColonFluid & fluid);
 } // namespace shapeton

@@ -8,12 +8,11 @@
 
 namespace shapeton
 {
-/** All that a CT volume of the phantom shows, in the order of painting: table, skin, fat, muscles, bones, organs, lung
- * bases, stomach, loops of small bowel, the colon with its contents and what belongs to it (ColonStructures). The
- * background is air.
+/** All bodies of a CT volume of the phantom, in painting order: table, skin, fat, muscles, bones, organs, lung bases,
+ * stomach, loops of small bowel, the colon with its contents and structures (ColonStructures). The background is air.
  *
- * Everything but the colon keeps its place in all positions; table, levels and bubbles follow gravity. Anatomy and
- * fluid have to outlive the bodies. \ingroup ColonPhantom */
+ * Everything except the colon is at the same place in all positions; table, levels and bubbles follow gravity.
+ * Anatomy and fluid must outlive the bodies. \ingroup ColonPhantom */
 ColonPhantom_EXPORT PhantomBodies
 MakeColonAbdomen(const ColonAnatomy & anatomy, const ColonFluid & fluid, const ColonStructures & structures);
 

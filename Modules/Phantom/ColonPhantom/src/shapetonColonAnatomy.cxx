@@ -21,7 +21,7 @@ Checked(const ColonPhantomParameters & parameters)
   return parameters;
 }
 
-// The wall's radius at each node as the position will have it, for which stretches must make room.
+// The wall's radius at each node in this position, for which stretches must leave room.
 std::vector<double>
 NodeRadii(const ColonPath & rest, const ColonPlan & plan, const ColonPhantomParameters & parameters)
 {

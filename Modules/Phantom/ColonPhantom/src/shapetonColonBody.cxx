@@ -7,9 +7,9 @@ namespace shapeton
 {
 namespace
 {
-// Distances to the colon are of first order: away from the wall they may be too large by this factor.
+// Distances to the colon are first-order accurate: away from the wall they may be too large by this factor.
 constexpr double colonSlope = 3.0;
-// The levels of neighbouring pools differ: blocks of the lumen are smaller than this, mm.
+// The levels of adjacent pools differ: blocks of the lumen are smaller than this, mm.
 constexpr double largestBlock = 4.0;
 
 Eigen::Vector3d
@@ -94,7 +94,7 @@ PolypSolid(const ColonPolyp & polyp)
   const Eigen::Vector3d center = isOnStalk ? polyp.position : polyp.base;
   const double          radius = 0.5 * polyp.diameter;
   const double          height = isOnStalk ? radius : polyp.height;
-  // No more than the distance. Its surface lies in the wall, where nobody sees it.
+  // At most the distance. Its surface is hidden in the wall.
   const auto head = [=](const PhantomBody::PointType & p) {
     const Eigen::Vector3d off = ToEigen(p) - center;
     const double          along = off.dot(axis);
@@ -109,7 +109,7 @@ PhantomSolid
 NatalCleft(const ColonAnatomy & anatomy)
 {
   constexpr double halfWidth = 3.0; // mm at the anal verge
-  constexpr double widening = 0.35; // mm for each mm below it
+  constexpr double widening = 0.35; // mm per mm below it
   constexpr double perineum = 20.0; // mm before the anal verge
   Eigen::Vector3d  verge;
   Eigen::Vector3d  inwards;

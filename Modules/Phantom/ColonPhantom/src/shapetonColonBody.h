@@ -7,7 +7,7 @@
 
 namespace shapeton
 {
-/** The colon: its wall of 2 mm, gas and tagged fluid. Anatomy and fluid have to outlive it. */
+/** The colon: its 2 mm wall, gas and tagged fluid. Anatomy and fluid must outlive it. */
 std::shared_ptr<const PhantomBody>
 MakeColonBody(const ColonAnatomy & anatomy, const ColonFluid & fluid);
 
@@ -18,8 +18,8 @@ constexpr double bowelWall = 2.0;
 constexpr double gasIntensity = -994.0;
 constexpr double softTissueIntensity = 50.0;
 
-/** What a polyp is made of, as deep as the wall behind it: more than the wall of MakeColonBody(), which is as thick on
- * polyps as elsewhere. */
+/** Depth of polyp tissue, including the wall behind it: more than the wall of MakeColonBody(), which has the same
+ * thickness on polyps as elsewhere. */
 PhantomSolid
 PolypSolid(const ColonPolyp & polyp);
 

@@ -12,10 +12,9 @@
 namespace shapeton
 {
 /** \class ColonCurve
- * \brief The centreline: a uniform cubic B-spline with a frame, and what of it is near a point.
+ * \brief The centerline: a uniform cubic B-spline with a frame, and a search for its nearest points.
  *
- * The parameter t counts steps of about 2 mm of material length; material(t) = t * GetStep().
- */
+ * The parameter t counts steps of about 2 mm of material length; material(t) = t * GetStep(). */
 class ColonCurve
 {
 public:
@@ -23,7 +22,7 @@ public:
 
   ColonCurve(const ColonPath & path, const std::vector<double> & twist);
 
-  /** The steps of a path of this length. */
+  /** The number of steps of a path of this length. */
   static int
   NumberOfSteps(double length);
 
@@ -48,11 +47,11 @@ public:
   Frame
   At(double t) const;
 
-  /** Unit normal from which angles count, perpendicular to the unit tangent. */
+  /** Unit normal that defines angle 0, perpendicular to the unit tangent. */
   Vector3d
   NormalAt(double t, const Vector3d & tangent) const;
 
-  /** Unit vector from the centreline at this angle. */
+  /** Unit vector from the centerline at this angle. */
   Vector3d
   Direction(double t, double angle) const;
 
@@ -68,7 +67,7 @@ public:
   double
   ParameterAt(double arcLength) const;
 
-  /** Readies the search: points farther than `reach[k]` mm from sample k need not find it. */
+  /** Prepares the search: points farther than `reach[k]` mm from sample k may miss it. */
   void
   BuildGrid(const std::vector<double> & reach);
 
@@ -78,7 +77,7 @@ public:
     int                          count;
     std::array<double, MostNear> t;
   };
-  /** The nearest places of all stretches within reach; stretches are 40 mm apart along the curve. */
+  /** The nearest points of all stretches within reach; stretches are 40 mm apart along the curve. */
   void
   FindNear(const Vector3d & point, Near & near) const;
 

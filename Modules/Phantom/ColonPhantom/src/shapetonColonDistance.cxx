@@ -32,7 +32,7 @@ JoinTissue(const ColonDistance & a, const ColonDistance & b, double fillet)
   const double  y = fillet - b.value;
   const double  r = std::sqrt(x * x + y * y);
   ColonDistance result{ fillet - r, (x * a.gradient + y * b.gradient) / r };
-  // Bodies that lie alongside add up; that is undone.
+  // Adjacent bodies are counted twice; this is corrected.
   const double length = result.gradient.norm();
   if (length > 1.0)
   {

@@ -19,7 +19,7 @@ constexpr double c_BetweenFolds = 3.0; // mm
 constexpr double c_PolypFillet = 0.8;  // mm
 constexpr double c_LipsFillet = 1.5;   // mm
 constexpr double c_MouthFillet = 0.6;  // mm
-constexpr double c_LipsReach = 60.0;   // mm along the colon within which the lips are looked at
+constexpr double c_LipsReach = 60.0;   // mm along the colon within which the lips are evaluated
 
 void
 Normalise(ColonDistance & distance)
@@ -32,7 +32,7 @@ Normalise(ColonDistance & distance)
   }
 }
 
-// An ellipsoid of revolution, of first order near its surface.
+// An ellipsoid of revolution, first-order accurate near its surface.
 ColonDistance
 EllipsoidDistance(const Vector3d & point, const PolypBody & polyp)
 {
@@ -46,7 +46,7 @@ EllipsoidDistance(const Vector3d & point, const PolypBody & polyp)
   return { (k - 1.0) / length, slope / length };
 }
 
-// The ileum holds the valve: where a position would turn it away by more than half a radian, the right colon turns
+// The ileum holds the valve: if a position would rotate it away by more than half a radian, the right colon is rotated
 // back.
 std::vector<double>
 HeldTwist(const ColonPath & path, const ColonPlan & plan, std::vector<double> twist)
@@ -90,7 +90,7 @@ ColonField::ColonField(const ColonPath &              path,
   std::vector<double> reaches;
   for (int k = 0; k <= m_Curve.GetNumberOfSteps(); ++k)
   {
-    // A flat or collapsed wall is never a shorter way than to the centreline.
+    // A flat or collapsed wall is never closer than the centerline.
     reaches.push_back(std::max(0.0, m_Relief.LargestRadiusNear(k)) + reach);
   }
   m_Curve.BuildGrid(reaches);
@@ -144,7 +144,7 @@ ColonDistance
 ColonField::WallDistance(const Local & local) const
 {
   const ReliefValue radius = m_Relief.RadiusAt(local.t, local.angle);
-  // Near the centreline angles mean little.
+  // Near the centerline angles are unreliable.
   const double  arm = std::max(local.distance, 0.7 * std::abs(radius.value) + 0.1);
   ColonDistance wall{ radius.value - local.distance,
                       (radius.byAngle / arm) * local.around + (radius.byT / local.speed) * local.tangent -
@@ -156,7 +156,7 @@ ColonField::WallDistance(const Local & local) const
 void
 ColonField::AddFolds(const Local & local, ColonDistance & distance) const
 {
-  // Folds that nearly touch grow together, so that no slit is left between them.
+  // Nearly touching folds are merged, so that no slit remains between them.
   ColonDistance folds{ 1e9, local.outwards };
   for (int i : m_Relief.FoldsNear(local.t))
   {
@@ -166,16 +166,16 @@ ColonField::AddFolds(const Local & local, ColonDistance & distance) const
     {
       continue;
     }
-    // Slopes count at the crest and behind it; near the centreline angles mean little.
+    // Slopes are used at the crest and behind it; near the centerline angles are unreliable.
     const double arm = std::max(local.distance, 0.8 * std::abs(crest.value) + 0.1);
-    // Across the fold, and towards the lumen from the middle of its crest.
+    // Across the fold, and toward the lumen from the middle of its crest.
     const double   slant = t.byAngle * local.speed / arm;
     const double   slantLength = std::sqrt(1.0 + slant * slant);
     const double   across = (local.t - t.value) * local.speed / slantLength;
     const Vector3d acrossGradient = (local.tangent - slant * local.around) / slantLength;
     const double   rise = crest.byAngle / arm;
     const double   riseLength = std::sqrt(1.0 + rise * rise);
-    // Far from the crest the slope of a fold's end says nothing about how near it is.
+    // Far from the crest the slope at a fold's end is unrelated to its distance.
     const double  radial = crest.value + fold.halfThickness - local.distance;
     const double  above = std::max(radial / riseLength, radial - 3.0);
     ColonDistance body;
@@ -234,7 +234,7 @@ ColonField::AddLips(const Vector3d & point, double t, ColonDistance & distance) 
   }
 }
 
-// Half of the septum lies on either side of where both walls are equally far.
+// Half of the septum is on either side of the surface at equal distance from both walls.
 void
 ColonField::AddSeptum(const Local &         here,
                       const ColonDistance & own,
@@ -260,7 +260,7 @@ ColonField::Evaluate(const Vector3d & point, Place & place) const
   return m_Diverticula.empty() ? isNearTube : this->AddDiverticula(point, isNearTube, place);
 }
 
-// The lumina of tube and flask are joined with a round edge of the mouth.
+// The lumina of tube and flask are joined with a rounded edge of the mouth.
 bool
 ColonField::AddDiverticula(const Vector3d & point, bool isNearTube, Place & place) const
 {
@@ -346,7 +346,7 @@ ColonField::WallAlong(const Vector3d & from, const Vector3d & direction, double 
     Place place;
     return this->Evaluate(from + r * direction, place) ? place.distance.value : -m_Reach;
   };
-  // Steps shorter than any fold is thick, then bisection.
+  // Steps shorter than the thickness of any fold, then bisection.
   double low = 0.0;
   double high = 0.0;
   while (distanceAt(high) > 0)

@@ -20,20 +20,19 @@ struct PolypBody
   bool            isPedunculated;
   Eigen::Vector3d base;
   Eigen::Vector3d axis; ///< unit vector into the lumen
-  Eigen::Vector3d head; ///< middle of the head
+  Eigen::Vector3d head; ///< center of the head
   double          radius;
-  double          height; ///< half axis of the head along the axis
+  double          height; ///< half axis of the head along `axis`
   double          stalkRadius;
-  double          t; ///< place on the curve
+  double          t; ///< position on the curve
   double          angle;
 };
 
 /** \class ColonField
  * \brief Signed distance to the wall of the colon in a position.
  *
- * Each body of tissue gives a distance and its gradient; they are joined with fillets, and the result is divided by the
- * length of its gradient, which makes it of first order near the wall.
- */
+ * Each body of tissue has a distance and its gradient; they are joined with fillets. The result is divided by the
+ * length of its gradient, which makes it first-order accurate near the wall. */
 class ColonField
 {
 public:
@@ -46,11 +45,11 @@ public:
     double        angle;
   };
 
-  /** False, and nothing is filled in, where no wall is within reach. */
+  /** Returns false without a result if no wall is within reach. */
   bool
   Evaluate(const Eigen::Vector3d & point, Place & place) const;
 
-  /** The point of the wall where a ray from the centreline first meets it, and how far out that is. */
+  /** The first intersection of a ray from the centerline with the wall, and its distance. */
   Eigen::Vector3d
   WallPoint(double t, double angle, double & radius) const;
   /** The same for any ray. */
@@ -67,19 +66,19 @@ public:
   {
     return m_Relief;
   }
-  /** Those of the plan in its order, then the ileocaecal valve where that is a bump. */
+  /** The polyps of the plan in order, then the ileocecal valve if it is a bump. */
   const std::vector<PolypBody> &
   GetPolyps() const
   {
     return m_Polyps;
   }
-  /** Those of the plan that have room in this position. */
+  /** The diverticula of the plan that have room in this position. */
   const std::vector<DiverticulumBody> &
   GetDiverticula() const
   {
     return m_Diverticula;
   }
-  /** None where the valve is a bump. */
+  /** Null if the valve is a bump. */
   const std::optional<ValveLips> &
   GetLips() const
   {
@@ -87,7 +86,7 @@ public:
   }
 
 private:
-  struct Local; // a point seen from one stretch
+  struct Local; // a point relative to one stretch
   void
   Locate(const Eigen::Vector3d & point, double t, Local & local) const;
   ColonDistance
@@ -120,13 +119,14 @@ private:
   ColonCurve                    m_Curve;
   ColonRelief                   m_Relief;
   double                        m_Reach;
-  double                        m_BetweenFolds; ///< mm, the fillet there; 0: folds are joined with the wall one by one
+  double                        m_BetweenFolds; ///< mm, fillet between folds; 0: folds are joined with the wall one by
+                                                ///< one
   std::vector<double>           m_Septum;       ///< at each step
   std::vector<PolypBody>        m_Polyps;
   std::vector<std::vector<int>> m_PolypsNear;
   std::vector<DiverticulumBody> m_Diverticula;
   std::optional<ValveLips>      m_Lips;
-  double                        m_LipsAt{ 0.0 }; ///< place on the curve
+  double                        m_LipsAt{ 0.0 }; ///< position on the curve
 };
 } // namespace shapeton
 

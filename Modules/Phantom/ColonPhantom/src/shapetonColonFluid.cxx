@@ -18,7 +18,7 @@ namespace
 constexpr double latticeStep = 2.0;   // mm
 constexpr double sliceLength = 3.0;   // mm
 constexpr double smallestBasin = 2.0; // ml
-constexpr double ridgeMargin = 1.2;   // mm; the lattice sees passages too high by about half a step
+constexpr double ridgeMargin = 1.2;   // mm; the lattice overestimates passage heights by about half a step
 constexpr double textureDeviation = 43.0;
 constexpr int    blockSide = 6; // lattice steps; its half diagonal is below ColonAnatomy::Reach
 constexpr double pointVolume = latticeStep * latticeStep * latticeStep / 1000.0; // ml
@@ -30,7 +30,7 @@ SliceAt(double arcLength)
 }
 
 // The points of a lattice in the lumen, each with its slice. The lattice is oblique, so that the heights of its points
-// are spread evenly.
+// are evenly distributed.
 class LumenLattice
 {
 public:
@@ -158,7 +158,7 @@ private:
     }
   }
 
-  // Between stretches that touch, a septum may lie between neighbours of the lattice.
+  // A septum between touching stretches may separate lattice neighbors.
   bool
   IsPassage(const std::array<int, 3> & a, const std::array<int, 3> & b, int sliceA, int sliceB) const
   {
@@ -283,7 +283,7 @@ ColonFluid::DepthBelowLevel(const Eigen::Vector3d & point, double arcLength) con
   return pool < 0 ? -1000.0 : m_Pools[pool].level + m_Down.dot(point);
 }
 
-// The wedge fills the pool from its bottom to half its depth, under a slope of about 10 degrees.
+// The wedge fills the pool from its bottom to half its depth, with a slope of about 10 degrees.
 double
 ColonFluid::Intensity(const Eigen::Vector3d & point, double arcLength) const
 {

@@ -6,7 +6,7 @@
 
 namespace shapeton
 {
-/** What random numbers are for: each purpose has its own, so that more of one thing moves nothing else. */
+/** Purposes of random numbers: each has its own stream, so that changes to one do not affect the others. */
 enum class ColonStream : std::uint32_t
 {
   SegmentLengths = 1,
@@ -33,13 +33,13 @@ enum class ColonStream : std::uint32_t
   Diverticula
 };
 
-/** Uniform and normal numbers from Philox, keyed by seed, purpose and, where it matters, the position (from 1). */
+/** Uniform and normal numbers from Philox, keyed by seed, purpose and, if relevant, the position (from 1). */
 class ColonRandom
 {
 public:
   ColonRandom(unsigned seed, ColonStream stream, unsigned position = 0);
 
-  /** In [0, 1); the next one at each call. */
+  /** Next number in [0, 1). */
   double
   Uniform();
   double
@@ -47,7 +47,7 @@ public:
   /** Mean 0, standard deviation 1. */
   double
   Normal();
-  /** The same numbers whatever was drawn before: those of this index. */
+  /** The numbers of this index, independent of previous draws. */
   void
   Seek(std::uint32_t index);
 

@@ -15,7 +15,7 @@ namespace
 {
 constexpr double c_RoomAroundIleum = 8.0; // mm
 
-// Places that a colon passes, after drawings and CT of the abdomen; each segment begins where the one before ends.
+// Template points of a colon, from drawings and CT of the abdomen; each segment starts at the end of the previous one.
 struct TemplateSegment
 {
   double                shortest; // mm
@@ -79,7 +79,7 @@ CatmullRom(const std::vector<Vector3d> & points, double t)
   return 0.5 * (2 * b + x * (c - a) + x * x * (2 * a - 5 * b + 4 * c - d) + x * x * x * (3 * b - a - 3 * c + d));
 }
 
-// Smooth sideways changes of the template, small where the colon is held.
+// Smooth lateral changes of the template, small where the colon is fixed.
 Vector3d
 PatientOffset(unsigned seed, double place, int segment)
 {
@@ -89,7 +89,7 @@ PatientOffset(unsigned seed, double place, int segment)
   return amplitude * Vector3d(x(place), y(place), z(place));
 }
 
-// Of a segment; that of the caecum goes on beyond the end of the curve by the radius there.
+// Length of a segment; that of the cecum extends beyond the end of the curve by the radius there.
 double
 CurveLength(const ColonPhantomParameters & parameters, std::size_t segment, double ofTemplate)
 {
@@ -102,7 +102,7 @@ CurveLength(const ColonPhantomParameters & parameters, std::size_t segment, doub
   return std::max(length - cap, 15.0);
 }
 
-// Radii at the beginning, the middle and the end of each segment.
+// Radii at the start, the middle and the end of each segment.
 using RadiusTable = std::array<std::array<double, 3>, 6>;
 
 RadiusTable
@@ -118,7 +118,7 @@ RadiiOf(const SegmentValues & calibre)
       table[k].fill(0.5 * calibre[k]);
     }
   }
-  // What is given changes gradually.
+  // Given values are blended gradually.
   for (std::size_t k = 1; k < table.size(); ++k)
   {
     if (calibre[k] != 0.0 || calibre[k - 1] != 0.0)
@@ -136,7 +136,7 @@ GravityOf(const std::string & position)
   return directions[PositionNumber(position) - 1];
 }
 
-// How far the caecum is moved in a position: to the middle, up or down, and with gravity.
+// Displacement of the cecum in a position: medially, up or down, and with gravity.
 Vector3d
 CaecumMove(const ColonPhantomParameters & parameters)
 {
@@ -170,8 +170,8 @@ Mobilities(const ColonPath & path)
   return result;
 }
 
-// The hepatic flexure is the highest place of its bend. Where a patient's lengths draw the template out, relaxation
-// moves that along the colon: the border of the segments climbs after it.
+// The hepatic flexure is the highest point of its bend. If a patient's lengths stretch the template, relaxation moves
+// it along the colon; the segment border is moved with it.
 void
 MoveHepaticFlexureToHighest(ColonPath & path)
 {
@@ -198,7 +198,7 @@ PositionNumber(const std::string & position)
 Vector3d
 SpineAxisAt(double z)
 {
-  // The sacrum bends back behind the rectum and forwards again at its tip.
+  // The sacrum curves backward behind the rectum and forward again at its tip.
   const double below = std::clamp((-50.0 - z) / 90.0, 0.0, 1.0);
   return { 0.0, 80.0 + 40.0 * std::sin(3.0 * below), z };
 }
@@ -238,7 +238,7 @@ RestPath(const ColonPhantomParameters & parameters)
   {
     MoveHepaticFlexureToHighest(path);
   }
-  // What smoothness and room have left of the lengths is the patient's.
+  // The lengths that remain after smoothing and limits of space are those of the patient.
   for (std::size_t i = 1; i < path.nodes.size(); ++i)
   {
     path.material[i] = path.material[i - 1] + (path.nodes[i] - path.nodes[i - 1]).norm();

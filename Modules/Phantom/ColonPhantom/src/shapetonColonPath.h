@@ -9,14 +9,14 @@
 
 namespace shapeton
 {
-/** The colon as a chain of nodes about 10 mm apart from the anal verge to the caecum. Material coordinates are lengths
- * along the chain at rest. */
+/** The colon as a chain of nodes about 10 mm apart from the anal verge to the cecum. Material coordinates are
+ * lengths along the chain at rest. */
 struct ColonPath
 {
   std::vector<Eigen::Vector3d> nodes;
   std::vector<double>          material; ///< mm, of each node
   std::vector<int>             segment;  ///< 1 to 6, of each node
-  /** Pairs of nodes whose stretches touch. */
+  /** Pairs of nodes with touching stretches. */
   struct Contact
   {
     int    first;
@@ -32,7 +32,7 @@ struct ColonPath
   }
 };
 
-/** The chain of a patient at rest, through a template of the anatomy, drawn out to the patient's lengths. */
+/** The chain of a patient at rest, along a template of the anatomy, stretched to the patient's lengths. */
 ColonPath
 RestPath(const ColonPhantomParameters & parameters);
 
@@ -40,8 +40,8 @@ RestPath(const ColonPhantomParameters & parameters);
 std::vector<double>
 RestRadius(const ColonPath & path, const ColonPhantomParameters & parameters, int count);
 
-/** The chain in a position: the mobile stretches are displaced, and stretches of these radii (one for each node) stay
- * apart but where they are drawn together. */
+/** The chain in a position: the mobile stretches are displaced, and stretches with these radii (one per node) are
+ * kept apart except for contacts. */
 ColonPath
 PositionedPath(const ColonPath & rest, const std::vector<double> & radius, const ColonPhantomParameters & parameters);
 
@@ -49,7 +49,7 @@ PositionedPath(const ColonPath & rest, const std::vector<double> & radius, const
 unsigned
 PositionNumber(const std::string & position);
 
-/** The middle of spine and sacrum at a height. */
+/** The center of spine and sacrum at a height. */
 Eigen::Vector3d
 SpineAxisAt(double z);
 } // namespace shapeton

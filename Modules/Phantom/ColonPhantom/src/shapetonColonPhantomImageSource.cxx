@@ -23,14 +23,14 @@ using ImageType = ColonPhantomImageSource::ImageType;
 
 constexpr itk::SizeValueType tileSide = 32;
 
-/** What a kernel of the reconstruction does. */
+/** Effect of a reconstruction kernel. */
 struct Kernel
 {
   double                blur;             ///< factor
   std::array<double, 3> noiseCorrelation; ///< along x, y and z
 };
 
-// Measured on CT colonographies: that of the standard kernel and that of the sharp one; the soft one is extrapolated.
+// Measured on CT colonographies for the standard and the sharp kernel; extrapolated for the soft one.
 Kernel
 KernelOf(const std::string & name)
 {
@@ -254,7 +254,7 @@ ColonPhantomImageSource::PaintImage(const std::vector<OutputImageRegionType> & t
   ImageType * const image = this->GetOutput();
   image->SetBufferedRegion(image->GetRequestedRegion());
   image->Allocate();
-  const ColonPhantomParameters & parameters = this->GetAnatomy().GetParameters(); // as they are drawn
+  const ColonPhantomParameters & parameters = this->GetAnatomy().GetParameters(); // with drawn values
   const Kernel                   kernel = KernelOf(parameters.kernel);
   const double                   blur = kernel.blur * m_Blur;
   const double          along = std::sqrt(blur * blur + parameters.sliceThickness * parameters.sliceThickness / 12.0);

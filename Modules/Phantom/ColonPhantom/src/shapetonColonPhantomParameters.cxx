@@ -67,7 +67,7 @@ RequireValidValve(const ColonPhantomParameters & p)
                    "\"ileumContent\" are for a valve with lips; set the parameter \"valve\" to lips");
 }
 
-// 0: that of the template.
+// 0: from the template.
 void
 RequireSegmentValues(const char * name, const SegmentValues & values, double low, double high)
 {
@@ -93,7 +93,7 @@ RequireValidCatheter(const ColonPhantomParameters & p)
   RequireRangeOrDrawn("balloonDiameter", p.balloonDiameter, 12, 45);
 }
 
-/** What is drawn by itself, so that more of one thing moves nothing else. */
+/** Independent random streams, so that changes to one do not affect the others. */
 enum class Group
 {
   Valve = 1,
@@ -109,7 +109,7 @@ enum class Group
   Diverticula
 };
 
-/** Draws in a fixed order, so that what is given moves nothing that is drawn. */
+/** Draws in a fixed order, so that given values do not affect drawn ones. */
 class Draw
 {
 public:
@@ -172,7 +172,7 @@ DrawShape(ColonPhantomParameters & p)
   static constexpr double widest[] = { 54, 36, 44, 54, 68, 78 };
   Draw                    length(p, Group::Lengths);
   Draw                    calibre(p, Group::Calibre);
-  // Half of what is between narrow and wide belongs to the patient, half to the segment.
+  // Half of the range between narrow and wide is drawn per patient, half per segment.
   const double build = calibre.Chance();
   for (std::size_t i = 0; i < p.lengths.size(); ++i)
   {

@@ -10,20 +10,20 @@
 
 namespace shapeton
 {
-/** An angle brought into (-pi, pi]. */
+/** Wraps an angle to (-pi, pi]. */
 double
 WrapAngle(double angle);
 
-/** A fold at rest. Along it runs u from -1 to 1, its ends. */
+/** A fold at rest. The coordinate u is -1 and 1 at its ends. */
 struct FoldPlan
 {
   double material;  ///< mm
-  double angle;     ///< of its middle
-  double halfAngle; ///< from the middle to an end, < pi
+  double angle;     ///< angle of its middle
+  double halfAngle; ///< half angle from the middle to an end, < pi
   double height;    ///< mm
   double thickness; ///< mm
-  double slant;     ///< mm by which the end u = 1 lies ahead
-  double bow;       ///< mm by which both ends lie ahead of the middle
+  double slant;     ///< mm by which the end u = 1 is ahead
+  double bow;       ///< mm by which both ends are ahead of the middle
   double wave;      ///< mm
   double wavePhase;
 };
@@ -33,8 +33,8 @@ struct PolypPlan
 {
   std::string kind;
   double      diameter;
-  double      height; ///< of the head, or of the whole when there is no stalk
-  double      stalk;  ///< length, 0 without
+  double      height; ///< height of the head, or of the whole polyp without a stalk
+  double      stalk;  ///< length, 0 without a stalk
   double      stalkRadius;
   double      material;
   double      angle;
@@ -48,8 +48,8 @@ struct DiverticulumPlan
   double angle;
   double neck;       ///< inner diameter
   double neckLength; ///< from the wall's surface to the sac
-  double diameter;   ///< of the sac
-  double stool;      ///< HU of what fills it; 0: it holds what the lumen does
+  double diameter;   ///< diameter of the sac
+  double stool;      ///< HU of its stool; 0: filled like the lumen
 };
 
 /** The ileocaecal valve at rest. */
@@ -57,11 +57,11 @@ struct ValvePlan
 {
   double material; ///< mm
   double angle;
-  bool   hasLips;   ///< else a bump
+  bool   hasLips;   ///< otherwise a bump
   double length;    ///< of the lips around the colon, mm
   double height;    ///< mm
   double thickness; ///< of each lip, mm
-  double behind;    ///< by how many radians the ileum comes more from behind than from the middle of the abdomen
+  double behind;    ///< radians by which the ileum enters farther from behind than from the center of the abdomen
 };
 
 /** The angle at which the wall faces a direction most, to 0.1. */
@@ -73,8 +73,7 @@ double
 AngleOfIleum(const ColonCurve & curve, const ValvePlan & valve);
 
 /** \class ColonPlan
- * \brief What belongs to the patient in material coordinates: place along the colon at rest (mm) and angle.
- */
+ * \brief Patient-specific features in material coordinates: position along the colon at rest (mm) and angle. */
 class ColonPlan
 {
 public:
@@ -84,7 +83,7 @@ public:
   double
   TaeniaAngle(int taenia, double material) const;
 
-  /** 0 to 1: how far the three taeniae and the haustra between are formed. */
+  /** 0 to 1: how strongly the three taeniae coli and the haustra between them are developed. */
   double
   HaustraStrength(double material) const;
 
@@ -126,7 +125,7 @@ private:
   IsClearOfFolds(const PolypPlan & polyp) const;
 
   double                             m_Length;
-  std::vector<double>                m_SegmentBegin; ///< six, and the length
+  std::vector<double>                m_SegmentBegin; ///< six starts, then the length
   std::vector<double>                m_Radius;
   std::array<std::vector<double>, 3> m_Taenia; ///< every 2 mm
 };

@@ -9,12 +9,12 @@ using Eigen::Vector3d;
 
 namespace
 {
-// Haustra bulge, and walls are some millimetres thick.
+// Haustra bulge, and walls are a few millimeters thick.
 constexpr double c_Bulge = 1.06;
 constexpr double c_Septum = 6.0;
-// No two stretches need more between their centrelines.
+// Largest distance between centerlines that two stretches need.
 constexpr double c_FarApart = 120.0;
-// The canal and the first of the ampulla do not move.
+// The canal and the start of the ampulla are fixed.
 constexpr int c_Held = 5;
 } // namespace
 
@@ -32,7 +32,7 @@ ColonRelaxation::Run(int rounds)
 {
   for (int round = 0; round < rounds; ++round)
   {
-    // Towards the end only the demands that must hold are left.
+    // Toward the end only the hard constraints remain.
     if (round < 4 * rounds / 5)
     {
       this->PullToAnchors();
@@ -62,7 +62,7 @@ ColonRelaxation::PullToAnchors()
 void
 ColonRelaxation::Unbend()
 {
-  // Long spans against waves of several radii, the short one against kinks.
+  // Long spans suppress waves of several radii, the short one kinks.
   for (int span : { 4, 2, 1 })
   {
     const std::vector<Vector3d> old = m_Nodes;
@@ -154,7 +154,7 @@ ColonRelaxation::Confine()
     Vector3d &   p = m_Nodes[i];
     const double r = c_Bulge * m_Radius[i] + 4.0;
     p.z() = std::clamp(p.z(), -132.0 + r, 158.0 - r);
-    // The pelvis narrows downwards.
+    // The pelvis becomes narrower downward.
     const double across = 152.0 - 80.0 * std::clamp((-75.0 - p.z()) / 50.0, 0.0, 1.0);
     const double x = std::abs(p.x()) / (across - r);
     const double y = std::abs(p.y()) / (102.0 - r);
@@ -182,7 +182,7 @@ ColonRelaxation::KeepLengths()
   {
     for (std::size_t k = 1; k < m_Nodes.size(); ++k)
     {
-      // Both ways in turn, so that errors do not gather at one end.
+      // Alternates between both directions, so that errors do not accumulate at one end.
       const std::size_t i = pass % 2 == 0 ? k : m_Nodes.size() - k;
       const Vector3d    edge = m_Nodes[i] - m_Nodes[i - 1];
       const double      length = edge.norm();
@@ -203,7 +203,7 @@ ColonRelaxation::LeaveRoomAt(int node, double room)
   {
     for (int j = 0; j < count; ++j)
     {
-      // Neighbours along the colon have the room that bends need.
+      // Neighbors along the colon have the room that bends need.
       if (std::abs(j - node) > 12)
       {
         m_Slack(i, j) = m_Slack(j, i) = -room;
@@ -262,7 +262,7 @@ ColonRelaxation::DrawTogether(const std::vector<ColonPath::Contact> & contacts)
     {
       for (int b = std::max(0, contact.second - 3); b <= std::min(count - 1, contact.second + 3); ++b)
       {
-        // The walls would overlap a little where haustra bulge, so that they flatten against each other.
+        // The walls overlap slightly where haustra bulge, so that they flatten against each other.
         m_Slack(a, b) = m_Slack(b, a) = c_Septum + 1.0;
       }
     }

@@ -10,19 +10,19 @@
 namespace shapeton
 {
 /** \class ColonRelaxation
- * \brief Settles a chain of nodes: lengths kept, bends not too tight, stretches apart, inside the abdomen.
+ * \brief Relaxes a chain of nodes: preserves lengths, limits curvature, separates stretches, keeps them inside the
+ * abdomen.
  *
- * Position based dynamics (Mueller et al. 2007): each demand moves the nodes just so far that it is met, in a fixed
- * order, many times over. Two nodes must be at least as far apart as on a circle as tight as the tube allows; that one
- * rule keeps bends open and stretches apart.
- */
+ * Position based dynamics (Mueller et al. 2007): each constraint moves the nodes just enough to satisfy it, in a
+ * fixed order, repeatedly. Two nodes must be at least as far apart as on a circle of the tube's minimum radius;
+ * this single rule keeps bends open and stretches apart. */
 class ColonRelaxation
 {
 public:
-  /** `radius` of the lumen at each node in mm. The nodes are also the places that they are drawn back to. */
+  /** `radius` of the lumen at each node in mm. The nodes are also the rest positions. */
   ColonRelaxation(const ColonPath & path, const std::vector<double> & radius);
 
-  /** 0 (held at its place) to 1 (free), for each node; 0.5 by default. */
+  /** 0 (fixed) to 1 (free), for each node; 0.5 by default. */
   void
   SetMobility(const std::vector<double> & mobility)
   {
@@ -32,16 +32,16 @@ public:
   void
   Run(int rounds);
 
-  /** Keeps the other stretches `room` mm farther from the nodes within two of this one, for what leaves the colon
-   * there. Call it before contacts are looked for: these nodes then have none. */
+  /** Keeps the other stretches `room` mm farther from the nodes within two of this one, for structures that leave
+   * the colon there. Call it before searching contacts: these nodes then have none. */
   void
   LeaveRoomAt(int node, double room);
 
-  /** Up to `number` pairs of stretches that come closest to each other, well apart from another. */
+  /** Up to `number` pairs of closest stretches, well separated from each other. */
   std::vector<ColonPath::Contact>
   FindContacts(int number) const;
 
-  /** From now on these pairs shall touch. */
+  /** Makes these pairs touch from now on. */
   void
   DrawTogether(const std::vector<ColonPath::Contact> & contacts);
 

@@ -18,7 +18,7 @@ constexpr double c_FoldNeighbourhood = 16; // mm along the colon
 constexpr double c_LongestChord = 44.0;    // mm along the colon; farther stretches have a septum
 constexpr double c_ChordStep = 4.0;        // mm
 
-// Unevenness that belongs to the wall: knots 4 mm apart, so waves of 8 mm and more.
+// Roughness of the wall: knots 4 mm apart, so waves of 8 mm and more.
 class Roughness
 {
 public:
@@ -57,7 +57,7 @@ private:
   std::vector<float>      m_Values;
 };
 
-/** How near to a place of the curve its neighbours come on one side. */
+/** Distance of a point of the curve to its neighbors on one side. */
 class Chords
 {
 public:
@@ -77,7 +77,7 @@ public:
     }
   }
 
-  // 1 / mm: what is farther away in this direction is nearer to a neighbour. For short chords it is the curvature.
+  // 1 / mm: points beyond this in this direction are closer to a neighbor. For short chords it is the curvature.
   double
   BendTowards(const Eigen::Vector3d & direction) const
   {
@@ -225,7 +225,7 @@ ColonRelief::FoldPlaces(const ColonPlan & plan, const ColonPhantomParameters & p
     random.Seek(static_cast<std::uint32_t>(i + 1));
     const double m = plan.folds[i].material;
     const double slide = 0.75 * std::clamp(together(m), -1.0, 1.0) + random.Uniform(-0.25, 0.25);
-    // The valves of the rectum are held.
+    // The valves of the rectum are fixed.
     places.push_back(m + SmoothStep(120.0, 200.0, m) * parameters.foldSlide * slide);
   }
   return places;
@@ -270,7 +270,7 @@ ColonRelief::FillTable(const ColonPlan &              plan,
   {
     const double m = row * m_Step / c_RowsPerStep;
     const double base = m_Base[row];
-    // Both ends are plain half spheres.
+    // Both ends are smooth hemispheres.
     const double formed = SmoothStep(6.0, 40.0, m) * SmoothStep(4.0, 24.0, plan.Length() - m);
     const double haustra = formed * plan.HaustraStrength(m) * std::max(0.0, base);
     const double rough = formed * parameters.roughness * std::clamp(base / 12.0, 0.0, 1.0);
@@ -290,8 +290,9 @@ ColonRelief::FillTable(const ColonPlan &              plan,
   }
 }
 
-// The wall on the inside of a bend stays nearer than the centre of curvature, where it would cross itself, and within
-// `longestChord` nearer than where the tube comes back to itself: else a bridge of tissue is left in between.
+// The wall on the inside of a bend must be closer than the center of curvature, where it would intersect itself. Within
+// `longestChord` it must also be closer than where the tube returns to itself, as otherwise a bridge of tissue would
+// remain.
 void
 ColonRelief::RelieveBends(const ColonCurve & curve, double longestChord)
 {
@@ -366,7 +367,7 @@ ColonRelief::LayFolds(const ColonPlan &              plan,
       const double radius = this->RadiusAt(m / m_Step, angle).value;
       const double highest = std::max(0.0, c_HighestFold * this->MeanRadiusAt(m / m_Step));
       const double height = std::min(fold.height, highest) * (course.isFlattened ? 0.3 : 1.0);
-      // Long folds are a little lower where they cross a taenia.
+      // Long folds are slightly lower where they cross a taenia.
       double dip = 0.0;
       for (int taenia = 0; taenia < 3; ++taenia)
       {

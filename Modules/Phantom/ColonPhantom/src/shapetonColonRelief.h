@@ -9,7 +9,7 @@
 
 namespace shapeton
 {
-/** A value and its derivatives by the parameter t of the curve and by the angle. */
+/** A value and its derivatives with respect to the curve parameter t and the angle. */
 struct ReliefValue
 {
   double value;
@@ -17,11 +17,11 @@ struct ReliefValue
   double byAngle;
 };
 
-/** A fold in a position: where its crest runs. */
+/** A fold in a position: the course of its crest. */
 struct FoldCourse
 {
   static constexpr int    Knots = 40;
-  static constexpr double End = 1.12; ///< of u; beyond, nothing is left of the fold
+  static constexpr double End = 1.12; ///< limit of u beyond which the fold vanishes
 
   double angle;
   double halfAngle;
@@ -36,30 +36,29 @@ struct FoldCourse
   At(double u, ReliefValue & t, ReliefValue & crest) const;
 };
 
-/** Turn of the tube about its centreline in this position, in radians, at each step of the curve. */
+/** Rotation of the tube about its centerline in this position, in radians, at each step of the curve. */
 std::vector<double>
 ColonTwist(const ColonPlan & plan, const ColonPhantomParameters & parameters);
 
 /** \class ColonRelief
- * \brief The wall in a position: radius by place and angle, and the folds on it.
+ * \brief The wall in a position: radius as a function of position and angle, and the folds on it.
  *
- * Radii are a cubic B-spline over a grid of half steps of the curve and of 128 angles.
- */
+ * Radii are a cubic B-spline over a grid of half steps of the curve and of 128 angles. */
 class ColonRelief
 {
 public:
   static constexpr int Angles = 128;
 
-  /** Without a curve the colon is straight. With one, the wall keeps off the centre of sharp bends. */
+  /** Without a curve the colon is straight. With one, the wall avoids the center of sharp bends. */
   ColonRelief(const ColonPlan & plan, const ColonPhantomParameters & parameters, const ColonCurve * curve);
 
   /** Radius of the wall without folds in mm; below 0 where collapsed. */
   ReliefValue
   RadiusAt(double t, double angle) const;
-  /** The mean over the angles. */
+  /** Mean over the angles. */
   double
   MeanRadiusAt(double t) const;
-  /** The largest within the step. */
+  /** Largest value within the step. */
   double
   LargestRadiusNear(int step) const;
   /** 0 open to 1 collapsed. */
@@ -71,7 +70,7 @@ public:
   {
     return m_Folds;
   }
-  /** The folds that may be within reach of this place. */
+  /** The folds that may be within reach of this position. */
   const std::vector<int> &
   FoldsNear(double t) const;
 
@@ -103,7 +102,7 @@ private:
   std::vector<double>           m_Largest;
   std::vector<FoldCourse>       m_Folds;
   std::vector<std::vector<int>> m_FoldsNear;
-  std::vector<std::vector<int>> m_PlansNear; ///< for building, by 10 mm of material
+  std::vector<std::vector<int>> m_PlansNear; ///< for construction, by 10 mm of material
 };
 } // namespace shapeton
 

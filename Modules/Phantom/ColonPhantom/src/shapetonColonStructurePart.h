@@ -8,12 +8,12 @@
 
 namespace shapeton
 {
-/** A piece of a structure: where it is by the truth, and what a scanner sees of it. */
+/** A part of a structure: its region in the ground truth, and its appearance to a scanner. */
 struct ColonStructures::Part
 {
   ColonStructure                     label; ///< None: no label
   PhantomSolid                       solid;
-  std::shared_ptr<const PhantomBody> body;                   ///< null: nothing to see
+  std::shared_ptr<const PhantomBody> body;                   ///< null: invisible
   bool                               isBehindColon{ false }; ///< painted before the colon
   bool                               isInChest{ false };     ///< painted before the organs of the abdomen
 };

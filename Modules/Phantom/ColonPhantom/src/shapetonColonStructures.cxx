@@ -28,9 +28,9 @@ using Eigen::Vector3d;
 using PointType = PhantomBody::PointType;
 
 constexpr double fatIntensity = -110.0;
-constexpr double behindBase = 3.0;     // mm; so far the lips reach behind the wall
+constexpr double behindBase = 3.0;     // mm; depth of the lips behind the wall
 constexpr double flaskSlope = 1.5;     // where neck and sac join
-constexpr double stoolIntoWall = 0.35; // mm; half a cell, so that no gas is seen between stool and wall
+constexpr double stoolIntoWall = 0.35; // mm; half a cell, so that no gas appears between stool and wall
 constexpr double lipsSlope = 4.0;      // the distance to half ellipsoids may be too large by this factor
 
 Vector3d
@@ -39,7 +39,7 @@ PlaceOf(const PointType & p)
   return { p[0], p[1], p[2] };
 }
 
-// The lips, and what of them lies in the wall.
+// The lips, including their part in the wall.
 PhantomSolid
 LipsSolid(const ColonValve & valve)
 {
@@ -155,7 +155,7 @@ ColonStructures::AddBowel(const ColonAnatomy & anatomy, const ColonFluid & fluid
   }
 }
 
-// What fat there is lies under the mucosa, which the colon's wall of 2 mm is.
+// Any fat is below the mucosa, which is the 2 mm wall of the colon.
 void
 ColonStructures::AddValve(const ColonAnatomy & anatomy)
 {
@@ -275,7 +275,7 @@ ColonStructures::Fill(LabelImageType * image, const itk::ImageRegion<3> & region
   this->FillBlock(image, region, all);
 }
 
-// Halves the block until nothing is near it or it is small.
+// Bisects the block until nothing is near it or it is small.
 void
 ColonStructures::FillBlock(LabelImageType *                  image,
                            const itk::ImageRegion<3> &       block,

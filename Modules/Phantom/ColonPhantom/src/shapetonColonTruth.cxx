@@ -15,7 +15,7 @@ namespace
 {
 constexpr double c_GridStep = 5.0; // mm between wall points
 
-/** Collects a CurveSet point by point. */
+/** Builds a CurveSet point by point. */
 class CurveWriter
 {
 public:
@@ -269,7 +269,7 @@ ColonPolypTruth(const ColonPlan & plan, const ColonField & field)
     polyp.kind = from.kind;
     polyp.diameter = from.diameter;
     polyp.height = from.height + from.stalk;
-    // The middle of the part of a cap that stands out.
+    // The center of the protruding part of a cap.
     polyp.position = body.isPedunculated ? body.head : Vector3d(body.head + 0.375 * body.height * body.axis);
     polyp.base = body.base;
     polyp.arcLength = curve.ArcLengthAt(body.t);
@@ -340,7 +340,7 @@ ColonValveTruth(const ColonPlan & plan, const ColonField & field)
   return valve;
 }
 
-// Both ends are half spheres: rays from the last point of the centreline meet every point of the last one.
+// Both ends are hemispheres: rays from the last point of the centerline meet every point of the last one.
 Vector3d
 CaecalPoleTruth(const ColonPlan & plan, const ColonField & field)
 {

@@ -8,7 +8,7 @@
 
 namespace shapeton
 {
-/** What ColonAnatomy hands out as truth; see there. */
+/** Ground truth returned by ColonAnatomy; see there. */
 CurveSet
 ColonCentrelineTruth(const ColonPlan & plan, const ColonField & field);
 CurveSet

@@ -12,16 +12,14 @@
 namespace shapeton
 {
 /** \class CorrelatedNoise
- * \brief Gaussian noise of a CT volume, each voxel correlated with its neighbours.
+ * \brief Gaussian noise of a CT volume, correlated between neighboring voxels.
  *
- * White noise from Philox, a number for each voxel of the grid and one layer around it, filtered along each axis by
- * (a, 1, a) / sqrt(1 + 2 a^2): the correlation of neighbours is 2 a / (1 + 2 a^2), that of next neighbours
- * a^2 / (1 + 2 a^2).
+ * White noise from Philox for each voxel of the grid and one layer around it, filtered along each axis by (a, 1, a) /
+ * sqrt(1 + 2 a^2): the correlation of neighbors is 2 a / (1 + 2 a^2), that of next neighbours a^2 / (1 + 2 a^2).
  *
- * A voxel's noise depends on its index alone.
+ * A voxel's noise depends only on its index.
  *
- * \ingroup ColonPhantom
- */
+ * \ingroup ColonPhantom */
 class ColonPhantom_EXPORT CorrelatedNoise
 {
 public:
@@ -33,7 +31,7 @@ public:
                   double                        standardDeviation,
                   const std::array<double, 3> & correlation);
 
-  /** Adds the noise of a region of the grid to its values, the first index running fastest. */
+  /** Adds the noise of a region of the grid to its values, first index fastest. */
   void
   AddTo(std::vector<float> & values, const RegionType & region) const;
 

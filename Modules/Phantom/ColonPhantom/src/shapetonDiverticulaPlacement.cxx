@@ -14,14 +14,14 @@ namespace
 {
 using Eigen::Vector3d;
 
-constexpr double c_OwnSeptum = 1.6;   // mm of tissue between a sac and the stretch that it belongs to
+constexpr double c_OwnSeptum = 1.6;   // mm of tissue between a sac and its own stretch
 constexpr double c_OtherSeptum = 3.0; // mm between a sac and anything else
-constexpr double c_Stretch = 40.0;    // mm along the colon, half of what counts as the stretch
+constexpr double c_Stretch = 40.0;    // mm along the colon, half the length of a stretch
 constexpr double c_SmallestSac = 3.0; // mm
-constexpr double c_Plain = 0.7;       // mm between the wall and its relief, above which something lies on it
+constexpr double c_Plain = 0.7;       // mm between the wall and its relief, above which the wall is not plain
 constexpr int    c_Around = 8;
 
-// Evenly spread over the sphere.
+// Uniform over the sphere.
 std::vector<Vector3d>
 SphereDirections()
 {
@@ -60,7 +60,7 @@ public:
   }
 
 private:
-  // mm to the wall, positive in the lumen; far below zero where there is none.
+  // mm to the wall, positive in the lumen; a large negative value without a wall nearby.
   double
   DistanceAt(const Vector3d & point) const
   {
@@ -68,7 +68,7 @@ private:
     return m_Field.Evaluate(point, place) ? place.distance.value : -1e3;
   }
 
-  // False where a fold or another stretch lies on the wall, or the lumen is closed.
+  // False if a fold or another stretch covers the wall, or the lumen is closed.
   bool
   FindMouth(const DiverticulumPlan & plan, DiverticulumBody & body, Vector3d & outwards) const
   {
@@ -105,7 +105,7 @@ private:
     return true;
   }
 
-  // Upright as long as there is room, else leaning over, else smaller.
+  // Upright if there is room, else tilted, else smaller.
   bool
   FindRoom(const DiverticulumPlan & plan, const Vector3d & outwards, DiverticulumBody & body) const
   {
@@ -114,7 +114,7 @@ private:
       body.radius = 0.5 * std::max(share * plan.diameter, c_SmallestSac);
       for (const double tilt : { 0.0, 0.35, 0.6 })
       {
-        // The gap between sac and wall stays.
+        // Keeps the gap between sac and wall.
         const double length = (plan.neckLength + body.radius) / std::cos(tilt);
         for (int i = 0; i < (tilt > 0.0 ? c_Around : 1); ++i)
         {

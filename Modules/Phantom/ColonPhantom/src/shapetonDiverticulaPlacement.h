@@ -10,8 +10,8 @@ namespace shapeton
 {
 class ColonField;
 
-/** The diverticula of a patient in a position, on a field that has none yet. A sac that would come too near to the wall
- * of the colon, to another sac, to spine or body wall leans over or is smaller; one that finds no room is left out. */
+/** The diverticula of a patient in a position, for a field without diverticula. A sac too close to the wall of the
+ * colon, to another sac, to spine or body wall is tilted or made smaller; without room it is omitted. */
 std::vector<DiverticulumBody>
 PlaceDiverticula(const ColonField & field, const std::vector<DiverticulumPlan> & plans);
 } // namespace shapeton

@@ -9,23 +9,23 @@ namespace shapeton
 {
 namespace
 {
-// How often a mm of a segment is chosen, rectum to caecum.
+// Relative probability per mm of each segment, rectum to cecum.
 constexpr double c_Frequency[] = { 0.0, 1.0, 0.8, 0.08, 0.12, 0.0 };
-constexpr double c_RowShare = 0.7;      // of the places, those that go on with a row
+constexpr double c_RowShare = 0.7;      // share of positions that continue a row
 constexpr double c_NarrowestTube = 8.0; // mm, radius
-constexpr double c_FoldSlide = 4.0;     // mm that folds may come nearer in a position
+constexpr double c_FoldSlide = 4.0;     // mm by which folds may come closer in a position
 constexpr double c_Rim = 1.5;           // mm of plain wall around a mouth
 constexpr double c_BetweenSacs = 3.0;   // mm
 constexpr double c_FromValve = 50.0;    // mm along the colon
 constexpr double c_StoolShare = 0.25;
 constexpr int    c_Attempts = 400;
 
-/** Where a row of diverticula runs. */
+/** The course of a row of diverticula. */
 struct Row
 {
-  double material; ///< of the last one
+  double material; ///< of its last diverticulum
   int    taenia;
-  double side; ///< of the taenia, -1 or 1
+  double side; ///< side of the taenia, -1 or 1
 };
 
 class DiverticulaPlanner
@@ -63,7 +63,7 @@ private:
     one.material = row.material;
     one.angle =
       WrapAngle(m_Plan.TaeniaAngle(row.taenia, row.material) + row.side * beside / m_Plan.RadiusAt(row.material));
-    one.diameter = 3.0 + 7.0 * std::pow(m_Random.Uniform(), 1.5); // small ones are more frequent
+    one.diameter = 3.0 + 7.0 * std::pow(m_Random.Uniform(), 1.5); // favors small ones
     one.neck = std::min(m_Random.Uniform(1.5, 4.0), 0.5 * one.diameter);
     one.neckLength = m_Random.Uniform(2.0, 3.0);
     const bool   holdsStool = m_Random.Uniform() < c_StoolShare;
@@ -115,7 +115,7 @@ private:
     });
   }
 
-  // Along the wall.
+  // Distance along the wall.
   double
   Between(double material, double angle, const DiverticulumPlan & one) const
   {

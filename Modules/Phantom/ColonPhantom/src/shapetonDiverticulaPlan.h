@@ -7,8 +7,8 @@
 
 namespace shapeton
 {
-/** Places `count` diverticula, fewer where there is no room, in rows beside the taeniae: clear of the folds, polyps and
- * valve of the plan. A smaller count gives the first of a larger one. */
+/** Places up to `count` diverticula, as space permits, in rows next to the taeniae coli, away from the folds, polyps
+ * and valve of the plan. A smaller count gives the first ones of a larger count. */
 std::vector<DiverticulumPlan>
 PlanDiverticula(const ColonPlan & plan, unsigned seed, int count);
 } // namespace shapeton

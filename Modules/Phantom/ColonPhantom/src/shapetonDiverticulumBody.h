@@ -8,27 +8,27 @@
 
 namespace shapeton
 {
-/** A diverticulum in a position: a ball outside of the wall and a neck from the wall to its middle. */
+/** A diverticulum in a position: a ball outside the wall and a neck from the wall to its center. */
 struct DiverticulumBody
 {
   Eigen::Vector3d mouth; ///< on the wall
-  Eigen::Vector3d sac;   ///< the middle of the ball
+  Eigen::Vector3d sac;   ///< the center of the ball
   double          neckRadius;
-  double          radius; ///< of the sac
-  double          t;      ///< place of the mouth on the curve
+  double          radius; ///< radius of the sac
+  double          t;      ///< position of the mouth on the curve
   double          angle;
-  int             plan; ///< its number in the plan
+  int             plan; ///< its index in the plan
 
   /** Distance to the flask, positive outside, with a round shoulder between neck and sac. */
   ColonDistance
   Distance(const Eigen::Vector3d & point) const;
 
-  /** No point of the flask is farther from the middle of its sac. */
+  /** No point of the flask is farther from the center of its sac. */
   double
   Extent() const;
 };
 
-/** Where a diverticulum of the truth is; without its place on the curve. */
+/** Converts a diverticulum of the ground truth, without its position on the curve. */
 DiverticulumBody
 BodyOf(const ColonDiverticulum & diverticulum);
 } // namespace shapeton

@@ -12,7 +12,7 @@ namespace
 {
 using Heights = std::vector<std::vector<float>>;
 
-// Slices that fluid joins below `ceiling`, in two parts where a ridge of that height divides it.
+// Slices connected by fluid below `ceiling`, in two parts if a ridge of that height divides them.
 struct Basin
 {
   std::vector<int> slices;
@@ -69,7 +69,7 @@ public:
   }
 
 private:
-  // A part too small to be a basin of its own leaves no ridge.
+  // A part too small to be a basin does not create a ridge.
   void
   Join(int sliceA, int sliceB, double height)
   {
@@ -99,8 +99,8 @@ private:
     this->Absorb(a, basinA, basinB, height);
   }
 
-  // The smaller basin's slices count to the larger one, at each level of the latter's division that they touch: they
-  // are so high or so small that only a level above its ridges reaches them.
+  // The smaller basin's slices are assigned to the larger one, at each level of its division that they touch: they are
+  // so high or so small that only a level above its ridges reaches them.
   void
   Absorb(int representative, int basinA, int basinB, double height)
   {
@@ -113,7 +113,7 @@ private:
     m_BasinOf[representative] = larger;
   }
 
-  // Pieces that nothing joins, as a collapsed stretch leaves them.
+  // Disconnected pieces, as left by a collapsed stretch.
   void
   JoinPieces()
   {
@@ -155,7 +155,7 @@ FillPool(const Heights & heights, const std::vector<int> & slices, std::size_t p
   return { slices, level, bottom, points };
 }
 
-// Shares the fluid of a basin between its two parts, each up to the ridge.
+// Distributes the fluid of a basin to its two parts, each up to the ridge.
 void
 Fill(const BasinTree &        tree,
      const Heights &          heights,

@@ -7,7 +7,7 @@
 
 namespace shapeton
 {
-/** Where fluid can pass from one slice of the lumen to another. */
+/** A connection through which fluid can pass from one slice of the lumen to another. */
 struct FluidPassage
 {
   int    a;
@@ -15,7 +15,7 @@ struct FluidPassage
   double height; // mm
 };
 
-/** The slices with fluid under one level. */
+/** The slices with fluid below one level. */
 struct FluidPool
 {
   std::vector<int> slices;
@@ -24,7 +24,7 @@ struct FluidPool
   std::size_t      points;
 };
 
-/** Distributes fluid, measured in points of a lattice, over the slices of a lumen; `heights` are those of the points of
+/** Distributes fluid, measured in lattice points, over the slices of a lumen; `heights` are those of the points of
  * each slice, each sorted. See ColonFluid. */
 std::vector<FluidPool>
 FillBasins(const std::vector<std::vector<float>> & heights,

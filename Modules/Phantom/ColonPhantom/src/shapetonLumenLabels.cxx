@@ -15,7 +15,8 @@ LumenLabels::LumenLabels(const ColonAnatomy & anatomy,
   : m_Anatomy(anatomy), m_Fluid(fluid), m_Lumen(lumen), m_Segments(segments)
 {}
 
-// Distances may be too large by a factor away from the wall: only blocks of half the reach are judged by their centre.
+// Distances may be too large by a factor away from the wall: only blocks of half the reach are classified by their
+// center.
 bool
 LumenLabels::MissesLumen(const RegionType & block) const
 {

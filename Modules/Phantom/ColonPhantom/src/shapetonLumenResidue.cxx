@@ -16,10 +16,10 @@ namespace
 using Eigen::Vector3d;
 
 constexpr int    attempts = 60;
-constexpr double leastRadius = 8.0;   // mm of the lumen where something may lie
-constexpr double intoWall = 0.35;     // mm; half a cell, so that no gas is seen between stool and wall
-constexpr double adherentShare = 0.3; // of the stool: it keeps its place in all positions
-constexpr double clearOfRectum = 0.1; // of the length, where the catheter lies
+constexpr double leastRadius = 8.0;   // mm, minimum radius of a lumen with residue
+constexpr double intoWall = 0.35;     // mm; half a cell, so that no gas appears between stool and wall
+constexpr double adherentShare = 0.3; // share of the stool that keeps its place in all positions
+constexpr double clearOfRectum = 0.1; // share of the length, occupied by the catheter
 
 struct Ball
 {
@@ -27,7 +27,7 @@ struct Ball
   double   radius;
 };
 
-// A lump of balls.
+// A cluster of balls.
 PhantomSolid
 LumpSolid(const std::vector<Ball> & balls)
 {
@@ -101,7 +101,7 @@ private:
                                 false });
   }
 
-  // On the wall; the lowest of a section but for chance where `loose`.
+  // On the wall; if `loose`, the lowest point of a section apart from random variation.
   ColonPlace
   PlaceOnWall(ColonRandom & random, bool isLoose) const
   {
@@ -156,7 +156,7 @@ private:
     m_Residue.truth.push_back({ ColonStructure::Stool, middle, size, intensity, name });
   }
 
-  // Caught at the wall under a level.
+  // At the wall, below a fluid level.
   void
   AddBubble(ColonRandom & random)
   {
@@ -176,7 +176,7 @@ private:
     }
   }
 
-  // A layer of small bubbles in films of fluid upon a level.
+  // A layer of small bubbles with films of fluid on a level.
   void
   AddFoam(ColonRandom & random)
   {

@@ -7,14 +7,14 @@
 
 namespace shapeton
 {
-/** What lies in the lumen besides gas and fluid: stool, bubbles and foam, as parts in the order of painting. */
+/** Content of the lumen besides gas and fluid: stool, bubbles and foam, as parts in painting order. */
 struct LumenResidue
 {
   std::vector<ColonResidue>          truth;
   std::vector<ColonStructures::Part> parts;
 };
 
-/** Anatomy and fluid have to outlive the parts. */
+/** Anatomy and fluid must outlive the parts. */
 LumenResidue
 MakeLumenResidue(const ColonAnatomy & anatomy, const ColonFluid & fluid);
 } // namespace shapeton

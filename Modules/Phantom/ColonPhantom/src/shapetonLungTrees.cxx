@@ -12,8 +12,8 @@ using VectorType = itk::Vector<double, 3>;
 using Iterator = std::vector<PointType>::iterator;
 
 constexpr double branchingExponent = 2.8;
-constexpr double taper = 0.92; // of a branch's mean radius at its end; what is left of it at its beginning is 1 / taper
-constexpr double tipTaper = 0.6; // the last branches end thinner
+constexpr double taper = 0.92; // ratio of a branch's radius at its end to its mean radius; at its start it is 1 / taper
+constexpr double tipTaper = 0.6; // the last branches are thinner at their ends
 
 PointType
 CenterOf(Iterator first, Iterator last)
@@ -23,7 +23,7 @@ CenterOf(Iterator first, Iterator last)
   return PointType(0.0) + sum / static_cast<double>(last - first);
 }
 
-// The first principal axis by power iteration; a few steps find a direction that is good enough to divide at.
+// The first principal axis by power iteration; a few steps are accurate enough for a division.
 VectorType
 LongestExtent(Iterator first, Iterator last, const PointType & center)
 {

@@ -20,7 +20,7 @@ using VectorType = itk::Vector<double, 3>;
 
 constexpr double tissue = 42.0;     // HU of vessels, walls of airways and fissures
 constexpr double pleura = 3.0;      // mm between ribs and lung, and of the diaphragm
-constexpr double fissure = 0.4;     // thickness, mm; a scanner's blur lowers its contrast to that of a thin line
+constexpr double fissure = 0.4;     // thickness, mm; a scanner's blur reduces its contrast to that of a thin line
 constexpr double forestReach = 6.0; // mm
 
 const PointType lowCorner = MakePoint(-150.0, -102.0, 60.0);
@@ -31,7 +31,7 @@ enum class Stream : std::uint32_t
   Texture = 0x1c01,
   Holes,
   Bullae,
-  Trees = 0x1d00 // and the number of the tree
+  Trees = 0x1d00 // plus the number of the tree
 };
 
 PhantomRandom
@@ -40,8 +40,8 @@ RandomOf(unsigned seed, Stream stream, unsigned number = 0)
   return PhantomRandom(seed, static_cast<std::uint32_t>(stream) + number);
 }
 
-// AwayFromColon() for a solid much larger than ColonAnatomy::Reach: away from the colon's box, its inner distances
-// stay.
+// AwayFromColon() for a solid much larger than ColonAnatomy::Reach: outside the colon's box its inner distances are
+// unchanged.
 PhantomSolid
 AwayFromColonsBox(const PhantomSolid & solid, const ColonAnatomy & anatomy, double gap)
 {
@@ -135,7 +135,7 @@ public:
   }
 };
 
-/** Smooth noise of about [-1, 1] with the mean 0: a periodic lattice of random numbers. */
+/** Smooth noise in about [-1, 1] with mean 0: a periodic lattice of random numbers. */
 class Texture
 {
 public:
@@ -148,7 +148,7 @@ public:
     }
   }
 
-  // Lobules of a few mm upon regions of a few cm.
+  // Lobules of a few mm superimposed on regions of a few cm.
   double
   operator()(const PointType & p) const
   {
@@ -188,7 +188,7 @@ private:
   std::vector<float> m_Values;
 };
 
-/** The parenchyma of both lungs with its fissures. What takes tissue away from it counts for its mean. */
+/** The parenchyma of both lungs with its fissures. Holes in the tissue are included in its mean. */
 class LungBody : public PhantomBody
 {
 public:
@@ -214,7 +214,7 @@ public:
     return { distance, std::min(-distance, (Lobes::ToFissure(p) - 0.5 * fissure) / Lobes::slope), true };
   }
 
-  // The share of tissue is what gravity and texture change, so that no value is below that of air.
+  // Gravity and texture modify the share of tissue, so that no value is below that of air.
   double
   Intensity(const PointType & p) const override
   {
@@ -243,7 +243,7 @@ private:
     return std::max(0.1, 1.0 + m_State.gravityGradient * depth + m_State.texture * m_Texture(p));
   }
 
-  // On a lattice: the mean over all of the lungs but what else is in them, holes included, is that of the state.
+  // On a lattice: the mean over the lungs without other structures, but including holes, is that of the state.
   void
   SetMean(const PhantomSolid & holes, const PhantomSolid & others)
   {
@@ -289,7 +289,7 @@ private:
   VectorType   m_Down;
   Texture      m_Texture;
   PointType    m_Middle{ 0.0 };
-  double       m_Tissue{ 0.0 }; // HU above air where nothing changes it
+  double       m_Tissue{ 0.0 }; // HU above air without modulation
 };
 
 /** Trees of one kind: trunks, then a tree for each lobe from the end of a trunk. */
@@ -297,7 +297,7 @@ struct TreePlan
 {
   std::vector<TaperedTube>            trunks;
   std::array<PointType, Lobes::count> roots;
-  double                              spacing;   ///< of the tips, mm
+  double                              spacing;   ///< spacing of the tips, mm
   double                              tipRadius; ///< mm
 };
 
@@ -374,7 +374,7 @@ Airways()
 std::vector<TaperedTube>
 GrowTrees(const PhantomSolid & lungs, const TreePlan & plan, unsigned seed, unsigned kind)
 {
-  constexpr double         toSurface = 4.0; // mm that the tips keep from pleura and fissures
+  constexpr double         toSurface = 4.0; // mm, distance of the tips from pleura and fissures
   std::vector<TaperedTube> tubes = plan.trunks;
   for (int lobe = 0; lobe < Lobes::count; ++lobe)
   {
@@ -397,7 +397,7 @@ WithWalls(std::vector<TaperedTube> tubes)
   return tubes;
 }
 
-// Holes of emphysema: most of them in the upper lobes, and a few bullae under the pleura.
+// Holes of emphysema: most of them in the upper lobes, and a few subpleural bullae.
 PhantomSolid
 Holes(const PhantomSolid & lungs, unsigned seed)
 {

@@ -10,26 +10,25 @@
 
 namespace shapeton
 {
-/** What a body is like around a point, for samplers that skip where nothing changes.
+/** Properties of a body around a point, for samplers that skip uniform regions. \ingroup ColonPhantom
  * \ingroup ColonPhantom */
 struct BodyProbe
 {
   /** Signed distance to the body's outer surface in mm, negative inside; its magnitude may be too small, never too
    * large. */
   double distance;
-  /** No surface of the body, outer or inner, is nearer than this, mm. */
+  /** Lower bound of the distance to any surface of the body, outer or inner, mm. */
   double clearance;
-  /** True when the intensity changes smoothly within the ball of radius `clearance`. */
+  /** True if the intensity is smooth within the ball of radius `clearance`. */
   bool textured{ false };
 };
 
 /** \class PhantomBody
- * \brief A body of a CT phantom: where it is, and its intensity in HU.
+ * \brief A body of a CT phantom: its region and its intensity in HU.
  *
- * Bodies are painted in order, each over those before it.
+ * Bodies are painted in order, each over the previous ones.
  *
- * \ingroup ColonPhantom
- */
+ * \ingroup ColonPhantom */
 class ColonPhantom_EXPORT PhantomBody
 {
 public:
@@ -40,19 +39,20 @@ public:
   virtual BodyProbe
   Probe(const PointType & point) const = 0;
 
-  /** Intensity in HU at a point of the body that lies on none of its surfaces. */
+  /** Intensity in HU at a point of the body that is not on any of its surfaces. */
   virtual double
   Intensity(const PointType & point) const = 0;
 
-  /** Changes `value`, the mean intensity of a cell of `width` mm around `point`, by the share of the body in it. */
+  /** Updates `value`, the mean intensity of a cell of `width` mm around `point`, by the share of the body in it. */
   virtual void
   Paint(const PointType & point, double width, double & value) const = 0;
 };
 
-/** In the order of painting. \ingroup ColonPhantom */
+/** In painting order. \ingroup ColonPhantom \ingroup ColonPhantom */
 using PhantomBodies = std::vector<std::shared_ptr<const PhantomBody>>;
 
-/** The share of a cell of `width` mm that lies inside a plane face; `distance` of its centre, negative inside.
+/** The share of a cell of `width` mm inside a plane face; `distance` of its center, negative inside.
+ * \ingroup ColonPhantom
  * \ingroup ColonPhantom */
 inline double
 ShareInside(double distance, double width)

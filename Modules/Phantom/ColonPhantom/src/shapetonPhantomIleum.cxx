@@ -19,19 +19,19 @@ using Eigen::Vector3d;
 constexpr double ileumStep = 2.0;
 constexpr double intoColon = 1.5;     // mm of the tube above the mouth, so that an open one joins the colon's lumen
 constexpr double thinWall = 1.5;      // mm
-constexpr double behindWall = 3.0;    // mm, where the slit begins to widen
-constexpr double widening = 10.0;     // mm, along which it does
+constexpr double behindWall = 3.0;    // mm, start of the widening of the slit
+constexpr double widening = 10.0;     // mm, length of the widening
 constexpr double tightestBend = 11.0; // mm, radius
 constexpr double closed = -0.3;       // mm, half width of a slit without a lumen
 constexpr int    mostWays = 60;
 
-// A tube whose section is a slot: all points within `radius` of a straight piece of 2 `half` mm along `wide`.
+// A tube with a slot-shaped section: all points within `radius` of a line segment of 2 `half` mm along `wide`.
 struct SlotSection
 {
   Vector3d middle;
   Vector3d wide; ///< unit vector perpendicular to the axis
   double   half;
-  double   radius; ///< nothing is inside where negative
+  double   radius; ///< empty if negative
 };
 
 double
@@ -60,7 +60,7 @@ SlotTubeSolid(const std::vector<SlotSection> & sections)
   }
   const Vector3d center = 0.5 * (low + high);
   const double   reach = 0.5 * (high - low).norm() + widest;
-  // Where the slit widens to the tube, both its radius and its half width change with up to 0.8 of the way.
+  // Where the slit widens to the tube, both its radius and its half width change by up to 0.8 per mm.
   constexpr double slope = 2.0;
   return { [=](const PhantomBody::PointType & point) {
             const Vector3d p(point[0], point[1], point[2]);
@@ -79,7 +79,7 @@ SlotTubeSolid(const std::vector<SlotSection> & sections)
            slope };
 }
 
-// Grows the axis step by step towards a place in the middle of the abdomen, clear of colon, spine and body wall.
+// Grows the axis step by step toward a point in the center of the abdomen, avoiding colon, spine and body wall.
 class IleumPath
 {
 public:
@@ -119,7 +119,7 @@ public:
   }
 
 private:
-  // mm that are lacking between the tube and colon, body wall and spine; negative where there is room.
+  // mm of missing room between the tube and colon, body wall and spine; negative if there is room.
   double
   Lacking(const Vector3d & at) const
   {
@@ -158,7 +158,7 @@ private:
   double               m_Straight;
 };
 
-// The longest of several, or the first that is as long as asked for.
+// The longest of several attempts, or the first with the requested length.
 std::vector<Vector3d>
 MakeAxis(const ColonAnatomy & anatomy, const ColonValve & valve, ColonRandom & random)
 {
@@ -167,7 +167,7 @@ MakeAxis(const ColonAnatomy & anatomy, const ColonValve & valve, ColonRandom & r
   std::vector<Vector3d> best;
   for (int i = 0; i < mostWays; ++i)
   {
-    // Towards the middle, and where that is blocked anywhere.
+    // Toward the center, or in any direction if that is blocked.
     const double   wide = static_cast<double>(i) / mostWays;
     const Vector3d medial(1.0, random.Uniform(-0.9, 0.3), random.Uniform(-1.1, 0.3));
     const Vector3d any(random.Uniform(-1.0, 1.0), random.Uniform(-1.0, 1.0), random.Uniform(-1.0, 1.0));
@@ -184,7 +184,7 @@ MakeAxis(const ColonAnatomy & anatomy, const ColonValve & valve, ColonRandom & r
   return best;
 }
 
-// From the slit between the lips to the round tube, or to the flat one that is collapsed.
+// From the slit between the lips to the round tube, or to the flat collapsed one.
 std::vector<SlotSection>
 MakeSections(const PhantomIleum & ileum, const ColonValve & valve, const SmoothNoise & noise, bool outer)
 {
@@ -223,7 +223,7 @@ MakePhantomIleum(const ColonAnatomy & anatomy, const ColonFluid & fluid)
   ileum.content = parameters.ileumContent;
   ileum.bore = parameters.ileumBore;
   ileum.intensity = ileum.content == "gas" ? gasIntensity : patient.Uniform(250.0, 750.0);
-  // What differs on both sides of the mouth would not stay so: then it is closed.
+  // Different contents on both sides of the mouth would mix: then it is closed.
   const bool   isWet = fluid.DepthBelowLevel(valve.mouth, valve.arcLength) > 0.0;
   const bool   isSame = ileum.content == (isWet ? "fluid" : "gas");
   const double width = random.Uniform(1.0, 3.0);

@@ -9,21 +9,21 @@
 
 namespace shapeton
 {
-/** The last of the small bowel, from the mouth between the lips of the valve away into the abdomen. */
+/** The terminal ileum, from the mouth between the lips of the valve into the abdomen. */
 struct PhantomIleum
 {
   std::string                  content;   ///< collapsed, gas or fluid
-  bool                         isOpen;    ///< its lumen and that of the colon are one
-  double                       slitWidth; ///< mm, 0 where closed
+  bool                         isOpen;    ///< whether its lumen is connected to that of the colon
+  double                       slitWidth; ///< mm, 0 if closed
   double                       bore;      ///< mm
-  double                       length;    ///< from the mouth to where it is lost, mm
-  double                       intensity; ///< of the content, HU
+  double                       length;    ///< mm, from the mouth to its end
+  double                       intensity; ///< HU of the content
   std::vector<Eigen::Vector3d> axis;      ///< from just inside the colon, 2 mm apart
-  PhantomSolid                 lumen;     ///< empty where collapsed
-  PhantomSolid                 wall;      ///< with what is in it
+  PhantomSolid                 lumen;     ///< empty if collapsed
+  PhantomSolid                 wall;      ///< including its content
 };
 
-/** Of a colon whose valve has lips. Anatomy has to outlive the solids. */
+/** For a colon with a lips valve. The anatomy must outlive the solids. */
 PhantomIleum
 MakePhantomIleum(const ColonAnatomy & anatomy, const ColonFluid & fluid);
 } // namespace shapeton

@@ -5,13 +5,13 @@
 
 namespace shapeton
 {
-/** Numbers that depend on the seed, the stream and how many were drawn before. */
+/** Random numbers that depend only on the seed, the stream and the number of previous draws. */
 class PhantomRandom
 {
 public:
   PhantomRandom(unsigned seed, std::uint32_t stream) : m_Seed(seed), m_Stream(stream) {}
 
-  /** In [low, high). */
+  /** Uniform in [low, high). */
   double
   Uniform(double low, double high)
   {

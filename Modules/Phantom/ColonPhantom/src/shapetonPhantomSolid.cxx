@@ -56,7 +56,7 @@ PowerLessOne(double x, double exponent)
 
 PhantomBody::~PhantomBody() = default;
 
-// First order: (k - 1) / |grad k|, with the norm k = |p / radii|, which rises by at most 1 / shortest. In three
+// First order: (k - 1) / |grad k|, with the norm k = |p / radii|, which increases by at most 1 / shortest. In three
 // dimensions the gradient of a norm with exponent n is at least 3^(1/n - 1/2) / longest.
 PhantomSolid
 EllipsoidSolid(const PointType & center, const itk::Vector<double, 3> & radii, double exponent)
@@ -147,8 +147,8 @@ BoxSolid(const PointType & center, const itk::Vector<double, 3> & halfSize)
   } };
 }
 
-// Where one distance is large, the other is not asked for: the larger one of the two bounds the true distance, and so
-// does either.
+// If one distance is large, the other is not evaluated: the larger one of the two bounds the true distance, and so does
+// either.
 PhantomSolid
 Both(const PhantomSolid & a, const PhantomSolid & b)
 {

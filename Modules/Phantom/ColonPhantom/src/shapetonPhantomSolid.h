@@ -10,8 +10,8 @@
 
 namespace shapeton
 {
-/** A solid by its signed distance: negative inside, right to first order near the surface. `distance` / `slope` is
- * nowhere larger than the true distance. */
+/** A solid defined by its signed distance: negative inside, first-order accurate near the surface. `distance` /
+ * `slope` never exceeds the true distance. */
 struct PhantomSolid
 {
   using PointType = PhantomBody::PointType;
@@ -37,7 +37,7 @@ MakeVector(double x, double y, double z)
 PhantomSolid
 EllipsoidSolid(const itk::Point<double, 3> & center, const itk::Vector<double, 3> & radii, double exponent = 2.0);
 
-/** A cylinder along z without ends; its cross-section is an ellipse of that kind. */
+/** An infinite cylinder along z; its cross-section is an ellipse of that kind. */
 PhantomSolid
 ColumnSolid(double x, double y, double a, double b, double exponent = 2.0);
 
@@ -62,7 +62,7 @@ Either(const PhantomSolid & a, const PhantomSolid & b);
 PhantomSolid
 Without(const PhantomSolid & a, const PhantomSolid & b);
 
-/** The solid grown by `margin` mm, shrunken when that is negative. */
+/** The solid expanded by `margin` mm, eroded if negative. */
 PhantomSolid
 Grown(const PhantomSolid & solid, double margin);
 
@@ -70,7 +70,7 @@ Grown(const PhantomSolid & solid, double margin);
 PhantomSolid
 ShellOf(const PhantomSolid & solid, double thickness);
 
-/** A body of one intensity. */
+/** A body of uniform intensity. */
 std::shared_ptr<const PhantomBody>
 MakeSolidBody(const PhantomSolid & solid, double intensity);
 

@@ -25,10 +25,10 @@ struct Loop
   std::vector<PointType> axis;
   double                 radius;
   double                 intensity;
-  double                 gasHeight; // gas lies above it: -down * p, mm
+  double                 gasHeight; // gas above this height: -down * p, mm
 };
 
-// The part of the abdomen that the loops fill.
+// The region of the abdomen filled by the loops.
 const PointType  regionCenter = MakePoint(0.0, -32.0, -30.0);
 const VectorType regionRadii = MakeVector(98.0, 52.0, 88.0);
 
@@ -84,7 +84,7 @@ RandomAxis(PhantomRandom & random)
 double
 RandomIntensity(PhantomRandom & random, double tagged)
 {
-  constexpr double thinShare = 0.6875; // of the tagged ones
+  constexpr double thinShare = 0.6875; // share of the tagged ones
   const double     kind = random.Uniform(0.0, 1.0);
   if (kind < thinShare * tagged)
   {
@@ -176,7 +176,7 @@ private:
   struct Segment
   {
     int loop;
-    int end; // its second point on the axis
+    int end; // index of its second point on the axis
   };
   using Segments = std::vector<Segment>;
 
@@ -193,7 +193,7 @@ private:
     return -(m_Down * point.GetVectorFromOrigin()) - loop.gasHeight;
   }
 
-  // Candidates of a block first, then of its cells.
+  // First the candidates of a block, then those of its cells.
   void
   FillCells()
   {
@@ -253,7 +253,7 @@ private:
     return DistanceToSegment(point, loop.axis[start], loop.axis[segment.end]) - loop.radius;
   }
 
-  // Those that may belong to one of the two loops nearest to a point of a cube.
+  // Loops that may be among the two nearest to a point of a cube.
   Segments
   SegmentsNear(const PointType & center, double side, const Segments & among) const
   {
@@ -288,7 +288,7 @@ private:
     return near;
   }
 
-  // The middle of a cube of `side` cells.
+  // The center of a cube of `side` cells.
   PointType
   PointOf(int x, int y, int z, int side) const
   {
@@ -311,7 +311,7 @@ private:
     return &m_Cells[cell];
   }
 
-  // The walls of the nearest two loops meet in the middle between them.
+  // The walls of the nearest two loops meet halfway between them.
   Nearest
   FindNearest(const PointType & point) const
   {

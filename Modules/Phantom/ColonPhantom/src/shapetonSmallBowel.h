@@ -6,12 +6,12 @@
 namespace shapeton
 {
 /** Loops of small bowel in the central abdomen: tubes with a radius of 10 to 14 mm, pressed against each other with
- * walls between them. `tagged` is the share that holds contrast medium, some of them as
- * bright as tagged fluid; some hold gas over a level. `down` is the direction of gravity. */
+ * walls between them. `tagged` is the share with contrast medium, some of them as bright as tagged fluid; some
+ * contain gas above a level. `down` is the direction of gravity. */
 struct SmallBowelLoops
 {
   std::shared_ptr<const PhantomBody> body;
-  PhantomSolid                       lumen; ///< gas and fluid; distances are cut to 6 mm
+  PhantomSolid                       lumen; ///< gas and fluid; distances are clamped to 6 mm
 };
 
 SmallBowelLoops

@@ -19,7 +19,8 @@ constexpr double blood = 42.0;
 constexpr double diaphragm = 3.0; // thickness of the diaphragm, mm
 constexpr double vesselFat = 3.5; // thickness of the fat around the great vessels, mm
 constexpr double heartFat = 5.0;  // thickness of the fat around the heart, mm
-constexpr double capBase = 170.0; // z of the plane where the cage begins to narrow, mm; above the default field of view
+constexpr double capBase = 170.0; // z of the plane where the rib cage becomes narrower, mm; above the default field of
+                                  // view
 
 PhantomSolid
 Union(const std::vector<PhantomSolid> & solids)

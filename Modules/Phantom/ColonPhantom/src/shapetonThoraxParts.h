@@ -11,7 +11,7 @@ namespace shapeton
 PhantomSolid
 ThoracicCage();
 
-/** What lies between the lungs, the heart with its fat included. */
+/** The structures between the lungs, including the heart with its fat. */
 PhantomSolid
 Mediastinum();
 
@@ -19,7 +19,7 @@ Mediastinum();
 PhantomSolid
 Heart();
 
-/** What the two halves of the diaphragm cover above the dome of the abdomen; `lift` (mm) raises them. */
+/** The regions covered by the two halves of the diaphragm above the dome of the abdomen; `lift` (mm) raises them. */
 PhantomSolid
 RightHemidiaphragm(double lift);
 PhantomSolid

@@ -12,8 +12,8 @@ namespace
 using PointType = PhantomBody::PointType;
 
 constexpr double forestCell = 5.0; // mm
-// Radii change by less than a third of a mm per mm, so the distance to the axis less the radius is at most this factor
-// too large.
+// Radii change by less than a third of a mm per mm, so the distance to the axis minus the radius is too large by at
+// most this factor.
 constexpr double taperSlope = 1.1;
 
 class TubeForest
@@ -90,7 +90,7 @@ private:
     return (p - (tube.from + along * t)).GetNorm() - radius;
   }
 
-  // A point of a cell is at most half the diagonal nearer to the tube than the middle of the cell.
+  // A point of a cell is closer to the tube than the center of the cell by at most half the diagonal.
   void
   Insert(int number)
   {

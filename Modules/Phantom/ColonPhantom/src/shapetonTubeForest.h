@@ -7,7 +7,7 @@
 
 namespace shapeton
 {
-/** A tapered tube with round ends; a ball where both ends are one point. LPS, mm. */
+/** A tapered tube with round ends; a ball if both ends coincide. LPS, mm. */
 struct TaperedTube
 {
   using PointType = PhantomBody::PointType;

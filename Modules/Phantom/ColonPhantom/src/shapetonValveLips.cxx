@@ -9,8 +9,8 @@ using Eigen::Vector3d;
 
 namespace
 {
-constexpr double c_Fillet = 1.0;      // mm, of the cleft's bottom
-constexpr double c_MiddleShare = 0.4; // of a lip's thickness, from the mouth to the lip's middle
+constexpr double c_Fillet = 1.0;      // mm, at the bottom of the cleft
+constexpr double c_MiddleShare = 0.4; // share of a lip's thickness, from the mouth to the lip's center
 } // namespace
 
 Vector3d
@@ -25,7 +25,7 @@ ValveLips::Crest(int side) const
   return this->Middle(side) + height * axis;
 }
 
-// Ellipsoids with their middles on the wall, of first order near their surface.
+// Ellipsoids centered on the wall, first-order accurate near their surface.
 ColonDistance
 ValveLips::Distance(const Vector3d & point) const
 {

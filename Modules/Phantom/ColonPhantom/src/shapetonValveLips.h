@@ -7,23 +7,23 @@
 
 namespace shapeton
 {
-/** The two lips of the ileocaecal valve in a position: half ellipsoids side by side on the wall, which meet in a cleft
- * and leave a mouth at its bottom. */
+/** The two lips of the ileocecal valve in a position: half ellipsoids side by side on the wall, with a cleft between
+ * them and a mouth at its bottom. */
 struct ValveLips
 {
-  Eigen::Vector3d base;      ///< on the wall, under the mouth
+  Eigen::Vector3d base;      ///< on the wall, below the mouth
   Eigen::Vector3d axis;      ///< unit vector into the lumen
   Eigen::Vector3d slit;      ///< unit vector around the colon, along the mouth
-  Eigen::Vector3d across;    ///< unit vector along the colon, from the caecum to the ascending colon
+  Eigen::Vector3d across;    ///< unit vector along the colon, from the cecum to the ascending colon
   double          length;    ///< of both lips along the slit, mm
   double          height;    ///< above the wall, mm
   double          thickness; ///< of each lip, mm
 
-  /** Distance to the lips, positive outside of them, with a round bottom of the cleft. */
+  /** Distance to the lips, positive outside, with a rounded bottom of the cleft. */
   ColonDistance
   Distance(const Eigen::Vector3d & point) const;
 
-  /** The middle of the crest of the lip towards the ascending colon (1) or the caecum (-1). */
+  /** The middle of the crest of the lip toward the ascending colon (1) or the cecum (-1). */
   Eigen::Vector3d
   Crest(int side) const;
 

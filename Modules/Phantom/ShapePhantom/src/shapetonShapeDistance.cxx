@@ -27,7 +27,7 @@ Minus(const Vector & a, const Vector & b)
   return { { a[0] - b[0], a[1] - b[1], a[2] - b[2] } };
 }
 
-// sqrt of a sum of squares instead of hypot: correctly rounded, so equal on every machine.
+// sqrt of a sum of squares instead of hypot: correctly rounded, so identical on every machine.
 double
 Length(double a, double b)
 {
@@ -102,7 +102,7 @@ Distance(const Tube & tube, const Vector & p)
   return least - tube.radius;
 }
 
-// Where the point was before the deformation.
+// The position of the point before the deformation.
 Vector
 Undo(const Bend & bend, const Vector & p)
 {
@@ -147,7 +147,7 @@ ImplicitValue(const Object & object, Vector p)
   return std::visit([&p](const auto & primitive) { return Distance(primitive, p); }, object.primitive) - displacement;
 }
 
-// One-sided differences, of each pair the smaller: a central one would see the far side of a bent object's gap as a
+// One-sided differences, the smaller of each pair: a central one would see the far side of a bent object's gap as a
 // jump.
 double
 GradientLength(const Object & object, const Vector & p, double value)
@@ -168,7 +168,7 @@ GradientLength(const Object & object, const Vector & p, double value)
 }
 
 // A lower bound of the distance to the object, 0 inside the envelope. Far from the surface, where space is stretched
-// most (at the centre of a bend, far from the axis of a twist), f / |grad f| falls below it.
+// most (at the center of a bend, far from the axis of a twist), f / |grad f| is below it.
 double
 DistanceToEnvelope(const Object & object, Vector p)
 {
@@ -317,7 +317,7 @@ Envelope(const Object & object)
     {
       for (double & value : extent)
       {
-        // A twist in between spreads the bumps of x and y.
+        // A twist in between mixes the bumps of x and y.
         value += std::abs(bumps->amplitude) * (twisted ? std::sqrt(2.0) : 1.0);
       }
     }
@@ -341,7 +341,7 @@ UpdateBounds(Object & object)
   {
     if (std::holds_alternative<Bend>(deformation))
     {
-      radius *= std::sqrt(2.0); // (x, z) goes to a point whose squared length is at most x^2 + z^2 (R - x) / R; |x| < R
+      radius *= std::sqrt(2.0); // (x, z) maps to a point whose squared length is at most x^2 + z^2 (R - x) / R; |x| < R
     }
     else if (const auto * bumps = std::get_if<Bumps>(&deformation))
     {

@@ -12,7 +12,7 @@ namespace shape
 {
 using Vector = std::array<double, 3>;
 
-// ---- primitives: centred at the origin of the object's frame, long axis z ----
+// ---- primitives: centered at the origin of the object's frame, long axis z ----
 
 struct Sphere
 {
@@ -53,12 +53,12 @@ struct Bend
 {
   double arcRadius;
 };
-/** Each section is turned about the z axis in proportion to z; rad per unit length. */
+/** Each section is rotated about the z axis in proportion to z; rad per unit length. */
 struct Twist
 {
   double rate;
 };
-/** The surface moves outwards by amplitude * sin(kx) sin(ky) sin(kz). */
+/** The surface is displaced outward by amplitude * sin(kx) sin(ky) sin(kz). */
 struct Bumps
 {
   double amplitude;
@@ -81,11 +81,11 @@ struct Object
   double                               boundingRadius{ 0.0 };
 };
 
-/** Half the extents of the smallest box around the origin that holds the primitive. */
+/** Half extents of the smallest box around the origin that contains the primitive. */
 Vector
 HalfExtent(const Primitive & primitive);
 
-/** Half the extents of a box around the origin that holds the object with its twists and bumps, before it is bent. */
+/** Half extents of a box around the origin that contains the object with its twists and bumps, before it is bent. */
 Vector
 Envelope(const Object & object);
 
@@ -93,9 +93,9 @@ Envelope(const Object & object);
 void
 UpdateBounds(Object & object);
 
-/** Signed distance of a point to the surface, negative inside. Exact for undeformed boxes, spheres, cylinders, tori and
- * tubes (inside a sharp bend of a tube, a lower bound). For ellipsoids and deformed objects the sign is exact and the
- * value is the distance to first order, f / |grad f|. */
+/** Signed distance of a point to the surface, negative inside. Exact for undeformed boxes, spheres, cylinders, tori
+ * and tubes (inside a sharp bend of a tube, a lower bound). For ellipsoids and deformed objects the sign is exact
+ * and the value is the first-order distance f / |grad f|. */
 double
 SignedDistance(const Object & object, const Vector & point);
 } // namespace shape

@@ -168,7 +168,7 @@ ShapePhantomImageSource::FindBodiesNear(const PointType & lineStart, const Point
     const auto & object = m_Objects[i];
     sameBody = sameBody && i > 0 && object.intensity == m_Objects[i - 1].intensity;
     const double reach = object.boundingRadius + reachOfBlur * m_Blur;
-    // The margin keeps rounding from dropping an object that the test for each voxel would keep.
+    // The margin prevents rounding from dropping an object that the per-voxel test would keep.
     if (SquaredDistanceToSegment(lineStart, lineEnd, object.boundingCenter) > 1.001 * Square(reach))
     {
       continue;
@@ -259,7 +259,7 @@ ShapePhantomImageSource::FindIncompleteObjects() const
   {
     objects.push_back(scene.GetObject(i));
     itk::ContinuousIndex<double, 3> index;
-    // An object that does not cross the border is wholly inside or wholly outside, and so is this point.
+    // An object that does not cross the border is completely inside or outside, and so is this point.
     incomplete[i] = !image->TransformPhysicalPointToContinuousIndex(objects[i].boundingCenter, index);
   }
   VisitBorder(image, [&](const PointType & point) {

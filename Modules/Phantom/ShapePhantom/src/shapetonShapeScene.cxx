@@ -21,7 +21,7 @@ ToUnits(const ShapeScene::PointType & point, double unitLength)
   return { { point[0] / unitLength, point[1] / unitLength, point[2] / unitLength } };
 }
 
-// Faces that pass through voxel centres stay there whatever the last bits of a sine are.
+// Keeps faces through voxel centers there, independent of the last bits of a sine.
 double
 Round(double distance)
 {

@@ -19,7 +19,7 @@ constexpr double      highestIntensity = 31743.0;
 constexpr std::size_t mostObjects = 10000;
 constexpr std::size_t mostPoints = 10000;
 
-// A value of the document and the way to it, for messages.
+// A value of the document and its path, for messages.
 class Node
 {
 public:
