@@ -154,7 +154,7 @@ class DicomTest(TestCase):
             shapeton.read_volume(folder)
         path = self.folder / "volume.nrrd"
         shapeton.write_volume(balls((8, 8, 8)), path)
-        with self.assertRaisesRegex(shapeton.ParameterError, 'the parameter "series_uid" chooses'):
+        with self.assertRaisesRegex(shapeton.ParameterError, 'the parameter "series_uid" selects'):
             shapeton.read_volume(path, series_uid="1.2.3")
 
     @needs_tools

@@ -393,10 +393,10 @@ ContainedProcess::ReportDeath(bool outOfTime)
     if (WTERMSIG(status) == SIGXCPU || WTERMSIG(status) == SIGKILL)
     {
       throw Failure("reading it took more than " + std::to_string(m_Limits.cpuSeconds) +
-                    " s of computing; the file is malformed");
+                    " s of CPU time; the file is malformed");
     }
     throw Failure("the decoder crashed on it (signal " + std::to_string(WTERMSIG(status)) + "); the file is malformed");
   }
-  throw Failure("the decoder gave up on it; the file is malformed");
+  throw Failure("the decoder failed on it; the file is malformed");
 }
 } // namespace shapeton

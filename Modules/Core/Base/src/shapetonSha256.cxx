@@ -45,7 +45,7 @@ private:
   {
     if (!isDone)
     {
-      throw std::runtime_error("OpenSSL offers no SHA-256; check its configuration");
+      throw std::runtime_error("OpenSSL does not provide SHA-256; check its configuration");
     }
   }
 

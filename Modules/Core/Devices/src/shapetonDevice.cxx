@@ -38,7 +38,7 @@ OpenPlugin()
   const std::string path = PathOfPlugin();
   if (!std::filesystem::exists(path))
   {
-    return { nullptr, "the plug-in " + path + " is not there; build Shapeton with SHAPETON_USE_CUDA=ON" };
+    return { nullptr, "the plug-in " + path + " is missing; build Shapeton with SHAPETON_USE_CUDA=ON" };
   }
   void * const handle = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
   if (!handle)
@@ -48,7 +48,7 @@ OpenPlugin()
   const auto version = reinterpret_cast<PluginVersionFunction *>(dlsym(handle, "ShapetonPluginVersion"));
   if (!version || version() != std::string(SHAPETON_DEVICE_VERSION))
   {
-    return { nullptr, "the plug-in " + path + " does not belong to Shapeton " + SHAPETON_DEVICE_VERSION };
+    return { nullptr, "the plug-in " + path + " was not built with Shapeton " + SHAPETON_DEVICE_VERSION };
   }
   return { handle, {} };
 }

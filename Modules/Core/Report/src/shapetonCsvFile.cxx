@@ -137,8 +137,8 @@ CsvFile::RequireColumns(const std::vector<std::string> & columns) const
     if (number != 1)
     {
       this->Refuse(1,
-                   (number == 0 ? "there is no column \"" : "there are several columns \"") + column +
-                     "\"; the header must have " + header);
+                   "the column \"" + column + (number == 0 ? "\" is missing" : "\" occurs more than once") +
+                     "; the header must have " + header);
     }
   }
 }
@@ -163,7 +163,7 @@ CsvFile::Number(std::size_t row, const std::string & column) const
   const auto          result = std::from_chars(text.data(), text.data() + text.size(), value);
   if (result.ec != std::errc() || result.ptr != text.data() + text.size() || !std::isfinite(value))
   {
-    this->Refuse(m_Rows[row].line, column + " is \"" + text + "\", which is no number");
+    this->Refuse(m_Rows[row].line, column + " is \"" + text + "\", which is not a number");
   }
   return value;
 }

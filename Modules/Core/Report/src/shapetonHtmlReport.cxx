@@ -153,7 +153,7 @@ HtmlReport::AddHead(const std::vector<std::pair<std::string, std::string>> & sum
   this->AddWarnings(warnings);
   if (warnings.empty())
   {
-    this->AddParagraph("Nothing was found missing or doubtful. Look at the pictures all the same.");
+    this->AddParagraph("Nothing is missing or doubtful. Check the pictures nevertheless.");
   }
 }
 

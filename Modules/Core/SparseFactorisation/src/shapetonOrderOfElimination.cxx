@@ -55,7 +55,7 @@ RunMetis(Graph & graph, std::vector<idx_t> & order, std::vector<idx_t> & place)
   }
   if (status != METIS_OK)
   {
-    throw std::logic_error("METIS refuses a graph of " + std::to_string(vertices) + " vertices");
+    throw std::logic_error("METIS rejects a graph of " + std::to_string(vertices) + " vertices");
   }
 }
 

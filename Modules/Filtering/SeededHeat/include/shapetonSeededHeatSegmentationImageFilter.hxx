@@ -115,7 +115,7 @@ template <typename TInputImage>
 typename SeededHeatSegmentationImageFilter<TInputImage>::HeatImageType::Pointer
 SeededHeatSegmentationImageFilter<TInputImage>::GetProbabilities(unsigned short label) const
 {
-  RequireParameter(m_Solver != nullptr, "there are no probabilities: keep them, and update the filter first");
+  RequireParameter(m_Solver != nullptr, "the probabilities were not kept; set KeepProbabilities and update the filter");
   auto image = HeatImageType::New();
   image->CopyInformation(m_Grid);
   image->SetRegions(m_Grid->GetLargestPossibleRegion());

@@ -114,7 +114,7 @@ private:
     if (voxel != 0 && voxel != m_Label)
     {
       throw InputError(NameOf(number) + " lies in a voxel that is already a seed of label " + std::to_string(voxel) +
-                       "; a voxel can have one label");
+                       "; a voxel can have only one label");
     }
     voxel = m_Label;
   }
@@ -193,7 +193,7 @@ ChosenClasses(const SeedImage * classes, const ClassSeeds & choice)
   {
     if (present.count(value) == 0)
     {
-      throw InputError("no voxel is of class " + std::to_string(value) + "; choose classes that the map has");
+      throw InputError("class " + std::to_string(value) + " has no voxel; choose classes of the label map");
     }
   }
   std::vector<int> chosen = choice.classes;
@@ -210,7 +210,7 @@ SeedsOfVolume(const Volume & volume, const std::string & path, const itk::ImageB
 {
   if (!HaveSameGrid(image, volume.image))
   {
-    throw InputError(path + ": the labels differ in size or place from the volume: give labels made on that volume");
+    throw InputError(path + ": the labels differ in size or position from the volume; use labels of that volume");
   }
   const auto        seeds = NewSeeds(image);
   const std::size_t number = image->GetLargestPossibleRegion().GetNumberOfPixels();

@@ -171,9 +171,9 @@ SeededHeatSolver::RemarkOnFewVoxels(const unsigned short * seeds)
     if (gained[label] < SeededHeatResult::FewestVoxels)
     {
       m_Result.remarks.push_back("label " + std::to_string(label) + " has " + std::to_string(own[label]) +
-                                 (own[label] == 1 ? " seed" : " seeds") + " and gets only " +
+                                 (own[label] == 1 ? " seed" : " seeds") + " and gains only " +
                                  std::to_string(gained[label]) +
-                                 " voxels more; where its part is larger, draw strokes through all of it");
+                                 " voxels; if its region is larger, draw strokes through all of it");
     }
   }
 }
@@ -192,7 +192,7 @@ SeededHeatSolver::Solve(const unsigned short * seeds, const Progress & progress)
   }
   if (grid.GetLength() >= noAggregate / 2)
   {
-    throw InputError("the volume has more voxels than the solver can number; crop it or take larger voxels");
+    throw InputError("the volume has more voxels than the solver can number; crop it or use larger voxels");
   }
   if (labels != m_Result.labelValues || !m_Settings.keepProbabilities)
   {

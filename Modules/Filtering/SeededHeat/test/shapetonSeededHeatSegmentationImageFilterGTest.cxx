@@ -306,6 +306,6 @@ TEST(HeatSeeds, ClassesGiveSeedsAwayFromTheirBorders)
   EXPECT_EQ(Count(seeds, 2), 1u);
   EXPECT_EQ(Count(seeds, 3), 0u);
   choice.classes = { 6 };
-  EXPECT_NE(MessageOf([&] { shapeton::SeedsOfClasses(classes, choice); }).find("no voxel is of class 6"),
+  EXPECT_NE(MessageOf([&] { shapeton::SeedsOfClasses(classes, choice); }).find("class 6 has no voxel"),
             std::string::npos);
 }

@@ -54,12 +54,12 @@ RequireShapeDatabase(const SqliteFile & file)
 {
   if (file.Number("PRAGMA application_id") != ApplicationId)
   {
-    throw InputError(file.Path() + ": an SQLite database, but none of shapes; name another file");
+    throw InputError(file.Path() + ": an SQLite database, but not a shape database; choose another file");
   }
   if (const auto version = file.Number("PRAGMA user_version"); version != SchemaVersion)
   {
     throw InputError(file.Path() + ": the database has version " + std::to_string(version) +
-                     ", and this program knows " + std::to_string(SchemaVersion) +
+                     ", but this program supports " + std::to_string(SchemaVersion) +
                      "; use the program that made it, or start a new database");
   }
   if (const std::string fault = file.Text("PRAGMA quick_check(1)"); fault != "ok")
@@ -99,7 +99,7 @@ RequireNew(const SqliteFile & file, const std::string & identity, const std::str
   query.Bind(identity).Bind(label);
   if (query.Step())
   {
-    throw InputError(file.Path() + ": label " + label + " of this table is there already, as \"" + query.Text(0) +
+    throw InputError(file.Path() + ": label " + label + " of this table already exists as \"" + query.Text(0) +
                      "\"; nothing was added");
   }
 }
@@ -155,7 +155,7 @@ AddToShapeDatabase(const std::string & path,
                    const std::string & identity,
                    const std::string & name)
 {
-  RequireParameter(!name.empty(), "a shape is added under a name that is not empty");
+  RequireParameter(!name.empty(), "the name of a shape must not be empty");
   const SqliteFile file(path, SqliteFile::Access::Write);
   file.Execute("PRAGMA synchronous = FULL");
   file.Execute("BEGIN IMMEDIATE"); // an exception before COMMIT rolls back when the file is closed
@@ -186,7 +186,7 @@ ReadShapeDatabase(const std::string & path)
   }
   if (shapes.empty())
   {
-    throw InputError(path + ": the database holds no shape; add some first");
+    throw InputError(path + ": the database contains no shapes; add some first");
   }
   return shapes;
 }

@@ -41,7 +41,7 @@ RegularFile(const std::string & path, SqliteFile::Access access)
   }
   if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
   {
-    throw InputError(path + ": no file; a database of shapes is one SQLite file");
+    throw InputError(path + ": not a file; a shape database is a single SQLite file");
   }
   return std::filesystem::absolute(path).string();
 }
@@ -79,7 +79,7 @@ SqliteFile::Fail(int code) const
   switch (code & 0xff)
   {
     case SQLITE_NOTADB:
-      throw InputError(m_Path + ": no database of shapes, but another kind of file; name another one");
+      throw InputError(m_Path + ": not a shape database; choose another file");
     case SQLITE_CORRUPT:
       throw InputError(m_Path + ": the database is damaged (" + reason + "); restore a copy of it");
     case SQLITE_BUSY:

@@ -124,7 +124,7 @@ TEST_F(ShapeDatabase, RefusesATableTwice)
 {
   AddToShapeDatabase(path, Table(2), "sha256:1", "talus");
   EXPECT_EQ(basetest::MessageOf([&] { AddToShapeDatabase(path, Table(3), "sha256:1", "tarsus"); }),
-            "InputError: " + path + ": label 1 of this table is there already, as \"talus:1\"; nothing was added");
+            "InputError: " + path + ": label 1 of this table already exists as \"talus:1\"; nothing was added");
   EXPECT_EQ(ReadShapeDatabase(path).size(), 2U);
   EXPECT_EQ(AddToShapeDatabase(path, Table(2), "sha256:2", "talus"), 4U); // another table of the same name
 }
@@ -143,22 +143,22 @@ TEST_F(ShapeDatabase, WantsAName) { EXPECT_THROW(AddToShapeDatabase(path, Table(
 TEST_F(ShapeDatabase, RefusesOtherFiles)
 {
   std::ofstream(path) << "label,component\n1,0\n";
-  ExpectRefused(path, "no database of shapes, but another kind of file");
+  ExpectRefused(path, "not a shape database; choose another file");
   std::ofstream(path) << std::string(20000, 'x');
-  ExpectRefused(path, "no database of shapes, but another kind of file");
+  ExpectRefused(path, "not a shape database; choose another file");
 }
 
 TEST_F(ShapeDatabase, RefusesDatabasesOfOthers)
 {
   RunSql(path, "CREATE TABLE shape (name TEXT);");
-  ExpectRefused(path, "an SQLite database, but none of shapes");
+  ExpectRefused(path, "an SQLite database, but not a shape database");
 }
 
 TEST_F(ShapeDatabase, RefusesOtherVersions)
 {
   AddToShapeDatabase(path, Table(1), "sha256:0", "first");
   RunSql(path, "PRAGMA user_version = 2;");
-  ExpectRefused(path, "the database has version 2, and this program knows 1");
+  ExpectRefused(path, "the database has version 2, but this program supports 1");
 }
 
 TEST_F(ShapeDatabase, RefusesDamagedFiles)
@@ -189,7 +189,7 @@ TEST_F(ShapeDatabase, SaysWhatIsMissing)
   EXPECT_NE(basetest::MessageOf([&] { ReadShapeDatabase(path); }).find("No such file"), std::string::npos);
   std::ofstream{ path };
   EXPECT_EQ(basetest::MessageOf([&] { ReadShapeDatabase(path); }),
-            "InputError: " + path + ": the database holds no shape; add some first");
+            "InputError: " + path + ": the database contains no shapes; add some first");
   EXPECT_NE(basetest::MessageOf([&] { ReadShapeDatabase(folder / "."); }).find("no file; a database"),
             std::string::npos);
   EXPECT_NE(basetest::MessageOf([&] {

@@ -36,7 +36,7 @@ CheckSteps(const std::vector<std::uint64_t> & steps, std::uint64_t last)
   const bool ascend = std::adjacent_find(steps.begin(), steps.end(), std::greater_equal<>()) == steps.end();
   if (!ascend || (!steps.empty() && steps.back() > last))
   {
-    throw std::invalid_argument("the steps to record must ascend and none may lie beyond the last step");
+    throw std::invalid_argument("the steps to record must ascend and not exceed the last step");
   }
 }
 
@@ -49,7 +49,7 @@ CheckSettings(const std::array<std::size_t, 3> &      size,
   CheckSteps(settings.snapshotSteps, settings.timeSteps);
   if (!settings.snapshotSteps.empty() && !consumer)
   {
-    throw std::invalid_argument("snapshots are asked for but nothing takes them");
+    throw std::invalid_argument("snapshots are requested without a consumer");
   }
   if (size[0] * size[1] * size[2] >= std::numeric_limits<std::uint32_t>::max())
   {

@@ -341,7 +341,7 @@ HeatDiffusionSolver::Run(PaddedField &                      heat,
   const bool ascend = std::adjacent_find(steps.begin(), steps.end(), std::greater_equal<>()) == steps.end();
   if (!ascend || (!steps.empty() && steps.back() > lastStep))
   {
-    throw std::invalid_argument("the steps to record must ascend and none may lie beyond the last step");
+    throw std::invalid_argument("the steps to record must ascend and not exceed the last step");
   }
   m_Steady = false;
   m_Applications = 0;

@@ -125,8 +125,7 @@ struct ShapetonDiffusion::Impl : ShapetonWalk
     const std::uint64_t number = settings.shapetons;
     if (measures.maximumVisits + number * (end - begin + 1) > std::numeric_limits<std::uint32_t>::max())
     {
-      throw std::overflow_error("a voxel has been visited four thousand million times, more than can be counted; take "
-                                "fewer steps or shapetons");
+      throw std::overflow_error("the visits of a voxel exceed 32 bits; use fewer steps or shapetons");
     }
     if (end > begin)
     {

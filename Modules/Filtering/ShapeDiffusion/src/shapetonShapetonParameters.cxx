@@ -43,21 +43,21 @@ ChooseShapetons(const std::array<std::size_t, 3> & size,
   const double smallest = *std::min_element(spacing.begin(), spacing.end());
   if (!(featureSize >= smallest && featureSize <= side))
   {
-    throw std::invalid_argument("a feature of " + Rounded(featureSize) + " mm cannot be seen in this volume: choose " +
-                                Rounded(smallest) + " mm (a voxel) to " + Rounded(side) + " mm (the longest side)");
+    throw std::invalid_argument("a feature of " + Rounded(featureSize) +
+                                " mm cannot be resolved in this volume: choose " + Rounded(smallest) + " mm (a voxel) to " + Rounded(side) + " mm (the longest side)");
   }
   AutomaticShapetons chosen;
   chosen.distance = 0.5 * featureSize / side;
   chosen.distanceReason = "half of the feature size, " + Rounded(0.5 * featureSize) +
                           " mm, in units of the longest side, " + Rounded(side) +
-                          " mm: a step longer than a feature passes over it";
+                          " mm: a step longer than a feature skips it";
   const double forVoxels = visitsPerVoxel * voxels / static_cast<double>(timeSteps);
   const double forFeatures = startsPerFeature * volume / (featureSize * featureSize * featureSize);
   const double wanted = std::clamp(std::max(forVoxels, forFeatures), fewest, most);
   chosen.shapetons = static_cast<std::uint32_t>(1000.0 * std::ceil(wanted / 1000.0));
   chosen.shapetonsReason =
-    wanted == most     ? "the most that is taken: more would be wanted"
-    : wanted == fewest ? "the fewest that are taken: the volume is small"
+    wanted == most     ? "the maximum; more would be better"
+    : wanted == fewest ? "the minimum, as the volume is small"
     : forVoxels >= forFeatures
       ? "each voxel gets " + Rounded(visitsPerVoxel) + " visits on average in " + std::to_string(timeSteps) +
           " time steps"

@@ -137,8 +137,8 @@ PlaceByDensity(const ShapetonKernels::Surroundings & surroundings,
   if (whole == 0)
   {
     throw std::domain_error(
-      byInitialHeat ? "no voxel, of the mask if there is one, has initial heat to place shapetons by: there are "
-                      "no edges; place them uniformly"
+      byInitialHeat ? "no voxel (of the mask, if given) has initial heat, as the volume has no edges; place "
+                      "the shapetons uniformly"
                     : "the mask is empty; it needs voxels other than 0 to place shapetons in");
   }
   for (std::size_t i = 0; i < shapetons.number; ++i)

@@ -82,7 +82,7 @@ Parse(const std::string & name, const std::string & value)
   TNumber            number{};
   if (!(stream >> number) || !stream.eof())
   {
-    throw std::runtime_error("\"" + name + "\" holds no number");
+    throw std::runtime_error("\"" + name + "\" is not a number");
   }
   return number;
 }

@@ -53,7 +53,7 @@ LabelsOf(const LabelMap * labels)
     if (!(values[i] >= 0.0F && values[i] < MostLabels && values[i] == std::floor(values[i])))
     {
       throw InputError("a voxel has the value " + NumberText(values[i]) +
-                       "; labels are whole numbers from 0 to 65535: give a label map");
+                       "; labels must be integers from 0 to 65535; use a label map");
     }
     isThere[static_cast<std::size_t>(values[i])] = 1;
   }

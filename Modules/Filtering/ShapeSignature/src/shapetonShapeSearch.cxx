@@ -99,7 +99,7 @@ FindShape(const ShapeSignature & shape, const std::vector<NamedShape> & entries,
 {
   if (entries.empty())
   {
-    throw std::invalid_argument("There is no entry to search");
+    throw std::invalid_argument("The list of entries is empty");
   }
   ShapeSearchResult result;
   for (std::size_t i = 0; i < entries.size(); ++i)

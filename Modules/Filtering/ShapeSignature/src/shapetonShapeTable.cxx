@@ -129,7 +129,7 @@ WholeNumber(const CsvFile & file, std::size_t row, const char * column, const st
   const double value = file.Number(row, column);
   if (!(value >= 0.0 && value <= 2e9 && value == std::floor(value)))
   {
-    throw InputError(place + ": the " + column + " " + file.Text(row, column) + " is no whole number from 0 on");
+    throw InputError(place + ": the " + column + " " + file.Text(row, column) + " is not a non-negative integer");
   }
   return static_cast<int>(value);
 }
@@ -213,7 +213,7 @@ ReadShapeTable(const std::string & path)
   }
   if (table.rows.empty())
   {
-    throw InputError(path + ": the table has no shape; make it by ShapeSignature");
+    throw InputError(path + ": the table contains no shape; create it with ShapeSignature");
   }
   return table;
 }
@@ -225,14 +225,14 @@ RequireSound(const ShapeSignature & signature, const std::string & what)
     const bool isHeat = column.rfind(HeatColumn, 0) == 0; // which ends at 0
     if (!(std::isfinite(value) && (isHeat ? value >= 0.0 : value > 0.0)))
     {
-      throw InputError(what + ": " + column + " is " + CsvTable::Number(value) + ", which no shape has");
+      throw InputError(what + ": " + column + " is " + CsvTable::Number(value) + ", which is out of range");
     }
   });
   if (!IsMonotonic(signature.remainingHeat, false) || !IsMonotonic(signature.displacement, true) ||
       !IsMonotonic(signature.spectrum, true) || signature.remainingHeat[0] > 1.0 || signature.elongation < 1.0 ||
       signature.flatness < 1.0)
   {
-    throw InputError(what + ": the numbers are those of no shape; heat falls, displacement and eigenvalues rise");
+    throw InputError(what + ": not a valid signature; heat must decrease, displacement and eigenvalues must increase");
   }
 }
 } // namespace shapeton

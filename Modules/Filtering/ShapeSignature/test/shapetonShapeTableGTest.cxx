@@ -104,9 +104,9 @@ TEST(ShapeTable, RefusesLabelsThatAreNone)
   image->GetBufferPointer()[7] = 1.0F;
   EXPECT_NE(basetest::MessageOf(describe).find("no shape has a signature: label 1 is left out"), std::string::npos);
   image->GetBufferPointer()[7] = -1024.0F;
-  EXPECT_NE(basetest::MessageOf(describe).find("has the value -1024; labels are whole numbers"), std::string::npos);
+  EXPECT_NE(basetest::MessageOf(describe).find("has the value -1024; labels must be integers"), std::string::npos);
   image->GetBufferPointer()[7] = std::numeric_limits<float>::quiet_NaN();
-  EXPECT_NE(basetest::MessageOf(describe).find("has the value nan; labels are whole numbers"), std::string::npos);
+  EXPECT_NE(basetest::MessageOf(describe).find("has the value nan; labels must be integers"), std::string::npos);
 }
 
 TEST(ShapeTable, RefusesTablesThatAreNone)
@@ -118,7 +118,7 @@ TEST(ShapeTable, RefusesTablesThatAreNone)
   const std::string header = text.substr(0, text.find('\n') + 1);
   std::string       line = text.substr(header.size(), text.find('\n', header.size()) + 1 - header.size());
   EXPECT_NE(Refusal("a,b\n1,2\n").find("label"), std::string::npos);
-  EXPECT_EQ(Refusal(header), "t.csv: the table has no shape; make it by ShapeSignature");
+  EXPECT_EQ(Refusal(header), "t.csv: the table contains no shape; create it with ShapeSignature");
   EXPECT_NE(Refusal(header + "x" + line).find("line 2"), std::string::npos);
   const auto withFirstNumbers = [&](const std::string & numbers) {
     std::size_t rest = 0;
@@ -128,9 +128,11 @@ TEST(ShapeTable, RefusesTablesThatAreNone)
     }
     return Refusal(header + numbers + ',' + line.substr(rest));
   };
-  EXPECT_NE(withFirstNumbers("1,0,100,5,0,-4,10").find("line 2: volume is -4, which no shape has"), std::string::npos);
-  EXPECT_NE(withFirstNumbers("1,0,100,5,0,4,0").find("line 2: surface is 0, which no shape has"), std::string::npos);
-  EXPECT_NE(withFirstNumbers("1.5,0,100,5,0,4,9").find("line 2: the label 1.5 is no whole number"), std::string::npos);
+  EXPECT_NE(withFirstNumbers("1,0,100,5,0,-4,10").find("line 2: volume is -4, which is out of range"),
+            std::string::npos);
+  EXPECT_NE(withFirstNumbers("1,0,100,5,0,4,0").find("line 2: surface is 0, which is out of range"), std::string::npos);
+  EXPECT_NE(withFirstNumbers("1.5,0,100,5,0,4,9").find("line 2: the label 1.5 is not a non-negative integer"),
+            std::string::npos);
   EXPECT_NE(Refusal(text.substr(0, text.size() / 2)).find("line"), std::string::npos); // cut in the middle of a row
 }
 

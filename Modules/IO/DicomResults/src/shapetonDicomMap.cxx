@@ -69,8 +69,8 @@ WriteDicomMap(const DicomSource &          source,
 {
   if (!HaveSameGrid(image, source.grid))
   {
-    throw InputError("the map for \"" + path + "\" does not lie on the voxels of the series " + source.series.uid +
-                     "; only what was made from this series, without a repair, can be written");
+    throw InputError("the map for \"" + path + "\" is not on the grid of the series " + source.series.uid +
+                     "; only results of this series without a repair can be written");
   }
   const float * const      first = image->GetBufferPointer();
   const std::vector<float> values(first, first + image->GetBufferedRegion().GetNumberOfPixels());

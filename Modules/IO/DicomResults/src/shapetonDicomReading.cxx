@@ -98,7 +98,7 @@ LoadDicomObject(DcmFileFormat & file, const std::string & path, const std::vecto
   }
   if (status.bad())
   {
-    throw std::runtime_error(std::string("is no DICOM file, or ends too early (") + status.text() + ")");
+    throw std::runtime_error(std::string("is not a DICOM file or is truncated (") + status.text() + ")");
   }
   const std::string uid = TextOf(*file.getDataset(), DCM_SOPClassUID);
   if (std::find(sopClassUIDs.begin(), sopClassUIDs.end(), uid) == sopClassUIDs.end())
@@ -117,7 +117,7 @@ ReadContained(const std::string &                                               
 {
   if (!std::filesystem::is_regular_file(path))
   {
-    throw InputError("\"" + path + "\" is no file; give a DICOM file");
+    throw InputError("\"" + path + "\" is not a file; give a DICOM file");
   }
   if (!dcmDataDict.isDictionaryLoaded()) // loaded here, so that the child inherits it
   {

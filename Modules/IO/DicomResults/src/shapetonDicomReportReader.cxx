@@ -70,7 +70,7 @@ private:
   {
     if (depth > DeepestTree)
     {
-      throw std::runtime_error("has a tree of content that is too deep");
+      throw std::runtime_error("has a content tree that is too deep");
     }
     const auto children = ItemsOf(item, DCM_ContentSequence);
     for (DcmItem * const child : children)
@@ -216,8 +216,8 @@ public:
     if (graphic.values.size() % dimension != 0 || !isFinite ||
         !MayHave(graphic.type, graphic.values.size() / dimension))
     {
-      throw InputError('"' + m_Path + "\" has coordinates that make no " +
-                       (graphic.type.empty() ? "graphic" : graphic.type) + ", of " + graphic.name + "; write it again");
+      throw InputError('"' + m_Path + "\" has invalid coordinates of a " +
+                       (graphic.type.empty() ? "graphic" : graphic.type) + " of " + graphic.name + "; write it again");
     }
     DicomReportPoints points;
     points.name = graphic.name;
@@ -250,13 +250,14 @@ private:
   {
     if (m_Source.series.frameOfReferenceUID.empty())
     {
-      throw InputError('"' + m_Path + "\" has points in space, and the series " + m_Source.series.uid +
-                       " has no frame of reference to which they could belong; give the series that it was made on");
+      throw InputError('"' + m_Path + "\" has points in space, but the series " + m_Source.series.uid +
+                       " has no frame of reference; give the series that it was made on");
     }
     if (graphic.frameOfReferenceUID != m_Source.series.frameOfReferenceUID)
     {
-      throw InputError('"' + m_Path + "\" has points in " + (graphic.frameOfReferenceUID.empty() ? "no" : "another") +
-                       " frame of reference than that of the series " + m_Source.series.uid +
+      throw InputError('"' + m_Path + "\" has points " +
+                       (graphic.frameOfReferenceUID.empty() ? "without a" : "in another") +
+                       " frame of reference, not in that of the series " + m_Source.series.uid +
                        "; give the series that it was made on");
     }
     Place place;
@@ -274,11 +275,11 @@ private:
     if (graphic.sopInstanceUID.empty())
     {
       throw InputError('"' + m_Path + "\" has points of " + graphic.name +
-                       " that name no image, or more than one; write it again");
+                       " that reference no image or more than one; write it again");
     }
     if (slice == slices.end())
     {
-      throw InputError('"' + m_Path + "\" has points in an image that is no slice of the series " +
+      throw InputError('"' + m_Path + "\" has points in an image that is not a slice of the series " +
                        m_Source.series.uid + "; give the series that it was made on");
     }
     if (!(values[0] >= 0.0F && values[0] <= static_cast<float>(m_Source.series.size[0]) && values[1] >= 0.0F &&
@@ -329,7 +330,7 @@ ReadDicomReportPoints(const std::string & path, const DicomSource & source)
   }
   if (points.empty())
   {
-    throw InputError('"' + path + "\" names no point; give a report with points or regions");
+    throw InputError('"' + path + "\" contains no points; give a report with points or regions");
   }
   return points;
 }

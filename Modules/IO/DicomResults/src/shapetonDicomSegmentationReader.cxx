@@ -335,8 +335,8 @@ private:
   Refuse() const
   {
     throw InputError("\"" + m_File.path +
-                     "\" has frames that are no slices of the given series with its pixels; resample the segmentation "
-                     "to the series, for example in 3D Slicer");
+                     "\" has frames that do not match the slices of the given series; resample the segmentation to "
+                     "the series, for example in 3D Slicer");
   }
 
   const DicomSegmentationFile & m_File;
@@ -456,7 +456,7 @@ RequireSegments(const DicomSegmentationFile & file, const std::vector<int> & num
     RequireParameter(number != 0,
                      "segment 0 of \"" + file.path + "\" is not read, as 0 means no segment; choose others");
     RequireParameter(std::count(numbers.begin(), numbers.end(), number) == 1,
-                     "segment " + std::to_string(number) + " is asked for twice");
+                     "segment " + std::to_string(number) + " is requested twice");
   }
 }
 
@@ -490,7 +490,8 @@ RequireMadeOn(const DicomSegmentationFile & file, const DicomSource & source)
   if (!tells || !isSeries || !isFrame)
   {
     throw InputError('"' + file.path + "\" " +
-                     (tells ? "was made on another series than " : "does not tell whether it was made on the series ") +
+                     (tells ? "was made on another series than "
+                            : "does not state whether it was made on the series ") +
                      series.uid + "; give the series that it was made on");
   }
 }

@@ -90,5 +90,5 @@ TEST(DicomPictures, MapKeepsItsValuesAndPlaces)
   image->SetOrigin(itk::Point<double, 3>(0.0));
   EXPECT_TRUE(
     Contains(InputErrorOf([&] { WriteDicomMap(source, image, meaning, HeaderOfTest(), folder + "/other.dcm"); }),
-             "does not lie on the voxels of the series"));
+             "is not on the grid of the series"));
 }

@@ -116,10 +116,11 @@ TEST(DicomReport, RefusesPointsOfAnotherPlace)
     slice.sopInstanceUID += ".1";
   }
   EXPECT_TRUE(
-    Contains(InputErrorOf([&] { ReadDicomReportPoints(folder + "/cad.dcm", other); }), "no slice of the series"));
+    Contains(InputErrorOf([&] { ReadDicomReportPoints(folder + "/cad.dcm", other); }), "not a slice of the series"));
   EXPECT_TRUE(Contains(InputErrorOf([&] { ReadDicomReportPoints(folder + "/im0001.dcm", source); }), "is of the kind"));
   WriteDicomReport(source, DicomReportKind::ColonCAD, RootWith({}), {}, HeaderOfTest(), folder + "/empty.dcm");
-  EXPECT_TRUE(Contains(InputErrorOf([&] { ReadDicomReportPoints(folder + "/empty.dcm", source); }), "names no point"));
+  EXPECT_TRUE(
+    Contains(InputErrorOf([&] { ReadDicomReportPoints(folder + "/empty.dcm", source); }), "contains no points"));
 }
 
 TEST(DicomReport, RefusesGraphicsThatAreNone)
@@ -151,13 +152,13 @@ TEST(DicomReport, RefusesGraphicsThatAreNone)
   };
   EXPECT_EQ(read(graphic("POINT", { 1, 1 })), 1u);
   EXPECT_EQ(read(graphic("POLYLINE", { 1, 1, 2, 2, 3, 3 })), 3u);
-  EXPECT_TRUE(Contains(faultOf(graphic("POINT", { 1, 1, 2, 2 })), "make no POINT"));
-  EXPECT_TRUE(Contains(faultOf(graphic("ELLIPSE", { 1, 1, 2, 2 })), "make no ELLIPSE"));
-  EXPECT_TRUE(Contains(faultOf(graphic("FOO", { 1, 1 })), "make no FOO"));
+  EXPECT_TRUE(Contains(faultOf(graphic("POINT", { 1, 1, 2, 2 })), "invalid coordinates of a POINT"));
+  EXPECT_TRUE(Contains(faultOf(graphic("ELLIPSE", { 1, 1, 2, 2 })), "invalid coordinates of a ELLIPSE"));
+  EXPECT_TRUE(Contains(faultOf(graphic("FOO", { 1, 1 })), "invalid coordinates of a FOO"));
   EXPECT_TRUE(Contains(faultOf(graphic("POINT", { 5000, 1 })), "outside of their image"));
   EXPECT_TRUE(Contains(faultOf(graphic("POINT", { 1, -1 })), "outside of their image"));
   EXPECT_TRUE(
-    Contains(faultOf([](DcmItem & item) { item.findAndDeleteElement(DCM_ContentSequence); }), "name no image"));
+    Contains(faultOf([](DcmItem & item) { item.findAndDeleteElement(DCM_ContentSequence); }), "reference no image"));
   EXPECT_TRUE(Contains(faultOf([](DcmItem & item) {
                          DcmItem * image = nullptr;
                          DcmItem * reference = nullptr;
@@ -165,7 +166,7 @@ TEST(DicomReport, RefusesGraphicsThatAreNone)
                          image->findAndGetSequenceItem(DCM_ReferencedSOPSequence, reference, 0);
                          reference->putAndInsertString(DCM_ReferencedFrameNumber, "2");
                        }),
-                       "no slice of the series"));
+                       "not a slice of the series"));
   EXPECT_TRUE(Contains(faultOf([](DcmItem & item) {
                          DcmItem * image = nullptr;
                          item.findAndGetSequenceItem(DCM_ContentSequence, image, 0);

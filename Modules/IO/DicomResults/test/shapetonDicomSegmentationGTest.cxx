@@ -184,9 +184,9 @@ TEST(DicomSegmentation, RefusesAnotherGrid)
   const DicomSource other = SourceOf(moved, MakeFolder(written.folder + "/moved"));
   EXPECT_TRUE(
     Contains(InputErrorOf([&] { WriteDicomSegmentation(other, written.Segments(), HeaderOfTest(), written.path); }),
-             "does not lie on the voxels of the series"));
+             "is not on the grid of the series"));
   EXPECT_TRUE(Contains(InputErrorOf([&] { ReadDicomSegments(ReadDicomSegmentation(written.path), { 1 }, other); }),
-                       "no slices of the given series"));
+                       "do not match the slices of the given series"));
 }
 
 TEST(DicomSegmentation, RefusesWhatIsNoSegmentation)
@@ -235,7 +235,7 @@ TEST(DicomSegmentation, BelongsToTheSeriesThatItNames)
   file.seriesUID.clear();
   EXPECT_NO_THROW(RequireMadeOn(file, written.source));
   file.frameOfReferenceUID.clear();
-  EXPECT_TRUE(Contains(InputErrorOf([&] { RequireMadeOn(file, written.source); }), "does not tell"));
+  EXPECT_TRUE(Contains(InputErrorOf([&] { RequireMadeOn(file, written.source); }), "does not state whether"));
 }
 
 TEST(DicomSegmentation, RefusesFramesAndSegmentsThatContradictEachOther)

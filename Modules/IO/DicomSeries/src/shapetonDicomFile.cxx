@@ -161,7 +161,7 @@ ReadGeometry(const FrameAttributes & attributes, DicomFrame & frame, std::string
   std::copy(orientation.begin(), orientation.end(), frame.orientation);
   if (!IsRotation(frame.orientation))
   {
-    refusal = "Image Orientation (Patient) is no pair of perpendicular unit vectors";
+    refusal = "Image Orientation (Patient) is not a pair of perpendicular unit vectors";
     return;
   }
   if (spacing.empty() || !(spacing[0] > 0) || !(spacing[1] > 0))
@@ -312,7 +312,7 @@ GetRefusal(DcmItem & dataset, bool & isOtherObject)
   }
   if (dataset.tagExists(DCM_DoseGridScaling))
   {
-    return "a dose grid, no intensities";
+    return "a dose grid, not intensities";
   }
   if (GetWord(dataset, DCM_SamplesPerPixel, 1) != 1 || photometric == "RGB" || photometric == "PALETTE COLOR" ||
       photometric.compare(0, 3, "YBR") == 0)

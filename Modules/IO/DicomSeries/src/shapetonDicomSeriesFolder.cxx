@@ -100,7 +100,7 @@ CheckContents(const fs::path & target)
     {
       ThrowCannotWriteSeries(target,
                              "it holds \"" + entry.path().filename().string() +
-                               "\", which is no slice of a series that this program wrote",
+                               "\", which is not a slice of a series that this program wrote",
                              "give a new or an empty folder");
     }
   }

@@ -587,7 +587,7 @@ MakeSeries(const Part & part)
   RemarkOnIdentity(series, items, &DicomFile::patientID, DicomDefectKind::mixedPatient, "patients");
   if (frame.isLocalizer)
   {
-    AddDefect(series, DicomDefectKind::localizer, "planning images (localizer), no volume", AllIndices(series));
+    AddDefect(series, DicomDefectKind::localizer, "planning images (localizer), not a volume", AllIndices(series));
   }
   else if (series.refusal.empty())
   {
@@ -637,8 +637,8 @@ MixtureOf(const std::vector<DicomSeries> & parts)
     std::all_of(parts.begin(), parts.end(), [](const DicomSeries & part) { return part.isSingleSlice; });
   return areSlices
            ? "one Series Instance UID holds " + number +
-               " slices that are no volume: they differ in patient, frame of reference, orientation or size, and are "
-               "not equidistant"
+               " slices that do not form a volume: they differ in patient, frame of reference, orientation or size, "
+               "and are not equidistant"
            : "one Series Instance UID holds images of " + number +
                " kinds (columns x rows x slices): " + ListParts(parts);
 }

@@ -61,8 +61,8 @@ CheckDescription(const DicomSeriesDescription & description)
   const std::array<const char *, 8> positions{ "HFS", "HFP", "HFDR", "HFDL", "FFS", "FFP", "FFDR", "FFDL" };
   if (std::find(positions.begin(), positions.end(), description.patientPosition) == positions.end())
   {
-    throw InputError("the patient position \"" + description.patientPosition +
-                     "\" is none of HFS, HFP, HFDR, HFDL, FFS, FFP, FFDR, FFDL");
+    throw InputError("the patient position must be HFS, HFP, HFDR, HFDL, FFS, FFP, FFDR or FFDL, not \"" +
+                     description.patientPosition + '"');
   }
   if (description.seriesNumber < 0)
   {
@@ -95,7 +95,7 @@ CheckDirection(const ShortImage::DirectionType & direction)
   }
   if (itk::CrossProduct(axes[0], axes[1]) * axes[2] < 0.0)
   {
-    throw InputError("the image axes are left-handed, which a CT series cannot state; flip one axis of the image");
+    throw InputError("the image axes are left-handed, which a CT series cannot represent; flip one axis of the image");
   }
 }
 
@@ -112,7 +112,7 @@ CheckValues(const ShortImage * image)
   if (lowest < rescaleIntercept || highest > largestValue)
   {
     throw InputError("the values " + std::to_string(lowest) + " to " + std::to_string(highest) +
-                     " leave the range -1024 to 31743 of a CT series; clamp or rescale them");
+                     " exceed the range -1024 to 31743 of a CT series; clamp or rescale them");
   }
 }
 
@@ -122,7 +122,7 @@ CheckImage(const ShortImage * image)
   const auto & region = image->GetLargestPossibleRegion();
   if (image->GetBufferedRegion() != region)
   {
-    throw InputError("the image is not in memory as a whole, as a CT series needs it; update its largest region");
+    throw InputError("the image is not completely in memory; update its largest possible region");
   }
   if (region.GetSize(0) < 1 || region.GetSize(1) < 1 || region.GetSize(0) > 65535 || region.GetSize(1) > 65535)
   {
@@ -131,7 +131,7 @@ CheckImage(const ShortImage * image)
   }
   if (region.GetSize(2) < 2)
   {
-    throw InputError("the image has fewer than two slices, so that no reader could tell their distance");
+    throw InputError("the image has fewer than two slices, so their distance is undefined");
   }
   CheckDirection(image->GetDirection());
   CheckValues(image);

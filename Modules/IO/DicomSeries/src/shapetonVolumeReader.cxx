@@ -141,7 +141,7 @@ AdviceOnObjects(const DicomScan & scan)
   const bool areReports = std::any_of(scan.otherObjects.begin(), scan.otherObjects.end(), [](const auto & kind) {
     return kind.first.find("SRStorage") != std::string::npos;
   });
-  return std::string(areContours  ? "a structure set holds contours alone; "
+  return std::string(areContours  ? "a structure set contains only contours; "
                      : areReports ? "the points of a report are read by DicomResultsToColon; "
                                   : "") +
          "name the folder that holds the image series to which they refer";
@@ -378,7 +378,7 @@ ReadVolume(const std::string & path, const VolumeReadOptions & options)
   const bool isImageFile = IsImageFile(path) && !fs::is_directory(path, error);
   if (isImageFile && !options.seriesUID.empty())
   {
-    throw ParameterError(path + ": the parameter \"seriesUID\" chooses a DICOM series, and this file is none");
+    throw ParameterError(path + ": the parameter \"seriesUID\" selects a DICOM series, but this file is not one");
   }
   Volume volume = isImageFile ? ReadImageFile(path) : ReadDicom(path, options);
   CheckExtent(path, volume, options);

@@ -77,7 +77,7 @@ void
 WriteColorTable(const std::vector<LabelColor> & labels, const std::string & path)
 {
   RequireParameter(std::filesystem::path(path).extension() == ".ctbl",
-                   "\"" + path + "\" names no colour table; use .ctbl");
+                   "\"" + path + "\" is not the name of a color table; use the extension .ctbl");
   std::string   text = "# Color table file\n# " + std::to_string(labels.size() + 1) + " values\n0 background 0 0 0 0\n";
   std::set<int> values;
   for (const LabelColor & label : labels)

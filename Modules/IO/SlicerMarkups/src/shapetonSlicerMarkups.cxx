@@ -33,7 +33,7 @@ Check(const Markup & markup)
   };
   if (!isOneForEach(markup.labels) || !isOneForEach(markup.descriptions))
   {
-    throw std::invalid_argument("the markup " + markup.name + " has not one label or description for each point");
+    throw std::invalid_argument("the markup " + markup.name + " must have one label and description for each point");
   }
   for (const Eigen::Vector3d & point : markup.points)
   {
@@ -114,7 +114,8 @@ JsonOf(const Markup & markup)
 void
 WriteMarkups(const std::vector<Markup> & markups, const std::string & path)
 {
-  RequireParameter(EndsWith(path, ".mrk.json"), "\"" + path + "\" names no markups of 3D Slicer; use .mrk.json");
+  RequireParameter(EndsWith(path, ".mrk.json"),
+                   "\"" + path + "\" is not the name of a markups file; use the extension .mrk.json");
   Json document;
   document["@schema"] = schema;
   document["markups"] = Json::array();
@@ -131,7 +132,7 @@ MarkupOfCurve(const CurveSet & curves, std::size_t curve, Markup::Kind kind, dou
 {
   if (curve >= curves.curves.size() || !(spacing > 0.0))
   {
-    throw std::invalid_argument("a markup needs a curve that is there, and a spacing above 0");
+    throw std::invalid_argument("a markup needs an existing curve and a positive spacing");
   }
   const std::vector<int> & vertices = curves.curves[curve];
   const auto               pointOf = [&](std::size_t i) -> Eigen::Vector3d { return curves.V.row(vertices[i]); };

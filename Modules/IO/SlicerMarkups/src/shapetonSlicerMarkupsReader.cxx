@@ -118,7 +118,7 @@ MarkupsOf(const Json & document, const std::string & path)
   const bool isObject = document.is_object() && document.contains("@schema") && document.contains("markups");
   if (!isObject || document["@schema"].get<std::string>().find("markups-schema-v1.") == std::string::npos)
   {
-    Refuse(path, "holds no markups of 3D Slicer, schema version 1", "save the points in Slicer as .mrk.json");
+    Refuse(path, "does not contain markups of 3D Slicer, schema version 1", "save the points in Slicer as .mrk.json");
   }
   std::vector<Markup> markups;
   std::size_t         points = 0;
@@ -132,7 +132,7 @@ MarkupsOf(const Json & document, const std::string & path)
   }
   if (points == 0)
   {
-    Refuse(path, "holds no point that was placed", "place points in Slicer and save them");
+    Refuse(path, "contains no placed points", "place points in Slicer and save them");
   }
   return markups;
 }
@@ -148,7 +148,7 @@ ReadMarkups(const std::string & path)
   }
   catch (const Json::exception & error)
   {
-    Refuse(path, std::string("breaks the schema of 3D Slicer's markups (") + error.what() + ")", "correct it");
+    Refuse(path, std::string("violates the schema of 3D Slicer's markups (") + error.what() + ")", "correct it");
   }
 }
 } // namespace shapeton

@@ -447,8 +447,8 @@ NoteMissingSpacing(const ImageHeader & header, Volume & volume)
 {
   if (!header.statesSpacing)
   {
-    volume.notes.push_back("the header states no spacing, or none for some axis: 1 mm is taken, and what is told in mm "
-                           "is a guess; write the spacing into the header");
+    volume.notes.push_back("the header states no spacing for at least one axis: 1 mm is assumed, and all values in mm "
+                           "are uncertain; write the spacing into the header");
   }
 }
 

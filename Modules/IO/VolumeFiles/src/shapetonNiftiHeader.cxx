@@ -332,7 +332,7 @@ SetPlace(const std::string & path, const Fields & fields, NiftiHeader & header)
   const double       offset = fields.VoxelOffset();
   const int          least = isSingle ? fields.Size() : 0;
   std::ostringstream text;
-  text << "vox_offset, where the voxels begin, is " << offset << "; it must be a whole number from " << least << " on";
+  text << "vox_offset, where the voxels begin, is " << offset << "; it must be an integer of at least " << least;
   fields.Require(offset >= least && offset == std::floor(offset) && offset < 1e15, text.str());
   header.voxelOffset = static_cast<std::uint64_t>(offset);
 }

@@ -127,7 +127,7 @@ LocateNrrdVoxels(const std::string & path)
   const TextHeader header = ReadNrrdHeader(path);
   if (header.lines.empty() || header.lines.front().compare(0, 4, "NRRD") != 0)
   {
-    ThrowUnsuitable(path, "this is no NRRD file");
+    ThrowUnsuitable(path, "not a NRRD file");
   }
   StoredVoxels voxels{ path, header.bytes };
   std::string  detached = header.ValueOf("data file", ':');
@@ -163,12 +163,12 @@ LocateMetaVoxels(const std::string & path)
   const TextHeader header = ReadMetaHeader(path);
   if (!header.isComplete)
   {
-    ThrowUnsuitable(path, "this is no MetaImage file: it has no ElementDataFile");
+    ThrowUnsuitable(path, "not a MetaImage file: ElementDataFile is missing");
   }
   const std::string dimensions = header.ValueOf("ndims", '=');
   if (dimensions.size() != 1 || dimensions < "1" || dimensions > "9") // MetaIO would loop over any number
   {
-    ThrowUnsuitable(path, "this is no MetaImage file: its NDims is no number of dimensions");
+    ThrowUnsuitable(path, "NDims must be between 1 and 9, got " + Quoted(Printable(dimensions)));
   }
   StoredVoxels      voxels{ path, header.bytes };
   const std::string detached = header.ValueOf("elementdatafile", '=');

@@ -75,7 +75,7 @@ MaskForImage(const Volume & volume, const std::string & path, const itk::ImageBa
 {
   if (!HaveSameGrid(image, volume.image))
   {
-    throw InputError(path + ": the mask differs in size or place from the volume: give a mask made on that volume");
+    throw InputError(path + ": the mask differs in size or position from the volume; use a mask of that volume");
   }
   const auto mask = MaskOfVolume(volume, path);
   mask->CopyInformation(image); // equal up to rounding

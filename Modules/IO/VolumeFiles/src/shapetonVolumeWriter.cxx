@@ -52,7 +52,7 @@ MakeImageIO(const std::string & path)
   {
     return itk::MetaImageIO::New().GetPointer();
   }
-  throw ParameterError(path + ": the extension is none of .nrrd, .nii, .nii.gz, .mha");
+  throw ParameterError(path + ": the extension must be .nrrd, .nii, .nii.gz or .mha");
 }
 
 /** The header is text with one entry per line. */

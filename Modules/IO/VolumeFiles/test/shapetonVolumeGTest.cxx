@@ -75,7 +75,7 @@ TEST(Volume, AsAMaskHasOnesAndTheGridOfTheImage)
             "InputError: m.nrrd: the mask is empty: it needs voxels other than 0");
   volume.image->SetSpacing(2.0);
   EXPECT_NE(
-    basetest::MessageOf([&] { shapeton::MaskForImage(volume, "m.nrrd", image); }).find("differs in size or place"),
+    basetest::MessageOf([&] { shapeton::MaskForImage(volume, "m.nrrd", image); }).find("differs in size or position"),
     std::string::npos);
 }
 } // namespace

@@ -218,8 +218,8 @@ GravityOf(const ColonPhantomParameters & parameters)
   const auto                                   found = directions.find(parameters.position);
   if (found == directions.end())
   {
-    throw ParameterError("the position \"" + parameters.position +
-                         "\" is none of supine, prone, leftDecubitus, rightDecubitus");
+    throw ParameterError("the position must be supine, prone, leftDecubitus or rightDecubitus, not \"" +
+                         parameters.position + '"');
   }
   PhantomRandom random(parameters.seed, 0x7117);
   const double  across = random.Uniform(-0.7, 0.7) * 3.14159265358979 / 180.0;

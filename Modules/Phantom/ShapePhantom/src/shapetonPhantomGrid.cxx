@@ -55,7 +55,7 @@ SpacingOf(const std::vector<double> & numbers)
   if (*std::min_element(numbers.begin(), numbers.end()) < 1e-3 ||
       *std::max_element(numbers.begin(), numbers.end()) > 1e3)
   {
-    throw ParameterError(Named("spacing") + ": the distances of voxels lie between 0.001 and 1000 mm");
+    throw ParameterError(Named("spacing") + ": the spacing must be between 0.001 and 1000 mm");
   }
   itk::ImageBase<3>::SpacingType spacing;
   std::copy(numbers.begin(), numbers.end(), spacing.Begin());

@@ -272,7 +272,7 @@ FindKind(const Node & node)
     }
     list += (list.empty() ? "" : ", ") + std::string(kind.name);
   }
-  node.Fail("is none of " + list + ", but \"" + name + '"');
+  node.Fail("must be one of " + list + ", not \"" + name + '"');
 }
 
 // ---- deformations ----
@@ -304,13 +304,13 @@ ParseBumps(const Node & node, const shape::Object & object)
   node.AllowKeys({ "kind", "amplitude", "wavelength" });
   if (std::holds_alternative<shape::Ellipsoid>(object.primitive))
   {
-    node.Fail("puts bumps on an ellipsoid, whose distance is not known exactly; take a sphere");
+    node.Fail("puts bumps on an ellipsoid, whose distance is not known exactly; use a sphere");
   }
   const double waveNumber = 2.0 * itk::Math::pi / node["wavelength"].Positive();
   const double amplitude = node["amplitude"].Number(-largestLength, largestLength);
   if (std::abs(amplitude) * waveNumber >= 1.0)
   {
-    node["amplitude"].Fail("must be less than wavelength / (2 pi), or the surface falls into pieces");
+    node["amplitude"].Fail("must be less than wavelength / (2 pi), otherwise the surface is not connected");
   }
   return { amplitude, waveNumber };
 }
@@ -321,7 +321,7 @@ ParseDeformation(const Node & node, const shape::Object & object)
   node.RequireObject();
   if (!object.deformations.empty() && std::holds_alternative<shape::Bend>(object.deformations.back()))
   {
-    node.Fail("follows a bend; the bend comes last");
+    node.Fail("follows a bend; the bend must be last");
   }
   const std::string kind = node["kind"].Text();
   if (kind == "bend")
@@ -336,7 +336,7 @@ ParseDeformation(const Node & node, const shape::Object & object)
   {
     return ParseBumps(node, object);
   }
-  node["kind"].Fail("is none of bend, twist, bumps, but \"" + kind + '"');
+  node["kind"].Fail("must be bend, twist or bumps, not \"" + kind + '"');
 }
 
 // ---- objects ----
@@ -379,7 +379,7 @@ ParseLabel(const Node & object, std::size_t index)
   {
     if (index >= 255)
     {
-      object.Fail("lacks the key \"label\", which objects beyond the first 255 need");
+      object.Fail("lacks the key \"label\", which is required beyond the first 255 objects");
     }
     return static_cast<unsigned char>(index + 1);
   }
@@ -441,7 +441,7 @@ ParseShapeScene(const Json & document, const std::string & source)
   const std::string units = root["units"].Text();
   if (units != "mm" && units != "relative")
   {
-    root["units"].Fail("is neither mm nor relative, but \"" + units + '"');
+    root["units"].Fail("must be mm or relative, not \"" + units + '"');
   }
   scene.relative = units == "relative";
   if (root.Has("background"))

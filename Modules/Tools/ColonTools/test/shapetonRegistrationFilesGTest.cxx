@@ -312,6 +312,6 @@ TEST(RegistrationFiles, PointPairsAreReadOrRefusedByLine)
     return FaultOf([&] { shapeton::ReadPointPairs(path); });
   };
   EXPECT_NE(fault("sx,sy,sz,px,py,pz\n1,2,3,4,five,6\n").find("line 2: py is \"five\""), std::string::npos);
-  EXPECT_NE(fault("x,y,z\n1,2,3\n").find("no column \"sx\""), std::string::npos);
+  EXPECT_NE(fault("x,y,z\n1,2,3\n").find("the column \"sx\" is missing"), std::string::npos);
   EXPECT_NE(fault("sx,sy,sz,px,py,pz\n").find("contains no points"), std::string::npos);
 }
