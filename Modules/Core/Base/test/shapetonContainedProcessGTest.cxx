@@ -18,7 +18,7 @@ namespace
 {
 using shapeton::ContainedProcess;
 
-constexpr ContainedProcess::Limits Limits{ 64u << 20, 1, 60 }; // the elapsed time is no matter on a busy machine
+constexpr ContainedProcess::Limits Limits{ 64u << 20, 1, 60 }; // the elapsed time is irrelevant on a busy machine
 
 std::string
 Misbehave(const std::string & request, char * shared)
@@ -124,7 +124,7 @@ TEST(ContainedProcess, MemoryIsLimited)
   EXPECT_EQ(process.Call("ok"), "okok");
 }
 
-/** ITK's threader stops its pool before each fork: two forks at a time have crashed and hung. */
+/** ITK's threader stops its pool before each fork: two concurrent forks have crashed and hung. */
 TEST(ContainedProcess, ThreadsStartProcessesBesideEachOther)
 {
   const auto startSome = [] {
@@ -135,7 +135,7 @@ TEST(ContainedProcess, ThreadsStartProcessesBesideEachOther)
     }
   };
   std::atomic<int> done{ 0 };
-  shapeton::ParallelFor(64, [&](std::size_t) { ++done; }); // there is a pool
+  shapeton::ParallelFor(64, [&](std::size_t) { ++done; }); // creates the pool
   std::vector<std::thread> threads;
   for (int i = 0; i < 4; ++i)
   {

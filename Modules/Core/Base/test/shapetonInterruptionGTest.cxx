@@ -31,7 +31,7 @@ protected:
   }
 };
 
-/** Stops at the hundredth question, and counts those that another thread asks. */
+/** Stops at the hundredth check, and counts the checks of another thread. */
 class HundredQuestions
 {
 public:

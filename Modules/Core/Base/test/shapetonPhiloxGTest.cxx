@@ -54,6 +54,6 @@ TEST(Philox, UnitFloatsFillTheIntervalEvenly)
   {
     chiSquare += (count - draws / bins) * (count - draws / bins) / (draws / bins);
   }
-  // 63 degrees of freedom: beyond 5 standard deviations on either side lies less than one run in a million.
+  // 63 degrees of freedom: fewer than one run in a million deviates by more than 5 standard deviations.
   EXPECT_NEAR(chiSquare, bins - 1.0, 5.0 * std::sqrt(2.0 * (bins - 1.0)));
 }

@@ -12,13 +12,13 @@
 
 namespace shapeton::test
 {
-/** What a progress function throws in order to abort. */
+/** Thrown by a progress function to abort. */
 struct Abort : std::exception
 {};
 
-/** Runs `work(progress)` to its end: reports come from the calling thread, ascend from 0 to `last`, and there are at
- * least so many of them, so that the work between two is bounded whatever the machine. Then runs it again with aborts
- * on the way, each of which must come out as it is, and leave nothing that reports afterwards. */
+/** Runs `work(progress)` to its end: reports come from the calling thread, ascend from 0 to `last`, and have a
+ * minimum number, so that the work between two is bounded. Then runs it again with aborts, each of which must
+ * propagate unchanged, without any later report. */
 template <typename TWork>
 void
 ExpectProgress(const TWork & work, std::size_t leastReports, double last = 1.0)

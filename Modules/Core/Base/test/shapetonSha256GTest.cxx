@@ -25,7 +25,7 @@ TEST(Sha256, OfAFileIsThatOfItsBytes)
   const Scratch scratch;
   std::string   bytes;
   unsigned int  state = 1;
-  for (int i = 0; i < (3 << 20) + 17; ++i) // more than one buffer, no multiple of it, all values
+  for (int i = 0; i < (3 << 20) + 17; ++i) // more than one buffer, not a multiple of it, all values
   {
     state = state * 1664525u + 1013904223u;
     bytes += static_cast<char>(state >> 24);

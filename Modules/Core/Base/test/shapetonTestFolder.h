@@ -11,7 +11,7 @@
 
 namespace basetest
 {
-/** A fresh folder, removed with all it holds. */
+/** A fresh folder that is removed with its contents. */
 class Folder
 {
 public:
@@ -41,7 +41,7 @@ private:
   std::string m_Path;
 };
 
-/** A fresh folder that is the current one, and is removed with all it holds. */
+/** A fresh current folder that is removed with its contents. */
 class Scratch
 {
 public:
@@ -71,7 +71,7 @@ private:
   std::filesystem::path m_Path;
 };
 
-/** "InputError: what it says", of the exception that `work` throws. */
+/** Type and message of the exception thrown by `work`, such as "InputError: message". */
 inline std::string
 MessageOf(const std::function<void()> & work)
 {

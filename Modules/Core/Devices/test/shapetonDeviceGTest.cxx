@@ -14,7 +14,7 @@ TEST(Device, CpuNeedsNothing)
   EXPECT_EQ(use.Describe(), "cpu");
 }
 
-// On a machine with a GPU no volume of four exabytes fits; on one without it, nothing does.
+// With a GPU no volume of four exabytes fits; without one, nothing does.
 TEST(Device, AutomaticFallsBackToTheCpuAndSaysWhy)
 {
   const auto use = ChooseDevice(Device::Automatic, std::size_t{ 1 } << 62);

@@ -7,7 +7,7 @@
 
 #include <cstdlib>
 
-/** In a test that compares a GPU with the CPU: skips it where there is none. The stand-in is always there. */
+/** For tests that compare a GPU with the CPU: skips the test if there is no GPU. The stand-in is always available. */
 #define SHAPETON_REQUIRE_DEVICE()                                                                                      \
   if (!shapeton::test::HasDevice())                                                                                    \
   {                                                                                                                    \

@@ -13,7 +13,7 @@ std::string
 FileOf(const std::string & text)
 {
   const std::string test = ::testing::UnitTest::GetInstance()->current_test_info()->name();
-  const std::string path = ::testing::TempDir() + "CsvFile-" + test + ".csv"; // tests run beside each other
+  const std::string path = ::testing::TempDir() + "CsvFile-" + test + ".csv"; // tests run concurrently
   shapeton::WriteFileBytes(path, text);
   return path;
 }

@@ -30,7 +30,7 @@ struct Element
 struct Page
 {
   std::string              bytes;
-  std::vector<Element>     elements; // in the order of their begins
+  std::vector<Element>     elements; // in the order of their start tags
   std::vector<std::size_t> open;
 
   std::vector<std::string>
@@ -48,7 +48,7 @@ struct Page
   }
 };
 
-/** The page as a browser that is strict about tags sees it; fails when it is not well-formed. */
+/** The page as parsed by a strict browser; fails if it is not well-formed. */
 Page
 Parse(const std::string & bytes)
 {
@@ -153,7 +153,7 @@ TEST(HtmlReport, RefersToNothingOutside)
 TEST(HtmlReport, IsTheSameBytesForTheSameContent)
 {
   const Folder one;
-  const Folder two; // pictures and report lie elsewhere
+  const Folder two; // pictures and report in different folders
   EXPECT_EQ(Written(FullReport(one)).bytes, Written(FullReport(two)).bytes);
 }
 
@@ -195,7 +195,7 @@ TEST(HtmlReport, TextIsNeverMarkup)
   EXPECT_EQ(picture->attributes.at("alt"), text);
 }
 
-/** The class of the style, by the text, of the elements of a tag. */
+/** The style class of the elements of a tag, by their text. */
 std::map<std::string, std::string>
 StylesOf(const Page & page, const std::string & tag)
 {
@@ -315,7 +315,7 @@ SourceOfPicture(const std::string & bytes)
   return "no picture";
 }
 
-// With one more byte the signature of PNG ends on a border of base64, so that what follows is encoded on its own.
+// With one more byte the PNG signature ends on a base64 boundary, so that the following bytes are encoded separately.
 TEST(HtmlReport, PicturesAreEncodedAsTheExamplesOfRFC4648)
 {
   const std::pair<std::string, std::string> examples[] = { { "", "" },

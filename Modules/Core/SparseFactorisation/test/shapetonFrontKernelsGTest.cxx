@@ -57,7 +57,7 @@ struct Matrix
   std::vector<double> values;
 };
 
-/** A rows x columns product of the given depth by each set: right, and the same bytes. */
+/** A rows x columns product of the given depth by each set: correct, with identical bytes. */
 void
 CheckMultiply(int                                                                                         rows,
               int                                                                                         columns,

@@ -237,7 +237,7 @@ TEST(SelectedInversion, IsAbortedByProgressAndWorksAfterwards)
           progress);
       },
       threads == 1 ? 20 : 1); // other threads do not report
-    EXPECT_GE(taken, 4);      // those of the run that was not aborted, and of none that is wrong
+    EXPECT_GE(taken, 4);      // from the complete run, not from an incorrect one
   }
 }
 } // namespace

@@ -36,7 +36,7 @@ protected:
            (GetParam() == VoxelContact::FaceOrEdge && isEdge);
   }
 
-  /** Numbers in the order of the first voxels, by comparing all with all. */
+  /** Labels in the order of the first voxels, by comparing all pairs. */
   std::vector<int>
   BruteForce(const std::vector<char> & mask) const
   {

@@ -120,11 +120,11 @@ TEST(SeededHeatSegmentationImageFilter, RunsAgainWhatHasChanged)
   filter->SetSeeds(seeds);
   filter->Update();
   EXPECT_GT(filter->GetIterations(), 0u);
-  seeds->Modified(); // the same seeds: the last solution is the solution
+  seeds->Modified(); // unchanged seeds: the last solution is reused
   filter->Update();
   EXPECT_EQ(filter->GetIterations(), 0u);
   image->SetPixel({ { 5, 5, 5 } }, 600);
-  image->Modified(); // another volume: all anew
+  image->Modified(); // another volume: everything is recomputed
   filter->Update();
   EXPECT_GT(filter->GetIterations(), 0u);
   filter->SetLeastWeight(0.001);
@@ -160,7 +160,7 @@ TEST(SeededHeatSegmentationImageFilter, OutputsMayBeTakenAwayBetweenRuns)
     labels->GetBufferPointer(), labels->GetBufferPointer() + number, filter->GetOutput()->GetBufferPointer()));
   const FilterType::LabelImageType::Pointer taken = filter->GetOutput();
   taken->DisconnectPipeline();
-  const auto probabilities = filter->GetProbabilities(2); // of the last run, wherever its labels are
+  const auto probabilities = filter->GetProbabilities(2); // of the last run, independent of its labels
   EXPECT_EQ(probabilities->GetBufferedRegion(), image->GetBufferedRegion());
   EXPECT_EQ(probabilities->GetOrigin(), image->GetOrigin());
   EXPECT_GT(probabilities->GetPixel({ { 15, 7, 4 } }), 0.5F);
@@ -221,7 +221,7 @@ TEST(HeatSeeds, AStrokeMarksAllVoxelsThatItPasses)
   std::size_t passed = 0;
   for (itk::ImageRegionIteratorWithIndex<SeedImage> it(seeds, image->GetLargestPossibleRegion()); !it.IsAtEnd(); ++it)
   {
-    double enter = 0.0; // shares of the stroke between the faces of the voxel, axis by axis
+    double enter = 0.0; // interval of the stroke between the faces of the voxel, axis by axis
     double leave = 1.0;
     for (unsigned int axis = 0; axis < 3; ++axis)
     {
@@ -230,7 +230,7 @@ TEST(HeatSeeds, AStrokeMarksAllVoxelsThatItPasses)
       enter = std::max(enter, (from - 0.5) / along[axis]);
       leave = std::min(leave, (from + 0.5) / along[axis]);
     }
-    if (std::abs(leave - enter) > 1e-9) // of a corner that is only touched rounding decides
+    if (std::abs(leave - enter) > 1e-9) // rounding decides for a corner that is only touched
     {
       EXPECT_EQ(it.Get() == 2, leave > enter) << it.GetIndex();
       passed += leave > enter ? 1 : 0;
@@ -293,7 +293,7 @@ TEST(HeatSeeds, ClassesGiveSeedsAwayFromTheirBorders)
   };
   fill({ { 1, 1, 1 } }, { { 4, 4, 4 } }, 5);   // 27 voxels, one inside
   fill({ { 10, 2, 2 } }, { { 15, 7, 7 } }, 5); // 125 voxels, 27 inside
-  fill({ { 17, 8, 8 } }, { { 19, 9, 9 } }, 9); // border all over
+  fill({ { 17, 8, 8 } }, { { 19, 9, 9 } }, 9); // consists of border voxels only
   shapeton::ClassSeeds choice;                 // lines
   auto                 seeds = shapeton::SeedsOfClasses(classes, choice);
   EXPECT_EQ(Count(seeds, 1), 28u);

@@ -75,7 +75,7 @@ ProbabilitiesOf(const SeededHeatSolver & solver, unsigned short label)
   return probabilities;
 }
 
-/** The same equations, solved by relaxation in double precision until nothing moves any more. */
+/** The same equations, solved by relaxation in double precision until convergence. */
 std::vector<double>
 SolveByRelaxation(const VolumeGradientOperator & op, const Seeds & seeds, unsigned short label)
 {
@@ -126,8 +126,8 @@ SolveByRelaxation(const VolumeGradientOperator & op, const Seeds & seeds, unsign
   return heat;
 }
 
-/** Grady's random walker, weights exp(-beta (I_i - I_j)^2), by a sparse factorisation in double precision: what heat
- * each voxel has of a label. */
+/** Grady's random walker, weights exp(-beta (I_i - I_j)^2), by a sparse factorization in double precision: the heat
+ * of a label in each voxel. */
 std::vector<double>
 WalkAtRandom(const std::vector<float> & volume,
              const Size &               size,
@@ -249,7 +249,7 @@ TEST(SeededHeatSolver, IsARandomWalkerWhereItsWeightsAreSetEqual)
   const Size         size{ { 19, 17, 15 } };
   std::mt19937       random(11);
   std::vector<float> volume(NumberOf(size));
-  for (std::size_t i = 0; i < volume.size(); ++i) // a block of ones in zeros; every sixth voxel changes sides
+  for (std::size_t i = 0; i < volume.size(); ++i) // a block of ones in zeros; every sixth voxel is flipped
   {
     volume[i] = ((i % size[0] < 8) != (random() % 6 == 0)) ? 1.0F : 0.0F;
   }
@@ -317,8 +317,8 @@ TEST(SeededHeatSolver, LabelsStopAtAnEdgeThatInsulates)
   }
 }
 
-// A walker in an even volume who starts beside a point meets it with the probability 0.3405 (Polya), so that a point
-// against seeds all around gets no voxel; a ball of seeds gets those up to about twice its radius.
+// In a uniform volume a walker that starts next to a point reaches it with the probability 0.3405 (Polya). A point
+// against seeds all around thus gets no voxel; a ball of seeds gets those up to about twice its radius.
 TEST(SeededHeatSolver, APointInAnEvenVolumeGetsNoVoxelAndIsRemarkedOn)
 {
   const std::size_t        side = 41;
@@ -391,16 +391,16 @@ TEST(SeededHeatSolver, AChangedSeedStartsFromTheLastSolution)
   SeededHeatSolver solver(op);
   solver.Solve(seeds.data());
   const unsigned int cold = solver.GetResult().iterations;
-  EXPECT_EQ(solver.Solve(seeds.data()).iterations, 0u); // nothing has changed
+  EXPECT_EQ(solver.Solve(seeds.data()).iterations, 0u); // unchanged seeds
   const auto & uncertainty = solver.GetResult().uncertainty;
-  std::size_t  sure = 0; // a seed that says what the solution knows
+  std::size_t  sure = 0; // a seed that agrees with the solution
   for (std::size_t i = 0; i < seeds.size(); ++i)
   {
     sure = seeds[i] == 0 && (seeds[sure] != 0 || uncertainty[i] < uncertainty[sure]) ? i : sure;
   }
   seeds[sure] = solver.GetResult().labels[sure];
   EXPECT_LT(solver.Solve(seeds.data()).iterations, cold);
-  *std::find(seeds.begin(), seeds.end(), 2) = 0; // a seed is taken away, another one is set
+  *std::find(seeds.begin(), seeds.end(), 2) = 0; // a seed is removed, another one is added
   seeds[seeds.size() / 2] = 3;
   EXPECT_LE(solver.Solve(seeds.data()).iterations, cold);
   SeededHeatSolver anew(op);

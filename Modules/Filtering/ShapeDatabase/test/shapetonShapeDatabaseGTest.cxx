@@ -20,7 +20,7 @@ using namespace shapeton;
 
 namespace
 {
-/** A signature that is sound, and tells `scale` from others. */
+/** A valid signature that depends on `scale`. */
 ShapeSignature
 MadeUp(double scale)
 {
@@ -73,7 +73,7 @@ RunSql(const std::string & path, const std::string & sql)
   sqlite3_close(handle);
 }
 
-/** Reading and adding are refused with this reason, and the file stays as it is. */
+/** Reading and adding throw this reason and leave the file unchanged. */
 void
 ExpectRefused(const std::string & path, const std::string & reason)
 {
@@ -165,11 +165,11 @@ TEST_F(ShapeDatabase, RefusesDamagedFiles)
 {
   AddToShapeDatabase(path, Table(40), "sha256:0", "first");
   std::string bytes = Bytes(path);
-  std::fill(bytes.begin() + 4096, bytes.begin() + 4196, '\x5a'); // the head of a page of the tree
+  std::fill(bytes.begin() + 4096, bytes.begin() + 4196, '\x5a'); // the header of a page of the tree
   std::ofstream(path, std::ios::binary) << bytes;
   ExpectRefused(path, "the database is damaged");
   const std::string message = basetest::MessageOf([&] { ReadShapeDatabase(path); });
-  EXPECT_EQ(message.find("***"), std::string::npos) << message; // SQLite's title above the fault
+  EXPECT_EQ(message.find("***"), std::string::npos) << message; // SQLite's title above the error
   std::ofstream(path, std::ios::binary) << bytes.substr(0, bytes.size() / 2);
   ExpectRefused(path, "the database is damaged");
 }
@@ -224,8 +224,8 @@ TEST_F(ShapeDatabase, SeveralProcessesAdd)
   EXPECT_EQ(ReadShapeDatabase(path).size(), 40U);
 }
 
-// A child adds tables of three shapes one after the other, tells of each by a byte in a pipe, and is killed after a
-// while. Returns of how many it told.
+// A child adds tables of three shapes one after another, reports each by a byte in a pipe, and is killed after a while.
+// Returns the number of reports.
 std::size_t
 AddUntilKilled(const std::string & path, int round, std::chrono::microseconds span)
 {
@@ -257,7 +257,7 @@ AddUntilKilled(const std::string & path, int round, std::chrono::microseconds sp
   return told;
 }
 
-// Moments of a kill that fall before, into and after additions on this disk.
+// Times of a kill before, during and after additions on this disk.
 std::chrono::microseconds
 MomentOfRound(const std::string & path, int round)
 {
@@ -278,10 +278,10 @@ TEST_F(ShapeDatabase, HoldsWholeTablesAfterKill)
     interrupted += std::filesystem::exists(path + "-journal") ? 1 : 0;
     const std::size_t now = ReadShapeDatabase(path).size();
     EXPECT_EQ(now % 3, 0U);
-    EXPECT_GE(now, stored + told * 3); // what was told is kept
+    EXPECT_GE(now, stored + told * 3); // reported additions are kept
     EXPECT_LE(now, stored + (told + 1) * 3);
   }
-  EXPECT_GT(interrupted, 0); // or the test has shown nothing
+  EXPECT_GT(interrupted, 0); // otherwise the test has no effect
 }
 
 TEST_F(ShapeDatabase, IsMadeAfterAKillInItsFirstAddition)

@@ -36,7 +36,7 @@ TEST(AutomaticParameters, NoiseIsMeasuredAndDoesNotInsulate)
 {
   const Volume volume = TwoBoxes(0.6, 0.1);
   const auto   choice = ChooseP(volume.values.data(), volume.size, cubic, -0.1, 0.9);
-  EXPECT_NEAR(choice.noise, 0.1 / std::sqrt(6.0), 0.002); // the difference of two even variables of width 0.1
+  EXPECT_NEAR(choice.noise, 0.1 / std::sqrt(6.0), 0.002); // the difference of two uniform variables of width 0.1
   EXPECT_GT(choice.edgeContrast, 0.4);
   EXPECT_NEAR(choice.p, 1.0 / std::sqrt(4.0 * choice.noise * choice.edgeContrast), 1e-9);
   EXPECT_LT(1.0 / choice.p, 0.5);

@@ -90,7 +90,7 @@ TEST(CumulativeHeatDiffusionImageFilter, ACubeConvergesToOneOverItsSide)
 
 TEST(CumulativeHeatDiffusionImageFilter, TranslationMovesTheHeatOfAClosedObject)
 {
-  // Another place in the volume: the object itself is insulated, so that its heat is the same there to rounding.
+  // Another position in the volume: the object itself is insulated, so its heat is equal up to rounding.
   const auto shape = [](std::ptrdiff_t x, std::ptrdiff_t y, std::ptrdiff_t z) {
     return x >= 0 && x < 6 && y >= 0 && y < 4 && z >= 0 && z < 8 && !(x > 2 && z > 3) ? 1.0 : 0.0;
   };

@@ -56,7 +56,7 @@ Diffuse(const VolumeGradientOperator &     volumeGradient,
   return trajectory;
 }
 
-/** The largest error of all fields against the brute force. */
+/** The largest error of all fields relative to brute force. */
 double
 LargestError(const Trajectory & trajectory, const std::vector<std::uint64_t> & steps, BruteForce brute)
 {
@@ -148,7 +148,7 @@ TEST(HeatDiffusionSolver, AShorterTimeStepMatchesBruteForce)
 
 TEST(HeatDiffusionSolver, AnEigenfunctionOfTheFreeVolumeDecaysAsItsEigenvalueSays)
 {
-  // All weights 1, heat 0 in the layer around: sin(pi (x+1) / (n+1)) along each axis.
+  // All weights 1, heat 0 in the border: sin(pi (x+1) / (n+1)) along each axis.
   const Volume                 volume({ 15, 10, 12 }, 1.0F);
   const VolumeGradientOperator volumeGradient(volume.values.data(), volume.size, volume.Parameters(7.0));
   const PaddedGrid &           grid = volumeGradient.GetGrid();
@@ -275,7 +275,7 @@ TEST(HeatDiffusionSolver, ALastStretchThatIsTooShortIsNotCalledSteady)
   const VolumeGradientOperator volumeGradient(volume.values.data(), volume.size, volume.Parameters(7.0));
   for (const Method method : { Method::Chebyshev, Method::Explicit })
   {
-    // Stretches end at 16, 40, 100, 250, 625; the cube is steady much later.
+    // Time intervals end at 16, 40, 100, 250, 625; the cube is steady much later.
     for (const std::uint64_t last : { 17, 41, 101, 251, 626, 627 })
     {
       EXPECT_FALSE(Diffuse(volumeGradient, method, last, {}, dt, true).steady) << last;

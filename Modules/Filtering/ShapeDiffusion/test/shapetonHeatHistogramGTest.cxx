@@ -151,7 +151,7 @@ TEST(HeatClassification, AShallowValleyMakesNoClassAndTheLimitHolds)
 
 TEST(HeatClassification, AnEvenSpreadOverOctavesIsOneClass)
 {
-  // Evenly in log(heat), across the octaves where the width of the bins doubles.
+  // Uniform in log(heat), across the octaves where the width of the bins doubles.
   std::vector<float> heats;
   for (int i = 0; i < 200000; ++i)
   {

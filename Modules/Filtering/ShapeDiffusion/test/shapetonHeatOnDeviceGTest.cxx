@@ -74,7 +74,7 @@ MakeSettings(const Volume & volume, std::uint64_t steps, const std::array<double
   return settings;
 }
 
-/** Edges of the volumes that a GPU has time for; the stand-in has less. */
+/** Edges of volumes with acceptable run time on a GPU; smaller for the stand-in. */
 Size
 Large()
 {
@@ -88,7 +88,7 @@ TEST(HeatOnDevice, ExpansionAndHistogramAreTheSameBytes)
   const Settings settings = MakeSettings(volume, 20000);
   ExpectTheSame(volume, settings);
   const auto heat = Diffuse(volume, settings, Device::Cuda).heat;
-  EXPECT_GT(*std::max_element(heat.begin(), heat.end()), 0.1F); // the comparison says something
+  EXPECT_GT(*std::max_element(heat.begin(), heat.end()), 0.1F); // the comparison is meaningful
 }
 
 TEST(HeatOnDevice, OddSizesAndAnisotropicVoxelsAreTheSameBytes)
@@ -124,7 +124,7 @@ TEST(HeatOnDevice, TheSteadyStateIsFoundAtTheSameStep)
   ExpectTheSame(volume, settings);
 }
 
-// Heat that has left passes through numbers too small for a normal float.
+// Decaying heat passes through subnormal numbers.
 TEST(HeatOnDevice, VanishingHeatIsTheSameBytes)
 {
   SHAPETON_REQUIRE_DEVICE();

@@ -99,7 +99,8 @@ TEST(ShapeComponents, RotationMattersLessToTheNormalizedHeatThanToTheHeat)
     const auto cube = Measure([=](double x, double y, double z) { return Box(c * x + s * y, c * y - s * x, z, 10.0); });
     heats.push_back(cube.convergedHeat);
     normalized.push_back(cube.normalizedHeat);
-    EXPECT_NEAR(cube.normalizedHeat, 0.94, 0.06) << degrees; // flat faces lie a little low with 13 directions
+    EXPECT_NEAR(cube.normalizedHeat, 0.94, 0.06) << degrees; // flat faces are slightly underestimated with 13
+                                                             // directions
   }
   const auto spread = [](const std::vector<double> & values) {
     const auto ends = std::minmax_element(values.begin(), values.end());

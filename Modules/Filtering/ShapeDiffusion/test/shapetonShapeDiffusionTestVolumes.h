@@ -57,7 +57,7 @@ struct Volume
   }
 };
 
-/** Even noise in [-0.5, 0.5) from a hash of the place: the same on every machine. */
+/** Uniform noise in [-0.5, 0.5) from a hash of the position: the same on every machine. */
 inline double
 Noise(std::size_t x, std::size_t y, std::size_t z)
 {

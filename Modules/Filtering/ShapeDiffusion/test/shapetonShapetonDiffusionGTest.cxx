@@ -17,8 +17,8 @@ constexpr DirectionSampling allSamplings[] = { DirectionSampling::SolidAngle,
                                                DirectionSampling::SectorArea,
                                                DirectionSampling::Uniform };
 
-/** Voxels whose six neighbours all lie farther away in intensity than 1 / p. At the border of the volume there are
- * none: the outer edges have weight 1. */
+/** Voxels whose intensity differs from that of all six neighbors by more than 1 / p. None at the border of the
+ * volume, where the outer edges have weight 1. */
 std::vector<bool>
 FindTraps(const Volume & volume, double p)
 {
@@ -44,7 +44,7 @@ FindTraps(const Volume & volume, double p)
   return traps;
 }
 
-/** The measures that follow from the visits and places. */
+/** The measures computed from visits and positions. */
 void
 ExpectMeasuresOfTheVisits(const ShapetonRun & run, const Volume & volume, const ShapetonDiffusionSettings & settings)
 {
@@ -81,7 +81,7 @@ ExpectMeasuresOfTheVisits(const ShapetonRun & run, const Volume & volume, const 
   EXPECT_NEAR(measures.automaticEpsilon, epsilon, 1e-12 * epsilon);
 }
 
-/** (3.10) with normalised densities, from the visits before and after a step. */
+/** (3.10) with normalized densities, from the visits before and after a step. */
 double
 ChangeBetween(const std::vector<std::uint32_t> & before, const std::vector<std::uint32_t> & after)
 {
@@ -95,7 +95,7 @@ ChangeBetween(const std::vector<std::uint32_t> & before, const std::vector<std::
   return sum;
 }
 
-/** Two values in turn along all axes: every inner voxel is a trap. */
+/** Two alternating values along all axes: every inner voxel is a trap. */
 Volume
 MakeCheckerboard(const test::Size & size)
 {
@@ -218,7 +218,7 @@ TEST(ShapetonDiffusion, AnotherSeedGivesOtherVisits)
 
 TEST(ShapetonDiffusion, TheChangeIsThatOfNormalisedDensities)
 {
-  // 40000 shapetons take several threads, 7 make the greatest number of visits jump.
+  // 40000 shapetons use several threads; 7 make the maximum number of visits jump.
   const Volume volume = MakeScene({ 14, 13, 12 }, 0.4);
   for (const std::uint32_t shapetons : { 7, 40000 })
   {
@@ -278,7 +278,7 @@ TEST(ShapetonDiffusion, SteadyIsWhenTheChangeIsSmallInNineOfTenOfFiftySteps)
 
 TEST(ShapetonDiffusion, TheObserverSeesWholeSteps)
 {
-  // More shapetons than are moved between two looks at the clock: a step is then cut.
+  // More shapetons than are moved between two clock checks: a step is then divided.
   const Volume volume = MakeScene({ 30, 30, 30 }, 0.1);
   for (const PathRule rule : bothRules)
   {
@@ -442,7 +442,7 @@ TEST(ShapetonDiffusion, RefusesVolumesThatItCannotIndex)
 
 TEST(ShapetonDiffusion, RefusesMoreVisitsThanItCanCount)
 {
-  // Two million shapetons in one voxel pass 2^32 visits in step 2148. Going on from a saved state takes no time.
+  // Two million shapetons in one voxel exceed 2^32 visits in step 2148. Continuing from a saved state takes no time.
   const Volume volume({ 1, 1, 1 }, 1.0F);
   ShapetonRun  run(volume, MakeSettings(volume, 2000000, 0.5));
   run.diffusion.Run(1);
@@ -463,7 +463,7 @@ TEST(ShapetonDiffusion, TheEquivalentTimeOfHeatIsThatOfTheSameSpread)
   mask[centre] = 1;
   for (const double step : { 0.3, 0.8, 1.0, 1.16, 1.5, 2.5 })
   {
-    // The component along an axis is evenly distributed, and so is the place in the voxel.
+    // The component along an axis and the position in the voxel are uniformly distributed.
     const auto square = [](double way) {
       const double whole = std::floor(way);
       return whole * whole + (way - whole) * (2.0 * whole + 1.0);

@@ -25,7 +25,7 @@ MakeImage(const test::Volume & volume, double scale = 1.0)
   return image;
 }
 
-/** Whole numbers from 0 to 200, which every pixel type holds. */
+/** Integers from 0 to 200, which every pixel type can represent. */
 test::Volume
 MakeWholeNumbers()
 {
@@ -77,7 +77,7 @@ MakeMask(const test::Volume & volume)
   return mask;
 }
 
-/** What an exception says. */
+/** The message of an exception. */
 template <typename TFilter>
 std::string
 Refusal(TFilter * filter)
@@ -174,7 +174,7 @@ TEST(ShapetonDiffusionImageFilter, KeepsAnObliqueAnisotropicGeometry)
 
 TEST(ShapetonDiffusionImageFilter, TheVisitsGrowFromEventToEvent)
 {
-  // Also where a step has more shapetons than are moved between two events.
+  // Also if a step has more shapetons than are moved between two events.
   const auto image = MakeImage<float>(test::MakeScene({ 20, 20, 20 }, 0.1));
   for (const std::uint32_t shapetons : { 5000, 70000 })
   {

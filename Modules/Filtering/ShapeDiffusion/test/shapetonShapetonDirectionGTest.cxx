@@ -13,7 +13,7 @@ namespace
 {
 using Triple = std::array<double, 3>;
 
-/** Weights of many kinds: random, with zeros, small, very different from each other. */
+/** Various weights: random, with zeros, small, very different from each other. */
 std::vector<Triple>
 MakeWeights(int number)
 {
@@ -180,7 +180,7 @@ TEST(ShapetonDirection, SectorsEqualQuadrature)
 
 TEST(ShapetonDirection, VolumesAndAreasEqualThePrintedEquations)
 {
-  // What the printed differences of large terms lose: up to 8e-16 of volumes up to 0.5, whatever the weights.
+  // Cancellation error of the printed formulas: up to 8e-16 of volumes up to 0.5, for any weights.
   RandomNumbers random(3);
   for (const Triple & w : MakeWeights(2000))
   {
@@ -296,7 +296,7 @@ TEST(ShapetonDirection, OneDominantFaceDrawsTheDirections)
   EXPECT_NEAR(moments.first[0], expected, 0.002);
   EXPECT_NEAR(moments.first[1], 0.0, 0.003);
   EXPECT_NEAR(moments.first[2], 0.0, 0.003);
-  // The weights do not matter for the uniform distribution.
+  // The weights do not affect the uniform distribution.
   EXPECT_NEAR(DrawMany(weights, DirectionSampling::Uniform, 400000).first[0], 0.0, 0.005);
 }
 

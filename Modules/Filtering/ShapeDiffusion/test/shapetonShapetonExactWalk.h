@@ -13,12 +13,12 @@ namespace shapeton
 {
 namespace test
 {
-/** The steps of PathRule::Traversal in double precision, with all their outcomes and probabilities in place of random
+/** The steps of PathRule::Traversal in double precision, with all outcomes and probabilities instead of random
  * numbers. Written without the code under test. */
 class ExactWalk
 {
 public:
-  /** How likely a voxel is the end of the step. */
+  /** The probability that a step ends in a voxel. */
   using Density = std::vector<double>;
 
   ExactWalk(const Volume & volume, double p)
@@ -37,7 +37,7 @@ public:
     }
   }
 
-  /** What directions are drawn from: 1 at the border of the volume. */
+  /** Weights for the sampling of directions: 1 at the border of the volume. */
   const EdgeWeights &
   GetWeights(std::size_t voxel) const
   {
@@ -57,8 +57,8 @@ public:
     return edge % 2 ? voxel + m_Strides[edge / 2] : voxel - m_Strides[edge / 2];
   }
 
-  /** Follows a way, in voxels, from a place in a voxel, and adds `probability` to where it ends. At each face it goes
-   * on in both ways. */
+  /** Follows a displacement, in voxels, from a position in a voxel, and adds `probability` to its end voxel. At each
+   * face both outcomes are followed. */
   void
   Follow(std::size_t voxel, std::array<double, 3> place, std::array<double, 3> way, double probability, Density & ends)
     const
@@ -236,7 +236,7 @@ private:
     return sum / (number == 3 ? 6.0 : number == 2 ? 2.0 : 1.0);
   }
 
-  /** Meets the faces of the axes that are left, in every order, and adds where the step ends to the row of `start`. */
+  /** Crosses the faces of the remaining axes in every order, and adds the end of the step to the row of `start`. */
   void
   Meet(std::size_t start, unsigned int octant, unsigned int axes, double probability, std::size_t voxel)
   {

@@ -28,7 +28,7 @@ constexpr DirectionSampling allSamplings[] = { DirectionSampling::SolidAngle,
                                                DirectionSampling::SectorArea,
                                                DirectionSampling::Uniform };
 
-/** Shapetons anywhere among voxels with weights of all kinds: none, least, greatest, any. */
+/** Shapetons at random positions among voxels with various weights: none, smallest, largest, random. */
 Crowd
 MakeMixedCrowd(std::size_t number)
 {
@@ -158,7 +158,7 @@ AsDoubles(const std::array<std::uint16_t, 6> & weights)
   return numbers;
 }
 
-/** Calls `body(x, y, z)` for directions drawn by the best kernels in a voxel of these weights. */
+/** Calls `body(x, y, z)` for directions sampled by the best kernels in a voxel with these weights. */
 template <typename TBody>
 void
 ForDirections(const std::array<std::uint16_t, 6> & weights,
@@ -227,7 +227,7 @@ struct Angles
   double                across;
 };
 
-/** The share of the octants up to `octant` in the whole volume. */
+/** The cumulative share of the octants up to `octant` in the whole volume. */
 double
 ShareOfOctants(const std::uint16_t * record, unsigned int octants)
 {
@@ -242,8 +242,8 @@ ShareOfOctants(const std::uint16_t * record, unsigned int octants)
   return part / whole;
 }
 
-/** How far theta lies from where its random number puts it, as a share of the distribution; by term and place in it, or
- * by sector area. A number at the border of two terms may choose either. */
+/** Deviation of theta from the quantile of its random number, as a share of the distribution; by term and its
+ * quantile, or by sector area. A number at the border of two terms may select either. */
 double
 ErrorOfTheta(const Angles & angles, DirectionSampling sampling, const std::array<double, 4> & numbers)
 {
@@ -373,7 +373,7 @@ TEST(ShapetonKernels, DirectionsAreUnitVectorsOrNone)
 
 TEST(ShapetonKernels, RandomNumbersAreTheShareOfTheDistributionUpToTheDirection)
 {
-  // For weights of all kinds; in single precision the kernels invert the distribution functions within 1.5e-6.
+  // For various weights; in single precision the kernels invert the distribution functions within 1.5e-6.
   for (const auto sampling : { DirectionSampling::SolidAngle, DirectionSampling::SectorArea })
   {
     Crowd        crowd = MakeMixedCrowd(400000);
@@ -410,7 +410,7 @@ TEST(ShapetonKernels, RandomNumbersAreTheShareOfTheDistributionUpToTheDirection)
 
 TEST(ShapetonKernels, DirectionsDependOnTheShapetonAndTheStepAlone)
 {
-  // The last 16 of 48 shapetons alone draw what they draw among the others.
+  // The last 16 of 48 shapetons get the same directions alone as among the others.
   Crowd all = MakeMixedCrowd(48);
   Crowd some = MakeMixedCrowd(48);
   some.number = 16;
@@ -443,7 +443,7 @@ TEST(ShapetonKernels, MeanSquaredComponentsOfEqualWeights)
 
 TEST(ShapetonKernels, TheThetaTableInvertsTheSectorVolumes)
 {
-  // R^3 of the weights (1, 0) is the first of the four terms alone, that of (0, 1) the last.
+  // R^3 of the weights (1, 0) consists of the first of the four terms, that of (0, 1) of the last.
   for (const bool first : { true, false })
   {
     const double w1 = first ? 1.0 : 0.0;

@@ -28,14 +28,14 @@ struct MoveCase
   std::array<float, 3>        step;
 };
 
-/** Volumes of one voxel across, steps of many sides of the volume. */
+/** Volumes with a width of one voxel; steps of many times the volume's sides. */
 const MoveCase moveCases[] = {
   { { 40, 30, 20 }, { 3.7F, 2.9F, 1.1F } },      { { 1, 1, 1 }, { 1.0F, 1.0F, 1.0F } },
   { { 1, 7, 300 }, { 300.0F, 300.0F, 300.0F } }, { { 2000, 1, 1 }, { 2000.0F, 700.0F, 1.0F } },
   { { 3, 5, 1 }, { 4000.0F, 0.01F, 90000.0F } }, { { 127, 129, 64 }, { 500.0F, 129.0F, 64.0F } }
 };
 
-/** Places anywhere, directions anywhere. */
+/** Random positions and directions. */
 Crowd
 MakeCrowd(const MoveCase & moveCase, std::size_t number)
 {

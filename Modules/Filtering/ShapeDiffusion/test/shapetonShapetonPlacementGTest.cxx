@@ -10,7 +10,7 @@ using namespace shapeton::test;
 
 namespace
 {
-/** The places of shapetons inside their voxels are evenly distributed. */
+/** The positions of shapetons inside their voxels are uniformly distributed. */
 void
 ExpectEvenPlacesInVoxels(const ShapetonRun & run, std::size_t shapetons)
 {

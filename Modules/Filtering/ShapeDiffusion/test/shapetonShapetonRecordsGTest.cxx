@@ -12,7 +12,7 @@ using namespace shapeton::ShapetonKernels;
 
 namespace
 {
-/** The weight of the edge between two voxels, straight from (2.5); 1 where the neighbour lies outside. */
+/** The weight of the edge between two voxels, directly from (2.5); 1 if the neighbor is outside. */
 double
 WeightOf(const Volume &                             volume,
          const VolumeGradientOperator::Parameters & parameters,

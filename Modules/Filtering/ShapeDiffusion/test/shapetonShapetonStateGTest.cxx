@@ -27,7 +27,7 @@ ReadBack(const std::string & bytes)
   return ReadShapetonState(stream);
 }
 
-/** A small run, so that every byte of its state can be spoiled. */
+/** A small run, so that every byte of its state can be corrupted. */
 std::string
 MakeSmallState()
 {
@@ -45,7 +45,7 @@ ExpectSame(const ShapetonRun & a, const ShapetonRun & b)
   EXPECT_EQ(Tied(a.diffusion.GetMeasures()), Tied(b.diffusion.GetMeasures()));
 }
 
-/** Takes `first` steps, saves, goes on in another object; compares with a run of all steps at once. */
+/** Performs `first` steps, saves, continues in another object; compares with an uninterrupted run. */
 void
 ExpectToGoOn(const ShapetonDiffusionSettings & settings,
              const Volume &                    volume,
@@ -64,7 +64,7 @@ ExpectToGoOn(const ShapetonDiffusionSettings & settings,
   ExpectSame(resumed, whole);
 }
 
-/** What SetState() says about the state of a run with other settings. */
+/** The message of SetState() for the state of a run with other settings. */
 template <typename TSpoil>
 std::string
 Refusal(const TSpoil & spoil)
@@ -86,7 +86,7 @@ Refusal(const TSpoil & spoil)
   return "";
 }
 
-/** As long a file of zeros as anybody cares to read. */
+/** A long file of zeros. */
 class EndlessZeros : public std::streambuf
 {
 protected:

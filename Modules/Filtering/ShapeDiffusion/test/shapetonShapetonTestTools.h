@@ -25,7 +25,8 @@ namespace test
 constexpr double pi = 3.14159265358979323846;
 constexpr double halfPi = 0.5 * pi;
 
-/** Gauss' rule. 24 points are exact for polynomials of degree 47, right to rounding for the smooth functions here. */
+/** Gauss quadrature. 24 points are exact for polynomials of degree 47, accurate to rounding for the smooth functions
+ * here. */
 template <int Points>
 class GaussRule
 {
@@ -103,9 +104,9 @@ private:
   std::mt19937_64 m_Engine;
 };
 
-/** How far counts lie from what the probabilities let expect: Pearson's statistic as a number of standard deviations
- * (Wilson and Hilferty). Neighbours in the list are put together until 20 are expected. Infinite when something
- * impossible was counted. Beyond +-4.5 with a probability below 1e-5. */
+/** Deviation of counts from their expectations: Pearson's statistic as a number of standard deviations (Wilson and
+ * Hilferty). Adjacent entries are merged until 20 are expected. Infinite if an impossible event was counted. Beyond
+ * +-4.5 with a probability below 1e-5. */
 inline double
 ChiSquareDeviation(const std::vector<double> & probabilities, const std::vector<std::uint64_t> & counts)
 {

@@ -27,7 +27,7 @@ MakeVolume()
   return volume;
 }
 
-/** Some voxels in and around a part of the ball, so that the density differs from place to place. */
+/** Some voxels in and around a part of the ball, so that the density varies. */
 std::vector<unsigned char>
 MakeStart()
 {
@@ -48,7 +48,7 @@ TraversalSettings(const Volume & volume, DirectionSampling sampling, double step
   return settings;
 }
 
-/** The visits of one shapeton in all steps, in the mean, and its density after the last one. */
+/** The mean visits of one shapeton in all steps, and its density after the last one. */
 struct Expectation
 {
   template <typename TMatrix>
@@ -69,7 +69,7 @@ struct Expectation
   std::vector<double> density;
 };
 
-/** The root of the mean squared difference of a run from what was expected, for each visit of a shapeton. */
+/** The root mean squared deviation of a run from the expectation, per visit of a shapeton. */
 double
 ErrorOf(const ShapetonRun & run, double shapetons, const std::vector<double> & expected)
 {
@@ -97,7 +97,8 @@ SlopeOf(const std::vector<double> & x, const std::vector<double> & y)
   return products / squares;
 }
 
-/** Where a step from a voxel ends, by the points of a lattice in six dimensions: direction and place in the voxel. */
+/** The distribution of the end voxels of a step, from a lattice in six dimensions: direction and position in the
+ * voxel. */
 std::vector<double>
 EndsByLattice(const ExactWalk & walk, std::size_t voxel, DirectionSampling sampling, double stepInVoxels)
 {
@@ -151,7 +152,7 @@ TEST_P(ShapetonTransition, TheMatrixIsThatOfTheWalk)
   const Volume               volume = MakeVolume();
   const ExactWalk            walk(volume, p);
   const TransitionMatrix<14> matrix(walk, volume.values.size(), GetParam(), step);
-  // The lattice leaves errors of 5e-4, half of what as many random points would.
+  // The lattice error is 5e-4, half of that of as many random points.
   for (const std::size_t voxel : { 0, 1911, 2056 })
   {
     const auto ends = EndsByLattice(walk, voxel, GetParam(), step);
@@ -193,7 +194,7 @@ TEST_P(ShapetonTransition, ErrorsFallWithTheRootOfTheNumberOfShapetons)
 
 TEST_P(ShapetonTransition, LongStepsEndAsTheWalkDoes)
 {
-  // Up to three faces of an axis: from a corner of the volume, its border, the surface of the ball.
+  // Up to three faces per axis: from a corner of the volume, its border, the surface of the ball.
   const Volume    volume = MakeVolume();
   const ExactWalk walk(volume, p);
   for (const std::size_t voxel : { 0, 1911, 2056, 2560 })

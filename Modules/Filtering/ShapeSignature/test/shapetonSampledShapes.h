@@ -42,7 +42,7 @@ MakeImage(const std::array<int, 3> &    size,
   return image;
 }
 
-/** Gives a label to the voxels whose middle lies in the solid. */
+/** Labels the voxels whose center is in the solid. */
 inline void
 Draw(Image * image, const Solid & solid, float label = 1.0F)
 {
@@ -87,7 +87,7 @@ Turned(const Solid & solid, double degrees, const Eigen::Vector3d & axis)
   return [=](const Eigen::Vector3d & p) { return solid(back * p); };
 }
 
-/** A block, a rod out of it and a knob at its end: no two directions of it are alike. Radius of its ball: 11 mm. */
+/** A block, a rod out of it and a knob at its end: without symmetry. Radius of its ball: 11 mm. */
 inline Solid
 Hammer()
 {

@@ -50,7 +50,7 @@ TEST(ShapeSearch, DistanceIsAMetricOfSignaturesUpToVolume)
   EXPECT_EQ(SignatureDistance(a, a), 0.0);
   EXPECT_EQ(SignatureDistance(a, b), SignatureDistance(b, a));
   EXPECT_LE(SignatureDistance(a, c), SignatureDistance(a, b) + SignatureDistance(b, c));
-  ShapeSignature larger = a; // everything without a unit stays
+  ShapeSignature larger = a; // all dimensionless measures are unchanged
   larger.volume *= 8.0;
   larger.surface *= 4.0;
   EXPECT_NEAR(SignatureDistance(a, larger), 0.0, 1e-12);
@@ -73,6 +73,6 @@ TEST(ShapeSearch, EntriesOfOneNameGiveNoMarginToEachOther)
   const std::vector<NamedShape> once{ twice[0], twice[2] };
   const ShapeSignature          copy = SignatureOf(Scaled(Hammer(), 0.9));
   const auto nearest = [&](const std::vector<NamedShape> & entries) { return FindShape(copy, entries, 9).probability; };
-  EXPECT_GE(nearest(twice), nearest(once)); // the second hammer is at least no rival
+  EXPECT_GE(nearest(twice), nearest(once)); // the second hammer is at least not a rival
   EXPECT_THROW(FindShape(copy, {}, 1), std::invalid_argument);
 }

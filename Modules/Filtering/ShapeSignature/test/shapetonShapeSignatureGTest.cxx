@@ -52,7 +52,7 @@ HeatOfInterval(double length, double t)
   return 8.0 / (M_PI * M_PI) * sum;
 }
 
-/** The mean square displacement in an interval that keeps its heat. */
+/** The mean squared displacement in an insulated interval. */
 double
 DisplacementInInterval(double length, double t)
 {

@@ -133,7 +133,8 @@ TEST(ShapeTable, RefusesTablesThatAreNone)
   EXPECT_NE(withFirstNumbers("1,0,100,5,0,4,0").find("line 2: surface is 0, which is out of range"), std::string::npos);
   EXPECT_NE(withFirstNumbers("1.5,0,100,5,0,4,9").find("line 2: the label 1.5 is not a non-negative integer"),
             std::string::npos);
-  EXPECT_NE(Refusal(text.substr(0, text.size() / 2)).find("line"), std::string::npos); // cut in the middle of a row
+  EXPECT_NE(Refusal(text.substr(0, text.size() / 2)).find("line"), std::string::npos); // truncated in the middle of a
+                                                                                       // row
 }
 
 TEST(ShapeTable, RefusesCurvesOfNoShape)

@@ -143,7 +143,7 @@ TEST(DicomResultsOfOtherPrograms, LabelsThatAreNotDeclaredAreRefused)
   const auto file = map.Read();
   EXPECT_TRUE(Contains(InputErrorOf([&] { ReadDicomSegments(file, { 2 }, map.source); }),
                        "has pixels of segment 8, which it does not declare"));
-  LabelMap zero({ 0, 2 }, 8, { 0, 2 }); // a structure of its own: 0 means none in what is made of it
+  LabelMap zero({ 0, 2 }, 8, { 0, 2 }); // its own structure: 0 means none in derived data
   EXPECT_THROW(ReadDicomSegments(zero.Read(), { 0, 2 }, zero.source), ParameterError);
   EXPECT_NO_THROW(ReadDicomSegments(zero.Read(), { 2 }, zero.source));
   LabelMap wide({ 0, 2 }, 8, { 2 });
@@ -293,7 +293,7 @@ TEST(DicomResultsOfOtherPrograms, PointsInPixelsNeedNeitherAVolumeNorAFrameOfRef
   const DicomSource one = ReadDicomSource(folder + ".one", options);
   const auto        points = ReadDicomReportPoints(inPixels, one);
   ASSERT_EQ(points.size(), 1U);
-  EXPECT_LT(points[0].places.at(0).EuclideanDistanceTo(place), 1e-4); // the report holds floats
+  EXPECT_LT(points[0].places.at(0).EuclideanDistanceTo(place), 1e-4); // the report stores floats
   EXPECT_TRUE(Contains(InputErrorOf([&] { ReadDicomReportPoints(inSpace, one); }), "has no frame of reference"));
   std::filesystem::remove(folder + "/im0002.dcm"); // a gap
   EXPECT_TRUE(Contains(InputErrorOf([&] { ReadDicomSource(folder); }), "gap"));

@@ -27,7 +27,7 @@ SourceOf(const DicomFixture & fixture, const std::string & folder)
   return ReadDicomSource(folder);
 }
 
-/** Axes, spacings and sizes that are all different. */
+/** Axes, spacings and sizes are all different. */
 inline DicomFixture
 ObliqueFixture()
 {

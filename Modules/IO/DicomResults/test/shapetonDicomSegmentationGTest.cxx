@@ -55,7 +55,7 @@ ValuesOf(const DicomLabelImage * image)
            image->GetBufferPointer() + image->GetLargestPossibleRegion().GetNumberOfPixels() };
 }
 
-/** A file of two segments, and another one over them, as source, labels and path. */
+/** A file of two segments, and another one that overlaps them, as source, labels and path. */
 struct Written
 {
   explicit Written(const DicomFixture & fixture, bool isDeflated = false)
@@ -84,7 +84,7 @@ struct Written
   DicomSegmentation        segmentation;
 };
 
-/** Labels 1 and 2 come back as they were; 7 x 9 pixels are no whole number of bytes. */
+/** Labels 1 and 2 are read back; the bits of 7 x 9 pixels do not fill whole bytes. */
 void
 ExpectRoundTrip(const Written & written)
 {
@@ -98,7 +98,7 @@ ExpectRoundTrip(const Written & written)
   const auto back = ReadDicomSegments(file, { 1, 2 }, written.source).labels;
   EXPECT_EQ(ValuesOf(back), ValuesOf(written.labels));
   EXPECT_TRUE(HaveSameGrid(back, written.source.grid));
-  const auto covered = ReadDicomSegments(file, { 1, 2, 3 }, written.source); // 3 lies over the others
+  const auto covered = ReadDicomSegments(file, { 1, 2, 3 }, written.source); // 3 overlaps the others
   EXPECT_EQ(covered.voxels[0], written.segmentation.voxels[0]);
   EXPECT_EQ(covered.voxels[2], written.segmentation.voxels[3]);
   std::vector<unsigned short> third = ValuesOf(written.others);
@@ -208,7 +208,7 @@ TEST(DicomSegmentation, ReadsFractionalOnesFromHalfOn)
   DcmDataset &       dataset = *file.getDataset();
   const std::size_t  pixels = 63;
   std::vector<Uint8> values(pixels * 15 + 1, 0);
-  values[3] = 127; // below a half of 255
+  values[3] = 127; // below half of 255
   values[4] = 128;
   dataset.putAndInsertString(DCM_SegmentationType, "FRACTIONAL");
   dataset.putAndInsertUint16(DCM_BitsAllocated, 8);

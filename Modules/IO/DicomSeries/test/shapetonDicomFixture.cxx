@@ -190,7 +190,7 @@ DicomFixture::MakeSlice(const PointType & position, int instanceNumber) const
   FillIdentity(dataset, instanceNumber);
   Put(dataset, DCM_ImageType, "ORIGINAL\\PRIMARY\\AXIAL");
   Put(dataset, DCM_AcquisitionNumber, "1");
-  // Wrong on purpose: neither may be used for the distance of slices.
+  // Deliberately wrong: neither may be used for the distance of slices.
   Put(dataset, DCM_SliceThickness, DicomNumbers({ 3 * sliceSpacing }));
   Put(dataset, DCM_SpacingBetweenSlices, DicomNumbers({ 5 * sliceSpacing }));
   Put(dataset, DCM_ImagePositionPatient, DicomNumbers({ position[0], position[1], position[2] }));
@@ -582,7 +582,7 @@ WriteBadFiles(const std::string & folder)
   SaveDicom(video, MakeFolder(folder + "/unsupportedTransferSyntax"));
   for (const auto & entry : fs::directory_iterator(folder + "/unsupportedTransferSyntax"))
   {
-    // The last digits of "1.2.840.10008.1.2.1" become those of an encoding that nobody has registered.
+    // The last digits of "1.2.840.10008.1.2.1" become those of an unregistered encoding.
     std::fstream      stream(entry.path(), std::ios::in | std::ios::out | std::ios::binary);
     std::string       bytes((std::istreambuf_iterator<char>(stream)), std::istreambuf_iterator<char>());
     const std::size_t place = bytes.find("1.2.840.10008.1.2.1");
@@ -605,7 +605,7 @@ WriteBadFiles(const std::string & folder)
   SaveDicom(*flat, MakeFolder(folder + "/twoDimensional") + "/flat.dcm");
 }
 
-/** Inputs as other programs write them. */
+/** Inputs as written by other programs. */
 void
 WriteOtherPrograms(const std::string & folder)
 {

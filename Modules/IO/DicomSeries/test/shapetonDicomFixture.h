@@ -14,8 +14,8 @@
 
 namespace shapeton
 {
-/** Series for tests, sound and faulty, made by DCMTK. The intensities are a function of the place in space, so that a
- * test sees a wrong geometry as wrong intensities. */
+/** Valid and faulty series for tests, created with DCMTK. The intensities are a function of the position in space,
+ * so that a wrong geometry gives wrong intensities. */
 class DicomFixture
 {
 public:
@@ -23,7 +23,7 @@ public:
   using File = std::unique_ptr<DcmFileFormat>;
   using Files = std::vector<File>;
 
-  /** An affine function: linear interpolation reproduces it. */
+  /** An affine function, which linear interpolation reproduces. */
   static double
   Ramp(const PointType & point)
   {
@@ -54,15 +54,15 @@ public:
   PointType
   SlicePosition(double distance, double alongRow = 0.0, double alongColumn = 0.0) const;
 
-  /** A slice whose first pixel lies at `position`. */
+  /** A slice with its first pixel at `position`. */
   File
   MakeSlice(const PointType & position, int instanceNumber) const;
 
-  /** All slices, in the order of position. */
+  /** All slices, ordered by position. */
   Files
   MakeSeries() const;
 
-  /** An enhanced multi-frame image with a frame for each distance along the normal. */
+  /** An enhanced multi-frame image with a frame at each distance along the normal. */
   File
   MakeEnhanced(const std::vector<double> & distances) const;
 
@@ -78,7 +78,7 @@ public:
   std::vector<double>
   RegularDistances() const;
 
-  /** A rotation about an axis that is none of the coordinate axes. */
+  /** A rotation about an axis other than the coordinate axes. */
   static itk::Matrix<double, 3, 3>
   ObliqueDirection();
 
@@ -112,7 +112,7 @@ StoreAsUnknown(DcmItem & item, const std::vector<DcmTagKey> & tags);
 void
 StoreAllAsUnknown(DcmItem & item);
 
-/** A CSA header of Siemens with the element NumberOfImagesInMosaic alone; no value where `count` is empty. */
+/** A Siemens CSA header with the single element NumberOfImagesInMosaic; without a value if `count` is empty. */
 std::string
 CsaHeader(const std::string & count);
 
@@ -120,7 +120,7 @@ CsaHeader(const std::string & count);
 void
 AddPrivate(DcmItem & item, Uint16 group, const std::string & creator, Uint16 element, const std::string & bytes);
 
-/** Replaces the transfer syntax that a file states, of 19 characters: explicit little endian, or RLE. */
+/** Replaces the transfer syntax in a file, of 19 characters: explicit little endian, or RLE. */
 void
 StateTransferSyntax(const std::string & path, const std::string & uid);
 
@@ -139,7 +139,7 @@ SaveDicom(const DicomFixture::Files & files,
 void
 CompressDicom(const std::string & path, const std::string & syntax);
 
-/** Cuts a file after `bytes` bytes. */
+/** Truncates a file after `bytes` bytes. */
 void
 Truncate(const std::string & path, std::size_t bytes);
 
@@ -150,7 +150,7 @@ MakeFolder(const std::string & path);
 void
 WriteText(const std::string & path, const std::string & text);
 
-/** Folders with one fault each, named after it, and files that are no volumes; see the source for the list. */
+/** Folders with one defect each, named after it, and files that are not volumes; see the source for the list. */
 void
 WriteFaultyInputs(const std::string & folder);
 } // namespace shapeton

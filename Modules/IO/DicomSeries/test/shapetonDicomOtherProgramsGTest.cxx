@@ -1,4 +1,4 @@
-// Series as other programs write them: what the standard allows, and what it does not and is found all the same.
+// Series as written by other programs: variants that the standard permits, and violations found in practice.
 #include "shapetonDicomSeriesListing.h"
 #include "shapetonPrintable.h"
 #include "shapetonVolumeTesting.h"
@@ -183,7 +183,7 @@ TEST(DicomOfOtherPrograms, EncodingsThatAreNotSupportedHaveTheirNames)
 
 namespace
 {
-/** 8 slices 2 mm apart; the value of each attribute is a function of the number of the slice. */
+/** 8 slices 2 mm apart; the value of each attribute is a function of the slice number. */
 DicomFixture::Files
 SlicesWith(const DcmTagKey & tag, const std::function<std::string(unsigned int)> & value)
 {
@@ -242,7 +242,7 @@ TEST(DicomOfOtherPrograms, ThreeAndFourInterleavedReconstructionsComeApartToo)
   auto       files = SlicesWith(DCM_ConvolutionKernel, kernel); // A B A B ...
   for (unsigned int i = 0; i < files.size(); ++i)
   {
-    SetText(*files[i], DCM_AcquisitionNumber, i % 4 < 2 ? "1" : "2"); // 1 1 2 2 ...: no grid by itself
+    SetText(*files[i], DCM_AcquisitionNumber, i % 4 < 2 ? "1" : "2"); // 1 1 2 2 ...: not a grid by itself
   }
   EXPECT_EQ(ScanOf(files).series.size(), 4U);
   for (unsigned int i = 0; i < files.size(); ++i)

@@ -32,7 +32,7 @@ namespace
 {
 using ImageType = itk::Image<short, 3>;
 
-// Oblique and anisotropic; pixels from the whole range of a CT series.
+// Oblique and anisotropic; pixels from the full range of a CT series.
 ImageType::Pointer
 MakeImage(unsigned int slices = 5, int offset = 0)
 {
@@ -432,7 +432,7 @@ TEST(DicomSeriesFolder, RefusesAFolderWithOtherThings)
   fs::remove(series + "/notes.txt");
   std::ofstream(series + "/IM0006.dcm") << "not DICOM";
   refuses();
-  // A slice of another maker under a name like ours.
+  // A slice from another vendor under a name like ours.
   DcmFileFormat file = Load(series + "/IM0001.dcm");
   file.getDataset()->putAndInsertString(DCM_Manufacturer, "Scanner");
   ASSERT_TRUE(file.saveFile((series + "/IM0006.dcm").c_str(), EXS_LittleEndianExplicit).good());
@@ -460,7 +460,7 @@ TEST(DicomSeriesFolder, AFailureKeepsTheOldSeries)
 
 namespace
 {
-// A process number that no process has.
+// A process id that no process has.
 std::string
 NumberOfADeadProcess()
 {
@@ -486,14 +486,14 @@ TEST(DicomSeriesFolder, TidiesAfterKilledRuns)
   shapeton::WriteDicomSeriesFolder(MakeImage(3), series, Describe());
   EXPECT_EQ(NamesIn(folder.GetPath()), (std::set<std::string>{ "series" }));
 
-  // Killed between the two steps of a file system that cannot exchange: the old series comes back.
+  // Killed between the two steps of a file system without exchange: the old series is restored.
   shapeton::WriteDicomSeriesFolder(MakeImage(), series, Describe());
   fs::rename(series, folder / (".series." + dead + ".old"));
   EXPECT_THROW(shapeton::WriteDicomSeriesFolder(MakeImage(1), series, Describe()), shapeton::InputError);
   EXPECT_EQ(BytesIn(series), old);
   EXPECT_EQ(NamesIn(folder.GetPath()), (std::set<std::string>{ "series" }));
 
-  // A folder of ours that somebody put something into is left alone.
+  // A folder of ours with a foreign file is left unchanged.
   fs::create_directory(folder / (".series." + dead + ".part"));
   std::ofstream(folder / (".series." + dead + ".part/notes.txt")) << "mine";
   shapeton::WriteDicomSeriesFolder(MakeImage(), series, Describe());
@@ -503,7 +503,7 @@ TEST(DicomSeriesFolder, TidiesAfterKilledRuns)
 class KilledRun : public testing::TestWithParam<int>
 {};
 
-// Whenever the signal comes, there is one whole series: the old or the new one.
+// At any time of the signal there is one complete series: the old or the new one.
 TEST_P(KilledRun, LeavesAWholeSeries)
 {
   const int    signal = GetParam();

@@ -103,8 +103,8 @@ TEST(VolumeReader, TheOrderOfFilesAndInstanceNumbersDoesNotMatter)
   EXPECT_LT(LargestDeviation(ReadSaved(files), DicomFixture::Ramp), Quantisation);
 }
 
-/** GDCM 3.2, which ITK 6 brings, refuses RLE where a segment begins after as many bytes as the picture has: of small
- * noisy ones. */
+/** GDCM 3.2, used by ITK 6, rejects RLE if a segment starts at an offset equal to the number of bytes of the
+ * picture, as in small noisy ones. */
 DicomFixture
 FixtureForRle()
 {
@@ -307,7 +307,7 @@ TEST(VolumeReader, BitsAboveTheHighBitAreIgnored)
     std::vector<Uint16> withOverlay(pixels, pixels + count);
     for (std::size_t i = 0; i < withOverlay.size(); i += 3)
     {
-      withOverlay[i] |= 0xA000; // an overlay in the unused bits, as old scanners wrote it
+      withOverlay[i] |= 0xA000; // an overlay in the unused bits, as written by old scanners
     }
     file->getDataset()->putAndInsertUint16Array(DCM_PixelData, withOverlay.data(), count);
   }
@@ -364,7 +364,7 @@ TEST(VolumeReader, InvertedGreyScaleKeepsItsValues)
   EXPECT_TRUE(Contains(volume.notes[0], "MONOCHROME1"));
 }
 
-// ---- what is refused ----
+// ---- rejected inputs ----
 
 TEST(VolumeReader, IrregularSeriesAreRefusedWithDefectSlicesAndAdvice)
 {
@@ -457,7 +457,7 @@ TEST(VolumeReader, ATruncatedSliceSpoilsTheSeries)
   const std::string message = InputErrorOf([&] { ReadVolume(folder); });
   EXPECT_TRUE(Contains(message, "truncated: ")) << message;
   EXPECT_TRUE(Contains(message, "im0006.dcm")) << message;
-  // Cut before its series is known: it may be the last slice, so that no gap shows.
+  // Truncated before its series UID: it may be the last slice, which leaves no gap.
   shapeton::Truncate(folder + "/im0006.dcm", 300);
   const std::string unknown = InputErrorOf([&] { ReadVolume(folder); });
   EXPECT_TRUE(Contains(unknown, "truncated: ")) << unknown;
@@ -669,7 +669,7 @@ TEST(VolumeReader, DeshearPutsEachSliceInItsPlace)
         ASSERT_NEAR(value, DicomFixture::Ramp(point), Quantisation) << index;
       }
     }
-    // Each slice covers its own 7 x 9 pixels, less the rim where an interpolation has no neighbour.
+    // Each slice covers its own 7 x 9 pixels, except for the border, where the interpolation lacks a neighbor.
     EXPECT_GE(covered, 6u * 6u * 8u);
     ASSERT_EQ(volume.repairs.size(), 1u);
     EXPECT_TRUE(Contains(volume.repairs[0], "deshear: 6 slices moved")) << volume.repairs[0];

@@ -23,7 +23,7 @@ TestFolder()
                     info->name());
 }
 
-/** The message of the InputError of a call; fails when there is none. */
+/** The message of the InputError of a call; fails if there is none. */
 inline std::string
 InputErrorOf(const std::function<void()> & call)
 {

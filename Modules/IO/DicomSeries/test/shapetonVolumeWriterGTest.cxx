@@ -14,7 +14,7 @@
 #include <sys/resource.h>
 
 #if defined(__SANITIZE_ADDRESS__)
-/** NrrdIO leaks its messages when it cannot write. */
+/** NrrdIO leaks its messages if it cannot write. */
 extern "C" const char *
 __lsan_default_suppressions()
 {
@@ -89,7 +89,7 @@ BytesOf(const std::string & path)
   return { std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>() };
 }
 
-/** A NIfTI-1 header for 2 x 3 x 4 voxels of type float or short with the identity as sform, as one changes it. */
+/** A NIfTI-1 header for 2 x 3 x 4 voxels of type float or short with the identity as sform, to be modified. */
 struct NiftiFile
 {
   std::string bytes = std::string(352, '\0');
@@ -217,7 +217,7 @@ TEST(VolumeWriter, Failures)
 
 TEST(VolumeWriter, AFullDiskIsNoticed)
 {
-  // A limit on the size of files stands for a full disk; compressed and raw formats notice it at different places.
+  // A file size limit simulates a full disk; compressed and raw formats detect it at different places.
   rlimit before{};
   getrlimit(RLIMIT_FSIZE, &before);
   const rlimit tiny{ 120, before.rlim_max };
@@ -427,7 +427,7 @@ TEST(ImageFile, BadNiftiIsRefused)
   NiftiFile sheared;
   sheared.Set<float>(284, 0.4F);
   EXPECT_FALSE(RefusalOf(sheared.Write()).empty());
-  // With a sound qform beside the sheared sform.
+  // With a valid qform in addition to the sheared sform.
   sheared.Set<std::int16_t>(252, 1);
   EXPECT_TRUE(Contains(RefusalOf(sheared.Write()), "orthogonal"));
 

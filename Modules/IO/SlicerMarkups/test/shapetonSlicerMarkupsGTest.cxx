@@ -31,7 +31,7 @@ Examples()
   return { points, curve, loop };
 }
 
-/** What the properties of Slicer's schema 1.0.3 may hold. */
+/** Allowed properties of Slicer's schema 1.0.3. */
 enum class Holds
 {
   Text,
@@ -234,7 +234,7 @@ TEST(SlicerMarkups, WhatCannotBeShownIsRefusedWhenWritten)
   EXPECT_THROW(shapeton::WriteMarkups(infinite, folder / "a.mrk.json"), std::invalid_argument);
 }
 
-/** A circle of radius 10 mm with 360 vertices; the first is repeated where it is closed. */
+/** A circle of radius 10 mm with 360 vertices; the first is repeated if it is closed. */
 shapeton::CurveSet
 Circle(bool isClosed)
 {

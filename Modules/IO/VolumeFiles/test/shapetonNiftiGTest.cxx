@@ -20,7 +20,7 @@ using Point = std::array<double, 3>;
 
 constexpr double NotANumber = std::numeric_limits<double>::quiet_NaN();
 
-/** The volume of a file of one piece. */
+/** The volume of a single-file image. */
 Volume
 Read(const NiftiFile & file, std::size_t offset = 0)
 {
@@ -41,7 +41,7 @@ Contains(const std::string & text, const std::string & part)
   return text.find(part) != std::string::npos;
 }
 
-/** Whether the notes are one, with this text. */
+/** Whether the notes consist of one note with this text. */
 testing::AssertionResult
 HasOnlyNote(const Volume & volume, const std::string & part)
 {
@@ -63,7 +63,7 @@ PlaceOf(const Volume & volume, const itk::Index<3> & index)
 
 // ---- units: a rotation around z with cosine .6, spacing .5 x .75 x 2 mm, origin (-12.5, 30.25, 100) mm in RAS ----
 
-/** The place of an index by the definition, in LPS. */
+/** The position of an index by definition, in LPS. */
 Point
 TruePlace(const itk::Index<3> & i)
 {
@@ -95,12 +95,12 @@ ObliqueFile(int version, bool isSwapped, bool hasSform, int unit)
                   100 * scale });
   if (!hasSform)
   {
-    file.SetSform({ 9, 9, 9, 9, 9, 9, 9, 9, 9, 9, 9, 9 }); // not looked at
+    file.SetSform({ 9, 9, 9, 9, 9, 9, 9, 9, 9, 9, 9, 9 }); // ignored
   }
   return file;
 }
 
-/** Writes a file as each kind there is; their names. */
+/** Writes a file in each variant; returns their names. */
 std::vector<std::string>
 WriteEachKind(const basetest::Folder & folder, const NiftiFile & file)
 {
@@ -112,7 +112,7 @@ WriteEachKind(const basetest::Folder & folder, const NiftiFile & file)
   WriteBytes(folder / "c.img.gz", file.voxels, true);
   WriteBytes(folder / "D.HDR", file.HeaderOfPair());
   WriteBytes(folder / "D.IMG", file.voxels);
-  WriteBytes(folder / "deflated.nii", file.Single(), true); // compressed, though its name does not say so
+  WriteBytes(folder / "deflated.nii", file.Single(), true); // compressed despite its name
   WriteBytes(folder / "raw.nii.gz", file.Single());
   return {
     "a.nii", "a.nii.gz", "b.hdr", "b.img", "c.hdr.gz", "c.img.gz", "D.HDR", "D.IMG", "deflated.nii", "raw.nii.gz"
@@ -150,7 +150,7 @@ TEST(Nifti, UnknownUnitsAreMillimetersWithANote)
   EXPECT_TRUE(HasOnlyNote(volume, "unknown unit of length 5"));
 }
 
-// ITK's reader as the peer, for what it reads: mm, an sform that agrees with pixdim, or a qform.
+// ITK's reader as reference where it is applicable: mm, an sform that agrees with pixdim, or a qform.
 TEST(Nifti, GeometryIsThatOfITKForRandomRotations)
 {
   std::mt19937                     random(7);
@@ -212,7 +212,7 @@ TEST(Nifti, AShearedSformIsRefusedWithItsAngle)
   EXPECT_TRUE(Contains(fault, "not orthogonal: the angle between axis 1 and axis 2 is 87.14 degrees; resample"))
     << fault;
   EXPECT_FALSE(Contains(fault, "ITK ERROR"));
-  EXPECT_FALSE(Contains(fault, "sform_code")); // without a qform that advice would not help
+  EXPECT_FALSE(Contains(fault, "sform_code")); // without a qform the advice would not help
   file.SetCodes(1, 1);
   EXPECT_TRUE(Contains(FaultOf(file), "set sform_code to 0 to use its qform"));
   file.SetCodes(1, 0); // as advised
@@ -235,7 +235,7 @@ TEST(Nifti, AnSformThatDisagreesWithPixdimIsTakenWithANote)
   EXPECT_NEAR(place[2], 10, 1e-6);
 }
 
-// The qform is the identity; the sform is so, too, or turns x around, which moves the far corner by 2 mm.
+// The qform is the identity; so is the sform, or it flips x, which moves the far corner by 2 mm.
 TEST(Nifti, AQformThatDisagreesWithTheSformIsNoted)
 {
   NiftiFile file;
@@ -274,7 +274,8 @@ TEST(Nifti, SignsOfPixdim)
   EXPECT_EQ(PlaceOf(volume, { { 1, 0, 0 } }), (Point{ -1, 0, 0 }));
 }
 
-// VNL prints a warning for a matrix with denormal numbers, and standard error of a tool is for its one message.
+// VNL prints a warning for a matrix with subnormal numbers, but the standard error of a tool contains only its one
+// message.
 TEST(Nifti, DenormalCosinesAreZero)
 {
   NiftiFile file(2);

@@ -82,7 +82,7 @@ public:
   {
     this->PutReals(280, 400, values);
   }
-  /** The numbers 0 to 23 in a type of voxel. */
+  /** The numbers 0 to 23 in a voxel type. */
   template <typename TVoxel>
   void
   SetVoxels(int datatype)
@@ -96,14 +96,14 @@ public:
     }
   }
 
-  /** One file, with zeros between header and voxels, which begin at `offset`. */
+  /** One file, with zeros between header and voxels, which start at `offset`. */
   std::string
   Single(std::size_t offset = 0) const
   {
     const std::size_t begin = offset ? offset : m_Header.size() + 4;
     return m_Header + std::string(begin - m_Header.size(), '\0') + voxels;
   }
-  /** The header of a pair; its voxels begin at 0. */
+  /** The header of a pair; its voxels start at 0. */
   std::string
   HeaderOfPair() const
   {

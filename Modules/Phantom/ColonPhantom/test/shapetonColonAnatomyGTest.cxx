@@ -42,7 +42,7 @@ Quantile(std::vector<double> values, double share)
   return values[std::min(values.size() - 1, static_cast<std::size_t>(share * values.size()))];
 }
 
-// Evenly spread directions.
+// Uniformly distributed directions.
 std::vector<Vector3d>
 Directions(int number)
 {
@@ -168,7 +168,7 @@ TEST(ColonAnatomy, PatientIsTheSameInTwoPositions)
   {
     EXPECT_EQ(supine.Polyps()[i].materialId, prone.Polyps()[i].materialId);
   }
-  // The rectum stays, the transverse colon moves by some centimetres, the length hardly changes.
+  // The rectum is fixed, the transverse colon moves by a few centimeters, the length hardly changes.
   const shapeton::CurveSet c = supine.Centreline(), d = prone.Centreline();
   const auto               segment = Column(c.pointArrays, "segment");
   double                   mostMoved = 0.0;
@@ -259,7 +259,7 @@ TEST_P(EachPreset, StretchesStayApart)
       {
         continue;
       }
-      // The longest stay outside the lumen on the straight way from one stretch to the other.
+      // The longest distance outside the lumen on the line from one stretch to the other.
       double longest = 0.0, stay = 0.0;
       for (double x = 0; x < across; x += 0.05)
       {
@@ -278,7 +278,7 @@ TEST(ColonAnatomy, NoVoxelsOfTwoStretchesTouch)
   const shapeton::ColonAnatomy anatomy(Patient(1));
   const shapeton::CurveSet     line = anatomy.Centreline();
   const auto                   radius = Column(line.pointArrays, "radius");
-  // Around the place where two stretches come closest.
+  // Around the closest approach of two stretches.
   Vector3d middle = Vector3d::Zero();
   double   least = 1e9;
   for (Eigen::Index i = 0; i < line.V.rows(); ++i)
@@ -375,7 +375,7 @@ TEST(ColonAnatomy, SessilePolypHasItsVolume)
       const bool     isPolyp = without.Evaluate(point).distance > 0 && with.Evaluate(point).distance <= 0;
       volume += isPolyp ? step * step * step : 0.0;
     }
-    // Half an ellipsoid; the hollow wall takes a little of it, the fillet adds a little.
+    // Half an ellipsoid; the concave wall removes a little of it, the fillet adds a little.
     const double expected = M_PI / 6 * polyp.diameter * polyp.diameter * polyp.height;
     EXPECT_NEAR(volume / expected, 1.0, 0.3) << polyp.diameter;
     ++compared;
@@ -404,7 +404,7 @@ TEST(ColonAnatomy, CollapseClosesTheLumen)
   EXPECT_LT(length, 140.0);
 }
 
-// Mean radius of the wall where a segment is neither beginning nor ending.
+// Mean radius of the wall away from the ends of a segment.
 double
 RadiusWithin(const shapeton::ColonAnatomy & anatomy, int segment)
 {
@@ -439,7 +439,7 @@ TEST(ColonAnatomy, SegmentsHaveTheShapeAskedFor)
   shaped.lengths[3] = 550.0;
   shaped.calibre[2] = 44.0;
   const shapeton::ColonAnatomy before(plain), after(shaped);
-  // There is not always room for all of it.
+  // There is not always room for the full length.
   EXPECT_GT(LengthOf(after, 2), 700.0);
   EXPECT_LT(LengthOf(before, 2), 600.0);
   EXPECT_NEAR(LengthOf(after, 4), 500.0, 80.0);

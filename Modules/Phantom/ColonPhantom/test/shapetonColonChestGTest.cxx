@@ -45,7 +45,7 @@ IsLobe(ColonStructure structure)
   return structure >= ColonStructure::RightUpperLobe && structure <= ColonStructure::LeftLowerLobe;
 }
 
-// A patient whose intensities are asked for point by point, with or without the blur of the scanner.
+// A patient whose intensities are evaluated point by point, with or without the blur of the scanner.
 class ScannedPatient
 {
 public:
@@ -131,7 +131,7 @@ MakeChest(const shapeton::ColonPhantomParameters & parameters,
 }
 } // namespace
 
-// 3000 points and more with a deviation below 60 HU: the mean of the sample is right to about 1 HU.
+// 3000 points and more with a deviation below 60 HU: the mean of the sample is accurate to about 1 HU.
 TEST(ColonChest, LungsHaveTheDensityAskedFor)
 {
   struct Case
@@ -161,7 +161,7 @@ TEST(ColonChest, LungsHaveTheDensityAskedFor)
     });
     EXPECT_GT(count, 3000U);
     EXPECT_NEAR(sum / static_cast<double>(count), one.wanted, 4.0) << one.lungs;
-    // No liver (62 HU), muscle or bone lies in what is said to be lung; a thin vessel (42 HU) may be that near.
+    // Labeled lung must not contain liver (62 HU), muscle or bone; a thin vessel (42 HU) may be that close.
     EXPECT_LT(highest, 50.0) << one.lungs;
     EXPECT_EQ(holes > count / 50, one.lungs == std::string("emphysema")) << holes;
   }
@@ -184,7 +184,7 @@ TEST(ColonChest, TheDependentSideIsDenser)
   }
 }
 
-// Along lines through the lungs: from one lobe to another lies a fissure, which a scanner shows as a thin line.
+// Along lines through the lungs: between two lobes there is a fissure, which a scanner shows as a thin line.
 TEST(ColonChest, FissuresDivideTheLobes)
 {
   const ScannedPatient  patient(ChestParameters("inspiration"));
@@ -227,7 +227,8 @@ TEST(ColonChest, FissuresDivideTheLobes)
   EXPECT_LT(faint, fissures / 10); // where a vessel lies beside one
 }
 
-// Voxels of 0.9 mm of both lungs: vessels whose voxels touch are one piece, and the large pieces begin at the hila.
+// Voxels of 0.9 mm of both lungs: vessels with adjacent voxels are one component, and the large components start at the
+// hila.
 TEST(ColonChest, VesselsAreTreesFromTheHila)
 {
   const auto source =
@@ -286,7 +287,7 @@ TEST(ColonChest, VesselsAreTreesFromTheHila)
   EXPECT_LT(share, 0.15);
 }
 
-// What changes lies within the organ, its wall of at most 4 mm (more at edges), half a voxel's diagonal and the blur.
+// Changes are limited to the organ, its wall of at most 4 mm (more at edges), half a voxel's diagonal and the blur.
 TEST(ColonChest, LeavingAnOrganOutChangesNothingElse)
 {
   struct Case

@@ -23,7 +23,7 @@ Patient(const std::string & preset, unsigned seed, int diverticula, const std::s
   return parameters;
 }
 
-// To the nearest straight piece of a set of curves.
+// Distance to the nearest segment of a set of curves.
 double
 DistanceToCurves(const shapeton::CurveSet & curves, const Vector3d & point)
 {
@@ -54,7 +54,7 @@ TEST(ColonDiverticula, SacIsABallAndNeckATubeOfTheirSizes)
     const Vector3d side = axis.unitOrthogonal();
     for (int i = 0; i < 24; ++i)
     {
-      // The half of the sac that looks away from the neck.
+      // The half of the sac facing away from the neck.
       const Vector3d off = Eigen::AngleAxisd(i, axis) * (std::cos(0.06 * i) * axis + std::sin(0.06 * i) * side);
       EXPECT_NEAR(distanceAt(one.position + (radius + 0.3) * off), -0.3, 0.01) << one.id;
       EXPECT_NEAR(distanceAt(one.position + (radius - 0.2) * off), 0.2, 0.05) << one.id;
@@ -161,7 +161,7 @@ TEST(ColonDiverticula, SixOfTenPatientsHaveNone)
   EXPECT_NEAR(none, 0.6 * patients, 80);
 }
 
-// The caecum of this patient bends back to itself.
+// The cecum of this patient bends back on itself.
 TEST(ColonDiverticula, WallStaysATube)
 {
   const shapeton::ColonAnatomy anatomy(Patient("realistic", 7, 25));

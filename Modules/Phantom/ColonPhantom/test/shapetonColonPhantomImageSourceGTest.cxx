@@ -84,7 +84,7 @@ IntensityOf(Source * source, unsigned char label, double depth)
   return result;
 }
 
-// Paints every cell, so that nothing can be skipped wrongly.
+// Paints every cell, so that nothing can be skipped incorrectly.
 class NeverSkipped : public shapeton::PhantomBody
 {
 public:
@@ -173,7 +173,7 @@ TEST(ColonPhantomImageSource, FluidHasTheShareAskedFor)
 class EachPosition : public testing::TestWithParam<const char *>
 {};
 
-// Where gas and fluid lie 1.4 mm apart with lumen between them, there is a level between them, to 0.4 mm.
+// Between gas and fluid 1.4 mm apart with lumen between them there is a level, to 0.4 mm.
 TEST_P(EachPosition, FluidEndsInLevelsOnly)
 {
   const shapeton::ColonAnatomy anatomy(Standard(GetParam(), 0.3));
@@ -232,7 +232,7 @@ INSTANTIATE_TEST_SUITE_P(ColonPhantomImageSource,
                          EachPosition,
                          testing::Values("supine", "prone", "leftDecubitus", "rightDecubitus"));
 
-// A place on the centreline in gas, with fluid deep enough below it.
+// A point on the centerline in gas, with fluid deep enough below it.
 Eigen::Vector3d
 PlaceOverFluid(Source * source)
 {
@@ -365,7 +365,7 @@ TEST(ColonPhantomImageSource, PolypsOfRealisticPatientsAreSoftTissueThroughout)
   EXPECT_GT(large, 0);
 }
 
-// By the centre of each voxel, whatever blocks were left out.
+// By the center of each voxel, regardless of skipped blocks.
 TEST(ColonPhantomImageSource, StructuresAreThoseAtTheVoxels)
 {
   auto parameters = shapeton::ColonPhantomPreset("realistic");

@@ -23,7 +23,7 @@ Realistic(unsigned seed, const std::string & position = "supine")
   return parameters;
 }
 
-/** An examination with all of its truth. */
+/** An examination with its complete ground truth. */
 struct Exam
 {
   explicit Exam(const shapeton::ColonPhantomParameters & parameters)
@@ -93,7 +93,7 @@ TEST(ColonValve, LipsStandAroundAMouth)
     }
     EXPECT_LT(std::abs(distanceAt(valve.mouth)), 0.2) << seed;
     EXPECT_GT(distanceAt(valve.mouth + valve.direction), 0.2) << seed;
-    // The upper lip is nearer to the ascending colon.
+    // The upper lip is closer to the ascending colon.
     EXPECT_LT(anatomy.Evaluate(valve.upperLip + valve.direction).arcLength,
               anatomy.Evaluate(valve.lowerLip + valve.direction).arcLength);
     EXPECT_EQ(anatomy.SegmentAt(valve.arcLength - 1.0), 5);
@@ -276,7 +276,7 @@ TEST(ColonStructures, ResidueLiesInTheLumenWhereItsKindDoes)
     {
       EXPECT_EQ(exam.structures.At(one.position), ColonStructure::Bubble);
     }
-    // No residue outside of the lumen.
+    // No residue outside the lumen.
     for (int axis = 0; axis < 3; ++axis)
     {
       for (const double side : { -0.3, 0.3 })

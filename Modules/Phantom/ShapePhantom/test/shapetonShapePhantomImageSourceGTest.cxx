@@ -177,7 +177,7 @@ TEST_P(ClosedForms, VoxelAndFaceCountsAreUnbiased)
     shadows.Add(0.5 * counts.faces * spacing * spacing);
   }
   EXPECT_NEAR(volume.Mean(), GetParam().volume, 4.0 * volume.StandardError() + 1e-9);
-  EXPECT_LT(volume.StandardError(), 0.005 * GetParam().volume); // or the bound above says nothing
+  EXPECT_LT(volume.StandardError(), 0.005 * GetParam().volume); // otherwise the bound above is meaningless
   if (GetParam().shadows > 0.0)
   {
     EXPECT_NEAR(shadows.Mean(), GetParam().shadows, 4.0 * shadows.StandardError() + 1e-3 * GetParam().shadows);
@@ -206,7 +206,7 @@ INSTANTIATE_TEST_SUITE_P(
     Body{ R"({ "kind": "torus", "ringRadius": 9, "tubeRadius": 3, "rotation": { "axis": [1, 1, 0], "angle": 50 } })",
           2.0 * pi * pi * 9.0 * 9.0,
           0.0 },
-    // Twisting keeps volumes; so does bending, when the section's centroid lies on the axis (Pappus).
+    // Twisting preserves volumes; so does bending if the section's centroid is on the axis (Pappus).
     Body{ R"({ "kind": "box", "size": [6, 7, 20], "deformations": [{ "kind": "twist", "angle": 90 },
                                                                   { "kind": "bend", "angle": 110 }] })",
           6.0 * 7.0 * 20.0,
@@ -239,7 +239,7 @@ TEST(ShapePhantomImageSource, CubeOfFigure24IsExact)
   EXPECT_EQ(source->GetOutput()->GetPixel({ { 8, 16, 16 } }), 1000);
 }
 
-// The search for near objects, line by line, changes nothing.
+// The line-by-line search for near objects does not change the result.
 TEST(ShapePhantomImageSource, LabelsAreTheSignOfTheDistanceInAnObliqueImage)
 {
   for (const auto & preset : shapeton::ShapeScene::GetPresetNames())
@@ -344,7 +344,7 @@ TEST(ShapePhantomImageSource, ObliqueImageSamplesTheSamePhysicalScene)
 
 TEST(ShapePhantomImageSource, BlurIsTheGaussianIntegralAcrossAPlaneFace)
 {
-  // The face z = 0.37 of a box that reaches far beyond the volume in x and y, so that no other face matters.
+  // The face z = 0.37 of a box that extends far beyond the volume in x and y, so that no other face matters.
   const auto source = MakeSource(
     SceneOf(R"({ "kind": "box", "size": [400, 400, 100], "center": [0, 0, -49.63], "intensity": 1000 })", -200.0),
     24,
@@ -366,7 +366,7 @@ TEST(ShapePhantomImageSource, BlurIsTheGaussianIntegralAcrossAPlaneFace)
 
 TEST(ShapePhantomImageSource, EqualIntensitiesAreAUnionAndOthersPaintOver)
 {
-  // Two halves of a sphere's interior overlap: no seam. A cavity lies inside.
+  // Two halves of a sphere's interior overlap: no seam. A cavity is inside.
   const auto source = MakeSource(SceneOf(R"(
       { "kind": "sphere", "radius": 9, "center": [-1, 0, 0], "intensity": 500 },
       { "kind": "sphere", "radius": 9, "center": [1, 0, 0], "intensity": 500 },
@@ -414,7 +414,7 @@ TEST(ShapePhantomImageSource, NoiseIsNormal)
   }
   const double standardError = 1.0 / std::sqrt(number);
   EXPECT_NEAR(statistics.Mean(), 0.0, 4.0 * standardError);
-  const double rounding = 1.0 / 12.0 / 2500.0; // variance that rounding to whole HU adds
+  const double rounding = 1.0 / 12.0 / 2500.0; // variance added by rounding to integer HU
   EXPECT_NEAR(statistics.Deviation(), std::sqrt(1.0 + rounding), 4.0 * standardError / std::sqrt(2.0));
   EXPECT_NEAR(neighbours / number, 0.0, 4.0 * standardError);
   for (int k = 0; k < 4; ++k)

@@ -117,7 +117,8 @@ TEST(ShapeScene, KnownDistances)
   EXPECT_EQ(box.SignedDistance(0, MakePoint(14, 6, 3)), 5.0); // 3-4-5 from an edge
   const auto turned =
     SceneOf(R"({ "kind": "box", "size": [2, 4, 6], "rotation": { "axis": [0, 0, 2], "angle": 90 } })");
-  EXPECT_EQ(turned.SignedDistance(0, MakePoint(2, 0, 0)), 0.0); // on the face, whatever cos(90 degrees) is
+  EXPECT_EQ(turned.SignedDistance(0, MakePoint(2, 0, 0)), 0.0); // on the face, independent of the rounding of cos(90
+                                                                // degrees)
   EXPECT_EQ(turned.SignedDistance(0, MakePoint(0, 1, 0)), 0.0);
   const auto capsule = SceneOf(R"({ "kind": "capsule", "radius": 2, "length": 6 })");
   EXPECT_EQ(capsule.SignedDistance(0, MakePoint(0, 0, 5)), 0.0); // the length is that of the axis
@@ -130,12 +131,12 @@ TEST(ShapeScene, RotationTurnsCounterclockwise)
 {
   const auto scene =
     SceneOf(R"({ "kind": "capsule", "radius": 1, "length": 10, "rotation": { "axis": [1, 0, 0], "angle": -30 } })");
-  // (0, 0, 5) turned by -30 degrees about x: y = 5 sin 30, z = 5 cos 30.
+  // (0, 0, 5) rotated by -30 degrees about x: y = 5 sin 30, z = 5 cos 30.
   EXPECT_NEAR(scene.SignedDistance(0, MakePoint(0, 2.5, 5 * std::sqrt(0.75))), -1.0, 1e-8);
   EXPECT_GT(scene.SignedDistance(0, MakePoint(0, -2.5, 5 * std::sqrt(0.75))), 2.0);
 }
 
-// The sign of a deformed box agrees with the forward map of points that are known to lie inside or outside.
+// The sign of a deformed box agrees with the forward map of points known to be inside or outside.
 TEST(ShapeScene, TwistedAndBentBoxHoldsTheImagesOfItsPoints)
 {
   const auto   scene = SceneOf(R"({ "kind": "box", "size": [4, 3, 20], "deformations": [
@@ -186,7 +187,7 @@ TEST(ShapeScene, BumpsMoveTheSurface)
   }
 }
 
-// Near the surface, a step of length |d| against the gradient leaves a second-order rest.
+// Near the surface, a step of length |d| against the gradient leaves a second-order residual.
 class FirstOrderDistance : public testing::TestWithParam<const char *>
 {};
 
@@ -289,7 +290,7 @@ TEST(ShapeScene, ReadsAFile)
 struct WrongScene
 {
   const char * json;
-  const char * message; // what the error must say besides the name of the source
+  const char * message; // expected part of the message besides the name of the source
 };
 
 class WrongScenes : public testing::TestWithParam<WrongScene>
