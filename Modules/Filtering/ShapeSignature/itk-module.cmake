@@ -1,4 +1,4 @@
-set(DOCUMENTATION "Signatures of the shapes of labels, by heat that leaves them and heat that stays, and the search for like shapes.")
+set(DOCUMENTATION "Shape signatures of labels from heat content, restricted diffusion and surface spectrum, and the search for similar shapes.")
 
 itk_module(ShapeSignature
   ENABLE_SHARED

@@ -1,4 +1,4 @@
-set(DOCUMENTATION "Points and curves as markups of 3D Slicer (.mrk.json), read and written, and colour tables (.ctbl) for label maps.")
+set(DOCUMENTATION "Points and curves as markups of 3D Slicer (.mrk.json), read and written, and color tables (.ctbl) for label maps.")
 
 itk_module(SlicerMarkups
   ENABLE_SHARED

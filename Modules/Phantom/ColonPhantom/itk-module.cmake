@@ -1,4 +1,4 @@
-set(DOCUMENTATION "A synthetic patient for CT colonography with known truth: the colon with its haustra, folds, taeniae and polyps, in several positions.")
+set(DOCUMENTATION "A synthetic patient for CT colonography with ground truth: the colon with haustra, folds, taeniae coli and polyps, in several positions.")
 
 itk_module(ColonPhantom
   ENABLE_SHARED

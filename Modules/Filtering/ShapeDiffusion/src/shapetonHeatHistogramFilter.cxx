@@ -25,7 +25,7 @@ HeatHistogramFilter::AddHeat(const HeatImageType * heat, std::uint64_t timeStep)
 {
   if (!heat)
   {
-    itkExceptionMacro("there is no heat of time step " << timeStep);
+    itkExceptionMacro("the heat of time step " << timeStep << " is missing");
   }
   if (!m_TimeSteps.empty() && timeStep < m_TimeSteps.back())
   {
