@@ -113,7 +113,7 @@ ChooseP(const float *                      intensities,
   const auto      firstEdge = std::max<std::size_t>(1, static_cast<std::size_t>(std::ceil(4.0 * choice.noise * bins)));
   if (firstEdge >= bins || Sum(peaks, firstEdge) == 0)
   {
-    choice.reason = "no edge rises above the noise: the default is kept";
+    choice.reason = "no edge exceeds the noise: the default is kept";
     return choice;
   }
   choice.edgeContrast = Quantile(peaks, 0.25, firstEdge);
@@ -125,8 +125,8 @@ ChooseP(const float *                      intensities,
   std::snprintf(
     text,
     sizeof(text),
-    "neighbours differ by %.4f of the intensity window where there is noise (standard deviation) and by more "
-    "than %.4f at three edges in four: edges insulate from 1/p = %.4f on",
+    "noise between neighbors has a standard deviation of %.4f of the intensity window, and three in four edges "
+    "exceed %.4f: edges insulate from 1/p = %.4f on",
     choice.noise,
     choice.edgeContrast,
     1.0 / choice.p);

@@ -115,8 +115,8 @@ private:
 
 /** The transition matrix of steps no longer than a voxel, exactly.
  *
- * Such a step meets each axis' face at most once, at a time that is evenly distributed as the place in the voxel is,
- * whatever happens at the other faces. So the faces of a set of axes, and of no others, are met in a given order with
+ * Such a step meets the face of each axis at most once, at a uniformly distributed time, as the position in the voxel
+ * is uniform, and independently of the other faces. So exactly the faces of a set of axes are met in a given order with
  * the probability
  *
  *   product of |way| over the set * product of 1 - |way| over the others / factorial of the number of the set,

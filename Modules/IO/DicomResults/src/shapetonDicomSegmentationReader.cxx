@@ -111,7 +111,7 @@ TakePlane(DcmItem & orientation, DcmItem & measures, bool isFirst, DicomSegmenta
   if (!std::equal(cosines.begin(), cosines.end(), file.orientation, isClose) || !isClose(spacing[1], file.spacing[0]) ||
       !isClose(spacing[0], file.spacing[1]))
   {
-    throw std::runtime_error("has frames of several orientations or spacings, which are not read");
+    throw std::runtime_error("has frames of several orientations or spacings, which are not supported");
   }
 }
 
@@ -123,7 +123,7 @@ ReadFrames(DcmItem & dataset, DicomSegmentationFile & file)
   const double                 claimed = NumbersOf(dataset, DCM_NumberOfFrames, 1).front();
   if (frames.empty() || claimed != static_cast<double>(frames.size()))
   {
-    throw std::runtime_error("describes " + std::to_string(frames.size()) + " frames of those that it claims to have");
+    throw std::runtime_error("describes " + std::to_string(frames.size()) + " frames, but claims another number");
   }
   for (DcmItem * const item : frames)
   {
@@ -164,7 +164,7 @@ RequirePixels(DcmDataset & dataset, const DicomSegmentationFile & file)
   if (syntax.isEncapsulated())
   {
     throw std::runtime_error(std::string("is compressed as ") + syntax.getXferName() +
-                             ", which is not read; decompress it");
+                             ", which is not supported; decompress it");
   }
   DcmElement * pixels = nullptr;
   dataset.findAndGetElement(DCM_PixelData, pixels);
@@ -172,7 +172,7 @@ RequirePixels(DcmDataset & dataset, const DicomSegmentationFile & file)
   const std::uint64_t limit = std::filesystem::file_size(file.path) * (isDeflated ? MaximumDeflateRatio : 1);
   if (!pixels || std::min<std::uint64_t>(pixels->getLength(dataset.getOriginalXfer()), limit) < BytesOfPixels(file))
   {
-    throw std::runtime_error("ends within its pixels");
+    throw std::runtime_error("is truncated within its pixels");
   }
 }
 
@@ -195,7 +195,7 @@ ReadPixelFormat(DcmItem & dataset, DicomSegmentationFile & file)
   if (file.columns == 0 || file.rows == 0 || (file.wholeValue == 0 && file.bytesPerLabel == 0 && !isBinary))
   {
     throw std::runtime_error("is a segmentation of the type " + type + " with " + std::to_string(bits) +
-                             " bits, which is not read");
+                             " bits, which is not supported");
   }
 }
 
@@ -276,7 +276,7 @@ CopyPixels(const std::string & path, std::size_t bytes, char * shared)
                       pixels->getPartialValue(shared, 0, static_cast<Uint32>(bytes)).good();
   if (!isRead)
   {
-    throw std::runtime_error("ends within its pixels");
+    throw std::runtime_error("is truncated within its pixels");
   }
   return {};
 }
@@ -515,7 +515,7 @@ ReadDicomSegmentation(const std::string & path)
     if (!segment.isNameDecoded)
     {
       file.notes.push_back("the label of segment " + std::to_string(segment.number) +
-                           " has bytes that do not belong to its character set, shown as '?'");
+                           " contains bytes that are invalid in its character set, shown as '?'");
     }
   }
   return file;

@@ -525,7 +525,7 @@ ReadImage(DcmDataset & dataset, DicomFile & file, bool isIncomplete)
   }
   if (file.truncation.empty() && isIncomplete && !file.isUnsupportedTransferSyntax)
   {
-    file.truncation = "the file ends within its data, or they are malformed";
+    file.truncation = "the file is truncated within its data, or malformed";
   }
 }
 
@@ -573,7 +573,7 @@ ParseDicomFile(const std::string & path)
   else if (status.bad())
   {
     file.kind = DicomFile::Kind::damaged;
-    file.what = std::string("the file ends within its header, or it is malformed (") + status.text() + ")";
+    file.what = std::string("the file is truncated within its header, or malformed (") + status.text() + ")";
   }
   else if (!object.empty() || signature == Signature::file)
   {

@@ -223,7 +223,7 @@ GetDicomDefectAdvice(const DicomDefect & defect)
     case DicomDefectKind::mixedSeries:
       return "choose one part by the parameter \"seriesUID\" = UID#PART";
     case DicomDefectKind::mixedFrameOfReference:
-      return "if the series was put together from several, check that no part is displaced";
+      return "if the series was combined from several, check that no part is displaced";
     case DicomDefectKind::mixedPatient:
       return "check that all slices show one person";
     case DicomDefectKind::malformedValue:

@@ -250,7 +250,7 @@ public:
     std::error_code error;
     if (!fs::create_directory(m_Path, error))
     {
-      ThrowCannotWriteSeries(target, error ? error.message() : "another run writes it", "choose another place");
+      ThrowCannotWriteSeries(target, error ? error.message() : "another run is writing it", "choose another place");
     }
   }
   TemporaryFolder(const TemporaryFolder &) = delete;

@@ -464,7 +464,7 @@ RemarkOnIdentity(DicomSeries & series,
     series.remarks.push_back(DefectOfSlices(series,
                                             kind,
                                             "the slices name " + std::to_string(values.size()) + " " + names +
-                                              ", but are equidistant and taken for one volume",
+                                              ", but are equidistant and treated as one volume",
                                             AllIndices(series)));
   }
 }
@@ -551,7 +551,7 @@ DescribeSeries(DicomSeries & series, const Items & items)
     series.remarks.push_back(
       DefectOfSlices(series,
                      DicomDefectKind::undecodableText,
-                     "the Series Description has bytes that do not belong to its character set, shown as '?'",
+                     "the Series Description contains bytes that are invalid in its character set, shown as '?'",
                      AllIndices(series)));
   }
 }

@@ -33,7 +33,7 @@ CheckMemory(const DicomSeries & series, double voxels)
 {
   if (voxels * sizeof(float) > PhysicalMemory())
   {
-    Refuse(series, "the volume does not fit into the memory of this machine; take fewer slices");
+    Refuse(series, "the volume does not fit into the memory of this machine; use fewer slices");
   }
 }
 

@@ -85,7 +85,7 @@ WriteColorTable(const std::vector<LabelColor> & labels, const std::string & path
     Check(label);
     if (!values.insert(label.value).second)
     {
-      throw std::invalid_argument("the label " + std::to_string(label.value) + " is given twice");
+      throw std::invalid_argument("the label " + std::to_string(label.value) + " occurs twice");
     }
     text += LineOf(label);
   }

@@ -258,7 +258,7 @@ CheckKind(const std::string & path, const ImageHeader & header)
   }
   if (header.componentBytes == 0)
   {
-    ThrowUnsuitable(path, "its type of voxel is not supported");
+    ThrowUnsuitable(path, "its voxel type is not supported");
   }
   if (header.size.size() < 3)
   {
@@ -397,7 +397,7 @@ ConvertVoxels(const std::string & path,
     case ComponentEnum::DOUBLE:
       return CopyVoxels<double>(header, stored, count, voxels);
     default:
-      ThrowUnsuitable(path, "its type of voxel is not supported");
+      ThrowUnsuitable(path, "its voxel type is not supported");
   }
 }
 

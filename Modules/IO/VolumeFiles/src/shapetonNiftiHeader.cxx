@@ -285,7 +285,7 @@ SetVoxels(const Fields & fields, NiftiHeader & header)
   const auto * const type = std::find_if(
     std::begin(DataTypes), std::end(DataTypes), [&](const DataType & t) { return t.code == fields.DataType(); });
   fields.Require(type != std::end(DataTypes),
-                 "its type of voxel, datatype = " + std::to_string(fields.DataType()) + ", is not supported");
+                 "its voxel type, datatype = " + std::to_string(fields.DataType()) + ", is not supported");
   header.componentType = type->type;
   header.componentBytes = type->bytes;
   header.components = type->components;
@@ -365,7 +365,7 @@ SpacingOf(const Fields & fields, int axis, NiftiHeader & header)
   if (stated < 0.0)
   {
     std::ostringstream text;
-    text << "pixdim[" << axis + 1 << "] = " << stated << ", a distance, is negative: its absolute value is taken";
+    text << "pixdim[" << axis + 1 << "] = " << stated << ", a distance, is negative: its absolute value is used";
     header.notes.push_back(text.str());
   }
   return std::abs(stated);
@@ -502,7 +502,7 @@ MillimetersPerUnit(const Fields & fields, NiftiHeader & header)
       return 0.001;
     default:
       header.notes.push_back("xyzt_units states the unknown unit of length " + std::to_string(unit) +
-                             ": mm is taken, and all lengths are uncertain");
+                             ": mm is assumed, and all lengths are uncertain");
       return 1.0;
   }
 }

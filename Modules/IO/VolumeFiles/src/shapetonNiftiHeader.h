@@ -19,7 +19,7 @@ constexpr double OrthonormalTolerance = 1e-3;
 /** Header of a NIfTI-1 or NIfTI-2 file, as specified at https://nifti.nimh.nih.gov.
  *
  * ITK's reader is not used for it: it scales the spacing to mm but not the origin, rejects an sform that disagrees
- * with pixdim, takes a file without a valid magic for ANALYZE 7.5, adds scl_inter when scl_slope is 0, and does not
+ * with pixdim, treats a file without a valid magic as ANALYZE 7.5, adds scl_inter when scl_slope is 0, and does not
  * support NIfTI-2. */
 struct NiftiHeader
 {

@@ -48,7 +48,7 @@ TableOfPointPairs(const CurveSet & first, const CurveSet & second)
   }
   if (table.GetRows().empty())
   {
-    throw InputError("the positions have no materialId in common; take both from one seed");
+    throw InputError("the positions have no materialId in common; use positions of one seed");
   }
   return table;
 }

@@ -41,7 +41,7 @@ SizeOf(const std::vector<int> & numbers, double bytesPerVoxel)
   if (bytes > 0.9 * PhysicalMemory())
   {
     throw ParameterError(Named("size") + ": " + std::to_string(static_cast<long long>(std::ceil(bytes / 1e9))) +
-                         " GB of voxels do not fit into the memory of this machine; ask for fewer");
+                         " GB of voxels do not fit into the memory of this machine; reduce the size");
   }
   itk::ImageBase<3>::SizeType size;
   std::copy(numbers.begin(), numbers.end(), size.begin());
