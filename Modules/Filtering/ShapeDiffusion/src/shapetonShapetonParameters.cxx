@@ -44,7 +44,8 @@ ChooseShapetons(const std::array<std::size_t, 3> & size,
   if (!(featureSize >= smallest && featureSize <= side))
   {
     throw std::invalid_argument("a feature of " + Rounded(featureSize) +
-                                " mm cannot be resolved in this volume: choose " + Rounded(smallest) + " mm (a voxel) to " + Rounded(side) + " mm (the longest side)");
+                                " mm cannot be resolved in this volume: choose " + Rounded(smallest) +
+                                " mm (a voxel) to " + Rounded(side) + " mm (the longest side)");
   }
   AutomaticShapetons chosen;
   chosen.distance = 0.5 * featureSize / side;

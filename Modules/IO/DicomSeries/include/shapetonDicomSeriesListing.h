@@ -19,15 +19,24 @@ DicomSeries_EXPORT std::string
                    FormatDicomScan(const DicomScan & scan, const AdviceInWords & inWords = {});
 
 /** Writes the listing of a folder as JSON for programs. Names are stable, files are relative to the folder; lengths
- * in mm, LPS. Throws OutputError. \code
+ * in mm, LPS. Throws OutputError.
+ * \code
  * {
  *   "schema": "shapeton.dicomSeries.1",
  *   "files": 40,
  *   "series": [{
- *     "selector": "1.2.3",              VolumeReadOptions::seriesUID: the UID, with "#part" for a part of a mixed
- * series "seriesInstanceUID": "1.2.3", "part": 1, "parts": 1, "seriesNumber": 2, "description": "SUPINE", "modality":
- * "CT", "patientPosition": "HFS", "transferSyntax": "Little Endian Explicit", "lossy": false, "plane": "axial", axial,
- * coronal, sagittal or oblique; empty without a position in space "size": [96, 96, 38],             columns, rows, slices
+ *     "selector": "1.2.3",              VolumeReadOptions::seriesUID: UID, with "#part" for a part of a mixed series
+ *     "seriesInstanceUID": "1.2.3",
+ *     "part": 1,
+ *     "parts": 1,
+ *     "seriesNumber": 2,
+ *     "description": "SUPINE",
+ *     "modality": "CT",
+ *     "patientPosition": "HFS",
+ *     "transferSyntax": "Little Endian Explicit",
+ *     "lossy": false,
+ *     "plane": "axial",                 axial, coronal, sagittal or oblique; empty without a position in space
+ *     "size": [96, 96, 38],             columns, rows, slices
  *     "spacing": [0.8, 0.8, 1.25],      of columns, rows, slices; 0 if unknown
  *     "origin": [-38.4, -38.4, 0],      first pixel of the first slice
  *     "direction": [1, 0, 0, 0, 1, 0, 0, 0, 1],   matrix row by row; its columns are the axes
