@@ -45,7 +45,7 @@ class SeedsTest(TestCase):
         voxels = np.zeros(seeds.array.shape, np.uint16)
         voxels[:, :, -1], voxels[10, 12, 3] = 9, 4  # a plane against a point
         (warning,) = shapes.SeededHeat(image, p=0.0).segment(image.like(voxels)).warnings  # no edges
-        self.assertRegex(warning, "^label 4 has 1 seed and gets only [0-9] voxels more; ")
+        self.assertRegex(warning, "^label 4 has 1 seed and gains only [0-9] voxels; ")
 
     def test_a_changed_seed_starts_from_the_last_solution(self):
         image, seeds = two_halves()

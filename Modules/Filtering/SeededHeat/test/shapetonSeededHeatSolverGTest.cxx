@@ -344,7 +344,7 @@ TEST(SeededHeatSolver, APointInAnEvenVolumeGetsNoVoxelAndIsRemarkedOn)
   EXPECT_EQ(solve(0.0), 0);
   EXPECT_NEAR(ProbabilitiesOf(solver, 2)[(20 * side + 20) * side + 21], 0.3405, 0.02) << "the faces are 20 voxels away";
   ASSERT_EQ(solver.GetResult().remarks.size(), 1u);
-  EXPECT_EQ(solver.GetResult().remarks.front().find("label 2 has 1 seed and gets only 0 voxels more; "), 0u);
+  EXPECT_EQ(solver.GetResult().remarks.front().find("label 2 has 1 seed and gains only 0 voxels; "), 0u);
   EXPECT_GT(solve(4.0), 2 * 257) << "two times its seeds, and less than the seven times of an endless volume";
   EXPECT_TRUE(solver.GetResult().remarks.empty());
 }
