@@ -9,7 +9,7 @@ from .image import Image
 from .mesh import Curves, Mesh
 
 class Error(Exception):
-    """What all errors of Shapeton derive from."""
+    """Base class of all exceptions of Shapeton."""
 
 class ParameterError(Error, ValueError):
     """A parameter is out of range or contradicts another one; also a ValueError."""
@@ -21,28 +21,28 @@ class OutputError(Error, OSError):
     """A result cannot be written; also an OSError."""
 
 class Aborted(Error, RuntimeError):
-    """A progress function has returned False; also a RuntimeError."""
+    """A progress function returned False; also a RuntimeError."""
 
 class CentrelineGap:
-    """A stretch without lumen that a centreline bridges."""
+    """A part without lumen that is bridged by the centerline."""
     @property
     def begin(self) -> float:
-        """mm along the line."""
+        """Begin in mm along the line."""
         ...
 
     @property
     def distance(self) -> float:
-        """Straight distance of the ends of the lumen, mm."""
+        """Straight distance between the ends of the lumen, mm."""
         ...
 
     @property
     def end(self) -> float:
-        """mm along the line."""
+        """End in mm along the line."""
         ...
 
     @property
     def is_doubtful(self) -> bool:
-        """Longer than a collapsed stretch is known to be."""
+        """Whether it is longer than known collapsed segments."""
         ...
 
 
@@ -50,20 +50,20 @@ class CleansedColon:
     """What `cleanse` gives."""
     @property
     def ct(self) -> Image:
-        """float32, HU: the CT with gas in place of fluid."""
+        """float32, HU: the CT with fluid replaced by gas."""
         ...
 
     @property
     def occupancy(self) -> Image:
-        """float32, 0 to 1, cropped: share of lumen in each voxel; the wall is where it is 0.5."""
+        """float32, 0 to 1, cropped: lumen fraction of each voxel; the wall is the 0.5 isosurface."""
         ...
 
 
 class ColonCentreline:
-    """The middle line of a colon from the rectum to the caecum."""
+    """The centerline of a colon from the rectum to the cecum."""
     @property
     def coverage(self) -> float:
-        """Share of the lumen beside the line, 0 to 1."""
+        """Fraction of the lumen along the line, 0 to 1."""
         ...
 
     @property
@@ -73,7 +73,7 @@ class ColonCentreline:
 
     @property
     def gaps(self) -> List[CentrelineGap]:
-        """Stretches that it bridges."""
+        """Bridged gaps."""
         ...
 
     @property
@@ -83,40 +83,40 @@ class ColonCentreline:
 
     @property
     def warnings(self) -> List[str]:
-        """What is doubtful, a line for each."""
+        """Doubtful results, one per line."""
         ...
 
 
 class ColonFlattening:
-    """A flattened tube with what was measured."""
+    """A flattened tube with its measurements."""
     @property
     def circumference(self) -> float:
-        """Mean, mm."""
+        """Mean circumference, mm."""
         ...
 
     @property
     def flat(self) -> Mesh:
-        """The tube cut open: places in space, the point arrays uv (mm: along, around) and sourcePointId, the field arrays circumference and length (mm)."""
+        """The tube cut open: points in space, the point arrays uv (mm: along, around) and sourcePointId, the field arrays circumference and length (mm)."""
         ...
 
     @property
     def genus_after(self) -> int:
-        """Handles of the surface that was flattened."""
+        """Number of handles of the flattened surface."""
         ...
 
     @property
     def genus_before(self) -> int:
-        """Handles of the surface that was given."""
+        """Number of handles of the input surface."""
         ...
 
     @property
     def handles(self) -> List[SurfaceHandle]:
-        """Those found; none on most walls."""
+        """Handles found; most walls have none."""
         ...
 
     @property
     def length(self) -> float:
-        """Of the map, mm."""
+        """Length of the map, mm."""
         ...
 
     @property
@@ -126,17 +126,17 @@ class ColonFlattening:
 
     @property
     def surface(self) -> Mesh:
-        """The tube that was flattened."""
+        """The surface that was flattened."""
         ...
 
     @property
     def warnings(self) -> List[str]:
-        """What is doubtful, a line for each."""
+        """Doubtful results, one per line."""
         ...
 
 
 class ColonFlexure:
-    """A major bend of the colon, or a place where one was looked for."""
+    """A major bend of the colon, found or not."""
     @property
     def arc_length(self) -> float:
         """mm along the centreline."""
@@ -144,7 +144,7 @@ class ColonFlexure:
 
     @property
     def confidence(self) -> float:
-        """0 to 1: that it lies within 30 mm."""
+        """Probability, 0 to 1, that the true flexure is within 30 mm."""
         ...
 
     @property
@@ -164,12 +164,12 @@ class ColonFlexure:
 
     @property
     def point(self) -> NDArray[Any]:
-        """On the centreline; LPS, mm."""
+        """Point on the centerline; LPS, mm."""
         ...
 
     @property
     def reason(self) -> str:
-        """Why not; else empty."""
+        """Why it was not found; otherwise empty."""
         ...
 
 
@@ -177,12 +177,12 @@ class ColonLandmarks:
     """What `find_landmarks` gives."""
     @property
     def flexure_loops(self) -> Curves:
-        """A closed loop on the wall for each flexure that was found; cell arrays flexure, arcLength, confidence."""
+        """A closed loop on the wall for each flexure found; cell arrays flexure, arcLength, confidence."""
         ...
 
     @property
     def flexures(self) -> List[ColonFlexure]:
-        """Four, from the rectum on."""
+        """Four flexures, starting at the rectum."""
         ...
 
     @property
@@ -192,12 +192,12 @@ class ColonLandmarks:
 
     @property
     def is_mirrored(self) -> bool:
-        """Situs inversus."""
+        """Whether the colon is mirrored (situs inversus)."""
         ...
 
     @property
     def segments(self) -> Mesh:
-        """The flat wall with the cell array segment: 1 rectum to 6 caecum, 0 where it cannot be said."""
+        """The flat wall with the cell array segment: 1 rectum to 6 cecum, 0 unknown."""
         ...
 
     @property
@@ -212,12 +212,12 @@ class ColonLandmarks:
 
     @property
     def valve(self) -> Optional[IleocaecalValve]:
-        """As the centreline tells it, or None."""
+        """The valve stored in the centerline, or None."""
         ...
 
     @property
     def warnings(self) -> List[str]:
-        """What is missing, a line for each."""
+        """Missing landmarks, one per line."""
         ...
 
 
@@ -225,27 +225,27 @@ class ColonLumen:
     """What `segment_lumen` finds."""
     @property
     def catheter(self) -> Optional[Curves]:
-        """The axis of a rectal catheter as Curves; None where none is sure."""
+        """Axis of a rectal catheter as Curves; None unless one was found with certainty."""
         ...
 
     @property
     def failure(self) -> str:
-        """Why this is no usable colon; else empty."""
+        """Why the colon is not usable; otherwise empty."""
         ...
 
     @property
     def gravity(self) -> NDArray[Any]:
-        """Unit vector, LPS."""
+        """Unit vector of gravity, LPS."""
         ...
 
     @property
     def is_tagged(self) -> bool:
-        """Fluid brighter than tissue lies under the colon's gas."""
+        """Whether fluid brighter than tissue was found below the gas of the colon."""
         ...
 
     @property
     def labels(self) -> Image:
-        """uint8: 1 gas, 2 fluid, 0 anything else."""
+        """uint8: 1 gas, 2 fluid, 0 otherwise."""
         ...
 
     @property
@@ -260,7 +260,7 @@ class ColonLumen:
 
     @property
     def warnings(self) -> List[str]:
-        """What is missing or doubtful, a line for each."""
+        """Missing or doubtful results, one per line."""
         ...
 
 
@@ -268,22 +268,22 @@ class ColonModel:
     """A colon: lumen, centreline and wall."""
     @property
     def centreline(self) -> ColonCentreline:
-        """ColonCentreline; its curve knows the valve."""
+        """ColonCentreline; its curve includes the valve."""
         ...
 
     @property
     def cleansed(self) -> Image:
-        """float32, HU; None of a mask."""
+        """float32, HU; None for a mask."""
         ...
 
     @property
     def distension(self) -> List[SegmentDistension]:
-        """Of the segments."""
+        """Distension of the segments."""
         ...
 
     @property
     def failure(self) -> str:
-        """Why this is no usable colon; else empty."""
+        """Why the colon is not usable; otherwise empty."""
         ...
 
     @property
@@ -298,7 +298,7 @@ class ColonModel:
 
     @property
     def valve(self) -> Optional[IleocaecalValve]:
-        """IleocaecalValve; None where it was not found."""
+        """IleocaecalValve; None if it was not found."""
         ...
 
     @property
@@ -308,20 +308,20 @@ class ColonModel:
 
     @property
     def warnings(self) -> List[str]:
-        """Of all stages, a line for each."""
+        """Warnings of all stages, one per line."""
         ...
 
 
 class ColonPhantom:
-    """A synthetic patient for CT colonography, and the truth."""
+    """A synthetic patient for CT colonography, with ground truth."""
     @property
     def centreline(self) -> Curves:
-        """The true one, from the anal verge to the caecum."""
+        """The true centerline, from the anal verge to the cecum."""
         ...
 
     @property
     def ct(self) -> Image:
-        """int16, HU; None of the truth alone."""
+        """int16, HU; None if only the ground truth was requested."""
         ...
 
     @property
@@ -344,22 +344,22 @@ class ColonPiece:
 
     @property
     def flat(self) -> Mesh:
-        """In space, with the point array uv (mm of the rectangle)."""
+        """Surface in space, with the point array uv (mm on the rectangle)."""
         ...
 
     @property
     def modulus_u(self) -> float:
-        """Height over width of the rectangle: not less than the true one."""
+        """Height over width of the rectangle: an upper bound."""
         ...
 
     @property
     def modulus_v(self) -> float:
-        """The same: not greater."""
+        """The same: a lower bound."""
         ...
 
     @property
     def name(self) -> str:
-        """Of the segment."""
+        """Name of the segment."""
         ...
 
     @property
@@ -369,29 +369,29 @@ class ColonPiece:
 
 
 class ColonPosition:
-    """The colon in one position, to be registered.
+    """The colon in one position, for registration.
 
-    name: "supine" or "prone", for messages. landmarks: as `find_landmarks` gives them. centreline: Curves.
-    folds: as `find_folds` gives them.
+    name: "supine" or "prone", for messages. landmarks: from `find_landmarks`. centreline: Curves.
+    folds: from `find_folds`.
     """
     def __init__(self, name: str, landmarks: ColonLandmarks, centreline: Union[Curves, NDArray[Any]], folds: HaustralFolds) -> None: ...
 
     @property
     def name(self) -> str:
-        """For messages."""
+        """Name used in messages."""
         ...
 
     @property
     def warnings(self) -> List[str]:
-        """What is missing that registration can do without."""
+        """Missing inputs that the registration does not require."""
         ...
 
 
 class ColonThresholds:
-    """Intensities in HU, all from the data."""
+    """Intensities in HU, all estimated from the data."""
     @property
     def fluid(self) -> float:
-        """Mode of tagged fluid; 0 where there is none."""
+        """Mode of tagged fluid; 0 without fluid."""
         ...
 
     @property
@@ -406,7 +406,7 @@ class ColonThresholds:
 
     @property
     def gas_boundary(self) -> float:
-        """Half-height between them: where the wall begins."""
+        """Half-height between them: the boundary of the wall."""
         ...
 
     @property
@@ -419,60 +419,60 @@ class ColonWall:
     """The wall of a colon in three forms, each open at rectum and caecum."""
     @property
     def genus_after(self) -> int:
-        """Handles of the repaired wall."""
+        """Number of handles of the repaired wall."""
         ...
 
     @property
     def genus_before(self) -> int:
-        """Handles of the raw wall."""
+        """Number of handles of the raw wall."""
         ...
 
     @property
     def raw(self) -> Mesh:
-        """With all its handles."""
+        """The extracted surface, with all handles."""
         ...
 
     @property
     def repaired(self) -> Mesh:
-        """Without handles, smoothed."""
+        """The surface without handles, smoothed."""
         ...
 
     @property
     def simplified(self) -> Mesh:
-        """The repaired one with fewer faces."""
+        """The repaired surface with fewer faces."""
         ...
 
     @property
     def warnings(self) -> List[str]:
-        """What is doubtful, a line for each."""
+        """Doubtful results, one per line."""
         ...
 
 
 class ConformalMap:
-    """A surface on the plane, and how well."""
+    """A planar map of a surface, with quality measures."""
     @property
     def corners(self) -> List[int]:
-        """Four vertices, of a rectangle of one boundary."""
+        """Four corner vertices, for a rectangle with one boundary."""
         ...
 
     @property
     def dilatation(self) -> NDArray[Any]:
-        """Of each face, from 1 (conformal) on."""
+        """Dilatation of each face, at least 1 (conformal)."""
         ...
 
     @property
     def flat(self) -> Mesh:
-        """The cut surface in space with the point array uv (mm of the plane)."""
+        """The cut surface in space with the point array uv (mm in the plane)."""
         ...
 
     @property
     def flips(self) -> int:
-        """Faces that the map turns over."""
+        """Number of flipped faces."""
         ...
 
     @property
     def genus(self) -> int:
-        """0 unless there are handles."""
+        """Genus; 0 without handles."""
         ...
 
     @property
@@ -492,15 +492,15 @@ class ConformalMap:
 
     @property
     def warnings(self) -> List[str]:
-        """What is doubtful, a line for each."""
+        """Doubtful results, one per line."""
         ...
 
 
 class DicomDefect:
-    """What is wrong with a DICOM series, or unusual about it."""
+    """A defect or peculiarity of a DICOM series."""
     @property
     def advice(self) -> str:
-        """What can be done."""
+        """Possible remedy."""
         ...
 
     @property
@@ -528,7 +528,7 @@ class DicomSeries:
     """A DICOM series of a folder, as `list_series` finds it."""
     @property
     def defects(self) -> List[DicomDefect]:
-        """What keeps the series from being read as it is."""
+        """Defects that prevent reading the series without repair."""
         ...
 
     @property
@@ -538,7 +538,7 @@ class DicomSeries:
 
     @property
     def is_usable(self) -> bool:
-        """Whether a volume can be read without a repair."""
+        """Whether a volume can be read without repair."""
         ...
 
     @property
@@ -558,17 +558,17 @@ class DicomSeries:
 
     @property
     def refusal(self) -> str:
-        """Why this is no volume where no defect says it; else empty."""
+        """Why this is not a volume, if no defect explains it; otherwise empty."""
         ...
 
     @property
     def remarks(self) -> List[DicomDefect]:
-        """What is unusual and keeps nobody from reading it."""
+        """Peculiarities that do not prevent reading."""
         ...
 
     @property
     def selector(self) -> str:
-        """What `read_volume` takes as series_uid: the UID, with "#part" if need be."""
+        """The series_uid for `read_volume`: the UID, with "#part" if needed."""
         ...
 
     @property
@@ -578,7 +578,7 @@ class DicomSeries:
 
     @property
     def spacing(self) -> Tuple[Any, ...]:
-        """Of columns, rows, slices; mm, 0 where it is not known."""
+        """Spacing of columns, rows, slices; mm, 0 if unknown."""
         ...
 
     @property
@@ -588,24 +588,24 @@ class DicomSeries:
 
 
 class EmbeddingCertificate:
-    """A graph on a surface and the circles that carry it.
+    """A graph embedded on a surface with its circle packing.
 
-    Places are unit vectors on the sphere (radius: the angle of a cap), else (x, y) in the plane or in the Poincare disk
-    (radius: a length, of hyperbolic geometry in the disk). Half-edge 2e leaves the first end of edge e, 2e + 1 the second.
+    Positions are unit vectors on the sphere (radius: the angle of a cap), otherwise (x, y) in the plane or in the Poincare
+    disk (radius: a length; in the disk, hyperbolic). Half-edge 2e leaves the first end of edge e, 2e + 1 the second.
     """
     @property
     def face_positions(self) -> NDArray[Any]:
-        """A row for each face of the packed graph; a view."""
+        """One row per face of the packed graph; a view."""
         ...
 
     @property
     def face_radii(self) -> NDArray[Any]:
-        """Of the circles of the faces; a view."""
+        """Radii of the circles of the faces; a view."""
         ...
 
     @property
     def genus(self) -> int:
-        """Of the surface."""
+        """Genus of the surface."""
         ...
 
     @property
@@ -620,22 +620,22 @@ class EmbeddingCertificate:
 
     @property
     def node_positions(self) -> NDArray[Any]:
-        """A row for each packed node, first those of the graph; a view."""
+        """One row per packed node, those of the graph first; a view."""
         ...
 
     @property
     def node_radii(self) -> NDArray[Any]:
-        """Of the circles of the packed nodes; a view."""
+        """Radii of the circles of the packed nodes; a view."""
         ...
 
     @property
     def packed(self) -> Graph:
-        """The graph with dummies that make it 3-connected."""
+        """The graph with the dummy nodes that make it 3-connected."""
         ...
 
     @property
     def periods(self) -> NDArray[Any]:
-        """Of the torus: x1, y1, x2, y2; empty on other surfaces."""
+        """Periods of the torus: x1, y1, x2, y2; empty on other surfaces."""
         ...
 
     @property
@@ -645,17 +645,17 @@ class EmbeddingCertificate:
 
     @property
     def statistics(self) -> Dict[str, Any]:
-        """What was measured, by name."""
+        """Measurements by name."""
         ...
 
     @property
     def subdivided(self) -> List[List[int]]:
-        """Edges that are paths of the packed graph, as half-edges."""
+        """Edges subdivided into paths of the packed graph, as half-edges."""
         ...
 
     @property
     def warnings(self) -> List[str]:
-        """What is doubtful, a line for each."""
+        """Doubtful results, one per line."""
         ...
 
 
@@ -663,34 +663,34 @@ class EmbeddingVerdict:
     """What `verify_embedding` finds."""
     @property
     def is_valid(self) -> bool:
-        """No two edges cross: that is proved."""
+        """Whether it is proved that no two edges cross."""
         ...
 
     @property
     def measures(self) -> Dict[str, Any]:
-        """What was measured, by name."""
+        """Measurements by name."""
         ...
 
     @property
     def refusal(self) -> str:
-        """The first thing that is wrong; else empty."""
+        """The first condition that fails; otherwise empty."""
         ...
 
 
 class FlatColon:
     """The flat wall of a colon with a grid of square pixels.
 
-    surface: as `flatten_tube` gives it. pixel_size: mm of the map, in which folds and landmarks work.
+    surface: from `flatten_tube`. pixel_size: mm on the map, used for folds and landmarks.
     """
     def __init__(self, surface: Mesh, pixel_size: float=...) -> None: ...
 
     @property
     def circumference(self) -> float:
-        """Mean, mm."""
+        """Mean circumference, mm."""
         ...
 
     def coordinates(self) -> NDArray[Any]:
-        """Rows x columns x 3, float32: the place of each pixel, LPS mm; NaN in holes."""
+        """Rows x columns x 3, float32: point in space of each pixel, LPS mm; NaN in holes."""
         ...
 
     def curvature(self) -> NDArray[Any]:
@@ -702,21 +702,21 @@ class FlatColon:
         ...
 
     def find(self, points: ArrayLike) -> Tuple[NDArray[Any], NDArray[Any]]:
-        """Of places in space, k x 3 (LPS, mm): their uv on the map, k x 2, and distances from the wall, k; mm."""
+        """uv on the map (k x 2) of points in space (k x 3, LPS, mm), and their distances from the wall (k); mm."""
         ...
 
     @property
     def length(self) -> float:
-        """Of the map, mm."""
+        """Length of the map, mm."""
         ...
 
     @property
     def pixel_size(self) -> float:
-        """mm of the map."""
+        """mm on the map."""
         ...
 
     def pixels(self, uv: ArrayLike) -> NDArray[Any]:
-        """Of places on the map, k x 2 (mm): their pixels [row, column], k x 2, int32. Rows may run against v."""
+        """Pixels [row, column] (k x 2, int32) of points on the map (k x 2, mm). Rows may run against v."""
         ...
 
     @property
@@ -733,7 +733,7 @@ class FlatColon:
 class Graph:
     """An undirected graph; loops and multiple edges are allowed.
 
-    nodes: how many. edges: m x 2, indices of nodes. names: none, or one for each node.
+    nodes: their number. edges: m x 2, indices of nodes. names: none, or one per node.
     """
     def __init__(self, nodes: int, edges: ArrayLike, names: Sequence[str]=...) -> None: ...
 
@@ -744,17 +744,17 @@ class Graph:
 
     @property
     def names(self) -> List[str]:
-        """None, or one for each node."""
+        """None, or one per node."""
         ...
 
     @property
     def nodes(self) -> int:
-        """How many."""
+        """Number of nodes."""
         ...
 
 
 class GraphComparison:
-    """Two graphs side by side."""
+    """Comparison of two graphs."""
     @property
     def a(self) -> EmbeddingCertificate:
         """Certificate of the first graph in canonical order."""
@@ -767,7 +767,7 @@ class GraphComparison:
 
     @property
     def correspondence(self) -> List[int]:
-        """For each node of `a.graph` that of `b.graph`, or -1."""
+        """Corresponding node of `b.graph` for each node of `a.graph`, or -1."""
         ...
 
     @property
@@ -777,12 +777,12 @@ class GraphComparison:
 
     @property
     def differences(self) -> List[str]:
-        """In sentences; none for isomorphic graphs."""
+        """Differences in sentences; none for isomorphic graphs."""
         ...
 
     @property
     def isomorphic(self) -> bool:
-        """Whether they are one graph but for names."""
+        """Whether the graphs are isomorphic."""
         ...
 
 
@@ -790,12 +790,12 @@ class HaustralFold:
     """A haustral fold."""
     @property
     def angle(self) -> float:
-        """Of the long axis against the tube, degrees; 90 runs around it."""
+        """Angle between the long axis and the tube, degrees; 90 is circumferential."""
         ...
 
     @property
     def arc_length(self) -> float:
-        """mm along the centreline; NaN where not known."""
+        """mm along the centerline; NaN if unknown."""
         ...
 
     @property
@@ -810,17 +810,17 @@ class HaustralFold:
 
     @property
     def centre_uv(self) -> NDArray[Any]:
-        """On the map, mm."""
+        """Center on the map, mm."""
         ...
 
     @property
     def crosses_cut(self) -> bool:
-        """Lies on both sides of the cut."""
+        """Whether the fold extends across the cut."""
         ...
 
     @property
     def elongation(self) -> float:
-        """Long over short axis."""
+        """Ratio of long to short axis."""
         ...
 
     @property
@@ -830,17 +830,17 @@ class HaustralFold:
 
     @property
     def height(self) -> float:
-        """Of the crest above the wall, mm; NaN where it cannot be seen."""
+        """Height of the crest above the wall, mm; NaN if not visible."""
         ...
 
     @property
     def label(self) -> int:
-        """Its value in the labels, from 1."""
+        """Label value, from 1."""
         ...
 
     @property
     def length(self) -> float:
-        """Along the crest, mm."""
+        """Length along the crest, mm."""
         ...
 
     @property
@@ -858,17 +858,17 @@ class HaustralFolds:
     """What `find_folds` gives."""
     @property
     def folds(self) -> List[HaustralFold]:
-        """HaustralFold, in the order of the labels."""
+        """List of HaustralFold, in label order."""
         ...
 
     @property
     def labels(self) -> NDArray[Any]:
-        """Rows x columns, uint16: 0 wall, else the label of a fold."""
+        """Rows x columns, uint16: 0 wall, otherwise the label of a fold."""
         ...
 
     @property
     def warnings(self) -> List[str]:
-        """A line for each."""
+        """Warnings, one per line."""
         ...
 
 
@@ -876,7 +876,7 @@ class HeatClass:
     """A class of voxels with similar heat: a line of the heat histogram."""
     @property
     def border_share(self) -> float:
-        """Share of the voxels at the border of the volume, 0 to 1."""
+        """Fraction of the voxels at the border of the volume, 0 to 1."""
         ...
 
     @property
@@ -886,7 +886,7 @@ class HeatClass:
 
     @property
     def label(self) -> int:
-        """0 background; 1 the class of least heat."""
+        """0 is the background, 1 the class of lowest heat."""
         ...
 
     @property
@@ -901,7 +901,7 @@ class HeatClass:
 
     @property
     def normalized_heat(self) -> float:
-        """Free of scale, of these components; 0 for none."""
+        """Scale-invariant heat of these components; 0 without any."""
         ...
 
     @property
@@ -916,25 +916,25 @@ class HeatClass:
 
     @property
     def voxels(self) -> int:
-        """How many."""
+        """Number of voxels."""
         ...
 
 
 class HeatDiffusionMetric:
-    """Heat diffusion distances of the ends of all edges."""
+    """Heat diffusion distances along all edges."""
     @property
     def drowned_edges(self) -> int:
-        """Edges too short to be told from rounding, as at the tip of a needle: they have the least such length."""
+        """Edges with a length below rounding error, as at the tip of a needle; they are set to the shortest possible length."""
         ...
 
     @property
     def edge_lengths(self) -> NDArray[Any]:
-        """In the order of `surface_edges`; 1/mm."""
+        """Edge lengths in the order of `surface_edges`; 1/mm."""
         ...
 
     @property
     def eigenpairs(self) -> int:
-        """How many; 0 for all of them."""
+        """Number of eigenpairs; 0 for all."""
         ...
 
     @property
@@ -944,7 +944,7 @@ class HeatDiffusionMetric:
 
 
 class HeatHistogram:
-    """Counts of voxels by heat, a row for each recorded time step."""
+    """Counts of voxels by heat, one row per recorded time step."""
     @property
     def counts(self) -> NDArray[Any]:
         """Rows x 4097, uint32: voxels in each bin; a view."""
@@ -952,16 +952,16 @@ class HeatHistogram:
 
     @property
     def edges(self) -> NDArray[Any]:
-        """4098 heats: bin b holds edges[b] <= heat < edges[b + 1]. Bin 0 is the background, the others 256 for each factor of two."""
+        """4098 heats: bin b holds edges[b] <= heat < edges[b + 1]. Bin 0 is the background, the others are 256 per factor of two."""
         ...
 
     def equalization(self) -> List[float]:
-        """4098 numbers from 0 to 1, ascending: the share of the counts without bin 0 below the lower edge of each bin, mean over the rows."""
+        """4098 numbers from 0 to 1, ascending: the fraction of the counts, without bin 0, below the lower edge of each bin, averaged over the rows."""
         ...
 
     @property
     def time_steps(self) -> List[int]:
-        """Of the rows, ascending."""
+        """Time steps of the rows, ascending."""
         ...
 
 
@@ -969,47 +969,47 @@ class HeatResult:
     """What `diffuse_heat` gives."""
     @property
     def cold(self) -> bool:
-        """No edge in the volume: the heat is 0 everywhere."""
+        """Whether the volume has no edges; the heat is then 0 everywhere."""
         ...
 
     @property
     def components(self) -> List[ShapeComponent]:
-        """Largest first; empty unless they were asked for."""
+        """Largest first; empty unless requested."""
         ...
 
     @property
     def heat(self) -> Image:
-        """After the last step, in [0, 1]; float32, on the grid of the input."""
+        """Heat after the last step, in [0, 1]; float32, on the grid of the input."""
         ...
 
     @property
     def histogram(self) -> HeatHistogram:
-        """A row for each of histogram_steps that was reached."""
+        """One row per step of histogram_steps reached."""
         ...
 
     @property
     def initial_heat(self) -> Image:
-        """The heat at step 0; None unless it was asked for."""
+        """Heat at step 0; None unless requested."""
         ...
 
     @property
     def p(self) -> float:
-        """The p that was used."""
+        """The p used."""
         ...
 
     @property
     def reason_of_p(self) -> str:
-        """Why, where p was chosen; else empty."""
+        """Reason for an automatic p; otherwise empty."""
         ...
 
     @property
     def steady(self) -> bool:
-        """Whether it has become steady."""
+        """Whether the steady state was reached."""
         ...
 
     @property
     def time_step(self) -> int:
-        """The last step that was taken."""
+        """The last step computed."""
         ...
 
     @property
@@ -1019,12 +1019,12 @@ class HeatResult:
 
     @property
     def window(self) -> Tuple[Any, ...]:
-        """The intensities that count as 0 and 1."""
+        """The intensities mapped to 0 and 1."""
         ...
 
 
 class IleocaecalValve:
-    """Where the terminal ileum opens into a colon."""
+    """The opening of the terminal ileum into the colon."""
     @property
     def arc_length(self) -> float:
         """mm along the centreline."""
@@ -1042,7 +1042,7 @@ class IleocaecalValve:
 
     @property
     def length(self) -> float:
-        """mm, greatest width."""
+        """Greatest width, mm."""
         ...
 
     @property
@@ -1052,50 +1052,50 @@ class IleocaecalValve:
 
     @property
     def width(self) -> float:
-        """mm, least width."""
+        """Least width, mm."""
         ...
 
 
 class MatchedFolds:
-    """Two folds that are taken for one."""
+    """A pair of corresponding folds."""
     @property
     def prone_fold(self) -> int:
-        """Its label."""
+        """Label of the prone fold."""
         ...
 
     @property
     def prone_point(self) -> NDArray[Any]:
-        """Its middle; LPS, mm."""
+        """Center of the prone fold; LPS, mm."""
         ...
 
     @property
     def residual(self) -> float:
-        """From where the map takes one to the other, mm."""
+        """Distance between the mapped supine fold and the prone fold, mm."""
         ...
 
     @property
     def segment(self) -> str:
-        """Of the supine position; "" where not known."""
+        """Segment in the supine position; "" if unknown."""
         ...
 
     @property
     def supine_fold(self) -> int:
-        """Its label."""
+        """Label of the supine fold."""
         ...
 
     @property
     def supine_point(self) -> NDArray[Any]:
-        """Its middle; LPS, mm."""
+        """Center of the supine fold; LPS, mm."""
         ...
 
     @property
     def weight(self) -> float:
-        """0 to 1: how much the map follows it; below 0.5 not."""
+        """Weight of the pair in the map, 0 to 1; below 0.5 it is not followed."""
         ...
 
 
 class NamedShape:
-    """A signature with a name, which several may share."""
+    """A signature with a name, which may be shared by several."""
     def __init__(self, name: str, signature: ShapeSignature) -> None: ...
 
     @property
@@ -1110,15 +1110,15 @@ class NamedShape:
 
 
 class PolypCandidate:
-    """A place of the wall that looks like a polyp; no finding."""
+    """A polyp-like location on the wall; not a clinical finding."""
     @property
     def apex(self) -> NDArray[Any]:
-        """Where it stands out farthest; LPS, mm."""
+        """Most protruding point; LPS, mm."""
         ...
 
     @property
     def arc_length(self) -> float:
-        """mm along the centreline; NaN where not known."""
+        """mm along the centerline; NaN if unknown."""
         ...
 
     @property
@@ -1133,42 +1133,42 @@ class PolypCandidate:
 
     @property
     def diameter(self) -> float:
-        """The largest width, mm."""
+        """Largest width, mm."""
         ...
 
     @property
     def height(self) -> float:
-        """Above a ring around it, mm."""
+        """Height above the surrounding ring, mm."""
         ...
 
     @property
     def least_diameter(self) -> float:
-        """The smallest width, mm."""
+        """Smallest width, mm."""
         ...
 
     @property
     def number(self) -> int:
-        """From 1, by falling score."""
+        """Rank by descending score, from 1."""
         ...
 
     @property
     def other(self) -> Optional[PolypInOtherPosition]:
-        """In the other position; None unless it was sought."""
+        """Result in the other position; None if it was not searched."""
         ...
 
     @property
     def position(self) -> NDArray[Any]:
-        """The middle of the head; LPS, mm."""
+        """Center of the head; LPS, mm."""
         ...
 
     @property
     def remark(self) -> str:
-        """For example "the ileocaecal valve"; else empty."""
+        """For example "the ileocaecal valve"; otherwise empty."""
         ...
 
     @property
     def score(self) -> float:
-        """0 to 1, of shape and tissue."""
+        """Score of shape and tissue, 0 to 1."""
         ...
 
     @property
@@ -1178,7 +1178,7 @@ class PolypCandidate:
 
     @property
     def shape_score(self) -> float:
-        """0 to 1, of the shape alone."""
+        """Score of the shape only, 0 to 1."""
         ...
 
     @property
@@ -1188,7 +1188,7 @@ class PolypCandidate:
 
     @property
     def submerged_share(self) -> float:
-        """Under tagged fluid, 0 to 1."""
+        """Fraction covered by tagged fluid, 0 to 1."""
         ...
 
     @property
@@ -1198,55 +1198,55 @@ class PolypCandidate:
 
     @property
     def uv(self) -> NDArray[Any]:
-        """On the flat map, mm; NaN where there is none."""
+        """Position on the flat map, mm; NaN without one."""
         ...
 
     @property
     def vertices(self) -> List[int]:
-        """Of the wall, that the head is made of."""
+        """Wall vertices of the head."""
         ...
 
 
 class PolypInOtherPosition:
-    """Where a candidate lies in the other position."""
+    """Position of a candidate in the other position of the patient."""
     @property
     def candidate(self) -> int:
-        """Its number; 0 for none."""
+        """Number of that candidate; 0 for none."""
         ...
 
     @property
     def confidence(self) -> float:
-        """Of the registration, 0 to 1."""
+        """Confidence of the registration, 0 to 1."""
         ...
 
     @property
     def distance(self) -> float:
-        """To the candidate there that is most alike, mm."""
+        """Distance to the most similar candidate there, mm."""
         ...
 
     @property
     def is_excluded(self) -> bool:
-        """Nothing can be said there."""
+        """Whether the wall there cannot be assessed."""
         ...
 
     @property
     def is_seen(self) -> bool:
-        """A candidate there is alike."""
+        """Whether a similar candidate was found there."""
         ...
 
     @property
     def likeness(self) -> float:
-        """0 to 1: of place, width and score."""
+        """Similarity of location, width and score, 0 to 1."""
         ...
 
     @property
     def own_score(self) -> float:
-        """The score before it was weighed; else NaN."""
+        """Score before weighting; otherwise NaN."""
         ...
 
     @property
     def point(self) -> NDArray[Any]:
-        """On the other wall; LPS, mm."""
+        """Point on the other wall; LPS, mm."""
         ...
 
 
@@ -1259,29 +1259,29 @@ class Registration:
 
     @property
     def doubts(self) -> List[str]:
-        """Why it is flagged; else none."""
+        """Reasons for a flag; otherwise empty."""
         ...
 
     @property
     def flips(self) -> int:
-        """Triangles that are turned over."""
+        """Number of flipped triangles."""
         ...
 
     def map_points(self, points: ArrayLike, inverse: bool=...) -> Tuple[NDArray[Any], NDArray[Any], NDArray[Any]]:
-        """Takes places, k x 3 (LPS, mm), from the nearest points of the supine wall to the prone one, or back with `inverse`.
+        """Maps the wall points nearest to k x 3 points (LPS, mm) from supine to prone, or back with `inverse`.
 
-        Returns (places, k x 3, LPS mm; confidence, k, 0 to 1; excluded, k: nothing is to be seen in one of the positions).
+        Returns (points, k x 3, LPS mm; confidence, k, 0 to 1; excluded, k: wall not visible in one of the positions).
         """
         ...
 
     @property
     def matches(self) -> List[MatchedFolds]:
-        """MatchedFolds, in the order of supine folds."""
+        """List of MatchedFolds, in the order of supine folds."""
         ...
 
     @property
     def prone_to_supine(self) -> Mesh:
-        """The other way."""
+        """The inverse map."""
         ...
 
     @property
@@ -1296,7 +1296,7 @@ class Registration:
 
     @property
     def warnings(self) -> List[str]:
-        """A line for each."""
+        """Warnings, one per line."""
         ...
 
 
@@ -1304,21 +1304,21 @@ class SeededHeat:
     """Labels from a few seeds: the steady state of heat that leaves the seeds of each label.
 
     image: intensities; float32 and C-contiguous ones are read in place.
-    p: steepness, from 0; an edge insulates where the half gradient reaches 1 / p. None: chosen from noise and edges.
-    window: (lower, upper) intensities that count as 0 and 1; None: the least and the greatest.
-    least_weight: positive; what an edge that insulates still lets through.
-    tolerance: greatest error of a probability, 1e-6 to 0.1.
+    p: steepness, from 0; an edge insulates if the half gradient reaches 1 / p. None: chosen from noise and edges.
+    window: (lower, upper) intensities mapped to 0 and 1; None: minimum and maximum.
+    least_weight: positive; the weight of an edge that just insulates.
+    tolerance: maximum error of a probability, 1e-6 to 0.1.
 
-    Draw strokes through all of each part, and of the background: a point is too little (`SeededLabels.warnings`).
-    It keeps the last solution, from which the next one starts: 4 bytes for each voxel and label.
+    Draw strokes through each part and through the background: points are not enough (`SeededLabels.warnings`).
+    The last solution is kept as the start of the next one: 4 bytes per voxel and label.
     """
     def __init__(self, image: Image, *, p: Optional[float]=..., window: Optional[Tuple[float, float]]=..., least_weight: float=..., tolerance: float=...) -> None: ...
 
     def segment(self, seeds: Image, *, probabilities: bool=..., progress: Optional[Callable[[float, str], object]]=...) -> SeededLabels:
         """The label of each voxel.
 
-        seeds: an image on the same grid, whole numbers from 0 to 65535; 0: no seed; two labels at least.
-        probabilities: gives those of each label, too.
+        seeds: an image on the same grid, integers from 0 to 65535; 0: no seed; at least two labels.
+        probabilities: also returns the probability of each label.
         progress: called with (share, stage), share from 0 to 1; False, or an exception such as that of Ctrl-C, aborts.
         """
         ...
@@ -1328,45 +1328,45 @@ class SeededLabels:
     """What `SeededHeat.segment` gives."""
     @property
     def iterations(self) -> int:
-        """Of the solver; few after a small change of the seeds."""
+        """Number of solver iterations; few after a small change of the seeds."""
         ...
 
     @property
     def labels(self) -> Image:
-        """uint16: the label of greatest probability."""
+        """uint16: the label of highest probability."""
         ...
 
     @property
     def probabilities(self) -> Dict[int, Image]:
-        """Label to image, float32 in [0, 1], which sum to 1; empty unless they were asked for."""
+        """Label to image, float32 in [0, 1], which sum to 1; empty unless requested."""
         ...
 
     @property
     def uncertainty(self) -> Image:
-        """float32: 1 minus the difference of the two greatest probabilities; 0 where one label is sure."""
+        """float32: 1 minus the difference of the two greatest probabilities; 0 if one label is certain."""
         ...
 
     @property
     def warnings(self) -> List[str]:
-        """Labels that hardly leave their seeds, a line for each."""
+        """Labels that hardly extend beyond their seeds, one per line."""
         ...
 
 
 class SegmentDistension:
-    """How far a stretch of the colon is filled."""
+    """Distension of a segment of the colon."""
     @property
     def begin(self) -> float:
-        """mm along the centreline."""
+        """Begin in mm along the centerline."""
         ...
 
     @property
     def collapsed_length(self) -> float:
-        """Without lumen, mm."""
+        """Length without lumen, mm."""
         ...
 
     @property
     def end(self) -> float:
-        """mm along the centreline."""
+        """End in mm along the centerline."""
         ...
 
     @property
@@ -1376,30 +1376,30 @@ class SegmentDistension:
 
     @property
     def name(self) -> str:
-        """Of the segment."""
+        """Name of the segment."""
         ...
 
     @property
     def share(self) -> float:
-        """Of its length with a calibre of at least 10 mm, 0 to 1."""
+        """Fraction of its length with a diameter of at least 10 mm, 0 to 1."""
         ...
 
 
 class ShapeComponent:
-    """Voxels that are joined by edges of positive weight."""
+    """Voxels connected by edges of positive weight."""
     @property
     def closed(self) -> bool:
-        """False where it reaches the border of the volume."""
+        """False if it reaches the border of the volume."""
         ...
 
     @property
     def converged_heat(self) -> float:
-        """The heat that each voxel has in the end."""
+        """Steady-state heat of each voxel."""
         ...
 
     @property
     def index(self) -> Tuple[Any, ...]:
-        """Its first voxel, [z, y, x]."""
+        """First voxel, [z, y, x]."""
         ...
 
     @property
@@ -1409,7 +1409,7 @@ class ShapeComponent:
 
     @property
     def surface_area(self) -> float:
-        """mm^2; 0 of an open one."""
+        """mm^2; 0 for an open component."""
         ...
 
     @property
@@ -1419,7 +1419,7 @@ class ShapeComponent:
 
     @property
     def voxels(self) -> int:
-        """How many."""
+        """Number of voxels."""
         ...
 
 
@@ -1427,12 +1427,12 @@ class ShapeNeighbour:
     """An entry and its distance."""
     @property
     def distance(self) -> float:
-        """From 0; copies of one shape are about 1 apart."""
+        """At least 0; copies of one shape are about 1 apart."""
         ...
 
     @property
     def entry(self) -> int:
-        """Its index."""
+        """Index of the entry."""
         ...
 
 
@@ -1440,7 +1440,7 @@ class ShapeRow:
     """A shape of a label map."""
     @property
     def component(self) -> int:
-        """1 for the largest; 0 for the label as a whole."""
+        """1 for the largest; 0 for the whole label."""
         ...
 
     @property
@@ -1470,7 +1470,7 @@ class ShapeRow:
 
     @property
     def voxels(self) -> int:
-        """How many."""
+        """Number of voxels."""
         ...
 
 
@@ -1478,45 +1478,45 @@ class ShapeSearchResult:
     """What `find_shape` gives."""
     @property
     def neighbours(self) -> List[ShapeNeighbour]:
-        """The nearest first."""
+        """Nearest first."""
         ...
 
     @property
     def probability(self) -> float:
-        """That the nearest is of the same shape, on generated shapes."""
+        """Probability that the nearest is the same shape, fitted to generated shapes."""
         ...
 
     @property
     def unknown(self) -> bool:
-        """More likely than not it is none of them."""
+        """Whether the shape is probably none of the entries."""
         ...
 
 
 class ShapeSignature:
-    """What a shape is like, in numbers that neither place, rotation nor sampling change much."""
+    """Shape descriptors that are nearly invariant to position, rotation and sampling."""
     @property
     def displacement(self) -> NDArray[Any]:
-        """25 values, ascending: mean square of the way of heat that cannot leave, over r^2."""
+        """25 values, ascending: mean squared displacement of heat in the insulated shape, divided by r^2."""
         ...
 
     @property
     def elongation(self) -> float:
-        """Longest over middle standard deviation; from 1."""
+        """Ratio of longest to middle standard deviation; at least 1."""
         ...
 
     @property
     def flatness(self) -> float:
-        """Middle over shortest standard deviation; from 1."""
+        """Ratio of middle to shortest standard deviation; at least 1."""
         ...
 
     @property
     def remaining_heat(self) -> NDArray[Any]:
-        """25 values from 1 down: the share of heat that has not left the shape."""
+        """25 values, descending from 1: fraction of the heat that has not left the shape."""
         ...
 
     @property
     def spectrum(self) -> NDArray[Any]:
-        """20 eigenvalues of the surface above 0, times its area; 8 pi is the first one of a sphere."""
+        """20 nonzero eigenvalues of the surface, times its area; the first one of a sphere is 8 pi."""
         ...
 
     @property
@@ -1526,7 +1526,7 @@ class ShapeSignature:
 
     @property
     def times(self) -> NDArray[Any]:
-        """25 times t / r^2 of both curves; r is the radius of the ball of the same volume."""
+        """25 values of t / r^2 for both curves, with r the radius of the ball of equal volume."""
         ...
 
     @property
@@ -1539,12 +1539,12 @@ class ShapeTable:
     """What `describe_shapes` gives."""
     @property
     def rows(self) -> List[ShapeRow]:
-        """By label, then component."""
+        """Rows by label, then component."""
         ...
 
     @property
     def warnings(self) -> List[str]:
-        """What was left out, a line for each."""
+        """Skipped shapes, one per line."""
         ...
 
 
@@ -1552,70 +1552,70 @@ class ShapetonResult:
     """What `diffuse_shapetons` gives."""
     @property
     def change(self) -> float:
-        """Of the density in the last step (3.10)."""
+        """Change of the density in the last step (3.10)."""
         ...
 
     @property
     def coverage(self) -> float:
-        """Share of the object voxels that were reached, 0 to 1."""
+        """Fraction of the object voxels reached, 0 to 1."""
         ...
 
     @property
     def density(self) -> Image:
-        """Visits over the greatest number of visits, in [0, 1]; float32, made when it is asked for."""
+        """Visits divided by their maximum, in [0, 1]; float32, computed on access."""
         ...
 
     @property
     def distance(self) -> float:
-        """Length of a step, in units of the longest side."""
+        """Step length, in units of the longest side."""
         ...
 
     @property
     def histogram(self) -> HeatHistogram:
-        """A row for each of histogram_steps."""
+        """One row per step of histogram_steps."""
         ...
 
     @property
     def reason_of_distance(self) -> str:
-        """Why, where feature_size chose it; else empty."""
+        """Reason for the distance, if chosen by feature_size; otherwise empty."""
         ...
 
     @property
     def shapetons(self) -> int:
-        """How many there were."""
+        """Number of shapetons."""
         ...
 
     @property
     def steady(self) -> bool:
-        """Whether the density has become steady."""
+        """Whether the steady state was reached."""
         ...
 
     @property
     def time_step(self) -> int:
-        """The last step that was taken."""
+        """The last step computed."""
         ...
 
     @property
     def trapped(self) -> int:
-        """Shapetons in voxels that are cut off from all neighbours."""
+        """Shapetons in voxels disconnected from all neighbors."""
         ...
 
     @property
     def visits(self) -> Image:
-        """Of each voxel; uint32. They sum to shapetons x steps."""
+        """Number of visits of each voxel; uint32. The sum is shapetons x steps."""
         ...
 
 
 class SurfaceHandle:
-    """A place where a flattened surface has a handle."""
+    """A handle of a flattened surface."""
     @property
     def flat_place(self) -> NDArray[Any]:
-        """On the map, mm."""
+        """Position on the map, mm."""
         ...
 
     @property
     def genus(self) -> int:
-        """How many handles: more than 1 where they cannot be told apart."""
+        """Number of handles: more than 1 if they cannot be separated."""
         ...
 
     @property
@@ -1630,14 +1630,14 @@ class SurfaceHandle:
 
     @property
     def vertices(self) -> List[int]:
-        """Of the surface that was flattened, ascending."""
+        """Vertices of the flattened surface, ascending."""
         ...
 
 
 class SurfaceSpectrum:
     """The smoothest eigenfunctions of a surface of n vertices."""
     def diffusion_distance(self, p: int, q: int, time: float) -> float:
-        """The L2 distance of the heats that two vertices have sent out by `time` (mm^2); 1/mm."""
+        """The diffusion distance: L2 distance at `time` (mm^2) of the heat of unit sources at two vertices; 1/mm."""
         ...
 
     def diffusion_distances(self, p: int, time: float) -> NDArray[Any]:
@@ -1655,7 +1655,7 @@ class SurfaceSpectrum:
         ...
 
     def heat_kernel(self, p: int, q: int, time: float) -> float:
-        """Heat at vertex q after `time` (mm^2) of a unit source at vertex p; 1/mm^2."""
+        """Heat at vertex q at `time` (mm^2) from a unit source at vertex p; 1/mm^2."""
         ...
 
     @property
@@ -1664,62 +1664,62 @@ class SurfaceSpectrum:
         ...
 
     def share_of_last_pair(self, time: float) -> float:
-        """What the last pair has still at `time` (mm^2): the order of what is missing."""
+        """Remaining fraction of the last pair at `time` (mm^2): order of magnitude of the truncation error."""
         ...
 
     def signature(self, time: float) -> NDArray[Any]:
-        """The heat kernel signature, n values: the heat that each vertex keeps of a unit source at it; 1/mm^2."""
+        """The heat kernel signature, n values: the heat that stays at each vertex from a unit source there; 1/mm^2."""
         ...
 
     def signature_times(self, number: int=...) -> List[float]:
-        """Times (mm^2) at which the signature is worth to be looked at, even in the logarithm."""
+        """Suggested times (mm^2) for the signature, logarithmically spaced."""
         ...
 
 
 def build_colon(ct: Image, *, lumen: Optional[Image]=..., patient_position: str=..., seed_points: ArrayLike=..., faces: int=..., keep_pieces: bool=..., keep_partial: bool=..., progress: Optional[Callable[[float, str], object]]=...) -> ColonModel:
-    """From a CT colonography in HU to lumen, cleansed CT, centreline, valve, distension and wall.
+    """Computes lumen, cleansed CT, centerline, valve, distension and wall from a CT colonography in HU.
 
-    lumen: a mask (uint8, not 0) on the grid of the CT in place of the automatic one. patient_position, seed_points: see
-    `segment_lumen`. faces, keep_pieces: see `build_wall`. keep_partial: where the colon is not distended or tagged enough,
-    goes on as far as that leads.
+    lumen: a mask (uint8, nonzero) on the grid of the CT that replaces the automatic one. patient_position, seed_points:
+    see `segment_lumen`. faces, keep_pieces: see `build_wall`. keep_partial: if the colon is not distended or tagged enough,
+    continues as far as possible.
 
-    A colon that cannot be used is no exception: `failure` tells why.
+    An unusable colon does not raise an exception: see `failure`.
     """
     ...
 
 def build_colon_of_lumen(lumen: Image, *, seed_points: ArrayLike=..., faces: int=..., keep_pieces: bool=..., keep_partial: bool=..., progress: Optional[Callable[[float, str], object]]=...) -> ColonModel:
-    """From a mask of the lumen alone (uint8, not 0); parameters as those of `build_colon`."""
+    """Computes the model from a mask of the lumen only (uint8, nonzero); parameters as in `build_colon`."""
     ...
 
 def build_wall(occupancy: Image, centreline: Union[Curves, NDArray[Any]], *, faces: int=..., bridge_radius: float=..., keep_pieces: bool=..., progress: Optional[Callable[[float, str], object]]=...) -> ColonWall:
-    """The wall as surfaces, from the occupancy that `cleanse` gives.
+    """The wall as surfaces, from the occupancy computed by `cleanse`.
 
-    centreline: as `trace_centreline` gives it. faces: of the simplified wall; 0: a number that suits it.
-    bridge_radius: of tubes through gaps, mm. keep_pieces: leaves the pieces of a broken lumen apart.
+    centreline: from `trace_centreline`. faces: of the simplified wall; 0: chosen automatically.
+    bridge_radius: radius of the tubes through gaps, mm. keep_pieces: keeps the pieces of a broken lumen separate.
     """
     ...
 
 def build_wall_of_mask(mask: Image, centreline: Union[Curves, NDArray[Any]], *, faces: int=..., bridge_radius: float=..., keep_pieces: bool=..., progress: Optional[Callable[[float, str], object]]=...) -> ColonWall:
-    """The wall from a mask of the lumen (uint8, not 0); parameters as those of `build_wall`."""
+    """The wall from a mask of the lumen (uint8, nonzero); parameters as in `build_wall`."""
     ...
 
 def classify_heat(heat: Image, components: Sequence[ShapeComponent]=..., *, maximum_classes: int=..., background_heat: float=..., minimum_share: float=..., minimum_peak_to_valley: float=...) -> Tuple[Image, List[HeatClass]]:
-    """The classes of a heat image: the lines of its histogram, cut at the valleys between them.
+    """The classes of a heat image: the lines of its histogram, separated at the valleys.
 
-    heat: in [0, 1]. components: those of `HeatResult`, to count them by class. maximum_classes: besides the background.
-    background_heat: lines whose peak lies below belong to the background. minimum_share: least share of the voxels above
-    the background that makes a class. minimum_peak_to_valley: least ratio of the lower peak and the valley of neighbours.
+    heat: in [0, 1]. components: those of `HeatResult`, to count them per class. maximum_classes: without the background.
+    background_heat: lines with a peak below this heat are background. minimum_share: minimum fraction of the voxels above
+    the background in a class. minimum_peak_to_valley: minimum ratio of the lower peak to the valley between neighbors.
 
     Returns (labels, classes): an image of uint8 and a list of HeatClass.
     """
     ...
 
 def classify_visits(visits: Image) -> Tuple[Image, List[HeatClass]]:
-    """The classes of a uint32 image of visits, as `classify_heat` finds those of heat: (labels, classes)."""
+    """The classes of a uint32 image of visits, analogous to `classify_heat`: (labels, classes)."""
     ...
 
 def cleanse(ct: Image, lumen: ColonLumen, *, progress: Optional[Callable[[float, str], object]]=...) -> CleansedColon:
-    """Removes the tagged fluid of a colon from the CT that `lumen` was found in."""
+    """Removes the tagged fluid of a colon from the CT from which `lumen` was segmented."""
     ...
 
 def colon_phantom(*, seed: int=..., position: str=..., preset: str=..., size: Sequence[int]=..., spacing: Sequence[float]=..., truth_only: bool=..., progress: Optional[Callable[[float, str], object]]=...) -> ColonPhantom:
@@ -1727,31 +1727,32 @@ def colon_phantom(*, seed: int=..., position: str=..., preset: str=..., size: Se
 
     seed: fixes the patient. position: "supine", "prone", "leftDecubitus" or "rightDecubitus". preset: "standard", "hard" or
     "realistic". size: voxels along x, y, z. spacing: along x, y, z, mm; the patient needs about 358 x 358 x 336 mm.
-    truth_only: leaves the CT out, which takes most of the time.
+    truth_only: omits the CT, which takes most of the time.
     """
     ...
 
 def compare_graphs(a: Graph, b: Graph, seed: int=..., *, progress: Optional[Callable[[float, str], object]]=...) -> GraphComparison:
-    """Decides whether two graphs are isomorphic, embeds both and tells what differs.
+    """Determines whether two graphs are isomorphic, embeds both and reports the differences.
 
     progress: called with (share, stage), share from 0 to 1; False, or an exception such as that of Ctrl-C, aborts.
     """
     ...
 
 def complete_bipartite_graph(left: int, right: int) -> Graph:
-    """Each left node with each right one."""
+    """The complete bipartite graph."""
     ...
 
 def complete_graph(nodes: int) -> Graph:
-    """Each node joined with each other one."""
+    """The complete graph."""
     ...
 
 def conformal_map(mesh: Mesh, *, domain: str=..., outer_boundary: int=..., inner_boundary: int=..., corners: Sequence[int]=..., edge_lengths: Optional[ArrayLike]=..., progress: Optional[Callable[[float, str], object]]=...) -> ConformalMap:
     """Maps an open surface conformally to the plane.
 
     mesh: one manifold, oriented component with a boundary. domain: "rectangle", "annulus" or "slit".
-    outer_boundary, inner_boundary: numbers from 1 by length; 0: the longest, and the longest one left.
-    corners: four vertices of the only boundary of a rectangle. edge_lengths: another metric, by `surface_edges`.
+    outer_boundary, inner_boundary: numbers from 1 by length; 0: the longest, and the longest of the others.
+    corners: four vertices of the only boundary of a rectangle. edge_lengths: another metric, in the order of
+    `surface_edges`.
     progress: called with (share, stage), share from 0 to 1; False, or an exception such as that of Ctrl-C, aborts.
     """
     ...
@@ -1759,19 +1760,19 @@ def conformal_map(mesh: Mesh, *, domain: str=..., outer_boundary: int=..., inner
 def describe_shapes(image: Image, labels: Image, *, components: bool=..., progress: Optional[Callable[[float, str], object]]=...) -> ShapeTable:
     """The signature of each label, or of each connected component of each label.
 
-    image: intensities, for mean_intensity alone. labels: whole numbers from 0 (background) to 65535, on the same grid.
+    image: intensities, used for mean_intensity only. labels: integers from 0 (background) to 65535, on the same grid.
     progress: called with (share, stage), share from 0 to 1; False, or an exception such as that of Ctrl-C, aborts.
 
-    A shape takes half a second. What has fewer than 64 voxels or is too thin is left out with a warning.
+    A shape takes half a second. Shapes of fewer than 64 voxels, or too thin, are skipped with a warning.
     """
     ...
 
 def diffuse_heat(image: Image, *, p: Optional[float]=..., window: Optional[Tuple[float, float]]=..., time_steps: int=..., time_step_length: float=..., tolerance: float=..., method: str=..., conductance: str=..., ignore_spacing: bool=..., until_steady: bool=..., histogram_steps: Sequence[int]=..., snapshot_steps: Sequence[int]=..., snapshot: Optional[Callable[[int, Image], object]]=..., components: bool=..., initial_heat: bool=..., progress: Optional[Callable[[float, str], object]]=...) -> HeatResult:
-    """Cumulative heat diffusion: describes each voxel by the heat it holds after diffusion from all voxels at once.
+    """Cumulative heat diffusion: a shape descriptor of each voxel, its heat after diffusion from all voxels at once.
 
     image: intensities; float32 and C-contiguous ones are read in place. Any spacing.
-    p: steepness, from 0; an edge insulates where the half gradient reaches 1 / p. None: chosen from noise and edges.
-    window: (lower, upper) intensities that count as 0 and 1; None: the least and the greatest.
+    p: steepness, from 0; an edge insulates if the half gradient reaches 1 / p. None: chosen from noise and edges.
+    window: (lower, upper) intensities mapped to 0 and 1; None: minimum and maximum.
     time_steps: at least 1. Few show local shape, many whole objects.
     time_step_length: in (0, 1/12].
     tolerance: bound of the error of the heat, 1e-6 to 1.
@@ -1780,66 +1781,66 @@ def diffuse_heat(image: Image, *, p: Optional[float]=..., window: Optional[Tuple
     until_steady: stops when the heat is steady.
     histogram_steps: ascending steps that become rows of the histogram, see `recorded_steps`.
     snapshot_steps, snapshot: snapshot(step, image) is called with the heat after each of these ascending steps.
-    components: finds components and their converged heat. initial_heat: gives the heat at step 0, too.
+    components: finds components and their converged heat. initial_heat: also returns the heat at step 0.
     progress: called with (share, stage) ten times a second; False, or an exception such as that of Ctrl-C, aborts.
 
-    The heat is the same bytes for any number of threads. Memory: about 8 float32 fields, 13 with a histogram.
+    The heat is byte-identical for any number of threads. Memory: about 8 float32 fields, 13 with a histogram.
     """
     ...
 
 def diffuse_over_surface(mesh: Mesh, values: ArrayLike, time: float, *, progress: Optional[Callable[[float, str], object]]=...) -> NDArray[Any]:
-    """Smooths values over a surface by heat flow of `time` mm^2, from 0; a new array of the shape of `values`.
+    """Smooths values over a surface by heat flow for `time` mm^2, from 0; a new array of the shape of `values`.
 
-    values: n, or n x k in columns. Time goes in two implicit steps: what has the eigenvalue x of the surface is multiplied by
-    (1 + x time / 2)^-2, where the heat equation itself has exp(-x time). For that one use `spectrum`.
+    values: n, or n x k in columns. Two implicit time steps: the component of eigenvalue x is multiplied by
+    (1 + x time / 2)^-2, where the exact factor is exp(-x time). For the exact one use `spectrum`.
 
     progress: called with (share, stage), share from 0 to 1; False, or an exception such as that of Ctrl-C, aborts.
     """
     ...
 
 def diffuse_shapetons(image: Image, *, mask: Optional[Image]=..., p: float=..., window: Optional[Tuple[float, float]]=..., shapetons: Optional[int]=..., distance: float=..., feature_size: Optional[float]=..., time_steps: int=..., direction_sampling: str=..., path_rule: str=..., placement: str=..., seed: int=..., until_steady: bool=..., epsilon: Optional[float]=..., histogram_steps: Sequence[int]=..., progress: Optional[Callable[[float, str], object]]=...) -> ShapetonResult:
-    """Shapeton diffusion: counts the visits of particles that move at random through a volume.
+    """Shapeton diffusion: counts the visits of particles that perform a random walk through a volume.
 
-    image: intensities; float32 and C-contiguous ones are read in place. mask: shapetons start where it is not 0.
-    p: steepness, from 0. window: (lower, upper) intensities that count as 0 and 1; None: the least and the greatest.
-    shapetons: how many; None: 65000, or as many as feature_size asks for.
-    distance: length of a step in (0, 1], in units of the longest side of the volume.
-    feature_size: mm; chooses distance, and shapetons where they are None.
+    image: intensities; float32 and C-contiguous ones are read in place. mask: shapetons start where it is nonzero.
+    p: steepness, from 0. window: (lower, upper) intensities mapped to 0 and 1; None: minimum and maximum.
+    shapetons: their number; None: 65000, or chosen from feature_size.
+    distance: step length in (0, 1], in units of the longest side of the volume.
+    feature_size: mm; sets distance, and shapetons, if these are None.
     time_steps: at least 1.
     direction_sampling: "solidAngle", "sectorArea" or "uniform". path_rule: "endpoint" or "traversal".
-    placement: "uniform" or "initialHeat". seed: the same gives the same visits.
+    placement: "uniform" or "initialHeat". seed: the same seed gives the same visits.
     until_steady: stops when the density changes by less than epsilon (3.10); None: chosen from the run.
     histogram_steps: ascending steps, from 1, that become rows of the histogram.
     progress: called with (share, stage) ten times a second; False, or an exception such as that of Ctrl-C, aborts.
 
-    The visits are the same bytes for any number of threads.
+    The visits are byte-identical for any number of threads.
     """
     ...
 
 def edge_lengths(mesh: Mesh) -> NDArray[Any]:
-    """The straight lengths of the edges in the order of `surface_edges`, e values; mm."""
+    """Euclidean edge lengths in the order of `surface_edges`, e values; mm."""
     ...
 
 def embed_graph(graph: Graph, *, genus: Optional[int]=..., rotation: Optional[Sequence[Sequence[int]]]=..., seed: int=..., augmentation: str=..., infinity: str=..., progress: Optional[Callable[[float, str], object]]=...) -> EmbeddingCertificate:
-    """Embeds a graph without crossings by a circle packing, found by discrete Ricci flow.
+    """Embeds a graph without crossings by a circle packing computed with discrete Ricci flow.
 
-    genus: of the surface: 0 sphere, 1 flat torus, from 2 hyperbolic; None: the smallest that is found.
-    rotation: for each node the half-edges that leave it, counterclockwise, in place of a search.
-    seed: of the search. augmentation: "ring" adds dummies where no packing exists, "none" does not.
-    infinity: "circle" or "edgeNode", of the sphere.
+    genus: of the surface: 0 sphere, 1 flat torus, from 2 hyperbolic; None: the smallest found.
+    rotation: for each node the half-edges that leave it, counterclockwise; replaces the search.
+    seed: of the search. augmentation: "ring" adds dummy nodes if no packing exists, "none" does not.
+    infinity: "circle" or "edgeNode", on the sphere.
     progress: called with (share, stage), share from 0 to 1; False, or an exception such as that of Ctrl-C, aborts.
     """
     ...
 
 def enclosed_volume(mesh: Mesh) -> float:
-    """mm^3, of a closed oriented surface; negative where its faces look inwards."""
+    """mm^3, of a closed oriented surface; negative if its faces are oriented inwards."""
     ...
 
 def find_candidates(wall: Mesh, lumen: Image, *, centreline: Optional[Union[Curves, NDArray[Any]]]=..., ct: Optional[Image]=..., flat: FlatColon=..., segments: Optional[Mesh]=..., catheter: Optional[Union[Curves, NDArray[Any]]]=..., preset: str=..., sensitivity: float=..., progress: Optional[Callable[[float, str], object]]=...) -> List[PolypCandidate]:
-    """Polyp candidates on the wall of a colon, by falling score. For research use; a candidate is no finding.
+    """Polyp candidates on the wall of a colon, by descending score. For research use; not clinical findings.
 
-    wall: of full resolution, without handles (`ColonWall.repaired`). lumen: uint8, not 0, on the grid of the CT.
-    What else is known tells more about a candidate: centreline (with the valve), ct (HU, cleansed), flat (FlatColon),
+    wall: full resolution, without handles (`ColonWall.repaired`). lumen: uint8, nonzero, on the grid of the CT.
+    Optional inputs add information to a candidate: centreline (with the valve), ct (HU, cleansed), flat (FlatColon),
     segments (`ColonLandmarks.segments`), catheter (`ColonLumen.catheter`).
     preset: "default" or "published". sensitivity: 0 to 1.
     progress: called with (share, stage), share from 0 to 1; False, or an exception such as that of Ctrl-C, aborts.
@@ -1850,51 +1851,51 @@ def find_folds(flat: FlatColon, *, scheme: str=..., minimum_length: float=..., m
     """Haustral folds on the flat wall of a colon.
 
     scheme: "graphCut" or "published". minimum_length: mm; minimum_area: mm^2; minimum_elongation: long over short axis;
-    minimum_angle: against the tube, degrees. smoothing_time: of the curvature, mm^2. smoothness: cost of outline.
-    taeniae: Curves on the wall along which folds that have grown together are split.
+    minimum_angle: against the tube, degrees. smoothing_time: of the curvature, mm^2. smoothness: cost of the outline.
+    taeniae: Curves on the wall along which merged folds are split.
     progress: called with (share, stage), share from 0 to 1; False, or an exception such as that of Ctrl-C, aborts.
     """
     ...
 
 def find_in_other_position(map: Mesh, candidates: Sequence[PolypCandidate], others: Sequence[PolypCandidate], *, confidence: Optional[float]=...) -> List[PolypCandidate]:
-    """The candidates with `other` set, by a map of `Registration`.
+    """The candidates with `other` set, from a map of `Registration`.
 
-    map: `Registration.supine_to_prone`, where the candidates are supine. others: the candidates of the other position.
-    confidence: that of the registration, 0 to 1; where given, scores are weighed by what is seen there: a polyp stays where
-    it is, most stool moves.
+    map: `Registration.supine_to_prone` if the candidates are supine. others: the candidates of the other position.
+    confidence: that of the registration, 0 to 1. If given, scores are weighted by the other position: polyps stay in
+    place, most stool moves.
     """
     ...
 
 def find_landmarks(flat: FlatColon, centreline: Union[Curves, NDArray[Any]], *, flexure_rule: str=..., taenia_rule: str=..., markers: ArrayLike=..., progress: Optional[Callable[[float, str], object]]=...) -> ColonLandmarks:
     """Flexures, segments, folds on the surface and taeniae of a flat colon.
 
-    flat: FlatColon. centreline: as `trace_centreline` gives it. flexure_rule: "ordered" or "published". taenia_rule: "joint"
-    or "published". markers: k x 3, LPS mm: points on taeniae that a person has marked.
+    flat: FlatColon. centreline: from `trace_centreline`. flexure_rule: "ordered" or "published". taenia_rule: "joint" or
+    "published". markers: k x 3, LPS mm: points on taeniae placed by a person.
     progress: called with (share, stage), share from 0 to 1; False, or an exception such as that of Ctrl-C, aborts.
 
-    A landmark that is not found is no exception: it is absent and `warnings` say why.
+    A landmark that is not found does not raise an exception: it is absent, and `warnings` give the reason.
     """
     ...
 
 def find_shape(signature: ShapeSignature, entries: Sequence[NamedShape], nearest: int=...) -> ShapeSearchResult:
-    """Looks a signature up among entries, a list of NamedShape; `nearest` neighbours at most."""
+    """Searches a signature in a list of NamedShape; returns at most `nearest` neighbors."""
     ...
 
 def find_valve(labels: Image, centreline: Union[Curves, NDArray[Any]], ct: Optional[Image]=...) -> Tuple[Optional[IleocaecalValve], str]:
-    """The ileocaecal valve: (IleocaecalValve or None, why it was not found).
+    """The ileocecal valve: (IleocaecalValve or None, reason why it was not found).
 
-    labels: the lumen, not 0. centreline: as `trace_centreline` gives it. ct: HU on the same grid; None: by shape alone.
+    labels: nonzero in the lumen. centreline: from `trace_centreline`. ct: HU on the same grid; None: shape only.
     """
     ...
 
 def flatten_tube(mesh: Mesh, centreline: Optional[Union[Curves, NDArray[Any]]]=..., *, metric: str=..., time: float=..., eigenpairs: int=..., remove_handles: bool=..., method: str=..., cut: Optional[Union[Curves, NDArray[Any]]]=..., progress: Optional[Callable[[float, str], object]]=...) -> ColonFlattening:
     """Maps a tube, such as the wall of a colon, conformally to a rectangle.
 
-    mesh: one manifold, oriented component with two boundary loops. centreline: from the rectum to the caecum; tells the
-    rectum where the surface does not name it.
-    metric: "heatDiffusion", "euclidean" or "truncatedHeatDiffusion". time: of diffusion, mm^2; 0: one that suits the mesh.
-    eigenpairs: of truncatedHeatDiffusion. remove_handles: finds handles and cuts them out.
-    method: "conjugate" or "published". cut: a curve near which the tube is cut, Curves or k x 3; None: a path is found.
+    mesh: one manifold, oriented component with two boundary loops. centreline: from the rectum to the cecum; locates the
+    rectum if the surface does not name it.
+    metric: "heatDiffusion", "euclidean" or "truncatedHeatDiffusion". time: diffusion time, mm^2; 0: chosen for the mesh.
+    eigenpairs: for truncatedHeatDiffusion. remove_handles: finds and cuts handles.
+    method: "conjugate" or "published". cut: a curve near which the tube is cut, Curves or k x 3; None: computed.
     progress: called with (share, stage), share from 0 to 1; False, or an exception such as that of Ctrl-C, aborts.
     """
     ...
@@ -1904,31 +1905,31 @@ def grid_graph(columns: int, rows: int) -> Graph:
     ...
 
 def heat_diffusion_metric(mesh: Mesh, time: Optional[float]=..., *, pairs: Optional[int]=..., progress: Optional[Callable[[float, str], object]]=...) -> HeatDiffusionMetric:
-    """The heat diffusion distances of the ends of all edges, as new lengths of edges.
+    """The heat diffusion distances along all edges, as new edge lengths.
 
-    mesh: one manifold component. time: of diffusion, mm^2; None: 8 times the square of the mean edge at 55,000 faces.
-    pairs: takes so many eigenpairs alone, as published; None: all of them, without computing any.
+    mesh: one manifold component. time: diffusion time, mm^2; None: 8 times the squared mean edge length at 55,000 faces.
+    pairs: uses only this number of eigenpairs, as published; None: all of them, without computing any.
     progress: called with (share, stage), share from 0 to 1; False, or an exception such as that of Ctrl-C, aborts.
     """
     ...
 
 def heat_histogram(heats: Sequence[Image], time_steps: Sequence[int]) -> HeatHistogram:
-    """The histogram of heats that exist already, one row for each; time_steps ascend."""
+    """The histogram of given heat images, one row each; time_steps must be ascending."""
     ...
 
 def hypercube_graph(dimension: int) -> Graph:
-    """2^dimension nodes; those that differ in one bit are joined."""
+    """The hypercube graph with 2^dimension nodes; nodes that differ in one bit are adjacent."""
     ...
 
 def implied_category(candidates: Sequence[PolypCandidate]) -> str:
-    """What the sizes of the candidates alone would imply by C-RADS, in words."""
+    """C-RADS category implied by the candidate sizes alone, in words."""
     ...
 
 def inspect_surface(mesh: Mesh) -> Dict[str, Any]:
-    """Topology, measures and defects of a surface, as a dictionary with the keys that SurfaceInspector writes.
+    """Topology, measures and defects of a surface, as a dictionary with the keys of SurfaceInspector.
 
     vertices, edges, faces, eulerCharacteristic, genus (None: not defined), manifold, closed, oriented, area (mm^2), volume
-    (mm^3; None of an open one), extent, components, boundaryLoops, edgeLength, smallestAngle (degrees), defects, ...
+    (mm^3; None if open), extent, components, boundaryLoops, edgeLength, smallestAngle (degrees), defects, ...
     """
     ...
 
@@ -1940,7 +1941,7 @@ def list_series(path: Union[str, os.PathLike[str]], *, progress: Optional[Callab
     ...
 
 def measure_distension(centreline: Union[Curves, NDArray[Any]]) -> List[SegmentDistension]:
-    """How far each segment is distended, by customary shares of the length."""
+    """Distension of each segment, with segments delimited by standard fractions of the length."""
     ...
 
 def read_certificate(path: Union[str, os.PathLike[str]]) -> EmbeddingCertificate:
@@ -1948,7 +1949,7 @@ def read_certificate(path: Union[str, os.PathLike[str]]) -> EmbeddingCertificate
     ...
 
 def read_curves(path: Union[str, os.PathLike[str]]) -> Curves:
-    """Reads the lines and points of a VTP file, such as a centreline."""
+    """Reads the lines and points of a VTP file, such as a centerline."""
     ...
 
 def read_graph(path: Union[str, os.PathLike[str]]) -> Graph:
@@ -1956,11 +1957,11 @@ def read_graph(path: Union[str, os.PathLike[str]]) -> Graph:
     ...
 
 def read_position(folder: Union[str, os.PathLike[str]], name: str) -> ColonPosition:
-    """Reads a ColonPosition from a folder that VirtualColonoscopy has written."""
+    """Reads a ColonPosition from a folder written by VirtualColonoscopy."""
     ...
 
 def read_shape_database(path: Union[str, os.PathLike[str]]) -> List[NamedShape]:
-    """All shapes of an SQLite file of the tool ShapeSearch, in the order in which they were added."""
+    """All shapes of an SQLite file of the tool ShapeSearch, in the order of insertion."""
     ...
 
 def read_shape_table(path: Union[str, os.PathLike[str]]) -> ShapeTable:
@@ -1970,28 +1971,28 @@ def read_shape_table(path: Union[str, os.PathLike[str]]) -> ShapeTable:
 def read_surface(path: Union[str, os.PathLike[str]], *, part: str=..., component: int=..., unit: str=..., any_extent: bool=..., repair: bool=...) -> Mesh:
     """Reads VTP, STL, OBJ, PLY, OFF, glTF or GLB; LPS, mm.
 
-    part: the name of a part of the file; "" for all. component: from 1, by number of faces; 0: there must be one; -1: all.
-    unit: "m", "mm" or "um" in place of that of the format; then any extent is taken. any_extent: takes a surface that is not
-    between 5 mm and 5 m wide, with a note. repair: mends what `repair_surface` mends.
+    part: name of a part of the file; "" for all. component: from 1, by number of faces; 0: there must be one; -1: all.
+    unit: "m", "mm" or "um", overrides that of the format and accepts any extent. any_extent: accepts a surface that is not
+    between 5 mm and 5 m wide, with a note. repair: repairs as `repair_surface` does.
 
-    What was changed or doubtful is in the `notes` of the mesh.
+    Repairs and doubts are in the `notes` of the mesh.
     """
     ...
 
 def read_volume(path: Union[str, os.PathLike[str]], *, series_uid: str=..., resample_gaps: bool=..., deshear: bool=..., drop_duplicates: bool=..., allow_single_slice: bool=..., progress: Optional[Callable[[float, str], object]]=...) -> Image:
     """Reads a folder of DICOM slices, a DICOM file, or a NRRD, NIfTI or MetaImage file.
 
-    An irregular series is refused with InputError that names the defect, unless its repair is allowed:
+    An irregular series raises InputError with the name of the defect, unless its repair is allowed:
 
-    series_uid: which series to take where the folder holds several (`DicomSeries.selector`).
+    series_uid: selects a series if the folder holds several (`DicomSeries.selector`).
     resample_gaps: fills gaps and uneven spacing by interpolation between slices.
     deshear: resamples a tilted volume onto perpendicular axes.
     drop_duplicates: keeps the first of several slices at one position.
-    allow_single_slice: takes one slice as a volume.
-    progress: of DICOM slices, called with (share, stage); False, or an exception such as that of Ctrl-C, aborts.
+    allow_single_slice: accepts a single slice as a volume.
+    progress: for DICOM slices, called with (share, stage); False, or an exception such as that of Ctrl-C, aborts.
 
-    The image holds float32, rescaled: Hounsfield units for CT. Its `facts` tell modality, patient_position, series_uid,
-    identity, repairs, notes. A file of another format is read in one piece, which Ctrl-C waits for.
+    The image holds float32, rescaled: Hounsfield units for CT. Its `facts` hold modality, patient_position, series_uid,
+    identity, repairs, notes. Files of other formats are read in one piece, for which Ctrl-C waits.
     """
     ...
 
@@ -2002,58 +2003,58 @@ def recorded_steps(last: int, number: int, spacing: str=...) -> List[int]:
 def register_positions(supine: ColonPosition, prone: ColonPosition, *, map: str=..., matching: str=..., refine: bool=..., segment_wise: bool=..., progress: Optional[Callable[[float, str], object]]=...) -> Registration:
     """A one-to-one map between the walls of a colon in two positions.
 
-    map: "default" or "published". matching: of folds, "hungarian" or "dualDecomposition". refine: by the curvature of the
-    wall itself. segment_wise: folds keep to their segment.
+    map: "default" or "published". matching: of folds, "hungarian" or "dualDecomposition". refine: by the wall curvature.
+    segment_wise: folds stay within their segment.
     progress: called with (share, stage), share from 0 to 1; False, or an exception such as that of Ctrl-C, aborts.
     """
     ...
 
 def remesh_surface(mesh: Mesh, edge_length: float, *, iterations: int=..., progress: Optional[Callable[[float, str], object]]=...) -> Mesh:
-    """A surface of nearly equilateral triangles with edges of this length (mm). Its arrays are left out."""
+    """A surface of nearly equilateral triangles with this edge length (mm). Its arrays are dropped."""
     ...
 
 def repair_surface(mesh: Mesh, *, merge_distance: float=..., merge_vertices: bool=..., orient: bool=..., split: bool=...) -> Tuple[Mesh, List[str]]:
-    """A manifold, consistently oriented surface of the same faces: (mesh, what was done in words).
+    """A manifold, consistently oriented surface of the same faces: (mesh, repairs in words).
 
-    merge_vertices: merges vertices nearer than merge_distance (mm; 0: at one position). orient: turns faces so that
-    neighbours agree. split: cuts where the surface is not manifold.
+    merge_vertices: merges vertices closer than merge_distance (mm; 0: coincident). orient: flips faces so that neighbors
+    agree. split: cuts the surface where it is not manifold.
     """
     ...
 
 def seeds_of_classes(classes: Image, *, chosen: Sequence[int]=..., components: int=...) -> Image:
-    """Seeds from classes, such as those of `classify_heat`; one voxel off the borders of each.
+    """Seeds from classes, such as those of `classify_heat`, eroded by one voxel.
 
-    classes: whole numbers. chosen: which ones; none: all but 0. components: 0: one label for each class; else so many of
-    the largest components of each, of a label each. Labels count from 1 in the order of the classes.
+    classes: integers. chosen: the classes to use; none: all but 0. components: 0: one label per class; otherwise one label
+    for each of this number of largest components per class. Labels count from 1 in the order of the classes.
     """
     ...
 
 def segment_lumen(ct: Image, *, patient_position: str=..., seed_points: ArrayLike=..., progress: Optional[Callable[[float, str], object]]=...) -> ColonLumen:
-    """Finds gas and tagged fluid of the colon in a CT colonography, without seeds.
+    """Segments gas and tagged fluid of the colon in a CT colonography, without seeds.
 
     ct: Hounsfield units; any axes, spacing about 0.5 to 3 mm. patient_position: "HFS", "HFP", ..., "supine", "prone",
     "leftDecubitus", "rightDecubitus"; "": gravity is inferred from fluid levels.
-    seed_points: k x 3, LPS mm; the pieces of gas or fluid that hold them are colon.
+    seed_points: k x 3, LPS mm; the pieces of gas or fluid that contain them are colon.
     """
     ...
 
 def set_threads(number: int) -> None:
-    """Sets how many threads all functions of this process use; results do not depend on it."""
+    """Sets the number of threads of all functions of this process; results do not depend on it."""
     ...
 
 def signature_distance(a: ShapeSignature, b: ShapeSignature) -> float:
-    """How much two signatures differ, from 0; copies of one shape are about 1 apart. Volume takes no part."""
+    """Distance of two signatures, at least 0; copies of one shape are about 1 apart. The volume is ignored."""
     ...
 
 def simplify_surface(mesh: Mesh, faces: int, *, smallest_angle: float=..., boundary_weight: float=..., progress: Optional[Callable[[float, str], object]]=...) -> Mesh:
-    """A surface of at most so many faces with the same topology, by edge collapses. Its arrays are left out.
+    """A surface with at most this number of faces and the same topology, by edge collapses. Arrays are dropped.
 
-    smallest_angle: degrees, 0 to 30; no collapse makes a smaller one. boundary_weight: of boundary edges against faces.
+    smallest_angle: degrees, 0 to 30; none becomes smaller. boundary_weight: of boundary edges against faces.
     """
     ...
 
 def spectrum(mesh: Mesh, pairs: int=..., *, progress: Optional[Callable[[float, str], object]]=...) -> SurfaceSpectrum:
-    """The `pairs` smallest eigenpairs of the Laplacian of a surface that is one manifold component.
+    """The `pairs` smallest eigenpairs of the Laplacian of a surface with one manifold component.
 
     progress: called with (share, stage), share from 0 to 1; False, or an exception such as that of Ctrl-C, aborts.
     """
@@ -2071,40 +2072,40 @@ def surface_area(mesh: Mesh) -> float:
     ...
 
 def surface_edges(mesh: Mesh) -> NDArray[Any]:
-    """The edges of a surface, e x 2, int32: the lesser vertex first, in their order."""
+    """The edges of a surface, e x 2, int32: the smaller vertex first, sorted."""
     ...
 
 def threads() -> int:
-    """How many threads the functions of this process use."""
+    """The number of threads of all functions of this process."""
     ...
 
 def torus_grid(columns: int, rows: int, diagonals: bool=...) -> Tuple[Graph, List[List[int]]]:
-    """The grid that closes in both directions, drawn on the torus: (Graph, rotation), see `embed_graph`."""
+    """The grid with periodic boundaries, embedded on the torus: (Graph, rotation), see `embed_graph`."""
     ...
 
 def trace_centreline(lumen: Image, *, start: Optional[ArrayLike]=..., seed_points: ArrayLike=..., exponent: int=..., minimum_volume: float=..., step: float=..., smoothing: float=..., progress: Optional[Callable[[float, str], object]]=...) -> ColonCentreline:
-    """The centreline of the colon from a mask of its lumen (uint8, not 0).
+    """The centerline of the colon from a mask of its lumen (uint8, nonzero).
 
-    start: where it begins in the rectum, LPS mm; None: found. seed_points: k x 3, LPS mm; pieces next to them are used.
+    start: start point in the rectum, LPS mm; None: detected. seed_points: k x 3, LPS mm; pieces next to them are used.
     exponent: one mm of path costs 1 / (distance to the wall)^exponent. minimum_volume: of a piece of lumen, ml.
-    step: between points of the line, mm. smoothing: standard deviation along the line, mm.
+    step: spacing of the points, mm. smoothing: standard deviation along the line, mm.
     """
     ...
 
 def verify_embedding(certificate: EmbeddingCertificate) -> EmbeddingVerdict:
-    """Proves from its numbers alone that no two edges of an embedding cross, or tells what fails."""
+    """Proves from the numbers of an embedding that no two edges cross, or reports which condition fails."""
     ...
 
 def visit_density(visits: Image) -> Image:
-    """Visits over the greatest number of visits: float32 in [0, 1]."""
+    """Visits divided by their maximum: float32 in [0, 1]."""
     ...
 
 def write_certificate(certificate: EmbeddingCertificate, path: Union[str, os.PathLike[str]]) -> None:
-    """Writes a certificate as JSON; numbers read back as they were."""
+    """Writes a certificate as JSON without loss of precision."""
     ...
 
 def write_curves(curves: Union[Curves, NDArray[Any]], path: Union[str, os.PathLike[str]]) -> None:
-    """Writes curves as VTP with their arrays and facts; equal curves give equal bytes."""
+    """Writes curves as VTP with their arrays and facts; equal curves give byte-identical files."""
     ...
 
 def write_graph(graph: Graph, path: Union[str, os.PathLike[str]]) -> None:
@@ -2116,14 +2117,14 @@ def write_shape_table(table: ShapeTable, path: Union[str, os.PathLike[str]]) -> 
     ...
 
 def write_surface(mesh: Mesh, path: Union[str, os.PathLike[str]]) -> None:
-    """Writes VTP (all arrays and facts), STL, PLY or OBJ by the extension; equal surfaces give equal bytes."""
+    """Writes VTP (all arrays and facts), STL, PLY or OBJ by extension; equal surfaces give byte-identical files."""
     ...
 
 def write_volume(image: Image, path: Union[str, os.PathLike[str]], metadata: Sequence[Tuple[str, str]]=...) -> None:
     """Writes NRRD (.nrrd), NIfTI (.nii, .nii.gz) or MetaImage (.mha), as the tools do.
 
-    float32, int16, uint8, uint16 and uint32 are written as they are, bool as uint8, float64 as float32 where that rounds no
-    voxel; ParameterError otherwise and for other types, so that a file always holds the values of the image. metadata: pairs
-    of texts for the header of NRRD and MetaImage.
+    float32, int16, uint8, uint16 and uint32 are written unchanged, bool as uint8, float64 as float32 if that rounds no
+    voxel; otherwise, and for other types, ParameterError is raised, so that a file always holds the values of the image.
+    metadata: pairs of texts for the header of NRRD and MetaImage.
     """
     ...

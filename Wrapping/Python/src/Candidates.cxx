@@ -55,38 +55,39 @@ InOtherPosition(const SurfaceMesh &           map,
 void
 AddCandidate(py::module_ & module)
 {
-  py::class_<PolypInOtherPosition>(module, "PolypInOtherPosition", "Where a candidate lies in the other position.")
-    .def_readonly("point", &PolypInOtherPosition::point, "On the other wall; LPS, mm.")
-    .def_readonly("distance", &PolypInOtherPosition::distance, "To the candidate there that is most alike, mm.")
-    .def_readonly("candidate", &PolypInOtherPosition::candidate, "Its number; 0 for none.")
-    .def_readonly("likeness", &PolypInOtherPosition::likeness, "0 to 1: of place, width and score.")
-    .def_readonly("own_score", &PolypInOtherPosition::ownScore, "The score before it was weighed; else NaN.")
-    .def_readonly("is_seen", &PolypInOtherPosition::isSeen, "A candidate there is alike.")
-    .def_readonly("is_excluded", &PolypInOtherPosition::isExcluded, "Nothing can be said there.")
-    .def_readonly("confidence", &PolypInOtherPosition::confidence, "Of the registration, 0 to 1.");
+  py::class_<PolypInOtherPosition>(
+    module, "PolypInOtherPosition", "Position of a candidate in the other position of the patient.")
+    .def_readonly("point", &PolypInOtherPosition::point, "Point on the other wall; LPS, mm.")
+    .def_readonly("distance", &PolypInOtherPosition::distance, "Distance to the most similar candidate there, mm.")
+    .def_readonly("candidate", &PolypInOtherPosition::candidate, "Number of that candidate; 0 for none.")
+    .def_readonly("likeness", &PolypInOtherPosition::likeness, "Similarity of location, width and score, 0 to 1.")
+    .def_readonly("own_score", &PolypInOtherPosition::ownScore, "Score before weighting; otherwise NaN.")
+    .def_readonly("is_seen", &PolypInOtherPosition::isSeen, "Whether a similar candidate was found there.")
+    .def_readonly("is_excluded", &PolypInOtherPosition::isExcluded, "Whether the wall there cannot be assessed.")
+    .def_readonly("confidence", &PolypInOtherPosition::confidence, "Confidence of the registration, 0 to 1.");
 
-  py::class_<PolypCandidate>(module, "PolypCandidate", "A place of the wall that looks like a polyp; no finding.")
-    .def_readonly("number", &PolypCandidate::number, "From 1, by falling score.")
-    .def_readonly("score", &PolypCandidate::score, "0 to 1, of shape and tissue.")
-    .def_readonly("shape_score", &PolypCandidate::shapeScore, "0 to 1, of the shape alone.")
-    .def_readonly("position", &PolypCandidate::position, "The middle of the head; LPS, mm.")
-    .def_readonly("apex", &PolypCandidate::apex, "Where it stands out farthest; LPS, mm.")
+  py::class_<PolypCandidate>(module, "PolypCandidate", "A polyp-like location on the wall; not a clinical finding.")
+    .def_readonly("number", &PolypCandidate::number, "Rank by descending score, from 1.")
+    .def_readonly("score", &PolypCandidate::score, "Score of shape and tissue, 0 to 1.")
+    .def_readonly("shape_score", &PolypCandidate::shapeScore, "Score of the shape only, 0 to 1.")
+    .def_readonly("position", &PolypCandidate::position, "Center of the head; LPS, mm.")
+    .def_readonly("apex", &PolypCandidate::apex, "Most protruding point; LPS, mm.")
     .def_readonly("axis", &PolypCandidate::axis, "Unit vector from the wall into the lumen.")
-    .def_readonly("vertices", &PolypCandidate::vertices, "Of the wall, that the head is made of.")
-    .def_readonly("diameter", &PolypCandidate::diameter, "The largest width, mm.")
-    .def_readonly("least_diameter", &PolypCandidate::leastDiameter, "The smallest width, mm.")
-    .def_readonly("height", &PolypCandidate::height, "Above a ring around it, mm.")
-    .def_readonly("arc_length", &PolypCandidate::arcLength, "mm along the centreline; NaN where not known.")
+    .def_readonly("vertices", &PolypCandidate::vertices, "Wall vertices of the head.")
+    .def_readonly("diameter", &PolypCandidate::diameter, "Largest width, mm.")
+    .def_readonly("least_diameter", &PolypCandidate::leastDiameter, "Smallest width, mm.")
+    .def_readonly("height", &PolypCandidate::height, "Height above the surrounding ring, mm.")
+    .def_readonly("arc_length", &PolypCandidate::arcLength, "mm along the centerline; NaN if unknown.")
     .def_readonly("segment", &PolypCandidate::segment, "1 rectum to 6 caecum; 0 unknown.")
-    .def_readonly("uv", &PolypCandidate::uv, "On the flat map, mm; NaN where there is none.")
+    .def_readonly("uv", &PolypCandidate::uv, "Position on the flat map, mm; NaN without one.")
     .def_readonly("attenuation", &PolypCandidate::attenuation, "Median HU inside; NaN without a CT.")
     .def_property_readonly(
       "tissue", [](const PolypCandidate & c) { return NameOf(c.tissue); }, "For example \"soft tissue\".")
     .def_property_readonly(
       "size", [](const PolypCandidate & c) { return NameOf(SizeOf(c.diameter)); }, "For example \"6-9 mm\".")
-    .def_readonly("submerged_share", &PolypCandidate::submergedShare, "Under tagged fluid, 0 to 1.")
-    .def_readonly("remark", &PolypCandidate::remark, "For example \"the ileocaecal valve\"; else empty.")
-    .def_readonly("other", &PolypCandidate::other, "In the other position; None unless it was sought.");
+    .def_readonly("submerged_share", &PolypCandidate::submergedShare, "Fraction covered by tagged fluid, 0 to 1.")
+    .def_readonly("remark", &PolypCandidate::remark, "For example \"the ileocaecal valve\"; otherwise empty.")
+    .def_readonly("other", &PolypCandidate::other, "Result in the other position; None if it was not searched.");
 }
 } // namespace
 
@@ -108,10 +109,10 @@ AddCandidates(py::module_ & module)
              "sensitivity"_a = PolypSearchOptions().sensitivity,
              "progress"_a = py::none(),
              ReleaseGil(),
-             R"(Polyp candidates on the wall of a colon, by falling score. For research use; a candidate is no finding.
+             R"(Polyp candidates on the wall of a colon, by descending score. For research use; not clinical findings.
 
-wall: of full resolution, without handles (`ColonWall.repaired`). lumen: uint8, not 0, on the grid of the CT.
-What else is known tells more about a candidate: centreline (with the valve), ct (HU, cleansed), flat (FlatColon),
+wall: full resolution, without handles (`ColonWall.repaired`). lumen: uint8, nonzero, on the grid of the CT.
+Optional inputs add information to a candidate: centreline (with the valve), ct (HU, cleansed), flat (FlatColon),
 segments (`ColonLandmarks.segments`), catheter (`ColonLumen.catheter`).
 preset: "default" or "published". sensitivity: 0 to 1.
 progress: called with (share, stage), share from 0 to 1; False, or an exception such as that of Ctrl-C, aborts.)");
@@ -123,14 +124,14 @@ progress: called with (share, stage), share from 0 to 1; False, or an exception 
              py::kw_only(),
              "confidence"_a = py::none(),
              ReleaseGil(),
-             R"(The candidates with `other` set, by a map of `Registration`.
+             R"(The candidates with `other` set, from a map of `Registration`.
 
-map: `Registration.supine_to_prone`, where the candidates are supine. others: the candidates of the other position.
-confidence: that of the registration, 0 to 1; where given, scores are weighed by what is seen there: a polyp stays where
-it is, most stool moves.)");
+map: `Registration.supine_to_prone` if the candidates are supine. others: the candidates of the other position.
+confidence: that of the registration, 0 to 1. If given, scores are weighted by the other position: polyps stay in
+place, most stool moves.)");
   module.def("implied_category",
              &CategoryImplied,
              "candidates"_a,
-             "What the sizes of the candidates alone would imply by C-RADS, in words.");
+             "C-RADS category implied by the candidate sizes alone, in words.");
 }
 } // namespace shapeton::python

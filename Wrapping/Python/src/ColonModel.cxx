@@ -136,28 +136,30 @@ CatheterOf(const ColonLumen & lumen)
 void
 AddLumen(py::module_ & module)
 {
-  py::class_<ColonThresholds>(module, "ColonThresholds", "Intensities in HU, all from the data.")
+  py::class_<ColonThresholds>(module, "ColonThresholds", "Intensities in HU, all estimated from the data.")
     .def_readonly("gas", &ColonThresholds::gas, "Typical gas inside the body.")
     .def_readonly("tissue", &ColonThresholds::tissue, "Typical soft tissue.")
-    .def_readonly("gas_boundary", &ColonThresholds::gasBoundary, "Half-height between them: where the wall begins.")
-    .def_readonly("fluid", &ColonThresholds::fluid, "Mode of tagged fluid; 0 where there is none.")
+    .def_readonly("gas_boundary", &ColonThresholds::gasBoundary, "Half-height between them: the boundary of the wall.")
+    .def_readonly("fluid", &ColonThresholds::fluid, "Mode of tagged fluid; 0 without fluid.")
     .def_readonly("fluid_boundary", &ColonThresholds::fluidBoundary, "Half-height between tissue and fluid.");
 
   py::class_<ColonLumen>(module, "ColonLumen", "What `segment_lumen` finds.")
-    .def_readonly("labels", &ColonLumen::labels, "uint8: 1 gas, 2 fluid, 0 anything else.")
-    .def_readonly("gravity", &ColonLumen::gravity, "Unit vector, LPS.")
+    .def_readonly("labels", &ColonLumen::labels, "uint8: 1 gas, 2 fluid, 0 otherwise.")
+    .def_readonly("gravity", &ColonLumen::gravity, "Unit vector of gravity, LPS.")
     .def_readonly("thresholds", &ColonLumen::thresholds, "HU.")
     .def_readonly("noise", &ColonLumen::noise, "Standard deviation in soft tissue, HU.")
-    .def_readonly("is_tagged", &ColonLumen::isTagged, "Fluid brighter than tissue lies under the colon's gas.")
-    .def_property_readonly("catheter", &CatheterOf, "The axis of a rectal catheter as Curves; None where none is sure.")
-    .def_readonly("warnings", &ColonLumen::warnings, "What is missing or doubtful, a line for each.")
-    .def_readonly("failure", &ColonLumen::failure, "Why this is no usable colon; else empty.");
+    .def_readonly(
+      "is_tagged", &ColonLumen::isTagged, "Whether fluid brighter than tissue was found below the gas of the colon.")
+    .def_property_readonly(
+      "catheter", &CatheterOf, "Axis of a rectal catheter as Curves; None unless one was found with certainty.")
+    .def_readonly("warnings", &ColonLumen::warnings, "Missing or doubtful results, one per line.")
+    .def_readonly("failure", &ColonLumen::failure, "Why the colon is not usable; otherwise empty.");
 
   py::class_<CleansedColon>(module, "CleansedColon", "What `cleanse` gives.")
-    .def_readonly("ct", &CleansedColon::ct, "float32, HU: the CT with gas in place of fluid.")
+    .def_readonly("ct", &CleansedColon::ct, "float32, HU: the CT with fluid replaced by gas.")
     .def_readonly("occupancy",
                   &CleansedColon::occupancy,
-                  "float32, 0 to 1, cropped: share of lumen in each voxel; the wall is where it is 0.5.");
+                  "float32, 0 to 1, cropped: lumen fraction of each voxel; the wall is the 0.5 isosurface.");
 
   module.def("segment_lumen",
              Reporting(&Segment),
@@ -167,11 +169,11 @@ AddLumen(py::module_ & module)
              "seed_points"_a = Places(),
              "progress"_a = py::none(),
              ReleaseGil(),
-             R"(Finds gas and tagged fluid of the colon in a CT colonography, without seeds.
+             R"(Segments gas and tagged fluid of the colon in a CT colonography, without seeds.
 
 ct: Hounsfield units; any axes, spacing about 0.5 to 3 mm. patient_position: "HFS", "HFP", ..., "supine", "prone",
 "leftDecubitus", "rightDecubitus"; "": gravity is inferred from fluid levels.
-seed_points: k x 3, LPS mm; the pieces of gas or fluid that hold them are colon.)");
+seed_points: k x 3, LPS mm; the pieces of gas or fluid that contain them are colon.)");
   module.def("cleanse",
              Reporting(+[](const CtPointer & ct, const ColonLumen & lumen, const Progress & progress) {
                return CleanseColon(ct, lumen, progress.Part("Cleansing the CT", 0.0, 1.0));
@@ -181,33 +183,34 @@ seed_points: k x 3, LPS mm; the pieces of gas or fluid that hold them are colon.
              py::kw_only(),
              "progress"_a = py::none(),
              ReleaseGil(),
-             "Removes the tagged fluid of a colon from the CT that `lumen` was found in.");
+             "Removes the tagged fluid of a colon from the CT from which `lumen` was segmented.");
 }
 
 void
 AddCentreline(py::module_ & module)
 {
-  py::class_<CentrelineGap>(module, "CentrelineGap", "A stretch without lumen that a centreline bridges.")
-    .def_readonly("begin", &CentrelineGap::begin, "mm along the line.")
-    .def_readonly("end", &CentrelineGap::end, "mm along the line.")
-    .def_readonly("distance", &CentrelineGap::distance, "Straight distance of the ends of the lumen, mm.")
-    .def_readonly("is_doubtful", &CentrelineGap::isDoubtful, "Longer than a collapsed stretch is known to be.");
+  py::class_<CentrelineGap>(module, "CentrelineGap", "A part without lumen that is bridged by the centerline.")
+    .def_readonly("begin", &CentrelineGap::begin, "Begin in mm along the line.")
+    .def_readonly("end", &CentrelineGap::end, "End in mm along the line.")
+    .def_readonly("distance", &CentrelineGap::distance, "Straight distance between the ends of the lumen, mm.")
+    .def_readonly("is_doubtful", &CentrelineGap::isDoubtful, "Whether it is longer than known collapsed segments.");
 
-  py::class_<SegmentDistension>(module, "SegmentDistension", "How far a stretch of the colon is filled.")
-    .def_readonly("name", &SegmentDistension::name, "Of the segment.")
-    .def_readonly("begin", &SegmentDistension::begin, "mm along the centreline.")
-    .def_readonly("end", &SegmentDistension::end, "mm along the centreline.")
-    .def_readonly("share", &SegmentDistension::share, "Of its length with a calibre of at least 10 mm, 0 to 1.")
+  py::class_<SegmentDistension>(module, "SegmentDistension", "Distension of a segment of the colon.")
+    .def_readonly("name", &SegmentDistension::name, "Name of the segment.")
+    .def_readonly("begin", &SegmentDistension::begin, "Begin in mm along the centerline.")
+    .def_readonly("end", &SegmentDistension::end, "End in mm along the centerline.")
+    .def_readonly(
+      "share", &SegmentDistension::share, "Fraction of its length with a diameter of at least 10 mm, 0 to 1.")
     .def_readonly("mean_calibre", &SegmentDistension::meanCalibre, "Mean inner diameter, mm.")
-    .def_readonly("collapsed_length", &SegmentDistension::collapsedLength, "Without lumen, mm.");
+    .def_readonly("collapsed_length", &SegmentDistension::collapsedLength, "Length without lumen, mm.");
 
-  py::class_<ColonCentreline>(module, "ColonCentreline", "The middle line of a colon from the rectum to the caecum.")
+  py::class_<ColonCentreline>(module, "ColonCentreline", "The centerline of a colon from the rectum to the cecum.")
     .def_readonly(
       "curve", &ColonCentreline::curve, "One curve; point arrays arcLength (mm), radius (mm), gap (1 on a bridge).")
     .def_readonly("length", &ColonCentreline::length, "mm.")
-    .def_readonly("gaps", &ColonCentreline::gaps, "Stretches that it bridges.")
-    .def_readonly("coverage", &ColonCentreline::coverage, "Share of the lumen beside the line, 0 to 1.")
-    .def_readonly("warnings", &ColonCentreline::warnings, "What is doubtful, a line for each.");
+    .def_readonly("gaps", &ColonCentreline::gaps, "Bridged gaps.")
+    .def_readonly("coverage", &ColonCentreline::coverage, "Fraction of the lumen along the line, 0 to 1.")
+    .def_readonly("warnings", &ColonCentreline::warnings, "Doubtful results, one per line.");
 
   module.def("trace_centreline",
              Reporting(&Trace),
@@ -221,26 +224,26 @@ AddCentreline(py::module_ & module)
              "smoothing"_a = ColonCentrelineOptions().smoothing,
              "progress"_a = py::none(),
              ReleaseGil(),
-             R"(The centreline of the colon from a mask of its lumen (uint8, not 0).
+             R"(The centerline of the colon from a mask of its lumen (uint8, nonzero).
 
-start: where it begins in the rectum, LPS mm; None: found. seed_points: k x 3, LPS mm; pieces next to them are used.
+start: start point in the rectum, LPS mm; None: detected. seed_points: k x 3, LPS mm; pieces next to them are used.
 exponent: one mm of path costs 1 / (distance to the wall)^exponent. minimum_volume: of a piece of lumen, ml.
-step: between points of the line, mm. smoothing: standard deviation along the line, mm.)");
+step: spacing of the points, mm. smoothing: standard deviation along the line, mm.)");
   module.def(
     "measure_distension",
     [](const CurveSet & centreline) { return MeasureDistension(centreline); },
     "centreline"_a,
-    "How far each segment is distended, by customary shares of the length.");
+    "Distension of each segment, with segments delimited by standard fractions of the length.");
 }
 
 void
 AddValve(py::module_ & module)
 {
-  py::class_<IleocaecalValve>(module, "IleocaecalValve", "Where the terminal ileum opens into a colon.")
+  py::class_<IleocaecalValve>(module, "IleocaecalValve", "The opening of the terminal ileum into the colon.")
     .def_readonly("position", &IleocaecalValve::position, "LPS, mm.")
     .def_readonly("arc_length", &IleocaecalValve::arcLength, "mm along the centreline.")
-    .def_readonly("length", &IleocaecalValve::length, "mm, greatest width.")
-    .def_readonly("width", &IleocaecalValve::width, "mm, least width.")
+    .def_readonly("length", &IleocaecalValve::length, "Greatest width, mm.")
+    .def_readonly("width", &IleocaecalValve::width, "Least width, mm.")
     .def_readonly("attenuation", &IleocaecalValve::attenuation, "Median HU inside; NaN without a CT.")
     .def_readonly("confidence", &IleocaecalValve::confidence, "0 to 1.");
 
@@ -254,24 +257,26 @@ AddValve(py::module_ & module)
     "centreline"_a,
     "ct"_a = py::none(),
     ReleaseGil(),
-    R"(The ileocaecal valve: (IleocaecalValve or None, why it was not found).
+    R"(The ileocecal valve: (IleocaecalValve or None, reason why it was not found).
 
-labels: the lumen, not 0. centreline: as `trace_centreline` gives it. ct: HU on the same grid; None: by shape alone.)");
+labels: nonzero in the lumen. centreline: from `trace_centreline`. ct: HU on the same grid; None: shape only.)");
 }
 
 void
 AddWall(py::module_ & module)
 {
   py::class_<ColonWall>(module, "ColonWall", "The wall of a colon in three forms, each open at rectum and caecum.")
-    .def_readonly("raw", &ColonWall::raw, "With all its handles.")
-    .def_readonly("repaired", &ColonWall::repaired, "Without handles, smoothed.")
-    .def_readonly("simplified", &ColonWall::simplified, "The repaired one with fewer faces.")
+    .def_readonly("raw", &ColonWall::raw, "The extracted surface, with all handles.")
+    .def_readonly("repaired", &ColonWall::repaired, "The surface without handles, smoothed.")
+    .def_readonly("simplified", &ColonWall::simplified, "The repaired surface with fewer faces.")
     .def_property_readonly(
-      "genus_before", [](const ColonWall & wall) { return wall.report.rawGenus; }, "Handles of the raw wall.")
+      "genus_before", [](const ColonWall & wall) { return wall.report.rawGenus; }, "Number of handles of the raw wall.")
     .def_property_readonly(
-      "genus_after", [](const ColonWall & wall) { return wall.report.repairedGenus; }, "Handles of the repaired wall.")
+      "genus_after",
+      [](const ColonWall & wall) { return wall.report.repairedGenus; },
+      "Number of handles of the repaired wall.")
     .def_property_readonly(
-      "warnings", [](const ColonWall & wall) { return wall.report.warnings; }, "What is doubtful, a line for each.");
+      "warnings", [](const ColonWall & wall) { return wall.report.warnings; }, "Doubtful results, one per line.");
 
   const ColonWallOptions defaults;
   module.def("build_wall",
@@ -284,10 +289,10 @@ AddWall(py::module_ & module)
              "keep_pieces"_a = defaults.keepPieces,
              "progress"_a = py::none(),
              ReleaseGil(),
-             R"(The wall as surfaces, from the occupancy that `cleanse` gives.
+             R"(The wall as surfaces, from the occupancy computed by `cleanse`.
 
-centreline: as `trace_centreline` gives it. faces: of the simplified wall; 0: a number that suits it.
-bridge_radius: of tubes through gaps, mm. keep_pieces: leaves the pieces of a broken lumen apart.)");
+centreline: from `trace_centreline`. faces: of the simplified wall; 0: chosen automatically.
+bridge_radius: radius of the tubes through gaps, mm. keep_pieces: keeps the pieces of a broken lumen separate.)");
   module.def("build_wall_of_mask",
              Reporting(&WallOfMask),
              "mask"_a,
@@ -298,7 +303,7 @@ bridge_radius: of tubes through gaps, mm. keep_pieces: leaves the pieces of a br
              "keep_pieces"_a = defaults.keepPieces,
              "progress"_a = py::none(),
              ReleaseGil(),
-             "The wall from a mask of the lumen (uint8, not 0); parameters as those of `build_wall`.");
+             "The wall from a mask of the lumen (uint8, nonzero); parameters as in `build_wall`.");
 }
 
 void
@@ -306,16 +311,14 @@ AddModel(py::module_ & module)
 {
   py::class_<ColonModel>(module, "ColonModel", "A colon: lumen, centreline and wall.")
     .def_readonly("lumen", &ColonModel::lumen, "ColonLumen.")
-    .def_readonly("cleansed", &ColonModel::cleansed, "float32, HU; None of a mask.")
-    .def_readonly("centreline", &ColonModel::centreline, "ColonCentreline; its curve knows the valve.")
+    .def_readonly("cleansed", &ColonModel::cleansed, "float32, HU; None for a mask.")
+    .def_readonly("centreline", &ColonModel::centreline, "ColonCentreline; its curve includes the valve.")
     .def_property_readonly(
-      "valve",
-      [](const ColonModel & model) { return model.valve.valve; },
-      "IleocaecalValve; None where it was not found.")
-    .def_readonly("distension", &ColonModel::distension, "Of the segments.")
+      "valve", [](const ColonModel & model) { return model.valve.valve; }, "IleocaecalValve; None if it was not found.")
+    .def_readonly("distension", &ColonModel::distension, "Distension of the segments.")
     .def_readonly("wall", &ColonModel::wall, "ColonWall.")
-    .def_readonly("warnings", &ColonModel::warnings, "Of all stages, a line for each.")
-    .def_readonly("failure", &ColonModel::failure, "Why this is no usable colon; else empty.")
+    .def_readonly("warnings", &ColonModel::warnings, "Warnings of all stages, one per line.")
+    .def_readonly("failure", &ColonModel::failure, "Why the colon is not usable; otherwise empty.")
     .def_property_readonly(
       "statistics",
       [](const ColonModel & model) { return FromJson(ColonQualityToJson(model)); },
@@ -334,13 +337,13 @@ AddModel(py::module_ & module)
              "keep_partial"_a = defaults.keepPartial,
              "progress"_a = py::none(),
              ReleaseGil(),
-             R"(From a CT colonography in HU to lumen, cleansed CT, centreline, valve, distension and wall.
+             R"(Computes lumen, cleansed CT, centerline, valve, distension and wall from a CT colonography in HU.
 
-lumen: a mask (uint8, not 0) on the grid of the CT in place of the automatic one. patient_position, seed_points: see
-`segment_lumen`. faces, keep_pieces: see `build_wall`. keep_partial: where the colon is not distended or tagged enough,
-goes on as far as that leads.
+lumen: a mask (uint8, nonzero) on the grid of the CT that replaces the automatic one. patient_position, seed_points:
+see `segment_lumen`. faces, keep_pieces: see `build_wall`. keep_partial: if the colon is not distended or tagged enough,
+continues as far as possible.
 
-A colon that cannot be used is no exception: `failure` tells why.)");
+An unusable colon does not raise an exception: see `failure`.)");
   module.def("build_colon_of_lumen",
              Reporting(&ModelOfLumen),
              "lumen"_a,
@@ -351,7 +354,7 @@ A colon that cannot be used is no exception: `failure` tells why.)");
              "keep_partial"_a = defaults.keepPartial,
              "progress"_a = py::none(),
              ReleaseGil(),
-             "From a mask of the lumen alone (uint8, not 0); parameters as those of `build_colon`.");
+             "Computes the model from a mask of the lumen only (uint8, nonzero); parameters as in `build_colon`.");
 }
 } // namespace
 

@@ -86,7 +86,7 @@ AddErrors(py::module_ & module)
   static py::handle parameterError;
   static py::handle inputError;
   static py::handle outputError;
-  const py::handle  base = AddError(module, "Error", PyExc_Exception, "What all errors of Shapeton derive from.");
+  const py::handle  base = AddError(module, "Error", PyExc_Exception, "Base class of all exceptions of Shapeton.");
   parameterError = AddError(module,
                             "ParameterError",
                             py::make_tuple(base, py::handle(PyExc_ValueError)),
@@ -102,7 +102,7 @@ AddErrors(py::module_ & module)
   AddError(module,
            "Aborted",
            py::make_tuple(base, py::handle(PyExc_RuntimeError)),
-           "A progress function has returned False; also a RuntimeError.");
+           "A progress function returned False; also a RuntimeError.");
 
   py::register_exception_translator([](std::exception_ptr thrown) {
     try

@@ -107,7 +107,7 @@ AddFlat(py::module_ & module)
 {
   py::class_<FlatColon, FlatPointer>(module, "FlatColon", R"(The flat wall of a colon with a grid of square pixels.
 
-surface: as `flatten_tube` gives it. pixel_size: mm of the map, in which folds and landmarks work.)")
+surface: from `flatten_tube`. pixel_size: mm on the map, used for folds and landmarks.)")
     .def(py::init([](SurfaceMesh surface, double pixelSize) {
            FlatColonGridOptions options;
            options.pixelSize = pixelSize;
@@ -128,12 +128,13 @@ surface: as `flatten_tube` gives it. pixel_size: mm of the map, in which folds a
       [](const FlatColon & flat) { return py::make_tuple(flat.Grid().Rows(), flat.Grid().Columns()); },
       "Rows (around the tube) and columns (along it) of the grid.")
     .def_property_readonly(
-      "pixel_size", [](const FlatColon & flat) { return flat.Grid().PixelSize(); }, "mm of the map.")
+      "pixel_size", [](const FlatColon & flat) { return flat.Grid().PixelSize(); }, "mm on the map.")
     .def_property_readonly(
-      "circumference", [](const FlatColon & flat) { return flat.Grid().Circumference(); }, "Mean, mm.")
+      "circumference", [](const FlatColon & flat) { return flat.Grid().Circumference(); }, "Mean circumference, mm.")
     .def_property_readonly(
-      "length", [](const FlatColon & flat) { return flat.Grid().Length(); }, "Of the map, mm.")
-    .def("coordinates", &Coordinates, "Rows x columns x 3, float32: the place of each pixel, LPS mm; NaN in holes.")
+      "length", [](const FlatColon & flat) { return flat.Grid().Length(); }, "Length of the map, mm.")
+    .def(
+      "coordinates", &Coordinates, "Rows x columns x 3, float32: point in space of each pixel, LPS mm; NaN in holes.")
     .def("faces", &FacesOfPixels, "Rows x columns, int32: the face at each pixel; -1 in holes.")
     .def("curvature",
          &Curvatures,
@@ -141,11 +142,11 @@ surface: as `flatten_tube` gives it. pixel_size: mm of the map, in which folds a
     .def("pixels",
          &PixelsOf,
          "uv"_a,
-         "Of places on the map, k x 2 (mm): their pixels [row, column], k x 2, int32. Rows may run against v.")
+         "Pixels [row, column] (k x 2, int32) of points on the map (k x 2, mm). Rows may run against v.")
     .def("find",
          &Find,
          "points"_a,
-         "Of places in space, k x 3 (LPS, mm): their uv on the map, k x 2, and distances from the wall, k; mm.");
+         "uv on the map (k x 2) of points in space (k x 3, LPS, mm), and their distances from the wall (k); mm.");
 }
 
 FoundFolds
@@ -186,7 +187,7 @@ AddFolds(py::module_ & module)
 {
   using Ends = std::array<Eigen::Vector3d, 2>;
   py::class_<HaustralFold>(module, "HaustralFold", "A haustral fold.")
-    .def_readonly("label", &HaustralFold::label, "Its value in the labels, from 1.")
+    .def_readonly("label", &HaustralFold::label, "Label value, from 1.")
     .def_readonly("centre", &HaustralFold::centre, "LPS, mm.")
     .def_property_readonly(
       "ends",
@@ -195,23 +196,24 @@ AddFolds(py::module_ & module)
         return RowsOf({ ends[0], ends[1] });
       },
       "2 x 3; LPS, mm.")
-    .def_readonly("centre_uv", &HaustralFold::centreUv, "On the map, mm.")
-    .def_readonly("length", &HaustralFold::length, "Along the crest, mm.")
+    .def_readonly("centre_uv", &HaustralFold::centreUv, "Center on the map, mm.")
+    .def_readonly("length", &HaustralFold::length, "Length along the crest, mm.")
     .def_readonly("area", &HaustralFold::area, "mm^2.")
-    .def_readonly("height", &HaustralFold::height, "Of the crest above the wall, mm; NaN where it cannot be seen.")
-    .def_readonly("angle", &HaustralFold::angle, "Of the long axis against the tube, degrees; 90 runs around it.")
-    .def_readonly("elongation", &HaustralFold::elongation, "Long over short axis.")
+    .def_readonly("height", &HaustralFold::height, "Height of the crest above the wall, mm; NaN if not visible.")
+    .def_readonly(
+      "angle", &HaustralFold::angle, "Angle between the long axis and the tube, degrees; 90 is circumferential.")
+    .def_readonly("elongation", &HaustralFold::elongation, "Ratio of long to short axis.")
     .def_readonly("mean_curvature", &HaustralFold::meanCurvature, "1/mm.")
     .def_readonly("reliability", &HaustralFold::reliability, "0 to 1.")
-    .def_readonly("arc_length", &HaustralFold::arcLength, "mm along the centreline; NaN where not known.")
-    .def_readonly("crosses_cut", &HaustralFold::crossesCut, "Lies on both sides of the cut.");
+    .def_readonly("arc_length", &HaustralFold::arcLength, "mm along the centerline; NaN if unknown.")
+    .def_readonly("crosses_cut", &HaustralFold::crossesCut, "Whether the fold extends across the cut.");
 
   py::class_<FoundFolds>(module, "HaustralFolds", "What `find_folds` gives.")
-    .def_property_readonly("labels", &LabelsOf, "Rows x columns, uint16: 0 wall, else the label of a fold.")
+    .def_property_readonly("labels", &LabelsOf, "Rows x columns, uint16: 0 wall, otherwise the label of a fold.")
     .def_property_readonly(
-      "folds", [](const FoundFolds & found) { return found.folds.folds; }, "HaustralFold, in the order of the labels.")
+      "folds", [](const FoundFolds & found) { return found.folds.folds; }, "List of HaustralFold, in label order.")
     .def_property_readonly(
-      "warnings", [](const FoundFolds & found) { return found.folds.warnings; }, "A line for each.");
+      "warnings", [](const FoundFolds & found) { return found.folds.warnings; }, "Warnings, one per line.");
 
   const HaustralFoldOptions defaults;
   module.def("find_folds",
@@ -231,8 +233,8 @@ AddFolds(py::module_ & module)
              R"(Haustral folds on the flat wall of a colon.
 
 scheme: "graphCut" or "published". minimum_length: mm; minimum_area: mm^2; minimum_elongation: long over short axis;
-minimum_angle: against the tube, degrees. smoothing_time: of the curvature, mm^2. smoothness: cost of outline.
-taeniae: Curves on the wall along which folds that have grown together are split.
+minimum_angle: against the tube, degrees. smoothing_time: of the curvature, mm^2. smoothness: cost of the outline.
+taeniae: Curves on the wall along which merged folds are split.
 progress: called with (share, stage), share from 0 to 1; False, or an exception such as that of Ctrl-C, aborts.)");
 }
 } // namespace

@@ -75,18 +75,18 @@ Statistics(Json (*toJson)(const TResult &))
 void
 AddConformalMap(py::module_ & module)
 {
-  py::class_<ConformalMap>(module, "ConformalMap", "A surface on the plane, and how well.")
-    .def_readonly("flat", &ConformalMap::flat, "The cut surface in space with the point array uv (mm of the plane).")
+  py::class_<ConformalMap>(module, "ConformalMap", "A planar map of a surface, with quality measures.")
+    .def_readonly("flat", &ConformalMap::flat, "The cut surface in space with the point array uv (mm in the plane).")
     .def_readonly("modulus_u", &ConformalMap::modulusU, "Height over width of the rectangle, or 2 pi / ln(R / r).")
     .def_readonly("modulus_v", &ConformalMap::modulusV, "The same from the conjugate; the gap is the error bar.")
-    .def_readonly("genus", &ConformalMap::genus, "0 unless there are handles.")
-    .def_readonly("flips", &ConformalMap::flips, "Faces that the map turns over.")
-    .def_readonly("corners", &ConformalMap::corners, "Four vertices, of a rectangle of one boundary.")
-    .def_readonly("warnings", &ConformalMap::warnings, "What is doubtful, a line for each.")
+    .def_readonly("genus", &ConformalMap::genus, "Genus; 0 without handles.")
+    .def_readonly("flips", &ConformalMap::flips, "Number of flipped faces.")
+    .def_readonly("corners", &ConformalMap::corners, "Four corner vertices, for a rectangle with one boundary.")
+    .def_readonly("warnings", &ConformalMap::warnings, "Doubtful results, one per line.")
     .def_property_readonly(
       "dilatation",
       [](const ConformalMap & map) { return map.distortion.dilatation; },
-      "Of each face, from 1 (conformal) on.")
+      "Dilatation of each face, at least 1 (conformal).")
     .def_property_readonly("statistics",
                            Statistics<ConformalMap>(&ConformalMapToJson),
                            "A dictionary with the keys that ConformalMap writes.");
@@ -106,8 +106,9 @@ AddConformalMap(py::module_ & module)
              R"(Maps an open surface conformally to the plane.
 
 mesh: one manifold, oriented component with a boundary. domain: "rectangle", "annulus" or "slit".
-outer_boundary, inner_boundary: numbers from 1 by length; 0: the longest, and the longest one left.
-corners: four vertices of the only boundary of a rectangle. edge_lengths: another metric, by `surface_edges`.
+outer_boundary, inner_boundary: numbers from 1 by length; 0: the longest, and the longest of the others.
+corners: four vertices of the only boundary of a rectangle. edge_lengths: another metric, in the order of
+`surface_edges`.
 progress: called with (share, stage), share from 0 to 1; False, or an exception such as that of Ctrl-C, aborts.)");
 }
 } // namespace
@@ -116,30 +117,30 @@ void
 AddFlattening(py::module_ & module)
 {
   AddConformalMap(module);
-  py::class_<SurfaceHandle>(module, "SurfaceHandle", "A place where a flattened surface has a handle.")
-    .def_readonly("genus", &SurfaceHandle::genus, "How many handles: more than 1 where they cannot be told apart.")
+  py::class_<SurfaceHandle>(module, "SurfaceHandle", "A handle of a flattened surface.")
+    .def_readonly("genus", &SurfaceHandle::genus, "Number of handles: more than 1 if they cannot be separated.")
     .def_readonly("place", &SurfaceHandle::place, "LPS, mm.")
-    .def_readonly("flat_place", &SurfaceHandle::flatPlace, "On the map, mm.")
+    .def_readonly("flat_place", &SurfaceHandle::flatPlace, "Position on the map, mm.")
     .def_readonly("radius", &SurfaceHandle::radius, "mm.")
-    .def_readonly("vertices", &SurfaceHandle::vertices, "Of the surface that was flattened, ascending.");
+    .def_readonly("vertices", &SurfaceHandle::vertices, "Vertices of the flattened surface, ascending.");
 
-  py::class_<ColonFlattening>(module, "ColonFlattening", "A flattened tube with what was measured.")
-    .def_readonly("surface", &ColonFlattening::surface, "The tube that was flattened.")
+  py::class_<ColonFlattening>(module, "ColonFlattening", "A flattened tube with its measurements.")
+    .def_readonly("surface", &ColonFlattening::surface, "The surface that was flattened.")
     .def_property_readonly(
       "flat",
       [](const ColonFlattening & flattening) -> const SurfaceMesh & { return flattening.map.flat; },
       py::return_value_policy::reference_internal,
-      "The tube cut open: places in space, the point arrays uv (mm: along, around) and sourcePointId, the field arrays "
-      "circumference and length (mm).")
+      "The tube cut open: points in space, the point arrays uv (mm: along, around) and sourcePointId, the field "
+      "arrays circumference and length (mm).")
     .def_property_readonly(
-      "circumference", [](const ColonFlattening & f) { return f.map.circumference; }, "Mean, mm.")
+      "circumference", [](const ColonFlattening & f) { return f.map.circumference; }, "Mean circumference, mm.")
     .def_property_readonly(
-      "length", [](const ColonFlattening & f) { return f.map.length; }, "Of the map, mm.")
+      "length", [](const ColonFlattening & f) { return f.map.length; }, "Length of the map, mm.")
     .def_property_readonly(
-      "handles", [](const ColonFlattening & f) { return f.handles.handles; }, "Those found; none on most walls.")
-    .def_readonly("genus_before", &ColonFlattening::genusBefore, "Handles of the surface that was given.")
-    .def_readonly("genus_after", &ColonFlattening::genusAfter, "Handles of the surface that was flattened.")
-    .def_readonly("warnings", &ColonFlattening::warnings, "What is doubtful, a line for each.")
+      "handles", [](const ColonFlattening & f) { return f.handles.handles; }, "Handles found; most walls have none.")
+    .def_readonly("genus_before", &ColonFlattening::genusBefore, "Number of handles of the input surface.")
+    .def_readonly("genus_after", &ColonFlattening::genusAfter, "Number of handles of the flattened surface.")
+    .def_readonly("warnings", &ColonFlattening::warnings, "Doubtful results, one per line.")
     .def_property_readonly("statistics",
                            Statistics<ColonFlattening>(&ColonFlatteningToJson),
                            "A dictionary with the keys that ColonFlattening writes: flips, dilatation, moduli, ...");
@@ -160,11 +161,11 @@ AddFlattening(py::module_ & module)
              ReleaseGil(),
              R"(Maps a tube, such as the wall of a colon, conformally to a rectangle.
 
-mesh: one manifold, oriented component with two boundary loops. centreline: from the rectum to the caecum; tells the
-rectum where the surface does not name it.
-metric: "heatDiffusion", "euclidean" or "truncatedHeatDiffusion". time: of diffusion, mm^2; 0: one that suits the mesh.
-eigenpairs: of truncatedHeatDiffusion. remove_handles: finds handles and cuts them out.
-method: "conjugate" or "published". cut: a curve near which the tube is cut, Curves or k x 3; None: a path is found.
+mesh: one manifold, oriented component with two boundary loops. centreline: from the rectum to the cecum; locates the
+rectum if the surface does not name it.
+metric: "heatDiffusion", "euclidean" or "truncatedHeatDiffusion". time: diffusion time, mm^2; 0: chosen for the mesh.
+eigenpairs: for truncatedHeatDiffusion. remove_handles: finds and cuts handles.
+method: "conjugate" or "published". cut: a curve near which the tube is cut, Curves or k x 3; None: computed.
 progress: called with (share, stage), share from 0 to 1; False, or an exception such as that of Ctrl-C, aborts.)");
 }
 } // namespace shapeton::python

@@ -126,14 +126,14 @@ AddGraph(py::module_ & module)
 {
   py::class_<Graph>(module, "Graph", R"(An undirected graph; loops and multiple edges are allowed.
 
-nodes: how many. edges: m x 2, indices of nodes. names: none, or one for each node.)")
+nodes: their number. edges: m x 2, indices of nodes. names: none, or one per node.)")
     .def(py::init(&MakeGraph), "nodes"_a, "edges"_a, "names"_a = std::vector<std::string>())
-    .def_readonly("nodes", &Graph::nodes, "How many.")
+    .def_readonly("nodes", &Graph::nodes, "Number of nodes.")
     .def_property_readonly(
       "edges",
       [](const py::object & self) { return EdgesOf(self.cast<const Graph &>(), self); },
       "m x 2, int32: the ends of each edge; a view.")
-    .def_readonly("names", &Graph::names, "None, or one for each node.")
+    .def_readonly("names", &Graph::names, "None, or one per node.")
     .def("__reduce__",
          [](const py::object & self) {
            return py::make_tuple(py::type::of(self),
@@ -157,12 +157,13 @@ nodes: how many. edges: m x 2, indices of nodes. names: none, or one for each no
     "path"_a,
     ReleaseGil(),
     "Writes GraphML.");
-  module.def("complete_graph", &CompleteGraph, "nodes"_a, "Each node joined with each other one.");
-  module.def(
-    "complete_bipartite_graph", &CompleteBipartiteGraph, "left"_a, "right"_a, "Each left node with each right one.");
+  module.def("complete_graph", &CompleteGraph, "nodes"_a, "The complete graph.");
+  module.def("complete_bipartite_graph", &CompleteBipartiteGraph, "left"_a, "right"_a, "The complete bipartite graph.");
   module.def("grid_graph", &GridGraph, "columns"_a, "rows"_a, "Node (c, r) is r * columns + c.");
-  module.def(
-    "hypercube_graph", &HypercubeGraph, "dimension"_a, "2^dimension nodes; those that differ in one bit are joined.");
+  module.def("hypercube_graph",
+             &HypercubeGraph,
+             "dimension"_a,
+             "The hypercube graph with 2^dimension nodes; nodes that differ in one bit are adjacent.");
   module.def(
     "torus_grid",
     [](int columns, int rows, bool diagonals) {
@@ -172,47 +173,48 @@ nodes: how many. edges: m x 2, indices of nodes. names: none, or one for each no
     "columns"_a,
     "rows"_a,
     "diagonals"_a = false,
-    "The grid that closes in both directions, drawn on the torus: (Graph, rotation), see `embed_graph`.");
+    "The grid with periodic boundaries, embedded on the torus: (Graph, rotation), see `embed_graph`.");
 }
 
 void
 AddCertificate(py::module_ & module)
 {
-  py::class_<Certificate>(module, "EmbeddingCertificate", R"(A graph on a surface and the circles that carry it.
+  py::class_<Certificate>(module, "EmbeddingCertificate", R"(A graph embedded on a surface with its circle packing.
 
-Places are unit vectors on the sphere (radius: the angle of a cap), else (x, y) in the plane or in the Poincare disk
-(radius: a length, of hyperbolic geometry in the disk). Half-edge 2e leaves the first end of edge e, 2e + 1 the second.)")
+Positions are unit vectors on the sphere (radius: the angle of a cap), otherwise (x, y) in the plane or in the Poincare
+disk (radius: a length; in the disk, hyperbolic). Half-edge 2e leaves the first end of edge e, 2e + 1 the second.)")
     .def_readonly("graph", &Certificate::graph, "Graph.")
-    .def_readonly("genus", &Certificate::genus, "Of the surface.")
+    .def_readonly("genus", &Certificate::genus, "Genus of the surface.")
     .def_property_readonly(
       "geometry",
       [](const Certificate & c) { return NameOf(c.geometry); },
       "\"spherical\" (genus 0), \"euclidean\" (1) or \"hyperbolic\".")
     .def_readonly("rotation", &Certificate::rotation, "Half-edges that leave each node, counterclockwise, in one list.")
-    .def_readonly("packed", &Certificate::packed, "The graph with dummies that make it 3-connected.")
-    .def_readonly("subdivided", &Certificate::subdivided, "Edges that are paths of the packed graph, as half-edges.")
+    .def_readonly("packed", &Certificate::packed, "The graph with the dummy nodes that make it 3-connected.")
+    .def_readonly(
+      "subdivided", &Certificate::subdivided, "Edges subdivided into paths of the packed graph, as half-edges.")
     .def_property_readonly(
       "node_positions",
       View([](const Certificate & c, const py::handle & owner) { return Rows(c.nodePositions, c, owner); }),
-      "A row for each packed node, first those of the graph; a view.")
+      "One row per packed node, those of the graph first; a view.")
     .def_property_readonly(
       "node_radii",
       View([](const Certificate & c, const py::handle & owner) { return Row(c.nodeRadii, owner); }),
-      "Of the circles of the packed nodes; a view.")
+      "Radii of the circles of the packed nodes; a view.")
     .def_property_readonly(
       "face_positions",
       View([](const Certificate & c, const py::handle & owner) { return Rows(c.facePositions, c, owner); }),
-      "A row for each face of the packed graph; a view.")
+      "One row per face of the packed graph; a view.")
     .def_property_readonly(
       "face_radii",
       View([](const Certificate & c, const py::handle & owner) { return Row(c.faceRadii, owner); }),
-      "Of the circles of the faces; a view.")
+      "Radii of the circles of the faces; a view.")
     .def_property_readonly("periods",
                            View([](const Certificate & c, const py::handle & owner) { return Row(c.periods, owner); }),
-                           "Of the torus: x1, y1, x2, y2; empty on other surfaces.")
+                           "Periods of the torus: x1, y1, x2, y2; empty on other surfaces.")
     .def_property_readonly(
-      "statistics", [](const Certificate & c) { return DictOf(c.statistics); }, "What was measured, by name.")
-    .def_readonly("warnings", &Certificate::warnings, "What is doubtful, a line for each.")
+      "statistics", [](const Certificate & c) { return DictOf(c.statistics); }, "Measurements by name.")
+    .def_readonly("warnings", &Certificate::warnings, "Doubtful results, one per line.")
     .def("__repr__", [](const Certificate & c) {
       return "<shapeton.EmbeddingCertificate of " + std::to_string(c.graph.nodes) + " nodes, genus " +
              std::to_string(c.genus) + ", " + NameOf(c.geometry) + ">";
@@ -230,7 +232,7 @@ Places are unit vectors on the sphere (radius: the angle of a cap), else (x, y) 
     "certificate"_a,
     "path"_a,
     ReleaseGil(),
-    "Writes a certificate as JSON; numbers read back as they were.");
+    "Writes a certificate as JSON without loss of precision.");
 }
 } // namespace
 
@@ -241,19 +243,21 @@ AddGraphs(py::module_ & module)
   AddCertificate(module);
   py::class_<EmbeddingVerdict>(module, "EmbeddingVerdict", "What `verify_embedding` finds.")
     .def_property_readonly(
-      "is_valid", [](const EmbeddingVerdict & v) { return v.refusal.empty(); }, "No two edges cross: that is proved.")
-    .def_readonly("refusal", &EmbeddingVerdict::refusal, "The first thing that is wrong; else empty.")
+      "is_valid",
+      [](const EmbeddingVerdict & v) { return v.refusal.empty(); },
+      "Whether it is proved that no two edges cross.")
+    .def_readonly("refusal", &EmbeddingVerdict::refusal, "The first condition that fails; otherwise empty.")
     .def_property_readonly(
-      "measures", [](const EmbeddingVerdict & v) { return DictOf(v.measures); }, "What was measured, by name.");
-  py::class_<GraphComparison>(module, "GraphComparison", "Two graphs side by side.")
-    .def_readonly("isomorphic", &GraphComparison::isomorphic, "Whether they are one graph but for names.")
+      "measures", [](const EmbeddingVerdict & v) { return DictOf(v.measures); }, "Measurements by name.");
+  py::class_<GraphComparison>(module, "GraphComparison", "Comparison of two graphs.")
+    .def_readonly("isomorphic", &GraphComparison::isomorphic, "Whether the graphs are isomorphic.")
     .def_readonly("a", &GraphComparison::a, "Certificate of the first graph in canonical order.")
     .def_readonly("b", &GraphComparison::b, "Certificate of the second graph in canonical order.")
-    .def_readonly("differences", &GraphComparison::differences, "In sentences; none for isomorphic graphs.")
+    .def_readonly("differences", &GraphComparison::differences, "Differences in sentences; none for isomorphic graphs.")
     .def_property_readonly(
       "correspondence",
       [](const GraphComparison & c) { return c.correspondence.image; },
-      "For each node of `a.graph` that of `b.graph`, or -1.")
+      "Corresponding node of `b.graph` for each node of `a.graph`, or -1.")
     .def_property_readonly(
       "correspondence_by",
       [](const GraphComparison & c) { return c.correspondence.by; },
@@ -271,18 +275,18 @@ AddGraphs(py::module_ & module)
              "infinity"_a = WordOf(defaults.infinity, infinityWords),
              "progress"_a = py::none(),
              ReleaseGil(),
-             R"(Embeds a graph without crossings by a circle packing, found by discrete Ricci flow.
+             R"(Embeds a graph without crossings by a circle packing computed with discrete Ricci flow.
 
-genus: of the surface: 0 sphere, 1 flat torus, from 2 hyperbolic; None: the smallest that is found.
-rotation: for each node the half-edges that leave it, counterclockwise, in place of a search.
-seed: of the search. augmentation: "ring" adds dummies where no packing exists, "none" does not.
-infinity: "circle" or "edgeNode", of the sphere.
+genus: of the surface: 0 sphere, 1 flat torus, from 2 hyperbolic; None: the smallest found.
+rotation: for each node the half-edges that leave it, counterclockwise; replaces the search.
+seed: of the search. augmentation: "ring" adds dummy nodes if no packing exists, "none" does not.
+infinity: "circle" or "edgeNode", on the sphere.
 progress: called with (share, stage), share from 0 to 1; False, or an exception such as that of Ctrl-C, aborts.)");
   module.def("verify_embedding",
              &VerifyEmbedding,
              "certificate"_a,
              ReleaseGil(),
-             "Proves from its numbers alone that no two edges of an embedding cross, or tells what fails.");
+             "Proves from the numbers of an embedding that no two edges cross, or reports which condition fails.");
   module.def("compare_graphs",
              Reporting(+[](const Graph & a, const Graph & b, std::uint64_t seed, const Progress & progress) {
                GenusOptions genus;
@@ -295,7 +299,7 @@ progress: called with (share, stage), share from 0 to 1; False, or an exception 
              py::kw_only(),
              "progress"_a = py::none(),
              ReleaseGil(),
-             R"(Decides whether two graphs are isomorphic, embeds both and tells what differs.
+             R"(Determines whether two graphs are isomorphic, embeds both and reports the differences.
 
 progress: called with (share, stage), share from 0 to 1; False, or an exception such as that of Ctrl-C, aborts.)");
 }

@@ -119,8 +119,8 @@ HistogramOf(const std::vector<ImageType::Pointer> & heats, const std::vector<std
 void
 AddHistogram(py::module_ & module)
 {
-  py::class_<HeatHistogram>(module, "HeatHistogram", "Counts of voxels by heat, a row for each recorded time step.")
-    .def_property_readonly("time_steps", &HeatHistogram::GetTimeSteps, "Of the rows, ascending.")
+  py::class_<HeatHistogram>(module, "HeatHistogram", "Counts of voxels by heat, one row per recorded time step.")
+    .def_property_readonly("time_steps", &HeatHistogram::GetTimeSteps, "Time steps of the rows, ascending.")
     .def_property_readonly(
       "counts",
       [](const py::object & self) { return CountsOf(self.cast<const HeatHistogram &>(), self); },
@@ -128,13 +128,12 @@ AddHistogram(py::module_ & module)
     .def_property_readonly(
       "edges",
       [](const HeatHistogram &) { return LowerEdges(); },
-      "4098 heats: bin b holds edges[b] <= heat < edges[b + 1]. Bin 0 is the background, the others 256 for each "
-      "factor "
-      "of two.")
+      "4098 heats: bin b holds edges[b] <= heat < edges[b + 1]. Bin 0 is the background, the others are 256 per "
+      "factor of two.")
     .def("equalization",
          &HeatHistogram::GetEqualization,
-         "4098 numbers from 0 to 1, ascending: the share of the counts without bin 0 below the lower edge of each bin, "
-         "mean over the rows.")
+         "4098 numbers from 0 to 1, ascending: the fraction of the counts, without bin 0, below the lower edge of "
+         "each bin, averaged over the rows.")
     .def("__repr__", [](const HeatHistogram & histogram) {
       return "<shapeton.HeatHistogram of " + std::to_string(histogram.GetNumberOfRows()) + " time steps>";
     });
@@ -144,7 +143,7 @@ AddHistogram(py::module_ & module)
              "heats"_a,
              "time_steps"_a,
              ReleaseGil(),
-             "The histogram of heats that exist already, one row for each; time_steps ascend.");
+             "The histogram of given heat images, one row each; time_steps must be ascending.");
 
   module.def(
     "recorded_steps",
@@ -162,26 +161,28 @@ void
 AddClasses(py::module_ & module)
 {
   py::class_<HeatClass>(module, "HeatClass", "A class of voxels with similar heat: a line of the heat histogram.")
-    .def_readonly("label", &HeatClass::label, "0 background; 1 the class of least heat.")
+    .def_readonly("label", &HeatClass::label, "0 is the background, 1 the class of lowest heat.")
     .def_readonly("lower_heat", &HeatClass::lowerHeat, "The class holds lower_heat <= heat < upper_heat.")
     .def_readonly("upper_heat", &HeatClass::upperHeat, "See lower_heat.")
     .def_readonly("mean_heat", &HeatClass::meanHeat, "In [0, 1].")
-    .def_readonly("voxels", &HeatClass::voxels, "How many.")
+    .def_readonly("voxels", &HeatClass::voxels, "Number of voxels.")
     .def_readonly("volume", &HeatClass::volume, "mm^3.")
-    .def_readonly("border_share", &HeatClass::borderShare, "Share of the voxels at the border of the volume, 0 to 1.")
+    .def_readonly(
+      "border_share", &HeatClass::borderShare, "Fraction of the voxels at the border of the volume, 0 to 1.")
     .def_readonly("components", &HeatClass::components, "Converged closed components in the class.")
-    .def_readonly("normalized_heat", &HeatClass::normalizedHeat, "Free of scale, of these components; 0 for none.");
+    .def_readonly(
+      "normalized_heat", &HeatClass::normalizedHeat, "Scale-invariant heat of these components; 0 without any.");
 
-  py::class_<ShapeComponent>(module, "ShapeComponent", "Voxels that are joined by edges of positive weight.")
+  py::class_<ShapeComponent>(module, "ShapeComponent", "Voxels connected by edges of positive weight.")
     .def_property_readonly(
       "index",
       [](const ShapeComponent & c) { return py::make_tuple(c.index[2], c.index[1], c.index[0]); },
-      "Its first voxel, [z, y, x].")
-    .def_readonly("voxels", &ShapeComponent::voxels, "How many.")
+      "First voxel, [z, y, x].")
+    .def_readonly("voxels", &ShapeComponent::voxels, "Number of voxels.")
     .def_readonly("volume", &ShapeComponent::volume, "mm^3.")
-    .def_readonly("closed", &ShapeComponent::closed, "False where it reaches the border of the volume.")
-    .def_readonly("converged_heat", &ShapeComponent::convergedHeat, "The heat that each voxel has in the end.")
-    .def_readonly("surface_area", &ShapeComponent::surfaceArea, "mm^2; 0 of an open one.")
+    .def_readonly("closed", &ShapeComponent::closed, "False if it reaches the border of the volume.")
+    .def_readonly("converged_heat", &ShapeComponent::convergedHeat, "Steady-state heat of each voxel.")
+    .def_readonly("surface_area", &ShapeComponent::surfaceArea, "mm^2; 0 for an open component.")
     .def_readonly("normalized_heat", &ShapeComponent::normalizedHeat, "Area / (6 volume^(2/3)): 1 for a cube.");
 
   module.def(
@@ -211,11 +212,11 @@ AddClasses(py::module_ & module)
     "minimum_share"_a = HeatClassificationRule().minimumShare,
     "minimum_peak_to_valley"_a = HeatClassificationRule().minimumPeakToValley,
     ReleaseGil(),
-    R"(The classes of a heat image: the lines of its histogram, cut at the valleys between them.
+    R"(The classes of a heat image: the lines of its histogram, separated at the valleys.
 
-heat: in [0, 1]. components: those of `HeatResult`, to count them by class. maximum_classes: besides the background.
-background_heat: lines whose peak lies below belong to the background. minimum_share: least share of the voxels above
-the background that makes a class. minimum_peak_to_valley: least ratio of the lower peak and the valley of neighbours.
+heat: in [0, 1]. components: those of `HeatResult`, to count them per class. maximum_classes: without the background.
+background_heat: lines with a peak below this heat are background. minimum_share: minimum fraction of the voxels above
+the background in a class. minimum_peak_to_valley: minimum ratio of the lower peak to the valley between neighbors.
 
 Returns (labels, classes): an image of uint8 and a list of HeatClass.)");
 }
@@ -227,33 +228,35 @@ AddHeat(py::module_ & module)
   AddHistogram(module);
   AddClasses(module);
   py::class_<Heat>(module, "HeatResult", "What `diffuse_heat` gives.")
-    .def_readonly("heat", &Heat::heat, "After the last step, in [0, 1]; float32, on the grid of the input.")
-    .def_readonly("initial_heat", &Heat::initialHeat, "The heat at step 0; None unless it was asked for.")
+    .def_readonly("heat", &Heat::heat, "Heat after the last step, in [0, 1]; float32, on the grid of the input.")
+    .def_readonly("initial_heat", &Heat::initialHeat, "Heat at step 0; None unless requested.")
     .def_property_readonly(
-      "p", [](const Heat & heat) { return heat.result.p.p; }, "The p that was used.")
+      "p", [](const Heat & heat) { return heat.result.p.p; }, "The p used.")
     .def_property_readonly(
-      "reason_of_p", [](const Heat & heat) { return heat.result.p.reason; }, "Why, where p was chosen; else empty.")
+      "reason_of_p",
+      [](const Heat & heat) { return heat.result.p.reason; },
+      "Reason for an automatic p; otherwise empty.")
     .def_property_readonly(
       "window",
       [](const Heat & heat) { return py::make_tuple(heat.result.windowLower, heat.result.windowUpper); },
-      "The intensities that count as 0 and 1.")
+      "The intensities mapped to 0 and 1.")
     .def_property_readonly(
-      "time_step", [](const Heat & heat) { return heat.result.timeStep; }, "The last step that was taken.")
+      "time_step", [](const Heat & heat) { return heat.result.timeStep; }, "The last step computed.")
     .def_property_readonly(
       "time_step_length", [](const Heat & heat) { return heat.result.timeStepLength; }, "dt, at most 1/12.")
     .def_property_readonly(
-      "steady", [](const Heat & heat) { return heat.result.steady; }, "Whether it has become steady.")
+      "steady", [](const Heat & heat) { return heat.result.steady; }, "Whether the steady state was reached.")
     .def_property_readonly(
-      "cold", [](const Heat & heat) { return heat.result.cold; }, "No edge in the volume: the heat is 0 everywhere.")
+      "cold",
+      [](const Heat & heat) { return heat.result.cold; },
+      "Whether the volume has no edges; the heat is then 0 everywhere.")
     .def_property_readonly(
       "histogram",
       [](const Heat & heat) -> const HeatHistogram & { return heat.result.histogram; },
       py::return_value_policy::reference_internal,
-      "A row for each of histogram_steps that was reached.")
+      "One row per step of histogram_steps reached.")
     .def_property_readonly(
-      "components",
-      [](const Heat & heat) { return heat.result.components; },
-      "Largest first; empty unless they were asked for.");
+      "components", [](const Heat & heat) { return heat.result.components; }, "Largest first; empty unless requested.");
 
   const auto defaults = FilterType::New();
   module.def(
@@ -277,11 +280,11 @@ AddHeat(py::module_ & module)
     "initial_heat"_a = false,
     "progress"_a = py::none(),
     ReleaseGil(),
-    R"(Cumulative heat diffusion: describes each voxel by the heat it holds after diffusion from all voxels at once.
+    R"(Cumulative heat diffusion: a shape descriptor of each voxel, its heat after diffusion from all voxels at once.
 
 image: intensities; float32 and C-contiguous ones are read in place. Any spacing.
-p: steepness, from 0; an edge insulates where the half gradient reaches 1 / p. None: chosen from noise and edges.
-window: (lower, upper) intensities that count as 0 and 1; None: the least and the greatest.
+p: steepness, from 0; an edge insulates if the half gradient reaches 1 / p. None: chosen from noise and edges.
+window: (lower, upper) intensities mapped to 0 and 1; None: minimum and maximum.
 time_steps: at least 1. Few show local shape, many whole objects.
 time_step_length: in (0, 1/12].
 tolerance: bound of the error of the heat, 1e-6 to 1.
@@ -290,9 +293,9 @@ ignore_spacing: treats voxels as cubes.
 until_steady: stops when the heat is steady.
 histogram_steps: ascending steps that become rows of the histogram, see `recorded_steps`.
 snapshot_steps, snapshot: snapshot(step, image) is called with the heat after each of these ascending steps.
-components: finds components and their converged heat. initial_heat: gives the heat at step 0, too.
+components: finds components and their converged heat. initial_heat: also returns the heat at step 0.
 progress: called with (share, stage) ten times a second; False, or an exception such as that of Ctrl-C, aborts.
 
-The heat is the same bytes for any number of threads. Memory: about 8 float32 fields, 13 with a histogram.)");
+The heat is byte-identical for any number of threads. Memory: about 8 float32 fields, 13 with a histogram.)");
 }
 } // namespace shapeton::python

@@ -42,15 +42,16 @@ TaeniaeOf(const FoundLandmarks & found)
 void
 AddFlexure(py::module_ & module)
 {
-  py::class_<ColonFlexure>(module, "ColonFlexure", "A major bend of the colon, or a place where one was looked for.")
+  py::class_<ColonFlexure>(module, "ColonFlexure", "A major bend of the colon, found or not.")
     .def_readonly("number", &ColonFlexure::number, "1 rectosigmoid, 2 descending-sigmoid, 3 splenic, 4 hepatic.")
     .def_property_readonly(
       "name", [](const ColonFlexure & flexure) { return NameOfFlexure(flexure.number); }, "For example \"splenic\".")
     .def_readonly("is_found", &ColonFlexure::isFound, "Whether it was found.")
-    .def_readonly("reason", &ColonFlexure::reason, "Why not; else empty.")
-    .def_readonly("point", &ColonFlexure::point, "On the centreline; LPS, mm.")
+    .def_readonly("reason", &ColonFlexure::reason, "Why it was not found; otherwise empty.")
+    .def_readonly("point", &ColonFlexure::point, "Point on the centerline; LPS, mm.")
     .def_readonly("arc_length", &ColonFlexure::arcLength, "mm along the centreline.")
-    .def_readonly("confidence", &ColonFlexure::confidence, "0 to 1: that it lies within 30 mm.");
+    .def_readonly(
+      "confidence", &ColonFlexure::confidence, "Probability, 0 to 1, that the true flexure is within 30 mm.");
 }
 
 void
@@ -58,10 +59,10 @@ AddPieces(py::module_ & module)
 {
   py::class_<ColonPiece>(module, "ColonPiece", "A segment of the colon, cut open along a taenia and flattened.")
     .def_readonly("segment", &ColonPiece::segment, "1 rectum to 6 caecum.")
-    .def_readonly("name", &ColonPiece::name, "Of the segment.")
-    .def_readonly("flat", &ColonPiece::flat, "In space, with the point array uv (mm of the rectangle).")
-    .def_readonly("modulus_u", &ColonPiece::modulusU, "Height over width of the rectangle: not less than the true one.")
-    .def_readonly("modulus_v", &ColonPiece::modulusV, "The same: not greater.")
+    .def_readonly("name", &ColonPiece::name, "Name of the segment.")
+    .def_readonly("flat", &ColonPiece::flat, "Surface in space, with the point array uv (mm on the rectangle).")
+    .def_readonly("modulus_u", &ColonPiece::modulusU, "Height over width of the rectangle: an upper bound.")
+    .def_readonly("modulus_v", &ColonPiece::modulusV, "The same: a lower bound.")
     .def_readonly("area", &ColonPiece::area, "mm^2.");
 
   module.def("split_colon",
@@ -85,11 +86,13 @@ AddLandmarks(py::module_ & module)
   AddFlexure(module);
   py::class_<FoundLandmarks>(module, "ColonLandmarks", "What `find_landmarks` gives.")
     .def_property_readonly(
-      "flexures", [](const FoundLandmarks & f) { return f.landmarks.flexures.flexures; }, "Four, from the rectum on.")
+      "flexures",
+      [](const FoundLandmarks & f) { return f.landmarks.flexures.flexures; },
+      "Four flexures, starting at the rectum.")
     .def_property_readonly(
       "flexure_loops",
       [](const FoundLandmarks & f) { return FlexureCurves(f.landmarks); },
-      "A closed loop on the wall for each flexure that was found; cell arrays flexure, arcLength, confidence.")
+      "A closed loop on the wall for each flexure found; cell arrays flexure, arcLength, confidence.")
     .def_property_readonly(
       "taeniae",
       &TaeniaeOf,
@@ -97,17 +100,21 @@ AddLandmarks(py::module_ & module)
     .def_property_readonly(
       "segments",
       [](const FoundLandmarks & f) { return SegmentSurface(f.flat->Surface(), f.landmarks); },
-      "The flat wall with the cell array segment: 1 rectum to 6 caecum, 0 where it cannot be said.")
+      "The flat wall with the cell array segment: 1 rectum to 6 cecum, 0 unknown.")
     .def_property_readonly(
       "fold_surface",
       [](const FoundLandmarks & f) { return FoldSurface(f.flat->Surface(), f.landmarks); },
       "The flat wall with the cell array fold and the point array meanCurvature (1/mm).")
     .def_property_readonly(
-      "valve", [](const FoundLandmarks & f) { return f.landmarks.valve; }, "As the centreline tells it, or None.")
+      "valve",
+      [](const FoundLandmarks & f) { return f.landmarks.valve; },
+      "The valve stored in the centerline, or None.")
     .def_property_readonly(
-      "is_mirrored", [](const FoundLandmarks & f) { return f.landmarks.flexures.isMirrored; }, "Situs inversus.")
+      "is_mirrored",
+      [](const FoundLandmarks & f) { return f.landmarks.flexures.isMirrored; },
+      "Whether the colon is mirrored (situs inversus).")
     .def_property_readonly(
-      "warnings", [](const FoundLandmarks & f) { return f.landmarks.warnings; }, "What is missing, a line for each.")
+      "warnings", [](const FoundLandmarks & f) { return f.landmarks.warnings; }, "Missing landmarks, one per line.")
     .def_property_readonly(
       "statistics",
       [](const FoundLandmarks & f) { return FromJson(ColonLandmarksToJson(f.landmarks)); },
@@ -125,11 +132,11 @@ AddLandmarks(py::module_ & module)
              ReleaseGil(),
              R"(Flexures, segments, folds on the surface and taeniae of a flat colon.
 
-flat: FlatColon. centreline: as `trace_centreline` gives it. flexure_rule: "ordered" or "published". taenia_rule: "joint"
-or "published". markers: k x 3, LPS mm: points on taeniae that a person has marked.
+flat: FlatColon. centreline: from `trace_centreline`. flexure_rule: "ordered" or "published". taenia_rule: "joint" or
+"published". markers: k x 3, LPS mm: points on taeniae placed by a person.
 progress: called with (share, stage), share from 0 to 1; False, or an exception such as that of Ctrl-C, aborts.
 
-A landmark that is not found is no exception: it is absent and `warnings` say why.)");
+A landmark that is not found does not raise an exception: it is absent, and `warnings` give the reason.)");
   AddPieces(module);
 }
 } // namespace shapeton::python

@@ -93,22 +93,22 @@ AddSpectrum(py::module_ & module)
          "p"_a,
          "q"_a,
          "time"_a,
-         "Heat at vertex q after `time` (mm^2) of a unit source at vertex p; 1/mm^2.")
+         "Heat at vertex q at `time` (mm^2) from a unit source at vertex p; 1/mm^2.")
     .def("signature",
          &HeatKernelSignature,
          "time"_a,
          ReleaseGil(),
-         "The heat kernel signature, n values: the heat that each vertex keeps of a unit source at it; 1/mm^2.")
+         "The heat kernel signature, n values: the heat that stays at each vertex from a unit source there; 1/mm^2.")
     .def("signature_times",
          &HeatKernelSignatureTimes,
          "number"_a = 4,
-         "Times (mm^2) at which the signature is worth to be looked at, even in the logarithm.")
+         "Suggested times (mm^2) for the signature, logarithmically spaced.")
     .def("diffusion_distance",
          &DiffusionDistance,
          "p"_a,
          "q"_a,
          "time"_a,
-         "The L2 distance of the heats that two vertices have sent out by `time` (mm^2); 1/mm.")
+         "The diffusion distance: L2 distance at `time` (mm^2) of the heat of unit sources at two vertices; 1/mm.")
     .def("diffusion_distances",
          &DiffusionDistances,
          "p"_a,
@@ -118,7 +118,7 @@ AddSpectrum(py::module_ & module)
     .def("share_of_last_pair",
          &ShareOfLastPair,
          "time"_a,
-         "What the last pair has still at `time` (mm^2): the order of what is missing.")
+         "Remaining fraction of the last pair at `time` (mm^2): order of magnitude of the truncation error.")
     .def("__repr__", [](const SurfaceSpectrum & spectrum) {
       return "<shapeton.SurfaceSpectrum of " + std::to_string(spectrum.NumberOfPairs()) + " eigenpairs>";
     });
@@ -133,7 +133,7 @@ AddSpectrum(py::module_ & module)
              py::kw_only(),
              "progress"_a = py::none(),
              ReleaseGil(),
-             R"(The `pairs` smallest eigenpairs of the Laplacian of a surface that is one manifold component.
+             R"(The `pairs` smallest eigenpairs of the Laplacian of a surface with one manifold component.
 
 progress: called with (share, stage), share from 0 to 1; False, or an exception such as that of Ctrl-C, aborts.)");
 }
@@ -143,26 +143,28 @@ void
 AddMetric(py::module_ & module)
 {
   AddSpectrum(module);
-  py::class_<HeatDiffusionMetric>(module, "HeatDiffusionMetric", "Heat diffusion distances of the ends of all edges.")
-    .def_readonly("edge_lengths", &HeatDiffusionMetric::edgeLengths, "In the order of `surface_edges`; 1/mm.")
+  py::class_<HeatDiffusionMetric>(module, "HeatDiffusionMetric", "Heat diffusion distances along all edges.")
+    .def_readonly(
+      "edge_lengths", &HeatDiffusionMetric::edgeLengths, "Edge lengths in the order of `surface_edges`; 1/mm.")
     .def_readonly("time", &HeatDiffusionMetric::time, "mm^2.")
-    .def_readonly("eigenpairs", &HeatDiffusionMetric::eigenpairs, "How many; 0 for all of them.")
+    .def_readonly("eigenpairs", &HeatDiffusionMetric::eigenpairs, "Number of eigenpairs; 0 for all.")
     .def_readonly(
       "drowned_edges",
       &HeatDiffusionMetric::drownedEdges,
-      "Edges too short to be told from rounding, as at the tip of a needle: they have the least such length.");
+      "Edges with a length below rounding error, as at the tip of a needle; they are set to the shortest possible "
+      "length.");
 
   module.def("surface_edges",
              &EdgesOf,
              "mesh"_a,
              ReleaseGil(),
-             "The edges of a surface, e x 2, int32: the lesser vertex first, in their order.");
+             "The edges of a surface, e x 2, int32: the smaller vertex first, sorted.");
   module.def(
     "edge_lengths",
     [](const SurfaceMesh & mesh) { return EdgeLengths(SurfaceConnectivity(mesh), mesh.V); },
     "mesh"_a,
     ReleaseGil(),
-    "The straight lengths of the edges in the order of `surface_edges`, e values; mm.");
+    "Euclidean edge lengths in the order of `surface_edges`, e values; mm.");
   module.def("heat_diffusion_metric",
              Reporting(&Metric),
              "mesh"_a,
@@ -171,22 +173,23 @@ AddMetric(py::module_ & module)
              "pairs"_a = py::none(),
              "progress"_a = py::none(),
              ReleaseGil(),
-             R"(The heat diffusion distances of the ends of all edges, as new lengths of edges.
+             R"(The heat diffusion distances along all edges, as new edge lengths.
 
-mesh: one manifold component. time: of diffusion, mm^2; None: 8 times the square of the mean edge at 55,000 faces.
-pairs: takes so many eigenpairs alone, as published; None: all of them, without computing any.
+mesh: one manifold component. time: diffusion time, mm^2; None: 8 times the squared mean edge length at 55,000 faces.
+pairs: uses only this number of eigenpairs, as published; None: all of them, without computing any.
 progress: called with (share, stage), share from 0 to 1; False, or an exception such as that of Ctrl-C, aborts.)");
-  module.def("diffuse_over_surface",
-             Reporting(&DiffuseOver),
-             "mesh"_a,
-             "values"_a,
-             "time"_a,
-             py::kw_only(),
-             "progress"_a = py::none(),
-             R"(Smooths values over a surface by heat flow of `time` mm^2, from 0; a new array of the shape of `values`.
+  module.def(
+    "diffuse_over_surface",
+    Reporting(&DiffuseOver),
+    "mesh"_a,
+    "values"_a,
+    "time"_a,
+    py::kw_only(),
+    "progress"_a = py::none(),
+    R"(Smooths values over a surface by heat flow for `time` mm^2, from 0; a new array of the shape of `values`.
 
-values: n, or n x k in columns. Time goes in two implicit steps: what has the eigenvalue x of the surface is multiplied by
-(1 + x time / 2)^-2, where the heat equation itself has exp(-x time). For that one use `spectrum`.
+values: n, or n x k in columns. Two implicit time steps: the component of eigenvalue x is multiplied by
+(1 + x time / 2)^-2, where the exact factor is exp(-x time). For the exact one use `spectrum`.
 
 progress: called with (share, stage), share from 0 to 1; False, or an exception such as that of Ctrl-C, aborts.)");
 }

@@ -48,11 +48,11 @@ MakePhantom(unsigned                            seed,
 void
 AddPhantoms(py::module_ & module)
 {
-  py::class_<ColonPhantom>(module, "ColonPhantom", "A synthetic patient for CT colonography, and the truth.")
-    .def_readonly("ct", &ColonPhantom::ct, "int16, HU; None of the truth alone.")
+  py::class_<ColonPhantom>(module, "ColonPhantom", "A synthetic patient for CT colonography, with ground truth.")
+    .def_readonly("ct", &ColonPhantom::ct, "int16, HU; None if only the ground truth was requested.")
     .def_readonly("lumen", &ColonPhantom::lumen, "uint8: 1 gas, 2 fluid.")
     .def_readonly("segments", &ColonPhantom::segments, "uint8: 1 rectum to 6 caecum.")
-    .def_readonly("centreline", &ColonPhantom::centreline, "The true one, from the anal verge to the caecum.");
+    .def_readonly("centreline", &ColonPhantom::centreline, "The true centerline, from the anal verge to the cecum.");
 
   const auto                   source = Source::New();
   const ColonPhantomParameters defaults;
@@ -73,6 +73,6 @@ AddPhantoms(py::module_ & module)
 
 seed: fixes the patient. position: "supine", "prone", "leftDecubitus" or "rightDecubitus". preset: "standard", "hard" or
 "realistic". size: voxels along x, y, z. spacing: along x, y, z, mm; the patient needs about 358 x 358 x 336 mm.
-truth_only: leaves the CT out, which takes most of the time.)");
+truth_only: omits the CT, which takes most of the time.)");
 }
 } // namespace shapeton::python

@@ -106,28 +106,30 @@ MapPoints(const Registered & registered, const VertexMatrix & points, bool inver
 void
 AddMatches(py::module_ & module)
 {
-  py::class_<MatchedFolds>(module, "MatchedFolds", "Two folds that are taken for one.")
-    .def_readonly("supine_fold", &MatchedFolds::supineFold, "Its label.")
-    .def_readonly("prone_fold", &MatchedFolds::proneFold, "Its label.")
-    .def_readonly("supine_point", &MatchedFolds::supinePoint, "Its middle; LPS, mm.")
-    .def_readonly("prone_point", &MatchedFolds::pronePoint, "Its middle; LPS, mm.")
-    .def_readonly("segment", &MatchedFolds::segment, "Of the supine position; \"\" where not known.")
-    .def_readonly("residual", &MatchedFolds::residual, "From where the map takes one to the other, mm.")
-    .def_readonly("weight", &MatchedFolds::weight, "0 to 1: how much the map follows it; below 0.5 not.");
+  py::class_<MatchedFolds>(module, "MatchedFolds", "A pair of corresponding folds.")
+    .def_readonly("supine_fold", &MatchedFolds::supineFold, "Label of the supine fold.")
+    .def_readonly("prone_fold", &MatchedFolds::proneFold, "Label of the prone fold.")
+    .def_readonly("supine_point", &MatchedFolds::supinePoint, "Center of the supine fold; LPS, mm.")
+    .def_readonly("prone_point", &MatchedFolds::pronePoint, "Center of the prone fold; LPS, mm.")
+    .def_readonly("segment", &MatchedFolds::segment, "Segment in the supine position; \"\" if unknown.")
+    .def_readonly(
+      "residual", &MatchedFolds::residual, "Distance between the mapped supine fold and the prone fold, mm.")
+    .def_readonly(
+      "weight", &MatchedFolds::weight, "Weight of the pair in the map, 0 to 1; below 0.5 it is not followed.");
 }
 
 void
 AddPosition(py::module_ & module)
 {
   py::class_<Position, std::shared_ptr<Position>>(
-    module, "ColonPosition", R"(The colon in one position, to be registered.
+    module, "ColonPosition", R"(The colon in one position, for registration.
 
-name: "supine" or "prone", for messages. landmarks: as `find_landmarks` gives them. centreline: Curves.
-folds: as `find_folds` gives them.)")
+name: "supine" or "prone", for messages. landmarks: from `find_landmarks`. centreline: Curves.
+folds: from `find_folds`.)")
     .def(py::init(&PositionOf), "name"_a, "landmarks"_a, "centreline"_a, "folds"_a, ReleaseGil())
     .def_property_readonly(
-      "name", [](const Position & p) { return p.position.name; }, "For messages.")
-    .def_readonly("warnings", &Position::warnings, "What is missing that registration can do without.");
+      "name", [](const Position & p) { return p.position.name; }, "Name used in messages.")
+    .def_readonly("warnings", &Position::warnings, "Missing inputs that the registration does not require.");
 
   module.def(
     "read_position",
@@ -137,7 +139,7 @@ folds: as `find_folds` gives them.)")
     "folder"_a,
     "name"_a,
     ReleaseGil(),
-    "Reads a ColonPosition from a folder that VirtualColonoscopy has written.");
+    "Reads a ColonPosition from a folder written by VirtualColonoscopy.");
 }
 } // namespace
 
@@ -158,29 +160,32 @@ AddRegistration(py::module_ & module)
       "prone_to_supine",
       [](const Registered & r) -> const SurfaceMesh & { return r.results.proneToSupine; },
       py::return_value_policy::reference_internal,
-      "The other way.")
+      "The inverse map.")
     .def_property_readonly(
-      "matches", [](const Registered & r) { return r.results.matches; }, "MatchedFolds, in the order of supine folds.")
+      "matches",
+      [](const Registered & r) { return r.results.matches; },
+      "List of MatchedFolds, in the order of supine folds.")
     .def_property_readonly(
       "confidence", [](const Registered & r) { return r.registration.confidence.whole; }, "0 to 1; below 0.5 flagged.")
     .def_property_readonly(
-      "doubts", [](const Registered & r) { return r.registration.confidence.reasons; }, "Why it is flagged; else none.")
+      "doubts",
+      [](const Registered & r) { return r.registration.confidence.reasons; },
+      "Reasons for a flag; otherwise empty.")
     .def_property_readonly(
-      "flips", [](const Registered & r) { return r.registration.figures.flips; }, "Triangles that are turned over.")
+      "flips", [](const Registered & r) { return r.registration.figures.flips; }, "Number of flipped triangles.")
     .def_property_readonly(
-      "warnings", [](const Registered & r) { return r.registration.warnings; }, "A line for each.")
+      "warnings", [](const Registered & r) { return r.registration.warnings; }, "Warnings, one per line.")
     .def_property_readonly(
       "statistics",
       [](const Registered & r) { return FromJson(r.results.document); },
       "A dictionary with the keys of registration.json that ColonRegistration writes.")
-    .def(
-      "map_points",
-      &MapPoints,
-      "points"_a,
-      "inverse"_a = false,
-      R"(Takes places, k x 3 (LPS, mm), from the nearest points of the supine wall to the prone one, or back with `inverse`.
+    .def("map_points",
+         &MapPoints,
+         "points"_a,
+         "inverse"_a = false,
+         R"(Maps the wall points nearest to k x 3 points (LPS, mm) from supine to prone, or back with `inverse`.
 
-Returns (places, k x 3, LPS mm; confidence, k, 0 to 1; excluded, k: nothing is to be seen in one of the positions).)");
+Returns (points, k x 3, LPS mm; confidence, k, 0 to 1; excluded, k: wall not visible in one of the positions).)");
 
   const SupineProneOptions defaults;
   module.def("register_positions",
@@ -196,8 +201,8 @@ Returns (places, k x 3, LPS mm; confidence, k, 0 to 1; excluded, k: nothing is t
              ReleaseGil(),
              R"(A one-to-one map between the walls of a colon in two positions.
 
-map: "default" or "published". matching: of folds, "hungarian" or "dualDecomposition". refine: by the curvature of the
-wall itself. segment_wise: folds keep to their segment.
+map: "default" or "published". matching: of folds, "hungarian" or "dualDecomposition". refine: by the wall curvature.
+segment_wise: folds stay within their segment.
 progress: called with (share, stage), share from 0 to 1; False, or an exception such as that of Ctrl-C, aborts.)");
 }
 } // namespace shapeton::python

@@ -105,15 +105,16 @@ void
 AddSeeds(py::module_ & module)
 {
   py::class_<SeededLabels>(module, "SeededLabels", "What `SeededHeat.segment` gives.")
-    .def_readonly("labels", &SeededLabels::labels, "uint16: the label of greatest probability.")
+    .def_readonly("labels", &SeededLabels::labels, "uint16: the label of highest probability.")
     .def_readonly("uncertainty",
                   &SeededLabels::uncertainty,
-                  "float32: 1 minus the difference of the two greatest probabilities; 0 where one label is sure.")
+                  "float32: 1 minus the difference of the two greatest probabilities; 0 if one label is certain.")
     .def_readonly("probabilities",
                   &SeededLabels::probabilities,
-                  "Label to image, float32 in [0, 1], which sum to 1; empty unless they were asked for.")
-    .def_readonly("iterations", &SeededLabels::iterations, "Of the solver; few after a small change of the seeds.")
-    .def_readonly("warnings", &SeededLabels::warnings, "Labels that hardly leave their seeds, a line for each.");
+                  "Label to image, float32 in [0, 1], which sum to 1; empty unless requested.")
+    .def_readonly(
+      "iterations", &SeededLabels::iterations, "Number of solver iterations; few after a small change of the seeds.")
+    .def_readonly("warnings", &SeededLabels::warnings, "Labels that hardly extend beyond their seeds, one per line.");
 
   const auto defaults = SeedFilter::New();
   py::class_<SeededHeat>(module,
@@ -121,13 +122,13 @@ AddSeeds(py::module_ & module)
                          R"(Labels from a few seeds: the steady state of heat that leaves the seeds of each label.
 
 image: intensities; float32 and C-contiguous ones are read in place.
-p: steepness, from 0; an edge insulates where the half gradient reaches 1 / p. None: chosen from noise and edges.
-window: (lower, upper) intensities that count as 0 and 1; None: the least and the greatest.
-least_weight: positive; what an edge that insulates still lets through.
-tolerance: greatest error of a probability, 1e-6 to 0.1.
+p: steepness, from 0; an edge insulates if the half gradient reaches 1 / p. None: chosen from noise and edges.
+window: (lower, upper) intensities mapped to 0 and 1; None: minimum and maximum.
+least_weight: positive; the weight of an edge that just insulates.
+tolerance: maximum error of a probability, 1e-6 to 0.1.
 
-Draw strokes through all of each part, and of the background: a point is too little (`SeededLabels.warnings`).
-It keeps the last solution, from which the next one starts: 4 bytes for each voxel and label.)")
+Draw strokes through each part and through the background: points are not enough (`SeededLabels.warnings`).
+The last solution is kept as the start of the next one: 4 bytes per voxel and label.)")
     .def(py::init<const ImageType::Pointer &, std::optional<double>, const Window &, double, double>(),
          "image"_a,
          py::kw_only(),
@@ -147,8 +148,8 @@ It keeps the last solution, from which the next one starts: 4 bytes for each vox
          ReleaseGil(),
          R"(The label of each voxel.
 
-seeds: an image on the same grid, whole numbers from 0 to 65535; 0: no seed; two labels at least.
-probabilities: gives those of each label, too.
+seeds: an image on the same grid, integers from 0 to 65535; 0: no seed; at least two labels.
+probabilities: also returns the probability of each label.
 progress: called with (share, stage), share from 0 to 1; False, or an exception such as that of Ctrl-C, aborts.)");
 
   module.def("seeds_of_classes",
@@ -158,9 +159,9 @@ progress: called with (share, stage), share from 0 to 1; False, or an exception 
              "chosen"_a = std::vector<int>(),
              "components"_a = ClassSeeds().components,
              ReleaseGil(),
-             R"(Seeds from classes, such as those of `classify_heat`; one voxel off the borders of each.
+             R"(Seeds from classes, such as those of `classify_heat`, eroded by one voxel.
 
-classes: whole numbers. chosen: which ones; none: all but 0. components: 0: one label for each class; else so many of
-the largest components of each, of a label each. Labels count from 1 in the order of the classes.)");
+classes: integers. chosen: the classes to use; none: all but 0. components: 0: one label per class; otherwise one label
+for each of this number of largest components per class. Labels count from 1 in the order of the classes.)");
 }
 } // namespace shapeton::python

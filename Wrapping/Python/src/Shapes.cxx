@@ -20,40 +20,41 @@ void
 AddSignature(py::module_ & module)
 {
   py::class_<ShapeSignature>(
-    module, "ShapeSignature", "What a shape is like, in numbers that neither place, rotation nor sampling change much.")
+    module, "ShapeSignature", "Shape descriptors that are nearly invariant to position, rotation and sampling.")
     .def_readonly("volume", &ShapeSignature::volume, "mm^3.")
     .def_readonly("surface", &ShapeSignature::surface, "mm^2.")
-    .def_readonly("elongation", &ShapeSignature::elongation, "Longest over middle standard deviation; from 1.")
-    .def_readonly("flatness", &ShapeSignature::flatness, "Middle over shortest standard deviation; from 1.")
+    .def_readonly(
+      "elongation", &ShapeSignature::elongation, "Ratio of longest to middle standard deviation; at least 1.")
+    .def_readonly("flatness", &ShapeSignature::flatness, "Ratio of middle to shortest standard deviation; at least 1.")
     .def_property_readonly(
       "times",
       [](const ShapeSignature &) { return ArrayOf(ShapeSignature::Times()); },
-      "25 times t / r^2 of both curves; r is the radius of the ball of the same volume.")
+      "25 values of t / r^2 for both curves, with r the radius of the ball of equal volume.")
     .def_property_readonly(
       "remaining_heat",
       [](const ShapeSignature & s) { return ArrayOf(s.remainingHeat); },
-      "25 values from 1 down: the share of heat that has not left the shape.")
+      "25 values, descending from 1: fraction of the heat that has not left the shape.")
     .def_property_readonly(
       "displacement",
       [](const ShapeSignature & s) { return ArrayOf(s.displacement); },
-      "25 values, ascending: mean square of the way of heat that cannot leave, over r^2.")
+      "25 values, ascending: mean squared displacement of heat in the insulated shape, divided by r^2.")
     .def_property_readonly(
       "spectrum",
       [](const ShapeSignature & s) { return ArrayOf(s.spectrum); },
-      "20 eigenvalues of the surface above 0, times its area; 8 pi is the first one of a sphere.");
+      "20 nonzero eigenvalues of the surface, times its area; the first one of a sphere is 8 pi.");
 
   py::class_<ShapeRow>(module, "ShapeRow", "A shape of a label map.")
     .def_property_readonly("name", &ShapeRow::Name, "\"7\" or, for a component, \"7.1\".")
     .def_readonly("label", &ShapeRow::label, "From 1.")
-    .def_readonly("component", &ShapeRow::component, "1 for the largest; 0 for the label as a whole.")
-    .def_readonly("voxels", &ShapeRow::voxels, "How many.")
+    .def_readonly("component", &ShapeRow::component, "1 for the largest; 0 for the whole label.")
+    .def_readonly("voxels", &ShapeRow::voxels, "Number of voxels.")
     .def_readonly("mean_intensity", &ShapeRow::meanIntensity, "Not part of the signature.")
     .def_readonly("intensity_deviation", &ShapeRow::intensityDeviation, "Standard deviation.")
     .def_readonly("signature", &ShapeRow::signature, "A ShapeSignature.");
 
   py::class_<ShapeTable>(module, "ShapeTable", "What `describe_shapes` gives.")
-    .def_readonly("rows", &ShapeTable::rows, "By label, then component.")
-    .def_readonly("warnings", &ShapeTable::remarks, "What was left out, a line for each.");
+    .def_readonly("rows", &ShapeTable::rows, "Rows by label, then component.")
+    .def_readonly("warnings", &ShapeTable::remarks, "Skipped shapes, one per line.");
 }
 
 void
@@ -80,10 +81,10 @@ AddTables(py::module_ & module)
              ReleaseGil(),
              R"(The signature of each label, or of each connected component of each label.
 
-image: intensities, for mean_intensity alone. labels: whole numbers from 0 (background) to 65535, on the same grid.
+image: intensities, used for mean_intensity only. labels: integers from 0 (background) to 65535, on the same grid.
 progress: called with (share, stage), share from 0 to 1; False, or an exception such as that of Ctrl-C, aborts.
 
-A shape takes half a second. What has fewer than 64 voxels or is too thin is left out with a warning.)");
+A shape takes half a second. Shapes of fewer than 64 voxels, or too thin, are skipped with a warning.)");
   module.def(
     "write_shape_table",
     [](const ShapeTable & table, const Path & path) { WriteShapeTable(table, path.text); },
@@ -102,7 +103,7 @@ A shape takes half a second. What has fewer than 64 voxels or is too thin is lef
 void
 AddSearch(py::module_ & module)
 {
-  py::class_<NamedShape>(module, "NamedShape", "A signature with a name, which several may share.")
+  py::class_<NamedShape>(module, "NamedShape", "A signature with a name, which may be shared by several.")
     .def(py::init([](const std::string & name, const ShapeSignature & signature) {
            return NamedShape{ name, signature };
          }),
@@ -112,21 +113,23 @@ AddSearch(py::module_ & module)
     .def_readonly("signature", &NamedShape::signature, "A ShapeSignature.");
 
   py::class_<ShapeNeighbour>(module, "ShapeNeighbour", "An entry and its distance.")
-    .def_readonly("entry", &ShapeNeighbour::entry, "Its index.")
-    .def_readonly("distance", &ShapeNeighbour::distance, "From 0; copies of one shape are about 1 apart.");
+    .def_readonly("entry", &ShapeNeighbour::entry, "Index of the entry.")
+    .def_readonly("distance", &ShapeNeighbour::distance, "At least 0; copies of one shape are about 1 apart.");
 
   py::class_<ShapeSearchResult>(module, "ShapeSearchResult", "What `find_shape` gives.")
-    .def_readonly("neighbours", &ShapeSearchResult::neighbours, "The nearest first.")
-    .def_readonly(
-      "probability", &ShapeSearchResult::probability, "That the nearest is of the same shape, on generated shapes.")
-    .def_property_readonly("unknown", &ShapeSearchResult::IsUnknown, "More likely than not it is none of them.");
+    .def_readonly("neighbours", &ShapeSearchResult::neighbours, "Nearest first.")
+    .def_readonly("probability",
+                  &ShapeSearchResult::probability,
+                  "Probability that the nearest is the same shape, fitted to generated shapes.")
+    .def_property_readonly(
+      "unknown", &ShapeSearchResult::IsUnknown, "Whether the shape is probably none of the entries.");
 
   module.def("signature_distance",
              &SignatureDistance,
              "a"_a,
              "b"_a,
              ReleaseGil(),
-             "How much two signatures differ, from 0; copies of one shape are about 1 apart. Volume takes no part.");
+             "Distance of two signatures, at least 0; copies of one shape are about 1 apart. The volume is ignored.");
   module.def(
     "find_shape",
     [](const ShapeSignature & signature, const std::vector<NamedShape> & entries, std::size_t nearest) {
@@ -138,13 +141,13 @@ AddSearch(py::module_ & module)
     "entries"_a,
     "nearest"_a = 5,
     ReleaseGil(),
-    "Looks a signature up among entries, a list of NamedShape; `nearest` neighbours at most.");
+    "Searches a signature in a list of NamedShape; returns at most `nearest` neighbors.");
   module.def(
     "read_shape_database",
     [](const Path & path) { return ReadShapeDatabase(path.text); },
     "path"_a,
     ReleaseGil(),
-    "All shapes of an SQLite file of the tool ShapeSearch, in the order in which they were added.");
+    "All shapes of an SQLite file of the tool ShapeSearch, in the order of insertion.");
 }
 } // namespace
 

@@ -108,29 +108,30 @@ void
 AddResult(py::module_ & module)
 {
   py::class_<Shapetons>(module, "ShapetonResult", "What `diffuse_shapetons` gives.")
-    .def_readonly("visits", &Shapetons::visits, "Of each voxel; uint32. They sum to shapetons x steps.")
+    .def_readonly("visits", &Shapetons::visits, "Number of visits of each voxel; uint32. The sum is shapetons x steps.")
     .def_property_readonly(
       "density",
       [](const Shapetons & s) { return NormalizeVisits(s.visits); },
-      "Visits over the greatest number of visits, in [0, 1]; float32, made when it is asked for.")
-    .def_property_readonly("time_step", Measure(&ShapetonMeasures::step), "The last step that was taken.")
-    .def_property_readonly("steady", Measure(&ShapetonMeasures::steady), "Whether the density has become steady.")
-    .def_property_readonly("change", Measure(&ShapetonMeasures::change), "Of the density in the last step (3.10).")
+      "Visits divided by their maximum, in [0, 1]; float32, computed on access.")
+    .def_property_readonly("time_step", Measure(&ShapetonMeasures::step), "The last step computed.")
+    .def_property_readonly("steady", Measure(&ShapetonMeasures::steady), "Whether the steady state was reached.")
+    .def_property_readonly(
+      "change", Measure(&ShapetonMeasures::change), "Change of the density in the last step (3.10).")
     .def_property_readonly(
       "coverage",
       [](const Shapetons & s) { return s.measures.GetCoverage(); },
-      "Share of the object voxels that were reached, 0 to 1.")
-    .def_property_readonly("trapped",
-                           Measure(&ShapetonMeasures::trappedShapetons),
-                           "Shapetons in voxels that are cut off from all neighbours.")
-    .def_readonly("shapetons", &Shapetons::shapetons, "How many there were.")
-    .def_readonly("distance", &Shapetons::distance, "Length of a step, in units of the longest side.")
-    .def_readonly("reason_of_distance", &Shapetons::reason, "Why, where feature_size chose it; else empty.")
+      "Fraction of the object voxels reached, 0 to 1.")
+    .def_property_readonly(
+      "trapped", Measure(&ShapetonMeasures::trappedShapetons), "Shapetons in voxels disconnected from all neighbors.")
+    .def_readonly("shapetons", &Shapetons::shapetons, "Number of shapetons.")
+    .def_readonly("distance", &Shapetons::distance, "Step length, in units of the longest side.")
+    .def_readonly(
+      "reason_of_distance", &Shapetons::reason, "Reason for the distance, if chosen by feature_size; otherwise empty.")
     .def_property_readonly(
       "histogram",
       [](const Shapetons & s) -> const HeatHistogram & { return s.histogram; },
       py::return_value_policy::reference_internal,
-      "A row for each of histogram_steps.");
+      "One row per step of histogram_steps.");
 }
 } // namespace
 
@@ -159,28 +160,28 @@ AddShapetons(py::module_ & module)
              "histogram_steps"_a = std::vector<std::uint64_t>(),
              "progress"_a = py::none(),
              ReleaseGil(),
-             R"(Shapeton diffusion: counts the visits of particles that move at random through a volume.
+             R"(Shapeton diffusion: counts the visits of particles that perform a random walk through a volume.
 
-image: intensities; float32 and C-contiguous ones are read in place. mask: shapetons start where it is not 0.
-p: steepness, from 0. window: (lower, upper) intensities that count as 0 and 1; None: the least and the greatest.
-shapetons: how many; None: 65000, or as many as feature_size asks for.
-distance: length of a step in (0, 1], in units of the longest side of the volume.
-feature_size: mm; chooses distance, and shapetons where they are None.
+image: intensities; float32 and C-contiguous ones are read in place. mask: shapetons start where it is nonzero.
+p: steepness, from 0. window: (lower, upper) intensities mapped to 0 and 1; None: minimum and maximum.
+shapetons: their number; None: 65000, or chosen from feature_size.
+distance: step length in (0, 1], in units of the longest side of the volume.
+feature_size: mm; sets distance, and shapetons, if these are None.
 time_steps: at least 1.
 direction_sampling: "solidAngle", "sectorArea" or "uniform". path_rule: "endpoint" or "traversal".
-placement: "uniform" or "initialHeat". seed: the same gives the same visits.
+placement: "uniform" or "initialHeat". seed: the same seed gives the same visits.
 until_steady: stops when the density changes by less than epsilon (3.10); None: chosen from the run.
 histogram_steps: ascending steps, from 1, that become rows of the histogram.
 progress: called with (share, stage) ten times a second; False, or an exception such as that of Ctrl-C, aborts.
 
-The visits are the same bytes for any number of threads.)");
+The visits are byte-identical for any number of threads.)");
 
   module.def(
     "visit_density",
     [](const Visits::Pointer & visits) { return NormalizeVisits(visits); },
     "visits"_a,
     ReleaseGil(),
-    "Visits over the greatest number of visits: float32 in [0, 1].");
+    "Visits divided by their maximum: float32 in [0, 1].");
   module.def(
     "classify_visits",
     [](const Visits::Pointer & visits) {
@@ -189,6 +190,6 @@ The visits are the same bytes for any number of threads.)");
     },
     "visits"_a,
     ReleaseGil(),
-    "The classes of a uint32 image of visits, as `classify_heat` finds those of heat: (labels, classes).");
+    "The classes of a uint32 image of visits, analogous to `classify_heat`: (labels, classes).");
 }
 } // namespace shapeton::python

@@ -75,31 +75,31 @@ AddFiles(py::module_ & module)
              "repair"_a = false,
              R"(Reads VTP, STL, OBJ, PLY, OFF, glTF or GLB; LPS, mm.
 
-part: the name of a part of the file; "" for all. component: from 1, by number of faces; 0: there must be one; -1: all.
-unit: "m", "mm" or "um" in place of that of the format; then any extent is taken. any_extent: takes a surface that is not
-between 5 mm and 5 m wide, with a note. repair: mends what `repair_surface` mends.
+part: name of a part of the file; "" for all. component: from 1, by number of faces; 0: there must be one; -1: all.
+unit: "m", "mm" or "um", overrides that of the format and accepts any extent. any_extent: accepts a surface that is not
+between 5 mm and 5 m wide, with a note. repair: repairs as `repair_surface` does.
 
-What was changed or doubtful is in the `notes` of the mesh.)");
+Repairs and doubts are in the `notes` of the mesh.)");
   module.def(
     "write_surface",
     [](const SurfaceMesh & mesh, const Path & path) { WriteSurface(mesh, path.text); },
     "mesh"_a,
     "path"_a,
     ReleaseGil(),
-    "Writes VTP (all arrays and facts), STL, PLY or OBJ by the extension; equal surfaces give equal bytes.");
+    "Writes VTP (all arrays and facts), STL, PLY or OBJ by extension; equal surfaces give byte-identical files.");
   module.def(
     "read_curves",
     [](const Path & path) { return ReadCurves(path.text); },
     "path"_a,
     ReleaseGil(),
-    "Reads the lines and points of a VTP file, such as a centreline.");
+    "Reads the lines and points of a VTP file, such as a centerline.");
   module.def(
     "write_curves",
     [](const CurveSet & curves, const Path & path) { WriteCurves(curves, path.text); },
     "curves"_a,
     "path"_a,
     ReleaseGil(),
-    "Writes curves as VTP with their arrays and facts; equal curves give equal bytes.");
+    "Writes curves as VTP with their arrays and facts; equal curves give byte-identical files.");
 }
 } // namespace
 
@@ -110,10 +110,10 @@ AddSurfaces(py::module_ & module)
   module.def("inspect_surface",
              &Inspect,
              "mesh"_a,
-             R"(Topology, measures and defects of a surface, as a dictionary with the keys that SurfaceInspector writes.
+             R"(Topology, measures and defects of a surface, as a dictionary with the keys of SurfaceInspector.
 
 vertices, edges, faces, eulerCharacteristic, genus (None: not defined), manifold, closed, oriented, area (mm^2), volume
-(mm^3; None of an open one), extent, components, boundaryLoops, edgeLength, smallestAngle (degrees), defects, ...)");
+(mm^3; None if open), extent, components, boundaryLoops, edgeLength, smallestAngle (degrees), defects, ...)");
   module.def("repair_surface",
              &Repair,
              "mesh"_a,
@@ -123,22 +123,23 @@ vertices, edges, faces, eulerCharacteristic, genus (None: not defined), manifold
              "orient"_a = SurfaceRepairOptions().orient,
              "split"_a = SurfaceRepairOptions().split,
              ReleaseGil(),
-             R"(A manifold, consistently oriented surface of the same faces: (mesh, what was done in words).
+             R"(A manifold, consistently oriented surface of the same faces: (mesh, repairs in words).
 
-merge_vertices: merges vertices nearer than merge_distance (mm; 0: at one position). orient: turns faces so that
-neighbours agree. split: cuts where the surface is not manifold.)");
-  module.def("simplify_surface",
-             Reporting(&Simplify),
-             "mesh"_a,
-             "faces"_a,
-             py::kw_only(),
-             "smallest_angle"_a = SurfaceSimplificationOptions().smallestAngle,
-             "boundary_weight"_a = SurfaceSimplificationOptions().boundaryWeight,
-             "progress"_a = py::none(),
-             ReleaseGil(),
-             R"(A surface of at most so many faces with the same topology, by edge collapses. Its arrays are left out.
+merge_vertices: merges vertices closer than merge_distance (mm; 0: coincident). orient: flips faces so that neighbors
+agree. split: cuts the surface where it is not manifold.)");
+  module.def(
+    "simplify_surface",
+    Reporting(&Simplify),
+    "mesh"_a,
+    "faces"_a,
+    py::kw_only(),
+    "smallest_angle"_a = SurfaceSimplificationOptions().smallestAngle,
+    "boundary_weight"_a = SurfaceSimplificationOptions().boundaryWeight,
+    "progress"_a = py::none(),
+    ReleaseGil(),
+    R"(A surface with at most this number of faces and the same topology, by edge collapses. Arrays are dropped.
 
-smallest_angle: degrees, 0 to 30; no collapse makes a smaller one. boundary_weight: of boundary edges against faces.)");
+smallest_angle: degrees, 0 to 30; none becomes smaller. boundary_weight: of boundary edges against faces.)");
   module.def("remesh_surface",
              Reporting(&Remesh),
              "mesh"_a,
@@ -147,13 +148,13 @@ smallest_angle: degrees, 0 to 30; no collapse makes a smaller one. boundary_weig
              "iterations"_a = SurfaceRemeshingOptions().iterations,
              "progress"_a = py::none(),
              ReleaseGil(),
-             "A surface of nearly equilateral triangles with edges of this length (mm). Its arrays are left out.");
+             "A surface of nearly equilateral triangles with this edge length (mm). Its arrays are dropped.");
   module.def(
     "surface_area", [](const SurfaceMesh & mesh) { return SurfaceArea(mesh.V, mesh.F); }, "mesh"_a, "mm^2.");
   module.def(
     "enclosed_volume",
     [](const SurfaceMesh & mesh) { return EnclosedVolume(mesh.V, mesh.F); },
     "mesh"_a,
-    "mm^3, of a closed oriented surface; negative where its faces look inwards.");
+    "mm^3, of a closed oriented surface; negative if its faces are oriented inwards.");
 }
 } // namespace shapeton::python

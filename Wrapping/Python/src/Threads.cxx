@@ -155,19 +155,18 @@ AddThreads(py::module_ & module)
     "set_threads",
     [](unsigned int number) { itk::MultiThreaderBase::SetGlobalDefaultNumberOfThreads(number); },
     "number"_a,
-    "Sets how many threads all functions of this process use; results do not depend on it.");
+    "Sets the number of threads of all functions of this process; results do not depend on it.");
   module.def("threads",
              &itk::MultiThreaderBase::GetGlobalDefaultNumberOfThreads,
-             "How many threads the functions of this process use.");
-  py::class_<StopFlag, std::shared_ptr<StopFlag>>(
-    module, "_StopFlag", "Tells the functions that a thread calls to stop.")
+             "The number of threads of all functions of this process.");
+  py::class_<StopFlag, std::shared_ptr<StopFlag>>(module, "_StopFlag", "Stops the functions called by a thread.")
     .def(py::init<>())
     .def("set", [](StopFlag & flag) { flag.isSet = true; })
     .def("is_set", [](const StopFlag & flag) { return flag.isSet.load(); })
     .def(
       "obey",
       [](const std::shared_ptr<StopFlag> & flag) { stopFlag = flag; },
-      "Functions that this thread calls from now on end with SystemExit soon after the flag is set.");
+      "Functions called by this thread from now on end with SystemExit soon after the flag is set.");
   endingThread = std::thread::id(); // an interpreter may begin after another one
   py::module_::import("atexit").attr("register")(py::cpp_function(&StopCalls));
   pthread_atfork(nullptr, nullptr, [] { runningCalls = 0; }); // a child has no other threads

@@ -114,19 +114,18 @@ Write(const py::object & image, const Path & file, const VolumeMetadata & metada
 void
 AddVolumes(py::module_ & module)
 {
-  py::class_<DicomDefect>(module, "DicomDefect", "What is wrong with a DICOM series, or unusual about it.")
+  py::class_<DicomDefect>(module, "DicomDefect", "A defect or peculiarity of a DICOM series.")
     .def_property_readonly(
       "name", [](const DicomDefect & defect) { return GetDicomDefectName(defect.kind); }, "For example \"gap\".")
     .def_property_readonly(
-      "advice", [](const DicomDefect & defect) { return InPython(GetDicomDefectAdvice(defect)); }, "What can be done.")
+      "advice", [](const DicomDefect & defect) { return InPython(GetDicomDefectAdvice(defect)); }, "Possible remedy.")
     .def_readonly("message", &DicomDefect::message, "The defect in a sentence.")
     .def_readonly("files", &DicomDefect::files, "The files concerned.")
     .def_readonly("slices", &DicomDefect::slices, "The slices concerned, from 1 along the normal.");
 
   py::class_<DicomSeries>(module, "DicomSeries", "A DICOM series of a folder, as `list_series` finds it.")
-    .def_property_readonly("selector",
-                           &DicomSeries::GetSelector,
-                           "What `read_volume` takes as series_uid: the UID, with \"#part\" if need be.")
+    .def_property_readonly(
+      "selector", &DicomSeries::GetSelector, "The series_uid for `read_volume`: the UID, with \"#part\" if needed.")
     .def_readonly("uid", &DicomSeries::uid, "Series Instance UID.")
     .def_readonly("number", &DicomSeries::number, "Series Number.")
     .def_readonly("description", &DicomSeries::description, "Series Description.")
@@ -139,11 +138,12 @@ AddVolumes(py::module_ & module)
     .def_property_readonly(
       "spacing",
       [](const DicomSeries & s) { return py::make_tuple(s.spacing[0], s.spacing[1], s.spacing[2]); },
-      "Of columns, rows, slices; mm, 0 where it is not known.")
-    .def_property_readonly("is_usable", &DicomSeries::IsUsable, "Whether a volume can be read without a repair.")
-    .def_readonly("refusal", &DicomSeries::refusal, "Why this is no volume where no defect says it; else empty.")
-    .def_readonly("defects", &DicomSeries::defects, "What keeps the series from being read as it is.")
-    .def_readonly("remarks", &DicomSeries::remarks, "What is unusual and keeps nobody from reading it.")
+      "Spacing of columns, rows, slices; mm, 0 if unknown.")
+    .def_property_readonly("is_usable", &DicomSeries::IsUsable, "Whether a volume can be read without repair.")
+    .def_readonly(
+      "refusal", &DicomSeries::refusal, "Why this is not a volume, if no defect explains it; otherwise empty.")
+    .def_readonly("defects", &DicomSeries::defects, "Defects that prevent reading the series without repair.")
+    .def_readonly("remarks", &DicomSeries::remarks, "Peculiarities that do not prevent reading.")
     .def("__repr__", [](const DicomSeries & s) {
       return "<shapeton.DicomSeries " + s.modality + " \"" + s.description + "\", " + s.GetSelector() + ">";
     });
@@ -173,17 +173,17 @@ progress: called with (share, stage), share from 0 to 1; False, or an exception 
              "progress"_a = py::none(),
              R"(Reads a folder of DICOM slices, a DICOM file, or a NRRD, NIfTI or MetaImage file.
 
-An irregular series is refused with InputError that names the defect, unless its repair is allowed:
+An irregular series raises InputError with the name of the defect, unless its repair is allowed:
 
-series_uid: which series to take where the folder holds several (`DicomSeries.selector`).
+series_uid: selects a series if the folder holds several (`DicomSeries.selector`).
 resample_gaps: fills gaps and uneven spacing by interpolation between slices.
 deshear: resamples a tilted volume onto perpendicular axes.
 drop_duplicates: keeps the first of several slices at one position.
-allow_single_slice: takes one slice as a volume.
-progress: of DICOM slices, called with (share, stage); False, or an exception such as that of Ctrl-C, aborts.
+allow_single_slice: accepts a single slice as a volume.
+progress: for DICOM slices, called with (share, stage); False, or an exception such as that of Ctrl-C, aborts.
 
-The image holds float32, rescaled: Hounsfield units for CT. Its `facts` tell modality, patient_position, series_uid,
-identity, repairs, notes. A file of another format is read in one piece, which Ctrl-C waits for.)");
+The image holds float32, rescaled: Hounsfield units for CT. Its `facts` hold modality, patient_position, series_uid,
+identity, repairs, notes. Files of other formats are read in one piece, for which Ctrl-C waits.)");
 
   module.def("write_volume",
              &Write,
@@ -192,8 +192,8 @@ identity, repairs, notes. A file of another format is read in one piece, which C
              "metadata"_a = VolumeMetadata(),
              R"(Writes NRRD (.nrrd), NIfTI (.nii, .nii.gz) or MetaImage (.mha), as the tools do.
 
-float32, int16, uint8, uint16 and uint32 are written as they are, bool as uint8, float64 as float32 where that rounds no
-voxel; ParameterError otherwise and for other types, so that a file always holds the values of the image. metadata: pairs
-of texts for the header of NRRD and MetaImage.)");
+float32, int16, uint8, uint16 and uint32 are written unchanged, bool as uint8, float64 as float32 if that rounds no
+voxel; otherwise, and for other types, ParameterError is raised, so that a file always holds the values of the image.
+metadata: pairs of texts for the header of NRRD and MetaImage.)");
 }
 } // namespace shapeton::python
