@@ -17,10 +17,10 @@ CheckUsage(const CommandLine & commandLine)
 {
   const std::string metric = commandLine.GetString("metric");
   shapeton::RequireParameter(metric != "euclidean" || !commandLine.IsGiven("time"),
-                             "--time belongs to the heat diffusion metric; --metric euclidean has none");
+                             "--time applies to the heat diffusion metric only, not to --metric euclidean");
   shapeton::RequireParameter(
     metric == "truncatedHeatDiffusion" || !commandLine.IsGiven("eigenpairs"),
-    "--eigenpairs belongs to --metric truncatedHeatDiffusion; heatDiffusion takes all of them");
+    "--eigenpairs requires --metric truncatedHeatDiffusion; heatDiffusion uses all eigenpairs");
 }
 
 shapeton::ColonFlatteningOptions
@@ -44,7 +44,7 @@ OptionsOf(CommandLine & commandLine)
   {
     options.centreline = shapeton::ReadCurves(commandLine, "centreline");
   }
-  options.progress = commandLine.PartOfProgress(0.0, 0.9); // then the files are written
+  options.progress = commandLine.PartOfProgress(0.0, 0.9); // the rest is for writing the files
   return options;
 }
 

@@ -16,9 +16,9 @@ CheckUsage(const CommandLine & commandLine)
   const bool isPublished = commandLine.GetString("scheme") == "published";
   shapeton::RequireParameter(isPublished ||
                                !(commandLine.IsGiven("publishedLow") || commandLine.IsGiven("publishedHigh")),
-                             "--publishedLow and --publishedHigh belong to --scheme published");
+                             "--publishedLow and --publishedHigh require --scheme published");
   shapeton::RequireParameter(!isPublished || !commandLine.IsGiven("smoothness"),
-                             "--smoothness belongs to --scheme graphCut");
+                             "--smoothness requires --scheme graphCut");
   shapeton::RequireFoldLabelsName(commandLine.GetString("outputLabels"));
 }
 
@@ -39,7 +39,7 @@ OptionsOf(const CommandLine & commandLine)
   return options;
 }
 
-/** The files beside the labels; a name is empty where the file is not wanted. */
+/** Optional output files; a name is empty if the file is not requested. */
 class FoldFiles
 {
 public:

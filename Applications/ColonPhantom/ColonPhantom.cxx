@@ -37,7 +37,7 @@ MakeSource(shapeton::CommandLine & commandLine)
   return source;
 }
 
-// The positions of one patient belong to one study.
+// All positions of a patient are in one study.
 shapeton::DicomSeriesDescription
 Describe(const shapeton::CommandLine & commandLine)
 {
@@ -58,7 +58,7 @@ Describe(const shapeton::CommandLine & commandLine)
   return description;
 }
 
-// Of another position of this patient; no curves where the option is not given.
+// Correspondence of another position of this patient; no curves without the option.
 shapeton::CurveSet
 ReadOtherPosition(shapeton::CommandLine & commandLine)
 {
@@ -67,7 +67,7 @@ ReadOtherPosition(shapeton::CommandLine & commandLine)
     return {};
   }
   shapeton::RequireParameter(commandLine.IsGiven("truth"),
-                             "--pairWith writes points.csv into the folder of --truth; give one");
+                             "--pairWith requires --truth, the folder where points.csv is written");
   shapeton::CurveSet other = shapeton::ReadCurves(commandLine, "pairWith");
   const std::string  seed = commandLine.GetString("seed");
   for (const auto & [name, value] : other.facts)
@@ -76,7 +76,7 @@ ReadOtherPosition(shapeton::CommandLine & commandLine)
     {
       throw shapeton::InputError("--pairWith: the points of \"" + commandLine.GetString("pairWith") +
                                  "\" are of seed " + value + ", not of " + seed +
-                                 "; the positions must be of one patient");
+                                 "; both positions must show the same patient");
     }
   }
   return other;
@@ -87,12 +87,12 @@ MakePhantom(shapeton::CommandLine & commandLine)
 {
   const std::string folder = shapeton::WithoutTrailingSlashes(commandLine.GetString("outputFolder"));
   const std::string truth = shapeton::WithoutTrailingSlashes(commandLine.GetString("truth"));
-  shapeton::RequireParameter(folder != truth, "--truth: the series needs a folder of its own");
+  shapeton::RequireParameter(folder != truth, "--truth: the series requires a separate folder");
   commandLine.LeaveOutOfProvenance("truth");
   const shapeton::CurveSet other = ReadOtherPosition(commandLine);
   const auto               source = MakeSource(commandLine);
   shapeton::RequireParameter(other.curves.empty() || shapeton::Contains(source->GetParameters(), "colon"),
-                             "--pairWith needs the colon; add colon to --contents");
+                             "--pairWith requires the colon; add colon to --contents");
   shapeton::CheckDicomSeriesFolder(folder);
   commandLine.Watch(source, "Scanning the phantom", 0.0, 0.9);
   source->Update();

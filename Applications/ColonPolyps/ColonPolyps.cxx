@@ -21,10 +21,10 @@ void
 CheckUsage(const CommandLine & commandLine)
 {
   shapeton::RequireParameter(!commandLine.IsGiven("other") || commandLine.IsGiven("registration"),
-                             "--other needs --registration, which tells where candidates lie in the other position");
+                             "--other requires --registration, which maps candidates to the other position");
 }
 
-/** Of the two maps of a registration the one from the wall that the candidates are on. */
+/** Selects the map of a registration that starts from the wall of the candidates. */
 void
 MapToOther(CommandLine & commandLine, Candidates & candidates)
 {
@@ -60,7 +60,7 @@ MapToOther(CommandLine & commandLine, Candidates & candidates)
   {
     commandLine.Warn("the registration \"" + folder + "\" has a confidence of " +
                      shapeton::CsvTable::Rounded(confidence, 2) +
-                     ", see its reasons there: the other position was not used");
+                     "; the other position was ignored (see the reasons there)");
     return;
   }
   shapeton::FindInOtherPosition(map, '"' + nearest + '"', others, candidates);

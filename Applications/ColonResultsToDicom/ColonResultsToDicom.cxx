@@ -10,7 +10,7 @@ namespace
 {
 using shapeton::CommandLine;
 
-/** The results of one series, in the part [begin, end] of the run. */
+/** Writes the results of one series; [begin, end] is its part of the progress. */
 void
 Write(CommandLine &       commandLine,
       const std::string & exam,
@@ -19,7 +19,7 @@ Write(CommandLine &       commandLine,
       double              begin,
       double              end)
 {
-  CommandLine::RequireApart(source, folder, "give the folder with the DICOM series that the run has read");
+  CommandLine::RequireApart(source, folder, "give the folder with the DICOM series from which the run was computed");
   shapeton::ColonDicomOptions options;
   options.isDeflated = commandLine.GetFlag("deflate");
   options.progress = commandLine.PartOfProgress(begin, end);
@@ -32,13 +32,13 @@ void
 WriteResults(CommandLine & commandLine)
 {
   shapeton::RequireParameter(!commandLine.GetString("source").empty(),
-                             "the parameter \"source\" is missing: results belong to the series that they come from");
+                             "the parameter \"source\" is missing: results must refer to their series");
   const std::string exam = commandLine.GetString("exam");
   const std::string folder = commandLine.GetString("outputFolder");
   const bool        hasSecond = commandLine.IsGiven("secondSource");
   if (!hasSecond && std::filesystem::exists(exam + "/second"))
   {
-    commandLine.Warn("the results of the second series are left out; name its folder with the parameter "
+    commandLine.Warn("the results of the second series are skipped; give its folder with the parameter "
                      "\"secondSource\"");
   }
   Write(commandLine, exam, commandLine.GetString("source"), folder, 0.0, hasSecond ? 0.5 : 1.0);

@@ -14,13 +14,13 @@ void
 CheckUsage(const CommandLine & commandLine)
 {
   shapeton::RequireParameter(!commandLine.GetFlag("inputIsLumen") || !commandLine.IsGiven("lumen"),
-                             "--lumen belongs to a CT; with --inputIsLumen the input itself is the lumen");
+                             "--lumen requires a CT; with --inputIsLumen the input itself is the lumen");
   shapeton::RequireParameter(!commandLine.GetFlag("inputIsLumen") || !commandLine.IsGiven("position"),
-                             "--position says where fluid pools; a lumen (--inputIsLumen) needs none");
+                             "--position has no effect with --inputIsLumen: it determines where fluid pools");
   shapeton::RequireParameter(!commandLine.GetFlag("inputIsLumen") || !commandLine.IsGiven("cleansedVolume"),
-                             "--cleansedVolume needs a CT; with --inputIsLumen nothing is cleansed");
+                             "--cleansedVolume requires a CT; with --inputIsLumen nothing is cleansed");
   const int faces = commandLine.GetInteger("faces");
-  shapeton::RequireParameter(faces == 0 || faces >= 1000, "--faces takes 0 or at least 1000");
+  shapeton::RequireParameter(faces == 0 || faces >= 1000, "--faces must be 0 or at least 1000");
 }
 
 shapeton::ColonModelOptions
@@ -36,7 +36,7 @@ OptionsOf(CommandLine & commandLine, const std::string & patientPosition)
   options.faces = commandLine.GetInteger("faces");
   options.keepPieces = commandLine.GetFlag("keepPieces");
   options.keepPartial = commandLine.GetFlag("keepPartial");
-  options.progress = commandLine.PartOfProgress(0.0, 0.9); // then the files are written
+  options.progress = commandLine.PartOfProgress(0.0, 0.9); // the rest is for writing the files
   return options;
 }
 

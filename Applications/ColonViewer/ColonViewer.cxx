@@ -22,7 +22,7 @@ OptionsOf(const CommandLine & commandLine)
   return options;
 }
 
-/** What an interrupted run leaves shows parts of two examinations as one. */
+/** Rejects an interrupted run, which may mix parts of two examinations. */
 void
 RequireCurrent(const std::string & run)
 {

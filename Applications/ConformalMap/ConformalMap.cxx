@@ -22,15 +22,15 @@ CheckUsage(const CommandLine & commandLine)
   const auto        corners = commandLine.GetIntegers("corners");
   const std::string flat = commandLine.GetString("flatSurface");
   shapeton::RequireParameter(std::filesystem::path(flat).extension() == ".vtp",
-                             "the output " + flat + " needs the extension .vtp, which keeps its arrays");
+                             "the output " + flat + " must have the extension .vtp, which stores its arrays");
   shapeton::RequireParameter(corners.empty() || corners.size() == 4,
-                             "--corners takes four vertices, for example --corners 0,10,20,30");
+                             "--corners requires four vertices, for example --corners 0,10,20,30");
   shapeton::RequireParameter(corners.empty() || commandLine.GetString("domain") == "rectangle",
-                             "--corners are those of a rectangle; give --domain rectangle");
+                             "--corners requires --domain rectangle");
   shapeton::RequireParameter(!commandLine.IsGiven("time") || commandLine.GetString("metric") == "heatDiffusion",
-                             "--time is that of the heat diffusion metric; give --metric heatDiffusion");
+                             "--time requires --metric heatDiffusion");
   shapeton::RequireParameter(!commandLine.IsGiven("forms") || commandLine.GetString("domain") == "slit",
-                             "--forms needs the slit maps of all inner boundaries; give --domain slit");
+                             "--forms requires --domain slit, the slit maps of all inner boundaries");
 }
 
 shapeton::ConformalDomain
@@ -41,7 +41,7 @@ DomainOf(const std::string & name)
                              : shapeton::ConformalDomain::Slit;
 }
 
-/** The lengths of the edges in the metric of diffusion. */
+/** Edge lengths in the heat diffusion metric. */
 Eigen::VectorXd
 DiffusionLengths(CommandLine & commandLine, const shapeton::SurfaceMesh & mesh)
 {

@@ -22,16 +22,16 @@ CheckUsage(const CommandLine & commandLine)
 {
   shapeton::RequireIntensityWindow(commandLine);
   shapeton::RequireParameter(!commandLine.GetFlag("autoParameters") || !commandLine.IsGiven("p"),
-                             "--autoParameters chooses p; give either it or --p");
+                             "--autoParameters chooses p; do not combine it with --p");
   shapeton::RequireParameter(commandLine.IsGiven("snapshotSteps") || !commandLine.IsGiven("snapshotFolder"),
-                             "--snapshotFolder needs --snapshotSteps, the steps to write");
+                             "--snapshotFolder requires --snapshotSteps, the steps to write");
   shapeton::RequireParameter(!commandLine.IsGiven("snapshotSteps") || commandLine.IsGiven("snapshotFolder") ||
                                commandLine.IsGiven("report"),
-                             "--snapshotSteps needs --snapshotFolder or --report, where the heat is kept");
+                             "--snapshotSteps requires --snapshotFolder or --report, where the heat is stored");
   for (const int step : commandLine.GetIntegers("snapshotSteps"))
   {
     shapeton::RequireParameter(step >= 0 && step <= commandLine.GetInteger("timeSteps"),
-                               "--snapshotSteps: " + std::to_string(step) + " does not lie between 0 and --timeSteps");
+                               "--snapshotSteps: " + std::to_string(step) + " is not between 0 and --timeSteps");
   }
 }
 
@@ -70,7 +70,7 @@ RequestHistogram(const CommandLine & commandLine, FilterType * filter)
     shapeton::MakeSnapshotSteps(filter->GetTimeSteps(), commandLine.GetInteger("snapshots"), spacing));
 }
 
-/** Has the heat after --snapshotSteps written, or kept for the report, while the filter runs; returns the steps. */
+/** Requests that the heat after --snapshotSteps is written, or kept for the report; returns the steps. */
 std::vector<std::uint64_t>
 RequestSnapshots(CommandLine & commandLine, const shapeton::HeatResultFiles & files, FilterType * filter)
 {

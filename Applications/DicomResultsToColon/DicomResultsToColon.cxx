@@ -17,15 +17,15 @@ CheckUsage(const CommandLine & commandLine)
 {
   const bool ofSegments = commandLine.IsGiven("mask") || commandLine.IsGiven("labels") || commandLine.IsGiven("table");
   shapeton::RequireParameter(ofSegments || commandLine.IsGiven("markers"),
-                             "nothing is asked for: give --mask, --labels or --table for a segmentation, --markers for "
+                             "no output requested: give --mask, --labels or --table for a segmentation, --markers for "
                              "a report");
   shapeton::RequireParameter(!ofSegments || !commandLine.IsGiven("markers"),
-                             "--markers belongs to a report; --mask, --labels and --table to a segmentation");
+                             "--markers requires a report; --mask, --labels and --table require a segmentation");
   shapeton::RequireVolumeName(commandLine.GetString("mask"));
   shapeton::RequireVolumeName(commandLine.GetString("labels"));
 }
 
-/** 1 in all segments. */
+/** Mask that is 1 in all segments. */
 itk::Image<unsigned char, 3>::Pointer
 MaskOf(const shapeton::DicomLabelImage * labels)
 {

@@ -59,12 +59,12 @@ DocumentOf(const CommandLine & commandLine, const shapeton::Json & content)
   return document;
 }
 
-/** The two steps of --compare, or none. */
+/** The two steps of --compare; empty without it. */
 std::vector<int>
 ComparedSteps(const CommandLine & commandLine)
 {
   std::vector<int> steps = commandLine.GetIntegers("compare");
-  shapeton::RequireParameter(steps.empty() || steps.size() == 2, "--compare takes two steps, for example 0,4");
+  shapeton::RequireParameter(steps.empty() || steps.size() == 2, "--compare requires two steps, for example 0,4");
   return steps;
 }
 
@@ -97,7 +97,7 @@ Embed(CommandLine & commandLine)
   const std::string documentPath = commandLine.Output(folder + "/dynamic.json");
   const std::string stepsPath = commandLine.Output(folder + "/steps.csv");
   commandLine.RecordRun(folder + "/run.json");
-  commandLine.LeaveOutOfProvenance("labels"); // of pictures alone
+  commandLine.LeaveOutOfProvenance("labels"); // affects pictures only
 
   shapeton::DynamicSequence sequence = EmbedAll(commandLine);
   commandLine.Progress("Writing", 0.9);
@@ -113,7 +113,7 @@ Embed(CommandLine & commandLine)
   }
   for (std::size_t i = 0; i < sequence.steps.size(); ++i)
   {
-    const std::string number = std::to_string(10000 + i).substr(i < 10000 ? 1 : 0); // in the order of names
+    const std::string number = std::to_string(10000 + i).substr(i < 10000 ? 1 : 0); // sorts by name
     sequence.steps[i].certificate.provenance = commandLine.GetProvenance();
     shapeton::WriteEmbeddingCertificate(sequence.steps[i].certificate,
                                         commandLine.Output(folder + "/step-" + number + ".json"));

@@ -10,7 +10,7 @@ namespace
 {
 using shapeton::CommandLine;
 
-/** One row for each node of both graphs: its colour is that of its partner. */
+/** One row per pair of corresponding nodes, with their common color; unmatched nodes have their own row. */
 shapeton::CsvTable
 TableOfNodes(const shapeton::GraphComparison & comparison)
 {
@@ -56,7 +56,7 @@ Compare(CommandLine & commandLine)
   const std::string pathA = commandLine.Output(folder + "/a.json");
   const std::string pathB = commandLine.Output(folder + "/b.json");
   commandLine.RecordRun(folder + "/run.json");
-  commandLine.LeaveOutOfProvenance("labels"); // of pictures alone
+  commandLine.LeaveOutOfProvenance("labels"); // affects pictures only
 
   const shapeton::Graph  a = shapeton::ReadGraph(commandLine, "graphA");
   const shapeton::Graph  b = shapeton::ReadGraph(commandLine, "graphB");

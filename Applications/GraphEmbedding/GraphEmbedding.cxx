@@ -16,7 +16,7 @@ namespace
 {
 using shapeton::CommandLine;
 
-/** The genus that is asked for; -1 for the smallest. */
+/** The requested genus; -1 for the smallest. */
 int
 GenusOf(const std::string & text)
 {
@@ -24,7 +24,7 @@ GenusOf(const std::string & text)
   const char * end = text.data() + text.size();
   const auto   result = std::from_chars(text.data(), end, genus);
   shapeton::RequireParameter(text == "auto" || (result.ec == std::errc() && result.ptr == end && genus >= 0),
-                             "--genus is auto or a number that is not negative, and not \"" + text + '"');
+                             "--genus must be auto or a non-negative integer, got \"" + text + '"');
   return text == "auto" ? -1 : genus;
 }
 
@@ -40,7 +40,7 @@ OptionsOf(const CommandLine & commandLine)
   return options;
 }
 
-/** How the graph lies on its surface: as a file says, or with few handles. */
+/** Rotation system of the graph: read from a file, or with a small genus. */
 shapeton::SurfaceEmbedding
 SurfaceOf(CommandLine & commandLine, const shapeton::Graph & graph)
 {
@@ -54,7 +54,7 @@ SurfaceOf(CommandLine & commandLine, const shapeton::Graph & graph)
   return shapeton::FindEmbedding(graph, options);
 }
 
-/** The pictures that are asked for; their files are checked before the work. */
+/** The requested pictures; their file names are checked before the computation. */
 struct Pictures
 {
   explicit Pictures(CommandLine & commandLine)
@@ -111,7 +111,7 @@ Embed(CommandLine & commandLine)
 {
   GenusOf(commandLine.GetString("genus"));
   shapeton::RequireParameter(!commandLine.IsGiven("rotation") || !commandLine.IsGiven("genus"),
-                             "--rotation fixes the genus; leave --genus out");
+                             "--rotation determines the genus; omit --genus");
   const Pictures    pictures(commandLine);
   const std::string output = commandLine.GetString("certificate");
   const std::string path = commandLine.Output(output);

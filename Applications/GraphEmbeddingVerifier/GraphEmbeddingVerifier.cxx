@@ -25,7 +25,7 @@ WriteStatistics(CommandLine & commandLine, const shapeton::EmbeddingVerdict & ve
     document["measures"][name] = value;
   }
   shapeton::WriteJson(document, commandLine.OutputOf("statistics"));
-  commandLine.Publish(commandLine.GetString("statistics")); // also of a certificate that is refused
+  commandLine.Publish(commandLine.GetString("statistics")); // also for a rejected certificate
 }
 
 void

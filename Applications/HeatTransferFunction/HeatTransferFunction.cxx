@@ -33,7 +33,7 @@ ReadVolumes(shapeton::CommandLine & commandLine, const shapeton::TransferFunctio
   if (!snapshot.timeStep)
   {
     commandLine.Warn("the header of " + std::filesystem::path(snapshot.path).filename().string() +
-                     " does not state its time step: the pictures cannot tell it");
+                     " has no time step: the pictures cannot show it");
   }
   volumes.input = shapeton::ReadVolume(commandLine, "inputVolume");
   commandLine.Progress("Reading", 0.2);
@@ -47,7 +47,7 @@ ReadVolumes(shapeton::CommandLine & commandLine, const shapeton::TransferFunctio
   if (!shapeton::HaveSameGrid(volumes.input.image, heat.image))
   {
     throw shapeton::InputError("the grids of " + commandLine.GetString("inputVolume") + " and " + snapshot.path +
-                               " differ in size or place: give the volume that the heat was computed from");
+                               " differ; give the volume from which the heat was computed");
   }
   commandLine.Progress("Classifying", 0.5);
   const std::uint64_t step = volumes.timeStep.value_or(0);
@@ -63,7 +63,7 @@ LinesOfClasses(shapeton::CommandLine & commandLine, const shapeton::ShapeAnalysi
     shapeton::ShapeTransferFunction::FromClasses(shape.classes, shapeton::HeatAxis(shape.axisHistogram));
   if (transferFunction.GetLines().empty())
   {
-    commandLine.Warn("the heat volume holds nothing but background: the transfer function shows nothing");
+    commandLine.Warn("the heat volume contains only background: the transfer function is empty");
   }
   return transferFunction;
 }
@@ -109,7 +109,7 @@ MakeTransferFunction(shapeton::CommandLine & commandLine)
   if (std::filesystem::path(output).extension() != ".vp")
   {
     throw shapeton::ParameterError("the output " + output +
-                                   " needs the extension .vp, by which 3D Slicer knows a volume property");
+                                   " must have the extension .vp, by which 3D Slicer recognizes a volume property");
   }
   const auto        choice = shapeton::ReadTransferFunctionChoice(commandLine);
   const std::string propertyFile = commandLine.Output(output);

@@ -30,14 +30,14 @@ CheckUsage(const CommandLine & commandLine)
 {
   shapeton::RequireIntensityWindow(commandLine);
   shapeton::RequireParameter(!commandLine.GetFlag("autoParameters") || !commandLine.IsGiven("p"),
-                             "--autoParameters chooses p; give either it or --p");
+                             "--autoParameters chooses p; do not combine it with --p");
   const std::string automatic = commandLine.GetString("automaticSeeds");
   shapeton::RequireParameter(automatic != "off" || !commandLine.IsGiven("classes"),
-                             "--classes needs --automaticSeeds lines or components");
+                             "--classes requires --automaticSeeds lines or components");
   shapeton::RequireParameter(automatic == "components" || !commandLine.IsGiven("components"),
-                             "--components needs --automaticSeeds components");
+                             "--components requires --automaticSeeds components");
   shapeton::RequireParameter(automatic == "off" || !IsMarkups(commandLine.GetString("seeds")),
-                             "--automaticSeeds needs a map of classes; markups are seeds as they are");
+                             "--automaticSeeds needs a map of classes, not markups, which are seeds already");
   shapeton::RequireVolumeName(commandLine.GetString("outputLabels"));
   shapeton::RequireVolumeName(commandLine.GetString("uncertainty"));
 }

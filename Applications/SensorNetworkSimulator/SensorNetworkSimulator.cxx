@@ -26,7 +26,7 @@ OptionsOf(const CommandLine & commandLine)
   return options;
 }
 
-/** Steps of another run would mix with these. */
+/** Rejects a folder with files, which could mix with the steps of this run. */
 void
 RequireOwnFolder(const std::string & folder, int steps)
 {
@@ -79,7 +79,7 @@ Simulate(CommandLine & commandLine)
     const shapeton::Graph graph = network.GetGraph();
     if (graph.nodes == 0)
     {
-      throw shapeton::InputError("no device is in the network at step " + std::to_string(step) + "; give more devices");
+      throw shapeton::InputError("the network has no devices at step " + std::to_string(step) + "; give more devices");
     }
     char name[32];
     std::snprintf(name, sizeof(name), "/step-%04d.graphml", step);

@@ -61,7 +61,7 @@ WarnAboutIncompleteObjects(shapeton::CommandLine & commandLine, const Source * s
   }
   if (!names.empty())
   {
-    commandLine.Warn("the volume cuts off or misses " + names + "; enlarge it or move the objects");
+    commandLine.Warn("the volume cuts or misses " + names + "; enlarge it or move the objects");
   }
 }
 

@@ -23,7 +23,7 @@ void
 Add(CommandLine & commandLine, const shapeton::ShapeTable & table, const std::string & identity)
 {
   shapeton::RequireParameter(!commandLine.IsGiven("neighbours"),
-                             "--add stores shapes and searches for none; leave out --neighbours");
+                             "--add stores shapes without a search; omit --neighbours");
   const std::string database = commandLine.GetString("database");
   const std::size_t shapes = shapeton::AddToShapeDatabase(database, table, identity, commandLine.GetString("add"));
   std::cout << table.rows.size() << " added, " << shapes << " shapes in " << database << '\n';
@@ -63,7 +63,7 @@ Write(const std::vector<Answer> & answers, const std::vector<shapeton::NamedShap
   {
     for (std::size_t i = 0; i < result.neighbours.size(); ++i)
     {
-      const bool          isFirst = i == 0; // probability and answer are those of the shape
+      const bool          isFirst = i == 0; // probability and answer are written once per shape
       const auto &        neighbour = result.neighbours[i];
       const std::string & name = entries[neighbour.entry].name;
       table.AddRow({ shape,

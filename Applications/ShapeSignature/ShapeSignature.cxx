@@ -19,7 +19,7 @@ ReadLabels(CommandLine & commandLine, const shapeton::Volume & volume)
   if (!shapeton::HaveSameGrid(volume.image, labels.image))
   {
     throw shapeton::InputError("the grids of " + commandLine.GetString("inputVolume") + " and " + path +
-                               " differ in size or place: give the volume that the labels belong to");
+                               " differ; give the volume to which the labels refer");
   }
   return labels.image;
 }

@@ -22,9 +22,9 @@ CheckUsage(const CommandLine & commandLine)
 {
   shapeton::RequireIntensityWindow(commandLine);
   shapeton::RequireParameter(!commandLine.IsGiven("featureSize") || !commandLine.IsGiven("distance"),
-                             "--featureSize chooses the distance; give either it or --distance");
+                             "--featureSize sets the distance; do not combine it with --distance");
   shapeton::RequireParameter(!commandLine.IsGiven("previewEvery") || commandLine.IsGiven("preview"),
-                             "--previewEvery needs --preview, the picture to replace");
+                             "--previewEvery requires --preview, the picture to update");
   shapeton::RequireParameter(!commandLine.IsGiven("epsilon") || commandLine.GetFlag("untilSteady") ||
                                commandLine.IsGiven("preview") || commandLine.IsGiven("report"),
                              "--epsilon has no effect without --untilSteady, --preview or --report");
@@ -43,7 +43,7 @@ SetEpsilon(const CommandLine & commandLine, FilterType * filter)
   const auto * const end = text.data() + text.size();
   const auto         parsed = std::from_chars(text.data(), end, epsilon);
   shapeton::RequireParameter(parsed.ec == std::errc() && parsed.ptr == end && epsilon > 0.0 && epsilon < 1e300,
-                             "--epsilon: \"" + text + "\" is neither a positive number nor auto");
+                             "--epsilon: \"" + text + "\" is not a positive number or auto");
   filter->SetEpsilon(epsilon);
 }
 
@@ -78,13 +78,13 @@ Configure(const CommandLine & commandLine, FilterType * filter)
   }
 }
 
-/** The rows of the report's histogram. */
+/** Time steps of the rows of the report's histogram. */
 FilterType::StepsType
 HistogramSteps(std::uint64_t timeSteps)
 {
   constexpr std::size_t rows = 64;
   auto                  steps = shapeton::MakeSnapshotSteps(timeSteps, rows, shapeton::SnapshotSpacing::Logarithmic);
-  steps.erase(steps.begin()); // nothing is visited before the first step
+  steps.erase(steps.begin()); // no visits before the first step
   return steps;
 }
 

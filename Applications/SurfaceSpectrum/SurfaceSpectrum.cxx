@@ -18,12 +18,12 @@ CheckUsage(const CommandLine & commandLine)
   const std::string signature = commandLine.GetString("heatKernelSignature");
   shapeton::RequireParameter(signature.empty() ||
                                (signature.size() > 4 && signature.substr(signature.size() - 4) == ".vtp"),
-                             "--heatKernelSignature writes VTP; give it a name that ends in .vtp");
+                             "--heatKernelSignature writes VTP; the file name must end in .vtp");
   shapeton::RequireParameter(!commandLine.IsGiven("times") || commandLine.IsGiven("heatKernelSignature"),
-                             "--times are those of the heat kernel signature; give --heatKernelSignature as well");
+                             "--times requires --heatKernelSignature");
   for (const double time : commandLine.GetDoubles("times"))
   {
-    shapeton::RequireParameter(time > 0.0, "--times: a time of diffusion is greater than 0 mm^2");
+    shapeton::RequireParameter(time > 0.0, "--times must be greater than 0 mm^2");
   }
 }
 
@@ -71,7 +71,8 @@ TimesOf(CommandLine & commandLine, const shapeton::SurfaceSpectrum & spectrum)
     {
       commandLine.Warn("at " + CsvTable::Number(time) + " mm^2 the last eigenpair still has " +
                        CsvTable::Rounded(share, 2) +
-                       " of its heat, so the signature lacks that of higher ones; raise --eigenpairs");
+                       " of its heat, so the signature lacks the contribution of higher eigenpairs; raise
+                       --eigenpairs");
     }
   }
   return given;

@@ -24,15 +24,15 @@ CheckSecond(const CommandLine & commandLine)
                                    "evaluate" })
   {
     shapeton::RequireParameter(commandLine.IsGiven("second") || !commandLine.IsGiven(name),
-                               std::string("--") + name + " is of no use without --second");
+                               std::string("--") + name + " requires --second");
   }
   shapeton::RequireParameter(!commandLine.IsGiven("second") ||
                                commandLine.GetString("second") != commandLine.GetString("inputVolume") ||
                                commandLine.GetString("secondSeriesUID") != commandLine.GetString("seriesUID"),
-                             "the second series is the first one; name its --secondSeriesUID, or another folder");
+                             "the second series is the first one; set --secondSeriesUID or give another folder");
 }
 
-/** What a tool would refuse after minutes is refused now. */
+/** Checks at once what a tool would reject only after minutes. */
 void
 CheckUsage(const CommandLine & commandLine)
 {
@@ -41,15 +41,15 @@ CheckUsage(const CommandLine & commandLine)
   {
     shapeton::RequireParameter(!isLumen || !commandLine.IsGiven(lumen),
                                std::string("--") + lumen +
-                                 " belongs to a CT; with --inputIsLumen the input itself is the lumen");
+                                 " requires a CT; with --inputIsLumen the input itself is the lumen");
     shapeton::RequireParameter(!isLumen || !commandLine.IsGiven(position),
                                std::string("--") + position +
-                                 " says where fluid pools; a lumen (--inputIsLumen) needs none");
+                                 " has no effect with --inputIsLumen: it determines where fluid pools");
   }
   shapeton::RequireParameter(commandLine.GetString("metric") != "euclidean" || !commandLine.IsGiven("time"),
-                             "--time belongs to the heat diffusion metric; --metric euclidean has none");
+                             "--time applies to the heat diffusion metric only, not to --metric euclidean");
   const int faces = commandLine.GetInteger("faces");
-  shapeton::RequireParameter(faces == 0 || faces >= 1000, "--faces takes 0 or at least 1000");
+  shapeton::RequireParameter(faces == 0 || faces >= 1000, "--faces must be 0 or at least 1000");
   CheckSecond(commandLine);
 }
 } // namespace
