@@ -1,4 +1,4 @@
-# The command that Data/README.md names for PhantomSeries writes the files that are there.
+# The command in Data/README.md for PhantomSeries reproduces its files.
 file(READ ${DATA}/README.md text)
 if(NOT text MATCHES "`ShapePhantom PhantomSeries ([^`]*)`")
   message(FATAL_ERROR "Data/README.md names no command for PhantomSeries")
@@ -13,7 +13,7 @@ file(GLOB kept RELATIVE ${DATA}/PhantomSeries ${DATA}/PhantomSeries/*)
 if(NOT made STREQUAL kept OR NOT made)
   message(FATAL_ERROR "[${made}] differs from [${kept}]")
 endif()
-# As hexadecimal digits, without the version that DCMTK puts into the file meta information.
+# As hexadecimal digits, without the DCMTK version in the file meta information.
 function(read_slice variable file)
   file(READ ${file} bytes HEX)
   string(HEX "OFFIS_DCMTK_" writer)

@@ -1,4 +1,4 @@
-// Flexures, segments and taeniae on the wall of a synthetic colon, and how far they lie from the truth.
+// Flexures, segments and taeniae on the wall of a synthetic colon, and their distance from the ground truth.
 // Usage: ExampleColonLandmarks TAENIAE.vtp
 #include "shapetonColonFlattening.h"
 #include "shapetonColonLandmarks.h"

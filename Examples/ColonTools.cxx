@@ -38,7 +38,7 @@ main(int argc, char * argv[])
     int files = 0;
     shapeton::WriteColonFlatteningReport(content, folder, [&](const std::string & path) {
       ++files;
-      return commandLine.Output(path); // a temporary name; the file gets its own when all is done
+      return commandLine.Output(path); // a temporary name; the file is renamed at the end
     });
     std::cout << files << " files; handles: " << content.parts.annotations.size() << '\n';
   });

@@ -1,5 +1,5 @@
-// Virtual colonoscopy of the lumen of a coarse synthetic patient: all stages by the tools beside this program, then one
-// report on them. The options are those of the tool VirtualColonoscopy, whose module description is read.
+// Virtual colonoscopy of the lumen of a coarse synthetic patient: all stages with the tools next to this program, then
+// one report. The options are read from the module description of the tool VirtualColonoscopy.
 // Usage: ExampleColonoscopyRun FOLDER
 #include "shapetonColonPhantomImageSource.h"
 #include "shapetonColonoscopyRun.h"

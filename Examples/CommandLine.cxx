@@ -1,4 +1,4 @@
-// A command-line tool: the XML declares its options, and gives --help, checks, exit status and 3D Slicer's panel.
+// A command-line tool: the XML declares its options and provides --help, checks, exit status and 3D Slicer's panel.
 // Usage: ExampleCommandLine --radius 10
 #include "shapetonCommandLine.h"
 

@@ -1,4 +1,5 @@
-// Cuts the handles out of a tube and maps it to a rectangle, conformally in the heat diffusion metric; says how well.
+// Removes the handles of a tube and maps it to a rectangle, conformally in the heat diffusion metric; prints the
+// quality.
 // Usage: ExampleConformalFlattening TUBE FLAT.vtp
 #include "shapetonColonFlattening.h"
 #include "shapetonSurfaceReader.h"
@@ -15,7 +16,7 @@ main(int argc, char * argv[])
     return 2;
   }
   const shapeton::Surface          tube = shapeton::ReadSurface(argv[1]);
-  shapeton::ColonFlatteningOptions options; // an automatic time of diffusion
+  shapeton::ColonFlatteningOptions options; // automatic diffusion time
   options.removeHandles = true;
   const shapeton::ColonFlattening flattening = shapeton::FlattenColon(tube.mesh, argv[1], options);
   shapeton::WriteSurface(flattening.map.flat, argv[2]); // in space, with the point array uv (mm)

@@ -1,4 +1,4 @@
-// Writes what is bright in a series as a DICOM Segmentation beside it, and reads it back.
+// Writes the bright voxels of a series as a DICOM Segmentation that refers to it, and reads it back.
 // Usage: ExampleDicomResults FOLDER OUTPUT.dcm
 #include "shapetonDicomSegmentation.h"
 #include "shapetonDicomSegmentationReader.h"

@@ -1,4 +1,4 @@
-// The certificate of an embedding as a file: what a verifier or a picture needs, number by number.
+// The certificate of an embedding as a file: all numbers needed by a verifier or a picture.
 // Usage: ExampleEmbeddingCertificate CERTIFICATE.json
 #include "shapetonEmbeddingCertificate.h"
 #include "shapetonGraphEmbedding.h"

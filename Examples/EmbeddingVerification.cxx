@@ -1,4 +1,4 @@
-// Proves that the certificate of an embedding holds, and refuses one in which a circle is too large.
+// Verifies the certificate of an embedding, and rejects one in which a circle is too large.
 // Usage: ExampleEmbeddingVerification
 #include "shapetonEmbeddingVerification.h"
 #include "shapetonGraphEmbedding.h"

@@ -40,7 +40,7 @@ main(int argc, char * argv[])
     content.classes = classification.classes;
     content.provenance = commandLine.GetProvenance();
     shapeton::WriteHeatReport(content, commandLine.GetString("report"), [&](const std::string & path) {
-      return commandLine.Output(path); // a temporary name; the file gets its own when all is done
+      return commandLine.Output(path); // a temporary name; the file is renamed at the end
     });
     std::cout << content.classes.size() - 1 << " classes besides the background\n";
   });

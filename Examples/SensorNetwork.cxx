@@ -17,7 +17,7 @@ main()
   int planarSteps = 0;
   for (int step = 0; step < 10; ++step)
   {
-    const shapeton::Graph      graph = network.GetGraph(); // named by the devices
+    const shapeton::Graph      graph = network.GetGraph(); // nodes are named after the devices
     shapeton::CombinatorialMap map;
     planarSteps += shapeton::FindPlanarEmbedding(graph, map);
     std::cout << "step " << step << ": " << graph.nodes << " devices, " << graph.edges.size() << " links\n";

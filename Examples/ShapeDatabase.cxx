@@ -1,4 +1,4 @@
-// Signatures of shapes that are stored under a name in an SQLite file, and read again.
+// Stores named shape signatures in an SQLite file and reads them back.
 // Usage: ExampleShapeDatabase VOLUME LABELS DATABASE
 #include "shapetonShapeDatabase.h"
 #include "shapetonVolumeReader.h"
@@ -17,7 +17,7 @@ main(int argc, char * argv[])
   const shapeton::Volume volume = shapeton::ReadVolume(argv[1]);
   const shapeton::Volume labels = shapeton::ReadVolume(argv[2]);
   const auto             table = shapeton::DescribeShapes(volume.image, labels.image, false);
-  std::filesystem::remove(argv[3]); // else the second run would add the same table again, which is refused
+  std::filesystem::remove(argv[3]); // otherwise the second run would add the same table again, which is rejected
   shapeton::AddToShapeDatabase(argv[3], table, labels.identity, "example");
   for (const shapeton::NamedShape & shape : shapeton::ReadShapeDatabase(argv[3]))
   {

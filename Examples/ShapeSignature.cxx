@@ -1,4 +1,4 @@
-// A shape in two images: how far the signatures of copies are from each other, and from that of another shape.
+// A shape in two images: distance between the signatures of copies, and to that of another shape.
 // Usage: ExampleShapeSignature
 #include "shapetonLabelShapes.h"
 #include "shapetonShapeSearch.h"
@@ -36,7 +36,7 @@ int
 main()
 {
   const auto large = SignatureOf(Ellipsoid(12.0, 18.0, 26.0));
-  const auto small = SignatureOf(Ellipsoid(13.0, 6.0, 9.0)); // half as large, and turned
+  const auto small = SignatureOf(Ellipsoid(13.0, 6.0, 9.0)); // half the size, rotated
   const auto other = SignatureOf(Ellipsoid(18.0, 18.0, 18.0));
   std::cout << "a copy is " << shapeton::SignatureDistance(large, small) << " away, another shape "
             << shapeton::SignatureDistance(large, other) << '\n';

@@ -1,4 +1,4 @@
-// Runs a tool of Shapeton as a stage in a folder of its own, twice: what is unchanged is not computed again.
+// Runs a tool of Shapeton as a stage in a separate folder, twice: unchanged results are not computed again.
 // Usage: ExampleStagedRun SURFACE FOLDER
 #include "shapetonJson.h"
 #include "shapetonStagedRun.h"
@@ -15,7 +15,7 @@ main(int argc, char * argv[])
     return 2;
   }
   std::filesystem::create_directories(argv[2]);
-  shapeton::StagedRun run(argv[2], shapeton::FolderOfThisProgram()); // the tools lie beside this program
+  shapeton::StagedRun run(argv[2], shapeton::FolderOfThisProgram()); // the tools are next to this program
   shapeton::Stage     stage("inspection", "SurfaceInspector");
   stage.Input("", argv[1]).Output("json", "surface.json").Option("unit", "mm").Idle("threads", "1");
   for (int i = 0; i < 2; ++i)

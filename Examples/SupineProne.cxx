@@ -17,7 +17,7 @@ static Phantom::Pointer
 MakePatient(const std::string & position)
 {
   const auto                       phantom = Phantom::New();
-  shapeton::ColonPhantomParameters parameters; // of the same patient: the seed is the same
+  shapeton::ColonPhantomParameters parameters; // same patient: same seed
   parameters.position = position;
   phantom->SetParameters(parameters);
   phantom->SetSize({ { 128, 128, 120 } });

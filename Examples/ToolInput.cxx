@@ -1,4 +1,4 @@
-// A tool that reads a surface by the parameters of its command line, and states where the result comes from.
+// A tool that reads a surface selected by command-line parameters, and records the provenance of the result.
 // Usage: ExampleToolInput SURFACE [--part NAME] [--component N] [--unit file|m|mm|um]
 #include "shapetonCommandLine.h"
 #include "shapetonSurfaceQuality.h"

@@ -1,4 +1,4 @@
-// Reads a surface, measures it by a filter of VTK, and turns it to RAS and back.
+// Reads a surface, measures it with a VTK filter, and converts it to RAS and back.
 // Usage: ExampleVTKData SURFACE
 #include "shapetonPolyDataAdapter.h"
 #include "shapetonSurfaceReader.h"

@@ -1,4 +1,4 @@
-# Builds what Slicer lacks, then Shapeton, then this project again as "inner".
+# Builds the dependencies missing in Slicer, then Shapeton, then this project again as "inner".
 set(ep_common_c_flags "${CMAKE_C_FLAGS_INIT} ${ADDITIONAL_C_FLAGS}")
 set(ep_common_cxx_flags "${CMAKE_CXX_FLAGS_INIT} ${ADDITIONAL_CXX_FLAGS}")
 set(ep_compiler
@@ -10,7 +10,7 @@ set(ep_compiler
 set(ep_prefix ${CMAKE_BINARY_DIR}/prefix) # of what is linked into Shapeton
 
 # simple_project(<name> VERSION <tag> GIT <repository> [CACHE <-D...>...]): built by CMake and installed to ep_prefix.
-# A repository and tag of your own: -Dinner_<name>_GIT_REPOSITORY=... -Dinner_<name>_GIT_TAG=...
+# To use another repository and tag: -Dinner_<name>_GIT_REPOSITORY=... -Dinner_<name>_GIT_TAG=...
 function(simple_project name)
   cmake_parse_arguments(PARSE_ARGV 1 project "" "VERSION;GIT" "CACHE")
   ExternalProject_SetIfNotDefined(${SUPERBUILD_TOPLEVEL_PROJECT}_${name}_GIT_REPOSITORY ${project_GIT} QUIET)

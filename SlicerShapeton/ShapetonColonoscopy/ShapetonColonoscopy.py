@@ -23,7 +23,7 @@ class ShapetonColonoscopy(ScriptedLoadableModule):
 
 
 class MapClicks(qt.QObject):
-    """Tells where the picture of the map is clicked."""
+    """Reports clicks on the picture of the map."""
 
     def __init__(self, clicked):
         qt.QObject.__init__(self)

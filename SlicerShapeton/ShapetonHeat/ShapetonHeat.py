@@ -13,14 +13,14 @@ class ShapetonHeat(ScriptedLoadableModule):
         parent.categories = ["Shapeton"]
         parent.contributors = ["The Shapeton developers"]
         parent.helpText = (
-            "Describes the shape of everything in a volume by heat that diffuses in it, and renders the lines of the "
-            "heat histogram that are picked. For research use; not a diagnosis."
+            "Computes a shape descriptor of every voxel of a volume by heat diffusion, and renders selected lines of "
+            "the heat histogram. For research use; not a diagnosis."
         )
         parent.acknowledgementText = "Shapeton, Apache License 2.0."
 
 
 class LineTable:
-    """The lines of the histogram to pick from: heats, colour and opacity can be changed."""
+    """Selectable lines of the histogram; heats, color and opacity can be changed."""
 
     columns = ("Show", "From", "To", "Colour", "Opacity")
 
@@ -101,7 +101,7 @@ class ShapetonHeatWidget(ScriptedLoadableModuleWidget):
         )
 
     def _window(self):
-        """None takes the whole range."""
+        """None uses the whole range."""
         text = self.intensityWindow.text.strip()
         return tuple(float(part) for part in text.split(",")) if text else None
 

@@ -1,1 +1,1 @@
-"""What the modules of SlicerShapeton share. The logic is apart from the widgets and needs no window."""
+"""Shared code of the modules of SlicerShapeton. The logic is separate from the widgets and requires no window."""

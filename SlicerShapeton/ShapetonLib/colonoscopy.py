@@ -12,7 +12,7 @@ positions = ("auto", "supine", "prone", "leftDecubitus", "rightDecubitus")
 
 
 class ColonoscopyResults:
-    """What a run has put into the scene; `flatMap` is no node."""
+    """Results of a run in the scene; `flatMap` is not a node."""
 
     def __init__(self):
         self.volume = self.lumen = self.wall = self.centreline = self.candidates = self.candidateTable = None
@@ -21,11 +21,11 @@ class ColonoscopyResults:
 
 
 class ColonoscopyLogic:
-    # A line of sight of the colon: places farther from the wall than this are outside of it.
+    # Points farther from the wall than this are outside the colon.
     reach = 30.0  # mm
 
     def start(self, volumeNode, folder, position="auto", onProgress=lambda share, stage: None):
-        """Runs VirtualColonoscopy; what an earlier run in the folder has done of the same volume is not computed again."""
+        """Runs VirtualColonoscopy; results of an earlier run on the same volume in the folder are reused."""
         os.makedirs(folder, exist_ok=True)
         volume = os.path.join(folder, "input.nrrd")
         exportVolume(volumeNode, volume)
@@ -55,7 +55,7 @@ class ColonoscopyLogic:
         return results
 
     def jumpTo(self, flatMap, column, row):
-        """A place on the map in the slices. False beside the wall."""
+        """Shows a point of the map in the slices. Returns False outside the wall."""
         place = flatMap.placeOf(column, row)
         if place is None:
             return False
@@ -65,7 +65,7 @@ class ColonoscopyLogic:
         return True
 
     def pixelOfCursor(self, flatMap):
-        """Where the cursor of the slices is on the map; None where it is not near the wall."""
+        """Position of the slice cursor on the map; None if it is not near the wall."""
         crosshair = slicer.mrmlScene.GetFirstNodeByClass("vtkMRMLCrosshairNode")
         place = [0.0, 0.0, 0.0]
         if not crosshair.GetCursorPositionRAS(place):
@@ -77,7 +77,7 @@ class ColonoscopyLogic:
         wall.SetName("Colon wall")
         display = wall.GetDisplayNode()
         display.SetOpacity(0.5)
-        if os.path.isfile(colorPath):  # no segments were found otherwise
+        if os.path.isfile(colorPath):  # missing if no segments were found
             colors = slicer.util.loadColorTable(colorPath)
             display.SetActiveScalar("segment", vtk.vtkAssignAttribute.CELL_DATA)
             display.SetAndObserveColorNodeID(colors.GetID())

@@ -1,4 +1,4 @@
-"""The flat wall of a colon: which pixel is which place in the patient."""
+"""The flat wall of a colon: mapping between pixels and points in the patient."""
 
 import gzip
 
@@ -8,14 +8,14 @@ from vtk.util import numpy_support
 
 
 def readCoordinates(path):
-    """coordinates.nrrd of ColonFlattening as an array of rows, columns and 3 components: LPS in mm, NaN where no wall is.
-    Slicer's readers take volumes in space; this image lies in the plane of the map."""
+    """coordinates.nrrd of ColonFlattening as an array of rows, columns and 3 components: LPS in mm, NaN outside the
+    wall. Slicer's readers expect volumes in space; this image is in the plane of the map."""
     with open(path, "rb") as file:
         header, data = file.read().split(b"\n\n", 1)
     lines = header.decode("utf-8").splitlines()
     fields = dict(line.split(": ", 1) for line in lines if ": " in line and not line.startswith("#"))
     if (fields["type"], fields["dimension"], fields.get("endian", "little")) != ("float", "3", "little"):
-        raise ValueError(f"{path} is no map of coordinates")
+        raise ValueError(f"{path} is not a coordinate map")
     components, columns, rows = (int(size) for size in fields["sizes"].split())
     if fields["encoding"] == "gzip":
         data = gzip.decompress(data)
@@ -23,13 +23,13 @@ def readCoordinates(path):
 
 
 class FlatMap:
-    """Places are RAS in mm, as in Slicer's scene; pixels are (column, row), the first row on top."""
+    """Points are RAS in mm, as in Slicer's scene; pixels are (column, row), the first row on top."""
 
     def __init__(self, path):
         self.places = readCoordinates(path).astype(float) * (-1.0, -1.0, 1.0)
         self.isWall = numpy.isfinite(self.places).all(axis=2)
         self._pixels = numpy.argwhere(self.isWall)  # (row, column)
-        self._points = vtk.vtkPolyData()  # the locator does not keep it
+        self._points = vtk.vtkPolyData()  # the locator does not own it
         points = vtk.vtkPoints()
         points.SetData(numpy_support.numpy_to_vtk(self.places[self.isWall], deep=True))
         self._points.SetPoints(points)
@@ -43,14 +43,14 @@ class FlatMap:
         return self.places.shape[1], self.places.shape[0]
 
     def placeOf(self, column, row):
-        """None beside the wall."""
+        """None outside the wall."""
         columns, rows = self.size
         if not (0 <= column < columns and 0 <= row < rows) or not self.isWall[row, column]:
             return None
         return tuple(self.places[row, column])
 
     def pixelOf(self, place, within):
-        """The pixel of the wall next to a place; None where none is within so many mm."""
+        """The wall pixel nearest to a point; None if the distance exceeds the limit in mm."""
         distance = vtk.reference(0.0)
         index = self._locator.FindClosestPointWithinRadius(within, place, distance)
         if index < 0:
@@ -59,11 +59,11 @@ class FlatMap:
         return int(column), int(row)
 
     def writePicture(self, path):
-        """The relief of the wall, lit from the left of the map (PNG); white where no wall is."""
+        """The relief of the wall, lit from the left of the map (PNG); white outside the wall."""
         along = numpy.gradient(self.places, axis=1)
         around = numpy.gradient(self.places, axis=0)
         normal = numpy.cross(along, around)
-        axis = numpy.nan_to_num(along).sum(axis=0, keepdims=True)  # where the light comes from
+        axis = numpy.nan_to_num(along).sum(axis=0, keepdims=True)  # direction of the light
         cosine = (normal * axis).sum(axis=2) / (
             numpy.linalg.norm(normal, axis=2) * numpy.linalg.norm(axis, axis=2) + 1e-12
         )

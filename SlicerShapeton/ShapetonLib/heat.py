@@ -9,7 +9,7 @@ from ShapetonLib.toolrun import ToolRun, exportVolume
 
 
 class Line:
-    """Heats from `lower` to `upper`, shown in a colour (#rrggbb) with an opacity."""
+    """Heats from `lower` to `upper`, shown in a color (#rrggbb) with an opacity."""
 
     def __init__(self, lower, upper, color, opacity):
         self.lower, self.upper, self.color, self.opacity = lower, upper, color, opacity
@@ -37,13 +37,13 @@ class HeatLogic:
         return self._path(folder, "histogram.png")
 
     def classLines(self, folder):
-        """The classes of the histogram but the background, as lines to pick from."""
+        """The classes of the histogram except the background, as selectable lines."""
         with open(self._path(folder, "classes.csv"), newline="") as table:
             rows = [row for row in csv.DictReader(table) if row["label"] != "0"]
         return [Line(float(row["lowerHeat"]), float(row["upperHeat"]), row["color"], 0.5) for row in rows]
 
     def startTransferFunction(self, folder, lines, onProgress=lambda share, stage: None):
-        """Runs HeatTransferFunction for the lines that were picked."""
+        """Runs HeatTransferFunction for the selected lines."""
         if not lines:
             raise RuntimeError("Pick a line of the histogram first")
         arguments = [self._path(folder, "input.nrrd"), self._path(folder, "heat.nrrd"), self._path(folder, "lines.vp")]
@@ -51,7 +51,7 @@ class HeatLogic:
         return ToolRun("HeatTransferFunction", arguments, onProgress)
 
     def show(self, heatNode, folder):
-        """Renders the heat by the transfer function."""
+        """Renders the heat with the transfer function."""
         logic = slicer.modules.volumerendering.logic()
         display = logic.GetFirstVolumeRenderingDisplayNode(heatNode) or logic.CreateDefaultVolumeRenderingNodes(heatNode)
         volumeProperty = logic.AddVolumePropertyFromFile(self._path(folder, "lines.vp"))

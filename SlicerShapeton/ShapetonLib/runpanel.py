@@ -1,4 +1,4 @@
-"""The widgets that both modules have: the folder of the tools, the folder of results, progress and cancel."""
+"""Common widgets of the modules: tools folder, results folder, progress and cancel."""
 
 import os
 
@@ -10,7 +10,7 @@ from ShapetonLib.toolrun import toolsFolderKey
 
 
 class RunPanel:
-    """Shows one ToolRun at a time. Its timer asks the run, because Slicer's event loop lets no thread of Python run."""
+    """Shows one ToolRun at a time. A timer polls the run, because Slicer's event loop blocks Python threads."""
 
     interval = 200  # ms
 
@@ -21,13 +21,13 @@ class RunPanel:
         self.outputFolder = ctk.ctkPathLineEdit()
         self.outputFolder.filters = ctk.ctkPathLineEdit.Dirs
         self.outputFolder.currentPath = os.path.join(slicer.app.temporaryPath, "Shapeton")
-        self.outputFolder.setToolTip("Results are files in this folder; another run of the same volume goes on from them.")
+        self.outputFolder.setToolTip("Results are files in this folder; another run on the same volume resumes from them.")
         layout.addRow("Results:", self.outputFolder)
 
         self.toolsFolder = ctk.ctkPathLineEdit()
         self.toolsFolder.filters = ctk.ctkPathLineEdit.Dirs
         self.toolsFolder.currentPath = slicer.util.settingsValue(toolsFolderKey, "")
-        self.toolsFolder.setToolTip("Where Shapeton's tools are, when not those of this extension.")
+        self.toolsFolder.setToolTip("Folder of Shapeton's tools, if not those of this extension.")
         self.toolsFolder.connect("currentPathChanged(QString)", self._rememberToolsFolder)
         layout.addRow("Folder of tools:", self.toolsFolder)
 
@@ -53,7 +53,7 @@ class RunPanel:
         return self._run is not None
 
     def start(self, startRun, finished):
-        """startRun(onProgress) gives a ToolRun; finished() is called when it has succeeded."""
+        """startRun(onProgress) returns a ToolRun; finished() is called after success."""
         with slicer.util.tryWithErrorDisplay("Shapeton could not start.", waitCursor=True):
             self._run = startRun(self._showProgress)
             self._finished = finished
@@ -101,7 +101,7 @@ def volumeSelector(scene):
 
 
 def section(layout, title):
-    """A titled part of a module's panel; its form layout."""
+    """A titled section of a module's panel; returns its form layout."""
     button = ctk.ctkCollapsibleButton()
     button.text = title
     layout.addWidget(button)

@@ -1,4 +1,4 @@
-"""A tool of Shapeton as a process: progress, warnings, the one line of its failure, cancel."""
+"""A tool of Shapeton as a process: progress, warnings, error message, cancel."""
 
 import os
 import re
@@ -11,7 +11,7 @@ toolsFolderKey = "Shapeton/ToolsFolder"
 
 
 def toolPath(name):
-    """The program: in the folder of the settings, otherwise the command-line module of this extension."""
+    """The executable: from the folder in the settings, otherwise the command-line module of this extension."""
     folder = slicer.util.settingsValue(toolsFolderKey, "")
     if folder:
         path = os.path.join(folder, name)
@@ -24,12 +24,12 @@ def toolPath(name):
 
 
 def toolEnvironment():
-    """Tools of another folder are not linked with the libraries of Slicer, so they do not see Slicer's search paths."""
+    """Tools of another folder are not linked with Slicer's libraries, so Slicer's search paths are removed."""
     return slicer.util.startupEnvironment() if slicer.util.settingsValue(toolsFolderKey, "") else None
 
 
 class ToolRun:
-    """Call poll() now and then, from a timer: Slicer's event loop lets no thread of Python run beside it."""
+    """Call poll() from a timer: Slicer's event loop blocks Python threads."""
 
     def __init__(self, name, arguments, onProgress=lambda share, stage: None):
         self.name = name
@@ -48,8 +48,8 @@ class ToolRun:
             self._text[stream] = b""
 
     def poll(self):
-        """Takes up what the tool has told. True when it has come to its end."""
-        isOver = self._process.poll() is not None  # asked before reading, so that nothing is lost
+        """Reads the output of the tool. Returns True when it has finished."""
+        isOver = self._process.poll() is not None  # polled before reading, so that no output is lost
         self._readLines(self._process.stdout, self._takeLine)
         self._readLines(self._process.stderr, lambda line: None, keep=True)
         if isOver:
@@ -58,12 +58,12 @@ class ToolRun:
         return isOver
 
     def cancel(self):
-        """The tool removes its temporary files and ends the tools that it runs; poll() tells when it is over."""
+        """Cancels the tool, which removes its temporary files and stops its child tools; poll() reports the end."""
         self.cancelled = True
         self._process.terminate()
 
     def requireSuccess(self):
-        """After the end: raises RuntimeError with the line that the tool has told."""
+        """After the end: raises RuntimeError with the error message of the tool."""
         if self._process.returncode != 0:
             error = self._text[self._process.stderr].decode(errors="replace").strip()
             raise RuntimeError(error or f"{self.name} ended with status {self._process.returncode}")
@@ -97,8 +97,8 @@ class ToolRun:
 
 
 def exportVolume(node, path):
-    """The voxels of a volume node as a file; the node keeps the file that it came from."""
+    """Writes the voxels of a volume node to a file; the storage node is unchanged."""
     if node.GetParentTransformNode():
         raise RuntimeError(f"{node.GetName()} is under a transform; harden the transform first")
-    if not slicer.util.exportNode(node, path, {}):  # {}: the function keeps what it finds in its own default
+    if not slicer.util.exportNode(node, path, {}):  # {}: the function would store values in its mutable default
         raise RuntimeError(f"{node.GetName()} cannot be written to {path}")

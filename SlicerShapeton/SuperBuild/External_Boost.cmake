@@ -1,4 +1,4 @@
-# Headers alone.
+# Headers only.
 set(proj Boost)
 set(${proj}_DEPENDS "")
 ExternalProject_Include_Dependencies(${proj} PROJECT_VAR proj)

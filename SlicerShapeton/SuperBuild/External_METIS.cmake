@@ -1,4 +1,4 @@
-# The version of Debian: the order of elimination, so the bytes of results, depends on it.
+# Same version as Debian: the elimination order, and thus the exact results, depend on it.
 set(proj METIS)
 set(${proj}_DEPENDS "")
 ExternalProject_Include_Dependencies(${proj} PROJECT_VAR proj)

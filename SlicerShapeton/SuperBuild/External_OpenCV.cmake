@@ -1,4 +1,4 @@
-# Core and imgproc alone, as shared libraries, which the package of the extension holds: static ones need libraries of others.
+# Core and imgproc only, as shared libraries in the extension package: static ones require further libraries.
 set(proj OpenCV)
 set(${proj}_DEPENDS "")
 ExternalProject_Include_Dependencies(${proj} PROJECT_VAR proj)

@@ -1,4 +1,4 @@
-# The version of Debian, static.
+# Same version as Debian, static.
 set(proj SQLite3)
 set(${proj}_DEPENDS "")
 ExternalProject_Include_Dependencies(${proj} PROJECT_VAR proj)

@@ -1,4 +1,4 @@
-# The parser of SlicerExecutionModel, built from SOURCE, reads each description of a tool and finds all of its parameters.
+# The parser of SlicerExecutionModel, built from SOURCE, reads each tool description and finds all of its parameters.
 cmake_minimum_required(VERSION 3.22)
 if(NOT SOURCE)
   message("skipped: SlicerExecutionModel_SOURCE_DIR is not set")
@@ -16,7 +16,7 @@ run(${CMAKE_COMMAND} -S ${SOURCE} -B ${WORK_DIR} -G Ninja -DBUILD_TESTING=OFF -D
 run(${CMAKE_COMMAND} --build ${WORK_DIR} --target GenerateCLP)
 file(GLOB_RECURSE parser ${WORK_DIR}/GenerateCLP/*/GenerateCLP)
 
-# The number of parameters that the parser finds in a description; -1 where it refuses it.
+# Number of parameters found by the parser in a description; -1 if it rejects the description.
 function(parse description variable)
   execute_process(COMMAND ${parser} --InputXML ${description} --OutputCxx ${WORK_DIR}/parsed.h
     OUTPUT_VARIABLE out ERROR_VARIABLE out RESULT_VARIABLE status)
@@ -32,7 +32,7 @@ endfunction()
 
 file(GLOB descriptions ${SHAPETON_SOURCE_DIR}/Applications/*/*.xml)
 if(NOT descriptions)
-  message(FATAL_ERROR "there is no description of a tool in ${SHAPETON_SOURCE_DIR}/Applications")
+  message(FATAL_ERROR "no tool description found in ${SHAPETON_SOURCE_DIR}/Applications")
 endif()
 foreach(description IN LISTS descriptions)
   file(READ ${description} text)
@@ -45,12 +45,12 @@ foreach(description IN LISTS descriptions)
   message("${description}: ${found} parameters")
 endforeach()
 
-# The parser does refuse what is wrong.
+# The parser rejects invalid descriptions.
 list(GET descriptions 0 description)
 file(READ ${description} text)
 string(REPLACE "</parameters>" "" text "${text}")
 file(WRITE ${WORK_DIR}/wrong.xml "${text}")
 parse(${WORK_DIR}/wrong.xml found)
 if(NOT found EQUAL -1)
-  message(FATAL_ERROR "the parser takes a description without ends of its groups")
+  message(FATAL_ERROR "the parser accepts a description with unterminated groups")
 endif()

@@ -1,5 +1,5 @@
-# With a stand-in for Slicer's package: the superbuild configures, in the right order; the inner project packs modules, tools
-# and libraries, and a tool runs in the package. Nothing is downloaded or compiled.
+# With a stub of Slicer's package: the superbuild configures in the right order; the inner project packages modules,
+# tools and libraries, and a tool runs in the package. Nothing is downloaded or compiled.
 cmake_minimum_required(VERSION 3.22)
 if(NOT SLICER)
   message("skipped: Slicer_SOURCE_DIR is not set")

@@ -1,4 +1,4 @@
-"""What the tests share: the stand-in of Slicer, the tools that are tested (SHAPETON_TOOLS), a folder for each test."""
+"""Common test code: the Slicer stub, the tested tools (SHAPETON_TOOLS), a folder per test."""
 
 import os
 import shutil

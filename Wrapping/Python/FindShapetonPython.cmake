@@ -1,5 +1,6 @@
-# ShapetonPython_FOUND: all that the package for Python is built from is there: a Python with headers and numpy, pybind11.
-# ShapetonPython_MISSING: what is not. The first python3 that has numpy is taken, unless Python_EXECUTABLE says which one.
+# ShapetonPython_FOUND: the build requirements of the Python package were found: Python with headers and numpy,
+# pybind11.
+# ShapetonPython_MISSING: those not found. The first python3 with numpy is used, unless Python_EXECUTABLE is set.
 if(NOT Python_EXECUTABLE)
   find_program(ShapetonPython_ON_PATH python3)
   foreach(candidate IN ITEMS ${ShapetonPython_ON_PATH} /usr/bin/python3)

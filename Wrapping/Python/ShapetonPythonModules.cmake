@@ -1,4 +1,4 @@
-# What the compiled module links; these need the others.
+# Modules linked by the compiled module, which depend on the others.
 set(ShapetonPython_MODULES
   ColonModel
   ColonPhantom

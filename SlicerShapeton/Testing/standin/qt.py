@@ -1,4 +1,4 @@
-"""Widgets that do nothing, so that the code around them runs. Nothing here shows that a call is right in Qt."""
+"""Dummy widgets, so that the code around them runs. They do not verify the calls to Qt."""
 
 
 class Widget:

@@ -1,10 +1,11 @@
 #!@Python_EXECUTABLE@
-"""The package for Python beside the tool: time and memory of heat, import, and from Ctrl-C to the end of a call.
+"""Benchmark of the Python package against the tool: time and memory of heat, import, and delay from Ctrl-C to the end
+of a call.
 
 usage: PythonBenchmark [--size VOXELS] [--steps STEPS] [--repeats NUMBER]
 
-The tool and the package take turns on the same volume in processes of their own: both read it, diffuse heat and write
-the heat, which must be the same.
+The tool and the package alternate on the same volume in separate processes: both read it, diffuse heat and write the
+heat, which must be equal.
 """
 
 import argparse
@@ -45,7 +46,7 @@ except KeyboardInterrupt:
 
 
 def run(command):
-    """Runs a program; its time, its computing time (s), its greatest memory (MB) and what it prints."""
+    """Runs a program; returns its time, its CPU time (s), its peak memory (MB) and its output."""
     begin = time.perf_counter()
     reader, writer = os.pipe()
     actions = [(os.POSIX_SPAWN_DUP2, writer, 1)]

@@ -2,8 +2,8 @@
 
 usage: colon_to_flat_map.py PICTURE.png [FOLDER-OF-DICOM-SLICES]
 
-Without a folder a synthetic patient is scanned. Each part that begins with a line of %% is a cell for editors that know
-them.
+Without a folder a synthetic patient is scanned. Each part that begins with a line of %% is a cell for editors that
+support them.
 """
 
 # %% The CT
@@ -45,7 +45,7 @@ flat = colon.FlatColon(flattened.flat)
 statistics = flattened.statistics
 print(f"{flat.length:.0f} x {flat.circumference:.0f} mm, {statistics['flips']} flips")
 
-# %% What is on it
+# %% Structures on the map
 landmarks = colon.find_landmarks(flat, model.centreline.curve, progress=tell)
 folds = colon.find_folds(flat)
 candidates = colon.find_candidates(

@@ -2,7 +2,7 @@
 
 usage: graph_on_a_torus.py PICTURE.png
 
-Each part that begins with a line of %% is a cell for editors that know them.
+Each part that begins with a line of %% is a cell for editors that support them.
 """
 
 # %% The graph, embedded and proved

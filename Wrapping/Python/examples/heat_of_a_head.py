@@ -3,7 +3,7 @@
 usage: heat_of_a_head.py VOLUME PICTURE.png
 
 The volume is a NIfTI, NRRD or MetaImage file or a folder of DICOM slices, for example Debian's ch2.nii.gz (package
-mricron-data). Each part that begins with a line of %% is a cell for editors that know them.
+mricron-data). Each part that begins with a line of %% is a cell for editors that support them.
 """
 
 # %% The volume
@@ -25,7 +25,7 @@ print(head)
 steps = 3000
 result = shapeton.diffuse_heat(
     head,
-    p=20.0,  # edges of MR are weak
+    p=20.0,  # edges in MR are weak
     time_steps=steps,
     histogram_steps=shapeton.recorded_steps(steps, 100),
     progress=lambda share, stage: print(f"\r{stage}: {share:4.0%}", end="", file=sys.stderr),

@@ -1,6 +1,6 @@
-"""Ctrl-C during a call is answered at once, even where a step of the library cannot be interrupted.
+"""Immediate response to Ctrl-C during a call, even where a step of the library cannot be interrupted.
 
-Python answers signals in its main thread alone. Long functions that are called there therefore run in a thread of their
+Python handles signals in its main thread only. Long functions that are called there therefore run in a thread of their
 own; when the main thread stops waiting, that thread ends by itself, at the latest after the step that it is in.
 """
 
@@ -18,7 +18,7 @@ _CALLBACKS = ("progress", "snapshot")
 
 
 class _Call(threading.Thread):
-    """A call in a thread of its own; its callbacks run in the thread that waits for it."""
+    """A call in a separate thread; its callbacks run in the thread that waits for it."""
 
     def __init__(self, function: _Function, arguments: Tuple[Any, ...], options: Dict[str, Any], stop: Any) -> None:
         super().__init__(name=function.__name__)
@@ -28,7 +28,7 @@ class _Call(threading.Thread):
         }
         self._work = functools.partial(function, *arguments, **options)
         self._stop_flag = stop
-        self._questions: SimpleQueue[Any] = SimpleQueue()  # callbacks and their arguments; the end is None
+        self._questions: SimpleQueue[Any] = SimpleQueue()  # callbacks and their arguments; None marks the end
         self._answers: SimpleQueue[Any] = SimpleQueue()
 
     def _relayed(self, callback: _Function) -> _Function:
@@ -63,9 +63,9 @@ class _Call(threading.Thread):
             self.start()
             for callback, arguments in iter(self._question, None):
                 self._answers.put(callback(*arguments))
-        except BaseException:  # of a signal or of a callback
+        except BaseException:  # from a signal or a callback
             self._stop_flag.set()
-            self._answers.put(False)  # to what may just have been asked
+            self._answers.put(False)  # answers a pending question
             raise
         outcome = self._outcome
         del self._outcome  # an exception refers to this thread
@@ -86,12 +86,12 @@ def _interruptible(function: _Function, new_stop_flag: _Function) -> _Function:
         finally:
             del error  # refers to this frame
 
-    call.__qualname__ = function.__name__  # that of the compiled function cannot be pickled
+    call.__qualname__ = function.__name__  # the name of the compiled function cannot be pickled
     return call
 
 
 def make_interruptible(compiled: ModuleType) -> None:
-    """Of the functions of the compiled module, those that tell their progress or read files."""
+    """The functions of the compiled module that report progress or read files."""
     for name, function in list(vars(compiled).items()):
         if inspect.isbuiltin(function):
             signature = (function.__doc__ or "").partition("\n")[0]

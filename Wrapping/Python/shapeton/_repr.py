@@ -1,4 +1,4 @@
-"""What the results of the library look like at the prompt."""
+"""`repr` of the results of the library."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-_MOST = 6  # values of a list or an array that are shown
+_MOST = 6  # maximum number of values shown
 
 
 def _short(value: Any) -> str:
@@ -37,7 +37,7 @@ def _describe(result: Any) -> str:
 
 
 def describe_results(compiled: ModuleType) -> None:
-    """Gives the classes of the compiled module that have no description of their own one of their attributes."""
+    """Adds a `repr` that lists the attributes to the classes of the compiled module without one."""
     for thing in vars(compiled).values():
         if inspect.isclass(thing) and not issubclass(thing, BaseException) and "__repr__" not in vars(thing):
             thing.__repr__ = _describe  # type: ignore[method-assign]

@@ -1,4 +1,4 @@
-"""A volume: voxels with their place in the patient."""
+"""A volume: voxels with their position in the patient."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ Triple = Union[Sequence[float], NDArray[Any]]
 
 
 class Image:
-    """Voxels of a volume and where they lie in the patient.
+    """Voxels of a volume and their position in the patient.
 
     array
         Voxels, indexed ``[z, y, x]``; real numbers. It is kept as it is: nothing is copied. The functions of this
@@ -78,27 +78,27 @@ class Image:
 
     @property
     def affine(self) -> NDArray[Any]:
-        """4 x 4: takes the index (x, y, z, 1) of a voxel to its place in LPS, mm."""
+        """4 x 4: maps the index (x, y, z, 1) of a voxel to its position in LPS, mm."""
         matrix = np.eye(4)
         matrix[:3, :3] = self._direction * np.asarray(self._spacing)
         matrix[:3, 3] = self._origin
         return matrix
 
     def like(self, array: Any) -> Image:
-        """Other voxels at the same places."""
+        """An image with other voxels on the same grid."""
         return Image(array, self._spacing, self._origin, self._direction)
 
     def __array__(self, dtype: Any = None) -> NDArray[Any]:
-        """The voxels, for functions of numpy."""
+        """The voxels, for numpy functions."""
         return np.asarray(self._array, dtype=dtype)
 
     def point(self, index: Any) -> NDArray[Any]:
-        """The place of the voxel ``[z, y, x]``, or of each row of such indices; LPS, mm."""
+        """The position of the voxel ``[z, y, x]``, or of each row of such indices; LPS, mm."""
         xyz = np.asarray(index, dtype=np.float64)[..., ::-1]
         return np.asarray(xyz @ self.affine[:3, :3].T + self.affine[:3, 3])
 
     def index(self, point: Any) -> NDArray[Any]:
-        """The index ``[z, y, x]``, not rounded, of a place in LPS, mm, or of each row of such places."""
+        """The index ``[z, y, x]``, not rounded, of a position in LPS, mm, or of each row of such positions."""
         xyz = (np.asarray(point, dtype=np.float64) - self.affine[:3, 3]) @ np.linalg.inv(self.affine[:3, :3]).T
         return np.asarray(xyz[..., ::-1])
 
@@ -107,11 +107,11 @@ class Image:
         spacing = " x ".join(f"{s:g}" for s in reversed(self._spacing))
         return f"<shapeton.Image {shape} voxels (z, y, x) of {spacing} mm, {self._array.dtype}>"
 
-    # ---- other packages; each is imported when it is asked for ----
+    # ---- other packages, imported on first use ----
 
     @classmethod
     def from_affine(cls, array: Any, affine: Any, facts: Optional[Mapping[str, Any]] = None) -> Image:
-        """Voxels ``[z, y, x]`` and a 4 x 4 matrix that takes the index (x, y, z, 1) to LPS, mm."""
+        """From voxels ``[z, y, x]`` and a 4 x 4 matrix that maps the index (x, y, z, 1) to LPS, mm."""
         matrix = np.asarray(affine, dtype=np.float64)
         if matrix.shape != (4, 4):
             raise ParameterError(f"the parameter \"affine\" is a 4 x 4 matrix, not one of the shape {matrix.shape}")
@@ -122,7 +122,7 @@ class Image:
 
     @classmethod
     def from_nibabel(cls, image: Any) -> Image:
-        """Of a nibabel image: voxels [x, y, z] are transposed (a view), RAS becomes LPS, other units mm."""
+        """From a nibabel image: voxels [x, y, z] are transposed (a view), RAS becomes LPS, other units mm."""
         voxels = np.asanyarray(image.dataobj)
         units = image.header.get_xyzt_units()[0] if hasattr(image.header, "get_xyzt_units") else "mm"
         millimetres = np.diag([_MILLIMETRES.get(units, 1.0)] * 3 + [1.0])
@@ -139,7 +139,7 @@ class Image:
 
     @classmethod
     def from_sitk(cls, image: Any) -> Image:
-        """Of a SimpleITK image with three dimensions; its voxels are a view where SimpleITK gives one."""
+        """From a three-dimensional SimpleITK image; its voxels are a view if SimpleITK provides one."""
         import SimpleITK
 
         return cls(
@@ -161,14 +161,14 @@ class Image:
 
     @classmethod
     def from_itk(cls, image: Any) -> Image:
-        """Of an image of the package itk; its voxels are a view."""
+        """From an image of the package itk; its voxels are a view."""
         import itk
 
         direction = itk.array_from_matrix(image.GetDirection())
         return cls(itk.array_view_from_image(image), tuple(image.GetSpacing()), tuple(image.GetOrigin()), direction)
 
     def to_itk(self) -> Any:
-        """An image of the package itk; its voxels are a view where they are C-contiguous."""
+        """An image of the package itk; its voxels are a view if they are C-contiguous."""
         import itk
 
         image = itk.image_view_from_array(np.ascontiguousarray(self._array))
@@ -179,7 +179,7 @@ class Image:
 
     @classmethod
     def from_vtk(cls, image: Any) -> Image:
-        """Of a vtkImageData in LPS with one scalar for each point; its voxels are a view."""
+        """From a vtkImageData in LPS with one scalar per point; its voxels are a view."""
         from vtkmodules.util.numpy_support import vtk_to_numpy
 
         x, y, z = image.GetDimensions()
@@ -193,7 +193,7 @@ class Image:
         return cls(vtk_to_numpy(scalars).reshape(z, y, x), spacing, origin, matrix)
 
     def to_vtk(self) -> Any:
-        """A vtkImageData in LPS; its scalars are a view where the voxels are C-contiguous."""
+        """A vtkImageData in LPS; its scalars are a view if the voxels are C-contiguous."""
         from vtkmodules.util.numpy_support import numpy_to_vtk
         from vtkmodules.vtkCommonDataModel import vtkImageData
 
@@ -208,7 +208,7 @@ class Image:
 
 
 def for_vtk(values: NDArray[Any]) -> NDArray[Any]:
-    """C-contiguous and in the machine's order of bytes, bool as uint8; a copy only where it must be."""
+    """C-contiguous and in native byte order, bool as uint8; copied only if necessary."""
     native = values.astype(np.uint8) if values.dtype == bool else values.astype(values.dtype.newbyteorder("="), copy=False)
     return np.ascontiguousarray(native)
 

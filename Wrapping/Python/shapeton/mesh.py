@@ -14,7 +14,7 @@ Arrays = Mapping[str, Any]
 
 
 class _Geometry:
-    """What surfaces and curves share: places, arrays on them, facts."""
+    """Base of surfaces and curves: points, arrays on them, facts."""
 
     __slots__ = ("_vertices", "point_arrays", "cell_arrays", "field_arrays", "facts", "notes")
 

@@ -1,4 +1,4 @@
-"""Labels from seeds, and signatures by which shapes are found again."""
+"""Labels from seeds, and signatures for shape retrieval."""
 
 from ._shapeton import (
     NamedShape,

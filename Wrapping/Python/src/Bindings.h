@@ -3,7 +3,7 @@
 
 #include <pybind11/pybind11.h>
 
-/** What the module holds, by subject; each function adds its part. */
+/** Registration functions of the module, one per subject. */
 namespace shapeton::python
 {
 void

@@ -125,7 +125,7 @@ ModelOfLumen(const MaskPointer & lumen,
   return BuildColonModelOfLumen(lumen, options);
 }
 
-/** As catheter.vtp holds it; none where no catheter is sure. */
+/** The catheter as in catheter.vtp; None unless one was found with certainty. */
 std::optional<CurveSet>
 CatheterOf(const ColonLumen & lumen)
 {

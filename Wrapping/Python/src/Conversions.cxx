@@ -10,7 +10,7 @@ namespace shapeton::python
 {
 namespace
 {
-/** Reads an attribute of a Python object as a value of C++. */
+/** Reads an attribute of a Python object as a C++ value. */
 template <typename TValue>
 TValue
 Get(const py::handle & object, const char * attribute)
@@ -18,7 +18,7 @@ Get(const py::handle & object, const char * attribute)
   return object.attr(attribute).cast<TValue>();
 }
 
-/** The buffer of a numpy array as the pixels of an image; the array lives as long as the pixels do. */
+/** Uses the buffer of a numpy array as the pixels of an image and keeps the array alive. */
 template <typename TPixel>
 class ArrayContainer : public itk::ImportImageContainer<itk::SizeValueType, TPixel>
 {
@@ -32,7 +32,7 @@ public:
   SetArray(const py::array & array)
   {
     m_Array = Share(array);
-    // The image is only read, so an array that must not be written is taken, too.
+    // The image is only read, so read-only arrays are accepted, too.
     this->SetImportPointer(static_cast<TPixel *>(const_cast<void *>(array.data())), array.size(), false);
   }
 
@@ -44,7 +44,7 @@ private:
   std::shared_ptr<PyObject> m_Array;
 };
 
-/** The array itself where type and layout agree, else a copy. */
+/** The array itself if type and layout agree, otherwise a copy. */
 template <typename TPixel>
 py::array
 PixelsOf(const py::array & array)
@@ -283,7 +283,7 @@ SetProgressPeriod(unsigned int milliseconds)
 }
 
 /** \class Watch
- * \brief What Reports calls: a function of Python, when it is due. */
+ * \brief Calls the Python function of Reports when it is due. */
 class Watch
 {
 public:
@@ -294,7 +294,7 @@ public:
   void
   Report(const std::string & stage, double share)
   {
-    constexpr double rounding = 1e-9; // of parts of parts
+    constexpr double rounding = 1e-9; // of nested parts
     m_Stage = stage;
     if (share < 1.0 - rounding && m_Timer.IsOver())
     {
@@ -314,7 +314,7 @@ private:
   {
     const WithGil                 gil;
     const py::handle              function = m_Function.get();
-    py::detail::make_caster<bool> answer; // also of numpy.bool_, but of nothing else
+    py::detail::make_caster<bool> answer; // accepts numpy.bool_, too, but nothing else
     if (answer.load(function(share, m_Stage), false) && !static_cast<bool>(answer))
     {
       PyErr_SetString(ClassOf("shapeton._shapeton", "Aborted").ptr(), "the progress function has returned False");

@@ -25,23 +25,23 @@
 #include <utility>
 #include <vector>
 
-/** What goes over the border between Python and C++: images, surfaces, curves, progress. Images go both ways without a
- * copy where type and layout agree; surfaces and curves are copied on the way in and are views on the way out. */
+/** Conversions between Python and C++ of images, surfaces, curves and progress. Images are passed both ways without a
+ * copy if type and layout agree; surfaces and curves are copied on input and returned as views. */
 namespace shapeton::python
 {
 namespace py = pybind11;
 using namespace pybind11::literals;
 
-/** The words that a parameter takes and the values that they stand for. */
+/** The keywords of a parameter and their values. */
 template <typename TValue>
 using Words = std::vector<std::pair<const char *, TValue>>;
 
-/** The value that a word of a parameter stands for. Throws ParameterError, which lists all words. */
+/** The value of a keyword. Throws ParameterError, which lists all keywords. */
 template <typename TValue>
 TValue
 ValueOf(const std::string & word, const std::string & parameter, const Words<TValue> & words);
 
-/** The word for a value that has one: how a default of the library is stated in Python. */
+/** The keyword of a value, used for the defaults in Python. */
 template <typename TValue>
 std::string
 WordOf(TValue value, const Words<TValue> & words);
@@ -50,9 +50,8 @@ WordOf(TValue value, const Words<TValue> & words);
 py::object
 ClassOf(const char * module, const char * name);
 
-/** The voxels of a shapeton.Image as an ITK image: a view where they are C-contiguous numbers of this type, which keeps
- * the array alive, else a copy. Throws InputError where a voxel is not finite, or is none of the whole numbers that
- * TPixel holds. */
+/** The voxels of a shapeton.Image as an ITK image: a view that keeps the array alive if they are C-contiguous and of
+ * this type, otherwise a copy. Throws InputError if a voxel is not finite, or not an integer in the range of TPixel. */
 template <typename TPixel>
 typename itk::Image<TPixel, 3>::Pointer
 ImageOf(const py::handle & image);
@@ -62,7 +61,7 @@ template <typename TPixel>
 py::object
 ToPython(const itk::Image<TPixel, 3> * image);
 
-/** A copy of a shapeton.Mesh, sound: what RequireSound() asks for. */
+/** A copy of a shapeton.Mesh, validated by RequireSound(). */
 SurfaceMesh
 MeshOf(const py::handle & mesh);
 /** A shapeton.Mesh whose arrays are views of what `owner` keeps alive. */
@@ -81,16 +80,16 @@ class Watch;
 /** \class Reports
  * \brief Progress that calls a function of Python, or None, with the share and the stage.
  *
- * At most ten times a second, and once with the share 1, by Complete(). Aborts when the function returns False
- * (shapeton.Aborted) or throws, and when a signal such as Ctrl-C has come. To be made with the GIL held, called from
- * the thread that made it without. */
+ * Called at most ten times a second, and once with the share 1 by Complete(). Aborts if the function returns False
+ * (shapeton.Aborted) or throws, and on a signal such as Ctrl-C. Construct it with the GIL held; call it from the same
+ * thread without the GIL. */
 class Reports : public Progress
 {
 public:
   Reports() = default;
   explicit Reports(const py::object & function);
 
-  /** The work is done. */
+  /** Reports that the work is done. */
   void
   Complete() const;
 
@@ -100,14 +99,14 @@ private:
   std::shared_ptr<Watch> m_Watch; ///< null for None
 };
 
-/** How long Reports waits between two calls; 0: tests see each report. */
+/** Minimum interval between two calls of Reports; 0 for tests, which see every report. */
 void
 SetProgressPeriod(unsigned int milliseconds);
 
 template <typename TParameter>
 using InReports = std::conditional_t<std::is_same_v<TParameter, const Progress &>, const Reports &, TParameter>;
 
-/** A function whose last parameter is `const Progress &`, for Python: when it has returned, the share 1 is reported. */
+/** Wraps a function whose last parameter is `const Progress &` for Python; reports the share 1 after it returns. */
 template <typename TResult, typename... TParameters>
 auto
 Reporting(TResult (*function)(TParameters...))
@@ -119,19 +118,19 @@ Reporting(TResult (*function)(TParameters...))
   };
 }
 
-/** Places in space as a parameter: finite numbers. */
+/** Parameter with points in space: finite numbers. */
 struct Places
 {
   std::vector<Eigen::Vector3d> points;
 };
 
-/** The name of a file or a folder as a parameter: a text or a path object. */
+/** Parameter with a file or folder name: a string or a path object. */
 struct Path
 {
   std::string text;
 };
 
-/** An owner for ToPython(): lives as long as the Python object that it is made of. */
+/** An owner for ToPython() that keeps the given Python object alive. */
 template <typename TValue>
 py::capsule
 OwnerOf(TValue && value)
@@ -144,11 +143,11 @@ OwnerOf(TValue && value)
 void
 RequireFinitePlace(const double * place, py::ssize_t row);
 
-/** n x 3 numbers of a list of places. */
+/** A list of points as n x 3 numbers. */
 py::array_t<double>
 RowsOf(const std::vector<Eigen::Vector3d> & places);
 
-/** A document, which is an object, as a dictionary. */
+/** A JSON object as a dictionary. */
 py::dict
 FromJson(const Json & document);
 
@@ -206,7 +205,7 @@ struct type_caster<itk::SmartPointer<itk::Image<TPixel, 3>>>
   }
 };
 
-/** Of surfaces and curves: a member is a view that keeps its object alive, a result keeps itself. */
+/** Caster of surfaces and curves: a member is a view that keeps its object alive, a result owns its data. */
 template <typename TGeometry>
 struct geometry_caster
 {
@@ -326,7 +325,7 @@ struct type_caster<shapeton::python::Path>
   }
 };
 
-/** Places and vectors of ITK: arrays of three numbers. */
+/** Caster of ITK points and vectors: arrays of three numbers. */
 template <typename TTriple>
 struct triple_caster
 {

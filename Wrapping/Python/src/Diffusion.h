@@ -12,7 +12,7 @@
 
 namespace shapeton::python
 {
-/** The least and the greatest intensity; none: those of the image. */
+/** Lower and upper intensity; none: those of the image. */
 using Window = std::optional<std::pair<double, double>>;
 
 template <typename TFilter>
@@ -25,12 +25,12 @@ SetWindow(const Window & window, TFilter * filter)
   }
 }
 
-/** Update() that reports the filter's progress as that of a stage. Observers of the filter are taken off it. */
+/** Calls Update() and reports the filter's progress as that of a stage. Removes all observers of the filter. */
 template <typename TFilter>
 void
 UpdateWithProgress(TFilter * filter, const char * stage, const Progress & progress)
 {
-  filter->RemoveAllObservers(); // of a call before, which has ended
+  filter->RemoveAllObservers(); // left by a previous call
   filter->AddObserver(itk::ProgressEvent(), [&](const itk::EventObject &) { progress(stage, filter->GetProgress()); });
   Update(filter);
 }

@@ -15,7 +15,7 @@ namespace py = pybind11;
 
 namespace
 {
-/** Without "ITK ERROR: Class(0x1234): ", which ITK's macros put in front. */
+/** Strips "ITK ERROR: Class(0x1234): ", the prefix of ITK's macros. */
 std::string
 WordsOf(const itk::ExceptionObject & error)
 {
@@ -24,8 +24,8 @@ WordsOf(const itk::ExceptionObject & error)
   return front == std::string::npos ? text : text.substr(front + 3);
 }
 
-/** A class of exceptions that lives as long as the process: what holds it is static and must not be destroyed after the
- * interpreter has ended. */
+/** An exception class that lives as long as the process: its static holder must not be destroyed after interpreter
+ * shutdown. */
 py::handle
 AddError(py::module_ & module, const char * name, const py::handle & bases, const char * words)
 {
@@ -34,7 +34,7 @@ AddError(py::module_ & module, const char * name, const py::handle & bases, cons
   return error.release();
 }
 
-/** The exception with the words of the library, in which parameters have their names in Python. */
+/** The exception with the message of the library and Python's parameter names. */
 void
 Raise(const py::handle & kind, const Exception & error)
 {
@@ -46,7 +46,7 @@ std::string
 InPython(const std::string & message)
 {
   static const std::regex parameter("the parameter \"\\w+\"");
-  static const std::regex border("([a-z0-9])([A-Z])"); // of two words of a name
+  static const std::regex border("([a-z0-9])([A-Z])"); // between two words of a name
   std::string             text;
   auto                    rest = message.begin();
   for (std::sregex_iterator match(message.begin(), message.end(), parameter), end; match != end; ++match)
@@ -128,7 +128,7 @@ AddErrors(py::module_ & module)
     {
       PyErr_SetString(PyExc_RuntimeError, WordsOf(error).c_str());
     }
-    catch (const std::logic_error & error) // of the calling code, such as arrays of different sizes
+    catch (const std::logic_error & error) // errors of the caller, such as arrays of different sizes
     {
       PyErr_SetString(PyExc_ValueError, error.what());
     }

@@ -9,17 +9,17 @@
 
 namespace shapeton::python
 {
-/** A message or a remark of the library with the names that parameters have in Python: `the parameter "seriesUID"`
- * becomes `the parameter "series_uid"`. */
+/** Translates the parameter names in a message of the library to Python: `the parameter "seriesUID"` becomes `the
+ * parameter "series_uid"`. */
 std::string
 InPython(const std::string & message);
 
-/** The exceptions of the library as classes of Python, with the same words. */
+/** Registers the exceptions of the library as Python classes, with the same messages. */
 void
 AddErrors(pybind11::module_ & module);
 
-/** Runs a filter. Whatever it finds wrong with its settings or its input becomes ParameterError or InputError, in the
- * filter's words alone. */
+/** Runs a filter. Errors in its settings or input are rethrown as ParameterError or InputError with the filter's
+ * message only. */
 void
 Update(itk::ProcessObject * filter);
 } // namespace shapeton::python

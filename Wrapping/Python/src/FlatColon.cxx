@@ -15,7 +15,7 @@ using FlatPointer = std::shared_ptr<FlatColon>;
 const Words<HaustralFoldScheme> schemeWords{ { "graphCut", HaustralFoldScheme::GraphCut },
                                              { "published", HaustralFoldScheme::Published } };
 
-/** A picture of the grid: `values` numbers for each pixel, which `paint` writes. */
+/** A picture of the grid: `values` numbers per pixel, written by `paint`. */
 template <typename TValue, typename TPaint>
 py::array_t<TValue>
 PictureOf(const FlatColonGrid & grid, py::ssize_t values, const TPaint & paint)
@@ -68,7 +68,7 @@ Curvatures(const FlatColon & flat)
   });
 }
 
-/** (uv, distance) of places in space. */
+/** (uv, distance) of points in space. */
 py::tuple
 Find(const FlatColon & flat, const VertexMatrix & points)
 {
@@ -88,7 +88,7 @@ Find(const FlatColon & flat, const VertexMatrix & points)
   return py::make_tuple(uv, distance);
 }
 
-/** (row, column) of places on the map. */
+/** (row, column) of points on the map. */
 py::array
 PixelsOf(const FlatColon & flat, const Eigen::MatrixX2d & uv)
 {
@@ -112,7 +112,7 @@ surface: from `flatten_tube`. pixel_size: mm on the map, used for folds and land
            FlatColonGridOptions options;
            options.pixelSize = pixelSize;
            auto flat = std::make_shared<FlatColon>(std::move(surface), options);
-           flat->Grid(); // refuses a surface that is not flat
+           flat->Grid(); // rejects a surface that is not flat
            return flat;
          }),
          "surface"_a,

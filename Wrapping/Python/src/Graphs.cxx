@@ -88,7 +88,7 @@ Embed(const Graph &                                        graph,
   return certificate;
 }
 
-/** Numbers of a certificate as rows, one for each circle. */
+/** Numbers of a certificate as rows, one per circle. */
 py::array
 Rows(const std::vector<double> & numbers, const Certificate & certificate, const py::handle & owner)
 {

@@ -22,15 +22,15 @@ const Words<FilterType::Conductance> conductanceWords{ { "physical", FilterType:
 const Words<SnapshotSpacing>         spacingWords{ { "linear", SnapshotSpacing::Linear },
                                            { "logarithmic", SnapshotSpacing::Logarithmic } };
 
-/** What diffuse_heat() gives. */
+/** Result of diffuse_heat(). */
 struct Heat
 {
   ImageType::Pointer            heat;
-  ImageType::Pointer            initialHeat; // null where it was not asked for
+  ImageType::Pointer            initialHeat; // null unless requested
   CumulativeHeatDiffusionResult result;
 };
 
-/** Hands heat to a function of Python while the filter runs. */
+/** Passes heat to a Python function while the filter runs. */
 FilterType::SnapshotConsumer
 ConsumerOf(const py::object & function)
 {
@@ -41,7 +41,7 @@ ConsumerOf(const py::object & function)
   return [&function](std::uint64_t step, const ImageType * heat) {
     const WithGil gil;
     const auto    image = ToPython<float>(heat);
-    function(step, image.attr("like")(image.attr("array").attr("copy")())); // the filter goes on with its own
+    function(step, image.attr("like")(image.attr("array").attr("copy")())); // the filter continues with its own copy
   };
 }
 

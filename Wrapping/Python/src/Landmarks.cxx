@@ -27,7 +27,7 @@ Find(const std::shared_ptr<FlatColon> & flat,
   return { flat, FindColonLandmarks(*flat, centreline, options) };
 }
 
-/** As taeniae.vtp holds them. */
+/** The taeniae as in taeniae.vtp. */
 CurveSet
 TaeniaeOf(const FoundLandmarks & found)
 {

@@ -10,13 +10,13 @@
 
 namespace shapeton::python
 {
-/** What find_folds() gives: a class of its own, because the labels of the module's class are a picture. */
+/** Result of find_folds(): a separate class, because the labels of the module's class are a picture. */
 struct FoundFolds
 {
   HaustralFolds folds;
 };
 
-/** What find_landmarks() gives, with the wall that it refers to. */
+/** Result of find_landmarks(), with the wall to which it refers. */
 struct FoundLandmarks
 {
   std::shared_ptr<const FlatColon> flat;

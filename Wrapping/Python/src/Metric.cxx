@@ -13,7 +13,7 @@ namespace
 {
 using Edges = Eigen::Matrix<int, Eigen::Dynamic, 2, Eigen::RowMajor>;
 
-/** A surface that diffusion is defined on. */
+/** A surface on which diffusion is defined. */
 struct Manifold
 {
   explicit Manifold(const SurfaceMesh & mesh) : connectivity(mesh)
@@ -43,7 +43,7 @@ double
 DefaultTime(const Manifold & surface, const SurfaceMesh & mesh)
 {
   const double edge = MeanEdgeAt55000Faces(surface.connectivity, EdgeLengths(surface.connectivity, mesh.V));
-  return 8.0 * edge * edge; // as ConformalMap chooses it
+  return 8.0 * edge * edge; // same default as ConformalMap
 }
 
 SurfaceSpectrum
@@ -72,7 +72,7 @@ Metric(const SurfaceMesh & mesh, std::optional<double> time, std::optional<int> 
 py::array
 DiffuseOver(const SurfaceMesh & mesh, const py::array_t<double> & values, double time, const Progress & progress)
 {
-  auto columns = values.cast<Eigen::MatrixXd>(); // one for a plain array
+  auto columns = values.cast<Eigen::MatrixXd>(); // one column for a plain array
   {
     const WithoutGil withoutGil;
     progress("Preparing", 0.0);

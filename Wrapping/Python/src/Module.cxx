@@ -6,7 +6,7 @@
 PYBIND11_MODULE(_shapeton, module)
 {
   using namespace pybind11::literals;
-  module.doc() = "What the modules of the package are made of; see shapeton.";
+  module.doc() = "Compiled core of the package; see shapeton.";
   shapeton::python::AddErrors(module);
   shapeton::python::AddThreads(module);
   shapeton::python::AddVolumes(module);

@@ -10,10 +10,10 @@ namespace
 {
 using Source = ColonPhantomImageSource;
 
-/** A synthetic patient with the truth. */
+/** A synthetic patient with ground truth. */
 struct ColonPhantom
 {
-  Source::ImageType::Pointer      ct; // null where the truth alone was asked for
+  Source::ImageType::Pointer      ct; // null if only the ground truth was requested
   Source::LabelImageType::Pointer lumen;
   Source::LabelImageType::Pointer segments;
   CurveSet                        centreline;

@@ -26,7 +26,7 @@ struct Registered
   RegistrationResults             results;
 };
 
-/** What files of the landmarks would tell. */
+/** The contents of the landmark files. */
 std::shared_ptr<Position>
 PositionOf(const std::string &    name,
            const FoundLandmarks & found,

@@ -18,12 +18,12 @@ namespace
 using ImageType = itk::Image<float, 3>;
 using SeedFilter = SeededHeatSegmentationImageFilter<ImageType>;
 
-/** What SeededHeat.segment() gives. */
+/** Result of SeededHeat.segment(). */
 struct SeededLabels
 {
   SeedImage::Pointer                           labels;
   ImageType::Pointer                           uncertainty;
-  std::map<unsigned short, ImageType::Pointer> probabilities; ///< of each label, where they were asked for
+  std::map<unsigned short, ImageType::Pointer> probabilities; ///< by label; empty unless requested
   unsigned int                                 iterations;
   Remarks                                      warnings;
 };
@@ -51,7 +51,7 @@ public:
   {
     RequireParameter(m_Worker != std::this_thread::get_id(),
                      "a progress function called `segment` of the object that it reports on; make another SeededHeat");
-    const std::lock_guard<std::mutex> lock(m_Mutex); // threads of Python may share one
+    const std::lock_guard<std::mutex> lock(m_Mutex); // Python threads may share one
     const Working                     working(m_Worker);
     if (!HaveSameGrid(m_Filter->GetInput(), seeds))
     {
@@ -69,13 +69,13 @@ public:
         result.probabilities[label] = m_Filter->GetProbabilities(label);
       }
     }
-    result.labels->DisconnectPipeline(); // the next call makes its own
+    result.labels->DisconnectPipeline(); // the next call allocates its own
     result.uncertainty->DisconnectPipeline();
     return result;
   }
 
 private:
-  /** Names this thread as the one that works. */
+  /** Marks this thread as the working thread. */
   class Working
   {
   public:

@@ -21,7 +21,7 @@ const Words<PathRule>          pathWords{ { "endpoint", PathRule::Endpoint }, { 
 const Words<ShapetonPlacement> placementWords{ { "uniform", ShapetonPlacement::Uniform },
                                                { "initialHeat", ShapetonPlacement::InitialHeat } };
 
-/** What diffuse_shapetons() gives. */
+/** Result of diffuse_shapetons(). */
 struct Shapetons
 {
   Visits::Pointer  visits;

@@ -19,28 +19,28 @@ using namespace pybind11::literals;
 namespace
 {
 std::atomic<int>             runningCalls{ 0 };
-std::atomic<std::thread::id> endingThread{ std::thread::id() }; // which ends the interpreter
+std::atomic<std::thread::id> endingThread{ std::thread::id() }; // the finalizing thread
 
-/** Tells the functions that a thread calls to stop. */
+/** Stop flag for the functions called by a thread. */
 struct StopFlag
 {
   std::atomic<bool> isSet{ false };
 };
 thread_local std::shared_ptr<const StopFlag> stopFlag;
 
-/** Whether the interpreter ends or has ended: only the thread that ends it can have Python's lock. */
+/** Whether the interpreter is shutting down or finalized: only the finalizing thread can get the GIL. */
 bool
 IsEnding()
 {
   return Py_IsInitialized() == 0;
 }
 
-/** Throws SystemExit in a thread that is to stop, and at the end in threads other than the one that ends the
- * interpreter, which may still compute. To be called with the GIL held. */
+/** Throws SystemExit in a thread that must stop, and at shutdown in all threads except the finalizing one, which may
+ * still compute. Call it with the GIL held. */
 void
 StopWhereAsked()
 {
-  if (IsEnding()) // this thread has the lock, so it is the one that ends the interpreter
+  if (IsEnding()) // this thread has the GIL, so it is the finalizing thread
   {
     endingThread = std::this_thread::get_id();
   }
@@ -48,16 +48,16 @@ StopWhereAsked()
   const bool            isAtTheEnd = ending != std::thread::id() && ending != std::this_thread::get_id();
   if (isAtTheEnd || (stopFlag != nullptr && stopFlag->isSet))
   {
-    PyErr_SetNone(PyExc_SystemExit); // ends a thread of Python without a word
+    PyErr_SetNone(PyExc_SystemExit); // ends a Python thread silently
     throw py::error_already_set();
   }
 }
 
-/** Called at the end of the interpreter, when threads can still have the GIL. */
+/** Called at interpreter shutdown, when threads can still get the GIL. */
 void
 StopCalls()
 {
-  constexpr std::chrono::seconds longest(10); // a function of Python that reports call may wait for something else
+  constexpr std::chrono::seconds longest(10); // a progress function may block on something else
   endingThread = std::this_thread::get_id();
   const py::gil_scoped_release release;
   Timer                        timer(longest);
@@ -68,7 +68,7 @@ StopCalls()
   }
 }
 
-/** What Interruption calls: looks at signals fifty times a second. */
+/** Called by Interruption: checks signals fifty times a second. */
 std::function<void()>
 StopCheck()
 {
@@ -95,7 +95,7 @@ WaitForEver()
   }
 }
 
-/** Calls a function that takes Python's lock, if that can still be had. */
+/** Calls a function that acquires the GIL, if that is still possible. */
 template <typename TTake>
 auto
 TakeGil(const TTake & take)
@@ -108,7 +108,7 @@ TakeGil(const TTake & take)
   {
     return take();
   }
-  catch (abi::__forced_unwind &) // the interpreter has ended meanwhile
+  catch (abi::__forced_unwind &) // the interpreter was finalized in the meantime
   {
     WaitForEver();
   }
@@ -167,8 +167,8 @@ AddThreads(py::module_ & module)
       "obey",
       [](const std::shared_ptr<StopFlag> & flag) { stopFlag = flag; },
       "Functions called by this thread from now on end with SystemExit soon after the flag is set.");
-  endingThread = std::thread::id(); // an interpreter may begin after another one
+  endingThread = std::thread::id(); // an interpreter may be initialized after another one
   py::module_::import("atexit").attr("register")(py::cpp_function(&StopCalls));
-  pthread_atfork(nullptr, nullptr, [] { runningCalls = 0; }); // a child has no other threads
+  pthread_atfork(nullptr, nullptr, [] { runningCalls = 0; }); // a child process has no other threads
 }
 } // namespace shapeton::python

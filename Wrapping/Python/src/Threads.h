@@ -7,18 +7,17 @@
 
 #include <memory>
 
-/** Python's lock (the GIL), which functions of the library release, and what stops them: signals, and the end of the
- * interpreter. */
+/** Release of the GIL in functions of the library, and their interruption by signals and interpreter shutdown. */
 namespace shapeton::python
 {
 namespace py = pybind11;
 
 /** \class WithGil
- * \brief Holds Python's lock in a block.
+ * \brief Holds the GIL in a block.
  *
- * From the end of the interpreter on, only the thread that ends it gets the lock. Any other thread that asks for it
- * waits for ever, as in Python 3.14. Older versions end the thread by unwinding it, which libraries in C++ answer by
- * aborting the process. No destructor of an object that Python keeps may use this class: see Share(). */
+ * During interpreter shutdown only the finalizing thread gets the lock. Any other thread that requests it blocks
+ * forever, as in Python 3.14. Older versions unwind such a thread, which makes C++ libraries abort the process.
+ * Destructors of objects owned by Python must not use this class: see Share(). */
 class WithGil
 {
 public:
@@ -32,25 +31,25 @@ private:
   PyGILState_STATE m_State;
 };
 
-/** Shares a Python object with C++ code, which may drop it in any thread and at any time. Objects that hold such a
- * reference may live until the process ends, for example in a global of a module. So the reference is given back while
- * the interpreter is alive, and kept for ever from its end on: then most threads would wait for Python's lock in vain,
- * and the memory goes with the process. */
+/** Shares a Python object with C++ code, which may release it in any thread and at any time. Objects that hold such a
+ * reference may live until the process ends, for example as a module global. The reference is therefore released while
+ * the interpreter is alive, and leaked after its shutdown: most threads would then block on the GIL, and the memory is
+ * freed with the process. */
 std::shared_ptr<PyObject>
 Share(py::object object);
 
 /** \class WithoutGil
- * \brief Lets other threads of Python run while a function of the library does, and signals stop it.
+ * \brief Lets other Python threads run during a function of the library, and signals stop it.
  *
- * When the interpreter ends, functions in other threads stop with SystemExit, and it waits for them: the threads of ITK
- * that work for them must not outlive ITK. */
+ * At interpreter shutdown, functions in other threads stop with SystemExit and are awaited: their ITK threads must not
+ * outlive ITK. */
 class WithoutGil
 {
 public:
   WithoutGil();
 
 private:
-  /** Counts the functions that run. */
+  /** Counts the running functions. */
   class Call
   {
   public:
@@ -80,7 +79,7 @@ private:
 };
 using ReleaseGil = py::call_guard<WithoutGil>;
 
-/** Functions about threads, and what is done at the end of the interpreter. */
+/** Registers the thread functions and the shutdown handler. */
 void
 AddThreads(py::module_ & module);
 } // namespace shapeton::python

@@ -6,7 +6,7 @@
 namespace shapeton::python
 {
 /** \class Timer
- * \brief Tells when a period is over, then when the next one is. */
+ * \brief Periodic timer. */
 class Timer
 {
   using Clock = std::chrono::steady_clock;

@@ -60,7 +60,7 @@ WriteAs(const py::object & image, const std::string & path, const VolumeMetadata
   WriteVolume(pixels.GetPointer(), path, metadata);
 }
 
-/** Throws ParameterError where single precision would round a voxel. */
+/** Throws ParameterError if single precision would round a voxel. */
 void
 RequireSinglePrecision(const py::array & array)
 {

@@ -1,4 +1,4 @@
-"""What pip calls, as pyproject.toml says: the functions of setuptools, once everything that the build needs is there."""
+"""Build backend named in pyproject.toml: the functions of setuptools, after a check of the build requirements."""
 
 import sys
 

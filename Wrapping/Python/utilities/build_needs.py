@@ -1,4 +1,4 @@
-"""What building the package needs, looked for before a build of minutes begins."""
+"""Build requirements of the package, checked before a build of several minutes."""
 
 import importlib
 import importlib.util
@@ -11,11 +11,11 @@ import sys
 import sysconfig
 from pathlib import Path
 
-SYSTEM_PREFIXES = ("/usr/local", "/usr")  # where CMake looks always
+SYSTEM_PREFIXES = ("/usr/local", "/usr")  # default search paths of CMake
 
 
 def _module(name):
-    """A module of this Python, or None if it cannot be imported, because the build cannot use it then."""
+    """A module of this Python, or None if it cannot be imported."""
     try:
         return importlib.import_module(name)
     except Exception:  # pylint: disable=broad-except
@@ -23,12 +23,12 @@ def _module(name):
 
 
 def _numbers(version):
-    """The first two numbers of a version."""
+    """Major and minor number of a version."""
     return tuple(int(n) for n in re.findall(r"\d+", version)[:2])
 
 
 def _program(variable, names):
-    """The program that an environment variable names as CC does, else the first one of the names, on PATH; or None."""
+    """The program named by an environment variable such as CC, otherwise the first of the names on PATH; or None."""
     given = shlex.split(os.environ.get(variable, ""))
     return next(filter(None, map(shutil.which, given[:1] or names)), None)
 
@@ -85,7 +85,7 @@ def has_maker():
     return shutil.which("ninja" if generator.startswith("Ninja") else "make") is not None
 
 
-#: What is needed, in words, the package of Debian that holds it, and whether it is there.
+#: Requirement in words, its Debian package, and the check whether it is available.
 NEEDS = (
     ("setuptools 61", "python3-setuptools", has_setuptools),
     ("wheel", "python3-wheel", has_wheel),
@@ -100,7 +100,7 @@ NEEDS = (
 
 
 def missing():
-    """What is not there: one sentence, empty where the build can begin."""
+    """Missing requirements: one sentence, empty if the build can start."""
     absent = [(words, package) for words, package, is_there in NEEDS if not is_there()]
     if not absent:
         return ""

@@ -2,7 +2,7 @@
 
 usage: make_stub.py [--check] shapeton/_shapeton.pyi
 
-Writes the file anew; with --check it ends with status 1 where the file is out of date. The package must be importable.
+Writes the file; with --check it exits with status 1 if the file is out of date. The package must be importable.
 """
 
 import ast
@@ -23,11 +23,11 @@ from .image import Image
 from .mesh import Curves, Mesh
 '''
 
-#: What the names of C++ types become; of a parameter and of a result.
+#: Python names of C++ types, for parameters and results.
 PARAMETERS = {"List": "Sequence", "ndarray": "ArrayLike", "Curves": "Union[Curves, NDArray[Any]]", "PathLike": "Union[str, os.PathLike[str]]"}
 RESULTS = {"ndarray": "NDArray[Any]", "dict": "Dict[str, Any]", "tuple": "Tuple[Any, ...]"}
 
-#: What a docstring does not tell: (function, parameter or "return").
+#: Types missing in the docstrings: (function, parameter or "return").
 UNTOLD = {
     ("__init__", "edges"): "ArrayLike",
     ("diffuse_heat", "snapshot"): "Optional[Callable[[int, Image], object]]",
@@ -40,7 +40,7 @@ UNTOLD = {
 
 
 class Types(ast.NodeTransformer):
-    """Puts the names of Python in place of those that pybind11 writes."""
+    """Replaces the type names of pybind11 by Python names."""
 
     def __init__(self, names):
         self.names = names
@@ -56,7 +56,7 @@ class Types(ast.NodeTransformer):
 
     def visit_Subscript(self, node):
         if isinstance(node.value, ast.Attribute) and node.value.attr == "ndarray":
-            return self.named("ndarray")  # its element type and shape are told in words
+            return self.named("ndarray")  # element type and shape are documented in words
         if isinstance(node.slice, ast.Constant):
             return self.visit(node.value)  # float[3] of List[float[3]]
         return self.generic_visit(node)

@@ -1,4 +1,4 @@
-"""A stand-in for the part of 3D Slicer that ShapetonLib calls, for tests without Slicer.
+"""A stub of the part of 3D Slicer used by ShapetonLib, for tests without Slicer.
 
 It holds files and records what is asked of nodes. Anything that is not listed in `api` is an AttributeError here, and the
 test StandInNamesWhatSlicerHas looks each name up in Slicer's sources."""
@@ -6,7 +6,7 @@ test StandInNamesWhatSlicerHas looks each name up in Slicer's sources."""
 import os
 import tempfile
 
-# Where Slicer declares what the stand-in has.
+# Declarations in Slicer of the names in the stub.
 api = {
     "Base/Python/slicer/util.py": [
         "exportNode", "loadVolume", "loadLabelVolume", "loadColorTable", "loadModel", "loadMarkups", "loadNodesFromFile",

@@ -1,4 +1,4 @@
-"""Functions of slicer.util: files become nodes that hold their name."""
+"""Functions of slicer.util: files become nodes that store their name."""
 
 import contextlib
 import json
@@ -25,7 +25,7 @@ def tempDirectory():
 
 @contextlib.contextmanager
 def tryWithErrorDisplay(message, waitCursor=False):
-    yield  # Slicer shows the exception; a test wants it
+    yield  # Slicer shows the exception; tests need it raised
 
 
 def setSliceViewerLayers(background, label, labelOpacity):
