@@ -132,9 +132,9 @@ class Deidentified(Case):
         self.assertEqual(len(result.stderr.splitlines()), 1)
 
     def test_refusals(self):
-        self.refused("says BurnedInAnnotation YES", BurnedInAnnotation="YES")
-        self.refused("says RecognizableVisualFeatures YES", RecognizableVisualFeatures="YES")
-        self.refused("is no CT slice but Secondary Capture", SOPClassUID="1.2.840.10008.5.1.4.1.1.7")
+        self.refused("has BurnedInAnnotation YES", BurnedInAnnotation="YES")
+        self.refused("has RecognizableVisualFeatures YES", RecognizableVisualFeatures="YES")
+        self.refused("is not a CT slice but Secondary Capture", SOPClassUID="1.2.840.10008.5.1.4.1.1.7")
         self.keys = self.write("short", "abc")
         self.refused("holds less than 32 characters")
 

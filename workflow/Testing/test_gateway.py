@@ -167,7 +167,7 @@ class Words(unittest.TestCase):
         for message, details, wanted in [
             ("Bad", " a  b ", "Bad: a b"),
             ("Bad", "", "Bad"),
-            ("No", "Cannot transcode from 1.2 to one of [ ]", "the PACS takes no objects of this class"),
+            ("No", "Cannot transcode from 1.2 to one of [ ]", "the PACS does not accept objects of this class"),
             ("E", "DIMSE status 0xA700", "its disk is full"),
         ]:
             self.assertIn(wanted, gateway.words_of(json.dumps({"Message": message, "Details": details}).encode()))

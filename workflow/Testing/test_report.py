@@ -64,7 +64,7 @@ class Results(Case):
         self.assertEqual(read_examination(self.folder, "a", self.row()).outcome, "not run")
         self.write("a/attempt.json", json.dumps({"attempt": 2, "askedMB": 900}))
         failed = read_examination(self.folder, "a", self.row())
-        self.assertEqual((failed.outcome, failed.message), ("failed", "its job was killed, with 900 MB asked for (attempt 2)"))
+        self.assertEqual((failed.outcome, failed.message), ("failed", "its job was killed, with 900 MB requested (attempt 2)"))
         self.write("a/status.json", json.dumps({"outcome": "unsuitable", "message": "no colon"}))
         self.assertEqual(read_examination(self.folder, "a", self.row()).outcome, "unsuitable")
 

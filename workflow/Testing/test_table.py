@@ -36,16 +36,16 @@ class Table(Case):
 
     def test_faults_are_named_by_line_and_column(self):
         for row, fault in (
-            ("a b\tauto\tct\t", 'line 2: column subject: "a b" is no name'),
-            ("a\tsupin\tct\t", 'line 2: column position: "supin" is none of auto, supine'),
-            ("a\tauto\t\t", "line 2: column source: it is empty"),
-            ("a\tauto\tpacs:Name=x\t1.2", "line 2: column source: \"pacs:Name=x\" is no query; write pacs:KEY=VALUE"),
-            ("a\tauto\tpacs:PatientID=x\t", "line 2: column series: a query needs the Series Instance UID"),
-            ("a\tauto\tct\tone", 'line 2: column series: "one" is no Series Instance UID'),
-            ("a\tauto\tct", "line 2: there are 3 cells for 4 columns"),
-            ("a\tauto\tct\t\na\tauto\tct\t", "line 3: column source: this is the series of line 2"),
+            ("a b\tauto\tct\t", 'line 2: column subject: "a b" is not a valid name'),
+            ("a\tsupin\tct\t", 'line 2: column position: "supin" is not one of auto, supine'),
+            ("a\tauto\t\t", "line 2: column source: empty"),
+            ("a\tauto\tpacs:Name=x\t1.2", "line 2: column source: \"pacs:Name=x\" is not a query; write pacs:KEY=VALUE"),
+            ("a\tauto\tpacs:PatientID=x\t", "line 2: column series: a query requires the Series Instance UID"),
+            ("a\tauto\tct\tone", 'line 2: column series: "one" is not a Series Instance UID'),
+            ("a\tauto\tct", "line 2: found 3 cells for 4 columns"),
+            ("a\tauto\tct\t\na\tauto\tct\t", "line 3: column source: same series as in line 2"),
             ("a\tprone\tc\t\na\tprone\td\t", "line 3: column position: line 2 is prone, too"),
-            ("a\tauto\tc\t\na\tauto\td\t\na\tauto\te\t", 'line 4: column subject: "a" has two series already'),
+            ("a\tauto\tc\t\na\tauto\td\t\na\tauto\te\t", 'line 4: column subject: "a" already has two series'),
         ):
             self.assertTrue(self.faults(HEADS + row + "\n").startswith("cohort.tsv, " + fault), row)
 
@@ -55,14 +55,14 @@ class Table(Case):
     def test_heads(self):
         self.assertIn('line 1: the column "series" is missing', self.faults("subject\tposition\tsource\na\tauto\tct\n"))
         self.assertIn('line 1: the column "thruth" is unknown', self.faults(HEADS.strip() + "\tthruth\n"))
-        self.assertIn("line 1: there is no row", self.faults(HEADS))
+        self.assertIn("line 1: no rows found", self.faults(HEADS))
 
     def test_a_file_that_is_no_table(self):
         with self.assertRaisesRegex(TableError, "No such file or directory; give the table"):
             read_table(os.path.join(self.folder, "absent.tsv"))
         with open(self.write("binary.tsv", ""), "wb") as file:
             file.write(b"\xff\xfe\x00")
-        with self.assertRaisesRegex(TableError, "no UTF-8 text"):
+        with self.assertRaisesRegex(TableError, "not a UTF-8 text"):
             read_table(os.path.join(self.folder, "binary.tsv"))
 
     def test_absent_folders_matter_until_the_subject_is_done(self):

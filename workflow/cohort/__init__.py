@@ -1,1 +1,1 @@
-"""What the workflow of cohorts is made of, by the standard library alone. See ../README.md."""
+"""The cohort workflow; uses the standard library only. See ../README.md."""

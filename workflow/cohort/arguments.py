@@ -4,7 +4,7 @@ import os
 
 
 def arguments_of(subject, series, folders, options):
-    """The folders are those of the series, in the same order."""
+    """`folders` are the folders of the series, in the same order."""
     arguments = [folders[0], f"{subject}/exam", "--threads", "1", "--quiet"]
     for row, uid, position in zip(series, ("--seriesUID", "--secondSeriesUID"), ("--position", "--secondPosition")):
         if row.series and not row.query:  # a fetched folder holds one series, and its UID may be mapped

@@ -9,7 +9,7 @@ INK, FAR, PALE = "#3f6ea8", "#c77700", "#ddd"
 
 
 def strips(measures):
-    """A strip for each measure (name, values, whether each stands out): a tick for each value, the median as a dark line."""
+    """One strip per measure (name, values, outlier flags): a tick per value, the median as a dark line."""
     rows = [strip for name, values, far in measures if values for strip in [_strip(name, values, far)]]
     shifted = "".join(f'<g transform="translate(0 {index * HEIGHT})">{row}</g>' for index, row in enumerate(rows))
     return _svg(WIDTH + MARGIN, HEIGHT * len(rows), shifted)

@@ -1,8 +1,8 @@
-"""examination.py SUBJECT ATTEMPT MEGABYTES COMMAND...: runs COMMAND SUBJECT/exam ..., and writes how it ended.
+"""examination.py SUBJECT ATTEMPT MEGABYTES COMMAND...: runs COMMAND SUBJECT/exam ... and records the outcome.
 
-SUBJECT/status.json is written where another attempt is of no use: done (status 0), unsuitable (2: wrong use; 3: the input).
-All else (status 1, killed, no memory) is a failure of this program, and Snakemake decides whether it is tried again.
-SUBJECT/attempt.json tells about the last attempt; what was killed with its job has no end in it."""
+SUBJECT/status.json is written if no retry is needed: done (status 0), unsuitable (2: wrong usage; 3: the input).
+Everything else (status 1, killed, out of memory) is a failure of this program, and Snakemake decides on a retry.
+SUBJECT/attempt.json describes the last attempt; it has no end if the attempt was killed with its job."""
 
 import datetime
 import fcntl
@@ -20,15 +20,15 @@ OUTCOMES = {0: "done", 2: "unsuitable", 3: "unsuitable"}
 
 
 def alone(path):
-    """Waits for what a killed workflow has left behind. The file stays open here and in all that is started from here, so the
-    next one waits for the last of these processes, whoever of them was killed."""
+    """Waits for processes left by a killed workflow. The file stays open in this process and all its children, so the
+    next attempt waits for the last of them, whichever of them was killed."""
     lock = os.open(path, os.O_RDWR | os.O_CREAT, 0o644)
     os.set_inheritable(lock, True)
     fcntl.flock(lock, fcntl.LOCK_EX)
 
 
 def run(command, log_path):
-    """Exit status as a shell has it, and the last line of the log."""
+    """Exit status as in a shell, and the last line of the log."""
     with open(log_path, "w", encoding="utf-8") as log:
         status = subprocess.run(command, stdout=log, stderr=log, stdin=subprocess.DEVNULL, close_fds=False).returncode
     with open(log_path, encoding="utf-8", errors="replace") as log:
@@ -37,12 +37,12 @@ def run(command, log_path):
 
 
 def message_of(status, last_line):
-    """One line that says why; a killed tool has said nothing."""
+    """One line with the reason; a killed tool prints none."""
     if status == 0:
         return ""
     if status > 128:
-        return f"killed by {signal.Signals(status - 128).name}" + (", perhaps for want of memory" if status == 137 else "")
-    return last_line or f"the tool ended with status {status} and said nothing"
+        return f"killed by {signal.Signals(status - 128).name}" + (", possibly out of memory" if status == 137 else "")
+    return last_line or f"the tool exited with status {status} without a message"
 
 
 def main():
@@ -56,7 +56,7 @@ def main():
     usage = resource.getrusage(resource.RUSAGE_CHILDREN)
     record["seconds"] = round((datetime.datetime.now(datetime.timezone.utc) - begin).total_seconds(), 1)
     record["processorSeconds"] = round(usage.ru_utime + usage.ru_stime, 1)
-    record["memoryMB"] = usage.ru_maxrss // 1024  # of the largest process; the stages run one after another
+    record["memoryMB"] = usage.ru_maxrss // 1024  # peak of the largest process; the stages run one after another
     end = {"exitStatus": status, "message": message_of(status, last_line)}
     write_whole(f"{subject}/attempt.json", json.dumps({**record, **end}, indent=1))
     if status not in OUTCOMES:

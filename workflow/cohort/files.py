@@ -1,11 +1,11 @@
-"""Files that are whole or absent, and documents that may be absent."""
+"""Atomically written files, and documents that may be absent."""
 
 import json
 import os
 
 
 def write_whole(path, text):
-    """A reader sees the old file or the new one, whatever kills the writer."""
+    """Writes a file atomically: a reader sees the old or the new one, even if the writer is killed."""
     temporary = f"{path}.{os.getpid()}.part"
     with open(temporary, "w", encoding="utf-8") as file:
         file.write(text)
@@ -13,7 +13,7 @@ def write_whole(path, text):
 
 
 def read_json(path):
-    """The document, or an empty one where the file is absent."""
+    """The document, or an empty one if the file is absent."""
     try:
         with open(path, encoding="utf-8") as file:
             return json.load(file)

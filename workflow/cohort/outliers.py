@@ -1,14 +1,14 @@
-"""Which values of a measure are far from those of the other examinations."""
+"""Detection of outliers among the examinations."""
 
 import statistics
 
-LIMIT = 3.5  # of the modified z-score, as Iglewicz and Hoaglin (1993) advise
-FEWEST = 8  # fewer values say nothing about what is usual
+LIMIT = 3.5  # modified z-score, as recommended by Iglewicz and Hoaglin (1993)
+FEWEST = 8  # fewer values do not define a usual range
 
 
 def scores(values):
-    """The modified z-score of each value: its distance from the median, in median absolute deviations that are scaled to the
-    standard deviation. None where there is no value; all 0 where there are too few, or more than half of them are equal."""
+    """The modified z-score of each value: its distance from the median, in median absolute deviations scaled to the
+    standard deviation. None without a value; all 0 if there are too few, or more than half are equal."""
     known = [value for value in values if value is not None]
     middle = statistics.median(known) if known else 0.0
     deviation = statistics.median(abs(value - middle) for value in known) if known else 0.0
@@ -18,7 +18,7 @@ def scores(values):
 
 
 def find_outliers(examinations):
-    """For each examination {measure: score} of its outliers."""
+    """The outliers of each examination as {measure: score}."""
     measures = [examination.measures() for examination in examinations]
     found = [{} for _ in examinations]
     for name in sorted({name for one in measures for name in one} - {"flagged"}):

@@ -1,4 +1,4 @@
-"""A page in the look of Shapeton's reports, whose style sheet it takes."""
+"""A page with the style sheet of Shapeton's reports."""
 
 from html import escape
 from pathlib import Path
@@ -11,7 +11,7 @@ td:first-child { white-space: nowrap; }
 
 
 def text_of(value):
-    """A value for people; nothing where it is not known."""
+    """A value as text; empty if unknown."""
     return "" if value is None else f"{value:g}" if isinstance(value, float) else str(value)
 
 
@@ -39,7 +39,7 @@ class Page:
         self._body.append(f"<figure>{drawing}<figcaption>{escape(caption)}</figcaption></figure>")
 
     def table(self, heads, rows, caption, links=(), far=frozenset()):
-        """Links: addresses for the first cells of the rows. Far: places (row, column) that stand out."""
+        """`links`: addresses for the first cells of the rows. `far`: highlighted cells (row, column)."""
         numbers = [all(isinstance(row[column], (int, float, type(None))) for row in rows) for column in range(len(heads))]
         lines = ["".join(f"<th{_class(is_number, False)}>{escape(name)}</th>" for name, is_number in zip(heads, numbers))]
         for index, row in enumerate(rows):

@@ -1,5 +1,5 @@
-"""prepare.py TABLE OUTPUT TOOLS MEMORY PACS SEND KEYS [OPTIONS...]: checks all that can be wrong before any work, and writes what the
-Snakefile reads, OUTPUT/cohort.json. Empty words: no limit of memory, no PACS, nothing sent, no
+"""prepare.py TABLE OUTPUT TOOLS MEMORY PACS SEND KEYS [OPTIONS...]: checks everything before any work, and writes the
+input of the Snakefile, OUTPUT/cohort.json. Empty arguments: no memory limit, no PACS, no sending, no
 de-identification."""
 
 import json
@@ -20,11 +20,11 @@ def main():
     if absent:
         sys.exit("\n".join(f"{table}, {line}" for line in absent))
     if not pacs and any(row.query for series in subjects.values() for row in series):
-        sys.exit(f"{table}: there are queries to a PACS; describe it with --pacs FILE")
+        sys.exit(f"{table}: contains queries to a PACS; describe it with --pacs FILE")
     if send and "--dicomResults" not in sys.argv[8:]:
-        sys.exit("--send sends the DICOM results of a run, and there are none; add: -- --dicomResults")
+        sys.exit("--send requires DICOM results; add: -- --dicomResults")
     for subject in subjects:
-        os.makedirs(f"{output}/{subject}", exist_ok=True)  # Slurm starts no job whose log has no folder
+        os.makedirs(f"{output}/{subject}", exist_ok=True)  # Slurm does not start a job if the folder of its log is missing
     settings = {
         "table": os.path.abspath(table),
         "tools": os.path.abspath(tools),

@@ -1,6 +1,6 @@
-"""report.py OUTPUT: report.html, cohort.tsv and runs.tsv of a cohort, from what its runs have left. Status 1 when one failed.
+"""report.py OUTPUT: writes report.html, cohort.tsv and runs.tsv from the results of a cohort. Status 1 if a run failed.
 
-cohort.tsv holds results alone, so it is the same bytes wherever the cohort ran; times and memory are in runs.tsv."""
+cohort.tsv holds results only, so it is byte-identical wherever the cohort ran; times and memory are in runs.tsv."""
 
 import os
 import sys
@@ -13,7 +13,7 @@ from cohort.results import PAIR_MEASURES, RUN_MEASURES, SERIES_MEASURES, read_ex
 from cohort.table import read_table
 from cohort.truth import REACH, froc, read_series, registration_error
 
-OUTCOMES = ("failed", "not run", "unsuitable", "done")  # as they come on the page
+OUTCOMES = ("failed", "not run", "unsuitable", "done")  # order on the page
 RUN_COLUMNS = ("attempt", "seconds", "processorSeconds", "memoryMB", "askedMB", "begin", "host", "job")
 
 
@@ -33,7 +33,7 @@ def main():
 
 
 def faults_of(examinations):
-    """(examination, subject, what happened, why) of all that is not as it should be."""
+    """(examination, subject, problem, reason) of all failures."""
     faults = [(one, one.subject, one.outcome, one.message) for one in examinations if one.outcome != "done"]
     return faults + [(one, one.subject, "results not sent", one.unsent) for one in examinations if one.unsent]
 
@@ -66,7 +66,7 @@ def _tabs(rows):
 
 
 def read_truth(output, subjects):
-    """Series with truth, and the registration errors of their pairs. A run that is not done has not looked everywhere yet."""
+    """Series with ground truth, and the registration errors of their pairs. Unfinished runs are excluded."""
     series, errors = [], []
     for subject, rows in subjects.items():
         exam = f"{output}/{subject}/exam"
@@ -101,13 +101,13 @@ def page_of(examinations, truth, settings):
 
 
 def _urgency(examination, outliers):
-    """What is missing first, then the farthest outliers, then what is doubtful; the order of the table among equals."""
+    """Missing results first, then the farthest outliers, then doubts; ties in table order."""
     farthest = max(map(abs, _of_results(outliers).values()), default=0.0)
     return OUTCOMES.index(examination.outcome), -farthest, not examination.doubts
 
 
 def _of_results(outliers):
-    """Time and memory stand out in their own table."""
+    """Outliers except time and memory, which are highlighted in their own table."""
     return {name: score for name, score in outliers.items() if name not in RUN_MEASURES}
 
 
@@ -167,7 +167,7 @@ def _add_examinations(page, examinations, outliers):
 
 
 def _far_cells(outliers, numbers, measures, first):
-    """Places (row, column) of outliers; the measures begin with the column "first"."""
+    """Cells (row, column) of outliers; the measures start at the column "first"."""
     return {
         (row, column)
         for row, (far, number) in enumerate(zip(outliers, numbers))
@@ -177,7 +177,7 @@ def _far_cells(outliers, numbers, measures, first):
 
 
 def _readable(measure):
-    """The heading of a column: "flexureConfidence" is "flexure confidence"."""
+    """The heading of a column: "flexureConfidence" becomes "flexure confidence"."""
     unit = {**SERIES_MEASURES, **PAIR_MEASURES, **RUN_MEASURES, "askedMB": ("MB",)}.get(measure, ("",))[0]
     words = "".join(f" {letter.lower()}" if letter.isupper() else letter for letter in measure.removesuffix("MB"))
     return words + (f", {unit}" if unit else "")

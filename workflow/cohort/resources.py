@@ -1,4 +1,4 @@
-"""What an examination needs, from the size of its volumes."""
+"""Resources of an examination, from the size of its volumes."""
 
 import functools
 import os
@@ -7,10 +7,10 @@ import subprocess
 
 @functools.cache
 def voxels_of(folder):
-    """An upper bound, as if all files below the folder were slices like the first. 0 where there is no DICOM file.
-    One slice is read: for 10,000 examinations Snakemake asks before the first of them starts."""
+    """An upper bound, assuming that all files below the folder are slices like the first. 0 without a DICOM file. Only
+    one slice is read, because Snakemake calls this for all examinations before the first one starts."""
     files = sorted(os.path.join(place, name) for place, _, names in os.walk(folder) for name in names if not name.startswith("."))
-    for file in files[:20]:  # a folder may begin with a text
+    for file in files[:20]:  # the first files may not be DICOM
         size = _slice_size(file)
         if size:
             return size * len(files)
@@ -18,14 +18,15 @@ def voxels_of(folder):
 
 
 def megabytes(voxels, attempt, greatest=None):
-    """Memory: 600 MB, of which Snakemake takes 120, and 28 bytes for each voxel (measured: 3,453 MB for 112.7 million voxels); the
-    double in a second attempt. Never more than the machine has: there the examination runs alone."""
+    """Memory: 600 MB, of which Snakemake uses 120, plus 28 bytes per voxel (measured: 3,453 MB for 112.7 million
+    voxels); twice that in a second attempt. Limited to the memory of the machine, where the examination then runs
+    alone."""
     asked = int((600 + 28e-6 * voxels) * attempt)
     return min(asked, greatest) if greatest else asked
 
 
 def minutes(voxels, attempt):
-    """Time limit on a cluster: ten times what was measured on one core."""
+    """Time limit on a cluster: ten times the time measured on one core."""
     return int((10 + 60e-8 * voxels) * attempt)
 
 

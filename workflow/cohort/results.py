@@ -1,4 +1,4 @@
-"""What is known of each examination of a cohort, from the files of its run: values for the tables, and what is doubtful."""
+"""Results of each examination of a cohort, from the files of its run: values for the tables, and doubts."""
 
 import csv
 import dataclasses
@@ -29,15 +29,15 @@ class Examination:
     subject: str
     outcome: str  # done, unsuitable, failed, not run
     message: str
-    series: list  # measures of each series of the table
+    series: list  # measures of each series in the table
     pair: dict
     run: dict
-    report: str  # path of its page below the folder of the cohort, or nothing
+    report: str  # path of its page below the folder of the cohort, or empty
     unsent: str = ""  # why its results did not reach the PACS
     doubts: list = dataclasses.field(default_factory=list)
 
     def measures(self):
-        """Every measure with the number of its series in the name, as the columns of the tables."""
+        """All measures, named as the columns of the tables, with the number of the series."""
         values = {f"{name}{number}": value for number, one in enumerate(self.series, 1) for name, value in one.items()}
         return {**values, **self.pair, **{name: self.run.get(name) for name in RUN_MEASURES}}
 
@@ -61,13 +61,13 @@ def read_examination(output, subject, rows):
 
 
 def _end_of(folder):
-    """Outcome and its one line; what was killed together with its job has left the begin of its attempt alone."""
+    """Outcome and message; an attempt killed with its job has only a begin."""
     status, attempt = read_json(f"{folder}/status.json"), read_json(f"{folder}/attempt.json")
     if status:
         return status["outcome"], status["message"]
     if not attempt:
-        return "not run", _fetch_fault(folder) or "it was not started; see the log of Snakemake"
-    message = attempt.get("message") or f"its job was killed, with {attempt['askedMB']} MB asked for"
+        return "not run", _fetch_fault(folder) or "not started; see the log of Snakemake"
+    message = attempt.get("message") or f"its job was killed, with {attempt['askedMB']} MB requested"
     return "failed", f"{message} (attempt {attempt['attempt']})"
 
 

@@ -1,4 +1,4 @@
-"""The table of a cohort: one row for each series, tab-separated; the rows of a subject are one examination."""
+"""The table of a cohort: one row per series, tab-separated; the rows of a subject form one examination."""
 
 import csv
 import dataclasses
@@ -14,7 +14,7 @@ UID = re.compile(r"[0-9]+(\.[0-9]+)+")
 
 
 class TableError(Exception):
-    """All that is wrong with a table, a line for each fault."""
+    """All errors in a table, one per line."""
 
 
 @dataclasses.dataclass
@@ -36,7 +36,7 @@ class Series:
 
 
 def read_table(path):
-    """Subjects with their one or two series, in the order of the table; TableError names every fault."""
+    """Subjects with their one or two series, in table order; TableError lists all errors."""
     faults = []
     rows = _rows(path, faults)
     for row in rows:
@@ -47,16 +47,16 @@ def read_table(path):
     for series in subjects.values():
         _check_subject(series, faults)
     if not rows and not faults:
-        faults.append((1, "there is no row below the heads; add one for each series"))
+        faults.append((1, "no rows found below the header; add one per series"))
     if faults:
         raise TableError("\n".join(f"{path}, line {line}: {fault}" for line, fault in sorted(faults)))
     return subjects
 
 
 def absent_sources(subjects, is_done):
-    """A line for each folder that is needed and absent; what is done may have lost its source."""
+    """One line per missing source folder; finished examinations do not need theirs."""
     return [
-        f"line {row.line}, column source: {row.source} is no folder; mount it, or correct the path"
+        f"line {row.line}, column source: {row.source} is not a folder; mount it, or correct the path"
         for subject, series in subjects.items()
         if not is_done(subject)
         for row in series
@@ -71,10 +71,10 @@ def _rows(path, faults):
     except OSError as error:
         raise TableError(f"{path}: {error.strerror}; give the table of the cohort") from None
     except UnicodeDecodeError:
-        raise TableError(f"{path}: this is no UTF-8 text; export the table as tab-separated text") from None
+        raise TableError(f"{path}: not a UTF-8 text; export the table as tab-separated text") from None
     heads = lines[0] if lines else []
     for name in [name for name in REQUIRED if name not in heads]:
-        faults.append((1, f'the column "{name}" is missing; the heads are {", ".join(REQUIRED)}, separated by tabs'))
+        faults.append((1, f'the column "{name}" is missing; the required columns are {", ".join(REQUIRED)}, separated by tabs'))
     for name in [name for name in heads if name not in REQUIRED + OPTIONAL]:
         faults.append((1, f'the column "{name}" is unknown; columns are {", ".join(REQUIRED + OPTIONAL)}'))
     if faults:
@@ -86,7 +86,7 @@ def _rows(path, faults):
 
 def _row(heads, line, cells, base, faults):
     if len(cells) != len(heads):
-        faults.append((line, f"there are {len(cells)} cells for {len(heads)} columns; separate them by one tab each"))
+        faults.append((line, f"found {len(cells)} cells for {len(heads)} columns; separate cells by one tab"))
         return None
     row = Series(line, **{name: cell.strip() for name, cell in zip(heads, cells)})
     if row.source and not row.source.startswith("pacs:"):
@@ -101,24 +101,24 @@ def _check_row(row, faults):
         if not condition:
             faults.append((row.line, f"column {column}: {fault}"))
 
-    require(re.fullmatch(SUBJECT, row.subject), "subject", f'"{row.subject}" is no name; use letters, digits, _ and -')
-    require(row.position in POSITIONS, "position", f'"{row.position}" is none of {", ".join(POSITIONS)}')
-    require(row.source, "source", "it is empty; give a folder with a DICOM series, or pacs:KEY=VALUE")
+    require(re.fullmatch(SUBJECT, row.subject), "subject", f'"{row.subject}" is not a valid name; use letters, digits, _ and -')
+    require(row.position in POSITIONS, "position", f'"{row.position}" is not one of {", ".join(POSITIONS)}')
+    require(row.source, "source", "empty; give a folder with a DICOM series, or pacs:KEY=VALUE")
     if row.source.startswith("pacs:"):
         keys = "StudyInstanceUID, AccessionNumber or PatientID"
-        require(row.query, "source", f'"{row.source}" is no query; write pacs:KEY=VALUE, where KEY is {keys}')
-        require(row.series, "series", "a query needs the Series Instance UID; workflow/pacs/find lists those of a study")
-    require(not row.series or UID.fullmatch(row.series), "series", f'"{row.series}" is no Series Instance UID')
-    require(not row.truth or os.path.isdir(row.truth), "truth", f"{row.truth} is no folder; correct the path")
+        require(row.query, "source", f'"{row.source}" is not a query; write pacs:KEY=VALUE, where KEY is {keys}')
+        require(row.series, "series", "a query requires the Series Instance UID; workflow/pacs/find lists those of a study")
+    require(not row.series or UID.fullmatch(row.series), "series", f'"{row.series}" is not a Series Instance UID')
+    require(not row.truth or os.path.isdir(row.truth), "truth", f"{row.truth} is not a folder; correct the path")
 
 
 def _check_subject(series, faults):
     for row in series[2:]:
-        faults.append((row.line, f'column subject: "{row.subject}" has two series already; an examination has at most two'))
+        faults.append((row.line, f'column subject: "{row.subject}" already has two series, the maximum of an examination'))
     if len(series) < 2:
         return
     first, second = series[:2]
     if (first.source, first.series) == (second.source, second.series):
-        faults.append((second.line, f"column source: this is the series of line {first.line}; name another folder or series"))
+        faults.append((second.line, f"column source: same series as in line {first.line}; give another folder or series"))
     if first.position == second.position != "auto":
         faults.append((second.line, f"column position: line {first.line} is {first.position}, too; correct one, or write auto"))

@@ -1,4 +1,5 @@
-"""Candidates and registration against the truth of phantoms, or of readers in the same form (ColonPhantom's files)."""
+"""Comparison of candidates and registration with the ground truth of phantoms, or of readers in the same format
+(ColonPhantom's files)."""
 
 import csv
 import dataclasses
@@ -12,7 +13,8 @@ THRESHOLDS = [0.95, 0.9, 0.8, 0.7, 0.6, 0.5, 0.4, 0.3, 0.25]
 
 @dataclasses.dataclass
 class SeriesTruth:
-    """A series with truth: the greatest score at each polyp, the errors of diameters, the scores of false candidates."""
+    """A series with ground truth: the maximum score at each polyp, the diameter errors, the scores of false
+    candidates."""
 
     polyps: list
     diameter_errors: list
@@ -20,7 +22,7 @@ class SeriesTruth:
 
 
 def read_series(exam, truth):
-    """None where the run has no candidates or the truth no polyps.csv."""
+    """None if the run has no candidates or the ground truth no polyps.csv."""
     candidates, polyps = _rows(f"{exam}/polyps/candidates.csv"), _rows(f"{truth}/polyps.csv")
     if candidates is None or polyps is None:
         return None
@@ -35,7 +37,7 @@ def read_series(exam, truth):
 
 
 def froc(series):
-    """Rows (threshold, sensitivity, false candidates in a series) of all series together."""
+    """Rows (threshold, sensitivity, false candidates per series) over all series."""
     count = sum(len(one.polyps) for one in series)
     if not count:
         return []
@@ -50,7 +52,7 @@ def froc(series):
 
 
 def registration_error(exam):
-    """Median error in mm of the points that count, or None."""
+    """Median error in mm of the counted points, or None."""
     errors = [float(row["inSpace"]) for row in _rows(f"{exam}/registration/errors.csv") or [] if row["kind"] == "counted"]
     return statistics.median(errors) if errors else None
 

@@ -1,4 +1,4 @@
-# Functions of the recipes in this folder; sourced, never run.
+# Functions of the scripts in this folder; sourced, not executed.
 # shellcheck shell=bash
 
 # shellcheck source-path=SCRIPTDIR
@@ -8,10 +8,10 @@ here=$repository/workflow/pacs
 declare -A pacs=([calling]=SHAPETON [timeout]=60)
 temporary=$(mktemp -d)
 tunnel=
-part= # a folder that is not whole yet
+part= # an incomplete folder
 trap '[ -z "$tunnel" ] || kill "$tunnel" 2>/dev/null; rm -rf "$temporary" ${part:+"$part"}' EXIT
 
-# read_pacs FILE: the description of a PACS, lines of a name and a value; see README.md. Files are relative to it.
+# read_pacs FILE: reads the description of a PACS, lines of name and value; see README.md. Paths are relative to it.
 read_pacs() {
   local name value required folder
   folder=$(dirname "$1")
@@ -29,20 +29,21 @@ read_pacs() {
     dicom) required="host port called" ;;
     dicom-tls) required="host port called certificate key authority" ;;
     dicomweb) required="url" ;;
-    *) fail "$1: the protocol \"${pacs[protocol]-}\" is none of dicom, dicom-tls, dicomweb" 2 ;;
+    *) fail "$1: the protocol \"${pacs[protocol]-}\" is not one of dicom, dicom-tls, dicomweb" 2 ;;
   esac
   for name in $required; do
-    [ -n "${pacs[$name]-}" ] || fail "$1: the setting \"$name\" is missing; ${pacs[protocol]} needs it" 2
+    [ -n "${pacs[$name]-}" ] || fail "$1: the setting \"$name\" is missing; it is required by ${pacs[protocol]}" 2
   done
 }
 
-# open_pacs FILE: reads the description; what talks to the PACS can do so from then on.
+# open_pacs FILE: reads the description and prepares the connection to the PACS.
 open_pacs() {
   read_pacs "$1"
   [ "${pacs[protocol]}" != dicom-tls ] || open_tunnel
 }
 
-# open_tunnel: DCMTK's getscu and dcmsend of 3.6.7 know no TLS; they talk through stunnel, which checks the certificate.
+# open_tunnel: getscu and dcmsend of DCMTK 3.6.7 do not support TLS; they connect through stunnel, which checks the
+# certificate.
 open_tunnel() {
   local port
   for _ in 1 2 3 4 5; do
@@ -59,7 +60,7 @@ open_tunnel() {
   pacs[port]=$port
 }
 
-# start_tunnel PORT: it ends with this script, even when that is killed.
+# start_tunnel PORT: starts stunnel, which ends with this script, even if it is killed.
 start_tunnel() {
   cat >"$temporary/stunnel.conf" <<END
 foreground = yes
@@ -80,14 +81,14 @@ END
   tunnel=$!
 }
 
-# reason LOG: the first line in which a tool says what was wrong; TLS speaks first.
+# reason LOG: the first error lines of a tool; TLS errors come first.
 reason() {
   { grep -ahE 'LOG3|certificate verify failed|VERIFY ERROR' "$temporary/stunnel.txt" 2>/dev/null || true
     grep -ahE '^(F|E|W):|^curl: |rejected|Reason' "$1" || tail -1 "$1"; } |
     sed -E 's/^[FEWI]: +(\* )?//; s/^.*LOG[0-9][^:]*: //' | head -3 | paste -sd ' ' | cut -c1-300
 }
 
-# dicom TOOL ARGUMENTS...: a tool of DCMTK on the PACS; its log is $temporary/TOOL.txt.
+# dicom TOOL ARGUMENTS...: runs a DCMTK tool on the PACS; its log is $temporary/TOOL.txt.
 dicom() {
   local tool=$1
   shift
@@ -95,7 +96,7 @@ dicom() {
     "$@" >"$temporary/$tool.txt" 2>&1
 }
 
-# web PATH CURL-ARGUMENTS...: DICOMweb; the answer goes to stdout, the log to $temporary/curl.txt.
+# web PATH CURL-ARGUMENTS...: DICOMweb request; prints the response, writes the log to $temporary/curl.txt.
 web() {
   local path=$1
   shift
@@ -105,8 +106,8 @@ web() {
     fail "${pacs[url]}: $(reason "$temporary/curl.txt"); check ${pacs[name]}"
 }
 
-# find_values LEVEL KEYWORD [KEY=VALUE...]: the values of a keyword in what the PACS knows, one a line. findscu ends with 0 whatever
-# the PACS said: only its last answer tells.
+# find_values LEVEL KEYWORD [KEY=VALUE...]: the values of a keyword in the PACS, one per line. findscu always exits
+# with 0; only its last response shows success.
 find_values() {
   local level=$1 keyword=$2 keys=()
   shift 2
@@ -123,7 +124,7 @@ find_values() {
   tr -d '\0' <"$temporary/findscu.txt" | sed -n "/Find Response: /,\$s/^.*\[\([^]]*\)\] .* $keyword\$/\1/p" | sed 's/ *$//' | sort -u # \0 pads a UID
 }
 
-# find_by_web: the same by QIDO-RS; studies and series that are given go into the path.
+# find_by_web: the same with QIDO-RS; given studies and series are part of the path.
 find_by_web() {
   local level=$1 keyword=$2 path=studies query="includefield=$2&limit=100000"
   shift 2
@@ -141,13 +142,13 @@ find_by_web() {
 # instances_of STUDY SERIES: the SOP Instance UIDs that the PACS has, sorted.
 instances_of() { find_values IMAGE SOPInstanceUID "StudyInstanceUID=$1" "SeriesInstanceUID=$2"; }
 
-# lines_of UIDS LIST: the lines of the list of uids.py whose instance is in the file UIDS.
+# lines_of UIDS LIST: the lines of a list written by uids.py whose instance is in the file UIDS.
 lines_of() { awk 'NR == FNR { wanted[$1]; next } $1 in wanted' "$1" "$2"; }
 
-# missing_from WANTED THERE: lines of the first file that the second one lacks; both are sorted.
+# missing_from WANTED THERE: lines of the first file missing in the second one; both are sorted.
 missing_from() { comm -23 "$1" "$2"; }
 
-# fail_for MESSAGE NAMES: every name in the file NAMES on a line, then the message with the first of them.
+# fail_for MESSAGE NAMES: prints every name in the file NAMES on a line, then the message with the first of them.
 fail_for() {
   cat "$2" >&2
   fail "$1: $(head -3 "$2" | paste -sd ' ')$([ "$(wc -l <"$2")" -le 3 ] || echo " and others, listed above")"

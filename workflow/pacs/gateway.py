@@ -1,9 +1,11 @@
 #!/usr/bin/python3
-"""gateway.py FOLDER: sees to it that all that the Orthanc of FOLDER holds comes to the PACS.
+"""gateway.py FOLDER: delivers all instances in the Orthanc of FOLDER to the PACS.
 
-Each instance is asked for first (storage commitment), and is sent only when the PACS answers that it lacks it. So nothing is lost
-or sent twice, whatever is killed: what is not marked as committed is asked for again. What waits, and why, is in waiting.tsv.
-A committed instance is kept for a day, so that its sender still finds it; the next one is asked for, too, and not sent."""
+Storage commitment is requested for each instance first, and only instances missing in the PACS are sent. So nothing is
+lost or sent twice, whatever is killed: instances not marked as committed are queried again. waiting.tsv lists the waiting
+instances with the reasons.
+A committed instance is kept for a day, so that its sender still finds it; a resent one is only queried, not sent
+again."""
 
 import base64
 import json
@@ -13,19 +15,19 @@ import time
 import urllib.error
 import urllib.request
 
-COMMITTED = "1024"  # Orthanc's number of the first metadata that users may define
+COMMITTED = "1024"  # first user-defined metadata number of Orthanc
 KEPT = 86400  # s
 LONGEST_PAUSE = 60  # s
-LONGEST_SILENCE = 3600  # s, until a PACS that has not reported is asked again
-AT_ONCE = 200  # instances in a request
+LONGEST_SILENCE = 3600  # s, until a PACS without a report is asked again
+AT_ONCE = 200  # instances per request
 
 
 class Refused(Exception):
-    """What Orthanc could not do, in its words."""
+    """An error reported by Orthanc."""
 
 
 class Orthanc:
-    """The REST interface of the Orthanc that is configured in a folder."""
+    """The REST interface of the Orthanc configured in a folder."""
 
     def __init__(self, folder):
         with open(f"{folder}/orthanc.json", encoding="utf-8") as file:
@@ -49,7 +51,7 @@ class Orthanc:
         while True:
             try:
                 return self.call("GET", "/system")
-            except (urllib.error.URLError, Refused):  # refused by another one that has the port; ours will say so and end
+            except (urllib.error.URLError, Refused):  # another Orthanc has the port; ours will report it and exit
                 time.sleep(0.1)
 
 
@@ -60,13 +62,13 @@ def words_of(answer):
     except ValueError:
         return answer.decode(errors="replace").strip()
     words = " ".join(f"{error.get('Message', '')}: {error.get('Details', '')}".split()).strip(": ")
-    if words.endswith("to one of [ ]"):  # no transfer syntax was accepted
-        return "the PACS takes no objects of this class: the presentation context was refused"
-    return words + (": it is out of resources, perhaps its disk is full" if "DIMSE status 0xA7" in words else "")
+    if words.endswith("to one of [ ]"):  # no transfer syntax accepted
+        return "the PACS does not accept objects of this class: the presentation context was refused"
+    return words + (": the PACS is out of resources, possibly its disk is full" if "DIMSE status 0xA7" in words else "")
 
 
 class Queue:
-    """The instances that the PACS has not committed to: each with the reason why it waits."""
+    """The instances not committed by the PACS, each with the reason."""
 
     def __init__(self, folder, orthanc):
         self.list = f"{folder}/waiting.tsv"
@@ -76,12 +78,12 @@ class Queue:
         self.uids = {}  # instance: SOP Instance UID
         self.unasked = set()
         self.reports = {}  # storage commitment transaction: (instances, time)
-        self.kept = []  # (time, instance) of those that are committed, the oldest first
-        self.taken = 0  # how often the PACS took an instance or committed to one
+        self.kept = []  # (time, instance) of committed instances, oldest first
+        self.taken = 0  # number of instances accepted or committed by the PACS
         self.told = None
 
     def take_new(self):
-        """Whether instances came since the last call; at first these are all that Orthanc holds."""
+        """Whether new instances arrived since the last call; on the first call, all instances in Orthanc."""
         new, is_done = [], False
         while not is_done:
             changes = self.orthanc.call("GET", f"/changes?since={self.last_change}&limit=1000")
@@ -92,13 +94,13 @@ class Queue:
                 self.kept.append((float(content["Metadata"][COMMITTED]), content["ID"]))
                 continue
             self.uids[content["ID"]] = content["MainDicomTags"]["SOPInstanceUID"]
-            self.waiting[content["ID"]] = "not asked for yet"
+            self.waiting[content["ID"]] = "not queried yet"
             self.unasked.add(content["ID"])
         self.kept.sort()
         return bool(new)
 
     def ask(self):
-        """Asks whether the PACS commits to the instances that were not asked for."""
+        """Requests storage commitment for the new instances."""
         while self.unasked:
             some = sorted(self.unasked)[:AT_ONCE]
             answer = self.orthanc.call("POST", "/modalities/pacs/storage-commitment", {"Resources": some})
@@ -106,12 +108,12 @@ class Queue:
             self.unasked.difference_update(some)
 
     def collect(self):
-        """Marks what the PACS has committed to; returns what it lacks."""
+        """Marks committed instances; returns those missing in the PACS."""
         lacking = []
         for transaction, (asked, begin) in list(self.reports.items()):
             report = self.orthanc.call("GET", f"/storage-commitment/{transaction}")
             if report["Status"] == "Pending":
-                self.waiting.update(dict.fromkeys(asked, "the PACS has not reported yet; does it know title and port of the gateway?"))
+                self.waiting.update(dict.fromkeys(asked, "the PACS has not reported yet; check its title and port of the gateway"))
                 if time.time() - begin < LONGEST_SILENCE:
                     continue
             del self.reports[transaction]
@@ -133,7 +135,7 @@ class Queue:
         self.taken += 1
 
     def send(self, lacking):
-        """Each by itself, so that one that is refused keeps no other back and has a reason of its own."""
+        """Sends each instance separately, so that a rejected one does not block others and has its own reason."""
         for instance in lacking:
             try:
                 self.orthanc.call("POST", "/modalities/pacs/store", {"Resources": [instance]})
@@ -141,7 +143,7 @@ class Queue:
                 self.taken += 1
             except Refused as error:
                 self.waiting[instance] = str(error)
-                self.orthanc.call("POST", "/modalities/pacs/echo", {})  # there is no use in sending more where it fails
+                self.orthanc.call("POST", "/modalities/pacs/echo", {})  # stops sending if the echo fails
 
     def forget(self, instances):
         for instance in instances:
@@ -149,7 +151,7 @@ class Queue:
         self.unasked.difference_update(instances)
 
     def forget_removed(self):
-        """Somebody may give an instance up, and delete it in Orthanc."""
+        """Handles instances deleted in Orthanc by a user."""
         self.forget(set(self.waiting).difference(self.orthanc.call("GET", "/instances")))
 
     def forget_old(self):
@@ -157,7 +159,7 @@ class Queue:
             self.orthanc.call("DELETE", f"/instances/{self.kept.pop(0)[1]}")
 
     def tell(self):
-        """Writes what waits; on stdout how many, where it has changed."""
+        """Writes the waiting instances; prints their number if it has changed."""
         lines = sorted(f"{self.uids[instance]}\t{reason}\n" for instance, reason in self.waiting.items())
         with open(self.list + ".part", "w", encoding="utf-8") as file:
             file.write("instance\treason\n" + "".join(lines))
@@ -168,7 +170,7 @@ class Queue:
         self.told = told
 
     def step(self):
-        """Whether the PACS took something."""
+        """Whether the PACS accepted an instance."""
         before = self.taken
         try:
             self.send(self.collect())

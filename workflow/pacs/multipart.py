@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""What curl leaves to do for DICOMweb.
+"""Helpers for DICOMweb with curl.
 multipart.py values KEYWORD FILE        prints the values of a keyword in an answer of QIDO-RS
 multipart.py split FILE FOLDER          writes the parts of an answer of WADO-RS as files
 multipart.py join BOUNDARY FILE         prints a body for STOW-RS"""
@@ -13,19 +13,20 @@ TAGS = {"StudyInstanceUID": "0020000D", "SeriesInstanceUID": "0020000E", "SOPIns
 
 def values(keyword, path):
     with open(path, "rb") as file:
-        text = file.read()  # an empty answer is one without matches
+        text = file.read()  # an empty response means no matches
     found = {str(value) for item in json.loads(text or "[]") for value in item.get(TAGS[keyword], {}).get("Value", [])}
     print("".join(f"{value}\n" for value in sorted(found)), end="")
 
 
 def split(path, folder):
-    """Parts begin with their heads, and lie between lines of the boundary, which the first line of the answer shows."""
+    """Parts start with their headers and are separated by boundary lines; the first line of the response is the
+    boundary."""
     with open(path, "rb") as file:
         content = file.read()
     boundary = b"\r\n" + content.lstrip(b"\r\n").split(b"\r\n", 1)[0]
     parts = (b"\r\n" + content.lstrip(b"\r\n")).split(boundary)
     if parts[-1].strip() != b"--":
-        sys.exit("the answer ends before its last boundary")
+        sys.exit("the response ends before its last boundary")
     for number, part in enumerate(parts[1:-1]):
         with open(f"{folder}/{number:06d}.dcm", "wb") as file:
             file.write(part.split(b"\r\n\r\n", 1)[1])

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""uids.py FOLDER...: a line "SOP instance, series, study, file" for each DICOM file below the folders, sorted. Top-level attributes alone:
-dcmdump +P also finds those of sequences. Status 1 when a file is none, or is cut off."""
+"""uids.py FOLDER...: prints a line "SOP instance, series, study, file" per DICOM file below the folders, sorted. Reads
+top-level attributes only; dcmdump +P also finds those in sequences. Status 1 if a file is not DICOM or truncated."""
 
 import os
 import sys
@@ -13,7 +13,7 @@ def line_of(path):
         data = pydicom.dcmread(path)
         return f"{data.SOPInstanceUID} {data.SeriesInstanceUID} {data.StudyInstanceUID} {path}"
     except Exception as error:  # pydicom raises many kinds for malformed files
-        sys.exit(f"{path} is no whole DICOM file: {error}")
+        sys.exit(f"{path} is not a complete DICOM file: {error}")
 
 
 if __name__ == "__main__":
