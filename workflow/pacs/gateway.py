@@ -113,7 +113,7 @@ class Queue:
         for transaction, (asked, begin) in list(self.reports.items()):
             report = self.orthanc.call("GET", f"/storage-commitment/{transaction}")
             if report["Status"] == "Pending":
-                self.waiting.update(dict.fromkeys(asked, "the PACS has not reported yet; check its title and port of the gateway"))
+                self.waiting.update(dict.fromkeys(asked, "the PACS has not reported yet; check title and port of the gateway in its configuration"))
                 if time.time() - begin < LONGEST_SILENCE:
                     continue
             del self.reports[transaction]

@@ -1,5 +1,5 @@
-// CompareCoordinateMaps MAP BASELINE TOLERANCE: status 0 when two coordinate maps have the same grid, and no point is
-// farther away from its counterpart than TOLERANCE mm. itkTestDriver sees the first component of vectors alone.
+// CompareCoordinateMaps MAP BASELINE TOLERANCE: status 0 if two coordinate maps have the same grid and no point is
+// farther than TOLERANCE mm from its counterpart. itkTestDriver compares only the first vector component.
 #include "shapetonFlatCoordinateMap.h"
 
 #include "itkImageFileReader.h"

@@ -1,5 +1,5 @@
-// Writes the inputs of the tests of ColonLandmarks into a folder: a colon as textbooks draw it, flat, with folds
-// between three taeniae, its centreline, and faulty variants.
+// Writes the inputs of the tests of ColonLandmarks to a folder: a schematic flat colon with folds between three
+// taeniae, its centerline, and faulty variants.
 #include "shapetonLandmarkTubes.h"
 
 #include "shapetonSurfaceWriter.h"

@@ -1,4 +1,4 @@
-# Without a colon its curves and surface are missing; the labels of the chest are listed.
+# Without a colon, its curves and surface are not written; the labels of the chest are listed.
 set(names lumen.nrrd segments.nrrd structures.json structures.nrrd)
 file(GLOB found RELATIVE ${FOLDER} ${FOLDER}/* ${FOLDER}/.*)
 list(SORT found)

@@ -1,4 +1,4 @@
-# The movement of the made-up patient is known: few millimetres of error, nothing folded over, nothing wrong.
+# The motion of the simulated patient is known: errors of a few millimeters, no flips, no wrong pairs.
 file(READ ${FOLDER}/registration.json document)
 function(figure variable)
   string(JSON value GET "${document}" ${ARGN})

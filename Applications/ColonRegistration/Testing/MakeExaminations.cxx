@@ -7,7 +7,7 @@ namespace
 {
 using namespace tubecolons;
 
-/** A stretch of the wall that was made up over a gap. */
+/** A synthetic part of the wall that bridges a gap. */
 shapeton::ColonPositionFiles
 WithCollapse(shapeton::ColonPositionFiles files, double begin, double end)
 {
@@ -35,7 +35,7 @@ WithoutLandmarks(shapeton::ColonPositionFiles files)
   return files;
 }
 
-/** Also where the tests run once more. */
+/** Also works if the tests are repeated. */
 void
 CopyWithout(const std::string & from, const std::string & to, const std::string & file)
 {

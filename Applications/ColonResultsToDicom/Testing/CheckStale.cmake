@@ -1,5 +1,5 @@
-# Results of a run that were changed, or made from others than those that are there, are refused; where no candidates were looked
-# for, the report of CAD does not say that there are none.
+# Modified or outdated results of a run are rejected; if no candidates were searched, the CAD report does not claim
+# that there are none.
 file(REMOVE_RECURSE ${OUT})
 file(COPY ${EXAM}/ DESTINATION ${OUT}/exam)
 

@@ -1,5 +1,5 @@
-# dciodvfy finds no error in the objects of FOLDER, and no warning but that a scheme of codes is ours. It does not know the
-# Colon CAD SR, which dsrdump has to read without a word on its tree.
+# dciodvfy finds no errors in the objects of FOLDER, and warns only about the private coding scheme. It does not
+# support the Colon CAD SR, which dsrdump must read without messages on its tree.
 if(NOT DCIODVFY OR NOT DSRDUMP)
   message("dciodvfy or dsrdump is not installed")
   return()

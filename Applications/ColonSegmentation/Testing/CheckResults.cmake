@@ -1,4 +1,4 @@
-# Called by ctest: all files are there, the same bytes for any number of threads, no cleansed CT of a mask.
+# Called by ctest: all files exist and are byte-identical for any number of threads; no cleansed CT for a mask.
 set(files lumen.nrrd centreline.vtp wall.vtp wall-repaired.vtp wall-simplified.vtp quality.json)
 foreach(file IN LISTS files)
   foreach(folder ct oneThread lumen)

@@ -1,4 +1,4 @@
-// Pages that the tool makes, and what they say where something is wrong.
+// Pages written by the tool, and their error messages.
 // usage: TOOL=ColonViewer EXAM=folder of a finished run with candidates WORK=folder to write to, node --test pages.test.mjs
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';

@@ -1,4 +1,4 @@
-// Reads an examination as a person would, in a headless Chromium with software WebGL, from file://.
+// Simulates a reader of an examination, in a headless Chromium with software WebGL, from file://.
 // usage: VIEWER=folder of viewer.html [SHOTS=folder for pictures] [TIMINGS=1] node --test viewer.test.mjs
 import assert from 'node:assert/strict';
 import { existsSync, mkdtempSync, readdirSync, readFileSync, rmSync, statSync, writeFileSync } from 'node:fs';
@@ -51,7 +51,7 @@ const clickOn = async (selector) => {
   await idle();
 };
 
-// Where the arms of the yellow crosshair meet, near the place where it should be: what a person sees.
+// Visible center of the yellow crosshair near its expected position.
 const crossSeen = (name, position = 0) => page.evaluate((n, p) => {
   const v = viewer.panels[p].views.find((x) => x.box.dataset.view === n), [x, y] = v.shown, r = v.canvas.width / v.w, reach = 17;
   const left = Math.round((x - reach) * r), top = Math.round((y - reach) * r), side = Math.round(2 * reach * r);

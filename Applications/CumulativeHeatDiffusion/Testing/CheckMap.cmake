@@ -1,4 +1,4 @@
-# dciodvfy finds no error in the Parametric Map FILE, and no warning but that a scheme of codes is ours.
+# dciodvfy finds no errors in the Parametric Map FILE, and warns only about the private coding scheme.
 if(NOT DCIODVFY)
   message("dciodvfy is not installed")
   return()

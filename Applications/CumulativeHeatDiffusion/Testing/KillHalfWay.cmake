@@ -7,7 +7,7 @@ endif()
 file(REMOVE ${OUT}/volume.nrrd.run.json)
 file(WRITE ${OUT}/heat.nrrd "the old result")
 foreach(signal TERM INT KILL)
-  # Far more steps than fit into the time that it gets.
+  # Far more steps than the time limit allows.
   execute_process(COMMAND timeout -s ${signal} 1 ${TOOL} ${OUT}/volume.nrrd ${OUT}/heat.nrrd --timeSteps 1000000000 --solver explicit --quiet
     RESULT_VARIABLE status ERROR_QUIET)
   if(status EQUAL 0)

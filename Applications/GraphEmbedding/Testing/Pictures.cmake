@@ -18,7 +18,7 @@ paints(Mixed Mixed.gml)
 paints(K5 K5.gr)
 paints(K8Klein K8.gr --seed 3 --disk klein)
 
-# VTP and report beside the picture; the certificate does not depend on them.
+# VTP and report in addition to the picture; the certificate does not depend on them.
 shapeton_tool_test(NAME GraphEmbeddingReport COMMAND GraphEmbedding ${here}/K8.gr ${out}/K8Report.json --seed 3
   --vtp ${out}/K8.vtp --report ${out}/K8Report --disk klein)
 set_tests_properties(GraphEmbeddingReport PROPERTIES FIXTURES_SETUP GraphEmbeddingReportFixture)

@@ -1,4 +1,4 @@
-// How long a reader waits, on a volume of full size where nothing else runs, in a headless Chromium without a graphics card.
+// Response times on a full-size volume on an idle machine, in a headless Chromium without a graphics card.
 // usage: REPORT=folder of explorer.html node --test explorer-timings.test.mjs
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';

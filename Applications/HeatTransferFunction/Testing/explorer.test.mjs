@@ -1,4 +1,4 @@
-// Picks lines on the pages of two reports as a person would, in a headless Chromium, and hands what it saves to the tool.
+// Selects lines on the pages of two reports, in a headless Chromium, and passes the saved file to the tool.
 // usage: HEAT=report RANGE=report with opened ranges DENSITY=report INPUT=volume HEATS=volume SNAPSHOTS=folder VISITS=volume
 //        TOOL=HeatTransferFunction WORK=folder to write to [SHOTS=folder for pictures] node --test explorer.test.mjs
 import assert from 'node:assert/strict';

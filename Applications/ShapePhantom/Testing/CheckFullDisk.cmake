@@ -1,4 +1,4 @@
-# Where no file may grow beyond 4 kB, the tool fails with one line, and the old series stays as it was.
+# With a file size limit of 4 kB, the tool fails with one line, and the old series is unchanged.
 file(REMOVE_RECURSE ${FOLDER})
 file(MAKE_DIRECTORY ${FOLDER})
 set(series --dicom --size 32,32,4)

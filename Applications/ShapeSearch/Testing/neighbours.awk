@@ -1,4 +1,5 @@
-# The answers to four shapes, two neighbours each: ranks 1 and 2, distances that rise, one probability and answer for each shape.
+# The results for four shapes, two neighbors each: ranks 1 and 2, ascending distances, one probability and answer per
+# shape.
 NR == 1 {
   if ($0 != "shape,rank,name,distance,probability,answer") { print "another header: " $0; wrong = 1 }
   next

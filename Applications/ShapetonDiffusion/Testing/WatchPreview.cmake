@@ -1,5 +1,5 @@
-# While a run goes on its preview is replaced again and again, always by a whole picture; a killed run leaves the last one
-# and a checkpoint that was there, and no half-written file.
+# During a run the preview is updated repeatedly, always with a complete picture; a killed run leaves the last one and
+# the last checkpoint, and no partial files.
 file(REMOVE_RECURSE ${OUT})
 file(MAKE_DIRECTORY ${OUT})
 file(WRITE ${OUT}/density.nrrd "the old result")

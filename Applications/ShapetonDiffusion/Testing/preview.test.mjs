@@ -1,4 +1,4 @@
-// Follows a run on the page that it writes, in a headless Chromium.
+// Follows a run on its preview page, in a headless Chromium.
 // usage: TOOL=ShapetonDiffusion INPUT=volume WORK=folder to write to [SHOTS=folder for pictures] node --test preview.test.mjs
 import assert from 'node:assert/strict';
 import { spawn, spawnSync } from 'node:child_process';

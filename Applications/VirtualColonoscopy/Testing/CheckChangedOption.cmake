@@ -1,4 +1,4 @@
-# Called by ctest: with one changed landmark option only the landmarks, and the report, are made anew.
+# Called by ctest: one changed landmark option recomputes only the landmarks and the report.
 file(REMOVE_RECURSE ${OUT})
 file(COPY ${FINISHED}/ DESTINATION ${OUT})
 set(watched segmentation/wall.vtp flattening/flat.vtp folds/labels.nrrd landmarks/landmarks.json report.html)

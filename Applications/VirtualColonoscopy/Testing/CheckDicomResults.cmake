@@ -1,4 +1,5 @@
-# A finished run goes on with --dicomResults: nothing before is computed again, and the objects are those of the tool.
+# A finished run is resumed with --dicomResults: earlier stages are not recomputed, and the objects equal those of the
+# tool.
 file(REMOVE_RECURSE ${OUT} ${OUT}-single)
 file(COPY ${FINISHED}/ DESTINATION ${OUT})
 file(READ ${OUT}/stages/polyps.json before)

@@ -1,4 +1,5 @@
-# Called by ctest: the structure of a report is that of the baseline: headings, captions, columns and names, in order.
+# Called by ctest: compares the structure of a report with the baseline: headings, captions, columns and names, in
+# order.
 file(READ ${REPORT} html)
 if(html MATCHES "https?://" OR html MATCHES "<script" OR html MATCHES "<link")
   message(FATAL_ERROR "the report asks for something outside of itself")

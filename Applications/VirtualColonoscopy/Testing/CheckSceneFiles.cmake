@@ -1,4 +1,4 @@
-# A run that finds everything done copies the results that are asked for: the same bytes under the names given.
+# A run without pending stages copies the requested results to the given names, byte-identically.
 file(REMOVE_RECURSE ${OUT})
 file(MAKE_DIRECTORY ${OUT})
 file(COPY ${FINISHED}/ DESTINATION ${OUT}/colon)

@@ -1,4 +1,4 @@
-# Called by ctest: a second series that is none; the first is kept, and the report says what failed.
+# Called by ctest: an invalid second series; the first is kept, and the report states the failure.
 file(REMOVE_RECURSE ${OUT})
 file(COPY ${FINISHED}/ DESTINATION ${OUT})
 execute_process(COMMAND ${TOOL} ${INPUT} ${OUT} --second ${SECOND} --inputIsLumen --faces 20000 --quiet

@@ -1,5 +1,5 @@
-# Called by ctest: a second series is added to a finished run; the first is not computed again, both are registered, and
-# another way of matching folds redoes the registration and the candidates alone.
+# Called by ctest: a second series is added to a finished run; the first is not recomputed, both are registered, and
+# another matching method recomputes only the registration and the candidates.
 file(REMOVE_RECURSE ${OUT})
 file(COPY ${FINISHED}/ DESTINATION ${OUT})
 set(watched flattening/flat.vtp second/flattening/flat.vtp second/report.html registration/registration.json report.html)

@@ -1,7 +1,7 @@
 #!/bin/bash
 # Called by ctest: KillAndResume.sh TOOL INPUT FINISHED FOLDER OPTIONS...
-# Kills a run in FOLDER by SIGKILL in each of its stages and goes on; it ends with the files of FINISHED. Also: a second
-# run in a folder is refused while it is locked.
+# Kills a run in FOLDER by SIGKILL in each of its stages and resumes it; the files must equal those of FINISHED. Also:
+# a second run in a locked folder is rejected.
 set -u
 tool=$1 input=$2 finished=$3 folder=$4
 shift 4

@@ -1,18 +1,18 @@
 """Shape-based analysis of medical volumes.
 
-Images are `Image` (an array ``[z, y, x]`` with its place in the patient), surfaces `Mesh`, lines `Curves`; all places
-are LPS in mm. This module holds volumes, heat and shapetons; the others are
+Images are `Image` (an array ``[z, y, x]`` with its position in the patient), surfaces `Mesh`, lines `Curves`; all
+points are LPS in mm. This module contains volumes, heat and shapetons; the others are
 
 - `shapeton.surfaces`: files of surfaces, repair, simplification, spectrum, heat diffusion metric
 - `shapeton.flattening`: conformal maps of surfaces
 - `shapeton.colon`: from CT colonography to lumen, wall, folds, landmarks, candidates and registration
-- `shapeton.shapes`: labels from seeds, signatures by which shapes are found again
+- `shapeton.shapes`: labels from seeds, signatures for shape retrieval
 - `shapeton.graphs`: graphs, their embeddings and certificates
 
-Long functions take ``progress``, a function of the share that is done (0 to 1) and the stage in words. It is called
-ten times a second at most; when it returns False, `Aborted` is raised. Ctrl-C works as it does in Python. Other threads
-of Python run meanwhile. Errors are `ParameterError` and `InputError`, which are ValueErrors, and `OutputError`, an
-OSError; the message says what to do.
+Long functions take ``progress``, a function of the completed share (0 to 1) and the stage in words. It is called at
+most ten times a second; if it returns False, `Aborted` is raised. Ctrl-C works as usual in Python. The GIL is
+released. Errors are `ParameterError` and `InputError`, which are ValueErrors, and `OutputError`, an OSError; the
+message says what to do.
 """
 
 from . import _shapeton

@@ -1,7 +1,7 @@
 """Immediate response to Ctrl-C during a call, even where a step of the library cannot be interrupted.
 
-Python handles signals in its main thread only. Long functions that are called there therefore run in a thread of their
-own; when the main thread stops waiting, that thread ends by itself, at the latest after the step that it is in.
+Python handles signals in its main thread only. Long functions called there therefore run in a separate thread; when
+the main thread stops waiting, that thread ends by itself, at the latest after its current step.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
 """Virtual colonoscopy: from CT colonography to lumen, wall, flat map, folds, landmarks, candidates, registration.
 
-Each stage is a function; `build_colon` runs those from the CT to the wall. `shapeton.flattening.flatten_tube` makes the
-flat wall that folds, landmarks and registration start from.
+Each stage is a function; `build_colon` runs those from the CT to the wall. `shapeton.flattening.flatten_tube` computes
+the flat wall, the input of folds, landmarks and registration.
 """
 
 from ._shapeton import (

@@ -24,18 +24,18 @@ class Image:
     """Voxels of a volume and their position in the patient.
 
     array
-        Voxels, indexed ``[z, y, x]``; real numbers. It is kept as it is: nothing is copied. The functions of this
-        package read it without a copy where it is C-contiguous and of the type that they work in (float32 for
-        intensities, uint8 for masks), and convert it otherwise.
+        Voxels, indexed ``[z, y, x]``; real numbers. The array is not copied. The functions of this package read it
+        without a copy if it is C-contiguous and of the type they use (float32 for intensities, uint8 for masks), and
+        convert it otherwise.
     spacing
-        Distances of neighbouring voxels along x, y, z; mm.
+        Voxel spacing along x, y, z; mm.
     origin
         Centre of voxel ``[0, 0, 0]``; LPS (x to the left, y to the back, z to the head), mm.
     direction
         3 x 3; the columns are the unit vectors of the axes x, y, z of the array in LPS. They are perpendicular.
     facts
-        What is known besides: ``modality``, ``patient_position``, ``series_uid``, ``identity``, ``repairs``, ``notes``
-        of an image that `read_volume` has read.
+        Further information: ``modality``, ``patient_position``, ``series_uid``, ``identity``, ``repairs``, ``notes``
+        of an image read by `read_volume`.
     """
 
     __slots__ = ("_array", "_spacing", "_origin", "_direction", "facts")
@@ -54,7 +54,7 @@ class Image:
         self._direction = _axes(np.eye(3) if direction is None else direction)
         self.facts = dict(facts or {})
         if not all(s > 0.0 for s in self._spacing):
-            raise ParameterError(f"the parameter \"spacing\" = {self._spacing}: distances of voxels are positive")
+            raise ParameterError(f"the parameter \"spacing\" = {self._spacing}: the spacing must be positive")
 
     @property
     def array(self) -> NDArray[Any]:
@@ -63,7 +63,7 @@ class Image:
 
     @property
     def spacing(self) -> tuple[float, float, float]:
-        """Distances of neighbouring voxels along x, y, z; mm."""
+        """Voxel spacing along x, y, z; mm."""
         return self._spacing
 
     @property
@@ -114,10 +114,10 @@ class Image:
         """From voxels ``[z, y, x]`` and a 4 x 4 matrix that maps the index (x, y, z, 1) to LPS, mm."""
         matrix = np.asarray(affine, dtype=np.float64)
         if matrix.shape != (4, 4):
-            raise ParameterError(f"the parameter \"affine\" is a 4 x 4 matrix, not one of the shape {matrix.shape}")
+            raise ParameterError(f"the parameter \"affine\" must be a 4 x 4 matrix, got the shape {matrix.shape}")
         spacing = np.linalg.norm(matrix[:3, :3], axis=0)
         if not np.all(spacing > 0.0):
-            raise ParameterError("the parameter \"affine\" has a column without length: an axis has no direction")
+            raise ParameterError("the parameter \"affine\" has a column of length 0: an axis has no direction")
         return cls(array, spacing, matrix[:3, 3], matrix[:3, :3] / spacing, facts)
 
     @classmethod
@@ -185,7 +185,7 @@ class Image:
         x, y, z = image.GetDimensions()
         scalars = image.GetPointData().GetScalars()
         if scalars is None or scalars.GetNumberOfComponents() != 1:
-            raise InputError("the vtkImageData needs point scalars with one component")
+            raise InputError("the vtkImageData must have point scalars with one component")
         matrix = np.array([[image.GetDirectionMatrix().GetElement(i, j) for j in range(3)] for i in range(3)])
         extent = np.array(image.GetExtent()[::2], dtype=np.float64)
         spacing = np.array(image.GetSpacing())
@@ -216,10 +216,10 @@ def for_vtk(values: NDArray[Any]) -> NDArray[Any]:
 def _volume(array: Any) -> NDArray[Any]:
     voxels: NDArray[Any] = np.asanyarray(array)
     if voxels.dtype.kind not in "buif":
-        raise ParameterError(f"the parameter \"array\" holds {voxels.dtype}; an image has real numbers")
+        raise ParameterError(f"the parameter \"array\" has the type {voxels.dtype}; an image requires real numbers")
     if voxels.ndim != 3 or voxels.size == 0:
         raise ParameterError(
-            f"the parameter \"array\" has the shape {voxels.shape}; an image has three axes z, y, x, none of them empty"
+            f"the parameter \"array\" has the shape {voxels.shape}; an image requires three non-empty axes z, y, x"
         )
     return voxels
 
@@ -227,13 +227,13 @@ def _volume(array: Any) -> NDArray[Any]:
 def _triple(name: str, values: Triple) -> tuple[float, float, float]:
     numbers = [float(v) for v in values]
     if len(numbers) != 3 or not np.all(np.isfinite(numbers)):
-        raise ParameterError(f"the parameter \"{name}\" = {numbers}: three finite numbers for x, y, z are needed")
+        raise ParameterError(f"the parameter \"{name}\" = {numbers}: three finite numbers for x, y, z are required")
     return numbers[0], numbers[1], numbers[2]
 
 
 def _axes(direction: Any) -> NDArray[Any]:
     matrix = np.array(direction, dtype=np.float64)
     if matrix.shape != (3, 3) or not np.allclose(matrix.T @ matrix, np.eye(3), rtol=0.0, atol=_PERPENDICULAR):
-        raise ParameterError("the parameter \"direction\" needs three perpendicular unit vectors in its columns")
+        raise ParameterError("the parameter \"direction\" must have three perpendicular unit vectors as columns")
     matrix.flags.writeable = False
     return matrix

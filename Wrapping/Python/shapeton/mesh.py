@@ -48,12 +48,12 @@ class Mesh(_Geometry):
     faces
         m x 3, int32: indices of vertices, counterclockwise where seen from outside.
     point_arrays, cell_arrays, field_arrays
-        By name: a row for each vertex, a row for each face, anything about the surface as a whole. Whole numbers stay
+        By name: one row per vertex, one row per face, data of the whole surface. Integers stay
         whole numbers (int32); everything else is float64.
     facts
         Pairs of texts, for example provenance; files in the format VTP keep them.
     notes
-        What `read_surface` found worth telling.
+        Remarks of `read_surface`.
     """
 
     __slots__ = ("_faces",)
@@ -81,16 +81,16 @@ class Mesh(_Geometry):
 
     @classmethod
     def from_vtk(cls, poly_data: Any) -> Mesh:
-        """Of a vtkPolyData of triangles in LPS, mm, with its point, cell and numeric field data."""
+        """From a vtkPolyData of triangles in LPS, mm, with its point, cell and numeric field data."""
         from vtkmodules.util.numpy_support import vtk_to_numpy
 
         polys = poly_data.GetPolys()
         corners = vtk_to_numpy(polys.GetConnectivityArray())
         sizes = np.diff(vtk_to_numpy(polys.GetOffsetsArray()))
         if np.any(sizes != 3) or poly_data.GetNumberOfCells() != polys.GetNumberOfCells():
-            raise InputError("the vtkPolyData holds cells that are no triangles; apply vtkTriangleFilter, PassLinesOff")
+            raise InputError("the vtkPolyData contains cells other than triangles; apply vtkTriangleFilter, PassLinesOff")
         if poly_data.GetPoints() is None:
-            raise InputError("the vtkPolyData holds no points")
+            raise InputError("the vtkPolyData has no points")
         return cls(
             vtk_to_numpy(poly_data.GetPoints().GetData()),
             corners.reshape(-1, 3),
@@ -122,7 +122,7 @@ class Mesh(_Geometry):
 
     @classmethod
     def from_pyvista(cls, surface: Any) -> Mesh:
-        """Of a pyvista.PolyData of triangles, which is a vtkPolyData."""
+        """From a pyvista.PolyData of triangles, which is a vtkPolyData."""
         return cls.from_vtk(surface)
 
     def to_pyvista(self) -> Any:
@@ -141,7 +141,7 @@ class Curves(_Geometry):
         For each curve the indices of its vertices in order, int32; a curve of one vertex is a point. One curve through
         all vertices where none are given.
     point_arrays, cell_arrays, field_arrays
-        By name: a row for each vertex, a row for each curve, anything about the curves as a whole.
+        By name: one row per vertex, one row per curve, data of all curves.
     """
 
     __slots__ = ("_curves",)
@@ -166,7 +166,7 @@ class Curves(_Geometry):
         return self._curves
 
     def points(self, curve: int = 0) -> NDArray[Any]:
-        """The places of a curve in order, k x 3; LPS, mm."""
+        """The points of a curve in order, k x 3; LPS, mm."""
         return np.asarray(self.vertices[self._curves[curve]])
 
     def __repr__(self) -> str:
@@ -176,20 +176,20 @@ class Curves(_Geometry):
 def _whole_numbers(name: str, values: Any) -> NDArray[Any]:
     array = np.asarray(values)
     if array.dtype.kind not in "iu" and array.size > 0:
-        raise ParameterError(f"the parameter \"{name}\" holds {array.dtype}; indices are whole numbers")
+        raise ParameterError(f"the parameter \"{name}\" has the type {array.dtype}; indices must be integers")
     if array.size > 0 and (array.min() < 0 or array.max() > np.iinfo(np.int32).max):
-        raise ParameterError(f"the parameter \"{name}\" holds an index below 0 or beyond 2^31 - 1")
+        raise ParameterError(f"the parameter \"{name}\" contains an index below 0 or beyond 2^31 - 1")
     return np.ascontiguousarray(array, dtype=np.int32)
 
 
 def _rows_of_three(name: str, values: Any, dtype: Any) -> NDArray[Any]:
     array = np.asarray(values)
     if array.ndim != 2 or array.shape[1] != 3:
-        raise ParameterError(f"the parameter \"{name}\" has the shape {array.shape}; rows of three numbers are needed")
+        raise ParameterError(f"the parameter \"{name}\" has the shape {array.shape}; rows of three numbers are required")
     if dtype == np.int32:
         return _whole_numbers(name, array)
     if array.dtype.kind not in "iuf":
-        raise ParameterError(f"the parameter \"{name}\" holds {array.dtype}; places are real numbers")
+        raise ParameterError(f"the parameter \"{name}\" has the type {array.dtype}; points must be real numbers")
     return np.ascontiguousarray(array, dtype=dtype)
 
 

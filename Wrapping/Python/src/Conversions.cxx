@@ -58,8 +58,8 @@ PixelsOf(const py::array & array)
   if (std::is_integral_v<TPixel> && !array.dtype().is(pixels.dtype()) &&
       !ClassOf("numpy", "array_equal")(pixels, array).template cast<bool>())
   {
-    throw InputError("the image of " + std::string(py::str(array.dtype())) + " holds values that " +
-                     std::string(py::str(pixels.dtype())) + " does not; convert it, a mask for example by array != 0");
+    throw InputError("the image of " + std::string(py::str(array.dtype())) + " contains values not representable in " +
+                     std::string(py::str(pixels.dtype())) + "; convert it, for example a mask by array != 0");
   }
   return pixels;
 }
@@ -74,7 +74,7 @@ RequireFinite(const TPixel * pixels, const std::array<std::size_t, 3> & shape)
     if (!std::isfinite(pixels[i]))
     {
       const std::size_t row = i / shape[2];
-      throw InputError("the image holds values that are not finite (NaN or infinity), the first at [z, y, x] = [" +
+      throw InputError("the image contains values that are not finite (NaN or infinity), the first at [z, y, x] = [" +
                        std::to_string(row / shape[1]) + ", " + std::to_string(row % shape[1]) + ", " +
                        std::to_string(i % shape[2]) + "]; replace them");
     }
@@ -118,11 +118,11 @@ ArraysOf(const py::handle & dictionary)
     array.name = name.cast<std::string>();
     array.areIntegers = kind == 'i' || kind == 'u' || kind == 'b';
     RequireParameter((array.areIntegers || kind == 'f') && (values.ndim() == 1 || values.ndim() == 2),
-                     "the array \"" + array.name + "\" needs a row of real numbers for each element");
+                     "the array \"" + array.name + "\" must have one row of real numbers per element");
     array.values = values.cast<SurfaceArray::ValueMatrix>();
     RequireParameter(!array.areIntegers || array.values.size() == 0 ||
                        array.values.cwiseAbs().maxCoeff() <= std::numeric_limits<std::int32_t>::max(),
-                     "the array \"" + array.name + "\" holds a whole number beyond 2^31 - 1; make it float64");
+                     "the array \"" + array.name + "\" contains an integer beyond 2^31 - 1; convert it to float64");
     arrays.push_back(std::move(array));
   }
   return arrays;
@@ -317,7 +317,7 @@ private:
     py::detail::make_caster<bool> answer; // accepts numpy.bool_, too, but nothing else
     if (answer.load(function(share, m_Stage), false) && !static_cast<bool>(answer))
     {
-      PyErr_SetString(ClassOf("shapeton._shapeton", "Aborted").ptr(), "the progress function has returned False");
+      PyErr_SetString(ClassOf("shapeton._shapeton", "Aborted").ptr(), "the progress function returned False");
       throw py::error_already_set();
     }
   }
@@ -351,7 +351,7 @@ RequireFinitePlace(const double * place, py::ssize_t row)
 {
   if (!std::isfinite(place[0]) || !std::isfinite(place[1]) || !std::isfinite(place[2]))
   {
-    throw InputError("place " + std::to_string(row) + " is not finite (NaN or infinity)");
+    throw InputError("point " + std::to_string(row) + " is not finite (NaN or infinity)");
   }
 }
 

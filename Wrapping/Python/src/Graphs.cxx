@@ -30,7 +30,7 @@ MakeGraph(int nodes, const py::object & rows, const std::vector<std::string> & n
   const bool isEmpty = edges.size() == 0;
   const char kind = edges.dtype().kind();
   RequireParameter(isEmpty || ((kind == 'i' || kind == 'u') && edges.ndim() == 2 && edges.shape(1) == 2),
-                   "the parameter \"edges\" needs two whole numbers in each row");
+                   "the parameter \"edges\" must have two integers per row");
   const auto ends = py::array_t<std::int64_t, py::array::c_style | py::array::forcecast>(edges);
   Graph      graph{ nodes, {}, names };
   for (py::ssize_t e = 0; e < (isEmpty ? 0 : ends.shape(0)); ++e)
@@ -65,9 +65,9 @@ Embed(const Graph &                                        graph,
       const std::string &                                  infinity,
       const Progress &                                     progress)
 {
-  RequireParameter(!rotation || !genus, "the parameter \"rotation\" fixes the genus; leave \"genus\" out");
+  RequireParameter(!rotation || !genus, "the parameter \"rotation\" determines the genus; omit \"genus\"");
   RequireParameter(!genus || *genus >= 0,
-                   "the parameter \"genus\" = " + std::to_string(genus.value_or(0)) + ": a genus is not negative");
+                   "the parameter \"genus\" = " + std::to_string(genus.value_or(0)) + " must not be negative");
   GraphEmbeddingOptions options;
   options.augmentation = ValueOf(augmentation, "augmentation", augmentationWords);
   options.infinity = ValueOf(infinity, "infinity", infinityWords);

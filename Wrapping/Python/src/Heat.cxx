@@ -107,7 +107,7 @@ LowerEdges()
 HeatHistogram
 HistogramOf(const std::vector<ImageType::Pointer> & heats, const std::vector<std::uint64_t> & timeSteps)
 {
-  RequireParameter(heats.size() == timeSteps.size(), "the parameter \"time_steps\" needs one step for each heat");
+  RequireParameter(heats.size() == timeSteps.size(), "the parameter \"time_steps\" must have one step per heat image");
   HeatHistogram histogram(timeSteps);
   for (std::size_t row = 0; row < heats.size(); ++row)
   {

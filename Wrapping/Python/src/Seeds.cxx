@@ -55,7 +55,7 @@ public:
     const Working                     working(m_Worker);
     if (!HaveSameGrid(m_Filter->GetInput(), seeds))
     {
-      throw InputError("the grids of the seeds and of the image differ in size or place: give a label map on its grid");
+      throw InputError("the grids of the seeds and of the image differ; give a label map on the grid of the image");
     }
     m_Filter->SetSeeds(seeds);
     UpdateWithProgress(m_Filter.GetPointer(), "Diffusing heat from the seeds", progress);

@@ -68,8 +68,7 @@ AddTables(py::module_ & module)
                if (!HaveSameGrid(image, labels))
                {
                  throw InputError(
-                   "the grids of the image and of the labels differ in size or place: give those that belong "
-                   "together");
+                   "the grids of the image and of the labels differ; give labels on the grid of the image");
                }
                return DescribeShapes(image, labels, components, progress.Part("Describing shapes", 0.0, 1.0));
              }),

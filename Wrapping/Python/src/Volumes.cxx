@@ -68,8 +68,8 @@ RequireSinglePrecision(const py::array & array)
   const auto isRounded = [](double value) { return std::isfinite(value) && static_cast<float>(value) != value; };
   RequireParameter(
     std::none_of(voxels.data(), voxels.data() + voxels.size(), isRounded),
-    "the parameter \"image\" holds float64, which is written as float32, and some voxels would be rounded; "
-    "round them first: image.like(image.array.astype(\"float32\"))");
+    "the parameter \"image\" has the type float64, which is written as float32 and would be rounded; round it first: "
+    "image.like(image.array.astype(\"float32\"))");
 }
 
 void
@@ -105,8 +105,8 @@ Write(const py::object & image, const Path & file, const VolumeMetadata & metada
   }
   else
   {
-    throw ParameterError("the parameter \"image\" holds " + name +
-                         ", which is not written; convert it to float32, int16, uint8, uint16 or uint32");
+    throw ParameterError("the parameter \"image\" has the type " + name +
+                         ", which cannot be written; convert it to float32, int16, uint8, uint16 or uint32");
   }
 }
 } // namespace

@@ -1,4 +1,4 @@
-"""What the tests share: volumes, tools of the build, skipping."""
+"""Common test code: volumes, tools of the build, skipping."""
 
 import gzip
 import os
@@ -21,7 +21,7 @@ needs_tools = unittest.skipUnless(TOOLS, "SHAPETON_TOOLS, the folder of the tool
 
 
 def run_tool(name, *arguments):
-    """Runs a tool of the build; fails with its message, or where its progress does not end."""
+    """Runs a tool of the build; fails with its message, or if its progress does not end."""
     command = [os.path.join(TOOLS, name), *map(str, arguments)]
     done = subprocess.run(command, capture_output=True, text=True, check=False)
     if done.returncode != 0:
@@ -32,7 +32,7 @@ def run_tool(name, *arguments):
 
 
 def error_of_tool(name, *arguments):
-    """The message of a tool that must fail."""
+    """Returns the message of a tool that must fail."""
     command = [os.path.join(TOOLS, name), *map(str, arguments)]
     done = subprocess.run(command, capture_output=True, text=True, check=False)
     if done.returncode == 0:
@@ -41,7 +41,7 @@ def error_of_tool(name, *arguments):
 
 
 def run_python(code, timeout=None, **variables):
-    """Runs a program in another Python; returns what it prints. It must end within the time (s), with status 0."""
+    """Runs a program in another Python and returns its output. It must exit within the time (s) with status 0."""
     environment = {**os.environ, **variables}
     command = [sys.executable, "-c", code]  # which seeks modules in the working folder first
     done = subprocess.run(
@@ -52,13 +52,13 @@ def run_python(code, timeout=None, **variables):
     return done.stdout.strip()
 
 
-#: What NRRD and MetaImage call the types of voxels.
+#: Voxel type names of NRRD and MetaImage.
 TYPES = {"float": "<f4", "short": "<i2", "unsigned char": "u1", "unsigned short": "<u2", "unsigned int": "<u4",
          "MET_FLOAT": "<f4", "MET_SHORT": "<i2", "MET_UCHAR": "u1", "MET_USHORT": "<u2", "MET_UINT": "<u4"}
 
 
 def stored(path, shape):
-    """The voxels of a file in the type that it holds, without the package."""
+    """The voxels of a file in their stored type, read without the package."""
     if ".nii" in path.suffixes:
         import nibabel
 
@@ -107,7 +107,7 @@ def cylinder(radius, height, around=40, along=30):
 
 
 class TestCase(unittest.TestCase):
-    """A test with a folder of its own."""
+    """A test with a temporary folder."""
 
     def setUp(self):
         folder = tempfile.TemporaryDirectory()

@@ -1,4 +1,4 @@
-"""Each stage ends soon after a signal, told by the CPU time of the process, which other work on the machine hardly changes."""
+"""Each stage ends soon after a signal, measured by the CPU time of the process, which hardly depends on other load."""
 
 import os
 import signal
@@ -51,7 +51,7 @@ class AbortTest(TestCase):
         return min(after - before for before, after in zip(times, times[1:]))
 
     def check_progress(self, work):
-        """`work` takes a progress function, which is told rising shares and may end it."""
+        """`work` takes a progress function, which gets increasing shares and may abort it."""
         shares = []
         work(progress=lambda share, stage: shares.append((share, stage)))
         self.assertEqual(shares, sorted(shares, key=lambda call: call[0]))

@@ -1,4 +1,4 @@
-"""pip tells in one sentence what the build of the package lacks, before the build begins."""
+"""pip reports missing build requirements in one sentence before the build starts."""
 
 import importlib.util
 import os
@@ -23,7 +23,7 @@ print(build_needs.missing(), end="")
 
 
 class BuildNeedsTest(TestCase):
-    """A made-up machine, on which everything is there until it is taken away."""
+    """A simulated machine with all requirements, which can be removed one by one."""
 
     def setUp(self):
         super().setUp()

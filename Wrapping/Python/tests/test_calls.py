@@ -1,4 +1,4 @@
-"""Calls run in threads of their own, which the main thread lets go when it is interrupted."""
+"""Calls run in separate threads, which the main thread abandons when it is interrupted."""
 
 import gc
 import os

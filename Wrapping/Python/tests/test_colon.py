@@ -9,7 +9,7 @@ from support import TestCase
 
 
 def lumen_of(position):
-    """The true lumen of a synthetic patient in voxels of 3 mm, and the truth."""
+    """The true lumen of a synthetic patient in voxels of 3 mm, and the ground truth."""
     return colon.colon_phantom(position=position, size=(120, 120, 112), spacing=(3.0, 3.0, 3.0), truth_only=True)
 
 
@@ -151,7 +151,7 @@ class ColonTest(TestCase):
         for wrong in (np.nan, np.inf, -np.inf):
             with self.assertRaisesRegex(ValueError, "place is not finite"):
                 flat.find([[0.0, 0.0, 0.0], [wrong, 0.0, 0.0]])
-            with self.assertRaisesRegex(shapeton.InputError, "place 0 is not finite"):
+            with self.assertRaisesRegex(shapeton.InputError, "point 0 is not finite"):
                 colon.find_landmarks(flat, self.supine.model.centreline.curve, markers=[[wrong, 0.0, 0.0]])
         for far in (1e6, 1e100, 1e300):
             self.assertGreater(flat.find([[far, 0.0, 0.0]])[1][0], 0.9e6)

@@ -1,4 +1,4 @@
-"""Each stage of the colon gives the bytes of its tool, both with their defaults."""
+"""Each stage of the colon gives results byte-identical to those of its tool, with defaults in both."""
 
 import json
 import tempfile
@@ -77,7 +77,7 @@ class SameAsToolsTest(TestCase):
             self.assertEqual(quality, model.statistics)
 
     def test_the_stages_of_a_segmentation(self):
-        """One by one they give what they give together."""
+        """Separate calls give the same results as one call."""
         ct, model = self.supine.ct, self.supine.model
         lumen = colon.segment_lumen(ct)
         cleansed = colon.cleanse(ct, lumen)

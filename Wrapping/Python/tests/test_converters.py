@@ -133,21 +133,21 @@ class VtkTest(TestCase):
 
         cube = vtkCubeSource()
         cube.Update()
-        with self.assertRaisesRegex(shapeton.InputError, "no triangles"):
+        with self.assertRaisesRegex(shapeton.InputError, "cells other than triangles"):
             Mesh.from_vtk(cube.GetOutput())
         polys = vtkCellArray()
         for corners in ((0, 1, 2, 3), (2, 3)):
             polys.InsertNextCell(len(corners), corners)
         mixed = Mesh(np.eye(4)[:, :3], [[0, 1, 2]]).to_vtk()
         mixed.SetPolys(polys)  # as many corners as two triangles
-        with self.assertRaisesRegex(shapeton.InputError, "no triangles"):
+        with self.assertRaisesRegex(shapeton.InputError, "cells other than triangles"):
             Mesh.from_vtk(mixed)
         with self.assertRaisesRegex(shapeton.InputError, "names vertex 9"):
             Mesh(np.eye(3), [[0, 1, 9]]).to_vtk()
 
 
 class FakeImage:
-    """What SimpleITK and itk have in common."""
+    """Common tests of SimpleITK and itk."""
 
     def __init__(self, array):
         self.array, self.spacing, self.origin, self.direction = array, (1.0,) * 3, (0.0,) * 3, tuple(np.eye(3).ravel())

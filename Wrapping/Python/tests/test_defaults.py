@@ -16,7 +16,7 @@ from support import TestCase
 
 REPOSITORY = Path(__file__).parents[3]
 
-#: The functions that do what a tool does. An option is looked for among their parameters.
+#: The functions equivalent to a tool. An option is searched among their parameters.
 TOOLS = {
     "ColonFlattening": [flattening.flatten_tube, colon.FlatColon, surfaces.read_surface, shapeton.read_volume],
     "ColonFolds": [colon.find_folds, colon.FlatColon, surfaces.read_surface],
@@ -40,11 +40,11 @@ TOOLS = {
     "SurfaceSpectrum": [surfaces.spectrum, surfaces.read_surface],
 }
 
-#: Tools that the package has no function for.
+#: Tools without a function in the package.
 TOOLS_ALONE = {"ColonResultsToDicom", "ColonViewer", "DicomResultsToColon", "DynamicGraph", "HeatTransferFunction",
                "SensorNetworkSimulator", "ShapePhantom", "VirtualColonoscopy"}
 
-#: Options whose parameter is not their name in small letters.
+#: Options whose parameter is not their name in snake case.
 NAMES = {
     ("ColonSegmentation", "position"): "patient_position",
     ("ConformalMap", "metric"): "edge_lengths",

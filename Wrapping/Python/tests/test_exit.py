@@ -1,4 +1,4 @@
-"""Objects of each class may live until the interpreter ends: it does, and at once."""
+"""Objects of each class may live until interpreter shutdown, which is not delayed."""
 
 import inspect
 import unittest

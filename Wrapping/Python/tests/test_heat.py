@@ -174,7 +174,7 @@ class AbortTest(TestCase):
             calls.append(share)
             return len(calls) < 3
 
-        with self.assertRaisesRegex(RuntimeError, "progress function has returned False") as caught:
+        with self.assertRaisesRegex(RuntimeError, "progress function returned False") as caught:
             self.run_for_hours(progress)
         self.assertIsInstance(caught.exception, shapeton.Aborted)
         self.assertEqual(len(calls), 3)

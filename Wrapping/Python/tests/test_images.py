@@ -107,7 +107,7 @@ class LayoutTest(TestCase):
 
     def test_a_mask_of_other_numbers_is_refused(self):
         for voxels in (np.full((12, 14, 16), 256), np.full((12, 14, 16), 0.5), np.full((12, 14, 16), -1)):
-            with self.assertRaisesRegex(shapeton.InputError, "values that uint8 does not"):
+            with self.assertRaisesRegex(shapeton.InputError, "not representable in uint8"):
                 shapeton.diffuse_shapetons(self.image, mask=self.image.like(voxels), time_steps=1)
 
     def test_a_numpy_array_alone_is_no_image(self):

@@ -1,4 +1,5 @@
-"""A function with its defaults gives the bytes of its tool with its defaults; for the stages of a colon see test_colon_tools."""
+"""A function with its defaults gives results byte-identical to its tool; for the stages of a colon see
+test_colon_tools."""
 
 import csv
 import json

@@ -84,7 +84,7 @@ class SeedsTest(TestCase):
             heat.segment(seeds.like(np.zeros_like(seeds.array)))
         with self.assertRaisesRegex(shapeton.InputError, "grids of the seeds and of the image differ"):
             heat.segment(shapeton.Image(seeds.array))
-        with self.assertRaisesRegex(shapeton.InputError, "holds values that uint16 does not"):
+        with self.assertRaisesRegex(shapeton.InputError, "values not representable in uint16"):
             heat.segment(seeds.like(np.full(seeds.array.shape, 0.5, np.float32)))
         with self.assertRaisesRegex(shapeton.ParameterError, "(?i)tolerance"):
             shapes.SeededHeat(image, tolerance=3.0).segment(seeds)
