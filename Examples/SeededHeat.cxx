@@ -1,4 +1,4 @@
-// Labels a volume from one seed inside an object and one in a corner, and tells the volume of the object.
+// Labels a volume from one seed inside an object and one in a corner, and prints the volume of the object.
 // Usage: ExampleSeededHeat VOLUME X Y Z, the index of the seed
 #include "shapetonSeededHeatSegmentationImageFilter.h"
 #include "shapetonVolumeReader.h"

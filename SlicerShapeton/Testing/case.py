@@ -20,7 +20,7 @@ except ImportError as error:
     print(f"skipped: {error}; install python3-vtk9 and python3-numpy")
     sys.exit()
 
-import slicer  # noqa: E402  the stand-in
+import slicer  # noqa: E402  the stub
 
 tools = os.environ["SHAPETON_TOOLS"]
 

@@ -24,7 +24,7 @@ def polyData(path):
 
 
 class ColonoscopyTest(Case):
-    """One run of a synthetic patient, cancelled on the way and taken up again."""
+    """One run of a synthetic patient, canceled and resumed."""
 
     @classmethod
     def setUpClass(cls):
@@ -92,7 +92,7 @@ class ColonoscopyTest(Case):
                     self.assertEqual(len(markup["display"]["color"]), 3)
 
     def testTheMapIsTheWall(self):
-        """Vertices of the wall lie where the map has the pixel of their (u, v)."""
+        """Vertices of the wall are at the map pixel of their (u, v)."""
         flatMap = self.results.flatMap
         surface = polyData(self.results.wall._file)
         points = numpy_support.vtk_to_numpy(surface.GetPoints().GetData()) * (-1, -1, 1)
@@ -144,7 +144,7 @@ class ColonoscopyTest(Case):
         self.assertGreater(shades.std(), 20.0)  # folds are seen
 
     def testTheWidgetShowsTheMapAndFollows(self):
-        """The code runs, on widgets that do nothing."""
+        """The code runs on dummy widgets."""
         widget = ShapetonColonoscopyWidget()
         widget.setup()
         widget.onFinished(self.examination)

@@ -1,11 +1,11 @@
-"""The code of the widgets runs, on widgets that do nothing."""
+"""The widget code runs on dummy widgets."""
 
 import time
 import unittest
 
 from case import Case, slicer
 
-import qt  # the stand-in
+import qt  # the stub
 from ShapetonColonoscopy import ShapetonColonoscopy, ShapetonColonoscopyWidget
 from ShapetonHeat import ShapetonHeat, ShapetonHeatWidget
 
@@ -44,7 +44,7 @@ class ModulesTest(Case):
         widget.panel.outputFolder.currentPath = self.folder
         widget.position.currentText = "supine"
         widget.onApply()
-        with self.assertRaisesRegex(RuntimeError, "the stage segmentation"):  # cube and spheres are no colon
+        with self.assertRaisesRegex(RuntimeError, "the stage segmentation"):  # cube and spheres are not a colon
             self.finish(widget.panel)
         widget.onMapClick(1, 1)
         widget.onCursor(None, None)

@@ -1,4 +1,5 @@
-"""The stand-in has no name that Slicer lacks: each is looked up where a source tree of Slicer (Slicer_SOURCE_DIR) declares it."""
+"""All names of the stub exist in Slicer: each is searched in its declarations in a source tree of Slicer
+(Slicer_SOURCE_DIR)."""
 
 import inspect
 import os

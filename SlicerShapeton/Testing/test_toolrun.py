@@ -45,7 +45,7 @@ class ToolRunTest(Case):
             toolPath("NoSuchTool")
         slicer.util._settings.pop(toolsFolderKey)
         with self.assertRaisesRegex(RuntimeError, "ShapePhantom is not there"):
-            toolPath("ShapePhantom")  # the stand-in has no command-line modules
+            toolPath("ShapePhantom")  # the stub has no command-line modules
 
 
 if __name__ == "__main__":

@@ -1,7 +1,7 @@
 #!/bin/bash
 # usage: CohortBenchmark [COUNT]
-#
-# Two jobs beside one: a cohort of COUNT small synthetic patients (default 12; two of them are broken on purpose) on this machine, first
+# Two parallel jobs against one: a cohort of COUNT small synthetic patients (default 12; two of them are broken on
+# purpose) on this machine, first
 # by one job at a time, then by two. Each examination has one thread. Prints the ratio of the times of run-cohort, its report included.
 # shellcheck source-path=SCRIPTDIR
 source "$(dirname "$(realpath "${BASH_SOURCE[0]}")")/common.sh"

@@ -1,4 +1,4 @@
-"""What the tests of the workflow share."""
+"""Common code of the workflow tests."""
 
 import os
 import sys
@@ -10,7 +10,7 @@ sys.path.insert(0, WORKFLOW)
 
 
 class Case(unittest.TestCase):
-    """A folder for each test."""
+    """A temporary folder per test."""
 
     def setUp(self):
         self._folder = tempfile.TemporaryDirectory()

@@ -1,4 +1,4 @@
-# Functions of the checks in this folder; sourced, never run.
+# Functions of the checks in this folder; sourced, not executed.
 # shellcheck shell=bash
 
 set -euo pipefail

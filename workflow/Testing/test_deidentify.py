@@ -1,4 +1,4 @@
-"""De-identification: a slice with every attribute of the profile comes out with none, and a patient's series stay together."""
+"""De-identification: all attributes of the profile are removed from a slice, and a patient's series stay together."""
 
 import datetime
 import os
@@ -31,7 +31,7 @@ def profile_tags():
 
 
 def fill(data):
-    """Every attribute of the profile that pydicom knows, also one deep; a private one."""
+    """Every attribute of the profile supported by pydicom, also nested once; a private one."""
     count = 0
     for tag in profile_tags():
         try:

@@ -1,4 +1,4 @@
-"""The queue before a PACS, with stand-ins for its Orthanc and for the PACS."""
+"""The queue in front of a PACS, with fakes of its Orthanc and of the PACS."""
 
 import json
 import os

@@ -1,4 +1,4 @@
-"""What an examination asks for."""
+"""Resources of an examination."""
 
 import os
 import unittest

@@ -1,4 +1,4 @@
-"""The table of a cohort: what it means, and a clear line for each fault."""
+"""The table of a cohort: its meaning, and one clear line per error."""
 
 import os
 import unittest

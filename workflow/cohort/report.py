@@ -90,12 +90,12 @@ def page_of(examinations, truth, settings):
     _add_missing(page, examinations)
     page.heading("Examinations")
     _add_examinations(page, examinations, outliers)
-    page.heading("How the measures are spread")
+    page.heading("Distribution of the measures")
     _add_strips(page, examinations, outliers)
     _add_truth(page, *truth)
     page.heading("Time and memory")
     _add_runs(page, examinations, outliers)
-    page.heading("How it was made")
+    page.heading("Provenance")
     page.facts([("Table", os.path.basename(settings["table"])), ("Options", " ".join(settings["options"]) or "none")])
     return page.text()
 
@@ -128,20 +128,20 @@ def _summary(examinations, outliers):
 def _add_missing(page, examinations):
     faults = faults_of(examinations)
     if not faults:
-        page.paragraph("Every examination is done. Look at the outliers all the same.")
+        page.paragraph("All examinations are done. Review the outliers.")
         return
     page.table(
         ["Subject", "Outcome", "Why"],
         [words for _, *words in faults],
-        "Unsuitable: the input is refused, and is not tried again. Failed: tried twice, and again in the next run.",
+        "Unsuitable: the input is rejected, without a retry. Failed: tried twice, and retried in the next run.",
         [one.report for one, *_ in faults],
     )
 
 
 def _add_examinations(page, examinations, outliers):
     page.paragraph(
-        f"Outliers come first. A value is one, and stands on yellow, when it is {LIMIT} scaled median absolute deviations away from "
-        f"the median of its column in cohort.tsv; at least {FEWEST} values are needed."
+        f"Outliers come first, highlighted in yellow: values {LIMIT} scaled median absolute deviations or more away from the median "
+        f"of their column in cohort.tsv; at least {FEWEST} values are required."
     )
     done = [(one, far) for one, far in zip(examinations, outliers) if one.outcome == "done"]
     series = [(one, str(number + 1), values, far) for one, far in done for number, values in enumerate(one.series)]
@@ -151,7 +151,7 @@ def _add_examinations(page, examinations, outliers):
             [one.subject, int(number), *values.values(), "; ".join(one.doubts) if number == "1" else ""]
             for one, number, values, _ in series
         ],
-        "Series, in the order of the table.",
+        "Series, in table order.",
         [one.report for one, *_ in series],
         _far_cells([far for *_, far in series], [number for _, number, *_ in series], SERIES_MEASURES, 2),
     )
@@ -160,7 +160,7 @@ def _add_examinations(page, examinations, outliers):
         page.table(
             ["Subject", *map(_readable, PAIR_MEASURES), "Flagged"],
             [[one.subject, *(one.pair[name] for name in PAIR_MEASURES), "yes" if one.pair["flagged"] else ""] for one, _ in pairs],
-            "Pairs that are registered.",
+            "Registered pairs.",
             [f"{os.path.dirname(one.report)}/registration/report/index.html" for one, _ in pairs],
             _far_cells([far for _, far in pairs], [""] * len(pairs), PAIR_MEASURES, 1),
         )
@@ -195,28 +195,28 @@ def _add_strips(page, examinations, outliers):
             ]
             label = heading.split(":")[0] + (f", {unit}" if unit else "")
             strips_of.append((label, [value for value, _ in found], [is_far for _, is_far in found]))
-    page.figure(strips(strips_of), "A tick for each series or examination that is done, outliers in orange, the median in black.")
+    page.figure(strips(strips_of), "One tick per finished series or examination, outliers in orange, the median in black.")
 
 
 def _add_truth(page, series, errors):
     if not series and not errors:
         return
-    page.heading("Against the truth")
+    page.heading("Comparison with the ground truth")
     rows = froc(series)
     if rows:
         page.figure(
-            curve([(false, share) for _, share, false in rows], "false candidates in a series", "share of polyps found"),
+            curve([(false, share) for _, share, false in rows], "false candidates per series", "fraction of polyps found"),
             f"FROC of {len(series)} series with {sum(len(one.polyps) for one in series)} polyps.",
         )
         page.table(
-            ["Score of at least", "Share of polyps found", "False candidates in a series"],
+            ["Score of at least", "Fraction of polyps found", "False candidates per series"],
             [[threshold, round(share, 3), round(false, 2)] for threshold, share, false in rows],
-            f"A candidate is right within {REACH:g} mm of a polyp. Polyps in collapsed stretches count as missed.",
+            f"A candidate is correct within {REACH:g} mm of a polyp. Polyps in collapsed segments count as missed.",
         )
     diameters = [abs(error) for one in series for error in one.diameter_errors]
     page.facts([
-        ("Median error of diameters, of polyps found", _median(diameters)),
-        ("Median error of the registration, median of pairs", _median(errors)),
+        ("Median diameter error of polyps found", _median(diameters)),
+        ("Median registration error, median over pairs", _median(errors)),
     ])
 
 
@@ -229,7 +229,7 @@ def _add_runs(page, examinations, outliers):
     page.table(
         ["Subject", *map(_readable, columns)],
         [[one.subject, *(one.run.get(name) for name in columns)] for one in examinations],
-        "Of the last attempt; memory is that of the largest process.",
+        "Last attempt; memory is that of the largest process.",
         far={(row, columns.index(name) + 1) for row, far in enumerate(outliers) for name in RUN_MEASURES if name in far},
     )
 

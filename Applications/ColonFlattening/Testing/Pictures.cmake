@@ -37,7 +37,7 @@ shapeton_compare_devices(ColonFlattening ${model}/ct/wall-simplified.vtp {OUT}/f
 set_tests_properties(ColonFlatteningDevices ColonFlatteningGpu PROPERTIES FIXTURES_REQUIRED "ColonPatient;ColonModelOfCt")
 on_model(Dicom --volume ${model}/patient --picture ${pictures}/dicom.png)
 
-# ---- baselines that a person has looked at ----
+# ---- visually verified baselines ----
 shapeton_compare_test(NAME ColonFlatteningCurvatureBaseline DEPENDS ColonFlatteningPicturesAll TOLERANCE 2 PIXELS 200
   OUTPUT ${pictures}/curvatureAll.png BASELINE ${CMAKE_CURRENT_SOURCE_DIR}/Baseline/curvature.png)
 add_executable(CompareCoordinateMaps CompareCoordinateMaps.cxx)

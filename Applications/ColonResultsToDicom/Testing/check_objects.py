@@ -66,7 +66,7 @@ def check_segmentation(result, slices, lumen):
         image = group.DerivationImageSequence[0].SourceImageSequence[0].ReferencedSOPInstanceUID
         slice_number = referenced.index(image)
         source = numpy.array(slices[slice_number].ImagePositionPatient, float)
-        check(numpy.abs(source - place).max() < 1e-6, "seg: a frame lies in the slice that it refers to")
+        check(numpy.abs(source - place).max() < 1e-6, "seg: a frame is in the slice to which it refers")
         name = names[group.SegmentIdentificationSequence[0].ReferencedSegmentNumber]
         voxels[name][slice_number] |= frame > 0
     check((voxels["gas"] == (lumen == 1)).all(), "seg: gas is that of lumen.nrrd")

@@ -90,7 +90,7 @@ test('an anonymous page names neither series nor folder', () => {
   assert.equal(info.exam.sha256, infoOf(`${work}/first`).exam.sha256);
 });
 
-test('a truncated volume is told, and all else goes on', async () => {
+test('a truncated volume is reported, and everything else works', async () => {
   const folder = broken('noVolume', '0-volume.js');
   await open(folder);
   await page.until(() => Boolean(window.viewer));
@@ -99,7 +99,7 @@ test('a truncated volume is told, and all else goes on', async () => {
   assert.ok(await page.evaluate(() => viewer.panels[0].flat.shown && viewer.verdicts.document().candidates[0].verdict === 'polyp'));
 });
 
-test('a truncated surface and a missing file are told', async () => {
+test('a truncated surface and a missing file are reported', async () => {
   await open(broken('noPoints', '0-points.js'));
   assert.match(await notices(), /The data "0\/points" in data\/0-points\.js is damaged/);
   const folder = broken('noFaces', '0-faces.js');
@@ -108,7 +108,7 @@ test('a truncated surface and a missing file are told', async () => {
   assert.match(await notices(), /data\/0-faces\.js of this page is missing/);
 });
 
-test('a browser without DecompressionStream is told which ones have it', async () => {
+test('a browser without DecompressionStream gets a list of supported browsers', async () => {
   const { identifier } = await page.send('Page.addScriptToEvaluateOnNewDocument', { source: 'delete globalThis.DecompressionStream' });
   await open(`${work}/first`);
   assert.match(await notices(), /lacks DecompressionStream.*Firefox 113/);

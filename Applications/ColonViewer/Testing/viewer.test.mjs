@@ -8,7 +8,7 @@ import { after, before, test } from 'node:test';
 import { launch } from '../../../Testing/Browser/browser.mjs';
 
 const folder = process.env.VIEWER, shots = process.env.SHOTS, downloads = mkdtempSync(join(tmpdir(), 'verdicts-'));
-const isTimed = Boolean(process.env.TIMINGS); // limits hold where nothing else runs
+const isTimed = Boolean(process.env.TIMINGS); // limits hold on an idle machine
 const SHIFT = 8, CTRL = 2, VIEWS = ['flat', 'outside', 'inside', 'axial', 'coronal', 'sagittal'];
 const figures = {};
 let page;
@@ -58,7 +58,7 @@ const crossSeen = (name, position = 0) => page.evaluate((n, p) => {
   const { data } = v.context.getImageData(left, top, side, side);
   const mean = (a) => a.reduce((sum, b) => sum + b, 0) / a.length, xs = [], ys = [];
   for (let i = 0; i < side * side; i++) {
-    const [red, green, blue] = data.subarray(4 * i, 4 * i + 3); // neither grey nor wall nor the orange of a chosen ring
+    const [red, green, blue] = data.subarray(4 * i, 4 * i + 3); // not gray, wall or the orange of a selected ring
     if (red < 120 || green < 0.74 * red || blue > 0.5 * red || red < green) continue;
     const dx = (left + (i % side) + 0.5) / r - x, dy = (top + Math.floor(i / side) + 0.5) / r - y;
     if (Math.abs(dx) < 4 && Math.abs(dy) > 5) xs.push(dx);
@@ -121,7 +121,7 @@ test('a click on the wall in space shows this place', async () => {
     await page.click(x + a * w, y + b * h);
     await idle();
     const s = await state();
-    if (far(s.xyz, old.xyz) < 1e-9) continue; // beside the colon
+    if (far(s.xyz, old.xyz) < 1e-9) continue; // outside the colon
     hits++;
     assert.ok(far(s.shown.outside.slice(0, 2), [a * w, b * h]) < 1.5);
     assert.equal(s.shown.outside[2], false, 'what was clicked is seen');
@@ -130,7 +130,7 @@ test('a click on the wall in space shows this place', async () => {
   await shot('3-wall-click');
 });
 
-test('a click on a slice goes to that voxel, the wheel and keys to the next slice', async () => {
+test('a click on a slice selects that voxel, the wheel and keys the next slice', async () => {
   for (const [view, k] of [['axial', 0], ['coronal', 1], ['sagittal', 2]]) {
     const [x, y, w, h] = await box(view), slice = () => page.evaluate((n) => {
       const { panels: [p] } = viewer, { axis } = p.slices[n];
@@ -190,7 +190,7 @@ test('each layer changes a view, and changes it back', async () => {
     const changed = await print();
     await clickOn(`#layers input[name=${name}]`);
     assert.equal(await print(), old, name);
-    const isPlain = (name === 'hindered' || name === 'trust') && changed === old; // nothing of the kind in a good examination
+    const isPlain = (name === 'hindered' || name === 'trust') && changed === old; // not present in a good examination
     assert.ok(changed !== old || isPlain, `${name} changes nothing`);
   }
 });
@@ -242,8 +242,8 @@ test('Space flies on to the end, and the areas not seen are counted', async () =
   assert.match(await page.evaluate(() => document.getElementById('share').textContent), /wall seen in flight: [\d.]+ %/);
 });
 
-// What the eye has seen by the definition, without trees, boxes and time slices: the middle of the face lies in a picture, at most
-// 200 mm away, and no other face crosses the ray. For some of the faces; `poses` are the cameras of the flight.
+// Brute-force visibility, without trees, boxes and time slices: the center of the face is in the view, at most 200 mm
+// away, and no other face crosses the ray. For a subset of the faces; `poses` are the cameras of the flight.
 const bruteForceOf = (number, poses) => page.evaluate((n, all) => {
   const [{ exam, inside }] = viewer.panels, { points: P, faces: F } = exam, { middles, marks, area } = exam.seen;
   const aspect = inside.w / inside.h;
@@ -344,7 +344,7 @@ const openVerdicts = async (text) => {
   const file = join(downloads, 'open.txt');
   writeFileSync(file, text);
   await page.chooseFile('#file', file);
-  await page.until(() => !document.getElementById('file').value); // read
+  await page.until(() => !document.getElementById('file').value); // wait until read
   await idle();
   rmSync(file);
 };
@@ -450,7 +450,7 @@ test('help lists the keys; all fits a small screen and a large one', async () =>
 test('unsaved work warns before the page closes', async () => {
   await press('f');
   const [x, y] = await box('flat');
-  await page.click(x + 100, y + 100); // a browser asks only a page that was used
+  await page.click(x + 100, y + 100); // browsers prompt only after user interaction
   await page.open(`${folder}/viewer.html`);
   assert.deepEqual(page.dialogs, ['beforeunload']);
   assert.deepEqual(page.errors, []);

@@ -20,7 +20,7 @@ after(async () => {
   console.log(JSON.stringify(figures));
 });
 
-// Milliseconds until the lines of the report, this opaque, are painted coarsely, and until their fine frame is.
+// Milliseconds until the lines of the report, with this opacity, are painted coarsely, and until the fine frame.
 const pick = (opacity) => page.evaluate(async (o) => {
   const started = performance.now();
   explorer.change({ lines: explorer.lines.map((line) => ({ ...line, opacity: o, isOn: true })) });

@@ -25,7 +25,7 @@ after(async () => {
   console.log(JSON.stringify(figures));
 });
 
-// All is painted, the rendering at least coarsely.
+// Everything is painted, the rendering at least coarsely.
 const idle = () => page.evaluate(() => explorer.idle(true));
 const notices = () => page.evaluate(() => document.getElementById('notices').textContent);
 const shot = async (name) => {
@@ -43,7 +43,7 @@ async function open(folder) {
   if (await page.evaluate(() => Boolean(window.explorer))) await idle();
 }
 
-// The place on the page of a place of the histogram's axis, from 0 to 1.
+// Page position of a position on the histogram axis, from 0 to 1.
 const onPlot = (position) => page.evaluate((p) => {
   const { histogramView: view } = explorer, { left, top, width, height } = view.plot, box = view.canvas.getBoundingClientRect();
   return [box.x + left + p * (width - 1), box.y + top + height * 0.6];
@@ -57,7 +57,7 @@ const drag = async (from, to, modifiers = 0) => {
   await idle();
 };
 
-// Colours that a person sees in a view: how many pixels are clearly of a hue.
+// Visible colors in a view: number of pixels with a distinct hue.
 const hues = (name) => page.evaluate((n) => {
   const { canvas, context } = [explorer.rendering, explorer.histogramView, ...explorer.slices].find((v) => v.box.dataset.view === n);
   const { data } = context.getImageData(0, 0, canvas.width, canvas.height), count = { red: 0, green: 0, blue: 0 };
@@ -106,7 +106,7 @@ test('a click picks a line, which colours all views at once; undo and redo', asy
   await setLines([]);
   const empty = await pictures(), count = () => page.evaluate(() => explorer.lines.length);
   assert.equal((await hues('rendering')).blue, 0);
-  const places = await page.evaluate(() => { // of the three bins with most voxels that lie apart
+  const places = await page.evaluate(() => { // the three separate bins with most voxels
     const order = [...explorer.counts.keys()].slice(1).sort((a, b) => explorer.counts[b] - explorer.counts[a]), out = [];
     for (const bin of order) if (out.every((b) => Math.abs(b - bin) > 60)) out.push(bin);
     const lower = (bin) => (1 + ((bin - 1) % 256) / 256) * 2 ** (Math.floor((bin - 1) / 256) - 16);
@@ -131,7 +131,7 @@ test('a click picks a line, which colours all views at once; undo and redo', asy
 });
 
 test('heats are classified before they are interpolated: a line without voxels is seen nowhere', async () => {
-  const gap = await page.evaluate(() => { // the widest gap of heats below the greatest that is not rare
+  const gap = await page.evaluate(() => { // the widest gap of heats below the greatest frequent one
     const { counts } = explorer, lower = (bin) => (1 + ((bin - 1) % 256) / 256) * 2 ** (Math.floor((bin - 1) / 256) - 16);
     let best = [0, 0], start = null;
     for (let bin = 1; bin < counts.length; bin++) {
@@ -163,7 +163,7 @@ test('what the page saves is what the tool makes of it', async () => {
   same(vp, `${WORK}/lines.vp`);
   same(`${WORK}/from.png`, `${WORK}/lines.png`);
   const { status, stderr } = run(INPUT, VISITS, `${WORK}/x.vp`, '--from', json);
-  assert.equal(status, 2, stderr); // of another time step
+  assert.equal(status, 2, stderr); // another time step
   writeFileSync(json, readFileSync(json, 'utf8').replace('5000', '500'));
   assert.deepEqual(run(INPUT, VISITS, `${WORK}/x.vp`, '--from', json).status, 3);
   assert.match(run(INPUT, VISITS, `${WORK}/x.vp`, '--from', json).stderr, /were picked on heat, but .* holds density/);
@@ -193,7 +193,7 @@ test('another stored time step', async () => {
   assert.equal(await page.evaluate(() => explorer.step), 1000);
   const json = await saved('transfer-function.json', 's', CTRL);
   assert.equal(JSON.parse(readFileSync(json, 'utf8')).timeStep, 1000);
-  runWell(INPUT, SNAPSHOTS, `${WORK}/step.vp`, '--from', json); // the snapshot of this step
+  runWell(INPUT, SNAPSHOTS, `${WORK}/step.vp`, '--from', json); // snapshot of this step
   assert.equal(run(INPUT, HEATS, `${WORK}/x.vp`, '--from', json).status, 2);
   await press('PageUp');
   assert.equal(await page.evaluate(() => explorer.step), 100);
@@ -304,7 +304,7 @@ const broken = (file, isRemoved) => {
   return folder;
 };
 
-test('damaged and missing data are told, and what is there goes on', async () => {
+test('damaged and missing data are reported, and the rest works', async () => {
   for (const file of ['grey.js', 'bins-5000.js']) {
     await open(broken(file));
     assert.match(await notices(), new RegExp(`The data .* in explorer/${file} is damaged`));
@@ -320,7 +320,7 @@ test('damaged and missing data are told, and what is there goes on', async () =>
   assert.deepEqual(await ranges(), before);
 });
 
-test('a file that is no transfer function is refused, one that was saved is opened', async () => {
+test('a file that is not a transfer function is rejected, a saved one is opened', async () => {
   await open(HEAT);
   const old = await ranges(), json = await saved('transfer-function.json', 's', CTRL);
   writeFileSync(`${WORK}/other.json`, '{"lines": []}');

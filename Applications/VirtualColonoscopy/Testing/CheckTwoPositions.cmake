@@ -44,7 +44,7 @@ hash(decomposed)
 foreach(file before after IN ZIP_LISTS watched hungarian decomposed)
   if(file MATCHES "^registration/|report.html$") # candidates of both positions are weighed by the map
     if(before STREQUAL after)
-      message(FATAL_ERROR "${file} was not made anew")
+      message(FATAL_ERROR "${file} was not recomputed")
     endif()
   elseif(NOT before STREQUAL after)
     message(FATAL_ERROR "${file} has changed")

@@ -26,9 +26,9 @@ for stage in segmentation flattening landmarks folds report; do
   wait "$run" 2>/dev/null
   [ ! -e "$folder/stages/$stage.json" ] || fail "the stage $stage was done before it could be killed"
 done
-"$tool" "$input" "$folder" --quiet "$@" || fail "the run that goes on ended with $?"
+"$tool" "$input" "$folder" --quiet "$@" || fail "the resumed run exited with $?"
 diff <(digests "$finished") <(digests "$folder") || fail "the files differ"
 second=$(flock "$folder/.lock" "$tool" "$input" "$folder" --quiet "$@" 2>&1; echo "status $?")
-[[ $second == *"another run is using"*"status 1" ]] || fail "beside another run it said: $second"
+[[ $second == *"another run is at work"*"status 1" ]] || fail "unexpected message during another run: $second"
 left=$(find "$folder" -name '.*.part*')
 [ -z "$left" ] || fail "this was left: $left"

@@ -60,7 +60,8 @@ class AbortTest(TestCase):
             work(progress=lambda *_: False)
 
     def check_short(self, work):
-        """A signal when `work` first tells its progress ends it: for a few milliseconds, which no timer divides."""
+        """A signal at the first progress report of `work` ends it: for calls of a few milliseconds, too short for a
+        timer."""
         self.check_progress(work)
         sent = []
 

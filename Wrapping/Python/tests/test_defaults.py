@@ -64,7 +64,7 @@ MEANINGS = {
     ("ShapetonDiffusion", "shapetons"): {65000: None},  # or as many as feature_size asks for
 }
 
-#: Options that have no parameter: a function of its own or a value of another parameter stands for them, or they are about
+#: Options without a parameter: replaced by a separate function or a value of another parameter, or concerning
 #: files that the tool alone writes.
 OPTIONS_ALONE = {
     "threads": "set_threads",
@@ -110,7 +110,7 @@ def options_of(tool):
 
 
 def defaults_of(function):
-    """The defaults of a function of the compiled module, as its docstring tells them."""
+    """The defaults of a function of the compiled module, from its docstring."""
     doc = function.__init__.__doc__ if inspect.isclass(function) else function.__doc__
     (definition,) = ast.parse(f"def {doc.partition(chr(10))[0].strip()}: ...").body
     arguments = definition.args

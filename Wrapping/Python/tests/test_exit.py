@@ -8,7 +8,7 @@ from shapeton import _shapeton
 
 from support import DATA, TestCase, run_python
 
-#: Programs that keep objects in their globals, and the classes of these objects.
+#: Programs with objects in globals, and the classes of these objects.
 PROGRAMS = {
     "heat": (
         """
@@ -141,7 +141,7 @@ def new_heat():
 
 
 def run_to_the_end(code):
-    """What a program prints; it must end soon, with status 0, and say nothing else."""
+    """Output of a program; it must exit soon, with status 0 and without other output."""
     return run_python(code, timeout=600, PYTHONFAULTHANDLER="1", PYTHONMALLOC="debug")
 
 

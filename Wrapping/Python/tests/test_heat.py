@@ -146,7 +146,7 @@ class ThreadsTest(TestCase):
 
 
 class AbortTest(TestCase):
-    """A run that would take hours ends; what is used afterwards is as before."""
+    """A run that would take hours is aborted; objects can be used afterwards."""
 
     def setUp(self):
         super().setUp()
@@ -263,7 +263,7 @@ print(resident() - before)
 
 class LeakTest(TestCase):
     def test_a_thousand_calls_leave_nothing_behind(self):
-        # A heat alone has 55 kB; a leak of one a call would be 55 MB.
+        # One heat has 55 kB; leaking one per call would be 55 MB.
         self.assertLess(int(run_python(LEAKS)), 4_000_000)
 
 

@@ -54,7 +54,7 @@ class ImageTest(TestCase):
 
 
 class LayoutTest(TestCase):
-    """Whatever the type and the layout of an array, the heat is that of the same numbers."""
+    """The heat does not depend on the type and layout of an array."""
 
     def setUp(self):
         super().setUp()

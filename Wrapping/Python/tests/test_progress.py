@@ -1,4 +1,4 @@
-"""The progress of each function rises to 1, which is reported once, at the end."""
+"""The progress of each function increases to 1, which is reported once, at the end."""
 
 import inspect
 import unittest
@@ -20,7 +20,7 @@ def seeds_of(image):
 
 
 class Position:
-    """The stages of a small synthetic patient that the next ones start from."""
+    """The stages of a small synthetic patient needed by later ones."""
 
     def __init__(self, name):
         self.phantom = colon.colon_phantom(position=name, size=(120, 120, 112), spacing=(3.0, 3.0, 3.0))

@@ -137,7 +137,7 @@ class SameAsToolsTest(TestCase):
         self.assertSameCertificate(found.b, files[2] / "b.json")
 
     def assertSameCertificate(self, certificate, path):
-        """As files hold them: without the sign of a zero."""
+        """Values as stored in files: without the sign of zero."""
         graphs.write_certificate(certificate, self.folder / "own.json")
         one, other = graphs.read_certificate(self.folder / "own.json"), graphs.read_certificate(path)
         for name in ("node_positions", "node_radii", "face_positions", "face_radii"):
