@@ -12,11 +12,11 @@ static const char xml[] = R"(<?xml version="1.0" encoding="utf-8"?>
 <parameters><label>IO</label><description>The surface.</description>
 <geometry type="model" fileExtensions=".vtp,.stl,.obj,.ply,.off,.gltf,.glb"><name>surface</name><label>Surface</label>
 <description>A triangle surface.</description><channel>input</channel><index>0</index></geometry>
-<string><name>part</name><longflag>part</longflag><label>Part</label><description>The part to take.</description>
+<string><name>part</name><longflag>part</longflag><label>Part</label><description>The part to read.</description>
 <default></default></string>
 <integer><name>component</name><longflag>component</longflag><label>Component</label>
-<description>The component to take; 0 asks that there is one only.</description><default>0</default></integer>
-<string-enumeration><name>unit</name><longflag>unit</longflag><label>Unit</label><description>Of the file.</description>
+<description>The component to use; 0 requires that there is only one.</description><default>0</default></integer>
+<string-enumeration><name>unit</name><longflag>unit</longflag><label>Unit</label><description>Unit of the file.</description>
 <default>file</default><element>file</element><element>m</element><element>mm</element><element>um</element>
 </string-enumeration>
 </parameters></executable>)";

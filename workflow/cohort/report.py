@@ -140,7 +140,7 @@ def _add_missing(page, examinations):
 
 def _add_examinations(page, examinations, outliers):
     page.paragraph(
-        f"Outliers come first, highlighted in yellow: values {LIMIT} scaled median absolute deviations or more away from the median "
+        f"Outliers come first, highlighted in yellow: values more than {LIMIT} scaled median absolute deviations away from the median "
         f"of their column in cohort.tsv; at least {FEWEST} values are required."
     )
     done = [(one, far) for one, far in zip(examinations, outliers) if one.outcome == "done"]

@@ -1,7 +1,7 @@
 """A stub of the part of 3D Slicer used by ShapetonLib, for tests without Slicer.
 
-It holds files and records what is asked of nodes. Anything that is not listed in `api` is an AttributeError here, and the
-test StandInNamesWhatSlicerHas looks each name up in Slicer's sources."""
+It holds files and records the calls on nodes. Names not listed in `api` raise AttributeError, and the test
+StandInNamesWhatSlicerHas searches each name in Slicer's sources."""
 
 import os
 import tempfile
