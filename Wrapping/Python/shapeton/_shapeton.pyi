@@ -47,7 +47,7 @@ class CentrelineGap:
 
 
 class CleansedColon:
-    """What `cleanse` gives."""
+    """Result of `cleanse`."""
     @property
     def ct(self) -> Image:
         """float32, HU: the CT with fluid replaced by gas."""
@@ -121,7 +121,7 @@ class ColonFlattening:
 
     @property
     def statistics(self) -> Dict[str, Any]:
-        """A dictionary with the keys that ColonFlattening writes: flips, dilatation, moduli, ..."""
+        """A dictionary with the keys of the statistics of ColonFlattening: flips, dilatation, moduli, ..."""
         ...
 
     @property
@@ -174,7 +174,7 @@ class ColonFlexure:
 
 
 class ColonLandmarks:
-    """What `find_landmarks` gives."""
+    """Result of `find_landmarks`."""
     @property
     def flexure_loops(self) -> Curves:
         """A closed loop on the wall for each flexure found; cell arrays flexure, arcLength, confidence."""
@@ -202,7 +202,7 @@ class ColonLandmarks:
 
     @property
     def statistics(self) -> Dict[str, Any]:
-        """A dictionary with the keys of landmarks.json that ColonLandmarks writes."""
+        """A dictionary with the keys of landmarks.json of ColonLandmarks."""
         ...
 
     @property
@@ -222,7 +222,7 @@ class ColonLandmarks:
 
 
 class ColonLumen:
-    """What `segment_lumen` finds."""
+    """Result of `segment_lumen`."""
     @property
     def catheter(self) -> Optional[Curves]:
         """Axis of a rectal catheter as Curves; None unless one was found with certainty."""
@@ -293,7 +293,7 @@ class ColonModel:
 
     @property
     def statistics(self) -> Dict[str, Any]:
-        """A dictionary with the keys of quality.json that ColonSegmentation writes."""
+        """A dictionary with the keys of quality.json of ColonSegmentation."""
         ...
 
     @property
@@ -487,7 +487,7 @@ class ConformalMap:
 
     @property
     def statistics(self) -> Dict[str, Any]:
-        """A dictionary with the keys that ConformalMap writes."""
+        """A dictionary with the keys of the statistics of ConformalMap."""
         ...
 
     @property
@@ -660,7 +660,7 @@ class EmbeddingCertificate:
 
 
 class EmbeddingVerdict:
-    """What `verify_embedding` finds."""
+    """Result of `verify_embedding`."""
     @property
     def is_valid(self) -> bool:
         """Whether it is proved that no two edges cross."""
@@ -855,7 +855,7 @@ class HaustralFold:
 
 
 class HaustralFolds:
-    """What `find_folds` gives."""
+    """Result of `find_folds`."""
     @property
     def folds(self) -> List[HaustralFold]:
         """List of HaustralFold, in label order."""
@@ -896,7 +896,7 @@ class HeatClass:
 
     @property
     def mean_heat(self) -> float:
-        """In [0, 1]."""
+        """Mean heat, in [0, 1]."""
         ...
 
     @property
@@ -966,7 +966,7 @@ class HeatHistogram:
 
 
 class HeatResult:
-    """What `diffuse_heat` gives."""
+    """Result of `diffuse_heat`."""
     @property
     def cold(self) -> bool:
         """Whether the volume has no edges; the heat is then 0 everywhere."""
@@ -1286,7 +1286,7 @@ class Registration:
 
     @property
     def statistics(self) -> Dict[str, Any]:
-        """A dictionary with the keys of registration.json that ColonRegistration writes."""
+        """A dictionary with the keys of registration.json of ColonRegistration."""
         ...
 
     @property
@@ -1325,7 +1325,7 @@ class SeededHeat:
 
 
 class SeededLabels:
-    """What `SeededHeat.segment` gives."""
+    """Result of `SeededHeat.segment`."""
     @property
     def iterations(self) -> int:
         """Number of solver iterations; few after a small change of the seeds."""
@@ -1475,7 +1475,7 @@ class ShapeRow:
 
 
 class ShapeSearchResult:
-    """What `find_shape` gives."""
+    """Result of `find_shape`."""
     @property
     def neighbours(self) -> List[ShapeNeighbour]:
         """Nearest first."""
@@ -1536,7 +1536,7 @@ class ShapeSignature:
 
 
 class ShapeTable:
-    """What `describe_shapes` gives."""
+    """Result of `describe_shapes`."""
     @property
     def rows(self) -> List[ShapeRow]:
         """Rows by label, then component."""
@@ -1549,7 +1549,7 @@ class ShapeTable:
 
 
 class ShapetonResult:
-    """What `diffuse_shapetons` gives."""
+    """Result of `diffuse_shapetons`."""
     @property
     def change(self) -> float:
         """Change of the density in the last step (3.10)."""
@@ -1965,7 +1965,7 @@ def read_shape_database(path: Union[str, os.PathLike[str]]) -> List[NamedShape]:
     ...
 
 def read_shape_table(path: Union[str, os.PathLike[str]]) -> ShapeTable:
-    """Reads what `write_shape_table` wrote."""
+    """Reads a table written by `write_shape_table`."""
     ...
 
 def read_surface(path: Union[str, os.PathLike[str]], *, part: str=..., component: int=..., unit: str=..., any_extent: bool=..., repair: bool=...) -> Mesh:

@@ -143,7 +143,7 @@ AddLumen(py::module_ & module)
     .def_readonly("fluid", &ColonThresholds::fluid, "Mode of tagged fluid; 0 without fluid.")
     .def_readonly("fluid_boundary", &ColonThresholds::fluidBoundary, "Half-height between tissue and fluid.");
 
-  py::class_<ColonLumen>(module, "ColonLumen", "What `segment_lumen` finds.")
+  py::class_<ColonLumen>(module, "ColonLumen", "Result of `segment_lumen`.")
     .def_readonly("labels", &ColonLumen::labels, "uint8: 1 gas, 2 fluid, 0 otherwise.")
     .def_readonly("gravity", &ColonLumen::gravity, "Unit vector of gravity, LPS.")
     .def_readonly("thresholds", &ColonLumen::thresholds, "HU.")
@@ -155,7 +155,7 @@ AddLumen(py::module_ & module)
     .def_readonly("warnings", &ColonLumen::warnings, "Missing or doubtful results, one per line.")
     .def_readonly("failure", &ColonLumen::failure, "Why the colon is not usable; otherwise empty.");
 
-  py::class_<CleansedColon>(module, "CleansedColon", "What `cleanse` gives.")
+  py::class_<CleansedColon>(module, "CleansedColon", "Result of `cleanse`.")
     .def_readonly("ct", &CleansedColon::ct, "float32, HU: the CT with fluid replaced by gas.")
     .def_readonly("occupancy",
                   &CleansedColon::occupancy,
@@ -322,7 +322,7 @@ AddModel(py::module_ & module)
     .def_property_readonly(
       "statistics",
       [](const ColonModel & model) { return FromJson(ColonQualityToJson(model)); },
-      "A dictionary with the keys of quality.json that ColonSegmentation writes.");
+      "A dictionary with the keys of quality.json of ColonSegmentation.");
 
   const ColonModelOptions defaults;
   module.def("build_colon",

@@ -208,7 +208,7 @@ AddFolds(py::module_ & module)
     .def_readonly("arc_length", &HaustralFold::arcLength, "mm along the centerline; NaN if unknown.")
     .def_readonly("crosses_cut", &HaustralFold::crossesCut, "Whether the fold extends across the cut.");
 
-  py::class_<FoundFolds>(module, "HaustralFolds", "What `find_folds` gives.")
+  py::class_<FoundFolds>(module, "HaustralFolds", "Result of `find_folds`.")
     .def_property_readonly("labels", &LabelsOf, "Rows x columns, uint16: 0 wall, otherwise the label of a fold.")
     .def_property_readonly(
       "folds", [](const FoundFolds & found) { return found.folds.folds; }, "List of HaustralFold, in label order.")

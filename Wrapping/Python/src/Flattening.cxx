@@ -89,7 +89,7 @@ AddConformalMap(py::module_ & module)
       "Dilatation of each face, at least 1 (conformal).")
     .def_property_readonly("statistics",
                            Statistics<ConformalMap>(&ConformalMapToJson),
-                           "A dictionary with the keys that ConformalMap writes.");
+                           "A dictionary with the keys of the statistics of ConformalMap.");
 
   const ConformalMapOptions defaults;
   module.def("conformal_map",
@@ -143,7 +143,8 @@ AddFlattening(py::module_ & module)
     .def_readonly("warnings", &ColonFlattening::warnings, "Doubtful results, one per line.")
     .def_property_readonly("statistics",
                            Statistics<ColonFlattening>(&ColonFlatteningToJson),
-                           "A dictionary with the keys that ColonFlattening writes: flips, dilatation, moduli, ...");
+                           "A dictionary with the keys of the statistics of ColonFlattening: flips, dilatation, "
+                           "moduli, ...");
 
   const ColonFlatteningOptions defaults;
   module.def("flatten_tube",

@@ -241,7 +241,7 @@ AddGraphs(py::module_ & module)
 {
   AddGraph(module);
   AddCertificate(module);
-  py::class_<EmbeddingVerdict>(module, "EmbeddingVerdict", "What `verify_embedding` finds.")
+  py::class_<EmbeddingVerdict>(module, "EmbeddingVerdict", "Result of `verify_embedding`.")
     .def_property_readonly(
       "is_valid",
       [](const EmbeddingVerdict & v) { return v.refusal.empty(); },

@@ -164,7 +164,7 @@ AddClasses(py::module_ & module)
     .def_readonly("label", &HeatClass::label, "0 is the background, 1 the class of lowest heat.")
     .def_readonly("lower_heat", &HeatClass::lowerHeat, "The class holds lower_heat <= heat < upper_heat.")
     .def_readonly("upper_heat", &HeatClass::upperHeat, "See lower_heat.")
-    .def_readonly("mean_heat", &HeatClass::meanHeat, "In [0, 1].")
+    .def_readonly("mean_heat", &HeatClass::meanHeat, "Mean heat, in [0, 1].")
     .def_readonly("voxels", &HeatClass::voxels, "Number of voxels.")
     .def_readonly("volume", &HeatClass::volume, "mm^3.")
     .def_readonly(
@@ -227,7 +227,7 @@ AddHeat(py::module_ & module)
 {
   AddHistogram(module);
   AddClasses(module);
-  py::class_<Heat>(module, "HeatResult", "What `diffuse_heat` gives.")
+  py::class_<Heat>(module, "HeatResult", "Result of `diffuse_heat`.")
     .def_readonly("heat", &Heat::heat, "Heat after the last step, in [0, 1]; float32, on the grid of the input.")
     .def_readonly("initial_heat", &Heat::initialHeat, "Heat at step 0; None unless requested.")
     .def_property_readonly(

@@ -84,7 +84,7 @@ void
 AddLandmarks(py::module_ & module)
 {
   AddFlexure(module);
-  py::class_<FoundLandmarks>(module, "ColonLandmarks", "What `find_landmarks` gives.")
+  py::class_<FoundLandmarks>(module, "ColonLandmarks", "Result of `find_landmarks`.")
     .def_property_readonly(
       "flexures",
       [](const FoundLandmarks & f) { return f.landmarks.flexures.flexures; },
@@ -118,7 +118,7 @@ AddLandmarks(py::module_ & module)
     .def_property_readonly(
       "statistics",
       [](const FoundLandmarks & f) { return FromJson(ColonLandmarksToJson(f.landmarks)); },
-      "A dictionary with the keys of landmarks.json that ColonLandmarks writes.");
+      "A dictionary with the keys of landmarks.json of ColonLandmarks.");
 
   module.def("find_landmarks",
              Reporting(&Find),

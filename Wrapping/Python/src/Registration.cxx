@@ -178,7 +178,7 @@ AddRegistration(py::module_ & module)
     .def_property_readonly(
       "statistics",
       [](const Registered & r) { return FromJson(r.results.document); },
-      "A dictionary with the keys of registration.json that ColonRegistration writes.")
+      "A dictionary with the keys of registration.json of ColonRegistration.")
     .def("map_points",
          &MapPoints,
          "points"_a,

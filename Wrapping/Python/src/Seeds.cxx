@@ -104,7 +104,7 @@ SeedsOf(const SeedImage::Pointer & classes, const std::vector<int> & chosen, int
 void
 AddSeeds(py::module_ & module)
 {
-  py::class_<SeededLabels>(module, "SeededLabels", "What `SeededHeat.segment` gives.")
+  py::class_<SeededLabels>(module, "SeededLabels", "Result of `SeededHeat.segment`.")
     .def_readonly("labels", &SeededLabels::labels, "uint16: the label of highest probability.")
     .def_readonly("uncertainty",
                   &SeededLabels::uncertainty,

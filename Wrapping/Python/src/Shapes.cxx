@@ -52,7 +52,7 @@ AddSignature(py::module_ & module)
     .def_readonly("intensity_deviation", &ShapeRow::intensityDeviation, "Standard deviation.")
     .def_readonly("signature", &ShapeRow::signature, "A ShapeSignature.");
 
-  py::class_<ShapeTable>(module, "ShapeTable", "What `describe_shapes` gives.")
+  py::class_<ShapeTable>(module, "ShapeTable", "Result of `describe_shapes`.")
     .def_readonly("rows", &ShapeTable::rows, "Rows by label, then component.")
     .def_readonly("warnings", &ShapeTable::remarks, "Skipped shapes, one per line.");
 }
@@ -96,7 +96,7 @@ A shape takes half a second. Shapes of fewer than 64 voxels, or too thin, are sk
     [](const Path & path) { return ReadShapeTable(path.text); },
     "path"_a,
     ReleaseGil(),
-    "Reads what `write_shape_table` wrote.");
+    "Reads a table written by `write_shape_table`.");
 }
 
 void
@@ -115,7 +115,7 @@ AddSearch(py::module_ & module)
     .def_readonly("entry", &ShapeNeighbour::entry, "Index of the entry.")
     .def_readonly("distance", &ShapeNeighbour::distance, "At least 0; copies of one shape are about 1 apart.");
 
-  py::class_<ShapeSearchResult>(module, "ShapeSearchResult", "What `find_shape` gives.")
+  py::class_<ShapeSearchResult>(module, "ShapeSearchResult", "Result of `find_shape`.")
     .def_readonly("neighbours", &ShapeSearchResult::neighbours, "Nearest first.")
     .def_readonly("probability",
                   &ShapeSearchResult::probability,

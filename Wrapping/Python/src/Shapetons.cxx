@@ -107,7 +107,7 @@ Measure(TMember ShapetonMeasures::*member)
 void
 AddResult(py::module_ & module)
 {
-  py::class_<Shapetons>(module, "ShapetonResult", "What `diffuse_shapetons` gives.")
+  py::class_<Shapetons>(module, "ShapetonResult", "Result of `diffuse_shapetons`.")
     .def_readonly("visits", &Shapetons::visits, "Number of visits of each voxel; uint32. The sum is shapetons x steps.")
     .def_property_readonly(
       "density",
