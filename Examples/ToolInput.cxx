@@ -16,7 +16,8 @@ static const char xml[] = R"(<?xml version="1.0" encoding="utf-8"?>
 <default></default></string>
 <integer><name>component</name><longflag>component</longflag><label>Component</label>
 <description>The component to use; 0 requires that there is only one.</description><default>0</default></integer>
-<string-enumeration><name>unit</name><longflag>unit</longflag><label>Unit</label><description>Unit of the file.</description>
+<string-enumeration><name>unit</name><longflag>unit</longflag><label>Unit</label>
+<description>Unit of the file.</description>
 <default>file</default><element>file</element><element>m</element><element>mm</element><element>um</element>
 </string-enumeration>
 </parameters></executable>)";
