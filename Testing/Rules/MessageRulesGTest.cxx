@@ -78,7 +78,7 @@ TEST_F(MessageRules, RefuseWordingThatReadsAsTranslated)
     this->Write("a.cxx", text);
     return ToText(rules::CheckWording(m_Root));
   };
-  EXPECT_EQ(faultsOf("/** Radius of the piece (mm). */\nthrow Error(\"no piece was found\"); // none is left\n"), "");
+  EXPECT_EQ(faultsOf("/** Radius of the piece (mm). */\nthrow Error(\"there is no piece\"); // none is left\n"), "");
   EXPECT_EQ(faultsOf("int r; ///< Of the piece\n"), "a.cxx:1: begins a comment with a bare genitive: ///< Of t\n");
   EXPECT_EQ(faultsOf("f(\"x is \"\n  \"no number\");\n"), "a.cxx:1: says what is not by: is no\n");
   EXPECT_EQ(faultsOf("// Failures are told.\n"), "a.cxx:1: is not plain English: told\n");

@@ -304,20 +304,20 @@ TellPatientsApart(const std::vector<LandmarkExam> & supine,
                   ValidationReport &                report)
 {
   int pairs = 0;
-  int told = 0;
+  int apart = 0;
   for (std::size_t i = 0; i < supine.size() && supine.size() > 1; ++i)
   {
     const LandmarkExam & other = prone[(i + 1) % prone.size()];
     if (supine[i].failure.empty() && other.failure.empty())
     {
       ++pairs;
-      told += AreToldApart(supine[i], other);
+      apart += AreToldApart(supine[i], other);
     }
   }
   if (pairs > 0)
   {
-    report.AddText("Pairs of two different patients that are flagged or refused: " + RatioOf(told, pairs) + ' ' +
-                   report.Check(told == pairs));
+    report.AddText("Pairs of two different patients that are flagged or refused: " + RatioOf(apart, pairs) + ' ' +
+                   report.Check(apart == pairs));
   }
 }
 
@@ -367,7 +367,7 @@ Explain(const ValidationSettings & settings, ValidationReport & report)
     "lumen or from the CT, in voxels of 0.8 mm, flattened, and searched with default options. From CT the bounds of "
     "shares are 0.03 wider and errors may be 1.3 times as large.");
   report.AddText(
-    "Errors: at points of the wall on a grid in material coordinates, which are no constraints, outside collapsed "
+    "Errors: at points of the wall on a grid in material coordinates, which are not constraints, outside collapsed "
     "stretches (true ones, and those that the registration excludes and marks). Distance in space between where the "
     "map takes a point and where it is, and distance on the flat map, whose width (circumference) is 1. Measures of "
     "each patient are averaged over patients; +- of a patient is half the 95 % interval of the mean over 20 blocks "

@@ -94,7 +94,7 @@ ValidateOrgansOfAbdomen(const ValidationSettings & settings, ValidationReport & 
     report.AddText("Mean Dice over " + std::to_string(dice.size()) + " organs: " + MeanWithInterval(dice) + ".");
   }
   report.AddText(
-    "An honest word: heat classes are no organ segmentation. Soft-tissue organs touch over edges of a few HU, heat "
+    "Heat classes do not segment organs. Soft-tissue organs touch over edges of a few HU, heat "
     "flows "
     "between them, and many organs share a class. What the classes tell apart are air, lung and gas, fat, the "
     "soft-tissue "

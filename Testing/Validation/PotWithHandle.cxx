@@ -113,7 +113,7 @@ ValidatePotWithHandle(const ValidationSettings & settings, ValidationReport & re
     "over "
     "the Euclidean one: " +
     CsvTable::Rounded(least / changes.front(), 2) + ", bound 0.8: " + report.Check(least < 0.8 * changes.front()) +
-    "), and its gap with the handle is smaller. The handle is no tiny one: times much longer than the square of its "
+    "), and its gap with the handle is smaller. The handle is large: times much longer than the square of its "
     "radius, 42 mm^2, are needed, and those much longer than that distort the patch itself, differently with its "
     "handle "
     "and without.");

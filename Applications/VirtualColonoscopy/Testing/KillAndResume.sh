@@ -29,6 +29,6 @@ done
 "$tool" "$input" "$folder" --quiet "$@" || fail "the resumed run exited with $?"
 diff <(digests "$finished") <(digests "$folder") || fail "the files differ"
 second=$(flock "$folder/.lock" "$tool" "$input" "$folder" --quiet "$@" 2>&1; echo "status $?")
-[[ $second == *"another run is at work"*"status 1" ]] || fail "unexpected message during another run: $second"
+[[ $second == *"another run is using"*"status 1" ]] || fail "unexpected message during another run: $second"
 left=$(find "$folder" -name '.*.part*')
 [ -z "$left" ] || fail "this was left: $left"

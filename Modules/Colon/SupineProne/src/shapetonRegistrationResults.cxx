@@ -127,19 +127,19 @@ private:
     {
       const HaustralFold & from = supine[match.source];
       const HaustralFold & to = prone[match.target];
-      MatchedFolds         told;
-      told.supineFold = from.label;
-      told.proneFold = to.label;
-      told.supinePoint = from.centre;
-      told.pronePoint = to.centre;
-      told.supineArcLength = this->SupineArc(from);
-      told.proneArcLength = this->ProneArc(to);
-      told.segment = SegmentAt(m_Supine.segments, told.supineArcLength);
-      told.cost = match.cost;
-      told.residual = match.residual;
-      told.weight = match.weight;
-      told.verdict = m_Verdicts[match.source];
-      m_Results.matches.push_back(told);
+      MatchedFolds         row;
+      row.supineFold = from.label;
+      row.proneFold = to.label;
+      row.supinePoint = from.centre;
+      row.pronePoint = to.centre;
+      row.supineArcLength = this->SupineArc(from);
+      row.proneArcLength = this->ProneArc(to);
+      row.segment = SegmentAt(m_Supine.segments, row.supineArcLength);
+      row.cost = match.cost;
+      row.residual = match.residual;
+      row.weight = match.weight;
+      row.verdict = m_Verdicts[match.source];
+      m_Results.matches.push_back(row);
     }
   }
 

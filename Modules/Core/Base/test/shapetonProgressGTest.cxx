@@ -25,7 +25,7 @@ TEST(Progress, OfAPartFillsItsPlaceInTheWhole)
   whole("first", 0.25);
   const shapeton::Progress part = whole.Part("second", 0.5, 1.0);
   part(0.0);
-  part.Part("not told", 0.5, 1.0)("nor this", 0.5);
+  part.Part("not shown", 0.5, 1.0)("nor this", 0.5);
   part(1.0);
   EXPECT_EQ(reports,
             (std::vector<Report>{ { "first", 0.25 }, { "second", 0.5 }, { "second", 0.875 }, { "second", 1.0 } }));

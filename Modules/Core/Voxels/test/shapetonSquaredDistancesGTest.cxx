@@ -84,15 +84,15 @@ TEST(SquaredDistances, AreUnknownBeyondTheFarthestThatIsAskedFor)
   for (const double farthest : { 0.0, 0.7, 2.8, 4.0 })
   {
     const auto  near = shapeton::SquaredDistances(grid, spacing, mask, farthest);
-    std::size_t told = 0;
+    std::size_t found = 0;
     for (std::size_t p = 0; p < mask.size(); ++p)
     {
-      const bool isTold = all[p] <= static_cast<float>(farthest * farthest);
-      told += isTold;
-      ASSERT_EQ(near[p], isTold ? all[p] : shapeton::UnknownSquaredDistance);
+      const bool isFound = all[p] <= static_cast<float>(farthest * farthest);
+      found += isFound;
+      ASSERT_EQ(near[p], isFound ? all[p] : shapeton::UnknownSquaredDistance);
     }
-    EXPECT_GT(told, 0U);
-    EXPECT_LT(told, mask.size());
+    EXPECT_GT(found, 0U);
+    EXPECT_LT(found, mask.size());
   }
 }
 

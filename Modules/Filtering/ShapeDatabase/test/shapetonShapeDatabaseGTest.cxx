@@ -248,13 +248,13 @@ AddUntilKilled(const std::string & path, int round, std::chrono::microseconds sp
   std::this_thread::sleep_for(span);
   kill(child, SIGKILL);
   waitpid(child, nullptr, 0);
-  std::size_t told = 0;
+  std::size_t reported = 0;
   for (char byte; read(ends[0], &byte, 1) == 1;)
   {
-    ++told;
+    ++reported;
   }
   close(ends[0]);
-  return told;
+  return reported;
 }
 
 // Times of a kill before, during and after additions on this disk.
@@ -274,12 +274,12 @@ TEST_F(ShapeDatabase, HoldsWholeTablesAfterKill)
   {
     const auto        moment = MomentOfRound(path, round);
     const std::size_t stored = ReadShapeDatabase(path).size();
-    const std::size_t told = AddUntilKilled(path, round, moment);
+    const std::size_t reported = AddUntilKilled(path, round, moment);
     interrupted += std::filesystem::exists(path + "-journal") ? 1 : 0;
     const std::size_t now = ReadShapeDatabase(path).size();
     EXPECT_EQ(now % 3, 0U);
-    EXPECT_GE(now, stored + told * 3); // reported additions are kept
-    EXPECT_LE(now, stored + (told + 1) * 3);
+    EXPECT_GE(now, stored + reported * 3); // reported additions are kept
+    EXPECT_LE(now, stored + (reported + 1) * 3);
   }
   EXPECT_GT(interrupted, 0); // otherwise the test has no effect
 }
@@ -289,10 +289,10 @@ TEST_F(ShapeDatabase, IsMadeAfterAKillInItsFirstAddition)
   const std::string other = path + ".other";
   for (int round = 0; round < 20; ++round)
   {
-    const std::size_t told = AddUntilKilled(path, round, MomentOfRound(other, round) / 4);
+    const std::size_t reported = AddUntilKilled(path, round, MomentOfRound(other, round) / 4);
     const std::size_t now = AddToShapeDatabase(path, Table(3), "afterwards", "x");
-    EXPECT_GE(now, (told + 1) * 3);
-    EXPECT_LE(now, (told + 2) * 3);
+    EXPECT_GE(now, (reported + 1) * 3);
+    EXPECT_LE(now, (reported + 2) * 3);
     EXPECT_EQ(ReadShapeDatabase(path).size(), now);
     std::filesystem::remove(path);
   }

@@ -345,12 +345,12 @@ HeatDiffusionSolver::Run(PaddedField &                      heat,
   }
   m_Steady = false;
   m_Applications = 0;
-  const auto told = [this] { this->ReportProgress(0.0); };
+  const auto report = [this] { this->ReportProgress(0.0); };
   m_DeviceUse = ChooseDeviceForHeat(m_Device, m_VolumeGradient.GetGrid());
   const std::unique_ptr<HeatEngine> engine =
     m_DeviceUse.gpu
-      ? MakeHeatEngineOnGpu(m_DeviceUse, m_VolumeGradient, heat, snapshots, told)
-      : std::unique_ptr<HeatEngine>(std::make_unique<HeatEngineOnCpu>(m_VolumeGradient, heat, snapshots, told));
+      ? MakeHeatEngineOnGpu(m_DeviceUse, m_VolumeGradient, heat, snapshots, report)
+      : std::unique_ptr<HeatEngine>(std::make_unique<HeatEngineOnCpu>(m_VolumeGradient, heat, snapshots, report));
   Recorder recorder(*engine, steps);
   recorder.Show(HeatEngine::Heat, 0);
   const std::uint64_t reached = m_Method == Method::Explicit ? this->RunExplicitly(*engine, lastStep, recorder)

@@ -53,7 +53,7 @@ TEST(CommandLineQuestions, HelpSaysAllTheDescriptionSays)
   {
     EXPECT_TRUE(Contains(help, line)) << line << help;
   }
-  EXPECT_FALSE(Contains(help, "meanHeat")) << "a return value is no option";
+  EXPECT_FALSE(Contains(help, "meanHeat")) << "a return value is not an option";
 }
 
 TEST(CommandLineQuestions, AreAnsweredWhateverElseIsWrong)

@@ -260,7 +260,7 @@ TEST(StagedRun, AFailureKeepsTheOlderResultUnlessThereIsAPart)
   EXPECT_EQ(part.status, 3);
   EXPECT_EQ(part.message, "only a part");
   EXPECT_TRUE(part.Has("copy"));
-  EXPECT_FALSE(RunOnce(bench, partial).isResumed) << "a part is no result";
+  EXPECT_FALSE(RunOnce(bench, partial).isResumed) << "a part is not a result";
 }
 
 TEST(StagedRun, FilesOfOthersStay)
