@@ -5,7 +5,7 @@ set(Shapeton_MODULES
   Core/Devices
   Core/Voxels
   Core/Report
-  Core/SparseFactorisation
+  Core/SparseFactorization
   Mesh/SurfaceMesh
   Mesh/HeatDiffusionMetric
   Mesh/ConformalFlattening
@@ -27,9 +27,9 @@ set(Shapeton_MODULES
   Graph/RicciFlowEmbedding
   Graph/GraphComparison
   Colon/ColonLumen
-  Colon/ColonCentreline
+  Colon/ColonCenterline
   Colon/ColonWall
-  Colon/IleocaecalValve
+  Colon/IleocecalValve
   Colon/ColonModel
   Colon/FlatColon
   Colon/HaustralFolds

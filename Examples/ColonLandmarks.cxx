@@ -27,7 +27,7 @@ main(int argc, char * argv[])
   shapeton::ColonFlatteningOptions options;
   options.metric = shapeton::FlatMetric::Euclidean;
   const auto flattening = shapeton::FlattenColon(colon.wall.simplified, "the wall", options);
-  const auto landmarks = shapeton::FindColonLandmarks(shapeton::FlatColon(flattening.map.flat), colon.centreline.curve);
+  const auto landmarks = shapeton::FindColonLandmarks(shapeton::FlatColon(flattening.map.flat), colon.centerline.curve);
 
   const shapeton::ColonAnatomy & anatomy = phantom->GetAnatomy();
   for (const shapeton::ColonFlexure & flexure : landmarks.flexures.flexures)

@@ -1,5 +1,5 @@
-// Samples the lumen of a synthetic colon as a mask, and makes its centreline and its wall without handles.
-// Usage: ExampleColonModel WALL.vtp CENTRELINE.vtp
+// Samples the lumen of a synthetic colon as a mask, and makes its centerline and its wall without handles.
+// Usage: ExampleColonModel WALL.vtp CENTERLINE.vtp
 #include "shapetonColonAnatomy.h"
 #include "shapetonColonModel.h"
 #include "shapetonSurfaceWriter.h"
@@ -13,7 +13,7 @@ main(int argc, char * argv[])
 {
   if (argc != 3)
   {
-    std::cerr << "Usage: " << argv[0] << " WALL.vtp CENTRELINE.vtp\n";
+    std::cerr << "Usage: " << argv[0] << " WALL.vtp CENTERLINE.vtp\n";
     return 2;
   }
   const shapeton::ColonAnatomy anatomy{ shapeton::ColonPhantomParameters() };
@@ -41,7 +41,7 @@ main(int argc, char * argv[])
   options.faces = 20000;
   const shapeton::ColonModel colon = shapeton::BuildColonModelOfLumen(lumen, options);
   shapeton::WriteSurface(colon.wall.simplified, argv[1]);
-  shapeton::WriteCurves(colon.centreline.curve, argv[2]);
-  std::cout << "a colon of " << static_cast<int>(colon.centreline.length / 100.0) << " dm, wall of genus "
+  shapeton::WriteCurves(colon.centerline.curve, argv[2]);
+  std::cout << "a colon of " << static_cast<int>(colon.centerline.length / 100.0) << " dm, wall of genus "
             << colon.wall.report.repairedGenus << " in place of " << colon.wall.report.rawGenus << '\n';
 }

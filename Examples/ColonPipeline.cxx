@@ -25,13 +25,13 @@ main(int argc, char * argv[])
     model->SetNumberOfFaces(20000);
     const auto flattening = shapeton::ColonFlatteningFilter<>::New();
     flattening->SetInput(model->GetOutput());
-    flattening->SetCentreline(model->GetCentrelineOutput());
+    flattening->SetCenterline(model->GetCenterlineOutput());
     flattening->Update();
 
     const shapeton::FlatColon & flat = flattening->GetFlatColonOutput()->Get();
     shapeton::FlatColonParts    parts;
     parts.flat = &flat;
-    parts.centreline = &model->GetCentrelineOutput()->Get();
+    parts.centerline = &model->GetCenterlineOutput()->Get();
     const auto picture = shapeton::FlatColonPictures(parts, 1.0).Draw(shapeton::FlatColoring::Curvature, "Flat colon");
     shapeton::WritePng(picture, argv[2]);
     std::cout << shapeton::SurfaceOf(*flattening->GetOutput()).NumberOfFaces() << " faces are flat\n";

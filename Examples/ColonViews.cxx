@@ -1,4 +1,4 @@
-// The wall of a tube as a flat picture in the colours of its curvature, with a mark on it.
+// The wall of a tube as a flat picture in the colors of its curvature, with a mark on it.
 // Usage: ExampleColonViews TUBE PICTURE.png
 #include "shapetonColonFlattening.h"
 #include "shapetonFlatColonPictures.h"

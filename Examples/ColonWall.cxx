@@ -23,7 +23,7 @@ main(int argc, char * argv[])
   phantom->Update();
 
   const auto                    occupancy = shapeton::OccupancyFromMask(phantom->GetLumenOutput());
-  const shapeton::LumenTopology repaired = shapeton::RepairLumenTopology(occupancy, phantom->GetAnatomy().Centreline());
+  const shapeton::LumenTopology repaired = shapeton::RepairLumenTopology(occupancy, phantom->GetAnatomy().Centerline());
   const shapeton::SurfaceMesh   wall = shapeton::ExtractWall(occupancy, repaired.mask);
   const shapeton::SurfaceQuality quality = shapeton::InspectSurface(wall);
   const shapeton::SurfaceQuality raw = shapeton::InspectSurface(shapeton::ExtractWall(occupancy));

@@ -48,7 +48,7 @@ main(int argc, char * argv[])
   {
     const shapeton::Json segmentation = shapeton::ReadJson(results + "/segmentation/quality.json");
     const shapeton::Json landmarks = shapeton::ReadJson(results + "/landmarks/landmarks.json");
-    std::cout << "centreline of " << std::lround(segmentation["centreline"]["length"].get<double>())
+    std::cout << "centerline of " << std::lround(segmentation["centerline"]["length"].get<double>())
               << " mm, wall of genus " << segmentation["surface"]["genusRepaired"] << ", "
               << landmarks["segments"].size() << " segments; report of "
               << std::filesystem::file_size(results + "/report.html") / 1000 << " kB\n";

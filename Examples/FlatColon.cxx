@@ -27,5 +27,5 @@ main(int argc, char * argv[])
   const double              away = (grid.PointOfPixel(place.pixel.column, place.pixel.row) - point).norm();
   std::cout << grid.Columns() << " x " << grid.Rows() << " pixels, " << grid.UncoveredPixels()
             << " without a face; the point lies in pixel " << place.pixel.column << ", " << place.pixel.row
-            << ", whose centre is " << away << " mm away\n";
+            << ", whose center is " << away << " mm away\n";
 }

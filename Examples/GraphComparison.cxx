@@ -9,7 +9,7 @@ int
 main()
 {
   const shapeton::Graph petersen = shapeton::GeneralizedPetersenGraph(5, 2);
-  const shapeton::Graph renumbered = shapeton::RelabelledGraph(petersen, { 4, 9, 0, 2, 7, 1, 8, 3, 6, 5 });
+  const shapeton::Graph renumbered = shapeton::RelabeledGraph(petersen, { 4, 9, 0, 2, 7, 1, 8, 3, 6, 5 });
   const shapeton::Graph prism = shapeton::GeneralizedPetersenGraph(5, 1);
   for (const shapeton::Graph & other : { renumbered, prism })
   {

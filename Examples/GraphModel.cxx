@@ -17,7 +17,7 @@ main(int argc, char * argv[])
   const shapeton::CombinatorialMap map = shapeton::TorusGridMap(5, 4, true); // 5 x 4 nodes, triangles
   std::cout << map.Nodes() << " nodes, " << map.Edges() << " edges, " << map.Faces() << " faces: genus " << map.Genus()
             << "; the dual has " << map.Dual().Nodes() << " nodes\n";
-  std::cout << "neighbours of node 0, counter-clockwise:";
+  std::cout << "neighbors of node 0, counter-clockwise:";
   for (const int halfEdge : map.Around(0))
   {
     std::cout << ' ' << map.Node(shapeton::CombinatorialMap::Twin(halfEdge));

@@ -48,7 +48,7 @@ main(int argc, char * argv[])
   std::cout << folds.folds.size() << " folds\n";
   for (const shapeton::HaustralFold & fold : folds.folds)
   {
-    std::cout << "fold at " << std::lround(fold.centre.z()) << " mm: " << fold.length << " mm long, " << fold.height
+    std::cout << "fold at " << std::lround(fold.center.z()) << " mm: " << fold.length << " mm long, " << fold.height
               << " mm high, reliability " << fold.reliability << '\n';
   }
 }

@@ -1,4 +1,4 @@
-// Renders a surface without a display, coloured by height, with a colour bar, orientation letters and a scale bar.
+// Renders a surface without a display, colored by height, with a color bar, orientation letters and a scale bar.
 // Usage: ExamplePictureKit SURFACE PICTURE.png
 #include "shapetonSurfaceReader.h"
 #include "shapetonSurfaceRendering.h"

@@ -38,6 +38,6 @@ main()
   {
     std::cout << "number " << candidate.number << ": score " << candidate.score << ", diameter " << candidate.diameter
               << " mm (" << shapeton::NameOf(shapeton::SizeOf(candidate.diameter)) << "), "
-              << (candidate.position - Eigen::Vector3d(10.0, 0.0, -18.0)).norm() << " mm from the centre of the ball\n";
+              << (candidate.position - Eigen::Vector3d(10.0, 0.0, -18.0)).norm() << " mm from the center of the ball\n";
   }
 }

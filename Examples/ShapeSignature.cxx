@@ -41,5 +41,5 @@ main()
   std::cout << "a copy is " << shapeton::SignatureDistance(large, small) << " away, another shape "
             << shapeton::SignatureDistance(large, other) << '\n';
   const auto found = shapeton::FindShape(small, { { "ball", other }, { "ellipsoid", large } }, 1);
-  std::cout << "found as entry " << found.neighbours[0].entry << (found.IsUnknown() ? ", but doubted" : "") << '\n';
+  std::cout << "found as entry " << found.neighbors[0].entry << (found.IsUnknown() ? ", but doubted" : "") << '\n';
 }

@@ -1,5 +1,5 @@
-// A curve and a point as markups of 3D Slicer, and a colour table for a label map; the markups are read back.
-// Usage: ExampleSlicerMarkups MARKUPS.mrk.json COLOURS.ctbl
+// A curve and a point as markups of 3D Slicer, and a color table for a label map; the markups are read back.
+// Usage: ExampleSlicerMarkups MARKUPS.mrk.json COLORS.ctbl
 #include "shapetonColorTable.h"
 #include "shapetonSlicerMarkups.h"
 
@@ -11,7 +11,7 @@ main(int argc, char * argv[])
 {
   if (argc != 3)
   {
-    std::cerr << "Usage: " << argv[0] << " MARKUPS.mrk.json COLOURS.ctbl\n";
+    std::cerr << "Usage: " << argv[0] << " MARKUPS.mrk.json COLORS.ctbl\n";
     return 2;
   }
   shapeton::CurveSet helix; // LPS, mm

@@ -37,12 +37,12 @@ Examine(Phantom * phantom)
   shapeton::ColonFlatteningOptions options;
   options.metric = shapeton::FlatMetric::Euclidean;
   const auto flattening = shapeton::FlattenColon(colon.wall.simplified, "the wall", options);
-  const auto flexures = shapeton::FindColonFlexures(colon.centreline.curve).flexures;
+  const auto flexures = shapeton::FindColonFlexures(colon.centerline.curve).flexures;
 
   shapeton::ColonPosition position;
   position.name = phantom->GetParameters().position;
   position.flat = std::make_shared<shapeton::FlatColon>(flattening.map.flat);
-  position.centreline = colon.centreline.curve;
+  position.centerline = colon.centerline.curve;
   // position.taeniae stays empty: the rotation comes from the folds alone
   position.folds = shapeton::FindHaustralFolds(*position.flat).folds;
   for (int i = 0; i < 4; ++i)
@@ -50,7 +50,7 @@ Examine(Phantom * phantom)
     position.flexures[i] = flexures[i].isFound ? flexures[i].arcLength : std::nan("");
     position.flexureConfidence[i] = flexures[i].confidence;
   }
-  position.isExcluded = shapeton::FindExcludedColumns(*position.flat, position.centreline);
+  position.isExcluded = shapeton::FindExcludedColumns(*position.flat, position.centerline);
   return position;
 }
 

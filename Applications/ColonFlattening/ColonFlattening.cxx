@@ -40,9 +40,9 @@ OptionsOf(CommandLine & commandLine)
   {
     options.tube.cutCurve = shapeton::OnlyCurve(shapeton::ReadCurves(commandLine, "cut"), commandLine.GetString("cut"));
   }
-  if (commandLine.IsGiven("centreline"))
+  if (commandLine.IsGiven("centerline"))
   {
-    options.centreline = shapeton::ReadCurves(commandLine, "centreline");
+    options.centerline = shapeton::ReadCurves(commandLine, "centerline");
   }
   options.progress = commandLine.PartOfProgress(0.0, 0.9); // the rest is for writing the files
   return options;
@@ -88,7 +88,7 @@ Flatten(CommandLine & commandLine)
     shapeton::WriteJson(document, statisticsPath);
   }
   commandLine.Progress("Painting", 0.94);
-  views.Write(flattening, options.centreline, ct);
+  views.Write(flattening, options.centerline, ct);
 }
 } // namespace
 

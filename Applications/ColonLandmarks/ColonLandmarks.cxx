@@ -33,9 +33,9 @@ Mark(CommandLine & commandLine)
   const shapeton::ColonLandmarkFiles   files(commandLine, commandLine.GetString("outputFolder"));
   const shapeton::ColonLandmarkReport  report(commandLine, commandLine.GetString("report"));
   const shapeton::ColonLandmarkOptions options = OptionsOf(commandLine);
-  const shapeton::CurveSet             centreline = shapeton::ReadCurves(commandLine, "inputCentreline");
+  const shapeton::CurveSet             centerline = shapeton::ReadCurves(commandLine, "inputCenterline");
   const shapeton::FlatColon            flat(shapeton::ReadSurface(commandLine, "inputFlat").mesh);
-  const shapeton::ColonLandmarks       landmarks = shapeton::FindColonLandmarks(flat, centreline, options);
+  const shapeton::ColonLandmarks       landmarks = shapeton::FindColonLandmarks(flat, centerline, options);
   commandLine.Warn(landmarks.warnings);
 
   std::optional<shapeton::ColonPieces> pieces;

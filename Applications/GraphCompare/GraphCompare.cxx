@@ -14,16 +14,16 @@ using shapeton::CommandLine;
 shapeton::CsvTable
 TableOfNodes(const shapeton::GraphComparison & comparison)
 {
-  const auto               colours = shapeton::ColoursOfNodes(comparison);
+  const auto               colors = shapeton::ColorsOfNodes(comparison);
   const std::vector<int> & image = comparison.correspondence.image;
   const shapeton::Graph &  a = comparison.a.graph;
   const shapeton::Graph &  b = comparison.b.graph;
   std::vector<bool>        hasPartner(b.nodes, false);
-  shapeton::CsvTable       table({ "a", "b", "colour" });
+  shapeton::CsvTable       table({ "a", "b", "color" });
   for (int v = 0; v < a.nodes; ++v)
   {
     const bool found = image[v] >= 0;
-    table.AddRow({ shapeton::NameOfNode(a, v), found ? shapeton::NameOfNode(b, image[v]) : "", colours[0][v] });
+    table.AddRow({ shapeton::NameOfNode(a, v), found ? shapeton::NameOfNode(b, image[v]) : "", colors[0][v] });
     if (found)
     {
       hasPartner[image[v]] = true;
@@ -33,7 +33,7 @@ TableOfNodes(const shapeton::GraphComparison & comparison)
   {
     if (!hasPartner[v])
     {
-      table.AddRow({ "", shapeton::NameOfNode(b, v), colours[1][v] });
+      table.AddRow({ "", shapeton::NameOfNode(b, v), colors[1][v] });
     }
   }
   return table;

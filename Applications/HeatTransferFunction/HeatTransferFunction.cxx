@@ -93,7 +93,7 @@ WriteReport(shapeton::CommandLine &                 commandLine,
   content.quantity = volumes.shape.quantity;
   content.histogram = &volumes.shape.histogram;
   content.axisHistogram = &volumes.shape.axisHistogram;
-  content.grey = volumes.input.image;
+  content.gray = volumes.input.image;
   content.heat = volumes.shape.values;
   content.timeStep = volumes.timeStep;
   content.classes = volumes.shape.classes;
@@ -124,10 +124,10 @@ MakeTransferFunction(shapeton::CommandLine & commandLine)
   commandLine.AddRunFact("device", renderer.GetDeviceUse().Describe());
   if (!pictureFile.empty())
   {
-    const auto & grey = volumes.input.image;
+    const auto & gray = volumes.input.image;
     const auto   title = TitleOf(volumes);
     shapeton::WritePng(
-      shapeton::DrawTransferFunction(grey, shape.values, transferFunction, title, {}, shape.quantity, &renderer),
+      shapeton::DrawTransferFunction(gray, shape.values, transferFunction, title, {}, shape.quantity, &renderer),
       pictureFile);
   }
   if (commandLine.IsGiven("report"))

@@ -22,8 +22,8 @@ struct Answer
 void
 Add(CommandLine & commandLine, const shapeton::ShapeTable & table, const std::string & identity)
 {
-  shapeton::RequireParameter(!commandLine.IsGiven("neighbours"),
-                             "--add stores shapes without a search; omit --neighbours");
+  shapeton::RequireParameter(!commandLine.IsGiven("neighbors"),
+                             "--add stores shapes without a search; omit --neighbors");
   const std::string database = commandLine.GetString("database");
   const std::size_t shapes = shapeton::AddToShapeDatabase(database, table, identity, commandLine.GetString("add"));
   std::cout << table.rows.size() << " added, " << shapes << " shapes in " << database << '\n';
@@ -45,12 +45,12 @@ Print(const std::vector<Answer> & answers, const std::vector<shapeton::NamedShap
 {
   for (const auto & [shape, result] : answers)
   {
-    std::cout << shape << ": " << (result.IsUnknown() ? "unknown" : entries[result.neighbours.front().entry].name)
+    std::cout << shape << ": " << (result.IsUnknown() ? "unknown" : entries[result.neighbors.front().entry].name)
               << " (probability that the nearest is the same shape: " << CsvTable::Rounded(result.probability, 2)
               << ")\n";
-    for (const shapeton::ShapeNeighbour & neighbour : result.neighbours)
+    for (const shapeton::ShapeNeighbor & neighbor : result.neighbors)
     {
-      std::cout << "    " << CsvTable::Rounded(neighbour.distance, 3) << "  " << entries[neighbour.entry].name << '\n';
+      std::cout << "    " << CsvTable::Rounded(neighbor.distance, 3) << "  " << entries[neighbor.entry].name << '\n';
     }
   }
 }
@@ -61,15 +61,15 @@ Write(const std::vector<Answer> & answers, const std::vector<shapeton::NamedShap
   CsvTable table({ "shape", "rank", "name", "distance", "probability", "answer" });
   for (const auto & [shape, result] : answers)
   {
-    for (std::size_t i = 0; i < result.neighbours.size(); ++i)
+    for (std::size_t i = 0; i < result.neighbors.size(); ++i)
     {
       const bool          isFirst = i == 0; // probability and answer are written once per shape
-      const auto &        neighbour = result.neighbours[i];
-      const std::string & name = entries[neighbour.entry].name;
+      const auto &        neighbor = result.neighbors[i];
+      const std::string & name = entries[neighbor.entry].name;
       table.AddRow({ shape,
                      std::to_string(i + 1),
                      name,
-                     CsvTable::Rounded(neighbour.distance, 6),
+                     CsvTable::Rounded(neighbor.distance, 6),
                      isFirst ? CsvTable::Rounded(result.probability, 4) : "",
                      isFirst ? (result.IsUnknown() ? "unknown" : name) : "" });
     }
@@ -88,8 +88,8 @@ AddOrSearch(CommandLine & commandLine)
     Add(commandLine, table, identity);
     return;
   }
-  const std::string output = commandLine.GetString("neighbours");
-  const std::string file = commandLine.OutputOf("neighbours");
+  const std::string output = commandLine.GetString("neighbors");
+  const std::string file = commandLine.OutputOf("neighbors");
   const auto        entries = shapeton::ReadShapeDatabase(commandLine.GetString("database"));
   const auto        answers = Search(table, entries, commandLine.GetInteger("nearest"));
   if (!file.empty())

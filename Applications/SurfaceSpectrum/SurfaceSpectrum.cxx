@@ -96,7 +96,7 @@ WriteSignature(CommandLine &                     commandLine,
 }
 
 void
-Analyse(CommandLine & commandLine)
+Analyze(CommandLine & commandLine)
 {
   CheckUsage(commandLine);
   const std::string output = commandLine.GetString("eigenvalues");
@@ -118,5 +118,5 @@ Analyse(CommandLine & commandLine)
 int
 main(int argc, char * argv[])
 {
-  return CommandLine::Run(ToolXML, argc, argv, Analyse);
+  return CommandLine::Run(ToolXML, argc, argv, Analyze);
 }

@@ -16,7 +16,7 @@ class ShapetonColonoscopy(ScriptedLoadableModule):
         parent.categories = ["Shapeton"]
         parent.contributors = ["The Shapeton developers"]
         parent.helpText = (
-            "From CT colonography to wall, centreline, landmarks, polyp candidates and the flat colon. "
+            "From CT colonography to wall, centerline, landmarks, polyp candidates and the flat colon. "
             "For research use; not a diagnosis."
         )
         parent.acknowledgementText = "Shapeton, Apache License 2.0."

@@ -22,7 +22,7 @@ class ShapetonHeat(ScriptedLoadableModule):
 class LineTable:
     """Selectable lines of the histogram; heats, color and opacity can be changed."""
 
-    columns = ("Show", "From", "To", "Colour", "Opacity")
+    columns = ("Show", "From", "To", "Color", "Opacity")
 
     def __init__(self, layout):
         self._table = qt.QTableWidget(0, len(self.columns))

@@ -15,7 +15,7 @@ class ColonoscopyResults:
     """Results of a run in the scene; `flatMap` is not a node."""
 
     def __init__(self):
-        self.volume = self.lumen = self.wall = self.centreline = self.candidates = self.candidateTable = None
+        self.volume = self.lumen = self.wall = self.centerline = self.candidates = self.candidateTable = None
         self.landmarks = []
         self.flatMap = None
 
@@ -46,7 +46,7 @@ class ColonoscopyLogic:
             path("segmentation/lumen.nrrd"), {"name": "Lumen", "colorNodeID": colors.GetID()}
         )
         results.wall = self._loadWall(path("landmarks/segments.vtp"), path("slicer/segments.ctbl"))
-        results.centreline = slicer.util.loadMarkups(path("slicer/centreline.mrk.json"))
+        results.centerline = slicer.util.loadMarkups(path("slicer/centerline.mrk.json"))
         for name in ("landmarks/flexures.mrk.json", "landmarks/taeniae.mrk.json"):
             results.landmarks += slicer.util.loadNodesFromFile(path(name), "MarkupsFile", {})
         results.candidates = slicer.util.loadMarkups(path("polyps/candidates.mrk.json"))

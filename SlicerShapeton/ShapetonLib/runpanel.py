@@ -73,8 +73,8 @@ class RunPanel:
         self._run = None
         self.cancelButton.enabled = False
         self.progress.value = 0
-        self.stage.text = "Cancelled" if run.cancelled else ""
-        if run.cancelled:
+        self.stage.text = "Canceled" if run.canceled else ""
+        if run.canceled:
             return
         with slicer.util.tryWithErrorDisplay(f"{run.name} failed.", waitCursor=True):
             run.requireSuccess()

@@ -36,7 +36,7 @@ class ToolRun:
         self.share = 0.0
         self.stage = ""
         self.messages = []
-        self.cancelled = False
+        self.canceled = False
         self._onProgress = onProgress
         self._text = {}
         command = [toolPath(name)] + [str(argument) for argument in arguments]
@@ -59,7 +59,7 @@ class ToolRun:
 
     def cancel(self):
         """Cancels the tool, which removes its temporary files and stops its child tools; poll() reports the end."""
-        self.cancelled = True
+        self.canceled = True
         self._process.terminate()
 
     def requireSuccess(self):

@@ -36,7 +36,7 @@ class ColonoscopyTest(Case):
         cls.logic = ColonoscopyLogic()
         cls.examination = os.path.join(cls.work, "examination")
         node = slicer.Node("vtkMRMLScalarVolumeNode", volume)
-        cls.secondsToCancel = cls.cancelled(node)
+        cls.secondsToCancel = cls.canceled(node)
         cls.stages = []
         run = cls.logic.start(node, cls.examination, "supine", lambda share, stage: cls.stages.append((share, stage)))
         finish(run)
@@ -44,7 +44,7 @@ class ColonoscopyTest(Case):
         cls.results = cls.logic.load(cls.examination)
 
     @classmethod
-    def cancelled(cls, node):
+    def canceled(cls, node):
         run = cls.logic.start(node, cls.examination, "supine")
         while "flattening" not in run.stage:
             assert not run.poll(), run.requireSuccess()
@@ -71,7 +71,7 @@ class ColonoscopyTest(Case):
         self.assertIn("vtkMRMLMarkupsClosedCurveNode", kinds)  # their loops
         self.assertEqual(kinds.count("vtkMRMLMarkupsCurveNode"), 3)  # taeniae
 
-    def testTheWallIsColouredBySegments(self):
+    def testTheWallIsColoredBySegments(self):
         surface = polyData(self.results.wall._file)
         space = surface.GetFieldData().GetAbstractArray("SPACE")
         self.assertIn("LPS", space.GetValue(0))  # where Slicer looks for it
@@ -84,8 +84,8 @@ class ColonoscopyTest(Case):
         self.assertLessEqual(set(segments), labels)
         self.assertGreaterEqual(len(set(segments)), 4)
 
-    def testMarkupsSayLPSAndHaveColours(self):
-        for node in [self.results.centreline, self.results.candidates] + self.results.landmarks:
+    def testMarkupsSayLPSAndHaveColors(self):
+        for node in [self.results.centerline, self.results.candidates] + self.results.landmarks:
             with open(node._file) as file:
                 for markup in json.load(file)["markups"]:
                     self.assertEqual(markup["coordinateSystem"], "LPS")
@@ -160,7 +160,7 @@ class ColonoscopyTest(Case):
         kinds = {element.findtext("name"): element.tag for element in outputs}
         self.assertEqual(kinds["wallModel"], "geometry")
         self.assertEqual(kinds["candidateTable"], "table")
-        self.assertEqual(kinds["centrelineCurve"], "pointfile")
+        self.assertEqual(kinds["centerlineCurve"], "pointfile")
         self.assertEqual(kinds["cleansedVolume"], "image")
 
 

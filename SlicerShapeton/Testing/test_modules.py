@@ -35,7 +35,7 @@ class ModulesTest(Case):
         self.assertIn("SetAndObserveVolumePropertyNodeID", display._asked)
         widget.cleanup()
 
-    def testColonoscopyTellsWhatIsWrongAndCanBeCancelled(self):
+    def testColonoscopyTellsWhatIsWrongAndCanBeCanceled(self):
         widget = ShapetonColonoscopyWidget()
         widget.setup()
         widget.onApply()  # no volume is chosen: nothing happens
@@ -51,7 +51,7 @@ class ModulesTest(Case):
         widget.onApply()
         widget.panel.cancel()
         self.finish(widget.panel)
-        self.assertEqual(widget.panel.stage.text, "Cancelled")
+        self.assertEqual(widget.panel.stage.text, "Canceled")
 
     def testTheFolderOfToolsIsRemembered(self):
         widget = ShapetonHeatWidget()

@@ -87,7 +87,7 @@ Run(const std::string & command)
 std::pair<std::string, std::string>
 MakePhantomRun(const std::string & tools, const basetest::Folder & folder)
 {
-  std::printf("making and analysing a phantom of 512 x 512 x 400 voxels\n");
+  std::printf("making and analyzing a phantom of 512 x 512 x 400 voxels\n");
   std::fflush(stdout);
   const std::string source = folder / "series";
   const std::string exam = folder / "exam";

@@ -132,11 +132,11 @@ CompareWithHolomorphicForms(int faces, int handles)
   const SurfaceLaplacian laplacian = MakeSurfaceLaplacian(with.connectivity, with.lengths);
   const Eigen::MatrixXd  source = Eigen::MatrixXd::Random(laplacian.NumberOfVertices(), 1);
   const Eigen::MatrixXd  zero = Eigen::MatrixXd::Zero(1, 1);
-  const auto             solve = [&](int factorisations, int solves) {
-    for (int i = 0; i < factorisations; ++i)
+  const auto             solve = [&](int factorizations, int solves) {
+    for (int i = 0; i < factorizations; ++i)
     {
       const HarmonicSolver solver(laplacian, { 0 });
-      for (int k = 0; k < solves / factorisations; ++k)
+      for (int k = 0; k < solves / factorizations; ++k)
       {
         solver.Solve(zero, source);
       }
@@ -144,7 +144,7 @@ CompareWithHolomorphicForms(int faces, int handles)
   };
   const double pair = BestSeconds(3, [&] { solve(2, 2); });
   const double forms = BestSeconds(2, [&] { solve(1, 2 * handles); });
-  std::printf("  %3d handles: 2 solves against %3d; %.3f s with 2 factorisations against %.3f s with one: %.2f\n",
+  std::printf("  %3d handles: 2 solves against %3d; %.3f s with 2 factorizations against %.3f s with one: %.2f\n",
               handles,
               2 * handles,
               pair,

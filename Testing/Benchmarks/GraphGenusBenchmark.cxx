@@ -46,7 +46,7 @@ TriangulatedGrid(int side)
   {
     std::swap(image[i - 1], image[random.Below(i)]);
   }
-  graph = shapeton::RelabelledGraph(graph, image);
+  graph = shapeton::RelabeledGraph(graph, image);
   for (int i = static_cast<int>(graph.edges.size()); i > 1; --i)
   {
     std::swap(graph.edges[i - 1], graph.edges[random.Below(i)]);

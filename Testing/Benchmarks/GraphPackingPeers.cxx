@@ -82,9 +82,9 @@ MapOf(int nodes, const std::vector<Triangle> & triangles)
 struct Packing
 {
   Packing(const CombinatorialMap & map, const shapeton::CirclesAtInfinity & infinite)
-    : neighbours(map.Nodes() + map.Faces())
-    , radius(neighbours.size(), 1.0)
-    , lines(neighbours.size(), 0)
+    : neighbors(map.Nodes() + map.Faces())
+    , radius(neighbors.size(), 1.0)
+    , lines(neighbors.size(), 0)
     , isLine(radius.size(), 0)
   {
     for (int node = 0; node < map.Nodes(); ++node)
@@ -112,21 +112,21 @@ struct Packing
     }
     else
     {
-      neighbours[one].push_back(other);
+      neighbors[one].push_back(other);
     }
   }
   double
   Angle(std::size_t i) const
   {
     double angle = pi * lines[i];
-    for (const int j : neighbours[i])
+    for (const int j : neighbors[i])
     {
       angle += 2.0 * std::atan(radius[j] / radius[i]);
     }
     return angle;
   }
 
-  std::vector<std::vector<int>> neighbours;
+  std::vector<std::vector<int>> neighbors;
   std::vector<double>           radius;
   std::vector<int>              lines;
   std::vector<char>             isLine;
@@ -145,7 +145,7 @@ Sweep(Packing & packing)
     }
     const double fixed = pi * packing.lines[i];
     const double angle = packing.Angle(i);
-    const double each = 2.0 * packing.neighbours[i].size();
+    const double each = 2.0 * packing.neighbors[i].size();
     largest = std::max(largest, std::abs(2.0 * pi - angle));
     packing.radius[i] *= std::tan((angle - fixed) / each) / std::tan((2.0 * pi - fixed) / each);
   }
@@ -165,7 +165,7 @@ Flow(Packing & packing)
       continue;
     }
     double own = 0.0;
-    for (const int j : packing.neighbours[i])
+    for (const int j : packing.neighbors[i])
     {
       const double a = packing.radius[i];
       const double b = packing.radius[j];

@@ -35,7 +35,7 @@ const place = (view, kind, index, tile = 0) => page.evaluate((v, k, i, t) => {
 }, view, kind, index, tile);
 
 // Number of mark pixels with a color within `reach` of a node.
-const marked = (view, node, colour, tile = 0, reach = 14) => page.evaluate((v, i, [r, g, b], t, d) => {
+const marked = (view, node, color, tile = 0, reach = 14) => page.evaluate((v, i, [r, g, b], t, d) => {
   const { canvas, context, w, picture: { tiles } } = graphPage.views[v], ratio = canvas.width / w, [x, y] = tiles[t].pixelOf(i);
   const { data } = context.getImageData((x - d) * ratio, (y - d) * ratio, 2 * d * ratio, 2 * d * ratio);
   let count = 0;
@@ -43,7 +43,7 @@ const marked = (view, node, colour, tile = 0, reach = 14) => page.evaluate((v, i
     if (Math.abs(data[k] - r) + Math.abs(data[k + 1] - g) + Math.abs(data[k + 2] - b) < 12 && data[k + 3] > 200) count++;
   }
   return count;
-}, view, node, colour, tile, reach);
+}, view, node, color, tile, reach);
 const seenNodes = (view) => page.evaluate((v) => {
   const { graph, picture: { tiles: [tile] } } = graphPage.views[v];
   return graph.data.names.map((_, i) => i).filter((i) => tile.isSeen(i));
@@ -59,15 +59,15 @@ test('pages open without errors, without a network, and with scripts of less tha
   }
 });
 
-test('a click on a node selects it, marks it and its neighbours, and fades the rest', async () => {
+test('a click on a node selects it, marks it and its neighbors, and fades the rest', async () => {
   await open(SPHERE);
   const [node] = await seenNodes(0), { at, name } = await place(0, 'node', node);
   await click(at);
-  assert.match(await told(), new RegExp(`^node ${name} of .* · degree 3 · radius 0\\.615 rad · neighbours (\\w+, ){2}\\w+$`));
+  assert.match(await told(), new RegExp(`^node ${name} of .* · degree 3 · radius 0\\.615 rad · neighbors (\\w+, ){2}\\w+$`));
   assert.ok(await marked(0, node, CHOSEN) > 30);
-  const near = await page.evaluate((i) => graphPage.views[0].graph.neighbours(i), node);
+  const near = await page.evaluate((i) => graphPage.views[0].graph.neighbors(i), node);
   for (const i of await seenNodes(0)) {
-    if (near.includes(i)) assert.ok(await marked(0, i, NEAR) > 15, 'a neighbour is marked');
+    if (near.includes(i)) assert.ok(await marked(0, i, NEAR) > 15, 'a neighbor is marked');
     else if (i !== node) assert.equal(await marked(0, i, NEAR) + await marked(0, i, CHOSEN), 0, 'others are not');
   }
   await page.until(() => Number(getComputedStyle(document.querySelector('.picture')).opacity) < 0.3);

@@ -18,7 +18,7 @@ write '# Figures of the dissertation, made by our tools' '' \
   '| figure | shows | here |' '|---|---|---|' \
   '| 2.1, 2.9 | MR head, abdominal stent, foot | [head](#figure-29-an-mr-head); stent not available; bones of [two other feet](heat-diffusion.md#few-steps-local-shape) |' \
   '| 2.2, 3.1, 3.2, 3.3 | drawings of the method | not results |' \
-  '| 2.3 | equalised and normalised histogram | [below](#figure-23-equalised-and-normalised-histogram) |' \
+  '| 2.3 | equalized and normalized histogram | [below](#figure-23-equalized-and-normalized-histogram) |' \
   '| 2.4 | a cube in time | [below](#figure-24-a-cube-in-time) |' \
   '| 2.5 | conventional and cumulative diffusion | no tool implements conventional diffusion: [table](validation/heat-figures.md) |' \
   '| 2.6 | lines of bones, one at a time | [phantom](#figure-26-one-line-at-a-time) |' \
@@ -46,12 +46,12 @@ write '# Figures of the dissertation, made by our tools' '' \
 
 write '' '## Chapter 2: cumulative heat diffusion' ''
 
-figure 2.3 'equalised and normalised histogram' head.nii.gz
+figure 2.3 'equalized and normalized histogram' head.nii.gz
 run CumulativeHeatDiffusion head.nii.gz head.nrrd --p 20 --timeSteps 4000 --snapshotSpacing logarithmic \
   --histogram equalized.png
 run CumulativeHeatDiffusion head.nii.gz head.nrrd --p 20 --timeSteps 4000 --snapshotSpacing logarithmic \
   --histogram normalized.png --histogramScale normalized
-panels 2 430 "$(histogram equalized.png)=(a) equalised" "$(histogram normalized.png)=(b) normalised"
+panels 2 430 "$(histogram equalized.png)=(a) equalized" "$(histogram normalized.png)=(b) normalized"
 differs 'The dissertation does not name the data set; this is the MR head. As printed, equalization assigns space by the number of voxels;' \
   'without it, the lines of cool parts are crowded at the left.'
 

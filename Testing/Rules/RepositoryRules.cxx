@@ -179,7 +179,7 @@ CheckDataSources(const fs::path & root, Faults & faults)
     const std::string name = entry.path().filename().string();
     if (name != "README.md" && text.find(name) == std::string::npos)
     {
-      faults.push_back({ Shown(entry.path(), root), 0, "Data/README.md does not state its source and licence" });
+      faults.push_back({ Shown(entry.path(), root), 0, "Data/README.md does not state its source and license" });
     }
   }
 }
@@ -197,7 +197,7 @@ const std::vector<std::string> MachineFolders{ Slash + "home/",
                                                Slash + "work/",
                                                Slash + "Users/",
                                                std::string(":\\") + "Users" };
-const std::vector<std::string> ForeignLicences{ std::string("General ") + "Public License",
+const std::vector<std::string> ForeignLicenses{ std::string("General ") + "Public License",
                                                 std::string("All rights ") + "reserved",
                                                 std::string("Copy") + "right (" };
 /** Nested calls may deadlock; if progress throws, they return while threads are still running. */
@@ -285,7 +285,7 @@ CheckTexts(const fs::path & root)
     FindWords(text, MachineFolders, Shown(file, root), "contains a machine-specific path: ", faults);
     if (IsSource(file))
     {
-      FindWords(text, ForeignLicences, Shown(file, root), "contains a foreign license: ", faults);
+      FindWords(text, ForeignLicenses, Shown(file, root), "contains a foreign license: ", faults);
       FindWords(text, OtherLoops, Shown(file, root), "has a loop that does not use shapetonParallelFor.h: ", faults);
     }
   }

@@ -60,7 +60,7 @@ TEST_F(RepositoryRules, AskForTheSourceOfData)
 {
   this->Write("Data/small.nrrd", "");
   EXPECT_EQ(ToText(rules::CheckPages(m_Root)),
-            "Data/small.nrrd: Data/README.md does not state its source and licence\n");
+            "Data/small.nrrd: Data/README.md does not state its source and license\n");
   this->Write("Data/README.md", "small.nrrd: made by hand, CC0\n");
   EXPECT_EQ(ToText(rules::CheckPages(m_Root)), "");
 }
@@ -88,7 +88,7 @@ TEST_F(RepositoryRules, RefuseFoldersOfOneMachine)
             "/\n");
 }
 
-TEST_F(RepositoryRules, RefuseForeignLicencesInSources)
+TEST_F(RepositoryRules, RefuseForeignLicensesInSources)
 {
   const std::string notice = "// Copy"
                              "right (C) 2001 Somebody\n";

@@ -160,7 +160,7 @@ ValidateAccuracyOfMetric(const ValidationSettings & settings, ValidationReport &
     std::to_string(HeatDiffusionMetricSolver::defaultPoles) +
     " poles against 500 eigenpairs (root mean square of the relative difference, at most 1e-5) and against 8 poles "
     "(largest, at most 1e-6); and of random edges against columns of exp(-2t M^-1 L) at their ends by "
-    "Chebyshev expansion, which needs no factorisation (largest, at most 1e-6).");
+    "Chebyshev expansion, which needs no factorization (largest, at most 1e-6).");
   CsvTable table({ "faces",
                    "t, mm^2",
                    "t / h^2",

@@ -122,7 +122,7 @@ TryExam(const ColonPhantomParameters & parameters)
     trial.seesBalloon = lumen.catheter->balloonDiameter > 0.0;
     trial.balloonError = lumen.catheter->balloonDiameter - truth->balloonDiameter;
     trial.balloonDistance =
-      (Eigen::Vector3d(lumen.catheter->balloonCentre.GetDataPointer()) - truth->balloonCenter).norm();
+      (Eigen::Vector3d(lumen.catheter->balloonCenter.GetDataPointer()) - truth->balloonCenter).norm();
   }
   return trial;
 }
@@ -213,7 +213,7 @@ WriteSummary(const std::vector<CatheterTrial> & with,
     return t.balloonError;
   });
   add(
-    "their centre to the true one, mm, mean", FindsBalloon, [](const CatheterTrial & t) { return t.balloonDistance; });
+    "their center to the true one, mm, mean", FindsBalloon, [](const CatheterTrial & t) { return t.balloonDistance; });
   table.Write();
 }
 

@@ -50,7 +50,7 @@ Ease(Column & column)
                                 &column.landmarks.taeniaWithin10,
                                 &column.landmarks.markedWithin10,
                                 &column.landmarks.flexures,
-                                &column.landmarks.labelled })
+                                &column.landmarks.labeled })
   {
     *share -= lossFromCt;
   }
@@ -201,7 +201,7 @@ Explain(const ValidationSettings & settings, ValidationReport & report)
 {
   report.AddText(
     "Synthetic patients (" + settings.SeedsInWords() +
-    "), supine and prone. The colon is modelled from the true lumen or from the CT, flattened, and "
+    "), supine and prone. The colon is modeled from the true lumen or from the CT, flattened, and "
     "searched with default options. CT columns are allowed 0.03 less of shares and 1.3 times the distances; voxels "
     "of 1.4 mm are reported only, for the first four patients.");
   report.AddText(
@@ -215,10 +215,10 @@ Explain(const ValidationSettings & settings, ValidationReport & report)
   report.AddText(
     "Taeniae: distances from the points of the true ones to those found, collapsed stretches left out; found taeniae "
     "are assigned to true ones anew in each open stretch. Three markers: a point of the middle of each true taenia "
-    "is given. Flexures: along the centreline from where one true segment ends and the next begins. Segments: share "
-    "of the area. Caecal pole: distance of the end of the centreline from the point of the caecal wall that is "
+    "is given. Flexures: along the centerline from where one true segment ends and the next begins. Segments: share "
+    "of the area. Cecal pole: distance of the end of the centerline from the point of the cecal wall that is "
     "farthest "
-    "from the mouth of the caecum. Ileocaecal valve: distance from the middle of the true one; a valve that is not "
+    "from the mouth of the cecum. Ileocecal valve: distance from the middle of the true one; a valve that is not "
     "found counts as missed. Exams in which nothing is found count as all wrong.");
 }
 

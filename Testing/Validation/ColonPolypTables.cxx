@@ -201,7 +201,7 @@ AddReported(const std::vector<PolypExam> & exams, BoundTable & table)
                 ShareWithBound(CountFound(exams, small, defaultScore)));
   const std::vector<double> withoutValve = FalsePerPatient(exams, defaultScore, false);
   table.AddFact(
-    "false candidates per patient that are not at the ileocaecal valve", Rounded(MeanOf(withoutValve)), withoutValve);
+    "false candidates per patient that are not at the ileocecal valve", Rounded(MeanOf(withoutValve)), withoutValve);
   const std::vector<double> flat = SizeErrors(exams, { flatLarge, flatMedium }, defaultScore);
   table.AddFact("largest diameter of flat polyps, mean error, mm", Rounded(MeanOf(flat)), flat);
 }
@@ -377,7 +377,7 @@ Explain(const ValidationSettings & settings, ValidationReport & report)
     "candidates are false, unless they are at another polyp; the false ones of a patient are those of both positions "
     "together, which is stricter than for each exam. Scores are those that are delivered: of content, of a valve and "
     "of a catheter that were found, and weighed by what the other position shows, where both can be registered. A "
-    "candidate at the ileocaecal valve counts as false. Bounds of shares are Wilson's "
+    "candidate at the ileocecal valve counts as false. Bounds of shares are Wilson's "
     "95 % intervals, two-sided, with polyps "
     "taken as independent; intervals of means are over patients or polyps.");
 }
@@ -388,7 +388,7 @@ TryCoarsePatient(const ValidationSettings & settings, ValidationReport & report)
 {
   const Column    column = MakeColumn("standard", false, 1.4, settings.Seeds(1));
   const ColonExam exam = MakeColonExam(column.cases[0]);
-  report.AddText("One coarse patient is modelled: " + report.Check(exam.failure.empty()));
+  report.AddText("One coarse patient is modeled: " + report.Check(exam.failure.empty()));
   if (exam.failure.empty())
   {
     const std::vector<PolypExam> exams{ ComparePolyps(

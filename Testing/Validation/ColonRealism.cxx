@@ -33,12 +33,12 @@ struct Measure
 };
 
 const std::vector<Measure> measures = {
-  { "Length along the centreline, mm", &SegmentShape::lengths },
+  { "Length along the centerline, mm", &SegmentShape::lengths },
   { "Length over the straight way between the ends", &SegmentShape::tortuosities },
-  { "Turning of the centreline, smoothed by 10 mm, degrees for each dm", &SegmentShape::turnings },
-  { "Radius of the largest ball on the centreline, mm", &SegmentShape::inscribedRadii },
+  { "Turning of the centerline, smoothed by 10 mm, degrees for each dm", &SegmentShape::turnings },
+  { "Radius of the largest ball on the centerline, mm", &SegmentShape::inscribedRadii },
   { "Radius of the circle with the area of the wall's section, mm", &SegmentShape::radii },
-  { "Folds for each dm", &SegmentShape::foldsPerDecimetre },
+  { "Folds for each dm", &SegmentShape::foldsPerDecimeter },
   { "Way along the wall from fold to fold, mm", &SegmentShape::spacings },
   { "Height of folds, mm", &SegmentShape::heights },
   { "Thickness of folds at half of their height, mm", &SegmentShape::thicknesses },
@@ -58,7 +58,7 @@ ReadColons(const std::string & argument)
   for (std::string run; std::getline(runs, run, ',');)
   {
     const FlatColon flat(ReadSurface(run + "/flattening/flat.vtp").mesh);
-    AddShape(MeasureColonShape(flat, ReadCurves(run + "/segmentation/centreline.vtp")), colons.shape);
+    AddShape(MeasureColonShape(flat, ReadCurves(run + "/segmentation/centerline.vtp")), colons.shape);
   }
   return colons;
 }

@@ -363,7 +363,7 @@ Explain(const ValidationSettings & settings, ValidationReport & report)
 {
   report.AddText(
     "Synthetic patients (" + settings.SeedsInWords() +
-    "), supine registered to prone, folds sliding 3 mm against the wall. Both colons are modelled from the true "
+    "), supine registered to prone, folds sliding 3 mm against the wall. Both colons are modeled from the true "
     "lumen or from the CT, in voxels of 0.8 mm, flattened, and searched with default options. From CT the bounds of "
     "shares are 0.03 wider and errors may be 1.3 times as large.");
   report.AddText(

@@ -180,7 +180,7 @@ private:
   double
   Radius(int column, int row) const
   {
-    return (m_Grid.PointOfPixel(column, row) - m_Axis.centres.row(column).transpose()).norm();
+    return (m_Grid.PointOfPixel(column, row) - m_Axis.centers.row(column).transpose()).norm();
   }
 
   /** Straight distance through the fold in a row of the map; 0 if a flank is missing. */
@@ -240,9 +240,9 @@ private:
 class FoldMeter
 {
 public:
-  FoldMeter(const FlatColon & flat, const CurveSet & centreline, const ColonTaeniae & taeniae)
+  FoldMeter(const FlatColon & flat, const CurveSet & centerline, const ColonTaeniae & taeniae)
     : m_Grid(flat.Grid())
-    , m_Distances(DistanceOfColumns(flat.Axis(), centreline))
+    , m_Distances(DistanceOfColumns(flat.Axis(), centerline))
     , m_Sections(m_Grid, m_Distances)
     , m_Folds(Find(flat, TaeniaCurves(taeniae)))
     , m_Thickness(flat, m_Folds)
@@ -256,7 +256,7 @@ public:
     int    number = 0;
     for (const HaustralFold & fold : m_Folds.folds)
     {
-      const double arcLength = m_Distances[m_Grid.PixelOfUv(fold.centreUv).column];
+      const double arcLength = m_Distances[m_Grid.PixelOfUv(fold.centerUv).column];
       const double radius = m_Sections.MeanAbout(arcLength);
       if (stretch.Holds(arcLength) && radius > 0.0)
       {
@@ -267,7 +267,7 @@ public:
         AddIfKnown(m_Thickness.ThicknessOf(fold), shape.thicknesses);
       }
     }
-    shape.foldsPerDecimetre.push_back(100.0 * number / stretch.Length());
+    shape.foldsPerDecimeter.push_back(100.0 * number / stretch.Length());
     AddIfKnown(stretch.Length() / turns, shape.spacings);
   }
 
@@ -318,12 +318,12 @@ Smoothed(const VertexMatrix & V)
 
 /** Length, tortuosity, turning and inscribed radii. */
 void
-MeasureLine(const CurveSet & centreline, const Stretch & stretch, SegmentShape & shape)
+MeasureLine(const CurveSet & centerline, const Stretch & stretch, SegmentShape & shape)
 {
-  const Eigen::VectorXd     arcLength = PointValues(centreline, "arcLength", "the centreline");
-  const Eigen::VectorXd     radius = PointValues(centreline, "radius", "the centreline");
-  const Eigen::VectorXd     gap = PointValues(centreline, "gap", "the centreline");
-  const VertexMatrix        smoothed = Smoothed(centreline.V);
+  const Eigen::VectorXd     arcLength = PointValues(centerline, "arcLength", "the centerline");
+  const Eigen::VectorXd     radius = PointValues(centerline, "radius", "the centerline");
+  const Eigen::VectorXd     gap = PointValues(centerline, "gap", "the centerline");
+  const VertexMatrix        smoothed = Smoothed(centerline.V);
   std::vector<Eigen::Index> inside;
   double                    turning = 0.0;
   for (Eigen::Index i = 0; i < arcLength.size(); ++i)
@@ -344,7 +344,7 @@ MeasureLine(const CurveSet & centreline, const Stretch & stretch, SegmentShape &
       turning += std::atan2(before.cross(behind).norm(), before.dot(behind));
     }
   }
-  const double chord = (centreline.V.row(inside.back()) - centreline.V.row(inside.front())).norm();
+  const double chord = (centerline.V.row(inside.back()) - centerline.V.row(inside.front())).norm();
   shape.lengths.push_back(stretch.Length());
   shape.tortuosities.push_back(stretch.Length() / chord);
   shape.turnings.push_back(turning * 180.0 / pi * 100.0 / stretch.Length());
@@ -363,7 +363,7 @@ SegmentShape::Add(const SegmentShape & other)
   Append(other.lengths, lengths);
   Append(other.tortuosities, tortuosities);
   Append(other.turnings, turnings);
-  Append(other.foldsPerDecimetre, foldsPerDecimetre);
+  Append(other.foldsPerDecimeter, foldsPerDecimeter);
   Append(other.spacings, spacings);
   Append(other.inscribedRadii, inscribedRadii);
   Append(other.radii, radii);
@@ -373,18 +373,18 @@ SegmentShape::Add(const SegmentShape & other)
 }
 
 ColonShape
-MeasureColonShape(const FlatColon & flat, const CurveSet & centreline)
+MeasureColonShape(const FlatColon & flat, const CurveSet & centerline)
 {
-  const ColonLandmarks landmarks = FindColonLandmarks(flat, centreline);
-  const FoldMeter      folds(flat, centreline, landmarks.taeniae);
-  const double         length = PointValues(centreline, "arcLength", "the centreline").maxCoeff();
+  const ColonLandmarks landmarks = FindColonLandmarks(flat, centerline);
+  const FoldMeter      folds(flat, centerline, landmarks.taeniae);
+  const double         length = PointValues(centerline, "arcLength", "the centerline").maxCoeff();
   const auto           stretches = StretchesOf(landmarks.segments, length);
   ColonShape           shapes;
   for (std::size_t segment = 0; segment < shapes.size(); ++segment)
   {
     if (stretches[segment].Length() > 1.0)
     {
-      MeasureLine(centreline, stretches[segment], shapes[segment]);
+      MeasureLine(centerline, stretches[segment], shapes[segment]);
       folds.Measure(stretches[segment], shapes[segment]);
     }
   }

@@ -17,7 +17,7 @@ struct SegmentShape
   std::vector<double> tortuosities;
   /** Total turning of the line, smoothed by 10 mm (degrees per dm). */
   std::vector<double> turnings;
-  std::vector<double> foldsPerDecimetre;
+  std::vector<double> foldsPerDecimeter;
   /** Distance between folds along a straight path on the wall: the length over the sum of the circumference shares
    * covered by the folds. */
   std::vector<double> spacings;
@@ -48,7 +48,7 @@ using ColonShape = std::array<SegmentShape, 7>;
 /** Measures segments and folds detected with default options: folds split along the taeniae. A segment without both
  * borders is empty. */
 ColonShape
-MeasureColonShape(const shapeton::FlatColon & flat, const shapeton::CurveSet & centreline);
+MeasureColonShape(const shapeton::FlatColon & flat, const shapeton::CurveSet & centerline);
 
 void
 AddShape(const ColonShape & other, ColonShape & shape);

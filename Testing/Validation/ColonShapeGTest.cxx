@@ -61,7 +61,7 @@ TEST(ColonShape, TubeWithFoldsIsMeasuredAsItWasMade)
   EXPECT_EQ(MeanOf(shape.inscribedRadii), 17.0);
   EXPECT_NEAR(Percentile(shape.radii, 0.9), foldtubes::radius, 0.02); // between the folds
   EXPECT_LT(Percentile(shape.radii, 0.0), 19.0);                      // at a fold
-  EXPECT_NEAR(shape.foldsPerDecimetre.at(0), 4 / 1.59, 1e-9);
+  EXPECT_NEAR(shape.foldsPerDecimeter.at(0), 4 / 1.59, 1e-9);
 
   const double turn = 2.0 * flattubes::pi * foldtubes::radius;
   EXPECT_NEAR(MeanOf(shape.extents), 360.0 * 2.0 * oneFold.halfLength / turn, 12.0);

@@ -244,7 +244,7 @@ Explain(const ValidationSettings & settings, ValidationReport & report)
     "), supine and prone, with fluid from 0 to half of the lumen; every third patient has a collapsed stretch. "
     "`ColonSegmentation` gets the CT and the patient position alone. Surface error: distance of vertices of "
     "`wall.vtp`, synthetic bridges left out, to the true wall; missed: the other way round. A line covers a place of "
-    "the true centreline when it passes within the lumen's radius. Folds (within 0.8 of their height of the crest) "
+    "the true centerline when it passes within the lumen's radius. Folds (within 0.8 of their height of the crest) "
     "and polyps are kept when their volume in the cleansed CT, the sum of the shares of tissue, is at least 90 % of "
     "the true one.");
 }

@@ -42,7 +42,7 @@ ToFloat(const Source::ImageType * image)
 }
 
 Eigen::Vector3d
-VoxelCentre(const itk::ImageBase<3> * image, std::size_t offset)
+VoxelCenter(const itk::ImageBase<3> * image, std::size_t offset)
 {
   const auto point =
     image->TransformIndexToPhysicalPoint<double>(image->ComputeIndex(static_cast<itk::OffsetValueType>(offset)));
@@ -67,7 +67,7 @@ MeasureLumen(const ColonModel & model, Source * truth, ColonErrors & errors)
     both += isFound && isReal;
     found += isFound;
     real += isReal;
-    if (isFound && !isReal && truth->GetAnatomy().Evaluate(VoxelCentre(labels, i)).distance < -2.0)
+    if (isFound && !isReal && truth->GetAnatomy().Evaluate(VoxelCenter(labels, i)).distance < -2.0)
     {
       errors.leakMl += voxelMl;
     }
@@ -154,7 +154,7 @@ public:
   /** Compares volumes within `radius` of the centers, from `depth` mm below the true surface to 1.5 mm above it, the
    * reach of the blur. The found volume is the sum of the tissue fractions, which blur and interpolation preserve. */
   bool
-  IsKept(const std::vector<Eigen::Vector3d> & centres, double radius, double depth) const
+  IsKept(const std::vector<Eigen::Vector3d> & centers, double radius, double depth) const
   {
     constexpr double step = 0.5;
     constexpr double margin = 1.5;
@@ -162,7 +162,7 @@ public:
     double           kept = 0.0;
     const int        reach = static_cast<int>(std::ceil(radius / step));
     const int        side = 2 * reach + 1;
-    for (const Eigen::Vector3d & centre : centres)
+    for (const Eigen::Vector3d & center : centers)
     {
       for (int i = 0; i < side * side * side; ++i)
       {
@@ -171,7 +171,7 @@ public:
         {
           continue;
         }
-        const Eigen::Vector3d p = centre + step * offset;
+        const Eigen::Vector3d p = center + step * offset;
         const double          distance = m_Anatomy.Evaluate(p).distance;
         if (distance >= -depth && distance <= margin)
         {
@@ -198,15 +198,15 @@ private:
   Interpolator::Pointer m_Interpolator;
 };
 
-/** The true centreline. */
+/** The true centerline. */
 class TrueLine
 {
 public:
   explicit TrueLine(const ColonAnatomy & anatomy)
     : m_Anatomy(anatomy)
-    , m_Line(anatomy.Centreline())
-    , m_ArcLength(PointValues(m_Line, "arcLength", "the true centreline"))
-    , m_IsCollapsed(PointValues(m_Line, "collapsed", "the true centreline"))
+    , m_Line(anatomy.Centerline())
+    , m_ArcLength(PointValues(m_Line, "arcLength", "the true centerline"))
+    , m_IsCollapsed(PointValues(m_Line, "collapsed", "the true centerline"))
   {}
 
   /** Arc length of a point in or near the lumen, and its distance from the line, whose points are about 2 mm apart. The
@@ -315,12 +315,12 @@ MeasureOrder(const CurveSet & line, const Eigen::VectorXd & gap, const TrueLine 
 void
 MeasureLine(const ColonModel & model, Source * truth, ColonErrors & errors)
 {
-  const CurveSet        trueCurve = truth->GetAnatomy().Centreline();
-  const CurveSet &      line = model.centreline.curve;
-  const Eigen::VectorXd gap = PointValues(line, "gap", "the centreline");
-  const Eigen::VectorXd radius = PointValues(trueCurve, "radius", "the true centreline");
-  const Eigen::VectorXd collapsed = PointValues(trueCurve, "collapsed", "the true centreline");
-  errors.lengthError = model.centreline.length / truth->GetAnatomy().Length() - 1.0;
+  const CurveSet        trueCurve = truth->GetAnatomy().Centerline();
+  const CurveSet &      line = model.centerline.curve;
+  const Eigen::VectorXd gap = PointValues(line, "gap", "the centerline");
+  const Eigen::VectorXd radius = PointValues(trueCurve, "radius", "the true centerline");
+  const Eigen::VectorXd collapsed = PointValues(trueCurve, "collapsed", "the true centerline");
+  errors.lengthError = model.centerline.length / truth->GetAnatomy().Length() - 1.0;
   MeasureOrder(line, gap, TrueLine(truth->GetAnatomy()), errors);
   int covered = 0;
   int open = 0;

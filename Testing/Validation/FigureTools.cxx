@@ -87,7 +87,7 @@ WayDown(const SurfaceMesh & mesh, const SurfaceConnectivity & connectivity, cons
   {
     int    next = way.back();
     double steepest = 0.0;
-    for (const int vertex : connectivity.NeighboursOfVertex(way.back()))
+    for (const int vertex : connectivity.NeighborsOfVertex(way.back()))
     {
       const double slope =
         (distances[way.back()] - distances[vertex]) / (mesh.V.row(way.back()) - mesh.V.row(vertex)).norm();

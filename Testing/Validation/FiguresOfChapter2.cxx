@@ -38,8 +38,8 @@ Figure24(ValidationReport & report)
   const auto                       fields = HeatAt(volumeGradient, steps);
   report.AddText("## Figure 2.4: a cube\n\nHeat of a cube of side 40 in 64^3 (p = 7) at its corner, the middle of an "
                  "edge, the middle "
-                 "of a face and its centre.");
-  CsvTable table({ "steps", "corner", "edge", "face", "centre", "corner > edge > face > centre" });
+                 "of a face and its center.");
+  CsvTable table({ "steps", "corner", "edge", "face", "center", "corner > edge > face > center" });
   for (std::size_t i = 0; i < steps.size(); ++i)
   {
     const auto at = [&](std::size_t x, std::size_t y, std::size_t z) {
@@ -141,7 +141,7 @@ Figure27(const std::string & preset, const ValidationSettings & settings, Valida
   PaddedField                  heat(volumeGradient.GetGrid());
   volumeGradient.ComputeInitialHeat(heat);
   report.AddText("## " + preset + "\n\nLines of the histogram at steady state, " + std::to_string(side) + "^3, p = 7.");
-  CsvTable table({ "object at voxel", "voxels", "heat (the line)", "scale-normalised" });
+  CsvTable table({ "object at voxel", "voxels", "heat (the line)", "scale-normalized" });
   for (const auto & component : FindShapeComponents(volumeGradient, heat, { { 1.0, 1.0, 1.0 } }, 27))
   {
     if (component.closed)
@@ -172,7 +172,7 @@ ValidateFiguresOfChapter2(const ValidationSettings & settings, ValidationReport 
     "Each object is a line, as published (three objects: " + report.Check(threeLines) +
     "). The two spheres are not close to each other and far from the cube: their heats differ by a factor of " +
     CsvTable::Rounded(ratio, 3) + ", the ratio of their radii, 2 (within 10 %: " +
-    report.Check(std::abs(ratio - 2.0) < 0.2) + "). Their scale-normalised values differ by a factor of " +
+    report.Check(std::abs(ratio - 2.0) < 0.2) + "). Their scale-normalized values differ by a factor of " +
     CsvTable::Rounded(companions, 3) + " (1 within 5 %: " + report.Check(std::abs(companions - 1.0) < 0.05) +
     "), which is what the figure claims for the heat.");
   const auto b = Figure27("figure2.7b", settings, report);

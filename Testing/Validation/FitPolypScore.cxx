@@ -3,7 +3,7 @@
 //
 // Positive samples: for each polyp of at least 5.5 mm, the candidate with the greatest solid angle. Negative samples:
 // candidates away from polyps, weighted by the share of the score that content and catheter leave. Candidates at the
-// ileocaecal valve are excluded, because it has the shape of a polyp. Logistic regression by Newton's method, with a
+// ileocecal valve are excluded, because it has the shape of a polyp. Logistic regression by Newton's method, with a
 // penalty of half the squared weights of the terms over their standard deviations.
 #include "PolypTrial.h"
 

@@ -159,7 +159,7 @@ ValidateFlatColonWithHandles(const ValidationSettings & settings, ValidationRepo
                                      "gap below half of the Euclidean one, change smaller" });
   const PictureSheet::Layout layout{ 2, 1, 1500, 170, false };
   PictureSheet               sheet(
-    "Figure 5.5: a flat colon with " + std::to_string(handles) + " handles, coloured by what they shift", layout);
+    "Figure 5.5: a flat colon with " + std::to_string(handles) + " handles, colored by what they shift", layout);
   for (const int seed : { 1, 2, 3 })
   {
     const SurfaceMesh ideal = TubeWith(0, faces, seed, length);

@@ -113,14 +113,14 @@ OutwardNormals(const SurfaceMesh & mesh)
 /** Moves the wall inward by up to 0.8 of the radius, with a squared cosine profile. */
 void
 AddBump(const VertexMatrix &       before,
-        int                        centre,
+        int                        center,
         const Eigen::RowVector3d & inwards,
         double                     radius,
         VertexMatrix &             after)
 {
   for (Eigen::Index v = 0; v < before.rows(); ++v)
   {
-    const Eigen::RowVector3d away = before.row(v) - before.row(centre);
+    const Eigen::RowVector3d away = before.row(v) - before.row(center);
     const double             across = (away - away.dot(inwards) * inwards).norm() / radius;
     if (away.norm() < 2.0 * radius && across < 1.0)
     {
@@ -140,12 +140,12 @@ GenerateTubeWithPolyps(int faces, int seed, double length, double radius)
   constexpr int      number = 20;
   for (int i = 0; i < number; ++i)
   {
-    const int centre = static_cast<int>(static_cast<double>(before.rows()) * (i + 1.0 + 0.37 * seed) / (number + 3.0));
-    AddBump(before, centre, -normals.row(centre).normalized(), radius, mesh.V);
+    const int center = static_cast<int>(static_cast<double>(before.rows()) * (i + 1.0 + 0.37 * seed) / (number + 3.0));
+    AddBump(before, center, -normals.row(center).normalized(), radius, mesh.V);
     result.polyps.emplace_back();
     for (int f = 0; f < mesh.NumberOfFaces(); ++f)
     {
-      if ((before.row(mesh.F(f, 0)) - before.row(centre)).norm() < radius)
+      if ((before.row(mesh.F(f, 0)) - before.row(center)).norm() < radius)
       {
         result.polyps.back().push_back(f);
       }
@@ -167,10 +167,10 @@ AspectRatioOnMap(const SurfaceMesh & flat, const std::vector<int> & faces)
   {
     const Eigen::RowVector2d a = uv.row(flat.F(f, 0)), b = uv.row(flat.F(f, 1)), c = uv.row(flat.F(f, 2));
     const double             area = std::abs((b - a)[0] * (c - a)[1] - (b - a)[1] * (c - a)[0]);
-    Eigen::Vector2d          centre = (a + b + c).transpose() / 3.0;
-    centre[1] -= period * std::round((centre[1] - reference) / period);
-    first += area * centre;
-    second += area * centre * centre.transpose();
+    Eigen::Vector2d          center = (a + b + c).transpose() / 3.0;
+    center[1] -= period * std::round((center[1] - reference) / period);
+    first += area * center;
+    second += area * center * center.transpose();
     sum += area;
   }
   const Eigen::Matrix2d covariance = second / sum - first * first.transpose() / (sum * sum);

@@ -17,11 +17,11 @@ using Eigen::Vector3d;
 namespace
 {
 SignedDistance
-Ellipsoid(const Vector3d & centre, const Vector3d & radii)
+Ellipsoid(const Vector3d & center, const Vector3d & radii)
 {
   // Not an exact distance, but its gradient is about 1 near the surface.
   return [=](const Vector3d & p) {
-    const Vector3d q = (p - centre).cwiseQuotient(radii);
+    const Vector3d q = (p - center).cwiseQuotient(radii);
     const double   slope = q.cwiseQuotient(radii).norm();
     return slope > 0.0 ? q.norm() * (q.norm() - 1.0) / slope : -radii.minCoeff();
   };
@@ -193,7 +193,7 @@ LoopAcross(const SurfaceMesh & mesh, const Vector3d & place, const Vector3d & no
 {
   const SurfaceConnectivity       connectivity(mesh);
   std::map<int, std::vector<int>> next;
-  const auto                      centreOf = [&](int face) -> Vector3d {
+  const auto                      centerOf = [&](int face) -> Vector3d {
     return (mesh.V.row(mesh.F(face, 0)) + mesh.V.row(mesh.F(face, 1)) + mesh.V.row(mesh.F(face, 2))) / 3.0;
   };
   for (int edge = 0; edge < connectivity.NumberOfEdges(); ++edge)
@@ -201,8 +201,8 @@ LoopAcross(const SurfaceMesh & mesh, const Vector3d & place, const Vector3d & no
     const IndexRange faces = connectivity.FacesOfEdge(edge);
     if (faces.size() == 2)
     {
-      const Vector3d a = centreOf(faces[0]) - place;
-      const Vector3d b = centreOf(faces[1]) - place;
+      const Vector3d a = centerOf(faces[0]) - place;
+      const Vector3d b = centerOf(faces[1]) - place;
       if ((a.dot(normal) < 0.0) != (b.dot(normal) < 0.0) && std::max(a.norm(), b.norm()) < radius)
       {
         const auto & ends = connectivity.VerticesOfEdge(edge);

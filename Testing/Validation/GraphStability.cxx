@@ -32,19 +32,19 @@ Without(const Graph & graph, std::vector<std::size_t> gone)
 
 /** Centers the layout and scales it to size 1. */
 Places
-Normalised(const std::vector<std::array<double, 2>> & layout)
+Normalized(const std::vector<std::array<double, 2>> & layout)
 {
   Places               places;
-  std::complex<double> centre = 0.0;
+  std::complex<double> center = 0.0;
   for (const std::array<double, 2> & place : layout)
   {
     places.emplace_back(place[0], place[1]);
-    centre += places.back() / static_cast<double>(layout.size());
+    center += places.back() / static_cast<double>(layout.size());
   }
   double square = 0.0;
   for (std::complex<double> & place : places)
   {
-    place -= centre;
+    place -= center;
     square += std::norm(place) / static_cast<double>(layout.size());
   }
   for (std::complex<double> & place : places)
@@ -93,7 +93,7 @@ SfdpDisplacement(const Graph & before, const Graph & after, const std::vector<in
   {
     isChanged[node] = 1;
   }
-  return MeanDistance(Normalised(a.places), Normalised(b.places), isChanged);
+  return MeanDistance(Normalized(a.places), Normalized(b.places), isChanged);
 }
 
 /** The same circles with their barycenter at the center of the sphere, as without a previous step. */

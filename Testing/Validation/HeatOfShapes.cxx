@@ -68,11 +68,11 @@ ValidateHeatOfShapes(const ValidationSettings & settings, ValidationReport & rep
                  "sphere, 1 / side for a "
                  "cube. It is found exactly from the components, and by 1,000,000 steps (bound of the difference: "
                  "1e-5). It depends on size and "
-                 "on rotation; the scale-normalised companion, area / (6 volume^(2/3)), hardly does (bounds: 3 % for "
+                 "on rotation; the scale-normalized companion, area / (6 volume^(2/3)), hardly does (bounds: 3 % for "
                  "spheres, 0.94 +- 0.06 for "
                  "cubes of side 20, whose exact value is 1; 13 directions see flat faces a little low).");
   CsvTable table(
-    { "object", "voxels", "closed form", "heat, exact", "", "heat after 1e6 steps", "", "scale-normalised", "" });
+    { "object", "voxels", "closed form", "heat, exact", "", "heat after 1e6 steps", "", "scale-normalized", "" });
   const auto add = [&](const std::string & name,
                        const Measured &    m,
                        double              closedForm,

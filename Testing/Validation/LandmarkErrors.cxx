@@ -28,13 +28,13 @@ ArcLengthNear(const shapeton::CurveSet & line, const Eigen::VectorXd & arcLength
 
 void
 MeasureFlexures(const shapeton::ColonLandmarks & landmarks,
-                const shapeton::CurveSet &       centreline,
+                const shapeton::CurveSet &       centerline,
                 const shapeton::ColonAnatomy &   anatomy,
                 LandmarkErrors &                 errors)
 {
-  const shapeton::CurveSet truth = anatomy.Centreline();
+  const shapeton::CurveSet truth = anatomy.Centerline();
   const Eigen::VectorXd    segment = PointValues(truth, "segment", "the truth");
-  const Eigen::VectorXd    arcLength = PointValues(centreline, "arcLength", "the centreline");
+  const Eigen::VectorXd    arcLength = PointValues(centerline, "arcLength", "the centerline");
   errors.flexures.fill(infinite);
   for (Eigen::Index i = 1; i < segment.size(); ++i)
   {
@@ -48,7 +48,7 @@ MeasureFlexures(const shapeton::ColonLandmarks & landmarks,
     {
       if (found.number == flexure)
       {
-        errors.flexures[flexure - 1] = std::abs(found.arcLength - ArcLengthNear(centreline, arcLength, border));
+        errors.flexures[flexure - 1] = std::abs(found.arcLength - ArcLengthNear(centerline, arcLength, border));
         errors.flexureConfidence[flexure - 1] = found.confidence;
       }
     }
@@ -80,7 +80,7 @@ ShareWithTrueSegment(const shapeton::ColonLandmarks & landmarks, const shapeton:
 using Stretch = std::array<Points, 3>;
 
 /** Sorted distances between the k-th points of the three taeniae (mm). Where a fold covers the phantom's own
- * centreline, the taeniae meet in it. */
+ * centerline, the taeniae meet in it. */
 std::array<double, 3>
 DistancesBetween(const shapeton::CurveSet & taeniae, std::size_t k)
 {
@@ -101,7 +101,7 @@ std::vector<Stretch>
 OpenStretches(const shapeton::ColonAnatomy & anatomy, const shapeton::ColonWallTube & tube)
 {
   const shapeton::SurfaceLocator locator(tube.Points(), tube.Faces());
-  const shapeton::CurveSet       line = anatomy.Centreline();
+  const shapeton::CurveSet       line = anatomy.Centerline();
   const Eigen::VectorXd          lineArc = PointValues(line, "arcLength", "the truth");
   const Eigen::VectorXd          collapsed = PointValues(line, "collapsed", "the truth");
   std::vector<int>               stretchOf(lineArc.size(), -1);
@@ -232,12 +232,12 @@ MeasureTaeniae(const shapeton::ColonLandmarks & landmarks,
 
 LandmarkErrors
 MeasureLandmarks(const shapeton::ColonLandmarks & landmarks,
-                 const shapeton::CurveSet &       centreline,
+                 const shapeton::CurveSet &       centerline,
                  const shapeton::ColonAnatomy &   anatomy)
 {
   LandmarkErrors errors;
-  MeasureFlexures(landmarks, centreline, anatomy, errors);
-  errors.labelledShare = ShareWithTrueSegment(landmarks, anatomy);
+  MeasureFlexures(landmarks, centerline, anatomy, errors);
+  errors.labeledShare = ShareWithTrueSegment(landmarks, anatomy);
   MeasureTaeniae(landmarks, anatomy, errors);
   return errors;
 }

@@ -10,14 +10,14 @@
 /** Errors of landmarks relative to those of a phantom. */
 struct LandmarkErrors
 {
-  /** Errors along the centreline (mm) of the true segment borders: the rectosigmoid, descending-sigmoid, splenic and
+  /** Errors along the centerline (mm) of the true segment borders: the rectosigmoid, descending-sigmoid, splenic and
    * hepatic flexure. Infinite if the flexure was not found. */
   std::array<double, 4> flexures{};
   /** Stated probability that each is within 30 mm; 0 if it was not found. */
   std::array<double, 4> flexureConfidence{};
   bool                  areFlexuresWithin30{ false };
   /** Area share of the surface that has its true segment; includes collapsed stretches. */
-  double labelledShare{ 0.0 };
+  double labeledShare{ 0.0 };
   /** Distances from points of the true taeniae to the found taenia, without collapsed stretches (mm). Infinite if none
    * was found. Folds do not show how far a taenia turns inside a collapsed stretch, so found taeniae are assigned to
    * true ones separately in each open stretch. */
@@ -34,7 +34,7 @@ struct LandmarkErrors
 
 LandmarkErrors
 MeasureLandmarks(const shapeton::ColonLandmarks & landmarks,
-                 const shapeton::CurveSet &       centreline,
+                 const shapeton::CurveSet &       centerline,
                  const shapeton::ColonAnatomy &   anatomy);
 
 /** A point on each true taenia in the middle of the transverse colon, where a reader sees them best: the point nearest

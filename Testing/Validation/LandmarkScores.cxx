@@ -17,7 +17,7 @@ TryLandmarks(const LandmarkExam & exam, const ColonLandmarkOptions & options, st
   try
   {
     return MeasureLandmarks(
-      FindColonLandmarks(FlatColon(exam.flat), exam.centreline, options), exam.centreline, *exam.anatomy);
+      FindColonLandmarks(FlatColon(exam.flat), exam.centerline, options), exam.centerline, *exam.anatomy);
   }
   catch (const Exception & error)
   {
@@ -69,7 +69,7 @@ LandmarkScores::Rule::Add(const LandmarkErrors & errors)
   taeniaMeans.push_back(errors.taeniaMean);
   taeniaWithin10.push_back(errors.taeniaWithin10);
   taeniaIdentified10.push_back(errors.taeniaIdentified10);
-  labelled.push_back(errors.labelledShare);
+  labeled.push_back(errors.labeledShare);
   flexuresRight += errors.areFlexuresWithin30;
 }
 
@@ -119,7 +119,7 @@ LandmarkScores::AddBounded(const LandmarkBounds & bounds, BoundTable & table) co
   const double mean = MeanOf(m_Ours.taeniaMeans);
   const double within = MeanOf(m_Ours.taeniaWithin10);
   const double marked = MeanOf(m_Marked.taeniaWithin10);
-  const double labelled = MeanOf(m_Ours.labelled);
+  const double labeled = MeanOf(m_Ours.labeled);
   table.AddBounded("taeniae, mean error, mm",
                    "<= " + Rounded(bounds.taeniaMean),
                    Rounded(mean),
@@ -150,10 +150,10 @@ LandmarkScores::AddBounded(const LandmarkBounds & bounds, BoundTable & table) co
                      hasExams && error <= *bounds.calibration);
   }
   table.AddBounded("surface with its true segment",
-                   atLeast(bounds.labelled),
-                   Rounded(labelled),
-                   m_Ours.labelled,
-                   hasExams && labelled >= bounds.labelled);
+                   atLeast(bounds.labeled),
+                   Rounded(labeled),
+                   m_Ours.labeled,
+                   hasExams && labeled >= bounds.labeled);
 }
 
 void
@@ -172,7 +172,7 @@ LandmarkScores::AddReported(BoundTable & table) const
   table.AddFact("published rule: exams with all four flexures within 30 mm",
                 RatioOf(m_Published.flexuresRight, m_Published.exams));
   table.AddFact(
-    "published rule: surface with its true segment", Rounded(MeanOf(m_Published.labelled)), m_Published.labelled);
+    "published rule: surface with its true segment", Rounded(MeanOf(m_Published.labeled)), m_Published.labeled);
 }
 
 void

@@ -15,7 +15,7 @@ struct LandmarkBounds
   double taeniaWithin10;
   double markedWithin10; ///< with three markers
   double flexures;       ///< exams with all four within 30 mm
-  double labelled;
+  double labeled;
   /** Expected calibration error of the confidence of flexures. */
   std::optional<double> calibration{};
 };
@@ -45,7 +45,7 @@ private:
     std::vector<double> taeniaMeans;
     std::vector<double> taeniaWithin10;
     std::vector<double> taeniaIdentified10;
-    std::vector<double> labelled;
+    std::vector<double> labeled;
     int                 flexuresRight{ 0 };
     int                 exams{ 0 };
 

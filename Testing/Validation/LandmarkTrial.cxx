@@ -94,13 +94,13 @@ MakeFlat(const LandmarkCase & one, ColonExam & exam)
   exam.failure = model.failure;
   if (exam.failure.empty())
   {
-    exam.centreline = model.centreline.curve;
+    exam.centerline = model.centerline.curve;
     exam.lumen = AroundLumen(model.lumen.labels.GetPointer(), model.lumen.labels);
     exam.ct = model.cleansed ? AroundLumen(model.cleansed.GetPointer(), model.lumen.labels) : nullptr;
     exam.catheter =
       model.lumen.catheter && model.lumen.catheter->isSure ? CurveOfCatheter(*model.lumen.catheter) : CurveSet();
     ColonFlatteningOptions options;
-    options.centreline = exam.centreline;
+    options.centerline = exam.centerline;
     exam.wall = std::move(model.wall.repaired);
     exam.flat = FlattenColon(std::move(model.wall.simplified), NameOfCase(one), options).map.flat;
   }
@@ -129,7 +129,7 @@ Keep(const ColonExam & exam, const std::string & cached)
   }
   WriteSurface(exam.flat, cached + ".vtp");
   WriteSurface(exam.wall, cached + ".wall.vtp");
-  WriteCurves(exam.centreline, cached + ".line.vtp"); // written last, to mark a complete cache entry
+  WriteCurves(exam.centerline, cached + ".line.vtp"); // written last, to mark a complete cache entry
 }
 
 void
@@ -137,7 +137,7 @@ TakeSurfaces(const std::string & cached, LandmarkExam & exam)
 {
   exam.flat = ReadSurface(cached + ".vtp").mesh;
   exam.wall = ReadSurface(cached + ".wall.vtp").mesh;
-  exam.centreline = ReadCurves(cached + ".line.vtp");
+  exam.centerline = ReadCurves(cached + ".line.vtp");
 }
 
 template <typename TImage>

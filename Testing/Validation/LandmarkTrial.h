@@ -24,7 +24,7 @@ struct LandmarkExam
   std::shared_ptr<const shapeton::ColonAnatomy> anatomy;
   /** Flat colon as made by ColonFlattening from the simplified wall. */
   shapeton::SurfaceMesh flat;
-  shapeton::CurveSet    centreline;
+  shapeton::CurveSet    centerline;
   /** Wall at full resolution, without handles. */
   shapeton::SurfaceMesh wall;
   /** Empty, or the reason why the model is missing; then the surfaces are empty. */

@@ -30,7 +30,7 @@ FindJudgedCandidates(const ColonExam & exam, double sensitivity)
   {
     MeasureContent(exam.wall, exam.ct, exam.lumen, candidates);
   }
-  if (const auto valve = IleocaecalValveOf(exam.centreline))
+  if (const auto valve = IleocecalValveOf(exam.centerline))
   {
     RankValveLast(*valve, candidates);
   }

@@ -8,12 +8,12 @@ using namespace shapeton;
 
 namespace
 {
-/** Whether the true colon is collapsed at a distance along its centreline. */
+/** Whether the true colon is collapsed at a distance along its centerline. */
 bool
-IsCollapsedAt(const CurveSet & centreline, double arcLength)
+IsCollapsedAt(const CurveSet & centerline, double arcLength)
 {
-  const Eigen::VectorXd distances = PointValues(centreline, "arcLength", "the centreline");
-  const Eigen::VectorXd collapsed = PointValues(centreline, "collapsed", "the centreline");
+  const Eigen::VectorXd distances = PointValues(centerline, "arcLength", "the centerline");
+  const Eigen::VectorXd collapsed = PointValues(centerline, "collapsed", "the centerline");
   Eigen::Index          nearest = 0;
   (distances.array() - arcLength).abs().minCoeff(&nearest);
   return collapsed[nearest] != 0.0;
@@ -38,11 +38,11 @@ IsAtValve(const ColonAnatomy & anatomy, const PolypCandidate & candidate)
 std::vector<ColonPolyp>
 VisiblePolyps(const ColonAnatomy & anatomy)
 {
-  const CurveSet          centreline = anatomy.Centreline();
+  const CurveSet          centerline = anatomy.Centerline();
   std::vector<ColonPolyp> visible;
   for (const ColonPolyp & polyp : anatomy.Polyps())
   {
-    if (!IsCollapsedAt(centreline, polyp.arcLength))
+    if (!IsCollapsedAt(centerline, polyp.arcLength))
     {
       visible.push_back(polyp);
     }

@@ -23,7 +23,7 @@ struct PolypExam
   std::string name;
   /** Polyps outside of collapsed stretches. */
   std::vector<PolypTruth> truths;
-  /** Scores of false positive candidates, and of those at the ileocaecal valve among them. */
+  /** Scores of false positive candidates, and of those at the ileocecal valve among them. */
   std::vector<double> falseScores;
   std::vector<double> valveScores;
 };
@@ -35,7 +35,7 @@ constexpr double polypReach = 3.0;
 bool
 IsAt(const shapeton::PolypCandidate & candidate, const shapeton::ColonPolyp & polyp);
 
-/** Whether a candidate is at the true ileocaecal valve. */
+/** Whether a candidate is at the true ileocecal valve. */
 bool
 IsAtValve(const shapeton::ColonAnatomy & anatomy, const shapeton::PolypCandidate & candidate);
 

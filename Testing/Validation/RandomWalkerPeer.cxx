@@ -54,7 +54,7 @@ RunScript(const std::string & arguments)
 } // namespace
 
 std::optional<std::vector<Segmentation>>
-SegmentByRandomWalker(const LabelledVolume & volume, const std::vector<SeedImage::Pointer> & seeds)
+SegmentByRandomWalker(const LabeledVolume & volume, const std::vector<SeedImage::Pointer> & seeds)
 {
   const WorkFolder  folder;
   const std::string image = folder / "image.nii";
@@ -85,8 +85,8 @@ SegmentByRandomWalker(const LabelledVolume & volume, const std::vector<SeedImage
   return segmentations;
 }
 
-std::optional<std::vector<LabelledVolume::ImageType::Pointer>>
-RandomWalkerProbabilities(const LabelledVolume & volume, const SeedImage * seeds, double beta, double tol)
+std::optional<std::vector<LabeledVolume::ImageType::Pointer>>
+RandomWalkerProbabilities(const LabeledVolume & volume, const SeedImage * seeds, double beta, double tol)
 {
   const WorkFolder  folder;
   const std::string image = folder / "image.nii";
@@ -97,7 +97,7 @@ RandomWalkerProbabilities(const LabelledVolume & volume, const SeedImage * seeds
   {
     return std::nullopt;
   }
-  std::vector<LabelledVolume::ImageType::Pointer> probabilities;
+  std::vector<LabeledVolume::ImageType::Pointer> probabilities;
   for (std::size_t label = 1; label <= volume.names.size(); ++label)
   {
     probabilities.push_back(ReadVolume(folder / ("probability" + std::to_string(label) + ".nii")).image);

@@ -14,13 +14,13 @@ using namespace shapeton;
 
 namespace
 {
-/** Positions along the centreline (mm) of the borders between true segments. */
+/** Positions along the centerline (mm) of the borders between true segments. */
 std::array<double, 4>
 TrueFlexures(const LandmarkExam & exam)
 {
-  const CurveSet        truth = exam.anatomy->Centreline();
+  const CurveSet        truth = exam.anatomy->Centerline();
   const Eigen::VectorXd segment = PointValues(truth, "segment", "the truth");
-  const Eigen::VectorXd arcLength = PointValues(exam.centreline, "arcLength", "the centreline");
+  const Eigen::VectorXd arcLength = PointValues(exam.centerline, "arcLength", "the centerline");
   std::array<double, 4> flexures;
   flexures.fill(std::numeric_limits<double>::quiet_NaN());
   for (Eigen::Index i = 1; i < segment.size(); ++i)
@@ -29,7 +29,7 @@ TrueFlexures(const LandmarkExam & exam)
     if (segment[i] != segment[i - 1] && flexure >= 0 && flexure < 4)
     {
       Eigen::Index nearest = 0;
-      (exam.centreline.V.rowwise() - truth.V.row(i)).rowwise().squaredNorm().minCoeff(&nearest);
+      (exam.centerline.V.rowwise() - truth.V.row(i)).rowwise().squaredNorm().minCoeff(&nearest);
       flexures[flexure] = arcLength[nearest];
     }
   }
@@ -39,7 +39,7 @@ TrueFlexures(const LandmarkExam & exam)
 void
 AddFoundLandmarks(const LandmarkExam & exam, ColonPosition & position)
 {
-  const ColonLandmarks landmarks = FindColonLandmarks(*position.flat, exam.centreline);
+  const ColonLandmarks landmarks = FindColonLandmarks(*position.flat, exam.centerline);
   position.taeniae = TaeniaCurves(landmarks.taeniae);
   for (std::size_t k = 0; k < landmarks.flexures.flexures.size(); ++k)
   {
@@ -91,7 +91,7 @@ CountPoints(const ColonPosition &                   source,
 bool
 IsSeen(const ColonPosition & position, const HaustralFold & fold)
 {
-  return position.isExcluded.empty() || !position.isExcluded[position.flat->Grid().PixelOfUv(fold.centreUv).column];
+  return position.isExcluded.empty() || !position.isExcluded[position.flat->Grid().PixelOfUv(fold.centerUv).column];
 }
 
 /** True fold of each detected one; -1 for false positives. */
@@ -101,7 +101,7 @@ FoldsSeen(const ColonPosition & position, const TrueFolds & truth, std::vector<c
   std::vector<int> folds;
   for (const HaustralFold & fold : position.folds)
   {
-    const int index = truth.NearestTo(fold.centre);
+    const int index = truth.NearestTo(fold.center);
     folds.push_back(index >= 0 ? truth.NumberOf(index) : -1);
     isSeen.push_back(IsSeen(position, fold) ? 1 : 0);
   }
@@ -153,7 +153,7 @@ CompareSchemes(const ColonPosition &           source,
 {
   const std::pair<RegistrationScheme, const char *> schemes[] = {
     { RegistrationScheme::Rectangles, "1 flat rectangles stretched, one rotation" },
-    { RegistrationScheme::Centreline, "2 centrelines, one rotation" },
+    { RegistrationScheme::Centerline, "2 centerlines, one rotation" },
     { RegistrationScheme::Landmarks, "3 flexures and taeniae" },
     { RegistrationScheme::Warping, "4 cylindrical warping" },
     { RegistrationScheme::Published, "6 published: quasi-conformal through flexures, a taenia and folds" },
@@ -208,8 +208,8 @@ MakeColonPosition(const LandmarkExam & exam, const std::string & name, bool hasT
   ColonPosition position;
   position.name = name;
   position.flat = std::make_shared<FlatColon>(exam.flat);
-  position.centreline = exam.centreline;
-  position.isExcluded = FindExcludedColumns(*position.flat, position.centreline);
+  position.centerline = exam.centerline;
+  position.isExcluded = FindExcludedColumns(*position.flat, position.centerline);
   position.folds = FindHaustralFolds(*position.flat).folds;
   if (hasTrueLandmarks)
   {

@@ -250,7 +250,7 @@ AskWithoutAFifth(const std::vector<MeasuredShape> & shapes)
       for (const ShapeCopy & copy : shapes[i].copies)
       {
         const auto result = FindShape(copy.signature, entries, 1);
-        const bool isRight = entries[result.neighbours.front().entry].name == shapes[i].name;
+        const bool isRight = entries[result.neighbors.front().entry].name == shapes[i].name;
         answers.probabilities.emplace_back(result.probability, isRight);
         unknown.push_back(result.IsUnknown() ? 1.0 : 0.0);
         right[i].push_back(isRight && !result.IsUnknown() ? 1.0 : 0.0);
@@ -337,7 +337,7 @@ ValidateSearchOfShapes(const ValidationSettings & settings, ValidationReport & r
                  "1.8 and 0.8 times as large. All values are means over shapes with 95 % intervals.");
   report.AddText("Shapes: " + names + ".");
   report.AddText(
-    "## Nearest neighbour\n\nThe nearest of all originals to each copy; average precision: of originals and "
+    "## Nearest neighbor\n\nThe nearest of all originals to each copy; average precision: of originals and "
     "copies among all others.");
   ReportMethods(shapes, report);
   ReportKinds(shapes, report);

@@ -14,7 +14,7 @@ using namespace shapeton;
 
 namespace
 {
-using ImageType = LabelledVolume::ImageType;
+using ImageType = LabeledVolume::ImageType;
 using Voxels = std::vector<std::size_t>;
 
 std::size_t
@@ -64,7 +64,7 @@ private:
 } // namespace
 
 DrawnSeeds
-DrawSeeds(const LabelledVolume & volume, int number, unsigned int draw)
+DrawSeeds(const LabeledVolume & volume, int number, unsigned int draw)
 {
   const std::size_t labels = volume.names.size();
   const auto        own = VoxelsOfLabels(volume.truth, labels);
@@ -89,7 +89,7 @@ DrawSeeds(const LabelledVolume & volume, int number, unsigned int draw)
 }
 
 Segmentation
-SegmentByHeat(const LabelledVolume & volume, const SeedImage * seeds)
+SegmentByHeat(const LabeledVolume & volume, const SeedImage * seeds)
 {
   const CpuClock clock;
   const auto     filter = SeededHeatSegmentationImageFilter<ImageType>::New();
@@ -102,7 +102,7 @@ SegmentByHeat(const LabelledVolume & volume, const SeedImage * seeds)
 }
 
 Segmentation
-SegmentByWatershed(const LabelledVolume & volume, const SeedImage * seeds)
+SegmentByWatershed(const LabeledVolume & volume, const SeedImage * seeds)
 {
   const CpuClock clock;
   const auto     gradient = itk::GradientMagnitudeImageFilter<ImageType, ImageType>::New();
@@ -116,7 +116,7 @@ SegmentByWatershed(const LabelledVolume & volume, const SeedImage * seeds)
 }
 
 Segmentation
-SegmentByConfidence(const LabelledVolume & volume, const SeedImage * seeds)
+SegmentByConfidence(const LabeledVolume & volume, const SeedImage * seeds)
 {
   const CpuClock     clock;
   const std::size_t  number = NumberOfVoxels(seeds);
@@ -154,7 +154,7 @@ SegmentByConfidence(const LabelledVolume & volume, const SeedImage * seeds)
 }
 
 std::vector<double>
-DiceOfLabels(const LabelledVolume & volume, const SeedImage * labels)
+DiceOfLabels(const LabeledVolume & volume, const SeedImage * labels)
 {
   const std::size_t   number = volume.names.size();
   std::vector<double> shared(number, 0.0), all(number, 0.0);

@@ -8,7 +8,7 @@
 #include <vector>
 
 /** Volume with known labels. */
-struct LabelledVolume
+struct LabeledVolume
 {
   using ImageType = itk::Image<float, 3>;
 
@@ -29,7 +29,7 @@ struct DrawnSeeds
 
 /** Draws `number` random voxels of each label from the truth eroded by one voxel; `draw` selects the random numbers. */
 DrawnSeeds
-DrawSeeds(const LabelledVolume & volume, int number, unsigned int draw);
+DrawSeeds(const LabeledVolume & volume, int number, unsigned int draw);
 
 /** Result of a method. */
 struct Segmentation
@@ -41,29 +41,29 @@ struct Segmentation
 
 /** Segments with SeededHeatSegmentationImageFilter and its defaults. */
 Segmentation
-SegmentByHeat(const LabelledVolume & volume, const shapeton::SeedImage * seeds);
+SegmentByHeat(const LabeledVolume & volume, const shapeton::SeedImage * seeds);
 
 /** Segments with ITK's MorphologicalWatershedFromMarkers on the gradient magnitude. */
 Segmentation
-SegmentByWatershed(const LabelledVolume & volume, const shapeton::SeedImage * seeds);
+SegmentByWatershed(const LabeledVolume & volume, const shapeton::SeedImage * seeds);
 
 /** Segments with ITK's ConfidenceConnected and its defaults, once per label. Voxels reached by several labels take the
  * one whose region mean is nearest; unreached voxels are background. */
 Segmentation
-SegmentByConfidence(const LabelledVolume & volume, const shapeton::SeedImage * seeds);
+SegmentByConfidence(const LabeledVolume & volume, const shapeton::SeedImage * seeds);
 
 /** Segments with scikit-image's random_walker and its defaults, once per seed image, in parallel on all processors;
  * empty if python3-skimage is not installed. Throws std::runtime_error on failure. */
 std::optional<std::vector<Segmentation>>
-SegmentByRandomWalker(const LabelledVolume & volume, const std::vector<shapeton::SeedImage::Pointer> & seeds);
+SegmentByRandomWalker(const LabeledVolume & volume, const std::vector<shapeton::SeedImage::Pointer> & seeds);
 
 /** Probabilities of the seeded labels from scikit-image's random_walker with this beta and tolerance; empty if
  * python3-skimage is not installed. */
-std::optional<std::vector<LabelledVolume::ImageType::Pointer>>
-RandomWalkerProbabilities(const LabelledVolume & volume, const shapeton::SeedImage * seeds, double beta, double tol);
+std::optional<std::vector<LabeledVolume::ImageType::Pointer>>
+RandomWalkerProbabilities(const LabeledVolume & volume, const shapeton::SeedImage * seeds, double beta, double tol);
 
 /** Dice coefficient of each label, 2 |A and B| / (|A| + |B|). */
 std::vector<double>
-DiceOfLabels(const LabelledVolume & volume, const shapeton::SeedImage * labels);
+DiceOfLabels(const LabeledVolume & volume, const shapeton::SeedImage * labels);
 
 #endif

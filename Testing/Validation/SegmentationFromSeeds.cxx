@@ -17,7 +17,7 @@ using namespace shapeton;
 
 namespace
 {
-using ImageType = LabelledVolume::ImageType;
+using ImageType = LabeledVolume::ImageType;
 
 constexpr int judgedNumber = 20; // seeds per label at which the bounds apply
 
@@ -43,7 +43,7 @@ Windowed(const TImage * image, double lower, double upper)
  * label per part. */
 template <typename TImage>
 void
-SetTruth(const TImage * parts, std::size_t leastVoxels, const std::set<int> & wanted, LabelledVolume & volume)
+SetTruth(const TImage * parts, std::size_t leastVoxels, const std::set<int> & wanted, LabeledVolume & volume)
 {
   const std::size_t          number = parts->GetLargestPossibleRegion().GetNumberOfPixels();
   std::map<int, std::size_t> voxels;
@@ -72,7 +72,7 @@ SetTruth(const TImage * parts, std::size_t leastVoxels, const std::set<int> & wa
                  [&](auto part) { return labels[static_cast<int>(part)]; });
 }
 
-LabelledVolume
+LabeledVolume
 Phantom(const std::string & preset, unsigned int side, double noise, double blur)
 {
   const auto source = ShapePhantomImageSource::New();
@@ -82,14 +82,14 @@ Phantom(const std::string & preset, unsigned int side, double noise, double blur
   source->SetBlur(blur);
   source->CenterOutput();
   source->Update();
-  LabelledVolume volume;
+  LabeledVolume volume;
   volume.name = "Phantom `" + preset + "`, noise " + Rounded(noise) + " HU, blur " + Rounded(blur) + " voxels";
   volume.image = Windowed(source->GetOutput(), 0.0, 1000.0);
   SetTruth(source->GetLabelOutput(), 1, {}, volume);
   return volume;
 }
 
-LabelledVolume
+LabeledVolume
 Abdomen(const std::string & dataFolder, const std::string & name, const std::set<int> & organs)
 {
   constexpr std::size_t leastVoxels = 1000;
@@ -100,7 +100,7 @@ Abdomen(const std::string & dataFolder, const std::string & name, const std::set
   {
     throw std::runtime_error("the organ labels have another grid than the CT");
   }
-  LabelledVolume volume;
+  LabeledVolume volume;
   volume.name = name;
   volume.image = Windowed(ct.image.GetPointer(), -160.0, 240.0);
   SetTruth(parts.image.GetPointer(), leastVoxels, organs, volume);
@@ -127,7 +127,7 @@ struct MethodScores
 };
 
 Score
-ScoreOf(const LabelledVolume & volume, const Segmentation & segmentation)
+ScoreOf(const LabeledVolume & volume, const Segmentation & segmentation)
 {
   return { DiceOfLabels(volume, segmentation.labels), segmentation.cpuSeconds, segmentation.hasConverged };
 }
@@ -152,7 +152,7 @@ CpuSeconds(const Scores & scores)
 
 /** Seeds of all draws, by their number. */
 std::map<int, std::vector<DrawnSeeds>>
-DrawAll(const LabelledVolume & volume, const std::vector<int> & numbers, int draws)
+DrawAll(const LabeledVolume & volume, const std::vector<int> & numbers, int draws)
 {
   std::map<int, std::vector<DrawnSeeds>> seeds;
   for (const int number : numbers)
@@ -167,8 +167,8 @@ DrawAll(const LabelledVolume & volume, const std::vector<int> & numbers, int dra
 
 MethodScores
 RunMethod(const std::string &                                                            name,
-          const std::function<Segmentation(const LabelledVolume &, const SeedImage *)> & segment,
-          const LabelledVolume &                                                         volume,
+          const std::function<Segmentation(const LabeledVolume &, const SeedImage *)> & segment,
+          const LabeledVolume &                                                         volume,
           const std::map<int, std::vector<DrawnSeeds>> &                                 seeds)
 {
   MethodScores scores{ name, {} };
@@ -184,7 +184,7 @@ RunMethod(const std::string &                                                   
 }
 
 MethodScores
-RunRandomWalker(const LabelledVolume & volume, const std::map<int, std::vector<DrawnSeeds>> & seeds)
+RunRandomWalker(const LabeledVolume & volume, const std::map<int, std::vector<DrawnSeeds>> & seeds)
 {
   MethodScores                    scores{ "random walker (scikit-image)", {} };
   std::vector<SeedImage::Pointer> images;
@@ -213,7 +213,7 @@ RunRandomWalker(const LabelledVolume & volume, const std::map<int, std::vector<D
 
 /** Methods in order: ours, the random walker, the others. */
 std::vector<MethodScores>
-RunMethods(const LabelledVolume & volume, const std::map<int, std::vector<DrawnSeeds>> & seeds)
+RunMethods(const LabeledVolume & volume, const std::map<int, std::vector<DrawnSeeds>> & seeds)
 {
   return { RunMethod("seeded heat", SegmentByHeat, volume, seeds),
            RunRandomWalker(volume, seeds),
@@ -270,7 +270,7 @@ ReportDifferences(const std::vector<MethodScores> & methods, ValidationReport & 
 }
 
 void
-ReportLabels(const LabelledVolume & volume, const std::vector<MethodScores> & methods, ValidationReport & report)
+ReportLabels(const LabeledVolume & volume, const std::vector<MethodScores> & methods, ValidationReport & report)
 {
   std::vector<std::size_t> voxels(volume.names.size(), 0);
   const auto * const       truth = volume.truth->GetBufferPointer();
@@ -325,7 +325,7 @@ NumbersOfSeeds(const ValidationSettings & settings)
 }
 
 void
-ReportVolume(const LabelledVolume &     volume,
+ReportVolume(const LabeledVolume &     volume,
              bool                       hasLabels,
              const ValidationSettings & settings,
              ValidationReport &         report)
@@ -385,10 +385,10 @@ ReportPhantoms(const ValidationSettings & settings, ValidationReport & report)
 // ---- agreement ----
 
 /** Phantom with values 0 and 1. */
-LabelledVolume
+LabeledVolume
 TwoValues(unsigned int side)
 {
-  LabelledVolume volume = Phantom("figure3.4", side, 20.0, 0.0);
+  LabeledVolume volume = Phantom("figure3.4", side, 20.0, 0.0);
   auto * const   values = volume.image->GetBufferPointer();
   std::transform(
     values, values + volume.image->GetLargestPossibleRegion().GetNumberOfPixels(), values, [](float value) {
@@ -414,7 +414,7 @@ StandardDeviation(const ImageType * image)
 
 /** Greatest difference of a probability over voxels and labels. */
 double
-GreatestDifference(const LabelledVolume &                  volume,
+GreatestDifference(const LabeledVolume &                  volume,
                    const SeedImage *                       seeds,
                    double                                  weight,
                    const std::vector<ImageType::Pointer> & expected)
@@ -445,7 +445,7 @@ void
 ReportAgreement(const ValidationSettings & settings, ValidationReport & report)
 {
   const unsigned int   side = settings.quick ? 24 : 64;
-  const LabelledVolume volume = TwoValues(side);
+  const LabeledVolume volume = TwoValues(side);
   const double         deviation = StandardDeviation(volume.image);
   const auto           seeds = DrawSeeds(volume, judgedNumber, 1).image;
   report.AddText(

@@ -342,7 +342,7 @@ AddNoise(LabelMap * image, double probability, PhiloxStream & stream)
   for (std::size_t i = 0; i < grid.NumberOfVoxels(); ++i)
   {
     bool isAtBoundary = false;
-    ForEachNeighbour(grid, i, [&](std::size_t j) { isAtBoundary = isAtBoundary || values[i] != values[j]; });
+    ForEachNeighbor(grid, i, [&](std::size_t j) { isAtBoundary = isAtBoundary || values[i] != values[j]; });
     if (isAtBoundary && stream.Unit() < probability)
     {
       changing.push_back(i);

@@ -145,8 +145,8 @@ DrawPlane(const TrialVolume &                  volume,
       index[across] = flipAcross ? size[across] - 1 - index[across] : index[across];
       index[down] = flipDown ? size[down] - 1 - index[down] : index[down];
       const unsigned int level = levels == nullptr ? 0 : levels->GetPixel(index);
-      const double       grey = (volume.image->GetPixel(index) - volume.lower) / (volume.upper - volume.lower);
-      const auto         shade = static_cast<unsigned char>(levels ? 0.0 : 240.0 * std::clamp(grey, 0.0, 1.0));
+      const double       gray = (volume.image->GetPixel(index) - volume.lower) / (volume.upper - volume.lower);
+      const auto         shade = static_cast<unsigned char>(levels ? 0.0 : 240.0 * std::clamp(gray, 0.0, 1.0));
       plane->SetPixel({ { (width - columns) / 2 + column, (height - rows) / 2 + row } },
                       level > 0 ? ColorOfLevel(level) : MakeColor(shade, shade, shade));
     }
@@ -172,7 +172,7 @@ PictureSheet::PictureSheet(const std::string & title, const Layout & layout) : m
   const int bottom = static_cast<int>(height) - scaleHeight + 8;
   style.size = 14;
   style.bold = false;
-  const std::string least = "least", most = "most (colours share the object voxels of a panel equally)";
+  const std::string least = "least", most = "most (colors share the object voxels of a panel equally)";
   DrawText(m_Picture, least, margin, bottom, style);
   int left = margin + MeasureText(least, style).width + 8;
   for (unsigned int level = 1; level <= numberOfLevels; ++level, left += 18)

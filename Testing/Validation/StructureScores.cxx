@@ -1,6 +1,6 @@
 #include "StructureScores.h"
 
-#include "shapetonIleocaecalValve.h"
+#include "shapetonIleocecalValve.h"
 
 #include <algorithm>
 #include <cmath>
@@ -63,13 +63,13 @@ StructureScores::Add(const LandmarkExam & exam)
     return {};
   }
   std::vector<std::string> faults;
-  const Eigen::Vector3d    end = exam.centreline.V.row(exam.centreline.V.rows() - 1);
-  m_Pole.push_back((end - exam.anatomy->CaecalPole()).norm());
+  const Eigen::Vector3d    end = exam.centerline.V.row(exam.centerline.V.rows() - 1);
+  m_Pole.push_back((end - exam.anatomy->CecalPole()).norm());
   if (m_Pole.back() > close)
   {
-    faults.push_back("the line ends " + Rounded(m_Pole.back()) + " mm from the caecal pole");
+    faults.push_back("the line ends " + Rounded(m_Pole.back()) + " mm from the cecal pole");
   }
-  const auto valve = IleocaecalValveOf(exam.centreline);
+  const auto valve = IleocecalValveOf(exam.centerline);
   m_Valve.push_back(valve ? (valve->position - exam.anatomy->Valve().position).norm() : infinite);
   if (valve)
   {
@@ -78,7 +78,7 @@ StructureScores::Add(const LandmarkExam & exam)
   if (m_Valve.back() > close)
   {
     faults.push_back(
-      std::string("ileocaecal valve ") +
+      std::string("ileocecal valve ") +
       (valve ? Rounded(m_Valve.back()) + " mm off, confidence " + Rounded(valve->confidence) : "not found"));
   }
   return faults;
@@ -87,8 +87,8 @@ StructureScores::Add(const LandmarkExam & exam)
 void
 StructureScores::AddTo(BoundTable & table, const std::optional<StructureBounds> & bounds) const
 {
-  AddShare("caecal pole", bounds ? std::make_optional(bounds->pole) : std::nullopt, m_Pole, table);
-  AddShare("ileocaecal valve", bounds ? std::make_optional(bounds->valve) : std::nullopt, m_Valve, table);
+  AddShare("cecal pole", bounds ? std::make_optional(bounds->pole) : std::nullopt, m_Pole, table);
+  AddShare("ileocecal valve", bounds ? std::make_optional(bounds->valve) : std::nullopt, m_Valve, table);
 }
 
 void

@@ -7,14 +7,14 @@
 
 #include <optional>
 
-/** Bounds for the caecal end over the exams of a column, as shares from 0 to 1. */
+/** Bounds for the cecal end over the exams of a column, as shares from 0 to 1. */
 struct StructureBounds
 {
-  double pole{ 0.95 };  ///< exams whose line ends within 15 mm of the caecal pole
-  double valve{ 0.80 }; ///< exams whose ileocaecal valve is found within 15 mm
+  double pole{ 0.95 };  ///< exams whose line ends within 15 mm of the cecal pole
+  double valve{ 0.80 }; ///< exams whose ileocecal valve is found within 15 mm
 };
 
-/** Errors of the caecal pole and the ileocaecal valve over the exams of a column. */
+/** Errors of the cecal pole and the ileocecal valve over the exams of a column. */
 class StructureScores
 {
 public:

@@ -38,7 +38,7 @@ const std::vector<Part> parts = {
   { "flattening-handle", "Figure 5.4: a pot with and without its handle", ValidatePotWithHandle, false },
   { "flattening-colon", "Figure 5.5: a flat colon with handles", ValidateFlatColonWithHandles, false },
   { "flattening-quality", "Eigenpairs and times of the heat diffusion metric", ValidateQualityOfMetric, false },
-  { "colon-surfaces", "Surface and centreline of synthetic colons", ValidateColonSurfaces, false },
+  { "colon-surfaces", "Surface and centerline of synthetic colons", ValidateColonSurfaces, false },
   { "colon-noise", "Synthetic colons in strong noise", ValidateColonNoise, false, false },
   { "colon-surfaces-fine", "Synthetic colons in fine voxels", ValidateColonSurfacesFine, false, false },
   { "colon-catheters", "Rectal catheters of synthetic patients", ValidateColonCatheters, false, false },

@@ -427,7 +427,7 @@ ScaleOfStates(const ValidationSettings & settings, ValidationReport & report)
 {
   report.AddText(
     "## The scale of a state: figure 7.1\n\nThe cube of figure 2.4, side 40 in 64^3, p = 7, steps of 2/3 voxel. Visits "
-    "relative to their mean over the cube near its corners, edges and faces (2 voxels deep) and around its centre, "
+    "relative to their mean over the cube near its corners, edges and faces (2 voxels deep) and around its center, "
     "after "
     "the steps that spread as far as t time steps of heat: t / 2 by traversal, 1.125 t by endpoints, where a step has "
     "a "
@@ -439,7 +439,7 @@ ScaleOfStates(const ValidationSettings & settings, ValidationReport & report)
     settings.quick ? std::vector<std::uint64_t>{ 10, 100 } : std::vector<std::uint64_t>{ 10, 100, 1000, 10000 };
   const auto         heats = MeanHeatOfCube(volume, domain, times);
   const unsigned int seeds = settings.quick ? 2 : 4;
-  CsvTable           table({ "t", "process", "corners", "edges", "faces", "centre", "correlation with heat", "" });
+  CsvTable           table({ "t", "process", "corners", "edges", "faces", "center", "correlation with heat", "" });
   for (std::size_t i = 0; i < times.size(); ++i)
   {
     const double             t = static_cast<double>(times[i]);
@@ -474,7 +474,7 @@ ScaleOfStates(const ValidationSettings & settings, ValidationReport & report)
   report.AddText(
     "Checked: shapetons that are placed by initial heat and walk like it are most frequent at corners, then edges, "
     "faces "
-    "and the centre, with a correlation above 0.98; those placed uniformly by endpoints have a negative correlation. "
+    "and the center, with a correlation above 0.98; those placed uniformly by endpoints have a negative correlation. "
     "Figure 7.1 is right that the published process shows no local shape: it starts without any, and what it builds up "
     "in time is a depletion along the walls, deepest at the corners, the opposite of heat.");
 }
@@ -505,7 +505,7 @@ UniformPlacement(const ValidationSettings & settings, ValidationReport & report)
       std::array<std::vector<double>, 2> layers;
       for (const Density & density : densities)
       {
-        // The middle of the cube's first face along x, where its neighbours lie on the same sides.
+        // The middle of the cube's first face along x, where its neighbors lie on the same sides.
         std::array<double, 2> sums{};
         for (std::size_t z = 10; z < 22; ++z)
         {

@@ -70,7 +70,7 @@ class Results(Case):
 
     def test_measures_and_doubts(self):
         self.write("a/status.json", json.dumps({"outcome": "done", "message": ""}))
-        quality = {"centreline": {"length": 1800.4, "gaps": [{}]}, "distension": {"whole": {"share": 0.987, "meanCalibre": 26.06}}}
+        quality = {"centerline": {"length": 1800.4, "gaps": [{}]}, "distension": {"whole": {"share": 0.987, "meanCaliber": 26.06}}}
         self.write("a/exam/segmentation/quality.json", json.dumps(quality))
         flexures = [{"found": True, "confidence": 0.555}, {"found": True, "confidence": 0.9}, {"found": False}]
         self.write("a/exam/landmarks/landmarks.json", json.dumps({"flexures": flexures}))

@@ -8,10 +8,10 @@ from cohort.files import read_json
 
 # Measures of a series: name in the tables, unit, heading of the page.
 SERIES_MEASURES = {
-    "length": ("mm", "Length of the centreline"),
-    "distended": ("%", "Distended: calibre of at least 10 mm"),
+    "length": ("mm", "Length of the centerline"),
+    "distended": ("%", "Distended: caliber of at least 10 mm"),
     "assessable": ("%", "Assessable wall"),
-    "calibre": ("mm", "Mean calibre"),
+    "caliber": ("mm", "Mean caliber"),
     "gaps": ("", "Gaps that are bridged"),
     "flexures": ("", "Flexures found"),
     "flexureConfidence": ("", "Least confidence of a flexure"),
@@ -93,15 +93,15 @@ def _last_line(path):
 def _series(place):
     quality = read_json(f"{place}/segmentation/quality.json")
     landmarks = read_json(f"{place}/landmarks/landmarks.json")
-    centreline, whole = quality.get("centreline", {}), quality.get("distension", {}).get("whole", {})
+    centerline, whole = quality.get("centerline", {}), quality.get("distension", {}).get("whole", {})
     assessable = quality.get("assessability", {}).get("whole", {})
     found = [flexure["confidence"] for flexure in landmarks.get("flexures", []) if flexure["found"]]
     return {
-        "length": _rounded(centreline.get("length"), 0),
+        "length": _rounded(centerline.get("length"), 0),
         "distended": _percent(whole.get("share")),
         "assessable": _percent(assessable.get("assessableShare")),
-        "calibre": _rounded(whole.get("meanCalibre"), 1),
-        "gaps": len(centreline["gaps"]) if "gaps" in centreline else None,
+        "caliber": _rounded(whole.get("meanCaliber"), 1),
+        "gaps": len(centerline["gaps"]) if "gaps" in centerline else None,
         "flexures": len(found) if landmarks else None,
         "flexureConfidence": _rounded(min(found), 2) if found else None,
         "candidates": _count_of_rows(f"{place}/polyps/candidates.csv"),

@@ -70,12 +70,12 @@ main(int, char * argv[])
 {
   const std::string     folder = argv[1];
   const SchematicColon  colon = MakeSchematicColon();
-  shapeton::SurfaceMesh flat = landmarktubes::TubeAlong(colon.centreline, radius, Folds, 60, 2.0);
+  shapeton::SurfaceMesh flat = landmarktubes::TubeAlong(colon.centerline, radius, Folds, 60, 2.0);
   flat.V = (1e6 * flat.V.array()).round() / 1e6; // versions of Eigen differ in the last bits
   shapeton::WriteSurface(flat, folder + "/flat.vtp");
-  shapeton::WriteCurves(colon.centreline, folder + "/centreline.vtp");
-  shapeton::WriteCurves(ReversedCurve(colon.centreline), folder + "/reversed.vtp");
-  shapeton::CurveSet other = colon.centreline;
+  shapeton::WriteCurves(colon.centerline, folder + "/centerline.vtp");
+  shapeton::WriteCurves(ReversedCurve(colon.centerline), folder + "/reversed.vtp");
+  shapeton::CurveSet other = colon.centerline;
   other.V.col(0) *= 0.6;
   shapeton::WriteCurves(other, folder + "/other.vtp");
   WritePoints(Markers(flat, 900.0), folder + "/markers.vtp");
@@ -83,6 +83,6 @@ main(int, char * argv[])
 
   const shapeton::CurveSet part = RoundedCurve({ { 0, 0, 0 }, { 0, 0, 150 }, { 120, 0, 200 } });
   shapeton::WriteSurface(landmarktubes::TubeAlong(part, radius, {}, 40, 4.0), folder + "/partFlat.vtp");
-  shapeton::WriteCurves(part, folder + "/partCentreline.vtp");
+  shapeton::WriteCurves(part, folder + "/partCenterline.vtp");
   return 0;
 }

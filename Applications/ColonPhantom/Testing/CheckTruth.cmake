@@ -1,5 +1,5 @@
 # The ground truth is complete, and its images are on the grid of the series.
-set(names centreline.vtp correspondence.vtp folds.vtp lumen.nrrd polyps.csv segments.nrrd structures.json
+set(names centerline.vtp correspondence.vtp folds.vtp lumen.nrrd polyps.csv segments.nrrd structures.json
   structures.nrrd structures.vtp taeniae.vtp wall.vtp)
 file(GLOB found RELATIVE ${FOLDER} ${FOLDER}/* ${FOLDER}/.*)
 list(SORT found)

@@ -22,7 +22,7 @@ WithCollapse(shapeton::ColonPositionFiles files, double begin, double end)
   folds.erase(std::remove_if(folds.begin(),
                              folds.end(),
                              [&](const shapeton::HaustralFold & fold) {
-                               return fold.centreUv.x() > begin && fold.centreUv.x() < end;
+                               return fold.centerUv.x() > begin && fold.centerUv.x() < end;
                              }),
               folds.end());
   return files;

@@ -71,7 +71,7 @@ def check_segmentation(result, slices, lumen):
         voxels[name][slice_number] |= frame > 0
     check((voxels["gas"] == (lumen == 1)).all(), "seg: gas is that of lumen.nrrd")
     check((voxels["fluid"] == (lumen == 2)).all(), "seg: fluid is that of lumen.nrrd")
-    colon = ("rectum", "sigmoid", "descending", "transverse", "ascending", "caecum")
+    colon = ("rectum", "sigmoid", "descending", "transverse", "ascending", "cecum")
     together = sum(voxels[name].astype(int) for name in colon)
     check((together == ((lumen == 1) | (lumen == 2))).all(), "seg: each voxel of the lumen has one segment of the colon")
     tissue = [name for name in voxels if name.startswith("candidate") or name == "haustral folds"]
@@ -104,8 +104,8 @@ def check_report(result, segmentation, slices, candidates, tracked):
             check(abs(value / float(row[column]) - 1) < 1e-3, f"sr: {name} of a candidate")
         center = numpy.array(next(contents(group, "Center")).GraphicData, float)
         place = numpy.array([float(row[axis]) for axis in "xyz"])
-        check(numpy.abs(center - place).max() < 1e-3, "sr: centre of a candidate")
-    for name in ("rectum", "caecum"):
+        check(numpy.abs(center - place).max() < 1e-3, "sr: center of a candidate")
+    for name in ("rectum", "cecum"):
         check(len(list(contents(groups[name], "Path length"))) == 1, f"sr: length of the {name}")
 
 
@@ -122,7 +122,7 @@ def main(series, exam, folder):
     check_report(objects["sr"], objects["seg"], slices, candidates, tracked)
     findings = list(contents(objects["cad"], "Single Image Finding"))
     check(len(findings) == len(candidates), "cad: a finding for each candidate")
-    check(objects["sc"].pixel_array.shape[2] == 3, "sc: a colour picture")
+    check(objects["sc"].pixel_array.shape[2] == 3, "sc: a color picture")
     check(objects["stl"].EncapsulatedDocument[:5] != b"solid", "stl: binary")
     return 1 if failures else 0
 

@@ -1,5 +1,5 @@
 # Called by ctest: all files exist and are byte-identical for any number of threads; no cleansed CT for a mask.
-set(files lumen.nrrd centreline.vtp wall.vtp wall-repaired.vtp wall-simplified.vtp quality.json)
+set(files lumen.nrrd centerline.vtp wall.vtp wall-repaired.vtp wall-simplified.vtp quality.json)
 foreach(file IN LISTS files)
   foreach(folder ct oneThread lumen)
     if(NOT EXISTS ${FOLDER}/${folder}/${file})

@@ -165,7 +165,7 @@ test('slices are drawn as the scanner saw them: what is left of the patient is a
 test('the HU of a voxel are those under the crosshair', async (t) => {
   if (await page.evaluate(() => !viewer.exams[0].volume.isCt)) { t.skip('a mask'); return; }
   const [hu, text] = await page.evaluate(() => {
-    const { panels: [panel] } = viewer, c = panel.exam.centre[Math.floor(panel.exam.centre.length / 2)].xyz;
+    const { panels: [panel] } = viewer, c = panel.exam.center[Math.floor(panel.exam.center.length / 2)].xyz;
     panel.set(panel.exam.fromXyz(c));
     return [panel.exam.voxelAt(c).hu, document.getElementById('status').textContent];
   });
@@ -209,9 +209,9 @@ test('a jump to a candidate puts the eye where it sees it', async () => {
   assert.ok(entries.length > 0 && seen >= 0.85 * entries.length, figures.candidates);
 });
 
-test('keys fly along the centreline, both ways', async () => {
-  const arc = () => page.evaluate(() => viewer.panels[0].exam.centre[viewer.panels[0].inside.index].arc);
-  await page.evaluate(() => { const [p] = viewer.panels; viewer.current = 0; p.inside.go(p.exam.centreAt(300)); });
+test('keys fly along the centerline, both ways', async () => {
+  const arc = () => page.evaluate(() => viewer.panels[0].exam.center[viewer.panels[0].inside.index].arc);
+  await page.evaluate(() => { const [p] = viewer.panels; viewer.current = 0; p.inside.go(p.exam.centerAt(300)); });
   const a = await arc(), steps = 10;
   for (let i = 0; i < steps; i++) await press('ArrowUp');
   const b = await arc();
@@ -228,14 +228,14 @@ test('keys fly along the centreline, both ways', async () => {
 
 test('Space flies on to the end, and the areas not seen are counted', async () => {
   figures.framesPerSecond = await page.evaluate(async () => {
-    const [p] = viewer.panels, arc = () => p.exam.centre[p.inside.index].arc, from = arc(), started = performance.now();
+    const [p] = viewer.panels, arc = () => p.exam.center[p.inside.index].arc, from = arc(), started = performance.now();
     viewer.toggleFlight();
     await new Promise((done) => { setTimeout(done, 2000); });
     viewer.toggleFlight();
     return (1000 * (arc() - from)) / 2 / (performance.now() - started);
   });
   if (isTimed) assert.ok(figures.framesPerSecond > 3);
-  await page.evaluate(() => { const [p] = viewer.panels; p.inside.go(p.exam.centre.length - 8); });
+  await page.evaluate(() => { const [p] = viewer.panels; p.inside.go(p.exam.center.length - 8); });
   await press(' ');
   await page.until(() => !viewer.isFlying);
   assert.ok(await page.evaluate(() => viewer.panel.isAtEnd));
@@ -277,15 +277,15 @@ test('a flight both ways sees nearly all that any point of the line can see, and
     s.marks.fill(0);
     for (inside.way of [1, -1]) {
       Object.assign(inside, { look: null, yaw: 0, pitch: 0 });
-      for (inside.index = 0; inside.index < exam.centre.length - 2; inside.index += 2) {
+      for (inside.index = 0; inside.index < exam.center.length - 2; inside.index += 2) {
         cameras.push(inside.camera());
         s.look(cameras.at(-1), inside.w / inside.h);
       }
     }
     while (s.work(1000));
     const isVisible = (face) => {
-      const m = [0, 1, 2].map((k) => s.middles[3 * face + k]), at = exam.centreAt(exam.arc[exam.faces[3 * face]]);
-      return exam.centre.slice(Math.max(0, at - 200), at + 200).filter((_, i) => i % 5 === 0).some(({ xyz }) => {
+      const m = [0, 1, 2].map((k) => s.middles[3 * face + k]), at = exam.centerAt(exam.arc[exam.faces[3 * face]]);
+      return exam.center.slice(Math.max(0, at - 200), at + 200).filter((_, i) => i % 5 === 0).some(({ xyz }) => {
         const d = m.map((x, k) => x - xyz[k]), l = Math.hypot(...d);
         return l < 200 && !exam.wall.ray(xyz, d.map((x) => x / l), l - 0.2, true);
       });
@@ -302,7 +302,7 @@ test('a flight both ways sees nearly all that any point of the line can see, and
   assert.ok(brute > 0.5 && Math.abs(counted - brute) < 0.01, `${counted} for ${brute}`);
 });
 
-test('distances: straight, along the wall, along the centreline', async () => {
+test('distances: straight, along the wall, along the centerline', async () => {
   const [x, y, w, h] = await box('axial');
   await page.evaluate(() => { const [p] = viewer.panels; p.slices[0].zoom = 1; p.changed(); });
   await idle();

@@ -87,7 +87,7 @@ const run = (...options) => {
   return { status, stderr };
 };
 const runWell = (...options) => assert.deepEqual(run(...options), { status: 0, stderr: '' });
-const flagOf = (lines) => lines.map((l) => `${l.lower}-${l.upper}:${l.colour}:${l.opacity}`).join(',');
+const flagOf = (lines) => lines.map((l) => `${l.lower}-${l.upper}:${l.color}:${l.opacity}`).join(',');
 
 test('opens without errors and without a network, with the lines of the report', async () => {
   await shot('1-open');
@@ -102,7 +102,7 @@ test('opens without errors and without a network, with the lines of the report',
   lines.forEach((line, i) => assert.equal(sizes[i], rows.find(([, lower]) => lower === line.lower)[4], `voxels of line ${i + 1}`));
 });
 
-test('a click picks a line, which colours all views at once; undo and redo', async () => {
+test('a click picks a line, which colors all views at once; undo and redo', async () => {
   await setLines([]);
   const empty = await pictures(), count = () => page.evaluate(() => explorer.lines.length);
   assert.equal((await hues('rendering')).blue, 0);
@@ -140,7 +140,7 @@ test('heats are classified before they are interpolated: a line without voxels i
     return best.map(lower);
   });
   const opaque = { opacity: 1 }, [from, to] = gap;
-  await setLines([{ lower: from, upper: to, colour: '#00ff00', ...opaque }, { lower: to, upper: 1, colour: '#ff0000', ...opaque }]);
+  await setLines([{ lower: from, upper: to, color: '#00ff00', ...opaque }, { lower: to, upper: 1, color: '#ff0000', ...opaque }]);
   for (const view of ['rendering', 'axial', 'coronal', 'sagittal']) assert.equal((await hues(view)).green, 0, view);
   assert.ok((await hues('rendering')).red > 500);
   await shot('3-classified');
@@ -177,7 +177,7 @@ test('volume properties of any lines have the bytes of the tool', () => {
     const opacity = () => Math.round(100 * random()) / 100;
     const lines = bins.slice(1).map((bin, i) => ({ lower: lowerEdge(bins[i]), upper: lowerEdge(bin), opacity: opacity() }))
       .filter((l, i) => l.lower < l.upper && i % 4 !== n)
-      .map((l) => ({ ...l, colour: `#${Math.floor(random() * 2 ** 24).toString(16).padStart(6, '0')}` }));
+      .map((l) => ({ ...l, color: `#${Math.floor(random() * 2 ** 24).toString(16).padStart(6, '0')}` }));
     runWell(INPUT, HEATS, `${WORK}/random.vp`, '--lines', flagOf(lines));
     assert.equal(volumeProperty(lines, 1), readFileSync(`${WORK}/random.vp`, 'utf8'));
   }
@@ -246,7 +246,7 @@ test('everything by keys', async () => {
   const old = await line();
   for (const key of ['k', '+', '[', '}', 'h']) await press(key);
   const now = await line();
-  assert.ok(now.colour !== old.colour && now.opacity === 0.65 && now.lower < old.lower && now.upper > old.upper && !now.isOn);
+  assert.ok(now.color !== old.color && now.opacity === 0.65 && now.lower < old.lower && now.upper > old.upper && !now.isOn);
   await press('h');
   await press('o');
   assert.equal(await page.evaluate(() => explorer.state.ranges.length), 1);
@@ -305,7 +305,7 @@ const broken = (file, isRemoved) => {
 };
 
 test('damaged and missing data are reported, and the rest works', async () => {
-  for (const file of ['grey.js', 'bins-5000.js']) {
+  for (const file of ['gray.js', 'bins-5000.js']) {
     await open(broken(file));
     assert.match(await notices(), new RegExp(`The data .* in explorer/${file} is damaged`));
   }

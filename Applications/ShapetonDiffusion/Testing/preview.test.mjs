@@ -55,7 +55,7 @@ test('a run that was killed leaves a whole page and nothing half-written', async
   run.kill();
   await gone;
   assert.deepEqual(readdirSync(WORK).sort(), ['now-data', 'now.html']);
-  assert.deepEqual(readdirSync(`${WORK}/now-data`).sort(), ['grey.js', 'info.js', 'live.js']);
+  assert.deepEqual(readdirSync(`${WORK}/now-data`).sort(), ['gray.js', 'info.js', 'live.js']);
   await open();
   assert.ok(await step() > 0);
 });

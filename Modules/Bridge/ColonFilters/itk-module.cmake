@@ -1,4 +1,4 @@
-set(DOCUMENTATION "The stages of virtual colonoscopy as ITK process objects: lumen, cleansing, centreline, wall, flattening, metric, folds, landmarks,
+set(DOCUMENTATION "The stages of virtual colonoscopy as ITK process objects: lumen, cleansing, centerline, wall, flattening, metric, folds, landmarks,
 registration and candidates.")
 
 itk_module(ColonFilters
@@ -10,7 +10,7 @@ itk_module(ColonFilters
     HeatDiffusionMetric
     ConformalFlattening
     ColonLumen
-    ColonCentreline
+    ColonCenterline
     ColonWall
     ColonModel
     FlatColon

@@ -1,4 +1,4 @@
-set(DOCUMENTATION "Landmarks of a colon: flexures of its centreline, the loops on the wall there, six segments, folds on the surface and the three
+set(DOCUMENTATION "Landmarks of a colon: flexures of its centerline, the loops on the wall there, six segments, folds on the surface and the three
 taeniae coli; splitting along them.")
 
 itk_module(ColonLandmarks
@@ -8,10 +8,10 @@ itk_module(ColonLandmarks
     Base
     Report
     SurfaceMesh
-    ColonCentreline
+    ColonCenterline
     FlatColon
     HaustralFolds
-    IleocaecalValve
+    IleocecalValve
   PRIVATE_DEPENDS
     ConformalFlattening
   TEST_DEPENDS

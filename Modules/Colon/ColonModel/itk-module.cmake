@@ -1,4 +1,4 @@
-set(DOCUMENTATION "Model of a colon from CT colonography or a mask of the lumen: lumen, cleansed CT, centreline, distension
+set(DOCUMENTATION "Model of a colon from CT colonography or a mask of the lumen: lumen, cleansed CT, centerline, distension
 and wall, with measurements and files.")
 
 itk_module(ColonModel
@@ -8,9 +8,9 @@ itk_module(ColonModel
     Base
     Report
     ColonLumen
-    ColonCentreline
+    ColonCenterline
     ColonWall
-    IleocaecalValve
+    IleocecalValve
   PRIVATE_DEPENDS
     SurfaceMesh
     ITKCommon

@@ -1,4 +1,4 @@
-set(DOCUMENTATION "The flat wall of a colon: grids of pixels, axis, curvature, distances along the centreline.")
+set(DOCUMENTATION "The flat wall of a colon: grids of pixels, axis, curvature, distances along the centerline.")
 
 itk_module(FlatColon
   ENABLE_SHARED

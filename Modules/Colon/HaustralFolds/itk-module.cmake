@@ -10,7 +10,7 @@ itk_module(HaustralFolds
     VolumeFiles
     SlicerMarkups
     FlatColon
-    ColonCentreline
+    ColonCenterline
     ITKCommon
   PRIVATE_DEPENDS
     ColonLumen

@@ -9,11 +9,11 @@ itk_module(PolypCandidates
     SurfaceMesh
     SlicerMarkups
     FlatColon
-    IleocaecalValve
+    IleocecalValve
     ITKCommon
   PRIVATE_DEPENDS
     ColonLumen
-    ColonCentreline
+    ColonCenterline
     HeatDiffusionMetric
     VolumeFiles
     ShapeDiffusion

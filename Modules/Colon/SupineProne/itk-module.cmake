@@ -12,7 +12,7 @@ itk_module(SupineProne
     HaustralFolds
     ColonLandmarks
   PRIVATE_DEPENDS
-    SparseFactorisation
+    SparseFactorization
   TEST_DEPENDS
     ITKGoogleTest
   DESCRIPTION "${DOCUMENTATION}"

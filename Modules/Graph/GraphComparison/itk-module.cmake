@@ -1,4 +1,4 @@
-set(DOCUMENTATION "Graphs beside each other: canonical labelling, isomorphism, what differs, rotation systems carried over from one
+set(DOCUMENTATION "Graphs beside each other: canonical labeling, isomorphism, what differs, rotation systems carried over from one
 step of a dynamic graph to the next, layouts on the sphere turned to each other.")
 
 itk_module(GraphComparison

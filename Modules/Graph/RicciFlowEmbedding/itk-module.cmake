@@ -9,7 +9,7 @@ itk_module(RicciFlowEmbedding
     GraphModel
     EmbeddingCertificate
   PRIVATE_DEPENDS
-    SparseFactorisation
+    SparseFactorization
   TEST_DEPENDS
     ITKGoogleTest
   DESCRIPTION "${DOCUMENTATION}"

@@ -6,7 +6,7 @@ itk_module(ConformalFlattening
   DEPENDS
     Base
     Report
-    SparseFactorisation
+    SparseFactorization
     SurfaceMesh
     HeatDiffusionMetric
   TEST_DEPENDS

@@ -5,7 +5,7 @@ itk_module(HeatDiffusionMetric
   EXCLUDE_FROM_DEFAULT
   DEPENDS
     Base
-    SparseFactorisation
+    SparseFactorization
     SurfaceMesh
   TEST_DEPENDS
     ITKGoogleTest

@@ -1,5 +1,5 @@
 set(DOCUMENTATION "Synthetic volumes with known truth: boxes, spheres, tubes and deformed objects described by signed distance
-functions in physical millimetres, rasterised as an image in Hounsfield units and a label image.")
+functions in physical millimeters, rasterized as an image in Hounsfield units and a label image.")
 
 itk_module(ShapePhantom
   ENABLE_SHARED

@@ -7,7 +7,7 @@ itk_module(ColonViews
   DEPENDS
     Devices
     SurfaceMesh
-    ColonCentreline
+    ColonCenterline
     FlatColon
     HaustralFolds
     ColonLandmarks

@@ -66,8 +66,8 @@ def volume_of(size, folder):
     z, y, x = np.ogrid[0:size, 0:size, 0:size]
     voxels = np.full((size, size, size), -1000.0, np.float32)
     for _ in range(40):
-        centre, radius = random.uniform(0.1, 0.9, 3) * size, random.uniform(0.02, 0.1) * size
-        inside = (z - centre[0]) ** 2 + (y - centre[1]) ** 2 + (x - centre[2]) ** 2 < radius**2
+        center, radius = random.uniform(0.1, 0.9, 3) * size, random.uniform(0.02, 0.1) * size
+        inside = (z - center[0]) ** 2 + (y - center[1]) ** 2 + (x - center[2]) ** 2 < radius**2
         voxels[inside] = random.uniform(0.0, 1000.0)
     voxels += random.normal(0.0, 10.0, voxels.shape).astype(np.float32)
     shapeton.write_volume(shapeton.Image(voxels), str(folder / "volume.nrrd"))

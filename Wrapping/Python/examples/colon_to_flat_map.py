@@ -1,4 +1,4 @@
-"""A colon from CT to its flat map: lumen, centreline, wall, conformal map, folds, taeniae, polyp candidates.
+"""A colon from CT to its flat map: lumen, centerline, wall, conformal map, folds, taeniae, polyp candidates.
 
 usage: colon_to_flat_map.py PICTURE.png [FOLDER-OF-DICOM-SLICES]
 
@@ -32,26 +32,26 @@ else:
     position = "supine"
 print(ct)
 
-# %% Lumen, centreline and wall
+# %% Lumen, centerline and wall
 model = colon.build_colon(ct, patient_position=position, progress=tell)
 if model.failure:
     sys.exit(model.failure)
 wall = model.wall.simplified
-print(f"{model.centreline.length / 10.0:.0f} cm, a wall of {len(wall.faces)} faces")
+print(f"{model.centerline.length / 10.0:.0f} cm, a wall of {len(wall.faces)} faces")
 
 # %% The flat map
-flattened = flattening.flatten_tube(wall, model.centreline.curve, progress=tell)
+flattened = flattening.flatten_tube(wall, model.centerline.curve, progress=tell)
 flat = colon.FlatColon(flattened.flat)
 statistics = flattened.statistics
 print(f"{flat.length:.0f} x {flat.circumference:.0f} mm, {statistics['flips']} flips")
 
 # %% Structures on the map
-landmarks = colon.find_landmarks(flat, model.centreline.curve, progress=tell)
+landmarks = colon.find_landmarks(flat, model.centerline.curve, progress=tell)
 folds = colon.find_folds(flat)
 candidates = colon.find_candidates(
     model.wall.repaired,
     model.lumen.labels,
-    centreline=model.centreline.curve,
+    centerline=model.centerline.curve,
     ct=model.cleansed,
     flat=flat,
     segments=landmarks.segments,

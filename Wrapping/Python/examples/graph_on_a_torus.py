@@ -26,11 +26,11 @@ print(f"genus {certificate.genus}, {certificate.geometry}; valid: {verdict.is_va
 first, second = certificate.periods.reshape(2, 2)
 places = certificate.node_positions
 shifts = [i * first + j * second for i in range(-2, 3) for j in range(-2, 3)]
-colours = plt.get_cmap("tab10").colors
+colors = plt.get_cmap("tab10").colors
 figure, axis = plt.subplots(figsize=(8, 8))
 for shift in shifts:
     for node, (place, radius) in enumerate(zip(places, certificate.node_radii)):
-        axis.add_patch(plt.Circle(place + shift, radius, color=colours[node], alpha=0.35))
+        axis.add_patch(plt.Circle(place + shift, radius, color=colors[node], alpha=0.35))
         axis.annotate(str(node), place + shift, ha="center", va="center")
 
 # %% Edges join nodes whose circles touch

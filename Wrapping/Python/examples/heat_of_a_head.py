@@ -47,8 +47,8 @@ slices = [
     (np.log10(np.maximum(result.heat.array[middle], 1e-5)), "inferno", "heat (log 10)"),
     (labels.array[middle], "tab20", "classes"),
 ]
-for (pixels, colours, title), axis in zip(slices, axes.flat):
-    axis.imshow(pixels, cmap=colours, aspect=along / across, origin="lower", interpolation="nearest")
+for (pixels, colors, title), axis in zip(slices, axes.flat):
+    axis.imshow(pixels, cmap=colors, aspect=along / across, origin="lower", interpolation="nearest")
     axis.set_title(title)
     axis.set_axis_off()
 histogram = result.histogram

@@ -23,7 +23,7 @@ class OutputError(Error, OSError):
 class Aborted(Error, RuntimeError):
     """A progress function returned False; also a RuntimeError."""
 
-class CentrelineGap:
+class CenterlineGap:
     """A part without lumen that is bridged by the centerline."""
     @property
     def begin(self) -> float:
@@ -59,7 +59,7 @@ class CleansedColon:
         ...
 
 
-class ColonCentreline:
+class ColonCenterline:
     """The centerline of a colon from the rectum to the cecum."""
     @property
     def coverage(self) -> float:
@@ -72,7 +72,7 @@ class ColonCentreline:
         ...
 
     @property
-    def gaps(self) -> List[CentrelineGap]:
+    def gaps(self) -> List[CenterlineGap]:
         """Bridged gaps."""
         ...
 
@@ -139,7 +139,7 @@ class ColonFlexure:
     """A major bend of the colon, found or not."""
     @property
     def arc_length(self) -> float:
-        """mm along the centreline."""
+        """mm along the centerline."""
         ...
 
     @property
@@ -211,7 +211,7 @@ class ColonLandmarks:
         ...
 
     @property
-    def valve(self) -> Optional[IleocaecalValve]:
+    def valve(self) -> Optional[IleocecalValve]:
         """The valve stored in the centerline, or None."""
         ...
 
@@ -265,10 +265,10 @@ class ColonLumen:
 
 
 class ColonModel:
-    """A colon: lumen, centreline and wall."""
+    """A colon: lumen, centerline and wall."""
     @property
-    def centreline(self) -> ColonCentreline:
-        """ColonCentreline; its curve includes the valve."""
+    def centerline(self) -> ColonCenterline:
+        """ColonCenterline; its curve includes the valve."""
         ...
 
     @property
@@ -297,8 +297,8 @@ class ColonModel:
         ...
 
     @property
-    def valve(self) -> Optional[IleocaecalValve]:
-        """IleocaecalValve; None if it was not found."""
+    def valve(self) -> Optional[IleocecalValve]:
+        """IleocecalValve; None if it was not found."""
         ...
 
     @property
@@ -315,7 +315,7 @@ class ColonModel:
 class ColonPhantom:
     """A synthetic patient for CT colonography, with ground truth."""
     @property
-    def centreline(self) -> Curves:
+    def centerline(self) -> Curves:
         """The true centerline, from the anal verge to the cecum."""
         ...
 
@@ -331,7 +331,7 @@ class ColonPhantom:
 
     @property
     def segments(self) -> Image:
-        """uint8: 1 rectum to 6 caecum."""
+        """uint8: 1 rectum to 6 cecum."""
         ...
 
 
@@ -364,17 +364,17 @@ class ColonPiece:
 
     @property
     def segment(self) -> int:
-        """1 rectum to 6 caecum."""
+        """1 rectum to 6 cecum."""
         ...
 
 
 class ColonPosition:
     """The colon in one position, for registration.
 
-    name: "supine" or "prone", for messages. landmarks: from `find_landmarks`. centreline: Curves.
+    name: "supine" or "prone", for messages. landmarks: from `find_landmarks`. centerline: Curves.
     folds: from `find_folds`.
     """
-    def __init__(self, name: str, landmarks: ColonLandmarks, centreline: Union[Curves, NDArray[Any]], folds: HaustralFolds) -> None: ...
+    def __init__(self, name: str, landmarks: ColonLandmarks, centerline: Union[Curves, NDArray[Any]], folds: HaustralFolds) -> None: ...
 
     @property
     def name(self) -> str:
@@ -416,7 +416,7 @@ class ColonThresholds:
 
 
 class ColonWall:
-    """The wall of a colon in three forms, each open at rectum and caecum."""
+    """The wall of a colon in three forms, each open at rectum and cecum."""
     @property
     def genus_after(self) -> int:
         """Number of handles of the repaired wall."""
@@ -772,7 +772,7 @@ class GraphComparison:
 
     @property
     def correspondence_by(self) -> str:
-        """"isomorphism", "names", "neighbourhoods" or "none"."""
+        """"isomorphism", "names", "neighborhoods" or "none"."""
         ...
 
     @property
@@ -804,12 +804,12 @@ class HaustralFold:
         ...
 
     @property
-    def centre(self) -> NDArray[Any]:
+    def center(self) -> NDArray[Any]:
         """LPS, mm."""
         ...
 
     @property
-    def centre_uv(self) -> NDArray[Any]:
+    def center_uv(self) -> NDArray[Any]:
         """Center on the map, mm."""
         ...
 
@@ -1023,11 +1023,11 @@ class HeatResult:
         ...
 
 
-class IleocaecalValve:
+class IleocecalValve:
     """The opening of the terminal ileum into the colon."""
     @property
     def arc_length(self) -> float:
-        """mm along the centreline."""
+        """mm along the centerline."""
         ...
 
     @property
@@ -1163,7 +1163,7 @@ class PolypCandidate:
 
     @property
     def remark(self) -> str:
-        """For example "the ileocaecal valve"; otherwise empty."""
+        """For example "the ileocecal valve"; otherwise empty."""
         ...
 
     @property
@@ -1173,7 +1173,7 @@ class PolypCandidate:
 
     @property
     def segment(self) -> int:
-        """1 rectum to 6 caecum; 0 unknown."""
+        """1 rectum to 6 cecum; 0 unknown."""
         ...
 
     @property
@@ -1370,7 +1370,7 @@ class SegmentDistension:
         ...
 
     @property
-    def mean_calibre(self) -> float:
+    def mean_caliber(self) -> float:
         """Mean inner diameter, mm."""
         ...
 
@@ -1423,7 +1423,7 @@ class ShapeComponent:
         ...
 
 
-class ShapeNeighbour:
+class ShapeNeighbor:
     """An entry and its distance."""
     @property
     def distance(self) -> float:
@@ -1477,7 +1477,7 @@ class ShapeRow:
 class ShapeSearchResult:
     """Result of `find_shape`."""
     @property
-    def neighbours(self) -> List[ShapeNeighbour]:
+    def neighbors(self) -> List[ShapeNeighbor]:
         """Nearest first."""
         ...
 
@@ -1691,15 +1691,15 @@ def build_colon_of_lumen(lumen: Image, *, seed_points: ArrayLike=..., faces: int
     """Computes the model from a mask of the lumen only (uint8, nonzero); parameters as in `build_colon`."""
     ...
 
-def build_wall(occupancy: Image, centreline: Union[Curves, NDArray[Any]], *, faces: int=..., bridge_radius: float=..., keep_pieces: bool=..., progress: Optional[Callable[[float, str], object]]=...) -> ColonWall:
+def build_wall(occupancy: Image, centerline: Union[Curves, NDArray[Any]], *, faces: int=..., bridge_radius: float=..., keep_pieces: bool=..., progress: Optional[Callable[[float, str], object]]=...) -> ColonWall:
     """The wall as surfaces, from the occupancy computed by `cleanse`.
 
-    centreline: from `trace_centreline`. faces: of the simplified wall; 0: chosen automatically.
+    centerline: from `trace_centerline`. faces: of the simplified wall; 0: chosen automatically.
     bridge_radius: radius of the tubes through gaps, mm. keep_pieces: keeps the pieces of a broken lumen separate.
     """
     ...
 
-def build_wall_of_mask(mask: Image, centreline: Union[Curves, NDArray[Any]], *, faces: int=..., bridge_radius: float=..., keep_pieces: bool=..., progress: Optional[Callable[[float, str], object]]=...) -> ColonWall:
+def build_wall_of_mask(mask: Image, centerline: Union[Curves, NDArray[Any]], *, faces: int=..., bridge_radius: float=..., keep_pieces: bool=..., progress: Optional[Callable[[float, str], object]]=...) -> ColonWall:
     """The wall from a mask of the lumen (uint8, nonzero); parameters as in `build_wall`."""
     ...
 
@@ -1836,11 +1836,11 @@ def enclosed_volume(mesh: Mesh) -> float:
     """mm^3, of a closed oriented surface; negative if its faces are oriented inwards."""
     ...
 
-def find_candidates(wall: Mesh, lumen: Image, *, centreline: Optional[Union[Curves, NDArray[Any]]]=..., ct: Optional[Image]=..., flat: FlatColon=..., segments: Optional[Mesh]=..., catheter: Optional[Union[Curves, NDArray[Any]]]=..., preset: str=..., sensitivity: float=..., progress: Optional[Callable[[float, str], object]]=...) -> List[PolypCandidate]:
+def find_candidates(wall: Mesh, lumen: Image, *, centerline: Optional[Union[Curves, NDArray[Any]]]=..., ct: Optional[Image]=..., flat: FlatColon=..., segments: Optional[Mesh]=..., catheter: Optional[Union[Curves, NDArray[Any]]]=..., preset: str=..., sensitivity: float=..., progress: Optional[Callable[[float, str], object]]=...) -> List[PolypCandidate]:
     """Polyp candidates on the wall of a colon, by descending score. For research use; not clinical findings.
 
     wall: full resolution, without handles (`ColonWall.repaired`). lumen: uint8, nonzero, on the grid of the CT.
-    Optional inputs add information to a candidate: centreline (with the valve), ct (HU, cleansed), flat (FlatColon),
+    Optional inputs add information to a candidate: centerline (with the valve), ct (HU, cleansed), flat (FlatColon),
     segments (`ColonLandmarks.segments`), catheter (`ColonLumen.catheter`).
     preset: "default" or "published". sensitivity: 0 to 1.
     progress: called with (share, stage), share from 0 to 1; False, or an exception such as that of Ctrl-C, aborts.
@@ -1866,10 +1866,10 @@ def find_in_other_position(map: Mesh, candidates: Sequence[PolypCandidate], othe
     """
     ...
 
-def find_landmarks(flat: FlatColon, centreline: Union[Curves, NDArray[Any]], *, flexure_rule: str=..., taenia_rule: str=..., markers: ArrayLike=..., progress: Optional[Callable[[float, str], object]]=...) -> ColonLandmarks:
+def find_landmarks(flat: FlatColon, centerline: Union[Curves, NDArray[Any]], *, flexure_rule: str=..., taenia_rule: str=..., markers: ArrayLike=..., progress: Optional[Callable[[float, str], object]]=...) -> ColonLandmarks:
     """Flexures, segments, folds on the surface and taeniae of a flat colon.
 
-    flat: FlatColon. centreline: from `trace_centreline`. flexure_rule: "ordered" or "published". taenia_rule: "joint" or
+    flat: FlatColon. centerline: from `trace_centerline`. flexure_rule: "ordered" or "published". taenia_rule: "joint" or
     "published". markers: k x 3, LPS mm: points on taeniae placed by a person.
     progress: called with (share, stage), share from 0 to 1; False, or an exception such as that of Ctrl-C, aborts.
 
@@ -1881,17 +1881,17 @@ def find_shape(signature: ShapeSignature, entries: Sequence[NamedShape], nearest
     """Searches a signature in a list of NamedShape; returns at most `nearest` neighbors."""
     ...
 
-def find_valve(labels: Image, centreline: Union[Curves, NDArray[Any]], ct: Optional[Image]=...) -> Tuple[Optional[IleocaecalValve], str]:
-    """The ileocecal valve: (IleocaecalValve or None, reason why it was not found).
+def find_valve(labels: Image, centerline: Union[Curves, NDArray[Any]], ct: Optional[Image]=...) -> Tuple[Optional[IleocecalValve], str]:
+    """The ileocecal valve: (IleocecalValve or None, reason why it was not found).
 
-    labels: nonzero in the lumen. centreline: from `trace_centreline`. ct: HU on the same grid; None: shape only.
+    labels: nonzero in the lumen. centerline: from `trace_centerline`. ct: HU on the same grid; None: shape only.
     """
     ...
 
-def flatten_tube(mesh: Mesh, centreline: Optional[Union[Curves, NDArray[Any]]]=..., *, metric: str=..., time: float=..., eigenpairs: int=..., remove_handles: bool=..., method: str=..., cut: Optional[Union[Curves, NDArray[Any]]]=..., progress: Optional[Callable[[float, str], object]]=...) -> ColonFlattening:
+def flatten_tube(mesh: Mesh, centerline: Optional[Union[Curves, NDArray[Any]]]=..., *, metric: str=..., time: float=..., eigenpairs: int=..., remove_handles: bool=..., method: str=..., cut: Optional[Union[Curves, NDArray[Any]]]=..., progress: Optional[Callable[[float, str], object]]=...) -> ColonFlattening:
     """Maps a tube, such as the wall of a colon, conformally to a rectangle.
 
-    mesh: one manifold, oriented component with two boundary loops. centreline: from the rectum to the cecum; locates the
+    mesh: one manifold, oriented component with two boundary loops. centerline: from the rectum to the cecum; locates the
     rectum if the surface does not name it.
     metric: "heatDiffusion", "euclidean" or "truncatedHeatDiffusion". time: diffusion time, mm^2; 0: chosen for the mesh.
     eigenpairs: for truncatedHeatDiffusion. remove_handles: finds and cuts handles.
@@ -1940,7 +1940,7 @@ def list_series(path: Union[str, os.PathLike[str]], *, progress: Optional[Callab
     """
     ...
 
-def measure_distension(centreline: Union[Curves, NDArray[Any]]) -> List[SegmentDistension]:
+def measure_distension(centerline: Union[Curves, NDArray[Any]]) -> List[SegmentDistension]:
     """Distension of each segment, with segments delimited by standard fractions of the length."""
     ...
 
@@ -2083,7 +2083,7 @@ def torus_grid(columns: int, rows: int, diagonals: bool=...) -> Tuple[Graph, Lis
     """The grid with periodic boundaries, embedded on the torus: (Graph, rotation), see `embed_graph`."""
     ...
 
-def trace_centreline(lumen: Image, *, start: Optional[ArrayLike]=..., seed_points: ArrayLike=..., exponent: int=..., minimum_volume: float=..., step: float=..., smoothing: float=..., progress: Optional[Callable[[float, str], object]]=...) -> ColonCentreline:
+def trace_centerline(lumen: Image, *, start: Optional[ArrayLike]=..., seed_points: ArrayLike=..., exponent: int=..., minimum_volume: float=..., step: float=..., smoothing: float=..., progress: Optional[Callable[[float, str], object]]=...) -> ColonCenterline:
     """The centerline of the colon from a mask of its lumen (uint8, nonzero).
 
     start: start point in the rectum, LPS mm; None: detected. seed_points: k x 3, LPS mm; pieces next to them are used.

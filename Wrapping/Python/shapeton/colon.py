@@ -5,9 +5,9 @@ the flat wall, the input of folds, landmarks and registration.
 """
 
 from ._shapeton import (
-    CentrelineGap,
+    CenterlineGap,
     CleansedColon,
-    ColonCentreline,
+    ColonCenterline,
     ColonFlexure,
     ColonLandmarks,
     ColonLumen,
@@ -20,7 +20,7 @@ from ._shapeton import (
     FlatColon,
     HaustralFold,
     HaustralFolds,
-    IleocaecalValve,
+    IleocecalValve,
     MatchedFolds,
     PolypCandidate,
     PolypInOtherPosition,
@@ -43,13 +43,13 @@ from ._shapeton import (
     register_positions,
     segment_lumen,
     split_colon,
-    trace_centreline,
+    trace_centerline,
 )
 
 __all__ = [
-    "CentrelineGap",
+    "CenterlineGap",
     "CleansedColon",
-    "ColonCentreline",
+    "ColonCenterline",
     "ColonFlexure",
     "ColonLandmarks",
     "ColonLumen",
@@ -62,7 +62,7 @@ __all__ = [
     "FlatColon",
     "HaustralFold",
     "HaustralFolds",
-    "IleocaecalValve",
+    "IleocecalValve",
     "MatchedFolds",
     "PolypCandidate",
     "PolypInOtherPosition",
@@ -85,5 +85,5 @@ __all__ = [
     "register_positions",
     "segment_lumen",
     "split_colon",
-    "trace_centreline",
+    "trace_centerline",
 ]

@@ -15,7 +15,7 @@ _RAS = np.diag([-1.0, -1.0, 1.0, 1.0])
 _PERPENDICULAR = 1e-3  # headers round
 
 #: Units of lengths of NIfTI.
-_MILLIMETRES = {"meter": 1000.0, "mm": 1.0, "micron": 0.001}
+_MILLIMETERS = {"meter": 1000.0, "mm": 1.0, "micron": 0.001}
 
 Triple = Union[Sequence[float], NDArray[Any]]
 
@@ -30,7 +30,7 @@ class Image:
     spacing
         Voxel spacing along x, y, z; mm.
     origin
-        Centre of voxel ``[0, 0, 0]``; LPS (x to the left, y to the back, z to the head), mm.
+        Center of voxel ``[0, 0, 0]``; LPS (x to the left, y to the back, z to the head), mm.
     direction
         3 x 3; the columns are the unit vectors of the axes x, y, z of the array in LPS. They are perpendicular.
     facts
@@ -68,7 +68,7 @@ class Image:
 
     @property
     def origin(self) -> tuple[float, float, float]:
-        """Centre of voxel ``[0, 0, 0]``; LPS, mm."""
+        """Center of voxel ``[0, 0, 0]``; LPS, mm."""
         return self._origin
 
     @property
@@ -125,10 +125,10 @@ class Image:
         """From a nibabel image: voxels [x, y, z] are transposed (a view), RAS becomes LPS, other units mm."""
         voxels = np.asanyarray(image.dataobj)
         units = image.header.get_xyzt_units()[0] if hasattr(image.header, "get_xyzt_units") else "mm"
-        millimetres = np.diag([_MILLIMETRES.get(units, 1.0)] * 3 + [1.0])
+        millimeters = np.diag([_MILLIMETERS.get(units, 1.0)] * 3 + [1.0])
         if voxels.ndim == 4 and voxels.shape[3] == 1:
             voxels = voxels[..., 0]
-        return cls.from_affine(voxels.T, _RAS @ millimetres @ image.affine)
+        return cls.from_affine(voxels.T, _RAS @ millimeters @ image.affine)
 
     def to_nibabel(self) -> Any:
         """A nibabel.Nifti1Image; its voxels are a view."""

@@ -133,7 +133,7 @@ class Mesh(_Geometry):
 
 
 class Curves(_Geometry):
-    """Polylines in space, such as a centreline, and single points.
+    """Polylines in space, such as a centerline, and single points.
 
     vertices
         n x 3, float64; LPS, mm.

@@ -14,7 +14,7 @@ const Words<PolypPreset> presetWords{ { "default", PolypPreset::Default }, { "pu
 Candidates
 Search(const SurfaceMesh &                                  wall,
        const PolypLumenImage::Pointer &                     lumen,
-       const std::optional<CurveSet> &                      centreline,
+       const std::optional<CurveSet> &                      centerline,
        const std::optional<itk::Image<float, 3>::Pointer> & ct,
        const std::shared_ptr<FlatColon> &                   flat,
        const std::optional<SurfaceMesh> &                   segments,
@@ -26,7 +26,7 @@ Search(const SurfaceMesh &                                  wall,
   PolypColon colon;
   colon.wall = wall;
   colon.lumen = lumen;
-  colon.centreline = centreline.value_or(CurveSet());
+  colon.centerline = centerline.value_or(CurveSet());
   colon.catheter = catheter.value_or(CurveSet());
   colon.ct = ct ? *ct : nullptr;
   colon.flat = flat;
@@ -78,7 +78,7 @@ AddCandidate(py::module_ & module)
     .def_readonly("least_diameter", &PolypCandidate::leastDiameter, "Smallest width, mm.")
     .def_readonly("height", &PolypCandidate::height, "Height above the surrounding ring, mm.")
     .def_readonly("arc_length", &PolypCandidate::arcLength, "mm along the centerline; NaN if unknown.")
-    .def_readonly("segment", &PolypCandidate::segment, "1 rectum to 6 caecum; 0 unknown.")
+    .def_readonly("segment", &PolypCandidate::segment, "1 rectum to 6 cecum; 0 unknown.")
     .def_readonly("uv", &PolypCandidate::uv, "Position on the flat map, mm; NaN without one.")
     .def_readonly("attenuation", &PolypCandidate::attenuation, "Median HU inside; NaN without a CT.")
     .def_property_readonly(
@@ -86,7 +86,7 @@ AddCandidate(py::module_ & module)
     .def_property_readonly(
       "size", [](const PolypCandidate & c) { return NameOf(SizeOf(c.diameter)); }, "For example \"6-9 mm\".")
     .def_readonly("submerged_share", &PolypCandidate::submergedShare, "Fraction covered by tagged fluid, 0 to 1.")
-    .def_readonly("remark", &PolypCandidate::remark, "For example \"the ileocaecal valve\"; otherwise empty.")
+    .def_readonly("remark", &PolypCandidate::remark, "For example \"the ileocecal valve\"; otherwise empty.")
     .def_readonly("other", &PolypCandidate::other, "Result in the other position; None if it was not searched.");
 }
 } // namespace
@@ -100,7 +100,7 @@ AddCandidates(py::module_ & module)
              "wall"_a,
              "lumen"_a,
              py::kw_only(),
-             "centreline"_a = py::none(),
+             "centerline"_a = py::none(),
              "ct"_a = py::none(),
              "flat"_a = py::none(),
              "segments"_a = py::none(),
@@ -112,7 +112,7 @@ AddCandidates(py::module_ & module)
              R"(Polyp candidates on the wall of a colon, by descending score. For research use; not clinical findings.
 
 wall: full resolution, without handles (`ColonWall.repaired`). lumen: uint8, nonzero, on the grid of the CT.
-Optional inputs add information to a candidate: centreline (with the valve), ct (HU, cleansed), flat (FlatColon),
+Optional inputs add information to a candidate: centerline (with the valve), ct (HU, cleansed), flat (FlatColon),
 segments (`ColonLandmarks.segments`), catheter (`ColonLumen.catheter`).
 preset: "default" or "published". sensitivity: 0 to 1.
 progress: called with (share, stage), share from 0 to 1; False, or an exception such as that of Ctrl-C, aborts.)");

@@ -29,7 +29,7 @@ Segment(const CtPointer & ct, const std::string & position, const Places & seedP
   return SegmentColonLumen(ct, { position, PointsOf(seedPoints), progress.Part("Finding the lumen", 0.0, 1.0) });
 }
 
-ColonCentreline
+ColonCenterline
 Trace(const MaskPointer &                          lumen,
       const std::optional<itk::Point<double, 3>> & start,
       const Places &                               seedPoints,
@@ -39,20 +39,20 @@ Trace(const MaskPointer &                          lumen,
       double                                       smoothing,
       const Progress &                             progress)
 {
-  ColonCentrelineOptions options;
+  ColonCenterlineOptions options;
   options.exponent = exponent;
   options.start = start;
   options.seedPoints = PointsOf(seedPoints);
   options.minimumVolume = minimumVolume;
   options.step = step;
   options.smoothing = smoothing;
-  options.progress = progress.Part("Tracing the centreline", 0.0, 1.0);
-  ColonCentreline centreline = TraceColonCentreline(lumen, options);
-  if (!centreline.failure.empty())
+  options.progress = progress.Part("Tracing the centerline", 0.0, 1.0);
+  ColonCenterline centerline = TraceColonCenterline(lumen, options);
+  if (!centerline.failure.empty())
   {
-    throw InputError(centreline.failure);
+    throw InputError(centerline.failure);
   }
-  return centreline;
+  return centerline;
 }
 
 ColonWallOptions
@@ -68,24 +68,24 @@ WallOptionsOf(int faces, double bridgeRadius, bool keepPieces, const Progress & 
 
 ColonWall
 Wall(const CtPointer & occupancy,
-     const CurveSet &  centreline,
+     const CurveSet &  centerline,
      int               faces,
      double            bridgeRadius,
      bool              keepPieces,
      const Progress &  progress)
 {
-  return BuildColonWall(occupancy, centreline, WallOptionsOf(faces, bridgeRadius, keepPieces, progress));
+  return BuildColonWall(occupancy, centerline, WallOptionsOf(faces, bridgeRadius, keepPieces, progress));
 }
 
 ColonWall
 WallOfMask(const MaskPointer & mask,
-           const CurveSet &    centreline,
+           const CurveSet &    centerline,
            int                 faces,
            double              bridgeRadius,
            bool                keepPieces,
            const Progress &    progress)
 {
-  return BuildColonWallFromMask(mask, centreline, WallOptionsOf(faces, bridgeRadius, keepPieces, progress));
+  return BuildColonWallFromMask(mask, centerline, WallOptionsOf(faces, bridgeRadius, keepPieces, progress));
 }
 
 ColonModel
@@ -187,13 +187,13 @@ seed_points: k x 3, LPS mm; the pieces of gas or fluid that contain them are col
 }
 
 void
-AddCentreline(py::module_ & module)
+AddCenterline(py::module_ & module)
 {
-  py::class_<CentrelineGap>(module, "CentrelineGap", "A part without lumen that is bridged by the centerline.")
-    .def_readonly("begin", &CentrelineGap::begin, "Begin in mm along the line.")
-    .def_readonly("end", &CentrelineGap::end, "End in mm along the line.")
-    .def_readonly("distance", &CentrelineGap::distance, "Straight distance between the ends of the lumen, mm.")
-    .def_readonly("is_doubtful", &CentrelineGap::isDoubtful, "Whether it is longer than known collapsed segments.");
+  py::class_<CenterlineGap>(module, "CenterlineGap", "A part without lumen that is bridged by the centerline.")
+    .def_readonly("begin", &CenterlineGap::begin, "Begin in mm along the line.")
+    .def_readonly("end", &CenterlineGap::end, "End in mm along the line.")
+    .def_readonly("distance", &CenterlineGap::distance, "Straight distance between the ends of the lumen, mm.")
+    .def_readonly("is_doubtful", &CenterlineGap::isDoubtful, "Whether it is longer than known collapsed segments.");
 
   py::class_<SegmentDistension>(module, "SegmentDistension", "Distension of a segment of the colon.")
     .def_readonly("name", &SegmentDistension::name, "Name of the segment.")
@@ -201,27 +201,27 @@ AddCentreline(py::module_ & module)
     .def_readonly("end", &SegmentDistension::end, "End in mm along the centerline.")
     .def_readonly(
       "share", &SegmentDistension::share, "Fraction of its length with a diameter of at least 10 mm, 0 to 1.")
-    .def_readonly("mean_calibre", &SegmentDistension::meanCalibre, "Mean inner diameter, mm.")
+    .def_readonly("mean_caliber", &SegmentDistension::meanCaliber, "Mean inner diameter, mm.")
     .def_readonly("collapsed_length", &SegmentDistension::collapsedLength, "Length without lumen, mm.");
 
-  py::class_<ColonCentreline>(module, "ColonCentreline", "The centerline of a colon from the rectum to the cecum.")
+  py::class_<ColonCenterline>(module, "ColonCenterline", "The centerline of a colon from the rectum to the cecum.")
     .def_readonly(
-      "curve", &ColonCentreline::curve, "One curve; point arrays arcLength (mm), radius (mm), gap (1 on a bridge).")
-    .def_readonly("length", &ColonCentreline::length, "mm.")
-    .def_readonly("gaps", &ColonCentreline::gaps, "Bridged gaps.")
-    .def_readonly("coverage", &ColonCentreline::coverage, "Fraction of the lumen along the line, 0 to 1.")
-    .def_readonly("warnings", &ColonCentreline::warnings, "Doubtful results, one per line.");
+      "curve", &ColonCenterline::curve, "One curve; point arrays arcLength (mm), radius (mm), gap (1 on a bridge).")
+    .def_readonly("length", &ColonCenterline::length, "mm.")
+    .def_readonly("gaps", &ColonCenterline::gaps, "Bridged gaps.")
+    .def_readonly("coverage", &ColonCenterline::coverage, "Fraction of the lumen along the line, 0 to 1.")
+    .def_readonly("warnings", &ColonCenterline::warnings, "Doubtful results, one per line.");
 
-  module.def("trace_centreline",
+  module.def("trace_centerline",
              Reporting(&Trace),
              "lumen"_a,
              py::kw_only(),
              "start"_a = py::none(),
              "seed_points"_a = Places(),
-             "exponent"_a = ColonCentrelineOptions().exponent,
-             "minimum_volume"_a = ColonCentrelineOptions().minimumVolume,
-             "step"_a = ColonCentrelineOptions().step,
-             "smoothing"_a = ColonCentrelineOptions().smoothing,
+             "exponent"_a = ColonCenterlineOptions().exponent,
+             "minimum_volume"_a = ColonCenterlineOptions().minimumVolume,
+             "step"_a = ColonCenterlineOptions().step,
+             "smoothing"_a = ColonCenterlineOptions().smoothing,
              "progress"_a = py::none(),
              ReleaseGil(),
              R"(The centerline of the colon from a mask of its lumen (uint8, nonzero).
@@ -231,41 +231,41 @@ exponent: one mm of path costs 1 / (distance to the wall)^exponent. minimum_volu
 step: spacing of the points, mm. smoothing: standard deviation along the line, mm.)");
   module.def(
     "measure_distension",
-    [](const CurveSet & centreline) { return MeasureDistension(centreline); },
-    "centreline"_a,
+    [](const CurveSet & centerline) { return MeasureDistension(centerline); },
+    "centerline"_a,
     "Distension of each segment, with segments delimited by standard fractions of the length.");
 }
 
 void
 AddValve(py::module_ & module)
 {
-  py::class_<IleocaecalValve>(module, "IleocaecalValve", "The opening of the terminal ileum into the colon.")
-    .def_readonly("position", &IleocaecalValve::position, "LPS, mm.")
-    .def_readonly("arc_length", &IleocaecalValve::arcLength, "mm along the centreline.")
-    .def_readonly("length", &IleocaecalValve::length, "Greatest width, mm.")
-    .def_readonly("width", &IleocaecalValve::width, "Least width, mm.")
-    .def_readonly("attenuation", &IleocaecalValve::attenuation, "Median HU inside; NaN without a CT.")
-    .def_readonly("confidence", &IleocaecalValve::confidence, "0 to 1.");
+  py::class_<IleocecalValve>(module, "IleocecalValve", "The opening of the terminal ileum into the colon.")
+    .def_readonly("position", &IleocecalValve::position, "LPS, mm.")
+    .def_readonly("arc_length", &IleocecalValve::arcLength, "mm along the centerline.")
+    .def_readonly("length", &IleocecalValve::length, "Greatest width, mm.")
+    .def_readonly("width", &IleocecalValve::width, "Least width, mm.")
+    .def_readonly("attenuation", &IleocecalValve::attenuation, "Median HU inside; NaN without a CT.")
+    .def_readonly("confidence", &IleocecalValve::confidence, "0 to 1.");
 
   module.def(
     "find_valve",
-    [](const MaskPointer & labels, const CurveSet & centreline, const std::optional<CtPointer> & ct) {
-      ValveSearch search = FindIleocaecalValve(labels, ct ? ct->GetPointer() : nullptr, centreline);
+    [](const MaskPointer & labels, const CurveSet & centerline, const std::optional<CtPointer> & ct) {
+      ValveSearch search = FindIleocecalValve(labels, ct ? ct->GetPointer() : nullptr, centerline);
       return std::make_pair(search.valve, search.reason);
     },
     "labels"_a,
-    "centreline"_a,
+    "centerline"_a,
     "ct"_a = py::none(),
     ReleaseGil(),
-    R"(The ileocecal valve: (IleocaecalValve or None, reason why it was not found).
+    R"(The ileocecal valve: (IleocecalValve or None, reason why it was not found).
 
-labels: nonzero in the lumen. centreline: from `trace_centreline`. ct: HU on the same grid; None: shape only.)");
+labels: nonzero in the lumen. centerline: from `trace_centerline`. ct: HU on the same grid; None: shape only.)");
 }
 
 void
 AddWall(py::module_ & module)
 {
-  py::class_<ColonWall>(module, "ColonWall", "The wall of a colon in three forms, each open at rectum and caecum.")
+  py::class_<ColonWall>(module, "ColonWall", "The wall of a colon in three forms, each open at rectum and cecum.")
     .def_readonly("raw", &ColonWall::raw, "The extracted surface, with all handles.")
     .def_readonly("repaired", &ColonWall::repaired, "The surface without handles, smoothed.")
     .def_readonly("simplified", &ColonWall::simplified, "The repaired surface with fewer faces.")
@@ -282,7 +282,7 @@ AddWall(py::module_ & module)
   module.def("build_wall",
              Reporting(&Wall),
              "occupancy"_a,
-             "centreline"_a,
+             "centerline"_a,
              py::kw_only(),
              "faces"_a = defaults.faces,
              "bridge_radius"_a = defaults.bridgeRadius,
@@ -291,12 +291,12 @@ AddWall(py::module_ & module)
              ReleaseGil(),
              R"(The wall as surfaces, from the occupancy computed by `cleanse`.
 
-centreline: from `trace_centreline`. faces: of the simplified wall; 0: chosen automatically.
+centerline: from `trace_centerline`. faces: of the simplified wall; 0: chosen automatically.
 bridge_radius: radius of the tubes through gaps, mm. keep_pieces: keeps the pieces of a broken lumen separate.)");
   module.def("build_wall_of_mask",
              Reporting(&WallOfMask),
              "mask"_a,
-             "centreline"_a,
+             "centerline"_a,
              py::kw_only(),
              "faces"_a = defaults.faces,
              "bridge_radius"_a = defaults.bridgeRadius,
@@ -309,12 +309,12 @@ bridge_radius: radius of the tubes through gaps, mm. keep_pieces: keeps the piec
 void
 AddModel(py::module_ & module)
 {
-  py::class_<ColonModel>(module, "ColonModel", "A colon: lumen, centreline and wall.")
+  py::class_<ColonModel>(module, "ColonModel", "A colon: lumen, centerline and wall.")
     .def_readonly("lumen", &ColonModel::lumen, "ColonLumen.")
     .def_readonly("cleansed", &ColonModel::cleansed, "float32, HU; None for a mask.")
-    .def_readonly("centreline", &ColonModel::centreline, "ColonCentreline; its curve includes the valve.")
+    .def_readonly("centerline", &ColonModel::centerline, "ColonCenterline; its curve includes the valve.")
     .def_property_readonly(
-      "valve", [](const ColonModel & model) { return model.valve.valve; }, "IleocaecalValve; None if it was not found.")
+      "valve", [](const ColonModel & model) { return model.valve.valve; }, "IleocecalValve; None if it was not found.")
     .def_readonly("distension", &ColonModel::distension, "Distension of the segments.")
     .def_readonly("wall", &ColonModel::wall, "ColonWall.")
     .def_readonly("warnings", &ColonModel::warnings, "Warnings of all stages, one per line.")
@@ -362,7 +362,7 @@ void
 AddColonModel(py::module_ & module)
 {
   AddLumen(module);
-  AddCentreline(module);
+  AddCenterline(module);
   AddValve(module);
   AddWall(module);
   AddModel(module);

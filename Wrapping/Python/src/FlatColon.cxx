@@ -188,7 +188,7 @@ AddFolds(py::module_ & module)
   using Ends = std::array<Eigen::Vector3d, 2>;
   py::class_<HaustralFold>(module, "HaustralFold", "A haustral fold.")
     .def_readonly("label", &HaustralFold::label, "Label value, from 1.")
-    .def_readonly("centre", &HaustralFold::centre, "LPS, mm.")
+    .def_readonly("center", &HaustralFold::center, "LPS, mm.")
     .def_property_readonly(
       "ends",
       [](const HaustralFold & fold) {
@@ -196,7 +196,7 @@ AddFolds(py::module_ & module)
         return RowsOf({ ends[0], ends[1] });
       },
       "2 x 3; LPS, mm.")
-    .def_readonly("centre_uv", &HaustralFold::centreUv, "Center on the map, mm.")
+    .def_readonly("center_uv", &HaustralFold::centerUv, "Center on the map, mm.")
     .def_readonly("length", &HaustralFold::length, "Length along the crest, mm.")
     .def_readonly("area", &HaustralFold::area, "mm^2.")
     .def_readonly("height", &HaustralFold::height, "Height of the crest above the wall, mm; NaN if not visible.")

@@ -40,7 +40,7 @@ MapOf(const SurfaceMesh &                    mesh,
 
 ColonFlattening
 Flatten(SurfaceMesh                     mesh,
-        const std::optional<CurveSet> & centreline,
+        const std::optional<CurveSet> & centerline,
         const std::string &             metric,
         double                          time,
         int                             eigenpairs,
@@ -59,7 +59,7 @@ Flatten(SurfaceMesh                     mesh,
   {
     options.tube.cutCurve = OnlyCurve(*cut, "the cut");
   }
-  options.centreline = centreline.value_or(CurveSet());
+  options.centerline = centerline.value_or(CurveSet());
   options.progress = progress;
   return FlattenColon(std::move(mesh), "the mesh", options);
 }
@@ -150,7 +150,7 @@ AddFlattening(py::module_ & module)
   module.def("flatten_tube",
              Reporting(&Flatten),
              "mesh"_a,
-             "centreline"_a = py::none(),
+             "centerline"_a = py::none(),
              py::kw_only(),
              "metric"_a = WordOf(defaults.metric, metricWords),
              "time"_a = defaults.time,
@@ -162,7 +162,7 @@ AddFlattening(py::module_ & module)
              ReleaseGil(),
              R"(Maps a tube, such as the wall of a colon, conformally to a rectangle.
 
-mesh: one manifold, oriented component with two boundary loops. centreline: from the rectum to the cecum; locates the
+mesh: one manifold, oriented component with two boundary loops. centerline: from the rectum to the cecum; locates the
 rectum if the surface does not name it.
 metric: "heatDiffusion", "euclidean" or "truncatedHeatDiffusion". time: diffusion time, mm^2; 0: chosen for the mesh.
 eigenpairs: for truncatedHeatDiffusion. remove_handles: finds and cuts handles.

@@ -261,7 +261,7 @@ AddGraphs(py::module_ & module)
     .def_property_readonly(
       "correspondence_by",
       [](const GraphComparison & c) { return c.correspondence.by; },
-      "\"isomorphism\", \"names\", \"neighbourhoods\" or \"none\".");
+      "\"isomorphism\", \"names\", \"neighborhoods\" or \"none\".");
 
   const GraphEmbeddingOptions defaults;
   module.def("embed_graph",

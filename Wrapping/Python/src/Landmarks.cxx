@@ -13,7 +13,7 @@ const Words<TaeniaRule>  taeniaWords{ { "joint", TaeniaRule::Joint }, { "publish
 
 FoundLandmarks
 Find(const std::shared_ptr<FlatColon> & flat,
-     const CurveSet &                   centreline,
+     const CurveSet &                   centerline,
      const std::string &                flexureRule,
      const std::string &                taeniaRule,
      const Places &                     markers,
@@ -24,7 +24,7 @@ Find(const std::shared_ptr<FlatColon> & flat,
   options.taeniaRule = ValueOf(taeniaRule, "taenia_rule", taeniaWords);
   options.markers = markers.points;
   options.progress = progress;
-  return { flat, FindColonLandmarks(*flat, centreline, options) };
+  return { flat, FindColonLandmarks(*flat, centerline, options) };
 }
 
 /** The taeniae as in taeniae.vtp. */
@@ -49,7 +49,7 @@ AddFlexure(py::module_ & module)
     .def_readonly("is_found", &ColonFlexure::isFound, "Whether it was found.")
     .def_readonly("reason", &ColonFlexure::reason, "Why it was not found; otherwise empty.")
     .def_readonly("point", &ColonFlexure::point, "Point on the centerline; LPS, mm.")
-    .def_readonly("arc_length", &ColonFlexure::arcLength, "mm along the centreline.")
+    .def_readonly("arc_length", &ColonFlexure::arcLength, "mm along the centerline.")
     .def_readonly(
       "confidence", &ColonFlexure::confidence, "Probability, 0 to 1, that the true flexure is within 30 mm.");
 }
@@ -58,7 +58,7 @@ void
 AddPieces(py::module_ & module)
 {
   py::class_<ColonPiece>(module, "ColonPiece", "A segment of the colon, cut open along a taenia and flattened.")
-    .def_readonly("segment", &ColonPiece::segment, "1 rectum to 6 caecum.")
+    .def_readonly("segment", &ColonPiece::segment, "1 rectum to 6 cecum.")
     .def_readonly("name", &ColonPiece::name, "Name of the segment.")
     .def_readonly("flat", &ColonPiece::flat, "Surface in space, with the point array uv (mm on the rectangle).")
     .def_readonly("modulus_u", &ColonPiece::modulusU, "Height over width of the rectangle: an upper bound.")
@@ -123,7 +123,7 @@ AddLandmarks(py::module_ & module)
   module.def("find_landmarks",
              Reporting(&Find),
              "flat"_a,
-             "centreline"_a,
+             "centerline"_a,
              py::kw_only(),
              "flexure_rule"_a = WordOf(ColonLandmarkOptions().flexureRule, flexureWords),
              "taenia_rule"_a = WordOf(ColonLandmarkOptions().taeniaRule, taeniaWords),
@@ -132,7 +132,7 @@ AddLandmarks(py::module_ & module)
              ReleaseGil(),
              R"(Flexures, segments, folds on the surface and taeniae of a flat colon.
 
-flat: FlatColon. centreline: from `trace_centreline`. flexure_rule: "ordered" or "published". taenia_rule: "joint" or
+flat: FlatColon. centerline: from `trace_centerline`. flexure_rule: "ordered" or "published". taenia_rule: "joint" or
 "published". markers: k x 3, LPS mm: points on taeniae placed by a person.
 progress: called with (share, stage), share from 0 to 1; False, or an exception such as that of Ctrl-C, aborts.
 

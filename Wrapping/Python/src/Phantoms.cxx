@@ -16,7 +16,7 @@ struct ColonPhantom
   Source::ImageType::Pointer      ct; // null if only the ground truth was requested
   Source::LabelImageType::Pointer lumen;
   Source::LabelImageType::Pointer segments;
-  CurveSet                        centreline;
+  CurveSet                        centerline;
 };
 
 ColonPhantom
@@ -41,7 +41,7 @@ MakePhantom(unsigned                            seed,
   return { truthOnly ? nullptr : source->GetOutput(),
            source->GetLumenOutput(),
            source->GetSegmentOutput(),
-           source->GetAnatomy().Centreline() };
+           source->GetAnatomy().Centerline() };
 }
 } // namespace
 
@@ -51,8 +51,8 @@ AddPhantoms(py::module_ & module)
   py::class_<ColonPhantom>(module, "ColonPhantom", "A synthetic patient for CT colonography, with ground truth.")
     .def_readonly("ct", &ColonPhantom::ct, "int16, HU; None if only the ground truth was requested.")
     .def_readonly("lumen", &ColonPhantom::lumen, "uint8: 1 gas, 2 fluid.")
-    .def_readonly("segments", &ColonPhantom::segments, "uint8: 1 rectum to 6 caecum.")
-    .def_readonly("centreline", &ColonPhantom::centreline, "The true centerline, from the anal verge to the cecum.");
+    .def_readonly("segments", &ColonPhantom::segments, "uint8: 1 rectum to 6 cecum.")
+    .def_readonly("centerline", &ColonPhantom::centerline, "The true centerline, from the anal verge to the cecum.");
 
   const auto                   source = Source::New();
   const ColonPhantomParameters defaults;

@@ -30,7 +30,7 @@ struct Registered
 std::shared_ptr<Position>
 PositionOf(const std::string &    name,
            const FoundLandmarks & found,
-           const CurveSet &       centreline,
+           const CurveSet &       centerline,
            const FoundFolds &     folds)
 {
   const auto      files = std::make_shared<Position>();
@@ -38,7 +38,7 @@ PositionOf(const std::string &    name,
   ColonPosition & position = files->position;
   position.name = name;
   position.flat = found.flat;
-  position.centreline = centreline;
+  position.centerline = centerline;
   const auto flexures = FlexuresOf(document);
   for (std::size_t i = 0; i < flexures.size(); ++i)
   {
@@ -48,8 +48,8 @@ PositionOf(const std::string &    name,
   position.taeniae = TaeniaCurves(found.landmarks.taeniae);
   position.folds = folds.folds.folds;
   position.curvature = found.landmarks.folds.curvature;
-  position.isExcluded = FindExcludedColumns(*position.flat, position.centreline);
-  files->segments = SegmentsOf(document, PointValues(centreline, "arcLength", name).maxCoeff());
+  position.isExcluded = FindExcludedColumns(*position.flat, position.centerline);
+  files->segments = SegmentsOf(document, PointValues(centerline, "arcLength", name).maxCoeff());
   return files;
 }
 
@@ -124,9 +124,9 @@ AddPosition(py::module_ & module)
   py::class_<Position, std::shared_ptr<Position>>(
     module, "ColonPosition", R"(The colon in one position, for registration.
 
-name: "supine" or "prone", for messages. landmarks: from `find_landmarks`. centreline: Curves.
+name: "supine" or "prone", for messages. landmarks: from `find_landmarks`. centerline: Curves.
 folds: from `find_folds`.)")
-    .def(py::init(&PositionOf), "name"_a, "landmarks"_a, "centreline"_a, "folds"_a, ReleaseGil())
+    .def(py::init(&PositionOf), "name"_a, "landmarks"_a, "centerline"_a, "folds"_a, ReleaseGil())
     .def_property_readonly(
       "name", [](const Position & p) { return p.position.name; }, "Name used in messages.")
     .def_readonly("warnings", &Position::warnings, "Missing inputs that the registration does not require.");

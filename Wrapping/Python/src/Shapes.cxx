@@ -111,12 +111,12 @@ AddSearch(py::module_ & module)
     .def_readonly("name", &NamedShape::name, "Any text.")
     .def_readonly("signature", &NamedShape::signature, "A ShapeSignature.");
 
-  py::class_<ShapeNeighbour>(module, "ShapeNeighbour", "An entry and its distance.")
-    .def_readonly("entry", &ShapeNeighbour::entry, "Index of the entry.")
-    .def_readonly("distance", &ShapeNeighbour::distance, "At least 0; copies of one shape are about 1 apart.");
+  py::class_<ShapeNeighbor>(module, "ShapeNeighbor", "An entry and its distance.")
+    .def_readonly("entry", &ShapeNeighbor::entry, "Index of the entry.")
+    .def_readonly("distance", &ShapeNeighbor::distance, "At least 0; copies of one shape are about 1 apart.");
 
   py::class_<ShapeSearchResult>(module, "ShapeSearchResult", "Result of `find_shape`.")
-    .def_readonly("neighbours", &ShapeSearchResult::neighbours, "Nearest first.")
+    .def_readonly("neighbors", &ShapeSearchResult::neighbors, "Nearest first.")
     .def_readonly("probability",
                   &ShapeSearchResult::probability,
                   "Probability that the nearest is the same shape, fitted to generated shapes.")

@@ -87,8 +87,8 @@ def balls(shape=(40, 36, 32), seed=1, noise=20.0):
     z, y, x = np.ogrid[tuple(slice(n) for n in shape)]
     voxels = random.normal(0.0, noise, shape)
     for _ in range(5):
-        centre, radius = random.uniform(0.25, 0.75, 3) * shape, random.uniform(0.1, 0.25) * min(shape)
-        inside = (z - centre[0]) ** 2 + (y - centre[1]) ** 2 + (x - centre[2]) ** 2 < radius**2
+        center, radius = random.uniform(0.25, 0.75, 3) * shape, random.uniform(0.1, 0.25) * min(shape)
+        inside = (z - center[0]) ** 2 + (y - center[1]) ** 2 + (x - center[2]) ** 2 < radius**2
         voxels[inside] += 500.0
     return shapeton.Image(voxels.astype(np.float32), (0.8, 0.9, 1.5), (-10.0, 20.0, 5.0), oblique())
 

@@ -24,12 +24,12 @@ class Position:
         truth = colon.colon_phantom(position=name, size=(120, 120, 112), spacing=(3.0, 3.0, 3.0), truth_only=True)
         self.lumen = truth.lumen
         self.model = colon.build_colon_of_lumen(self.lumen, faces=40000)
-        self.wall, self.centreline = self.model.wall.simplified, self.model.centreline.curve
-        self.flat_mesh = flattening.flatten_tube(self.wall, self.centreline, metric="euclidean").flat
+        self.wall, self.centerline = self.model.wall.simplified, self.model.centerline.curve
+        self.flat_mesh = flattening.flatten_tube(self.wall, self.centerline, metric="euclidean").flat
         self.flat = self.new_flat()
         self.folds = colon.find_folds(self.flat)
-        self.landmarks = colon.find_landmarks(self.flat, self.centreline)
-        self.position = colon.ColonPosition(name, self.landmarks, self.centreline, self.folds)
+        self.landmarks = colon.find_landmarks(self.flat, self.centerline)
+        self.position = colon.ColonPosition(name, self.landmarks, self.centerline, self.folds)
 
     def new_flat(self):
         """Without the grids that a FlatColon keeps."""
@@ -100,7 +100,7 @@ class AbortTest(TestCase):
         self.check(lambda **options: surfaces.diffuse_over_surface(self.supine.wall, heat, 10.0, **options))
 
     def test_conformal_maps(self):
-        wall, line = self.supine.wall, self.supine.centreline
+        wall, line = self.supine.wall, self.supine.centerline
         with self.subTest("flatten_tube"):
             self.check(lambda **options: flattening.flatten_tube(wall, line, **options))
         for domain in ("rectangle", "slit"):
@@ -112,7 +112,7 @@ class AbortTest(TestCase):
         with self.subTest("folds"):
             self.check(lambda **options: colon.find_folds(supine.new_flat(), **options))
         with self.subTest("landmarks"):
-            self.check(lambda **options: colon.find_landmarks(supine.new_flat(), supine.centreline, **options))
+            self.check(lambda **options: colon.find_landmarks(supine.new_flat(), supine.centerline, **options))
         with self.subTest("pieces"):
             self.check(lambda **options: colon.split_colon(supine.landmarks, **options))
 
@@ -144,7 +144,7 @@ class AbortTest(TestCase):
     def test_stages_of_a_ct(self):
         phantom = colon.colon_phantom(position="supine", size=(256, 256, 240), spacing=(1.4, 1.4, 1.4))
         lumen = colon.segment_lumen(phantom.ct)
-        occupancy, line = colon.cleanse(phantom.ct, lumen).occupancy, colon.trace_centreline(lumen.labels).curve
+        occupancy, line = colon.cleanse(phantom.ct, lumen).occupancy, colon.trace_centerline(lumen.labels).curve
         wall = colon.build_wall(occupancy, line).repaired
         with self.subTest("phantom"):
             self.check(lambda **options: colon.colon_phantom(size=(128, 128, 120), spacing=(2.8, 2.8, 2.8), **options))
@@ -152,8 +152,8 @@ class AbortTest(TestCase):
             self.check(lambda **options: colon.segment_lumen(phantom.ct, **options))
         with self.subTest("cleansing"):
             self.check(lambda **options: colon.cleanse(phantom.ct, lumen, **options))
-        with self.subTest("centreline"):
-            self.check(lambda **options: colon.trace_centreline(lumen.labels, **options))
+        with self.subTest("centerline"):
+            self.check(lambda **options: colon.trace_centerline(lumen.labels, **options))
         with self.subTest("wall"):
             self.check(lambda **options: colon.build_wall(occupancy, line, **options))
         with self.subTest("simplification"):

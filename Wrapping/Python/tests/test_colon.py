@@ -19,12 +19,12 @@ class Examination:
     def __init__(self, position):
         self.truth = lumen_of(position)
         self.model = colon.build_colon_of_lumen(self.truth.lumen, faces=20000)
-        self.centreline = self.model.centreline.curve
-        self.flattened = flattening.flatten_tube(self.model.wall.simplified, self.centreline, metric="euclidean")
+        self.centerline = self.model.centerline.curve
+        self.flattened = flattening.flatten_tube(self.model.wall.simplified, self.centerline, metric="euclidean")
         self.flat = colon.FlatColon(self.flattened.flat)
         self.folds = colon.find_folds(self.flat)
-        self.landmarks = colon.find_landmarks(self.flat, self.centreline)
-        self.position = colon.ColonPosition(position, self.landmarks, self.centreline, self.folds)
+        self.landmarks = colon.find_landmarks(self.flat, self.centerline)
+        self.position = colon.ColonPosition(position, self.landmarks, self.centerline, self.folds)
 
 
 class ColonTest(TestCase):
@@ -32,8 +32,8 @@ class ColonTest(TestCase):
     def setUpClass(cls):
         cls.supine = Examination("supine")
 
-    def test_the_centreline_is_near_the_true_one(self):
-        line, truth = self.supine.model.centreline, self.supine.truth.centreline
+    def test_the_centerline_is_near_the_true_one(self):
+        line, truth = self.supine.model.centerline, self.supine.truth.centerline
         self.assertEqual((line.gaps, self.supine.model.failure), ([], ""))
         points, true_points = line.curve.points(), truth.points()
         distances = np.linalg.norm(points[:, None] - true_points[None], axis=2).min(axis=1)
@@ -70,7 +70,7 @@ class ColonTest(TestCase):
         self.assertEqual(labels.shape, self.supine.flat.shape)
         self.assertEqual(set(np.unique(labels)), {0} | {fold.label for fold in folds})
         for fold in folds[::20]:
-            _, distance = self.supine.flat.find(np.array([fold.centre, *fold.ends]))
+            _, distance = self.supine.flat.find(np.array([fold.center, *fold.ends]))
             self.assertLess(distance.max(), 0.01)
 
     def test_landmarks_are_in_order_along_the_colon(self):
@@ -93,7 +93,7 @@ class ColonTest(TestCase):
         candidates = colon.find_candidates(
             supine.model.wall.repaired,
             supine.truth.lumen,
-            centreline=supine.centreline,
+            centerline=supine.centerline,
             flat=supine.flat,
             segments=supine.landmarks.segments,
         )
@@ -133,7 +133,7 @@ class ColonTest(TestCase):
     def test_wrong_input_is_refused(self):
         lumen = self.supine.truth.lumen
         with self.assertRaises(shapeton.InputError):
-            colon.trace_centreline(lumen.like(np.zeros_like(lumen.array)))
+            colon.trace_centerline(lumen.like(np.zeros_like(lumen.array)))
         with self.assertRaisesRegex(shapeton.ParameterError, "sideways"):
             colon.segment_lumen(lumen, patient_position="sideways")
         with self.assertRaisesRegex(shapeton.InputError, "uv"):
@@ -152,11 +152,11 @@ class ColonTest(TestCase):
             with self.assertRaisesRegex(ValueError, "place is not finite"):
                 flat.find([[0.0, 0.0, 0.0], [wrong, 0.0, 0.0]])
             with self.assertRaisesRegex(shapeton.InputError, "point 0 is not finite"):
-                colon.find_landmarks(flat, self.supine.model.centreline.curve, markers=[[wrong, 0.0, 0.0]])
+                colon.find_landmarks(flat, self.supine.model.centerline.curve, markers=[[wrong, 0.0, 0.0]])
         for far in (1e6, 1e100, 1e300):
             self.assertGreater(flat.find([[far, 0.0, 0.0]])[1][0], 0.9e6)
             with self.assertRaisesRegex(shapeton.InputError, "from the wall"):
-                colon.find_landmarks(flat, self.supine.model.centreline.curve, markers=[[far, 0.0, 0.0]])
+                colon.find_landmarks(flat, self.supine.model.centerline.curve, markers=[[far, 0.0, 0.0]])
 
 
 if __name__ == "__main__":

@@ -21,7 +21,7 @@ class Examination:
         self.ct = colon.colon_phantom(position=name, size=(120, 120, 112), spacing=(3.0, 3.0, 3.0)).ct
         self.run_tools(folder / (name + ".nrrd"))
         self.model = colon.build_colon(self.ct)
-        line = self.model.centreline.curve
+        line = self.model.centerline.curve
         self.flattened = flattening.flatten_tube(self.model.wall.simplified, line)
         self.flat = colon.FlatColon(self.flattened.flat)
         self.folds = colon.find_folds(self.flat)
@@ -34,8 +34,8 @@ class Examination:
         for name in ("flattening", "folds"):
             (self.folder / name).mkdir(parents=True)
         run_tool("ColonSegmentation", volume, segmentation)
-        run_tool("ColonFlattening", segmentation / "wall-simplified.vtp", flat, "--centreline", segmentation / "centreline.vtp")
-        run_tool("ColonLandmarks", flat, segmentation / "centreline.vtp", self.folder / "landmarks")
+        run_tool("ColonFlattening", segmentation / "wall-simplified.vtp", flat, "--centerline", segmentation / "centerline.vtp")
+        run_tool("ColonLandmarks", flat, segmentation / "centerline.vtp", self.folder / "landmarks")
         run_tool("ColonFolds", flat, self.folder / "folds/labels.nrrd", "--table", self.folder / "folds/folds.csv")
 
 
@@ -67,8 +67,8 @@ class SameAsToolsTest(TestCase):
             self.assertSame(labels, model.lumen.labels.array.astype(np.float32))
             cleansed = shapeton.read_volume(folder / "cleansed.nrrd").array
             self.assertLessEqual(np.abs(cleansed - model.cleansed.array).max(), 0.5)  # whole HU in the file
-            line = surfaces.read_curves(folder / "centreline.vtp")
-            self.assertSame(line.vertices, model.centreline.curve.vertices)
+            line = surfaces.read_curves(folder / "centerline.vtp")
+            self.assertSame(line.vertices, model.centerline.curve.vertices)
             for name, mesh in (("wall", model.wall.raw), ("wall-repaired", model.wall.repaired),
                                ("wall-simplified", model.wall.simplified)):
                 self.assertSameSurface(folder / (name + ".vtp"), mesh, ["arcLength"])
@@ -81,11 +81,11 @@ class SameAsToolsTest(TestCase):
         ct, model = self.supine.ct, self.supine.model
         lumen = colon.segment_lumen(ct)
         cleansed = colon.cleanse(ct, lumen)
-        line = colon.trace_centreline(lumen.labels)
+        line = colon.trace_centerline(lumen.labels)
         self.assertSame(lumen.labels.array, model.lumen.labels.array)
         self.assertSame(cleansed.ct.array, model.cleansed.array)
-        self.assertSame(line.curve.vertices, model.centreline.curve.vertices)
-        wall = colon.build_wall(cleansed.occupancy, model.centreline.curve)
+        self.assertSame(line.curve.vertices, model.centerline.curve.vertices)
+        wall = colon.build_wall(cleansed.occupancy, model.centerline.curve)
         self.assertSame(wall.simplified.vertices, model.wall.simplified.vertices)
         valve, reason = colon.find_valve(lumen.labels, line.curve, cleansed.ct)
         self.assertEqual((reason, valve.arc_length), ("", model.valve.arc_length))
@@ -117,7 +117,7 @@ class SameAsToolsTest(TestCase):
         candidates = colon.find_candidates(
             supine.model.wall.repaired,
             supine.model.lumen.labels,
-            centreline=supine.model.centreline.curve,
+            centerline=supine.model.centerline.curve,
             ct=cleansed.like(np.clip(np.rint(cleansed.array), -32768, 32767)),  # as the file holds it
             flat=supine.flat,
             segments=supine.landmarks.segments,

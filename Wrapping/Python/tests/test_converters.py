@@ -43,7 +43,7 @@ class NibabelTest(TestCase):
         np.testing.assert_allclose(image.point(np.argwhere(image.array)[0]), [-ras[0], -ras[1], ras[2]])
         self.assertTrue(np.shares_memory(image.array, voxels))
 
-    def test_other_units_become_millimetres(self):
+    def test_other_units_become_millimeters(self):
         import nibabel
 
         for unit, factor in (("meter", 1000.0), ("mm", 1.0), ("micron", 0.001), ("unknown", 1.0)):

@@ -61,9 +61,9 @@ table = shapes.describe_shapes(ball, ball)
 row, signature = table.rows[0], table.rows[0].signature
 shape = shapes.NamedShape("ball", signature)
 found = shapes.find_shape(signature, [shape])
-neighbour = found.neighbours[0]
+neighbor = found.neighbors[0]
 """,
-        "SeededHeat SeededLabels ShapeTable ShapeRow ShapeSignature NamedShape ShapeSearchResult ShapeNeighbour",
+        "SeededHeat SeededLabels ShapeTable ShapeRow ShapeSignature NamedShape ShapeSearchResult ShapeNeighbor",
     ),
     "graphs": (
         """
@@ -94,16 +94,16 @@ class Examination:
     def __init__(self, name):
         self.phantom = colon.colon_phantom(position=name, size=(120, 120, 112), spacing=(3.0, 3.0, 3.0))
         self.model = colon.build_colon_of_lumen(self.phantom.lumen, faces=20000)
-        wall, line = self.model.wall.simplified, self.model.centreline.curve
+        wall, line = self.model.wall.simplified, self.model.centerline.curve
         self.flat = colon.FlatColon(flattening.flatten_tube(wall, line, metric="euclidean").flat)
         self.folds = colon.find_folds(self.flat)
         self.landmarks = colon.find_landmarks(self.flat, line)
         self.position = colon.ColonPosition(name, self.landmarks, line, self.folds)
-        self.candidates = colon.find_candidates(self.model.wall.repaired, self.phantom.lumen, centreline=line)
+        self.candidates = colon.find_candidates(self.model.wall.repaired, self.phantom.lumen, centerline=line)
 supine, prone = Examination("supine"), Examination("prone")
 phantom, model, flat, landmarks = supine.phantom, supine.model, supine.flat, supine.landmarks
-centreline, wall, folds, position = model.centreline, model.wall, supine.folds, supine.position
-line, distension, fold, flexure = centreline.curve, model.distension[0], folds.folds[0], landmarks.flexures[0]
+centerline, wall, folds, position = model.centerline, model.wall, supine.folds, supine.position
+line, distension, fold, flexure = centerline.curve, model.distension[0], folds.folds[0], landmarks.flexures[0]
 piece = colon.split_colon(landmarks)[0][0]
 lumen = colon.segment_lumen(phantom.ct)
 thresholds, cleansed = lumen.thresholds, colon.cleanse(phantom.ct, lumen)
@@ -115,11 +115,11 @@ other = candidate.other
 collapsed = phantom.lumen.array.copy()
 z, y, x = numpy.rint(phantom.lumen.index(line.points()[len(line.vertices) // 2])).astype(int)
 collapsed[z - 8 : z + 9, y - 8 : y + 9, x - 8 : x + 9] = 0
-gap = colon.trace_centreline(phantom.lumen.like(collapsed)).gaps[0]
+gap = colon.trace_centerline(phantom.lumen.like(collapsed)).gaps[0]
 """,
-        "ColonPhantom ColonModel ColonCentreline ColonWall Curves SegmentDistension CentrelineGap FlatColon HaustralFolds "
+        "ColonPhantom ColonModel ColonCenterline ColonWall Curves SegmentDistension CenterlineGap FlatColon HaustralFolds "
         "HaustralFold ColonLandmarks ColonFlexure ColonPiece ColonPosition ColonLumen ColonThresholds CleansedColon "
-        "IleocaecalValve Registration MatchedFolds PolypCandidate PolypInOtherPosition",
+        "IleocecalValve Registration MatchedFolds PolypCandidate PolypInOtherPosition",
     ),
 }
 

@@ -111,7 +111,7 @@ print(os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]))
         result = shapeton.diffuse_heat(image, time_steps=3, components=True)
         self.assertRegex(repr(result), r"^<shapeton.HeatResult .*heat=<shapeton.Image 9 x 3 x 3 voxels.*histogram=")
         self.assertRegex(repr(result.components[0]), r"^<shapeton.ShapeComponent index=\(\d, \d, \d\), voxels=\d+, ")
-        self.assertRegex(repr(colon.colon_phantom(size=(24, 24, 24))), r"centreline=<shapeton.Curves 1")
+        self.assertRegex(repr(colon.colon_phantom(size=(24, 24, 24))), r"centerline=<shapeton.Curves 1")
         described = [name for name, thing in vars(_shapeton).items() if inspect.isclass(thing)]
         for name in described:
             self.assertIsNot(getattr(_shapeton, name).__repr__, object.__repr__, name)

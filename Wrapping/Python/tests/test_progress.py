@@ -25,7 +25,7 @@ class Position:
     def __init__(self, name):
         self.phantom = colon.colon_phantom(position=name, size=(120, 120, 112), spacing=(3.0, 3.0, 3.0))
         self.model = colon.build_colon_of_lumen(self.phantom.lumen, faces=20000)
-        self.line, self.wall = self.model.centreline.curve, self.model.wall.simplified
+        self.line, self.wall = self.model.centerline.curve, self.model.wall.simplified
         self.flat = colon.FlatColon(flattening.flatten_tube(self.wall, self.line, metric="euclidean").flat)
         self.folds = colon.find_folds(self.flat)
         self.landmarks = colon.find_landmarks(self.flat, self.line)
@@ -112,7 +112,7 @@ class ProgressTest(TestCase):
         lumen = colon.segment_lumen(ct)
         self.check(colon.segment_lumen, ct)
         self.check(colon.cleanse, ct, lumen)
-        self.check(colon.trace_centreline, mask)
+        self.check(colon.trace_centerline, mask)
         self.check(colon.build_wall, colon.cleanse(ct, lumen).occupancy, line)
         self.check(colon.build_wall_of_mask, mask, line)
         self.check(colon.build_colon, ct, faces=20000)
@@ -122,14 +122,14 @@ class ProgressTest(TestCase):
         self.check(colon.find_landmarks, supine.flat, line)
         self.check(colon.split_colon, supine.landmarks)
         self.check(colon.find_candidates, supine.model.wall.repaired, mask)
-        self.check(colon.find_candidates, supine.model.wall.repaired, mask, centreline=line, ct=ct, flat=supine.flat)
+        self.check(colon.find_candidates, supine.model.wall.repaired, mask, centerline=line, ct=ct, flat=supine.flat)
         for name in ("default", "published"):
             self.check(colon.register_positions, supine.position, prone.position, map=name)
 
     def test_what_fails_does_not_reach_the_end(self):
         shares = []
         with self.assertRaises(shapeton.Error):
-            colon.trace_centreline(
+            colon.trace_centerline(
                 shapeton.Image(np.zeros((8, 8, 8), np.uint8)), progress=lambda share, _: shares.append(share)
             )
         self.assertNotIn(1.0, shares)

@@ -97,19 +97,19 @@ class SameAsToolsTest(TestCase):
         self.assertEqual((self.folder / "own.csv").read_bytes(), table.read_bytes())
 
     def test_ShapeSearch(self):
-        database, neighbours = self.folder / "shapes.sqlite", self.folder / "neighbours.csv"
+        database, neighbors = self.folder / "shapes.sqlite", self.folder / "neighbors.csv"
         table = self.table_of("figure3.4", "figure")[2]
         for path in (table, self.table_of("figure2.7a", "more")[2]):
             run_tool("ShapeSearch", path, database, "--add", path.stem)
-        run_tool("ShapeSearch", table, database, "--neighbours", neighbours)
+        run_tool("ShapeSearch", table, database, "--neighbors", neighbors)
         entries = shapes.read_shape_database(database)
         self.assertGreater(len(entries), 5)  # more than are listed by default
-        with open(neighbours, encoding="utf-8") as file:
+        with open(neighbors, encoding="utf-8") as file:
             written = [row["name"] for row in csv.DictReader(line for line in file if not line.startswith("#"))]
         expected = [
-            entries[neighbour.entry].name
+            entries[neighbor.entry].name
             for row in shapes.read_shape_table(table).rows
-            for neighbour in shapes.find_shape(row.signature, entries).neighbours
+            for neighbor in shapes.find_shape(row.signature, entries).neighbors
         ]
         self.assertEqual(written, expected)
 

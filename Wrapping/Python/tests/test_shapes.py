@@ -132,8 +132,8 @@ class SignaturesTest(TestCase):
         for index, row in enumerate(shapes.read_shape_table(files[2]).rows):
             self.assertEqual(row.name, str(index + 1))
             found = shapes.find_shape(row.signature, entries, nearest=2)
-            self.assertEqual([n.distance for n in found.neighbours][0], 0.0)
-            self.assertEqual(len(found.neighbours), 2)
+            self.assertEqual([n.distance for n in found.neighbors][0], 0.0)
+            self.assertEqual(len(found.neighbors), 2)
             self.assertEqual(found.unknown, found.probability < 0.5)
         missing = str(self.folder / "none.sqlite")
         with self.assertRaises(shapeton.InputError) as caught:

@@ -14,7 +14,7 @@ namespace shapeton
  * \brief Pipeline filter of FlattenColon(): the flat map of a tube.
  *
  * \par Inputs and Outputs
- * Input: a tube, such as output 0 of ColonModelFilter. Optional input Centreline: identifies the rectum if the mesh
+ * Input: a tube, such as output 0 of ColonModelFilter. Optional input Centerline: identifies the rectum if the mesh
  * does not. Output 0: the tube cut open, its points in space, with the arrays of \ref FlatSurface; use a PipelineMesh.
  * Output 1: ColonFlattening. Output 2: FlatColon, the input of the filters for folds, landmarks, positions and
  * candidates.
@@ -35,8 +35,8 @@ public:
   itkNewMacro(Self);
   itkOverrideGetNameOfClassMacro(ColonFlatteningFilter);
 
-  itkSetInputMacro(Centreline, ResultObject<CurveSet>);
-  itkGetInputMacro(Centreline, ResultObject<CurveSet>);
+  itkSetInputMacro(Centerline, ResultObject<CurveSet>);
+  itkGetInputMacro(Centerline, ResultObject<CurveSet>);
 
   /** \name See ColonFlatteningOptions for units, ranges and defaults */
   ///@{
@@ -93,9 +93,9 @@ protected:
   {
     ColonFlatteningOptions options = m_Options;
     options.progress = this->Reporter();
-    if (this->GetCentreline())
+    if (this->GetCenterline())
     {
-      options.centreline = this->GetCentreline()->Get();
+      options.centerline = this->GetCenterline()->Get();
     }
     ColonFlattening flattening = FlattenColon(SurfaceOf(*this->GetInput()), "the mesh", options);
     HandOver(flattening.map.flat, this->GetOutput());

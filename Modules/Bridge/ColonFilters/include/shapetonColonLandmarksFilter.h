@@ -12,7 +12,7 @@ namespace shapeton
  * \brief Pipeline filter of FindColonLandmarks(): flexures, segments and taeniae of a flat colon.
  *
  * \par Inputs and Outputs
- * Inputs FlatColon and Centreline. Output 0: ColonLandmarks. Output 1: the taeniae as curves, CurveSet; empty if they
+ * Inputs FlatColon and Centerline. Output 0: ColonLandmarks. Output 1: the taeniae as curves, CurveSet; empty if they
  * were not found.
  *
  * \ingroup ColonFilters */
@@ -32,8 +32,8 @@ public:
 
   itkSetInputMacro(FlatColon, ResultObject<FlatColon>);
   itkGetInputMacro(FlatColon, ResultObject<FlatColon>);
-  itkSetInputMacro(Centreline, ResultObject<CurveSet>);
-  itkGetInputMacro(Centreline, ResultObject<CurveSet>);
+  itkSetInputMacro(Centerline, ResultObject<CurveSet>);
+  itkGetInputMacro(Centerline, ResultObject<CurveSet>);
 
   /** \name See ColonLandmarkOptions */
   ///@{

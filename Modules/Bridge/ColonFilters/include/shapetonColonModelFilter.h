@@ -15,7 +15,7 @@ namespace shapeton
  * \brief Pipeline filter of BuildColonModel(), the core of the tool ColonSegmentation: from a CT colonography to the
  * wall of the colon.
  *
- * Combines ColonLumenImageFilter, ElectronicCleansingImageFilter, ColonCentrelineFilter and ColonWallFilter, finds the
+ * Combines ColonLumenImageFilter, ElectronicCleansingImageFilter, ColonCenterlineFilter and ColonWallFilter, finds the
  * ileocecal valve, and cuts off the terminal ileum.
  *
  * \par Inputs and Outputs
@@ -55,7 +55,7 @@ public:
 
   using itk::MeshSource<TOutputMesh>::GetOutput; // for any index
   ResultObject<CurveSet> *
-  GetCentrelineOutput()
+  GetCenterlineOutput()
   {
     return static_cast<ResultObject<CurveSet> *>(this->itk::ProcessObject::GetOutput(3));
   }
@@ -117,7 +117,7 @@ protected:
     HandOver(model.wall.simplified, this->GetOutput(0));
     HandOver(model.wall.repaired, this->GetOutput(1));
     HandOver(model.wall.raw, this->GetOutput(2));
-    this->SetResult(3, CurveSet(model.centreline.curve));
+    this->SetResult(3, CurveSet(model.centerline.curve));
     this->SetResult(4, std::move(model));
   }
 

@@ -13,7 +13,7 @@ namespace shapeton
  * \brief Pipeline filter of MakeColonPosition(): the colon in one position, prepared for registration.
  *
  * \par Inputs and Outputs
- * Inputs FlatColon, Centreline, Landmarks, Folds. Output: ColonPosition, the input of SupineProneRegistrationFilter.
+ * Inputs FlatColon, Centerline, Landmarks, Folds. Output: ColonPosition, the input of SupineProneRegistrationFilter.
  *
  * \ingroup ColonFilters */
 class ColonFilters_EXPORT ColonPositionFilter : public StageFilter<itk::ProcessObject>
@@ -31,8 +31,8 @@ public:
 
   itkSetInputMacro(FlatColon, ResultObject<FlatColon>);
   itkGetInputMacro(FlatColon, ResultObject<FlatColon>);
-  itkSetInputMacro(Centreline, ResultObject<CurveSet>);
-  itkGetInputMacro(Centreline, ResultObject<CurveSet>);
+  itkSetInputMacro(Centerline, ResultObject<CurveSet>);
+  itkGetInputMacro(Centerline, ResultObject<CurveSet>);
   itkSetInputMacro(Landmarks, ResultObject<ColonLandmarks>);
   itkGetInputMacro(Landmarks, ResultObject<ColonLandmarks>);
   itkSetInputMacro(Folds, ResultObject<HaustralFolds>);

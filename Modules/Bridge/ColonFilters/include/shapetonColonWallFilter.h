@@ -15,7 +15,7 @@ namespace shapeton
  *
  * \par Inputs and Outputs
  * Either the input Cleansed, output 1 of ElectronicCleansingImageFilter, or the input Mask, a mask of the lumen. Input
- * Centreline: output of ColonCentrelineFilter. Outputs: 0 the simplified wall, for flattening, 1 the repaired one, 2
+ * Centerline: output of ColonCenterlineFilter. Outputs: 0 the simplified wall, for flattening, 1 the repaired one, 2
  * the raw one with its handles; 3 ColonWall with its report. A PipelineMesh holds all arrays.
  *
  * \ingroup ColonFilters */
@@ -38,8 +38,8 @@ public:
   itkGetInputMacro(Cleansed, ResultObject<CleansedColon>);
   itkSetInputMacro(Mask, LumenMaskImage);
   itkGetInputMacro(Mask, LumenMaskImage);
-  itkSetInputMacro(Centreline, ResultObject<CurveSet>);
-  itkGetInputMacro(Centreline, ResultObject<CurveSet>);
+  itkSetInputMacro(Centerline, ResultObject<CurveSet>);
+  itkGetInputMacro(Centerline, ResultObject<CurveSet>);
 
   /** \name See ColonWallOptions for units, ranges and defaults */
   ///@{
@@ -68,7 +68,7 @@ public:
 protected:
   ColonWallFilter()
   {
-    this->SetPrimaryInputName("Centreline");
+    this->SetPrimaryInputName("Centerline");
     this->SetNumberOfRequiredInputs(1);
     this->SetNumberOfRequiredOutputs(4);
     for (unsigned int i = 0; i < 4; ++i)
@@ -97,7 +97,7 @@ protected:
   {
     ColonWallOptions options = m_Options;
     options.progress = this->Reporter();
-    const CurveSet & line = this->GetCentreline()->Get();
+    const CurveSet & line = this->GetCenterline()->Get();
     ColonWall        wall = this->GetMask() ? BuildColonWallFromMask(FromIndexZero(this->GetMask()), line, options)
                                             : BuildColonWall(this->GetCleansed()->Get().occupancy, line, options);
     HandOver(wall.simplified, this->GetOutput(0));

@@ -111,7 +111,7 @@ private:
     const ColonModel & model = this->GetModel()->Get();
     PolypColon         colon;
     colon.wall = SurfaceOf(*static_cast<const TInputMesh *>(this->itk::ProcessObject::GetInput(0)));
-    colon.centreline = model.centreline.curve;
+    colon.centerline = model.centerline.curve;
     if (model.lumen.catheter && model.lumen.catheter->isSure)
     {
       colon.catheter = CurveOfCatheter(*model.lumen.catheter);

@@ -5,7 +5,7 @@ namespace shapeton
 ColonLandmarksFilter::ColonLandmarksFilter()
 {
   this->SetPrimaryInputName("FlatColon");
-  this->AddRequiredInputName("Centreline");
+  this->AddRequiredInputName("Centerline");
   this->SetNumberOfRequiredInputs(1);
   this->SetNumberOfRequiredOutputs(2);
   this->SetNthOutput(0, this->MakeOutput(0));
@@ -36,7 +36,7 @@ ColonLandmarksFilter::Compute()
 {
   ColonLandmarkOptions options = m_Options;
   options.progress = this->Reporter();
-  ColonLandmarks landmarks = FindColonLandmarks(this->GetFlatColon()->Get(), this->GetCentreline()->Get(), options);
+  ColonLandmarks landmarks = FindColonLandmarks(this->GetFlatColon()->Get(), this->GetCenterline()->Get(), options);
   this->SetResult(1, landmarks.taeniae.taeniae.empty() ? CurveSet() : TaeniaCurves(landmarks.taeniae));
   this->SetResult(0, std::move(landmarks));
 }

@@ -5,7 +5,7 @@ namespace shapeton
 ColonPositionFilter::ColonPositionFilter()
 {
   this->SetPrimaryInputName("FlatColon");
-  this->AddRequiredInputName("Centreline");
+  this->AddRequiredInputName("Centerline");
   this->AddRequiredInputName("Landmarks");
   this->AddRequiredInputName("Folds");
   this->SetNumberOfRequiredInputs(1);
@@ -30,7 +30,7 @@ ColonPositionFilter::Compute()
   this->SetResult(0,
                   MakeColonPosition(m_PositionName,
                                     this->GetFlatColon()->Share(),
-                                    this->GetCentreline()->Get(),
+                                    this->GetCenterline()->Get(),
                                     this->GetLandmarks()->Get(),
                                     this->GetFolds()->Get().folds));
 }

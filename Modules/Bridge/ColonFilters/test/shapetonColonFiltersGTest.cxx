@@ -1,4 +1,4 @@
-#include "shapetonColonCentrelineFilter.h"
+#include "shapetonColonCenterlineFilter.h"
 #include "shapetonColonFlatteningFilter.h"
 #include "shapetonColonLandmarksFilter.h"
 #include "shapetonColonLumenImageFilter.h"
@@ -107,13 +107,13 @@ struct Pipeline
   Pipeline()
   {
     flattening->SetInput(model->GetOutput());
-    flattening->SetCentreline(model->GetCentrelineOutput());
+    flattening->SetCenterline(model->GetCenterlineOutput());
     landmarks->SetFlatColon(flattening->GetFlatColonOutput());
-    landmarks->SetCentreline(model->GetCentrelineOutput());
+    landmarks->SetCenterline(model->GetCenterlineOutput());
     folds->SetFlatColon(flattening->GetFlatColonOutput());
     folds->SetTaeniae(landmarks->GetTaeniaeOutput());
     position->SetFlatColon(flattening->GetFlatColonOutput());
-    position->SetCentreline(model->GetCentrelineOutput());
+    position->SetCenterline(model->GetCenterlineOutput());
     position->SetLandmarks(landmarks->GetOutput());
     position->SetFolds(folds->GetFoldsOutput());
     candidates->SetInput(model->GetOutput(1));
@@ -182,11 +182,11 @@ TEST(ColonFilters, SingleStagesDoWhatTheFunctionsDo)
   const auto cleansing = ElectronicCleansingImageFilter<CtImage>::New();
   cleansing->SetInput(Ct());
   cleansing->SetLumen(lumen->GetLumenOutput());
-  const auto centreline = ColonCentrelineFilter::New();
-  centreline->SetInput(lumen->GetOutput());
+  const auto centerline = ColonCenterlineFilter::New();
+  centerline->SetInput(lumen->GetOutput());
   const auto wall = ColonWallFilter<>::New();
   wall->SetCleansed(cleansing->GetCleansedOutput());
-  wall->SetCentreline(centreline->GetOutput());
+  wall->SetCenterline(centerline->GetOutput());
   wall->SetNumberOfFaces(8000);
   wall->Update();
 
@@ -197,9 +197,9 @@ TEST(ColonFilters, SingleStagesDoWhatTheFunctionsDo)
   EXPECT_EQ(lumen->GetLumenOutput()->Get().levels.size(), expectedLumen.levels.size());
   const CleansedColon expectedCleansed = CleanseColon(floats, expectedLumen);
   EXPECT_TRUE(HaveEqualVoxels(cleansing->GetOutput(), expectedCleansed.ct.GetPointer()));
-  const ColonCentreline expectedLine = TraceColonCentreline(expectedLumen.labels);
-  EXPECT_EQ(centreline->GetOutput()->Get().V, expectedLine.curve.V);
-  EXPECT_EQ(centreline->GetCentrelineOutput()->Get().coverage, expectedLine.coverage);
+  const ColonCenterline expectedLine = TraceColonCenterline(expectedLumen.labels);
+  EXPECT_EQ(centerline->GetOutput()->Get().V, expectedLine.curve.V);
+  EXPECT_EQ(centerline->GetCenterlineOutput()->Get().coverage, expectedLine.coverage);
   ColonWallOptions wallOptions;
   wallOptions.faces = 8000;
   const ColonWall expectedWall = BuildColonWall(expectedCleansed.occupancy, expectedLine.curve, wallOptions);
@@ -224,12 +224,12 @@ TEST(ColonFilters, TheChainDoesWhatTheFunctionsDo)
   const ColonModel model = BuildColonModel(FloatsFromIndexZero(Ct()), options);
   ExpectEqual(SurfaceOf(*pipeline.model->GetOutput()), model.wall.simplified);
   ColonFlatteningOptions flatteningOptions;
-  flatteningOptions.centreline = model.centreline.curve;
+  flatteningOptions.centerline = model.centerline.curve;
   const ColonFlattening flattening = FlattenColon(model.wall.simplified, "the wall", flatteningOptions);
   ExpectEqual(SurfaceOf(*pipeline.flattening->GetOutput()), flattening.map.flat);
 
   const FlatColon      flat(flattening.map.flat);
-  const ColonLandmarks landmarks = FindColonLandmarks(flat, model.centreline.curve);
+  const ColonLandmarks landmarks = FindColonLandmarks(flat, model.centerline.curve);
   const CurveSet       taeniae = TaeniaCurves(landmarks.taeniae);
   EXPECT_EQ(pipeline.landmarks->GetTaeniaeOutput()->Get().V, taeniae.V);
   HaustralFoldOptions foldOptions;
@@ -309,9 +309,9 @@ TEST(ColonFilters, EachStageOnTheWallReportsAndCanBeAborted)
   Pipeline & finished = FinishedPipeline();
   Pipeline   stages; // new filters on the results of the others
   stages.flattening->SetInput(finished.model->GetOutput());
-  stages.flattening->SetCentreline(finished.model->GetCentrelineOutput());
+  stages.flattening->SetCenterline(finished.model->GetCenterlineOutput());
   stages.landmarks->SetFlatColon(finished.flattening->GetFlatColonOutput());
-  stages.landmarks->SetCentreline(finished.model->GetCentrelineOutput());
+  stages.landmarks->SetCenterline(finished.model->GetCenterlineOutput());
   stages.folds->SetFlatColon(finished.flattening->GetFlatColonOutput());
   stages.folds->SetTaeniae(finished.landmarks->GetTaeniaeOutput());
   stages.candidates->SetInput(finished.model->GetOutput(1));
@@ -434,7 +434,7 @@ TEST(ColonFilters, MeshesOfAnyTypeAreFlattenedAndFilledAnew)
   FillMesh(wall, *floats);
   const auto flattening = ColonFlatteningFilter<Floats, PipelineMesh>::New();
   flattening->SetInput(floats);
-  flattening->SetCentreline(FinishedPipeline().model->GetCentrelineOutput());
+  flattening->SetCenterline(FinishedPipeline().model->GetCenterlineOutput());
   flattening->ReleaseDataBeforeUpdateFlagOff();
   flattening->Update();
   const auto faces = [&] {
@@ -455,7 +455,7 @@ TEST(ColonFilters, ErrorsAreExceptionsOfItk)
   lumen->SetPatientPosition("sitting");
   EXPECT_THROW(lumen->Update(), ParameterError);
   const auto wall = ColonWallFilter<>::New();
-  wall->SetCentreline(FinishedPipeline().model->GetCentrelineOutput());
+  wall->SetCenterline(FinishedPipeline().model->GetCenterlineOutput());
   EXPECT_THROW(wall->Update(), itk::ExceptionObject); // neither Cleansed nor Mask
   EXPECT_THROW(ResultObject<CurveSet>::New()->Get(), itk::ExceptionObject);
 

@@ -94,7 +94,7 @@ TEST(ImageDataAdapter, AnExtentThatDoesNotStartAt0KeepsItsPlace)
   EXPECT_EQ(image->GetPixel({ { 1, 0, 1 } }), 7);
 }
 
-TEST(ImageDataAdapter, ColoursKeepTheirComponents)
+TEST(ImageDataAdapter, ColorsKeepTheirComponents)
 {
   using Picture = itk::Image<itk::RGBPixel<unsigned char>, 2>;
   auto picture = Picture::New();

@@ -82,7 +82,7 @@ ColonLandmarks_EXPORT std::string
  *
  * The prior comes from anatomy, not from centerlines or phantoms:
  * - lengths from the anal verge, cm: anal canal 4, rectum 12, sigmoid 40, descending 25, transverse 50, ascending 15,
- *   caecum 6 (Standring, ed.: Gray's Anatomy, 41st ed., 2016); ascending 20-25, descending 10-15, caecum 6 (SEER
+ *   cecum 6 (Standring, ed.: Gray's Anatomy, 41st ed., 2016); ascending 20-25, descending 10-15, cecum 6 (SEER
  *   training module, US National Cancer Institute). The means lie between them. Total 189.5 +- 26.3 cm (Khashab et al.,
  *   Endoscopy 41, 2009, 505 adults, CT colonography), 150.3 +- 18.5 cm, 110 to 196 (Utano et al., Jpn J Radiol 40,
  * 2022, 295 patients). Standard deviations are a quarter to a third of the segment, more for the sigmoid, whose length
@@ -98,10 +98,10 @@ ColonLandmarks_EXPORT std::string
  *
  * A line shorter than 80 cm (the least length known, Hounnou et al., Surg Radiol Anat 24, 2002) is not a whole colon:
  * no flexure is found, and the reason is stated. The same holds for a line whose features are too far from the prior.
- * Warnings name doubtful results. \param centreline one curve with the point array arcLength. Throws InputError when
+ * Warnings name doubtful results. \param centerline one curve with the point array arcLength. Throws InputError when
  * the array is missing or does not ascend, or when there is not exactly one curve. \ingroup ColonLandmarks */
 ColonLandmarks_EXPORT ColonFlexures
-FindColonFlexures(const CurveSet & centreline, FlexureRule rule = FlexureRule::Ordered);
+FindColonFlexures(const CurveSet & centerline, FlexureRule rule = FlexureRule::Ordered);
 } // namespace shapeton
 
 #endif

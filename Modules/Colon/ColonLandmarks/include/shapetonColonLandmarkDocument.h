@@ -19,7 +19,7 @@ namespace shapeton
 /** A segment of the colon, as named by radiologists. */
 struct ColonSegmentExtent
 {
-  /** 1 rectum, 2 sigmoid, 3 descending, 4 transverse, 5 ascending, 6 caecum. */
+  /** 1 rectum, 2 sigmoid, 3 descending, 4 transverse, 5 ascending, 6 cecum. */
   int         label{ 0 };
   std::string name;
   /** Range along the centerline from the anal verge, mm. */
@@ -32,7 +32,7 @@ struct ColonSegmentExtent
 /** The segments in landmarks.json whose two ends are known: the rectum begins at 0, the cecum ends with the centerline.
  * Throws InputError for any other document. */
 ColonLandmarks_EXPORT std::vector<ColonSegmentExtent>
-                      SegmentsOf(const Json & landmarks, double lengthOfCentreline);
+                      SegmentsOf(const Json & landmarks, double lengthOfCenterline);
 
 /** The segment at a distance along the centerline, mm from the anal verge; its end belongs to the last one. Null
  * outside all segments. */

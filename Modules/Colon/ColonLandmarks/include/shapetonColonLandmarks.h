@@ -6,7 +6,7 @@
 #include "shapetonColonAssessability.h"
 #include "shapetonColonSegments.h"
 #include "shapetonColonTaeniae.h"
-#include "shapetonIleocaecalValve.h"
+#include "shapetonIleocecalValve.h"
 #include "shapetonSurfaceFolds.h"
 
 #include "shapetonJsonForward.h"
@@ -35,7 +35,7 @@ struct ColonLandmarks
   ColonFlexures                        flexures;
   ColonSegments                        segments;
   /** The valve stored with the centerline. */
-  std::optional<IleocaecalValve> valve;
+  std::optional<IleocecalValve> valve;
   /** Position of the valve on the map, mm. */
   Eigen::Vector2d valveUv{ Eigen::Vector2d::Zero() };
   SurfaceFolds    folds;
@@ -43,7 +43,7 @@ struct ColonLandmarks
   /** Stretches where the wall is not visible; empty if the centerline has no such array. */
   std::optional<std::vector<HinderedStretch>> hindered;
   /** End of the centerline, mm. */
-  double  lengthOfCentreline{ 0.0 };
+  double  lengthOfCenterline{ 0.0 };
   Remarks warnings;
 };
 
@@ -51,7 +51,7 @@ struct ColonLandmarks
  * centerline. A landmark that is not found is absent, and a warning states why. Throws InputError when the surface is
  * not a flat tube, or the centerline belongs to another surface. \ingroup ColonLandmarks */
 ColonLandmarks_EXPORT ColonLandmarks
-FindColonLandmarks(const FlatColon & flat, const CurveSet & centreline, const ColonLandmarkOptions & options = {});
+FindColonLandmarks(const FlatColon & flat, const CurveSet & centerline, const ColonLandmarkOptions & options = {});
 
 /** Assessable part of a segment, 1 to 6; empty if a border or the hindrances are unknown.
  * \ingroup ColonLandmarks */
@@ -71,8 +71,8 @@ SegmentSurface(const SurfaceMesh & flat, const ColonLandmarks & landmarks);
 ColonLandmarks_EXPORT SurfaceMesh
 FoldSurface(const SurfaceMesh & flat, const ColonLandmarks & landmarks);
 /** Stable keys: flexureRule, mirrored, backwards, flexures (a list of number, name, found, reason, position, arcLength,
- * uv, confidence, and notAssessable where the wall is not visible: HindranceToJson()), caecum (the same, with source:
- * ileocaecalValve or estimated), ileocaecalValve (found, position, arcLength, uv, length, width, confidence), segments
+ * uv, confidence, and notAssessable where the wall is not visible: HindranceToJson()), cecum (the same, with source:
+ * ileocecalValve or estimated), ileocecalValve (found, position, arcLength, uv, length, width, confidence), segments
  * (a list of number, name, begin, end, length, area, and, if the centerline has the array, those of
  * AssessabilityToJson()), segmentsNotFound (names), notAssessable (StretchesToJson()), surfaceFolds (number,
  * leastCurvature in 1/mm, area), taeniae. \ingroup ColonLandmarks */

@@ -32,7 +32,7 @@ struct ColonSegments
    * unknown because a border is missing. */
   std::vector<int> segmentOfFace;
   /** Whether the cecum ends at the ileocecal valve rather than after its average length. */
-  bool    isCaecumAtValve{ false };
+  bool    isCecumAtValve{ false };
   Remarks warnings;
 };
 
@@ -56,11 +56,11 @@ FindLoop(const ColonWallTube &   tube,
          const Progress &        progress = {});
 
 /** Finds the six segments between loops at the flexures. The cecum has no flexure: it begins at the ileocecal valve if
- * the centerline has one (see IleocaecalValveOf()), otherwise 6 cm, straight, from the end of the centerline, its
+ * the centerline has one (see IleocecalValveOf()), otherwise 6 cm, straight, from the end of the centerline, its
  * length in anatomy (Gray's Anatomy, 41st ed.). \ingroup ColonLandmarks */
 ColonLandmarks_EXPORT ColonSegments
 FindColonSegments(const ColonWallTube & tube,
-                  const CurveSet &      centreline,
+                  const CurveSet &      centerline,
                   const ColonFlexures & flexures,
                   const Progress &      progress = {});
 } // namespace shapeton

@@ -26,7 +26,7 @@ struct ColonTaenia
   std::vector<Eigen::Vector3d> points;
   /** Points on the map, mm; v in [0, circumference). */
   std::vector<Eigen::Vector2d> uv;
-  /** mm along the centreline. */
+  /** mm along the centerline. */
   std::vector<double> arcLength;
   /** 0 to 1: support by nearby fold ends, and agreement of the two methods. */
   std::vector<double> confidence;

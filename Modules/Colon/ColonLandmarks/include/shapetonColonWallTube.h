@@ -23,10 +23,10 @@ namespace shapeton
 class ColonLandmarks_EXPORT ColonWallTube
 {
 public:
-  /** \param centreline one curve with arcLength, from the rectum to the cecum of this surface.
+  /** \param centerline one curve with arcLength, from the rectum to the cecum of this surface.
    * Throws InputError, with the reason, when an array is missing, or the centerline belongs to another colon or runs in
    * the opposite direction. A centerline that covers only part of the surface gives a warning. */
-  ColonWallTube(const FlatColon & colon, const CurveSet & centreline);
+  ColonWallTube(const FlatColon & colon, const CurveSet & centerline);
   ~ColonWallTube();
 
   const VertexMatrix &
@@ -104,7 +104,7 @@ private:
   void
   CountTurns(const SurfaceMesh & flat, const Eigen::MatrixX2d & uv);
   void
-  MeasureArcLength(const FlatColon & colon, const CurveSet & centreline);
+  MeasureArcLength(const FlatColon & colon, const CurveSet & centerline);
 
   VertexMatrix                         m_V;
   FaceMatrix                           m_F;

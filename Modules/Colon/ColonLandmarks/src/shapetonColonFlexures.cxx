@@ -1,7 +1,7 @@
 #include "shapetonColonFlexures.h"
 
-#include "shapetonCentrelineShape.h"
-#include "shapetonFlexureProgramme.h"
+#include "shapetonCenterlineShape.h"
+#include "shapetonFlexureProgram.h"
 #include "shapetonPublishedFlexures.h"
 
 #include <algorithm>
@@ -23,14 +23,14 @@ constexpr double                impossible = -1e30;
 /** Nearby apex. Upper flexures: the highest place, among equally high ones the most posterior, since the flexures are
  * fixed to the posterior wall and the transverse colon hangs forward. Rectosigmoid: the sharpest bend. */
 int
-SnapToApex(const CentrelineShape & shape, const Eigen::VectorXd & turning, int flexure, int place)
+SnapToApex(const CenterlineShape & shape, const Eigen::VectorXd & turning, int flexure, int place)
 {
-  const int reach = static_cast<int>(apexReach[flexure] / CentrelineShape::Step);
+  const int reach = static_cast<int>(apexReach[flexure] / CenterlineShape::Step);
   int       best = place;
   double    most = impossible;
   for (int i = std::max(0, place - reach); i <= std::min(shape.Size() - 1, place + reach); ++i)
   {
-    const double distance = std::abs(i - place) * CentrelineShape::Step;
+    const double distance = std::abs(i - place) * CenterlineShape::Step;
     const double value =
       flexure >= 2 ? shape.Points()(i, 2) + 0.5 * shape.Points()(i, 1) - 0.01 * distance : turning[i] - 0.5 * distance;
     if (value > most)
@@ -43,7 +43,7 @@ SnapToApex(const CentrelineShape & shape, const Eigen::VectorXd & turning, int f
 }
 
 void
-PlaceFlexure(const CentrelineShape & shape, const VertexMatrix & tangents, int i, ColonFlexure & flexure)
+PlaceFlexure(const CenterlineShape & shape, const VertexMatrix & tangents, int i, ColonFlexure & flexure)
 {
   flexure.point = shape.Points().row(i).transpose();
   flexure.tangent = tangents.row(i).transpose();
@@ -51,7 +51,7 @@ PlaceFlexure(const CentrelineShape & shape, const VertexMatrix & tangents, int i
 }
 
 void
-FindOrdered(const CentrelineShape & shape, ColonFlexures & result)
+FindOrdered(const CenterlineShape & shape, ColonFlexures & result)
 {
   const FlexurePlaces places = FindFlexurePlaces(shape);
   result.isMirrored = places.isMirrored;
@@ -72,7 +72,7 @@ FindOrdered(const CentrelineShape & shape, ColonFlexures & result)
 }
 
 void
-FindPublished(const CentrelineShape & shape, ColonFlexures & result)
+FindPublished(const CenterlineShape & shape, ColonFlexures & result)
 {
   const std::array<int, 4> places = PublishedFlexures(shape);
   const VertexMatrix       tangents = shape.Tangents(10.0);
@@ -113,7 +113,7 @@ WarnOfFlexures(ColonFlexures & result)
   if (result.isBackwards)
   {
     result.warnings.push_back(
-      "the line more likely runs from the caecum to the rectum: it may run "
+      "the line more likely runs from the cecum to the rectum: it may run "
       "backwards, or a part of the colon is missing; the flexures are in doubt");
   }
   const std::string & reason = result.flexures[0].reason;
@@ -161,9 +161,9 @@ NameOf(FlexureRule rule)
 }
 
 ColonFlexures
-FindColonFlexures(const CurveSet & centreline, FlexureRule rule)
+FindColonFlexures(const CurveSet & centerline, FlexureRule rule)
 {
-  const CentrelineShape shape(centreline);
+  const CenterlineShape shape(centerline);
   ColonFlexures         result;
   result.rule = rule;
   for (int k = 0; k < 4; ++k)
@@ -174,7 +174,7 @@ FindColonFlexures(const CurveSet & centreline, FlexureRule rule)
   {
     for (ColonFlexure & flexure : result.flexures)
     {
-      flexure.reason = "the centreline is " + std::to_string(static_cast<int>(shape.Length() / 10.0)) +
+      flexure.reason = "the centerline is " + std::to_string(static_cast<int>(shape.Length() / 10.0)) +
                        " cm long, a part of a colon (a whole one has 80 cm at least)";
     }
   }

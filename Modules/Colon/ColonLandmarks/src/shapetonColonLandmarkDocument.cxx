@@ -18,9 +18,9 @@ RefuseDocument(const Json::exception & error)
 } // namespace
 
 std::vector<ColonSegmentExtent>
-SegmentsOf(const Json & landmarks, double lengthOfCentreline)
+SegmentsOf(const Json & landmarks, double lengthOfCenterline)
 {
-  constexpr int                   caecum = 6;
+  constexpr int                   cecum = 6;
   const double                    unknown = std::numeric_limits<double>::quiet_NaN();
   std::vector<ColonSegmentExtent> segments;
   try
@@ -32,7 +32,7 @@ SegmentsOf(const Json & landmarks, double lengthOfCentreline)
       segment.name = one.at("name").get<std::string>();
       segment.area = one.at("area").get<double>();
       segment.begin = segment.label == 1 ? 0.0 : one.at("begin").is_null() ? unknown : one["begin"].get<double>();
-      segment.end = segment.label == caecum   ? lengthOfCentreline
+      segment.end = segment.label == cecum   ? lengthOfCenterline
                     : one.at("end").is_null() ? unknown
                                               : one["end"].get<double>();
       if (std::isfinite(segment.begin) && std::isfinite(segment.end))

@@ -53,34 +53,34 @@ WarnOfHindrances(ColonLandmarks & landmarks)
 }
 
 void
-AddHindrances(const CurveSet & centreline, ColonLandmarks & landmarks)
+AddHindrances(const CurveSet & centerline, ColonLandmarks & landmarks)
 {
-  if (!TellsHindrances(centreline))
+  if (!TellsHindrances(centerline))
   {
     return;
   }
-  landmarks.hindered = FindHinderedStretches(centreline);
-  landmarks.lengthOfCentreline = PointValues(centreline, "arcLength", "the centreline").maxCoeff();
+  landmarks.hindered = FindHinderedStretches(centerline);
+  landmarks.lengthOfCenterline = PointValues(centerline, "arcLength", "the centerline").maxCoeff();
   WarnOfHindrances(landmarks);
 }
 } // namespace
 
 ColonLandmarks
-FindColonLandmarks(const FlatColon & flat, const CurveSet & centreline, const ColonLandmarkOptions & options)
+FindColonLandmarks(const FlatColon & flat, const CurveSet & centerline, const ColonLandmarkOptions & options)
 {
   ColonLandmarks result;
-  options.progress("Matching the centreline", 0.0);
-  const auto tube = std::make_shared<const ColonWallTube>(flat, centreline);
+  options.progress("Matching the centerline", 0.0);
+  const auto tube = std::make_shared<const ColonWallTube>(flat, centerline);
   result.tube = tube;
   AppendRemarks(result.warnings, tube->Warnings());
 
   options.progress("Finding flexures", 0.1);
-  result.flexures = FindColonFlexures(centreline, options.flexureRule);
+  result.flexures = FindColonFlexures(centerline, options.flexureRule);
   AppendRemarks(result.warnings, result.flexures.warnings);
   result.segments =
-    FindColonSegments(*tube, centreline, result.flexures, options.progress.Part("Finding segments", 0.1, 0.2));
+    FindColonSegments(*tube, centerline, result.flexures, options.progress.Part("Finding segments", 0.1, 0.2));
   AppendRemarks(result.warnings, result.segments.warnings);
-  result.valve = IleocaecalValveOf(centreline);
+  result.valve = IleocecalValveOf(centerline);
   if (result.valve)
   {
     Eigen::Index nearest = 0;
@@ -98,7 +98,7 @@ FindColonLandmarks(const FlatColon & flat, const CurveSet & centreline, const Co
   taeniaOptions.progress = options.progress.Part("Finding taeniae", 0.4, 1.0);
   result.taeniae = FindColonTaeniae(flat, *tube, taeniaOptions);
   AppendRemarks(result.warnings, result.taeniae.warnings);
-  AddHindrances(centreline, result);
+  AddHindrances(centerline, result);
   options.progress("Finding taeniae", 1.0);
   return result;
 }
@@ -115,7 +115,7 @@ AssessabilityOfSegment(const ColonLandmarks & landmarks, int segment)
     return arcLength;
   };
   const double begin = segment == 1 ? 0.0 : arcLengthOf(segment - 1);
-  const double end = segment == NumberOfColonSegments ? landmarks.lengthOfCentreline : arcLengthOf(segment);
+  const double end = segment == NumberOfColonSegments ? landmarks.lengthOfCenterline : arcLengthOf(segment);
   return landmarks.hindered && std::isfinite(begin) && std::isfinite(end)
            ? std::optional(Assess(*landmarks.hindered, begin, end))
            : std::nullopt;

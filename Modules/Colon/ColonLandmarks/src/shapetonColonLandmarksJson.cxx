@@ -90,7 +90,7 @@ FlexuresToJson(const ColonLandmarks & landmarks)
 }
 
 Json
-CaecumToJson(const ColonLandmarks & landmarks)
+CecumToJson(const ColonLandmarks & landmarks)
 {
   const SegmentBorder * border = FindBorder(landmarks.segments, 5);
   Json                  json;
@@ -99,11 +99,11 @@ CaecumToJson(const ColonLandmarks & landmarks)
   {
     AddPlace(landmarks, *border, json);
   }
-  const bool atValve = landmarks.segments.isCaecumAtValve;
-  json["source"] = atValve ? "ileocaecalValve" : "estimated";
+  const bool atValve = landmarks.segments.isCecumAtValve;
+  json["source"] = atValve ? "ileocecalValve" : "estimated";
   json["reason"] = border == nullptr ? "the hepatic flexure is unknown, or leaves no room"
-                   : atValve         ? "at the ileocaecal valve"
-                                     : "6 cm from the end of the centreline, the length of a caecum; no valve is known";
+                   : atValve         ? "at the ileocecal valve"
+                                     : "6 cm from the end of the centerline, the length of a cecum; no valve is known";
   return json;
 }
 
@@ -114,7 +114,7 @@ ValveToJson(const ColonLandmarks & landmarks)
   json["found"] = landmarks.valve.has_value();
   if (landmarks.valve)
   {
-    const IleocaecalValve & valve = *landmarks.valve;
+    const IleocecalValve & valve = *landmarks.valve;
     json["position"] = Numbers(valve.position);
     json["arcLength"] = RoundedJson(valve.arcLength);
     json["uv"] = Numbers(landmarks.valveUv);
@@ -237,8 +237,8 @@ ColonLandmarksToJson(const ColonLandmarks & landmarks)
   json["mirrored"] = landmarks.flexures.isMirrored;
   json["backwards"] = landmarks.flexures.isBackwards;
   json["flexures"] = FlexuresToJson(landmarks);
-  json["caecum"] = CaecumToJson(landmarks);
-  json["ileocaecalValve"] = ValveToJson(landmarks);
+  json["cecum"] = CecumToJson(landmarks);
+  json["ileocecalValve"] = ValveToJson(landmarks);
   json["segments"] = SegmentsToJson(landmarks);
   json["segmentsNotFound"] = SegmentsNotFound(landmarks);
   if (landmarks.hindered)

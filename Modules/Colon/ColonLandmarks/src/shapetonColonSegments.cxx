@@ -1,7 +1,7 @@
 #include "shapetonColonSegments.h"
 
-#include "shapetonCentrelineShape.h"
-#include "shapetonIleocaecalValve.h"
+#include "shapetonCenterlineShape.h"
+#include "shapetonIleocecalValve.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,10 +11,10 @@ namespace shapeton
 namespace
 {
 /** mm, straight from the end of the centerline, since its course is uncertain in such a wide place. */
-constexpr double caecumLength = 60.0;
-constexpr int    borderOfCaecum = 5;
+constexpr double cecumLength = 60.0;
+constexpr int    borderOfCecum = 5;
 /** Low, since the place is that of average anatomy, not of a visible structure. */
-constexpr double confidenceOfCaecum = 0.3;
+constexpr double confidenceOfCecum = 0.3;
 
 /** Labels faces connected without crossing a loop, from 0. */
 std::vector<int>
@@ -112,11 +112,11 @@ SegmentsOfFaces(const ColonWallTube & tube, const std::vector<SegmentBorder> & b
 
 /** Index of the line point where the cecum begins in average anatomy. */
 int
-EstimatedBeginOfCaecum(const CentrelineShape & shape)
+EstimatedBeginOfCecum(const CenterlineShape & shape)
 {
   const int end = shape.Size() - 1;
   int       i = end;
-  while (i > 0 && (shape.Points().row(i) - shape.Points().row(end)).norm() < caecumLength)
+  while (i > 0 && (shape.Points().row(i) - shape.Points().row(end)).norm() < cecumLength)
   {
     --i;
   }
@@ -124,22 +124,22 @@ EstimatedBeginOfCaecum(const CentrelineShape & shape)
 }
 
 void
-AddCaecum(const CurveSet &                       centreline,
-          const std::optional<IleocaecalValve> & valve,
+AddCecum(const CurveSet &                       centerline,
+          const std::optional<IleocecalValve> & valve,
           const ColonFlexures &                  flexures,
           std::vector<SegmentBorder> &           borders)
 {
-  const CentrelineShape shape(centreline);
-  const int             i = valve ? shape.IndexAt(valve->arcLength) : EstimatedBeginOfCaecum(shape);
+  const CenterlineShape shape(centerline);
+  const int             i = valve ? shape.IndexAt(valve->arcLength) : EstimatedBeginOfCecum(shape);
   const ColonFlexure &  hepatic = flexures.flexures[3];
-  if (!hepatic.isFound || hepatic.arcLength + 0.5 * caecumLength > shape.ArcLengthAt(i))
+  if (!hepatic.isFound || hepatic.arcLength + 0.5 * cecumLength > shape.ArcLengthAt(i))
   {
     return;
   }
   SegmentBorder border;
-  border.number = borderOfCaecum;
+  border.number = borderOfCecum;
   border.arcLength = shape.ArcLengthAt(i);
-  border.confidence = valve ? valve->confidence : confidenceOfCaecum;
+  border.confidence = valve ? valve->confidence : confidenceOfCecum;
   border.point = shape.Points().row(i).transpose();
   borders.push_back(border);
 }
@@ -149,13 +149,13 @@ std::string
 NameOfSegment(int segment)
 {
   static const char * const names[] = { "unknown",    "rectum",    "sigmoid", "descending",
-                                        "transverse", "ascending", "caecum" };
+                                        "transverse", "ascending", "cecum" };
   return segment >= 0 && segment <= NumberOfColonSegments ? names[segment] : "";
 }
 
 ColonSegments
 FindColonSegments(const ColonWallTube & tube,
-                  const CurveSet &      centreline,
+                  const CurveSet &      centerline,
                   const ColonFlexures & flexures,
                   const Progress &      progress)
 {
@@ -167,12 +167,12 @@ FindColonSegments(const ColonWallTube & tube,
       candidates.push_back({ flexure.number, flexure.point, flexure.arcLength, flexure.confidence, {} });
     }
   }
-  const std::optional<IleocaecalValve> valve = IleocaecalValveOf(centreline);
-  AddCaecum(centreline, valve, flexures, candidates);
-  const CentrelineShape shape(centreline);
+  const std::optional<IleocecalValve> valve = IleocecalValveOf(centerline);
+  AddCecum(centerline, valve, flexures, candidates);
+  const CenterlineShape shape(centerline);
   const VertexMatrix    tangents = shape.Tangents(10.0);
   ColonSegments         result;
-  result.isCaecumAtValve = valve.has_value();
+  result.isCecumAtValve = valve.has_value();
   for (std::size_t done = 0; done < candidates.size(); ++done)
   {
     SegmentBorder & border = candidates[done];

@@ -93,7 +93,7 @@ CutBetween(const SurfaceMesh &         mesh,
       std::reverse(path.begin(), path.end());
       return path;
     }
-    for (const int next : connectivity.NeighboursOfVertex(vertex))
+    for (const int next : connectivity.NeighborsOfVertex(vertex))
     {
       const double far = 0.5 * (distance[vertex] + distance[next]) / 5.0;
       const double total = reached + (mesh.V.row(vertex) - mesh.V.row(next)).norm() * (1.0 + far * far);

@@ -1,6 +1,6 @@
 #include "shapetonColonWallTube.h"
 
-#include "shapetonCentrelineMatch.h"
+#include "shapetonCenterlineMatch.h"
 #include "shapetonFlatSurface.h"
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 
 namespace shapeton
 {
-ColonWallTube::ColonWallTube(const FlatColon & colon, const CurveSet & centreline)
+ColonWallTube::ColonWallTube(const FlatColon & colon, const CurveSet & centerline)
 {
   const SurfaceMesh & flat = colon.Surface();
   RequireSound(flat, "the flat surface");
@@ -23,7 +23,7 @@ ColonWallTube::ColonWallTube(const FlatColon & colon, const CurveSet & centrelin
     m_Uv.row(vertex) = uv.row(m_FlatOfVertex[vertex]);
   }
   this->CountTurns(flat, uv);
-  this->MeasureArcLength(colon, centreline);
+  this->MeasureArcLength(colon, centerline);
 }
 
 ColonWallTube::~ColonWallTube() = default;
@@ -96,9 +96,9 @@ ColonWallTube::ArcLengthOfU(double u) const
 
 // Uses the nearest centerline point close to that of the column of the vertex, so touching loops do not mislead.
 void
-ColonWallTube::MeasureArcLength(const FlatColon & colon, const CurveSet & centreline)
+ColonWallTube::MeasureArcLength(const FlatColon & colon, const CurveSet & centerline)
 {
-  const CentrelineMatch match = MatchCentreline(colon, centreline);
+  const CenterlineMatch match = MatchCenterline(colon, centerline);
   m_Warnings = match.warnings;
   m_ArcLengthOfColumn = match.arcLengthOfColumn;
   m_ColumnWidth = match.columnWidth;

@@ -74,7 +74,7 @@ private:
         std::unordered_map<int, Entry> &                                 reached) const
   {
     const int vertex = place / sheets;
-    for (const int next : m_Tube.Connectivity().NeighboursOfVertex(vertex))
+    for (const int next : m_Tube.Connectivity().NeighborsOfVertex(vertex))
     {
       const int sheet = place % sheets + m_Tube.Turns(vertex, next);
       if (m_Distance[next] < 0.0 || sheet < 0 || sheet >= sheets)

@@ -34,7 +34,7 @@ struct Clusters
 Clusters
 ClusterFrom(const std::vector<Complex> & points, const TaeniaAngles & start)
 {
-  std::array<Complex, 3> centres{ OnCircle(start[0]), OnCircle(start[1]), OnCircle(start[2]) };
+  std::array<Complex, 3> centers{ OnCircle(start[0]), OnCircle(start[1]), OnCircle(start[2]) };
   Clusters               result;
   for (int iteration = 0; iteration < iterations; ++iteration)
   {
@@ -47,7 +47,7 @@ ClusterFrom(const std::vector<Complex> & points, const TaeniaAngles & start)
       double                total = 0.0;
       for (int c = 0; c < 3; ++c)
       {
-        distance[c] = std::norm(point - centres[c]) + 1e-4;
+        distance[c] = std::norm(point - centers[c]) + 1e-4;
         total += 1.0 / distance[c];
       }
       for (int c = 0; c < 3; ++c)
@@ -62,9 +62,9 @@ ClusterFrom(const std::vector<Complex> & points, const TaeniaAngles & start)
     result.objective = (spread[0] + spread[1] + spread[2]) / static_cast<double>(points.size());
     for (int c = 0; c < 3; ++c)
     {
-      centres[c] = sums[c] / (std::abs(sums[c]) + 1e-12);
+      centers[c] = sums[c] / (std::abs(sums[c]) + 1e-12);
       result.spread[c] = spread[c] / weights[c];
-      result.angles[c] = std::arg(centres[c]) / (2.0 * M_PI);
+      result.angles[c] = std::arg(centers[c]) / (2.0 * M_PI);
     }
   }
   return result;

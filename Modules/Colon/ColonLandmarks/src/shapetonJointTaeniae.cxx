@@ -44,10 +44,10 @@ CellsBetween(double a, double b)
 }
 
 /** Dynamic programming over states (angle of the first track, gap to the second, gap to the third). */
-class JointProgramme
+class JointProgram
 {
 public:
-  explicit JointProgramme(const TaeniaEvidence & evidence)
+  explicit JointProgram(const TaeniaEvidence & evidence)
     : m_Evidence(evidence)
     , m_Best(States, 0.0F)
     , m_Next(States, 0.0F)
@@ -290,7 +290,7 @@ CostOfSteps(const TaeniaAngles & before, const TaeniaAngles & after)
 TaeniaTracks
 JointTaeniae(const TaeniaEvidence & evidence, const Progress & progress)
 {
-  return JointProgramme(evidence).Run(progress);
+  return JointProgram(evidence).Run(progress);
 }
 
 double

@@ -26,8 +26,8 @@ BendInPlane(const VertexMatrix & points, int i, int reach, int first, int second
 std::vector<int>
 BendsInPlane(const VertexMatrix & points, int first, int second)
 {
-  const int        reach = static_cast<int>(chord / CentrelineShape::Step);
-  const int        window = static_cast<int>(spread / CentrelineShape::Step);
+  const int        reach = static_cast<int>(chord / CenterlineShape::Step);
+  const int        window = static_cast<int>(spread / CenterlineShape::Step);
   const int        size = static_cast<int>(points.rows());
   Eigen::VectorXd  bend = Eigen::VectorXd::Zero(size);
   std::vector<int> peaks;
@@ -60,7 +60,7 @@ MajorBends(const VertexMatrix & points)
   std::vector<int> result;
   for (const int i : both)
   {
-    if (result.empty() || (i - result.back()) * CentrelineShape::Step >= 20.0)
+    if (result.empty() || (i - result.back()) * CenterlineShape::Step >= 20.0)
     {
       result.push_back(i);
     }
@@ -70,7 +70,7 @@ MajorBends(const VertexMatrix & points)
 } // namespace
 
 std::array<int, 4>
-PublishedFlexures(const CentrelineShape & shape)
+PublishedFlexures(const CenterlineShape & shape)
 {
   std::array<int, 4>     result{ -1, -1, -1, -1 };
   const VertexMatrix &   points = shape.Points();

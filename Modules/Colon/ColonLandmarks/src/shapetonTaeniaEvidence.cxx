@@ -110,7 +110,7 @@ EndsOfFolds(const FlatColonGrid & grid, const HaustralFolds & folds, const Taeni
         return evidence.turns.FromMap(static_cast<int>(row), (grid.PixelOfUv(place).row + 0.5) / grid.Rows());
       };
       const double outwards = std::copysign(halfBand / evidence.girth[static_cast<int>(row)],
-                                            TurnsBetween(turnsOf(uv), turnsOf(fold.centreUv)));
+                                            TurnsBetween(turnsOf(uv), turnsOf(fold.centerUv)));
       const double angle = turnsOf(uv) + outwards;
       ends.push_back({ row, angle - std::floor(angle) });
     }

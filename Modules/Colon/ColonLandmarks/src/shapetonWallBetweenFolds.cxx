@@ -46,7 +46,7 @@ RemoveBends(std::vector<double> & wall, int rows)
 double
 InwardForm(const FlatSample & sample, const FlatColonAxis & axis, int column)
 {
-  const Eigen::Vector3d spoke = sample.point - axis.centres.row(column).transpose();
+  const Eigen::Vector3d spoke = sample.point - axis.centers.row(column).transpose();
   const Eigen::Vector3d tangent = axis.tangents.row(column).transpose();
   const double          radius = (spoke - tangent * tangent.dot(spoke)).norm();
   const double          curvature = sample.curvature * axis.radii[column];

@@ -12,7 +12,7 @@ using shapeton::FlexureRule;
 TEST(ColonFlexures, AreFoundOnASchematicColonInTheirOrder)
 {
   const SchematicColon colon = MakeSchematicColon();
-  const ColonFlexures  found = FindColonFlexures(colon.centreline);
+  const ColonFlexures  found = FindColonFlexures(colon.centerline);
   ASSERT_EQ(found.NumberFound(), 4);
   for (int k = 0; k < 4; ++k)
   {
@@ -28,7 +28,7 @@ TEST(ColonFlexures, AreFoundOnASchematicColonInTheirOrder)
 TEST(ColonFlexures, OfARedundantDescendingColonAreWhereItBeginsAndEnds)
 {
   const SchematicColon colon = MakeSchematicColon({ { 50, -20, 250 }, { 60, 10, 290 }, { 150, 20, 300 } });
-  const ColonFlexures  found = FindColonFlexures(colon.centreline);
+  const ColonFlexures  found = FindColonFlexures(colon.centerline);
   ASSERT_EQ(found.NumberFound(), 4);
   for (int k = 0; k < 4; ++k)
   {
@@ -39,9 +39,9 @@ TEST(ColonFlexures, OfARedundantDescendingColonAreWhereItBeginsAndEnds)
 TEST(ColonFlexures, DoNotDependOnWhereThePatientLies)
 {
   SchematicColon      colon = MakeSchematicColon();
-  const ColonFlexures before = FindColonFlexures(colon.centreline);
-  colon.centreline.V.rowwise() += Eigen::RowVector3d(300.0, -200.0, 1024.0);
-  const ColonFlexures after = FindColonFlexures(colon.centreline);
+  const ColonFlexures before = FindColonFlexures(colon.centerline);
+  colon.centerline.V.rowwise() += Eigen::RowVector3d(300.0, -200.0, 1024.0);
+  const ColonFlexures after = FindColonFlexures(colon.centerline);
   for (int k = 0; k < 4; ++k)
   {
     EXPECT_DOUBLE_EQ(before.flexures[k].arcLength, after.flexures[k].arcLength);
@@ -52,9 +52,9 @@ TEST(ColonFlexures, DoNotDependOnWhereThePatientLies)
 TEST(ColonFlexures, OfAMirroredPatientAreTheSameAndItIsTold)
 {
   SchematicColon      colon = MakeSchematicColon();
-  const ColonFlexures before = FindColonFlexures(colon.centreline);
-  colon.centreline.V.col(0) *= -1.0;
-  const ColonFlexures after = FindColonFlexures(colon.centreline);
+  const ColonFlexures before = FindColonFlexures(colon.centerline);
+  colon.centerline.V.col(0) *= -1.0;
+  const ColonFlexures after = FindColonFlexures(colon.centerline);
   EXPECT_FALSE(before.isMirrored);
   EXPECT_TRUE(after.isMirrored);
   ASSERT_EQ(after.NumberFound(), 4);
@@ -67,15 +67,15 @@ TEST(ColonFlexures, OfAMirroredPatientAreTheSameAndItIsTold)
   EXPECT_NE(after.warnings[0].find("right side"), std::string::npos);
 }
 
-TEST(ColonFlexures, OfALineFromTheCaecumToTheRectumAreInDoubt)
+TEST(ColonFlexures, OfALineFromTheCecumToTheRectumAreInDoubt)
 {
   SchematicColon colon = MakeSchematicColon();
-  EXPECT_FALSE(FindColonFlexures(colon.centreline).isBackwards);
-  colon.centreline.V = colon.centreline.V.colwise().reverse().eval();
-  const ColonFlexures found = FindColonFlexures(colon.centreline);
+  EXPECT_FALSE(FindColonFlexures(colon.centerline).isBackwards);
+  colon.centerline.V = colon.centerline.V.colwise().reverse().eval();
+  const ColonFlexures found = FindColonFlexures(colon.centerline);
   EXPECT_TRUE(found.isBackwards);
   ASSERT_FALSE(found.warnings.empty());
-  EXPECT_NE(found.warnings[0].find("from the caecum to the rectum"), std::string::npos);
+  EXPECT_NE(found.warnings[0].find("from the cecum to the rectum"), std::string::npos);
   for (const shapeton::ColonFlexure & flexure : found.flexures)
   {
     EXPECT_LT(flexure.confidence, 0.5);
@@ -85,7 +85,7 @@ TEST(ColonFlexures, OfALineFromTheCaecumToTheRectumAreInDoubt)
 TEST(ColonFlexures, OfThePublishedRuleIncludeTheTwoHighestBends)
 {
   const SchematicColon colon = MakeSchematicColon();
-  const ColonFlexures  found = FindColonFlexures(colon.centreline, FlexureRule::Published);
+  const ColonFlexures  found = FindColonFlexures(colon.centerline, FlexureRule::Published);
   ASSERT_TRUE(found.flexures[2].isFound);
   ASSERT_TRUE(found.flexures[3].isFound);
   EXPECT_NEAR(found.flexures[2].arcLength, colon.flexures[2], 30.0);
@@ -119,7 +119,7 @@ TEST(ColonFlexures, OfALineLikeNoColonAreNotFound)
 
 TEST(ColonFlexures, NeedAnArcLengthThatAscends)
 {
-  shapeton::CurveSet curve = MakeSchematicColon().centreline;
+  shapeton::CurveSet curve = MakeSchematicColon().centerline;
   curve.pointArrays[0].values = -curve.pointArrays[0].values;
   EXPECT_THROW(FindColonFlexures(curve), shapeton::InputError);
   curve.pointArrays.clear();

@@ -101,8 +101,8 @@ TEST(ColonSplitting, NeedsATaenia)
 TEST(ColonLandmarks, AreFoundTogetherAndToldInJson)
 {
   const SchematicColon        colon = MakeSchematicColon();
-  const shapeton::SurfaceMesh flat = landmarktubes::TubeAlong(colon.centreline, 12.0);
-  const ColonLandmarks        landmarks = shapeton::FindColonLandmarks(shapeton::FlatColon(flat), colon.centreline);
+  const shapeton::SurfaceMesh flat = landmarktubes::TubeAlong(colon.centerline, 12.0);
+  const ColonLandmarks        landmarks = shapeton::FindColonLandmarks(shapeton::FlatColon(flat), colon.centerline);
   EXPECT_EQ(landmarks.segments.borders.size(), 5u);
   EXPECT_TRUE(landmarks.taeniae.taeniae.empty()); // a smooth tube has no folds
   const shapeton::Json json = ColonLandmarksToJson(landmarks);
@@ -135,14 +135,14 @@ TEST(ColonLandmarks, SegmentsAndBordersTellWhereTheWallIsNotSeen)
   EXPECT_FALSE(shapeton::AssessabilityOfSegment(landmarks, 2));
   landmarks.hindered = { { 10.0, 14.0, shapeton::ColonHindrance::Narrow },
                          { 70.0, 105.0, shapeton::ColonHindrance::UntaggedFluid } };
-  landmarks.lengthOfCentreline = length;
+  landmarks.lengthOfCenterline = length;
   landmarks.taeniae = {}; // these have no confidence
   EXPECT_NEAR(shapeton::AssessabilityOfSegment(landmarks, 1)->share, 0.9, 1e-12);
   EXPECT_EQ(shapeton::AssessabilityOfSegment(landmarks, 2)->Verdict(), "partly");
   EXPECT_FALSE(shapeton::AssessabilityOfSegment(landmarks, 3)); // its end is unknown
   const shapeton::Json json = shapeton::ColonLandmarksToJson(landmarks);
   EXPECT_EQ(json["notAssessable"].size(), 2u);
-  EXPECT_EQ(json["segmentsNotFound"], shapeton::Json({ "descending", "transverse", "ascending", "caecum" }));
+  EXPECT_EQ(json["segmentsNotFound"], shapeton::Json({ "descending", "transverse", "ascending", "cecum" }));
   for (const shapeton::Json & segment : json["segments"])
   {
     EXPECT_EQ(segment.contains("verdict"), segment["number"] != 0);
@@ -158,11 +158,11 @@ TEST(ColonLandmarks, SegmentsAndBordersTellWhereTheWallIsNotSeen)
 TEST(ColonLandmarks, AreNotFoundAfterAnAbort)
 {
   const SchematicColon      colon = MakeSchematicColon();
-  const shapeton::FlatColon flat(landmarktubes::TubeAlong(colon.centreline, 12.0));
+  const shapeton::FlatColon flat(landmarktubes::TubeAlong(colon.centerline, 12.0));
   const auto                work = [&](const shapeton::Progress & progress) {
     shapeton::ColonLandmarkOptions options;
     options.progress = progress;
-    FindColonLandmarks(flat, colon.centreline, options);
+    FindColonLandmarks(flat, colon.centerline, options);
   };
   shapeton::test::ExpectProgress(work, 100); // including one for each possible start of a loop
 }

@@ -1,6 +1,6 @@
 #include "shapetonColonSegments.h"
 
-#include "shapetonIleocaecalValve.h"
+#include "shapetonIleocecalValve.h"
 #include "shapetonLandmarkTubes.h"
 
 #include <gtest/gtest.h>
@@ -15,11 +15,11 @@ namespace
 {
 constexpr double radius = 12.0;
 
-struct LabelledColon
+struct LabeledColon
 {
   SchematicColon colon{ MakeSchematicColon() };
-  ColonWallTube  tube{ shapeton::FlatColon(landmarktubes::TubeAlong(colon.centreline, radius)), colon.centreline };
-  shapeton::ColonFlexures flexures{ shapeton::FindColonFlexures(colon.centreline) };
+  ColonWallTube  tube{ shapeton::FlatColon(landmarktubes::TubeAlong(colon.centerline, radius)), colon.centerline };
+  shapeton::ColonFlexures flexures{ shapeton::FindColonFlexures(colon.centerline) };
 };
 
 double
@@ -61,8 +61,8 @@ TEST(FlexureLoops, AreEmptyWhereThereIsNoWall)
 
 TEST(ColonSegments, LieBetweenTheFlexures)
 {
-  const LabelledColon c;
-  const ColonSegments segments = FindColonSegments(c.tube, c.colon.centreline, c.flexures);
+  const LabeledColon c;
+  const ColonSegments segments = FindColonSegments(c.tube, c.colon.centerline, c.flexures);
   ASSERT_EQ(segments.borders.size(), 5u);
   EXPECT_TRUE(segments.warnings.empty());
   for (int face = 0; face < c.tube.Faces().rows(); ++face)
@@ -85,9 +85,9 @@ TEST(ColonSegments, LieBetweenTheFlexures)
 
 TEST(ColonSegments, BesideAMissingFlexureAreUnknown)
 {
-  LabelledColon c;
+  LabeledColon c;
   c.flexures.flexures[1].isFound = false;
-  const ColonSegments segments = FindColonSegments(c.tube, c.colon.centreline, c.flexures);
+  const ColonSegments segments = FindColonSegments(c.tube, c.colon.centerline, c.flexures);
   const auto count = [&](int s) { return std::count(segments.segmentOfFace.begin(), segments.segmentOfFace.end(), s); };
   EXPECT_GT(count(0), 0);
   EXPECT_GT(count(1), 0);
@@ -98,25 +98,25 @@ TEST(ColonSegments, BesideAMissingFlexureAreUnknown)
   EXPECT_NE(segments.warnings[0].find("is unknown"), std::string::npos);
 }
 
-TEST(ColonSegments, PlaceTheCaecumSixCentimetresFromTheEnd)
+TEST(ColonSegments, PlaceTheCecumSixCentimetersFromTheEnd)
 {
-  const LabelledColon             c;
-  const ColonSegments             segments = FindColonSegments(c.tube, c.colon.centreline, c.flexures);
-  const shapeton::SegmentBorder & caecum = segments.borders.back();
-  EXPECT_EQ(caecum.number, 5);
-  const Eigen::Vector3d end = c.colon.centreline.V.bottomRows(1).transpose();
-  EXPECT_NEAR((caecum.point - end).norm(), 60.0, 4.5); // the line is sampled every 2 mm
+  const LabeledColon             c;
+  const ColonSegments             segments = FindColonSegments(c.tube, c.colon.centerline, c.flexures);
+  const shapeton::SegmentBorder & cecum = segments.borders.back();
+  EXPECT_EQ(cecum.number, 5);
+  const Eigen::Vector3d end = c.colon.centerline.V.bottomRows(1).transpose();
+  EXPECT_NEAR((cecum.point - end).norm(), 60.0, 4.5); // the line is sampled every 2 mm
 }
 
-TEST(ColonSegments, EndTheCaecumAtAKnownValve)
+TEST(ColonSegments, EndTheCecumAtAKnownValve)
 {
-  LabelledColon             c;
-  shapeton::IleocaecalValve valve;
-  valve.arcLength = shapeton::PointValues(c.colon.centreline, "arcLength", "the line").maxCoeff() - 80.0;
+  LabeledColon             c;
+  shapeton::IleocecalValve valve;
+  valve.arcLength = shapeton::PointValues(c.colon.centerline, "arcLength", "the line").maxCoeff() - 80.0;
   valve.confidence = 0.8;
-  shapeton::SetIleocaecalValve(valve, c.colon.centreline);
-  const ColonSegments segments = FindColonSegments(c.tube, c.colon.centreline, c.flexures);
-  EXPECT_TRUE(segments.isCaecumAtValve);
+  shapeton::SetIleocecalValve(valve, c.colon.centerline);
+  const ColonSegments segments = FindColonSegments(c.tube, c.colon.centerline, c.flexures);
+  EXPECT_TRUE(segments.isCecumAtValve);
   EXPECT_EQ(segments.borders.back().number, 5);
   EXPECT_NEAR(segments.borders.back().arcLength, valve.arcLength, 1.0);
   EXPECT_EQ(segments.borders.back().confidence, 0.8);
@@ -125,7 +125,7 @@ TEST(ColonSegments, EndTheCaecumAtAKnownValve)
 TEST(ColonSegments, HaveNames)
 {
   EXPECT_EQ(shapeton::NameOfSegment(0), "unknown");
-  EXPECT_EQ(shapeton::NameOfSegment(6), "caecum");
+  EXPECT_EQ(shapeton::NameOfSegment(6), "cecum");
   EXPECT_EQ(shapeton::NameOfSegment(7), "");
   EXPECT_EQ(shapeton::NameOfFlexure(3), "splenic");
   EXPECT_EQ(shapeton::NameOfFlexure(0), "");

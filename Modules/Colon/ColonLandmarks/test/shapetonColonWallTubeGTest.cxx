@@ -23,11 +23,11 @@ Cylinder(double sway = 1.0)
 
 /** Message of an InputError. */
 std::string
-MessageOf(const shapeton::SurfaceMesh & flat, const shapeton::CurveSet & centreline)
+MessageOf(const shapeton::SurfaceMesh & flat, const shapeton::CurveSet & centerline)
 {
   try
   {
-    const ColonWallTube tube(shapeton::FlatColon(flat), centreline);
+    const ColonWallTube tube(shapeton::FlatColon(flat), centerline);
   }
   catch (const shapeton::InputError & error)
   {
@@ -72,46 +72,46 @@ TEST(ColonWallTube, CountsTheTurnsOfWalks)
   }
 }
 
-TEST(ColonWallTube, KnowsTheDistanceAlongTheCentreline)
+TEST(ColonWallTube, KnowsTheDistanceAlongTheCenterline)
 {
   const SchematicColon colon = MakeSchematicColon();
-  const ColonWallTube  tube(shapeton::FlatColon(landmarktubes::TubeAlong(colon.centreline, 12.0)), colon.centreline);
+  const ColonWallTube  tube(shapeton::FlatColon(landmarktubes::TubeAlong(colon.centerline, 12.0)), colon.centerline);
   for (int vertex = 0; vertex < tube.NumberOfVertices(); vertex += 7)
   {
     const Eigen::Index i = static_cast<Eigen::Index>(tube.Uv(vertex).x());
-    ASSERT_NEAR(tube.ArcLength(vertex), colon.centreline.pointArrays[0].values(i, 0), 30.0); // inside of a hairpin bend
+    ASSERT_NEAR(tube.ArcLength(vertex), colon.centerline.pointArrays[0].values(i, 0), 30.0); // inside of a hairpin bend
   }
 }
 
-TEST(ColonWallTube, RefusesACentrelineFromItsOtherEnd)
+TEST(ColonWallTube, RefusesACenterlineFromItsOtherEnd)
 {
   const SchematicColon        colon = MakeSchematicColon();
-  const shapeton::SurfaceMesh flat = landmarktubes::TubeAlong(colon.centreline, 12.0);
-  EXPECT_EQ(MessageOf(flat, colon.centreline), "");
-  EXPECT_NE(MessageOf(flat, ReversedCurve(colon.centreline)).find("from the caecum to the rectum"), std::string::npos);
+  const shapeton::SurfaceMesh flat = landmarktubes::TubeAlong(colon.centerline, 12.0);
+  EXPECT_EQ(MessageOf(flat, colon.centerline), "");
+  EXPECT_NE(MessageOf(flat, ReversedCurve(colon.centerline)).find("from the cecum to the rectum"), std::string::npos);
 }
 
-TEST(ColonWallTube, RefusesTheCentrelineOfAnotherColon)
+TEST(ColonWallTube, RefusesTheCenterlineOfAnotherColon)
 {
   SchematicColon              colon = MakeSchematicColon();
-  const shapeton::SurfaceMesh flat = landmarktubes::TubeAlong(colon.centreline, 12.0);
-  colon.centreline.V.col(0) *= 0.7;
-  EXPECT_NE(MessageOf(flat, colon.centreline).find("different colons or positions"), std::string::npos);
+  const shapeton::SurfaceMesh flat = landmarktubes::TubeAlong(colon.centerline, 12.0);
+  colon.centerline.V.col(0) *= 0.7;
+  EXPECT_NE(MessageOf(flat, colon.centerline).find("different colons or positions"), std::string::npos);
 }
 
-TEST(ColonWallTube, TakesACentrelineOfAPartWithAWarning)
+TEST(ColonWallTube, TakesACenterlineOfAPartWithAWarning)
 {
   const SchematicColon colon = MakeSchematicColon();
   shapeton::CurveSet   part;
-  part.V = colon.centreline.V.middleRows(300, 400);
+  part.V = colon.centerline.V.middleRows(300, 400);
   part.curves.emplace_back();
-  shapeton::SurfaceArray arc{ "arcLength", colon.centreline.pointArrays[0].values.middleRows(300, 400), false };
+  shapeton::SurfaceArray arc{ "arcLength", colon.centerline.pointArrays[0].values.middleRows(300, 400), false };
   part.pointArrays.push_back(arc);
   for (int i = 0; i < 400; ++i)
   {
     part.curves[0].push_back(i);
   }
-  const ColonWallTube tube(shapeton::FlatColon(landmarktubes::TubeAlong(colon.centreline, 12.0)), part);
+  const ColonWallTube tube(shapeton::FlatColon(landmarktubes::TubeAlong(colon.centerline, 12.0)), part);
   ASSERT_EQ(tube.Warnings().size(), 1u);
   EXPECT_NE(tube.Warnings()[0].find("a part of the flat surface"), std::string::npos);
 }

@@ -12,7 +12,7 @@ using flattubes::pi;
 /** Height of the wall toward the axis, mm, at (mm along, angle). */
 using Relief = std::function<double(double, double)>;
 
-/** A tube along a curve with points every millimetre. */
+/** A tube along a curve with points every millimeter. */
 inline shapeton::SurfaceMesh
 TubeAlong(const shapeton::CurveSet & curve,
           double                     radius,
@@ -48,7 +48,7 @@ TubeAlong(const shapeton::CurveSet & curve,
   });
 }
 
-/** The centreline of a straight tube along z. */
+/** The centerline of a straight tube along z. */
 inline shapeton::CurveSet
 StraightLine(double length)
 {

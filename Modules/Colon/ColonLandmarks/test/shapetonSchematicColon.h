@@ -9,11 +9,11 @@
 /** A schematic centerline of a colon with flexures at known places. */
 struct SchematicColon
 {
-  shapeton::CurveSet    centreline;
+  shapeton::CurveSet    centerline;
   std::array<double, 4> flexures{}; ///< arcLength, mm
 };
 
-/** Straight pieces between places, their corners rounded by averaging; points every millimetre. LPS, mm. */
+/** Straight pieces between places, their corners rounded by averaging; points every millimeter. LPS, mm. */
 inline shapeton::CurveSet
 RoundedCurve(const std::vector<Eigen::Vector3d> & places)
 {
@@ -58,7 +58,7 @@ ArcLengthNear(const shapeton::CurveSet & curve, const Eigen::Vector3d & point)
 inline SchematicColon
 MakeSchematicColon(const std::vector<Eigen::Vector3d> & loop = {})
 {
-  // Anal verge; rectum along the sacrum; a sigmoid loop; descending; transverse hanging down; ascending; caecum.
+  // Anal verge; rectum along the sacrum; a sigmoid loop; descending; transverse hanging down; ascending; cecum.
   std::vector<Eigen::Vector3d> places{ { 0, 40, 0 },      { 0, 62, 60 },     { 0, 45, 120 },    { -45, -10, 135 },
                                        { 10, -50, 150 },  { 70, -20, 130 },  { 105, 30, 160 },  { 125, 45, 240 },
                                        { 130, 50, 350 },  { 80, -20, 320 },  { 40, -50, 230 },  { 0, -55, 215 },
@@ -67,10 +67,10 @@ MakeSchematicColon(const std::vector<Eigen::Vector3d> & loop = {})
   const std::array<Eigen::Vector3d, 4> flexures{ places[2], places[6], places[8], places[14] };
   places.insert(places.begin() + 8, loop.begin(), loop.end());
   SchematicColon colon;
-  colon.centreline = RoundedCurve(places);
+  colon.centerline = RoundedCurve(places);
   for (int k = 0; k < 4; ++k)
   {
-    colon.flexures[k] = ArcLengthNear(colon.centreline, flexures[k]);
+    colon.flexures[k] = ArcLengthNear(colon.centerline, flexures[k]);
   }
   return colon;
 }

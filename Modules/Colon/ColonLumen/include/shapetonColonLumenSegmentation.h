@@ -53,7 +53,7 @@ struct ColonThresholds
 /** A flat surface of fluid or other matter under gas. \ingroup ColonLumen */
 struct ColonLevel
 {
-  itk::Point<double, 3> centre;
+  itk::Point<double, 3> center;
   double                area{ 0.0 };    ///< mm^2 of its flat middle part
   double                tilt{ 0.0 };    ///< degrees from perpendicular to gravity
   double                fluidHU{ 0.0 }; ///< mean of the matter below it
@@ -68,7 +68,7 @@ struct LumenPiece
   double                fluidMl{ 0.0 };
   double                inscribedRadius{ 0.0 }; ///< mm, of the largest ball inside
   double                meanGasHU{ 0.0 };
-  itk::Point<double, 3> centre;
+  itk::Point<double, 3> center;
 };
 
 /** Gas or bright matter that is not colon. \ingroup ColonLumen */
@@ -81,7 +81,7 @@ struct ColonLeftOut
   double                ml{ 0.0 };
   double                inscribedRadius{ 0.0 }; ///< mm; 0 where not measured
   double                meanHU{ 0.0 };
-  itk::Point<double, 3> centre;
+  itk::Point<double, 3> center;
   /** For gas too thin for a colon: points in it, one for each cell of 5 mm. */
   std::vector<itk::Point<double, 3>> places;
 };

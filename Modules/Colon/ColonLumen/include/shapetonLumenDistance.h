@@ -48,7 +48,7 @@ struct LumenComponent
   itk::Index<3> last{};
 };
 
-/** The connected components of a mask, labelled and measured. See FindLumenComponents(). \ingroup ColonLumen */
+/** The connected components of a mask, labeled and measured. See FindLumenComponents(). \ingroup ColonLumen */
 struct LumenComponents
 {
   /** Label 1 for the first of `components`, and so on. Covers only the region. */

@@ -38,7 +38,7 @@ struct RectalCatheter
   double                             tipRadius{ 0.0 };       ///< distance from the axis to the widest place of the tip
   double                             wallHU{ 0.0 };          ///< median of the maxima across the wall
   double                             balloonDiameter{ 0.0 }; ///< with its membrane; 0 if no filled balloon is visible
-  itk::Point<double, 3>              balloonCentre{};        ///< center of a visible balloon
+  itk::Point<double, 3>              balloonCenter{};        ///< center of a visible balloon
   double                             filledMl{ 0.0 };        ///< volume of tube, tip and balloon added to the lumen
   CatheterEvidence                   evidence;
 };

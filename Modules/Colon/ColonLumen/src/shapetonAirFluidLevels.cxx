@@ -296,7 +296,7 @@ private:
 constexpr double MaximumSlope = 0.1;  // tangent
 constexpr double MinimumArea = 30.0;  // mm^2
 constexpr double MinimumWidth = 1.5;  // mm: a strip along the bottom of a straight tube is thinner
-constexpr double HighestStepIn = 0.8; // mm between neighbours of one level
+constexpr double HighestStepIn = 0.8; // mm between neighbors of one level
 
 struct Plane
 {
@@ -355,7 +355,7 @@ public:
   {
     const auto           flat = this->FlatFloors();
     std::map<int, Level> levels;
-    auto                 sets = this->Neighbours(flat);
+    auto                 sets = this->Neighbors(flat);
     for (std::size_t f = 0; f < m_Floors.size(); ++f)
     {
       if (flat[f])
@@ -422,7 +422,7 @@ private:
   }
 
   DisjointSets<>
-  Neighbours(const std::vector<char> & flat) const
+  Neighbors(const std::vector<char> & flat) const
   {
     DisjointSets sets(m_Floors.size());
     const double reach = std::min(m_Radius, 1.5 * m_Grid.spacing.maxCoeff());
@@ -465,7 +465,7 @@ private:
     const Plane plane = fit.Solve();
     level.depth = base + plane.depth;
     level.slope = plane.slope;
-    level.centre = mean;
+    level.center = mean;
     level.gas = m_Floors[level.floors[0]].gas;
     level.area = level.floors.size() * m_Fall.ColumnArea(m_Grid);
     level.width = std::sqrt(PrincipalAxes(covariance).values[0]);
@@ -558,7 +558,7 @@ LevelColumn::IsOpen(const Level & level, const std::array<int, 3> & floor, int s
   const auto &    t = m_Thresholds;
   const auto      top = m_Grid.Position(Eigen::Vector3d(floor[0], floor[1], floor[2]));
   Eigen::Vector2d place(top.dot(m_Fall.across[0]), top.dot(m_Fall.across[1]));
-  const double    line = top.dot(m_Fall.direction) - level.depth - level.slope.dot(place - level.centre);
+  const double    line = top.dot(m_Fall.direction) - level.depth - level.slope.dot(place - level.center);
   const double    plateau = std::min<double>(level.Fluid(), value(steps));
   const double    half = (t.gasBoundary - t.gas) / std::max(1.0, plateau - t.gas);
   const double    above = line - m_Fall.step * std::ceil(line / m_Fall.step);

@@ -102,7 +102,7 @@ constexpr double LeastTagging = 100.0; // HU above tissue
 constexpr double LeastAtEdge = 0.7;    // of the fluid contrast, where the rise of a level ends
 constexpr double StepsToFluid = 3.0;   // from a gas voxel above a level: two may be in the rise
 
-/** A flat part of a gas floor: depth = depth + slope . (place - centre), in mm along and across gravity. */
+/** A flat part of a gas floor: depth = depth + slope . (place - center), in mm along and across gravity. */
 struct Level
 {
   int                 gas{ 0 };     ///< the piece above it
@@ -110,7 +110,7 @@ struct Level
   double              width{ 0.0 }; ///< standard deviation along its shorter side, mm
   double              depth{ 0.0 };
   Eigen::Vector2d     slope;
-  Eigen::Vector2d     centre;
+  Eigen::Vector2d     center;
   std::vector<size_t> floors;       ///< indices of the gas voxels just above it
   double              below{ 0.0 }; ///< median intensity 3 to 6 mm below it
   double              edge{ 0.0 };  ///< median intensity about 2 mm below it, past the rise of a level

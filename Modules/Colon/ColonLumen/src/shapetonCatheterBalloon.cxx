@@ -55,7 +55,7 @@ ExitOf(const CatheterTube & tube, const TubeSection & section, int number, const
     layer = CrossLayer(region, ray, wall.inner, LargestBalloon);
     isBalloon = layer.outer >= tube.outerRadius + 0.5 * LeastRoom;
   }
-  const BalloonExit exit{ section.centre + layer.outer * ray.direction, layer.behind };
+  const BalloonExit exit{ section.center + layer.outer * ray.direction, layer.behind };
   return isBalloon && layer.IsLeft() ? std::optional(exit) : std::nullopt;
 }
 
@@ -93,14 +93,14 @@ FittedBall(const Exits & exits)
     right += x.squaredNorm() * row;
   }
   const Eigen::Vector4d solution = squares.completeOrthogonalDecomposition().solve(right);
-  const Eigen::Vector3d centre = solution.head<3>();
-  return { mean + centre, std::sqrt(std::max(0.0, solution[3] + centre.squaredNorm())), exits };
+  const Eigen::Vector3d center = solution.head<3>();
+  return { mean + center, std::sqrt(std::max(0.0, solution[3] + center.squaredNorm())), exits };
 }
 
 double
 OffBall(const CatheterBalloon & ball, const BalloonExit & exit)
 {
-  return (exit.position - ball.centre).norm() - ball.radius;
+  return (exit.position - ball.center).norm() - ball.radius;
 }
 
 double
@@ -150,7 +150,7 @@ CylinderResidual(const Exits & exits, const Eigen::Vector3d & along)
 bool
 IsAroundTube(const CatheterBalloon & ball, const CatheterTube & tube)
 {
-  const auto distance = [&](const TubeSection & section) { return (section.centre - ball.centre).norm(); };
+  const auto distance = [&](const TubeSection & section) { return (section.center - ball.center).norm(); };
   const auto nearest =
     std::min_element(tube.sections.begin(), tube.sections.end(), [&](const TubeSection & s, const TubeSection & t) {
       return distance(s) < distance(t);

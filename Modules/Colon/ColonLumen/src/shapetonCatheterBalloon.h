@@ -15,7 +15,7 @@ struct BalloonExit
 /** The ball fitted to a balloon. */
 struct CatheterBalloon
 {
-  Eigen::Vector3d          centre;
+  Eigen::Vector3d          center;
   double                   radius{ 0.0 }; ///< mm, with its membrane
   std::vector<BalloonExit> exits;         ///< of the rays that cross it
 };

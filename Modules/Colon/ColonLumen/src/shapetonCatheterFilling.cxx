@@ -15,9 +15,9 @@ constexpr double MembraneClosing = 1.5;   // mm
 constexpr double LargestPocketMl = 120.0; // a ball of 30 mm radius
 
 VoxelBox
-BoxAround(const ColonGrid & grid, const Eigen::Vector3d & centre, double reach)
+BoxAround(const ColonGrid & grid, const Eigen::Vector3d & center, double reach)
 {
-  const Eigen::Vector3d voxel = grid.VoxelOf(centre);
+  const Eigen::Vector3d voxel = grid.VoxelOf(center);
   VoxelBox              box;
   for (int a = 0; a < 3; ++a)
   {
@@ -50,10 +50,10 @@ void
 ForEachAcross(const ColonGrid & grid, const TubeSection & section, double reach, const TBody & body)
 {
   const double half = std::max(0.75, 0.5 * grid.spacing.maxCoeff()); // mm: sections overlap
-  ForEachVoxelOf(BoxAround(grid, section.centre, reach), grid, [&](std::size_t p, const Eigen::Vector3d & x) {
+  ForEachVoxelOf(BoxAround(grid, section.center, reach), grid, [&](std::size_t p, const Eigen::Vector3d & x) {
     double    distance = 0.0;
     const int ray = section.RayTo(x, distance);
-    if (std::abs((x - section.centre).dot(section.along)) <= half && distance <= reach)
+    if (std::abs((x - section.center).dot(section.along)) <= half && distance <= reach)
     {
       body(p, section.rays[ray], distance);
     }
@@ -99,18 +99,18 @@ AddedByClosing(const ColonGrid & grid, const ClassVolume & classes, double radiu
 class AroundBalloon
 {
 public:
-  explicit AroundBalloon(const CatheterBalloon & balloon) : m_Centre(balloon.centre), m_Exits(balloon.exits)
+  explicit AroundBalloon(const CatheterBalloon & balloon) : m_Center(balloon.center), m_Exits(balloon.exits)
   {
     for (BalloonExit & exit : m_Exits)
     {
-      exit.position = (exit.position - m_Centre).normalized();
+      exit.position = (exit.position - m_Center).normalized();
     }
   }
 
   unsigned char
   ClassAt(const Eigen::Vector3d & place) const
   {
-    const Eigen::Vector3d direction = place - m_Centre;
+    const Eigen::Vector3d direction = place - m_Center;
     const auto nearest = std::max_element(m_Exits.begin(), m_Exits.end(), [&](const auto & s, const auto & t) {
       return direction.dot(s.position) < direction.dot(t.position);
     });
@@ -118,7 +118,7 @@ public:
   }
 
 private:
-  Eigen::Vector3d          m_Centre;
+  Eigen::Vector3d          m_Center;
   std::vector<BalloonExit> m_Exits; ///< with directions instead of positions
 };
 
@@ -172,15 +172,15 @@ public:
     const ColonGrid &   grid = m_Region.grid;
     const AroundBalloon around(balloon);
     ForEachVoxelOf(
-      BoxAround(grid, balloon.centre, balloon.radius), grid, [&](std::size_t p, const Eigen::Vector3d & x) {
+      BoxAround(grid, balloon.center, balloon.radius), grid, [&](std::size_t p, const Eigen::Vector3d & x) {
         unsigned char & c = m_Region.classes[p];
-        if ((x - balloon.centre).norm() <= balloon.radius && !IsColonLumen(c) && c != OtherGas)
+        if ((x - balloon.center).norm() <= balloon.radius && !IsColonLumen(c) && c != OtherGas)
         {
           const bool isGas = m_Region.hu[p] < m_Region.thresholds.gasBoundary;
           c = m_Filled[p] = isGas ? static_cast<unsigned char>(ColonGas) : around.ClassAt(x);
         }
       });
-    this->FillHanging(balloon.centre, balloon.radius + 1.0, MembraneClosing, [&](const Eigen::Vector3d & x) {
+    this->FillHanging(balloon.center, balloon.radius + 1.0, MembraneClosing, [&](const Eigen::Vector3d & x) {
       return around.ClassAt(x);
     });
   }
@@ -213,7 +213,7 @@ public:
     {
       const auto p = front.back();
       front.pop_back();
-      ForEachNeighbour(part, p, [&](std::size_t q) {
+      ForEachNeighbor(part, p, [&](std::size_t q) {
         if (added[q] && (part.Position(q) - place).norm() <= reach)
         {
           added[q] = 0;
@@ -244,14 +244,14 @@ private:
     {
       if (m_Filled[p])
       {
-        ForEachNeighbour(grid, p, take);
+        ForEachNeighbor(grid, p, take);
       }
     }
     while (!front.empty())
     {
       const auto p = front.back();
       front.pop_back();
-      ForEachNeighbour(grid, p, take);
+      ForEachNeighbor(grid, p, take);
     }
   }
 
@@ -270,7 +270,7 @@ Described(const CatheterTube & tube)
   catheter.evidence = tube.evidence;
   for (const auto & section : tube.sections)
   {
-    catheter.axis.emplace_back(section.centre.data());
+    catheter.axis.emplace_back(section.center.data());
   }
   return catheter;
 }
@@ -322,11 +322,11 @@ FillIn(const CatheterTube & tube, CatheterRegion & region, RectalCatheter & cath
   if (balloon)
   {
     catheter.balloonDiameter = 2.0 * balloon->radius;
-    catheter.balloonCentre = itk::Point<double, 3>(balloon->centre.data());
+    catheter.balloonCenter = itk::Point<double, 3>(balloon->center.data());
     filling.FillBalloon(*balloon);
   }
   const auto     gas = [](const Eigen::Vector3d &) -> unsigned char { return ColonGas; };
-  const VoxelSet tip = filling.FillHanging(tube.sections.back().centre, TipReach, TipClosing, gas);
+  const VoxelSet tip = filling.FillHanging(tube.sections.back().center, TipReach, TipClosing, gas);
   ExtendToTip(region.grid, tip, catheter);
   catheter.filledMl = LumenMl(region) - before;
 }

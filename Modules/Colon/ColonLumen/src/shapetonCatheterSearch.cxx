@@ -200,7 +200,7 @@ InsideBody(const std::vector<TubeSection> & sections)
     longest = inside.Length() > longest.Length() ? inside : longest;
   }
   std::vector<TubeSection> part(sections.begin() + longest.first, sections.begin() + longest.last);
-  if (!part.empty() && part.front().centre[2] > part.back().centre[2])
+  if (!part.empty() && part.front().center[2] > part.back().center[2])
   {
     std::reverse(part.begin(), part.end());
   }

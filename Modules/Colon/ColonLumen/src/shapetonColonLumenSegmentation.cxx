@@ -116,7 +116,7 @@ private:
     {
       const GasPiece & gas = m_Evidence.gas.pieces[piece];
       m_Result.warnings.push_back(std::to_string(std::lround(gas.ml)) + " ml of gas around " +
-                                  PlaceInWords(gas.centre) + asRectum);
+                                  PlaceInWords(gas.center) + asRectum);
     }
   }
 
@@ -126,7 +126,7 @@ private:
     for (const auto & found : TakeFluidWithoutGas(m_Evidence))
     {
       m_Result.warnings.push_back(std::to_string(std::lround(found.ml)) + " ml of tagged fluid without gas around " +
-                                  PlaceInWords(found.centre) + (found.isRectum ? asRectum : asColon));
+                                  PlaceInWords(found.center) + (found.isRectum ? asRectum : asColon));
     }
   }
 

@@ -339,7 +339,7 @@ ConnectedPieces(const ColonGrid & grid, const VoxelSet & voxels, const VoxelPart
     isLeft[first] = 0;
     for (std::size_t n = 0; n < piece.size(); ++n)
     {
-      ForEachNeighbour(grid, piece[n], [&](std::size_t q) {
+      ForEachNeighbor(grid, piece[n], [&](std::size_t q) {
         const auto found = isLeft.find(q);
         if (found != isLeft.end() && found->second && part(q) == part(first))
         {
@@ -373,7 +373,7 @@ PartsAtNecks(const ColonGrid &                        grid,
   for (std::size_t n = 0; n < queue.size(); ++n)
   {
     const int own = parts[queue[n]];
-    ForEachNeighbour(grid, queue[n], [&](std::size_t q) {
+    ForEachNeighbor(grid, queue[n], [&](std::size_t q) {
       if (Contains(voxels, q) && parts.emplace(q, own).second)
       {
         queue.push_back(q);

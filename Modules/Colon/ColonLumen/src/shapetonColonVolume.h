@@ -25,7 +25,7 @@ struct ColonGrid : VoxelGrid
 {
   Eigen::Vector3d    spacing;
   Eigen::Matrix3d    axes;   ///< unit directions in LPS, one per column
-  Eigen::Vector3d    origin; ///< centre of the first voxel, LPS, mm
+  Eigen::Vector3d    origin; ///< center of the first voxel, LPS, mm
   std::array<int, 3> imageAxis{ { 0, 1, 2 } };
   std::array<int, 3> corner{ { 0, 0, 0 } }; ///< first voxel in the whole grid
 

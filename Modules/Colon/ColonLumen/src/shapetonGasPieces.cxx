@@ -231,7 +231,7 @@ IsCut(const ColonGrid & grid, const VoxelBox & box, bool showsOutside)
   return isCut;
 }
 
-/** Volumes, boxes, means, centres. */
+/** Volumes, boxes, means, centers. */
 void
 MeasurePieces(const ColonGrid & grid, const VoxelValues & hu, bool showsOutside, GasOfVolume & gas)
 {
@@ -253,7 +253,7 @@ MeasurePieces(const ColonGrid & grid, const VoxelValues & hu, bool showsOutside,
     piece.box = measured[p].box;
     piece.ml = piece.voxels * grid.VoxelVolume() * 1e-3;
     piece.mean /= static_cast<double>(piece.voxels);
-    piece.centre = grid.Position(Eigen::Vector3d(sums[p] / static_cast<double>(piece.voxels)));
+    piece.center = grid.Position(Eigen::Vector3d(sums[p] / static_cast<double>(piece.voxels)));
     piece.isCut = IsCut(grid, piece.box, showsOutside);
   }
 }
@@ -377,12 +377,12 @@ FillGaps(const ColonGrid & grid, std::vector<unsigned char> & mask)
       for (int i = 1; i + 1 < grid.size[0]; ++i)
       {
         const auto p = grid.Index(i, j, k);
-        int        neighbours = 0;
+        int        neighbors = 0;
         for (const auto step : grid.stride)
         {
-          neighbours += before[p - step] + before[p + step];
+          neighbors += before[p - step] + before[p + step];
         }
-        mask[p] = mask[p] || neighbours >= 4;
+        mask[p] = mask[p] || neighbors >= 4;
       }
     }
   }

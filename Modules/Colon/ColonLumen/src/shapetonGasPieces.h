@@ -13,7 +13,7 @@ struct GasPiece
   std::size_t     voxels{ 0 };
   double          ml{ 0.0 };
   VoxelBox        box;
-  Eigen::Vector3d centre{ 0.0, 0.0, 0.0 }; ///< LPS
+  Eigen::Vector3d center{ 0.0, 0.0, 0.0 }; ///< LPS
   double          mean{ 0.0 };             ///< HU
   double          radius{ 0.0 };           ///< of the largest ball inside, mm; 0 below 0.5 ml
   double          inside{ 0.0 };           ///< mean HU at least 3 mm deep, or in its deepest part

@@ -120,8 +120,8 @@ DescribeLevels(const ColonEvidence & evidence, const LumenVoxels &, ColonLumen &
   for (const auto & level : evidence.levels)
   {
     ColonLevel found;
-    found.centre =
-      ToPoint(fall.across[0] * level.centre[0] + fall.across[1] * level.centre[1] + fall.direction * level.depth);
+    found.center =
+      ToPoint(fall.across[0] * level.center[0] + fall.across[1] * level.center[1] + fall.direction * level.depth);
     found.area = level.area;
     found.tilt = std::atan(level.slope.norm()) * 57.29577951308232;
     found.fluidHU = level.Fluid();
@@ -159,7 +159,7 @@ DescribeOtherBright(const LumenVoxels & voxels, ColonLumen & lumen)
     rest.ml = ml;
     rest.inscribedRadius = deepest.radius;
     rest.meanHU = voxels.hu[middle];
-    rest.centre = ToPoint(voxels.grid.Position(middle));
+    rest.center = ToPoint(voxels.grid.Position(middle));
     lumen.leftOut.push_back(rest);
   }
 }
@@ -234,7 +234,7 @@ DescribeRest(const ColonEvidence & evidence, ColonLumen & lumen)
     rest.ml = piece.ml;
     rest.inscribedRadius = piece.radius;
     rest.meanHU = piece.mean;
-    rest.centre = ToPoint(piece.centre);
+    rest.center = ToPoint(piece.center);
     rest.places = places[p];
     lumen.leftOut.push_back(rest);
   }

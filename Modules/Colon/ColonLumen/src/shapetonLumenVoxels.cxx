@@ -32,7 +32,7 @@ Front(const ColonGrid & grid, const ClassVolume & classes)
       bool isFront = false;
       if (IsGrowing(classes[p]))
       {
-        ForEachNeighbour(grid, p, [&](std::size_t q) { isFront = isFront || !IsGrowing(classes[q]); });
+        ForEachNeighbor(grid, p, [&](std::size_t q) { isFront = isFront || !IsGrowing(classes[q]); });
       }
       if (isFront)
       {
@@ -68,7 +68,7 @@ GrowClasses(const ColonGrid &                                               grid
         {
           continue;
         }
-        ForEachNeighbour(grid, p, [&](std::size_t q) {
+        ForEachNeighbor(grid, p, [&](std::size_t q) {
           if (!IsGrowing(classes[q]) && mayEnter(q, classes[p]))
           {
             classes[q] = classes[p];
@@ -212,7 +212,7 @@ private:
       {
         const auto p = m_Field.evidence.grid.Position(floor);
         m_Places.push_back({ static_cast<float>(p.dot(fall.across[0])), static_cast<float>(p.dot(fall.across[1])) });
-        const Eigen::Vector2d d = Eigen::Vector2d(m_Places.back().a, m_Places.back().b) - level.centre;
+        const Eigen::Vector2d d = Eigen::Vector2d(m_Places.back().a, m_Places.back().b) - level.center;
         m_Depths.push_back(static_cast<float>(level.depth + level.slope.dot(d)));
       }
     }

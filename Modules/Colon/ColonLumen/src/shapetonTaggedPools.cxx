@@ -211,7 +211,7 @@ private:
   {
     float sum = m_Hu[voxel];
     int   count = 1;
-    ForEachNeighbour(m_Grid, voxel, [&](std::size_t q) {
+    ForEachNeighbor(m_Grid, voxel, [&](std::size_t q) {
       sum += m_Hu[q];
       ++count;
     });
@@ -238,7 +238,7 @@ private:
     {
       if (m_Classes[p] == ColonFluid)
       {
-        ForEachNeighbour(m_Grid, p, [&](std::size_t q) {
+        ForEachNeighbor(m_Grid, p, [&](std::size_t q) {
           if (m_Classes[q] == Nothing)
           {
             queue.push({ std::numeric_limits<float>::max(), p });
@@ -257,7 +257,7 @@ private:
       interruption.Check();
       const Arrival next = queue.top();
       queue.pop();
-      ForEachNeighbour(m_Grid, next.voxel, [&](std::size_t q) { visit(q, next.faintest); });
+      ForEachNeighbor(m_Grid, next.voxel, [&](std::size_t q) { visit(q, next.faintest); });
     }
   }
 
@@ -378,7 +378,7 @@ private:
       std::vector<std::pair<std::size_t, float>> next;
       for (const auto & from : front)
       {
-        ForEachNeighbour(m_Grid, from.first, [&](std::size_t q) {
+        ForEachNeighbor(m_Grid, from.first, [&](std::size_t q) {
           if (m_Classes[q] == Nothing && m_Hu[q] > 0.5 * (m_Tissue + from.second))
           {
             m_Classes[q] = ColonFluid;

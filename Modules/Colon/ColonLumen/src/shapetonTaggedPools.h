@@ -35,7 +35,7 @@ struct FluidWithoutGas
 {
   double          ml{ 0.0 };
   bool            isRectum{ false };       ///< identified because nothing else is near the anus
-  Eigen::Vector3d centre{ 0.0, 0.0, 0.0 }; ///< of the largest ball inside, LPS, mm
+  Eigen::Vector3d center{ 0.0, 0.0, 0.0 }; ///< of the largest ball inside, LPS, mm
 };
 
 /** Adds bright matter without a level if its caliber exceeds that of small bowel: at least 50 ml, an inscribed radius

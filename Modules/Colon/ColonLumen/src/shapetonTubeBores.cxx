@@ -89,7 +89,7 @@ public:
       {
         continue;
       }
-      this->ForEachNeighbourOf(n, [&](std::size_t m, double step) {
+      this->ForEachNeighborOf(n, [&](std::size_t m, double step) {
         if (length + step < way[m])
         {
           ways.before[m] = n;
@@ -102,7 +102,7 @@ public:
 
   template <typename TBody>
   void
-  ForEachNeighbourOf(std::size_t n, const TBody & body) const
+  ForEachNeighborOf(std::size_t n, const TBody & body) const
   {
     const auto v = m_Grid.Voxel(m_Voxels[n]);
     for (int s = 0; s < 27; ++s)
@@ -293,7 +293,7 @@ private:
     std::unordered_set<std::size_t> seen{ start };
     for (std::size_t next = 0; next < connected.size(); ++next)
     {
-      m_Search.ForEachNeighbourOf(connected[next], [&](std::size_t m, double) {
+      m_Search.ForEachNeighborOf(connected[next], [&](std::size_t m, double) {
         if (isPart(m) && seen.insert(m).second)
         {
           connected.push_back(m);

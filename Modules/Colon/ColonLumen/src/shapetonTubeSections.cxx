@@ -71,7 +71,7 @@ SectionsAcross(const BoreAxis & axis)
     const auto    before = n > 0 ? n - 1 : 0;
     const auto    after = std::min(n + 1, axis.size() - 1);
     TubeSection & section = sections[n];
-    section.centre = axis[n];
+    section.center = axis[n];
     section.along = (axis[after] - axis[before]).normalized();
     section.across[0] = section.along.unitOrthogonal();
     section.across[1] = section.along.cross(section.across[0]);
@@ -257,13 +257,13 @@ TubeSection::DirectionOf(int ray) const
 OutwardRay
 TubeSection::RayAlong(int ray, double boundary) const
 {
-  return { centre, this->DirectionOf(ray), boundary };
+  return { center, this->DirectionOf(ray), boundary };
 }
 
 int
 TubeSection::RayTo(const Eigen::Vector3d & position, double & distance) const
 {
-  const Eigen::Vector3d d = position - centre;
+  const Eigen::Vector3d d = position - center;
   const double          x = d.dot(across[0]);
   const double          y = d.dot(across[1]);
   distance = std::hypot(x, y);

@@ -70,7 +70,7 @@ struct TubeSection
 {
   static constexpr int NumberOfRays = 48;
 
-  Eigen::Vector3d                   centre;
+  Eigen::Vector3d                   center;
   Eigen::Vector3d                   along; ///< unit vector
   std::array<Eigen::Vector3d, 2>    across;
   std::array<TubeRay, NumberOfRays> rays; ///< at equal angles from across[0] to across[1]

@@ -36,13 +36,13 @@ Print(const shapeton::ColonLumen & lumen)
   for (const auto & p : lumen.pieces)
   {
     std::cout << "piece gas " << p.gasMl << " fluid " << p.fluidMl << " ml, radius " << p.inscribedRadius << ", "
-              << p.meanGasHU << " HU, centre " << p.centre << '\n';
+              << p.meanGasHU << " HU, center " << p.center << '\n';
   }
   std::size_t shown = 0;
   for (const auto & p : lumen.leftOut)
   {
     std::cout << "left out: " << p.what << ", " << p.ml << " ml, radius " << p.inscribedRadius << ", " << p.meanHU
-              << " HU, centre " << p.centre << ": " << p.why << '\n';
+              << " HU, center " << p.center << ": " << p.why << '\n';
     if (++shown == 12)
     {
       break;
@@ -52,7 +52,7 @@ Print(const shapeton::ColonLumen & lumen)
   for (const auto & l : lumen.levels)
   {
     std::cout << "level " << l.area << " mm2, tilt " << l.tilt << ", below " << l.fluidHU << " HU, "
-              << (l.isColon ? "colon" : "other") << ", centre " << l.centre << '\n';
+              << (l.isColon ? "colon" : "other") << ", center " << l.center << '\n';
     if (++shown == 25)
     {
       break;

@@ -110,7 +110,7 @@ Segment(const ImageType * image, const std::string & position = "")
 TEST(ColonLumenSegmentation, TakesGasAndFluidAndNoBowelOfEqualBrightness)
 {
   const auto scene = ColonAndBowel(At(0, 1, 0));
-  const auto image = shapeton::CentredImage({ 110, 110, 80 }, { 1.3, 1.3, 1.3 }, Identity());
+  const auto image = shapeton::CenteredImage({ 110, 110, 80 }, { 1.3, 1.3, 1.3 }, Identity());
   scene.Sample(image);
   const auto lumen = Segment(image, "HFS");
   EXPECT_EQ(lumen.failure, "");
@@ -142,7 +142,7 @@ TEST(ColonLumenSegmentation, BrightBowelUnderAShallowFaintPoolStaysOut)
       -1e9,
       650.0 });
   scene.lumens.push_back({ [=](const Vec & x) { return std::min(tube(x), floor(x) - x[1]); }, 10.5, 270.0 });
-  const auto image = shapeton::CentredImage({ 116, 116, 76 }, { 1.4, 1.4, 1.4 }, Identity());
+  const auto image = shapeton::CenteredImage({ 116, 116, 76 }, { 1.4, 1.4, 1.4 }, Identity());
   scene.Sample(image);
   const auto lumen = Segment(image, "HFS");
   EXPECT_EQ(lumen.failure, "");
@@ -165,7 +165,7 @@ TEST(ColonLumenSegmentation, APoolOfCoarseVoxelsIsFoundThoughABrightBowelHangsOn
     ColonTestScene scene = ColonAndBowel(At(0, 1, 0));
     scene.lumens[0].level = level;
     scene.lumens[1].depth = Tube(At(27.9, 8, 0), 2, 30, 10);
-    const auto image = shapeton::CentredImage({ 52, 52, 40 }, { 2.8, 2.8, 2.8 }, Identity());
+    const auto image = shapeton::CenteredImage({ 52, 52, 40 }, { 2.8, 2.8, 2.8 }, Identity());
     scene.Sample(image);
     const auto lumen = Segment(image, "HFS");
     ASSERT_EQ(lumen.failure, "") << level;
@@ -180,7 +180,7 @@ TEST(ColonLumenSegmentation, GravityIsReadFromTheLevels)
   for (const Vec & gravity : { At(0, 1, 0), At(0, -1, 0), At(1, 0, 0), At(-1, 0, 0) })
   {
     const auto scene = ColonAndBowel(gravity);
-    const auto image = shapeton::CentredImage({ 72, 72, 50 }, { 2.0, 2.0, 2.0 }, Identity());
+    const auto image = shapeton::CenteredImage({ 72, 72, 50 }, { 2.0, 2.0, 2.0 }, Identity());
     scene.Sample(image);
     const auto lumen = Segment(image);
     EXPECT_EQ(lumen.gravitySource, shapeton::ColonGravitySource::Levels);
@@ -192,7 +192,7 @@ TEST(ColonLumenSegmentation, GravityIsReadFromTheLevels)
 TEST(ColonLumenSegmentation, TheGivenPositionWinsAndTheContradictionIsToldOf)
 {
   const auto scene = ColonAndBowel(At(0, 1, 0));
-  const auto image = shapeton::CentredImage({ 72, 72, 50 }, { 2.0, 2.0, 2.0 }, Identity());
+  const auto image = shapeton::CenteredImage({ 72, 72, 50 }, { 2.0, 2.0, 2.0 }, Identity());
   scene.Sample(image);
   const auto lumen = Segment(image, "prone");
   EXPECT_EQ(lumen.gravity, At(0, -1, 0));
@@ -208,7 +208,7 @@ TEST(ColonLumenSegmentation, ObliqueAnisotropicAndPermutedAxes)
   permuted.Fill(0.0);
   permuted(2, 0) = permuted(0, 1) = 1.0;
   permuted(1, 2) = -1.0;
-  const auto image = shapeton::CentredImage({ 56, 130, 110 }, { 2.0, 1.1, 1.3 }, Oblique(20, 7) * permuted);
+  const auto image = shapeton::CenteredImage({ 56, 130, 110 }, { 2.0, 1.1, 1.3 }, Oblique(20, 7) * permuted);
   scene.Sample(image);
   const auto lumen = Segment(image, "FFS");
   EXPECT_EQ(lumen.failure, "");
@@ -221,7 +221,7 @@ TEST(ColonLumenSegmentation, ObliqueAnisotropicAndPermutedAxes)
 TEST(ColonLumenSegmentation, SameBytesForAnyNumberOfThreads)
 {
   const auto scene = ColonAndBowel(At(0, 1, 0));
-  const auto image = shapeton::CentredImage({ 72, 72, 50 }, { 2.0, 2.0, 2.0 }, Identity());
+  const auto image = shapeton::CenteredImage({ 72, 72, 50 }, { 2.0, 2.0, 2.0 }, Identity());
   scene.Sample(image);
   const auto threads = itk::MultiThreaderBase::GetGlobalDefaultNumberOfThreads();
   itk::MultiThreaderBase::SetGlobalDefaultNumberOfThreads(1);
@@ -241,7 +241,7 @@ TEST(ColonLumenSegmentation, ASeedPointTakesAPieceThatIsTooThin)
   ColonTestScene scene;
   scene.lumens.push_back({ Tube(At(-25, 0, 0), 2, 30, 18), 1e9, 0.0 });
   scene.lumens.push_back({ Tube(At(25, 0, 0), 2, 20, 6), 1e9, 0.0 });
-  const auto image = shapeton::CentredImage({ 72, 72, 50 }, { 2.0, 2.0, 2.0 }, Identity());
+  const auto image = shapeton::CenteredImage({ 72, 72, 50 }, { 2.0, 2.0, 2.0 }, Identity());
   scene.Sample(image);
   shapeton::ColonLumenOptions options;
   EXPECT_EQ(shapeton::SegmentColonLumen(image, options).pieces.size(), 1U);
@@ -262,7 +262,7 @@ TEST(ColonLumenSegmentation, FluidWithoutGasIsColonWhereItIsWiderThanSmallBowel)
   ColonTestScene scene;
   scene.lumens.push_back({ Tube(At(-30, -20, 0), 2, 40, 18), -16.0, 700.0 });
   scene.lumens.push_back({ Tube(At(25, 30, 0), 2, 45, 16), -1e9, 700.0 });
-  const auto image = shapeton::CentredImage({ 100, 100, 90 }, { 1.5, 1.5, 1.5 }, Identity());
+  const auto image = shapeton::CenteredImage({ 100, 100, 90 }, { 1.5, 1.5, 1.5 }, Identity());
   scene.Sample(image);
   const auto wide = Segment(image, "HFS");
   EXPECT_EQ(wide.pieces.size(), 2U);
@@ -287,7 +287,7 @@ SegmentWithBowel(const Vec & middle, double halfLength, double radius, double le
   scene.lumens.push_back({ Tube(At(-36, 0, 40), 2, 30, 18), 4.0, 700.0 });
   scene.lumens.push_back({ Tube(At(36, 0, 40), 2, 30, 18), 4.0, 700.0 });
   scene.lumens.push_back({ Tube(middle, 2, halfLength, radius), level, 700.0 });
-  const auto image = shapeton::CentredImage({ 88, 88, 124 }, { 1.5, 1.5, 1.5 }, Identity());
+  const auto image = shapeton::CenteredImage({ 88, 88, 124 }, { 1.5, 1.5, 1.5 }, Identity());
   scene.Sample(image);
   return Segment(image, "HFS");
 }
@@ -316,9 +316,9 @@ TEST(ColonLumenSegmentation, BowelAtThePlaceOfTheRectumIsTakenThoughItIsThin)
   }
 }
 
-/** Volume of the labelled voxels with low <= z < high, ml. */
+/** Volume of the labeled voxels with low <= z < high, ml. */
 double
-LabelledMl(const shapeton::ColonLumen & lumen, double low, double high)
+LabeledMl(const shapeton::ColonLumen & lumen, double low, double high)
 {
   const auto  size = lumen.labels->GetBufferedRegion().GetSize();
   const auto  spacing = lumen.labels->GetSpacing();
@@ -343,13 +343,13 @@ TEST(ColonLumenSegmentation, TheCatheterIsLumenDownToTheAnalVerge)
   scene.lumens.push_back({ [](const Vec & x) { return -45.0 - x[2]; }, 1e9, 0.0 });
   for (const double turn : { 0.0, 180.0 }) // about x: the slices run upwards and downwards
   {
-    const auto image = shapeton::CentredImage({ 110, 110, 96 }, { 1.3, 1.3, 1.3 }, Oblique(0.0, turn));
+    const auto image = shapeton::CenteredImage({ 110, 110, 96 }, { 1.3, 1.3, 1.3 }, Oblique(0.0, turn));
     scene.Sample(image);
     const auto lumen = Segment(image);
     EXPECT_EQ(lumen.failure, "");
     const double canalMl = 1e-3 * 3.14159265 * 16.0 * 22.0;
-    EXPECT_NEAR(LabelledMl(lumen, -42.0, -20.0), canalMl, 0.25 * canalMl) << turn;
-    EXPECT_EQ(LabelledMl(lumen, -100.0, -48.0), 0.0) << turn;
+    EXPECT_NEAR(LabeledMl(lumen, -42.0, -20.0), canalMl, 0.25 * canalMl) << turn;
+    EXPECT_EQ(LabeledMl(lumen, -100.0, -48.0), 0.0) << turn;
   }
 }
 
@@ -365,7 +365,7 @@ TEST(ColonLumenSegmentation, AirThatOnlyThinShellsCoverIsOutside)
   scene.lumens.push_back({ Tube(At(0, -20, 0), 2, 30, 18), 1e9, 0.0 });
   scene.lumens.push_back({ slab(20, 46), 1e9, 0.0 });
   scene.lumens.push_back({ slab(50, 60), 1e9, 0.0 });
-  const auto image = shapeton::CentredImage({ 72, 72, 60 }, { 2.0, 2.0, 2.0 }, Identity());
+  const auto image = shapeton::CenteredImage({ 72, 72, 60 }, { 2.0, 2.0, 2.0 }, Identity());
   scene.Sample(image);
   EXPECT_EQ(Segment(image).pieces.size(), 1U);
   scene.lumens.pop_back(); // without the cushion it is under a wall of 18 mm
@@ -381,7 +381,7 @@ TEST(ColonLumenSegmentation, LargeLevelsOverruleTheCodeOfAHeader)
     scene.lumens.push_back({ Tube(At(x, 0, 0), 2, 55, 32), 4.0, 500.0 });
   }
   scene.bodyRadius = 140.0;
-  const auto image = shapeton::CentredImage({ 150, 150, 72 }, { 2.0, 2.0, 2.0 }, Identity());
+  const auto image = shapeton::CenteredImage({ 150, 150, 72 }, { 2.0, 2.0, 2.0 }, Identity());
   scene.Sample(image);
   const auto lumen = Segment(image, "HFP");
   EXPECT_EQ(lumen.gravity, At(0, 1, 0));
@@ -406,7 +406,7 @@ TEST(ColonLumenSegmentation, AFlatLumenThatTheCaudalBorderCutsIsNoCleft)
     scene.bodyRadius = 90.0; // only the corners of the image are room air
     scene.lumens.push_back({ Tube(At(0, -30, 20), 2, 30, 18), 1e9, 0.0 });
     scene.lumens.push_back({ flat(across, deep, middle), 1e9, 0.0 });
-    const auto image = shapeton::CentredImage({ 72, 72, 60 }, { 2.0, 2.0, 2.0 }, Identity());
+    const auto image = shapeton::CenteredImage({ 72, 72, 60 }, { 2.0, 2.0, 2.0 }, Identity());
     scene.Sample(image);
     return Segment(image).pieces.size();
   };
@@ -422,7 +422,7 @@ TEST(ColonLumenSegmentation, ABorderThatCutsTheBodyIsNoThinShell)
   scene.lumens.push_back({ Tube(At(0, -25, 0), 2, 30, 15), 1e9, 0.0 });
   for (const int width : { 46, 70 }) // the wider one shows air on both sides of the body
   {
-    const auto image = shapeton::CentredImage({ width, 60, 50 }, { 2.0, 2.0, 2.0 }, Identity());
+    const auto image = shapeton::CenteredImage({ width, 60, 50 }, { 2.0, 2.0, 2.0 }, Identity());
     auto       origin = image->GetOrigin();
     origin[1] += 15.0; // from 5 mm before the gas to 10 mm behind the body
     image->SetOrigin(origin);
@@ -437,7 +437,7 @@ TEST(ColonLumenSegmentation, UntaggedFluidIsNoLumen)
 {
   ColonTestScene scene;
   scene.lumens.push_back({ Tube(At(0, 0, 0), 2, 30, 18), 4.0, 20.0 });
-  const auto image = shapeton::CentredImage({ 72, 72, 50 }, { 2.0, 2.0, 2.0 }, Identity());
+  const auto image = shapeton::CenteredImage({ 72, 72, 50 }, { 2.0, 2.0, 2.0 }, Identity());
   scene.Sample(image);
   const auto lumen = Segment(image);
   EXPECT_FALSE(lumen.isTagged);
@@ -449,7 +449,7 @@ TEST(ColonLumenSegmentation, UntaggedFluidIsNoLumen)
 TEST(ColonLumenSegmentation, ABodyWithoutGasHasNoColon)
 {
   ColonTestScene scene;
-  const auto     image = shapeton::CentredImage({ 72, 72, 40 }, { 2.0, 2.0, 2.0 }, Identity());
+  const auto     image = shapeton::CenteredImage({ 72, 72, 40 }, { 2.0, 2.0, 2.0 }, Identity());
   scene.Sample(image);
   EXPECT_EQ(Segment(image).failure.find("no colon found"), 0U);
 }
@@ -458,7 +458,7 @@ TEST(ColonLumenSegmentation, ThinGasIsNoDistendedColon)
 {
   ColonTestScene scene;
   scene.lumens.push_back({ Tube(At(0, 0, 0), 2, 30, 7), 1e9, 0.0 });
-  const auto image = shapeton::CentredImage({ 72, 72, 50 }, { 2.0, 2.0, 2.0 }, Identity());
+  const auto image = shapeton::CenteredImage({ 72, 72, 50 }, { 2.0, 2.0, 2.0 }, Identity());
   scene.Sample(image);
   const auto lumen = Segment(image);
   EXPECT_EQ(lumen.failure.find("the colon is not distended or tagged enough"), 0U);
@@ -490,7 +490,7 @@ Lungs(double parenchyma, bool hasVessels)
 ImageType::Pointer
 Chest(const ColonTestScene & scene)
 {
-  const auto image = shapeton::CentredImage({ 100, 100, 60 }, { 2.0, 2.0, 2.5 }, Identity());
+  const auto image = shapeton::CenteredImage({ 100, 100, 60 }, { 2.0, 2.0, 2.5 }, Identity());
   scene.Sample(image);
   return image;
 }
@@ -523,7 +523,7 @@ TEST(ColonLumenSegmentation, ColonBesideLungIsFound)
   const auto lumen = Segment(Chest(scene));
   EXPECT_EQ(lumen.failure, "");
   ASSERT_EQ(lumen.pieces.size(), 1U);
-  EXPECT_LT(lumen.pieces[0].centre[0], -35.0);
+  EXPECT_LT(lumen.pieces[0].center[0], -35.0);
   ASSERT_FALSE(lumen.leftOut.empty());
   EXPECT_EQ(lumen.leftOut[0].what, "lung");
 }
@@ -553,10 +553,10 @@ TEST(ColonLumenSegmentation, NoSeedPointAndNoMaskMakeLungColon)
 
 TEST(ColonLumenSegmentation, FaultyOptionsAndImages)
 {
-  const auto image = shapeton::CentredImage({ 72, 72, 7 }, { 2.0, 2.0, 2.0 }, Identity());
+  const auto image = shapeton::CenteredImage({ 72, 72, 7 }, { 2.0, 2.0, 2.0 }, Identity());
   image->Allocate(true);
   EXPECT_THROW(Segment(image), shapeton::InputError);
-  const auto other = shapeton::CentredImage({ 12, 12, 12 }, { 2.0, 2.0, 2.0 }, Identity());
+  const auto other = shapeton::CenteredImage({ 12, 12, 12 }, { 2.0, 2.0, 2.0 }, Identity());
   other->Allocate(true);
   EXPECT_THROW(Segment(other, "upright"), shapeton::ParameterError);
   EXPECT_EQ(Segment(other).failure.find("no colon found"), 0U);

@@ -392,8 +392,8 @@ CompareWithTruth(const itk::Image<float, 3> * ct,
     all.push_back(toWall.FindClosest(x).distance);
     for (const auto & level : lumen.levels)
     {
-      if (level.isColon && std::abs((points[p] - level.centre) * g) < 3.0 &&
-          (points[p] - level.centre).GetNorm() < 25.0)
+      if (level.isColon && std::abs((points[p] - level.center) * g) < 3.0 &&
+          (points[p] - level.center).GetNorm() < 25.0)
       {
         nearLevel.push_back(all.back());
         break;

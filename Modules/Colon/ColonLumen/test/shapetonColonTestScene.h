@@ -114,7 +114,7 @@ Tube(const itk::Vector<double, 3> & middle, int axis, double halfLength, double 
 
 /** An image around the origin. */
 inline itk::Image<float, 3>::Pointer
-CentredImage(const std::array<int, 3> &        size,
+CenteredImage(const std::array<int, 3> &        size,
              const std::array<double, 3> &     spacing,
              const itk::Matrix<double, 3, 3> & direction)
 {

@@ -47,7 +47,7 @@ Cleanse(const ColonTestScene & scene, double voxel)
   direction(0, 1) = -0.173648178;
   direction(1, 0) = 0.173648178;
   const int n = static_cast<int>(90.0 / voxel);
-  c.ct = shapeton::CentredImage({ n, n, n }, { voxel, voxel, voxel }, direction);
+  c.ct = shapeton::CenteredImage({ n, n, n }, { voxel, voxel, voxel }, direction);
   c.scene.Sample(c.ct);
   shapeton::ColonLumenOptions options;
   options.patientPosition = "HFS";
@@ -268,7 +268,7 @@ TEST(ElectronicCleansing, ProgressAscendsToTheEndAndMayAbort)
 TEST(ElectronicCleansing, LabelsOfAnotherImageAreRefused)
 {
   const auto c = CleanseTube(3.0);
-  const auto other = shapeton::CentredImage({ 10, 10, 10 }, { 1.0, 1.0, 1.0 }, c.ct->GetDirection());
+  const auto other = shapeton::CenteredImage({ 10, 10, 10 }, { 1.0, 1.0, 1.0 }, c.ct->GetDirection());
   other->Allocate(true);
   EXPECT_THROW(shapeton::CleanseColon(other, c.lumen), std::invalid_argument);
 }

@@ -182,7 +182,7 @@ TEST(LumenComponents, HangTogetherByFacesAlone)
   EXPECT_EQ(found.labels->GetPixel({ { 3, 3, 3 } }), 0);
 }
 
-TEST(LumenComponents, LabelNeighboursAlikeAndCountAllVoxels)
+TEST(LumenComponents, LabelNeighborsAlikeAndCountAllVoxels)
 {
   const auto    mask = RandomMask({ { 17, 15, 13 } }, { 1, 1, 1 }, 0.35);
   const auto    found = shapeton::FindLumenComponents(mask, mask->GetBufferedRegion());

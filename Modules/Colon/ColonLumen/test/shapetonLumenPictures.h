@@ -98,13 +98,13 @@ private:
             const itk::Index<2> & at,
             itk::IndexValueType   width) const
   {
-    const auto    grey = [](float v) { return static_cast<int>((v + 1100.0F) / 2100.0F * 255.0F); };
+    const auto    gray = [](float v) { return static_cast<int>((v + 1100.0F) / 2100.0F * 255.0F); };
     itk::Index<3> right = i;
     itk::Index<3> down = i;
     ++right[u];
     ++down[w];
-    const int  v = grey(m_CT->GetPixel(i));
-    const int  c = grey(m_Cleansed.ct->GetPixel(i));
+    const int  v = gray(m_CT->GetPixel(i));
+    const int  c = gray(m_Cleansed.ct->GetPixel(i));
     const auto label = [this](const itk::Index<3> & q) { return m_Lumen.labels->GetPixel(q); };
     Set(picture, at, 0, { v, v, v });
     const bool isEdge = label(i) != label(right) || label(i) != label(down);

@@ -74,7 +74,7 @@ Sampled(const ColonTestScene & scene, const std::array<double, 3> & spacing, con
   {
     size[a] = static_cast<int>((a < 2 ? 80.0 : 116.0) / spacing[a]);
   }
-  const auto image = shapeton::CentredImage(size, spacing, axes);
+  const auto image = shapeton::CenteredImage(size, spacing, axes);
   scene.Sample(image);
   return image;
 }
@@ -168,7 +168,7 @@ ExpectBalloon(const ColonTestScene & scene)
   const auto lumen = Segment(scene);
   ExpectTube(lumen, 24.0);
   EXPECT_NEAR(lumen.catheter->balloonDiameter, 25.2, 1.0);
-  EXPECT_LT((lumen.catheter->balloonCentre.GetVectorFromOrigin() - At(0, 0, 6)).GetNorm(), 0.5);
+  EXPECT_LT((lumen.catheter->balloonCenter.GetVectorFromOrigin() - At(0, 0, 6)).GetNorm(), 0.5);
 }
 
 TEST(RectalCatheter, ABalloonOfGasIsFilledIn) { ExpectBalloon(BalloonScene(-1000.0, 60.0)); }

@@ -152,9 +152,9 @@ public:
   }
 
   void
-  PaintBall(const Eigen::Vector3d & centre, double radius, unsigned char value = 1)
+  PaintBall(const Eigen::Vector3d & center, double radius, unsigned char value = 1)
   {
-    const Eigen::Vector3d at = m_Frame.transpose() * centre - m_Lowest;
+    const Eigen::Vector3d at = m_Frame.transpose() * center - m_Lowest;
     itk::Index<3>         first, last, i;
     for (int a = 0; a < 3; ++a)
     {

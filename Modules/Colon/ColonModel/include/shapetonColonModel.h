@@ -5,7 +5,7 @@
 #include "shapetonRemarks.h"
 #include "shapetonProgress.h"
 #include "shapetonColonAssessability.h"
-#include "shapetonColonCentreline.h"
+#include "shapetonColonCenterline.h"
 #include "shapetonColonDistension.h"
 #include "shapetonColonLumenSegmentation.h"
 #include "shapetonColonWall.h"
@@ -47,7 +47,7 @@ struct ColonModelOptions
 };
 
 /** \class ColonModel
- * \brief A colon: lumen, centreline and wall.
+ * \brief A colon: lumen, centerline and wall.
  * \ingroup ColonModel
  */
 struct ColonModel
@@ -58,8 +58,8 @@ struct ColonModel
   bool hasIntensities{ true };
   /** Cleansed CT (HU); null without intensities. */
   itk::Image<float, 3>::Pointer cleansed;
-  /** Centerline with the valve, see SetIleocaecalValve(). */
-  ColonCentreline centreline;
+  /** Centerline with the valve, see SetIleocecalValve(). */
+  ColonCenterline centerline;
   ValveSearch     valve;
   /** Terminal ileum removed from the lumen: not part of labels, line and wall. */
   std::optional<TerminalIleum> terminalIleum;

@@ -20,7 +20,7 @@ namespace
 {
 /** Approximate fraction of the run time completed after each stage. */
 constexpr double SegmentationEnd = 0.35;
-constexpr double CentrelineEnd = 0.65;
+constexpr double CenterlineEnd = 0.65;
 
 ColonLumenOptions
 LumenOptionsOf(const ColonModelOptions & options)
@@ -34,19 +34,19 @@ LumenOptionsOf(const ColonModelOptions & options)
 
 /** Warns where the border of the scan cuts the colon. */
 void
-JudgeCuts(ColonCentreline & line)
+JudgeCuts(ColonCenterline & line)
 {
   for (const HinderedStretch & stretch : CutsByScan(line.curve))
   {
     bool isOutside = false;
-    for (CentrelineGap & gap : line.gaps)
+    for (CenterlineGap & gap : line.gaps)
     {
       const bool isIn = gap.begin < stretch.end && gap.end > stretch.begin;
       gap.isDoubtful = gap.isDoubtful || isIn;
       isOutside = isOutside || isIn;
     }
     line.warnings.push_back("the border of the scan cuts the colon from " + std::to_string(std::lround(stretch.begin)) +
-                            " to " + std::to_string(std::lround(stretch.end)) + " mm along the centreline: " +
+                            " to " + std::to_string(std::lround(stretch.end)) + " mm along the centerline: " +
                             (isOutside ? "part of it is not in the scan, and the parts on both sides of the gap may be "
                                          "in the wrong order"
                                        : "the rest of it is not in the scan"));
@@ -56,21 +56,21 @@ JudgeCuts(ColonCentreline & line)
 void
 TraceLine(ColonModel & model, const ColonModelOptions & options)
 {
-  ColonCentrelineOptions line;
+  ColonCenterlineOptions line;
   line.seedPoints = options.seedPoints;
-  line.progress = options.progress.Part("Tracing the centreline", SegmentationEnd, CentrelineEnd);
-  model.centreline = TraceColonCentreline(model.lumen.labels, line);
-  MarkHindrances(model.lumen, model.centreline.curve);
-  JudgeCuts(model.centreline);
-  model.distension = MeasureDistension(model.centreline.curve);
-  model.wholeDistension = MeasureDistension(model.centreline.curve, { { "colon", model.centreline.length } }).front();
+  line.progress = options.progress.Part("Tracing the centerline", SegmentationEnd, CenterlineEnd);
+  model.centerline = TraceColonCenterline(model.lumen.labels, line);
+  MarkHindrances(model.lumen, model.centerline.curve);
+  JudgeCuts(model.centerline);
+  model.distension = MeasureDistension(model.centerline.curve);
+  model.wholeDistension = MeasureDistension(model.centerline.curve, { { "colon", model.centerline.length } }).front();
 }
 
 void
 FindValve(ColonModel & model)
 {
-  model.valve = FindIleocaecalValve(model.lumen.labels, model.cleansed, model.centreline.curve);
-  SetIleocaecalValve(model.valve.valve, model.centreline.curve);
+  model.valve = FindIleocecalValve(model.lumen.labels, model.cleansed, model.centerline.curve);
+  SetIleocecalValve(model.valve.valve, model.centerline.curve);
 }
 
 /** Finds the valve on the line; attached ileum is cut off, and line and valve are computed again. */
@@ -80,7 +80,7 @@ AddValve(ColonModel & model, const ColonModelOptions & options)
   FindValve(model);
   if (model.valve.valve)
   {
-    model.terminalIleum = FindTerminalIleum(model.lumen.labels, model.centreline.curve, *model.valve.valve);
+    model.terminalIleum = FindTerminalIleum(model.lumen.labels, model.centerline.curve, *model.valve.valve);
   }
   if (model.terminalIleum)
   {
@@ -88,7 +88,7 @@ AddValve(ColonModel & model, const ColonModelOptions & options)
     TraceLine(model, options);
     FindValve(model);
   }
-  AppendRemarks(model.warnings, model.centreline.warnings);
+  AppendRemarks(model.warnings, model.centerline.warnings);
 }
 
 ColonWallOptions
@@ -99,7 +99,7 @@ WallOptionsOf(const ColonModelOptions & options)
   wall.keepPieces = options.keepPieces;
   wall.facts = options.facts;
   wall.besideSimplification = options.besideSimplification;
-  wall.progress = options.progress.Part("Making the wall", CentrelineEnd, 1.0);
+  wall.progress = options.progress.Part("Making the wall", CenterlineEnd, 1.0);
   return wall;
 }
 
@@ -179,9 +179,9 @@ std::string
 InWords(const GasInGap & one)
 {
   const auto rounded = [](double value) { return std::to_string(std::lround(value)); };
-  return rounded(one.gas.ml) + " ml of gas around " + PlaceInWords(one.gas.centre) +
+  return rounded(one.gas.ml) + " ml of gas around " + PlaceInWords(one.gas.center) +
          ", as thin as small bowel, join the ends of a gap of " + rounded(one.gap.distance) +
-         " mm in the centreline, from " + PlaceInWords(one.gap.from) + " to " + PlaceInWords(one.gap.to) +
+         " mm in the centerline, from " + PlaceInWords(one.gap.from) + " to " + PlaceInWords(one.gap.to) +
          ": they are taken for colon; check them, or give the lumen as a mask";
 }
 
@@ -190,15 +190,15 @@ InWords(const GasInGap & one)
 void
 FillGaps(ColonModel & model, CleansedWork & cleansed, const itk::Image<float, 3> * ct, ColonModelOptions & options)
 {
-  const std::vector<GasInGap> found = FindGasInGaps(model.lumen, model.centreline);
+  const std::vector<GasInGap> found = FindGasInGaps(model.lumen, model.centerline);
   if (found.empty())
   {
     return;
   }
   ColonModelOptions with = options;
   with.onCleansed = {}; // the result may be discarded
-  with.progress = options.progress.Part("Filling gaps of the colon", CentrelineEnd, CentrelineEnd);
-  double most = LengthOfGaps(model.centreline);
+  with.progress = options.progress.Part("Filling gaps of the colon", CenterlineEnd, CenterlineEnd);
+  double most = LengthOfGaps(model.centerline);
   for (const GasInGap & one : found)
   {
     with.seedPoints.push_back(one.gas.places[one.gas.places.size() / 2]);
@@ -212,7 +212,7 @@ FillGaps(ColonModel & model, CleansedWork & cleansed, const itk::Image<float, 3>
   }
   CleansedWork again;
   TraceAndCleanse(filled, again, ct, with);
-  if (LengthOfGaps(filled.centreline) <= most)
+  if (LengthOfGaps(filled.centerline) <= most)
   {
     WaitFor(cleansed.beside); // uses the CT of the previous line
     model = std::move(filled);
@@ -249,14 +249,14 @@ FailureOfShortLine(const ColonModel & model)
 {
   // An adult colon is 1000 to 2500 mm long, 600 or more after a hemicolectomy; a stomach 200 to 300 mm.
   constexpr double shortestColon = 400.0; // mm
-  if (model.centreline.length >= shortestColon || IsCutByScan(model.centreline.curve))
+  if (model.centerline.length >= shortestColon || IsCutByScan(model.centerline.curve))
   {
     return {};
   }
   const auto rounded = [](double value) { return std::to_string(std::lround(value)); };
   const auto largest = model.lumen.pieces.front();
   return "no distended colon found: the only wide gas is " + rounded(largest.gasMl) + " ml around " +
-         PlaceInWords(largest.centre) + " along " + rounded(model.centreline.length) +
+         PlaceInWords(largest.center) + " along " + rounded(model.centerline.length) +
          " mm, shorter than a colon: a stomach or a loop of bowel; if it is a colon, give a seed point in it, or "
          "its lumen as a mask";
 }
@@ -267,7 +267,7 @@ MayGoOn(ColonModel & model, const ColonModelOptions & options, LumenOrigin origi
 {
   if (model.failure.empty())
   {
-    model.failure = model.centreline.failure;
+    model.failure = model.centerline.failure;
   }
   if (model.failure.empty() && origin == LumenOrigin::Data && options.seedPoints.empty())
   {
@@ -297,7 +297,7 @@ Complete(ColonModel & model, const itk::Image<float, 3> * ct, ColonModelOptions 
       TakeOut(*model.terminalIleum, cleansed.colon.occupancy.GetPointer());
     }
     AddWall(model, options, [&](const ColonWallOptions & wall) {
-      return BuildColonWall(std::move(cleansed.colon.occupancy), model.centreline.curve, wall);
+      return BuildColonWall(std::move(cleansed.colon.occupancy), model.centerline.curve, wall);
     });
   });
 }
@@ -341,9 +341,9 @@ Cropped(const LumenMask * lumen)
 
 /** Radius of the section of a ball through a point, mm; 0 outside it. */
 double
-RadiusOfSection(const itk::Point<double, 3> & centre, double diameter, const itk::Point<double, 3> & point)
+RadiusOfSection(const itk::Point<double, 3> & center, double diameter, const itk::Point<double, 3> & point)
 {
-  return std::sqrt(std::max(0.0, 0.25 * diameter * diameter - centre.SquaredEuclideanDistanceTo(point)));
+  return std::sqrt(std::max(0.0, 0.25 * diameter * diameter - center.SquaredEuclideanDistanceTo(point)));
 }
 } // namespace
 
@@ -372,7 +372,7 @@ BuildColonModelOfLumen(const LumenMask * lumen, const ColonModelOptions & option
   }
   AddValve(model, options);
   AddWall(model, options, [&](const ColonWallOptions & wall) {
-    return BuildColonWallFromMask(Cropped(model.lumen.labels), model.centreline.curve, wall);
+    return BuildColonWallFromMask(Cropped(model.lumen.labels), model.centerline.curve, wall);
   });
   return model;
 }
@@ -405,7 +405,7 @@ CurveOfCatheter(const RectalCatheter & catheter)
   {
     curve.V.row(n) << catheter.axis[n][0], catheter.axis[n][1], catheter.axis[n][2];
     curve.curves.back().push_back(n);
-    balloon[n] = RadiusOfSection(catheter.balloonCentre, catheter.balloonDiameter, catheter.axis[n]);
+    balloon[n] = RadiusOfSection(catheter.balloonCenter, catheter.balloonDiameter, catheter.axis[n]);
     if (n >= catheter.evidence.length)
     {
       radius[n] = std::max(radius[n], catheter.tipRadius);

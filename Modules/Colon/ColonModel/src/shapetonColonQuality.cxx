@@ -55,7 +55,7 @@ IntensitiesToJson(const ColonLumen & lumen)
   json["levels"] = Json::array();
   for (const ColonLevel & level : lumen.levels)
   {
-    json["levels"].push_back({ { "centre", Triple(level.centre) },
+    json["levels"].push_back({ { "center", Triple(level.center) },
                                { "area", level.area },
                                { "tilt", level.tilt },
                                { "fluidHU", level.fluidHU },
@@ -70,7 +70,7 @@ IntensitiesToJson(const ColonLumen & lumen)
                                 { "volume", one.ml },
                                 { "inscribedRadius", one.inscribedRadius },
                                 { "meanHU", one.meanHU },
-                                { "centre", Triple(one.centre) } });
+                                { "center", Triple(one.center) } });
   }
   return json;
 }
@@ -114,7 +114,7 @@ LumenToJson(const ColonModel & model)
     pieces.push_back({ { "gasVolume", piece.gasMl },
                        { "fluidVolume", piece.fluidMl },
                        { "inscribedRadius", piece.inscribedRadius },
-                       { "centre", Triple(piece.centre) } });
+                       { "center", Triple(piece.center) } });
   }
   json["gasVolume"] = gas;
   json["fluidVolume"] = fluid;
@@ -129,7 +129,7 @@ ValveToJson(const ValveSearch & search)
   {
     return { { "found", false }, { "reason", search.reason } };
   }
-  const IleocaecalValve & valve = *search.valve;
+  const IleocecalValve & valve = *search.valve;
   Json                    json = { { "found", true },
                                    { "position", { valve.position[0], valve.position[1], valve.position[2] } },
                                    { "arcLength", valve.arcLength },
@@ -154,10 +154,10 @@ IleumToJson(const std::optional<TerminalIleum> & ileum)
 }
 
 Json
-GapsToJson(const ColonCentreline & centreline)
+GapsToJson(const ColonCenterline & centerline)
 {
   Json gaps = Json::array();
-  for (const CentrelineGap & gap : centreline.gaps)
+  for (const CenterlineGap & gap : centerline.gaps)
   {
     gaps.push_back({ { "begin", gap.begin },
                      { "end", gap.end },
@@ -169,17 +169,17 @@ GapsToJson(const ColonCentreline & centreline)
 }
 
 Json
-CentrelineToJson(const ColonCentreline & centreline)
+CenterlineToJson(const ColonCenterline & centerline)
 {
   Json json;
-  json["length"] = centreline.length;
-  json["lengthByExponent"] = { { "2", centreline.lengths[0] },
-                               { "3", centreline.lengths[1] },
-                               { "4", centreline.lengths[2] } };
-  json["coverage"] = centreline.coverage;
-  json["gaps"] = GapsToJson(centreline);
+  json["length"] = centerline.length;
+  json["lengthByExponent"] = { { "2", centerline.lengths[0] },
+                               { "3", centerline.lengths[1] },
+                               { "4", centerline.lengths[2] } };
+  json["coverage"] = centerline.coverage;
+  json["gaps"] = GapsToJson(centerline);
   json["pieces"] = Json::array();
-  for (const CentrelinePiece & piece : centreline.pieces)
+  for (const CenterlinePiece & piece : centerline.pieces)
   {
     Json one = { { "volume", piece.volume }, { "isUsed", piece.isUsed }, { "place", Triple(piece.place) } };
     if (piece.isUsed)
@@ -194,7 +194,7 @@ CentrelineToJson(const ColonCentreline & centreline)
     json["pieces"].push_back(one);
   }
   json["merges"] = Json::array();
-  for (const CentrelineMerge & merge : centreline.merges)
+  for (const CenterlineMerge & merge : centerline.merges)
   {
     json["merges"].push_back(
       { { "place", Triple(merge.place) }, { "clearance", merge.clearance }, { "loop", merge.loop } });
@@ -209,7 +209,7 @@ ToJson(const SegmentDistension & segment)
            { "begin", segment.begin },
            { "end", segment.end },
            { "share", segment.share },
-           { "meanCalibre", segment.meanCalibre },
+           { "meanCaliber", segment.meanCaliber },
            { "collapsedLength", segment.collapsedLength } };
 }
 
@@ -217,7 +217,7 @@ Json
 DistensionToJson(const ColonModel & model)
 {
   Json json;
-  json["note"] = "share of the centreline with a calibre of at least 10 mm; borders of segments by customary shares of "
+  json["note"] = "share of the centerline with a caliber of at least 10 mm; borders of segments by customary shares of "
                  "the length, not by landmarks";
   json["whole"] = ToJson(model.wholeDistension);
   json["segments"] = Json::array();
@@ -231,12 +231,12 @@ DistensionToJson(const ColonModel & model)
 Json
 AssessabilityToJson(const ColonModel & model)
 {
-  const std::vector<HinderedStretch> stretches = FindHinderedStretches(model.centreline.curve);
+  const std::vector<HinderedStretch> stretches = FindHinderedStretches(model.centerline.curve);
   Json                               json;
-  json["note"] = "where the wall is visible: a lumen of gas or tagged fluid with a calibre of at least 10 mm, no "
+  json["note"] = "where the wall is visible: a lumen of gas or tagged fluid with a caliber of at least 10 mm, no "
                  "untagged fluid, within the scan";
   json["tagging"] = !model.hasIntensities ? "unknown: a mask" : model.lumen.isTagged ? "tagged" : "no tagged fluid";
-  json["whole"] = AssessabilityToJson(Assess(stretches, 0.0, model.centreline.length));
+  json["whole"] = AssessabilityToJson(Assess(stretches, 0.0, model.centerline.length));
   json["stretches"] = StretchesToJson(stretches);
   return json;
 }
@@ -257,7 +257,7 @@ BeginsInRectum(const CurveSet & curve)
 }
 
 std::string
-InMillimetres(double begin, double end)
+InMillimeters(double begin, double end)
 {
   return "from " + std::to_string(std::lround(begin)) + " to " + std::to_string(std::lround(end)) + " mm";
 }
@@ -266,25 +266,25 @@ InMillimetres(double begin, double end)
 std::vector<std::string>
 MissingParts(const ColonModel & model)
 {
-  if (!model.failure.empty() || model.centreline.curve.curves.empty())
+  if (!model.failure.empty() || model.centerline.curve.curves.empty())
   {
     return { "a usable colon" };
   }
   std::vector<std::string> missing;
-  if (!BeginsInRectum(model.centreline.curve))
+  if (!BeginsInRectum(model.centerline.curve))
   {
     missing.push_back("the rectum: the line begins elsewhere");
   }
-  for (const HinderedStretch & cut : CutsByScan(model.centreline.curve))
+  for (const HinderedStretch & cut : CutsByScan(model.centerline.curve))
   {
     missing.push_back("the part beyond the border of the scan, which cuts the colon " +
-                      InMillimetres(cut.begin, cut.end) + " along the line");
+                      InMillimeters(cut.begin, cut.end) + " along the line");
   }
-  for (const CentrelineGap & gap : model.centreline.gaps)
+  for (const CenterlineGap & gap : model.centerline.gaps)
   {
     if (gap.isDoubtful)
     {
-      missing.push_back("the colon in the gap " + InMillimetres(gap.begin, gap.end) +
+      missing.push_back("the colon in the gap " + InMillimeters(gap.begin, gap.end) +
                         " along the line, too long for a collapsed stretch");
     }
   }
@@ -307,7 +307,7 @@ SurfacesToJson(const ColonWallReport & report)
   json["droppedPieces"] = report.topology.droppedPieces;
   json["droppedVolume"] = report.topology.droppedVolume;
   json["bridgedFaces"] = report.bridgedFaces;
-  json["openedRadius"] = { { "rectum", report.rectumRadius }, { "caecum", report.caecumRadius } };
+  json["openedRadius"] = { { "rectum", report.rectumRadius }, { "cecum", report.cecumRadius } };
   json["wall"] = SurfaceQualityToJson(report.rawQuality);
   json["wall-repaired"] = SurfaceQualityToJson(report.repairedQuality);
   json["wall-simplified"] = SurfaceQualityToJson(report.simplifiedQuality);
@@ -329,12 +329,12 @@ ColonQualityToJson(const ColonModel & model)
   }
   json["warnings"] = model.warnings;
   json["lumen"] = LumenToJson(model);
-  if (!model.centreline.curve.curves.empty())
+  if (!model.centerline.curve.curves.empty())
   {
-    json["centreline"] = CentrelineToJson(model.centreline);
+    json["centerline"] = CenterlineToJson(model.centerline);
     json["distension"] = DistensionToJson(model);
     json["assessability"] = AssessabilityToJson(model);
-    json["ileocaecalValve"] = ValveToJson(model.valve);
+    json["ileocecalValve"] = ValveToJson(model.valve);
     json["terminalIleum"] = IleumToJson(model.terminalIleum);
   }
   if (model.wall.raw.NumberOfFaces() > 0)

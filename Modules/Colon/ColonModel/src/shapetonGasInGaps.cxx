@@ -25,7 +25,7 @@ DistanceOf(const ColonLeftOut & gas, const itk::Point<double, 3> & end)
 }
 
 bool
-Joins(const ColonLeftOut & gas, const CentrelineGap & gap)
+Joins(const ColonLeftOut & gas, const CenterlineGap & gap)
 {
   const double close = std::min(nearest, nearShare * gap.distance);
   return gas.ml >= leastMl && gas.inscribedRadius >= leastRadius && DistanceOf(gas, gap.from) <= close &&
@@ -34,10 +34,10 @@ Joins(const ColonLeftOut & gas, const CentrelineGap & gap)
 } // namespace
 
 std::vector<GasInGap>
-FindGasInGaps(const ColonLumen & lumen, const ColonCentreline & line)
+FindGasInGaps(const ColonLumen & lumen, const ColonCenterline & line)
 {
   std::vector<GasInGap> found;
-  for (const CentrelineGap & gap : line.gaps)
+  for (const CenterlineGap & gap : line.gaps)
   {
     const auto gas = std::find_if(lumen.leftOut.begin(), lumen.leftOut.end(), [&gap](const ColonLeftOut & one) {
       return gap.distance >= leastGap && Joins(one, gap);
@@ -51,10 +51,10 @@ FindGasInGaps(const ColonLumen & lumen, const ColonCentreline & line)
 }
 
 double
-LengthOfGaps(const ColonCentreline & line)
+LengthOfGaps(const ColonCenterline & line)
 {
   double length = 0.0;
-  for (const CentrelineGap & gap : line.gaps)
+  for (const CenterlineGap & gap : line.gaps)
   {
     length += gap.distance;
   }

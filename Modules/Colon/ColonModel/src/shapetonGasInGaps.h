@@ -1,7 +1,7 @@
 #ifndef shapetonGasInGaps_h
 #define shapetonGasInGaps_h
 
-#include "shapetonColonCentreline.h"
+#include "shapetonColonCenterline.h"
 #include "shapetonColonLumenSegmentation.h"
 
 #include <vector>
@@ -12,18 +12,18 @@ namespace shapeton
  * connection between two ends of a tube is that tube. */
 struct GasInGap
 {
-  CentrelineGap gap;
+  CenterlineGap gap;
   ColonLeftOut  gas;
 };
 
 /** Finds, for gaps of at least 30 mm, gas of at least 10 ml that contains a ball of 7 mm radius and comes within a
  * quarter of the length of the gap, at most 20 mm, of both its ends. */
 std::vector<GasInGap>
-FindGasInGaps(const ColonLumen & lumen, const ColonCentreline & line);
+FindGasInGaps(const ColonLumen & lumen, const ColonCenterline & line);
 
 /** Sum of the straight lengths of all gaps, mm. */
 double
-LengthOfGaps(const ColonCentreline & line);
+LengthOfGaps(const ColonCenterline & line);
 } // namespace shapeton
 
 #endif

@@ -74,8 +74,8 @@ DescribePieces(const std::vector<PieceSums> & sums, double voxelMl, ColonLumen &
     piece.fluidMl = voxelMl * sum.fluid;
     piece.inscribedRadius = sum.radius;
     piece.meanGasHU = sum.gas > 0.0 ? sum.gasHU / sum.gas : 0.0;
-    const auto centre = (sum.gasPlace + sum.fluidPlace) / (sum.gas + sum.fluid);
-    piece.centre = itk::Point<double, 3>(centre.GetDataPointer());
+    const auto center = (sum.gasPlace + sum.fluidPlace) / (sum.gas + sum.fluid);
+    piece.center = itk::Point<double, 3>(center.GetDataPointer());
     lumen.pieces.push_back(piece);
   }
 }

@@ -107,7 +107,7 @@ ExpectQuality(const shapeton::ColonModel & model)
   EXPECT_TRUE(quality.at("isComplete").get<bool>());
   EXPECT_EQ(quality.at("lumen").at("position").get<std::string>(), "supine");
   EXPECT_EQ(quality.at("distension").at("segments").size(), 6U);
-  EXPECT_DOUBLE_EQ(quality.at("centreline").at("length").get<double>(), model.centreline.length);
+  EXPECT_DOUBLE_EQ(quality.at("centerline").at("length").get<double>(), model.centerline.length);
   EXPECT_EQ(quality.at("surface").at("genusRepaired").get<int>(), model.wall.report.repairedGenus);
   EXPECT_EQ(quality.at("surface").at("wall-simplified").at("faces").get<int>(), model.wall.simplified.NumberOfFaces());
 }
@@ -122,12 +122,12 @@ WriteForBaselines(const shapeton::ColonModel & model)
   slice->SetRegionOfInterest({ { { 0, 0, 64 } }, { { 128, 128, 2 } } });
   slice->Update();
   shapeton::WriteVolume(slice->GetOutput(), folder + "/ColonCleansedSlice.nrrd");
-  const shapeton::VertexMatrix & line = model.centreline.curve.V;
+  const shapeton::VertexMatrix & line = model.centerline.curve.V;
   const auto                     points = CtImage::New();
   points->SetRegions(CtImage::SizeType{ { 3, static_cast<itk::SizeValueType>(line.rows()), 1 } });
   points->Allocate();
   std::copy(line.data(), line.data() + line.size(), points->GetBufferPointer());
-  shapeton::WriteVolume(points.GetPointer(), folder + "/ColonCentreline.nrrd");
+  shapeton::WriteVolume(points.GetPointer(), folder + "/ColonCenterline.nrrd");
 }
 
 TEST(ColonModel, OfACtIsATubeAroundTheTrueLine)
@@ -144,8 +144,8 @@ TEST(ColonModel, OfACtIsATubeAroundTheTrueLine)
   ASSERT_EQ(model.failure, "");
   EXPECT_DOUBLE_EQ(progress, 1.0);
   EXPECT_GT(ShareOfLabels(model.lumen.labels, patient->GetLumenOutput()), 0.95);
-  EXPECT_LT(MeanDistance(model.centreline.curve, patient->GetAnatomy().Centreline()), 3.0);
-  EXPECT_NEAR(model.centreline.length / patient->GetAnatomy().Length(), 1.0, 0.05);
+  EXPECT_LT(MeanDistance(model.centerline.curve, patient->GetAnatomy().Centerline()), 3.0);
+  EXPECT_NEAR(model.centerline.length / patient->GetAnatomy().Length(), 1.0, 0.05);
   ExpectTube(model.wall.repaired);
   ExpectTube(model.wall.simplified);
   EXPECT_LE(model.wall.report.repairedGenus, 2);
@@ -171,8 +171,8 @@ TEST(ColonModel, ObliqueAxesGiveTheSameColon)
   const auto                 patient = MakePatient(axes);
   const shapeton::ColonModel model = shapeton::BuildColonModel(CtOf(patient).GetPointer(), Options());
   ASSERT_EQ(model.failure, "");
-  EXPECT_LT(MeanDistance(model.centreline.curve, patient->GetAnatomy().Centreline()), 3.0);
-  EXPECT_NEAR(model.centreline.length / patient->GetAnatomy().Length(), 1.0, 0.05);
+  EXPECT_LT(MeanDistance(model.centerline.curve, patient->GetAnatomy().Centerline()), 3.0);
+  EXPECT_NEAR(model.centerline.length / patient->GetAnatomy().Length(), 1.0, 0.05);
   ExpectTube(model.wall.simplified);
 }
 
@@ -189,7 +189,7 @@ ExpectModelOfMask(Source * patient)
     volume += piece.gasMl;
   }
   EXPECT_NEAR(volume, model.wall.report.topology.lumenVolume + model.wall.report.topology.droppedVolume, 0.02 * volume);
-  EXPECT_LT(MeanDistance(model.centreline.curve, patient->GetAnatomy().Centreline()), 3.0);
+  EXPECT_LT(MeanDistance(model.centerline.curve, patient->GetAnatomy().Centerline()), 3.0);
 }
 
 /** Without a position gravity points from the gas to the fluid. */
@@ -386,7 +386,7 @@ TEST(ColonModel, ThinGasThatFillsAGapIsColon)
   ASSERT_EQ(cleansed.size(), 2U); // the first without the gas
   EXPECT_EQ(cleansed.back(), model.cleansed.GetPointer());
   EXPECT_EQ(LabelAt(model, 0.0, 209.0), 1);
-  for (const shapeton::CentrelineGap & gap : model.centreline.gaps)
+  for (const shapeton::CenterlineGap & gap : model.centerline.gaps)
   {
     EXPECT_LT(gap.distance, 15.0);
   }
@@ -403,8 +403,8 @@ TEST(ColonModel, ThinGasBesideAGapIsLeftOut)
   EXPECT_EQ(model.failure, "");
   EXPECT_FALSE(TellsOfAFilledGap(model));
   EXPECT_EQ(LabelAt(model, 40.0, 209.0), 0);
-  ASSERT_EQ(model.centreline.gaps.size(), 1U);
-  EXPECT_NEAR(model.centreline.gaps[0].distance, 118.0, 8.0);
+  ASSERT_EQ(model.centerline.gaps.size(), 1U);
+  EXPECT_NEAR(model.centerline.gaps[0].distance, 118.0, 8.0);
 }
 
 } // namespace

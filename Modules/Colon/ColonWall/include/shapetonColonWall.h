@@ -25,12 +25,12 @@ struct BridgedOccupancy
 /** Joins the pieces of a lumen by tubes around the centerline where its point array `gap` is 1 or it runs outside the
  * lumen.
  *
- * \param centreline LPS mm, with point arrays `gap` and `arcLength`.
+ * \param centerline LPS mm, with point arrays `gap` and `arcLength`.
  * \param radius of the tubes, mm, greater than 0; a connected tube needs at least one voxel.
  * Throws InputError when RequireSound() does or an array is missing, ParameterError for a radius out of range.
  * \ingroup ColonWall */
 ColonWall_EXPORT BridgedOccupancy
-AddBridges(const OccupancyImage * occupancy, const CurveSet & centreline, double radius = 2.0);
+AddBridges(const OccupancyImage * occupancy, const CurveSet & centerline, double radius = 2.0);
 
 /** Extracts the wall as a closed surface: the 0.5 isosurface by marching cubes.
  *
@@ -79,11 +79,11 @@ struct OpenEndsOptions
 struct OpenWall
 {
   /** One component with two boundary loops and the genus of the closed surface. Field arrays `rectumLoop` and
-   * `caecumLoop`: indices of the vertices of the loops in order. */
+   * `cecumLoop`: indices of the vertices of the loops in order. */
   SurfaceMesh mesh;
   /** Radii of the discs, mm. */
   double rectumRadius{ 0.0 };
-  double caecumRadius{ 0.0 };
+  double cecumRadius{ 0.0 };
   int    genus{ 0 };
 };
 
@@ -92,11 +92,11 @@ struct OpenWall
  * The pole is where the outward tangent at the end intersects the surface. The largest geodesic disc around it that is
  * also a topological disc is cut out: connected, Euler number 1, one simple boundary.
  *
- * \param centreline one curve, from the rectum to the cecum, LPS mm.
+ * \param centerline one curve, from the rectum to the cecum, LPS mm.
  * Throws InputError when the surface is not closed, the centerline has fewer than two points, or even the smallest
  * region is not a disc. \ingroup ColonWall */
 ColonWall_EXPORT OpenWall
-OpenColonEnds(const SurfaceMesh & closed, const CurveSet & centreline, const OpenEndsOptions & options = {});
+OpenColonEnds(const SurfaceMesh & closed, const CurveSet & centerline, const OpenEndsOptions & options = {});
 
 /** Options of BuildColonWall(): size, bridges, ends and smoothing. \ingroup ColonWall */
 struct ColonWallOptions
@@ -137,7 +137,7 @@ struct ColonWallReport
   int                 simplifiedFaces{ 0 };
   /** Radii of the discs cut out, mm. */
   double rectumRadius{ 0.0 };
-  double caecumRadius{ 0.0 };
+  double cecumRadius{ 0.0 };
   int    bridgedFaces{ 0 };
   /** Quality of the final surfaces. */
   SurfaceQuality rawQuality;
@@ -148,7 +148,7 @@ struct ColonWallReport
 
 /** The wall in three forms, each with two boundary loops (the raw one may stay closed, with a warning), point array
  * `arcLength` (mm, of the closest point of the centerline within the lumen), cell array `bridged` (1 on the tubes) and
- * field arrays `rectumLoop`, `caecumLoop`; if the centerline has the array `notAssessable`, also a cell array of it.
+ * field arrays `rectumLoop`, `cecumLoop`; if the centerline has the array `notAssessable`, also a cell array of it.
  * \ingroup ColonWall
  */
 struct ColonWall
@@ -165,20 +165,20 @@ struct ColonWall
 /** Bridges, repairs, extracts, opens and simplifies the wall.
  *
  * \param occupancy lumen where at least 0.5, on a grid cropped to it; released after the surfaces are extracted, so a
- * caller who moves the pointer here frees its memory. \param centreline one curve from rectum to cecum with point
+ * caller who moves the pointer here frees its memory. \param centerline one curve from rectum to cecum with point
  * arrays `arcLength` and `gap`. \param repairedOccupancy a separate field for the repaired surface, for example a
  * smoothed mask; on the same grid. Throws the InputError of its parts, and InputError when the genus or the loops of
  * the simplified surface differ. \ingroup ColonWall */
 ColonWall_EXPORT ColonWall
 BuildColonWall(OccupancyImage::ConstPointer occupancy,
-               const CurveSet &             centreline,
+               const CurveSet &             centerline,
                const ColonWallOptions &     options = {},
                OccupancyImage::ConstPointer repairedOccupancy = nullptr);
 
 /** Builds the wall from a mask: the raw surface from 0 and 1, the repaired one from the smoothed mask.
  * \ingroup ColonWall */
 ColonWall_EXPORT ColonWall
-BuildColonWallFromMask(const LumenMaskImage * mask, const CurveSet & centreline, const ColonWallOptions & options = {});
+BuildColonWallFromMask(const LumenMaskImage * mask, const CurveSet & centerline, const ColonWallOptions & options = {});
 } // namespace shapeton
 
 #endif

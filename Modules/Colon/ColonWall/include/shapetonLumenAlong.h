@@ -11,12 +11,12 @@ namespace shapeton
 {
 /** Labels the voxels of a lumen by their place along the colon: that of the closest point of the centerline within the
  * lumen, so touching loops do not exchange labels. 0 outside the lumen.
- * \param centreline one curve with the point array `arcLength`.
+ * \param centerline one curve with the point array `arcLength`.
  * \param labelOf returns the label for mm along the centerline; called from several threads.
  * \ingroup ColonWall */
 ColonWall_EXPORT itk::Image<unsigned short, 3>::Pointer
                  LabelLumenAlong(const LumenMaskImage *                        lumen,
-                                 const CurveSet &                              centreline,
+                                 const CurveSet &                              centerline,
                                  const std::function<unsigned short(double)> & labelOf);
 } // namespace shapeton
 

@@ -42,12 +42,12 @@ struct LumenTopology
  * along the centerline, if there is one, so that the lumen itself is never cut across, then in the order of the
  * distance to the wall. Fronts around a handle meet where it is thinnest, and the membrane left there cuts it.
  *
- * \param centreline in LPS mm; if empty, the growth starts at the widest place, and a stretch of the lumen narrower
+ * \param centerline in LPS mm; if empty, the growth starts at the widest place, and a stretch of the lumen narrower
  *        than a leak between its neighbors can be cut instead of the leak.
  * Throws InputError when no voxel reaches 0.5. Time: about 1 microsecond per lumen voxel.
  * \ingroup ColonWall */
 ColonWall_EXPORT LumenTopology
-RepairLumenTopology(const OccupancyImage * occupancy, const CurveSet & centreline);
+RepairLumenTopology(const OccupancyImage * occupancy, const CurveSet & centerline);
 
 /** Converts a mask to an occupancy of 0 and 1; nonzero voxels are lumen. With `sigma` (mm) greater than 0, the field is
  * smoothed by a Gaussian and shifted to keep the number of voxels of at least 0.5: stairs vanish, the volume stays.

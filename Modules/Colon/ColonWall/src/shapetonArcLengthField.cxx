@@ -47,17 +47,17 @@ private:
 };
 } // namespace
 
-ArcLengthField::ArcLengthField(const LumenMaskImage * lumen, const CurveSet & centreline)
+ArcLengthField::ArcLengthField(const LumenMaskImage * lumen, const CurveSet & centerline)
   : m_Grid(lumen)
   , m_Size(lumen->GetBufferedRegion().GetSize())
   , m_Sites(lumen->GetBufferedRegion().GetNumberOfPixels(), Nowhere)
 {
-  const Eigen::VectorXd    arcLengths = PointValues(centreline, "arcLength", "the centreline");
-  const std::vector<int> & curve = centreline.curves.front();
+  const Eigen::VectorXd    arcLengths = PointValues(centerline, "arcLength", "the centerline");
+  const std::vector<int> & curve = centerline.curves.front();
   m_Points.resize(static_cast<Eigen::Index>(curve.size()), 3);
   for (std::size_t i = 0; i < curve.size(); ++i)
   {
-    m_Points.row(static_cast<Eigen::Index>(i)) = centreline.V.row(curve[i]);
+    m_Points.row(static_cast<Eigen::Index>(i)) = centerline.V.row(curve[i]);
     m_ArcLengths.push_back(arcLengths[curve[i]]);
   }
   this->Spread(lumen);
@@ -101,14 +101,14 @@ ArcLengthField::Spread(const LumenMaskImage * lumen)
     const std::int64_t x = voxel % nx;
     const std::int64_t y = voxel % slice / nx;
     const std::int32_t site = m_Sites[voxel];
-    const std::array   neighbours{ x > 0 ? voxel - 1 : -1,  x + 1 < nx ? voxel + 1 : -1,
+    const std::array   neighbors{ x > 0 ? voxel - 1 : -1,  x + 1 < nx ? voxel + 1 : -1,
                                  y > 0 ? voxel - nx : -1, (y + 1) * nx < slice ? voxel + nx : -1,
                                  voxel - slice,           voxel + slice < last ? voxel + slice : -1 };
-    for (const std::int64_t neighbour : neighbours)
+    for (const std::int64_t neighbor : neighbors)
     {
-      if (neighbour >= 0 && m_Sites[neighbour] != site)
+      if (neighbor >= 0 && m_Sites[neighbor] != site)
       {
-        offer(neighbour, site);
+        offer(neighbor, site);
       }
     }
   });

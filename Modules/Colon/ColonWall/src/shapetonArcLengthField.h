@@ -1,7 +1,7 @@
 #ifndef shapetonArcLengthField_h
 #define shapetonArcLengthField_h
 
-#include "shapetonCentrelineGeometry.h"
+#include "shapetonCenterlineGeometry.h"
 
 #include <cstdint>
 
@@ -13,7 +13,7 @@ class ArcLengthField
 {
 public:
   /** One curve with the point array `arcLength`. */
-  ArcLengthField(const LumenMaskImage * lumen, const CurveSet & centreline);
+  ArcLengthField(const LumenMaskImage * lumen, const CurveSet & centerline);
 
   /** Distance along the centerline, mm; thread-safe. */
   double

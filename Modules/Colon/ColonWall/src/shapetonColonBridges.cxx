@@ -32,12 +32,12 @@ TubeOccupancy(double distance, double radius, double width)
 
 /** Axes of the tubes, and warnings where the curve leaves the lumen without a gap. */
 void
-FindAxes(const OccupancyImage * occupancy, const CurveSet & centreline, BridgedOccupancy & result)
+FindAxes(const OccupancyImage * occupancy, const CurveSet & centerline, BridgedOccupancy & result)
 {
-  const Eigen::VectorXd  gap = PointValues(centreline, "gap", "the centreline");
-  const Eigen::VectorXd  arcLength = PointValues(centreline, "arcLength", "the centreline");
+  const Eigen::VectorXd  gap = PointValues(centerline, "gap", "the centerline");
+  const Eigen::VectorXd  arcLength = PointValues(centerline, "arcLength", "the centerline");
   const OccupancySampler sample(occupancy);
-  for (const auto & curve : centreline.curves)
+  for (const auto & curve : centerline.curves)
   {
     double leftAt = -1.0;
     double backAt = -1.0;
@@ -45,8 +45,8 @@ FindAxes(const OccupancyImage * occupancy, const CurveSet & centreline, BridgedO
     {
       const int             a = curve[i];
       const int             b = curve[i + 1];
-      const Eigen::Vector3d pa = centreline.V.row(a);
-      const Eigen::Vector3d pb = centreline.V.row(b);
+      const Eigen::Vector3d pa = centerline.V.row(a);
+      const Eigen::Vector3d pb = centerline.V.row(b);
       const bool            isGap = gap[a] != 0.0 || gap[b] != 0.0;
       const bool            isOutside = !isGap && std::min({ sample(pa), sample(pb), sample(0.5 * (pa + pb)) }) < 0.5;
       if (isGap || isOutside)
@@ -62,7 +62,7 @@ FindAxes(const OccupancyImage * occupancy, const CurveSet & centreline, BridgedO
       {
         std::ostringstream text;
         text.precision(5);
-        text << "the centreline runs outside the lumen from " << leftAt << " to " << backAt
+        text << "the centerline runs outside the lumen from " << leftAt << " to " << backAt
              << " mm, where no gap is marked; it was bridged there";
         result.warnings.push_back(text.str());
         leftAt = -1.0;
@@ -147,13 +147,13 @@ DrawTube(OccupancyImage * image, const GridGeometry & grid, const Axis & axis, d
 } // namespace
 
 BridgedOccupancy
-AddBridges(const OccupancyImage * occupancy, const CurveSet & centreline, double radius)
+AddBridges(const OccupancyImage * occupancy, const CurveSet & centerline, double radius)
 {
   RequireParameter(radius > 0.0 && std::isfinite(radius), "the radius of bridges must be greater than 0 mm");
-  RequireSound(centreline, "the centreline");
+  RequireSound(centerline, "the centerline");
   BridgedOccupancy result;
   result.radius = radius;
-  FindAxes(occupancy, centreline, result);
+  FindAxes(occupancy, centerline, result);
   result.occupancy = DrawBridges(occupancy, result);
   return result;
 }
@@ -194,19 +194,19 @@ BridgedFaces(const SurfaceMesh & mesh, const BridgedOccupancy & bridges, const O
   const OccupancySampler sample(lumen);
   ParallelForBlocks(static_cast<std::size_t>(mesh.NumberOfFaces()), [&](std::size_t i) {
     const auto            f = static_cast<Eigen::Index>(i);
-    const Eigen::Vector3d centre =
+    const Eigen::Vector3d center =
       (mesh.V.row(mesh.F(f, 0)) + mesh.V.row(mesh.F(f, 1)) + mesh.V.row(mesh.F(f, 2))) / 3.0;
-    if (!box.contains(centre))
+    if (!box.contains(center))
     {
       return;
     }
     double distance = std::numeric_limits<double>::infinity();
     for (const Axis & axis : bridges.axes)
     {
-      distance = std::min(distance, DistanceToAxis(centre, axis));
+      distance = std::min(distance, DistanceToAxis(center, axis));
     }
     const double tube = TubeOccupancy(distance, bridges.radius, width);
-    array.values(f, 0) = tube > 0.0 && tube > sample(centre) ? 1.0 : 0.0;
+    array.values(f, 0) = tube > 0.0 && tube > sample(center) ? 1.0 : 0.0;
   });
   return array;
 }

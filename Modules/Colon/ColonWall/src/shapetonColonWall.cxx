@@ -47,12 +47,12 @@ class Builder
 {
 public:
   Builder(OccupancyImage::ConstPointer && occupancy,
-          const CurveSet &                centreline,
+          const CurveSet &                centerline,
           const ColonWallOptions &        options,
           OccupancyImage::ConstPointer && repairedOccupancy)
     : m_Occupancy(std::move(occupancy))
     , m_RepairedOccupancy(repairedOccupancy ? std::move(repairedOccupancy) : m_Occupancy)
-    , m_Centreline(centreline)
+    , m_Centerline(centerline)
     , m_Options(options)
   {}
 
@@ -73,7 +73,7 @@ public:
     this->ReleaseOccupancy();
     ParallelInvoke([this] { this->Simplify(); }, // runs on one core
                    [&, this] {
-                     arcLengths.emplace(m_Mask, m_Centreline);
+                     arcLengths.emplace(m_Mask, m_Centerline);
                      m_Mask = nullptr;
                      repaired = m_Wall.repaired; // which the simplification reads
                      m_Wall.report.bridgedFaces =
@@ -104,7 +104,7 @@ private:
   void
   Bridge()
   {
-    m_Bridges = AddBridges(m_Occupancy, m_Centreline, m_Options.bridgeRadius);
+    m_Bridges = AddBridges(m_Occupancy, m_Centerline, m_Options.bridgeRadius);
     m_Wall.report.warnings = m_Bridges.warnings;
     m_RepairedField =
       m_RepairedOccupancy == m_Occupancy ? m_Bridges.occupancy : DrawBridges(m_RepairedOccupancy, m_Bridges);
@@ -114,7 +114,7 @@ private:
   void
   Repair()
   {
-    LumenTopology topology = RepairLumenTopology(m_Bridges.occupancy, m_Centreline);
+    LumenTopology topology = RepairLumenTopology(m_Bridges.occupancy, m_Centerline);
     m_Wall.report.topology = topology.report;
     m_Mask = topology.mask;
     if (topology.report.droppedPieces > 0)
@@ -151,14 +151,14 @@ private:
   {
     m_Wall.repaired = SmoothWall(ExtractWall(m_RepairedField, m_Mask), this->Smoothing(m_Options.normalLimit));
     this->Advance(Step::Extracted);
-    OpenWall opened = OpenColonEnds(m_Wall.repaired, m_Centreline, m_Options.ends);
+    OpenWall opened = OpenColonEnds(m_Wall.repaired, m_Centerline, m_Options.ends);
     m_Wall.repaired = std::move(opened.mesh);
     ColonWallReport & report = m_Wall.report;
     report.repairedGenus = opened.genus;
     report.rectumRadius = opened.rectumRadius;
-    report.caecumRadius = opened.caecumRadius;
+    report.cecumRadius = opened.cecumRadius;
     this->WarnOfSmallEnd("rectum", opened.rectumRadius);
-    this->WarnOfSmallEnd("caecum", opened.caecumRadius);
+    this->WarnOfSmallEnd("cecum", opened.cecumRadius);
     this->Advance(Step::Opened);
   }
 
@@ -171,7 +171,7 @@ private:
     ends.smoothRims = false;
     try
     {
-      OpenWall opened = OpenColonEnds(m_Wall.raw, m_Centreline, ends);
+      OpenWall opened = OpenColonEnds(m_Wall.raw, m_Centerline, ends);
       m_Wall.raw = std::move(opened.mesh);
       m_Wall.report.rawGenus = opened.genus;
     }
@@ -230,7 +230,7 @@ private:
     }
     const SurfaceConnectivity connectivity(m_Wall.simplified);
     const int                 genus =
-      SetLoops(m_Wall.simplified, connectivity, this->EndOfCentreline(true), this->EndOfCentreline(false));
+      SetLoops(m_Wall.simplified, connectivity, this->EndOfCenterline(true), this->EndOfCenterline(false));
     if (genus != m_Wall.report.repairedGenus)
     {
       throw InputError("the simplified wall has genus " + std::to_string(genus) + ", the repaired one " +
@@ -262,13 +262,13 @@ private:
   }
 
   Eigen::Vector3d
-  EndOfCentreline(bool isRectum) const
+  EndOfCenterline(bool isRectum) const
   {
-    const auto & curve = m_Centreline.curves.front();
-    return m_Centreline.V.row(isRectum ? curve.front() : curve.back());
+    const auto & curve = m_Centerline.curves.front();
+    return m_Centerline.V.row(isRectum ? curve.front() : curve.back());
   }
 
-  /** `arcLength`, and `notAssessable` where the centreline has it. */
+  /** `arcLength`, and `notAssessable` where the centerline has it. */
   void
   AddPlaces(SurfaceMesh & mesh, const ArcLengthField & field) const
   {
@@ -278,7 +278,7 @@ private:
       array.values(v, 0) = field.ArcLengthAt(mesh.V.row(v));
     });
     mesh.pointArrays.push_back(std::move(array));
-    if (FindSurfaceArray(m_Centreline.pointArrays, "notAssessable") != nullptr)
+    if (FindSurfaceArray(m_Centerline.pointArrays, "notAssessable") != nullptr)
     {
       mesh.cellArrays.push_back(this->HindrancesOfFaces(mesh));
     }
@@ -288,8 +288,8 @@ private:
   SurfaceArray
   HindrancesOfFaces(const SurfaceMesh & mesh) const
   {
-    const Eigen::VectorXd hindrance = PointValues(m_Centreline, "notAssessable", "the centreline");
-    const Eigen::VectorXd line = PointValues(m_Centreline, "arcLength", "the centreline");
+    const Eigen::VectorXd hindrance = PointValues(m_Centerline, "notAssessable", "the centerline");
+    const Eigen::VectorXd line = PointValues(m_Centerline, "arcLength", "the centerline");
     const auto &          arcLength = mesh.pointArrays.back().values;
     SurfaceArray          array{ "notAssessable", SurfaceArray::ValueMatrix(mesh.NumberOfFaces(), 1), true };
     for (Eigen::Index face = 0; face < mesh.F.rows(); ++face)
@@ -321,7 +321,7 @@ private:
 
   OccupancyImage::ConstPointer m_Occupancy;
   OccupancyImage::ConstPointer m_RepairedOccupancy;
-  const CurveSet &             m_Centreline;
+  const CurveSet &             m_Centerline;
   const ColonWallOptions &     m_Options;
   BridgedOccupancy             m_Bridges;
   OccupancyImage::ConstPointer m_RepairedField;
@@ -334,29 +334,29 @@ private:
 
 ColonWall
 BuildColonWall(OccupancyImage::ConstPointer occupancy,
-               const CurveSet &             centreline,
+               const CurveSet &             centerline,
                const ColonWallOptions &     options,
                OccupancyImage::ConstPointer repairedOccupancy)
 {
   RequireParameter(options.faces == 0 || options.faces >= 100,
                    "the simplified wall needs at least 100 faces, or 0 for automatic choice");
-  RequireSound(centreline, "the centreline");
-  if (centreline.curves.size() != 1 || centreline.curves.front().size() < 2)
+  RequireSound(centerline, "the centerline");
+  if (centerline.curves.size() != 1 || centerline.curves.front().size() < 2)
   {
-    throw InputError("the centreline must be one curve of at least two points; it has " +
-                     std::to_string(centreline.curves.size()) + " curves");
+    throw InputError("the centerline must be one curve of at least two points; it has " +
+                     std::to_string(centerline.curves.size()) + " curves");
   }
-  return Builder(std::move(occupancy), centreline, options, std::move(repairedOccupancy)).Build();
+  return Builder(std::move(occupancy), centerline, options, std::move(repairedOccupancy)).Build();
 }
 
 ColonWall
-BuildColonWallFromMask(const LumenMaskImage * mask, const CurveSet & centreline, const ColonWallOptions & options)
+BuildColonWallFromMask(const LumenMaskImage * mask, const CurveSet & centerline, const ColonWallOptions & options)
 {
   RequireParameter(options.maskSmoothing >= 0.0, "the smoothing of a lumen mask must not be negative");
   const auto   spacing = mask->GetSpacing();
   const double meanSpacing = std::cbrt(spacing[0] * spacing[1] * spacing[2]);
   auto         sharp = OccupancyFromMask(mask);
   auto         smooth = OccupancyFromMask(mask, options.maskSmoothing * meanSpacing);
-  return BuildColonWall(std::move(sharp), centreline, options, std::move(smooth));
+  return BuildColonWall(std::move(sharp), centerline, options, std::move(smooth));
 }
 } // namespace shapeton

@@ -65,7 +65,7 @@ DiscCutter::FacesWithin(int pole, double radius) const
       continue;
     }
     reached.push_back(vertex);
-    for (const int other : m_Connectivity.NeighboursOfVertex(vertex))
+    for (const int other : m_Connectivity.NeighborsOfVertex(vertex))
     {
       const double further = distance + (m_Mesh.V.row(other) - m_Mesh.V.row(vertex)).norm();
       const auto   known = distances.find(other);

@@ -49,13 +49,13 @@ private:
   std::vector<char>   m_IsForbidden;
 };
 
-/** Writes field arrays `rectumLoop` and `caecumLoop` by the distance of the loops to the ends of the centerline, and
+/** Writes field arrays `rectumLoop` and `cecumLoop` by the distance of the loops to the ends of the centerline, and
  * returns the genus. Throws InputError unless the surface is one manifold component with two loops. */
 int
 SetLoops(SurfaceMesh &               mesh,
          const SurfaceConnectivity & connectivity,
          const Eigen::Vector3d &     rectum,
-         const Eigen::Vector3d &     caecum);
+         const Eigen::Vector3d &     cecum);
 
 /** Smooths the rims by moving boundary vertices, as long as no adjacent face becomes a needle or flips. */
 void

@@ -7,10 +7,10 @@ namespace shapeton
 {
 itk::Image<unsigned short, 3>::Pointer
 LabelLumenAlong(const LumenMaskImage *                        lumen,
-                const CurveSet &                              centreline,
+                const CurveSet &                              centerline,
                 const std::function<unsigned short(double)> & labelOf)
 {
-  const ArcLengthField field(lumen, centreline);
+  const ArcLengthField field(lumen, centerline);
   const auto           labels = itk::Image<unsigned short, 3>::New();
   const auto           region = lumen->GetBufferedRegion();
   labels->CopyInformation(lumen);

@@ -1,6 +1,6 @@
 #include "shapetonLumenTopology.h"
 
-#include "shapetonCentrelineGeometry.h"
+#include "shapetonCenterlineGeometry.h"
 #include "shapetonPaddedVoxels.h"
 #include "shapetonExceptions.h"
 #include "shapetonSquaredDistances.h"
@@ -14,8 +14,8 @@ namespace
 {
 constexpr float         WallLevel = 0.5F;
 constexpr unsigned char Lumen = 1;
-constexpr double        RanksPerMillimetre = 100.0;
-constexpr std::uint16_t CentrelineRank = 65535;
+constexpr double        RanksPerMillimeter = 100.0;
+constexpr std::uint16_t CenterlineRank = 65535;
 constexpr double        GreatestDistanceRank = 65534.0;
 
 LumenMaskImage::Pointer
@@ -133,25 +133,25 @@ RanksOfLumen(const LumenMaskImage * lumen, const OccupancyImage * occupancy)
   ParallelForBlocks(lumen->GetBufferedRegion().GetNumberOfPixels(), [&](std::size_t i) {
     const double depth = std::sqrt(squares[i]) + finest * (occupancyOf[i] - static_cast<double>(WallLevel));
     rankOf[i] =
-      static_cast<std::uint16_t>(std::clamp(RanksPerMillimetre * (depth + finest), 0.0, GreatestDistanceRank));
+      static_cast<std::uint16_t>(std::clamp(RanksPerMillimeter * (depth + finest), 0.0, GreatestDistanceRank));
   });
   return ranks;
 }
 
 /** Ranks the voxels along the centerline above all others. */
 void
-RaiseCentreline(GrowthRankImage * ranks, const CurveSet & centreline)
+RaiseCenterline(GrowthRankImage * ranks, const CurveSet & centerline)
 {
   const GridGeometry grid(ranks);
   const auto         size = ranks->GetBufferedRegion().GetSize();
-  for (const auto & curve : centreline.curves)
+  for (const auto & curve : centerline.curves)
   {
     for (std::size_t i = 0; i + 1 < curve.size(); ++i)
     {
       ForVoxelsOfSegment(
-        grid, size, centreline.V.row(curve[i]), centreline.V.row(curve[i + 1]), [&](std::array<long, 3> voxel) {
+        grid, size, centerline.V.row(curve[i]), centerline.V.row(curve[i + 1]), [&](std::array<long, 3> voxel) {
           const std::size_t k = (voxel[2] * size[1] + voxel[1]) * size[0] + voxel[0];
-          ranks->GetBufferPointer()[k] = CentrelineRank;
+          ranks->GetBufferPointer()[k] = CenterlineRank;
         });
     }
   }
@@ -179,7 +179,7 @@ PlantSeed(LumenMaskImage * grown, const LumenMaskImage * limit, const GrowthRank
 } // namespace
 
 LumenTopology
-RepairLumenTopology(const OccupancyImage * occupancy, const CurveSet & centreline)
+RepairLumenTopology(const OccupancyImage * occupancy, const CurveSet & centerline)
 {
   const auto    spacing = occupancy->GetSpacing();
   const double  voxelVolume = spacing[0] * spacing[1] * spacing[2] / 1000.0;
@@ -191,7 +191,7 @@ RepairLumenTopology(const OccupancyImage * occupancy, const CurveSet & centrelin
   });
   KeepSolidPiece(limit, voxelVolume, result.report);
   const auto ranks = RanksOfLumen(limit, occupancy);
-  RaiseCentreline(ranks, centreline);
+  RaiseCenterline(ranks, centerline);
   result.mask = NewMaskLike(occupancy);
   PlantSeed(result.mask, limit, ranks);
   GrowByTopologyPreservingPoints(result.mask, limit, ranks);

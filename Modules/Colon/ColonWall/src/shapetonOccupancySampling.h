@@ -1,7 +1,7 @@
 #ifndef shapetonOccupancySampling_h
 #define shapetonOccupancySampling_h
 
-#include "shapetonCentrelineGeometry.h"
+#include "shapetonCenterlineGeometry.h"
 
 #include <cmath>
 

@@ -23,18 +23,18 @@ struct Ray
 };
 
 Ray
-RayAtEnd(const CurveSet & centreline, bool isRectum)
+RayAtEnd(const CurveSet & centerline, bool isRectum)
 {
-  std::vector<int> curve = centreline.curves.front();
+  std::vector<int> curve = centerline.curves.front();
   if (!isRectum)
   {
     std::reverse(curve.begin(), curve.end());
   }
-  const Eigen::Vector3d end = centreline.V.row(curve.front());
+  const Eigen::Vector3d end = centerline.V.row(curve.front());
   Eigen::Vector3d       way = Eigen::Vector3d::Zero();
   for (const int vertex : curve)
   {
-    way = end - centreline.V.row(vertex).transpose();
+    way = end - centerline.V.row(vertex).transpose();
     if (way.norm() >= TangentLength)
     {
       break;
@@ -42,7 +42,7 @@ RayAtEnd(const CurveSet & centreline, bool isRectum)
   }
   if (way.norm() == 0.0)
   {
-    throw InputError("the centreline has zero length: all its points coincide");
+    throw InputError("the centerline has zero length: all its points coincide");
   }
   return { end, way.normalized() };
 }
@@ -152,7 +152,7 @@ int
 SetLoops(SurfaceMesh &               mesh,
          const SurfaceConnectivity & connectivity,
          const Eigen::Vector3d &     rectum,
-         const Eigen::Vector3d &     caecum)
+         const Eigen::Vector3d &     cecum)
 {
   const auto & loops = connectivity.BoundaryLoops();
   const auto & components = connectivity.Components();
@@ -163,17 +163,17 @@ SetLoops(SurfaceMesh &               mesh,
          << components.size() << " components";
     throw InputError(text.str());
   }
-  const double straight = DistanceOfLoop(mesh, loops[0], rectum) + DistanceOfLoop(mesh, loops[1], caecum);
-  const double crossed = DistanceOfLoop(mesh, loops[1], rectum) + DistanceOfLoop(mesh, loops[0], caecum);
+  const double straight = DistanceOfLoop(mesh, loops[0], rectum) + DistanceOfLoop(mesh, loops[1], cecum);
+  const double crossed = DistanceOfLoop(mesh, loops[1], rectum) + DistanceOfLoop(mesh, loops[0], cecum);
   mesh.fieldArrays.erase(
     std::remove_if(mesh.fieldArrays.begin(),
                    mesh.fieldArrays.end(),
-                   [](const SurfaceArray & array) { return array.name == "rectumLoop" || array.name == "caecumLoop"; }),
+                   [](const SurfaceArray & array) { return array.name == "rectumLoop" || array.name == "cecumLoop"; }),
     mesh.fieldArrays.end());
   for (const bool isRectum : { true, false })
   {
     const auto & loop = loops[(straight <= crossed) == isRectum ? 0 : 1];
-    SurfaceArray array{ isRectum ? "rectumLoop" : "caecumLoop", {}, true };
+    SurfaceArray array{ isRectum ? "rectumLoop" : "cecumLoop", {}, true };
     array.values =
       Eigen::Map<const Eigen::VectorXi>(loop.data(), static_cast<Eigen::Index>(loop.size())).cast<double>();
     mesh.fieldArrays.push_back(array);
@@ -182,14 +182,14 @@ SetLoops(SurfaceMesh &               mesh,
 }
 
 OpenWall
-OpenColonEnds(const SurfaceMesh & closed, const CurveSet & centreline, const OpenEndsOptions & options)
+OpenColonEnds(const SurfaceMesh & closed, const CurveSet & centerline, const OpenEndsOptions & options)
 {
   RequireParameter(options.leastRadius > 0.0 && options.radius >= options.leastRadius,
                    "the radius of open ends must be at least the minimum radius, which must be greater than 0 mm");
-  RequireSound(centreline, "the centreline");
+  RequireSound(centerline, "the centerline");
   RequireSound(closed, "the wall");
-  const Ray rectum = RayAtEnd(centreline, true);
-  const Ray caecum = RayAtEnd(centreline, false);
+  const Ray rectum = RayAtEnd(centerline, true);
+  const Ray cecum = RayAtEnd(centerline, false);
 
   DiscCutter cutter(closed);
   RequireClosed(closed, cutter.Connectivity());
@@ -203,12 +203,12 @@ OpenColonEnds(const SurfaceMesh & closed, const CurveSet & centreline, const Ope
     cutter.Forbid(faces);
   };
   const int rectumPole = PoleVertex(closed, rectum);
-  const int caecumPole = PoleVertex(closed, caecum);
-  remove(DiscAtEnd(cutter, rectumPole, caecumPole, options, "rectum", result.rectumRadius));
-  remove(DiscAtEnd(cutter, caecumPole, rectumPole, options, "caecum", result.caecumRadius));
+  const int cecumPole = PoleVertex(closed, cecum);
+  remove(DiscAtEnd(cutter, rectumPole, cecumPole, options, "rectum", result.rectumRadius));
+  remove(DiscAtEnd(cutter, cecumPole, rectumPole, options, "cecum", result.cecumRadius));
   result.mesh = WithoutFaces(closed, isRemoved);
   const SurfaceConnectivity connectivity(result.mesh);
-  result.genus = SetLoops(result.mesh, connectivity, rectum.origin, caecum.origin);
+  result.genus = SetLoops(result.mesh, connectivity, rectum.origin, cecum.origin);
   if (options.smoothRims)
   {
     SmoothRims(result.mesh, connectivity);

@@ -29,7 +29,7 @@ RenumberLoops(const SurfaceMesh & before, SurfaceMesh & after)
   }
   for (SurfaceArray & array : after.fieldArrays)
   {
-    if (array.name != "rectumLoop" && array.name != "caecumLoop")
+    if (array.name != "rectumLoop" && array.name != "cecumLoop")
     {
       continue;
     }

@@ -19,8 +19,8 @@ constexpr Bits LowY = 0x01C0E07; // y = 0
 constexpr Bits HighY = LowY << 6;
 constexpr Bits Faces = 1U << 4 | 1U << 10 | 1U << 12 | 1U << 14 | 1U << 16 | 1U << 22;
 constexpr Bits Corners = 1U << 0 | 1U << 2 | 1U << 6 | 1U << 8 | 1U << 18 | 1U << 20 | 1U << 24 | 1U << 26;
-constexpr Bits Centre = 1U << 13;
-constexpr Bits Edges = All & ~Faces & ~Corners & ~Centre;
+constexpr Bits Center = 1U << 13;
+constexpr Bits Edges = All & ~Faces & ~Corners & ~Center;
 
 Bits
 SpreadX(Bits bits)
@@ -135,17 +135,17 @@ public:
     {
       if ((m_Flags[voxel] & Object) != 0)
       {
-        this->PushNeighbours(static_cast<std::int64_t>(voxel));
+        this->PushNeighbors(static_cast<std::int64_t>(voxel));
       }
     }
     std::int64_t added = 0;
     for (std::uint32_t voxel = 0; m_Queue.Pop(voxel);)
     {
       m_Flags[voxel] = static_cast<unsigned char>(m_Flags[voxel] & ~Queued);
-      if (IsSimplePoint(this->NeighbourhoodOf(voxel)))
+      if (IsSimplePoint(this->NeighborhoodOf(voxel)))
       {
         m_Flags[voxel] |= Object;
-        this->PushNeighbours(voxel);
+        this->PushNeighbors(voxel);
         ++added;
       }
     }
@@ -154,7 +154,7 @@ public:
 
 private:
   Bits
-  NeighbourhoodOf(std::int64_t voxel) const
+  NeighborhoodOf(std::int64_t voxel) const
   {
     Bits bits = 0;
     for (int i = 0; i < 27; ++i)
@@ -166,7 +166,7 @@ private:
 
   /** Adds candidates around an object voxel, including corner neighbors, whose topological numbers may change. */
   void
-  PushNeighbours(std::int64_t voxel)
+  PushNeighbors(std::int64_t voxel)
   {
     for (const std::int64_t offset : m_Offsets)
     {
@@ -196,10 +196,10 @@ private:
 } // namespace
 
 bool
-IsSimplePoint(std::uint32_t neighbourhood)
+IsSimplePoint(std::uint32_t neighborhood)
 {
   // Geodesic neighborhoods: an edge counts if a face leads to it, a corner if an edge does.
-  const Bits object = neighbourhood & All & ~Centre;
+  const Bits object = neighborhood & All & ~Center;
   const Bits faces = object & Faces;
   const Bits edges = object & Edges & Spread6(faces);
   const Bits corners = object & Corners & Spread6(edges);
@@ -207,7 +207,7 @@ IsSimplePoint(std::uint32_t neighbourhood)
   {
     return false;
   }
-  const Bits background = ~neighbourhood & All & ~Centre;
+  const Bits background = ~neighborhood & All & ~Center;
   const Bits near = background & ~Corners;
   return IsOneComponent(near, near | (background & Corners & Spread18(near)), Spread18);
 }

@@ -1,4 +1,4 @@
-#include "shapetonCentrelineGeometry.h"
+#include "shapetonCenterlineGeometry.h"
 #include "shapetonColonWall.h"
 #include "shapetonExceptions.h"
 #include "shapetonLevelSurface.h"

@@ -2,7 +2,7 @@
 #include "shapetonInterruption.h"
 #include "shapetonParallelFor.h"
 #include "shapetonExceptions.h"
-#include "shapetonVertexNeighbours.h"
+#include "shapetonVertexNeighbors.h"
 
 #include <Eigen/Geometry>
 
@@ -83,7 +83,7 @@ SmoothWall(const SurfaceMesh & mesh, const WallSmoothingOptions & options)
   RequireParameter(options.iterations >= 0 && options.normalLimit >= 0.0 && options.tangentialLimit >= 0.0,
                    "iterations and limits of smoothing must not be negative");
   RequireSound(mesh, "the wall");
-  const VertexNeighbours neighbours(mesh);
+  const VertexNeighbors neighbors(mesh);
   Interruption::Check();
   const VertexMatrix normals = VertexNormals(mesh);
   Interruption::Check();
@@ -100,7 +100,7 @@ SmoothWall(const SurfaceMesh & mesh, const WallSmoothingOptions & options)
         return;
       }
       Eigen::RowVector3d mean = Eigen::RowVector3d::Zero();
-      const IndexRange   ring = neighbours[static_cast<int>(i)];
+      const IndexRange   ring = neighbors[static_cast<int>(i)];
       for (const int other : ring)
       {
         mean += result.V.row(other);

@@ -33,9 +33,9 @@ BrokenTube(const Grid & grid = {})
 }
 
 shapeton::CurveSet
-BrokenCentreline()
+BrokenCenterline()
 {
-  return Centreline(Line({ 0, 0, 0 }, { 0, 0, 120 }), [](const Eigen::Vector3d & p) { return p[2] > 49 && p[2] < 71; });
+  return Centerline(Line({ 0, 0, 0 }, { 0, 0, 120 }), [](const Eigen::Vector3d & p) { return p[2] > 49 && p[2] < 71; });
 }
 
 Eigen::VectorXd
@@ -58,7 +58,7 @@ ExpectOpenEnds(const shapeton::SurfaceMesh & mesh, int genus)
   EXPECT_EQ(genus, quality.genus.value_or(-1));
   EXPECT_TRUE(quality.defects.AreNone());
   const shapeton::SurfaceConnectivity connectivity(mesh);
-  for (const char * name : { "rectumLoop", "caecumLoop" })
+  for (const char * name : { "rectumLoop", "cecumLoop" })
   {
     const Eigen::VectorXd loop = Field(mesh, name);
     ASSERT_GT(loop.size(), 3);
@@ -72,7 +72,7 @@ ExpectOpenEnds(const shapeton::SurfaceMesh & mesh, int genus)
 }
 
 Eigen::Vector3d
-CentreOfLoop(const shapeton::SurfaceMesh & mesh, const char * name)
+CenterOfLoop(const shapeton::SurfaceMesh & mesh, const char * name)
 {
   const Eigen::VectorXd loop = Field(mesh, name);
   Eigen::Vector3d       sum = Eigen::Vector3d::Zero();
@@ -195,10 +195,10 @@ TEST(ColonWall, BridgesJoinThePieces)
   for (const Grid & grid : { Grid(), ObliqueGrid(true) })
   {
     const auto broken = BrokenTube(grid);
-    const auto bridged = shapeton::AddBridges(broken, BrokenCentreline());
+    const auto bridged = shapeton::AddBridges(broken, BrokenCenterline());
     EXPECT_TRUE(bridged.warnings.empty());
     EXPECT_EQ(1, shapeton::RepairLumenTopology(broken, shapeton::CurveSet()).report.droppedPieces);
-    EXPECT_EQ(0, shapeton::RepairLumenTopology(bridged.occupancy, BrokenCentreline()).report.droppedPieces);
+    EXPECT_EQ(0, shapeton::RepairLumenTopology(bridged.occupancy, BrokenCenterline()).report.droppedPieces);
     const auto   mesh = shapeton::ExtractWall(bridged.occupancy);
     const double piece = Pi * 100 * (40 + 40.0 / 3.0);
     const double tube = Pi * 4 * 20;
@@ -209,13 +209,13 @@ TEST(ColonWall, BridgesJoinThePieces)
 TEST(ColonWall, BridgesEnlargeTheGridAndReportWhatNoGapExplains)
 {
   const auto occupancy = Occupancy(Sphere({ 0, 0, 0 }, 8), BoxOf({ { 0, 0, 0 } }, 8));
-  const auto bridged = shapeton::AddBridges(occupancy, Centreline(Line({ 0, 0, 0 }, { 0, 30, 0 })));
+  const auto bridged = shapeton::AddBridges(occupancy, Centerline(Line({ 0, 0, 0 }, { 0, 30, 0 })));
   ASSERT_EQ(1U, bridged.warnings.size());
   EXPECT_NE(std::string::npos, bridged.warnings[0].find("to 30 mm")) << bridged.warnings[0];
   const auto mesh = shapeton::ExtractWall(bridged.occupancy);
   EXPECT_NEAR(32.0, mesh.V.col(1).maxCoeff(), 0.1);
   EXPECT_NEAR(-8.0, mesh.V.col(1).minCoeff(), 0.05);
-  EXPECT_THROW(shapeton::AddBridges(occupancy, BrokenCentreline(), 0.0), shapeton::ParameterError);
+  EXPECT_THROW(shapeton::AddBridges(occupancy, BrokenCenterline(), 0.0), shapeton::ParameterError);
   EXPECT_THROW(shapeton::AddBridges(occupancy, shapeton::CurveSet()), shapeton::InputError);
 }
 
@@ -226,16 +226,16 @@ TEST(ColonWall, OpensBothEnds)
     const auto                closed = shapeton::ExtractWall(TubeOccupancy(grid));
     shapeton::OpenEndsOptions options;
     options.radius = 10.0;
-    const auto open = shapeton::OpenColonEnds(closed, Centreline(TubeAxis), options);
+    const auto open = shapeton::OpenColonEnds(closed, Centerline(TubeAxis), options);
     EXPECT_EQ(10.0, open.rectumRadius);
-    EXPECT_EQ(10.0, open.caecumRadius);
+    EXPECT_EQ(10.0, open.cecumRadius);
     ExpectOpenEnds(open.mesh, 0);
     // Discs of the round ends: 10 mm along the sphere of 12 mm, a little less since paths follow edges.
     const double angle = 10.0 / TubeRadius;
     const double height = TubeRadius * std::cos(angle);
-    EXPECT_NEAR(-height, CentreOfLoop(open.mesh, "rectumLoop")[2], 1.1);
-    EXPECT_NEAR(TubeLength + height, CentreOfLoop(open.mesh, "caecumLoop")[2], 1.1);
-    EXPECT_GT(0.5, CentreOfLoop(open.mesh, "caecumLoop").head<2>().norm());
+    EXPECT_NEAR(-height, CenterOfLoop(open.mesh, "rectumLoop")[2], 1.1);
+    EXPECT_NEAR(TubeLength + height, CenterOfLoop(open.mesh, "cecumLoop")[2], 1.1);
+    EXPECT_GT(0.5, CenterOfLoop(open.mesh, "cecumLoop").head<2>().norm());
   }
 }
 
@@ -244,26 +244,26 @@ TEST(ColonWall, MakesTheDiscSmallerWhereItIsNone)
   // A disc of 20 mm around the pole of a tube of 5 mm radius and 30 mm length reaches the other end.
   const Points axis = Line({ 0, 0, 0 }, { 0, 0, 20 });
   const auto   closed = shapeton::ExtractWall(Occupancy(Tube({ axis.front(), axis.back() }, 5), BoxOf(axis, 5)));
-  const auto   open = shapeton::OpenColonEnds(closed, Centreline(axis));
+  const auto   open = shapeton::OpenColonEnds(closed, Centerline(axis));
   EXPECT_EQ(20.0, open.rectumRadius);
-  EXPECT_GT(20.0, open.caecumRadius);
+  EXPECT_GT(20.0, open.cecumRadius);
   ExpectOpenEnds(open.mesh, 0);
   // A region with a torus inside is not a disc, either.
   const Depth lumen = Union(Tube({ { 0, 0, 0 }, { 0, 0, 50 } }, 6), Torus({ 0, 0, -6 }, 4, 2));
   const auto  handle = shapeton::ExtractWall(
     Occupancy(Union(lumen, Torus({ 6, 0, -4 }, 5, 1.5)), BoxOf({ { 0, 0, 0 }, { 0, 0, 50 } }, 14), {}, 1.0));
   const int  genus = shapeton::SurfaceConnectivity(handle).Components().front().genus.value();
-  const auto cut = shapeton::OpenColonEnds(handle, Centreline(Line({ 0, 0, 0 }, { 0, 0, 50 })));
+  const auto cut = shapeton::OpenColonEnds(handle, Centerline(Line({ 0, 0, 0 }, { 0, 0, 50 })));
   EXPECT_LT(0, genus);
   ExpectOpenEnds(cut.mesh, genus);
 }
 
 TEST(ColonWall, RefusesToOpenWhatIsNotClosed)
 {
-  const auto open = shapeton::OpenColonEnds(shapeton::ExtractWall(TubeOccupancy()), Centreline(TubeAxis));
-  EXPECT_THROW(shapeton::OpenColonEnds(open.mesh, Centreline(TubeAxis)), shapeton::InputError);
+  const auto open = shapeton::OpenColonEnds(shapeton::ExtractWall(TubeOccupancy()), Centerline(TubeAxis));
+  EXPECT_THROW(shapeton::OpenColonEnds(open.mesh, Centerline(TubeAxis)), shapeton::InputError);
   const auto closed = shapeton::ExtractWall(TubeOccupancy());
-  EXPECT_THROW(shapeton::OpenColonEnds(closed, Centreline({ { 0, 0, 0 }, { 0, 0, 0 } })), shapeton::InputError);
+  EXPECT_THROW(shapeton::OpenColonEnds(closed, Centerline({ { 0, 0, 0 }, { 0, 0, 0 } })), shapeton::InputError);
 }
 
 TEST(ColonWall, PiecesCanStayApart)
@@ -279,7 +279,7 @@ TEST(ColonWall, PiecesCanStayApart)
     raw = first;
     repaired = second;
   };
-  const auto wall = shapeton::BuildColonWall(BrokenTube(), BrokenCentreline(), options);
+  const auto wall = shapeton::BuildColonWall(BrokenTube(), BrokenCenterline(), options);
   for (const auto & [given, mesh] : { std::pair{ &raw, &wall.raw }, std::pair{ &repaired, &wall.repaired } })
   {
     EXPECT_EQ(given->V, mesh->V);
@@ -301,7 +301,7 @@ TEST(ColonWall, PiecesCanStayApart)
     EXPECT_TRUE(quality.isManifold);
     EXPECT_EQ(0.0, shapeton::FindSurfaceArray(mesh->cellArrays, "bridged")->values.sum());
     const shapeton::SurfaceConnectivity connectivity(*mesh);
-    for (const char * name : { "rectumLoop", "caecumLoop" })
+    for (const char * name : { "rectumLoop", "cecumLoop" })
     {
       const Eigen::VectorXd loop = Field(*mesh, name);
       ASSERT_GT(loop.size(), 3);
@@ -320,11 +320,11 @@ TEST(ColonWall, SmallWallsKeepTheirFacesUnlessANumberIsGiven)
 {
   shapeton::ColonWallOptions options;
   options.ends.radius = 8.0;
-  const auto wall = shapeton::BuildColonWall(BrokenTube(), BrokenCentreline(), options);
+  const auto wall = shapeton::BuildColonWall(BrokenTube(), BrokenCenterline(), options);
   ASSERT_LT(wall.repaired.NumberOfFaces(), 55000);
   EXPECT_EQ(wall.repaired.F, wall.simplified.F);
   options.faces = 99;
-  EXPECT_THROW(shapeton::BuildColonWall(BrokenTube(), BrokenCentreline(), options), shapeton::ParameterError);
+  EXPECT_THROW(shapeton::BuildColonWall(BrokenTube(), BrokenCenterline(), options), shapeton::ParameterError);
 }
 
 TEST(ColonWall, TheChainOnABrokenTube)
@@ -337,7 +337,7 @@ TEST(ColonWall, TheChainOnABrokenTube)
     EXPECT_LE(progress, share);
     progress = share;
   };
-  const auto wall = shapeton::BuildColonWall(BrokenTube(ObliqueGrid(true)), BrokenCentreline(), options);
+  const auto wall = shapeton::BuildColonWall(BrokenTube(ObliqueGrid(true)), BrokenCenterline(), options);
   ExpectOpenEnds(wall.raw, 0);
   ExpectOpenEnds(wall.repaired, 0);
   ExpectOpenEnds(wall.simplified, 0);
@@ -353,15 +353,15 @@ TEST(ColonWall, TheChainOnABrokenTube)
     const auto & arcLength = shapeton::FindSurfaceArray(mesh->pointArrays, "arcLength")->values;
     for (Eigen::Index f = 0; f < mesh->F.rows(); ++f)
     {
-      const Eigen::Vector3d centre =
+      const Eigen::Vector3d center =
         (mesh->V.row(mesh->F(f, 0)) + mesh->V.row(mesh->F(f, 1)) + mesh->V.row(mesh->F(f, 2))) / 3.0;
-      if (centre[2] > 51.5 && centre[2] < 68.5)
+      if (center[2] > 51.5 && center[2] < 68.5)
       {
-        EXPECT_EQ(1.0, bridged(f, 0)) << centre.transpose();
+        EXPECT_EQ(1.0, bridged(f, 0)) << center.transpose();
       }
-      else if (centre[2] < 48.5 || centre[2] > 71.5)
+      else if (center[2] < 48.5 || center[2] > 71.5)
       {
-        EXPECT_EQ(0.0, bridged(f, 0)) << centre.transpose();
+        EXPECT_EQ(0.0, bridged(f, 0)) << center.transpose();
       }
     }
     for (Eigen::Index v = 0; v < mesh->V.rows(); ++v)
@@ -379,7 +379,7 @@ TEST(ColonWall, TheChainCutsALeak)
     Occupancy(Union(tube, Tube({ { 5, 0, 20 }, { 16, 0, 20 } }, 1.5)), BoxOf(axis, 10), ObliqueGrid(false), 2.0);
   shapeton::ColonWallOptions options;
   options.faces = 4000;
-  const auto wall = shapeton::BuildColonWall(occupancy, Centreline(axis), options);
+  const auto wall = shapeton::BuildColonWall(occupancy, Centerline(axis), options);
   EXPECT_EQ(1, wall.report.rawGenus);
   EXPECT_EQ(0, wall.report.repairedGenus);
   EXPECT_GT(0.02, wall.report.topology.cutVolume);
@@ -402,7 +402,7 @@ TEST(ColonWall, ArcLengthIsThatOfTheOwnLoop)
   options.faces = 4000;
   options.ends.radius = 5.0;
   const auto wall =
-    shapeton::BuildColonWall(Occupancy(lumen, BoxOf(axis, 14), ObliqueGrid(true), 2.0), Centreline(axis), options);
+    shapeton::BuildColonWall(Occupancy(lumen, BoxOf(axis, 14), ObliqueGrid(true), 2.0), Centerline(axis), options);
   const auto & arcLength = shapeton::FindSurfaceArray(wall.repaired.pointArrays, "arcLength")->values;
   for (Eigen::Index v = 0; v < wall.repaired.V.rows(); ++v)
   {
@@ -414,7 +414,7 @@ TEST(ColonWall, ArcLengthIsThatOfTheOwnLoop)
   }
 }
 
-TEST(ColonWall, VoxelsAreLabelledByTheirOwnLoop)
+TEST(ColonWall, VoxelsAreLabeledByTheirOwnLoop)
 {
   Points axis = Line({ 0, 0, 0 }, { 0, 0, 50 });
   for (const Points & part : { Line({ 1, 0, 50 }, { 19, 0, 50 }), Line({ 19, 0, 49 }, { 19, 0, 0 }) })
@@ -433,7 +433,7 @@ TEST(ColonWall, VoxelsAreLabelledByTheirOwnLoop)
     mask->GetBufferPointer()[i] = occupancy->GetBufferPointer()[i] >= 0.5F ? 1 : 0;
   }
   const auto labels = shapeton::LabelLumenAlong(
-    mask, Centreline(axis), [](double arcLength) { return static_cast<unsigned short>(arcLength < 59.5 ? 1 : 2); });
+    mask, Centerline(axis), [](double arcLength) { return static_cast<unsigned short>(arcLength < 59.5 ? 1 : 2); });
   std::size_t counted = 0;
   for (std::size_t i = 0; i < voxels; ++i)
   {
@@ -465,7 +465,7 @@ TEST(ColonWall, TheChainOnAMask)
   }
   shapeton::ColonWallOptions options;
   options.faces = 3000;
-  const auto  wall = shapeton::BuildColonWallFromMask(mask, Centreline(TubeAxis), options);
+  const auto  wall = shapeton::BuildColonWallFromMask(mask, Centerline(TubeAxis), options);
   const Depth tube = Tube({ TubeAxis.front(), TubeAxis.back() }, TubeRadius);
   ExpectOpenEnds(wall.raw, 0);
   ExpectOpenEnds(wall.repaired, 0);
@@ -488,7 +488,7 @@ TEST(ColonWall, SameBytesForAnyNumberOfThreads)
   for (const unsigned int threads : { 1U, 2U, 3U })
   {
     itk::MultiThreaderBase::SetGlobalDefaultNumberOfThreads(threads);
-    walls.push_back(shapeton::BuildColonWall(BrokenTube(), BrokenCentreline(), options));
+    walls.push_back(shapeton::BuildColonWall(BrokenTube(), BrokenCenterline(), options));
   }
   for (int i = 1; i < 3; ++i)
   {

@@ -84,17 +84,17 @@ Occupancy(const Depth & depth, const Eigen::AlignedBox3d & box, const Grid & gri
 }
 
 inline Depth
-Sphere(const Eigen::Vector3d & centre, double radius)
+Sphere(const Eigen::Vector3d & center, double radius)
 {
-  return [=](const Eigen::Vector3d & p) { return radius - (p - centre).norm(); };
+  return [=](const Eigen::Vector3d & p) { return radius - (p - center).norm(); };
 }
 
 /** Shapes in a plane z = const. */
 inline Depth
-Torus(const Eigen::Vector3d & centre, double ring, double radius)
+Torus(const Eigen::Vector3d & center, double ring, double radius)
 {
   return [=](const Eigen::Vector3d & p) {
-    const Eigen::Vector3d q = p - centre;
+    const Eigen::Vector3d q = p - center;
     return radius - std::hypot(std::hypot(q[0], q[1]) - ring, q[2]);
   };
 }
@@ -163,7 +163,7 @@ Line(const Eigen::Vector3d & a, const Eigen::Vector3d & b, double step = 1.0)
 
 /** A centerline with arrays arcLength, radius and gap; `isGap` selects the points in a gap. */
 inline shapeton::CurveSet
-Centreline(const Points & points, const std::function<bool(const Eigen::Vector3d &)> & isGap = {})
+Centerline(const Points & points, const std::function<bool(const Eigen::Vector3d &)> & isGap = {})
 {
   shapeton::CurveSet curves;
   const auto         n = static_cast<Eigen::Index>(points.size());

@@ -8,13 +8,13 @@ using namespace lumenshapes;
 
 namespace
 {
-const shapeton::CurveSet NoCentreline;
+const shapeton::CurveSet NoCenterline;
 
 /** The result has genus 0 for any input. */
 shapeton::LumenTopology
-Repaired(const shapeton::OccupancyImage * occupancy, const shapeton::CurveSet & centreline = NoCentreline)
+Repaired(const shapeton::OccupancyImage * occupancy, const shapeton::CurveSet & centerline = NoCenterline)
 {
-  shapeton::LumenTopology topology = shapeton::RepairLumenTopology(occupancy, centreline);
+  shapeton::LumenTopology topology = shapeton::RepairLumenTopology(occupancy, centerline);
   const auto              numbers = shapeton::TopologyOfMask(topology.mask);
   EXPECT_EQ(1, numbers.components);
   EXPECT_EQ(0, numbers.cavities);
@@ -90,7 +90,7 @@ TEST(LumenTopology, CutsALeakBetweenLoopsAndNotTheTube)
   }
 }
 
-TEST(LumenTopology, CentrelineKeepsANarrowStretchOpen)
+TEST(LumenTopology, CenterlineKeepsANarrowStretchOpen)
 {
   // The tube is narrower at its turn than the leak; only the centerline distinguishes them.
   Points legs = UTurn(40, 21);
@@ -98,7 +98,7 @@ TEST(LumenTopology, CentrelineKeepsANarrowStretchOpen)
   lumen = Union(Union(lumen, Tube(legs, 2)), Tube({ { 5, 0, 20 }, { 16, 0, 20 } }, 3));
   const auto occupancy = Occupancy(lumen, BoxOf(legs, 10), {}, 2.0);
   EXPECT_FALSE(Contains(Repaired(occupancy).mask, legs));
-  const auto topology = Repaired(occupancy, Centreline(legs));
+  const auto topology = Repaired(occupancy, Centerline(legs));
   EXPECT_TRUE(Contains(topology.mask, legs));
   EXPECT_FALSE(Contains(topology.mask, Line({ 5, 0, 20 }, { 16, 0, 20 }, 0.3)));
   EXPECT_GT(0.1, topology.report.cutVolume);
@@ -143,7 +143,7 @@ TEST(LumenTopology, ClosesAHoleInAFold)
 TEST(LumenTopology, RefusesAnEmptyLumen)
 {
   const auto occupancy = Occupancy([](const Eigen::Vector3d &) { return -9.0; }, BoxOf({ { 0, 0, 0 } }, 4));
-  EXPECT_THROW(shapeton::RepairLumenTopology(occupancy, NoCentreline), shapeton::InputError);
+  EXPECT_THROW(shapeton::RepairLumenTopology(occupancy, NoCenterline), shapeton::InputError);
 }
 
 TEST(LumenTopology, OccupancyOfAMaskKeepsItsVolume)

@@ -12,7 +12,7 @@ namespace shapeton
 struct FlatColonAxis
 {
   /** Centers of the wall, smoothed along the tube; LPS, mm. */
-  VertexMatrix centres;
+  VertexMatrix centers;
   /** Unit vectors toward larger u. */
   VertexMatrix tangents;
   /** Smoothed mean distance of the wall from the center, mm. */
@@ -49,7 +49,7 @@ FlatColon_EXPORT std::vector<double>
  * Touching loops of the colon do not mislead it. Throws InputError when the centerline has no arcLength.
  * \ingroup FlatColon */
 FlatColon_EXPORT std::vector<double>
-                 DistanceOfColumns(const FlatColonAxis & axis, const CurveSet & centreline);
+                 DistanceOfColumns(const FlatColonAxis & axis, const CurveSet & centerline);
 } // namespace shapeton
 
 #endif

@@ -40,11 +40,11 @@ MeasureColumn(const FlatColonGrid & grid, int column)
     sum += sample.scale * sample.point; // length of this part of the column in space
     weight += sample.scale;
   });
-  const Eigen::Vector3d centre = sum / weight;
+  const Eigen::Vector3d center = sum / weight;
   double                distance = 0.0;
   ForColumn(
-    grid, column, [&](const FlatSample & sample) { distance += sample.scale * (sample.point - centre).norm(); });
-  return { centre.x(), centre.y(), centre.z(), distance / weight };
+    grid, column, [&](const FlatSample & sample) { distance += sample.scale * (sample.point - center).norm(); });
+  return { center.x(), center.y(), center.z(), distance / weight };
 }
 
 /** Replaces NaN rows by the nearest valid row; the earlier one in ties. */
@@ -187,14 +187,14 @@ MakeFlatColonAxis(const FlatColonGrid & grid, double smoothing)
   const double          length = smoothing > 0.0 ? smoothing : 0.2 * grid.Circumference();
   const Eigen::MatrixXd smooth = Smoothed(measured, std::max(0.5, length / grid.PixelSize()));
   FlatColonAxis         axis;
-  axis.centres = smooth.leftCols(3);
+  axis.centers = smooth.leftCols(3);
   axis.radii = smooth.col(3).cwiseMax(1e-3 * grid.Circumference());
   axis.tangents.resize(grid.Columns(), 3);
   const int last = grid.Columns() - 1;
   for (int column = 0; column <= last; ++column)
   {
     const Eigen::RowVector3d along =
-      axis.centres.row(std::min(last, column + 1)) - axis.centres.row(std::max(0, column - 1));
+      axis.centers.row(std::min(last, column + 1)) - axis.centers.row(std::max(0, column - 1));
     axis.tangents.row(column) =
       along.norm() > 0.0 ? Eigen::RowVector3d(along.normalized()) : Eigen::RowVector3d(1, 0, 0);
   }
@@ -206,7 +206,7 @@ FrameAt(const FlatColonAxis & axis, int column, const Eigen::Vector3d & point)
 {
   FlatColonFrame frame;
   frame.right = axis.tangents.row(column);
-  Eigen::Vector3d towards = axis.centres.row(column).transpose() - point;
+  Eigen::Vector3d towards = axis.centers.row(column).transpose() - point;
   towards -= frame.right.dot(towards) * frame.right;
   frame.towards = towards.norm() > 1e-9 ? Eigen::Vector3d(towards.normalized()) : frame.right.unitOrthogonal();
   frame.down = frame.right.cross(frame.towards); // right x down points away from the eye on the axis
@@ -235,30 +235,30 @@ DistanceOfColumns(const FlatColonGrid & grid)
 }
 
 std::vector<double>
-DistanceOfColumns(const FlatColonAxis & axis, const CurveSet & centreline)
+DistanceOfColumns(const FlatColonAxis & axis, const CurveSet & centerline)
 {
   constexpr int         mostColumns = 2000;
   constexpr int         mostStations = 4000;
-  const Eigen::VectorXd arcLength = PointValues(centreline, "arcLength", "the centreline");
-  if (centreline.curves.size() != 1)
+  const Eigen::VectorXd arcLength = PointValues(centerline, "arcLength", "the centerline");
+  if (centerline.curves.size() != 1)
   {
-    throw InputError("the centreline has " + std::to_string(centreline.curves.size()) + " curves instead of one");
+    throw InputError("the centerline has " + std::to_string(centerline.curves.size()) + " curves instead of one");
   }
-  const std::vector<int> & curve = centreline.curves.front();
-  const std::vector<int>   columns = Spread(static_cast<int>(axis.centres.rows()), mostColumns);
+  const std::vector<int> & curve = centerline.curves.front();
+  const std::vector<int>   columns = Spread(static_cast<int>(axis.centers.rows()), mostColumns);
   const std::vector<int>   stations = Spread(static_cast<int>(curve.size()), mostStations);
   VertexMatrix             points(columns.size(), 3);
   VertexMatrix             places(stations.size(), 3);
   for (std::size_t i = 0; i < columns.size(); ++i)
   {
-    points.row(i) = axis.centres.row(columns[i]);
+    points.row(i) = axis.centers.row(columns[i]);
   }
   for (std::size_t j = 0; j < stations.size(); ++j)
   {
-    places.row(j) = centreline.V.row(curve[stations[j]]);
+    places.row(j) = centerline.V.row(curve[stations[j]]);
   }
   const std::vector<int> assigned = AssignInOrder(points, places);
-  std::vector<double>    distances(axis.centres.rows(), arcLength[curve[stations[assigned.front()]]]);
+  std::vector<double>    distances(axis.centers.rows(), arcLength[curve[stations[assigned.front()]]]);
   for (std::size_t i = 1; i < columns.size(); ++i)
   {
     const double from = arcLength[curve[stations[assigned[i - 1]]]];

@@ -59,24 +59,24 @@ SignOfInside(const VertexMatrix & V, const FaceMatrix & F, const Eigen::VectorXd
   const int        parts = 1 + static_cast<int>(u.maxCoeff() / partLength);
   VertexMatrix     middle = VertexMatrix::Zero(parts, 3);
   Eigen::VectorXd  area = Eigen::VectorXd::Zero(parts);
-  VertexMatrix     centres(F.rows(), 3);
+  VertexMatrix     centers(F.rows(), 3);
   VertexMatrix     normals(F.rows(), 3);
   std::vector<int> partOfFace(F.rows());
   for (int face = 0; face < F.rows(); ++face)
   {
     const Eigen::Vector3d a = V.row(F(face, 0)), b = V.row(F(face, 1)), c = V.row(F(face, 2));
     const double          meanU = (u[F(face, 0)] + u[F(face, 1)] + u[F(face, 2)]) / 3.0;
-    centres.row(face) = (a + b + c) / 3.0;
+    centers.row(face) = (a + b + c) / 3.0;
     normals.row(face) = (b - a).cross(c - a);
     partOfFace[face] = std::clamp(static_cast<int>(meanU / partLength), 0, parts - 1);
-    middle.row(partOfFace[face]) += normals.row(face).norm() * centres.row(face);
+    middle.row(partOfFace[face]) += normals.row(face).norm() * centers.row(face);
     area[partOfFace[face]] += normals.row(face).norm();
   }
   double sum = 0.0;
   for (int face = 0; face < F.rows(); ++face)
   {
     const int part = partOfFace[face];
-    sum += area[part] > 0.0 ? normals.row(face).dot(middle.row(part) / area[part] - centres.row(face)) : 0.0;
+    sum += area[part] > 0.0 ? normals.row(face).dot(middle.row(part) / area[part] - centers.row(face)) : 0.0;
   }
   return sum < 0.0 ? -1.0 : 1.0;
 }

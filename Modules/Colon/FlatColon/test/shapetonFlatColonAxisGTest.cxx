@@ -53,7 +53,7 @@ TEST(FlatColonAxis, FollowsABentTube)
     const double          turn = (column + 0.5) / bendRadius;
     const Eigen::Vector3d tangent(-std::sin(turn), 0.0, std::cos(turn));
     // The wall is longer, and so has more weight, at the outside of the bend: by r^2 / 4R = 0.9 mm.
-    ASSERT_LT((axis.centres.row(column).transpose() - OnArc(column + 0.5)).norm(), 1.0);
+    ASSERT_LT((axis.centers.row(column).transpose() - OnArc(column + 0.5)).norm(), 1.0);
     ASSERT_NEAR(axis.radii[column], 18.0, 0.3);
     if (column > 8 && column < grid.Columns() - 8)
     {
@@ -101,7 +101,7 @@ TEST(FlatColonAxis, DistanceOfTheSurfaceNeverFalls)
   EXPECT_TRUE(DistanceOfColumns(FlatColonGrid(mesh)).empty());
 }
 
-TEST(FlatColonAxis, DistanceOfACentreline)
+TEST(FlatColonAxis, DistanceOfACenterline)
 {
   std::vector<Eigen::Vector3d> points;
   for (int i = 0; i <= 300; ++i)
@@ -130,10 +130,10 @@ TEST(FlatColonAxis, TouchingLoopsDoNotMislead)
     points.emplace_back(i, 2.0, 0.0);
   }
   shapeton::FlatColonAxis axis;
-  axis.centres.resize(static_cast<Eigen::Index>(points.size()), 3);
+  axis.centers.resize(static_cast<Eigen::Index>(points.size()), 3);
   for (std::size_t i = 0; i < points.size(); ++i)
   {
-    axis.centres.row(i) = points[i] + Eigen::Vector3d(0.0, i < 101 ? 1.1 : -1.1, 0.0); // nearer to the other leg
+    axis.centers.row(i) = points[i] + Eigen::Vector3d(0.0, i < 101 ? 1.1 : -1.1, 0.0); // nearer to the other leg
   }
   const std::vector<double> distances = DistanceOfColumns(axis, CurveOf(points));
   for (std::size_t i = 1; i < distances.size(); ++i)
@@ -144,7 +144,7 @@ TEST(FlatColonAxis, TouchingLoopsDoNotMislead)
   EXPECT_NEAR(distances[151], 152.0, 1e-9);
 }
 
-TEST(FlatColonAxis, RefusesACentrelineWithoutDistances)
+TEST(FlatColonAxis, RefusesACenterlineWithoutDistances)
 {
   shapeton::CurveSet curve = CurveOf({ OnArc(0.0), OnArc(100.0) });
   curve.pointArrays.clear();

@@ -54,7 +54,7 @@ TEST(FlatColon, HasTheGridAndTheAxisOfItsSurface)
     }
   }
   const shapeton::FlatColonAxis axis = MakeFlatColonAxis(grid);
-  EXPECT_EQ(flat.Axis().centres, axis.centres);
+  EXPECT_EQ(flat.Axis().centers, axis.centers);
   EXPECT_EQ(flat.Axis().radii, axis.radii);
   EXPECT_EQ(flat.Surface().V, mesh.V);
 }

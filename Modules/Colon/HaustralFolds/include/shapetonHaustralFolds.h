@@ -69,10 +69,10 @@ struct HaustralFold
   /** Value in the label picture, from 1, in the order of u. */
   int label{ 0 };
   /** Center and ends on the map, mm; v in [0, circumference). */
-  Eigen::Vector2d                centreUv{ Eigen::Vector2d::Zero() };
+  Eigen::Vector2d                centerUv{ Eigen::Vector2d::Zero() };
   std::array<Eigen::Vector2d, 2> endUv;
   /** Center and ends on the surface, LPS, mm. */
-  Eigen::Vector3d                centre{ Eigen::Vector3d::Zero() };
+  Eigen::Vector3d                center{ Eigen::Vector3d::Zero() };
   std::array<Eigen::Vector3d, 2> ends;
   /** Length along the crest, mm on the surface. */
   double length{ 0.0 };

@@ -123,7 +123,7 @@ private:
     double       most = 0.0;
     for (const Vector2d & place : places)
     {
-      const double along = (place - ellipse.centre).dot(ellipse.axis);
+      const double along = (place - ellipse.center).dot(ellipse.axis);
       least = std::min(least, along);
       most = std::max(most, along);
     }
@@ -132,7 +132,7 @@ private:
     std::vector<double> weights(bins, 0.0);
     for (const Vector2d & place : places)
     {
-      const double along = (place - ellipse.centre).dot(ellipse.axis);
+      const double along = (place - ellipse.center).dot(ellipse.axis);
       const int    bin = std::min(bins - 1, static_cast<int>((along - least) * binsPerPixel));
       const double value = this->ValueAt(place);
       sums[bin] += value * value * place;
@@ -259,17 +259,17 @@ UnrollFold(const FoldPixels & pixels, int rows)
   return places;
 }
 
-FoldEllipse::FoldEllipse(const FoldPlaces & places) : centre(Vector2d::Zero())
+FoldEllipse::FoldEllipse(const FoldPlaces & places) : center(Vector2d::Zero())
 {
   const auto number = static_cast<double>(places.size());
   for (const Vector2d & place : places)
   {
-    centre += place / number;
+    center += place / number;
   }
   Eigen::Matrix2d covariance = Eigen::Matrix2d::Identity() / 12.0; // of a pixel
   for (const Vector2d & place : places)
   {
-    covariance += (place - centre) * (place - centre).transpose() / number;
+    covariance += (place - center) * (place - center).transpose() / number;
   }
   const PrincipalAxes axes(covariance);
   axis = axes.vectors.col(1);
@@ -279,7 +279,7 @@ FoldEllipse::FoldEllipse(const FoldPlaces & places) : centre(Vector2d::Zero())
 }
 
 double
-MillimetresOfPixel(const FoldPicture & picture, const Vector2d & place)
+MillimetersOfPixel(const FoldPicture & picture, const Vector2d & place)
 {
   const int column = std::clamp(static_cast<int>(std::lround(place.x())), 0, picture.columns - 1);
   const int row = static_cast<int>(std::lround(place.y())) % picture.rows;
@@ -292,7 +292,7 @@ FoldCrest::Length(const FoldPicture & picture) const
   double length = 0.0;
   for (std::size_t i = 1; i < places.size(); ++i)
   {
-    length += (places[i] - places[i - 1]).norm() * MillimetresOfPixel(picture, 0.5 * (places[i] + places[i - 1]));
+    length += (places[i] - places[i - 1]).norm() * MillimetersOfPixel(picture, 0.5 * (places[i] + places[i - 1]));
   }
   return length;
 }
@@ -303,7 +303,7 @@ FoldCrest::Middle(const FoldPicture & picture) const
   double rest = 0.5 * this->Length(picture);
   for (std::size_t i = 1; i < places.size(); ++i)
   {
-    rest -= (places[i] - places[i - 1]).norm() * MillimetresOfPixel(picture, 0.5 * (places[i] + places[i - 1]));
+    rest -= (places[i] - places[i - 1]).norm() * MillimetersOfPixel(picture, 0.5 * (places[i] + places[i - 1]));
     if (rest <= 0.0)
     {
       return places[i];
@@ -319,7 +319,7 @@ CrestOfEllipse(const FoldPicture & picture, const FoldPlaces & places, const Fol
   FoldCrest crest;
   for (int i = 0; i <= pieces; ++i)
   {
-    Vector2d place = ellipse.centre + (2.0 * i / pieces - 1.0) * ellipse.longHalf * ellipse.axis;
+    Vector2d place = ellipse.center + (2.0 * i / pieces - 1.0) * ellipse.longHalf * ellipse.axis;
     place.x() = std::clamp(place.x(), 0.0, picture.columns - 1.0);
     crest.places.push_back(place);
   }
@@ -347,7 +347,7 @@ PixelsAlongCrest(const FoldPicture & picture, const FoldCrest & crest)
   {
     const int    column = static_cast<int>(std::lround(place.x()));
     const int    row = static_cast<int>(std::lround(place.y()));
-    const double radius = reach / std::max(1e-3, MillimetresOfPixel(picture, place));
+    const double radius = reach / std::max(1e-3, MillimetersOfPixel(picture, place));
     const int    steps = std::min(64, static_cast<int>(radius));
     const auto   wrap = [&](int y) { return (y % picture.rows + picture.rows) % picture.rows; };
     const float  level = 0.5F * picture.curvature[picture.Index(std::clamp(column, 0, picture.columns - 1), wrap(row))];

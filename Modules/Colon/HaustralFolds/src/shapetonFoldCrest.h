@@ -17,7 +17,7 @@ struct FoldEllipse
 {
   explicit FoldEllipse(const FoldPlaces & places);
 
-  Eigen::Vector2d centre;
+  Eigen::Vector2d center;
   /** Unit vector of the long axis; rows increase along it. */
   Eigen::Vector2d axis;
   double          elongation;
@@ -57,7 +57,7 @@ PixelsAlongCrest(const FoldPicture & picture, const FoldCrest & crest);
 
 /** Surface length of one pixel at a position, mm. */
 double
-MillimetresOfPixel(const FoldPicture & picture, const Eigen::Vector2d & place);
+MillimetersOfPixel(const FoldPicture & picture, const Eigen::Vector2d & place);
 } // namespace shapeton
 
 #endif

@@ -83,7 +83,7 @@ private:
       {
         break; // past the foot
       }
-      way += MillimetresOfPixel(m_Picture, place);
+      way += MillimetersOfPixel(m_Picture, place);
     }
     points.insert(points.end(), flank.begin(), flank.begin() + static_cast<std::ptrdiff_t>(foot));
     return foot > 0;

@@ -36,7 +36,7 @@ public:
   }
 
   void
-  AddNeighbours()
+  AddNeighbors()
   {
     for (int row = 0; row < m_Picture.rows; ++row)
     {
@@ -86,7 +86,7 @@ CutFolds(const FoldPicture & picture, const CurvatureMixture & mixture, const Ha
 {
   FoldCut cut(picture, options);
   cut.AddPixels(mixture);
-  cut.AddNeighbours();
+  cut.AddNeighbors();
   return cut.Solve();
 }
 

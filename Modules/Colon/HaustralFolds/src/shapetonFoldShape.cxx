@@ -42,7 +42,7 @@ public:
     fold.crossesCut = this->CrossesCut();
     this->SumUp(fold);
     fold.length = m_Crest.Length(m_Picture);
-    this->Locate(m_Crest.Middle(m_Picture), fold.centreUv, fold.centre);
+    this->Locate(m_Crest.Middle(m_Picture), fold.centerUv, fold.center);
     this->Locate(m_Crest.places.front(), fold.endUv[0], fold.ends[0]);
     this->Locate(m_Crest.places.back(), fold.endUv[1], fold.ends[1]);
     fold.height = HeightOfFold(m_Grid, m_Picture, m_Crest);

@@ -72,8 +72,8 @@ FoldOfRow(const CsvFile & file, std::size_t row)
   HaustralFold fold;
   fold.label = static_cast<int>(file.Number(row, "fold"));
   fold.arcLength = file.NumberOrNothing(row, "arcLength");
-  fold.centreUv = { file.Number(row, "u"), file.Number(row, "v") };
-  fold.centre = PointOf(file, row, "");
+  fold.centerUv = { file.Number(row, "u"), file.Number(row, "v") };
+  fold.center = PointOf(file, row, "");
   fold.length = file.Number(row, "length");
   fold.area = file.Number(row, "area");
   fold.height = file.NumberOrNothing(row, "height");
@@ -113,9 +113,9 @@ TableOfFolds(const HaustralFolds & folds)
   for (const HaustralFold & fold : folds.folds)
   {
     std::vector<std::string> cells{
-      std::to_string(fold.label), Cell(fold.arcLength), Cell(fold.centreUv.x()), Cell(fold.centreUv.y())
+      std::to_string(fold.label), Cell(fold.arcLength), Cell(fold.centerUv.x()), Cell(fold.centerUv.y())
     };
-    AddPoint(cells, fold.centre);
+    AddPoint(cells, fold.center);
     for (const double value :
          { fold.length, fold.area, fold.height, fold.elongation, fold.angle, fold.meanCurvature, fold.reliability })
     {

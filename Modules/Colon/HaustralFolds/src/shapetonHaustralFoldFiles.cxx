@@ -25,8 +25,8 @@ constexpr int pointsOfFold = 3;
 struct Feature
 {
   Feature(const HaustralFold & fold, int kind)
-    : point(kind == 0 ? fold.centre : fold.ends[kind - 1])
-    , uv(kind == 0 ? fold.centreUv : fold.endUv[kind - 1])
+    : point(kind == 0 ? fold.center : fold.ends[kind - 1])
+    , uv(kind == 0 ? fold.centerUv : fold.endUv[kind - 1])
     , reliability(kind == 0 ? fold.reliability : fold.endReliability[kind - 1])
   {}
 
@@ -114,9 +114,9 @@ WriteFoldFeatures(const HaustralFolds &                                    folds
 std::vector<Markup>
 MarkupsOfFolds(const HaustralFolds & folds)
 {
-  Markup centres;
-  centres.name = "Fold centres";
-  centres.color = { 0.2, 0.5, 1.0 };
+  Markup centers;
+  centers.name = "Fold centers";
+  centers.color = { 0.2, 0.5, 1.0 };
   Markup ends;
   ends.name = "Fold ends";
   ends.color = { 0.2, 0.9, 0.3 };
@@ -125,13 +125,13 @@ MarkupsOfFolds(const HaustralFolds & folds)
     for (int kind = 0; kind < pointsOfFold; ++kind)
     {
       const Feature feature(fold, kind);
-      Markup &      markup = kind == 0 ? centres : ends;
+      Markup &      markup = kind == 0 ? centers : ends;
       markup.points.push_back(feature.point);
       markup.labels.push_back(std::to_string(fold.label) + (kind == 0 ? "" : kind == 1 ? "a" : "b"));
       markup.descriptions.push_back("reliability " + CsvTable::Rounded(feature.reliability, 2));
     }
   }
-  return folds.folds.empty() ? std::vector<Markup>{} : std::vector<Markup>{ centres, ends };
+  return folds.folds.empty() ? std::vector<Markup>{} : std::vector<Markup>{ centers, ends };
 }
 
 std::vector<LabelColor>

@@ -68,7 +68,7 @@ public:
       }
     }
     std::stable_sort(m_Found.begin(), m_Found.end(), [](const MeasuredFold & a, const MeasuredFold & b) {
-      return a.fold.centreUv.x() < b.fold.centreUv.x();
+      return a.fold.centerUv.x() < b.fold.centerUv.x();
     });
     RateEnds(m_Grid, m_Options.taeniae, m_Found);
     return this->Collect();
@@ -190,7 +190,7 @@ NoteHindrances(const FlatColon & flat, std::vector<HaustralFold> & folds)
   const SurfaceArray * const hindrances = FindSurfaceArray(flat.Surface().cellArrays, "notAssessable");
   for (HaustralFold & fold : folds)
   {
-    const FlatPixel pixel = flat.Grid().PixelOfUv(fold.centreUv);
+    const FlatPixel pixel = flat.Grid().PixelOfUv(fold.centerUv);
     const int       face = flat.Grid().FaceOfPixel(pixel.column, pixel.row);
     if (hindrances != nullptr && face >= 0)
     {

@@ -48,9 +48,9 @@ TEST(HaustralFoldFiles, FeaturesAreThreePointsOfEachFold)
     EXPECT_NEAR(shapeton::FindSurfaceArray(features.cellArrays, "reliability")->values(row, 0),
                 kind == 0 ? fold.reliability : fold.endReliability[kind - 1],
                 1e-6);
-    const Eigen::Vector3d point = kind == 0 ? fold.centre : fold.ends[kind - 1];
+    const Eigen::Vector3d point = kind == 0 ? fold.center : fold.ends[kind - 1];
     EXPECT_LT((features.V.row(features.curves[row][0]).transpose() - point).norm(), 1e-4);
-    const Eigen::Vector2d uv = kind == 0 ? fold.centreUv : fold.endUv[kind - 1];
+    const Eigen::Vector2d uv = kind == 0 ? fold.centerUv : fold.endUv[kind - 1];
     EXPECT_LT((shapeton::FindSurfaceArray(features.cellArrays, "uv")->values.row(row).transpose() - uv).norm(), 1e-4);
   }
 }
@@ -89,7 +89,7 @@ TEST(HaustralFoldFiles, FoldsWhereTheWallIsNotSeenTellWhy)
                                     shapeton::SurfaceArray::ValueMatrix::Zero(surface.NumberOfFaces(), 1),
                                     true };
   const auto             plain = shapeton::FindHaustralFolds(Flat()).folds;
-  const double           between = 0.5 * (plain[0].centre.x() + plain[1].centre.x());
+  const double           between = 0.5 * (plain[0].center.x() + plain[1].center.x());
   for (int face = 0; face < surface.NumberOfFaces(); ++face)
   {
     hindrance.values(face, 0) = surface.V(surface.F(face, 0), 0) < between ? 4.0 : 0.0;
@@ -100,7 +100,7 @@ TEST(HaustralFoldFiles, FoldsWhereTheWallIsNotSeenTellWhy)
   for (const shapeton::HaustralFold & fold : folds)
   {
     EXPECT_EQ(fold.hindrance,
-              fold.centre.x() < between ? shapeton::ColonHindrance::Narrow : shapeton::ColonHindrance::None);
+              fold.center.x() < between ? shapeton::ColonHindrance::Narrow : shapeton::ColonHindrance::None);
   }
 }
 
@@ -145,8 +145,8 @@ TEST(HaustralFoldFiles, TheTableReadsBackExactly)
     EXPECT_EQ(a.label, b.label);
     EXPECT_EQ(a.crossesCut, b.crossesCut);
     EXPECT_EQ(a.hindrance, b.hindrance);
-    EXPECT_EQ(a.centreUv, b.centreUv);
-    EXPECT_EQ(a.centre, b.centre);
+    EXPECT_EQ(a.centerUv, b.centerUv);
+    EXPECT_EQ(a.center, b.center);
     EXPECT_EQ(a.endUv, b.endUv);
     EXPECT_EQ(a.ends, b.ends);
     EXPECT_EQ(a.endReliability, b.endReliability);
@@ -165,7 +165,7 @@ TEST(HaustralFoldFiles, TheTableReadsBackExactly)
   EXPECT_TRUE(std::isnan(read[1].height));
 }
 
-TEST(HaustralFoldFiles, MarkupsAndColoursNameTheLabels)
+TEST(HaustralFoldFiles, MarkupsAndColorsNameTheLabels)
 {
   const shapeton::HaustralFolds       folds = shapeton::FindHaustralFolds(Flat());
   const std::vector<shapeton::Markup> markups = shapeton::MarkupsOfFolds(folds);

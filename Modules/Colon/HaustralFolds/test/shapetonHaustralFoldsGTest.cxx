@@ -48,9 +48,9 @@ TEST(HaustralFolds, FindsFoldsWithTheirPlaceLengthAndHeight)
   for (std::size_t i = 0; i < truth.size(); ++i)
   {
     const HaustralFold &  fold = found.folds[i];
-    const Eigen::Vector2d centre(truth[i].u, foldtubes::radius * truth[i].angle);
+    const Eigen::Vector2d center(truth[i].u, foldtubes::radius * truth[i].angle);
     EXPECT_EQ(fold.label, static_cast<int>(i) + 1);
-    EXPECT_LT(DistanceOnMap(flat.Grid(), fold.centreUv, centre), 1.5);
+    EXPECT_LT(DistanceOnMap(flat.Grid(), fold.centerUv, center), 1.5);
     EXPECT_NEAR(fold.arcLength, 10.0 + truth[i].u, 1.0);
     EXPECT_NEAR(std::abs(fold.angle), 90.0, 5.0);
     EXPECT_NEAR(fold.height, truth[i].height, 0.25 * truth[i].height);
@@ -58,9 +58,9 @@ TEST(HaustralFolds, FindsFoldsWithTheirPlaceLengthAndHeight)
     EXPECT_GT(fold.reliability, 0.5);
     for (int end = 0; end < 2; ++end)
     {
-      const double sign = fold.endUv[end].y() < fold.centreUv.y() ? -1.0 : 1.0;
-      const double way = std::abs(fold.endUv[end].y() - fold.centreUv.y()) > 60.0 ? -sign : sign;
-      EXPECT_LT(DistanceOnMap(flat.Grid(), fold.endUv[end], centre + Eigen::Vector2d(0.0, way * truth[i].halfLength)),
+      const double sign = fold.endUv[end].y() < fold.centerUv.y() ? -1.0 : 1.0;
+      const double way = std::abs(fold.endUv[end].y() - fold.centerUv.y()) > 60.0 ? -sign : sign;
+      EXPECT_LT(DistanceOnMap(flat.Grid(), fold.endUv[end], center + Eigen::Vector2d(0.0, way * truth[i].halfLength)),
                 3.0);
       const shapeton::FlatPixel pixel = flat.Grid().PixelOfUv(fold.endUv[end]);
       EXPECT_LT((flat.Grid().PointOfPixel(pixel.column, pixel.row) - fold.ends[end]).norm(), 1e-9);
@@ -98,7 +98,7 @@ TEST(HaustralFolds, LabelsLieOnTheCoordinateMap)
   EXPECT_EQ(found.labels->GetDirection(), map->GetDirection());
   for (const HaustralFold & fold : found.folds)
   {
-    const shapeton::FlatPixel pixel = flat.Grid().PixelOfUv(fold.centreUv);
+    const shapeton::FlatPixel pixel = flat.Grid().PixelOfUv(fold.centerUv);
     EXPECT_EQ(found.labels->GetPixel({ { pixel.column, pixel.row } }), fold.label);
   }
 }
@@ -135,7 +135,7 @@ TEST(HaustralFolds, BridgedStretchesHoldNone)
   }
   const HaustralFolds found = FindHaustralFolds(FlatColon(mesh));
   ASSERT_EQ(found.folds.size(), 3u);
-  EXPECT_GT(found.folds[2].centreUv.x(), 110.0);
+  EXPECT_GT(found.folds[2].centerUv.x(), 110.0);
 }
 
 TEST(HaustralFolds, RidgesAlongTheTubeAreNoFolds)
@@ -220,7 +220,7 @@ TEST(HaustralFolds, OrientationOfFacesAndMapDoesNotMatter)
   for (std::size_t i = 0; i < expected.folds.size(); ++i)
   {
     EXPECT_NEAR(insideOut.folds[i].length, expected.folds[i].length, 1.0);
-    EXPECT_LT((mirrored.folds[i].centre - expected.folds[i].centre).norm(), 2.0);
+    EXPECT_LT((mirrored.folds[i].center - expected.folds[i].center).norm(), 2.0);
   }
 }
 
@@ -258,7 +258,7 @@ TEST(HaustralFolds, AreaInOnePixelDoesNotOutweighFolds)
   for (const HaustralFold & fold : plain.folds)
   {
     const auto same = std::find_if(found.folds.begin(), found.folds.end(), [&](const HaustralFold & other) {
-      return DistanceOnMap(flat.Grid(), other.centreUv, fold.centreUv) < 2.0;
+      return DistanceOnMap(flat.Grid(), other.centerUv, fold.centerUv) < 2.0;
     });
     ASSERT_NE(same, found.folds.end());
     EXPECT_NEAR(same->area, fold.area, 0.1 * fold.area);

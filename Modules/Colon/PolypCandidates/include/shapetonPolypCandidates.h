@@ -2,7 +2,7 @@
 #define shapetonPolypCandidates_h
 
 #include "shapetonCurveSet.h"
-#include "shapetonIleocaecalValve.h"
+#include "shapetonIleocecalValve.h"
 #include "shapetonPolypScore.h"
 #include "shapetonProgress.h"
 #include "shapetonWallBulges.h"
@@ -139,7 +139,7 @@ struct PolypCandidate
   double submergedShare{ std::numeric_limits<double>::quiet_NaN() };
   /** See RankValveLast(). */
   bool isAtValve{ false };
-  /** Hint for the reader, for example "may be the ileocaecal valve"; "" if none. */
+  /** Hint for the reader, for example "may be the ileocecal valve"; "" if none. */
   std::string                         remark;
   std::optional<PolypInOtherPosition> other;
 };
@@ -184,15 +184,15 @@ PolypCandidates_EXPORT std::vector<PolypCandidate>
 /** Marks the candidate that may be the ileocecal valve if no valve is known: the largest of at least 15 mm, 30 to 100
  * mm before the end of the centerline. \ingroup PolypCandidates */
 PolypCandidates_EXPORT void
-NoteIleocaecalValve(double lengthOfCentreline, std::vector<PolypCandidate> & candidates);
+NoteIleocecalValve(double lengthOfCenterline, std::vector<PolypCandidate> & candidates);
 
-/** Gives candidates at the valve the remark "the ileocaecal valve" and ranks them last among those listed at the
+/** Gives candidates at the valve the remark "the ileocecal valve" and ranks them last among those listed at the
  * default sensitivity, with scores of at most 1 - defaultPolypSensitivity. Domes and caps (shape index above 13/16)
  * keep this score for any valve confidence, so a large polyp mistaken for the valve is not lost. The scores of ridges,
  * such as the lips of a valve, are multiplied by the probability that they are not the valve. At the valve means within
  * half its length and 3 mm of its center, at least 12 mm. \ingroup PolypCandidates */
 PolypCandidates_EXPORT void
-RankValveLast(const IleocaecalValve & valve, std::vector<PolypCandidate> & candidates);
+RankValveLast(const IleocecalValve & valve, std::vector<PolypCandidate> & candidates);
 
 /** Marks candidates within 60 mm of the anal verge, along the centerline: the tip of a rectal catheter, its balloon and
  * hemorrhoids are found there, and have the shape of polyps. \ingroup PolypCandidates */

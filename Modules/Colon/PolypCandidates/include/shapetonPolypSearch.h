@@ -20,7 +20,7 @@ struct PolypColon
   /** Wall at full resolution, without handles. */
   SurfaceMesh wall;
   /** One curve with the point array arcLength (mm); may be empty. */
-  CurveSet centreline;
+  CurveSet centerline;
   /** Axis of a rectal catheter for RankCatheterLast(); may be empty. */
   CurveSet                 catheter;
   PolypLumenImage::Pointer lumen;
@@ -37,7 +37,7 @@ struct PolypColon
 };
 
 /** Reads a folder written by VirtualColonoscopy: segmentation/wall-repaired.vtp and lumen.nrrd, and, if present,
- * centreline.vtp, catheter.vtp, cleansed.nrrd, ../flattening/flat.vtp, ../landmarks/segments.vtp. Throws InputError
+ * centerline.vtp, catheter.vtp, cleansed.nrrd, ../flattening/flat.vtp, ../landmarks/segments.vtp. Throws InputError
  * with the file name. \ingroup PolypCandidates */
 PolypCandidates_EXPORT PolypColon
 ReadPolypColon(const std::string & folder);

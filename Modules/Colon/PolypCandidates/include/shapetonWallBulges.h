@@ -14,7 +14,7 @@ struct WallBulge
   /** Vertices, ascending. */
   std::vector<int> vertices;
   /** Center of its surface, LPS, mm. */
-  Eigen::Vector3d centre{ Eigen::Vector3d::Zero() };
+  Eigen::Vector3d center{ Eigen::Vector3d::Zero() };
   /** The most prominent vertex, LPS, mm. */
   Eigen::Vector3d apex{ Eigen::Vector3d::Zero() };
   /** Mean normal, a unit vector into the lumen. */

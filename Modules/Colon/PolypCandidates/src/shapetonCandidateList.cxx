@@ -76,13 +76,13 @@ FindNoWall(const SurfaceMesh & wall, const SurfaceConnectivity & connectivity)
   for (std::size_t next = 0; next < reached.size(); ++next)
   {
     isLeftOut[reached[next]] = 1;
-    for (const int neighbour : connectivity.NeighboursOfVertex(reached[next]))
+    for (const int neighbor : connectivity.NeighborsOfVertex(reached[next]))
     {
-      const double whole = way[reached[next]] + (wall.V.row(neighbour) - wall.V.row(reached[next])).norm();
-      if (whole < std::min(rimWidth, way[neighbour]))
+      const double whole = way[reached[next]] + (wall.V.row(neighbor) - wall.V.row(reached[next])).norm();
+      if (whole < std::min(rimWidth, way[neighbor]))
       {
-        way[neighbour] = whole;
-        reached.push_back(neighbour);
+        way[neighbor] = whole;
+        reached.push_back(neighbor);
       }
     }
   }
@@ -95,7 +95,7 @@ CandidateOf(WallBulge bulge, const PolypFeatures & features, double score, const
   PolypCandidate candidate;
   candidate.score = score;
   candidate.shapeScore = score;
-  candidate.position = bulge.centre;
+  candidate.position = bulge.center;
   candidate.apex = bulge.apex;
   candidate.axis = bulge.axis;
   const double hidden = HiddenRim(features.prominence);

@@ -112,14 +112,14 @@ FindPolypCandidates(const SurfaceMesh & wall, const PolypCandidateOptions & opti
 }
 
 void
-NoteIleocaecalValve(double lengthOfCentreline, std::vector<PolypCandidate> & candidates)
+NoteIleocecalValve(double lengthOfCenterline, std::vector<PolypCandidate> & candidates)
 {
   constexpr double leastDiameter = 15.0;
-  constexpr double nearest = 30.0, farthest = 100.0; // mm before the end of the caecum
+  constexpr double nearest = 30.0, farthest = 100.0; // mm before the end of the cecum
   PolypCandidate * valve = nullptr;
   for (PolypCandidate & candidate : candidates)
   {
-    const double before = lengthOfCentreline - candidate.arcLength;
+    const double before = lengthOfCenterline - candidate.arcLength;
     if (candidate.diameter >= leastDiameter && before >= nearest && before <= farthest &&
         (valve == nullptr || candidate.diameter > valve->diameter))
     {
@@ -128,12 +128,12 @@ NoteIleocaecalValve(double lengthOfCentreline, std::vector<PolypCandidate> & can
   }
   if (valve != nullptr)
   {
-    AddRemark("may be the ileocaecal valve", *valve);
+    AddRemark("may be the ileocecal valve", *valve);
   }
 }
 
 void
-RankValveLast(const IleocaecalValve & valve, std::vector<PolypCandidate> & candidates)
+RankValveLast(const IleocecalValve & valve, std::vector<PolypCandidate> & candidates)
 {
   // Koenderink's limit between ridge and dome; a cap has 1.
   constexpr double leastShapeIndexOfDomes = 13.0 / 16.0;
@@ -148,7 +148,7 @@ RankValveLast(const IleocaecalValve & valve, std::vector<PolypCandidate> & candi
       {
         one.score *= 1.0 - valve.confidence;
       }
-      AddRemark("the ileocaecal valve", one);
+      AddRemark("the ileocecal valve", one);
     }
   }
   // After those of equal score: Rank() is stable.
@@ -165,7 +165,7 @@ NoteRectalCatheter(std::vector<PolypCandidate> & candidates)
   {
     if (candidate.arcLength <= reach)
     {
-      AddRemark("may be a rectal catheter, its balloon or haemorrhoids", candidate);
+      AddRemark("may be a rectal catheter, its balloon or hemorrhoids", candidate);
     }
   }
 }

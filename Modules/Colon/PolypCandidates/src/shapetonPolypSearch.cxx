@@ -62,9 +62,9 @@ ReadVolumes(const std::string & segmentation, PolypColon & colon)
 }
 
 double
-LengthOf(const CurveSet & centreline)
+LengthOf(const CurveSet & centerline)
 {
-  const SurfaceArray * const distance = FindSurfaceArray(centreline.pointArrays, "arcLength");
+  const SurfaceArray * const distance = FindSurfaceArray(centerline.pointArrays, "arcLength");
   return distance && distance->values.size() > 0 ? distance->values.maxCoeff()
                                                  : std::numeric_limits<double>::quiet_NaN();
 }
@@ -96,9 +96,9 @@ NameSegments(const SurfaceMesh & segments, std::vector<PolypCandidate> & candida
 
 /** Adds remarks to candidates where the wall is not assessable. */
 void
-NoteHindrances(const CurveSet & centreline, std::vector<PolypCandidate> & candidates)
+NoteHindrances(const CurveSet & centerline, std::vector<PolypCandidate> & candidates)
 {
-  const std::vector<HinderedStretch> stretches = FindHinderedStretches(centreline);
+  const std::vector<HinderedStretch> stretches = FindHinderedStretches(centerline);
   for (PolypCandidate & candidate : candidates)
   {
     const ColonHindrance hindrance = HindranceAt(stretches, candidate.arcLength);
@@ -134,10 +134,10 @@ ReadPolypColon(const std::string & folder)
     StartBeside([&] { colon.wall = ReadPart(segmentation + "wall-repaired.vtp", "wall", "", colon); });
   ReadVolumes(segmentation, colon);
   wall.get();
-  if (IsThere(segmentation + "centreline.vtp"))
+  if (IsThere(segmentation + "centerline.vtp"))
   {
-    colon.centreline = ReadCurves(segmentation + "centreline.vtp");
-    RequireSound(colon.centreline, '"' + segmentation + "centreline.vtp\"");
+    colon.centerline = ReadCurves(segmentation + "centerline.vtp");
+    RequireSound(colon.centerline, '"' + segmentation + "centerline.vtp\"");
   }
   if (IsThere(segmentation + "catheter.vtp"))
   {
@@ -172,18 +172,18 @@ SearchPolyps(const PolypColon & colon, const PolypSearchOptions & options)
   {
     NameSegments(colon.segments, candidates);
   }
-  if (const auto valve = IleocaecalValveOf(colon.centreline))
+  if (const auto valve = IleocecalValveOf(colon.centerline))
   {
     RankValveLast(*valve, candidates);
   }
   else
   {
-    NoteIleocaecalValve(LengthOf(colon.centreline), candidates);
+    NoteIleocecalValve(LengthOf(colon.centerline), candidates);
   }
   NoteRectalCatheter(candidates);
-  if (TellsHindrances(colon.centreline))
+  if (TellsHindrances(colon.centerline))
   {
-    NoteHindrances(colon.centreline, candidates);
+    NoteHindrances(colon.centerline, candidates);
   }
   if (!colon.catheter.curves.empty())
   {

@@ -38,12 +38,12 @@ public:
     isFree[seed] = 0;
     for (std::size_t next = 0; next < found.size(); ++next)
     {
-      for (const int neighbour : m_Connectivity.NeighboursOfVertex(found[next]))
+      for (const int neighbor : m_Connectivity.NeighborsOfVertex(found[next]))
       {
-        if (isFree[neighbour])
+        if (isFree[neighbor])
         {
-          isFree[neighbour] = 0;
-          found.push_back(neighbour);
+          isFree[neighbor] = 0;
+          found.push_back(neighbor);
         }
       }
     }
@@ -143,7 +143,7 @@ private:
                    [&](const WallPlace & place, double area) {
                      const double bulging = area * std::max(place.lesser, 0.0);
                      bulge.area += area;
-                     bulge.centre += area * place.point;
+                     bulge.center += area * place.point;
                      bulge.solidAngle += area * place.greater * place.lesser;
                      bulge.shapeIndex += bulging * ShapeIndex(place.greater, place.lesser);
                      bulge.curvedness += area * Curvedness(place.greater, place.lesser);
@@ -151,7 +151,7 @@ private:
                      weight += bulging;
                    });
     }
-    bulge.centre /= bulge.area;
+    bulge.center /= bulge.area;
     bulge.shapeIndex /= std::max(weight, 1e-12);
     bulge.curvedness /= bulge.area;
     bulge.axis = normal.normalized();
@@ -235,15 +235,15 @@ private:
     std::vector<int> known = reached;
     for (std::size_t next = 0; next < reached.size(); ++next)
     {
-      for (const int neighbour : m_Connectivity.NeighboursOfVertex(reached[next]))
+      for (const int neighbor : m_Connectivity.NeighborsOfVertex(reached[next]))
       {
-        const auto place = std::lower_bound(known.begin(), known.end(), neighbour);
-        if (place == known.end() || *place != neighbour)
+        const auto place = std::lower_bound(known.begin(), known.end(), neighbor);
+        if (place == known.end() || *place != neighbor)
         {
-          known.insert(place, neighbour);
-          if (DistanceTo(part.rim, this->PointOf(neighbour)) <= reach)
+          known.insert(place, neighbor);
+          if (DistanceTo(part.rim, this->PointOf(neighbor)) <= reach)
           {
-            reached.push_back(neighbour);
+            reached.push_back(neighbor);
           }
         }
       }

@@ -523,15 +523,15 @@ TEST(PolypCandidates, ValveIsNotedByItsPlace)
   smallOne.diameter = 8.0;
   smallOne.arcLength = 1640.0;
   std::vector<PolypCandidate> candidates{ smallOne, polypElsewhere, valve };
-  shapeton::NoteIleocaecalValve(1700.0, candidates);
+  shapeton::NoteIleocecalValve(1700.0, candidates);
   EXPECT_EQ(candidates[0].remark, "");
   EXPECT_EQ(candidates[1].remark, "");
-  EXPECT_EQ(candidates[2].remark, "may be the ileocaecal valve");
+  EXPECT_EQ(candidates[2].remark, "may be the ileocecal valve");
 }
 
 TEST(PolypCandidates, KnownValveIsNamedAndRanksBehindSoftTissue)
 {
-  shapeton::IleocaecalValve valve;
+  shapeton::IleocecalValve valve;
   valve.length = 26.0;
   valve.confidence = 0.6;
   PolypCandidate lip, beside, bubble;
@@ -546,7 +546,7 @@ TEST(PolypCandidates, KnownValveIsNamedAndRanksBehindSoftTissue)
   shapeton::RankValveLast(valve, candidates);
   EXPECT_EQ(candidates[0].position, beside.position);
   EXPECT_EQ(candidates[0].remark, "");
-  EXPECT_EQ(candidates[1].remark, "the ileocaecal valve");
+  EXPECT_EQ(candidates[1].remark, "the ileocecal valve");
   EXPECT_EQ(candidates[1].number, 2);
   EXPECT_LE(candidates[1].score, (1.0 - valve.confidence) * lip.score);
   EXPECT_EQ(candidates[2].tissue, shapeton::PolypTissue::Gas);
@@ -671,7 +671,7 @@ RankedByValve(std::vector<PolypCandidate> candidates)
     one.other = shapeton::PolypInOtherPosition();
     one.other->likeness = one.position.norm() > 50.0 ? 1.0 : 0.0;
   }
-  shapeton::IleocaecalValve valve;
+  shapeton::IleocecalValve valve;
   valve.length = 22.0;
   valve.confidence = 0.95;
   shapeton::RankValveLast(valve, candidates);
@@ -698,7 +698,7 @@ TEST(PolypCandidates, LargePolypThatIsTakenForTheValveStaysInTheList)
 {
   const auto candidates =
     RankedByValve({ HeadOf(0.95, 1.0, { 0.0, 0.0, 0.0 }), HeadOf(0.95, 0.9, { 100.0, 0.0, 0.0 }) });
-  EXPECT_EQ(candidates[1].remark, "the ileocaecal valve");
+  EXPECT_EQ(candidates[1].remark, "the ileocecal valve");
   EXPECT_EQ(candidates[1].score, 1.0 - shapeton::defaultPolypSensitivity);
   EXPECT_GT(candidates[0].score, candidates[1].score);
 }
@@ -707,7 +707,7 @@ TEST(PolypCandidates, LipsOfTheValveAreWeighedByItsProbability)
 {
   const auto candidates =
     RankedByValve({ HeadOf(0.75, 1.0, { 0.0, 0.0, 0.0 }), HeadOf(0.75, 0.9, { 100.0, 0.0, 0.0 }) });
-  EXPECT_EQ(candidates[1].remark, "the ileocaecal valve");
+  EXPECT_EQ(candidates[1].remark, "the ileocecal valve");
   EXPECT_NEAR(candidates[1].score, 0.05 * (1.0 - shapeton::defaultPolypSensitivity), 1e-12);
   EXPECT_GT(candidates[0].score, 0.5);
 }

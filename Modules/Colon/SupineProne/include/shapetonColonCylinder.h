@@ -32,9 +32,9 @@ TurnDifference(double turn, double from);
 class SupineProne_EXPORT ColonCylinder
 {
 public:
-  /** \param centreline with the point array arcLength, mm; required if the grid has none.
+  /** \param centerline with the point array arcLength, mm; required if the grid has none.
    * Throws InputError when neither has the distance along the centerline. */
-  ColonCylinder(const FlatColon & flat, const CurveSet & centreline);
+  ColonCylinder(const FlatColon & flat, const CurveSet & centerline);
 
   double
   Begin() const

@@ -22,7 +22,7 @@ struct ColonPosition
   /** The flat wall. */
   std::shared_ptr<const FlatColon> flat;
   /** One curve from the rectum to the cecum, LPS, mm, with the point array arcLength (mm). */
-  CurveSet centreline;
+  CurveSet centerline;
   /** Up to three curves on the wall, LPS, mm, with the cell array taenia; the numbers may differ from those of the
    * other position. Empty if unknown. */
   CurveSet taeniae;
@@ -45,14 +45,14 @@ struct ColonPosition
  * array gap, if present), or have a wall less than `leastRadius` mm from its center: collapsed stretches.
  * \ingroup SupineProne */
 SupineProne_EXPORT std::vector<char>
-                   FindExcludedColumns(const FlatColon & flat, const CurveSet & centreline, double leastRadius = 9.0);
+                   FindExcludedColumns(const FlatColon & flat, const CurveSet & centerline, double leastRadius = 9.0);
 
 /** Builds the position from its parts; `flat` is the surface of landmarks and folds.
  * \param name for messages. \ingroup SupineProne */
 SupineProne_EXPORT ColonPosition
 MakeColonPosition(const std::string &               name,
                   std::shared_ptr<const FlatColon>  flat,
-                  const CurveSet &                  centreline,
+                  const CurveSet &                  centerline,
                   const ColonLandmarks &            landmarks,
                   const std::vector<HaustralFold> & folds);
 } // namespace shapeton

@@ -19,7 +19,7 @@ struct ColonPositionFiles
   Remarks warnings;
 };
 
-/** Reads a folder written by VirtualColonoscopy: segmentation/centreline.vtp, flattening/flat.vtp,
+/** Reads a folder written by VirtualColonoscopy: segmentation/centerline.vtp, flattening/flat.vtp,
  * landmarks/landmarks.json, landmarks/taeniae.vtp (absent if none were found), landmarks/folds-surface.vtp (curvature)
  * and folds/folds.csv.
  * \param name for messages, "supine" or "prone".

@@ -51,7 +51,7 @@ struct FoldMatchingOptions
   ///@{
   /** Number of neighbors of each fold, and weight and standard deviation (mm) of the difference of their displacements;
    * the cost of a pair is truncated at `truncation`. */
-  int    neighbours{ 6 };
+  int    neighbors{ 6 };
   double pairWeight{ 1.0 };
   double pairDeviation{ 6.0 };
   double truncation{ 3.0 };

@@ -11,7 +11,7 @@ enum class RegistrationScheme
   /** Flat maps stretched to the same length, with the single rotation in which their fold pictures agree best. */
   Rectangles,
   /** As Rectangles, with proportional distances along the centerlines. */
-  Centreline,
+  Centerline,
   /** Flexures and taeniae: SupineProneRegistration::frame. */
   Landmarks,
   /** The warping before fold matching: SupineProneRegistration::warp. */

@@ -41,15 +41,15 @@ TurnDifference(double turn, double from)
   return difference - std::floor(difference) - 0.5;
 }
 
-ColonCylinder::ColonCylinder(const FlatColon & flat, const CurveSet & centreline) : m_Grid(&flat.Grid())
+ColonCylinder::ColonCylinder(const FlatColon & flat, const CurveSet & centerline) : m_Grid(&flat.Grid())
 {
   const FlatColonGrid & grid = *m_Grid;
   const FlatColonAxis & axis = flat.Axis();
-  std::vector<double>   distance = grid.HasArcLength() ? DistanceOfColumns(grid) : DistanceOfColumns(axis, centreline);
+  std::vector<double>   distance = grid.HasArcLength() ? DistanceOfColumns(grid) : DistanceOfColumns(axis, centerline);
   if (distance.size() < 2 || !(distance.back() > distance.front()))
   {
-    throw InputError("the flat surface and its centreline have no array arcLength; create them with "
-                     "ColonSegmentation and ColonFlattening (the parameter \"centreline\")");
+    throw InputError("the flat surface and its centerline have no array arcLength; create them with "
+                     "ColonSegmentation and ColonFlattening (the parameter \"centerline\")");
   }
   constexpr double smoothing = 5.0; // mm
   m_Arc =

@@ -8,8 +8,8 @@ namespace shapeton
 ColonPair::ColonPair(const ColonPosition & first, const ColonPosition & second)
   : source(first)
   , target(second)
-  , sourceCylinder(std::make_shared<ColonCylinder>(*first.flat, first.centreline))
-  , targetCylinder(std::make_shared<ColonCylinder>(*second.flat, second.centreline))
+  , sourceCylinder(std::make_shared<ColonCylinder>(*first.flat, first.centerline))
+  , targetCylinder(std::make_shared<ColonCylinder>(*second.flat, second.centerline))
   , sourceFolds(FoldProbability(first))
   , targetFolds(FoldProbability(second))
 {}

@@ -22,10 +22,10 @@ IsMostlyBridged(const FlatColonGrid & grid, int column)
 
 /** Marks columns at a gap of the centerline. */
 void
-ExcludeGaps(const ColonCylinder & cylinder, const CurveSet & centreline, std::vector<char> & isExcluded)
+ExcludeGaps(const ColonCylinder & cylinder, const CurveSet & centerline, std::vector<char> & isExcluded)
 {
-  const SurfaceArray * gap = FindSurfaceArray(centreline.pointArrays, "gap");
-  const SurfaceArray * arc = FindSurfaceArray(centreline.pointArrays, "arcLength");
+  const SurfaceArray * gap = FindSurfaceArray(centerline.pointArrays, "gap");
+  const SurfaceArray * arc = FindSurfaceArray(centerline.pointArrays, "arcLength");
   if (!gap || !arc)
   {
     return;
@@ -42,30 +42,30 @@ ExcludeGaps(const ColonCylinder & cylinder, const CurveSet & centreline, std::ve
 } // namespace
 
 std::vector<char>
-FindExcludedColumns(const FlatColon & flat, const CurveSet & centreline, double leastRadius)
+FindExcludedColumns(const FlatColon & flat, const CurveSet & centerline, double leastRadius)
 {
   const FlatColonGrid & grid = flat.Grid();
-  const ColonCylinder   cylinder(flat, centreline);
+  const ColonCylinder   cylinder(flat, centerline);
   std::vector<char>     isExcluded(grid.Columns(), 0);
   for (int column = 0; column < grid.Columns(); ++column)
   {
     isExcluded[column] = cylinder.Radii()[column] < leastRadius || IsMostlyBridged(grid, column);
   }
-  ExcludeGaps(cylinder, centreline, isExcluded);
+  ExcludeGaps(cylinder, centerline, isExcluded);
   return isExcluded;
 }
 
 ColonPosition
 MakeColonPosition(const std::string &               name,
                   std::shared_ptr<const FlatColon>  flat,
-                  const CurveSet &                  centreline,
+                  const CurveSet &                  centerline,
                   const ColonLandmarks &            landmarks,
                   const std::vector<HaustralFold> & folds)
 {
   ColonPosition position;
   position.name = name;
   position.flat = std::move(flat);
-  position.centreline = centreline;
+  position.centerline = centerline;
   for (std::size_t i = 0; i < position.flexures.size(); ++i)
   {
     const ColonFlexure & flexure = landmarks.flexures.flexures[i];
@@ -81,7 +81,7 @@ MakeColonPosition(const std::string &               name,
   }
   position.curvature = landmarks.folds.curvature;
   position.folds = folds;
-  position.isExcluded = FindExcludedColumns(*position.flat, centreline);
+  position.isExcluded = FindExcludedColumns(*position.flat, centerline);
   return position;
 }
 } // namespace shapeton

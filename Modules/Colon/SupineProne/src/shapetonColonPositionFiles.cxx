@@ -88,7 +88,7 @@ ReadLandmarks(Examination & examination, ColonPositionFiles & files)
     files.position.flexures[i] = flexures[i].arcLength;
     files.position.flexureConfidence[i] = flexures[i].confidence;
   }
-  const Eigen::VectorXd arcLength = PointValues(files.position.centreline, "arcLength", files.position.name);
+  const Eigen::VectorXd arcLength = PointValues(files.position.centerline, "arcLength", files.position.name);
   files.segments = SegmentsOf(document, arcLength.maxCoeff());
   if (examination.Has("landmarks", "taeniae.vtp"))
   {
@@ -134,8 +134,8 @@ ReadColonPosition(const std::string & folder, const std::string & name)
   ColonPositionFiles files;
   ColonPosition &    position = files.position;
   position.name = name;
-  position.centreline = ReadCurves(examination.Take("segmentation", "centreline.vtp", "ColonSegmentation"));
-  RequireSound(position.centreline, name + ": the centreline");
+  position.centerline = ReadCurves(examination.Take("segmentation", "centerline.vtp", "ColonSegmentation"));
+  RequireSound(position.centerline, name + ": the centerline");
   const std::string flatPath = examination.Take("flattening", "flat.vtp", "ColonFlattening");
   position.flat = std::make_shared<FlatColon>(ReadSurface(flatPath).mesh, FlatColonGridOptions{}, '"' + flatPath + '"');
   position.flat->Grid(); // rejects a surface that is not flat before the rest is read
@@ -143,7 +143,7 @@ ReadColonPosition(const std::string & folder, const std::string & name)
   const std::string foldsPath = examination.Take("landmarks", "folds-surface.vtp", "ColonLandmarks");
   position.curvature = CurvatureOf(ReadSurface(foldsPath).mesh, position.flat->Surface(), foldsPath);
   position.folds = ReadFoldTable(examination.Take("folds", "folds.csv", "ColonFolds"));
-  position.isExcluded = FindExcludedColumns(*position.flat, position.centreline);
+  position.isExcluded = FindExcludedColumns(*position.flat, position.centerline);
   WarnOfPosition(examination, files);
   files.identity = examination.Identity();
   return files;

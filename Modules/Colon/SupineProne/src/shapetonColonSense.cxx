@@ -45,8 +45,8 @@ Turned(CylinderPicture picture, int way)
 
 constexpr std::array<const char *, 4> textOfWay{ { "",
                                                    "is a mirror image",
-                                                   "is a mirror image that runs from the caecum to the rectum",
-                                                   "runs from the caecum to the rectum" } };
+                                                   "is a mirror image that runs from the cecum to the rectum",
+                                                   "runs from the cecum to the rectum" } };
 } // namespace
 
 double

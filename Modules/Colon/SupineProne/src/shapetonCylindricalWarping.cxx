@@ -39,7 +39,7 @@ public:
     m_IsFree = rotation.empty();
     for (int row = 0; row < source.Rows(); ++row)
     {
-      m_Centre.push_back(rotation.empty() ? 0 : static_cast<int>(std::lround(rotation[row] * m_Angles)));
+      m_Center.push_back(rotation.empty() ? 0 : static_cast<int>(std::lround(rotation[row] * m_Angles)));
     }
   }
 
@@ -53,7 +53,7 @@ public:
     m_Origin.assign(static_cast<std::size_t>(rows) * m_Offsets, 0);
     for (int row = 0; row < rows; ++row)
     {
-      const std::vector<float> cost = m_Costs.OfRow(row, m_Centre[row] - m_Width, m_Rotations);
+      const std::vector<float> cost = m_Costs.OfRow(row, m_Center[row] - m_Width, m_Rotations);
       before = row == 0 ? cost : this->Advance(row, before, cost);
       m_Options.progress((row + 1.0) / rows);
     }
@@ -150,7 +150,7 @@ private:
   int
   Turned(int row) const
   {
-    const int     turned = m_Centre[row] - m_Centre[row - 1];
+    const int     turned = m_Center[row] - m_Center[row - 1];
     constexpr int greatest = 1;
     return this->IsUnseen(row) || std::abs(turned) > greatest ? 0 : turned;
   }
@@ -180,7 +180,7 @@ private:
       const int rotation = state % m_Rotations;
       springs += m_Costs.SpringOf(offset);
       path.row(row) << m_Target.begin + (2 * row + offset - m_Reach) * m_Target.step,
-        static_cast<double>(m_Centre[row] + rotation - m_Width) / m_Angles;
+        static_cast<double>(m_Center[row] + rotation - m_Width) / m_Angles;
       if (row > 0)
       {
         const int step = m_Step[last.size() * row + state];
@@ -225,7 +225,7 @@ private:
   const CylinderPicture &    m_Source;
   const CylinderPicture &    m_Target;
   CylindricalWarpingOptions  m_Options;
-  std::vector<int>           m_Centre;
+  std::vector<int>           m_Center;
   std::vector<unsigned char> m_Step;
   std::vector<int>           m_Origin; ///< origin state of a jump to a row and an offset
   int                        m_Reach;

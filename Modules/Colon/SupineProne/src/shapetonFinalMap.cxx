@@ -30,8 +30,8 @@ AddMatches(const ColonPair & pair, const std::vector<double> & weights, SupinePr
   for (std::size_t k = 0; k < registration.matching.pairs.size(); ++k)
   {
     const auto [i, j] = registration.matching.pairs[k];
-    const CylinderPlace from = pair.sourceCylinder->PlaceOfUv(pair.source.folds[i].centreUv);
-    const CylinderPlace to = pair.targetCylinder->PlaceOfUv(pair.target.folds[j].centreUv);
+    const CylinderPlace from = pair.sourceCylinder->PlaceOfUv(pair.source.folds[i].centerUv);
+    const CylinderPlace to = pair.targetCylinder->PlaceOfUv(pair.target.folds[j].centerUv);
     const CylinderPlace mapped = registration.map.Forward(from);
     FoldMatch           match;
     match.source = i;

@@ -20,7 +20,7 @@ public:
   {
     return m_Equations;
   }
-  /** mm along the centreline of the source. */
+  /** mm along the centerline of the source. */
   double
   SOfRow(int row) const
   {

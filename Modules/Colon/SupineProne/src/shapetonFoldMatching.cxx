@@ -39,7 +39,7 @@ RequireValid(const FoldMatchingOptions & options, double turn)
     RequireParameter(value > 0.0, "reach and deviations of the fold matching must be greater than 0");
   }
   RequireParameter(options.alone >= 0.0 && options.pairWeight >= 0.0 && options.truncation >= 0.0 &&
-                     options.iterations >= 1 && options.neighbours >= 0,
+                     options.iterations >= 1 && options.neighbors >= 0,
                    "costs of the fold matching must not be negative, and iterations must be at least 1");
 }
 
@@ -74,7 +74,7 @@ MakeProblem(const std::vector<FoldFeature> & source,
 
 /** Pairs of each fold and its nearest neighbors. */
 std::set<std::pair<int, int>>
-Neighbours(const std::vector<FoldFeature> & folds, double turn, int number)
+Neighbors(const std::vector<FoldFeature> & folds, double turn, int number)
 {
   std::set<std::pair<int, int>> pairs;
   for (std::size_t i = 0; i < folds.size(); ++i)
@@ -106,7 +106,7 @@ MakePairs(const AssignmentProblem &        problem,
           const FoldMatchingOptions &      options)
 {
   std::vector<PairTerm> terms;
-  for (const auto & [i, j] : Neighbours(source, turn, options.neighbours))
+  for (const auto & [i, j] : Neighbors(source, turn, options.neighbors))
   {
     const auto & ofFirst = problem.candidates[i];
     const auto & ofSecond = problem.candidates[j];

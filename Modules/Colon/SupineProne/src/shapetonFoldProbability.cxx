@@ -70,14 +70,14 @@ DrawPoint(const FlatColonGrid & grid, const Eigen::Vector2d & uv, double pixel, 
   constexpr double deviation = 2.5; // mm
   const int        reach = static_cast<int>(std::ceil(3.0 * deviation / pixel));
   const double     around = grid.Circumference();
-  const auto       centre = grid.PixelOfUv({ uv.x(), uv.y() - std::floor(uv.y() / around) * around });
+  const auto       center = grid.PixelOfUv({ uv.x(), uv.y() - std::floor(uv.y() / around) * around });
   for (int j = -reach; j <= reach; ++j)
   {
-    const int row = ((centre.row + j) % grid.Rows() + grid.Rows()) % grid.Rows();
-    for (int i = std::max(-reach, -centre.column); i <= std::min(reach, grid.Columns() - 1 - centre.column); ++i)
+    const int row = ((center.row + j) % grid.Rows() + grid.Rows()) % grid.Rows();
+    for (int i = std::max(-reach, -center.column); i <= std::min(reach, grid.Columns() - 1 - center.column); ++i)
     {
       const double square = (i * i + j * j) * pixel * pixel / (deviation * deviation);
-      float &      value = picture[static_cast<std::size_t>(row) * grid.Columns() + centre.column + i];
+      float &      value = picture[static_cast<std::size_t>(row) * grid.Columns() + center.column + i];
       value = std::max(value, static_cast<float>(std::exp(-0.5 * square)));
     }
   }
@@ -95,12 +95,12 @@ DrawFolds(const ColonPosition & position)
   {
     for (const Eigen::Vector2d & end : fold.endUv)
     {
-      const Eigen::Vector2d half(end.x() - fold.centreUv.x(),
-                                 TurnDifference(end.y() / around, fold.centreUv.y() / around) * around);
+      const Eigen::Vector2d half(end.x() - fold.centerUv.x(),
+                                 TurnDifference(end.y() / around, fold.centerUv.y() / around) * around);
       const int             pieces = std::max(2, static_cast<int>(half.norm() / pixel) + 1);
       for (int k = 0; k <= pieces; ++k)
       {
-        DrawPoint(grid, fold.centreUv + half * k / pieces, pixel, picture);
+        DrawPoint(grid, fold.centerUv + half * k / pieces, pixel, picture);
       }
     }
   }

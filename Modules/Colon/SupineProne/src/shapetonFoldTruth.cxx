@@ -109,7 +109,7 @@ std::array<CylinderPlace, 3>
 PlacesOfCrest(const HaustralFold & fold, const ColonCylinder & cylinder)
 {
   return {
-    { cylinder.PlaceOfUv(fold.endUv[0]), cylinder.PlaceOfUv(fold.centreUv), cylinder.PlaceOfUv(fold.endUv[1]) }
+    { cylinder.PlaceOfUv(fold.endUv[0]), cylinder.PlaceOfUv(fold.centerUv), cylinder.PlaceOfUv(fold.endUv[1]) }
   };
 }
 

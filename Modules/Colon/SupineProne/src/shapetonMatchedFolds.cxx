@@ -10,7 +10,7 @@ namespace
 FoldFeature
 FeatureOf(const ColonPair & pair, const ColonCylinder & cylinder, const HaustralFold & fold, const PlaceMap * map)
 {
-  const CylinderPlace own = cylinder.PlaceOfUv(fold.centreUv);
+  const CylinderPlace own = cylinder.PlaceOfUv(fold.centerUv);
   const double        s = map ? own.s : pair.frame.Inverse()(own.s);
   const auto          group = std::count_if(pair.breaks.begin(), pair.breaks.end(), [s](double at) { return s > at; });
   const CylinderPlace place = map ? (*map)(own) : own;
@@ -42,7 +42,7 @@ AddFolds(const ColonPair &                     pair,
   const auto cost = [](const std::array<DisplacementConstraint, 2> & ends) {
     return ends[0].displacement.squaredNorm() + ends[1].displacement.squaredNorm();
   };
-  constraints.push_back(constraint(a.centreUv, b.centreUv));
+  constraints.push_back(constraint(a.centerUv, b.centerUv));
   const auto & ends = cost(turned) < cost(straight) ? turned : straight;
   constraints.insert(constraints.end(), ends.begin(), ends.end());
 }

@@ -57,7 +57,7 @@ class ConditionedSolver
 public:
   explicit ConditionedSolver(const BeltramiEquations & equations)
     : m_Equations(equations)
-    , m_Solver(SymbolicFactorisation(equations.SystemOf(Coefficients(equations.Triangles())).stiffness,
+    , m_Solver(SymbolicFactorization(equations.SystemOf(Coefficients(equations.Triangles())).stiffness,
                                      EliminationOrder::NestedDissection))
   {}
 
@@ -85,7 +85,7 @@ private:
       throw std::invalid_argument("a map needs at least one condition for each coordinate");
     }
     AddConditions(conditions, weight, stiffness);
-    if (!m_Solver.Factorise(stiffness))
+    if (!m_Solver.Factorize(stiffness))
     {
       throw std::runtime_error("the linear system of a quasi-conformal map is singular");
     }
@@ -127,7 +127,7 @@ class CoefficientSmoother
 {
 public:
   CoefficientSmoother(const BeltramiEquations & equations, double length)
-    : m_Equations(equations), m_Mass(Eigen::VectorXd::Zero(equations.Nodes())), m_Solver(this->Factorised(length))
+    : m_Equations(equations), m_Mass(Eigen::VectorXd::Zero(equations.Nodes())), m_Solver(this->Factorized(length))
   {}
 
   Coefficients
@@ -155,7 +155,7 @@ public:
 
 private:
   SparseCholesky
-  Factorised(double length)
+  Factorized(double length)
   {
     for (int t = 0; t < m_Equations.Triangles(); ++t)
     {
@@ -167,8 +167,8 @@ private:
     Eigen::SparseMatrix<double> matrix =
       length * length * m_Equations.SystemOf(Coefficients(m_Equations.Triangles())).stiffness;
     matrix.diagonal() += m_Mass;
-    SparseCholesky solver(SymbolicFactorisation(matrix, EliminationOrder::MinimumDegree));
-    if (!solver.Factorise(matrix))
+    SparseCholesky solver(SymbolicFactorization(matrix, EliminationOrder::MinimumDegree));
+    if (!solver.Factorize(matrix))
     {
       throw std::runtime_error("the linear system that smooths Beltrami coefficients is singular");
     }

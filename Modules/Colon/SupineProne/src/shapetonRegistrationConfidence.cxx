@@ -12,7 +12,7 @@ constexpr double followed = 0.5; ///< minimum weight of a pair that the map foll
 bool
 IsFoldSeen(const ColonCylinder & cylinder, const ColonPosition & position, const HaustralFold & fold)
 {
-  const int column = cylinder.Grid().PixelOfUv(fold.centreUv).column;
+  const int column = cylinder.Grid().PixelOfUv(fold.centerUv).column;
   return position.isExcluded.empty() || !position.isExcluded[column];
 }
 
@@ -63,7 +63,7 @@ JudgeNodes(const ColonPosition & source, SupineProneRegistration & registration)
   }
   for (std::size_t i = 0; i < source.folds.size(); ++i)
   {
-    evidence.push_back({ registration.source->PlaceOfUv(source.folds[i].centreUv), weightOfFold[i] });
+    evidence.push_back({ registration.source->PlaceOfUv(source.folds[i].centerUv), weightOfFold[i] });
   }
   const CylinderNodes & nodes = registration.map.Nodes();
   Eigen::MatrixXd &     ofNodes = registration.confidence.ofNodes;

@@ -109,13 +109,13 @@ private:
   double
   SupineArc(const HaustralFold & fold) const
   {
-    return m_Registration.source->PlaceOfUv(fold.centreUv).s;
+    return m_Registration.source->PlaceOfUv(fold.centerUv).s;
   }
 
   double
   ProneArc(const HaustralFold & fold) const
   {
-    return m_Registration.target->PlaceOfUv(fold.centreUv).s;
+    return m_Registration.target->PlaceOfUv(fold.centerUv).s;
   }
 
   void
@@ -130,8 +130,8 @@ private:
       MatchedFolds         row;
       row.supineFold = from.label;
       row.proneFold = to.label;
-      row.supinePoint = from.centre;
-      row.pronePoint = to.centre;
+      row.supinePoint = from.center;
+      row.pronePoint = to.center;
       row.supineArcLength = this->SupineArc(from);
       row.proneArcLength = this->ProneArc(to);
       row.segment = SegmentAt(m_Supine.segments, row.supineArcLength);

@@ -98,7 +98,7 @@ MapOfScheme(RegistrationScheme              scheme,
   {
     case RegistrationScheme::Rectangles:
       return MapOfFrame(pair, FrameOfRectangles(pair));
-    case RegistrationScheme::Centreline:
+    case RegistrationScheme::Centerline:
       return MapOfFrame(pair, EndFrame(pair.frame));
     case RegistrationScheme::Warping:
       return registration.warp;

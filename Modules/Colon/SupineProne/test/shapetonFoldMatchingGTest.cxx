@@ -103,7 +103,7 @@ TEST(FoldMatching, DualDecompositionWithoutPairTermsIsHungarian)
   EXPECT_NEAR(matching.Gap(), 0.0, 1e-9);
 }
 
-TEST(FoldMatching, TheBoundLiesBelowAndNeighboursMoveAlike)
+TEST(FoldMatching, TheBoundLiesBelowAndNeighborsMoveAlike)
 {
   // All folds move by 13 mm along; a stray fold is nearer to the former place of one of them.
   auto a = SomeFolds(30, 3, 500.0);

@@ -33,7 +33,7 @@ WithCollapse(shapeton::ColonPosition position)
   }
   const auto seen = std::remove_if(position.folds.begin(),
                                    position.folds.end(),
-                                   [&](const shapeton::HaustralFold & fold) { return isInside(fold.centreUv.x()); });
+                                   [&](const shapeton::HaustralFold & fold) { return isInside(fold.centerUv.x()); });
   position.folds.erase(seen, position.folds.end());
   return position;
 }
@@ -201,7 +201,7 @@ TEST(SupineProneRegistration, AColonThatRunsTheOtherWayIsRefused)
   }
   catch (const shapeton::InputError & error)
   {
-    EXPECT_NE(std::string(error.what()).find("runs from the caecum to the rectum"), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("runs from the cecum to the rectum"), std::string::npos) << error.what();
   }
 }
 
@@ -244,12 +244,12 @@ TEST(SupineProneRegistration, SimplerSchemesFindWhatTheyCanExpress)
     return GreatestError(registration, shapeton::MapOfScheme(scheme, supine, prone, registration), movement);
   };
   const Movement turned{ 0.375, 0.0 }; // a rotation tested by the schemes, one of 48
-  for (const Scheme scheme : { Scheme::Rectangles, Scheme::Centreline, Scheme::Landmarks, Scheme::Published })
+  for (const Scheme scheme : { Scheme::Rectangles, Scheme::Centerline, Scheme::Landmarks, Scheme::Published })
   {
     EXPECT_LT(errorOf(scheme, turned), 3.0) << static_cast<int>(scheme);
   }
   const Movement both = SomeMovement();
-  EXPECT_GT(errorOf(Scheme::Centreline, both), 7.0); // cannot follow 8 mm of stretch
+  EXPECT_GT(errorOf(Scheme::Centerline, both), 7.0); // cannot follow 8 mm of stretch
   EXPECT_LT(errorOf(Scheme::Warping, both), 5.0);
   EXPECT_LT(errorOf(Scheme::Published, both), 4.0);
   EXPECT_LT(errorOf(Scheme::QuasiConformal, both), 4.0);

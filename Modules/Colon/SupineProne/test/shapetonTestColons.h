@@ -105,8 +105,8 @@ MakeFold(int label, const shapeton::CylinderPlace & place)
   };
   shapeton::HaustralFold fold;
   fold.label = label;
-  fold.centreUv = uvAt(place.turn);
-  fold.centre = pointAt(place.turn, 5.0);
+  fold.centerUv = uvAt(place.turn);
+  fold.center = pointAt(place.turn, 5.0);
   fold.endUv = { uvAt(place.turn - halfExtent), uvAt(place.turn + halfExtent) };
   fold.ends = { pointAt(place.turn - halfExtent, 2.0), pointAt(place.turn + halfExtent, 2.0) };
   fold.length = 34.0;
@@ -139,19 +139,19 @@ MakeTaeniae(double firstTurn, bool isReversed)
 }
 
 inline shapeton::CurveSet
-MakeCentreline()
+MakeCenterline()
 {
-  shapeton::CurveSet centreline;
-  centreline.curves.emplace_back();
-  centreline.V.resize(121, 3);
-  centreline.pointArrays = { { "arcLength", shapeton::SurfaceArray::ValueMatrix(121, 1), false } };
+  shapeton::CurveSet centerline;
+  centerline.curves.emplace_back();
+  centerline.V.resize(121, 3);
+  centerline.pointArrays = { { "arcLength", shapeton::SurfaceArray::ValueMatrix(121, 1), false } };
   for (int i = 0; i <= 120; ++i)
   {
-    centreline.V.row(i) << 0.0, 0.0, length * i / 120.0;
-    centreline.pointArrays[0].values(i, 0) = firstArc + length * i / 120.0;
-    centreline.curves[0].push_back(i);
+    centerline.V.row(i) << 0.0, 0.0, length * i / 120.0;
+    centerline.pointArrays[0].values(i, 0) = firstArc + length * i / 120.0;
+    centerline.curves[0].push_back(i);
   }
-  return centreline;
+  return centerline;
 }
 
 /** The colon of a patient; `isReversed` begins at the cecum. Curvature is that of the grid. */
@@ -168,7 +168,7 @@ MakeExamination(const std::string & name, int patient, const Movement & movement
   shapeton::ColonPositionFiles files;
   files.position.name = name;
   files.position.flat = std::make_shared<shapeton::FlatColon>(MakeWall(places));
-  files.position.centreline = MakeCentreline();
+  files.position.centerline = MakeCenterline();
   files.position.taeniae = MakeTaeniae(movement.rotation, isReversed);
   for (const shapeton::CylinderPlace & place : places)
   {
@@ -229,7 +229,7 @@ WriteExamination(const shapeton::ColonPositionFiles & files, const std::string &
   {
     std::filesystem::create_directories(folder + '/' + stage);
   }
-  shapeton::WriteCurves(files.position.centreline, folder + "/segmentation/centreline.vtp");
+  shapeton::WriteCurves(files.position.centerline, folder + "/segmentation/centerline.vtp");
   const shapeton::SurfaceMesh & flat = files.position.flat->Surface();
   shapeton::WriteSurface(flat, folder + "/flattening/flat.vtp");
   shapeton::WriteJson(LandmarksOf(files), folder + "/landmarks/landmarks.json");

@@ -281,7 +281,7 @@ __launch_bounds__(TwiceX * TwiceY, TwiceBlocks) ForVoxelsTwiceKernel(Extent exte
   const bool       isInside = x >= 0 && x < static_cast<int>(extent.x) && y >= 0 && y < static_cast<int>(extent.y);
   const bool       isOwn = isInside && tx > 0 && tx < TwiceX - 1 && ty > 0 && ty < TwiceY - 1;
   float            below = 0.0F;
-  float            centre = 0.0F;
+  float            center = 0.0F;
   float            kept = 0.0F;
   int              now = 0;
   int              last = 2;
@@ -300,7 +300,7 @@ __launch_bounds__(TwiceX * TwiceY, TwiceBlocks) ForVoxelsTwiceKernel(Extent exte
       body.Second(x,
                   y,
                   z - 1,
-                  { centre,
+                  { center,
                     shared[last][ty][tx - 1],
                     shared[last][ty][tx + 1],
                     shared[last][ty - 1][tx],
@@ -309,8 +309,8 @@ __launch_bounds__(TwiceX * TwiceY, TwiceBlocks) ForVoxelsTwiceKernel(Extent exte
                     above },
                   kept);
     }
-    below = centre;
-    centre = above;
+    below = center;
+    center = above;
     kept = keptAbove;
     last = now;
     now = now == 2 ? 0 : now + 1;
@@ -411,8 +411,8 @@ ForVoxels(const Extent & extent, const TBody & body)
 
 /** Two steps at once of a stencil computation, so that the values of the first step are not written to memory.
  * body.First(x, y, z, kept) returns the value of the first step and stores a number in `kept`. Then body.Second(x,
- * y, z, neighbourhood, kept) receives the first-step values of the voxel and its six neighbors, 0 outside the
- * volume, in the order of TBody::Neighbourhood, and that number. First() is called more than once for some voxels,
+ * y, z, neighborhood, kept) receives the first-step values of the voxel and its six neighbors, 0 outside the
+ * volume, in the order of TBody::Neighborhood, and that number. First() is called more than once for some voxels,
  * at any time, so neither function may write what First() reads. */
 template <typename TBody>
 void

@@ -251,9 +251,9 @@ TEST(HtmlReport, UnitsThatDifferStayWithTheirNumbers)
   EXPECT_EQ(page.TextsOf("td"), std::vector<std::string>({ "14 cm", "140 mm" }));
 }
 
-TEST(HtmlReport, ColoursAreSeen)
+TEST(HtmlReport, ColorsAreSeen)
 {
-  shapeton::CsvTable table({ "colour" });
+  shapeton::CsvTable table({ "color" });
   table.AddRow({ "#23cbac" });
   table.AddRow({ "#23cbac; x" });
   shapeton::HtmlReport report("T");

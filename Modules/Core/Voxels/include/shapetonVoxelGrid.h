@@ -71,7 +71,7 @@ struct VoxelGrid
 /** Calls `body(index)` for the face neighbors of this voxel. \ingroup Voxels */
 template <typename TBody>
 void
-ForEachNeighbour(const VoxelGrid & grid, std::size_t voxel, const TBody & body)
+ForEachNeighbor(const VoxelGrid & grid, std::size_t voxel, const TBody & body)
 {
   const auto v = grid.Voxel(voxel);
   for (int a = 0; a < 3; ++a)

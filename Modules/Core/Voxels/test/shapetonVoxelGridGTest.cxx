@@ -23,13 +23,13 @@ TEST(VoxelGrid, IndicesRunThroughMemoryAndLeadBackToTheirVoxels)
   EXPECT_EQ(grid.NumberOfVoxels(), index);
 }
 
-TEST(VoxelGrid, NeighboursShareAFaceAndLieInTheGrid)
+TEST(VoxelGrid, NeighborsShareAFaceAndLieInTheGrid)
 {
   const shapeton::VoxelGrid grid(4, 3, 5);
   std::size_t               pairs = 0;
   for (std::size_t p = 0; p < grid.NumberOfVoxels(); ++p)
   {
-    shapeton::ForEachNeighbour(grid, p, [&](std::size_t q) {
+    shapeton::ForEachNeighbor(grid, p, [&](std::size_t q) {
       ASSERT_LT(q, grid.NumberOfVoxels());
       int steps = 0;
       for (int a = 0; a < 3; ++a)

@@ -25,7 +25,7 @@ protected:
   }
 
   bool
-  AreNeighbours(std::size_t p, std::size_t q) const
+  AreNeighbors(std::size_t p, std::size_t q) const
   {
     const auto a = m_Grid.Voxel(p);
     const auto b = m_Grid.Voxel(q);
@@ -54,7 +54,7 @@ protected:
       {
         for (std::size_t q = 0; q < mask.size(); ++q)
         {
-          if (mask[q] && labels[q] == 0 && this->AreNeighbours(reached[n], q))
+          if (mask[q] && labels[q] == 0 && this->AreNeighbors(reached[n], q))
           {
             labels[q] = number;
             reached.push_back(q);

@@ -54,7 +54,7 @@ struct ConductanceField
     return leak.GetData()[node];
   }
 
-  /** Calls body(neighbour, conductance) for the edges of a node. */
+  /** Calls body(neighbor, conductance) for the edges of a node. */
   template <typename TBody>
   void
   ForEachEdge(std::size_t node, const TBody & body) const

@@ -150,11 +150,11 @@ private:
     m_Strongest.assign(number, 0.0F);
     for (std::uint32_t i = 0; i < number; ++i)
     {
-      m_Level.ForEachEdge(begin[i], [&](std::size_t neighbour, float conductance) {
+      m_Level.ForEachEdge(begin[i], [&](std::size_t neighbor, float conductance) {
         m_Strongest[i] = std::max(m_Strongest[i], conductance);
-        if (neighbour > begin[i] && neighbour < m_Places[1]) // each edge once; other slices belong to other threads
+        if (neighbor > begin[i] && neighbor < m_Places[1]) // each edge once; other slices belong to other threads
         {
-          const std::uint32_t mark = m_AggregateOf[neighbour];
+          const std::uint32_t mark = m_AggregateOf[neighbor];
           if (mark != noAggregate && (mark & inCell) != 0)
           {
             m_Edges.push_back({ i, mark & ~inCell, conductance });
@@ -241,10 +241,10 @@ JoinAggregates(const TLevel &                     level,
     double leak = 0.0;
     slice.ForEachNode(i, [&](std::size_t node) {
       leak += level.GetLeak(node);
-      level.ForEachEdge(node, [&](std::size_t neighbour, float conductance) {
-        if (aggregateOf[neighbour] != first + i)
+      level.ForEachEdge(node, [&](std::size_t neighbor, float conductance) {
+        if (aggregateOf[neighbor] != first + i)
         {
-          row.emplace_back(aggregateOf[neighbour], conductance);
+          row.emplace_back(aggregateOf[neighbor], conductance);
         }
       });
     });
@@ -277,7 +277,7 @@ Store(const SliceEdges & slice, std::uint64_t firstNode, std::uint64_t firstEdge
     double sum = slice.leak[i];
     for (; edge < slice.ends[i]; ++edge)
     {
-      graph.neighbours[firstEdge + edge] = slice.edges[edge].first;
+      graph.neighbors[firstEdge + edge] = slice.edges[edge].first;
       graph.conductances[firstEdge + edge] = static_cast<float>(slice.edges[edge].second);
       sum += slice.edges[edge].second;
     }
@@ -328,7 +328,7 @@ Coarsen(const TLevel & level, std::vector<std::uint32_t> & aggregateOf)
   {
     firstEdge.push_back(firstEdge.back() + slice.edges.size());
   }
-  coarse.neighbours.resize(firstEdge.back());
+  coarse.neighbors.resize(firstEdge.back());
   coarse.conductances.resize(firstEdge.back());
   coarse.firstEdge.assign(coarse.cellOf.size() + 1, 0);
   coarse.leak.resize(coarse.cellOf.size());

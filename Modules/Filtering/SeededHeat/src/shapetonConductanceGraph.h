@@ -19,7 +19,7 @@ struct ConductanceGraph
   using OfEdges = std::vector<T, UninitializedAllocator<T>>;
 
   std::vector<std::uint64_t>                firstEdge; ///< for each node, then the number of all edges
-  OfEdges<std::uint32_t>                    neighbours;
+  OfEdges<std::uint32_t>                    neighbors;
   OfEdges<float>                            conductances;
   std::vector<float>                        leak;
   std::vector<float>                        inverse; ///< 1 / (leak + sum of conductances)
@@ -59,7 +59,7 @@ struct ConductanceGraph
   {
     for (std::uint64_t edge = firstEdge[node]; edge < firstEdge[node + 1]; ++edge)
     {
-      body(neighbours[edge], conductances[edge]);
+      body(neighbors[edge], conductances[edge]);
     }
   }
   template <typename TBody>

@@ -376,7 +376,7 @@ HeatMultigrid<VLabels>::SweepGraph(std::size_t level, bool forward)
       const std::uint64_t i = forward ? n : first + last - 1 - n;
       Lanes<VLabels>      sum = Load<VLabels>(residuals, i);
       graph.ForEachEdge(
-        i, [&](std::size_t neighbour, float conductance) { sum += conductance * Load<VLabels>(values, neighbour); });
+        i, [&](std::size_t neighbor, float conductance) { sum += conductance * Load<VLabels>(values, neighbor); });
       Store<VLabels>(values, i, graph.inverse[i] * sum);
     }
   });
@@ -432,8 +432,8 @@ HeatMultigrid<VLabels>::RestrictFromGraph(std::size_t level)
     {
       const Lanes<VLabels> value = Load<VLabels>(values, i);
       Lanes<VLabels>       rest = Load<VLabels>(residuals, i) - graph.leak[i] * value;
-      graph.ForEachEdge(i, [&](std::size_t neighbour, float conductance) {
-        rest -= conductance * (value - Load<VLabels>(values, neighbour));
+      graph.ForEachEdge(i, [&](std::size_t neighbor, float conductance) {
+        rest -= conductance * (value - Load<VLabels>(values, neighbor));
       });
       Store<VLabels>(target, aggregateOf[i], Load<VLabels>(target, aggregateOf[i]) + rest);
     }

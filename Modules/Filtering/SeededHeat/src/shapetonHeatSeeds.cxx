@@ -136,7 +136,7 @@ MarkInside(const VoxelGrid &                grid,
   std::vector<std::size_t> inside;
   std::copy_if(voxels.begin(), voxels.end(), std::back_inserter(inside), [&](std::size_t voxel) {
     bool isInside = true;
-    ForEachNeighbour(grid, voxel, [&](std::size_t neighbour) { isInside &= part[neighbour] == of; });
+    ForEachNeighbor(grid, voxel, [&](std::size_t neighbor) { isInside &= part[neighbor] == of; });
     return isInside;
   });
   for (const std::size_t voxel : inside.empty() ? voxels : inside)

@@ -54,7 +54,7 @@ MakeMarkups(const ImageType * image)
   std::vector<Markup> markups(3);
   markups[0].name = "dark";
   markups[0].points = { PlaceOf(image, { { 2, 3, 4 } }) };
-  markups[1].name = "grey";
+  markups[1].name = "gray";
   markups[1].points = { PlaceOf(image, { { 12, 2, 2 } }), PlaceOf(image, { { 17, 12, 7 } }) };
   markups[1].kind = Markup::Kind::Curve;
   markups[2].name = "bright";

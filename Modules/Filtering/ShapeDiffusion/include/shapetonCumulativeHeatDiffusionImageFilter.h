@@ -13,7 +13,7 @@ namespace shapeton
 /** \class CumulativeHeatDiffusionImageFilter
  * \brief Describes each voxel by its heat after diffusion from all voxels at once (CHD).
  *
- * Each voxel starts with the initial heat (2.3) and heat flows between neighbours by the volume gradient operator
+ * Each voxel starts with the initial heat (2.3) and heat flows between neighbors by the volume gradient operator
  * (2.4)-(2.6): f_i += dt * sum_j c_ij (f_j - f_i). Few steps reveal local shape (edges, corners), many steps whole
  * objects: a closed object converges to the mean of its initial heat, which depends on its shape and size.
  *

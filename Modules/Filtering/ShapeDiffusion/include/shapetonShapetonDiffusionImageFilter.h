@@ -53,7 +53,7 @@ public:
  * bytes per voxel besides the input, 4 more unless its pixels are float.
  *
  * Source: Gurijala, Shape-based analysis, chapter 3 and appendix 8. Differences: directions follow the solid angle
- * (DirectionSampling), long steps may be stopped by walls (PathRule), the steady rule (3.10) uses normalised densities.
+ * (DirectionSampling), long steps may be stopped by walls (PathRule), the steady rule (3.10) uses normalized densities.
  *
  * \ingroup ShapeDiffusion */
 template <typename TInputImage>

@@ -70,7 +70,7 @@ enum class DirectionSampling
   Uniform
 };
 
-/** The weights of the edges to the neighbours at -x, +x, -y, +y, -z, +z. \ingroup ShapeDiffusion */
+/** The weights of the edges to the neighbors at -x, +x, -y, +y, -z, +z. \ingroup ShapeDiffusion */
 using EdgeWeights = std::array<double, 6>;
 
 /** A unit vector sampled from the shape distribution of six weights by the inverse of its distribution function, in

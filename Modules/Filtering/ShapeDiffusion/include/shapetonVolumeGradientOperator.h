@@ -13,7 +13,7 @@ namespace shapeton
 /** \class VolumeGradientOperator
  * \brief Edge weights for the diffusion of heat or particles, computed from the intensities of a volume.
  *
- * Between neighbours i and j along axis k, with intensities scaled to [0, 1] by a window,
+ * Between neighbors i and j along axis k, with intensities scaled to [0, 1] by a window,
  *
  *   halfGradient = |I_i - I_j| / res_k,   weight = clamp(1 - p * halfGradient, 0, 1)      (2.5, 2.6)
  *

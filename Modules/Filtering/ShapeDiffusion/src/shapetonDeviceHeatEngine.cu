@@ -58,7 +58,7 @@ struct Compensated
  * values are in registers. Values still needed by neighbors are not overwritten: all results have separate memory. */
 struct TwoChebyshevSteps
 {
-  using Neighbourhood = DiffusionArithmetic::Neighbourhood;
+  using Neighborhood = DiffusionArithmetic::Neighborhood;
 
   Places         at;
   DiffusionEdges edges;
@@ -82,7 +82,7 @@ struct TwoChebyshevSteps
   }
 
   SHAPETON_HOST_DEVICE void
-  Second(std::size_t x, std::size_t y, std::size_t z, const Neighbourhood & odd, float kept) const
+  Second(std::size_t x, std::size_t y, std::size_t z, const Neighborhood & odd, float kept) const
   {
     const std::size_t i = at(x, y, z);
     float             sums[HeatEngine::MostNodes]; // loaded together to hide the memory latency
@@ -91,14 +91,14 @@ struct TwoChebyshevSteps
       sums[g] = g < pairs ? nodes[g][i] : 0.0F;
     }
     const float next = DiffusionArithmetic::NextDifference(kept, scale, DiffusionArithmetic::Flow(edges, odd, i));
-    const float even = odd.centre + next;
+    const float even = odd.center + next;
     nextDifference[i] = next;
     out[i] = even;
     for (unsigned int g = 0; g < HeatEngine::MostNodes; ++g)
     {
       if (g < pairs)
       {
-        nodes[g][i] = DiffusionArithmetic::WithPair(sums[g], even, odd.centre, terms[g].even, terms[g].odd);
+        nodes[g][i] = DiffusionArithmetic::WithPair(sums[g], even, odd.center, terms[g].even, terms[g].odd);
       }
     }
   }

@@ -25,9 +25,9 @@ namespace DiffusionArithmetic
 constexpr std::size_t NumberOfNodes = 7;
 
 /** Values of a voxel and of its six neighbors. */
-struct Neighbourhood
+struct Neighborhood
 {
-  float centre;
+  float center;
   float left;
   float right;
   float front;
@@ -38,11 +38,11 @@ struct Neighbourhood
 
 /** Net inflow to a voxel from its six neighbors: sum_j c_ij (f_j - f_i). \equation{2.2} */
 SHAPETON_HOST_DEVICE float
-Flow(const DiffusionEdges & e, const Neighbourhood & f, std::size_t i)
+Flow(const DiffusionEdges & e, const Neighborhood & f, std::size_t i)
 {
-  const float alongX = e.x[i] * (f.right - f.centre) + (e.x - 1)[i] * (f.left - f.centre);
-  const float alongY = e.y[i] * (f.back - f.centre) + (e.y - e.strideY)[i] * (f.front - f.centre);
-  const float alongZ = e.z[i] * (f.above - f.centre) + (e.z - e.strideZ)[i] * (f.below - f.centre);
+  const float alongX = e.x[i] * (f.right - f.center) + (e.x - 1)[i] * (f.left - f.center);
+  const float alongY = e.y[i] * (f.back - f.center) + (e.y - e.strideY)[i] * (f.front - f.center);
+  const float alongZ = e.z[i] * (f.above - f.center) + (e.z - e.strideZ)[i] * (f.below - f.center);
   return (alongX + alongY) + alongZ;
 }
 
@@ -51,7 +51,7 @@ Flow(const DiffusionEdges & e, const float * f, std::size_t i)
 {
   return Flow(
     e,
-    Neighbourhood{
+    Neighborhood{
       f[i], (f - 1)[i], f[i + 1], (f - e.strideY)[i], (f + e.strideY)[i], (f - e.strideZ)[i], (f + e.strideZ)[i] },
     i);
 }

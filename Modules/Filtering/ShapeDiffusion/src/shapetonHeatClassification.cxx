@@ -40,10 +40,10 @@ SmoothedDensity(const std::uint32_t * counts)
   {
     for (int offset = -radius; offset <= radius; ++offset)
     {
-      const int neighbour = bin + offset;
-      if (neighbour >= 1 && neighbour <= last)
+      const int neighbor = bin + offset;
+      if (neighbor >= 1 && neighbor <= last)
       {
-        smooth[bin] += kernel[std::abs(offset)] * density[neighbour];
+        smooth[bin] += kernel[std::abs(offset)] * density[neighbor];
       }
     }
   }

@@ -46,18 +46,18 @@ JoinVoxels(const VolumeGradientOperator & op)
 }
 
 /** For each voxel the number of its component among the large ones, or none. */
-struct Labelling
+struct Labeling
 {
   std::vector<std::uint32_t>  labels;
   std::vector<ShapeComponent> components;
 };
 
-Labelling
+Labeling
 LabelLargeComponents(VoxelSets & sets, const std::array<std::size_t, 3> & size, std::uint64_t minimumVoxels)
 {
-  Labelling         labelling;
+  Labeling         labeling;
   const std::size_t number = size[0] * size[1] * size[2];
-  auto &            labels = labelling.labels;
+  auto &            labels = labeling.labels;
   labels.assign(number, 0); // first the sizes, at the roots
   for (std::uint32_t voxel = 0; voxel < number; ++voxel)
   {
@@ -80,15 +80,15 @@ LabelLargeComponents(VoxelSets & sets, const std::array<std::size_t, 3> & size, 
       component.index = { voxel % size[0], voxel / size[0] % size[1], voxel / (size[0] * size[1]) };
       component.voxels = labels[voxel];
       component.closed = true;
-      labels[voxel] = static_cast<std::uint32_t>(labelling.components.size());
-      labelling.components.push_back(component);
+      labels[voxel] = static_cast<std::uint32_t>(labeling.components.size());
+      labeling.components.push_back(component);
     }
   }
-  return labelling;
+  return labeling;
 }
 
 void
-MeasureHeat(Labelling & labelling, const VolumeGradientOperator & op, const PaddedField & initialHeat)
+MeasureHeat(Labeling & labeling, const VolumeGradientOperator & op, const PaddedField & initialHeat)
 {
   const auto & grid = op.GetGrid();
   const auto & size = grid.GetSize();
@@ -101,16 +101,16 @@ MeasureHeat(Labelling & labelling, const VolumeGradientOperator & op, const Padd
       const bool          border = z == 0 || z + 1 == size[2] || y == 0 || y + 1 == size[1];
       for (std::size_t x = 0; x < size[0]; ++x, ++voxel)
       {
-        if (labelling.labels[voxel] != none)
+        if (labeling.labels[voxel] != none)
         {
-          auto & component = labelling.components[labelling.labels[voxel]];
+          auto & component = labeling.components[labeling.labels[voxel]];
           component.convergedHeat += heat[x];
           component.closed &= !(border || x == 0 || x + 1 == size[0]);
         }
       }
     }
   }
-  for (auto & component : labelling.components)
+  for (auto & component : labeling.components)
   {
     component.convergedHeat = component.closed ? component.convergedHeat / component.voxels : 0.0;
   }
@@ -119,7 +119,7 @@ MeasureHeat(Labelling & labelling, const VolumeGradientOperator & op, const Padd
 /** Adds, for each closed component, area = 2 sum_d weight_d crossings_d (cross-section of a line in direction d):
  * by Cauchy-Crofton the mean over all directions of twice the number of crossings per unit cross-section. */
 void
-MeasureArea(Labelling & labelling, const std::array<std::size_t, 3> & size, const std::array<double, 3> & spacing)
+MeasureArea(Labeling & labeling, const std::array<std::size_t, 3> & size, const std::array<double, 3> & spacing)
 {
   const auto   weights = CroftonWeights(spacing);
   const double voxelVolume = spacing[0] * spacing[1] * spacing[2];
@@ -138,13 +138,13 @@ MeasureArea(Labelling & labelling, const std::array<std::size_t, 3> & size, cons
         const std::ptrdiff_t first = (z * sizeOf(1) + y) * sizeOf(0) + 1;
         for (std::ptrdiff_t voxel = first; voxel < first + sizeOf(0) - 2; ++voxel)
         {
-          const std::uint32_t label = labelling.labels[voxel];
-          if (label == none || !labelling.components[label].closed)
+          const std::uint32_t label = labeling.labels[voxel];
+          if (label == none || !labeling.components[label].closed)
           {
             continue;
           }
-          const int crossings = (labelling.labels[voxel + step] != label) + (labelling.labels[voxel - step] != label);
-          labelling.components[label].surfaceArea += area * crossings;
+          const int crossings = (labeling.labels[voxel + step] != label) + (labeling.labels[voxel - step] != label);
+          labeling.components[label].surfaceArea += area * crossings;
         }
       }
     }
@@ -224,21 +224,21 @@ FindShapeComponents(const VolumeGradientOperator & volumeGradient,
   {
     throw std::length_error("the volume has more than 2^32 - 2 voxels; crop it");
   }
-  Labelling labelling;
+  Labeling labeling;
   {
     VoxelSets sets = JoinVoxels(volumeGradient);
-    labelling = LabelLargeComponents(sets, size, std::max<std::uint64_t>(1, minimumVoxels));
+    labeling = LabelLargeComponents(sets, size, std::max<std::uint64_t>(1, minimumVoxels));
   }
-  MeasureHeat(labelling, volumeGradient, initialHeat);
-  MeasureArea(labelling, size, spacing);
-  for (auto & component : labelling.components)
+  MeasureHeat(labeling, volumeGradient, initialHeat);
+  MeasureArea(labeling, size, spacing);
+  for (auto & component : labeling.components)
   {
     component.volume = component.voxels * spacing[0] * spacing[1] * spacing[2];
     component.normalizedHeat = component.surfaceArea / (6.0 * std::pow(component.volume, 2.0 / 3.0));
   }
-  std::stable_sort(labelling.components.begin(), labelling.components.end(), [](const auto & a, const auto & b) {
+  std::stable_sort(labeling.components.begin(), labeling.components.end(), [](const auto & a, const auto & b) {
     return a.voxels > b.voxels;
   });
-  return labelling.components;
+  return labeling.components;
 }
 } // namespace shapeton

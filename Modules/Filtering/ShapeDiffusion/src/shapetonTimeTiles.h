@@ -21,7 +21,7 @@ struct TimeTileShape
 };
 
 /** Calls `operation(step, row)` for steps 1 .. `steps` and all rows of the grid, in an order that respects the stencil:
- * step s of a row comes after step s-1 of itself and its four neighbours, and before their step s+1.
+ * step s of a row comes after step s-1 of itself and its four neighbors, and before their step s+1.
  *
  * Tiles of rows perform all steps while they are in the cache; each step shifts a tile by one row and one slice
  * toward the origin (time skewing), so that it depends only on itself and earlier tiles. Two alternating buffers

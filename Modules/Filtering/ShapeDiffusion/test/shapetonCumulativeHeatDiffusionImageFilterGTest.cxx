@@ -48,9 +48,9 @@ test::Volume
 Sphere(std::size_t side, double radius)
 {
   test::Volume volume({ side, side, side });
-  const double centre = (side - 1) / 2.0;
+  const double center = (side - 1) / 2.0;
   volume.Fill(
-    [&](double x, double y, double z) { return std::hypot(x - centre, y - centre, z - centre) <= radius ? 1.0 : 0.0; });
+    [&](double x, double y, double z) { return std::hypot(x - center, y - center, z - center) <= radius ? 1.0 : 0.0; });
   return volume;
 }
 } // namespace
@@ -62,15 +62,15 @@ TEST(CumulativeHeatDiffusionImageFilter, ASphereConvergesToThreeQuartersOverItsR
     auto filter = MakeFilter(MakeImage<float>(Sphere(40, radius)).GetPointer(), 1000000);
     filter->WantComponentsOn();
     filter->Update();
-    const float centre = filter->GetOutput()->GetPixel({ { 20, 20, 20 } });
+    const float center = filter->GetOutput()->GetPixel({ { 20, 20, 20 } });
     // A voxel sphere has the cut faces of its projections, 6 pi r^2, and the volume 4/3 pi r^3, both within a voxel's
     // size.
-    EXPECT_NEAR(centre * radius, 0.75, 0.75 / radius * 0.5);
+    EXPECT_NEAR(center * radius, 0.75, 0.75 / radius * 0.5);
     const auto & components = filter->GetResult().components;
     ASSERT_EQ(components.size(), 2U);
     EXPECT_FALSE(components[0].closed);
     EXPECT_TRUE(components[1].closed);
-    EXPECT_NEAR(components[1].convergedHeat, centre, 1e-5);
+    EXPECT_NEAR(components[1].convergedHeat, center, 1e-5);
   }
 }
 

@@ -19,7 +19,7 @@ Find(const Volume & volume, const std::array<double, 3> & spacing = { { 1.0, 1.0
   return FindShapeComponents(volumeGradient, heat, spacing, 8);
 }
 
-/** A binary object, given by its signed distance in mm from the centre of a cube of 48 voxels. */
+/** A binary object, given by its signed distance in mm from the center of a cube of 48 voxels. */
 template <typename TDistance>
 ShapeComponent
 Measure(const TDistance & distance, const std::array<double, 3> & spacing = { { 1.0, 1.0, 1.0 } })

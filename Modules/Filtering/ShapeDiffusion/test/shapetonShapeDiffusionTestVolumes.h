@@ -139,8 +139,8 @@ public:
       {
         const int  axis = k / 2;
         const bool inside = k % 2 == 0 ? index[axis] + 1 < static_cast<std::ptrdiff_t>(m_Size[axis]) : index[axis] > 0;
-        const double neighbour = inside ? heat[i + (k % 2 == 0 ? strides[axis] : -strides[axis])] : 0.0;
-        flow += m_Conductances[i][k] * (neighbour - heat[i]);
+        const double neighbor = inside ? heat[i + (k % 2 == 0 ? strides[axis] : -strides[axis])] : 0.0;
+        flow += m_Conductances[i][k] * (neighbor - heat[i]);
       }
       m_Next[i] = heat[i] + m_Dt * flow;
     });

@@ -34,8 +34,8 @@ FindTraps(const Volume & volume, double p)
     for (unsigned int axis = 0; axis < 3; ++axis)
     {
       const bool inside = index[axis] > 0 && index[axis] + 1 < volume.size[axis];
-      const auto closed = [&](std::size_t neighbour) {
-        return range > 0.0 && p * std::abs(double{ values[i] } - values[neighbour]) >= range;
+      const auto closed = [&](std::size_t neighbor) {
+        return range > 0.0 && p * std::abs(double{ values[i] } - values[neighbor]) >= range;
       };
       trap = trap && inside && closed(i - strides[axis]) && closed(i + strides[axis]);
     }
@@ -216,7 +216,7 @@ TEST(ShapetonDiffusion, AnotherSeedGivesOtherVisits)
   EXPECT_NE(one.visits, two.visits);
 }
 
-TEST(ShapetonDiffusion, TheChangeIsThatOfNormalisedDensities)
+TEST(ShapetonDiffusion, TheChangeIsThatOfNormalizedDensities)
 {
   // 40000 shapetons use several threads; 7 make the maximum number of visits jump.
   const Volume volume = MakeScene({ 14, 13, 12 }, 0.4);
@@ -365,7 +365,7 @@ TEST(ShapetonDiffusion, TraversalStopsAtAWallAndAnEndpointMayLieBehindIt)
   }
 }
 
-TEST(ShapetonDiffusion, AStepHasOneLengthInMillimetres)
+TEST(ShapetonDiffusion, AStepHasOneLengthInMillimeters)
 {
   const Volume volume({ 60, 50, 20 }, 1.0F);
   auto         settings = MakeSettings(volume, 60000, 0.1);
@@ -458,9 +458,9 @@ TEST(ShapetonDiffusion, RefusesMoreVisitsThanItCanCount)
 TEST(ShapetonDiffusion, TheEquivalentTimeOfHeatIsThatOfTheSameSpread)
 {
   const Volume               volume({ 41, 41, 41 }, 1.0F);
-  const std::size_t          centre = (20 * 41 + 20) * 41 + 20;
+  const std::size_t          center = (20 * 41 + 20) * 41 + 20;
   std::vector<unsigned char> mask(volume.values.size(), 0);
-  mask[centre] = 1;
+  mask[center] = 1;
   for (const double step : { 0.3, 0.8, 1.0, 1.16, 1.5, 2.5 })
   {
     // The component along an axis and the position in the voxel are uniformly distributed.

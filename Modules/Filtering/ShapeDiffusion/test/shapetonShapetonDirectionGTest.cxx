@@ -279,7 +279,7 @@ TEST(ShapetonDirection, SixEqualWeightsGiveTheUniformDistributionBySolidAngle)
   }
 }
 
-TEST(ShapetonDirection, SixEqualWeightsFavourTheFirstAxisBySectorArea)
+TEST(ShapetonDirection, SixEqualWeightsFavorTheFirstAxisBySectorArea)
 {
   const Moments moments = DrawMany({ 1, 1, 1, 1, 1, 1 }, DirectionSampling::SectorArea, 400000);
   EXPECT_NEAR(moments.second[0], 0.50, 0.003);

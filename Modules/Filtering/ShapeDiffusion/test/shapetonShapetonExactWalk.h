@@ -31,7 +31,7 @@ public:
       for (unsigned int edge = 0; edge < 6; ++edge)
       {
         const double contrast =
-          this->IsInside(voxel, edge) ? volume.values[voxel] - volume.values[this->Neighbour(voxel, edge)] : 0.0;
+          this->IsInside(voxel, edge) ? volume.values[voxel] - volume.values[this->Neighbor(voxel, edge)] : 0.0;
         m_Weights[voxel][edge] = std::clamp(1.0 - p * std::abs(contrast) / range, 0.0, 1.0);
       }
     }
@@ -52,7 +52,7 @@ public:
   }
 
   std::size_t
-  Neighbour(std::size_t voxel, unsigned int edge) const
+  Neighbor(std::size_t voxel, unsigned int edge) const
   {
     return edge % 2 ? voxel + m_Strides[edge / 2] : voxel - m_Strides[edge / 2];
   }
@@ -90,7 +90,7 @@ public:
     if (passage > 0.0)
     {
       place[face] = forwards ? 0.0 : 1.0;
-      this->Follow(this->Neighbour(voxel, edge), place, way, probability * passage, ends);
+      this->Follow(this->Neighbor(voxel, edge), place, way, probability * passage, ends);
     }
     if (passage < 1.0)
     {
@@ -253,7 +253,7 @@ private:
         const double       passage = m_Walk.GetPassage(voxel, edge);
         if (passage > 0.0)
         {
-          this->Meet(start, octant, rest, probability * passage, m_Walk.Neighbour(voxel, edge));
+          this->Meet(start, octant, rest, probability * passage, m_Walk.Neighbor(voxel, edge));
         }
         this->Meet(start, octant, rest, probability * (1.0 - passage), voxel);
       }

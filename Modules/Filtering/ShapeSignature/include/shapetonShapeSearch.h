@@ -45,7 +45,7 @@ struct NamedShape
 };
 
 /** An entry and its distance. \ingroup ShapeSignature */
-struct ShapeNeighbour
+struct ShapeNeighbor
 {
   std::size_t entry{ 0 };
   double      distance{ 0.0 };
@@ -55,7 +55,7 @@ struct ShapeNeighbour
 struct ShapeSearchResult
 {
   /** The nearest first; in case of ties the earlier entry. */
-  std::vector<ShapeNeighbour> neighbours;
+  std::vector<ShapeNeighbor> neighbors;
   /** ProbabilityOfSameShape() of the first one; if all entries share a name there is no margin, and it is set to 1. */
   double probability{ 0.0 };
 

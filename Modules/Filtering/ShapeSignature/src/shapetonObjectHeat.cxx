@@ -59,10 +59,10 @@ LeavingOperator(const ShapeOccupancy & occupancy, const Participants & inside)
   for (Eigen::Index i = 0; i < inside.Size(); ++i)
   {
     const std::size_t place = inside.places[i];
-    ForEachNeighbour(occupancy.grid, place, [&](std::size_t neighbour) {
-      const int j = inside.numbers[neighbour];
+    ForEachNeighbor(occupancy.grid, place, [&](std::size_t neighbor) {
+      const int j = inside.numbers[neighbor];
       matrix.diagonal[i] +=
-        j >= 0 ? 1.0 : 1.0 / DistanceOfBoundary(occupancy.values[place], occupancy.values[neighbour]);
+        j >= 0 ? 1.0 : 1.0 / DistanceOfBoundary(occupancy.values[place], occupancy.values[neighbor]);
       if (j > i)
       {
         matrix.entries.push_back({ static_cast<int>(i), j, 1.0 });
@@ -82,9 +82,9 @@ StayingOperator(const ShapeOccupancy & occupancy, const Participants & filled)
   {
     const std::size_t place = filled.places[i];
     const double      share = occupancy.values[place];
-    ForEachNeighbour(occupancy.grid, place, [&](std::size_t neighbour) {
-      const int    j = filled.numbers[neighbour];
-      const double other = occupancy.values[neighbour];
+    ForEachNeighbor(occupancy.grid, place, [&](std::size_t neighbor) {
+      const int    j = filled.numbers[neighbor];
+      const double other = occupancy.values[neighbor];
       if (j > i)
       {
         const double conductance = std::min({ share, other, 1.0 });

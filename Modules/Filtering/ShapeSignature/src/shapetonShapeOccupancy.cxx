@@ -158,7 +158,7 @@ MomentsOf(const VoxelRuns & shape, const itk::ImageBase<3> * image)
   const IndexToPoint toPoint(image);
   ShapeMoments       moments;
   moments.volume = voxels * std::abs(toPoint.matrix.determinant());
-  moments.centre = toPoint.origin + toPoint.matrix * mean;
+  moments.center = toPoint.origin + toPoint.matrix * mean;
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(toPoint.matrix * covariance * toPoint.matrix.transpose());
   moments.deviations = solver.eigenvalues().reverse().cwiseMax(0.0).cwiseSqrt();
   moments.axes = solver.eigenvectors().rowwise().reverse();
@@ -174,8 +174,8 @@ OccupancyOf(const VoxelRuns & shape, const itk::ImageBase<3> * image, const Shap
 {
   const IndexToPoint    toPoint(image);
   const Eigen::Matrix3d toGrid = moments.axes.transpose() * toPoint.matrix / spacing;
-  const Eigen::Vector3d centre = moments.axes.transpose() * (toPoint.origin - moments.centre) / spacing;
-  const auto            placeOf = [&](const Eigen::Vector3d & index) { return (centre + toGrid * index).eval(); };
+  const Eigen::Vector3d center = moments.axes.transpose() * (toPoint.origin - moments.center) / spacing;
+  const auto            placeOf = [&](const Eigen::Vector3d & index) { return (center + toGrid * index).eval(); };
 
   Eigen::Vector3d low = Eigen::Vector3d::Constant(1e300), high = -low;
   ForEachRun(shape, [&](std::size_t run, int j, int k) {

@@ -13,7 +13,7 @@ namespace shapeton
 struct ShapeMoments
 {
   double          volume{ 0.0 };
-  Eigen::Vector3d centre{ Eigen::Vector3d::Zero() };
+  Eigen::Vector3d center{ Eigen::Vector3d::Zero() };
   /** Along the longest, the middle and the shortest principal axis; voxels count as boxes. */
   Eigen::Vector3d deviations{ Eigen::Vector3d::Zero() };
   /** The axes in columns; right-handed. */

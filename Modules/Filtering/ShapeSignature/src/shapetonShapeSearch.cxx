@@ -47,11 +47,11 @@ RelativeSurface(const ShapeSignature & shape)
 
 /** The nearest entry with a name other than that of the overall nearest; infinity if there is none. */
 double
-SecondDistance(const std::vector<ShapeNeighbour> & ranking, const std::vector<NamedShape> & entries)
+SecondDistance(const std::vector<ShapeNeighbor> & ranking, const std::vector<NamedShape> & entries)
 {
   const std::string & first = entries[ranking.front().entry].name;
-  const auto          second = std::find_if(ranking.begin(), ranking.end(), [&](const ShapeNeighbour & neighbour) {
-    return entries[neighbour.entry].name != first;
+  const auto          second = std::find_if(ranking.begin(), ranking.end(), [&](const ShapeNeighbor & neighbor) {
+    return entries[neighbor.entry].name != first;
   });
   return second == ranking.end() ? ranking.front().distance : second->distance;
 }
@@ -104,14 +104,14 @@ FindShape(const ShapeSignature & shape, const std::vector<NamedShape> & entries,
   ShapeSearchResult result;
   for (std::size_t i = 0; i < entries.size(); ++i)
   {
-    result.neighbours.push_back({ i, SignatureDistance(shape, entries[i].signature) });
+    result.neighbors.push_back({ i, SignatureDistance(shape, entries[i].signature) });
   }
-  std::stable_sort(result.neighbours.begin(), result.neighbours.end(), [](const auto & a, const auto & b) {
+  std::stable_sort(result.neighbors.begin(), result.neighbors.end(), [](const auto & a, const auto & b) {
     return a.distance < b.distance;
   });
-  const double first = std::max(result.neighbours.front().distance, LeastDifference);
-  result.probability = ProbabilityOfSameShape(first, SecondDistance(result.neighbours, entries) / first);
-  result.neighbours.resize(std::min(nearest, result.neighbours.size()));
+  const double first = std::max(result.neighbors.front().distance, LeastDifference);
+  result.probability = ProbabilityOfSameShape(first, SecondDistance(result.neighbors, entries) / first);
+  result.neighbors.resize(std::min(nearest, result.neighbors.size()));
   return result;
 }
 } // namespace shapeton

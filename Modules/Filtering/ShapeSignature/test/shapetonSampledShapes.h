@@ -63,9 +63,9 @@ Draw(Image * image, const Solid & solid, float label = 1.0F)
 }
 
 inline Solid
-Ball(double radius, const Eigen::Vector3d & centre = Eigen::Vector3d::Zero())
+Ball(double radius, const Eigen::Vector3d & center = Eigen::Vector3d::Zero())
 {
-  return [=](const Eigen::Vector3d & p) { return (p - centre).norm() <= radius; };
+  return [=](const Eigen::Vector3d & p) { return (p - center).norm() <= radius; };
 }
 
 inline Solid

@@ -29,9 +29,9 @@ Entries()
 TEST(ShapeSearch, FindsCopiesAndIsSureOfThem)
 {
   const auto found = FindShape(SignatureOf(Turned(Scaled(Hammer(), 0.8), 30.0, { 1.0, 1.0, 0.0 })), Entries(), 2);
-  ASSERT_EQ(found.neighbours.size(), 2U);
-  EXPECT_EQ(Entries()[found.neighbours[0].entry].name, "hammer");
-  EXPECT_LT(found.neighbours[0].distance, found.neighbours[1].distance);
+  ASSERT_EQ(found.neighbors.size(), 2U);
+  EXPECT_EQ(Entries()[found.neighbors[0].entry].name, "hammer");
+  EXPECT_LT(found.neighbors[0].distance, found.neighbors[1].distance);
   EXPECT_GT(found.probability, 0.9);
   EXPECT_FALSE(found.IsUnknown());
 }

@@ -139,13 +139,13 @@ CheckPackingExists(const TracedMap & packed)
   std::iota(order.begin(), order.end(), 0);
   std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return incidence.Degree(a) > incidence.Degree(b); });
   std::vector<bool> isDone(order.size(), false);
-  std::vector<int>  lastNeighbour(order.size(), -1);
+  std::vector<int>  lastNeighbor(order.size(), -1);
   TwoPaths          paths(incidence.Size());
   for (const int from : order)
   {
     for (const int * middle = incidence.Begin(from); middle != incidence.End(from); ++middle)
     {
-      if (std::exchange(lastNeighbour[*middle], from) == from) // a face that meets a node twice
+      if (std::exchange(lastNeighbor[*middle], from) == from) // a face that meets a node twice
       {
         RefuseFourCycle(packed, from, *middle);
       }

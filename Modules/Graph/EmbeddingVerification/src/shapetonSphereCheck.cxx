@@ -148,11 +148,11 @@ private:
       // Computed from the smaller circle, so that the point is accurate at its scale.
       const int    near = m_Certificate.nodeRadii[v] <= m_Certificate.nodeRadii[w] ? v : w;
       const double radius = m_Certificate.nodeRadii[near];
-      const Point  centre = NodePlace(near);
-      const Point  direction = Direction(centre, NodePlace(near == v ? w : v));
+      const Point  center = NodePlace(near);
+      const Point  direction = Direction(center, NodePlace(near == v ? w : v));
       // 1 - cos r without cancellation
       const double bend = -2.0 * std::sin(0.5 * radius) * std::sin(0.5 * radius);
-      m_Touch[h / 2] = Sum(Sum(centre, bend, centre), std::sin(radius), direction);
+      m_Touch[h / 2] = Sum(Sum(center, bend, center), std::sin(radius), direction);
     }
     measures.emplace_back("tangency", largest);
   }

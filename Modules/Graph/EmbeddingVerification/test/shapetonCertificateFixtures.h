@@ -104,18 +104,18 @@ Polyhedron(std::vector<Point> corners)
   const shapeton::CombinatorialMap map = shapeton::MapOfRotation(certificate.graph, certificate.rotation);
   for (int face = 0; face < map.Faces(); ++face)
   {
-    Point centre{ 0, 0, 0 };
+    Point center{ 0, 0, 0 };
     for (const int halfEdge : map.Boundary(face))
     {
       for (int k = 0; k < 3; ++k)
       {
-        centre[k] += corners[map.Node(halfEdge)][k];
+        center[k] += corners[map.Node(halfEdge)][k];
       }
     }
-    centre = Unit(centre);
-    certificate.facePositions.insert(certificate.facePositions.end(), centre.begin(), centre.end());
+    center = Unit(center);
+    certificate.facePositions.insert(certificate.facePositions.end(), center.begin(), center.end());
     certificate.faceRadii.push_back(
-      std::acos(Dot(centre, corners[map.Node(map.FirstOfFace(face))]) / std::cos(radius)));
+      std::acos(Dot(center, corners[map.Node(map.FirstOfFace(face))]) / std::cos(radius)));
   }
   return certificate;
 }

@@ -24,7 +24,7 @@ GraphComparison_EXPORT CsvTable
 TableOfSteps(const DynamicSequence & sequence);
 
 /** One row for each step and each of these nodes: step, file, node, present (0 or 1), x, y, z (z is set on the sphere
- * only), radius, degree, neighbours (names, separated by spaces). Throws ParameterError if a name does not occur in
+ * only), radius, degree, neighbors (names, separated by spaces). Throws ParameterError if a name does not occur in
  * any step. \ingroup GraphComparison */
 GraphComparison_EXPORT CsvTable
 TableOfTrackedNodes(const DynamicSequence & sequence, const std::vector<std::string> & names);

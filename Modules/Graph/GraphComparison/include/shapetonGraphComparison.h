@@ -35,7 +35,7 @@ GraphComparison_EXPORT std::vector<std::string>
 /** Node correspondence and its method. \ingroup GraphComparison */
 struct NodeCorrespondence
 {
-  /** "isomorphism", "names", "neighbourhoods" (nodes with a neighborhood of up to four edges that is unique in both
+  /** "isomorphism", "names", "neighborhoods" (nodes with a neighborhood of up to four edges that is unique in both
    * graphs), or "none". */
   std::string by;
   /** For each node of the first graph its node of the second one, or -1. */
@@ -77,7 +77,7 @@ CompareGraphs(const Graph &                 a,
 /** "#rrggbb" for each node of both graphs. Corresponding nodes share a color; colors of neighbors in canonical order
  * differ strongly; unmatched nodes are gray. \ingroup GraphComparison */
 GraphComparison_EXPORT std::array<std::vector<std::string>, 2>
-                       ColoursOfNodes(const GraphComparison & comparison);
+                       ColorsOfNodes(const GraphComparison & comparison);
 
 /** Comparison as JSON without the embeddings, by node names. \ingroup GraphComparison */
 GraphComparison_EXPORT Json

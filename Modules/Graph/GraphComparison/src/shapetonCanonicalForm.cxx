@@ -15,16 +15,16 @@ namespace
 {
 /** A simple graph with colored nodes: the color of a node is its number of loops; a multiple edge gets a middle node,
  * colored by the multiplicity. */
-struct ColouredGraph
+struct ColoredGraph
 {
-  explicit ColouredGraph(const Graph & graph) : colour(graph.nodes, 0)
+  explicit ColoredGraph(const Graph & graph) : color(graph.nodes, 0)
   {
     std::map<std::array<int, 2>, int> multiplicity;
     for (const auto & edge : graph.edges)
     {
       if (edge[0] == edge[1])
       {
-        ++colour[edge[0]];
+        ++color[edge[0]];
       }
       else
       {
@@ -39,23 +39,23 @@ struct ColouredGraph
       }
       else
       {
-        const int middle = static_cast<int>(colour.size());
-        colour.push_back(-count);
+        const int middle = static_cast<int>(color.size());
+        color.push_back(-count);
         edges.push_back({ ends[0], middle });
         edges.push_back({ ends[1], middle });
       }
     }
   }
 
-  std::vector<int>                colour;
+  std::vector<int>                color;
   std::vector<std::array<int, 2>> edges;
 };
 
 /** The nodes in canonical order. */
 std::vector<int>
-CanonicalOrder(const ColouredGraph & graph)
+CanonicalOrder(const ColoredGraph & graph)
 {
-  const int           n = static_cast<int>(graph.colour.size());
+  const int           n = static_cast<int>(graph.color.size());
   std::vector<int>    degree(n, 0);
   std::vector<size_t> start(n + 1, 0);
   for (const auto & edge : graph.edges)
@@ -67,29 +67,29 @@ CanonicalOrder(const ColouredGraph & graph)
   {
     start[v + 1] = start[v] + degree[v];
   }
-  std::vector<int>    neighbours(std::max<std::size_t>(1, 2 * graph.edges.size()));
+  std::vector<int>    neighbors(std::max<std::size_t>(1, 2 * graph.edges.size()));
   std::vector<size_t> place(start.begin(), start.end() - 1);
   for (const auto & edge : graph.edges)
   {
-    neighbours[place[edge[0]]++] = edge[1];
-    neighbours[place[edge[1]]++] = edge[0];
+    neighbors[place[edge[0]]++] = edge[1];
+    neighbors[place[edge[1]]++] = edge[0];
   }
   std::vector<int> order(n);
   std::iota(order.begin(), order.end(), 0);
-  std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return graph.colour[a] < graph.colour[b]; });
+  std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return graph.color[a] < graph.color[b]; });
   std::vector<int> cellGoesOn(n, 0);
   for (int i = 0; i + 1 < n; ++i)
   {
-    cellGoesOn[i] = graph.colour[order[i]] == graph.colour[order[i + 1]] ? 1 : 0;
+    cellGoesOn[i] = graph.color[order[i]] == graph.color[order[i + 1]] ? 1 : 0;
   }
   SG_DECL(sparse);
   sparse.nv = n;
   sparse.nde = 2 * graph.edges.size();
   sparse.v = start.data();
   sparse.d = degree.data();
-  sparse.e = neighbours.data();
+  sparse.e = neighbors.data();
   sparse.vlen = sparse.dlen = n;
-  sparse.elen = neighbours.size();
+  sparse.elen = neighbors.size();
   DEFAULTOPTIONS_TRACES(options);
   options.getcanon = TRUE;
   options.defaultptn = FALSE;
@@ -105,14 +105,14 @@ CanonicalOrder(const ColouredGraph & graph)
 CanonicalForm::CanonicalForm(const Graph & original) : rank(original.nodes)
 {
   int next = 0;
-  for (const int node : CanonicalOrder(ColouredGraph(original)))
+  for (const int node : CanonicalOrder(ColoredGraph(original)))
   {
     if (node < original.nodes)
     {
       rank[node] = next++;
     }
   }
-  graph = RelabelledGraph(original, rank);
+  graph = RelabeledGraph(original, rank);
   for (auto & edge : graph.edges)
   {
     edge = { std::min(edge[0], edge[1]), std::max(edge[0], edge[1]) };

@@ -260,12 +260,12 @@ bool
 EdgeInsertion::InsertNode(int node)
 {
   std::map<int, std::map<int, int>> cornersOfFace; // for each face, one corner of each neighbor
-  const auto                        neighbourBy = [&](int e) {
+  const auto                        neighborBy = [&](int e) {
     return m_After.edges[e][0] == node ? m_After.edges[e][1] : m_After.edges[e][0];
   };
   for (const int e : m_NewEdgesOf[node])
   {
-    ForCorners(neighbourBy(e), [&](int h) { cornersOfFace[m_Map.FaceOfCorner(h)].emplace(neighbourBy(e), h); });
+    ForCorners(neighborBy(e), [&](int h) { cornersOfFace[m_Map.FaceOfCorner(h)].emplace(neighborBy(e), h); });
   }
   if (cornersOfFace.empty())
   {
@@ -276,7 +276,7 @@ EdgeInsertion::InsertNode(int node)
   });
   for (const int e : m_NewEdgesOf[node])
   {
-    if (const auto corner = best->second.find(neighbourBy(e)); corner != best->second.end())
+    if (const auto corner = best->second.find(neighborBy(e)); corner != best->second.end())
     {
       const bool isFirst = m_After.edges[e][0] == node;
       Insert(e, isFirst ? -1 : corner->second, isFirst ? corner->second : -1);

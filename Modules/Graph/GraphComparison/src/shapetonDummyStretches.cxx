@@ -132,7 +132,7 @@ DummyStretches::DummyStretches(const CombinatorialMap & packed,
   }
   for (int step = 1; step < reach; ++step)
   {
-    dummies.DropNeighbours();
+    dummies.DropNeighbors();
   }
   for (int node = 0; node < map.Nodes(); ++node)
   {

@@ -66,13 +66,13 @@ AddPresence(std::vector<std::string> &   row,
   }
   row.push_back(CsvTable::Number(certificate.nodeRadii[node]));
   row.push_back(std::to_string(incidence.Degree(node)));
-  std::string neighbours;
+  std::string neighbors;
   for (int i = incidence.start[node]; i < incidence.start[node + 1]; ++i)
   {
     const int h = incidence.halfEdges[i];
-    neighbours += (neighbours.empty() ? "" : " ") + NameOfNode(graph, graph.edges[h / 2][1 - h % 2]);
+    neighbors += (neighbors.empty() ? "" : " ") + NameOfNode(graph, graph.edges[h / 2][1 - h % 2]);
   }
-  row.push_back(neighbours);
+  row.push_back(neighbors);
 }
 } // namespace
 
@@ -119,7 +119,7 @@ TableOfSteps(const DynamicSequence & sequence)
 CsvTable
 TableOfTrackedNodes(const DynamicSequence & sequence, const std::vector<std::string> & names)
 {
-  CsvTable          table({ "step", "file", "node", "present", "x", "y", "z", "radius", "degree", "neighbours" });
+  CsvTable          table({ "step", "file", "node", "present", "x", "y", "z", "radius", "degree", "neighbors" });
   std::vector<bool> found(names.size(), false);
   for (std::size_t i = 0; i < sequence.steps.size(); ++i)
   {

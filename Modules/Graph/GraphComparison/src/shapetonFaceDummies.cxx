@@ -3,7 +3,7 @@
 namespace shapeton
 {
 void
-FaceDummies::DropNeighbours()
+FaceDummies::DropNeighbors()
 {
   const std::vector<char> before = m_IsGone;
   for (int h = 0; h < m_Packed.HalfEdges(); ++h)

@@ -61,7 +61,7 @@ public:
   }
   /** All neighbors of removed dummies. */
   void
-  DropNeighbours();
+  DropNeighbors();
 
 private:
   const CombinatorialMap & m_Packed;

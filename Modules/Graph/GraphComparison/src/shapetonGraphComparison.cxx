@@ -16,24 +16,24 @@ namespace shapeton
 namespace
 {
 int
-CountTriangles(const std::vector<std::vector<int>> & greaterNeighbours)
+CountTriangles(const std::vector<std::vector<int>> & greaterNeighbors)
 {
   int               triangles = 0;
-  std::vector<bool> isNeighbour(greaterNeighbours.size(), false);
-  for (const auto & neighbours : greaterNeighbours)
+  std::vector<bool> isNeighbor(greaterNeighbors.size(), false);
+  for (const auto & neighbors : greaterNeighbors)
   {
-    for (const int w : neighbours)
+    for (const int w : neighbors)
     {
-      isNeighbour[w] = true;
+      isNeighbor[w] = true;
     }
-    for (const int w : neighbours)
+    for (const int w : neighbors)
     {
       triangles += static_cast<int>(
-        std::count_if(greaterNeighbours[w].begin(), greaterNeighbours[w].end(), [&](int x) { return isNeighbour[x]; }));
+        std::count_if(greaterNeighbors[w].begin(), greaterNeighbors[w].end(), [&](int x) { return isNeighbor[x]; }));
     }
-    for (const int w : neighbours)
+    for (const int w : neighbors)
     {
-      isNeighbour[w] = false;
+      isNeighbor[w] = false;
     }
   }
   return triangles;
@@ -46,7 +46,7 @@ FiguresOf(const Graph & graph)
   const Incidence               incidence(graph);
   GraphFigures                  figures;
   std::set<std::array<int, 2>>  ends;
-  std::vector<std::vector<int>> greaterNeighbours(graph.nodes);
+  std::vector<std::vector<int>> greaterNeighbors(graph.nodes);
   figures.nodes = graph.nodes;
   figures.edges = static_cast<int>(graph.edges.size());
   for (const auto & edge : graph.edges)
@@ -58,7 +58,7 @@ FiguresOf(const Graph & graph)
     }
     else if (ends.insert(sorted).second)
     {
-      greaterNeighbours[sorted[0]].push_back(sorted[1]);
+      greaterNeighbors[sorted[0]].push_back(sorted[1]);
     }
     else
     {
@@ -67,7 +67,7 @@ FiguresOf(const Graph & graph)
   }
   figures.components = static_cast<int>(ConnectedComponents(graph).size());
   figures.blocks = static_cast<int>(BlocksOf(graph).size());
-  figures.triangles = CountTriangles(greaterNeighbours);
+  figures.triangles = CountTriangles(greaterNeighbors);
   for (int v = 0; v < graph.nodes; ++v)
   {
     const std::size_t degree = incidence.Degree(v);
@@ -112,7 +112,7 @@ class Refinement
 {
 public:
   Refinement(const Graph & a, const Graph & b)
-    : m_Shift(a.nodes), m_Neighbours(a.nodes + b.nodes), m_Colour(a.nodes + b.nodes, 0)
+    : m_Shift(a.nodes), m_Neighbors(a.nodes + b.nodes), m_Color(a.nodes + b.nodes, 0)
   {
     AddEdges(a, 0);
     AddEdges(b, a.nodes);
@@ -121,33 +121,33 @@ public:
   void
   Refine()
   {
-    std::map<std::vector<int>, int> colourOf;
-    std::vector<int>                refined(m_Colour.size());
-    for (std::size_t v = 0; v < m_Colour.size(); ++v)
+    std::map<std::vector<int>, int> colorOf;
+    std::vector<int>                refined(m_Color.size());
+    for (std::size_t v = 0; v < m_Color.size(); ++v)
     {
       std::vector<int> signature;
-      for (const int w : m_Neighbours[v])
+      for (const int w : m_Neighbors[v])
       {
-        signature.push_back(m_Colour[w]);
+        signature.push_back(m_Color[w]);
       }
       std::sort(signature.begin(), signature.end());
-      signature.push_back(m_Colour[v]);
-      refined[v] = colourOf.try_emplace(signature, static_cast<int>(colourOf.size())).first->second;
+      signature.push_back(m_Color[v]);
+      refined[v] = colorOf.try_emplace(signature, static_cast<int>(colorOf.size())).first->second;
     }
-    m_Colour.swap(refined);
+    m_Color.swap(refined);
   }
 
   /** Pairs unmatched nodes whose color is unique in both graphs. */
   void
   PairUnique(std::vector<int> & image, std::vector<bool> & taken) const
   {
-    std::map<int, std::array<std::vector<int>, 2>> nodesOfColour;
-    for (int v = 0; v < static_cast<int>(m_Colour.size()); ++v)
+    std::map<int, std::array<std::vector<int>, 2>> nodesOfColor;
+    for (int v = 0; v < static_cast<int>(m_Color.size()); ++v)
     {
       const bool ofB = v >= m_Shift;
-      nodesOfColour[m_Colour[v]][ofB ? 1 : 0].push_back(ofB ? v - m_Shift : v);
+      nodesOfColor[m_Color[v]][ofB ? 1 : 0].push_back(ofB ? v - m_Shift : v);
     }
-    for (const auto & [colour, nodes] : nodesOfColour)
+    for (const auto & [color, nodes] : nodesOfColor)
     {
       if (nodes[0].size() == 1 && nodes[1].size() == 1 && image[nodes[0][0]] < 0 && !taken[nodes[1][0]])
       {
@@ -163,18 +163,18 @@ private:
   {
     for (const auto & edge : graph.edges)
     {
-      m_Neighbours[edge[0] + shift].push_back(edge[1] + shift);
-      m_Neighbours[edge[1] + shift].push_back(edge[0] + shift);
+      m_Neighbors[edge[0] + shift].push_back(edge[1] + shift);
+      m_Neighbors[edge[1] + shift].push_back(edge[0] + shift);
     }
   }
 
   int                           m_Shift;
-  std::vector<std::vector<int>> m_Neighbours;
-  std::vector<int>              m_Colour;
+  std::vector<std::vector<int>> m_Neighbors;
+  std::vector<int>              m_Color;
 };
 
 NodeCorrespondence
-ByNeighbourhoods(const Graph & a, const Graph & b)
+ByNeighborhoods(const Graph & a, const Graph & b)
 {
   NodeCorrespondence result{ "none", std::vector<int>(a.nodes, -1) };
   std::vector<bool>  taken(b.nodes, false);
@@ -186,7 +186,7 @@ ByNeighbourhoods(const Graph & a, const Graph & b)
   }
   if (std::any_of(result.image.begin(), result.image.end(), [](int v) { return v >= 0; }))
   {
-    result.by = "neighbourhoods";
+    result.by = "neighborhoods";
   }
   return result;
 }
@@ -213,7 +213,7 @@ CorrespondingNodes(const CanonicalForm & a, const CanonicalForm & b)
       return result;
     }
   }
-  return ByNeighbourhoods(a.graph, b.graph);
+  return ByNeighborhoods(a.graph, b.graph);
 }
 
 GraphComparison
@@ -233,7 +233,7 @@ CompareGraphs(const Graph &                 a,
     part.progress = progress.Part("Packing circles", begin, end);
     return part;
   };
-  progress("Labelling", 0.0);
+  progress("Labeling", 0.0);
   const CanonicalForm formA(a);
   const CanonicalForm formB(b);
   GraphComparison     result;
@@ -266,7 +266,7 @@ namespace
 {
 /** Hues by the golden angle, cycling through three lightness values. */
 std::string
-ColourOf(int index)
+ColorOf(int index)
 {
   const double hue = std::fmod(index * 0.6180339887498949, 1.0) * 6.0;
   const double value = 0.95 - 0.15 * (index % 3);
@@ -314,19 +314,19 @@ FiguresToJson(const EmbeddingCertificate & certificate)
 } // namespace
 
 std::array<std::vector<std::string>, 2>
-ColoursOfNodes(const GraphComparison & comparison)
+ColorsOfNodes(const GraphComparison & comparison)
 {
-  const std::string                       grey = "#9a9a9a";
-  std::array<std::vector<std::string>, 2> colours{ std::vector<std::string>(comparison.a.graph.nodes, grey),
-                                                   std::vector<std::string>(comparison.b.graph.nodes, grey) };
+  const std::string                       gray = "#9a9a9a";
+  std::array<std::vector<std::string>, 2> colors{ std::vector<std::string>(comparison.a.graph.nodes, gray),
+                                                   std::vector<std::string>(comparison.b.graph.nodes, gray) };
   for (int v = 0; v < comparison.a.graph.nodes; ++v)
   {
     if (const int partner = comparison.correspondence.image[v]; partner >= 0)
     {
-      colours[0][v] = colours[1][partner] = ColourOf(v);
+      colors[0][v] = colors[1][partner] = ColorOf(v);
     }
   }
-  return colours;
+  return colors;
 }
 
 Json

@@ -46,10 +46,10 @@ constexpr double leastDistance = 1e-6;
 constexpr double longestStep = 0.3;
 
 Vector4
-CapOf(const double * centre, double radius)
+CapOf(const double * center, double radius)
 {
   Vector4 cap;
-  cap << Vector(centre) / std::sin(radius), std::cos(radius) / std::sin(radius);
+  cap << Vector(center) / std::sin(radius), std::cos(radius) / std::sin(radius);
   return cap;
 }
 

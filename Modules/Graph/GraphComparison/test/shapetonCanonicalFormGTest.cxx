@@ -19,7 +19,7 @@ Shuffled(const shapeton::Graph & graph, std::uint32_t seed)
   {
     std::swap(image[i - 1], image[random.Below(i)]);
   }
-  shapeton::Graph result = shapeton::RelabelledGraph(graph, image);
+  shapeton::Graph result = shapeton::RelabeledGraph(graph, image);
   for (int i = static_cast<int>(result.edges.size()); i > 1; --i)
   {
     std::swap(result.edges[i - 1], result.edges[random.Below(i)]);
@@ -44,7 +44,7 @@ ExpectIsomorphic(const shapeton::Graph & a, const shapeton::Graph & b)
 {
   const std::vector<int> image = shapeton::Isomorphism(shapeton::CanonicalForm(a), shapeton::CanonicalForm(b));
   ASSERT_EQ(image.size(), static_cast<std::size_t>(a.nodes));
-  EXPECT_EQ(Sorted(shapeton::RelabelledGraph(a, image).edges), Sorted(b.edges));
+  EXPECT_EQ(Sorted(shapeton::RelabeledGraph(a, image).edges), Sorted(b.edges));
 }
 
 bool

@@ -47,7 +47,7 @@ TEST(CarriedRotation, RenumberedGraphHasTheSameMap)
   {
     image[v] = (7 * v + 3) % before.nodes;
   }
-  shapeton::Graph after = shapeton::RelabelledGraph(before, image);
+  shapeton::Graph after = shapeton::RelabeledGraph(before, image);
   for (std::size_t e = 0; e < after.edges.size(); e += 3)
   {
     std::swap(after.edges[e][0], after.edges[e][1]);

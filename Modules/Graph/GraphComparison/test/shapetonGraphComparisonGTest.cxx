@@ -21,7 +21,7 @@ Shuffled(const shapeton::Graph & graph)
   {
     image[v] = static_cast<int>((7919LL * v + 11) % graph.nodes); // 7919 is a prime
   }
-  return shapeton::RelabelledGraph(graph, image);
+  return shapeton::RelabeledGraph(graph, image);
 }
 
 shapeton::Graph
@@ -81,8 +81,8 @@ TEST(GraphComparison, IsomorphicPlanarGraphsHaveOnePicture)
     {
       EXPECT_NEAR(comparison.a.nodeRadii[v], comparison.b.nodeRadii[v], 1e-9);
     }
-    const auto colours = shapeton::ColoursOfNodes(comparison);
-    EXPECT_EQ(colours[0], colours[1]);
+    const auto colors = shapeton::ColorsOfNodes(comparison);
+    EXPECT_EQ(colors[0], colors[1]);
   }
 }
 
@@ -113,7 +113,7 @@ TEST(GraphComparison, WithoutNamesSurroundingsTellNodesApart)
   shapeton::Graph b = a;
   b.edges.push_back({ 22, 29 });
   const shapeton::GraphComparison comparison = shapeton::CompareGraphs(a, Shuffled(b));
-  EXPECT_EQ(comparison.correspondence.by, "neighbourhoods");
+  EXPECT_EQ(comparison.correspondence.by, "neighborhoods");
   EXPECT_FALSE(comparison.isomorphic);
   EXPECT_GT(comparison.changes.unchangedNodes, 5);
 }

@@ -71,13 +71,13 @@ GenusAnnealing::GrowTree()
     }
     for (const int h : leaving)
     {
-      const int neighbour = m_Map.Node(h ^ 1);
-      if (neighbour != queue[0] && m_Map.Any(neighbour) < 0)
+      const int neighbor = m_Map.Node(h ^ 1);
+      if (neighbor != queue[0] && m_Map.Any(neighbor) < 0)
       {
         const auto [node0, node1] = m_Graph.edges[h / 2];
         const int a = RandomCorner(node0);
         m_Map.Insert(h / 2, a, RandomCorner(node1));
-        queue.push_back(neighbour);
+        queue.push_back(neighbor);
       }
     }
   }
@@ -90,18 +90,18 @@ GenusAnnealing::GrowByBreadth()
 {
   const Incidence                         incidence(m_Graph);
   std::priority_queue<std::array<int, 3>> queue; // neighbors in the region, negative discovery time, node
-  std::vector<int>                        placedNeighbours(m_Graph.nodes, 0);
+  std::vector<int>                        placedNeighbors(m_Graph.nodes, 0);
   std::vector<int>                        discovered(m_Graph.nodes, 0);
   int                                     time = 0;
   const int                               root = m_Random.Below(m_Graph.nodes);
   const auto                              leaveFrom = [&](int node) {
     for (int i = incidence.start[node]; i < incidence.start[node + 1]; ++i)
     {
-      const int neighbour = m_Map.Node(incidence.halfEdges[i] ^ 1);
-      if (neighbour != root && m_Map.Any(neighbour) < 0)
+      const int neighbor = m_Map.Node(incidence.halfEdges[i] ^ 1);
+      if (neighbor != root && m_Map.Any(neighbor) < 0)
       {
-        discovered[neighbour] = discovered[neighbour] == 0 ? ++time : discovered[neighbour];
-        queue.push({ ++placedNeighbours[neighbour], -discovered[neighbour], neighbour });
+        discovered[neighbor] = discovered[neighbor] == 0 ? ++time : discovered[neighbor];
+        queue.push({ ++placedNeighbors[neighbor], -discovered[neighbor], neighbor });
       }
     }
   };
@@ -127,17 +127,17 @@ GenusAnnealing::PlaceNode(int node, int root, const Incidence & incidence)
   for (int i = incidence.start[node]; i < incidence.start[node + 1]; ++i)
   {
     const int edge = incidence.halfEdges[i] / 2;
-    const int neighbour = m_Map.Node(incidence.halfEdges[i] ^ 1);
-    if (neighbour == root && m_Map.Any(root) < 0) // first edge
+    const int neighbor = m_Map.Node(incidence.halfEdges[i] ^ 1);
+    if (neighbor == root && m_Map.Any(root) < 0) // first edge
     {
       m_Map.Insert(edge, -1, -1);
     }
-    if (m_Map.Contains(edge) || m_Map.Any(neighbour) < 0)
+    if (m_Map.Contains(edge) || m_Map.Any(neighbor) < 0)
     {
       continue;
     }
     edges.push_back(edge);
-    const int first = m_Map.Any(neighbour);
+    const int first = m_Map.Any(neighbor);
     int       h = first;
     do
     {

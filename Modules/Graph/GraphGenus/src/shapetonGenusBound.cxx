@@ -16,11 +16,11 @@ class CycleCount
 {
 public:
   CycleCount(const Graph & graph, int length)
-    : m_Incidence(graph), m_Neighbours(m_Incidence.halfEdges), m_OnWalk(graph.nodes, false), m_Length(length)
+    : m_Incidence(graph), m_Neighbors(m_Incidence.halfEdges), m_OnWalk(graph.nodes, false), m_Length(length)
   {
-    for (int & neighbour : m_Neighbours) // still the half-edge that leads there
+    for (int & neighbor : m_Neighbors) // still the half-edge that leads there
     {
-      neighbour = graph.edges[neighbour / 2][1 - neighbour % 2];
+      neighbor = graph.edges[neighbor / 2][1 - neighbor % 2];
     }
   }
 
@@ -47,7 +47,7 @@ private:
     m_OnWalk[node] = true;
     for (int i = m_Incidence.start[node]; i < m_Incidence.start[node + 1]; ++i)
     {
-      const int next = m_Neighbours[i];
+      const int next = m_Neighbors[i];
       if (nodes == m_Length)
       {
         m_Closed += next == m_Start ? 1 : 0;
@@ -61,7 +61,7 @@ private:
   }
 
   Incidence         m_Incidence;
-  std::vector<int>  m_Neighbours; ///< in the order of the half-edges
+  std::vector<int>  m_Neighbors; ///< in the order of the half-edges
   std::vector<bool> m_OnWalk;
   int               m_Length;
   int               m_Start{ 0 };

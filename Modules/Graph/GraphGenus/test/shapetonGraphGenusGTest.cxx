@@ -206,7 +206,7 @@ TEST(GraphGenus, LargeTiledSurfacesAreFound)
     {
       image[v] = static_cast<int>((7919LL * v + 11) % graph.nodes); // 7919 is a prime
     }
-    return shapeton::RelabelledGraph(graph, image);
+    return shapeton::RelabeledGraph(graph, image);
   };
   EXPECT_EQ(GenusOf(shuffled(shapeton::TorusGridMap(100, 100).ToGraph())), 1);
   EXPECT_EQ(GenusOf(shuffled(shapeton::TorusGridMap(70, 50, true).ToGraph())), 1);

@@ -31,7 +31,7 @@ GraphModel_EXPORT std::string
 
 /** The graph with node v renumbered to `image[v]`, a permutation; the edge order is kept. \ingroup GraphModel */
 GraphModel_EXPORT Graph
-RelabelledGraph(const Graph & graph, const std::vector<int> & image);
+RelabeledGraph(const Graph & graph, const std::vector<int> & image);
 } // namespace shapeton
 
 #endif

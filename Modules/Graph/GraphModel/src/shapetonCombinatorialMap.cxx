@@ -148,11 +148,11 @@ CombinatorialMap::FindComponents()
       ++euler.back();
       for (int h = m_FirstAround[node]; h >= 0; h = m_Next[h] == m_FirstAround[node] ? -1 : m_Next[h])
       {
-        const int neighbour = m_Node[Twin(h)];
-        if (m_ComponentOfNode[neighbour] < 0)
+        const int neighbor = m_Node[Twin(h)];
+        if (m_ComponentOfNode[neighbor] < 0)
         {
-          m_ComponentOfNode[neighbour] = m_ComponentOfNode[node];
-          stack.push_back(neighbour);
+          m_ComponentOfNode[neighbor] = m_ComponentOfNode[node];
+          stack.push_back(neighbor);
         }
       }
     }

@@ -42,7 +42,7 @@ NameOfNode(const Graph & graph, int node)
 }
 
 Graph
-RelabelledGraph(const Graph & graph, const std::vector<int> & image)
+RelabeledGraph(const Graph & graph, const std::vector<int> & image)
 {
   Graph result{ graph.nodes, graph.edges, graph.names };
   for (auto & edge : result.edges)

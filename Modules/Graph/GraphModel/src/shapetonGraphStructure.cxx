@@ -322,16 +322,16 @@ Girth(const Graph & graph)
       for (int i = incidence.start[node]; i < incidence.start[node + 1]; ++i)
       {
         const int halfEdge = incidence.halfEdges[i];
-        const int neighbour = HeadOf(graph, halfEdge);
-        if (distance[neighbour] < 0)
+        const int neighbor = HeadOf(graph, halfEdge);
+        if (distance[neighbor] < 0)
         {
-          distance[neighbour] = distance[node] + 1;
-          edgeToParent[neighbour] = halfEdge / 2;
-          queue.push_back(neighbour);
+          distance[neighbor] = distance[node] + 1;
+          edgeToParent[neighbor] = halfEdge / 2;
+          queue.push_back(neighbor);
         }
         else if (edgeToParent[node] != halfEdge / 2)
         {
-          girth = std::min(girth, distance[node] + distance[neighbour] + 1);
+          girth = std::min(girth, distance[node] + distance[neighbor] + 1);
         }
       }
     }

@@ -17,7 +17,7 @@ struct MetisHeader
   bool hasEdgeWeights{ false };
 };
 
-struct Neighbour
+struct Neighbor
 {
   int node;
   int other;
@@ -123,7 +123,7 @@ private:
                       "node " + Quoted(words[i]) + " does not exist: nodes are numbered from 1 to " +
                         std::to_string(m_Header.nodes));
       }
-      m_Neighbours.push_back({ node, other - 1 });
+      m_Neighbors.push_back({ node, other - 1 });
     }
   }
 
@@ -147,10 +147,10 @@ private:
   {
     std::vector<std::pair<int, int>> forward;
     std::vector<std::pair<int, int>> backward;
-    for (const Neighbour & neighbour : m_Neighbours)
+    for (const Neighbor & neighbor : m_Neighbors)
     {
-      auto & list = neighbour.node <= neighbour.other ? forward : backward;
-      list.emplace_back(std::min(neighbour.node, neighbour.other), std::max(neighbour.node, neighbour.other));
+      auto & list = neighbor.node <= neighbor.other ? forward : backward;
+      list.emplace_back(std::min(neighbor.node, neighbor.other), std::max(neighbor.node, neighbor.other));
     }
     std::sort(forward.begin(), forward.end());
     std::sort(backward.begin(), backward.end());
@@ -197,7 +197,7 @@ private:
   const GraphText &      m_Text;
   LineReader             m_Lines;
   MetisHeader            m_Header;
-  std::vector<Neighbour> m_Neighbours;
+  std::vector<Neighbor> m_Neighbors;
 };
 } // namespace
 

@@ -125,13 +125,13 @@ TEST(CombinatorialMap, OverlapGraphHasKitesAlone)
     }
     // Around an edge: its first node, the face to the right, its second node, the face to the left.
     const std::vector<int> around = overlap.map.Around(overlap.NodeOfEdge(0));
-    std::vector<int>       neighbours;
+    std::vector<int>       neighbors;
     for (const int h : around)
     {
-      neighbours.push_back(overlap.map.Node(h ^ 1));
+      neighbors.push_back(overlap.map.Node(h ^ 1));
     }
     EXPECT_EQ(
-      neighbours,
+      neighbors,
       (std::vector<int>{ map.Node(0), overlap.NodeOfFace(map.Face(1)), map.Node(1), overlap.NodeOfFace(map.Face(0)) }));
   }
 }

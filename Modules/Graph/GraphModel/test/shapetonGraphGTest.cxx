@@ -31,10 +31,10 @@ TEST(Graph, UnsoundGraphsAreRefusedByName)
   EXPECT_EQ(FaultOf({ 2, {}, { "a" } }), "file.gml: the graph has 2 nodes but 1 names");
 }
 
-TEST(Graph, RelabellingMovesNodesAndNames)
+TEST(Graph, RelabelingMovesNodesAndNames)
 {
   const shapeton::Graph graph =
-    shapeton::RelabelledGraph({ 3, { { 0, 1 }, { 1, 2 } }, { "a", "b", "c" } }, { 2, 0, 1 });
+    shapeton::RelabeledGraph({ 3, { { 0, 1 }, { 1, 2 } }, { "a", "b", "c" } }, { 2, 0, 1 });
   EXPECT_EQ(graph.edges, (std::vector<std::array<int, 2>>{ { 2, 0 }, { 0, 1 } }));
   EXPECT_EQ(graph.names, (std::vector<std::string>{ "b", "c", "a" }));
   EXPECT_EQ(shapeton::NameOfNode(graph, 2), "a");

@@ -19,7 +19,7 @@ using SphereCircle = std::array<double, 4>;
 
 /** Center of the cap, a unit vector. \ingroup RicciFlowEmbedding */
 RicciFlowEmbedding_EXPORT std::array<double, 3>
-                          CentreOf(const SphereCircle & circle);
+                          CenterOf(const SphereCircle & circle);
 /** Angle of the cap, in (0, pi). \ingroup RicciFlowEmbedding */
 RicciFlowEmbedding_EXPORT double
 RadiusOf(const SphereCircle & circle);
@@ -48,13 +48,13 @@ struct SphericalPacking
 
 /** If the barycenter leaves a visible cap smaller than this (radians), larger caps are preferred over the barycenter.
  * \ingroup RicciFlowEmbedding */
-constexpr double smallestCapOfBarycentre = 1e-5;
+constexpr double smallestCapOfBarycenter = 1e-5;
 
 /** \brief Packs a 3-connected map of genus 0 on the unit sphere.
  *
  * A Moebius transformation moves the center of mass of the touch points of `edges` to the center of the sphere
  * (conformal barycenter; of all edges if these are fewer than three). If a cap of a node marked in `isVisible` would be
- * smaller than smallestCapOfBarycentre, the sum of the fourth roots of cot(angle / 2) over these nodes is minimized
+ * smaller than smallestCapOfBarycenter, the sum of the fourth roots of cot(angle / 2) over these nodes is minimized
  * instead. This enlarges the smallest caps; larger exponents would let a single one of them displace all others. The
  * remaining freedom is a rotation. The packing is laid out again from the circle that became largest on the sphere,
  * because the transformation may enlarge a small part of the plane. Throws InputError as PackCircles().

@@ -28,11 +28,11 @@ struct Start
   bool isMirrored;
 };
 
-/** Hashes of the neighbourhoods of half-edges. */
-class Neighbourhoods
+/** Hashes of the neighborhoods of half-edges. */
+class Neighborhoods
 {
 public:
-  Neighbourhoods(const CombinatorialMap & map, bool isMirrored)
+  Neighborhoods(const CombinatorialMap & map, bool isMirrored)
     : m_Map(map), m_IsMirrored(isMirrored), m_Hash(map.HalfEdges())
   {
     const std::vector<int> degrees = map.Degrees();
@@ -68,10 +68,10 @@ private:
 
 /** The least frequent hash; ties go to the smallest. */
 std::uint64_t
-RarestHash(const std::vector<Neighbourhoods> & senses, std::size_t & occurrences)
+RarestHash(const std::vector<Neighborhoods> & senses, std::size_t & occurrences)
 {
   std::vector<std::uint64_t> all;
-  for (const Neighbourhoods & sense : senses)
+  for (const Neighborhoods & sense : senses)
   {
     all.insert(all.end(), sense.Hashes().begin(), sense.Hashes().end());
   }
@@ -96,7 +96,7 @@ RarestHash(const std::vector<Neighbourhoods> & senses, std::size_t & occurrences
 std::vector<Start>
 RarestStarts(const CombinatorialMap & map, bool mayMirror)
 {
-  std::vector<Neighbourhoods> senses{ Neighbourhoods(map, false) };
+  std::vector<Neighborhoods> senses{ Neighborhoods(map, false) };
   if (mayMirror)
   {
     senses.emplace_back(map, true);
@@ -107,7 +107,7 @@ RarestStarts(const CombinatorialMap & map, bool mayMirror)
   {
     for (int i = 0; i < roundsAtOnce; ++i)
     {
-      for (Neighbourhoods & sense : senses)
+      for (Neighborhoods & sense : senses)
       {
         sense.Refine();
       }

@@ -71,7 +71,7 @@ public:
     , m_Steps(progress, usualSteps)
     , m_Energy(unknowns)
     , m_IsHyperbolic(unknowns.geometry == FlowGeometry::Hyperbolic)
-    , m_Solver(SymbolicFactorisation(unknowns.number, m_Energy.TakePattern(), EliminationOrder::NestedDissection))
+    , m_Solver(SymbolicFactorization(unknowns.number, m_Energy.TakePattern(), EliminationOrder::NestedDissection))
     , m_Point(unknowns.StartingPoint())
   {}
 
@@ -113,7 +113,7 @@ void
 NewtonFlow::FindDirection()
 {
   m_Energy.Hessian(m_Diagonal, m_OffDiagonal);
-  if (!m_Solver.Factorise(AsVector(m_Diagonal), AsVector(m_OffDiagonal), m_Steps.NextStep()))
+  if (!m_Solver.Factorize(AsVector(m_Diagonal), AsVector(m_OffDiagonal), m_Steps.NextStep()))
   {
     throw InputError("the Hessian of the Ricci energy is not positive to working accuracy, with a curvature of " +
                      ShortNumber(m_Energy.Residual()) +

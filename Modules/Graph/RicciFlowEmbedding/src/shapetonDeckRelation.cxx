@@ -62,7 +62,7 @@ Inverse(const ExactMotion & x)
 
 /** |a| from |b|. Their squares differ by 1, which is lost to rounding in double precision for long translations. */
 ExactMotion
-Normalised(const ExactMotion & x)
+Normalized(const ExactMotion & x)
 {
   const Real squaredOfA = x.a.re * x.a.re + x.a.im * x.a.im;
   const Real squaredOfB = x.b.re * x.b.re + x.b.im * x.b.im;
@@ -73,7 +73,7 @@ Normalised(const ExactMotion & x)
 ExactMotion
 FromMotion(const PlaneMotion & motion)
 {
-  return Normalised({ { motion.a.real(), motion.a.imag() }, { motion.b.real(), motion.b.imag() } });
+  return Normalized({ { motion.a.real(), motion.a.imag() }, { motion.b.real(), motion.b.imag() } });
 }
 
 PlaneMotion
@@ -140,7 +140,7 @@ Exponential(const Algebra & x)
   // Cayley map: exactly in the group, agrees with the exponential to second order.
   const Algebra     half{ x[0] / 2, x[1] / 2, x[2] / 2 };
   const ExactMotion plus{ { 1, half[0] }, { half[1], half[2] } };
-  return Normalised(plus * plus);
+  return Normalized(plus * plus);
 }
 
 /** Solves a symmetric 3 x 3 system by Cramer's rule. */
@@ -211,7 +211,7 @@ Refine(ExactMotions & generators, const std::vector<int> & word)
         change[i] -= columns[g][i][j] * multiplier[j];
       }
     }
-    generators[g] = Normalised(generators[g] * Exponential(change));
+    generators[g] = Normalized(generators[g] * Exponential(change));
   }
 }
 
@@ -292,7 +292,7 @@ WordResidual(const std::vector<PlaneMotion> & generators, const std::vector<int>
 }
 
 std::vector<int>
-CentredWord(const std::vector<PlaneMotion> & generators, const std::vector<int> & word)
+CenteredWord(const std::vector<PlaneMotion> & generators, const std::vector<int> & word)
 {
   std::size_t best = 0;
   double      least = 1e300;

@@ -149,7 +149,7 @@ DiskLayout<TReal>::PlaceFrames(const LayoutTree & tree)
       const TReal length = NodeRadius<TReal>(m_Packing, before) + NodeRadius<TReal>(m_Packing, node);
       m_Frames[node] = (m_Frames[before] * Turn(m_Angles[arrival]) * Advance(length) *
                         Turn(PiOf<TReal> - m_Angles[CombinatorialMap::Twin(arrival)]))
-                         .Normalised();
+                         .Normalized();
     }
   }
 }

@@ -29,24 +29,24 @@ NodesOfLongFaces(const CombinatorialMap & map)
  * triangles that share two nodes share the edge between them if there are no parallel edges. */
 struct RadialGraph
 {
-  explicit RadialGraph(const CombinatorialMap & map) : neighbours(map.Nodes() + map.Faces())
+  explicit RadialGraph(const CombinatorialMap & map) : neighbors(map.Nodes() + map.Faces())
   {
     const std::vector<char> isChosen = NodesOfLongFaces(map);
     for (int h = 0; h < map.HalfEdges(); ++h)
     {
       if (isChosen[map.Node(h)])
       {
-        neighbours[map.Node(h)].push_back(map.Nodes() + map.Face(h));
-        neighbours[map.Nodes() + map.Face(h)].push_back(map.Node(h));
+        neighbors[map.Node(h)].push_back(map.Nodes() + map.Face(h));
+        neighbors[map.Nodes() + map.Face(h)].push_back(map.Node(h));
       }
     }
-    for (std::vector<int> & list : neighbours)
+    for (std::vector<int> & list : neighbors)
     {
       std::sort(list.begin(), list.end());
       list.erase(std::unique(list.begin(), list.end()), list.end());
     }
   }
-  std::vector<std::vector<int>> neighbours;
+  std::vector<std::vector<int>> neighbors;
 };
 
 std::string
@@ -78,24 +78,24 @@ class FourCycles
 {
 public:
   explicit FourCycles(RadialGraph graph)
-    : m_Neighbours(std::move(graph.neighbours)), m_Common(m_Neighbours.size()), m_Rank(m_Neighbours.size(), lastRank)
+    : m_Neighbors(std::move(graph.neighbors)), m_Common(m_Neighbors.size()), m_Rank(m_Neighbors.size(), lastRank)
   {
     std::vector<int> order;
-    for (std::size_t i = 0; i < m_Neighbours.size(); ++i)
+    for (std::size_t i = 0; i < m_Neighbors.size(); ++i)
     {
-      if (m_Neighbours[i].size() > 1) // the others are not on any cycle
+      if (m_Neighbors[i].size() > 1) // the others are not on any cycle
       {
         order.push_back(static_cast<int>(i));
       }
     }
     std::stable_sort(
-      order.begin(), order.end(), [this](int a, int b) { return m_Neighbours[a].size() > m_Neighbours[b].size(); });
+      order.begin(), order.end(), [this](int a, int b) { return m_Neighbors[a].size() > m_Neighbors[b].size(); });
     for (std::size_t i = 0; i < order.size(); ++i)
     {
       m_Rank[order[i]] = static_cast<int>(i);
     }
     // Neighbors of higher degree were processed earlier; they are last and are cut off.
-    for (std::vector<int> & list : m_Neighbours)
+    for (std::vector<int> & list : m_Neighbors)
     {
       std::sort(list.begin(), list.end(), [this](int a, int b) { return m_Rank[a] > m_Rank[b]; });
     }
@@ -109,7 +109,7 @@ public:
     for (const int start : m_Order)
     {
       std::vector<int> met;
-      for (const int middle : m_Neighbours[start])
+      for (const int middle : m_Neighbors[start])
       {
         if (m_Rank[middle] <= m_Rank[start])
         {
@@ -132,7 +132,7 @@ private:
   void
   Gather(int start, int middle, std::vector<int> & met)
   {
-    for (const int end : m_Neighbours[middle])
+    for (const int end : m_Neighbors[middle])
     {
       if (m_Rank[end] <= m_Rank[start])
       {
@@ -147,7 +147,7 @@ private:
   }
 
   static constexpr int          lastRank = std::numeric_limits<int>::max();
-  std::vector<std::vector<int>> m_Neighbours;
+  std::vector<std::vector<int>> m_Neighbors;
   std::vector<std::vector<int>> m_Common;
   std::vector<int>              m_Rank;
   std::vector<int>              m_Order;

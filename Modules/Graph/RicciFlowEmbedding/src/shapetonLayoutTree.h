@@ -43,7 +43,7 @@ HalfEdgeAngles(const CombinatorialMap & map, const CirclePacking & packing)
       return;
     }
     const int   first = map.FirstAround(static_cast<int>(node));
-    long double angle = 0.0L; // a node may have many neighbours
+    long double angle = 0.0L; // a node may have many neighbors
     int         h = first;
     do
     {

@@ -58,9 +58,9 @@ AddSphere(const PackedMap &      packed,
     [](const std::vector<SphereCircle> & circles, std::vector<double> & radii, std::vector<double> & places) {
       for (const SphereCircle & circle : circles)
       {
-        const std::array<double, 3> centre = CentreOf(circle);
+        const std::array<double, 3> center = CenterOf(circle);
         radii.push_back(RadiusOf(circle));
-        places.insert(places.end(), centre.begin(), centre.end());
+        places.insert(places.end(), center.begin(), center.end());
       }
     };
   add(sphere.nodes, certificate.nodeRadii, certificate.nodePositions);
@@ -87,7 +87,7 @@ AddLayout(const CombinatorialMap & map, const SurfaceLayout & layout, EmbeddingC
   }
   for (int face = 0; face < map.Faces(); ++face)
   {
-    Append(layout.FaceCentre(face), certificate.facePositions);
+    Append(layout.FaceCenter(face), certificate.facePositions);
   }
   certificate.tree = layout.Arrivals();
   certificate.word = layout.Word();
@@ -182,7 +182,7 @@ AddHyperbolicSurface(const CombinatorialMap & map, const Progress & progress, Em
   AddLayout(map, layout, certificate);
   progress(0.9);
   const std::vector<PlaneMotion> generators = GeneratorsOf(layout);
-  certificate.word = CentredWord(generators, layout.Word());
+  certificate.word = CenteredWord(generators, layout.Word());
   certificate.canonicalWords = CanonicalWords(certificate.word);
   const DeckRelation relation = RefineDeckRelation(generators, certificate.word, certificate.canonicalWords);
   RequireFinite(relation.generators, certificate.genus);

@@ -199,11 +199,11 @@ AddRing(MapBuilder & builder, const std::vector<int> & boundary, const RingParts
 void
 AddStar(MapBuilder & builder, const std::vector<int> & boundary)
 {
-  const int        centre = builder.AddNode();
+  const int        center = builder.AddNode();
   std::vector<int> around;
   for (const int h : boundary)
   {
-    around.push_back(builder.AddEdge(centre, builder.Node(h)));
+    around.push_back(builder.AddEdge(center, builder.Node(h)));
     builder.InsertAfter(h, around.back() + 1);
   }
   builder.SetAround(around);

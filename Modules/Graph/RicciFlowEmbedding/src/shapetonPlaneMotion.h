@@ -61,7 +61,7 @@ struct BasicPlaneMotion
   }
   /** Removes accumulated rounding errors from |a|; |a|^2 - |b|^2 itself would cancel far from the origin. */
   BasicPlaneMotion
-  Normalised() const
+  Normalized() const
   {
     const TReal length = geometry == FlowGeometry::Euclidean ? TReal(1) : std::sqrt(TReal(1) + std::norm(b));
     return { geometry, a * (length / std::abs(a)), b };

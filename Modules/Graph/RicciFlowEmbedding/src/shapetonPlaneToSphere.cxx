@@ -20,11 +20,11 @@ IsFinite(double radius)
 }
 
 SphereCircle
-FromCircle(const Complex & centre, double radius, double scale)
+FromCircle(const Complex & center, double radius, double scale)
 {
-  return FromScaled(centre.real() / radius,
-                    centre.imag() / radius,
-                    (std::norm(centre) - radius * radius) / radius,
+  return FromScaled(center.real() / radius,
+                    center.imag() / radius,
+                    (std::norm(center) - radius * radius) / radius,
                     1.0 / radius,
                     scale);
 }
@@ -46,7 +46,7 @@ public:
     , m_Packing(packing)
     , m_Scale(scale)
     , m_Directions(HalfEdgeAngles(map, packing))
-    , m_Centres(map.Nodes())
+    , m_Centers(map.Nodes())
     , m_IsPlaced(map.Faces(), 0)
   {
     sphere.nodes.resize(map.Nodes());
@@ -68,7 +68,7 @@ private:
   const CirclePacking &    m_Packing;
   double                   m_Scale;
   std::vector<double>      m_Directions;
-  std::vector<Complex>     m_Centres;
+  std::vector<Complex>     m_Centers;
   std::vector<char>        m_IsPlaced;
 };
 
@@ -79,11 +79,11 @@ PlaneLayout::Place(int node, int arrival)
   if (arrival >= 0)
   {
     const int before = m_Map.Node(arrival);
-    m_Centres[node] =
-      m_Centres[before] + std::polar(m_Packing.nodeRadii[before] + m_Packing.nodeRadii[node], m_Directions[arrival]);
+    m_Centers[node] =
+      m_Centers[before] + std::polar(m_Packing.nodeRadii[before] + m_Packing.nodeRadii[node], m_Directions[arrival]);
     turn = m_Directions[arrival] + Pi - m_Directions[CombinatorialMap::Twin(arrival)];
   }
-  sphere.nodes[node] = FromCircle(m_Centres[node], m_Packing.nodeRadii[node], m_Scale);
+  sphere.nodes[node] = FromCircle(m_Centers[node], m_Packing.nodeRadii[node], m_Scale);
   const int first = m_Map.FirstAround(node);
   int       h = first;
   do
@@ -105,7 +105,7 @@ PlaneLayout::PlaceAlong(int node, int halfEdge)
 {
   const int     other = m_Map.Node(CombinatorialMap::Twin(halfEdge));
   const Complex ahead = std::polar(1.0, m_Directions[halfEdge]);
-  const Complex touch = m_Centres[node] + m_Packing.nodeRadii[node] * ahead;
+  const Complex touch = m_Centers[node] + m_Packing.nodeRadii[node] * ahead;
   sphere.touchPoints[halfEdge / 2] = PointOnSphere(m_Scale * touch.real(), m_Scale * touch.imag());
   if (!IsFinite(m_Packing.nodeRadii[other]))
   {
@@ -120,8 +120,8 @@ PlaneLayout::PlaceFace(int node, int halfEdge)
   const double  radius = m_Packing.faceRadii[face];
   const double  own = m_Packing.nodeRadii[node];
   const Complex ahead = std::polar(1.0, m_Directions[halfEdge] + HalfKiteAngle(FlowGeometry::Euclidean, own, radius));
-  sphere.faces[face] = IsFinite(radius) ? FromCircle(m_Centres[node] + std::hypot(radius, own) * ahead, radius, m_Scale)
-                                        : FromHalfPlane(ahead, m_Centres[node], m_Scale);
+  sphere.faces[face] = IsFinite(radius) ? FromCircle(m_Centers[node] + std::hypot(radius, own) * ahead, radius, m_Scale)
+                                        : FromHalfPlane(ahead, m_Centers[node], m_Scale);
 }
 } // namespace
 

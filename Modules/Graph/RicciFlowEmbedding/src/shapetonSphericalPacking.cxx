@@ -1,7 +1,7 @@
 #include "shapetonSphericalPacking.h"
 
 #include "shapetonCirclePacking.h"
-#include "shapetonConformalBarycentre.h"
+#include "shapetonConformalBarycenter.h"
 #include "shapetonLayoutTree.h"
 #include "shapetonNearbyOrder.h"
 #include "shapetonPlaneToSphere.h"
@@ -122,7 +122,7 @@ SeeFromOutside(SphericalPacking & sphere)
 } // namespace
 
 std::array<double, 3>
-CentreOf(const SphereCircle & circle)
+CenterOf(const SphereCircle & circle)
 {
   const double length = std::sqrt(circle[0] * circle[0] + circle[1] * circle[1] + circle[2] * circle[2]);
   return { circle[0] / length, circle[1] / length, circle[2] / length };
@@ -238,7 +238,7 @@ WorstTangency(const CombinatorialMap & map, const SphericalPacking & sphere)
   {
     const SphereCircle & one = sphere.nodes[map.Node(2 * edge)];
     const SphereCircle & other = sphere.nodes[map.Node(2 * edge + 1)];
-    const double miss = std::abs(AngleBetween(CentreOf(one), CentreOf(other)) - RadiusOf(one) - RadiusOf(other));
+    const double miss = std::abs(AngleBetween(CenterOf(one), CenterOf(other)) - RadiusOf(one) - RadiusOf(other));
     worst = miss <= worst ? worst : miss; // propagates NaN
   }
   return worst;
@@ -271,7 +271,7 @@ HasSmallCap(const SphericalPacking & sphere, const std::vector<char> & isVisible
 {
   for (std::size_t node = 0; node < isVisible.size(); ++node)
   {
-    if (isVisible[node] && RadiusOf(sphere.nodes[node]) < smallestCapOfBarycentre)
+    if (isVisible[node] && RadiusOf(sphere.nodes[node]) < smallestCapOfBarycenter)
     {
       return true;
     }
@@ -283,7 +283,7 @@ HasSmallCap(const SphericalPacking & sphere, const std::vector<char> & isVisible
 SphericalPacking
 Positioned(FlatPacking & flat, const std::vector<int> & edges, const std::vector<char> & isVisible)
 {
-  SphericalPacking sphere = LayOut(flat, [&](SphericalPacking & s) { return CentrePacking(s, edges, mostRapidity); });
+  SphericalPacking sphere = LayOut(flat, [&](SphericalPacking & s) { return CenterPacking(s, edges, mostRapidity); });
   if (HasSmallCap(sphere, isVisible))
   {
     sphere = LayOut(flat, [&](SphericalPacking & s) { return EnlargeSmallCaps(s, isVisible, mostRapidity); });
@@ -318,7 +318,7 @@ PackInGivenOrder(const CombinatorialMap &  map,
     char text[200];
     std::snprintf(text,
                   sizeof(text),
-                  "the radii are right to %.1e rad, but circles of neighbours miss each other by %.1e rad on the "
+                  "the radii are right to %.1e rad, but circles of neighbors miss each other by %.1e rad on the "
                   "sphere: their sizes differ too much for double precision",
                   sphere.residual,
                   miss);

@@ -81,7 +81,7 @@ SplitPairs(const CombinatorialMap & parts)
 
 /** Number of consecutive elements that keep their original order. */
 int
-KeptNeighbours(const std::vector<int> & order)
+KeptNeighbors(const std::vector<int> & order)
 {
   const std::size_t size = order.size();
   int               kept = 0;
@@ -138,7 +138,7 @@ public:
     const auto       before = this->SidesOf(pair[0], pair[1], number);
     const auto       after = this->SidesOf(pair[1], pair[0], number);
     const auto       rank = [&](const std::vector<int> & o) {
-      return std::pair<double, int>(Unevenness(o, before, after), KeptNeighbours(o));
+      return std::pair<double, int>(Unevenness(o, before, after), KeptNeighbors(o));
     };
     order = rank(reversed) > rank(order) ? reversed : order;
     this->Relink(pair[0], order);

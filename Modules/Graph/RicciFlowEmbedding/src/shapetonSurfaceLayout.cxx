@@ -38,17 +38,17 @@ SurfaceLayout::FrameAcross(int halfEdge) const
   const double       length = m_Packing.nodeRadii[from] + m_Packing.nodeRadii[m_Map.Node(twin)];
   return (m_Frames[from] * PlaneMotion::Rotation(geometry, m_Angles[halfEdge]) *
           PlaneMotion::Translation(geometry, length) * PlaneMotion::Rotation(geometry, Pi - m_Angles[twin]))
-    .Normalised();
+    .Normalized();
 }
 
 PlaneMotion
 SurfaceLayout::DeckTransformationOf(int halfEdge) const
 {
-  return (this->FrameAcross(halfEdge) * m_Frames[m_Map.Node(CombinatorialMap::Twin(halfEdge))].Inverse()).Normalised();
+  return (this->FrameAcross(halfEdge) * m_Frames[m_Map.Node(CombinatorialMap::Twin(halfEdge))].Inverse()).Normalized();
 }
 
 PlaneMotion::Complex
-SurfaceLayout::FaceCentre(int face) const
+SurfaceLayout::FaceCenter(int face) const
 {
   const FlowGeometry geometry = m_Packing.geometry;
   const int          h = m_Map.FirstOfFace(face);

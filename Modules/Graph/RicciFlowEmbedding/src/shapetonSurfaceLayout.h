@@ -41,7 +41,7 @@ public:
   DeckTransformationOf(int halfEdge) const;
   /** Lift of a face, adjacent to the lift of the start node of its lowest half-edge. */
   PlaneMotion::Complex
-  FaceCentre(int face) const;
+  FaceCenter(int face) const;
 
   /** The half-edges 2e of the 2g edges that, with the tree, cut the surface into one disk; ascending. */
   const std::vector<int> &
@@ -86,7 +86,7 @@ RicciFlowEmbedding_EXPORT std::vector<std::vector<int>>
 /** The cyclic rotation of a word of disk motions with the smallest partial products, because rounding errors of the
  * product grow with the square of their size. \ingroup RicciFlowEmbedding */
 RicciFlowEmbedding_EXPORT std::vector<int>
-                          CentredWord(const std::vector<PlaneMotion> & generators, const std::vector<int> & word);
+                          CenteredWord(const std::vector<PlaneMotion> & generators, const std::vector<int> & word);
 
 /** A reduced basis of the lattice of two translations: |w1| <= |w2|, |Re(conj(w1) w2)| <= |w1|^2 / 2, Im(conj(w1) w2) >
  * 0. \ingroup RicciFlowEmbedding */

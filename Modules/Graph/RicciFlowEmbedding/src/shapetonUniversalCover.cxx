@@ -57,8 +57,8 @@ UniversalCover(const std::vector<PlaneMotion> & generators, int number)
     taken.push_back(motion);
     for (const PlaneMotion & generator : generators)
     {
-      queue.push({ (motion * generator).Normalised(), order++ });
-      queue.push({ (motion * generator.Inverse()).Normalised(), order++ });
+      queue.push({ (motion * generator).Normalized(), order++ });
+      queue.push({ (motion * generator.Inverse()).Normalized(), order++ });
     }
   }
   std::stable_sort(

@@ -140,15 +140,15 @@ TEST(ScatteredMap, CirclesOfTheSphereTouch)
     {
       worst = std::max(
         worst,
-        std::abs(Angle(shapeton::CentreOf(a), shapeton::CentreOf(b)) - shapeton::RadiusOf(a) - shapeton::RadiusOf(b)));
+        std::abs(Angle(shapeton::CenterOf(a), shapeton::CenterOf(b)) - shapeton::RadiusOf(a) - shapeton::RadiusOf(b)));
     }
-    const double touch = Angle(shapeton::CentreOf(one), sphere.touchPoints[edge]) - shapeton::RadiusOf(one);
+    const double touch = Angle(shapeton::CenterOf(one), sphere.touchPoints[edge]) - shapeton::RadiusOf(one);
     worst = std::max(worst, std::abs(touch));
   }
   EXPECT_LT(worst, 1e-9);
 }
 
-TEST(ScatteredMap, AHubIsFarFromItsNeighboursInAnyOrder)
+TEST(ScatteredMap, AHubIsFarFromItsNeighborsInAnyOrder)
 {
   // A wheel with its hub first.
   constexpr int      spokes = 101'000;

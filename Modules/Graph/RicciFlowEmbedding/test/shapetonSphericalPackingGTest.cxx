@@ -33,10 +33,10 @@ ExpectPacking(const shapeton::CombinatorialMap & map, const shapeton::SphericalP
     const auto & node = packing.nodes[map.Node(h)];
     const auto & other = packing.nodes[map.Node(h ^ 1)];
     const auto & face = packing.faces[map.Face(h)];
-    EXPECT_NEAR(Angle(shapeton::CentreOf(node), shapeton::CentreOf(other)),
+    EXPECT_NEAR(Angle(shapeton::CenterOf(node), shapeton::CenterOf(other)),
                 shapeton::RadiusOf(node) + shapeton::RadiusOf(other),
                 1e-10);
-    EXPECT_NEAR(std::cos(Angle(shapeton::CentreOf(node), shapeton::CentreOf(face))),
+    EXPECT_NEAR(std::cos(Angle(shapeton::CenterOf(node), shapeton::CenterOf(face))),
                 std::cos(shapeton::RadiusOf(node)) * std::cos(shapeton::RadiusOf(face)),
                 1e-11);
   }
@@ -170,11 +170,11 @@ TEST(SphericalPacking, VerySmallVisibleCapsAreEnlarged)
     }
     return least;
   };
-  const auto centred = shapeton::PackOnSphere(map, shapeton::PointAtInfinity::Circle);
+  const auto centered = shapeton::PackOnSphere(map, shapeton::PointAtInfinity::Circle);
   const auto enlarged =
     shapeton::PackOnSphere(map, shapeton::PointAtInfinity::Circle, {}, std::vector<char>(map.Nodes(), 1));
-  ASSERT_LT(smallest(centred), shapeton::smallestCapOfBarycentre);
-  EXPECT_GT(smallest(enlarged), 1.5 * smallest(centred));
+  ASSERT_LT(smallest(centered), shapeton::smallestCapOfBarycenter);
+  EXPECT_GT(smallest(enlarged), 1.5 * smallest(centered));
   ExpectPacking(map, enlarged);
   // The derivative of the sum of the fourth roots of cot(r / 2) vanishes.
   std::array<double, 3> balance{};
@@ -185,7 +185,7 @@ TEST(SphericalPacking, VerySmallVisibleCapsAreEnlarged)
     sum += weight;
     for (int i = 0; i < 3; ++i)
     {
-      balance[i] += weight * shapeton::CentreOf(node)[i];
+      balance[i] += weight * shapeton::CenterOf(node)[i];
     }
   }
   for (const double component : balance)
@@ -196,7 +196,7 @@ TEST(SphericalPacking, VerySmallVisibleCapsAreEnlarged)
   std::vector<char> firstAlone(map.Nodes(), 0);
   firstAlone[0] = 1;
   const auto same = shapeton::PackOnSphere(map, shapeton::PointAtInfinity::Circle, {}, firstAlone);
-  EXPECT_EQ(same.nodes, centred.nodes);
+  EXPECT_EQ(same.nodes, centered.nodes);
 }
 
 TEST(SphericalPacking, LongRingsKeepTheirAccuracy)
@@ -227,6 +227,6 @@ TEST(SphericalPacking, LongRingsKeepTheirAccuracy)
     const shapeton::SphereCircle & a = packing.nodes[edge[0]];
     const shapeton::SphereCircle & b = packing.nodes[edge[1]];
     EXPECT_NEAR(
-      Angle(shapeton::CentreOf(a), shapeton::CentreOf(b)), shapeton::RadiusOf(a) + shapeton::RadiusOf(b), 1e-12);
+      Angle(shapeton::CenterOf(a), shapeton::CenterOf(b)), shapeton::RadiusOf(a) + shapeton::RadiusOf(b), 1e-12);
   }
 }

@@ -141,9 +141,9 @@ TEST(SurfaceLayout, DeckTransformationsOfHyperbolicSurfacesObeyTheirRelation)
     EXPECT_EQ(FreelyReduced(Commutators(words)), layout.Word());
     const shapeton::DeckRelation relation = shapeton::RefineDeckRelation(GeneratorsOf(layout), layout.Word(), words);
     EXPECT_LE(relation.givenResidual, 1e-8);
-    const std::vector<int> centred = shapeton::CentredWord(GeneratorsOf(layout), layout.Word());
-    EXPECT_TRUE(std::is_permutation(centred.begin(), centred.end(), layout.Word().begin()));
-    EXPECT_LE(shapeton::WordResidual(GeneratorsOf(layout), centred), 1e-8);
+    const std::vector<int> centered = shapeton::CenteredWord(GeneratorsOf(layout), layout.Word());
+    EXPECT_TRUE(std::is_permutation(centered.begin(), centered.end(), layout.Word().begin()));
+    EXPECT_LE(shapeton::WordResidual(GeneratorsOf(layout), centered), 1e-8);
     EXPECT_LE(relation.residual, 1e-8);
     EXPECT_LE(relation.canonicalResidual, 1e-100);
     for (std::size_t k = 0; k < relation.generators.size(); ++k)

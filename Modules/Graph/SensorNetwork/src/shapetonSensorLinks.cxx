@@ -43,11 +43,11 @@ public:
   /** Whether `test` holds for a point in the cells that a disk meets. */
   template <typename TTest>
   bool
-  Any(const Point & centre, double radius, const TTest & test) const
+  Any(const Point & center, double radius, const TTest & test) const
   {
-    for (int row = Row(centre[1] - radius); row <= Row(centre[1] + radius); ++row)
+    for (int row = Row(center[1] - radius); row <= Row(center[1] + radius); ++row)
     {
-      for (int column = Column(centre[0] - radius); column <= Column(centre[0] + radius); ++column)
+      for (int column = Column(center[0] - radius); column <= Column(center[0] + radius); ++column)
       {
         const auto & points = m_PointsOfCell[static_cast<std::size_t>(row) * m_Columns + column];
         if (std::any_of(points.begin(), points.end(), test))
@@ -83,9 +83,9 @@ private:
 bool
 IsBlocked(const std::vector<Point> & points, const PointCells & cells, int a, int b)
 {
-  const Point  centre{ 0.5 * (points[a][0] + points[b][0]), 0.5 * (points[a][1] + points[b][1]) };
+  const Point  center{ 0.5 * (points[a][0] + points[b][0]), 0.5 * (points[a][1] + points[b][1]) };
   const double radius = 0.5 * std::sqrt(SquaredDistance(points[a], points[b]));
-  return cells.Any(centre, radius, [&](int c) {
+  return cells.Any(center, radius, [&](int c) {
     return c != a && c != b &&
            (points[a][0] - points[c][0]) * (points[b][0] - points[c][0]) +
                (points[a][1] - points[c][1]) * (points[b][1] - points[c][1]) <=

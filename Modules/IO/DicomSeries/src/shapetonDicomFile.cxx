@@ -317,7 +317,7 @@ GetRefusal(DcmItem & dataset, bool & isOtherObject)
   if (GetWord(dataset, DCM_SamplesPerPixel, 1) != 1 || photometric == "RGB" || photometric == "PALETTE COLOR" ||
       photometric.compare(0, 3, "YBR") == 0)
   {
-    return "a colour image (" + (photometric.empty() ? "several samples per pixel" : photometric) + ")";
+    return "a color image (" + (photometric.empty() ? "several samples per pixel" : photometric) + ")";
   }
   isOtherObject = false;
   if (!photometric.empty() && photometric != "MONOCHROME1" && photometric != "MONOCHROME2")

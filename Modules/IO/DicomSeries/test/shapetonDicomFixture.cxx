@@ -595,10 +595,10 @@ WriteBadFiles(const std::string & folder)
   WriteText(folder + "/text/b.csv", "1,2\n");
   SaveDicom(*fixture.MakeSlice(fixture.origin, 1), MakeFolder(folder + "/single") + "/slice.dcm");
 
-  const auto colour = fixture.MakeSlice(fixture.origin, 1);
-  colour->getDataset()->putAndInsertUint16(DCM_SamplesPerPixel, 3);
-  SetText(*colour, DCM_PhotometricInterpretation, "RGB");
-  SaveDicom(*colour, MakeFolder(folder + "/colour") + "/colour.dcm");
+  const auto color = fixture.MakeSlice(fixture.origin, 1);
+  color->getDataset()->putAndInsertUint16(DCM_SamplesPerPixel, 3);
+  SetText(*color, DCM_PhotometricInterpretation, "RGB");
+  SaveDicom(*color, MakeFolder(folder + "/color") + "/color.dcm");
 
   const auto flat = fixture.MakeSlice(fixture.origin, 1);
   flat->getDataset()->findAndDeleteElement(DCM_ImagePositionPatient);
@@ -649,7 +649,7 @@ WriteImageFiles(const std::string & folder)
   WriteText(folder + "/text.nii", "no image\n");
   WriteText(folder + "/text.mha", "no image\n");
   WriteText(folder + "/flat.nrrd", "NRRD0004\ntype: uchar\ndimension: 2\nsizes: 2 2\nencoding: raw\n\nabcd");
-  WriteText(folder + "/colour.nrrd",
+  WriteText(folder + "/color.nrrd",
             "NRRD0004\ntype: uchar\ndimension: 4\nsizes: 3 1 1 2\nkinds: RGB-color domain domain domain\n"
             "encoding: raw\n\nabcdef");
 }

@@ -214,7 +214,7 @@ TEST(DicomRealData, EachFileOfPydicomGivesAVolumeOrANamedMessage)
                                                         { "test-SR.dcm", "notAnImage: " },
                                                         { "rtstruct.dcm", "RTStructureSetStorage" },
                                                         { "waveform_ecg.dcm", "notAnImage: " },
-                                                        { "SC_rgb_jpeg_gdcm.dcm", "a colour image" },
+                                                        { "SC_rgb_jpeg_gdcm.dcm", "a color image" },
                                                         { "examples_palette.dcm", "PALETTE COLOR" },
                                                         { "liver_1frame.dcm", "a segmentation" },
                                                         { "rtdose_1frame.dcm", "a dose grid" },

@@ -31,13 +31,13 @@ Examine(const std::vector<double> & positions)
 }
 } // namespace
 
-TEST(DicomSeriesGeometry, RegularWithMicrometresOfJitter)
+TEST(DicomSeriesGeometry, RegularWithMicrometersOfJitter)
 {
   std::mt19937        random(1);
   std::vector<double> positions;
   for (int i = 0; i < 400; ++i)
   {
-    positions.push_back(i * 0.625 + (static_cast<double>(random() % 1000) - 500) * 4e-6); // +-2 micrometres
+    positions.push_back(i * 0.625 + (static_cast<double>(random() % 1000) - 500) * 4e-6); // +-2 micrometers
   }
   const SlicesGeometry geometry = Examine(positions);
   EXPECT_TRUE(geometry.IsRegular());

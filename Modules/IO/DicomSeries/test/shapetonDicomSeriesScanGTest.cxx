@@ -233,9 +233,9 @@ TEST_F(DicomSeriesScan, FilesWithoutAnImage)
   EXPECT_EQ(cut.otherFiles[0].kind, DicomDefectKind::truncated);
 }
 
-TEST_F(DicomSeriesScan, ColourAnd2DImagesAreNoVolumes)
+TEST_F(DicomSeriesScan, ColorAnd2DImagesAreNoVolumes)
 {
-  for (const std::string name : { "colour", "twoDimensional", "single" })
+  for (const std::string name : { "color", "twoDimensional", "single" })
   {
     const DicomScan scan = shapeton::ScanDicom(Faults() + "/" + name);
     ASSERT_EQ(scan.series.size(), 1u) << name;

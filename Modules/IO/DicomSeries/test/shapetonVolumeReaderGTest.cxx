@@ -21,7 +21,7 @@ using shapeton::VolumeReadOptions;
 namespace fs = std::filesystem;
 
 // Half a step of the stored integers, and rounding to float.
-constexpr double Quantisation = 0.5 / 32 + 1e-4;
+constexpr double Quantization = 0.5 / 32 + 1e-4;
 
 Volume
 ReadSaved(const DicomFixture::Files & files, const VolumeReadOptions & options = {})
@@ -65,7 +65,7 @@ TEST(VolumeReader, GeometryIntensitiesAndIdentity)
   const DicomFixture fixture;
   const Volume       volume = ReadSaved(fixture.MakeSeries());
   ExpectSize(volume, 7, 9, 6);
-  EXPECT_LT(LargestDeviation(volume, DicomFixture::Ramp), Quantisation);
+  EXPECT_LT(LargestDeviation(volume, DicomFixture::Ramp), Quantization);
   EXPECT_DOUBLE_EQ(volume.image->GetSpacing()[0], 0.75);
   EXPECT_DOUBLE_EQ(volume.image->GetSpacing()[1], 1.25);
   EXPECT_DOUBLE_EQ(volume.image->GetSpacing()[2], 2.0);
@@ -89,7 +89,7 @@ TEST(VolumeReader, ObliqueAndSagittalPlanesKeepTheirPlaceInSpace)
   for (const DicomFixture & fixture : { oblique, sagittal })
   {
     const Volume volume = ReadSaved(fixture.MakeSeries());
-    EXPECT_LT(LargestDeviation(volume, DicomFixture::Ramp), Quantisation);
+    EXPECT_LT(LargestDeviation(volume, DicomFixture::Ramp), Quantization);
     EXPECT_TRUE(volume.image->GetDirection().GetVnlMatrix().as_matrix().is_equal(
       fixture.direction.GetVnlMatrix().as_matrix(), 1e-8));
   }
@@ -100,7 +100,7 @@ TEST(VolumeReader, TheOrderOfFilesAndInstanceNumbersDoesNotMatter)
   const DicomFixture fixture;
   auto               files = SlicesAt(fixture, { 10, 8, 6, 4, 2, 0 });
   std::swap(files[1], files[4]);
-  EXPECT_LT(LargestDeviation(ReadSaved(files), DicomFixture::Ramp), Quantisation);
+  EXPECT_LT(LargestDeviation(ReadSaved(files), DicomFixture::Ramp), Quantization);
 }
 
 /** GDCM 3.2, used by ITK 6, rejects RLE if a segment starts at an offset equal to the number of bytes of the
@@ -164,7 +164,7 @@ TEST(VolumeReader, WithoutMetaHeaderAndWithoutExtension)
     const std::string path = folder + "/" + std::to_string(i);
     ASSERT_TRUE(files[i]->getDataset()->saveFile(path.c_str(), EXS_LittleEndianImplicit).good());
   }
-  EXPECT_LT(LargestDeviation(ReadVolume(folder), DicomFixture::Ramp), Quantisation);
+  EXPECT_LT(LargestDeviation(ReadVolume(folder), DicomFixture::Ramp), Quantization);
 }
 
 TEST(VolumeReader, EachSliceHasItsOwnRescale)
@@ -213,7 +213,7 @@ TEST(VolumeReader, SlicesWithAFrameOfReferenceEachAreAVolumeWithANote)
   const std::string folder = TestFolder();
   SaveDicom(files, folder);
   const Volume volume = ReadVolume(folder);
-  EXPECT_LT(LargestDeviation(volume, DicomFixture::Ramp), Quantisation);
+  EXPECT_LT(LargestDeviation(volume, DicomFixture::Ramp), Quantization);
   ASSERT_EQ(volume.notes.size(), 1U);
   EXPECT_NE(volume.notes[0].find("mixedFrameOfReference: the slices name 6 frames of reference"), std::string::npos);
 }
@@ -351,7 +351,7 @@ TEST(VolumeReader, PaddingBecomesTheLowestIntensity)
   }
 }
 
-TEST(VolumeReader, InvertedGreyScaleKeepsItsValues)
+TEST(VolumeReader, InvertedGrayScaleKeepsItsValues)
 {
   auto files = DicomFixture().MakeSeries();
   for (auto & file : files)
@@ -359,7 +359,7 @@ TEST(VolumeReader, InvertedGreyScaleKeepsItsValues)
     SetText(*file, DCM_PhotometricInterpretation, "MONOCHROME1");
   }
   const Volume volume = ReadSaved(files);
-  EXPECT_LT(LargestDeviation(volume, DicomFixture::Ramp), Quantisation);
+  EXPECT_LT(LargestDeviation(volume, DicomFixture::Ramp), Quantization);
   ASSERT_EQ(volume.notes.size(), 1u);
   EXPECT_TRUE(Contains(volume.notes[0], "MONOCHROME1"));
 }
@@ -415,7 +415,7 @@ TEST(VolumeReader, OneOfTwoVolumesHasToBeChosen)
 
   VolumeReadOptions options;
   options.seriesUID = "1.2.3.4";
-  EXPECT_LT(LargestDeviation(ReadVolume(folder, options), second.intensity), Quantisation);
+  EXPECT_LT(LargestDeviation(ReadVolume(folder, options), second.intensity), Quantization);
   options.seriesUID = "9.9";
   const std::string unknown = InputErrorOf([&] { ReadVolume(folder, options); });
   EXPECT_TRUE(Contains(unknown, "no series has the UID 9.9; there are: ")) << unknown;
@@ -426,7 +426,7 @@ TEST(VolumeReader, TheOnlyVolumeIsTakenWithANoteAboutTheRest)
   const std::string folder = TestFolder();
   shapeton::WriteFaultyInputs(folder);
   const Volume volume = ReadVolume(folder + "/withLocalizer");
-  EXPECT_LT(LargestDeviation(volume, DicomFixture::Ramp), Quantisation);
+  EXPECT_LT(LargestDeviation(volume, DicomFixture::Ramp), Quantization);
   EXPECT_EQ(volume.notes, std::vector<std::string>{ "2 localizer images were left out" });
 }
 
@@ -509,7 +509,7 @@ TEST(VolumeReader, ASingleSliceOnlyWhereItIsAskedFor)
   options.allowSingleSlice = true;
   const Volume volume = ReadVolume(path, options);
   ExpectSize(volume, 7, 9, 1);
-  EXPECT_LT(LargestDeviation(volume, DicomFixture::Ramp), Quantisation);
+  EXPECT_LT(LargestDeviation(volume, DicomFixture::Ramp), Quantization);
   EXPECT_DOUBLE_EQ(volume.image->GetSpacing()[2], 6.0); // Slice Thickness
   ASSERT_EQ(volume.notes.size(), 1u);
 }
@@ -526,7 +526,7 @@ TEST(VolumeReader, EnhancedFramesAreSortedByPositionAndRescaledOneByOne)
     const Volume volume = ReadVolume(path);
     ExpectSize(volume, 7, 9, 6);
     EXPECT_DOUBLE_EQ(volume.image->GetSpacing()[2], 2.0);
-    EXPECT_LT(LargestDeviation(volume, DicomFixture::Ramp), 2 * Quantisation);
+    EXPECT_LT(LargestDeviation(volume, DicomFixture::Ramp), 2 * Quantization);
   }
 }
 
@@ -538,13 +538,13 @@ TEST(VolumeReader, EnhancedFramesInAllEncodings)
        { EXS_LittleEndianImplicit, EXS_BigEndianExplicit, EXS_DeflatedLittleEndianExplicit, EXS_RLELossless })
   {
     SaveDicom(*fixture.MakeEnhanced({ 6, 0, 4, 2 }), folder + "/multi.dcm", syntax);
-    EXPECT_LT(LargestDeviation(ReadVolume(folder), DicomFixture::Ramp), 2 * Quantisation);
+    EXPECT_LT(LargestDeviation(ReadVolume(folder), DicomFixture::Ramp), 2 * Quantization);
   }
   for (const char * syntax : { "1.2.840.10008.1.2.4.70", "1.2.840.10008.1.2.4.80", "1.2.840.10008.1.2.4.90" })
   {
     SaveDicom(*fixture.MakeEnhanced({ 6, 0, 4, 2 }), folder + "/multi.dcm");
     shapeton::CompressDicom(folder + "/multi.dcm", syntax);
-    EXPECT_LT(LargestDeviation(ReadVolume(folder), DicomFixture::Ramp), 2 * Quantisation) << syntax;
+    EXPECT_LT(LargestDeviation(ReadVolume(folder), DicomFixture::Ramp), 2 * Quantization) << syntax;
   }
 }
 
@@ -580,7 +580,7 @@ TEST(VolumeReader, DropDuplicatesKeepsTheFirst)
   options.dropDuplicates = true;
   const Volume volume = ReadSaved(files, options);
   ExpectSize(volume, 7, 9, 4);
-  EXPECT_LT(LargestDeviation(volume, DicomFixture::Ramp), Quantisation);
+  EXPECT_LT(LargestDeviation(volume, DicomFixture::Ramp), Quantization);
   EXPECT_EQ(volume.repairs,
             std::vector<std::string>{ "dropDuplicates: 1 slice at positions of other slices left out" });
 }
@@ -594,7 +594,7 @@ TEST(VolumeReader, ResampleGapsFillsGaps)
   const Volume volume = ReadSaved(SlicesAt(fixture, { 0, 2, 8, 10, 12, 16 }), options);
   ExpectSize(volume, 7, 9, 9);
   EXPECT_NEAR(volume.image->GetSpacing()[2], 2.0, 1e-9);
-  EXPECT_LT(LargestDeviation(volume, DicomFixture::Ramp), Quantisation);
+  EXPECT_LT(LargestDeviation(volume, DicomFixture::Ramp), Quantization);
   ASSERT_EQ(volume.repairs.size(), 1u);
   EXPECT_TRUE(Contains(volume.repairs[0], "3 of them by linear interpolation")) << volume.repairs[0];
 }
@@ -614,7 +614,7 @@ TEST(VolumeReader, ResampleGapsKeepsTheSlicesOfTheGrid)
     const itk::Index<3>     index{ { 3, 4, k } };
     DicomFixture::PointType point;
     volume.image->TransformIndexToPhysicalPoint(index, point);
-    EXPECT_NEAR(volume.image->GetPixel(index), fixture.intensity(point), Quantisation) << k;
+    EXPECT_NEAR(volume.image->GetPixel(index), fixture.intensity(point), Quantization) << k;
   }
 }
 
@@ -624,7 +624,7 @@ TEST(VolumeReader, ResampleGapsEvensOutVariableSpacing)
   VolumeReadOptions  options;
   options.resampleGaps = true;
   const Volume volume = ReadSaved(SlicesAt(fixture, { 0, 2, 4, 6, 9, 12, 15 }), options);
-  EXPECT_LT(LargestDeviation(volume, DicomFixture::Ramp), Quantisation);
+  EXPECT_LT(LargestDeviation(volume, DicomFixture::Ramp), Quantization);
   const auto size = volume.image->GetLargestPossibleRegion().GetSize();
   EXPECT_NEAR(static_cast<double>(size[2] - 1) * volume.image->GetSpacing()[2], 15.0, 1e-9);
 }
@@ -666,7 +666,7 @@ TEST(VolumeReader, DeshearPutsEachSliceInItsPlace)
       if (value != outside)
       {
         ++covered;
-        ASSERT_NEAR(value, DicomFixture::Ramp(point), Quantisation) << index;
+        ASSERT_NEAR(value, DicomFixture::Ramp(point), Quantization) << index;
       }
     }
     // Each slice covers its own 7 x 9 pixels, except for the border, where the interpolation lacks a neighbor.
@@ -699,7 +699,7 @@ TEST(VolumeReader, DeshearAfterAGantryTiltRestoresTheRamp)
   const itk::Index<3>     index{ { 3, 6, 3 } };
   DicomFixture::PointType point;
   volume.image->TransformIndexToPhysicalPoint(index, point);
-  EXPECT_NEAR(volume.image->GetPixel(index), DicomFixture::Ramp(point), Quantisation);
+  EXPECT_NEAR(volume.image->GetPixel(index), DicomFixture::Ramp(point), Quantization);
 }
 
 TEST(VolumeReader, RepairsCombine)
@@ -722,7 +722,7 @@ TEST(VolumeReader, RepairsCombine)
   const itk::Index<3>     index{ { 3, 5, 2 } };
   DicomFixture::PointType point;
   volume.image->TransformIndexToPhysicalPoint(index, point);
-  EXPECT_NEAR(volume.image->GetPixel(index), DicomFixture::Ramp(point), Quantisation);
+  EXPECT_NEAR(volume.image->GetPixel(index), DicomFixture::Ramp(point), Quantization);
 }
 
 TEST(VolumeReader, RepairsLeaveASoundSeriesAsItIs)
@@ -731,7 +731,7 @@ TEST(VolumeReader, RepairsLeaveASoundSeriesAsItIs)
   options.deshear = options.dropDuplicates = options.resampleGaps = true;
   const Volume volume = ReadSaved(DicomFixture().MakeSeries(), options);
   EXPECT_TRUE(volume.repairs.empty());
-  EXPECT_LT(LargestDeviation(volume, DicomFixture::Ramp), Quantisation);
+  EXPECT_LT(LargestDeviation(volume, DicomFixture::Ramp), Quantization);
 }
 
 TEST(VolumeReader, IsAbortedByProgressOfEachFileAndSlice)

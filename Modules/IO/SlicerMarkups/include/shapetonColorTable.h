@@ -25,7 +25,7 @@ struct LabelColor
 SlicerMarkups_EXPORT std::array<double, 3>
                      ColorOfLabel(int label);
 
-/** Writes a colour table of 3D Slicer (.ctbl): one line per label, transparent background. Blanks in names become
+/** Writes a color table of 3D Slicer (.ctbl): one line per label, transparent background. Blanks in names become
  * underscores, as in Slicer's files. Throws ParameterError for another extension, std::invalid_argument for a value
  * or color out of range, a duplicate value or an empty name; OutputError. \ingroup SlicerMarkups */
 SlicerMarkups_EXPORT void

@@ -44,7 +44,7 @@ Check(const LabelColor & label)
   {
     if (!(channel >= 0.0 && channel <= 1.0))
     {
-      throw std::invalid_argument("a colour of the label " + label.name + " is not in 0 to 1");
+      throw std::invalid_argument("a color of the label " + label.name + " is not in 0 to 1");
     }
   }
 }

@@ -46,7 +46,7 @@ Check(const Markup & markup)
   {
     if (!(channel >= 0.0 && channel <= 1.0))
     {
-      throw std::invalid_argument("the colour of the markup " + markup.name + " is not in 0 to 1");
+      throw std::invalid_argument("the color of the markup " + markup.name + " is not in 0 to 1");
     }
   }
 }

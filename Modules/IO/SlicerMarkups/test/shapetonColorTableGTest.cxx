@@ -21,7 +21,7 @@ TEST(ColorTable, IsALineForEachLabelWithoutBlanksInNames)
             "# Color table file\n# 3 values\n0 background 0 0 0 0\n1 rectum 255 0 128 255\n7 left_side 0 255 0 255\n");
 }
 
-TEST(ColorTable, NeighbouringLabelsAreFarApartInColour)
+TEST(ColorTable, NeighboringLabelsAreFarApartInColor)
 {
   for (int label = 1; label < 500; ++label)
   {

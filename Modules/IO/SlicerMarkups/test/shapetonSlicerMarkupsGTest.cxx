@@ -26,7 +26,7 @@ Examples()
   points.labels = { "splenic", "hepatic \"?\"" };
   points.descriptions = { "confidence 0.9", "" };
   points.color = { 0.25, 0.5, 1.0 };
-  const Markup curve{ Markup::Kind::Curve, "centreline", { { 0, 0, 0 }, { 1, 0, 0 }, { 2, 1, 0 } } };
+  const Markup curve{ Markup::Kind::Curve, "centerline", { { 0, 0, 0 }, { 1, 0, 0 }, { 2, 1, 0 } } };
   const Markup loop{ Markup::Kind::ClosedCurve, "loop", { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 } } };
   return { points, curve, loop };
 }
@@ -139,7 +139,7 @@ TEST(SlicerMarkups, FollowTheSchemaOfSlicer)
       EXPECT_EQ(point["positionStatus"], "defined");
     }
   }
-  EXPECT_EQ(document["markups"][1]["controlPoints"][2]["label"], "centreline-3");
+  EXPECT_EQ(document["markups"][1]["controlPoints"][2]["label"], "centerline-3");
 }
 
 TEST(SlicerMarkups, ComeBackAsTheyWere)
@@ -172,7 +172,7 @@ FileWith(const Folder & folder, const std::string & members)
   return path;
 }
 
-TEST(SlicerMarkups, RasAndMicrometresBecomeLpsMillimetres)
+TEST(SlicerMarkups, RasAndMicrometersBecomeLpsMillimeters)
 {
   const Folder folder;
   const auto   markups =

@@ -254,7 +254,7 @@ CheckKind(const std::string & path, const ImageHeader & header)
   {
     ThrowUnsuitable(path,
                     "its voxels have " + std::to_string(header.components) +
-                      " components (colour, vector or complex); one intensity for each voxel is needed");
+                      " components (color, vector or complex); one intensity for each voxel is needed");
   }
   if (header.componentBytes == 0)
   {

@@ -34,7 +34,7 @@ struct ColonFlatteningOptions
   bool        removeHandles{ false };
   TubeOptions tube;
   /** Centerline from the rectum to the cecum; identifies the rectum if the surface does not name it. May be empty. */
-  CurveSet centreline;
+  CurveSet centerline;
   /** Receives the stage name and the completed fraction of the whole run, from 0 to 1. */
   Progress progress;
 };
@@ -61,7 +61,7 @@ struct ColonFlattening
   int drownedEdges{ 0 };
   /** NarrowestLevelRadius() (mm); 0 if the time was given. */
   double narrowestRadius{ 0.0 };
-  /** Source of the rectum end: "rectumLoop", "centreline" or "firstLoop". */
+  /** Source of the rectum end: "rectumLoop", "centerline" or "firstLoop". */
   std::string rectumFrom;
   int         genusBefore{ 0 };
   int         genusAfter{ 0 };

@@ -5,7 +5,7 @@
 
 #include "shapetonProgress.h"
 #include "shapetonSurfaceLaplacian.h"
-#include "shapetonSymbolicFactorisation.h"
+#include "shapetonSymbolicFactorization.h"
 
 #include <memory>
 
@@ -26,11 +26,11 @@ public:
   /** Throws InputError if a fixed vertex does not exist or is repeated, a component of the surface has no fixed vertex
    * (the solution would not be unique), or the factorization fails. */
   HarmonicSolver(const SurfaceLaplacian & laplacian, std::vector<int> fixedVertices, const Progress & progress = {});
-  /** \param symbolic Analyse() of the surface. It takes two thirds of the work and can be reused for any fixed vertices
+  /** \param symbolic Analyze() of the surface. It takes two thirds of the work and can be reused for any fixed vertices
    * and any metric. */
   HarmonicSolver(const SurfaceLaplacian &      laplacian,
                  std::vector<int>              fixedVertices,
-                 const SymbolicFactorisation & symbolic,
+                 const SymbolicFactorization & symbolic,
                  const Progress &              progress = {});
   ~HarmonicSolver();
   HarmonicSolver(HarmonicSolver &&) noexcept;
@@ -46,8 +46,8 @@ public:
   Eigen::MatrixXd
   Solve(const Eigen::MatrixXd & fixedValues, const Eigen::MatrixXd & source = {}) const;
 
-  static SymbolicFactorisation
-  Analyse(const SurfaceConnectivity & connectivity);
+  static SymbolicFactorization
+  Analyze(const SurfaceConnectivity & connectivity);
 
 private:
   struct Factor;

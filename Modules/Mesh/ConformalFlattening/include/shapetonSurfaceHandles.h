@@ -50,7 +50,7 @@ FacesNearHandles(const SurfaceConnectivity & connectivity, const std::vector<Sur
 struct HandleRemoval
 {
   /** Point arrays of new vertices are means over the rim of the hole; cell arrays of new faces are 0, and the cell
-   * array `filled` is 1 there. `rectumLoop` and `caecumLoop` are renumbered. */
+   * array `filled` is 1 there. `rectumLoop` and `cecumLoop` are renumbered. */
   SurfaceMesh mesh;
   int         removedFaces{ 0 };
   int         filledHoles{ 0 };

@@ -37,7 +37,7 @@ struct PreparedTube
 
 /** Repairs coincident vertices, degenerate and duplicate faces, unreferenced vertices, flipped faces, and non-manifold
  * edges and vertices. Inverts the surface if its faces point inward (by the enclosed volume with its ends closed). A
- * sound surface is returned unchanged. Vertices in `rectumLoop` and `caecumLoop` are renumbered. Throws InputError as
+ * sound surface is returned unchanged. Vertices in `rectumLoop` and `cecumLoop` are renumbered. Throws InputError as
  * FindTubeEnds(). \ingroup ConformalFlattening */
 ConformalFlattening_EXPORT PreparedTube
 PrepareTube(SurfaceMesh mesh, const std::string & what);
@@ -53,12 +53,12 @@ struct TrimmedTube
 
 /** Removes parts cut off by interior edges that join two vertices of one end. These are mostly ears: faces with all
  * corners on one end, which any map with constant ends collapses. Removed vertices are dropped from `rectumLoop` and
- * `caecumLoop`. The tube is returned unchanged if it has no such edge, or if the removal would leave no tube. \pre As
+ * `cecumLoop`. The tube is returned unchanged if it has no such edge, or if the removal would leave no tube. \pre As
  * for FindTubeEnds(). \ingroup ConformalFlattening */
 ConformalFlattening_EXPORT TrimmedTube
 TrimEars(SurfaceMesh mesh, const SurfaceConnectivity & connectivity);
 
-/** Updates the field arrays `rectumLoop` and `caecumLoop` of `after` by vertex position in `before`. An array with a
+/** Updates the field arrays `rectumLoop` and `cecumLoop` of `after` by vertex position in `before`. An array with a
  * missing vertex is removed. \ingroup ConformalFlattening */
 ConformalFlattening_EXPORT void
 RenumberLoopArrays(const SurfaceMesh & before, SurfaceMesh & after);

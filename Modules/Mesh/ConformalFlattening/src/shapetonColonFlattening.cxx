@@ -77,7 +77,7 @@ private:
     {
       m_Result.warnings.push_back(std::string(surfaceName) +
                                   " does not say which end is the rectum (field array rectumLoop, or " +
-                                  "the parameter \"centreline\"): u begins at the loop with the least vertex");
+                                  "the parameter \"centerline\"): u begins at the loop with the least vertex");
     }
   }
 
@@ -104,15 +104,15 @@ private:
     m_Connectivity = std::make_unique<SurfaceConnectivity>(m_Result.surface);
     m_Ends = FindTubeEnds(m_Result.surface, *m_Connectivity, m_What);
     m_Result.rectumFrom = m_Ends.isRectumKnown ? "rectumLoop" : "firstLoop";
-    const CurveSet & centreline = m_Options.centreline;
-    if (!m_Ends.isRectumKnown && !centreline.curves.empty())
+    const CurveSet & centerline = m_Options.centerline;
+    if (!m_Ends.isRectumKnown && !centerline.curves.empty())
     {
-      const Eigen::RowVector3d start = centreline.V.row(centreline.curves.front().front());
+      const Eigen::RowVector3d start = centerline.V.row(centerline.curves.front().front());
       if (this->DistanceOfLoop(m_Ends.second, start) < this->DistanceOfLoop(m_Ends.first, start))
       {
         std::swap(m_Ends.first, m_Ends.second);
       }
-      m_Result.rectumFrom = "centreline";
+      m_Result.rectumFrom = "centerline";
     }
     m_Lengths = EdgeLengths(*m_Connectivity, m_Result.surface.V);
     m_Laplacian = MakeSurfaceLaplacian(*m_Connectivity, m_Lengths);

@@ -56,7 +56,7 @@ public:
     m_Map = {};
     m_IsSaddle.clear();
     progress(0.0);
-    this->Factorise(progress.Part("", 0.0, 0.5));
+    this->Factorize(progress.Part("", 0.0, 0.5));
     m_Map.u = m_Along->Solve(EndValues(m_Ends)).col(0);
     m_Map.modulusU = GradientEnergy(m_Laplacian, m_Map.u);
     m_Along.reset();
@@ -92,7 +92,7 @@ private:
     ParallelFor(2, [&](std::size_t i) {
       if (i == 0)
       {
-        m_Symbolic = HarmonicSolver::Analyse(m_Connectivity);
+        m_Symbolic = HarmonicSolver::Analyze(m_Connectivity);
       }
       else
       {
@@ -105,7 +105,7 @@ private:
   }
 
   void
-  Factorise(const Progress & progress)
+  Factorize(const Progress & progress)
   {
     m_Along = std::make_unique<HarmonicSolver>(m_Solved, m_Ends.Vertices(), *m_Symbolic, progress.Part("", 0.0, 0.5));
     if (m_Options.conjugate == TubeConjugate::Laplacian)
@@ -340,7 +340,7 @@ private:
   const Eigen::VectorXd &              m_MetricLengths;
   const TubeEnds &                     m_Ends;
   const TubeOptions &                  m_Options;
-  std::optional<SymbolicFactorisation> m_Symbolic;
+  std::optional<SymbolicFactorization> m_Symbolic;
   SurfaceLaplacian                     m_Laplacian; ///< metric of the map
   SurfaceLaplacian                     m_Solved;    ///< with the weights of the solved system
   EdgeGraph                            m_Graph;

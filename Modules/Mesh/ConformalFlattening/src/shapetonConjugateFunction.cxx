@@ -183,15 +183,15 @@ IntegrateAlongTree(const CutSurface &          cut,
   {
     const int vertex = queue.front();
     queue.pop_front();
-    for (const int neighbour : after.NeighboursOfVertex(vertex))
+    for (const int neighbor : after.NeighborsOfVertex(vertex))
     {
-      if (std::isnan(sums[neighbour]))
+      if (std::isnan(sums[neighbor]))
       {
         const int    from = cut.sourcePointId[vertex];
-        const int    to = cut.sourcePointId[neighbour];
+        const int    to = cut.sourcePointId[neighbor];
         const double step = differences[connectivity.FindEdge(from, to)];
-        sums[neighbour] = sums[vertex] + (from < to ? step : -step);
-        queue.push_back(neighbour);
+        sums[neighbor] = sums[vertex] + (from < to ? step : -step);
+        queue.push_back(neighbor);
       }
     }
   }

@@ -113,7 +113,7 @@ TrimEars(SurfaceMesh mesh, const SurfaceConnectivity & connectivity)
       const std::vector<int> numbers = NumbersOfVertices(mesh, faces);
       for (SurfaceArray & array : rest.fieldArrays)
       {
-        if (array.name == "rectumLoop" || array.name == "caecumLoop")
+        if (array.name == "rectumLoop" || array.name == "cecumLoop")
         {
           TrimLoop(numbers, array);
         }

@@ -15,7 +15,7 @@ int
 RimsAtVertex(const SurfaceConnectivity & connectivity, int vertex, const std::vector<char> & isDeleted)
 {
   int rims = 0;
-  for (const int other : connectivity.NeighboursOfVertex(vertex))
+  for (const int other : connectivity.NeighborsOfVertex(vertex))
   {
     const IndexRange faces = connectivity.FacesOfEdge(connectivity.FindEdge(vertex, other));
     rims += faces.size() == 2 && isDeleted[faces[0]] != isDeleted[faces[1]] ? 1 : 0;

@@ -11,7 +11,7 @@ namespace shapeton
 struct FaceReplacement
 {
   /** The remaining faces in their order, then those of the fillings. Point arrays of new vertices are means over the
-   * rim of the hole; cell arrays of new faces are 0, the mark array is 1. `rectumLoop` and `caecumLoop` are
+   * rim of the hole; cell arrays of new faces are 0, the mark array is 1. `rectumLoop` and `cecumLoop` are
    * renumbered. */
   SurfaceMesh mesh;
   /** Remaining vertices of the original surface, ascending: vertex i of `mesh` was number keptVertices[i]. */

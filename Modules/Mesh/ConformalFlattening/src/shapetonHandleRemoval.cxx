@@ -32,7 +32,7 @@ FacesOfHandles(const SurfaceConnectivity & connectivity, const std::vector<Surfa
       {
         throw InputError("a handle names vertex " + std::to_string(v) + ", which does not exist");
       }
-      const std::vector<int> around = connectivity.NeighboursOfVertex(v);
+      const std::vector<int> around = connectivity.NeighborsOfVertex(v);
       const bool             isNearRim =
         isRim[v] || std::any_of(around.begin(), around.end(), [&](int other) { return isRim[other]; });
       for (const int face : isNearRim ? IndexRange(nullptr, nullptr) : connectivity.FacesOfVertex(v))

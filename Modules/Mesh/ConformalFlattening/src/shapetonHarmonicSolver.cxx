@@ -32,10 +32,10 @@ RowsOfVertices(int vertices, const std::vector<int> & fixed)
   return rows;
 }
 
-SymbolicFactorisation
+SymbolicFactorization
 SymbolicOf(int vertices, const std::vector<std::array<int, 2>> & edges)
 {
-  return SymbolicFactorisation(vertices, edges, EliminationOrder::MinimumDegree);
+  return SymbolicFactorization(vertices, edges, EliminationOrder::MinimumDegree);
 }
 
 /** The solution is unique if each component has a fixed vertex. */
@@ -68,7 +68,7 @@ struct HarmonicSolver::Factor
 {
   Factor(const SurfaceLaplacian &      laplacian,
          const std::vector<int> &      fixed,
-         const SymbolicFactorisation & symbolic,
+         const SymbolicFactorization & symbolic,
          const Progress &              progress);
 
   std::vector<int>                                   rows; ///< -1 - the row among the fixed vertices, 0 for free ones
@@ -79,7 +79,7 @@ struct HarmonicSolver::Factor
 /** Replaces the rows of fixed vertices by identity rows, so that the pattern is the same for any fixed vertices. */
 HarmonicSolver::Factor::Factor(const SurfaceLaplacian &      laplacian,
                                const std::vector<int> &      fixed,
-                               const SymbolicFactorisation & symbolic,
+                               const SymbolicFactorization & symbolic,
                                const Progress &              progress)
   : rows(RowsOfVertices(laplacian.NumberOfVertices(), fixed)), cholesky(symbolic)
 {
@@ -104,7 +104,7 @@ HarmonicSolver::Factor::Factor(const SurfaceLaplacian &      laplacian,
   {
     diagonal[vertex] = 1.0;
   }
-  cholesky.Factorise(diagonal, offDiagonal, progress);
+  cholesky.Factorize(diagonal, offDiagonal, progress);
   if (!cholesky.HasFactor()) // clamped weights can make it indefinite
   {
     throw InputError("the stiffness matrix of the surface cannot be factorized; repair or remesh the surface");
@@ -122,13 +122,13 @@ HarmonicSolver::HarmonicSolver(const SurfaceLaplacian & laplacian,
 
 HarmonicSolver::HarmonicSolver(const SurfaceLaplacian &      laplacian,
                                std::vector<int>              fixedVertices,
-                               const SymbolicFactorisation & symbolic,
+                               const SymbolicFactorization & symbolic,
                                const Progress &              progress)
   : m_Fixed(std::move(fixedVertices)), m_Factor(std::make_unique<const Factor>(laplacian, m_Fixed, symbolic, progress))
 {}
 
-SymbolicFactorisation
-HarmonicSolver::Analyse(const SurfaceConnectivity & connectivity)
+SymbolicFactorization
+HarmonicSolver::Analyze(const SurfaceConnectivity & connectivity)
 {
   std::vector<std::array<int, 2>> edges(connectivity.NumberOfEdges());
   for (int edge = 0; edge < connectivity.NumberOfEdges(); ++edge)

@@ -59,10 +59,10 @@ TriangulateByRings(const std::vector<int> & loop, int firstVertex)
     filling.faces.push_back({ ring[2], ring[1], ring[0] });
     return filling;
   }
-  const int centre = firstVertex + filling.numberOfVertices++;
+  const int center = firstVertex + filling.numberOfVertices++;
   for (std::size_t i = 0; i < ring.size(); ++i)
   {
-    filling.faces.push_back({ ring[(i + 1) % ring.size()], ring[i], centre });
+    filling.faces.push_back({ ring[(i + 1) % ring.size()], ring[i], center });
   }
   return filling;
 }
@@ -71,13 +71,13 @@ TriangulateByRings(const std::vector<int> & loop, int firstVertex)
 double
 EdgeScale(const SurfaceConnectivity & connectivity, const VertexMatrix & V, int vertex)
 {
-  const std::vector<int> neighbours = connectivity.NeighboursOfVertex(vertex);
+  const std::vector<int> neighbors = connectivity.NeighborsOfVertex(vertex);
   double                 sum = 0.0;
-  for (const int other : neighbours)
+  for (const int other : neighbors)
   {
     sum += (V.row(other) - V.row(vertex)).norm();
   }
-  return sum / static_cast<double>(neighbours.size());
+  return sum / static_cast<double>(neighbors.size());
 }
 } // namespace
 
@@ -143,11 +143,11 @@ SmoothFilling(const HoleFilling & filling, const SurfaceConnectivity & connectiv
   };
   for (Eigen::Index row = 0; row < known.rows(); ++row)
   {
-    const std::vector<int> neighbours = connectivity.NeighboursOfVertex(rows[row]);
+    const std::vector<int> neighbors = connectivity.NeighborsOfVertex(rows[row]);
     add(row, rows[row], -1.0);
-    for (const int neighbour : neighbours)
+    for (const int neighbor : neighbors)
     {
-      add(row, neighbour, 1.0 / static_cast<double>(neighbours.size()));
+      add(row, neighbor, 1.0 / static_cast<double>(neighbors.size()));
     }
   }
   Eigen::SparseMatrix<double> laplacian(known.rows(), n);

@@ -104,8 +104,8 @@ HolePatch::Connect()
       const auto other = sides.find({ b, a });
       if (other != sides.end())
       {
-        m_Faces[f].neighbours[k] = other->second.first;
-        m_Faces[other->second.first].neighbours[other->second.second] = f;
+        m_Faces[f].neighbors[k] = other->second.first;
+        m_Faces[other->second.first].neighbors[other->second.second] = f;
       }
     }
   }
@@ -114,25 +114,25 @@ HolePatch::Connect()
 bool
 HolePatch::IsTooLarge(const Face & face) const
 {
-  Eigen::Vector3d centre = Eigen::Vector3d::Zero();
+  Eigen::Vector3d center = Eigen::Vector3d::Zero();
   double          scale = 0.0;
   for (const int v : face.corners)
   {
-    centre += m_Points[v] / 3.0;
+    center += m_Points[v] / 3.0;
     scale += m_Scales[v] / 3.0;
   }
   return std::all_of(face.corners.begin(), face.corners.end(), [&](int v) {
-    return root2 * (centre - m_Points[v]).norm() > std::max(scale, m_Scales[v]);
+    return root2 * (center - m_Points[v]).norm() > std::max(scale, m_Scales[v]);
   });
 }
 
 void
-HolePatch::ReplaceNeighbour(int face, int before, int after)
+HolePatch::ReplaceNeighbor(int face, int before, int after)
 {
   if (face != -1)
   {
-    auto & neighbours = m_Faces[face].neighbours;
-    *std::find(neighbours.begin(), neighbours.end(), before) = after;
+    auto & neighbors = m_Faces[face].neighbors;
+    *std::find(neighbors.begin(), neighbors.end(), before) = after;
   }
 }
 
@@ -140,17 +140,17 @@ void
 HolePatch::Split(int face)
 {
   const Face before = m_Faces[face];
-  const int  centre = static_cast<int>(m_Points.size());
+  const int  center = static_cast<int>(m_Points.size());
   const auto & [a, b, c] = before.corners;
   m_Points.push_back((m_Points[a] + m_Points[b] + m_Points[c]) / 3.0);
   m_Scales.push_back((m_Scales[a] + m_Scales[b] + m_Scales[c]) / 3.0);
   const int second = static_cast<int>(m_Faces.size());
   const int third = second + 1;
-  m_Faces[face] = { { a, b, centre }, { before.neighbours[0], second, third } };
-  m_Faces.push_back({ { b, c, centre }, { before.neighbours[1], third, face } });
-  m_Faces.push_back({ { c, a, centre }, { before.neighbours[2], face, second } });
-  this->ReplaceNeighbour(before.neighbours[1], face, second);
-  this->ReplaceNeighbour(before.neighbours[2], face, third);
+  m_Faces[face] = { { a, b, center }, { before.neighbors[0], second, third } };
+  m_Faces.push_back({ { b, c, center }, { before.neighbors[1], third, face } });
+  m_Faces.push_back({ { c, a, center }, { before.neighbors[2], face, second } });
+  this->ReplaceNeighbor(before.neighbors[1], face, second);
+  this->ReplaceNeighbor(before.neighbors[2], face, third);
 }
 
 bool
@@ -168,13 +168,13 @@ HolePatch::HasEdge(int a, int b) const
 bool
 HolePatch::FlipIfBetter(int face, int k)
 {
-  const int other = m_Faces[face].neighbours[k];
+  const int other = m_Faces[face].neighbors[k];
   if (other == -1)
   {
     return false;
   }
-  const auto & neighbours = m_Faces[other].neighbours;
-  const int    j = static_cast<int>(std::find(neighbours.begin(), neighbours.end(), face) - neighbours.begin());
+  const auto & neighbors = m_Faces[other].neighbors;
+  const int    j = static_cast<int>(std::find(neighbors.begin(), neighbors.end(), face) - neighbors.begin());
   const int    a = m_Faces[face].corners[k];
   const int    b = m_Faces[face].corners[(k + 1) % 3];
   const int    c = m_Faces[face].corners[(k + 2) % 3];
@@ -185,14 +185,14 @@ HolePatch::FlipIfBetter(int face, int k)
   {
     return false;
   }
-  const int bc = m_Faces[face].neighbours[(k + 1) % 3];
-  const int ca = m_Faces[face].neighbours[(k + 2) % 3];
-  const int ad = m_Faces[other].neighbours[(j + 1) % 3];
-  const int db = m_Faces[other].neighbours[(j + 2) % 3];
+  const int bc = m_Faces[face].neighbors[(k + 1) % 3];
+  const int ca = m_Faces[face].neighbors[(k + 2) % 3];
+  const int ad = m_Faces[other].neighbors[(j + 1) % 3];
+  const int db = m_Faces[other].neighbors[(j + 2) % 3];
   m_Faces[face] = { { c, d, b }, { other, db, bc } };
   m_Faces[other] = { { d, c, a }, { face, ca, ad } };
-  this->ReplaceNeighbour(db, other, face);
-  this->ReplaceNeighbour(ca, face, other);
+  this->ReplaceNeighbor(db, other, face);
+  this->ReplaceNeighbor(ca, face, other);
   return true;
 }
 

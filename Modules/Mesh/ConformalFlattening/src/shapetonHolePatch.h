@@ -43,11 +43,11 @@ public:
   Faces() const;
 
 private:
-  /** Neighbour k lies across the edge from corner k to the next; -1 at the rim. */
+  /** Neighbor k lies across the edge from corner k to the next; -1 at the rim. */
   struct Face
   {
     std::array<int, 3> corners;
-    std::array<int, 3> neighbours;
+    std::array<int, 3> neighbors;
   };
 
   double
@@ -61,7 +61,7 @@ private:
   void
   Split(int face);
   void
-  ReplaceNeighbour(int face, int before, int after);
+  ReplaceNeighbor(int face, int before, int after);
   bool
   HasEdge(int a, int b) const;
   bool

@@ -59,7 +59,7 @@ SideOfBoundary(const std::vector<int> & boundary, int from, int to)
 /** The harmonic function that is 0 on one side and 1 on the other. */
 Eigen::VectorXd
 Between(const SurfaceLaplacian &      laplacian,
-        const SymbolicFactorisation & symbolic,
+        const SymbolicFactorization & symbolic,
         std::vector<int>              zero,
         const std::vector<int> &      one,
         const Progress &              progress)
@@ -82,7 +82,7 @@ MapQuadrilateral(const SurfaceConnectivity & connectivity,
   const std::array<int, 4>    places = PlacesOfCorners(boundary.vertices, corners);
   const SurfaceLaplacian      laplacian = MakeSurfaceLaplacian(connectivity, edgeLengths);
   const SurfaceLaplacian      bounded = WithBoundedWeights(laplacian, weightLevels);
-  const SymbolicFactorisation symbolic = HarmonicSolver::Analyse(connectivity);
+  const SymbolicFactorization symbolic = HarmonicSolver::Analyze(connectivity);
   const auto side = [&](int i) { return SideOfBoundary(boundary.vertices, places[i], places[(i + 1) % 4]); };
   progress(0.4);
   QuadrilateralMap map;

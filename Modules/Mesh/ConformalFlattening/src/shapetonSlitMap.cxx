@@ -114,7 +114,7 @@ struct SlitMapSolver::State
     , stiffness(StiffnessMatrix(laplacian))
     , graph(itsConnectivity)
   {
-    const SymbolicFactorisation symbolic = HarmonicSolver::Analyse(itsConnectivity);
+    const SymbolicFactorization symbolic = HarmonicSolver::Analyze(itsConnectivity);
     progress(0.4);
     const HarmonicSolver solver(laplacian, VerticesOfLoops(loops), symbolic, progress.Part("", 0.4, 0.6));
     functions = solver.Solve(ValuesOfLoops(loops, innerLoops));

@@ -16,12 +16,12 @@ namespace shapeton
 namespace
 {
 constexpr const char * rectumName = "rectumLoop";
-constexpr const char * caecumName = "caecumLoop";
+constexpr const char * cecumName = "cecumLoop";
 
 bool
 IsLoopArray(const SurfaceArray & array)
 {
-  return array.name == rectumName || array.name == caecumName;
+  return array.name == rectumName || array.name == cecumName;
 }
 
 /** Length, number of edges and center of each boundary. */
@@ -123,15 +123,15 @@ SixfoldVolume(const SurfaceMesh & mesh, const SurfaceConnectivity & connectivity
   }
   for (const std::vector<int> & loop : connectivity.BoundaryLoops())
   {
-    Eigen::RowVector3d centre = Eigen::RowVector3d::Zero();
+    Eigen::RowVector3d center = Eigen::RowVector3d::Zero();
     for (const int v : loop)
     {
-      centre += mesh.V.row(v) / static_cast<double>(loop.size());
+      center += mesh.V.row(v) / static_cast<double>(loop.size());
     }
     for (std::size_t k = 0; k < loop.size(); ++k)
     {
       // The face runs along the loop, so its neighbor in the cap runs against it.
-      volume += tetrahedron(mesh.V.row(loop[(k + 1) % loop.size()]), mesh.V.row(loop[k]), centre);
+      volume += tetrahedron(mesh.V.row(loop[(k + 1) % loop.size()]), mesh.V.row(loop[k]), center);
     }
   }
   return volume;

@@ -114,15 +114,15 @@ TEST(ColonFlattening, PublishedRouteIsWarnedOf)
   EXPECT_LT(good.distortion.flips, 50);
 }
 
-TEST(ColonFlattening, CentrelineTellsTheRectum)
+TEST(ColonFlattening, CenterlineTellsTheRectum)
 {
   shapeton::ColonFlatteningOptions options;
-  options.centreline = Line(9, true);
+  options.centerline = Line(9, true);
   const shapeton::SurfaceMesh     cylinder = Cylinder(30, 30, 20.0, 80.0);
   const shapeton::ColonFlattening result = shapeton::FlattenColon(cylinder, "it", options);
-  EXPECT_EQ("centreline", result.rectumFrom);
+  EXPECT_EQ("centerline", result.rectumFrom);
   EXPECT_NEAR(1.0, result.map.u[0], 1e-12); // at the height 0, where the line ends
-  options.centreline = Line(9);
+  options.centerline = Line(9);
   EXPECT_NEAR(0.0, shapeton::FlattenColon(cylinder, "it", options).map.u[0], 1e-12);
   EXPECT_EQ("firstLoop", shapeton::FlattenColon(cylinder, "it", {}).rectumFrom);
 }

@@ -47,12 +47,12 @@ Face()
   std::vector<int>  faces;
   for (int face = 0; face < sphere.NumberOfFaces(); ++face)
   {
-    const Eigen::RowVector3d centre =
+    const Eigen::RowVector3d center =
       (sphere.V.row(sphere.F(face, 0)) + sphere.V.row(sphere.F(face, 1)) + sphere.V.row(sphere.F(face, 2))) / 3.0;
     const auto isHole = [&](double x, double y, double size) {
-      return std::hypot(centre.x() - x, centre.y() - y) < size;
+      return std::hypot(center.x() - x, center.y() - y) < size;
     };
-    if (centre.z() > 0.0 && !isHole(-18, 15, 7) && !isHole(18, 15, 7) && !isHole(0, -20, 9))
+    if (center.z() > 0.0 && !isHole(-18, 15, 7) && !isHole(18, 15, 7) && !isHole(0, -20, 9))
     {
       faces.push_back(face);
     }

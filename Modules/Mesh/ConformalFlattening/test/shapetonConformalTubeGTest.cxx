@@ -223,7 +223,7 @@ TEST(ConformalTube, ColonWithoutHandlesIsConformal)
   }
 }
 
-TEST(ConformalTube, HandlesSpoilOnlyTheirNeighbourhood)
+TEST(ConformalTube, HandlesSpoilOnlyTheirNeighborhood)
 {
   for (const std::uint64_t seed : { 1, 2, 3 })
   {

@@ -52,7 +52,7 @@ HeatDiffusionMetricSolver::HeatDiffusionMetricSolver(SurfaceLaplacian laplacian)
   : m_Laplacian(std::move(laplacian))
   , m_Diagonal(StiffnessDiagonal(m_Laplacian))
   , m_Inversion(
-      SymbolicFactorisation(m_Laplacian.NumberOfVertices(), m_Laplacian.edges, EliminationOrder::NestedDissection))
+      SymbolicFactorization(m_Laplacian.NumberOfVertices(), m_Laplacian.edges, EliminationOrder::NestedDissection))
 {}
 
 HeatDiffusionMetric

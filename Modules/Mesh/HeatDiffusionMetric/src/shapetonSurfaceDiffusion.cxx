@@ -21,10 +21,10 @@ DiffuseOverSurface(const SurfaceLaplacian & laplacian, double time, Eigen::Matri
     return;
   }
   SparseCholesky solver(
-    SymbolicFactorisation(laplacian.NumberOfVertices(), laplacian.edges, EliminationOrder::MinimumDegree));
+    SymbolicFactorization(laplacian.NumberOfVertices(), laplacian.edges, EliminationOrder::MinimumDegree));
   progress(0.4);
   const double step = time / steps;
-  const bool   isPositive = solver.Factorise(
+  const bool   isPositive = solver.Factorize(
     laplacian.mass + step * StiffnessDiagonal(laplacian), -step * laplacian.weights, progress.Part("", 0.4, 0.8));
   for (int i = 0; i < steps && isPositive; ++i)
   {

@@ -50,12 +50,12 @@ public:
 
   /** \param steps notified of each vector that the inverse is applied to. */
   ShiftedInverse(const SurfaceLaplacian &      laplacian,
-                 const SymbolicFactorisation & symbolic,
+                 const SymbolicFactorization & symbolic,
                  double                        shift,
                  OpenEndedProgress &           steps)
     : m_RootMass(laplacian.mass.cwiseSqrt()), m_Shift(shift), m_Factor(symbolic), m_Steps(steps)
   {
-    if (!m_Factor.Factorise(
+    if (!m_Factor.Factorize(
           StiffnessDiagonal(laplacian) + shift * laplacian.mass, -laplacian.weights, steps.NextStep()))
     {
       throw InputError("the stiffness matrix of the surface cannot be factorized; repair or remesh the surface");
@@ -79,7 +79,7 @@ public:
   void
   set_shift(double)
   {
-    // The matrix was factorised with its shift.
+    // The matrix was factorized with its shift.
   }
   void
   perform_op(const double * from, double * to) const
@@ -164,13 +164,13 @@ LanczosPairs(const SurfaceLaplacian & laplacian, int pairs, const SurfaceSpectru
   constexpr int               attempts = 8;
   const double                shift = 0.5 * EigenvalueStep(laplacian);
   OpenEndedProgress           steps(options.progress, 4.0 * pairs);
-  const SymbolicFactorisation symbolic(laplacian.NumberOfVertices(), laplacian.edges, EliminationOrder::MinimumDegree);
+  const SymbolicFactorization symbolic(laplacian.NumberOfVertices(), laplacian.edges, EliminationOrder::MinimumDegree);
   const Eigen::VectorXd       diagonal = StiffnessDiagonal(laplacian);
   steps.Step();
   // L - number M has as many negative eigenvalues as there are eigenvalues below the number (Sylvester's law of
   // inertia).
   auto countBelow = [&, counter = SparseCholesky(symbolic)](double number) mutable {
-    counter.Factorise(diagonal - number * laplacian.mass, -laplacian.weights, steps.NextStep());
+    counter.Factorize(diagonal - number * laplacian.mass, -laplacian.weights, steps.NextStep());
     return counter.NegativeEigenvalues();
   };
   ShiftedInverse inverse(laplacian, symbolic, shift, steps);

@@ -93,10 +93,10 @@ Smoothed(std::vector<Eigen::Vector3d> path, int reach)
 }
 
 /** A centerline with twist-free frames. */
-class Centreline
+class Centerline
 {
 public:
-  explicit Centreline(double length)
+  explicit Centerline(double length)
   {
     constexpr int                samples = 4000;
     std::vector<Eigen::Vector3d> path;
@@ -263,7 +263,7 @@ MakeColonTube(const ColonTubeOptions & options)
   const double     edge = std::sqrt(2.0 * rowsPerEdge * circumference * options.length / options.faces);
   const Grid       grid{ std::max(3, static_cast<int>(std::lround(circumference / edge))),
                    std::max(1, static_cast<int>(std::lround(options.length * rowsPerEdge / edge))) };
-  const Centreline centreline(options.length);
+  const Centerline centerline(options.length);
   ColonTube        tube;
   tube.mesh.V.resize(static_cast<Eigen::Index>(grid.around) * (grid.along + 1), 3);
   tube.narrowestRadius = options.radius;
@@ -278,7 +278,7 @@ MakeColonTube(const ColonTubeOptions & options)
       const double s = (row + shiftAlong) / grid.along;
       const double angle = 2.0 * pi * (i + 0.5 * (row % 2) + shiftAround) / grid.around;
       const double radius = Radius(options, s, angle);
-      tube.mesh.V.row(vertex) = centreline.Place(s, angle, radius);
+      tube.mesh.V.row(vertex) = centerline.Place(s, angle, radius);
       tube.narrowestRadius = std::min(tube.narrowestRadius, radius);
     }
   }

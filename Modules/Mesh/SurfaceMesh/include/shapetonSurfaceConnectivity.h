@@ -140,7 +140,7 @@ public:
   }
   /** Vertices at the other ends of its edges, ascending. */
   std::vector<int>
-  NeighboursOfVertex(int vertex) const;
+  NeighborsOfVertex(int vertex) const;
   bool
   IsBoundaryVertex(int vertex) const;
   /** For each face in FacesOfVertex(), its fan number from 0: faces connected by edges at this vertex. With

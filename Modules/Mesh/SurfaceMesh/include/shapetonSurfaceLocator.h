@@ -56,11 +56,11 @@ private:
   };
 
   void
-  BuildTop(const VertexMatrix & centres);
+  BuildTop(const VertexMatrix & centers);
   int
-  Split(const Part & part, const VertexMatrix & centres);
+  Split(const Part & part, const VertexMatrix & centers);
   int
-  Build(const Part & part, const VertexMatrix & centres);
+  Build(const Part & part, const VertexMatrix & centers);
   void
   Search(int node, const Eigen::Vector3d & p, Closest & best, double & bestSquare) const;
   double

@@ -87,7 +87,7 @@ int
 CornerTable::Valence(int v) const
 {
   int valence = 0;
-  this->ForEachNeighbour(v, [&](int) { ++valence; });
+  this->ForEachNeighbor(v, [&](int) { ++valence; });
   return valence;
 }
 
@@ -120,9 +120,9 @@ CornerTable::CanCollapse(int h) const
     return false; // an isolated triangle, or a bridge between boundaries
   }
   ++m_Stamp;
-  this->ForEachNeighbour(u, [&](int w) { m_Mark[w] = m_Stamp; });
+  this->ForEachNeighbor(u, [&](int w) { m_Mark[w] = m_Stamp; });
   int common = 0;
-  this->ForEachNeighbour(v, [&](int w) { common += m_Mark[w] == m_Stamp; });
+  this->ForEachNeighbor(v, [&](int w) { common += m_Mark[w] == m_Stamp; });
   if (common != (isOnBoundary ? 1 : 2))
   {
     return false;

@@ -124,10 +124,10 @@ public:
     }
   }
 
-  /** Calls visit(w) for each neighbour of a live vertex. */
+  /** Calls visit(w) for each neighbor of a live vertex. */
   template <typename TVisit>
   void
-  ForEachNeighbour(int v, TVisit && visit) const
+  ForEachNeighbor(int v, TVisit && visit) const
   {
     int last = -1;
     this->ForEachOutgoing(v, [&](int h) {

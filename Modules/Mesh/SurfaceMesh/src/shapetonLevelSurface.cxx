@@ -75,12 +75,12 @@ std::vector<double>
 VolumesOfComponents(const SurfaceMesh & mesh, const std::vector<int> & component)
 {
   std::vector<double>   volumes(component.size(), 0.0);
-  const Eigen::Vector3d centre = mesh.V.colwise().mean();
+  const Eigen::Vector3d center = mesh.V.colwise().mean();
   for (Eigen::Index f = 0; f < mesh.F.rows(); ++f)
   {
-    const Eigen::Vector3d a = mesh.V.row(mesh.F(f, 0)).transpose() - centre;
-    const Eigen::Vector3d b = mesh.V.row(mesh.F(f, 1)).transpose() - centre;
-    const Eigen::Vector3d c = mesh.V.row(mesh.F(f, 2)).transpose() - centre;
+    const Eigen::Vector3d a = mesh.V.row(mesh.F(f, 0)).transpose() - center;
+    const Eigen::Vector3d b = mesh.V.row(mesh.F(f, 1)).transpose() - center;
+    const Eigen::Vector3d c = mesh.V.row(mesh.F(f, 2)).transpose() - center;
     volumes[component[mesh.F(f, 0)]] += a.dot(b.cross(c));
   }
   return volumes;

@@ -204,22 +204,22 @@ SurfaceConnectivity::IsInconsistentEdge(int edge) const
 }
 
 std::vector<int>
-SurfaceConnectivity::NeighboursOfVertex(int vertex) const
+SurfaceConnectivity::NeighborsOfVertex(int vertex) const
 {
-  std::vector<int> neighbours;
+  std::vector<int> neighbors;
   for (const int f : this->FacesOfVertex(vertex))
   {
     for (int k = 0; k < 3; ++k)
     {
       if (m_Faces(f, k) != vertex)
       {
-        neighbours.push_back(m_Faces(f, k));
+        neighbors.push_back(m_Faces(f, k));
       }
     }
   }
-  std::sort(neighbours.begin(), neighbours.end());
-  neighbours.erase(std::unique(neighbours.begin(), neighbours.end()), neighbours.end());
-  return neighbours;
+  std::sort(neighbors.begin(), neighbors.end());
+  neighbors.erase(std::unique(neighbors.begin(), neighbors.end()), neighbors.end());
+  return neighbors;
 }
 
 bool

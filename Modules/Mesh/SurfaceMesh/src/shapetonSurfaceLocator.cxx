@@ -77,20 +77,20 @@ SurfaceLocator::SurfaceLocator(const VertexMatrix & V, const FaceMatrix & F) : m
     throw std::invalid_argument("SurfaceLocator: no faces, or an index is out of range");
   }
   std::iota(m_Order.begin(), m_Order.end(), 0);
-  VertexMatrix centres(F.rows(), 3);
+  VertexMatrix centers(F.rows(), 3);
   for (int f = 0; f < F.rows(); ++f)
   {
-    centres.row(f) = (V.row(F(f, 0)) + V.row(F(f, 1)) + V.row(F(f, 2))) / 3.0;
+    centers.row(f) = (V.row(F(f, 0)) + V.row(F(f, 1)) + V.row(F(f, 2))) / 3.0;
   }
   m_Nodes.resize(NumberOfNodes(static_cast<int>(F.rows())));
-  this->BuildTop(centres);
+  this->BuildTop(centers);
 }
 
 SurfaceLocator::~SurfaceLocator() = default;
 
 /** Splits the tree into parts that are built in parallel. Node positions are the same as with one thread. */
 void
-SurfaceLocator::BuildTop(const VertexMatrix & centres)
+SurfaceLocator::BuildTop(const VertexMatrix & centers)
 {
   constexpr int     levels = 5;
   std::vector<Part> parts{ { 0, 0, static_cast<int>(m_Order.size()) } };
@@ -99,7 +99,7 @@ SurfaceLocator::BuildTop(const VertexMatrix & centres)
     std::vector<Part> halves(2 * parts.size(), Part{ 0, 0, 0 }); // empty if a part is a leaf
     ParallelFor(parts.size(), [&](std::size_t i) {
       const Part & part = parts[i];
-      const int    middle = this->Split(part, centres);
+      const int    middle = this->Split(part, centers);
       if (middle > part.begin)
       {
         const int right = part.node + 1 + NumberOfNodes(middle - part.begin);
@@ -112,13 +112,13 @@ SurfaceLocator::BuildTop(const VertexMatrix & centres)
     halves.erase(std::remove_if(halves.begin(), halves.end(), isEmpty), halves.end());
     parts.swap(halves);
   }
-  ParallelFor(parts.size(), [&](std::size_t i) { this->Build(parts[i], centres); });
+  ParallelFor(parts.size(), [&](std::size_t i) { this->Build(parts[i], centers); });
 }
 
 /** Sets the first node of a part and splits its faces into halves. Returns the start of the second half, or for a leaf
  * that of the part. */
 int
-SurfaceLocator::Split(const Part & part, const VertexMatrix & centres)
+SurfaceLocator::Split(const Part & part, const VertexMatrix & centers)
 {
   Eigen::Vector3d low = Eigen::Vector3d::Constant(std::numeric_limits<double>::infinity());
   Eigen::Vector3d high = -low;
@@ -140,23 +140,23 @@ SurfaceLocator::Split(const Part & part, const VertexMatrix & centres)
   const int  middle = part.begin + (part.end - part.begin) / 2;
   const auto order = m_Order.begin();
   std::nth_element(order + part.begin, order + middle, order + part.end, [&](int a, int b) {
-    return centres(a, axis) != centres(b, axis) ? centres(a, axis) < centres(b, axis) : a < b;
+    return centers(a, axis) != centers(b, axis) ? centers(a, axis) < centers(b, axis) : a < b;
   });
   return middle;
 }
 
 /** The node after the end of the subtree. */
 int
-SurfaceLocator::Build(const Part & part, const VertexMatrix & centres)
+SurfaceLocator::Build(const Part & part, const VertexMatrix & centers)
 {
-  const int middle = this->Split(part, centres);
+  const int middle = this->Split(part, centers);
   if (middle == part.begin)
   {
     return part.node + 1;
   }
-  const int right = this->Build({ part.node + 1, part.begin, middle }, centres);
+  const int right = this->Build({ part.node + 1, part.begin, middle }, centers);
   m_Nodes[part.node].right = right;
-  return this->Build({ right, middle, part.end }, centres);
+  return this->Build({ right, middle, part.end }, centers);
 }
 
 double

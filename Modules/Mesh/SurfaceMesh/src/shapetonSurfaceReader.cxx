@@ -22,11 +22,11 @@ constexpr double      GreatestExtent = 5000.0;
 constexpr std::size_t LongestList = 12;
 
 double
-MillimetresOf(const std::string & unit)
+MillimetersOf(const std::string & unit)
 {
-  static const std::map<std::string, double> millimetres{ { "m", 1000.0 }, { "mm", 1.0 }, { "um", 0.001 } };
-  const auto                                 found = millimetres.find(unit);
-  RequireParameter(found != millimetres.end(), "the unit \"" + unit + "\" must be m, mm or um");
+  static const std::map<std::string, double> millimeters{ { "m", 1000.0 }, { "mm", 1.0 }, { "um", 0.001 } };
+  const auto                                 found = millimeters.find(unit);
+  RequireParameter(found != millimeters.end(), "the unit \"" + unit + "\" must be m, mm or um");
   return found->second;
 }
 
@@ -72,7 +72,7 @@ ScaleToUnit(SurfaceFile & file, const SurfaceReadOptions & options, const std::s
 {
   if (!options.unit.empty())
   {
-    file.mesh.V *= MillimetresOf(options.unit) / MillimetresOf(file.unit);
+    file.mesh.V *= MillimetersOf(options.unit) / MillimetersOf(file.unit);
     return;
   }
   const Eigen::Vector3d extent = ExtentOf(file.mesh);
@@ -301,7 +301,7 @@ ReadChosen(const std::string & path, const SurfaceReadOptions & options, bool is
   RequireParameter(options.component >= -1, "the component must be -1, 0 or the number of one");
   if (!options.unit.empty())
   {
-    MillimetresOf(options.unit);
+    MillimetersOf(options.unit);
   }
   SurfaceFile file = ReadSurfaceFile(path);
   ScaleToUnit(file, options, path);

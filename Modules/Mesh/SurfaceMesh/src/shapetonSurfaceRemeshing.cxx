@@ -130,7 +130,7 @@ private:
   {
     const int u = m_Table.From(h);
     int       before = -1;
-    m_Table.ForEachNeighbour(u, [&](int w) { before = w; }); // the last one: along the boundary
+    m_Table.ForEachNeighbor(u, [&](int w) { before = w; }); // the last one: along the boundary
     const Eigen::Vector3d & a = m_Positions[before];
     const Eigen::Vector3d   direction = m_Positions[m_Table.To(h)] - a;
     const Eigen::Vector3d   offset = m_Positions[u] - a;
@@ -147,7 +147,7 @@ private:
     for (const int w : { m_Table.From(h), m_Table.To(h) })
     {
       const int other = w == m_Table.From(h) ? m_Table.To(h) : m_Table.From(h);
-      m_Table.ForEachNeighbour(w, [&](int n) {
+      m_Table.ForEachNeighbor(w, [&](int n) {
         keeps = keeps && (n == other || (m_Positions[n] - place).norm() <= LongestOfTarget * m_Target);
       });
       keeps = keeps && this->NoFaceTurnsOver(w, place, other);
@@ -246,7 +246,7 @@ private:
   GoalOf(int v) const
   {
     Eigen::Vector3d normal = Eigen::Vector3d::Zero();
-    Eigen::Vector3d centre = Eigen::Vector3d::Zero();
+    Eigen::Vector3d center = Eigen::Vector3d::Zero();
     double          area = 0.0;
     m_Table.ForEachOutgoing(v, [&](int h) {
       const Eigen::Vector3d & b = m_Positions[m_Table.To(h)];
@@ -254,7 +254,7 @@ private:
       const Eigen::Vector3d   own = DoubleAreaNormal(m_Positions[v], b, c);
       normal += own;
       area += own.norm();
-      centre += own.norm() * (m_Positions[v] + b + c) / 3.0;
+      center += own.norm() * (m_Positions[v] + b + c) / 3.0;
     });
     const double length = normal.norm();
     if (!(area > 0.0) || !(length > 0.0))
@@ -262,7 +262,7 @@ private:
       return m_Positions[v];
     }
     normal /= length;
-    const Eigen::Vector3d step = centre / area - m_Positions[v];
+    const Eigen::Vector3d step = center / area - m_Positions[v];
     return m_Locator.FindClosest(m_Positions[v] + step - normal.dot(step) * normal).point;
   }
 

@@ -339,7 +339,7 @@ Simplifier::TryCollapse(int u, int v)
   m_Positions[kept] = place;
   m_Table.Collapse(h);
   ++m_Version[kept];
-  m_Table.ForEachNeighbour(kept, [&](int w) { m_Queue.Push(this->CandidateOf(kept, w)); });
+  m_Table.ForEachNeighbor(kept, [&](int w) { m_Queue.Push(this->CandidateOf(kept, w)); });
   return true;
 }
 

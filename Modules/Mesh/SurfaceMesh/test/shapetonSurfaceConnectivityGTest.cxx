@@ -77,11 +77,11 @@ TEST(SurfaceConnectivity, LoopOfAMoebiusStripGoesAroundTwice)
   }
 }
 
-TEST(SurfaceConnectivity, NeighboursOfAGridVertex)
+TEST(SurfaceConnectivity, NeighborsOfAGridVertex)
 {
   const SurfaceConnectivity square(Square(2, 1));
-  EXPECT_EQ(square.NeighboursOfVertex(4), std::vector<int>({ 0, 1, 3, 5, 7, 8 }));
-  EXPECT_EQ(square.NeighboursOfVertex(2), std::vector<int>({ 1, 5 }));
+  EXPECT_EQ(square.NeighborsOfVertex(4), std::vector<int>({ 0, 1, 3, 5, 7, 8 }));
+  EXPECT_EQ(square.NeighborsOfVertex(2), std::vector<int>({ 1, 5 }));
   EXPECT_FALSE(square.IsBoundaryVertex(4));
   EXPECT_TRUE(square.IsBoundaryVertex(2));
   EXPECT_EQ(square.FindEdge(4, 8), square.FindEdge(8, 4));
@@ -241,7 +241,7 @@ TEST_P(SurfaceConnectivityBruteForce, EdgesFacesAndFans)
   }
   for (int a = 0; a < vertices; ++a)
   {
-    std::vector<int> neighbours;
+    std::vector<int> neighbors;
     for (int b = 0; b < vertices; ++b)
     {
       const std::vector<int> faces = a == b ? std::vector<int>() : FacesWith(F, a, b);
@@ -249,13 +249,13 @@ TEST_P(SurfaceConnectivityBruteForce, EdgesFacesAndFans)
       ASSERT_EQ(edge >= 0, !faces.empty());
       if (edge >= 0)
       {
-        neighbours.push_back(b);
+        neighbors.push_back(b);
         edges += a < b;
         const auto range = connectivity.FacesOfEdge(edge);
         EXPECT_EQ(std::vector<int>(range.begin(), range.end()), faces);
       }
     }
-    EXPECT_EQ(connectivity.NeighboursOfVertex(a), neighbours);
+    EXPECT_EQ(connectivity.NeighborsOfVertex(a), neighbors);
     const std::vector<int> own = FacesWith(F, a, a);
     const auto             range = connectivity.FacesOfVertex(a);
     EXPECT_EQ(std::vector<int>(range.begin(), range.end()), own);

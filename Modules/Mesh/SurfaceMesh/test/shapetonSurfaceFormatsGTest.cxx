@@ -132,7 +132,7 @@ TEST(SurfaceFormats, RasIsTurnedToLps)
   }
 }
 
-TEST(SurfaceFormats, OffWithCommentsColoursAndPolygons)
+TEST(SurfaceFormats, OffWithCommentsColorsAndPolygons)
 {
   const std::string           text = "OFF # a cube and more\n"
                                      "  5 3 0\n\n# vertices\n0 0 0 255 0 0\n1 0 0\n1 1 0\n0 1 0\n+.5 5e-1 1e0\n"

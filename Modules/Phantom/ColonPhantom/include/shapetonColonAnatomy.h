@@ -47,7 +47,7 @@ struct ColonDiverticulum
   double      intensity; ///< HU of the stool; else 0
 };
 
-/** The ileocaecal valve of the phantom. LPS, mm. \ingroup ColonPhantom */
+/** The ileocecal valve of the phantom. LPS, mm. \ingroup ColonPhantom */
 struct ColonValve
 {
   std::string     kind;      ///< bump or lips
@@ -78,7 +78,7 @@ struct ColonPlace
  * \brief The colon of a synthetic patient in one position, with exactly known geometry.
  *
  * Physical LPS, mm, around (0, 0, 0): +x is left, +y posterior, +z superior. Segments: 1 rectum (with the anal canal),
- * 2 sigmoid, 3 descending, 4 transverse, 5 ascending, 6 caecum. Arc length is measured along the centerline of this
+ * 2 sigmoid, 3 descending, 4 transverse, 5 ascending, 6 cecum. Arc length is measured along the centerline of this
  * position, from the anal verge. The lumen does not intersect the spine, a cylinder along z through x = 0, y = 80 with
  * the radius 30 for z > -50, which continues below as the sacrum behind the rectum (see SpineAxis()).
  *
@@ -119,7 +119,7 @@ public:
    * the wall without folds, mm), inscribedRadius (distance to the nearest wall or fold, mm), segment and collapsed
    * (0 or 1). */
   CurveSet
-  Centreline() const;
+  Centerline() const;
 
   /** Three curves on the wall with the point arrays arcLength and materialId, and the cell array taenia. */
   CurveSet
@@ -142,7 +142,7 @@ public:
 
   /** The point of the wall farthest from the mouth of the cecum, which is the center of the lumen at the valve. */
   Eigen::Vector3d
-  CaecalPole() const;
+  CecalPole() const;
 
   /** Points of the wall on a grid in material coordinates with the point arrays materialId, arcLength, angle,
    * segment, collapsed and onFold. Equal materialId values are the same piece of wall in all positions of one seed. */
@@ -167,7 +167,7 @@ public:
   int
   SegmentAt(double arcLength) const;
 
-  /** rectum, sigmoid, descending, transverse, ascending, caecum. Empty for other numbers. */
+  /** rectum, sigmoid, descending, transverse, ascending, cecum. Empty for other numbers. */
   static std::string
   SegmentName(int segment);
 

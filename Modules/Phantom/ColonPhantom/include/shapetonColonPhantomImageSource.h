@@ -35,7 +35,7 @@ namespace shapeton
  * ColonAnatomy); output 3 other structures (ColonStructure).
  *
  * \par Parameters
- * Size (default 256, 256, 240), Spacing (default 1.4 mm), Origin (default: such that the volume's centre is at the
+ * Size (default 256, 256, 240), Spacing (default 1.4 mm), Origin (default: such that the volume's center is at the
  * patient's (0, 0, 0)) and Direction are those of GenerateImageSource; CenterOutput() moves the origin after a change.
  *
  * \ingroup ColonPhantom */

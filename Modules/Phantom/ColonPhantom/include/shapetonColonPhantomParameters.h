@@ -69,10 +69,10 @@ struct ColonPhantomParameters
   SegmentValues lengths{};
   /** Mean diameters of the segments in mm: 0 (from the template) or 15 to 90; rectum 36 to 54, sigmoid 24 to 36,
    * descending 26 to 44, transverse 32 to 54, ascending 42 to 68, cecum 50 to 78. */
-  SegmentValues calibre{};
+  SegmentValues caliber{};
   /** Largest displacement of the cecum from its position at rest in mm, 0 to 100; 0 to 10, in three of ten patients
    * 30 to 80. */
-  double caecumMobility{ 0.0 };
+  double cecumMobility{ 0.0 };
   /** Share of the small bowel that contains contrast medium, 0 to 1; .5 to 1. */
   double smallBowelTagged{ 0.8 };
   /** HU of the fluid in the stomach, 0 to 900; 100 to 650. */

@@ -42,9 +42,9 @@ class TubeCourse
 {
 public:
   TubeCourse(const ColonAnatomy & anatomy, const Vector3d & down, double radius)
-    : m_Anatomy(anatomy), m_Down(down), m_Radius(radius), m_Line(anatomy.Centreline())
+    : m_Anatomy(anatomy), m_Down(down), m_Radius(radius), m_Line(anatomy.Centerline())
   {
-    m_ArcLength = PointValues(m_Line, "arcLength", "the centreline of the phantom");
+    m_ArcLength = PointValues(m_Line, "arcLength", "the centerline of the phantom");
   }
 
   /** Along the centerline. */
@@ -154,16 +154,16 @@ EvenDirections(int number)
 
 /** The radius of the largest ball around a point that fits into the rectum, at most `largest`. */
 double
-RoomAround(const ColonAnatomy & anatomy, const Vector3d & centre, double largest)
+RoomAround(const ColonAnatomy & anatomy, const Vector3d & center, double largest)
 {
   constexpr double step = 0.5;
   constexpr double apart = 0.5 * ColonAnatomy::Reach; // between the points tested around the ball's surface
   static const std::vector<Vector3d> directions = EvenDirections(400);
-  const double                       distance = anatomy.Evaluate(centre).distance;
+  const double                       distance = anatomy.Evaluate(center).distance;
   double                             room = distance - clearance;
   const auto                         isFree = [&](double radius) {
     return std::all_of(directions.begin(), directions.end(), [&](const Vector3d & direction) {
-      return anatomy.Evaluate(centre + (radius - apart) * direction).distance >= apart + clearance;
+      return anatomy.Evaluate(center + (radius - apart) * direction).distance >= apart + clearance;
     });
   };
   while (distance == ColonAnatomy::Reach && room < largest && isFree(room + step))

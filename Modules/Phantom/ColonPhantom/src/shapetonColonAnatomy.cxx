@@ -78,9 +78,9 @@ ColonAnatomy::Evaluate(const Vector3d & point) const
 }
 
 CurveSet
-ColonAnatomy::Centreline() const
+ColonAnatomy::Centerline() const
 {
-  return ColonCentrelineTruth(m_Data->plan, m_Data->field);
+  return ColonCenterlineTruth(m_Data->plan, m_Data->field);
 }
 
 CurveSet
@@ -114,9 +114,9 @@ ColonAnatomy::Valve() const
 }
 
 Vector3d
-ColonAnatomy::CaecalPole() const
+ColonAnatomy::CecalPole() const
 {
-  return CaecalPoleTruth(m_Data->plan, m_Data->field);
+  return CecalPoleTruth(m_Data->plan, m_Data->field);
 }
 
 CurveSet
@@ -163,7 +163,7 @@ ColonAnatomy::SegmentAt(double arcLength) const
 std::string
 ColonAnatomy::SegmentName(int segment)
 {
-  static const std::vector<std::string> names{ "rectum", "sigmoid", "descending", "transverse", "ascending", "caecum" };
+  static const std::vector<std::string> names{ "rectum", "sigmoid", "descending", "transverse", "ascending", "cecum" };
   return segment >= 1 && segment <= 6 ? names[segment - 1] : std::string();
 }
 

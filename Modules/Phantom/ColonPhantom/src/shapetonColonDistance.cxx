@@ -6,9 +6,9 @@
 namespace shapeton
 {
 ColonDistance
-SphereDistance(const Eigen::Vector3d & point, const Eigen::Vector3d & centre, double radius)
+SphereDistance(const Eigen::Vector3d & point, const Eigen::Vector3d & center, double radius)
 {
-  const Eigen::Vector3d off = point - centre;
+  const Eigen::Vector3d off = point - center;
   const double          length = std::max(off.norm(), 1e-9);
   return { length - radius, off / length };
 }

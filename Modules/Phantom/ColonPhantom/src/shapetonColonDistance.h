@@ -14,7 +14,7 @@ struct ColonDistance
 
 /** Distance to a ball, positive outside. */
 ColonDistance
-SphereDistance(const Eigen::Vector3d & point, const Eigen::Vector3d & centre, double radius);
+SphereDistance(const Eigen::Vector3d & point, const Eigen::Vector3d & center, double radius);
 
 /** Distance to a capsule of `radius` around a line segment, positive outside. */
 ColonDistance

@@ -22,7 +22,7 @@ constexpr double c_MouthFillet = 0.6;  // mm
 constexpr double c_LipsReach = 60.0;   // mm along the colon within which the lips are evaluated
 
 void
-Normalise(ColonDistance & distance)
+Normalize(ColonDistance & distance)
 {
   const double length = distance.gradient.norm();
   if (length > 0.3)
@@ -71,7 +71,7 @@ struct ColonField::Local
 {
   double   t;
   double   angle;
-  double   distance; ///< from the centreline
+  double   distance; ///< from the centerline
   double   speed;    ///< mm along the wall's direction per unit of t, at this distance
   Vector3d tangent;
   Vector3d outwards;
@@ -149,7 +149,7 @@ ColonField::WallDistance(const Local & local) const
   ColonDistance wall{ radius.value - local.distance,
                       (radius.byAngle / arm) * local.around + (radius.byT / local.speed) * local.tangent -
                         local.outwards };
-  Normalise(wall);
+  Normalize(wall);
   return wall;
 }
 
@@ -278,7 +278,7 @@ ColonField::AddDiverticula(const Vector3d & point, bool isNearTube, Place & plac
     if (isNear)
     {
       joined = JoinTissue({ tube, -place.distance.gradient }, flask, c_MouthFillet);
-      Normalise(joined);
+      Normalize(joined);
     }
     place.distance = { -joined.value, -joined.gradient };
     if (flask.value < tube)
@@ -316,7 +316,7 @@ ColonField::EvaluateTube(const Vector3d & point, Place & place) const
       this->AddFolds(locals[i], distance);
       this->AddPolyps(point, locals[i].t, distance);
       this->AddLips(point, locals[i].t, distance);
-      Normalise(distance);
+      Normalize(distance);
       for (int k = 0; k < near.count; ++k)
       {
         if (k != i)

@@ -25,7 +25,7 @@ enum class ColonStream : std::uint32_t
   Septa,
   Valve,
   Ileum,
-  CaecumMove,
+  CecumMove,
   Stool,
   Bubbles,
   Foam,

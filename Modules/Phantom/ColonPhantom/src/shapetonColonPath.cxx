@@ -98,7 +98,7 @@ CurveLength(const ColonPhantomParameters & parameters, std::size_t segment, doub
   {
     return ofTemplate;
   }
-  const double cap = segment == 5 ? 0.5 * parameters.calibre[segment] : 0.0;
+  const double cap = segment == 5 ? 0.5 * parameters.caliber[segment] : 0.0;
   return std::max(length - cap, 15.0);
 }
 
@@ -106,22 +106,22 @@ CurveLength(const ColonPhantomParameters & parameters, std::size_t segment, doub
 using RadiusTable = std::array<std::array<double, 3>, 6>;
 
 RadiusTable
-RadiiOf(const SegmentValues & calibre)
+RadiiOf(const SegmentValues & caliber)
 {
   RadiusTable table{
     { { 22, 24, 15 }, { 14, 12, 14 }, { 15, 17, 19 }, { 20, 21, 22 }, { 22, 23.5, 25 }, { 25, 27, 27 } }
   };
   for (std::size_t k = 0; k < table.size(); ++k)
   {
-    if (calibre[k] != 0.0)
+    if (caliber[k] != 0.0)
     {
-      table[k].fill(0.5 * calibre[k]);
+      table[k].fill(0.5 * caliber[k]);
     }
   }
   // Given values are blended gradually.
   for (std::size_t k = 1; k < table.size(); ++k)
   {
-    if (calibre[k] != 0.0 || calibre[k - 1] != 0.0)
+    if (caliber[k] != 0.0 || caliber[k - 1] != 0.0)
     {
       table[k - 1][2] = table[k][0] = 0.5 * (table[k - 1][1] + table[k][1]);
     }
@@ -138,12 +138,12 @@ GravityOf(const std::string & position)
 
 // Displacement of the cecum in a position: medially, up or down, and with gravity.
 Vector3d
-CaecumMove(const ColonPhantomParameters & parameters)
+CecumMove(const ColonPhantomParameters & parameters)
 {
-  ColonRandom    random(parameters.seed, ColonStream::CaecumMove, PositionNumber(parameters.position));
+  ColonRandom    random(parameters.seed, ColonStream::CecumMove, PositionNumber(parameters.position));
   const double   share = random.Uniform();
   const Vector3d aside(random.Uniform(0.2, 1.0), 0.0, random.Uniform(-0.4, 1.0));
-  return parameters.caecumMobility * share * (aside + 0.4 * GravityOf(parameters.position)).normalized();
+  return parameters.cecumMobility * share * (aside + 0.4 * GravityOf(parameters.position)).normalized();
 }
 
 double
@@ -249,8 +249,8 @@ RestPath(const ColonPhantomParameters & parameters)
 std::vector<double>
 RestRadius(const ColonPath & path, const ColonPhantomParameters & parameters, int count)
 {
-  const auto &        calibre = parameters.calibre;
-  const RadiusTable   table = RadiiOf(calibre);
+  const auto &        caliber = parameters.caliber;
+  const RadiusTable   table = RadiiOf(caliber);
   ColonRandom         random(parameters.seed, ColonStream::Radius);
   const SmoothNoise   slow(random, path.Length(), 70.0);
   const SmoothNoise   narrow(random, path.Length(), 30.0);
@@ -260,7 +260,7 @@ RestRadius(const ColonPath & path, const ColonPhantomParameters & parameters, in
     const auto next = std::upper_bound(path.segment.begin(), path.segment.end(), segment) - path.segment.begin();
     begin[segment] = next < static_cast<long>(path.material.size()) ? path.material[next] : path.Length();
   }
-  const double        widest = std::max(28.0, 0.55 * *std::max_element(calibre.begin(), calibre.end()));
+  const double        widest = std::max(28.0, 0.55 * *std::max_element(caliber.begin(), caliber.end()));
   const double        canal = 0.5 * parameters.catheterBore + parameters.catheterWall;
   std::vector<double> radius(count);
   for (int i = 0; i < count; ++i)
@@ -292,7 +292,7 @@ PositionedPath(const ColonPath & rest, const std::vector<double> & radius, const
   const SmoothNoise x(random, rest.Length(), 130.0), y(random, rest.Length(), 130.0), z(random, rest.Length(), 130.0);
   const auto        mobility = Mobilities(rest);
   const Vector3d    gravity = GravityOf(parameters.position);
-  const Vector3d    move = CaecumMove(parameters);
+  const Vector3d    move = CecumMove(parameters);
   const auto        right = std::lower_bound(path.segment.begin(), path.segment.end(), 5) - path.segment.begin();
   for (std::size_t i = 0; i < path.nodes.size(); ++i)
   {
@@ -307,8 +307,8 @@ PositionedPath(const ColonPath & rest, const std::vector<double> & radius, const
   relaxation.SetMobility(held);
   if (parameters.valve == "lips")
   {
-    const auto caecum = std::lower_bound(path.segment.begin(), path.segment.end(), 6) - path.segment.begin();
-    relaxation.LeaveRoomAt(static_cast<int>(caecum), parameters.ileumBore + c_RoomAroundIleum);
+    const auto cecum = std::lower_bound(path.segment.begin(), path.segment.end(), 6) - path.segment.begin();
+    relaxation.LeaveRoomAt(static_cast<int>(cecum), parameters.ileumBore + c_RoomAroundIleum);
   }
   relaxation.Run(250);
   const bool  isHard = parameters.preset == "hard";

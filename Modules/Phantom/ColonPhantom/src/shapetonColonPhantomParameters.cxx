@@ -101,8 +101,8 @@ enum class Group
   Catheter,
   Balloon,
   Lengths,
-  Calibre,
-  Caecum,
+  Caliber,
+  Cecum,
   Residue,
   Scanner,
   Bowel,
@@ -171,18 +171,18 @@ DrawShape(ColonPhantomParameters & p)
   static constexpr double narrowest[] = { 36, 24, 26, 32, 42, 50 };
   static constexpr double widest[] = { 54, 36, 44, 54, 68, 78 };
   Draw                    length(p, Group::Lengths);
-  Draw                    calibre(p, Group::Calibre);
+  Draw                    caliber(p, Group::Caliber);
   // Half of the range between narrow and wide is drawn per patient, half per segment.
-  const double build = calibre.Chance();
+  const double build = caliber.Chance();
   for (std::size_t i = 0; i < p.lengths.size(); ++i)
   {
     length(p.lengths[i], shortest[i], longest[i]);
     const double middle = narrowest[i] + 0.5 * build * (widest[i] - narrowest[i]);
-    calibre(p.calibre[i], middle, middle + 0.5 * (widest[i] - narrowest[i]));
+    caliber(p.caliber[i], middle, middle + 0.5 * (widest[i] - narrowest[i]));
   }
-  Draw       caecum(p, Group::Caecum);
-  const bool isMobile = caecum.Chance() < 0.3;
-  caecum(p.caecumMobility, isMobile ? 30 : 0, isMobile ? 80 : 10);
+  Draw       cecum(p, Group::Cecum);
+  const bool isMobile = cecum.Chance() < 0.3;
+  cecum(p.cecumMobility, isMobile ? 30 : 0, isMobile ? 80 : 10);
 }
 
 void
@@ -308,8 +308,8 @@ ColonPhantomPreset(const std::string & name)
     parameters.sliceThickness = drawnBySeed;
     parameters.valve = "lips";
     parameters.lengths.fill(drawnBySeed);
-    parameters.calibre.fill(drawnBySeed);
-    parameters.caecumMobility = drawnBySeed;
+    parameters.caliber.fill(drawnBySeed);
+    parameters.cecumMobility = drawnBySeed;
     parameters.smallBowelTagged = drawnBySeed;
     parameters.stomachIntensity = drawnBySeed;
     parameters.stool = parameters.bubbles = parameters.foam = static_cast<int>(drawnBySeed);
@@ -354,8 +354,8 @@ RequireValid(const ColonPhantomParameters & p)
   RequireOneOf("kernel", p.kernel, { "standard", "soft", "sharp", "drawn" });
   RequireRangeOrDrawn("sliceThickness", p.sliceThickness, 0, 5);
   RequireSegmentValues("lengths", p.lengths, 40, 1200);
-  RequireSegmentValues("calibre", p.calibre, 15, 90);
-  RequireRangeOrDrawn("caecumMobility", p.caecumMobility, 0, 100);
+  RequireSegmentValues("caliber", p.caliber, 15, 90);
+  RequireRangeOrDrawn("cecumMobility", p.cecumMobility, 0, 100);
   RequireRangeOrDrawn("smallBowelTagged", p.smallBowelTagged, 0, 1);
   RequireRangeOrDrawn("stomachIntensity", p.stomachIntensity, 0, 900);
   RequireRangeOrDrawn("stool", p.stool, 0, 60);

@@ -213,7 +213,7 @@ ColonPlan::PlanLevel(double material, int level, ColonRandom & random)
     {
       continue;
     }
-    // Neighbouring rows alternate.
+    // Neighboring rows alternate.
     const double m = material + (((row + level) % 3) - 1) * 7.0 + random.Uniform(-2.0, 2.0);
     folds.push_back(this->MakeFold(m, middleOf(row, m), random.Uniform(0.85, 1.1), random));
   }

@@ -52,7 +52,7 @@ struct DiverticulumPlan
   double stool;      ///< HU of its stool; 0: filled like the lumen
 };
 
-/** The ileocaecal valve at rest. */
+/** The ileocecal valve at rest. */
 struct ValvePlan
 {
   double material; ///< mm

@@ -14,7 +14,7 @@ constexpr int    c_RowsPerStep = 2;
 constexpr double c_CollapseEnd = 15.0;     // mm
 constexpr double c_ClosedCanal = 20.0;     // mm of the anal canal without a catheter
 constexpr double c_HighestFold = 0.6;      // of the radius, so that no fold blocks the lumen
-constexpr double c_FoldNeighbourhood = 16; // mm along the colon
+constexpr double c_FoldNeighborhood = 16; // mm along the colon
 constexpr double c_LongestChord = 44.0;    // mm along the colon; farther stretches have a septum
 constexpr double c_ChordStep = 4.0;        // mm
 
@@ -381,7 +381,7 @@ ColonRelief::LayFolds(const ColonPlan &              plan,
       low = std::min<double>(low, course.t[k]);
       high = std::max<double>(high, course.t[k]);
     }
-    const double margin = c_FoldNeighbourhood / m_Step;
+    const double margin = c_FoldNeighborhood / m_Step;
     for (int k = std::max(0, static_cast<int>(low - margin)); k <= std::min<double>(m_Steps, high + margin); ++k)
     {
       m_FoldsNear[k].push_back(static_cast<int>(i));

@@ -29,7 +29,7 @@ struct FoldCourse
   double height; ///< mm, the highest in this position
   bool   isFlattened;
   float  t[Knots + 3];
-  float  crest[Knots + 3]; ///< mm from the centreline
+  float  crest[Knots + 3]; ///< mm from the centerline
 
   /** False beyond the ends. */
   bool

@@ -161,14 +161,14 @@ InnerPoints(const ColonField & field)
 }
 
 double
-InscribedRadius(const std::vector<std::vector<Vector3d>> & points, const Vector3d & centre, int step)
+InscribedRadius(const std::vector<std::vector<Vector3d>> & points, const Vector3d & center, int step)
 {
   double least = 1e9;
   for (int k = std::max(0, step - 15); k <= std::min(static_cast<int>(points.size()) - 1, step + 15); ++k)
   {
     for (const Vector3d & point : points[k])
     {
-      least = std::min(least, (point - centre).squaredNorm());
+      least = std::min(least, (point - center).squaredNorm());
     }
   }
   return std::sqrt(least);
@@ -176,7 +176,7 @@ InscribedRadius(const std::vector<std::vector<Vector3d>> & points, const Vector3
 } // namespace
 
 CurveSet
-ColonCentrelineTruth(const ColonPlan & plan, const ColonField & field)
+ColonCenterlineTruth(const ColonPlan & plan, const ColonField & field)
 {
   const ColonCurve & curve = field.GetCurve();
   const auto         inner = InnerPoints(field);
@@ -184,12 +184,12 @@ ColonCentrelineTruth(const ColonPlan & plan, const ColonField & field)
   writer.BeginCurve({});
   for (int k = 0; k <= curve.GetNumberOfSteps(); ++k)
   {
-    const Vector3d centre = curve.At(k).position;
+    const Vector3d center = curve.At(k).position;
     const double   radius = std::max(0.0, field.GetRelief().MeanRadiusAt(k));
-    writer.AddPoint(centre,
+    writer.AddPoint(center,
                     { curve.ArcLengthAt(k),
                       radius,
-                      InscribedRadius(inner, centre, k),
+                      InscribedRadius(inner, center, k),
                       1.0 * plan.SegmentAt(k * curve.GetStep()),
                       radius < 0.5 ? 1.0 : 0.0 });
   }
@@ -342,7 +342,7 @@ ColonValveTruth(const ColonPlan & plan, const ColonField & field)
 
 // Both ends are hemispheres: rays from the last point of the centerline meet every point of the last one.
 Vector3d
-CaecalPoleTruth(const ColonPlan & plan, const ColonField & field)
+CecalPoleTruth(const ColonPlan & plan, const ColonField & field)
 {
   const ColonCurve & curve = field.GetCurve();
   const double       end = curve.GetNumberOfSteps();

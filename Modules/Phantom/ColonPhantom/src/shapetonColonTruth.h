@@ -10,7 +10,7 @@ namespace shapeton
 {
 /** Ground truth returned by ColonAnatomy; see there. */
 CurveSet
-ColonCentrelineTruth(const ColonPlan & plan, const ColonField & field);
+ColonCenterlineTruth(const ColonPlan & plan, const ColonField & field);
 CurveSet
 ColonTaeniaTruth(const ColonPlan & plan, const ColonField & field);
 CurveSet
@@ -22,7 +22,7 @@ ColonDiverticulumTruth(const ColonPlan & plan, const ColonField & field);
 ColonValve
 ColonValveTruth(const ColonPlan & plan, const ColonField & field);
 Eigen::Vector3d
-CaecalPoleTruth(const ColonPlan & plan, const ColonField & field);
+CecalPoleTruth(const ColonPlan & plan, const ColonField & field);
 CurveSet
 ColonCorrespondenceTruth(const ColonPlan & plan, const ColonField & field);
 } // namespace shapeton

@@ -15,7 +15,7 @@ namespace shapeton
  * \brief Gaussian noise of a CT volume, correlated between neighboring voxels.
  *
  * White noise from Philox for each voxel of the grid and one layer around it, filtered along each axis by (a, 1, a) /
- * sqrt(1 + 2 a^2): the correlation of neighbors is 2 a / (1 + 2 a^2), that of next neighbours a^2 / (1 + 2 a^2).
+ * sqrt(1 + 2 a^2): the correlation of neighbors is 2 a / (1 + 2 a^2), that of next neighbors a^2 / (1 + 2 a^2).
  *
  * A voxel's noise depends only on its index.
  *
@@ -25,7 +25,7 @@ class ColonPhantom_EXPORT CorrelatedNoise
 public:
   using RegionType = itk::ImageRegion<3>;
 
-  /** `correlation` of neighbours along the three axes, each in [0, 0.7]. */
+  /** `correlation` of neighbors along the three axes, each in [0, 0.7]. */
   CorrelatedNoise(std::uint64_t                 seed,
                   const RegionType &            grid,
                   double                        standardDeviation,

@@ -183,9 +183,9 @@ private:
     for (int i = 0; i < attempts; ++i)
     {
       const ColonPlace place = m_Anatomy.PlaceAt(random.Uniform(clearOfRectum, 0.99), 0.0);
-      const Vector3d   centre = place.point + place.radius * place.inwards;
-      const double     depth = m_Fluid.DepthBelowLevel(centre, place.arcLength);
-      const Vector3d   level = centre - depth * m_Fluid.Down();
+      const Vector3d   center = place.point + place.radius * place.inwards;
+      const double     depth = m_Fluid.DepthBelowLevel(center, place.arcLength);
+      const Vector3d   level = center - depth * m_Fluid.Down();
       if (place.radius > leastRadius && std::abs(depth) < 0.7 * place.radius &&
           m_Anatomy.Evaluate(level).distance > 5.0)
       {

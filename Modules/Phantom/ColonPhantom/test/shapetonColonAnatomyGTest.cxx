@@ -102,7 +102,7 @@ TEST(ColonAnatomy, BuildIsThatOfAColon)
     anatomy.BoundingBox(10.0, low, high);
     EXPECT_GT(low.minCoeff(), -175.0);
     EXPECT_LT(high.maxCoeff(), 175.0);
-    const auto radius = Column(anatomy.Centreline().pointArrays, "radius");
+    const auto radius = Column(anatomy.Centerline().pointArrays, "radius");
     const auto height = Column(anatomy.Folds().cellArrays, "height");
     radii.insert(radii.end(), radius.begin(), radius.end());
     heights.insert(heights.end(), height.begin(), height.end());
@@ -129,7 +129,7 @@ TEST(ColonAnatomy, SegmentsFollowInOrder)
     before = segment;
   }
   EXPECT_EQ(before, 6);
-  EXPECT_EQ(shapeton::ColonAnatomy::SegmentName(6), "caecum");
+  EXPECT_EQ(shapeton::ColonAnatomy::SegmentName(6), "cecum");
 }
 
 TEST(ColonAnatomy, PairsOfPointsAreTheSameWallOutsideCollapse)
@@ -169,7 +169,7 @@ TEST(ColonAnatomy, PatientIsTheSameInTwoPositions)
     EXPECT_EQ(supine.Polyps()[i].materialId, prone.Polyps()[i].materialId);
   }
   // The rectum is fixed, the transverse colon moves by a few centimeters, the length hardly changes.
-  const shapeton::CurveSet c = supine.Centreline(), d = prone.Centreline();
+  const shapeton::CurveSet c = supine.Centerline(), d = prone.Centerline();
   const auto               segment = Column(c.pointArrays, "segment");
   double                   mostMoved = 0.0;
   for (Eigen::Index i = 0; i < c.V.rows(); ++i)
@@ -245,7 +245,7 @@ TEST_P(EachPreset, StretchesStayApart)
   auto parameters = shapeton::ColonPhantomPreset(GetParam());
   parameters.seed = 1;
   const shapeton::ColonAnatomy anatomy(parameters);
-  const shapeton::CurveSet     line = anatomy.Centreline();
+  const shapeton::CurveSet     line = anatomy.Centerline();
   const auto                   radius = Column(line.pointArrays, "radius");
   const auto                   arcLength = Column(line.pointArrays, "arcLength");
   int                          touching = 0;
@@ -276,7 +276,7 @@ TEST_P(EachPreset, StretchesStayApart)
 TEST(ColonAnatomy, NoVoxelsOfTwoStretchesTouch)
 {
   const shapeton::ColonAnatomy anatomy(Patient(1));
-  const shapeton::CurveSet     line = anatomy.Centreline();
+  const shapeton::CurveSet     line = anatomy.Centerline();
   const auto                   radius = Column(line.pointArrays, "radius");
   // Around the closest approach of two stretches.
   Vector3d middle = Vector3d::Zero();
@@ -388,7 +388,7 @@ TEST(ColonAnatomy, CollapseClosesTheLumen)
   shapeton::ColonPhantomParameters parameters = Patient(2);
   parameters.collapsed = 1;
   const shapeton::ColonAnatomy anatomy(parameters);
-  const shapeton::CurveSet     line = anatomy.Centreline();
+  const shapeton::CurveSet     line = anatomy.Centerline();
   const auto                   collapsed = Column(line.pointArrays, "collapsed");
   const auto                   arcLength = Column(line.pointArrays, "arcLength");
   double                       length = 0.0;
@@ -408,7 +408,7 @@ TEST(ColonAnatomy, CollapseClosesTheLumen)
 double
 RadiusWithin(const shapeton::ColonAnatomy & anatomy, int segment)
 {
-  const shapeton::CurveSet line = anatomy.Centreline();
+  const shapeton::CurveSet line = anatomy.Centerline();
   const auto               radius = Column(line.pointArrays, "radius");
   const auto               segments = Column(line.pointArrays, "segment");
   double                   sum = 0.0, count = 0.0;
@@ -437,7 +437,7 @@ TEST(ColonAnatomy, SegmentsHaveTheShapeAskedFor)
   shapeton::ColonPhantomParameters plain = Patient(3), shaped = Patient(3);
   shaped.lengths[1] = 1000.0;
   shaped.lengths[3] = 550.0;
-  shaped.calibre[2] = 44.0;
+  shaped.caliber[2] = 44.0;
   const shapeton::ColonAnatomy before(plain), after(shaped);
   // There is not always room for the full length.
   EXPECT_GT(LengthOf(after, 2), 700.0);
@@ -449,15 +449,15 @@ TEST(ColonAnatomy, SegmentsHaveTheShapeAskedFor)
   EXPECT_NEAR(RadiusWithin(after, 3), 22.0, 3.5);
 }
 
-TEST(ColonAnatomy, AMobileCaecumMoves)
+TEST(ColonAnatomy, AMobileCecumMoves)
 {
   shapeton::ColonPhantomParameters still = Patient(4), mobile = Patient(4);
-  still.caecumMobility = 0.0;
-  mobile.caecumMobility = 100.0;
+  still.cecumMobility = 0.0;
+  mobile.cecumMobility = 100.0;
   const auto moveOf = [](shapeton::ColonPhantomParameters parameters) {
-    const Vector3d supine = shapeton::ColonAnatomy(parameters).CaecalPole();
+    const Vector3d supine = shapeton::ColonAnatomy(parameters).CecalPole();
     parameters.position = "prone";
-    return (shapeton::ColonAnatomy(parameters).CaecalPole() - supine).norm();
+    return (shapeton::ColonAnatomy(parameters).CecalPole() - supine).norm();
   };
   EXPECT_LT(moveOf(still), 25.0);
   EXPECT_GT(moveOf(mobile), moveOf(still) + 10.0);

@@ -88,7 +88,7 @@ TEST(ColonDiverticula, StandOutsideOfTheWallBesideATaenia)
   std::map<int, int>           segments;
   EXPECT_TRUE(without.Diverticula().empty());
   EXPECT_EQ(without.Folds().V, with.Folds().V);
-  EXPECT_EQ(without.Centreline().V, with.Centreline().V);
+  EXPECT_EQ(without.Centerline().V, with.Centerline().V);
   for (const shapeton::ColonDiverticulum & one : with.Diverticula())
   {
     ++segments[one.segment];

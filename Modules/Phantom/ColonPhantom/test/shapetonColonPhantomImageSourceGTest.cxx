@@ -236,9 +236,9 @@ INSTANTIATE_TEST_SUITE_P(ColonPhantomImageSource,
 Eigen::Vector3d
 PlaceOverFluid(Source * source)
 {
-  const auto            line = source->GetAnatomy().Centreline();
-  const Eigen::VectorXd arcLength = shapeton::PointValues(line, "arcLength", "centreline");
-  const Eigen::VectorXd radius = shapeton::PointValues(line, "radius", "centreline");
+  const auto            line = source->GetAnatomy().Centerline();
+  const Eigen::VectorXd arcLength = shapeton::PointValues(line, "arcLength", "centerline");
+  const Eigen::VectorXd radius = shapeton::PointValues(line, "radius", "centerline");
   for (const int vertex : line.curves[0])
   {
     const Eigen::Vector3d place = line.V.row(vertex);

@@ -115,17 +115,17 @@ TEST(ColonValve, IsThePatients)
   EXPECT_NEAR(supine.arcLength / prone.arcLength, 1.0, 0.08);
 }
 
-TEST(ColonValve, PoleIsTheFarthestOfTheCaecum)
+TEST(ColonValve, PoleIsTheFarthestOfTheCecum)
 {
   for (const char * preset : { "standard", "realistic" })
   {
     auto parameters = Realistic(3);
     parameters = std::string(preset) == "standard" ? shapeton::ColonPhantomPreset("standard") : parameters;
     const shapeton::ColonAnatomy anatomy(parameters);
-    const Vector3d               pole = anatomy.CaecalPole();
+    const Vector3d               pole = anatomy.CecalPole();
     EXPECT_LT(std::abs(anatomy.Evaluate(pole).distance), 0.2) << preset;
-    const shapeton::CurveSet line = anatomy.Centreline();
-    const Eigen::VectorXd    arcLength = shapeton::PointValues(line, "arcLength", "centreline");
+    const shapeton::CurveSet line = anatomy.Centerline();
+    const Eigen::VectorXd    arcLength = shapeton::PointValues(line, "arcLength", "centerline");
     const double             valve = anatomy.Valve().arcLength;
     Eigen::Index             at = 0;
     (arcLength.array() - valve).abs().minCoeff(&at);
@@ -375,8 +375,8 @@ TEST(ColonStructures, WithoutACatheterTheAnalCanalIsClosed)
   parameters.catheter = "none";
   const Exam exam(parameters);
   EXPECT_EQ(exam.structures.GetCatheter(), nullptr);
-  const auto line = exam.anatomy.Centreline();
-  const auto arcLength = shapeton::PointValues(line, "arcLength", "centreline");
+  const auto line = exam.anatomy.Centerline();
+  const auto arcLength = shapeton::PointValues(line, "arcLength", "centerline");
   for (Eigen::Index i = 0; i < line.V.rows() && arcLength[i] < 60.0; ++i)
   {
     const double distance = exam.anatomy.Evaluate(line.V.row(i)).distance;

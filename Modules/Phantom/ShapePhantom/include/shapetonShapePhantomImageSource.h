@@ -76,7 +76,7 @@ public:
   itkSetMacro(Seed, std::uint64_t);
   itkGetConstMacro(Seed, std::uint64_t);
 
-  /** Sets the origin from size, spacing and direction such that the centre of the volume is at (0, 0, 0). */
+  /** Sets the origin from size, spacing and direction such that the center of the volume is at (0, 0, 0). */
   void
   CenterOutput();
 

@@ -70,7 +70,7 @@ public:
 
   /** Length in mm of the scene's unit, > 0; default 1. */
   void
-  SetUnitLength(double millimetres);
+  SetUnitLength(double millimeters);
   double
   GetUnitLength() const
   {

@@ -97,9 +97,9 @@ ShapeScene::IsRelative() const
 }
 
 void
-ShapeScene::SetUnitLength(double millimetres)
+ShapeScene::SetUnitLength(double millimeters)
 {
-  m_UnitLength = millimetres;
+  m_UnitLength = millimeters;
 }
 
 double

@@ -400,13 +400,13 @@ TEST(ShapePhantomImageSource, NoiseIsNormal)
   const short * const values = source->GetOutput()->GetBufferPointer();
   const int           number = 64 * 64 * 64;
   Statistics          statistics;
-  double              neighbours = 0.0;
+  double              neighbors = 0.0;
   std::array<int, 4>  beyond{ { 0, 0, 0, 0 } };
   for (int i = 0; i < number; ++i)
   {
     const double z = (values[i] - 100.0) / 50.0;
     statistics.Add(z);
-    neighbours += i > 0 ? z * (values[i - 1] - 100.0) / 50.0 : 0.0;
+    neighbors += i > 0 ? z * (values[i - 1] - 100.0) / 50.0 : 0.0;
     for (int k = 0; k < 4; ++k)
     {
       beyond[k] += std::abs(values[i] - 100.0) > 50.0 * k + 0.5;
@@ -416,7 +416,7 @@ TEST(ShapePhantomImageSource, NoiseIsNormal)
   EXPECT_NEAR(statistics.Mean(), 0.0, 4.0 * standardError);
   const double rounding = 1.0 / 12.0 / 2500.0; // variance added by rounding to integer HU
   EXPECT_NEAR(statistics.Deviation(), std::sqrt(1.0 + rounding), 4.0 * standardError / std::sqrt(2.0));
-  EXPECT_NEAR(neighbours / number, 0.0, 4.0 * standardError);
+  EXPECT_NEAR(neighbors / number, 0.0, 4.0 * standardError);
   for (int k = 0; k < 4; ++k)
   {
     const double share =

@@ -46,9 +46,9 @@ TakeSource(ColonExamination & exam)
 }
 
 double
-LengthOf(const CurveSet & centreline, const std::string & path)
+LengthOf(const CurveSet & centerline, const std::string & path)
 {
-  return PointValues(centreline, "arcLength", path).maxCoeff();
+  return PointValues(centerline, "arcLength", path).maxCoeff();
 }
 
 void
@@ -120,12 +120,12 @@ ReadColonExamination(const std::string & folder)
   exam.quality = ReadJson(exam.Required("segmentation/quality.json"));
   TakeSource(exam);
   exam.lumen = ReadLabels(exam.Required("segmentation/lumen.nrrd"));
-  const std::string centreline = exam.Required("segmentation/centreline.vtp");
-  exam.centreline = ReadCurves(centreline);
+  const std::string centerline = exam.Required("segmentation/centerline.vtp");
+  exam.centerline = ReadCurves(centerline);
   if (exam.Has("landmarks/landmarks.json", "no segments of the colon"))
   {
     exam.segments =
-      SegmentsOf(ReadJson(exam.PathOf("landmarks/landmarks.json")), LengthOf(exam.centreline, centreline));
+      SegmentsOf(ReadJson(exam.PathOf("landmarks/landmarks.json")), LengthOf(exam.centerline, centerline));
   }
   TakeFolds(exam);
   TakeCandidates(exam);

@@ -26,7 +26,7 @@ struct ColonExamination
   bool isSearched{ false };
   /** Labels: 1 gas, 2 fluid, 3 terminal ileum. */
   DicomLabelImage::Pointer        lumen;
-  CurveSet                        centreline;
+  CurveSet                        centerline;
   std::vector<ColonSegmentExtent> segments;
   std::vector<PolypCandidate>     candidates;
   /** Candidate numbers; null without candidates. */
@@ -53,7 +53,7 @@ struct ColonExamination
   }
 };
 
-/** Reads the folder. Lumen and centreline are required. Throws InputError. */
+/** Reads the folder. Lumen and centerline are required. Throws InputError. */
 ColonExamination
 ReadColonExamination(const std::string & folder);
 } // namespace shapeton

@@ -64,15 +64,15 @@ GroupOf(const PolypCandidate & candidate, const ColonSegmentsAsDicom & segments)
   return group;
 }
 
-/** Computed over the centreline points in the segment; NaN if there are none. */
+/** Computed over the centerline points in the segment; NaN if there are none. */
 double
-MeanDiameter(const CurveSet & centreline, const ColonSegmentExtent & segment)
+MeanDiameter(const CurveSet & centerline, const ColonSegmentExtent & segment)
 {
-  const Eigen::VectorXd arcLength = PointValues(centreline, "arcLength", "the centreline");
-  const Eigen::VectorXd radius = PointValues(centreline, "radius", "the centreline");
+  const Eigen::VectorXd arcLength = PointValues(centerline, "arcLength", "the centerline");
+  const Eigen::VectorXd radius = PointValues(centerline, "radius", "the centerline");
   double                sum = 0.0;
   int                   number = 0;
-  for (const int vertex : centreline.curves.front())
+  for (const int vertex : centerline.curves.front())
   {
     if (arcLength[vertex] >= segment.begin && arcLength[vertex] <= segment.end && std::isfinite(radius[vertex]))
     {
@@ -91,7 +91,7 @@ AddExtent(const ColonExamination & exam, DicomMeasurementGroup & group)
     if (segment.name == group.trackingID)
     {
       Add(group, pathLength, segment.end - segment.begin, mm);
-      Add(group, diameter, MeanDiameter(exam.centreline, segment), mm, mean);
+      Add(group, diameter, MeanDiameter(exam.centerline, segment), mm, mean);
     }
   }
 }

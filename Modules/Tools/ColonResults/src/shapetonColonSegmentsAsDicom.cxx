@@ -165,7 +165,7 @@ ColonSegmentsAsDicom::AddColonSegments()
   {
     return;
   }
-  m_ColonSegments = LabelLumenAlong(ColonMask(m_Exam.lumen), m_Exam.centreline, [&](double arcLength) {
+  m_ColonSegments = LabelLumenAlong(ColonMask(m_Exam.lumen), m_Exam.centerline, [&](double arcLength) {
     const ColonSegmentExtent * const segment = FindSegment(m_Exam.segments, arcLength);
     return segment != nullptr ? static_cast<unsigned short>(segment->label) : 0;
   });

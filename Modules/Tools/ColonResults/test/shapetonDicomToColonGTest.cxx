@@ -54,7 +54,7 @@ TEST(DicomToColon, WhatMayBeTheLumenIsAsked)
   }
 }
 
-TEST(DicomToColon, TableCountsMillilitres)
+TEST(DicomToColon, TableCountsMilliliters)
 {
   DicomSegmentVoxels voxels;
   voxels.labels = DicomLabelImage::New();

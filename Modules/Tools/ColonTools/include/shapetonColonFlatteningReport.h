@@ -52,9 +52,9 @@ public:
   bool
   ArePicturesWanted() const;
 
-  /** The centreline may be empty. `ct` may be null. */
+  /** The centerline may be empty. `ct` may be null. */
   void
-  Write(const ColonFlattening & flattening, const CurveSet & centreline, const itk::Image<float, 3> * ct) const;
+  Write(const ColonFlattening & flattening, const CurveSet & centerline, const itk::Image<float, 3> * ct) const;
 
 private:
   FlatColoring

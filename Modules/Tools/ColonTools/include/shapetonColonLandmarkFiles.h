@@ -13,7 +13,7 @@ class CommandLine;
  * \brief Landmark files in a folder, as the tools write them.
  *
  * taeniae.vtp, flexures.vtp, segments.vtp, folds-surface.vtp, landmarks.json, taeniae.mrk.json, flexures.mrk.json,
- * ileocaecal-valve.mrk.json; segment-NAME.vtp for pieces. Landmarks that were not found have no file; a stale file of
+ * ileocecal-valve.mrk.json; segment-NAME.vtp for pieces. Landmarks that were not found have no file; a stale file of
  * an earlier run is removed. All files state their provenance.
  *
  * \ingroup ColonTools */
@@ -35,7 +35,7 @@ private:
   void
   WriteFlexureMarkups(const ColonLandmarks & landmarks, const CurveSet & loops) const;
   void
-  WriteValveMarkup(const std::optional<IleocaecalValve> & valve) const;
+  WriteValveMarkup(const std::optional<IleocecalValve> & valve) const;
   void
   WriteDocument(const ColonLandmarks & landmarks, const ColonPieces * pieces) const;
   void

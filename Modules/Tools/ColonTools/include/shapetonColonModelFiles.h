@@ -18,7 +18,7 @@ class CommandLine;
 /** \class ColonModelFiles
  * \brief Files of a colon model in a folder, as the tools write and read them.
  *
- * lumen.nrrd (1 gas, 2 fluid, 3 terminalIleum), cleansed.nrrd (HU; not for a mask), centreline.vtp, catheter.vtp
+ * lumen.nrrd (1 gas, 2 fluid, 3 terminalIleum), cleansed.nrrd (HU; not for a mask), centerline.vtp, catheter.vtp
  * (if one is found), wall.vtp, wall-repaired.vtp, wall-simplified.vtp, quality.json. All files state their provenance.
  *
  * \ingroup ColonTools

@@ -91,9 +91,9 @@ AddPictures(HtmlReport &              html,
 {
   html.AddHeading("Flat pictures");
   html.AddParagraph(
-    "The wall from the rectum to the caecum, cut open along the colon and unrolled, in rows. Rulers "
-    "show the distance along the centreline. The map preserves shapes but not sizes: the bar above each row "
-    "is valid for its median scale. Grey hatched parts are wall interpolated over a collapsed segment; long ones "
+    "The wall from the rectum to the cecum, cut open along the colon and unrolled, in rows. Rulers "
+    "show the distance along the centerline. The map preserves shapes but not sizes: the bar above each row "
+    "is valid for its median scale. Gray hatched parts are wall interpolated over a collapsed segment; long ones "
     "are shortened at a break.");
   std::vector<PictureFile>  files;
   std::vector<FlatColoring> colorings{ FlatColoring::Relief, FlatColoring::Curvature };
@@ -120,14 +120,14 @@ AddScales(HtmlReport & html, const FlatColonPictures & pictures)
   int      number = 0;
   for (const FlatColonRow & row : BreakIntoRows(pictures.Grid(), pixelsOfRow, FlatColonPageOptions().longestBridge))
   {
-    const auto centimetres = [&](int column) {
+    const auto centimeters = [&](int column) {
       const std::vector<double> & distances = pictures.Distances();
       const double                mm = distances.empty() ? column * pictures.Grid().PixelSize() : distances[column];
       return Rounded(std::round(mm) / 10.0, 5);
     };
     table.AddRow({ std::to_string(++number),
-                   centimetres(row.firstColumn),
-                   centimetres(row.firstColumn + row.columns - 1),
+                   centimeters(row.firstColumn),
+                   centimeters(row.firstColumn + row.columns - 1),
                    Rounded(row.scale, 3),
                    Rounded(row.lowScale, 3),
                    Rounded(row.highScale, 3) });

@@ -46,14 +46,14 @@ ColonFlatteningViews::ColoringFor(const itk::Image<float, 3> * ct) const
 
 void
 ColonFlatteningViews::Write(const ColonFlattening &      flattening,
-                            const CurveSet &             centreline,
+                            const CurveSet &             centerline,
                             const itk::Image<float, 3> * ct) const
 {
   const double    pixelSize = m_CommandLine.GetDouble("pixelSize");
   const FlatColon flat(flattening.map.flat);
   FlatColonParts  parts;
   parts.flat = &flat;
-  parts.centreline = centreline.curves.empty() ? nullptr : &centreline;
+  parts.centerline = centerline.curves.empty() ? nullptr : &centerline;
   parts.ct = ct;
   if (ct && (!m_Report.empty() || this->ColoringFor(ct) == FlatColoring::Volume))
   {

@@ -102,19 +102,19 @@ ColonLandmarkFiles::WriteFlexureMarkups(const ColonLandmarks & landmarks, const 
 }
 
 void
-ColonLandmarkFiles::WriteValveMarkup(const std::optional<IleocaecalValve> & valve) const
+ColonLandmarkFiles::WriteValveMarkup(const std::optional<IleocecalValve> & valve) const
 {
-  const std::string path = this->PathOf("ileocaecal-valve.mrk.json");
+  const std::string path = this->PathOf("ileocecal-valve.mrk.json");
   if (!valve)
   {
     RemoveOld(path);
     return;
   }
   Markup markup;
-  markup.name = "ileocaecal-valve";
+  markup.name = "ileocecal-valve";
   markup.color = { 0.25, 0.8, 0.35 };
   markup.points = { valve->position };
-  markup.labels = { "ileocaecal valve" };
+  markup.labels = { "ileocecal valve" };
   markup.descriptions = { "confidence " + std::to_string(static_cast<int>(100.0 * valve->confidence)) + " %" };
   WriteMarkups({ markup }, m_CommandLine.Output(path));
 }

@@ -52,15 +52,15 @@ FlexureTable(const ColonLandmarks & landmarks)
 std::string
 ValveInWords(const ColonLandmarks & landmarks)
 {
-  const std::string caecum = landmarks.segments.isCaecumAtValve
-                               ? "The caecum ends there."
-                               : "The end of the caecum is estimated: 6 cm before the end of the centreline.";
+  const std::string cecum = landmarks.segments.isCecumAtValve
+                               ? "The cecum ends there."
+                               : "The end of the cecum is estimated: 6 cm before the end of the centerline.";
   if (!landmarks.valve)
   {
-    return "Ileocaecal valve: not found. " + caecum;
+    return "Ileocecal valve: not found. " + cecum;
   }
-  return "Ileocaecal valve: at " + PlaceInWords(landmarks.valve->position) + ", " + Whole(landmarks.valve->arcLength) +
-         " mm from the anal verge, confidence " + Whole(100.0 * landmarks.valve->confidence) + " %. " + caecum;
+  return "Ileocecal valve: at " + PlaceInWords(landmarks.valve->position) + ", " + Whole(landmarks.valve->arcLength) +
+         " mm from the anal verge, confidence " + Whole(100.0 * landmarks.valve->confidence) + " %. " + cecum;
 }
 
 CsvTable

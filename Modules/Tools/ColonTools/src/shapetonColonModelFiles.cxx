@@ -70,7 +70,7 @@ ColonModelFiles::ColonModelFiles(CommandLine & commandLine, const std::string & 
             { { "cleansedVolume", "cleansed.nrrd" },
               { "lumenLabels", "lumen.nrrd" },
               { "wallModel", "wall-simplified.vtp" },
-              { "centrelineModel", "centreline.vtp" } })
+              { "centerlineModel", "centerline.vtp" } })
 {
   commandLine.MakeFolder(folder);
   commandLine.RecordRun(folder + "/run.json");
@@ -124,10 +124,10 @@ ColonModelFiles::FilesOf(const ColonModel & model) const
                      document.update(ColonQualityToJson(model));
                      WriteJson(document, path);
                    } });
-  if (!model.centreline.curve.curves.empty())
+  if (!model.centerline.curve.curves.empty())
   {
-    files.push_back({ "centreline.vtp", [this, &model](const std::string & path) {
-                       WriteCurves(WithProvenance(model.centreline.curve, m_CommandLine), path);
+    files.push_back({ "centerline.vtp", [this, &model](const std::string & path) {
+                       WriteCurves(WithProvenance(model.centerline.curve, m_CommandLine), path);
                      } });
   }
   if (model.lumen.catheter && model.lumen.catheter->isSure)

@@ -16,13 +16,13 @@ namespace
 using Facts = ColonReportContent::Facts;
 
 std::string
-Millilitres(double ml)
+Milliliters(double ml)
 {
   return CsvTable::Rounded(ml, 4) + " ml";
 }
 
 std::string
-Millimetres(double mm)
+Millimeters(double mm)
 {
   return CsvTable::Rounded(std::round(mm), 6) + " mm";
 }
@@ -55,22 +55,22 @@ InputFacts(const Volume & volume)
 void
 AddLineFacts(const ColonModel & model, Facts & facts)
 {
-  const ColonCentreline & line = model.centreline;
+  const ColonCenterline & line = model.centerline;
   if (line.curve.curves.empty())
   {
     return;
   }
   double bridged = 0.0;
-  for (const CentrelineGap & gap : line.gaps)
+  for (const CenterlineGap & gap : line.gaps)
   {
     bridged += gap.end - gap.begin;
   }
-  facts.emplace_back("Length of the centreline", Millimetres(line.length));
+  facts.emplace_back("Length of the centerline", Millimeters(line.length));
   facts.emplace_back("Gaps that are bridged",
-                     std::to_string(line.gaps.size()) + (line.gaps.empty() ? "" : ", " + Millimetres(bridged)));
+                     std::to_string(line.gaps.size()) + (line.gaps.empty() ? "" : ", " + Millimeters(bridged)));
   facts.emplace_back("Places where loops have merged", std::to_string(line.merges.size()));
-  facts.emplace_back("Distended (calibre of at least 10 mm)",
-                     CsvTable::Rounded(100.0 * model.wholeDistension.share, 3) + " % of the centreline");
+  facts.emplace_back("Distended (caliber of at least 10 mm)",
+                     CsvTable::Rounded(100.0 * model.wholeDistension.share, 3) + " % of the centerline");
 }
 
 void
@@ -84,7 +84,7 @@ AddWallFacts(const ColonWall & wall, Facts & facts)
   facts.emplace_back("Handles of the wall",
                      std::to_string(report.rawGenus) + ", after the repair " + std::to_string(report.repairedGenus));
   facts.emplace_back("Changed by the repair",
-                     Millilitres(report.topology.cutVolume) + " cut, " + Millilitres(report.topology.cavityVolume) +
+                     Milliliters(report.topology.cutVolume) + " cut, " + Milliliters(report.topology.cavityVolume) +
                        " of cavities filled");
   facts.emplace_back("Wall",
                      std::to_string(report.rawFaces) + " faces, simplified to " +
@@ -96,27 +96,27 @@ std::string
 CatheterInWords(const RectalCatheter & catheter)
 {
   const std::string balloon =
-    catheter.balloonDiameter > 0.0 ? ", with a balloon of " + Millimetres(catheter.balloonDiameter) : "";
+    catheter.balloonDiameter > 0.0 ? ", with a balloon of " + Millimeters(catheter.balloonDiameter) : "";
   return (catheter.isSure ? "filled in, " : "doubtful, ") + InTenths(catheter.outerDiameter) + " mm wide" + balloon +
-         ", " + Millimetres(catheter.evidence.length) + " from " + PlaceInWords(catheter.axis.front()) + " to " +
+         ", " + Millimeters(catheter.evidence.length) + " from " + PlaceInWords(catheter.axis.front()) + " to " +
          PlaceInWords(catheter.axis.back());
 }
 
 void
 AddValveFacts(const ColonModel & model, Facts & facts)
 {
-  if (model.centreline.curve.curves.empty())
+  if (model.centerline.curve.curves.empty())
   {
     return;
   }
-  const std::optional<IleocaecalValve> & valve = model.valve.valve;
-  facts.emplace_back("Ileocaecal valve",
-                     valve ? "at " + PlaceInWords(valve->position) + ", " + Millimetres(valve->arcLength) +
+  const std::optional<IleocecalValve> & valve = model.valve.valve;
+  facts.emplace_back("Ileocecal valve",
+                     valve ? "at " + PlaceInWords(valve->position) + ", " + Millimeters(valve->arcLength) +
                                " from the anal verge, confidence " + CsvTable::Rounded(valve->confidence, 2)
                            : "not found: " + model.valve.reason);
   if (model.terminalIleum)
   {
-    facts.emplace_back("Terminal ileum, cut off", Millilitres(model.terminalIleum->volume));
+    facts.emplace_back("Terminal ileum, cut off", Milliliters(model.terminalIleum->volume));
   }
 }
 
@@ -135,10 +135,10 @@ SummaryFacts(const ColonModel & model)
   {
     facts.emplace_back("Result", "partial: " + model.failure);
   }
-  facts.emplace_back(model.hasIntensities ? "Gas" : "Lumen", Millilitres(gas));
+  facts.emplace_back(model.hasIntensities ? "Gas" : "Lumen", Milliliters(gas));
   if (model.hasIntensities)
   {
-    facts.emplace_back("Tagged fluid", Millilitres(fluid));
+    facts.emplace_back("Tagged fluid", Milliliters(fluid));
   }
   facts.emplace_back("Pieces of the lumen", std::to_string(model.lumen.pieces.size()));
   if (model.lumen.catheter)
@@ -194,7 +194,7 @@ LeftOutFacts(const ColonLumen & lumen)
   for (std::size_t i = 0; i < std::min(most, lumen.leftOut.size()); ++i)
   {
     const ColonLeftOut & one = lumen.leftOut[i];
-    facts.emplace_back("Left out: " + one.what, Millilitres(one.ml) + ", " + one.why);
+    facts.emplace_back("Left out: " + one.what, Milliliters(one.ml) + ", " + one.why);
   }
   return facts;
 }
@@ -219,7 +219,7 @@ ColonModelReport::Write(const ColonModel & model, const Volume & volume, bool at
   ColonReportContent content;
   content.colon.ct = model.hasIntensities ? volume.image.GetPointer() : nullptr;
   content.colon.lumen = model.lumen.labels;
-  content.colon.centreline = model.centreline.curve.curves.empty() ? nullptr : &model.centreline.curve;
+  content.colon.centerline = model.centerline.curve.curves.empty() ? nullptr : &model.centerline.curve;
   content.colon.wall = model.wall.simplified.NumberOfFaces() > 0 ? &model.wall.simplified : nullptr;
   content.segments = SegmentsOf(model.distension);
   content.input = InputFacts(volume);

@@ -71,8 +71,8 @@ void
 ReadParts(CommandLine & commandLine, ColonPhantomParameters & parameters)
 {
   OverridePart(commandLine, "lengths", parameters.lengths);
-  OverridePart(commandLine, "calibre", parameters.calibre);
-  OverridePart(commandLine, "caecumMobility", parameters.caecumMobility);
+  OverridePart(commandLine, "caliber", parameters.caliber);
+  OverridePart(commandLine, "cecumMobility", parameters.cecumMobility);
   OverridePart(commandLine, "smallBowelTagged", parameters.smallBowelTagged);
   OverridePart(commandLine, "stomachIntensity", parameters.stomachIntensity);
   OverridePart(commandLine, "stool", parameters.stool);

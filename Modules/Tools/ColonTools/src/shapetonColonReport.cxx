@@ -58,8 +58,8 @@ AddDistension(HtmlReport & html, PicturePages & pages, const ColonReportContent 
   html.AddHeading("Distension");
   pages.Add(
     { { "distension.png",
-        [&] { return DrawDistensionChart(*content.colon.centreline, content.segments); },
-        "Calibre (twice the radius of the largest ball inside) along the centreline. The dashed line marks 10 mm." } });
+        [&] { return DrawDistensionChart(*content.colon.centerline, content.segments); },
+        "Caliber (twice the radius of the largest ball inside) along the centerline. The dashed line marks 10 mm." } });
   if (content.segments.empty())
   {
     return;
@@ -73,7 +73,7 @@ AddDistension(HtmlReport & html, PicturePages & pages, const ColonReportContent 
                    CsvTable::Rounded(std::round(segment.end - segment.begin), 6),
                    Share(segment.distendedShare) });
   }
-  html.AddTable(table, "Segments by distance from the anal verge, with the distended fraction of their centreline");
+  html.AddTable(table, "Segments by distance from the anal verge, with the distended fraction of their centerline");
 }
 
 void
@@ -81,12 +81,12 @@ AddSurface(HtmlReport & html, PicturePages & pages, const ColonParts & colon)
 {
   html.AddHeading("Surface");
   std::vector<PicturePages::Drawing> drawings;
-  if (colon.centreline)
+  if (colon.centerline)
   {
     drawings.push_back(
       { "inside-anterior.png",
         [&] { return DrawColonWall(colon, PatientSide::Anterior, false); },
-        "The transparent wall from the front, with the centreline coloured by the distance from the anal verge." });
+        "The transparent wall from the front, with the centerline colored by the distance from the anal verge." });
     drawings.push_back({ "inside-left.png",
                          [&] { return DrawColonWall(colon, PatientSide::Left, false); },
                          "The same from the patient's left side." });
@@ -107,7 +107,7 @@ AddProjections(HtmlReport & html, PicturePages & pages, const ColonParts & colon
     drawings.push_back({ "projection-" + NameOf(plane) + ".png",
                          [&colon, plane] { return DrawColonProjection(colon, plane); },
                          "Thickness of gas and fluid (mm), " + NameOf(plane) + " view" +
-                           (colon.centreline ? ", with the centreline." : ".") });
+                           (colon.centerline ? ", with the centerline." : ".") });
   }
   pages.Add(drawings);
 }
@@ -144,7 +144,7 @@ WriteColonReport(const ColonReportContent & content, const std::string & folder,
   {
     AddSurface(html, pages, colon);
   }
-  if (colon.centreline)
+  if (colon.centerline)
   {
     AddDistension(html, pages, content);
   }

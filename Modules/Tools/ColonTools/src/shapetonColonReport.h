@@ -17,7 +17,7 @@ struct ColonReportContent
 {
   using Facts = std::vector<std::pair<std::string, std::string>>;
 
-  std::string title{ "Colon surface and centreline" };
+  std::string title{ "Colon surface and centerline" };
   ColonParts  colon;
   /** Segments from the anal verge on; may be empty. */
   std::vector<ColonSegment> segments;
@@ -34,7 +34,7 @@ struct ColonReportContent
 };
 
 /** Writes a report into an existing folder: a self-contained index.html, and its pictures as files: slices-axial.png,
- * slices-coronal.png, slices-sagittal.png, projection-coronal.png and projection-sagittal.png; with a centreline,
+ * slices-coronal.png, slices-sagittal.png, projection-coronal.png and projection-sagittal.png; with a centerline,
  * distension.png; with a wall, wall-anterior.png; with both, inside-anterior.png and inside-left.png. Equal content
  * gives equal bytes. Throws OutputError, and std::invalid_argument for a colon without lumen. \ingroup ColonTools */
 ColonTools_EXPORT void

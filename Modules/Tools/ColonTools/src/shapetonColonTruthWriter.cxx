@@ -201,7 +201,7 @@ StructuresToJson(const Provenance & provenance, const ColonAnatomy & anatomy, co
     return json;
   }
   json["valve"] = ValveToJson(anatomy);
-  json["caecum"] = { { "pole", ToJson(anatomy.CaecalPole()) } };
+  json["cecum"] = { { "pole", ToJson(anatomy.CecalPole()) } };
   json["ileum"] = structures.GetIleum() ? IleumToJson(*structures.GetIleum()) : Json();
   json["catheter"] = structures.GetCatheter() ? CatheterToJson(*structures.GetCatheter()) : Json();
   json["residue"] = ResidueToJson(structures.GetResidue());
@@ -221,7 +221,7 @@ WriteTruthOfColon(CommandLine &             commandLine,
     curves.facts.insert(curves.facts.end(), facts.begin(), facts.end());
     WriteCurves(curves, file(name));
   };
-  write(anatomy.Centreline(), "centreline.vtp");
+  write(anatomy.Centerline(), "centerline.vtp");
   write(anatomy.Folds(), "folds.vtp");
   write(anatomy.Taeniae(), "taeniae.vtp");
   const CurveSet correspondence = anatomy.Correspondence();

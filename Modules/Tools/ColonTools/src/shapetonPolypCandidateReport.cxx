@@ -67,7 +67,7 @@ AddPolypCandidateTable(HtmlReport & report, const std::vector<PolypCandidate> & 
 {
   report.AddHeading("Polyp candidates");
   report.AddNote("For research use; not a diagnosis. A candidate is a location shaped like a polyp. It may be "
-                 "stool, the ileocaecal valve or the end of a fold, and the list may miss polyps.");
+                 "stool, the ileocecal valve or the end of a fold, and the list may miss polyps.");
   if (candidates.empty())
   {
     report.AddParagraph("No candidates at this sensitivity.");
@@ -82,7 +82,7 @@ CaptionOfPolypPicture(int candidate)
 {
   return candidate == 0 ? "Candidates on the flat colon"
                         : "Candidate " + std::to_string(candidate) +
-                            ": on the flat map at four times the resolution, and from the centreline";
+                            ": on the flat map at four times the resolution, and from the centerline";
 }
 
 void

@@ -123,7 +123,7 @@ AddRegistrationSection(HtmlReport &                 html,
   }
   addPicture(DrawAlignedColons(parts, options),
              "aligned",
-             "Both flat walls in paired rows, the prone one in the supine frame. Matched folds share a colour.");
+             "Both flat walls in paired rows, the prone one in the supine frame. Matched folds share a color.");
   html.AddTable(
     MatchTable(*parts.results),
     "Fold matches by segment. Matched: the map agrees; contradicted: it does not. Prone folds are counted "
@@ -135,7 +135,7 @@ AddRegistrationSection(HtmlReport &                 html,
     DrawConfidenceChart(parts),
     "confidence",
     "Confidence along the colon: mean (dark) and minimum (pale) around the tube; doubtful below the dashed line. "
-    "Grey: excluded.");
+    "Gray: excluded.");
   addPicture(DrawCurvatureCheckerboard(parts, options),
              "checkerboard",
              "The curvature of both walls in alternating squares; red bulges into the lumen.");

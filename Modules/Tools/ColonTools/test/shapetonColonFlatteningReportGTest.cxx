@@ -93,7 +93,7 @@ TEST(ColonFlatteningReport, ListsCaps)
   }
 }
 
-TEST(FlatColonPictures, DistancesComeFromTheSurfaceElseFromTheCentreline)
+TEST(FlatColonPictures, DistancesComeFromTheSurfaceElseFromTheCenterline)
 {
   shapeton::SurfaceMesh wall = flatcolon::Wall();
   shapeton::CurveSet    line;
@@ -110,7 +110,7 @@ TEST(FlatColonPictures, DistancesComeFromTheSurfaceElseFromTheCentreline)
   const shapeton::FlatColon flat(wall);
   shapeton::FlatColonParts  parts;
   parts.flat = &flat;
-  parts.centreline = &line;
+  parts.centerline = &line;
   const shapeton::FlatColonPictures pictures(parts, 1.0);
   const double                      u = 100.5 * pictures.Grid().PixelSize();
   EXPECT_NEAR(pictures.Distances()[100], 10.0 + u, 1e-6);
@@ -118,7 +118,7 @@ TEST(FlatColonPictures, DistancesComeFromTheSurfaceElseFromTheCentreline)
   const shapeton::FlatColon withoutDistance(wall);
   parts.flat = &withoutDistance;
   EXPECT_NEAR(shapeton::FlatColonPictures(parts, 1.0).Distances()[100], 500.0 + u, 2.0);
-  parts.centreline = nullptr;
+  parts.centerline = nullptr;
   EXPECT_TRUE(shapeton::FlatColonPictures(parts, 1.0).Distances().empty());
 }
 

@@ -82,9 +82,9 @@ TEST(ColonPositionFiles, ReadsWhatTheFolderHolds)
     const shapeton::HaustralFold & a = read.position.folds[i];
     const shapeton::HaustralFold & b = written.position.folds[i];
     EXPECT_EQ(a.label, b.label);
-    EXPECT_EQ(a.centreUv, b.centreUv);
+    EXPECT_EQ(a.centerUv, b.centerUv);
     EXPECT_EQ(a.endUv, b.endUv);
-    EXPECT_EQ(a.centre, b.centre);
+    EXPECT_EQ(a.center, b.center);
     EXPECT_EQ(a.ends, b.ends);
     EXPECT_EQ(a.length, b.length);
     EXPECT_EQ(a.area, b.area);
@@ -112,7 +112,7 @@ TEST(ColonPositionFiles, NamesWhatIsMissingAndWhoWritesIt)
     return FaultOf([&] { shapeton::ReadColonPosition(folder, "prone"); });
   };
   for (const auto & [file, tool] :
-       { std::pair<const char *, const char *>{ "segmentation/centreline.vtp", "(ColonSegmentation)" },
+       { std::pair<const char *, const char *>{ "segmentation/centerline.vtp", "(ColonSegmentation)" },
          { "flattening/flat.vtp", "(ColonFlattening)" },
          { "landmarks/landmarks.json", "(ColonLandmarks)" },
          { "landmarks/folds-surface.vtp", "(ColonLandmarks)" },

@@ -104,7 +104,7 @@ TEST(RegistrationPictures, OfOneColonWithItselfBothStripsAreEqual)
   const shapeton::ColonPositionFiles & supine = TestPair().supine;
   shapeton::RegistrationResults        same = shapeton::MakeRegistrationResults(
     supine, supine, shapeton::RegisterColonPositions(supine.position, supine.position));
-  same.matches.clear(); // with one colour for all crests
+  same.matches.clear(); // with one color for all crests
   const shapeton::RegistrationParts parts{ &supine, &supine, &same };
   const auto                        size = Small();
   const shapeton::Picture::Pointer  page = shapeton::DrawAlignedColons(parts, size);

@@ -19,7 +19,7 @@ Rounded(double value, int digits = 4)
 }
 
 std::string
-Centimetres(double mm)
+Centimeters(double mm)
 {
   return Rounded(std::round(mm) / 10.0, 5) + " cm";
 }
@@ -44,7 +44,7 @@ std::string
 ValveInWords(const Json & valve)
 {
   return valve.at("found").get<bool>()
-           ? "at " + Centimetres(NumberAt(valve, "/arcLength")) + " from the anal verge, confidence " +
+           ? "at " + Centimeters(NumberAt(valve, "/arcLength")) + " from the anal verge, confidence " +
                Rounded(NumberAt(valve, "/confidence"), 2)
            : "not found: " + valve.at("reason").get<std::string>();
 }
@@ -67,21 +67,21 @@ AddModelFacts(const Json & quality, ColonoscopyFacts & facts)
   {
     facts.emplace_back("Lumen", Rounded(gas) + " ml of gas, " + Rounded(fluid) + " ml of tagged fluid");
   }
-  const double length = NumberAt(quality, "/centreline/length");
+  const double length = NumberAt(quality, "/centerline/length");
   if (std::isfinite(length))
   {
-    facts.emplace_back("Length of the centreline", Centimetres(length));
-    facts.emplace_back("Distended (calibre of at least 10 mm)",
+    facts.emplace_back("Length of the centerline", Centimeters(length));
+    facts.emplace_back("Distended (caliber of at least 10 mm)",
                        Percent(NumberAt(quality, "/distension/whole/share")) + " of it");
-    facts.emplace_back("Gaps that are bridged", std::to_string(quality["centreline"]["gaps"].size()));
+    facts.emplace_back("Gaps that are bridged", std::to_string(quality["centerline"]["gaps"].size()));
     if (const double share = NumberAt(quality, "/assessability/whole/assessableShare"); std::isfinite(share))
     {
       facts.emplace_back("Assessable (the wall is seen)", Percent(share) + " of it");
     }
   }
-  if (quality.contains("ileocaecalValve"))
+  if (quality.contains("ileocecalValve"))
   {
-    facts.emplace_back("Ileocaecal valve", ValveInWords(quality["ileocaecalValve"]));
+    facts.emplace_back("Ileocecal valve", ValveInWords(quality["ileocecalValve"]));
   }
 }
 
@@ -92,7 +92,7 @@ AddMapFacts(const Json & statistics, ColonoscopyFacts & facts)
   if (std::isfinite(circumference))
   {
     facts.emplace_back("Flat map",
-                       Centimetres(NumberAt(statistics, "/length")) + " by " + Centimetres(circumference) +
+                       Centimeters(NumberAt(statistics, "/length")) + " by " + Centimeters(circumference) +
                          ", gap of the conformal moduli " + Percent(NumberAt(statistics, "/modulusGap")));
   }
 }
@@ -176,7 +176,7 @@ AssessableInWords(const Json & landmarks, int number)
     text += ", " + Percent(NumberAt(segment, "/assessableShare"));
     for (const Json & reason : segment.at("reasons"))
     {
-      text += "; " + Centimetres(NumberAt(reason, "/length")) + " " + reason.at("words").get<std::string>();
+      text += "; " + Centimeters(NumberAt(reason, "/length")) + " " + reason.at("words").get<std::string>();
     }
     return text;
   }
@@ -231,9 +231,9 @@ SegmentTable(const ColonoscopyResults & results)
   {
     const ColonSegmentExtent & segment = results.segments[i];
     table.AddRow({ segment.name,
-                   Centimetres(segment.begin),
-                   Centimetres(segment.end),
-                   Centimetres(segment.end - segment.begin),
+                   Centimeters(segment.begin),
+                   Centimeters(segment.end),
+                   Centimeters(segment.end - segment.begin),
                    Rounded(std::round(segment.area / 100.0), 5),
                    Percent(shares[i].distendedShare),
                    results.IsDone(colonoscopystage::folds)
@@ -259,7 +259,7 @@ FlexureTable(const ColonoscopyResults & results)
     const Json & p = flexure.at("position");
     table.AddRow(
       { name,
-        Centimetres(NumberAt(flexure, "/arcLength")),
+        Centimeters(NumberAt(flexure, "/arcLength")),
         Rounded(p[0].get<double>()) + ", " + Rounded(p[1].get<double>()) + ", " + Rounded(p[2].get<double>()),
         NumberOrNothing(NumberAt(flexure, "/confidence"), 2),
         flexure.contains("notAssessable") ? "not assessable: " + flexure["notAssessable"].at("words").get<std::string>()
@@ -275,7 +275,7 @@ TaeniaTable(const ColonoscopyResults & results)
   for (std::size_t curve = 0; curve < results.taeniae.curves.size(); ++curve)
   {
     table.AddRow({ NumberOrNothing(CellValue(results.taeniae, "taenia", curve), 2),
-                   Centimetres(LengthOf(results.taeniae, curve)),
+                   Centimeters(LengthOf(results.taeniae, curve)),
                    NumberOrNothing(MeanConfidence(results.taeniae, curve), 2) });
   }
   return table;

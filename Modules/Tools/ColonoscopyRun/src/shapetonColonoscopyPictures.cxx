@@ -99,24 +99,24 @@ AddFlexureNames(SurfaceScene & scene, const CurveSet & flexures)
 }
 
 void
-AddEnds(SurfaceScene & scene, const CurveSet & centreline)
+AddEnds(SurfaceScene & scene, const CurveSet & centerline)
 {
-  const std::vector<int> & line = centreline.curves.front();
-  scene.markers.push_back({ centreline.V.row(line.front()), 5.0, MakeColor(240, 240, 240), "anal verge" });
-  scene.markers.push_back({ centreline.V.row(line.back()), 5.0, MakeColor(240, 240, 240), "caecum" });
+  const std::vector<int> & line = centerline.curves.front();
+  scene.markers.push_back({ centerline.V.row(line.front()), 5.0, MakeColor(240, 240, 240), "anal verge" });
+  scene.markers.push_back({ centerline.V.row(line.back()), 5.0, MakeColor(240, 240, 240), "cecum" });
 }
 
 void
-AddCentreline(SurfaceScene & scene, SurfaceRenderingOptions & options, const CurveSet & centreline)
+AddCenterline(SurfaceScene & scene, SurfaceRenderingOptions & options, const CurveSet & centerline)
 {
-  const SurfaceArray * const distance = FindSurfaceArray(centreline.pointArrays, "arcLength");
+  const SurfaceArray * const distance = FindSurfaceArray(centerline.pointArrays, "arcLength");
   CurveActor                 actor;
-  actor.curves = &centreline;
+  actor.curves = &centerline;
   actor.radius = 1.8;
   if (distance && distance->values.size() > 0)
   {
     options.colorBar = ColorScale{ "distance from the anal verge (mm)", 0.0, distance->values.maxCoeff() };
-    for (Eigen::Index i = 0; i < centreline.V.rows(); ++i)
+    for (Eigen::Index i = 0; i < centerline.V.rows(); ++i)
     {
       actor.vertexColors.push_back(options.colorBar->ColorOf(distance->values(i, 0)));
     }
@@ -124,13 +124,13 @@ AddCentreline(SurfaceScene & scene, SurfaceRenderingOptions & options, const Cur
   scene.curves.push_back(actor);
 }
 
-/** Fraction of the centreline between two distances with a caliber of at least 10 mm; gaps count as 0. */
+/** Fraction of the centerline between two distances with a caliber of at least 10 mm; gaps count as 0. */
 double
-DistendedShare(const CurveSet & centreline, double begin, double end)
+DistendedShare(const CurveSet & centerline, double begin, double end)
 {
-  const SurfaceArray * const distance = FindSurfaceArray(centreline.pointArrays, "arcLength");
-  const SurfaceArray * const radius = FindSurfaceArray(centreline.pointArrays, "radius");
-  const SurfaceArray * const gap = FindSurfaceArray(centreline.pointArrays, "gap");
+  const SurfaceArray * const distance = FindSurfaceArray(centerline.pointArrays, "arcLength");
+  const SurfaceArray * const radius = FindSurfaceArray(centerline.pointArrays, "radius");
+  const SurfaceArray * const gap = FindSurfaceArray(centerline.pointArrays, "gap");
   constexpr double           enough = 10.0;
   int                        wide = 0;
   int                        all = 0;
@@ -183,7 +183,7 @@ ChartSegmentsOf(const ColonoscopyResults & results)
   for (const ColonSegmentExtent & segment : results.segments)
   {
     segments.push_back(
-      { segment.name, segment.begin, segment.end, DistendedShare(results.centreline, segment.begin, segment.end) });
+      { segment.name, segment.begin, segment.end, DistendedShare(results.centerline, segment.begin, segment.end) });
   }
   const Json::json_pointer guessed("/distension/segments");
   if (segments.empty() && results.quality.contains(guessed))
@@ -202,8 +202,8 @@ DrawSegments(const ColonoscopyResults & results, PatientSide side)
   SurfaceScene            scene;
   SurfaceRenderingOptions options = OptionsFor(side, "Segments, taeniae and flexures");
   SurfaceActor            wall;
-  wall.surface = results.labelled.F.rows() > 0 ? &results.labelled : &results.wall;
-  if (const SurfaceArray * const segment = FindSurfaceArray(results.labelled.cellArrays, "segment"))
+  wall.surface = results.labeled.F.rows() > 0 ? &results.labeled : &results.wall;
+  if (const SurfaceArray * const segment = FindSurfaceArray(results.labeled.cellArrays, "segment"))
   {
     for (Eigen::Index face = 0; face < segment->values.rows(); ++face)
     {
@@ -228,16 +228,16 @@ Picture::Pointer
 DrawInside(const ColonoscopyResults & results, PatientSide side)
 {
   SurfaceScene            scene;
-  SurfaceRenderingOptions options = OptionsFor(side, "Centreline and flexures");
+  SurfaceRenderingOptions options = OptionsFor(side, "Centerline and flexures");
   SurfaceActor            wall;
   wall.surface = &results.wall;
   wall.color = glass;
   wall.opacity = 0.3;
   scene.surfaces.push_back(wall);
-  AddCentreline(scene, options, results.centreline);
+  AddCenterline(scene, options, results.centerline);
   AddFlexureLoops(scene, results.flexures);
   AddFlexureNames(scene, results.flexures);
-  AddEnds(scene, results.centreline);
+  AddEnds(scene, results.centerline);
   return RenderSurfaces(scene, options);
 }
 
@@ -246,7 +246,7 @@ DrawFlat(const ColonoscopyResults & results, FlatColoring coloring)
 {
   FlatColonParts parts;
   parts.flat = results.flat.get();
-  parts.centreline = &results.centreline;
+  parts.centerline = &results.centerline;
   parts.ct = results.ct;
   parts.device = results.device;
   parts.annotations = SegmentAnnotations(results.segments);

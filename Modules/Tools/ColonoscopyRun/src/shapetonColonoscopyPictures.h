@@ -7,7 +7,7 @@
 
 namespace shapeton
 {
-/** Segments of the centreline with their distended fraction, for the chart. Without landmarks, the segments estimated
+/** Segments of the centerline with their distended fraction, for the chart. Without landmarks, the segments estimated
  * by the segmentation. */
 std::vector<ColonSegment>
 ChartSegmentsOf(const ColonoscopyResults & results);
@@ -16,7 +16,7 @@ ChartSegmentsOf(const ColonoscopyResults & results);
 Picture::Pointer
 DrawSegments(const ColonoscopyResults & results, PatientSide side);
 
-/** Transparent wall with the centreline, taeniae and flexures. */
+/** Transparent wall with the centerline, taeniae and flexures. */
 Picture::Pointer
 DrawInside(const ColonoscopyResults & results, PatientSide side);
 

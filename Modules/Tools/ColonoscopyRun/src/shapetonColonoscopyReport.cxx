@@ -68,8 +68,8 @@ AddDistension(HtmlReport & html, PagePictures & pictures, const ColonoscopyResul
 {
   html.AddHeading("Distension");
   pictures.Add(
-    DrawDistensionChart(results.centreline, ChartSegmentsOf(results)),
-    std::string("Calibre (twice the radius of the largest ball inside) along the centreline. The dashed line "
+    DrawDistensionChart(results.centerline, ChartSegmentsOf(results)),
+    std::string("Caliber (twice the radius of the largest ball inside) along the centerline. The dashed line "
                 "marks 10 mm. ") +
       (results.segments.empty() ? "Segment borders are at typical fractions of the length."
                                 : "Borders of segments are those of the landmarks."));
@@ -79,16 +79,16 @@ void
 AddViews(HtmlReport & html, PagePictures & pictures, const ColonoscopyResults & results)
 {
   html.AddHeading("In space");
-  const bool        hasLandmarks = results.labelled.F.rows() > 0;
+  const bool        hasLandmarks = results.labeled.F.rows() > 0;
   const std::string what =
-    hasLandmarks ? "The wall coloured by segments; taeniae 1 yellow, 2 blue, 3 pink; flexures dark." : "The wall.";
+    hasLandmarks ? "The wall colored by segments; taeniae 1 yellow, 2 blue, 3 pink; flexures dark." : "The wall.";
   std::vector<PagePictures::Drawing> drawings{ { [&] { return DrawSegments(results, PatientSide::Anterior); }, what },
                                                { [&] { return DrawSegments(results, PatientSide::Posterior); },
                                                  "The same from the back." } };
-  if (!results.centreline.curves.empty())
+  if (!results.centerline.curves.empty())
   {
     drawings.push_back({ [&] { return DrawInside(results, PatientSide::Anterior); },
-                         "The wall, see-through, with the centreline coloured by the distance from the anal verge" +
+                         "The wall, see-through, with the centerline colored by the distance from the anal verge" +
                            std::string(results.flexures.curves.empty() ? "." : ", and the flexures.") });
     drawings.push_back(
       { [&] { return DrawInside(results, PatientSide::Left); }, "The same from the patient's left side." });
@@ -101,9 +101,9 @@ AddFlat(HtmlReport & html, PagePictures & pictures, const ColonoscopyResults & r
 {
   html.AddHeading("The flat colon");
   html.AddParagraph(
-    "The wall from the rectum to the caecum, cut open along the colon and unrolled, in rows, as seen from "
-    "the lumen. Rulers show the distance along the centreline. The map preserves shapes but not sizes: the bar "
-    "above each row is valid for its median scale. Grey hatched parts are wall interpolated over a "
+    "The wall from the rectum to the cecum, cut open along the colon and unrolled, in rows, as seen from "
+    "the lumen. Rulers show the distance along the centerline. The map preserves shapes but not sizes: the bar "
+    "above each row is valid for its median scale. Gray hatched parts are wall interpolated over a "
     "collapsed segment; parts hatched in the other direction, over the picture, are not assessable.");
   std::string marks;
   marks += results.taeniae.curves.empty() ? "" : " Taeniae: 1 yellow, 2 blue, 3 pink.";
@@ -152,7 +152,7 @@ AddTables(HtmlReport & html, const ColonoscopyResults & results)
     html.AddParagraph("None: the stage was not run.");
     return;
   }
-  html.AddTable(SegmentTable(results), "Segments by distance from the anal verge along the centreline");
+  html.AddTable(SegmentTable(results), "Segments by distance from the anal verge along the centerline");
   html.AddTable(FlexureTable(results), "Flexures; confidence from 0 to 1");
   html.AddTable(TaeniaTable(results), "Taeniae; confidence from 0 to 1");
 }
@@ -187,7 +187,7 @@ WriteColonoscopyReport(const ColonoscopyReportContent & content,
                  "Read this examination: flat wall, wall in space, endoluminal view and slices with a linked "
                  "crosshair");
   }
-  if (!results.centreline.curves.empty())
+  if (!results.centerline.curves.empty())
   {
     AddDistension(html, pictures, results);
   }

@@ -29,7 +29,7 @@ WriteColonoscopyReport(const ColonoscopyReportContent & content,
                        const std::string &              path,
                        const std::string &              scratchFolder);
 
-/** Writes the files for 3D Slicer that no stage writes, as far as there are results: centreline.mrk.json and the color
+/** Writes the files for 3D Slicer that no stage writes, as far as there are results: centerline.mrk.json and the color
  * tables lumen.ctbl and segments.ctbl. Returns their names. Throws OutputError.
  * \ingroup ColonoscopyRun */
 ColonoscopyRun_EXPORT std::vector<std::string>

@@ -79,9 +79,9 @@ PicturesOfPolyps(const StageFiles & files, std::size_t polyps)
 
 /** mm; 0 if the curve lacks the value. */
 double
-LengthOfCentreline(const CurveSet & centreline)
+LengthOfCenterline(const CurveSet & centerline)
 {
-  const SurfaceArray * const distance = FindSurfaceArray(centreline.pointArrays, "arcLength");
+  const SurfaceArray * const distance = FindSurfaceArray(centerline.pointArrays, "arcLength");
   return distance && distance->values.size() > 0 ? distance->values.maxCoeff() : 0.0;
 }
 
@@ -97,7 +97,7 @@ ReadAllButImages(const StageFiles & files, const std::string & folder, Colonosco
     return [&document](const std::string & path) { document = ReadJson(path); };
   };
   files.Read(names::segmentation, "quality.json", json(results.quality));
-  files.Read(names::segmentation, "centreline.vtp", curves(results.centreline));
+  files.Read(names::segmentation, "centerline.vtp", curves(results.centerline));
   files.Read(names::segmentation, "wall-simplified.vtp", surface(results.wall));
   files.Read(names::flattening, "flat.vtp", [&](const std::string & path) {
     results.flat = std::make_shared<FlatColon>(ReadSurface(path).mesh);
@@ -106,11 +106,11 @@ ReadAllButImages(const StageFiles & files, const std::string & folder, Colonosco
   files.Read(names::landmarks, "landmarks.json", json(results.landmarks));
   files.Read(names::landmarks, "taeniae.vtp", curves(results.taeniae));
   files.Read(names::landmarks, "flexures.vtp", curves(results.flexures));
-  files.Read(names::landmarks, "segments.vtp", surface(results.labelled));
+  files.Read(names::landmarks, "segments.vtp", surface(results.labeled));
   files.Read(names::folds, "features.vtp", curves(results.features));
   if (!results.landmarks.is_null())
   {
-    results.segments = SegmentsOf(results.landmarks, LengthOfCentreline(results.centreline));
+    results.segments = SegmentsOf(results.landmarks, LengthOfCenterline(results.centerline));
   }
   results.folds = FoldsOf(results.features);
   files.Read(

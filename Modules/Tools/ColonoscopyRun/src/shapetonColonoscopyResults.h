@@ -47,7 +47,7 @@ struct ColonoscopyRun_EXPORT ColonoscopyResults
   std::vector<StageResult> stages;
 
   Json                          quality; ///< quality report of the segmentation
-  CurveSet                      centreline;
+  CurveSet                      centerline;
   SurfaceMesh                   wall;
   itk::Image<float, 3>::Pointer ct;     ///< cleansed; null for a mask
   DeviceUse                     device; ///< device that renders the CT
@@ -59,7 +59,7 @@ struct ColonoscopyRun_EXPORT ColonoscopyResults
   Json                            landmarks;
   CurveSet                        taeniae;
   CurveSet                        flexures;
-  SurfaceMesh                     labelled; ///< has the cell array segment
+  SurfaceMesh                     labeled; ///< has the cell array segment
   std::vector<ColonSegmentExtent> segments;
 
   itk::Image<unsigned short, 2>::Pointer foldLabels;

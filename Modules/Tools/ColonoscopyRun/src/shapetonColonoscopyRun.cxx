@@ -223,7 +223,7 @@ SceneFilesOf(CommandLine & commandLine)
            { { "cleansedVolume", "segmentation/cleansed.nrrd" },
              { "lumenLabels", "segmentation/lumen.nrrd" },
              { "wallModel", "landmarks/segments.vtp" },
-             { "centrelineCurve", "slicer/centreline.mrk.json" },
+             { "centerlineCurve", "slicer/centerline.mrk.json" },
              { "candidatePoints", "polyps/candidates.mrk.json" },
              { "candidateTable", "polyps/candidates.csv" },
              { "flatPicture", "flattening/flat.png" } } };

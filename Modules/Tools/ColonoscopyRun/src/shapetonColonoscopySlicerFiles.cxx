@@ -17,10 +17,10 @@ Shares(const RGBColor & color)
 }
 
 Markup
-CentrelineMarkup(const CurveSet & centreline)
+CenterlineMarkup(const CurveSet & centerline)
 {
-  Markup markup = MarkupOfCurve(centreline, 0, Markup::Kind::Curve, 10.0);
-  markup.name = "centreline";
+  Markup markup = MarkupOfCurve(centerline, 0, Markup::Kind::Curve, 10.0);
+  markup.name = "centerline";
   markup.color = { 1.0, 0.85, 0.2 };
   return markup;
 }
@@ -54,9 +54,9 @@ WriteColonoscopySlicerFiles(const ColonoscopyResults & results,
                       { 3, "terminalIleum", { 0.4, 0.8, 0.4 } } },
                     pathOf("lumen.ctbl"));
   }
-  if (!results.centreline.curves.empty())
+  if (!results.centerline.curves.empty())
   {
-    WriteMarkups({ CentrelineMarkup(results.centreline) }, pathOf("centreline.mrk.json"));
+    WriteMarkups({ CenterlineMarkup(results.centerline) }, pathOf("centerline.mrk.json"));
   }
   if (!results.segments.empty())
   {

@@ -127,7 +127,7 @@ Segmentation(const OptionPasser & passer)
     .Output("", "")
     .Output("report", "report")
     .Option("keepPartial", "true") // so that the report can show the reason of a failure
-    .Expect({ "lumen.nrrd", "centreline.vtp", "wall.vtp", "wall-repaired.vtp", "wall-simplified.vtp", "quality.json" });
+    .Expect({ "lumen.nrrd", "centerline.vtp", "wall.vtp", "wall-repaired.vtp", "wall-simplified.vtp", "quality.json" });
   passer.Pass(stage, { "inputIsLumen", "faces", "resampleGaps", "deshear", "dropDuplicates" });
   passer.PassOwn(stage, "position");
   passer.PassOwn(stage, "seriesUID");
@@ -143,7 +143,7 @@ Flattening(const OptionPasser & passer, const StagedRun & run)
   Stage stage = NewStage(names::flattening);
   stage.Input("", run.PathOf(names::segmentation, "wall-simplified.vtp"))
     .Output("", "flat.vtp")
-    .Input("centreline", run.PathOf(names::segmentation, "centreline.vtp"))
+    .Input("centerline", run.PathOf(names::segmentation, "centerline.vtp"))
     .Output("statistics", "flat.json")
     .Output("handles", "handles.vtp")
     .Output("picture", "flat.png")
@@ -164,7 +164,7 @@ Landmarks(const OptionPasser & passer, const StagedRun & run)
 {
   Stage stage = NewStage(names::landmarks);
   stage.Input("", run.PathOf(names::flattening, "flat.vtp"))
-    .Input("", run.PathOf(names::segmentation, "centreline.vtp"))
+    .Input("", run.PathOf(names::segmentation, "centerline.vtp"))
     .Output("", "")
     .Output("report", "report")
     .Expect({ "landmarks.json", "segments.vtp" });
@@ -234,7 +234,7 @@ SearchForCandidates(const char * name, const OptionPasser & passer, const std::s
                  folder,
                  { "segmentation/wall-repaired.vtp",
                    "segmentation/lumen.nrrd",
-                   "segmentation/centreline.vtp",
+                   "segmentation/centerline.vtp",
                    "segmentation/cleansed.nrrd",
                    "segmentation/catheter.vtp",
                    "flattening/flat.vtp",
@@ -301,7 +301,7 @@ StageOfRegistration(const CommandLine & commandLine)
       stage.InputFolder("",
                         FolderOfSeries(folder, series),
                         { "flattening/flat.vtp",
-                          "segmentation/centreline.vtp",
+                          "segmentation/centerline.vtp",
                           "landmarks/landmarks.json",
                           "landmarks/folds-surface.vtp",
                           "landmarks/taeniae.vtp",
@@ -361,7 +361,7 @@ StageOfViewer(const CommandLine & commandLine)
       for (const char * const file : { "segmentation/quality.json",
                                        "segmentation/lumen.nrrd",
                                        "segmentation/cleansed.nrrd",
-                                       "segmentation/centreline.vtp",
+                                       "segmentation/centerline.vtp",
                                        "flattening/flat.vtp",
                                        "landmarks/segments.vtp",
                                        "landmarks/taeniae.vtp",
@@ -404,7 +404,7 @@ StageOfDicomResults(const CommandLine & commandLine, ColonoscopySeries series)
                    folder,
                    { "segmentation/quality.json",
                      "segmentation/lumen.nrrd",
-                     "segmentation/centreline.vtp",
+                     "segmentation/centerline.vtp",
                      "segmentation/wall-simplified.vtp",
                      "flattening/flat.vtp",
                      "flattening/flat.png",

@@ -20,7 +20,7 @@ Landmarks()
     {"number": 1, "name": "rectum", "begin": null, "end": 150.5, "area": 300},
     {"number": 2, "name": "sigmoid", "begin": 150.5, "end": 600, "area": 400},
     {"number": 4, "name": "transverse", "begin": 900, "end": null, "area": 500},
-    {"number": 6, "name": "caecum", "begin": 1700, "end": null, "area": 600}]})");
+    {"number": 6, "name": "cecum", "begin": 1700, "end": null, "area": 600}]})");
 }
 
 shapeton::StageResult
@@ -88,12 +88,12 @@ TEST(ColonoscopyReport, FilesForSlicerAreThoseOfTheResults)
   shapeton::ColonoscopyResults results;
   EXPECT_TRUE(shapeton::WriteColonoscopySlicerFiles(results, folder / ".", inPlace).empty());
   results.segments = shapeton::SegmentsOf(Landmarks(), 1760.0);
-  results.centreline.V = Eigen::Matrix3d::Identity();
-  results.centreline.curves = { { 0, 1, 2 } };
+  results.centerline.V = Eigen::Matrix3d::Identity();
+  results.centerline.curves = { { 0, 1, 2 } };
   results.stages = { StageNamed(stages::segmentation, 0) };
   results.stages[0].files = { { "lumen.nrrd", "" } };
   const auto written = shapeton::WriteColonoscopySlicerFiles(results, folder / ".", inPlace);
-  EXPECT_EQ(written, (std::vector<std::string>{ "lumen.ctbl", "centreline.mrk.json", "segments.ctbl" }));
+  EXPECT_EQ(written, (std::vector<std::string>{ "lumen.ctbl", "centerline.mrk.json", "segments.ctbl" }));
   EXPECT_NE(shapeton::ReadFileBytes(folder / "segments.ctbl").find("2 sigmoid "), std::string::npos);
-  EXPECT_NE(shapeton::ReadFileBytes(folder / "centreline.mrk.json").find("\"type\": \"Curve\""), std::string::npos);
+  EXPECT_NE(shapeton::ReadFileBytes(folder / "centerline.mrk.json").find("\"type\": \"Curve\""), std::string::npos);
 }

@@ -25,7 +25,7 @@ struct GraphSideBySide
   std::vector<std::string>                         warnings{};
 };
 
-/** Writes comparison.svg and index.html: both graphs, with corresponding circles in one color and unmatched ones grey,
+/** Writes comparison.svg and index.html: both graphs, with corresponding circles in one color and unmatched ones gray,
  * and a list of differences with numbers. Throws OutputError. \ingroup GraphTools */
 GraphTools_EXPORT void
 WriteComparisonPictures(const GraphComparison & comparison, const GraphSideBySide & sheet, const OutputPath & output);

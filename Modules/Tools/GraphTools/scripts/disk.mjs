@@ -1,4 +1,4 @@
-import { inverseOf, movedBy, normalised, polar, product, toPlace } from './motions.mjs';
+import { inverseOf, movedBy, normalized, polar, product, toPlace } from './motions.mjs';
 import { Flat } from './plane.mjs';
 
 const ALMOST = 1 - 1e-15;
@@ -73,8 +73,8 @@ export class Disk extends Flat {
       return;
     }
     const at = (p) => { const q = within([p[0] / this.scale, p[1] / this.scale]); return this.isKlein ? fromKlein(q) : q; };
-    this.motion = normalised(product(product(toPlace(at(to)), inverseOf(toPlace(at(from)))), this.motion));
+    this.motion = normalized(product(product(toPlace(at(to)), inverseOf(toPlace(at(from)))), this.motion));
   }
 
-  centre(q) { this.motion = normalised(product(inverseOf(toPlace(q)), this.motion)); }
+  center(q) { this.motion = normalized(product(inverseOf(toPlace(q)), this.motion)); }
 }

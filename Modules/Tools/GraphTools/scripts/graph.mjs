@@ -23,7 +23,7 @@ export class PageGraph {
   degree(node) { return this.first[node + 1] - this.first[node]; }
   ends(edge) { return [this.data.ends[2 * edge], this.data.ends[2 * edge + 1]]; }
   otherEnd(edge, node) { const [a, b] = this.ends(edge); return a === node ? b : a; }
-  neighbours(node) { return [...new Set(Array.from(this.edgesAt(node), (e) => this.otherEnd(e, node)))]; }
+  neighbors(node) { return [...new Set(Array.from(this.edgesAt(node), (e) => this.otherEnd(e, node)))]; }
   name(node) { return this.data.names[node]; }
   nameOfEdge(edge) { return this.ends(edge).map((node) => this.name(node)).join(' – '); }
 

@@ -28,7 +28,7 @@ export function toPlace(p) {
 export const inverseOf = (m) => ({ a: conjugate(m.a), b: [-m.b[0], -m.b[1]] });
 
 // Renormalizes: rounding in long products of motions violates |a|^2 - |b|^2 = 1.
-export function normalised({ a, b }) {
+export function normalized({ a, b }) {
   const n = Math.sqrt(a[0] ** 2 + a[1] ** 2 - b[0] ** 2 - b[1] ** 2);
   return { a: [a[0] / n, a[1] / n], b: [b[0] / n, b[1] / n] };
 }

@@ -152,7 +152,7 @@ class GraphPage {
 
   bring() {
     const marks = this.selection.marksIn(this.view.graph);
-    if (marks) this.view.centre(marks.node >= 0 ? marks.node : marks.near[0]);
+    if (marks) this.view.center(marks.node >= 0 ? marks.node : marks.near[0]);
   }
 
   leave() {

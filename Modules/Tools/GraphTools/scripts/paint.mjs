@@ -5,7 +5,7 @@ const CHOSEN = '#0072b2', NEAR = '#d55e00';
 const MOST_LINES = 500; // per path: in longer paths, browsers take more time per line
 const FULL = 2 * Math.PI;
 
-const colourOf = (data, node) => (data.colors ? data.colors[node] : CIRCLE);
+const colorOf = (data, node) => (data.colors ? data.colors[node] : CIRCLE);
 
 function addLine(g, line) { line?.forEach(([x, y], k) => (k ? g.lineTo(x, y) : g.moveTo(x, y))); }
 
@@ -28,15 +28,15 @@ function paintNodeCircles(g, tile) {
   g.strokeStyle = NODE;
   for (let i = 0; i < data.names.length; i++) {
     const size = tile.nodeCircle(g, i);
-    if (size > 0) { g.fillStyle = colourOf(data, i); g.fill(); }
+    if (size > 0) { g.fillStyle = colorOf(data, i); g.fill(); }
     if (size) g.stroke();
   }
 }
 
-function paintDot(g, tile, i, size, colour) {
+function paintDot(g, tile, i, size, color) {
   const s = size * tile.model.sizeOfDot(tile.node(i));
   if (s <= 0.4) return;
-  g.fillStyle = colour;
+  g.fillStyle = color;
   g.beginPath();
   g.arc(...tile.pixelOf(i), s, 0, FULL);
   g.fill();
@@ -92,9 +92,9 @@ function name(g, tile, i, isChosen) {
 }
 
 // Smaller in small copies, but still visible.
-function ring(g, tile, i, colour, width) {
+function ring(g, tile, i, color, width) {
   const size = Math.max(0.3, Math.min(1, tile.model.sizeOfDot(tile.node(i))));
-  g.strokeStyle = colour;
+  g.strokeStyle = color;
   g.lineWidth = Math.max(1.5, size * width);
   g.beginPath();
   g.arc(...tile.pixelOf(i), size * (3 + 2 * width), 0, FULL);
@@ -106,14 +106,14 @@ export function paintMarks(g, tile, show, graph, { node, edge, near, edges }, ha
   const nodes = node >= 0 ? [...near, node] : near, seen = nodes.filter((i) => tile.isSeen(i));
   for (const i of show.nodeCircles ? nodes : []) {
     const size = tile.nodeCircle(g, i);
-    g.fillStyle = colourOf(tile.data, i);
+    g.fillStyle = colorOf(tile.data, i);
     if (size > 0) g.fill();
     Object.assign(g, i === node ? { strokeStyle: CHOSEN, lineWidth: 3 } : { strokeStyle: NODE, lineWidth: 1 });
     if (size) g.stroke();
   }
   const halves = edges.flatMap((e) => [...graph.halvesOf(e)]);
-  for (const [colour, width] of [['#fff', 5], [edge >= 0 ? CHOSEN : NEAR, edge >= 0 ? 3.5 : 2]]) {
-    Object.assign(g, { strokeStyle: colour, lineWidth: width });
+  for (const [color, width] of [['#fff', 5], [edge >= 0 ? CHOSEN : NEAR, edge >= 0 ? 3.5 : 2]]) {
+    Object.assign(g, { strokeStyle: color, lineWidth: width });
     strokeLines(g, halves.length, (k) => tile.half(halves[k]));
   }
   for (const i of seen) {

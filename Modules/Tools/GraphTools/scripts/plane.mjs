@@ -47,5 +47,5 @@ export class Plane extends Flat {
     this.shift = plus(at, times([this.scale / old, 0], minus(this.shift, at)));
   }
 
-  centre(q) { this.shift = minus(this.shift, q); }
+  center(q) { this.shift = minus(this.shift, q); }
 }

@@ -21,7 +21,7 @@ export class Selection {
     }
     const node = graph === this.graph ? this.node : graph.nodeOf(this.key);
     if (node < 0) return null;
-    return { node, edge: -1, near: graph.neighbours(node).filter((n) => n !== node), edges: [...new Set(graph.edgesAt(node))] };
+    return { node, edge: -1, near: graph.neighbors(node).filter((n) => n !== node), edges: [...new Set(graph.edgesAt(node))] };
   }
 
   // Selects the next or previous edge around a node.
@@ -66,11 +66,11 @@ const MOST_NAMES = 12;
 const UNITS = { spherical: ' rad', euclidean: '', hyperbolic: '' };
 
 function wordsOfNode(graph, node) {
-  const near = graph.neighbours(node).map((n) => graph.name(n)), { radii, geometry, title } = graph.data;
+  const near = graph.neighbors(node).map((n) => graph.name(n)), { radii, geometry, title } = graph.data;
   const more = near.length > MOST_NAMES ? ` and ${near.length - MOST_NAMES} more` : '';
   const radius = `radius ${Number(radii[node].toPrecision(3))}${UNITS[geometry]}`;
   return [`node ${graph.name(node)} of ${title}`, `degree ${graph.degree(node)}`, radius,
-    near.length ? `neighbours ${near.slice(0, MOST_NAMES).join(', ')}${more}` : 'no neighbours'];
+    near.length ? `neighbors ${near.slice(0, MOST_NAMES).join(', ')}${more}` : 'no neighbors'];
 }
 
 function wordsOfEdge(graph, edge) {

@@ -143,5 +143,5 @@ export class Sphere {
   }
 
   // Rotates a moved point to the center.
-  centre([x, y, z]) { this.turn(-Math.atan2(x, z), Math.atan2(y, Math.hypot(x, z))); }
+  center([x, y, z]) { this.turn(-Math.atan2(x, z), Math.atan2(y, Math.hypot(x, z))); }
 }

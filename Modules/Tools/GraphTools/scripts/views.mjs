@@ -124,8 +124,8 @@ export class GraphMarks extends View {
   clicked() { this.page.selected(); }
 
   // Centers a node.
-  centre(node) {
-    this.group.model.centre(new Tile(this.group.model, this.graph.data, this.picture.frame, { a: [1, 0], b: [0, 0] }).node(node));
+  center(node) {
+    this.group.model.center(new Tile(this.group.model, this.graph.data, this.picture.frame, { a: [1, 0], b: [0, 0] }).node(node));
     this.group.changed();
   }
 }

@@ -19,7 +19,7 @@ SentenceOf(const GraphComparison & comparison)
   const std::string by = comparison.correspondence.by;
   return std::string(comparison.isomorphic ? "The graphs are isomorphic. " : "The graphs are not isomorphic. ") +
          std::to_string(partners) + " nodes have a partner, found by " + by +
-         "; their circles share a colour. Circles without a partner are grey.";
+         "; their circles share a color. Circles without a partner are gray.";
 }
 
 /** Keys shared by corresponding nodes. */
@@ -45,7 +45,7 @@ KeysOfNodes(const GraphComparison & comparison)
 void
 WriteComparisonPictures(const GraphComparison & comparison, const GraphSideBySide & sheet, const OutputPath & output)
 {
-  const auto                   colors = ColoursOfNodes(comparison);
+  const auto                   colors = ColorsOfNodes(comparison);
   const auto                   keys = KeysOfNodes(comparison);
   const std::vector<GraphView> views{ { "first graph", &comparison.a, colors[0], sheet.hasLabels, keys[0] },
                                       { "second graph", &comparison.b, colors[1], sheet.hasLabels, keys[1] } };

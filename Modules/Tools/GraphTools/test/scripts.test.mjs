@@ -77,7 +77,7 @@ test('any place can be brought to the middle; a sphere begins with its front the
     const model = make();
     for (let i = 0; i < 20; i++) {
       const p = [random() - 0.5, random() - 0.5, random() - 0.5], place = model.step === 3 ? p.map((x) => x / Math.hypot(...p)) : p;
-      model.centre(model.mover(frame, tile)(place, 0));
+      model.center(model.mover(frame, tile)(place, 0));
       const moved = model.mover(frame, tile)(place, 0);
       assert.ok(far(model.pixel(frame, moved), [frame.c, frame.c]) < 1e-6 && model.isSeen(moved));
     }
@@ -116,7 +116,7 @@ test('edges around nodes and edges of other graphs are those of a search through
     const all = ends.flatMap((n, h) => (n === node ? [h >> 1] : []));
     assert.deepEqual([...graph.edgesAt(node)], all);
     assert.equal(graph.degree(node), all.length);
-    assert.deepEqual(new Set(graph.neighbours(node)), new Set(ends.flatMap((n, h) => (n === node ? [ends[h ^ 1]] : []))));
+    assert.deepEqual(new Set(graph.neighbors(node)), new Set(ends.flatMap((n, h) => (n === node ? [ends[h ^ 1]] : []))));
   }
   for (let edge = 0; edge < graph.edges; edge++) {
     assert.deepEqual([...graph.halvesOf(edge)], [2 * edge, 2 * edge + 1]);
@@ -127,7 +127,7 @@ test('edges around nodes and edges of other graphs are those of a search through
 test('a selection is found in other graphs by name or by number, and told in words', () => {
   const a = randomGraph(3, 5, 9), b = randomGraph(3, 5, 9, ['n4', 'n3', 'n2', 'n1', 'x']), selection = new Selection([a, b]);
   selection.chooseNode(a, 4);
-  assert.deepEqual(selection.marksIn(a).near, a.neighbours(4).filter((n) => n !== 4));
+  assert.deepEqual(selection.marksIn(a).near, a.neighbors(4).filter((n) => n !== 4));
   assert.equal(selection.marksIn(b).node, 0);
   assert.match(selection.describe(), /^node n4 of graph 3 · degree \d+ · radius 0\.1 rad · .* · in both graphs$/);
   selection.chooseNode(a, 0);

@@ -43,12 +43,12 @@ TEST(GraphComparisonPictures, PartnersHaveOneColor)
 {
   const Folder                    folder;
   const shapeton::Graph           wheel = shapeton::WheelGraph(6);
-  const shapeton::Graph           turned = shapeton::RelabelledGraph(wheel, { 3, 1, 4, 6, 5, 2, 0 });
+  const shapeton::Graph           turned = shapeton::RelabeledGraph(wheel, { 3, 1, 4, 6, 5, 2, 0 });
   const shapeton::GraphComparison comparison = shapeton::CompareGraphs(wheel, turned);
   ASSERT_TRUE(comparison.isomorphic);
   shapeton::WriteComparisonPictures(comparison, { folder / "", false, {}, {} }, Same);
   const std::string picture = shapeton::ReadFileBytes(folder / "comparison.svg");
-  const auto        colors = shapeton::ColoursOfNodes(comparison);
+  const auto        colors = shapeton::ColorsOfNodes(comparison);
   for (const std::string & color : colors[0])
   {
     EXPECT_EQ(2, Count(picture, "fill=\"" + color + "\" stroke")) << color;

@@ -34,7 +34,7 @@ struct HeatReportContent
   std::string title{ "Cumulative heat diffusion" };
   /** Quantity stored in `heat`. */
   ShapeQuantity quantity;
-  /** Input, for example its name, modality, repairs. The geometry of `grey` is added. */
+  /** Input, for example its name, modality, repairs. The geometry of `gray` is added. */
   Facts input;
   /** Parameters of the run, with the source of automatic values. */
   Facts   parameters;
@@ -52,7 +52,7 @@ struct HeatReportContent
   std::vector<std::uint64_t> markedTimeSteps;
 
   /** The intensity image and the heat, on the same grid. */
-  const itk::Image<float, 3> * grey{ nullptr };
+  const itk::Image<float, 3> * gray{ nullptr };
   const itk::Image<float, 3> * heat{ nullptr };
   /** The time step of `heat`, if known. */
   std::optional<std::uint64_t> timeStep;
@@ -119,7 +119,7 @@ HeatTools_EXPORT HeatReportContent::Facts
  * \ingroup HeatTools */
 HeatTools_EXPORT HeatReportContent
 MakeReportContent(const CumulativeHeatDiffusionResult & result,
-                  const itk::Image<float, 3> *          grey,
+                  const itk::Image<float, 3> *          gray,
                   const itk::Image<float, 3> *          heat);
 
 /** Warnings on a run: a constant volume, heat that did not reach the requested steady state, snapshots up to

@@ -24,7 +24,7 @@ struct ShapetonProgress
 /** Three slices through `cut` with the visits so far in color, from blue (fewest) to red (most). The header shows
  * step, rate, coverage and distance from the steady state. \ingroup HeatTools */
 HeatTools_EXPORT Picture::Pointer
-                 DrawShapetonPreview(const itk::Image<float, 3> *         grey,
+                 DrawShapetonPreview(const itk::Image<float, 3> *         gray,
                                      const itk::Image<std::uint32_t, 3> * visits,
                                      const itk::Index<3> &                cut,
                                      const ShapetonProgress &             progress);
@@ -32,7 +32,7 @@ HeatTools_EXPORT Picture::Pointer
 /** Mean position of the voxels with intensity above `lower`; the center of the volume if there are none.
  * \ingroup HeatTools */
 HeatTools_EXPORT itk::Index<3>
-                 MiddleOfObjects(const itk::Image<float, 3> * grey, double lower);
+                 MiddleOfObjects(const itk::Image<float, 3> * gray, double lower);
 
 /** Resumes the filter from the checkpoint named by the parameter `resume`; the new checkpoint may replace it.
  * Throws InputError if the file is not a checkpoint, ParameterError if the run would end before its time step.

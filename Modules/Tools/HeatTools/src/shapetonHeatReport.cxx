@@ -70,7 +70,7 @@ CsvTable
 ReadableClassTable(const std::vector<HeatClass> & classes, const HeatAxis & axis, const ShapeQuantity & quantity)
 {
   std::vector<std::string> columns = {
-    "class",  "colour",     quantity.name + " from", "to", "mean " + quantity.name, "colour of that " + quantity.name,
+    "class",  "color",     quantity.name + " from", "to", "mean " + quantity.name, "color of that " + quantity.name,
     "voxels", "volume, ml", "share of the border"
   };
   Append(columns,
@@ -194,7 +194,7 @@ JsonOf(const HeatReportContent & content, const HeatAxis & axis, const ShapeTran
 {
   Json document;
   document["title"] = content.title;
-  document["input"] = JsonOf(Combined(content.input, GeometryOf(content.grey)));
+  document["input"] = JsonOf(Combined(content.input, GeometryOf(content.gray)));
   document["parameters"] = JsonOf(content.parameters);
   if (content.timeStep)
   {
@@ -221,7 +221,7 @@ Slices(const HeatReportContent &        content,
   options.title = title;
   options.window = content.window;
   options.legend = legend;
-  return DrawSliceMontage(content.grey, content.heat, coloring, options);
+  return DrawSliceMontage(content.gray, content.heat, coloring, options);
 }
 
 ShapeTransferFunction
@@ -269,7 +269,7 @@ AddSummary(HtmlReport & html, const HeatReportContent & content)
   html.AddResearchNote();
   html.AddWarnings(content.warnings);
   html.AddHeading("Input");
-  html.AddFacts(Combined(content.input, GeometryOf(content.grey)));
+  html.AddFacts(Combined(content.input, GeometryOf(content.gray)));
   html.AddHeading("Parameters");
   html.AddFacts(content.parameters);
 }
@@ -278,7 +278,7 @@ std::vector<std::string>
 ReadingGuideOfHeat()
 {
   return {
-    "Heat starts at the edges of the image. In each time step it flows to neighbours of "
+    "Heat starts at the edges of the image. In each time step it flows to neighbors of "
     "similar intensity and hardly across edges. A region enclosed by edges converges to one heat, which "
     "depends on its shape and size. A region open to the border of the volume loses its heat to the "
     "background.",
@@ -286,8 +286,8 @@ ReadingGuideOfHeat()
     "objects of similar shape. Early time steps (top) show local shape such as edges and corners, late ones (bottom) "
     "whole objects. On the equalized scale, width is proportional to the number of voxels, so distances along the "
     "axis are not differences of heat: read the numbers.",
-    "The colour of a heat is given by its position on the histogram's axis, from blue (lowest) to red (highest), "
-    "also in the rendering: similar heats have similar colours. Classes have separate, distinguishable colours: in "
+    "The color of a heat is given by its position on the histogram's axis, from blue (lowest) to red (highest), "
+    "also in the rendering: similar heats have similar colors. Classes have separate, distinguishable colors: in "
     "their slices, in the table and in the bars below the histogram. A class is a range of heats; two objects "
     "may share a class without being similar otherwise, and one organ may span several classes. The class "
     "that covers most of the volume's border is the surroundings; the rendering leaves it out. "
@@ -306,12 +306,12 @@ ReadingGuideOfVisits()
     "Histogram: time runs downwards, density to the right. A vertical line at the bottom is an object, or several "
     "objects with similar visits. Visits are a sample: n visits have an error of about the square root of n, so "
     "lines are broad if visits are few; more shapetons or steps make them sharper.",
-    "The colour of a density is given by its position on the histogram's axis, from blue (fewest visits) to red "
-    "(most), also in the rendering. Classes have separate, distinguishable colours: in their slices, in the table and in "
+    "The color of a density is given by its position on the histogram's axis, from blue (fewest visits) to red "
+    "(most), also in the rendering. Classes have separate, distinguishable colors: in their slices, in the table and in "
     "the bars below the histogram. A class is a range of densities; two objects may share a class without being "
     "similar otherwise.",
     "As published, only the end of a step matters: steps longer than a feature pass over it and over its walls. If "
-    "all six neighbours are cut off by edges, a shapeton is trapped; such voxels have by far the most visits."
+    "all six neighbors are cut off by edges, a shapeton is trapped; such voxels have by far the most visits."
   };
 }
 
@@ -455,13 +455,13 @@ RunFacts(const CumulativeHeatDiffusionResult & result)
 
 HeatReportContent
 MakeReportContent(const CumulativeHeatDiffusionResult & result,
-                  const itk::Image<float, 3> *          grey,
+                  const itk::Image<float, 3> *          gray,
                   const itk::Image<float, 3> *          heat)
 {
   HeatReportContent content;
   content.parameters = RunFacts(result);
   content.histogram = &result.histogram;
-  content.grey = grey;
+  content.gray = gray;
   content.heat = heat;
   content.timeStep = result.timeStep;
   return content;
@@ -497,7 +497,7 @@ WriteExplorer(const HeatReportContent & content, HeatExplorer & explorer)
   page.histogram = content.histogram;
   page.axisHistogram = content.axisHistogram;
   page.scale = content.scale;
-  page.grey = content.grey;
+  page.gray = content.gray;
   page.window = content.window;
   page.lines = ShownLines(content);
   page.ranges = content.ranges;
@@ -507,7 +507,7 @@ WriteExplorer(const HeatReportContent & content, HeatExplorer & explorer)
 void
 WriteHeatReport(const HeatReportContent & content, const std::string & folder, const OutputPath & outputPath)
 {
-  if (!content.histogram || !content.grey || !content.heat)
+  if (!content.histogram || !content.gray || !content.heat)
   {
     throw std::invalid_argument("a heat report needs a histogram, an image and a heat volume");
   }
@@ -528,7 +528,7 @@ WriteHeatReport(const HeatReportContent & content, const std::string & folder, c
   addPicture("histogram.png",
              DrawHistogram(content),
              "Numbers of voxels by " + quantity.name +
-               " and time step; the bars below are the classes in their colours.");
+               " and time step; the bars below are the classes in their colors.");
   if (!content.ranges.empty())
   {
     addPicture("histogram-range.png", DrawOpenedHistogram(content), CaptionOfRange(content));
@@ -542,13 +542,13 @@ WriteHeatReport(const HeatReportContent & content, const std::string & folder, c
   html.AddTable(ReadableClassTable(content.classes, axis, quantity), "Classes" + time + ", by " + quantity.name);
   addPicture("slices-classes.png",
              Slices(content, "Classes" + time, ColorByClass(content.classes), LegendOf(content.classes, quantity)),
-             "Slices of the input, coloured by class.");
+             "Slices of the input, colored by class.");
   addPicture("slices-" + quantity.name + ".png",
              Slices(content, quantity.GetTitle() + time, ColorByHeat(axis), {}),
-             "Slices of the input, coloured by " + quantity.name + ".");
+             "Slices of the input, colored by " + quantity.name + ".");
   html.AddHeading("Shape-based transfer function");
   addPicture("rendering.png",
-             DrawTransferFunction(content.grey,
+             DrawTransferFunction(content.gray,
                                   content.heat,
                                   transferFunction,
                                   "Transfer function" + time,
@@ -561,7 +561,7 @@ WriteHeatReport(const HeatReportContent & content, const std::string & folder, c
     const ShapeTransferFunction inside = OpenedRange(content).lines;
     addPicture("rendering-range.png",
                DrawTransferFunction(
-                 content.grey, content.heat, inside, "Inside the opened range" + time, content.window, quantity),
+                 content.gray, content.heat, inside, "Inside the opened range" + time, content.window, quantity),
                "The lines inside the opened range: " + inside.ToText());
   }
   AddReadingGuide(html, quantity);

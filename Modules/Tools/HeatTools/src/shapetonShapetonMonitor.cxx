@@ -48,7 +48,7 @@ DescribeProgress(const ShapetonProgress & progress)
 } // namespace
 
 Picture::Pointer
-DrawShapetonPreview(const itk::Image<float, 3> *         grey,
+DrawShapetonPreview(const itk::Image<float, 3> *         gray,
                     const itk::Image<std::uint32_t, 3> * visits,
                     const itk::Index<3> &                cut,
                     const ShapetonProgress &             progress)
@@ -57,16 +57,16 @@ DrawShapetonPreview(const itk::Image<float, 3> *         grey,
   SliceMontageOptions options;
   options.title = DescribeProgress(progress);
   options.cut = cut;
-  return DrawSliceMontage(grey, shape.values, ColorByHeat(HeatAxis(shape.axisHistogram)), options);
+  return DrawSliceMontage(gray, shape.values, ColorByHeat(HeatAxis(shape.axisHistogram)), options);
 }
 
 itk::Index<3>
-MiddleOfObjects(const itk::Image<float, 3> * grey, double lower)
+MiddleOfObjects(const itk::Image<float, 3> * gray, double lower)
 {
-  const auto            region = grey->GetBufferedRegion();
+  const auto            region = gray->GetBufferedRegion();
   std::array<double, 3> sum{};
   double                voxels = 0.0;
-  for (itk::ImageRegionConstIteratorWithIndex<itk::Image<float, 3>> voxel(grey, region); !voxel.IsAtEnd(); ++voxel)
+  for (itk::ImageRegionConstIteratorWithIndex<itk::Image<float, 3>> voxel(gray, region); !voxel.IsAtEnd(); ++voxel)
   {
     if (voxel.Get() > lower)
     {
@@ -198,7 +198,7 @@ struct ShapetonMonitor::Impl
     {
       HeatExplorerContent content;
       content.title = "Shapeton diffusion";
-      content.grey = filter->GetInput();
+      content.gray = filter->GetInput();
       page->WritePage(content, previewEvery);
       isPageWritten = true;
     }

@@ -69,7 +69,7 @@ ShapetonRemarks(const FilterType * filter)
   {
     remarks.push_back(
       Percent(ShareTrapped(filter)) +
-      " of the shapetons are trapped in voxels that are cut off from all six neighbours: choose a smaller "
+      " of the shapetons are trapped in voxels that are cut off from all six neighbors: choose a smaller "
       "p for a noisy volume");
   }
   if (MeanVisits(filter) < 4.0)
@@ -84,14 +84,14 @@ HeatReportContent::Facts
 ShapetonFacts(const FilterType * filter)
 {
   const ShapetonMeasures & measures = filter->GetMeasures();
-  const double             millimetres = filter->GetDistance() * LongestSide(filter->GetInput());
+  const double             millimeters = filter->GetDistance() * LongestSide(filter->GetInput());
   Facts                    facts = { { "Intensity window",
                                        CsvTable::Number(filter->GetWindowLower()) + " to " + CsvTable::Number(filter->GetWindowUpper()) },
                                      { "p", CsvTable::Rounded(filter->GetP(), 6) },
                                      { "Shapetons", GroupedDigits(filter->GetNumberOfShapetons()) },
                                      { "Distance",
                                        CsvTable::Rounded(filter->GetDistance(), 6) + " of the longest side, " +
-                                         CsvTable::Rounded(millimetres, 4) + " mm" },
+                                         CsvTable::Rounded(millimeters, 4) + " mm" },
                                      { "Time steps", GroupedDigits(measures.step) + (measures.steady ? ": the density is steady" : "") },
                                      { "Direction sampling", NameOf(filter->GetDirectionSampling()) },
                                      { "Path rule", NameOf(filter->GetPathRule()) },
@@ -163,7 +163,7 @@ ShapetonResultFiles::Write(const FilterType * filter, const Volume & volume) con
   content.histogram = filter->GetHistogram().GetNumberOfRows() > 0 ? &filter->GetHistogram() : &shape.histogram;
   // The first rows are noisy, and missing in a resumed run.
   content.axisHistogram = &shape.axisHistogram;
-  content.grey = volume.image;
+  content.gray = volume.image;
   content.heat = shape.values;
   content.timeStep = filter->GetMeasures().step;
   content.classes = shape.classes;

@@ -19,19 +19,19 @@ protected:
   void
   SetUp() override
   {
-    m_Grey = ImageType::New();
-    m_Grey->SetRegions(ImageType::SizeType{ { 16, 14, 12 } });
+    m_Gray = ImageType::New();
+    m_Gray->SetRegions(ImageType::SizeType{ { 16, 14, 12 } });
     const double spacing[3] = { 0.5, 0.5, 2.0 };
-    m_Grey->SetSpacing(spacing);
-    m_Grey->Allocate();
+    m_Gray->SetSpacing(spacing);
+    m_Gray->Allocate();
     m_Heat = ImageType::New();
-    m_Heat->CopyInformation(m_Grey);
-    m_Heat->SetRegions(m_Grey->GetBufferedRegion());
+    m_Heat->CopyInformation(m_Gray);
+    m_Heat->SetRegions(m_Gray->GetBufferedRegion());
     m_Heat->Allocate();
     m_Heat->FillBuffer(0.0F);
     for (int i = 0; i < 16 * 14 * 12; ++i)
     {
-      m_Grey->GetBufferPointer()[i] = static_cast<float>(i % 97);
+      m_Gray->GetBufferPointer()[i] = static_cast<float>(i % 97);
       m_Heat->GetBufferPointer()[i] = i % 5 == 0 ? 0.25F : 0.0F;
     }
     m_Histogram = shapeton::HeatHistogram({ 0, 100 });
@@ -55,13 +55,13 @@ protected:
     m_Content.provenance = { { "tool", "test" } };
     m_Content.warnings = { "mind the gap" };
     m_Content.histogram = &m_Histogram;
-    m_Content.grey = m_Grey;
+    m_Content.gray = m_Gray;
     m_Content.heat = m_Heat;
     m_Content.timeStep = 100;
     m_Content.markedTimeSteps = { 100 };
   }
 
-  ImageType::Pointer          m_Grey;
+  ImageType::Pointer          m_Gray;
   ImageType::Pointer          m_Heat;
   shapeton::HeatHistogram     m_Histogram;
   shapeton::HeatReportContent m_Content;
@@ -182,7 +182,7 @@ TEST_F(HeatReport, AnOpenedRangeWithoutHeatIsReportedAndRemarkedUpon)
   EXPECT_TRUE(shapeton::ReadJson(folder + "/report.json")["histogramRange"]["lines"].empty());
 }
 
-TEST_F(HeatReport, ClassesOfOneHeatColourHaveTheirOwnColours)
+TEST_F(HeatReport, ClassesOfOneHeatColorHaveTheirOwnColors)
 {
   shapeton::HeatClass other = m_Content.classes[1];
   other.label = 2;
@@ -190,7 +190,7 @@ TEST_F(HeatReport, ClassesOfOneHeatColourHaveTheirOwnColours)
   other.upperHeat = 1.0;
   other.meanHeat = 0.9;
   m_Content.classes.push_back(other);
-  const std::string folder = shapeton::TemporaryFolder("report-colours");
+  const std::string folder = shapeton::TemporaryFolder("report-colors");
   shapeton::WriteHeatReport(m_Content, folder, inPlace);
   const std::string html = shapeton::BytesOf(folder + "/index.html");
   for (const unsigned int label : { 1U, 2U })
@@ -199,7 +199,7 @@ TEST_F(HeatReport, ClassesOfOneHeatColourHaveTheirOwnColours)
   }
   const shapeton::HeatAxis axis(m_Histogram);
   EXPECT_NE(html.find("background:" + shapeton::HexOf(axis.ColorOf(0.25))), std::string::npos)
-    << "the colour of its line in the histogram";
+    << "the color of its line in the histogram";
 }
 
 TEST_F(HeatReport, EqualContentGivesEqualBytes)

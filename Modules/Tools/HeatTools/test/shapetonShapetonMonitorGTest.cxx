@@ -44,7 +44,7 @@ TEST(ShapetonMonitor, PreviewShowsFewVisitsInBlueAndManyInRed)
   progress.timeSteps = 100;
   const auto preview = shapeton::DrawShapetonPreview(box, visits, { { 8, 8, 8 } }, progress);
   ASSERT_EQ(preview->GetBufferedRegion().GetSize(0), 1200U);
-  // Count colours over the whole picture: the box takes (8/24)^2 of each slice.
+  // Count colors over the whole picture: the box takes (8/24)^2 of each slice.
   double red = 0.0;
   double blue = 0.0;
   for (unsigned int y = 90; y < preview->GetBufferedRegion().GetSize(1) - 60; ++y)

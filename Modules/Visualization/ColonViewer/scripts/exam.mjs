@@ -2,32 +2,32 @@ import { readBlock } from '../../PageKit/scripts/bytes.mjs';
 import { clamp, cross, distance, dot, norm, sub, third, unit } from '../../PageKit/scripts/math.mjs';
 import { hitOf, normalOf, Tree } from './tree.mjs';
 
-const segmentNames = ['', 'rectum', 'sigmoid', 'descending', 'transverse', 'ascending', 'caecum'];
-const hindranceNames = ['', 'no lumen', 'cut by the scan', 'untagged fluid', 'calibre below 10 mm'];
+const segmentNames = ['', 'rectum', 'sigmoid', 'descending', 'transverse', 'ascending', 'cecum'];
+const hindranceNames = ['', 'no lumen', 'cut by the scan', 'untagged fluid', 'caliber below 10 mm'];
 const BRIDGED = 64; // and 128 for the cap of a pouch
 
 // v modulo c, in [0, c).
 const turn = (v, c) => v - c * Math.floor(v / c);
 
-// One position of a patient: the wall with its flat map, the centreline, the volume, and the mappings between them.
+// One position of a patient: the wall with its flat map, the centerline, the volume, and the mappings between them.
 export class Exam {
   async load(folder, prefix, info, painter) {
-    const names = ['points', 'uv', 'arc', 'source', 'faces', 'kinds', 'folds', 'relief', 'centreline'];
+    const names = ['points', 'uv', 'arc', 'source', 'faces', 'kinds', 'folds', 'relief', 'centerline'];
     const blocks = await Promise.all(names.map((name) => readBlock(folder, prefix + name)));
     names.forEach((name, i) => { this[name] = blocks[i]; });
     Object.assign(this, { info, painter, circumference: info.circumference, volume: null });
-    this.centre = [];
-    for (let i = 0; i < this.centreline.length; i += 6) {
-      const [x, y, z, arc, radius, hindrance] = this.centreline.subarray(i, i + 6);
-      this.centre.push({ xyz: [x, y, z], arc, radius, hindrance: Math.round(hindrance) });
+    this.center = [];
+    for (let i = 0; i < this.centerline.length; i += 6) {
+      const [x, y, z, arc, radius, hindrance] = this.centerline.subarray(i, i + 6);
+      this.center.push({ xyz: [x, y, z], arc, radius, hindrance: Math.round(hindrance) });
     }
     this.orient();
     this.wall = new Tree(this.points, this.faces);
     this.makeMap();
     this.makeNormals();
     for (const c of info.candidates) this.placeCandidate(c);
-    this.colours = new Uint8Array((4 * this.points.length) / 3);
-    if (painter.gl) this.mesh = painter.mesh(this.points, this.normals, this.colours, this.faces);
+    this.colors = new Uint8Array((4 * this.points.length) / 3);
+    if (painter.gl) this.mesh = painter.mesh(this.points, this.normals, this.colors, this.faces);
     return this;
   }
 
@@ -57,11 +57,11 @@ export class Exam {
     }
     this.range = [lo, hi];
     this.map = new Tree(flat, this.faces);
-    this.faceOfPixel = this.rasterise();
+    this.faceOfPixel = this.rasterize();
   }
 
   // The face under each pixel of the relief, or -1.
-  rasterise() {
+  rasterize() {
     const { uv, faces: F, info: { relief: r } } = this, out = new Int32Array(r.columns * r.rows).fill(-1);
     const x = [0, 0, 0], y = [0, 0, 0];
     for (let f = 0; f < F.length / 3; f++) {
@@ -96,9 +96,9 @@ export class Exam {
     }
   }
 
-  // Direction and up vector at each point of the centreline; the up vector is parallel transported, so the view does not spin.
+  // Direction and up vector at each point of the centerline; the up vector is parallel transported, so the view does not spin.
   orient() {
-    const c = this.centre, reach = 4;
+    const c = this.center, reach = 4;
     let up = [0, 0, 1];
     c.forEach((p, i) => {
       p.ahead = unit(sub(c[Math.min(c.length - 1, i + reach)].xyz, c[Math.max(0, i - reach)].xyz));
@@ -108,9 +108,9 @@ export class Exam {
     });
   }
 
-  // Index of the point of the centreline at a distance along it.
-  centreAt(arc) {
-    const c = this.centre;
+  // Index of the point of the centerline at a distance along it.
+  centerAt(arc) {
+    const c = this.center;
     let lo = 0, hi = c.length - 1;
     while (hi - lo > 1) {
       const middle = (lo + hi) >> 1;
@@ -176,13 +176,13 @@ export class Exam {
     return this.wall.ray(eye, unit(d), norm(d) - 1.5, true) !== null;
   }
 
-  // Best view of a point of the wall: {index of the centreline, eye}. eye is null on the centreline: unoccluded, about 25 mm away,
-  // close to perpendicular. If no point of the centreline sees it, for example behind a fold, the eye is in front of the wall.
+  // Best view of a point of the wall: {index of the centerline, eye}. eye is null on the centerline: unoccluded, about 25 mm away,
+  // close to perpendicular. If no point of the centerline sees it, for example behind a fold, the eye is in front of the wall.
   viewpoint(place) {
-    const mid = this.centreAt(place.arc), n = this.inward(place.face), reach = 60;
+    const mid = this.centerAt(place.arc), n = this.inward(place.face), reach = 60;
     let best = { score: -Infinity, index: mid };
-    for (let i = Math.max(0, mid - reach); i <= Math.min(this.centre.length - 1, mid + reach); i += 3) {
-      const c = this.centre[i], d = sub(place.xyz, c.xyz), l = norm(d);
+    for (let i = Math.max(0, mid - reach); i <= Math.min(this.center.length - 1, mid + reach); i += 3) {
+      const c = this.center[i], d = sub(place.xyz, c.xyz), l = norm(d);
       const score = Math.abs(dot(d, n)) / (l || 1) - Math.abs(l - 25) / 25;
       if (score > best.score && !this.hidden(c.xyz, place.wall)) best = { score, index: i };
     }
@@ -195,13 +195,13 @@ export class Exam {
     return place.wall.map((x, k) => x + (hit ? hit.t / 2 : 15) * n[k]);
   }
 
-  // Normal of a face, into the lumen. All faces have the same orientation, with the centreline in front of most of them.
+  // Normal of a face, into the lumen. All faces have the same orientation, with the centerline in front of most of them.
   inward(face) {
     if (!this.side) {
-      const { points: P, faces: F, centre } = this;
+      const { points: P, faces: F, center } = this;
       let sum = 0;
       for (let f = 0; f < F.length / 3; f += 50) {
-        const p = third(P, F[3 * f]), c = centre[this.centreAt(this.arc[F[3 * f]])].xyz;
+        const p = third(P, F[3 * f]), c = center[this.centerAt(this.arc[F[3 * f]])].xyz;
         sum += Math.sign(dot(normalOf(P, F, f), sub(c, p)));
       }
       this.side = Math.sign(sum) || 1;

@@ -1,5 +1,5 @@
 import { clamp } from '../../PageKit/scripts/math.mjs';
-import { paintFlat, segmentColours, taeniaColours } from './layers.mjs';
+import { paintFlat, segmentColors, taeniaColors } from './layers.mjs';
 import { View } from '../../PageKit/scripts/view.mjs';
 
 const OVERVIEW = 34; // height of the overview strip of the whole colon, pixels
@@ -29,10 +29,10 @@ export class FlatView extends View {
     this.picture.getContext('2d').putImageData(image, 0, 0);
   }
 
-  // Every 5 cm of the centreline.
+  // Every 5 cm of the centerline.
   ticks() {
     const { exam } = this.panel, marks = [];
-    for (const c of exam.centre) marks[Math.floor(c.arc / 50)] ??= c;
+    for (const c of exam.center) marks[Math.floor(c.arc / 50)] ??= c;
     return marks.filter(Boolean).map((c) => ({ cm: Math.round(c.arc / 10), u: exam.fromXyz(c.xyz).uv[0] }));
   }
 
@@ -74,7 +74,7 @@ export class FlatView extends View {
     g.fillStyle = '#111';
     g.fillRect(0, 0, w, h);
     this.drawPicture(g, f);
-    if (layers.taeniae) exam.info.taeniae.forEach((t, i) => this.curve(g, f, t.uv, taeniaColours[i % 3], 2));
+    if (layers.taeniae) exam.info.taeniae.forEach((t, i) => this.curve(g, f, t.uv, taeniaColors[i % 3], 2));
     if (layers.flexures) for (const x of exam.info.flexures) this.curve(g, f, this.uvOf(x), [20, 20, 60], 2);
     if (layers.segments) this.drawBands(g, f, h);
     this.drawRuler(g, f, h);
@@ -100,7 +100,7 @@ export class FlatView extends View {
 
   uvOf(curve) { return (curve.uv ??= [...curve.xyz, curve.xyz[0]].map((p) => this.panel.exam.fromXyz(p).uv)); }
 
-  curve(g, f, uv, colour, width) {
+  curve(g, f, uv, color, width) {
     const c = this.panel.exam.circumference;
     for (const turn of this.turns(f.y(0), f.s)) {
       let last = null;
@@ -109,7 +109,7 @@ export class FlatView extends View {
         last = v;
         return [...(isJump ? [null] : []), [f.x(u), turn + v * f.sy]];
       });
-      this.line(g, points, `rgb(${colour})`, width);
+      this.line(g, points, `rgb(${color})`, width);
     }
   }
 
@@ -126,7 +126,7 @@ export class FlatView extends View {
 
   drawBands(g, f, h) {
     for (const { segment, from, to } of this.bands()) {
-      g.fillStyle = `rgb(${segmentColours[segment]})`;
+      g.fillStyle = `rgb(${segmentColors[segment]})`;
       g.fillRect(f.x(from), h - 6, (to - from) * f.s, 6);
     }
   }

@@ -14,7 +14,7 @@ const keyList = [
     ['r', 'R', 'fly the other way', 'reverse'],
     [' ', 'Space', 'fly on by itself, stop', 'toggleFlight'],
     ['Home', 'Home', 'to the anal verge', 'goTo', 0],
-    ['End', 'End', 'to the caecum', 'goTo', Infinity],
+    ['End', 'End', 'to the cecum', 'goTo', Infinity],
   ]],
   ['Crosshair', [
     ['Shift+ArrowRight', 'Shift →', 'right on the flat wall by 2 mm', 'moveFlat', [2, 0]],

@@ -5,7 +5,7 @@ export const layerList = [
   ['taeniae', 'taeniae', true],
   ['flexures', 'flexures', true],
   ['segments', 'segments', false],
-  ['centreline', 'centreline', true],
+  ['centerline', 'centerline', true],
   ['hindered', 'not assessable', true],
   ['trust', 'confidence of the map', false],
   ['unseen', 'areas not seen', false],
@@ -13,16 +13,16 @@ export const layerList = [
   ['through', 'transparent wall', false],
 ];
 
-export const taeniaColours = [[230, 159, 0], [86, 180, 233], [204, 121, 167]];
-export const segmentColours = [ // unknown, rectum, sigmoid, ...
+export const taeniaColors = [[230, 159, 0], [86, 180, 233], [204, 121, 167]];
+export const segmentColors = [ // unknown, rectum, sigmoid, ...
   [170, 170, 170], [204, 121, 167], [213, 94, 0], [240, 228, 66], [0, 158, 115], [86, 180, 233], [0, 114, 178],
 ];
-export const flexureColour = [20, 20, 60];
-export const centrelineColour = [213, 94, 0];
+export const flexureColor = [20, 20, 60];
+export const centerlineColor = [213, 94, 0];
 const FOLD = [0, 158, 115], HINDERED = [130, 130, 140], MADE_UP = [190, 190, 190], UNSEEN = [90, 60, 170], DOUBT = [40, 40, 110];
 
 // Color and opacity of a face from the layers, or null; later layers are on top.
-function faceColour(exam, layers, face) {
+function faceColor(exam, layers, face) {
   const { trust, seen } = exam;
   if (exam.isSynthetic(face)) return [MADE_UP, 0.9];
   if (layers.unseen && seen && !seen.marks[face]) return [UNSEEN, 0.75];
@@ -32,7 +32,7 @@ function faceColour(exam, layers, face) {
     return t > 200 ? [HINDERED, 0.85] : [DOUBT, 0.8 * (1 - t / 200)];
   }
   if (layers.folds && exam.folds[face]) return [FOLD, 0.6];
-  if (layers.segments) return [segmentColours[exam.segmentOf(face)], 0.55];
+  if (layers.segments) return [segmentColors[exam.segmentOf(face)], 0.55];
   return null;
 }
 
@@ -40,15 +40,15 @@ const WALL = [226, 160, 142];
 
 // Vertex colors for the views in space.
 export function paintWall(exam, layers) {
-  const { faces: F, kinds, colours: C } = exam;
+  const { faces: F, kinds, colors: C } = exam;
   for (let i = 0; i < C.length; i += 4) { C[i] = WALL[0]; C[i + 1] = WALL[1]; C[i + 2] = WALL[2]; C[i + 3] = 255; }
   for (let f = 0; f < kinds.length; f++) {
-    const layer = faceColour(exam, layers, f);
+    const layer = faceColor(exam, layers, f);
     if (!layer) continue;
-    const [colour, opacity] = layer;
-    for (let j = 0; j < 3; j++) for (let k = 0; k < 3; k++) C[4 * F[3 * f + j] + k] = WALL[k] + opacity * (colour[k] - WALL[k]);
+    const [color, opacity] = layer;
+    for (let j = 0; j < 3; j++) for (let k = 0; k < 3; k++) C[4 * F[3 * f + j] + k] = WALL[k] + opacity * (color[k] - WALL[k]);
   }
-  if (exam.mesh) exam.painter.recolour(exam.mesh, C);
+  if (exam.mesh) exam.painter.recolor(exam.mesh, C);
 }
 
 // The layers as an overlay image of the flat wall.
@@ -57,7 +57,7 @@ export function paintFlat(exam, layers, image) {
   const foldAt = (i) => (faceOfPixel[i] < 0 ? 0 : folds[faceOfPixel[i]]);
   const areas = { ...layers, folds: false }; // folds are drawn as outlines here
   for (let i = 0; i < faceOfPixel.length; i++) {
-    const face = faceOfPixel[i], layer = face < 0 ? null : faceColour(exam, areas, face);
+    const face = faceOfPixel[i], layer = face < 0 ? null : faceColor(exam, areas, face);
     words[i] = layer ? packed(...layer) : 0;
     if (layers.folds && foldAt(i) && (foldAt(i - 1) !== foldAt(i) || foldAt(i - columns) !== foldAt(i))) words[i] = packed(FOLD, 1);
   }

@@ -2,14 +2,14 @@ import { glProgram } from '../../PageKit/scripts/gl.mjs';
 import { cross, dot, matricesOf, norm, sub, unit } from '../../PageKit/scripts/math.mjs';
 
 const VERTEX = `
-in vec3 position; in vec4 normal, colour;
+in vec3 position; in vec4 normal, color;
 uniform mat4 view, projection;
 out vec3 N, E; out vec4 C;
 void main() {
   vec4 e = view * vec4(position, 1);
   E = e.xyz;
   N = mat3(view) * normal.xyz;
-  C = colour;
+  C = color;
   gl_Position = projection * e;
 }`;
 
@@ -33,30 +33,30 @@ export class Painter {
     if (this.gl) Object.assign(this, glProgram(this.gl, VERTEX, FRAGMENT));
   }
 
-  // points Float32Array, normals Int8Array of 4, colours Uint8Array of 4, faces Uint32Array.
-  mesh(points, normals, colours, faces) {
+  // points Float32Array, normals Int8Array of 4, colors Uint8Array of 4, faces Uint32Array.
+  mesh(points, normals, colors, faces) {
     const { gl } = this, mesh = { array: gl.createVertexArray(), count: faces.length };
     gl.bindVertexArray(mesh.array);
-    const attribute = (name, data, size, type, isNormalised) => {
+    const attribute = (name, data, size, type, isNormalized) => {
       const buffer = gl.createBuffer(), place = gl.getAttribLocation(this.program, name);
       gl.bindBuffer(gl.ARRAY_BUFFER, buffer);
       gl.bufferData(gl.ARRAY_BUFFER, data, gl.STATIC_DRAW);
       gl.enableVertexAttribArray(place);
-      gl.vertexAttribPointer(place, size, type, isNormalised, 0, 0);
+      gl.vertexAttribPointer(place, size, type, isNormalized, 0, 0);
       return buffer;
     };
     attribute('position', points, 3, gl.FLOAT, false);
     attribute('normal', normals, 4, gl.BYTE, true);
-    mesh.colours = attribute('colour', colours, 4, gl.UNSIGNED_BYTE, true);
+    mesh.colors = attribute('color', colors, 4, gl.UNSIGNED_BYTE, true);
     gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, gl.createBuffer());
     gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, faces, gl.STATIC_DRAW);
     gl.bindVertexArray(null);
     return mesh;
   }
 
-  recolour(mesh, colours) {
-    this.gl.bindBuffer(this.gl.ARRAY_BUFFER, mesh.colours);
-    this.gl.bufferSubData(this.gl.ARRAY_BUFFER, 0, colours);
+  recolor(mesh, colors) {
+    this.gl.bindBuffer(this.gl.ARRAY_BUFFER, mesh.colors);
+    this.gl.bufferSubData(this.gl.ARRAY_BUFFER, 0, colors);
   }
 
   begin(w, h) {
@@ -99,7 +99,7 @@ export class Painter {
 const SIDES = 4;
 
 // A tube around a polyline, to draw a line that has a width.
-export function tube(painter, line, radius, colour) {
+export function tube(painter, line, radius, color) {
   const points = [], normals = [], faces = [];
   let side = [0, 0, 1];
   line.forEach((p, i) => {
@@ -115,7 +115,7 @@ export function tube(painter, line, radius, colour) {
       if (i) faces.push(at + k - SIDES, at + k, next - SIDES, next - SIDES, at + k, next);
     }
   });
-  const colours = new Uint8Array((4 * points.length) / 3);
-  for (let i = 0; i < colours.length; i += 4) colours.set([...colour, 255], i);
-  return painter.mesh(new Float32Array(points), new Int8Array(normals), colours, new Uint32Array(faces));
+  const colors = new Uint8Array((4 * points.length) / 3);
+  for (let i = 0; i < colors.length; i += 4) colors.set([...color, 255], i);
+  return painter.mesh(new Float32Array(points), new Int8Array(normals), colors, new Uint32Array(faces));
 }

@@ -1,5 +1,5 @@
 import { distance, sub } from '../../PageKit/scripts/math.mjs';
-import { centrelineColour, flexureColour, paintWall, taeniaColours } from './layers.mjs';
+import { centerlineColor, flexureColor, paintWall, taeniaColors } from './layers.mjs';
 import { EndoView, OutsideView } from './space.mjs';
 import { FlatView } from './flat.mjs';
 import { SliceView } from './slice.mjs';
@@ -14,7 +14,7 @@ export class Panel {
   constructor(root, exam, layers, told, marksOf) {
     Object.assign(this, { root, exam, layers, told, marksOf, window: [1500, -200], paintings: 0, measure: null });
     this.volumeText = 'Loading the volume …';
-    this.place = exam.fromXyz(exam.centre[Math.min(60, exam.centre.length - 1)].xyz, false);
+    this.place = exam.fromXyz(exam.center[Math.min(60, exam.center.length - 1)].xyz, false);
     this.makeLines();
     this.flat = new FlatView(root, this);
     const row = document.createElement('div');
@@ -33,11 +33,11 @@ export class Panel {
   }
 
   makeLines() {
-    const { painter, info, centre } = this.exam, lines = (all, radius, colour) =>
-      (painter.gl ? all.map((line, i) => tube(painter, line, radius, colour(i))) : []);
-    this.taeniae = lines(info.taeniae.map((t) => t.xyz), 0.7, (i) => taeniaColours[i % 3]);
-    this.flexures = lines(info.flexures.map((f) => [...f.xyz, f.xyz[0]]), 1.2, () => flexureColour);
-    this.centreline = lines([centre.map((c) => c.xyz)], 0.7, () => centrelineColour);
+    const { painter, info, center } = this.exam, lines = (all, radius, color) =>
+      (painter.gl ? all.map((line, i) => tube(painter, line, radius, color(i))) : []);
+    this.taeniae = lines(info.taeniae.map((t) => t.xyz), 0.7, (i) => taeniaColors[i % 3]);
+    this.flexures = lines(info.flexures.map((f) => [...f.xyz, f.xyz[0]]), 1.2, () => flexureColor);
+    this.centerline = lines([center.map((c) => c.xyz)], 0.7, () => centerlineColor);
   }
 
   marks() { return this.marksOf(this); }
@@ -79,15 +79,15 @@ export class Panel {
     this.changed();
   }
 
-  // Flies along the centreline by this number of millimeters, in the direction of flight.
+  // Flies along the centerline by this number of millimeters, in the direction of flight.
   fly(mm) {
-    const { centre } = this.exam, i = this.inside;
-    i.go(this.exam.centreAt(centre[i.index].arc + mm * i.way));
+    const { center } = this.exam, i = this.inside;
+    i.go(this.exam.centerAt(center[i.index].arc + mm * i.way));
   }
 
   get isAtEnd() {
     const { index, way } = this.inside;
-    return way > 0 ? index === this.exam.centre.length - 1 : index === 0;
+    return way > 0 ? index === this.exam.center.length - 1 : index === 0;
   }
 
   // After a move of the eye, sets the crosshair to the wall ahead of it.
@@ -114,7 +114,7 @@ export class Panel {
     m.path = isOnWall ? this.exam.paths().between(a, b) : null;
     m.lengths = { straight, wall: m.path ? m.path.length : null, line: Math.abs(a.arc - b.arc) };
     const wall = m.path ? `${m.path.length.toFixed(1)} mm` : isOnWall ? 'more than 1 m' : 'unknown (a place is off the wall)';
-    m.text = `straight ${straight.toFixed(1)} mm · along the wall ${wall} · along the centreline ${m.lengths.line.toFixed(1)} mm`;
+    m.text = `straight ${straight.toFixed(1)} mm · along the wall ${wall} · along the centerline ${m.lengths.line.toFixed(1)} mm`;
     if (m.done) m.done(straight);
   }
 

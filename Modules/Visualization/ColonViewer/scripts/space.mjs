@@ -62,7 +62,7 @@ export class OutsideView extends SpaceView {
       lo[k] = Math.min(lo[k], P[i]);
       hi[k] = Math.max(hi[k], P[i]);
     }
-    Object.assign(this, { centre: scaled(add(lo, hi), 0.5), radius: distance(lo, hi) / 2, yaw: 0, pitch: 0, zoom: 1 });
+    Object.assign(this, { center: scaled(add(lo, hi), 0.5), radius: distance(lo, hi) / 2, yaw: 0, pitch: 0, zoom: 1 });
   }
 
   // Initially from the front: the patient's anterior is -y.
@@ -70,12 +70,12 @@ export class OutsideView extends SpaceView {
     const fov = 0.75, d = (this.radius * 2.6) / this.zoom, c = Math.cos(this.pitch);
     const back = [Math.sin(this.yaw) * c, -Math.cos(this.yaw) * c, Math.sin(this.pitch)];
     const near = Math.max(1, d - 2 * this.radius);
-    return { eye: add(this.centre, scaled(back, d)), at: this.centre, up: [0, 0, 1], fov, near, far: d + 2 * this.radius };
+    return { eye: add(this.center, scaled(back, d)), at: this.center, up: [0, 0, 1], fov, near, far: d + 2 * this.radius };
   }
 
   items() {
-    const { layers, centreline, exam: { mesh } } = this.panel; // the endoluminal eye is on the centreline and does not show it
-    const lines = [...this.lines(), ...(layers.centreline ? centreline.map((line) => ({ mesh: line })) : [])];
+    const { layers, centerline, exam: { mesh } } = this.panel; // the endoluminal eye is on the centerline and does not show it
+    const lines = [...this.lines(), ...(layers.centerline ? centerline.map((line) => ({ mesh: line })) : [])];
     return layers.through ? [...lines, { mesh, clear: 0.75 }] : [{ mesh }, ...lines];
   }
 
@@ -91,7 +91,7 @@ export class OutsideView extends SpaceView {
 
   shift(dx, dy) {
     const c = this.camera(), { right, up } = axesOf(c), s = (2 * distance(c.eye, c.at) * Math.tan(c.fov / 2)) / this.h;
-    this.centre = add(this.centre, add(scaled(right, -dx * s), scaled(up, dy * s)));
+    this.center = add(this.center, add(scaled(right, -dx * s), scaled(up, dy * s)));
     this.changed();
   }
 
@@ -102,20 +102,20 @@ export class OutsideView extends SpaceView {
 const REACH = 90;    // range of the light inside the colon, mm
 const STRETCH = 250; // visible range along the colon ahead of and behind the eye, mm
 
-// An eye on the centreline. Its vertical field of view is 120 degrees; with 92, a flight both ways misses a tenth of the wall.
-// way: 1 to the caecum, -1 to the rectum; look: the target point, if any; otherwise yaw and pitch apply.
+// An eye on the centerline. Its vertical field of view is 120 degrees; with 92, a flight both ways misses a tenth of the wall.
+// way: 1 to the cecum, -1 to the rectum; look: the target point, if any; otherwise yaw and pitch apply.
 export class EndoView extends SpaceView {
   constructor(root, panel) {
-    super(root, 'inside', 'from the centreline', panel);
+    super(root, 'inside', 'from the centerline', panel);
     Object.assign(this, { index: 0, eye: null, yaw: 0, pitch: 0, way: 1, look: null, fov: (2 * Math.PI) / 3 });
   }
 
-  get point() { return this.panel.exam.centre[this.index]; }
+  get point() { return this.panel.exam.center[this.index]; }
 
   // Moves to the best view of a point of the wall.
   lookAt(place) {
     Object.assign(this, this.panel.exam.viewpoint(place), { look: place.xyz, yaw: 0, pitch: 0 });
-    this.label.textContent = this.eye ? 'from beside the centreline' : 'from the centreline';
+    this.label.textContent = this.eye ? 'from beside the centerline' : 'from the centerline';
   }
 
   camera() {
@@ -135,11 +135,11 @@ export class EndoView extends SpaceView {
     return [wall, ...this.lines(REACH)];
   }
 
-  // Flies to a point of the centreline.
+  // Flies to a point of the centerline.
   go(index) {
-    this.index = clamp(index, 0, this.panel.exam.centre.length - 1);
+    this.index = clamp(index, 0, this.panel.exam.center.length - 1);
     Object.assign(this, { look: null, eye: null });
-    this.label.textContent = 'from the centreline';
+    this.label.textContent = 'from the centerline';
     this.panel.flown();
   }
 

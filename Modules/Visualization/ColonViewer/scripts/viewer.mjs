@@ -22,7 +22,7 @@ const PAGE = `
     <option value="1500,-200">colon</option><option value="400,40">soft tissue</option>
     <option value="2000,300">tagged residue</option><option value="1536,-256">wide</option><option value="">by hand</option>
   </select>
-  <button id="fly">Fly</button><button id="way">→ caecum</button><button id="measure">Measure</button>
+  <button id="fly">Fly</button><button id="way">→ cecum</button><button id="measure">Measure</button>
   <button id="finding">Add finding</button><label id="linkBox"><input type="checkbox" id="link" checked> link</label>
   <button id="help">Help ?</button>
 </header>
@@ -104,7 +104,7 @@ class Viewer {
   fly(mm) { this.panel.fly(mm); }
   turn([yaw, pitch]) { this.panel.inside.turn(yaw, pitch); }
   reverse() { this.panel.inside.reverse(); this.told(); }
-  goTo(arc) { const { centre } = this.panel.exam; this.panel.inside.go(arc ? centre.length - 1 : 0); }
+  goTo(arc) { const { center } = this.panel.exam; this.panel.inside.go(arc ? center.length - 1 : 0); }
   moveFlat([right, down]) { this.panel.flat.move(right, down); }
   stepSlice([k, n]) { this.panel.slices[k].step(n); }
   nextPanel() { this.current = (this.current + 1) % this.panels.length; this.told(); }
@@ -223,7 +223,7 @@ class Viewer {
     $('trust').textContent = !this.maps ? '' : this.trust === null ? 'not visible in one position: the other place is unreliable'
       : this.trust === undefined ? '' : `confidence of the map ${this.trust.toFixed(2)}`;
     $('unsaved').textContent = verdicts?.isSaved === false ? 'not saved yet' : '';
-    $('way').textContent = panel.inside.way > 0 ? '→ caecum' : '← anal verge';
+    $('way').textContent = panel.inside.way > 0 ? '→ cecum' : '← anal verge';
     $('fly').textContent = this.isFlying ? 'Stop' : 'Fly';
     $('measure').classList.toggle('on', Boolean(panel.measure));
     $('window').value = [...$('window').options].some((o) => o.value === String(panel.window)) ? String(panel.window) : '';

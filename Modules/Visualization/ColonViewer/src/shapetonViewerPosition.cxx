@@ -148,7 +148,7 @@ Candidates(const std::string & path)
 }
 
 void
-PutCentreline(PageBlocks & blocks, const std::string & prefix, const std::string & path)
+PutCenterline(PageBlocks & blocks, const std::string & prefix, const std::string & path)
 {
   const CurveSet            line = ReadCurves(path);
   SurfaceArray::ValueMatrix rows(line.V.rows(), 6);
@@ -156,7 +156,7 @@ PutCentreline(PageBlocks & blocks, const std::string & prefix, const std::string
   rows.col(3) = PointValues(line, "arcLength", path);
   rows.col(4) = PointValues(line, "radius", path);
   rows.col(5) = PointValues(line, "notAssessable", path);
-  blocks.PutReals(prefix + "centreline", rows);
+  blocks.PutReals(prefix + "centerline", rows);
 }
 
 /** The relief as rows of red, green and blue, drawn by the page as the flat wall. */
@@ -356,7 +356,7 @@ PutViewerPosition(PageBlocks &               blocks,
   const Json     quality = ReadJson(files.Required("segmentation/quality.json"));
   info["name"] = quality.value("/lumen/position"_json_pointer, std::string());
   info["seriesUID"] = quality.value("/provenance/input.inputVolume"_json_pointer, std::string());
-  PutCentreline(blocks, prefix, files.Required("segmentation/centreline.vtp"));
+  PutCenterline(blocks, prefix, files.Required("segmentation/centerline.vtp"));
   const VertexMatrix wall = PutWall(blocks, prefix, exam, files, info);
   PutVolume(blocks, prefix, exam, files, wall, options);
   info["taeniae"] =

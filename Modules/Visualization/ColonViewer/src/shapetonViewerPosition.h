@@ -12,7 +12,7 @@ Hundredths(double value);
 
 /** Reads the files of one position of a VirtualColonoscopy run in `exam` and adds their data as blocks with this
  * prefix. Returns the JSON values: name, seriesUID, circumference, candidates, taeniae, flexures, and `missing`, the
- * stages without a file. Throws InputError if wall, centreline or lumen are missing. */
+ * stages without a file. Throws InputError if wall, centerline or lumen are missing. */
 Json
 PutViewerPosition(PageBlocks &               blocks,
                   const std::string &        prefix,

@@ -17,7 +17,7 @@ constexpr double margin = 15.0;
 constexpr int    side = 4; // of the blocks that are averaged
 
 /** Encoding of a value. 8 bits: steps of 6 HU, below the noise of CT colonography. */
-struct Quantisation
+struct Quantization
 {
   double lowest{ -1024.0 };
   double step{ 1536.0 / 255.0 };
@@ -30,14 +30,14 @@ struct Quantisation
   }
 };
 
-Quantisation
-QuantisationOf(bool isCt, int bits)
+Quantization
+QuantizationOf(bool isCt, int bits)
 {
   if (!isCt)
   {
     return { 0.0, 1.0, 255.0 };
   }
-  return bits == 8 ? Quantisation{} : Quantisation{ -32768.0, 1.0, 65535.0 };
+  return bits == 8 ? Quantization{} : Quantization{ -32768.0, 1.0, 65535.0 };
 }
 
 VolumeType::RegionType
@@ -190,7 +190,7 @@ TakeMeans(std::vector<float> & values, const BlockGrid & grid, const std::vector
 }
 
 Json
-HeaderOf(const VolumeType & volume, const VolumeType::RegionType & box, const Quantisation & quantise)
+HeaderOf(const VolumeType & volume, const VolumeType::RegionType & box, const Quantization & quantize)
 {
   VolumeType::PointType origin;
   volume.TransformIndexToPhysicalPoint(box.GetIndex(), origin);
@@ -204,7 +204,7 @@ HeaderOf(const VolumeType & volume, const VolumeType::RegionType & box, const Qu
     const auto & direction = volume.GetDirection();
     header["axes"].push_back({ direction(0, k), direction(1, k), direction(2, k) });
   }
-  header["hu"] = { quantise.lowest, quantise.step };
+  header["hu"] = { quantize.lowest, quantize.step };
   header["side"] = side;
   return header;
 }
@@ -214,12 +214,12 @@ void
 PutValues(PageBlocks &               blocks,
           const std::string &        name,
           const std::vector<float> & values,
-          const Quantisation &       quantise,
+          const Quantization &       quantize,
           const Json &               header)
 {
   std::vector<TStored> stored(values.size());
   std::transform(
-    values.begin(), values.end(), stored.begin(), [&](float value) { return static_cast<TStored>(quantise(value)); });
+    values.begin(), values.end(), stored.begin(), [&](float value) { return static_cast<TStored>(quantize(value)); });
   blocks.Put(name, stored, 1, header);
 }
 } // namespace
@@ -239,16 +239,16 @@ PutViewerVolume(PageBlocks &               blocks,
   std::vector<float> values = ValuesIn(volume, box);
   TakeMeans(values, grid, far);
   blocks.Put(name + "Coarse", far);
-  const Quantisation quantise = QuantisationOf(isCt, options.bits);
-  Json               header = HeaderOf(volume, box, quantise);
+  const Quantization quantize = QuantizationOf(isCt, options.bits);
+  Json               header = HeaderOf(volume, box, quantize);
   header["isCt"] = isCt;
   if (options.bits == 8)
   {
-    PutValues<std::uint8_t>(blocks, name, values, quantise, header);
+    PutValues<std::uint8_t>(blocks, name, values, quantize, header);
   }
   else
   {
-    PutValues<std::uint16_t>(blocks, name, values, quantise, header);
+    PutValues<std::uint16_t>(blocks, name, values, quantize, header);
   }
 }
 } // namespace shapeton

@@ -18,7 +18,7 @@ struct ColonLandmarkParts
   const ColonLandmarks * landmarks{ nullptr };
 };
 
-/** Color of a segment; grey for 0 (unknown). \ingroup ColonViews */
+/** Color of a segment; gray for 0 (unknown). \ingroup ColonViews */
 ColonViews_EXPORT RGBColor
 ColorOfSegment(int segment);
 

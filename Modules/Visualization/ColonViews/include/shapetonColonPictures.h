@@ -16,7 +16,7 @@ namespace shapeton
 {
 /** Inputs of pictures of a colon. Not owned.
  *
- * Only the lumen is required. The centreline is one curve from the anal verge on with the point arrays arcLength and
+ * Only the lumen is required. The centerline is one curve from the anal verge on with the point arrays arcLength and
  * radius (mm) and, if there are gaps, gap (1 on a bridge over one, else 0). The wall may have a cell array bridged
  * (1: interpolated over a gap).
  * \ingroup ColonViews */
@@ -26,7 +26,7 @@ struct ColonParts
   const itk::Image<float, 3> * ct{ nullptr };
   /** 1 gas, 2 fluid, 0 neither. */
   const itk::Image<unsigned char, 3> * lumen{ nullptr };
-  const CurveSet *                     centreline{ nullptr };
+  const CurveSet *                     centerline{ nullptr };
   const SurfaceMesh *                  wall{ nullptr };
 };
 
@@ -36,7 +36,7 @@ struct ColonSegment
   std::string name;
   double      begin{ 0.0 };
   double      end{ 0.0 };
-  /** Fraction of its centreline with a caliber of at least 10 mm; negative if unknown. */
+  /** Fraction of its centerline with a caliber of at least 10 mm; negative if unknown. */
   double distendedShare{ -1.0 };
 };
 
@@ -56,14 +56,14 @@ ColonViews_EXPORT Picture::Pointer
                                   int                     number = 3,
                                   const IntensityWindow & window = { -1100.0, 500.0 });
 
-/** Projects the colon along the volume's axis of a coronal or sagittal plane: the lumen thickness (mm) in grey, and the
- * centreline colored by the distance from the anal verge. Throws the same exceptions.
+/** Projects the colon along the volume's axis of a coronal or sagittal plane: the lumen thickness (mm) in gray, and the
+ * centerline colored by the distance from the anal verge. Throws the same exceptions.
  * \ingroup ColonViews */
 ColonViews_EXPORT Picture::Pointer
                   DrawColonProjection(const ColonParts & colon, SlicePlane plane);
 
-/** The wall from one side: opaque, or transparent with the centreline inside. Bridges have their own color, the ends
- * of the centreline are labeled. Throws std::invalid_argument without a wall, or without a centreline if transparent.
+/** The wall from one side: opaque, or transparent with the centerline inside. Bridges have their own color, the ends
+ * of the centerline are labeled. Throws std::invalid_argument without a wall, or without a centerline if transparent.
  * \ingroup ColonViews */
 ColonViews_EXPORT Picture::Pointer
                   DrawColonWall(const ColonParts & colon, PatientSide side, bool isSolid);

@@ -7,7 +7,7 @@
 namespace shapeton
 {
 /** Minimum caliber (mm) of a sufficiently distended colon. \ingroup ColonViews */
-constexpr double distendedCalibre = 10.0;
+constexpr double distendedCaliber = 10.0;
 
 /** Title and size of a DrawDistensionChart(). \ingroup ColonViews */
 struct DistensionChartOptions
@@ -18,19 +18,19 @@ struct DistensionChartOptions
   unsigned int height{ 460 };
 };
 
-/** The caliber (twice the radius of the centreline, mm) by the distance from the anal verge, with a line at 10 mm and
+/** The caliber (twice the radius of the centerline, mm) by the distance from the anal verge, with a line at 10 mm and
  * smaller calibers in another color, gaps shaded, and segment boundaries and names.
  *
- * Throws InputError if the centreline lacks the arrays arcLength or radius, std::invalid_argument for a too small
+ * Throws InputError if the centerline lacks the arrays arcLength or radius, std::invalid_argument for a too small
  * picture. \ingroup ColonViews */
 ColonViews_EXPORT Picture::Pointer
-                  DrawDistensionChart(const CurveSet &                  centreline,
+                  DrawDistensionChart(const CurveSet &                  centerline,
                                       const std::vector<ColonSegment> & segments,
                                       const DistensionChartOptions &    options = {});
 
 /** Plot area and axes of that picture. \ingroup ColonViews */
 ColonViews_EXPORT PlotFrame
-DistensionFrame(const CurveSet & centreline, const DistensionChartOptions & options = {});
+DistensionFrame(const CurveSet & centerline, const DistensionChartOptions & options = {});
 } // namespace shapeton
 
 #endif

@@ -60,7 +60,7 @@ DrawFlatLine(Picture * strip, const FlatColonGrid & grid, const FlatLine & line)
 ColonViews_EXPORT void
 DrawFlatDot(Picture * strip, const FlatColonGrid & grid, const FlatDot & dot);
 
-/** Hatches the columns whose distances along the centreline (mm, one per column) are in sections that cannot be
+/** Hatches the columns whose distances along the centerline (mm, one per column) are in sections that cannot be
  * assessed. Without distances nothing is drawn. */
 ColonViews_EXPORT void
 DrawFlatHatching(Picture *                            strip,

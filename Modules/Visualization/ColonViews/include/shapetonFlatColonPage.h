@@ -32,7 +32,7 @@ struct FlatAnnotation
   std::optional<Eigen::Vector2d> uv;
   /** LPS, mm; moved to the nearest point of the wall. */
   std::optional<Eigen::Vector3d> point;
-  /** mm along the centreline; for segments only. */
+  /** mm along the centerline; for segments only. */
   std::optional<double> distance;
   ///@}
   /** Diameter of a polyp on the surface, mm. */
@@ -59,7 +59,7 @@ struct FlatColonPageOptions
 
 /** A page with a strip in rows.
  *
- * Below each row is a ruler with the distance along the centreline in cm; if `distanceOfColumns` is empty, the ruler
+ * Below each row is a ruler with the distance along the centerline in cm; if `distanceOfColumns` is empty, the ruler
  * counts along the map. Above it is a scale bar of round length with the row's local scale: the median, and the range
  * from 10 to 90 % of the pixels. Wall interpolated over a gap is hatched.
  *

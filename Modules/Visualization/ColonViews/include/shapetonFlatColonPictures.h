@@ -27,7 +27,7 @@ struct FlatColonParts
   const FlatColon * flat{ nullptr };
   /** One curve with the point array arcLength, used for the ruler if the surface has no arcLength, and for hatching
    * sections that cannot be assessed, if it marks them. */
-  const CurveSet * centreline{ nullptr };
+  const CurveSet * centerline{ nullptr };
   /** Hounsfield units. */
   const itk::Image<float, 3> * ct{ nullptr };
   std::vector<FlatAnnotation>  annotations;
@@ -62,7 +62,7 @@ public:
   {
     return *m_Grid;
   }
-  /** Distance of each column, mm; empty if neither surface nor centreline states it. */
+  /** Distance of each column, mm; empty if neither surface nor centerline states it. */
   const std::vector<double> &
   Distances() const
   {

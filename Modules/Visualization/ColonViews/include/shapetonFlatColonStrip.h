@@ -13,7 +13,7 @@ namespace shapeton
  * A filet view: the wall as seen by an eye that moves along the axis of the tube and looks sideways in all directions.
  * Each pixel is lit in the frame of the smooth tube (FrameAt()), from the left (along u) and above. Folds are thus
  * transverse bands with a bright and a dark side, independent of the bends of the colon. Pixels without a face are
- * grey. The axis must be that of the grid. Equal input gives equal bytes for any number of threads.
+ * gray. The axis must be that of the grid. Equal input gives equal bytes for any number of threads.
  * \ingroup ColonViews */
 ///@{
 

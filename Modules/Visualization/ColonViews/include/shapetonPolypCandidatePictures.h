@@ -15,7 +15,7 @@ namespace shapeton
  * all of them.
  *
  * The head is tinted in all pictures. Equal input gives equal bytes for any number of threads. The colon must outlive
- * the object; its wall and flat map are required, and the centreline for endoluminal views.
+ * the object; its wall and flat map are required, and the centerline for endoluminal views.
  * \ingroup ColonViews */
 class ColonViews_EXPORT PolypCandidatePictures
 {
@@ -33,8 +33,8 @@ public:
   Picture::Pointer
   DrawCloseUp(const PolypCandidate & candidate) const;
 
-  /** Endoluminal view of the candidate from the centreline. Among the points of the centreline 15 to 60 mm away, picks
-   * the one with the best view of the apex: not occluded, facing the eye, about 25 mm away. Without a centreline, or if
+  /** Endoluminal view of the candidate from the centerline. Among the points of the centerline 15 to 60 mm away, picks
+   * the one with the best view of the apex: not occluded, facing the eye, about 25 mm away. Without a centerline, or if
    * the candidate is occluded, the eye is above the head, 6 to 25 mm away. */
   Picture::Pointer
   DrawFromWithin(const PolypCandidate & candidate) const;

@@ -42,7 +42,7 @@ ColonViews_EXPORT Picture::Pointer
 ColonViews_EXPORT Picture::Pointer
                   DrawCurvatureCheckerboard(const RegistrationParts & parts, const AlignedColonsOptions & options = {});
 
-/** Confidence along the supine colon: mean and minimum around the tube; excluded sections are grey. */
+/** Confidence along the supine colon: mean and minimum around the tube; excluded sections are gray. */
 ColonViews_EXPORT Picture::Pointer
                   DrawConfidenceChart(const RegistrationParts & parts);
 

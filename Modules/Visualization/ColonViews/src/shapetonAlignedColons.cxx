@@ -102,7 +102,7 @@ AlignedColons::AlignedColons(const RegistrationParts & parts, int pixelsAround)
   , m_ProneAxis(AxisOf(*parts.prone, finer * pixelsAround))
   , m_Distances(m_Grid.HasArcLength()
                   ? DistanceOfColumns(m_Grid)
-                  : DistanceOfColumns(AxisOf(*parts.supine, pixelsAround), parts.supine->position.centreline))
+                  : DistanceOfColumns(AxisOf(*parts.supine, pixelsAround), parts.supine->position.centerline))
 {
   RequireFit(parts.results->supineToProne, *parts.supine);
   RequireFit(parts.results->proneToSupine, *parts.prone);

@@ -53,7 +53,7 @@ public:
   {
     return m_Grid;
   }
-  /** Distance of each column along the supine centreline, mm. */
+  /** Distance of each column along the supine centerline, mm. */
   const std::vector<double> &
   Distances() const
   {
@@ -62,7 +62,7 @@ public:
   /** The supine wall. */
   Picture::Pointer
   PaintSupine(const StripPainter & paint) const;
-  /** The prone wall as mapped into the supine frame; grey where there is none. */
+  /** The prone wall as mapped into the supine frame; gray where there is none. */
   Picture::Pointer
   PaintProne(const StripPainter & paint) const;
   /** Hatches the excluded sections. */

@@ -214,7 +214,7 @@ DrawColonLandmarks(const ColonLandmarkParts & parts, PatientSide side)
   }
   if (landmarks.valve)
   {
-    scene.markers.push_back({ landmarks.valve->position, 5.0, colorOfValve, "ileocaecal valve" });
+    scene.markers.push_back({ landmarks.valve->position, 5.0, colorOfValve, "ileocecal valve" });
   }
   for (const UsedMarker & marker : landmarks.taeniae.markers)
   {
@@ -259,7 +259,7 @@ DrawFlatLandmarks(const ColonLandmarkParts & parts, int greatestColumns)
   FlatColonPageOptions options;
   options.title = "Taeniae and flexures on the flat colon";
   options.note = std::string("Yellow, blue, pink: taeniae 1 to 3; black: borders of segments; ") +
-                 (parts.landmarks->valve ? "green: ileocaecal valve; " : "") +
+                 (parts.landmarks->valve ? "green: ileocecal valve; " : "") +
                  "white: markers that were set. Seen from the lumen, rectum at the left. For research use; not a "
                  "diagnosis.";
   options.greatestColumns = greatestColumns;

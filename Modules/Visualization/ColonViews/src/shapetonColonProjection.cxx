@@ -1,6 +1,6 @@
 #include "shapetonColonPictures.h"
 
-#include "shapetonCentrelineStations.h"
+#include "shapetonCenterlineStations.h"
 #include "shapetonLumenBox.h"
 
 #include <algorithm>
@@ -106,9 +106,9 @@ PixelOf(const SliceView & view, const Eigen::Vector3d & point)
 
 /** Draws with a dark rim, for contrast with bright lumen. */
 void
-DrawCentreline(Picture *                              picture,
+DrawCenterline(Picture *                              picture,
                const SliceView &                      view,
-               const std::vector<CentrelineStation> & stations,
+               const std::vector<CenterlineStation> & stations,
                const ColorScale &                     scale)
 {
   for (const bool isRim : { true, false })
@@ -182,7 +182,7 @@ BoxBeside(int x, int y, int textWidth, int width, int height)
 void
 DrawEnd(Picture *                 picture,
         const SliceView &         view,
-        const CentrelineStation & station,
+        const CenterlineStation & station,
         const ColorScale &        scale,
         const std::string &       name)
 {
@@ -280,18 +280,18 @@ DrawColonProjection(const ColonParts & colon, SlicePlane plane)
   std::vector<ColorScale>   scales{ ThicknessScale(map.Greatest(), plane) };
   auto                      panel = PaintThickness(view, map, scales[0]);
   bool                      hasGaps = false;
-  if (colon.centreline)
+  if (colon.centerline)
   {
-    const std::vector<CentrelineStation> stations = StationsOf(*colon.centreline);
+    const std::vector<CenterlineStation> stations = StationsOf(*colon.centerline);
     scales.push_back(DistanceScale(stations));
-    DrawCentreline(panel, view, stations, scales[1]);
+    DrawCenterline(panel, view, stations, scales[1]);
     DrawEnd(panel, view, stations.front(), scales[1], "anal verge");
-    DrawEnd(panel, view, stations.back(), scales[1], "caecum");
-    hasGaps = std::any_of(stations.begin(), stations.end(), [](const CentrelineStation & s) { return s.isGap; });
+    DrawEnd(panel, view, stations.back(), scales[1], "cecum");
+    hasGaps = std::any_of(stations.begin(), stations.end(), [](const CenterlineStation & s) { return s.isGap; });
   }
   auto      page = MakePage(panel, "Projection, " + NameOf(plane), scales, hasGaps);
   const int below = titleHeight + static_cast<int>(view.GetHeight()) + 34;
-  DrawScaleBar(page, 12, below, 180, view.GetMillimetresPerPixel(), annotation);
+  DrawScaleBar(page, 12, below, 180, view.GetMillimetersPerPixel(), annotation);
   return page;
 }
 } // namespace shapeton

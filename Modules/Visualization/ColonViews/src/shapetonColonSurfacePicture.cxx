@@ -1,6 +1,6 @@
 #include "shapetonColonPictures.h"
 
-#include "shapetonCentrelineStations.h"
+#include "shapetonCenterlineStations.h"
 #include "shapetonSurfaceRendering.h"
 
 #include <stdexcept>
@@ -45,16 +45,16 @@ AddWall(SurfaceScene & scene, SurfaceRenderingOptions & options, const SurfaceMe
 }
 
 void
-AddCentreline(SurfaceScene & scene, SurfaceRenderingOptions & options, const CurveSet & centreline)
+AddCenterline(SurfaceScene & scene, SurfaceRenderingOptions & options, const CurveSet & centerline)
 {
-  const std::vector<CentrelineStation> stations = StationsOf(centreline);
+  const std::vector<CenterlineStation> stations = StationsOf(centerline);
   options.colorBar = DistanceScale(stations);
   CurveActor actor;
-  actor.curves = &centreline;
+  actor.curves = &centerline;
   actor.radius = 1.8;
-  actor.vertexColors.resize(centreline.V.rows());
+  actor.vertexColors.resize(centerline.V.rows());
   bool hasGaps = false;
-  for (const CentrelineStation & station : stations)
+  for (const CenterlineStation & station : stations)
   {
     actor.vertexColors[station.vertex] = station.isGap ? GapColor() : options.colorBar->ColorOf(station.distance);
     hasGaps = hasGaps || station.isGap;
@@ -67,39 +67,39 @@ AddCentreline(SurfaceScene & scene, SurfaceRenderingOptions & options, const Cur
 }
 
 void
-AddEnds(SurfaceScene & scene, const CurveSet & centreline)
+AddEnds(SurfaceScene & scene, const CurveSet & centerline)
 {
-  const std::vector<CentrelineStation> stations = StationsOf(centreline);
+  const std::vector<CenterlineStation> stations = StationsOf(centerline);
   const ColorScale                     scale = DistanceScale(stations);
   scene.markers.push_back({ stations.front().point, 4.5, scale.ColorOf(stations.front().distance), "anal verge" });
-  scene.markers.push_back({ stations.back().point, 4.5, scale.ColorOf(stations.back().distance), "caecum" });
+  scene.markers.push_back({ stations.back().point, 4.5, scale.ColorOf(stations.back().distance), "cecum" });
 }
 } // namespace
 
 Picture::Pointer
 DrawColonWall(const ColonParts & colon, PatientSide side, bool isSolid)
 {
-  if (!colon.wall || (!isSolid && !colon.centreline))
+  if (!colon.wall || (!isSolid && !colon.centerline))
   {
-    throw std::invalid_argument("a picture of the colon requires a wall, and a centreline for the transparent view");
+    throw std::invalid_argument("a picture of the colon requires a wall, and a centerline for the transparent view");
   }
   SurfaceScene            scene;
   SurfaceRenderingOptions options;
   LookFrom(side, options);
   options.width = 1000;
   options.height = 860;
-  options.title = (isSolid ? "Wall, from the " : "Centreline, from the ") +
+  options.title = (isSolid ? "Wall, from the " : "Centerline, from the ") +
                   std::string(side == PatientSide::Anterior    ? "front"
                               : side == PatientSide::Posterior ? "back"
                                                                : NameOf(side));
   AddWall(scene, options, *colon.wall, isSolid);
-  if (colon.centreline)
+  if (colon.centerline)
   {
-    AddEnds(scene, *colon.centreline);
+    AddEnds(scene, *colon.centerline);
   }
   if (!isSolid)
   {
-    AddCentreline(scene, options, *colon.centreline);
+    AddCenterline(scene, options, *colon.centerline);
   }
   return RenderSurfaces(scene, options);
 }

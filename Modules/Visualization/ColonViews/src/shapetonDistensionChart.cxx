@@ -1,6 +1,6 @@
 #include "shapetonDistensionChart.h"
 
-#include "shapetonCentrelineStations.h"
+#include "shapetonCenterlineStations.h"
 #include "shapetonCsvTable.h"
 #include "shapetonPageColors.h"
 
@@ -19,12 +19,12 @@ const RGBColor narrow = MakeColor(240, 150, 100);
 const RGBColor curveColor = MakeColor(22, 74, 116);
 const RGBColor limitColor = MakeColor(196, 44, 44);
 
-using Stations = std::vector<CentrelineStation>;
+using Stations = std::vector<CenterlineStation>;
 
 /** Interpolated values at a distance from the anal verge. */
 struct Place
 {
-  double calibre{ 0.0 };
+  double caliber{ 0.0 };
   bool   isGap{ false };
   bool   isKnown{ false };
 };
@@ -33,19 +33,19 @@ Place
 PlaceAt(const Stations & stations, double distance)
 {
   const auto after =
-    std::find_if(stations.begin(), stations.end(), [&](const CentrelineStation & s) { return s.distance >= distance; });
+    std::find_if(stations.begin(), stations.end(), [&](const CenterlineStation & s) { return s.distance >= distance; });
   if (after == stations.end())
   {
     return {};
   }
   if (after == stations.begin())
   {
-    return { after->calibre, after->isGap, after->distance == distance };
+    return { after->caliber, after->isGap, after->distance == distance };
   }
   const auto   before = after - 1;
   const double length = after->distance - before->distance;
   const double share = length > 0.0 ? (distance - before->distance) / length : 1.0;
-  return { before->calibre + share * (after->calibre - before->calibre), before->isGap || after->isGap, true };
+  return { before->caliber + share * (after->caliber - before->caliber), before->isGap || after->isGap, true };
 }
 
 /** The areas under the curve, and the gaps, column by column. */
@@ -64,8 +64,8 @@ DrawAreas(Picture * picture, const PlotFrame & frame, const Stations & stations)
     }
     else if (place.isKnown)
     {
-      const int y = static_cast<int>(std::lround(frame.PixelOfY(place.calibre)));
-      FillRectangle(picture, x, y, 1, bottom - y, place.calibre < distendedCalibre ? narrow : wide, 0.75);
+      const int y = static_cast<int>(std::lround(frame.PixelOfY(place.caliber)));
+      FillRectangle(picture, x, y, 1, bottom - y, place.caliber < distendedCaliber ? narrow : wide, 0.75);
     }
   }
 }
@@ -75,15 +75,15 @@ DrawCurve(Picture * picture, const PlotFrame & frame, const Stations & stations)
 {
   for (std::size_t i = 1; i < stations.size(); ++i)
   {
-    const CentrelineStation & a = stations[i - 1];
-    const CentrelineStation & b = stations[i];
+    const CenterlineStation & a = stations[i - 1];
+    const CenterlineStation & b = stations[i];
     if (!a.isGap && !b.isGap)
     {
       DrawLine(picture,
                frame.PixelOfX(a.distance),
-               frame.PixelOfY(a.calibre),
+               frame.PixelOfY(a.caliber),
                frame.PixelOfX(b.distance),
-               frame.PixelOfY(b.calibre),
+               frame.PixelOfY(b.caliber),
                curveColor,
                1.6);
     }
@@ -94,7 +94,7 @@ void
 DrawLimit(Picture * picture, const PlotFrame & frame)
 {
   constexpr int dash = 8;
-  const int     y = static_cast<int>(std::lround(frame.PixelOfY(distendedCalibre)));
+  const int     y = static_cast<int>(std::lround(frame.PixelOfY(distendedCaliber)));
   for (int x = 0; x < frame.width; x += 2 * dash)
   {
     FillRectangle(picture, frame.left + x, y - 1, std::min(dash, frame.width - x), 2, limitColor);
@@ -103,7 +103,7 @@ DrawLimit(Picture * picture, const PlotFrame & frame)
   style.size = 14;
   style.color = limitColor;
   style.vertical = VerticalAnchor::Center;
-  DrawText(picture, CsvTable::Rounded(distendedCalibre, 3) + " mm", frame.left + frame.width + 6, y, style);
+  DrawText(picture, CsvTable::Rounded(distendedCaliber, 3) + " mm", frame.left + frame.width + 6, y, style);
 }
 
 /** Draws segment borders, and names above the chart on the first of two lines where they fit. */
@@ -179,7 +179,7 @@ DrawKey(Picture *                         picture,
 } // namespace
 
 PlotFrame
-DistensionFrame(const CurveSet & centreline, const DistensionChartOptions & options)
+DistensionFrame(const CurveSet & centerline, const DistensionChartOptions & options)
 {
   if (options.width < 500 || options.height < 300)
   {
@@ -191,27 +191,27 @@ DistensionFrame(const CurveSet & centreline, const DistensionChartOptions & opti
   frame.width = static_cast<int>(options.width) - frame.left - 66;
   frame.height = static_cast<int>(options.height) - frame.top - 62;
   frame.x = { "distance from the anal verge (mm)", 0.0, 1.0 };
-  frame.y = { "calibre (mm)", 0.0, 2.0 * distendedCalibre };
-  for (const CentrelineStation & station : StationsOf(centreline))
+  frame.y = { "caliber (mm)", 0.0, 2.0 * distendedCaliber };
+  for (const CenterlineStation & station : StationsOf(centerline))
   {
     frame.x.upper = std::max(frame.x.upper, station.distance);
-    frame.y.upper = std::max(frame.y.upper, 1.08 * station.calibre);
+    frame.y.upper = std::max(frame.y.upper, 1.08 * station.caliber);
   }
   return frame;
 }
 
 Picture::Pointer
-DrawDistensionChart(const CurveSet &                  centreline,
+DrawDistensionChart(const CurveSet &                  centerline,
                     const std::vector<ColonSegment> & segments,
                     const DistensionChartOptions &    options)
 {
-  const PlotFrame frame = DistensionFrame(centreline, options);
-  Stations        stations = StationsOf(centreline);
-  std::stable_sort(stations.begin(), stations.end(), [](const CentrelineStation & a, const CentrelineStation & b) {
+  const PlotFrame frame = DistensionFrame(centerline, options);
+  Stations        stations = StationsOf(centerline);
+  std::stable_sort(stations.begin(), stations.end(), [](const CenterlineStation & a, const CenterlineStation & b) {
     return a.distance < b.distance;
   });
   const bool hasGaps =
-    std::any_of(stations.begin(), stations.end(), [](const CentrelineStation & s) { return s.isGap; });
+    std::any_of(stations.begin(), stations.end(), [](const CenterlineStation & s) { return s.isGap; });
   auto picture = NewPicture(options.width, options.height, PaperColor);
   DrawPlotFrame(picture, frame);
   DrawAreas(picture, frame, stations);

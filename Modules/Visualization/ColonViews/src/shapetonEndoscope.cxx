@@ -64,12 +64,12 @@ EyeAbove(const SurfaceLocator & wall, const PolypCandidate & candidate)
 } // namespace
 
 PerspectiveCamera
-ChooseEye(const SurfaceLocator & wall, const CurveSet & centreline, const PolypCandidate & candidate)
+ChooseEye(const SurfaceLocator & wall, const CurveSet & centerline, const PolypCandidate & candidate)
 {
   std::vector<std::pair<double, Eigen::Index>> places;
-  for (Eigen::Index i = 0; i < centreline.V.rows(); ++i)
+  for (Eigen::Index i = 0; i < centerline.V.rows(); ++i)
   {
-    const Vector3d eye = centreline.V.row(i).transpose();
+    const Vector3d eye = centerline.V.row(i).transpose();
     const double   distance = (eye - candidate.apex).norm();
     if (distance >= nearestEye && distance <= farthestEye)
     {
@@ -81,9 +81,9 @@ ChooseEye(const SurfaceLocator & wall, const CurveSet & centreline, const PolypC
   camera.focus = candidate.apex;
   camera.fieldOfView = 70.0;
   const auto best = std::find_if(places.begin(), places.end(), [&](const std::pair<double, Eigen::Index> & place) {
-    return IsFree(wall, centreline.V.row(place.second).transpose(), candidate.apex);
+    return IsFree(wall, centerline.V.row(place.second).transpose(), candidate.apex);
   });
-  camera.eye = best == places.end() ? EyeAbove(wall, candidate) : Vector3d(centreline.V.row(best->second).transpose());
+  camera.eye = best == places.end() ? EyeAbove(wall, candidate) : Vector3d(centerline.V.row(best->second).transpose());
   const Vector3d look = (camera.focus - camera.eye).normalized();
   camera.up = std::abs(look.z()) < 0.9 ? Vector3d::UnitZ() : Vector3d(-Vector3d::UnitY()); // head up, or anterior up
   return camera;

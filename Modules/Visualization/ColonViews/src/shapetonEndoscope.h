@@ -9,7 +9,7 @@ namespace shapeton
 {
 /** Camera of PolypCandidatePictures::DrawFromWithin(). */
 PerspectiveCamera
-ChooseEye(const SurfaceLocator & wall, const CurveSet & centreline, const PolypCandidate & candidate);
+ChooseEye(const SurfaceLocator & wall, const CurveSet & centerline, const PolypCandidate & candidate);
 
 /** Unit vertex normals into the lumen, weighted by face area. */
 VertexMatrix

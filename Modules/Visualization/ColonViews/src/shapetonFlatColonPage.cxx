@@ -22,7 +22,7 @@ constexpr int leastWidth = 480;
 constexpr int noteLineHeight = 20;
 constexpr int gapOfLinks = 26; ///< between two strips of a row
 
-/** Column of a distance along the centreline. */
+/** Column of a distance along the centerline. */
 double
 ColumnOfDistance(const std::vector<double> & distanceOfColumns, double distance)
 {

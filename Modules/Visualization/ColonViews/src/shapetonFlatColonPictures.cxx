@@ -50,9 +50,9 @@ FlatColonPictures::FlatColonPictures(const FlatColonParts & parts, double pixelS
   }
   m_Axis = &parts.flat->Axis(painted);
   m_Distances = DistanceOfColumns(*m_Grid);
-  if (m_Distances.empty() && parts.centreline)
+  if (m_Distances.empty() && parts.centerline)
   {
-    m_Distances = DistanceOfColumns(parts.flat->Axis(OptionsFor(pixelSize)), *parts.centreline);
+    m_Distances = DistanceOfColumns(parts.flat->Axis(OptionsFor(pixelSize)), *parts.centerline);
   }
 }
 
@@ -81,9 +81,9 @@ FlatColonPictures::Draw(FlatColoring coloring, const std::string & title, int gr
   {
     strip = ReduceStrip(strip, samples, m_Grid->Columns(), m_Grid->Rows());
   }
-  if (m_Parts.centreline && TellsHindrances(*m_Parts.centreline))
+  if (m_Parts.centerline && TellsHindrances(*m_Parts.centerline))
   {
-    DrawFlatHatching(strip, *m_Grid, m_Distances, FindHinderedStretches(*m_Parts.centreline));
+    DrawFlatHatching(strip, *m_Grid, m_Distances, FindHinderedStretches(*m_Parts.centerline));
   }
   for (const FlatOutlines & outlines : m_Parts.outlines)
   {

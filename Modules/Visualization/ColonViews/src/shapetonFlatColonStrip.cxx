@@ -18,8 +18,8 @@ ReduceStrip(const Picture * strip, unsigned int factor, unsigned int width, unsi
   std::array<float, 256> linear{};
   for (int i = 0; i < 256; ++i)
   {
-    const auto grey = static_cast<unsigned char>(i);
-    linear[i] = ToLinear(MakeColor(grey, grey, grey))[0];
+    const auto gray = static_cast<unsigned char>(i);
+    linear[i] = ToLinear(MakeColor(gray, gray, gray))[0];
   }
   const auto       reduced = NewPicture(width, height, RGBColor());
   const RGBColor * source = strip->GetBufferPointer();

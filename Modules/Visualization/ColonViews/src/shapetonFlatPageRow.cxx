@@ -189,26 +189,26 @@ DrawStripOfRow(Picture * picture, const FlatPageRow & place, const Picture * str
 void
 DrawRulerOfRow(Picture * picture, const FlatPageRow & place, const std::vector<double> & distanceOfColumns, bool isArc)
 {
-  constexpr double millimetresPerCm = 10.0;
+  constexpr double millimetersPerCm = 10.0;
   constexpr int    roomAtTheRight = 18;
   constexpr int    leastDistance = 3; // between ticks
   const int        top = place.StripTop() + place.StripHeight() + 3;
   const double     length = LengthShown(place.row, distanceOfColumns);
-  const double     pixelsPerCm = length > 0.0 ? place.Width() / length * millimetresPerCm : place.Width();
+  const double     pixelsPerCm = length > 0.0 ? place.Width() / length * millimetersPerCm : place.Width();
   const double     labelStep = LabelStep(pixelsPerCm, 58.0);
   const double     tickStep = LabelStep(pixelsPerCm, 4.0);
   FillRectangle(picture, place.left, top, place.Width(), 1, InkColor);
   const TextStyle style = StyleOf(14, InkColor, HorizontalAnchor::Center, VerticalAnchor::Top);
   int             lastTick = place.left - leastDistance;
   int             labelEnd = place.left - 5; // right of the unit
-  for (const FlatColonTick & tick : RulerTicks(distanceOfColumns, millimetresPerCm * tickStep))
+  for (const FlatColonTick & tick : RulerTicks(distanceOfColumns, millimetersPerCm * tickStep))
   {
     if (!place.row.Shows(tick.column))
     {
       continue;
     }
     const int    x = static_cast<int>(std::lround(place.XOf(tick.column)));
-    const double cm = tick.distance / millimetresPerCm;
+    const double cm = tick.distance / millimetersPerCm;
     const double labels = cm / labelStep;
     const bool   isLabel = std::abs(labels - std::round(labels)) < 1e-6 && x >= labelEnd;
     if (x - lastTick >= leastDistance || isLabel)

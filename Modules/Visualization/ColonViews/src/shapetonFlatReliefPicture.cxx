@@ -15,7 +15,7 @@ PaintFlatRelief(const FlatColonGrid & grid, const FlatColonAxis & axis, const Fl
   static const LinearColor crest = ToLinear(MakeColor(255, 226, 206));
   return PaintStrip(grid, [&](const FlatSample & sample, int column) {
     const FlatColonFrame  frame = FrameAt(axis, column, sample.point);
-    const Eigen::Vector3d toAxis = axis.centres.row(column).transpose() - sample.point;
+    const Eigen::Vector3d toAxis = axis.centers.row(column).transpose() - sample.point;
     const double          height = 1.0 - frame.towards.dot(toAxis) / axis.radii[column]; // 1 on the axis, 0 on the tube
     const auto            share = static_cast<float>(std::clamp(2.0 * height, -1.0, 1.0) * options.heightContrast);
     LinearColor     color = share < 0.0F ? LinearColor(wall - share * (pocket - wall)) : wall + share * (crest - wall);

@@ -107,7 +107,7 @@ struct PolypCandidatePictures::Data
 {
   Data(const PolypColon & theColon, const std::vector<PolypCandidate> & candidates)
     : colon(theColon)
-    , flatParts{ colon.flat.get(), &colon.centreline, nullptr, AnnotationsOf(candidates), {}, {} }
+    , flatParts{ colon.flat.get(), &colon.centerline, nullptr, AnnotationsOf(candidates), {}, {} }
     , pixelSize(colon.flat->Grid().Circumference() / 200.0)
     , fine(colon.flat->Grid({ pixelSize / magnification, 0.0, 0.0 }))
     , axis(colon.flat->Axis({ pixelSize / magnification, 0.0, 0.0 }))
@@ -201,7 +201,7 @@ PolypCandidatePictures::DrawCloseUp(const PolypCandidate & candidate) const
 Picture::Pointer
 PolypCandidatePictures::DrawFromWithin(const PolypCandidate & candidate) const
 {
-  PerspectiveCamera camera = ChooseEye(m_Data->wall, m_Data->colon.centreline, candidate);
+  PerspectiveCamera camera = ChooseEye(m_Data->wall, m_Data->colon.centerline, candidate);
   camera.width = viewWidth;
   camera.height = viewHeight;
   const SurfaceMesh     part = WallAround(m_Data->wallWithHeads, camera.focus, 80.0);

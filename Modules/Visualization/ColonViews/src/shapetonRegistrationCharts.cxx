@@ -30,7 +30,7 @@ struct Chart
     frame.top = 60;
     frame.width = width - frame.left - 30;
     frame.height = height - frame.top - 62;
-    frame.x = { "distance along the supine centreline from the anal verge (mm)",
+    frame.x = { "distance along the supine centerline from the anal verge (mm)",
                 distances.front(),
                 std::max(distances.back(), distances.front() + 1.0) };
     frame.y = y;

@@ -70,7 +70,7 @@ public:
       const RGBColor color = IsDoubtful(matches[i]) ? colorOfDoubt : ColorOfPair(i);
       this->DrawCrest(upper, *from->second, false, color, 3.0);
       this->DrawCrest(lower, *to->second, true, color, 3.0);
-      m_Pair.links.push_back({ from->second->centreUv, m_Colons.InSupineFrame(to->second->centreUv), color });
+      m_Pair.links.push_back({ from->second->centerUv, m_Colons.InSupineFrame(to->second->centerUv), color });
       supine.erase(from);
       prone.erase(to);
     }
@@ -91,7 +91,7 @@ private:
     FlatLine line;
     line.color = color;
     line.thickness = thickness;
-    for (const Eigen::Vector2d & uv : { fold.endUv[0], fold.centreUv, fold.endUv[1] })
+    for (const Eigen::Vector2d & uv : { fold.endUv[0], fold.centerUv, fold.endUv[1] })
     {
       line.places.push_back(isProne ? m_Colons.InSupineFrame(uv) : uv);
     }
@@ -124,7 +124,7 @@ NoteOnMatches(const RegistrationResults & results)
     doubtful += IsDoubtful(match);
   }
   return std::to_string(results.matches.size()) +
-         " pairs of folds, each of one colour in both; red: " + std::to_string(doubtful) +
+         " pairs of folds, each of one color in both; red: " + std::to_string(doubtful) +
          (results.points.empty() ? " that the map contradicts" : " contradicted or wrong") +
          "; black: unmatched.\nThe prone wall is drawn as mapped. Striped: not visible in one position.\n" +
          seenFrom;

@@ -14,8 +14,8 @@ namespace shapeton
 /** Red, green, blue; linear light, 0 to 1 and above. */
 using LinearColor = Eigen::Vector3f;
 
-/** Grey level of pixels without a face. */
-constexpr unsigned char uncoveredGrey = 96;
+/** Gray level of pixels without a face. */
+constexpr unsigned char uncoveredGray = 96;
 
 /** sRGB, by IEC 61966-2-1. */
 inline LinearColor
@@ -59,14 +59,14 @@ LightOn(const FlatSample & sample, const FlatColonFrame & frame)
   return FlatLight::On(sample.inwardNormal.data(), AxesOf(frame));
 }
 
-/** A grey strip. */
+/** A gray strip. */
 inline Picture::Pointer
 NewStrip(const FlatColonGrid & grid)
 {
-  return NewPicture(grid.Columns(), grid.Rows(), MakeColor(uncoveredGrey, uncoveredGrey, uncoveredGrey));
+  return NewPicture(grid.Columns(), grid.Rows(), MakeColor(uncoveredGray, uncoveredGray, uncoveredGray));
 }
 
-/** A strip whose pixels are colorOf(sample, column); grey where there is no face. */
+/** A strip whose pixels are colorOf(sample, column); gray where there is no face. */
 template <typename TColorOf>
 Picture::Pointer
 PaintStrip(const FlatColonGrid & grid, const TColorOf & colorOf)

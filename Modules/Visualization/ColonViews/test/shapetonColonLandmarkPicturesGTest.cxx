@@ -11,8 +11,8 @@ namespace
 struct Colon
 {
   SchematicColon           line{ MakeSchematicColon() };
-  shapeton::FlatColon      flat{ landmarktubes::TubeAlong(line.centreline, 15.0) };
-  shapeton::ColonLandmarks landmarks{ shapeton::FindColonLandmarks(flat, line.centreline) };
+  shapeton::FlatColon      flat{ landmarktubes::TubeAlong(line.centerline, 15.0) };
+  shapeton::ColonLandmarks landmarks{ shapeton::FindColonLandmarks(flat, line.centerline) };
 
   shapeton::ColonLandmarkParts
   Parts() const

@@ -54,10 +54,10 @@ TEST(ColonPictures, TheStorageOfTheVolumeDoesNotMatter)
   const shapeton::TestColon other({ { 2, 0, 1 } }, { { true, false, true } });
   for (const auto plane : planes)
   {
-    // Names at the ends may be rounded to the next pixel: no centreline.
+    // Names at the ends may be rounded to the next pixel: no centerline.
     shapeton::ColonParts parts[] = { reference.Parts(), other.Parts() };
-    parts[0].centreline = nullptr;
-    parts[1].centreline = nullptr;
+    parts[0].centerline = nullptr;
+    parts[1].centerline = nullptr;
     EXPECT_LE(shapeton::GreatestDifference(shapeton::DrawColonProjection(parts[0], plane),
                                            shapeton::DrawColonProjection(parts[1], plane)),
               1);
@@ -136,9 +136,9 @@ TEST(ColonPictures, BridgesAndEndsAreSeen)
   parts.wall = &plain;
   const auto unbridged = shapeton::DrawColonWall(parts, shapeton::PatientSide::Anterior, true);
   EXPECT_GT(PixelsLike(bridged, bridge, 90), PixelsLike(unbridged, bridge, 90) + 300);
-  // The tube of the centreline and the balls at its ends have the colours of the distance.
+  // The tube of the centerline and the balls at its ends have the colors of the distance.
   const auto inside = shapeton::DrawColonWall(parts, shapeton::PatientSide::Anterior, false);
-  parts.centreline = nullptr;
+  parts.centerline = nullptr;
   EXPECT_THROW(shapeton::DrawColonWall(parts, shapeton::PatientSide::Anterior, false), std::invalid_argument);
   EXPECT_GT(PixelsLike(inside, shapeton::MakeColor(221, 61, 44), 90), 300);
 }
@@ -202,12 +202,12 @@ TEST(ColonPictures, NamesOfEndsKeepOffTheOrientationLetters)
   shapeton::TestColon colon;
   const auto          without = [&] {
     shapeton::ColonParts parts = colon.Parts();
-    parts.centreline = nullptr;
+    parts.centerline = nullptr;
     return shapeton::DrawColonProjection(parts, shapeton::SlicePlane::Coronal);
   }();
   // Left of the middle and 3 mm above the lower border: a name to the right of it would cover the letter F.
-  colon.centreline.V.row(0) << -8.0, 0.0, -17.0;
-  colon.centreline.V.row(1) << -8.0, 0.0, -16.5;
+  colon.centerline.V.row(0) << -8.0, 0.0, -17.0;
+  colon.centerline.V.row(1) << -8.0, 0.0, -16.5;
   const auto    with = shapeton::DrawColonProjection(colon.Parts(), shapeton::SlicePlane::Coronal);
   constexpr int left = 12; // of the panel in the page
   constexpr int belowPanel = 46;

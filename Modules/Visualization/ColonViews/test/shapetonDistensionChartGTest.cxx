@@ -16,16 +16,16 @@ class Chart
 {
 public:
   explicit Chart(const shapeton::TestColon & colon)
-    : frame(shapeton::DistensionFrame(colon.centreline)), picture(shapeton::DrawDistensionChart(colon.centreline, {}))
+    : frame(shapeton::DistensionFrame(colon.centerline)), picture(shapeton::DrawDistensionChart(colon.centerline, {}))
   {}
 
-  /** The colour at a distance and a calibre, mm. */
+  /** The color at a distance and a caliber, mm. */
   shapeton::RGBColor
-  At(double distance, double calibre) const
+  At(double distance, double caliber) const
   {
     return shapeton::At(picture,
                         static_cast<int>(std::lround(frame.PixelOfX(distance))),
-                        static_cast<int>(std::lround(frame.PixelOfY(calibre))));
+                        static_cast<int>(std::lround(frame.PixelOfY(caliber))));
   }
 
   shapeton::PlotFrame        frame;
@@ -38,7 +38,7 @@ TEST(DistensionChart, TicksAndValuesLieWhereTheyBelong)
   const shapeton::TestColon colon;
   const Chart               chart(colon);
   EXPECT_DOUBLE_EQ(chart.frame.x.upper, shapeton::TestColon::length);
-  EXPECT_DOUBLE_EQ(chart.frame.y.upper, 21.6); // a little more than the greatest calibre
+  EXPECT_DOUBLE_EQ(chart.frame.y.upper, 21.6); // a little more than the greatest caliber
   const int bottom = chart.frame.top + chart.frame.height;
   for (const double distance : { 0.0, 20.0, 100.0, 180.0 }) // every 20 mm
   {
@@ -60,7 +60,7 @@ TEST(DistensionChart, NarrowStretchesAndGapsAreTold)
   const double              narrow = 0.6 * shapeton::TestColon::length;
   EXPECT_GT(chart.At(narrow, 4.0)[0], chart.At(narrow, 4.0)[2] + 60); // orange
   EXPECT_EQ(chart.At(0.33 * shapeton::TestColon::length, 15.0), gapShade);
-  EXPECT_EQ(chart.At(0.33 * shapeton::TestColon::length, 1.5), gapShade); // no calibre is made up
+  EXPECT_EQ(chart.At(0.33 * shapeton::TestColon::length, 1.5), gapShade); // no caliber is made up
   EXPECT_NE(chart.At(0.28 * shapeton::TestColon::length, 15.0), gapShade);
   int dashes = 0;
   for (int x = 0; x < chart.frame.width; ++x)
@@ -75,8 +75,8 @@ TEST(DistensionChart, BordersOfSegmentsLieAtTheirDistances)
 {
   const shapeton::TestColon colon;
   const auto                segments = shapeton::TestSegments();
-  const shapeton::PlotFrame frame = shapeton::DistensionFrame(colon.centreline);
-  const auto                picture = shapeton::DrawDistensionChart(colon.centreline, segments);
+  const shapeton::PlotFrame frame = shapeton::DistensionFrame(colon.centerline);
+  const auto                picture = shapeton::DrawDistensionChart(colon.centerline, segments);
   for (const shapeton::ColonSegment & segment : segments)
   {
     const int x = static_cast<int>(std::lround(frame.PixelOfX(segment.begin)));
@@ -89,14 +89,14 @@ TEST(DistensionChart, RefusesWhatCannotBeDrawn)
 {
   shapeton::TestColon                    colon;
   const shapeton::DistensionChartOptions small{ "Distension", 499, 460 };
-  EXPECT_THROW(shapeton::DrawDistensionChart(colon.centreline, {}, small), std::invalid_argument);
-  colon.centreline.pointArrays.erase(colon.centreline.pointArrays.begin() + 1);
-  const std::string message = basetest::MessageOf([&] { shapeton::DrawDistensionChart(colon.centreline, {}); });
+  EXPECT_THROW(shapeton::DrawDistensionChart(colon.centerline, {}, small), std::invalid_argument);
+  colon.centerline.pointArrays.erase(colon.centerline.pointArrays.begin() + 1);
+  const std::string message = basetest::MessageOf([&] { shapeton::DrawDistensionChart(colon.centerline, {}); });
   EXPECT_NE(message.find("radius"), std::string::npos) << message;
 }
 
 TEST(DistensionChart, Baseline)
 {
-  shapeton::ExpectBaseline(shapeton::DrawDistensionChart(shapeton::TestColon().centreline, shapeton::TestSegments()),
+  shapeton::ExpectBaseline(shapeton::DrawDistensionChart(shapeton::TestColon().centerline, shapeton::TestSegments()),
                            "shapetonDistensionChart.png");
 }

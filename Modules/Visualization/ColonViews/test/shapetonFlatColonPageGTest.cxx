@@ -157,7 +157,7 @@ TEST(FlatColonPage, APolypHasItsRingWhereItLies)
   EXPECT_LE(nearest, reach + 2);
 }
 
-TEST(FlatColonPage, RulerTicksLieAtWholeCentimetres)
+TEST(FlatColonPage, RulerTicksLieAtWholeCentimeters)
 {
   const Page                     page; // distances are 10 + u: 2 cm at u = 10
   shapeton::FlatColonPageOptions options;

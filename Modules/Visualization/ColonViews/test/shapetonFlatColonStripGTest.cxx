@@ -70,7 +70,7 @@ TEST(FlatColonStrip, ALevelTubeIsEvenWhateverItsBends)
   }
 }
 
-TEST(FlatColonStrip, CurvatureColoursAreThoseOfTheScale)
+TEST(FlatColonStrip, CurvatureColorsAreThoseOfTheScale)
 {
   const TubeForm                form;
   const FlatColonGrid           grid(MakeCylinder(form));
@@ -91,7 +91,7 @@ TEST(FlatColonStrip, CurvatureColoursAreThoseOfTheScale)
   EXPECT_THROW(PaintFlatCurvature(grid, axis, scale, 1.5), shapeton::ParameterError);
 }
 
-TEST(FlatColonStrip, HolesAreGrey)
+TEST(FlatColonStrip, HolesAreGray)
 {
   shapeton::SurfaceMesh mesh = MakeCylinder({});
   std::vector<int>      faces(static_cast<std::size_t>(mesh.F.rows() - 2000));

@@ -28,7 +28,7 @@ MakeCt(const Eigen::Matrix3d &                               axes,
        const std::function<float(const Eigen::Vector3d &)> & huAt)
 {
   constexpr double      reach = 28.0;
-  const Eigen::Vector3d centre(0.0, 0.0, 0.5 * length);
+  const Eigen::Vector3d center(0.0, 0.0, 0.5 * length);
   const Eigen::Vector3d half = axes.transpose().cwiseAbs() * Eigen::Vector3d(reach, reach, 0.5 * length + 8.0);
   Ct::SizeType          size;
   Ct::SpacingType       spacings;
@@ -42,7 +42,7 @@ MakeCt(const Eigen::Matrix3d &                               axes,
       direction[row][k] = axes(row, k);
     }
   }
-  const Eigen::Vector3d corner = centre - axes * half;
+  const Eigen::Vector3d corner = center - axes * half;
   const auto            image = Ct::New();
   image->SetRegions(size);
   image->SetSpacing(spacings);

@@ -6,7 +6,7 @@
 
 namespace
 {
-/** Pixels of a colour, give or take. */
+/** Pixels of a color, give or take. */
 int
 Count(const shapeton::Picture * picture, int red, int green, int blue)
 {

@@ -71,14 +71,14 @@ TEST(PolypCandidatePictures, HeadIsInTheMiddleOfBothViews)
   shapeton::PolypColon colon;
   colon.wall = MakeWall({ Ellipsoid(Base(0.0), 6.0, 7.0) });
   colon.flat = std::make_shared<shapeton::FlatColon>(FlatTube());
-  colon.centreline.V.resize(49, 3);
+  colon.centerline.V.resize(49, 3);
   for (int i = 0; i < 49; ++i)
   {
-    colon.centreline.V.row(i) << i - 24.0, 0.0, 0.0;
+    colon.centerline.V.row(i) << i - 24.0, 0.0, 0.0;
   }
-  colon.centreline.curves.emplace_back(49);
-  std::iota(colon.centreline.curves[0].begin(), colon.centreline.curves[0].end(), 0);
-  colon.centreline.pointArrays = { { "arcLength", Eigen::VectorXd::LinSpaced(49, 0.0, 48.0), false } };
+  colon.centerline.curves.emplace_back(49);
+  std::iota(colon.centerline.curves[0].begin(), colon.centerline.curves[0].end(), 0);
+  colon.centerline.pointArrays = { { "arcLength", Eigen::VectorXd::LinSpaced(49, 0.0, 48.0), false } };
   auto candidates = shapeton::FindPolypCandidates(colon.wall);
   ASSERT_EQ(candidates.size(), 1u);
   candidates.front().uv = { 24.0, M_PI * radius };

@@ -22,14 +22,14 @@ public:
   {
     this->MakeGrid(order, isReversed);
     this->FillVolumes();
-    this->MakeCentreline();
+    this->MakeCenterline();
     this->MakeWall();
   }
 
   ColonParts
   Parts() const
   {
-    return { ct, lumen, &centreline, &wall };
+    return { ct, lumen, &centerline, &wall };
   }
 
   static bool
@@ -47,7 +47,7 @@ public:
 
   itk::Image<float, 3>::Pointer         ct;
   itk::Image<unsigned char, 3>::Pointer lumen;
-  CurveSet                              centreline;
+  CurveSet                              centerline;
   SurfaceMesh                           wall;
 
 private:
@@ -115,24 +115,24 @@ private:
   }
 
   void
-  MakeCentreline()
+  MakeCenterline()
   {
     constexpr int points = 190;
-    centreline.V.resize(points, 3);
-    centreline.curves.resize(1);
+    centerline.V.resize(points, 3);
+    centerline.curves.resize(1);
     SurfaceArray distance{ "arcLength", SurfaceArray::ValueMatrix(points, 1), false };
     SurfaceArray radius{ "radius", SurfaceArray::ValueMatrix(points, 1), false };
     SurfaceArray gap{ "gap", SurfaceArray::ValueMatrix(points, 1), true };
     for (int i = 0; i < points; ++i)
     {
       const double share = i / (points - 1.0);
-      centreline.V.row(i) = PointAt(share, 0.0, 0.0);
-      centreline.curves[0].push_back(i);
+      centerline.V.row(i) = PointAt(share, 0.0, 0.0);
+      centerline.curves[0].push_back(i);
       distance.values(i, 0) = share * length;
       radius.values(i, 0) = RadiusAt(share);
       gap.values(i, 0) = IsGap(share) ? 1.0 : 0.0;
     }
-    centreline.pointArrays = { distance, radius, gap };
+    centerline.pointArrays = { distance, radius, gap };
   }
 
   void
@@ -157,7 +157,7 @@ TestSegments()
   return { { "rectum", 0.0, 0.1 * length, 0.4 },
            { "sigmoid", 0.1 * length, 0.45 * length, 0.83 },
            { "ascending", 0.45 * length, 0.93 * length, 0.96 },
-           { "caecum", 0.93 * length, length, 1.0 } };
+           { "cecum", 0.93 * length, length, 1.0 } };
 }
 } // namespace shapeton
 

@@ -41,7 +41,7 @@ public:
 
   /** `number` consecutive points of a circle. */
   std::vector<Place>
-  Circle(const Place & centre, double radius, int number) const;
+  Circle(const Place & center, double radius, int number) const;
 
   /** The point at this distance from `from`, in this direction of the chart; plane and disk only. */
   Place

@@ -32,7 +32,7 @@ struct PictureMap
 /** A rectangle of the picture plane. */
 struct PictureWindow
 {
-  Pixel  centre;
+  Pixel  center;
   double halfWidth{ 1.0 };
 };
 
@@ -68,7 +68,7 @@ public:
               const SvgStyle &                            style);
 
   void
-  AddCircle(const Place & centre, double radius, const Motion & motion, const SvgStyle & style);
+  AddCircle(const Place & center, double radius, const Motion & motion, const SvgStyle & style);
 
   /** Draws a round mark with a size in pixels. */
   void
@@ -81,18 +81,18 @@ public:
   /** Draws a label sized to the circle with this center and rim point; returns false if it would be unreadably
    * small. */
   bool
-  AddLabel(const Place & centre, const Place & rim, const std::string & text);
+  AddLabel(const Place & center, const Place & rim, const std::string & text);
 
   void
   AddTitle(const std::vector<std::string> & lines);
 
   /** Draws a circle or rectangle in the picture plane, such as the rim of the disk. */
   void
-  AddRim(const Pixel & centre, double radius, const SvgStyle & style);
+  AddRim(const Pixel & center, double radius, const SvgStyle & style);
 
   /** Approximate radius in pixels of a circle of the geometry at this place; for dot sizes. */
   double
-  PixelsOf(const Place & centre, double radius, const Motion & motion) const;
+  PixelsOf(const Place & center, double radius, const Motion & motion) const;
 
   /** Number of segments skipped because they were too small. */
   std::size_t
@@ -119,9 +119,9 @@ private:
   bool
   Shorten(Place & from, Place & to) const;
   std::string
-  PathAlongRim(const Place & centre, double radius, const Pixel & end) const;
+  PathAlongRim(const Place & center, double radius, const Pixel & end) const;
   void
-  AddOutline(const Place & centre, double radius, const SvgStyle & style);
+  AddOutline(const Place & center, double radius, const SvgStyle & style);
 
   const ModelSpace & m_Space;
   PictureMap         m_Picture;

@@ -157,7 +157,7 @@ EmbeddedGraph::FindPole(const std::vector<int> & owner)
   {
     int    face;
     double radius;
-    Place  centre;
+    Place  center;
   };
   std::vector<Circle> circles;
   for (int face = 0; face < map.Faces(); ++face)
@@ -184,7 +184,7 @@ EmbeddedGraph::FindPole(const std::vector<int> & owner)
     if (circle.face == outer && circle.radius > largest)
     {
       largest = circle.radius;
-      pole = circle.centre;
+      pole = circle.center;
     }
   }
 }

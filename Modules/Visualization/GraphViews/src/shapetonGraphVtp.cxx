@@ -115,8 +115,8 @@ WriteGraphVtp(const EmbeddingCertificate &                             certifica
 {
   const EmbeddedGraph graph(certificate);
   const double        unit = UnitOfSurface(certificate);
-  const auto          circle = [&](const Place & centre, double radius) {
-    return graph.space.Circle(centre, radius, CornersOfCircle(radius / unit));
+  const auto          circle = [&](const Place & center, double radius) {
+    return graph.space.Circle(center, radius, CornersOfCircle(radius / unit));
   };
   std::vector<int> edgeOf(certificate.packed.edges.size(), -1); // for packed edges that belong to an edge of the graph
   for (std::size_t e = 0; e < certificate.graph.edges.size(); ++e)

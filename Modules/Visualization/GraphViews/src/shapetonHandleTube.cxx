@@ -53,7 +53,7 @@ Chimney(const SphereHole & hole, double radius, const Eigen::Vector3d & normal, 
   for (int i = 0; i <= chimneySections; ++i)
   {
     const double u = static_cast<double>(i) / chimneySections;
-    sections.push_back({ (low + u * (high - low)) * hole.centre,
+    sections.push_back({ (low + u * (high - low)) * hole.center,
                          normal,
                          along.cross(normal),
                          radius + (rim - radius) * (1.0 - u) * (1.0 - u) });
@@ -70,7 +70,7 @@ Clearance(const std::vector<TubeSection> & one, const std::vector<TubeSection> &
   {
     for (const TubeSection & b : other)
     {
-      least = std::min(least, (a.centre - b.centre).norm() - a.radius - b.radius);
+      least = std::min(least, (a.center - b.center).norm() - a.radius - b.radius);
     }
   }
   return least;
@@ -80,7 +80,7 @@ Clearance(const std::vector<TubeSection> & one, const std::vector<TubeSection> &
 bool
 PlaceTube(HandleTube & tube, std::vector<std::vector<TubeSection>> & placed)
 {
-  const double angle = AngleBetween(tube.start.centre, tube.end.centre);
+  const double angle = AngleBetween(tube.start.center, tube.end.center);
   const double least = std::min(0.5 * angle, 0.6);
   for (int level = 0; level < levels; ++level)
   {
@@ -100,8 +100,8 @@ PlaceTube(HandleTube & tube, std::vector<std::vector<TubeSection>> & placed)
 std::vector<TubeSection>
 HandleTube::Sections() const
 {
-  const Eigen::Vector3d    p = start.centre;
-  const Eigen::Vector3d    q = end.centre;
+  const Eigen::Vector3d    p = start.center;
+  const Eigen::Vector3d    q = end.center;
   const Eigen::Vector3d    normal = NormalOf(p, q);
   const Eigen::Vector3d    side = normal.cross(p);
   const double             angle = AngleBetween(p, q);
@@ -132,13 +132,13 @@ PlaceTubes(const std::vector<std::array<SphereHole, 2>> & pairs)
   std::vector<HandleTube> tubes;
   for (const auto & [start, end] : pairs)
   {
-    tubes.push_back({ start, end, std::min(thickest, 0.15 * AngleBetween(start.centre, end.centre)), 0.0 });
+    tubes.push_back({ start, end, std::min(thickest, 0.15 * AngleBetween(start.center, end.center)), 0.0 });
   }
   // Short tubes pass below long ones.
   std::vector<int> order(tubes.size());
   std::iota(order.begin(), order.end(), 0);
   std::stable_sort(order.begin(), order.end(), [&](int a, int b) {
-    return tubes[a].start.centre.dot(tubes[a].end.centre) > tubes[b].start.centre.dot(tubes[b].end.centre);
+    return tubes[a].start.center.dot(tubes[a].end.center) > tubes[b].start.center.dot(tubes[b].end.center);
   });
   for (int halving = 0; halving < mostHalvings; ++halving)
   {

@@ -5,22 +5,22 @@
 
 namespace shapeton
 {
-/** A round cross section of a tube: centre + radius (cos(angle) first + sin(angle) second). */
+/** A round cross section of a tube: center + radius (cos(angle) first + sin(angle) second). */
 struct TubeSection
 {
   Eigen::Vector3d
   At(double angle) const
   {
-    return centre + radius * (std::cos(angle) * first + std::sin(angle) * second);
+    return center + radius * (std::cos(angle) * first + std::sin(angle) * second);
   }
   /** Angle of a point of the circle. */
   double
   AngleOf(const Eigen::Vector3d & point) const
   {
-    return std::atan2((point - centre).dot(second), (point - centre).dot(first));
+    return std::atan2((point - center).dot(second), (point - center).dot(first));
   }
 
-  Eigen::Vector3d centre;
+  Eigen::Vector3d center;
   Eigen::Vector3d first;
   Eigen::Vector3d second; ///< first, second and the direction of the tube are right-handed
   double          radius;

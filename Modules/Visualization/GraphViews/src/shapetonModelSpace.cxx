@@ -51,7 +51,7 @@ PlaceOf(Complex z)
 
 /** Moebius transformation of the disk that maps 0 to z. */
 Complex
-FromCentre(Complex z, Complex w)
+FromCenter(Complex z, Complex w)
 {
   return (w + z) / (1.0 + std::conj(z) * w);
 }
@@ -83,30 +83,30 @@ ModelSpace::Between(const Place & from, const Place & to, double share) const
   {
     return Combination(1.0 - share, from, share, to);
   }
-  const Complex w = FromCentre(-Number(from), Number(to)); // seen from `from` the geodesic is straight
+  const Complex w = FromCenter(-Number(from), Number(to)); // seen from `from` the geodesic is straight
   const double  length = std::abs(w);
   const Complex part = length > 0.0 ? w / length * std::tanh(share * std::atanh(std::min(length, 1.0 - 1e-16))) : w;
-  return PlaceOf(FromCentre(Number(from), part));
+  return PlaceOf(FromCenter(Number(from), part));
 }
 
 std::vector<Place>
-ModelSpace::Circle(const Place & centre, double radius, int number) const
+ModelSpace::Circle(const Place & center, double radius, int number) const
 {
   std::vector<Place> points;
-  const Place        x = Unit(std::abs(centre.x) < 0.7 ? Combination(1.0, { 1.0, 0.0, 0.0 }, -centre.x, centre)
-                                                : Combination(1.0, { 0.0, 1.0, 0.0 }, -centre.y, centre));
-  const Place y{ centre.y * x.z - centre.z * x.y, centre.z * x.x - centre.x * x.z, centre.x * x.y - centre.y * x.x };
+  const Place        x = Unit(std::abs(center.x) < 0.7 ? Combination(1.0, { 1.0, 0.0, 0.0 }, -center.x, center)
+                                                : Combination(1.0, { 0.0, 1.0, 0.0 }, -center.y, center));
+  const Place y{ center.y * x.z - center.z * x.y, center.z * x.x - center.x * x.z, center.x * x.y - center.y * x.x };
   for (int i = 0; i < number; ++i)
   {
     const double angle = 2.0 * Pi * i / number;
     if (m_Geometry == EmbeddingGeometry::Spherical)
     {
       const Place direction = Combination(std::cos(angle), x, std::sin(angle), y);
-      points.push_back(Combination(std::cos(radius), centre, std::sin(radius), direction));
+      points.push_back(Combination(std::cos(radius), center, std::sin(radius), direction));
     }
     else
     {
-      points.push_back(this->Walk(centre, angle, radius));
+      points.push_back(this->Walk(center, angle, radius));
     }
   }
   return points;
@@ -119,7 +119,7 @@ ModelSpace::Walk(const Place & from, double direction, double distance) const
   {
     return PlaceOf(Number(from) + std::polar(distance, direction));
   }
-  return PlaceOf(FromCentre(Number(from), std::polar(std::tanh(0.5 * distance), direction)));
+  return PlaceOf(FromCenter(Number(from), std::polar(std::tanh(0.5 * distance), direction)));
 }
 
 double

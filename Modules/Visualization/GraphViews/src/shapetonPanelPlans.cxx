@@ -67,7 +67,7 @@ PlansOfTorus(const EmbeddedGraph & graph)
   }
   PanelPlan overlap{ "Universal cover: overlap graph and fundamental domain", flat, WindowAround(pixels, 1.4) };
   overlap.hasTiles = true;
-  // Copies of a large graph are grey; each takes as long to paint as the original.
+  // Copies of a large graph are gray; each takes as long to paint as the original.
   const std::size_t segments = graph.halfEdges.size() + graph.dual.size();
   overlap.tiles = TilesAround(graph, segments > 1000000 ? 1 : segments > 100000 ? 9 : 25);
   PanelPlan circles = overlap;
@@ -173,8 +173,8 @@ UniteWindows(const std::list<EmbeddedGraph> & graphs, std::vector<PanelPlan> & p
     if (graph.space.Geometry() == EmbeddingGeometry::Spherical)
     {
       const double half = plan.window.halfWidth;
-      corners.push_back({ plan.window.centre.x - half, plan.window.centre.y - half });
-      corners.push_back({ plan.window.centre.x + half, plan.window.centre.y + half });
+      corners.push_back({ plan.window.center.x - half, plan.window.center.y - half });
+      corners.push_back({ plan.window.center.x + half, plan.window.center.y + half });
       ofSpheres.push_back(&plan);
     }
   }

@@ -80,9 +80,9 @@ SphereWithHoles::Add(const Eigen::Vector3d & vertex, int rim)
 int
 SphereWithHoles::AddRim(int hole, const Eigen::Vector3d & towards)
 {
-  const auto & [node, centre, angle] = m_Holes[hole];
-  const Eigen::Vector3d direction = (towards - towards.dot(centre) * centre).normalized();
-  return this->Add(std::cos(angle) * centre + std::sin(angle) * direction, hole);
+  const auto & [node, center, angle] = m_Holes[hole];
+  const Eigen::Vector3d direction = (towards - towards.dot(center) * center).normalized();
+  return this->Add(std::cos(angle) * center + std::sin(angle) * direction, hole);
 }
 
 void
@@ -95,12 +95,12 @@ SphereWithHoles::AddVertices(const SphericalPacking & packing)
   {
     if (m_HoleOfNode[node] < 0)
     {
-      m_OfNode[node] = this->Add(VectorOf(CentreOf(packing.nodes[node])));
+      m_OfNode[node] = this->Add(VectorOf(CenterOf(packing.nodes[node])));
     }
   }
   for (const SphereCircle & face : packing.faces)
   {
-    m_OfFace.push_back(this->Add(VectorOf(CentreOf(face))));
+    m_OfFace.push_back(this->Add(VectorOf(CenterOf(face))));
   }
   for (const std::array<double, 3> & touch : packing.touchPoints)
   {

@@ -12,8 +12,8 @@ namespace shapeton
 struct SphereHole
 {
   int             node;
-  Eigen::Vector3d centre; ///< unit vector
-  double          angle;  ///< from the centre to the rim
+  Eigen::Vector3d center; ///< unit vector
+  double          angle;  ///< from the center to the rim
 };
 
 /** \brief Triangulation of the unit sphere along a circle packing, with holes around some nodes.

@@ -27,8 +27,8 @@ HolesOf(const HandleCut & cut, const SphericalPacking & packing)
 {
   const auto holeOf = [&](int hub) -> SphereHole {
     const SphereCircle &        circle = packing.nodes[hub];
-    const std::array<double, 3> centre = CentreOf(circle);
-    return { hub, { centre[0], centre[1], centre[2] }, std::min(shareOfHub * RadiusOf(circle), largestHole) };
+    const std::array<double, 3> center = CenterOf(circle);
+    return { hub, { center[0], center[1], center[2] }, std::min(shareOfHub * RadiusOf(circle), largestHole) };
   };
   std::vector<std::array<SphereHole, 2>> pairs;
   for (const std::array<int, 2> & hubs : cut.hubs)

@@ -37,7 +37,7 @@ Distance(const Pixel & p, const Pixel & q)
 
 struct FlatCircle
 {
-  Pixel  centre;
+  Pixel  center;
   double radius;
 };
 
@@ -52,8 +52,8 @@ CircleThrough(const Pixel & a, const Pixel & b, const Pixel & c)
   const double d = 2.0 * (bx * cy - by * cx);
   const double b2 = bx * bx + by * by;
   const double c2 = cx * cx + cy * cy;
-  const Pixel  centre{ a.x + (cy * b2 - by * c2) / d, a.y + (bx * c2 - cx * b2) / d };
-  return { centre, Distance(centre, a) };
+  const Pixel  center{ a.x + (cy * b2 - by * c2) / d, a.y + (bx * c2 - cx * b2) / d };
+  return { center, Distance(center, a) };
 }
 } // namespace
 
@@ -119,7 +119,7 @@ SvgPanel::ToPixel(const Place & place) const
 {
   const Pixel  flat = m_Picture.map(place);
   const double scale = 0.5 * m_Size / m_Window.halfWidth;
-  return { 0.5 * m_Size + scale * (flat.x - m_Window.centre.x), 0.5 * m_Size + scale * (flat.y - m_Window.centre.y) };
+  return { 0.5 * m_Size + scale * (flat.x - m_Window.center.x), 0.5 * m_Size + scale * (flat.y - m_Window.center.y) };
 }
 
 bool
@@ -202,16 +202,16 @@ SvgPanel::AddSegments(const std::vector<EmbeddedGraph::Segment> & segments,
 }
 
 double
-SvgPanel::PixelsOf(const Place & centre, double radius, const Motion & motion) const
+SvgPanel::PixelsOf(const Place & center, double radius, const Motion & motion) const
 {
-  const Place place = m_Space.Moved(motion, centre);
+  const Place place = m_Space.Moved(motion, center);
   return Distance(this->ToPixel(place), this->ToPixel(m_Space.Circle(place, radius, 4)[0]));
 }
 
 void
-SvgPanel::AddCircle(const Place & centre, double radius, const Motion & motion, const SvgStyle & style)
+SvgPanel::AddCircle(const Place & center, double radius, const Motion & motion, const SvgStyle & style)
 {
-  const Place place = m_Space.Moved(motion, centre);
+  const Place place = m_Space.Moved(motion, center);
   if (!m_Picture.keepsCircles)
   {
     this->AddOutline(place, radius, style);
@@ -221,14 +221,14 @@ SvgPanel::AddCircle(const Place & centre, double radius, const Motion & motion, 
   const FlatCircle circle = CircleThrough(this->ToPixel(points[0]), this->ToPixel(points[1]), this->ToPixel(points[2]));
   const double     margin = circle.radius;
   constexpr double most = 1e5; // practically a line
-  if (!(circle.radius >= LeastOf(motion) && circle.radius < most) || !IsNear(circle.centre, margin))
+  if (!(circle.radius >= LeastOf(motion) && circle.radius < most) || !IsNear(circle.center, margin))
   {
     return;
   }
-  const std::string x = SvgNumber(circle.centre.x);
-  const std::string y = SvgNumber(circle.centre.y);
+  const std::string x = SvgNumber(circle.center.x);
+  const std::string y = SvgNumber(circle.center.y);
   const std::string r = SvgNumber(circle.radius);
-  if (Distance(this->ToPixel(place), circle.centre) < circle.radius)
+  if (Distance(this->ToPixel(place), circle.center) < circle.radius)
   {
     m_Content += "<circle cx=\"" + x + "\" cy=\"" + y + "\" r=\"" + r + '"' + Attributes(style) + "/>\n";
     return;
@@ -237,20 +237,20 @@ SvgPanel::AddCircle(const Place & centre, double radius, const Motion & motion, 
   const std::string size = SvgNumber(m_Size);
   const std::string arc = 'A' + r + ' ' + r + " 0 0 0 ";
   m_Content += "<path fill-rule=\"evenodd\" d=\"M-9 -9H" + size + "9V" + size + "9H-9ZM" +
-               Pair({ circle.centre.x - circle.radius, circle.centre.y }) + arc +
-               Pair({ circle.centre.x + circle.radius, circle.centre.y }) + arc +
-               Pair({ circle.centre.x - circle.radius, circle.centre.y }) + "Z\"" + Attributes(style) + "/>\n";
+               Pair({ circle.center.x - circle.radius, circle.center.y }) + arc +
+               Pair({ circle.center.x + circle.radius, circle.center.y }) + arc +
+               Pair({ circle.center.x - circle.radius, circle.center.y }) + "Z\"" + Attributes(style) + "/>\n";
 }
 
 /** Continues from the last visible point of a cap's circle along the rim, as far as it is inside the cap. */
 std::string
-SvgPanel::PathAlongRim(const Place & centre, double radius, const Pixel & end) const
+SvgPanel::PathAlongRim(const Place & center, double radius, const Pixel & end) const
 {
   const std::size_t number = m_Picture.rim.size();
   const double      least = std::cos(radius);
   const auto        isInside = [&](std::size_t i) {
     const Place & p = m_Picture.rim[i % number];
-    return p.x * centre.x + p.y * centre.y + p.z * centre.z > least;
+    return p.x * center.x + p.y * center.y + p.z * center.z > least;
   };
   std::size_t start = 0;
   while (start < number && (isInside(start + number - 1) || !isInside(start)))
@@ -276,15 +276,15 @@ SvgPanel::PathAlongRim(const Place & centre, double radius, const Pixel & end) c
 
 /** Visible part of a circle that is not a circle in the picture, as a polygon; closed along the rim where hidden. */
 void
-SvgPanel::AddOutline(const Place & centre, double radius, const SvgStyle & style)
+SvgPanel::AddOutline(const Place & center, double radius, const SvgStyle & style)
 {
-  const double size = this->PixelsOf(centre, radius, {});
-  if (size < m_Least || !IsNear(this->ToPixel(centre), 2.0 * size + 2.0))
+  const double size = this->PixelsOf(center, radius, {});
+  if (size < m_Least || !IsNear(this->ToPixel(center), 2.0 * size + 2.0))
   {
     return;
   }
   const auto               number = static_cast<std::size_t>(std::clamp(8.0 * std::sqrt(size), 8.0, 160.0));
-  const std::vector<Place> points = m_Space.Circle(centre, radius, static_cast<int>(number));
+  const std::vector<Place> points = m_Space.Circle(center, radius, static_cast<int>(number));
   const auto               isSeen = [&](std::size_t i) { return m_Picture.isVisible(points[i % number]); };
   std::size_t              start = 0; // the first point after a hidden one, if any
   while (start < number && (isSeen(start + number - 1) || !isSeen(start)))
@@ -301,7 +301,7 @@ SvgPanel::AddOutline(const Place & centre, double radius, const SvgStyle & style
   }
   if (!path.empty())
   {
-    path += isWhole ? std::string() : this->PathAlongRim(centre, radius, end);
+    path += isWhole ? std::string() : this->PathAlongRim(center, radius, end);
     m_Content += "<path d=\"" + path + "Z\"" + Attributes(style) + "/>\n";
   }
 }
@@ -345,16 +345,16 @@ SvgPanel::AddPolygon(const std::vector<Place> & corners, const Motion & motion, 
 }
 
 bool
-SvgPanel::AddLabel(const Place & centre, const Place & rim, const std::string & text)
+SvgPanel::AddLabel(const Place & center, const Place & rim, const std::string & text)
 {
   constexpr double largest = 12.0;
   constexpr double smallest = 6.0;
   constexpr double widthOfLetter = 0.55; // relative to the font size
-  if (!m_Picture.isVisible(centre))
+  if (!m_Picture.isVisible(center))
   {
     return true;
   }
-  const Pixel  pixel = this->ToPixel(centre);
+  const Pixel  pixel = this->ToPixel(center);
   const Pixel  end = this->ToPixel(rim);
   const auto   letters = std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; });
   const double room = 2.2 * std::hypot(end.x - pixel.x, end.y - pixel.y) / widthOfLetter;
@@ -381,11 +381,11 @@ SvgPanel::AddTitle(const std::vector<std::string> & lines)
 }
 
 void
-SvgPanel::AddRim(const Pixel & centre, double radius, const SvgStyle & style)
+SvgPanel::AddRim(const Pixel & center, double radius, const SvgStyle & style)
 {
   const double scale = 0.5 * m_Size / m_Window.halfWidth;
-  m_Content += "<circle cx=\"" + SvgNumber(0.5 * m_Size + scale * (centre.x - m_Window.centre.x)) + "\" cy=\"" +
-               SvgNumber(0.5 * m_Size + scale * (centre.y - m_Window.centre.y)) + "\" r=\"" +
+  m_Content += "<circle cx=\"" + SvgNumber(0.5 * m_Size + scale * (center.x - m_Window.center.x)) + "\" cy=\"" +
+               SvgNumber(0.5 * m_Size + scale * (center.y - m_Window.center.y)) + "\" r=\"" +
                SvgNumber(scale * radius) + '"' + Attributes(style) + "/>\n";
 }
 } // namespace shapeton

@@ -28,7 +28,7 @@ struct HeatExplorerContent
   /** If given, defines the axis instead. */
   const HeatHistogram *        axisHistogram{ nullptr };
   HeatScale                    scale{ HeatScale::Equalized };
-  const itk::Image<float, 3> * grey{ nullptr };
+  const itk::Image<float, 3> * gray{ nullptr };
   /** Intensity window of the slices. */
   IntensityWindow window;
   /** Initial lines of the page. */

@@ -34,9 +34,9 @@ const PAGE = `
 // The lines picked on the histogram of a volume, and all their views. `history` holds the undoable state: time step, lines, opened
 // ranges; it does not include crosshair, chosen line and camera.
 class HeatExplorer {
-  constructor(folder, info, grey, histogram, axisCounts) {
+  constructor(folder, info, gray, histogram, axisCounts) {
     const { volume } = info, state = { step: info.stored.at(-1), lines: shownLines(info.lines), ranges: info.ranges };
-    Object.assign(this, { folder, info, volume, grey, isEqualized: info.isEqualized, live: null });
+    Object.assign(this, { folder, info, volume, gray, isEqualized: info.isEqualized, live: null });
     Object.assign(this, { times: {}, steps: new Map(), chosen: -1, busy: 0, isSaved: true, history: new History(state) });
     this.place = volume.size.map((n) => n >> 1);
     this.setHistogram(histogram, axisCounts);
@@ -98,7 +98,7 @@ class HeatExplorer {
       Object.assign(this, shown);
       this.chosen = Math.min(this.chosen, this.lines.length - 1);
       this.setAxis();
-      this.recolour();
+      this.recolor();
       if (kind === null) fillLineList(byId('lines'), this);
       this.tell();
     } catch (error) { // unreadable data
@@ -133,14 +133,14 @@ class HeatExplorer {
   }
 
   // Lookup tables by bin: the number of the line, and premultiplied color.
-  recolour() {
+  recolor() {
     const started = performance.now(), { bins, lines } = this, seen = [0, ...lines.map(premultiplied)];
     this.numbers = linesOfBins(lines);
-    this.colours = Uint32Array.from(this.numbers, (n) => seen[n]);
+    this.colors = Uint32Array.from(this.numbers, (n) => seen[n]);
     this.paints = paintsOf(lines);
-    this.rendering.load(bins, this.numbers, this.colours);
+    this.rendering.load(bins, this.numbers, this.colors);
     this.repaint();
-    this.times.recolour = performance.now() - started;
+    this.times.recolor = performance.now() - started;
   }
 
   setAxis() {
@@ -168,8 +168,8 @@ class HeatExplorer {
   openPlaces(a, b) { this.openRange(...this.rangeOf(a, b)); }
 
   pick(lower, upper) {
-    const { lineColours } = this.info, colour = lineColours.find((c) => this.lines.every((l) => l.colour !== c)) ?? lineColours[0];
-    this.setLines(withLine(this.lines, { lower, upper, colour, opacity: 0.6, isOn: true }), lower);
+    const { lineColors } = this.info, color = lineColors.find((c) => this.lines.every((l) => l.color !== c)) ?? lineColors[0];
+    this.setLines(withLine(this.lines, { lower, upper, color, opacity: 0.6, isOn: true }), lower);
   }
 
   setLines(lines, lower, kind = null) {
@@ -243,9 +243,9 @@ class HeatExplorer {
   addOpacity(by) { this.alterChosen((line) => ({ opacity: Math.round(100 * clamp(line.opacity + by, 0, 1)) / 100 })); }
   toggleLine() { this.alterChosen((line) => ({ isOn: !line.isOn })); }
 
-  nextColour() {
-    const { lineColours } = this.info;
-    this.alterChosen((line) => ({ colour: lineColours[(lineColours.indexOf(line.colour) + 1) % lineColours.length] }));
+  nextColor() {
+    const { lineColors } = this.info;
+    this.alterChosen((line) => ({ color: lineColors[(lineColors.indexOf(line.color) + 1) % lineColors.length] }));
   }
 
   // Moves an end by bins, keeping at least one bin; bins taken from neighbors are removed from them.
@@ -336,8 +336,8 @@ class HeatExplorer {
 
   // Description of the voxel under the crosshair.
   describe() {
-    const { info: { quantity, window: [low, high] }, grey, voxel, place, bins, numbers } = this, line = numbers[bins[voxel]];
-    const value = low + (grey[voxel] / 255) * (high - low), mm = this.rendering.toSpace(place).map((x) => x.toFixed(1)).join(', ');
+    const { info: { quantity, window: [low, high] }, gray, voxel, place, bins, numbers } = this, line = numbers[bins[voxel]];
+    const value = low + (gray[voxel] / 255) * (high - low), mm = this.rendering.toSpace(place).map((x) => x.toFixed(1)).join(', ');
     const edges = [bins[voxel], bins[voxel] + 1].map((bin) => shortNumber(lowerEdge(bin))).join(' to ');
     return `${mm} mm (LPS), intensity about ${shortNumber(value)}, ${quantity.name} ${edges}${line ? `, line ${line}` : ''}`;
   }
@@ -350,7 +350,7 @@ class HeatExplorer {
     byId('steps').replaceChildren(...this.info.stored.map((step) => new Option(step, step, false, step === this.step)));
     byId('undo').disabled = !this.history.before.length;
     byId('redo').disabled = !this.history.after.length;
-    byId('ranges').textContent = `axis: ${['all', ...ranges].join(' › ')}${this.isEqualized ? '' : ' (not equalised)'}`;
+    byId('ranges').textContent = `axis: ${['all', ...ranges].join(' › ')}${this.isEqualized ? '' : ' (not equalized)'}`;
   }
 
   // For tests: everything requested has been painted, at full quality unless a coarse picture suffices.
@@ -403,11 +403,11 @@ function followRun(explorer) {
 }
 
 async function openExplorer(folder) {
-  const started = performance.now(), info = await readBlock(folder, 'info'), grey = await readBlock(folder, 'grey');
+  const started = performance.now(), info = await readBlock(folder, 'info'), gray = await readBlock(folder, 'gray');
   byId('title').textContent = document.title = `${info.title} – heat explorer`;
   const first = info.secondsBetweenStates ? await readState(folder) : { histogram: await readBlock(folder, 'histogram') };
   first.axisCounts ??= info.hasAxis ? await readBlock(folder, 'axis') : first.histogram;
-  const explorer = new HeatExplorer(folder, Object.assign(info, first.state), grey, first.histogram, first.axisCounts);
+  const explorer = new HeatExplorer(folder, Object.assign(info, first.state), gray, first.histogram, first.axisCounts);
   explorer.live = first.live ?? null;
   Object.assign(explorer, await explorer.load(explorer.step)); // an unreadable first step is reported instead of the page
   explorer.makeViews();

@@ -40,12 +40,12 @@ function sharpen(row) {
 }
 
 // The histogram as HeatHistogramPicture draws it: heat to the right, time downwards, one row of pixels for each of its rows.
-function pictureOf(counts, axis, columns, colours) {
+function pictureOf(counts, axis, columns, colors) {
   const rows = counts.length / NUMBER_OF_BINS, columnsOf = columnCounts(counts, axis, columns);
   const greatest = columnsOf.reduce((a, b) => Math.max(a, b), 0), image = new ImageData(columns, rows);
   const hues = Array.from({ length: columns }, (_, x) => {
-    const place = (x / Math.max(1, columns - 1)) * (colours.length - 1), i = Math.min(colours.length - 2, Math.floor(place));
-    return colours[i].map((c, k) => c + (place - i) * (colours[i + 1][k] - c));
+    const place = (x / Math.max(1, columns - 1)) * (colors.length - 1), i = Math.min(colors.length - 2, Math.floor(place));
+    return colors[i].map((c, k) => c + (place - i) * (colors[i + 1][k] - c));
   });
   for (let row = 0; row < rows; row++) {
     const line = sharpen(columnsOf.subarray(row * columns, (row + 1) * columns).map((count) => brightnessOf(count, greatest)));
@@ -60,7 +60,7 @@ function pictureOf(counts, axis, columns, colours) {
 export class HistogramView extends View {
   constructor(root, page) {
     super(root, 'histogram', 'histogram');
-    Object.assign(this, { page, colours: page.info.heatColours.map(channelsOf), selection: null, cursor: 0.5 });
+    Object.assign(this, { page, colors: page.info.heatColors.map(channelsOf), selection: null, cursor: 0.5 });
     this.canvas.addEventListener('dblclick', (e) => page.openAt(this.positionAt(e.offsetX / View.scale)));
   }
 
@@ -81,7 +81,7 @@ export class HistogramView extends View {
     g.fillStyle = '#0c0d12';
     g.fillRect(0, 0, w, h);
     if (this.drawnAxis !== page.axis || this.picture.width !== columns || this.drawnCounts !== page.histogram) {
-      this.picture = pictureOf(page.histogram, page.axis, columns, this.colours);
+      this.picture = pictureOf(page.histogram, page.axis, columns, this.colors);
       Object.assign(this, { drawnAxis: page.axis, drawnCounts: page.histogram });
     }
     g.imageSmoothingEnabled = false;
@@ -98,7 +98,7 @@ export class HistogramView extends View {
     this.page.lines.forEach((line, i) => {
       const a = Math.max(left, this.xOf(line.lower)), b = Math.min(left + width, this.xOf(line.upper)), wide = Math.max(2, b - a);
       if (line.upper <= this.page.axis.lower || line.lower >= this.page.axis.upper) return;
-      g.fillStyle = line.colour;
+      g.fillStyle = line.color;
       g.globalAlpha = line.isOn ? 0.28 : 0.08;
       g.fillRect(a, top, wide, height);
       g.globalAlpha = line.isOn ? 1 : 0.4;
@@ -168,8 +168,8 @@ export class HistogramView extends View {
       g.fillStyle = '#fff5';
       g.fillRect(Math.min(a, b), top, Math.abs(b - a), height);
     }
-    const mark = (x, text, colour) => {
-      g.fillStyle = colour;
+    const mark = (x, text, color) => {
+      g.fillStyle = color;
       g.fillRect(x - 0.5, top - 4, 1.5, height + 4);
       g.fillText(text, clamp(x - 8, left, left + width - 60), top - 8);
     };

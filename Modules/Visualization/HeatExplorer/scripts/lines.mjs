@@ -1,4 +1,4 @@
-// Lines of a heat histogram as a transfer function: {lower, upper, colour '#rrggbb', opacity, isOn}. A line contains the voxels with
+// Lines of a heat histogram as a transfer function: {lower, upper, color '#rrggbb', opacity, isOn}. A line contains the voxels with
 // lower <= heat < upper. The bins are those of HeatHistogram.
 const BINS_PER_OCTAVE = 256, OCTAVES = 16;
 export const NUMBER_OF_BINS = BINS_PER_OCTAVE * OCTAVES + 1;
@@ -18,11 +18,11 @@ export function binOf(heat) {
   return Math.min(NUMBER_OF_BINS - 1, 1 + (octave + OCTAVES) * BINS_PER_OCTAVE + within);
 }
 
-export const channelsOf = (colour) => [1, 3, 5].map((k) => parseInt(colour.slice(k, k + 2), 16));
+export const channelsOf = (color) => [1, 3, 5].map((k) => parseInt(color.slice(k, k + 2), 16));
 
 // Premultiplied color and opacity as the bytes of a word.
-export function premultiplied({ colour, opacity }) {
-  const [r, g, b, a] = [...channelsOf(colour).map((c) => Math.round(c * opacity)), Math.round(255 * opacity)];
+export function premultiplied({ color, opacity }) {
+  const [r, g, b, a] = [...channelsOf(color).map((c) => Math.round(c * opacity)), Math.round(255 * opacity)];
   return ((a << 24) | (b << 16) | (g << 8) | r) >>> 0;
 }
 
@@ -77,10 +77,10 @@ function opacityPoints(lines) {
   return points;
 }
 
-function colourPoints(lines) {
+function colorPoints(lines) {
   return lines.flatMap((line) => {
-    const colour = channelsOf(line.colour).map((c) => c / 255);
-    return [[line.lower, ...colour], [line.upper - rampOf(line), ...colour]];
+    const color = channelsOf(line.color).map((c) => c / 255);
+    return [[line.lower, ...color], [line.upper - rampOf(line), ...color]];
   });
 }
 
@@ -91,13 +91,13 @@ function pointsText(points, unit) {
 
 // The lines as a volume property of 3D Slicer: the bytes that HeatTransferFunction writes. unit: what a heat of 1 is in the volume.
 export function volumeProperty(lines, unit) {
-  const points = [opacityPoints(lines), [[0, 1], [1, 1]], colourPoints(lines)];
+  const points = [opacityPoints(lines), [[0, 1], [1, 1]], colorPoints(lines)];
   return `${['0', '1', '0.6', '0.3', '0.2', '10', ...points.map((p) => pointsText(p, unit))].join('\n')}\n`;
 }
 
 // What HeatTransferFunction --from reads.
 export function savedText(lines, quantity, timeStep) {
-  const saved = lines.map(({ lower, upper, colour, opacity }) => ({ lower, upper, colour, opacity }));
+  const saved = lines.map(({ lower, upper, color, opacity }) => ({ lower, upper, color, opacity }));
   return `${JSON.stringify({ shapeton: 'transfer function', version: 1, quantity, timeStep, lines: saved }, null, 2)}\n`;
 }
 
@@ -110,7 +110,7 @@ export function linesFromText(text, quantity) {
     throw new Error('This file is not a transfer function: it is not JSON.');
   }
   const isRange = (a, b) => a >= 0 && a < b && b <= 1, isShare = (x) => x >= 0 && x <= 1;
-  const isLine = (l) => isRange(l.lower, l.upper) && isShare(l.opacity) && /^#[0-9a-f]{6}$/.test(l.colour);
+  const isLine = (l) => isRange(l.lower, l.upper) && isShare(l.opacity) && /^#[0-9a-f]{6}$/.test(l.color);
   const isKnown = saved?.shapeton === 'transfer function' && saved.version === 1 && Array.isArray(saved.lines);
   if (!isKnown || saved.lines.length > MOST_LINES || !saved.lines.every(isLine)) {
     throw new Error('This file is not a transfer function saved by this page.');

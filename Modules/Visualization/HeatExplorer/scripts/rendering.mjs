@@ -42,7 +42,7 @@ void main() {
   vec3 start = origin + (gl_FragCoord.x - .5) * across + (height - .5 - gl_FragCoord.y) * below;
   vec3 a = (-.5 - start) / stride, b = (size - .5 - start) / stride, lo = min(a, b), hi = max(a, b);
   float t = ceil(max(lo.x, max(lo.y, lo.z))), end = min(hi.x, min(hi.y, hi.z)), seen = 1.;
-  vec3 colour = vec3(0), ahead = step(0., stride);
+  vec3 color = vec3(0), ahead = step(0., stride);
   for (int n = 0; n < 4096 && t <= end && seen > .004; n++) {
     vec3 p = clamp(start + t * stride, vec3(0), size - 1.);
     ivec3 block = ivec3(p) / ${BLOCK};
@@ -55,19 +55,19 @@ void main() {
     vec4 c = at(p);
     if (c.a > 0.) {
       vec4 s = shaded(c, content > ${MIXED} ? vec3(0) : gradientAt(p));
-      colour += seen * s.a * s.rgb;
+      color += seen * s.a * s.rgb;
       seen *= 1. - s.a;
     }
     t += 1.;
   }
-  o = vec4(colour + seen * vec3(18, 19, 25) / 255., 1);
+  o = vec4(color + seen * vec3(18, 19, 25) / 255., 1);
 }`;
 
 // Content of each block, including one voxel beyond its far sides for interpolation. numbers: the line of each bin;
-// colours: its color and, in the highest byte, its opacity.
-export function contentsOf(bins, numbers, colours, [nx, ny, nz]) {
+// colors: its color and, in the highest byte, its opacity.
+export function contentsOf(bins, numbers, colors, [nx, ny, nz]) {
   const bx = Math.ceil(nx / BLOCK), by = Math.ceil(ny / BLOCK), bz = Math.ceil(nz / BLOCK), any = new Uint8Array(bx * by * bz);
-  const least = new Uint8Array(any.length).fill(255), most = new Uint8Array(any.length), isSeen = colours.map((colour) => colour >>> 24);
+  const least = new Uint8Array(any.length).fill(255), most = new Uint8Array(any.length), isSeen = colors.map((color) => color >>> 24);
   for (let z = 0, v = 0; z < nz; z++) {
     for (let y = 0; y < ny; y++) {
       const own = ((z >> 3) * by + (y >> 3)) * bx, rows = [own];
@@ -136,14 +136,14 @@ class RayCaster {
     return texture;
   }
 
-  load(bins, numbers, colours) {
+  load(bins, numbers, colors) {
     const { gl, words } = this, fill = (texture, size, format, bytes) => {
       gl.bindTexture(gl.TEXTURE_3D, texture);
       gl.texSubImage3D(gl.TEXTURE_3D, 0, 0, 0, 0, ...size, format, gl.UNSIGNED_BYTE, bytes);
     };
-    for (let i = 0; i < words.length; i++) words[i] = colours[bins[i]];
+    for (let i = 0; i < words.length; i++) words[i] = colors[bins[i]];
     fill(this.voxels, this.size, gl.RGBA, new Uint8Array(words.buffer));
-    fill(this.contents, this.blocks, gl.RED, contentsOf(bins, numbers, colours, this.size));
+    fill(this.contents, this.blocks, gl.RED, contentsOf(bins, numbers, colors, this.size));
   }
 
   // view: origin, across, below, stride, toLight, halfway, normals.
@@ -184,9 +184,9 @@ export class RenderingView extends View {
     return axes.reduce((sum, axis, k) => add(sum, scaled(axis, index[k] * spacing[k])), origin);
   }
 
-  load(bins, numbers, colours) {
+  load(bins, numbers, colors) {
     if (!this.isPossible) return;
-    this.caster.load(bins, numbers, colours);
+    this.caster.load(bins, numbers, colors);
     this.cost = null; // the cost of rays that end at opaque voxels does not predict that of transparent ones
     this.quickly();
   }
@@ -258,14 +258,14 @@ export class RenderingView extends View {
 
   // Moves the crosshair to the first voxel of a line on the ray through the pixel.
   pick(x, y) {
-    const { bins, colours, volume: { size, spacing, origin } } = this.page, { w, h } = this;
+    const { bins, colors, volume: { size, spacing, origin } } = this.page, { w, h } = this;
     const { right, up, forward, mm, middle } = this.projection(w, h);
     const far = Math.hypot(...size.map((n, k) => n * spacing[k])), step = Math.min(...spacing) / 2;
     const at = add(add(middle, scaled(right, (x - (w - 1) / 2) * mm)), scaled(up, ((h - 1) / 2 - y) * mm));
     for (let t = -far; t < far; t += step) {
       const index = this.toIndex(sub(add(at, scaled(forward, t)), origin)).map(Math.round);
       if (!index.every((i, k) => i >= 0 && i < size[k])) continue;
-      if (colours[bins[(index[2] * size[1] + index[1]) * size[0] + index[0]]] >>> 24 > 12) { this.page.moveTo(index); return true; }
+      if (colors[bins[(index[2] * size[1] + index[1]) * size[0] + index[0]]] >>> 24 > 12) { this.page.moveTo(index); return true; }
     }
     return false;
   }

@@ -2,7 +2,7 @@ import { clamp } from '../../PageKit/scripts/math.mjs';
 import { View } from '../../PageKit/scripts/view.mjs';
 import { channelsOf } from './lines.mjs';
 
-const OPACITY = 0.6; // of the colours of lines over the grey values, as in pictures of reports
+const OPACITY = 0.6; // of the colors of lines over the gray values, as in pictures of reports
 
 // A slice along the image's own axes, with voxels in the colors of their lines. plane: as written by HeatExplorer.
 export class HeatSliceView extends View {
@@ -59,12 +59,12 @@ export class HeatSliceView extends View {
 
   // Voxels are classified first: colors are interpolated between voxels, heats are not.
   fill() {
-    const { plane, page: { volume, grey, bins, numbers, place, paints } } = this, [nx, ny] = this.size;
+    const { plane, page: { volume, gray, bins, numbers, place, paints } } = this, [nx, ny] = this.size;
     const strides = [1, volume.size[0], volume.size[0] * volume.size[1]], out = new Uint32Array(this.pixels.data.buffer);
     const across = strides[plane.across] * (plane.flipAcross ? -1 : 1), down = strides[plane.down] * (plane.flipDown ? -1 : 1);
     let row = place[plane.through] * strides[plane.through] - Math.min(0, across) * (nx - 1) - Math.min(0, down) * (ny - 1);
     for (let j = 0, o = 0; j < ny; j++, row += down) {
-      for (let i = 0, v = row; i < nx; i++, v += across, o++) out[o] = paints[(numbers[bins[v]] << 8) | grey[v]];
+      for (let i = 0, v = row; i < nx; i++, v += across, o++) out[o] = paints[(numbers[bins[v]] << 8) | gray[v]];
     }
     this.image.getContext('2d').putImageData(this.pixels, 0, 0);
   }
@@ -77,12 +77,12 @@ export class HeatSliceView extends View {
   scaleBy(by) { this.zoom = clamp(this.zoom * by, 1, 12); this.changed(); }
 }
 
-// For each line, and none, the colour of each grey value.
+// For each line, and none, the color of each gray value.
 export function paintsOf(lines) {
   const paints = new Uint32Array((lines.length + 1) * 256);
   for (let g = 0; g < 256; g++) paints[g] = 0xff000000 | (g * 0x10101);
   lines.forEach((line, i) => {
-    const rgb = channelsOf(line.colour);
+    const rgb = channelsOf(line.color);
     for (let g = 0; g < 256; g++) {
       const [r, green, b] = rgb.map((c) => Math.round(g + OPACITY * (c - g)));
       paints[(i + 1) * 256 + g] = 0xff000000 | (b << 16) | (green << 8) | r;

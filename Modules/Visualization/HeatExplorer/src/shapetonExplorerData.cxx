@@ -123,14 +123,14 @@ JsonOf(const HeatRanges & ranges)
 
 template <typename TFunction>
 Json
-Colours(int number, const TFunction & colorOf)
+Colors(int number, const TFunction & colorOf)
 {
-  Json colours = Json::array();
+  Json colors = Json::array();
   for (int i = 0; i < number; ++i)
   {
-    colours.push_back(HexOf(colorOf(i)));
+    colors.push_back(HexOf(colorOf(i)));
   }
-  return colours;
+  return colors;
 }
 } // namespace
 
@@ -144,14 +144,14 @@ PutBins(PageBlocks & blocks, const std::string & name, const ImageType * values)
 }
 
 void
-PutGrey(PageBlocks & blocks, const ImageType * grey, const IntensityWindow & window)
+PutGray(PageBlocks & blocks, const ImageType * gray, const IntensityWindow & window)
 {
-  const VoxelGrid grid(grey);
-  const auto      greyOf = [&window](float intensity) {
+  const VoxelGrid grid(gray);
+  const auto      grayOf = [&window](float intensity) {
     const double share = (intensity - window.lower) / (window.upper - window.lower);
     return static_cast<std::uint8_t>(std::lround(255.0 * std::clamp(share, 0.0, 1.0)));
   };
-  blocks.Put("grey", grid.Values<std::uint8_t>(greyOf), grid.VoxelsOfSlice());
+  blocks.Put("gray", grid.Values<std::uint8_t>(grayOf), grid.VoxelsOfSlice());
 }
 
 void
@@ -176,7 +176,7 @@ JsonOf(const ShapeTransferFunction & transferFunction)
   {
     lines.push_back({ { "lower", line.lowerHeat },
                       { "upper", line.upperHeat },
-                      { "colour", HexOf(line.color) },
+                      { "color", HexOf(line.color) },
                       { "opacity", line.opacity } });
   }
   return lines;
@@ -185,17 +185,17 @@ JsonOf(const ShapeTransferFunction & transferFunction)
 Json
 InfoOf(const HeatExplorerContent & content)
 {
-  const IntensityWindow window = WindowOf(content.grey, content.window);
+  const IntensityWindow window = WindowOf(content.gray, content.window);
   Json                  planes = Json::array();
   for (const SlicePlane plane : { SlicePlane::Axial, SlicePlane::Coronal, SlicePlane::Sagittal })
   {
-    planes.push_back(PlaneOf(content.grey, plane));
+    planes.push_back(PlaneOf(content.gray, plane));
   }
   return { { "title", content.title },
            { "isEqualized", content.scale == HeatScale::Equalized },
-           { "heatColours", Colours(33, [](int i) { return HeatColor(i / 32.0); }) },
-           { "lineColours", Colours(12, [](int i) { return ClassColor(i + 1); }) },
-           { "volume", VoxelGrid(content.grey).Geometry() },
+           { "heatColors", Colors(33, [](int i) { return HeatColor(i / 32.0); }) },
+           { "lineColors", Colors(12, [](int i) { return ClassColor(i + 1); }) },
+           { "volume", VoxelGrid(content.gray).Geometry() },
            { "ranges", JsonOf(content.ranges) },
            { "window", { window.lower, window.upper } },
            { "planes", planes } };

@@ -12,9 +12,9 @@ namespace shapeton
 void
 PutBins(PageBlocks & blocks, const std::string & name, const itk::Image<float, 3> * values);
 
-/** Grey values of the slices. */
+/** Gray values of the slices. */
 void
-PutGrey(PageBlocks & blocks, const itk::Image<float, 3> * grey, const IntensityWindow & window);
+PutGray(PageBlocks & blocks, const itk::Image<float, 3> * gray, const IntensityWindow & window);
 
 void
 PutCounts(PageBlocks & blocks, const std::string & name, const HeatHistogram & histogram);

@@ -29,7 +29,7 @@ HeatExplorer::Write(const HeatExplorerContent & content)
   {
     throw std::logic_error("a heat explorer needs the heat of a time step");
   }
-  PutGrey(m_Blocks, content.grey, WindowOf(content.grey, content.window));
+  PutGray(m_Blocks, content.gray, WindowOf(content.gray, content.window));
   PutCounts(m_Blocks, "histogram", *content.histogram);
   if (content.axisHistogram)
   {

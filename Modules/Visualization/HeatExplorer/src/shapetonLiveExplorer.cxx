@@ -42,7 +42,7 @@ LiveExplorer::DataFolder() const
 std::vector<std::string>
 LiveExplorer::PageFiles() const
 {
-  return { m_Page, this->DataFolder() + "/grey.js", this->DataFolder() + "/info.js" };
+  return { m_Page, this->DataFolder() + "/gray.js", this->DataFolder() + "/info.js" };
 }
 
 std::string
@@ -55,7 +55,7 @@ void
 LiveExplorer::WritePage(const HeatExplorerContent & content, double secondsBetweenStates) const
 {
   PageBlocks blocks(this->DataFolder(), false, m_OutputPath);
-  PutGrey(blocks, content.grey, WindowOf(content.grey, content.window));
+  PutGray(blocks, content.gray, WindowOf(content.gray, content.window));
   Json info = InfoOf(content);
   info["secondsBetweenStates"] = secondsBetweenStates;
   blocks.PutJson("info", info);

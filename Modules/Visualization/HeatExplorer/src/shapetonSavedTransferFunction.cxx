@@ -58,11 +58,11 @@ public:
   TransferFunctionLine
   Line(const Json & object) const
   {
-    this->RequireKeys(object, "a line", { "lower", "upper", "colour", "opacity" });
-    const auto color = object["colour"].is_string() ? ColorOf(object["colour"].get<std::string>()) : std::nullopt;
+    this->RequireKeys(object, "a line", { "lower", "upper", "color", "opacity" });
+    const auto color = object["color"].is_string() ? ColorOf(object["color"].get<std::string>()) : std::nullopt;
     if (!color)
     {
-      Refuse(m_Path, "\"colour\" is not a colour #rrggbb");
+      Refuse(m_Path, "\"color\" is not a color #rrggbb");
     }
     return { this->Number(object, "lower"), this->Number(object, "upper"), *color, this->Number(object, "opacity") };
   }

@@ -16,7 +16,7 @@ function randoms(seed) {
   return () => { state = (1664525 * state + 1013904223) >>> 0; return state / 2 ** 32; };
 }
 
-const line = (lower, upper, colour = '#ff0000', opacity = 0.5) => ({ lower, upper, colour, opacity, isOn: true });
+const line = (lower, upper, color = '#ff0000', opacity = 0.5) => ({ lower, upper, color, opacity, isOn: true });
 
 test('bins tile the heats from 0 to 1', () => {
   assert.equal(lowerEdge(1), 2 ** -16);
@@ -68,7 +68,7 @@ test('saved lines are read again, and others refused', () => {
   assert.throws(() => linesFromText(text, 'density'), /for heat, not for density/);
 });
 
-test('the axis is equalised in all and in each opened range, and goes back from place to heat', () => {
+test('the axis is equalized in all and in each opened range, and goes back from place to heat', () => {
   const random = randoms(5), rows = 3, counts = new Uint32Array(rows * NUMBER_OF_BINS);
   for (let i = 0; i < counts.length; i++) counts[i] = 1000 * random() ** 8;
   const shares = equalization(counts), whole = rangeOfCounts(counts);
@@ -80,7 +80,7 @@ test('the axis is equalised in all and in each opened range, and goes back from 
       for (let i = 1; i < 50; i++) assert.ok(Math.abs(axis.positionOf(axis.heatAt(i / 50)) - i / 50) < 1e-9);
     }
   }
-  // Equalised: each tenth of the axis has a tenth of the counts of the range, the rows weighing the same.
+  // Equalized: each tenth of the axis has a tenth of the counts of the range, the rows weighing the same.
   const [a, b] = [2000, 2300], axis = new HeatAxis(shares, true, [lowerEdge(a), lowerEdge(b)]), middle = binOf(axis.heatAt(0.5));
   const sum = (from, to) => shares[to] - shares[from];
   assert.ok(Math.abs(sum(a, middle) / sum(a, b) - 0.5) < 0.02);
@@ -99,7 +99,7 @@ test('ranges opened one within another have the axis of the pictures', () => { /
   }
 });
 
-test('a line is found with its slopes, in noise, and apart from its neighbour', () => {
+test('a line is found with its slopes, in noise, and apart from its neighbor', () => {
   const random = randoms(9), counts = new Uint32Array(NUMBER_OF_BINS);
   const peak = (middle, width, height) => { for (let i = -60; i <= 60; i++) counts[middle + i] += height * Math.exp(-((i / width) ** 2)); };
   peak(3000, 8, 5000);
@@ -136,9 +136,9 @@ test('undo and redo go through states; a slider is one change', () => {
 
 test('rays skip no block from which a visible voxel can be interpolated', () => {
   const size = [21, 17, 18], random = randoms(3), bins = new Uint16Array(size[0] * size[1] * size[2]);
-  const numbers = Uint8Array.from([0, 1, 2, 2]), colours = Uint32Array.from([0, 200 * 2 ** 24, 0, 0]); // the second line cannot be seen
+  const numbers = Uint8Array.from([0, 1, 2, 2]), colors = Uint32Array.from([0, 200 * 2 ** 24, 0, 0]); // the second line cannot be seen
   for (let i = 0; i < bins.length; i++) bins[i] = random() < 0.001 ? 1 : 2 + Math.round(random());
-  const blocks = size.map((n) => Math.ceil(n / 8)), contents = contentsOf(bins, numbers, colours, size);
+  const blocks = size.map((n) => Math.ceil(n / 8)), contents = contentsOf(bins, numbers, colors, size);
   const at = (x, y, z) => bins[(z * size[1] + y) * size[0] + x] === 1;
   for (let b = 0; b < contents.length; b++) {
     const low = [b % blocks[0], Math.floor(b / blocks[0]) % blocks[1], Math.floor(b / (blocks[0] * blocks[1]))].map((i) => 8 * i);
@@ -150,6 +150,6 @@ test('rays skip no block from which a visible voxel can be interpolated', () => 
     }
     assert.equal(contents[b] > 0, isSeen, `block ${b}`);
   }
-  colours.fill(99 * 2 ** 24);
-  assert.ok(contentsOf(bins.map((bin) => Math.max(2, bin)), numbers, colours, size).every((content) => content === 2));
+  colors.fill(99 * 2 ** 24);
+  assert.ok(contentsOf(bins.map((bin) => Math.max(2, bin)), numbers, colors, size).every((content) => content === 2));
 });

@@ -56,7 +56,7 @@ WritePage(const std::string & name, const ImageType::SizeType & size = { { 9, 8,
   shapeton::HeatExplorerContent content;
   content.title = "A volume";
   content.histogram = &histogram;
-  content.grey = volume;
+  content.gray = volume;
   content.lines = shapeton::ShapeTransferFunction::Parse("0.18359375-0.25:#05bffa:0.6");
   content.ranges = shapeton::HeatRangesOf({ 0.125, 0.5, 0.25, 0.375 });
   explorer.Write(content);
@@ -76,7 +76,7 @@ InfoOf(const std::string & folder)
 TEST(HeatExplorer, WritesThePageAndItsData)
 {
   const std::string folder = WritePage("explorer-files");
-  for (const char * name : { "explorer.html", "explorer/grey.js", "explorer/histogram.js", "explorer/bins-10.js" })
+  for (const char * name : { "explorer.html", "explorer/gray.js", "explorer/histogram.js", "explorer/bins-10.js" })
   {
     EXPECT_TRUE(std::filesystem::exists(folder + "/" + name)) << name;
   }

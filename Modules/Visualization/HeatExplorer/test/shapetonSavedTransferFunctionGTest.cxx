@@ -10,7 +10,7 @@ namespace
 using shapeton::InputError;
 using shapeton::ReadTransferFunction;
 
-const std::string line = R"({"lower": 0.18359375, "upper": 0.25, "colour": "#05bffa", "opacity": 0.6})";
+const std::string line = R"({"lower": 0.18359375, "upper": 0.25, "color": "#05bffa", "opacity": 0.6})";
 
 std::string
 Document(
@@ -67,12 +67,12 @@ TEST(SavedTransferFunction, RefusesWhatThePageDoesNotSave)
       "not a time step" },
     { Document(""), "not a non-empty list" },
     { Document("3"), "a line is not an object" },
-    { Document(R"({"lower": 0.1, "upper": 0.2, "colour": "#05bffa"})"), "a line lacks \"opacity\"" },
-    { Document(R"({"lower": "0.1", "upper": 0.2, "colour": "#05bffa", "opacity": 1})"), "\"lower\" is not a number" },
-    { Document(R"({"lower": 0.1, "upper": 0.2, "colour": "rouge", "opacity": 1})"), "not a colour" },
-    { Document(R"({"lower": 0.1, "upper": 0.2, "colour": "red", "opacity": 1, "shade": 1})"), "unknown key \"shade\"" },
+    { Document(R"({"lower": 0.1, "upper": 0.2, "color": "#05bffa"})"), "a line lacks \"opacity\"" },
+    { Document(R"({"lower": "0.1", "upper": 0.2, "color": "#05bffa", "opacity": 1})"), "\"lower\" is not a number" },
+    { Document(R"({"lower": 0.1, "upper": 0.2, "color": "rouge", "opacity": 1})"), "not a color" },
+    { Document(R"({"lower": 0.1, "upper": 0.2, "color": "red", "opacity": 1, "shade": 1})"), "unknown key \"shade\"" },
     { Document(line + "," + line), "overlap" },
-    { Document(R"({"lower": 0.3, "upper": 0.2, "colour": "red", "opacity": 1})"), "0 <= a < b <= 1" },
+    { Document(R"({"lower": 0.3, "upper": 0.2, "color": "red", "opacity": 1})"), "0 <= a < b <= 1" },
   };
   for (const auto & [text, fault] : faults)
   {

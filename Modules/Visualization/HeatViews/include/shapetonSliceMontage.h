@@ -25,7 +25,7 @@ struct SliceMontageOptions
   /** Intersection voxel of the three slices; by default where most colors are visible (see DrawSliceMontage). */
   std::optional<itk::Index<3>> cut;
   std::vector<LegendEntry>     legend;
-  /** Opacity of the colors over the grey values, in [0, 1]. */
+  /** Opacity of the colors over the gray values, in [0, 1]. */
   double opacity{ 0.6 };
   /** Pixels; at least 600. */
   unsigned int width{ 1200 };
@@ -34,9 +34,9 @@ struct SliceMontageOptions
 /** The window itself; for the default window, the image quantiles it represents.
  * \ingroup HeatViews */
 HeatViews_EXPORT IntensityWindow
-WindowOf(const itk::Image<float, 3> * grey, const IntensityWindow & window);
+WindowOf(const itk::Image<float, 3> * gray, const IntensityWindow & window);
 
-/** Three orthogonal slices, axial, coronal and sagittal, of the grey image with the colors of the heat over it.
+/** Three orthogonal slices, axial, coronal and sagittal, of the gray image with the colors of the heat over it.
  *
  * The slices follow the volume's own axes, in the radiological convention as closely as these axes allow (axial: the
  * patient's right at the left, anterior on top; coronal: right at the left, head on top; sagittal: anterior at the
@@ -46,7 +46,7 @@ WindowOf(const itk::Image<float, 3> * grey, const IntensityWindow & window);
  * Throws std::invalid_argument if the images differ in size, the cut is outside, or the width is too small.
  * \ingroup HeatViews */
 HeatViews_EXPORT Picture::Pointer
-                 DrawSliceMontage(const itk::Image<float, 3> * grey,
+                 DrawSliceMontage(const itk::Image<float, 3> * gray,
                                   const itk::Image<float, 3> * heat,
                                   const HeatColoring &         coloring,
                                   const SliceMontageOptions &  options = {});

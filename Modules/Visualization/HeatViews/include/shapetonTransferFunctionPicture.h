@@ -14,11 +14,11 @@
 namespace shapeton
 {
 /** One page that shows a transfer function on a heat volume: the volume rendered from the front, turned slightly for
- * depth, its lines with their voxel counts, and three slices of the grey image with the colors of the lines. 1200
+ * depth, its lines with their voxel counts, and three slices of the gray image with the colors of the lines. 1200
  * pixels wide. `title` is one line. `renderer`, if given, draws the volume; it must use the same heat and transfer
  * function. Throws std::invalid_argument if the images differ in size. \ingroup HeatViews */
 HeatViews_EXPORT Picture::Pointer
-                 DrawTransferFunction(const itk::Image<float, 3> *  grey,
+                 DrawTransferFunction(const itk::Image<float, 3> *  gray,
                                       const itk::Image<float, 3> *  heat,
                                       const ShapeTransferFunction & transferFunction,
                                       const std::string &           title,

@@ -459,7 +459,7 @@ DrawTitles(Picture * picture, const HeatHistogramPictureOptions & options, const
 {
   const int         left = area.left - backgroundLineWidth - backgroundLineGap;
   const int         width = static_cast<int>(options.width) - left - 8;
-  const std::string key = "colour: " + options.quantity.name +
+  const std::string key = "color: " + options.quantity.name +
                           "; brightness: number of voxels, logarithmic; white line at the left: background";
   TextStyle title = Style(24, HorizontalAnchor::Left, VerticalAnchor::Top);
   title.bold = true;

@@ -48,7 +48,7 @@ struct RayView
   double center[3];
   double right[3];
   double up[3];
-  double millimetresPerPixel;
+  double millimetersPerPixel;
   double middleX;
   double middleY;
   // The volume.
@@ -96,15 +96,15 @@ ContentAt(const RayVolume & volume, const double position[3])
 }
 
 /** The two voxels around a coordinate, identical at the border, and the weight of the second one. */
-struct Neighbours
+struct Neighbors
 {
   int   first;
   int   second;
   float share;
 };
 
-SHAPETON_HOST_DEVICE Neighbours
-NeighboursOf(double coordinate, int size)
+SHAPETON_HOST_DEVICE Neighbors
+NeighborsOf(double coordinate, int size)
 {
   const double within = Within(coordinate, size);
   const int    first = static_cast<int>(within);
@@ -128,9 +128,9 @@ UniformSampleAt(const RayVolume & volume, const double position[3])
 SHAPETON_HOST_DEVICE RaySample
 SampleAt(const RayVolume & volume, const double position[3])
 {
-  const Neighbours x = NeighboursOf(position[0], volume.size[0]);
-  const Neighbours y = NeighboursOf(position[1], volume.size[1]);
-  const Neighbours z = NeighboursOf(position[2], volume.size[2]);
+  const Neighbors x = NeighborsOf(position[0], volume.size[0]);
+  const Neighbors y = NeighborsOf(position[1], volume.size[1]);
+  const Neighbors z = NeighborsOf(position[2], volume.size[2]);
   RaySample        sum{};
   float            covered = 0.0F;
   for (int corner = 0; corner < 8; ++corner)
@@ -173,9 +173,9 @@ struct Gradient
 SHAPETON_HOST_DEVICE Gradient
 GradientAt(const RayVolume & volume, const double position[3])
 {
-  const Neighbours near[3] = { NeighboursOf(position[0], volume.size[0]),
-                               NeighboursOf(position[1], volume.size[1]),
-                               NeighboursOf(position[2], volume.size[2]) };
+  const Neighbors near[3] = { NeighborsOf(position[0], volume.size[0]),
+                               NeighborsOf(position[1], volume.size[1]),
+                               NeighborsOf(position[2], volume.size[2]) };
   Gradient         gradient{};
   for (unsigned int corner = 0; corner < 8; ++corner)
   {
@@ -218,8 +218,8 @@ ToIndexVector(const RayView & view, const double physical[3], double index[3])
 SHAPETON_HOST_DEVICE void
 StartOfRay(const RayView & view, double x, double y, double start[3])
 {
-  const double toRight = (x - view.middleX) * view.millimetresPerPixel;
-  const double upwards = (view.middleY - y) * view.millimetresPerPixel;
+  const double toRight = (x - view.middleX) * view.millimetersPerPixel;
+  const double upwards = (view.middleY - y) * view.millimetersPerPixel;
   double       fromFirst[3];
   for (int axis = 0; axis < 3; ++axis)
   {
@@ -258,17 +258,17 @@ Clip(const RayVolume & volume, const RayView & view, const double start[3], doub
 SHAPETON_HOST_DEVICE Lighting
 LightAt(const RayView & view, const Gradient & perVoxel)
 {
-  double perMillimetre[3];
+  double perMillimeter[3];
   for (unsigned int axis = 0; axis < 3; ++axis)
   {
-    perMillimetre[axis] = perVoxel.along[axis] / view.spacing[axis];
+    perMillimeter[axis] = perVoxel.along[axis] / view.spacing[axis];
   }
   // Inverse transpose: direction cosines need not be exactly orthogonal.
   double gradient[3];
   for (unsigned int axis = 0; axis < 3; ++axis)
   {
-    gradient[axis] = view.inverse[0][axis] * perMillimetre[0] + view.inverse[1][axis] * perMillimetre[1] +
-                     view.inverse[2][axis] * perMillimetre[2];
+    gradient[axis] = view.inverse[0][axis] * perMillimeter[0] + view.inverse[1][axis] * perMillimeter[1] +
+                     view.inverse[2][axis] * perMillimeter[2];
   }
   const double length = sqrt(Product(gradient, gradient));
   if (length < 1e-4)

@@ -95,14 +95,14 @@ ParseLine(const std::string & text)
   if (parts.size() != 3)
   {
     throw ParameterError("the line \"" + text +
-                         "\" is not of the form a-b:colour:opacity, for example 0.18-0.21:red:0.8");
+                         "\" is not of the form a-b:color:opacity, for example 0.18-0.21:red:0.8");
   }
   TransferFunctionLine line;
   ParseRange(parts[0], text, line);
   const auto color = ColorOf(parts[1]);
   if (!color)
   {
-    throw ParameterError("\"" + parts[1] + "\" in the line \"" + text + "\" is not a colour: give #rrggbb or one of " +
+    throw ParameterError("\"" + parts[1] + "\" in the line \"" + text + "\" is not a color: give #rrggbb or one of " +
                          ColorNames());
   }
   line.color = *color;
@@ -278,7 +278,7 @@ ShapeTransferFunction::ShapeTransferFunction(std::vector<TransferFunctionLine> l
     if (m_Lines[i].lowerHeat < m_Lines[i - 1].upperHeat)
     {
       throw ParameterError("the lines " + RangeText(m_Lines[i - 1]) + " and " + RangeText(m_Lines[i]) +
-                           " overlap: a heat has one colour");
+                           " overlap: a heat has one color");
     }
   }
 }
@@ -387,9 +387,9 @@ ShapeTransferFunction::ToVolumeProperty() const
 void
 ShapeTransferFunction::WriteVolumeProperty(const std::string & path, double unit) const
 {
-  constexpr int                  nearestNeighbour = 0;
+  constexpr int                  nearestNeighbor = 0;
   constexpr int                  shaded = 1;
-  const std::vector<std::string> rows{ std::to_string(nearestNeighbour),
+  const std::vector<std::string> rows{ std::to_string(nearestNeighbor),
                                        std::to_string(shaded),
                                        CsvTable::Number(diffuse),
                                        CsvTable::Number(ambient),

@@ -91,16 +91,16 @@ LengthOf(const itk::ImageBase<3> * image, unsigned int axis)
   return image->GetSpacing()[axis] * image->GetBufferedRegion().GetSize(axis);
 }
 
-/** One slice with its colours. */
+/** One slice with its colors. */
 Picture::Pointer
 PaintColoredSlice(const SliceView &       view,
-                  const ImageType *       grey,
+                  const ImageType *       gray,
                   const ImageType *       heat,
                   const HeatColoring &    coloring,
                   const IntensityWindow & window,
                   double                  opacity)
 {
-  auto picture = PaintSlice(view, grey, window);
+  auto picture = PaintSlice(view, gray, window);
   ColorSlice(
     picture, view, [&](const itk::Index<3> & index) { return coloring(heat->GetPixel(index)); }, opacity);
   DrawSliceLetters(picture, view);
@@ -123,14 +123,14 @@ ScaleFor(const itk::ImageBase<3> * image, int width)
 }
 
 void
-Check(const ImageType * grey, const ImageType * heat, const SliceMontageOptions & options)
+Check(const ImageType * gray, const ImageType * heat, const SliceMontageOptions & options)
 {
-  if (!grey || !heat || grey->GetBufferedRegion() != heat->GetBufferedRegion() ||
-      grey->GetBufferedRegion().GetNumberOfPixels() == 0)
+  if (!gray || !heat || gray->GetBufferedRegion() != heat->GetBufferedRegion() ||
+      gray->GetBufferedRegion().GetNumberOfPixels() == 0)
   {
     throw std::invalid_argument("a montage needs an image and a heat volume of the same size");
   }
-  if (options.cut && !grey->GetBufferedRegion().IsInside(*options.cut))
+  if (options.cut && !gray->GetBufferedRegion().IsInside(*options.cut))
   {
     throw std::invalid_argument("the cut of a montage is outside the volume");
   }
@@ -142,19 +142,19 @@ Check(const ImageType * grey, const ImageType * heat, const SliceMontageOptions 
 } // namespace
 
 IntensityWindow
-WindowOf(const ImageType * grey, const IntensityWindow & window)
+WindowOf(const ImageType * gray, const IntensityWindow & window)
 {
   if (window.lower < window.upper)
   {
     return window;
   }
   constexpr std::size_t greatestSample = 1000000;
-  const std::size_t     number = grey->GetBufferedRegion().GetNumberOfPixels();
+  const std::size_t     number = gray->GetBufferedRegion().GetNumberOfPixels();
   const std::size_t     stride = number / greatestSample + 1;
   std::vector<float>    sample;
   for (std::size_t i = 0; i < number; i += stride)
   {
-    sample.push_back(grey->GetBufferPointer()[i]);
+    sample.push_back(gray->GetBufferPointer()[i]);
   }
   const auto quantile = [&](double share) {
     const auto place = sample.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(sample.size() - 1));
@@ -167,21 +167,21 @@ WindowOf(const ImageType * grey, const IntensityWindow & window)
 }
 
 Picture::Pointer
-DrawSliceMontage(const itk::Image<float, 3> * grey,
+DrawSliceMontage(const itk::Image<float, 3> * gray,
                  const itk::Image<float, 3> * heat,
                  const HeatColoring &         coloring,
                  const SliceMontageOptions &  options)
 {
-  Check(grey, heat, options);
+  Check(gray, heat, options);
   const itk::Index<3> cut = options.cut ? *options.cut : MostColorfulCut(heat, coloring);
   const int           width = static_cast<int>(options.width) - 2 * margin - (options.legend.empty() ? 0 : legendWidth);
-  const double        scale = ScaleFor(grey, width);
-  const IntensityWindow  window = WindowOf(grey, options.window);
+  const double        scale = ScaleFor(gray, width);
+  const IntensityWindow  window = WindowOf(gray, options.window);
   std::vector<SliceView> views;
   int                    panelHeight = 0;
   for (const SlicePlane plane : planes)
   {
-    views.emplace_back(grey, grey->GetBufferedRegion(), plane, cut[AxesOf(grey, plane).through], scale);
+    views.emplace_back(gray, gray->GetBufferedRegion(), plane, cut[AxesOf(gray, plane).through], scale);
     panelHeight = std::max(panelHeight, static_cast<int>(views.back().GetHeight()));
   }
   const int top = options.title.empty() ? margin : margin + titleHeight;
@@ -202,13 +202,13 @@ DrawSliceMontage(const itk::Image<float, 3> * grey,
   for (std::size_t i = 0; i < views.size(); ++i)
   {
     const unsigned int        through = views[i].GetAxes().through;
-    const itk::IndexValueType slice = views[i].GetSlice() - grey->GetBufferedRegion().GetIndex(through) + 1;
+    const itk::IndexValueType slice = views[i].GetSlice() - gray->GetBufferedRegion().GetIndex(through) + 1;
     const int                 panelWidth = static_cast<int>(views[i].GetWidth());
     const std::string         caption = NameOf(planes[i]) + ", slice " + std::to_string(slice) + " of " +
-                                std::to_string(grey->GetBufferedRegion().GetSize(through));
+                                std::to_string(gray->GetBufferedRegion().GetSize(through));
     DrawText(picture, caption, left, top, FitText(caption, style, panelWidth));
     PastePicture(
-      picture, PaintColoredSlice(views[i], grey, heat, coloring, window, options.opacity), left, top + captionHeight);
+      picture, PaintColoredSlice(views[i], gray, heat, coloring, window, options.opacity), left, top + captionHeight);
     left += panelWidth + gap;
   }
   const int bottom = top + captionHeight + panelHeight;

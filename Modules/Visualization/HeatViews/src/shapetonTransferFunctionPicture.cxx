@@ -45,7 +45,7 @@ CountVoxelsOfLines(const itk::Image<float, 3> * heat, const ShapeTransferFunctio
 }
 
 Picture::Pointer
-DrawTransferFunction(const itk::Image<float, 3> *  grey,
+DrawTransferFunction(const itk::Image<float, 3> *  gray,
                      const itk::Image<float, 3> *  heat,
                      const ShapeTransferFunction & transferFunction,
                      const std::string &           title,
@@ -56,7 +56,7 @@ DrawTransferFunction(const itk::Image<float, 3> *  grey,
   SliceMontageOptions slices;
   slices.width = pageWidth;
   slices.window = window;
-  const auto montage = DrawSliceMontage(grey, heat, ColorByLine(transferFunction), slices);
+  const auto montage = DrawSliceMontage(gray, heat, ColorByLine(transferFunction), slices);
 
   VolumeRenderingOptions view;
   view.azimuth = 25.0;

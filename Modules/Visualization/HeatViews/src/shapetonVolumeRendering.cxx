@@ -44,7 +44,7 @@ MakeRayView(const itk::ImageBase<3> * volume, const PatientView & view)
   CopyVector(view.GetCenter().GetDataPointer(), rays.center);
   CopyVector(view.GetRight().GetDataPointer(), rays.right);
   CopyVector(view.GetUp().GetDataPointer(), rays.up);
-  rays.millimetresPerPixel = view.GetMillimetresPerPixel();
+  rays.millimetersPerPixel = view.GetMillimetersPerPixel();
   rays.middleX = view.GetMiddleX();
   rays.middleY = view.GetMiddleY();
   // Two samples per smallest voxel: the opacity of a sample then follows by a square root from that of a voxel.
@@ -67,7 +67,7 @@ Annotate(Picture * picture, const PatientView & view)
   OrientationLettersStyle style;
   style.color = annotation;
   DrawOrientationLetters(picture, view.GetRight(), view.GetUp(), style);
-  DrawScaleBar(picture, 12, height - 12, width / 4, view.GetMillimetresPerPixel(), annotation);
+  DrawScaleBar(picture, 12, height - 12, width / 4, view.GetMillimetersPerPixel(), annotation);
 }
 } // namespace
 

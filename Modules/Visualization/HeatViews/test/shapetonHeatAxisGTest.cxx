@@ -93,12 +93,12 @@ TEST(HeatAxis, WithoutCountsAllBinsAreEquallyWide)
   EXPECT_NEAR(gap.PositionOf(0.75), 0.5, 1e-9);
 }
 
-TEST(HeatAxis, ColoursFollowThePosition)
+TEST(HeatAxis, ColorsFollowThePosition)
 {
   const shapeton::HeatAxis axis(ThreeLines());
   EXPECT_EQ(axis.ColorOf(0.15), shapeton::HeatColor(0.1));
   EXPECT_EQ(axis.ColorOf(1.0), shapeton::HeatColor(1.0));
-  // 0.1 lies anywhere in its bin; its line has the colour of the bin's middle.
+  // 0.1 lies anywhere in its bin; its line has the color of the bin's middle.
   EXPECT_EQ(axis.ColorOf(0.1), shapeton::HeatColor(0.05));
   EXPECT_EQ(axis.ColorOf(0.4), shapeton::HeatColor(0.7));
   EXPECT_EQ(shapeton::HeatAxis(ThreeLines(), shapeton::HeatScale::Normalized, { 0.0, 0.5 }).ColorOf(0.1),

@@ -64,7 +64,7 @@ IsPink(const shapeton::RGBColor & color)
 class HeatHistogramPicture : public testing::TestWithParam<shapeton::HeatScale>
 {};
 
-TEST_P(HeatHistogramPicture, LinesStandAtTheirPlaceInTheirColour)
+TEST_P(HeatHistogramPicture, LinesStandAtTheirPlaceInTheirColor)
 {
   shapeton::HeatHistogramPictureOptions options;
   options.scale = GetParam();

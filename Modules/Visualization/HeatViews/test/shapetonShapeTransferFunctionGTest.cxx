@@ -329,7 +329,7 @@ TEST(ShapeTransferFunction, VtkShowsTheSame)
   EXPECT_EQ(property->GetShade(), 1);
 }
 
-TEST(ShapeTransferFunction, ClassesBecomeLinesInTheColourOfTheirHeat)
+TEST(ShapeTransferFunction, ClassesBecomeLinesInTheColorOfTheirHeat)
 {
   shapeton::HeatHistogram histogram({ 0 });
   for (const float heat : { 0.1F, 0.2F, 0.4F })

@@ -11,7 +11,7 @@ namespace
 {
 using ImageType = itk::Image<float, 3>;
 
-/** A grid of 45 x 45 x 45 mm centred at 0, with the given spacing along the patient's axes, stored with permuted and
+/** A grid of 45 x 45 x 45 mm centered at 0, with the given spacing along the patient's axes, stored with permuted and
  * reversed axes: index axis i runs along the patient's axis order[i]. */
 ImageType::Pointer
 MakeGrid(const std::array<double, 3> &       spacing,
@@ -54,12 +54,12 @@ Fill(ImageType * image, const TFunction & valueAt)
 }
 
 double
-GreyAt(const ImageType::PointType & point)
+GrayAt(const ImageType::PointType & point)
 {
   return 3.0 * point[0] + 2.0 * point[1] + point[2];
 }
 
-/** Heat 0.5 in the block that is left, posterior and high of the centre. */
+/** Heat 0.5 in the block that is left, posterior and high of the center. */
 double
 HeatAt(const ImageType::PointType & point)
 {
@@ -80,7 +80,7 @@ OpaqueOptions(const itk::Index<3> & cut)
   return options;
 }
 
-/** Left, top, right, bottom of the coloured pixels between two columns. */
+/** Left, top, right, bottom of the colored pixels between two columns. */
 std::array<int, 4>
 ColoredBox(const shapeton::Picture * picture, int firstColumn, int endColumn)
 {
@@ -101,10 +101,10 @@ ColoredBox(const shapeton::Picture * picture, int firstColumn, int endColumn)
 
 TEST(SliceMontage, SlicesHaveTheRightShapeAndSide)
 {
-  const auto grey = MakeGrid({ { 1.0, 1.0, 3.0 } }, { { 0, 1, 2 } }, { { false, false, false } });
+  const auto gray = MakeGrid({ { 1.0, 1.0, 3.0 } }, { { 0, 1, 2 } }, { { false, false, false } });
   auto       heat = MakeGrid({ { 1.0, 1.0, 3.0 } }, { { 0, 1, 2 } }, { { false, false, false } });
   Fill(heat, HeatAt);
-  const auto picture = shapeton::DrawSliceMontage(grey, heat, coloring, OpaqueOptions({ { 32, 32, 10 } }));
+  const auto picture = shapeton::DrawSliceMontage(gray, heat, coloring, OpaqueOptions({ { 32, 32, 10 } }));
   // Three panels of 45 mm side by side with margins of 16 and gaps of 14: 380 pixels each.
   constexpr int panel = 380;
   for (int i = 0; i < 3; ++i)
@@ -131,18 +131,18 @@ TEST(SliceMontage, TheStorageOfTheVolumeDoesNotMatter)
 {
   const std::array<double, 3> spacing{ { 1.0, 1.8, 3.0 } }; // 45, 25 and 15 voxels: the middle is a voxel
   const auto draw = [&](const std::array<unsigned int, 3> & order, const std::array<bool, 3> & isReversed) {
-    const auto grey = MakeGrid(spacing, order, isReversed);
+    const auto gray = MakeGrid(spacing, order, isReversed);
     const auto heat = MakeGrid(spacing, order, isReversed);
-    Fill(grey, GreyAt);
+    Fill(gray, GrayAt);
     Fill(heat, HeatAt);
     itk::Index<3> middle;
     for (unsigned int axis = 0; axis < 3; ++axis)
     {
-      middle[axis] = static_cast<itk::IndexValueType>(grey->GetBufferedRegion().GetSize(axis) / 2);
+      middle[axis] = static_cast<itk::IndexValueType>(gray->GetBufferedRegion().GetSize(axis) / 2);
     }
     shapeton::SliceMontageOptions options = OpaqueOptions(middle);
     options.window = { -150.0, 150.0 };
-    return shapeton::DrawSliceMontage(grey, heat, coloring, options);
+    return shapeton::DrawSliceMontage(gray, heat, coloring, options);
   };
   const auto reference = draw({ { 0, 1, 2 } }, { { false, false, false } });
   EXPECT_LE(shapeton::GreatestDifference(reference, draw({ { 0, 1, 2 } }, { { true, false, false } })), 1);
@@ -151,11 +151,11 @@ TEST(SliceMontage, TheStorageOfTheVolumeDoesNotMatter)
   EXPECT_LE(shapeton::GreatestDifference(reference, draw({ { 1, 0, 2 } }, { { false, false, true } })), 1);
 }
 
-TEST(SliceMontage, CutsWhereMostColoursAreSeen)
+TEST(SliceMontage, CutsWhereMostColorsAreSeen)
 {
-  const auto grey = MakeGrid({ { 1.0, 1.0, 1.0 } }, { { 0, 1, 2 } }, { { false, false, false } });
+  const auto gray = MakeGrid({ { 1.0, 1.0, 1.0 } }, { { 0, 1, 2 } }, { { false, false, false } });
   auto       heat = MakeGrid({ { 1.0, 1.0, 1.0 } }, { { 0, 1, 2 } }, { { false, false, false } });
-  // A large object of one class at the centre; two small ones of two classes in slice 40.
+  // A large object of one class at the center; two small ones of two classes in slice 40.
   Fill(heat, [](const ImageType::PointType & p) {
     return std::abs(p[0]) < 8 && std::abs(p[1]) < 8 && std::abs(p[2]) < 8 ? 0.5 : 0.0;
   });
@@ -164,10 +164,10 @@ TEST(SliceMontage, CutsWhereMostColoursAreSeen)
   const auto function = shapeton::ShapeTransferFunction::Parse("0.05-0.2:red:1,0.2-0.4:lime:1,0.4-0.6:magenta:1");
   shapeton::SliceMontageOptions options;
   options.opacity = 1.0;
-  const auto picture = shapeton::DrawSliceMontage(grey, heat, shapeton::ColorByLine(function), options);
+  const auto picture = shapeton::DrawSliceMontage(gray, heat, shapeton::ColorByLine(function), options);
   options.cut =
-    itk::Index<3>{ { 22, 7, 40 } }; // no slice across x has two colours: the largest object's, in the middle
-  const auto expected = shapeton::DrawSliceMontage(grey, heat, shapeton::ColorByLine(function), options);
+    itk::Index<3>{ { 22, 7, 40 } }; // no slice across x has two colors: the largest object's, in the middle
+  const auto expected = shapeton::DrawSliceMontage(gray, heat, shapeton::ColorByLine(function), options);
   EXPECT_EQ(shapeton::GreatestDifference(picture, expected), 0);
 }
 
@@ -205,25 +205,25 @@ TEST(SliceMontage, ColoringsAgreeWithTheirSource)
 
 TEST(SliceMontage, RefusesWhatCannotBeDrawn)
 {
-  const auto grey = MakeGrid({ { 1.0, 1.0, 1.0 } }, { { 0, 1, 2 } }, { { false, false, false } });
+  const auto gray = MakeGrid({ { 1.0, 1.0, 1.0 } }, { { 0, 1, 2 } }, { { false, false, false } });
   const auto other = MakeGrid({ { 1.0, 1.0, 3.0 } }, { { 0, 1, 2 } }, { { false, false, false } });
-  EXPECT_THROW(shapeton::DrawSliceMontage(grey, other, coloring), std::invalid_argument);
-  EXPECT_THROW(shapeton::DrawSliceMontage(grey, grey, coloring, OpaqueOptions({ { 0, 0, 45 } })),
+  EXPECT_THROW(shapeton::DrawSliceMontage(gray, other, coloring), std::invalid_argument);
+  EXPECT_THROW(shapeton::DrawSliceMontage(gray, gray, coloring, OpaqueOptions({ { 0, 0, 45 } })),
                std::invalid_argument);
   shapeton::SliceMontageOptions options;
   options.width = 500;
-  EXPECT_THROW(shapeton::DrawSliceMontage(grey, grey, coloring, options), std::invalid_argument);
+  EXPECT_THROW(shapeton::DrawSliceMontage(gray, gray, coloring, options), std::invalid_argument);
 }
 
 TEST(SliceMontage, Baseline)
 {
-  const auto grey = MakeGrid({ { 1.0, 1.8, 3.0 } }, { { 0, 1, 2 } }, { { true, false, false } });
+  const auto gray = MakeGrid({ { 1.0, 1.8, 3.0 } }, { { 0, 1, 2 } }, { { true, false, false } });
   const auto heat = MakeGrid({ { 1.0, 1.8, 3.0 } }, { { 0, 1, 2 } }, { { true, false, false } });
-  Fill(grey, GreyAt);
+  Fill(gray, GrayAt);
   Fill(heat, HeatAt);
   shapeton::SliceMontageOptions options;
   options.title = "Slices";
   options.width = 800;
   options.legend = { { shapeton::MakeColor(255, 0, 255), "block" } };
-  shapeton::ExpectBaseline(shapeton::DrawSliceMontage(grey, heat, coloring, options), "shapetonSliceMontage.png");
+  shapeton::ExpectBaseline(shapeton::DrawSliceMontage(gray, heat, coloring, options), "shapetonSliceMontage.png");
 }

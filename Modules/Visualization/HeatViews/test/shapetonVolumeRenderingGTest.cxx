@@ -138,7 +138,7 @@ TEST_P(VolumeRenderingFrom, EachObjectIsSeenAtItsProjectedPlaceAndSize)
   const shapeton::PatientView view = shapeton::ViewOfVolume(heat, options);
   const auto      picture = shapeton::RenderVolume(heat, shapeton::ShapeTransferFunction::Parse(threeLines), options);
   const PointType centers[3] = { redCenter, greenCenter, blueCenter };
-  const double    radius = 7.0 / view.GetMillimetresPerPixel();
+  const double    radius = 7.0 / view.GetMillimetersPerPixel();
   for (unsigned int channel = 0; channel < 3; ++channel)
   {
     const auto seen = MeanPlaceOf(picture, channel);
@@ -196,7 +196,7 @@ TEST(VolumeRendering, OneLineAloneShowsItsObjectsOnly)
   EXPECT_EQ(MeanPlaceOf(picture, 2)[2], 0.0);
 }
 
-TEST(VolumeRendering, NoOtherObjectsColourAppearsBetweenAnObjectAndTheBackground)
+TEST(VolumeRendering, NoOtherObjectsColorAppearsBetweenAnObjectAndTheBackground)
 {
   // Blue's heat is the greatest: interpolated heat would pass through green and red on its surface.
   auto heat = MakeObliqueGrid();
@@ -350,9 +350,9 @@ TEST(VisibleRegion, HoldsTheVoxelsOfTheLinesAndFillsThePicture)
   options.focus = visible;
   const shapeton::PatientView view = shapeton::ViewOfVolume(image, options);
   const auto                  place = view.Project(redCenter);
-  EXPECT_NEAR(place[0], 0.5 * (options.width - 1), 1.5 / view.GetMillimetresPerPixel());
-  EXPECT_NEAR(place[1], 0.5 * (options.height - 1), 1.5 / view.GetMillimetresPerPixel());
-  EXPECT_LT(view.GetMillimetresPerPixel() * options.height, 40.0); // 14 mm, turned, and a margin
+  EXPECT_NEAR(place[0], 0.5 * (options.width - 1), 1.5 / view.GetMillimetersPerPixel());
+  EXPECT_NEAR(place[1], 0.5 * (options.height - 1), 1.5 / view.GetMillimetersPerPixel());
+  EXPECT_LT(view.GetMillimetersPerPixel() * options.height, 40.0); // 14 mm, turned, and a margin
   EXPECT_FALSE(shapeton::VisibleRegion(image, shapeton::ShapeTransferFunction::Parse("0.7-0.8:red:1")).has_value());
 }
 

@@ -94,8 +94,8 @@ export class View {
   // The crosshair, open at its center; dashed if the position is hidden.
   cross(g, x, y, hidden = false) {
     this.shown = [x, y, hidden];
-    for (const [colour, width] of [['#000a', 3.5], ['#ffd400', 1.6]]) {
-      g.strokeStyle = colour;
+    for (const [color, width] of [['#000a', 3.5], ['#ffd400', 1.6]]) {
+      g.strokeStyle = color;
       g.lineWidth = width;
       g.setLineDash(hidden ? [3, 3] : []);
       g.beginPath();
@@ -123,8 +123,8 @@ export class View {
     g.fillText(text, x + 12, y - 6);
   }
 
-  line(g, points, colour, width) {
-    g.strokeStyle = colour;
+  line(g, points, color, width) {
+    g.strokeStyle = color;
     g.lineWidth = width;
     g.beginPath();
     let pen = false;

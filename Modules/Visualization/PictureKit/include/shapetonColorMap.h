@@ -22,7 +22,7 @@ HeatColor(double position);
  * readers.
  *
  * Any two of the first 8 are at least 39 apart in CIELAB (CIE 1976), of the 12 at least 27, as seen with normal, deutan
- * and protan vision. None is grey, and all contrast with black. They repeat after 12.
+ * and protan vision. None is gray, and all contrast with black. They repeat after 12.
  * \ingroup PictureKit */
 PictureKit_EXPORT RGBColor
 ClassColor(unsigned int label);

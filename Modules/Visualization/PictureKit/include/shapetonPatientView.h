@@ -89,9 +89,9 @@ public:
     return m_Forward;
   }
   double
-  GetMillimetresPerPixel() const
+  GetMillimetersPerPixel() const
   {
-    return m_MillimetresPerPixel;
+    return m_MillimetersPerPixel;
   }
   /** Center of the picture, in pixels, and the point shown there. */
   double
@@ -121,7 +121,7 @@ private:
   VectorType m_Right;
   VectorType m_Up;
   VectorType m_Forward;
-  double     m_MillimetresPerPixel{ 1.0 };
+  double     m_MillimetersPerPixel{ 1.0 };
   double     m_MiddleX{ 0.0 };
   double     m_MiddleY{ 0.0 };
 };

@@ -10,11 +10,11 @@
 
 namespace shapeton
 {
-/** An sRGB colour, 0 to 255 for each channel.
+/** An sRGB color, 0 to 255 for each channel.
  * \ingroup PictureKit */
 using RGBColor = itk::RGBPixel<unsigned char>;
 
-/** The colour with these channels.
+/** The color with these channels.
  * \ingroup PictureKit */
 PictureKit_EXPORT RGBColor
 MakeColor(unsigned char red, unsigned char green, unsigned char blue);

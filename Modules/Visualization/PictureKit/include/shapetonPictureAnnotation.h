@@ -20,7 +20,7 @@ DrawScaleBar(Picture *        picture,
              int              left,
              int              bottom,
              int              greatestLength,
-             double           millimetresPerPixel,
+             double           millimetersPerPixel,
              const RGBColor & color);
 
 /** Style of the orientation letters.
@@ -55,7 +55,7 @@ struct ColorScale
   double                          upper{ 1.0 };
   std::function<RGBColor(double)> map{ HeatColor };
 
-  /** Color of a value; grey if it is not finite. */
+  /** Color of a value; gray if it is not finite. */
   PictureKit_EXPORT RGBColor
   ColorOf(double value) const;
 };

@@ -67,7 +67,7 @@ public:
             const itk::ImageRegion<3> & focus,
             SlicePlane                  plane,
             itk::IndexValueType         slice,
-            double                      millimetresPerPixel);
+            double                      millimetersPerPixel);
 
   unsigned int
   GetWidth() const
@@ -80,9 +80,9 @@ public:
     return m_Height;
   }
   double
-  GetMillimetresPerPixel() const
+  GetMillimetersPerPixel() const
   {
-    return m_MillimetresPerPixel;
+    return m_MillimetersPerPixel;
   }
   const SliceAxes &
   GetAxes() const
@@ -125,15 +125,15 @@ private:
   itk::ImageRegion<3>       m_Focus;
   SliceAxes                 m_Axes;
   itk::IndexValueType       m_Slice;
-  double                    m_MillimetresPerPixel;
+  double                    m_MillimetersPerPixel;
   unsigned int              m_Width;
   unsigned int              m_Height;
 };
 
-/** A slice in grey, linearly interpolated. \pre The image has the geometry of the view's volume.
+/** A slice in gray, linearly interpolated. \pre The image has the geometry of the view's volume.
  * \ingroup PictureKit */
 PictureKit_EXPORT Picture::Pointer
-                  PaintSlice(const SliceView & view, const itk::Image<float, 3> * grey, const IntensityWindow & window);
+                  PaintSlice(const SliceView & view, const itk::Image<float, 3> * gray, const IntensityWindow & window);
 
 /** Blends colors over the pixels of voxels; an empty color leaves the picture unchanged. \ingroup PictureKit */
 PictureKit_EXPORT void

@@ -27,10 +27,10 @@ struct NamedColor
   unsigned int rgb;
 };
 
-// The CSS colours of these names.
+// The CSS colors of these names.
 constexpr NamedColor namedColors[] = { { "black", 0x000000 },  { "blue", 0x0000ff },    { "brown", 0xa52a2a },
                                        { "cyan", 0x00ffff },   { "gold", 0xffd700 },    { "gray", 0x808080 },
-                                       { "green", 0x008000 },  { "grey", 0x808080 },    { "ivory", 0xfffff0 },
+                                       { "green", 0x008000 },  { "gray", 0x808080 },    { "ivory", 0xfffff0 },
                                        { "lime", 0x00ff00 },   { "magenta", 0xff00ff }, { "navy", 0x000080 },
                                        { "olive", 0x808000 },  { "orange", 0xffa500 },  { "pink", 0xffc0cb },
                                        { "purple", 0x800080 }, { "red", 0xff0000 },     { "salmon", 0xfa8072 },

@@ -20,12 +20,12 @@ class MeshBuilder
 {
 public:
   void
-  AddRing(const Vector3 & centre, const Vector3 & u, const Vector3 & v, const RGBColor & color)
+  AddRing(const Vector3 & center, const Vector3 & u, const Vector3 & v, const RGBColor & color)
   {
     for (int side = 0; side < sides; ++side)
     {
       const double angle = 2.0 * Pi * side / sides;
-      m_Points.push_back(centre + std::cos(angle) * u + std::sin(angle) * v);
+      m_Points.push_back(center + std::cos(angle) * u + std::sin(angle) * v);
       m_Colors.push_back(color);
     }
   }
@@ -45,13 +45,13 @@ public:
   }
 
   void
-  AddBall(const Vector3 & centre, double radius, const RGBColor & color)
+  AddBall(const Vector3 & center, double radius, const RGBColor & color)
   {
     for (int stack = 0; stack <= stacks; ++stack)
     {
       const double angle = Pi * stack / stacks;
       const double across = radius * std::sin(angle);
-      this->AddRing(centre - Vector3(0.0, 0.0, radius * std::cos(angle)),
+      this->AddRing(center - Vector3(0.0, 0.0, radius * std::cos(angle)),
                     Vector3(across, 0.0, 0.0),
                     Vector3(0.0, across, 0.0),
                     color);

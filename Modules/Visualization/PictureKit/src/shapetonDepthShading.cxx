@@ -53,12 +53,12 @@ Blur(std::vector<double> & values, int width, int height, int reach)
 DepthShading::DepthShading(const std::vector<SeenSample> & samples,
                            unsigned int                    width,
                            unsigned int                    height,
-                           double                          millimetresPerPixel,
+                           double                          millimetersPerPixel,
                            double                          strength)
   : m_Strength(static_cast<float>(strength))
 {
   const int reach = std::max(static_cast<int>(std::max(width, height)) / 60, 2);
-  m_DarkDepth = static_cast<float>(2.0 * reach * millimetresPerPixel); // equal to the extent of the surroundings
+  m_DarkDepth = static_cast<float>(2.0 * reach * millimetersPerPixel); // equal to the extent of the surroundings
   if (strength <= 0.0)
   {
     return;

@@ -18,7 +18,7 @@ public:
   DepthShading(const std::vector<SeenSample> & samples,
                unsigned int                    width,
                unsigned int                    height,
-               double                          millimetresPerPixel,
+               double                          millimetersPerPixel,
                double                          strength);
 
   /** Fraction of light that a sample of a pixel keeps. */

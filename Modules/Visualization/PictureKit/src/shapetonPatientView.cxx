@@ -115,7 +115,7 @@ PatientView::TurnTo(const PatientViewOptions & options)
 void
 PatientView::FitTo(double halfWidth, double halfHeight, const PatientViewOptions & options)
 {
-  m_MillimetresPerPixel =
+  m_MillimetersPerPixel =
     2.0 * std::max(halfWidth / options.width, halfHeight / options.height) / (filled * options.zoom);
 }
 
@@ -124,15 +124,15 @@ PatientView::Project(const PointType & point) const
 {
   const VectorType      offset = point - m_Center;
   itk::Point<double, 2> place;
-  place[0] = m_MiddleX + (offset * m_Right) / m_MillimetresPerPixel;
-  place[1] = m_MiddleY - (offset * m_Up) / m_MillimetresPerPixel;
+  place[0] = m_MiddleX + (offset * m_Right) / m_MillimetersPerPixel;
+  place[1] = m_MiddleY - (offset * m_Up) / m_MillimetersPerPixel;
   return place;
 }
 
 PatientView::PointType
 PatientView::PointOfPixel(double x, double y) const
 {
-  return m_Center + m_Right * ((x - m_MiddleX) * m_MillimetresPerPixel) +
-         m_Up * ((m_MiddleY - y) * m_MillimetresPerPixel);
+  return m_Center + m_Right * ((x - m_MiddleX) * m_MillimetersPerPixel) +
+         m_Up * ((m_MiddleY - y) * m_MillimetersPerPixel);
 }
 } // namespace shapeton

@@ -111,7 +111,7 @@ RenderPerspective(const SurfaceMesh &           surface,
   const Projection projection(camera);
   if (static_cast<Eigen::Index>(vertexColors.size()) != surface.V.rows())
   {
-    throw std::invalid_argument("a perspective picture needs a colour for each vertex");
+    throw std::invalid_argument("a perspective picture needs a color for each vertex");
   }
   const FaceMatrix   faces = FacesInFront(surface, projection, camera.nearest);
   const VertexMatrix normals = VertexNormals(surface.V, surface.F);

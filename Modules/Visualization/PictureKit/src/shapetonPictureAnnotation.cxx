@@ -40,12 +40,12 @@ DrawScaleBar(Picture *        picture,
              int              left,
              int              bottom,
              int              greatestLength,
-             double           millimetresPerPixel,
+             double           millimetersPerPixel,
              const RGBColor & color)
 {
   constexpr int thickness = 3;
-  const double  length = RoundLengthUpTo(greatestLength * millimetresPerPixel);
-  const int     pixels = static_cast<int>(std::lround(length / millimetresPerPixel));
+  const double  length = RoundLengthUpTo(greatestLength * millimetersPerPixel);
+  const int     pixels = static_cast<int>(std::lround(length / millimetersPerPixel));
   TextStyle     style;
   style.size = 15;
   style.color = color;

@@ -56,8 +56,8 @@ ProjectMesh(const SurfaceMesh & mesh, const PatientView & view)
   const Row                    right = RowOf(view.GetRight());
   const Row                    up = RowOf(view.GetUp());
   const Row                    forward = RowOf(view.GetForward());
-  const itk::Vector<double, 3> centre = view.PointOfPixel(0.0, 0.0).GetVectorFromOrigin();
-  const double                 originDepth = centre * view.GetForward();
+  const itk::Vector<double, 3> center = view.PointOfPixel(0.0, 0.0).GetVectorFromOrigin();
+  const double                 originDepth = center * view.GetForward();
 
   ScreenPart part;
   part.faces = &mesh.F;

@@ -53,16 +53,16 @@ unsigned int
 PixelsAlong(const itk::ImageBase<3> *   volume,
             const itk::ImageRegion<3> & focus,
             unsigned int                axis,
-            double                      millimetresPerPixel)
+            double                      millimetersPerPixel)
 {
   const double length = volume->GetSpacing()[axis] * static_cast<double>(focus.GetSize(axis));
-  return static_cast<unsigned int>(std::max(std::lround(length / millimetresPerPixel), 1L));
+  return static_cast<unsigned int>(std::max(std::lround(length / millimetersPerPixel), 1L));
 }
 
 double
-GreyAt(const itk::Image<float, 3> * grey, const SliceAxes & axes, const itk::ContinuousIndex<double, 3> & place)
+GrayAt(const itk::Image<float, 3> * gray, const SliceAxes & axes, const itk::ContinuousIndex<double, 3> & place)
 {
-  const itk::Index<3> last = grey->GetBufferedRegion().GetUpperIndex();
+  const itk::Index<3> last = gray->GetBufferedRegion().GetUpperIndex();
   itk::Index<3>       first;
   itk::Index<3>       second;
   for (unsigned int axis = 0; axis < 3; ++axis)
@@ -80,7 +80,7 @@ GreyAt(const itk::Image<float, 3> * grey, const SliceAxes & axes, const itk::Con
       const double  lower = place[axes.down] - static_cast<double>(first[axes.down]);
       index[axes.across] = isRight ? second[axes.across] : first[axes.across];
       index[axes.down] = isLower ? second[axes.down] : first[axes.down];
-      sum += (isRight ? right : 1.0 - right) * (isLower ? lower : 1.0 - lower) * grey->GetPixel(index);
+      sum += (isRight ? right : 1.0 - right) * (isLower ? lower : 1.0 - lower) * gray->GetPixel(index);
     }
   }
   return sum;
@@ -212,21 +212,21 @@ SliceView::SliceView(const itk::ImageBase<3> *   volume,
                      const itk::ImageRegion<3> & focus,
                      SlicePlane                  plane,
                      itk::IndexValueType         slice,
-                     double                      millimetresPerPixel)
+                     double                      millimetersPerPixel)
   : m_Volume(volume)
   , m_Focus(focus)
   , m_Axes(AxesOf(volume, plane))
   , m_Slice(slice)
-  , m_MillimetresPerPixel(millimetresPerPixel)
+  , m_MillimetersPerPixel(millimetersPerPixel)
 {
   const itk::ImageRegion<3> region = volume->GetLargestPossibleRegion();
   if (focus.GetNumberOfPixels() == 0 || !region.IsInside(focus) || slice < region.GetIndex(m_Axes.through) ||
-      slice > region.GetUpperIndex()[m_Axes.through] || !(millimetresPerPixel > 0.0))
+      slice > region.GetUpperIndex()[m_Axes.through] || !(millimetersPerPixel > 0.0))
   {
     throw std::invalid_argument("the view of a slice requires a part of its volume and a positive scale");
   }
-  m_Width = PixelsAlong(volume, focus, m_Axes.across, millimetresPerPixel);
-  m_Height = PixelsAlong(volume, focus, m_Axes.down, millimetresPerPixel);
+  m_Width = PixelsAlong(volume, focus, m_Axes.across, millimetersPerPixel);
+  m_Height = PixelsAlong(volume, focus, m_Axes.down, millimetersPerPixel);
 }
 
 itk::Vector<double, 3>
@@ -272,7 +272,7 @@ SliceView::PixelOf(const itk::ContinuousIndex<double, 3> & index) const
 }
 
 Picture::Pointer
-PaintSlice(const SliceView & view, const itk::Image<float, 3> * grey, const IntensityWindow & window)
+PaintSlice(const SliceView & view, const itk::Image<float, 3> * gray, const IntensityWindow & window)
 {
   auto picture = NewPicture(view.GetWidth(), view.GetHeight(), black);
   for (unsigned int y = 0; y < view.GetHeight(); ++y)
@@ -280,7 +280,7 @@ PaintSlice(const SliceView & view, const itk::Image<float, 3> * grey, const Inte
     for (unsigned int x = 0; x < view.GetWidth(); ++x)
     {
       const auto   place = view.IndexOfPixel(static_cast<int>(x), static_cast<int>(y));
-      const double value = GreyAt(grey, view.GetAxes(), place);
+      const double value = GrayAt(gray, view.GetAxes(), place);
       const double share = std::clamp((value - window.lower) / (window.upper - window.lower), 0.0, 1.0);
       picture->GetBufferPointer()[std::size_t{ y } * view.GetWidth() + x] = MixColors(black, white, share);
     }

@@ -37,9 +37,9 @@ Check(const SurfaceScene & scene)
     Require(faces.size() == 0 || (faces.minCoeff() >= 0 && faces.maxCoeff() < vertices),
             "a face of a scene has an invalid vertex index");
     Require(actor.vertexColors.empty() || static_cast<int>(actor.vertexColors.size()) == vertices,
-            "a scene needs a colour for each vertex of a surface, or none");
+            "a scene needs a color for each vertex of a surface, or none");
     Require(actor.faceColors.empty() || static_cast<int>(actor.faceColors.size()) == faces.rows(),
-            "a scene needs a colour for each face of a surface, or none");
+            "a scene needs a color for each face of a surface, or none");
     Require(actor.opacity > 0.0 && actor.opacity <= 1.0, "the opacity of a surface is above 0 and at most 1");
   }
   for (const CurveActor & actor : scene.curves)
@@ -53,7 +53,7 @@ Check(const SurfaceScene & scene)
     }
     Require(actor.vertexColors.empty() ||
               static_cast<Eigen::Index>(actor.vertexColors.size()) == actor.curves->V.rows(),
-            "a scene needs a colour for each vertex of its curves, or none");
+            "a scene needs a color for each vertex of its curves, or none");
   }
 }
 
@@ -86,13 +86,13 @@ public:
   PatientView
   View() const
   {
-    const Eigen::RowVector3d centre = 0.5 * (m_Lowest + m_Highest) * m_Axes.transpose();
+    const Eigen::RowVector3d center = 0.5 * (m_Lowest + m_Highest) * m_Axes.transpose();
     Eigen::RowVector3d       half = 0.5 * (m_Highest - m_Lowest);
     if (half[0] <= 0.0 && half[1] <= 0.0)
     {
       half.setOnes(); // a single point also needs a scale
     }
-    return { PatientView::PointType(centre.data()), half[0], half[1], m_Options };
+    return { PatientView::PointType(center.data()), half[0], half[1], m_Options };
   }
 
 private:
@@ -121,7 +121,7 @@ SceneArea(const SurfaceRenderingOptions & options)
 {
   PatientViewOptions area = options;
   const unsigned int bar = options.colorBar ? colorBarWidth : 0;
-  Require(options.width > bar, "the picture of a scene is too narrow for its colour bar");
+  Require(options.width > bar, "the picture of a scene is too narrow for its color bar");
   area.width -= bar;
   return area;
 }
@@ -192,7 +192,7 @@ DrawLabels(Picture * picture, const std::vector<MarkerActor> & markers, const Pa
   {
     const auto       place = view.Project(PatientView::PointType(marker.point.data()));
     const TextExtent extent = MeasureText(marker.label, style);
-    const int        off = static_cast<int>(std::lround(marker.radius / view.GetMillimetresPerPixel())) + 5;
+    const int        off = static_cast<int>(std::lround(marker.radius / view.GetMillimetersPerPixel())) + 5;
     const int        x = static_cast<int>(std::lround(place[0]));
     const int        y = static_cast<int>(std::lround(place[1]));
     const int        middle = y - extent.height / 2;
@@ -237,7 +237,7 @@ Annotate(Picture * picture, const PatientView & view, const SurfaceRenderingOpti
   }
   if (options.annotations)
   {
-    DrawScaleBar(picture, 12, height - 12, width / 4, view.GetMillimetresPerPixel(), annotation);
+    DrawScaleBar(picture, 12, height - 12, width / 4, view.GetMillimetersPerPixel(), annotation);
   }
 }
 } // namespace
@@ -257,7 +257,7 @@ RenderSurfaces(const SurfaceScene & scene, const SurfaceRenderingOptions & optio
   const ScreenScene        screen(scene, view);
   const auto               samples = RasterizeParts(screen.GetParts(), area.width, area.height);
   const DepthShading       shading(
-    samples, area.width, area.height, view.GetMillimetresPerPixel(), std::clamp(options.depthShading, 0.0, 1.0));
+    samples, area.width, area.height, view.GetMillimetersPerPixel(), std::clamp(options.depthShading, 0.0, 1.0));
   auto picture = NewPicture(area.width, area.height, background);
   ComposeSamples(picture, samples, shading, background);
   if (options.annotations)

@@ -52,7 +52,7 @@ constexpr Matrix normalSight{ { { 1.0, 0.0, 0.0 }, { 0.0, 1.0, 0.0 }, { 0.0, 0.0
 constexpr Matrix protanSight{ { { 0.11238, 0.88762, 0.0 }, { 0.11238, 0.88762, 0.0 }, { 0.00401, -0.00401, 1.0 } } };
 constexpr Matrix deutanSight{ { { 0.29275, 0.70725, 0.0 }, { 0.29275, 0.70725, 0.0 }, { -0.02234, 0.02234, 1.0 } } };
 
-/** CIELAB of a colour as it is seen. */
+/** CIELAB of a color as it is seen. */
 Triple
 Seen(const shapeton::RGBColor & color, const Matrix & sight)
 {
@@ -138,18 +138,18 @@ TEST(ColorMap, LightnessRisesOnceThenFallsAndStaysOffBlack)
   }
 }
 
-TEST(ColorMap, ClassesAreToldApartAlsoByTheColourBlind)
+TEST(ColorMap, ClassesAreToldApartAlsoByTheColorBlind)
 {
   for (const Matrix & sight : { normalSight, protanSight, deutanSight })
   {
     EXPECT_GT(LeastDifference(8, 7, sight), 39.0);
     EXPECT_GT(LeastDifference(12, 11, sight), 27.0);
-    EXPECT_GT(LeastDifference(13, 1, sight), 28.0) << "neighbours, also where the colours begin again";
+    EXPECT_GT(LeastDifference(13, 1, sight), 28.0) << "neighbors, also where the colors begin again";
   }
   EXPECT_EQ(shapeton::ClassColor(13), shapeton::ClassColor(1));
 }
 
-TEST(ColorMap, ClassesStandOffTheGreysOfAnImage)
+TEST(ColorMap, ClassesStandOffTheGraysOfAnImage)
 {
   for (unsigned int label = 1; label <= 12; ++label)
   {
@@ -159,7 +159,7 @@ TEST(ColorMap, ClassesStandOffTheGreysOfAnImage)
   }
 }
 
-TEST(ColorMap, NamesAndHexadecimalColours)
+TEST(ColorMap, NamesAndHexadecimalColors)
 {
   EXPECT_EQ(*shapeton::ColorOf("red"), shapeton::MakeColor(255, 0, 0));
   EXPECT_EQ(*shapeton::ColorOf("SteelBlue"), shapeton::MakeColor(70, 130, 180));

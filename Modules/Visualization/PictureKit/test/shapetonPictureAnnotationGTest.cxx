@@ -46,7 +46,7 @@ TEST(PictureAnnotation, AColorScaleClampsAndKnowsNoValue)
   EXPECT_EQ(shapeton::ColorsOf(values, 2, { "mm", 10.0, 30.0, shapeton::HeatColor })[1], shapeton::HeatColor(1.0));
 }
 
-TEST(PictureAnnotation, AColorBarRunsUpwardsAndHasTicksAtItsColours)
+TEST(PictureAnnotation, AColorBarRunsUpwardsAndHasTicksAtItsColors)
 {
   auto                       picture = shapeton::NewPicture(shapeton::colorBarWidth + 20, 240, white);
   const shapeton::ColorScale scale{ "mm", 0.0, 100.0, shapeton::HeatColor };

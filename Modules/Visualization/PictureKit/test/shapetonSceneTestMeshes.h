@@ -40,12 +40,12 @@ ParametricMesh(int u, int v, const std::function<Eigen::RowVector3d(double, doub
 }
 
 inline SurfaceMesh
-SphereMesh(const Eigen::RowVector3d & centre, double radius, int steps = 96)
+SphereMesh(const Eigen::RowVector3d & center, double radius, int steps = 96)
 {
   return ParametricMesh(2 * steps, steps, [&](double u, double v) {
     const double lon = 2.0 * testPi * u;
     const double lat = testPi * (v - 0.5);
-    return Eigen::RowVector3d(centre + radius * Eigen::RowVector3d(std::cos(lon) * std::cos(lat),
+    return Eigen::RowVector3d(center + radius * Eigen::RowVector3d(std::cos(lon) * std::cos(lat),
                                                                    std::sin(lon) * std::cos(lat),
                                                                    std::sin(lat)));
   });

@@ -22,12 +22,12 @@ struct Ball
 {
   Ball() : mask(shapeton::ObliqueImage<MaskType>({ { 50, 40, 24 } }))
   {
-    mask->TransformIndexToPhysicalPoint({ { 25, 20, 12 } }, centre);
+    mask->TransformIndexToPhysicalPoint({ { 25, 20, 12 } }, center);
     for (itk::SizeValueType i = 0; i < mask->GetBufferedRegion().GetNumberOfPixels(); ++i)
     {
       MaskType::PointType point;
       mask->TransformIndexToPhysicalPoint(mask->ComputeIndex(static_cast<itk::OffsetValueType>(i)), point);
-      mask->GetBufferPointer()[i] = point.EuclideanDistanceTo(centre) < radius ? 1 : 0;
+      mask->GetBufferPointer()[i] = point.EuclideanDistanceTo(center) < radius ? 1 : 0;
     }
   }
 
@@ -38,26 +38,26 @@ struct Ball
     return { mask, mask->GetBufferedRegion(), plane, middle[shapeton::AxesOf(mask, plane).through], 0.1 };
   }
 
-  /** The distance of a pixel from the centre, mm. */
+  /** The distance of a pixel from the center, mm. */
   double
   DistanceOf(const shapeton::SliceView & view, int x, int y) const
   {
     MaskType::PointType point;
     mask->TransformContinuousIndexToPhysicalPoint(view.IndexOfPixel(x, y), point);
-    return point.EuclideanDistanceTo(centre);
+    return point.EuclideanDistanceTo(center);
   }
 
   static constexpr double radius = 11.0;
   MaskType::Pointer       mask;
-  MaskType::PointType     centre;
+  MaskType::PointType     center;
 };
 
-/** Checks that the drawn pixels make a ring around the middle of the picture between two distances from the centre. */
+/** Checks that the drawn pixels make a ring around the middle of the picture between two distances from the center. */
 void
 ExpectRing(const shapeton::Picture * picture, const Ball & ball, const shapeton::SliceView & view, double tolerance)
 {
   std::set<int> directions; // of 72
-  const auto    middle = view.PixelOf(ball.mask->TransformPhysicalPointToContinuousIndex<double>(ball.centre));
+  const auto    middle = view.PixelOf(ball.mask->TransformPhysicalPointToContinuousIndex<double>(ball.center));
   for (int y = 0; y < static_cast<int>(view.GetHeight()); ++y)
   {
     for (int x = 0; x < static_cast<int>(view.GetWidth()); ++x)
@@ -157,7 +157,7 @@ TEST(SliceView, ASliceCutsASphereInACircle)
 {
   const Ball                  ball;
   const shapeton::SurfaceMesh sphere =
-    shapeton::SphereMesh({ ball.centre[0], ball.centre[1], ball.centre[2] }, Ball::radius, 120);
+    shapeton::SphereMesh({ ball.center[0], ball.center[1], ball.center[2] }, Ball::radius, 120);
   for (const auto plane : planes)
   {
     const shapeton::SliceView view = ball.View(plane);

@@ -98,7 +98,7 @@ TEST(SurfaceRendering, ASphereCoversItsDisc)
   {
     covered += picture->GetBufferPointer()[i] == background ? 0.0 : 1.0;
   }
-  const double mm = shapeton::ViewOfScene(scene, options).GetMillimetresPerPixel();
+  const double mm = shapeton::ViewOfScene(scene, options).GetMillimetersPerPixel();
   const double border = shapeton::testPi * 40.0 / mm; // half of the length of the border in pixels counts too much
   EXPECT_NEAR((covered - border) * mm * mm, shapeton::testPi * 1600.0, 0.004 * shapeton::testPi * 1600.0);
 }
@@ -230,7 +230,7 @@ TEST(SurfaceRendering, FillsThePictureFromEverySide)
   EXPECT_NEAR(right, 281, 1);
 }
 
-TEST(SurfaceRendering, ColoursOfVerticesBlendAndThoseOfFacesDoNot)
+TEST(SurfaceRendering, ColorsOfVerticesBlendAndThoseOfFacesDoNot)
 {
   const shapeton::SurfaceMesh sheet = shapeton::CoronalSheet(-20, 20, -20, 20, 0.0);
   const auto                  seen = [&](const shapeton::SurfaceActor & actor, double x) {
@@ -336,7 +336,7 @@ TEST(SurfaceRendering, ATubeIsAsThickAsItsRadiusSays)
   {
     thickness += shapeton::At(picture, 150, y) == background ? 0 : 1;
   }
-  EXPECT_NEAR(thickness * shapeton::ViewOfScene(scene, options).GetMillimetresPerPixel(), 12.0, 0.4);
+  EXPECT_NEAR(thickness * shapeton::ViewOfScene(scene, options).GetMillimetersPerPixel(), 12.0, 0.4);
 }
 
 TEST(SurfaceRendering, DepthShadingDarkensWhatLiesBehind)

@@ -1,0 +1,439 @@
+#include "shapetonMiddleLine.h"
+
+#include "shapetonInterruption.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace shapeton
+{
+namespace
+{
+/** Half length of the averaging window in lumen radii, so single haustra do not bend the line. */
+constexpr double slabRadii = 2.5;
+/** Minimum ratio of chord to arc of that stretch. */
+constexpr double straightness = 0.6;
+
+/** Minimum distance of the center to the wall (mm), unless the path is closer. */
+constexpr double leastClearance = 2.5;
+/** Minimum share of lumen (DistanceField::Occupancy) on the line. */
+constexpr double safelyInside = 0.7;
+/** Voxels assigned to a point of the line are at most this far along its path, mm. */
+constexpr double reachOfMiddle = 40.0;
+/** Distance of the end of the line from the pole of the cecum, mm. */
+constexpr double beforePole = 3.0;
+/** Considered length of the line before the mouth of the cecum, and half the considered reach of lumen beyond it,
+ * mm. */
+constexpr double farthestOfPouch = 150.0;
+
+CurvePoints
+PositionsOf(const LumenGrid & grid, const std::vector<int> & nodes)
+{
+  CurvePoints points;
+  for (const int node : nodes)
+  {
+    points.push_back(grid.Position(node));
+  }
+  return points;
+}
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+/** For each node the nearest of the points `first` to `last` of a curve within the lumen; -1 beyond `reach` mm. */
+NearestPlaces
+NearestPoints(const LumenNetwork & network, const CurvePoints & points, int first, int last, double reach)
+{
+  std::vector<int> path(points.size(), -1);
+  for (int i = first; i <= last; ++i)
+  {
+    path[i] = network.grid.NodeOf(points[i]);
+  }
+  return NearestOnPath(network.grid, network.cells, network.tree, path, reach);
+}
+
+std::vector<int>
+NearestPoints(const LumenNetwork & network, const CurvePoints & points)
+{
+  return NearestPoints(network, points, 0, static_cast<int>(points.size()) - 1, infinite).indices;
+}
+
+/** The lumen across each point of a curve. */
+struct Slabs
+{
+  /** Weighted sums of positions. */
+  CurvePoints         sums;
+  std::vector<double> weights;
+};
+
+/** Nodes are weighted by their distance to the wall, so haustra have little weight. */
+Slabs
+SlabsAcross(const LumenNetwork & network, const CurvePoints & points)
+{
+  const LumenGrid &      grid = network.grid;
+  const std::vector<int> nearest = NearestPoints(network, points);
+  Slabs                  slabs;
+  slabs.sums.assign(points.size(), Eigen::Vector3d::Zero());
+  slabs.weights.assign(points.size(), 0.0);
+  for (int node = 0; node < grid.NumberOfNodes(); ++node)
+  {
+    if (nearest[node] >= 0)
+    {
+      slabs.sums[nearest[node]] += grid.Distance(node) * grid.Position(node);
+      slabs.weights[nearest[node]] += grid.Distance(node);
+    }
+  }
+  return slabs;
+}
+
+/** Mean over this many neighbors on both sides. */
+double
+MeanAround(const std::vector<double> & values, int i, int number)
+{
+  const int from = std::max(0, i - number);
+  const int to = std::min(static_cast<int>(values.size()) - 1, i + number);
+  double    sum = 0.0;
+  for (int k = from; k <= to; ++k)
+  {
+    sum += values[k];
+  }
+  return sum / (to - from + 1);
+}
+
+/** Mean of the slabs around each point, over a stretch of some radii of the lumen; both ends stay. */
+CurvePoints
+SlabMeans(const Slabs & slabs, const CurvePoints & points, const std::vector<double> & radii, double step)
+{
+  const int   last = static_cast<int>(points.size()) - 1;
+  CurvePoints means = points;
+  for (int i = 1; i < last; ++i)
+  {
+    // Symmetric window, otherwise the end would attract the mean.
+    const double reach = slabRadii * MeanAround(radii, i, static_cast<int>(20.0 / step));
+    int          number = std::min({ static_cast<int>(reach / step), i, last - i });
+    // Shorter in a sharp bend, where the mean would cut the corner.
+    while (number > 1 && (points[i + number] - points[i - number]).norm() < straightness * 2.0 * number * step)
+    {
+      --number;
+    }
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    double          weight = 0.0;
+    for (int k = i - number; k <= i + number; ++k)
+    {
+      const double share = 1.0 - std::abs(k - i) / (number + 1.0);
+      sum += share * slabs.sums[k];
+      weight += share * slabs.weights[k];
+    }
+    means[i] = weight > 0.0 ? Eigen::Vector3d(sum / weight) : points[i];
+  }
+  return means;
+}
+
+/** Moves each point to the middle of the lumen across the curve; both ends stay. The mean is taken over a stretch, so
+ * single haustra do not bend the line. */
+CurvePoints
+MoveToMiddle(const LumenNetwork & network, const DistanceField & field, const CurvePoints & points, double step)
+{
+  std::vector<double> radii;
+  for (const Eigen::Vector3d & point : points)
+  {
+    radii.push_back(field.At(point));
+  }
+  const CurvePoints middle = SlabMeans(SlabsAcross(network, points), points, radii, step);
+  CurvePoints       moved = points;
+  for (std::size_t i = 1; i + 1 < points.size(); ++i)
+  {
+    // The mean of a bent slab may be in the wall: move back toward the path as far as needed.
+    const double least = std::min(leastClearance, 0.5 * radii[i]);
+    for (double share = 1.0; share > 0.0; share -= 0.125)
+    {
+      const Eigen::Vector3d place = points[i] + share * (middle[i] - points[i]);
+      if (field.At(place) >= least)
+      {
+        moved[i] = place;
+        break;
+      }
+    }
+  }
+  return moved;
+}
+
+/** The nearest node to a point, among those from `begin` along a path, which may touch itself farther on. */
+std::size_t
+NearestFrom(const CurvePoints & nodes, std::size_t begin, const Eigen::Vector3d & point)
+{
+  std::size_t nearest = begin;
+  double      passed = 0.0;
+  for (std::size_t i = begin + 1; i < nodes.size() && passed < reachOfMiddle; ++i)
+  {
+    passed += (nodes[i] - nodes[i - 1]).norm();
+    nearest = (nodes[i] - point).squaredNorm() < (nodes[nearest] - point).squaredNorm() ? i : nearest;
+  }
+  return nearest;
+}
+
+/** Replaces stretches outside the lumen by those of the path, which may wind more than the line. */
+void
+KeepInside(const DistanceField & field, const CurvePoints & nodes, CurvePoints & points)
+{
+  const auto isBad = [&](std::size_t i) {
+    const Eigen::Vector3d halfway = 0.5 * (points[i] + points[std::min(i + 1, points.size() - 1)]);
+    return std::min(field.Occupancy(points[i]), field.Occupancy(halfway)) < safelyInside;
+  };
+  CurvePoints kept;
+  std::size_t at = 0;
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    const std::size_t from = at;
+    at = NearestFrom(nodes, at, points[i]);
+    if (!isBad(i) || i == 0)
+    {
+      kept.push_back(points[i]);
+      continue;
+    }
+    while (i + 1 < points.size() && isBad(i))
+    {
+      ++i;
+      at = NearestFrom(nodes, at, points[i]);
+    }
+    if (from < at)
+    {
+      kept.insert(kept.end(), nodes.begin() + from + 1, nodes.begin() + at);
+    }
+    kept.push_back(points[i]);
+  }
+  points = kept;
+}
+
+bool
+IsVisible(const DistanceField & field, const Eigen::Vector3d & from, const Eigen::Vector3d & to)
+{
+  const int steps = static_cast<int>((to - from).norm()) + 1;
+  for (int i = 1; i < steps; ++i)
+  {
+    if (field.At(from + (to - from) * i / steps) < 1.0)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+/** Nodes beyond the mouth of a pouch with their distances from it: not nearer to a point of the curve before the mouth,
+ * and as wide as a colon or next to such lumen, which excludes ileum and appendix. The index of others is -1. The curve
+ * beyond the mouth is ignored, since it may be wrong there. */
+NearestPlaces
+PouchBeyond(const LumenNetwork & network, const CurvePoints & points, int mouth, double step)
+{
+  const LumenGrid & grid = network.grid;
+  const int         first = std::max(0, mouth - static_cast<int>(farthestOfPouch / step));
+  NearestPlaces     beyond = NearestPoints(network, points, first, mouth, 2.0 * farthestOfPouch);
+  const int         ofMouth = beyond.indices[grid.NodeOf(points[mouth])];
+  const double      besideWide = 1.5 * network.coreRadius;
+  std::vector<int>  wide;
+  for (int node = 0; node < grid.NumberOfNodes(); ++node)
+  {
+    if (beyond.indices[node] == ofMouth && grid.Distance(node) >= network.coreRadius)
+    {
+      wide.push_back(node);
+    }
+  }
+  const auto fromWide = NearestOnPath(grid, network.cells, network.tree, wide, besideWide);
+  for (int node = 0; node < grid.NumberOfNodes(); ++node)
+  {
+    const bool isPouch =
+      beyond.indices[node] == ofMouth && fromWide.indices[node] >= 0 && grid.Distance(node) >= beforePole;
+    beyond.indices[node] = isPouch ? ofMouth : -1;
+  }
+  return beyond;
+}
+
+/** The farthest node of the pouch within the lumen beyond a point of a curve. Among those about equally far it is the
+ * most caudal one, since the cecum hangs down. -1 if there is none, or hardly any curve before it. */
+int
+FindPole(const LumenNetwork & network, const DistanceField & field, const CurvePoints & points, int mouth, double step)
+{
+  if (mouth * step < 20.0 || network.grid.NodeOf(points[mouth]) < 0)
+  {
+    return -1;
+  }
+  // Paths over 26 neighbors are longer than straight ones by at most 13 %, by 7 % on average.
+  constexpr double    longestWay = 1.13, usualWay = 1.07;
+  constexpr double    caudal = 0.05; // mm of path equivalent to one mm downward
+  const LumenGrid &   grid = network.grid;
+  const NearestPlaces pouch = PouchBeyond(network, points, mouth, step);
+  const double        height = grid.ToPhysical(points[mouth])[2];
+  const auto          worth = [&](int node, double way) {
+    return way + caudal * (height - grid.ToPhysical(grid.Position(node))[2]);
+  };
+  double least = 0.0;
+  for (int node = 0; node < grid.NumberOfNodes(); ++node)
+  {
+    least = pouch.indices[node] >= 0 ? std::max(least, worth(node, pouch.distances[node] / longestWay)) : least;
+  }
+  int              pole = -1;
+  double           most = 0.0;
+  RareInterruption interruption;
+  for (int node = 0; node < grid.NumberOfNodes(); ++node)
+  {
+    interruption.Check();
+    if (pouch.indices[node] >= 0 && worth(node, pouch.distances[node]) >= least)
+    {
+      const Eigen::Vector3d place = grid.Position(node);
+      const double          way =
+        IsVisible(field, points[mouth], place) ? (place - points[mouth]).norm() : pouch.distances[node] / usualWay;
+      pole = worth(node, way) > most ? node : pole;
+      most = std::max(most, worth(node, way));
+    }
+  }
+  return pole;
+}
+
+/** Index up to which a curve from `from` approaches a place by at least 0.7 mm per mm. */
+int
+LastTowards(const CurvePoints & points, int from, double step, const Eigen::Vector3d & place)
+{
+  const int apart = std::max(1, static_cast<int>(5.0 / step));
+  int       last = from;
+  while (last + apart < static_cast<int>(points.size()) &&
+         (points[last] - place).norm() - (points[last + apart] - place).norm() >= 0.7 * apart * step)
+  {
+    ++last;
+  }
+  return last;
+}
+
+/** A curve to a place within the lumen: straight if visible, otherwise along a path. */
+CurvePoints
+WayTo(const LumenNetwork &           network,
+      const DistanceField &          field,
+      const Eigen::Vector3d &        from,
+      const Eigen::Vector3d &        along,
+      int                            pole,
+      const ColonCenterlineOptions & options)
+{
+  const Eigen::Vector3d place = network.grid.Position(pole);
+  if (IsVisible(field, from, place))
+  {
+    return BridgeGap(from, along, place, (place - from).normalized(), options.step);
+  }
+  const int      start = network.grid.NearestNode(from); // the line may be a little outside
+  const PathTree paths = GrowPathTree(network.grid, network.cells, network.tree, start, options.exponent, pole);
+  return SmoothCurve(ResampleCurve(PositionsOf(network.grid, paths.PathTo(pole)), options.step),
+                     options.step,
+                     options.smoothing,
+                     &field);
+}
+
+int
+BeforeEnd(const CurvePoints & points, double steps)
+{
+  const auto last = static_cast<int>(points.size()) - 1;
+  return last - std::min(static_cast<int>(steps), last / 2);
+}
+
+/** The line up to where it stops approaching the pole, searched from `from`, and the path from there. */
+CurvePoints
+LineToPole(const LumenNetwork &           network,
+           const DistanceField &          field,
+           const ColonCenterlineOptions & options,
+           const CurvePoints &            line,
+           int                            from,
+           int                            pole)
+{
+  const Eigen::Vector3d place = network.grid.Position(pole);
+  const int             turn = LastTowards(line, from, options.step, place);
+  const int             behind = std::max(0, turn - static_cast<int>(10.0 / options.step));
+  const Eigen::Vector3d along = (line[turn] - line[behind]).normalized();
+  const CurvePoints     way = WayTo(network, field, line[turn], along, pole, options);
+  CurvePoints           points(line.begin(), line.begin() + turn + 1);
+  points.insert(points.end(), way.begin(), way.end());
+  points.push_back(place);
+  return ResampleCurve(points, options.step);
+}
+} // namespace
+
+CurvePoints
+ShapeLine(const LumenNetwork &           network,
+          const DistanceField &          field,
+          const std::vector<int> &       nodes,
+          const ColonCenterlineOptions & options)
+{
+  const auto smooth = [&](const CurvePoints & points) {
+    return ResampleCurve(SmoothCurve(ResampleCurve(points, options.step), options.step, options.smoothing, &field),
+                         options.step);
+  };
+  const CurvePoints path = smooth(PositionsOf(network.grid, nodes));
+  CurvePoints       points = smooth(MoveToMiddle(network, field, path, options.step));
+  KeepInside(field, PositionsOf(network.grid, nodes), points);
+  return ResampleCurve(points, options.step);
+}
+
+// The first end may be on the side of the cecum, which is as wide as it is long, or back toward its mouth. So a pole is
+// first searched from a distance where this does not matter, then from about the mouth, along a line that leads to the
+// first pole.
+void
+LeadToPole(const LumenNetwork &           network,
+           const DistanceField &          field,
+           const ColonCenterlineOptions & options,
+           CurvePoints &                  points)
+{
+  constexpr double  farther = 120.0, nearer = 80.0; // mm before the end
+  const CurvePoints line = points;
+  const int         begin = BeforeEnd(line, farther / options.step);
+  for (const double beforeEnd : { farther, nearer })
+  {
+    const int mouth = BeforeEnd(points, beforeEnd / options.step);
+    const int pole = FindPole(network, field, points, mouth, options.step);
+    if (pole < 0)
+    {
+      return;
+    }
+    points = LineToPole(network, field, options, line, begin, pole);
+  }
+}
+
+void
+TrimEnds(const DistanceField & field, double step, CurvePoints & points)
+{
+  for (int e = 0; e < 2; ++e)
+  {
+    std::reverse(points.begin(), points.end());
+    const std::size_t reach = std::min(points.size() / 3, static_cast<std::size_t>(10.0 / step));
+    std::size_t       keep = 0;
+    for (std::size_t i = 0; i < reach + keep && i + 2 < points.size() - reach; ++i)
+    {
+      const double halfway = field.Occupancy(0.5 * (points[i] + points[i + 1]));
+      keep = std::min(field.Occupancy(points[i]), halfway) < safelyInside ? i + 1 : keep;
+    }
+    points.erase(points.begin(), points.begin() + keep);
+  }
+}
+
+std::vector<double>
+RadiiAlong(const LumenNetwork & network, const DistanceField & field, const CurvePoints & points, double step)
+{
+  const std::vector<int> nearest = NearestPoints(network, points);
+  std::vector<double>    widest;
+  for (const Eigen::Vector3d & point : points)
+  {
+    widest.push_back(field.At(point));
+  }
+  for (int node = 0; node < network.grid.NumberOfNodes(); ++node)
+  {
+    if (nearest[node] >= 0)
+    {
+      widest[nearest[node]] = std::max<double>(widest[nearest[node]], network.grid.Distance(node));
+    }
+  }
+  const int           reach = static_cast<int>(2.0 / step);
+  std::vector<double> radii;
+  for (int i = 0; i < static_cast<int>(points.size()); ++i)
+  {
+    const int from = std::max(0, i - reach);
+    const int to = std::min(static_cast<int>(points.size()) - 1, i + reach);
+    radii.push_back(*std::max_element(widest.begin() + from, widest.begin() + to + 1));
+  }
+  return radii;
+}
+} // namespace shapeton

@@ -1,0 +1,143 @@
+#include "shapetonCenterlineMatch.h"
+
+#include "shapetonCenterlineShape.h"
+#include "shapetonExceptions.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace shapeton
+{
+namespace
+{
+/** Maximum share of the wall length where the centerline may be outside. Correct ones have 0, those of another position
+ * of the same patient 0.24 and more. */
+constexpr double greatestShareOutside = 0.1;
+/** Minimum radius used for narrow stretches, mm. */
+constexpr double leastRadius = 8.0;
+constexpr double pixelSize = 2.0; // mm; sufficient for the center of the tube
+
+double
+Median(std::vector<double> values)
+{
+  std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
+  return values[values.size() / 2];
+}
+
+/** Fit of the points of a line to the columns assigned to them. */
+struct MatchQuality
+{
+  /** Share of the tube length along which the line is farther from the center than the wall. */
+  double shareOutside{ 0.0 };
+  /** Median distance, mm. */
+  double medianDistance{ 0.0 };
+};
+
+MatchQuality
+QualityOf(const FlatColonAxis & axis, const CenterlineMatch & match)
+{
+  std::vector<double> distances;
+  double              outside = 0.0;
+  double              all = 0.0;
+  for (Eigen::Index column = 0; column < axis.centers.rows(); ++column)
+  {
+    const double * begin = match.arcLength.data();
+    const double * end = begin + match.arcLength.size();
+    const auto     i = std::min<Eigen::Index>(std::lower_bound(begin, end, match.arcLengthOfColumn[column]) - begin,
+                                          match.arcLength.size() - 1);
+    const double   length = column > 0 ? (axis.centers.row(column) - axis.centers.row(column - 1)).norm() : 0.0;
+    distances.push_back((axis.centers.row(column) - match.points.row(i)).norm());
+    all += length;
+    outside += distances.back() > std::max(axis.radii[column], leastRadius) ? length : 0.0;
+  }
+  return { all > 0.0 ? outside / all : 1.0, Median(distances) };
+}
+
+/** Median distance of the points of the line from the nearest column center, mm. */
+double
+MedianDistanceOfLine(const FlatColonAxis & axis, const VertexMatrix & points)
+{
+  std::vector<double> distances;
+  for (Eigen::Index i = 0; i < points.rows(); i += 5)
+  {
+    distances.push_back(std::sqrt((axis.centers.rowwise() - points.row(i)).rowwise().squaredNorm().minCoeff()));
+  }
+  return Median(distances);
+}
+
+CurveSet
+Reversed(const CenterlineMatch & match)
+{
+  CurveSet           line;
+  const Eigen::Index size = match.arcLength.size();
+  line.V = match.points.colwise().reverse();
+  SurfaceArray arc{ "arcLength", SurfaceArray::ValueMatrix(size, 1), false };
+  line.curves.emplace_back();
+  for (Eigen::Index i = 0; i < size; ++i)
+  {
+    line.curves[0].push_back(static_cast<int>(i));
+    arc.values(i, 0) = match.arcLength[size - 1] - match.arcLength[size - 1 - i];
+  }
+  line.pointArrays.push_back(arc);
+  return line;
+}
+
+CenterlineMatch
+Assign(const FlatColonGrid & grid, const FlatColonAxis & axis, const CurveSet & centerline)
+{
+  CenterlineMatch match;
+  OrderedCenterline(centerline, match.points, match.arcLength);
+  match.arcLengthOfColumn = DistanceOfColumns(axis, centerline);
+  match.columnWidth = grid.PixelSize();
+  return match;
+}
+
+/** Called only for a bad assignment. */
+void
+ExplainMismatch(const FlatColonGrid & grid,
+                const FlatColonAxis & axis,
+                const MatchQuality &  quality,
+                CenterlineMatch &     match)
+{
+  if (QualityOf(axis, Assign(grid, axis, Reversed(match))).shareOutside <= greatestShareOutside)
+  {
+    throw InputError("the centerline runs from the cecum to the rectum of the flat surface. Reverse its points, or "
+                     "flatten the surface with this centerline.");
+  }
+  const double lengthOfLine = match.arcLength[match.arcLength.size() - 1] - match.arcLength[0];
+  double       lengthOfAxis = 0.0;
+  for (Eigen::Index i = 1; i < axis.centers.rows(); ++i)
+  {
+    lengthOfAxis += (axis.centers.row(i) - axis.centers.row(i - 1)).norm();
+  }
+  const double near = MedianDistanceOfLine(axis, match.points);
+  if (lengthOfLine > 0.6 * lengthOfAxis || near > leastRadius)
+  {
+    throw InputError("the centerline runs outside the flat surface along " +
+                     std::to_string(static_cast<int>(std::lround(100.0 * quality.shareOutside))) +
+                     " % of its length (median distance from the middle: " +
+                     std::to_string(static_cast<int>(std::lround(quality.medianDistance))) +
+                     " mm): they belong to different colons or positions. Give the centerline that was made with this "
+                     "surface.");
+  }
+  match.warnings.push_back("the centerline covers a part of the flat surface only: places beyond its ends have no "
+                           "distance along it");
+}
+} // namespace
+
+CenterlineMatch
+MatchCenterline(const FlatColon & flat, const CurveSet & centerline)
+{
+  FlatColonGridOptions options;
+  options.pixelSize = pixelSize;
+  const FlatColonGrid & grid = flat.Grid(options);
+  const FlatColonAxis & axis = flat.Axis(options);
+  CenterlineMatch       match = Assign(grid, axis, centerline);
+  const MatchQuality    quality = QualityOf(axis, match);
+  if (quality.shareOutside > greatestShareOutside)
+  {
+    ExplainMismatch(grid, axis, quality, match);
+  }
+  return match;
+}
+} // namespace shapeton

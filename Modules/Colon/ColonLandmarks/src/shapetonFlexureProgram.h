@@ -1,0 +1,32 @@
+#ifndef shapetonFlexureProgram_h
+#define shapetonFlexureProgram_h
+
+#include "shapetonCenterlineShape.h"
+
+#include <array>
+
+namespace shapeton
+{
+/** The best places of the four flexures, before the shift to an apex. */
+struct FlexurePlaces
+{
+  /** Indices of points of the shape. */
+  std::array<int, 4> at{};
+  /** Model probability that the flexure is within 30 mm. */
+  std::array<double, 4> confidence{};
+  /** Mean squared deviation of the features of the flexure from the prior. */
+  std::array<double, 4> meanDeviation{};
+  /** The descending colon is on the right. */
+  bool isMirrored{ false };
+  /** The line more likely runs from the cecum to the rectum. */
+  bool isBackwards{ false };
+};
+
+/** Finds the exact best ordered places from the likelihoods of flexures, sections and lengths described in
+ * shapetonColonFlexures.h. The likelier one of the line and its mirror image is used; confidences account for the other
+ * one and for the reversed line. */
+FlexurePlaces
+FindFlexurePlaces(const CenterlineShape & shape);
+} // namespace shapeton
+
+#endif

@@ -1,0 +1,42 @@
+#ifndef shapetonCenterlineGeometry_h
+#define shapetonCenterlineGeometry_h
+
+#include "shapetonCurveSet.h"
+#include "shapetonLumenTopology.h"
+
+#include <functional>
+
+namespace shapeton
+{
+/** Positions of a grid: p = origin + matrix * index, index into the buffer (from 0). */
+struct GridGeometry
+{
+  Eigen::Matrix3d matrix;
+  Eigen::Matrix3d inverse;
+  Eigen::Vector3d origin;
+  Eigen::Vector3d spacing;
+
+  explicit GridGeometry(const itk::ImageBase<3> * image);
+  Eigen::Vector3d
+  PointOf(const Eigen::Vector3d & index) const
+  {
+    return origin + matrix * index;
+  }
+  Eigen::Vector3d
+  IndexOf(const Eigen::Vector3d & point) const
+  {
+    return inverse * (point - origin);
+  }
+};
+
+/** Calls `body(x, y, z)` for the voxels of the image on a polyline from a to b, in order, each face-adjacent to the
+ * previous one. */
+void
+ForVoxelsOfSegment(const GridGeometry &                             grid,
+                   const itk::Size<3> &                             size,
+                   const Eigen::Vector3d &                          a,
+                   const Eigen::Vector3d &                          b,
+                   const std::function<void(std::array<long, 3>)> & body);
+} // namespace shapeton
+
+#endif

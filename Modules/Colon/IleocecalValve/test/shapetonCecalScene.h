@@ -1,0 +1,134 @@
+#ifndef shapetonCecalScene_h
+#define shapetonCecalScene_h
+
+#include "shapetonIleocecalValve.h"
+
+#include "itkImageRegionIteratorWithIndex.h"
+
+#include <Eigen/Geometry>
+
+#include <cmath>
+
+/** The end of a colon: a tube of 24 mm radius along z from 0 to a half ball at 200 mm, with added structures. */
+namespace cecalscene
+{
+constexpr double radius = 24.0, end = 200.0;
+/** Base of the valve: half an ellipsoid on the wall, 24 mm around the tube, 18 mm along it, 11 mm high. */
+const Eigen::Vector3d valveBase(radius, 0.0, 130.0);
+
+struct Scene
+{
+  bool   hasValve{ true };
+  bool   hasFold{ false };
+  double ileumLength{ 0.0 };
+  double ileumRadius{ 5.0 };
+  /** HU inside the valve. */
+  float core{ -80.0F };
+  /** Transformation of the patient: rotates the tube, mirrors it at x = 0. */
+  Eigen::Matrix3d turn{ Eigen::Matrix3d::Identity() };
+};
+
+inline bool
+IsTube(const Eigen::Vector3d & p)
+{
+  return p.z() <= end - radius ? p.head<2>().norm() < radius
+                               : (p - Eigen::Vector3d(0, 0, end - radius)).norm() < radius;
+}
+
+inline double
+InValve(const Eigen::Vector3d & p)
+{
+  return (p - valveBase).cwiseQuotient(Eigen::Vector3d(11.0, 12.0, 9.0)).squaredNorm();
+}
+
+inline bool
+IsIleum(const Scene & scene, const Eigen::Vector3d & p)
+{
+  return scene.ileumLength > 0.0 && p.x() > 0.0 && p.x() < radius + scene.ileumLength &&
+         (p.tail<2>() - Eigen::Vector2d(0.0, 145.0)).norm() < scene.ileumRadius;
+}
+
+inline bool
+IsLumen(const Scene & scene, const Eigen::Vector3d & p)
+{
+  const bool isFold =
+    scene.hasFold && std::abs(p.z() - 90.0) < 1.5 && p.head<2>().norm() > radius - 10.0 && p.y() > 0.0;
+  const bool isValve = scene.hasValve && InValve(p) < 1.0;
+  return (IsTube(p) && !isFold && !isValve) || IsIleum(scene, p);
+}
+
+struct Images
+{
+  shapeton::LumenMask::Pointer  lumen{ shapeton::LumenMask::New() };
+  itk::Image<float, 3>::Pointer ct{ itk::Image<float, 3>::New() };
+};
+
+/** Images with voxels of this spacing, whose axes are the columns of `axes`. */
+inline Images
+Draw(const Scene &           scene,
+     const Eigen::Vector3d & spacing = Eigen::Vector3d::Constant(1.5),
+     const Eigen::Matrix3d & axes = Eigen::Matrix3d::Identity())
+{
+  const Eigen::Vector3d     middle = scene.turn * Eigen::Vector3d(20.0, 0.0, 110.0);
+  const Eigen::Vector3d     sides = axes.transpose().cwiseAbs() * scene.turn.cwiseAbs() * Eigen::Vector3d(170, 90, 230);
+  const Eigen::Vector3d     first = middle - 0.5 * axes * sides;
+  itk::Size<3>              size;
+  itk::Matrix<double, 3, 3> direction;
+  shapeton::LumenMask::PointType origin;
+  for (int i = 0; i < 3; ++i)
+  {
+    size[i] = static_cast<itk::SizeValueType>(sides[i] / spacing[i]);
+    origin[i] = first[i];
+    for (int j = 0; j < 3; ++j)
+    {
+      direction(i, j) = axes(i, j);
+    }
+  }
+  Images     images;
+  const auto prepare = [&](auto * image) {
+    image->SetRegions(size);
+    image->SetOrigin(origin);
+    image->SetSpacing(spacing.data());
+    image->SetDirection(direction);
+    image->Allocate();
+  };
+  prepare(images.lumen.GetPointer());
+  prepare(images.ct.GetPointer());
+  itk::ImageRegionIteratorWithIndex<shapeton::LumenMask> voxel(images.lumen, images.lumen->GetBufferedRegion());
+  for (; !voxel.IsAtEnd(); ++voxel)
+  {
+    const auto            point = images.lumen->TransformIndexToPhysicalPoint<double>(voxel.GetIndex());
+    const Eigen::Vector3d p = scene.turn.transpose() * Eigen::Vector3d(point.GetDataPointer());
+    const bool            isLumen = IsLumen(scene, p);
+    voxel.Set(isLumen ? 1 : 0);
+    images.ct->SetPixel(voxel.GetIndex(), isLumen ? -950.0F : InValve(p) < 0.6 ? scene.core : 40.0F);
+  }
+  return images;
+}
+
+inline shapeton::CurveSet
+Line(const Scene & scene)
+{
+  shapeton::CurveSet line;
+  const int          points = static_cast<int>(end) - 9;
+  line.V.resize(points, 3);
+  line.curves.emplace_back();
+  Eigen::VectorXd arcLength(points);
+  for (int i = 0; i < points; ++i)
+  {
+    line.V.row(i) = (scene.turn * Eigen::Vector3d(0.0, 0.0, i + 5.0)).transpose();
+    line.curves.back().push_back(i);
+    arcLength[i] = 1000.0 + i;
+  }
+  line.pointArrays.push_back({ "arcLength", arcLength });
+  return line;
+}
+
+inline shapeton::ValveSearch
+Search(const Scene & scene, const Images & images, bool withCt = true)
+{
+  return shapeton::FindIleocecalValve(images.lumen, withCt ? images.ct.GetPointer() : nullptr, Line(scene));
+}
+} // namespace cecalscene
+
+#endif

@@ -1,0 +1,128 @@
+#include "shapetonCecalScene.h"
+#include "shapetonExceptions.h"
+
+#include "itkMultiThreaderBase.h"
+
+#include <gtest/gtest.h>
+
+using cecalscene::Scene;
+using shapeton::ValveSearch;
+
+namespace
+{
+/** The center of the surface of the valve is between its base and its top, 11 mm above. */
+void
+ExpectValve(const ValveSearch & search, const Eigen::Matrix3d & turn)
+{
+  ASSERT_TRUE(search.valve) << search.reason;
+  const Eigen::Vector3d top = turn * (cecalscene::valveBase - Eigen::Vector3d(11.0, 0.0, 0.0));
+  EXPECT_LT((search.valve->position - top).norm(), 5.0);
+  EXPECT_NEAR(search.valve->arcLength, 1000.0 + cecalscene::valveBase.z() - 5.0, 6.0);
+  EXPECT_GE(search.valve->confidence, 0.5);
+  EXPECT_LE(search.valve->confidence, 1.0);
+}
+
+Eigen::Matrix3d
+Turn()
+{
+  return Eigen::AngleAxisd(0.6, Eigen::Vector3d(1.0, -2.0, 0.5).normalized()).toRotationMatrix();
+}
+} // namespace
+
+TEST(IleocecalValve, IsABulgeOfFat)
+{
+  const Scene       scene;
+  const auto        images = cecalscene::Draw(scene);
+  const ValveSearch search = cecalscene::Search(scene, images);
+  ExpectValve(search, scene.turn);
+  EXPECT_NEAR(search.valve->attenuation, -80.0, 15.0);
+  EXPECT_GT(search.valve->length, 12.0); // the foot does not bulge
+  EXPECT_LT(search.valve->length, 24.0);
+}
+
+TEST(IleocecalValve, IsFoundByShapeAloneWithLessConfidence)
+{
+  const Scene       scene;
+  const auto        images = cecalscene::Draw(scene);
+  const ValveSearch alone = cecalscene::Search(scene, images, false);
+  ExpectValve(alone, scene.turn);
+  EXPECT_FALSE(std::isfinite(alone.valve->attenuation));
+  EXPECT_LT(alone.valve->confidence, cecalscene::Search(scene, images).valve->confidence);
+}
+
+TEST(IleocecalValve, IsNoFoldAndNoBubble)
+{
+  Scene scene;
+  scene.hasValve = false;
+  scene.hasFold = true;
+  const ValveSearch fold = cecalscene::Search(scene, cecalscene::Draw(scene));
+  EXPECT_FALSE(fold.valve);
+  EXPECT_FALSE(fold.reason.empty());
+  scene.hasValve = true;
+  scene.core = -900.0F;
+  const ValveSearch bubble = cecalscene::Search(scene, cecalscene::Draw(scene));
+  EXPECT_FALSE(bubble.valve);
+  EXPECT_NE(bubble.reason.find("likely"), std::string::npos);
+}
+
+TEST(IleocecalValve, DoesNotDependOnAxesAndSpacings)
+{
+  const Scene scene;
+  ExpectValve(cecalscene::Search(scene, cecalscene::Draw(scene, { 0.9, 1.6, 2.0 }, Turn())), scene.turn);
+}
+
+TEST(IleocecalValve, TurnsWithThePatientAndMirrors)
+{
+  Scene scene;
+  scene.turn = Turn();
+  ExpectValve(cecalscene::Search(scene, cecalscene::Draw(scene)), scene.turn);
+
+  const ValveSearch straight = cecalscene::Search({}, cecalscene::Draw({}));
+  Scene             mirrored;
+  mirrored.turn.diagonal() << -1.0, 1.0, 1.0;
+  const ValveSearch mirror = cecalscene::Search(mirrored, cecalscene::Draw(mirrored));
+  ExpectValve(mirror, mirrored.turn);
+  EXPECT_NEAR(mirror.valve->confidence, straight.valve->confidence, 0.05);
+}
+
+TEST(IleocecalValve, IsTheSameForAnyNumberOfThreads)
+{
+  const auto        images = cecalscene::Draw({});
+  const auto        threads = itk::MultiThreaderBase::GetGlobalDefaultNumberOfThreads();
+  const ValveSearch many = cecalscene::Search({}, images);
+  itk::MultiThreaderBase::SetGlobalDefaultNumberOfThreads(1);
+  const ValveSearch one = cecalscene::Search({}, images);
+  itk::MultiThreaderBase::SetGlobalDefaultNumberOfThreads(threads);
+  ASSERT_TRUE(many.valve && one.valve);
+  EXPECT_EQ(many.valve->position, one.valve->position);
+  EXPECT_EQ(many.valve->confidence, one.valve->confidence);
+}
+
+TEST(IleocecalValve, GoesWithTheCenterline)
+{
+  shapeton::CurveSet line = cecalscene::Line({});
+  EXPECT_FALSE(shapeton::IleocecalValveOf(line));
+  shapeton::IleocecalValve valve;
+  valve.position = { 1.0, -2.0, 3.0 };
+  valve.arcLength = 1100.0;
+  valve.length = 25.0;
+  valve.width = 12.0;
+  valve.confidence = 0.75;
+  shapeton::SetIleocecalValve(valve, line);
+  const auto back = shapeton::IleocecalValveOf(line);
+  ASSERT_TRUE(back);
+  EXPECT_EQ(back->position, valve.position);
+  EXPECT_EQ(back->arcLength, valve.arcLength);
+  EXPECT_EQ(back->confidence, valve.confidence);
+  line.fieldArrays.back().values.resize(1, 3);
+  EXPECT_THROW(shapeton::IleocecalValveOf(line), shapeton::InputError);
+  shapeton::SetIleocecalValve(std::nullopt, line);
+  EXPECT_FALSE(shapeton::IleocecalValveOf(line));
+}
+
+TEST(IleocecalValve, NeedsArcLengths)
+{
+  shapeton::CurveSet line = cecalscene::Line({});
+  line.pointArrays.clear();
+  EXPECT_THROW(shapeton::FindIleocecalValve(cecalscene::Draw({}).lumen, nullptr, line), shapeton::InputError);
+}
