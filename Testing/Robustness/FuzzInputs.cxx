@@ -4,7 +4,8 @@
 // the readers (and readable certificates to the verifier). --kind graphs: only graphs and certificates; --kind volumes:
 // only volumes and surfaces; --kind files: only images, surfaces and graphs that are not DICOM; --kind results: only
 // DICOM segmentations and reports. A reader may read a mutant or reject it with an InputError. It must not crash, hang,
-// use unbounded memory, or cause a sanitizer report. Files that violate this are kept and listed, and the exit status is
+// use unbounded memory, or cause a sanitizer report. Files that violate this are kept and listed, and the exit status
+// is
 // 1. The mutants are created in a new folder inside DIR (default: the folder for temporary files), which is removed if
 // there was no fault. --self-test: checks that each of these faults is detected.
 

@@ -16,8 +16,8 @@ namespace rules
 Faults
 CheckMessages(const std::filesystem::path & root);
 
-/** Comments, messages and pages are plain English: no comment of a source begins with a bare genitive ("Of the ..."), no
- * message says that something "is no" or "is none", and nothing is told, wanders, hangs on or belongs beside. */
+/** Comments, messages and pages are plain English: no comment of a source begins with a bare genitive ("Of the ..."),
+ * no message says that something "is no" or "is none", and nothing is told, wanders, hangs on or belongs beside. */
 Faults
 CheckWording(const std::filesystem::path & root);
 } // namespace rules

@@ -218,8 +218,7 @@ CheckFileExtensions(const XMLElement & parameter, XMLFaults & faults)
   {
     if (extension.size() < 2 || extension[0] != '.')
     {
-      faults.Add(parameter.line,
-                 NameOf(parameter) + ": file extension \"" + extension + "\" must begin with a period");
+      faults.Add(parameter.line, NameOf(parameter) + ": file extension \"" + extension + "\" must begin with a period");
     }
   }
 }

@@ -147,12 +147,12 @@ void
 TryColumn(const Column & column, ValidationReport & report)
 {
   report.AddText("## " + column.title);
-  FoldScores               ours;
-  FoldScores               published;
-  LandmarkScores           landmarks;
-  StructureScores          structures;
-  CsvTable                 faults({ "exam", "fault" });
-  CsvTable                 exams({ "exam", "folds found", "labels right", "ends, mm", "published: found", "right" });
+  FoldScores      ours;
+  FoldScores      published;
+  LandmarkScores  landmarks;
+  StructureScores structures;
+  CsvTable        faults({ "exam", "fault" });
+  CsvTable        exams({ "exam", "folds found", "labels right", "ends, mm", "published: found", "right" });
   for (const LandmarkCase & one : column.cases)
   {
     ValidationReport::Progress(column.title + ": " + NameOfCase(one));

@@ -283,10 +283,10 @@ private:
       if (!isRight)
       {
         errors.faults.push_back(
-          "label " + std::to_string(fold.label) + " is not a fold: " + CsvTable::Rounded(fold.length, 3) + " mm long, " +
-          CsvTable::Rounded(fold.area, 3) + " mm^2, curvature " + CsvTable::Rounded(fold.meanCurvature, 3) +
-          ", elongation " + CsvTable::Rounded(fold.elongation, 3) + ", at " + CsvTable::Rounded(fold.centerUv.x(), 4) +
-          " mm of the map");
+          "label " + std::to_string(fold.label) + " is not a fold: " + CsvTable::Rounded(fold.length, 3) +
+          " mm long, " + CsvTable::Rounded(fold.area, 3) + " mm^2, curvature " +
+          CsvTable::Rounded(fold.meanCurvature, 3) + ", elongation " + CsvTable::Rounded(fold.elongation, 3) + ", at " +
+          CsvTable::Rounded(fold.centerUv.x(), 4) + " mm of the map");
       }
     }
   }

@@ -8,9 +8,7 @@
 struct GraphStability
 {
   int    unchangedNodes{ 0 };
-  double moebius{
-    0.0
-  }; ///< mean displacement after the best Moebius transformation, as in DynamicGraph
+  double moebius{ 0.0 };  ///< mean displacement after the best Moebius transformation, as in DynamicGraph
   double rotation{ 0.0 }; ///< mean displacement after the best rotation
   double sfdp{ -1.0 };    ///< force layout, after the best similarity; negative: not installed
 };

@@ -166,10 +166,10 @@ DrawAll(const LabeledVolume & volume, const std::vector<int> & numbers, int draw
 }
 
 MethodScores
-RunMethod(const std::string &                                                            name,
+RunMethod(const std::string &                                                           name,
           const std::function<Segmentation(const LabeledVolume &, const SeedImage *)> & segment,
           const LabeledVolume &                                                         volume,
-          const std::map<int, std::vector<DrawnSeeds>> &                                 seeds)
+          const std::map<int, std::vector<DrawnSeeds>> &                                seeds)
 {
   MethodScores scores{ name, {} };
   for (const auto & [number, draws] : seeds)
@@ -325,7 +325,7 @@ NumbersOfSeeds(const ValidationSettings & settings)
 }
 
 void
-ReportVolume(const LabeledVolume &     volume,
+ReportVolume(const LabeledVolume &      volume,
              bool                       hasLabels,
              const ValidationSettings & settings,
              ValidationReport &         report)
@@ -389,7 +389,7 @@ LabeledVolume
 TwoValues(unsigned int side)
 {
   LabeledVolume volume = Phantom("figure3.4", side, 20.0, 0.0);
-  auto * const   values = volume.image->GetBufferPointer();
+  auto * const  values = volume.image->GetBufferPointer();
   std::transform(
     values, values + volume.image->GetLargestPossibleRegion().GetNumberOfPixels(), values, [](float value) {
       return value > 0.02F ? 1.0F : 0.0F; // noise turns every sixth background voxel into a 1
@@ -414,7 +414,7 @@ StandardDeviation(const ImageType * image)
 
 /** Greatest difference of a probability over voxels and labels. */
 double
-GreatestDifference(const LabeledVolume &                  volume,
+GreatestDifference(const LabeledVolume &                   volume,
                    const SeedImage *                       seeds,
                    double                                  weight,
                    const std::vector<ImageType::Pointer> & expected)
@@ -444,10 +444,10 @@ GreatestDifference(const LabeledVolume &                  volume,
 void
 ReportAgreement(const ValidationSettings & settings, ValidationReport & report)
 {
-  const unsigned int   side = settings.quick ? 24 : 64;
+  const unsigned int  side = settings.quick ? 24 : 64;
   const LabeledVolume volume = TwoValues(side);
-  const double         deviation = StandardDeviation(volume.image);
-  const auto           seeds = DrawSeeds(volume, judgedNumber, 1).image;
+  const double        deviation = StandardDeviation(volume.image);
+  const auto          seeds = DrawSeeds(volume, judgedNumber, 1).image;
   report.AddText(
     "## Probabilities beside scikit-image's\n\nA volume of " + std::to_string(side) +
     "^3 voxels of 0 and 1, where both weights can be made equal: ours between 0 and 1 is 1 - p, that of "

@@ -75,7 +75,7 @@ struct Request
 {
   ValidationSettings settings;
   std::string        output{ "." };
-  std::string        rows; ///< for CSV files; empty for the output folder
+  std::string        rows;    ///< for CSV files; empty for the output folder
   std::string        wanted;  ///< empty for all parts
   std::string        options; ///< options that change the content of a page
 };

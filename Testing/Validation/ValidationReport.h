@@ -18,8 +18,8 @@ public:
   void
   AddTable(const shapeton::CsvTable & table);
 
-  /** A table with a row per seed, exam or label: it becomes a CSV file named after the page and `name`, whose first column is
-   * the page's current section; the page holds a link, the number of rows, and the rows that have failed. */
+  /** A table with a row per seed, exam or label: it becomes a CSV file named after the page and `name`, whose first
+   * column is the page's current section; the page holds a link, the number of rows, and the rows that have failed. */
   void
   AddRows(const std::string & name, const shapeton::CsvTable & table);
 
@@ -44,11 +44,11 @@ private:
   void
   AddRowsOfMarkdown(const shapeton::CsvTable & table, bool failedOnly);
 
-  std::string  m_Page;
-  std::string  m_Section;
+  std::string                               m_Page;
+  std::string                               m_Section;
   std::map<std::string, shapeton::CsvTable> m_Rows;
-  unsigned int m_Checks{ 0 };
-  unsigned int m_Failures{ 0 };
+  unsigned int                              m_Checks{ 0 };
+  unsigned int                              m_Failures{ 0 };
 };
 
 /** Mean of values and its 95 % confidence interval by the t distribution; infinite for a single value. */

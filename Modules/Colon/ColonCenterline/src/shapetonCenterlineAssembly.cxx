@@ -342,9 +342,9 @@ AddLengths(const std::vector<std::array<double, 3>> & ofPieces, ColonCenterline 
   const auto [least, most] = std::minmax_element(result.lengths.begin(), result.lengths.end());
   if (*most - *least > 0.03 * result.length)
   {
-    result.warnings.push_back("the length of the centerline depends on the path cost: " +
-                              InTenths(result.lengths[0]) + ", " + InTenths(result.lengths[1]) + " and " +
-                              InTenths(result.lengths[2]) + " mm for the exponents 2, 3 and 4: loops may have merged");
+    result.warnings.push_back("the length of the centerline depends on the path cost: " + InTenths(result.lengths[0]) +
+                              ", " + InTenths(result.lengths[1]) + " and " + InTenths(result.lengths[2]) +
+                              " mm for the exponents 2, 3 and 4: loops may have merged");
   }
 }
 

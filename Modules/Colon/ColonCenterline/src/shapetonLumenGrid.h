@@ -154,14 +154,14 @@ private:
   VoxelGrid          m_Grid;
   Eigen::Vector3d    m_Spacing;
   /** The position of the voxel 0. */
-  Eigen::Vector3d         m_First;
-  Eigen::Vector3d         m_Origin;
-  Eigen::Matrix3d         m_Direction;
-  std::vector<int>        m_NodeAt;
-  std::vector<int>        m_Voxels;
-  std::vector<float>      m_Distances;
-  std::vector<int>        m_Components;
-  std::array<double, 27>  m_StepLengths; ///< mm
+  Eigen::Vector3d        m_First;
+  Eigen::Vector3d        m_Origin;
+  Eigen::Matrix3d        m_Direction;
+  std::vector<int>       m_NodeAt;
+  std::vector<int>       m_Voxels;
+  std::vector<float>     m_Distances;
+  std::vector<int>       m_Components;
+  std::array<double, 27> m_StepLengths; ///< mm
   std::vector<Neighbors> m_Neighbors;
 };
 } // namespace shapeton

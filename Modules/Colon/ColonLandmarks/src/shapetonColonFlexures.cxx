@@ -112,9 +112,8 @@ WarnOfFlexures(ColonFlexures & result)
   }
   if (result.isBackwards)
   {
-    result.warnings.push_back(
-      "the line more likely runs from the cecum to the rectum: it may run "
-      "backwards, or a part of the colon is missing; the flexures are in doubt");
+    result.warnings.push_back("the line more likely runs from the cecum to the rectum: it may run "
+                              "backwards, or a part of the colon is missing; the flexures are in doubt");
   }
   const std::string & reason = result.flexures[0].reason;
   const bool          isOneReason = std::all_of(

@@ -32,7 +32,7 @@ SegmentsOf(const Json & landmarks, double lengthOfCenterline)
       segment.name = one.at("name").get<std::string>();
       segment.area = one.at("area").get<double>();
       segment.begin = segment.label == 1 ? 0.0 : one.at("begin").is_null() ? unknown : one["begin"].get<double>();
-      segment.end = segment.label == cecum   ? lengthOfCenterline
+      segment.end = segment.label == cecum    ? lengthOfCenterline
                     : one.at("end").is_null() ? unknown
                                               : one["end"].get<double>();
       if (std::isfinite(segment.begin) && std::isfinite(segment.end))

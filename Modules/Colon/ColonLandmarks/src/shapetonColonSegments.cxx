@@ -124,10 +124,10 @@ EstimatedBeginOfCecum(const CenterlineShape & shape)
 }
 
 void
-AddCecum(const CurveSet &                       centerline,
-          const std::optional<IleocecalValve> & valve,
-          const ColonFlexures &                  flexures,
-          std::vector<SegmentBorder> &           borders)
+AddCecum(const CurveSet &                      centerline,
+         const std::optional<IleocecalValve> & valve,
+         const ColonFlexures &                 flexures,
+         std::vector<SegmentBorder> &          borders)
 {
   const CenterlineShape shape(centerline);
   const int             i = valve ? shape.IndexAt(valve->arcLength) : EstimatedBeginOfCecum(shape);
@@ -148,8 +148,9 @@ AddCecum(const CurveSet &                       centerline,
 std::string
 NameOfSegment(int segment)
 {
-  static const char * const names[] = { "unknown",    "rectum",    "sigmoid", "descending",
-                                        "transverse", "ascending", "cecum" };
+  static const char * const names[] = {
+    "unknown", "rectum", "sigmoid", "descending", "transverse", "ascending", "cecum"
+  };
   return segment >= 0 && segment <= NumberOfColonSegments ? names[segment] : "";
 }
 

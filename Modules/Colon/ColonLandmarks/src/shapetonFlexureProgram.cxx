@@ -315,12 +315,12 @@ FindFlexurePlaces(const CenterlineShape & shape)
   const FlexureProgram usual(shape);
   const FlexureProgram mirrored(shape.Mirrored());
   const FlexureProgram backwards(shape.Reversed());
-  const Scores           senses{ usual.Evidence() + std::log(1.0 - probabilityOfMirrored - probabilityOfBackwards),
+  const Scores         senses{ usual.Evidence() + std::log(1.0 - probabilityOfMirrored - probabilityOfBackwards),
                        mirrored.Evidence() + std::log(probabilityOfMirrored),
                        backwards.Evidence() + std::log(probabilityOfBackwards) };
-  const bool             isMirrored = senses[1] > senses[0];
-  const double           score = std::max(senses[0], senses[1]);
-  FlexurePlaces          places = isMirrored ? mirrored.Run() : usual.Run();
+  const bool           isMirrored = senses[1] > senses[0];
+  const double         score = std::max(senses[0], senses[1]);
+  FlexurePlaces        places = isMirrored ? mirrored.Run() : usual.Run();
   places.isMirrored = isMirrored;
   places.isBackwards = senses[2] > score;
   for (double & confidence : places.confidence)

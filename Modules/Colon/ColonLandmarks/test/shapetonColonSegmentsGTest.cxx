@@ -61,7 +61,7 @@ TEST(FlexureLoops, AreEmptyWhereThereIsNoWall)
 
 TEST(ColonSegments, LieBetweenTheFlexures)
 {
-  const LabeledColon c;
+  const LabeledColon  c;
   const ColonSegments segments = FindColonSegments(c.tube, c.colon.centerline, c.flexures);
   ASSERT_EQ(segments.borders.size(), 5u);
   EXPECT_TRUE(segments.warnings.empty());
@@ -100,7 +100,7 @@ TEST(ColonSegments, BesideAMissingFlexureAreUnknown)
 
 TEST(ColonSegments, PlaceTheCecumSixCentimetersFromTheEnd)
 {
-  const LabeledColon             c;
+  const LabeledColon              c;
   const ColonSegments             segments = FindColonSegments(c.tube, c.colon.centerline, c.flexures);
   const shapeton::SegmentBorder & cecum = segments.borders.back();
   EXPECT_EQ(cecum.number, 5);

@@ -504,9 +504,9 @@ FindLevels(const ColonGrid &          grid,
 
 namespace
 {
-constexpr double FirstDepth = 1.2;  // mm below the half height; above it the rise is too steep to be tested
-constexpr double GreatestDip = 0.3; // of the contrast of the fainter of level fluid and goal
-constexpr double NoiseInDip = 2.0;  // standard deviations
+constexpr double FirstDepth = 1.2;   // mm below the half height; above it the rise is too steep to be tested
+constexpr double GreatestDip = 0.3;  // of the contrast of the fainter of level fluid and goal
+constexpr double NoiseInDip = 2.0;   // standard deviations
 constexpr double LogisticRate = 1.7; // the logistic curve of this rate is within 1 % of the normal distribution
 
 /** Approximate normal distribution, with the share `half` at 0. */

@@ -12,15 +12,15 @@ namespace
 constexpr std::size_t LeastSections = 8; // 1 mm each
 constexpr double      ShareOfRays = 1.0 / 3;
 constexpr double      ThickestMembrane = 3.0; // mm, blurred
-constexpr double ThinnestInFluid = 2.0; // mm, blurred: at a level of bright fluid values cross those of a membrane
-constexpr double LeastRoom = 2.5;       // mm between tube and ball
-constexpr double LargestBalloon = 30.0; // mm, radius
-constexpr double FarFromBall = 1.5;     // mm
-constexpr double ShareOnBall = 0.75;
-constexpr double LeastResidual = 0.6; // mm, always allowed
-constexpr double ShareOfRadius = 1.0 / 12;
-constexpr double ShareOffAxis = 1.0 / 3; // of the radius
-constexpr double ShareOfCylinder = 0.5;  // of the residual of a cylinder
+constexpr double      ThinnestInFluid = 2.0; // mm, blurred: at a level of bright fluid values cross those of a membrane
+constexpr double      LeastRoom = 2.5;       // mm between tube and ball
+constexpr double      LargestBalloon = 30.0; // mm, radius
+constexpr double      FarFromBall = 1.5;     // mm
+constexpr double      ShareOnBall = 0.75;
+constexpr double      LeastResidual = 0.6; // mm, always allowed
+constexpr double      ShareOfRadius = 1.0 / 12;
+constexpr double      ShareOffAxis = 1.0 / 3; // of the radius
+constexpr double      ShareOfCylinder = 0.5;  // of the residual of a cylinder
 
 using Exits = std::vector<BalloonExit>;
 

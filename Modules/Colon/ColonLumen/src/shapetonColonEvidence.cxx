@@ -328,10 +328,10 @@ WarnOfGravity(const std::string & patientPosition, const LevelsOfDirection * con
     const std::string used = lumen.gravitySource == ColonGravitySource::PatientPosition
                                ? "the given position was used; if it is wrong, tagged fluid is missed"
                                : position + " was taken, since headers are often wrong";
-    lumen.warnings.push_back("the patient position \"" + patientPosition +
-                             "\" contradicts the fluid levels in the data: " +
-                             std::to_string(std::lround(contradiction->area)) + " mm^2 of flat levels say " + position +
-                             "; " + used + "; look at the slices and give the position they show");
+    lumen.warnings.push_back(
+      "the patient position \"" + patientPosition +
+      "\" contradicts the fluid levels in the data: " + std::to_string(std::lround(contradiction->area)) +
+      " mm^2 of flat levels say " + position + "; " + used + "; look at the slices and give the position they show");
   }
   if (lumen.gravitySource == ColonGravitySource::Assumed)
   {

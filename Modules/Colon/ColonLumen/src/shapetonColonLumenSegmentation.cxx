@@ -218,10 +218,9 @@ private:
     if (catheter)
     {
       const auto & axis = catheter->axis;
-      m_Result.warnings.push_back("a tube of " + InTenths(catheter->outerDiameter) + 
-                                  " mm was found in the rectum from " +
-                                  PlaceInWords(axis.front()) + " to " + PlaceInWords(axis.back()) +
-                                  (catheter->isSure ? asCatheter : asTube));
+      m_Result.warnings.push_back("a tube of " + InTenths(catheter->outerDiameter) +
+                                  " mm was found in the rectum from " + PlaceInWords(axis.front()) + " to " +
+                                  PlaceInWords(axis.back()) + (catheter->isSure ? asCatheter : asTube));
     }
   }
 

@@ -307,9 +307,8 @@ JudgeLumen(const ColonEvidence & evidence, ColonLumen & lumen)
   }
   if (other.thinBowel < 1.0 && ml < 1.0)
   {
-    lumen.failure =
-      "no colon found: no gas inside the body could be bowel; is this a CT of the abdomen, in "
-      "Hounsfield units (air is -1000)?";
+    lumen.failure = "no colon found: no gas inside the body could be bowel; is this a CT of the abdomen, in "
+                    "Hounsfield units (air is -1000)?";
     return;
   }
   lumen.failure = "the colon is not distended or tagged enough: " + Rounded(ml, 0) +

@@ -115,8 +115,8 @@ Tube(const itk::Vector<double, 3> & middle, int axis, double halfLength, double 
 /** An image around the origin. */
 inline itk::Image<float, 3>::Pointer
 CenteredImage(const std::array<int, 3> &        size,
-             const std::array<double, 3> &     spacing,
-             const itk::Matrix<double, 3, 3> & direction)
+              const std::array<double, 3> &     spacing,
+              const itk::Matrix<double, 3, 3> & direction)
 {
   auto                             image = itk::Image<float, 3>::New();
   itk::Image<float, 3>::RegionType region;

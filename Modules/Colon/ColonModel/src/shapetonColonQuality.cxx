@@ -130,12 +130,12 @@ ValveToJson(const ValveSearch & search)
     return { { "found", false }, { "reason", search.reason } };
   }
   const IleocecalValve & valve = *search.valve;
-  Json                    json = { { "found", true },
-                                   { "position", { valve.position[0], valve.position[1], valve.position[2] } },
-                                   { "arcLength", valve.arcLength },
-                                   { "length", valve.length },
-                                   { "width", valve.width },
-                                   { "confidence", valve.confidence } };
+  Json                   json = { { "found", true },
+                                  { "position", { valve.position[0], valve.position[1], valve.position[2] } },
+                                  { "arcLength", valve.arcLength },
+                                  { "length", valve.length },
+                                  { "width", valve.width },
+                                  { "confidence", valve.confidence } };
   json["attenuation"] = std::isfinite(valve.attenuation) ? Json(valve.attenuation) : Json(nullptr);
   return json;
 }

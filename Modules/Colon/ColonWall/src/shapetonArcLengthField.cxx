@@ -102,8 +102,8 @@ ArcLengthField::Spread(const LumenMaskImage * lumen)
     const std::int64_t y = voxel % slice / nx;
     const std::int32_t site = m_Sites[voxel];
     const std::array   neighbors{ x > 0 ? voxel - 1 : -1,  x + 1 < nx ? voxel + 1 : -1,
-                                 y > 0 ? voxel - nx : -1, (y + 1) * nx < slice ? voxel + nx : -1,
-                                 voxel - slice,           voxel + slice < last ? voxel + slice : -1 };
+                                y > 0 ? voxel - nx : -1, (y + 1) * nx < slice ? voxel + nx : -1,
+                                voxel - slice,           voxel + slice < last ? voxel + slice : -1 };
     for (const std::int64_t neighbor : neighbors)
     {
       if (neighbor >= 0 && m_Sites[neighbor] != site)

@@ -51,8 +51,7 @@ ClearBoundary(const SurfaceConnectivity & connectivity, Eigen::VectorXd & values
 Eigen::VectorXd
 SmoothedMeanCurvature(const VertexMatrix & V, const FaceMatrix & F, double time, CurvatureUnit unit)
 {
-  RequireParameter(time >= 0.0 && std::isfinite(time),
-                   "the smoothing time of the curvature must not be negative");
+  RequireParameter(time >= 0.0 && std::isfinite(time), "the smoothing time of the curvature must not be negative");
   const SurfaceConnectivity         connectivity(F, static_cast<int>(V.rows()));
   const SurfaceLaplacian            laplacian = MakeSurfaceLaplacian(connectivity, EdgeLengths(connectivity, V));
   const Eigen::SparseMatrix<double> stiffness = StiffnessMatrix(laplacian);

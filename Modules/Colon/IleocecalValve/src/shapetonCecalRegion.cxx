@@ -18,9 +18,9 @@ constexpr float notReached = 1e6F;
 } // namespace
 
 CecalRegion::CecalRegion(const LumenMask *            labels,
-                           const itk::Image<float, 3> * ct,
-                           const CurveSet &             centerline,
-                           double                       margin)
+                         const itk::Image<float, 3> * ct,
+                         const CurveSet &             centerline,
+                         double                       margin)
 {
   const Eigen::VectorXd arcLength = PointValues(centerline, "arcLength", "the centerline");
   const Eigen::VectorXd beforeEnd = arcLength.maxCoeff() - arcLength.array();

@@ -26,9 +26,9 @@ public:
   /** \param ct HU on the grid of the labels; may be null.
    * \param margin around the last part of the line, mm. */
   CecalRegion(const LumenMask *            labels,
-               const itk::Image<float, 3> * ct,
-               const CurveSet &             centerline,
-               double                       margin = 60.0);
+              const itk::Image<float, 3> * ct,
+              const CurveSet &             centerline,
+              double                       margin = 60.0);
 
   const VoxelGrid &
   Grid() const

@@ -42,7 +42,7 @@ ProbabilityNear(const ValveEvidence & best, const std::vector<ValveEvidence> & p
 ValveSearch
 FindIleocecalValve(const LumenMask * labels, const itk::Image<float, 3> * ct, const CurveSet & centerline)
 {
-  const CecalRegion               region(labels, ct, centerline);
+  const CecalRegion                region(labels, ct, centerline);
   const std::vector<ValveEvidence> places = JoinLips(FindValveBulges(region));
   ValveSearch                      search;
   if (places.empty())
@@ -57,7 +57,7 @@ FindIleocecalValve(const LumenMask * labels, const itk::Image<float, 3> * ct, co
   }
   const auto            most = std::max_element(odds.begin(), odds.end()) - odds.begin();
   const ValveEvidence & best = places[most];
-  IleocecalValve       valve = best.valve;
+  IleocecalValve        valve = best.valve;
   valve.arcLength = PointValues(centerline, "arcLength", "the centerline").maxCoeff() - best.beforeEnd;
   valve.confidence = ProbabilityNear(best, places, odds);
   if (valve.confidence < leastConfidence)
@@ -98,7 +98,7 @@ IleocecalValveOf(const CurveSet & centerline)
     throw InputError("the field array ileocecalValve of the centerline must have 1 x 7 numbers; run "
                      "ColonSegmentation again");
   }
-  const auto      values = array->values.row(0);
+  const auto     values = array->values.row(0);
   IleocecalValve valve;
   valve.position = values.head<3>().transpose();
   valve.arcLength = values[3];

@@ -62,7 +62,7 @@ TouchesWideLumen(const CecalRegion & region, const std::vector<unsigned char> & 
 
 /** Removes the connected part around a voxel from `free`. */
 Branch
-GrowBranch(const CecalRegion &               region,
+GrowBranch(const CecalRegion &                region,
            const std::vector<unsigned char> & narrow,
            std::size_t                        seed,
            std::vector<unsigned char> &       free)
@@ -149,10 +149,7 @@ MaskOf(const CecalRegion & region, const Branch & branch, const LumenMask * labe
 
 /** Whether the branch leaves the wide lumen only at the valve; returns the center of the opening. */
 bool
-LeavesAtValve(const CecalRegion &    region,
-              const Branch &          branch,
-              const IleocecalValve & valve,
-              Eigen::Vector3d &       middle)
+LeavesAtValve(const CecalRegion & region, const Branch & branch, const IleocecalValve & valve, Eigen::Vector3d & middle)
 {
   middle.setZero();
   for (const std::size_t voxel : branch.mouth)
@@ -170,7 +167,7 @@ LeavesAtValve(const CecalRegion &    region,
 std::optional<TerminalIleum>
 FindTerminalIleum(const LumenMask * labels, const CurveSet & centerline, const IleocecalValve & valve)
 {
-  const CecalRegion               region(labels, nullptr, centerline, margin);
+  const CecalRegion                region(labels, nullptr, centerline, margin);
   const std::vector<unsigned char> narrow = NarrowLumen(region);
   std::vector<unsigned char>       free = narrow;
   std::optional<TerminalIleum>     longest;

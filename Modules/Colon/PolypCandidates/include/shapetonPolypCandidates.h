@@ -201,9 +201,8 @@ NoteRectalCatheter(std::vector<PolypCandidate> & candidates);
 
 /** Ranks the remains of a rectal catheter last, with a score of 0 and the remark "the rectal catheter" or "the balloon
  * of the rectal catheter": candidates with their center inside or within 3 mm of its surface. \param catheter its axis,
- * one point per mm, with the point array radius in mm and, for a possible balloon, balloonRadius, 0 outside the balloon.
- * Throws InputError when radius is missing.
- * \ingroup PolypCandidates */
+ * one point per mm, with the point array radius in mm and, for a possible balloon, balloonRadius, 0 outside the
+ * balloon. Throws InputError when radius is missing. \ingroup PolypCandidates */
 PolypCandidates_EXPORT void
 RankCatheterLast(const CurveSet & catheter, std::vector<PolypCandidate> & candidates);
 } // namespace shapeton

@@ -163,8 +163,7 @@ WeighByOtherPosition(double confidence, std::vector<PolypCandidate> & candidates
     candidate.score = confidence * weighed + (1.0 - confidence) * candidate.score;
     // For a valve or a bubble the remark suffices, and an unreliable registration is no evidence.
     const bool isTold = ofTissue > 0.5 && confidence >= LeastRegistrationConfidence;
-    AddRemark(isTold && !other.isSeen ? "no similar candidate in the other position: most stool moves" : "",
-              candidate);
+    AddRemark(isTold && !other.isSeen ? "no similar candidate in the other position: most stool moves" : "", candidate);
   }
   SortByScore(candidates);
 }

@@ -8,6 +8,7 @@
 #include "shapetonReadImage.h"
 #include "shapetonSurfaceReader.h"
 #include "shapetonExceptions.h"
+#include "shapetonFileErrors.h"
 #include "shapetonImageFile.h"
 #include "shapetonStartBeside.h"
 
@@ -128,6 +129,7 @@ ReadPolypColon(const std::string & folder)
 {
   const std::string segmentation = folder + "/segmentation/";
   PolypColon        colon;
+  RequireCurrentFileNames(folder);
   RequireThere(segmentation + "wall-repaired.vtp");
   RequireThere(segmentation + "lumen.nrrd");
   std::future<void> wall =

@@ -5,6 +5,7 @@
 #include "shapetonSha256.h"
 #include "shapetonSurfaceReader.h"
 #include "shapetonExceptions.h"
+#include "shapetonFileErrors.h"
 
 #include <filesystem>
 
@@ -24,6 +25,7 @@ public:
     {
       throw InputError(name + ": the folder \"" + folder + "\" was not found; give one written by VirtualColonoscopy");
     }
+    RequireCurrentFileNames(folder);
   }
 
   bool
@@ -121,8 +123,7 @@ WarnOfPosition(const Examination & examination, ColonPositionFiles & files)
   const bool        isOpposite = (name == "supine" && position == "prone") || (name == "prone" && position == "supine");
   if (isOpposite && said("/lumen/gravitySource") != "assumed")
   {
-    files.warnings.push_back(name + ": the patient of this examination lay " + position +
-                             "; are the two swapped?");
+    files.warnings.push_back(name + ": the patient of this examination lay " + position + "; are the two swapped?");
   }
 }
 } // namespace

@@ -137,8 +137,7 @@ JudgeRegistration(const ColonPosition & source, const ColonPosition & target, Su
   }
   if (byMargin < 0.5)
   {
-    confidence.reasons.push_back(
-      "the taeniae may be confused: rotated by a third, the folds fit nearly as well");
+    confidence.reasons.push_back("the taeniae may be confused: rotated by a third, the folds fit nearly as well");
   }
   confidence.isFlagged = !confidence.reasons.empty();
 }

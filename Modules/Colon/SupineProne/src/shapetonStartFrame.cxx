@@ -174,7 +174,7 @@ FlexureFrame(const ColonPosition &      source,
     if (!IsPlausible(FrameOf(source, sourceCylinder, target, targetCylinder, used)))
     {
       used.pop_back();
-      warnings.push_back(std::string("the ") + names[flexure] + 
+      warnings.push_back(std::string("the ") + names[flexure] +
                          " flexure is ignored: its places in the two positions differ too much");
     }
   }

@@ -27,6 +27,11 @@ ThrowCannotWrite(const std::string & path, int error, const std::string & otherw
 /** Throws OutputError. \ingroup Base */
 [[noreturn]] Base_EXPORT void
 ThrowCannotWrite(const std::string & path, const std::string & reason, const std::string & advice);
+
+/** Throws InputError if a run folder of VirtualColonoscopy was written when file names were spelled in British English,
+ * which its stage `segmentation` shows. \ingroup Base */
+Base_EXPORT void
+RequireCurrentFileNames(const std::string & runFolder);
 } // namespace shapeton
 
 #endif

@@ -323,8 +323,8 @@ ReduceKernel(std::size_t number, TBody body, TSum * partial)
 {
   __shared__ alignas(TSum) unsigned char memory[ThreadsInBlock * sizeof(TSum)]; // sums are created without a
                                                                                 // constructor
-  TSum * const                           sums = reinterpret_cast<TSum *>(memory);
-  TSum                                   sum;
+  TSum * const sums = reinterpret_cast<TSum *>(memory);
+  TSum         sum;
   for (std::size_t i = static_cast<std::size_t>(blockIdx.x) * ThreadsInBlock + threadIdx.x; i < number;
        i += static_cast<std::size_t>(gridDim.x) * ThreadsInBlock)
   {

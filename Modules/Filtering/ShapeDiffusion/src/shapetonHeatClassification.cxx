@@ -29,8 +29,8 @@ SmoothedDensity(const std::uint32_t * counts)
   constexpr int                   radius = 2;
   constexpr std::array<double, 3> kernel = { 0.36, 0.24, 0.08 }; // approximately a Gaussian of 1.1 bins: 0.4 % of the
                                                                  // heat
-  constexpr auto                  last = static_cast<int>(HeatHistogram::NumberOfBins) - 1;
-  std::vector<double>             density(HeatHistogram::NumberOfBins, 0.0);
+  constexpr auto      last = static_cast<int>(HeatHistogram::NumberOfBins) - 1;
+  std::vector<double> density(HeatHistogram::NumberOfBins, 0.0);
   for (int bin = 1; bin <= last; ++bin)
   {
     density[bin] = counts[bin] / std::log(HeatHistogram::LowerEdge(bin + 1) / HeatHistogram::LowerEdge(bin));

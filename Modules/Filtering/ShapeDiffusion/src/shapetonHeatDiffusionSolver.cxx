@@ -167,8 +167,7 @@ HeatDiffusionSolver::HeatDiffusionSolver(const VolumeGradientOperator & volumeGr
                                          double                         tolerance)
   : m_VolumeGradient(volumeGradient), m_Method(method), m_TimeStepLength(timeStepLength), m_Tolerance(tolerance)
 {
-  if (!(timeStepLength > 0.0) ||
-      timeStepLength > MaximumTimeStepLength * (1.0 + 1e-6)) // accepts 0.08333333 as 1/12
+  if (!(timeStepLength > 0.0) || timeStepLength > MaximumTimeStepLength * (1.0 + 1e-6)) // accepts 0.08333333 as 1/12
   {
     throw std::invalid_argument("the length of a time step must be positive and at most 1/12");
   }

@@ -55,7 +55,7 @@ struct Labeling
 Labeling
 LabelLargeComponents(VoxelSets & sets, const std::array<std::size_t, 3> & size, std::uint64_t minimumVoxels)
 {
-  Labeling         labeling;
+  Labeling          labeling;
   const std::size_t number = size[0] * size[1] * size[2];
   auto &            labels = labeling.labels;
   labels.assign(number, 0); // first the sizes, at the roots

@@ -136,10 +136,10 @@ PlaceByDensity(const ShapetonKernels::Surroundings & surroundings,
   const std::uint64_t whole = rows.GetWhole();
   if (whole == 0)
   {
-    throw std::domain_error(
-      byInitialHeat ? "no voxel (of the mask, if given) has initial heat, as the volume has no edges; place "
-                      "the shapetons uniformly"
-                    : "the mask is empty; it needs voxels other than 0 to place shapetons in");
+    throw std::domain_error(byInitialHeat
+                              ? "no voxel (of the mask, if given) has initial heat, as the volume has no edges; place "
+                                "the shapetons uniformly"
+                              : "the mask is empty; it needs voxels other than 0 to place shapetons in");
   }
   for (std::size_t i = 0; i < shapetons.number; ++i)
   {

@@ -75,8 +75,7 @@ PointsOfVoxel(double voxelsOfGrid)
   }
   const int              pointsOfVoxel = static_cast<int>(std::ceil(2.0 * voxelsOfGrid));
   std::vector<MassPoint> points;
-  for (int i = 0; i < 3 * pointsOfVoxel;
-       ++i) // an integer per voxel: the masses of neighbors sum to 1 everywhere
+  for (int i = 0; i < 3 * pointsOfVoxel; ++i) // an integer per voxel: the masses of neighbors sum to 1 everywhere
   {
     const double offset = (i + 0.5) / pointsOfVoxel - 1.5;
     points.push_back({ offset, QuadraticSpline(offset) / pointsOfVoxel });

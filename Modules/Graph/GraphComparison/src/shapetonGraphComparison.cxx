@@ -318,7 +318,7 @@ ColorsOfNodes(const GraphComparison & comparison)
 {
   const std::string                       gray = "#9a9a9a";
   std::array<std::vector<std::string>, 2> colors{ std::vector<std::string>(comparison.a.graph.nodes, gray),
-                                                   std::vector<std::string>(comparison.b.graph.nodes, gray) };
+                                                  std::vector<std::string>(comparison.b.graph.nodes, gray) };
   for (int v = 0; v < comparison.a.graph.nodes; ++v)
   {
     if (const int partner = comparison.correspondence.image[v]; partner >= 0)

@@ -31,8 +31,7 @@ public:
     this->ReadBody();
     if (m_Token.kind != DotToken::Kind::End)
     {
-      m_Text.Refuse(
-        m_Token.line, Quoted(m_Token.text) + " follows the end of the graph", "give one graph in a file");
+      m_Text.Refuse(m_Token.line, Quoted(m_Token.text) + " follows the end of the graph", "give one graph in a file");
     }
     if (m_Dropped > 0)
     {
@@ -164,10 +163,8 @@ private:
     Nodes last = nodes;
     while (m_Token.Is("--") || m_Token.Is("->"))
     {
-      m_Text.Require(m_Token.Is("--"),
-                     m_Token.line,
-                     "an edge \"->\" is directed, but the graph is undirected",
-                     "write \"--\"");
+      m_Text.Require(
+        m_Token.Is("--"), m_Token.line, "an edge \"->\" is directed, but the graph is undirected", "write \"--\"");
       const int line = m_Token.line;
       this->Advance();
       const Nodes next = this->ReadEnd();

@@ -208,10 +208,8 @@ private:
       {
         if (key.text == "directed")
         {
-          m_Text.Require(value.text == "0",
-                         key.line,
-                         "the graph is directed",
-                         "write \"directed 0\" to make its edges undirected");
+          m_Text.Require(
+            value.text == "0", key.line, "the graph is directed", "write \"directed 0\" to make its edges undirected");
           this->TakeOnce(key, value.text, "the graph", directed);
         }
         this->SkipValue(value);

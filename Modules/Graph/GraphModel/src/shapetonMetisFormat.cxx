@@ -194,9 +194,9 @@ private:
     }
   }
 
-  const GraphText &      m_Text;
-  LineReader             m_Lines;
-  MetisHeader            m_Header;
+  const GraphText &     m_Text;
+  LineReader            m_Lines;
+  MetisHeader           m_Header;
   std::vector<Neighbor> m_Neighbors;
 };
 } // namespace

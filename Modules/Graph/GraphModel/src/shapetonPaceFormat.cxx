@@ -72,9 +72,8 @@ private:
     int number = 0;
     if (!(ParseInt(word, number) && number >= 1 && number <= m_Builder->Nodes()))
     {
-      m_Text.Refuse(m_Line,
-                    Quoted(word) + " is not a node: nodes are numbered from 1 to " +
-                      std::to_string(m_Builder->Nodes()));
+      m_Text.Refuse(
+        m_Line, Quoted(word) + " is not a node: nodes are numbered from 1 to " + std::to_string(m_Builder->Nodes()));
     }
     return number - 1;
   }

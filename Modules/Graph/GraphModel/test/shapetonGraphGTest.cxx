@@ -33,8 +33,7 @@ TEST(Graph, UnsoundGraphsAreRefusedByName)
 
 TEST(Graph, RelabelingMovesNodesAndNames)
 {
-  const shapeton::Graph graph =
-    shapeton::RelabeledGraph({ 3, { { 0, 1 }, { 1, 2 } }, { "a", "b", "c" } }, { 2, 0, 1 });
+  const shapeton::Graph graph = shapeton::RelabeledGraph({ 3, { { 0, 1 }, { 1, 2 } }, { "a", "b", "c" } }, { 2, 0, 1 });
   EXPECT_EQ(graph.edges, (std::vector<std::array<int, 2>>{ { 2, 0 }, { 0, 1 } }));
   EXPECT_EQ(graph.names, (std::vector<std::string>{ "b", "c", "a" }));
   EXPECT_EQ(shapeton::NameOfNode(graph, 2), "a");

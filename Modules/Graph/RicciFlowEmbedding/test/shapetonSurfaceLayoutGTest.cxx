@@ -165,8 +165,7 @@ TEST(SurfaceLayout, FarDeckTransformationsStayWhatTheyAre)
     {
       const shapeton::PlaneMotion far = shapeton::PlaneMotion::Rotation(shapeton::FlowGeometry::Hyperbolic, angle) *
                                         shapeton::PlaneMotion::Translation(shapeton::FlowGeometry::Hyperbolic, length);
-      const shapeton::DeckRelation relation =
-        shapeton::RefineDeckRelation({ far }, { 1 }, {}); // no relation to refine
+      const shapeton::DeckRelation relation = shapeton::RefineDeckRelation({ far }, { 1 }, {}); // no relation to refine
       ASSERT_EQ(relation.generators.size(), 1U);
       EXPECT_LE(std::abs(relation.generators[0].a - far.a), 1e-15 * std::abs(far.a));
       EXPECT_LE(std::abs(relation.generators[0].b - far.b), 1e-15 * std::abs(far.b));

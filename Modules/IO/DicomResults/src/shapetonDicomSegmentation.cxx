@@ -118,8 +118,8 @@ RequireGrid(const DicomSource & source, const std::vector<DicomSegment> & segmen
   {
     if (!HaveSameGrid(segment.labels, source.grid))
     {
-      throw InputError("the segment " + segment.name + " is not on the grid of the series " +
-                       source.series.uid + "; only results of this series without a repair can be written");
+      throw InputError("the segment " + segment.name + " is not on the grid of the series " + source.series.uid +
+                       "; only results of this series without a repair can be written");
     }
   }
 }

@@ -489,10 +489,10 @@ RequireMadeOn(const DicomSegmentationFile & file, const DicomSource & source)
   const bool tells = !file.seriesUID.empty() || !file.frameOfReferenceUID.empty();
   if (!tells || !isSeries || !isFrame)
   {
-    throw InputError('"' + file.path + "\" " +
-                     (tells ? "was made on another series than "
-                            : "does not state whether it was made on the series ") +
-                     series.uid + "; give the series that it was made on");
+    throw InputError(
+      '"' + file.path + "\" " +
+      (tells ? "was made on another series than " : "does not state whether it was made on the series ") + series.uid +
+      "; give the series that it was made on");
   }
 }
 

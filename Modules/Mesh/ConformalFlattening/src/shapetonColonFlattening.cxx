@@ -161,10 +161,10 @@ private:
   TakeEuclideanMetric(double edge)
   {
     m_Result.metric = FlatMetric::Euclidean;
-    m_Result.warnings.push_back(
-      std::string(surfaceName) + ": the mean edge length, " + std::to_string(edge) +
-      " mm, is too long for a diffusion time that preserves the narrowest part, of radius " +
-      std::to_string(m_Result.narrowestRadius) + " mm: the metric is euclidean; take a finer surface");
+    m_Result.warnings.push_back(std::string(surfaceName) + ": the mean edge length, " + std::to_string(edge) +
+                                " mm, is too long for a diffusion time that preserves the narrowest part, of radius " +
+                                std::to_string(m_Result.narrowestRadius) +
+                                " mm: the metric is euclidean; take a finer surface");
   }
 
   /** Edge lengths of a surface in the metric of the map. */

@@ -97,11 +97,10 @@ TakePart(SurfaceFile & file, const std::string & name, const std::string & path)
     std::find_if(file.parts.begin(), file.parts.end(), [&](const SurfacePart & p) { return p.name == name; });
   if (part == file.parts.end())
   {
-    RefuseSurface(path,
-                  file.parts.empty() ? "it has no named parts"
-                                     : "it has no part \"" + name + "\" but " + ListOfParts(file),
-                  file.parts.empty() ? "leave the parameter \"part\" out"
-                                     : "choose one with the parameter \"part\" = NAME");
+    RefuseSurface(
+      path,
+      file.parts.empty() ? "it has no named parts" : "it has no part \"" + name + "\" but " + ListOfParts(file),
+      file.parts.empty() ? "leave the parameter \"part\" out" : "choose one with the parameter \"part\" = NAME");
   }
   std::vector<int> faces(part->numberOfFaces);
   std::iota(faces.begin(), faces.end(), part->firstFace);
@@ -241,14 +240,14 @@ RefuseSeveral(const SurfaceFile &                   file,
 {
   const std::string defects = TextOfNonManifoldEdges(file.mesh, connectivity);
   const bool        isPartOpen = options.part.empty() && file.parts.size() > 1;
-  RefuseSurface(
-    path,
-    (defects.empty() ? "it" : defects + "; after cutting there it") + " has " + std::to_string(components.size()) +
-      " components: " + ListOfComponents(file.mesh, components) + (isPartOpen ? ". Parts: " + ListOfParts(file) : ""),
-    std::string("choose one with the parameter \"component\" = N") +
-      (isPartOpen ? " or the parameter \"part\" = NAME" : "") +
-      (defects.empty() ? "" : ", or repair the surface there") +
-      (options.takesOneComponent ? "" : ", or all with the parameter \"component\" = -1"));
+  RefuseSurface(path,
+                (defects.empty() ? "it" : defects + "; after cutting there it") + " has " +
+                  std::to_string(components.size()) + " components: " + ListOfComponents(file.mesh, components) +
+                  (isPartOpen ? ". Parts: " + ListOfParts(file) : ""),
+                std::string("choose one with the parameter \"component\" = N") +
+                  (isPartOpen ? " or the parameter \"part\" = NAME" : "") +
+                  (defects.empty() ? "" : ", or repair the surface there") +
+                  (options.takesOneComponent ? "" : ", or all with the parameter \"component\" = -1"));
 }
 
 /** With `isCut`, counts the components after cutting, even if all faces are connected. */

@@ -116,12 +116,12 @@ private:
   void
   FillSepta(const ColonPath & path, double least);
 
-  ColonCurve                    m_Curve;
-  ColonRelief                   m_Relief;
-  double                        m_Reach;
-  double                        m_BetweenFolds; ///< mm, fillet between folds; 0: folds are joined with the wall one by
-                                                ///< one
-  std::vector<double>           m_Septum;       ///< at each step
+  ColonCurve  m_Curve;
+  ColonRelief m_Relief;
+  double      m_Reach;
+  double      m_BetweenFolds;             ///< mm, fillet between folds; 0: folds are joined with the wall one by
+                                          ///< one
+  std::vector<double>           m_Septum; ///< at each step
   std::vector<PolypBody>        m_Polyps;
   std::vector<std::vector<int>> m_PolypsNear;
   std::vector<DiverticulumBody> m_Diverticula;

@@ -11,12 +11,12 @@ namespace shapeton
 namespace
 {
 constexpr int    c_RowsPerStep = 2;
-constexpr double c_CollapseEnd = 15.0;     // mm
-constexpr double c_ClosedCanal = 20.0;     // mm of the anal canal without a catheter
-constexpr double c_HighestFold = 0.6;      // of the radius, so that no fold blocks the lumen
+constexpr double c_CollapseEnd = 15.0;    // mm
+constexpr double c_ClosedCanal = 20.0;    // mm of the anal canal without a catheter
+constexpr double c_HighestFold = 0.6;     // of the radius, so that no fold blocks the lumen
 constexpr double c_FoldNeighborhood = 16; // mm along the colon
-constexpr double c_LongestChord = 44.0;    // mm along the colon; farther stretches have a septum
-constexpr double c_ChordStep = 4.0;        // mm
+constexpr double c_LongestChord = 44.0;   // mm along the colon; farther stretches have a septum
+constexpr double c_ChordStep = 4.0;       // mm
 
 // Roughness of the wall: knots 4 mm apart, so waves of 8 mm and more.
 class Roughness

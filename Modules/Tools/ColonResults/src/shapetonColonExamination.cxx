@@ -1,6 +1,7 @@
 #include "shapetonColonExamination.h"
 
 #include "shapetonExceptions.h"
+#include "shapetonFileErrors.h"
 #include "shapetonHaustralFoldFiles.h"
 #include "shapetonPolypSearch.h"
 #include "shapetonReadImage.h"
@@ -115,6 +116,7 @@ ColonExamination::Required(const std::string & name) const
 ColonExamination
 ReadColonExamination(const std::string & folder)
 {
+  RequireCurrentFileNames(folder);
   ColonExamination exam;
   exam.folder = folder;
   exam.quality = ReadJson(exam.Required("segmentation/quality.json"));

@@ -53,8 +53,8 @@ std::string
 ValveInWords(const ColonLandmarks & landmarks)
 {
   const std::string cecum = landmarks.segments.isCecumAtValve
-                               ? "The cecum ends there."
-                               : "The end of the cecum is estimated: 6 cm before the end of the centerline.";
+                              ? "The cecum ends there."
+                              : "The end of the cecum is estimated: 6 cm before the end of the centerline.";
   if (!landmarks.valve)
   {
     return "Ileocecal valve: not found. " + cecum;

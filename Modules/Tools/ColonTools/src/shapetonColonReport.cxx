@@ -123,10 +123,10 @@ AddSlices(HtmlReport & html, PicturePages & pages, const ColonParts & colon)
   std::vector<PicturePages::Drawing> drawings;
   for (const SlicePlane plane : { SlicePlane::Axial, SlicePlane::Coronal, SlicePlane::Sagittal })
   {
-    drawings.push_back({ "slices-" + NameOf(plane) + ".png",
-                         [&colon, plane] { return DrawColonSlices(colon, plane); },
-                         "Outlines of gas and fluid in " + NameOf(plane) +
-                           " slices, including the one with the largest lumen area." });
+    drawings.push_back(
+      { "slices-" + NameOf(plane) + ".png",
+        [&colon, plane] { return DrawColonSlices(colon, plane); },
+        "Outlines of gas and fluid in " + NameOf(plane) + " slices, including the one with the largest lumen area." });
   }
   pages.Add(drawings);
 }

@@ -124,13 +124,12 @@ AddRegistrationSection(HtmlReport &                 html,
   addPicture(DrawAlignedColons(parts, options),
              "aligned",
              "Both flat walls in paired rows, the prone one in the supine frame. Matched folds share a color.");
-  html.AddTable(
-    MatchTable(*parts.results),
-    "Fold matches by segment. Matched: the map agrees; contradicted: it does not. Prone folds are counted "
-    "in the segment given by the prone landmarks." +
-      std::string(parts.results->points.empty()
-                    ? ""
-                    : " Correct, wrong and not matched are judged by known points nearby."));
+  html.AddTable(MatchTable(*parts.results),
+                "Fold matches by segment. Matched: the map agrees; contradicted: it does not. Prone folds are counted "
+                "in the segment given by the prone landmarks." +
+                  std::string(parts.results->points.empty()
+                                ? ""
+                                : " Correct, wrong and not matched are judged by known points nearby."));
   addPicture(
     DrawConfidenceChart(parts),
     "confidence",

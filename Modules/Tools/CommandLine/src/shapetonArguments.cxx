@@ -213,7 +213,8 @@ private:
     return *parameter;
   }
 
-  /** A hint at the option that differs by at most two letters, as one in British spelling or with a typing error does. */
+  /** A hint at the option that differs by at most two letters, as one in British spelling or with a typing error does.
+   */
   std::string
   SimilarOption() const
   {

@@ -347,14 +347,15 @@ Tool(const Words & options, const Body & body)
 
 TEST(CommandLineTerminal, ShowsABarWithTheRemainingTimeAndClearsIt)
 {
-  const auto outcome = OnTerminal(Tool({},
-                                       [](shapeton::CommandLine & commandLine) {
-                                         commandLine.Progress("Diffusing", 0.0);
-                                         std::this_thread::sleep_for(std::chrono::milliseconds(60));
-                                         commandLine.Progress("Diffusing", 0.05); // the remaining time is 19 times as long
-                                         commandLine.Progress("Writing", 1.0);
-                                       }),
-                                  120);
+  const auto outcome =
+    OnTerminal(Tool({},
+                    [](shapeton::CommandLine & commandLine) {
+                      commandLine.Progress("Diffusing", 0.0);
+                      std::this_thread::sleep_for(std::chrono::milliseconds(60));
+                      commandLine.Progress("Diffusing", 0.05); // the remaining time is 19 times as long
+                      commandLine.Progress("Writing", 1.0);
+                    }),
+               120);
   EXPECT_EQ(outcome.status, 0);
   EXPECT_EQ(outcome.err, "");
   const std::string bar(40, '=');

@@ -33,8 +33,7 @@ DicomMapOutput::DicomMapOutput(CommandLine & commandLine)
   {
     const std::string input = commandLine.GetString("inputVolume");
     RequireParameter(!IsImageFile(input),
-                     "the parameter \"dicomMap\" requires a DICOM series as input: \"" + input +
-                       "\" is not one");
+                     "the parameter \"dicomMap\" requires a DICOM series as input: \"" + input + "\" is not one");
     m_Source = std::make_unique<DicomSource>(ReadDicomSource(input, { commandLine.GetString("seriesUID") }));
   }
 }

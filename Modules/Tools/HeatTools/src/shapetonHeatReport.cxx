@@ -70,7 +70,7 @@ CsvTable
 ReadableClassTable(const std::vector<HeatClass> & classes, const HeatAxis & axis, const ShapeQuantity & quantity)
 {
   std::vector<std::string> columns = {
-    "class",  "color",     quantity.name + " from", "to", "mean " + quantity.name, "color of that " + quantity.name,
+    "class",  "color",      quantity.name + " from", "to", "mean " + quantity.name, "color of that " + quantity.name,
     "voxels", "volume, ml", "share of the border"
   };
   Append(columns,
@@ -307,7 +307,8 @@ ReadingGuideOfVisits()
     "objects with similar visits. Visits are a sample: n visits have an error of about the square root of n, so "
     "lines are broad if visits are few; more shapetons or steps make them sharper.",
     "The color of a density is given by its position on the histogram's axis, from blue (fewest visits) to red "
-    "(most), also in the rendering. Classes have separate, distinguishable colors: in their slices, in the table and in "
+    "(most), also in the rendering. Classes have separate, distinguishable colors: in their slices, in the table and "
+    "in "
     "the bars below the histogram. A class is a range of densities; two objects may share a class without being "
     "similar otherwise.",
     "As published, only the end of a step matters: steps longer than a feature pass over it and over its walls. If "

@@ -29,9 +29,8 @@ StagedRun::Lock::Lock(const std::string & folder)
     {
       const bool isBusy = errno == EWOULDBLOCK;
       close(m_Descriptor);
-      throw OutputError(isBusy
-                          ? "another run is using the folder \"" + folder + "\"; wait for it or choose another one"
-                          : "the folder \"" + folder + "\" cannot be locked; choose one on another disk");
+      throw OutputError(isBusy ? "another run is using the folder \"" + folder + "\"; wait for it or choose another one"
+                               : "the folder \"" + folder + "\" cannot be locked; choose one on another disk");
     }
     std::this_thread::sleep_for(std::chrono::milliseconds(100));
   }

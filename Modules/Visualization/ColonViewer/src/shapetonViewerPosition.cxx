@@ -4,6 +4,7 @@
 #include "shapetonCsvFile.h"
 #include "shapetonCurveSet.h"
 #include "shapetonExceptions.h"
+#include "shapetonFileErrors.h"
 #include "shapetonFlatColon.h"
 #include "shapetonFlatColonStrip.h"
 #include "shapetonHaustralFoldFiles.h"
@@ -38,7 +39,7 @@ ValuesOf(const std::vector<SurfaceArray> & arrays, const std::string & name, con
 class PositionFolder
 {
 public:
-  explicit PositionFolder(std::string folder) : m_Folder(std::move(folder)) {}
+  explicit PositionFolder(std::string folder) : m_Folder(std::move(folder)) { RequireCurrentFileNames(m_Folder); }
 
   std::string
   Required(const std::string & name) const

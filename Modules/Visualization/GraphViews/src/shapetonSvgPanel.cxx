@@ -138,8 +138,8 @@ SvgPanel::PathOfSegment(const Place & from, const Place & to, bool goesOn) const
   const Pixel      middle = m_Picture.isStraight ? start : this->ToPixel(m_Space.Between(from, to, 0.5));
   const double     bend =
     m_Picture.isStraight ? 0.0 : Distance(middle, { 0.5 * (start.x + end.x), 0.5 * (start.y + end.y) });
-  const int pieces = static_cast<int>(
-    std::min(most, std::max(1.0, std::ceil(std::sqrt(bend / 0.05))))); // at most 0.05 pixels off
+  const int pieces =
+    static_cast<int>(std::min(most, std::max(1.0, std::ceil(std::sqrt(bend / 0.05))))); // at most 0.05 pixels off
   std::string path = goesOn ? "" : 'M' + Pair(start);
   for (int i = 1; i <= pieces; ++i)
   {

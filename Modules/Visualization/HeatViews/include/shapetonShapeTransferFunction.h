@@ -49,9 +49,9 @@ public:
 
   /** Reads `a-b:color:opacity,...`, for example `0.18-0.21:red:1,1e-3-2e-3:#3366cc:0.4`.
    *
- * a and b are unsigned decimal numbers, optionally with an exponent (1e-3); spaces around the parts are allowed. The
- * syntax is unambiguous: a sign that directly follows `e` or `E` belongs to an exponent, any other `-` separates a from
- * b. The color is a name (ColorNames()) or `#rrggbb`. Throws ParameterError with the faulty part. */
+   * a and b are unsigned decimal numbers, optionally with an exponent (1e-3); spaces around the parts are allowed. The
+   * syntax is unambiguous: a sign that directly follows `e` or `E` belongs to an exponent, any other `-` separates a
+   * from b. The color is a name (ColorNames()) or `#rrggbb`. Throws ParameterError with the faulty part. */
   static ShapeTransferFunction
   Parse(const std::string & text);
 

@@ -30,8 +30,7 @@ RequireRange(const HeatRange & range)
   const unsigned int bin = HeatHistogram::BinOf(static_cast<float>(range.lower));
   RequireParameter(IsInside(bin + 1, range) && bin + 1 < HeatHistogram::NumberOfBins,
                    parameter + " is inside one bin of the histogram, which extends to " +
-                     CsvTable::Number(HeatHistogram::LowerEdge(bin + 1)) +
-                     "; give a wider range");
+                     CsvTable::Number(HeatHistogram::LowerEdge(bin + 1)) + "; give a wider range");
 }
 } // namespace
 
@@ -47,10 +46,10 @@ HeatRangesOf(const std::vector<double> & ends)
   {
     const HeatRange range{ ends[i], ends[i + 1] };
     RequireRange(range);
-    RequireParameter(
-      ranges.empty() || (range.lower >= ranges.back().lower && range.upper <= ranges.back().upper),
-      "the parameter \"histogramRange\": " + ExactTextOf(range) + " is not inside the previous range, " +
-        (ranges.empty() ? "" : ExactTextOf(ranges.back())) + "; give ranges from the widest to the narrowest");
+    RequireParameter(ranges.empty() || (range.lower >= ranges.back().lower && range.upper <= ranges.back().upper),
+                     "the parameter \"histogramRange\": " + ExactTextOf(range) + " is not inside the previous range, " +
+                       (ranges.empty() ? "" : ExactTextOf(ranges.back())) +
+                       "; give ranges from the widest to the narrowest");
     ranges.push_back(range);
   }
   return ranges;

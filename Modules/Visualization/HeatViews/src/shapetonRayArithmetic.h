@@ -131,8 +131,8 @@ SampleAt(const RayVolume & volume, const double position[3])
   const Neighbors x = NeighborsOf(position[0], volume.size[0]);
   const Neighbors y = NeighborsOf(position[1], volume.size[1]);
   const Neighbors z = NeighborsOf(position[2], volume.size[2]);
-  RaySample        sum{};
-  float            covered = 0.0F;
+  RaySample       sum{};
+  float           covered = 0.0F;
   for (int corner = 0; corner < 8; ++corner)
   {
     const bool        isSecond[3] = { (corner & 1) != 0, (corner & 2) != 0, (corner & 4) != 0 };
@@ -174,9 +174,9 @@ SHAPETON_HOST_DEVICE Gradient
 GradientAt(const RayVolume & volume, const double position[3])
 {
   const Neighbors near[3] = { NeighborsOf(position[0], volume.size[0]),
-                               NeighborsOf(position[1], volume.size[1]),
-                               NeighborsOf(position[2], volume.size[2]) };
-  Gradient         gradient{};
+                              NeighborsOf(position[1], volume.size[1]),
+                              NeighborsOf(position[2], volume.size[2]) };
+  Gradient        gradient{};
   for (unsigned int corner = 0; corner < 8; ++corner)
   {
     int   index[3];

@@ -165,8 +165,7 @@ TEST(SliceMontage, CutsWhereMostColorsAreSeen)
   shapeton::SliceMontageOptions options;
   options.opacity = 1.0;
   const auto picture = shapeton::DrawSliceMontage(gray, heat, shapeton::ColorByLine(function), options);
-  options.cut =
-    itk::Index<3>{ { 22, 7, 40 } }; // no slice across x has two colors: the largest object's, in the middle
+  options.cut = itk::Index<3>{ { 22, 7, 40 } }; // no slice across x has two colors: the largest object's, in the middle
   const auto expected = shapeton::DrawSliceMontage(gray, heat, shapeton::ColorByLine(function), options);
   EXPECT_EQ(shapeton::GreatestDifference(picture, expected), 0);
 }
