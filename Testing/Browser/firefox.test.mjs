@@ -49,7 +49,7 @@ test('a click on a node of a graph page selects it', async () => {
   });
   await page.click(...at);
   await page.evaluate(() => graphPage.idle());
-  assert.match(await page.evaluate(() => document.getElementById('told').textContent), /^node \d+ of .* degree 3/);
+  assert.match(await page.evaluate(() => document.getElementById('summary').textContent), /^node \d+ of .* degree 3/);
   await shot('firefox-graph');
 });
 

@@ -21,7 +21,7 @@ const open = async (folder) => {
 const shot = async (name) => { if (SHOTS) await page.screenshot(`${SHOTS}/${name}.png`); };
 const press = async (key, modifiers = 0) => { await page.key(key, modifiers); await idle(); };
 const click = async ([x, y]) => { await page.click(x, y); await idle(); };
-const told = () => page.evaluate(() => document.getElementById('told').textContent);
+const summary = () => page.evaluate(() => document.getElementById('summary').textContent);
 const found = () => page.evaluate(() => document.getElementById('found').textContent);
 const picture = () => page.evaluate(() => graphPage.views[0].picture.canvas.toDataURL());
 
@@ -63,7 +63,7 @@ test('a click on a node selects it, marks it and its neighbors, and fades the re
   await open(SPHERE);
   const [node] = await seenNodes(0), { at, name } = await place(0, 'node', node);
   await click(at);
-  assert.match(await told(), new RegExp(`^node ${name} of .* · degree 3 · radius 0\\.615 rad · neighbors (\\w+, ){2}\\w+$`));
+  assert.match(await summary(), new RegExp(`^node ${name} of .* · degree 3 · radius 0\\.615 rad · neighbors (\\w+, ){2}\\w+$`));
   assert.ok(await marked(0, node, CHOSEN) > 30);
   const near = await page.evaluate((i) => graphPage.views[0].graph.neighbors(i), node);
   for (const i of await seenNodes(0)) {
@@ -73,7 +73,7 @@ test('a click on a node selects it, marks it and its neighbors, and fades the re
   await page.until(() => Number(getComputedStyle(document.querySelector('.picture')).opacity) < 0.3);
   await shot('1-node');
   await press('Escape');
-  assert.match(await told(), /^Click a node/);
+  assert.match(await summary(), /^Click a node/);
   assert.equal(await marked(0, node, CHOSEN), 0);
   await page.until(() => getComputedStyle(document.querySelector('.picture')).opacity === '1');
 });
@@ -86,17 +86,17 @@ test('a click selects an edge or the node of a circle, and nothing elsewhere', a
   });
   const { at, name } = await place(0, 'edge', edge);
   await click(at);
-  assert.match(await told(), new RegExp(`^edge ${name} of .* · degrees of its ends 3 and 3$`));
+  assert.match(await summary(), new RegExp(`^edge ${name} of .* · degrees of its ends 3 and 3$`));
   const [node] = await seenNodes(0), { at: [x, y], name: own } = await place(0, 'node', node);
   const offsets = [[1, 0], [-1, 0], [0, 1], [0, -1], [1, 1], [-1, -1], [1, -1], [-1, 1]].map(([a, b]) => [30 * a, 30 * b]);
   let hits = 0;
   for (const [a, b] of offsets) {
     await click([x + a, y + b]);
-    if ((await told()).startsWith(`node ${own} `)) hits++;
+    if ((await summary()).startsWith(`node ${own} `)) hits++;
   }
   assert.ok(hits >= 3, `${hits} of ${offsets.length}`);
   await click([at[0] - at[0] + 30, at[1]]);
-  assert.match(await told(), /^Click a node/);
+  assert.match(await summary(), /^Click a node/);
 });
 
 test('a node is marked in all tiles of the torus and of the disk', async () => {
@@ -104,7 +104,7 @@ test('a node is marked in all tiles of the torus and of the disk', async () => {
     await open(folder);
     const { at, name, tiles } = await place(0, 'node', 1);
     await click(at);
-    assert.match(await told(), new RegExp(`^node ${name} of`));
+    assert.match(await summary(), new RegExp(`^node ${name} of`));
     const inside = await page.evaluate(() => {
       const { picture: { tiles: all }, w } = graphPage.views[0];
       return [...all.keys()].filter((t) => all[t].pixelOf(1).every((x) => x > 10 && x < w - 10));
@@ -123,7 +123,7 @@ test('in a comparison the partner listed in the node table is marked', async () 
   for (const [a, b] of rows) {
     await page.evaluate((name) => { document.getElementById('name').value = name; graphPage.find(); }, a);
     await idle();
-    assert.match(await told(), new RegExp(`^node ${a} of first graph .* · ${a === b ? 'in both graphs' : `in second graph: ${b}`}$`));
+    assert.match(await summary(), new RegExp(`^node ${a} of first graph .* · ${a === b ? 'in both graphs' : `in second graph: ${b}`}$`));
     const partner = names[1].indexOf(b);
     if (!(await seenNodes(1)).includes(partner)) continue;
     assert.ok(await marked(1, partner, CHOSEN) > 30);
@@ -140,7 +140,7 @@ test('a node is marked in all steps; steps without it are listed', async () => {
   await press('/');
   await page.key('6');
   await idle();
-  assert.match(await told(), /^node 6 of step [^·]*· degree .* · not in step/);
+  assert.match(await summary(), /^node 6 of step [^·]*· degree .* · not in step/);
   for (const [view, list] of names.entries()) {
     const node = list.indexOf('6');
     if (node >= 0 && (await seenNodes(view)).includes(node)) assert.ok(await marked(view, node, CHOSEN) > 20, `view ${view}`);
@@ -182,17 +182,17 @@ test('keys select, walk, move, zoom and switch; help lists them', async () => {
     assert.equal(await picture(), old, `${key} and back`);
   }
   await press('n');
-  assert.match(await told(), /^node 1 of/);
+  assert.match(await summary(), /^node 1 of/);
   await press('e');
-  assert.match(await told(), /^edge .*1/);
+  assert.match(await summary(), /^edge .*1/);
   await press('Enter');
-  assert.match(await told(), /^node (?!1 )/);
+  assert.match(await summary(), /^node (?!1 )/);
   await press('?');
   const help = await page.evaluate(() => (document.getElementById('keys').open ? document.getElementById('keys').innerText : ''));
   assert.match(help, /search by name[^]*Moebius/);
   await press('Escape');
   assert.equal(await page.evaluate(() => document.getElementById('keys').open), false);
-  assert.match(await told(), /^node/, 'Escape left the help alone');
+  assert.match(await summary(), /^node/, 'Escape left the help alone');
 });
 
 test('dragging moves all graphs of a group and selects nothing', async () => {
@@ -204,7 +204,7 @@ test('dragging moves all graphs of a group and selects nothing', async () => {
   await page.mouse('mouseReleased', x + 40, y + 10);
   await idle();
   (await prints()).forEach((print, i) => assert.notEqual(print, old[i]));
-  assert.match(await told(), /^Click a node/);
+  assert.match(await summary(), /^Click a node/);
   await page.wheel(x, y, -100);
   await idle();
   assert.deepEqual(page.errors, []);

@@ -330,10 +330,16 @@ CheckWording(const fs::path & root)
   const std::regex negation(R"(\b(is|are) (no|none)\b)");
   const std::regex existence(R"(\bthere (is|are) no\b)");
   const std::regex metaphor(R"(\b(told|wanders?|hangs? on|belongs? beside)\b)");
-  Faults           faults;
+  const std::regex british(
+    R"((centre|colour|neighbour|behaviour|favour|caec|haemo|grey|[lm]etres?\b|(label|model)l(ed|ing)\b|cancell(ed|ing)|calibre|)"
+    R"(licence|programmes?\b|analys(e|ed|ing)\b|(normal|factor|quant|equal|initial|optim|minim|maxim|vector|raster|)"
+    R"(linear|recogn|general|parameter|visual|summar|character|symmetr)is(e|ed|es|ing|ation)\b))",
+    std::regex::ECMAScript | std::regex::icase);
+  Faults faults;
   for (const fs::path & file : RepositoryFiles(root))
   {
-    const bool isPage = file.extension() == ".md" || file.extension() == ".xml";
+    const std::set<std::string> kinds{ ".md", ".xml", ".py", ".mjs", ".js", ".cmake", ".sh", ".txt", ".json" };
+    const bool                  isPage = kinds.count(file.extension().string()) > 0;
     if ((!IsSource(file) && !isPage) || file.stem().string().rfind("MessageRules", 0) == 0)
     {
       continue;
@@ -344,6 +350,7 @@ CheckWording(const fs::path & root)
     for (const std::string & one : Lines(text))
     {
       FindPattern(one, metaphor, ++line, shown, "is not plain English: ", faults);
+      FindPattern(one, british, line, shown, "is not American spelling: ", faults);
       if (!isPage)
       {
         FindPattern(one, genitive, line, shown, "begins a comment with a bare genitive: ", faults);

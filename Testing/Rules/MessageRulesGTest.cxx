@@ -82,6 +82,7 @@ TEST_F(MessageRules, RefuseWordingThatReadsAsTranslated)
   EXPECT_EQ(faultsOf("int r; ///< Of the piece\n"), "a.cxx:1: begins a comment with a bare genitive: ///< Of t\n");
   EXPECT_EQ(faultsOf("f(\"x is \"\n  \"no number\");\n"), "a.cxx:1: says what is not by: is no\n");
   EXPECT_EQ(faultsOf("// Failures are told.\n"), "a.cxx:1: is not plain English: told\n");
+  EXPECT_EQ(faultsOf("int nextColour; // analyses of centers\n"), "a.cxx:1: is not American spelling: Colour\n");
 }
 
 TEST(ThisRepository, IsWrittenInPlainEnglish)

@@ -80,7 +80,7 @@ class Queue:
         self.reports = {}  # storage commitment transaction: (instances, time)
         self.kept = []  # (time, instance) of committed instances, oldest first
         self.taken = 0  # number of instances accepted or committed by the PACS
-        self.told = None
+        self.reported = None
 
     def take_new(self):
         """Whether new instances arrived since the last call; on the first call, all instances in Orthanc."""
@@ -164,10 +164,10 @@ class Queue:
         with open(self.list + ".part", "w", encoding="utf-8") as file:
             file.write("instance\treason\n" + "".join(lines))
         os.replace(self.list + ".part", self.list)
-        told = (len(lines), lines[0].split("\t")[1].strip() if lines else "")
-        if told != self.told:
-            print("waiting: {}{}".format(told[0], f"; the first: {told[1]}" if told[1] else ""), flush=True)
-        self.told = told
+        reported = (len(lines), lines[0].split("\t")[1].strip() if lines else "")
+        if reported != self.reported:
+            print("waiting: {}{}".format(reported[0], f"; the first: {reported[1]}" if reported[1] else ""), flush=True)
+        self.reported = reported
 
     def step(self):
         """Whether the PACS accepted an instance."""

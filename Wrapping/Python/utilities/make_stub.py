@@ -28,7 +28,7 @@ PARAMETERS = {"List": "Sequence", "ndarray": "ArrayLike", "Curves": "Union[Curve
 RESULTS = {"ndarray": "NDArray[Any]", "dict": "Dict[str, Any]", "tuple": "Tuple[Any, ...]"}
 
 #: Types missing in the docstrings: (function, parameter or "return").
-UNTOLD = {
+HINTS = {
     ("__init__", "edges"): "ArrayLike",
     ("diffuse_heat", "snapshot"): "Optional[Callable[[int, Image], object]]",
     ("read_surface", "return"): "Mesh",
@@ -82,12 +82,12 @@ def function(name, doc, indent=""):
         if argument.arg == "self":
             argument.annotation = None
             continue
-        told = UNTOLD.get((name, argument.arg)) or annotation(ast.unparse(argument.annotation), PARAMETERS)
-        argument.annotation = ast.parse(told, mode="eval").body
+        hint = HINTS.get((name, argument.arg)) or annotation(ast.unparse(argument.annotation), PARAMETERS)
+        argument.annotation = ast.parse(hint, mode="eval").body
     ellipsis = ast.Constant(value=...)
     arguments.defaults = [ellipsis for _ in arguments.defaults]
     arguments.kw_defaults = [default and ellipsis for default in arguments.kw_defaults]
-    result = UNTOLD.get((name, "return")) or annotation(ast.unparse(signature.returns), RESULTS)
+    result = HINTS.get((name, "return")) or annotation(ast.unparse(signature.returns), RESULTS)
     head = f"{indent}def {name}({ast.unparse(arguments)}) -> {result}:"
     return f"{head}\n{docstring(words, indent + '    ')}\n{indent}    ...\n" if words.strip() else f"{head} ...\n"
 

@@ -10,7 +10,7 @@ import { GraphMarks, GraphPicture } from './views.mjs';
 
 const TOOLS = `<label>search <input type="search" id="name" placeholder="name of a node" autocomplete="off"></label>
 <output id="found"></output> <button type="button" id="help">keys (?)</button>
-<p id="told" aria-live="polite"></p><dialog id="keys"></dialog>`;
+<p id="summary" aria-live="polite"></p><dialog id="keys"></dialog>`;
 const HINT = 'Click a node or an edge, or search a name.';
 const MODELS = { spherical: Sphere, euclidean: Plane, hyperbolic: Disk };
 
@@ -91,7 +91,7 @@ class GraphPage {
 
   // Called after a change of the selection.
   selected() {
-    document.getElementById('told').textContent = this.selection.describe() || HINT;
+    document.getElementById('summary').textContent = this.selection.describe() || HINT;
     this.tellFound();
     this.views.forEach((view) => view.changed());
   }

@@ -124,7 +124,7 @@ test('edges around nodes and edges of other graphs are those of a search through
   }
 });
 
-test('a selection is found in other graphs by name or by number, and told in words', () => {
+test('a selection is found in other graphs by name or by number, and described in words', () => {
   const a = randomGraph(3, 5, 9), b = randomGraph(3, 5, 9, ['n4', 'n3', 'n2', 'n1', 'x']), selection = new Selection([a, b]);
   selection.chooseNode(a, 4);
   assert.deepEqual(selection.marksIn(a).near, a.neighbors(4).filter((n) => n !== 4));

@@ -10,9 +10,9 @@ const EYE_REACH = 120; // mm; wall farther away is not a target
 
 // All views of one position, around one crosshair.
 export class Panel {
-  // told: callback with this panel after its crosshair has moved; marksOf: candidates and findings to show.
-  constructor(root, exam, layers, told, marksOf) {
-    Object.assign(this, { root, exam, layers, told, marksOf, window: [1500, -200], paintings: 0, measure: null });
+  // notify: callback with this panel after its crosshair has moved; marksOf: candidates and findings to show.
+  constructor(root, exam, layers, notify, marksOf) {
+    Object.assign(this, { root, exam, layers, notify, marksOf, window: [1500, -200], paintings: 0, measure: null });
     this.volumeText = 'Loading the volume …';
     this.place = exam.fromXyz(exam.center[Math.min(60, exam.center.length - 1)].xyz, false);
     this.makeLines();
@@ -60,7 +60,7 @@ export class Panel {
   // Sets the crosshair. from: the view where it was set, which keeps its direction.
   set(place, from = null) {
     this.follow(place, from);
-    this.told(this);
+    this.notify(this);
   }
 
   // Measures from or to the crosshair.
@@ -68,7 +68,7 @@ export class Panel {
     if (!this.measure) return;
     this.measurePlace(this.place);
     this.changed();
-    this.told(this);
+    this.notify(this);
   }
 
   // The same without the callback, for the crosshair of the other position.
@@ -98,7 +98,7 @@ export class Panel {
     this.flat.reveal(this.place);
     if (this.exam.seen) this.exam.seen.look(camera, this.inside.w / (this.inside.h || 1));
     this.changed();
-    this.told(this);
+    this.notify(this);
   }
 
   // Two points and the paths between them; a third point starts over.

@@ -51,7 +51,7 @@ class Viewer {
     this.verdicts = new Verdicts($('entries'), info, exams, {
       jump: (entry) => this.jump(entry),
       resize: (finding) => this.resize(finding),
-      changed: () => this.told(),
+      changed: () => this.notify(),
     });
     this.makeLayers();
     this.listen();
@@ -103,11 +103,11 @@ class Viewer {
   // ---- key and button actions ----
   fly(mm) { this.panel.fly(mm); }
   turn([yaw, pitch]) { this.panel.inside.turn(yaw, pitch); }
-  reverse() { this.panel.inside.reverse(); this.told(); }
+  reverse() { this.panel.inside.reverse(); this.notify(); }
   goTo(arc) { const { center } = this.panel.exam; this.panel.inside.go(arc ? center.length - 1 : 0); }
   moveFlat([right, down]) { this.panel.flat.move(right, down); }
   stepSlice([k, n]) { this.panel.slices[k].step(n); }
-  nextPanel() { this.current = (this.current + 1) % this.panels.length; this.told(); }
+  nextPanel() { this.current = (this.current + 1) % this.panels.length; this.notify(); }
   turnOutside(yaw) { this.panel.outside.turn(yaw, 0); }
   stepEntry(by) { this.verdicts.step(by); }
   nextVerdict() { this.verdicts.nextVerdict(); }
@@ -122,7 +122,7 @@ class Viewer {
   nextView() {
     const { panel } = this, { views } = panel;
     panel.active = views[(views.indexOf(panel.active) + 1) % views.length];
-    this.told();
+    this.notify();
   }
 
   zoom(by) {
@@ -134,13 +134,13 @@ class Viewer {
     if ($('keys').open) $('keys').close();
     document.activeElement?.blur();
     this.panels.forEach((p) => p.endMeasure());
-    this.told();
+    this.notify();
   }
 
   toggleMeasure() {
     const isOn = Boolean(this.panel.measure);
     this.panels.forEach((p) => (isOn ? p.endMeasure() : p.startMeasure()));
-    this.told();
+    this.notify();
   }
 
   // Measures a finding by two clicks.
@@ -149,18 +149,18 @@ class Viewer {
       this.verdicts.setDiameter(finding, mm);
       this.panels[finding.position].endMeasure();
     });
-    this.told();
+    this.notify();
   }
 
   toggleFlight() {
     this.isFlying = !this.isFlying;
     const { panel } = this, step = () => {
-      if (!this.isFlying || panel.isAtEnd) { this.isFlying = false; this.told(); return; }
+      if (!this.isFlying || panel.isAtEnd) { this.isFlying = false; this.notify(); return; }
       panel.fly(2);
       requestAnimationFrame(step);
     };
     if (this.isFlying) step();
-    this.told();
+    this.notify();
   }
 
   jump({ candidate, position, lps }) {
@@ -188,7 +188,7 @@ class Viewer {
     this.current = this.panels.indexOf(panel);
     if (this.maps && $('link').checked) this.linkFrom(this.current);
     if (panel.exam.seen.queue.length) this.lookAround(panel.exam.seen);
-    this.told();
+    this.notify();
   }
 
   // Moves the other position to the mapped point, dimmed if the map is unreliable there.
@@ -207,7 +207,7 @@ class Viewer {
     const work = () => {
       const isMore = seen.work(12);
       if (isMore) { setTimeout(work, this.isFlying ? 60 : 0); return; }
-      this.told();
+      this.notify();
       seen.isBusy = false;
       if (this.layers.unseen) this.repaint();
     };
@@ -216,7 +216,7 @@ class Viewer {
 
   repaint() { this.panels.forEach((p) => p.repaint()); }
 
-  told() {
+  notify() {
     const { panel, verdicts } = this, { seen } = panel.exam;
     $('status').textContent = panel.describe();
     $('share').textContent = seen.sum ? `wall seen in flight: ${(100 * seen.share).toFixed(1)} %` : '';
@@ -243,7 +243,7 @@ class Viewer {
       this.times[`volume${k}`] = performance.now() - started;
       this.panels[k].changed();
     }
-    this.told();
+    this.notify();
   }
 
   // For tests: everything requested has been painted.
