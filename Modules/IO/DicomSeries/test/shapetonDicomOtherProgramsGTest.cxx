@@ -19,7 +19,7 @@ using shapeton::TestFolder;
 using shapeton::VolumeReadOptions;
 
 // Half a step of the stored integers, and rounding to float.
-constexpr double Quantization = 0.5 / 32 + 1e-4;
+constexpr double RoundingError = 0.5 / 32 + 1e-4;
 
 /** The scan of files in a new folder. */
 DicomScan
@@ -54,7 +54,7 @@ TEST(DicomOfOtherPrograms, AttributesWithUnknownRepresentationAreDecoded)
     const auto scan = shapeton::ScanDicom(folder);
     ASSERT_EQ(scan.series.size(), 1U) << syntax;
     EXPECT_EQ(scan.series[0].description, "FIXTURE");
-    EXPECT_LT(LargestDeviation(ReadVolume(folder), DicomFixture::Ramp), Quantization) << syntax;
+    EXPECT_LT(LargestDeviation(ReadVolume(folder), DicomFixture::Ramp), RoundingError) << syntax;
   }
 }
 
@@ -81,7 +81,7 @@ TEST(DicomOfOtherPrograms, AttributesWithUnknownRepresentationAreDecodedWithinSe
         shapeton::StoreAsUnknown(*frame, { DCM_PixelValueTransformationSequence });
       }
       SaveDicom(*file, folder + "/multi.dcm", syntax);
-      EXPECT_LT(LargestDeviation(ReadVolume(folder), DicomFixture::Ramp), Quantization) << syntax << isWhole;
+      EXPECT_LT(LargestDeviation(ReadVolume(folder), DicomFixture::Ramp), RoundingError) << syntax << isWhole;
     }
   }
 }
@@ -230,7 +230,7 @@ TEST(DicomOfOtherPrograms, InterleavedReconstructionsAreTwoVolumesToChooseFrom)
       EXPECT_DOUBLE_EQ(series.spacing[2], 4.0);
       EXPECT_TRUE(Contains(series.distinction, DcmTag(one.first).getTagName())) << series.distinction;
       options.seriesUID = series.GetSelector();
-      EXPECT_LT(LargestDeviation(ReadVolume(folder, options), DicomFixture::Ramp), Quantization);
+      EXPECT_LT(LargestDeviation(ReadVolume(folder, options), DicomFixture::Ramp), RoundingError);
     }
     EXPECT_TRUE(Contains(InputErrorOf([&] { ReadVolume(folder, AllRepairs()); }), scan.series[1].distinction));
   }
@@ -356,7 +356,7 @@ TEST(DicomOfOtherPrograms, APlainSliceMayHaveFunctionalGroups)
   const DicomScan scan = ScanOf(files, folder);
   ASSERT_EQ(scan.series.size(), 1U);
   EXPECT_FALSE(scan.series[0].slices[0].isMultiFrame);
-  EXPECT_LT(LargestDeviation(ReadVolume(folder), DicomFixture::Ramp), Quantization);
+  EXPECT_LT(LargestDeviation(ReadVolume(folder), DicomFixture::Ramp), RoundingError);
 }
 
 TEST(DicomOfOtherPrograms, TextsInEachCharacterSetAreUtf8)
