@@ -14,7 +14,7 @@ struct ColonCase
   double                           spacing{ 1.4 };
 };
 
-/** Errors of a colon model. Shares are relative to the existing structures; 1 if there are none. */
+/** Errors of a colon model. Shares are relative to the true structures; 1 if there are none. */
 struct ColonErrors
 {
   double dice{ 0.0 };

@@ -121,8 +121,8 @@ ValidateSlitMapsOfFace(const ValidationSettings & settings, ValidationReport & r
   options.edgeLengths = ComputeHeatDiffusionMetric(mesh, t).edgeLengths;
   const ConformalMap diffusion = MapConformally(mesh, options, "the face");
   report.AddText(
-    "A head by formula with open eyes and mouth, cut off at the back: " + std::to_string(mesh.NumberOfFaces()) +
-    " faces, " + std::to_string(euclidean.loops.size()) +
+    "A head defined by a formula, with open eyes and mouth, cut off at the back: " +
+    std::to_string(mesh.NumberOfFaces()) + " faces, " + std::to_string(euclidean.loops.size()) +
     " boundaries. All three slit maps, in the Euclidean metric (pictured) and that of heat diffusion, t = 8 h^2 = " +
     CsvTable::Rounded(t, 3) + " mm^2.\n\n![](figure-5.3.png)");
   CsvTable table({ "metric",

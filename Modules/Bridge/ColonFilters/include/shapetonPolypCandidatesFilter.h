@@ -18,7 +18,7 @@ namespace shapeton
  * centerline and catheter. Optional inputs: FlatColon, for positions on the map, and with it Landmarks, for segments.
  * Output: the candidates in order of decreasing score.
  *
- * The tool ColonPolyps reads a CT in whole HU; here heads have the attenuation of the CT before rounding.
+ * This filter measures the attenuation of heads on the unrounded CT; the tool ColonPolyps reads a CT in whole HU.
  *
  * \ingroup ColonFilters */
 template <typename TInputMesh = PipelineMesh>

@@ -94,8 +94,8 @@ NodesAtEnd(const LumenGrid &        grid,
   return nodes;
 }
 
-/** Extends the core at its last node into a taper, or to places on the wall of a blunt end, farthest first; `paths`
- * starts at the other end. */
+/** Returns candidate tips beyond the last node of the core: the farthest node of a taper first, then nodes near the
+ * wall of a blunt end. `paths` starts at the other end of the piece. */
 std::vector<PieceEnd>
 Prolong(const LumenGrid & grid, const PathTree & paths, const std::vector<int> & core)
 {

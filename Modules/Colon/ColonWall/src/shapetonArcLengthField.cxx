@@ -14,7 +14,7 @@ constexpr double QueueStep = 0.1;
 /** Number of curve points around a site to search for the closest place. */
 constexpr std::int32_t Reach = 8;
 
-/** Voxels ordered by distance, up to a queue step. */
+/** Priority queue of voxels; distances are ordered to within one QueueStep. */
 class DistanceQueue
 {
 public:

@@ -40,7 +40,7 @@ struct PublishedPolypOptions
  * wall with fewer visits, scaled from (0.96, 1) to (0, 1), times the roundness.
  *
  * The source shows the density by a transfer function chosen by hand and gives no rule for candidates; ranks and limits
- * are ours. \param ct HU, cleansed, or null: then tissue is 1 and lumen 0.
+ * are ours. \param ct Cleansed CT in HU. If null, tissue is 1 and lumen is 0.
  * Throws the exceptions of FindPolypCandidates(). The result is identical for any number of threads.
  * \ingroup PolypCandidates */
 PolypCandidates_EXPORT std::vector<PolypCandidate>

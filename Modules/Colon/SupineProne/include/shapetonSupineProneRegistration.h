@@ -66,7 +66,7 @@ struct RegistrationConfidence
   double contradictedShare{ 0.0 };
   /** Least mean cost of a row near the warp; about 0 or below where folds agree. */
   double energy{ 0.0 };
-  /** That energy, and the energies near the warp rotated by one and two thirds, to detect confused taeniae. */
+  /** `energy`, then the energies near the warp rotated by one and by two thirds of a turn; detects confused taeniae. */
   std::vector<double> energies;
   /** Smaller energy of the rotated warps minus that of the warp. */
   double margin{ 0.0 };

@@ -135,7 +135,7 @@ private:
   std::optional<Origin>                         m_Origin;
   std::unique_ptr<const VolumeGradientOperator> m_Operator;
   std::unique_ptr<SeededHeatSolver>             m_Solver;
-  HeatImageType::Pointer                        m_Grid; ///< grid of the last solution, without voxels
+  HeatImageType::Pointer                        m_Grid; ///< geometry of the last solution; has no pixel buffer
 };
 } // namespace shapeton
 

@@ -45,7 +45,7 @@ RelativeSurface(const ShapeSignature & shape)
   return shape.surface / std::cbrt(shape.volume * shape.volume);
 }
 
-/** The nearest entry with a name other than that of the overall nearest; infinity if there is none. */
+/** Distance of the nearest entry whose name differs from that of the overall nearest; infinity if there is none. */
 double
 SecondDistance(const std::vector<ShapeNeighbor> & ranking, const std::vector<NamedShape> & entries)
 {

@@ -73,9 +73,9 @@ struct DicomSegmentVoxels
   std::vector<std::size_t> voxels;
 };
 
-/** The voxels of segments on the grid of the source series. A voxel belongs to a fractional segment from one half on.
- * On the grid of a tilted series (DicomSourceOptions::deshear) each slice is shifted by whole pixels, so that no voxel
- * is lost or duplicated.
+/** The voxels of segments on the grid of the source series. A voxel belongs to a fractional segment if its fraction is
+ * at least one half. On the grid of a tilted series (DicomSourceOptions::deshear) each slice is shifted by whole
+ * pixels, so that no voxel is lost or duplicated.
  *
  * Throws InputError if a frame does not match the pixels of a slice of the series, two frames of a segment are in
  * one slice, or the file is truncated; ParameterError for a segment number that does not exist, is repeated, or is

@@ -29,8 +29,9 @@ struct SlitMap
   /** Outward flux of grad logRadius through each loop, in turns: 1 for the outer loop, -1 for the inner one, 0 for the
    * slits (5.16). */
   Eigen::VectorXd turnsOfLoops;
-  /** Two estimates of the modulus 2 pi / ln(R / r) of the annulus, circumference over length of the strip. On a surface
-   * of genus 0, the one from logRadius is an upper bound and the one from the angle's energy a lower bound. */
+  /** Two estimates of the modulus 2 pi / ln(R / r) of the annulus (the circumference of the strip divided by its
+   * length). On a surface of genus 0, modulusU is an upper bound and modulusV a lower bound. modulusU is computed
+   * from logRadius, modulusV from the energy of the angle. */
   double modulusU{ 0.0 };
   double modulusV{ 0.0 };
 };

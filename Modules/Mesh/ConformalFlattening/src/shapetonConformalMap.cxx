@@ -127,7 +127,7 @@ MapToAnnulus(const SurfaceMesh &         mesh,
   const SlitMapSolver solver(
     mesh, connectivity, lengths, map.loops, map.outer, weightLevels, progress.Part("", 0.0, 0.4));
   const std::vector<int> & inners = solver.InnerLoops();
-  const auto               partOf = [&](std::size_t i) { // the chosen one is made first
+  const auto               partOf = [&](std::size_t i) { // the chosen map is computed first
     const double number = options.domain == ConformalDomain::Slit ? static_cast<double>(inners.size()) : 1.0;
     return progress.Part("", 0.4 + 0.6 * i / number, 0.4 + 0.6 * (i + 1) / number);
   };

@@ -76,7 +76,7 @@ private:
   SelectedInversion m_Inversion;
 };
 
-/** Metric of a surface with its straight edge lengths. \pre RequireOneManifold(); else InputError.
+/** Heat diffusion metric of a surface, from its Euclidean edge lengths. \pre RequireOneManifold(); else InputError.
  * \ingroup HeatDiffusionMetric */
 HeatDiffusionMetric_EXPORT HeatDiffusionMetric
 ComputeHeatDiffusionMetric(const SurfaceMesh & mesh, double t, const Progress & progress = {});

@@ -18,7 +18,7 @@ struct PolygonSurface
 {
   /** Three coordinates per vertex, in `unit`. */
   std::vector<double> points;
-  /** Corners of all polygons, concatenated; unchecked, so wide enough for any file. */
+  /** Corners of all polygons, concatenated. Not yet validated, so 64-bit to hold any index in a file. */
   std::vector<std::int64_t> corners;
   /** End of each polygon in the corner list. */
   std::vector<std::size_t>  ends;

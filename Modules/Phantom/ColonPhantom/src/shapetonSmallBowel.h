@@ -7,7 +7,7 @@ namespace shapeton
 {
 /** Loops of small bowel in the central abdomen: tubes with a radius of 10 to 14 mm, pressed against each other with
  * walls between them. `tagged` is the share with contrast medium, some of them as bright as tagged fluid; some
- * contain gas above a level. `down` is the direction of gravity. */
+ * contain gas above a fluid level. `down` is the direction of gravity. */
 struct SmallBowelLoops
 {
   std::shared_ptr<const PhantomBody> body;

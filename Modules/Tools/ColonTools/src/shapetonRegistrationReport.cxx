@@ -79,7 +79,7 @@ ErrorFacts(const Json & errors, const Json & document)
            { "Median, 95th percentile (mm)", Rounded(errors["median"]) + ", " + Rounded(errors["percentile95"]) },
            { "Below 10 mm", Percent(errors["shareWithin10"]) },
            { "Mean error on the map (its width is 1)", Rounded(errors["meanOnMap"]) },
-           { "Mean error of the frame of flexures and taeniae alone (mm)",
+           { "Mean error of the initial frame, from flexures and taeniae only (mm)",
              Rounded(document["errorsOfFrame"]["mean"]) + ", " + Rounded(document["frameOverMap"], 2) +
                " times that of the map" } };
 }

@@ -106,7 +106,7 @@ DrawLimit(Picture * picture, const PlotFrame & frame)
   DrawText(picture, CsvTable::Rounded(distendedCaliber, 3) + " mm", frame.left + frame.width + 6, y, style);
 }
 
-/** Draws segment borders, and names above the chart on the first of two lines where they fit. */
+/** Draws segment borders, and above the chart each segment name, on a second line if it does not fit on the first. */
 void
 DrawSegments(Picture * picture, const PlotFrame & frame, const std::vector<ColonSegment> & segments)
 {
