@@ -17,8 +17,8 @@ Faults
 CheckMessages(const std::filesystem::path & root);
 
 /** Comments, messages and pages are plain English: no comment of a source begins with a bare genitive ("Of the ..."),
- * no message says that something "is no" or "is none", nothing is told, wanders, hangs on or belongs beside, and spelling
- * is American, in identifiers, too. */
+ * no message says that something "is no" or "is none", nothing is told, wanders, hangs on or belongs beside, and
+ * spelling is American, in identifiers, too. */
 Faults
 CheckWording(const std::filesystem::path & root);
 } // namespace rules

@@ -373,7 +373,8 @@ test('verdicts, notes and findings are saved, opened again, and refused for anot
   assert.ok(finding.diameter > 0 && finding.lps.length === 3 && finding.uv.length === 2);
   await page.evaluate(() => { viewer.verdicts.entries[0].verdict = 'unsure'; viewer.verdicts.removeFinding(viewer.verdicts.findings[0]); });
   await openVerdicts(text.replace(verdicts.exam.sha256, '0'.repeat(64)));
-  assert.match(await page.evaluate(() => document.getElementById('notices').textContent), /belong to another examination; nothing was changed/);
+  const refusal = await page.evaluate(() => document.getElementById('notices').textContent);
+  assert.match(refusal, /belong to another examination; nothing was changed/);
   assert.equal(await page.evaluate(() => viewer.verdicts.entries[0].verdict), 'unsure');
   await openVerdicts('{"version": 1');
   assert.match(await page.evaluate(() => document.getElementById('notices').textContent), /no JSON/);

@@ -1,5 +1,5 @@
 set(DOCUMENTATION "Landmarks of a colon: flexures of its centerline, the loops on the wall there, six segments, folds on the surface and the three
-taeniae coli; splitting along them.")
+taeniae coli, and splitting along them.")
 
 itk_module(ColonLandmarks
   ENABLE_SHARED

@@ -1,4 +1,4 @@
-set(DOCUMENTATION "A chain of tools, each in its own process and folder. Stages with unchanged inputs are skipped; a failure is
+set(DOCUMENTATION "A chain of tools, each in its own process and folder. Stages with unchanged inputs are skipped, a failure is
 reported with the results that were kept.")
 
 itk_module(StagedRun

@@ -208,7 +208,7 @@ private:
     });
     if (parameter == parameters.end())
     {
-      throw ParameterError("unknown option " + Quoted(m_Option) + this->SimilarOption() + "; --help lists the options");
+      throw ParameterError("unknown option " + Quoted(m_Option) + this->SimilarOption() + " --help lists the options");
     }
     return *parameter;
   }
@@ -218,9 +218,9 @@ private:
   std::string
   SimilarOption() const
   {
-    constexpr std::size_t shortest = 6; // "--gama": shorter options resemble each other by chance
+    constexpr std::size_t shortest = 5; // "--gam": shorter options resemble each other by chance
     std::size_t           least = 3;
-    std::string           hint;
+    std::string           hint = ";";
     for (const Parameter & parameter : m_Module.parameters)
     {
       const std::string option = "--" + parameter.longflag;
