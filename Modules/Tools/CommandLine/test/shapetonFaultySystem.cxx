@@ -15,7 +15,7 @@ FaultySystem faultySystem;
 using tooltest::faultySystem;
 
 // Functions of the program override library functions of the same name, also for calls from libraries.
-extern "C" int
+extern "C" __attribute__((visibility("default"))) int
 fsync(int descriptor) noexcept(noexcept(::fsync(0)))
 {
   if (faultySystem.fsyncError)
@@ -27,7 +27,7 @@ fsync(int descriptor) noexcept(noexcept(::fsync(0)))
   return system(descriptor);
 }
 
-extern "C" int
+extern "C" __attribute__((visibility("default"))) int
 rename(const char * from, const char * to) noexcept
 {
   static int calls = 0;
@@ -47,7 +47,7 @@ rename(const char * from, const char * to) noexcept
   return system(from, to);
 }
 
-extern "C" int
+extern "C" __attribute__((visibility("default"))) int
 mkdir(const char * path, mode_t mode) noexcept
 {
   static const auto system = reinterpret_cast<int (*)(const char *, mode_t)>(dlsym(RTLD_NEXT, "mkdir"));
