@@ -15,7 +15,7 @@
 
 #if defined(__SANITIZE_ADDRESS__)
 /** NrrdIO leaks its messages if it cannot write. */
-extern "C" const char *
+extern "C" __attribute__((visibility("default"))) const char *
 __lsan_default_suppressions()
 {
   return "leak:libITKNrrdIO";
