@@ -17,8 +17,8 @@ namespace shapeton
  *
  * The embedding is preserved: edges meet only at their ends and keep the rotation around each node, and the surface has
  * the genus of the map. Outside the tubes, the circles of nodes and faces are the round, tangent circles of the cut
- * map. The conformal type of the surface is not preserved; the tiles of the Poincare disk show it. \ingroup
- * GraphViews */
+ * map. The conformal type of the surface is not preserved; the tiles of the Poincare disk show it.
+ * \ingroup GraphViews */
 class GraphViews_EXPORT SurfaceWithHandles
 {
 public:
