@@ -377,7 +377,7 @@ test('verdicts, notes and findings are saved, opened again, and refused for anot
   assert.match(refusal, /belong to another examination; nothing was changed/);
   assert.equal(await page.evaluate(() => viewer.verdicts.entries[0].verdict), 'unsure');
   await openVerdicts('{"version": 1');
-  assert.match(await page.evaluate(() => document.getElementById('notices').textContent), /no JSON/);
+  assert.match(await page.evaluate(() => document.getElementById('notices').textContent), /not JSON/);
   await openVerdicts(text);
   await press('s', CTRL);
   assert.equal(await saved(), text);

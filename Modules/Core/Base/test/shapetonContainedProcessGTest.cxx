@@ -105,7 +105,7 @@ TEST(ContainedProcess, AnExceptionArrivesWithItsMessage)
 TEST(ContainedProcess, ComputingTimeIsLimited)
 {
   ContainedProcess process(Misbehave, 16, Limits);
-  EXPECT_NE(FailureOf(process, "loop").find("of computing"), std::string::npos);
+  EXPECT_NE(FailureOf(process, "loop").find("of CPU time"), std::string::npos);
 }
 
 TEST(ContainedProcess, ElapsedTimeIsLimited)

@@ -272,7 +272,8 @@ TEST(HeatSeeds, LabelMapsLieOnTheGridAndHoldWholeNumbers)
   }
   const double moved[3] = { 0.0, 0.0, 0.0 };
   volume.image->SetOrigin(moved);
-  EXPECT_NE(MessageOf([&] { shapeton::SeedsOfVolume(volume, "map", image); }).find("size or place"), std::string::npos);
+  EXPECT_NE(MessageOf([&] { shapeton::SeedsOfVolume(volume, "map", image); }).find("size or position"),
+            std::string::npos);
 }
 
 TEST(HeatSeeds, ClassesGiveSeedsAwayFromTheirBorders)

@@ -190,7 +190,7 @@ TEST_F(ShapeDatabase, SaysWhatIsMissing)
   std::ofstream{ path };
   EXPECT_EQ(basetest::MessageOf([&] { ReadShapeDatabase(path); }),
             "InputError: " + path + ": the database contains no shapes; add some first");
-  EXPECT_NE(basetest::MessageOf([&] { ReadShapeDatabase(folder / "."); }).find("no file; a database"),
+  EXPECT_NE(basetest::MessageOf([&] { ReadShapeDatabase(folder / "."); }).find("not a file; a shape database"),
             std::string::npos);
   EXPECT_NE(basetest::MessageOf([&] {
               AddToShapeDatabase(folder / "nowhere/a.sqlite", Table(1), "sha256:1", "x");

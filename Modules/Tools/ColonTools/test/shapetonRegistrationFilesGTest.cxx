@@ -124,7 +124,7 @@ TEST(ColonPositionFiles, NamesWhatIsMissingAndWhoWritesIt)
     EXPECT_EQ(fault.find("prone: "), 0U) << fault;
   }
   EXPECT_EQ(faultWithout("landmarks/taeniae.vtp"), "");
-  EXPECT_NE(FaultOf([] { shapeton::ReadColonPosition("absent", "prone"); }).find("no folder \"absent\""),
+  EXPECT_NE(FaultOf([] { shapeton::ReadColonPosition("absent", "prone"); }).find("the folder \"absent\" was not found"),
             std::string::npos);
 }
 
