@@ -95,6 +95,7 @@ Failure
 DescribeException()
 {
   const char * const noMemory = "not enough memory; use a smaller volume or fewer outputs at once";
+  const char * const noThread = "not enough memory for another thread; use a smaller volume or fewer --threads";
   try
   {
     throw;
@@ -122,13 +123,13 @@ DescribeException()
   catch (const std::system_error & error)
   {
     const bool isThread = error.code() == std::errc::resource_unavailable_try_again; // no memory for its stack
-    return { 1,
-             isThread ? "not enough memory for another thread; use a smaller volume or fewer --threads"
-                      : error.what() };
+    return { 1, isThread ? noThread : error.what() };
   }
   catch (const itk::ExceptionObject & error)
   {
-    return { 1, WithoutItkPrefix(error.GetDescription()) };
+    const std::string description = error.GetDescription();
+    const bool isThread = description.find("pthread_create has failed") != std::string::npos; // of ITK's threader
+    return { 1, isThread ? noThread : WithoutItkPrefix(description) };
   }
   catch (const std::exception & error)
   {
