@@ -3,10 +3,10 @@
 
 usage: compare-files.py OLD NEW [--names MAP]
 
-Images, surfaces, pictures and compressed files are decoded; all else is compared byte by byte. MAP is a text file with an old and a new
+Images, surfaces, pictures and compressed files are decoded; other files are compared byte by byte. MAP is a text file with an old and a new
 word in each line, separated by a blank: the old word is replaced in the names of the old files and in all text of them (also in the
 headers of binary files). Lists each file that differs or that one folder lacks, and the number of files; status 0 if there is none,
-3 otherwise. Left out is what equal runs need not share: records of runs, logs, files of CTest."""
+3 otherwise. Run records, logs and files of CTest are not compared, because they differ between equal runs."""
 
 import argparse
 import base64

@@ -335,11 +335,11 @@ CheckWording(const fs::path & root)
     R"(licence|programmes?\b|analys(e|ed|ing)\b|(normal|factor|quant|equal|initial|optim|minim|maxim|vector|raster|)"
     R"(linear|recogn|general|parameter|visual|summar|character|symmetr)is(e|ed|es|ing|ation)\b))",
     std::regex::ECMAScript | std::regex::icase);
-  Faults faults;
+  const Words pages{ ".md", ".xml", ".py", ".mjs", ".js", ".cmake", ".sh", ".txt", ".json" };
+  Faults      faults;
   for (const fs::path & file : RepositoryFiles(root))
   {
-    const std::set<std::string> kinds{ ".md", ".xml", ".py", ".mjs", ".js", ".cmake", ".sh", ".txt", ".json" };
-    const bool                  isPage = kinds.count(file.extension().string()) > 0;
+    const bool isPage = pages.count(file.extension().string()) > 0;
     if ((!IsSource(file) && !isPage) || file.stem().string().rfind("MessageRules", 0) == 0)
     {
       continue;

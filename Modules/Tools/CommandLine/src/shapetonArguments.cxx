@@ -219,15 +219,18 @@ private:
   SimilarOption() const
   {
     constexpr std::size_t shortest = 5; // "--gam": shorter options resemble each other by chance
+    constexpr std::size_t longest = 40; // no option has as many letters; the distance of a longer text would take long
     std::size_t           least = 3;
     std::string           hint = ";";
     for (const Parameter & parameter : m_Module.parameters)
     {
       const std::string option = "--" + parameter.longflag;
       const std::size_t letters = std::min(option.size(), m_Option.size());
-      if (letters >= shortest && letters < 40 && EditDistance(option, m_Option) < least)
+      const bool        isCompared = letters >= shortest && m_Option.size() < longest;
+      const std::size_t distance = isCompared ? EditDistance(option, m_Option) : least;
+      if (distance < least)
       {
-        least = EditDistance(option, m_Option);
+        least = distance;
         hint = "; did you mean " + option + '?';
       }
     }
