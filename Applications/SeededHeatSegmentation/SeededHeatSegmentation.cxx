@@ -3,7 +3,7 @@
 #include "shapetonCommandLine.h"
 #include "shapetonCsvTable.h"
 #include "shapetonExceptions.h"
-#include "shapetonHeatSeeds.h"
+#include "shapetonSeedFiles.h"
 #include "shapetonSeededHeatSegmentationImageFilter.h"
 #include "shapetonToolSurfaces.h"
 #include "shapetonToolVolumes.h"

@@ -1,6 +1,7 @@
 #include "SeedTrial.h"
 
 #include "shapetonCsvTable.h"
+#include "shapetonSeedFiles.h"
 #include "shapetonVolumeReader.h"
 #include "shapetonVolumeWriter.h"
 

@@ -8,8 +8,6 @@ itk_module(SeededHeat
     Base
     ITKCommon
     ShapeDiffusion
-    SlicerMarkups
-    VolumeFiles
   PRIVATE_DEPENDS
     Voxels
   TEST_DEPENDS

@@ -6,13 +6,16 @@ itk_module(HeatTools
   DEPENDS
     Base
     Report
+    SeededHeat
+    SurfaceMesh
+    SlicerMarkups
+    VolumeFiles
     ShapeDiffusion
     PictureKit
     HeatViews
     HeatExplorer
     ITKCommon
   PRIVATE_DEPENDS
-    VolumeFiles
     DicomResults
     CommandLine
   TEST_DEPENDS

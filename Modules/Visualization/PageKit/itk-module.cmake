@@ -5,7 +5,6 @@ itk_module(PageKit
   EXCLUDE_FROM_DEFAULT
   DEPENDS
     Report
-    SurfaceMesh
   PRIVATE_DEPENDS
     Base
     ITKZLIB

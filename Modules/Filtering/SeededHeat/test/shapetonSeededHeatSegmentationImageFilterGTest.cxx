@@ -11,7 +11,6 @@ namespace
 {
 using ImageType = itk::Image<short, 3>;
 using FilterType = shapeton::SeededHeatSegmentationImageFilter<ImageType>;
-using shapeton::Markup;
 using shapeton::SeedImage;
 
 /** Three boxes of 0, 300 and 600 along x, on an oblique and anisotropic grid. */
@@ -40,26 +39,19 @@ MakeBoxes()
   return image;
 }
 
-Eigen::Vector3d
-PlaceOf(const itk::ImageBase<3> * image, const itk::Index<3> & index)
+/** A point in the first box, a stroke of 11 voxels in the second one, two points in the third one. */
+SeedImage::Pointer
+MakeSeeds(const ImageType * image)
 {
-  itk::Point<double, 3> point;
-  image->TransformIndexToPhysicalPoint(index, point);
-  return { point[0], point[1], point[2] };
-}
-
-std::vector<Markup>
-MakeMarkups(const ImageType * image)
-{
-  std::vector<Markup> markups(3);
-  markups[0].name = "dark";
-  markups[0].points = { PlaceOf(image, { { 2, 3, 4 } }) };
-  markups[1].name = "gray";
-  markups[1].points = { PlaceOf(image, { { 12, 2, 2 } }), PlaceOf(image, { { 17, 12, 7 } }) };
-  markups[1].kind = Markup::Kind::Curve;
-  markups[2].name = "bright";
-  markups[2].points = { PlaceOf(image, { { 29, 13, 8 } }), PlaceOf(image, { { 25, 1, 0 } }) };
-  return markups;
+  const auto seeds = shapeton::NewSeeds(image);
+  seeds->SetPixel({ { 2, 3, 4 } }, 1);
+  for (int i = 0; i <= 10; ++i)
+  {
+    seeds->SetPixel({ { 12 + i / 2, 2 + i, 2 + i / 2 } }, 2);
+  }
+  seeds->SetPixel({ { 29, 13, 8 } }, 3);
+  seeds->SetPixel({ { 25, 1, 0 } }, 3);
+  return seeds;
 }
 
 std::size_t
@@ -85,14 +77,11 @@ MessageOf(const std::function<void()> & call)
 }
 } // namespace
 
-TEST(SeededHeatSegmentationImageFilter, LabelsBoxesFromMarkupsOnAnObliqueGrid)
+TEST(SeededHeatSegmentationImageFilter, LabelsBoxesOnAnObliqueGrid)
 {
   const auto image = MakeBoxes();
-  const auto seeds = shapeton::SeedsOfMarkups(MakeMarkups(image), image);
-  EXPECT_EQ(Count(seeds, 1), 1u);
-  EXPECT_GE(Count(seeds, 2), 11u); // a stroke over eleven rows
-  EXPECT_EQ(Count(seeds, 3), 2u);
-  auto filter = FilterType::New();
+  const auto seeds = MakeSeeds(image);
+  auto       filter = FilterType::New();
   EXPECT_EQ(filter->GetP(), 100.0);
   filter->SetInput(image);
   filter->SetSeeds(seeds);
@@ -114,7 +103,7 @@ TEST(SeededHeatSegmentationImageFilter, LabelsBoxesFromMarkupsOnAnObliqueGrid)
 TEST(SeededHeatSegmentationImageFilter, RunsAgainWhatHasChanged)
 {
   const auto image = MakeBoxes();
-  const auto seeds = shapeton::SeedsOfMarkups(MakeMarkups(image), image);
+  const auto seeds = MakeSeeds(image);
   auto       filter = FilterType::New();
   filter->SetInput(image);
   filter->SetSeeds(seeds);
@@ -142,7 +131,7 @@ TEST(SeededHeatSegmentationImageFilter, RunsAgainWhatHasChanged)
 TEST(SeededHeatSegmentationImageFilter, OutputsMayBeTakenAwayBetweenRuns)
 {
   const auto image = MakeBoxes();
-  const auto seeds = shapeton::SeedsOfMarkups(MakeMarkups(image), image);
+  const auto seeds = MakeSeeds(image);
   auto       filter = FilterType::New();
   filter->SetInput(image);
   filter->SetSeeds(seeds);
@@ -175,10 +164,7 @@ TEST(SeededHeatSegmentationImageFilter, NamesWhatIsWrong)
   auto       filter = FilterType::New();
   filter->SetInput(image);
   EXPECT_NE(MessageOf([&] { filter->Update(); }).find("Seeds"), std::string::npos); // required
-  auto seeds = SeedImage::New();
-  seeds->CopyInformation(image);
-  seeds->SetRegions(image->GetLargestPossibleRegion());
-  seeds->Allocate(true);
+  const auto seeds = shapeton::NewSeeds(image);
   filter->SetSeeds(seeds);
   EXPECT_NE(MessageOf([&] { filter->Update(); }).find("no voxel has a seed"), std::string::npos);
   seeds->SetPixel({ { 1, 1, 1 } }, 7);
@@ -203,77 +189,12 @@ TEST(SeededHeatSegmentationImageFilter, ProgressAscendsToTheEnd)
   const auto image = MakeBoxes();
   auto       filter = FilterType::New();
   filter->SetInput(image);
-  filter->SetSeeds(shapeton::SeedsOfMarkups(MakeMarkups(image), image));
+  filter->SetSeeds(MakeSeeds(image));
   std::vector<double> shares;
   filter->AddObserver(itk::ProgressEvent(), [&](const itk::EventObject &) { shares.push_back(filter->GetProgress()); });
   filter->Update();
   EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()));
   EXPECT_NEAR(shares.back(), 1.0, 1e-6);
-}
-
-TEST(HeatSeeds, AStrokeMarksAllVoxelsThatItPasses)
-{
-  const auto image = MakeBoxes();
-  auto       markups = MakeMarkups(image);
-  markups.resize(2); // the second one is a stroke
-  markups[1].points = { PlaceOf(image, { { 1, 1, 1 } }), PlaceOf(image, { { 28, 12, 7 } }) };
-  const auto  seeds = shapeton::SeedsOfMarkups(markups, image);
-  std::size_t passed = 0;
-  for (itk::ImageRegionIteratorWithIndex<SeedImage> it(seeds, image->GetLargestPossibleRegion()); !it.IsAtEnd(); ++it)
-  {
-    double enter = 0.0; // interval of the stroke between the faces of the voxel, axis by axis
-    double leave = 1.0;
-    for (unsigned int axis = 0; axis < 3; ++axis)
-    {
-      const double along[3] = { 27.0, 11.0, 6.0 };
-      const double from = static_cast<double>(it.GetIndex()[axis]) - 1.0;
-      enter = std::max(enter, (from - 0.5) / along[axis]);
-      leave = std::min(leave, (from + 0.5) / along[axis]);
-    }
-    if (std::abs(leave - enter) > 1e-9) // rounding decides for a corner that is only touched
-    {
-      EXPECT_EQ(it.Get() == 2, leave > enter) << it.GetIndex();
-      passed += leave > enter ? 1 : 0;
-    }
-  }
-  EXPECT_GT(passed, 40U); // 27 + 11 + 6 crossings of faces, some at edges
-}
-
-TEST(HeatSeeds, MarkupsThatCannotBeSeedsAreRefused)
-{
-  const auto image = MakeBoxes();
-  auto       markups = MakeMarkups(image);
-  markups[2].points.push_back(PlaceOf(image, { { 31, 2, 2 } }));
-  EXPECT_EQ(MessageOf([&] { shapeton::SeedsOfMarkups(markups, image); }),
-            "point 3 of the markup \"bright\" lies outside the volume; place it on the volume that is segmented");
-  markups[2].points.back() = markups[0].points[0];
-  EXPECT_NE(MessageOf([&] { shapeton::SeedsOfMarkups(markups, image); }).find("already a seed of label 1"),
-            std::string::npos);
-  markups[2].points.clear();
-  EXPECT_NE(MessageOf([&] { shapeton::SeedsOfMarkups(markups, image); }).find("\"bright\" has no point"),
-            std::string::npos);
-}
-
-TEST(HeatSeeds, LabelMapsLieOnTheGridAndHoldWholeNumbers)
-{
-  const auto       image = MakeBoxes();
-  shapeton::Volume volume;
-  volume.image = shapeton::Volume::ImageType::New();
-  volume.image->CopyInformation(image);
-  volume.image->SetRegions(image->GetLargestPossibleRegion());
-  volume.image->Allocate(true);
-  volume.image->SetPixel({ { 3, 3, 3 } }, 65535.0F);
-  EXPECT_EQ(Count(shapeton::SeedsOfVolume(volume, "map", image), 65535), 1u);
-  for (const float value : { 0.5F, -1.0F, 65536.0F })
-  {
-    volume.image->SetPixel({ { 3, 3, 3 } }, value);
-    EXPECT_NE(MessageOf([&] { shapeton::SeedsOfVolume(volume, "map", image); }).find("map: labels must be whole"),
-              std::string::npos);
-  }
-  const double moved[3] = { 0.0, 0.0, 0.0 };
-  volume.image->SetOrigin(moved);
-  EXPECT_NE(MessageOf([&] { shapeton::SeedsOfVolume(volume, "map", image); }).find("size or position"),
-            std::string::npos);
 }
 
 TEST(HeatSeeds, ClassesGiveSeedsAwayFromTheirBorders)

@@ -4,7 +4,6 @@
 #include "PageKitExport.h"
 #include "shapetonHtmlReport.h"
 #include "shapetonJson.h"
-#include "shapetonSurfaceMesh.h"
 
 #include <cstdint>
 #include <string>
@@ -35,11 +34,20 @@ public:
       const std::vector<TValue> & values,
       std::size_t                 delta = 0,
       Json                        header = Json::object());
-  /** Quantizes rows of reals to 16- or 32-bit integers between the minimum and the maximum of their column; non-finite
-   * values become the minimum. */
+  /** Quantizes rows of `columns` reals, stored one after the other, to 16- or 32-bit integers between the minimum and
+   * the maximum of their column; non-finite values become the minimum. */
   template <typename TValue = std::uint16_t>
   void
-  PutReals(const std::string & name, const SurfaceArray::ValueMatrix & rows);
+  PutReals(const std::string & name, const std::vector<double> & values, std::size_t columns);
+  /** The same for a row-major matrix of Eigen. */
+  template <typename TValue = std::uint16_t, typename TMatrix>
+  void
+  PutReals(const std::string & name, const TMatrix & rows)
+  {
+    static_assert(TMatrix::IsRowMajor);
+    this->PutReals<TValue>(
+      name, std::vector<double>(rows.data(), rows.data() + rows.size()), static_cast<std::size_t>(rows.cols()));
+  }
   void
   PutJson(const std::string & name, const Json & value);
 

@@ -103,33 +103,36 @@ PageBlocks::Put(const std::string &, const std::vector<std::uint32_t> &, std::si
 
 template <typename TValue>
 void
-PageBlocks::PutReals(const std::string & name, const SurfaceArray::ValueMatrix & rows)
+PageBlocks::PutReals(const std::string & name, const std::vector<double> & reals, std::size_t columns)
 {
   constexpr double    greatest = std::numeric_limits<TValue>::max();
-  std::vector<TValue> values(rows.size());
+  std::vector<TValue> values(reals.size());
   Json                header{ { "offset", Json::array() }, { "step", Json::array() } };
-  for (Eigen::Index column = 0; column < rows.cols(); ++column)
+  for (std::size_t column = 0; column < columns; ++column)
   {
-    const auto   value = rows.col(column).array();
-    const double least = value.isFinite().select(value, INFINITY).minCoeff();
-    const double most = value.isFinite().select(value, -INFINITY).maxCoeff();
+    double least = INFINITY;
+    double most = -INFINITY;
+    for (std::size_t i = column; i < reals.size(); i += columns)
+    {
+      least = std::isfinite(reals[i]) ? std::min(least, reals[i]) : least;
+      most = std::isfinite(reals[i]) ? std::max(most, reals[i]) : most;
+    }
     const double step = most > least ? (most - least) / greatest : 1.0;
     header["offset"].push_back(std::isfinite(least) ? least : 0.0);
     header["step"].push_back(step);
-    for (Eigen::Index row = 0; row < rows.rows(); ++row)
+    for (std::size_t i = column; i < reals.size(); i += columns)
     {
-      const double v = rows(row, column);
-      values[row * rows.cols() + column] =
-        std::isfinite(v) ? static_cast<TValue>(std::min(std::round((v - least) / step), greatest)) : 0;
+      values[i] =
+        std::isfinite(reals[i]) ? static_cast<TValue>(std::min(std::round((reals[i] - least) / step), greatest)) : 0;
     }
   }
-  this->Put(name, values, rows.cols(), std::move(header));
+  this->Put(name, values, columns, std::move(header));
 }
 
 template void
-PageBlocks::PutReals<std::uint16_t>(const std::string &, const SurfaceArray::ValueMatrix &);
+PageBlocks::PutReals<std::uint16_t>(const std::string &, const std::vector<double> &, std::size_t);
 template void
-PageBlocks::PutReals<std::uint32_t>(const std::string &, const SurfaceArray::ValueMatrix &);
+PageBlocks::PutReals<std::uint32_t>(const std::string &, const std::vector<double> &, std::size_t);
 
 void
 PageBlocks::PutJson(const std::string & name, const Json & value)

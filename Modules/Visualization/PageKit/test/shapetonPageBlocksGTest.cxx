@@ -28,12 +28,11 @@ TEST(PageBlocks, TextOfDataNeverEndsAScript)
 
 TEST(PageBlocks, HeadersTellTheRangeOfColumns)
 {
-  PageBlocks                          blocks("", true, AsItIs);
-  shapeton::SurfaceArray::ValueMatrix rows(2, 2);
-  rows << 1.0, NAN, 3.0, 5.0;
-  blocks.PutReals("r", rows);
+  PageBlocks                blocks("", true, AsItIs);
+  const std::vector<double> rows{ 1.0, NAN, 3.0, 5.0 };
+  blocks.PutReals("r", rows, 2);
   EXPECT_NE(blocks.Inline().find(R"({"offset":[1.0,5.0],"step":[)"), std::string::npos) << blocks.Inline();
-  blocks.PutReals<std::uint32_t>("fine", rows);
+  blocks.PutReals<std::uint32_t>("fine", rows, 2);
   EXPECT_NE(blocks.Inline().find(R"("type":"u32")"), std::string::npos) << blocks.Inline();
 }
 
