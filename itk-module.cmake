@@ -1,6 +1,6 @@
 # The repository as one ITK module that represents all of Modules/; see Shapeton.remote.cmake.
 include(${CMAKE_CURRENT_LIST_DIR}/CMake/Modules.cmake)
-list(TRANSFORM Shapeton_MODULES REPLACE "^.*/" "" OUTPUT_VARIABLE Shapeton_modules)
+list(TRANSFORM Shapeton_MODULES REPLACE "^.*/" "Shapeton" OUTPUT_VARIABLE Shapeton_modules)
 if(BUILD_TESTING)
   list(APPEND Shapeton_modules ITKTestKernel) # itkTestDriver, which compares images
 endif()

@@ -1,58 +1,37 @@
 # The modules of Shapeton, each after its dependencies. This is the only list of modules; the test ModuleLayersOfThisRepository
 # checks that includes point only to earlier ones.
 set(Shapeton_MODULES
-  Core/Base
-  Core/Devices
-  Core/Voxels
+  Core/Common
   Core/Report
   Core/SparseFactorization
   Mesh/SurfaceMesh
   Mesh/HeatDiffusionMetric
   Mesh/ConformalFlattening
   IO/VolumeFiles
-  IO/DicomSeries
-  IO/SlicerMarkups
   IO/DicomResults
-  Filtering/ShapeDiffusion
-  Filtering/SeededHeat
+  Filtering/Heat
+  Filtering/Particles
   Filtering/ShapeSignature
-  Filtering/ShapeDatabase
-  Phantom/ShapePhantom
-  Phantom/ColonPhantom
+  Phantom/Phantoms
   Graph/GraphModel
-  Graph/GraphGenus
-  Graph/SensorNetwork
   Graph/EmbeddingCertificate
-  Graph/EmbeddingVerification
   Graph/RicciFlowEmbedding
   Graph/GraphComparison
   Colon/ColonLumen
   Colon/ColonCenterline
-  Colon/ColonWall
-  Colon/IleocecalValve
   Colon/ColonModel
   Colon/FlatColon
-  Colon/HaustralFolds
   Colon/ColonLandmarks
   Colon/PolypCandidates
   Colon/SupineProne
-  Bridge/ITKMeshes
-  Bridge/VTKData
+  Bridge/MeshBridge
   Bridge/ColonFilters
   Visualization/PictureKit
-  Visualization/PageKit
   Visualization/HeatViews
-  Visualization/HeatExplorer
-  Visualization/SurfaceViews
   Visualization/ColonViews
   Visualization/GraphViews
-  Visualization/ColonViewer
   Tools/CommandLine
-  Tools/StagedRun
-  Tools/ToolInput
   Tools/GraphTools
   Tools/HeatTools
   Tools/ColonTools
-  Tools/ColonResults
-  Tools/ColonoscopyRun
 )

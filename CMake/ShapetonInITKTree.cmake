@@ -8,7 +8,9 @@ include(${Shapeton_SOURCE_DIR}/CMake/ShapetonTests.cmake)
 set(SHAPETON_TEST_DATA_DIR "$ENV{SHAPETON_TEST_DATA_DIR}" CACHE PATH
   "Folder of real data; tests that need it are skipped if this is empty")
 file(MAKE_DIRECTORY ${Shapeton_BINARY_DIR}/Testing/Temporary)
-# The GPU plug-in and its tests are part of the stand-alone build only.
+# Precompiled headers, the GPU plug-in and its tests are part of the stand-alone build only.
+function(shapeton_precompile)
+endfunction()
 function(shapeton_add_device_sources)
 endfunction()
 function(shapeton_device_tests)

@@ -6,7 +6,8 @@ include(ShapetonITKTargets)
 include(ShapetonTests)
 
 # itk_module(<name> [ENABLE_SHARED] DEPENDS ... PRIVATE_DEPENDS ... COMPILE_DEPENDS ... TEST_DEPENDS ... DESCRIPTION "...")
-# Called by itk-module.cmake; records the declaration.
+# Called by itk-module.cmake; records the declaration. The name is Shapeton<Name>, because ITK's modules share one namespace; the
+# target is Shapeton::<Name>.
 macro(itk_module name)
   cmake_parse_arguments(_module "ENABLE_SHARED;EXCLUDE_FROM_DEFAULT" "DESCRIPTION"
     "DEPENDS;PRIVATE_DEPENDS;COMPILE_DEPENDS;TEST_DEPENDS;FACTORY_NAMES" ${ARGN})
@@ -16,11 +17,12 @@ macro(itk_module name)
   endforeach()
 endmacro()
 
-# Links Shapeton and ITK modules by name.
+# Links modules by name: Shapeton<Name> or <Name>, or a module of ITK.
 function(shapeton_link_modules target scope)
   foreach(module IN LISTS ARGN)
-    if(TARGET Shapeton::${module})
-      target_link_libraries(${target} ${scope} Shapeton::${module})
+    string(REGEX REPLACE "^Shapeton" "" name ${module})
+    if(TARGET Shapeton::${name})
+      target_link_libraries(${target} ${scope} Shapeton::${name})
     else()
       shapeton_itk_targets(${module})
       target_link_libraries(${target} ${scope} ITK::${module}Module)
@@ -35,7 +37,7 @@ function(itk_module_add_library name)
     EXPORT_MACRO_NAME ${name}_EXPORT NO_EXPORT_MACRO_NAME ${name}_HIDDEN STATIC_DEFINE ITK_STATIC)
   set_target_properties(${name} PROPERTIES
     UNITY_BUILD_BATCH_SIZE 32 CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON
-    OUTPUT_NAME Shapeton${name}-${Shapeton_SERIES} VERSION ${Shapeton_VERSION} SOVERSION ${Shapeton_VERSION_MAJOR}
+    OUTPUT_NAME ${name}-${Shapeton_SERIES} VERSION ${Shapeton_VERSION} SOVERSION ${Shapeton_VERSION_MAJOR}
     INSTALL_RPATH "$ORIGIN") # installed modules find each other
   target_include_directories(${name} PUBLIC
     $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include> $<BUILD_INTERFACE:${PROJECT_BINARY_DIR}/include>)
@@ -60,7 +62,9 @@ macro(itk_module_impl)
     shapeton_link_modules(${itk-module} INTERFACE ${itk-module_DEPENDS} ${itk-module_COMPILE_DEPENDS})
     set(_scope INTERFACE)
   endif()
-  add_library(Shapeton::${itk-module} ALIAS ${itk-module})
+  string(REGEX REPLACE "^Shapeton" "" _name ${itk-module})
+  set_target_properties(${itk-module} PROPERTIES EXPORT_NAME ${_name})
+  add_library(Shapeton::${_name} ALIAS ${itk-module})
   target_compile_features(${itk-module} ${_scope} cxx_std_17)
   target_include_directories(${itk-module} ${_scope} $<INSTALL_INTERFACE:${Shapeton_INSTALL_INCLUDE_DIR}>)
   install(TARGETS ${itk-module} EXPORT ShapetonTargets
@@ -88,7 +92,7 @@ function(shapeton_header_self_compile_test module)
   endforeach()
   if(sources)
     add_library(${module}HeaderTest OBJECT EXCLUDE_FROM_ALL ${sources})
-    target_link_libraries(${module}HeaderTest PRIVATE Shapeton::${module})
+    target_link_libraries(${module}HeaderTest PRIVATE ${module})
     if(NOT TARGET HeaderTests)
       add_custom_target(HeaderTests)
     endif()
@@ -101,10 +105,10 @@ endfunction()
 # itk_module_test(): called first in test/CMakeLists.txt. ITKGoogleTest is used in ITK's build only; here GoogleTest is a separate
 # package.
 macro(itk_module_test)
-  set(${itk-module}-Test_LIBRARIES Shapeton::${itk-module})
+  set(${itk-module}-Test_LIBRARIES ${itk-module})
   foreach(_dependency IN LISTS itk-module_TEST_DEPENDS)
-    if(TARGET Shapeton::${_dependency})
-      list(APPEND ${itk-module}-Test_LIBRARIES Shapeton::${_dependency})
+    if(TARGET ${_dependency})
+      list(APPEND ${itk-module}-Test_LIBRARIES ${_dependency})
     elseif(NOT _dependency STREQUAL "ITKGoogleTest")
       shapeton_itk_targets(${_dependency})
       list(APPEND ${itk-module}-Test_LIBRARIES ITK::${_dependency}Module)

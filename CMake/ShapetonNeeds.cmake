@@ -20,12 +20,12 @@ endfunction()
 # Targets of other packages that the users of a module link, and VTK targets hidden by shared libraries. Reads needs_<module> and
 # hidden_<module> of the earlier modules.
 function(shapeton_needs_of needs_variable hidden_variable module)
-  get_target_property(public ${module} INTERFACE_LINK_LIBRARIES)
-  get_target_property(type ${module} TYPE)
+  get_target_property(public Shapeton${module} INTERFACE_LINK_LIBRARIES)
+  get_target_property(type Shapeton${module} TYPE)
   set(private "")
   set(hidden "")
   if(NOT type STREQUAL "INTERFACE_LIBRARY")
-    get_target_property(private ${module} LINK_LIBRARIES)
+    get_target_property(private Shapeton${module} LINK_LIBRARIES)
     set(hidden ${private})
     list(FILTER hidden INCLUDE REGEX "^VTK::")
     list(FILTER private INCLUDE REGEX "^Shapeton::") # CMake also follows the link dependencies of our shared libraries

@@ -34,8 +34,8 @@ endfunction()
 # GPU.
 function(shapeton_device_tests kit libraries sources)
   add_executable(${kit}GTestDriver ${sources})
-  target_link_libraries(${kit}GTestDriver PRIVATE ${libraries} Shapeton::Devices GTest::gtest_main)
-  target_include_directories(${kit}GTestDriver PRIVATE ${Shapeton_SOURCE_DIR}/Modules/Core/Devices/test ${ARGN})
+  target_link_libraries(${kit}GTestDriver PRIVATE ${libraries} Shapeton::Common GTest::gtest_main)
+  target_include_directories(${kit}GTestDriver PRIVATE ${Shapeton_SOURCE_DIR}/Modules/Core/Common/test ${ARGN})
   target_compile_options(${kit}GTestDriver PRIVATE $<$<CONFIG:Release>:-O1>)
   foreach(device StandIn Gpu)
     set(environment "")
@@ -52,13 +52,12 @@ endfunction()
 # <tool>Gpu; {OUT} in the arguments is the output folder of each run. All files except the run records must be identical. Without
 # a GPU, --device cuda must fail with one line.
 function(shapeton_compare_devices tool)
-  shapeton_tool_target(target ${tool})
   foreach(test Devices Gpu)
     set(plugin "")
     if(test STREQUAL "Devices")
       set(plugin $<TARGET_FILE:DeviceStandIn>)
     endif()
-    add_test(NAME ${tool}${test} COMMAND ${CMAKE_COMMAND} -DTOOL=$<TARGET_FILE:${target}> -DPLUGIN=${plugin}
+    add_test(NAME ${tool}${test} COMMAND ${CMAKE_COMMAND} -DTOOL=$<TARGET_FILE:${tool}> -DPLUGIN=${plugin}
       -DOUT=${CMAKE_CURRENT_BINARY_DIR}/${test} "-DARGUMENTS=${ARGN}" -P ${Shapeton_SOURCE_DIR}/CMake/CompareDevices.cmake)
   endforeach()
   set_tests_properties(${tool}Devices ${tool}Gpu PROPERTIES LABELS Applications SKIP_REGULAR_EXPRESSION "there is no GPU")

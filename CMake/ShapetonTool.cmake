@@ -1,6 +1,5 @@
 # shapeton_add_tool(<Name> MODULES a b ...)
 # Builds bin/<Name> from <Name>.cxx and <Name>.xml, with the XML embedded (--xml prints it) and next to it (read by 3D Slicer).
-# The target is <Name>, or <Name>Tool if a module has that name.
 function(shapeton_add_tool name)
   cmake_parse_arguments(PARSE_ARGV 1 tool "" "" "MODULES;LIBRARIES")
   set(xml ${CMAKE_CURRENT_SOURCE_DIR}/${name}.xml)
@@ -9,19 +8,18 @@ function(shapeton_add_tool name)
   file(CONFIGURE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/${name}XML.h @ONLY
     CONTENT "// Generated from @name@.xml\nstatic const char ToolXML[] = R\"__XML__(@text@)__XML__\";\n")
   configure_file(${xml} ${CMAKE_RUNTIME_OUTPUT_DIRECTORY}/${name}.xml COPYONLY)
-  shapeton_tool_target(target ${name})
-  add_executable(${target} ${name}.cxx)
-  target_include_directories(${target} PRIVATE ${CMAKE_CURRENT_BINARY_DIR})
-  shapeton_link_modules(${target} PRIVATE CommandLine ${tool_MODULES})
-  target_link_libraries(${target} PRIVATE ${tool_LIBRARIES})
-  shapeton_precompile(${target})
+  add_executable(${name} ${name}.cxx)
+  target_include_directories(${name} PRIVATE ${CMAKE_CURRENT_BINARY_DIR})
+  shapeton_link_modules(${name} PRIVATE CommandLine ${tool_MODULES})
+  target_link_libraries(${name} PRIVATE ${tool_LIBRARIES})
+  shapeton_precompile(${name})
   # The libraries are two folders above the tools, or one above in a 3D Slicer extension.
-  set_target_properties(${target} PROPERTIES OUTPUT_NAME ${name} INSTALL_RPATH "$ORIGIN/../..;$ORIGIN/..")
-  install(TARGETS ${target} RUNTIME DESTINATION ${Shapeton_INSTALL_TOOLS_DIR} COMPONENT Tools)
+  set_target_properties(${name} PROPERTIES INSTALL_RPATH "$ORIGIN/../..;$ORIGIN/..")
+  install(TARGETS ${name} RUNTIME DESTINATION ${Shapeton_INSTALL_TOOLS_DIR} COMPONENT Tools)
   install(FILES ${xml} DESTINATION ${Shapeton_INSTALL_TOOLS_DIR} COMPONENT Tools)
   shapeton_install_command(${name})
   if(BUILD_TESTING)
-    add_test(NAME ${name}XML COMMAND ${CMAKE_COMMAND} -DTOOL=$<TARGET_FILE:${target}> -DXML=${xml}
+    add_test(NAME ${name}XML COMMAND ${CMAKE_COMMAND} -DTOOL=$<TARGET_FILE:${name}> -DXML=${xml}
       -P ${Shapeton_SOURCE_DIR}/CMake/CheckToolXML.cmake)
     add_test(NAME ${name}XMLLint COMMAND ToolXMLLint ${xml})
     set_tests_properties(${name}XML ${name}XMLLint PROPERTIES LABELS Applications)
@@ -39,14 +37,6 @@ function(shapeton_install_command name)
   install(PROGRAMS ${CMAKE_BINARY_DIR}/commands/${name} DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT Tools)
 endfunction()
 
-# Name of a tool's target.
-function(shapeton_tool_target variable name)
-  if(TARGET Shapeton::${name})
-    set(name ${name}Tool)
-  endif()
-  set(${variable} ${name} PARENT_SCOPE)
-endfunction()
-
 # shapeton_tool_test(NAME <name> [STATUS <exit status>] [STDOUT <regex>] [STDERR <regex>] [DATA] [LONG] COMMAND <tool> <arguments...>)
 # Runs a tool. The exit status must equal STATUS (default 0); stderr must be empty for 0 and one line otherwise.
 # DATA: the test reads SHAPETON_TEST_DATA_DIR and is skipped if that is not set.
@@ -57,7 +47,6 @@ function(shapeton_tool_test)
     set(test_STATUS 0)
   endif()
   list(POP_FRONT test_COMMAND tool)
-  shapeton_tool_target(tool ${tool})
   add_test(NAME ${test_NAME} COMMAND ${CMAKE_COMMAND} -DTOOL=$<TARGET_FILE:${tool}> "-DARGUMENTS=${test_COMMAND}"
     -DSTATUS=${test_STATUS} "-DSTDOUT=${test_STDOUT}" "-DSTDERR=${test_STDERR}" -DNEEDS_DATA=${test_DATA}
     "-DDATA_DIR=${SHAPETON_TEST_DATA_DIR}"

@@ -2,9 +2,9 @@
 
 #include "shapetonAutomaticParameters.h"
 #include "shapetonCommandLine.h"
-#include "shapetonShapetonDiffusionImageFilter.h"
-#include "shapetonShapetonMonitor.h"
-#include "shapetonShapetonResultFiles.h"
+#include "shapetonParticleDiffusionImageFilter.h"
+#include "shapetonParticleMonitor.h"
+#include "shapetonParticleResultFiles.h"
 #include "shapetonExceptions.h"
 #include "shapetonToolDevice.h"
 #include "shapetonToolVolumes.h"
@@ -15,7 +15,7 @@ namespace
 {
 using shapeton::CommandLine;
 using ImageType = itk::Image<float, 3>;
-using FilterType = shapeton::ShapetonDiffusionImageFilter<ImageType>;
+using FilterType = shapeton::ParticleDiffusionImageFilter<ImageType>;
 
 void
 CheckUsage(const CommandLine & commandLine)
@@ -65,8 +65,8 @@ Configure(const CommandLine & commandLine, FilterType * filter)
                                                           : shapeton::DirectionSampling::Uniform);
   filter->SetPathRule(commandLine.GetString("pathRule") == "endpoint" ? shapeton::PathRule::Endpoint
                                                                       : shapeton::PathRule::Traversal);
-  filter->SetPlacement(commandLine.GetString("placement") == "uniform" ? shapeton::ShapetonPlacement::Uniform
-                                                                       : shapeton::ShapetonPlacement::InitialHeat);
+  filter->SetPlacement(commandLine.GetString("placement") == "uniform" ? shapeton::ParticlePlacement::Uniform
+                                                                       : shapeton::ParticlePlacement::InitialHeat);
   filter->SetSeed(static_cast<std::uint64_t>(commandLine.GetInteger("seed")));
   filter->SetUntilSteady(commandLine.GetFlag("untilSteady"));
   SetEpsilon(commandLine, filter);
@@ -107,7 +107,7 @@ Diffuse(CommandLine & commandLine)
   CheckUsage(commandLine);
   auto filter = FilterType::New();
   Configure(commandLine, filter);
-  const shapeton::ShapetonResultFiles files(commandLine);
+  const shapeton::ParticleResultFiles files(commandLine);
   const shapeton::Volume              volume = shapeton::ReadVolume(commandLine, "inputVolume", true);
   filter->SetInput(volume.image);
   if (commandLine.IsGiven("mask"))
@@ -122,7 +122,7 @@ Diffuse(CommandLine & commandLine)
   {
     filter->SetHistogramSteps(HistogramSteps(filter->GetTimeSteps()));
   }
-  shapeton::ShapetonMonitor monitor(commandLine, filter);
+  shapeton::ParticleMonitor monitor(commandLine, filter);
   commandLine.Watch(filter, "Diffusing shapetons", 0.0, 0.95);
   Update(commandLine, filter);
   commandLine.AddRunFact("device", filter->GetDeviceUse().Describe());
@@ -131,7 +131,7 @@ Diffuse(CommandLine & commandLine)
     commandLine.AddProvenance("chosen.distance", shapeton::CsvTable::Number(filter->GetDistance()));
     commandLine.AddProvenance("chosen.shapetons", std::to_string(filter->GetNumberOfShapetons()));
   }
-  for (const auto & remark : shapeton::ShapetonRemarks(filter))
+  for (const auto & remark : shapeton::ParticleRemarks(filter))
   {
     commandLine.Warn(remark);
   }

@@ -6,7 +6,7 @@
 #include "shapetonDeviceHeatEngine.h"
 #include "shapetonHeatDiffusionSolver.h"
 #include "shapetonHeatHistogram.h"
-#include "shapetonShapetonDiffusion.h"
+#include "shapetonParticleDiffusion.h"
 #include "shapetonVolumeRendering.h"
 
 #include <algorithm>
@@ -151,13 +151,13 @@ MeasureHistogram(const Setting & s)
 double
 SecondsOfShapetons(const Setting & s, std::uint32_t shapetons, std::uint64_t steps)
 {
-  ShapetonDiffusionSettings settings;
+  ParticleDiffusionSettings settings;
   settings.volumeGradient = WholeWindow(s.intensities);
   settings.shapetons = shapetons;
   settings.distance = 0.01;
   settings.device = Device::Cuda;
   std::vector<std::uint32_t> visits(s.intensities.size());
-  ShapetonDiffusion diffusion(s.intensities.data(), { s.side, s.side, s.side }, settings, nullptr, visits.data());
+  ParticleDiffusion diffusion(s.intensities.data(), { s.side, s.side, s.side }, settings, nullptr, visits.data());
   return SecondsOf([&] { diffusion.Run(diffusion.GetMeasures().step + steps); });
 }
 

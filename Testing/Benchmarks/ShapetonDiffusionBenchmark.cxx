@@ -5,9 +5,9 @@
 
 #include "shapetonKernelSets.h"
 #include "shapetonParallelFor.h"
-#include "shapetonShapetonDiffusion.h"
-#include "shapetonShapetonKernels.h"
-#include "shapetonShapetonRecords.h"
+#include "shapetonParticleDiffusion.h"
+#include "shapetonParticleKernels.h"
+#include "shapetonParticleRecords.h"
 
 #include "itkMultiThreaderBase.h"
 
@@ -43,10 +43,10 @@ MakeIntensities(std::size_t side)
   return volume;
 }
 
-ShapetonDiffusionSettings
+ParticleDiffusionSettings
 Settings(DirectionSampling sampling, PathRule rule = PathRule::Endpoint)
 {
-  ShapetonDiffusionSettings settings;
+  ParticleDiffusionSettings settings;
   settings.shapetons = shapetons;
   settings.distance = distance;
   settings.directionSampling = sampling;
@@ -57,7 +57,7 @@ Settings(DirectionSampling sampling, PathRule rule = PathRule::Endpoint)
 /** A run of the library, including the counting of visits. */
 struct Product
 {
-  Product(const std::vector<float> & intensities, std::size_t side, const ShapetonDiffusionSettings & settings)
+  Product(const std::vector<float> & intensities, std::size_t side, const ParticleDiffusionSettings & settings)
     : visits(intensities.size()), diffusion(intensities.data(), { side, side, side }, settings, nullptr, visits.data())
   {}
 
@@ -79,7 +79,7 @@ struct Product
   }
 
   std::vector<std::uint32_t> visits;
-  ShapetonDiffusion          diffusion;
+  ParticleDiffusion          diffusion;
 };
 
 const std::vector<float> &
@@ -195,14 +195,14 @@ struct Bench
 
   /** Processes shapetons in groups, like the library. */
   void
-  TakeSteps(unsigned int steps, const ShapetonKernels::Set & kernels, ShapetonKernels::Draw draw)
+  TakeSteps(unsigned int steps, const ParticleKernels::Set & kernels, ParticleKernels::Draw draw)
   {
     constexpr std::size_t             group = 256;
     alignas(64) float                 components[3][group];
-    const ShapetonKernels::Directions directions{ components[0], components[1], components[2] };
+    const ParticleKernels::Directions directions{ components[0], components[1], components[2] };
     for (std::size_t first = 0; first < shapetons; first += group)
     {
-      const ShapetonKernels::Shapetons some{ static_cast<std::uint32_t>(first), group,
+      const ParticleKernels::Shapetons some{ static_cast<std::uint32_t>(first), group,
                                              places[0].data() + first,          places[1].data() + first,
                                              places[2].data() + first,          voxels.data() + first };
       for (unsigned int i = 1; i <= steps; ++i)
@@ -218,17 +218,17 @@ struct Bench
     step += steps;
   }
 
-  ShapetonRecords                   records;
+  ParticleRecords                   records;
   std::vector<std::uint32_t>        visits;
   std::vector<std::uint32_t>        voxels;
   std::array<std::vector<float>, 3> places;
-  ShapetonKernels::ThetaTable       table;
-  ShapetonKernels::Surroundings     surroundings{};
+  ParticleKernels::ThetaTable       table;
+  ParticleKernels::Surroundings     surroundings{};
   std::uint64_t                     step{ 0 };
 };
 
 void
-Kernels(benchmark::State & state, const ShapetonKernels::Set & kernels, ShapetonKernels::Draw draw)
+Kernels(benchmark::State & state, const ParticleKernels::Set & kernels, ParticleKernels::Draw draw)
 {
   for (auto _ : state)
   {
@@ -255,7 +255,7 @@ Register()
     ->Args({ 1, 64 })
     ->Args({ 1, 256 })
     ->Args({ 1, 512 });
-  for (const auto * const kernels : KernelsOfThisCpu<ShapetonKernels::Set>())
+  for (const auto * const kernels : KernelsOfThisCpu<ParticleKernels::Set>())
   {
     const std::string name = std::string("Kernels ") + kernels->name;
     inTurns(benchmark::RegisterBenchmark(
@@ -369,7 +369,7 @@ CompareResults(double p)
   const auto                intensities = MakeIntensities(side);
   constexpr float           tolerances[2] = { 0.01F, 1e-7F };
   std::vector<Summary>      ours, peers[2];
-  ShapetonDiffusionSettings settings = Settings(DirectionSampling::SectorArea);
+  ParticleDiffusionSettings settings = Settings(DirectionSampling::SectorArea);
   settings.distance = 2.56 / side;
   settings.volumeGradient.p = p;
   for (settings.seed = 1; settings.seed <= 5; ++settings.seed)

@@ -2,7 +2,7 @@
 
 #include "shapetonAutomaticParameters.h"
 #include "shapetonHeatDiffusionSolver.h"
-#include "shapetonShapeDiffusionTestVolumes.h"
+#include "shapetonDiffusionTestVolumes.h"
 
 using namespace shapeton;
 

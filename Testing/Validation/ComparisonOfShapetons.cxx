@@ -194,7 +194,7 @@ ValidateComparisonOfShapetons(const ValidationSettings & settings, ValidationRep
   const Comparison comparison{ settings, report };
   report.AddText(
     "Two walks: 'published' is that of chapter 3 (DirectionSampling::SectorArea, PathRule::Endpoint, "
-    "ShapetonPlacement::Uniform), 'controlled' samples CHD (Uniform, Traversal, InitialHeat). Seconds are processor "
+    "ParticlePlacement::Uniform), 'controlled' samples CHD (Uniform, Traversal, InitialHeat). Seconds are processor "
     "time, "
     "summed over all cores: two idle cores need about half of it. Trapped are shapetons in voxels whose six weights "
     "are 0. "

@@ -4,7 +4,7 @@
 
 #include "shapetonHeatDiffusionSolver.h"
 #include "shapetonShapeComponents.h"
-#include "shapetonShapeDiffusionTestVolumes.h"
+#include "shapetonDiffusionTestVolumes.h"
 #include "shapetonShapePhantomImageSource.h"
 
 using namespace shapeton;

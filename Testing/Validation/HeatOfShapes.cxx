@@ -2,7 +2,7 @@
 
 #include "shapetonHeatDiffusionSolver.h"
 #include "shapetonShapeComponents.h"
-#include "shapetonShapeDiffusionTestVolumes.h"
+#include "shapetonDiffusionTestVolumes.h"
 
 #include <functional>
 

@@ -29,18 +29,18 @@ const std::array<CubeRow, 6> cubeRows = { {
   { 150000, "0.310", "1,200", "0.37" },
 } };
 
-std::unique_ptr<ShapetonDiffusion>
+std::unique_ptr<ParticleDiffusion>
 PlaceShapetons(const TrialVolume & volume, std::uint32_t shapetons, std::vector<std::uint32_t> & visits)
 {
   const auto                size = volume.image->GetLargestPossibleRegion().GetSize();
-  ShapetonDiffusionSettings settings;
+  ParticleDiffusionSettings settings;
   settings.volumeGradient.p = 7.0;
   settings.volumeGradient.lower = volume.lower;
   settings.volumeGradient.upper = volume.upper;
   settings.shapetons = shapetons;
   settings.directionSampling = publishedWalk.sampling;
   visits.assign(volume.GetNumberOfVoxels(), 0);
-  return std::make_unique<ShapetonDiffusion>(volume.image->GetBufferPointer(),
+  return std::make_unique<ParticleDiffusion>(volume.image->GetBufferPointer(),
                                              std::array<std::size_t, 3>{ size[0], size[1], size[2] },
                                              settings,
                                              nullptr,

@@ -15,11 +15,11 @@ using namespace shapeton;
 const WalkRule publishedWalk{ "shapetons, published",
                               DirectionSampling::SectorArea,
                               PathRule::Endpoint,
-                              ShapetonPlacement::Uniform };
+                              ParticlePlacement::Uniform };
 const WalkRule controlledWalk{ "shapetons, controlled",
                                DirectionSampling::Uniform,
                                PathRule::Traversal,
-                               ShapetonPlacement::InitialHeat };
+                               ParticlePlacement::InitialHeat };
 
 double
 ProcessorSeconds(std::clock_t ticks)
@@ -124,7 +124,7 @@ RunHeat(const TrialVolume & volume, double p, std::uint64_t steps)
 Trial
 RunShapetons(const TrialVolume & volume, double p, const WalkRule & rule, const WalkSettings & settings)
 {
-  auto filter = ShapetonDiffusionImageFilter<itk::Image<float, 3>>::New();
+  auto filter = ParticleDiffusionImageFilter<itk::Image<float, 3>>::New();
   filter->SetInput(volume.image);
   filter->SetP(p);
   filter->SetIntensityWindow(volume.lower, volume.upper);

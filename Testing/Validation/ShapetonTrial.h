@@ -2,7 +2,7 @@
 #define ShapetonTrial_h
 
 #include "shapetonCumulativeHeatDiffusionImageFilter.h"
-#include "shapetonShapetonDiffusionImageFilter.h"
+#include "shapetonParticleDiffusionImageFilter.h"
 
 #include <ctime>
 #include <map>
@@ -41,7 +41,7 @@ struct WalkRule
   std::string                 name;
   shapeton::DirectionSampling sampling;
   shapeton::PathRule          path;
-  shapeton::ShapetonPlacement placement;
+  shapeton::ParticlePlacement placement;
 };
 /** Rule of chapter 3. */
 extern const WalkRule publishedWalk;
@@ -69,7 +69,7 @@ struct Trial
   itk::Image<std::uint32_t, 3>::Pointer visits;         ///< null for heat
   double                                seconds{ 0.0 }; ///< see ProcessorSeconds()
   std::uint64_t                         steps{ 0 };
-  shapeton::ShapetonMeasures            measures; ///< of shapetons
+  shapeton::ParticleMeasures            measures; ///< of shapetons
 };
 
 Trial

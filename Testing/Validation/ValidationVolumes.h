@@ -1,7 +1,7 @@
 #ifndef ValidationVolumes_h
 #define ValidationVolumes_h
 
-#include "shapetonShapeDiffusionTestVolumes.h"
+#include "shapetonDiffusionTestVolumes.h"
 
 /** Cube of value 1 in the middle of a volume of 0. */
 inline shapeton::test::Volume

@@ -5,7 +5,7 @@
 
 #include "shapetonHeatDiffusionSolver.h"
 #include "itkMultiThreaderBase.h"
-#include "shapetonShapetonDiffusion.h"
+#include "shapetonParticleDiffusion.h"
 
 using namespace shapeton;
 
@@ -20,30 +20,30 @@ struct Walk
   const char *      name;
   PathRule          path;
   DirectionSampling sampling;
-  ShapetonPlacement placement;
+  ParticlePlacement placement;
 };
 
 constexpr Walk likeHeat = { "traversal, uniform directions, by initial heat",
                             PathRule::Traversal,
                             DirectionSampling::Uniform,
-                            ShapetonPlacement::InitialHeat };
+                            ParticlePlacement::InitialHeat };
 constexpr Walk solidAngle = { "traversal, by solid angle, by initial heat",
                               PathRule::Traversal,
                               DirectionSampling::SolidAngle,
-                              ShapetonPlacement::InitialHeat };
+                              ParticlePlacement::InitialHeat };
 constexpr Walk published = { "as published: endpoint, by sector area, uniform placement",
                              PathRule::Endpoint,
                              DirectionSampling::SectorArea,
-                             ShapetonPlacement::Uniform };
+                             ParticlePlacement::Uniform };
 constexpr Walk repaired = { "endpoint, by solid angle, uniform placement",
                             PathRule::Endpoint,
                             DirectionSampling::SolidAngle,
-                            ShapetonPlacement::Uniform };
+                            ParticlePlacement::Uniform };
 
-ShapetonDiffusionSettings
+ParticleDiffusionSettings
 SettingsOf(const Walk & walk, const test::Volume & volume, double p, double stepInVoxels, std::uint32_t shapetons)
 {
-  ShapetonDiffusionSettings settings;
+  ParticleDiffusionSettings settings;
   settings.volumeGradient = volume.Parameters(p);
   settings.shapetons = shapetons;
   settings.distance = stepInVoxels / static_cast<double>(*std::max_element(volume.size.begin(), volume.size.end()));
@@ -85,7 +85,7 @@ Relative(const std::vector<TValue> & values, const Mask & domain)
 /** Visits of the domain after each of `steps`, for several seeds; shapetons start in the domain if `masked`. */
 std::vector<std::vector<Density>>
 VisitsOf(const test::Volume &               volume,
-         ShapetonDiffusionSettings          settings,
+         ParticleDiffusionSettings          settings,
          unsigned int                       seeds,
          const std::vector<std::uint64_t> & steps,
          const Mask &                       domain,
@@ -95,7 +95,7 @@ VisitsOf(const test::Volume &               volume,
   for (settings.seed = 1; settings.seed <= seeds; ++settings.seed)
   {
     std::vector<std::uint32_t> visits(volume.values.size());
-    ShapetonDiffusion          diffusion(
+    ParticleDiffusion          diffusion(
       volume.values.data(), volume.size, settings, masked ? domain.data() : nullptr, visits.data());
     for (std::size_t i = 0; i < steps.size(); ++i)
     {
@@ -176,11 +176,11 @@ SpreadOfTheWalk(const ValidationSettings & settings, ValidationReport & report)
   Mask                start(volume.values.size());
   start[(std::size_t{ 32 } * 64 + 32) * 64 + 32] = 1;
   Walk walk = likeHeat;
-  walk.placement = ShapetonPlacement::Uniform;
+  walk.placement = ParticlePlacement::Uniform;
   for (const double a : { 0.1, 0.5, 1.0, 1.3, 1.5, 2.0, 2.56, 4.0 })
   {
     std::vector<std::uint32_t> visits(volume.values.size());
-    ShapetonDiffusion          diffusion(
+    ParticleDiffusion          diffusion(
       volume.values.data(), volume.size, SettingsOf(walk, volume, 7.0, a, shapetons), start.data(), visits.data());
     diffusion.Run(static_cast<std::uint64_t>(steps));
     double squares = 0.0, fourths = 0.0;
@@ -453,7 +453,7 @@ ScaleOfStates(const ValidationSettings & settings, ValidationReport & report)
     table.AddRow(row);
     for (const Walk & walk : { likeHeat, solidAngle, published, repaired })
     {
-      const bool masked = walk.placement == ShapetonPlacement::InitialHeat;
+      const bool masked = walk.placement == ParticlePlacement::InitialHeat;
       const auto steps = static_cast<std::uint64_t>(std::round(masked ? t / 2.0 : 1.125 * t));
       const auto shapetons =
         static_cast<std::uint32_t>(std::clamp((settings.quick ? 2e6 : 5e7) / static_cast<double>(steps), 20000.0, 1e6));
@@ -498,7 +498,7 @@ UniformPlacement(const ValidationSettings & settings, ValidationReport & report)
     for (const DirectionSampling sampling :
          { DirectionSampling::Uniform, DirectionSampling::SolidAngle, DirectionSampling::SectorArea })
     {
-      const Walk walk = { "", path, sampling, ShapetonPlacement::Uniform };
+      const Walk walk = { "", path, sampling, ParticlePlacement::Uniform };
       const auto densities = VisitsOf(
         volume, SettingsOf(walk, volume, 7.0, 1.0, shapetons), settings.quick ? 4 : 8, { steps }, domain, false)[0];
       const Percent                      deviation(SquaredDeviations(densities, Density(domain.size(), 1.0)), 1.0);

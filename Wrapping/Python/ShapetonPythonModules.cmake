@@ -1,13 +1,12 @@
 # Modules linked by the compiled module, which depend on the others.
 set(ShapetonPython_MODULES
   ColonModel
-  ColonPhantom
   ConformalFlattening
-  DicomSeries
-  EmbeddingVerification
+  EmbeddingCertificate
   GraphComparison
+  Particles
+  Phantoms
   PolypCandidates
-  SeededHeat
-  ShapeDatabase
-  ShapeDiffusion
-  SupineProne)
+  ShapeSignature
+  SupineProne
+  VolumeFiles)

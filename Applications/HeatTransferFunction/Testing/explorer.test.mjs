@@ -5,7 +5,7 @@ import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
 import { cpSync, existsSync, mkdirSync, readFileSync, rmSync, statSync, writeFileSync } from 'node:fs';
 import { after, before, test } from 'node:test';
-import { lowerEdge, volumeProperty } from '../../../Modules/Visualization/HeatExplorer/scripts/lines.mjs';
+import { lowerEdge, volumeProperty } from '../../../Modules/Visualization/HeatViews/scripts/lines.mjs';
 import { launch } from '../../../Testing/Browser/browser.mjs';
 
 const { HEAT, RANGE, DENSITY, INPUT, HEATS, SNAPSHOTS, VISITS, TOOL, WORK, SHOTS } = process.env;

@@ -1,29 +1,27 @@
-set(DOCUMENTATION "The stages of virtual colonoscopy as ITK process objects: lumen, cleansing, centerline, wall, flattening, metric, folds, landmarks,
-registration and candidates.")
+set(DOCUMENTATION "The stages of virtual colonoscopy as ITK process objects: lumen, cleansing, centerline, wall, flattening, metric, folds,
+landmarks, registration and candidates.")
 
-itk_module(ColonFilters
+itk_module(ShapetonColonFilters
   ENABLE_SHARED
   EXCLUDE_FROM_DEFAULT
   DEPENDS
-    Base
-    VolumeFiles
-    HeatDiffusionMetric
-    ConformalFlattening
-    ColonLumen
-    ColonCenterline
-    ColonWall
-    ColonModel
-    FlatColon
-    HaustralFolds
-    ColonLandmarks
-    PolypCandidates
-    SupineProne
-    ITKMeshes
+    ShapetonCommon
+    ShapetonVolumeFiles
+    ShapetonHeatDiffusionMetric
+    ShapetonConformalFlattening
+    ShapetonColonLumen
+    ShapetonColonCenterline
+    ShapetonColonModel
+    ShapetonFlatColon
+    ShapetonColonLandmarks
+    ShapetonPolypCandidates
+    ShapetonSupineProne
+    ShapetonMeshBridge
     ITKCommon
     ITKImageFilterBase
     ITKMesh
   TEST_DEPENDS
-    ColonPhantom
+    ShapetonPhantoms
     ITKGoogleTest
     ITKImageGrid
   DESCRIPTION "${DOCUMENTATION}"

@@ -1,19 +1,17 @@
-set(DOCUMENTATION "The centerline of the colon from a mask of its lumen: distance to the wall, pieces and their order, places where
-loops touch, gaps, caliber.")
+set(DOCUMENTATION "The centerline of the colon from a mask of its lumen: distance to the wall, pieces and their order, places where loops touch,
+gaps, caliber.")
 
-itk_module(ColonCenterline
+itk_module(ShapetonColonCenterline
   ENABLE_SHARED
   EXCLUDE_FROM_DEFAULT
   DEPENDS
-    Base
-    Report
-    SurfaceMesh
-    ColonLumen
+    ShapetonCommon
+    ShapetonReport
+    ShapetonSurfaceMesh
+    ShapetonColonLumen
     ITKCommon
-  PRIVATE_DEPENDS
-    Voxels
   TEST_DEPENDS
-    DicomSeries
+    ShapetonVolumeFiles
     ITKGoogleTest
   DESCRIPTION "${DOCUMENTATION}"
 )

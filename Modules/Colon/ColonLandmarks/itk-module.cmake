@@ -1,22 +1,20 @@
-set(DOCUMENTATION "Landmarks of a colon: flexures of its centerline, the loops on the wall there, six segments, folds on the surface and the three
-taeniae coli, and splitting along them.")
+set(DOCUMENTATION "Landmarks of a colon: flexures of its centerline, the loops on the wall there, six segments, folds on the surface and the
+three taeniae coli, and splitting along them.")
 
-itk_module(ColonLandmarks
+itk_module(ShapetonColonLandmarks
   ENABLE_SHARED
   EXCLUDE_FROM_DEFAULT
   DEPENDS
-    Base
-    Report
-    SurfaceMesh
-    ColonCenterline
-    FlatColon
-    HaustralFolds
-    IleocecalValve
+    ShapetonCommon
+    ShapetonReport
+    ShapetonSurfaceMesh
+    ShapetonColonCenterline
+    ShapetonFlatColon
+    ShapetonColonModel
   PRIVATE_DEPENDS
-    ConformalFlattening
+    ShapetonConformalFlattening
   TEST_DEPENDS
-    FlatColon
-    HaustralFolds
+    ShapetonFlatColon
     ITKGoogleTest
   DESCRIPTION "${DOCUMENTATION}"
 )

@@ -1,17 +1,15 @@
-set(DOCUMENTATION "The lumen of a colon in CT colonography: gas and tagged fluid without seeds, the direction of gravity, and
-electronic cleansing.")
+set(DOCUMENTATION "The lumen of a colon in CT colonography: gas and tagged fluid without seeds, the direction of gravity, and electronic
+cleansing.")
 
-itk_module(ColonLumen
+itk_module(ShapetonColonLumen
   ENABLE_SHARED
   EXCLUDE_FROM_DEFAULT
   DEPENDS
-    Base
+    ShapetonCommon
     ITKCommon
-  PRIVATE_DEPENDS
-    Voxels
   TEST_DEPENDS
-    SurfaceMesh
-    DicomSeries
+    ShapetonSurfaceMesh
+    ShapetonVolumeFiles
     ITKConnectedComponents
     ITKGoogleTest
     ITKIOImageBase

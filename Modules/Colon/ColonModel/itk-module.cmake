@@ -1,24 +1,25 @@
-set(DOCUMENTATION "Model of a colon from CT colonography or a mask of the lumen: lumen, cleansed CT, centerline, distension
-and wall, with measurements and files.")
+set(DOCUMENTATION "The colon of a CT or of a lumen mask: wall surface, ileocecal valve, and the model that joins lumen, centerline and wall.")
 
-itk_module(ColonModel
+itk_module(ShapetonColonModel
   ENABLE_SHARED
   EXCLUDE_FROM_DEFAULT
   DEPENDS
-    Base
-    Report
-    ColonLumen
-    ColonCenterline
-    ColonWall
-    IleocecalValve
-  PRIVATE_DEPENDS
-    SurfaceMesh
+    ShapetonCommon
+    ShapetonSurfaceMesh
     ITKCommon
+    ShapetonColonLumen
+    ShapetonReport
+    ShapetonColonCenterline
+  PRIVATE_DEPENDS
+    ShapetonConformalFlattening
+    ShapetonHeatDiffusionMetric
+    ITKSmoothing
+    ITKImageFunction
     ITKImageGrid
   TEST_DEPENDS
-    VolumeFiles
-    ColonPhantom
+    ShapetonVolumeFiles
     ITKGoogleTest
+    ShapetonPhantoms
     ITKImageGrid
   DESCRIPTION "${DOCUMENTATION}"
 )

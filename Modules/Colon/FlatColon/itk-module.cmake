@@ -1,21 +1,23 @@
-set(DOCUMENTATION "The flat wall of a colon: grids of pixels, axis, curvature, distances along the centerline.")
+set(DOCUMENTATION "The colon wall unrolled on a plane, sampled on a grid, and the haustral folds found on it.")
 
-itk_module(FlatColon
+itk_module(ShapetonFlatColon
   ENABLE_SHARED
   EXCLUDE_FROM_DEFAULT
   DEPENDS
-    SurfaceMesh
-    VolumeFiles
+    ShapetonSurfaceMesh
+    ShapetonVolumeFiles
     ITKCommon
+    ShapetonCommon
+    ShapetonReport
+    ShapetonColonCenterline
   PRIVATE_DEPENDS
-    Base
-    Report
-    ConformalFlattening
-    HeatDiffusionMetric
+    ShapetonConformalFlattening
+    ShapetonHeatDiffusionMetric
     ITKIOImageBase
     ITKIONRRD
+    ShapetonColonLumen
   TEST_DEPENDS
-    HeatDiffusionMetric
+    ShapetonHeatDiffusionMetric
     ITKGoogleTest
     ITKIOImageBase
     ITKIONRRD

@@ -1,27 +1,27 @@
-set(DOCUMENTATION "Candidates for polyps on the wall of a colon, by its curvature or by shapeton diffusion, with size, height and a score. For research use.")
+set(DOCUMENTATION "Candidates for polyps on the wall of a colon, by its curvature or by shapeton diffusion, with size, height and a score. For
+research use.")
 
-itk_module(PolypCandidates
+itk_module(ShapetonPolypCandidates
   ENABLE_SHARED
   EXCLUDE_FROM_DEFAULT
   DEPENDS
-    Base
-    Report
-    SurfaceMesh
-    SlicerMarkups
-    FlatColon
-    IleocecalValve
+    ShapetonCommon
+    ShapetonReport
+    ShapetonSurfaceMesh
+    ShapetonFlatColon
+    ShapetonColonModel
     ITKCommon
   PRIVATE_DEPENDS
-    ColonLumen
-    ColonCenterline
-    HeatDiffusionMetric
-    VolumeFiles
-    ShapeDiffusion
-    ColonLandmarks
+    ShapetonColonLumen
+    ShapetonColonCenterline
+    ShapetonHeatDiffusionMetric
+    ShapetonVolumeFiles
+    ShapetonParticles
+    ShapetonColonLandmarks
     ITKIONRRD
     ITKImageFunction
   TEST_DEPENDS
-    ColonWall
+    ShapetonColonModel
     ITKGoogleTest
   DESCRIPTION "${DOCUMENTATION}"
 )

@@ -1,11 +1,11 @@
-set(DOCUMENTATION "Sparse symmetric matrices: order of elimination, supernodes, Cholesky factors of real matrices, selected inversion of
-complex ones.")
+set(DOCUMENTATION "Sparse symmetric matrices: order of elimination, supernodes, Cholesky factors of real matrices, selected inversion of complex
+ones.")
 
-itk_module(SparseFactorization
+itk_module(ShapetonSparseFactorization
   ENABLE_SHARED
   EXCLUDE_FROM_DEFAULT
   DEPENDS
-    Base
+    ShapetonCommon
   TEST_DEPENDS
     ITKCommon
     ITKGoogleTest

@@ -1,16 +1,15 @@
-set(DOCUMENTATION "Shape signatures of labels from heat content, restricted diffusion and surface spectrum, and the search for similar shapes.")
+set(DOCUMENTATION "Shape signatures of objects and a searchable database of them.")
 
-itk_module(ShapeSignature
+itk_module(ShapetonShapeSignature
   ENABLE_SHARED
   EXCLUDE_FROM_DEFAULT
   DEPENDS
-    Base
-    Voxels
+    ShapetonCommon
     ITKCommon
   PRIVATE_DEPENDS
-    HeatDiffusionMetric
-    Report
-    SurfaceMesh
+    ShapetonHeatDiffusionMetric
+    ShapetonReport
+    ShapetonSurfaceMesh
   TEST_DEPENDS
     ITKGoogleTest
   DESCRIPTION "${DOCUMENTATION}"

@@ -1,12 +1,14 @@
-set(DOCUMENTATION "The certificate of a graph embedding: rotation system, circles, places, deck transformations, and its JSON file.")
+set(DOCUMENTATION "Certificates of graph embeddings on surfaces: their file format and an independent verifier.")
 
-itk_module(EmbeddingCertificate
+itk_module(ShapetonEmbeddingCertificate
   ENABLE_SHARED
   EXCLUDE_FROM_DEFAULT
   DEPENDS
-    Base
-    GraphModel
+    ShapetonCommon
+    ShapetonGraphModel
   PRIVATE_DEPENDS
-    Report
+    ShapetonReport
+  TEST_DEPENDS
+    ITKGoogleTest
   DESCRIPTION "${DOCUMENTATION}"
 )

@@ -1,10 +1,10 @@
-set(DOCUMENTATION "Graphs, rotation systems (combinatorial maps), families of graphs, and graph files in ten formats.")
+set(DOCUMENTATION "Graphs and rotation systems, their files, planarity and genus, and simulated sensor networks.")
 
-itk_module(GraphModel
+itk_module(ShapetonGraphModel
   ENABLE_SHARED
   EXCLUDE_FROM_DEFAULT
   DEPENDS
-    Base
+    ShapetonCommon
   PRIVATE_DEPENDS
     ITKExpat
   TEST_DEPENDS

@@ -1,16 +1,15 @@
 set(DOCUMENTATION "Results as DICOM objects beside the series that they were made from: segmentations, measurement reports, parametric maps,
 pictures and surfaces, and segmentations and the points of reports read back.")
 
-itk_module(DicomResults
+itk_module(ShapetonDicomResults
   ENABLE_SHARED
   EXCLUDE_FROM_DEFAULT
   DEPENDS
-    SurfaceMesh
-    DicomSeries
+    ShapetonSurfaceMesh
+    ShapetonVolumeFiles
     ITKCommon
   PRIVATE_DEPENDS
-    Base
-    VolumeFiles
+    ShapetonCommon
   TEST_DEPENDS
     ITKGoogleTest
   DESCRIPTION "${DOCUMENTATION}"

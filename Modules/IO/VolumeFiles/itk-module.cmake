@@ -1,10 +1,10 @@
-set(DOCUMENTATION "Volumes with their geometry, read from and written to NRRD, NIfTI and MetaImage.")
+set(DOCUMENTATION "Volumes from NRRD, MetaImage and NIfTI files and from DICOM series, and their writers.")
 
-itk_module(VolumeFiles
+itk_module(ShapetonVolumeFiles
   ENABLE_SHARED
   EXCLUDE_FROM_DEFAULT
   DEPENDS
-    Base
+    ShapetonCommon
     ITKCommon
     ITKIOImageBase
   PRIVATE_DEPENDS
@@ -12,9 +12,15 @@ itk_module(VolumeFiles
     ITKIONIFTI
     ITKIONRRD
     ITKZLIB
+    ShapetonReport
+    ITKGDCM
   TEST_DEPENDS
     ITKGoogleTest
     ITKIONIFTI
     ITKZLIB
+    ShapetonReport
+    ITKGDCM
+    ITKIOGDCM
+    ITKIOImageBase
   DESCRIPTION "${DOCUMENTATION}"
 )

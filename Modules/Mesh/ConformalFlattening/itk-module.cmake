@@ -1,14 +1,14 @@
 set(DOCUMENTATION "Conformal maps of triangle surfaces to the plane by harmonic functions: cuts, distortion, handles.")
 
-itk_module(ConformalFlattening
+itk_module(ShapetonConformalFlattening
   ENABLE_SHARED
   EXCLUDE_FROM_DEFAULT
   DEPENDS
-    Base
-    Report
-    SparseFactorization
-    SurfaceMesh
-    HeatDiffusionMetric
+    ShapetonCommon
+    ShapetonReport
+    ShapetonSparseFactorization
+    ShapetonSurfaceMesh
+    ShapetonHeatDiffusionMetric
   TEST_DEPENDS
     ITKGoogleTest
   DESCRIPTION "${DOCUMENTATION}"

@@ -1,12 +1,12 @@
 set(DOCUMENTATION "Cotangent Laplacian, spectrum, heat kernel and heat diffusion distance of triangle surfaces.")
 
-itk_module(HeatDiffusionMetric
+itk_module(ShapetonHeatDiffusionMetric
   ENABLE_SHARED
   EXCLUDE_FROM_DEFAULT
   DEPENDS
-    Base
-    SparseFactorization
-    SurfaceMesh
+    ShapetonCommon
+    ShapetonSparseFactorization
+    ShapetonSurfaceMesh
   TEST_DEPENDS
     ITKGoogleTest
   DESCRIPTION "${DOCUMENTATION}"

@@ -1,11 +1,11 @@
-set(DOCUMENTATION "Triangle surfaces: files, connectivity, defects and quality, repair, simplification, remeshing, closest points.")
+set(DOCUMENTATION "Triangle surfaces, their files, repair, simplification and topology; markups and color tables of 3D Slicer.")
 
-itk_module(SurfaceMesh
+itk_module(ShapetonSurfaceMesh
   ENABLE_SHARED
   EXCLUDE_FROM_DEFAULT
   DEPENDS
-    Base
-    Report
+    ShapetonCommon
+    ShapetonReport
   TEST_DEPENDS
     ITKGoogleTest
   DESCRIPTION "${DOCUMENTATION}"

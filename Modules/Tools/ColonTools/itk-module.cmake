@@ -1,30 +1,39 @@
-set(DOCUMENTATION "Result files and reports shared by the colon tools.")
+set(DOCUMENTATION "Results and reports of the colon tools, DICOM results, and resumable runs of whole examinations.")
 
-itk_module(ColonTools
+itk_module(ShapetonColonTools
   ENABLE_SHARED
   EXCLUDE_FROM_DEFAULT
   DEPENDS
-    Base
-    Report
-    SurfaceMesh
-    ConformalFlattening
-    ColonModel
-    ColonLandmarks
-    PolypCandidates
-    SupineProne
-    ColonViews
+    ShapetonCommon
+    ShapetonReport
+    ShapetonSurfaceMesh
+    ShapetonConformalFlattening
+    ShapetonColonModel
+    ShapetonColonLandmarks
+    ShapetonPolypCandidates
+    ShapetonSupineProne
+    ShapetonColonViews
+    ShapetonDicomResults
   PRIVATE_DEPENDS
-    VolumeFiles
-    SlicerMarkups
-    ColonPhantom
-    ColonLumen
-    FlatColon
-    PictureKit
-    CommandLine
-    ToolInput
+    ShapetonVolumeFiles
+    ShapetonPhantoms
+    ShapetonColonLumen
+    ShapetonFlatColon
+    ShapetonPictureKit
+    ShapetonCommandLine
+    ITKCommon
+    ITKIONRRD
+    ITKIOPNG
   TEST_DEPENDS
     ITKGoogleTest
     ITKIOImageBase
     ITKIOPNG
+    ShapetonCommon
+    ShapetonReport
+    ShapetonSurfaceMesh
+    ShapetonColonLandmarks
+    ShapetonPolypCandidates
+    ShapetonSupineProne
+    ITKCommon
   DESCRIPTION "${DOCUMENTATION}"
 )

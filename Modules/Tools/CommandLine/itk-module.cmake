@@ -1,12 +1,13 @@
-set(DOCUMENTATION "The contract of a command-line tool: options declared in a 3D Slicer XML, progress, exit status,
-outputs that are written completely or not at all, and the provenance of a result.")
+set(DOCUMENTATION "Command lines declared by XML, and the inputs that tools share: volumes, surfaces, devices.")
 
-itk_module(CommandLine
+itk_module(ShapetonCommandLine
   ENABLE_SHARED
   EXCLUDE_FROM_DEFAULT
   DEPENDS
-    Base
+    ShapetonCommon
     ITKCommon
+    ShapetonSurfaceMesh
+    ShapetonVolumeFiles
   PRIVATE_DEPENDS
     ITKExpat
   TEST_DEPENDS

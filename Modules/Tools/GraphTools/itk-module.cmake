@@ -1,20 +1,19 @@
 set(DOCUMENTATION "Shared parts of the graph tools: graphs from command line parameters, interactive reports.")
 
-itk_module(GraphTools
+itk_module(ShapetonGraphTools
   ENABLE_SHARED
   EXCLUDE_FROM_DEFAULT
   DEPENDS
-    Report
-    GraphModel
-    RicciFlowEmbedding
-    GraphComparison
-    GraphViews
+    ShapetonReport
+    ShapetonGraphModel
+    ShapetonRicciFlowEmbedding
+    ShapetonGraphComparison
+    ShapetonGraphViews
   PRIVATE_DEPENDS
-    Base
-    PageKit
-    CommandLine
+    ShapetonCommon
+    ShapetonCommandLine
   TEST_DEPENDS
-    EmbeddingVerification
+    ShapetonEmbeddingCertificate
     ITKExpat
     ITKGoogleTest
   DESCRIPTION "${DOCUMENTATION}"

@@ -1,23 +1,21 @@
 set(DOCUMENTATION "Shared parts of the heat and shapeton diffusion tools: result files, reports, and the monitor of a run.")
 
-itk_module(HeatTools
+itk_module(ShapetonHeatTools
   ENABLE_SHARED
   EXCLUDE_FROM_DEFAULT
   DEPENDS
-    Base
-    Report
-    SeededHeat
-    SurfaceMesh
-    SlicerMarkups
-    VolumeFiles
-    ShapeDiffusion
-    PictureKit
-    HeatViews
-    HeatExplorer
+    ShapetonCommon
+    ShapetonReport
+    ShapetonHeat
+    ShapetonParticles
+    ShapetonSurfaceMesh
+    ShapetonVolumeFiles
+    ShapetonPictureKit
+    ShapetonHeatViews
     ITKCommon
   PRIVATE_DEPENDS
-    DicomResults
-    CommandLine
+    ShapetonDicomResults
+    ShapetonCommandLine
   TEST_DEPENDS
     ITKGoogleTest
     ITKIOImageBase

@@ -1,28 +1,26 @@
-set(DOCUMENTATION "Pictures of a colon: slices, projections, the annotated flat colon, supine and prone walls side by side,
-close-ups of polyp candidates.")
+set(DOCUMENTATION "Pictures of surfaces and colons, and the offline viewer page of an examination.")
 
-itk_module(ColonViews
+itk_module(ShapetonColonViews
   ENABLE_SHARED
   EXCLUDE_FROM_DEFAULT
   DEPENDS
-    Devices
-    SurfaceMesh
-    ColonCenterline
-    FlatColon
-    HaustralFolds
-    ColonLandmarks
-    PolypCandidates
-    SupineProne
-    PictureKit
+    ShapetonConformalFlattening
+    ShapetonPictureKit
+    ShapetonCommon
+    ShapetonSurfaceMesh
+    ShapetonColonCenterline
+    ShapetonFlatColon
+    ShapetonColonLandmarks
+    ShapetonPolypCandidates
+    ShapetonSupineProne
+    ShapetonReport
   PRIVATE_DEPENDS
-    Base
-    Report
-    VolumeFiles
+    ShapetonVolumeFiles
     ITKCommon
   TEST_DEPENDS
-    ColonWall
     ITKGoogleTest
     ITKIOImageBase
     ITKIOPNG
+    ShapetonColonModel
   DESCRIPTION "${DOCUMENTATION}"
 )

@@ -1,19 +1,19 @@
 set(DOCUMENTATION "Pictures of embedded graphs: SVG pictures, surfaces in space (VTP).")
 
-itk_module(GraphViews
+itk_module(ShapetonGraphViews
   ENABLE_SHARED
   EXCLUDE_FROM_DEFAULT
   DEPENDS
-    EmbeddingCertificate
+    ShapetonEmbeddingCertificate
   PRIVATE_DEPENDS
-    Base
-    SurfaceMesh
-    GraphModel
-    RicciFlowEmbedding
+    ShapetonCommon
+    ShapetonSurfaceMesh
+    ShapetonGraphModel
+    ShapetonRicciFlowEmbedding
   TEST_DEPENDS
-    SurfaceMesh
-    EmbeddingVerification
-    RicciFlowEmbedding
+    ShapetonSurfaceMesh
+    ShapetonEmbeddingCertificate
+    ShapetonRicciFlowEmbedding
     ITKExpat
     ITKGoogleTest
   DESCRIPTION "${DOCUMENTATION}"

@@ -1,21 +1,19 @@
-set(DOCUMENTATION "Pictures of heat and shapeton visits: histograms, slices, volume renderings, transfer functions.")
+set(DOCUMENTATION "Pictures of heat: histogram, transfer functions, volume rendering, slices, and the interactive explorer page.")
 
-itk_module(HeatViews
+itk_module(ShapetonHeatViews
   ENABLE_SHARED
   EXCLUDE_FROM_DEFAULT
   DEPENDS
-    Devices
-    ShapeDiffusion
-    PictureKit
+    ShapetonCommon
+    ShapetonHeat
+    ShapetonPictureKit
     ITKCommon
+    ShapetonReport
   PRIVATE_DEPENDS
-    Base
-    Report
     ITKIOMeta
     ITKIONRRD
   TEST_DEPENDS
-    VolumeFiles
-    DicomSeries
+    ShapetonVolumeFiles
     ITKGoogleTest
     ITKIOImageBase
     ITKIONRRD

@@ -1,15 +1,15 @@
 set(DOCUMENTATION "Pictures without a display: axes and text, slices, surfaces and curves in views of a patient.")
 
-itk_module(PictureKit
+itk_module(ShapetonPictureKit
   ENABLE_SHARED
   EXCLUDE_FROM_DEFAULT
   DEPENDS
-    Base
-    SurfaceMesh
+    ShapetonCommon
+    ShapetonSurfaceMesh
     ITKCommon
   PRIVATE_DEPENDS
-    Report
-    VTKData
+    ShapetonReport
+    ShapetonMeshBridge
   TEST_DEPENDS
     ITKGoogleTest
     ITKIOImageBase

@@ -1,7 +1,7 @@
 #include "Errors.h"
 
 #include "shapetonExceptions.h"
-#include "shapetonShapetonDiffusionImageFilter.h"
+#include "shapetonParticleDiffusionImageFilter.h"
 
 #include <algorithm>
 #include <cctype>

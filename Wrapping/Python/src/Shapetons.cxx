@@ -3,7 +3,7 @@
 #include "Diffusion.h"
 
 #include "shapetonExceptions.h"
-#include "shapetonShapetonDiffusionImageFilter.h"
+#include "shapetonParticleDiffusionImageFilter.h"
 #include "shapetonVisitDensity.h"
 
 namespace shapeton::python
@@ -11,21 +11,21 @@ namespace shapeton::python
 namespace
 {
 using ImageType = itk::Image<float, 3>;
-using FilterType = ShapetonDiffusionImageFilter<ImageType>;
+using FilterType = ParticleDiffusionImageFilter<ImageType>;
 using Visits = FilterType::VisitsImageType;
 
 const Words<DirectionSampling> samplingWords{ { "solidAngle", DirectionSampling::SolidAngle },
                                               { "sectorArea", DirectionSampling::SectorArea },
                                               { "uniform", DirectionSampling::Uniform } };
 const Words<PathRule>          pathWords{ { "endpoint", PathRule::Endpoint }, { "traversal", PathRule::Traversal } };
-const Words<ShapetonPlacement> placementWords{ { "uniform", ShapetonPlacement::Uniform },
-                                               { "initialHeat", ShapetonPlacement::InitialHeat } };
+const Words<ParticlePlacement> placementWords{ { "uniform", ParticlePlacement::Uniform },
+                                               { "initialHeat", ParticlePlacement::InitialHeat } };
 
 /** Result of diffuse_shapetons(). */
 struct Shapetons
 {
   Visits::Pointer  visits;
-  ShapetonMeasures measures;
+  ParticleMeasures measures;
   HeatHistogram    histogram;
   double           distance;
   std::uint32_t    shapetons;
@@ -99,7 +99,7 @@ Diffuse(const ImageType::Pointer &                                image,
 
 template <typename TMember>
 auto
-Measure(TMember ShapetonMeasures::*member)
+Measure(TMember ParticleMeasures::*member)
 {
   return [member](const Shapetons & shapetons) { return shapetons.measures.*member; };
 }
@@ -113,16 +113,16 @@ AddResult(py::module_ & module)
       "density",
       [](const Shapetons & s) { return NormalizeVisits(s.visits); },
       "Visits divided by their maximum, in [0, 1]; float32, computed on access.")
-    .def_property_readonly("time_step", Measure(&ShapetonMeasures::step), "The last step computed.")
-    .def_property_readonly("steady", Measure(&ShapetonMeasures::steady), "Whether the steady state was reached.")
+    .def_property_readonly("time_step", Measure(&ParticleMeasures::step), "The last step computed.")
+    .def_property_readonly("steady", Measure(&ParticleMeasures::steady), "Whether the steady state was reached.")
     .def_property_readonly(
-      "change", Measure(&ShapetonMeasures::change), "Change of the density in the last step (3.10).")
+      "change", Measure(&ParticleMeasures::change), "Change of the density in the last step (3.10).")
     .def_property_readonly(
       "coverage",
       [](const Shapetons & s) { return s.measures.GetCoverage(); },
       "Fraction of the object voxels reached, 0 to 1.")
     .def_property_readonly(
-      "trapped", Measure(&ShapetonMeasures::trappedShapetons), "Shapetons in voxels disconnected from all neighbors.")
+      "trapped", Measure(&ParticleMeasures::trappedShapetons), "Shapetons in voxels disconnected from all neighbors.")
     .def_readonly("shapetons", &Shapetons::shapetons, "Number of shapetons.")
     .def_readonly("distance", &Shapetons::distance, "Step length, in units of the longest side.")
     .def_readonly(

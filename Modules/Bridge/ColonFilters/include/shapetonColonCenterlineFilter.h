@@ -1,7 +1,7 @@
 #ifndef shapetonColonCenterlineFilter_h
 #define shapetonColonCenterlineFilter_h
 
-#include "ColonFiltersExport.h"
+#include "ShapetonColonFiltersExport.h"
 
 #include "shapetonColonCenterline.h"
 #include "shapetonStageFilter.h"
@@ -15,8 +15,8 @@ namespace shapeton
  * Input: labels or a mask; nonzero voxels are lumen. Output 0: the curve, CurveSet. Output 1: ColonCenterline with
  * gaps, pieces and further results.
  *
- * \ingroup ColonFilters */
-class ColonFilters_EXPORT ColonCenterlineFilter : public StageFilter<itk::ProcessObject>
+ * \ingroup ShapetonColonFilters */
+class ShapetonColonFilters_EXPORT ColonCenterlineFilter : public StageFilter<itk::ProcessObject>
 {
 public:
   ITK_DISALLOW_COPY_AND_MOVE(ColonCenterlineFilter);

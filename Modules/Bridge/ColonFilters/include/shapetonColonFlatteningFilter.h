@@ -19,7 +19,7 @@ namespace shapeton
  * Output 1: ColonFlattening. Output 2: FlatColon, the input of the filters for folds, landmarks, positions and
  * candidates.
  *
- * \ingroup ColonFilters */
+ * \ingroup ShapetonColonFilters */
 template <typename TInputMesh = PipelineMesh, typename TOutputMesh = TInputMesh>
 class ColonFlatteningFilter : public StageFilter<itk::MeshToMeshFilter<TInputMesh, TOutputMesh>>
 {
@@ -119,7 +119,7 @@ private:
 
 /** \class FlatColonFilter
  * \brief Makes a FlatColon from a mesh with the arrays of \ref FlatSurface, for example one read from a file or changed
- * by other filters: the input of the filters for folds, landmarks, positions and candidates. \ingroup ColonFilters */
+ * by other filters: the input of the filters for folds, landmarks, positions and candidates. \ingroup ShapetonColonFilters */
 template <typename TInputMesh = PipelineMesh>
 class FlatColonFilter : public StageFilter<itk::ProcessObject>
 {

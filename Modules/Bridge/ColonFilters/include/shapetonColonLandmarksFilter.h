@@ -1,7 +1,7 @@
 #ifndef shapetonColonLandmarksFilter_h
 #define shapetonColonLandmarksFilter_h
 
-#include "ColonFiltersExport.h"
+#include "ShapetonColonFiltersExport.h"
 
 #include "shapetonColonLandmarks.h"
 #include "shapetonStageFilter.h"
@@ -15,8 +15,8 @@ namespace shapeton
  * Inputs FlatColon and Centerline. Output 0: ColonLandmarks. Output 1: the taeniae as curves, CurveSet; empty if they
  * were not found.
  *
- * \ingroup ColonFilters */
-class ColonFilters_EXPORT ColonLandmarksFilter : public StageFilter<itk::ProcessObject>
+ * \ingroup ShapetonColonFilters */
+class ShapetonColonFilters_EXPORT ColonLandmarksFilter : public StageFilter<itk::ProcessObject>
 {
 public:
   ITK_DISALLOW_COPY_AND_MOVE(ColonLandmarksFilter);

@@ -18,7 +18,7 @@ namespace shapeton
  *
  * Throws InputError if no prepared colon is found, unless KeepPartial is on, and as SegmentColonLumen().
  *
- * \ingroup ColonFilters */
+ * \ingroup ShapetonColonFilters */
 template <typename TInputImage>
 class ColonLumenImageFilter : public StageFilter<itk::ImageToImageFilter<TInputImage, itk::Image<unsigned char, 3>>>
 {

@@ -25,7 +25,7 @@ namespace shapeton
  *
  * Throws InputError if no prepared colon is found or the mask is on another grid, and as BuildColonModel().
  *
- * \ingroup ColonFilters */
+ * \ingroup ShapetonColonFilters */
 template <typename TInputImage, typename TOutputMesh = PipelineMesh>
 class ColonModelFilter : public StageFilter<itk::ImageToMeshFilter<TInputImage, TOutputMesh>>
 {

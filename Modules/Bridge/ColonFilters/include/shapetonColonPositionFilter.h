@@ -1,7 +1,7 @@
 #ifndef shapetonColonPositionFilter_h
 #define shapetonColonPositionFilter_h
 
-#include "ColonFiltersExport.h"
+#include "ShapetonColonFiltersExport.h"
 
 #include "shapetonColonLandmarks.h"
 #include "shapetonColonPosition.h"
@@ -15,8 +15,8 @@ namespace shapeton
  * \par Inputs and Outputs
  * Inputs FlatColon, Centerline, Landmarks, Folds. Output: ColonPosition, the input of SupineProneRegistrationFilter.
  *
- * \ingroup ColonFilters */
-class ColonFilters_EXPORT ColonPositionFilter : public StageFilter<itk::ProcessObject>
+ * \ingroup ShapetonColonFilters */
+class ShapetonColonFilters_EXPORT ColonPositionFilter : public StageFilter<itk::ProcessObject>
 {
 public:
   ITK_DISALLOW_COPY_AND_MOVE(ColonPositionFilter);

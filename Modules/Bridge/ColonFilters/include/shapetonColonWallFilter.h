@@ -18,7 +18,7 @@ namespace shapeton
  * Centerline: output of ColonCenterlineFilter. Outputs: 0 the simplified wall, for flattening, 1 the repaired one, 2
  * the raw one with its handles; 3 ColonWall with its report. A PipelineMesh holds all arrays.
  *
- * \ingroup ColonFilters */
+ * \ingroup ShapetonColonFilters */
 template <typename TOutputMesh = PipelineMesh>
 class ColonWallFilter : public StageFilter<itk::MeshSource<TOutputMesh>>
 {

@@ -18,7 +18,7 @@ namespace shapeton
  * place of fluid, float. Output 1: CleansedColon with the occupancy, the input of ColonWallFilter; it starts at index
  * 0. Throws InputError if the lumen is not on the grid of the CT.
  *
- * \ingroup ColonFilters */
+ * \ingroup ShapetonColonFilters */
 template <typename TInputImage>
 class ElectronicCleansingImageFilter : public StageFilter<itk::ImageToImageFilter<TInputImage, itk::Image<float, 3>>>
 {

@@ -1,7 +1,7 @@
 #ifndef shapetonHaustralFoldsFilter_h
 #define shapetonHaustralFoldsFilter_h
 
-#include "ColonFiltersExport.h"
+#include "ShapetonColonFiltersExport.h"
 
 #include "shapetonHaustralFolds.h"
 #include "shapetonStageFilter.h"
@@ -18,8 +18,8 @@ namespace shapeton
  * flat colon. The grid size is known only once the flat colon exists, so UpdateOutputInformation() updates the input.
  * Output 1: HaustralFolds.
  *
- * \ingroup ColonFilters */
-class ColonFilters_EXPORT HaustralFoldsFilter : public StageFilter<itk::ImageSource<itk::Image<unsigned short, 2>>>
+ * \ingroup ShapetonColonFilters */
+class ShapetonColonFilters_EXPORT HaustralFoldsFilter : public StageFilter<itk::ImageSource<itk::Image<unsigned short, 2>>>
 {
 public:
   ITK_DISALLOW_COPY_AND_MOVE(HaustralFoldsFilter);

@@ -14,7 +14,7 @@ namespace shapeton
  * Input: a triangle mesh, a single manifold. Output: HeatDiffusionMetric, with the edges of SurfaceConnectivity of the
  * mesh (SurfaceOf()).
  *
- * \ingroup ColonFilters */
+ * \ingroup ShapetonColonFilters */
 template <typename TInputMesh = PipelineMesh>
 class HeatDiffusionMetricFilter : public StageFilter<itk::ProcessObject>
 {

@@ -20,7 +20,7 @@ namespace shapeton
  *
  * This filter measures the attenuation of heads on the unrounded CT; the tool ColonPolyps reads a CT in whole HU.
  *
- * \ingroup ColonFilters */
+ * \ingroup ShapetonColonFilters */
 template <typename TInputMesh = PipelineMesh>
 class PolypCandidatesFilter : public StageFilter<itk::ProcessObject>
 {

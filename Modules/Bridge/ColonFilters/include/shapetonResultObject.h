@@ -16,7 +16,7 @@ namespace shapeton
  * Like itk::SimpleDataObjectDecorator, but for types that cannot be compared or copied. The value is shared and stays
  * alive independently of the pipeline.
  *
- * \ingroup ColonFilters */
+ * \ingroup ShapetonColonFilters */
 template <typename TResult>
 class ResultObject : public itk::DataObject
 {

@@ -36,7 +36,7 @@ namespace shapeton
  * throw ITK exceptions.
  *
  * \tparam TSuperclass itk::ProcessObject or a class derived from it.
- * \ingroup ColonFilters */
+ * \ingroup ShapetonColonFilters */
 template <typename TSuperclass>
 class StageFilter : public TSuperclass
 {
@@ -136,7 +136,7 @@ private:
 /** \name Images for functions on whole volumes
  * The buffered region of an image with its first voxel at index 0 and the same position. */
 ///@{
-/** Shares the voxels without copying. \ingroup ColonFilters */
+/** Shares the voxels without copying. \ingroup ShapetonColonFilters */
 template <typename TImage>
 typename TImage::ConstPointer
 FromIndexZero(const TImage * image)
@@ -151,7 +151,7 @@ FromIndexZero(const TImage * image)
   return view.GetPointer();
 }
 
-/** Converts voxels to float if necessary. \ingroup ColonFilters */
+/** Converts voxels to float if necessary. \ingroup ShapetonColonFilters */
 template <typename TImage>
 itk::Image<float, 3>::ConstPointer
 FloatsFromIndexZero(const TImage * image)
@@ -172,7 +172,7 @@ FloatsFromIndexZero(const TImage * image)
 
 /** Copies the voxels of an image that starts at index 0 to the output of a filter with its regions set, so that filters
  * that work in place on the output do not modify other results.
- * \pre Both have the same size. \ingroup ColonFilters */
+ * \pre Both have the same size. \ingroup ShapetonColonFilters */
 template <typename TImage>
 void
 HandOver(const TImage * voxels, TImage * output)
@@ -183,7 +183,7 @@ HandOver(const TImage * voxels, TImage * output)
 }
 ///@}
 
-/** Fills the output mesh of a filter. \ingroup ColonFilters */
+/** Fills the output mesh of a filter. \ingroup ShapetonColonFilters */
 template <typename TMesh, typename = typename TMesh::MeshTraits>
 void
 HandOver(const SurfaceMesh & surface, TMesh * output)

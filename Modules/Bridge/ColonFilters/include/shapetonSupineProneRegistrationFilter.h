@@ -1,7 +1,7 @@
 #ifndef shapetonSupineProneRegistrationFilter_h
 #define shapetonSupineProneRegistrationFilter_h
 
-#include "ColonFiltersExport.h"
+#include "ShapetonColonFiltersExport.h"
 
 #include "shapetonStageFilter.h"
 #include "shapetonSupineProneRegistration.h"
@@ -14,8 +14,8 @@ namespace shapeton
  * \par Inputs and Outputs
  * Inputs Source and Target, each the output of a ColonPositionFilter. Output: SupineProneRegistration.
  *
- * \ingroup ColonFilters */
-class ColonFilters_EXPORT SupineProneRegistrationFilter : public StageFilter<itk::ProcessObject>
+ * \ingroup ShapetonColonFilters */
+class ShapetonColonFilters_EXPORT SupineProneRegistrationFilter : public StageFilter<itk::ProcessObject>
 {
 public:
   ITK_DISALLOW_COPY_AND_MOVE(SupineProneRegistrationFilter);

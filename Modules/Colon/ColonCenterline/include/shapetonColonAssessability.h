@@ -1,7 +1,7 @@
 #ifndef shapetonColonAssessability_h
 #define shapetonColonAssessability_h
 
-#include "ColonCenterlineExport.h"
+#include "ShapetonColonCenterlineExport.h"
 
 #include "shapetonColonLumenSegmentation.h"
 #include "shapetonCurveSet.h"
@@ -28,7 +28,7 @@ namespace shapeton
  *
  * The limit of 10 mm is that of MeasureDistension(); 150 mm^2, 5 mm and the shares of the verdicts are our choice. The
  * fluid rule does not apply to a mask without a CT.
- * \ingroup ColonCenterline */
+ * \ingroup ShapetonColonCenterline */
 ///@{
 
 /** Why the wall is not visible at a point of the centerline. The values are those of the array notAssessable. */
@@ -43,21 +43,21 @@ enum class ColonHindrance
 constexpr int numberOfColonHindrances = 5;
 
 /** "none", "noLumen", "cutByScan", "untaggedFluid", "narrow". */
-ColonCenterline_EXPORT std::string
+ShapetonColonCenterline_EXPORT std::string
                        NameOf(ColonHindrance hindrance);
 /** The hindrance with this name; None for an empty name. Throws InputError for any other text. */
-ColonCenterline_EXPORT ColonHindrance
+ShapetonColonCenterline_EXPORT ColonHindrance
 HindranceOfName(const std::string & name);
 /** The hindrance with this value in the array notAssessable; the nearest one for values out of range. */
-ColonCenterline_EXPORT ColonHindrance
+ShapetonColonCenterline_EXPORT ColonHindrance
 HindranceOfValue(double value);
 /** For example "caliber below 10 mm"; empty for None. */
-ColonCenterline_EXPORT std::string
+ShapetonColonCenterline_EXPORT std::string
                        InWords(ColonHindrance hindrance);
 
 /** Adds the point array notAssessable, a ColonHindrance for each point, to the centerline. `curve` needs the arrays of
  * TraceColonCenterline(). Throws InputError when one is missing. */
-ColonCenterline_EXPORT void
+ShapetonColonCenterline_EXPORT void
 MarkHindrances(const ColonLumen & lumen, CurveSet & curve);
 
 /** A part of the centerline with one hindrance. */
@@ -70,19 +70,19 @@ struct HinderedStretch
 };
 
 /** Whether a line has the arrays that FindHinderedStretches() needs. */
-ColonCenterline_EXPORT bool
+ShapetonColonCenterline_EXPORT bool
 TellsHindrances(const CurveSet & curve);
 
 /** The hindered stretches in order along the line, from arcLength and notAssessable; without the latter from gap and
  * radius. Throws InputError when these are missing, too. */
-ColonCenterline_EXPORT std::vector<HinderedStretch>
+ShapetonColonCenterline_EXPORT std::vector<HinderedStretch>
                        FindHinderedStretches(const CurveSet & curve);
 
-ColonCenterline_EXPORT ColonHindrance
+ShapetonColonCenterline_EXPORT ColonHindrance
 HindranceAt(const std::vector<HinderedStretch> & stretches, double arcLength);
 
 /** Adds the point array notAssessable to curves with the point array arcLength, such as taeniae coli. */
-ColonCenterline_EXPORT void
+ShapetonColonCenterline_EXPORT void
 MarkHindrances(const std::vector<HinderedStretch> & stretches, CurveSet & curves);
 
 /** How much of a part of the colon can be assessed. */
@@ -94,27 +94,27 @@ struct ColonAssessability
   std::array<double, numberOfColonHindrances> lengths{};
 
   /** "assessable" if the share is at least 0.9, "notAssessable" below 0.5, else "partly". */
-  ColonCenterline_EXPORT std::string
+  ShapetonColonCenterline_EXPORT std::string
                          Verdict() const;
   /** The hindrances with a length above zero, longest first. */
-  ColonCenterline_EXPORT std::vector<ColonHindrance>
+  ShapetonColonCenterline_EXPORT std::vector<ColonHindrance>
                          Hindrances() const;
 };
 
 /** Assessability of the part between two arcLengths. */
-ColonCenterline_EXPORT ColonAssessability
+ShapetonColonCenterline_EXPORT ColonAssessability
 Assess(const std::vector<HinderedStretch> & stretches, double begin, double end);
 
 /** Keys: reason (its name), words. */
-ColonCenterline_EXPORT Json
+ShapetonColonCenterline_EXPORT Json
 HindranceToJson(ColonHindrance hindrance);
 
 /** Keys: assessableShare, verdict, reasons (a list of reason, words, length; the longest first). */
-ColonCenterline_EXPORT Json
+ShapetonColonCenterline_EXPORT Json
 AssessabilityToJson(const ColonAssessability & assessability);
 
 /** A list of begin, end, reason, words. */
-ColonCenterline_EXPORT Json
+ShapetonColonCenterline_EXPORT Json
 StretchesToJson(const std::vector<HinderedStretch> & stretches);
 ///@}
 } // namespace shapeton

@@ -4,7 +4,7 @@
 #include "shapetonRemarks.h"
 #include "shapetonProgress.h"
 #include "shapetonCurveSet.h"
-#include "ColonCenterlineExport.h"
+#include "ShapetonColonCenterlineExport.h"
 #include "shapetonLumenDistance.h"
 
 #include "itkPoint.h"
@@ -16,7 +16,7 @@
 namespace shapeton
 {
 /** Options of TraceColonCenterline(): path cost, starting point, and the choice of lumen pieces.
- * \ingroup ColonCenterline */
+ * \ingroup ShapetonColonCenterline */
 struct ColonCenterlineOptions
 {
   /** One mm of path costs 1 / (d + 0.1 mm)^exponent, d the distance to the wall; from 1 to 8. */
@@ -39,7 +39,7 @@ struct ColonCenterlineOptions
   Progress progress;
 };
 
-/** A stretch without lumen that the line bridges. \ingroup ColonCenterline */
+/** A stretch without lumen that the line bridges. \ingroup ShapetonColonCenterline */
 struct CenterlineGap
 {
   /** First and last arcLength, mm. */
@@ -54,7 +54,7 @@ struct CenterlineGap
   bool isDoubtful{ false };
 };
 
-/** A piece of lumen. \ingroup ColonCenterline */
+/** A piece of lumen. \ingroup ShapetonColonCenterline */
 struct CenterlinePiece
 {
   /** Rank by volume among the components of the lumen, from 1. */
@@ -70,7 +70,7 @@ struct CenterlinePiece
   itk::Point<double, 3> place;
 };
 
-/** A place where two loops of the colon touch and their lumens are connected. \ingroup ColonCenterline */
+/** A place where two loops of the colon touch and their lumens are connected. \ingroup ShapetonColonCenterline */
 struct CenterlineMerge
 {
   itk::Point<double, 3> place;
@@ -81,7 +81,7 @@ struct CenterlineMerge
 };
 
 /** The centerline of a colon from the rectum to the cecum, with the gaps it bridges and the pieces of lumen it joins.
- * \ingroup ColonCenterline */
+ * \ingroup ShapetonColonCenterline */
 struct ColonCenterline
 {
   /** One curve from the rectum to the cecum, LPS in mm. Point arrays: arcLength (mm from the rectal end), radius (mm;
@@ -126,8 +126,8 @@ struct ColonCenterline
  * tree are ours.
  *
  * Throws InputError, with the findings, when no usable lumen is found; ParameterError for options out of range.
- * \ingroup ColonCenterline */
-ColonCenterline_EXPORT ColonCenterline
+ * \ingroup ShapetonColonCenterline */
+ShapetonColonCenterline_EXPORT ColonCenterline
 TraceColonCenterline(const LumenMask * lumen, const ColonCenterlineOptions & options = {});
 } // namespace shapeton
 

@@ -3,17 +3,17 @@
 
 #include "shapetonCurveSet.h"
 
-#include "ColonCenterlineExport.h"
+#include "ShapetonColonCenterlineExport.h"
 
 #include <string>
 #include <vector>
 
 namespace shapeton
 {
-/** Smallest caliber of distended lumen, mm. \ingroup ColonCenterline */
+/** Smallest caliber of distended lumen, mm. \ingroup ShapetonColonCenterline */
 constexpr double LeastDistendedCaliber = 10.0;
 
-/** A segment of the colon along its centerline. \ingroup ColonCenterline */
+/** A segment of the colon along its centerline. \ingroup ShapetonColonCenterline */
 struct ColonSegmentBorder
 {
   std::string name;
@@ -22,7 +22,7 @@ struct ColonSegmentBorder
 };
 
 /** Distension of a part of the colon: length, caliber, collapsed part. See MeasureDistension().
- * \ingroup ColonCenterline */
+ * \ingroup ShapetonColonCenterline */
 struct SegmentDistension
 {
   std::string name;
@@ -49,8 +49,8 @@ struct SegmentDistension
  * | cecum | 0.04 | 0.96 | 1 |
  *
  * Round figures for orientation, not measured here. Individual patients differ by several percent of the length.
- * \ingroup ColonCenterline */
-ColonCenterline_EXPORT std::vector<ColonSegmentBorder>
+ * \ingroup ShapetonColonCenterline */
+ShapetonColonCenterline_EXPORT std::vector<ColonSegmentBorder>
                        CustomarySegments(double length);
 
 /** Measures the distension of each segment as reports of CT colonography and barium enema state it: the share of the
@@ -61,12 +61,12 @@ ColonCenterline_EXPORT std::vector<ColonSegmentBorder>
  *
  * `curve` needs the point arrays arcLength, radius and gap of TraceColonCenterline(). The borders must ascend; the last
  * segment ends with the line. Throws InputError when an array is missing or the line has zero length,
- * ParameterError for borders that do not ascend or are missing. \ingroup ColonCenterline */
-ColonCenterline_EXPORT std::vector<SegmentDistension>
+ * ParameterError for borders that do not ascend or are missing. \ingroup ShapetonColonCenterline */
+ShapetonColonCenterline_EXPORT std::vector<SegmentDistension>
                        MeasureDistension(const CurveSet & curve, const std::vector<ColonSegmentBorder> & borders);
 
-/** Measures the distension of CustomarySegments(). \ingroup ColonCenterline */
-ColonCenterline_EXPORT std::vector<SegmentDistension>
+/** Measures the distension of CustomarySegments(). \ingroup ShapetonColonCenterline */
+ShapetonColonCenterline_EXPORT std::vector<SegmentDistension>
                        MeasureDistension(const CurveSet & curve);
 } // namespace shapeton
 

@@ -1,7 +1,7 @@
 #ifndef shapetonColonFlexures_h
 #define shapetonColonFlexures_h
 
-#include "ColonLandmarksExport.h"
+#include "ShapetonColonLandmarksExport.h"
 
 #include "shapetonRemarks.h"
 #include "shapetonCurveSet.h"
@@ -12,7 +12,7 @@
 
 namespace shapeton
 {
-/** How flexures are found. \ingroup ColonLandmarks */
+/** How flexures are found. \ingroup ShapetonColonLandmarks */
 enum class FlexureRule
 {
   /** Ordered dynamic programming with a prior from published anatomy, then a shift to the apex. */
@@ -21,7 +21,7 @@ enum class FlexureRule
   Published
 };
 
-/** A major bend of the colon, found or not. \ingroup ColonLandmarks */
+/** A major bend of the colon, found or not. \ingroup ShapetonColonLandmarks */
 struct ColonFlexure
 {
   /** Counted from the rectum: 1 rectosigmoid, 2 descending-sigmoid, 3 splenic, 4 hepatic. */
@@ -41,7 +41,7 @@ struct ColonFlexure
 };
 
 /** The four flexures of a centerline, in order from the rectum; a missing one states the reason. See
- * FindColonFlexures(). \ingroup ColonLandmarks */
+ * FindColonFlexures(). \ingroup ShapetonColonLandmarks */
 struct ColonFlexures
 {
   FlexureRule                 rule{ FlexureRule::Ordered };
@@ -53,16 +53,16 @@ struct ColonFlexures
   Remarks warnings;
 
   /** Number of flexures found. */
-  ColonLandmarks_EXPORT int
+  ShapetonColonLandmarks_EXPORT int
   NumberFound() const;
 };
 
-/** "rectosigmoid", "descending-sigmoid", "splenic", "hepatic"; empty for other numbers. \ingroup ColonLandmarks */
-ColonLandmarks_EXPORT std::string
+/** "rectosigmoid", "descending-sigmoid", "splenic", "hepatic"; empty for other numbers. \ingroup ShapetonColonLandmarks */
+ShapetonColonLandmarks_EXPORT std::string
                       NameOfFlexure(int number);
 
-/** "ordered", "published". \ingroup ColonLandmarks */
-ColonLandmarks_EXPORT std::string
+/** "ordered", "published". \ingroup ShapetonColonLandmarks */
+ShapetonColonLandmarks_EXPORT std::string
                       NameOf(FlexureRule rule);
 
 /** Finds the four flexures of a centerline that runs from the rectum to the cecum.
@@ -99,8 +99,8 @@ ColonLandmarks_EXPORT std::string
  * A line shorter than 80 cm (the least length known, Hounnou et al., Surg Radiol Anat 24, 2002) is not a whole colon:
  * no flexure is found, and the reason is stated. The same holds for a line whose features are too far from the prior.
  * Warnings name doubtful results. \param centerline one curve with the point array arcLength. Throws InputError when
- * the array is missing or does not ascend, or when there is not exactly one curve. \ingroup ColonLandmarks */
-ColonLandmarks_EXPORT ColonFlexures
+ * the array is missing or does not ascend, or when there is not exactly one curve. \ingroup ShapetonColonLandmarks */
+ShapetonColonLandmarks_EXPORT ColonFlexures
 FindColonFlexures(const CurveSet & centerline, FlexureRule rule = FlexureRule::Ordered);
 } // namespace shapeton
 

@@ -1,7 +1,7 @@
 #ifndef shapetonColonLandmarkDocument_h
 #define shapetonColonLandmarkDocument_h
 
-#include "ColonLandmarksExport.h"
+#include "ShapetonColonLandmarksExport.h"
 
 #include "shapetonJsonForward.h"
 
@@ -13,7 +13,7 @@
 namespace shapeton
 {
 /** \defgroup ColonLandmarkDocument Reading landmarks.json
- * \ingroup ColonLandmarks */
+ * \ingroup ShapetonColonLandmarks */
 ///@{
 
 /** A segment of the colon, as named by radiologists. */
@@ -31,12 +31,12 @@ struct ColonSegmentExtent
 
 /** The segments in landmarks.json whose two ends are known: the rectum begins at 0, the cecum ends with the centerline.
  * Throws InputError for any other document. */
-ColonLandmarks_EXPORT std::vector<ColonSegmentExtent>
+ShapetonColonLandmarks_EXPORT std::vector<ColonSegmentExtent>
                       SegmentsOf(const Json & landmarks, double lengthOfCenterline);
 
 /** The segment at a distance along the centerline, mm from the anal verge; its end belongs to the last one. Null
  * outside all segments. */
-ColonLandmarks_EXPORT const ColonSegmentExtent *
+ShapetonColonLandmarks_EXPORT const ColonSegmentExtent *
 FindSegment(const std::vector<ColonSegmentExtent> & segments, double arcLength);
 
 /** A flexure in the document. */
@@ -49,7 +49,7 @@ struct ColonFlexurePlace
 };
 
 /** Rectosigmoid, descending-sigmoid, splenic, hepatic. Throws InputError for any other document. */
-ColonLandmarks_EXPORT std::array<ColonFlexurePlace, 4>
+ShapetonColonLandmarks_EXPORT std::array<ColonFlexurePlace, 4>
                       FlexuresOf(const Json & landmarks);
 ///@}
 } // namespace shapeton

@@ -16,7 +16,7 @@
 
 namespace shapeton
 {
-/** Options of FindColonLandmarks(). \ingroup ColonLandmarks */
+/** Options of FindColonLandmarks(). \ingroup ShapetonColonLandmarks */
 struct ColonLandmarkOptions
 {
   FlexureRule flexureRule{ FlexureRule::Ordered };
@@ -27,7 +27,7 @@ struct ColonLandmarkOptions
   Progress progress;
 };
 
-/** The landmarks of a colon. \ingroup ColonLandmarks */
+/** The landmarks of a colon. \ingroup ShapetonColonLandmarks */
 struct ColonLandmarks
 {
   /** The wall without its cut; walks and faces below refer to it. */
@@ -49,34 +49,34 @@ struct ColonLandmarks
 
 /** Finds flexures, segments, folds on the surface and taeniae coli of a flat colon from FlattenTube() and its
  * centerline. A landmark that is not found is absent, and a warning states why. Throws InputError when the surface is
- * not a flat tube, or the centerline belongs to another surface. \ingroup ColonLandmarks */
-ColonLandmarks_EXPORT ColonLandmarks
+ * not a flat tube, or the centerline belongs to another surface. \ingroup ShapetonColonLandmarks */
+ShapetonColonLandmarks_EXPORT ColonLandmarks
 FindColonLandmarks(const FlatColon & flat, const CurveSet & centerline, const ColonLandmarkOptions & options = {});
 
 /** Assessable part of a segment, 1 to 6; empty if a border or the hindrances are unknown.
- * \ingroup ColonLandmarks */
-ColonLandmarks_EXPORT std::optional<ColonAssessability>
+ * \ingroup ShapetonColonLandmarks */
+ShapetonColonLandmarks_EXPORT std::optional<ColonAssessability>
                       AssessabilityOfSegment(const ColonLandmarks & landmarks, int segment);
 
 /** \name Contents of landmark files */
 ///@{
 /** Loops of the flexures found, each closed by its first vertex; cell arrays flexure, arcLength (mm), confidence. Empty
- * if no flexure was found. \ingroup ColonLandmarks */
-ColonLandmarks_EXPORT CurveSet
+ * if no flexure was found. \ingroup ShapetonColonLandmarks */
+ShapetonColonLandmarks_EXPORT CurveSet
 FlexureCurves(const ColonLandmarks & landmarks);
-/** The flat surface with the cell array segment. \ingroup ColonLandmarks */
-ColonLandmarks_EXPORT SurfaceMesh
+/** The flat surface with the cell array segment. \ingroup ShapetonColonLandmarks */
+ShapetonColonLandmarks_EXPORT SurfaceMesh
 SegmentSurface(const SurfaceMesh & flat, const ColonLandmarks & landmarks);
-/** The flat surface with the cell array fold and the point array meanCurvature (1/mm). \ingroup ColonLandmarks */
-ColonLandmarks_EXPORT SurfaceMesh
+/** The flat surface with the cell array fold and the point array meanCurvature (1/mm). \ingroup ShapetonColonLandmarks */
+ShapetonColonLandmarks_EXPORT SurfaceMesh
 FoldSurface(const SurfaceMesh & flat, const ColonLandmarks & landmarks);
 /** Stable keys: flexureRule, mirrored, backwards, flexures (a list of number, name, found, reason, position, arcLength,
  * uv, confidence, and notAssessable where the wall is not visible: HindranceToJson()), cecum (the same, with source:
  * ileocecalValve or estimated), ileocecalValve (found, position, arcLength, uv, length, width, confidence), segments
  * (a list of number, name, begin, end, length, area, and, if the centerline has the array, those of
  * AssessabilityToJson()), segmentsNotFound (names), notAssessable (StretchesToJson()), surfaceFolds (number,
- * leastCurvature in 1/mm, area), taeniae. \ingroup ColonLandmarks */
-ColonLandmarks_EXPORT Json
+ * leastCurvature in 1/mm, area), taeniae. \ingroup ShapetonColonLandmarks */
+ShapetonColonLandmarks_EXPORT Json
 ColonLandmarksToJson(const ColonLandmarks & landmarks);
 ///@}
 } // namespace shapeton

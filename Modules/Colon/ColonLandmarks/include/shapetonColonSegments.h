@@ -8,7 +8,7 @@
 
 namespace shapeton
 {
-/** Border between two consecutive segments of the colon. \ingroup ColonLandmarks */
+/** Border between two consecutive segments of the colon. \ingroup ShapetonColonLandmarks */
 struct SegmentBorder
 {
   /** 1 to 4 as in ColonFlexure, 5 between ascending colon and cecum; also the number of the segment before the
@@ -23,7 +23,7 @@ struct SegmentBorder
 };
 
 /** The segments of a colon: the loops between them and the segment of each face of the wall. See FindColonSegments().
- * \ingroup ColonLandmarks */
+ * \ingroup ShapetonColonLandmarks */
 struct ColonSegments
 {
   /** In ascending order; missing borders are left out. */
@@ -36,19 +36,19 @@ struct ColonSegments
   Remarks warnings;
 };
 
-/** Number of segments, rectum to cecum. \ingroup ColonLandmarks */
+/** Number of segments, rectum to cecum. \ingroup ShapetonColonLandmarks */
 constexpr int NumberOfColonSegments = 6;
 
 /** "rectum", "sigmoid", ... in radiological terms; "unknown" for 0, empty for other numbers.
- * \ingroup ColonLandmarks */
-ColonLandmarks_EXPORT std::string
+ * \ingroup ShapetonColonLandmarks */
+ShapetonColonLandmarks_EXPORT std::string
                       NameOfSegment(int segment);
 
 /** A closed walk once around the tube, near the plane through `point` with this normal (dissertation 4.2.2: the plane
  * is orthogonal to the centerline, Dijkstra's shortest path joins its points). One mm of edge costs 1 + (d / 5 mm)^2, d
  * the distance from the plane. Walks stay within 70 mm along the centerline of `arcLength`, or 140 mm if none is found.
- * Empty if none is found there either. \ingroup ColonLandmarks */
-ColonLandmarks_EXPORT SurfaceWalk
+ * Empty if none is found there either. \ingroup ShapetonColonLandmarks */
+ShapetonColonLandmarks_EXPORT SurfaceWalk
 FindLoop(const ColonWallTube &   tube,
          const Eigen::Vector3d & point,
          const Eigen::Vector3d & normal,
@@ -57,8 +57,8 @@ FindLoop(const ColonWallTube &   tube,
 
 /** Finds the six segments between loops at the flexures. The cecum has no flexure: it begins at the ileocecal valve if
  * the centerline has one (see IleocecalValveOf()), otherwise 6 cm, straight, from the end of the centerline, its
- * length in anatomy (Gray's Anatomy, 41st ed.). \ingroup ColonLandmarks */
-ColonLandmarks_EXPORT ColonSegments
+ * length in anatomy (Gray's Anatomy, 41st ed.). \ingroup ShapetonColonLandmarks */
+ShapetonColonLandmarks_EXPORT ColonSegments
 FindColonSegments(const ColonWallTube & tube,
                   const CurveSet &      centerline,
                   const ColonFlexures & flexures,

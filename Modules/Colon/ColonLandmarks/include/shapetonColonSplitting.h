@@ -6,7 +6,7 @@
 
 namespace shapeton
 {
-/** A segment of the colon, cut open along a taenia and flattened separately. \ingroup ColonLandmarks */
+/** A segment of the colon, cut open along a taenia and flattened separately. \ingroup ShapetonColonLandmarks */
 struct ColonPiece
 {
   /** Segment number as in ColonSegments. */
@@ -28,7 +28,7 @@ struct ColonPiece
 };
 
 /** The segments of a colon as separate surfaces, cut along a taenia and mapped to rectangles. See SplitColon().
- * \ingroup ColonLandmarks */
+ * \ingroup ShapetonColonLandmarks */
 struct ColonPieces
 {
   std::vector<ColonPiece> pieces;
@@ -37,13 +37,13 @@ struct ColonPieces
 
 /** Cuts the wall at the segment borders and each segment along the first taenia, and maps each to a rectangle with
  * MapConformally(). A segment that is unknown or not a tube between its borders is left out with a warning. Without
- * taeniae all are left out. \ingroup ColonLandmarks */
-ColonLandmarks_EXPORT ColonPieces
+ * taeniae all are left out. \ingroup ShapetonColonLandmarks */
+ShapetonColonLandmarks_EXPORT ColonPieces
 SplitColon(const SurfaceMesh & flat, const ColonLandmarks & landmarks, const Progress & progress = {});
 
 /** A list of segment, name, modulus (the geometric mean), modulusU, modulusV, width, height, area, faces, flips.
- * \ingroup ColonLandmarks */
-ColonLandmarks_EXPORT Json
+ * \ingroup ShapetonColonLandmarks */
+ShapetonColonLandmarks_EXPORT Json
 ColonPiecesToJson(const ColonPieces & pieces);
 } // namespace shapeton
 

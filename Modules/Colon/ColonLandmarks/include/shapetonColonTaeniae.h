@@ -9,7 +9,7 @@
 
 namespace shapeton
 {
-/** Method that finds the taeniae coli. \ingroup ColonLandmarks */
+/** Method that finds the taeniae coli. \ingroup ShapetonColonLandmarks */
 enum class TaeniaRule
 {
   /** Windowed fuzzy C-means and joint dynamic programming for three paths; the result with less energy is kept. */
@@ -19,7 +19,7 @@ enum class TaeniaRule
   Published
 };
 
-/** One of the three bands of muscle. \ingroup ColonLandmarks */
+/** One of the three bands of muscle. \ingroup ShapetonColonLandmarks */
 struct ColonTaenia
 {
   /** Points on the wall from the rectum to the cecum, LPS, mm. */
@@ -32,7 +32,7 @@ struct ColonTaenia
   std::vector<double> confidence;
 };
 
-/** A manually set marker. \ingroup ColonLandmarks */
+/** A manually set marker. \ingroup ShapetonColonLandmarks */
 struct UsedMarker
 {
   Eigen::Vector3d point{ Eigen::Vector3d::Zero() };
@@ -43,7 +43,7 @@ struct UsedMarker
   double distanceOfTaenia{ 0.0 };
 };
 
-/** Options of FindColonTaeniae(). \ingroup ColonLandmarks */
+/** Options of FindColonTaeniae(). \ingroup ShapetonColonLandmarks */
 struct ColonTaeniaOptions
 {
   TaeniaRule rule{ TaeniaRule::Joint };
@@ -54,7 +54,7 @@ struct ColonTaeniaOptions
 };
 
 /** The three taeniae coli on the wall of a colon, with their support. See FindColonTaeniae().
- * \ingroup ColonLandmarks */
+ * \ingroup ShapetonColonLandmarks */
 struct ColonTaeniae
 {
   TaeniaRule rule{ TaeniaRule::Joint };
@@ -73,8 +73,8 @@ struct ColonTaeniae
   Remarks                 warnings;
 };
 
-/** "joint", "published". \ingroup ColonLandmarks */
-ColonLandmarks_EXPORT std::string
+/** "joint", "published". \ingroup ShapetonColonLandmarks */
+ShapetonColonLandmarks_EXPORT std::string
                       NameOf(TaeniaRule rule);
 
 /** Finds the three taeniae coli of a flat colon: the bands where haustral folds end (dissertation 4.2.1).
@@ -90,13 +90,13 @@ ColonLandmarks_EXPORT std::string
  * Both are rated by the energy of the dynamic programming. Taeniae pass through markers: these attract the paths, then
  * a bump of 60 mm corrects the remainder.
  *
- * Throws InputError when a marker is more than 15 mm from the wall. \ingroup ColonLandmarks */
-ColonLandmarks_EXPORT ColonTaeniae
+ * Throws InputError when a marker is more than 15 mm from the wall. \ingroup ShapetonColonLandmarks */
+ShapetonColonLandmarks_EXPORT ColonTaeniae
 FindColonTaeniae(const FlatColon & flat, const ColonWallTube & tube, const ColonTaeniaOptions & options = {});
 
 /** Three curves with the cell array taenia (1 to 3) and the point arrays arcLength (mm), uv and confidence.
- * \ingroup ColonLandmarks */
-ColonLandmarks_EXPORT CurveSet
+ * \ingroup ShapetonColonLandmarks */
+ShapetonColonLandmarks_EXPORT CurveSet
 TaeniaCurves(const ColonTaeniae & taeniae);
 } // namespace shapeton
 

@@ -1,7 +1,7 @@
 #ifndef shapetonColonWallTube_h
 #define shapetonColonWallTube_h
 
-#include "ColonLandmarksExport.h"
+#include "ShapetonColonLandmarksExport.h"
 
 #include "shapetonCurveSet.h"
 #include "shapetonFlatColon.h"
@@ -19,8 +19,8 @@ namespace shapeton
  * Vertices of the flat surface at one place (sourcePointId) are one vertex here; faces keep their order. A walk may
  * cross the cut; Turns() counts the crossings of an edge and so identifies walks around the tube.
  *
- * \ingroup ColonLandmarks */
-class ColonLandmarks_EXPORT ColonWallTube
+ * \ingroup ShapetonColonLandmarks */
+class ShapetonColonLandmarks_EXPORT ColonWallTube
 {
 public:
   /** \param centerline one curve with arcLength, from the rectum to the cecum of this surface.
@@ -122,7 +122,7 @@ private:
 };
 
 /** \class SurfaceWalk
- * \brief A sequence of neighboring vertices of a tube. \ingroup ColonLandmarks */
+ * \brief A sequence of neighboring vertices of a tube. \ingroup ShapetonColonLandmarks */
 struct SurfaceWalk
 {
   /** Vertices of the tube. A closed walk does not repeat its first vertex. */

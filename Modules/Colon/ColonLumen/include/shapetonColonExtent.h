@@ -9,7 +9,7 @@
 namespace shapeton
 {
 /** \brief Bounding box of the known lumen of a colon, LPS in mm. The position in the box indicates which end of the
- * colon a place may be. Points are of any type whose coordinates are [0] to [2]. \ingroup ColonLumen */
+ * colon a place may be. Points are of any type whose coordinates are [0] to [2]. \ingroup ShapetonColonLumen */
 struct ColonExtent
 {
   template <typename TPoint>

@@ -1,7 +1,7 @@
 #ifndef shapetonColonGravity_h
 #define shapetonColonGravity_h
 
-#include "ColonLumenExport.h"
+#include "ShapetonColonLumenExport.h"
 
 #include "itkVector.h"
 
@@ -14,13 +14,13 @@ namespace shapeton
  * FFP, FFDR, FFDL, or one of the names supine, prone, leftDecubitus, rightDecubitus (DL: lying on the left side). Head
  * or feet first makes no difference, since LPS is fixed to the patient. Empty for any other text, such as a sitting
  * position.
- * \ingroup ColonLumen */
-ColonLumen_EXPORT std::optional<itk::Vector<double, 3>>
+ * \ingroup ShapetonColonLumen */
+ShapetonColonLumen_EXPORT std::optional<itk::Vector<double, 3>>
                   GravityOfPatientPosition(const std::string & code);
 
 /** "supine", "prone", "leftDecubitus" or "rightDecubitus", whichever is closest to a direction in LPS.
- * \ingroup ColonLumen */
-ColonLumen_EXPORT std::string
+ * \ingroup ShapetonColonLumen */
+ShapetonColonLumen_EXPORT std::string
                   NameOfGravity(const itk::Vector<double, 3> & gravity);
 } // namespace shapeton
 

@@ -1,7 +1,7 @@
 #ifndef shapetonColonLumenSegmentation_h
 #define shapetonColonLumenSegmentation_h
 
-#include "ColonLumenExport.h"
+#include "ShapetonColonLumenExport.h"
 
 #include "shapetonRectalCatheter.h"
 #include "shapetonRemarks.h"
@@ -17,7 +17,7 @@
 namespace shapeton
 {
 /** Prior knowledge for SegmentColonLumen(): patient position and points in the colon.
- * \ingroup ColonLumen */
+ * \ingroup ShapetonColonLumen */
 struct ColonLumenOptions
 {
   /** DICOM Patient Position or a name, see GravityOfPatientPosition(). Empty: gravity is inferred from the levels. A
@@ -30,7 +30,7 @@ struct ColonLumenOptions
   Progress progress;
 };
 
-/** Source of the direction of gravity. \ingroup ColonLumen */
+/** Source of the direction of gravity. \ingroup ShapetonColonLumen */
 enum class ColonGravitySource
 {
   PatientPosition, ///< stated by the options
@@ -38,7 +38,7 @@ enum class ColonGravitySource
   Assumed          ///< neither known: supine is assumed
 };
 
-/** Intensities in HU, all estimated from the data. \ingroup ColonLumen */
+/** Intensities in HU, all estimated from the data. \ingroup ShapetonColonLumen */
 struct ColonThresholds
 {
   double gas{ 0.0 };           ///< typical gas inside the body
@@ -50,7 +50,7 @@ struct ColonThresholds
   double fluidBoundary{ 0.0 }; ///< half height between tissue and Hf, "low"; labels use the local half height
 };
 
-/** A flat surface of fluid or other matter under gas. \ingroup ColonLumen */
+/** A flat surface of fluid or other matter under gas. \ingroup ShapetonColonLumen */
 struct ColonLevel
 {
   itk::Point<double, 3> center;
@@ -61,7 +61,7 @@ struct ColonLevel
   bool                  isColon{ false };
 };
 
-/** A connected part of the lumen. \ingroup ColonLumen */
+/** A connected part of the lumen. \ingroup ShapetonColonLumen */
 struct LumenPiece
 {
   double                gasMl{ 0.0 };
@@ -71,7 +71,7 @@ struct LumenPiece
   itk::Point<double, 3> center;
 };
 
-/** Gas or bright matter that is not colon. \ingroup ColonLumen */
+/** Gas or bright matter that is not colon. \ingroup ShapetonColonLumen */
 struct ColonLeftOut
 {
   /** "lung", "airway or esophagus", "stomach", "small bowel or undistended colon", "outside air", "other bright matter"
@@ -88,7 +88,7 @@ struct ColonLeftOut
 
 /** \class ColonLumen
  * \brief Result of SegmentColonLumen().
- * \ingroup ColonLumen */
+ * \ingroup ShapetonColonLumen */
 struct ColonLumen
 {
   using LabelImageType = itk::Image<unsigned char, 3>;
@@ -118,13 +118,13 @@ struct ColonLumen
  * voxel besides the input. The result is identical for any number of threads.
  *
  * Throws ParameterError when a seed point is outside the image or in neither gas nor bright matter, or when the patient
- * position is unknown; InputError when a dimension of the image is below 8 voxels. \ingroup ColonLumen */
-ColonLumen_EXPORT ColonLumen
+ * position is unknown; InputError when a dimension of the image is below 8 voxels. \ingroup ShapetonColonLumen */
+ShapetonColonLumen_EXPORT ColonLumen
 SegmentColonLumen(const itk::Image<float, 3> * ct, const ColonLumenOptions & options = {});
 
 /** Why a mask on the grid of a CT in HU is not a colon lumen: most of its gas is lung. Empty if it may be a colon.
- * \ingroup ColonLumen */
-ColonLumen_EXPORT std::string
+ * \ingroup ShapetonColonLumen */
+ShapetonColonLumen_EXPORT std::string
                   FailureOfMask(const itk::Image<float, 3> * ct, const itk::Image<unsigned char, 3> * mask);
 } // namespace shapeton
 

@@ -7,7 +7,7 @@
 namespace shapeton
 {
 /** A CT without tagged fluid, and the occupancy from which the wall is extracted. See CleanseColon().
- * \ingroup ColonLumen */
+ * \ingroup ShapetonColonLumen */
 struct CleansedColon
 {
   /** The input with fluid and the layer under the gas replaced by gas; other voxels keep their values. On the grid of
@@ -26,8 +26,8 @@ struct CleansedColon
  * subvoxel accuracy, determines how the lumen fraction is split into gas and fluid. Where their mixture looks like
  * tissue, the occupancy is continued from above and below. `ct` is the image that `lumen` was computed from;
  * std::invalid_argument when the sizes differ.
- * \ingroup ColonLumen */
-ColonLumen_EXPORT CleansedColon
+ * \ingroup ShapetonColonLumen */
+ShapetonColonLumen_EXPORT CleansedColon
 CleanseColon(const itk::Image<float, 3> * ct, const ColonLumen & lumen, const Progress & progress = {});
 } // namespace shapeton
 

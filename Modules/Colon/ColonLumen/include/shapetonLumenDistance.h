@@ -1,7 +1,7 @@
 #ifndef shapetonLumenDistance_h
 #define shapetonLumenDistance_h
 
-#include "ColonLumenExport.h"
+#include "ShapetonColonLumenExport.h"
 
 #include "itkImage.h"
 
@@ -10,16 +10,16 @@
 
 namespace shapeton
 {
-/** Lumen mask; nonzero voxels are lumen. \ingroup ColonLumen */
+/** Lumen mask; nonzero voxels are lumen. \ingroup ShapetonColonLumen */
 using LumenMask = itk::Image<unsigned char, 3>;
-/** Distances in mm. \ingroup ColonLumen */
+/** Distances in mm. \ingroup ShapetonColonLumen */
 using LumenDistanceImage = itk::Image<float, 3>;
-/** Component labels, 0 outside. \ingroup ColonLumen */
+/** Component labels, 0 outside. \ingroup ShapetonColonLumen */
 using LumenLabelImage = itk::Image<std::int32_t, 3>;
 
 /** The bounding box of the lumen, padded by `margin` voxels within the image. Throws InputError when
- * the lumen is empty. \ingroup ColonLumen */
-ColonLumen_EXPORT itk::ImageRegion<3>
+ * the lumen is empty. \ingroup ShapetonColonLumen */
+ShapetonColonLumen_EXPORT itk::ImageRegion<3>
                   LumenRegion(const LumenMask * lumen, unsigned int margin = 1);
 
 /** Distance of each lumen voxel of `region` to the wall, mm; 0 outside the lumen. The image covers only `region` and
@@ -33,11 +33,11 @@ ColonLumen_EXPORT itk::ImageRegion<3>
  * the number of threads.
  *
  * Throws InputError when the region contains no voxel outside the lumen.
- * \ingroup ColonLumen */
-ColonLumen_EXPORT LumenDistanceImage::Pointer
+ * \ingroup ShapetonColonLumen */
+ShapetonColonLumen_EXPORT LumenDistanceImage::Pointer
                   LumenDistance(const LumenMask * lumen, const itk::ImageRegion<3> & region);
 
-/** Connected components by faces of voxels. \ingroup ColonLumen */
+/** Connected components by faces of voxels. \ingroup ShapetonColonLumen */
 struct LumenComponent
 {
   std::int64_t voxels{ 0 };
@@ -48,7 +48,7 @@ struct LumenComponent
   itk::Index<3> last{};
 };
 
-/** The connected components of a mask, labeled and measured. See FindLumenComponents(). \ingroup ColonLumen */
+/** The connected components of a mask, labeled and measured. See FindLumenComponents(). \ingroup ShapetonColonLumen */
 struct LumenComponents
 {
   /** Label 1 for the first of `components`, and so on. Covers only the region. */
@@ -57,8 +57,8 @@ struct LumenComponents
   std::vector<LumenComponent> components;
 };
 
-/** Finds the components of the lumen within `region`. Linear time in voxels. \ingroup ColonLumen */
-ColonLumen_EXPORT LumenComponents
+/** Finds the components of the lumen within `region`. Linear time in voxels. \ingroup ShapetonColonLumen */
+ShapetonColonLumen_EXPORT LumenComponents
 FindLumenComponents(const LumenMask * lumen, const itk::ImageRegion<3> & region);
 } // namespace shapeton
 

@@ -1,7 +1,7 @@
 #ifndef shapetonPrincipalAxes_h
 #define shapetonPrincipalAxes_h
 
-#include "ColonLumenExport.h"
+#include "ShapetonColonLumenExport.h"
 
 #include <Eigen/Core>
 
@@ -12,8 +12,8 @@ namespace shapeton
  *
  * Compiled once, as Eigen's solver is expensive to compile.
  *
- * \ingroup ColonLumen */
-class ColonLumen_EXPORT PrincipalAxes
+ * \ingroup ShapetonColonLumen */
+class ShapetonColonLumen_EXPORT PrincipalAxes
 {
 public:
   /** Reads only the lower triangle. */

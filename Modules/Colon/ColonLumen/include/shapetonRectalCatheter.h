@@ -7,7 +7,7 @@
 
 namespace shapeton
 {
-/** Evidence that a tube in the rectum is a catheter. \ingroup ColonLumen */
+/** Evidence that a tube in the rectum is a catheter. \ingroup ShapetonColonLumen */
 struct CatheterEvidence
 {
   /** Longest stretch (mm) of bore inside the body that is round (ovality below .1) and even (radii within .5 mm). */
@@ -25,7 +25,7 @@ struct CatheterEvidence
 
 /** \class RectalCatheter
  * \brief An insufflation tube in the rectum. Lengths in mm, points in LPS.
- * \ingroup ColonLumen */
+ * \ingroup ShapetonColonLumen */
 struct RectalCatheter
 {
   /** Whether the confidence is at least .5: the tube is added to the lumen. Otherwise it may be a catheter or bowel. */

@@ -1,7 +1,7 @@
 #ifndef shapetonColonModel_h
 #define shapetonColonModel_h
 
-#include "ColonModelExport.h"
+#include "ShapetonColonModelExport.h"
 #include "shapetonRemarks.h"
 #include "shapetonProgress.h"
 #include "shapetonColonAssessability.h"
@@ -19,7 +19,7 @@ namespace shapeton
 {
 struct ColonModel;
 
-/** Options of the pipeline from CT colonography to the wall. See BuildColonModel(). \ingroup ColonModel */
+/** Options of the pipeline from CT colonography to the wall. See BuildColonModel(). \ingroup ShapetonColonModel */
 struct ColonModelOptions
 {
   /** See ColonLumenOptions. For a mask without a CT only the seed points are used. */
@@ -48,7 +48,7 @@ struct ColonModelOptions
 
 /** \class ColonModel
  * \brief A colon: lumen, centerline and wall.
- * \ingroup ColonModel
+ * \ingroup ShapetonColonModel
  */
 struct ColonModel
 {
@@ -75,27 +75,27 @@ struct ColonModel
 };
 
 /** Runs the pipeline on a CT colonography in HU: lumen, cleansing, centerline, distension, wall.
- * Throws the exceptions of its parts. \ingroup ColonModel */
-ColonModel_EXPORT ColonModel
+ * Throws the exceptions of its parts. \ingroup ShapetonColonModel */
+ShapetonColonModel_EXPORT ColonModel
 BuildColonModel(const itk::Image<float, 3> * ct, const ColonModelOptions & options);
 
-/** Runs the pipeline with a mask on the grid of the CT instead of the automatic lumen. \ingroup ColonModel */
-ColonModel_EXPORT ColonModel
+/** Runs the pipeline with a mask on the grid of the CT instead of the automatic lumen. \ingroup ShapetonColonModel */
+ShapetonColonModel_EXPORT ColonModel
 BuildColonModel(const itk::Image<float, 3> * ct, const LumenMask * lumen, const ColonModelOptions & options);
 
 /** Runs the pipeline on a mask of the lumen, without cleansing. The raw wall is the 0.5 isosurface of the mask, with
- * stairs and handles; the repaired wall is that of the smoothed mask. \ingroup ColonModel */
-ColonModel_EXPORT ColonModel
+ * stairs and handles; the repaired wall is that of the smoothed mask. \ingroup ShapetonColonModel */
+ShapetonColonModel_EXPORT ColonModel
 BuildColonModelOfLumen(const LumenMask * lumen, const ColonModelOptions & options);
 
 /** Stretches of at least 10 mm where the border of the scan cuts the colon; shorter ones are the anal canal.
- * \ingroup ColonModel */
-ColonModel_EXPORT std::vector<HinderedStretch>
+ * \ingroup ShapetonColonModel */
+ShapetonColonModel_EXPORT std::vector<HinderedStretch>
                   CutsByScan(const CurveSet & line);
 
 /** Axis of a catheter with the point arrays radius (outer; a different one at the tip) and balloonRadius (0 without a
- * balloon), mm, as input of RankCatheterLast(). \ingroup ColonModel */
-ColonModel_EXPORT CurveSet
+ * balloon), mm, as input of RankCatheterLast(). \ingroup ShapetonColonModel */
+ShapetonColonModel_EXPORT CurveSet
 CurveOfCatheter(const RectalCatheter & catheter);
 } // namespace shapeton
 

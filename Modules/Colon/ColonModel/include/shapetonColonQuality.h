@@ -7,8 +7,8 @@
 namespace shapeton
 {
 /** Machine-readable measurements of a model: lumen, centerline, distension, surfaces, warnings. Lengths in mm,
- * volumes in ml, intensities in HU, points in LPS. \ingroup ColonModel */
-ColonModel_EXPORT Json
+ * volumes in ml, intensities in HU, points in LPS. \ingroup ShapetonColonModel */
+ShapetonColonModel_EXPORT Json
 ColonQualityToJson(const ColonModel & model);
 } // namespace shapeton
 

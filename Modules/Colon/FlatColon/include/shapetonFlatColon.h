@@ -20,8 +20,8 @@ namespace shapeton
  * Grid(), Axis() and Curvature() throw the exceptions of FlatColonGrid, MakeFlatColonAxis() and
  * SmoothedMeanCurvature().
  *
- * \ingroup FlatColon */
-class FlatColon_EXPORT FlatColon
+ * \ingroup ShapetonFlatColon */
+class ShapetonFlatColon_EXPORT FlatColon
 {
 public:
   /** \param options of the grid used by folds, taeniae and registration.

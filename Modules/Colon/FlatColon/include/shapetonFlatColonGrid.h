@@ -1,7 +1,7 @@
 #ifndef shapetonFlatColonGrid_h
 #define shapetonFlatColonGrid_h
 
-#include "FlatColonExport.h"
+#include "ShapetonFlatColonExport.h"
 
 #include "shapetonSurfaceMesh.h"
 
@@ -10,7 +10,7 @@
 
 namespace shapeton
 {
-/** Resolution and smoothing of a FlatColonGrid. \ingroup FlatColon */
+/** Resolution and smoothing of a FlatColonGrid. \ingroup ShapetonFlatColon */
 struct FlatColonGridOptions
 {
   /** mm at the mean circumference, greater than 0. The grid uses the nearest size that divides the circumference into
@@ -22,14 +22,14 @@ struct FlatColonGridOptions
   double normalLength{ 0.0 };
 };
 
-/** A pixel of the grid. Columns run along the tube, rows around it. \ingroup FlatColon */
+/** A pixel of the grid. Columns run along the tube, rows around it. \ingroup ShapetonFlatColon */
 struct FlatPixel
 {
   int column{ 0 };
   int row{ 0 };
 };
 
-/** Surface sample at a place of the flat map. \ingroup FlatColon */
+/** Surface sample at a place of the flat map. \ingroup ShapetonFlatColon */
 struct FlatSample
 {
   /** -1 in a hole of the surface; the other members are undefined then. */
@@ -71,9 +71,9 @@ struct FlatSample
  *
  * Memory: 4 bytes per pixel and about 130 per face. Equal input gives equal results for any number of threads.
  *
- * \ingroup FlatColon
+ * \ingroup ShapetonFlatColon
  */
-class FlatColon_EXPORT FlatColonGrid
+class ShapetonFlatColon_EXPORT FlatColonGrid
 {
 public:
   /** Throws InputError, prefixed with `what`, when an array is missing or malformed, a value is not finite or the map

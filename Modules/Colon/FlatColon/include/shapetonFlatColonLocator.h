@@ -6,7 +6,7 @@
 
 namespace shapeton
 {
-/** A point in space projected to the flat map. \ingroup FlatColon */
+/** A point in space projected to the flat map. \ingroup ShapetonFlatColon */
 struct FlatPlace
 {
   FlatPixel pixel;
@@ -23,8 +23,8 @@ struct FlatPlace
  * \brief Maps points in space to the flat map, by the nearest point of the surface.
  *
  * The grid must outlive the locator. Thread-safe.
- * \ingroup FlatColon */
-class FlatColon_EXPORT FlatColonLocator
+ * \ingroup ShapetonFlatColon */
+class ShapetonFlatColon_EXPORT FlatColonLocator
 {
 public:
   explicit FlatColonLocator(const FlatColonGrid & grid);

@@ -7,15 +7,15 @@
 
 namespace shapeton
 {
-/** Columns that a picture leaves out. \ingroup FlatColon */
+/** Columns that a picture leaves out. \ingroup ShapetonFlatColon */
 struct FlatColonCut
 {
   int firstColumn{ 0 };
   int columns{ 0 };
 };
 
-/** A part of the flat map shown as one row of a picture. \ingroup FlatColon */
-struct FlatColon_EXPORT FlatColonRow
+/** A part of the flat map shown as one row of a picture. \ingroup ShapetonFlatColon */
+struct ShapetonFlatColon_EXPORT FlatColonRow
 {
   /** Columns of the grid; `columns` includes those left out. */
   int firstColumn{ 0 };
@@ -45,11 +45,11 @@ struct FlatColon_EXPORT FlatColonRow
 
 /** Splits the grid into rows of nearly equal length, in order, without overlap: the fewest with at most
  * `greatestColumns` pixels each. A stretch bridged all around and longer than `longestBridge` pixels is shortened to
- * that, half at each end; 0 shows all. \ingroup FlatColon */
-FlatColon_EXPORT std::vector<FlatColonRow>
+ * that, half at each end; 0 shows all. \ingroup ShapetonFlatColon */
+ShapetonFlatColon_EXPORT std::vector<FlatColonRow>
                  BreakIntoRows(const FlatColonGrid & grid, int greatestColumns, int longestBridge = 0);
 
-/** A tick of a ruler. \ingroup FlatColon */
+/** A tick of a ruler. \ingroup ShapetonFlatColon */
 struct FlatColonTick
 {
   /** Position in columns; 0 is the left border of the first one. */
@@ -59,8 +59,8 @@ struct FlatColonTick
 };
 
 /** Ticks at multiples of `step` (mm, greater than 0) of the distance along the centerline. A value that is constant
- * over several columns has its tick at the first. \ingroup FlatColon */
-FlatColon_EXPORT std::vector<FlatColonTick>
+ * over several columns has its tick at the first. \ingroup ShapetonFlatColon */
+ShapetonFlatColon_EXPORT std::vector<FlatColonTick>
                  RulerTicks(const std::vector<double> & distanceOfColumns, double step);
 } // namespace shapeton
 

@@ -10,25 +10,25 @@
 namespace shapeton
 {
 /** Point in space (LPS, mm) of each pixel of the flat map. Index (0, 0) is the first column and row; the physical space
- * of the image is the map: the physical point of an index is its (u, v) in mm. \ingroup FlatColon */
+ * of the image is the map: the physical point of an index is its (u, v) in mm. \ingroup ShapetonFlatColon */
 using FlatCoordinateMap = itk::Image<itk::Vector<float, 3>, 2>;
 
 /** Sets size and physical space of a picture to those of the grid: the physical point of an index is its (u, v) in mm.
- * \ingroup FlatColon */
-FlatColon_EXPORT void
+ * \ingroup ShapetonFlatColon */
+ShapetonFlatColon_EXPORT void
 SetFlatSpace(const FlatColonGrid & grid, itk::ImageBase<2> * picture);
 
-/** Builds the coordinate map; NaN outside all faces. \ingroup FlatColon */
-FlatColon_EXPORT FlatCoordinateMap::Pointer
+/** Builds the coordinate map; NaN outside all faces. \ingroup ShapetonFlatColon */
+ShapetonFlatColon_EXPORT FlatCoordinateMap::Pointer
                  MakeFlatCoordinateMap(const FlatColonGrid & grid);
 
-/** Throws ParameterError unless the name is empty (not requested) or ends with .nrrd. \ingroup FlatColon */
-FlatColon_EXPORT const std::string &
+/** Throws ParameterError unless the name is empty (not requested) or ends with .nrrd. \ingroup ShapetonFlatColon */
+ShapetonFlatColon_EXPORT const std::string &
                        RequireCoordinateMapName(const std::string & path);
 
 /** Writes NRRD; its header contains the space of the vectors, pixel size, circumference and `metadata`. Throws
- * OutputError when the file cannot be written, ParameterError for another extension. \ingroup FlatColon */
-FlatColon_EXPORT void
+ * OutputError when the file cannot be written, ParameterError for another extension. \ingroup ShapetonFlatColon */
+ShapetonFlatColon_EXPORT void
 WriteFlatCoordinateMap(const FlatColonGrid & grid, const std::string & path, const VolumeMetadata & metadata = {});
 } // namespace shapeton
 

@@ -1,13 +1,13 @@
 #ifndef shapetonSmoothedCurvature_h
 #define shapetonSmoothedCurvature_h
 
-#include "FlatColonExport.h"
+#include "ShapetonFlatColonExport.h"
 
 #include "shapetonSurfaceMesh.h"
 
 namespace shapeton
 {
-/** Normalization of the mean curvature of a vertex. \ingroup FlatColon */
+/** Normalization of the mean curvature of a vertex. \ingroup ShapetonFlatColon */
 enum class CurvatureUnit
 {
   /** Half the sum of the principal curvatures, 1/mm: independent of the mesh. */
@@ -21,8 +21,8 @@ enum class CurvatureUnit
  * boundaries). If faces are counterclockwise from outside, inward bulges such as folds are positive PerArea and
  * negative Published. Before smoothing it is 0 at boundary vertices, where curvature is undefined, and clamped to
  * +-1/mm against needle triangles. Throws the InputError of MakeSurfaceLaplacian() with lengths, and ParameterError for
- * a negative time. \ingroup FlatColon */
-FlatColon_EXPORT Eigen::VectorXd
+ * a negative time. \ingroup ShapetonFlatColon */
+ShapetonFlatColon_EXPORT Eigen::VectorXd
                  SmoothedMeanCurvature(const VertexMatrix & V,
                                        const FaceMatrix &   F,
                                        double               time,

@@ -14,10 +14,10 @@
 
 namespace shapeton
 {
-/** Default of PolypCandidateOptions::sensitivity. \ingroup PolypCandidates */
+/** Default of PolypCandidateOptions::sensitivity. \ingroup ShapetonPolypCandidates */
 constexpr double defaultPolypSensitivity = 0.75;
 
-/** Method that finds candidates. \ingroup PolypCandidates */
+/** Method that finds candidates. \ingroup ShapetonPolypCandidates */
 enum class PolypPreset
 {
   /** Bulges of the wall, distinguished from folds by their shape. */
@@ -27,12 +27,12 @@ enum class PolypPreset
   Published
 };
 
-/** "default", "published". \ingroup PolypCandidates */
-PolypCandidates_EXPORT std::string
+/** "default", "published". \ingroup ShapetonPolypCandidates */
+ShapetonPolypCandidates_EXPORT std::string
                        NameOf(PolypPreset preset);
 
 /** Size classes for reports: the largest diameter, rounded to whole millimeters.
- * \ingroup PolypCandidates */
+ * \ingroup ShapetonPolypCandidates */
 enum class PolypSize
 {
   AtMost5,  ///< mm
@@ -41,14 +41,14 @@ enum class PolypSize
   From30    ///< mm
 };
 
-/** The category of a largest diameter in mm. \ingroup PolypCandidates */
-PolypCandidates_EXPORT PolypSize
+/** The category of a largest diameter in mm. \ingroup ShapetonPolypCandidates */
+ShapetonPolypCandidates_EXPORT PolypSize
 SizeOf(double diameter);
-/** "<= 5 mm", "6-9 mm", ">= 10 mm", ">= 30 mm". \ingroup PolypCandidates */
-PolypCandidates_EXPORT std::string
+/** "<= 5 mm", "6-9 mm", ">= 10 mm", ">= 30 mm". \ingroup ShapetonPolypCandidates */
+ShapetonPolypCandidates_EXPORT std::string
                        NameOf(PolypSize size);
 
-/** Tissue of a candidate, from the HU inside it. \ingroup PolypCandidates */
+/** Tissue of a candidate, from the HU inside it. \ingroup ShapetonPolypCandidates */
 enum class PolypTissue
 {
   Unknown,
@@ -58,14 +58,14 @@ enum class PolypTissue
   Tagged, ///< above 150 HU: contains contrast medium, as stool does
 };
 
-/** The kind of tissue with this attenuation in HU. \ingroup PolypCandidates */
-PolypCandidates_EXPORT PolypTissue
+/** The kind of tissue with this attenuation in HU. \ingroup ShapetonPolypCandidates */
+ShapetonPolypCandidates_EXPORT PolypTissue
 TissueOf(double hounsfield);
-/** "unknown", "gas", "fat", "soft tissue", "tagged". \ingroup PolypCandidates */
-PolypCandidates_EXPORT std::string
+/** "unknown", "gas", "fat", "soft tissue", "tagged". \ingroup ShapetonPolypCandidates */
+ShapetonPolypCandidates_EXPORT std::string
                        NameOf(PolypTissue tissue);
 
-/** A candidate in the other position of the patient. \ingroup PolypCandidates */
+/** A candidate in the other position of the patient. \ingroup ShapetonPolypCandidates */
 struct PolypInOtherPosition
 {
   /** Corresponding point on the other wall by the registration, LPS, mm. */
@@ -88,7 +88,7 @@ struct PolypInOtherPosition
   double ownScore{ std::numeric_limits<double>::quiet_NaN() };
 };
 
-/** A candidate of the other position, see FindInOtherPosition(). \ingroup PolypCandidates */
+/** A candidate of the other position, see FindInOtherPosition(). \ingroup ShapetonPolypCandidates */
 struct OtherPolypCandidate
 {
   int number{ 0 };
@@ -100,7 +100,7 @@ struct OtherPolypCandidate
   double score{ 1.0 };
 };
 
-/** A place of the wall that resembles a polyp. For research use; a candidate is not a finding. \ingroup PolypCandidates
+/** A place of the wall that resembles a polyp. For research use; a candidate is not a finding. \ingroup ShapetonPolypCandidates
  */
 struct PolypCandidate
 {
@@ -144,7 +144,7 @@ struct PolypCandidate
   std::optional<PolypInOtherPosition> other;
 };
 
-/** Options of FindPolypCandidates(). \ingroup PolypCandidates */
+/** Options of FindPolypCandidates(). \ingroup ShapetonPolypCandidates */
 struct PolypCandidateOptions
 {
   /** 0 to 1: keeps candidates with a shape score of at least 1 - sensitivity. */
@@ -162,8 +162,8 @@ struct PolypCandidateOptions
 
 /** Adapts a diffusion time in mm^2 to a wall: `time` for voxels of 0.8 mm, reduced by half a mm^2 for each mm^2 by
  * which the faces of its voxels are larger, at least 0.3 mm^2. The voxel size is estimated from the mean face area of
- * the wall: marching cubes gives a third of a voxel face. \ingroup PolypCandidates */
-PolypCandidates_EXPORT double
+ * the wall: marching cubes gives a third of a voxel face. \ingroup ShapetonPolypCandidates */
+ShapetonPolypCandidates_EXPORT double
 MatchedSmoothingTime(const SurfaceMesh & wall, double time);
 
 /** Finds candidates on a wall, by descending score.
@@ -177,33 +177,33 @@ MatchedSmoothingTime(const SurfaceMesh & wall, double time);
  * \param wall at full resolution, faces counterclockwise from outside the lumen; point array arcLength and cell array
  * bridged are optional. Bridges and parts within 3 mm of a rim are left out.
  * Throws ParameterError for a sensitivity out of [0, 1], and the InputError of MakeSurfaceLaplacian(). The result is
- * identical for any number of threads. \ingroup PolypCandidates */
-PolypCandidates_EXPORT std::vector<PolypCandidate>
+ * identical for any number of threads. \ingroup ShapetonPolypCandidates */
+ShapetonPolypCandidates_EXPORT std::vector<PolypCandidate>
                        FindPolypCandidates(const SurfaceMesh & wall, const PolypCandidateOptions & options = {});
 
 /** Marks the candidate that may be the ileocecal valve if no valve is known: the largest of at least 15 mm, 30 to 100
- * mm before the end of the centerline. \ingroup PolypCandidates */
-PolypCandidates_EXPORT void
+ * mm before the end of the centerline. \ingroup ShapetonPolypCandidates */
+ShapetonPolypCandidates_EXPORT void
 NoteIleocecalValve(double lengthOfCenterline, std::vector<PolypCandidate> & candidates);
 
 /** Gives candidates at the valve the remark "the ileocecal valve" and ranks them last among those listed at the
  * default sensitivity, with scores of at most 1 - defaultPolypSensitivity. Domes and caps (shape index above 13/16)
  * keep this score for any valve confidence, so a large polyp mistaken for the valve is not lost. The scores of ridges,
  * such as the lips of a valve, are multiplied by the probability that they are not the valve. At the valve means within
- * half its length and 3 mm of its center, at least 12 mm. \ingroup PolypCandidates */
-PolypCandidates_EXPORT void
+ * half its length and 3 mm of its center, at least 12 mm. \ingroup ShapetonPolypCandidates */
+ShapetonPolypCandidates_EXPORT void
 RankValveLast(const IleocecalValve & valve, std::vector<PolypCandidate> & candidates);
 
 /** Marks candidates within 60 mm of the anal verge, along the centerline: the tip of a rectal catheter, its balloon and
- * hemorrhoids are found there, and have the shape of polyps. \ingroup PolypCandidates */
-PolypCandidates_EXPORT void
+ * hemorrhoids are found there, and have the shape of polyps. \ingroup ShapetonPolypCandidates */
+ShapetonPolypCandidates_EXPORT void
 NoteRectalCatheter(std::vector<PolypCandidate> & candidates);
 
 /** Ranks the remains of a rectal catheter last, with a score of 0 and the remark "the rectal catheter" or "the balloon
  * of the rectal catheter": candidates with their center inside or within 3 mm of its surface. \param catheter its axis,
  * one point per mm, with the point array radius in mm and, for a possible balloon, balloonRadius, 0 outside the
- * balloon. Throws InputError when radius is missing. \ingroup PolypCandidates */
-PolypCandidates_EXPORT void
+ * balloon. Throws InputError when radius is missing. \ingroup ShapetonPolypCandidates */
+ShapetonPolypCandidates_EXPORT void
 RankCatheterLast(const CurveSet & catheter, std::vector<PolypCandidate> & candidates);
 } // namespace shapeton
 

@@ -12,8 +12,8 @@ namespace shapeton
  * 3.5 mm in gas, blurred by a Gaussian of 1 mm, keeps six tenths of its contrast: -320 HU, which halves its score; on a
  * wall it keeps more. Blur does not darken heads under fluid: there the first step is at -130 HU (20 HU), below fat,
  * and bubbles of 3 mm are dark enough; heads partly covered by fluid are in between. \param submergedShare 0 to 1, or
- * NaN if unknown. \ingroup PolypCandidates */
-PolypCandidates_EXPORT double
+ * NaN if unknown. \ingroup ShapetonPolypCandidates */
+ShapetonPolypCandidates_EXPORT double
 TissueLikelihood(double hounsfield, double submergedShare = 0.0);
 
 /** Sets attenuation, tissue and submergedShare of the candidates, and a remark for those that are gas, tagged or in
@@ -26,8 +26,8 @@ TissueLikelihood(double hounsfield, double submergedShare = 0.0);
  * \param ct HU, cleansed or not.
  * \param lumen 0 outside, 2 tagged fluid, else gas; on any grid.
  *
- * \ingroup PolypCandidates */
-PolypCandidates_EXPORT void
+ * \ingroup ShapetonPolypCandidates */
+ShapetonPolypCandidates_EXPORT void
 MeasureContent(const SurfaceMesh &           wall,
                const itk::Image<float, 3> *  ct,
                const PolypLumenImage *       lumen,
@@ -35,8 +35,8 @@ MeasureContent(const SurfaceMesh &           wall,
 
 /** Labels the voxels of the heads with the numbers of their candidates, 0 elsewhere; a shared voxel gets the first one.
  * A head consists of the lines from its surface to its center, where MeasureContent() measures, without the lumen.
- * \ingroup PolypCandidates */
-PolypCandidates_EXPORT itk::Image<unsigned short, 3>::Pointer
+ * \ingroup ShapetonPolypCandidates */
+ShapetonPolypCandidates_EXPORT itk::Image<unsigned short, 3>::Pointer
                        LabelPolypHeads(const SurfaceMesh &                 wall,
                                        const PolypLumenImage *             lumen,
                                        const std::vector<PolypCandidate> & candidates);

@@ -1,7 +1,7 @@
 #ifndef shapetonPolypScore_h
 #define shapetonPolypScore_h
 
-#include "PolypCandidatesExport.h"
+#include "ShapetonPolypCandidatesExport.h"
 
 #include <array>
 #include <limits>
@@ -10,7 +10,7 @@ namespace shapeton
 {
 struct WallBulge;
 
-/** Features that distinguish a polyp from the rest of the wall. \ingroup PolypCandidates */
+/** Features that distinguish a polyp from the rest of the wall. \ingroup ShapetonPolypCandidates */
 struct PolypFeatures
 {
   /** Mean shape index of the head, weighted by the smaller curvature: 1 a cap, 0.5 a ridge (Koenderink and van Doorn
@@ -43,25 +43,25 @@ struct PolypFeatures
   ///@}
 };
 
-/** Features of a bulge. \ingroup PolypCandidates */
-PolypCandidates_EXPORT PolypFeatures
+/** Features of a bulge. \ingroup ShapetonPolypCandidates */
+ShapetonPolypCandidates_EXPORT PolypFeatures
 FeaturesOf(const WallBulge & bulge);
 
 /** Terms of the score: shape index, natural logarithms of roundness and hollowness (at least 0.05), and the logarithm
- * of curvedness / 0.25 per mm, at least 0. \ingroup PolypCandidates */
+ * of curvedness / 0.25 per mm, at least 0. \ingroup ShapetonPolypCandidates */
 constexpr int          numberOfPolypTerms = 4;
-PolypCandidates_EXPORT std::array<double, numberOfPolypTerms>
+ShapetonPolypCandidates_EXPORT std::array<double, numberOfPolypTerms>
                        TermsOf(const PolypFeatures & features);
 
-/** Logistic regression weights: terms, then the constant. \ingroup PolypCandidates */
+/** Logistic regression weights: terms, then the constant. \ingroup ShapetonPolypCandidates */
 using PolypWeights = std::array<double, numberOfPolypTerms + 1>;
 
-/** The weights in use; the README describes the data they were fitted to. \ingroup PolypCandidates */
-PolypCandidates_EXPORT const PolypWeights &
+/** The weights in use; the README describes the data they were fitted to. \ingroup ShapetonPolypCandidates */
+ShapetonPolypCandidates_EXPORT const PolypWeights &
 FittedPolypWeights();
 
-/** 1 / (1 + exp(-(w . terms + constant))), in (0, 1). \ingroup PolypCandidates */
-PolypCandidates_EXPORT double
+/** 1 / (1 + exp(-(w . terms + constant))), in (0, 1). \ingroup ShapetonPolypCandidates */
+ShapetonPolypCandidates_EXPORT double
 PolypScore(const PolypFeatures & features, const PolypWeights & weights = FittedPolypWeights());
 } // namespace shapeton
 

@@ -9,19 +9,19 @@
 
 namespace shapeton
 {
-/** Lumen mask: nonzero voxels are gas or fluid in the colon; any grid. \ingroup PolypCandidates */
+/** Lumen mask: nonzero voxels are gas or fluid in the colon; any grid. \ingroup ShapetonPolypCandidates */
 using PolypLumenImage = itk::Image<unsigned char, 3>;
 
 /** Sets heat and shapetonDensity of the features of candidates: cumulative heat diffusion (10 mm^2) and 4,000 shapetons
  * (steps of 1.8 mm, 200 of them) in a box 12 mm around each head, where tissue is 1 and lumen 0, both with p = 15.
- * Sampled at points below the surface as for the attenuation. \ingroup PolypCandidates */
-PolypCandidates_EXPORT void
+ * Sampled at points below the surface as for the attenuation. \ingroup ShapetonPolypCandidates */
+ShapetonPolypCandidates_EXPORT void
 MeasureShapeDiffusion(const SurfaceMesh &           wall,
                       const PolypLumenImage *       lumen,
                       std::vector<PolypCandidate> & candidates,
                       const Progress &              progress = {});
 
-/** Settings of dissertation 3.5.2. \ingroup PolypCandidates */
+/** Settings of dissertation 3.5.2. \ingroup ShapetonPolypCandidates */
 struct PublishedPolypOptions
 {
   std::uint32_t shapetons{ 65000 };
@@ -42,8 +42,8 @@ struct PublishedPolypOptions
  * The source shows the density by a transfer function chosen by hand and gives no rule for candidates; ranks and limits
  * are ours. \param ct Cleansed CT in HU. If null, tissue is 1 and lumen is 0.
  * Throws the exceptions of FindPolypCandidates(). The result is identical for any number of threads.
- * \ingroup PolypCandidates */
-PolypCandidates_EXPORT std::vector<PolypCandidate>
+ * \ingroup ShapetonPolypCandidates */
+ShapetonPolypCandidates_EXPORT std::vector<PolypCandidate>
                        FindPublishedPolypCandidates(const SurfaceMesh &           wall,
                                                     const PolypLumenImage *       lumen,
                                                     const itk::Image<float, 3> *  ct,

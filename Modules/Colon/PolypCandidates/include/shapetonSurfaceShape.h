@@ -1,7 +1,7 @@
 #ifndef shapetonSurfaceShape_h
 #define shapetonSurfaceShape_h
 
-#include "PolypCandidatesExport.h"
+#include "ShapetonPolypCandidatesExport.h"
 
 #include "shapetonProgress.h"
 #include "shapetonSurfaceConnectivity.h"
@@ -15,7 +15,7 @@ namespace shapeton
  * cylinders keep their curvature for any diffusion time, while voxel steps and noise vanish. The shape operator of each
  * face is the least squares fit to the differences of its normals (Rusinkiewicz, Estimating curvatures and their
  * derivatives on triangle meshes, 2004), that of a vertex the mean over its faces.
- * \ingroup PolypCandidates */
+ * \ingroup ShapetonPolypCandidates */
 struct SurfaceShape
 {
   /** Unit vectors into the lumen. */
@@ -31,8 +31,8 @@ struct SurfaceShape
 /** \param F counterclockwise as seen from outside the lumen.
  * \param time of the diffusion, mm^2, from 0: features of radius below sqrt(2 time) mm are lost.
  * Throws the InputError of MakeSurfaceLaplacian(). The result is identical for any number of threads.
- * \ingroup PolypCandidates */
-PolypCandidates_EXPORT SurfaceShape
+ * \ingroup ShapetonPolypCandidates */
+ShapetonPolypCandidates_EXPORT SurfaceShape
 MeasureSurfaceShape(const VertexMatrix &        V,
                     const SurfaceConnectivity & connectivity,
                     const FaceMatrix &          F,
@@ -41,12 +41,12 @@ MeasureSurfaceShape(const VertexMatrix &        V,
 
 /** (2/pi) atan((k1 + k2) / (k1 - k2)) in [-1, 1]: 1 a cap in the lumen, 0.5 a ridge, 0 a saddle, -1 a pit (Koenderink
  * and van Doorn, Surface shape and curvature scales, 1992, with this sign; Yoshida and Nappi, IEEE TMI 20, 2001, map
- * it to [0, 1]). \ingroup PolypCandidates */
-PolypCandidates_EXPORT double
+ * it to [0, 1]). \ingroup ShapetonPolypCandidates */
+ShapetonPolypCandidates_EXPORT double
 ShapeIndex(double greater, double lesser);
 
-/** sqrt((k1^2 + k2^2) / 2), 1/mm. \ingroup PolypCandidates */
-PolypCandidates_EXPORT double
+/** sqrt((k1^2 + k2^2) / 2), 1/mm. \ingroup ShapetonPolypCandidates */
+ShapetonPolypCandidates_EXPORT double
 Curvedness(double greater, double lesser);
 } // namespace shapeton
 

@@ -8,7 +8,7 @@
 namespace shapeton
 {
 /** A part of the wall that bulges into the lumen in all directions, like the head of a polyp and unlike the crest of a
- * fold. \ingroup PolypCandidates */
+ * fold. \ingroup ShapetonPolypCandidates */
 struct WallBulge
 {
   /** Vertices, ascending. */
@@ -40,7 +40,7 @@ struct WallBulge
   double footCurvature{ 0.0 };
 };
 
-/** Parts of a wall below these limits are left out. \ingroup PolypCandidates */
+/** Parts of a wall below these limits are left out. \ingroup ShapetonPolypCandidates */
 struct WallPartLimits
 {
   /** Minimum solid angle, sr. */
@@ -51,8 +51,8 @@ struct WallPartLimits
 
 /** Measures the connected parts of a wall where `level`, given at its vertices and linear within faces, is positive, in
  * the order of their first vertices. Rims cross faces; areas, means and widths are those within the rims.
- * \ingroup PolypCandidates */
-PolypCandidates_EXPORT std::vector<WallBulge>
+ * \ingroup ShapetonPolypCandidates */
+ShapetonPolypCandidates_EXPORT std::vector<WallBulge>
                        MeasureWallParts(const SurfaceMesh &         wall,
                                         const SurfaceConnectivity & connectivity,
                                         const SurfaceShape &        shape,
@@ -60,8 +60,8 @@ PolypCandidates_EXPORT std::vector<WallBulge>
                                         const WallPartLimits &      limits = {});
 
 /** Finds the parts of the wall where the smaller principal curvature, and so both, is above `leastCurvature` (1/mm).
- * `isLeftOut`, one for each vertex, excludes bridges and rims. \ingroup PolypCandidates */
-PolypCandidates_EXPORT std::vector<WallBulge>
+ * `isLeftOut`, one for each vertex, excludes bridges and rims. \ingroup ShapetonPolypCandidates */
+ShapetonPolypCandidates_EXPORT std::vector<WallBulge>
                        FindWallBulges(const SurfaceMesh &         wall,
                                       const SurfaceConnectivity & connectivity,
                                       const SurfaceShape &        shape,

@@ -5,7 +5,7 @@
 
 #include "shapetonCumulativeHeatDiffusion.h"
 #include "shapetonOpenEndedProgress.h"
-#include "shapetonShapetonDiffusion.h"
+#include "shapetonParticleDiffusion.h"
 #include "shapetonSurfaceDiffusion.h"
 #include "shapetonExceptions.h"
 
@@ -37,7 +37,7 @@ HeatIn(const TissueBox & box)
 
 std::vector<float>
 VisitsIn(const TissueBox &                 box,
-         const ShapetonDiffusionSettings & settings,
+         const ParticleDiffusionSettings & settings,
          double                            depth,
          std::uint64_t                     steps,
          const Progress &                  progress)
@@ -45,9 +45,9 @@ VisitsIn(const TissueBox &                 box,
   const std::vector<unsigned char> mask = box.TissueNearLumen(depth);
   std::vector<std::uint32_t>       visits(box.NumberOfVoxels());
   OpenEndedProgress                polls(progress, 100.0);
-  ShapetonDiffusion                diffusion(
+  ParticleDiffusion                diffusion(
     box.Intensities().data(), box.Size(), settings, mask.data(), visits.data(), [&polls] { polls.Step(); });
-  diffusion.Run(steps, {}, [&polls](const ShapetonMeasures &) { polls.Step(); });
+  diffusion.Run(steps, {}, [&polls](const ParticleMeasures &) { polls.Step(); });
   return std::vector<float>(visits.begin(), visits.end());
 }
 
@@ -117,7 +117,7 @@ MeasureShapeDiffusion(const SurfaceMesh &           wall,
     const std::vector<Eigen::Vector3d> points = PointsBelowSurface(wall, candidate);
     const TissueBox                    box(lumen, points, margin);
     candidate.features.heat = box.MeanAt(HeatIn(box), points);
-    ShapetonDiffusionSettings settings;
+    ParticleDiffusionSettings settings;
     settings.volumeGradient.p = publishedSteepness;
     settings.volumeGradient.spacing = box.Spacing();
     settings.shapetons = 4000;
@@ -147,7 +147,7 @@ FindPublishedPolypCandidates(const SurfaceMesh &           wall,
   {
     box.TakeIntensities(ct);
   }
-  ShapetonDiffusionSettings settings;
+  ParticleDiffusionSettings settings;
   settings.volumeGradient.p = options.p;
   settings.volumeGradient.spacing = box.Spacing();
   settings.shapetons = options.shapetons;

@@ -1,7 +1,7 @@
 #ifndef shapetonBeltramiEquations_h
 #define shapetonBeltramiEquations_h
 
-#include "SupineProneExport.h"
+#include "ShapetonSupineProneExport.h"
 
 #include <Eigen/SparseCore>
 
@@ -13,7 +13,7 @@ namespace shapeton
 {
 /** Positions of the nodes of one cylinder on another, along each row, row by row: mm along and around. The coordinate
  * around is continuous; the node after the last one of a row is the first one, a whole turn farther.
- * \ingroup SupineProne */
+ * \ingroup ShapetonSupineProne */
 struct CylinderValues
 {
   Eigen::VectorXd along;
@@ -30,8 +30,8 @@ struct CylinderValues
  *   (1 - |mu|^2) A = [ |1 - mu|^2, -2 Im mu; -2 Im mu, |1 + mu|^2 ].
  *
  * Nodes are in rows at any distance, at equal angles; each cell is cut along the diagonal from (row, angle) to
- * (row + 1, angle + 1), as in CylinderMap. \ingroup SupineProne */
-class SupineProne_EXPORT BeltramiEquations
+ * (row + 1, angle + 1), as in CylinderMap. \ingroup ShapetonSupineProne */
+class ShapetonSupineProne_EXPORT BeltramiEquations
 {
 public:
   using Coefficients = std::vector<std::complex<double>>;

@@ -1,14 +1,14 @@
 #ifndef shapetonColonCylinder_h
 #define shapetonColonCylinder_h
 
-#include "SupineProneExport.h"
+#include "ShapetonSupineProneExport.h"
 
 #include "shapetonCurveSet.h"
 #include "shapetonFlatColon.h"
 
 namespace shapeton
 {
-/** A place on the wall of a colon, unrolled. \ingroup SupineProne */
+/** A place on the wall of a colon, unrolled. \ingroup ShapetonSupineProne */
 struct CylinderPlace
 {
   /** Distance along the centerline, mm. */
@@ -18,8 +18,8 @@ struct CylinderPlace
   double turn{ 0.0 };
 };
 
-/** The difference of two angles in turns, in [-0.5, 0.5). \ingroup SupineProne */
-SupineProne_EXPORT double
+/** The difference of two angles in turns, in [-0.5, 0.5). \ingroup ShapetonSupineProne */
+ShapetonSupineProne_EXPORT double
 TurnDifference(double turn, double from);
 
 /** \class ColonCylinder
@@ -28,8 +28,8 @@ TurnDifference(double turn, double from);
  * The flat map is conformal, so its length depends on folds and caliber; two positions of one colon agree much better
  * in the length of the centerline. The distance along it is that of the grid column (DistanceOfColumns()), made
  * strictly ascending. Both directions are exact inverses of each other. The flat colon must outlive this object.
- * \ingroup SupineProne */
-class SupineProne_EXPORT ColonCylinder
+ * \ingroup ShapetonSupineProne */
+class ShapetonSupineProne_EXPORT ColonCylinder
 {
 public:
   /** \param centerline with the point array arcLength, mm; required if the grid has none.

@@ -6,7 +6,7 @@
 
 namespace shapeton
 {
-/** A place of the wall mapped by the registration. \ingroup SupineProne */
+/** A place of the wall mapped by the registration. \ingroup ShapetonSupineProne */
 struct MappedPoint
 {
   /** Place on the flat map of the other position, mm; v in [0, circumference). */
@@ -27,8 +27,8 @@ struct MappedPoint
  * For findings of one position: points, polyps, vertex labels. The registration must outlive the object. Thread-safe.
  * Uv and point are NaN where the map misses the place, which a registration without flips (RegistrationFigures::flips)
  * never does, or where the wall has a hole.
- * \ingroup SupineProne */
-class SupineProne_EXPORT ColonPointMapper
+ * \ingroup ShapetonSupineProne */
+class ShapetonSupineProne_EXPORT ColonPointMapper
 {
 public:
   explicit ColonPointMapper(const SupineProneRegistration & registration);

@@ -1,7 +1,7 @@
 #ifndef shapetonColonPosition_h
 #define shapetonColonPosition_h
 
-#include "SupineProneExport.h"
+#include "ShapetonSupineProneExport.h"
 
 #include "shapetonColonLandmarks.h"
 #include "shapetonCurveSet.h"
@@ -14,7 +14,7 @@
 
 namespace shapeton
 {
-/** Registration input for the colon in one position. \ingroup SupineProne */
+/** Registration input for the colon in one position. \ingroup ShapetonSupineProne */
 struct ColonPosition
 {
   /** Name in messages: "supine", a folder. */
@@ -43,13 +43,13 @@ struct ColonPosition
 
 /** Finds columns of the grid that are bridged for more than half of their turn, are at a gap of the centerline (point
  * array gap, if present), or have a wall less than `leastRadius` mm from its center: collapsed stretches.
- * \ingroup SupineProne */
-SupineProne_EXPORT std::vector<char>
+ * \ingroup ShapetonSupineProne */
+ShapetonSupineProne_EXPORT std::vector<char>
                    FindExcludedColumns(const FlatColon & flat, const CurveSet & centerline, double leastRadius = 9.0);
 
 /** Builds the position from its parts; `flat` is the surface of landmarks and folds.
- * \param name for messages. \ingroup SupineProne */
-SupineProne_EXPORT ColonPosition
+ * \param name for messages. \ingroup ShapetonSupineProne */
+ShapetonSupineProne_EXPORT ColonPosition
 MakeColonPosition(const std::string &               name,
                   std::shared_ptr<const FlatColon>  flat,
                   const CurveSet &                  centerline,

@@ -7,7 +7,7 @@
 
 namespace shapeton
 {
-/** An examination of the colon in one position, read from its folder. \ingroup SupineProne */
+/** An examination of the colon in one position, read from its folder. \ingroup ShapetonSupineProne */
 struct ColonPositionFiles
 {
   ColonPosition position;
@@ -24,8 +24,8 @@ struct ColonPositionFiles
  * and folds/folds.csv.
  * \param name for messages, "supine" or "prone".
  * Throws InputError with the name of the missing or malformed file and of the tool that writes it.
- * \ingroup SupineProne */
-SupineProne_EXPORT ColonPositionFiles
+ * \ingroup ShapetonSupineProne */
+ShapetonSupineProne_EXPORT ColonPositionFiles
 ReadColonPosition(const std::string & folder, const std::string & name);
 } // namespace shapeton
 

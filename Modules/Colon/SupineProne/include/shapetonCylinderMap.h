@@ -8,7 +8,7 @@
 namespace shapeton
 {
 /** Nodes of a map between cylinders: rows are equal steps along the source, columns are equal angles from turn 0.
- * \ingroup SupineProne */
+ * \ingroup ShapetonSupineProne */
 struct CylinderNodes
 {
   double begin{ 0.0 };
@@ -42,8 +42,8 @@ struct CylinderNodes
  *
  * Each cell of the nodes is cut along its diagonal. Beyond the ends the map continues as a shift along the colon. It is
  * one-to-one if no triangle is flipped; see Flips(). Thread-safe.
- * \ingroup SupineProne */
-class SupineProne_EXPORT CylinderMap
+ * \ingroup ShapetonSupineProne */
+class ShapetonSupineProne_EXPORT CylinderMap
 {
 public:
   CylinderMap() = default;

@@ -1,7 +1,7 @@
 #ifndef shapetonFoldMatching_h
 #define shapetonFoldMatching_h
 
-#include "SupineProneExport.h"
+#include "ShapetonSupineProneExport.h"
 
 #include <array>
 #include <string>
@@ -11,7 +11,7 @@
 namespace shapeton
 {
 /** A fold as input of the matching: coordinates in mm on the unrolled target cylinder, after the initial map; y is
- * periodic. \ingroup SupineProne */
+ * periodic. \ingroup ShapetonSupineProne */
 struct FoldFeature
 {
   double x{ 0.0 };
@@ -24,7 +24,7 @@ struct FoldFeature
   int group{ 0 };
 };
 
-/** Method that matches folds. \ingroup SupineProne */
+/** Method that matches folds. \ingroup ShapetonSupineProne */
 enum class FoldMatchingMethod
 {
   /** Independent folds: exact, by the Hungarian method with dustbins. */
@@ -33,7 +33,7 @@ enum class FoldMatchingMethod
   DualDecomposition
 };
 
-/** Options of MatchFolds(). \ingroup SupineProne */
+/** Options of MatchFolds(). \ingroup ShapetonSupineProne */
 struct FoldMatchingOptions
 {
   FoldMatchingMethod method{ FoldMatchingMethod::Hungarian };
@@ -60,7 +60,7 @@ struct FoldMatchingOptions
 };
 
 /** Matched pairs of folds of two positions, with a bound on the optimal energy. See MatchFolds().
- * \ingroup SupineProne */
+ * \ingroup ShapetonSupineProne */
 struct FoldMatching
 {
   /** Fold indices in source, ascending, and target. */
@@ -88,8 +88,8 @@ struct FoldMatching
  * The printed objective of 4.3.1 has no pairwise term, so the Hungarian method solves it exactly; its term for
  * unmatched features, |q|^2, is a distance to the origin and is a constant here. Dual decomposition (Torresani,
  * Kolmogorov, Rother 2008): one assignment subproblem, one for each pair of neighbors, multipliers by subgradients.
- * \param turn circumference of the plane, mm. \ingroup SupineProne */
-SupineProne_EXPORT FoldMatching
+ * \param turn circumference of the plane, mm. \ingroup ShapetonSupineProne */
+ShapetonSupineProne_EXPORT FoldMatching
 MatchFolds(const std::vector<FoldFeature> & source,
            const std::vector<FoldFeature> & target,
            double                           turn,

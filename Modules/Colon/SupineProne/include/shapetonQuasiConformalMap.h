@@ -9,7 +9,7 @@
 namespace shapeton
 {
 /** Linear condition on one coordinate of a map at a point of a triangle: the weighted sum of its values at the corners
- * equals `value`, mm. \ingroup SupineProne */
+ * equals `value`, mm. \ingroup ShapetonSupineProne */
 struct MapCondition
 {
   std::array<int, 3>    node{};
@@ -17,7 +17,7 @@ struct MapCondition
   double                value{ 0.0 };
 };
 
-/** Conditions on a map. Each coordinate needs at least one. \ingroup SupineProne */
+/** Conditions on a map. Each coordinate needs at least one. \ingroup ShapetonSupineProne */
 struct MapConditions
 {
   std::vector<MapCondition> along;
@@ -28,13 +28,13 @@ struct MapConditions
  * the energy (linear Beltrami solver, Lui, Lam, Yau, Gu 2014). With mu = 0 it is harmonic. If more than the ends of the
  * cylinder and its rotation is prescribed, the coefficient of the map differs from mu. Conditions hold to rounding
  * error; contradictory ones are violated as little as possible.
- * \ingroup SupineProne */
-SupineProne_EXPORT CylinderValues
+ * \ingroup ShapetonSupineProne */
+ShapetonSupineProne_EXPORT CylinderValues
 SolveBeltrami(const BeltramiEquations &               equations,
               const BeltramiEquations::Coefficients & mu,
               const MapConditions &                   conditions);
 
-/** Options of FindQuasiConformalMap(). \ingroup SupineProne */
+/** Options of FindQuasiConformalMap(). \ingroup ShapetonSupineProne */
 struct QuasiConformalOptions
 {
   /** Maximum absolute value of the coefficients, below 1. */
@@ -49,7 +49,7 @@ struct QuasiConformalOptions
   Progress progress;
 };
 
-/** Result of FindQuasiConformalMap(). \ingroup SupineProne */
+/** Result of FindQuasiConformalMap(). \ingroup ShapetonSupineProne */
 struct QuasiConformalMap
 {
   CylinderValues values;
@@ -70,8 +70,8 @@ struct QuasiConformalMap
  * \param start initial positions of the nodes; used only for the first `conditionsOf`.
  * \param conditionsOf returns the conditions linearized about a map, for data given in other coordinates than mm along
  * and around, or on a curve. Maps that satisfy them must satisfy the original conditions. It is called again for each
- * map, and finally for maps with the same coefficient until the conditions no longer change. \ingroup SupineProne */
-SupineProne_EXPORT QuasiConformalMap
+ * map, and finally for maps with the same coefficient until the conditions no longer change. \ingroup ShapetonSupineProne */
+ShapetonSupineProne_EXPORT QuasiConformalMap
 FindQuasiConformalMap(const BeltramiEquations &                                        equations,
                       CylinderValues                                                   start,
                       const std::function<MapConditions(const CylinderValues & map)> & conditionsOf,

@@ -7,14 +7,14 @@
 
 namespace shapeton
 {
-/** A point of the wall in both positions, LPS, mm. \ingroup SupineProne */
+/** A point of the wall in both positions, LPS, mm. \ingroup ShapetonSupineProne */
 struct PointPair
 {
   Eigen::Vector3d source;
   Eigen::Vector3d target;
 };
 
-/** Registration error at one point. \ingroup SupineProne */
+/** Registration error at one point. \ingroup ShapetonSupineProne */
 struct PointError
 {
   enum class Kind
@@ -32,7 +32,7 @@ struct PointError
 };
 
 /** Distances between mapped points and their true correspondences. See MeasureRegistrationErrors().
- * \ingroup SupineProne */
+ * \ingroup ShapetonSupineProne */
 struct RegistrationErrors
 {
   /** For each counted pair: distance in space (mm), and on the flat map of the target relative to its circumference. */
@@ -42,37 +42,37 @@ struct RegistrationErrors
   int offSurface{ 0 };
   int excluded{ 0 };
 
-  SupineProne_EXPORT double
+  ShapetonSupineProne_EXPORT double
   Mean() const;
-  SupineProne_EXPORT double
+  ShapetonSupineProne_EXPORT double
   Median() const;
-  SupineProne_EXPORT double
+  ShapetonSupineProne_EXPORT double
   Percentile95() const;
   /** Share of the distances in space below 10 mm. */
-  SupineProne_EXPORT double
+  ShapetonSupineProne_EXPORT double
   ShareWithin10() const;
-  SupineProne_EXPORT double
+  ShapetonSupineProne_EXPORT double
   MeanOnMap() const;
   /** Half width (mm) of the 95 % confidence interval of the mean, over blocks of neighboring points in the given order,
    * since errors of neighbors are correlated. */
-  SupineProne_EXPORT double
+  ShapetonSupineProne_EXPORT double
   HalfInterval() const;
 };
 
 /** Registration error at each point for a map between the positions of a registration.
- * \ingroup SupineProne */
-SupineProne_EXPORT std::vector<PointError>
+ * \ingroup ShapetonSupineProne */
+ShapetonSupineProne_EXPORT std::vector<PointError>
                    ErrorsOfPoints(const SupineProneRegistration & registration,
                                   const CylinderMap &             map,
                                   const std::vector<PointPair> &  pairs);
 
-/** Collects the counted errors, and the numbers of the others. \ingroup SupineProne */
-SupineProne_EXPORT RegistrationErrors
+/** Collects the counted errors, and the numbers of the others. \ingroup ShapetonSupineProne */
+ShapetonSupineProne_EXPORT RegistrationErrors
 SummaryOf(const std::vector<PointError> & errors);
 
 /** SummaryOf() of ErrorsOfPoints() for the map of the registration, or for its `frame` with `measuresFrame`.
- * \ingroup SupineProne */
-SupineProne_EXPORT RegistrationErrors
+ * \ingroup ShapetonSupineProne */
+ShapetonSupineProne_EXPORT RegistrationErrors
 MeasureRegistrationErrors(const SupineProneRegistration & registration,
                           const std::vector<PointPair> &  pairs,
                           bool                            measuresFrame = false);

@@ -11,7 +11,7 @@
 namespace shapeton
 {
 /** \defgroup RegistrationResults Results of a registration of two examinations
- * \ingroup SupineProne */
+ * \ingroup ShapetonSupineProne */
 ///@{
 
 /** Ground truth from points with known correspondence for a pair of folds, or for a fold of the supine position. */
@@ -26,7 +26,7 @@ enum class FoldVerdict
 };
 
 /** "", "correct", "wrong", "unmatched". */
-SupineProne_EXPORT std::string
+ShapetonSupineProne_EXPORT std::string
                    NameOf(FoldVerdict verdict);
 
 /** A matched pair of folds, as in the table. */
@@ -99,7 +99,7 @@ struct RegistrationResults
 };
 
 /** \param truth points with known correspondence, for errors; may be empty. */
-SupineProne_EXPORT RegistrationResults
+ShapetonSupineProne_EXPORT RegistrationResults
 MakeRegistrationResults(const ColonPositionFiles &      supine,
                         const ColonPositionFiles &      prone,
                         const SupineProneRegistration & registration,

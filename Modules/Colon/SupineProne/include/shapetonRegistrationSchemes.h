@@ -5,7 +5,7 @@
 
 namespace shapeton
 {
-/** Simpler registration methods, for comparison. \ingroup SupineProne */
+/** Simpler registration methods, for comparison. \ingroup ShapetonSupineProne */
 enum class RegistrationScheme
 {
   /** Flat maps stretched to the same length, with the single rotation in which their fold pictures agree best. */
@@ -24,8 +24,8 @@ enum class RegistrationScheme
 };
 
 /** The map of a scheme for a pair registered by RegisterColonPositions(); frame and warp are taken from `registration`.
- * \ingroup SupineProne */
-SupineProne_EXPORT CylinderMap
+ * \ingroup ShapetonSupineProne */
+ShapetonSupineProne_EXPORT CylinderMap
 MapOfScheme(RegistrationScheme              scheme,
             const ColonPosition &           source,
             const ColonPosition &           target,

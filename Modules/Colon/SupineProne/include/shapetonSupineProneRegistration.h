@@ -10,7 +10,7 @@
 
 namespace shapeton
 {
-/** Method by which RegisterColonPositions() builds its map from correspondences. \ingroup SupineProne */
+/** Method by which RegisterColonPositions() builds its map from correspondences. \ingroup ShapetonSupineProne */
 enum class SupineProneMap
 {
   /** Warped, corrected by consistent folds and taeniae, projected to a bijection. */
@@ -22,7 +22,7 @@ enum class SupineProneMap
   Published
 };
 
-/** Options of RegisterColonPositions(). \ingroup SupineProne */
+/** Options of RegisterColonPositions(). \ingroup ShapetonSupineProne */
 struct SupineProneOptions
 {
   SupineProneMap     map{ SupineProneMap::Default };
@@ -37,7 +37,7 @@ struct SupineProneOptions
   Progress progress;
 };
 
-/** A matched pair of folds. \ingroup SupineProne */
+/** A matched pair of folds. \ingroup ShapetonSupineProne */
 struct FoldMatch
 {
   /** Indices into ColonPosition::folds. */
@@ -52,7 +52,7 @@ struct FoldMatch
   int segment{ 0 };
 };
 
-/** Confidence of the registration. \ingroup SupineProne */
+/** Confidence of the registration. \ingroup ShapetonSupineProne */
 struct RegistrationConfidence
 {
   /** 0 to 1; below 0.5 the registration is flagged. */
@@ -82,11 +82,11 @@ struct RegistrationConfidence
    * at most 4, added to even odds, but at most those of senseMargin alone, since a few folds can be similar in two
    * patients. Each is 0 midway between values measured on one patient and on two, so folds visible in only one position
    * do not outweigh a picture that fits in only one orientation. */
-  SupineProne_EXPORT double
+  ShapetonSupineProne_EXPORT double
   ProbabilityOfOnePatient() const;
 };
 
-/** Figures measured during registration. \ingroup SupineProne */
+/** Figures measured during registration. \ingroup ShapetonSupineProne */
 struct RegistrationFigures
 {
   int    flips{ 0 };
@@ -100,7 +100,7 @@ struct RegistrationFigures
 };
 
 /** A one-to-one map between the walls of a colon in two positions, with the matched folds and its confidence. See
- * RegisterColonPositions(). \ingroup SupineProne */
+ * RegisterColonPositions(). \ingroup ShapetonSupineProne */
 struct SupineProneRegistration
 {
   /** The registered flat walls. */
@@ -139,26 +139,26 @@ struct SupineProneRegistration
  * In excluded stretches the map is interpolated from both sides and marked. Equal input gives equal results for any
  * number of threads. Throws InputError when a position has no folds, or neither flexures nor taeniae, or appears
  * reversed or mirrored. Source: dissertation 4.3; warping after Nain et al. 2002; see the README for the measured
- * figures. \ingroup SupineProne */
-SupineProne_EXPORT SupineProneRegistration
+ * figures. \ingroup ShapetonSupineProne */
+ShapetonSupineProne_EXPORT SupineProneRegistration
 RegisterColonPositions(const ColonPosition &      source,
                        const ColonPosition &      target,
                        const SupineProneOptions & options = {});
 
-/** Maps a place of the flat map, mm. \ingroup SupineProne */
-SupineProne_EXPORT Eigen::Vector2d
+/** Maps a place of the flat map, mm. \ingroup ShapetonSupineProne */
+ShapetonSupineProne_EXPORT Eigen::Vector2d
                    MapUv(const SupineProneRegistration & registration, const Eigen::Vector2d & sourceUv);
 
-/** Inverse of MapUv(); NaN where the map is not a bijection. \ingroup SupineProne */
-SupineProne_EXPORT Eigen::Vector2d
+/** Inverse of MapUv(); NaN where the map is not a bijection. \ingroup ShapetonSupineProne */
+ShapetonSupineProne_EXPORT Eigen::Vector2d
                    InverseMapUv(const SupineProneRegistration & registration, const Eigen::Vector2d & targetUv);
 
-/** Confidence at a place of the source, 0 to 1. \ingroup SupineProne */
-SupineProne_EXPORT double
+/** Confidence at a place of the source, 0 to 1. \ingroup ShapetonSupineProne */
+ShapetonSupineProne_EXPORT double
 ConfidenceAt(const SupineProneRegistration & registration, const CylinderPlace & place);
 
-/** Whether a place of the source, or its image, is excluded. \ingroup SupineProne */
-SupineProne_EXPORT bool
+/** Whether a place of the source, or its image, is excluded. \ingroup ShapetonSupineProne */
+ShapetonSupineProne_EXPORT bool
 IsExcludedAt(const SupineProneRegistration & registration, const CylinderPlace & place);
 } // namespace shapeton
 

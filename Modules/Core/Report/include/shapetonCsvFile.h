@@ -11,8 +11,8 @@ namespace shapeton
  * RFC 4180: comma, double quotes where needed, LF or CRLF; a byte order mark and empty lines are skipped. Errors name
  * the file and the line.
  *
- * \ingroup Report */
-class Report_EXPORT CsvFile
+ * \ingroup ShapetonReport */
+class ShapetonReport_EXPORT CsvFile
 {
 public:
   /** Throws InputError if the file cannot be read, has no header, lacks one of these columns, repeats a column name,

@@ -1,7 +1,7 @@
 #ifndef shapetonCsvTable_h
 #define shapetonCsvTable_h
 
-#include "ReportExport.h"
+#include "ShapetonReportExport.h"
 
 #include <string>
 #include <vector>
@@ -13,9 +13,9 @@ namespace shapeton
  *
  * Cells are text in UTF-8.
  *
- * \ingroup Report
+ * \ingroup ShapetonReport
  */
-class Report_EXPORT CsvTable
+class ShapetonReport_EXPORT CsvTable
 {
 public:
   explicit CsvTable(std::vector<std::string> columns);

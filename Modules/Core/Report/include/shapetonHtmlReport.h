@@ -1,7 +1,7 @@
 #ifndef shapetonHtmlReport_h
 #define shapetonHtmlReport_h
 
-#include "ReportExport.h"
+#include "ShapetonReportExport.h"
 #include "shapetonCsvTable.h"
 
 #include <functional>
@@ -12,17 +12,17 @@
 namespace shapeton
 {
 /** Maps the final path of a file to the path to write to, for example a temporary one.
- * \ingroup Report */
+ * \ingroup ShapetonReport */
 using OutputPath = std::function<std::string(const std::string &)>;
 
 /** The text that shapeton_join_scripts() of CMake makes from the scripts or styles of a page: string literals,
- * terminated by nullptr. \ingroup Report */
-Report_EXPORT std::string
+ * terminated by nullptr. \ingroup ShapetonReport */
+ShapetonReport_EXPORT std::string
               PageText(const char * const pieces[]);
 
 /** The style sheet shared by all pages; a root element of class `dark` selects dark colors.
- * \ingroup Report */
-Report_EXPORT std::string
+ * \ingroup ShapetonReport */
+ShapetonReport_EXPORT std::string
               PageStyle();
 
 /** \class HtmlReport
@@ -31,8 +31,8 @@ Report_EXPORT std::string
  * Text is UTF-8, escaped, and formats numbers as ReadableText() does. The page is HTML 5 and well-formed XML. The
  * bytes depend on the content only.
  *
- * \ingroup Report */
-class Report_EXPORT HtmlReport
+ * \ingroup ShapetonReport */
+class ShapetonReport_EXPORT HtmlReport
 {
 public:
   explicit HtmlReport(const std::string & title);

@@ -1,7 +1,7 @@
 #ifndef shapetonReadableText_h
 #define shapetonReadableText_h
 
-#include "ReportExport.h"
+#include "ShapetonReportExport.h"
 
 #include <optional>
 #include <string>
@@ -10,12 +10,12 @@ namespace shapeton
 {
 /** A number as written by CsvTable, in plain decimal notation: "2.322e+04" becomes "23220". Beyond 15 places left or
  * 6 right of the decimal point it keeps a power of ten, in superscript. Any other text is unchanged.
- * \ingroup Report */
-Report_EXPORT std::string
+ * \ingroup ShapetonReport */
+ShapetonReport_EXPORT std::string
               PlainNumber(const std::string & number);
 
 /** A number, optionally followed by a blank and a unit such as mm, ml or %.
- * \ingroup Report */
+ * \ingroup ShapetonReport */
 struct Quantity
 {
   std::string number;
@@ -23,18 +23,18 @@ struct Quantity
 };
 
 /** Parses a quantity; empty for any other text. Digits of the number may be grouped by blanks.
- * \ingroup Report */
-Report_EXPORT std::optional<Quantity>
+ * \ingroup ShapetonReport */
+ShapetonReport_EXPORT std::optional<Quantity>
               QuantityOf(const std::string & text);
 
 /** A quantity for display: the number in plain notation, its thousands separated by narrow no-break spaces, then the
- * unit. \ingroup Report */
-Report_EXPORT std::string
+ * unit. \ingroup ShapetonReport */
+ShapetonReport_EXPORT std::string
               ReadableQuantity(const Quantity & quantity);
 
 /** A text for display: numbers in plain notation, thousands separated for those with a unit, mm^2 in superscript.
- * Names that contain digits are unchanged. \ingroup Report */
-Report_EXPORT std::string
+ * Names that contain digits are unchanged. \ingroup ShapetonReport */
+ShapetonReport_EXPORT std::string
               ReadableText(const std::string & text);
 } // namespace shapeton
 

@@ -6,8 +6,8 @@
 
 namespace shapeton
 {
-/** Warnings that differ only in their numbers and quoted names. \ingroup Report
- * \ingroup Report */
+/** Warnings that differ only in their numbers and quoted names. \ingroup ShapetonReport
+ * \ingroup ShapetonReport */
 struct WarningKind
 {
   /** The common text of the warnings, with an ellipsis for each number or name that differs. */
@@ -16,7 +16,7 @@ struct WarningKind
 };
 
 /** The kinds of a list, the most severe first: failures and missing results, doubtful results, and the rest. Kinds
- * of equal severity, and the warnings of a kind, keep their order. \ingroup Report \ingroup Report */
+ * of equal severity, and the warnings of a kind, keep their order. \ingroup ShapetonReport \ingroup ShapetonReport */
 std::vector<WarningKind>
 KindsOf(const std::vector<std::string> & warnings);
 } // namespace shapeton

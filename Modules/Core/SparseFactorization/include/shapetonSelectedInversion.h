@@ -10,7 +10,7 @@ namespace shapeton
 {
 struct FactorLayout;
 
-/** The nonzero elements of a sparse symmetric matrix: one per vertex, one per edge. \ingroup SparseFactorization */
+/** The nonzero elements of a sparse symmetric matrix: one per vertex, one per edge. \ingroup ShapetonSparseFactorization */
 struct SymmetricElements
 {
   Eigen::VectorXcd diagonal;
@@ -34,8 +34,8 @@ struct SymmetricElements
  * An object can invert any number of matrices with its pattern, concurrently. The results are identical for any number
  * of threads and on any CPU.
  *
- * \ingroup SparseFactorization */
-class SparseFactorization_EXPORT SelectedInversion
+ * \ingroup ShapetonSparseFactorization */
+class ShapetonSparseFactorization_EXPORT SelectedInversion
 {
 public:
   explicit SelectedInversion(SymbolicFactorization symbolic);

@@ -13,8 +13,8 @@ namespace shapeton
  * kernels for the instruction set of the CPU and all of ITK's threads. The result has the same bytes for any number of
  * threads and on any CPU.
  *
- * \ingroup SparseFactorization */
-class SparseFactorization_EXPORT SparseCholesky
+ * \ingroup ShapetonSparseFactorization */
+class ShapetonSparseFactorization_EXPORT SparseCholesky
 {
 public:
   explicit SparseCholesky(SymbolicFactorization symbolic);
@@ -54,8 +54,8 @@ private:
 };
 
 /** Replaces each column b by the solution of A x = b; reads the lower triangle of A. Returns false and leaves b
- * unchanged if A is not positive definite. \ingroup SparseFactorization */
-SparseFactorization_EXPORT bool
+ * unchanged if A is not positive definite. \ingroup ShapetonSparseFactorization */
+ShapetonSparseFactorization_EXPORT bool
 SolvePositiveDefinite(const Eigen::SparseMatrix<double> & A,
                       Eigen::Ref<Eigen::MatrixXd>         b,
                       const Progress &                    progress = {});

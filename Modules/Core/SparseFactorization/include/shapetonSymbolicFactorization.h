@@ -1,7 +1,7 @@
 #ifndef shapetonSymbolicFactorization_h
 #define shapetonSymbolicFactorization_h
 
-#include "SparseFactorizationExport.h"
+#include "ShapetonSparseFactorizationExport.h"
 
 #include <Eigen/SparseCore>
 
@@ -12,7 +12,7 @@
 
 namespace shapeton
 {
-/** How the elimination order is computed. \ingroup SparseFactorization */
+/** How the elimination order is computed. \ingroup ShapetonSparseFactorization */
 enum class EliminationOrder
 {
   /** Approximate minimum degree (Eigen): fast to compute; for one or two factorizations of real matrices. */
@@ -31,8 +31,8 @@ enum class EliminationOrder
  * copies share it. For planar graphs and graphs of bounded genus with n vertices a factorization takes O(n^1.5)
  * operations and O(n log n) memory. The analysis is deterministic.
  *
- * \ingroup SparseFactorization */
-class SparseFactorization_EXPORT SymbolicFactorization
+ * \ingroup ShapetonSparseFactorization */
+class ShapetonSparseFactorization_EXPORT SymbolicFactorization
 {
 public:
   struct Parts;

@@ -1,32 +1,32 @@
 #ifndef shapetonLabelShapes_h
 #define shapetonLabelShapes_h
 
-#include "ShapeSignatureExport.h"
+#include "ShapetonShapeSignatureExport.h"
 #include "shapetonVoxelRuns.h"
 
 #include "itkImage.h"
 
 namespace shapeton
 {
-/** Label maps as read from volume files: integers, 0 for the background. \ingroup ShapeSignature */
+/** Label maps as read from volume files: integers, 0 for the background. \ingroup ShapetonShapeSignature */
 using LabelMap = itk::Image<float, 3>;
 
 /** The labels of a label map, ascending, without 0. Throws InputError for values that are not integers from 0 to
- * 65535, and if there is no label. \ingroup ShapeSignature */
-ShapeSignature_EXPORT std::vector<int>
+ * 65535, and if there is no label. \ingroup ShapetonShapeSignature */
+ShapetonShapeSignature_EXPORT std::vector<int>
                       LabelsOf(const LabelMap * labels);
 
-/** The voxels of a label. \ingroup ShapeSignature */
-ShapeSignature_EXPORT VoxelRuns
+/** The voxels of a label. \ingroup ShapetonShapeSignature */
+ShapetonShapeSignature_EXPORT VoxelRuns
 VoxelsOfLabel(const LabelMap * labels, int label);
 
 /** The face-connected components of a shape with at least this number of voxels, the largest first.
- * \ingroup ShapeSignature */
-ShapeSignature_EXPORT std::vector<VoxelRuns>
+ * \ingroup ShapetonShapeSignature */
+ShapetonShapeSignature_EXPORT std::vector<VoxelRuns>
                       ComponentsOf(const VoxelRuns & shape, std::size_t leastVoxels = 1);
 
-/** The number of voxels of a shape. \ingroup ShapeSignature */
-ShapeSignature_EXPORT std::size_t
+/** The number of voxels of a shape. \ingroup ShapetonShapeSignature */
+ShapetonShapeSignature_EXPORT std::size_t
                       CountVoxels(const VoxelRuns & shape);
 } // namespace shapeton
 

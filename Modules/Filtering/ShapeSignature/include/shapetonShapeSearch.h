@@ -9,7 +9,7 @@
 namespace shapeton
 {
 /** Differences of two signatures, part by part: root mean squares of the differences of logarithms. 0 for equal
- * ones. Volume is excluded, so that shapes of any size can be compared. \ingroup ShapeSignature */
+ * ones. Volume is excluded, so that shapes of any size can be compared. \ingroup ShapetonShapeSignature */
 struct SignatureDifference
 {
   /** Logarithm of 0.01 + remainingHeat: heat below a hundredth carries little information. */
@@ -21,37 +21,37 @@ struct SignatureDifference
   double flatness{ 0.0 };
 };
 
-/** The differences of two signatures. \ingroup ShapeSignature */
-ShapeSignature_EXPORT SignatureDifference
+/** The differences of two signatures. \ingroup ShapetonShapeSignature */
+ShapetonShapeSignature_EXPORT SignatureDifference
 DifferenceOf(const ShapeSignature & a, const ShapeSignature & b);
 
 /** Distance of two signatures, at least 0: the root mean square of their differences, each in units of the root mean
  * square of the differences between copies of one shape, which are thus about 1 apart. The copies are rotated,
- * scaled, resampled and noisy versions of generated shapes (seeds 1 to 64). \ingroup ShapeSignature */
-ShapeSignature_EXPORT double
+ * scaled, resampled and noisy versions of generated shapes (seeds 1 to 64). \ingroup ShapetonShapeSignature */
+ShapetonShapeSignature_EXPORT double
 SignatureDistance(const ShapeSignature & a, const ShapeSignature & b);
 
 /** The probability that the nearest entry has the same shape as the query: logistic in the logarithms of its
  * distance and of the margin, the distance of the nearest entry of another name divided by it, at most 10. Fitted
- * to generated shapes (seeds 1 to 99), half of which had no entry. \ingroup ShapeSignature */
-ShapeSignature_EXPORT double
+ * to generated shapes (seeds 1 to 99), half of which had no entry. \ingroup ShapetonShapeSignature */
+ShapetonShapeSignature_EXPORT double
 ProbabilityOfSameShape(double distance, double margin);
 
-/** A named shape; several shapes may share a name. \ingroup ShapeSignature */
+/** A named shape; several shapes may share a name. \ingroup ShapetonShapeSignature */
 struct NamedShape
 {
   std::string    name;
   ShapeSignature signature;
 };
 
-/** An entry and its distance. \ingroup ShapeSignature */
+/** An entry and its distance. \ingroup ShapetonShapeSignature */
 struct ShapeNeighbor
 {
   std::size_t entry{ 0 };
   double      distance{ 0.0 };
 };
 
-/** Result of FindShape(). \ingroup ShapeSignature */
+/** Result of FindShape(). \ingroup ShapetonShapeSignature */
 struct ShapeSearchResult
 {
   /** The nearest first; in case of ties the earlier entry. */
@@ -68,8 +68,8 @@ struct ShapeSearchResult
 };
 
 /** Searches the entries, at least one, for the `nearest` neighbors of a shape.
- * \ingroup ShapeSignature */
-ShapeSignature_EXPORT ShapeSearchResult
+ * \ingroup ShapetonShapeSignature */
+ShapetonShapeSignature_EXPORT ShapeSearchResult
 FindShape(const ShapeSignature & shape, const std::vector<NamedShape> & entries, std::size_t nearest);
 } // namespace shapeton
 

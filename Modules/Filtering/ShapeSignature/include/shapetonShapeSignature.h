@@ -1,7 +1,7 @@
 #ifndef shapetonShapeSignature_h
 #define shapetonShapeSignature_h
 
-#include "ShapeSignatureExport.h"
+#include "ShapetonShapeSignatureExport.h"
 #include "shapetonVoxelRuns.h"
 
 #include "itkImageBase.h"
@@ -29,8 +29,8 @@ namespace shapeton
  *
  * No measure distinguishes an object from its mirror image.
  *
- * \ingroup ShapeSignature */
-struct ShapeSignature_EXPORT ShapeSignature
+ * \ingroup ShapetonShapeSignature */
+struct ShapetonShapeSignature_EXPORT ShapeSignature
 {
   static constexpr std::size_t NumberOfTimes = 25;
   static constexpr std::size_t NumberOfEigenvalues = 20;
@@ -69,8 +69,8 @@ struct ShapeSignature_EXPORT ShapeSignature
  * threads. Throws InputError if the set has fewer than LeastVoxels, is thinner than a grid voxel nearly everywhere, or
  * is so long that the grid does not fit into memory; std::invalid_argument if its size is not that of the image.
  *
- * \ingroup ShapeSignature */
-ShapeSignature_EXPORT ShapeSignature
+ * \ingroup ShapetonShapeSignature */
+ShapetonShapeSignature_EXPORT ShapeSignature
 ComputeShapeSignature(const VoxelRuns & shape, const itk::ImageBase<3> * image);
 } // namespace shapeton
 

@@ -10,7 +10,7 @@
 
 namespace shapeton
 {
-/** A shape of a label map. \ingroup ShapeSignature */
+/** A shape of a label map. \ingroup ShapetonShapeSignature */
 struct ShapeRow
 {
   int label{ 0 };
@@ -24,11 +24,11 @@ struct ShapeRow
   ShapeSignature signature;
 
   /** "7" or, for a component, "7.1". */
-  ShapeSignature_EXPORT std::string
+  ShapetonShapeSignature_EXPORT std::string
                         Name() const;
 };
 
-/** The shapes of a label map. \ingroup ShapeSignature */
+/** The shapes of a label map. \ingroup ShapetonShapeSignature */
 struct ShapeTable
 {
   std::vector<ShapeRow> rows; ///< by label, then component
@@ -37,25 +37,25 @@ struct ShapeTable
 
 /** Describes each label, or each connected component of each label. Shapes too small or too thin for a signature are
  * skipped with a remark. `intensities` has the grid of `labels`. Throws InputError if no shape remains, and as
- * LabelsOf() does; std::invalid_argument if the sizes differ. \ingroup ShapeSignature */
-ShapeSignature_EXPORT ShapeTable
+ * LabelsOf() does; std::invalid_argument if the sizes differ. \ingroup ShapetonShapeSignature */
+ShapetonShapeSignature_EXPORT ShapeTable
 DescribeShapes(const itk::Image<float, 3> * intensities,
                const LabelMap *             labels,
                bool                         components,
                const Progress &             progress = {});
 
 /** Writes a CSV file with one line per shape; numbers read back unchanged. Throws OutputError.
- * \ingroup ShapeSignature */
-ShapeSignature_EXPORT void
+ * \ingroup ShapetonShapeSignature */
+ShapetonShapeSignature_EXPORT void
 WriteShapeTable(const ShapeTable & table, const std::string & path);
 
 /** Reads a table written by WriteShapeTable(). Throws InputError with file and line if it is not such a table, or a
- * number is out of range. \ingroup ShapeSignature */
-ShapeSignature_EXPORT ShapeTable
+ * number is out of range. \ingroup ShapetonShapeSignature */
+ShapetonShapeSignature_EXPORT ShapeTable
 ReadShapeTable(const std::string & path);
 
-/** Throws InputError that begins with `what` if a signature is not possible for any shape. \ingroup ShapeSignature */
-ShapeSignature_EXPORT void
+/** Throws InputError that begins with `what` if a signature is not possible for any shape. \ingroup ShapetonShapeSignature */
+ShapetonShapeSignature_EXPORT void
 RequireSound(const ShapeSignature & signature, const std::string & what);
 } // namespace shapeton
 

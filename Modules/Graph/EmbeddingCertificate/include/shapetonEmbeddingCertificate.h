@@ -1,7 +1,7 @@
 #ifndef shapetonEmbeddingCertificate_h
 #define shapetonEmbeddingCertificate_h
 
-#include "EmbeddingCertificateExport.h"
+#include "ShapetonEmbeddingCertificateExport.h"
 #include "shapetonRemarks.h"
 #include "shapetonCombinatorialMap.h"
 
@@ -14,7 +14,7 @@
 namespace shapeton
 {
 /** Geometry of the surface: unit sphere (genus 0), plane (genus 1) or hyperbolic plane of curvature -1 (genus 2 and
- * more). \ingroup EmbeddingCertificate */
+ * more). \ingroup ShapetonEmbeddingCertificate */
 enum class EmbeddingGeometry
 {
   Spherical,
@@ -26,7 +26,7 @@ enum class EmbeddingGeometry
  *
  * `z -> (a z + b) / (conj(b) z + conj(a))` with |a|^2 - |b|^2 = 1 in the Poincare disk, `z -> z + b` (a = 1) in the
  * plane. It maps the frame of the end node of `halfEdge` to the frame reached from its start node along `halfEdge`.
- * \ingroup EmbeddingCertificate */
+ * \ingroup ShapetonEmbeddingCertificate */
 struct DeckTransformation
 {
   /** A half-edge of the packed map. */
@@ -55,7 +55,7 @@ struct DeckTransformation
  *   Each node has one lift; a face is adjacent to the lift of the start node of its lowest half-edge.
  *
  * Units: radians on the sphere; in the plane any unit.
- * \ingroup EmbeddingCertificate */
+ * \ingroup ShapetonEmbeddingCertificate */
 struct EmbeddingCertificate
 {
   std::vector<std::pair<std::string, std::string>> provenance;
@@ -101,48 +101,48 @@ struct EmbeddingCertificate
   std::vector<std::pair<std::string, double>> statistics;
 };
 
-/** Number of coordinates of a place: 3 on the sphere, else 2. \ingroup EmbeddingCertificate */
+/** Number of coordinates of a place: 3 on the sphere, else 2. \ingroup ShapetonEmbeddingCertificate */
 inline int
 CoordinatesOf(EmbeddingGeometry geometry)
 {
   return geometry == EmbeddingGeometry::Spherical ? 3 : 2;
 }
 
-/** Reference length for circle sizes: a period of the torus, else 1. \ingroup EmbeddingCertificate */
-EmbeddingCertificate_EXPORT double
+/** Reference length for circle sizes: a period of the torus, else 1. \ingroup ShapetonEmbeddingCertificate */
+ShapetonEmbeddingCertificate_EXPORT double
 UnitOfSurface(const EmbeddingCertificate & certificate);
 
-/** Radius of the smallest node circle of the graph, in that unit. \ingroup EmbeddingCertificate */
-EmbeddingCertificate_EXPORT double
+/** Radius of the smallest node circle of the graph, in that unit. \ingroup ShapetonEmbeddingCertificate */
+ShapetonEmbeddingCertificate_EXPORT double
 SmallestCircle(const EmbeddingCertificate & certificate);
 
 /** "spherical", "euclidean", "hyperbolic".
- * \ingroup EmbeddingCertificate */
-EmbeddingCertificate_EXPORT std::string
+ * \ingroup ShapetonEmbeddingCertificate */
+ShapetonEmbeddingCertificate_EXPORT std::string
                             NameOf(EmbeddingGeometry geometry);
 
 /** Rotation of the graph implied by a rotation of the packed map: skips dummies and contracts subdivided edges. Throws
- * InputError if the packed map does not match the graph. \ingroup EmbeddingCertificate */
-EmbeddingCertificate_EXPORT std::vector<int>
+ * InputError if the packed map does not match the graph. \ingroup ShapetonEmbeddingCertificate */
+ShapetonEmbeddingCertificate_EXPORT std::vector<int>
                             RotationOfGraph(const EmbeddingCertificate & certificate);
 
 /** Converts between a map and its rotation as one list of half-edges. The second throws InputError if the list is not a
- * rotation of the graph. \ingroup EmbeddingCertificate */
+ * rotation of the graph. \ingroup ShapetonEmbeddingCertificate */
 ///@{
-EmbeddingCertificate_EXPORT std::vector<int>
+ShapetonEmbeddingCertificate_EXPORT std::vector<int>
                             FlatRotation(const CombinatorialMap & map);
-EmbeddingCertificate_EXPORT CombinatorialMap
+ShapetonEmbeddingCertificate_EXPORT CombinatorialMap
 MapOfRotation(const Graph & graph, const std::vector<int> & rotation);
 ///@}
 
 /** Writes a certificate as JSON in a streaming fashion, without a copy in memory. Numbers are round-trip exact. Throws
- * OutputError, and std::invalid_argument if a number is not finite. \ingroup EmbeddingCertificate */
-EmbeddingCertificate_EXPORT void
+ * OutputError, and std::invalid_argument if a number is not finite. \ingroup ShapetonEmbeddingCertificate */
+ShapetonEmbeddingCertificate_EXPORT void
 WriteEmbeddingCertificate(const EmbeddingCertificate & certificate, const std::string & path);
 
 /** Reads a file written by WriteEmbeddingCertificate. Checks only that list sizes are consistent and indices are in
- * range. Throws InputError that names the file and the location or entry. \ingroup EmbeddingCertificate */
-EmbeddingCertificate_EXPORT EmbeddingCertificate
+ * range. Throws InputError that names the file and the location or entry. \ingroup ShapetonEmbeddingCertificate */
+ShapetonEmbeddingCertificate_EXPORT EmbeddingCertificate
 ReadEmbeddingCertificate(const std::string & path);
 } // namespace shapeton
 

@@ -1,7 +1,7 @@
 #ifndef shapetonCanonicalForm_h
 #define shapetonCanonicalForm_h
 
-#include "GraphComparisonExport.h"
+#include "ShapetonGraphComparisonExport.h"
 #include "shapetonGraph.h"
 
 #include <vector>
@@ -11,8 +11,8 @@ namespace shapeton
 /** \brief A canonical renumbering of a graph: equal for two graphs if and only if they are isomorphic.
  *
  * Labeled by Traces (McKay and Piperno 2014). Loops and multiple edges count with their multiplicity.
- * \ingroup GraphComparison */
-struct GraphComparison_EXPORT CanonicalForm
+ * \ingroup ShapetonGraphComparison */
+struct ShapetonGraphComparison_EXPORT CanonicalForm
 {
   explicit CanonicalForm(const Graph & original);
 
@@ -23,8 +23,8 @@ struct GraphComparison_EXPORT CanonicalForm
   Graph graph;
 };
 
-/** For each node of `a` its image in `b`; empty if the graphs are not isomorphic. \ingroup GraphComparison */
-GraphComparison_EXPORT std::vector<int>
+/** For each node of `a` its image in `b`; empty if the graphs are not isomorphic. \ingroup ShapetonGraphComparison */
+ShapetonGraphComparison_EXPORT std::vector<int>
                        Isomorphism(const CanonicalForm & a, const CanonicalForm & b);
 } // namespace shapeton
 

@@ -1,7 +1,7 @@
 #ifndef shapetonDynamicEmbedding_h
 #define shapetonDynamicEmbedding_h
 
-#include "GraphComparisonExport.h"
+#include "ShapetonGraphComparisonExport.h"
 #include "shapetonEmbeddingCertificate.h"
 #include "shapetonGraphEmbedding.h"
 #include "shapetonGraphGenus.h"
@@ -13,7 +13,7 @@
 namespace shapeton
 {
 /** Differences between two steps of a dynamic graph, or two graphs with named nodes. Node and edge indices refer to the
- * step they belong to. \ingroup GraphComparison */
+ * step they belong to. \ingroup ShapetonGraphComparison */
 struct GraphChanges
 {
   std::vector<int> removedNodes; /**< of the first step */
@@ -30,20 +30,20 @@ struct GraphChanges
 };
 
 /** Compares embeddings by node names. For another correspondence, pass for each node of `a` its node of `b`, or -1.
- * \ingroup GraphComparison */
+ * \ingroup ShapetonGraphComparison */
 ///@{
-GraphComparison_EXPORT GraphChanges
+ShapetonGraphComparison_EXPORT GraphChanges
 ChangesBetween(const EmbeddingCertificate & a, const EmbeddingCertificate & b);
-GraphComparison_EXPORT GraphChanges
+ShapetonGraphComparison_EXPORT GraphChanges
 ChangesBetween(const EmbeddingCertificate & a, const EmbeddingCertificate & b, const std::vector<int> & image);
 ///@}
 
 /** Rotation that aligns sphere `b` with sphere `a` by corresponding nodes; the identity on other surfaces.
- * \ingroup GraphComparison */
-GraphComparison_EXPORT std::array<double, 9>
+ * \ingroup ShapetonGraphComparison */
+ShapetonGraphComparison_EXPORT std::array<double, 9>
 RotationTo(const EmbeddingCertificate & a, const EmbeddingCertificate & b, const std::vector<int> & image);
 
-/** One step. \ingroup GraphComparison */
+/** One step. \ingroup ShapetonGraphComparison */
 struct DynamicStep
 {
   EmbeddingCertificate certificate;
@@ -61,8 +61,8 @@ struct DynamicStep
  * the reusable dummies (see CarryPackedMap()), which is steadier after few changes. If nodes move, it is also packed
  * with new dummies, which is steadier after many changes, and the steadier result is used. If a circle is then
  * illegibly small, blocks and dummies are rearranged, provided that the smallest circle becomes ten times larger.
- * \ingroup GraphComparison */
-class GraphComparison_EXPORT DynamicEmbedding
+ * \ingroup ShapetonGraphComparison */
+class ShapetonGraphComparison_EXPORT DynamicEmbedding
 {
 public:
   explicit DynamicEmbedding(GenusOptions genus = {}, GraphEmbeddingOptions embedding = {});

@@ -11,7 +11,7 @@
 
 namespace shapeton
 {
-/** Graph invariants, equal for isomorphic graphs. \ingroup GraphComparison */
+/** Graph invariants, equal for isomorphic graphs. \ingroup ShapetonGraphComparison */
 struct GraphFigures
 {
   int nodes{ 0 };
@@ -25,14 +25,14 @@ struct GraphFigures
   std::vector<int> nodesOfDegree;
 };
 
-GraphComparison_EXPORT GraphFigures
+ShapetonGraphComparison_EXPORT GraphFigures
 FiguresOf(const Graph & graph);
 
-/** Describes the differences between the invariants of two graphs, one sentence each. \ingroup GraphComparison */
-GraphComparison_EXPORT std::vector<std::string>
+/** Describes the differences between the invariants of two graphs, one sentence each. \ingroup ShapetonGraphComparison */
+ShapetonGraphComparison_EXPORT std::vector<std::string>
                        DifferencesBetween(const GraphFigures & a, const GraphFigures & b);
 
-/** Node correspondence and its method. \ingroup GraphComparison */
+/** Node correspondence and its method. \ingroup ShapetonGraphComparison */
 struct NodeCorrespondence
 {
   /** "isomorphism", "names", "neighborhoods" (nodes with a neighborhood of up to four edges that is unique in both
@@ -44,11 +44,11 @@ struct NodeCorrespondence
 
 /** Matches nodes by an isomorphism if one exists; else by names, if both graphs have names and at least half of the
  * nodes of the smaller graph match; else by neighborhoods. Indices refer to the graphs of the canonical forms.
- * \ingroup GraphComparison */
-GraphComparison_EXPORT NodeCorrespondence
+ * \ingroup ShapetonGraphComparison */
+ShapetonGraphComparison_EXPORT NodeCorrespondence
 CorrespondingNodes(const CanonicalForm & a, const CanonicalForm & b);
 
-/** Result of comparing two graphs. \ingroup GraphComparison */
+/** Result of comparing two graphs. \ingroup ShapetonGraphComparison */
 struct GraphComparison
 {
   bool isomorphic{ false };
@@ -65,9 +65,9 @@ struct GraphComparison
 
 /** Labels both graphs canonically and embeds them. If the graphs are not isomorphic, the second embedding reuses the
  * rotation system of the first where nodes correspond by names, and its sphere is aligned with the first by a Moebius
- * transformation. Reports overall progress; the progress function in the options is ignored. \ingroup GraphComparison
+ * transformation. Reports overall progress; the progress function in the options is ignored. \ingroup ShapetonGraphComparison
  */
-GraphComparison_EXPORT GraphComparison
+ShapetonGraphComparison_EXPORT GraphComparison
 CompareGraphs(const Graph &                 a,
               const Graph &                 b,
               const GenusOptions &          genus = {},
@@ -75,16 +75,16 @@ CompareGraphs(const Graph &                 a,
               const Progress &              progress = {});
 
 /** "#rrggbb" for each node of both graphs. Corresponding nodes share a color; colors of neighbors in canonical order
- * differ strongly; unmatched nodes are gray. \ingroup GraphComparison */
-GraphComparison_EXPORT std::array<std::vector<std::string>, 2>
+ * differ strongly; unmatched nodes are gray. \ingroup ShapetonGraphComparison */
+ShapetonGraphComparison_EXPORT std::array<std::vector<std::string>, 2>
                        ColorsOfNodes(const GraphComparison & comparison);
 
-/** Comparison as JSON without the embeddings, by node names. \ingroup GraphComparison */
-GraphComparison_EXPORT Json
+/** Comparison as JSON without the embeddings, by node names. \ingroup ShapetonGraphComparison */
+ShapetonGraphComparison_EXPORT Json
 ComparisonToJson(const GraphComparison & comparison);
 
-/** Changes as JSON, by node names. \ingroup GraphComparison */
-GraphComparison_EXPORT Json
+/** Changes as JSON, by node names. \ingroup ShapetonGraphComparison */
+ShapetonGraphComparison_EXPORT Json
 ChangesToJson(const GraphChanges & changes, const Graph & a, const Graph & b);
 } // namespace shapeton
 

@@ -1,14 +1,14 @@
 #ifndef shapetonCarriedPacking_h
 #define shapetonCarriedPacking_h
 
-#include "GraphComparisonExport.h"
+#include "ShapetonGraphComparisonExport.h"
 #include "shapetonPackedMap.h"
 
 namespace shapeton
 {
 /** Options for dynamic graphs: faces with more than six half-edges are always filled with dummies, so that later edges
- * can be routed there. \ingroup GraphComparison */
-GraphComparison_EXPORT AugmentationOptions
+ * can be routed there. \ingroup ShapetonGraphComparison */
+ShapetonGraphComparison_EXPORT AugmentationOptions
 FilledFaces();
 
 /** \brief The packed map of a changed graph that reuses dummies of the previous step where possible.
@@ -23,8 +23,8 @@ FilledFaces();
  * the whole map if it has loops or parallel edges.
  *
  * Nodes are identified by name. \pre `packed` is a packed map of `before`, `map` a map of `after`.
- * \ingroup GraphComparison */
-GraphComparison_EXPORT PackedMap
+ * \ingroup ShapetonGraphComparison */
+ShapetonGraphComparison_EXPORT PackedMap
 CarryPackedMap(const Graph & before, const PackedMap & packed, const Graph & after, const CombinatorialMap & map);
 } // namespace shapeton
 

@@ -8,7 +8,7 @@
 
 namespace shapeton
 {
-/** For each node its outgoing half-edges, counter-clockwise. \ingroup GraphModel */
+/** For each node its outgoing half-edges, counter-clockwise. \ingroup ShapetonGraphModel */
 using Rotation = std::vector<std::vector<int>>;
 
 /** \class CombinatorialMap
@@ -22,9 +22,9 @@ using Rotation = std::vector<std::vector<int>>;
  *
  * Faces are numbered by their lowest half-edge. A node without edges is a component of genus 0 without faces.
  *
- * \ingroup GraphModel
+ * \ingroup ShapetonGraphModel
  */
-class GraphModel_EXPORT CombinatorialMap
+class ShapetonGraphModel_EXPORT CombinatorialMap
 {
 public:
   /** The empty map. */
@@ -178,8 +178,8 @@ private:
 
 /** Overlap graph of a map and its dual (vertex-face-edge graph): its nodes are the nodes of the map, then its faces,
  * then its edges. For each half-edge h of the map, edge h joins Node(h) and edge HalfEdges() + h joins Face(h) with
- * the node of edge h / 2. All faces are kites of four half-edges: node, edge, face, edge. \ingroup GraphModel */
-struct GraphModel_EXPORT OverlapGraph
+ * the node of edge h / 2. All faces are kites of four half-edges: node, edge, face, edge. \ingroup ShapetonGraphModel */
+struct ShapetonGraphModel_EXPORT OverlapGraph
 {
   explicit OverlapGraph(const CombinatorialMap & original);
 

@@ -1,7 +1,7 @@
 #ifndef shapetonGraph_h
 #define shapetonGraph_h
 
-#include "GraphModelExport.h"
+#include "ShapetonGraphModelExport.h"
 
 #include <array>
 #include <string>
@@ -10,7 +10,7 @@
 namespace shapeton
 {
 /** An undirected graph. Loops and multiple edges are allowed; nodes and edges are identified by index.
- * \ingroup GraphModel */
+ * \ingroup ShapetonGraphModel */
 struct Graph
 {
   int nodes{ 0 };
@@ -21,16 +21,16 @@ struct Graph
 };
 
 /** Throws InputError with the prefix `what` (a file name) if the graph has no nodes, an edge has an invalid node, the
- * numbers of names and nodes differ, or the half-edges exceed the range of int. \ingroup GraphModel */
-GraphModel_EXPORT void
+ * numbers of names and nodes differ, or the half-edges exceed the range of int. \ingroup ShapetonGraphModel */
+ShapetonGraphModel_EXPORT void
 RequireSound(const Graph & graph, const std::string & what);
 
-/** Name of a node, or its index as text if the graph has no names. \ingroup GraphModel */
-GraphModel_EXPORT std::string
+/** Name of a node, or its index as text if the graph has no names. \ingroup ShapetonGraphModel */
+ShapetonGraphModel_EXPORT std::string
                   NameOfNode(const Graph & graph, int node);
 
-/** The graph with node v renumbered to `image[v]`, a permutation; the edge order is kept. \ingroup GraphModel */
-GraphModel_EXPORT Graph
+/** The graph with node v renumbered to `image[v]`, a permutation; the edge order is kept. \ingroup ShapetonGraphModel */
+ShapetonGraphModel_EXPORT Graph
 RelabeledGraph(const Graph & graph, const std::vector<int> & image);
 } // namespace shapeton
 

@@ -1,7 +1,7 @@
 #ifndef shapetonGraphReader_h
 #define shapetonGraphReader_h
 
-#include "GraphModelExport.h"
+#include "ShapetonGraphModelExport.h"
 #include "shapetonRemarks.h"
 #include "shapetonGraph.h"
 
@@ -10,7 +10,7 @@
 
 namespace shapeton
 {
-/** A graph with metadata of its file. \ingroup GraphModel */
+/** A graph with metadata of its file. \ingroup ShapetonGraphModel */
 struct GraphFile
 {
   Graph graph;
@@ -31,18 +31,18 @@ struct GraphFile
  *
  * Throws InputError that names the file, the line and the remedy if a file is empty, binary, malformed or truncated, or
  * holds more than one graph; if a node is declared twice or an edge uses an undeclared node; and for a directed graph
- * (embeddings are undirected; convert it to an undirected graph first). \ingroup GraphModel */
-GraphModel_EXPORT GraphFile
+ * (embeddings are undirected; convert it to an undirected graph first). \ingroup ShapetonGraphModel */
+ShapetonGraphModel_EXPORT GraphFile
 ReadGraph(const std::string & path);
 
 /** Files of a folder with one graph per step, sorted by name; hidden files and .json are skipped. Throws InputError if
- * the folder cannot be read or has no such file. \ingroup GraphModel */
-GraphModel_EXPORT std::vector<std::string>
+ * the folder cannot be read or has no such file. \ingroup ShapetonGraphModel */
+ShapetonGraphModel_EXPORT std::vector<std::string>
                   GraphFilesOf(const std::string & folder);
 
 /** Writes GraphML that ReadGraph reads back to the same graph; unnamed nodes are called n0, n1, ... Throws OutputError.
- * \ingroup GraphModel */
-GraphModel_EXPORT void
+ * \ingroup ShapetonGraphModel */
+ShapetonGraphModel_EXPORT void
 WriteGraphML(const Graph & graph, const std::string & path);
 } // namespace shapeton
 

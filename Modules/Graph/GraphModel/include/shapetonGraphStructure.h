@@ -8,8 +8,8 @@
 namespace shapeton
 {
 /** Outgoing half-edges of each node, ascending, in one array: those of node v are halfEdges[start[v]] ...
- * halfEdges[start[v + 1] - 1]. Half-edge 2e leaves edges[e][0], 2e + 1 edges[e][1]. \ingroup GraphModel */
-struct GraphModel_EXPORT Incidence
+ * halfEdges[start[v + 1] - 1]. Half-edge 2e leaves edges[e][0], 2e + 1 edges[e][1]. \ingroup ShapetonGraphModel */
+struct ShapetonGraphModel_EXPORT Incidence
 {
   explicit Incidence(const Graph & graph);
 
@@ -23,7 +23,7 @@ struct GraphModel_EXPORT Incidence
   std::vector<int> halfEdges;
 };
 
-/** A subgraph with its node and edge indices in the whole graph. \ingroup GraphModel */
+/** A subgraph with its node and edge indices in the whole graph. \ingroup ShapetonGraphModel */
 struct Subgraph
 {
   Graph graph;
@@ -32,26 +32,26 @@ struct Subgraph
   std::vector<int> edges;
 };
 
-/** Connected components, sorted by their lowest nodes. \ingroup GraphModel */
-GraphModel_EXPORT std::vector<Subgraph>
+/** Connected components, sorted by their lowest nodes. \ingroup ShapetonGraphModel */
+ShapetonGraphModel_EXPORT std::vector<Subgraph>
                   ConnectedComponents(const Graph & graph);
 
 /** Blocks (maximal 2-connected parts, bridges, loops), as ascending lists of edges, sorted by their lowest edges. Each
- * edge is in one block; a node without edges is in none. \ingroup GraphModel */
-GraphModel_EXPORT std::vector<std::vector<int>>
+ * edge is in one block; a node without edges is in none. \ingroup ShapetonGraphModel */
+ShapetonGraphModel_EXPORT std::vector<std::vector<int>>
                   BlocksOf(const Graph & graph);
 
-/** The subgraph of these edges and their nodes. \ingroup GraphModel */
-GraphModel_EXPORT Subgraph
+/** The subgraph of these edges and their nodes. \ingroup ShapetonGraphModel */
+ShapetonGraphModel_EXPORT Subgraph
 SubgraphOfEdges(const Graph & graph, const std::vector<int> & edges);
 
-/** For each edge the first one with the same ends, in either order; -1 for a loop. \ingroup GraphModel */
-GraphModel_EXPORT std::vector<int>
+/** For each edge the first one with the same ends, in either order; -1 for a loop. \ingroup ShapetonGraphModel */
+ShapetonGraphModel_EXPORT std::vector<int>
                   FirstParallels(const Graph & graph);
 
 /** Length of a shortest cycle: 1 with a loop, 2 with a multiple edge, 0 in a forest. Breadth-first searches from all
- * nodes, cut off at half the best length; stops at a cycle of 3 in a simple graph. \ingroup GraphModel */
-GraphModel_EXPORT int
+ * nodes, cut off at half the best length; stops at a cycle of 3 in a simple graph. \ingroup ShapetonGraphModel */
+ShapetonGraphModel_EXPORT int
 Girth(const Graph & graph);
 } // namespace shapeton
 

@@ -1,7 +1,7 @@
 #ifndef shapetonBlockArrangement_h
 #define shapetonBlockArrangement_h
 
-#include "RicciFlowEmbeddingExport.h"
+#include "ShapetonRicciFlowEmbeddingExport.h"
 #include "shapetonCombinatorialMap.h"
 
 namespace shapeton
@@ -12,8 +12,8 @@ namespace shapeton
  * own half-edges. The largest block turns its longest face to the others. Each other block turns the longest face at
  * the node that leads to the largest, and where that face does not meet a node, its longest face there. Blocks
  * interleaved around a node are separated, which can only reduce the genus. Maps with a single block are unchanged.
- * \ingroup RicciFlowEmbedding */
-RicciFlowEmbedding_EXPORT CombinatorialMap
+ * \ingroup ShapetonRicciFlowEmbedding */
+ShapetonRicciFlowEmbedding_EXPORT CombinatorialMap
 ArrangeBlocks(const CombinatorialMap & map);
 } // namespace shapeton
 

@@ -1,7 +1,7 @@
 #ifndef shapetonCirclePacking_h
 #define shapetonCirclePacking_h
 
-#include "RicciFlowEmbeddingExport.h"
+#include "ShapetonRicciFlowEmbeddingExport.h"
 #include "shapetonCombinatorialMap.h"
 #include "shapetonProgress.h"
 
@@ -10,7 +10,7 @@
 
 namespace shapeton
 {
-/** The background geometry of a Ricci flow. \ingroup RicciFlowEmbedding */
+/** The background geometry of a Ricci flow. \ingroup ShapetonRicciFlowEmbedding */
 enum class FlowGeometry
 {
   Euclidean,
@@ -19,7 +19,7 @@ enum class FlowGeometry
 
 /** Circles of infinite radius: one flag for each node or face, or empty lists for none. A straight line (in hyperbolic
  * geometry a geodesic) subtends the angle pi at circles orthogonal to it. A horocycle is tangent to the ideal
- * boundary. \ingroup RicciFlowEmbedding */
+ * boundary. \ingroup ShapetonRicciFlowEmbedding */
 struct CirclesAtInfinity
 {
   std::vector<char> lineNodes;
@@ -29,7 +29,7 @@ struct CirclesAtInfinity
 
 /** \brief Radii of the node and face circles: circles of adjacent nodes are tangent, and so are those of the two faces
  * of their edge, at the same point, where the two pairs are orthogonal. Infinite radii are infinity.
- * \ingroup RicciFlowEmbedding */
+ * \ingroup ShapetonRicciFlowEmbedding */
 struct CirclePacking
 {
   FlowGeometry        geometry{ FlowGeometry::Euclidean };
@@ -46,7 +46,7 @@ struct CirclePacking
 
 /** Precision of the last steps and of the layout. Along a chain of n circles around another one, errors grow as n^2:
  * some maps with thousands of nodes need extended precision, which takes a few times longer.
- * \ingroup RicciFlowEmbedding */
+ * \ingroup ShapetonRicciFlowEmbedding */
 enum class PackingPrecision
 {
   Double, ///< extended if the Hessian requires it
@@ -68,8 +68,8 @@ enum class PackingPrecision
  *
  * \pre `map` is connected, without loops and parallel edges, and no face meets a node twice. Genus 1 for Euclidean
  * geometry without circles at infinity, 2 and more for hyperbolic geometry. 3-connectivity (see FaceConflicts) is not
- * checked here. \ingroup RicciFlowEmbedding */
-RicciFlowEmbedding_EXPORT CirclePacking
+ * checked here. \ingroup ShapetonRicciFlowEmbedding */
+ShapetonRicciFlowEmbedding_EXPORT CirclePacking
 PackCircles(const CombinatorialMap &  map,
             FlowGeometry              geometry,
             const CirclesAtInfinity & infinite = {},
@@ -77,7 +77,7 @@ PackCircles(const CombinatorialMap &  map,
             const Progress &          progress = {});
 
 /** Half the kite angle of two circles at the first, finite one. If the second radius is infinite, it is a straight
- * line, or with `isHorocycle` a horocycle. \ingroup RicciFlowEmbedding */
+ * line, or with `isHorocycle` a horocycle. \ingroup ShapetonRicciFlowEmbedding */
 template <typename TReal>
 TReal
 HalfKiteAngle(FlowGeometry geometry, TReal radius, TReal otherRadius, bool isHorocycle = false)
@@ -94,7 +94,7 @@ HalfKiteAngle(FlowGeometry geometry, TReal radius, TReal otherRadius, bool isHor
                                              : std::atan2(std::tanh(otherRadius), std::sinh(radius));
 }
 
-/** \name Radii with their rounding residuals, if TReal can represent them \ingroup RicciFlowEmbedding */
+/** \name Radii with their rounding residuals, if TReal can represent them \ingroup ShapetonRicciFlowEmbedding */
 ///@{
 template <typename TReal>
 TReal
@@ -110,11 +110,11 @@ FaceRadius(const CirclePacking & packing, int face)
 }
 ///@}
 
-/** Curvatures of given radii: nodes, then faces; 0 for infinite circles. \ingroup RicciFlowEmbedding */
-RicciFlowEmbedding_EXPORT std::vector<double>
+/** Curvatures of given radii: nodes, then faces; 0 for infinite circles. \ingroup ShapetonRicciFlowEmbedding */
+ShapetonRicciFlowEmbedding_EXPORT std::vector<double>
                           CurvaturesOf(const CombinatorialMap & map, const CirclePacking & packing);
 
-/** Whether the circle of a face is a horocycle. \ingroup RicciFlowEmbedding */
+/** Whether the circle of a face is a horocycle. \ingroup ShapetonRicciFlowEmbedding */
 inline bool
 IsHorocycle(const CirclePacking & packing, int face)
 {

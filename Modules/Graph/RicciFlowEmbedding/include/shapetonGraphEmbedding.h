@@ -8,7 +8,7 @@
 
 namespace shapeton
 {
-/** Options of a graph embedding. \ingroup RicciFlowEmbedding */
+/** Options of a graph embedding. \ingroup ShapetonRicciFlowEmbedding */
 struct GraphEmbeddingOptions
 {
   Augmentation    augmentation{ Augmentation::Ring };
@@ -24,7 +24,7 @@ struct GraphEmbeddingOptions
 };
 
 /** Below this radius a circle of the graph is not legible in any picture, and a warning is given. Units: cap angle in
- * radians, hyperbolic radius, or fraction of the shorter lattice period. \ingroup RicciFlowEmbedding */
+ * radians, hyperbolic radius, or fraction of the shorter lattice period. \ingroup ShapetonRicciFlowEmbedding */
 constexpr double smallestLegibleRadius = 1e-9;
 
 /** \brief Embeds a graph with its map by the circle packing of that map: on the unit sphere for genus 0, a flat torus
@@ -35,17 +35,17 @@ constexpr double smallestLegibleRadius = 1e-9;
  * (see TurnToCanonicalPosition). A graph with several components is embedded on the connected sum of their surfaces.
  *
  * The certificate is complete except for the provenance. Throws InputError if no packing exists or none is found.
- * \pre `map` is one of `graph`. \ingroup RicciFlowEmbedding */
-RicciFlowEmbedding_EXPORT EmbeddingCertificate
+ * \pre `map` is one of `graph`. \ingroup ShapetonRicciFlowEmbedding */
+ShapetonRicciFlowEmbedding_EXPORT EmbeddingCertificate
 EmbedGraph(const Graph & graph, const CombinatorialMap & map, const GraphEmbeddingOptions & options = {});
 
-/** The same for a given packed map. \pre `packed` is one of `map`, which is one of `graph`. \ingroup RicciFlowEmbedding
+/** The same for a given packed map. \pre `packed` is one of `map`, which is one of `graph`. \ingroup ShapetonRicciFlowEmbedding
  */
-RicciFlowEmbedding_EXPORT EmbeddingCertificate
+ShapetonRicciFlowEmbedding_EXPORT EmbeddingCertificate
 EmbedPackedGraph(const Graph & graph, const CombinatorialMap & map, const PackedMap & packed, PointAtInfinity infinity);
 
-/** Packed map of a certificate. \ingroup RicciFlowEmbedding */
-RicciFlowEmbedding_EXPORT PackedMap
+/** Packed map of a certificate. \ingroup ShapetonRicciFlowEmbedding */
+ShapetonRicciFlowEmbedding_EXPORT PackedMap
 PackedMapOf(const EmbeddingCertificate & certificate);
 } // namespace shapeton
 

@@ -1,7 +1,7 @@
 #ifndef shapetonHandleCut_h
 #define shapetonHandleCut_h
 
-#include "RicciFlowEmbeddingExport.h"
+#include "ShapetonRicciFlowEmbeddingExport.h"
 #include "shapetonCombinatorialMap.h"
 
 #include <array>
@@ -17,8 +17,8 @@ namespace shapeton
  *
  * Each curve is the shortest, in crossed edges, of the loops found by dual trees from some root faces (from every face
  * on small maps). (Tree and cotree: Eppstein 2003; the loop through an edge in neither tree crosses a loop of the map
- * once, so it does not separate the surface.) Components of genus 0 are unchanged. \ingroup RicciFlowEmbedding */
-struct RicciFlowEmbedding_EXPORT HandleCut
+ * once, so it does not separate the surface.) Components of genus 0 are unchanged. \ingroup ShapetonRicciFlowEmbedding */
+struct ShapetonRicciFlowEmbedding_EXPORT HandleCut
 {
   explicit HandleCut(const CombinatorialMap & map);
 

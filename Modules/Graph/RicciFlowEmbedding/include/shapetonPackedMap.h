@@ -1,7 +1,7 @@
 #ifndef shapetonPackedMap_h
 #define shapetonPackedMap_h
 
-#include "RicciFlowEmbeddingExport.h"
+#include "ShapetonRicciFlowEmbeddingExport.h"
 #include "shapetonCombinatorialMap.h"
 
 #include <limits>
@@ -10,7 +10,7 @@
 
 namespace shapeton
 {
-/** Augmentation of a map that has no circle packing of its own. \ingroup RicciFlowEmbedding */
+/** Augmentation of a map that has no circle packing of its own. \ingroup ShapetonRicciFlowEmbedding */
 enum class Augmentation
 {
   None,
@@ -21,7 +21,7 @@ enum class Augmentation
  *
  * Nodes and edges of the graph keep their numbers; higher numbers are dummies. An edge that is a loop, or parallel to
  * an edge with a lower number, becomes a path: `subdivided` contains its half-edges from the start node of edge e, the
- * first of them 2e. \ingroup RicciFlowEmbedding */
+ * first of them 2e. \ingroup ShapetonRicciFlowEmbedding */
 struct PackedMap
 {
   CombinatorialMap              map;
@@ -41,9 +41,9 @@ struct PackedMap
  * condition is sufficient, not necessary: some maps that use all of their handles fail it although they have a packing.
  *
  * All such pairs are found as 4-cycles of the graph of nodes and faces, from each node of highest degree (Chiba and
- * Nishizeki 1985), in linear time for bounded genus. \pre Triangles have no parallel edges. \ingroup RicciFlowEmbedding
+ * Nishizeki 1985), in linear time for bounded genus. \pre Triangles have no parallel edges. \ingroup ShapetonRicciFlowEmbedding
  */
-struct RicciFlowEmbedding_EXPORT FaceConflicts
+struct ShapetonRicciFlowEmbedding_EXPORT FaceConflicts
 {
   /** \param names node names for the reason; empty for their numbers. */
   explicit FaceConflicts(const CombinatorialMap & map, const std::vector<std::string> & names = {});
@@ -54,7 +54,7 @@ struct RicciFlowEmbedding_EXPORT FaceConflicts
   std::string reason;
 };
 
-/** Options for making a map packable. \ingroup RicciFlowEmbedding */
+/** Options for making a map packable. \ingroup ShapetonRicciFlowEmbedding */
 struct AugmentationOptions
 {
   AugmentationOptions(Augmentation kind = Augmentation::Ring) : augmentation(kind) {}
@@ -78,8 +78,8 @@ struct AugmentationOptions
  * unchanged, hence so is a 3-connected map. Any genus.
  *
  * With Augmentation::None the map must be connected and free of conflicts; else throws InputError that states the
- * reason. \ingroup RicciFlowEmbedding */
-RicciFlowEmbedding_EXPORT PackedMap
+ * reason. \ingroup ShapetonRicciFlowEmbedding */
+ShapetonRicciFlowEmbedding_EXPORT PackedMap
 MakePackedMap(const CombinatorialMap & map, const AugmentationOptions & options = {});
 } // namespace shapeton
 

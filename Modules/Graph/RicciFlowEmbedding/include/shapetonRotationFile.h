@@ -1,7 +1,7 @@
 #ifndef shapetonRotationFile_h
 #define shapetonRotationFile_h
 
-#include "RicciFlowEmbeddingExport.h"
+#include "ShapetonRicciFlowEmbeddingExport.h"
 #include "shapetonCombinatorialMap.h"
 
 #include <string>
@@ -14,8 +14,8 @@ namespace shapeton
  * and multiple edges; a certificate does not.
  *
  * Throws InputError with the file, the line and the error: an unknown name, a node with two lines or none, or neighbors
- * that differ from those of the graph. \ingroup RicciFlowEmbedding */
-RicciFlowEmbedding_EXPORT CombinatorialMap
+ * that differ from those of the graph. \ingroup ShapetonRicciFlowEmbedding */
+ShapetonRicciFlowEmbedding_EXPORT CombinatorialMap
 ReadRotation(const Graph & graph, const std::string & path);
 } // namespace shapeton
 

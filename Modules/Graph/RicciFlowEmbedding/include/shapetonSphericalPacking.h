@@ -1,7 +1,7 @@
 #ifndef shapetonSphericalPacking_h
 #define shapetonSphericalPacking_h
 
-#include "RicciFlowEmbeddingExport.h"
+#include "ShapetonRicciFlowEmbeddingExport.h"
 #include "shapetonCombinatorialMap.h"
 #include "shapetonProgress.h"
 
@@ -14,24 +14,24 @@ namespace shapeton
  *
  * n points to the center of the cap, t is the cotangent of its angle: the cap contains the points p with n p > t. A
  * Moebius transformation of the sphere is a linear map of these vectors. The product of two is -1 for tangent caps that
- * do not overlap and 0 for orthogonal circles. \ingroup RicciFlowEmbedding */
+ * do not overlap and 0 for orthogonal circles. \ingroup ShapetonRicciFlowEmbedding */
 using SphereCircle = std::array<double, 4>;
 
-/** Center of the cap, a unit vector. \ingroup RicciFlowEmbedding */
-RicciFlowEmbedding_EXPORT std::array<double, 3>
+/** Center of the cap, a unit vector. \ingroup ShapetonRicciFlowEmbedding */
+ShapetonRicciFlowEmbedding_EXPORT std::array<double, 3>
                           CenterOf(const SphereCircle & circle);
-/** Angle of the cap, in (0, pi). \ingroup RicciFlowEmbedding */
-RicciFlowEmbedding_EXPORT double
+/** Angle of the cap, in (0, pi). \ingroup ShapetonRicciFlowEmbedding */
+ShapetonRicciFlowEmbedding_EXPORT double
 RadiusOf(const SphereCircle & circle);
 
-/** Correspondence between the plane of the flow and the sphere. \ingroup RicciFlowEmbedding */
+/** Correspondence between the plane of the flow and the sphere. \ingroup ShapetonRicciFlowEmbedding */
 enum class PointAtInfinity
 {
   Circle,  ///< the circle of the longest face becomes the ideal boundary of the hyperbolic plane
   EdgeNode ///< the touch point of four circles, which become straight lines: as published
 };
 
-/** \brief A circle packing of the unit sphere. \ingroup RicciFlowEmbedding */
+/** \brief A circle packing of the unit sphere. \ingroup ShapetonRicciFlowEmbedding */
 struct SphericalPacking
 {
   std::vector<SphereCircle> nodes;
@@ -47,7 +47,7 @@ struct SphericalPacking
 };
 
 /** If the barycenter leaves a visible cap smaller than this (radians), larger caps are preferred over the barycenter.
- * \ingroup RicciFlowEmbedding */
+ * \ingroup ShapetonRicciFlowEmbedding */
 constexpr double smallestCapOfBarycenter = 1e-5;
 
 /** \brief Packs a 3-connected map of genus 0 on the unit sphere.
@@ -58,8 +58,8 @@ constexpr double smallestCapOfBarycenter = 1e-5;
  * instead. This enlarges the smallest caps; larger exponents would let a single one of them displace all others. The
  * remaining freedom is a rotation. The packing is laid out again from the circle that became largest on the sphere,
  * because the transformation may enlarge a small part of the plane. Throws InputError as PackCircles().
- * \ingroup RicciFlowEmbedding */
-RicciFlowEmbedding_EXPORT SphericalPacking
+ * \ingroup ShapetonRicciFlowEmbedding */
+ShapetonRicciFlowEmbedding_EXPORT SphericalPacking
 PackOnSphere(const CombinatorialMap &  map,
              PointAtInfinity           infinity,
              std::vector<int>          edges = {},
@@ -67,8 +67,8 @@ PackOnSphere(const CombinatorialMap &  map,
              const Progress &          progress = {});
 
 /** Rotates the sphere so that two sums of the node centers, weighted by `rank`, point to the north pole and to the
- * meridian of the x axis. Nodes beyond the end of the rank list have zero weight. \ingroup RicciFlowEmbedding */
-RicciFlowEmbedding_EXPORT void
+ * meridian of the x axis. Nodes beyond the end of the rank list have zero weight. \ingroup ShapetonRicciFlowEmbedding */
+ShapetonRicciFlowEmbedding_EXPORT void
 TurnToCanonicalPosition(SphericalPacking & packing, const std::vector<int> & rank);
 } // namespace shapeton
 

@@ -1,7 +1,7 @@
 #ifndef shapetonCanonicalMapOrder_h
 #define shapetonCanonicalMapOrder_h
 
-#include "RicciFlowEmbeddingExport.h"
+#include "ShapetonRicciFlowEmbeddingExport.h"
 #include "shapetonCombinatorialMap.h"
 
 #include <vector>
@@ -14,8 +14,8 @@ namespace shapeton
  * A breadth-first walk from a half-edge, counter-clockwise around each node, numbers the nodes and yields a code for
  * the map; the half-edge with the smallest code is the start. Only half-edges with the rarest neighborhood are tried,
  * by hashes refined until one is unique or for 32 rounds, up to a limit of 2e7 steps. The numbering may depend on the
- * input if more candidates exist and they differ only further away. \ingroup RicciFlowEmbedding */
-struct RicciFlowEmbedding_EXPORT CanonicalMapOrder
+ * input if more candidates exist and they differ only further away. \ingroup ShapetonRicciFlowEmbedding */
+struct ShapetonRicciFlowEmbedding_EXPORT CanonicalMapOrder
 {
   /** With `mayMirror`, also tries clockwise walks. */
   CanonicalMapOrder(const CombinatorialMap & map, bool mayMirror);

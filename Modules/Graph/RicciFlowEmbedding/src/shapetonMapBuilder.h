@@ -5,7 +5,7 @@
 
 namespace shapeton
 {
-/** Builds a map by adding nodes and edges. \ingroup RicciFlowEmbedding */
+/** Builds a map by adding nodes and edges. \ingroup ShapetonRicciFlowEmbedding */
 class MapBuilder
 {
 public:

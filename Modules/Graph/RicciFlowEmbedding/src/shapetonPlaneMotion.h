@@ -10,7 +10,7 @@ namespace shapeton
 {
 /** \brief An orientation-preserving motion: `z -> (a z + b) / (conj(b) z + conj(a))`, |a|^2 - |b|^2 = 1, of the
  * Poincare disk, or `z -> a z + b`, |a| = 1, of the plane. In the disk (a, b) and (-a, -b) are the same motion.
- * \ingroup RicciFlowEmbedding */
+ * \ingroup ShapetonRicciFlowEmbedding */
 template <typename TReal>
 struct BasicPlaneMotion
 {

@@ -1,7 +1,7 @@
 #ifndef shapetonSplitArrangement_h
 #define shapetonSplitArrangement_h
 
-#include "RicciFlowEmbeddingExport.h"
+#include "ShapetonRicciFlowEmbeddingExport.h"
 #include "shapetonCombinatorialMap.h"
 
 namespace shapeton
@@ -16,8 +16,8 @@ namespace shapeton
  * order and its reverse, the one with less even face lengths is used: one long face is better than many nested ones.
  *
  * Nonplanar blocks and maps without such nodes are unchanged. Worst-case time is quadratic: for each pair of nodes all
- * others are counted. \ingroup RicciFlowEmbedding */
-RicciFlowEmbedding_EXPORT CombinatorialMap
+ * others are counted. \ingroup ShapetonRicciFlowEmbedding */
+ShapetonRicciFlowEmbedding_EXPORT CombinatorialMap
 ArrangeSplitComponents(const CombinatorialMap & map);
 } // namespace shapeton
 

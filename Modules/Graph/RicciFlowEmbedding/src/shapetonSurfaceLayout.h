@@ -1,7 +1,7 @@
 #ifndef shapetonSurfaceLayout_h
 #define shapetonSurfaceLayout_h
 
-#include "RicciFlowEmbeddingExport.h"
+#include "ShapetonRicciFlowEmbeddingExport.h"
 #include "shapetonPlaneMotion.h"
 
 #include <vector>
@@ -13,8 +13,8 @@ namespace shapeton
  * The nodes are laid out along the shortest-path tree from the center of the largest circle, which is the origin. The
  * other uncut edges form a tree of the dual graph with the longest loops. The remaining 2g loops, and their deck
  * transformations, are therefore the shortest for one base point (Erickson and Whittlesey 2005).
- * \ingroup RicciFlowEmbedding */
-class RicciFlowEmbedding_EXPORT SurfaceLayout
+ * \ingroup ShapetonRicciFlowEmbedding */
+class ShapetonRicciFlowEmbedding_EXPORT SurfaceLayout
 {
 public:
   /** \pre `map` has genus 1 and a Euclidean packing, or genus 2 and more and a hyperbolic one. Both must outlive the
@@ -79,25 +79,25 @@ private:
  *
  * A word U a P b Q a^-1 R b^-1 S gives A = U a Q^-1 R^-1 U^-1, B = U R Q P b R^-1 U^-1 and the remaining word U R Q P
  * S. Throws std::invalid_argument if the word is not that of a closed orientable surface cut into one disk.
- * \ingroup RicciFlowEmbedding */
-RicciFlowEmbedding_EXPORT std::vector<std::vector<int>>
+ * \ingroup ShapetonRicciFlowEmbedding */
+ShapetonRicciFlowEmbedding_EXPORT std::vector<std::vector<int>>
                           CanonicalWords(const std::vector<int> & word);
 
 /** The cyclic rotation of a word of disk motions with the smallest partial products, because rounding errors of the
- * product grow with the square of their size. \ingroup RicciFlowEmbedding */
-RicciFlowEmbedding_EXPORT std::vector<int>
+ * product grow with the square of their size. \ingroup ShapetonRicciFlowEmbedding */
+ShapetonRicciFlowEmbedding_EXPORT std::vector<int>
                           CenteredWord(const std::vector<PlaneMotion> & generators, const std::vector<int> & word);
 
 /** A reduced basis of the lattice of two translations: |w1| <= |w2|, |Re(conj(w1) w2)| <= |w1|^2 / 2, Im(conj(w1) w2) >
- * 0. \ingroup RicciFlowEmbedding */
-RicciFlowEmbedding_EXPORT std::array<std::complex<double>, 2>
+ * 0. \ingroup ShapetonRicciFlowEmbedding */
+ShapetonRicciFlowEmbedding_EXPORT std::array<std::complex<double>, 2>
                           ReducedLattice(std::complex<double> w1, std::complex<double> w2);
 
 /** \brief Motions of the Poincare disk that satisfy a relation to 300 digits.
  *
  * The generators come from radii in double precision, so their relation holds to about 1e-11 times the matrix size.
  * Newton's method finds the smallest change of all generators that makes the relation exact, so that long words remain
- * meaningful. \ingroup RicciFlowEmbedding */
+ * meaningful. \ingroup ShapetonRicciFlowEmbedding */
 struct DeckRelation
 {
   /** The corrected generators, rounded. */
@@ -114,19 +114,19 @@ struct DeckRelation
   std::vector<PlaneMotion> canonical;
 };
 
-RicciFlowEmbedding_EXPORT DeckRelation
+ShapetonRicciFlowEmbedding_EXPORT DeckRelation
 RefineDeckRelation(const std::vector<PlaneMotion> &      generators,
                    const std::vector<int> &              word,
                    const std::vector<std::vector<int>> & canonicalWords);
 
 /** Largest difference between a product of disk motions, given by letters, and plus or minus the identity, in double
- * precision. \ingroup RicciFlowEmbedding */
-RicciFlowEmbedding_EXPORT double
+ * precision. \ingroup ShapetonRicciFlowEmbedding */
+ShapetonRicciFlowEmbedding_EXPORT double
 WordResidual(const std::vector<PlaneMotion> & generators, const std::vector<int> & word);
 
 /** The `number` group elements that move the origin least, the identity first: a finite part of the universal cover.
- * \ingroup RicciFlowEmbedding */
-RicciFlowEmbedding_EXPORT std::vector<PlaneMotion>
+ * \ingroup ShapetonRicciFlowEmbedding */
+ShapetonRicciFlowEmbedding_EXPORT std::vector<PlaneMotion>
                           UniversalCover(const std::vector<PlaneMotion> & generators, int number);
 } // namespace shapeton
 

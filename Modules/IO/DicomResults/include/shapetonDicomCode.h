@@ -6,7 +6,7 @@
 namespace shapeton
 {
 /** A coded term: value, scheme (SCT for SNOMED CT, DCM, LN, UCUM, or a private one that begins with 99), meaning.
- * \ingroup DicomResults */
+ * \ingroup ShapetonDicomResults */
 struct DicomCode
 {
   std::string value;

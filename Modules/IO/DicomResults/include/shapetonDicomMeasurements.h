@@ -7,7 +7,7 @@
 
 namespace shapeton
 {
-/** A number with its meaning and unit. \ingroup DicomResults */
+/** A number with its meaning and unit. \ingroup ShapetonDicomResults */
 struct DicomMeasurement
 {
   DicomCode name;
@@ -18,7 +18,7 @@ struct DicomMeasurement
   std::optional<DicomCode> derivation;
 };
 
-/** Measurements of one object: a segment, or a part of the patient without a segment. \ingroup DicomResults */
+/** Measurements of one object: a segment, or a part of the patient without a segment. \ingroup ShapetonDicomResults */
 struct DicomMeasurementGroup
 {
   std::string              trackingID;
@@ -33,7 +33,7 @@ struct DicomMeasurementGroup
   std::vector<std::string>             comments;
 };
 
-/** A measurement report (TID 1500). \ingroup DicomResults */
+/** A measurement report (TID 1500). \ingroup ShapetonDicomResults */
 struct DicomMeasurementReport
 {
   /** Procedure that acquired the images, and the body part that they show. */
@@ -47,15 +47,15 @@ struct DicomMeasurementReport
 
 /** Writes a Comprehensive 3D SR of the template TID 1500: a program as observer, an image library of all slices, a
  * measurement group (TID 1411) per measured object. Equal input gives equal bytes. Throws OutputError.
- * \ingroup DicomResults */
-DicomResults_EXPORT DicomInstance
+ * \ingroup ShapetonDicomResults */
+ShapetonDicomResults_EXPORT DicomInstance
 WriteDicomMeasurements(const DicomSource &            source,
                        const DicomMeasurementReport & report,
                        const DicomResultHeader &      header,
                        const std::string &            path);
 
-/** The first items of a report: English as its language, and the observer. \ingroup DicomResults */
-DicomResults_EXPORT std::vector<DicomContent>
+/** The first items of a report: English as its language, and the observer. \ingroup ShapetonDicomResults */
+ShapetonDicomResults_EXPORT std::vector<DicomContent>
                     ContextOfReport(const DicomResultHeader & header);
 } // namespace shapeton
 

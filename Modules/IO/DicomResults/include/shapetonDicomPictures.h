@@ -11,23 +11,23 @@
 namespace shapeton
 {
 /** Writes a picture as Secondary Capture in RGB. Throws InputError for more than 65535 rows or columns, OutputError.
- * \ingroup DicomResults */
-DicomResults_EXPORT DicomInstance
+ * \ingroup ShapetonDicomResults */
+ShapetonDicomResults_EXPORT DicomInstance
 WriteDicomPicture(const DicomSource &                                 source,
                   const itk::Image<itk::RGBPixel<unsigned char>, 2> * picture,
                   const DicomResultHeader &                           header,
                   const std::string &                                 path);
 
 /** Writes a surface (LPS, mm) as Encapsulated STL in the frame of reference of the source. `what` is the coded term
- * of the surface. Throws InputError as WriteSurface() does, OutputError. \ingroup DicomResults */
-DicomResults_EXPORT DicomInstance
+ * of the surface. Throws InputError as WriteSurface() does, OutputError. \ingroup ShapetonDicomResults */
+ShapetonDicomResults_EXPORT DicomInstance
 WriteDicomSurface(const DicomSource &       source,
                   const SurfaceMesh &       mesh,
                   const DicomCode &         what,
                   const DicomResultHeader & header,
                   const std::string &       path);
 
-/** Meaning of the values of a map. \ingroup DicomResults */
+/** Meaning of the values of a map. \ingroup ShapetonDicomResults */
 struct DicomMapMeaning
 {
   DicomCode quantity;
@@ -41,8 +41,8 @@ struct DicomMapMeaning
 
 /** Writes an image as Parametric Map: 32-bit floating point, a frame per slice of the source, with an identity
  * real-world value mapping. Throws InputError if the grid is not that of the source, OutputError.
- * \ingroup DicomResults */
-DicomResults_EXPORT DicomInstance
+ * \ingroup ShapetonDicomResults */
+ShapetonDicomResults_EXPORT DicomInstance
 WriteDicomMap(const DicomSource &          source,
               const itk::Image<float, 3> * image,
               const DicomMapMeaning &      meaning,

@@ -13,7 +13,7 @@ namespace shapeton
 /** \class DicomContent
  * \brief A node of the content tree of a DICOM Structured Report: its relationship to the parent, concept, value, and
  * child nodes. Created by the functions below.
- * \ingroup DicomResults */
+ * \ingroup ShapetonDicomResults */
 struct DicomContent
 {
   enum class Kind
@@ -48,42 +48,42 @@ struct DicomContent
 
 /** \defgroup DicomContents Nodes of a content tree
  * `relationship` is the DICOM relationship type, such as "CONTAINS".
- * \ingroup DicomResults */
+ * \ingroup ShapetonDicomResults */
 ///@{
-DicomResults_EXPORT DicomContent
+ShapetonDicomResults_EXPORT DicomContent
 ContainerContent(const std::string &       relationship,
                  const DicomCode &         name,
                  std::vector<DicomContent> children,
                  const std::string &       templateID = {});
-DicomResults_EXPORT DicomContent
+ShapetonDicomResults_EXPORT DicomContent
 TextContent(const std::string & relationship, const DicomCode & name, const std::string & text);
-DicomResults_EXPORT DicomContent
+ShapetonDicomResults_EXPORT DicomContent
 CodeContent(const std::string & relationship, const DicomCode & name, const DicomCode & value);
 /** `digits` is a decimal number of at most 16 characters. */
-DicomResults_EXPORT DicomContent
+ShapetonDicomResults_EXPORT DicomContent
 NumberContent(const std::string & relationship,
               const DicomCode &   name,
               const std::string & digits,
               const DicomCode &   unit);
-DicomResults_EXPORT DicomContent
+ShapetonDicomResults_EXPORT DicomContent
 UIDContent(const std::string & relationship, const DicomCode & name, const std::string & uid);
-DicomResults_EXPORT DicomContent
+ShapetonDicomResults_EXPORT DicomContent
 SegmentContent(const std::string & relationship, const DicomCode & name, const DicomInstance & instance, int segment);
 /** A reference to a slice of a source. */
-DicomResults_EXPORT DicomContent
+ShapetonDicomResults_EXPORT DicomContent
 SliceContent(const std::string & relationship, const DicomSlice & slice);
 /** LPS, mm. */
-DicomResults_EXPORT DicomContent
+ShapetonDicomResults_EXPORT DicomContent
 SpacePointContent(const std::string & relationship, const DicomCode & name, const std::array<double, 3> & point);
 /** The pixel position of a point (LPS, mm) on the nearest slice of the source. */
-DicomResults_EXPORT DicomContent
+ShapetonDicomResults_EXPORT DicomContent
 PixelPointContent(const std::string &           relationship,
                   const DicomCode &             name,
                   const std::array<double, 3> & point,
                   const DicomSource &           source);
 ///@}
 
-/** The kinds of reports. \ingroup DicomResults */
+/** The kinds of reports. \ingroup ShapetonDicomResults */
 enum class DicomReportKind
 {
   Comprehensive3D,
@@ -91,8 +91,8 @@ enum class DicomReportKind
 };
 
 /** Writes a Structured Report: partial, unverified, preliminary. Its evidence is all slices of the source and
- * `others`. Equal input gives equal bytes. Throws OutputError. \ingroup DicomResults */
-DicomResults_EXPORT DicomInstance
+ * `others`. Equal input gives equal bytes. Throws OutputError. \ingroup ShapetonDicomResults */
+ShapetonDicomResults_EXPORT DicomInstance
 WriteDicomReport(const DicomSource &                source,
                  DicomReportKind                    kind,
                  const DicomContent &               root,

@@ -10,7 +10,7 @@
 
 namespace shapeton
 {
-/** Points that a report lists together. \ingroup DicomResults */
+/** Points that a report lists together. \ingroup ShapetonDicomResults */
 struct DicomReportPoints
 {
   /** The tracking identifier of the measurement that contains the points, else their concept name. */
@@ -23,8 +23,8 @@ struct DicomReportPoints
  * the source (SCOORD). Circles, ellipses and ellipsoids give their centers, lines and polygons their vertices.
  *
  * Throws InputError for a file that is not a report or contains no point, for points in another frame of reference,
- * and for points in images other than the slices of the source. \ingroup DicomResults */
-DicomResults_EXPORT std::vector<DicomReportPoints>
+ * and for points in images other than the slices of the source. \ingroup ShapetonDicomResults */
+ShapetonDicomResults_EXPORT std::vector<DicomReportPoints>
                     ReadDicomReportPoints(const std::string & path, const DicomSource & source);
 } // namespace shapeton
 

@@ -13,10 +13,10 @@
 
 namespace shapeton
 {
-/** Label of each voxel; 0 for none. \ingroup DicomResults */
+/** Label of each voxel; 0 for none. \ingroup ShapetonDicomResults */
 using DicomLabelImage = itk::Image<unsigned short, 3>;
 
-/** A segment to write. \ingroup DicomResults */
+/** A segment to write. \ingroup ShapetonDicomResults */
 struct DicomSegment
 {
   /** At most 64 characters, as trackingID. */
@@ -35,7 +35,7 @@ struct DicomSegment
   unsigned short          label{ 1 };
 };
 
-/** The written segmentation. \ingroup DicomResults */
+/** The written segmentation. \ingroup ShapetonDicomResults */
 struct DicomSegmentation
 {
   DicomInstance instance;
@@ -51,8 +51,8 @@ struct DicomSegmentation
  * Explicit VR Little Endian. Equal input gives equal bytes.
  *
  * Throws InputError if the labels are on another grid than the source, or no segment has a voxel; OutputError.
- * \ingroup DicomResults */
-DicomResults_EXPORT DicomSegmentation
+ * \ingroup ShapetonDicomResults */
+ShapetonDicomResults_EXPORT DicomSegmentation
 WriteDicomSegmentation(const DicomSource &               source,
                        const std::vector<DicomSegment> & segments,
                        const DicomResultHeader &         header,

@@ -6,7 +6,7 @@
 
 namespace shapeton
 {
-/** A segment of a file. \ingroup DicomResults */
+/** A segment of a file. \ingroup ShapetonDicomResults */
 struct DicomSegmentInFile
 {
   int         number{ 0 };
@@ -18,7 +18,7 @@ struct DicomSegmentInFile
   std::string trackingUID;
 };
 
-/** A frame of a file: one segment in one plane, or all segments in a label map. \ingroup DicomResults */
+/** A frame of a file: one segment in one plane, or all segments in a label map. \ingroup ShapetonDicomResults */
 struct DicomSegmentFrame
 {
   /** 0 in a label map. */
@@ -26,7 +26,7 @@ struct DicomSegmentFrame
   itk::Point<double, 3> position{};
 };
 
-/** The header of a DICOM Segmentation. \ingroup DicomResults */
+/** The header of a DICOM Segmentation. \ingroup ShapetonDicomResults */
 struct DicomSegmentationFile
 {
   std::string path;
@@ -55,16 +55,16 @@ struct DicomSegmentationFile
 
 /** Reads the header of a DICOM Segmentation from any vendor: binary, fractional or a label map (Supplement 243, 8 or
  * 16 bits, with any colors), uncompressed or deflated. All frames must be in parallel planes; slices without a
- * segment may be missing. Throws InputError that names the file and the error. \ingroup DicomResults */
-DicomResults_EXPORT DicomSegmentationFile
+ * segment may be missing. Throws InputError that names the file and the error. \ingroup ShapetonDicomResults */
+ShapetonDicomResults_EXPORT DicomSegmentationFile
 ReadDicomSegmentation(const std::string & path);
 
 /** Throws InputError unless the segmentation references the series of the source, or at least its frame of
- * reference, and no other. Equal grids alone may be a coincidence. \ingroup DicomResults */
-DicomResults_EXPORT void
+ * reference, and no other. Equal grids alone may be a coincidence. \ingroup ShapetonDicomResults */
+ShapetonDicomResults_EXPORT void
 RequireMadeOn(const DicomSegmentationFile & file, const DicomSource & source);
 
-/** Voxels of the segments read from a file. \ingroup DicomResults */
+/** Voxels of the segments read from a file. \ingroup ShapetonDicomResults */
 struct DicomSegmentVoxels
 {
   /** The segment number of each voxel, 0 for none; where segments overlap, the last requested one. */
@@ -79,8 +79,8 @@ struct DicomSegmentVoxels
  *
  * Throws InputError if a frame does not match the pixels of a slice of the series, two frames of a segment are in
  * one slice, or the file is truncated; ParameterError for a segment number that does not exist, is repeated, or is
- * 0, which means no segment. \ingroup DicomResults */
-DicomResults_EXPORT DicomSegmentVoxels
+ * 0, which means no segment. \ingroup ShapetonDicomResults */
+ShapetonDicomResults_EXPORT DicomSegmentVoxels
 ReadDicomSegments(const DicomSegmentationFile & file, const std::vector<int> & numbers, const DicomSource & source);
 } // namespace shapeton
 

@@ -1,7 +1,7 @@
 #ifndef shapetonDicomSource_h
 #define shapetonDicomSource_h
 
-#include "DicomResultsExport.h"
+#include "ShapetonDicomResultsExport.h"
 #include "shapetonVolumeReader.h"
 
 #include "itkImageBase.h"
@@ -11,7 +11,7 @@
 namespace shapeton
 {
 /** The series that results were computed from. Results have its patient, study and frame of reference, and reference
- * its slices. \ingroup DicomResults */
+ * its slices. \ingroup ShapetonDicomResults */
 struct DicomSource
 {
   DicomSeries series;
@@ -22,7 +22,7 @@ struct DicomSource
   std::string header;
 };
 
-/** The source series of a result, and its requirements. \ingroup DicomResults */
+/** The source series of a result, and its requirements. \ingroup ShapetonDicomResults */
 struct DicomSourceOptions
 {
   /** As in VolumeReadOptions. */
@@ -37,11 +37,11 @@ struct DicomSourceOptions
 };
 
 /** Reads the headers of a series, which must be regular: the slices of a repaired volume could not be referenced.
- * Throws InputError as ReadVolume() does, and if slices have no SOP Instance UID. \ingroup DicomResults */
-DicomResults_EXPORT DicomSource
+ * Throws InputError as ReadVolume() does, and if slices have no SOP Instance UID. \ingroup ShapetonDicomResults */
+ShapetonDicomResults_EXPORT DicomSource
 ReadDicomSource(const std::string & path, const DicomSourceOptions & options = {});
 
-/** Description of a result in its header. \ingroup DicomResults */
+/** Description of a result in its header. \ingroup ShapetonDicomResults */
 struct DicomResultHeader
 {
   /** The program that created it. */
@@ -52,7 +52,7 @@ struct DicomResultHeader
   std::string seriesDescription;
 };
 
-/** Reference to a result from other objects. \ingroup DicomResults */
+/** Reference to a result from other objects. \ingroup ShapetonDicomResults */
 struct DicomInstance
 {
   std::string sopClassUID;
@@ -60,7 +60,7 @@ struct DicomInstance
   std::string seriesUID;
 };
 
-/** Statement in each result: for research use, not for diagnosis. \ingroup DicomResults */
+/** Statement in each result: for research use, not for diagnosis. \ingroup ShapetonDicomResults */
 constexpr const char * DicomResearchNote = "For research use; not a diagnosis.";
 } // namespace shapeton
 

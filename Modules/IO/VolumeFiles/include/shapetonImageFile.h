@@ -8,14 +8,14 @@
 namespace shapeton
 {
 /** True for the extensions of NRRD, NIfTI and MetaImage; for .img, an ambiguous extension, only next to an .hdr file.
- * \ingroup VolumeFiles */
-VolumeFiles_EXPORT bool
+ * \ingroup ShapetonVolumeFiles */
+ShapetonVolumeFiles_EXPORT bool
 IsImageFile(const std::string & path);
 
 /** Reads a NRRD, NIfTI (1 or 2) or MetaImage file and sets image, identity and notes of the result. Supports
  * three-dimensional scalar images with positive finite spacing, orthogonal axes and finite voxels; a fourth
- * dimension must have the size 1. Throws InputError that names the file and the defect. \ingroup VolumeFiles */
-VolumeFiles_EXPORT Volume
+ * dimension must have the size 1. Throws InputError that names the file and the defect. \ingroup ShapetonVolumeFiles */
+ShapetonVolumeFiles_EXPORT Volume
 ReadImageFile(const std::string & path);
 } // namespace shapeton
 

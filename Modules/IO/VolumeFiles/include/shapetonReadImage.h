@@ -10,7 +10,7 @@
 namespace shapeton
 {
 /** Reads an image with its own pixel type that one of the tools has written. Throws InputError that names the file
- * and ends with `advice`. \ingroup VolumeFiles */
+ * and ends with `advice`. \ingroup ShapetonVolumeFiles */
 template <typename TImage>
 typename TImage::Pointer
 ReadImage(const std::string & path, itk::ImageIOBase * format, const std::string & advice)

@@ -1,7 +1,7 @@
 #ifndef shapetonVolume_h
 #define shapetonVolume_h
 
-#include "VolumeFilesExport.h"
+#include "ShapetonVolumeFilesExport.h"
 #include "shapetonRemarks.h"
 
 #include "itkImage.h"
@@ -12,7 +12,7 @@
 namespace shapeton
 {
 /** A volume with its geometry (LPS, mm) and its origin.
- * \ingroup VolumeFiles */
+ * \ingroup ShapetonVolumeFiles */
 struct Volume
 {
   using ImageType = itk::Image<float, 3>;
@@ -32,27 +32,27 @@ struct Volume
 };
 
 /** Volume::identity of a DICOM series. `selector` is that of DicomSeries: the UID, with "#part" for a part of a mixed
- * series. \ingroup VolumeFiles */
-VolumeFiles_EXPORT std::string
+ * series. \ingroup ShapetonVolumeFiles */
+ShapetonVolumeFiles_EXPORT std::string
                    IdentityOfSeries(const std::string & selector);
 
-/** The selector contained in a series identity; empty for any other identity. \ingroup VolumeFiles */
-VolumeFiles_EXPORT std::string
+/** The selector contained in a series identity; empty for any other identity. \ingroup ShapetonVolumeFiles */
+ShapetonVolumeFiles_EXPORT std::string
                    SeriesOfIdentity(const std::string & identity);
 
 /** Whether two volumes have the same size and the same voxel positions, to a hundredth of the smallest spacing.
- * \ingroup VolumeFiles */
-VolumeFiles_EXPORT bool
+ * \ingroup ShapetonVolumeFiles */
+ShapetonVolumeFiles_EXPORT bool
 HaveSameGrid(const itk::ImageBase<3> * a, const itk::ImageBase<3> * b);
 
 /** A mask that is 1 where the volume is not 0. Throws InputError, prefixed by `path`, if all voxels are 0.
- * \ingroup VolumeFiles */
-VolumeFiles_EXPORT itk::Image<unsigned char, 3>::Pointer
+ * \ingroup ShapetonVolumeFiles */
+ShapetonVolumeFiles_EXPORT itk::Image<unsigned char, 3>::Pointer
                    MaskOfVolume(const Volume & volume, const std::string & path);
 
 /** MaskOfVolume() of a volume read from `path`, for use with an image. Throws InputError if its grid differs from
- * that of the image, or it has no voxel other than 0. \ingroup VolumeFiles */
-VolumeFiles_EXPORT itk::Image<unsigned char, 3>::Pointer
+ * that of the image, or it has no voxel other than 0. \ingroup ShapetonVolumeFiles */
+ShapetonVolumeFiles_EXPORT itk::Image<unsigned char, 3>::Pointer
                    MaskForImage(const Volume & volume, const std::string & path, const itk::ImageBase<3> * image);
 } // namespace shapeton
 

@@ -1,7 +1,7 @@
 #ifndef shapetonVolumeWriter_h
 #define shapetonVolumeWriter_h
 
-#include "VolumeFilesExport.h"
+#include "ShapetonVolumeFilesExport.h"
 
 #include "itkImage.h"
 
@@ -13,37 +13,37 @@ namespace shapeton
 {
 /** Key and value pairs stored in the header of formats that support them (NRRD, MetaImage), such as
  * ProvenanceMetadata().
- * \ingroup VolumeFiles */
+ * \ingroup ShapetonVolumeFiles */
 using VolumeMetadata = std::vector<std::pair<std::string, std::string>>;
 
 /** Returns `path` if it is empty (no output wanted) or WriteVolume can write it; throws ParameterError otherwise.
- * For a check before a long computation. \ingroup VolumeFiles */
-VolumeFiles_EXPORT const std::string &
+ * For a check before a long computation. \ingroup ShapetonVolumeFiles */
+ShapetonVolumeFiles_EXPORT const std::string &
                          RequireVolumeName(const std::string & path);
 
 /** Writes NRRD, NIfTI or MetaImage, depending on the extension of `path`; labels (integer pixels) compressed, float
  * pixels raw. The file is read back before the function returns, to detect a full disk. Throws OutputError, and
  * ParameterError for an extension other than .nrrd, .nii, .nii.gz, .mha. Instantiated for float, short, unsigned char,
  * unsigned short and unsigned int pixels.
- * \ingroup VolumeFiles */
+ * \ingroup ShapetonVolumeFiles */
 template <typename TPixel>
 void
 WriteVolume(const itk::Image<TPixel, 3> * image, const std::string & path, const VolumeMetadata & metadata = {});
 
-extern template VolumeFiles_EXPORT void
+extern template ShapetonVolumeFiles_EXPORT void
 WriteVolume(const itk::Image<float, 3> *, const std::string &, const VolumeMetadata &);
-extern template VolumeFiles_EXPORT void
+extern template ShapetonVolumeFiles_EXPORT void
 WriteVolume(const itk::Image<short, 3> *, const std::string &, const VolumeMetadata &);
-extern template VolumeFiles_EXPORT void
+extern template ShapetonVolumeFiles_EXPORT void
 WriteVolume(const itk::Image<unsigned char, 3> *, const std::string &, const VolumeMetadata &);
-extern template VolumeFiles_EXPORT void
+extern template ShapetonVolumeFiles_EXPORT void
 WriteVolume(const itk::Image<unsigned short, 3> *, const std::string &, const VolumeMetadata &);
-extern template VolumeFiles_EXPORT void
+extern template ShapetonVolumeFiles_EXPORT void
 WriteVolume(const itk::Image<unsigned int, 3> *, const std::string &, const VolumeMetadata &);
 
 /** The volume as 16-bit integers, or null if an intensity is not an integer in their range.
- * \ingroup VolumeFiles */
-VolumeFiles_EXPORT itk::Image<short, 3>::Pointer
+ * \ingroup ShapetonVolumeFiles */
+ShapetonVolumeFiles_EXPORT itk::Image<short, 3>::Pointer
                    ToShort(const itk::Image<float, 3> * image);
 } // namespace shapeton
 

@@ -58,7 +58,7 @@ struct ImageHeader
 
 template <typename TStream, typename THeader>
 void
-Transmit(TStream & stream, THeader & header)
+TransmitHeader(TStream & stream, THeader & header)
 {
   auto     dimension = static_cast<std::uint32_t>(header.size.size());
   stream & dimension;
@@ -188,7 +188,7 @@ ReadHeaderContained(const std::string & path, ImageFormat format)
       return Contained([&] {
         ByteWriter        writer;
         const ImageHeader header = ReadHeader(request, format);
-        Transmit(writer, header);
+        TransmitHeader(writer, header);
         return writer.GetBytes();
       });
     },
@@ -199,7 +199,7 @@ ReadHeaderContained(const std::string & path, ImageFormat format)
   {
     const std::string response = process.Call(path);
     ByteReader        reader(response);
-    Transmit(reader, header);
+    TransmitHeader(reader, header);
   }
   catch (const ContainedProcess::Failure & failure)
   {

@@ -21,9 +21,6 @@ namespace
 {
 namespace fs = std::filesystem;
 
-// The limit of the deflate format.
-constexpr double MaximumDeflateRatio = 1032;
-
 // Longer than any real text header.
 constexpr std::size_t LongestTextHeader = 1u << 20;
 
@@ -399,7 +396,7 @@ CanHold(const StoredVoxels & voxels, double bytes, double values)
   switch (voxels.coding)
   {
     case StoredVoxels::Coding::deflated:
-      return bytes <= MaximumDeflateRatio * length;
+      return bytes <= static_cast<double>(MaximumDeflateRatio) * length;
     case StoredVoxels::Coding::text:
       return values <= length; // at least one digit per value
     default:

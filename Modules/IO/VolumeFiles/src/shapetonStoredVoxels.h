@@ -7,6 +7,9 @@
 
 namespace shapeton
 {
+/** Largest ratio of decoded to coded bytes that the deflate format allows. */
+constexpr std::uint64_t MaximumDeflateRatio = 1032;
+
 /** The supported image formats other than DICOM. */
 enum class ImageFormat
 {

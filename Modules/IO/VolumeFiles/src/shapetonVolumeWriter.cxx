@@ -279,15 +279,15 @@ WriteVolume(const itk::Image<TPixel, 3> * image, const std::string & path, const
   }
 }
 
-template VolumeFiles_EXPORT void
+template ShapetonVolumeFiles_EXPORT void
 WriteVolume(const itk::Image<float, 3> *, const std::string &, const VolumeMetadata &);
-template VolumeFiles_EXPORT void
+template ShapetonVolumeFiles_EXPORT void
 WriteVolume(const itk::Image<short, 3> *, const std::string &, const VolumeMetadata &);
-template VolumeFiles_EXPORT void
+template ShapetonVolumeFiles_EXPORT void
 WriteVolume(const itk::Image<unsigned char, 3> *, const std::string &, const VolumeMetadata &);
-template VolumeFiles_EXPORT void
+template ShapetonVolumeFiles_EXPORT void
 WriteVolume(const itk::Image<unsigned short, 3> *, const std::string &, const VolumeMetadata &);
-template VolumeFiles_EXPORT void
+template ShapetonVolumeFiles_EXPORT void
 WriteVolume(const itk::Image<unsigned int, 3> *, const std::string &, const VolumeMetadata &);
 
 itk::Image<short, 3>::Pointer

@@ -11,7 +11,7 @@
 
 namespace shapeton
 {
-/** Edge lengths that the flat map preserves conformally. \ingroup ConformalFlattening */
+/** Edge lengths that the flat map preserves conformally. \ingroup ShapetonConformalFlattening */
 enum class FlatMetric
 {
   /** Straight edge lengths. */
@@ -22,7 +22,7 @@ enum class FlatMetric
   TruncatedHeatDiffusion
 };
 
-/** Metric, handles and cut for FlattenColon(). \ingroup ConformalFlattening */
+/** Metric, handles and cut for FlattenColon(). \ingroup ShapetonConformalFlattening */
 struct ColonFlatteningOptions
 {
   FlatMetric metric{ FlatMetric::HeatDiffusion };
@@ -39,7 +39,7 @@ struct ColonFlatteningOptions
   Progress progress;
 };
 
-/** A flattened colon with its measurements. \ingroup ConformalFlattening */
+/** A flattened colon with its measurements. \ingroup ShapetonConformalFlattening */
 struct ColonFlattening
 {
   /** The flattened tube: prepared, without ears, without handles if they were removed, and with caps in place of
@@ -79,8 +79,8 @@ struct ColonFlattening
 
 /** Flattens a tube: preparation, metric, map, handle removal. Throws InputError with the prefix `what` if the surface
  * is not a tube or the time does not suit a metric; ParameterError if the time is negative or not finite.
- * \ingroup ConformalFlattening */
-ConformalFlattening_EXPORT ColonFlattening
+ * \ingroup ShapetonConformalFlattening */
+ShapetonConformalFlattening_EXPORT ColonFlattening
 FlattenColon(SurfaceMesh mesh, const std::string & what, const ColonFlatteningOptions & options = {});
 
 /** Statistics as JSON. Keys: faces, genusBefore, genusAfter, metric, time (mm^2), eigenpairs (null: all), drownedEdges,
@@ -89,20 +89,20 @@ FlattenColon(SurfaceMesh mesh, const std::string & what, const ColonFlatteningOp
  * dilatationInSpace (median, p95, p99 over unflipped wall faces without caps, each counted once), triangleQuality and
  * triangleQualityInSpace (mean, shareBelowThreshold, histogram), handles (a list of genus, place, flatPlace, radius),
  * falseAlarms, rectumFrom, narrowestRadius (mm; null: not needed). Numbers are rounded to 9 significant digits.
- * \ingroup ConformalFlattening */
-ConformalFlattening_EXPORT Json
+ * \ingroup ShapetonConformalFlattening */
+ShapetonConformalFlattening_EXPORT Json
 ColonFlatteningToJson(const ColonFlattening & flattening);
 
 /** Writes the handles as points of a VTP file with the arrays genus, uv and radius (mm), and these facts. Without
- * handles the file has no points. Throws OutputError. \ingroup ConformalFlattening */
-ConformalFlattening_EXPORT void
+ * handles the file has no points. Throws OutputError. \ingroup ShapetonConformalFlattening */
+ShapetonConformalFlattening_EXPORT void
 WriteHandles(const std::vector<SurfaceHandle> &                       handles,
              const std::vector<std::pair<std::string, std::string>> & facts,
              const std::string &                                      path);
 
 /** Returns the points of the only curve. Throws InputError with the prefix `what` if there are several curves, or the
- * curve is a single point. \ingroup ConformalFlattening */
-ConformalFlattening_EXPORT std::vector<Eigen::Vector3d>
+ * curve is a single point. \ingroup ShapetonConformalFlattening */
+ShapetonConformalFlattening_EXPORT std::vector<Eigen::Vector3d>
                            OnlyCurve(const CurveSet & curves, const std::string & what);
 } // namespace shapeton
 

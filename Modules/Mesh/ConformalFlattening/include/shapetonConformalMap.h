@@ -10,7 +10,7 @@
 
 namespace shapeton
 {
-/** Target domain of a conformal map. \ingroup ConformalFlattening */
+/** Target domain of a conformal map. \ingroup ShapetonConformalFlattening */
 enum class ConformalDomain
 {
   /** One boundary: a rectangle with four corners. Several: the logarithm of the slit map, a strip cut open from the
@@ -23,7 +23,7 @@ enum class ConformalDomain
   Slit
 };
 
-/** Domain, boundaries and metric for MapConformally(). \ingroup ConformalFlattening */
+/** Domain, boundaries and metric for MapConformally(). \ingroup ShapetonConformalFlattening */
 struct ConformalMapOptions
 {
   ConformalDomain domain{ ConformalDomain::Slit };
@@ -39,7 +39,7 @@ struct ConformalMapOptions
   Progress progress;
 };
 
-/** A conformal map of a surface to the plane, with its distortion. \ingroup ConformalFlattening */
+/** A conformal map of a surface to the plane, with its distortion. \ingroup ShapetonConformalFlattening */
 struct ConformalMap
 {
   /** As in shapetonFlatSurface.h, with `uv` in mm, counterclockwise as seen from outside, u to the right and v up.
@@ -83,22 +83,22 @@ struct ConformalMap
   Remarks warnings;
 
   /** modulusU / modulusV - 1. */
-  ConformalFlattening_EXPORT double
+  ShapetonConformalFlattening_EXPORT double
   ModulusGap() const;
 };
 
 /** Maps a surface to the plane. A surface with handles is mapped with a warning: the map is conformal away from small
  * handles. Throws InputError with the prefix `what` if the surface is not a single oriented manifold component, the
  * domain does not allow its number of boundaries, or a boundary or corner does not exist; also throws as
- * MakeSurfaceLaplacian(). \ingroup ConformalFlattening */
-ConformalFlattening_EXPORT ConformalMap
+ * MakeSurfaceLaplacian(). \ingroup ShapetonConformalFlattening */
+ShapetonConformalFlattening_EXPORT ConformalMap
 MapConformally(const SurfaceMesh & mesh, const ConformalMapOptions & options, const std::string & what);
 
 /** Statistics as JSON. The keys are stable: faces, genus, domain, boundaries (a list of number, vertices, length in mm,
  * role), outerBoundary, innerBoundary, corners, modulusU, modulusV, modulusGap, flips, flipsAtSlits, solves, ears,
  * dilatation (median, p95, p99), slitMaps (a list of innerBoundary, modulusU, modulusV, and for each boundary
- * logRadius and turns). \ingroup ConformalFlattening */
-ConformalFlattening_EXPORT Json
+ * logRadius and turns). \ingroup ShapetonConformalFlattening */
+ShapetonConformalFlattening_EXPORT Json
 ConformalMapToJson(const ConformalMap & map);
 } // namespace shapeton
 

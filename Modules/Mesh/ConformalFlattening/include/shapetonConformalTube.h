@@ -8,7 +8,7 @@
 
 namespace shapeton
 {
-/** Method for the second coordinate of a tube. \ingroup ConformalFlattening */
+/** Method for the second coordinate of a tube. \ingroup ShapetonConformalFlattening */
 enum class TubeConjugate
 {
   /** A second Laplacian with a unit jump across the cut and natural boundaries. */
@@ -18,7 +18,7 @@ enum class TubeConjugate
   Published
 };
 
-/** Conjugate function and cut for FlattenTube(). \ingroup ConformalFlattening */
+/** Conjugate function and cut for FlattenTube(). \ingroup ShapetonConformalFlattening */
 struct TubeOptions
 {
   TubeConjugate conjugate{ TubeConjugate::Laplacian };
@@ -32,7 +32,7 @@ struct TubeOptions
   Progress progress;
 };
 
-/** A tube as a rectangle. \ingroup ConformalFlattening */
+/** A tube as a rectangle. \ingroup ShapetonConformalFlattening */
 struct TubeMap
 {
   /** A flat surface with `circumference` and `length`. */
@@ -74,32 +74,32 @@ struct TubeMap
  *
  * \param edgeLengths in the edge order of the connectivity, in any metric and unit.
  * \pre The surface is a tube: FindTubeEnds(). Throws InputError as MakeSurfaceLaplacian(), and if the cut curve is far
- * from the surface. \ingroup ConformalFlattening */
-ConformalFlattening_EXPORT TubeMap
+ * from the surface. \ingroup ShapetonConformalFlattening */
+ShapetonConformalFlattening_EXPORT TubeMap
 FlattenTube(const SurfaceMesh &         mesh,
             const SurfaceConnectivity & connectivity,
             const Eigen::VectorXd &     edgeLengths,
             const TubeEnds &            ends,
             const TubeOptions &         options = {});
 
-/** The harmonic function that is 0 on the first loop and 1 on the second. \ingroup ConformalFlattening */
-ConformalFlattening_EXPORT Eigen::VectorXd
+/** The harmonic function that is 0 on the first loop and 1 on the second. \ingroup ShapetonConformalFlattening */
+ShapetonConformalFlattening_EXPORT Eigen::VectorXd
 HarmonicAlongTube(const SurfaceLaplacian & laplacian, const TubeEnds & ends, const Progress & progress = {});
 
 /** Mean length of the level sets of u, 0 <= u <= 1, on the surface in space: the integral of |grad u| (mm).
- * \ingroup ConformalFlattening */
-ConformalFlattening_EXPORT double
+ * \ingroup ShapetonConformalFlattening */
+ShapetonConformalFlattening_EXPORT double
 MeanLevelLength(const SurfaceMesh & mesh, const Eigen::VectorXd & u);
 
-/** Lengths of the level sets u = (i + 1/2) / number, i = 0, 1, ... (mm). \ingroup ConformalFlattening */
-ConformalFlattening_EXPORT Eigen::VectorXd
+/** Lengths of the level sets u = (i + 1/2) / number, i = 0, 1, ... (mm). \ingroup ShapetonConformalFlattening */
+ShapetonConformalFlattening_EXPORT Eigen::VectorXd
                            LevelLengths(const SurfaceMesh & mesh, const Eigen::VectorXd & u, int number);
 
 /** The smallest of 500 level lengths divided by 2 pi (mm): the radius for DefaultDiffusionTime(). It measures the way
  * around the tube along its folds, which diffusion follows; the largest inscribed ball is smaller. Levels through
  * faces with the cell array `bridged` are skipped because those faces are synthetic; if no level remains, all are
- * used. \ingroup ConformalFlattening */
-ConformalFlattening_EXPORT double
+ * used. \ingroup ShapetonConformalFlattening */
+ShapetonConformalFlattening_EXPORT double
 NarrowestLevelRadius(const SurfaceMesh & mesh, const Eigen::VectorXd & u);
 } // namespace shapeton
 

@@ -6,20 +6,20 @@
 
 namespace shapeton
 {
-/** Side lengths, one face per row: side k runs from corner k to the next one. \ingroup ConformalFlattening */
+/** Side lengths, one face per row: side k runs from corner k to the next one. \ingroup ShapetonConformalFlattening */
 using SideLengths = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
 
 /** \defgroup FlatDistortion How a map to the plane distorts the faces of a surface, in any metric on it
  * A cut preserves the faces, so the side lengths of the surface also apply to the cut surface.
- * \ingroup ConformalFlattening */
+ * \ingroup ShapetonConformalFlattening */
 ///@{
 
 /** Sides of all faces from edge lengths in any metric, such as HeatDiffusionMetric::edgeLengths. */
-ConformalFlattening_EXPORT SideLengths
+ShapetonConformalFlattening_EXPORT SideLengths
 SidesOfFaces(const SurfaceConnectivity & connectivity, const Eigen::VectorXd & edgeLengths);
 
 /** Straight side lengths in space (mm). */
-ConformalFlattening_EXPORT SideLengths
+ShapetonConformalFlattening_EXPORT SideLengths
 SidesOfFaces(const VertexMatrix & V, const FaceMatrix & F);
 
 /** Distortion of each face under the affine map to the plane. */
@@ -39,25 +39,25 @@ struct FlatDistortion
 
 /** K + 1/K = sum_k cot(angle_k) l'_k^2 / (2 A'), with the angles in the metric, and lengths l' and area A' in the
  * plane. \pre `uv` has a row for each vertex in F, `sides` one for each face; else InputError. */
-ConformalFlattening_EXPORT FlatDistortion
+ShapetonConformalFlattening_EXPORT FlatDistortion
 MeasureFlatDistortion(const FaceMatrix & F, const Eigen::MatrixX2d & uv, const SideLengths & sides);
 
 /** Marks the faces with zero area in the plane, or with an orientation opposite to most of the flat area. Uses exact
  * arithmetic (ExactOrientation()). No face is marked if the map is locally one-to-one. */
-ConformalFlattening_EXPORT std::vector<char>
+ShapetonConformalFlattening_EXPORT std::vector<char>
                            FlippedFaces(const FaceMatrix & F, const Eigen::MatrixX2d & uv);
 
 /** Plane coordinates of face corners; corner k of a face is row 3 * face + k. */
 using CornerPlaces = Eigen::MatrixX2d;
 
 /** Corners of a flat surface. */
-ConformalFlattening_EXPORT CornerPlaces
+ShapetonConformalFlattening_EXPORT CornerPlaces
 PlacesOfCorners(const FaceMatrix & F, const Eigen::MatrixX2d & uv);
 
 /** Angle defect of each vertex of the surface before the cut, in radians: 2 pi minus the plane angles of its faces.
  * Zero up to rounding where the map is locally one-to-one; boundary vertices are set to zero. The faces around a
  * vertex may be in different periods of the map. */
-ConformalFlattening_EXPORT Eigen::VectorXd
+ShapetonConformalFlattening_EXPORT Eigen::VectorXd
 FlatAngleDefects(const FaceMatrix & F, const SurfaceConnectivity & connectivity, const CornerPlaces & places);
 
 /** Summary statistics of a set of values. */
@@ -71,7 +71,7 @@ struct DistortionQuantiles
 
 /** Quantiles of the dilatation over the unflipped faces, unweighted by area. Faces marked in `leftOut` are skipped. The
  * p-quantile of n sorted values is number floor(p n). 0 if no face remains. */
-ConformalFlattening_EXPORT DistortionQuantiles
+ShapetonConformalFlattening_EXPORT DistortionQuantiles
 QuantilesOfDilatation(const FlatDistortion & distortion, const std::vector<char> & leftOut = {});
 
 /** Triangle shapes in a metric (5.2.1). */
@@ -87,11 +87,11 @@ struct TriangleQuality
 };
 
 /** 2r/R of each face; 0 if the sides do not form a triangle. */
-ConformalFlattening_EXPORT Eigen::VectorXd
+ShapetonConformalFlattening_EXPORT Eigen::VectorXd
                            TriangleQualities(const SideLengths & sides);
 
 /** Histogram with the given number of bins, at least 1. */
-ConformalFlattening_EXPORT TriangleQuality
+ShapetonConformalFlattening_EXPORT TriangleQuality
 MeasureTriangleQuality(const SideLengths & sides, int bins = 20);
 ///@}
 } // namespace shapeton

@@ -14,33 +14,33 @@ namespace shapeton
  * - field arrays `circumference` and `length` of a tube: one value each, mm. The mean circumference is the integral of
  *   |grad u| over the surface in space for u from 0 to 1, the mean length of its level sets by the coarea formula.
  * All arrays and facts of the source come along; a source that is flat itself loses these four.
- * \ingroup ConformalFlattening */
+ * \ingroup ShapetonConformalFlattening */
 ///@{
 
 /** Builds a flat surface from a cut surface and its plane coordinates, one row per vertex. Throws InputError if a
  * coordinate is not finite or a row is missing. */
-ConformalFlattening_EXPORT SurfaceMesh
+ShapetonConformalFlattening_EXPORT SurfaceMesh
 MakeFlatSurface(CutSurface cut, const Eigen::MatrixX2d & uv);
 
 /** Sets `circumference` and `length` of a flat surface (mm). */
-ConformalFlattening_EXPORT void
+ShapetonConformalFlattening_EXPORT void
 SetFlatExtent(SurfaceMesh & flat, double circumference, double length);
 
 /** Returns `uv`, one row per vertex. If it is missing, throws InputError with the prefix `what` that names the tool to
  * run. */
-ConformalFlattening_EXPORT Eigen::MatrixX2d
+ShapetonConformalFlattening_EXPORT Eigen::MatrixX2d
                            FlatCoordinates(const SurfaceMesh & flat, const std::string & what);
 
 /** Returns `circumference` (mm). Throws InputError with the prefix `what` if it is missing or not positive. */
-ConformalFlattening_EXPORT double
+ShapetonConformalFlattening_EXPORT double
 FlatCircumference(const SurfaceMesh & flat, const std::string & what);
 
 /** Returns `length` (mm); errors as FlatCircumference(). */
-ConformalFlattening_EXPORT double
+ShapetonConformalFlattening_EXPORT double
 FlatLength(const SurfaceMesh & flat, const std::string & what);
 
 /** Returns `sourcePointId`. Throws InputError with the prefix `what` if it is missing. */
-ConformalFlattening_EXPORT std::vector<int>
+ShapetonConformalFlattening_EXPORT std::vector<int>
                            FlatSourcePoints(const SurfaceMesh & flat, const std::string & what);
 ///@}
 } // namespace shapeton

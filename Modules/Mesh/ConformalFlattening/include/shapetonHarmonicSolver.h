@@ -1,7 +1,7 @@
 #ifndef shapetonHarmonicSolver_h
 #define shapetonHarmonicSolver_h
 
-#include "ConformalFlatteningExport.h"
+#include "ShapetonConformalFlatteningExport.h"
 
 #include "shapetonProgress.h"
 #include "shapetonSurfaceLaplacian.h"
@@ -18,9 +18,9 @@ namespace shapeton
  * natural (Neumann). With source 0 this is the harmonic extension of the fixed values. L is factorized once by
  * SparseCholesky and reused for all right-hand sides. Results are bitwise reproducible.
  *
- * \ingroup ConformalFlattening
+ * \ingroup ShapetonConformalFlattening
  */
-class ConformalFlattening_EXPORT HarmonicSolver
+class ShapetonConformalFlattening_EXPORT HarmonicSolver
 {
 public:
   /** Throws InputError if a fixed vertex does not exist or is repeated, a component of the surface has no fixed vertex

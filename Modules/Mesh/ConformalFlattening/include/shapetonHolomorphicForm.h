@@ -1,7 +1,7 @@
 #ifndef shapetonHolomorphicForm_h
 #define shapetonHolomorphicForm_h
 
-#include "ConformalFlatteningExport.h"
+#include "ShapetonConformalFlatteningExport.h"
 
 #include "shapetonConformalMap.h"
 
@@ -10,7 +10,7 @@
 namespace shapeton
 {
 /** A holomorphic 1-form df + i *df, stored as its integral (dissertation 5.2.2, Figure 5.3 d to f). f is harmonic, 1 on
- * one inner boundary and 0 on all others (5.12); *df is its conjugate. \ingroup ConformalFlattening */
+ * one inner boundary and 0 on all others (5.12); *df is its conjugate. \ingroup ShapetonConformalFlattening */
 struct HolomorphicForm
 {
   /** Index of the loop on which f is 1. */
@@ -25,8 +25,8 @@ struct HolomorphicForm
 /** The forms of all inner boundaries, in the order of the slit maps. f_j and its conjugate are sums of -logRadius and
  * -angle of the slit maps, with the weights that make f_j 1 and 0 on the boundaries. Throws ParameterError unless the
  * domain of the map is ConformalDomain::Slit, because other maps do not hold all slit maps.
- * \ingroup ConformalFlattening */
-ConformalFlattening_EXPORT std::vector<HolomorphicForm>
+ * \ingroup ShapetonConformalFlattening */
+ShapetonConformalFlattening_EXPORT std::vector<HolomorphicForm>
                            HolomorphicFormsOf(const ConformalMap & map);
 } // namespace shapeton
 

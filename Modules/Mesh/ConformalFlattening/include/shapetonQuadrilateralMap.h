@@ -7,7 +7,7 @@
 
 namespace shapeton
 {
-/** Conformal map to a rectangle of a surface with one boundary and four corners on it. \ingroup ConformalFlattening */
+/** Conformal map to a rectangle of a surface with one boundary and four corners on it. \ingroup ShapetonConformalFlattening */
 struct QuadrilateralMap
 {
   /** Boundary vertices, counterclockwise as seen from outside, mapped to (0, 0), (1, 0), (1, 1), (0, 1). */
@@ -35,8 +35,8 @@ struct QuadrilateralMap
  * \param weightLevels for each vertex 0, or 1 to 6: how close to 1 the weights of its edges are clamped to avoid
  * flipped faces; empty: 0. The moduli are those of the metric in any case.
  * Throws InputError if a corner is not on the boundary, repeated or out of order, and as MakeSurfaceLaplacian().
- * \ingroup ConformalFlattening */
-ConformalFlattening_EXPORT QuadrilateralMap
+ * \ingroup ShapetonConformalFlattening */
+ShapetonConformalFlattening_EXPORT QuadrilateralMap
 MapQuadrilateral(const SurfaceConnectivity & connectivity,
                  const Eigen::VectorXd &     edgeLengths,
                  const BoundaryLoop &        boundary,
@@ -47,8 +47,8 @@ MapQuadrilateral(const SurfaceConnectivity & connectivity,
 /** Finds four well spread boundary vertices: the corners of an inscribed quadrilateral of large area. Starting from the
  * quarters of the boundary length with the largest area, each corner moves to the position of largest area until no
  * move helps. A rectangle keeps its own corners. Ties go to the first vertex along the boundary. \pre At least four
- * vertices; else InputError. \ingroup ConformalFlattening */
-ConformalFlattening_EXPORT std::array<int, 4>
+ * vertices; else InputError. \ingroup ShapetonConformalFlattening */
+ShapetonConformalFlattening_EXPORT std::array<int, 4>
                            SpreadCorners(const BoundaryLoop & boundary, const VertexMatrix & V);
 } // namespace shapeton
 

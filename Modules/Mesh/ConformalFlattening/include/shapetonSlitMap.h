@@ -9,7 +9,7 @@
 namespace shapeton
 {
 /** Logarithm of the conformal map of a surface onto an annulus with concentric circular slits.
- * \ingroup ConformalFlattening */
+ * \ingroup ShapetonConformalFlattening */
 struct SlitMap
 {
   /** Index of the loop that becomes the inner circle. */
@@ -51,9 +51,9 @@ struct SlitMap
  * With handles the angle has no period around them either, and the map is conformal away from small handles (5.2.2);
  * the gap between the two moduli measures the error.
  *
- * \ingroup ConformalFlattening
+ * \ingroup ShapetonConformalFlattening
  */
-class ConformalFlattening_EXPORT SlitMapSolver
+class ShapetonConformalFlattening_EXPORT SlitMapSolver
 {
 public:
   /** \param edgeLengths in any metric, such as that of heat diffusion.

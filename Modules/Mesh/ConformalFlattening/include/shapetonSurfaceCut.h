@@ -1,13 +1,13 @@
 #ifndef shapetonSurfaceCut_h
 #define shapetonSurfaceCut_h
 
-#include "ConformalFlatteningExport.h"
+#include "ShapetonConformalFlatteningExport.h"
 
 #include "shapetonSurfaceConnectivity.h"
 
 namespace shapeton
 {
-/** A surface cut open along paths of edges. \ingroup ConformalFlattening */
+/** A surface cut open along paths of edges. \ingroup ShapetonConformalFlattening */
 struct CutSurface
 {
   /** The faces in their original order and corner order. Source vertices keep their indices; copies of split vertices
@@ -31,15 +31,15 @@ struct CutSurface
  * of their lowest faces, vertices in ascending order.
  *
  * \pre The surface is manifold and consistently oriented. Throws InputError if this fails at the path, or if two
- * successive vertices do not share an edge. \ingroup ConformalFlattening */
-ConformalFlattening_EXPORT CutSurface
+ * successive vertices do not share an edge. \ingroup ShapetonConformalFlattening */
+ShapetonConformalFlattening_EXPORT CutSurface
 CutAlongPaths(const SurfaceMesh &                   mesh,
               const SurfaceConnectivity &           connectivity,
               const std::vector<std::vector<int>> & vertexPaths);
 
-/** For each path of vertices, the corners on its left as in CutSurface, without cutting. \ingroup ConformalFlattening
+/** For each path of vertices, the corners on its left as in CutSurface, without cutting. \ingroup ShapetonConformalFlattening
  */
-ConformalFlattening_EXPORT std::vector<int>
+ShapetonConformalFlattening_EXPORT std::vector<int>
 LeftCorners(const FaceMatrix & F, const SurfaceConnectivity & connectivity, const std::vector<int> & vertexPath);
 } // namespace shapeton
 

@@ -5,7 +5,7 @@
 
 namespace shapeton
 {
-/** A handle, or a group of close handles, of a flattened surface. \ingroup ConformalFlattening */
+/** A handle, or a group of close handles, of a flattened surface. \ingroup ShapetonConformalFlattening */
 struct SurfaceHandle
 {
   /** Number of handles; more than 1 if several are too close to separate. */
@@ -20,7 +20,7 @@ struct SurfaceHandle
   std::vector<int> vertices;
 };
 
-/** Handles of a flat tube, with the number of false detections. See DetectHandles(). \ingroup ConformalFlattening */
+/** Handles of a flat tube, with the number of false detections. See DetectHandles(). \ingroup ShapetonConformalFlattening */
 struct HandleDetection
 {
   /** In the order of their first vertices. */
@@ -39,14 +39,14 @@ struct HandleDetection
  *
  * \param connectivity of the surface before the cut.
  * \param flat the flat surface, with the same faces in the same order.
- * Throws InputError if `flat` is not a flat surface of `connectivity`. \ingroup ConformalFlattening */
-ConformalFlattening_EXPORT HandleDetection
+ * Throws InputError if `flat` is not a flat surface of `connectivity`. \ingroup ShapetonConformalFlattening */
+ShapetonConformalFlattening_EXPORT HandleDetection
 DetectHandles(const SurfaceConnectivity & connectivity, const SurfaceMesh & flat);
 
-/** Marks the faces with a corner at most this many edges away from a handle vertex. \ingroup ConformalFlattening */
-ConformalFlattening_EXPORT std::vector<char>
+/** Marks the faces with a corner at most this many edges away from a handle vertex. \ingroup ShapetonConformalFlattening */
+ShapetonConformalFlattening_EXPORT std::vector<char>
 FacesNearHandles(const SurfaceConnectivity & connectivity, const std::vector<SurfaceHandle> & handles, int rings);
-/** A surface after handle removal. \ingroup ConformalFlattening */
+/** A surface after handle removal. \ingroup ShapetonConformalFlattening */
 struct HandleRemoval
 {
   /** Point arrays of new vertices are means over the rim of the hole; cell arrays of new faces are 0, and the cell
@@ -64,8 +64,8 @@ struct HandleRemoval
  * uniform Laplacians at new vertices and at the rim. Boundaries are unchanged.
  *
  * \pre The surface is one oriented manifold component and the handles belong to it; else InputError.
- * \ingroup ConformalFlattening */
-ConformalFlattening_EXPORT HandleRemoval
+ * \ingroup ShapetonConformalFlattening */
+ShapetonConformalFlattening_EXPORT HandleRemoval
 RemoveHandles(const SurfaceMesh &                mesh,
               const SurfaceConnectivity &        connectivity,
               const std::vector<SurfaceHandle> & handles);

@@ -1,14 +1,14 @@
 #ifndef shapetonTubeEnds_h
 #define shapetonTubeEnds_h
 
-#include "ConformalFlatteningExport.h"
+#include "ShapetonConformalFlatteningExport.h"
 
 #include "shapetonRemarks.h"
 #include "shapetonSurfaceConnectivity.h"
 
 namespace shapeton
 {
-/** Boundary loops of a tube: u is 0 on the first and largest on the second. \ingroup ConformalFlattening */
+/** Boundary loops of a tube: u is 0 on the first and largest on the second. \ingroup ShapetonConformalFlattening */
 struct TubeEnds
 {
   std::vector<int> first;
@@ -17,14 +17,14 @@ struct TubeEnds
   bool isRectumKnown{ false };
 
   /** All vertices of the first loop, then those of the second. */
-  ConformalFlattening_EXPORT std::vector<int>
+  ShapetonConformalFlattening_EXPORT std::vector<int>
                              Vertices() const;
 };
 
 /** Throws InputError unless the surface is one oriented manifold component with exactly two boundary loops. Handles are
  * allowed. The message starts with `what`, describes the surface and names the tool to use.
- * \ingroup ConformalFlattening */
-ConformalFlattening_EXPORT TubeEnds
+ * \ingroup ShapetonConformalFlattening */
+ShapetonConformalFlattening_EXPORT TubeEnds
 FindTubeEnds(const SurfaceMesh & mesh, const SurfaceConnectivity & connectivity, const std::string & what);
 
 /** A tube prepared for FindTubeEnds(), with faces oriented outward, and a description of each repair (without file
@@ -38,11 +38,11 @@ struct PreparedTube
 /** Repairs coincident vertices, degenerate and duplicate faces, unreferenced vertices, flipped faces, and non-manifold
  * edges and vertices. Inverts the surface if its faces point inward (by the enclosed volume with its ends closed). A
  * sound surface is returned unchanged. Vertices in `rectumLoop` and `cecumLoop` are renumbered. Throws InputError as
- * FindTubeEnds(). \ingroup ConformalFlattening */
-ConformalFlattening_EXPORT PreparedTube
+ * FindTubeEnds(). \ingroup ShapetonConformalFlattening */
+ShapetonConformalFlattening_EXPORT PreparedTube
 PrepareTube(SurfaceMesh mesh, const std::string & what);
 
-/** A tube without ears. \ingroup ConformalFlattening */
+/** A tube without ears. \ingroup ShapetonConformalFlattening */
 struct TrimmedTube
 {
   SurfaceMesh mesh;
@@ -54,13 +54,13 @@ struct TrimmedTube
 /** Removes parts cut off by interior edges that join two vertices of one end. These are mostly ears: faces with all
  * corners on one end, which any map with constant ends collapses. Removed vertices are dropped from `rectumLoop` and
  * `cecumLoop`. The tube is returned unchanged if it has no such edge, or if the removal would leave no tube. \pre As
- * for FindTubeEnds(). \ingroup ConformalFlattening */
-ConformalFlattening_EXPORT TrimmedTube
+ * for FindTubeEnds(). \ingroup ShapetonConformalFlattening */
+ShapetonConformalFlattening_EXPORT TrimmedTube
 TrimEars(SurfaceMesh mesh, const SurfaceConnectivity & connectivity);
 
 /** Updates the field arrays `rectumLoop` and `cecumLoop` of `after` by vertex position in `before`. An array with a
- * missing vertex is removed. \ingroup ConformalFlattening */
-ConformalFlattening_EXPORT void
+ * missing vertex is removed. \ingroup ShapetonConformalFlattening */
+ShapetonConformalFlattening_EXPORT void
 RenumberLoopArrays(const SurfaceMesh & before, SurfaceMesh & after);
 } // namespace shapeton
 

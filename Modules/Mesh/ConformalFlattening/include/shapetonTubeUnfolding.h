@@ -7,7 +7,7 @@
 
 namespace shapeton
 {
-/** A cap that closes the hole left by a blind pouch. \ingroup ConformalFlattening */
+/** A cap that closes the hole left by a blind pouch. \ingroup ShapetonConformalFlattening */
 struct PouchCap
 {
   /** Length of its rim (mm). */
@@ -18,7 +18,7 @@ struct PouchCap
   Eigen::Vector3d place{ Eigen::Vector3d::Zero() };
 };
 
-/** A tube with a flat map without flipped faces. \ingroup ConformalFlattening */
+/** A tube with a flat map without flipped faces. \ingroup ShapetonConformalFlattening */
 struct UnfoldedTube
 {
   /** Surface of `map`: the input, if it has no folds or no pouches. Otherwise pouches are replaced by caps. The cell
@@ -37,7 +37,7 @@ struct UnfoldedTube
 
 /** Edge lengths of a surface in the metric of a map, in edge order; reports progress.
  *
- * \ingroup ConformalFlattening */
+ * \ingroup ShapetonConformalFlattening */
 using TubeMetric =
   std::function<Eigen::VectorXd(const SurfaceMesh &, const SurfaceConnectivity &, const Progress & progress)>;
 
@@ -55,15 +55,15 @@ using TubeMetric =
  *
  * The published conjugate may fold anywhere, so it is mapped once.
  *
- * \pre As for FlattenTube(); only end edges have both vertices on one end: TrimEars(). \ingroup ConformalFlattening */
-ConformalFlattening_EXPORT UnfoldedTube
+ * \pre As for FlattenTube(); only end edges have both vertices on one end: TrimEars(). \ingroup ShapetonConformalFlattening */
+ShapetonConformalFlattening_EXPORT UnfoldedTube
 FlattenWithoutFolds(SurfaceMesh         mesh,
                     const TubeEnds &    ends,
                     const TubeMetric &  metric,
                     const TubeOptions & options = {});
 
-/** Faces of caps; empty for a surface without caps. \ingroup ConformalFlattening */
-ConformalFlattening_EXPORT std::vector<char>
+/** Faces of caps; empty for a surface without caps. \ingroup ShapetonConformalFlattening */
+ShapetonConformalFlattening_EXPORT std::vector<char>
                            FacesOfCaps(const SurfaceMesh & surface);
 } // namespace shapeton
 

@@ -1,7 +1,7 @@
 #ifndef shapetonSurfaceLaplacian_h
 #define shapetonSurfaceLaplacian_h
 
-#include "HeatDiffusionMetricExport.h"
+#include "ShapetonHeatDiffusionMetricExport.h"
 
 #include "shapetonSurfaceConnectivity.h"
 
@@ -11,7 +11,7 @@
 
 namespace shapeton
 {
-/** Distribution of the surface area among the vertices. \ingroup HeatDiffusionMetric */
+/** Distribution of the surface area among the vertices. \ingroup ShapetonHeatDiffusionMetric */
 enum class MassLumping
 {
   /** A third of each face to each corner. */
@@ -20,7 +20,7 @@ enum class MassLumping
   MixedVoronoi
 };
 
-/** Mass lumping and minimum face height for MakeSurfaceLaplacian(). \ingroup HeatDiffusionMetric */
+/** Mass lumping and minimum face height for MakeSurfaceLaplacian(). \ingroup ShapetonHeatDiffusionMetric */
 struct SurfaceLaplacianOptions
 {
   MassLumping lumping{ MassLumping::Barycentric };
@@ -39,7 +39,7 @@ struct SurfaceLaplacianOptions
  * L depends only on edge lengths, so any metric on the surface has a Laplacian. Vertices and edges are numbered as in
  * SurfaceConnectivity. L is dimensionless; M is in mm^2.
  *
- * \ingroup HeatDiffusionMetric
+ * \ingroup ShapetonHeatDiffusionMetric
  */
 struct SurfaceLaplacian
 {
@@ -56,51 +56,51 @@ struct SurfaceLaplacian
   }
 };
 
-/** Straight edge lengths, in edge order (mm). \ingroup HeatDiffusionMetric */
-HeatDiffusionMetric_EXPORT Eigen::VectorXd
+/** Straight edge lengths, in edge order (mm). \ingroup ShapetonHeatDiffusionMetric */
+ShapetonHeatDiffusionMetric_EXPORT Eigen::VectorXd
                            EdgeLengths(const SurfaceConnectivity & connectivity, const VertexMatrix & V);
 
 /** Laplacian of a surface with these edge lengths. Throws InputError if a length is not finite or not positive, a face
  * violates the triangle inequality by more than 1e-5 of its longest side, a face is degenerate, or a vertex has no
- * face. Smaller violations are treated as needles. \ingroup HeatDiffusionMetric */
-HeatDiffusionMetric_EXPORT SurfaceLaplacian
+ * face. Smaller violations are treated as needles. \ingroup ShapetonHeatDiffusionMetric */
+ShapetonHeatDiffusionMetric_EXPORT SurfaceLaplacian
 MakeSurfaceLaplacian(const SurfaceConnectivity &     connectivity,
                      const Eigen::VectorXd &         edgeLengths,
                      const SurfaceLaplacianOptions & options = {});
 
 /** Laplacian of the surface in space. Also throws InputError for zero-area faces (height below 1e-12 of the longest
- * side), which RepairSurface() cannot repair: remesh or simplify. \ingroup HeatDiffusionMetric */
-HeatDiffusionMetric_EXPORT SurfaceLaplacian
+ * side), which RepairSurface() cannot repair: remesh or simplify. \ingroup ShapetonHeatDiffusionMetric */
+ShapetonHeatDiffusionMetric_EXPORT SurfaceLaplacian
 MakeSurfaceLaplacian(const SurfaceConnectivity &     connectivity,
                      const VertexMatrix &            V,
                      const SurfaceLaplacianOptions & options = {});
 
 /** Whether the lengths of each face form a triangle within the tolerance of MakeSurfaceLaplacian(). Other errors are
- * not checked. \ingroup HeatDiffusionMetric */
-HeatDiffusionMetric_EXPORT bool
+ * not checked. \ingroup ShapetonHeatDiffusionMetric */
+ShapetonHeatDiffusionMetric_EXPORT bool
 AreTriangles(const SurfaceConnectivity & connectivity, const Eigen::VectorXd & edgeLengths);
 
 /** For lengths with a small error, which affects the shortest side of a face most. If that side is too short for a
  * triangle, it is set to the difference of the other two. Returns the changed edges; some faces may still violate the
- * triangle inequality. Errors as MakeSurfaceLaplacian(). \ingroup HeatDiffusionMetric */
-HeatDiffusionMetric_EXPORT std::set<int>
+ * triangle inequality. Errors as MakeSurfaceLaplacian(). \ingroup ShapetonHeatDiffusionMetric */
+ShapetonHeatDiffusionMetric_EXPORT std::set<int>
 LengthenShortestSides(const SurfaceConnectivity & connectivity, Eigen::VectorXd & edgeLengths);
 
-/** The diagonal of L. \ingroup HeatDiffusionMetric */
-HeatDiffusionMetric_EXPORT Eigen::VectorXd
+/** The diagonal of L. \ingroup ShapetonHeatDiffusionMetric */
+ShapetonHeatDiffusionMetric_EXPORT Eigen::VectorXd
                            StiffnessDiagonal(const SurfaceLaplacian & laplacian);
 
-/** L as a full symmetric matrix. \ingroup HeatDiffusionMetric */
-HeatDiffusionMetric_EXPORT Eigen::SparseMatrix<double>
+/** L as a full symmetric matrix. \ingroup ShapetonHeatDiffusionMetric */
+ShapetonHeatDiffusionMetric_EXPORT Eigen::SparseMatrix<double>
                            StiffnessMatrix(const SurfaceLaplacian & laplacian);
 
-/** u^T L u, the integral of |grad u|^2: twice the Dirichlet energy. \ingroup HeatDiffusionMetric */
-HeatDiffusionMetric_EXPORT double
+/** u^T L u, the integral of |grad u|^2: twice the Dirichlet energy. \ingroup ShapetonHeatDiffusionMetric */
+ShapetonHeatDiffusionMetric_EXPORT double
 GradientEnergy(const SurfaceLaplacian & laplacian, const Eigen::VectorXd & u);
 
 /** Throws InputError with the prefix `what` unless the surface is one manifold component without degenerate faces, as
- * diffusion distances require. \ingroup HeatDiffusionMetric */
-HeatDiffusionMetric_EXPORT void
+ * diffusion distances require. \ingroup ShapetonHeatDiffusionMetric */
+ShapetonHeatDiffusionMetric_EXPORT void
 RequireOneManifold(const SurfaceConnectivity & connectivity, const std::string & what);
 } // namespace shapeton
 

@@ -7,7 +7,7 @@ namespace shapeton
 {
 /** \class CurveSet
  * \brief Polylines in space, such as a centerline or taeniae, and single points: vertices V with data arrays.
- * \ingroup SurfaceMesh
+ * \ingroup ShapetonSurfaceMesh
  */
 struct CurveSet
 {
@@ -26,31 +26,31 @@ struct CurveSet
 };
 
 /** Throws InputError with the prefix `what` if there are no vertices, a curve is empty or has an invalid vertex index,
- * a coordinate is not finite, or an array has too few rows. \ingroup SurfaceMesh */
-SurfaceMesh_EXPORT void
+ * a coordinate is not finite, or an array has too few rows. \ingroup ShapetonSurfaceMesh */
+ShapetonSurfaceMesh_EXPORT void
 RequireSound(const CurveSet & curves, const std::string & what);
 
 /** Values of a single-component point array, one per vertex. Throws InputError with the prefix `what` if the array is
- * missing. \ingroup SurfaceMesh */
-SurfaceMesh_EXPORT Eigen::VectorXd
+ * missing. \ingroup ShapetonSurfaceMesh */
+ShapetonSurfaceMesh_EXPORT Eigen::VectorXd
                    PointValues(const CurveSet & curves, const std::string & array, const std::string & what);
 
 /** Writes curves as VTP (.vtp), marked as LPS. Points are written as VTK verts, which come before the lines; reading
  * restores the curves in that order. Equal curves give equal bytes.
  * Throws OutputError if the file cannot be written, ParameterError for another extension, and InputError as
- * RequireSound(), except that an empty set is allowed. \ingroup SurfaceMesh */
-SurfaceMesh_EXPORT void
+ * RequireSound(), except that an empty set is allowed. \ingroup ShapetonSurfaceMesh */
+ShapetonSurfaceMesh_EXPORT void
 WriteCurves(CurveSet curves, const std::string & path);
 
 /** Writes curves as WriteCurves(), and the triangles of a surface on their vertices as VTK polys, which come after the
  * lines. Cell arrays have rows for these faces, too. ReadCurves() returns the curves of the file, ReadSurface() the
- * surface. Throws as WriteCurves(). \ingroup SurfaceMesh */
-SurfaceMesh_EXPORT void
+ * surface. Throws as WriteCurves(). \ingroup ShapetonSurfaceMesh */
+ShapetonSurfaceMesh_EXPORT void
 WriteCurvesOnSurface(CurveSet curves, const FaceMatrix & faces, const std::string & path);
 
 /** Reads the lines and verts of a VTP file (possibly none); faces are ignored. Throws InputError that names the file
- * and the error. \ingroup SurfaceMesh */
-SurfaceMesh_EXPORT CurveSet
+ * and the error. \ingroup ShapetonSurfaceMesh */
+ShapetonSurfaceMesh_EXPORT CurveSet
 ReadCurves(const std::string & path);
 } // namespace shapeton
 

@@ -14,13 +14,13 @@ namespace shapeton
  *
  * \param size of the grid, at least 2 along each axis; the first axis runs fastest in `values`, which are not modified.
  * \param first coordinate of the first value along each axis.
- * Throws std::invalid_argument if the sizes disagree. \ingroup SurfaceMesh */
-SurfaceMesh_EXPORT SurfaceMesh
+ * Throws std::invalid_argument if the sizes disagree. \ingroup ShapetonSurfaceMesh */
+ShapetonSurfaceMesh_EXPORT SurfaceMesh
 LevelSurface(std::vector<float> & values, const std::array<int, 3> & size, double level, double first = 0.0);
 
 /** The component with the largest enclosed volume, faces oriented outward. \pre The surface has a face.
- * \ingroup SurfaceMesh */
-SurfaceMesh_EXPORT SurfaceMesh
+ * \ingroup ShapetonSurfaceMesh */
+ShapetonSurfaceMesh_EXPORT SurfaceMesh
 OuterShell(const SurfaceMesh & mesh);
 } // namespace shapeton
 

@@ -11,12 +11,12 @@ namespace shapeton
  * Replaces the content of the object by positions in double precision, arrays and facts, and the field data SPACE=LPS.
  * Integers are 32-bit. */
 ///@{
-/** Triangles become VTK polys. \ingroup SurfaceMesh */
-SurfaceMesh_EXPORT void
+/** Triangles become VTK polys. \ingroup ShapetonSurfaceMesh */
+ShapetonSurfaceMesh_EXPORT void
 FillPolyData(const SurfaceMesh & mesh, vtkPolyData & data);
 /** Points become VTK verts, which come first, curves its lines, and faces, if any, its polys.
- * \pre Single-vertex curves come first. \ingroup SurfaceMesh */
-SurfaceMesh_EXPORT void
+ * \pre Single-vertex curves come first. \ingroup ShapetonSurfaceMesh */
+ShapetonSurfaceMesh_EXPORT void
 FillPolyData(const CurveSet & curves, const FaceMatrix & faces, vtkPolyData & data);
 ///@}
 } // namespace shapeton

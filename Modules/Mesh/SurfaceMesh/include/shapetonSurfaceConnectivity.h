@@ -8,7 +8,7 @@
 
 namespace shapeton
 {
-/** A contiguous range of numbers in an array of a SurfaceConnectivity. \ingroup SurfaceMesh */
+/** A contiguous range of numbers in an array of a SurfaceConnectivity. \ingroup ShapetonSurfaceMesh */
 class IndexRange
 {
 public:
@@ -39,7 +39,7 @@ private:
   const int * m_Last;
 };
 
-/** Statistics of one edge-connected component. \ingroup SurfaceMesh */
+/** Statistics of one edge-connected component. \ingroup ShapetonSurfaceMesh */
 struct SurfaceComponent
 {
   int faces{ 0 };
@@ -66,9 +66,9 @@ struct SurfaceComponent
  * have no edges and no component. Faces are connected through a shared edge, not through a shared vertex. All lists are
  * in index order, so equal input gives equal output. Memory: about 100 bytes per face.
  *
- * \ingroup SurfaceMesh
+ * \ingroup ShapetonSurfaceMesh
  */
-class SurfaceMesh_EXPORT SurfaceConnectivity
+class ShapetonSurfaceMesh_EXPORT SurfaceConnectivity
 {
 public:
   /** \pre The indices in F are in [0, numberOfVertices); else std::out_of_range. */

@@ -8,8 +8,8 @@ namespace shapeton
 /** The point of a triangle a b c that is closest to p.
  *
  * After Ericson, Real-Time Collision Detection (2005), section 5.1.5. Also handles zero-area triangles.
- * \ingroup SurfaceMesh */
-SurfaceMesh_EXPORT Eigen::Vector3d
+ * \ingroup ShapetonSurfaceMesh */
+ShapetonSurfaceMesh_EXPORT Eigen::Vector3d
                    ClosestPointOfTriangle(const Eigen::Vector3d & p,
                                           const Eigen::Vector3d & a,
                                           const Eigen::Vector3d & b,
@@ -21,9 +21,9 @@ SurfaceMesh_EXPORT Eigen::Vector3d
  * Keeps a copy of the surface. Building is O(n log n) and multithreaded; a query is about O(log n). Queries are
  * thread-safe.
  *
- * \ingroup SurfaceMesh
+ * \ingroup ShapetonSurfaceMesh
  */
-class SurfaceMesh_EXPORT SurfaceLocator
+class ShapetonSurfaceMesh_EXPORT SurfaceLocator
 {
 public:
   struct Closest

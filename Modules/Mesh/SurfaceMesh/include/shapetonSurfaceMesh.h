@@ -1,7 +1,7 @@
 #ifndef shapetonSurfaceMesh_h
 #define shapetonSurfaceMesh_h
 
-#include "SurfaceMeshExport.h"
+#include "ShapetonSurfaceMeshExport.h"
 
 #include <Eigen/Core>
 
@@ -11,13 +11,13 @@
 
 namespace shapeton
 {
-/** Vertex positions, one per row (LPS, mm). \ingroup SurfaceMesh */
+/** Vertex positions, one per row (LPS, mm). \ingroup ShapetonSurfaceMesh */
 using VertexMatrix = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
-/** Triangles, three vertex indices per row, counterclockwise as seen from outside. \ingroup SurfaceMesh */
+/** Triangles, three vertex indices per row, counterclockwise as seen from outside. \ingroup ShapetonSurfaceMesh */
 using FaceMatrix = Eigen::Matrix<int, Eigen::Dynamic, 3, Eigen::RowMajor>;
 
 /** Named values: one row for each vertex or face, or any number of rows for the surface as a whole.
- * \ingroup SurfaceMesh */
+ * \ingroup ShapetonSurfaceMesh */
 struct SurfaceArray
 {
   using ValueMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
@@ -34,7 +34,7 @@ struct SurfaceArray
  * RequireSound() guarantees valid indices only: faces may be degenerate or inconsistent. InspectSurface() finds such
  * defects and RepairSurface() repairs them.
  *
- * \ingroup SurfaceMesh
+ * \ingroup ShapetonSurfaceMesh
  */
 struct SurfaceMesh
 {
@@ -61,19 +61,19 @@ struct SurfaceMesh
   }
 };
 
-/** The array of this name, or nullptr. \ingroup SurfaceMesh */
-SurfaceMesh_EXPORT const SurfaceArray *
+/** The array of this name, or nullptr. \ingroup ShapetonSurfaceMesh */
+ShapetonSurfaceMesh_EXPORT const SurfaceArray *
 FindSurfaceArray(const std::vector<SurfaceArray> & arrays, const std::string & name);
 
 /** Throws InputError with the prefix `what` (a file, an argument) if there are no faces, an index is out of range, a
  * coordinate of a used vertex is not finite, or an array has the wrong number of rows. Unused vertices may have any
- * coordinates. \ingroup SurfaceMesh */
-SurfaceMesh_EXPORT void
+ * coordinates. \ingroup ShapetonSurfaceMesh */
+ShapetonSurfaceMesh_EXPORT void
 RequireSound(const SurfaceMesh & mesh, const std::string & what);
 
 /** Extracts the given faces, in their order. Unused vertices are dropped, the others keep their order. Point and cell
- * arrays are subset; field arrays and facts are kept unchanged. \ingroup SurfaceMesh */
-SurfaceMesh_EXPORT SurfaceMesh
+ * arrays are subset; field arrays and facts are kept unchanged. \ingroup ShapetonSurfaceMesh */
+ShapetonSurfaceMesh_EXPORT SurfaceMesh
 FacesOfSurface(const SurfaceMesh & mesh, const std::vector<int> & faces);
 } // namespace shapeton
 

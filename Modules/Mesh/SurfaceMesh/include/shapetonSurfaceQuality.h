@@ -6,7 +6,7 @@
 
 namespace shapeton
 {
-/** Defects of a surface, as ascending indices. RepairSurface() repairs all except zeroAreaFaces. \ingroup SurfaceMesh
+/** Defects of a surface, as ascending indices. RepairSurface() repairs all except zeroAreaFaces. \ingroup ShapetonSurfaceMesh
  */
 struct SurfaceDefects
 {
@@ -28,15 +28,15 @@ struct SurfaceDefects
   std::vector<int> inconsistentEdges;
 
   /** No defects except, possibly, coincident vertices: two components may touch. */
-  SurfaceMesh_EXPORT bool
+  ShapetonSurfaceMesh_EXPORT bool
   AreNone() const;
 };
 
-/** Finds the defective faces, edges and vertices of a surface. \ingroup SurfaceMesh */
-SurfaceMesh_EXPORT SurfaceDefects
+/** Finds the defective faces, edges and vertices of a surface. \ingroup ShapetonSurfaceMesh */
+ShapetonSurfaceMesh_EXPORT SurfaceDefects
 FindSurfaceDefects(const SurfaceMesh & mesh, const SurfaceConnectivity & connectivity);
 
-/** Order statistics, by linear interpolation between neighboring values. \ingroup SurfaceMesh */
+/** Order statistics, by linear interpolation between neighboring values. \ingroup ShapetonSurfaceMesh */
 struct SurfaceStatistics
 {
   double minimum{ 0.0 };
@@ -46,11 +46,11 @@ struct SurfaceStatistics
   double maximum{ 0.0 };
 };
 
-/** Minimum, percentiles and maximum; zeros for an empty list. \ingroup SurfaceMesh */
-SurfaceMesh_EXPORT SurfaceStatistics
+/** Minimum, percentiles and maximum; zeros for an empty list. \ingroup ShapetonSurfaceMesh */
+ShapetonSurfaceMesh_EXPORT SurfaceStatistics
 StatisticsOf(std::vector<double> values);
 
-/** Statistics of a surface. Lengths in mm, areas in mm^2, volumes in mm^3, angles in degrees. \ingroup SurfaceMesh */
+/** Statistics of a surface. Lengths in mm, areas in mm^2, volumes in mm^3, angles in degrees. \ingroup ShapetonSurfaceMesh */
 struct SurfaceQuality
 {
   int vertices{ 0 };
@@ -84,17 +84,17 @@ struct SurfaceQuality
 };
 
 /** Computes the statistics of a surface in linear time and memory. Throws InputError as RequireSound().
- * \ingroup SurfaceMesh */
-SurfaceMesh_EXPORT SurfaceQuality
+ * \ingroup ShapetonSurfaceMesh */
+ShapetonSurfaceMesh_EXPORT SurfaceQuality
 InspectSurface(const SurfaceMesh & mesh);
 
-/** Total area of the faces (mm^2). \ingroup SurfaceMesh */
-SurfaceMesh_EXPORT double
+/** Total area of the faces (mm^2). \ingroup ShapetonSurfaceMesh */
+ShapetonSurfaceMesh_EXPORT double
 SurfaceArea(const VertexMatrix & V, const FaceMatrix & F);
 
 /** Volume enclosed by a closed oriented surface (mm^3, divergence theorem); negative if its faces point inward.
- * \ingroup SurfaceMesh */
-SurfaceMesh_EXPORT double
+ * \ingroup ShapetonSurfaceMesh */
+ShapetonSurfaceMesh_EXPORT double
 EnclosedVolume(const VertexMatrix & V, const FaceMatrix & F);
 
 /** Quality as JSON. The keys are stable: vertices, edges, faces, eulerCharacteristic, genus (null: not defined),
@@ -103,12 +103,12 @@ EnclosedVolume(const VertexMatrix & V, const FaceMatrix & F);
  * vertices, length), edgeLength, smallestAngle, largestAngle, aspectRatio (minimum, percentile1, median, percentile99,
  * maximum), defects (counts: degenerateFaces, zeroAreaFaces, duplicateFaces, unreferencedVertices, coincidentVertices,
  * nonManifoldEdges, nonManifoldVertices, inconsistentEdges). Numbers are rounded to 9 significant digits.
- * \ingroup SurfaceMesh */
-SurfaceMesh_EXPORT Json
+ * \ingroup ShapetonSurfaceMesh */
+ShapetonSurfaceMesh_EXPORT Json
 SurfaceQualityToJson(const SurfaceQuality & quality);
 
-/** Quality as human-readable text; long lists are cut after ten items. \ingroup SurfaceMesh */
-SurfaceMesh_EXPORT std::string
+/** Quality as human-readable text; long lists are cut after ten items. \ingroup ShapetonSurfaceMesh */
+ShapetonSurfaceMesh_EXPORT std::string
                    FormatSurfaceQuality(const SurfaceQuality & quality);
 } // namespace shapeton
 

@@ -6,7 +6,7 @@
 
 namespace shapeton
 {
-/** A named group of faces of a file. \ingroup SurfaceMesh */
+/** A named group of faces of a file. \ingroup ShapetonSurfaceMesh */
 struct SurfacePart
 {
   std::string name;
@@ -14,7 +14,7 @@ struct SurfacePart
   int         numberOfFaces{ 0 };
 };
 
-/** Complete content of a surface file, before selection. \ingroup SurfaceMesh */
+/** Complete content of a surface file, before selection. \ingroup ShapetonSurfaceMesh */
 struct SurfaceFile
 {
   /** Surface in mm (by the unit of the format), LPS. */
@@ -45,11 +45,11 @@ struct SurfaceFile
  *
  * Throws InputError that names the file, the error, its location and the remedy, for files that are missing, empty,
  * text instead of a surface, truncated or of another format, and for indices out of range, nonfinite coordinates, or no
- * faces. Sizes stated in a file are checked against its length before memory is allocated. \ingroup SurfaceMesh */
-SurfaceMesh_EXPORT SurfaceFile
+ * faces. Sizes stated in a file are checked against its length before memory is allocated. \ingroup ShapetonSurfaceMesh */
+ShapetonSurfaceMesh_EXPORT SurfaceFile
 ReadSurfaceFile(const std::string & path);
 
-/** Selection from a file. \ingroup SurfaceMesh */
+/** Selection from a file. \ingroup ShapetonSurfaceMesh */
 struct SurfaceReadOptions
 {
   /** Name of a part; empty for all parts. */
@@ -68,7 +68,7 @@ struct SurfaceReadOptions
   bool takesOneComponent{ false };
 };
 
-/** A selected surface with its remarks. \ingroup SurfaceMesh */
+/** A selected surface with its remarks. \ingroup ShapetonSurfaceMesh */
 struct Surface
 {
   SurfaceMesh mesh;
@@ -82,14 +82,14 @@ struct Surface
 
 /** Reads a file and selects one part and component. Throws InputError as ReadSurfaceFile(), and, listing the choices,
  * if the part or component is unknown or several exist and none was chosen. Throws ParameterError for an invalid unit
- * or a component below -1. \ingroup SurfaceMesh */
-SurfaceMesh_EXPORT Surface
+ * or a component below -1. \ingroup ShapetonSurfaceMesh */
+ShapetonSurfaceMesh_EXPORT Surface
 ReadSurface(const std::string & path, const SurfaceReadOptions & options = {});
 
 /** ReadSurface() followed by RepairSurface(), for computations. Throws InputError, which names the file, for defects
  * that cannot be repaired: an invalid surface, zero-area faces, a nonorientable part; and if several components remain
- * and none was chosen. \ingroup SurfaceMesh */
-SurfaceMesh_EXPORT Surface
+ * and none was chosen. \ingroup ShapetonSurfaceMesh */
+ShapetonSurfaceMesh_EXPORT Surface
 ReadRepairedSurface(const std::string & path, const SurfaceReadOptions & options = {});
 } // namespace shapeton
 

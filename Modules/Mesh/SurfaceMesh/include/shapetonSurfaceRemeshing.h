@@ -6,7 +6,7 @@
 
 namespace shapeton
 {
-/** Edge length and iterations for RemeshSurface(). \ingroup SurfaceMesh */
+/** Edge length and iterations for RemeshSurface(). \ingroup ShapetonSurfaceMesh */
 struct SurfaceRemeshingOptions
 {
   /** Target edge length (mm), positive. */
@@ -30,8 +30,8 @@ struct SurfaceRemeshingOptions
  * kept. Equal input gives equal output; single-threaded.
  *
  * Throws InputError as RequireManifold(), and if the surface would exceed 100 million faces; ParameterError for options
- * out of range. \ingroup SurfaceMesh */
-SurfaceMesh_EXPORT SurfaceMesh
+ * out of range. \ingroup ShapetonSurfaceMesh */
+ShapetonSurfaceMesh_EXPORT SurfaceMesh
 RemeshSurface(const SurfaceMesh & mesh, const SurfaceRemeshingOptions & options);
 } // namespace shapeton
 

@@ -5,7 +5,7 @@
 
 namespace shapeton
 {
-/** Options of RepairSurface(). \ingroup SurfaceMesh */
+/** Options of RepairSurface(). \ingroup ShapetonSurfaceMesh */
 struct SurfaceRepairOptions
 {
   /** Merges vertices at equal positions. */
@@ -19,7 +19,7 @@ struct SurfaceRepairOptions
   bool split{ true };
 };
 
-/** Report of RepairSurface(). \ingroup SurfaceMesh */
+/** Report of RepairSurface(). \ingroup ShapetonSurfaceMesh */
 struct SurfaceRepairReport
 {
   int mergedVertices{ 0 };
@@ -33,7 +33,7 @@ struct SurfaceRepairReport
   int nonOrientableComponents{ 0 };
 
   /** One text per kind of change; empty if nothing changed. */
-  SurfaceMesh_EXPORT std::vector<std::string>
+  ShapetonSurfaceMesh_EXPORT std::vector<std::string>
                      Words() const;
 };
 
@@ -47,16 +47,16 @@ struct SurfaceRepairReport
  * are not changed: vertex indices in them become invalid if vertices are merged or dropped.
  *
  * Throws InputError as RequireSound(), and if every face is degenerate; ParameterError if mergeDistance is negative or
- * not finite. \ingroup SurfaceMesh */
-SurfaceMesh_EXPORT SurfaceMesh
+ * not finite. \ingroup ShapetonSurfaceMesh */
+ShapetonSurfaceMesh_EXPORT SurfaceMesh
 RepairSurface(const SurfaceMesh &          mesh,
               const SurfaceRepairOptions & options = {},
               SurfaceRepairReport *        report = nullptr);
 
 /** Checks the requirements of simplification and remeshing: manifold, consistently oriented, no degenerate faces.
  * Returns the connectivity used for the check. Throws InputError with the prefix `what` that names the first defect
- * and the repair. \ingroup SurfaceMesh */
-SurfaceMesh_EXPORT SurfaceConnectivity
+ * and the repair. \ingroup ShapetonSurfaceMesh */
+ShapetonSurfaceMesh_EXPORT SurfaceConnectivity
 RequireManifold(const SurfaceMesh & mesh, const std::string & what);
 } // namespace shapeton
 

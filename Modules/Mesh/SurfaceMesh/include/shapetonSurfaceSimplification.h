@@ -6,7 +6,7 @@
 
 namespace shapeton
 {
-/** Target size and triangle shape for SimplifySurface(). \ingroup SurfaceMesh */
+/** Target size and triangle shape for SimplifySurface(). \ingroup ShapetonSurfaceMesh */
 struct SurfaceSimplificationOptions
 {
   /** Target number of faces, from 1. The result has at most one face fewer if the topology allows. */
@@ -20,7 +20,7 @@ struct SurfaceSimplificationOptions
   Progress progress;
 };
 
-/** Report of SimplifySurface(). \ingroup SurfaceMesh */
+/** Report of SimplifySurface(). \ingroup ShapetonSurfaceMesh */
 struct SurfaceSimplificationReport
 {
   int facesBefore{ 0 };
@@ -49,8 +49,8 @@ struct SurfaceSimplificationReport
  * Remaining vertices and faces keep their order. Arrays are dropped because the vertices are new; facts are kept. A
  * surface that already has few enough faces is returned with its arrays.
  *
- * Throws InputError as RequireManifold(); ParameterError for options out of range. \ingroup SurfaceMesh */
-SurfaceMesh_EXPORT SurfaceMesh
+ * Throws InputError as RequireManifold(); ParameterError for options out of range. \ingroup ShapetonSurfaceMesh */
+ShapetonSurfaceMesh_EXPORT SurfaceMesh
 SimplifySurface(const SurfaceMesh &                  mesh,
                 const SurfaceSimplificationOptions & options,
                 SurfaceSimplificationReport *        report = nullptr);

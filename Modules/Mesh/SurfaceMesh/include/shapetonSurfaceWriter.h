@@ -14,12 +14,12 @@ namespace shapeton
  * single precision. Equal surfaces give equal bytes.
  *
  * Throws OutputError if the file cannot be written, ParameterError for another extension, InputError as RequireSound().
- * \ingroup SurfaceMesh */
-SurfaceMesh_EXPORT void
+ * \ingroup ShapetonSurfaceMesh */
+ShapetonSurfaceMesh_EXPORT void
 WriteSurface(const SurfaceMesh & mesh, const std::string & path);
 
-/** WriteSurface() with ProvenanceMetadata() as facts. \ingroup SurfaceMesh */
-SurfaceMesh_EXPORT void
+/** WriteSurface() with ProvenanceMetadata() as facts. \ingroup ShapetonSurfaceMesh */
+ShapetonSurfaceMesh_EXPORT void
 WriteSurface(SurfaceMesh mesh, const Provenance & provenance, const std::string & path);
 } // namespace shapeton
 

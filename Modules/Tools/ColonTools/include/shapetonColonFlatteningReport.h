@@ -1,7 +1,7 @@
 #ifndef shapetonColonFlatteningReport_h
 #define shapetonColonFlatteningReport_h
 
-#include "ColonToolsExport.h"
+#include "ShapetonColonToolsExport.h"
 #include "shapetonRemarks.h"
 #include "shapetonColonFlattening.h"
 #include "shapetonFlatColonPictures.h"
@@ -12,11 +12,11 @@ namespace shapeton
 {
 class CommandLine;
 
-/** Handles of a flattening as annotations, numbered from 1. \ingroup ColonTools */
-ColonTools_EXPORT std::vector<FlatAnnotation>
+/** Handles of a flattening as annotations, numbered from 1. \ingroup ShapetonColonTools */
+ShapetonColonTools_EXPORT std::vector<FlatAnnotation>
                   AnnotationsOfHandles(const ColonFlattening & flattening);
 
-/** Additional content of a report on a flattening. \ingroup ColonTools */
+/** Additional content of a report on a flattening. \ingroup ShapetonColonTools */
 struct ColonFlatteningReportContent
 {
   using Facts = std::vector<std::pair<std::string, std::string>>;
@@ -31,8 +31,8 @@ struct ColonFlatteningReportContent
 /** Writes a report into an existing folder: a self-contained index.html, and its pictures as files: flat-volume.png
  * (if there is a CT), flat-relief.png, flat-curvature.png, triangle-quality.png. The pixel size is 1/200 of the
  * circumference. Equal content gives equal bytes. Throws OutputError and the exceptions of FlatColonPictures.
- * \ingroup ColonTools */
-ColonTools_EXPORT void
+ * \ingroup ShapetonColonTools */
+ShapetonColonTools_EXPORT void
 WriteColonFlatteningReport(const ColonFlatteningReportContent & content,
                            const std::string &                  folder,
                            const OutputPath &                   outputPath);
@@ -41,8 +41,8 @@ WriteColonFlatteningReport(const ColonFlatteningReportContent & content,
  * \brief Picture, coordinate map and report of the tool ColonFlattening.
  *
  * The tool's XML declares picture, coloring (auto, volume, curvature, relief), pixelSize (mm), coordinateMap and
- * report. \ingroup ColonTools */
-class ColonTools_EXPORT ColonFlatteningViews
+ * report. \ingroup ShapetonColonTools */
+class ShapetonColonTools_EXPORT ColonFlatteningViews
 {
 public:
   /** Registers the outputs and creates the folder. Throws ParameterError and OutputError. */

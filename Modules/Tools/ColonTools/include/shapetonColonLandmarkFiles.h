@@ -1,7 +1,7 @@
 #ifndef shapetonColonLandmarkFiles_h
 #define shapetonColonLandmarkFiles_h
 
-#include "ColonToolsExport.h"
+#include "ShapetonColonToolsExport.h"
 #include "shapetonColonSplitting.h"
 #include "shapetonSceneFiles.h"
 
@@ -16,8 +16,8 @@ class CommandLine;
  * ileocecal-valve.mrk.json; segment-NAME.vtp for pieces. Landmarks that were not found have no file; a stale file of
  * an earlier run is removed. All files state their provenance.
  *
- * \ingroup ColonTools */
-class ColonTools_EXPORT ColonLandmarkFiles
+ * \ingroup ShapetonColonTools */
+class ShapetonColonTools_EXPORT ColonLandmarkFiles
 {
 public:
   /** Creates the folder. Throws OutputError if it cannot be written to. */
@@ -49,8 +49,8 @@ private:
 };
 
 /** Reads markers for taeniae: points and vertices of a VTP file or of 3D Slicer markups; LPS, mm.
- * Throws InputError for a file without points, ParameterError for an unsupported extension. \ingroup ColonTools */
-ColonTools_EXPORT std::vector<Eigen::Vector3d>
+ * Throws InputError for a file without points, ParameterError for an unsupported extension. \ingroup ShapetonColonTools */
+ShapetonColonTools_EXPORT std::vector<Eigen::Vector3d>
                   ReadTaeniaMarkers(CommandLine & commandLine, const std::string & parameter);
 } // namespace shapeton
 

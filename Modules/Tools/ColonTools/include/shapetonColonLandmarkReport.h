@@ -1,7 +1,7 @@
 #ifndef shapetonColonLandmarkReport_h
 #define shapetonColonLandmarkReport_h
 
-#include "ColonToolsExport.h"
+#include "ShapetonColonToolsExport.h"
 #include "shapetonColonLandmarkPictures.h"
 #include "shapetonColonSplitting.h"
 
@@ -11,8 +11,8 @@ class CommandLine;
 
 /** \class ColonLandmarkReport
  * \brief Report of the tool ColonLandmarks: index.html and its pictures as PNG files in the same folder.
- * \ingroup ColonTools */
-class ColonTools_EXPORT ColonLandmarkReport
+ * \ingroup ShapetonColonTools */
+class ShapetonColonTools_EXPORT ColonLandmarkReport
 {
 public:
   /** Creates the folder; an empty name disables the report. Throws OutputError. */

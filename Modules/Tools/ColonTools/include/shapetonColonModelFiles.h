@@ -1,7 +1,7 @@
 #ifndef shapetonColonModelFiles_h
 #define shapetonColonModelFiles_h
 
-#include "ColonToolsExport.h"
+#include "ShapetonColonToolsExport.h"
 #include "shapetonColonModel.h"
 #include "shapetonSceneFiles.h"
 
@@ -21,9 +21,9 @@ class CommandLine;
  * lumen.nrrd (1 gas, 2 fluid, 3 terminalIleum), cleansed.nrrd (HU; not for a mask), centerline.vtp, catheter.vtp
  * (if one is found), wall.vtp, wall-repaired.vtp, wall-simplified.vtp, quality.json. All files state their provenance.
  *
- * \ingroup ColonTools
+ * \ingroup ShapetonColonTools
  */
-class ColonTools_EXPORT ColonModelFiles
+class ShapetonColonTools_EXPORT ColonModelFiles
 {
 public:
   /** Creates the folder. Throws OutputError if it cannot be written to. */

@@ -1,7 +1,7 @@
 #ifndef shapetonColonModelReport_h
 #define shapetonColonModelReport_h
 
-#include "ColonToolsExport.h"
+#include "ShapetonColonToolsExport.h"
 #include "shapetonColonModel.h"
 
 #include <string>
@@ -13,8 +13,8 @@ struct Volume;
 
 /** \class ColonModelReport
  * \brief Report on a colon model, written into a folder.
- * \ingroup ColonTools */
-class ColonTools_EXPORT ColonModelReport
+ * \ingroup ShapetonColonTools */
+class ShapetonColonTools_EXPORT ColonModelReport
 {
 public:
   /** Creates the folder; an empty name disables the report. Throws OutputError. */

@@ -1,7 +1,7 @@
 #ifndef shapetonColonPhantomOptions_h
 #define shapetonColonPhantomOptions_h
 
-#include "ColonToolsExport.h"
+#include "ShapetonColonToolsExport.h"
 
 #include "itkPoint.h"
 
@@ -12,14 +12,14 @@ class CommandLine;
 
 /** Parameters of ColonPhantom: those of the option `preset`, overridden by the given options. Options that `standard`
  * and `hard` do not use enter the provenance only when given, so that results of these presets keep their bytes.
- * Throws ParameterError. \ingroup ColonTools */
-ColonTools_EXPORT ColonPhantomParameters
+ * Throws ParameterError. \ingroup ShapetonColonTools */
+ShapetonColonTools_EXPORT ColonPhantomParameters
 ReadColonPhantomParameters(CommandLine & commandLine);
 
 /** The option `center` of ColonPhantom: the center of the volume in the patient (LPS, mm). It enters the provenance
  * only when given. Throws ParameterError unless it has three numbers within 1000 mm.
- * \ingroup ColonTools */
-ColonTools_EXPORT itk::Point<double, 3>
+ * \ingroup ShapetonColonTools */
+ShapetonColonTools_EXPORT itk::Point<double, 3>
                   ReadPhantomCenter(CommandLine & commandLine);
 } // namespace shapeton
 

@@ -1,7 +1,7 @@
 #ifndef shapetonColonTruthWriter_h
 #define shapetonColonTruthWriter_h
 
-#include "ColonToolsExport.h"
+#include "ShapetonColonToolsExport.h"
 
 #include "shapetonCurveSet.h"
 
@@ -19,8 +19,8 @@ class CommandLine;
  * \param other correspondence.vtp of another position of this patient; if not null, points.csv is also written: pairs
  * of points, the point of the other position first (TableOfPointPairs()).
  *
- * Throws OutputError, and InputError as TableOfPointPairs() does. \ingroup ColonTools */
-ColonTools_EXPORT void
+ * Throws OutputError, and InputError as TableOfPointPairs() does. \ingroup ShapetonColonTools */
+ShapetonColonTools_EXPORT void
 WriteColonTruth(CommandLine &             commandLine,
                 ColonPhantomImageSource & source,
                 const std::string &       folder,

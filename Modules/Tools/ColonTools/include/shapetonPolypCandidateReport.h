@@ -1,7 +1,7 @@
 #ifndef shapetonPolypCandidateReport_h
 #define shapetonPolypCandidateReport_h
 
-#include "ColonToolsExport.h"
+#include "ShapetonColonToolsExport.h"
 
 #include "shapetonHtmlReport.h"
 #include "shapetonPolypSearch.h"
@@ -11,20 +11,20 @@ namespace shapeton
 class CommandLine;
 
 /** Begins a section on candidates: a note on how to read them, a table, and the category implied by their sizes.
- * \ingroup ColonTools */
-ColonTools_EXPORT void
+ * \ingroup ShapetonColonTools */
+ShapetonColonTools_EXPORT void
 AddPolypCandidateTable(HtmlReport & report, const std::vector<PolypCandidate> & candidates);
 
 /** Caption of a picture in the section: for all candidates if the number is 0, otherwise for one candidate.
- * \ingroup ColonTools */
-ColonTools_EXPORT std::string
+ * \ingroup ShapetonColonTools */
+ShapetonColonTools_EXPORT std::string
                   CaptionOfPolypPicture(int candidate);
 
 /** Adds a section on candidates to a report: AddPolypCandidateTable(), the flat colon with all candidates, and a
  * close-up of each. Pictures are written to the existing `folder` under names that begin with "polyp-candidate".
  * Without a flat map there are no pictures. Throws OutputError and the exceptions of PolypCandidatePictures.
- * \ingroup ColonTools */
-ColonTools_EXPORT void
+ * \ingroup ShapetonColonTools */
+ShapetonColonTools_EXPORT void
 AddPolypCandidateSection(HtmlReport &                        report,
                          const PolypColon &                  colon,
                          const std::vector<PolypCandidate> & candidates,
@@ -32,8 +32,8 @@ AddPolypCandidateSection(HtmlReport &                        report,
                          const OutputPath &                  outputPath);
 
 /** Writes index.html with that section and the provenance into a folder; does nothing if the folder name is empty.
- * \ingroup ColonTools */
-ColonTools_EXPORT void
+ * \ingroup ShapetonColonTools */
+ShapetonColonTools_EXPORT void
 WritePolypCandidateReport(CommandLine &                       commandLine,
                           const PolypColon &                  colon,
                           const std::vector<PolypCandidate> & candidates,

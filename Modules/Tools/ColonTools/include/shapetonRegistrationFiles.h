@@ -1,7 +1,7 @@
 #ifndef shapetonRegistrationFiles_h
 #define shapetonRegistrationFiles_h
 
-#include "ColonToolsExport.h"
+#include "ShapetonColonToolsExport.h"
 #include "shapetonCsvTable.h"
 #include "shapetonRegistrationResults.h"
 #include "shapetonSceneFiles.h"
@@ -16,8 +16,8 @@ class CommandLine;
  *
  * Surfaces and the JSON file state the provenance. Without points, an errors.csv of an earlier run is removed.
  *
- * \ingroup ColonTools */
-class ColonTools_EXPORT RegistrationFiles
+ * \ingroup ShapetonColonTools */
+class ShapetonColonTools_EXPORT RegistrationFiles
 {
 public:
   /** Creates the folder. Throws OutputError if it cannot be written to, ParameterError if the folder is an examination
@@ -44,29 +44,29 @@ private:
 };
 
 /** \defgroup RegistrationTables Tables of a registration
- * \ingroup ColonTools */
+ * \ingroup ShapetonColonTools */
 ///@{
-ColonTools_EXPORT CsvTable
+ShapetonColonTools_EXPORT CsvTable
 TableOfMatches(const RegistrationResults & results);
 
 /** A row for each point: coordinates, status (counted, excluded or offSurface), distance in space (mm) and on the map
  * (width 1). */
-ColonTools_EXPORT CsvTable
+ShapetonColonTools_EXPORT CsvTable
 TableOfErrors(const RegistrationResults & results);
 
 /** Reads points of the wall in both positions: a table with the columns sx, sy, sz (supine) and px, py, pz (prone),
  * LPS, mm. Throws InputError with file and line; also if the table has no points. */
-ColonTools_EXPORT std::vector<PointPair>
+ShapetonColonTools_EXPORT std::vector<PointPair>
                   ReadPointPairs(const std::string & path);
 
 /** Reads a folder back, for reports and later stages. Throws InputError if a file is missing or not written by
  * RegistrationFiles. */
-ColonTools_EXPORT RegistrationResults
+ShapetonColonTools_EXPORT RegistrationResults
 ReadRegistrationResults(const std::string & folder);
 
 /** Confidence of a registration in a folder, 0 to 1; 0 if it is flagged. Throws InputError if the JSON file does not
  * state it. */
-ColonTools_EXPORT double
+ShapetonColonTools_EXPORT double
 ConfidenceOfRegistration(const std::string & folder);
 ///@}
 } // namespace shapeton

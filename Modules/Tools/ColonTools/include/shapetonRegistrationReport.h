@@ -1,7 +1,7 @@
 #ifndef shapetonRegistrationReport_h
 #define shapetonRegistrationReport_h
 
-#include "ColonToolsExport.h"
+#include "ShapetonColonToolsExport.h"
 
 #include "shapetonHtmlReport.h"
 #include "shapetonRegistrationPictures.h"
@@ -12,18 +12,18 @@ namespace shapeton
 {
 class CommandLine;
 
-/** Adds a picture with its caption to a page; `name` is a file name without extension. \ingroup ColonTools */
+/** Adds a picture with its caption to a page; `name` is a file name without extension. \ingroup ShapetonColonTools */
 using AddPictureToPage =
   std::function<void(const Picture * picture, const std::string & name, const std::string & caption)>;
 
-/** Summary of the registration: names and values. \ingroup ColonTools */
-ColonTools_EXPORT std::vector<std::pair<std::string, std::string>>
+/** Summary of the registration: names and values. \ingroup ShapetonColonTools */
+ShapetonColonTools_EXPORT std::vector<std::pair<std::string, std::string>>
                   RegistrationFacts(const RegistrationParts & parts);
 
 /** Adds the section on both positions to a page: confidence, both walls in paired rows, the checkerboard, a table of
  * matches by segment, and errors if points are known. The arguments may be newly computed or read back by
- * ReadColonPosition() and ReadRegistrationResults(), so any report can include this section. \ingroup ColonTools */
-ColonTools_EXPORT void
+ * ReadColonPosition() and ReadRegistrationResults(), so any report can include this section. \ingroup ShapetonColonTools */
+ShapetonColonTools_EXPORT void
 AddRegistrationSection(HtmlReport &                 html,
                        const RegistrationParts &    parts,
                        const AddPictureToPage &     addPicture,
@@ -31,8 +31,8 @@ AddRegistrationSection(HtmlReport &                 html,
 
 /** \class RegistrationReport
  * \brief index.html in a folder; its pictures are embedded and also written as files.
- * \ingroup ColonTools */
-class ColonTools_EXPORT RegistrationReport
+ * \ingroup ShapetonColonTools */
+class ShapetonColonTools_EXPORT RegistrationReport
 {
 public:
   /** Creates the folder; an empty name disables the report. Throws OutputError. */

@@ -1,7 +1,7 @@
 #ifndef shapetonSceneFiles_h
 #define shapetonSceneFiles_h
 
-#include "ColonToolsExport.h"
+#include "ShapetonColonToolsExport.h"
 
 #include <string>
 #include <vector>
@@ -13,9 +13,9 @@ class CommandLine;
 /** \class SceneFiles
  * \brief Copies of results as single files, each named by a parameter. 3D Slicer can load a file as a node of its
  * scene, but not a folder.
- * \ingroup ColonTools
+ * \ingroup ShapetonColonTools
  */
-class ColonTools_EXPORT SceneFiles
+class ShapetonColonTools_EXPORT SceneFiles
 {
 public:
   struct Choice

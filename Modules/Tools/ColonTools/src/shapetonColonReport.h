@@ -1,7 +1,7 @@
 #ifndef shapetonColonReport_h
 #define shapetonColonReport_h
 
-#include "ColonToolsExport.h"
+#include "ShapetonColonToolsExport.h"
 #include "shapetonRemarks.h"
 #include "shapetonColonPictures.h"
 #include "shapetonHtmlReport.h"
@@ -12,7 +12,7 @@
 
 namespace shapeton
 {
-/** Content of a report on a colon. \ingroup ColonTools */
+/** Content of a report on a colon. \ingroup ShapetonColonTools */
 struct ColonReportContent
 {
   using Facts = std::vector<std::pair<std::string, std::string>>;
@@ -36,8 +36,8 @@ struct ColonReportContent
 /** Writes a report into an existing folder: a self-contained index.html, and its pictures as files: slices-axial.png,
  * slices-coronal.png, slices-sagittal.png, projection-coronal.png and projection-sagittal.png; with a centerline,
  * distension.png; with a wall, wall-anterior.png; with both, inside-anterior.png and inside-left.png. Equal content
- * gives equal bytes. Throws OutputError, and std::invalid_argument for a colon without lumen. \ingroup ColonTools */
-ColonTools_EXPORT void
+ * gives equal bytes. Throws OutputError, and std::invalid_argument for a colon without lumen. \ingroup ShapetonColonTools */
+ShapetonColonTools_EXPORT void
 WriteColonReport(const ColonReportContent & content, const std::string & folder, const OutputPath & outputPath);
 } // namespace shapeton
 

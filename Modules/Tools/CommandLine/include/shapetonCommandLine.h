@@ -1,7 +1,7 @@
 #ifndef shapetonCommandLine_h
 #define shapetonCommandLine_h
 
-#include "CommandLineExport.h"
+#include "ShapetonCommandLineExport.h"
 #include "shapetonProgress.h"
 #include "shapetonProvenance.h"
 #include "shapetonRemarks.h"
@@ -53,9 +53,9 @@ namespace shapeton
  * umask. Only regular files that are not inputs of the run are replaced: a folder, a device, a pipe or a
  * write-protected file is rejected before the work starts.
  *
- * \ingroup CommandLine
+ * \ingroup ShapetonCommandLine
  */
-class CommandLine_EXPORT CommandLine
+class ShapetonCommandLine_EXPORT CommandLine
 {
 public:
   using Body = std::function<void(CommandLine &)>;

@@ -1,7 +1,7 @@
 #ifndef shapetonGraphComparisonPictures_h
 #define shapetonGraphComparisonPictures_h
 
-#include "GraphToolsExport.h"
+#include "ShapetonGraphToolsExport.h"
 #include "shapetonDynamicTables.h"
 #include "shapetonGraphComparison.h"
 #include "shapetonHtmlReport.h"
@@ -13,7 +13,7 @@
 namespace shapeton
 {
 /** Options of pictures that show graphs side by side.
- * \ingroup GraphTools */
+ * \ingroup ShapetonGraphTools */
 struct GraphSideBySide
 {
   /** Output folder. */
@@ -26,18 +26,18 @@ struct GraphSideBySide
 };
 
 /** Writes comparison.svg and index.html: both graphs, with corresponding circles in one color and unmatched ones gray,
- * and a list of differences with numbers. Throws OutputError. \ingroup GraphTools */
-GraphTools_EXPORT void
+ * and a list of differences with numbers. Throws OutputError. \ingroup ShapetonGraphTools */
+ShapetonGraphTools_EXPORT void
 WriteComparisonPictures(const GraphComparison & comparison, const GraphSideBySide & sheet, const OutputPath & output);
 
 /** Maximum number of steps in a picture of a sequence. Longer sequences are sampled evenly from the first to the last
- * step. \ingroup GraphTools */
+ * step. \ingroup ShapetonGraphTools */
 constexpr int mostStepsOfPicture = 12;
 
 /** Writes steps.svg (small multiples: nodes changed since the previous step green, others red, tracked ones blue),
  * correspondence.svg (one color per name through all steps), and index.html with the first of them. If two steps are
- * compared, also writes compare.svg with the changes in green. Throws OutputError. \ingroup GraphTools */
-GraphTools_EXPORT void
+ * compared, also writes compare.svg with the changes in green. Throws OutputError. \ingroup ShapetonGraphTools */
+ShapetonGraphTools_EXPORT void
 WriteSequencePictures(const DynamicSequence &          sequence,
                       const std::vector<int> &         compared,
                       const std::vector<std::string> & tracked,

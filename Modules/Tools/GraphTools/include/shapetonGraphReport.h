@@ -1,14 +1,14 @@
 #ifndef shapetonGraphReport_h
 #define shapetonGraphReport_h
 
-#include "GraphToolsExport.h"
+#include "ShapetonGraphToolsExport.h"
 #include "shapetonCsvTable.h"
 #include "shapetonGraphPictures.h"
 
 namespace shapeton
 {
 /** Content of a report on embedded graphs.
- * \ingroup GraphTools */
+ * \ingroup ShapetonGraphTools */
 struct GraphReport
 {
   std::string title;
@@ -27,13 +27,13 @@ struct GraphReport
 /** Writes one HTML file that opens offline: a canvas view for each graph, to rotate (drag), to move by Moebius
  * transformations (shift and drag; on the disk: drag) and to zoom (wheel), with switches for graph, dual, circles,
  * labels and projection; then paragraphs, warnings, tables and facts. Equal reports give equal bytes. Throws
- * OutputError. \ingroup GraphTools */
-GraphTools_EXPORT void
+ * OutputError. \ingroup ShapetonGraphTools */
+ShapetonGraphTools_EXPORT void
 WriteGraphReport(const GraphReport & report, const std::string & path);
 
 /** Provenance and statistics of a certificate as facts for a report.
- * \ingroup GraphTools */
-GraphTools_EXPORT std::vector<std::pair<std::string, std::string>>
+ * \ingroup ShapetonGraphTools */
+ShapetonGraphTools_EXPORT std::vector<std::pair<std::string, std::string>>
                   FactsOf(const EmbeddingCertificate & certificate);
 } // namespace shapeton
 

@@ -1,7 +1,7 @@
 #ifndef shapetonToolGraphs_h
 #define shapetonToolGraphs_h
 
-#include "GraphToolsExport.h"
+#include "ShapetonGraphToolsExport.h"
 #include "shapetonGraphReader.h"
 #include "shapetonRotationFile.h"
 
@@ -10,12 +10,12 @@ namespace shapeton
 class CommandLine;
 
 /** ReadGraph() for the input parameter of a tool; states its identity and reports the notes as warnings.
- * \ingroup GraphTools */
-GraphTools_EXPORT Graph
+ * \ingroup ShapetonGraphTools */
+ShapetonGraphTools_EXPORT Graph
 ReadGraph(CommandLine & commandLine, const std::string & parameter);
 
-/** ReadRotation() for the input parameter of a tool; states its identity. \ingroup GraphTools */
-GraphTools_EXPORT CombinatorialMap
+/** ReadRotation() for the input parameter of a tool; states its identity. \ingroup ShapetonGraphTools */
+ShapetonGraphTools_EXPORT CombinatorialMap
 ReadRotation(CommandLine & commandLine, const std::string & parameter, const Graph & graph);
 } // namespace shapeton
 

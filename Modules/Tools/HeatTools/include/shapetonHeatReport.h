@@ -1,7 +1,7 @@
 #ifndef shapetonHeatReport_h
 #define shapetonHeatReport_h
 
-#include "HeatToolsExport.h"
+#include "ShapetonHeatToolsExport.h"
 
 #include "shapetonRemarks.h"
 #include "shapetonCsvTable.h"
@@ -26,7 +26,7 @@
 namespace shapeton
 {
 /** Content of a diffusion report, for heat or shapetons. The pointers are not owned and must not be null.
- * \ingroup HeatTools */
+ * \ingroup ShapetonHeatTools */
 struct HeatReportContent
 {
   using Facts = std::vector<std::pair<std::string, std::string>>;
@@ -72,59 +72,59 @@ struct HeatReportContent
 /** Writes a report into an existing folder: index.html (self-contained), histogram.png, slices-heat.png (named after
  * the quantity), slices-classes.png, rendering.png, classes.csv and report.json; with zoomed ranges also
  * histogram-range.png and rendering-range.png. Equal content gives equal bytes. Throws OutputError, and
- * std::invalid_argument for incomplete content. \ingroup HeatTools */
-HeatTools_EXPORT void
+ * std::invalid_argument for incomplete content. \ingroup ShapetonHeatTools */
+ShapetonHeatTools_EXPORT void
 WriteHeatReport(const HeatReportContent & content, const std::string & folder, const OutputPath & outputPath);
 
 /** Writes the page explorer.html for the report. The time step of the report is added as the last one if missing.
- * Throws OutputError. \ingroup HeatTools */
-HeatTools_EXPORT void
+ * Throws OutputError. \ingroup ShapetonHeatTools */
+ShapetonHeatTools_EXPORT void
 WriteExplorer(const HeatReportContent & content, HeatExplorer & explorer);
 
 /** The classes as a table: label, lowerHeat, upperHeat, meanHeat, voxels, volume (mm^3), borderShare, components,
  * normalizedHeat, and the color in pictures ("#rrggbb"; empty for the background). For visits, Density replaces Heat,
- * and meanVisits replaces components and normalizedHeat. \ingroup HeatTools */
-HeatTools_EXPORT CsvTable
+ * and meanVisits replaces components and normalizedHeat. \ingroup ShapetonHeatTools */
+ShapetonHeatTools_EXPORT CsvTable
 ClassTable(const std::vector<HeatClass> & classes, const HeatAxis & axis, const ShapeQuantity & quantity = {});
 
-/** The class table of the report. \ingroup HeatTools */
-HeatTools_EXPORT CsvTable
+/** The class table of the report. \ingroup ShapetonHeatTools */
+ShapetonHeatTools_EXPORT CsvTable
 ClassTable(const HeatReportContent & content);
 
-/** The histogram of the report, with its marks and classes. \ingroup HeatTools */
-HeatTools_EXPORT Picture::Pointer
+/** The histogram of the report, with its marks and classes. \ingroup ShapetonHeatTools */
+ShapetonHeatTools_EXPORT Picture::Pointer
                  DrawHistogram(const HeatReportContent & content);
 
 /** The histogram of content.ranges, with the lines found inside the last range in place of the classes.
- * \ingroup HeatTools */
-HeatTools_EXPORT Picture::Pointer
+ * \ingroup ShapetonHeatTools */
+ShapetonHeatTools_EXPORT Picture::Pointer
                  DrawOpenedHistogram(const HeatReportContent & content);
 
 /** A warning if the last of content.ranges has no counts; empty otherwise, or if no range is zoomed.
- * \ingroup HeatTools */
-HeatTools_EXPORT Remarks
+ * \ingroup ShapetonHeatTools */
+ShapetonHeatTools_EXPORT Remarks
 RangeRemarks(const HeatReportContent & content);
 
 /** Nonzero counts of a heat histogram, in 32 ranges per factor of two of the heat: timeStep, lowerHeat, upperHeat,
- * voxels. \ingroup HeatTools */
-HeatTools_EXPORT CsvTable
+ * voxels. \ingroup ShapetonHeatTools */
+ShapetonHeatTools_EXPORT CsvTable
 HistogramTable(const HeatHistogram & histogram, const ShapeQuantity & quantity = {});
 
 /** Parameters of a run as text, with the reason for each value chosen from the data.
- * \ingroup HeatTools */
-HeatTools_EXPORT HeatReportContent::Facts
+ * \ingroup ShapetonHeatTools */
+ShapetonHeatTools_EXPORT HeatReportContent::Facts
                  RunFacts(const CumulativeHeatDiffusionResult & result);
 
 /** A report on a run with its parameters, histogram, images and time step; the arguments must outlive it.
- * \ingroup HeatTools */
-HeatTools_EXPORT HeatReportContent
+ * \ingroup ShapetonHeatTools */
+ShapetonHeatTools_EXPORT HeatReportContent
 MakeReportContent(const CumulativeHeatDiffusionResult & result,
                   const itk::Image<float, 3> *          gray,
                   const itk::Image<float, 3> *          heat);
 
 /** Warnings on a run: a constant volume, heat that did not reach the requested steady state, snapshots up to
- * `lastSnapshotStep` skipped because the steady state came first. \ingroup HeatTools */
-HeatTools_EXPORT std::vector<std::string>
+ * `lastSnapshotStep` skipped because the steady state came first. \ingroup ShapetonHeatTools */
+ShapetonHeatTools_EXPORT std::vector<std::string>
 RunRemarks(const CumulativeHeatDiffusionResult & result, bool untilSteady, std::uint64_t lastSnapshotStep);
 } // namespace shapeton
 

@@ -1,7 +1,7 @@
 #ifndef shapetonHeatResultFiles_h
 #define shapetonHeatResultFiles_h
 
-#include "HeatToolsExport.h"
+#include "ShapetonHeatToolsExport.h"
 
 #include "shapetonHeatReport.h"
 #include "itkImage.h"
@@ -23,9 +23,9 @@ class DicomMapOutput;
  * requested are not written, except the record of the run (`<outputHeat>.run.json`). Volumes carry the provenance of
  * the run, heat also its time step (key `timeStep`).
  *
- * \ingroup HeatTools
+ * \ingroup ShapetonHeatTools
  */
-class HeatTools_EXPORT HeatResultFiles
+class ShapetonHeatTools_EXPORT HeatResultFiles
 {
 public:
   /** Registers the outputs. Throws ParameterError for an unsupported volume extension or wrong ranges, OutputError if a

@@ -1,7 +1,7 @@
 #ifndef shapetonTransferFunctionChoice_h
 #define shapetonTransferFunctionChoice_h
 
-#include "HeatToolsExport.h"
+#include "ShapetonHeatToolsExport.h"
 #include "shapetonShapeQuantity.h"
 #include "shapetonShapeTransferFunction.h"
 
@@ -14,7 +14,7 @@ namespace shapeton
 class CommandLine;
 
 /** The lines and the time step chosen by the user: by the parameters `lines` and `timeStep`, or by `from`, a file
- * saved by the heat explorer. \ingroup HeatTools */
+ * saved by the heat explorer. \ingroup ShapetonHeatTools */
 struct TransferFunctionChoice
 {
   std::optional<ShapeTransferFunction> lines;
@@ -25,12 +25,12 @@ struct TransferFunctionChoice
 
 /** Reads the choice; lines and time step of a file become part of the provenance. Throws ParameterError for lines that
  * cannot be read and for `from` with another parameter, InputError for a file not saved by the explorer.
- * \ingroup HeatTools */
-HeatTools_EXPORT TransferFunctionChoice
+ * \ingroup ShapetonHeatTools */
+ShapetonHeatTools_EXPORT TransferFunctionChoice
 ReadTransferFunctionChoice(CommandLine & commandLine);
 
-/** Throws InputError if the lines were picked for another quantity than that of `path`. \ingroup HeatTools */
-HeatTools_EXPORT void
+/** Throws InputError if the lines were picked for another quantity than that of `path`. \ingroup ShapetonHeatTools */
+ShapetonHeatTools_EXPORT void
 RequireQuantity(const TransferFunctionChoice & choice, const ShapeQuantity & found, const std::string & path);
 } // namespace shapeton
 

@@ -1,7 +1,7 @@
 #ifndef shapetonColonLandmarkPictures_h
 #define shapetonColonLandmarkPictures_h
 
-#include "ColonViewsExport.h"
+#include "ShapetonColonViewsExport.h"
 
 #include "shapetonColonLandmarkDocument.h"
 #include "shapetonColonLandmarks.h"
@@ -11,37 +11,37 @@
 
 namespace shapeton
 {
-/** Inputs of landmark pictures. Not owned. \ingroup ColonViews */
+/** Inputs of landmark pictures. Not owned. \ingroup ShapetonColonViews */
 struct ColonLandmarkParts
 {
   const FlatColon *      flat{ nullptr };
   const ColonLandmarks * landmarks{ nullptr };
 };
 
-/** Color of a segment; gray for 0 (unknown). \ingroup ColonViews */
-ColonViews_EXPORT RGBColor
+/** Color of a segment; gray for 0 (unknown). \ingroup ShapetonColonViews */
+ShapetonColonViews_EXPORT RGBColor
 ColorOfSegment(int segment);
 
-/** Color of a taenia, 1 to 3, in all pictures. \ingroup ColonViews */
-ColonViews_EXPORT RGBColor
+/** Color of a taenia, 1 to 3, in all pictures. \ingroup ShapetonColonViews */
+ShapetonColonViews_EXPORT RGBColor
 ColorOfTaenia(int taenia);
 
-/** Segment boundaries on a flat page, with the segment names. \ingroup ColonViews */
-ColonViews_EXPORT std::vector<FlatAnnotation>
+/** Segment boundaries on a flat page, with the segment names. \ingroup ShapetonColonViews */
+ShapetonColonViews_EXPORT std::vector<FlatAnnotation>
                   SegmentAnnotations(const std::vector<ColonSegmentExtent> & segments);
 
 /** The wall from one side, colored by segment, with taeniae, loops and names of the flexures, and markers.
- * \ingroup ColonViews */
-ColonViews_EXPORT Picture::Pointer
+ * \ingroup ShapetonColonViews */
+ShapetonColonViews_EXPORT Picture::Pointer
                   DrawColonLandmarks(const ColonLandmarkParts & parts, PatientSide side);
 
-/** The wall from one side, with the folds found on the surface. \ingroup ColonViews */
-ColonViews_EXPORT Picture::Pointer
+/** The wall from one side, with the folds found on the surface. \ingroup ShapetonColonViews */
+ShapetonColonViews_EXPORT Picture::Pointer
                   DrawSurfaceFolds(const ColonLandmarkParts & parts, PatientSide side);
 
 /** The flat colon in rows, with taeniae, loops of the flexures, markers and segment names.
- * \ingroup ColonViews */
-ColonViews_EXPORT Picture::Pointer
+ * \ingroup ShapetonColonViews */
+ShapetonColonViews_EXPORT Picture::Pointer
                   DrawFlatLandmarks(const ColonLandmarkParts & parts, int greatestColumns = 1500);
 } // namespace shapeton
 

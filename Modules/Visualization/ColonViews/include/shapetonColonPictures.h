@@ -1,7 +1,7 @@
 #ifndef shapetonColonPictures_h
 #define shapetonColonPictures_h
 
-#include "ColonViewsExport.h"
+#include "ShapetonColonViewsExport.h"
 
 #include "shapetonCurveSet.h"
 #include "shapetonPatientView.h"
@@ -19,7 +19,7 @@ namespace shapeton
  * Only the lumen is required. The centerline is one curve from the anal verge on with the point arrays arcLength and
  * radius (mm) and, if there are gaps, gap (1 on a bridge over one, else 0). The wall may have a cell array bridged
  * (1: interpolated over a gap).
- * \ingroup ColonViews */
+ * \ingroup ShapetonColonViews */
 struct ColonParts
 {
   /** Hounsfield units, on the grid of the lumen. */
@@ -30,7 +30,7 @@ struct ColonParts
   const SurfaceMesh *                  wall{ nullptr };
 };
 
-/** A part of the colon between two distances from the anal verge, mm. \ingroup ColonViews */
+/** A part of the colon between two distances from the anal verge, mm. \ingroup ShapetonColonViews */
 struct ColonSegment
 {
   std::string name;
@@ -42,15 +42,15 @@ struct ColonSegment
 
 /** Indices of the slices that show most of the lumen: the one with the largest area, and others evenly spaced over the
  * extent of the lumen. Ascending along the axis through the plane; all slices of the lumen if there are fewer.
- * \ingroup ColonViews */
-ColonViews_EXPORT std::vector<itk::IndexValueType>
+ * \ingroup ShapetonColonViews */
+ShapetonColonViews_EXPORT std::vector<itk::IndexValueType>
                   ChooseSlices(const itk::Image<unsigned char, 3> * lumen, SlicePlane plane, int number);
 
 /** Slices side by side with the outlines of gas and fluid and the section of the wall; without a CT the lumen is
  * filled. The default window is that of CT colonography, -1100 to 500 HU.
  *
- * Throws std::invalid_argument without a lumen, or if the CT has another grid. \ingroup ColonViews */
-ColonViews_EXPORT Picture::Pointer
+ * Throws std::invalid_argument without a lumen, or if the CT has another grid. \ingroup ShapetonColonViews */
+ShapetonColonViews_EXPORT Picture::Pointer
                   DrawColonSlices(const ColonParts &      colon,
                                   SlicePlane              plane,
                                   int                     number = 3,
@@ -58,14 +58,14 @@ ColonViews_EXPORT Picture::Pointer
 
 /** Projects the colon along the volume's axis of a coronal or sagittal plane: the lumen thickness (mm) in gray, and the
  * centerline colored by the distance from the anal verge. Throws the same exceptions.
- * \ingroup ColonViews */
-ColonViews_EXPORT Picture::Pointer
+ * \ingroup ShapetonColonViews */
+ShapetonColonViews_EXPORT Picture::Pointer
                   DrawColonProjection(const ColonParts & colon, SlicePlane plane);
 
 /** The wall from one side: opaque, or transparent with the centerline inside. Bridges have their own color, the ends
  * of the centerline are labeled. Throws std::invalid_argument without a wall, or without a centerline if transparent.
- * \ingroup ColonViews */
-ColonViews_EXPORT Picture::Pointer
+ * \ingroup ShapetonColonViews */
+ShapetonColonViews_EXPORT Picture::Pointer
                   DrawColonWall(const ColonParts & colon, PatientSide side, bool isSolid);
 } // namespace shapeton
 

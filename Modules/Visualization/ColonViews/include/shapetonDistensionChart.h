@@ -6,10 +6,10 @@
 
 namespace shapeton
 {
-/** Minimum caliber (mm) of a sufficiently distended colon. \ingroup ColonViews */
+/** Minimum caliber (mm) of a sufficiently distended colon. \ingroup ShapetonColonViews */
 constexpr double distendedCaliber = 10.0;
 
-/** Title and size of a DrawDistensionChart(). \ingroup ColonViews */
+/** Title and size of a DrawDistensionChart(). \ingroup ShapetonColonViews */
 struct DistensionChartOptions
 {
   std::string title{ "Distension" };
@@ -22,14 +22,14 @@ struct DistensionChartOptions
  * smaller calibers in another color, gaps shaded, and segment boundaries and names.
  *
  * Throws InputError if the centerline lacks the arrays arcLength or radius, std::invalid_argument for a too small
- * picture. \ingroup ColonViews */
-ColonViews_EXPORT Picture::Pointer
+ * picture. \ingroup ShapetonColonViews */
+ShapetonColonViews_EXPORT Picture::Pointer
                   DrawDistensionChart(const CurveSet &                  centerline,
                                       const std::vector<ColonSegment> & segments,
                                       const DistensionChartOptions &    options = {});
 
-/** Plot area and axes of that picture. \ingroup ColonViews */
-ColonViews_EXPORT PlotFrame
+/** Plot area and axes of that picture. \ingroup ShapetonColonViews */
+ShapetonColonViews_EXPORT PlotFrame
 DistensionFrame(const CurveSet & centerline, const DistensionChartOptions & options = {});
 } // namespace shapeton
 

@@ -1,7 +1,7 @@
 #ifndef shapetonFlatColonOverlay_h
 #define shapetonFlatColonOverlay_h
 
-#include "ColonViewsExport.h"
+#include "ShapetonColonViewsExport.h"
 
 #include "shapetonColonAssessability.h"
 #include "shapetonFlatColonGrid.h"
@@ -12,7 +12,7 @@
 
 namespace shapeton
 {
-/** Labels on the flat map, drawn as outlines. \ingroup ColonViews */
+/** Labels on the flat map, drawn as outlines. \ingroup ShapetonColonViews */
 struct FlatOutlines
 {
   /** Label image on any grid of the same map, `columns` per row; not owned. */
@@ -25,7 +25,7 @@ struct FlatOutlines
   int thickness{ 2 };
 };
 
-/** A line on the flat map. \ingroup ColonViews */
+/** A line on the flat map. \ingroup ShapetonColonViews */
 struct FlatLine
 {
   /** (u, v), mm; consecutive points are connected the shorter way around the tube. A non-finite point breaks the
@@ -36,7 +36,7 @@ struct FlatLine
   double thickness{ 2.0 };
 };
 
-/** A dot on the flat map. \ingroup ColonViews */
+/** A dot on the flat map. \ingroup ShapetonColonViews */
 struct FlatDot
 {
   Eigen::Vector2d uv{ Eigen::Vector2d::Zero() };
@@ -47,22 +47,22 @@ struct FlatDot
 
 /** \defgroup FlatColonOverlay Overlays drawn on a strip (see FlatColonStrip) before page layout
  * All of them wrap around the tube. The strip must have the size of the grid, else std::invalid_argument is thrown.
- * \ingroup ColonViews */
+ * \ingroup ShapetonColonViews */
 ///@{
 /** Draws the pixels inside a label that are next to its border. */
-ColonViews_EXPORT void
+ShapetonColonViews_EXPORT void
 DrawFlatOutlines(Picture * strip, const FlatColonGrid & grid, const FlatOutlines & outlines);
 
-ColonViews_EXPORT void
+ShapetonColonViews_EXPORT void
 DrawFlatLine(Picture * strip, const FlatColonGrid & grid, const FlatLine & line);
 
 /** Draws dots with a dark rim. */
-ColonViews_EXPORT void
+ShapetonColonViews_EXPORT void
 DrawFlatDot(Picture * strip, const FlatColonGrid & grid, const FlatDot & dot);
 
 /** Hatches the columns whose distances along the centerline (mm, one per column) are in sections that cannot be
  * assessed. Without distances nothing is drawn. */
-ColonViews_EXPORT void
+ShapetonColonViews_EXPORT void
 DrawFlatHatching(Picture *                            strip,
                  const FlatColonGrid &                grid,
                  const std::vector<double> &          distanceOfColumns,
@@ -70,7 +70,7 @@ DrawFlatHatching(Picture *                            strip,
 
 /** Maps a curve in space to the flat map by nearest surface points, at most `step` mm apart; non-finite where the
  * surface is more than `farthest` mm away. */
-ColonViews_EXPORT std::vector<Eigen::Vector2d>
+ShapetonColonViews_EXPORT std::vector<Eigen::Vector2d>
                   PlacesOfCurve(const FlatColonGrid &                grid,
                                 const std::vector<Eigen::Vector3d> & points,
                                 double                               step = 2.0,

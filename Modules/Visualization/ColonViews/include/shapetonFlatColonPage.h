@@ -1,7 +1,7 @@
 #ifndef shapetonFlatColonPage_h
 #define shapetonFlatColonPage_h
 
-#include "ColonViewsExport.h"
+#include "ShapetonColonViewsExport.h"
 
 #include "shapetonFlatColonGrid.h"
 #include "shapetonPictureAnnotation.h"
@@ -12,7 +12,7 @@
 
 namespace shapeton
 {
-/** An annotation of a position. \ingroup ColonViews */
+/** An annotation of a position. \ingroup ShapetonColonViews */
 struct FlatAnnotation
 {
   enum class Kind
@@ -39,7 +39,7 @@ struct FlatAnnotation
   double diameter{ 6.0 };
 };
 
-/** Title, rows and margins of a page that shows the flat colon row by row. See FlatColonPage. \ingroup ColonViews */
+/** Title, rows and margins of a page that shows the flat colon row by row. See FlatColonPage. \ingroup ShapetonColonViews */
 struct FlatColonPageOptions
 {
   std::string title;
@@ -65,15 +65,15 @@ struct FlatColonPageOptions
  *
  * Throws std::invalid_argument if the strip does not have the size of the grid, the distances do not match its columns,
  * or an annotation has no position.
- * \ingroup ColonViews */
-ColonViews_EXPORT Picture::Pointer
+ * \ingroup ShapetonColonViews */
+ShapetonColonViews_EXPORT Picture::Pointer
                   DrawFlatColonPage(const Picture *                     strip,
                                     const FlatColonGrid &               grid,
                                     const std::vector<double> &         distanceOfColumns,
                                     const std::vector<FlatAnnotation> & annotations = {},
                                     const FlatColonPageOptions &        options = {});
 
-/** Corresponding positions in two strips. \ingroup ColonViews */
+/** Corresponding positions in two strips. \ingroup ShapetonColonViews */
 struct FlatColonLink
 {
   /** (u, v), mm of the map of the grid, in the upper and in the lower strip. */
@@ -82,7 +82,7 @@ struct FlatColonLink
   RGBColor        color;
 };
 
-/** Two strips to be compared. Not owned. \ingroup ColonViews */
+/** Two strips to be compared. Not owned. \ingroup ShapetonColonViews */
 struct FlatColonPair
 {
   const Picture * upper{ nullptr };
@@ -95,8 +95,8 @@ struct FlatColonPair
 };
 
 /** DrawFlatColonPage() for two strips on one grid: each row shows the lower strip below the upper one, so that
- * corresponding places are aligned. \ingroup ColonViews */
-ColonViews_EXPORT Picture::Pointer
+ * corresponding places are aligned. \ingroup ShapetonColonViews */
+ShapetonColonViews_EXPORT Picture::Pointer
                   DrawFlatColonPairPage(const FlatColonPair &               pair,
                                         const FlatColonGrid &               grid,
                                         const std::vector<double> &         distanceOfColumns,

@@ -8,7 +8,7 @@
 
 namespace shapeton
 {
-/** Shading of a flat picture. \ingroup ColonViews */
+/** Shading of a flat picture. \ingroup ShapetonColonViews */
 enum class FlatColoring
 {
   Relief,
@@ -17,11 +17,11 @@ enum class FlatColoring
   Volume
 };
 
-/** "relief", "curvature", "volume". \ingroup ColonViews */
-ColonViews_EXPORT std::string
+/** "relief", "curvature", "volume". \ingroup ShapetonColonViews */
+ShapetonColonViews_EXPORT std::string
                   NameOf(FlatColoring coloring);
 
-/** Inputs of flat pictures of a colon. Not owned. \ingroup ColonViews */
+/** Inputs of flat pictures of a colon. Not owned. \ingroup ShapetonColonViews */
 struct FlatColonParts
 {
   const FlatColon * flat{ nullptr };
@@ -46,8 +46,8 @@ struct FlatColonParts
  * Strips are painted with 2 x 2 samples per page pixel, up to 16 million samples, and averaged.
  * Curvature is averaged over 2 mm, normals over 1 mm.
  *
- * \ingroup ColonViews */
-class ColonViews_EXPORT FlatColonPictures
+ * \ingroup ShapetonColonViews */
+class ShapetonColonViews_EXPORT FlatColonPictures
 {
 public:
   /** The parts must outlive the object. Throws InputError and ParameterError as FlatColonGrid and DistanceOfColumns()

@@ -1,7 +1,7 @@
 #ifndef shapetonFlatColonStrip_h
 #define shapetonFlatColonStrip_h
 
-#include "ColonViewsExport.h"
+#include "ShapetonColonViewsExport.h"
 
 #include "shapetonDevice.h"
 #include "shapetonFlatColonAxis.h"
@@ -14,7 +14,7 @@ namespace shapeton
  * Each pixel is lit in the frame of the smooth tube (FrameAt()), from the left (along u) and above. Folds are thus
  * transverse bands with a bright and a dark side, independent of the bends of the colon. Pixels without a face are
  * gray. The axis must be that of the grid. Equal input gives equal bytes for any number of threads.
- * \ingroup ColonViews */
+ * \ingroup ShapetonColonViews */
 ///@{
 
 /** Appearance of a relief. */
@@ -25,17 +25,17 @@ struct FlatReliefOptions
 };
 
 /** The lit surface in mucosa colors. */
-ColonViews_EXPORT Picture::Pointer
+ShapetonColonViews_EXPORT Picture::Pointer
 PaintFlatRelief(const FlatColonGrid & grid, const FlatColonAxis & axis, const FlatReliefOptions & options = {});
 
 /** Blue where the wall bulges outwards, white, and orange to red where it bulges into the lumen. `limit`: curvature at
  * the ends, 1/mm. */
-ColonViews_EXPORT ColorScale
+ShapetonColonViews_EXPORT ColorScale
 CurvatureScale(double limit = 0.2);
 
 /** The curvature of the grid (averaged over FlatColonGridOptions::curvatureLength) in these colors, shaded with this
  * strength, 0 to 1. */
-ColonViews_EXPORT Picture::Pointer
+ShapetonColonViews_EXPORT Picture::Pointer
                   PaintFlatCurvature(const FlatColonGrid & grid,
                                      const FlatColonAxis & axis,
                                      const ColorScale &    scale = CurvatureScale(),
@@ -61,7 +61,7 @@ struct FlatVolumeOptions
  * of the fluid.
  *
  * Throws InputError if more than 5 % of the wall is outside the CT, ParameterError for options out of range. */
-ColonViews_EXPORT Picture::Pointer
+ShapetonColonViews_EXPORT Picture::Pointer
                   PaintFlatVolume(const FlatColonGrid &        grid,
                                   const FlatColonAxis &        axis,
                                   const itk::Image<float, 3> * ct,
@@ -70,12 +70,12 @@ ColonViews_EXPORT Picture::Pointer
 
 /** The device for rendering as requested by `use`; all devices give the same bytes. Throws DeviceError if the GPU is
  * requested and not usable. */
-ColonViews_EXPORT DeviceUse
+ShapetonColonViews_EXPORT DeviceUse
 ChooseFlatVolumeDevice(const itk::Image<float, 3> * ct, Device wanted);
 
 /** Averages `factor` x `factor` pixels in linear light, to antialias a strip painted on a correspondingly finer
  * grid. */
-ColonViews_EXPORT Picture::Pointer
+ShapetonColonViews_EXPORT Picture::Pointer
                   ReduceStrip(const Picture * strip, unsigned int factor, unsigned int width, unsigned int height);
 ///@}
 } // namespace shapeton

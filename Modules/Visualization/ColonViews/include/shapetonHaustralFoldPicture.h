@@ -1,14 +1,14 @@
 #ifndef shapetonHaustralFoldPicture_h
 #define shapetonHaustralFoldPicture_h
 
-#include "ColonViewsExport.h"
+#include "ShapetonColonViewsExport.h"
 
 #include "shapetonFlatColonPage.h"
 #include "shapetonHaustralFolds.h"
 
 namespace shapeton
 {
-/** Inputs of a picture of folds. Not owned. \ingroup ColonViews */
+/** Inputs of a picture of folds. Not owned. \ingroup ShapetonColonViews */
 struct HaustralFoldPictureContent
 {
   /** Flat colon of the folds. */
@@ -23,8 +23,8 @@ struct HaustralFoldPictureContent
 /** A page of the flat colon in rows (DrawFlatColonPage()): the relief, folds outlined in colors that differ from their
  * neighbors', green dots at their ends (larger if more reliable), taeniae as yellow lines. `pixelSize`: mm of the map
  * at the mean circumference. Throws InputError and ParameterError as FlatColonGrid does.
- * \ingroup ColonViews */
-ColonViews_EXPORT Picture::Pointer
+ * \ingroup ShapetonColonViews */
+ShapetonColonViews_EXPORT Picture::Pointer
                   DrawHaustralFolds(const HaustralFoldPictureContent & content,
                                     double                             pixelSize,
                                     const std::string &                title,

@@ -1,7 +1,7 @@
 #ifndef shapetonPolypCandidatePictures_h
 #define shapetonPolypCandidatePictures_h
 
-#include "ColonViewsExport.h"
+#include "ShapetonColonViewsExport.h"
 
 #include "shapetonPicture.h"
 #include "shapetonPolypSearch.h"
@@ -16,8 +16,8 @@ namespace shapeton
  *
  * The head is tinted in all pictures. Equal input gives equal bytes for any number of threads. The colon must outlive
  * the object; its wall and flat map are required, and the centerline for endoluminal views.
- * \ingroup ColonViews */
-class ColonViews_EXPORT PolypCandidatePictures
+ * \ingroup ShapetonColonViews */
+class ShapetonColonViews_EXPORT PolypCandidatePictures
 {
 public:
   /** Throws InputError if the colon has no flat map, and the exceptions of FlatColonGrid. */

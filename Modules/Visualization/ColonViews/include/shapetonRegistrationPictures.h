@@ -1,7 +1,7 @@
 #ifndef shapetonRegistrationPictures_h
 #define shapetonRegistrationPictures_h
 
-#include "ColonViewsExport.h"
+#include "ShapetonColonViewsExport.h"
 
 #include "shapetonPicture.h"
 #include "shapetonRegistrationResults.h"
@@ -11,7 +11,7 @@ namespace shapeton
 /** \defgroup RegistrationPictures Pictures of a colon in two positions
  * All use newly computed results or results read back by ReadRegistrationResults(). Equal parts give equal bytes for
  * any number of threads. All throw InputError if the results belong to other examinations.
- * \ingroup ColonViews */
+ * \ingroup ShapetonColonViews */
 ///@{
 
 /** Inputs of the pictures. Not owned. */
@@ -34,21 +34,21 @@ struct AlignedColonsOptions
 /** Both flat walls in paired rows: the supine one, and below it the prone one in the supine frame, so that mapped
  * points are aligned. Matched folds share a color and are joined by a line (red if the map contradicts the pair, or if
  * known points show that it is wrong), unmatched folds are black; excluded sections are hatched. */
-ColonViews_EXPORT Picture::Pointer
+ShapetonColonViews_EXPORT Picture::Pointer
                   DrawAlignedColons(const RegistrationParts & parts, const AlignedColonsOptions & options = {});
 
 /** Checkerboard of the curvature of both walls in the supine frame; folds continue from square to square where the map
  * is correct. */
-ColonViews_EXPORT Picture::Pointer
+ShapetonColonViews_EXPORT Picture::Pointer
                   DrawCurvatureCheckerboard(const RegistrationParts & parts, const AlignedColonsOptions & options = {});
 
 /** Confidence along the supine colon: mean and minimum around the tube; excluded sections are gray. */
-ColonViews_EXPORT Picture::Pointer
+ShapetonColonViews_EXPORT Picture::Pointer
                   DrawConfidenceChart(const RegistrationParts & parts);
 
 /** Errors of the points along the supine colon, a dot for each counted point. Throws std::invalid_argument without
  * points. */
-ColonViews_EXPORT Picture::Pointer
+ShapetonColonViews_EXPORT Picture::Pointer
                   DrawErrorChart(const RegistrationParts & parts);
 ///@}
 } // namespace shapeton

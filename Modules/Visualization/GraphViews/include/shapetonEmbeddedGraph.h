@@ -8,7 +8,7 @@
 namespace shapeton
 {
 /** Geometry of a certificate for pictures, local to the lifts of the nodes, with dummies hidden. */
-struct GraphViews_EXPORT EmbeddedGraph
+struct ShapetonGraphViews_EXPORT EmbeddedGraph
 {
   explicit EmbeddedGraph(const EmbeddingCertificate & certificate);
 

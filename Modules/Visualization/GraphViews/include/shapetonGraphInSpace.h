@@ -1,7 +1,7 @@
 #ifndef shapetonGraphInSpace_h
 #define shapetonGraphInSpace_h
 
-#include "GraphViewsExport.h"
+#include "ShapetonGraphViewsExport.h"
 #include "shapetonEmbeddingCertificate.h"
 
 #include <string>
@@ -16,8 +16,8 @@ namespace shapeton
  *
  * Cell arrays from genus 1 on: kind (0 node, 1 edge, 2 triangle) and id, counted from 0 for each kind. Field arrays of
  * the torus, whose radius is 1: tubeRadius and dilatation; of the sphere with handles: twist, the turns of the edges
- * on each handle. Throws OutputError, and InputError if the handles do not all fit. \ingroup GraphViews */
-GraphViews_EXPORT void
+ * on each handle. Throws OutputError, and InputError if the handles do not all fit. \ingroup ShapetonGraphViews */
+ShapetonGraphViews_EXPORT void
 WriteGraphInSpace(const EmbeddingCertificate &                             certificate,
                   const std::vector<std::pair<std::string, std::string>> & facts,
                   const std::string &                                      path);

@@ -1,7 +1,7 @@
 #ifndef shapetonGraphPictures_h
 #define shapetonGraphPictures_h
 
-#include "GraphViewsExport.h"
+#include "ShapetonGraphViewsExport.h"
 #include "shapetonEmbeddingCertificate.h"
 
 #include <string>
@@ -11,7 +11,7 @@
 namespace shapeton
 {
 /** Model of the hyperbolic plane: Poincare (conformal, circles stay circles) or Klein (straight edges).
- * \ingroup GraphViews */
+ * \ingroup ShapetonGraphViews */
 enum class DiskModel
 {
   Poincare,
@@ -19,7 +19,7 @@ enum class DiskModel
 };
 
 /** An embedded graph and how to draw it.
- * \ingroup GraphViews */
+ * \ingroup ShapetonGraphViews */
 struct GraphView
 {
   std::string                  title;
@@ -33,7 +33,7 @@ struct GraphView
   std::vector<int> nodeKeys{};
 };
 
-/** Model of the hyperbolic plane, size and arrangement of the panels for WriteGraphSvg(). \ingroup GraphViews */
+/** Model of the hyperbolic plane, size and arrangement of the panels for WriteGraphSvg(). \ingroup ShapetonGraphViews */
 struct GraphPictureOptions
 {
   DiskModel disk{ DiskModel::Poincare };
@@ -51,26 +51,26 @@ struct GraphPictureOptions
  * around the fundamental domain, and the fundamental polygon. Dummies are hidden. Items smaller than a tenth of a pixel
  * are skipped; for graphs of more than 2,000 edges this limit grows up to a pixel, and the title states the number of
  * skipped lines. Equal certificates give equal bytes. Throws OutputError.
- * \ingroup GraphViews */
-GraphViews_EXPORT void
+ * \ingroup ShapetonGraphViews */
+ShapetonGraphViews_EXPORT void
 WriteGraphSvg(const GraphView & view, const GraphPictureOptions & options, const std::string & path);
 
 /** Writes small multiples: one panel per graph with its colored circles and its edges.
- * \ingroup GraphViews */
-GraphViews_EXPORT void
+ * \ingroup ShapetonGraphViews */
+ShapetonGraphViews_EXPORT void
 WriteGraphSheetSvg(const std::vector<GraphView> & views, const GraphPictureOptions & options, const std::string & path);
 
 /** Writes nodes (points), edges and circles (polylines) as VTP: on the unit sphere, in the plane, or in the Poincare
  * disk, z = 0. Cell arrays: kind (0 node, 1 edge, 2 circle of a node, 3 circle of a face), id of the node, edge or
- * face, radius. Dummies are left out. Throws OutputError. \ingroup GraphViews */
-GraphViews_EXPORT void
+ * face, radius. Dummies are left out. Throws OutputError. \ingroup ShapetonGraphViews */
+ShapetonGraphViews_EXPORT void
 WriteGraphVtp(const EmbeddingCertificate &                             certificate,
               const std::vector<std::pair<std::string, std::string>> & facts,
               const std::string &                                      path);
 
 /** `count` colors of different hue, for corresponding nodes.
- * \ingroup GraphViews */
-GraphViews_EXPORT std::vector<std::string>
+ * \ingroup ShapetonGraphViews */
+ShapetonGraphViews_EXPORT std::vector<std::string>
                   DistinctColors(int count);
 } // namespace shapeton
 

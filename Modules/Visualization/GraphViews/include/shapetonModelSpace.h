@@ -1,7 +1,7 @@
 #ifndef shapetonModelSpace_h
 #define shapetonModelSpace_h
 
-#include "GraphViewsExport.h"
+#include "ShapetonGraphViewsExport.h"
 #include "shapetonEmbeddingCertificate.h"
 
 #include <vector>
@@ -24,7 +24,7 @@ struct Motion
 };
 
 /** Points, geodesics and circles of the sphere, the plane or the hyperbolic disk. */
-class GraphViews_EXPORT ModelSpace
+class ShapetonGraphViews_EXPORT ModelSpace
 {
 public:
   explicit ModelSpace(EmbeddingGeometry geometry) : m_Geometry(geometry) {}

@@ -47,15 +47,15 @@ struct SvgStyle
 };
 
 /** Formats a number with at most two decimals, a decimal point and no trailing zeros. */
-GraphViews_EXPORT std::string
+ShapetonGraphViews_EXPORT std::string
                   SvgNumber(double value);
 
 /** Escapes text for XML. */
-GraphViews_EXPORT std::string
+ShapetonGraphViews_EXPORT std::string
                   SvgText(const std::string & text);
 
 /** Content of one panel, in pixels. Items outside the panel or too small are skipped. */
-class GraphViews_EXPORT SvgPanel
+class ShapetonGraphViews_EXPORT SvgPanel
 {
 public:
   /** `least`: size in pixels below which a nonrepeated item is skipped. */

@@ -1,7 +1,7 @@
 #ifndef shapetonSurfaceWithHandles_h
 #define shapetonSurfaceWithHandles_h
 
-#include "GraphViewsExport.h"
+#include "ShapetonGraphViewsExport.h"
 #include "shapetonCombinatorialMap.h"
 
 #include <array>
@@ -18,8 +18,8 @@ namespace shapeton
  * The embedding is preserved: edges meet only at their ends and keep the rotation around each node, and the surface has
  * the genus of the map. Outside the tubes, the circles of nodes and faces are the round, tangent circles of the cut
  * map. The conformal type of the surface is not preserved; the tiles of the Poincare disk show it.
- * \ingroup GraphViews */
-class GraphViews_EXPORT SurfaceWithHandles
+ * \ingroup ShapetonGraphViews */
+class ShapetonGraphViews_EXPORT SurfaceWithHandles
 {
 public:
   using Point = std::array<double, 3>;

@@ -1,7 +1,7 @@
 #ifndef shapetonTorusInSpace_h
 #define shapetonTorusInSpace_h
 
-#include "GraphViewsExport.h"
+#include "ShapetonGraphViewsExport.h"
 #include "shapetonEmbeddingCertificate.h"
 
 #include <array>
@@ -15,8 +15,8 @@ namespace shapeton
  * Its conformal types are the rectangles of sides 1 and r / sqrt(R^2 - r^2); r is chosen so that the affine map from
  * the lattice of the graph has the least dilatation (the nearest rectangle in the upper half plane has the same
  * modulus). The longer period runs around the torus. Along the tube, v is a function of the isothermal parameter:
- * tan(v / 2) = sqrt((R + r) / (R - r)) tan(pi s). Orientation is preserved. \ingroup GraphViews */
-class GraphViews_EXPORT TorusInSpace
+ * tan(v / 2) = sqrt((R + r) / (R - r)) tan(pi s). Orientation is preserved. \ingroup ShapetonGraphViews */
+class ShapetonGraphViews_EXPORT TorusInSpace
 {
 public:
   using Point = std::array<double, 3>;

@@ -1,7 +1,7 @@
 #ifndef shapetonHeatAxis_h
 #define shapetonHeatAxis_h
 
-#include "HeatViewsExport.h"
+#include "ShapetonHeatViewsExport.h"
 
 #include "shapetonHeatClasses.h"
 #include "shapetonHeatHistogram.h"
@@ -12,7 +12,7 @@
 namespace shapeton
 {
 /** Layout of heats on the horizontal axis of a heat histogram (dissertation 2.3.1, Figure 2.3).
- * \ingroup HeatViews */
+ * \ingroup ShapetonHeatViews */
 enum class HeatScale
 {
   /** Position by the cumulative count, so that every feature gets space. */
@@ -22,7 +22,7 @@ enum class HeatScale
 };
 
 /** The heats from lower to upper, 0 <= lower < upper <= 1. The default means all heats that occur.
- * \ingroup HeatViews */
+ * \ingroup ShapetonHeatViews */
 struct HeatRange
 {
   double lower{ 0.0 };
@@ -31,8 +31,8 @@ struct HeatRange
 
 /** A one-row histogram whose classes have equal weight, so that its axis gives each class the same width. For densities
  * of shapetons, where the surroundings do not cool to the background and would occupy nearly all of the axis.
- * \ingroup HeatViews */
-HeatViews_EXPORT HeatHistogram
+ * \ingroup ShapetonHeatViews */
+ShapetonHeatViews_EXPORT HeatHistogram
 BalanceClasses(const HeatHistogram & histogram, std::size_t row, const std::vector<HeatClass> & classes);
 
 /** \class HeatAxis
@@ -41,9 +41,9 @@ BalanceClasses(const HeatHistogram & histogram, std::size_t row, const std::vect
  * The equalized axis is the map HeatHistogram::GetEqualization(), interpolated linearly inside a bin. A sub-range of
  * heats is re-equalized (the hierarchical histogram). If the range has no counts, all bins are equally wide.
  *
- * \ingroup HeatViews
+ * \ingroup ShapetonHeatViews
  */
-class HeatViews_EXPORT HeatAxis
+class ShapetonHeatViews_EXPORT HeatAxis
 {
 public:
   /** Throws std::invalid_argument for a range that is neither the default nor valid. */

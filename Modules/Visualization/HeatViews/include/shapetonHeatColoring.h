@@ -1,7 +1,7 @@
 #ifndef shapetonHeatColoring_h
 #define shapetonHeatColoring_h
 
-#include "HeatViewsExport.h"
+#include "ShapetonHeatViewsExport.h"
 
 #include "shapetonHeatAxis.h"
 #include "shapetonHeatClasses.h"
@@ -14,24 +14,24 @@
 namespace shapeton
 {
 /** Color of a voxel by its heat; empty for an uncolored voxel.
- * \ingroup HeatViews */
+ * \ingroup ShapetonHeatViews */
 using HeatColoring = std::function<std::optional<RGBColor>(float)>;
 
 /** Colors all heats except the background (below the first bin of HeatHistogram) by axis position.
- * \ingroup HeatViews */
-HeatViews_EXPORT HeatColoring
+ * \ingroup ShapetonHeatViews */
+ShapetonHeatViews_EXPORT HeatColoring
 ColorByHeat(const HeatAxis & axis);
 
 /** Colors each class except the background by ClassColor(). Heat colors would not distinguish the classes: on the
  * equalized axis, the decreasing heats of early time steps take most of the space, and classes of late steps share one
  * color.
- * \ingroup HeatViews */
-HeatViews_EXPORT HeatColoring
+ * \ingroup ShapetonHeatViews */
+ShapetonHeatViews_EXPORT HeatColoring
 ColorByClass(const std::vector<HeatClass> & classes);
 
 /** Colors voxels by the lines of a transfer function.
- * \ingroup HeatViews */
-HeatViews_EXPORT HeatColoring
+ * \ingroup ShapetonHeatViews */
+ShapetonHeatViews_EXPORT HeatColoring
 ColorByLine(const ShapeTransferFunction & transferFunction);
 } // namespace shapeton
 

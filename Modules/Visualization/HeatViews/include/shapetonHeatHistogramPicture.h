@@ -1,7 +1,7 @@
 #ifndef shapetonHeatHistogramPicture_h
 #define shapetonHeatHistogramPicture_h
 
-#include "HeatViewsExport.h"
+#include "ShapetonHeatViewsExport.h"
 
 #include "shapetonHeatClasses.h"
 #include "shapetonHeatHistogram.h"
@@ -16,7 +16,7 @@
 namespace shapeton
 {
 /** Content of a picture of a heat histogram.
- * \ingroup HeatViews */
+ * \ingroup ShapetonHeatViews */
 struct HeatHistogramPictureOptions
 {
   std::string   title{ "Heat histogram" };
@@ -37,7 +37,7 @@ struct HeatHistogramPictureOptions
 };
 
 /** Pixels of a picture that show counts.
- * \ingroup HeatViews */
+ * \ingroup ShapetonHeatViews */
 struct PlotArea
 {
   int left{ 0 };
@@ -47,8 +47,8 @@ struct PlotArea
 };
 
 /** The plot area of DrawHeatHistogram(): the heat at axis position p is in column left + p * (width - 1), rounded; row
- * r of n rows starts at top + r * height / n. \ingroup HeatViews */
-HeatViews_EXPORT PlotArea
+ * r of n rows starts at top + r * height / n. \ingroup ShapetonHeatViews */
+ShapetonHeatViews_EXPORT PlotArea
 PlotAreaOf(const HeatHistogramPictureOptions & options);
 
 /** Draws a heat histogram as in the dissertation's Figures 2.3 to 2.7: time runs downwards, heat to the right. The
@@ -62,8 +62,8 @@ PlotAreaOf(const HeatHistogramPictureOptions & options);
  *
  * Drawn on the CPU; equal input gives equal bytes. Throws std::invalid_argument for a histogram without rows and for
  * a picture that is too small.
- * \ingroup HeatViews */
-HeatViews_EXPORT Picture::Pointer
+ * \ingroup ShapetonHeatViews */
+ShapetonHeatViews_EXPORT Picture::Pointer
                  DrawHeatHistogram(const HeatHistogram & histogram, const HeatHistogramPictureOptions & options = {});
 } // namespace shapeton
 

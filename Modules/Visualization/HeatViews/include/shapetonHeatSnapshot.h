@@ -1,7 +1,7 @@
 #ifndef shapetonHeatSnapshot_h
 #define shapetonHeatSnapshot_h
 
-#include "HeatViewsExport.h"
+#include "ShapetonHeatViewsExport.h"
 
 #include "itkImage.h"
 
@@ -12,7 +12,7 @@
 namespace shapeton
 {
 /** A heat volume on disk and its time step, if known.
- * \ingroup HeatViews */
+ * \ingroup ShapetonHeatViews */
 struct HeatSnapshot
 {
   std::string                  path;
@@ -24,23 +24,23 @@ struct HeatSnapshot
  * `path` is a heat volume, or a folder of snapshots named heat-<time step, 9 digits>.nrrd. `timeStep` selects a
  * snapshot of a folder (by default the last one). For a single volume it must match the time step in the header (key
  * `timeStep`; NRRD and MetaImage), if there is one. Throws InputError for a missing path and for a folder without
- * snapshots, and ParameterError for a missing time step, listing the available ones. \ingroup HeatViews */
-HeatViews_EXPORT HeatSnapshot
+ * snapshots, and ParameterError for a missing time step, listing the available ones. \ingroup ShapetonHeatViews */
+ShapetonHeatViews_EXPORT HeatSnapshot
 FindHeatSnapshot(const std::string & path, std::optional<std::uint64_t> timeStep = {});
 
 /** The name of a snapshot in its folder: "heat-000001000.nrrd" for time step 1000.
- * \ingroup HeatViews */
-HeatViews_EXPORT std::string
+ * \ingroup ShapetonHeatViews */
+ShapetonHeatViews_EXPORT std::string
                  HeatSnapshotName(std::uint64_t timeStep);
 
 /** Throws InputError with `path` if a value is outside [0, 1] (tolerance 1e-4): such a volume is not a heat volume.
- * \ingroup HeatViews */
-HeatViews_EXPORT void
+ * \ingroup ShapetonHeatViews */
+ShapetonHeatViews_EXPORT void
 RequireHeat(const itk::Image<float, 3> * heat, const std::string & path);
 
 /** Shapeton visits of a volume: integers, some above 1, in a file whose header states the time step (so that other
- * volumes are not mistaken for visits). Null for any other volume. \ingroup HeatViews */
-HeatViews_EXPORT itk::Image<std::uint32_t, 3>::Pointer
+ * volumes are not mistaken for visits). Null for any other volume. \ingroup ShapetonHeatViews */
+ShapetonHeatViews_EXPORT itk::Image<std::uint32_t, 3>::Pointer
                  VisitsOf(const itk::Image<float, 3> * values, const HeatSnapshot & file);
 } // namespace shapeton
 

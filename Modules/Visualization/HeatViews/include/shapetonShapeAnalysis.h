@@ -1,7 +1,7 @@
 #ifndef shapetonShapeAnalysis_h
 #define shapetonShapeAnalysis_h
 
-#include "HeatViewsExport.h"
+#include "ShapetonHeatViewsExport.h"
 #include "shapetonHeatAxis.h"
 #include "shapetonHeatClasses.h"
 #include "shapetonShapeQuantity.h"
@@ -14,7 +14,7 @@
 namespace shapeton
 {
 /** A volume of heat or of visits, with all data that its pictures and tables need.
- * \ingroup HeatViews */
+ * \ingroup ShapetonHeatViews */
 struct ShapeAnalysis
 {
   ShapeQuantity                         quantity;
@@ -26,13 +26,13 @@ struct ShapeAnalysis
   HeatHistogram axisHistogram;
 };
 
-/** Heat after `timeStep`. \ingroup HeatViews */
-HeatViews_EXPORT ShapeAnalysis
+/** Heat after `timeStep`. \ingroup ShapetonHeatViews */
+ShapetonHeatViews_EXPORT ShapeAnalysis
 AnalyzeHeat(const itk::Image<float, 3> * heat, std::uint64_t timeStep);
 
 /** Visits of shapetons after `timeStep`, as a density; its axis balances the classes. Without labels, which require a
- * pass over all voxels, the classes lack borderShare, volume and exact voxel counts. \ingroup HeatViews */
-HeatViews_EXPORT ShapeAnalysis
+ * pass over all voxels, the classes lack borderShare, volume and exact voxel counts. \ingroup ShapetonHeatViews */
+ShapetonHeatViews_EXPORT ShapeAnalysis
 AnalyzeVisits(const itk::Image<std::uint32_t, 3> * visits, std::uint64_t timeStep, bool wantLabels = true);
 } // namespace shapeton
 

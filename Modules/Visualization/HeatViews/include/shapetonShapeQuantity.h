@@ -7,7 +7,7 @@
 namespace shapeton
 {
 /** Quantity of the voxel values in [0, 1], for titles, axes and tables; heat by default.
- * \ingroup HeatViews */
+ * \ingroup ShapetonHeatViews */
 struct ShapeQuantity
 {
   /** Lowercase name, singular and plural. */

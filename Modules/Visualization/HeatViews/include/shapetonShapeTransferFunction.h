@@ -1,7 +1,7 @@
 #ifndef shapetonShapeTransferFunction_h
 #define shapetonShapeTransferFunction_h
 
-#include "HeatViewsExport.h"
+#include "ShapetonHeatViewsExport.h"
 
 #include "shapetonHeatAxis.h"
 #include "shapetonHeatClasses.h"
@@ -17,7 +17,7 @@ class vtkVolumeProperty;
 namespace shapeton
 {
 /** A line of the heat histogram selected for display: the voxels with lowerHeat <= heat < upperHeat (dissertation 2.5).
- * \ingroup HeatViews */
+ * \ingroup ShapetonHeatViews */
 struct TransferFunctionLine
 {
   double   lowerHeat{ 0.0 };
@@ -34,9 +34,9 @@ struct TransferFunctionLine
  * The lines do not overlap and are sorted by heat. There are at most MaximumNumberOfLines, because a line of 3D
  * Slicer's volume property file has at most 1023 characters.
  *
- * \ingroup HeatViews
+ * \ingroup ShapetonHeatViews
  */
-class HeatViews_EXPORT ShapeTransferFunction
+class ShapetonHeatViews_EXPORT ShapeTransferFunction
 {
 public:
   static constexpr std::size_t MaximumNumberOfLines = 12;

@@ -1,7 +1,7 @@
 #ifndef shapetonSliceMontage_h
 #define shapetonSliceMontage_h
 
-#include "HeatViewsExport.h"
+#include "ShapetonHeatViewsExport.h"
 
 #include "shapetonHeatColoring.h"
 #include "itkImage.h"
@@ -17,7 +17,7 @@
 namespace shapeton
 {
 /** Options of a montage of slices.
- * \ingroup HeatViews */
+ * \ingroup ShapetonHeatViews */
 struct SliceMontageOptions
 {
   std::string     title;
@@ -32,8 +32,8 @@ struct SliceMontageOptions
 };
 
 /** The window itself; for the default window, the image quantiles it represents.
- * \ingroup HeatViews */
-HeatViews_EXPORT IntensityWindow
+ * \ingroup ShapetonHeatViews */
+ShapetonHeatViews_EXPORT IntensityWindow
 WindowOf(const itk::Image<float, 3> * gray, const IntensityWindow & window);
 
 /** Three orthogonal slices, axial, coronal and sagittal, of the gray image with the colors of the heat over it.
@@ -44,21 +44,21 @@ WindowOf(const itk::Image<float, 3> * gray, const IntensityWindow & window);
  * By default each slice maximizes the number of different colors, then of colored voxels, then closeness to the center.
  *
  * Throws std::invalid_argument if the images differ in size, the cut is outside, or the width is too small.
- * \ingroup HeatViews */
-HeatViews_EXPORT Picture::Pointer
+ * \ingroup ShapetonHeatViews */
+ShapetonHeatViews_EXPORT Picture::Pointer
                  DrawSliceMontage(const itk::Image<float, 3> * gray,
                                   const itk::Image<float, 3> * heat,
                                   const HeatColoring &         coloring,
                                   const SliceMontageOptions &  options = {});
 
 /** A legend for the classes except the background: ClassColor(), number, mean value.
- * \ingroup HeatViews */
-HeatViews_EXPORT std::vector<LegendEntry>
+ * \ingroup ShapetonHeatViews */
+ShapetonHeatViews_EXPORT std::vector<LegendEntry>
                  LegendOf(const std::vector<HeatClass> & classes, const ShapeQuantity & quantity = {});
 
 /** A legend for the lines of a transfer function: range of heats.
- * \ingroup HeatViews */
-HeatViews_EXPORT std::vector<LegendEntry>
+ * \ingroup ShapetonHeatViews */
+ShapetonHeatViews_EXPORT std::vector<LegendEntry>
                  LegendOf(const ShapeTransferFunction & transferFunction);
 } // namespace shapeton
 

@@ -1,7 +1,7 @@
 #ifndef shapetonTransferFunctionPicture_h
 #define shapetonTransferFunctionPicture_h
 
-#include "HeatViewsExport.h"
+#include "ShapetonHeatViewsExport.h"
 
 #include "itkImage.h"
 #include "shapetonPicture.h"
@@ -16,8 +16,8 @@ namespace shapeton
 /** One page that shows a transfer function on a heat volume: the volume rendered from the front, turned slightly for
  * depth, its lines with their voxel counts, and three slices of the gray image with the colors of the lines. 1200
  * pixels wide. `title` is one line. `renderer`, if given, draws the volume; it must use the same heat and transfer
- * function. Throws std::invalid_argument if the images differ in size. \ingroup HeatViews */
-HeatViews_EXPORT Picture::Pointer
+ * function. Throws std::invalid_argument if the images differ in size. \ingroup ShapetonHeatViews */
+ShapetonHeatViews_EXPORT Picture::Pointer
                  DrawTransferFunction(const itk::Image<float, 3> *  gray,
                                       const itk::Image<float, 3> *  heat,
                                       const ShapeTransferFunction & transferFunction,
@@ -27,8 +27,8 @@ HeatViews_EXPORT Picture::Pointer
                                       const VolumeRenderer *        renderer = nullptr);
 
 /** The number of voxels in each line.
- * \ingroup HeatViews */
-HeatViews_EXPORT std::vector<std::uint64_t>
+ * \ingroup ShapetonHeatViews */
+ShapetonHeatViews_EXPORT std::vector<std::uint64_t>
                  CountVoxelsOfLines(const itk::Image<float, 3> * heat, const ShapeTransferFunction & transferFunction);
 } // namespace shapeton
 

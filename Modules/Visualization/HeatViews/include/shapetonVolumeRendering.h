@@ -1,7 +1,7 @@
 #ifndef shapetonVolumeRendering_h
 #define shapetonVolumeRendering_h
 
-#include "HeatViewsExport.h"
+#include "ShapetonHeatViewsExport.h"
 
 #include "itkImage.h"
 #include "shapetonDevice.h"
@@ -15,7 +15,7 @@
 namespace shapeton
 {
 /** View of a volume rendering.
- * \ingroup HeatViews */
+ * \ingroup ShapetonHeatViews */
 struct VolumeRenderingOptions : PatientViewOptions
 {
   /** Part of the volume that fills the picture; by default all of it. The rest is visible where space permits. */
@@ -24,8 +24,8 @@ struct VolumeRenderingOptions : PatientViewOptions
   bool annotations{ true };
 };
 
-/** Projection for these options, with the focus at the center of the picture. \ingroup HeatViews */
-HeatViews_EXPORT PatientView
+/** Projection for these options, with the focus at the center of the picture. \ingroup ShapetonHeatViews */
+ShapetonHeatViews_EXPORT PatientView
 ViewOfVolume(const itk::ImageBase<3> * volume, const VolumeRenderingOptions & options);
 
 /** \class VolumeRenderer
@@ -39,8 +39,8 @@ ViewOfVolume(const itk::ImageBase<3> * volume, const VolumeRenderingOptions & op
  * viewer's left shoulder. Origin, spacing and direction cosines are respected. Equal input gives equal bytes for any
  * number of threads; ITK's global default number is used.
  *
- * \ingroup HeatViews */
-class HeatViews_EXPORT VolumeRenderer
+ * \ingroup ShapetonHeatViews */
+class ShapetonHeatViews_EXPORT VolumeRenderer
 {
 public:
   /** Throws std::invalid_argument for an empty volume, DeviceError if the device cannot be used. */
@@ -66,15 +66,15 @@ private:
 };
 
 /** One picture by a VolumeRenderer on the CPU.
- * \ingroup HeatViews */
-HeatViews_EXPORT Picture::Pointer
+ * \ingroup ShapetonHeatViews */
+ShapetonHeatViews_EXPORT Picture::Pointer
                  RenderVolume(const itk::Image<float, 3> *   heat,
                               const ShapeTransferFunction &  transferFunction,
                               const VolumeRenderingOptions & options = {});
 
 /** Smallest region that contains all voxels with a line of the transfer function; empty if there are none.
- * \ingroup HeatViews */
-HeatViews_EXPORT std::optional<itk::ImageRegion<3>>
+ * \ingroup ShapetonHeatViews */
+ShapetonHeatViews_EXPORT std::optional<itk::ImageRegion<3>>
                  VisibleRegion(const itk::Image<float, 3> * heat, const ShapeTransferFunction & transferFunction);
 } // namespace shapeton
 

@@ -14,8 +14,8 @@ namespace shapeton
  * Equal position steps are equal steps in CIELAB (each of 32 steps has a delta E of 9.6, about 3 % of the way from blue
  * to red), so that no step looks like an edge and similar heats look similar. The lightness L* rises from 42 to 84 at
  * position 0.69 and falls to 51 at red. It contrasts with a dark background everywhere, but only the hue is monotonic
- * in heat. \ingroup PictureKit */
-PictureKit_EXPORT RGBColor
+ * in heat. \ingroup ShapetonPictureKit */
+ShapetonPictureKit_EXPORT RGBColor
 HeatColor(double position);
 
 /** Color of a class, counted from 1. Classes are unordered; the colors are distinguishable, also for color-blind
@@ -23,23 +23,23 @@ HeatColor(double position);
  *
  * Any two of the first 8 are at least 39 apart in CIELAB (CIE 1976), of the 12 at least 27, as seen with normal, deutan
  * and protan vision. None is gray, and all contrast with black. They repeat after 12.
- * \ingroup PictureKit */
-PictureKit_EXPORT RGBColor
+ * \ingroup ShapetonPictureKit */
+ShapetonPictureKit_EXPORT RGBColor
 ClassColor(unsigned int label);
 
 /** The color of a case-insensitive name ("red", "steelblue", ... see ColorNames()) or of "#rrggbb"; empty for any other
- * text. \ingroup PictureKit */
-PictureKit_EXPORT std::optional<RGBColor>
+ * text. \ingroup ShapetonPictureKit */
+ShapetonPictureKit_EXPORT std::optional<RGBColor>
                   ColorOf(const std::string & text);
 
 /** Names accepted by ColorOf(), separated by ", ".
- * \ingroup PictureKit */
-PictureKit_EXPORT std::string
+ * \ingroup ShapetonPictureKit */
+ShapetonPictureKit_EXPORT std::string
                   ColorNames();
 
 /** The color as "#rrggbb".
- * \ingroup PictureKit */
-PictureKit_EXPORT std::string
+ * \ingroup ShapetonPictureKit */
+ShapetonPictureKit_EXPORT std::string
                   HexOf(const RGBColor & color);
 } // namespace shapeton
 

@@ -5,11 +5,11 @@
 
 namespace shapeton
 {
-/** Background of pages and charts. \ingroup PictureKit */
+/** Background of pages and charts. \ingroup ShapetonPictureKit */
 inline const RGBColor PaperColor = MakeColor(255, 255, 255);
-/** Text and axes on PaperColor. \ingroup PictureKit */
+/** Text and axes on PaperColor. \ingroup ShapetonPictureKit */
 inline const RGBColor InkColor = MakeColor(30, 32, 38);
-/** Less important text on PaperColor. \ingroup PictureKit */
+/** Less important text on PaperColor. \ingroup ShapetonPictureKit */
 inline const RGBColor FaintInkColor = MakeColor(112, 116, 126);
 } // namespace shapeton
 

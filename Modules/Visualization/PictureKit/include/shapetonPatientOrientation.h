@@ -1,7 +1,7 @@
 #ifndef shapetonPatientOrientation_h
 #define shapetonPatientOrientation_h
 
-#include "PictureKitExport.h"
+#include "ShapetonPictureKitExport.h"
 
 #include "itkVector.h"
 
@@ -11,8 +11,8 @@ namespace shapeton
 {
 /** Orientation letters of an LPS direction, as shown at the border of radiological pictures: R or L, A or P, H (head)
  * or F (feet), the largest component first; components below a quarter of the length are left out. Empty for a zero
- * vector. \ingroup PictureKit */
-PictureKit_EXPORT std::string
+ * vector. \ingroup ShapetonPictureKit */
+ShapetonPictureKit_EXPORT std::string
                   OrientationLetters(const itk::Vector<double, 3> & direction);
 } // namespace shapeton
 

@@ -1,7 +1,7 @@
 #ifndef shapetonPatientView_h
 #define shapetonPatientView_h
 
-#include "PictureKitExport.h"
+#include "ShapetonPictureKitExport.h"
 
 #include "itkImageBase.h"
 
@@ -10,7 +10,7 @@
 namespace shapeton
 {
 /** Options of a parallel projection of a patient.
- * \ingroup PictureKit */
+ * \ingroup ShapetonPictureKit */
 struct PatientViewOptions
 {
   /** Degrees around the patient's long axis: 0 from the front (anterior; the patient's left is on the right of the
@@ -25,7 +25,7 @@ struct PatientViewOptions
   double zoom{ 1.0 };
 };
 
-/** The sides of a patient. \ingroup PictureKit */
+/** The sides of a patient. \ingroup ShapetonPictureKit */
 enum class PatientSide
 {
   Anterior,
@@ -37,12 +37,12 @@ enum class PatientSide
 };
 
 /** Sets azimuth and elevation for a view from this side. From below, the patient's front is on top, as in axial slices;
- * from above, the back is. \ingroup PictureKit */
-PictureKit_EXPORT void
+ * from above, the back is. \ingroup ShapetonPictureKit */
+ShapetonPictureKit_EXPORT void
 LookFrom(PatientSide side, PatientViewOptions & options);
 
-/** "anterior", "left", ... \ingroup PictureKit */
-PictureKit_EXPORT std::string
+/** "anterior", "left", ... \ingroup ShapetonPictureKit */
+ShapetonPictureKit_EXPORT std::string
                   NameOf(PatientSide side);
 
 /** \class PatientView
@@ -50,9 +50,9 @@ PictureKit_EXPORT std::string
  *
  * The center of the focus is at the center of the picture; the scale is isotropic.
  *
- * \ingroup PictureKit
+ * \ingroup ShapetonPictureKit
  */
-class PictureKit_EXPORT PatientView
+class ShapetonPictureKit_EXPORT PatientView
 {
 public:
   using PointType = itk::ImageBase<3>::PointType;

@@ -5,7 +5,7 @@
 
 namespace shapeton
 {
-/** A perspective camera, such as that of an endoscope. \ingroup PictureKit */
+/** A perspective camera, such as that of an endoscope. \ingroup ShapetonPictureKit */
 struct PerspectiveCamera
 {
   /** LPS, mm. */
@@ -28,14 +28,14 @@ struct PerspectiveCamera
 /** Renders a surface in perspective, lit from next to the eye. Like RenderSurfaces(), uses a depth buffer and 3 x 3
  * samples per pixel, with the same bytes for any number of threads. `vertexColors` has one color per vertex. Throws
  * std::invalid_argument for numbers out of range, a view direction that is zero or parallel to `up`, and a wrong number
- * of colors. \ingroup PictureKit */
-PictureKit_EXPORT Picture::Pointer
+ * of colors. \ingroup ShapetonPictureKit */
+ShapetonPictureKit_EXPORT Picture::Pointer
                   RenderPerspective(const SurfaceMesh &           surface,
                                     const std::vector<RGBColor> & vertexColors,
                                     const PerspectiveCamera &     camera);
 
-/** Picture position of a point, in pixels; NaN behind the eye. \ingroup PictureKit */
-PictureKit_EXPORT Eigen::Vector2d
+/** Picture position of a point, in pixels; NaN behind the eye. \ingroup ShapetonPictureKit */
+ShapetonPictureKit_EXPORT Eigen::Vector2d
                   ProjectPoint(const Eigen::Vector3d & point, const PerspectiveCamera & camera);
 } // namespace shapeton
 

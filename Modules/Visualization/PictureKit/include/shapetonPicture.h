@@ -1,7 +1,7 @@
 #ifndef shapetonPicture_h
 #define shapetonPicture_h
 
-#include "PictureKitExport.h"
+#include "ShapetonPictureKitExport.h"
 
 #include "itkImage.h"
 #include "itkRGBPixel.h"
@@ -11,35 +11,35 @@
 namespace shapeton
 {
 /** An sRGB color, 0 to 255 for each channel.
- * \ingroup PictureKit */
+ * \ingroup ShapetonPictureKit */
 using RGBColor = itk::RGBPixel<unsigned char>;
 
 /** The color with these channels.
- * \ingroup PictureKit */
-PictureKit_EXPORT RGBColor
+ * \ingroup ShapetonPictureKit */
+ShapetonPictureKit_EXPORT RGBColor
 MakeColor(unsigned char red, unsigned char green, unsigned char blue);
 
 /** Color interpolated between `from` (`share` 0) and `to` (1).
- * \ingroup PictureKit */
-PictureKit_EXPORT RGBColor
+ * \ingroup ShapetonPictureKit */
+ShapetonPictureKit_EXPORT RGBColor
 MixColors(const RGBColor & from, const RGBColor & to, double share);
 
 /** A picture: index (0, 0) is the upper left pixel, the second index grows downwards.
  * All drawing functions clip at its borders.
- * \ingroup PictureKit */
+ * \ingroup ShapetonPictureKit */
 using Picture = itk::Image<RGBColor, 2>;
 
 /** A picture filled with one color. Throws std::invalid_argument if a side is 0.
- * \ingroup PictureKit */
-PictureKit_EXPORT Picture::Pointer
+ * \ingroup ShapetonPictureKit */
+ShapetonPictureKit_EXPORT Picture::Pointer
                   NewPicture(unsigned int width, unsigned int height, const RGBColor & background);
 
 /** Writes PNG, independent of the extension of `path`. Throws OutputError, also if the disk is full.
- * \ingroup PictureKit */
-PictureKit_EXPORT void
+ * \ingroup ShapetonPictureKit */
+ShapetonPictureKit_EXPORT void
 WritePng(const Picture * picture, const std::string & path);
 
-/** A function that draws a picture, and the file to write it to. \ingroup PictureKit */
+/** A function that draws a picture, and the file to write it to. \ingroup ShapetonPictureKit */
 struct PictureFile
 {
   std::string                       path;
@@ -47,13 +47,13 @@ struct PictureFile
 };
 
 /** Draws pictures in parallel and writes each as PNG. Throws the exceptions of drawing and of WritePng().
- * \ingroup PictureKit */
-PictureKit_EXPORT void
+ * \ingroup ShapetonPictureKit */
+ShapetonPictureKit_EXPORT void
 WritePngs(const std::vector<PictureFile> & files);
 
 /** Fills the pixels [left, left + width) x [top, top + height); `opacity` in [0, 1].
- * \ingroup PictureKit */
-PictureKit_EXPORT void
+ * \ingroup ShapetonPictureKit */
+ShapetonPictureKit_EXPORT void
 FillRectangle(Picture *        picture,
               int              left,
               int              top,
@@ -63,13 +63,13 @@ FillRectangle(Picture *        picture,
               double           opacity = 1.0);
 
 /** Draws the border of that rectangle, `thickness` pixels wide, inside it.
- * \ingroup PictureKit */
-PictureKit_EXPORT void
+ * \ingroup ShapetonPictureKit */
+ShapetonPictureKit_EXPORT void
 DrawRectangle(Picture * picture, int left, int top, int width, int height, const RGBColor & color, int thickness = 1);
 
 /** Draws a straight antialiased line, `thickness` pixels wide; (x, y) is the center of pixel (x, y).
- * \ingroup PictureKit */
-PictureKit_EXPORT void
+ * \ingroup ShapetonPictureKit */
+ShapetonPictureKit_EXPORT void
 DrawLine(Picture *        picture,
          double           x0,
          double           y0,
@@ -80,19 +80,19 @@ DrawLine(Picture *        picture,
          double           opacity = 1.0);
 
 /** Copies `source` so that its upper left pixel is at (left, top).
- * \ingroup PictureKit */
-PictureKit_EXPORT void
+ * \ingroup ShapetonPictureKit */
+ShapetonPictureKit_EXPORT void
 PastePicture(Picture * picture, const Picture * source, int left, int top);
 
 /** Horizontal position of a text relative to its anchor point.
- * \ingroup PictureKit */
+ * \ingroup ShapetonPictureKit */
 enum class HorizontalAnchor
 {
   Left,
   Center,
   Right
 };
-/** The part of a text at its vertical anchor. \ingroup PictureKit */
+/** The part of a text at its vertical anchor. \ingroup ShapetonPictureKit */
 enum class VerticalAnchor
 {
   Top,
@@ -101,7 +101,7 @@ enum class VerticalAnchor
 };
 
 /** Style of a text, in VTK's built-in sans-serif font, so that it looks the same on every machine.
- * \ingroup PictureKit */
+ * \ingroup ShapetonPictureKit */
 struct TextStyle
 {
   /** Font height in pixels. */
@@ -114,7 +114,7 @@ struct TextStyle
   bool upwards{ false };
 };
 
-/** Bounding box of a drawn text, pixels. \ingroup PictureKit */
+/** Bounding box of a drawn text, pixels. \ingroup ShapetonPictureKit */
 struct TextExtent
 {
   int width{ 0 };
@@ -122,24 +122,24 @@ struct TextExtent
 };
 
 /** Size of one line of UTF-8 text in pixels; the height depends only on the style.
- * \ingroup PictureKit */
-PictureKit_EXPORT TextExtent
+ * \ingroup ShapetonPictureKit */
+ShapetonPictureKit_EXPORT TextExtent
 MeasureText(const std::string & text, const TextStyle & style);
 
 /** The style with the largest size, at least 8 and at most its own, at which the text fits in `width` pixels.
- * \ingroup PictureKit */
-PictureKit_EXPORT TextStyle
+ * \ingroup ShapetonPictureKit */
+ShapetonPictureKit_EXPORT TextStyle
 FitText(const std::string & text, TextStyle style, int width);
 
 /** Draws one line of UTF-8 text at the anchor point (x, y). Needs no display. Throws std::runtime_error if the text
  * cannot be rendered.
- * \ingroup PictureKit */
-PictureKit_EXPORT void
+ * \ingroup ShapetonPictureKit */
+ShapetonPictureKit_EXPORT void
 DrawText(Picture * picture, const std::string & text, int x, int y, const TextStyle & style);
 
 /** DrawText() with a one-pixel outline in another color, for backgrounds that may be bright or dark.
- * \ingroup PictureKit */
-PictureKit_EXPORT void
+ * \ingroup ShapetonPictureKit */
+ShapetonPictureKit_EXPORT void
 DrawRimmedText(Picture *           picture,
                const std::string & text,
                int                 x,

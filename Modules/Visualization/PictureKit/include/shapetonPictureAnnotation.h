@@ -14,8 +14,8 @@ namespace shapeton
 {
 /** Draws a scale bar of a round number of millimeters, at most `greatestLength` pixels long, with its lower left corner
  * at (left, bottom) and its length above it.
- * \ingroup PictureKit */
-PictureKit_EXPORT void
+ * \ingroup ShapetonPictureKit */
+ShapetonPictureKit_EXPORT void
 DrawScaleBar(Picture *        picture,
              int              left,
              int              bottom,
@@ -24,7 +24,7 @@ DrawScaleBar(Picture *        picture,
              const RGBColor & color);
 
 /** Style of the orientation letters.
- * \ingroup PictureKit */
+ * \ingroup ShapetonPictureKit */
 struct OrientationLettersStyle
 {
   int      size{ 20 };
@@ -37,8 +37,8 @@ struct OrientationLettersStyle
 
 /** Draws the orientation letters at the four borders (see OrientationLetters); `right` and `up` are the directions of
  * the picture in LPS.
- * \ingroup PictureKit */
-PictureKit_EXPORT void
+ * \ingroup ShapetonPictureKit */
+ShapetonPictureKit_EXPORT void
 DrawOrientationLetters(Picture *                       picture,
                        const itk::Vector<double, 3> &  right,
                        const itk::Vector<double, 3> &  up,
@@ -46,7 +46,7 @@ DrawOrientationLetters(Picture *                       picture,
 
 /** Color scale, for example in millimeters: values up to `lower` have the map's color at 0, values from `upper` on that
  * at 1.
- * \ingroup PictureKit */
+ * \ingroup ShapetonPictureKit */
 struct ColorScale
 {
   /** Title, with the unit. */
@@ -56,25 +56,25 @@ struct ColorScale
   std::function<RGBColor(double)> map{ HeatColor };
 
   /** Color of a value; gray if it is not finite. */
-  PictureKit_EXPORT RGBColor
+  ShapetonPictureKit_EXPORT RGBColor
   ColorOf(double value) const;
 };
 
-/** Colors of `number` values. \ingroup PictureKit */
-PictureKit_EXPORT std::vector<RGBColor>
+/** Colors of `number` values. \ingroup ShapetonPictureKit */
+ShapetonPictureKit_EXPORT std::vector<RGBColor>
                   ColorsOf(const double * values, std::size_t number, const ColorScale & scale);
 
-/** Width of a color bar with ticks and title, pixels. \ingroup PictureKit */
+/** Width of a color bar with ticks and title, pixels. \ingroup ShapetonPictureKit */
 constexpr int colorBarWidth = 96;
 
 /** Draws a vertical color bar with round values and the title at its right, in the pixels
  * [left, left + colorBarWidth) x [top, top + height).
- * \ingroup PictureKit */
-PictureKit_EXPORT void
+ * \ingroup ShapetonPictureKit */
+ShapetonPictureKit_EXPORT void
 DrawColorBar(Picture * picture, int left, int top, int height, const ColorScale & scale, const RGBColor & color);
 
 /** A legend entry: a color and its meaning.
- * \ingroup PictureKit */
+ * \ingroup ShapetonPictureKit */
 struct LegendEntry
 {
   RGBColor    color;
@@ -82,8 +82,8 @@ struct LegendEntry
 };
 
 /** Draws a legend downwards from (left, top); returns its height.
- * \ingroup PictureKit */
-PictureKit_EXPORT int
+ * \ingroup ShapetonPictureKit */
+ShapetonPictureKit_EXPORT int
 DrawLegend(Picture *                        picture,
            const std::vector<LegendEntry> & legend,
            int                              left,

@@ -7,7 +7,7 @@
 
 namespace shapeton
 {
-/** One axis of a chart: its values and pixels. \ingroup PictureKit */
+/** One axis of a chart: its values and pixels. \ingroup ShapetonPictureKit */
 struct PlotAxis
 {
   std::string title;
@@ -15,7 +15,7 @@ struct PlotAxis
   double      upper{ 1.0 };
 };
 
-/** A chart with two linear axes: the pixels of its area, and the values at its borders. \ingroup PictureKit */
+/** A chart with two linear axes: the pixels of its area, and the values at its borders. \ingroup ShapetonPictureKit */
 struct PlotFrame
 {
   int      left{ 0 };
@@ -39,8 +39,8 @@ struct PlotFrame
 };
 
 /** Draws grid lines, the border, ticks with numbers at round values, and titles. Labels extend at most 74 pixels to the
- * left of the area and 52 below it. \ingroup PictureKit */
-PictureKit_EXPORT void
+ * left of the area and 52 below it. \ingroup ShapetonPictureKit */
+ShapetonPictureKit_EXPORT void
 DrawPlotFrame(Picture * picture, const PlotFrame & frame);
 } // namespace shapeton
 

@@ -1,7 +1,7 @@
 #ifndef shapetonSliceView_h
 #define shapetonSliceView_h
 
-#include "PictureKitExport.h"
+#include "ShapetonPictureKitExport.h"
 
 #include "itkImage.h"
 #include "shapetonPicture.h"
@@ -14,14 +14,14 @@
 namespace shapeton
 {
 /** Intensity window: lower is black, upper is white. The default means the 0.5 % and 99.5 % quantiles of the image.
- * \ingroup PictureKit */
+ * \ingroup ShapetonPictureKit */
 struct IntensityWindow
 {
   double lower{ 0.0 };
   double upper{ 0.0 };
 };
 
-/** Anatomical planes of slices. \ingroup PictureKit */
+/** Anatomical planes of slices. \ingroup ShapetonPictureKit */
 enum class SlicePlane
 {
   Axial,
@@ -29,12 +29,12 @@ enum class SlicePlane
   Sagittal
 };
 
-/** "axial", ... \ingroup PictureKit */
-PictureKit_EXPORT std::string
+/** "axial", ... \ingroup ShapetonPictureKit */
+ShapetonPictureKit_EXPORT std::string
                   NameOf(SlicePlane plane);
 
 /** Volume axes of the picture of a slice, and whether they are flipped.
- * \ingroup PictureKit */
+ * \ingroup ShapetonPictureKit */
 struct SliceAxes
 {
   unsigned int across{ 0 };
@@ -46,8 +46,8 @@ struct SliceAxes
 
 /** Radiological convention, as closely as the volume's own axes allow: axial with the patient's right at the left and
  * anterior on top; coronal with right at the left and the head on top; sagittal with anterior at the left and the head
- * on top. \ingroup PictureKit */
-PictureKit_EXPORT SliceAxes
+ * on top. \ingroup ShapetonPictureKit */
+ShapetonPictureKit_EXPORT SliceAxes
 AxesOf(const itk::ImageBase<3> * volume, SlicePlane plane);
 
 /** \class SliceView
@@ -55,9 +55,9 @@ AxesOf(const itk::ImageBase<3> * volume, SlicePlane plane);
  *
  * A slice follows two of the volume's own axes; the picture has one scale in mm, independent of the spacing.
  *
- * \ingroup PictureKit
+ * \ingroup ShapetonPictureKit
  */
-class PictureKit_EXPORT SliceView
+class ShapetonPictureKit_EXPORT SliceView
 {
 public:
   /** The voxels of `focus` fill the picture; `slice` is an index along the axis perpendicular to it. Throws
@@ -131,36 +131,36 @@ private:
 };
 
 /** A slice in gray, linearly interpolated. \pre The image has the geometry of the view's volume.
- * \ingroup PictureKit */
-PictureKit_EXPORT Picture::Pointer
+ * \ingroup ShapetonPictureKit */
+ShapetonPictureKit_EXPORT Picture::Pointer
                   PaintSlice(const SliceView & view, const itk::Image<float, 3> * gray, const IntensityWindow & window);
 
-/** Blends colors over the pixels of voxels; an empty color leaves the picture unchanged. \ingroup PictureKit */
-PictureKit_EXPORT void
+/** Blends colors over the pixels of voxels; an empty color leaves the picture unchanged. \ingroup ShapetonPictureKit */
+ShapetonPictureKit_EXPORT void
 ColorSlice(Picture *                                                             picture,
            const SliceView &                                                     view,
            const std::function<std::optional<RGBColor>(const itk::Index<3> &)> & colorOf,
            double                                                                opacity);
 
 /** Draws the border of a set of voxels, halfway between the centers of a voxel inside and one outside (marching
- * squares). Voxels outside the view's focus count as outside. \ingroup PictureKit */
-PictureKit_EXPORT void
+ * squares). Voxels outside the view's focus count as outside. \ingroup ShapetonPictureKit */
+ShapetonPictureKit_EXPORT void
 DrawMaskOutline(Picture *                                          picture,
                 const SliceView &                                  view,
                 const std::function<bool(const itk::Index<3> &)> & isInside,
                 const RGBColor &                                   color,
                 double                                             thickness);
 
-/** Draws the intersection of a slice with a surface. \ingroup PictureKit */
-PictureKit_EXPORT void
+/** Draws the intersection of a slice with a surface. \ingroup ShapetonPictureKit */
+ShapetonPictureKit_EXPORT void
 DrawSurfaceCut(Picture *           picture,
                const SliceView &   view,
                const SurfaceMesh & surface,
                const RGBColor &    color,
                double              thickness);
 
-/** Draws the orientation letters at the borders of a slice. \ingroup PictureKit */
-PictureKit_EXPORT void
+/** Draws the orientation letters at the borders of a slice. \ingroup ShapetonPictureKit */
+ShapetonPictureKit_EXPORT void
 DrawSliceLetters(Picture * picture, const SliceView & view);
 } // namespace shapeton
 

@@ -1,7 +1,7 @@
 #ifndef shapetonSurfaceRendering_h
 #define shapetonSurfaceRendering_h
 
-#include "PictureKitExport.h"
+#include "ShapetonPictureKitExport.h"
 
 #include "shapetonCurveSet.h"
 #include "shapetonPatientView.h"
@@ -16,7 +16,7 @@
 namespace shapeton
 {
 /** A surface in a scene. The mesh is not owned.
- * \ingroup PictureKit */
+ * \ingroup ShapetonPictureKit */
 struct SurfaceActor
 {
   const SurfaceMesh * surface{ nullptr };
@@ -32,7 +32,7 @@ struct SurfaceActor
 };
 
 /** Curves in a scene, drawn as tubes; a curve with one vertex is a ball. Not owned.
- * \ingroup PictureKit */
+ * \ingroup ShapetonPictureKit */
 struct CurveActor
 {
   const CurveSet * curves{ nullptr };
@@ -44,7 +44,7 @@ struct CurveActor
 };
 
 /** A ball with a label.
- * \ingroup PictureKit */
+ * \ingroup ShapetonPictureKit */
 struct MarkerActor
 {
   /** LPS, mm. */
@@ -56,7 +56,7 @@ struct MarkerActor
 };
 
 /** Content of a picture.
- * \ingroup PictureKit */
+ * \ingroup ShapetonPictureKit */
 struct SurfaceScene
 {
   std::vector<SurfaceActor> surfaces;
@@ -65,7 +65,7 @@ struct SurfaceScene
 };
 
 /** View and annotations of a scene.
- * \ingroup PictureKit */
+ * \ingroup ShapetonPictureKit */
 struct SurfaceRenderingOptions : PatientViewOptions
 {
   /** Title above the picture; an empty title takes no space. */
@@ -91,12 +91,12 @@ struct SurfaceRenderingOptions : PatientViewOptions
  *
  * Throws std::invalid_argument for an empty scene, a null pointer, a wrong number of colors, an index out of range, an
  * opacity or radius out of range, and wrong options (see PatientView).
- * \ingroup PictureKit */
-PictureKit_EXPORT Picture::Pointer
+ * \ingroup ShapetonPictureKit */
+ShapetonPictureKit_EXPORT Picture::Pointer
                   RenderSurfaces(const SurfaceScene & scene, const SurfaceRenderingOptions & options = {});
 
-/** The view of RenderSurfaces(), in pixels of its picture. \ingroup PictureKit */
-PictureKit_EXPORT PatientView
+/** The view of RenderSurfaces(), in pixels of its picture. \ingroup ShapetonPictureKit */
+ShapetonPictureKit_EXPORT PatientView
 ViewOfScene(const SurfaceScene & scene, const SurfaceRenderingOptions & options);
 } // namespace shapeton
 

@@ -1,0 +1,23 @@
+#ifndef shapetonLumenAlong_h
+#define shapetonLumenAlong_h
+
+#include "ShapetonColonModelExport.h"
+#include "shapetonCurveSet.h"
+#include "shapetonTopologyPreservingGrowth.h"
+
+#include <functional>
+
+namespace shapeton
+{
+/** Labels the voxels of a lumen by their place along the colon: that of the closest point of the centerline within the
+ * lumen, so touching loops do not exchange labels. 0 outside the lumen.
+ * \param centerline one curve with the point array `arcLength`.
+ * \param labelOf returns the label for mm along the centerline; called from several threads.
+ * \ingroup ShapetonColonModel */
+ShapetonColonModel_EXPORT itk::Image<unsigned short, 3>::Pointer
+                 LabelLumenAlong(const LumenMaskImage *                        lumen,
+                                 const CurveSet &                              centerline,
+                                 const std::function<unsigned short(double)> & labelOf);
+} // namespace shapeton
+
+#endif

@@ -1,0 +1,119 @@
+#ifndef shapetonHaustralFolds_h
+#define shapetonHaustralFolds_h
+
+#include "ShapetonFlatColonExport.h"
+
+#include "shapetonRemarks.h"
+#include "shapetonColonAssessability.h"
+#include "shapetonCurveSet.h"
+#include "shapetonFlatColon.h"
+#include "shapetonProgress.h"
+
+#include "itkImage.h"
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace shapeton
+{
+/** Method that classifies pixels of the flat map as folds. \ingroup ShapetonFlatColon */
+enum class HaustralFoldScheme
+{
+  /** Minimum cut of a graph with weights from the surface itself. */
+  GraphCut,
+  /** Fixed interval of a curvature that is not divided by area (dissertation 4.2.1 and 4.3.1): valid for one density of
+   * the mesh. */
+  Published
+};
+
+/** Options of FindHaustralFolds(). \ingroup ShapetonFlatColon */
+struct HaustralFoldOptions
+{
+  HaustralFoldScheme scheme{ HaustralFoldScheme::GraphCut };
+  /** \name Minimum size and shape of a fold */
+  ///@{
+  /** Length along the crest, mm on the surface. */
+  double minimumLength{ 7.0 };
+  /** Area, mm^2 on the surface. */
+  double minimumArea{ 12.0 };
+  /** Long over short axis of the ellipse. */
+  double minimumElongation{ 1.5 };
+  /** Angle between the long axis and the tube, degrees, 0 to 90: folds run around; taeniae and impressions of other
+   * bowel loops run along. */
+  double minimumAngle{ 30.0 };
+  ///@}
+  /** Time of the heat diffusion that smooths the curvature, mm^2; 0 for none. */
+  double smoothingTime{ 2.0 };
+  /** \name GraphCut */
+  ///@{
+  /** Cost of 1 mm of outline, relative to that of 1 mm^2 where the odds of fold and wall are e. */
+  double smoothness{ 1.0 };
+  /** The outline costs less where curvature changes by more than this, 1/mm. */
+  double contrast{ 0.02 };
+  ///@}
+  /** \name Published: interval of the curvature of folds, mm; negative where the wall bulges into the lumen */
+  ///@{
+  double publishedLow{ -4.5 };
+  double publishedHigh{ -0.5 };
+  ///@}
+  /** Curves on the wall that split merged folds; may be null. */
+  const CurveSet * taeniae{ nullptr };
+  /** May throw to abort. */
+  Progress progress;
+};
+
+/** A haustral fold. \ingroup ShapetonFlatColon */
+struct HaustralFold
+{
+  /** Value in the label picture, from 1, in the order of u. */
+  int label{ 0 };
+  /** Center and ends on the map, mm; v in [0, circumference). */
+  Eigen::Vector2d                centerUv{ Eigen::Vector2d::Zero() };
+  std::array<Eigen::Vector2d, 2> endUv;
+  /** Center and ends on the surface, LPS, mm. */
+  Eigen::Vector3d                center{ Eigen::Vector3d::Zero() };
+  std::array<Eigen::Vector3d, 2> ends;
+  /** Length along the crest, mm on the surface. */
+  double length{ 0.0 };
+  /** Area of the label, mm^2 on the surface; the minimum area applies before the label is extended along the crest. */
+  double area{ 0.0 };
+  /** Long over short axis of the ellipse with the same second moments on the map. */
+  double elongation{ 1.0 };
+  /** Angle of the long axis to u, degrees, in (-90, 90]; 90 runs around the tube. */
+  double angle{ 0.0 };
+  /** Mean over the fold, after smoothing, 1/mm; positive where the wall bulges into the lumen. */
+  double meanCurvature{ 0.0 };
+  /** Maximum height of the crest above the wall on both sides, mm; NaN if a side is not visible. */
+  double height{ 0.0 };
+  /** Certainty that this is a fold, 0 to 1. */
+  double reliability{ 0.0 };
+  /** Reliability of the ends as feature points, 0 to 1: that of the fold, halved far from the border of the map (the
+   * cut) or from the nearest taenia, if given. */
+  std::array<double, 2> endReliability{ { 0.0, 0.0 } };
+  /** mm along the centerline; NaN if the surface has no arcLength. */
+  double arcLength{ 0.0 };
+  /** Whether the fold is on both sides of the cut. */
+  bool crossesCut{ false };
+  /** Why the wall is not clearly visible there; also None if the surface has no cell array notAssessable. */
+  ColonHindrance hindrance{ ColonHindrance::None };
+};
+
+/** The haustral folds on a flat map: a label image and a list. See FindHaustralFolds(). \ingroup ShapetonFlatColon */
+struct HaustralFolds
+{
+  /** 0 for wall; on the grid and in the physical space of the coordinate map (FlatCoordinateMap). */
+  itk::Image<unsigned short, 2>::Pointer labels;
+  std::vector<HaustralFold>              folds;
+  Remarks                                warnings;
+};
+
+/** Finds folds on the flat map of a colon (dissertation 4.3.1), in the pixels of its own grid. Bridged stretches
+ * contain no folds. A surface without folds gives a warning, not an error. Equal input gives equal results for any
+ * number of threads. Throws ParameterError for options out of range, InputError when vertices of the surface coincide.
+ * \ingroup ShapetonFlatColon */
+ShapetonFlatColon_EXPORT HaustralFolds
+FindHaustralFolds(const FlatColon & flat, const HaustralFoldOptions & options = {});
+} // namespace shapeton
+
+#endif

@@ -1,0 +1,82 @@
+#ifndef shapetonDevice_h
+#define shapetonDevice_h
+
+#include "ShapetonCommonExport.h"
+
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+
+namespace shapeton
+{
+/** Where a computation runs. All devices give the same bytes.
+ * \ingroup ShapetonCommon */
+enum class Device
+{
+  Automatic, ///< the GPU if one is available and has enough memory, else the CPU
+  Cpu,
+  Cuda
+};
+
+/** "auto", "cpu" or "cuda".
+ * \ingroup ShapetonCommon */
+ShapetonCommon_EXPORT const char *
+NameOf(Device device);
+
+/** \class DeviceError
+ * \brief A GPU is requested but a requirement is missing, or the GPU failed.
+ * \ingroup ShapetonCommon */
+class DeviceError : public std::runtime_error
+{
+public:
+  using std::runtime_error::runtime_error;
+};
+
+/** The device chosen by ChooseDevice().
+ * \ingroup ShapetonCommon */
+struct DeviceUse
+{
+  bool        gpu{ false };
+  std::string device{ "cpu" }; ///< "cpu", or the name of the GPU
+  std::string reason;          ///< why the GPU is not used, if the choice was automatic
+  std::size_t memory{ 0 };     ///< free memory of the GPU in bytes
+
+  /** One line for the record of a run. */
+  std::string
+  Describe() const
+  {
+    return reason.empty() ? device : device + " (" + reason + ")";
+  }
+};
+
+/** Chooses the device for a computation that needs `bytes` of memory on a GPU, or at least `leastBytes` if the GPU
+ * is requested. Throws DeviceError if the GPU is requested and cannot be used. The plug-in is searched on first
+ * use: next to this library, or at the path in the environment variable SHAPETON_DEVICE_PLUGIN.
+ * SHAPETON_DEVICE_MEMORY may limit the bytes of GPU memory to use. \ingroup ShapetonCommon */
+ShapetonCommon_EXPORT DeviceUse
+ChooseDevice(Device wanted, std::size_t bytes, std::size_t leastBytes);
+inline DeviceUse
+ChooseDevice(Device wanted, std::size_t bytes)
+{
+  return ChooseDevice(wanted, bytes, bytes);
+}
+
+/** Finds a function of the plug-in by name; only after ChooseDevice() has chosen the GPU. See DeviceRuntime.
+ * \ingroup ShapetonCommon */
+ShapetonCommon_EXPORT void *
+FindDeviceFunction(const char * name);
+
+/** Type of the plug-in's function ShapetonDescribeDevice(). Returns true if a GPU can be used, with its name and its
+ * free memory in bytes; otherwise false, with the reason instead of the name. \ingroup ShapetonCommon */
+using DescribeDeviceFunction = bool(std::string & name, std::size_t & memory);
+
+/** Type of ShapetonRunTriads(): a = b + 0.5 c for a number of elements and repetitions; for benchmarks.
+ * \ingroup ShapetonCommon */
+using RunTriadsFunction = void(std::size_t number, unsigned int triads);
+
+/** Type of ShapetonPluginVersion(): the version of Shapeton that the plug-in was built with.
+ * \ingroup ShapetonCommon */
+using PluginVersionFunction = const char *();
+} // namespace shapeton
+
+#endif

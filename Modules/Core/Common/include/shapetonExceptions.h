@@ -1,0 +1,89 @@
+#ifndef shapetonExceptions_h
+#define shapetonExceptions_h
+
+#include "ShapetonCommonExport.h"
+
+#include "itkMacro.h"
+
+#include <string>
+
+namespace shapeton
+{
+/** \class Exception
+ * \brief Base class of all errors of Shapeton; derived from itk::ExceptionObject.
+ *
+ * what() returns the description unchanged. It is one line: what is wrong, with which file or parameter, and what to
+ * do. It names a parameter as `the parameter "name"`, which a command-line tool can replace by its option. File, line
+ * and location are those of the throwing code. Throw one of the three derived classes.
+ *
+ * \ingroup ShapetonCommon */
+class ShapetonCommon_EXPORT Exception : public itk::ExceptionObject
+{
+public:
+  ~Exception() override;
+
+  const char *
+  what() const noexcept override;
+
+  const char *
+  GetNameOfClass() const override;
+
+protected:
+  Exception(const std::string & description, const char * file, unsigned int line, const char * function);
+};
+
+// The default arguments are evaluated at the call site of the constructor.
+#define SHAPETON_EXCEPTION(name)                                                                                       \
+  explicit name(const std::string & description,                                                                       \
+                const char *        file = __builtin_FILE(),                                                           \
+                unsigned int        line = __builtin_LINE(),                                                           \
+                const char *        function = __builtin_FUNCTION());                                                         \
+  ~name() override;                                                                                                    \
+  const char * GetNameOfClass() const override
+
+/** \class ParameterError
+ * \brief A parameter is missing, out of range or contradicts another one: the call is wrong for any input data.
+ * \ingroup ShapetonCommon */
+class ShapetonCommon_EXPORT ParameterError : public Exception
+{
+public:
+  SHAPETON_EXCEPTION(ParameterError);
+};
+
+/** \class InputError
+ * \brief The input is missing, unreadable, malformed or unsuitable.
+ * \ingroup ShapetonCommon */
+class ShapetonCommon_EXPORT InputError : public Exception
+{
+public:
+  SHAPETON_EXCEPTION(InputError);
+};
+
+/** \class OutputError
+ * \brief A result cannot be written.
+ * \ingroup ShapetonCommon */
+class ShapetonCommon_EXPORT OutputError : public Exception
+{
+public:
+  SHAPETON_EXCEPTION(OutputError);
+};
+
+#undef SHAPETON_EXCEPTION
+
+/** Throws ParameterError with the description if the condition is false.
+ * \ingroup ShapetonCommon */
+inline void
+RequireParameter(bool                condition,
+                 const std::string & description,
+                 const char *        file = __builtin_FILE(),
+                 unsigned int        line = __builtin_LINE(),
+                 const char *        function = __builtin_FUNCTION())
+{
+  if (!condition)
+  {
+    throw ParameterError(description, file, line, function);
+  }
+}
+} // namespace shapeton
+
+#endif

@@ -1,0 +1,31 @@
+#ifndef shapetonGaussianWeights_h
+#define shapetonGaussianWeights_h
+
+#include <cmath>
+#include <vector>
+
+namespace shapeton
+{
+/** Weights of a Gaussian with this standard deviation at integer offsets, up to `reach` standard deviations to both
+ * sides. Their sum is 1; the middle weight is that of offset 0. A single weight of 1 for a deviation of 0.
+ * \ingroup ShapetonCommon */
+inline std::vector<double>
+GaussianWeights(double deviation, double reach)
+{
+  const int           last = static_cast<int>(std::ceil(reach * deviation));
+  std::vector<double> weights;
+  double              sum = 0.0;
+  for (int i = -last; i <= last; ++i)
+  {
+    weights.push_back(last > 0 ? std::exp(-0.5 * i * i / (deviation * deviation)) : 1.0);
+    sum += weights.back();
+  }
+  for (double & weight : weights)
+  {
+    weight /= sum;
+  }
+  return weights;
+}
+} // namespace shapeton
+
+#endif

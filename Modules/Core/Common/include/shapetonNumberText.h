@@ -1,0 +1,23 @@
+#ifndef shapetonNumberText_h
+#define shapetonNumberText_h
+
+#include <locale>
+#include <sstream>
+#include <string>
+
+namespace shapeton
+{
+/** Formats a number for messages and listings: given significant digits, a decimal point in any locale.
+ * \ingroup ShapetonCommon */
+inline std::string
+NumberText(double value, int digits = 6)
+{
+  std::ostringstream text;
+  text.imbue(std::locale::classic());
+  text.precision(digits);
+  text << value;
+  return text.str();
+}
+} // namespace shapeton
+
+#endif

@@ -1,0 +1,72 @@
+#ifndef shapetonPhilox_h
+#define shapetonPhilox_h
+
+#include "shapetonHostDevice.h"
+
+#include <cstdint>
+
+namespace shapeton
+{
+/** Four words: a counter, or the random numbers generated from it.
+ * \ingroup ShapetonCommon */
+template <typename TWord>
+struct PhiloxWords
+{
+  TWord a;
+  TWord b;
+  TWord c;
+  TWord d;
+};
+
+/** The product of two 32-bit numbers as two words.
+ * \ingroup ShapetonCommon */
+struct PhiloxMultiply
+{
+  SHAPETON_HOST_DEVICE void
+  operator()(std::uint32_t x, std::uint32_t factor, std::uint32_t & high, std::uint32_t & low) const
+  {
+    const std::uint64_t product = std::uint64_t{ x } * factor;
+    high = static_cast<std::uint32_t>(product >> 32);
+    low = static_cast<std::uint32_t>(product);
+  }
+};
+
+/** The block of random words for a key and a counter: Philox4x32-10, ten rounds of multiply, xor and swap (Salmon et
+ * al., SC 2011). All 128 bits are uniform; blocks of different counters are independent.
+ *
+ * `TWord` is an unsigned 32-bit integer, or a vector of them that works element by element; `TMultiply` multiplies one
+ * by a number. \ingroup ShapetonCommon */
+template <typename TWord, typename TMultiply = PhiloxMultiply>
+SHAPETON_HOST_DEVICE PhiloxWords<TWord>
+                     Philox4x32(std::uint64_t key, PhiloxWords<TWord> x, const TMultiply & multiply = TMultiply())
+{
+  auto key0 = static_cast<std::uint32_t>(key);
+  auto key1 = static_cast<std::uint32_t>(key >> 32);
+  for (int round = 0; round < 10; ++round)
+  {
+    TWord high0, low0, high1, low1;
+    multiply(x.a, 0xD2511F53U, high0, low0);
+    multiply(x.c, 0xCD9E8D57U, high1, low1);
+    x = { high1 ^ x.b ^ key0, low1, high0 ^ x.d ^ key1, low0 };
+    key0 += 0x9E3779B9U;
+    key1 += 0xBB67AE85U;
+  }
+  return x;
+}
+
+SHAPETON_HOST_DEVICE PhiloxWords<std::uint32_t>
+                     Philox4x32(std::uint64_t key, const PhiloxWords<std::uint32_t> & counter)
+{
+  return Philox4x32<std::uint32_t>(key, counter, PhiloxMultiply());
+}
+
+/** The 24 high bits of a word, scaled to [0, 1).
+ * \ingroup ShapetonCommon */
+SHAPETON_HOST_DEVICE float
+UnitFloat(std::uint32_t word)
+{
+  return static_cast<float>(word >> 8) * (1.0F / 16777216.0F);
+}
+} // namespace shapeton
+
+#endif

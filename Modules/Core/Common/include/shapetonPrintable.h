@@ -1,0 +1,33 @@
+#ifndef shapetonPrintable_h
+#define shapetonPrintable_h
+
+#include "ShapetonCommonExport.h"
+
+#include <string>
+
+namespace shapeton
+{
+/** The text as one line of valid UTF-8: white space and control characters collapse into single blanks, malformed bytes
+ * become '?'. File names may contain anything; terminals and XML do not accept it.
+ * \ingroup ShapetonCommon */
+ShapetonCommon_EXPORT std::string
+            Printable(const std::string & text);
+
+/** `text` in double quotes, shortened if it is too long for a message. \ingroup ShapetonCommon */
+ShapetonCommon_EXPORT std::string
+            Quoted(const std::string & text);
+
+/** The text without leading and trailing blanks, tabs, line ends and zeros. \ingroup ShapetonCommon */
+ShapetonCommon_EXPORT std::string
+            Trimmed(const std::string & text);
+
+/** Converts A to Z to lower case in any locale; other characters are unchanged. \ingroup ShapetonCommon */
+ShapetonCommon_EXPORT std::string
+            LowerCase(std::string text);
+
+/** A folder name without trailing slashes, so that names can be appended to it. \ingroup ShapetonCommon */
+ShapetonCommon_EXPORT std::string
+            WithoutTrailingSlashes(std::string path);
+} // namespace shapeton
+
+#endif

@@ -1,0 +1,22 @@
+#ifndef shapetonRemarks_h
+#define shapetonRemarks_h
+
+#include <string>
+#include <vector>
+
+namespace shapeton
+{
+/** Remarks on a result that a user should know but that are not errors, such as missing or doubtful findings; one line
+ * each. Parameters are named as described in Exception.
+ * \ingroup ShapetonCommon */
+using Remarks = std::vector<std::string>;
+
+/** Appends `more` to `remarks`. \ingroup ShapetonCommon */
+inline void
+AppendRemarks(Remarks & remarks, const Remarks & more)
+{
+  remarks.insert(remarks.end(), more.begin(), more.end());
+}
+} // namespace shapeton
+
+#endif

@@ -1,0 +1,53 @@
+#ifndef shapetonAutomaticParameters_h
+#define shapetonAutomaticParameters_h
+
+#include "ShapetonHeatExport.h"
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace shapeton
+{
+/** A value of p chosen from the data, and the reason.
+ * \ingroup ShapetonHeat */
+struct AutomaticP
+{
+  double p{ 7.0 };
+  /** Standard deviation of the difference of neighbors due to noise, in units of the intensity window. */
+  double noise{ 0.0 };
+  /** Lower quartile of the half gradients across edges, in units of the intensity window. */
+  double      edgeContrast{ 0.0 };
+  std::string reason;
+};
+
+/** Chooses p so that edges insulate and noise does not (future work of 7.2.2 of the dissertation). 1 / p is the
+ * geometric mean of edgeContrast and a noise bound, four times the standard deviation or a quarter of edgeContrast;
+ * p is in [1, 50]. Noise is 3.138 times the lower quartile of the nonzero half gradients, provided that at least
+ * one pair of neighbors in ten differs at all. Edges are pairs whose half gradient exceeds four times the noise and
+ * both adjacent half gradients on the same axis. `spacing` along the axes is in any unit; half gradients are
+ * defined in VolumeGradientOperator. \ingroup ShapetonHeat */
+ShapetonHeat_EXPORT AutomaticP
+ChooseP(const float *                      intensities,
+        const std::array<std::size_t, 3> & size,
+        const std::array<double, 3> &      spacing,
+        double                             lower,
+        double                             upper);
+
+/** Spacing of the recorded time steps on the time axis.
+ * \ingroup ShapetonHeat */
+enum class SnapshotSpacing
+{
+  Linear,
+  Logarithmic
+};
+
+/** At most `number` distinct steps from 0 to `last`, both included; fewer if rounding makes steps equal, as for the
+ * first ones of a logarithmic spacing (512 to 100,000 give 388).
+ * \ingroup ShapetonHeat */
+ShapetonHeat_EXPORT std::vector<std::uint64_t>
+                      MakeSnapshotSteps(std::uint64_t last, std::size_t number, SnapshotSpacing spacing);
+} // namespace shapeton
+
+#endif

@@ -1,0 +1,75 @@
+#ifndef shapetonCumulativeHeatDiffusion_h
+#define shapetonCumulativeHeatDiffusion_h
+
+#include "shapetonAutomaticParameters.h"
+#include "shapetonHeatDiffusionSolver.h"
+#include "shapetonHeatHistogram.h"
+#include "shapetonShapeComponents.h"
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace shapeton
+{
+/** Settings of CumulativeHeatDiffusion(); see CumulativeHeatDiffusionImageFilter for their meaning.
+ * \ingroup ShapetonHeat */
+struct CumulativeHeatDiffusionSettings
+{
+  VolumeGradientOperator::Parameters volumeGradient;
+  /** Choose p from the data by ChooseP(). */
+  bool                        automaticP{ false };
+  HeatDiffusionSolver::Method method{ HeatDiffusionSolver::Method::Chebyshev };
+  std::uint64_t               timeSteps{ 100000 };
+  double                      timeStepLength{ HeatDiffusionSolver::MaximumTimeStepLength };
+  double                      tolerance{ 1e-5 };
+  bool                        untilSteady{ false };
+  /** Rows of the heat histogram; ascending. */
+  std::vector<std::uint64_t> histogramSteps;
+  /** Steps whose heat is passed to the consumer; ascending. */
+  std::vector<std::uint64_t> snapshotSteps;
+  bool                       wantComponents{ false };
+  /** Spacing in mm for the components, even if the diffusion ignores it. */
+  std::array<double, 3> spacing{ { 1.0, 1.0, 1.0 } };
+  std::uint64_t         minimumComponentVoxels{ 27 };
+  /** Where the heat is computed; all devices give the same bytes. */
+  Device device{ Device::Automatic };
+};
+
+/** Result of a run besides the heat, and the parameters used.
+ * \ingroup ShapetonHeat */
+struct CumulativeHeatDiffusionResult
+{
+  AutomaticP                  p; ///< has a reason only if it was chosen automatically
+  double                      windowLower{ 0.0 };
+  double                      windowUpper{ 0.0 };
+  double                      timeStepLength{ 0.0 };
+  std::uint64_t               timeStep{ 0 }; ///< last completed step
+  bool                        steady{ false };
+  bool                        cold{ false }; ///< no edge in the volume: the heat is 0 everywhere
+  std::uint64_t               operatorApplications{ 0 };
+  std::string                 device; ///< where the heat was computed; see DeviceUse::Describe()
+  HeatHistogram               histogram;
+  std::vector<ShapeComponent> components;
+};
+
+/** Receives the heat after `step`, one value per voxel of the volume, x fastest.
+ * \ingroup ShapetonHeat */
+using HeatSnapshotConsumer = std::function<void(std::uint64_t step, const std::vector<float> & heat)>;
+
+/** Cumulative heat diffusion of a volume: all voxels are sources at once (dissertation 2.2.1). `intensities`, `heat`
+ * and `initialHeat` (may be null) hold size[0] * size[1] * size[2] values, x fastest; `intensities` and `heat` may
+ * be the same array. `progress` is called on this thread and may throw to abort. The filter and the tools use this
+ * implementation. \ingroup ShapetonHeat */
+ShapetonHeat_EXPORT CumulativeHeatDiffusionResult
+DiffuseCumulativeHeat(const float *                           intensities,
+                      const std::array<std::size_t, 3> &      size,
+                      const CumulativeHeatDiffusionSettings & settings,
+                      float *                                 heat,
+                      float *                                 initialHeat = nullptr,
+                      const HeatSnapshotConsumer &            consumer = {},
+                      const Progress &                        progress = {});
+} // namespace shapeton
+
+#endif

@@ -1,0 +1,66 @@
+#ifndef shapetonHeatClassification_h
+#define shapetonHeatClassification_h
+
+#include "shapetonHeatClasses.h"
+#include "shapetonShapeComponents.h"
+
+#include "itkImage.h"
+
+#include <vector>
+
+namespace shapeton
+{
+/** Criteria for a class.
+ * \ingroup ShapetonHeat */
+struct HeatClassificationRule
+{
+  /** Largest number of classes besides the background; in [1, 254]. */
+  unsigned int maximumNumberOfClasses{ 12 };
+  /** Lines whose peak is below this heat belong to the background: surroundings that cool toward 0. A converged
+   * object is warmer unless it is wider than 1500 voxels. */
+  double backgroundHeat{ 0.001 };
+  /** Smallest share of all voxels above the background that forms a class; in [0, 1]. */
+  double minimumShare{ 0.0005 };
+  /** Two adjacent peaks are two classes if the lower one is at least this many times the valley between them. */
+  double minimumPeakToValley{ 2.0 };
+};
+
+/** The classes of one row of a heat histogram: its peaks, separated at the valleys between them (dissertation 2.3.3:
+ * converged heats are lines, similar shapes are close to each other). Classes are ascending in heat and contiguous
+ * from the background (class 0) to the greatest heat; labels count from 0, so similar classes have adjacent labels.
+ * The row is first smoothed over about half a percent of the heat; peaks rejected by the rule are merged across the
+ * shallower valley. voxels and meanHeat follow from the counts of the row; the other measures remain 0.
+ * \ingroup ShapetonHeat */
+ShapetonHeat_EXPORT std::vector<HeatClass>
+FindHeatClasses(const HeatHistogram & histogram, std::size_t row, const HeatClassificationRule & rule = {});
+
+/** The label of each voxel by its heat. Sets the exact voxels, meanHeat, volume and borderShare of the classes.
+ * \ingroup ShapetonHeat */
+ShapetonHeat_EXPORT itk::Image<unsigned char, 3>::Pointer
+                      LabelHeat(const itk::Image<float, 3> * heat, std::vector<HeatClass> & classes);
+
+/** Sets components and normalizedHeat of the classes: each closed converged component (heat within 5 % of its
+ * convergedHeat) counts in the class of its first voxel.
+ * \ingroup ShapetonHeat */
+ShapetonHeat_EXPORT void
+AssignComponents(const std::vector<ShapeComponent> & components,
+                 const itk::Image<float, 3> *        heat,
+                 std::vector<HeatClass> &            classes);
+
+/** The classes of a heat volume and the label of each voxel.
+ * \ingroup ShapetonHeat */
+struct HeatClassification
+{
+  std::vector<HeatClass>                classes;
+  itk::Image<unsigned char, 3>::Pointer labels;
+};
+
+/** FindHeatClasses, LabelHeat and AssignComponents in one call.
+ * \ingroup ShapetonHeat */
+ShapetonHeat_EXPORT HeatClassification
+ClassifyHeat(const itk::Image<float, 3> *        heat,
+             const std::vector<ShapeComponent> & components = {},
+             const HeatClassificationRule &      rule = {});
+} // namespace shapeton
+
+#endif

@@ -1,0 +1,35 @@
+#ifndef shapetonHeatSeeds_h
+#define shapetonHeatSeeds_h
+
+#include "ShapetonHeatExport.h"
+
+#include "itkImage.h"
+
+#include <vector>
+
+namespace shapeton
+{
+using SeedImage = itk::Image<unsigned short, 3>;
+
+/** An image of zeros on the grid of `image`. \ingroup ShapetonHeat */
+ShapetonHeat_EXPORT SeedImage::Pointer
+                  NewSeeds(const itk::ImageBase<3> * image);
+
+/** Seeds from classes, such as the lines of a heat histogram (HeatClassification::labels).
+ * \ingroup ShapetonHeat */
+struct ClassSeeds
+{
+  /** The classes to use; empty: all but 0. */
+  std::vector<int> classes;
+  /** 0: all voxels of a class are seeds, with one label per class. Else this number of the largest connected
+   * components (by faces) of each class, each with its own label, the largest first. */
+  int components{ 0 };
+};
+
+/** Seeds are eroded by one voxel at the border of their class, unless that would remove them all. Labels count from
+ * 1, in the order of the classes. Throws InputError if a chosen class has no voxel. \ingroup ShapetonHeat */
+ShapetonHeat_EXPORT SeedImage::Pointer
+                  SeedsOfClasses(const SeedImage * classes, const ClassSeeds & choice);
+} // namespace shapeton
+
+#endif

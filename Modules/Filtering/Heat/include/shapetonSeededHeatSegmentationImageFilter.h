@@ -1,0 +1,146 @@
+#ifndef shapetonSeededHeatSegmentationImageFilter_h
+#define shapetonSeededHeatSegmentationImageFilter_h
+
+#include "shapetonAutomaticParameters.h"
+#include "shapetonExceptions.h"
+#include "shapetonSeededHeatSolver.h"
+#include "shapetonVolumeGradientImageFilter.h"
+
+#include <memory>
+#include <optional>
+
+namespace shapeton
+{
+/** \class SeededHeatSegmentationImageFilter
+ * \brief Labels each voxel by the seeds whose heat is greatest there: SeededHeatSolver as a filter.
+ *
+ * Inputs: a volume, and Seeds, a label map on the same grid (0: no seed). Outputs: labels, and the uncertainty of each
+ * (SeededHeatResult). If only the seeds have changed since the last Update() and probabilities are kept, the solver
+ * starts from the last solution, for interactive use. Update() throws itk::ExceptionObject, of the derived classes
+ * InputError (fewer than two labels have seeds) and ParameterError.
+ *
+ * \ingroup ShapetonHeat */
+template <typename TInputImage>
+class ITK_TEMPLATE_EXPORT SeededHeatSegmentationImageFilter
+  : public VolumeGradientImageFilter<TInputImage, itk::Image<unsigned short, 3>>
+{
+public:
+  ITK_DISALLOW_COPY_AND_MOVE(SeededHeatSegmentationImageFilter);
+
+  using LabelImageType = itk::Image<unsigned short, 3>;
+  using HeatImageType = itk::Image<float, 3>;
+  using Self = SeededHeatSegmentationImageFilter;
+  using Superclass = VolumeGradientImageFilter<TInputImage, LabelImageType>;
+  using Pointer = itk::SmartPointer<Self>;
+  using ConstPointer = itk::SmartPointer<const Self>;
+
+  itkNewMacro(Self);
+  itkOverrideGetNameOfClassMacro(SeededHeatSegmentationImageFilter);
+
+  /** Seed label of each voxel, 0 for none. */
+  itkSetInputMacro(Seeds, LabelImageType);
+  itkGetInputMacro(Seeds, LabelImageType);
+
+  /** Choose p from noise and edges by ChooseP(), instead of P. */
+  itkSetMacro(AutomaticP, bool);
+  itkGetConstMacro(AutomaticP, bool);
+  itkBooleanMacro(AutomaticP);
+
+  /** SeededHeatSettings::tolerance, default 1e-5. */
+  itkSetMacro(Tolerance, double);
+  itkGetConstMacro(Tolerance, double);
+
+  /** VolumeGradientOperator::Parameters::leastWeight, positive, default 0.2: the conductance that remains on an
+   * insulating edge. Regions without a seed thus take the label around them, and a voxel between two regions that
+   * of the more similar one. */
+  itkSetMacro(LeastWeight, double);
+  itkGetConstMacro(LeastWeight, double);
+
+  /** Whether to keep the probabilities in memory for GetProbabilities() after Update(). Default on. */
+  itkSetMacro(KeepProbabilities, bool);
+  itkGetConstMacro(KeepProbabilities, bool);
+  itkBooleanMacro(KeepProbabilities);
+
+  /** SeededHeatResult::uncertainty. */
+  HeatImageType *
+  GetUncertaintyOutput()
+  {
+    return static_cast<HeatImageType *>(this->ProcessObject::GetOutput(1));
+  }
+
+  /** The labels that have seeds, ascending; valid after Update(). */
+  const std::vector<unsigned short> &
+  GetLabelValues() const
+  {
+    return m_LabelValues;
+  }
+
+  /** The probability of a label in each voxel, as a new image; valid after Update(). Throws ParameterError. */
+  typename HeatImageType::Pointer
+  GetProbabilities(unsigned short label) const;
+
+  /** p, noise and edge contrast if AutomaticP is on; valid after Update(). */
+  const std::optional<AutomaticP> &
+  GetChosenP() const
+  {
+    return m_ChosenP;
+  }
+
+  /** Number of iterations of the last solution. */
+  itkGetConstMacro(Iterations, unsigned int);
+
+  /** SeededHeatResult::remarks; valid after Update(). */
+  const Remarks &
+  GetRemarks() const
+  {
+    return m_Remarks;
+  }
+
+protected:
+  SeededHeatSegmentationImageFilter();
+  ~SeededHeatSegmentationImageFilter() override = default;
+
+  using Superclass::MakeOutput;
+  itk::DataObject::Pointer
+  MakeOutput(itk::ProcessObject::DataObjectPointerArraySizeType index) override;
+  void
+  GenerateData() override;
+  void
+  PrintSelf(std::ostream & os, itk::Indent indent) const override;
+
+private:
+  /** The input and parameters that an operator was built from. */
+  struct Origin
+  {
+    const void *                       pixels;
+    itk::ModifiedTimeType              time;
+    VolumeGradientOperator::Parameters parameters;
+    SeededHeatSettings                 settings;
+
+    bool
+    operator==(const Origin & other) const;
+  };
+
+  void
+  PrepareSolver();
+
+  bool                                          m_AutomaticP{ false };
+  double                                        m_Tolerance{ 1e-5 };
+  double                                        m_LeastWeight{ 0.2 };
+  bool                                          m_KeepProbabilities{ true };
+  unsigned int                                  m_Iterations{ 0 };
+  std::vector<unsigned short>                   m_LabelValues;
+  Remarks                                       m_Remarks;
+  std::optional<AutomaticP>                     m_ChosenP;
+  std::optional<Origin>                         m_Origin;
+  std::unique_ptr<const VolumeGradientOperator> m_Operator;
+  std::unique_ptr<SeededHeatSolver>             m_Solver;
+  HeatImageType::Pointer                        m_Grid; ///< geometry of the last solution; has no pixel buffer
+};
+} // namespace shapeton
+
+#ifndef ITK_MANUAL_INSTANTIATION
+#  include "shapetonSeededHeatSegmentationImageFilter.hxx"
+#endif
+
+#endif

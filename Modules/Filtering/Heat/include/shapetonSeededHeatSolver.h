@@ -1,0 +1,116 @@
+#ifndef shapetonSeededHeatSolver_h
+#define shapetonSeededHeatSolver_h
+
+#include "ShapetonHeatExport.h"
+#include "shapetonProgress.h"
+#include "shapetonRemarks.h"
+#include "shapetonVolumeGradientOperator.h"
+
+#include <memory>
+#include <vector>
+
+namespace shapeton
+{
+/** \class SeededHeatSettings
+ * \brief Settings of SeededHeatSolver.
+ * \ingroup ShapetonHeat */
+struct SeededHeatSettings
+{
+  /** Largest error of a probability, as estimated by the solver; in [1e-6, 0.1]. */
+  double tolerance{ 1e-5 };
+  /** Keep the probabilities of all labels, for GetProbabilities() and for starting from the last solution. Takes
+   * four bytes per voxel and label but one. */
+  bool keepProbabilities{ true };
+};
+
+/** \class SeededHeatResult
+ * \brief Result of SeededHeatSolver; one entry per voxel, x fastest.
+ * \ingroup ShapetonHeat */
+struct SeededHeatResult
+{
+  /** The label of greatest probability, the lowest one in case of ties. */
+  std::vector<unsigned short> labels;
+  /** 1 minus the difference of the two greatest probabilities: 0 for a certain label, 1 for a tie of two. */
+  std::vector<float> uncertainty;
+  /** The labels that have seeds, ascending. */
+  std::vector<unsigned short> labelValues;
+  /** Largest number of iterations of the conjugate gradients. */
+  unsigned int iterations{ 0 };
+  /** Remarks on labels that hardly grow beyond their seeds: those with fewer than FewestVoxels unseeded voxels, if
+   * at least half of the voxels have no seed. An isolated point is such a seed if no edges confine its heat. */
+  Remarks remarks;
+
+  /** 5^3: a smaller part is painted with fewer strokes than it takes to seed it. */
+  static constexpr std::size_t FewestVoxels = 125;
+};
+
+/** \class SeededHeatSolver
+ * \brief Steady state of heat diffusion from the seeds of each label, on the conductances of a VolumeGradientOperator.
+ *
+ * The seeds of a label are held at heat 1, all other seeds at 0; no heat leaves the volume. In the steady state the
+ * heat f_l of each label l satisfies at each voxel i without a seed
+ *
+ *   sum_j c_ij (f_l(i) - f_l(j)) = 0,
+ *
+ * and f_l(i) is the probability that a random walker from i, which takes edges in proportion to their conductances,
+ * reaches a seed of l first: Grady, Random walks for image segmentation, IEEE TPAMI 28 (2006), with the weights of
+ * (2.5). The probabilities of all labels sum to 1; for two labels, their boundary is at one half.
+ *
+ * Solved in single precision by conjugate gradients with a multigrid preconditioner, matrix-free on the finest level,
+ * for up to four labels in one pass over memory. The result has the same bytes for any number of threads. Memory
+ * besides the operator: 16 bytes per voxel, 16 per voxel and label of a pass, and a third more for the coarse levels.
+ *
+ * \ingroup ShapetonHeat */
+class ShapetonHeat_EXPORT SeededHeatSolver
+{
+public:
+  /** The operator must outlive the solver. Throws ParameterError for settings out of range. */
+  explicit SeededHeatSolver(const VolumeGradientOperator & volumeGradient, const SeededHeatSettings & settings = {});
+  ~SeededHeatSolver();
+
+  /** `seeds`: the label of each voxel, 0 for none, x fastest. With kept probabilities and the labels of the previous
+   * call, the solver starts from the last solution: a few changed seeds then take few iterations. Throws InputError
+   * if fewer than two labels have seeds, or the volume is too large (2^32 voxels with padding). `progress` may
+   * throw to abort; the next call then starts from scratch. */
+  const SeededHeatResult &
+  Solve(const unsigned short * seeds, const Progress & progress = {});
+
+  const SeededHeatResult &
+  GetResult() const
+  {
+    return m_Result;
+  }
+
+  /** The probability of a label in each voxel, in [0, 1]; the probabilities of all labels sum to 1 up to rounding.
+   * Throws ParameterError if probabilities were not kept or the label has no seed. */
+  void
+  GetProbabilities(unsigned short label, float * probabilities) const;
+
+private:
+  struct Batch;
+  template <int VLabels>
+  void
+  SolveBatch(Batch &                            batch,
+             const unsigned short *             seeds,
+             const class ConductanceHierarchy & hierarchy,
+             const Progress &);
+  void
+  SetSeedValues(Batch & batch, const unsigned short * seeds) const;
+  void
+  Compare(const Batch & batch);
+  void
+  Finish();
+  void
+  RemarkOnFewVoxels(const unsigned short * seeds);
+
+  const VolumeGradientOperator & m_VolumeGradient;
+  SeededHeatSettings             m_Settings;
+  SeededHeatResult               m_Result;
+  std::vector<Batch>             m_Batches;
+  std::vector<float>             m_Best;
+  std::vector<float>             m_Second;
+  std::vector<float>             m_Sum; ///< of all solved labels: all but the last one
+};
+} // namespace shapeton
+
+#endif

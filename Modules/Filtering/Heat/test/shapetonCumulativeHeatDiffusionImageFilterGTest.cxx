@@ -1,0 +1,361 @@
+#include "shapetonCumulativeHeatDiffusionImageFilter.h"
+#include "shapetonAutomaticParameters.h"
+#include "shapetonHeatHistogramFilter.h"
+#include "shapetonDiffusionTestVolumes.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+
+using namespace shapeton;
+
+namespace
+{
+template <typename TPixel>
+typename itk::Image<TPixel, 3>::Pointer
+MakeImage(const test::Volume & volume, double scale = 1.0)
+{
+  using ImageType = itk::Image<TPixel, 3>;
+  auto image = ImageType::New();
+  image->SetRegions(typename ImageType::SizeType{ { volume.size[0], volume.size[1], volume.size[2] } });
+  image->Allocate();
+  std::transform(volume.values.begin(), volume.values.end(), image->GetBufferPointer(), [scale](float value) {
+    return static_cast<TPixel>(scale * value);
+  });
+  return image;
+}
+
+template <typename TImage>
+typename CumulativeHeatDiffusionImageFilter<TImage>::Pointer
+MakeFilter(TImage * image, std::uint64_t timeSteps)
+{
+  auto filter = CumulativeHeatDiffusionImageFilter<TImage>::New();
+  filter->SetInput(image);
+  filter->SetTimeSteps(timeSteps);
+  return filter;
+}
+
+std::vector<float>
+HeatOf(const test::Volume & volume, std::uint64_t timeSteps)
+{
+  const auto filter = MakeFilter(MakeImage<float>(volume).GetPointer(), timeSteps);
+  filter->Update();
+  const float * const heat = filter->GetOutput()->GetBufferPointer();
+  return std::vector<float>(heat, heat + volume.values.size());
+}
+
+test::Volume
+Sphere(std::size_t side, double radius)
+{
+  test::Volume volume({ side, side, side });
+  const double center = (side - 1) / 2.0;
+  volume.Fill(
+    [&](double x, double y, double z) { return std::hypot(x - center, y - center, z - center) <= radius ? 1.0 : 0.0; });
+  return volume;
+}
+} // namespace
+
+TEST(CumulativeHeatDiffusionImageFilter, ASphereConvergesToThreeQuartersOverItsRadius)
+{
+  for (const double radius : { 4.0, 8.0, 16.0 })
+  {
+    auto filter = MakeFilter(MakeImage<float>(Sphere(40, radius)).GetPointer(), 1000000);
+    filter->WantComponentsOn();
+    filter->Update();
+    const float center = filter->GetOutput()->GetPixel({ { 20, 20, 20 } });
+    // A voxel sphere has the cut faces of its projections, 6 pi r^2, and the volume 4/3 pi r^3, both within a voxel's
+    // size.
+    EXPECT_NEAR(center * radius, 0.75, 0.75 / radius * 0.5);
+    const auto & components = filter->GetResult().components;
+    ASSERT_EQ(components.size(), 2U);
+    EXPECT_FALSE(components[0].closed);
+    EXPECT_TRUE(components[1].closed);
+    EXPECT_NEAR(components[1].convergedHeat, center, 1e-5);
+  }
+}
+
+TEST(CumulativeHeatDiffusionImageFilter, ACubeConvergesToOneOverItsSide)
+{
+  for (const std::size_t side : { 5, 10, 20 })
+  {
+    test::Volume volume({ 26, 26, 26 });
+    volume.Fill([&](std::size_t x, std::size_t y, std::size_t z) {
+      return std::max({ x, y, z }) < side + 3 && std::min({ x, y, z }) >= 3 ? 1.0 : 0.0;
+    });
+    const auto heat = HeatOf(volume, 1000000);
+    EXPECT_NEAR(volume.At(5, 5, 5), 1.0F, 0.0F);
+    EXPECT_NEAR(heat[(5 * 26 + 5) * 26 + 5], 1.0 / side, 1e-5);
+  }
+}
+
+TEST(CumulativeHeatDiffusionImageFilter, TranslationMovesTheHeatOfAClosedObject)
+{
+  // Another position in the volume: the object itself is insulated, so its heat is equal up to rounding.
+  const auto shape = [](std::ptrdiff_t x, std::ptrdiff_t y, std::ptrdiff_t z) {
+    return x >= 0 && x < 6 && y >= 0 && y < 4 && z >= 0 && z < 8 && !(x > 2 && z > 3) ? 1.0 : 0.0;
+  };
+  test::Volume a({ 24, 22, 26 });
+  test::Volume b({ 24, 22, 26 });
+  a.Fill([&](std::ptrdiff_t x, std::ptrdiff_t y, std::ptrdiff_t z) { return shape(x - 4, y - 5, z - 6); });
+  b.Fill([&](std::ptrdiff_t x, std::ptrdiff_t y, std::ptrdiff_t z) { return shape(x - 12, y - 9, z - 11); });
+  const auto heatA = HeatOf(a, 300);
+  const auto heatB = HeatOf(b, 300);
+  for (std::size_t z = 0; z < 8; ++z)
+  {
+    for (std::size_t y = 0; y < 4; ++y)
+    {
+      for (std::size_t x = 0; x < 6; ++x)
+      {
+        if (shape(x, y, z) > 0.0)
+        {
+          const auto inA = heatA[((z + 6) * 22 + y + 5) * 24 + x + 4];
+          const auto inB = heatB[((z + 11) * 22 + y + 9) * 24 + x + 12];
+          EXPECT_NEAR(inA, inB, 2e-6);
+        }
+      }
+    }
+  }
+}
+
+TEST(CumulativeHeatDiffusionImageFilter, AxisPermutationPermutesTheHeat)
+{
+  const test::Volume volume = test::MakeScene({ 17, 13, 21 }, 0.1);
+  test::Volume       permuted({ 21, 17, 13 }); // (x, y, z) -> (z, x, y)
+  permuted.Fill([&](std::size_t a, std::size_t b, std::size_t c) { return volume.values[(a * 13 + c) * 17 + b]; });
+  const auto heat = HeatOf(volume, 500);
+  const auto permutedHeat = HeatOf(permuted, 500);
+  for (std::size_t a = 0; a < 21; ++a)
+  {
+    for (std::size_t b = 0; b < 17; ++b)
+    {
+      for (std::size_t c = 0; c < 13; ++c)
+      {
+        EXPECT_NEAR(permutedHeat[(c * 17 + b) * 21 + a], heat[(a * 13 + c) * 17 + b], 5e-6);
+      }
+    }
+  }
+}
+
+TEST(CumulativeHeatDiffusionImageFilter, IntegerPixelsGiveTheHeatOfEqualFloats)
+{
+  const test::Volume volume = test::MakeScene({ 16, 18, 14 }, 0.1);
+  const auto         shorts = MakeImage<short>(volume, 1000.0);
+  auto               floats = itk::Image<float, 3>::New();
+  floats->CopyInformation(shorts);
+  floats->SetRegions(shorts->GetLargestPossibleRegion());
+  floats->Allocate();
+  std::copy_n(shorts->GetBufferPointer(), volume.values.size(), floats->GetBufferPointer());
+  const auto a = MakeFilter(shorts.GetPointer(), 200);
+  const auto b = MakeFilter(floats.GetPointer(), 200);
+  a->Update();
+  b->Update();
+  EXPECT_TRUE(std::equal(a->GetOutput()->GetBufferPointer(),
+                         a->GetOutput()->GetBufferPointer() + volume.values.size(),
+                         b->GetOutput()->GetBufferPointer()));
+}
+
+TEST(CumulativeHeatDiffusionImageFilter, KeepsAnObliqueAnisotropicGeometry)
+{
+  const auto                          image = MakeImage<float>(test::MakeScene({ 9, 8, 7 }, 0.1));
+  itk::Image<float, 3>::DirectionType direction;
+  const double                        c = std::cos(0.4), s = std::sin(0.4);
+  direction(0, 0) = c;
+  direction(0, 1) = -s;
+  direction(0, 2) = 0.0;
+  direction(1, 0) = s;
+  direction(1, 1) = c;
+  direction(1, 2) = 0.0;
+  direction(2, 0) = direction(2, 1) = 0.0;
+  direction(2, 2) = 1.0;
+  image->SetDirection(direction);
+  image->SetSpacing(std::array<double, 3>{ { 0.7, 0.8, 2.5 } }.data());
+  image->SetOrigin(std::array<double, 3>{ { -12.5, 30.0, 101.0 } }.data());
+  auto filter = MakeFilter(image.GetPointer(), 50);
+  filter->WantInitialHeatOn();
+  filter->Update();
+  for (const auto * output :
+       { static_cast<itk::Image<float, 3> *>(filter->GetOutput()), filter->GetInitialHeatOutput() })
+  {
+    EXPECT_EQ(output->GetDirection(), image->GetDirection());
+    EXPECT_EQ(output->GetSpacing(), image->GetSpacing());
+    EXPECT_EQ(output->GetOrigin(), image->GetOrigin());
+    EXPECT_EQ(output->GetBufferedRegion(), image->GetBufferedRegion());
+  }
+}
+
+TEST(CumulativeHeatDiffusionImageFilter, WithoutInitialHeatNothingOfAnEarlierRunStays)
+{
+  const auto filter = MakeFilter(MakeImage<float>(test::MakeScene({ 9, 8, 7 }, 0.1)).GetPointer(), 20);
+  filter->WantInitialHeatOn();
+  filter->Update();
+  EXPECT_EQ(filter->GetInitialHeatOutput()->GetBufferedRegion().GetNumberOfPixels(), 9U * 8U * 7U);
+  filter->WantInitialHeatOff();
+  filter->Update();
+  EXPECT_EQ(filter->GetInitialHeatOutput()->GetBufferedRegion().GetNumberOfPixels(), 0U);
+}
+
+TEST(CumulativeHeatDiffusionImageFilter, TheSameWindowAsksForNoNewRun)
+{
+  const auto filter = MakeFilter(MakeImage<float>(test::MakeScene({ 9, 8, 7 }, 0.1)).GetPointer(), 20);
+  filter->SetIntensityWindow(0.1, 0.9);
+  filter->Update();
+  const auto made = filter->GetOutput()->GetUpdateMTime();
+  filter->SetIntensityWindow(0.1, 0.9);
+  filter->Update();
+  EXPECT_EQ(filter->GetOutput()->GetUpdateMTime(), made);
+  filter->SetIntensityWindow(0.2, 0.9);
+  filter->Update();
+  EXPECT_GT(filter->GetOutput()->GetUpdateMTime(), made);
+}
+
+TEST(CumulativeHeatDiffusionImageFilter, ARegionThatStartsElsewhereAndAPartialRequestGiveTheSameHeat)
+{
+  const test::Volume               volume = test::MakeScene({ 11, 12, 13 }, 0.1);
+  const auto                       image = MakeImage<float>(volume);
+  itk::Image<float, 3>::IndexType  start{ { -4, 7, 100 } };
+  itk::Image<float, 3>::RegionType region(start, image->GetLargestPossibleRegion().GetSize());
+  image->SetRegions(region);
+  const auto filter = MakeFilter(image.GetPointer(), 100);
+  filter->GetOutput()->UpdateOutputInformation();
+  filter->GetOutput()->SetRequestedRegion(itk::Image<float, 3>::RegionType(start, { { 2, 2, 2 } }));
+  filter->GetOutput()->Update();
+  EXPECT_EQ(filter->GetOutput()->GetBufferedRegion(), region);
+  const float * const heat = filter->GetOutput()->GetBufferPointer();
+  EXPECT_EQ(std::vector<float>(heat, heat + volume.values.size()), HeatOf(volume, 100));
+}
+
+TEST(CumulativeHeatDiffusionImageFilter, ConductancesAsPublishedMatchBruteForce)
+{
+  const test::Volume volume = test::MakeScene({ 12, 11, 10 }, 0.1);
+  const auto         image = MakeImage<float>(volume);
+  image->SetSpacing(std::array<double, 3>{ { 1.0, 1.5, 3.0 } }.data());
+  auto parameters = volume.Parameters(7.0, { { 1.0, 1.5, 3.0 } });
+  parameters.conductance = VolumeGradientOperator::Conductance::Published;
+  test::BruteForce brute(volume, parameters, 1.0 / 12.0);
+  for (int step = 0; step < 300; ++step)
+  {
+    brute.Step();
+  }
+  const auto filter = MakeFilter(image.GetPointer(), 300);
+  filter->SetConductance(VolumeGradientOperator::Conductance::Published);
+  filter->Update();
+  const float * const heat = filter->GetOutput()->GetBufferPointer();
+  EXPECT_LT(test::LargestDifference(std::vector<float>(heat, heat + volume.values.size()), brute.heat), 1e-5);
+}
+
+TEST(CumulativeHeatDiffusionImageFilter, TheSpacingMattersUnlessItIsIgnored)
+{
+  const test::Volume volume = test::MakeScene({ 12, 12, 12 }, 0.1);
+  const auto         image = MakeImage<float>(volume);
+  image->SetSpacing(std::array<double, 3>{ { 1.0, 1.0, 3.0 } }.data());
+  const auto run = [&](bool ignore) {
+    const auto filter = MakeFilter(image.GetPointer(), 100);
+    filter->SetIgnoreSpacing(ignore);
+    filter->Update();
+    const float * const heat = filter->GetOutput()->GetBufferPointer();
+    return std::vector<float>(heat, heat + volume.values.size());
+  };
+  EXPECT_EQ(run(true), HeatOf(volume, 100));
+  EXPECT_GT(test::LargestDifference(run(false), run(true)), 0.01);
+}
+
+TEST(CumulativeHeatDiffusionImageFilter, AConstantVolumeStaysCold)
+{
+  for (const float heat : HeatOf(test::Volume({ 6, 5, 4 }, 42.0F), 1000))
+  {
+    EXPECT_EQ(heat, 0.0F);
+  }
+}
+
+TEST(CumulativeHeatDiffusionImageFilter, AVolumeOfOneSliceOrOneVoxelIsNoSpecialCase)
+{
+  for (const test::Size & size : { test::Size{ 1, 1, 1 }, test::Size{ 9, 8, 1 }, test::Size{ 1, 1, 30 } })
+  {
+    const test::Volume volume = test::MakeScene(size, 0.5);
+    const auto         parameters = volume.Parameters(7.0);
+    test::BruteForce   brute(volume, parameters, 1.0 / 12.0);
+    for (int step = 0; step < 40; ++step)
+    {
+      brute.Step();
+    }
+    const auto heat = HeatOf(volume, 40);
+    const bool isConstant = heat.size() == 1;
+    for (std::size_t i = 0; i < heat.size(); ++i)
+    {
+      EXPECT_NEAR(heat[i], isConstant ? 0.0 : brute.heat[i], 1e-5);
+    }
+  }
+}
+
+TEST(CumulativeHeatDiffusionImageFilter, HistogramAndSnapshotsAgree)
+{
+  const auto image = MakeImage<float>(test::MakeScene({ 30, 20, 25 }, 0.05));
+  const auto steps = MakeSnapshotSteps(2000, 30, SnapshotSpacing::Logarithmic);
+  auto       filter = MakeFilter(image.GetPointer(), 2000);
+  std::map<std::uint64_t, itk::Image<float, 3>::Pointer> snapshots;
+  filter->SetHistogramSteps(steps);
+  filter->SetSnapshotSteps(steps, [&](std::uint64_t step, const itk::Image<float, 3> * heat) {
+    auto snapshot = itk::Image<float, 3>::New();
+    snapshot->CopyInformation(heat);
+    snapshot->SetRegions(heat->GetLargestPossibleRegion());
+    snapshot->Allocate();
+    std::copy_n(heat->GetBufferPointer(), heat->GetPixelContainer()->Size(), snapshot->GetBufferPointer());
+    snapshots[step] = snapshot;
+  });
+  filter->Update();
+  ASSERT_EQ(snapshots.size(), steps.size());
+  auto histogramFilter = HeatHistogramFilter::New();
+  for (const auto & snapshot : snapshots)
+  {
+    histogramFilter->AddHeat(snapshot.second, snapshot.first);
+  }
+  histogramFilter->Update();
+  EXPECT_TRUE(histogramFilter->GetHistogram() == filter->GetResult().histogram);
+  EXPECT_TRUE(std::equal(snapshots[2000]->GetBufferPointer(),
+                         snapshots[2000]->GetBufferPointer() + image->GetPixelContainer()->Size(),
+                         filter->GetOutput()->GetBufferPointer()));
+}
+
+TEST(CumulativeHeatDiffusionImageFilter, RowsAfterTheSteadyStateAreLeftOut)
+{
+  const auto steps = MakeSnapshotSteps(1000000, 100, SnapshotSpacing::Logarithmic);
+  auto       filter = MakeFilter(MakeImage<float>(Sphere(20, 6)).GetPointer(), 1000000);
+  filter->SetHistogramSteps(steps);
+  filter->UntilSteadyOn();
+  filter->Update();
+  const auto & result = filter->GetResult();
+  EXPECT_TRUE(result.steady);
+  EXPECT_LT(result.timeStep, 1000000U);
+  EXPECT_LE(result.histogram.GetTimeSteps().back(), result.timeStep);
+  EXPECT_GT(result.histogram.GetNumberOfRows(), 10U);
+}
+
+TEST(CumulativeHeatDiffusionImageFilter, RefusesBadParameters)
+{
+  const auto image = MakeImage<float>(test::MakeScene({ 8, 8, 8 }, 0.1));
+  const auto expectRefused = [&](const auto & spoil) {
+    auto filter = MakeFilter(image.GetPointer(), 10);
+    spoil(filter);
+    EXPECT_THROW(filter->Update(), itk::ExceptionObject);
+  };
+  expectRefused([](auto & filter) { filter->SetP(-0.1); });
+  expectRefused([](auto & filter) { filter->SetTimeSteps(0); });
+  expectRefused([](auto & filter) { filter->SetIntensityWindow(5.0, 5.0); });
+  expectRefused([](auto & filter) { filter->SetIntensityWindow(5.0, 1.0); });
+  expectRefused([](auto & filter) { filter->SetTimeStepLength(0.2); });
+  expectRefused([](auto & filter) { filter->SetTolerance(0.0); });
+  expectRefused([](auto & filter) { filter->SetHistogramSteps({ 11 }); });
+  expectRefused([](auto & filter) { filter->SetHistogramSteps({ 9, 3 }); });
+  expectRefused([](auto & filter) { filter->SetHistogramSteps({ 3, 3 }); });
+  expectRefused([](auto & filter) { filter->SetSnapshotSteps({ 3 }, {}); });
+  image->GetBufferPointer()[100] = std::numeric_limits<float>::quiet_NaN();
+  expectRefused([](auto &) {});
+}
+
+TEST(CumulativeHeatDiffusionImageFilter, AbortEndsTheRun)
+{
+  auto filter = MakeFilter(MakeImage<float>(test::MakeScene({ 32, 32, 32 }, 0.1)).GetPointer(), 100000);
+  filter->AddObserver(itk::ProgressEvent(), [&](const itk::EventObject &) { filter->AbortGenerateDataOn(); });
+  EXPECT_THROW(filter->Update(), itk::ProcessAborted);
+  EXPECT_LT(filter->GetProgress(), 0.5F);
+}

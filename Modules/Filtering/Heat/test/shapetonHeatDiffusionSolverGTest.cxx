@@ -1,0 +1,352 @@
+#include "shapetonHeatDiffusionSolver.h"
+#include "shapetonAutomaticParameters.h"
+#include "shapetonDiffusionTestVolumes.h"
+
+#include "itkMultiThreaderBase.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cstring>
+#include <numeric>
+#include <stdexcept>
+
+using namespace shapeton;
+using namespace shapeton::test;
+using Method = HeatDiffusionSolver::Method;
+
+namespace
+{
+constexpr double dt = HeatDiffusionSolver::MaximumTimeStepLength;
+
+/** All requested fields, in the order of the steps. */
+struct Trajectory
+{
+  std::vector<std::vector<float>> fields;
+  std::uint64_t                   lastStep{ 0 };
+  std::vector<float>              last;
+  bool                            steady{ false };
+};
+
+Trajectory
+Diffuse(const VolumeGradientOperator &     volumeGradient,
+        Method                             method,
+        std::uint64_t                      lastStep,
+        const std::vector<std::uint64_t> & steps,
+        double                             timeStepLength = dt,
+        bool                               untilSteady = false)
+{
+  const PaddedGrid &  grid = volumeGradient.GetGrid();
+  HeatDiffusionSolver solver(volumeGradient, method, timeStepLength, 1e-5);
+  if (untilSteady)
+  {
+    solver.StopWhenSteady({});
+  }
+  PaddedField heat(grid);
+  volumeGradient.ComputeInitialHeat(heat);
+  Trajectory trajectory;
+  trajectory.fields.assign(steps.size(), std::vector<float>(grid.GetNumberOfVoxels()));
+  const std::size_t nx = grid.GetSize()[0];
+  trajectory.lastStep =
+    solver.Run(heat, lastStep, steps, [&](std::size_t snapshot, std::size_t row, const float * values, unsigned int) {
+      std::copy(values, values + nx, trajectory.fields[snapshot].data() + row * nx);
+    });
+  trajectory.last = Values(grid, heat);
+  trajectory.steady = solver.IsSteady();
+  return trajectory;
+}
+
+/** The largest error of all fields relative to brute force. */
+double
+LargestError(const Trajectory & trajectory, const std::vector<std::uint64_t> & steps, BruteForce brute)
+{
+  double        largest = 0.0;
+  std::uint64_t step = 0;
+  for (std::size_t i = 0; i < steps.size(); ++i)
+  {
+    for (; step < steps[i]; ++step)
+    {
+      brute.Step();
+    }
+    largest = std::max(largest, LargestDifference(trajectory.fields[i], brute.heat));
+  }
+  return largest;
+}
+} // namespace
+
+TEST(HeatDiffusionSolver, CoefficientsEqualTheBinomialClosedForm)
+{
+  // ((1 + x) / 2)^t = cos^2t(theta / 2) = 4^-t (C(2t, t) + 2 sum_k C(2t, t + k) cos(k theta))
+  for (const std::uint64_t t : { 1, 7, 100, 5000 })
+  {
+    const auto c = HeatDiffusionSolver::ChebyshevCoefficients(t, 1.0, 1e-12);
+    double     expected = std::exp(std::lgamma(2.0 * t + 1.0) - 2.0 * std::lgamma(t + 1.0) - t * std::log(4.0));
+    EXPECT_NEAR(c[0], expected, 1e-10);
+    for (std::size_t k = 1; k < c.size(); ++k)
+    {
+      expected *= (k == 1 ? 2.0 : 1.0) * (t - k + 1.0) / (t + k);
+      EXPECT_NEAR(c[k], expected, 1e-10) << "t = " << t << ", k = " << k;
+    }
+    EXPECT_NEAR(std::accumulate(c.begin(), c.end(), 0.0), 1.0, 1e-9);
+  }
+}
+
+TEST(HeatDiffusionSolver, EverySnapshotMatchesBruteForce)
+{
+  const auto steps = MakeSnapshotSteps(10000, 512, SnapshotSpacing::Logarithmic);
+  struct Case
+  {
+    double                p;
+    std::array<double, 3> spacing;
+  };
+  for (const Case & c :
+       { Case{ 2.0, { { 1.0, 1.0, 1.0 } } }, Case{ 7.0, { { 1.0, 1.0, 1.0 } } }, Case{ 15.0, { { 0.7, 0.9, 2.5 } } } })
+  {
+    const Volume                 volume = MakeScene({ 32, 32, 32 }, 0.05);
+    const auto                   parameters = volume.Parameters(c.p, c.spacing);
+    const VolumeGradientOperator volumeGradient(volume.values.data(), volume.size, parameters);
+    const auto                   trajectory = Diffuse(volumeGradient, Method::Chebyshev, 10000, steps);
+    EXPECT_LT(LargestError(trajectory, steps, BruteForce(volume, parameters, dt)), 1e-5) << "p = " << c.p;
+  }
+}
+
+TEST(HeatDiffusionSolver, LinearlySpacedSnapshotsMatchBruteForce)
+{
+  const auto                   steps = MakeSnapshotSteps(2000, 512, SnapshotSpacing::Linear);
+  const Volume                 volume = MakeScene({ 20, 17, 13 }, 0.05);
+  const auto                   parameters = volume.Parameters(7.0);
+  const VolumeGradientOperator volumeGradient(volume.values.data(), volume.size, parameters);
+  for (const Method method : { Method::Chebyshev, Method::Explicit })
+  {
+    const auto trajectory = Diffuse(volumeGradient, method, 2000, steps);
+    EXPECT_LT(LargestError(trajectory, steps, BruteForce(volume, parameters, dt)), 1e-5);
+  }
+}
+
+TEST(HeatDiffusionSolver, FinalStateOfALargerVolumeMatchesBruteForce)
+{
+  const Volume                     volume = MakeScene({ 64, 64, 64 }, 0.05);
+  const auto                       parameters = volume.Parameters(7.0);
+  const VolumeGradientOperator     volumeGradient(volume.values.data(), volume.size, parameters);
+  const std::vector<std::uint64_t> steps{ 10, 3000 };
+  const BruteForce                 brute(volume, parameters, dt);
+  EXPECT_LT(LargestError(Diffuse(volumeGradient, Method::Chebyshev, 3000, steps), steps, brute), 1e-5);
+}
+
+TEST(HeatDiffusionSolver, AShorterTimeStepMatchesBruteForce)
+{
+  const Volume                     volume = MakeScene({ 18, 16, 15 }, 0.1);
+  const auto                       parameters = volume.Parameters(5.0, { { 1.0, 1.0, 3.0 } });
+  const VolumeGradientOperator     volumeGradient(volume.values.data(), volume.size, parameters);
+  const std::vector<std::uint64_t> steps{ 1, 2, 17, 900 };
+  for (const Method method : { Method::Chebyshev, Method::Explicit })
+  {
+    const auto trajectory = Diffuse(volumeGradient, method, 900, steps, 0.03);
+    EXPECT_LT(LargestError(trajectory, steps, BruteForce(volume, parameters, 0.03)), 1e-5);
+  }
+}
+
+TEST(HeatDiffusionSolver, AnEigenfunctionOfTheFreeVolumeDecaysAsItsEigenvalueSays)
+{
+  // All weights 1, heat 0 in the border: sin(pi (x+1) / (n+1)) along each axis.
+  const Volume                 volume({ 15, 10, 12 }, 1.0F);
+  const VolumeGradientOperator volumeGradient(volume.values.data(), volume.size, volume.Parameters(7.0));
+  const PaddedGrid &           grid = volumeGradient.GetGrid();
+  const std::uint64_t          t = 400;
+  PaddedField                  heat(grid);
+  std::vector<double>          expected;
+  double                       eigenvalue = 0.0;
+  for (const std::size_t n : volume.size)
+  {
+    eigenvalue += 2.0 - 2.0 * std::cos(M_PI / (n + 1.0));
+  }
+  for (std::size_t z = 0; z < 12; ++z)
+  {
+    for (std::size_t y = 0; y < 10; ++y)
+    {
+      for (std::size_t x = 0; x < 15; ++x)
+      {
+        const double h =
+          std::sin(M_PI * (x + 1) / 16.0) * std::sin(M_PI * (y + 1) / 11.0) * std::sin(M_PI * (z + 1) / 13.0);
+        heat.GetData()[grid.GetRow(y, z) + x] = static_cast<float>(h);
+        expected.push_back(h * std::pow(1.0 - dt * eigenvalue, t));
+      }
+    }
+  }
+  HeatDiffusionSolver solver(volumeGradient, Method::Chebyshev, dt, 1e-5);
+  EXPECT_EQ(solver.Run(heat, t), t);
+  EXPECT_LT(LargestDifference(Values(grid, heat), expected), 1e-5);
+}
+
+TEST(HeatDiffusionSolver, AClosedObjectKeepsItsHeatAndEndsAtItsMean)
+{
+  Volume     volume({ 24, 24, 24 });
+  const auto inside = [](std::size_t x, std::size_t y, std::size_t z) {
+    return x >= 6 && x < 16 && y >= 5 && y < 12 && z >= 8 && z < 20;
+  };
+  volume.Fill([&](std::size_t x, std::size_t y, std::size_t z) { return inside(x, y, z) ? 1.0 : 0.0; });
+  const VolumeGradientOperator volumeGradient(volume.values.data(), volume.size, volume.Parameters(7.0));
+  const auto          trajectory = Diffuse(volumeGradient, Method::Chebyshev, 1000000, { 0, 50, 1000, 1000000 });
+  std::vector<double> sums;
+  for (const auto & field : trajectory.fields)
+  {
+    double      sum = 0.0;
+    std::size_t i = 0;
+    for (std::size_t z = 0; z < 24; ++z)
+      for (std::size_t y = 0; y < 24; ++y)
+        for (std::size_t x = 0; x < 24; ++x, ++i)
+          sum += inside(x, y, z) ? field[i] : 0.0;
+    sums.push_back(sum);
+  }
+  const double voxels = 10 * 7 * 12;
+  const double cutFaces = 2 * (10 * 7 + 7 * 12 + 12 * 10);
+  for (const double sum : sums)
+  {
+    EXPECT_NEAR(sum, cutFaces / 6.0, 1e-5 * voxels);
+  }
+  std::size_t i = 0;
+  for (std::size_t z = 0; z < 24; ++z)
+  {
+    for (std::size_t y = 0; y < 24; ++y)
+    {
+      for (std::size_t x = 0; x < 24; ++x, ++i)
+      {
+        EXPECT_NEAR(trajectory.last[i], inside(x, y, z) ? cutFaces / 6.0 / voxels : 0.0, 1e-5);
+      }
+    }
+  }
+}
+
+TEST(HeatDiffusionSolver, ThreadsDoNotChangeABit)
+{
+  const Volume                 volume = MakeScene({ 70, 41, 53 }, 0.05);
+  const VolumeGradientOperator volumeGradient(volume.values.data(), volume.size, volume.Parameters(7.0));
+  const auto                   steps = MakeSnapshotSteps(3000, 40, SnapshotSpacing::Logarithmic);
+  const auto                   before = itk::MultiThreaderBase::GetGlobalDefaultNumberOfThreads();
+  for (const Method method : { Method::Chebyshev, Method::Explicit })
+  {
+    Trajectory first;
+    for (const unsigned int threads : { 1, 2, 3, 8 })
+    {
+      itk::MultiThreaderBase::SetGlobalDefaultNumberOfThreads(threads);
+      const auto trajectory = Diffuse(volumeGradient,
+                                      method,
+                                      method == Method::Explicit ? 100 : 3000,
+                                      method == Method::Explicit ? std::vector<std::uint64_t>{ 7, 100 } : steps);
+      if (threads == 1)
+      {
+        first = trajectory;
+        continue;
+      }
+      EXPECT_EQ(std::memcmp(trajectory.last.data(), first.last.data(), first.last.size() * sizeof(float)), 0)
+        << threads;
+      EXPECT_EQ(trajectory.fields, first.fields) << threads;
+    }
+  }
+  itk::MultiThreaderBase::SetGlobalDefaultNumberOfThreads(before);
+}
+
+TEST(HeatDiffusionSolver, StopsWhenSteadyAndNotBefore)
+{
+  Volume volume({ 20, 20, 20 });
+  volume.Fill([](std::size_t x, std::size_t y, std::size_t z) {
+    return x >= 5 && x < 15 && y >= 5 && y < 15 && z >= 5 && z < 15 ? 1.0 : 0.0;
+  });
+  const VolumeGradientOperator volumeGradient(volume.values.data(), volume.size, volume.Parameters(7.0));
+  for (const Method method : { Method::Chebyshev, Method::Explicit })
+  {
+    const auto run = Diffuse(volumeGradient, method, 100000, {}, dt, true);
+    EXPECT_TRUE(run.steady);
+    EXPECT_LT(run.lastStep, 100000U);
+    const auto end = Diffuse(volumeGradient, Method::Chebyshev, 1000000, {});
+    EXPECT_LT(LargestDifference(run.last, end.last), 0.01); // the cube ends at 0.1
+    const auto early = Diffuse(volumeGradient, method, run.lastStep / 3, {}, dt, true);
+    EXPECT_FALSE(early.steady);
+    EXPECT_EQ(early.lastStep, run.lastStep / 3);
+  }
+}
+
+TEST(HeatDiffusionSolver, ALastStretchThatIsTooShortIsNotCalledSteady)
+{
+  Volume volume({ 40, 40, 40 });
+  volume.Fill([](std::size_t x, std::size_t y, std::size_t z) {
+    return std::min({ x, y, z }) >= 4 && std::max({ x, y, z }) < 36 ? 1.0 : 0.0;
+  });
+  const VolumeGradientOperator volumeGradient(volume.values.data(), volume.size, volume.Parameters(7.0));
+  for (const Method method : { Method::Chebyshev, Method::Explicit })
+  {
+    // Time intervals end at 16, 40, 100, 250, 625; the cube is steady much later.
+    for (const std::uint64_t last : { 17, 41, 101, 251, 626, 627 })
+    {
+      EXPECT_FALSE(Diffuse(volumeGradient, method, last, {}, dt, true).steady) << last;
+    }
+  }
+}
+
+TEST(HeatDiffusionSolver, AHotVoxelDoesNotHideThatOthersStillMove)
+{
+  const auto stop = [](bool withHotVoxel) {
+    Volume volume({ 30, 30, 30 });
+    volume.Fill([](std::size_t x, std::size_t y, std::size_t z) {
+      return std::min({ x, y, z }) >= 3 && std::max({ x, y, z }) < 27 ? 0.5 : 0.0;
+    });
+    volume.At(0, 0, 0) = 1.0F; // the same window in both
+    volume.At(28, 1, 28) = withHotVoxel ? 1.0F : 0.0F;
+    const VolumeGradientOperator volumeGradient(volume.values.data(), volume.size, volume.Parameters(7.0));
+    return Diffuse(volumeGradient, Method::Chebyshev, 1000000, {}, dt, true).lastStep;
+  };
+  EXPECT_EQ(stop(true), stop(false));
+}
+
+TEST(HeatDiffusionSolver, AFailureInAnyThreadReachesTheCaller)
+{
+  const Volume                 volume = MakeScene({ 16, 16, 16 }, 0.05);
+  const VolumeGradientOperator volumeGradient(volume.values.data(), volume.size, volume.Parameters(7.0));
+  const auto                   before = itk::MultiThreaderBase::GetGlobalDefaultNumberOfThreads();
+  itk::MultiThreaderBase::SetGlobalDefaultNumberOfThreads(4);
+  for (const std::size_t failing : { 0, 100, 255 })
+  {
+    HeatDiffusionSolver solver(volumeGradient, Method::Chebyshev, dt, 1e-5);
+    PaddedField         heat(volumeGradient.GetGrid());
+    const auto          visitor = [failing](std::size_t, std::size_t row, const float *, unsigned int) {
+      if (row == failing)
+      {
+        throw std::runtime_error("row");
+      }
+    };
+    EXPECT_THROW(solver.Run(heat, 10, { 5 }, visitor), std::runtime_error);
+  }
+  itk::MultiThreaderBase::SetGlobalDefaultNumberOfThreads(before);
+}
+
+TEST(HeatDiffusionSolver, ProgressAscendsToOneAndMayAbort)
+{
+  const Volume                 volume = MakeScene({ 16, 16, 16 }, 0.05);
+  const VolumeGradientOperator volumeGradient(volume.values.data(), volume.size, volume.Parameters(7.0));
+  HeatDiffusionSolver          solver(volumeGradient, Method::Chebyshev, dt, 1e-5);
+  PaddedField                  heat(volumeGradient.GetGrid());
+  volumeGradient.ComputeInitialHeat(heat);
+  std::vector<double> seen;
+  solver.SetProgress([&](double share) { seen.push_back(share); });
+  solver.Run(heat, 5000);
+  ASSERT_GT(seen.size(), 5U);
+  EXPECT_TRUE(std::is_sorted(seen.begin(), seen.end()));
+  EXPECT_DOUBLE_EQ(seen.back(), 1.0);
+  solver.SetProgress([](double) { throw std::runtime_error("stop"); });
+  EXPECT_THROW(solver.Run(heat, 5000), std::runtime_error);
+}
+
+TEST(HeatDiffusionSolver, RefusesWhatItCannotDo)
+{
+  const Volume                 volume({ 4, 4, 4 }, 1.0F);
+  const VolumeGradientOperator volumeGradient(volume.values.data(), volume.size, volume.Parameters(7.0));
+  EXPECT_THROW(HeatDiffusionSolver(volumeGradient, Method::Chebyshev, 0.1, 1e-5), std::invalid_argument);
+  EXPECT_THROW(HeatDiffusionSolver(volumeGradient, Method::Chebyshev, 0.0, 1e-5), std::invalid_argument);
+  EXPECT_THROW(HeatDiffusionSolver(volumeGradient, Method::Chebyshev, dt, 1e-9), std::invalid_argument);
+  HeatDiffusionSolver solver(volumeGradient, Method::Chebyshev, dt, 1e-5);
+  PaddedField         heat(volumeGradient.GetGrid());
+  const auto          ignore = [](std::size_t, std::size_t, const float *, unsigned int) {};
+  EXPECT_THROW(solver.Run(heat, 10, { 5, 3 }, ignore), std::invalid_argument);
+  EXPECT_THROW(solver.Run(heat, 10, { 5, 11 }, ignore), std::invalid_argument);
+  EXPECT_THROW(solver.Run(heat, 10, { 5, 5 }, ignore), std::invalid_argument);
+}

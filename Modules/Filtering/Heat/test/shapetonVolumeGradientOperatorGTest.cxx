@@ -1,0 +1,117 @@
+#include "shapetonDiffusionTestVolumes.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <stdexcept>
+
+using namespace shapeton;
+using namespace shapeton::test;
+
+TEST(VolumeGradientOperator, EdgeWeightFollowsEquation25)
+{
+  EXPECT_DOUBLE_EQ(VolumeGradientOperator::EdgeWeight(0.0, 7.0), 1.0);
+  EXPECT_DOUBLE_EQ(VolumeGradientOperator::EdgeWeight(0.1, 7.0), 1.0 - 0.7);
+  EXPECT_DOUBLE_EQ(VolumeGradientOperator::EdgeWeight(0.5, 7.0), 0.0);
+  EXPECT_DOUBLE_EQ(VolumeGradientOperator::EdgeWeight(0.5, 0.0), 1.0);
+  EXPECT_DOUBLE_EQ(VolumeGradientOperator::EdgeWeight(0.1, 7.0, 0.01), 1.0 - 0.7);
+  EXPECT_DOUBLE_EQ(VolumeGradientOperator::EdgeWeight(0.1, 10.0, 0.01), 0.01);
+  EXPECT_DOUBLE_EQ(VolumeGradientOperator::EdgeWeight(0.5, 20.0, 0.01), 0.01 / 100.0);
+  EXPECT_DOUBLE_EQ(VolumeGradientOperator::HalfGradient(0.2, 0.8, 2.0), 0.3);
+  EXPECT_DOUBLE_EQ(VolumeGradientOperator::HalfGradient(0.8, 0.2, 2.0), 0.3);
+}
+
+TEST(VolumeGradientOperator, RoundingOfAnInsulatingEdgeIsNoLeak)
+{
+  // 1 - 10 * 0.1 is not 0 in floating point for all of these pairs.
+  for (int i = 0; i < 10; ++i)
+  {
+    EXPECT_EQ(
+      VolumeGradientOperator::EdgeWeight(VolumeGradientOperator::HalfGradient(0.1 * i, 0.1 * (i + 1), 1.0), 10.0), 0.0);
+  }
+}
+
+TEST(VolumeGradientOperator, ConductancesOfAnAnisotropicVolume)
+{
+  Volume volume({ 4, 3, 3 });
+  volume.Fill([](double x, double, double z) { return 0.2 * x + 0.1 * z; });
+  const VolumeGradientOperator::Parameters parameters = volume.Parameters(2.0, { { 0.5, 1.0, 2.0 } });
+  const double                             range = parameters.upper - parameters.lower;
+
+  const VolumeGradientOperator physical(volume.values.data(), volume.size, parameters);
+  const std::size_t            i = physical.GetGrid().GetRow(1, 1) + 1;
+  EXPECT_NEAR(physical.GetConductances(0)[i], 1.0 - 2.0 * 0.2 / range, 1e-6);
+  EXPECT_NEAR(physical.GetConductances(1)[i], 0.25, 1e-6);
+  EXPECT_NEAR(physical.GetConductances(2)[i], (1.0 - 2.0 * 0.1 / range / 4.0) / 16.0, 1e-6);
+  EXPECT_NEAR(physical.GetEigenvalueBound(), 4.0 * (1.0 + 0.25 + 0.0625), 1e-12);
+
+  auto asPublished = parameters;
+  asPublished.conductance = VolumeGradientOperator::Conductance::Published;
+  const VolumeGradientOperator published(volume.values.data(), volume.size, asPublished);
+  EXPECT_NEAR(published.GetConductances(2)[i], 1.0 - 2.0 * 0.1 / range / 4.0, 1e-6);
+  EXPECT_NEAR(published.GetEigenvalueBound(), 12.0, 1e-12);
+}
+
+TEST(VolumeGradientOperator, AConstantVolumeHasNoInitialHeat)
+{
+  const Volume                 volume({ 5, 6, 7 }, 3.5F);
+  const VolumeGradientOperator volumeGradient(volume.values.data(), volume.size, volume.Parameters(7.0));
+  PaddedField                  heat(volumeGradient.GetGrid());
+  volumeGradient.ComputeInitialHeat(heat);
+  for (const float h : Values(volumeGradient.GetGrid(), heat))
+  {
+    EXPECT_EQ(h, 0.0F);
+  }
+}
+
+TEST(VolumeGradientOperator, InitialHeatOfACubeCountsItsCutFaces)
+{
+  Volume volume({ 12, 12, 12 });
+  volume.Fill([](std::size_t x, std::size_t y, std::size_t z) {
+    return x >= 3 && x < 9 && y >= 3 && y < 9 && z >= 3 && z < 9 ? 1.0 : 0.0;
+  });
+  const VolumeGradientOperator volumeGradient(volume.values.data(), volume.size, volume.Parameters(7.0));
+  PaddedField                  heat(volumeGradient.GetGrid());
+  volumeGradient.ComputeInitialHeat(heat);
+  const auto at = [&](std::size_t x, std::size_t y, std::size_t z) {
+    return heat.GetData()[volumeGradient.GetGrid().GetRow(y, z) + x];
+  };
+  EXPECT_NEAR(at(3, 3, 3), 3.0 / 6.0, 1e-6); // corner
+  EXPECT_NEAR(at(3, 3, 5), 2.0 / 6.0, 1e-6); // edge
+  EXPECT_NEAR(at(5, 5, 8), 1.0 / 6.0, 1e-6); // face
+  EXPECT_NEAR(at(5, 5, 5), 0.0, 1e-6);       // inside
+  EXPECT_NEAR(at(2, 5, 5), 1.0 / 6.0, 1e-6); // outside, at a face
+}
+
+TEST(VolumeGradientOperator, AWindowClampsWhatLiesBeyond)
+{
+  Volume volume({ 4, 4, 4 });
+  volume.Fill([](double x, double, double) { return x < 2 ? -1000.0 : 3000.0; });
+  auto parameters = volume.Parameters(0.5);
+  parameters.lower = -100.0;
+  parameters.upper = 100.0;
+  const VolumeGradientOperator volumeGradient(volume.values.data(), volume.size, parameters);
+  EXPECT_NEAR(volumeGradient.GetConductances(0)[volumeGradient.GetGrid().GetRow(1, 1) + 1], 0.5, 1e-6);
+}
+
+TEST(VolumeGradientOperator, RefusesBadParametersAndBadValues)
+{
+  Volume     volume({ 4, 4, 4 }, 1.0F);
+  const auto make = [&](const VolumeGradientOperator::Parameters & parameters) {
+    return VolumeGradientOperator(volume.values.data(), volume.size, parameters);
+  };
+  VolumeGradientOperator::Parameters parameters;
+  parameters.p = -1.0;
+  EXPECT_THROW(make(parameters), std::invalid_argument);
+  parameters = {};
+  parameters.lower = 2.0;
+  EXPECT_THROW(make(parameters), std::invalid_argument);
+  parameters = {};
+  parameters.spacing[1] = 0.0;
+  EXPECT_THROW(make(parameters), std::invalid_argument);
+  EXPECT_THROW(VolumeGradientOperator(nullptr, { 4, 0, 4 }, {}), std::invalid_argument);
+  volume.values[17] = std::numeric_limits<float>::quiet_NaN();
+  EXPECT_THROW(make({}), std::invalid_argument);
+  volume.values[17] = std::numeric_limits<float>::infinity();
+  EXPECT_THROW(make({}), std::invalid_argument);
+}

@@ -1,0 +1,187 @@
+#ifndef shapetonParticleDiffusion_h
+#define shapetonParticleDiffusion_h
+
+#include "shapetonDevice.h"
+#include "shapetonParticleDirection.h"
+#include "shapetonParticleState.h"
+#include "shapetonVolumeGradientOperator.h"
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+
+namespace shapeton
+{
+/** What can stop a step of a shapeton.
+ * \ingroup ShapetonParticles */
+enum class PathRule
+{
+  /** As published (3.2.1): only the end point of the step matters. A long step jumps over walls. */
+  Endpoint,
+  /** The step is traced voxel by voxel: each face transmits the shapeton with a probability equal to the weight of
+   * its edge and reflects it otherwise. The position within the voxel is drawn anew before each step, so that the
+   * shapetons are a Markov chain on the voxels. With DirectionSampling::Uniform its transition matrix is symmetric,
+   * and for steps shorter than a voxel the expected density obeys the operator of cumulative heat diffusion: see
+   * EquivalentHeatTimeSteps(). */
+  Traversal
+};
+
+/** Where shapetons start.
+ * \ingroup ShapetonParticles */
+enum class ParticlePlacement
+{
+  /** Uniformly in the volume, or in the mask (3.2). */
+  Uniform,
+  /** In proportion to the initial heat (2.3), within the mask if there is one: their density is then a sample of the
+   * heat distribution. */
+  InitialHeat
+};
+
+/** The names of the tool's options: "solidAngle", "endpoint", "initialHeat" and so on. \ingroup ShapetonParticles */
+///@{
+ShapetonParticles_EXPORT const char *
+NameOf(DirectionSampling sampling);
+ShapetonParticles_EXPORT const char *
+NameOf(PathRule rule);
+ShapetonParticles_EXPORT const char *
+NameOf(ParticlePlacement placement);
+///@}
+
+/** Settings of ParticleDiffusion; see ParticleDiffusionImageFilter for their meaning.
+ * \ingroup ShapetonParticles */
+struct ParticleDiffusionSettings
+{
+  /** Edge weights; their spacing, in mm, also scales the steps. The conductance is not used. */
+  VolumeGradientOperator::Parameters volumeGradient;
+  std::uint32_t                      shapetons{ 65000 }; ///< at least 1
+  double                             distance{ 0.01 };   ///< in (0, 1]
+  DirectionSampling                  directionSampling{ DirectionSampling::SolidAngle };
+  PathRule                           pathRule{ PathRule::Endpoint };
+  ParticlePlacement                  placement{ ParticlePlacement::Uniform };
+  std::uint64_t                      seed{ 1 };
+  /** Where the shapetons move; all devices give the same bytes. */
+  Device device{ Device::Automatic };
+};
+
+/** Steady rule of shapeton diffusion: (3.10) holds in at least 90 % of the last 50 steps.
+ * \ingroup ShapetonParticles */
+struct SteadyRule
+{
+  /** Largest change of a step; see ParticleMeasures::change. */
+  double epsilon{ 0.05 };
+  /** Use ParticleMeasures::automaticEpsilon instead. */
+  bool automatic{ false };
+};
+
+/** Progress of a run. Exact: sums of integers.
+ * \ingroup ShapetonParticles */
+struct ParticleMeasures
+{
+  std::uint64_t step{ 0 };
+  std::uint32_t maximumVisits{ 0 }; ///< visits of the most visited voxel
+  std::uint64_t voxelsReached{ 0 }; ///< voxels with at least one visit
+  /** Object voxels: those of the mask. Without a mask, those with an intensity above the lower end of the window, or
+   * all voxels if there are none. */
+  std::uint64_t objectVoxels{ 0 };
+  std::uint64_t objectVoxelsReached{ 0 };
+  /** Shapetons in voxels whose six weights are all 0; they never move. */
+  std::uint32_t trappedShapetons{ 0 };
+  /** (3.10) with densities normalized to a maximum of 1: the sum over the voxels of the squared change in this step.
+   * As printed, with raw counts, it is never less than the number of shapetons. */
+  double change{ 0.0 };
+  /** The change at which the reached voxels have 100 visits on average, so that counts are accurate to about 10 %: n
+   * (1 + n / R) / (100 M / m)^2 with n shapetons, R reached voxels, maximum and mean number of visits M and m. */
+  double automaticEpsilon{ 0.0 };
+  bool   steady{ false };
+
+  /** The 'convergence' of Table 3.1: the share of the object voxels with visits, in [0, 1]. */
+  double
+  GetCoverage() const
+  {
+    return objectVoxels == 0 ? 0.0 : static_cast<double>(objectVoxelsReached) / static_cast<double>(objectVoxels);
+  }
+};
+
+/** \class ParticleDiffusion
+ * \brief Random walk of particles through a volume according to its edge weights, counting the visits of each voxel
+ * (dissertation chapter 3).
+ *
+ * In each step a shapeton draws a direction from the six weights of its voxel (3.2.1), moves by a fixed distance, and
+ * the voxel where it ends counts one visit. The distance is relative to the longest side of the volume in millimeters;
+ * a step has the same length in millimeters in all directions. A shapeton is reflected at the border of the volume and
+ * does not move if all six weights are 0.
+ *
+ * Random numbers depend only on the seed, the shapeton and the step (Philox4x32-10), and visits are integers: results
+ * have the same bytes for any number of threads, on any CPU, and for any division of a run.
+ *
+ * Weights are stored in units of 1 / 65535. Memory: 20 bytes per voxel, including `visits`, and 16 per shapeton.
+ *
+ * \ingroup ShapetonParticles */
+class ShapetonParticles_EXPORT ParticleDiffusion
+{
+public:
+  /** Called on the calling thread at the end of a step, every few hundredths of a second unless a step takes longer;
+   * may throw to abort. `visits` and GetPlaces() are those of that step. */
+  using Observer = std::function<void(const ParticleMeasures &)>;
+
+  /** Places the shapetons. `intensities` and `mask` (null: no mask; 0 is outside) hold size[0] * size[1] * size[2]
+   * values, x fastest, and are not needed afterwards. `visits` has the same size, is set to 0 and must outlive the
+   * object. `poll` is called occasionally, by Run() also within long steps, and may throw to abort; the object must
+   * not be used afterwards. Throws std::invalid_argument for settings out of range, std::domain_error if no
+   * shapeton can be placed (an empty mask; no initial heat), std::length_error for 2^31 voxels or more, or 2^24
+   * along an axis, DeviceError if the device cannot be used. */
+  ParticleDiffusion(const float *                      intensities,
+                    const std::array<std::size_t, 3> & size,
+                    const ParticleDiffusionSettings &  settings,
+                    const unsigned char *              mask,
+                    std::uint32_t *                    visits,
+                    const std::function<void()> &      poll = {});
+  ~ParticleDiffusion();
+  ParticleDiffusion(const ParticleDiffusion &) = delete;
+  ParticleDiffusion &
+  operator=(const ParticleDiffusion &) = delete;
+
+  /** Performs steps up to `lastStep`, or until the rule, if given, finds the density steady. With a rule every step
+   * is measured, which takes twice as long. Throws std::overflow_error if the visits of a voxel exceed 32 bits. */
+  void
+  Run(std::uint64_t lastStep, const std::optional<SteadyRule> & rule = {}, const Observer & observer = {});
+
+  const ParticleMeasures &
+  GetMeasures() const;
+
+  /** Where the shapetons move. */
+  const DeviceUse &
+  GetDeviceUse() const;
+
+  /** Positions in voxels along an axis: the voxel of index i covers the interval from i to i + 1. */
+  const float *
+  GetPlaces(unsigned int axis) const;
+
+  /** The state needed to continue later: positions, visits, measures. */
+  ParticleState
+  GetState() const;
+
+  /** Continues from a state. Throws std::invalid_argument, which names the difference, if the state is of another
+   * volume or other settings. */
+  void
+  SetState(const ParticleState & state);
+
+private:
+  struct Impl;
+  std::unique_ptr<Impl> m_Impl;
+};
+
+/** The number of time steps of cumulative heat diffusion after which heat has spread as far as shapetons after `steps`
+ * steps of `stepInVoxels` smallest spacings, with PathRule::Traversal and DirectionSampling::Uniform. Without walls
+ * the mean squared displacements along an axis are equal:
+ *
+ *   2 dt t = steps (a^2 / 3 + (n / 6 + f^2 / 2 - f^3 / 3) / a), which is steps (a / 2) for a <= 1,
+ *
+ * a = stepInVoxels, n and f its integer and fractional part. This answers the open question 7.2.1 of the
+ * dissertation; valid for cubic voxels. `timeStepLength` is dt. \ingroup ShapetonParticles */
+ShapetonParticles_EXPORT double
+EquivalentHeatTimeSteps(double steps, double stepInVoxels, double timeStepLength);
+} // namespace shapeton
+
+#endif

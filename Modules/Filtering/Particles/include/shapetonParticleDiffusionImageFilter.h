@@ -1,0 +1,245 @@
+#ifndef shapetonParticleDiffusionImageFilter_h
+#define shapetonParticleDiffusionImageFilter_h
+
+#include "shapetonHeatHistogram.h"
+#include "shapetonITKCompatibility.h"
+#include "shapetonParticleDiffusion.h"
+#include "shapetonParticleParameters.h"
+#include "shapetonVolumeDiffusionImageFilter.h"
+
+#include "itkImage.h"
+
+#include <memory>
+#include <vector>
+
+namespace shapeton
+{
+/** \class ShapetonInputError
+ * \brief No shapeton can be placed in the input, or the initial state is of another run.
+ * \ingroup ShapetonParticles */
+class ShapetonInputError : public itk::ExceptionObject
+{
+public:
+  using itk::ExceptionObject::ExceptionObject;
+  itkOverrideGetNameOfClassMacro(ShapetonInputError);
+};
+
+/** \class ParticleDiffusionImageFilter
+ * \brief Describes each voxel by its number of visits by particles that move at random through the volume (shapeton
+ * diffusion).
+ *
+ * Shapetons start at random places. In each step every shapeton draws a direction from the six edge weights of its
+ * voxel, moves by a fixed distance, and adds one visit to the voxel where it ends. Frequent visits indicate
+ * surroundings that confine shapetons.
+ *
+ * \par Inputs and Outputs
+ * Input 0: a scalar volume of finite intensities. Input 1, optional: a mask on the same grid; shapetons start where it
+ * is not 0. Output: the visits, on the grid of the input; they sum to shapetons x steps.
+ *
+ * \par Events
+ * IterationEvent is invoked several times a second at the ends of steps: GetOutput() then holds the visits so far and
+ * GetMeasures() the progress of the run, so that a program can display the growing density. Within longer steps
+ * ProgressEvent is invoked. SetAbortGenerateData takes effect within a tenth of a second.
+ *
+ * \par Going on
+ * GetState() returns the state needed to continue; a filter with the same input and settings and SetInitialState()
+ * gives the same bytes as an uninterrupted run.
+ *
+ * \par Errors
+ * ShapetonInputError for an empty mask, for placement by initial heat in a volume without any, for a feature size that
+ * the volume cannot resolve, and for an initial state of another run; ExceptionObject for settings out of range.
+ *
+ * Results have the same bytes for any number of threads, which follow ITK's global setting, and on any CPU. Memory: 20
+ * bytes per voxel besides the input, 4 more unless its pixels are float.
+ *
+ * Source: Gurijala, Shape-based analysis, chapter 3 and appendix 8. Differences: directions follow the solid angle
+ * (DirectionSampling), long steps may be stopped by walls (PathRule), the steady rule (3.10) uses normalized densities.
+ *
+ * \ingroup ShapetonParticles */
+template <typename TInputImage>
+class ITK_TEMPLATE_EXPORT ParticleDiffusionImageFilter
+  : public VolumeDiffusionImageFilter<TInputImage, itk::Image<std::uint32_t, 3>>
+{
+public:
+  ITK_DISALLOW_COPY_AND_MOVE(ParticleDiffusionImageFilter);
+
+  using Self = ParticleDiffusionImageFilter;
+  using Superclass = VolumeDiffusionImageFilter<TInputImage, itk::Image<std::uint32_t, 3>>;
+  using Pointer = itk::SmartPointer<Self>;
+  using ConstPointer = itk::SmartPointer<const Self>;
+  using VisitsImageType = itk::Image<std::uint32_t, 3>;
+  using MaskImageType = itk::Image<unsigned char, 3>;
+  using StepsType = std::vector<std::uint64_t>;
+
+  itkNewMacro(Self);
+  itkOverrideGetNameOfClassMacro(ParticleDiffusionImageFilter);
+
+  /** Mask of the start voxels (not 0). Its grid must be that of the input. */
+  void
+  SetMaskImage(const MaskImageType * mask)
+  {
+    this->SetNthInput(1, const_cast<MaskImageType *>(mask));
+  }
+  const MaskImageType *
+  GetMaskImage() const
+  {
+    return itkDynamicCastInDebugMode<const MaskImageType *>(this->ProcessObject::GetInput(1));
+  }
+
+  /** Number of shapetons; at least 1. Default 65000. */
+  itkSetMacro(NumberOfShapetons, std::uint32_t);
+  itkGetConstMacro(NumberOfShapetons, std::uint32_t);
+
+  /** Length of a step in (0, 1], in units of the longest side of the volume in mm; the same in mm in all directions.
+   * Default 0.01. */
+  itkSetMacro(Distance, double);
+  itkGetConstMacro(Distance, double);
+
+  /** Size in mm of the features of interest. With AutomaticDistance and AutomaticNumberOfShapetons,
+   * ChooseShapetons() derives these parameters from it when the filter runs; Distance and NumberOfShapetons then
+   * hold the chosen values. Default 0, off, off. */
+  itkSetMacro(FeatureSize, double);
+  itkGetConstMacro(FeatureSize, double);
+  itkSetMacro(AutomaticDistance, bool);
+  itkGetConstMacro(AutomaticDistance, bool);
+  itkBooleanMacro(AutomaticDistance);
+  itkSetMacro(AutomaticNumberOfShapetons, bool);
+  itkGetConstMacro(AutomaticNumberOfShapetons, bool);
+  itkBooleanMacro(AutomaticNumberOfShapetons);
+
+  /** Result of ChooseShapetons() with its reason; valid after Update() if requested. */
+  const AutomaticShapetons &
+  GetAutomaticShapetons() const
+  {
+    return m_AutomaticShapetons;
+  }
+
+  /** Default SolidAngle. */
+  itkSetEnumMacro(DirectionSampling, DirectionSampling);
+  itkGetConstMacro(DirectionSampling, DirectionSampling);
+
+  /** Default Endpoint. */
+  itkSetEnumMacro(PathRule, PathRule);
+  itkGetConstMacro(PathRule, PathRule);
+
+  /** Default Uniform. */
+  itkSetEnumMacro(Placement, ParticlePlacement);
+  itkGetConstMacro(Placement, ParticlePlacement);
+
+  /** Any number; equal seeds give equal results. Default 1. */
+  itkSetMacro(Seed, std::uint64_t);
+  itkGetConstMacro(Seed, std::uint64_t);
+
+  /** The device used by the last Update(). */
+  const DeviceUse &
+  GetDeviceUse() const
+  {
+    return m_DeviceUse;
+  }
+
+  /** Stop when the density is steady by (3.10) with Epsilon, or with the epsilon derived from the run itself
+   * (AutomaticEpsilon). Default off, 0.05, off. */
+  itkSetMacro(UntilSteady, bool);
+  itkGetConstMacro(UntilSteady, bool);
+  itkBooleanMacro(UntilSteady);
+  itkSetMacro(Epsilon, double);
+  itkGetConstMacro(Epsilon, double);
+  itkSetMacro(AutomaticEpsilon, bool);
+  itkGetConstMacro(AutomaticEpsilon, bool);
+  itkBooleanMacro(AutomaticEpsilon);
+
+  /** Steps recorded as rows of the visit histogram; ascending, in [1, TimeSteps]. Default none. */
+  void
+  SetHistogramSteps(const StepsType & steps);
+  const StepsType &
+  GetHistogramSteps() const
+  {
+    return m_HistogramSteps;
+  }
+
+  /** Continue from a state instead of placing shapetons; TimeSteps still counts from the start of the first run. */
+  void
+  SetInitialState(ParticleState state);
+
+  /** Keep the state after the last step for GetState(); default off. */
+  itkSetMacro(WantState, bool);
+  itkGetConstMacro(WantState, bool);
+  itkBooleanMacro(WantState);
+
+  /** The state after the last completed step: during an IterationEvent, and with WantState also after Update(). */
+  ParticleState
+  GetState() const;
+
+  /** Measures of the run so far. */
+  const ParticleMeasures &
+  GetMeasures() const
+  {
+    return m_Measures;
+  }
+
+  /** Rows for the HistogramSteps that were reached; steps before an initial state have no row. */
+  const HeatHistogram &
+  GetHistogram() const
+  {
+    return m_Histogram;
+  }
+
+protected:
+  ParticleDiffusionImageFilter();
+  ~ParticleDiffusionImageFilter() override = default;
+
+  void
+  PrintSelf(std::ostream & os, itk::Indent indent) const override;
+  void
+  VerifyPreconditions() const override;
+  void
+  GenerateData() override;
+
+private:
+  void
+  ChooseParameters();
+  ParticleDiffusionSettings
+  MakeSettings(const float * intensities);
+  void
+  PlaceShapetons();
+  void
+  TakeSteps();
+
+  std::uint32_t                  m_NumberOfShapetons{ 65000 };
+  double                         m_Distance{ 0.01 };
+  double                         m_FeatureSize{ 0.0 };
+  bool                           m_AutomaticDistance{ false };
+  bool                           m_AutomaticNumberOfShapetons{ false };
+  AutomaticShapetons             m_AutomaticShapetons;
+  DirectionSampling              m_DirectionSampling{ DirectionSampling::SolidAngle };
+  PathRule                       m_PathRule{ PathRule::Endpoint };
+  ParticlePlacement              m_Placement{ ParticlePlacement::Uniform };
+  std::uint64_t                  m_Seed{ 1 };
+  DeviceUse                      m_DeviceUse;
+  bool                           m_UntilSteady{ false };
+  double                         m_Epsilon{ 0.05 };
+  bool                           m_AutomaticEpsilon{ false };
+  StepsType                      m_HistogramSteps;
+  bool                           m_WantState{ false };
+  std::shared_ptr<ParticleState> m_InitialState; // null: place the shapetons
+
+  std::unique_ptr<ParticleDiffusion> m_Diffusion; // while the filter runs
+  ParticleState                      m_FinalState;
+  ParticleMeasures                   m_Measures;
+  HeatHistogram                      m_Histogram;
+};
+} // namespace shapeton
+
+#ifndef ITK_MANUAL_INSTANTIATION
+#  include "shapetonParticleDiffusionImageFilter.hxx"
+#endif
+
+namespace shapeton
+{
+// Compiled once, in the library.
+extern template class ShapetonParticles_EXPORT ParticleDiffusionImageFilter<itk::Image<float, 3>>;
+extern template class ShapetonParticles_EXPORT ParticleDiffusionImageFilter<itk::Image<short, 3>>;
+extern template class ShapetonParticles_EXPORT ParticleDiffusionImageFilter<itk::Image<unsigned char, 3>>;
+} // namespace shapeton
+
+#endif

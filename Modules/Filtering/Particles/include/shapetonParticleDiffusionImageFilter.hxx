@@ -1,0 +1,246 @@
+#ifndef shapetonParticleDiffusionImageFilter_hxx
+#define shapetonParticleDiffusionImageFilter_hxx
+
+#include "shapetonParticleDiffusionImageFilter.h"
+#include "shapetonFilterProgress.h"
+#include "shapetonVisitDensity.h"
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+namespace shapeton
+{
+template <typename TInputImage>
+ParticleDiffusionImageFilter<TInputImage>::ParticleDiffusionImageFilter() : Superclass(2500)
+{
+  this->SetNumberOfRequiredInputs(1);
+}
+
+template <typename TInputImage>
+void
+ParticleDiffusionImageFilter<TInputImage>::SetHistogramSteps(const StepsType & steps)
+{
+  m_HistogramSteps = steps;
+  this->Modified();
+}
+
+template <typename TInputImage>
+void
+ParticleDiffusionImageFilter<TInputImage>::SetInitialState(ParticleState state)
+{
+  m_InitialState = std::make_shared<ParticleState>(std::move(state));
+  this->Modified();
+}
+
+template <typename TInputImage>
+ParticleState
+ParticleDiffusionImageFilter<TInputImage>::GetState() const
+{
+  return m_Diffusion ? m_Diffusion->GetState() : m_FinalState;
+}
+
+template <typename TInputImage>
+void
+ParticleDiffusionImageFilter<TInputImage>::VerifyPreconditions() const
+{
+  Superclass::VerifyPreconditions();
+  if (!(m_Epsilon >= 0.0))
+  {
+    itkExceptionMacro("Epsilon must not be negative, got " << m_Epsilon);
+  }
+  const bool ascend = std::adjacent_find(m_HistogramSteps.begin(), m_HistogramSteps.end(), std::greater_equal<>()) ==
+                      m_HistogramSteps.end();
+  if (!ascend ||
+      (!m_HistogramSteps.empty() && (m_HistogramSteps.front() < 1 || m_HistogramSteps.back() > this->GetTimeSteps())))
+  {
+    itkExceptionMacro("the HistogramSteps must ascend and lie between 1 and TimeSteps");
+  }
+  if (m_InitialState && m_InitialState->step > this->GetTimeSteps())
+  {
+    itkExceptionMacro("the initial state is of step " << m_InitialState->step << ", beyond TimeSteps, "
+                                                      << this->GetTimeSteps());
+  }
+}
+
+template <typename TInputImage>
+void
+ParticleDiffusionImageFilter<TInputImage>::ChooseParameters()
+{
+  if (!m_AutomaticDistance && !m_AutomaticNumberOfShapetons)
+  {
+    return;
+  }
+  std::array<double, 3> spacing{};
+  std::copy_n(this->GetInput()->GetSpacing().Begin(), 3, spacing.begin());
+  try
+  {
+    m_AutomaticShapetons = ChooseShapetons(this->GetVolumeSize(), spacing, m_FeatureSize, this->GetTimeSteps());
+  }
+  catch (const std::invalid_argument & error)
+  {
+    throw ShapetonInputError(__FILE__, __LINE__, error.what(), ITK_LOCATION);
+  }
+  if (m_AutomaticDistance)
+  {
+    m_Distance = m_AutomaticShapetons.distance;
+  }
+  if (m_AutomaticNumberOfShapetons)
+  {
+    m_NumberOfShapetons = m_AutomaticShapetons.shapetons;
+  }
+}
+
+template <typename TInputImage>
+ParticleDiffusionSettings
+ParticleDiffusionImageFilter<TInputImage>::MakeSettings(const float * intensities)
+{
+  ParticleDiffusionSettings settings;
+  settings.volumeGradient = this->MakeOperatorParameters(intensities);
+  settings.shapetons = m_NumberOfShapetons;
+  settings.distance = m_Distance;
+  settings.directionSampling = m_DirectionSampling;
+  settings.pathRule = m_PathRule;
+  settings.placement = m_Placement;
+  settings.seed = m_Seed;
+  settings.device = this->GetDevice();
+  return settings;
+}
+
+template <typename TInputImage>
+void
+ParticleDiffusionImageFilter<TInputImage>::PlaceShapetons()
+{
+  const MaskImageType * const mask = this->GetMaskImage();
+  if (mask && mask->GetBufferedRegion() != this->GetInput()->GetBufferedRegion())
+  {
+    itkExceptionMacro("the mask differs from the input in size or first index");
+  }
+  this->ChooseParameters();
+  std::vector<float>  converted;
+  const float * const intensities = this->GetIntensities(converted);
+  m_Diffusion = std::make_unique<ParticleDiffusion>(intensities,
+                                                    this->GetVolumeSize(),
+                                                    this->MakeSettings(intensities),
+                                                    mask ? mask->GetBufferPointer() : nullptr,
+                                                    this->GetOutput()->GetBufferPointer(),
+                                                    [this] { ReportProgress(*this, this->GetProgress()); });
+  m_DeviceUse = m_Diffusion->GetDeviceUse();
+  if (m_InitialState)
+  {
+    try
+    {
+      m_Diffusion->SetState(*m_InitialState);
+    }
+    catch (const std::invalid_argument & error)
+    {
+      throw ShapetonInputError(__FILE__, __LINE__, error.what(), ITK_LOCATION);
+    }
+  }
+}
+
+template <typename TInputImage>
+void
+ParticleDiffusionImageFilter<TInputImage>::TakeSteps()
+{
+  const std::optional<SteadyRule> rule =
+    m_UntilSteady ? std::optional<SteadyRule>({ m_Epsilon, m_AutomaticEpsilon }) : std::nullopt;
+  const auto observer = [this](const ParticleMeasures & measures) {
+    m_Measures = measures;
+    this->InvokeEvent(itk::IterationEvent());
+    ReportProgress(*this, static_cast<double>(measures.step) / static_cast<double>(this->GetTimeSteps()));
+  };
+  const std::uint64_t first = m_Diffusion->GetMeasures().step;
+  StepsType           rows;
+  std::copy_if(m_HistogramSteps.begin(), m_HistogramSteps.end(), std::back_inserter(rows), [first](std::uint64_t step) {
+    return step > first;
+  });
+  m_Histogram = HeatHistogram(rows);
+  std::size_t reached = 0;
+  for (; reached < rows.size(); ++reached)
+  {
+    m_Diffusion->Run(rows[reached], rule, observer);
+    if (m_Diffusion->GetMeasures().step < rows[reached])
+    {
+      break; // steady
+    }
+    AddVisitsToRow(this->GetOutput(), reached, m_Histogram);
+  }
+  if (reached == rows.size())
+  {
+    m_Diffusion->Run(this->GetTimeSteps(), rule, observer);
+  }
+  m_Measures = m_Diffusion->GetMeasures();
+  if (reached < rows.size())
+  {
+    rows.resize(reached);
+    HeatHistogram cut(rows);
+    for (std::size_t row = 0; row < reached; ++row)
+    {
+      cut.AddToRow(row, m_Histogram.GetRow(row));
+    }
+    m_Histogram = cut;
+  }
+}
+
+template <typename TInputImage>
+void
+ParticleDiffusionImageFilter<TInputImage>::GenerateData()
+{
+  VisitsImageType * const visits = this->GetOutput();
+  visits->SetBufferedRegion(visits->GetLargestPossibleRegion());
+  visits->Allocate();
+  m_Measures = ParticleMeasures();
+  m_FinalState = ParticleState();
+  const struct Release // also if the run is aborted: the volume's weights are large
+  {
+    ~Release() { diffusion.reset(); }
+    std::unique_ptr<ParticleDiffusion> & diffusion;
+  } release{ m_Diffusion };
+  try
+  {
+    this->PlaceShapetons();
+    this->TakeSteps();
+    if (m_WantState)
+    {
+      m_FinalState = m_Diffusion->GetState();
+    }
+  }
+  catch (const std::domain_error & error)
+  {
+    throw ShapetonInputError(__FILE__, __LINE__, error.what(), ITK_LOCATION);
+  }
+  catch (const std::logic_error & error)
+  {
+    itkExceptionMacro(<< error.what());
+  }
+  catch (const std::overflow_error & error) // visits of a voxel overflow
+  {
+    itkExceptionMacro(<< error.what());
+  }
+}
+
+template <typename TInputImage>
+void
+ParticleDiffusionImageFilter<TInputImage>::PrintSelf(std::ostream & os, itk::Indent indent) const
+{
+  Superclass::PrintSelf(os, indent);
+  os << indent << "NumberOfShapetons: " << m_NumberOfShapetons << std::endl;
+  os << indent << "Distance: " << m_Distance << std::endl;
+  os << indent << "FeatureSize: " << m_FeatureSize << std::endl;
+  os << indent << "AutomaticDistance: " << m_AutomaticDistance << std::endl;
+  os << indent << "AutomaticNumberOfShapetons: " << m_AutomaticNumberOfShapetons << std::endl;
+  os << indent << "DirectionSampling: " << NameOf(m_DirectionSampling) << std::endl;
+  os << indent << "PathRule: " << NameOf(m_PathRule) << std::endl;
+  os << indent << "Placement: " << NameOf(m_Placement) << std::endl;
+  os << indent << "Seed: " << m_Seed << std::endl;
+  os << indent << "UntilSteady: " << m_UntilSteady << std::endl;
+  os << indent << "Epsilon: " << m_Epsilon << std::endl;
+  os << indent << "AutomaticEpsilon: " << m_AutomaticEpsilon << std::endl;
+  os << indent << "HistogramSteps: " << m_HistogramSteps.size() << std::endl;
+  os << indent << "WantState: " << m_WantState << std::endl;
+  os << indent << "HasInitialState: " << (m_InitialState != nullptr) << std::endl;
+}
+} // namespace shapeton
+
+#endif

@@ -1,0 +1,12 @@
+set(DOCUMENTATION "Shapeton (particle) diffusion on volumes: walks of particles along heat weights, their visits and density.")
+
+itk_module(ShapetonParticles
+  ENABLE_SHARED
+  EXCLUDE_FROM_DEFAULT
+  DEPENDS
+    ShapetonHeat
+    ITKCommon
+  TEST_DEPENDS
+    ITKGoogleTest
+  DESCRIPTION "${DOCUMENTATION}"
+)

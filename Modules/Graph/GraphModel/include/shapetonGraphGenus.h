@@ -1,0 +1,60 @@
+#ifndef shapetonGraphGenus_h
+#define shapetonGraphGenus_h
+
+#include "ShapetonGraphModelExport.h"
+
+#include "shapetonCombinatorialMap.h"
+#include "shapetonProgress.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace shapeton
+{
+/** Search effort and target genus for FindEmbedding(). \ingroup ShapetonGraphModel */
+struct GenusOptions
+{
+  /** Genus of the surface, summed over the components; -1 requests the smallest genus found. */
+  int           genus{ -1 };
+  std::uint64_t seed{ 1 };
+  /** Number of independent searches per block, of which the best is used; at least 1. */
+  int restarts{ 12 };
+  /** Factor of the number of search steps; positive. There is no time limit: equal options give equal results. */
+  double effort{ 1.0 };
+  /** May throw to abort. */
+  Progress progress;
+};
+
+/** A rotation system of small genus and a lower bound of the genus. See FindEmbedding(). \ingroup ShapetonGraphModel */
+struct SurfaceEmbedding
+{
+  CombinatorialMap map;
+  /** Lower bound of the genus of any embedding: planarity, and Euler's formula with the lengths of short cycles, for
+   * each block. Genera of blocks add up (Battle, Harary, Kodama and Youngs 1962). */
+  int lowerBound{ 0 };
+  /** Whether the genus of the map equals the lower bound. */
+  bool minimal{ false };
+};
+
+/** Embeds any graph: disconnected, a tree, a single node, with loops and multiple edges. Planarity is tested first
+ * (left-right test, Brandes 2009). Nonplanar blocks are then searched, without nodes of degree two and multiple edges,
+ * by annealed re-insertion of edges. Throws InputError if the graph is invalid, or if no embedding of the requested
+ * genus is found; the message states the smallest and largest genus found. Throws ParameterError for an invalid
+ * option. Results are bitwise identical for any number of threads. \ingroup ShapetonGraphModel */
+ShapetonGraphModel_EXPORT SurfaceEmbedding
+FindEmbedding(const Graph & graph, const GenusOptions & options = GenusOptions());
+
+/** Computes a planar embedding; returns false if the graph is not planar. Linear time and memory except for sorting the
+ * edges: a million nodes take a few seconds. \ingroup ShapetonGraphModel */
+ShapetonGraphModel_EXPORT bool
+FindPlanarEmbedding(const Graph & graph, CombinatorialMap & map);
+
+/** Lower bound of the genus by Euler's formula V - E + F = 2 - 2g for a connected simple graph of minimum degree three:
+ * each cycle bounds at most one face, and the numbers of cycles of length 3, 4 and 5 are limited. \ingroup ShapetonGraphModel
+ */
+ShapetonGraphModel_EXPORT int
+GenusLowerBound(const Graph & graph);
+} // namespace shapeton
+
+#endif

@@ -1,0 +1,146 @@
+#ifndef shapetonIncrementalMap_h
+#define shapetonIncrementalMap_h
+
+#include "ShapetonGraphModelExport.h"
+
+#include "shapetonCombinatorialMap.h"
+
+#include <vector>
+
+namespace shapeton
+{
+/** \class IncrementalMap
+ * \brief A rotation system with edge insertion and removal and incrementally updated faces.
+ *
+ * A corner is named by the half-edge before it, counter-clockwise: an edge inserted "after a" has its half-edge between
+ * a and NextAround(a), within the face FaceOfCorner(a). Inserting an edge between two corners of one face splits the
+ * face. Inserting it between two faces merges them, which adds a handle if both are in one component. The shorter part
+ * is relabeled, so a change costs the length of the shorter face. Conventions are those of CombinatorialMap. Existing
+ * loops are kept, but loops cannot be inserted or removed.
+ *
+ * \ingroup ShapetonGraphModel
+ */
+class ShapetonGraphModel_EXPORT IncrementalMap
+{
+public:
+  /** A map with these edges, none inserted yet. */
+  IncrementalMap(int nodes, const std::vector<std::array<int, 2>> & edges);
+
+  /** All edges inserted as in `map`. */
+  explicit IncrementalMap(const CombinatorialMap & map);
+
+  int
+  Nodes() const
+  {
+    return static_cast<int>(m_Any.size());
+  }
+  int
+  Edges() const
+  {
+    return static_cast<int>(m_Node.size() / 2);
+  }
+  /** Number of faces of the inserted edges. */
+  int
+  Faces() const
+  {
+    return m_Faces;
+  }
+  bool
+  Contains(int edge) const
+  {
+    return m_Next[2 * edge] >= 0;
+  }
+  int
+  Node(int halfEdge) const
+  {
+    return m_Node[halfEdge];
+  }
+  int
+  Degree(int node) const
+  {
+    return m_Degree[node];
+  }
+  /** A half-edge of the node, or -1. */
+  int
+  Any(int node) const
+  {
+    return m_Any[node];
+  }
+  int
+  NextAround(int halfEdge) const
+  {
+    return m_Next[halfEdge];
+  }
+  int
+  PreviousAround(int halfEdge) const
+  {
+    return m_Previous[halfEdge];
+  }
+  int
+  FaceNext(int halfEdge) const
+  {
+    return m_Previous[halfEdge ^ 1];
+  }
+  /** The face to the left of a half-edge, a label in [0, FaceLabels()): the face of the corner after it. */
+  int
+  FaceOfCorner(int halfEdge) const
+  {
+    return m_Face[halfEdge];
+  }
+  int
+  FaceLabels() const
+  {
+    return static_cast<int>(m_Length.size());
+  }
+  int
+  FaceLength(int label) const
+  {
+    return m_Length[label];
+  }
+
+  /** Appends an edge without inserting it; returns its index. */
+  int
+  AddEdge(int node0, int node1);
+
+  /** Inserts an edge between the corner after `a`, at its first node, and the corner after `b`, at its second one; -1
+   * for a node without half-edges. */
+  void
+  Insert(int edge, int a, int b);
+
+  void
+  Remove(int edge);
+
+  /** The permutation for CombinatorialMap; -1 for edges that are not inserted. */
+  const std::vector<int> &
+  GetNextAround() const
+  {
+    return m_Next;
+  }
+
+private:
+  void
+  Link(int halfEdge, int after);
+  void
+  Unlink(int halfEdge);
+  int
+  NewLabel();
+  void
+  Relabel(int start, int label);
+  int
+  Join(int one, int other);
+  void
+  Divide(int one, int other);
+
+  std::vector<int> m_Node;
+  std::vector<int> m_Next;
+  std::vector<int> m_Previous;
+  std::vector<int> m_Face;
+  std::vector<int> m_Any;
+  std::vector<int> m_Degree;
+  std::vector<int> m_Length;
+  std::vector<int> m_FreeLabels;
+  int              m_Faces{ 0 };
+};
+} // namespace shapeton
+
+#endif

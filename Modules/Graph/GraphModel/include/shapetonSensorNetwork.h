@@ -1,0 +1,92 @@
+#ifndef shapetonSensorNetwork_h
+#define shapetonSensorNetwork_h
+
+#include "ShapetonGraphModelExport.h"
+#include "shapetonGraph.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace shapeton
+{
+/** Selection of links that become edges. \ingroup ShapetonGraphModel */
+enum class PlanarSubgraph
+{
+  None,   ///< all links: a unit-disk graph, which is not planar
+  Gabriel ///< links whose diametral disk contains no other device of the network; planar
+};
+
+/** Number, reach and motion of the devices of a SensorNetwork. \ingroup ShapetonGraphModel */
+struct SensorNetworkOptions
+{
+  int           devices{ 200 };
+  std::uint64_t seed{ 1 };
+  /** Reach of a device at full power (m); positive. */
+  double range{ 120.0 };
+  /** Side of the square area (m). */
+  double side{ 1000.0 };
+  /** Mean distance traveled by a device in a step (m). */
+  double         speed{ 4.0 };
+  PlanarSubgraph planar{ PlanarSubgraph::Gabriel };
+};
+
+/** State of a device at one step. \ingroup ShapetonGraphModel */
+struct SensorDevice
+{
+  double x{ 0.0 }; ///< m
+  double y{ 0.0 }; ///< m
+  /** Battery charge in [0, 1]; the reach is range * sqrt(power). */
+  double power{ 1.0 };
+  /** Whether the device is within the area and has enough charge to send. */
+  bool inNetwork{ true };
+};
+
+/** \class SensorNetwork
+ * \brief Devices that move, discharge and recharge, leave an area and return (section 6.7).
+ *
+ * Each device moves nearly straight, with small random turns. It may leave the area by a tenth of the side before it
+ * turns around, and is not in the network meanwhile. Sending consumes charge; a device with less than a tenth of its
+ * charge is out of the network until it is half charged. Two devices are linked if each reaches the other.
+ *
+ * The same options give the same network at every step. \ingroup ShapetonGraphModel */
+class ShapetonGraphModel_EXPORT SensorNetwork
+{
+public:
+  /** Starts at step 0. Throws ParameterError if an option is out of range. */
+  explicit SensorNetwork(const SensorNetworkOptions & options);
+
+  /** Moves all devices by one step. */
+  void
+  Advance();
+
+  const std::vector<SensorDevice> &
+  GetDevices() const
+  {
+    return m_Devices;
+  }
+
+  /** Name of a device: "d00017" for device 17. */
+  static std::string
+  NameOfDevice(int device);
+
+  /** Graph of the step; the nodes are the devices in the network, by name. */
+  Graph
+  GetGraph() const;
+
+private:
+  SensorNetworkOptions      m_Options;
+  std::uint32_t             m_Step{ 0 };
+  std::vector<SensorDevice> m_Devices;
+  std::vector<double>       m_Direction; // radians
+  std::vector<double>       m_Drain;     // charge lost per step
+  std::vector<bool>         m_IsCharging;
+};
+
+/** Links between points whose reaches are at least their distance, as ascending pairs. With `gabriel`, only those whose
+ * diametral disk contains no other point. \ingroup ShapetonGraphModel */
+ShapetonGraphModel_EXPORT std::vector<std::array<int, 2>>
+LinksBetween(const std::vector<std::array<double, 2>> & points, const std::vector<double> & reach, bool gabriel);
+} // namespace shapeton
+
+#endif

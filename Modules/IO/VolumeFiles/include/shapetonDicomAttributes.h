@@ -1,0 +1,74 @@
+#ifndef shapetonDicomAttributes_h
+#define shapetonDicomAttributes_h
+
+#include "ShapetonVolumeFilesExport.h"
+
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+class DcmFileFormat;
+class DcmItem;
+class DcmTagKey;
+
+namespace shapeton
+{
+/** \defgroup DicomAttributes Attributes of DICOM files from any vendor, parsed by DCMTK
+ * The files are untrusted: these functions are called in a ContainedProcess.
+ * \ingroup ShapetonVolumeFiles */
+///@{
+
+/** Configures DCMTK for a contained process: no log, and attributes of the data dictionary stored with VR UN are
+ * decoded, in data sets and in sequences. Their values are implicit VR little endian in every transfer syntax
+ * (PS3.5 6.2.2). */
+ShapetonVolumeFiles_EXPORT void
+PrepareDicomParsing();
+
+/** A value that violates the rules of its attribute; the message names attribute and value. */
+class MalformedDicomValue : public std::runtime_error
+{
+public:
+  using std::runtime_error::runtime_error;
+};
+
+/** The numbers of an attribute; empty if it is missing or empty. Throws MalformedDicomValue if one of them is not a
+ * finite decimal number, or their number is not `count`. */
+ShapetonVolumeFiles_EXPORT std::vector<double>
+                   DicomNumbersOf(DcmItem & item, const DcmTagKey & tag, std::size_t count);
+
+/** A text in UTF-8: one line of at most 256 bytes. */
+struct DicomText
+{
+  std::string text;
+  /** Whether the bytes are valid in the Specific Character Set of the item or its parents; if not, '?' replaces
+   * malformed UTF-8. */
+  bool isDecoded{ true };
+};
+
+/** The text of an attribute; empty if it is missing. In addition to DcmSpecificCharacterSet it accepts a single term
+ * with code extensions ("ISO 2022 IR 100"), bytes of a declared set without its escape sequence, ISO_IR 203, and
+ * the Japanese sets 87 and 159 if iconv has no converter for them (glibc). */
+ShapetonVolumeFiles_EXPORT DicomText
+DicomTextOf(DcmItem & item, const DcmTagKey & tag);
+
+/** The transfer syntax of a file. */
+struct DicomEncoding
+{
+  /** Its name, or its UID if the name is unknown. */
+  std::string name;
+  /** The data set is parsed correctly and its pixels can be decoded. */
+  bool isSupported{ false };
+  /** DCMTK does not know the transfer syntax: the parsed data set may be wrong. */
+  bool isUnknown{ false };
+};
+
+ShapetonVolumeFiles_EXPORT DicomEncoding
+DicomEncodingOf(DcmFileFormat & file);
+
+/** Label Map Segmentation Storage (Supplement 243), which DCMTK 3.6.7 does not know. */
+constexpr const char * LabelMapSegmentationStorageUID = "1.2.840.10008.5.1.4.1.1.66.7";
+///@}
+} // namespace shapeton
+
+#endif

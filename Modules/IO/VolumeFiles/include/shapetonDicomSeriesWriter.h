@@ -1,0 +1,71 @@
+#ifndef shapetonDicomSeriesWriter_h
+#define shapetonDicomSeriesWriter_h
+
+#include "ShapetonVolumeFilesExport.h"
+
+#include "itkImage.h"
+
+#include <string>
+
+namespace shapeton
+{
+/** Header values of a CT series to write. Texts are UTF-8, at most 64 characters (comments: 10240), without backslash
+ * and control characters.
+ * \ingroup ShapetonVolumeFiles */
+struct DicomSeriesDescription
+{
+  std::string patientName{ "Phantom^Shapeton" };
+  std::string patientID{ "SHAPETON" };
+  std::string studyDescription;
+  std::string seriesDescription;
+  /** Image Comments: origin of the pixels. */
+  std::string comments;
+  /** HFS, HFP, HFDR, HFDL, FFS, FFP, FFDR or FFDL. */
+  std::string patientPosition{ "HFS" };
+  /** At least 0. */
+  int seriesNumber{ 1 };
+  /** Series with equal patientID, studyDescription and seed share one study and one frame of reference. */
+  unsigned int seed{ 0 };
+};
+
+/** Writes a volume in Hounsfield units as a CT Image Storage series (explicit VR little endian), one file per slice,
+ * IM0001.dcm and so on, into an existing folder.
+ *
+ * The image axes may have any orientation but must form a right-handed orthonormal frame: a header contains two axes,
+ * and readers compute the third by their cross product. Values must be in [-1024, 31743]; at least two slices, at most
+ * 65535 rows and columns.
+ *
+ * UIDs have the prefix 2.25. Those of study and frame of reference are derived from patientID, studyDescription and
+ * seed, those of the series and its images from the whole description, the pixels and the geometry. Dates are fixed.
+ * Equal calls thus write equal bytes, and different images never share a UID.
+ *
+ * Positions, directions and spacings are written with the 16 characters of a Decimal String, that is, with at least 9
+ * significant digits.
+ *
+ * Throws InputError for an image or a description that a CT series cannot represent, OutputError if a file cannot
+ * be written. \ingroup ShapetonVolumeFiles */
+ShapetonVolumeFiles_EXPORT void
+WriteDicomSeries(const itk::Image<short, 3> *   image,
+                 const std::string &            folder,
+                 const DicomSeriesDescription & description);
+
+/** Calls WriteDicomSeries and creates the folder atomically.
+ *
+ * The slices are written to a hidden folder next to `folder`, which is then renamed in one step. `folder` may be
+ * missing, empty, or contain only a series written by WriteDicomSeries, which is then replaced and removed last. A
+ * failed or interrupted run leaves the old series unchanged; the remains of a killed run are removed by the next one.
+ *
+ * Throws like WriteDicomSeries, and OutputError if `folder` contains anything else.
+ * \ingroup ShapetonVolumeFiles */
+ShapetonVolumeFiles_EXPORT void
+WriteDicomSeriesFolder(const itk::Image<short, 3> *   image,
+                       const std::string &            folder,
+                       const DicomSeriesDescription & description);
+
+/** Throws the OutputError of WriteDicomSeriesFolder before the image is computed.
+ * \ingroup ShapetonVolumeFiles */
+ShapetonVolumeFiles_EXPORT void
+CheckDicomSeriesFolder(const std::string & folder);
+} // namespace shapeton
+
+#endif

@@ -1,0 +1,40 @@
+#ifndef shapetonDicomText_h
+#define shapetonDicomText_h
+
+#include "ShapetonVolumeFilesExport.h"
+
+#include <string>
+#include <vector>
+
+namespace shapeton
+{
+/** \defgroup DicomText Formatting of DICOM values
+ * \ingroup ShapetonVolumeFiles */
+///@{
+
+/** A Decimal String: at most 16 characters, as many digits as fit. Throws InputError for a number that is not
+ * finite. */
+ShapetonVolumeFiles_EXPORT std::string
+                   DicomDecimal(double value);
+
+/** "a\b\c": several values of one attribute. */
+ShapetonVolumeFiles_EXPORT std::string
+                   JoinDicomValues(const std::vector<std::string> & values);
+
+/** The values of "a\b\c" without surrounding blanks; none for an empty text. */
+ShapetonVolumeFiles_EXPORT std::vector<std::string>
+                   SplitDicomValues(const std::string & text);
+
+/** Concatenates texts, each preceded by its length, so that different lists give different results: for
+ * MakeDicomUID(). */
+ShapetonVolumeFiles_EXPORT std::string
+                   ConcatenateTexts(const std::vector<std::string> & texts);
+
+/** "2.25." and a UUID in decimal digits (DICOM PS3.5 B.2). The UUID is a custom one (RFC 9562, version 8) from the
+ * SHA-256 of the text: equal texts give equal UIDs. */
+ShapetonVolumeFiles_EXPORT std::string
+                   MakeDicomUID(const std::string & text);
+///@}
+} // namespace shapeton
+
+#endif

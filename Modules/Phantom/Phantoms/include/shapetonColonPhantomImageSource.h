@@ -1,0 +1,140 @@
+#ifndef shapetonColonPhantomImageSource_h
+#define shapetonColonPhantomImageSource_h
+
+#include "ShapetonPhantomsExport.h"
+#include "shapetonIndexedOutputs.h"
+#include "shapetonColonAnatomy.h"
+#include "shapetonColonFluid.h"
+#include "shapetonColonStructures.h"
+#include "shapetonITKCompatibility.h"
+#include "shapetonProgress.h"
+
+#include "itkGenerateImageSource.h"
+#include "itkImage.h"
+
+#include <memory>
+#include <vector>
+
+namespace shapeton
+{
+/** \class ColonPhantomImageSource
+ * \brief CT colonography volume of a synthetic patient, with its ground truth.
+ *
+ * The patient is defined in physical space (LPS, mm), with the center of the abdomen at (0, 0, 0): grids with other
+ * spacings or directions show the same patient. Each voxel is the mean of its content (BodySampler), blurred by the
+ * scanner, with correlated noise (CorrelatedNoise), rounded to integer HU and clamped to [-1024, 31743].
+ *
+ * The lumen's ground truth is evaluated at the voxel center: neither blur nor noise changes it. The catheter is in the
+ * lumen and counts as part of it.
+ *
+ * Each voxel depends only on its index and position: the same bytes for any number of threads. The whole volume is
+ * generated at once.
+ *
+ * \par Inputs and Outputs
+ * No input. Output 0 is the image in HU; output 1 the lumen (1 gas, 2 fluid); output 2 the segments of the lumen (see
+ * ColonAnatomy); output 3 other structures (ColonStructure).
+ *
+ * \par Parameters
+ * Size (default 256, 256, 240), Spacing (default 1.4 mm), Origin (default: such that the volume's center is at the
+ * patient's (0, 0, 0)) and Direction are those of GenerateImageSource; CenterOutput() moves the origin after a change.
+ *
+ * \ingroup ShapetonPhantoms */
+class ShapetonPhantoms_EXPORT ColonPhantomImageSource : public itk::GenerateImageSource<itk::Image<short, 3>>
+{
+public:
+  ITK_DISALLOW_COPY_AND_MOVE(ColonPhantomImageSource);
+
+  using Self = ColonPhantomImageSource;
+  using Superclass = itk::GenerateImageSource<itk::Image<short, 3>>;
+  using Pointer = itk::SmartPointer<Self>;
+  using ConstPointer = itk::SmartPointer<const Self>;
+  using ImageType = itk::Image<short, 3>;
+  using LabelImageType = itk::Image<unsigned char, 3>;
+
+  itkNewMacro(Self);
+  itkOverrideGetNameOfClassMacro(ColonPhantomImageSource);
+
+  /** The patient and the position; default: the preset standard. Throws ParameterError if a parameter is out of
+   * range. */
+  void
+  SetParameters(const ColonPhantomParameters & parameters);
+  const ColonPhantomParameters &
+  GetParameters() const
+  {
+    return m_Parameters;
+  }
+
+  /** Standard deviation of the profile of a plane face, mm, in [0, 3]; default 0.75. It includes the width of a
+   * voxel. It is 1.2 times larger for a soft kernel, 0.75 times for a sharp one; along the third axis the slice
+   * thickness is added. */
+  itkSetClampMacro(Blur, double, 0.0, 3.0);
+  itkGetConstMacro(Blur, double);
+
+  /** Generate only the outputs 1 to 3, which takes a small fraction of the time; output 0 then has no pixels.
+   * Default off. */
+  itkSetMacro(TruthOnly, bool);
+  itkGetConstMacro(TruthOnly, bool);
+  itkBooleanMacro(TruthOnly);
+
+  /** Sets the origin from size, spacing and direction such that the center of the volume is at `center` (LPS, mm).
+   * The center of the abdomen is (0, 0, 0), the diaphragm rises to about z = 160, the lungs reach up to about z =
+   * 345. */
+  void
+  CenterOutput(const PointType & center = PointType(0.0));
+
+  /** The ground truth; computed on first use. Valid until the parameters change. */
+  const ColonAnatomy &
+  GetAnatomy();
+  const ColonFluid &
+  GetFluid();
+  const ColonStructures &
+  GetStructures();
+
+  /** 1 gas, 2 fluid, 0 elsewhere. */
+  LabelImageType *
+  GetLumenOutput();
+
+  /** 1 to 6 in the lumen, 0 elsewhere. */
+  LabelImageType *
+  GetSegmentOutput();
+
+  /** A ColonStructure for each voxel. */
+  LabelImageType *
+  GetStructureOutput();
+
+  shapetonIndexedOutputsMacro();
+  itk::ProcessObject::DataObjectPointer
+  MakeOutput(itk::ProcessObject::DataObjectPointerArraySizeType output) override;
+
+protected:
+  ColonPhantomImageSource();
+  ~ColonPhantomImageSource() override = default;
+  void
+  PrintSelf(std::ostream & os, itk::Indent indent) const override;
+
+  /** Requires positive spacings. */
+  void
+  VerifyPreconditions() const override;
+  void
+  GenerateOutputInformation() override;
+  void
+  EnlargeOutputRequestedRegion(itk::DataObject * output) override;
+  void
+  GenerateData() override;
+
+private:
+  Progress
+  Reporter();
+  void
+  PaintImage(const std::vector<OutputImageRegionType> & tiles);
+
+  ColonPhantomParameters                 m_Parameters;
+  double                                 m_Blur{ 0.75 };
+  bool                                   m_TruthOnly{ false };
+  std::unique_ptr<const ColonAnatomy>    m_Anatomy;
+  std::unique_ptr<const ColonFluid>      m_Fluid;
+  std::unique_ptr<const ColonStructures> m_Structures;
+};
+} // namespace shapeton
+
+#endif

@@ -1,0 +1,65 @@
+#ifndef shapetonPhantomBody_h
+#define shapetonPhantomBody_h
+
+#include "ShapetonPhantomsExport.h"
+
+#include "itkPoint.h"
+
+#include <memory>
+#include <vector>
+
+namespace shapeton
+{
+/** Properties of a body around a point, for samplers that skip uniform regions. \ingroup ShapetonPhantoms
+ * \ingroup ShapetonPhantoms */
+struct BodyProbe
+{
+  /** Signed distance to the body's outer surface in mm, negative inside; its magnitude may be too small, never too
+   * large. */
+  double distance;
+  /** Lower bound of the distance to any surface of the body, outer or inner, mm. */
+  double clearance;
+  /** True if the intensity is smooth within the ball of radius `clearance`. */
+  bool textured{ false };
+};
+
+/** \class PhantomBody
+ * \brief A body of a CT phantom: its region and its intensity in HU.
+ *
+ * Bodies are painted in order, each over the previous ones.
+ *
+ * \ingroup ShapetonPhantoms */
+class ShapetonPhantoms_EXPORT PhantomBody
+{
+public:
+  using PointType = itk::Point<double, 3>;
+
+  virtual ~PhantomBody();
+
+  virtual BodyProbe
+  Probe(const PointType & point) const = 0;
+
+  /** Intensity in HU at a point of the body that is not on any of its surfaces. */
+  virtual double
+  Intensity(const PointType & point) const = 0;
+
+  /** Updates `value`, the mean intensity of a cell of `width` mm around `point`, by the share of the body in it. */
+  virtual void
+  Paint(const PointType & point, double width, double & value) const = 0;
+};
+
+/** In painting order. \ingroup ShapetonPhantoms \ingroup ShapetonPhantoms */
+using PhantomBodies = std::vector<std::shared_ptr<const PhantomBody>>;
+
+/** The share of a cell of `width` mm inside a plane face; `distance` of its center, negative inside.
+ * \ingroup ShapetonPhantoms
+ * \ingroup ShapetonPhantoms */
+inline double
+ShareInside(double distance, double width)
+{
+  const double share = 0.5 - distance / width;
+  return share <= 0.0 ? 0.0 : (share >= 1.0 ? 1.0 : share);
+}
+} // namespace shapeton
+
+#endif

@@ -1,0 +1,42 @@
+#ifndef shapetonColonDicomResults_h
+#define shapetonColonDicomResults_h
+
+#include "ShapetonColonToolsExport.h"
+#include "shapetonHtmlReport.h"
+#include "shapetonProgress.h"
+#include "shapetonRemarks.h"
+
+#include <string>
+
+namespace shapeton
+{
+/** Options for writing the results of an examination. \ingroup ShapetonColonTools */
+struct ColonDicomOptions
+{
+  /** If true, the segmentation is written in Deflated Explicit VR Little Endian. */
+  bool isDeflated{ false };
+  /** Progress receiver; its stages are "Reading" and the file names. */
+  Progress progress;
+};
+
+/** Writes the results of VirtualColonoscopy for one series as DICOM objects: seg.dcm (lumen, folds, heads of
+ * candidates, segments of the colon), sr.dcm (TID 1500), cad.dcm (Colon CAD SR), sc.dcm (the flat colon), stl.dcm (the
+ * wall).
+ *
+ * \param exam the folder of the run, or its folder `second`.
+ * \param source the folder with the series that the run read: checked by its UID, its grid, and its digest in the
+ * record of the segmentation.
+ * \param outputPath maps final names in the existing `folder` to the names to write to.
+ * Returns a list of what is missing in the examination, and therefore in the results. Equal input gives equal bytes.
+ *
+ * Throws InputError if the run is unfinished, did not read DICOM, or read another series; OutputError.
+ * \ingroup ShapetonColonTools */
+ShapetonColonTools_EXPORT Remarks
+WriteColonDicomResults(const std::string &       exam,
+                       const std::string &       source,
+                       const std::string &       folder,
+                       const ColonDicomOptions & options,
+                       const OutputPath &        outputPath);
+} // namespace shapeton
+
+#endif

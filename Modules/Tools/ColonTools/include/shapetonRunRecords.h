@@ -1,0 +1,45 @@
+#ifndef shapetonRunRecords_h
+#define shapetonRunRecords_h
+
+#include "ShapetonColonToolsExport.h"
+#include "shapetonRemarks.h"
+
+#include <string>
+
+namespace shapeton
+{
+/** \class RunRecords
+ * \brief Reads the records in the folder of a StagedRun, for programs that use its results.
+ *
+ * A run that was interrupted or is still active may contain stages computed from outdated results of other stages.
+ * Such results must not be combined into one examination.
+ *
+ * \ingroup ShapetonColonTools */
+class ShapetonColonTools_EXPORT RunRecords
+{
+public:
+  explicit RunRecords(const std::string & folder);
+
+  /** Throws InputError unless the file is the one that the completed stage wrote, and all results it was computed from,
+   * through all earlier stages, are the current results of the run. */
+  void
+  RequireCurrent(const std::string & stage, const std::string & file) const;
+
+  /** The same for all results of a stage, without reading them: throws InputError if the stage completed but was
+   * computed from results that no longer exist. */
+  void
+  RequireCurrent(const std::string & stage) const;
+
+  /** Warnings of the tool of a stage; empty if it has no record. */
+  Remarks
+  WarningsOf(const std::string & stage) const;
+
+private:
+  std::string
+  PathOf(const std::string & stage) const;
+
+  std::string m_Folder;
+};
+} // namespace shapeton
+
+#endif

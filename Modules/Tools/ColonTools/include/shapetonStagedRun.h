@@ -1,0 +1,109 @@
+#ifndef shapetonStagedRun_h
+#define shapetonStagedRun_h
+
+#include "ShapetonColonToolsExport.h"
+
+#include "shapetonRemarks.h"
+#include "shapetonProgress.h"
+#include "shapetonStage.h"
+
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace shapeton
+{
+/** Outcome of a stage. \ingroup ShapetonColonTools */
+struct ShapetonColonTools_EXPORT StageResult
+{
+  std::string name;
+  std::string program;
+  std::string version;
+  /** Exit status of the tool; 0 on success, 1 if a signal ended it. */
+  int status{ 0 };
+  /** Error message of a failed tool. */
+  std::string message;
+  /** Warnings of the tool; those of the original run if the stage was skipped. */
+  Remarks warnings;
+  /** Names in the stage's folder and their SHA-256, in alphabetical order. Records of single runs (*.run.json) are left
+   * out because they differ from run to run. */
+  std::vector<std::pair<std::string, std::string>> files;
+  /** True if the stage was skipped because its earlier result is still valid. */
+  bool isResumed{ false };
+
+  bool
+  Has(const std::string & file) const;
+};
+
+/** \class StagedRun
+ * \brief Runs tools one after another in one folder, skipping those with up-to-date results.
+ *
+ * A stage is complete when its record in FOLDER/stages says so: the record holds the signature of the stage (program,
+ * version, options, identities of its inputs) and the SHA-256 of each file that the tool wrote. If the signature is
+ * the same and all files are unchanged, the tool is not run again.
+ *
+ * The tool writes to a hidden folder whose files are renamed into FOLDER/NAME on success; then the record is written.
+ * Thus a run killed at any time, even by SIGKILL, can be resumed and ends with the same files. A failed stage keeps
+ * the older result, or the partial results that the tool itself saved. Only files that this class put into FOLDER/NAME
+ * are ever removed.
+ *
+ * The tool runs as a child process that receives SIGTERM when this process dies. A second run in the same folder is
+ * rejected, also while a child of a killed run is still exiting.
+ *
+ * \ingroup ShapetonColonTools */
+class ShapetonColonTools_EXPORT StagedRun
+{
+public:
+  /** `folder` must exist; `toolFolder` holds the programs. Throws OutputError if the folder cannot be written to or
+   * another run is using it. */
+  StagedRun(const std::string & folder, const std::string & toolFolder);
+  ~StagedRun();
+  StagedRun(const StagedRun &) = delete;
+  StagedRun &
+  operator=(const StagedRun &) = delete;
+
+  /** Runs a stage; progress shows the step of the tool and the fraction of the stage. A tool that fails or is missing
+   * does not throw: see StageResult::status. Throws OutputError if the folder cannot be written to, InputError for an
+   * input that cannot be read. Two threads may run two stages if neither uses a result of the other. */
+  StageResult
+  Run(const Stage & stage, const Progress & progress = {});
+
+  /** IdentityOf(), cached per path; two threads that ask for a path at the same time may both compute it. */
+  std::string
+  Identify(const std::string & path);
+
+  /** Path of a file of a stage. */
+  std::string
+  PathOf(const std::string & stage, const std::string & file) const;
+
+private:
+  std::string
+  SignatureOf(const Stage & stage, const std::string & version);
+  std::string
+  IdentityOfInput(const Stage::Argument & argument);
+  std::vector<std::pair<std::string, std::string>>
+  ResultsReadBy(const Stage & stage);
+  std::string
+  VersionOf(const std::string & program);
+  bool
+  IsUnchanged(const StageResult & result) const;
+  StageResult
+  Compute(const Stage & stage, const std::string & scratch, const Progress & progress) const;
+
+  class Lock;
+  std::unique_ptr<Lock>              m_Lock;
+  std::string                        m_Folder;
+  std::string                        m_ToolFolder;
+  std::mutex                         m_Mutex;      ///< guards m_Identities
+  std::map<std::string, std::string> m_Identities; ///< cache, so that each file is read once
+};
+
+/** The folder of the running program. \ingroup ShapetonColonTools */
+ShapetonColonTools_EXPORT std::string
+                 FolderOfThisProgram();
+} // namespace shapeton
+
+#endif

@@ -1,0 +1,41 @@
+#ifndef shapetonColonoscopyReport_h
+#define shapetonColonoscopyReport_h
+
+#include "ShapetonColonToolsExport.h"
+
+#include "shapetonRemarks.h"
+#include "shapetonColonoscopyResults.h"
+#include "shapetonHtmlReport.h"
+
+namespace shapeton
+{
+/** Content of the report in addition to the results. \ingroup ShapetonColonTools */
+struct ColonoscopyReportContent
+{
+  using Facts = std::vector<std::pair<std::string, std::string>>;
+  /** Not owned. */
+  const ColonoscopyResults * results{ nullptr };
+  /** Error message of the failed stage; "" if all stages completed. */
+  std::string failure;
+  Remarks     warnings;
+  Facts       provenance;
+};
+
+/** Writes one self-contained HTML file: summary, distension, views in space, the flat colon in rows, tables, doubtful
+ * results, provenance; for a failed run, the results so far. Equal content gives equal bytes. `scratchFolder` is
+ * created and removed with its contents. Throws OutputError. \ingroup ShapetonColonTools */
+ShapetonColonTools_EXPORT void
+WriteColonoscopyReport(const ColonoscopyReportContent & content,
+                       const std::string &              path,
+                       const std::string &              scratchFolder);
+
+/** Writes the files for 3D Slicer that no stage writes, as far as there are results: centerline.mrk.json and the color
+ * tables lumen.ctbl and segments.ctbl. Returns their names. Throws OutputError.
+ * \ingroup ShapetonColonTools */
+ShapetonColonTools_EXPORT std::vector<std::string>
+                      WriteColonoscopySlicerFiles(const ColonoscopyResults & results,
+                                                  const std::string &        folder,
+                                                  const OutputPath &         outputPath);
+} // namespace shapeton
+
+#endif

@@ -1,0 +1,38 @@
+#ifndef shapetonToolVolumes_h
+#define shapetonToolVolumes_h
+
+#include "ShapetonCommandLineExport.h"
+#include "shapetonVolumeReader.h"
+
+namespace shapeton
+{
+class CommandLine;
+
+/** ReadVolume() for a tool: `parameter` names the input in the tool's XML, which also declares the options seriesUID,
+ * resampleGaps, deshear and dropDuplicates. Adds identity and repairs to the provenance, notes to the warnings.
+ * \ingroup ShapetonCommandLine */
+ShapetonCommandLine_EXPORT Volume
+ReadVolume(CommandLine & commandLine, const std::string & parameter, bool allowSingleSlice = false);
+
+/** Warns if a volume states another modality, for a tool that interprets values as Hounsfield units.
+ * \ingroup ShapetonCommandLine */
+ShapetonCommandLine_EXPORT void
+WarnUnlessCT(CommandLine & commandLine, const Volume & volume);
+
+/** MaskForImage() for the volume named by the input `parameter`. Adds its identity to the provenance.
+ * \ingroup ShapetonCommandLine */
+ShapetonCommandLine_EXPORT itk::Image<unsigned char, 3>::Pointer
+                 ReadMask(CommandLine & commandLine, const std::string & parameter, const itk::ImageBase<3> * image);
+
+/** The same for a label image: throws InputError if it holds a negative or fractional number, as a CT does.
+ * \ingroup ShapetonCommandLine */
+ShapetonCommandLine_EXPORT itk::Image<unsigned char, 3>::Pointer
+ReadLabelMask(CommandLine & commandLine, const std::string & parameter, const itk::ImageBase<3> * image);
+
+/** Throws ParameterError unless the option intensityWindow is absent or holds two ascending numbers.
+ * \ingroup ShapetonCommandLine */
+ShapetonCommandLine_EXPORT void
+RequireIntensityWindow(const CommandLine & commandLine);
+} // namespace shapeton
+
+#endif

@@ -1,0 +1,71 @@
+#ifndef shapetonParticleResultFiles_h
+#define shapetonParticleResultFiles_h
+
+#include "ShapetonHeatToolsExport.h"
+#include "shapetonHeatReport.h"
+#include "shapetonParticleDiffusionImageFilter.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace shapeton
+{
+class CommandLine;
+class DicomMapOutput;
+struct Volume;
+
+/** Warnings on a run of shapeton diffusion: trapped shapetons, density that did not reach the requested steady state,
+ * few visits. \ingroup ShapetonHeatTools */
+ShapetonHeatTools_EXPORT std::vector<std::string>
+                 ParticleRemarks(const ParticleDiffusionImageFilter<itk::Image<float, 3>> * filter);
+
+/** Parameters and measures of a run as text, with reasons if the distance and the number of shapetons were chosen from
+ * the data. \ingroup ShapetonHeatTools */
+ShapetonHeatTools_EXPORT HeatReportContent::Facts
+                 ParticleFacts(const ParticleDiffusionImageFilter<itk::Image<float, 3>> * filter);
+
+/** \class ParticleResultFiles
+ * \brief The output files of the shapeton diffusion tool, declared by the parameters of its XML.
+ *
+ * outputDensity and labels are volumes, classTable a CSV, report a folder, which also gets a HeatExplorer;
+ * histogramRange zooms ranges of its histogram. Outputs that were not requested are not written, except the record of
+ * the run (`<outputDensity>.run.json`). The density holds visits and states its time step (key `timeStep`) and
+ * provenance.
+ *
+ * \ingroup ShapetonHeatTools
+ */
+class ShapetonHeatTools_EXPORT ParticleResultFiles
+{
+public:
+  using FilterType = ParticleDiffusionImageFilter<itk::Image<float, 3>>;
+
+  /** Registers the outputs. Throws ParameterError for an unsupported volume extension or wrong ranges, OutputError if a
+   * file cannot be written. */
+  explicit ParticleResultFiles(CommandLine & commandLine);
+  ~ParticleResultFiles();
+
+  /** Whether the histogram is needed. */
+  bool
+  WantHistogram() const
+  {
+    return !m_Report.empty();
+  }
+
+  void
+  Write(const FilterType * filter, const Volume & volume) const;
+
+private:
+  CommandLine &                         m_CommandLine;
+  std::string                           m_Density;
+  std::string                           m_Labels;
+  std::string                           m_ClassTable;
+  std::string                           m_Report;
+  HeatRanges                            m_Ranges;
+  std::shared_ptr<const DicomMapOutput> m_DicomMap;
+
+  std::unique_ptr<HeatExplorer> m_Explorer; // null without a report
+};
+} // namespace shapeton
+
+#endif

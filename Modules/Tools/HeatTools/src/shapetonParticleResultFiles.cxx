@@ -1,0 +1,186 @@
+#include "shapetonParticleResultFiles.h"
+
+#include "shapetonAxisTicks.h"
+#include "shapetonCommandLine.h"
+#include "shapetonDicomMapOutput.h"
+#include "shapetonOpenedRanges.h"
+#include "shapetonReportFolder.h"
+#include "shapetonShapeAnalysis.h"
+#include "shapetonVolumeOutput.h"
+#include "shapetonVolume.h"
+#include "shapetonVolumeWriter.h"
+
+#include <algorithm>
+
+namespace shapeton
+{
+namespace
+{
+using FilterType = ParticleResultFiles::FilterType;
+using Facts = HeatReportContent::Facts;
+
+double
+LongestSide(const itk::Image<float, 3> * image)
+{
+  double side = 0.0;
+  for (unsigned int axis = 0; axis < 3; ++axis)
+  {
+    side =
+      std::max(side, static_cast<double>(image->GetLargestPossibleRegion().GetSize(axis)) * image->GetSpacing()[axis]);
+  }
+  return side;
+}
+
+std::string
+Percent(double share)
+{
+  return CsvTable::Rounded(100.0 * share, 4) + " %";
+}
+
+double
+ShareTrapped(const FilterType * filter)
+{
+  return static_cast<double>(filter->GetMeasures().trappedShapetons) / filter->GetNumberOfShapetons();
+}
+
+double
+MeanVisits(const FilterType * filter)
+{
+  const ParticleMeasures & measures = filter->GetMeasures();
+  return static_cast<double>(measures.step) * filter->GetNumberOfShapetons() /
+         static_cast<double>(std::max<std::uint64_t>(1, measures.voxelsReached));
+}
+} // namespace
+
+std::vector<std::string>
+ParticleRemarks(const FilterType * filter)
+{
+  const ParticleMeasures & measures = filter->GetMeasures();
+  std::vector<std::string> remarks;
+  if (!(filter->GetWindowLower() < filter->GetWindowUpper()))
+  {
+    remarks.push_back("all voxels have the same intensity in the window: the shapetons find no shape");
+  }
+  if (filter->GetUntilSteady() && !measures.steady)
+  {
+    remarks.push_back("the density is not yet steady after " + std::to_string(measures.step) + " steps");
+  }
+  if (ShareTrapped(filter) >= 0.05)
+  {
+    remarks.push_back(
+      Percent(ShareTrapped(filter)) +
+      " of the shapetons are trapped in voxels that are cut off from all six neighbors: choose a smaller "
+      "p for a noisy volume");
+  }
+  if (MeanVisits(filter) < 4.0)
+  {
+    remarks.push_back("the voxels reached have " + CsvTable::Rounded(MeanVisits(filter), 3) +
+                      " visits on average, which is little more than noise: take more shapetons or steps");
+  }
+  return remarks;
+}
+
+HeatReportContent::Facts
+ParticleFacts(const FilterType * filter)
+{
+  const ParticleMeasures & measures = filter->GetMeasures();
+  const double             millimeters = filter->GetDistance() * LongestSide(filter->GetInput());
+  Facts                    facts = { { "Intensity window",
+                                       CsvTable::Number(filter->GetWindowLower()) + " to " + CsvTable::Number(filter->GetWindowUpper()) },
+                                     { "p", CsvTable::Rounded(filter->GetP(), 6) },
+                                     { "Shapetons", GroupedDigits(filter->GetNumberOfShapetons()) },
+                                     { "Distance",
+                                       CsvTable::Rounded(filter->GetDistance(), 6) + " of the longest side, " +
+                                         CsvTable::Rounded(millimeters, 4) + " mm" },
+                                     { "Time steps", GroupedDigits(measures.step) + (measures.steady ? ": the density is steady" : "") },
+                                     { "Direction sampling", NameOf(filter->GetDirectionSampling()) },
+                                     { "Path rule", NameOf(filter->GetPathRule()) },
+                                     { "Placement", NameOf(filter->GetPlacement()) },
+                                     { "Seed", std::to_string(filter->GetSeed()) },
+                                     { "Visits", GroupedDigits(measures.step * filter->GetNumberOfShapetons()) },
+                                     { "Greatest number of visits", GroupedDigits(measures.maximumVisits) },
+                                     { "Mean number of visits of the voxels reached", CsvTable::Rounded(MeanVisits(filter), 4) },
+                                     { "Coverage: object voxels reached", Percent(measures.GetCoverage()) },
+                                     { "Change in the last step (3.10)", CsvTable::Rounded(measures.change, 4) },
+                                     { "Change of a steady state",
+                                       CsvTable::Rounded(filter->GetAutomaticEpsilon() ? measures.automaticEpsilon : filter->GetEpsilon(),
+                                                         4) +
+                                         (filter->GetAutomaticEpsilon() ? ": the voxels reached then have 100 visits on average" : "") },
+                                     { "Shapetons trapped", Percent(ShareTrapped(filter)) } };
+  if (filter->GetAutomaticDistance())
+  {
+    facts.emplace_back("Why this distance", filter->GetAutomaticShapetons().distanceReason);
+  }
+  if (filter->GetAutomaticNumberOfShapetons())
+  {
+    facts.emplace_back("Why so many shapetons", filter->GetAutomaticShapetons().shapetonsReason);
+  }
+  return facts;
+}
+
+ParticleResultFiles::ParticleResultFiles(CommandLine & commandLine)
+  : m_CommandLine(commandLine)
+  , m_Density(VolumeOutput(commandLine, "outputDensity"))
+  , m_Labels(VolumeOutput(commandLine, "labels"))
+  , m_ClassTable(commandLine.OutputOf("classTable"))
+  , m_Report(commandLine.GetString("report"))
+  , m_Ranges(ReadOpenedRanges(commandLine))
+  , m_DicomMap(std::make_shared<DicomMapOutput>(commandLine))
+{
+  commandLine.RecordRun(commandLine.GetString("outputDensity") + ".run.json");
+  if (!m_Report.empty())
+  {
+    m_Explorer = MakeExplorer(commandLine, m_Report);
+  }
+}
+
+ParticleResultFiles::~ParticleResultFiles() = default;
+
+void
+ParticleResultFiles::Write(const FilterType * filter, const Volume & volume) const
+{
+  auto metadata = ProvenanceMetadata(m_CommandLine.GetProvenance());
+  metadata.emplace_back("timeStep", std::to_string(filter->GetMeasures().step));
+  WriteVolume(filter->GetOutput(), m_Density, metadata);
+  m_DicomMap->Write(filter->GetOutput(), "VISITS", "Visits of shapetons");
+  if (m_Labels.empty() && m_ClassTable.empty() && m_Report.empty())
+  {
+    return;
+  }
+  const ShapeAnalysis shape = AnalyzeVisits(filter->GetOutput(), filter->GetMeasures().step);
+  if (shape.classes.size() <= 2)
+  {
+    m_CommandLine.Warn(
+      "all voxels that were visited fall into one class of density: no object stands out from the others");
+  }
+  HeatReportContent content;
+  content.title = "Shapeton diffusion";
+  content.quantity = shape.quantity;
+  content.input = { { "Modality", volume.modality }, { "Identity", volume.identity } };
+  content.parameters = ParticleFacts(filter);
+  content.provenance = m_CommandLine.GetProvenance();
+  content.warnings = m_CommandLine.GetWarnings();
+  content.histogram = filter->GetHistogram().GetNumberOfRows() > 0 ? &filter->GetHistogram() : &shape.histogram;
+  // The first rows are noisy, and missing in a resumed run.
+  content.axisHistogram = &shape.axisHistogram;
+  content.gray = volume.image;
+  content.heat = shape.values;
+  content.timeStep = filter->GetMeasures().step;
+  content.classes = shape.classes;
+  OpenRanges(m_CommandLine, m_Ranges, content);
+  if (!m_Labels.empty())
+  {
+    WriteVolume(shape.labels.GetPointer(), m_Labels, ProvenanceMetadata(m_CommandLine.GetProvenance()));
+  }
+  if (!m_ClassTable.empty())
+  {
+    shapeton::ClassTable(content).Write(m_ClassTable);
+  }
+  if (!m_Report.empty())
+  {
+    content.hasExplorer = true;
+    WriteExplorer(content, *m_Explorer);
+    WriteHeatReport(content, m_Report, [this](const std::string & path) { return m_CommandLine.Output(path); });
+  }
+}
+} // namespace shapeton

@@ -1,0 +1,48 @@
+#ifndef shapetonColonViewer_h
+#define shapetonColonViewer_h
+
+#include "ShapetonColonViewsExport.h"
+#include "shapetonHtmlReport.h"
+
+#include <string>
+
+namespace shapeton
+{
+/** Options of the viewer page of a colon. \ingroup ShapetonColonViews */
+struct ColonViewerOptions
+{
+  /** If true, all data are in the page; otherwise in script files in its folder `data`, which load faster. */
+  bool isSingle{ false };
+  /** 8 bits hold -1024 to 512 HU in steps of 6 HU, 16 bits all values. */
+  int bits{ 8 };
+  /** Distance from the lumen (mm, 0 to 100) beyond which the volume is stored as means of 4^3 voxels. */
+  double near{ 14.0 };
+  /** Leaves out the series UIDs and the folder name. */
+  bool isAnonymous{ false };
+  /** A verdicts.json saved by the page; may be empty. */
+  std::string verdicts;
+  /** The run of the other position of the patient; if empty, the one in the folder of the run, if any. */
+  std::string second;
+  /** The ColonRegistration folder for the run and `second`; without it, these positions are not linked. */
+  std::string registration;
+};
+
+/** Writes `folder`/viewer.html, a page for reading a finished run of VirtualColonoscopy: the flat wall, the wall in
+ * space, the endoluminal view and slices with a linked crosshair, candidates, verdicts. The page works offline. With
+ * verdicts, also writes `folder`/verdicts.mrk.json for 3D Slicer.
+ *
+ * `exam` is the folder of the run. With its folders `second` and `registration` the page shows both positions, linked
+ * by the map. Equal input gives equal bytes. `outputPath` maps final names to the names to write to. `folder`, and its
+ * folder `data` unless the page is single, must exist.
+ *
+ * Throws InputError for an unfinished run, a file not written by the run, verdicts of another examination or a map of
+ * other positions; ParameterError for an option out of range; OutputError.
+ * \ingroup ShapetonColonViews */
+ShapetonColonViews_EXPORT void
+WriteColonViewer(const std::string &        exam,
+                 const std::string &        folder,
+                 const ColonViewerOptions & options,
+                 const OutputPath &         outputPath);
+} // namespace shapeton
+
+#endif

@@ -1,0 +1,74 @@
+#ifndef shapetonHeatExplorer_h
+#define shapetonHeatExplorer_h
+
+#include "ShapetonHeatViewsExport.h"
+#include "shapetonHeatHistogram.h"
+#include "shapetonHeatRanges.h"
+#include "shapetonHtmlReport.h"
+#include "shapetonPageBlocks.h"
+#include "shapetonShapeQuantity.h"
+#include "shapetonShapeTransferFunction.h"
+#include "shapetonSliceMontage.h"
+
+#include "itkImage.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace shapeton
+{
+/** Content of the page in addition to the heat volumes. The pointers are not owned and must not be null, except
+ * axisHistogram. \ingroup ShapetonHeatViews */
+struct HeatExplorerContent
+{
+  std::string           title;
+  ShapeQuantity         quantity;
+  const HeatHistogram * histogram{ nullptr };
+  /** If given, defines the axis instead. */
+  const HeatHistogram *        axisHistogram{ nullptr };
+  HeatScale                    scale{ HeatScale::Equalized };
+  const itk::Image<float, 3> * gray{ nullptr };
+  /** Intensity window of the slices. */
+  IntensityWindow window;
+  /** Initial lines of the page. */
+  ShapeTransferFunction lines;
+  /** Initially zoomed ranges; the key B leaves the last one. */
+  HeatRanges ranges;
+};
+
+/** \class HeatExplorer
+ * \brief The page explorer.html: interactive selection of lines of the heat histogram, with slices and a rendering.
+ *
+ * The page opens from a file and works offline; its data are scripts in the folder `explorer` next to it. Heats are
+ * stored as HeatHistogram bins, so the page has the full resolution of the histogram. Volumes with more than 2^25
+ * voxels are subsampled along each axis, which the page states. Equal input gives equal bytes.
+ *
+ * \ingroup ShapetonHeatViews */
+class ShapetonHeatViews_EXPORT HeatExplorer
+{
+public:
+  /** `folder` and its folder `explorer` must exist; `outputPath` maps final names to the names to write to. */
+  HeatExplorer(const std::string & folder, const OutputPath & outputPath);
+
+  /** Name of the data folder inside the folder of the page. */
+  static const char * const DataFolder;
+
+  /** Stores the values, in [0, 1], of a time step; steps must ascend. A step that is already stored is skipped. Throws
+   * OutputError. */
+  void
+  AddStep(const itk::Image<float, 3> * values, std::uint64_t timeStep);
+
+  /** Writes the page. Throws OutputError, and std::logic_error if no step was added. */
+  void
+  Write(const HeatExplorerContent & content);
+
+private:
+  std::string                m_Folder;
+  OutputPath                 m_OutputPath;
+  PageBlocks                 m_Blocks;
+  std::vector<std::uint64_t> m_TimeSteps;
+};
+} // namespace shapeton
+
+#endif

@@ -1,0 +1,28 @@
+#ifndef shapetonSavedTransferFunction_h
+#define shapetonSavedTransferFunction_h
+
+#include "ShapetonHeatViewsExport.h"
+#include "shapetonShapeTransferFunction.h"
+
+#include <cstdint>
+#include <string>
+
+namespace shapeton
+{
+/** A transfer function saved by the page of HeatExplorer. \ingroup ShapetonHeatViews */
+struct SavedTransferFunction
+{
+  /** "heat" or "density". */
+  std::string           quantity;
+  std::uint64_t         timeStep{ 0 };
+  ShapeTransferFunction lines;
+};
+
+/** Reads transfer-function.json. Throws InputError, with the file, the error and a remedy, if the file is missing, not
+ * JSON or not in the format that the page saves: a missing, unknown or mistyped key, or lines that
+ * ShapeTransferFunction rejects. \ingroup ShapetonHeatViews */
+ShapetonHeatViews_EXPORT SavedTransferFunction
+ReadTransferFunction(const std::string & path);
+} // namespace shapeton
+
+#endif
