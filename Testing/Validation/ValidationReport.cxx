@@ -40,7 +40,7 @@ ValidationReport::AddText(const std::string & text)
 }
 
 void
-ValidationReport::AddRowsOfMarkdown(const shapeton::CsvTable & table, bool failedOnly)
+ValidationReport::AddRowsOfMarkdown(const shapeton::CsvTable & table, const RowTest & isShown)
 {
   const auto line = [this](const std::vector<std::string> & cells) {
     for (const auto & cell : cells)
@@ -53,7 +53,7 @@ ValidationReport::AddRowsOfMarkdown(const shapeton::CsvTable & table, bool faile
   line(std::vector<std::string>(table.GetColumns().size(), "---"));
   for (const auto & row : table.GetRows())
   {
-    if (!failedOnly || HasFailed(row))
+    if (isShown(row))
     {
       line(row);
     }
@@ -64,11 +64,33 @@ ValidationReport::AddRowsOfMarkdown(const shapeton::CsvTable & table, bool faile
 void
 ValidationReport::AddTable(const shapeton::CsvTable & table)
 {
-  this->AddRowsOfMarkdown(table, false);
+  this->AddRowsOfMarkdown(table, [](const std::vector<std::string> &) { return true; });
 }
 
 void
 ValidationReport::AddRows(const std::string & name, const shapeton::CsvTable & table)
+{
+  this->AddRowsAndShow(name, table, HasFailed);
+}
+
+void
+ValidationReport::AddSummary(const std::string & name, const shapeton::CsvTable & table)
+{
+  const auto & columns = table.GetColumns();
+  const auto   bound = std::find(columns.begin(), columns.end(), "bound");
+  if (bound == columns.end())
+  {
+    throw std::logic_error("The table " + name + " of a summary requires the column \"bound\".");
+  }
+  const std::size_t at = static_cast<std::size_t>(bound - columns.begin());
+  this->AddRowsAndShow(
+    name, table, [at](const std::vector<std::string> & row) { return !row[at].empty() || HasFailed(row); });
+}
+
+void
+ValidationReport::AddRowsAndShow(const std::string &        name,
+                                 const shapeton::CsvTable & table,
+                                 const RowTest &            isShown)
 {
   std::vector<std::string> columns = table.GetColumns();
   columns.insert(columns.begin(), "section");
@@ -78,12 +100,13 @@ ValidationReport::AddRows(const std::string & name, const shapeton::CsvTable & t
     row.insert(row.begin(), m_Section);
     all.AddRow(row);
   }
-  const auto failed = std::count_if(table.GetRows().begin(), table.GetRows().end(), HasFailed);
-  this->AddText(std::to_string(table.GetRows().size()) + " rows" +
+  const auto & rows = table.GetRows();
+  const auto   failed = std::count_if(rows.begin(), rows.end(), HasFailed);
+  this->AddText(std::to_string(rows.size()) + (rows.size() == 1 ? " row" : " rows") +
                 (failed > 0 ? ", " + std::to_string(failed) + " failed: " : ": ") + LinkTo(name) + '.');
-  if (failed > 0)
+  if (std::any_of(rows.begin(), rows.end(), isShown))
   {
-    this->AddRowsOfMarkdown(table, true);
+    this->AddRowsOfMarkdown(table, isShown);
   }
 }
 

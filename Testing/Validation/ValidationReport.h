@@ -3,6 +3,7 @@
 
 #include "shapetonCsvTable.h"
 
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -23,6 +24,11 @@ public:
   void
   AddRows(const std::string & name, const shapeton::CsvTable & table);
 
+  /** Adds all rows to the CSV file, as AddRows() does; the page shows the link, and the rows that have a bound (a cell of
+   * the column "bound" that is not empty) or that have failed. */
+  void
+  AddSummary(const std::string & name, const shapeton::CsvTable & table);
+
   /** Records a check and returns "pass" or "FAIL" for a table; failures are counted. */
   std::string
   Check(bool passed);
@@ -41,8 +47,13 @@ public:
   Progress(const std::string & what);
 
 private:
+  using RowTest = std::function<bool(const std::vector<std::string> &)>;
+
+  /** Adds those rows to the CSV file `name`, and to the page a link and the rows that pass `isShown`, if any. */
   void
-  AddRowsOfMarkdown(const shapeton::CsvTable & table, bool failedOnly);
+  AddRowsAndShow(const std::string & name, const shapeton::CsvTable & table, const RowTest & isShown);
+  void
+  AddRowsOfMarkdown(const shapeton::CsvTable & table, const RowTest & isShown);
 
   std::string                               m_Page;
   std::string                               m_Section;
