@@ -1,4 +1,4 @@
-// usage: ColonRealism TABLE.md NAME=RUN[,RUN...] [NAME=RUN[,RUN...] ...]
+// usage: ColonRealism PAGE.md NAME=RUN[,RUN...] [NAME=RUN[,RUN...] ...]
 //
 // Compares colons segment by segment: length, course, caliber, folds. RUN is a finished folder of VirtualColonoscopy;
 // the runs of a NAME are merged into one column. Used to compare phantoms with real colons; see
@@ -10,7 +10,6 @@
 
 #include <cstdio>
 #include <exception>
-#include <filesystem>
 #include <sstream>
 #include <stdexcept>
 
@@ -113,7 +112,7 @@ try
 {
   if (argc < 3)
   {
-    throw std::invalid_argument("usage: ColonRealism TABLE.md NAME=RUN[,RUN...] [NAME=RUN[,RUN...] ...]");
+    throw std::invalid_argument("usage: ColonRealism PAGE.md NAME=RUN[,RUN...] [NAME=RUN[,RUN...] ...]");
   }
   std::vector<Colons> columns;
   for (int i = 2; i < argc; ++i)
@@ -129,9 +128,11 @@ try
   {
     AddTable(measure, columns, report);
   }
-  const std::filesystem::path page(argv[1]);
-  const std::string           folder = page.has_parent_path() ? page.parent_path().string() : ".";
-  report.Write(folder, folder, page.stem().string());
+  ValidationSection section;
+  section.page = argv[1];
+  section.pageTitle = "Shapes of colons";
+  section.name = "colon-realism";
+  report.Write(section);
   return 0;
 }
 catch (const std::exception & error)

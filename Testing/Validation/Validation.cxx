@@ -8,11 +8,34 @@
 #include <filesystem>
 #include <functional>
 #include <map>
+#include <stdexcept>
 
 namespace
 {
+/** A page of the report, shared by the parts of an area. */
+struct Area
+{
+  std::string name;
+  std::string title;
+  bool        hasPatients{ false }; ///< its parts depend on the first seed of the synthetic patients
+};
+
+const std::vector<Area> areas = {
+  { "heat", "Validation of cumulative heat diffusion" },
+  { "shapetons", "Validation of shapetons" },
+  { "shape-search", "Validation of shape search" },
+  { "seeded-heat", "Validation of labels from seeds" },
+  { "flattening", "Validation of flattening" },
+  { "colon-surfaces", "Validation of colon surfaces and centerlines", true },
+  { "colon-landmarks", "Validation of colon landmarks", true },
+  { "colon-registration", "Validation of supine and prone registration", true },
+  { "colon-polyps", "Validation of polyp candidates", true },
+  { "graph-embedding", "Validation of graph embeddings" },
+};
+
 struct Part
 {
+  std::string                                                         area;
   std::string                                                         name;
   std::string                                                         title;
   std::function<void(const ValidationSettings &, ValidationReport &)> run;
@@ -21,36 +44,88 @@ struct Part
 };
 
 const std::vector<Part> parts = {
-  { "heat-accuracy", "Accuracy of the heat", ValidateAccuracyOfHeat, false },
-  { "heat-shapes", "Heat of known shapes", ValidateHeatOfShapes, false },
-  { "heat-figures", "Figures 2.4, 2.5 and 2.7 of the dissertation", ValidateFiguresOfChapter2, false },
-  { "heat-classes", "Classes of phantoms with noise", ValidateClassesOfPhantoms, false },
-  { "heat-organs", "Heat classes and organs of a real abdomen", ValidateOrgansOfAbdomen, true },
-  { "shape-search", "Shapes found again by their signatures", ValidateSearchOfShapes, false },
-  { "seeded-heat", "Labels from seeds, beside peers", ValidateSegmentationFromSeeds, false },
-  { "seeded-heat-organs", "All organs from seeds, beside peers", ValidateSegmentationOfOrgans, true, false },
-  { "shapeton-comparison", "CHD or shapetons?", ValidateComparisonOfShapetons, false },
-  { "shapeton-walk", "Scale and time of shapetons", ValidateWalkOfShapetons, false },
-  { "flattening-metric", "Accuracy of the heat diffusion metric", ValidateAccuracyOfMetric, false },
-  { "flattening-accuracy", "Accuracy of flat colons", ValidateAccuracyOfFlattening, false },
-  { "flattening-distances", "Figure 5.2: geodesic and diffusion distance", ValidateDistancesOfHands, false },
-  { "flattening-slits", "Figure 5.3: a face with three holes", ValidateSlitMapsOfFace, false },
-  { "flattening-handle", "Figure 5.4: a pot with and without its handle", ValidatePotWithHandle, false },
-  { "flattening-colon", "Figure 5.5: a flat colon with handles", ValidateFlatColonWithHandles, false },
-  { "flattening-quality", "Eigenpairs and times of the heat diffusion metric", ValidateQualityOfMetric, false },
-  { "colon-surfaces", "Surface and centerline of synthetic colons", ValidateColonSurfaces, false },
-  { "colon-noise", "Synthetic colons in strong noise", ValidateColonNoise, false, false },
-  { "colon-surfaces-fine", "Synthetic colons in fine voxels", ValidateColonSurfacesFine, false, false },
-  { "colon-catheters", "Rectal catheters of synthetic patients", ValidateColonCatheters, false, false },
-  { "colon-landmarks", "Folds, taeniae and flexures of synthetic colons", ValidateColonLandmarks, false },
-  { "colon-landmarks-ct", "Folds, taeniae and flexures from CT", ValidateColonLandmarksFromCt, false, false },
-  { "colon-registration", "Supine and prone: one map between two positions", ValidateColonRegistration, false },
-  { "colon-registration-ct", "Supine and prone from CT", ValidateColonRegistrationFromCt, false, false },
-  { "colon-pairs", "Confidence of pairs of positions", ValidateReliabilityOfPairs, false, false },
-  { "colon-polyps", "Polyp candidates of synthetic colons", ValidateColonPolyps, false },
-  { "colon-polyps-ct", "Polyp candidates from CT", ValidateColonPolypsFromCt, false, false },
-  { "graph-embedding", "Embeddings of graphs", ValidateGraphEmbedding, false },
+  { "heat", "heat-accuracy", "Accuracy of the heat", ValidateAccuracyOfHeat, false },
+  { "heat", "heat-shapes", "Heat of known shapes", ValidateHeatOfShapes, false },
+  { "heat", "heat-figures", "Figures 2.4, 2.5 and 2.7 of the dissertation", ValidateFiguresOfChapter2, false },
+  { "heat", "heat-classes", "Classes of phantoms with noise", ValidateClassesOfPhantoms, false },
+  { "heat", "heat-organs", "Heat classes and organs of a real abdomen", ValidateOrgansOfAbdomen, true },
+  { "shape-search", "shape-search", "Shapes found again by their signatures", ValidateSearchOfShapes, false },
+  { "seeded-heat", "seeded-heat", "Labels from seeds, beside peers", ValidateSegmentationFromSeeds, false },
+  { "seeded-heat",
+    "seeded-heat-organs",
+    "All organs from seeds, beside peers",
+    ValidateSegmentationOfOrgans,
+    true,
+    false },
+  { "shapetons", "shapeton-comparison", "CHD or shapetons?", ValidateComparisonOfShapetons, false },
+  { "shapetons", "shapeton-walk", "Scale and time of shapetons", ValidateWalkOfShapetons, false },
+  { "flattening", "flattening-metric", "Accuracy of the heat diffusion metric", ValidateAccuracyOfMetric, false },
+  { "flattening", "flattening-accuracy", "Accuracy of flat colons", ValidateAccuracyOfFlattening, false },
+  { "flattening",
+    "flattening-distances",
+    "Figure 5.2: geodesic and diffusion distance",
+    ValidateDistancesOfHands,
+    false },
+  { "flattening", "flattening-slits", "Figure 5.3: a face with three holes", ValidateSlitMapsOfFace, false },
+  { "flattening", "flattening-handle", "Figure 5.4: a pot with and without its handle", ValidatePotWithHandle, false },
+  { "flattening", "flattening-colon", "Figure 5.5: a flat colon with handles", ValidateFlatColonWithHandles, false },
+  { "flattening",
+    "flattening-quality",
+    "Eigenpairs and times of the heat diffusion metric",
+    ValidateQualityOfMetric,
+    false },
+  { "colon-surfaces", "colon-surfaces", "Surface and centerline of synthetic colons", ValidateColonSurfaces, false },
+  { "colon-surfaces", "colon-noise", "Synthetic colons in strong noise", ValidateColonNoise, false, false },
+  { "colon-surfaces",
+    "colon-surfaces-fine",
+    "Synthetic colons in fine voxels",
+    ValidateColonSurfacesFine,
+    false,
+    false },
+  { "colon-surfaces",
+    "colon-catheters",
+    "Rectal catheters of synthetic patients",
+    ValidateColonCatheters,
+    false,
+    false },
+  { "colon-landmarks",
+    "colon-landmarks",
+    "Folds, taeniae and flexures of synthetic colons",
+    ValidateColonLandmarks,
+    false },
+  { "colon-landmarks",
+    "colon-landmarks-ct",
+    "Folds, taeniae and flexures from CT",
+    ValidateColonLandmarksFromCt,
+    false,
+    false },
+  { "colon-registration",
+    "colon-registration",
+    "Supine and prone: one map between two positions",
+    ValidateColonRegistration,
+    false },
+  { "colon-registration",
+    "colon-registration-ct",
+    "Supine and prone from CT",
+    ValidateColonRegistrationFromCt,
+    false,
+    false },
+  { "colon-registration", "colon-pairs", "Confidence of pairs of positions", ValidateReliabilityOfPairs, false, false },
+  { "colon-polyps", "colon-polyps", "Polyp candidates of synthetic colons", ValidateColonPolyps, false },
+  { "colon-polyps", "colon-polyps-ct", "Polyp candidates from CT", ValidateColonPolypsFromCt, false, false },
+  { "graph-embedding", "graph-embedding", "Embeddings of graphs", ValidateGraphEmbedding, false },
 };
+
+const Area &
+AreaOf(const Part & part)
+{
+  const auto area = std::find_if(areas.begin(), areas.end(), [&part](const Area & a) { return a.name == part.area; });
+  if (area == areas.end())
+  {
+    throw std::logic_error("No area \"" + part.area + "\" for the part " + part.name + '.');
+  }
+  return *area;
+}
 
 int
 Fail(const std::string & message)
@@ -77,7 +152,7 @@ struct Request
   std::string        output{ "." };
   std::string        rows;    ///< for CSV files; empty for the output folder
   std::string        wanted;  ///< empty for all parts
-  std::string        options; ///< options that change the content of a page
+  std::string        options; ///< options that change the content of a section
 };
 
 /** Reads the value of an option; returns false if it is invalid. */
@@ -155,6 +230,28 @@ Parse(const std::vector<std::string> & arguments, Request & request)
   return true;
 }
 
+/** Runs a part and writes its section and its rows; returns the number of failures. Patients from another first seed
+ * have their own section and rows. */
+unsigned int
+RunPart(const Part & part, const Request & request)
+{
+  const Area &      area = AreaOf(part);
+  const std::string seed =
+    area.hasPatients && request.settings.firstSeed > 0 ? std::to_string(request.settings.firstSeed) : "";
+  ValidationSection section;
+  section.page = request.output + '/' + area.name + ".md";
+  section.pageTitle = area.title;
+  section.name = part.name + (seed.empty() ? "" : " --firstSeed " + seed);
+  section.rowsFolder = request.rows.empty() ? request.output : request.rows;
+  section.rowsPrefix = (seed.empty() ? "" : "seeds-" + seed + '-') + part.name;
+
+  ValidationReport report(part.title + (seed.empty() ? "" : ", seeds from " + seed));
+  report.AddText("Made by `Utilities/run-validation " + request.options + part.name + "`.");
+  part.run(request.settings, report);
+  report.Write(section);
+  return report.GetNumberOfFailures();
+}
+
 /** Returns the exit status. */
 int
 Run(const Request & request)
@@ -173,13 +270,10 @@ Run(const Request & request)
       std::printf("%-16s skipped: SHAPETON_TEST_DATA_DIR is not set\n", part.name.c_str());
       continue;
     }
-    ValidationReport report(part.title);
-    report.AddText("Made by `Utilities/run-validation " + request.options + part.name + "`.");
-    part.run(request.settings, report);
-    report.Write(request.output, request.rows.empty() ? request.output : request.rows, part.name);
-    std::printf("%-16s %s\n", part.name.c_str(), report.GetNumberOfFailures() == 0 ? "pass" : "FAIL");
+    const unsigned int failed = RunPart(part, request);
+    std::printf("%-16s %s\n", part.name.c_str(), failed == 0 ? "pass" : "FAIL");
     std::fflush(stdout);
-    failures += report.GetNumberOfFailures();
+    failures += failed;
   }
   if (done == 0)
   {

@@ -7,6 +7,7 @@
 #include <fstream>
 #include <iostream>
 #include <numeric>
+#include <sstream>
 #include <stdexcept>
 
 namespace
@@ -24,9 +25,103 @@ LinkTo(const std::string & name)
 {
   return "{rows " + name + '}';
 }
+
+/** Position of a whole line, or npos. Throws std::runtime_error if it occurs twice. */
+std::size_t
+FindLine(const std::string & text, const std::string & line)
+{
+  std::size_t found = std::string::npos;
+  for (std::size_t at = text.find(line); at != std::string::npos; at = text.find(line, at + 1))
+  {
+    const std::size_t end = at + line.size();
+    if ((at > 0 && text[at - 1] != '\n') || (end < text.size() && text[end] != '\n'))
+    {
+      continue;
+    }
+    if (found != std::string::npos)
+    {
+      throw std::runtime_error("The line " + line + " occurs twice.");
+    }
+    found = at;
+  }
+  return found;
+}
+
+std::string
+WithLowerHeadings(const std::string & text)
+{
+  std::istringstream is(text);
+  std::string        lowered;
+  bool               isCode = false;
+  for (std::string line; std::getline(is, line);)
+  {
+    isCode = isCode != (line.rfind("```", 0) == 0);
+    const bool isHeading = !isCode && line.rfind('#', 0) == 0;
+    lowered += (isHeading ? "#" : "") + line + '\n';
+  }
+  return lowered;
+}
+
+/** Returns an empty string if the file does not exist. */
+std::string
+ReadPage(const std::string & path)
+{
+  if (!std::filesystem::exists(path))
+  {
+    return {};
+  }
+  std::ifstream      is(path, std::ios::binary);
+  std::ostringstream text;
+  text << is.rdbuf();
+  if (!is)
+  {
+    throw std::runtime_error("Cannot read " + path + '.');
+  }
+  return text.str();
+}
+
+void
+WritePage(const std::string & path, const std::string & text)
+{
+  const std::string temporary = path + ".tmp";
+  std::ofstream     os(temporary, std::ios::binary);
+  os << text;
+  os.close();
+  std::error_code error;
+  if (os)
+  {
+    std::filesystem::rename(temporary, path, error);
+  }
+  if (!os || error)
+  {
+    std::error_code ignored;
+    std::filesystem::remove(temporary, ignored);
+    throw std::runtime_error("Cannot write " + path + '.');
+  }
+}
 } // namespace
 
-ValidationReport::ValidationReport(const std::string & title) : m_Page("# " + title + "\n\n") {}
+std::string
+ReplaceSection(const std::string & page, const std::string & name, const std::string & text)
+{
+  const std::string first = "<!-- part " + name + " -->";
+  const std::string last = "<!-- end " + name + " -->";
+  const std::size_t begin = FindLine(page, first);
+  const std::size_t end = FindLine(page, last);
+  if (begin == std::string::npos && end == std::string::npos)
+  {
+    const std::string newLine = page.empty() || page.back() == '\n' ? "" : "\n";
+    const std::string gap = page.empty() ? "" : "\n";
+    return page + newLine + gap + first + '\n' + text + last + '\n';
+  }
+  if (begin == std::string::npos || end == std::string::npos || end < begin)
+  {
+    throw std::runtime_error("The page requires the line " + first + " and, below it, the line " + last + '.');
+  }
+  return page.substr(0, begin) + first + '\n' + text + page.substr(end);
+}
+
+ValidationReport::ValidationReport(const std::string & title) : m_Text("# " + title + "\n\n") {}
 
 void
 ValidationReport::AddText(const std::string & text)
@@ -34,9 +129,9 @@ ValidationReport::AddText(const std::string & text)
   const std::string mark = "## ";
   if (text.rfind(mark, 0) == 0)
   {
-    m_Section = text.substr(mark.size(), text.find('\n') - mark.size());
+    m_Heading = text.substr(mark.size(), text.find('\n') - mark.size());
   }
-  m_Page += text + "\n\n";
+  m_Text += text + "\n\n";
 }
 
 void
@@ -45,9 +140,9 @@ ValidationReport::AddRowsOfMarkdown(const shapeton::CsvTable & table, const RowT
   const auto line = [this](const std::vector<std::string> & cells) {
     for (const auto & cell : cells)
     {
-      m_Page += "| " + cell + ' ';
+      m_Text += "| " + cell + ' ';
     }
-    m_Page += "|\n";
+    m_Text += "|\n";
   };
   line(table.GetColumns());
   line(std::vector<std::string>(table.GetColumns().size(), "---"));
@@ -58,7 +153,7 @@ ValidationReport::AddRowsOfMarkdown(const shapeton::CsvTable & table, const RowT
       line(row);
     }
   }
-  m_Page += '\n';
+  m_Text += '\n';
 }
 
 void
@@ -88,16 +183,14 @@ ValidationReport::AddSummary(const std::string & name, const shapeton::CsvTable 
 }
 
 void
-ValidationReport::AddRowsAndShow(const std::string &        name,
-                                 const shapeton::CsvTable & table,
-                                 const RowTest &            isShown)
+ValidationReport::AddRowsAndShow(const std::string & name, const shapeton::CsvTable & table, const RowTest & isShown)
 {
   std::vector<std::string> columns = table.GetColumns();
   columns.insert(columns.begin(), "section");
   shapeton::CsvTable & all = m_Rows.try_emplace(name, columns).first->second;
   for (std::vector<std::string> row : table.GetRows())
   {
-    row.insert(row.begin(), m_Section);
+    row.insert(row.begin(), m_Heading);
     all.AddRow(row);
   }
   const auto & rows = table.GetRows();
@@ -119,12 +212,13 @@ ValidationReport::Check(bool passed)
 }
 
 void
-ValidationReport::Write(const std::string & folder, const std::string & rowsFolder, const std::string & page) const
+ValidationReport::Write(const ValidationSection & section) const
 {
-  std::string text = m_Page;
+  const auto  folder = std::filesystem::absolute(section.page).parent_path();
+  std::string text = m_Text;
   for (const auto & [name, table] : m_Rows)
   {
-    const std::string path = rowsFolder + '/' + page + '-' + name + ".csv";
+    const std::string path = section.rowsFolder + '/' + section.rowsPrefix + '-' + name + ".csv";
     table.Write(path);
     const std::string link = std::filesystem::proximate(path, folder).generic_string();
     for (std::size_t at = text.find(LinkTo(name)); at != std::string::npos; at = text.find(LinkTo(name)))
@@ -132,14 +226,21 @@ ValidationReport::Write(const std::string & folder, const std::string & rowsFold
       text.replace(at, LinkTo(name).size(), '[' + name + "](" + link + ')');
     }
   }
-  const std::string path = folder + '/' + page + ".md";
-  std::ofstream     os(path);
-  os << text << m_Checks - m_Failures << " of " << m_Checks << " checks passed.\n";
-  os.close();
-  if (!os)
+  text += std::to_string(m_Checks - m_Failures) + " of " + std::to_string(m_Checks) + " checks passed.\n\n";
+  std::string page = ReadPage(section.page);
+  if (page.empty())
   {
-    throw std::runtime_error("cannot write " + path);
+    page = "# " + section.pageTitle + '\n';
   }
+  try
+  {
+    page = ReplaceSection(page, section.name, WithLowerHeadings(text));
+  }
+  catch (const std::runtime_error & error)
+  {
+    throw std::runtime_error(section.page + ": " + error.what());
+  }
+  WritePage(section.page, page);
 }
 
 void

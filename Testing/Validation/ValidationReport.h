@@ -8,7 +8,24 @@
 #include <string>
 #include <vector>
 
-/** One page of the validation report in Markdown: text, tables, and checks that pass or fail. */
+/** Where a report is written. */
+struct ValidationSection
+{
+  std::string page;       ///< path of the Markdown page
+  std::string pageTitle;  ///< heading of a new page
+  std::string name;       ///< identifies the section in its page
+  std::string rowsFolder; ///< folder of the CSV files
+  std::string rowsPrefix; ///< first part of their names: `rowsPrefix`-`name of the rows`.csv
+};
+
+/** Replaces the lines between `<!-- part NAME -->` and `<!-- end NAME -->` by `text`. A page without these lines gets
+ * them at its end. Keeps everything else byte for byte. Throws std::runtime_error if only one of both lines exists, if
+ * one occurs twice, or if they are in the wrong order. */
+std::string
+ReplaceSection(const std::string & page, const std::string & name, const std::string & text);
+
+/** One section of a page of the validation report in Markdown: text, tables, and checks that pass or fail. Headings are
+ * relative to the section: its title is `#`. */
 class ValidationReport
 {
 public:
@@ -19,13 +36,13 @@ public:
   void
   AddTable(const shapeton::CsvTable & table);
 
-  /** A table with a row per seed, exam or label: it becomes a CSV file named after the page and `name`, whose first
-   * column is the page's current section; the page holds a link, the number of rows, and the rows that have failed. */
+  /** A table with a row per seed, exam or label: it becomes a CSV file named after the part and `name`, whose first
+   * column is the current heading; the page holds a link, the number of rows, and the rows that have failed. */
   void
   AddRows(const std::string & name, const shapeton::CsvTable & table);
 
-  /** Adds all rows to the CSV file, as AddRows() does; the page shows the link, and the rows that have a bound (a cell of
-   * the column "bound" that is not empty) or that have failed. */
+  /** Adds all rows to the CSV file, as AddRows() does; the page shows the link, and the rows that have a bound (a cell
+   * of the column "bound" that is not empty) or that have failed. */
   void
   AddSummary(const std::string & name, const shapeton::CsvTable & table);
 
@@ -38,9 +55,9 @@ public:
   {
     return m_Failures;
   }
-  /** Writes the page to `folder`/`page`.md and the rows to `rowsFolder`/`page`-`name`.csv. */
+  /** Replaces the section of the page, or creates the page, and writes the rows. Headings become one level lower. */
   void
-  Write(const std::string & folder, const std::string & rowsFolder, const std::string & page) const;
+  Write(const ValidationSection & section) const;
 
   /** Prints the progress of a long part to standard error, without changing the page. */
   static void
@@ -55,8 +72,8 @@ private:
   void
   AddRowsOfMarkdown(const shapeton::CsvTable & table, const RowTest & isShown);
 
-  std::string                               m_Page;
-  std::string                               m_Section;
+  std::string                               m_Text;
+  std::string                               m_Heading;
   std::map<std::string, shapeton::CsvTable> m_Rows;
   unsigned int                              m_Checks{ 0 };
   unsigned int                              m_Failures{ 0 };
@@ -95,7 +112,7 @@ struct ValidationSettings
   int                      draws{ 0 };          ///< seed draws in seeded-heat and seeded-heat-organs; 0: 3
   int                      seedsOfLabel{ 0 };   ///< seeds per label there; 0: 5, 20 and 100
   std::string              dataFolder;          ///< empty without real data
-  std::string              outputFolder{ "." }; ///< folder of the page and its pictures
+  std::string              outputFolder{ "." }; ///< folder of the pages and their pictures
   std::string              pictureFolder;       ///< folder of pictures in Documentation/pictures
 };
 void
