@@ -1,4 +1,4 @@
-// usage: ColonRealism PAGE.md NAME=RUN[,RUN...] [NAME=RUN[,RUN...] ...]
+// usage: ColonRealism TABLE.md NAME=RUN[,RUN...] [NAME=RUN[,RUN...] ...]
 //
 // Compares colons segment by segment: length, course, caliber, folds. RUN is a finished folder of VirtualColonoscopy;
 // the runs of a NAME are merged into one column. Used to compare phantoms with real colons; see
@@ -10,6 +10,7 @@
 
 #include <cstdio>
 #include <exception>
+#include <filesystem>
 #include <sstream>
 #include <stdexcept>
 
@@ -112,7 +113,7 @@ try
 {
   if (argc < 3)
   {
-    throw std::invalid_argument("usage: ColonRealism PAGE.md NAME=RUN[,RUN...] [NAME=RUN[,RUN...] ...]");
+    throw std::invalid_argument("usage: ColonRealism TABLE.md NAME=RUN[,RUN...] [NAME=RUN[,RUN...] ...]");
   }
   std::vector<Colons> columns;
   for (int i = 2; i < argc; ++i)
@@ -128,11 +129,9 @@ try
   {
     AddTable(measure, columns, report);
   }
-  ValidationSection section;
-  section.page = argv[1];
-  section.pageTitle = "Shapes of colons";
-  section.name = "colon-realism";
-  report.Write(section);
+  const std::filesystem::path page(argv[1]);
+  const std::string           folder = page.has_parent_path() ? page.parent_path().string() : ".";
+  report.Write({ page.string(), "Shapes of colons", "colon-realism", folder, "colon-realism" });
   return 0;
 }
 catch (const std::exception & error)

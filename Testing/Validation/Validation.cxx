@@ -245,7 +245,7 @@ RunPart(const Part & part, const Request & request)
   section.rowsFolder = request.rows.empty() ? request.output : request.rows;
   section.rowsPrefix = (seed.empty() ? "" : "seeds-" + seed + '-') + part.name;
 
-  ValidationReport report(part.title + (seed.empty() ? "" : ", seeds " + seed + " and above"));
+  ValidationReport report(part.title + (seed.empty() ? "" : ", seeds from " + seed));
   report.AddText("Made by `Utilities/run-validation " + request.options + part.name + "`.");
   part.run(request.settings, report);
   report.Write(section);
