@@ -4,9 +4,7 @@
 #include <numeric>
 
 BoundTable::BoundTable(ValidationReport & report, bool hasBounds)
-  : m_Report(report)
-  , m_HasBounds(hasBounds)
-  , m_Table({ "what", "bound", "all exams", "mean of exams, 95 % interval", "" })
+  : m_Report(report), m_HasBounds(hasBounds), m_Table({ "measure", "bound", "value", "mean [95 % interval]", "result" })
 {}
 
 void
@@ -30,9 +28,9 @@ BoundTable::AddFact(const std::string & what, const std::string & value, const s
 }
 
 void
-BoundTable::Write()
+BoundTable::Write(const std::string & name)
 {
-  m_Report.AddTable(m_Table);
+  m_Report.AddSummary(name, m_Table);
 }
 
 double

@@ -20,8 +20,9 @@ public:
              bool                        isReached);
   void
   AddFact(const std::string & what, const std::string & value, const std::vector<double> & exams = {});
+  /** Adds the table to the report as the summary `name`. */
   void
-  Write();
+  Write(const std::string & name);
 
 private:
   ValidationReport & m_Report;

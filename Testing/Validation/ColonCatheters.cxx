@@ -182,12 +182,12 @@ WriteSummary(const std::vector<CatheterTrial> & with,
   BoundTable table(report, true);
   const int  found = NumberFound(with);
   const auto all = static_cast<int>(with.size());
-  table.AddBounded("catheters that are found",
+  table.AddBounded("catheters found",
                    ">= " + Rounded(leastFound),
                    RatioOf(found, all),
                    {},
                    all > 0 && ShareOf(found, all) >= leastFound);
-  table.AddBounded("exams without a catheter in which one is found",
+  table.AddBounded("catheters found in exams without one",
                    "0",
                    RatioOf(NumberFound(without), static_cast<int>(without.size())),
                    {},
@@ -197,9 +197,11 @@ WriteSummary(const std::vector<CatheterTrial> & with,
     table.AddFact(what, Rounded(MeanOf(values)), values);
   };
   const auto isFound = [](const CatheterTrial & t) { return t.isFound; };
-  add("axis found to true axis, mm, mean", isFound, [](const CatheterTrial & t) { return t.distance; });
-  add("bore less true bore, mm, mean", isFound, [](const CatheterTrial & t) { return t.boreError; });
-  add("outer diameter less true one, mm, mean", isFound, [](const CatheterTrial & t) { return t.outerError; });
+  add("distance to the true axis, mean, mm", isFound, [](const CatheterTrial & t) { return t.distance; });
+  add("bore minus true bore, mean, mm", isFound, [](const CatheterTrial & t) { return t.boreError; });
+  add("outer diameter minus true outer diameter, mean, mm", isFound, [](const CatheterTrial & t) {
+    return t.outerError;
+  });
   int balloons = 0, seen = 0, imagined = 0;
   for (const CatheterTrial & trial : with)
   {
@@ -207,14 +209,15 @@ WriteSummary(const std::vector<CatheterTrial> & with,
     seen += FindsBalloon(trial);
     imagined += !trial.hasBalloon && trial.seesBalloon;
   }
-  table.AddFact("filled balloons that are found", RatioOf(seen, balloons));
+  table.AddFact("filled balloons found", RatioOf(seen, balloons));
   table.AddFact("balloons found where none is filled", std::to_string(imagined));
-  add("diameter of those found less the true one, mm, mean", FindsBalloon, [](const CatheterTrial & t) {
+  add("balloon diameter minus true diameter, mean, mm", FindsBalloon, [](const CatheterTrial & t) {
     return t.balloonError;
   });
-  add(
-    "their center to the true one, mm, mean", FindsBalloon, [](const CatheterTrial & t) { return t.balloonDistance; });
-  table.Write();
+  add("distance to the true balloon center, mean, mm", FindsBalloon, [](const CatheterTrial & t) {
+    return t.balloonDistance;
+  });
+  table.Write("measures");
 }
 
 void
@@ -244,20 +247,17 @@ ValidateColonCatheters(const ValidationSettings & settings, ValidationReport & r
 {
   report.AddText(
     "Synthetic patients of the preset realistic (" + settings.SeedsInWords() +
-    "), supine and prone, by CT of the rectum in voxels of 0.8 mm: with a catheter (rigid for even seeds, soft "
-    "for odd ones), and without.");
+    "), supine and prone: CT of the rectum in voxels of 0.8 mm, with a catheter (rigid for even seeds, soft for odd "
+    "ones) and without.");
   std::vector<unsigned int> seedsWithout = settings.Seeds(patientsWith, "realistic");
   seedsWithout.resize(settings.patients > 0 ? settings.patients : patientsWithout);
   std::iota(seedsWithout.begin(), seedsWithout.end(), seedsWithout.front());
-  const std::vector<CatheterTrial> with = TryPatients(settings.Seeds(patientsWith, "realistic"), true);
+  std::vector<CatheterTrial>       listed = TryPatients(settings.Seeds(patientsWith, "realistic"), true);
   const std::vector<CatheterTrial> without = TryPatients(seedsWithout, false);
-  WriteSummary(with, without, report);
-  report.AddText("With a catheter:");
-  WriteExams(with, report);
-  std::vector<CatheterTrial> doubtful;
-  std::copy_if(without.begin(), without.end(), std::back_inserter(doubtful), [](const CatheterTrial & trial) {
+  WriteSummary(listed, without, report);
+  std::copy_if(without.begin(), without.end(), std::back_inserter(listed), [](const CatheterTrial & trial) {
     return trial.confidence > 0.0;
   });
-  report.AddText("Without one, those in which something is doubtful:");
-  WriteExams(doubtful, report);
+  report.AddText("`exams` lists the exams with a catheter, and those without one whose confidence is above 0.");
+  WriteExams(listed, report);
 }

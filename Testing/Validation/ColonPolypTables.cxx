@@ -164,20 +164,20 @@ AddBounded(const PolypBounds & bounds, const std::vector<PolypExam> & exams, Bou
 {
   const Count  big = CountFound(exams, large, defaultScore);
   const double bigLower = WilsonLowerBound(big.found, big.present);
-  table.AddBounded("sessile and pedunculated polyps >= 10 mm that are candidates",
+  table.AddBounded("sessile or pedunculated polyps >= 10 mm found",
                    ">= " + Rounded(bounds.large) +
                      (bounds.largeLower > 0.0 ? ", lower bound >= " + Rounded(bounds.largeLower) : ""),
                    ShareWithBound(big),
                    {},
                    big.present > 0 && ShareOf(big.found, big.present) >= bounds.large && bigLower >= bounds.largeLower);
   const Count middle = CountFound(exams, medium, defaultScore);
-  table.AddBounded("sessile and pedunculated polyps of 6 to 9 mm that are candidates",
+  table.AddBounded("sessile or pedunculated polyps of 6 to 9 mm found",
                    ">= " + Rounded(bounds.medium),
                    ShareWithBound(middle),
                    {},
                    middle.present > 0 && ShareOf(middle.found, middle.present) >= bounds.medium);
   const std::vector<double> falses = FalsePerPatient(exams, defaultScore);
-  table.AddBounded("false candidates per patient, both positions together",
+  table.AddBounded("false candidates per patient, both positions",
                    "<= " + Rounded(bounds.falses),
                    Rounded(MeanOf(falses)),
                    falses,
@@ -193,15 +193,12 @@ AddBounded(const PolypBounds & bounds, const std::vector<PolypExam> & exams, Bou
 void
 AddReported(const std::vector<PolypExam> & exams, BoundTable & table)
 {
-  table.AddFact("flat polyps >= 10 mm that are candidates (goal .70)",
-                ShareWithBound(CountFound(exams, flatLarge, defaultScore)));
-  table.AddFact("flat polyps of 6 to 9 mm that are candidates",
-                ShareWithBound(CountFound(exams, flatMedium, defaultScore)));
-  table.AddFact("sessile polyps below 6 mm that are candidates",
-                ShareWithBound(CountFound(exams, small, defaultScore)));
+  table.AddFact("flat polyps >= 10 mm found (goal 0.70)", ShareWithBound(CountFound(exams, flatLarge, defaultScore)));
+  table.AddFact("flat polyps of 6 to 9 mm found", ShareWithBound(CountFound(exams, flatMedium, defaultScore)));
+  table.AddFact("sessile polyps below 6 mm found", ShareWithBound(CountFound(exams, small, defaultScore)));
   const std::vector<double> withoutValve = FalsePerPatient(exams, defaultScore, false);
   table.AddFact(
-    "false candidates per patient that are not at the ileocecal valve", Rounded(MeanOf(withoutValve)), withoutValve);
+    "false candidates per patient, without the ileocecal valve", Rounded(MeanOf(withoutValve)), withoutValve);
   const std::vector<double> flat = SizeErrors(exams, { flatLarge, flatMedium }, defaultScore);
   table.AddFact("largest diameter of flat polyps, mean error, mm", Rounded(MeanOf(flat)), flat);
 }
@@ -222,7 +219,6 @@ AddCurve(const std::vector<PolypExam> & exams, ValidationReport & report)
     cells.push_back(MeanWithInterval(FalsePerPatient(exams, score)));
     table.AddRow(std::move(cells));
   }
-  report.AddText("Free-response ROC by each position alone: recall and false candidates as the sensitivity grows.");
   report.AddRows("curve", table);
 }
 
@@ -332,20 +328,19 @@ TryColumn(const Column & column, ValidationReport & report)
   AddBounded(column.bounds, results.delivered, table);
   AddReported(results.delivered, table);
   const std::vector<double> alone = FalsePerPatient(results.alone, defaultScore);
-  table.AddFact("patients whose positions weigh each other's candidates",
+  table.AddFact("patients with candidates compared between positions",
                 RatioOf(results.pairs, static_cast<int>(alone.size())));
-  table.AddFact("by each position alone: false candidates per patient", Rounded(MeanOf(alone)), alone);
+  table.AddFact("single positions: false candidates per patient", Rounded(MeanOf(alone)), alone);
   for (const auto & [name, group] : { std::pair<const char *, Group>{ "polyps >= 10 mm", large },
                                       { "polyps of 6 to 9 mm", medium },
                                       { "flat polyps >= 10 mm", flatLarge } })
   {
-    table.AddFact(std::string("by each position alone: ") + name,
+    table.AddFact(std::string("single positions: ") + name,
                   ShareWithBound(CountFound(results.alone, group, defaultScore)));
   }
   TryPublished(results.published, table);
-  table.Write();
+  table.Write("measures");
   AddCurve(results.alone, report);
-  report.AddText("Polyps of 6 mm and more without a candidate:");
   report.AddRows("missed", TableOfMissed(results.delivered));
   return CountFound(results.delivered, large, defaultScore);
 }
@@ -361,25 +356,37 @@ TryPresets(const ValidationSettings & settings, bool isFromCt, ValidationReport 
     all.present += count.present;
   }
   report.AddText("## All presets");
-  report.AddText("Sessile and pedunculated polyps >= 10 mm: " + ShareWithBound(all) +
-                 "; at least 100 are asked for: " + report.Check(all.present >= 100));
+  report.AddText("Sessile or pedunculated polyps >= 10 mm: " + ShareWithBound(all) +
+                 "; at least 100 are required: " + report.Check(all.present >= 100));
 }
 
 void
 Explain(const ValidationSettings & settings, ValidationReport & report)
 {
+  if (settings.firstSeed > 0)
+  {
+    report.AddText(settings.MethodOf("colon-polyps"));
+    return;
+  }
+  report.AddText("Synthetic patients (" + settings.SeedsInWords() +
+                 "), supine and prone. The wall is made from the true lumen in voxels of 0.8 mm and searched with "
+                 "default options. True polyps in collapsed stretches are excluded.");
   report.AddText(
-    "Synthetic patients (" + settings.SeedsInWords() +
-    "), supine and prone. The wall is made from the true lumen or from the CT, in voxels of 0.8 mm, "
-    "and searched with default options. From CT the bounds of shares are 0.03 lower and sizes are allowed 1.3 times "
-    "the error. Polyps of the truth count unless they lie in a collapsed stretch. A candidate has found a polyp when "
-    "its middle lies within the radius of the polyp and 3 mm of the middle of its head or of its base. Other "
-    "candidates are false, unless they are at another polyp; the false ones of a patient are those of both positions "
-    "together, which is stricter than for each exam. Scores are those that are delivered: of content, of a valve and "
-    "of a catheter that were found, and weighed by what the other position shows, where both can be registered. A "
-    "candidate at the ileocecal valve counts as false. Bounds of shares are Wilson's "
-    "95 % intervals, two-sided, with polyps "
-    "taken as independent; intervals of means are over patients or polyps.");
+    "A polyp is found if a candidate lies within its radius plus 3 mm of the center of its head or base. Other "
+    "candidates are false, including those at the ileocecal valve; those of both positions of a patient are added. "
+    "Scores are final: they account for content, valve, catheter and, where both positions can be registered, the "
+    "other position. Shares have Wilson's two-sided 95 % bound, with polyps taken as independent; even with all polyps "
+    "found, a lower bound of 0.90 requires 35 polyps. Other intervals are over patients or polyps.");
+  report.AddText(
+    "`curve` is the free-response ROC of single positions by sensitivity. `missed` lists the polyps >= 6 mm "
+    "that are not found.");
+}
+
+void
+ExplainCt(const ValidationSettings & settings, ValidationReport & report)
+{
+  report.AddText(settings.MethodOf("colon-polyps") +
+                 " The wall is made from CT: bounds of shares are 0.03 lower, the bound of sizes is 1.3 times larger.");
 }
 
 /** Coarse voxels of one patient; only checks that the code runs. */
@@ -417,6 +424,6 @@ ValidateColonPolyps(const ValidationSettings & settings, ValidationReport & repo
 void
 ValidateColonPolypsFromCt(const ValidationSettings & settings, ValidationReport & report)
 {
-  Explain(settings, report);
+  ExplainCt(settings, report);
   TryPresets(settings, true, report);
 }

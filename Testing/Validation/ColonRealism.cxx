@@ -1,8 +1,8 @@
-// usage: ColonRealism TABLE.md NAME=RUN[,RUN...] [NAME=RUN[,RUN...] ...]
+// usage: ColonRealism [--rows FOLDER] TABLE.md NAME=RUN[,RUN...] [NAME=RUN[,RUN...] ...]
 //
 // Compares colons segment by segment: length, course, caliber, folds. RUN is a finished folder of VirtualColonoscopy;
-// the runs of a NAME are merged into one column. Used to compare phantoms with real colons; see
-// Documentation/validation/colon-realism.md.
+// the runs of a NAME are merged into one column. FOLDER receives the CSV file (default: the folder of TABLE.md).
+// Used to compare phantoms with real colons; see Documentation/validation/colon-realism.md.
 #include "BoundTable.h"
 #include "ColonShape.h"
 
@@ -34,15 +34,15 @@ struct Measure
 
 const std::vector<Measure> measures = {
   { "Length along the centerline, mm", &SegmentShape::lengths },
-  { "Length over the straight way between the ends", &SegmentShape::tortuosities },
-  { "Turning of the centerline, smoothed by 10 mm, degrees for each dm", &SegmentShape::turnings },
-  { "Radius of the largest ball on the centerline, mm", &SegmentShape::inscribedRadii },
-  { "Radius of the circle with the area of the wall's section, mm", &SegmentShape::radii },
-  { "Folds for each dm", &SegmentShape::foldsPerDecimeter },
-  { "Way along the wall from fold to fold, mm", &SegmentShape::spacings },
-  { "Height of folds, mm", &SegmentShape::heights },
-  { "Thickness of folds at half of their height, mm", &SegmentShape::thicknesses },
-  { "Extent of folds around the tube, degrees", &SegmentShape::extents },
+  { "Tortuosity: length over distance of the ends", &SegmentShape::tortuosities },
+  { "Turning of the centerline smoothed by 10 mm, degrees per dm", &SegmentShape::turnings },
+  { "Inscribed radius on the centerline, mm", &SegmentShape::inscribedRadii },
+  { "Radius of the circle with the area of the cross-section, mm", &SegmentShape::radii },
+  { "Folds per dm", &SegmentShape::foldsPerDecimeter },
+  { "Fold spacing along the wall, mm", &SegmentShape::spacings },
+  { "Fold height, mm", &SegmentShape::heights },
+  { "Fold thickness at half height, mm", &SegmentShape::thicknesses },
+  { "Circumferential extent of folds, degrees", &SegmentShape::extents },
 };
 
 Colons
@@ -84,26 +84,39 @@ InWords(const std::vector<double> & samples)
                                  ", " + Plain(Percentile(samples, 0.9)) + "]";
 }
 
+/** Means of whole colons on the page; all segments with quantiles in a CSV file. */
 void
-AddTable(const Measure & measure, const std::vector<Colons> & columns, ValidationReport & report)
+AddTables(const std::vector<Colons> & columns, ValidationReport & report)
 {
-  report.AddText("## " + measure.title);
-  std::vector<std::string> names{ "segment" };
+  std::vector<std::string> names{ "measure" };
   for (const Colons & column : columns)
   {
     names.push_back(column.title);
   }
-  CsvTable table(names);
-  for (const int segment : { 1, 2, 3, 4, 5, 6, 0 })
+  CsvTable wholes(names);
+  names.insert(names.begin() + 1, "segment");
+  CsvTable segments(names);
+  for (const Measure & measure : measures)
   {
-    std::vector<std::string> row{ segment == 0 ? "colon" : NameOfSegment(segment) };
+    for (const int segment : { 1, 2, 3, 4, 5, 6, 0 })
+    {
+      std::vector<std::string> row{ measure.title, segment == 0 ? "colon" : NameOfSegment(segment) };
+      for (const Colons & column : columns)
+      {
+        row.push_back(InWords(column.shape[static_cast<std::size_t>(segment)].*measure.samples));
+      }
+      segments.AddRow(row);
+    }
+    std::vector<std::string> whole{ measure.title };
     for (const Colons & column : columns)
     {
-      row.push_back(InWords(column.shape[static_cast<std::size_t>(segment)].*measure.samples));
+      const std::vector<double> & samples = column.shape[0].*measure.samples;
+      whole.push_back(samples.empty() ? "" : Plain(MeanOf(samples)));
     }
-    table.AddRow(row);
+    wholes.AddRow(whole);
   }
-  report.AddTable(table);
+  report.AddTable(wholes);
+  report.AddRows("segments", segments);
 }
 } // namespace
 
@@ -111,27 +124,32 @@ int
 main(int argc, char * argv[])
 try
 {
-  if (argc < 3)
+  std::vector<std::string> arguments(argv + 1, argv + argc);
+  std::string              rows;
+  if (arguments.size() > 1 && arguments[0] == "--rows")
   {
-    throw std::invalid_argument("usage: ColonRealism TABLE.md NAME=RUN[,RUN...] [NAME=RUN[,RUN...] ...]");
+    rows = arguments[1];
+    arguments.erase(arguments.begin(), arguments.begin() + 2);
+  }
+  if (arguments.size() < 2)
+  {
+    throw std::invalid_argument(
+      "usage: ColonRealism [--rows FOLDER] TABLE.md NAME=RUN[,RUN...] [NAME=RUN[,RUN...] ...]");
   }
   std::vector<Colons> columns;
-  for (int i = 2; i < argc; ++i)
+  for (std::size_t i = 1; i < arguments.size(); ++i)
   {
-    columns.push_back(ReadColons(argv[i]));
+    columns.push_back(ReadColons(arguments[i]));
   }
-  ValidationReport report("Colons beside each other");
+  ValidationReport report("Real and synthetic colons");
   report.AddText(
-    "Made by `ColonRealism`; [what the columns are](notes-real-colons.md). Segments lie between the borders "
-    "that the tools find. A cell holds the mean over all places or folds of a segment and, of ten and "
-    "more, the values that 10, 50 and 90 % do not exceed; what each colon has one of is a mean of colons.");
-  for (const Measure & measure : measures)
-  {
-    AddTable(measure, columns, report);
-  }
-  const std::filesystem::path page(argv[1]);
+    "Made by `ColonRealism`; the columns are described in [the notes](notes-real-colons.md). The table has "
+    "means of whole colons. The file has all segments, between the borders found by the tools: means and, "
+    "for ten and more samples, the 10, 50 and 90 % quantiles.");
+  AddTables(columns, report);
+  const std::filesystem::path page(arguments[0]);
   const std::string           folder = page.has_parent_path() ? page.parent_path().string() : ".";
-  report.Write({ page.string(), "Shapes of colons", "colon-realism", folder, "colon-realism" });
+  report.Write(folder, rows.empty() ? folder : rows, page.stem().string());
   return 0;
 }
 catch (const std::exception & error)

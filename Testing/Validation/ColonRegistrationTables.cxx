@@ -153,8 +153,8 @@ AddErrors(const RegistrationBounds & bounds, const PatientScores & patients, boo
                    Rounded(MeanOf(shares)),
                    shares,
                    isWhole && MeanOf(shares) >= bounds.shareWithin10);
-  addAtMost("error on the flat map of width 1, mean", bounds.onMap, onMaps);
-  table.AddBounded("frame of flexures and taeniae: error over that of the map",
+  addAtMost("error on the flat map, mean", bounds.onMap, onMaps);
+  table.AddBounded("frame error over map error",
                    ">= " + Rounded(bounds.timesFrame),
                    Rounded(times),
                    patients.Of([](const RegistrationScore & s) { return s.frame.Mean() / s.errors.Mean(); }),
@@ -168,18 +168,21 @@ AddTrust(const RegistrationBounds & bounds, const PatientScores & patients, bool
   const int    flagged = patients.Sum([](const RegistrationScore & s) { return s.isFlagged ? 1 : 0; });
   const auto   all = static_cast<int>(patients.scores.size());
   const double worst = WorstUnflagged(patients);
-  table.AddBounded("worst patient that is not flagged, mean error, mm",
+  table.AddBounded("worst unflagged patient, mean error, mm",
                    "<= " + Rounded(bounds.worst),
                    Rounded(worst),
                    {},
                    isWhole && worst <= bounds.worst);
-  table.AddBounded("patients that are flagged",
+  table.AddBounded("flagged patients",
                    "<= " + Rounded(bounds.shareFlagged),
                    RatioOf(flagged, all),
                    {},
                    isWhole && ShareOf(flagged, all) <= bounds.shareFlagged);
-  table.AddBounded("triangles turned over", "0", std::to_string(flips), {}, isWhole && flips == 0);
+  table.AddBounded("inverted triangles", "0", std::to_string(flips), {}, isWhole && flips == 0);
 }
+
+/** Names of the files of results with true landmarks end with this. */
+constexpr const char * trueLandmarks = "-true-landmarks";
 
 /** Bounds apply with found landmarks; with true ones, results are only reported. */
 void
@@ -194,11 +197,11 @@ WriteSummary(const Column & column, const PatientScores & patients, bool hasBoun
   table.AddFact("patients without a map",
                 std::to_string(patients.Sum([](const RegistrationScore & s) { return s.failure.empty() ? 0 : 1; })));
   table.AddFact("longest run, s", seconds.empty() ? "" : Rounded(*std::max_element(seconds.begin(), seconds.end())));
-  table.Write();
+  table.Write(std::string("measures") + (hasBounds ? "" : trueLandmarks));
 }
 
 void
-WritePatients(const PatientScores & patients, ValidationReport & report)
+WritePatients(const std::string & name, const PatientScores & patients, ValidationReport & report)
 {
   CsvTable table({ "patient",
                    "mean, mm",
@@ -231,15 +234,22 @@ WritePatients(const PatientScores & patients, ValidationReport & report)
                    Rounded(s.confidence),
                    s.isFlagged ? "yes" : "" });
   }
-  report.AddRows("patients", table);
+  report.AddRows(name, table);
 }
 
 /** Table 4.1 of the dissertation, which has border points only and counts unmatched ones as incorrect. */
 void
 WritePoints(const PatientScores & patients, ValidationReport & report)
 {
-  CsvTable table(
-    { "segment", "border points", "correct", "wrong", "unmatched", "all points", "correct", "wrong", "unmatched" });
+  CsvTable table({ "segment",
+                   "border points",
+                   "border correct",
+                   "border wrong",
+                   "border unmatched",
+                   "all points",
+                   "all correct",
+                   "all wrong",
+                   "all unmatched" });
   for (int segment = 0; segment <= 6; ++segment)
   {
     FeaturePointCounts border;
@@ -259,19 +269,19 @@ WritePoints(const PatientScores & patients, ValidationReport & report)
     }
     table.AddRow(row);
   }
-  report.AddTable(table);
+  report.AddRows("points", table);
 }
 
 void
 WriteSchemes(const PatientScores & patients, ValidationReport & report)
 {
   CsvTable              table({ "scheme",
-                                "mean, mm, 95 % interval",
-                                "95 % of points, mm",
+                                "mean, mm [95 % interval]",
+                                "95th percentile, mm",
                                 "below 10 mm",
                                 "on the map",
-                                "triangles turned over, of a patient",
-                                "patients with any" });
+                                "inverted triangles per patient",
+                                "patients with inverted triangles" });
   std::set<std::string> names;
   for (const RegistrationScore & score : patients.scores)
   {
@@ -294,7 +304,7 @@ WriteSchemes(const PatientScores & patients, ValidationReport & report)
                    Rounded(MeanOf(flips)),
                    std::to_string(std::count_if(flips.begin(), flips.end(), [](double n) { return n > 0.0; })) });
   }
-  report.AddTable(table);
+  report.AddRows("schemes", table);
 }
 
 /** Pairs each supine patient with the next one prone. */
@@ -316,7 +326,7 @@ TellPatientsApart(const std::vector<LandmarkExam> & supine,
   }
   if (pairs > 0)
   {
-    report.AddText("Pairs of two different patients that are flagged or refused: " + RatioOf(apart, pairs) + ' ' +
+    report.AddText("Flagged or rejected pairs of different patients: " + RatioOf(apart, pairs) + ' ' +
                    report.Check(apart == pairs));
   }
 }
@@ -345,38 +355,46 @@ TryColumn(const Column & column, ValidationReport & report)
     const RegistrationScore & last = found.scores.back();
     ValidationReport::Progress("  " + (last.failure.empty() ? Rounded(last.errors.Mean()) + " mm" : last.failure));
   }
-  report.AddText("With the landmarks that are found:");
   WriteSummary(column, found, true, report);
-  WritePatients(found, report);
-  report.AddText("Feature points (Table 4.1 of the dissertation; unmatched ones stand by themselves):");
+  WritePatients("patients", found, report);
   WritePoints(found, report);
-  report.AddText("Simpler ways to register, step by step:");
   WriteSchemes(found, report);
-  report.AddText("With the true flexures and taeniae, the bounds being for found ones:");
   WriteSummary(column, known, false, report);
-  WritePatients(known, report);
+  WritePatients(std::string("patients") + trueLandmarks, known, report);
   TellPatientsApart(supine, prone, report);
 }
 
 void
 Explain(const ValidationSettings & settings, ValidationReport & report)
 {
+  if (settings.firstSeed > 0)
+  {
+    report.AddText(settings.MethodOf("colon-registration"));
+    return;
+  }
   report.AddText(
     "Synthetic patients (" + settings.SeedsInWords() +
-    "), supine registered to prone, folds sliding 3 mm against the wall. Both colons are modeled from the true "
-    "lumen or from the CT, in voxels of 0.8 mm, flattened, and searched with default options. From CT the bounds of "
-    "shares are 0.03 wider and errors may be 1.3 times as large.");
+    "), supine registered to prone; folds slide 3 mm along the wall. Both colons are modeled from the true "
+    "lumen in voxels of 0.8 mm, flattened, and searched with default options.");
   report.AddText(
-    "Errors: at points of the wall on a grid in material coordinates, which are not constraints, outside collapsed "
-    "stretches (true ones, and those that the registration excludes and marks). Distance in space between where the "
-    "map takes a point and where it is, and distance on the flat map, whose width (circumference) is 1. Measures of "
-    "each patient are averaged over patients; +- of a patient is half the 95 % interval of the mean over 20 blocks "
-    "along the colon. Patients that are flagged count.");
+    "Errors are measured at grid points of the wall that are not constraints, outside collapsed stretches: in space, "
+    "and on the flat map with a circumference of 1. Means are over patients, including flagged ones. The frame is the "
+    "alignment of flexures and taeniae alone. A found fold corresponds to the true fold whose crest is nearest to its "
+    "middle, within 6 mm. A match is correct if both folds correspond to the same true fold; recall refers to true "
+    "folds found in both positions.");
   report.AddText(
-    "Fold matches: a fold that was found is the true one whose crest lies nearest to its middle, within 6 mm. A "
-    "match is right when both folds are the same true one. Recall counts true folds that were found in both "
-    "positions. Feature points are the ends of folds of the supine position; border points lie within 15 mm of the "
-    "cut of the flat map.");
+    "In `patients`, +- is half the 95 % interval of the mean over 20 blocks along the colon. `points` counts the end "
+    "points of supine folds (Table 4.1 of the dissertation, which counts unmatched points as incorrect); border points "
+    "lie within 15 mm of the cut of the flat map. `schemes` compares simpler registrations. Files named "
+    "`true-landmarks` have the results with the true flexures and taeniae.");
+}
+
+void
+ExplainCt(const ValidationSettings & settings, ValidationReport & report)
+{
+  report.AddText(settings.MethodOf("colon-registration") +
+                 " Both colons are modeled from CT: bounds of shares are relaxed by 0.03, bounds of errors by a factor "
+                 "of 1.3.");
 }
 
 /** The bounds are for finer voxels and many patients, so this only checks that the code runs. */
@@ -422,6 +440,6 @@ ValidateColonRegistration(const ValidationSettings & settings, ValidationReport 
 void
 ValidateColonRegistrationFromCt(const ValidationSettings & settings, ValidationReport & report)
 {
-  Explain(settings, report);
+  ExplainCt(settings, report);
   TryPresets(settings, true, report);
 }

@@ -30,16 +30,17 @@ TryLandmarks(const LandmarkExam & exam, const ColonLandmarkOptions & options, st
   return errors;
 }
 
+constexpr const char * flexureNames[] = { "rectosigmoid", "descending-sigmoid", "splenic", "hepatic" };
+
 std::string
 InWords(const LandmarkErrors & errors)
 {
-  const char * const names[] = { "rectosigmoid", "descending-sigmoid", "splenic", "hepatic" };
-  std::string        text;
+  std::string text;
   for (int k = 0; k < 4; ++k)
   {
     if (!(errors.flexures[k] <= 30.0))
     {
-      text += std::string(text.empty() ? "" : ", ") + names[k] + " flexure " +
+      text += std::string(text.empty() ? "" : ", ") + flexureNames[k] + " flexure " +
               (std::isfinite(errors.flexures[k]) ? Rounded(errors.flexures[k]) + " mm off" : "not found");
     }
   }
@@ -85,6 +86,7 @@ LandmarkScores::Add(const LandmarkExam & exam)
     const bool isClose = ours.flexures[k] <= 30.0;
     ++m_Flexures;
     m_FlexuresClose += isClose;
+    m_FlexuresMissed[k] += !isClose;
     if (std::isfinite(ours.flexures[k]))
     {
       m_FlexureReliability.Add(ours.flexureConfidence[k], isClose);
@@ -143,13 +145,13 @@ LandmarkScores::AddBounded(const LandmarkBounds & bounds, BoundTable & table) co
   if (bounds.calibration)
   {
     const double error = m_FlexureReliability.CalibrationError();
-    table.AddBounded("confidence of flexures, expected calibration error",
+    table.AddBounded("flexure confidence, expected calibration error",
                      "<= " + Rounded(*bounds.calibration),
                      Rounded(error),
                      {},
                      hasExams && error <= *bounds.calibration);
   }
-  table.AddBounded("surface with its true segment",
+  table.AddBounded("area with the correct segment",
                    atLeast(bounds.labeled),
                    Rounded(labeled),
                    m_Ours.labeled,
@@ -172,12 +174,28 @@ LandmarkScores::AddReported(BoundTable & table) const
   table.AddFact("published rule: exams with all four flexures within 30 mm",
                 RatioOf(m_Published.flexuresRight, m_Published.exams));
   table.AddFact(
-    "published rule: surface with its true segment", Rounded(MeanOf(m_Published.labeled)), m_Published.labeled);
+    "published rule: area with the correct segment", Rounded(MeanOf(m_Published.labeled)), m_Published.labeled);
+}
+
+void
+LandmarkScores::WriteMissedFlexures(ValidationReport & report) const
+{
+  std::string missed;
+  for (std::size_t k = 0; k < m_FlexuresMissed.size(); ++k)
+  {
+    if (m_FlexuresMissed[k] > 0)
+    {
+      missed += std::string(missed.empty() ? "" : ", ") + flexureNames[k] + ' ' + std::to_string(m_FlexuresMissed[k]);
+    }
+  }
+  if (!missed.empty())
+  {
+    report.AddText("Flexures not within 30 mm: " + missed + '.');
+  }
 }
 
 void
 LandmarkScores::WriteReliability(ValidationReport & report) const
 {
-  report.AddText("Confidence of flexures that are found: the probability that one lies within 30 mm:");
   m_FlexureReliability.Write("flexures", report);
 }

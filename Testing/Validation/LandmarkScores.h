@@ -6,6 +6,7 @@
 #include "LandmarkTrial.h"
 #include "Reliability.h"
 
+#include <array>
 #include <optional>
 
 /** Bounds for taeniae, flexures and segments. Shares from 0 to 1. */
@@ -35,6 +36,10 @@ public:
   void
   AddReported(BoundTable & table) const;
 
+  /** Names the missed flexures, if any. */
+  void
+  WriteMissedFlexures(ValidationReport & report) const;
+
   /** Reliability of the confidence of flexures. */
   void
   WriteReliability(ValidationReport & report) const;
@@ -60,6 +65,8 @@ private:
   Reliability m_FlexureReliability;
   int         m_FlexuresClose{ 0 };
   int         m_Flexures{ 0 };
+  /** Number of missed flexures by type. */
+  std::array<int, 4> m_FlexuresMissed{};
 };
 
 #endif

@@ -157,14 +157,14 @@ CompareSchemes(const ColonPosition &           source,
     { RegistrationScheme::Landmarks, "3 flexures and taeniae" },
     { RegistrationScheme::Warping, "4 cylindrical warping" },
     { RegistrationScheme::Published, "6 published: quasi-conformal through flexures, a taenia and folds" },
-    { RegistrationScheme::QuasiConformal, "7 quasi-conformal through the folds that are delivered as matched" }
+    { RegistrationScheme::QuasiConformal, "7 quasi-conformal through the matched folds" }
   };
   for (const auto & [scheme, name] : schemes)
   {
     const CylinderMap map = MapOfScheme(scheme, source, target, registration);
     score.schemes[name] = { SummaryOf(ErrorsOfPoints(registration, map, pairs)), map.Flips() };
   }
-  score.schemes["5 and folds, robust: what is delivered"] = { score.errors, score.flips };
+  score.schemes["5 cylindrical warping with folds, robust (the result)"] = { score.errors, score.flips };
 }
 } // namespace
 

@@ -49,7 +49,7 @@ AddShare(const std::string &           what,
     table.AddFact(what + " within 15 mm", RatioOf(right, all));
   }
   const std::vector<double> found = Finite(errors);
-  table.AddFact(what + ": error of those found, mm, mean", Rounded(MeanOf(found)), found);
+  table.AddFact(what + ", mean error when found, mm", Rounded(MeanOf(found)), found);
 }
 } // namespace
 
@@ -89,12 +89,11 @@ StructureScores::AddTo(BoundTable & table, const std::optional<StructureBounds> 
 {
   AddShare("cecal pole", bounds ? std::make_optional(bounds->pole) : std::nullopt, m_Pole, table);
   AddShare("ileocecal valve", bounds ? std::make_optional(bounds->valve) : std::nullopt, m_Valve, table);
+  table.AddFact("valve confidence, expected calibration error", Rounded(m_ValveReliability.CalibrationError()));
 }
 
 void
 StructureScores::WriteReliability(ValidationReport & report) const
 {
-  report.AddText("Confidence of valves that are found; expected calibration error " +
-                 Rounded(m_ValveReliability.CalibrationError()) + ":");
   m_ValveReliability.Write("valves", report);
 }

@@ -290,10 +290,13 @@ ValidationSettings::Seeds(int asked, const std::string & preset) const
 std::string
 ValidationSettings::SeedsInWords() const
 {
-  return "`ColonPhantom`, seeds " +
-         (firstSeed > 0 ? std::to_string(firstSeed) + " and above"
-                        : std::string("100 and above, of the preset realistic 140 and above")) +
-         "; parameters were fitted on seeds 1 to 99 (most on 1 to 40), and a few rules chosen with some of seeds 100 "
-         "to "
-         "119 in view, which the READMEs of the modules name";
+  return "`ColonPhantom`, seeds from " + (firstSeed > 0 ? std::to_string(firstSeed) : "100, realistic from 140") +
+         "; parameters fitted on seeds 1 to 99, a few rules chosen with some of seeds 100 to 119 in view";
+}
+
+std::string
+ValidationSettings::MethodOf(const std::string & part) const
+{
+  return (firstSeed > 0 ? "Seeds from " + std::to_string(firstSeed) + ". " : std::string()) +
+         "Data and method are those of `" + part + "`.";
 }

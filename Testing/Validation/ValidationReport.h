@@ -104,6 +104,10 @@ struct ValidationSettings
   std::string
   SeedsInWords() const;
 
+  /** Refers to the method of another part; names the first seed if it is set. */
+  std::string
+  MethodOf(const std::string & part) const;
+
   bool         quick{ false };
   int          patients{ 0 };  ///< synthetic patients per preset; 0: default of the part
   unsigned int firstSeed{ 0 }; ///< 0: that of the published tables
