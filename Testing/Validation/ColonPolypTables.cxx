@@ -190,6 +190,25 @@ AddBounded(const PolypBounds & bounds, const std::vector<PolypExam> & exams, Bou
                    !errors.empty() && MeanOf(errors) <= bounds.size);
 }
 
+/** Explains a lower bound that is not reached by the number of large polyps. */
+void
+WriteLargeNeeded(double lowerBound, const Count & big, ValidationReport & report)
+{
+  if (WilsonLowerBound(big.found, big.present) >= lowerBound)
+  {
+    return;
+  }
+  int needed = big.found;
+  while (needed <= big.present && WilsonLowerBound(needed, big.present) < lowerBound)
+  {
+    ++needed;
+  }
+  const std::string need = "A lower bound of " + Rounded(lowerBound) + " requires ";
+  report.AddText(needed <= big.present
+                   ? need + std::to_string(needed) + " of " + std::to_string(big.present) + " polyps >= 10 mm."
+                   : need + "more than " + std::to_string(big.present) + " polyps >= 10 mm.");
+}
+
 void
 AddReported(const std::vector<PolypExam> & exams, BoundTable & table)
 {
@@ -340,6 +359,7 @@ TryColumn(const Column & column, ValidationReport & report)
   }
   TryPublished(results.published, table);
   table.Write("measures");
+  WriteLargeNeeded(column.bounds.largeLower, CountFound(results.delivered, large, defaultScore), report);
   AddCurve(results.alone, report);
   report.AddRows("missed", TableOfMissed(results.delivered));
   return CountFound(results.delivered, large, defaultScore);
@@ -375,8 +395,8 @@ Explain(const ValidationSettings & settings, ValidationReport & report)
     "A polyp is found if a candidate lies within its radius plus 3 mm of the center of its head or base. Other "
     "candidates are false, including those at the ileocecal valve; those of both positions of a patient are added. "
     "Scores are final: they account for content, valve, catheter and, where both positions can be registered, the "
-    "other position. Shares have Wilson's two-sided 95 % bound, with polyps taken as independent; even with all polyps "
-    "found, a lower bound of 0.90 requires 35 polyps. Other intervals are over patients or polyps.");
+    "other position. Shares have Wilson's two-sided 95 % bound, with polyps taken as independent. Other intervals are "
+    "over patients or polyps.");
   report.AddText(
     "`curve` is the free-response ROC of single positions by sensitivity. `missed` lists the polyps >= 6 mm "
     "that are not found.");

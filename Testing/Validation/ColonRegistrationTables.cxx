@@ -135,30 +135,50 @@ AddMatches(const RegistrationBounds & bounds, const PatientScores & patients, bo
                    isWhole && ShareOf(right, common) >= bounds.recall);
 }
 
-void
+/** Returns the patients whose measure is outside of the bound of the mean. */
+template <typename TMeasure>
+std::string
+PatientsOutside(const PatientScores & patients, const TMeasure & measure, bool isAtMost, double bound)
+{
+  std::string names;
+  for (std::size_t i = 0; i < patients.scores.size(); ++i)
+  {
+    const RegistrationScore & score = patients.scores[i];
+    const double              value = score.failure.empty() ? measure(score) : bound;
+    if (isAtMost ? value > bound : value < bound)
+    {
+      names += (names.empty() ? "" : ", ") + patients.names[i] + " (" + Rounded(value, 2) + ')';
+    }
+  }
+  return names;
+}
+
+/** Returns the reason of each bound that is not reached. */
+std::vector<std::string>
 AddErrors(const RegistrationBounds & bounds, const PatientScores & patients, bool isWhole, BoundTable & table)
 {
-  const auto   means = patients.Of([](const RegistrationScore & s) { return s.errors.Mean(); });
-  const auto   shares = patients.Of([](const RegistrationScore & s) { return s.errors.ShareWithin10(); });
-  const auto   onMaps = patients.Of([](const RegistrationScore & s) { return s.errors.MeanOnMap(); });
-  const auto   frames = patients.Of([](const RegistrationScore & s) { return s.frame.Mean(); });
-  const double times = means.empty() ? 0.0 : MeanOf(frames) / MeanOf(means);
-  const auto   addAtMost = [&](const std::string & what, double bound, const std::vector<double> & values) {
-    const double mean = MeanOf(values);
-    table.AddBounded(what, "<= " + Rounded(bound), Rounded(mean), values, isWhole && mean <= bound);
+  const auto               mean = [](const RegistrationScore & s) { return s.errors.Mean(); };
+  const auto               within = [](const RegistrationScore & s) { return s.errors.ShareWithin10(); };
+  const auto               onMap = [](const RegistrationScore & s) { return s.errors.MeanOnMap(); };
+  const auto               times = [](const RegistrationScore & s) { return s.frame.Mean() / s.errors.Mean(); };
+  const auto               frames = patients.Of([](const RegistrationScore & s) { return s.frame.Mean(); });
+  const double             meanError = MeanOf(patients.Of(mean));
+  std::vector<std::string> reasons;
+  const auto add = [&](const std::string & what, bool isAtMost, double bound, double value, const auto & measure) {
+    const bool isReached = isWhole && (isAtMost ? value <= bound : value >= bound);
+    table.AddBounded(
+      what, (isAtMost ? "<= " : ">= ") + Rounded(bound), Rounded(value), patients.Of(measure), isReached);
+    const std::string outside = isReached ? "" : PatientsOutside(patients, measure, isAtMost, bound);
+    if (!outside.empty())
+    {
+      reasons.push_back("Patients outside the bound of \"" + what + "\": " + outside + '.');
+    }
   };
-  addAtMost("error in space, mean, mm", bounds.mean, means);
-  table.AddBounded("share below 10 mm",
-                   ">= " + Rounded(bounds.shareWithin10),
-                   Rounded(MeanOf(shares)),
-                   shares,
-                   isWhole && MeanOf(shares) >= bounds.shareWithin10);
-  addAtMost("error on the flat map, mean", bounds.onMap, onMaps);
-  table.AddBounded("frame error over map error",
-                   ">= " + Rounded(bounds.timesFrame),
-                   Rounded(times),
-                   patients.Of([](const RegistrationScore & s) { return s.frame.Mean() / s.errors.Mean(); }),
-                   isWhole && times >= bounds.timesFrame);
+  add("error in space, mean, mm", true, bounds.mean, meanError, mean);
+  add("share below 10 mm", false, bounds.shareWithin10, MeanOf(patients.Of(within)), within);
+  add("error on the flat map, mean", true, bounds.onMap, MeanOf(patients.Of(onMap)), onMap);
+  add("frame error over map error", false, bounds.timesFrame, frames.empty() ? 0.0 : MeanOf(frames) / meanError, times);
+  return reasons;
 }
 
 void
@@ -191,13 +211,17 @@ WriteSummary(const Column & column, const PatientScores & patients, bool hasBoun
   BoundTable table(report, hasBounds);
   const bool isWhole = patients.AreComplete();
   AddMatches(column.bounds, patients, isWhole, table);
-  AddErrors(column.bounds, patients, isWhole, table);
+  const std::vector<std::string> reasons = AddErrors(column.bounds, patients, isWhole, table);
   AddTrust(column.bounds, patients, isWhole, table);
   const auto seconds = patients.Of([](const RegistrationScore & s) { return s.seconds; });
   table.AddFact("patients without a map",
                 std::to_string(patients.Sum([](const RegistrationScore & s) { return s.failure.empty() ? 0 : 1; })));
   table.AddFact("longest run, s", seconds.empty() ? "" : Rounded(*std::max_element(seconds.begin(), seconds.end())));
   table.Write(std::string("measures") + (hasBounds ? "" : trueLandmarks));
+  for (const std::string & reason : hasBounds ? reasons : std::vector<std::string>())
+  {
+    report.AddText(reason);
+  }
 }
 
 void
