@@ -217,9 +217,9 @@ Explain(const ValidationSettings & settings, ValidationReport & report)
   report.AddText(
     "Taenia errors are distances from true points to the found taeniae, outside collapsed stretches; taeniae are "
     "assigned anew in each open stretch. Three markers are one given point per true taenia; their bound of 1 fails "
-    "with "
-    "any point beyond 10 mm. Flexure errors are measured along the centerline from the border between true segments. "
-    "The cecal pole is the point of the cecal wall farthest from the mouth of the cecum.");
+    "with any point beyond 10 mm. Flexure errors are measured along the centerline from the border between true "
+    "segments. The cecal pole is the point of the cecal wall farthest from the mouth of the cecum. The reliability "
+    "files compare confidence with the share of flexures within 30 mm and of valves within 15 mm.");
 }
 
 void
@@ -227,9 +227,9 @@ ExplainCt(const ValidationSettings & settings, ValidationReport & report)
 {
   report.AddText(
     settings.MethodOf("colon-landmarks") +
-    " The colon is modeled from CT: bounds of shares are 0.03 lower, bounds of distances 1.3 times larger. "
-    "Bounds of flexures, cecal pole and valve of the preset realistic are unchanged. Voxels of 1.4 mm "
-    "(first four patients) have no bounds.");
+    " The colon is modeled from CT: bounds of shares are 0.03 lower, bounds of distances 1.3 times larger. Bounds of "
+    "flexures, cecal pole and valve of the preset realistic are unchanged. Voxels of 1.4 mm (first four patients) have "
+    "no bounds.");
 }
 
 /** The bounds are for finer voxels and many patients, so this only checks that the code runs. */
