@@ -79,13 +79,11 @@ ValidateClassesOfPhantoms(const ValidationSettings & settings, ValidationReport 
   const unsigned int side = settings.quick ? 48 : 96;
   const unsigned int seeds = settings.quick ? 1 : 10;
   report.AddText(
-    "Phantoms of " + std::to_string(side) + "^3 voxels with Gaussian noise (contrast 1000 HU), seeds 100 to " +
+    "Phantoms of " + std::to_string(side) + "^3 voxels, contrast 1000 HU, Gaussian noise, seeds 100 to " +
     std::to_string(99 + seeds) +
-    ", automatic p, 100,000 steps. Purity: the share of an object's voxels in the class that "
-    "holds most of them, mean over the objects; with the 95 % confidence interval over the seeds. Bound without "
-    "blur: mean purity at least 0.9 and a class of its own for each object. With blur, edges leak by design (an edge "
-    "spread over k voxels needs p above k / contrast): "
-    "reported without a bound.");
+    ", automatic p, 100,000 steps. Purity: share of an object's voxels in its main class, mean over the objects, with "
+    "the 95 % confidence interval over the seeds. Bound without blur: mean purity at least 0.9 and one class per "
+    "object. Blurred edges leak by design (an edge over k voxels needs p above k / contrast), so they have no bound.");
   CsvTable table({ "phantom", "noise SD, HU", "blur, voxels", "seeds", "purity", "objects", "classes", "" });
   for (const std::string preset : { "figure2.7a", "figure2.7b" })
   {

@@ -36,9 +36,8 @@ Figure24(ValidationReport & report)
   const VolumeGradientOperator     volumeGradient(volume.values.data(), volume.size, volume.Parameters(7.0));
   const std::vector<std::uint64_t> steps{ 0, 20, 100, 750, 900, 1000, 1100, 4000, 20000 };
   const auto                       fields = HeatAt(volumeGradient, steps);
-  report.AddText("## Figure 2.4: a cube\n\nHeat of a cube of side 40 in 64^3 (p = 7) at its corner, the middle of an "
-                 "edge, the middle "
-                 "of a face and its center.");
+  report.AddText("## Figure 2.4: a cube\n\nHeat of a cube of side 40 in 64^3 voxels (p = 7) at a corner, in the middle "
+                 "of an edge and of a face, and at the center. Bound: corner > edge > face > center up to step 1100.");
   CsvTable table({ "steps", "corner", "edge", "face", "center", "corner > edge > face > center" });
   for (std::size_t i = 0; i < steps.size(); ++i)
   {
@@ -56,12 +55,10 @@ Figure24(ValidationReport & report)
                    CsvTable::Rounded(heat[3], 4),
                    steps[i] <= 1100 ? report.Check(ordered) : (ordered ? "yes" : "no") });
   }
-  report.AddTable(table);
-  report.AddText(
-    "It holds that corners keep most heat, then edges, then faces, at all the steps of the figure, and that flat parts "
-    "even out first. The steps at which a feature 'is captured' depend on the cube's size, the time step and the "
-    "threshold of the rendering, none of which the dissertation gives; the whole cube "
-    "reaches one heat, 1 / 40, after about 4,000 of our steps.");
+  report.AddRows("cube", table);
+  report.AddText("The order holds at all steps of the figure, and flat parts even out first. The cube reaches one "
+                 "heat, 1 / 40, after about 4,000 steps. When a feature is captured depends on the size of the cube, "
+                 "the time step and the rendering threshold, which the dissertation does not give.");
 }
 
 /** Heat left by conventional diffusion in the middle of a closed cube of 64 voxels. */
@@ -80,9 +77,9 @@ Figure25(const ValidationSettings & settings, ValidationReport & report)
   const std::size_t            cube = side / 2;
   const test::Volume           volume = Cube(side, cube);
   const VolumeGradientOperator volumeGradient(volume.values.data(), volume.size, volume.Parameters(7.0));
-  report.AddText("## Figure 2.5: cumulative and conventional diffusion\n\nA cube of side " + std::to_string(cube) +
-                 " in " + std::to_string(side) +
-                 "^3. Correlation over the voxels of the cube of the heat after so many steps of each.");
+  report.AddText("## Figure 2.5: cumulative and conventional diffusion\n\nCorrelation of the heat of both methods over "
+                 "the voxels of a cube of side " +
+                 std::to_string(cube) + " in " + std::to_string(side) + "^3, after 10, 30 and 100 steps of each.");
   const auto inside = [&](const std::vector<float> & field) {
     std::vector<float> values;
     for (std::size_t i = 0; i < field.size(); ++i)
@@ -109,17 +106,17 @@ Figure25(const ValidationSettings & settings, ValidationReport & report)
         { std::to_string(cumulativeSteps[i]), std::to_string(conventionalSteps), CsvTable::Rounded(correlation, 4) });
     }
   }
-  report.AddTable(table);
+  report.AddRows("conventional", table);
   const double end = EndOfConventionalHeat();
-  report.AddText("The patterns are alike while corners and edges stand out (best correlation " +
+  report.AddText("The patterns agree while corners and edges stand out: best correlation " +
                  CsvTable::Rounded(*std::max_element(atThirty.begin(), atThirty.end()), 3) +
-                 ", bound 0.9: " + report.Check(*std::max_element(atThirty.begin(), atThirty.end()) > 0.9) +
-                 "). At steady state they are not 'identical' as 2.3.2 says: cumulative diffusion ends at the mean "
-                 "initial heat, 1 / " +
-                 std::to_string(cube) + ", conventional diffusion at 1 / (number of voxels) = 1 / " +
+                 " (bound 0.9: " + report.Check(*std::max_element(atThirty.begin(), atThirty.end()) > 0.9) +
+                 "). At steady state they differ, although 2.3.2 calls them identical. Cumulative diffusion ends at "
+                 "the mean initial heat, 1 / " +
+                 std::to_string(cube) + ", and conventional diffusion at 1 / (number of voxels) = 1 / " +
                  std::to_string(cube * cube * cube) + " (in a cube of side 4, 1 / " + CsvTable::Rounded(1.0 / end, 4) +
                  ": " + report.Check(std::abs(64.0 * end - 1.0) < 1e-4) +
-                 "). Our tools leave conventional diffusion out for this reason and for its cost, which grows with the "
+                 "). The tools leave out conventional diffusion for this reason and for its cost, which grows with the "
                  "square of the number of voxels.");
 }
 
@@ -140,7 +137,8 @@ Figure27(const std::string & preset, const ValidationSettings & settings, Valida
   const VolumeGradientOperator volumeGradient(volume.values.data(), volume.size, volume.Parameters(7.0));
   PaddedField                  heat(volumeGradient.GetGrid());
   volumeGradient.ComputeInitialHeat(heat);
-  report.AddText("## " + preset + "\n\nLines of the histogram at steady state, " + std::to_string(side) + "^3, p = 7.");
+  report.AddText("## " + preset + "\n\nLines of the histogram at steady state, " + std::to_string(side) +
+                 "^3 voxels, p = 7.");
   CsvTable table({ "object at voxel", "voxels", "heat (the line)", "scale-normalized" });
   for (const auto & component : FindShapeComponents(volumeGradient, heat, { { 1.0, 1.0, 1.0 } }, 27))
   {
@@ -168,13 +166,13 @@ ValidateFiguresOfChapter2(const ValidationSettings & settings, ValidationReport 
   const bool   threeLines = a.size() == 3;
   const double ratio = threeLines ? a[2].convergedHeat / a[0].convergedHeat : 0.0;
   const double companions = threeLines ? a[2].normalizedHeat / a[0].normalizedHeat : 0.0;
-  report.AddText(
-    "Each object is a line, as published (three objects: " + report.Check(threeLines) +
-    "). The two spheres are not close to each other and far from the cube: their heats differ by a factor of " +
-    CsvTable::Rounded(ratio, 3) + ", the ratio of their radii, 2 (within 10 %: " +
-    report.Check(std::abs(ratio - 2.0) < 0.2) + "). Their scale-normalized values differ by a factor of " +
-    CsvTable::Rounded(companions, 3) + " (1 within 5 %: " + report.Check(std::abs(companions - 1.0) < 0.05) +
-    "), which is what the figure claims for the heat.");
+  report.AddText("Each object is a line, as published (three objects: " + report.Check(threeLines) +
+                 "). The heats of the two spheres are not close to each other: their ratio is " +
+                 CsvTable::Rounded(ratio, 3) +
+                 ", the ratio of the radii (2 within 10 %: " + report.Check(std::abs(ratio - 2.0) < 0.2) +
+                 "). The ratio of their scale-normalized values is " + CsvTable::Rounded(companions, 3) +
+                 " (1 within 5 %: " + report.Check(std::abs(companions - 1.0) < 0.05) +
+                 "), which is what the figure claims for the heat.");
   const auto b = Figure27("figure2.7b", settings, report);
   double     closest = 1.0;
   for (std::size_t i = 0; i < b.size(); ++i)
@@ -184,7 +182,7 @@ ValidateFiguresOfChapter2(const ValidationSettings & settings, ValidationReport 
       closest = std::min(closest, std::abs(b[i].convergedHeat / b[j].convergedHeat - 1.0));
     }
   }
-  report.AddText("Four objects, four lines at least " + CsvTable::Rounded(100.0 * closest, 2) +
+  report.AddText("Four objects have four lines at least " + CsvTable::Rounded(100.0 * closest, 2) +
                  " % apart (bound 1 %: " + report.Check(b.size() == 4 && closest > 0.01) +
-                 "). A line does not tell a cube from a cuboid of another size.");
+                 "). A line does not distinguish a cube from a cuboid of another size.");
 }

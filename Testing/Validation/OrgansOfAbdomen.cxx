@@ -63,9 +63,8 @@ ValidateOrgansOfAbdomen(const ValidationSettings & settings, ValidationReport & 
   {
     throw std::runtime_error("the organ labels have another grid than the CT");
   }
-  report.AddText("The abdomen CT of TotalSegmentator's tests (122 x 101 x 112 voxels of 3 mm, Apache-2.0) and its "
-                 "organ labels. Window "
-                 "-160 to 240 HU, p = 7. For each organ the class of heat with the greatest Dice overlap.");
+  report.AddText("Abdomen CT of TotalSegmentator's tests (122 x 101 x 112 voxels of 3 mm, Apache-2.0) with its organ "
+                 "labels. Window -160 to 240 HU, p = 7. Dice: overlap of each organ with its best heat class.");
   for (const std::uint64_t steps :
        settings.quick ? std::vector<std::uint64_t>{ 1000 } : std::vector<std::uint64_t>{ 100, 1000, 100000 })
   {
@@ -93,10 +92,7 @@ ValidateOrgansOfAbdomen(const ValidationSettings & settings, ValidationReport & 
     report.AddRows("organs", table);
     report.AddText("Mean Dice over " + std::to_string(dice.size()) + " organs: " + MeanWithInterval(dice) + ".");
   }
-  report.AddText(
-    "Heat classes do not segment organs. Soft-tissue organs touch over edges of a few HU, heat "
-    "flows "
-    "between them, and many organs share a class. What the classes tell apart are air, lung and gas, fat, the "
-    "soft-tissue "
-    "body as a whole, and dense bone; the dissertation itself calls the result a weak segmentation (2.5).");
+  report.AddText("Heat classes do not segment organs: heat flows over soft edges of a few HU, so many organs share a "
+                 "class. The classes separate air with lung and gas, fat, the soft-tissue body as a whole, and dense "
+                 "bone. The dissertation itself calls the result a weak segmentation (2.5).");
 }
