@@ -64,8 +64,8 @@ public:
   void
   Finish()
   {
-    m_Report.AddText("## Without handles, Euclidean\n\nAsked: no flips, the gap in brackets, the modulus by Newton's "
-                     "method between ours, dilatation at most 1.04 and 1.10.");
+    m_Report.AddText("## Without handles, Euclidean\n\nBounds: no flips; the gap in brackets; the modulus by Newton's "
+                     "method between the two moduli; dilatation at most 1.04 (median) and 1.10 (95 %).");
     m_Report.AddRows("tubes", m_Table);
   }
 
@@ -79,12 +79,32 @@ private:
 /** Change of the modulus by handles in one metric, percent. */
 struct Change
 {
+  Change() = default;
   Change(const TubeMap & before, const TubeMap & after)
     : u(100.0 * std::abs(after.modulusU / before.modulusU - 1.0))
     , v(100.0 * std::abs(after.modulusV / before.modulusV - 1.0))
   {}
-  double u;
-  double v;
+  double u{ 0.0 };
+  double v{ 0.0 };
+};
+
+/** Extremes over the seeds of the tubes of one size with the same handles, for which there are bounds. */
+struct HandleGroup
+{
+  std::string
+  Verdict(int passed) const
+  {
+    return (passed == seeds ? "pass (" : "FAIL (") + std::to_string(passed) + " of " + std::to_string(seeds) + ')';
+  }
+  std::string faces;
+  int         handles;
+  int         span;
+  Change      largest;
+  double      leastRatioU{ HUGE_VAL };
+  double      leastRatioV{ HUGE_VAL };
+  int         seeds{ 0 };
+  int         withinBound{ 0 };
+  int         fourTimes{ 0 };
 };
 
 /** Heat diffusion maps of tubes with handles. */
@@ -98,47 +118,89 @@ public:
   void
   AddRow(const TubeCase & plain, int faces, int handles, int seed, int span, double length, double factor)
   {
-    const double   edge = MeanEdgeAt55000Faces(plain.connectivity, plain.lengths);
-    const double   t = factor * edge * edge;
-    const TubeCase with(GenerateTube(faces, handles, seed, span, length));
-    const auto     metric = with.Diffused(t);
-    const TubeMap  map = with.Flatten(metric);
-    const Change   euclidean(plain.Flatten(plain.lengths), with.Flatten(with.lengths));
-    const Change   diffused(plain.Flatten(plain.Diffused(t)), map);
-    const bool     isAsked = factor == 8.0 && handles >= 43;
-    const double   askedU = handles > 43 ? 0.5 : 0.3;
-    const double   askedV = handles > 43 ? 4.0 : 1.0;
-    m_Table.AddRow(
-      { ThousandsOf(plain.tube.mesh.NumberOfFaces()),
-        std::to_string(seed),
-        std::to_string(handles),
-        std::to_string(span),
-        Short(t),
-        Short(factor, 2),
-        Short(diffused.u) + " / " + Short(diffused.v),
-        Short(euclidean.u / diffused.u, 2) + " / " + Short(euclidean.v / diffused.v, 2),
-        isAsked ? m_Report.Check(diffused.u <= askedU && diffused.v <= askedV) : "",
-        isAsked ? m_Report.Check(euclidean.u >= 4.0 * diffused.u && euclidean.v >= 4.0 * diffused.v) : "" });
+    const double      edge = MeanEdgeAt55000Faces(plain.connectivity, plain.lengths);
+    const double      t = factor * edge * edge;
+    const TubeCase    with(GenerateTube(faces, handles, seed, span, length));
+    const auto        metric = with.Diffused(t);
+    const TubeMap     map = with.Flatten(metric);
+    const Change      euclidean(plain.Flatten(plain.lengths), with.Flatten(with.lengths));
+    const Change      diffused(plain.Flatten(plain.Diffused(t)), map);
+    const bool        isAsked = factor == 8.0 && handles >= 43;
+    const double      askedU = handles > 43 ? 0.5 : 0.3;
+    const double      askedV = handles > 43 ? 4.0 : 1.0;
+    const std::string size = ThousandsOf(plain.tube.mesh.NumberOfFaces());
+    const bool        isWithin = diffused.u <= askedU && diffused.v <= askedV;
+    const bool        isFourTimes = euclidean.u >= 4.0 * diffused.u && euclidean.v >= 4.0 * diffused.v;
+    m_Table.AddRow({ size,
+                     std::to_string(seed),
+                     std::to_string(handles),
+                     std::to_string(span),
+                     Short(t),
+                     Short(factor, 2),
+                     Short(diffused.u) + " / " + Short(diffused.v),
+                     Short(euclidean.u / diffused.u, 2) + " / " + Short(euclidean.v / diffused.v, 2),
+                     isAsked ? (isWithin ? "yes" : "no") : "",
+                     isAsked ? (isFourTimes ? "yes" : "no") : "" });
+    if (isAsked)
+    {
+      m_Report.Check(isWithin);
+      m_Report.Check(isFourTimes);
+      HandleGroup & group = this->GroupOf(size, handles, span);
+      group.largest.u = std::max(group.largest.u, diffused.u);
+      group.largest.v = std::max(group.largest.v, diffused.v);
+      group.leastRatioU = std::min(group.leastRatioU, euclidean.u / diffused.u);
+      group.leastRatioV = std::min(group.leastRatioV, euclidean.v / diffused.v);
+      ++group.seeds;
+      group.withinBound += isWithin ? 1 : 0;
+      group.fourTimes += isFourTimes ? 1 : 0;
+    }
     this->AddPlaces(with, map, metric, seed, handles, span);
   }
   void
   Finish()
   {
     m_Report.AddText(
-      "## With handles, metric of heat diffusion\n\nA handle joins two faces so many edges apart. h: mean edge that "
-      "the "
-      "surface would have at 55,000 faces. Change: of the moduli from u and from v against the tube without handles "
-      "in the same metric. Asked at t = 8 h^2: at most 0.3 / 1.0 % with 43 handles, 0.5 / 4 % with 100; the Euclidean "
-      "change at least "
-      "4 times as large.");
+      "## With handles, metric of heat diffusion\n\nA handle joins two faces the given number of edges apart. h: mean "
+      "edge length at 55,000 faces. Change: of the moduli from u and from v against the tube without handles in the "
+      "same metric. Bounds apply at t = 8 h^2 with 43 or 100 handles; the table shows the extremes over the seeds.");
+    CsvTable summary({ "faces",
+                       "handles",
+                       "edges apart",
+                       "largest change U / V, %",
+                       "bound, %",
+                       "",
+                       "smallest Euclidean change over it",
+                       "at least 4 / 4" });
+    for (const HandleGroup & group : m_Groups)
+    {
+      summary.AddRow({ group.faces,
+                       std::to_string(group.handles),
+                       std::to_string(group.span),
+                       Short(group.largest.u) + " / " + Short(group.largest.v),
+                       group.handles > 43 ? "0.5 / 4" : "0.3 / 1",
+                       group.Verdict(group.withinBound),
+                       Short(group.leastRatioU, 2) + " / " + Short(group.leastRatioV, 2),
+                       group.Verdict(group.fourTimes) });
+    }
+    m_Report.AddTable(summary);
     m_Report.AddRows("handles", m_Table);
     m_Report.AddText(
-      "## Handles found and removed\n\nFlips: farther than 3 rings from a handle. Located: places within "
-      "3 edges of a true one, each of which serves once.");
+      "Reason of all failures of the factor 4: the modulus from v still changes by more than half of its Euclidean "
+      "change. The changes exceed their bounds only for handles 4 edges apart at 55,000 faces.");
+    m_Report.AddText("## Handles found and removed\n\nFlips away: farther than 3 rings from a handle. Located: places "
+                     "within 3 edges of a true one, each of which counts once.");
     m_Report.AddRows("places", m_Places);
   }
 
 private:
+  HandleGroup &
+  GroupOf(const std::string & faces, int handles, int span)
+  {
+    const auto group = std::find_if(m_Groups.begin(), m_Groups.end(), [&](const HandleGroup & one) {
+      return one.faces == faces && one.handles == handles && one.span == span;
+    });
+    return group == m_Groups.end() ? m_Groups.emplace_back(HandleGroup{ faces, handles, span, {} }) : *group;
+  }
   void
   AddPlaces(const TubeCase & with, const TubeMap & map, const Eigen::VectorXd & metric, int seed, int handles, int span)
   {
@@ -213,27 +275,28 @@ private:
                       m_Report.Check(isGood && detection.genus == handles && genus == 0) });
   }
 
-  ValidationReport & m_Report;
-  CsvTable           m_Table{ { "faces",
-                                "seed",
-                                "handles",
-                                "edges apart",
-                                "t, mm^2",
-                                "t / h^2",
-                                "change U / V, %",
-                                "Euclidean change over it",
-                                "change",
-                                "4 times" } };
-  CsvTable           m_Places{ { "surface",
-                                 "seed",
-                                 "handles",
-                                 "found",
-                                 "places",
-                                 "located",
-                                 "flips away",
-                                 "vertices on the cut",
-                                 "genus after removal",
-                                 "" } };
+  ValidationReport &       m_Report;
+  std::vector<HandleGroup> m_Groups;
+  CsvTable                 m_Table{ { "faces",
+                                      "seed",
+                                      "handles",
+                                      "edges apart",
+                                      "t, mm^2",
+                                      "t / h^2",
+                                      "change U / V, %",
+                                      "Euclidean change over it",
+                                      "change within the bound",
+                                      "4 times" } };
+  CsvTable                 m_Places{ { "surface",
+                                       "seed",
+                                       "handles",
+                                       "found",
+                                       "places",
+                                       "located",
+                                       "flips away",
+                                       "vertices on the cut",
+                                       "genus after removal",
+                                       "" } };
 };
 
 /** Round polyps on the Euclidean and on the heat diffusion map. */
@@ -258,6 +321,7 @@ public:
       worst = std::max(worst, 100.0 * std::abs(diffused / AspectRatioOnMap(inSpace.flat, polyp) - 1.0));
       widest = std::max(widest, diffused);
     }
+    m_Largest = std::max(m_Largest, worst);
     m_Table.AddRow({ ThousandsOf(with.tube.mesh.NumberOfFaces()),
                      std::to_string(seed),
                      Short(t),
@@ -270,13 +334,15 @@ public:
   void
   Finish()
   {
-    m_Report.AddText("## Round polyps stay round\n\nRatio of the axes on the map in the metric of heat diffusion, "
-                     "against that on the Euclidean one: within 15 % is asked.");
-    m_Report.AddTable(m_Table);
+    m_Report.AddText("## Round polyps stay round\n\nAxis ratio on the map in the metric of heat diffusion against that "
+                     "on the Euclidean map. Bound of the difference: 15 %.");
+    m_Report.AddRows("polyps", m_Table);
+    m_Report.AddText("Largest difference: " + Short(m_Largest) + " %.");
   }
 
 private:
   ValidationReport & m_Report;
+  double             m_Largest{ 0.0 };
   CsvTable           m_Table{
     { "faces", "seed", "t, mm^2", "radius, mm", "polyps", "largest ratio", "largest difference, %", "" }
   };
@@ -329,8 +395,8 @@ ValidateAccuracyOfFlattening(const ValidationSettings & settings, ValidationRepo
     withHandles.AddDecimated(100, seed);
   }
   report.AddText("Tubes like a colon (`MakeColonTube()`, " + Short(length, 4) +
-                 " mm, mean radius 22 mm, folds of 30 %) with handles at known places. Dilatation in the metric of the "
-                 "map, each face counting once.");
+                 " mm, mean radius 22 mm, folds of 30 %) with handles at known places. Dilatation is measured in the "
+                 "metric of the map; each face counts once.");
   withoutHandles.Finish();
   withHandles.Finish();
   polyps.Finish();

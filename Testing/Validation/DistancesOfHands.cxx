@@ -102,19 +102,15 @@ ValidateDistancesOfHands(const ValidationSettings & settings, ValidationReport &
   };
   const double geodesic = changeOf(touching.Geodesic(), apart.Geodesic());
   const double h = EdgeLengths(touching.connectivity, touching.mesh.V).mean();
-  report.AddText(
-    "A hand whose thumb touches the index finger (" + std::to_string(touching.mesh.NumberOfFaces()) + " faces, genus " +
-    std::to_string(*touching.connectivity.Components()[0].genus) +
-    "), and the same cut apart where they touch (genus " + std::to_string(*apart.connectivity.Components()[0].genus) +
-    "). f(x) = d(p, x) + d(x, q) - d(p, q) (5.6), p the tip of the little finger, q the nail of the thumb. Change: "
-    "root mean square of the difference of the two f over that of f, over all vertices. Diffusion distances from " +
-    std::to_string(pairs) + " eigenpairs.\n\n![](figure-5.2.png)");
-  CsvTable   table({ "distance",
-                     "t, mm^2",
-                     "t / h^2",
-                     "change of f",
-                     "change of d(p, q)",
-                     "change less than a third of that of geodesics" });
+  report.AddText("A hand whose thumb touches the index finger (" + std::to_string(touching.mesh.NumberOfFaces()) +
+                 " faces, genus " + std::to_string(*touching.connectivity.Components()[0].genus) +
+                 "), and the same hand cut apart there (genus " +
+                 std::to_string(*apart.connectivity.Components()[0].genus) +
+                 "). f(x) = d(p, x) + d(x, q) - d(p, q) (5.6), with p the tip of the little finger and q the nail of "
+                 "the thumb. Change: root mean square of the difference of both f over that of f, over all vertices. "
+                 "Diffusion distances are from " +
+                 std::to_string(pairs) + " eigenpairs.\n\n![](figure-5.2.png)");
+  CsvTable table({ "distance", "t, mm^2", "t / h^2", "change of f", "change of d(p, q)", "below a third of geodesic" });
   const auto percent = [](double share) { return CsvTable::Rounded(100.0 * share, 3) + " %"; };
   table.AddRow({ "geodesic",
                  "",
@@ -139,10 +135,8 @@ ValidateDistancesOfHands(const ValidationSettings & settings, ValidationReport &
     pictured = isHeld ? t : pictured;
   }
   report.AddTable(table);
-  report.AddText(
-    "The claim holds for times like those of the flattening, where heat reaches less far than a fingertip is long, 2 "
-    "sqrt(t): most of the detour then comes from how fast heat leaves p, q and x. It does not hold for any time: "
-    "later, "
-    "heat passes from finger to finger, and f depends on the contact as much as with geodesics, or more.");
+  report.AddText("The claim holds for times like those of the flattening, at which heat reaches less than the length "
+                 "of a fingertip, 2 sqrt(t). Later, heat passes from finger to finger, and f depends on the contact as "
+                 "much as with geodesics, or more.");
   DrawHands(touching, apart, pictured, settings.outputFolder + "/figure-5.2.png");
 }

@@ -139,24 +139,30 @@ ValidateFlatColonWithHandles(const ValidationSettings & settings, ValidationRepo
   const int    faces = settings.quick ? 6000 : 55000;
   const double length = settings.quick ? 750.0 : 1500.0;
   const int    handles = settings.quick ? 10 : 43;
-  report.AddText(
-    "Tubes like a colon (`MakeColonTube()`, " + std::to_string(faces) + " faces, " + CsvTable::Rounded(length, 4) +
-    " mm) with handles, flattened in the Euclidean metric and in that of heat diffusion, each against the same tube "
-    "without handles in the same metric. Shift: how far a vertex moves along the colon, mm, when both are stretched to "
-    "one length. Pictured are the shifts of seed 1, blue for 0, red for the Euclidean 99 %.\n\n![](figure-5.5.png)");
+  report.AddText("Tubes like a colon (`MakeColonTube()`, " + std::to_string(faces) + " faces, " +
+                 CsvTable::Rounded(length, 4) +
+                 " mm) with handles, each compared with the same tube without handles in the same metric. Shift: "
+                 "distance that a vertex moves along the colon, mm, with both maps stretched to one length. The figure "
+                 "shows the shifts of seed 1 from blue (0) to red (the Euclidean 99 %).\n\n![](figure-5.5.png)");
   CsvTable                   table({ "seed",
                                      "handles",
                                      "metric",
                                      "t, mm^2",
                                      "t / h^2",
-                                     "modulus from u, change, %",
-                                     "from v, change, %",
+                                     "change of the modulus from u, %",
+                                     "change of that from v, %",
                                      "gap, %",
-                                     "shift, median",
-                                     "99 %",
+                                     "shift, median, mm",
+                                     "shift, 99 %, mm",
                                      "flips",
                                      "Euclidean change over it",
-                                     "gap below half of the Euclidean one, change smaller" });
+                                     "gap below 1/2, change below 1" });
+  CsvTable                   summary({ "seed",
+                                       "gap, Euclidean, %",
+                                       "gap, heat diffusion, %",
+                                       "Euclidean change over that of heat diffusion",
+                                       "bounds",
+                                       "" });
   const PictureSheet::Layout layout{ 2, 1, 1500, 170, false };
   PictureSheet               sheet(
     "Figure 5.5: a flat colon with " + std::to_string(handles) + " handles, colored by what they shift", layout);
@@ -171,7 +177,14 @@ ValidateFlatColonWithHandles(const ValidationSettings & settings, ValidationRepo
     const double      ratio = euclidean.Change() / diffusion.Change();
     const bool        isBetter = ratio > 1.0 && 2.0 * diffusion.with.map.Gap() < euclidean.with.map.Gap();
     AddRow(seed, handles, 0.0, euclidean, "", "", table);
-    AddRow(seed, handles, t, diffusion, CsvTable::Rounded(ratio, 3), report.Check(isBetter), table);
+    const std::string check = report.Check(isBetter);
+    AddRow(seed, handles, t, diffusion, CsvTable::Rounded(ratio, 3), check, table);
+    summary.AddRow({ std::to_string(seed),
+                     CsvTable::Rounded(100.0 * euclidean.with.map.Gap(), 3),
+                     CsvTable::Rounded(100.0 * diffusion.with.map.Gap(), 3),
+                     CsvTable::Rounded(ratio, 3),
+                     "gap below 1/2, ratio above 1",
+                     check });
     if (seed == 1)
     {
       const double most = euclidean.ShareOfShifts(0.99);
@@ -179,9 +192,9 @@ ValidateFlatColonWithHandles(const ValidationSettings & settings, ValidationRepo
       sheet.Put(1, 0, "heat diffusion, t = 8 h^2", DrawStrip(diffusion.with, diffusion.shifts, most, layout));
     }
   }
-  report.AddTable(table);
-  report.AddText(
-    "Change: of the modulus that changes more. The metric of heat diffusion closes the gap between the two moduli, "
-    "but changes them nearly as much: a factor of 4, asked for 43 handles, is not reached.");
+  report.AddTable(summary);
+  report.AddRows("seeds", table);
+  report.AddText("The metric of heat diffusion closes the gap between the two moduli, but changes them nearly as much. "
+                 "The larger of both changes, in the table, does not fall by the factor of 4 asked for 43 handles.");
   sheet.Write(settings.outputFolder + "/figure-5.5.png");
 }

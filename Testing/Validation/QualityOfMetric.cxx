@@ -111,12 +111,13 @@ Explain(const SurfaceMesh & mesh, double h, ValidationReport & report)
 {
   const TriangleQuality inSpace = MeasureTriangleQuality(SidesOfFaces(mesh.V, mesh.F));
   report.AddText(
-    "A tube like a colon (" + std::to_string(mesh.NumberOfFaces()) + " faces, h = " + CsvTable::Rounded(h, 3) +
-    " mm): heat diffusion distances of its edges from the first eigenpairs against all of them (exact). rms: "
-    "root mean square of the relative difference of lengths. Quality: 2r/R of the triangles that these "
-    "lengths make, share below 0.6, and the L2 distance of the histogram (20 parts) from that of the exact "
-    "distances. Modulus: of the flat colon in this metric. In space the share below 0.6 is " +
-    CsvTable::Rounded(100.0 * inSpace.shareBelowThreshold, 3) + " %.");
+    "Heat diffusion distances of the edges of a tube like a colon (" + std::to_string(mesh.NumberOfFaces()) +
+    " faces, h = " + CsvTable::Rounded(h, 3) +
+    " mm), from the first eigenpairs against all of them (exact). rms: root mean square of the relative difference of "
+    "lengths. Below 0.6: share of triangles with these lengths whose 2r/R is below 0.6 (in space " +
+    CsvTable::Rounded(100.0 * inSpace.shareBelowThreshold, 3) +
+    " %). Histogram: L2 distance of that of 2r/R (20 parts) from the exact one. Modulus: of the flat colon in this "
+    "metric.");
 }
 } // namespace
 
@@ -159,8 +160,8 @@ ValidateQualityOfMetric(const ValidationSettings & settings, ValidationReport & 
   report.AddText(
     "Most pairs against exact at t = 32 h^2: rms " + CsvTable::Rounded(last, 2) +
     ", bound 1e-5: " + report.Check(last <= 1e-5) +
-    ". With few pairs the angles of a long tube are missing: it counts as thinner than it is, or as a line. "
-    "Long times make slivers of the triangles, and no number of pairs helps.\n\n![](flattening-quality.svg)");
+    ". Few pairs lack the angles of a long tube, which then counts as thinner than it is, or as a line. Long times "
+    "make slivers of the triangles, whatever the number of pairs.\n\n![](flattening-quality.svg)");
   WriteLogarithmicChart(
     settings.outputFolder + "/flattening-quality.svg", "eigenpairs", "relative difference of lengths, rms", chart);
 }

@@ -120,11 +120,10 @@ ValidateSlitMapsOfFace(const ValidationSettings & settings, ValidationReport & r
   const ConformalMap        euclidean = MapConformally(mesh, options, "the face");
   options.edgeLengths = ComputeHeatDiffusionMetric(mesh, t).edgeLengths;
   const ConformalMap diffusion = MapConformally(mesh, options, "the face");
-  report.AddText(
-    "A head defined by a formula, with open eyes and mouth, cut off at the back: " +
-    std::to_string(mesh.NumberOfFaces()) + " faces, " + std::to_string(euclidean.loops.size()) +
-    " boundaries. All three slit maps, in the Euclidean metric (pictured) and that of heat diffusion, t = 8 h^2 = " +
-    CsvTable::Rounded(t, 3) + " mm^2.\n\n![](figure-5.3.png)");
+  report.AddText("A head defined by a formula, with open eyes and mouth, cut off at the back: " +
+                 std::to_string(mesh.NumberOfFaces()) + " faces, " + std::to_string(euclidean.loops.size()) +
+                 " boundaries. Slit maps in the Euclidean metric (figure) and that of heat diffusion, t = 8 h^2 = " +
+                 CsvTable::Rounded(t, 3) + " mm^2.\n\n![](figure-5.3.png)");
   CsvTable table({ "metric",
                    "inner circle",
                    "modulus from u",
