@@ -93,12 +93,10 @@ CompareScales(const Comparison & comparison)
   std::vector<std::uint64_t> steps{ 5, 15, 50, 150, 500 };
   steps.resize(comparison.settings.quick ? 2 : steps.size());
   const double distance = 1.0 / volume.image->GetLargestPossibleRegion().GetSize(0);
-  comparison.report.AddText(
-    "## Figure 7.1: scale and time\n\nThe cube of figure2.4 in 64^3 voxels, p = 7, one voxel a step, 400,000 "
-    "shapetons, "
-    "seed 1. CHD is shown at the step that belongs to the number of shapeton steps by EquivalentHeatTimeSteps(). "
-    "Shapetons show all visits so far. Means over the outer layers of the cube at corners, edges, faces, and over its "
-    "inside, in units of the mean of the four.");
+  comparison.report.AddText("## Figure 7.1: scale and time\n\nThe cube of figure2.4 in 64^3 voxels, p = 7, one voxel "
+                            "per step, 400,000 shapetons, seed 1. Mean over the outer layers of the cube at corners, "
+                            "edges and faces, and over its inside, relative to the mean of the four. CHD is taken at "
+                            "the step that EquivalentHeatTimeSteps() gives; shapetons show all visits so far.");
   CsvTable     table({ "shapeton steps", "method", "corner", "edge", "face", "inside" });
   PictureSheet sheet("Figure 7.1: a cube, 64^3, p = 7, 400,000 shapetons, one voxel a step, seed 1",
                      { 3, steps.size(), 140, 128 });
@@ -126,16 +124,13 @@ CompareScales(const Comparison & comparison)
       sheet.Put(row, column, captions[row], RenderLevels(LevelsOf(volume, trials[row]), 140, 128));
     }
   }
-  comparison.report.AddTable(table);
+  comparison.report.AddRows("scales", table);
   comparison.Show(sheet, "figure7.1");
-  comparison.report.AddText(
-    "As 7.2.1 says, the published walk shows no corners and edges at any time; at last it has fewer visits there than "
-    "inside. The controlled walk passes through the scales of CHD, corner > edge > face > inside at the first "
-    "column: " +
-    comparison.report.Check(ordered) +
-    ". Its visits are the sum over all steps so far, that is, heat averaged over time, and so lag behind the heat of "
-    "the "
-    "same column.");
+  comparison.report.AddText("The published walk shows no corners and edges at any time, as 7.2.1 says; in the end it "
+                            "has fewer visits there than inside. The controlled walk passes through the scales of CHD, "
+                            "with corner > edge > face > inside at the first number of steps: " +
+                            comparison.report.Check(ordered) +
+                            ". Its visits are sums over all steps so far, and so lag behind the heat.");
 }
 
 void
@@ -149,9 +144,8 @@ CompareDistances(const Comparison & comparison)
   };
   comparison.report.AddText(
     "## Figure 3.7: the distance\n\nThe vessels phantom (thin vessels: radius 5 to 6 voxels) in 256^3 voxels, p = 7.5, "
-    "400 steps, 65,000 shapetons, published rule, seed 1. The source does not say whether shapetons start anywhere in "
-    "the volume or in the objects: both are shown. Mean visits in units of those of all voxels, and the share of the "
-    "voxels that were visited. CHD took " +
+    "400 steps, 65,000 shapetons, published rule, seed 1. Shapetons start anywhere or in the vessels; the source does "
+    "not say which. Mean visits are relative to all voxels. CHD took " +
     CsvTable::Rounded(heat.seconds, 2) + " s for 100,000 steps.");
   CsvTable     table(columnsOfVessels);
   PictureSheet sheet("Figure 3.7: vessels, 256^3, p = 7.5, 65,000 shapetons from the vessels, 400 steps, seed 1",
@@ -174,12 +168,11 @@ CompareDistances(const Comparison & comparison)
   const WalkRule walled{ "", publishedWalk.sampling, PathRule::Traversal, publishedWalk.placement };
   const Trial    trial = walk(walled, 0.05, true);
   table.AddRow(RowOfVessels("in the vessels, PathRule::Traversal", volume, 0.05, trial));
-  comparison.report.AddTable(table);
+  comparison.report.AddRows("distances", table);
   comparison.Show(sheet, "vessels");
   comparison.report.AddText(
-    "Shapetons that start anywhere visit thin vessels as often as the background, at every distance: nothing is "
-    "missing, and nothing stands out. Those that start in the vessels jump through the walls, the more the longer the "
-    "step, and are lost from thin vessels first: that is Figure 3.7. It is leakage, not scale: a walk that does not "
-    "jump (PathRule::Traversal) keeps all of them inside: " +
+    "Shapetons that start anywhere visit thin vessels as often as the background, at every distance. Those that start "
+    "in the vessels jump through the walls, more with longer steps, and leave thin vessels first. Figure 3.7 shows "
+    "this leakage, not scale. With PathRule::Traversal all of them stay inside: " +
     comparison.report.Check(CellsOfVessels(volume, trial).back() == Percent(1.0)) + ".");
 }

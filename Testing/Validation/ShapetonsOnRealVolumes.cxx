@@ -133,18 +133,20 @@ CompareReal(const Comparison & comparison, const RealCase & real)
                             " x " + std::to_string(size[2]) + " voxels, window " + CsvTable::Number(real.lower) +
                             " to " + CsvTable::Number(real.upper) + ", p = " + CsvTable::Number(real.p) +
                             ", distance " + CsvTable::Number(real.distance) + ", seed 1.");
-  auto columns =
-    Joined(columnsOfTrials, { "rank correlation with the first row, voxels", "the same, blocks of 4^3 voxels" });
-  if (volume.labels)
-  {
-    columns = Joined(columns, { "of organ means", "variance between organs", "adjusted Rand index" });
-  }
-  CsvTable table(columns);
+  CsvTable                 table(Joined(columnsOfTrials,
+                        { "rank correlation with the first row, voxels",
+                                          "the same, blocks of 4^3 voxels",
+                                          "rank correlation of organ means",
+                                          "variance between organs",
+                                          "adjusted Rand index" }));
+  std::vector<std::string> trapped, ranks;
   for (const Trial * trial : std::array<const Trial *, 4>{ &trials[0], &final, &trials[1], &trials[2] })
   {
     auto cells = Joined(CellsOf(volume, *trial),
                         { Hundredths(RankCorrelationOfFields(volume, trials[0].field, trial->field, 1)),
                           Hundredths(RankCorrelationOfFields(volume, trials[0].field, trial->field, 4)) });
+    trapped.push_back(cells[columnsOfTrials.size() - 2]);
+    ranks.push_back(cells[columnsOfTrials.size()]);
     if (volume.labels)
     {
       const double organs =
@@ -154,9 +156,16 @@ CompareReal(const Comparison & comparison, const RealCase & real)
                        Percent(VarianceBetweenObjects(volume, trial->field)),
                        Hundredths(CompareClasses(volume, *trial).adjustedRand) });
     }
+    else
+    {
+      cells.resize(cells.size() + 3);
+    }
     table.AddRow(cells);
   }
-  comparison.report.AddTable(table);
+  comparison.report.AddRows("volumes", table);
+  comparison.report.AddText("Published and controlled walk: " + trapped[2] + " and " + trapped[3] +
+                            " of the shapetons are trapped; the rank correlation with CHD is " + ranks[2] + " and " +
+                            ranks[3] + ".");
   ShowReal(comparison, real, volume, trials);
   comparison.report.AddText(real.sees);
 }
@@ -172,10 +181,9 @@ const std::vector<RealCase> realCases = {
     0.01,
     { { 2, 0 } },
     { { 0.5, 0.5 } },
-    "CHD sees nested shells: scalp, skull, brain from its convoluted rim to its core, with the ventricles' walls. The "
-    "published walk sees the smooth inside of the brain against all places with edges. The controlled walk sees CHD's "
-    "picture "
-    "through noise." },
+    "CHD shows nested shells: scalp, skull, and the brain from its convoluted rim to its core, with the walls of the "
+    "ventricles. The published walk separates the smooth inside of the brain from all places with edges. The "
+    "controlled walk shows the same as CHD, with noise." },
   { "abdomen",
     "Abdomen CT (TotalSegmentator)",
     "ct/totalsegmentator/example_ct.nii.gz",
@@ -186,10 +194,9 @@ const std::vector<RealCase> realCases = {
     0.01,
     { { 2, 1 } },
     { { 0.5, 0.5 } },
-    "CHD sees the bones as hot and the body as one warm whole that cools towards its border. The published walk sees "
-    "homogeneous tissue: fat, muscle and bladder gather visits, bones, bowel and other places with many edges lose "
-    "them. "
-    "The controlled walk sees bones and bowel walls. None of them is an organ segmentation." },
+    "CHD shows hot bones and a warm body that cools towards its border. The published walk shows homogeneous tissue: "
+    "fat, muscle and bladder gather visits; bones, bowel and other places with many edges lose them. The controlled "
+    "walk shows bones and bowel walls. None of them segments organs." },
   { "ankle",
     "CT of the feet (Visible Human Female, cropped)",
     "ct/visible-female-ankle",
@@ -200,9 +207,9 @@ const std::vector<RealCase> realCases = {
     0.01,
     { { 2, 1 } },
     { { 0.5, 0.5 } },
-    "CHD sees the bones in warm feet, hottest where they are small. Half of the published shapetons are trapped in "
-    "spongy bone, whose voxels are closed off on all sides, and leave others there unvisited (black); the rest gather "
-    "in the smooth heel. The controlled walk shows the bones through noise." },
+    "CHD shows bones in warm feet, hottest where they are small. Half of the published shapetons are trapped in spongy "
+    "bone, whose voxels are closed on all sides, and leave other voxels there unvisited (black). The rest gather in "
+    "the smooth heel. The controlled walk shows the bones, with noise." },
   { "bonsai",
     "Bonsai",
     "volumes/bonsai.nii.gz",
@@ -213,9 +220,9 @@ const std::vector<RealCase> realCases = {
     0.01,
     { { 1, 0 } },
     { { 0.5, 0.5 } },
-    "CHD and the controlled walk see the earth in the pot as hot, then the trunk, and the leaves as coolest, because "
-    "they leak into the air. The published walk sees the trunk and the leaves a little above the earth, which is "
-    "rough. None tells leaves from twigs." },
+    "CHD and the controlled walk show the earth in the pot as hot, then the trunk. The leaves are coolest, because "
+    "they leak into the air. The published walk shows trunk and leaves a little above the earth, which is rough. None "
+    "separates leaves from twigs." },
 };
 } // namespace
 
@@ -238,9 +245,12 @@ CompareEngineByP(const Comparison & comparison)
   comparison.report.AddText(
     "## Figure 3.8: p on the engine\n\n256 x 256 x 128 voxels, distance 0.05, 1,300 steps, 65,000 "
     "shapetons, published rule, seed 1; CHD 52,000 steps (Table 3.2).");
-  CsvTable table(
-    Joined({ "p", "CHD, seconds" },
-           { "shapetons, seconds", "coverage", "trapped", "rank correlation with CHD, voxels", "blocks of 4^3" }));
+  CsvTable     table(Joined({ "p", "CHD, seconds" },
+                        { "shapetons, seconds",
+                              "coverage",
+                              "trapped",
+                              "rank correlation with CHD, voxels",
+                              "rank correlation, blocks of 4^3 voxels" }));
   PictureSheet sheet("Figure 3.8: engine, distance 0.05, 65,000 shapetons, seed 1", { 2, 4, 160, 134 });
   for (std::size_t i = 0; i < steepness.size(); ++i)
   {
@@ -257,11 +267,9 @@ CompareEngineByP(const Comparison & comparison)
     sheet.Put(0, i, "CHD" + caption + "52,000 steps", RenderLevels(LevelsOf(volume, heat), 160, 134, 210));
     sheet.Put(1, i, "shapetons" + caption + "1,300", RenderLevels(LevelsOf(volume, walk), 160, 134, 210));
   }
-  comparison.report.AddTable(table);
+  comparison.report.AddRows("engine", table);
   comparison.Show(sheet, "engine");
-  comparison.report.AddText("The larger p, the more voxels are closed off and the more shapetons are trapped: at p = "
-                            "15 and 20 nearly all of them "
-                            "stay where noise put them. With ten visits a voxel, right to about 30 %, what is left is "
-                            "mostly chance. CHD shows the "
-                            "same closed parts without noise.");
+  comparison.report.AddText("A larger p closes more voxels and traps more shapetons. At p = 15 and 20 nearly all of "
+                            "them stay where noise put them. Ten visits per voxel are right to about 30 %, so most of "
+                            "the rest is chance. CHD shows the same closed parts without noise.");
 }
