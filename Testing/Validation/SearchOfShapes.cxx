@@ -216,8 +216,8 @@ ReportKinds(const std::vector<MeasuredShape> & shapes, ValidationReport & report
     }
     table.AddRow(cells);
   }
-  report.AddText("How often the nearest is the right one, by kind of copy:");
-  report.AddTable(table);
+  report.AddText("Share of correct nearest originals by kind of copy:");
+  report.AddRows("kinds", table);
 }
 
 /** Results of queries to a database that lacks a fifth of the shapes. */
@@ -289,8 +289,8 @@ ReportCalibration(const std::vector<std::pair<double, bool>> & probabilities, Va
                    number[bin] > 0 ? Rounded(sum[bin] / number[bin]) : "",
                    number[bin] > 0 ? Rounded(ShareOf(right[bin], number[bin])) : "" });
   }
-  report.AddText("Whether the probability is one; its Brier score is " + Rounded(score) + ".");
-  report.AddTable(table);
+  report.AddText("Brier score of the probability that the nearest shape is correct: " + Rounded(score) + ".");
+  report.AddRows("probabilities", table);
 }
 
 void
@@ -298,8 +298,8 @@ ReportUnknown(const std::vector<MeasuredShape> & shapes, bool quick, ValidationR
 {
   const Answers answers = AskWithoutAFifth(shapes);
   const double  unknown = MeanOf(answers.unknownOfLeftOut);
-  report.AddText("## Unknown shapes\n\nEach fifth of the shapes is left out of the database, which holds the originals "
-                 "of the others; the copies of all shapes are looked up.");
+  report.AddText("## Unknown shapes\n\nEach fifth of the shapes is left out of a database of the originals; the copies "
+                 "of all shapes are looked up.");
   CsvTable table({ "copies of", "answer", "share", "bound", "" });
   table.AddRow({ "shapes that are left out",
                  "unknown",
@@ -317,28 +317,26 @@ ValidateSearchOfShapes(const ValidationSettings & settings, ValidationReport & r
 {
   const auto  shapes = Measure(Collect(settings));
   std::size_t copies = 0;
-  std::string names;
+  CsvTable    table({ "shape", "copies" });
   for (const MeasuredShape & shape : shapes)
   {
     copies += shape.copies.size();
-    names += (names.empty() ? "" : ", ") + shape.name;
+    table.AddRow({ shape.name, std::to_string(shape.copies.size()) });
   }
-  report.AddText(std::to_string(shapes.size()) +
-                 " shapes, none of which was used to fit anything: objects of `ShapePhantom`'s presets, " +
-                 (settings.dataFolder.empty()
-                    ? std::string("no real ones (SHAPETON_TEST_DATA_DIR is not set)")
-                    : std::string("bones of two feet (CT of the Visible Human Female, above 350 HU, "
-                                  "opened by 2 mm), organs of an abdomen (labels of TotalSegmentator's example)")) +
-                 ", and generated shapes (seeds from 100 on). " + std::to_string(copies) +
-                 " copies: turned by 30 degrees; 0.5 and 2 times as large in voxels of one size; resampled to slanted "
-                 "voxels 1.3 x 1.3 x "
-                 "2.6 times as large; noisy (a fifth of the voxels at the boundary change sides); all of that with "
-                 "voxels of 0.9 x 0.9 x "
-                 "1.8 and 0.8 times as large. All values are means over shapes with 95 % intervals.");
-  report.AddText("Shapes: " + names + ".");
   report.AddText(
-    "## Nearest neighbor\n\nThe nearest of all originals to each copy; average precision: of originals and "
-    "copies among all others.");
+    std::to_string(shapes.size()) +
+    " shapes that were not used to fit anything: objects of `ShapePhantom`'s presets, " +
+    (settings.dataFolder.empty()
+       ? std::string("no real ones (SHAPETON_TEST_DATA_DIR is not set)")
+       : std::string("bones of two feet (CT of the Visible Human Female, above 350 HU, "
+                     "opened by 2 mm), organs of an abdomen (labels of TotalSegmentator's example)")) +
+    ", and generated shapes (seeds from 100 on). " + std::to_string(copies) +
+    " copies: turned by 30 degrees; scaled by 0.5 and 2 in voxels of one size; resampled to slanted voxels 1.3 x 1.3 x "
+    "2.6 times as large; noisy (a fifth of the boundary voxels change sides); all of these together with voxels of 0.9 "
+    "x 0.9 x 1.8, scaled by 0.8. Values are means over shapes with 95 % intervals.");
+  report.AddRows("shapes", table);
+  report.AddText("## Nearest neighbor\n\nThe nearest of all originals to each copy. Average precision: of originals "
+                 "and copies among all others.");
   ReportMethods(shapes, report);
   ReportKinds(shapes, report);
   ReportUnknown(shapes, settings.quick, report);
