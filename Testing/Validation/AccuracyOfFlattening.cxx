@@ -88,21 +88,20 @@ struct Change
   double v{ 0.0 };
 };
 
-/** Extremes over the seeds of the tubes of one size with the same handles, for which there are bounds. */
+/** Extremes over the tubes of one size with the same number of handles, for which there are bounds. */
 struct HandleGroup
 {
   std::string
   Verdict(int passed) const
   {
-    return (passed == seeds ? "pass (" : "FAIL (") + std::to_string(passed) + " of " + std::to_string(seeds) + ')';
+    return (passed == tubes ? "pass (" : "FAIL (") + std::to_string(passed) + " of " + std::to_string(tubes) + ')';
   }
   std::string faces;
   int         handles;
-  int         span;
   Change      largest;
   double      leastRatioU{ HUGE_VAL };
   double      leastRatioV{ HUGE_VAL };
-  int         seeds{ 0 };
+  int         tubes{ 0 };
   int         withinBound{ 0 };
   int         fourTimes{ 0 };
 };
@@ -145,12 +144,12 @@ public:
     {
       m_Report.Check(isWithin);
       m_Report.Check(isFourTimes);
-      HandleGroup & group = this->GroupOf(size, handles, span);
+      HandleGroup & group = this->GroupOf(size, handles);
       group.largest.u = std::max(group.largest.u, diffused.u);
       group.largest.v = std::max(group.largest.v, diffused.v);
       group.leastRatioU = std::min(group.leastRatioU, euclidean.u / diffused.u);
       group.leastRatioV = std::min(group.leastRatioV, euclidean.v / diffused.v);
-      ++group.seeds;
+      ++group.tubes;
       group.withinBound += isWithin ? 1 : 0;
       group.fourTimes += isFourTimes ? 1 : 0;
     }
@@ -162,10 +161,10 @@ public:
     m_Report.AddText(
       "## With handles, metric of heat diffusion\n\nA handle joins two faces the given number of edges apart. h: mean "
       "edge length at 55,000 faces. Change: of the moduli from u and from v against the tube without handles in the "
-      "same metric. Bounds apply at t = 8 h^2 with 43 or 100 handles; the table shows the extremes over the seeds.");
+      "same metric. Bounds apply at t = 8 h^2 with 43 or 100 handles; the table shows the extremes over seeds and "
+      "distances.");
     CsvTable summary({ "faces",
                        "handles",
-                       "edges apart",
                        "largest change U / V, %",
                        "bound, %",
                        "",
@@ -175,7 +174,6 @@ public:
     {
       summary.AddRow({ group.faces,
                        std::to_string(group.handles),
-                       std::to_string(group.span),
                        Short(group.largest.u) + " / " + Short(group.largest.v),
                        group.handles > 43 ? "0.5 / 4" : "0.3 / 1",
                        group.Verdict(group.withinBound),
@@ -185,7 +183,7 @@ public:
     m_Report.AddTable(summary);
     m_Report.AddRows("handles", m_Table);
     m_Report.AddText(
-      "Reason of all failures of the factor 4: the modulus from v still changes by more than half of its Euclidean "
+      "Reason for all failures of the factor 4: the modulus from v still changes by more than half of its Euclidean "
       "change. The changes exceed their bounds only for handles 4 edges apart at 55,000 faces.");
     m_Report.AddText("## Handles found and removed\n\nFlips away: farther than 3 rings from a handle. Located: places "
                      "within 3 edges of a true one, each of which counts once.");
@@ -194,12 +192,12 @@ public:
 
 private:
   HandleGroup &
-  GroupOf(const std::string & faces, int handles, int span)
+  GroupOf(const std::string & faces, int handles)
   {
     const auto group = std::find_if(m_Groups.begin(), m_Groups.end(), [&](const HandleGroup & one) {
-      return one.faces == faces && one.handles == handles && one.span == span;
+      return one.faces == faces && one.handles == handles;
     });
-    return group == m_Groups.end() ? m_Groups.emplace_back(HandleGroup{ faces, handles, span, {} }) : *group;
+    return group == m_Groups.end() ? m_Groups.emplace_back(HandleGroup{ faces, handles, {} }) : *group;
   }
   void
   AddPlaces(const TubeCase & with, const TubeMap & map, const Eigen::VectorXd & metric, int seed, int handles, int span)

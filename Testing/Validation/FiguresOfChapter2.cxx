@@ -152,7 +152,7 @@ Figure27(const std::string & preset, const ValidationSettings & settings, Valida
                      CsvTable::Rounded(component.normalizedHeat, 4) });
     }
   }
-  report.AddTable(table);
+  report.AddRows("lines", table);
   return objects;
 }
 } // namespace

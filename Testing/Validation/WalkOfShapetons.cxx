@@ -160,11 +160,9 @@ VarianceOfStep(double stepInVoxels)
 void
 SpreadOfTheWalk(const ValidationSettings & settings, ValidationReport & report)
 {
-  report.AddText(
-    "## How far a step spreads\n\nTraversal with uniform directions and without walls: the displacement along an axis "
-    "in a step of a voxels has the variance a / 2 for a <= 1, and in general a^2 / 3 + (n / 6 + f^2 / 2 - f^3 / 3) / "
-    "a, with n and f the integer and fractional parts of a. Heat spreads by 2 dt per time step, which relates steps "
-    "and time. Four steps from one voxel of 64^3; bound of each deviation: five standard errors.");
+  report.AddText("## How far a step spreads\n\nTraversal with uniform directions and without walls: variance of the "
+                 "displacement along an axis per step, against the closed form of EquivalentHeatTimeSteps(). Four "
+                 "steps from one voxel of 64^3; bound of each deviation: five standard errors.");
   CsvTable            table({ "step a, voxels", "closed form", "measured per step", "standard error", "" });
   const std::uint32_t shapetons = settings.quick ? 20000 : 500000;
   constexpr double    steps = 4;
