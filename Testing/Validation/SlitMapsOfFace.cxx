@@ -126,6 +126,7 @@ ValidateSlitMapsOfFace(const ValidationSettings & settings, ValidationReport & r
                  std::to_string(mesh.NumberOfFaces()) + " faces, " + std::to_string(euclidean.loops.size()) +
                  " boundaries. Slit maps in the Euclidean metric (figure) and that of heat diffusion, t = 8 h^2 = " +
                  CsvTable::Rounded(t, 3) + " mm^2.\n\n![](figure-5.3.png)");
+  const std::string     most = CsvTable::Rounded(100.0 * mostGap, 1) + " %";
   CsvTable              table({ "metric",
                                 "inner circle",
                                 "modulus from u",
@@ -133,14 +134,14 @@ ValidateSlitMapsOfFace(const ValidationSettings & settings, ValidationReport & r
                                 "gap, %",
                                 "error of the periods, turns",
                                 "deviation of boundaries from circles",
-                                "gap below " + CsvTable::Rounded(100.0 * mostGap, 1) + " %, periods and circles exact" });
+                                "gap below " + most + ", periods and circles exact" });
   std::array<double, 3> largest{};
   AddMaps("Euclidean", euclidean, mostGap, table, largest, report);
   AddMaps("heat diffusion", diffusion, mostGap, table, largest, report);
-  report.AddText(
-    "Largest gap: " + CsvTable::Rounded(100.0 * largest[0], 2) + " % (bound " + CsvTable::Rounded(100.0 * mostGap, 1) +
-    " %); error of the periods: " + CsvTable::Rounded(largest[1], 1) +
-    " turns (1e-9); deviation of boundaries from circles: " + CsvTable::Rounded(largest[2], 1) + " (1e-12).");
+  report.AddText("Largest gap: " + CsvTable::Rounded(100.0 * largest[0], 2) + " % (bound " + most +
+                 "); error of the periods: " + CsvTable::Rounded(largest[1], 1) +
+                 " turns (1e-9); deviation of boundaries from circles: " + CsvTable::Rounded(largest[2], 1) +
+                 " (1e-12).");
   report.AddRows("maps", table);
   CsvTable distortion({ "metric", "dilatation, median", "95 %", "99 %", "flips", "at slits", "none elsewhere" });
   for (const ConformalMap * map : { &euclidean, &diffusion })
