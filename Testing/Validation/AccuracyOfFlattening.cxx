@@ -332,7 +332,7 @@ public:
   void
   Finish()
   {
-    m_Report.AddText("## Round polyps stay round\n\nAxis ratio on the map in the metric of heat diffusion against that "
+    m_Report.AddText("## Shape of round polyps\n\nAxis ratio on the map in the metric of heat diffusion against that "
                      "on the Euclidean map. Bound of the difference: 15 %.");
     m_Report.AddRows("polyps", m_Table);
     m_Report.AddText("Largest difference: " + Short(m_Largest) + " %.");

@@ -160,8 +160,8 @@ ValidateQualityOfMetric(const ValidationSettings & settings, ValidationReport & 
   report.AddText(
     "Most pairs against exact at t = 32 h^2: rms " + CsvTable::Rounded(last, 2) +
     ", bound 1e-5: " + report.Check(last <= 1e-5) +
-    ". Few pairs lack the angles of a long tube, which then counts as thinner than it is, or as a line. Long times "
-    "make slivers of the triangles, whatever the number of pairs.\n\n![](flattening-quality.svg)");
+    ". Few pairs do not resolve the angles of a long tube, which then appears thinner than it is, or as a line. Long "
+    "times turn triangles into slivers, whatever the number of pairs.\n\n![](flattening-quality.svg)");
   WriteLogarithmicChart(
     settings.outputFolder + "/flattening-quality.svg", "eigenpairs", "relative difference of lengths, rms", chart);
 }

@@ -191,7 +191,7 @@ ReportKinds(const std::vector<MeasuredShape> & shapes, ValidationReport & report
       kinds[copy.kind].back().copies = { copy };
     }
   }
-  std::vector<std::string> columns{ "copies that are", "number" };
+  std::vector<std::string> columns{ "kind of copy", "number" };
   for (const Method & method : Methods())
   {
     columns.push_back(method.name);
@@ -301,12 +301,12 @@ ReportUnknown(const std::vector<MeasuredShape> & shapes, bool quick, ValidationR
   report.AddText("## Unknown shapes\n\nEach fifth of the shapes is left out of a database of the originals; the copies "
                  "of all shapes are looked up.");
   CsvTable table({ "copies of", "answer", "share", "bound", "" });
-  table.AddRow({ "shapes that are left out",
+  table.AddRow({ "shapes left out",
                  "unknown",
                  MeanWithInterval(answers.unknownOfLeftOut),
                  quick ? "none for so few shapes" : "at least 0.9",
                  quick ? "" : report.Check(unknown >= 0.9) });
-  table.AddRow({ "shapes that are there", "the right name", MeanWithInterval(answers.rightOfEntries), "", "" });
+  table.AddRow({ "shapes in the database", "correct name", MeanWithInterval(answers.rightOfEntries), "", "" });
   report.AddTable(table);
   ReportCalibration(answers.probabilities, report);
 }

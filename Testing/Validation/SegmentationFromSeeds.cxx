@@ -481,7 +481,7 @@ ReportAgreement(const ValidationSettings & settings, ValidationReport & report)
   const LabeledVolume volume = TwoValues(side);
   const double        deviation = StandardDeviation(volume.image);
   const auto          seeds = DrawSeeds(volume, judgedNumber, 1).image;
-  report.AddText("## Probabilities beside scikit-image's\n\nA volume of " + std::to_string(side) +
+  report.AddText("## Probabilities compared with scikit-image\n\nA volume of " + std::to_string(side) +
                  "^3 voxels of 0 and 1, where both weights can be made equal. Ours between 0 and 1 is 1 - p, that of "
                  "`random_walker` is exp(-beta / (10 s)) + 1e-10, with s the standard deviation of the volume; beta "
                  "follows. Tolerance of `random_walker`: 1e-9. " +

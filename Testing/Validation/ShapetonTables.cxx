@@ -215,7 +215,7 @@ TabulatePublishedVolumes(const Comparison & comparison)
         CsvTable::Rounded(publishedWalkSeconds, 3),
         CsvTable::Rounded(walk.seconds, 3) });
   }
-  report.AddText("## Table 3.2: times beside the published ones\n\n65,000 shapetons, distance 0.01, published rule, "
+  report.AddText("## Table 3.2: published and measured times\n\n65,000 shapetons, distance 0.01, published rule, "
                  "seed 1. The published times are those of a GeForce GTX 480, ours of a CPU. Our CHD evaluates all "
                  "steps by one Chebyshev expansion; its time per step is the total divided by the steps.");
   report.AddRows("published", table);

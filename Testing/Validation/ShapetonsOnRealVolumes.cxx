@@ -270,6 +270,6 @@ CompareEngineByP(const Comparison & comparison)
   comparison.report.AddRows("engine", table);
   comparison.Show(sheet, "engine");
   comparison.report.AddText("A larger p closes more voxels and traps more shapetons. At p = 15 and 20 nearly all of "
-                            "them stay where noise put them. Ten visits per voxel are right to about 30 %, so most of "
-                            "the rest is chance. CHD shows the same closed parts without noise.");
+                            "them stay where noise put them. With ten visits per voxel, a value is accurate to about "
+                            "30 %, so most of the picture is noise. CHD shows the same closed parts without noise.");
 }

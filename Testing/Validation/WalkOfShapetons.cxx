@@ -160,7 +160,7 @@ VarianceOfStep(double stepInVoxels)
 void
 SpreadOfTheWalk(const ValidationSettings & settings, ValidationReport & report)
 {
-  report.AddText("## How far a step spreads\n\nTraversal with uniform directions and without walls: variance of the "
+  report.AddText("## Variance of a step\n\nTraversal with uniform directions and without walls: variance of the "
                  "displacement along an axis per step, against the closed form of EquivalentHeatTimeSteps(). Four "
                  "steps from one voxel of 64^3; bound of each deviation: five standard errors.");
   CsvTable            table({ "step a, voxels", "closed form", "measured per step", "standard error", "" });
@@ -249,7 +249,7 @@ void
 BiasOfTheWalk(const ValidationSettings & settings, ValidationReport & report)
 {
   report.AddText(
-    "## Shapetons and heat in the same time\n\nClosed objects of 12^3 voxels: 'soft', with weights strictly between 0 "
+    "## Deviation from heat\n\nClosed objects of 12^3 voxels: 'soft', with weights strictly between 0 "
     "and 1 (about .1 and .98, p = 2), and 'walls', with weights 0 and 1 only. Shapetons placed by initial heat walk by "
     "traversal. Deviation: root mean square of expected visits minus the mean heat at the same times, both relative to "
     "their means, in percent of the standard deviation of the heat. Products of the deviations of two seeds cancel the "
@@ -298,7 +298,7 @@ BiasOfTheWalk(const ValidationSettings & settings, ValidationReport & report)
     std::to_string(rises) + ", bound 1: " + report.Check(rises <= 1) + "), to less than " + CsvTable::Number(bound) +
     " % for the shortest step: " + report.Check(shortest[0] < bound && shortest[1] < bound) +
     ". With directions by solid angle it stays above 30 %: " + report.Check(shortest[2] > 30.0 && shortest[3] > 30.0) +
-    ". A weight then counts twice, in the direction and at the face, and more shapetons leave walls than come.");
+    ". A weight then counts twice, in the direction and at the face, and more shapetons leave a wall than reach it.");
 }
 
 constexpr std::size_t cubeSide = 40;
@@ -422,7 +422,7 @@ void
 ScaleOfStates(const ValidationSettings & settings, ValidationReport & report)
 {
   report.AddText(
-    "## The scale of a state: figure 7.1\n\nThe cube of figure 2.4, side 40 in 64^3 voxels, p = 7, steps of 2/3 voxel. "
+    "## Scale by time: figure 7.1\n\nThe cube of figure 2.4, side 40 in 64^3 voxels, p = 7, steps of 2/3 voxel. "
     "Visits near corners, edges and faces (2 voxels deep) and around the center, and their correlation over the cube "
     "with the mean heat of the steps up to t. The walks have the steps that spread as far as t time steps of heat: t / "
     "2 by traversal, 1.125 t by endpoints, where a step has the variance a^2 / 3.");
@@ -501,7 +501,7 @@ UniformPlacement(const ValidationSettings & settings, ValidationReport & report)
   const std::uint32_t   shapetons = settings.quick ? 32768 : 131072;
   const std::uint64_t   steps = settings.quick ? 30 : 100;
   report.AddText(
-    "## What uniform placement can show\n\nA cube of side 16 in 32^3 voxels, p = 7, shapetons placed uniformly, " +
+    "## Uniform placement\n\nA cube of side 16 in 32^3 voxels, p = 7, shapetons placed uniformly, " +
     std::to_string(steps) +
     " steps of one voxel. Standard deviation of the expected visits over the voxels, in percent of their mean.");
   double   largestOfUniform = 0.0, smallestOfOthers = HUGE_VAL;
