@@ -1,5 +1,4 @@
-# Checks that Documentation/figures.md equals the output of Testing/Figures/make-figures, so that its commands are those that made
-# the pictures, and that each picture is used and small.
+# Checks that Documentation/figures.md equals the output of Testing/Figures/make-figures, and that each picture is used and small.
 cmake_minimum_required(VERSION 3.22)
 
 set(folder ${SHAPETON_SOURCE_DIR}/Documentation)
