@@ -36,7 +36,7 @@ run CumulativeHeatDiffusion head.nii.gz head.nrrd --p 20 --timeSteps 4000 --snap
 run CumulativeHeatDiffusion head.nii.gz head.nrrd --p 20 --timeSteps 4000 --snapshotSpacing logarithmic \
   --histogram normalized.png --histogramScale normalized
 panels 2 430 "$(histogram equalized.png)=(a) equalized" "$(histogram normalized.png)=(b) normalized"
-differs 'Ours: MR head, p = 20, 4,000 steps; the published data set is unknown. **Agrees:** equalization assigns space by' \
+differs 'Ours: MR head, p = 20, 4,000 steps; the dissertation does not name its data set. **Agrees:** equalization assigns space by' \
   'the number of voxels; without it, the lines of cool parts are crowded at the left.'
 
 figure 2.4 'a cube in time' phantom
