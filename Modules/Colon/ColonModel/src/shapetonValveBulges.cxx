@@ -12,7 +12,8 @@ namespace shapeton
 {
 namespace
 {
-constexpr double smoothing = 3.0; // mm
+/** Standard deviation, mm. Removes structures thinner than 4 mm, such as folds, from the half level. */
+constexpr double smoothing = 3.0;
 /** Minimum of the smaller principal curvature of a bulge, 1/mm. */
 constexpr double leastCurvature = 0.01;
 /** Minimum solid angle, sr; less is a ripple. */

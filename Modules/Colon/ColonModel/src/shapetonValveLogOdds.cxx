@@ -70,7 +70,7 @@ LogOddsOfContent(double hounsfield)
 std::vector<ValveEvidence>
 JoinLips(std::vector<ValveBulge> bulges)
 {
-  constexpr double reach = 18.0; // mm
+  constexpr double reach = 18.0; // mm; bulges this close to a larger one are its lips
   std::stable_sort(bulges.begin(), bulges.end(), [](const auto & a, const auto & b) { return a.area > b.area; });
   std::vector<ValveEvidence> places;
   while (!bulges.empty())
