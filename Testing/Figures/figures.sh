@@ -19,10 +19,10 @@ write '# Figures of the dissertation, made by our tools' '' \
   '| figure | shows | here |' '|---|---|---|' \
   '| 2.1 | MR head, abdominal stent, foot | head: 2.9; stent not available; [two other feet](heat-diffusion.md#few-steps-local-shape) |' \
   '| 2.2, 3.1 to 3.3, 6.7 | drawings of the method | not results |' \
-  '| 2.5 | conventional and cumulative diffusion | [table](validation/heat-figures.md); no tool implements conventional diffusion |' \
+  '| 2.5 | conventional and cumulative diffusion | [table](validation/heat.md#figures-24-25-and-27-of-the-dissertation); no tool implements conventional diffusion |' \
   '| 2.11, 3.12 | hand of the Visible Female | not available; her [feet](heat-diffusion.md#few-steps-local-shape) |' \
   '| Tables 2.1, 3.2 | times | [benchmarks](benchmarks.md), [shapetons](shapetons.md) |' \
-  '| Table 3.1 | number of shapetons | [table](validation/shapeton-comparison.md) |' \
+  '| Table 3.1 | number of shapetons | [table](validation/shapetons.md#chd-or-shapetons) |' \
   '| 3.9 | CT chest | not available |' \
   '| 3.10 | a polyp | not made, see [PolypCandidates](../Modules/Colon/PolypCandidates/README.md) |' \
   '| 6.1, 6.5; 6.4, 6.12; 6.10; 6.14 | graphs | see 6.6; 6.11; 6.9; 6.13 |' \
@@ -52,7 +52,7 @@ done
 panels 3 280 "${cube[@]}" "$(histogram cube-histogram.png)=4000 steps"
 differs 'Ours: 4,000 steps. Orange: within 15 % of the final heat; red: hotter. **Agrees:** faces reach the final heat' \
   'first, then edges, then corners; one line remains. **Not comparable:** the steps depend on the size of the cube' \
-  'and the thresholds, which are not printed ([values](validation/heat-figures.md)).'
+  'and the thresholds, which are not printed ([values](validation/heat.md#figures-24-25-and-27-of-the-dissertation)).'
 
 figure 2.6 'one line at a time' phantom
 run ShapePhantom four.nrrd --shape figure2.7b --size 96,96,96
@@ -77,7 +77,7 @@ panels 2 400 "$(rendering a.png)=(a) two spheres, a cube" "$(histogram a-histogr
   "$(rendering four.png)=(b) two cubes, two cuboids" "$(histogram four-histogram.png)"
 differs 'Ours: 40,000 steps. **Agrees:** three and four lines. **Differs:** the lines of one shape in two sizes are not' \
   'close to each other. The heats of the spheres differ by a factor of 2, the ratio of their radii; their' \
-  '`normalizedHeat` differs by 0.1 % ([values](validation/heat-figures.md)).'
+  '`normalizedHeat` differs by 0.1 % ([values](validation/heat.md#figures-24-25-and-27-of-the-dissertation)).'
 
 figure 2.8 'p' engine.nii.gz
 engine=()

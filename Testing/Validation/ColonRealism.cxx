@@ -1,8 +1,8 @@
-// usage: ColonRealism [--rows FOLDER] TABLE.md NAME=RUN[,RUN...] [NAME=RUN[,RUN...] ...]
+// usage: ColonRealism [--rows FOLDER] PAGE.md NAME=RUN[,RUN...] [NAME=RUN[,RUN...] ...]
 //
 // Compares colons segment by segment: length, course, caliber, folds. RUN is a finished folder of VirtualColonoscopy;
-// the runs of a NAME are merged into one column. FOLDER receives the CSV file (default: the folder of TABLE.md).
-// Used to compare phantoms with real colons; see Documentation/validation/colon-realism.md.
+// the runs of a NAME are merged into one column. FOLDER receives the CSV file (default: the folder of PAGE.md).
+// Used to compare phantoms with real colons; see Documentation/validation/colon-surfaces.md.
 #include "BoundTable.h"
 #include "ColonShape.h"
 
@@ -134,7 +134,7 @@ try
   if (arguments.size() < 2)
   {
     throw std::invalid_argument(
-      "usage: ColonRealism [--rows FOLDER] TABLE.md NAME=RUN[,RUN...] [NAME=RUN[,RUN...] ...]");
+      "usage: ColonRealism [--rows FOLDER] PAGE.md NAME=RUN[,RUN...] [NAME=RUN[,RUN...] ...]");
   }
   std::vector<Colons> columns;
   for (std::size_t i = 1; i < arguments.size(); ++i)
@@ -143,13 +143,13 @@ try
   }
   ValidationReport report("Real and synthetic colons");
   report.AddText(
-    "Made by `ColonRealism`; the columns are described in [the notes](notes-real-colons.md). The table has "
-    "means of whole colons. The file has all segments, between the borders found by the tools: means and, "
-    "for ten and more samples, the 10, 50 and 90 % quantiles.");
+    "Made by `ColonRealism`; the columns are described in [the notes](colon-surfaces.md#real-colons-and-phantoms). "
+    "The table has means of whole colons. The file has all segments, between the borders found by the tools: means "
+    "and, for ten and more samples, the 10, 50 and 90 % quantiles.");
   AddTables(columns, report);
   const std::filesystem::path page(arguments[0]);
   const std::string           folder = page.has_parent_path() ? page.parent_path().string() : ".";
-  report.Write(folder, rows.empty() ? folder : rows, page.stem().string());
+  report.Write({ page.string(), "Shapes of colons", "colon-realism", rows.empty() ? folder : rows, "colon-realism" });
   return 0;
 }
 catch (const std::exception & error)

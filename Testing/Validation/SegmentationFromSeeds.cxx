@@ -527,7 +527,7 @@ ValidateSegmentationFromSeeds(const ValidationSettings & settings, ValidationRep
   ReportResults(data,
                 results,
                 isComplete ? "The 95 % intervals of both failed differences contain 0. On the organs the cause is too "
-                             "few background seeds ([notes](notes-seeded-heat.md))."
+                             "few background seeds ([notes](seeded-heat.md#seededheat))."
                            : "",
                 report);
 }
