@@ -14,7 +14,6 @@ itk_module(ShapetonColonLandmarks
   PRIVATE_DEPENDS
     ShapetonConformalFlattening
   TEST_DEPENDS
-    ShapetonFlatColon
     ITKGoogleTest
   DESCRIPTION "${DOCUMENTATION}"
 )

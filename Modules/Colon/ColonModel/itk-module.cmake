@@ -20,6 +20,5 @@ itk_module(ShapetonColonModel
     ShapetonVolumeFiles
     ITKGoogleTest
     ShapetonPhantoms
-    ITKImageGrid
   DESCRIPTION "${DOCUMENTATION}"
 )

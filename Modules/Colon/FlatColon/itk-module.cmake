@@ -17,9 +17,6 @@ itk_module(ShapetonFlatColon
     ITKIONRRD
     ShapetonColonLumen
   TEST_DEPENDS
-    ShapetonHeatDiffusionMetric
     ITKGoogleTest
-    ITKIOImageBase
-    ITKIONRRD
   DESCRIPTION "${DOCUMENTATION}"
 )

@@ -16,12 +16,12 @@ itk_module(ShapetonPolypCandidates
     ShapetonColonCenterline
     ShapetonHeatDiffusionMetric
     ShapetonVolumeFiles
+    ShapetonHeat
     ShapetonParticles
     ShapetonColonLandmarks
     ITKIONRRD
     ITKImageFunction
   TEST_DEPENDS
-    ShapetonColonModel
     ITKGoogleTest
   DESCRIPTION "${DOCUMENTATION}"
 )

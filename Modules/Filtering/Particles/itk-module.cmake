@@ -4,6 +4,7 @@ itk_module(ShapetonParticles
   ENABLE_SHARED
   EXCLUDE_FROM_DEFAULT
   DEPENDS
+    ShapetonCommon
     ShapetonHeat
     ITKCommon
   TEST_DEPENDS

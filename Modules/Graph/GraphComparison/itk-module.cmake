@@ -11,7 +11,6 @@ itk_module(ShapetonGraphComparison
     ShapetonEmbeddingCertificate
     ShapetonRicciFlowEmbedding
   TEST_DEPENDS
-    ShapetonEmbeddingCertificate
     ITKGoogleTest
   DESCRIPTION "${DOCUMENTATION}"
 )

@@ -16,11 +16,6 @@ itk_module(ShapetonVolumeFiles
     ITKGDCM
   TEST_DEPENDS
     ITKGoogleTest
-    ITKIONIFTI
-    ITKZLIB
-    ShapetonReport
-    ITKGDCM
     ITKIOGDCM
-    ITKIOImageBase
   DESCRIPTION "${DOCUMENTATION}"
 )

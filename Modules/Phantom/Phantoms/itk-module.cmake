@@ -10,8 +10,6 @@ itk_module(ShapetonPhantoms
     ShapetonReport
     ShapetonSurfaceMesh
   TEST_DEPENDS
-    ShapetonCommon
-    ShapetonReport
     ITKGoogleTest
     ShapetonVolumeFiles
   DESCRIPTION "${DOCUMENTATION}"

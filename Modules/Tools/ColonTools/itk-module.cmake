@@ -27,13 +27,5 @@ itk_module(ShapetonColonTools
   TEST_DEPENDS
     ITKGoogleTest
     ITKIOImageBase
-    ITKIOPNG
-    ShapetonCommon
-    ShapetonReport
-    ShapetonSurfaceMesh
-    ShapetonColonLandmarks
-    ShapetonPolypCandidates
-    ShapetonSupineProne
-    ITKCommon
   DESCRIPTION "${DOCUMENTATION}"
 )

@@ -11,7 +11,6 @@ itk_module(ShapetonCommandLine
   PRIVATE_DEPENDS
     ITKExpat
   TEST_DEPENDS
-    ITKExpat
     ITKGoogleTest
   DESCRIPTION "${DOCUMENTATION}"
 )

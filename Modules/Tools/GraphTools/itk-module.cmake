@@ -13,7 +13,6 @@ itk_module(ShapetonGraphTools
     ShapetonCommon
     ShapetonCommandLine
   TEST_DEPENDS
-    ShapetonEmbeddingCertificate
     ITKExpat
     ITKGoogleTest
   DESCRIPTION "${DOCUMENTATION}"

@@ -21,6 +21,5 @@ itk_module(ShapetonColonViews
     ITKGoogleTest
     ITKIOImageBase
     ITKIOPNG
-    ShapetonColonModel
   DESCRIPTION "${DOCUMENTATION}"
 )

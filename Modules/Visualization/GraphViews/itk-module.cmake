@@ -11,9 +11,6 @@ itk_module(ShapetonGraphViews
     ShapetonGraphModel
     ShapetonRicciFlowEmbedding
   TEST_DEPENDS
-    ShapetonSurfaceMesh
-    ShapetonEmbeddingCertificate
-    ShapetonRicciFlowEmbedding
     ITKExpat
     ITKGoogleTest
   DESCRIPTION "${DOCUMENTATION}"

@@ -10,13 +10,13 @@ itk_module(ShapetonHeatViews
     ITKCommon
     ShapetonReport
   PRIVATE_DEPENDS
+    ShapetonParticles
     ITKIOMeta
     ITKIONRRD
   TEST_DEPENDS
     ShapetonVolumeFiles
     ITKGoogleTest
     ITKIOImageBase
-    ITKIONRRD
     ITKIOPNG
   DESCRIPTION "${DOCUMENTATION}"
 )
