@@ -24,7 +24,7 @@ namespace
 {
 using LabelImage = itk::Image<unsigned short, 2>;
 
-Eigen::MatrixXd
+SurfaceArray::ValueMatrix
 ValuesOf(const std::vector<SurfaceArray> & arrays, const std::string & name, const std::string & path)
 {
   const SurfaceArray * array = FindSurfaceArray(arrays, name);
@@ -93,7 +93,7 @@ Json
 Taeniae(const std::string & path)
 {
   const CurveSet        curves = ReadCurves(path);
-  const Eigen::MatrixXd uv = ValuesOf(curves.pointArrays, "uv", path);
+  const SurfaceArray::ValueMatrix uv = ValuesOf(curves.pointArrays, "uv", path);
   Json                  taeniae = Json::array();
   for (std::size_t curve = 0; curve < curves.curves.size(); ++curve)
   {
@@ -111,8 +111,8 @@ Json
 Flexures(const std::string & path)
 {
   const CurveSet        curves = ReadCurves(path);
-  const Eigen::MatrixXd numbers = ValuesOf(curves.cellArrays, "flexure", path);
-  const Eigen::MatrixXd confidence = ValuesOf(curves.cellArrays, "confidence", path);
+  const SurfaceArray::ValueMatrix numbers = ValuesOf(curves.cellArrays, "flexure", path);
+  const SurfaceArray::ValueMatrix confidence = ValuesOf(curves.cellArrays, "confidence", path);
   Json                  flexures = Json::array();
   for (std::size_t curve = 0; curve < curves.curves.size(); ++curve)
   {
@@ -188,7 +188,7 @@ class FlatFaces
 public:
   FlatFaces(const SurfaceMesh & mesh, const std::string & path) : m_Mesh(mesh), m_Order(mesh.NumberOfFaces())
   {
-    const Eigen::MatrixXd arc = ValuesOf(mesh.pointArrays, "arcLength", path);
+    const SurfaceArray::ValueMatrix arc = ValuesOf(mesh.pointArrays, "arcLength", path);
     const auto &          F = mesh.F;
     Eigen::VectorXd       place(F.rows());
     for (Eigen::Index face = 0; face < F.rows(); ++face)
@@ -283,7 +283,7 @@ PutPoints(PageBlocks & blocks, const std::string & prefix, const SurfaceMesh & m
   blocks.PutReals<std::uint32_t>(prefix + "uv", ValuesOf(mesh.pointArrays, "uv", path));
   blocks.PutReals(prefix + "arc", ValuesOf(mesh.pointArrays, "arcLength", path));
   // Equal on both sides of the cut. Renumbered, because a page indexes an array with them.
-  const Eigen::MatrixXd      sources = ValuesOf(mesh.pointArrays, "sourcePointId", path);
+  const SurfaceArray::ValueMatrix      sources = ValuesOf(mesh.pointArrays, "sourcePointId", path);
   std::vector<std::uint32_t> first(static_cast<std::size_t>(sources.maxCoeff()) + 1, mesh.NumberOfVertices());
   std::vector<std::uint32_t> source(mesh.NumberOfVertices());
   for (int vertex = 0; vertex < mesh.NumberOfVertices(); ++vertex)
@@ -375,8 +375,8 @@ PutViewerMap(PageBlocks & blocks, const std::string & prefix, const std::string 
 {
   const SurfaceMesh mesh = ReadSurfaceFile(path).mesh;
   RequireSameFaces(mesh, ReadSurfaceFile(exam + "/flattening/flat.vtp").mesh, path);
-  const Eigen::MatrixXd     confidence = ValuesOf(mesh.pointArrays, "confidence", path);
-  const Eigen::MatrixXd     excluded = ValuesOf(mesh.pointArrays, "excluded", path);
+  const SurfaceArray::ValueMatrix     confidence = ValuesOf(mesh.pointArrays, "confidence", path);
+  const SurfaceArray::ValueMatrix     excluded = ValuesOf(mesh.pointArrays, "excluded", path);
   std::vector<std::uint8_t> trust;
   for (int vertex = 0; vertex < mesh.NumberOfVertices(); ++vertex)
   {

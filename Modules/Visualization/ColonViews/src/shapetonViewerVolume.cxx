@@ -13,7 +13,7 @@ namespace
 using VolumeType = itk::Image<float, 3>;
 using MaskType = itk::Image<unsigned char, 3>;
 
-constexpr double margin = 15.0;
+constexpr double marginOfVolume = 15.0;
 constexpr int    side = 4; // of the blocks that are averaged
 
 /** Encoding of a value. 8 bits: steps of 6 HU, below the noise of CT colonography. */
@@ -59,7 +59,7 @@ BoxOf(const VolumeType & volume, const VertexMatrix & points)
   VolumeType::RegionType box;
   for (int k = 0; k < 3; ++k)
   {
-    const double reach = margin / volume.GetSpacing()[k];
+    const double reach = marginOfVolume / volume.GetSpacing()[k];
     const auto   last = static_cast<double>(whole.GetSize(k)) - 1.0;
     const auto   from = static_cast<itk::IndexValueType>(std::clamp(std::floor(least[k] - reach), 0.0, last));
     const auto   to = static_cast<itk::IndexValueType>(std::clamp(std::ceil(most[k] + reach), 0.0, last));
