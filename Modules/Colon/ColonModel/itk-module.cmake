@@ -17,6 +17,7 @@ itk_module(ShapetonColonModel
     ITKImageFunction
     ITKImageGrid
   TEST_DEPENDS
+    ITKImageGrid
     ShapetonVolumeFiles
     ITKGoogleTest
     ShapetonPhantoms

@@ -17,6 +17,9 @@ itk_module(ShapetonFlatColon
     ITKIONRRD
     ShapetonColonLumen
   TEST_DEPENDS
+    ShapetonHeatDiffusionMetric
+    ITKIOImageBase
+    ITKIONRRD
     ITKGoogleTest
   DESCRIPTION "${DOCUMENTATION}"
 )

@@ -15,6 +15,10 @@ itk_module(ShapetonVolumeFiles
     ShapetonReport
     ITKGDCM
   TEST_DEPENDS
+    ITKIONIFTI
+    ITKZLIB
+    ShapetonReport
+    ITKGDCM
     ITKGoogleTest
     ITKIOGDCM
   DESCRIPTION "${DOCUMENTATION}"

@@ -25,6 +25,8 @@ itk_module(ShapetonColonTools
     ITKIONRRD
     ITKIOPNG
   TEST_DEPENDS
+    ITKIOPNG
+    ITKCommon
     ITKGoogleTest
     ITKIOImageBase
   DESCRIPTION "${DOCUMENTATION}"

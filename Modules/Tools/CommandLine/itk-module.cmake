@@ -11,6 +11,7 @@ itk_module(ShapetonCommandLine
   PRIVATE_DEPENDS
     ITKExpat
   TEST_DEPENDS
+    ITKExpat
     ITKGoogleTest
   DESCRIPTION "${DOCUMENTATION}"
 )

@@ -11,6 +11,8 @@ itk_module(ShapetonGraphViews
     ShapetonGraphModel
     ShapetonRicciFlowEmbedding
   TEST_DEPENDS
+    ShapetonSurfaceMesh
+    ShapetonRicciFlowEmbedding
     ITKExpat
     ITKGoogleTest
   DESCRIPTION "${DOCUMENTATION}"

@@ -14,6 +14,7 @@ itk_module(ShapetonHeatViews
     ITKIOMeta
     ITKIONRRD
   TEST_DEPENDS
+    ITKIONRRD
     ShapetonVolumeFiles
     ITKGoogleTest
     ITKIOImageBase
