@@ -14,6 +14,7 @@ itk_module(ShapetonHeatViews
     ITKIOMeta
     ITKIONRRD
   TEST_DEPENDS
+    ShapetonParticles
     ITKIONRRD
     ShapetonVolumeFiles
     ITKGoogleTest
