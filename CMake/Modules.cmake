@@ -1,3 +1,6 @@
+# The groups of modules; each may use the groups before it.
+set(Shapeton_GROUPS Core Mesh IO Filtering Phantom Graph Colon Bridge Visualization Tools)
+
 # The modules of Shapeton, each after its dependencies. This is the only list of modules; the test ModuleLayersOfThisRepository
 # checks that includes point only to earlier ones.
 set(Shapeton_MODULES

@@ -21,7 +21,7 @@ function(shapeton_add_tool name)
   if(BUILD_TESTING)
     add_test(NAME ${name}XML COMMAND ${CMAKE_COMMAND} -DTOOL=$<TARGET_FILE:${name}> -DXML=${xml}
       -P ${Shapeton_SOURCE_DIR}/CMake/CheckToolXML.cmake)
-    add_test(NAME ${name}XMLLint COMMAND ToolXMLLint ${xml})
+    add_test(NAME ${name}XMLLint COMMAND ${Shapeton_SOURCE_DIR}/Testing/Rules/check-rules ${xml})
     set_tests_properties(${name}XML ${name}XMLLint PROPERTIES LABELS Applications)
     if(EXISTS ${CMAKE_CURRENT_SOURCE_DIR}/Testing/CMakeLists.txt)
       add_subdirectory(Testing)

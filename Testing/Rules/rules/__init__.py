@@ -1,0 +1,1 @@
+"""Rules of the repository. A rule is a function that takes a Tree and yields its faults."""
