@@ -30,13 +30,13 @@ class RuleTest(unittest.TestCase):
 
 
 class Wording(RuleTest):
-    def test_wording_that_reads_as_translated(self):
+    def test_wording_that_reads_as_translated(self):  # words are split, because this file must follow the rule, too
         for text, *expected in (
                 ('/** Radius of the piece (mm). */\nthrow Error("there is no piece"); // none is left\n',),
                 ("int r; ///< Of the piece\n", "a.cxx:1: begins a comment with a bare genitive: ///< Of t"),
                 ('f("x is "\n  "no number");\n', "a.cxx:1: says what is not by: is no"),
-                ("// Failures are told.\n", "a.cxx:1: is not plain English: told"),
-                ("\nint nextColour; // analyses of centers\n", "a.cxx:2: is not American spelling: colour")):
+                ("// Failures are to" "ld.\n", "a.cxx:1: is not plain English: to" "ld"),
+                ("\nint nextCol" "our; // analyses of centers\n", "a.cxx:2: is not American spelling: col" "our")):
             self.check(wording.plain_english, {"a.cxx": text}, *expected)
 
 
@@ -149,7 +149,7 @@ class Repository(RuleTest):
         files = {"small": "x" * 1000000, "large": "x" * 1000001, "build/large": "x" * 1000001}
         self.check(repository.sizes, files, "large: has 1000001 bytes, more than 1 MB")
 
-    def test_texts(self):  # texts are joined, because this file must follow the rule, too
+    def test_texts(self):  # words are split, because this file must follow the rule, too
         self.check(repository.texts, {"a.cmake": "set(x 1)\nset(y /home" "/somebody)\n", "picture.png": "\0/home" "/x"},
                    "a.cmake:2: contains a machine-specific path: /home" "/")
         notice = "Copy" "right ("
@@ -298,6 +298,7 @@ class PageScripts(RuleTest):
     def test_names(self):
         self.check_script("import { x } from 'node:fs';", "imports x and does not use it", 1)
         self.check_script("import { x } from 'fs';\nx();", "imports the package fs", 1)
+        self.check_script("import { x } from './x.mjs';\nx();", "imports ./x.mjs, which is missing", 1)
         self.check_script("export const x = 1;", "exports x, which no module imports", 1)
         self.check(page_scripts.page_scripts, {"a/scripts/c.mjs": "const b = 2;\n"},
                    "a/scripts/c.mjs:1: has the top-level name b of b.mjs")

@@ -26,8 +26,8 @@ IN_CODE = {
 }
 STRING, COMMENT = re.compile(r"""(['"])(?:\\.|(?!\1).)*\1"""), re.compile(r"(^|\s)//.*")
 # Blocks that start in column 0 or 2 and end with a brace in the same column.
-BLOCK = re.compile(r"^(?:(?:export )?(?:async )?function .*\{$(?:\n.*)*?\n\}|"
-                   r"  (?:async |get )?\w+\(.*\) \{$(?:\n.*)*?\n  \})$", re.MULTILINE)
+BLOCK = re.compile(r"^(?=((?:export )?(?:async )?function .*\{$(?:\n.*)*?\n\}$|"
+                   r"  (?:async |get )?\w+\(.*\) \{$(?:\n.*)*?\n  \}$))", re.MULTILINE)
 IMPORT = re.compile(r"^import \{ ([^}]*) \} from '([^']*)'", re.MULTILINE)
 RELATIVE = re.compile(r"^import [^;]* from '(\.[^']*)'", re.MULTILINE)
 TOP_LEVEL = re.compile(r"^(export )?(?:async )?(?:const|let|function|class) (\w+)", re.MULTILINE)
@@ -52,17 +52,24 @@ def page_scripts(tree):
                     if re.search(pattern, searched):
                         yield Fault(str(file), number, message)
         for match in BLOCK.finditer(text):
-            if match[0].count("\n") > LONGEST:
-                lines = match[0].count("\n")
+            lines = match[1].count("\n")
+            if lines > LONGEST:
                 yield Fault(str(file), line_at(text, match.start()), f"is a function of {lines} lines, more than {LONGEST}")
         for names, source in IMPORT.findall(text):
             for name in names.split(", "):
                 if len(re.findall(rf"\b{name}\b", text)) < 2:
                     yield Fault(str(file), 1, f"imports {name} and does not use it")
-            if not source.startswith((".", "node:")):
+            if source.startswith(".") and imported(file, source) not in tree.known:
+                yield Fault(str(file), 1, f"imports {source}, which is missing")
+            elif not source.startswith((".", "node:")):
                 yield Fault(str(file), 1, f"imports the package {source}")
     for folder in sorted({file.parent for file in scripts if file.parent.name == "scripts"}):
         yield from faults_of_joined(tree, folder, scripts)
+
+
+def imported(file, source):
+    """Returns the file that a relative import names."""
+    return Path(os.path.normpath(file.parent / source))
 
 
 def faults_of_syntax(tree, scripts):
@@ -82,7 +89,7 @@ def faults_of_joined(tree, folder, scripts):
     """Yields the faults of the script that consists of the modules of a folder and all their imports."""
     joined = [file for file in scripts if file.parent == folder]
     for file in joined:  # grows during the iteration
-        imports = [Path(os.path.normpath(file.parent / source)) for source in RELATIVE.findall(tree.text(file))]
+        imports = [imported(file, source) for source in RELATIVE.findall(tree.text(file))]
         joined += [other for other in dict.fromkeys(imports) if other not in joined and other in scripts]
     owner = {}
     for file in sorted(joined):

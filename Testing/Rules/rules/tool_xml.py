@@ -117,45 +117,34 @@ def texts(element, *required):
         yield element, f"the <description> of {label(element)} must end with a period"
 
 
-def names(parameter):
-    name, flag, longflag = (text_of(parameter, child) for child in ("name", "flag", "longflag"))
-    if not re.fullmatch("[a-z][A-Za-z0-9]*", name):
-        yield "<name> must be camelCase: letters and digits, a small letter first"
-    if has(parameter, "longflag") and longflag != name:
-        yield f'<longflag> "{longflag}" differs from <name>'
-    if name in RESERVED:
-        yield "the name is reserved"
-    if has(parameter, "flag") and not re.fullmatch("[A-Za-gi-z]", flag):
-        yield f'<flag> "{flag}" must be one letter other than h'
-    if has(parameter, "flag") and not has(parameter, "longflag"):
-        yield "a <flag> needs a <longflag>"
-
-
-def channel(parameter):
-    value = text_of(parameter, "channel")
-    if has(parameter, "channel") and value not in ("input", "output"):
-        yield f'<channel> is "{value}", not one of input, output'
-    if parameter.tag in NODES | {"file", "directory"} and not has(parameter, "channel"):
-        yield "lacks <channel>"
-    is_simple = is_numeric(parameter.tag) or parameter.tag == "boolean" or parameter.tag.startswith("string")
-    if not has(parameter, "longflag", "flag", "index") and not (value == "output" and is_simple):
-        yield ("needs a <longflag> or an <index>; only a return value, a simple type with the channel output, "
-               "has neither")
-
-
-def index(parameter):
-    if has(parameter, "index"):
-        if has(parameter, "flag", "longflag"):
-            yield "<index> excludes <flag> and <longflag>"
-        if parameter.tag in ("point", "region", "boolean"):
-            yield "cannot be positional"
-        if position(parameter) < 0:
-            yield "<index> must be a non-negative integer"
-
-
 def position(parameter):
     value = number(text_of(parameter, "index"), "integer")
     return -1 if value is None else value
+
+
+def basics(parameter):
+    """Names, flags, channel and position."""
+    kind = parameter.tag
+    name, flag, longflag, channel = (text_of(parameter, child) for child in ("name", "flag", "longflag", "channel"))
+    is_option, is_positional = has(parameter, "flag", "longflag"), has(parameter, "index")
+    is_return = channel == "output" and (is_numeric(kind) or kind == "boolean" or kind.startswith("string"))
+    return [message for is_violated, message in (
+        (not re.fullmatch("[a-z][A-Za-z0-9]*", name),
+         "<name> must be camelCase: letters and digits, a small letter first"),
+        (has(parameter, "longflag") and longflag != name, f'<longflag> "{longflag}" differs from <name>'),
+        (name in RESERVED, "the name is reserved"),
+        (has(parameter, "flag") and not re.fullmatch("[A-Za-gi-z]", flag),
+         f'<flag> "{flag}" must be one letter other than h'),
+        (has(parameter, "flag") and not has(parameter, "longflag"), "a <flag> needs a <longflag>"),
+        (has(parameter, "channel") and channel not in ("input", "output"),
+         f'<channel> is "{channel}", not one of input, output'),
+        (kind in NODES | {"file", "directory"} and not has(parameter, "channel"), "lacks <channel>"),
+        (not (is_option or is_positional or is_return),
+         "needs a <longflag> or an <index>; only a return value, a simple type with the channel output, has neither"),
+        (is_positional and is_option, "<index> excludes <flag> and <longflag>"),
+        (is_positional and kind in ("point", "region", "boolean"), "cannot be positional"),
+        (is_positional and position(parameter) < 0, "<index> must be a non-negative integer"),
+    ) if is_violated]
 
 
 def constraints(parameter):
@@ -225,7 +214,7 @@ def single(parameter):
     for place in parameter.findall("constraints"):
         yield from attributes(place, {})
         yield from children(place, {"minimum", "maximum", "step"})
-    for check in (names, channel, index, constraints, elements, default, extensions):
+    for check in (basics, constraints, elements, default, extensions):
         for message in check(parameter):
             colon = "" if message.startswith(("cannot", "is not", "lacks", "needs")) else ":"
             yield parameter, f"{label(parameter)}{colon} {message}"
