@@ -126,6 +126,8 @@ The exponent. | The exponent | <double> gamma must end with a period
 <default>explicit</default> | | solver lacks <default>
 <element>chebyshev</element> | <element>explicit</element> | <element> "explicit" appears twice
 <element>chebyshev</element><element>explicit</element> | | solver lacks <element>
+<point | <integer-enumeration><element>x</element></integer-enumeration><point | <element> "x" is not a number
+<constraints> | <constraints unit="mm"> | <constraints> has no attribute "unit"
 <label>Gamma</label> | <label>Gamma</label><element>1.5</element> | is not an enumeration but has <element>
 <default>false</default> | <default>true</default> | the <default> of a boolean must be false
 <default>0</default> | <default>1</default> | threads must be an <integer>
