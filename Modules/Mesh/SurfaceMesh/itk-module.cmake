@@ -1,4 +1,5 @@
-set(DOCUMENTATION "Triangle surfaces, their files, repair, simplification and topology; markups and color tables of 3D Slicer.")
+set(DOCUMENTATION "Triangle surfaces, their files, repair, simplification and topology, and the markups and color
+tables of 3D Slicer.")
 
 itk_module(ShapetonSurfaceMesh
   ENABLE_SHARED

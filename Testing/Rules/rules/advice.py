@@ -27,8 +27,8 @@ def parameters_of(tree, xml):
 
 
 def folders_of(tree, cmake, folders, modules):
-    """Returns the folder of a tool and those of the modules that it links, also transitively."""
-    reached, names = {cmake.parent}, arguments(tree.text(cmake), "shapeton_add_tool(")
+    """Returns the folder of a tool and those of the modules that it links, also transitively. All tools link CommandLine."""
+    reached, names = {cmake.parent}, [*arguments(tree.text(cmake), "shapeton_add_tool("), "CommandLine"]
     while names:
         folder = folders.get(names.pop())
         if folder and folder not in reached:
@@ -52,7 +52,7 @@ def accepted_advice(tree):
     a module names is declared by a tool that links the module; each such tool accepts the value after it. An option
     after the name of another tool and an opening parenthesis is an option of that tool."""
     modules = declared(tree)
-    folders = {module.name: folder for folder, module in modules.items()}
+    folders = {name: folder for folder, module in modules.items() for name in (module.name, folder.name)}
     tools = {}  # name: parameters, folders whose messages the tool may print
     for xml in tree.below("Applications"):
         if xml.suffix == ".xml" and xml.stem == xml.parent.name:

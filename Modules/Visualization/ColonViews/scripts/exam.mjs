@@ -1,5 +1,5 @@
-import { readBlock } from '../../PageKit/scripts/bytes.mjs';
-import { clamp, cross, distance, dot, norm, sub, third, unit } from '../../PageKit/scripts/math.mjs';
+import { readBlock } from '../../../Core/Report/scripts/bytes.mjs';
+import { clamp, cross, distance, dot, norm, sub, third, unit } from '../../../Core/Report/scripts/math.mjs';
 import { hitOf, normalOf, Tree } from './tree.mjs';
 
 const segmentNames = ['', 'rectum', 'sigmoid', 'descending', 'transverse', 'ascending', 'cecum'];

@@ -1,6 +1,6 @@
-import { clamp } from '../../PageKit/scripts/math.mjs';
+import { clamp } from '../../../Core/Report/scripts/math.mjs';
 import { paintFlat, segmentColors, taeniaColors } from './layers.mjs';
-import { View } from '../../PageKit/scripts/view.mjs';
+import { View } from '../../../Core/Report/scripts/view.mjs';
 
 const OVERVIEW = 34; // height of the overview strip of the whole colon, pixels
 

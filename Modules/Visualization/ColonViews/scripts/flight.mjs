@@ -1,4 +1,4 @@
-import { axesOf, cross, distance, dot, norm, sub, third, unit } from '../../PageKit/scripts/math.mjs';
+import { axesOf, cross, distance, dot, norm, sub, third, unit } from '../../../Core/Report/scripts/math.mjs';
 
 const SIGHT = 200;    // mm; wall farther away counts as unseen
 const AROUND = 250;  // mm along the colon, ahead of and behind the eye

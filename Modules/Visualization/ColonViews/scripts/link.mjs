@@ -1,4 +1,4 @@
-import { distance, third } from '../../PageKit/scripts/math.mjs';
+import { distance, third } from '../../../Core/Report/scripts/math.mjs';
 import { hitOf, Tree } from './tree.mjs';
 
 // Faces of a position on the map of the other one, as separate triangles, because faces that cross its cut are kept whole.

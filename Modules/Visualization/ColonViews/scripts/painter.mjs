@@ -1,5 +1,5 @@
-import { glProgram } from '../../PageKit/scripts/gl.mjs';
-import { cross, dot, matricesOf, norm, sub, unit } from '../../PageKit/scripts/math.mjs';
+import { glProgram } from '../../../Core/Report/scripts/gl.mjs';
+import { cross, dot, matricesOf, norm, sub, unit } from '../../../Core/Report/scripts/math.mjs';
 
 const VERTEX = `
 in vec3 position; in vec4 normal, color;

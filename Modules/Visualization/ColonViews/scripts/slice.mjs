@@ -1,5 +1,5 @@
-import { clamp, dot } from '../../PageKit/scripts/math.mjs';
-import { View } from '../../PageKit/scripts/view.mjs';
+import { clamp, dot } from '../../../Core/Report/scripts/math.mjs';
+import { View } from '../../../Core/Report/scripts/view.mjs';
 
 const PLANES = ['sagittal', 'coronal', 'axial'];
 const LETTERS = [['R', 'L'], ['A', 'P'], ['I', 'S']]; // for the ends of the patient's axes, LPS

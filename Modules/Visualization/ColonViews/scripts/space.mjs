@@ -1,5 +1,6 @@
-import { add, axesOf, clamp, cross, distance, dot, norm, project, rayThrough, scaled, sub, unit } from '../../PageKit/scripts/math.mjs';
-import { View } from '../../PageKit/scripts/view.mjs';
+import { add, axesOf, clamp, cross, distance, dot, norm, project, rayThrough, scaled, sub,
+  unit } from '../../../Core/Report/scripts/math.mjs';
+import { View } from '../../../Core/Report/scripts/view.mjs';
 
 // Base of the two views in space: picking, candidates, crosshair.
 class SpaceView extends View {

@@ -1,4 +1,4 @@
-import { element, saveFile } from '../../PageKit/scripts/page.mjs';
+import { element, saveFile } from '../../../Core/Report/scripts/page.mjs';
 
 const VERDICTS = ['unread', 'polyp', 'not a polyp', 'unsure'];
 

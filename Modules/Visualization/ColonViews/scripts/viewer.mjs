@@ -1,4 +1,4 @@
-import { readBlock } from '../../PageKit/scripts/bytes.mjs';
+import { readBlock } from '../../../Core/Report/scripts/bytes.mjs';
 import { Exam } from './exam.mjs';
 import { Seen } from './flight.mjs';
 import { SurfacePaths } from './geodesic.mjs';
@@ -8,9 +8,9 @@ import { Link } from './link.mjs';
 import { Painter } from './painter.mjs';
 import { Panel } from './panel.mjs';
 import { Verdicts } from './verdicts.mjs';
-import { toggle } from '../../PageKit/scripts/keys.mjs';
-import { byId, letGo, notice, openPage } from '../../PageKit/scripts/page.mjs';
-import { scaleViews, View } from '../../PageKit/scripts/view.mjs';
+import { toggle } from '../../../Core/Report/scripts/keys.mjs';
+import { byId, letGo, notice, openPage } from '../../../Core/Report/scripts/page.mjs';
+import { scaleViews, View } from '../../../Core/Report/scripts/view.mjs';
 
 const DOUBTFUL = 0.3; // below this confidence of the map the other position is dimmed
 const EXCLUDED = 255;   // in `trust`: not visible in one of the positions

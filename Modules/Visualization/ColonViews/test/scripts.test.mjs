@@ -5,7 +5,7 @@ import { Seen } from '../scripts/flight.mjs';
 import { Exam } from '../scripts/exam.mjs';
 import { SurfacePaths } from '../scripts/geodesic.mjs';
 import { Link } from '../scripts/link.mjs';
-import { project, rayThrough } from '../../PageKit/scripts/math.mjs';
+import { project, rayThrough } from '../../../Core/Report/scripts/math.mjs';
 import { nearestAxes } from '../scripts/slice.mjs';
 import { Tree } from '../scripts/tree.mjs';
 

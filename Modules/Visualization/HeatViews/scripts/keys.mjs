@@ -1,4 +1,4 @@
-import { KeyTable } from '../../PageKit/scripts/keys.mjs';
+import { KeyTable } from '../../../Core/Report/scripts/keys.mjs';
 
 // See Keys; the methods are those of the explorer.
 export const explorerKeys = new KeyTable([

@@ -1,5 +1,5 @@
-import { clamp } from '../../PageKit/scripts/math.mjs';
-import { View } from '../../PageKit/scripts/view.mjs';
+import { clamp } from '../../../Core/Report/scripts/math.mjs';
+import { View } from '../../../Core/Report/scripts/view.mjs';
 import { channelsOf } from './lines.mjs';
 
 const OPACITY = 0.6; // of the colors of lines over the gray values, as in pictures of reports
