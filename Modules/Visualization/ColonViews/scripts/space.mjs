@@ -1,5 +1,5 @@
-import { add, axesOf, clamp, cross, distance, dot, norm, project, rayThrough, scaled, sub,
-  unit } from '../../../Core/Report/scripts/math.mjs';
+import { add, axesOf, clamp, cross, distance, dot, norm, project } from '../../../Core/Report/scripts/math.mjs';
+import { rayThrough, scaled, sub, unit } from '../../../Core/Report/scripts/math.mjs';
 import { View } from '../../../Core/Report/scripts/view.mjs';
 
 // Base of the two views in space: picking, candidates, crosshair.
