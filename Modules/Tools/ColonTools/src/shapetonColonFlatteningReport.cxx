@@ -3,6 +3,7 @@
 #include "shapetonCsvTable.h"
 #include "shapetonFlatColonRows.h"
 #include "shapetonTriangleQualityChart.h"
+#include "shapetonFlatPictureSize.h"
 
 #include <cmath>
 
@@ -11,9 +12,6 @@ namespace shapeton
 namespace
 {
 using Facts = ColonFlatteningReportContent::Facts;
-
-constexpr int pixelsAround = 200;
-constexpr int pixelsOfRow = 900; // the page shows pictures no wider than 992 pixels
 
 std::string
 Rounded(double value, int digits = 4)

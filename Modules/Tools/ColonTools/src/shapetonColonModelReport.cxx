@@ -176,7 +176,7 @@ ParameterFacts(const ColonLumen & lumen)
 }
 
 std::vector<ColonSegment>
-SegmentsOf(const std::vector<SegmentDistension> & distension)
+DistensionOfSegments(const std::vector<SegmentDistension> & distension)
 {
   std::vector<ColonSegment> segments;
   for (const SegmentDistension & one : distension)
@@ -221,7 +221,7 @@ ColonModelReport::Write(const ColonModel & model, const Volume & volume, bool at
   content.colon.lumen = model.lumen.labels;
   content.colon.centerline = model.centerline.curve.curves.empty() ? nullptr : &model.centerline.curve;
   content.colon.wall = model.wall.simplified.NumberOfFaces() > 0 ? &model.wall.simplified : nullptr;
-  content.segments = SegmentsOf(model.distension);
+  content.segments = DistensionOfSegments(model.distension);
   content.input = InputFacts(volume);
   content.summary = SummaryFacts(model);
   content.parameters = model.hasIntensities ? ParameterFacts(model.lumen) : Facts{ { "Lumen", "a mask, as given" } };

@@ -13,7 +13,7 @@ namespace shapeton
 namespace
 {
 std::string
-Rounded(double value, int digits = 4)
+ShortNumber(double value, int digits = 4)
 {
   return CsvTable::Rounded(value, digits);
 }
@@ -25,14 +25,14 @@ Centimeters(double mm)
 }
 
 std::string
-Percent(double share)
+WholePercent(double share)
 {
   return share < 0.0 ? "" : Rounded(std::round(100.0 * share), 3) + " %";
 }
 
 /** A number of a document, or NaN. */
 double
-NumberAt(const Json & document, const char * pointer)
+NumberOrNaN(const Json & document, const char * pointer)
 {
   const Json::json_pointer place(pointer);
   return document.contains(place) && document[place].is_number() ? document[place].get<double>()
@@ -44,8 +44,8 @@ std::string
 ValveInWords(const Json & valve)
 {
   return valve.at("found").get<bool>()
-           ? "at " + Centimeters(NumberAt(valve, "/arcLength")) + " from the anal verge, confidence " +
-               Rounded(NumberAt(valve, "/confidence"), 2)
+           ? "at " + Centimeters(NumberOrNaN(valve, "/arcLength")) + " from the anal verge, confidence " +
+               ShortNumber(NumberOrNaN(valve, "/confidence"), 2)
            : "not found: " + valve.at("reason").get<std::string>();
 }
 
@@ -61,22 +61,22 @@ AddModelFacts(const Json & quality, ColonoscopyFacts & facts)
     }
     facts.emplace_back("Colon", missing.empty() ? "complete" : missing);
   }
-  const double gas = NumberAt(quality, "/lumen/gasVolume");
-  const double fluid = NumberAt(quality, "/lumen/fluidVolume");
+  const double gas = NumberOrNaN(quality, "/lumen/gasVolume");
+  const double fluid = NumberOrNaN(quality, "/lumen/fluidVolume");
   if (std::isfinite(gas))
   {
-    facts.emplace_back("Lumen", Rounded(gas) + " ml of gas, " + Rounded(fluid) + " ml of tagged fluid");
+    facts.emplace_back("Lumen", ShortNumber(gas) + " ml of gas, " + ShortNumber(fluid) + " ml of tagged fluid");
   }
-  const double length = NumberAt(quality, "/centerline/length");
+  const double length = NumberOrNaN(quality, "/centerline/length");
   if (std::isfinite(length))
   {
     facts.emplace_back("Length of the centerline", Centimeters(length));
     facts.emplace_back("Distended (caliber of at least 10 mm)",
-                       Percent(NumberAt(quality, "/distension/whole/share")) + " of it");
+                       WholePercent(NumberOrNaN(quality, "/distension/whole/share")) + " of it");
     facts.emplace_back("Gaps that are bridged", std::to_string(quality["centerline"]["gaps"].size()));
-    if (const double share = NumberAt(quality, "/assessability/whole/assessableShare"); std::isfinite(share))
+    if (const double share = NumberOrNaN(quality, "/assessability/whole/assessableShare"); std::isfinite(share))
     {
-      facts.emplace_back("Assessable (the wall is seen)", Percent(share) + " of it");
+      facts.emplace_back("Assessable (the wall is seen)", WholePercent(share) + " of it");
     }
   }
   if (quality.contains("ileocecalValve"))
@@ -88,12 +88,12 @@ AddModelFacts(const Json & quality, ColonoscopyFacts & facts)
 void
 AddMapFacts(const Json & statistics, ColonoscopyFacts & facts)
 {
-  const double circumference = NumberAt(statistics, "/circumference");
+  const double circumference = NumberOrNaN(statistics, "/circumference");
   if (std::isfinite(circumference))
   {
     facts.emplace_back("Flat map",
-                       Centimeters(NumberAt(statistics, "/length")) + " by " + Centimeters(circumference) +
-                         ", gap of the conformal moduli " + Percent(NumberAt(statistics, "/modulusGap")));
+                       Centimeters(NumberOrNaN(statistics, "/length")) + " by " + Centimeters(circumference) +
+                         ", gap of the conformal moduli " + WholePercent(NumberOrNaN(statistics, "/modulusGap")));
   }
 }
 
@@ -108,7 +108,7 @@ CellValue(const CurveSet & curves, const char * array, std::size_t curve)
 std::string
 NumberOrNothing(double value, int digits)
 {
-  return std::isfinite(value) ? Rounded(value, digits) : "";
+  return std::isfinite(value) ? ShortNumber(value, digits) : "";
 }
 
 int
@@ -152,11 +152,11 @@ TaeniaeInWords(const ColonoscopyResults & results)
   {
     text += ", method " + taeniae["kept"].get<std::string>();
   }
-  const double disagreement = NumberAt(taeniae, "/meanDisagreement");
+  const double disagreement = NumberOrNaN(taeniae, "/meanDisagreement");
   if (std::isfinite(disagreement))
   {
-    text += "; the other method differs by " + Rounded(disagreement, 2) + " mm on average, by more than 10 mm along " +
-            Percent(NumberAt(taeniae, "/disagreeingShare")) + " of the colon";
+    text += "; the other method differs by " + ShortNumber(disagreement, 2) + " mm on average, by more than 10 mm along " +
+            WholePercent(NumberOrNaN(taeniae, "/disagreeingShare")) + " of the colon";
   }
   return text;
 }
@@ -173,10 +173,10 @@ AssessableInWords(const Json & landmarks, int number)
     }
     const std::string verdict = segment["verdict"].get<std::string>();
     std::string       text = verdict == "assessable" ? "yes" : verdict == "partly" ? "in part" : "not assessable";
-    text += ", " + Percent(NumberAt(segment, "/assessableShare"));
+    text += ", " + WholePercent(NumberOrNaN(segment, "/assessableShare"));
     for (const Json & reason : segment.at("reasons"))
     {
-      text += "; " + Centimeters(NumberAt(reason, "/length")) + " " + reason.at("words").get<std::string>();
+      text += "; " + Centimeters(NumberOrNaN(reason, "/length")) + " " + reason.at("words").get<std::string>();
     }
     return text;
   }
@@ -235,7 +235,7 @@ SegmentTable(const ColonoscopyResults & results)
                    Centimeters(segment.end),
                    Centimeters(segment.end - segment.begin),
                    Rounded(std::round(segment.area / 100.0), 5),
-                   Percent(shares[i].distendedShare),
+                   WholePercent(shares[i].distendedShare),
                    results.IsDone(colonoscopystage::folds)
                      ? std::to_string(FoldsBetween(results, segment.begin, segment.end))
                      : "",
@@ -259,9 +259,9 @@ FlexureTable(const ColonoscopyResults & results)
     const Json & p = flexure.at("position");
     table.AddRow(
       { name,
-        Centimeters(NumberAt(flexure, "/arcLength")),
-        Rounded(p[0].get<double>()) + ", " + Rounded(p[1].get<double>()) + ", " + Rounded(p[2].get<double>()),
-        NumberOrNothing(NumberAt(flexure, "/confidence"), 2),
+        Centimeters(NumberOrNaN(flexure, "/arcLength")),
+        ShortNumber(p[0].get<double>()) + ", " + ShortNumber(p[1].get<double>()) + ", " + ShortNumber(p[2].get<double>()),
+        NumberOrNothing(NumberOrNaN(flexure, "/confidence"), 2),
         flexure.contains("notAssessable") ? "not assessable: " + flexure["notAssessable"].at("words").get<std::string>()
                                           : "" });
   }

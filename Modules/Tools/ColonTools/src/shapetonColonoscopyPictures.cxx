@@ -4,6 +4,7 @@
 #include "shapetonColonLandmarkPictures.h"
 #include "shapetonJson.h"
 #include "shapetonSurfaceRendering.h"
+#include "shapetonFlatPictureSize.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,9 +13,6 @@ namespace shapeton
 {
 namespace
 {
-constexpr int pixelsAround = 200;
-constexpr int pixelsOfRow = 900; // the page shows pictures no wider than 992 pixels
-
 const RGBColor glass = MakeColor(206, 190, 184);
 const RGBColor loopColor = MakeColor(24, 26, 32);
 
