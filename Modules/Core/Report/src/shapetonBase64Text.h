@@ -1,0 +1,13 @@
+#ifndef shapetonBase64Text_h
+#define shapetonBase64Text_h
+
+#include <string>
+
+namespace shapeton
+{
+/** Bytes as base64 with padding and without line breaks (RFC 4648). */
+std::string
+Base64(const std::string & bytes);
+} // namespace shapeton
+
+#endif
