@@ -5,6 +5,7 @@
 #include "shapetonExceptions.h"
 #include "shapetonHeatSeeds.h"
 #include "shapetonSeededHeatSegmentationImageFilter.h"
+#include "shapetonVolume.h"
 
 #include <atomic>
 #include <map>
