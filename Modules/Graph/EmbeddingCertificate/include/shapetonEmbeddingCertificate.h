@@ -37,19 +37,19 @@ struct DeckTransformation
 
 /** \brief An embedded graph and its circle pattern: all data needed to verify or draw it.
  *
- * Half-edge 2e leaves the first node of edge e, 2e + 1 the second one; a face lies to the left of its half-edges. A
+ * Half-edge 2e starts at the first node of edge e, 2e + 1 at the second one; a face is to the left of its half-edges. A
  * rotation lists, node by node, the outgoing half-edges counter-clockwise. The list length of a node is its degree,
  * with loops counted twice.
  *
  * **The packed map** is the graph plus dummy nodes and edges that make it 3-connected. It is connected and has the
- * genus of the surface. Nodes below `graph.nodes` are those of the graph, the others are dummies. Edge e of the graph
+ * genus of the surface. Nodes below `graph.nodes` are graph nodes, the others are dummies. Edge e of the graph
  * and edge e of the packed map have the same start node. They also have the same end node unless `subdivided` contains
- * a path for e (a loop or a parallel edge, which no circle packing of the sphere has). All other edges are dummies.
+ * a path for e (a loop or a parallel edge, which circle packings do not allow). All other edges are dummies.
  * Without dummies the packed map equals the graph.
  *
- * **Circles**: one for each packed node and one for each face. Faces are numbered by their lowest half-edge. The
- * circles of the two ends of an edge are tangent, and so are those of its two faces, at the same point. Node and face
- * circles that meet are orthogonal. A place is
+ * **Circles**: one for each packed node and one for each face. Faces are numbered by their lowest half-edge. The two
+ * end circles and the two face circles of an edge are tangent at the same point. Node and face circles that meet are
+ * orthogonal. A place is
  * - on the sphere a unit vector, the center of a cap, with the cap angle in (0, pi) as radius;
  * - in the plane and in the Poincare disk a complex number (x, y), with a Euclidean or hyperbolic length as radius.
  *   Each node has one lift; a face is adjacent to the lift of the start node of its lowest half-edge.
@@ -62,13 +62,13 @@ struct EmbeddingCertificate
   Remarks                                          warnings;
 
   Graph            graph;
-  std::vector<int> rotation; /**< of the half-edges of `graph` */
+  std::vector<int> rotation; /**< rotation of the half-edges of `graph` */
   int              genus{ 0 };
 
   EmbeddingGeometry geometry{ EmbeddingGeometry::Spherical };
 
   Graph            packed;         /**< without names */
-  std::vector<int> packedRotation; /**< of the half-edges of `packed` */
+  std::vector<int> packedRotation; /**< rotation of the half-edges of `packed` */
   /** Path of a graph edge in the packed map: the half-edges from its start node to its end node. The first is 2e for
    * edge e; inner nodes are dummies. */
   std::vector<std::vector<int>> subdivided;
@@ -97,7 +97,7 @@ struct EmbeddingCertificate
   std::vector<double> periods;
   ///@}
 
-  /** Statistics for readers, which a verifier recomputes: residual, smallestRadius, ... */
+  /** Informational statistics, recomputed by a verifier: residual, smallestRadius, ... */
   std::vector<std::pair<std::string, double>> statistics;
 };
 
@@ -108,7 +108,7 @@ CoordinatesOf(EmbeddingGeometry geometry)
   return geometry == EmbeddingGeometry::Spherical ? 3 : 2;
 }
 
-/** Reference length for circle sizes: a period of the torus, else 1. \ingroup ShapetonEmbeddingCertificate */
+/** Reference length for circle sizes: a torus period, otherwise 1. \ingroup ShapetonEmbeddingCertificate */
 ShapetonEmbeddingCertificate_EXPORT double
 UnitOfSurface(const EmbeddingCertificate & certificate);
 

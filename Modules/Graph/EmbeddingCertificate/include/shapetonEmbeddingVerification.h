@@ -22,7 +22,7 @@ struct EmbeddingVerdict
 };
 
 /** Verifies a certificate from its numbers alone; see README.md for the checks and for the proof that no two edges
- * cross. The implementation is independent of the program that computed the certificate.
+ * cross. The implementation is independent of the embedding code.
  * \ingroup ShapetonEmbeddingCertificate */
 ShapetonEmbeddingCertificate_EXPORT EmbeddingVerdict
 VerifyEmbedding(const EmbeddingCertificate & certificate);

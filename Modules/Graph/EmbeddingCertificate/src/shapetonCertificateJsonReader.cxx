@@ -183,7 +183,7 @@ public:
   bool
   parse_error(std::size_t position, const std::string &, const nlohmann::detail::exception & error) override
   {
-    if (dynamic_cast<const nlohmann::detail::out_of_range *>(&error) != nullptr) // a number such as 1e999
+    if (dynamic_cast<const nlohmann::detail::out_of_range *>(&error) != nullptr) // e.g. 1e999
     {
       this->Refuse("holds a number that is too large");
     }

@@ -6,7 +6,7 @@ namespace shapeton
 {
 namespace
 {
-/** Edges of the cut graph: 0 none, 1 of the tree, 2 of a generator. */
+/** Role of each edge in the cut graph: 0 none, 1 tree, 2 generator. */
 using CutEdges = std::vector<char>;
 
 /** The tree reaches each node from its parent. */
@@ -73,7 +73,7 @@ RequireDisk(const TracedMap & packed, const CutEdges & cut)
   }
 }
 
-/** Letters along the boundary of the disk, which lies to the left. */
+/** Letters along the boundary of the disk, with the disk on the left. */
 std::vector<int>
 BoundaryWord(const EmbeddingCertificate & certificate, const TracedMap & packed, const CutEdges & cut)
 {

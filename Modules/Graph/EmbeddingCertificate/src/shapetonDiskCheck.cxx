@@ -9,12 +9,12 @@ namespace shapeton
 {
 namespace
 {
-// Products of disk transformations lose as many digits as their entries have.
+// Products of disk transformations lose as many digits as their entries have before the decimal point.
 using Real = long double;
 using LongComplex = std::complex<Real>;
 
 constexpr double MostPlaceError = 1e-9; // a hyperbolic length
-/** Bounds of the smallest radius, absolute and relative to the largest one: see the plane. */
+/** Bounds of the smallest radius, absolute and relative to the largest one; see shapetonPlaneCheck.cxx. */
 constexpr double LeastRadius = 1e-11;
 
 /** z -> (a z + b) / (conj(b) z + conj(a)). */
@@ -206,7 +206,7 @@ DiskCheck::Frame(int node, double angle) const
   return { scale * turn, scale * z * std::conj(turn) };
 }
 
-/** Each node is placed by its parent in the tree: the circles touch, and its direction points back to the parent. */
+/** Checks each node against its parent in the tree: the circles touch, and its direction points back to the parent. */
 void
 DiskCheck::CheckTree(Measures & measures) const
 {
@@ -298,8 +298,8 @@ DiskCheck::CheckGenerators(Measures & measures) const
   measures.emplace_back("generatorError", largest);
 }
 
-/** Product along the word. It is the identity by the other checks; deviations must be explained by rounding of the
- * generators: an error factor between two partial products, of which the second is nearly the inverse of the remaining
+/** Product along the word. The other checks imply the identity, so deviations must be within the rounding errors of the
+ * generators: one error factor between two partial products, where the second is nearly the inverse of the remaining
  * product. */
 void
 DiskCheck::CheckWord(Measures & measures) const

@@ -151,7 +151,7 @@ CheckMap(const EmbeddingCertificate & certificate, const TracedMap & packed, Mea
   }
   const TracedMap graph(certificate.graph, certificate.rotation, "the rotation of the graph");
   RequireSameRotation(certificate, packed, graph);
-  // A submap keeps the genus only if the removed parts lie inside its faces.
+  // A submap keeps the genus only if the removed parts are inside its faces.
   if (graph.Genus() != certificate.genus)
   {
     throw Refusal("the rotation of the graph has genus " + std::to_string(graph.Genus()) + ", but the surface " +

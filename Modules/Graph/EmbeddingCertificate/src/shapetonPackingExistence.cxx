@@ -69,7 +69,7 @@ RefuseFourCycle(const TracedMap & map, int first, int second)
                 " meet more than once, so a pattern of circles does not exist and the solution is degenerate");
 }
 
-/** Paths of length two from one point: their number for each end point, and the middle points of the last two. */
+/** Paths of length two from one point: count per end point, and middle points of the last two paths. */
 struct TwoPaths
 {
   explicit TwoPaths(int points) : number(points, 0), middles(points) {}
@@ -100,7 +100,7 @@ struct TwoPaths
 };
 
 /** True if an edge joins the two points (an edge between nodes, or a dual edge between faces) and has these two points
- * beside it. */
+ * on its sides. */
 bool
 AreBesideAnEdge(const TracedMap & map, int from, int to, const std::array<int, 2> & middles)
 {

@@ -128,7 +128,7 @@ private:
     measures.emplace_back("tangency", largest);
   }
 
-  /** The circle of each face is placed by its kites, up to the lattice; beside its lowest half-edge exactly. */
+  /** Checks each face circle against its kites, up to the lattice; exactly for the kite of its lowest half-edge. */
   void
   CheckFaces(Measures & measures) const
   {

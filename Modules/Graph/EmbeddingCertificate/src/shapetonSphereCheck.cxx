@@ -121,7 +121,7 @@ private:
     return { p[0], p[1], p[2] };
   }
 
-  /** Circles of the ends of an edge touch, and so do those of its two faces. */
+  /** The two end circles of each edge touch, and so do its two face circles. */
   void
   CheckTangency(Measures & measures)
   {

@@ -16,7 +16,7 @@ public:
   using std::runtime_error::runtime_error;
 };
 
-/** A rotation system with traced faces: each face lies to the left of its half-edges. */
+/** A rotation system with traced faces; each face is to the left of its half-edges. */
 struct TracedMap
 {
   /** Throws Refusal with the prefix `what` unless `rotation` lists each half-edge once, node by node. */

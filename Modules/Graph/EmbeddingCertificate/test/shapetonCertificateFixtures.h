@@ -242,8 +242,8 @@ Octagon()
   return certificate;
 }
 
-/** K4 on the sphere as the packed map; the graph is a path of three nodes inside the tetrahedron, and all other parts
- * are dummies. */
+/** K4 on the sphere as the packed map; the graph is a path of three nodes inside the tetrahedron, and all other
+ * elements are dummies. */
 inline EmbeddingCertificate
 PathInTetrahedron()
 {

@@ -71,7 +71,7 @@ TEST(EmbeddingVerification, SubdividedEdges)
   const auto           edges = certificate.packed.edges; // 02 12 03 13 04 14 24 34 05 15 25 35
   ASSERT_EQ((std::array<int, 2>{ 0, 2 }), edges[0]);
   certificate.graph = { 2, {}, {} };
-  certificate.graph.edges.push_back({ 0, 1 }); // over node 2: half-edges 0 (0 to 2), then 2 to 1, which is 3
+  certificate.graph.edges.push_back({ 0, 1 }); // via node 2: half-edge 0 from 0 to 2, half-edge 3 from 2 to 1
   certificate.subdivided = { { 0, 3 } };
   certificate.rotation = shapeton::RotationOfGraph(certificate);
   EXPECT_EQ("", RefusalOf(certificate));
@@ -96,7 +96,7 @@ TEST(EmbeddingVerification, PerturbedCirclesOfTheSphere)
   ExpectRefused(Cube(), "the radius of face 2 is -0.1", [](auto & c) { c.faceRadii[2] = -0.1; });
 }
 
-/** In a mirror all circles are tangent and orthogonal, but the map has the opposite orientation. */
+/** A mirror image keeps tangency and orthogonality but reverses the orientation of the map. */
 TEST(EmbeddingVerification, MirroredPlacesAreNotPositivelyOriented)
 {
   ExpectRefused(Cube(), "is not positively oriented", [](auto & c) {
@@ -133,14 +133,14 @@ TEST(EmbeddingVerification, WrongTopology)
     c.geometry = shapeton::EmbeddingGeometry::Hyperbolic;
   });
   ExpectRefused(TorusGrid(3, 3), "dummies leave the faces of the graph", [](auto & c) {
-    c.graph.edges.resize(1); // the rest are dummies: the graph alone has genus 0
+    c.graph.edges.resize(1); // all other elements are dummies, so the graph has genus 0
     c.rotation = shapeton::RotationOfGraph(c);
   });
   ExpectRefused(
     Cube(), "begins at another node", [](auto & c) { std::swap(c.graph.edges[0][0], c.graph.edges[0][1]); });
 }
 
-/** K4 without an edge, and K2,3: no circle packing exists, whatever circles are given. */
+/** K4 without an edge, and K2,3, which have no circle packing. */
 TEST(EmbeddingVerification, DegenerateMapsAreRefused)
 {
   const auto without = [](const EmbeddingCertificate & whole, const std::vector<int> & removed) {
@@ -174,7 +174,7 @@ TEST(EmbeddingVerification, DegenerateMapsAreRefused)
   EXPECT_NE(std::string::npos, RefusalOf(without(Tetrahedron(), { 0 })).find("is not 3-connected"));
   EXPECT_NE(std::string::npos, RefusalOf(without(Tetrahedron(), { 0, 1 })).find("is not 3-connected"));
   EXPECT_NE(std::string::npos, RefusalOf(without(Cube(), { 0 })).find("is not 3-connected"));
-  // K2,4 is the octahedron without its equator; K2,3 has one face less.
+  // K2,4 is the octahedron without its equator; K2,3 has one face fewer.
   EXPECT_NE(std::string::npos, RefusalOf(without(Octahedron(), { 0, 1, 2, 3 })).find("is not 3-connected"));
 }
 

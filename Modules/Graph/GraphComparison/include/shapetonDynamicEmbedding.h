@@ -58,9 +58,9 @@ struct DynamicStep
  *
  * The first step has its blocks arranged, see EmbedGraph(); later steps reuse the rotation system of the previous step.
  * Each sphere is rotated to bring unchanged nodes as close as possible to their old places. The graph is packed with
- * the reusable dummies (see CarryPackedMap()), which is steadier after few changes. If nodes move, it is also packed
- * with new dummies, which is steadier after many changes, and the steadier result is used. If a circle is then
- * illegibly small, blocks and dummies are rearranged, provided that the smallest circle becomes ten times larger.
+ * the reusable dummies (see CarryPackedMap()), which is more stable after few changes. If nodes move, it is also packed
+ * with new dummies, which is more stable after many changes; the more stable result is used. If a circle is then too
+ * small to be legible, blocks and dummies are rearranged, provided that the smallest circle becomes ten times larger.
  * \ingroup ShapetonGraphComparison */
 class ShapetonGraphComparison_EXPORT DynamicEmbedding
 {

@@ -17,7 +17,7 @@ struct GraphFigures
   int nodes{ 0 };
   int edges{ 0 };
   int loops{ 0 };
-  int parallelEdges{ 0 }; /**< beyond the first of each pair of ends */
+  int parallelEdges{ 0 }; /**< parallel edges, not counting the first */
   int components{ 0 };
   int blocks{ 0 };
   int triangles{ 0 };

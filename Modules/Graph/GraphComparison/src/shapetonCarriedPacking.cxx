@@ -244,7 +244,7 @@ CommonPart(const Graph & after, const CombinatorialMap & map, const StepMatch & 
   return { graph, CombinatorialMap(graph, rotation) };
 }
 
-/** Removes more and more dummies until the remaining ones fit the map. */
+/** Removes increasing numbers of dummies until the remaining ones fit the map. */
 PackedMap
 Carry(const Graph & before, const PackedMap & packed, const Graph & after, const CombinatorialMap & map)
 {

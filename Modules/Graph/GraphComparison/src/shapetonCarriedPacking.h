@@ -13,14 +13,14 @@ FilledFaces();
 
 /** \brief The packed map of a changed graph that reuses dummies of the previous step where possible.
  *
- * Circles far from a change hardly move if the packed map changes locally. With new dummies, all dummies of a long face
- * change with one edge, and two faces merged by a deleted edge take far more room than before. Therefore dummies of
+ * Circles far from a change hardly move if the packed map changes locally. With new dummies, one edge changes all
+ * dummies of a long face, and two faces merged by a deleted edge need far more room than before. Therefore dummies of
  * faces that lose an edge are kept first, and hold the nodes of deleted edges in place. Where a part of the graph
  * flipped or changed its face, adjacent dummies are removed, and further neighbors as long as the rest does not fit.
  * Then new edges are added. An edge whose ends are separated by a single dummy replaces it. Any other edge becomes a
- * path along the fewest dummies (PackedMap::subdivided), so that nothing moves: the circles of its ends do not touch,
- * but those along the path do. Faces in conflict and long faces are then filled as in MakePackedMap(), which handles
- * the whole map if it has loops or parallel edges.
+ * path along the fewest dummies (PackedMap::subdivided). Nothing moves: the end circles do not touch, but the circles
+ * along the path do. Faces in conflict and long faces are then filled as in MakePackedMap(), which handles the whole
+ * map if it has loops or parallel edges.
  *
  * Nodes are identified by name. \pre `packed` is a packed map of `before`, `map` a map of `after`.
  * \ingroup ShapetonGraphComparison */

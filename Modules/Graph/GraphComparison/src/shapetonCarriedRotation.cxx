@@ -179,7 +179,7 @@ EdgeInsertion::KeptMap(const Graph & before, const CombinatorialMap & map)
   }
   const auto imageOf = [&](int h) {
     const int e = edgeImage[h / 2];
-    // Match half-edges that leave the same node; for a loop, those of the same number.
+    // Match half-edges that leave the same node; for a loop, half-edges with the same number.
     const bool turned = e >= 0 && edges[m_IndexOfEdge[e]][h % 2] != image[map.Node(h)];
     return e < 0 ? -1 : 2 * m_IndexOfEdge[e] + (turned ? 1 - h % 2 : h % 2);
   };
@@ -312,7 +312,7 @@ EdgeInsertion::InsertAll()
   return true;
 }
 
-/** Result in the numbering of `after`, with each new loop in a corner of its own. */
+/** Result in the numbering of `after`, with each new loop in a separate corner. */
 std::vector<int>
 EdgeInsertion::NextAround() const
 {

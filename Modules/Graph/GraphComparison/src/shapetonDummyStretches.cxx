@@ -6,8 +6,8 @@ namespace shapeton
 {
 namespace
 {
-/** Calls `visit` for half-edges around a node from `first`, at most once around, until one is `known`. Returns the one
- * that ends the stretch; -1 if there is none. */
+/** Calls `visit` for half-edges around a node from `first`, at most once around, until one is `known`. Returns the
+ * half-edge that ends the stretch, or -1 if not found. */
 template <typename TVisit>
 int
 WalkStretch(const CombinatorialMap & map, int first, const std::vector<int> & known, const TVisit & visit)
@@ -29,7 +29,7 @@ WalkStretch(const CombinatorialMap & map, int first, const std::vector<int> & kn
   return h;
 }
 
-/** Corners that are the same in both steps: those after half-edges of the new map that exist in both. */
+/** Corners shared by both steps: after half-edges of the new map that exist in both. */
 class SameCorners
 {
 public:
@@ -62,7 +62,7 @@ private:
   {
     return m_Next[halfEdge] >= 0 && m_Next[m_Next[halfEdge]] == halfEdge;
   }
-  /** Follows the face to the first corner that is not in a chain; returns the start if there is none. */
+  /** Follows the face to the first corner that is not in a chain; returns the start if not found. */
   template <typename TVisit>
   int
   Walk(int halfEdge, bool isForward, const TVisit & visit) const
@@ -144,7 +144,7 @@ DummyStretches::DummyStretches(const CombinatorialMap & packed,
   }
 }
 
-/** Returns the number of the stretch, which is now empty; -1 if it already was. */
+/** Empties the stretch and returns its number; -1 if it was already empty. */
 int
 DummyStretches::Add(DummyStretch & stretch)
 {

@@ -15,7 +15,7 @@ namespace
 {
 /** Imperceptible mean displacement (radians). */
 constexpr double steadyEnough = 1e-3;
-/** Minimum gain of another arrangement. */
+/** Minimum gain to accept another arrangement. */
 constexpr double worthwhileGain = 10.0;
 
 bool
@@ -167,7 +167,7 @@ DynamicEmbedding::EmbedAnew(const Graph & graph, const CombinatorialMap & map) c
   return EmbedGraph(graph, map, options);
 }
 
-/** Rotates onto the previous step and computes the changes since then. */
+/** Aligns with the previous step by a rotation and computes the changes since then. */
 DynamicStep
 DynamicEmbedding::StepTo(EmbeddingCertificate certificate) const
 {
@@ -182,8 +182,8 @@ DynamicEmbedding::StepTo(EmbeddingCertificate certificate) const
   return step;
 }
 
-/** The first sufficiently steady candidate, or the steadiest. If none has a packing, rethrows the error of the first
- * one. */
+/** The first sufficiently stable candidate, or the most stable one. If none has a packing, rethrows the error of the
+ * first one. */
 DynamicStep
 DynamicEmbedding::StepBy(const Graph &                  graph,
                          const CombinatorialMap &       map,

@@ -41,7 +41,7 @@ public:
   }
 
 private:
-  /** Other walks continue from interior nodes. */
+  /** Further walks start from interior nodes. */
   template <typename TNext>
   void
   Walk(int halfEdge, int steps, const std::vector<char> & before, const TNext & next)
@@ -74,7 +74,7 @@ void
 AddWheels(const IncrementalMap & map, const OpenRegion & region, int halfEdge, Graph & graph)
 {
   const auto isHeld = [&](int h) { return !region.Contains(map.Node(h)); };
-  int        start = halfEdge; // of a row, unless all corners are held
+  int        start = halfEdge; // row ends, unless all corners are held
   do
   {
     start = map.FaceNext(start);

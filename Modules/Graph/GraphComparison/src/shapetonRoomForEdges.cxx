@@ -8,7 +8,7 @@ namespace shapeton
 {
 namespace
 {
-/** If more dummies separate the ends, contact would move them far, and everything around them. */
+/** If more dummies separate the ends, making them touch would move them and their surroundings far. */
 constexpr std::size_t mostDummiesTakenOut = 1;
 
 /** An end of a new edge: a position in the order around its node. */
@@ -18,7 +18,7 @@ struct EdgeEnd
   std::size_t    index; ///< in the list of added half-edges
 };
 
-/** The dummies of a stretch between those used by adjacent edges; one is left for each edge that has no place yet. */
+/** The dummies of a stretch between those used by adjacent edges; one is left for each unplaced edge. */
 struct PlacesOfEnd
 {
   explicit PlacesOfEnd(const EdgeEnd & end) : end(static_cast<int>(end.stretch->dummies.size()))

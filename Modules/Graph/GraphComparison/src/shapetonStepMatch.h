@@ -6,7 +6,7 @@
 namespace shapeton
 {
 /** Common elements of the packed map of one step of a dynamic graph and the map of the next one. A node without common
- * edges counts as new, unless it has no edges at all: it moves to its new neighbors, not they to it. */
+ * edges counts as new, so that it moves to its new neighbors; isolated nodes do not. */
 struct StepMatch
 {
   StepMatch(const Graph & before, const PackedMap & packed, const Graph & after, const CombinatorialMap & map);

@@ -89,7 +89,7 @@ TEST(CanonicalForm, LoopsAndMultipleEdgesCount)
 
 TEST(CanonicalForm, RegularGraphsWithEqualCountsAreToldApart)
 {
-  // Both cubic with 20 nodes, girth 5 and 6: dodecahedron and Desargues; and a prism beside a Moebius ladder.
+  // Cubic graphs with 20 nodes and girths 5 and 6 (dodecahedron, Desargues graph), and a prism and a Moebius ladder.
   EXPECT_FALSE(AreIsomorphic(shapeton::GeneralizedPetersenGraph(10, 2), shapeton::GeneralizedPetersenGraph(10, 3)));
   shapeton::Graph ladder = shapeton::CycleGraph(8);
   for (int i = 0; i < 4; ++i)

@@ -27,7 +27,7 @@ PartOfGrid(const std::vector<char> & isThere)
   return part;
 }
 
-/** Packed half-edges that start graph half-edges, and these; an edge may be a path along dummies. */
+/** Pairs of a packed half-edge and the graph half-edge that it starts; an edge may be a path along dummies. */
 std::map<int, int>
 HalfEdgesOfGraph(const shapeton::PackedMap & packed)
 {
@@ -52,7 +52,8 @@ HalfEdgesOfGraph(const shapeton::PackedMap & packed)
   return image;
 }
 
-/** Checks that the map is packable and, without the dummies, keeps each order, except where components lie. */
+/** Checks that the map is packable and that its orders without dummies are unchanged, except for the placement of
+ * components. */
 void
 ExpectPackedMapOf(const shapeton::PackedMap & packed, const shapeton::CombinatorialMap & map)
 {
@@ -97,7 +98,7 @@ NodesAsBefore(const shapeton::PackedMap & a, const shapeton::PackedMap & b)
   return same;
 }
 
-/** A ring of `length` nodes with a tail, so that its two faces are filled with rings of dummies. */
+/** A ring of `length` nodes with a tail; rings of dummies fill both faces. */
 shapeton::Graph
 RingWithTail(int length)
 {
@@ -141,8 +142,7 @@ TEST(CarriedPacking, DummiesFarFromAnEditStay)
   EXPECT_LT(NodesAsBefore(packed, shapeton::MakePackedMap(edited)), 150); // without reuse
 }
 
-/** The ends of an edge across a long face do not move: the edge is routed along dummies, and all circles keep their
- * places. */
+/** An edge across a long face is routed along dummies without moving any circle. */
 TEST(CarriedPacking, AnEdgeAcrossALongFaceRunsAlongDummies)
 {
   const auto [before, map, packed] = PackedRing(200);
@@ -156,7 +156,7 @@ TEST(CarriedPacking, AnEdgeAcrossALongFaceRunsAlongDummies)
   EXPECT_EQ(carried.map.Nodes(), packed.map.Nodes());
   EXPECT_EQ(carried.map.Edges(), packed.map.Edges());
   EXPECT_EQ(NodesAsBefore(packed, carried), before.nodes);
-  // The same holds for a second and a third edge beside it.
+  // The same applies to a second and a third parallel edge.
   after.edges.insert(after.edges.end(), { { 20, 40 }, { 52, 100 } });
   const shapeton::CombinatorialMap both = shapeton::CarryRotation(before, map, after).map;
   const shapeton::PackedMap        all = shapeton::CarryPackedMap(before, packed, after, both);

@@ -72,7 +72,7 @@ TEST(CarriedRotation, EditsStayPlanarAndLocal)
   after.edges.push_back({ 13, 26 }); // a diagonal of a square
   after.edges.push_back({ 50, 50 }); // a loop
   after.edges.push_back({ 60, 61 }); // parallel
-  after.nodes += 3;                  // a node in a square, one beyond it, one alone
+  after.nodes += 3;                  // a node inside a square, one outside, one isolated
   after.names.insert(after.names.end(), { "new", "leaf", "alone" });
   after.edges.insert(after.edges.end(), { { 120, 80 }, { 81, 120 }, { 120, 92 }, { 121, 120 } });
   const shapeton::CarriedRotation carried = shapeton::CarryRotation(before, map, after);
@@ -84,8 +84,8 @@ TEST(CarriedRotation, EditsStayPlanarAndLocal)
   EXPECT_EQ(back.map.GetRotation(), map.GetRotation());
 }
 
-/** A ladder between two nodes of the rim of a grid: one rail borders the outer face, the other the grid. To add an edge
- * from the latter to the far rim, the ladder flips, and the grid keeps its orders. */
+/** A ladder between two rim nodes of a grid, with one rail at the outer face and the other at the grid. An edge from
+ * the inner rail to the far rim flips the ladder and keeps the orders of the grid. */
 TEST(CarriedRotation, OnlyWhatIsInTheWayTurnsOver)
 {
   shapeton::Graph before = shapeton::GridGraph(12, 10);

@@ -15,9 +15,9 @@ using Rotation = std::vector<std::vector<int>>;
  * \brief A graph embedded in closed orientable surfaces, one for each component, given by the order of the half-edges
  * around each node (rotation system).
  *
- * Half-edge 2e leaves edges[e][0], 2e + 1 leaves edges[e][1]; Twin(h) = h ^ 1. The order around a node is
- * counter-clockwise, as seen from outside. The face of a half-edge lies to its left: FaceNext(h) =
- * PreviousAround(Twin(h)), so FaceNext traverses a face counter-clockwise. Both half-edges of a loop leave the same
+ * Half-edge 2e starts at edges[e][0], 2e + 1 at edges[e][1]; Twin(h) = h ^ 1. The order around a node is
+ * counter-clockwise, as seen from outside. The face of a half-edge is to its left: FaceNext(h) =
+ * PreviousAround(Twin(h)), so FaceNext traverses a face counter-clockwise. Both half-edges of a loop start at the same
  * node.
  *
  * Faces are numbered by their lowest half-edge. A node without edges is a component of genus 0 without faces.
@@ -33,7 +33,7 @@ public:
   /** Throws InputError if `rotation` is not a rotation system of `graph`: each half-edge once, at its own node. */
   CombinatorialMap(const Graph & graph, const Rotation & rotation);
 
-  /** From the permutation of half-edges counter-clockwise around their nodes, without a list for each node. Throws
+  /** Builds the map from the permutation of half-edges counter-clockwise around their nodes. Throws
    * InputError unless each cycle of `nextAround` consists of the half-edges of one node. */
   CombinatorialMap(int nodes, const std::vector<std::array<int, 2>> & edges, std::vector<int> nextAround);
 
@@ -94,7 +94,7 @@ public:
   {
     return Twin(m_Next[halfEdge]);
   }
-  /** Lowest half-edge that leaves the node, or -1. */
+  /** Lowest half-edge that starts at the node, or -1. */
   int
   FirstAround(int node) const
   {
@@ -136,13 +136,13 @@ public:
   {
     return m_GenusOfComponent;
   }
-  /** Sum over the components. */
+  /** Total genus of all components. */
   int
   Genus() const;
 
-  /** The dual map: half-edge h of the dual leaves Face(h) and crosses h from left to right; its node f is face f of
-   * this map. In the dual of the dual, half-edge h corresponds to Twin(h) of this map. Nodes without edges have no
-   * face and are lost. */
+  /** The dual map: half-edge h of the dual starts at Face(h) and crosses h from left to right; its node f is face f of
+   * this map. In the dual of the dual, half-edge h corresponds to Twin(h) of this map. Isolated nodes are lost because
+   * they have no face. */
   CombinatorialMap
   Dual() const;
 

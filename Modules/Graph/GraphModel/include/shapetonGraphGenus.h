@@ -20,13 +20,13 @@ struct GenusOptions
   std::uint64_t seed{ 1 };
   /** Number of independent searches per block, of which the best is used; at least 1. */
   int restarts{ 12 };
-  /** Factor of the number of search steps; positive. There is no time limit: equal options give equal results. */
+  /** Factor of the number of search steps; positive. There is no time limit, so results are reproducible. */
   double effort{ 1.0 };
   /** May throw to abort. */
   Progress progress;
 };
 
-/** A rotation system of small genus and a lower bound of the genus. See FindEmbedding(). \ingroup ShapetonGraphModel */
+/** Result of FindEmbedding(): a rotation system of small genus and a lower bound. \ingroup ShapetonGraphModel */
 struct SurfaceEmbedding
 {
   CombinatorialMap map;

@@ -26,12 +26,12 @@ struct GraphFile
  * "p ...", the header of graph6), else from the extension:
  * .graphml .xml, .gml, .dot .gv, .txt .edges .edgelist .el .csv .tsv, .graph .metis, .m, .gr .col, .g6, .s6.
  *
- * Nodes and edges keep the order of the file. Node names are the ids of the file, one for each node. Loops and multiple
+ * Nodes and edges keep their order in the file. Node names are the ids in the file. Loops and multiple
  * edges are kept. Weights, labels and attributes are ignored.
  *
  * Throws InputError that names the file, the line and the remedy if a file is empty, binary, malformed or truncated, or
- * holds more than one graph; if a node is declared twice or an edge uses an undeclared node; and for a directed graph
- * (embeddings are undirected; convert it to an undirected graph first). \ingroup ShapetonGraphModel */
+ * contains more than one graph; if a node is declared twice or an edge uses an undeclared node; and for a directed
+ * graph (embeddings are undirected; convert it to an undirected graph first). \ingroup ShapetonGraphModel */
 ShapetonGraphModel_EXPORT GraphFile
 ReadGraph(const std::string & path);
 

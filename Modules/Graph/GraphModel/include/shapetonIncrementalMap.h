@@ -12,21 +12,21 @@ namespace shapeton
 /** \class IncrementalMap
  * \brief A rotation system with edge insertion and removal and incrementally updated faces.
  *
- * A corner is named by the half-edge before it, counter-clockwise: an edge inserted "after a" has its half-edge between
- * a and NextAround(a), within the face FaceOfCorner(a). Inserting an edge between two corners of one face splits the
- * face. Inserting it between two faces merges them, which adds a handle if both are in one component. The shorter part
- * is relabeled, so a change costs the length of the shorter face. Conventions are those of CombinatorialMap. Existing
- * loops are kept, but loops cannot be inserted or removed.
+ * A corner is identified by the preceding half-edge, counter-clockwise: an edge inserted "after a" has its half-edge
+ * between a and NextAround(a), within the face FaceOfCorner(a). Inserting an edge between two corners of one face
+ * splits the face. Inserting it between two faces merges them, which adds a handle if both are in one component. The
+ * shorter part is relabeled, so a change costs the length of the shorter face. Uses the conventions of
+ * CombinatorialMap. Existing loops are kept, but loops cannot be inserted or removed.
  *
  * \ingroup ShapetonGraphModel
  */
 class ShapetonGraphModel_EXPORT IncrementalMap
 {
 public:
-  /** A map with these edges, none inserted yet. */
+  /** Creates a map with these edges, not yet inserted. */
   IncrementalMap(int nodes, const std::vector<std::array<int, 2>> & edges);
 
-  /** All edges inserted as in `map`. */
+  /** Creates a map with all edges inserted as in `map`. */
   explicit IncrementalMap(const CombinatorialMap & map);
 
   int

@@ -17,12 +17,12 @@ enum class PlanarSubgraph
   Gabriel ///< links whose diametral disk contains no other device of the network; planar
 };
 
-/** Number, reach and motion of the devices of a SensorNetwork. \ingroup ShapetonGraphModel */
+/** Number, range and motion of the devices of a SensorNetwork. \ingroup ShapetonGraphModel */
 struct SensorNetworkOptions
 {
   int           devices{ 200 };
   std::uint64_t seed{ 1 };
-  /** Reach of a device at full power (m); positive. */
+  /** Range of a device at full power (m); positive. */
   double range{ 120.0 };
   /** Side of the square area (m). */
   double side{ 1000.0 };
@@ -36,20 +36,20 @@ struct SensorDevice
 {
   double x{ 0.0 }; ///< m
   double y{ 0.0 }; ///< m
-  /** Battery charge in [0, 1]; the reach is range * sqrt(power). */
+  /** Battery charge in [0, 1]; the current range is range * sqrt(power). */
   double power{ 1.0 };
   /** Whether the device is within the area and has enough charge to send. */
   bool inNetwork{ true };
 };
 
 /** \class SensorNetwork
- * \brief Devices that move, discharge and recharge, leave an area and return (section 6.7).
+ * \brief A network of moving devices with batteries that may leave the area and return (section 6.7).
  *
- * Each device moves nearly straight, with small random turns. It may leave the area by a tenth of the side before it
- * turns around, and is not in the network meanwhile. Sending consumes charge; a device with less than a tenth of its
- * charge is out of the network until it is half charged. Two devices are linked if each reaches the other.
+ * Each device moves nearly straight, with small random turns. It may leave the area by up to a tenth of the side before
+ * turning around; outside, it is not in the network. Sending consumes charge. A device below a tenth of its charge
+ * leaves the network until it is half charged. Two devices are linked if both are in range of each other.
  *
- * The same options give the same network at every step. \ingroup ShapetonGraphModel */
+ * The simulation is deterministic for given options. \ingroup ShapetonGraphModel */
 class ShapetonGraphModel_EXPORT SensorNetwork
 {
 public:
@@ -70,7 +70,7 @@ public:
   static std::string
   NameOfDevice(int device);
 
-  /** Graph of the step; the nodes are the devices in the network, by name. */
+  /** Graph of the step, with one named node per device in the network. */
   Graph
   GetGraph() const;
 
@@ -83,7 +83,7 @@ private:
   std::vector<bool>         m_IsCharging;
 };
 
-/** Links between points whose reaches are at least their distance, as ascending pairs. With `gabriel`, only those whose
+/** Links between points within each other's range, as ascending pairs. With `gabriel`, only those whose
  * diametral disk contains no other point. \ingroup ShapetonGraphModel */
 ShapetonGraphModel_EXPORT std::vector<std::array<int, 2>>
 LinksBetween(const std::vector<std::array<double, 2>> & points, const std::vector<double> & reach, bool gabriel);

@@ -122,7 +122,7 @@ BlockKernel::Expand(const std::vector<int> & kernelNextAround) const
   {
     if (step->isParallel)
     {
-      // Beside the kept edge: after it at one end, before it at the other.
+      // Adjacent to the kept edge: after it at one end, before it at the other.
       InsertAfter(next, step->lost[0], step->kept[0]);
       InsertAfter(next, step->lost[1], PreviousAround(next, step->kept[1]));
     }

@@ -28,18 +28,18 @@ public:
     return m_Kernel;
   }
 
-  /** From an embedding of the kernel, the successor of each half-edge of the block. */
+  /** Returns the successor of each half-edge of the block from an embedding of the kernel. */
   std::vector<int>
   Expand(const std::vector<int> & kernelNextAround) const;
 
 private:
-  /** A kernel edge: for both ends the half-edge of the block that starts it. */
+  /** A kernel edge: the first block half-edge from each end. */
   struct Edge
   {
     int node[2];
     int halfEdge[2];
   };
-  /** A reduction step: the two half-edges of a contracted node, or a dropped edge and the kept one beside it. */
+  /** A reduction step: the two half-edges of a contracted node, or a dropped edge and its kept neighbor. */
   struct Step
   {
     bool isParallel;

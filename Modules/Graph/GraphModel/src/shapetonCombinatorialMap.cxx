@@ -8,7 +8,7 @@ namespace shapeton
 {
 namespace
 {
-/** The message is created on demand only, because this runs for every half-edge. */
+/** Creates the message only on demand, because this runs for every half-edge. */
 template <typename TFault>
 void
 Require(bool condition, const TFault & fault)
@@ -277,7 +277,7 @@ OverlapGraph::OverlapGraph(const CombinatorialMap & original)
     edges[n + h] = { NodeOfFace(original.Face(h)), NodeOfEdge(h / 2) };
     next[2 * h] = 2 * original.NextAround(h);
     next[2 * (n + h)] = 2 * (n + original.FaceNext(h));
-    // Around the edge's own node: the node behind h, the face to its right, the node before it, the face to its left.
+    // Around the node of the edge: start node of h, face to its right, end node, face to its left.
     const int twin = CombinatorialMap::Twin(h);
     next[2 * h + 1] = 2 * (n + twin) + 1;
     next[2 * (n + twin) + 1] = 2 * twin + 1;

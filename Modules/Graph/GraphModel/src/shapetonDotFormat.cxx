@@ -82,7 +82,7 @@ private:
     return isThere;
   }
 
-  /** { statements }; returns the nodes that they name. */
+  /** { statements }; returns the nodes mentioned in them. */
   Nodes
   ReadBody()
   {
@@ -126,7 +126,7 @@ private:
     return this->ReadChain(this->ReadEnd());
   }
 
-  /** The node for a name that was just read, with its port. */
+  /** Returns the node for a name that was just read; skips its port. */
   Nodes
   NodeOf(const DotToken & name)
   {

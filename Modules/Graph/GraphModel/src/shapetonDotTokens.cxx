@@ -130,7 +130,7 @@ DotTokens::QuotedText()
         token.text += '"';
         ++end;
       }
-      else if (pair == "\\\\") // stays as it is, and does not escape a quote after it
+      else if (pair == "\\\\") // kept, and does not escape a following quote
       {
         token.text += pair;
         ++end;

@@ -11,7 +11,7 @@ struct DotToken
   enum class Kind
   {
     End,
-    Name,   // an identifier, number, text in quotes or HTML text
+    Name,   // an identifier, number, quoted string or HTML string
     Symbol, // { } [ ] ; , = : -- ->
   };
   Kind        kind{ Kind::End };
@@ -37,8 +37,7 @@ struct DotToken
   }
 };
 
-/** Tokenizer of a DOT file. Skips comments: from two slashes to the end of the line, between slash and asterisk, and
- * lines that start with # (preprocessor output). */
+/** Tokenizer of a DOT file. Skips comments: C++ and C comments, and lines that start with # (preprocessor output). */
 class DotTokens
 {
 public:

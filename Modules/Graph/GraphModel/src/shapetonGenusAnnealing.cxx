@@ -12,11 +12,11 @@ namespace
 // Exponent during the initial insertion.
 constexpr int growthExponent = 3;
 constexpr int breadthExponent = 12;
-// Number of waiting edges per added handle before the others are tried again.
+// Number of deferred edges per added handle before the others are retried.
 constexpr std::size_t edgesOfAHandle = 256;
 // Number of moves between two calls of isInVain.
 constexpr int movesBetweenQuestions = 4096;
-// Beyond this length the parts of a face are treated as equal.
+// Beyond this length, parts of a face are considered equal.
 constexpr int longestWalk = 64;
 } // namespace
 
@@ -83,8 +83,8 @@ GenusAnnealing::GrowTree()
   }
 }
 
-/** Grows the placed region like a disk on the surface, with short faces inside. The next node has most neighbors in it;
- * ties go to the one that has waited longest. */
+/** Grows the placed region like a disk on the surface, with short faces inside. The next node is the one with most
+ * neighbors in the region; ties go to the earliest discovered. */
 void
 GenusAnnealing::GrowByBreadth()
 {
@@ -118,7 +118,7 @@ GenusAnnealing::GrowByBreadth()
   }
 }
 
-/** Inserts all edges to placed nodes, in the face with most of them; edges that need a handle wait. */
+/** Inserts all edges to placed nodes, in the face with most of these nodes; edges that need a handle are deferred. */
 void
 GenusAnnealing::PlaceNode(int node, int root, const Incidence & incidence)
 {
@@ -171,7 +171,7 @@ GenusAnnealing::PlaceNode(int node, int root, const Incidence & incidence)
   }
 }
 
-/** One of these corners in the face with most of them; ties go to the longest face. */
+/** A corner in the face that contains most of the given corners; ties go to the longest face. */
 int
 GenusAnnealing::CornerForNode(const std::vector<int> & corners)
 {
@@ -207,7 +207,7 @@ GenusAnnealing::CornerOfLongestFace(int node) const
   return best;
 }
 
-/** Inserts edges that split a face first; one that needs a handle only if no other remains. */
+/** Inserts edges that split a face first, and an edge that needs a handle only if all remaining ones do. */
 void
 GenusAnnealing::InsertRest()
 {
@@ -299,7 +299,7 @@ GenusAnnealing::ShorterPart(int a, int b) const
   return length;
 }
 
-/** Weight of the map with the edge there, relative to the map without it. */
+/** Weight of the map with the edge inserted there, relative to the map without it. */
 double
 GenusAnnealing::WeightOf(const Corners & corners, int exponent) const
 {

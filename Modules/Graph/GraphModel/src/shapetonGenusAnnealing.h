@@ -15,8 +15,8 @@ namespace shapeton
  *
  * Edges are inserted one by one. Then a random edge is removed and reinserted between two corners of one face, so the
  * genus never rises. It falls if the edge had one face on both sides and now splits a face. The pair of corners is
- * drawn by heat bath: a map has the weight of the product of length^-c over its faces. This favors many short faces and
- * a few long ones, from which edges move away. The exponent c increases during the search. Moves are never rejected and
+ * drawn by heat bath: the weight of a map is the product of length^-c over its faces. This favors many short faces and
+ * a few long ones, which then lose edges. The exponent c increases during the search. Moves are never rejected and
  * never add a handle: both would cost time without reducing the genus.
  *
  * \ingroup ShapetonGraphModel */
@@ -26,7 +26,7 @@ public:
   /** Initial insertion order of the edges. */
   enum class Growth
   {
-    Tree,   ///< a random spanning tree, then the others in random order
+    Tree,   ///< a random spanning tree, then the other edges in random order
     Breadth ///< node by node, with all edges to earlier nodes: finds surfaces tiled by short faces
   };
 

@@ -18,7 +18,7 @@ public:
   CycleCount(const Graph & graph, int length)
     : m_Incidence(graph), m_Neighbors(m_Incidence.halfEdges), m_OnWalk(graph.nodes, false), m_Length(length)
   {
-    for (int & neighbor : m_Neighbors) // still the half-edge that leads there
+    for (int & neighbor : m_Neighbors) // still the half-edge to this node
     {
       neighbor = graph.edges[neighbor / 2][1 - neighbor % 2];
     }
@@ -37,7 +37,7 @@ public:
         return unlimited;
       }
     }
-    return m_Closed / 2; // each cycle was walked both ways
+    return m_Closed / 2; // each cycle was traversed in both directions
   }
 
 private:
@@ -69,12 +69,12 @@ private:
   std::int64_t      m_WalksLeft{ 0 };
 };
 
-/** Maximum number of faces: fills twice the edges with short cycles first, as long as there are any. */
+/** Maximum number of faces: assigns the half-edges to short cycles first, as long as these last. */
 std::int64_t
 GreatestNumberOfFaces(const Graph & graph)
 {
   constexpr std::int64_t mostWalks = 20000000;
-  constexpr int          longestCounted = 5; // a longer walk around a face may not be a cycle
+  constexpr int          longestCounted = 5; // a longer face boundary need not be a cycle
   const int              girth = Girth(graph);
   std::int64_t           edgesLeft = 2 * static_cast<std::int64_t>(graph.edges.size());
   std::int64_t           faces = 0;

@@ -115,7 +115,7 @@ public:
   }
 
 private:
-  /** The value of a key that occurs once in its list, and the line of the key; 0 if not yet seen. */
+  /** Value and line number of a key that may occur once per list; line 0 if not yet found. */
   struct Entry
   {
     std::string_view value;

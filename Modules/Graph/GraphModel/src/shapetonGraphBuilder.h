@@ -77,7 +77,7 @@ public:
     return m_Graph.edges.size();
   }
 
-  /** The graph, with the numbers in the file as names. */
+  /** The graph, with the node numbers of the file as names. */
   Graph
   Take();
 

@@ -19,11 +19,11 @@ constexpr std::uint32_t annealingPurpose = 0x6E05A1;
 // Exponents of successive searches. Sparse graphs of large genus need low exponents, complete graphs high ones: K15
 // reaches its genus of 11 only with 16. With 0 (all corners equal) a quarter more handles remain.
 constexpr int lastExponents[] = { 8, 16, 12, 6 };
-// Moves of one search at effort 1. On the Rome graphs and K15, longer searches gain nothing over more searches.
+// Moves of one search at effort 1. On the Rome graphs and K15, longer searches do not improve on more searches.
 constexpr double movesOfAnEdge = 4000.0;
 constexpr double mostMoves = 3.0e6;
 constexpr double mostCorners = 4.0e8;
-// A node with very many neighbors would be visited once for each of them.
+// Otherwise a node with many neighbors would be visited once for each of them.
 constexpr double mostCornersOfBreadth = 2000.0;
 
 /** An independently searched part of the graph. */
@@ -34,7 +34,7 @@ struct SearchPart
   std::vector<int> nextAround;
 };
 
-/** Runs all searches of all parts on all threads. For each part the best search counts, ties go to the first. A search
+/** Runs all searches of all parts on all threads. The best search of each part is used; ties go to the first. A search
  * is skipped if an earlier one has reached the lower bound, so the result is independent of threads. Searches poll
  * often: this reports progress, and stops all of them after an abort. */
 template <typename TSearch>
@@ -144,7 +144,7 @@ AddOrders(const Graph &            graph,
       {
         SpliceOrders(next, corner, halfEdge);
       }
-      corner = -2 - halfEdge; // done for this block
+      corner = -2 - halfEdge; // already inserted for this block
       corners.push_back(graph.edges[halfEdge / 2][halfEdge % 2]);
     }
   }
@@ -154,7 +154,7 @@ AddOrders(const Graph &            graph,
   }
 }
 
-/** For a nonplanar graph: at least one of its blocks is not planar. */
+/** Embeds a nonplanar graph; at least one of its blocks is nonplanar. */
 class AnnealedEmbedding
 {
 public:

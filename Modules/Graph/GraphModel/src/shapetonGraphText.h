@@ -42,7 +42,7 @@ private:
   int              m_Number{ 0 };
 };
 
-/** The pieces of a line between blanks, tabs and characters of `separators`. */
+/** Splits a line at blanks, tabs and characters of `separators`. */
 std::vector<std::string_view>
 Words(std::string_view line, std::string_view separators = {});
 
@@ -54,7 +54,7 @@ ParseInt(std::string_view word, int & value);
 bool
 ParseDouble(std::string_view word, double & value);
 
-/** A part of the file for a message: quoted, printable, shortened. */
+/** Formats file content for a message: quoted, printable, shortened. */
 std::string
 Quoted(std::string_view text);
 

@@ -108,7 +108,7 @@ IncrementalMap::Relabel(int start, int label)
   } while (h != start);
 }
 
-/** Gives the faces of two half-edges a common label, and returns it. */
+/** Assigns a common label to the faces of two half-edges, and returns it. */
 int
 IncrementalMap::Join(int one, int other)
 {

@@ -396,7 +396,7 @@ private:
 int
 LeftRightPlanarity::SideOf(int edge)
 {
-  std::vector<int> & chain = m_StackBottom; // no longer needed: stores the way back
+  std::vector<int> & chain = m_StackBottom; // reused to store the way back
   int                last = -1;
   while (m_Reference[edge] >= 0)
   {
@@ -464,8 +464,8 @@ LeftRightPlanarity::LinkLeaving(EdgeOrders & orders) const
   }
 }
 
-/** The tree edge to a node precedes its leaving edges. A back edge to it is placed beside the tree edge of the subtree
- * it returns from, outside of earlier ones. */
+/** The tree edge to a node precedes its leaving edges. A back edge to it is placed next to the tree edge of the subtree
+ * that it returns from, outside of earlier ones. */
 void
 LeftRightPlanarity::EmbedFrom(int root, EdgeOrders & orders)
 {

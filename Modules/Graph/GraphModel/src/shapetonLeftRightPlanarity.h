@@ -88,7 +88,7 @@ private:
 
   const Graph &    m_Graph;
   std::vector<int> m_Start;  // start of each node in m_Edges
-  std::vector<int> m_Edges;  // first all of each node, then its outgoing ones
+  std::vector<int> m_Edges;  // edges of each node: first all, then only outgoing ones
   std::vector<int> m_End;    // end of the outgoing edges of each node
   std::vector<int> m_From;   // start node of each edge
   std::vector<int> m_To;     // end node of each edge
@@ -102,7 +102,7 @@ private:
   std::vector<int> m_LowEdge;
   std::vector<int> m_StackBottom;
   std::vector<int> m_Roots;
-  std::vector<int> m_LeftOf;  // per node: the outermost half-edge beside its last tree edge, on the left
+  std::vector<int> m_LeftOf;  // per node: the outermost half-edge on the left of its last tree edge
   std::vector<int> m_RightOf; // per node: its last tree edge
   std::vector<int> m_Place;   // per node: search position in m_Edges
 

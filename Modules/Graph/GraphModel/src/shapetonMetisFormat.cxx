@@ -141,7 +141,7 @@ private:
     }
   }
 
-  /** Each edge is listed at both ends; a loop twice at its node. */
+  /** Each edge is listed at both end nodes; a loop twice at its node. */
   void
   AddEdges(NumberedGraphBuilder & builder) const
   {

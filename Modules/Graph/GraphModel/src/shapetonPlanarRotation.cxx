@@ -25,7 +25,7 @@ EmbedSimple(const Graph & graph, const std::vector<int> & first, std::vector<int
   return planarity.IsPlanar();
 }
 
-/** Inserts each further parallel edge beside the first one, so that they bound a face of two edges. */
+/** Inserts each further parallel edge next to the first one; both bound a face of two edges. */
 void
 AddParallels(const Graph & graph, const std::vector<int> & first, std::vector<int> & next)
 {
@@ -53,7 +53,7 @@ AddParallels(const Graph & graph, const std::vector<int> & first, std::vector<in
   }
 }
 
-/** Each loop bounds a face of its own. */
+/** Inserts each loop so that it bounds a separate face. */
 void
 AddLoops(const Graph & graph, const std::vector<int> & first, std::vector<int> & next)
 {

@@ -15,7 +15,7 @@ SquaredDistance(const Point & a, const Point & b)
   return (a[0] - b[0]) * (a[0] - b[0]) + (a[1] - b[1]) * (a[1] - b[1]);
 }
 
-/** Points in square cells. */
+/** Points sorted into square cells. */
 class PointCells
 {
 public:
@@ -28,7 +28,7 @@ public:
       m_Low = { std::min(m_Low[0], p[0]), std::min(m_Low[1], p[1]) };
       high = { std::max(high[0], p[0]), std::max(high[1], p[1]) };
     }
-    // At most as many cells as points: finer cells do not help for a small reach.
+    // At most as many cells as points: finer cells do not help for a small range.
     const double extent = std::max(high[0] - m_Low[0], high[1] - m_Low[1]);
     m_Cell = std::max({ cell, extent / std::ceil(std::sqrt(static_cast<double>(points.size()))), 1e-300 });
     m_Columns = static_cast<int>((high[0] - m_Low[0]) / m_Cell) + 1;

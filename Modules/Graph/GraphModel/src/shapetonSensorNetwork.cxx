@@ -28,7 +28,7 @@ Unit(std::uint32_t word)
   return word * (1.0 / 4294967296.0);
 }
 
-/** Reflects a coordinate beyond the margin. Returns whether it did. */
+/** Reflects a coordinate beyond the margin. Returns whether it was reflected. */
 bool
 Reflect(double & x, double side)
 {

@@ -8,7 +8,7 @@
 
 namespace
 {
-/** The tetrahedron seen from above: node 3 in the middle of the counter-clockwise triangle 0 1 2. */
+/** The tetrahedron seen from above: node 3 at the center of the counter-clockwise triangle 0 1 2. */
 shapeton::CombinatorialMap
 Tetrahedron()
 {
@@ -58,7 +58,7 @@ TEST(CombinatorialMap, FacesOfTheTetrahedronLieToTheLeft)
   const shapeton::CombinatorialMap map = Tetrahedron();
   EXPECT_EQ(map.Faces(), 4);
   EXPECT_EQ(map.Genus(), 0);
-  // Seen from above the face to the left of 0 -> 1 is the inner triangle 0 1 3, and to its right lies the outer one.
+  // Seen from above, the face to the left of 0 -> 1 is the inner triangle 0 1 3; the outer face is to its right.
   EXPECT_EQ(Nodes(map, map.Boundary(map.Face(0))), (std::vector<int>{ 0, 1, 3 }));
   EXPECT_EQ(Nodes(map, map.Boundary(map.Face(1))), (std::vector<int>{ 1, 0, 2 }));
   for (int h = 0; h < map.HalfEdges(); ++h)
@@ -77,7 +77,7 @@ TEST(CombinatorialMap, TorusGridHasQuadrilateralsOrTriangles)
   EXPECT_EQ(squares.Faces(), 20);
   EXPECT_EQ(squares.FaceLengths(), std::vector<int>(20, 4));
   EXPECT_EQ(squares.Degrees(), std::vector<int>(20, 4));
-  // To the left of the edge from (1, 1) to (2, 1) lies the square above it.
+  // The square above the edge from (1, 1) to (2, 1) is to its left.
   EXPECT_EQ(Nodes(squares, squares.Boundary(squares.Face(2 * 2 * 6))), (std::vector<int>{ 6, 7, 12, 11 }));
   const shapeton::CombinatorialMap triangles = shapeton::TorusGridMap(5, 4, true);
   EXPECT_EQ(triangles.Genus(), 1);
@@ -172,5 +172,5 @@ TEST(CombinatorialMap, WrongRotationsAreRefused)
   EXPECT_NE(FaultOf(triangle, { { 0, 4 }, { 1, 2 }, { 3, 5 } }).find("leaves another node"), std::string::npos);
   EXPECT_NE(FaultOf(triangle, { { 0, 5 }, { 1, 2 }, { 3, 6 } }).find("invalid half-edge 6"), std::string::npos);
   EXPECT_THROW(shapeton::CombinatorialMap(3, triangle.edges, { 0, 1, 2, 3, 4, 5 }),
-               shapeton::InputError); // two cycles a node
+               shapeton::InputError); // two cycles per node
 }

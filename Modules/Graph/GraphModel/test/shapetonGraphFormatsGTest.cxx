@@ -63,7 +63,7 @@ TEST(Dot, CommentsOfEachKind)
   EXPECT_EQ("a#b-c (a#b c)", AnswerTo("a.dot", "graph {\n\"a#b\" -- c }"));
 }
 
-// Within quotes only a quote can be escaped; two backslashes stay two and escape nothing.
+// Within quotes only a quote can be escaped; double backslashes are kept.
 TEST(Dot, EscapesInQuotes)
 {
   EXPECT_EQ("a\"b-c\\\\ (a\"b c\\\\)", AnswerTo("a.dot", "graph { \"a\\\"b\" -- \"c\\\\\" }"));

@@ -25,7 +25,7 @@ GenusOf(const shapeton::Graph & graph, const shapeton::GenusOptions & options = 
   return GenusOf(graph, shapeton::FindEmbedding(graph, options));
 }
 
-/** Disjoint union of both graphs, or with one node in common. */
+/** Disjoint union of both graphs, or their union with one shared node. */
 shapeton::Graph
 Together(const shapeton::Graph & a, const shapeton::Graph & b, int common)
 {
@@ -38,7 +38,7 @@ Together(const shapeton::Graph & a, const shapeton::Graph & b, int common)
   return result;
 }
 
-/** Each edge as a path of `pieces` edges, with a leaf at each node and a parallel to each edge. */
+/** Replaces each edge by a path of `pieces` edges and adds a leaf to each node and a parallel to each edge. */
 shapeton::Graph
 Decorated(const shapeton::Graph & graph, int pieces)
 {
@@ -224,6 +224,6 @@ TEST(GraphGenus, SearchesAreAbortedByProgress)
       options.progress = progress;
       shapeton::FindEmbedding(shapeton::CompleteGraph(16), options); // far from its bound
     };
-    shapeton::test::ExpectProgress(work, threads == 1 ? 20 : 2); // other threads do not report
+    shapeton::test::ExpectProgress(work, threads == 1 ? 20 : 2); // only one thread reports progress
   }
 }

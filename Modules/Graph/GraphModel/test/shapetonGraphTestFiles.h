@@ -42,7 +42,7 @@ ReadText(const std::string & name, const std::string & text)
   return shapeton::ReadGraph(GraphTestFile(name, text).Path());
 }
 
-/** "a-b b-c (a b c)": the edges in their order, then the nodes. */
+/** Text of a graph, such as "a-b b-c (a b c)": edges in order, then nodes. */
 inline std::string
 Shown(const shapeton::Graph & graph)
 {
@@ -59,7 +59,7 @@ Shown(const shapeton::Graph & graph)
   return shown + ')';
 }
 
-/** Result of the reader for this text: the graph, or the exception. */
+/** Result of the reader for this text: the graph or the exception message. */
 inline std::string
 AnswerTo(const std::string & name, const std::string & text)
 {

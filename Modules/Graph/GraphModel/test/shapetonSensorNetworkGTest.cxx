@@ -10,7 +10,7 @@
 
 namespace
 {
-/** Brute force. */
+/** Brute-force reference. */
 std::vector<std::array<int, 2>>
 AllLinks(const std::vector<std::array<double, 2>> & points, const std::vector<double> & reach, bool gabriel)
 {

@@ -27,8 +27,8 @@ struct CirclesAtInfinity
   std::vector<char> horocycleFaces; ///< hyperbolic geometry only
 };
 
-/** \brief Radii of the node and face circles: circles of adjacent nodes are tangent, and so are those of the two faces
- * of their edge, at the same point, where the two pairs are orthogonal. Infinite radii are infinity.
+/** \brief Radii of the node and face circles: circles of adjacent nodes are tangent, as are the two face circles of
+ * their edge, at the same point; the two pairs are orthogonal. Infinite radii are stored as infinity.
  * \ingroup ShapetonRicciFlowEmbedding */
 struct CirclePacking
 {

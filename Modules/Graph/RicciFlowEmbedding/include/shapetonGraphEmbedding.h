@@ -15,7 +15,7 @@ struct GraphEmbeddingOptions
   PointAtInfinity infinity{ PointAtInfinity::Circle }; ///< genus 0 only
   /** Whether the rotation system was not chosen by the user: blocks may be rearranged (see ArrangeBlocks). */
   bool isRotationFree{ false };
-  /** In addition, a map of genus 0 may be mirrored, so that its side does not depend on the numbering. */
+  /** Whether a map of genus 0 may be mirrored to make the result independent of the numbering. */
   bool isSideFree{ true };
   /** See AugmentationOptions. */
   int longestFace{ AugmentationOptions().longestFace };
@@ -23,7 +23,7 @@ struct GraphEmbeddingOptions
   Progress progress;
 };
 
-/** Below this radius a circle of the graph is not legible in any picture, and a warning is given. Units: cap angle in
+/** Circles of the graph below this radius are not legible; a warning is issued. Units: cap angle in
  * radians, hyperbolic radius, or fraction of the shorter lattice period. \ingroup ShapetonRicciFlowEmbedding */
 constexpr double smallestLegibleRadius = 1e-9;
 
@@ -39,7 +39,8 @@ constexpr double smallestLegibleRadius = 1e-9;
 ShapetonRicciFlowEmbedding_EXPORT EmbeddingCertificate
 EmbedGraph(const Graph & graph, const CombinatorialMap & map, const GraphEmbeddingOptions & options = {});
 
-/** The same for a given packed map. \pre `packed` is one of `map`, which is one of `graph`. \ingroup ShapetonRicciFlowEmbedding
+/** Embeds a graph with a given packed map. \pre `packed` is one of `map`, which is one of `graph`.
+ * \ingroup ShapetonRicciFlowEmbedding
  */
 ShapetonRicciFlowEmbedding_EXPORT EmbeddingCertificate
 EmbedPackedGraph(const Graph & graph, const CombinatorialMap & map, const PackedMap & packed, PointAtInfinity infinity);

@@ -10,14 +10,14 @@
 
 namespace shapeton
 {
-/** Augmentation of a map that has no circle packing of its own. \ingroup ShapetonRicciFlowEmbedding */
+/** Augmentation of a map without a circle packing. \ingroup ShapetonRicciFlowEmbedding */
 enum class Augmentation
 {
   None,
   Ring ///< hierarchical rings of dummy nodes in the faces that need them
 };
 
-/** \brief A map with a circle packing, and its relation to the graph.
+/** \brief A map that has a circle packing, and its relation to the graph.
  *
  * Nodes and edges of the graph keep their numbers; higher numbers are dummies. An edge that is a loop, or parallel to
  * an edge with a lower number, becomes a path: `subdivided` contains its half-edges from the start node of edge e, the
@@ -36,8 +36,8 @@ struct PackedMap
  *
  * A map has a packing of circles for its nodes and faces if it is 3-connected (Koebe, Andreev, Thurston), or, on a
  * surface of genus 1 and more, if its universal cover is (Bobenko and Springborn, Trans. AMS 356, 2004). A map with at
- * least 4 nodes and without loops, parallel edges and such faces is 3-connected. Otherwise a vanishing residual proves
- * nothing: on K4 without an edge and on K2,3 Newton's method converges to a degenerate limit. On genus 1 and more the
+ * least 4 nodes and without loops, parallel edges and such faces is 3-connected. Otherwise a vanishing residual is not
+ * a proof: on K4 without an edge and on K2,3 Newton's method converges to a degenerate limit. On genus 1 and more the
  * condition is sufficient, not necessary: some maps that use all of their handles fail it although they have a packing.
  *
  * All such pairs are found as 4-cycles of the graph of nodes and faces, from each node of highest degree (Chiba and

@@ -53,11 +53,11 @@ constexpr double smallestCapOfBarycenter = 1e-5;
 /** \brief Packs a 3-connected map of genus 0 on the unit sphere.
  *
  * A Moebius transformation moves the center of mass of the touch points of `edges` to the center of the sphere
- * (conformal barycenter; of all edges if these are fewer than three). If a cap of a node marked in `isVisible` would be
- * smaller than smallestCapOfBarycenter, the sum of the fourth roots of cot(angle / 2) over these nodes is minimized
- * instead. This enlarges the smallest caps; larger exponents would let a single one of them displace all others. The
- * remaining freedom is a rotation. The packing is laid out again from the circle that became largest on the sphere,
- * because the transformation may enlarge a small part of the plane. Throws InputError as PackCircles().
+ * (conformal barycenter; all edges are used if there are fewer than three). If a cap of a node marked in `isVisible`
+ * would be smaller than smallestCapOfBarycenter, the sum of the fourth roots of cot(angle / 2) over these nodes is
+ * minimized instead. This enlarges the smallest caps; larger exponents would let a single one of them displace all
+ * others. The remaining freedom is a rotation. The packing is laid out again from the circle that became largest on the
+ * sphere, because the transformation may enlarge a small part of the plane. Throws InputError as PackCircles().
  * \ingroup ShapetonRicciFlowEmbedding */
 ShapetonRicciFlowEmbedding_EXPORT SphericalPacking
 PackOnSphere(const CombinatorialMap &  map,

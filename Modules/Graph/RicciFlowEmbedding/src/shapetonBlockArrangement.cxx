@@ -13,7 +13,7 @@ namespace
 /** Length and unique number of a face; see BlockMaps::FaceLengths(). */
 using FaceKey = std::pair<int, int>;
 
-/** For each block the face turned to the other blocks, see ArrangeBlocks(). */
+/** Outer face of each block, see ArrangeBlocks(). */
 std::vector<FaceKey>
 OuterFaces(const CombinatorialMap & map, const BlockMaps & blocks, const std::vector<FaceKey> & faces)
 {

@@ -66,7 +66,7 @@ private:
   std::vector<std::uint64_t> m_Hash;
 };
 
-/** The least frequent hash; ties go to the smallest. */
+/** The least frequent hash; ties go to the smallest one. */
 std::uint64_t
 RarestHash(const std::vector<Neighborhoods> & senses, std::size_t & occurrences)
 {
@@ -134,7 +134,7 @@ class Coder
 public:
   explicit Coder(const CombinatorialMap & map) : m_Map(map), m_Rank(map.Nodes()), m_Arrival(map.Nodes()) {}
 
-  /** Replaces `code` if that of this start is smaller or there is none yet. */
+  /** Replaces `code` if it is empty or the code from this start is smaller. */
   bool
   Improve(const Start & start, std::vector<int> & code)
   {
@@ -181,7 +181,7 @@ public:
   }
 
 private:
-  /** Numbers the node of a half-edge; the walk around it will start there. */
+  /** Numbers the node of a half-edge; the traversal of the node starts at that half-edge. */
   void
   Meet(int halfEdge)
   {

@@ -11,10 +11,10 @@ namespace shapeton
 /** \brief A node numbering of a connected map determined by its structure, up to symmetries, independent of the given
  * numbering.
  *
- * A breadth-first walk from a half-edge, counter-clockwise around each node, numbers the nodes and yields a code for
+ * A breadth-first search from a half-edge, counter-clockwise around each node, numbers the nodes and defines a code of
  * the map; the half-edge with the smallest code is the start. Only half-edges with the rarest neighborhood are tried,
- * by hashes refined until one is unique or for 32 rounds, up to a limit of 2e7 steps. The numbering may depend on the
- * input if more candidates exist and they differ only further away. \ingroup ShapetonRicciFlowEmbedding */
+ * by hashes refined until one is unique or for 32 rounds, up to a limit of 2e7 steps. Beyond this limit the numbering
+ * may depend on the input. \ingroup ShapetonRicciFlowEmbedding */
 struct ShapetonRicciFlowEmbedding_EXPORT CanonicalMapOrder
 {
   /** With `mayMirror`, also tries clockwise walks. */

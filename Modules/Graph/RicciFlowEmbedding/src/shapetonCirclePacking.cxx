@@ -188,7 +188,7 @@ NewtonFlow::IsDone()
   return residual <= wantedResidual || m_StepsInVain >= (residual < 1e-8 ? mostStepsAtTheLimit : mostStepsInVain);
 }
 
-/** Takes one more step with the last factor, which is accurate to about the square of the residual and needs no
+/** Performs one more step with the last factor, which is accurate to about the square of the residual and needs no
  * factorization. Returns its length: the effect of curvature rounding on the unknowns. */
 double
 NewtonFlow::Polish()

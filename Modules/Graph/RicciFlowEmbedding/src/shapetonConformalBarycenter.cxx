@@ -28,7 +28,7 @@ public:
     return m_Double.Moved(circle);
   }
 
-  /** A circle in extended precision, as a sum of two. */
+  /** A circle in extended precision, as a sum of two doubles per component. */
   void
   Move(SphereCircle & circle, SphereCircle & rest) const
   {
@@ -77,7 +77,7 @@ private:
   Matrix<long double> m_Extended;
 };
 
-/** Sums over points of the sphere. */
+/** Sums over points on the sphere. */
 struct Moments
 {
   Eigen::Vector3d first{ Eigen::Vector3d::Zero() };

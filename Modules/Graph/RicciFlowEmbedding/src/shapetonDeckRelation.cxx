@@ -9,12 +9,12 @@ namespace shapeton
 {
 namespace
 {
-/** 320 digits, because the letters of canonical words move the origin far out and back. */
+/** 320 digits, because canonical words move the origin far out and back. */
 using Real = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<320>, boost::multiprecision::et_off>;
 /** A relation with a larger residual is meaningless and is not refined. */
 constexpr double worstRelation = 0.1;
 constexpr int    mostNewtonSteps = 12;
-/** Longer words are not multiplied out: the time is cubic in their length. */
+/** Longer words are not multiplied, because the time is cubic in their length. */
 constexpr std::size_t longestWord = 160;
 
 struct ExactComplex
@@ -255,7 +255,7 @@ CanonicalWords(const std::vector<int> & word)
   while (!rest.empty())
   {
     const auto find = [&rest](int letter) { return std::find(rest.begin(), rest.end(), letter); };
-    // The first letter a, and the first b after it with its inverse beyond that of a.
+    // The first letter a, and the first b after it whose inverse follows the inverse of a.
     const auto a = rest.begin();
     const auto aInverse = find(-*a);
     auto       b = a + 1;

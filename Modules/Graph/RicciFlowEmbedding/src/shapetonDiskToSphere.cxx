@@ -71,8 +71,8 @@ FromPoint(const BasicPlaneMotion<TReal> & m, TReal scale)
   return PointOnSphere(static_cast<double>(z.real()), static_cast<double>(z.imag()));
 }
 
-/** Places everything that finite nodes touch. Only the node frames are chained; circles and points are computed from
- * the frame of the first or last of their nodes in tree order. */
+/** Computes all circles and points at finite nodes. Only the node frames are chained; a circle or point is computed
+ * from the frame of its first or last node in tree order. */
 template <typename TReal>
 class DiskLayout
 {
@@ -214,7 +214,7 @@ DiskLayout<TReal>::PlaceFace(int face)
   faces[face] = FromCircle(ahead * Advance(distance), radius, m_Scale);
 }
 
-/** Rounded, with the residuals. */
+/** Rounds the values and stores the residuals. */
 void
 Split(const std::vector<std::array<long double, 4>> & circles,
       std::vector<SphereCircle> &                     rounded,
@@ -233,7 +233,7 @@ Split(const std::vector<std::array<long double, 4>> & circles,
   }
 }
 
-/** No rounding is needed. */
+/** Overload without rounding. */
 void
 Split(std::vector<SphereCircle> & circles, std::vector<SphereCircle> & rounded, std::vector<SphereCircle> & /*rests*/)
 {

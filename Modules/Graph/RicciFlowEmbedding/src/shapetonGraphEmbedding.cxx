@@ -66,7 +66,7 @@ IsSameMap(const CombinatorialMap & one, const CombinatorialMap & other)
   return true;
 }
 
-/** A candidate for the drawing: an arrangement of blocks and the width of rings. */
+/** A candidate embedding: an arrangement of blocks and a ring width. */
 struct Candidate
 {
   const CombinatorialMap * map;
@@ -125,7 +125,7 @@ public:
       }
     }
   }
-  /** Its smallest circle; 0 if it has none. */
+  /** Radius of the smallest circle; 0 without circles. */
   double
   Smallest() const
   {

@@ -39,7 +39,7 @@ struct DualTree
   }
 
   std::vector<int>  depth;   ///< -1 in other components
-  std::vector<int>  arrival; ///< the half-edge crossed from left to right to get there; -1 for the root
+  std::vector<int>  arrival; ///< the half-edge crossed from left to right to reach the face; -1 for the root
   std::vector<char> isCrossed;
 };
 
@@ -151,7 +151,7 @@ public:
     {
       const int end = (h & ~1) + 1;
       const int start = this->SplitEdge(h / 2);
-      // The tail of h is on the right bank.
+      // The start of h is on the right bank.
       const bool isStartOnRight = h % 2 == 0;
       right.push_back(isStartOnRight ? end : start);
       left.push_back(isStartOnRight ? start : end);

@@ -56,7 +56,7 @@ MapBuilder::Replace(int halfEdge, int by)
   m_Next[m_Previous[by]] = by;
 }
 
-/** At the far end, the half-edge of the last part takes the place of the old one, which moves to the first dummy. */
+/** At the far end, the half-edge of the last part replaces the old one, which moves to the first dummy. */
 std::vector<int>
 MapBuilder::Divide(int edge, int parts)
 {

@@ -26,7 +26,7 @@ public:
   {
     return m_Edges[halfEdge / 2][halfEdge % 2];
   }
-  /** Adds an edge without places around its nodes; returns the half-edge that leaves the first one. */
+  /** Adds an edge without inserting it into the node orders; returns the half-edge from the first node. */
   int
   AddEdge(int from, int to);
   /** Inserts a half-edge counter-clockwise after another one of the same node. */

@@ -7,8 +7,8 @@ namespace shapeton
 {
 /** \brief Renumbers a map so that neighbors are close in memory, and maps results back.
  *
- * With arbitrary numbering each step from a circle to its neighbor is a cache miss, which makes a million nodes three
- * times slower. Nodes and edges are renumbered breadth first from node 0. \pre The map is connected. */
+ * With arbitrary numbering each access to a neighbor is a cache miss, which makes maps with a million nodes three times
+ * slower. Nodes and edges are renumbered breadth first from node 0. \pre The map is connected. */
 class NearbyOrder
 {
 public:
@@ -30,7 +30,7 @@ public:
     return m_EdgeOf[edge];
   }
 
-  /** \name Converts values of nodes, faces and edges to the new order, and back to the given one */
+  /** \name Converts values of nodes, faces and edges to the new order, and back to the original one */
   ///@{
   template <typename T>
   std::vector<T>

@@ -69,7 +69,7 @@ AddSphere(const PackedMap &      packed,
   certificate.statistics.emplace_back("newtonSteps", sphere.steps);
 }
 
-/** Appends a number of the plane or the disk to a list. */
+/** Appends a complex number to a list. */
 void
 Append(const PlaneMotion::Complex & z, std::vector<double> & list)
 {
@@ -158,7 +158,7 @@ RequireFinite(const std::vector<PlaneMotion> & generators, int genus)
   }
 }
 
-/** Products of very many matrices overflow: then no value is given, and a warning states that the relation fails. */
+/** Products of very many matrices overflow; then the value is omitted and a warning states that the relation fails. */
 void
 AddResidual(const std::string & name, double residual, EmbeddingCertificate & certificate)
 {

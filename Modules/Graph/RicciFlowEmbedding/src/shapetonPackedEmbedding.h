@@ -6,7 +6,7 @@
 namespace shapeton
 {
 /** Packs circles, lays them out on the surface of the certificate's genus, and adds everything to the certificate
- * except the rotation system of the graph. `rank` is that of CanonicalMapOrder, for genus 0. */
+ * except the rotation system of the graph. `rank` comes from CanonicalMapOrder, for genus 0. */
 void
 AddPacking(const Graph &            graph,
            const PackedMap &        packed,

@@ -37,7 +37,7 @@ FromHalfPlane(const Complex & ahead, const Complex & point, double scale)
   return FromScaled(ahead.real(), ahead.imag(), 2.0 * offset, 0.0, scale);
 }
 
-/** Places everything that a finite node touches. */
+/** Computes all circles and points at a finite node. */
 class PlaneLayout
 {
 public:
@@ -99,7 +99,7 @@ PlaneLayout::Place(int node, int arrival)
   } while (h != first);
 }
 
-/** The touch point on a half-edge, and the circle beyond it if that is a line. */
+/** The touch point on a half-edge, and the circle beyond it if it is a line. */
 void
 PlaneLayout::PlaceAlong(int node, int halfEdge)
 {

@@ -8,8 +8,8 @@ namespace shapeton
 {
 /** \name Converts packings of the plane and of the Poincare disk to packings of the sphere.
  * The circle of `root`, a finite node, becomes the unit circle of the plane, the equator. Everything is computed from
- * there, so the accuracy is highest there for any size of that circle. Stereographic projection is that of (6.3.3) of
- * the dissertation. */
+ * this circle, so accuracy is highest there for any circle size. Uses the stereographic projection (6.3.3) of the
+ * dissertation. */
 ///@{
 SphericalPacking
 PlaneToSphere(const CombinatorialMap & map, const CirclePacking & packing, int root);

@@ -27,8 +27,8 @@ constexpr int    mostLayouts = 40;
 constexpr double worstTangency = 1e-9;
 constexpr double goodTangency = 5e-11;
 
-/** The edge whose ends both have many neighbors. Its four circles are large in a packing of even density, so the others
- * keep their sizes when these become straight lines. */
+/** The edge whose ends both have many neighbors. Its four circles are large in a packing of uniform density, so the
+ * other circles keep their sizes when these become straight lines. */
 int
 EdgeForInfinity(const CombinatorialMap & map)
 {
@@ -102,8 +102,7 @@ CirclesAround(const CombinatorialMap & map, int face)
   return infinite;
 }
 
-/** The printed projection sends the origin to the south pole, which is seen from the other side: counter-clockwise
- * rotations would become clockwise. */
+/** The published projection maps the origin to the south pole, which would reverse the orientation. */
 void
 SeeFromOutside(SphericalPacking & sphere)
 {
@@ -279,7 +278,7 @@ HasSmallCap(const SphericalPacking & sphere, const std::vector<char> & isVisible
   return false;
 }
 
-/** In the position documented in PackOnSphere(). */
+/** Moves the packing to the position documented in PackOnSphere(). */
 SphericalPacking
 Positioned(FlatPacking & flat, const std::vector<int> & edges, const std::vector<char> & isVisible)
 {

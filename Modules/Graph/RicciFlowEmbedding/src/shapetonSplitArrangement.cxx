@@ -10,7 +10,7 @@ namespace shapeton
 {
 namespace
 {
-/** The blocks of a map side by side: one node for each block of a node. */
+/** The blocks of a map as separate components: one node for each block of a node. */
 struct PartedMap
 {
   explicit PartedMap(const CombinatorialMap & map)
@@ -92,7 +92,7 @@ KeptNeighbors(const std::vector<int> & order)
   return kept;
 }
 
-/** The largest in the middle, the next ones alternately on both sides. */
+/** Places the largest in the middle and the next ones alternately on both sides. */
 std::vector<int>
 MiddleOut(const std::vector<int> & sizes)
 {
@@ -261,7 +261,7 @@ Arranger::SizesOf(const NodePair & pair, int number)
   return sizes;
 }
 
-/** Nodes beyond a half-edge that this search has not visited. */
+/** Counts the nodes beyond a half-edge that this search has not visited. */
 int
 Arranger::CountFrom(int half, int search)
 {
@@ -308,8 +308,8 @@ Arranger::SidesOf(int node, int other, int number) const
   return sides;
 }
 
-/** Sum of the squared lengths of the faces between the components. One long face is better than many nested ones, such
- * as those of a ladder with rungs on different sides. */
+/** Sum of the squared lengths of the faces between the components. One long face is better than many nested ones, as in
+ * a ladder with rungs on different sides. */
 double
 Arranger::Unevenness(const std::vector<int> & order, const std::vector<int> & before, const std::vector<int> & after)
 {

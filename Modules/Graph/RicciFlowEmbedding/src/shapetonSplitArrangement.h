@@ -10,10 +10,11 @@ namespace shapeton
  * middle.
  *
  * If at least three faces share two nodes of a block, these split it into as many components (an edge between the two
- * is one), and any order of them is an embedding. If the circles of the two nodes touch, the others are side by side as
- * between two parallel lines, and the one at position x from the middle has circles of size 1 / x^2. Therefore the
- * component with most nodes is placed in the middle, the next ones on both sides of it, and edges at the end. Of this
- * order and its reverse, the one with less even face lengths is used: one long face is better than many nested ones.
+ * is one), and any order of them is an embedding. If the circles of the two nodes touch, the components are side by
+ * side as between two parallel lines, and circle sizes decrease as 1 / x^2 with the position x from the middle.
+ * Therefore the component with most nodes is placed in the middle, the next ones on both sides of it, and edges at the
+ * end. This order or its reverse is used, whichever has less uniform face lengths: one long face is better than many
+ * nested ones.
  *
  * Nonplanar blocks and maps without such nodes are unchanged. Worst-case time is quadratic: for each pair of nodes all
  * others are counted. \ingroup ShapetonRicciFlowEmbedding */

@@ -78,7 +78,7 @@ private:
  * in the free group.
  *
  * A word U a P b Q a^-1 R b^-1 S gives A = U a Q^-1 R^-1 U^-1, B = U R Q P b R^-1 U^-1 and the remaining word U R Q P
- * S. Throws std::invalid_argument if the word is not that of a closed orientable surface cut into one disk.
+ * S. Throws std::invalid_argument unless the word describes a closed orientable surface cut into one disk.
  * \ingroup ShapetonRicciFlowEmbedding */
 ShapetonRicciFlowEmbedding_EXPORT std::vector<std::vector<int>>
                           CanonicalWords(const std::vector<int> & word);
@@ -104,8 +104,8 @@ struct DeckRelation
   std::vector<PlaneMotion> generators;
   /** Whether they were corrected; false if the relation does not even hold to 0.1, for genera of about 30 and more. */
   bool isRefined{ false };
-  /** Largest |product - identity| of the relation: as given, with the corrected and rounded generators, and of the
-   * product of commutators of `canonicalWords` with the exact ones. */
+  /** Largest |product - identity| of the relation: with the given generators, with the corrected and rounded ones, and
+   * for the product of commutators of `canonicalWords` with the exact ones. */
   double givenResidual{ 0.0 };
   double residual{ 0.0 };
   double canonicalResidual{ 0.0 };

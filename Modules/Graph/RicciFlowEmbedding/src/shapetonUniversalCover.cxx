@@ -8,8 +8,8 @@ namespace shapeton
 {
 namespace
 {
-/** Monotonic measure of the displacement of the origin, to six digits, so that copies at equal distance by symmetry
- * keep the order in which they are found, despite rounding. */
+/** Monotonic measure of the displacement of the origin, to six digits, so that symmetric copies keep their search order
+ * despite rounding. */
 double
 Reach(const PlaneMotion & motion)
 {
@@ -45,7 +45,7 @@ UniversalCover(const std::vector<PlaneMotion> & generators, int number)
   std::priority_queue<Candidate> queue;
   int                            order = 0;
   queue.push({ PlaneMotion::Rotation(generators.front().geometry, 0.0), order++ });
-  // A near copy may only be reachable through a farther one.
+  // A near copy may be reachable only through a farther one.
   while (static_cast<int>(taken.size()) < 4 * number && !queue.empty())
   {
     const PlaneMotion motion = queue.top().motion;

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 // Tables 6.1 to 6.5 of the dissertation: deck transformations T(z) = e^{i theta} (z - z0) / (1 - conj(z0) z) of five
-// graphs of genus 2 and 3, printed with six digits. Rows 4k and 4k + 2 are inverse, so are 4k + 1 and 4k + 3.
+// graphs of genus 2 and 3, printed with six digits. Rows 4k and 4k + 2 are inverses, as are 4k + 1 and 4k + 3.
 namespace
 {
 struct Row

@@ -59,7 +59,7 @@ StackedTriangles(int nodes)
   return { nodes, graph.edges, next };
 }
 
-/** The same map with nodes and edges numbered backwards in strides. */
+/** The same map with nodes and edges renumbered. */
 shapeton::CombinatorialMap
 Renumbered(const shapeton::CombinatorialMap & map, std::vector<int> & image)
 {
@@ -174,7 +174,7 @@ TEST(GraphEmbedding, ALongPathKeepsItsCirclesLarge)
 
 TEST(GraphEmbedding, NestedTrianglesAreEmbeddedWithAWarning)
 {
-  // Nested triangles: the radii decrease by a constant factor from one to the next.
+  // In nested triangles radii decrease by a constant factor.
   shapeton::Graph    graph;
   shapeton::Rotation rotation;
   constexpr int      layers = 20;
@@ -227,7 +227,7 @@ TEST(GraphEmbedding, NestedTrianglesAreEmbeddedWithAWarning)
 
 TEST(GraphEmbedding, BlocksOfAFaceComeOutOfIt)
 {
-  // Two triangles with a common node, nested; then side by side, with faces of length 3, 3 and 6.
+  // Two triangles with a common node, first nested, then side by side with faces of length 3, 3 and 6.
   const shapeton::Graph            graph{ 5, { { 0, 1 }, { 1, 2 }, { 2, 0 }, { 0, 3 }, { 3, 4 }, { 4, 0 } }, {} };
   const shapeton::CombinatorialMap mixed(graph, { { 0, 6, 5, 11 }, { 1, 2 }, { 3, 4 }, { 7, 8 }, { 9, 10 } });
   ASSERT_EQ(mixed.Genus(), 1);
@@ -262,7 +262,7 @@ TEST(GraphEmbedding, LargerSplitComponentsComeNearerToTheMiddle)
   const shapeton::CombinatorialMap arranged = shapeton::ArrangeSplitComponents(map);
   EXPECT_EQ(arranged.Genus(), 0);
   EXPECT_EQ(arranged.ToGraph().edges, graph.edges);
-  std::vector<int> sizes; // lengths of the paths around node 0, from the edge on
+  std::vector<int> sizes; // lengths of the paths around node 0, starting at the edge
   for (const int h : arranged.Around(0))
   {
     int node = arranged.Node(h + 1);
@@ -326,8 +326,7 @@ TEST(GraphEmbedding, SplitComponentsWithEqualSidesStayAsTheyAre)
 
 namespace
 {
-/** In each generation every edge gets a new node, joined to both of its ends (Dorogovtsev, Goltsev and Mendes). The
- * oldest and largest triangles are next to their edge, far from everything else. */
+/** Each generation adds a node for every edge, joined to both ends of the edge (Dorogovtsev, Goltsev and Mendes). */
 struct NestedTriangles
 {
   explicit NestedTriangles(int generations)
@@ -340,8 +339,8 @@ struct NestedTriangles
     rotation[0] = first;
     rotation[1].assign(second.rbegin(), second.rend());
   }
-  /** Half-edges of an edge and of everything to its left: around the first node counter-clockwise, around the second
-   * clockwise. */
+  /** Half-edges of an edge and its subgraph to the left: counter-clockwise around the first node, clockwise around the
+   * second. */
   void
   Grow(int edge, int generations, std::vector<int> & first, std::vector<int> & second)
   {
@@ -408,6 +407,6 @@ TEST(GraphEmbedding, IsAbortedByProgressOnEachSurface)
       options.progress = progress;
       EmbedGraph(map.ToGraph(), map, options);
     };
-    shapeton::test::ExpectProgress(work, 6); // on the regular torus Newton's method takes no step
+    shapeton::test::ExpectProgress(work, 6); // the initial radii are exact on the regular torus
   }
 }

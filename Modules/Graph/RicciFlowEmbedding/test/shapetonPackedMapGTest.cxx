@@ -11,7 +11,7 @@
 
 namespace
 {
-/** Triangles of a torus, with longer faces where some of the edges are removed. */
+/** A triangulated torus with some edges removed to create longer faces. */
 shapeton::CombinatorialMap
 TrianglesWithGaps(unsigned int seed)
 {

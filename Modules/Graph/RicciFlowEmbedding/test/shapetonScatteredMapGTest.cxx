@@ -31,7 +31,7 @@ ScatteredMap(const shapeton::CombinatorialMap & map)
   return { map.Nodes(), edges, next };
 }
 
-/** A torus of squares without each 13th edge, so that circles differ; each node loses at most one. */
+/** A torus of squares with every 13th edge removed, so that circles differ; each node loses at most one edge. */
 shapeton::CombinatorialMap
 TorusWithHoles(int columns, int rows)
 {
@@ -61,7 +61,7 @@ TorusWithHoles(int columns, int rows)
   return { graph, rotation };
 }
 
-/** A tube of squares with one more node at either end: genus 0, 3-connected. */
+/** A tube of squares with a node at each end: genus 0, 3-connected. */
 shapeton::CombinatorialMap
 ClosedTube(int columns, int rows)
 {
@@ -69,7 +69,7 @@ ClosedTube(int columns, int rows)
   shapeton::Graph    graph{ south + 2, {}, {} };
   shapeton::Rotation rotation(graph.nodes);
   const auto at = [=](int c, int r) { return r < 0 ? south : r == rows ? south + 1 : r * columns + c % columns; };
-  // Edges first: to the right, then upwards from below the first row on.
+  // Edges to the right, then upward edges, starting below the first row.
   const auto right = [=](int c, int r) { return r * columns + (c + columns) % columns; };
   const auto up = [=](int c, int r) { return (rows + 1 + r) * columns + c; };
   for (int r = 0; r < rows; ++r)
@@ -109,7 +109,7 @@ Angle(const std::array<double, 3> & a, const std::array<double, 3> & b)
 }
 } // namespace
 
-/** Large maps are packed in another order of nodes and edges; results are in the given one. */
+/** Large maps are packed in another order of nodes and edges; results use the original order. */
 TEST(ScatteredMap, RadiiAreThoseOfTheirCircles)
 {
   const shapeton::CombinatorialMap map = ScatteredMap(TorusWithHoles(330, 340));

@@ -42,7 +42,7 @@ ExpectPacking(const shapeton::CombinatorialMap & map, const shapeton::SphericalP
   }
 }
 
-/** Wheels are planar in the order of their construction: rim and spokes by hand. */
+/** A wheel with an explicit rotation system. */
 shapeton::CombinatorialMap
 WheelMap(int spokes)
 {
@@ -116,8 +116,8 @@ TEST(SphericalPacking, ATreeIsPackedWithDummies)
 
 namespace
 {
-/** Nested triangles: node i is in that of the three nodes before it, so that circles shrink by a constant factor; plus
- * some nodes around the first three. */
+/** Nested triangles: node i is inside the triangle of the three preceding nodes, so circles shrink by a constant
+ * factor. Some nodes surround the first three. */
 shapeton::CombinatorialMap
 NestedTriangles(int chain, int more)
 {
@@ -133,7 +133,7 @@ NestedTriangles(int chain, int more)
   };
   for (int i = 0; i < chain; ++i)
   {
-    fill(i == 0 ? 1 : triangles.size() - 2); // that of the last node and two older ones, alternating
+    fill(i == 0 ? 1 : triangles.size() - 2); // triangle of the last node and two older ones, alternating
   }
   for (int i = 0; i < more; ++i)
   {
@@ -201,8 +201,7 @@ TEST(SphericalPacking, VerySmallVisibleCapsAreEnlarged)
 
 TEST(SphericalPacking, LongRingsKeepTheirAccuracy)
 {
-  // A prism: all node circles are equal, and errors of double precision would grow with the square of their number
-  // around the prism.
+  // All node circles of a prism are equal; in double precision, errors would grow with the square of their number.
   constexpr int      sides = 1500;
   shapeton::Graph    graph{ 2 * sides, {}, {} };
   shapeton::Rotation rotation(graph.nodes);

@@ -12,7 +12,7 @@ namespace
 {
 const double pi = std::acos(-1.0);
 
-/** The rotation system with ascending half-edges at each node: of high genus. */
+/** The rotation system with ascending half-edges at each node, which has high genus. */
 shapeton::PackedMap
 AnyPackedMap(const shapeton::Graph & graph)
 {
@@ -158,7 +158,7 @@ TEST(SurfaceLayout, DeckTransformationsOfHyperbolicSurfacesObeyTheirRelation)
 
 TEST(SurfaceLayout, FarDeckTransformationsStayWhatTheyAre)
 {
-  // After rounding, the squares of their numbers no longer differ by 1.
+  // After rounding, |a|^2 - |b|^2 is no longer 1.
   for (const double length : { 1.0, 30.0, 60.0 })
   {
     for (const double angle : { 0.3, 1.1, 2.9 })

@@ -16,9 +16,9 @@ struct BoundaryLoop
   double length{ 0.0 };
 };
 
-/** Returns the boundary loops of a surface, longest first; ties are broken by the lowest vertex index. Loop number i of
- * tools and statistics is element i - 1. Throws InputError if a boundary is not closed, or touches itself or another
- * boundary at a vertex. \ingroup ShapetonConformalFlattening */
+/** Returns the boundary loops of a surface, longest first; ties are broken by the lowest vertex index. Tools and
+ * statistics number loops from 1. Throws InputError if a boundary is not closed, or touches itself or another boundary
+ * at a vertex. \ingroup ShapetonConformalFlattening */
 ShapetonConformalFlattening_EXPORT std::vector<BoundaryLoop>
                            BoundaryLoopsByLength(const SurfaceConnectivity & connectivity, const VertexMatrix & V);
 

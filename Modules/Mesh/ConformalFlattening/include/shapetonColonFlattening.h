@@ -39,11 +39,11 @@ struct ColonFlatteningOptions
   Progress progress;
 };
 
-/** A flattened colon with its measurements. \ingroup ShapetonConformalFlattening */
+/** Result of FlattenColon(). \ingroup ShapetonConformalFlattening */
 struct ColonFlattening
 {
-  /** The flattened tube: prepared, without ears, without handles if they were removed, and with caps in place of
-   * cut-off pouches (UnfoldedTube). */
+  /** The flattened tube: prepared, without ears, with handles removed if requested, and with caps replacing cut-off
+   * pouches (UnfoldedTube). */
   SurfaceMesh surface;
   TubeMap     map;
   /** Number of times u and v were computed; 1 if the first map had no folds. */
@@ -65,7 +65,7 @@ struct ColonFlattening
   std::string rectumFrom;
   int         genusBefore{ 0 };
   int         genusAfter{ 0 };
-  /** Distortion in the metric of the map, and in space. */
+  /** Distortion in the metric of the map and in the Euclidean metric. */
   FlatDistortion  distortion;
   FlatDistortion  distortionInSpace;
   TriangleQuality quality;
@@ -78,7 +78,7 @@ struct ColonFlattening
 };
 
 /** Flattens a tube: preparation, metric, map, handle removal. Throws InputError with the prefix `what` if the surface
- * is not a tube or the time does not suit a metric; ParameterError if the time is negative or not finite.
+ * is not a tube or the time is unsuitable for the metric, and ParameterError if the time is negative or not finite.
  * \ingroup ShapetonConformalFlattening */
 ShapetonConformalFlattening_EXPORT ColonFlattening
 FlattenColon(SurfaceMesh mesh, const std::string & what, const ColonFlatteningOptions & options = {});
@@ -93,14 +93,14 @@ FlattenColon(SurfaceMesh mesh, const std::string & what, const ColonFlatteningOp
 ShapetonConformalFlattening_EXPORT Json
 ColonFlatteningToJson(const ColonFlattening & flattening);
 
-/** Writes the handles as points of a VTP file with the arrays genus, uv and radius (mm), and these facts. Without
- * handles the file has no points. Throws OutputError. \ingroup ShapetonConformalFlattening */
+/** Writes the handles as points of a VTP file with the arrays genus, uv and radius (mm), and these facts; the file is
+ * empty if there are no handles. Throws OutputError. \ingroup ShapetonConformalFlattening */
 ShapetonConformalFlattening_EXPORT void
 WriteHandles(const std::vector<SurfaceHandle> &                       handles,
              const std::vector<std::pair<std::string, std::string>> & facts,
              const std::string &                                      path);
 
-/** Returns the points of the only curve. Throws InputError with the prefix `what` if there are several curves, or the
+/** Returns the points of a single curve. Throws InputError with the prefix `what` if there are several curves, or the
  * curve is a single point. \ingroup ShapetonConformalFlattening */
 ShapetonConformalFlattening_EXPORT std::vector<Eigen::Vector3d>
                            OnlyCurve(const CurveSet & curves, const std::string & what);

@@ -13,8 +13,8 @@ namespace shapeton
 /** Target domain of a conformal map. \ingroup ShapetonConformalFlattening */
 enum class ConformalDomain
 {
-  /** One boundary: a rectangle with four corners. Several: the logarithm of the slit map, a strip cut open from the
-   * outer to the inner boundary; slits become segments of constant u. */
+  /** For one boundary, a rectangle with four corners. For several, the logarithm of the slit map: a strip, cut open
+   * from the outer to the inner boundary, with slits as segments of constant u. */
   Rectangle,
   /** One outer and one inner boundary: concentric circles. */
   Annulus,
@@ -31,7 +31,7 @@ struct ConformalMapOptions
    * longest remaining one as inner. */
   int outerBoundary{ 0 };
   int innerBoundary{ 0 };
-  /** Four vertices of the only boundary, as for MapQuadrilateral(); empty: SpreadCorners(). */
+  /** Four boundary vertices, as for MapQuadrilateral(); if empty, SpreadCorners() is used. */
   std::vector<int> corners;
   /** Edge lengths in another metric; empty for straight lengths. */
   Eigen::VectorXd edgeLengths;
@@ -44,7 +44,7 @@ struct ConformalMap
 {
   /** As in shapetonFlatSurface.h, with `uv` in mm, counterclockwise as seen from outside, u to the right and v up.
    * - Rectangle of one boundary: starts at (0, 0); height over width is the geometric mean of the two moduli, and the
-   *   area is that of the surface.
+   * area equals the surface area.
    * - Rectangle of several: u is 0 at the outer boundary, and one turn is `circumference`, the mean length of the level
    *   sets of the radius. At the inner boundary u is `length`, circumference over the geometric mean of the moduli. The
    *   cut is straight in space, not in the plane.
@@ -63,7 +63,8 @@ struct ConformalMap
   /** Height over width of the rectangle, or 2 pi / ln(R / r) of the annulus, as in QuadrilateralMap and SlitMap. */
   double modulusU{ 0.0 };
   double modulusV{ 0.0 };
-  /** The slit map of `inner`, and for Slit those of all inner boundaries; empty for a rectangle with one boundary. */
+  /** The slit map of `inner`; for Slit, the slit maps of all inner boundaries. Empty for a rectangle with one boundary.
+   */
   std::vector<SlitMap> slitMaps;
   /** Distortion in the metric of the map. */
   FlatDistortion distortion;

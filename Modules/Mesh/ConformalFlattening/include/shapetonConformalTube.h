@@ -43,8 +43,8 @@ struct TubeMap
   std::vector<int> cutPath;
   /** \name Circumference over length of the conformally equivalent rectangle
    * Without handles, modulusU = E(u), the integral of |grad u|^2, is an upper bound of the true modulus, and modulusV
-   * = 1 / E(v), with v of period 1, a lower bound (Dirichlet's principle). Their gap is the error bar. For the
-   * published method modulusV is the mean period of the summed v. */
+   * = 1 / E(v), with v of period 1, a lower bound (Dirichlet's principle). The gap between them bounds the error. For
+   * the published method modulusV is the mean period of the summed v. */
   ///@{
   double modulusU{ 0.0 };
   double modulusV{ 0.0 };
@@ -91,14 +91,14 @@ HarmonicAlongTube(const SurfaceLaplacian & laplacian, const TubeEnds & ends, con
 ShapetonConformalFlattening_EXPORT double
 MeanLevelLength(const SurfaceMesh & mesh, const Eigen::VectorXd & u);
 
-/** Lengths of the level sets u = (i + 1/2) / number, i = 0, 1, ... (mm). \ingroup ShapetonConformalFlattening */
+/** Lengths (mm) of the level sets u = (i + 1/2) / number, i = 0, 1, ... \ingroup ShapetonConformalFlattening */
 ShapetonConformalFlattening_EXPORT Eigen::VectorXd
                            LevelLengths(const SurfaceMesh & mesh, const Eigen::VectorXd & u, int number);
 
-/** The smallest of 500 level lengths divided by 2 pi (mm): the radius for DefaultDiffusionTime(). It measures the way
- * around the tube along its folds, which diffusion follows; the largest inscribed ball is smaller. Levels through
- * faces with the cell array `bridged` are skipped because those faces are synthetic; if no level remains, all are
- * used. \ingroup ShapetonConformalFlattening */
+/** The smallest of 500 level lengths divided by 2 pi (mm): the radius for DefaultDiffusionTime(). It measures the
+ * circumference along the folds, as diffusion does; the largest inscribed ball is smaller. Levels through faces with
+ * the cell array `bridged` are skipped because those faces are synthetic; if no level remains, all are used.
+ * \ingroup ShapetonConformalFlattening */
 ShapetonConformalFlattening_EXPORT double
 NarrowestLevelRadius(const SurfaceMesh & mesh, const Eigen::VectorXd & u);
 } // namespace shapeton

@@ -6,14 +6,14 @@
 namespace shapeton
 {
 /** \defgroup FlatSurface A surface with a map to the plane
- * A flat surface is a SurfaceMesh: V are the points in space (LPS, mm), with the vertices of the cut duplicated.
- * - point array `uv`: two components, the place in the plane. For a tube mm at the mean circumference: u from the first
- *   boundary loop (the rectum) on, v in [0, circumference]. Seen with u to the right and v up it shows the surface as
- *   from inside, where a face is clockwise.
- * - point array `sourcePointId`: whole numbers, the vertex of the surface that was cut.
+ * A SurfaceMesh with vertices V in space (LPS, mm); vertices along the cut are duplicated.
+ * - point array `uv`: two components, the position in the plane. For a tube, in mm at the mean circumference: u starts
+ *   at the first boundary loop (the rectum), v is in [0, circumference]. With u to the right and v up, the surface is
+ *   seen from inside and faces are clockwise.
+ * - point array `sourcePointId`: integers, the vertex of the uncut surface.
  * - field arrays `circumference` and `length` of a tube: one value each, mm. The mean circumference is the integral of
  *   |grad u| over the surface in space for u from 0 to 1, the mean length of its level sets by the coarea formula.
- * All arrays and facts of the source come along; a source that is flat itself loses these four.
+ * All other arrays and facts of the source are kept; these four are replaced.
  * \ingroup ShapetonConformalFlattening */
 ///@{
 

@@ -24,7 +24,7 @@ struct HolomorphicForm
 
 /** The forms of all inner boundaries, in the order of the slit maps. f_j and its conjugate are sums of -logRadius and
  * -angle of the slit maps, with the weights that make f_j 1 and 0 on the boundaries. Throws ParameterError unless the
- * domain of the map is ConformalDomain::Slit, because other maps do not hold all slit maps.
+ * domain of the map is ConformalDomain::Slit, because other maps do not include all slit maps.
  * \ingroup ShapetonConformalFlattening */
 ShapetonConformalFlattening_EXPORT std::vector<HolomorphicForm>
                            HolomorphicFormsOf(const ConformalMap & map);

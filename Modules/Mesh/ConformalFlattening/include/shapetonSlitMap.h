@@ -29,9 +29,9 @@ struct SlitMap
   /** Outward flux of grad logRadius through each loop, in turns: 1 for the outer loop, -1 for the inner one, 0 for the
    * slits (5.16). */
   Eigen::VectorXd turnsOfLoops;
-  /** Two estimates of the modulus 2 pi / ln(R / r) of the annulus (the circumference of the strip divided by its
-   * length). On a surface of genus 0, modulusU is an upper bound and modulusV a lower bound. modulusU is computed
-   * from logRadius, modulusV from the energy of the angle. */
+  /** Two estimates of the annulus modulus 2 pi / ln(R / r) (strip circumference over length). On a surface of genus 0,
+   * modulusU is an upper bound and modulusV a lower bound. modulusU is computed from logRadius, modulusV from the
+   * energy of the angle. */
   double modulusU{ 0.0 };
   double modulusV{ 0.0 };
 };

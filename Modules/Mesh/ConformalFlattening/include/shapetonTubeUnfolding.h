@@ -41,8 +41,8 @@ struct UnfoldedTube
 using TubeMetric =
   std::function<Eigen::VectorXd(const SurfaceMesh &, const SurfaceConnectivity &, const Progress & progress)>;
 
-/** Repeats FlattenTube() until the flat surface has no flipped faces (exact test, FlippedFaces()). A map without folds
- * is identical to that of FlattenTube(), byte for byte. Otherwise:
+/** Repeats FlattenTube() until the flat surface has no flipped faces (exact test, FlippedFaces()). Without folds the
+ * map is bitwise identical to the result of FlattenTube(). Otherwise:
  * - blind pouches with an area scale below 1e-6 of the mean are cut off where the scale is below 1e-3, and their holes
  *   are closed by caps: their bottoms are invisible on the map and lost to rounding;
  * - edge weights at flipped faces, from the third map also one ring around, are clamped to bounds that approach 1 with

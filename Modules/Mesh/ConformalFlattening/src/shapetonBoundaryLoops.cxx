@@ -19,7 +19,7 @@ LengthOfLoop(const std::vector<int> & loop, const VertexMatrix & V)
   return length;
 }
 
-/** A walk along a boundary may visit a vertex twice, or end at an edge of three faces. */
+/** A boundary may visit a vertex twice, or end at an edge with three faces. */
 void
 RequireSimpleLoop(const SurfaceConnectivity & connectivity, const std::vector<int> & loop, std::vector<char> & isTaken)
 {

@@ -18,7 +18,7 @@ namespace
 constexpr const char * surfaceName = "the surface";
 constexpr int          ringsOfHandle = 3;
 constexpr int          mostRounds = 5;     // maximum number of removal rounds
-constexpr double       largeHandle = 30.0; // mm; loops of noise are smaller
+constexpr double       largeHandle = 30.0; // mm; noise loops are smaller
 constexpr double       foldedShare = 0.01; // fraction of the faces
 
 /** The processing chain for one surface; fills m_Result step by step. */

@@ -26,7 +26,7 @@ Tube(int handles = 0)
   return MakeColonTube(options).mesh;
 }
 
-/** A straight line of `number` points, 10 mm apart. */
+/** A straight line of `number` points with 10 mm spacing. */
 shapeton::CurveSet
 Line(int points, bool isDownwards = false)
 {
@@ -67,7 +67,7 @@ TEST(ColonFlattening, StatesItsMetricAndTime)
   options.eigenpairs = 20;
   const shapeton::ColonFlattening truncated = shapeton::FlattenColon(Tube(), "it", options);
   EXPECT_EQ(20, truncated.eigenpairs);
-  // So few eigenpairs do not resolve the angle around the tube (see the README).
+  // These few eigenpairs do not resolve the angle around the tube (see the README).
   EXPECT_GT(std::abs(truncated.map.modulusU / automatic.map.modulusU - 1.0), 0.3);
   options.metric = shapeton::FlatMetric::Euclidean;
   EXPECT_EQ(0.0, shapeton::FlattenColon(Tube(), "it", options).time);
@@ -95,7 +95,7 @@ TEST(ColonFlattening, RemovesHandlesOnRequest)
   EXPECT_EQ(0, json["genusAfter"]);
   EXPECT_TRUE(json["eigenpairs"].is_null());
   EXPECT_NEAR(without.map.modulusU, json["modulusU"].get<double>(), 1e-9);
-  // On the final map the place is that of the nearest vertex.
+  // On the final map the handle is at the nearest vertex.
   for (const shapeton::SurfaceHandle & handle : without.handles.handles)
   {
     EXPECT_GT(handle.flatPlace.x(), 0.0);
@@ -121,7 +121,7 @@ TEST(ColonFlattening, CenterlineTellsTheRectum)
   const shapeton::SurfaceMesh     cylinder = Cylinder(30, 30, 20.0, 80.0);
   const shapeton::ColonFlattening result = shapeton::FlattenColon(cylinder, "it", options);
   EXPECT_EQ("centerline", result.rectumFrom);
-  EXPECT_NEAR(1.0, result.map.u[0], 1e-12); // at the height 0, where the line ends
+  EXPECT_NEAR(1.0, result.map.u[0], 1e-12); // at height 0, the end of the line
   options.centerline = Line(9);
   EXPECT_NEAR(0.0, shapeton::FlattenColon(cylinder, "it", options).map.u[0], 1e-12);
   EXPECT_EQ("firstLoop", shapeton::FlattenColon(cylinder, "it", {}).rectumFrom);
@@ -148,7 +148,7 @@ TEST(ColonFlattening, BridgedFacesAreNotTheNarrowestPlace)
 TEST(ColonFlattening, FacesWithoutAreaAreTakenForThinOnes)
 {
   shapeton::SurfaceMesh mesh = Cylinder(30, 30, 20.0, 80.0);
-  // A vertex on the middle of an edge: one of its faces has zero area.
+  // A vertex at the midpoint of an edge: one of its faces has zero area.
   mesh.V.row(mesh.F(400, 1)) = 0.5 * (mesh.V.row(mesh.F(400, 0)) + mesh.V.row(mesh.F(400, 2)));
   const shapeton::ColonFlattening result = shapeton::FlattenColon(mesh, "it", {});
   EXPECT_TRUE(std::any_of(result.warnings.begin(), result.warnings.end(), [](const std::string & warning) {

@@ -24,7 +24,7 @@ MapTo(ConformalDomain domain, const SurfaceMesh & mesh, int outer = 0, int inner
   return MapConformally(mesh, options, "the test");
 }
 
-/** Error message of MapConformally() for a rejected surface. */
+/** Returns the error message of MapConformally() for a rejected surface. */
 std::string
 Refusal(const SurfaceMesh & mesh, const ConformalMapOptions & options)
 {
@@ -90,7 +90,7 @@ TEST(ConformalMap, OfAFaceToAllSlitMaps)
 TEST(ConformalMap, OfACylinderToAnnulusAndStrip)
 {
   const SurfaceMesh  mesh = Cylinder(48, 30, 10.0, 25.0);
-  const double       modulus = 2.0 * 48 * 10.0 * std::sin(Pi / 48) / 25.0; // the prism is flat
+  const double       modulus = 2.0 * 48 * 10.0 * std::sin(Pi / 48) / 25.0; // the developed prism is planar
   const ConformalMap annulus = MapTo(ConformalDomain::Annulus, mesh);
   EXPECT_NEAR(annulus.modulusU, modulus, 1e-10);
   EXPECT_NEAR(annulus.modulusV, modulus, 1e-10);
@@ -161,7 +161,7 @@ TEST(ConformalMap, OfASurfaceWithAHandleSaysSo)
   }
   const ConformalMap map = MapTo(ConformalDomain::Rectangle, FacesOfSurface(torus, faces));
   EXPECT_EQ(map.genus, 1);
-  EXPECT_GT(map.ModulusGap(), 0.05); // the handle makes up the surface
+  EXPECT_GT(map.ModulusGap(), 0.05); // the handle is most of the surface
   ASSERT_FALSE(map.warnings.empty());
   EXPECT_NE(map.warnings[0].find("1 handle"), std::string::npos);
 }
@@ -216,7 +216,7 @@ TEST(ConformalMap, NoiseDoesNotFoldMaps)
     rough.seed = seed;
     rough.noise = 0.8;
     const shapeton::SurfaceMesh tube = MakeRoughTube(rough);
-    // Without the faces of two columns there is one boundary.
+    // Removing the faces of two columns leaves one boundary.
     std::vector<int> faces;
     for (int face = 0; face < tube.NumberOfFaces(); ++face)
     {

@@ -17,7 +17,7 @@ namespace
 {
 using namespace testsurfaces;
 
-/** A tube, its map in the space metric unless another is given, and the distortion in that metric. */
+/** A tube with its map and distortion, in the Euclidean metric by default. */
 struct Flattened
 {
   explicit Flattened(const shapeton::SurfaceMesh & surface, const shapeton::TubeOptions & options = {})
@@ -131,16 +131,16 @@ TEST(ConformalTube, CylinderIsUnrolled)
 
 TEST(ConformalTube, ConeHasItsModulus)
 {
-  // Unrolled, a cone is a part of a ring of angle 2 pi sin(alpha); its logarithm is the rectangle.
+  // An unrolled cone is a ring sector with the angle 2 pi sin(alpha); its logarithm is the rectangle.
   const Flattened flat(Cone(96, 40, 10.0, 35.0, 60.0));
   const double    slant = std::hypot(25.0, 60.0);
   const double    truth = 2.0 * Pi * (25.0 / slant) / std::log(3.5);
-  EXPECT_GT(flat.map.modulusU, truth * (1.0 - 1.5e-3)); // a pyramid of 96 sides is not quite the cone
+  EXPECT_GT(flat.map.modulusU, truth * (1.0 - 1.5e-3)); // a pyramid with 96 sides approximates the cone
   EXPECT_NEAR(truth, flat.map.modulusU, 2e-3 * truth);
   EXPECT_NEAR(truth, flat.map.modulusV, 2e-3 * truth);
   EXPECT_GE(flat.map.Gap(), -1e-9);
   EXPECT_LT(flat.map.Gap(), 1e-3);
-  // Level sets are circles, and as many of one radius as of another on the logarithmic scale.
+  // Level sets are circles with uniformly distributed log radius.
   const Eigen::VectorXd levels = shapeton::LevelLengths(flat.mesh, flat.map.u, 10);
   EXPECT_NEAR(2.0 * Pi * 10.0 * std::pow(3.5, 0.05), levels[0], 0.2);
   EXPECT_NEAR(2.0 * Pi * 10.0 * std::pow(3.5, 0.95), levels[9], 0.7);
@@ -179,7 +179,7 @@ TEST(ConformalTube, MapShowsTheViewFromInside)
         plane.col(k) = (flat.uv.row(F(f, k + 1)) - flat.uv.row(F(f, 0))).transpose();
         space.col(k) = (flat.map.flat.V.row(F(f, k + 1)) - flat.map.flat.V.row(F(f, 0))).transpose();
       }
-      const Eigen::Matrix<double, 3, 2> axes = space * plane.inverse(); // right and up, in space
+      const Eigen::Matrix<double, 3, 2> axes = space * plane.inverse(); // right and up directions in space
       const Eigen::Vector3d             towardsViewer = axes.col(0).cross(axes.col(1));
       const Eigen::Vector3d             outwards(flat.map.flat.V(F(f, 0), 0), flat.map.flat.V(F(f, 0), 1), 0.0);
       EXPECT_LT(towardsViewer.dot(outwards), 0.0);

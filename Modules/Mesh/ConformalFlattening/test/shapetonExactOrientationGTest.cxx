@@ -35,7 +35,7 @@ TEST(ExactOrientation, TellsTheTurnOfTriangles)
 
 TEST(ExactOrientation, StepsOfTheLastBitCount)
 {
-  // Kettner et al., Classroom examples of robustness problems (2008): near the line y = x the sign is that of the
+  // Kettner et al., Classroom examples of robustness problems (2008): near the line y = x the sign is the sign of the
   // steps.
   const Place b(12.0, 12.0), c(24.0, 24.0);
   for (int i = -20; i <= 20; ++i)
@@ -52,7 +52,7 @@ TEST(ExactOrientation, StepsOfTheLastBitCount)
 
 TEST(ExactOrientation, TermsOfManyMagnitudesDoNotCancel)
 {
-  // Near the line y = x, by far less than an ulp of the larger coordinates.
+  // Offsets from the line y = x far below one ulp of the larger coordinates.
   const double tiny = std::ldexp(1.0, -60);
   const Place  b(1.0, 1.0), c(1e8, 1e8);
   EXPECT_EQ(0, shapeton::ExactOrientation({ tiny, tiny }, b, c));
@@ -65,6 +65,6 @@ TEST(ExactOrientation, FlippedFacesAreThoseOfTheLesserArea)
   shapeton::FaceMatrix F(4, 3);
   F << 0, 1, 2, 0, 2, 3, 0, 2, 4, 0, 2, 2;
   Eigen::MatrixX2d uv(5, 2);
-  uv << 0, 0, 2, 0, 2, 2, 0, 2, 1, std::nextafter(1.0, 0.0); // the last place hardly below the diagonal
+  uv << 0, 0, 2, 0, 2, 2, 0, 2, 1, std::nextafter(1.0, 0.0); // the last point is just below the diagonal
   EXPECT_EQ((std::vector<char>{ 0, 0, 1, 1 }), shapeton::FlippedFaces(F, uv));
 }

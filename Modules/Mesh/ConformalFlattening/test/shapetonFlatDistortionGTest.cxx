@@ -60,7 +60,7 @@ TEST(FlatDistortion, CountsFlippedFaces)
 {
   const shapeton::SurfaceMesh mesh = Square(5, 5.0);
   Eigen::MatrixX2d            uv = mesh.V.leftCols<2>();
-  const int                   vertex = 14; // at (2, 2); moved into a face of others
+  const int                   vertex = 14; // at (2, 2); moved into another face
   uv.row(vertex) << 4.4, 4.6;
   const shapeton::FlatDistortion distortion =
     shapeton::MeasureFlatDistortion(mesh.F, uv, shapeton::SidesOfFaces(mesh.V, mesh.F));

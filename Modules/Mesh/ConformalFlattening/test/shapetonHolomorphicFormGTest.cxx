@@ -61,7 +61,7 @@ TEST(HolomorphicForm, OfAnAnnulusIsTheLogarithm)
       EXPECT_NEAR(forms[0].values(grid.At(ring, place), 0), share, 1e-11);
     }
   }
-  // One turn of the conjugate is the flux: 2 pi / ln(1 / 0.3), all of it across the cut.
+  // One turn of the conjugate is the flux: 2 pi / ln(1 / 0.3), entirely across the cut.
   const double turn = forms[0].values.col(1).maxCoeff() - forms[0].values.col(1).minCoeff();
   const double flux = -2.0 * Pi / std::log(grid.inner);
   EXPECT_NEAR(turn, flux, 5e-3 * flux);

@@ -72,7 +72,7 @@ Arc(const PolarGrid & grid, int ring, int first, int last)
   return path;
 }
 
-/** The unit half disk above the real axis, rings of equal spacing around the middle of its base. */
+/** The unit half disk above the real axis, meshed by equally spaced rings around the midpoint of its base. */
 inline shapeton::SurfaceMesh
 HalfDisk(int rings)
 {
@@ -87,7 +87,7 @@ HalfDisk(int rings)
       const double r = static_cast<double>(ring) / rings;
       points.emplace_back(r * std::cos(angle), r * std::sin(angle), 0.0);
     }
-    // Step along both rings, always on the one that is behind.
+    // Advance along both rings, always on the one with the smaller angle.
     for (int i = 0, j = 0; i < 3 * ring || j < 3 * (ring - 1);)
     {
       const bool isOuter = j == 3 * (ring - 1) || (i + 1) * (ring - 1) <= (j + 1) * ring;
@@ -102,7 +102,7 @@ HalfDisk(int rings)
 }
 
 /** Width over height of the rectangle conformally equivalent to the upper half plane with four marked points on the
- * real axis; the width is along the side from the second to the third. From the cross ratio: K'/K by the
+ * real axis; the width is the side from the second to the third point. From the cross ratio: K'/K by the
  * arithmetic-geometric mean. */
 inline double
 ModulusOfCrossRatio(double lambda)

@@ -20,7 +20,7 @@ struct Disk
   {
     return MapQuadrilateral(connectivity, EdgeLengths(connectivity, mesh.V), boundary, corners);
   }
-  /** The vertex at a position. */
+  /** Returns the vertex at a position. */
   int
   At(double x, double y) const
   {
@@ -72,7 +72,7 @@ TEST(QuadrilateralMap, HalfDisksHaveTheModulusOfTheirCrossRatio)
     const double b = Pi - a;
     const double third = -std::pow(std::tan(0.5 * a), -2);
     const double fourth = -std::pow(std::tan(0.5 * b), -2);
-    // Ascending they are the third, the fourth, the first and the second; the width runs from the first to the second.
+    // Their ascending order is third, fourth, first, second; the width is the side from the first to the second.
     const double modulus = ModulusOfCrossRatio(1.0 - fourth / third);
     const auto   map =
       disk.Map({ disk.At(-1, 0), disk.At(1, 0), disk.At(std::cos(a), std::sin(a)), disk.At(std::cos(b), std::sin(b)) });
@@ -85,13 +85,13 @@ TEST(QuadrilateralMap, HalfDisksHaveTheModulusOfTheirCrossRatio)
 TEST(QuadrilateralMap, DisksWithSymmetricCornersAreSquares)
 {
   const Disk   disk(Grid(40, 40, Wrap::None, [](double s, double t) {
-    // A square mapped onto a disk, its corners on the diagonals.
+    // A square mapped to a disk, with corners on the diagonals.
     const double x = 2 * s - 1, y = 2 * t - 1;
     return Eigen::Vector3d(x * std::sqrt(1 - 0.5 * y * y), y * std::sqrt(1 - 0.5 * x * x), 0.0);
   }));
   const double c = std::sqrt(0.5);
   const auto   map = disk.Map({ disk.At(-c, -c), disk.At(c, -c), disk.At(c, c), disk.At(-c, c) });
-  EXPECT_NEAR(std::sqrt(map.modulusU * map.modulusV), 1.0, 1e-10); // the grid is symmetric, too
+  EXPECT_NEAR(std::sqrt(map.modulusU * map.modulusV), 1.0, 1e-10); // because the grid is symmetric
   EXPECT_GT(map.modulusU, 1.0);
   EXPECT_LT(map.modulusV, 1.0);
 }

@@ -21,7 +21,7 @@ struct RoughTubeOptions
 
 namespace roughtube
 {
-/** Growing lists, and random numbers. */
+/** Mesh under construction, and random numbers. */
 struct Builder
 {
   Builder(const shapeton::SurfaceMesh & mesh, std::uint64_t itsSeed) : seed(itsSeed)
@@ -55,7 +55,7 @@ struct Builder
   std::uint32_t                   next{ 0 };
 };
 
-/** Replaces a face by a closed sock that points outward. */
+/** Replaces a face by a closed pouch that points outward. */
 inline void
 AddPouch(Builder & tube, int face, int rings, double step)
 {
@@ -82,7 +82,7 @@ AddPouch(Builder & tube, int face, int rings, double step)
   tube.faces[face] = rim;
 }
 
-/** Splits a face in three by a vertex next to one of its edges. */
+/** Splits a face into three at a new vertex near one of its edges. */
 inline void
 AddNeedle(Builder & tube, int face)
 {
@@ -108,7 +108,7 @@ AddEar(Builder & tube, int a, int b)
 }
 } // namespace roughtube
 
-/** A straight tube with folds, of radius 20 mm and length 200 mm. */
+/** A straight tube with folds, radius 20 mm, length 200 mm. */
 inline shapeton::SurfaceMesh
 MakeRoughTube(const RoughTubeOptions & options)
 {

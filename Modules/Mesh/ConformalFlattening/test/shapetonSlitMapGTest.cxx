@@ -20,7 +20,7 @@ SolverOf(const SurfaceMesh & mesh, int outer = 0)
   return { mesh, connectivity, EdgeLengths(connectivity, mesh.V), BoundaryLoopsByLength(connectivity, mesh.V), outer };
 }
 
-/** The polar grid with two slits, on the rings 8 and 16 of 24. */
+/** A polar grid of 24 rings with slits on rings 8 and 16. */
 struct SlitAnnulus
 {
   PolarGrid   grid;
@@ -38,7 +38,7 @@ TEST(SlitMap, OfAConcentricAnnulusIsItself)
   EXPECT_NEAR(map.modulusV, modulus, 2e-3 * modulus);
   for (int ring = 0; ring <= grid.rings; ++ring)
   {
-    // All rings are alike, so equal steps of the radius' logarithm are exact also on the grid.
+    // All rings are similar, so equal steps in log radius are exact on the grid, too.
     const double share = 1.0 - static_cast<double>(ring) / grid.rings;
     EXPECT_NEAR(map.logRadius[grid.At(ring, 7)], -share * twoPi / map.modulusU, 1e-11);
   }
@@ -108,7 +108,7 @@ TEST(SlitMap, SlitsAreArcsAndPeriodsAreExact)
       }
     }
     EXPECT_GT(map.modulusU, map.modulusV);
-    EXPECT_LT(map.modulusU - map.modulusV, 0.1 * map.modulusU); // a coarse grid with tips of slits
+    EXPECT_LT(map.modulusU - map.modulusV, 0.1 * map.modulusU); // the grid is coarse at the slit tips
   }
 }
 
@@ -126,7 +126,7 @@ TEST(SlitMap, SlitsAfterMoebiusAreTheKnownOnes)
   EXPECT_NEAR(levels[1], grid.LogRadius(14), 5e-3);
   EXPECT_NEAR(levels[2], grid.LogRadius(28), 5e-3);
   EXPECT_EQ(levels[3], 0.0);
-  // The ends of the first slit, 50 of 160 steps apart, around which the map is as around any point of the annulus.
+  // Ends of the first slit, 50 of 160 steps apart.
   const double turn = map.angle[grid.At(14, 60)] - map.angle[grid.At(14, 10)];
   EXPECT_NEAR(std::remainder(turn - twoPi * 50 / 160, twoPi), 0.0, 0.01);
 }
@@ -138,7 +138,7 @@ TEST(SlitMap, FluxesArePositiveDefiniteAndSumToThoseOfTheOuterLoop)
   const Eigen::MatrixXd P = solver.Fluxes();
   EXPECT_EQ(P, P.transpose());
   EXPECT_GT(Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(P).eigenvalues()[0], 0.0);
-  EXPECT_LT(P(0, 1), 0.0); // heat flows from a warm loop into all cold ones
+  EXPECT_LT(P(0, 1), 0.0); // flux from the loop with value 1 to all loops with value 0
   EXPECT_GT(P.row(0).sum(), 0.0);
   const Eigen::MatrixXd & f = solver.HarmonicFunctions();
   EXPECT_GE(f.minCoeff(), -1e-12);
@@ -151,7 +151,7 @@ TEST(SlitMap, DoesNotDependOnPlaceSizeOrNumbering)
   SurfaceMesh           mesh = Moebius(slit.mesh, 0.3);
   const SlitMap         map = SolverOf(mesh).Map(1);
   const int             n = mesh.NumberOfVertices();
-  SurfaceMesh           other = mesh; // vertices in reverse, moved, turned and 7 times as large
+  SurfaceMesh           other = mesh; // vertices reversed, translated, rotated and scaled by 7
   const Eigen::Matrix3d turn = Eigen::AngleAxisd(0.7, Eigen::Vector3d(1, 2, 3).normalized()).toRotationMatrix();
   for (int i = 0; i < n; ++i)
   {

@@ -93,8 +93,8 @@ TEST(SurfaceCut, TurnsAroundACylinderAreContinuousWithTheJumpOnTheLeft)
   {
     turns.push_back(double(v % around) / around);
   }
-  // From outside with the axis up, left of the meridian are the last turns: the path downwards has the first on its
-  // left, and the path upwards the last.
+  // Seen from outside with the axis up, the last columns are left of the meridian. The downward path has the first
+  // column on its left, the upward path the last one.
   const std::vector<int> left = Cut(mesh, { Meridian() }).leftCorners[0];
   EXPECT_GT(GreatestStep(mesh, turns, {}), 0.5);
   EXPECT_NEAR(1.0 / around, GreatestStep(mesh, turns, left), 1e-12);
@@ -121,7 +121,7 @@ TEST(SurfaceCut, PathInsideOpensASlit)
   for (const int corner : cut.leftCorners[0])
   {
     EXPECT_EQ(17, mesh.F(corner / 3, corner % 3));
-    // Walking towards +x in the plane seen from +z, left is +y.
+    // Seen from +z, the left side of a path along +x is +y.
     EXPECT_GT((mesh.V(mesh.F(corner / 3, 0), 1) + mesh.V(mesh.F(corner / 3, 1), 1) + mesh.V(mesh.F(corner / 3, 2), 1)),
               3 * mesh.V(17, 1));
   }
@@ -147,7 +147,7 @@ TEST(SurfaceCut, CrossingLoopsOpenATorus)
 
 TEST(SurfaceCut, LeftGoesOnBehindABoundary)
 {
-  // A path from inside to the rim of a square and back inside: the region between its edges is left or right of it.
+  // A path from the inside to the rim of a square and back: the region between its edges is on its left or right.
   const shapeton::SurfaceMesh         mesh = Square(4, 4.0);
   const shapeton::SurfaceConnectivity connectivity(mesh);
   const std::vector<int>              left = shapeton::LeftCorners(mesh.F, connectivity, { 7, 2, 8 });

@@ -143,7 +143,7 @@ TEST(SurfaceHandles, RemovalGivesTheTubeBack)
     ASSERT_EQ(2U, after.BoundaryLoops().size());
     EXPECT_EQ(found.connectivity.BoundaryLoops()[0].size(), after.BoundaryLoops()[0].size());
     EXPECT_EQ(15, removal.filledHoles);
-    // The filling lies where the surface was.
+    // The filling follows the original surface.
     const shapeton::SurfaceLocator locator(plain.mesh.V, plain.mesh.F);
     const double                   edge = shapeton::EdgeLengths(after, removal.mesh.V).mean();
     double                         farthest = 0.0;
@@ -204,11 +204,11 @@ TEST(SurfaceHandles, NearMarksRings)
   const shapeton::SurfaceMesh         mesh = Square(10, 10.0);
   const shapeton::SurfaceConnectivity connectivity(mesh);
   shapeton::SurfaceHandle             handle;
-  handle.vertices = { 60 }; // the middle
+  handle.vertices = { 60 }; // the center
   for (int rings = 0; rings < 3; ++rings)
   {
     const std::vector<char> isNear = shapeton::FacesNearHandles(connectivity, { handle }, rings);
-    // Around a vertex of the grid of right triangles 6 faces, then 24 and 54.
+    // Rings around a grid vertex contain 6, 24 and 54 faces.
     EXPECT_EQ(6 * (rings + 1) * (rings + 1), std::count(isNear.begin(), isNear.end(), 1));
   }
 }

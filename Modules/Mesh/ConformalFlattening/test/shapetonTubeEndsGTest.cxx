@@ -90,7 +90,7 @@ TEST(TubeEnds, OtherSurfacesAreRefusedWithWhatTheyNeed)
   EXPECT_NE(std::string::npos, ErrorOf(Icosphere(1, 30.0)).find("has no boundary"));
   EXPECT_NE(std::string::npos, ErrorOf(Square(4, 30.0)).find("the parameter \"domain\" = rectangle"));
   const std::string three = ErrorOf(WithoutFaces(Tube(), 62, 1));
-  // Ends of ten edges, and the hole of face 62, a triangle of 11.25 mm, 12.36 mm and the diagonal.
+  // Two ends of ten edges, and the hole of face 62 with sides of 11.25 mm, 12.36 mm and the diagonal.
   EXPECT_NE(std::string::npos, three.find("has 3 boundaries of 124 mm (10 edges around ")) << three;
   const shapeton::SurfaceMesh tube = Tube();
   std::ostringstream          hole;
@@ -139,7 +139,7 @@ TEST(TubeEnds, DefectsAreRepairedWithAWarning)
 {
   const shapeton::SurfaceMesh mesh = WithRectum(Tube(), Tube().NumberOfVertices() - 1);
   shapeton::SurfaceMesh       bad = mesh;
-  // An unreferenced vertex in front, a turned face, a degenerate and a duplicate one.
+  // A leading unreferenced vertex, a flipped face, a degenerate face and a duplicate face.
   bad.V.resize(mesh.V.rows() + 1, 3);
   bad.V.row(0) << 1.0, 2.0, 3.0;
   bad.V.bottomRows(mesh.V.rows()) = mesh.V;
@@ -167,7 +167,7 @@ TEST(TubeEnds, SeamsOfEqualPositionsAreClosed)
   EXPECT_FALSE(tube.warnings.empty());
 }
 
-// From one end to the middle: there are two boundaries with and without it.
+// A seam from one end to the center; the surface has two boundaries with or without it.
 TEST(TubeEnds, ASeamThatEndsInsideIsClosed)
 {
   const shapeton::SurfaceMesh whole = Tube();

@@ -49,7 +49,7 @@ FlipsAtFirst(const shapeton::SurfaceMesh & mesh)
   return FlipsOf(shapeton::FlattenTube(mesh, connectivity, StraightLengths(mesh, connectivity, {}), ends).flat);
 }
 
-/** Checks that wall faces are those of the original surface and that the removed area is accounted for. */
+/** Checks that wall faces belong to the original surface and that the removed area is reported. */
 void
 ExpectWallWithCaps(const shapeton::SurfaceMesh & before, const shapeton::UnfoldedTube & tube)
 {
@@ -93,7 +93,7 @@ ExpectWallWithCaps(const shapeton::SurfaceMesh & before, const shapeton::Unfolde
   EXPECT_EQ(0, connectivity.Components().front().genus);
 }
 
-/** Checks that the map on disk is flat, too. */
+/** Checks that the map is still flat after writing and reading. */
 void
 ExpectNoFolds(const RoughTubeOptions & rough, const shapeton::ColonFlatteningOptions & options)
 {
@@ -113,7 +113,7 @@ ExpectNoFolds(const RoughTubeOptions & rough, const shapeton::ColonFlatteningOpt
   EXPECT_LE(cutOff, flat.cutOffAreaFraction * (1.0 + 1e-12));
 }
 
-/** Random tube number n: all kinds of defects, and both metrics. */
+/** Random tube number n, with all kinds of defects, in both metrics. */
 void
 ExpectNoFoldsOfTube(int n)
 {
@@ -197,7 +197,7 @@ TEST(TubeUnfolding, NoiseIsUnfoldedWithoutCaps)
 
 TEST(TubeUnfolding, MetricThatFoldsEverywhereIsUnfolded)
 {
-  // Lengths of 1 and nearly 2 by chance: half of the triangles are needles, whose weights are large and negative.
+  // Random lengths of 1 or nearly 2: half of the triangles are needles with large negative weights.
   const shapeton::TubeMetric metric =
     [](const shapeton::SurfaceMesh &, const shapeton::SurfaceConnectivity & connectivity, const shapeton::Progress &) {
       Eigen::VectorXd lengths(connectivity.NumberOfEdges());
@@ -216,7 +216,7 @@ TEST(TubeUnfolding, MetricThatFoldsEverywhereIsUnfolded)
   const shapeton::UnfoldedTube tube = shapeton::FlattenWithoutFolds(mesh, ends, metric);
   EXPECT_EQ(0, FlipsOf(tube.map.flat));
   EXPECT_GT(tube.solves, 2);
-  EXPECT_GE(tube.map.modulusU, plain.modulusU); // Dirichlet's principle: theirs is the harmonic function
+  EXPECT_GE(tube.map.modulusU, plain.modulusU); // Dirichlet's principle
   EXPECT_LE(tube.map.modulusV, plain.modulusV);
 }
 

@@ -23,7 +23,7 @@ MeanEdgeAt55000Faces(const SurfaceConnectivity & connectivity, const Eigen::Vect
 ShapetonHeatDiffusionMetric_EXPORT double
 DefaultDiffusionTime(double meanEdge, double narrowestRadius);
 
-/** h^2 > 1.3 r^2: no time suits both mesh and shape. */
+/** h^2 > 1.3 r^2: no time satisfies both conditions. */
 ShapetonHeatDiffusionMetric_EXPORT bool
 IsTooCoarseForDiffusion(double meanEdge, double narrowestRadius);
 

@@ -25,7 +25,7 @@ struct SurfaceLaplacianOptions
 {
   MassLumping lumping{ MassLumping::Barycentric };
   /** Minimum face height, relative to the longest side. The stiffness of a flatter face is scaled down to that of a
-   * face with this height: it stays positive semidefinite and cannot dominate that of its neighbors. */
+   * face with this height: it stays positive semidefinite and cannot dominate its neighbors. */
   double leastHeight{ 1e-6 };
 };
 

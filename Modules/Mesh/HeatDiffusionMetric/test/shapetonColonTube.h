@@ -72,7 +72,7 @@ PathPoint(double u)
          (2.0 * b + (c - a) * t + (2.0 * a - 5.0 * b + 4.0 * c - d) * t * t + (3.0 * (b - c) + d - a) * t * t * t);
 }
 
-/** Averages neighboring points three times, so that bends are wider than the tube and it does not intersect itself. */
+/** Averages neighboring points three times to keep bends wider than the tube and avoid self-intersections. */
 inline std::vector<Eigen::Vector3d>
 Smoothed(std::vector<Eigen::Vector3d> path, int reach)
 {
@@ -169,7 +169,7 @@ JoinFaces(std::vector<std::array<int, 3>> & faces, int first, int second)
 {
   const std::array<int, 3>        a = faces[first];
   const std::array<int, 3>        b = faces[second];
-  const std::array<int, 3>        turned{ b[0], b[2], b[1] }; // the rim of the other hole has the opposite direction
+  const std::array<int, 3>        turned{ b[0], b[2], b[1] }; // the other rim is traversed in reverse
   std::vector<std::array<int, 3>> tube;
   for (int k = 0; k < 3; ++k)
   {
@@ -183,7 +183,7 @@ JoinFaces(std::vector<std::array<int, 3>> & faces, int first, int second)
   return { a[0], a[1], a[2], b[0], b[1], b[2] };
 }
 
-/** Grid of a tube: rows of `around` vertices, each row shifted by half a step against the previous one. */
+/** Grid of a tube: rows of `around` vertices, each shifted by half a step from the previous row. */
 struct Grid
 {
   int around;

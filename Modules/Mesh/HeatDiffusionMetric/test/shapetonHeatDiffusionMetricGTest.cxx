@@ -94,7 +94,7 @@ WithNeedle(const SurfaceMesh & body, int tip, double radius, double length)
   return mesh;
 }
 
-/** From all eigenpairs, by a dense decomposition. */
+/** Metric from all eigenpairs, by dense decomposition. */
 Eigen::VectorXd
 DenseMetric(const SurfaceLaplacian & laplacian, double t)
 {
@@ -272,7 +272,7 @@ TEST(HeatDiffusionMetric, GivesTheSameBytesForAnyNumberOfThreads)
 
 TEST(HeatDiffusionMetric, TruncatedLacksTheAnglesOfALongTube)
 {
-  // 50 pairs, as published, are not sufficient for a whole colon: none of them varies around the tube.
+  // 50 pairs, as published, are not sufficient for a whole colon: they are constant around the tube.
   const SurfaceMesh         mesh = Cylinder(12, 300, 1.0, 200.0);
   const SurfaceConnectivity connectivity(mesh);
   const auto                laplacian = MakeSurfaceLaplacian(connectivity, mesh.V);
@@ -321,7 +321,7 @@ TEST(HeatDiffusionMetric, MeanEdgeAt55000FacesDoesNotDependOnTheMesh)
   EXPECT_NEAR(meanEdge(32000), meanEdge(8000), 0.1 * meanEdge(8000));
 }
 
-/** Around a needle heat is constant up to rounding; the rest of the surface is not affected. */
+/** Heat is constant up to rounding around a needle; the rest of the surface is unaffected. */
 TEST(HeatDiffusionMetric, NeedlesHaveTheLeastLengthThatCanBeTold)
 {
   const SurfaceMesh         sphere = Icosphere(5, 10.0);

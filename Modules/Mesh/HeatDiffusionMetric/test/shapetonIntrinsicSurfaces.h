@@ -7,7 +7,7 @@
 /** Flat surfaces given by edge lengths, with exactly known spectra. */
 namespace testsurfaces
 {
-/** A grid with its true planar lengths, however it is wrapped. */
+/** A grid with its planar edge lengths, independent of wrapping. */
 struct FlatGrid
 {
   FlatGrid(int around, int along, Wrap wrap, double width, double height)

@@ -52,13 +52,13 @@ TEST(SurfaceLaplacian, VoronoiCellsOfARightGridAreItsCells)
   SurfaceLaplacianOptions options;
   options.lumping = MassLumping::MixedVoronoi;
   const SurfaceLaplacian laplacian = LaplacianOf(Square(4, 4.0), options);
-  EXPECT_NEAR(laplacian.mass[12], 1.0, 1e-14); // the middle
+  EXPECT_NEAR(laplacian.mass[12], 1.0, 1e-14); // the center
   EXPECT_NEAR(laplacian.mass[0], 0.25, 1e-14); // a corner
 }
 
 TEST(SurfaceLaplacian, IsSymmetricAndSemidefiniteWithRowSumsOfZero)
 {
-  const SurfaceMesh     mesh = Roughened(Square(14, 14.0), 0.45, 2); // obtuse angles among them
+  const SurfaceMesh     mesh = Roughened(Square(14, 14.0), 0.45, 2); // including obtuse angles
   const auto            laplacian = LaplacianOf(mesh);
   const Eigen::MatrixXd L = StiffnessMatrix(laplacian);
   EXPECT_LT(laplacian.weights.minCoeff(), 0.0);
@@ -141,7 +141,7 @@ TEST(SurfaceLaplacian, SidesTooShortForTheirTrianglesAreLengthened)
   EXPECT_TRUE(LengthenShortestSides(connectivity, lengths).empty());
   EXPECT_EQ(straight, lengths);
 
-  // The edge from (0, 0) to (1, 0) is the side of one face; the others of it are 1 and sqrt(2) steps long.
+  // The edge from (0, 0) to (1, 0) has one face; its other sides have 1 and sqrt(2) steps.
   const int edge = connectivity.FindEdge(0, 1);
   lengths[edge] = 1e-3;
   EXPECT_EQ(std::set<int>{ edge }, LengthenShortestSides(connectivity, lengths));
@@ -183,7 +183,7 @@ TEST(SurfaceLaplacian, RefusesBadInput)
   mesh.V.row(5) = mesh.V.row(6);
   EXPECT_THROW(LaplacianOf(mesh), InputError);
   mesh = Square(1, 3.0);
-  mesh.V.row(1) << 1.5, 1.5, 0.0; // in the middle of the diagonal
+  mesh.V.row(1) << 1.5, 1.5, 0.0; // in the center of the diagonal
   EXPECT_THROW(LaplacianOf(mesh), InputError);
   mesh = Square(3, 3.0);
   mesh.V.conservativeResize(mesh.V.rows() + 1, Eigen::NoChange);

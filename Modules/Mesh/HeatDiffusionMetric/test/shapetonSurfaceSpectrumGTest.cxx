@@ -30,7 +30,7 @@ ExpectEigenvalues(const SurfaceSpectrum & spectrum, std::vector<double> expected
   }
 }
 
-/** factors (m^2 a + n^2 b) for whole m, n of the given signs. */
+/** Values m^2 a + n^2 b for integers m, n of the given signs. */
 std::vector<double>
 Products(int from, int fromSecond, int to, double a, double b)
 {

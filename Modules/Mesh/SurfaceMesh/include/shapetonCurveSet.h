@@ -35,16 +35,16 @@ RequireSound(const CurveSet & curves, const std::string & what);
 ShapetonSurfaceMesh_EXPORT Eigen::VectorXd
                    PointValues(const CurveSet & curves, const std::string & array, const std::string & what);
 
-/** Writes curves as VTP (.vtp), marked as LPS. Points are written as VTK verts, which come before the lines; reading
- * restores the curves in that order. Equal curves give equal bytes.
- * Throws OutputError if the file cannot be written, ParameterError for another extension, and InputError as
- * RequireSound(), except that an empty set is allowed. \ingroup ShapetonSurfaceMesh */
+/** Writes curves as VTP (.vtp), marked as LPS. Points are written as VTK verts, before the lines; reading restores the
+ * curves in that order. Output is deterministic. Throws OutputError if the file cannot be written, ParameterError for
+ * another extension, and InputError as RequireSound(), except that an empty set is allowed.
+ * \ingroup ShapetonSurfaceMesh */
 ShapetonSurfaceMesh_EXPORT void
 WriteCurves(CurveSet curves, const std::string & path);
 
-/** Writes curves as WriteCurves(), and the triangles of a surface on their vertices as VTK polys, which come after the
- * lines. Cell arrays have rows for these faces, too. ReadCurves() returns the curves of the file, ReadSurface() the
- * surface. Throws as WriteCurves(). \ingroup ShapetonSurfaceMesh */
+/** Like WriteCurves(), followed by the triangles of a surface on the same vertices as VTK polys. Cell arrays include
+ * rows for these faces. ReadCurves() returns the curves of the file, ReadSurface() the surface. Throws as
+ * WriteCurves(). \ingroup ShapetonSurfaceMesh */
 ShapetonSurfaceMesh_EXPORT void
 WriteCurvesOnSurface(CurveSet curves, const FaceMatrix & faces, const std::string & path);
 

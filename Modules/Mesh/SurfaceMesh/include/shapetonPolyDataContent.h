@@ -14,7 +14,7 @@ namespace shapeton
 /** Triangles become VTK polys. \ingroup ShapetonSurfaceMesh */
 ShapetonSurfaceMesh_EXPORT void
 FillPolyData(const SurfaceMesh & mesh, vtkPolyData & data);
-/** Points become VTK verts, which come first, curves its lines, and faces, if any, its polys.
+/** Points become VTK verts, curves become lines, and faces, if any, become polys, in this order.
  * \pre Single-vertex curves come first. \ingroup ShapetonSurfaceMesh */
 ShapetonSurfaceMesh_EXPORT void
 FillPolyData(const CurveSet & curves, const FaceMatrix & faces, vtkPolyData & data);

@@ -36,9 +36,9 @@ struct Markup
   std::array<double, 3> color{ 1.0, 0.5, 0.5 };
 };
 
-/** Writes markups of 3D Slicer, schema version 1.0.3: one scene node each, LPS, mm. Equal markups give equal bytes.
+/** Writes markups of 3D Slicer, schema version 1.0.3: one scene node each, LPS, mm. Output is deterministic.
  * Throws ParameterError unless the path ends with .mrk.json; std::invalid_argument if the number of labels or
- * descriptions differs from that of the points, a color is out of range or a coordinate is not finite; OutputError.
+ * descriptions differs from the number of points, a color is out of range or a coordinate is not finite; OutputError.
  * \ingroup ShapetonSurfaceMesh */
 ShapetonSurfaceMesh_EXPORT void
 WriteMarkups(const std::vector<Markup> & markups, const std::string & path);

@@ -27,7 +27,7 @@ struct SurfaceDefects
   /** Edges with two faces in the same direction. */
   std::vector<int> inconsistentEdges;
 
-  /** No defects except, possibly, coincident vertices: two components may touch. */
+  /** No defects, except for coincident vertices, because components may touch. */
   ShapetonSurfaceMesh_EXPORT bool
   AreNone() const;
 };

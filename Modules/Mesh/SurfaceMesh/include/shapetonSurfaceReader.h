@@ -19,8 +19,8 @@ struct SurfaceFile
 {
   /** Surface in mm (by the unit of the format), LPS. */
   SurfaceMesh mesh;
-  /** glTF: one part per node with a mesh, named after the node or else the mesh. OBJ: one per object or group. Empty
-   * for other formats. Repeated names get " #2", " #3", ... */
+  /** glTF: one part per node with a mesh, named after the node or, if unnamed, the mesh. OBJ: one per object or group.
+   * Empty for other formats. Repeated names get " #2", " #3", ... */
   std::vector<SurfacePart> parts;
   /** Conversions that were applied, for example "12 polygons were cut into 30 triangles". */
   Remarks notes;
@@ -35,17 +35,18 @@ struct SurfaceFile
  *   note.
  * - STL stores corners only, and glTF repeats vertices along seams: vertices at equal positions are merged. Other
  *   formats keep their vertices.
- * - glTF: the unit is meters, by its standard. Node transforms are applied. Axes are kept (y is NOT turned to z), and
- *   so is the corner order unless a transform mirrors. Meshes with a skin or morph are read at rest. Draco and meshopt
+ * - glTF: the unit is meters, by its standard. Node transforms are applied. Axes are kept (y is NOT rotated to z), as
+ * is the corner order unless a transform mirrors. Skinned and morphed meshes are read in their rest pose. Draco and
+ * meshopt
  *   compression and sparse accessors are rejected.
  * - Files marked SPACE=RAS, as written by 3D Slicer (field data of VTP, a comment of PLY, OBJ and STL), are converted
  *   to LPS.
  * - Point and cell arrays: VTP with its field data, and scalar properties of PLY. Colors, normals and texture
  *   coordinates of other formats are dropped.
  *
- * Throws InputError that names the file, the error, its location and the remedy, for files that are missing, empty,
- * text instead of a surface, truncated or of another format, and for indices out of range, nonfinite coordinates, or no
- * faces. Sizes stated in a file are checked against its length before memory is allocated. \ingroup ShapetonSurfaceMesh */
+ * Throws InputError that names the file, the error, its location and the remedy, for missing, empty, truncated or
+ * unsupported files, indices out of range, nonfinite coordinates, and files without faces. Sizes stated in a file are
+ * checked against its length before memory is allocated. \ingroup ShapetonSurfaceMesh */
 ShapetonSurfaceMesh_EXPORT SurfaceFile
 ReadSurfaceFile(const std::string & path);
 
@@ -54,17 +55,17 @@ struct SurfaceReadOptions
 {
   /** Name of a part; empty for all parts. */
   std::string part;
-  /** From 1: the component with this rank by number of faces (ties: the earlier face first); 0: the surface must have
-   * one component; -1: all components. Components are counted as after RepairSurface(): pieces joined along a seam
-   * (two boundaries of coincident vertices) are one; surfaces are cut at edges with more than two faces. */
+  /** Component rank by number of faces, from 1 (ties: the earlier face first). 0: the surface must have one component.
+   * -1: all components. Components are counted as after RepairSurface(): pieces joined along a seam (two boundaries of
+   * coincident vertices) are one; surfaces are cut at edges with more than two faces. */
   int component{ 0 };
   /** "m", "mm" or "um", overriding the unit of the format. If empty, the unit of the format is used, and a surface
    * whose largest extent is not between 5 mm and 5 m is rejected. */
   std::string unit;
   /** Accepts a surface of any extent with a note, for results that do not depend on size. */
   bool isAnyExtentPlausible{ false };
-  /** Requires a single component after repair; messages then do not advise to take all. Otherwise ReadSurface() accepts
-   * a surface with edge-connected faces, with a note where it will be cut. */
+  /** Requires a single component after repair; messages then do not suggest selecting all. Otherwise ReadSurface()
+   * accepts a surface with edge-connected faces and notes where it will be cut. */
   bool takesOneComponent{ false };
 };
 

@@ -9,7 +9,7 @@ namespace shapeton
 /** Target size and triangle shape for SimplifySurface(). \ingroup ShapetonSurfaceMesh */
 struct SurfaceSimplificationOptions
 {
-  /** Target number of faces, from 1. The result has at most one face fewer if the topology allows. */
+  /** Target number of faces, from 1. If topology allows, the result has this number of faces or one fewer. */
   int targetFaces{ 50000 };
   /** Collapses do not create angles below this limit (degrees, 0 to 30), except where such an angle already existed.
    * Lowered in steps of 5 degrees to 0 while the target cannot be reached. */

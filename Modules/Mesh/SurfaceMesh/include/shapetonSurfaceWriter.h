@@ -6,12 +6,12 @@
 
 namespace shapeton
 {
-/** Writes a surface as VTP, STL (binary), PLY (binary) or OBJ, by file extension. Files are marked as LPS in mm in the
- * way 3D Slicer reads: field data SPACE of VTP, a comment in the others.
+/** Writes a surface as VTP, STL (binary), PLY (binary) or OBJ, by file extension. Files are marked as LPS for 3D
+ * Slicer: field data SPACE in VTP, a comment in the other formats. Positions are in mm.
  *
  * VTP keeps positions in double precision, all arrays, and facts as field data strings. PLY keeps positions in double
  * precision and single-component arrays with names without blanks; OBJ positions in double precision; STL positions in
- * single precision. Equal surfaces give equal bytes.
+ * single precision. Output is deterministic.
  *
  * Throws OutputError if the file cannot be written, ParameterError for another extension, InputError as RequireSound().
  * \ingroup ShapetonSurfaceMesh */

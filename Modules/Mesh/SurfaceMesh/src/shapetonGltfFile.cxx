@@ -108,7 +108,7 @@ private:
     AddTriangles(indices, mode, transform.topLeftCorner<3, 3>().determinant() < 0.0, firstVertex, m_Surface);
   }
 
-  // Check before meshes are merged: an index out of range would refer to a vertex of the next mesh.
+  // Check before meshes are merged: afterwards an index out of range would refer to the next mesh.
   void
   CheckIndices(const std::vector<std::int64_t> & indices, std::size_t vertices) const
   {

@@ -43,7 +43,7 @@ NextLine(TextScanner & scanner, const std::string & what, std::size_t index, std
 } // namespace
 
 // http://www.geomview.org/docs/html/OFF.html; colors, normals and texture coordinates follow the position or the
-// indices on their line and are left out.
+// indices on their line and are ignored.
 PolygonSurface
 ReadOff(const std::string & bytes, const std::string & path)
 {

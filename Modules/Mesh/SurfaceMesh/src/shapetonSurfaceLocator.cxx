@@ -115,8 +115,8 @@ SurfaceLocator::BuildTop(const VertexMatrix & centers)
   ParallelFor(parts.size(), [&](std::size_t i) { this->Build(parts[i], centers); });
 }
 
-/** Sets the first node of a part and splits its faces into halves. Returns the start of the second half, or for a leaf
- * that of the part. */
+/** Sets the first node of a part and splits its faces into halves. Returns the start of the second half; for a leaf,
+ * the start of the part. */
 int
 SurfaceLocator::Split(const Part & part, const VertexMatrix & centers)
 {

@@ -46,7 +46,7 @@ SortedVertices(const FaceMatrix & F, int f)
   return vertices;
 }
 
-/** Whether another face has the same vertices; or one that names a vertex twice, of which that is not known. */
+/** Whether the face may be a duplicate: always true for faces with a repeated vertex, which are not compared. */
 bool
 MayBeDuplicate(const FaceMatrix & F, const SurfaceConnectivity & connectivity, int f)
 {
@@ -92,7 +92,7 @@ CoincidentVertices(const VertexMatrix & V)
   places.reserve(V.rows());
   for (int v = 0; v < V.rows(); ++v)
   {
-    if (V.row(v).allFinite()) // the others have no position
+    if (V.row(v).allFinite()) // other vertices may have any position
     {
       places.emplace_back(std::array<double, 3>{ V(v, 0), V(v, 1), V(v, 2) }, v);
     }

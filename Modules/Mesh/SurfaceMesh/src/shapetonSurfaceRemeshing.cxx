@@ -130,7 +130,7 @@ private:
   {
     const int u = m_Table.From(h);
     int       before = -1;
-    m_Table.ForEachNeighbor(u, [&](int w) { before = w; }); // the last one: along the boundary
+    m_Table.ForEachNeighbor(u, [&](int w) { before = w; }); // the last half-edge follows the boundary
     const Eigen::Vector3d & a = m_Positions[before];
     const Eigen::Vector3d   direction = m_Positions[m_Table.To(h)] - a;
     const Eigen::Vector3d   offset = m_Positions[u] - a;

@@ -354,7 +354,7 @@ Simplifier::ForEachFaceAt(int u, int v, const TVisit & visit) const
   }
 }
 
-/** Whether no remaining face flips over or gets too small an angle. */
+/** Whether all remaining faces keep their orientation and angle limit. */
 bool
 Simplifier::KeepsShape(int u, int v, const Eigen::Vector3d & place) const
 {

@@ -256,7 +256,7 @@ VtkXml::Take(std::size_t & place, std::size_t size, bool isRaw) const
   return bytes;
 }
 
-// Header: blocks, bytes of each, bytes of the last one (0: it is whole), compressed bytes of each.
+// Header: number of blocks, block size, size of the last block (0 if full), compressed size of each block.
 std::string
 VtkXml::Decompressed(std::size_t place, bool isRaw) const
 {

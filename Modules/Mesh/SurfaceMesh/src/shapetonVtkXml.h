@@ -27,8 +27,8 @@ struct VtkXmlElement
 /** \class VtkXml
  * \brief Elements of a VTK XML file and values of its arrays: text, base64 and appended, raw and compressed.
  *
- * https://docs.vtk.org/en/latest/vtk_file_formats/vtkxml_file_format.html. Validates everything that the file states,
- * unlike VTK's own reader. Throws InputError.
+ * https://docs.vtk.org/en/latest/vtk_file_formats/vtkxml_file_format.html. Unlike VTK's reader, validates all values
+ * stated in the file. Throws InputError.
  */
 class VtkXml
 {

@@ -133,7 +133,7 @@ private:
     m_LeftOut += verts + lines;
     this->ReadCells(piece.Find("Polys"), polys, firstPoint, points, false);
     this->ReadCells(piece.Find("Strips"), strips, firstPoint, points, true);
-    if (strips == 0) // triangles of strips have no rows of their own
+    if (strips == 0) // cell arrays have one row per strip, not per triangle
     {
       this->Gather(piece.Find("CellData"), verts + lines, polys, verts + lines + polys, m_CellArrays);
     }

@@ -14,7 +14,7 @@ namespace
 {
 using namespace testsurfaces;
 
-/** A line of three vertices, a point, a line of two. */
+/** A line with three vertices, a point, and a line with two vertices. */
 shapeton::CurveSet
 MakeCurves()
 {

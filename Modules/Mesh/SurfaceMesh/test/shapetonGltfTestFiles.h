@@ -28,7 +28,7 @@ Base64(const std::string & bytes)
   return text;
 }
 
-/** Four floats triples of a unit tetrahedron and indices of its four faces. */
+/** Vertex positions and face indices of a unit tetrahedron. */
 inline std::string
 TetrahedronBuffer()
 {
@@ -40,7 +40,8 @@ TetrahedronBuffer()
   return bytes;
 }
 
-/** Two nodes: a tetrahedron as is, and one that its parent shifts by 3 m and its own transform scales and mirrors. */
+/** Two nodes: an untransformed tetrahedron, and one translated by 3 m by its parent, scaled and mirrored by its own
+ * transform. */
 inline std::string
 GltfDocument(const std::string & buffer)
 {

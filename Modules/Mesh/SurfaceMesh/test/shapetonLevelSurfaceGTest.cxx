@@ -13,7 +13,7 @@ namespace
 {
 constexpr std::array<int, 3> size{ { 40, 30, 30 } };
 
-/** Values with zero level sets on a sphere of radius 9 around (14, 15, 15) and one of radius 4 around (31, 15, 15). */
+/** Values whose zero level set is two spheres: radius 9 around (14, 15, 15) and radius 4 around (31, 15, 15). */
 std::vector<float>
 TwoBalls()
 {

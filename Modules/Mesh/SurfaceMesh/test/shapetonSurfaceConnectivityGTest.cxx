@@ -90,7 +90,7 @@ TEST(SurfaceConnectivity, NeighborsOfAGridVertex)
 
 TEST(SurfaceConnectivity, FansAndNonManifoldEdges)
 {
-  // Two triangles that share vertex 0; three that share the edge 5 6.
+  // Two triangles sharing vertex 0, and three sharing the edge 5 6.
   const SurfaceConnectivity connectivity(
     FromLists(std::vector<Eigen::Vector3d>(10, Eigen::Vector3d::Zero()),
               { { 0, 1, 2 }, { 0, 3, 4 }, { 5, 6, 7 }, { 6, 5, 8 }, { 5, 6, 9 } }));
@@ -103,7 +103,7 @@ TEST(SurfaceConnectivity, FansAndNonManifoldEdges)
   EXPECT_EQ(connectivity.FanOfFaces(5, true), std::vector<int>({ 0, 1, 2 }));
   EXPECT_TRUE(connectivity.IsNonManifoldVertex(5));
   EXPECT_FALSE(connectivity.IsManifold());
-  ASSERT_EQ(connectivity.Components().size(), 3u); // touching at a vertex does not join
+  ASSERT_EQ(connectivity.Components().size(), 3u); // faces that share only a vertex are not connected
   EXPECT_EQ(connectivity.Components()[0].genus, 0);
   EXPECT_FALSE(connectivity.Components()[2].isManifold);
   EXPECT_FALSE(connectivity.Components()[2].genus.has_value());
@@ -111,7 +111,7 @@ TEST(SurfaceConnectivity, FansAndNonManifoldEdges)
 
 TEST(SurfaceConnectivity, APinchedComponentIsNotManifold)
 {
-  // A fan around 0 that is interrupted and joined elsewhere: an annulus pinched at 0.
+  // An annulus pinched at vertex 0, so its faces form separate fans there.
   shapeton::SurfaceMesh mesh = Cylinder(8, 1, 1, 1);
   for (Eigen::Index i = 0; i < mesh.F.size(); ++i)
   {
@@ -145,7 +145,7 @@ TEST(SurfaceConnectivity, IndicesAreChecked)
   EXPECT_FALSE(SurfaceConnectivity(F, 0).IsClosed());
 }
 
-// ---- against brute force, on faces thrown at random ----
+// ---- comparison with brute force on random faces ----
 
 shapeton::FaceMatrix
 RandomFaces(int vertices, int faces, std::uint64_t seed)

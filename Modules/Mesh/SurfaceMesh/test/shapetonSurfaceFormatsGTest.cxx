@@ -148,11 +148,11 @@ TEST(SurfaceFormats, OffWithCommentsColorsAndPolygons)
 
 TEST(SurfaceFormats, ConcavePolygonsAreCutWithinThem)
 {
-  // An arrow head: its fan from the first corner would lie outside.
+  // An arrow head: a fan from the first corner would leave the polygon.
   const std::string           text = "OFF 4 1 0\n0 0 0\n4 -3 0\n1 0 0\n4 3 0\n4 0 1 2 3\n";
   const shapeton::SurfaceMesh mesh = ReadBytes("off", text).mesh;
   EXPECT_NEAR(shapeton::SurfaceArea(mesh.V, mesh.F), 3.0, 1e-12);
-  // A comb of many teeth: area of triangles is that of the polygon (shoelace formula).
+  // A comb with many teeth: the triangle areas sum to the polygon area (shoelace formula).
   const int   teeth = 20;
   std::string comb;
   for (int i = 0; i < teeth; ++i)
@@ -198,10 +198,10 @@ TEST(SurfaceFormats, ObjDialectsGiveTheSameSurface)
     weights + faces,
     crlf,
     "v 1 0 0 .8 .5 .4\nv -1 0 0 .8 .5 .4\nv 0 1 0 1 1 1\nv 0 -1 0 1 1 1\nv 0 0 1 0 0 0\nv 0 0 -1 0 0 0\n" + faces,
-    // continued lines: also twice, within a number's line, before CR LF, before blanks, in a line that is left out
+    // continued lines: repeated, between numbers, before CR LF, before blanks, in an ignored line
     "vn 0 \\\n0 1\nv 1 0 \\\n0\nv \\\n-1 0\\\n 0\nv 0 1 0\nv 0 -1 0\nv 0 0 1\nv 0 0 -1\nf 1 \\\r\n 3 \\  \n \\\n 5\n" +
       faces.substr(8),
-    // counted back, with texture and normal, after the face, with a comment behind
+    // negative indices, texture and normal indices, vertices after the face, a trailing comment
     weights + "f -6 -4 -2 # back\nf 3/1 2/2 5/3\nf 2//1 4//1 5//1\nf 4/1/1 1/2/1 5/3/1\n" + faces.substr(32) +
       "# end \\",
     "\tv\t1 0 0\n  v -1 0 0\nv 0 1 0\nv 0 -1 0\nv 0 0 1\nv 0 0 -1\n\n" + faces.substr(0, faces.size() - 1) + "\\"

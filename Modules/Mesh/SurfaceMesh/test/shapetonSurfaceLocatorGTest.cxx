@@ -9,7 +9,7 @@ namespace
 {
 using namespace testsurfaces;
 
-// Dense sampling gives an upper bound that is near the truth; the point itself must lie in the triangle.
+// Dense sampling yields a tight upper bound; the point must be inside the triangle.
 TEST(SurfaceLocator, ClosestPointOfATriangleIsNoFartherThanAnySample)
 {
   Random    random(1);

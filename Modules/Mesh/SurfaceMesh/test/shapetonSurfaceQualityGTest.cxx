@@ -74,7 +74,7 @@ TEST(SurfaceQuality, AnglesAndAspectOfARightTriangle)
 
 TEST(SurfaceQuality, EveryDefectIsCounted)
 {
-  // 0 1 2 | its duplicate, turned | a degenerate face | one without area | vertex 6 at 0, vertex 7 alone
+  // 0 1 2 | its flipped duplicate | a degenerate face | a zero-area face | vertex 6 coincides with 0, 7 is unreferenced
   const shapeton::SurfaceMesh mesh = FromLists(
     { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 5, 0, 0 }, { 6, 0, 0 }, { 7, 0, 0 }, { 0, 0, 0 }, { 9, 9, 9 } },
     { { 0, 1, 2 }, { 1, 0, 2 }, { 3, 3, 4 }, { 3, 4, 5 }, { 6, 1, 5 } });
@@ -97,7 +97,7 @@ TEST(SurfaceQuality, InconsistentEdgesAreThoseAroundATurnedFace)
   EXPECT_EQ(quality.defects.inconsistentEdges.size(), 3u);
   EXPECT_FALSE(quality.isOriented);
   EXPECT_FALSE(quality.volume.has_value());
-  EXPECT_EQ(quality.genus, 0); // it can be turned back
+  EXPECT_EQ(quality.genus, 0); // the flip can be reverted
 }
 
 TEST(SurfaceQuality, GenusIsTheSumOverComponents)

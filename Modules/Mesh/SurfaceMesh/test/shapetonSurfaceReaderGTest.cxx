@@ -11,7 +11,7 @@ namespace
 {
 using namespace testsurfaces;
 
-// ---- what to take ----
+// ---- selection ----
 
 std::string
 FaultOfReading(const std::string & path, const shapeton::SurfaceReadOptions & options)
@@ -50,10 +50,10 @@ TEST(SurfaceReader, SeveralComponentsNeedAChoice)
   EXPECT_THROW(shapeton::ReadSurface(path, options), shapeton::ParameterError);
 }
 
-// A tube with a seam around it, and one along it, in each format; STL has no vertices of its own.
+// A tube with a circumferential seam, and one with a longitudinal seam, in each format; STL does not index vertices.
 TEST(SurfaceReader, SeamsDoNotSplitASurface)
 {
-  const shapeton::SurfaceMesh tube = Cylinder(12, 10, 20, 90); // two faces a cell, twelve cells a row
+  const shapeton::SurfaceMesh tube = Cylinder(12, 10, 20, 90); // two faces per cell, twelve cells per row
   const Folder                folder;
   for (const std::string name : { "a.vtp", "a.ply", "a.obj", "a.stl" })
   {
@@ -101,7 +101,7 @@ TEST(SurfaceReader, ASurfaceThatIsNotManifoldIsCutIntoComponents)
   const std::string where =
     "it is not manifold: 2 edges have more than two faces, the first from (0, 0, 0) to (0, 0, 9) mm; "
     "after cutting there it has 3 components: 1: 2 faces";
-  // Accepted for inspection, with the common number of components.
+  // Accepted for inspection; components are counted by shared edges.
   const shapeton::Surface asItIs = shapeton::ReadSurface(folder / "a.ply");
   ASSERT_EQ(asItIs.notes.size(), 1u);
   EXPECT_EQ(asItIs.notes[0].find(where), 0u) << asItIs.notes[0];
@@ -115,7 +115,7 @@ TEST(SurfaceReader, ASurfaceThatIsNotManifoldIsCutIntoComponents)
   EXPECT_NE(faultOfRepairing().find(where), std::string::npos);
   EXPECT_EQ(faultOfRepairing().find("= -1"), std::string::npos);
   EXPECT_NE(FaultOfReading(folder / "a.ply", options).find(where), std::string::npos);
-  for (options.component = 1; options.component <= 3; ++options.component) // as advised
+  for (options.component = 1; options.component <= 3; ++options.component) // as the message advises
   {
     const shapeton::Surface part = shapeton::ReadRepairedSurface(folder / "a.ply", options);
     EXPECT_EQ(part.mesh.NumberOfFaces(), 2);
@@ -191,7 +191,7 @@ struct Faulty
 {
   const char * extension;
   std::string  bytes;
-  const char * message; ///< a part of it
+  const char * message; ///< part of the message
 };
 
 std::vector<Faulty>
@@ -269,7 +269,7 @@ TEST(SurfaceReader, MissingFilesAndFolders)
   EXPECT_THROW(shapeton::WriteSurface(Octahedron(), folder / "a.off"), shapeton::ParameterError);
 }
 
-// Each truncated file is rejected or, if a text ends at a whole line, gives a smaller surface; none crashes.
+// A truncated file is rejected or, if text ends at a complete line, yields a smaller surface.
 TEST(SurfaceReader, TruncatedBinaryFilesAreRefused)
 {
   const Folder folder;
@@ -287,7 +287,7 @@ TEST(SurfaceReader, TruncatedBinaryFilesAreRefused)
 class SurfaceReaderOfMutants : public testing::TestWithParam<std::string>
 {};
 
-// A mutant is rejected or gives a sound surface; nothing else is thrown, and nothing crashes.
+// A mutated file is rejected with InputError or yields a valid surface.
 TEST_P(SurfaceReaderOfMutants, AreRefusedOrSound)
 {
   const Folder      folder;

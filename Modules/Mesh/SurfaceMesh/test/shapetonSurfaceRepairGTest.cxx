@@ -83,7 +83,7 @@ TEST(SurfaceRepair, TurnsTheFewerFacesOfAnOpenSurface)
   const Eigen::Vector3d a = repaired.V.row(repaired.F(0, 0));
   const Eigen::Vector3d normal =
     (repaired.V.row(repaired.F(0, 1)).transpose() - a).cross(repaired.V.row(repaired.F(0, 2)).transpose() - a);
-  EXPECT_GT(normal.dot(Eigen::Vector3d(a[0], a[1], 0.0)), 0.0); // outward, as most of them were
+  EXPECT_GT(normal.dot(Eigen::Vector3d(a[0], a[1], 0.0)), 0.0); // outward, like most of the faces
 }
 
 TEST(SurfaceRepair, LeavesAMoebiusStripAndSaysSo)

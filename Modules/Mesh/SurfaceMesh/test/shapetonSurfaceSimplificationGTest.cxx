@@ -61,8 +61,8 @@ TEST(SurfaceSimplification, SphereStaysASphere)
   EXPECT_EQ(simple.NumberOfFaces(), 4000);
   ExpectSameTopology(sphere, simple);
   EXPECT_GE(quality.smallestAngle.minimum, 20.0 - 1e-6);
-  // An equilateral triangle of side l with corners on the sphere reaches l^2 / (6 R) below it. Triangles differ in size
-  // and the optimal vertices lie outside, so twice that is allowed.
+  // An equilateral triangle of side l with corners on the sphere reaches l^2 / (6 R) below it. Twice that is allowed
+  // because triangle sizes differ and optimal vertices are outside the sphere.
   const double side = std::sqrt(4.0 * Pi * radius * radius / 4000.0 * 4.0 / std::sqrt(3.0));
   const double bound = 2.0 * side * side / (6.0 * radius); // 0.12 mm
   for (int v = 0; v < simple.NumberOfVertices(); ++v)
@@ -118,14 +118,14 @@ TEST(SurfaceSimplification, StopsWithAReasonWhenTopologyForbidsMore)
   const shapeton::SurfaceMesh           simple = Simplified(torus, 1, &report);
   EXPECT_FALSE(report.reachedTarget);
   EXPECT_FALSE(report.reason.empty());
-  EXPECT_GE(simple.NumberOfFaces(), 14); // no torus has fewer (Moebius, Csaszar)
+  EXPECT_GE(simple.NumberOfFaces(), 14); // the minimum for a torus (Moebius, Csaszar)
   ExpectSameTopology(torus, simple);
 }
 
 class SurfaceSimplificationToTheEnd : public testing::TestWithParam<int>
 {};
 
-// Rough surfaces of every kind, simplified as far as possible: the topology is preserved for any geometry.
+// Topology must be preserved on rough surfaces simplified as far as possible.
 TEST_P(SurfaceSimplificationToTheEnd, KeepsTheTopology)
 {
   const int                   seed = GetParam();
@@ -141,7 +141,7 @@ INSTANTIATE_TEST_SUITE_P(Random, SurfaceSimplificationToTheEnd, testing::Range(1
 
 TEST(SurfaceSimplification, EqualInputGivesEqualOutput)
 {
-  const shapeton::SurfaceMesh torus = Torus(60, 40, 20, 8); // many equal costs
+  const shapeton::SurfaceMesh torus = Torus(60, 40, 20, 8); // many edges have equal cost
   const shapeton::SurfaceMesh one = Simplified(torus, 700);
   const shapeton::SurfaceMesh two = Simplified(torus, 700);
   EXPECT_EQ(one.V, two.V);

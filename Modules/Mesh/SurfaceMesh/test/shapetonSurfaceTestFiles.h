@@ -12,7 +12,7 @@ namespace testsurfaces
 {
 using basetest::Folder;
 
-/** Reads bytes as a file with this extension. */
+/** Reads bytes as a surface file with this extension. */
 inline shapeton::SurfaceFile
 ReadBytes(const std::string & extension, const std::string & bytes)
 {

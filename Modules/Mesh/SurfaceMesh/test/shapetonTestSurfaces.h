@@ -81,8 +81,8 @@ Icosphere(int levels, double radius)
   return FromLists(points, faces);
 }
 
-/** A grid of `around` x `along` quadrilaterals, each split in two, wrapped in one direction (Wrap::Around), both, none,
- * or one with a half twist. position(s, t) takes s, t in [0, 1]. */
+/** A grid of `around` x `along` quadrilaterals, each split in two. It wraps in one direction (Wrap::Around), both,
+ * none, or one with a half twist. position(s, t) takes s, t in [0, 1]. */
 enum class Wrap
 {
   None,
@@ -129,7 +129,7 @@ Torus(int around, int across, double ringRadius, double tubeRadius)
   });
 }
 
-/** Open at both ends, around the z axis from 0 to `height`, outward orientation. */
+/** A cylinder around the z axis from 0 to `height`, open at both ends, oriented outward. */
 inline shapeton::SurfaceMesh
 Cylinder(int around, int along, double radius, double height)
 {
@@ -177,7 +177,7 @@ CubeOfSixSquares(double side)
   return FromLists(points, faces);
 }
 
-/** Several surfaces as one, not connected. */
+/** Concatenates surfaces without connecting them. */
 inline shapeton::SurfaceMesh
 Together(const std::vector<shapeton::SurfaceMesh> & meshes)
 {
@@ -194,8 +194,8 @@ Together(const std::vector<shapeton::SurfaceMesh> & meshes)
   return together;
 }
 
-/** The surface with a seam between the faces beyond and the others: vertices on it get a copy at the same position,
- * used by the faces beyond. */
+/** The surface with a seam around the faces `beyond`: vertices on the seam are duplicated, and these faces use the
+ * copies. */
 inline shapeton::SurfaceMesh
 WithSeam(shapeton::SurfaceMesh mesh, const std::function<bool(int)> & isBeyond)
 {
