@@ -1,2 +1,2 @@
-# ITK's build reads this file before the first module of Shapeton, which is this one.
+# ITK's build reads this file before the first Shapeton module, which is this one.
 include(${Shapeton_SOURCE_DIR}/CMake/ShapetonInITKTree.cmake)

@@ -20,8 +20,8 @@ namespace shapeton
  * A request and its response are byte strings over a socket; bulk data (pixels) are returned in a shared memory block.
  * The child has one thread, prints nothing, and is killed when its parent exits.
  *
- * Construct and call it only while no other thread uses ITK's thread pool, since both may fork. ITK's threader joins
- * the pool's threads before a fork, and a child that inherits the locked pool hangs.
+ * Construct and call it only while no other thread uses ITK's thread pool: construction and calls may fork, ITK's
+ * threader joins the pool's threads before a fork, and a child that inherits the locked pool hangs.
  *
  * \ingroup ShapetonCommon */
 class ShapetonCommon_EXPORT ContainedProcess
@@ -33,7 +33,7 @@ public:
     std::size_t memoryBytes;
     /** CPU time limit of one request. */
     unsigned int cpuSeconds;
-    /** Elapsed-time limit of one request; generous, for slow network drives. */
+    /** Wall-clock time limit of one request; generous, for slow network drives. */
     unsigned int wallSeconds;
   };
 
@@ -63,7 +63,7 @@ public:
     return m_Shared;
   }
 
-  /** Kills the child and starts a new one; for a child in an unreliable state. */
+  /** Kills the child and starts a new one, for example after the child became unreliable. */
   void
   Stop();
 

@@ -9,7 +9,7 @@
 
 namespace shapeton
 {
-/** Where a computation runs. All devices give the same bytes.
+/** Device that runs a computation. Results are identical on all devices.
  * \ingroup ShapetonCommon */
 enum class Device
 {
@@ -24,7 +24,7 @@ ShapetonCommon_EXPORT const char *
 NameOf(Device device);
 
 /** \class DeviceError
- * \brief A GPU is requested but a requirement is missing, or the GPU failed.
+ * \brief A requested GPU is not available or failed.
  * \ingroup ShapetonCommon */
 class DeviceError : public std::runtime_error
 {
@@ -41,7 +41,7 @@ struct DeviceUse
   std::string reason;          ///< why the GPU is not used, if the choice was automatic
   std::size_t memory{ 0 };     ///< free memory of the GPU in bytes
 
-  /** One line for the record of a run. */
+  /** One-line description for the log of a run. */
   std::string
   Describe() const
   {

@@ -21,8 +21,8 @@ namespace shapeton
  * functions that the CPU runs, too.
  *
  * nvcc compiles these files for the GPU. Any C++ compiler accepts them as well: a launch is then a loop, and device
- * memory is host memory. This emulation is slow; tests compare its results with those of the CPU byte by byte, which
- * covers everything but the hardware.
+ * memory is host memory. This emulation is slow; tests compare its results byte by byte with the CPU code, which covers
+ * everything except the hardware.
  *
  * Launches are asynchronous; each sees the results of the previous ones, and copies wait for them.
  *
@@ -61,7 +61,7 @@ Free(void * memory)
   cudaFree(memory);
 }
 
-/** Pins host memory, so that the device copies it by DMA, twice as fast. Small memory, device memory and memory that
+/** Pins host memory for DMA transfers, which are twice as fast. Small memory, device memory and memory that
  * cannot be pinned is left unchanged. */
 class PinnedPages
 {
@@ -214,7 +214,7 @@ private:
   T *         m_Data{ nullptr };
 };
 
-/** A copy on the device. */
+/** Returns a copy in device memory. */
 template <typename T>
 Memory<T>
 Uploaded(const T * values, std::size_t number)
@@ -239,7 +239,7 @@ ForEachKernel(std::size_t number, TBody body)
   }
 }
 
-/** A block of threads is a tile of 32 x 8 voxels, whose neighbors along y share its cache. */
+/** A thread block is a tile of 32 x 8 voxels; neighbors along y share the cache. */
 template <typename TBody>
 __global__ void
 ForVoxelsKernel(Extent extent, TBody body)
@@ -263,9 +263,9 @@ constexpr int TwiceBlocks = 4; // blocks that fit on a multiprocessor
 constexpr int TwiceBlocks = 6;
 #  endif
 
-/** The threads of a tile advance slice by slice. Each computes the first values of its column and keeps three of
- * them; those of its neighbors in a slice are shared. The border computes first values only. Three slices are
- * shared in rotation, so that one barrier per slice is enough. */
+/** The threads of a tile advance slice by slice. Each computes the first values of its column and keeps three of them;
+ * values of neighbors in a slice are in shared memory. The border computes first values only. Three slices of shared
+ * memory rotate, so one barrier per slice is enough. */
 template <typename TBody>
 __global__ void
 __launch_bounds__(TwiceX * TwiceY, TwiceBlocks) ForVoxelsTwiceKernel(Extent extent, TBody body)
@@ -345,7 +345,7 @@ ReduceKernel(std::size_t number, TBody body, TSum * partial)
   }
 }
 
-/** Each block counts separately, in its shared memory. */
+/** Each thread block counts in its shared memory. */
 template <unsigned int VBins, unsigned int VRows, typename TBody>
 __global__ void
 CountKernel(std::size_t number, TBody body, std::uint32_t * counts)
@@ -409,11 +409,11 @@ ForVoxels(const Extent & extent, const TBody & body)
   Check(cudaGetLastError(), "start a kernel");
 }
 
-/** Two steps at once of a stencil computation, so that the values of the first step are not written to memory.
+/** Performs two steps of a stencil computation at once, without writing the values of the first step to memory.
  * body.First(x, y, z, kept) returns the value of the first step and stores a number in `kept`. Then body.Second(x,
  * y, z, neighborhood, kept) receives the first-step values of the voxel and its six neighbors, 0 outside the
- * volume, in the order of TBody::Neighborhood, and that number. First() is called more than once for some voxels,
- * at any time, so neither function may write what First() reads. */
+ * volume, in the order of TBody::Neighborhood, and that number. First() may be called several times per voxel at any
+ * time, so neither function may write data that First() reads. */
 template <typename TBody>
 void
 ForVoxelsTwice(const Extent & extent, const TBody & body)
@@ -423,7 +423,7 @@ ForVoxelsTwice(const Extent & extent, const TBody & body)
   Check(cudaGetLastError(), "start a kernel");
 }
 
-/** The sum over i < number of what body(i, sum) adds, in any order. TSum consists of integers or extrema, is
+/** Returns the sum accumulated by body(i, sum) for i < number, in any order. TSum consists of integers or extrema, is
  * initially 0 and has Add(). */
 template <typename TSum, typename TBody>
 TSum
@@ -456,7 +456,7 @@ Count(std::size_t number, const TBody & body, std::uint32_t * counts)
   Check(cudaGetLastError(), "start a kernel");
 }
 #else
-/** Placed around the loops: kernels that flush to zero on the GPU do so here as well. */
+/** Flushes subnormal numbers to zero in the emulated loops, as kernels do on the GPU. */
 #  if defined(SHAPETON_FLUSH_TO_ZERO)
 using LoopMode = FlushToZero;
 #  else

@@ -19,13 +19,13 @@ template <typename TIndex = int>
 class DisjointSets
 {
 public:
-  /** Each number is a set of its own. */
+  /** Each number is initially a separate set. */
   explicit DisjointSets(std::size_t number = 0) : m_Parents(number)
   {
     std::iota(m_Parents.begin(), m_Parents.end(), TIndex{ 0 });
   }
 
-  /** Adds the next number as a set of its own. */
+  /** Adds the next number as a separate set. */
   TIndex
   Add()
   {
@@ -44,7 +44,7 @@ public:
     return member;
   }
 
-  /** Merges two sets; the smaller of the two representatives represents the union. Returns whether the sets were
+  /** Merges two sets; the smaller representative represents the union. Returns whether the sets were
    * distinct. */
   bool
   Join(TIndex a, TIndex b)

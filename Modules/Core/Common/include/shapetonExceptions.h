@@ -12,9 +12,9 @@ namespace shapeton
 /** \class Exception
  * \brief Base class of all errors of Shapeton; derived from itk::ExceptionObject.
  *
- * what() returns the description unchanged. It is one line: what is wrong, with which file or parameter, and what to
- * do. It names a parameter as `the parameter "name"`, which a command-line tool can replace by its option. File, line
- * and location are those of the throwing code. Throw one of the three derived classes.
+ * what() returns the description unchanged. It is one line with the error, the file or parameter, and the remedy. It
+ * refers to a parameter as `the parameter "name"`, which a command-line tool can replace by its option. File, line and
+ * location refer to the throwing code. Throw one of the three derived classes.
  *
  * \ingroup ShapetonCommon */
 class ShapetonCommon_EXPORT Exception : public itk::ExceptionObject
@@ -42,7 +42,7 @@ protected:
   const char * GetNameOfClass() const override
 
 /** \class ParameterError
- * \brief A parameter is missing, out of range or contradicts another one: the call is wrong for any input data.
+ * \brief A parameter is missing, out of range or contradicts another one; the call is invalid for any input data.
  * \ingroup ShapetonCommon */
 class ShapetonCommon_EXPORT ParameterError : public Exception
 {

@@ -11,7 +11,7 @@ namespace shapeton
 [[noreturn]] ShapetonCommon_EXPORT void
 ThrowCannotRead(const std::string & path, int error);
 
-/** Throws InputError with the path and what is wrong with it. \ingroup ShapetonCommon */
+/** Throws InputError with the path and the error. \ingroup ShapetonCommon */
 [[noreturn]] ShapetonCommon_EXPORT void
 ThrowUnsuitable(const std::string & path, const std::string & reason);
 
@@ -19,8 +19,8 @@ ThrowUnsuitable(const std::string & path, const std::string & reason);
 [[noreturn]] ShapetonCommon_EXPORT void
 ThrowCannotWrite(const std::string & path, int error);
 
-/** For a library that does not report why it failed. `error` is the errno set since before the attempt; if it is 0,
- * `otherwise` is the reason. */
+/** For a library that does not report the reason of a failure. `error` is errno, which was set to 0 before the call; if
+ * it is still 0, `otherwise` is the reason. */
 [[noreturn]] ShapetonCommon_EXPORT void
 ThrowCannotWrite(const std::string & path, int error, const std::string & otherwise);
 
@@ -28,8 +28,8 @@ ThrowCannotWrite(const std::string & path, int error, const std::string & otherw
 [[noreturn]] ShapetonCommon_EXPORT void
 ThrowCannotWrite(const std::string & path, const std::string & reason, const std::string & advice);
 
-/** Throws InputError if a run folder of VirtualColonoscopy was written when file names were spelled in British English,
- * which its stage `segmentation` shows. \ingroup ShapetonCommon */
+/** Throws InputError if a run folder of VirtualColonoscopy was written by an early version with British spelling of
+ * file names, detected by its stage `segmentation`. \ingroup ShapetonCommon */
 ShapetonCommon_EXPORT void
 RequireCurrentFileNames(const std::string & runFolder);
 } // namespace shapeton

@@ -7,8 +7,8 @@
 
 namespace shapeton
 {
-/** While an object of this class exists, subnormal results are flushed to 0 in this thread. Residual heat near 0
- * would otherwise slow down every step by a factor of ten. \ingroup ShapetonCommon */
+/** Flushes subnormal results to 0 in this thread during its lifetime. Otherwise residual heat near 0 slows down every
+ * step by a factor of ten. \ingroup ShapetonCommon */
 class FlushToZero
 {
 public:

@@ -7,7 +7,7 @@
 namespace shapeton
 {
 /** Weights of a Gaussian with this standard deviation at integer offsets, up to `reach` standard deviations to both
- * sides. Their sum is 1; the middle weight is that of offset 0. A single weight of 1 for a deviation of 0.
+ * sides. They sum to 1; the middle weight belongs to offset 0. For a deviation of 0, returns a single weight of 1.
  * \ingroup ShapetonCommon */
 inline std::vector<double>
 GaussianWeights(double deviation, double reach)

@@ -1,9 +1,9 @@
 #ifndef shapetonHostDevice_h
 #define shapetonHostDevice_h
 
-/** Prefix of a function that runs on the CPU and in GPU kernels: one source for both, so that both perform the same
- * operations in the same order. Always inlined: kernels are compiled for several instruction sets, and the linker
- * would keep the code of a non-inlined function for only one of them. */
+/** Prefix of a function that runs on the CPU and in GPU kernels: both perform the same operations in the same order.
+ * Always inlined: kernels are compiled for several instruction sets, and the linker would keep the code of a
+ * non-inlined function for only one of them. */
 #if defined(__CUDACC__)
 #  define SHAPETON_HOST_DEVICE __host__ __device__ __forceinline__
 #else
@@ -19,7 +19,7 @@
 
 namespace shapeton
 {
-/** Arithmetic for kernels where the standard library gives no guarantee on a GPU. \ingroup ShapetonCommon */
+/** Arithmetic for kernels where the standard library is not guaranteed to be exact on a GPU. \ingroup ShapetonCommon */
 namespace HostDevice
 {
 template <typename T>

@@ -3,7 +3,7 @@
 
 #include "itkMacro.h"
 
-// All source code that depends on the version of ITK, 5.2 to 6.0; the CMake part is CMake/ShapetonITKTargets.cmake.
+// All source code that depends on the ITK version (5.2 to 6.0); for CMake, see CMake/ShapetonITKTargets.cmake.
 
 // Replaces itkTypeMacro from 5.4 on; 6.0 drops that one.
 #ifndef itkOverrideGetNameOfClassMacro

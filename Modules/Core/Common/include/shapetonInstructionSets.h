@@ -21,9 +21,9 @@ namespace shapeton
  * \endcode
  *
  * and one source file, which CMake's shapeton_add_kernels() compiles once per instruction set. That file defines
- * Compiled(InstructionSets::SHAPETON_INSTRUCTION_SET), uses vectors of SHAPETON_VECTOR_BYTES, and includes no
- * standard header, whose inline functions would be compiled for that CPU, too. BestKernels() chooses at run time.
- * All sets of a family perform the same operations in the same order, so every CPU gives the same bytes. */
+ * Compiled(InstructionSets::SHAPETON_INSTRUCTION_SET), uses vectors of SHAPETON_VECTOR_BYTES, and does not include
+ * standard headers, because their inline functions would be compiled for that CPU, too. BestKernels() chooses at run
+ * time. All sets of a family perform the same operations in the same order, so results are identical on every CPU. */
 namespace InstructionSets
 {
 struct Baseline

@@ -31,7 +31,7 @@ public:
   Interruption &
   operator=(const Interruption &) = delete;
 
-  /** Throws if the work of this thread has to stop. Takes a few nanoseconds. */
+  /** Throws if the work of this thread must stop. Takes a few nanoseconds. */
   static void
   Check();
 
@@ -40,7 +40,7 @@ public:
   OfThread();
 
   /** \class Inherited
-   * \brief Makes a worker thread use the Interruption of the thread that it works for, while this object exists.
+   * \brief Makes a worker thread use the Interruption of its calling thread during the lifetime of this object.
    * \ingroup ShapetonCommon */
   class ShapetonCommon_EXPORT Inherited
   {
@@ -62,7 +62,7 @@ private:
   const std::function<void()> m_Check;
   const std::thread::id       m_Owner{ std::this_thread::get_id() };
   Interruption * const        m_Outer;
-  std::exception_ptr          m_Exception; ///< written before m_HasStopped is set
+  std::exception_ptr          m_Exception; ///< set before m_HasStopped
   std::atomic<bool>           m_HasStopped{ false };
 };
 

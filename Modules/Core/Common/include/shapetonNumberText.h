@@ -7,7 +7,8 @@
 
 namespace shapeton
 {
-/** Formats a number for messages and listings: given significant digits, a decimal point in any locale.
+/** Formats a number for messages and listings with the given number of significant digits and a decimal point in any
+ * locale.
  * \ingroup ShapetonCommon */
 inline std::string
 NumberText(double value, int digits = 6)

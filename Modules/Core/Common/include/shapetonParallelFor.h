@@ -22,7 +22,7 @@ ShapetonCommon_EXPORT unsigned int &
 DepthOfLoops();
 
 /** \class LoopDepth
- * \brief Sets DepthOfLoops() while it exists.
+ * \brief Sets DepthOfLoops() during its lifetime.
  * \ingroup ShapetonCommon */
 class LoopDepth
 {
@@ -37,10 +37,10 @@ private:
   unsigned int m_Before;
 };
 
-/** Runs `body(worker)` on `workers` workers. These use ITK's threader; in a nested loop they use threads of their own,
- * as pool threads that wait for inner loops would leave none to run them. At the third level the caller runs the loop
- * alone. A worker may start after another one has ended, so none may wait for one that has not started. The first
- * exception is rethrown when all workers have ended; ITK's threader would keep only that of one worker.
+/** Runs `body(worker)` on `workers` workers. Workers use ITK's threader; nested loops use separate threads, because
+ * pool threads that wait for inner loops would leave no thread to run them. At the third nesting level the caller runs
+ * the loop alone. A worker may start after another one has ended, so none may wait for one that has not started. The
+ * first exception is rethrown when all workers have ended; ITK's threader would keep the exception of one worker only.
  * \ingroup ShapetonCommon */
 ShapetonCommon_EXPORT void
 ParallelWorkers(unsigned int workers, const std::function<void(unsigned int worker)> & body);

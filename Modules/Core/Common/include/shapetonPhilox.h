@@ -34,8 +34,8 @@ struct PhiloxMultiply
 /** The block of random words for a key and a counter: Philox4x32-10, ten rounds of multiply, xor and swap (Salmon et
  * al., SC 2011). All 128 bits are uniform; blocks of different counters are independent.
  *
- * `TWord` is an unsigned 32-bit integer, or a vector of them that works element by element; `TMultiply` multiplies one
- * by a number. \ingroup ShapetonCommon */
+ * `TWord` is an unsigned 32-bit integer, or a vector of them that works element by element; `TMultiply` multiplies a
+ * `TWord` by a number. \ingroup ShapetonCommon */
 template <typename TWord, typename TMultiply = PhiloxMultiply>
 SHAPETON_HOST_DEVICE PhiloxWords<TWord>
                      Philox4x32(std::uint64_t key, PhiloxWords<TWord> x, const TMultiply & multiply = TMultiply())

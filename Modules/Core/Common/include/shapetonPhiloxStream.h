@@ -6,8 +6,8 @@
 namespace shapeton
 {
 /** \class PhiloxStream
- * \brief A sequential random number generator. The streams of a seed are independent, and each gives the same sequence
- * regardless of draws from the others.
+ * \brief A sequential random number generator. The streams of a seed are independent; the sequence of a stream does not
+ * depend on draws from other streams.
  * \ingroup ShapetonCommon */
 class PhiloxStream
 {

@@ -9,9 +9,9 @@
 
 namespace shapeton
 {
-/** How a result was computed, as names and values in the order of writing: program, version, inputs, repairs,
- * options that affect the result. Never threads, paths, dates, host or run times, so that equal runs give equal
- * bytes. \ingroup ShapetonCommon */
+/** Provenance of a result, as names and values in output order: program, version, inputs, repairs, options that affect
+ * the result. Excludes threads, paths, dates, host and run times, so that repeated runs give identical files.
+ * \ingroup ShapetonCommon */
 using Provenance = std::vector<std::pair<std::string, std::string>>;
 
 /** The provenance with "Shapeton." before each name, to distinguish it from other metadata of a file. \ingroup ShapetonCommon */

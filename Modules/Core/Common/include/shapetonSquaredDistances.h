@@ -10,7 +10,7 @@
 
 namespace shapeton
 {
-/** Value of SquaredDistances() if no voxel outside the mask is known, or none within `farthest`, mm^2.
+/** Value of SquaredDistances() (mm^2) if there is no voxel outside the mask, or none within `farthest`.
  * \ingroup ShapetonCommon */
 constexpr float UnknownSquaredDistance = 1e12F;
 
@@ -23,13 +23,13 @@ struct VoxelRows
   std::size_t sliceStride;
 };
 
-/** Exact squared distance in mm^2 from the center of each mask voxel (not 0) to that of the nearest voxel outside the
+/** Exact squared distance in mm^2 between the centers of each mask voxel (not 0) and the nearest voxel outside the
  * mask; 0 outside the mask. Voxels beyond the box are ignored.
  *
  * Lower envelopes of parabolas, line by line (Felzenszwalb, Huttenlocher: Distance transforms of sampled functions,
  * Theory of Computing 8, 2012): linear time; the values do not depend on the number of threads.
  *
- * \param box the voxels of the box; `squares` holds as many values, in its order.
+ * \param box the voxels of the box; `squares` has the same size and order.
  * \param farthest mm; larger distances are not computed. A small value reduces the run time.
  * \ingroup ShapetonCommon */
 ShapetonCommon_EXPORT void
@@ -39,7 +39,7 @@ SquaredDistances(const VoxelRows &             mask,
                  float *                       squares,
                  double                        farthest = std::numeric_limits<double>::infinity());
 
-/** The same for a mask on a grid. \ingroup ShapetonCommon */
+/** Overload for a mask on a grid. \ingroup ShapetonCommon */
 ShapetonCommon_EXPORT VoxelValues
 SquaredDistances(const VoxelGrid &                  grid,
                  const std::array<double, 3> &      spacing,

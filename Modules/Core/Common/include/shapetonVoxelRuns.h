@@ -31,19 +31,19 @@ struct ShapetonCommon_EXPORT VoxelRuns
   {
     return j + static_cast<std::size_t>(k) * size[1];
   }
-  /** Index of the run that contains a voxel; -1 if there is none. */
+  /** Index of the run that contains a voxel; -1 if not found. */
   std::ptrdiff_t
   Find(int i, int j, int k) const;
 };
 
-/** A label from 1 on for each run, in the order of the first runs; 0 for an excluded run. \ingroup ShapetonCommon */
+/** Label of each run, from 1 in the order of the first runs; 0 for an excluded run. \ingroup ShapetonCommon */
 struct RunLabels
 {
   std::vector<int> ofRun;
   int              number{ 0 };
 };
 
-/** Which voxels are connected: those that share a face, a face within one slice, or a face or an edge.
+/** Voxel connectivity: by faces, by faces within a slice, or by faces and edges.
  * \ingroup ShapetonCommon */
 enum class VoxelContact
 {
@@ -56,8 +56,8 @@ enum class VoxelContact
 ShapetonCommon_EXPORT RunLabels
 LabelRuns(const VoxelRuns & set, VoxelContact contact = VoxelContact::Face, const std::vector<char> & use = {});
 
-/** Calls `body(r, s, overlap)` for each pair of runs of two rows that share `overlap` columns. With `reach` 1 also
- * for runs that touch at a corner, with an overlap of 0. \ingroup ShapetonCommon */
+/** Calls `body(r, s, overlap)` for each pair of runs of two rows that share `overlap` columns. With `reach` 1, also
+ * includes runs that touch at a corner, with an overlap of 0. \ingroup ShapetonCommon */
 template <typename TBody>
 void
 ForEachOverlap(const VoxelRuns & set, std::size_t rowA, std::size_t rowB, const TBody & body, int reach = 0)
@@ -137,7 +137,7 @@ CollectRunsOfRows(const std::array<int, 3> & size, const TRow & row)
   return set;
 }
 
-/** Collects the voxels for whose index `isIn` holds. \ingroup ShapetonCommon */
+/** Collects the voxels whose index satisfies `isIn`. \ingroup ShapetonCommon */
 template <typename TPredicate>
 VoxelRuns
 CollectRuns(const VoxelGrid & grid, const TPredicate & isIn)

@@ -9,8 +9,8 @@
 namespace shapeton
 {
 /** \class UninitializedAllocator
- * \brief Allocator that default-initializes elements, so that the threads that fill a volume touch its memory first.
- * This avoids zeroing hundreds of megabytes in one thread.
+ * \brief Allocator that default-initializes elements. The threads that fill a volume then touch its memory first, and
+ * no thread zeroes hundreds of megabytes.
  * \ingroup ShapetonCommon */
 template <typename T>
 class UninitializedAllocator : public std::allocator<T>
@@ -42,7 +42,7 @@ public:
   }
 };
 
-/** Values of the voxels of a grid; those of VoxelValues(n) must be set before they are read. \ingroup ShapetonCommon */
+/** Values of the voxels of a grid; VoxelValues(n) is uninitialized. \ingroup ShapetonCommon */
 using VoxelValues = std::vector<float, UninitializedAllocator<float>>;
 } // namespace shapeton
 

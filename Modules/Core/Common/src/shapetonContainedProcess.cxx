@@ -35,10 +35,10 @@ constexpr char Failed = 'F';
 constexpr char OutOfMemory = 'M';
 
 /** Held during each fork: ITK's threader joins the threads of its pool before a fork and restarts them afterwards;
- * two concurrent forks crash or hang. Also held while a channel has open ends that no other child should inherit. */
+ * two concurrent forks crash or hang. Also held while a channel has open ends that other children must not inherit. */
 std::mutex forkMutex;
 
-// A response is a header or a sentence; the pixels are in shared memory.
+// A response is a header or an error message; pixels are in shared memory.
 constexpr std::uint64_t MaximumMessageBytes = 256u << 20;
 
 #ifdef MSG_NOSIGNAL
@@ -152,7 +152,7 @@ LimitComputingTime(unsigned int seconds)
   SetLimit(RLIMIT_CPU, static_cast<rlim_t>(usage.ru_utime.tv_sec + usage.ru_stime.tv_sec) + 1 + seconds);
 }
 
-/** Output printed by the libraries is not output of the tool. */
+/** Discards output printed by the libraries. */
 void
 SilenceStandardStreams()
 {
@@ -270,7 +270,7 @@ ContainedProcess::Serve(int channel) const
 #if defined(__SANITIZE_ADDRESS__)
     if (number == SIGSEGV || number == SIGABRT)
     {
-      continue; // the sanitizer reports these
+      continue; // reported by the sanitizer
     }
 #endif
     signal(number, SIG_DFL);

@@ -9,14 +9,14 @@ namespace shapeton
 {
 namespace
 {
-/** The library of kernels, kept open once found, or the reason why it is not available. */
+/** The kernel library, kept open once found, or the reason why it is not available. */
 struct Plugin
 {
   void *      handle{ nullptr };
   std::string missing;
 };
 
-/** The folder of this code: that of the library, or of the program that contains it. */
+/** The folder of the library or program that contains this code. */
 std::filesystem::path
 FolderOfThisLibrary()
 {
@@ -66,8 +66,8 @@ Megabytes(std::size_t bytes)
   return std::to_string((bytes + 999999) / 1000000) + " MB";
 }
 
-/** The usable memory of the GPU: the free memory, or less if others share the GPU and the environment variable
- * SHAPETON_DEVICE_MEMORY limits it. */
+/** The usable GPU memory: the free memory, limited by the environment variable SHAPETON_DEVICE_MEMORY for shared GPUs.
+ */
 std::size_t
 AllowedMemory(std::size_t bytesFree)
 {
@@ -75,7 +75,7 @@ AllowedMemory(std::size_t bytesFree)
   return given ? std::min<std::size_t>(bytesFree, std::strtoull(given, nullptr, 10)) : bytesFree;
 }
 
-/** Sets name and memory of the GPU; returns what is missing, or an empty text. */
+/** Sets name and memory of the GPU; returns the reason if none can be used, otherwise an empty text. */
 std::string
 FindGpu(DeviceUse & use)
 {

@@ -24,7 +24,7 @@ struct Triad
 };
 } // namespace
 
-// For benchmarks: the peak memory bandwidth.
+// Measures the peak memory bandwidth, for benchmarks.
 SHAPETON_DEVICE_FUNCTION void
 ShapetonRunTriads(std::size_t number, unsigned int triads)
 {

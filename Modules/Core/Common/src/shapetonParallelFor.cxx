@@ -10,7 +10,7 @@
 #include <mutex>
 #include <vector>
 
-// Loops are compiled here once, not for each body: the thread code dominates the build time.
+// Loops are compiled once here instead of for each body, because thread code dominates the build time.
 namespace shapeton
 {
 namespace
@@ -130,7 +130,7 @@ ParallelInvoke(const std::function<void()> & first, const std::function<void()> 
     second();
     return;
   }
-  // Leaves a thread of ITK's pool free for ITK filters in `second`, which occupies one.
+  // Leaves a thread of ITK's pool for ITK filters in `second`, which itself occupies one.
   itk::MultiThreaderBase::New()->SetMaximumNumberOfThreads(2);
   std::exception_ptr failures[2];
   ParallelWorkers(2, [&](unsigned int worker) {

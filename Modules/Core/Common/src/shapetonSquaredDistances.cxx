@@ -26,7 +26,8 @@ public:
     return m_Line;
   }
 
-  /** Parabolas beyond a voxel outside the mask are never below its own, so runs between such voxels are independent. */
+  /** Parabolas beyond a voxel outside the mask are never below the parabola of that voxel, so runs between such voxels
+   * are independent. */
   void
   Transform()
   {

@@ -18,7 +18,7 @@ namespace
 {
 using shapeton::ContainedProcess;
 
-constexpr ContainedProcess::Limits Limits{ 64u << 20, 1, 60 }; // the elapsed time is irrelevant on a busy machine
+constexpr ContainedProcess::Limits Limits{ 64u << 20, 1, 60 }; // generous, because the machine may be busy
 
 std::string
 Misbehave(const std::string & request, char * shared)
@@ -124,7 +124,7 @@ TEST(ContainedProcess, MemoryIsLimited)
   EXPECT_EQ(process.Call("ok"), "okok");
 }
 
-/** ITK's threader stops its pool before each fork: two concurrent forks have crashed and hung. */
+/** ITK's threader stops its pool before each fork: two concurrent forks crash or hang. */
 TEST(ContainedProcess, ThreadsStartProcessesBesideEachOther)
 {
   const auto startSome = [] {

@@ -14,7 +14,7 @@ TEST(Device, CpuNeedsNothing)
   EXPECT_EQ(use.Describe(), "cpu");
 }
 
-// With a GPU no volume of four exabytes fits; without one, nothing does.
+// A volume of four exabytes fits neither with nor without a GPU.
 TEST(Device, AutomaticFallsBackToTheCpuAndSaysWhy)
 {
   const auto use = ChooseDevice(Device::Automatic, std::size_t{ 1 } << 62);

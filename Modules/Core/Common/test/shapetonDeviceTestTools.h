@@ -7,7 +7,7 @@
 
 #include <cstdlib>
 
-/** For tests that compare a GPU with the CPU: skips the test if there is no GPU. The stand-in is always available. */
+/** Skips tests that compare GPU and CPU if no GPU is found. The emulation is always available. */
 #define SHAPETON_REQUIRE_DEVICE()                                                                                      \
   if (!shapeton::test::HasDevice())                                                                                    \
   {                                                                                                                    \

@@ -7,7 +7,7 @@
 
 namespace
 {
-/** A label for each number; joining relabels all of them. */
+/** Reference implementation: a label for each number; joining relabels all numbers. */
 class BruteForce
 {
 public:

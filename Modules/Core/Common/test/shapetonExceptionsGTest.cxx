@@ -24,7 +24,7 @@ ExpectWhole(const std::string & name)
     Throw<TException>("what it says");
     FAIL() << "nothing was thrown";
   }
-  catch (const itk::ExceptionObject & error) // as a pipeline of ITK catches it
+  catch (const itk::ExceptionObject & error) // as an ITK pipeline catches it
   {
     EXPECT_STREQ(error.what(), "what it says");
     EXPECT_STREQ(error.GetDescription(), "what it says");

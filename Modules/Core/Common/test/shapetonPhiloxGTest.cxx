@@ -21,7 +21,7 @@ ExpectWords(const shapeton::PhiloxWords<std::uint32_t> & words,
 }
 } // namespace
 
-// The known answers that the authors publish with Random123 (kat_vectors, philox4x32, 10 rounds).
+// Published test vectors of Random123 (kat_vectors, philox4x32, 10 rounds).
 TEST(Philox, GivesThePublishedAnswers)
 {
   ExpectWords(shapeton::Philox4x32(0, { 0, 0, 0, 0 }), 0x6627e8d5, 0xe169c58d, 0xbc57ac4c, 0x9b00dbd8);

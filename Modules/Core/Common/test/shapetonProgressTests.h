@@ -16,9 +16,8 @@ namespace shapeton::test
 struct Abort : std::exception
 {};
 
-/** Runs `work(progress)` to its end: reports come from the calling thread, ascend from 0 to `last`, and have a
- * minimum number, so that the work between two is bounded. Then runs it again with aborts, each of which must
- * propagate unchanged, without any later report. */
+/** Runs `work(progress)` to its end: reports must be made on the calling thread, ascend from 0 to `last`, and be
+ * frequent enough. Then repeats it with aborts, each of which must propagate unchanged without a later report. */
 template <typename TWork>
 void
 ExpectProgress(const TWork & work, std::size_t leastReports, double last = 1.0)

@@ -56,7 +56,7 @@ TEST(FileBytes, ComeBackAsTheyWere)
   {
     bytes += static_cast<char>(i % 251);
   }
-  for (const std::string & content : { bytes, std::string("short"), std::string() }) // each one replaces a longer one
+  for (const std::string & content : { bytes, std::string("short"), std::string() }) // each file replaces a longer one
   {
     shapeton::WriteFileBytes("file", content);
     EXPECT_EQ(shapeton::ReadFileBytes("file"), content);

@@ -36,7 +36,7 @@ protected:
            (GetParam() == VoxelContact::FaceOrEdge && isEdge);
   }
 
-  /** Labels in the order of the first voxels, by comparing all pairs. */
+  /** Reference labels by comparing all pairs, in the order of the first voxels. */
   std::vector<int>
   BruteForce(const std::vector<char> & mask) const
   {

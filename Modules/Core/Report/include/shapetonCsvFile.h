@@ -6,10 +6,10 @@
 namespace shapeton
 {
 /** \class CsvFile
- * \brief A table read from a CSV file as written by CsvTable: a header, then rows with as many cells.
+ * \brief A table read from a CSV file as written by CsvTable: a header, then rows with the same number of cells.
  *
- * RFC 4180: comma, double quotes where needed, LF or CRLF; a byte order mark and empty lines are skipped. Errors name
- * the file and the line.
+ * RFC 4180: comma, double quotes where needed, LF or CRLF; a byte order mark and empty lines are skipped. Error
+ * messages state the file and the line.
  *
  * \ingroup ShapetonReport */
 class ShapetonReport_EXPORT CsvFile

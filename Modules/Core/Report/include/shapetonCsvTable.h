@@ -40,7 +40,7 @@ public:
   void
   Write(const std::string & path) const;
 
-  /** The shortest text that reads back as `value`, with a decimal point in every locale; "nan", "inf", "-inf". */
+  /** The shortest round-trip representation of `value`, with a decimal point in every locale; "nan", "inf", "-inf". */
   static std::string
   Number(double value);
 

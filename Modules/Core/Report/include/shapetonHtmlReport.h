@@ -15,8 +15,8 @@ namespace shapeton
  * \ingroup ShapetonReport */
 using OutputPath = std::function<std::string(const std::string &)>;
 
-/** The text that shapeton_join_scripts() of CMake makes from the scripts or styles of a page: string literals,
- * terminated by nullptr. \ingroup ShapetonReport */
+/** Scripts or styles of a page as joined by shapeton_join_scripts() in CMake: string literals, terminated by nullptr.
+ * \ingroup ShapetonReport */
 ShapetonReport_EXPORT std::string
               PageText(const char * const pieces[]);
 
@@ -28,8 +28,8 @@ ShapetonReport_EXPORT std::string
 /** \class HtmlReport
  * \brief A self-contained HTML file with embedded styles and pictures; it opens without a network or other files.
  *
- * Text is UTF-8, escaped, and formats numbers as ReadableText() does. The page is HTML 5 and well-formed XML. The
- * bytes depend on the content only.
+ * Text is UTF-8 and escaped; numbers are formatted by ReadableText(). The page is HTML 5 and well-formed XML, and is
+ * deterministic.
  *
  * \ingroup ShapetonReport */
 class ShapetonReport_EXPORT HtmlReport
@@ -64,10 +64,10 @@ public:
   void
   AddPicture(const std::string & pngPath, const std::string & caption);
   /** Adds a table. Columns of numbers are right-aligned, with their common unit in the header; a color "#rrggbb" is
-   * shown as a patch that displays its value. A table that is too wide scrolls in its own box. */
+   * shown as a swatch with its value as tooltip. A table that is too wide scrolls within its box. */
   void
   AddTable(const CsvTable & table, const std::string & caption);
-  /** Adds a table of names and values. A name with a period is that of an option, whose value is shown unchanged. */
+  /** Adds a table of names and values. The value of an option, that is a name with a period, is shown unchanged. */
   void
   AddFacts(const std::vector<std::pair<std::string, std::string>> & facts);
   /** Adds markup unchanged: well-formed XML for drawings and scripts of the page, escaped by the caller. */

@@ -11,7 +11,7 @@
 
 namespace shapeton
 {
-/** JSON that is safe inside a script element: it contains no markup characters.
+/** JSON without markup characters, safe inside a script element.
  * \ingroup ShapetonReport */
 ShapetonReport_EXPORT std::string
                ScriptText(const Json & value);
@@ -39,7 +39,7 @@ public:
   template <typename TValue = std::uint16_t>
   void
   PutReals(const std::string & name, const std::vector<double> & values, std::size_t columns);
-  /** The same for a row-major matrix of Eigen. */
+  /** Overload for a row-major Eigen matrix. */
   template <typename TValue = std::uint16_t, typename TMatrix>
   void
   PutReals(const std::string & name, const TMatrix & rows)
@@ -54,7 +54,7 @@ public:
   /** The script elements of a single page; empty otherwise. */
   std::string
   Inline() const;
-  /** The blocks of a single page as one script, for a file that is replaced while the page is open. */
+  /** The blocks of a single page as one script, for a file that changes while the page is open. */
   std::string
   Script() const;
 

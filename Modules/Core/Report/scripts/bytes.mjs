@@ -1,5 +1,5 @@
-// Data blocks: scripts of the form block("name", {header}, "base64 of gzip"), because a page opened from file:// may load
-// scripts beside it but may not fetch() files. A block is forgotten as text once it has been decoded.
+// Data blocks: scripts of the form block("name", {header}, "base64 of gzip"), because a page opened from file:// may
+// load scripts from its folder but may not fetch() files. The text of a block is released after decoding.
 
 const blocks = new Map();
 globalThis.block = (name, header, body) => blocks.set(name, { header, body });
@@ -29,7 +29,7 @@ async function gunzip(bytes, size) {
   for (;;) {
     const { done, value } = await reader.read();
     if (done) break;
-    out.set(value, at); // throws if the data are longer than the header says
+    out.set(value, at); // throws if the data are longer than stated in the header
     at += value.length;
   }
   if (at !== size) throw new Error(`ends after ${at} of ${size} bytes`);
@@ -52,7 +52,7 @@ async function decode({ header, body }) {
   const type = TYPES[header.type];
   const values = new type((await gunzip(bytesOf(body), header.count * type.BYTES_PER_ELEMENT)).buffer);
   const d = header.delta;
-  if (d) for (let i = d; i < values.length; i++) values[i] += values[i - d]; // modulo 2^n, as it was written
+  if (d) for (let i = d; i < values.length; i++) values[i] += values[i - d]; // modulo 2^n, as when written
   return Object.assign(header.step ? realsOf(values, header) : values, { header });
 }
 

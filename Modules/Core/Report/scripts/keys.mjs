@@ -1,5 +1,5 @@
-// The keys of a page, the single source of behavior and help. groups: [title, [[key, its name, text, act, value], ...]]; act: the method
-// of the page that is called with the value. A key without a name is not listed.
+// The keys of a page, the single source of behavior and help. groups: [title, [[key, key name, text, act, value],
+// ...]]; act: the page method called with the value. A key without a name is not listed.
 export class KeyTable {
   constructor(groups, mouse) {
     Object.assign(this, { groups, mouse });
@@ -15,7 +15,7 @@ export class KeyTable {
     });
   }
 
-  // The action of a key event, or undefined; fields and buttons keep the keys they need.
+  // The action of a key event, or undefined; fields and buttons handle the keys they need.
   actionOf(e) {
     const isLetter = /^[a-z]$/i.test(e.key), key = isLetter ? e.key.toLowerCase() : e.key, isCtrl = e.ctrlKey || e.metaKey;
     const isText = /^(INPUT|SELECT|TEXTAREA)$/.test(e.target.tagName) && e.target.type !== 'checkbox';

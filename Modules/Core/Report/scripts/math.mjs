@@ -1,4 +1,4 @@
-// Vectors are arrays of three numbers, matrices arrays of 16, column by column as WebGL has them.
+// Vectors are arrays of three numbers, matrices are arrays of 16 in column-major order, as in WebGL.
 export const add = (a, b) => [a[0] + b[0], a[1] + b[1], a[2] + b[2]];
 export const sub = (a, b) => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
 export const scaled = (a, t) => [t * a[0], t * a[1], t * a[2]];
@@ -10,7 +10,7 @@ export const distance = (a, b) => norm(sub(a, b));
 export const clamp = (x, lo, hi) => Math.min(hi, Math.max(lo, x));
 export const third = (a, i) => [a[3 * i], a[3 * i + 1], a[3 * i + 2]];
 
-// A camera looks from eye to at; fov is the angle from the lower to the upper border in radians.
+// A camera at eye, directed at at; fov is the vertical field of view in radians.
 export function axesOf(camera) {
   const back = unit(sub(camera.eye, camera.at));
   const right = unit(cross(camera.up, back));

@@ -15,13 +15,13 @@ export function notice(text) {
   byId('notices').append(element('p', { textContent: text }));
 }
 
-// Shows the reason why the page cannot open.
+// Shows the reason why the page cannot be opened.
 function refuse(text) {
   document.body.classList.add('failed');
   notice(text);
 }
 
-// Opens the page, or shows the reason why it cannot.
+// Opens the page, or shows the reason why it cannot be opened.
 export async function openPage(open) {
   if (typeof DecompressionStream === 'undefined') {
     refuse('This browser cannot unpack the data (it lacks DecompressionStream): use Firefox 113, Chrome 80, Safari 16.4 or newer.');

@@ -12,7 +12,7 @@ export class View {
     this.box.append(this.canvas, this.label);
     root.append(this.box);
     this.context = this.canvas.getContext('2d');
-    this.shown = null; // [x, y, hidden] of the crosshair in the last picture
+    this.shown = null; // [x, y, hidden] of the crosshair in the last image
     new ResizeObserver(() => this.changed()).observe(this.box);
     this.listen();
   }
@@ -54,11 +54,11 @@ export class View {
   get w() { return this.box.clientWidth / View.scale; }
   get h() { return this.box.clientHeight / View.scale; }
   hover(x, y, isShift) { if (isShift) this.pick(x, y); } // as in 3D Slicer
-  grab() {}  // where a button went down, and whether with Shift
+  grab() {}  // position where a button was pressed, and whether Shift was pressed
   drag() {}  // by dx, dy with a button, to {x, y, isShift}
   drop() {}  // after a drag
-  wheel() {} // a step towards or away, where, whether with Ctrl, and how far
-  pick() { return false; } // moves the crosshair to a pixel; false where nothing is
+  wheel() {} // wheel: direction, position, whether Ctrl is pressed, and amount
+  pick() { return false; } // moves the crosshair to a pixel; false where nothing is displayed
   clicked() {}             // after a click that has moved the crosshair
 
   // Paints once before the next frame.
@@ -108,7 +108,7 @@ export class View {
     g.setLineDash([]);
   }
 
-  // A numbered ring around a candidate or finding; the chosen one is also thicker, not only differently colored.
+  // A numbered ring around a candidate or finding; the selected one differs in color and thickness.
   ring(g, x, y, text, chosen) {
     g.strokeStyle = chosen ? '#ff9d4d' : '#56b4e9';
     g.lineWidth = chosen ? 3 : 1.6;
@@ -136,7 +136,7 @@ export class View {
     g.stroke();
   }
 }
-View.pending = 0; // number of views waiting for their picture
+View.pending = 0; // number of views waiting for an image
 View.scale = 1;   // page pixels per view pixel: on a large screen, drawings scale with the text
 
 export function scaleViews() { View.scale = parseFloat(getComputedStyle(document.body).fontSize) / 13; }

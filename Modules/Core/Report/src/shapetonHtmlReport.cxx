@@ -102,7 +102,7 @@ TableCell(const std::string & text, const ColumnStyle & style)
   return Element("td", ReadableText(text));
 }
 
-/** The value of a fact for display; options and inputs of a program ("option.faces") are unchanged. */
+/** Formats a value for display; options and inputs of a program ("option.faces") are unchanged. */
 std::string
 FactValue(const std::string & name, const std::string & value)
 {

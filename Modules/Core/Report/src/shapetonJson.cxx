@@ -47,7 +47,7 @@ ReadJson(const std::string & path)
     throw InputError("\"" + path + "\" is not valid JSON at " + PlaceInText(text, error.byte) +
                      "; correct the file there");
   }
-  catch (const Json::out_of_range &) // a number such as 1e999
+  catch (const Json::out_of_range &) // e.g. 1e999
   {
     throw InputError("\"" + path + "\" holds a number that is too large; correct the file");
   }

@@ -15,13 +15,13 @@ namespace shapeton
 {
 namespace
 {
-/** zlib writes no time and no name, so that equal bytes stay equal. */
+/** Compresses without time and name, so the output is deterministic. */
 std::string
 Gzip(const std::string & bytes)
 {
   constexpr int gzipWindow = 15 + 16;
-  // Differences of voxels are small random numbers, which Z_FILTERED is made for; level 6 takes three times as long to
-  // save 1 %.
+  // Differences of voxels are small random numbers, the case for Z_FILTERED. Level 6 takes three times as long and
+  // saves 1 %.
   z_stream stream{};
   if (deflateInit2(&stream, 4, Z_DEFLATED, gzipWindow, 9, Z_FILTERED) != Z_OK)
   {

@@ -9,7 +9,7 @@ namespace shapeton
 {
 namespace
 {
-constexpr const char * const narrowSpace = "\u202F"; // no line breaks at it
+constexpr const char * const narrowSpace = "\u202F"; // non-breaking
 constexpr int                mostPlacesLeft = 15;
 constexpr int                mostPlacesRight = 6;
 
@@ -44,7 +44,7 @@ TakeDigits(const std::string & text, std::size_t & at)
 int
 TakeExponent(const std::string & text, std::size_t & at)
 {
-  constexpr std::size_t mostDigits = 3; // digits of an exponent of a double
+  constexpr std::size_t mostDigits = 3; // maximum exponent digits of a double
   if (at + 1 >= text.size() || text[at] != 'e' || (text[at + 1] != '-' && text[at + 1] != '+'))
   {
     return 0;

@@ -8,7 +8,7 @@ std::string
 TextOf(const ScriptPage & page, const PageBlocks & blocks)
 {
   std::string text = "<!doctype html>\n<html lang=\"en\" class=\"dark\">\n<meta charset=\"utf-8\">\n";
-  // Even a faulty script could not send anything.
+  // Prevents scripts from sending data.
   text +=
     "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; script-src 'unsafe-inline' 'self' "
     "file:; style-src 'unsafe-inline'; img-src data: blob:\">\n";

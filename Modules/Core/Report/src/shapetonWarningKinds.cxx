@@ -7,7 +7,7 @@ namespace shapeton
 {
 namespace
 {
-/** A warning split at its numbers and quoted names: words[0] values[0] words[1] ... */
+/** A warning split at its numbers and quoted names: words[0] values[0] words[1] etc. */
 struct WarningParts
 {
   std::vector<std::string> words{ "" };
@@ -20,7 +20,7 @@ IsDigitAt(const std::string & text, std::size_t at)
   return at < text.size() && std::isdigit(static_cast<unsigned char>(text[at]));
 }
 
-/** The end of the number or quoted name at a position; the position itself if there is none. */
+/** The end of the number or quoted name at a position, or the position itself. */
 std::size_t
 EndOfValue(const std::string & text, std::size_t at)
 {

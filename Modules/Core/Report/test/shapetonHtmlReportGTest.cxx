@@ -24,7 +24,7 @@ struct Element
 {
   std::string                        tag;
   std::map<std::string, std::string> attributes;
-  std::string                        text; ///< its own, without that of its children
+  std::string                        text; ///< text without that of its children
 };
 
 struct Page

@@ -12,7 +12,7 @@ namespace
 using basetest::Folder;
 using basetest::MessageOf;
 
-/** The message about a file with this content, without its name. */
+/** Error message for a file with this content, with the name replaced. */
 std::string
 FaultOf(const std::string & text)
 {

@@ -27,7 +27,7 @@ TEST(PlainNumber, IsTheSameNumber)
 {
   for (const double value : { 1.0, 1.0 / 3.0, 23220.0, 1.52587890625e-05, 123456789.0, -0.00071 })
   {
-    for (int exponent = -1; exponent <= 6; ++exponent) // none beyond the places written out
+    for (int exponent = -1; exponent <= 6; ++exponent) // not grouped after the decimal point
     {
       const double      scaled = value * std::pow(10.0, exponent);
       const std::string plain = PlainNumber(shapeton::CsvTable::Number(scaled));

@@ -26,13 +26,13 @@ struct SymmetricElements
  * a front with pivot block P and rows F below it, G = F P^-1 is stored, and the inverse Z satisfies Z_RI = -Z_RR G,
  * Z_II = P^-1 - G^T Z_RI.
  *
- * There is no pivoting. This is stable if all x^* A x (x != 0) lie in an open half plane of the complex numbers whose
- * border contains 0: all Schur complements then have this property, too, and element growth is bounded. A = z M + s L
- * with M positive, L positive semidefinite, s > 0 has it for every complex z off the negative real axis and 0. The
- * growth increases as z approaches that axis.
+ * There is no pivoting. This is stable if all x^* A x (x != 0) are in an open complex half plane whose border contains
+ * 0: all Schur complements then share this property, and element growth is bounded. It holds for A = z M + s L with M
+ * positive, L positive semidefinite, s > 0 and every complex z off the nonpositive real axis. The growth increases as z
+ * approaches that axis.
  *
- * An object can invert any number of matrices with its pattern, concurrently. The results are identical for any number
- * of threads and on any CPU.
+ * An object can invert any number of matrices with its pattern, concurrently. Results are identical for any number of
+ * threads and on any CPU.
  *
  * \ingroup ShapetonSparseFactorization */
 class ShapetonSparseFactorization_EXPORT SelectedInversion

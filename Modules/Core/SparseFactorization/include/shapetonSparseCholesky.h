@@ -10,7 +10,7 @@ namespace shapeton
  * \brief Solves A x = b for real symmetric matrices A, usually positive definite ones.
  *
  * A = L D L^T, with D = 1, or +-1 if A is not positive definite; front by front (multifrontal, supernodes), with dense
- * kernels for the instruction set of the CPU and all of ITK's threads. The result has the same bytes for any number of
+ * kernels for the instruction set of the CPU and all of ITK's threads. Results are bitwise identical for any number of
  * threads and on any CPU.
  *
  * \ingroup ShapetonSparseFactorization */
@@ -24,21 +24,21 @@ public:
   operator=(SparseCholesky &&) noexcept;
 
   /** Factorizes the matrix with this diagonal and these edge elements, without pivoting. Returns true if it is
-   * positive definite to working accuracy. An indefinite matrix has a factor, too, unless a pivot is 0 or not
-   * finite: see HasFactor(). After progress has thrown there is no factor. */
+   * positive definite to working accuracy. An indefinite matrix also has a factor unless a pivot is 0 or not finite;
+   * see HasFactor(). If progress throws, there is no factor. */
   bool
   Factorize(const Eigen::Ref<const Eigen::VectorXd> & diagonal,
             const Eigen::Ref<const Eigen::VectorXd> & offDiagonal,
             const Progress &                          progress = {});
 
-  /** The same for a matrix with the analyzed pattern; its lower triangle is read. */
+  /** Overload for a matrix with the analyzed pattern; reads its lower triangle. */
   bool
   Factorize(const Eigen::SparseMatrix<double> & matrix, const Progress & progress = {});
 
   bool
   HasFactor() const;
 
-  /** Number of negative eigenvalues of the last matrix: by Sylvester's law of inertia that of the negative pivots.
+  /** Number of negative eigenvalues of the last matrix: by Sylvester's law of inertia the number of negative pivots.
    * \pre HasFactor(). */
   int
   NegativeEigenvalues() const;

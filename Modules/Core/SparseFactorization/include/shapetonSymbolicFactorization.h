@@ -12,14 +12,14 @@
 
 namespace shapeton
 {
-/** How the elimination order is computed. \ingroup ShapetonSparseFactorization */
+/** Method to compute the elimination order. \ingroup ShapetonSparseFactorization */
 enum class EliminationOrder
 {
   /** Approximate minimum degree (Eigen): fast to compute; for one or two factorizations of real matrices. */
   MinimumDegree,
   /** Nested dissection (METIS): fewer operations, and large subtrees that threads can share; computing it takes as
-   * long as ten real factorizations. METIS seeds std::rand() and leaves it changed; calls are serialized, and no
-   * other code should call std::rand() meanwhile. */
+   * long as ten real factorizations. METIS reseeds std::rand(); calls are serialized, and no other code should call
+   * std::rand() at the same time. */
   NestedDissection
 };
 
@@ -60,7 +60,7 @@ public:
   Products() const;
   ///@}
 
-  /** For the factorizations of this module. */
+  /** Internal data for the factorizations of this module. */
   const Parts &
   GetParts() const
   {

@@ -21,8 +21,8 @@ struct Node
   int lastColumn{ -1 };
 };
 
-/** Estimated time of a front, in vector products: its overhead, moving rows x rows elements to and from its parent,
- * and the dense products. The weights were fitted to measured times; they only affect how much is merged. */
+/** Estimated time of a front, in vector products: overhead, transfer of rows x rows elements to and from its parent,
+ * and dense products. The weights were fitted to measured times and affect only merging. */
 double
 CostOf(int width, int rows)
 {
@@ -111,7 +111,7 @@ private:
            CostOf(parent.width + child.width, parent.rows);
   }
 
-  /** Merges the child with the largest saving, as long as there is a saving. */
+  /** Merges the child with the largest saving until no merge saves time. */
   void
   MergeChildren(int parent)
   {

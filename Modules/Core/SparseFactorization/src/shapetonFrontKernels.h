@@ -35,7 +35,7 @@ struct Block
   std::ptrdiff_t plane;
 };
 
-/** A complex matrix that is accessed element by element. */
+/** A complex matrix with access to single elements. */
 struct Elements
 {
   const double * data;
@@ -55,9 +55,9 @@ enum class Store
 struct Set
 {
   const char * name;
-  /** Replaces the first `width` columns of a real symmetric front of `rows` rows, given by its lower triangle, by
-   * those of L, and sets `signs`, such that L diag(signs) L^T is the front: the Cholesky factor if all are 1. The
-   * stride is at least PaddedRows(rows). Returns the first column whose pivot is 0 or not finite, or -1. */
+  /** Replaces the first `width` columns of a real symmetric front of `rows` rows, given by its lower triangle, by the
+   * columns of L, and sets `signs` such that the front is L diag(signs) L^T. L is the Cholesky factor if all signs are
+   * 1. The stride is at least PaddedRows(rows). Returns the first column whose pivot is 0 or not finite, or -1. */
   int (*Factor)(int rows, int width, const Panel & panel, double * signs);
   /** Subtracts A diag(signs) A^T from columns `begin` <= j < `end` of the lower triangle of the real C; A has `rows`
    * rows and `depth` columns. `begin` is a multiple of rowGroup. C and A are read up to PaddedRows(rows). */
@@ -74,7 +74,7 @@ struct Set
                    Store            store,
                    bool             lowerOnly);
   /** Replaces the leading n x n part of the complex P, whose padding is zero, by its inverse, without pivoting. `work`
-   * holds 2 PaddedRows(n) doubles. */
+   * has 2 PaddedRows(n) doubles. */
   void (*Invert)(int n, const Block & P, double * work);
 
   static const Set & Compiled(InstructionSets::Baseline);

@@ -35,7 +35,7 @@ struct FrontWorkspace
 class FrontalInverse
 {
 public:
-  /** `elements` are replaced by those of the inverse. `factor` is memory for layout.begin.back() doubles. */
+  /** `elements` are replaced by elements of the inverse. `factor` is memory for layout.begin.back() doubles. */
   FrontalInverse(const Supernodes &   supernodes,
                  const FactorLayout & layout,
                  SymmetricElements    elements,
@@ -43,7 +43,7 @@ public:
 
   void
   Factor(int s, FrontWorkspace & workspace);
-  /** Copies what Invert() needs from the parent's front. Invert() calls it if it has not been called. */
+  /** Copies the data for Invert() from the parent's front. Called by Invert() if necessary. */
   void
   Gather(int s, FrontWorkspace & workspace);
   void

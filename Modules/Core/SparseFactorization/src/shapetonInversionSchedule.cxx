@@ -76,7 +76,7 @@ InversionSchedule::Report()
   m_Progress(static_cast<double>(m_Done) / static_cast<double>(ofOne * m_Number));
 }
 
-/** The longest task, so it checks for interruption and reports progress. */
+/** Processes the trunk. This is the longest task, so it checks for interruption and reports progress. */
 void
 InversionSchedule::RunTrunk(FrontalInverse & inverse, FrontWorkspace & workspace)
 {
@@ -155,7 +155,7 @@ InversionSchedule::Step(std::unique_lock<std::mutex> & lock, FrontWorkspace & wo
   Flight * const flight = this->FindWork();
   if (!flight)
   {
-    // Another worker is running a task and will notify when it is complete.
+    // Another worker is running a task and will notify on completion.
     m_Changed.wait_for(lock, std::chrono::milliseconds(20));
     lock.unlock();
     this->Report();

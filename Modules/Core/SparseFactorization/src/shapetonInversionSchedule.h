@@ -16,9 +16,9 @@
 namespace shapeton
 {
 /** Inverts several matrices of one pattern with several threads. The tasks are the subtrees of all matrices in
- * flight, and the trunk of each. Results do not depend on the thread that computes a task, so they are the same for
- * any number of threads. Each thread calls Work(), which returns when no tasks are left. Progress is reported by
- * the thread that constructed this object, which must be one of them. */
+ * flight, and the trunk of each. Results are independent of the number of threads. Each thread calls Work(), which
+ * returns when no tasks are left. Progress is reported by the thread that constructed this object, which must be one of
+ * them. */
 class InversionSchedule
 {
 public:

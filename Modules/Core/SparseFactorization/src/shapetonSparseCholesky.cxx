@@ -211,7 +211,7 @@ SparseCholesky::Implementation::Eliminate(int s, bool shared, AlignedBuffer & wo
   return true;
 }
 
-/** One thread per subtree. */
+/** Factorizes the subtrees, one thread per subtree. */
 bool
 SparseCholesky::Implementation::EliminateSubtrees(const Progress & progress)
 {
@@ -238,7 +238,7 @@ SparseCholesky::Implementation::EliminateSubtrees(const Progress & progress)
   return isRegular;
 }
 
-/** Front by front, with all threads. */
+/** Factorizes the trunk front by front, with all threads. */
 bool
 SparseCholesky::Implementation::EliminateTrunk(const Progress & progress)
 {

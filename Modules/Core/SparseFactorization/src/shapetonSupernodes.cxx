@@ -67,8 +67,8 @@ Supernodes::SupernodeOfColumns() const
   return supernode;
 }
 
-/** The rows of a supernode are the union of the rows of its columns in the matrix and those of its children, without
- * its own columns. */
+/** The rows of a supernode are the union of the matrix rows of its columns and the rows of its children, without its
+ * own columns. */
 void
 Supernodes::BuildRows(const std::vector<int> & place, const std::vector<std::array<int, 2>> & edges)
 {
@@ -76,7 +76,7 @@ Supernodes::BuildRows(const std::vector<int> & place, const std::vector<std::arr
   const LowerPattern     pattern(place, edges);
   const std::vector<int> supernodeOf = this->SupernodeOfColumns();
   std::vector<int>       seen(order.size(), -1);
-  std::vector<int>       lastOne(number, -1); // of the children found so far
+  std::vector<int>       lastOne(number, -1); // rows of the children found so far
   std::vector<int>       before(number, -1);
   parent.assign(number, -1);
   rowBegin.assign(1, 0);

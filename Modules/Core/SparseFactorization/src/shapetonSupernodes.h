@@ -13,8 +13,8 @@ namespace shapeton
  * A supernode is a range of columns eliminated together as one dense front. Its front has its own columns first,
  * then its rows: the later columns with factor elements below it. Small supernodes are merged with their parents if
  * one larger dense front is cheaper than two; the added zeros are treated as elements. Wide ones are divided into
- * chains of panels of at most maximalWidth columns. The supernodes are numbered in postorder: those of a subtree
- * are consecutive and end with its root. */
+ * chains of panels of at most maximalWidth columns. Supernodes are numbered in postorder, so a subtree is consecutive
+ * and ends with its root. */
 struct Supernodes
 {
   static constexpr int maximalWidth = 48;

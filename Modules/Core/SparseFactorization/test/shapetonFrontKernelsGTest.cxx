@@ -12,7 +12,7 @@ namespace
 using namespace shapeton;
 using namespace shapeton::FrontKernels;
 
-/** A complex matrix as the kernels take it; the padding is zero. */
+/** A complex matrix in kernel layout, with zero padding. */
 struct Matrix
 {
   Matrix(int rows, int columns, std::uint64_t seed)
@@ -57,7 +57,7 @@ struct Matrix
   std::vector<double> values;
 };
 
-/** A rows x columns product of the given depth by each set: correct, with identical bytes. */
+/** Checks a rows x columns product of the given depth: correct and bitwise identical for all kernel sets. */
 void
 CheckMultiply(int                                                                                         rows,
               int                                                                                         columns,

@@ -236,8 +236,8 @@ TEST(SelectedInversion, IsAbortedByProgressAndWorksAfterwards)
           2,
           progress);
       },
-      threads == 1 ? 20 : 1); // other threads do not report
-    EXPECT_GE(taken, 4);      // from the complete run, not from an incorrect one
+      threads == 1 ? 20 : 1); // only one thread reports progress
+    EXPECT_GE(taken, 4);      // at the end of the run
   }
 }
 } // namespace

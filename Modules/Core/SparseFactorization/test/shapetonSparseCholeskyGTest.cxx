@@ -224,12 +224,12 @@ TEST(SymbolicFactorization, MatricesOfAnotherSizeAreRefused)
 
 TEST(SparseCholesky, IsAbortedByProgressAndWorksAfterwards)
 {
-  itk::MultiThreaderBase::SetGlobalDefaultNumberOfThreads(1); // others do not report
+  itk::MultiThreaderBase::SetGlobalDefaultNumberOfThreads(1); // only one thread reports progress
   const System   system(120);
   SparseCholesky solver = system.Solver(EliminationOrder::NestedDissection);
   test::ExpectProgress(
     [&](const Progress & progress) { solver.Factorize(system.diagonal, system.offDiagonal, progress); }, 15);
-  EXPECT_FALSE(solver.HasFactor()); // the last one was aborted
+  EXPECT_FALSE(solver.HasFactor()); // the last factorization was aborted
   ASSERT_TRUE(solver.Factorize(system.diagonal, system.offDiagonal));
   const Eigen::MatrixXd expected = Waves(14400, 2);
   Eigen::MatrixXd       x = system.Matrix() * expected;

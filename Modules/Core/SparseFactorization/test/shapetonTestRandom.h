@@ -9,7 +9,7 @@ namespace shapeton
 {
 namespace test
 {
-/** The same numbers everywhere. */
+/** Platform-independent random numbers. */
 class Random
 {
 public:
@@ -19,7 +19,7 @@ public:
   {
     return static_cast<int>(m_Engine() % static_cast<std::uint64_t>(n));
   }
-  /** In [-1, 1). */
+  /** Random number in [-1, 1). */
   double
   Signed()
   {

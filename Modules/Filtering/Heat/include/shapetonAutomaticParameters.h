@@ -22,12 +22,12 @@ struct AutomaticP
   std::string reason;
 };
 
-/** Chooses p so that edges insulate and noise does not (future work of 7.2.2 of the dissertation). 1 / p is the
+/** Chooses p such that edges insulate and noise does not (future work in 7.2.2 of the dissertation). 1 / p is the
  * geometric mean of edgeContrast and a noise bound, four times the standard deviation or a quarter of edgeContrast;
- * p is in [1, 50]. Noise is 3.138 times the lower quartile of the nonzero half gradients, provided that at least
- * one pair of neighbors in ten differs at all. Edges are pairs whose half gradient exceeds four times the noise and
- * both adjacent half gradients on the same axis. `spacing` along the axes is in any unit; half gradients are
- * defined in VolumeGradientOperator. \ingroup ShapetonHeat */
+ * p is in [1, 50]. Noise is 3.138 times the lower quartile of the nonzero half gradients, provided that at least one in
+ * ten pairs of neighbors differs. Edges are pairs whose half gradient exceeds four times the noise and both adjacent
+ * half gradients on the same axis. `spacing` along the axes is in any unit; half gradients are defined in
+ * VolumeGradientOperator. \ingroup ShapetonHeat */
 ShapetonHeat_EXPORT AutomaticP
 ChooseP(const float *                      intensities,
         const std::array<std::size_t, 3> & size,
@@ -43,8 +43,8 @@ enum class SnapshotSpacing
   Logarithmic
 };
 
-/** At most `number` distinct steps from 0 to `last`, both included; fewer if rounding makes steps equal, as for the
- * first ones of a logarithmic spacing (512 to 100,000 give 388).
+/** At most `number` distinct steps from 0 to `last`, both included; fewer if steps coincide after rounding, as at the
+ * start of a logarithmic spacing (512 steps to 100,000 yield 388).
  * \ingroup ShapetonHeat */
 ShapetonHeat_EXPORT std::vector<std::uint64_t>
                       MakeSnapshotSteps(std::uint64_t last, std::size_t number, SnapshotSpacing spacing);

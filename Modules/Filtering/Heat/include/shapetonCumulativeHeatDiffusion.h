@@ -33,15 +33,15 @@ struct CumulativeHeatDiffusionSettings
   /** Spacing in mm for the components, even if the diffusion ignores it. */
   std::array<double, 3> spacing{ { 1.0, 1.0, 1.0 } };
   std::uint64_t         minimumComponentVoxels{ 27 };
-  /** Where the heat is computed; all devices give the same bytes. */
+  /** Device that computes the heat; results are identical on all devices. */
   Device device{ Device::Automatic };
 };
 
-/** Result of a run besides the heat, and the parameters used.
+/** Result of a run, except for the heat, and the parameters used.
  * \ingroup ShapetonHeat */
 struct CumulativeHeatDiffusionResult
 {
-  AutomaticP                  p; ///< has a reason only if it was chosen automatically
+  AutomaticP                  p; ///< the reason is set only if it was chosen automatically
   double                      windowLower{ 0.0 };
   double                      windowUpper{ 0.0 };
   double                      timeStepLength{ 0.0 };
@@ -49,7 +49,7 @@ struct CumulativeHeatDiffusionResult
   bool                        steady{ false };
   bool                        cold{ false }; ///< no edge in the volume: the heat is 0 everywhere
   std::uint64_t               operatorApplications{ 0 };
-  std::string                 device; ///< where the heat was computed; see DeviceUse::Describe()
+  std::string                 device; ///< device used; see DeviceUse::Describe()
   HeatHistogram               histogram;
   std::vector<ShapeComponent> components;
 };
@@ -59,7 +59,7 @@ struct CumulativeHeatDiffusionResult
 using HeatSnapshotConsumer = std::function<void(std::uint64_t step, const std::vector<float> & heat)>;
 
 /** Cumulative heat diffusion of a volume: all voxels are sources at once (dissertation 2.2.1). `intensities`, `heat`
- * and `initialHeat` (may be null) hold size[0] * size[1] * size[2] values, x fastest; `intensities` and `heat` may
+ * and `initialHeat` (may be null) have size[0] * size[1] * size[2] values, x fastest; `intensities` and `heat` may
  * be the same array. `progress` is called on this thread and may throw to abort. The filter and the tools use this
  * implementation. \ingroup ShapetonHeat */
 ShapetonHeat_EXPORT CumulativeHeatDiffusionResult

@@ -14,8 +14,8 @@ namespace shapeton
  * \brief Describes each voxel by its heat after diffusion from all voxels at once (CHD).
  *
  * Each voxel starts with the initial heat (2.3) and heat flows between neighbors by the volume gradient operator
- * (2.4)-(2.6): f_i += dt * sum_j c_ij (f_j - f_i). Few steps reveal local shape (edges, corners), many steps whole
- * objects: a closed object converges to the mean of its initial heat, which depends on its shape and size.
+ * (2.4)-(2.6): f_i += dt * sum_j c_ij (f_j - f_i). Few steps reveal local shape (edges, corners), many steps reveal
+ * whole objects: a closed object converges to its mean initial heat, which depends on its shape and size.
  *
  * \par Inputs and Outputs
  * Input: a scalar volume of finite intensities. Output 0: the heat after the last step, in [0, 1], float, on the grid
@@ -23,9 +23,8 @@ namespace shapeton
  * the components.
  *
  * \par Parameters
- * See the setters. The filter processes the whole volume at once, with ITK's global number of threads. It needs memory
- * for about 8 single-precision copies of the volume, 13 with a histogram. Results have the same bytes for any number
- * of threads.
+ * See the setters. The filter processes the whole volume at once, with ITK's global number of threads. Memory: about 8
+ * single-precision copies of the volume, 13 with a histogram. Results are bitwise identical for any number of threads.
  *
  * Source: Gurijala, Shape-based analysis, chapter 2. Differences: the source specifies neither the time step nor the
  * scaling of intensities; (2.4) is read as a product on anisotropic grids; steps are taken by a Chebyshev expansion.
@@ -50,8 +49,8 @@ public:
   itkNewMacro(Self);
   itkOverrideGetNameOfClassMacro(CumulativeHeatDiffusionImageFilter);
 
-  /** Let ChooseP() choose p from noise and edges; P is then ignored. GetResult() returns the choice and its reason.
-   * Default off. */
+  /** Whether ChooseP() chooses p from noise and edges; P is then ignored. GetResult() returns the choice and its
+   * reason. Default off. */
   itkSetMacro(AutomaticP, bool);
   itkGetConstMacro(AutomaticP, bool);
   itkBooleanMacro(AutomaticP);
@@ -68,21 +67,21 @@ public:
   itkSetMacro(Tolerance, double);
   itkGetConstMacro(Tolerance, double);
 
-  /** How the spacing affects conductances; see VolumeGradientOperator. Default Physical. */
+  /** Effect of the spacing on conductances; see VolumeGradientOperator. Default Physical. */
   itkSetEnumMacro(Conductance, Conductance);
   itkGetEnumMacro(Conductance, Conductance);
 
-  /** Treat voxels as unit cubes. Default off. */
+  /** Whether to treat voxels as unit cubes. Default off. */
   itkSetMacro(IgnoreSpacing, bool);
   itkGetConstMacro(IgnoreSpacing, bool);
   itkBooleanMacro(IgnoreSpacing);
 
-  /** Stop before TimeSteps when the heat is steady; see HeatDiffusionSolver::SteadyRule. Default off. */
+  /** Whether to stop before TimeSteps when the heat is steady; see HeatDiffusionSolver::SteadyRule. Default off. */
   itkSetMacro(UntilSteady, bool);
   itkGetConstMacro(UntilSteady, bool);
   itkBooleanMacro(UntilSteady);
 
-  /** Find the components and their exact converged heat; see FindShapeComponents. Default off. */
+  /** Whether to find the components and their exact converged heat; see FindShapeComponents. Default off. */
   itkSetMacro(WantComponents, bool);
   itkGetConstMacro(WantComponents, bool);
   itkBooleanMacro(WantComponents);
@@ -98,7 +97,7 @@ public:
   void
   SetSnapshotSteps(const StepsType & steps, const SnapshotConsumer & consumer);
 
-  /** Result of the last Update() besides the heat. */
+  /** Result of the last Update(), except for the heat. */
   const CumulativeHeatDiffusionResult &
   GetResult() const
   {
@@ -111,7 +110,7 @@ public:
     return dynamic_cast<HeatImageType *>(this->ProcessObject::GetOutput(1));
   }
 
-  /** Compute output 1 as well. Default off: output 1 is then empty and must not be connected. */
+  /** Whether to compute output 1. Default off; output 1 is then empty and must not be connected. */
   itkSetMacro(WantInitialHeat, bool);
   itkGetConstMacro(WantInitialHeat, bool);
   itkBooleanMacro(WantInitialHeat);

@@ -86,7 +86,7 @@ CumulativeHeatDiffusionImageFilter<TInputImage>::GenerateData()
   }
   else
   {
-    initialHeat->Initialize(); // clears the result of an earlier run
+    initialHeat->Initialize(); // clears the previous result
   }
   // Other pixel types are converted into the output buffer, which the heat overwrites at the end.
   const float * intensities = heat->GetBufferPointer();

@@ -13,18 +13,18 @@ namespace shapeton
  * \ingroup ShapetonHeat */
 struct HeatClass
 {
-  /** 0 is the background; 1 the class of least heat; similar classes have adjacent numbers. */
+  /** 0 is the background, 1 the class of least heat; similar classes have adjacent numbers. */
   unsigned int label{ 0 };
-  /** The class holds lowerHeat <= heat < upperHeat. */
+  /** The class contains lowerHeat <= heat < upperHeat. */
   double        lowerHeat{ 0.0 };
   double        upperHeat{ 0.0 };
   double        meanHeat{ 0.0 };
   std::uint64_t voxels{ 0 };
   double        volume{ 0.0 }; ///< mm^3
-  /** The share of the voxels at the border of the volume that belong to the class. Above one half, the class is the
-   * surroundings of the objects, whose heat leaves through the border. */
+  /** Fraction of the border voxels of the volume that belong to the class. Above one half, the class is the
+   * surroundings of the objects, which lose heat through the border. */
   double borderShare{ 0.0 };
-  /** Number of converged components of at least 27 voxels in the class that are closed off by edges of zero weight. */
+  /** Number of converged components of at least 27 voxels in the class that are closed by edges of zero weight. */
   std::uint64_t components{ 0 };
   /** Scale-normalized companion (an isoperimetric number): mean over the class's components, weighted by voxels; 0
    * if the class contains no closed component. */

@@ -10,18 +10,18 @@
 
 namespace shapeton
 {
-/** Criteria for a class.
+/** Criteria for classes.
  * \ingroup ShapetonHeat */
 struct HeatClassificationRule
 {
   /** Largest number of classes besides the background; in [1, 254]. */
   unsigned int maximumNumberOfClasses{ 12 };
-  /** Lines whose peak is below this heat belong to the background: surroundings that cool toward 0. A converged
-   * object is warmer unless it is wider than 1500 voxels. */
+  /** Lines whose peak is below this heat belong to the background: surroundings that cool toward 0. Converged objects
+   * up to 1500 voxels wide are warmer. */
   double backgroundHeat{ 0.001 };
   /** Smallest share of all voxels above the background that forms a class; in [0, 1]. */
   double minimumShare{ 0.0005 };
-  /** Two adjacent peaks are two classes if the lower one is at least this many times the valley between them. */
+  /** Two adjacent peaks are separate classes if the lower one is at least this many times the valley between them. */
   double minimumPeakToValley{ 2.0 };
 };
 

@@ -18,16 +18,15 @@ class HeatEngine;
  * \brief Performs time steps f_i += dt * sum_j c_ij (f_j - f_i) of a VolumeGradientOperator.
  *
  * Chebyshev (default): t steps are the polynomial (1 - dt L)^t of the operator L. On [0, lambda_max] a Chebyshev
- * expansion of degree about sqrt(t dt lambda_max ln(2 / tolerance)) equals it within the tolerance, so that t = 100,000
- * costs about 1,100 applications of L. The recurrence runs in difference form, which keeps the rounding error of single
- * precision near 3e-6 where t explicit steps in single precision lose 1e-4.
- * Explicit: the steps one by one, with compensated (Kahan) sums.
+ * expansion of degree about sqrt(t dt lambda_max ln(2 / tolerance)) equals it within the tolerance; t = 100,000 takes
+ * about 1,100 applications of L. The difference form of the recurrence keeps the single-precision rounding error near
+ * 3e-6, compared to 1e-4 for t explicit steps. Explicit: single steps with compensated (Kahan) sums.
  *
- * Many intermediate fields cost little more than the last one: after 16 explicit steps the time is divided into
- * intervals with an end / start ratio of at most 2.5. One Chebyshev pass gives the fields at seven Lobatto nodes in
+ * Intermediate fields are cheap: after 16 explicit steps the time is divided into
+ * intervals with an end / start ratio of at most 2.5. One Chebyshev pass computes the fields at seven Lobatto nodes in
  * log(t), and any field between them is their barycentric combination (error below 1.3e-6 for every decay rate).
  *
- * Results are the same bytes for any number of threads, on every x86-64 CPU and on a GPU.
+ * Results are bitwise identical for any number of threads, on every x86-64 CPU and on a GPU.
  *
  * \equation{2.1} with the sign of the forward heat equation.
  *
@@ -41,8 +40,8 @@ public:
     Explicit
   };
 
-  /** The largest allowed time step. Stability needs 1/6 on a cubic grid, but at 1/6 checkerboard modes decay as slowly
-   * as smooth ones. */
+  /** The largest allowed time step. Stability requires at most 1/6 on a cubic grid, but at 1/6 checkerboard modes decay
+   * as slowly as smooth ones. */
   static constexpr double MaximumTimeStepLength = 1.0 / 12.0;
 
   /** `timeStepLength` dt in (0, 1/12]; `tolerance` of the heat, in [1e-6, 1]; throws std::invalid_argument. The
@@ -52,8 +51,8 @@ public:
                       double                         timeStepLength,
                       double                         tolerance);
 
-  /** Receives row `row` = y + ny * z of the heat after steps[snapshot]. Called from several threads, distinguished
-   * by `worker`, which is less than the number of ITK's threads. */
+  /** Receives row `row` = y + ny * z of the heat after steps[snapshot]. Called concurrently; `worker` identifies the
+   * thread and is less than the number of ITK's threads. */
   using Visitor = std::function<void(std::size_t snapshot, std::size_t row, const float * heat, unsigned int worker)>;
 
   /** Receives the progress in [0, 1] on the calling thread; may throw to abort. */
@@ -63,8 +62,8 @@ public:
     m_Progress = std::move(progress);
   }
 
-  /** Where the heat is computed; default: the CPU. If a requested GPU does not have enough memory for the volume, it
-   * processes slabs. */
+  /** Device that computes the heat; default: the CPU. A requested GPU without enough memory for the volume processes
+   * slabs. */
   void
   SetDevice(Device device)
   {
@@ -77,8 +76,8 @@ public:
     return m_DeviceUse;
   }
 
-  /** Stop as soon as the heat is steady: over a time interval of ratio 2.5 at most the share `voxels` of all voxels
-   * changes by more than `change` times its own heat, or times `leastHeat` if it is colder. Off by default. */
+  /** Stops when the heat is steady: over a time interval of ratio 2.5, at most the fraction `voxels` of all voxels
+   * changes by more than `change` times their heat, or times `leastHeat` if they are colder. Off by default. */
   struct SteadyRule
   {
     double change{ 0.01 };
@@ -129,7 +128,8 @@ private:
 
   static std::vector<Interval>
   PlanIntervals(std::uint64_t start, std::uint64_t last, const std::vector<std::uint64_t> & steps, bool checkSteady);
-  /** Weights of the nodes, the start first, for the field after `step`: barycentric interpolation in log(step). */
+  /** Weights of the nodes, starting with the start, for the field after `step`: barycentric interpolation in log(step).
+   */
   static std::array<float, 7>
   InterpolationWeights(const Interval & interval, std::uint64_t step);
   std::vector<Expansions>
@@ -142,7 +142,7 @@ private:
                  std::uint64_t                      lastStep,
                  const std::vector<std::uint64_t> & steps,
                  Recorder &                         recorder);
-  /** Passes the requested steps of an interval to the visitor, from its computed nodes. */
+  /** Passes the requested steps of an interval to the visitor, interpolated from its nodes. */
   void
   ShowNodes(HeatEngine & engine, const Interval & interval, Recorder & recorder);
 

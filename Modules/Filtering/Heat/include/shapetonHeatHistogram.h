@@ -11,9 +11,9 @@ namespace shapeton
 /** \class HeatHistogram
  * \brief Counts of voxels by heat, one row for each recorded time step (dissertation 2.3.1, Figures 2.3 to 2.7).
  *
- * Heat lies in [0, 1]. Bins are fine: BinsPerOctave equal bins per factor of two from 2^-Octaves to 1, so that close
- * lines remain distinct at any heat. Bin 0 counts all heat below 2^-Octaves: the background, whose heat has left
- * through the boundary of the volume. Coarser pictures are derived from these counts.
+ * Heat is in [0, 1]. There are BinsPerOctave equal bins per factor of two from 2^-Octaves to 1, so close lines remain
+ * distinct at any heat. Bin 0 counts all heat below 2^-Octaves: the background, which has lost its heat through the
+ * boundary of the volume. Coarser pictures are derived from these counts.
  *
  * \ingroup ShapetonHeat */
 class ShapetonHeat_EXPORT HeatHistogram
@@ -66,10 +66,10 @@ public:
   static void
   CountHeats(const float * heats, std::size_t number, std::uint32_t * counts);
 
-  /** The equalization of 2.3.1: the share, in [0, 1], of the counts without bin 0 below the lower edge of each bin,
-   * averaged over the rows (NumberOfBins + 1 values, ascending from 0 to 1). One map is used for all rows, so that
-   * a converged line stays at one position. Rows have equal weight, so that objects that keep their heat get room
-   * even when the rest has cooled. */
+  /** The equalization of 2.3.1: the fraction, in [0, 1], of the counts without bin 0 below the lower edge of each bin,
+   * averaged over the rows (NumberOfBins + 1 values, ascending from 0 to 1). All rows use one map, which keeps a
+   * converged line at one position. Rows have equal weight, which leaves room for objects that keep their heat while
+   * the rest cools. */
   std::vector<double>
   GetEqualization() const;
 

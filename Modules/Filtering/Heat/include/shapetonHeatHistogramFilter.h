@@ -38,7 +38,7 @@ public:
   itkNewMacro(Self);
   itkOverrideGetNameOfClassMacro(HeatHistogramFilter);
 
-  /** Adds the heat after `timeStep`, which must not be less than that of the previous call. */
+  /** Adds the heat after `timeStep`, which must not be less than in the previous call. */
   void
   AddHeat(const HeatImageType * heat, std::uint64_t timeStep);
 

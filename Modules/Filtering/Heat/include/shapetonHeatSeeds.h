@@ -19,10 +19,10 @@ ShapetonHeat_EXPORT SeedImage::Pointer
  * \ingroup ShapetonHeat */
 struct ClassSeeds
 {
-  /** The classes to use; empty: all but 0. */
+  /** The classes to use; empty for all except 0. */
   std::vector<int> classes;
-  /** 0: all voxels of a class are seeds, with one label per class. Else this number of the largest connected
-   * components (by faces) of each class, each with its own label, the largest first. */
+  /** 0: all voxels of a class are seeds, with one label per class. Otherwise, the number of largest face-connected
+   * components of each class to use, each with a separate label, largest first. */
   int components{ 0 };
 };
 

@@ -14,13 +14,13 @@ class HeatSnapshots
 public:
   virtual ~HeatSnapshots() = default;
 
-  /** Whether HeatHistogram counts the heat of a snapshot: row by row on the CPU, all at once on a GPU. */
+  /** Whether HeatHistogram counts the heat of a snapshot: by rows on the CPU, at once on a GPU. */
   virtual bool
   IsCounted(std::size_t) const
   {
     return false;
   }
-  /** Called from several threads, distinguished by `worker`, which is less than the number of ITK's threads. */
+  /** Called concurrently; `worker` identifies the thread and is less than the number of ITK's threads. */
   virtual void
   CountRow(std::size_t, const float *, unsigned int)
   {}

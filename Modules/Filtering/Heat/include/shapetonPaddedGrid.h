@@ -12,7 +12,7 @@ namespace shapeton
 /** \class PaddedGrid
  * \brief Memory layout of a field on an nx x ny x nz volume with a border of one voxel.
  *
- * Rows along x are padded to whole cache lines; the border avoids boundary tests in the diffusion.
+ * Rows along x are padded to full cache lines; the border avoids boundary checks in the diffusion.
  *
  * \ingroup ShapetonHeat */
 class PaddedGrid

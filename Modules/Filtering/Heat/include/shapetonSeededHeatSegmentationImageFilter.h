@@ -12,9 +12,9 @@
 namespace shapeton
 {
 /** \class SeededHeatSegmentationImageFilter
- * \brief Labels each voxel by the seeds whose heat is greatest there: SeededHeatSolver as a filter.
+ * \brief Labels each voxel by the seeds with the greatest heat there, using SeededHeatSolver.
  *
- * Inputs: a volume, and Seeds, a label map on the same grid (0: no seed). Outputs: labels, and the uncertainty of each
+ * Inputs: a volume, and Seeds, a label map on the same grid (0: no seed). Outputs: labels and their uncertainty
  * (SeededHeatResult). If only the seeds have changed since the last Update() and probabilities are kept, the solver
  * starts from the last solution, for interactive use. Update() throws itk::ExceptionObject, of the derived classes
  * InputError (fewer than two labels have seeds) and ParameterError.
@@ -41,7 +41,7 @@ public:
   itkSetInputMacro(Seeds, LabelImageType);
   itkGetInputMacro(Seeds, LabelImageType);
 
-  /** Choose p from noise and edges by ChooseP(), instead of P. */
+  /** Whether ChooseP() chooses p from noise and edges; P is then ignored. */
   itkSetMacro(AutomaticP, bool);
   itkGetConstMacro(AutomaticP, bool);
   itkBooleanMacro(AutomaticP);
@@ -50,9 +50,9 @@ public:
   itkSetMacro(Tolerance, double);
   itkGetConstMacro(Tolerance, double);
 
-  /** VolumeGradientOperator::Parameters::leastWeight, positive, default 0.2: the conductance that remains on an
-   * insulating edge. Regions without a seed thus take the label around them, and a voxel between two regions that
-   * of the more similar one. */
+  /** VolumeGradientOperator::Parameters::leastWeight, positive, default 0.2: the remaining conductance of an insulating
+   * edge. Regions without a seed thus get the surrounding label, and a voxel between two regions gets the label of the
+   * more similar one. */
   itkSetMacro(LeastWeight, double);
   itkGetConstMacro(LeastWeight, double);
 
@@ -109,7 +109,7 @@ protected:
   PrintSelf(std::ostream & os, itk::Indent indent) const override;
 
 private:
-  /** The input and parameters that an operator was built from. */
+  /** The input and parameters of the current operator. */
   struct Origin
   {
     const void *                       pixels;

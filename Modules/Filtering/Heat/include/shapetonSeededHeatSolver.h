@@ -18,8 +18,8 @@ struct SeededHeatSettings
 {
   /** Largest error of a probability, as estimated by the solver; in [1e-6, 0.1]. */
   double tolerance{ 1e-5 };
-  /** Keep the probabilities of all labels, for GetProbabilities() and for starting from the last solution. Takes
-   * four bytes per voxel and label but one. */
+  /** Keep the probabilities of all labels, for GetProbabilities() and for starting from the last solution. Takes four
+   * bytes per voxel for each label except one. */
   bool keepProbabilities{ true };
 };
 
@@ -28,7 +28,7 @@ struct SeededHeatSettings
  * \ingroup ShapetonHeat */
 struct SeededHeatResult
 {
-  /** The label of greatest probability, the lowest one in case of ties. */
+  /** The label of greatest probability; the lowest one for ties. */
   std::vector<unsigned short> labels;
   /** 1 minus the difference of the two greatest probabilities: 0 for a certain label, 1 for a tie of two. */
   std::vector<float> uncertainty;
@@ -36,11 +36,11 @@ struct SeededHeatResult
   std::vector<unsigned short> labelValues;
   /** Largest number of iterations of the conjugate gradients. */
   unsigned int iterations{ 0 };
-  /** Remarks on labels that hardly grow beyond their seeds: those with fewer than FewestVoxels unseeded voxels, if
-   * at least half of the voxels have no seed. An isolated point is such a seed if no edges confine its heat. */
+  /** Remarks on labels that hardly grow beyond their seeds: fewer than FewestVoxels unseeded voxels, if at least half
+   * of all voxels have no seed. This happens for an isolated point without edges that confine its heat. */
   Remarks remarks;
 
-  /** 5^3: a smaller part is painted with fewer strokes than it takes to seed it. */
+  /** 5^3: painting a smaller part takes fewer strokes than seeding it. */
   static constexpr std::size_t FewestVoxels = 125;
 };
 
@@ -52,13 +52,14 @@ struct SeededHeatResult
  *
  *   sum_j c_ij (f_l(i) - f_l(j)) = 0,
  *
- * and f_l(i) is the probability that a random walker from i, which takes edges in proportion to their conductances,
- * reaches a seed of l first: Grady, Random walks for image segmentation, IEEE TPAMI 28 (2006), with the weights of
- * (2.5). The probabilities of all labels sum to 1; for two labels, their boundary is at one half.
+ * and f_l(i) is the probability that a random walker from i, with transition probabilities proportional to the
+ * conductances, reaches a seed of l first: Grady, Random walks for image segmentation, IEEE TPAMI 28 (2006), with the
+ * weights of (2.5). The probabilities of all labels sum to 1; for two labels, their boundary is at one half.
  *
  * Solved in single precision by conjugate gradients with a multigrid preconditioner, matrix-free on the finest level,
- * for up to four labels in one pass over memory. The result has the same bytes for any number of threads. Memory
- * besides the operator: 16 bytes per voxel, 16 per voxel and label of a pass, and a third more for the coarse levels.
+ * for up to four labels in one pass over memory. Results are bitwise identical for any number of threads. Memory in
+ * addition to the operator: 16 bytes per voxel, 16 per voxel and label of a pass, and a third more for the coarse
+ * levels.
  *
  * \ingroup ShapetonHeat */
 class ShapetonHeat_EXPORT SeededHeatSolver
@@ -109,7 +110,7 @@ private:
   std::vector<Batch>             m_Batches;
   std::vector<float>             m_Best;
   std::vector<float>             m_Second;
-  std::vector<float>             m_Sum; ///< of all solved labels: all but the last one
+  std::vector<float>             m_Sum; ///< for all solved labels, that is all except the last one
 };
 } // namespace shapeton
 

@@ -12,15 +12,14 @@ namespace shapeton
  * \ingroup ShapetonHeat */
 struct ShapeComponent
 {
-  /** The first voxel of the component, relative to the first voxel of the volume, even if the image region starts
-   * elsewhere. */
+  /** The first voxel of the component, relative to the first voxel of the volume, not to index 0. */
   std::array<std::size_t, 3> index{};
   std::uint64_t              voxels{ 0 };
   double                     volume{ 0.0 }; ///< mm^3
-  /** False if the component reaches the boundary of the volume, through which its heat leaves. */
+  /** False if the component reaches the boundary of the volume, where heat is lost. */
   bool closed{ false };
-  /** The final heat of every voxel: the mean initial heat of a closed component, 0 for an open one. Exact for closed
-   * components, without time steps. For a closed binary object it is (cut faces) / (6 voxels). */
+  /** The final heat of every voxel: the mean initial heat of a closed component, 0 for an open one. Computed exactly
+   * for closed components, without time steps. For a closed binary object it is (cut faces) / (6 voxels). */
   double convergedHeat{ 0.0 };
   double surfaceArea{ 0.0 }; ///< mm^2, see below; 0 for an open component
   /** area / (6 volume^(2/3)), a scale-free shape measure: 1 for a cube (measured with 13 directions: 0.90 to 0.95,
@@ -44,8 +43,8 @@ ShapetonHeat_EXPORT std::vector<ShapeComponent>
                                           const std::array<double, 3> &  spacing,
                                           std::uint64_t                  minimumVoxels);
 
-/** The share of the sphere of directions that is closest to each of the 13 axes through a voxel's neighbors, in the
- * order of CroftonOffsets(); sums to 1. For equal spacings .0916 (faces), .0740 (edges), .0704 (corners).
+/** Fraction of the sphere of directions closest to each of the 13 axes through a voxel's neighbors, in the order of
+ * CroftonOffsets(); sums to 1. For equal spacings .0916 (faces), .0740 (edges), .0704 (corners).
  * \ingroup ShapetonHeat */
 ShapetonHeat_EXPORT std::array<double, 13>
                       CroftonWeights(const std::array<double, 3> & spacing);

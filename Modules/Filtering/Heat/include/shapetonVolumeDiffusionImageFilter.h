@@ -9,7 +9,7 @@
 namespace shapeton
 {
 /** \class VolumeDiffusionImageFilter
- * \brief Base class of the filters that let heat or particles diffuse through a volume in time steps.
+ * \brief Base class of filters for the diffusion of heat or particles through a volume in time steps.
  *
  * \ingroup ShapetonHeat */
 template <typename TInputImage, typename TOutputImage>
@@ -29,8 +29,9 @@ public:
   itkSetMacro(TimeSteps, std::uint64_t);
   itkGetConstMacro(TimeSteps, std::uint64_t);
 
-  /** Where the diffusion is computed. Default: the GPU if one is available and has enough memory, else the CPU; all
-   * devices give the same bytes. Update() throws DeviceError if Device::Cuda is requested and cannot be used. */
+  /** Device that computes the diffusion. Default: the GPU if one is available and has enough memory, else the CPU;
+   * results are identical on all devices. Update() throws DeviceError if Device::Cuda is requested and cannot be used.
+   */
   void
   SetDevice(Device device)
   {

@@ -14,7 +14,7 @@
 namespace shapeton
 {
 /** \class VolumeGradientImageFilter
- * \brief Base class of the filters that use a volume through its volume gradient operator: p and the intensity window.
+ * \brief Base class of filters that use the volume gradient operator: p and the intensity window.
  *
  * They process the whole volume at once.
  *
@@ -37,8 +37,8 @@ public:
   using Superclass::MakeOutput;
   shapetonIndexedOutputsMacro();
 
-  /** Steepness p of (2.5): an edge insulates if the half gradient reaches 1 / p. Not negative. Default 7, unless the
-   * filter documents another one. */
+  /** Steepness p of (2.5), nonnegative: an edge insulates if the half gradient reaches 1 / p. Default 7, unless
+   * documented otherwise. */
   itkSetMacro(P, double);
   itkGetConstMacro(P, double);
 
@@ -66,7 +66,7 @@ protected:
   std::array<std::size_t, 3>
   GetVolumeSize() const;
 
-  /** The intensities of the input: its own buffer if its pixels are float, else a copy in `converted`. */
+  /** The intensities of the input: its buffer for float pixels, otherwise a copy in `converted`. */
   const float *
   GetIntensities(std::vector<float> & converted) const;
 

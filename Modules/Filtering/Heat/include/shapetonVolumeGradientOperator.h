@@ -18,8 +18,8 @@ namespace shapeton
  *   halfGradient = |I_i - I_j| / res_k,   weight = clamp(1 - p * halfGradient, 0, 1)      (2.5, 2.6)
  *
  * where res_k = h_k / h_min is the distance of the neighbors relative to the smallest spacing, which makes p
- * independent of the unit. The Laplacian of an anisotropic grid does not cancel as it does in (2.4) on a cubic one:
- * the conductance of an edge is weight * (h_min / h_k)^2 (Physical, the default; (2.4) writes a sum, ours is a
+ * independent of the unit. On anisotropic grids the Laplacian does not reduce to (2.4):
+ * the conductance of an edge is weight * (h_min / h_k)^2 (Physical, the default; (2.4) writes a sum instead of a
  * product) or the weight alone (Published). The diffusion uses the conductances, the initial heat the weights.
  *
  * The volume is extended by one layer that repeats the border intensities (weight 1) and stays at heat 0.
@@ -47,12 +47,12 @@ public:
     /** Voxel spacing in mm along x, y, z; positive. Use {1, 1, 1} to ignore it. */
     std::array<double, 3> spacing{ { 1.0, 1.0, 1.0 } };
     Conductance           conductance{ Conductance::Physical };
-    /** Weight of an edge of half gradient 1 / p, in [0, 1]; beyond, it decreases with the square of the gradient.
+    /** Weight of an edge with half gradient 1 / p, in [0, 1]; beyond, it decreases with the square of the gradient.
      * With 0, as in (2.5), such edges insulate. Default 0. */
     double leastWeight{ 0.0 };
   };
 
-  /** `intensities`: size[0] * size[1] * size[2] values, x fastest. Throws std::invalid_argument for parameters out
+  /** \param intensities size[0] * size[1] * size[2] values, x fastest. Throws std::invalid_argument for parameters out
    * of range and for non-finite intensities. If lower == upper the volume is treated as constant. `progress` may
    * throw to abort. */
   VolumeGradientOperator(const float *                      intensities,
@@ -60,7 +60,7 @@ public:
                          const Parameters &                 parameters,
                          const Progress &                   progress = {});
 
-  /** For intensities in [0, 1]; `resolution` is res_k >= 1.
+  /** The half gradient for intensities in [0, 1]; `resolution` is res_k >= 1.
    *
    * \equation{2.6}
    *
@@ -71,8 +71,8 @@ public:
     return std::abs(a - b) / resolution;
   }
 
-  /** In [0, 1]. Rounding residues of a zero weight are set to 0, as they would be leaks. At least leastWeight / max(1,
-   * p halfGradient)^2, so that an insulated voxel still prefers the more similar of its neighbors.
+  /** In [0, 1]. Rounding residues of a zero weight are set to 0 because they would be leaks. The minimum is leastWeight
+   * / max(1, p halfGradient)^2, so an insulated voxel still prefers its more similar neighbors.
    *
    * \equation{2.5}
    *

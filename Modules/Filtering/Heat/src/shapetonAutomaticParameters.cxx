@@ -117,7 +117,7 @@ ChooseP(const float *                      intensities,
     return choice;
   }
   choice.edgeContrast = Quantile(peaks, 0.25, firstEdge);
-  // Between the reach of noise and the contrast of edges, with a margin on both sides.
+  // Between the noise bound and the edge contrast, with a margin on both sides.
   const double reach = std::max(4.0 * choice.noise, 0.25 * choice.edgeContrast);
   const double cut = std::sqrt(reach * std::max(choice.edgeContrast, reach));
   choice.p = std::clamp(1.0 / cut, 1.0, 50.0);

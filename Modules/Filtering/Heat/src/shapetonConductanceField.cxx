@@ -6,7 +6,7 @@ namespace shapeton
 {
 namespace
 {
-/** Removes the seeds from the edges of one slice: each edge belongs to the lower one of its voxels. */
+/** Removes the edges of seeds in one slice; each edge belongs to its lower voxel. */
 class SeedCutter
 {
 public:

@@ -11,7 +11,7 @@
 
 namespace shapeton
 {
-/** An edge from an unseeded voxel to a seed, through which heat flows in. */
+/** An edge from an unseeded voxel to a seed, which supplies heat. */
 struct SeedEdge
 {
   std::size_t    voxel; ///< its index on the padded grid
@@ -19,8 +19,8 @@ struct SeedEdge
   float          conductance;
 };
 
-/** The conductances of a volume without the seeded voxels: edges to them become leaks of their neighbors. No heat
- * crosses the border of the volume. Nodes are indices on the padded grid. */
+/** The conductances of a volume without the seeded voxels; edges to them become leaks of their neighbors. The border of
+ * the volume is insulated. Nodes are indices on the padded grid. */
 struct ConductanceField
 {
   PaddedGrid                 grid;

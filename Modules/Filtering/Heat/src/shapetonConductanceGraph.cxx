@@ -16,7 +16,7 @@ namespace
 // levels are so large that the run time grows by half; below 0.15 there are too many iterations.
 constexpr float strong = 0.15F;
 
-// Marks a node of the current cell; the other bits are its number in the cell.
+// Flag of a node of the current cell; the other bits are its number in the cell.
 constexpr std::uint32_t inCell = std::uint32_t(1) << 31;
 
 /** Number of nodes of a level per cell of the next one along each axis. */
@@ -152,7 +152,7 @@ private:
     {
       m_Level.ForEachEdge(begin[i], [&](std::size_t neighbor, float conductance) {
         m_Strongest[i] = std::max(m_Strongest[i], conductance);
-        if (neighbor > begin[i] && neighbor < m_Places[1]) // each edge once; other slices belong to other threads
+        if (neighbor > begin[i] && neighbor < m_Places[1]) // each edge once; other threads process the other slices
         {
           const std::uint32_t mark = m_AggregateOf[neighbor];
           if (mark != noAggregate && (mark & inCell) != 0)
@@ -165,7 +165,7 @@ private:
   }
 
   /** Joins nodes over edges that are strong for both. Each remaining single node then joins its strongest neighbor
-   * in the cell if the edge is strong for this node: an insulated node thus follows its surroundings. */
+   * in the cell if the edge is strong for this node: thus an insulated node joins its surroundings. */
   void
   JoinStrong(std::uint32_t number)
   {

@@ -139,7 +139,7 @@ public:
     ++volume.rows;
   }
 
-  /** Passes complete volumes to the consumer; called from one thread while no row is visited. */
+  /** Passes complete volumes to the consumer; called from a single thread between visits. */
   void
   Deliver()
   {
@@ -180,7 +180,7 @@ private:
     std::atomic<std::size_t> rows{ 0 };
   };
 
-  /** Counts of all rows; mostly one copy per worker. */
+  /** Counts of all rows; one copy per worker if memory allows. */
   struct CountTable
   {
     std::mutex                 mutex;
@@ -193,7 +193,7 @@ private:
     return table.counts.data() + m_HistogramRow[snapshot] * HeatHistogram::NumberOfBins;
   }
 
-  /** One for each thread, up to a total of 256 MB. */
+  /** One copy per thread, up to 256 MB in total. */
   static std::size_t
   NumberOfTables(std::size_t rows)
   {
@@ -239,7 +239,7 @@ DiffuseCumulativeHeat(const float *                           intensities,
     result.p = ChooseP(intensities, size, parameters.spacing, parameters.lower, parameters.upper);
     parameters.p = result.p.p;
   }
-  // Preparation is a small part of the work: it reports no progress, but can be aborted.
+  // Preparation is fast, so it does not report progress, but can be aborted.
   const Progress               preparation = progress.Part("", 0.0, 0.0);
   const VolumeGradientOperator volumeGradient(intensities, size, parameters, preparation);
   HeatDiffusionSolver          solver(volumeGradient, settings.method, settings.timeStepLength, settings.tolerance);

@@ -1,4 +1,4 @@
-// Contains only launches: the arithmetic is shared with the CPU.
+// Contains only kernel launches; the arithmetic is shared with the CPU.
 #include "shapetonDeviceHeatEngine.h"
 #include "shapetonDeviceRuntime.h"
 #include "shapetonDiffusionArithmetic.h"
@@ -55,7 +55,7 @@ struct Compensated
 };
 
 /** Two steps of the recurrence, from T_k of even k to the next one, and their contributions to the nodes while the
- * values are in registers. Values still needed by neighbors are not overwritten: all results have separate memory. */
+ * values are in registers. Results have separate memory because neighbors still need the old values. */
 struct TwoChebyshevSteps
 {
   using Neighborhood = DiffusionArithmetic::Neighborhood;
@@ -267,7 +267,7 @@ public:
   unsigned int
   GetLongestStretch(bool) const override
   {
-    return 64; // a few milliseconds, then progress is reported
+    return 64; // a few milliseconds between progress reports
   }
 
   void
@@ -425,7 +425,7 @@ private:
     }
   }
 
-  /** Processing two snapshots at once reads each node once. */
+  /** Processes two snapshots at once, so that each node is read once. */
   void
   CountCombined(std::size_t first, Combination combination, const std::vector<Weights> & weights)
   {

@@ -7,7 +7,7 @@
 
 namespace shapeton
 {
-/** A volume, or a range of its slices, as passed to the GPU plug-in: see VolumeGradientOperator. */
+/** A volume, or a range of slices, as passed to the GPU plug-in; see VolumeGradientOperator. */
 struct DeviceHeatVolume
 {
   PaddedGrid                   grid;

@@ -18,7 +18,7 @@ struct DiffusionEdges
   std::ptrdiff_t strideZ;
 };
 
-/** The diffusion arithmetic of one voxel, `i`: the single source for all instruction sets and GPU kernels. */
+/** The diffusion arithmetic of a voxel `i`, shared by all instruction sets and GPU kernels. */
 namespace DiffusionArithmetic
 {
 /** Values of a row for interpolation in time. */
@@ -63,7 +63,7 @@ ExplicitStep(const DiffusionEdges & edges, const float * f, float * out, std::si
   out[i] = f[i] + dt * Flow(edges, f, i);
 }
 
-/** The same with compensation of the rounding error of `f` in `rest` (Kahan), for many steps. */
+/** One explicit step with compensation of the rounding error of `f` in `rest` (Kahan), for many steps. */
 SHAPETON_HOST_DEVICE void
 CompensatedStep(const DiffusionEdges & edges, const float * f, float * out, float * rest, std::size_t i, float dt)
 {

@@ -66,8 +66,7 @@ FindHills(const std::vector<double> & smooth, const std::uint32_t * counts)
     {
       hill.end = ++bin;
     }
-    while (bin < bins && smooth[bin] == 0.0) // the cut is somewhere in the empty stretch, its position there is
-                                             // irrelevant
+    while (bin < bins && smooth[bin] == 0.0) // the exact position of the cut within the empty range is irrelevant
     {
       hill.end = ++bin;
     }
@@ -85,7 +84,7 @@ FindHills(const std::vector<double> & smooth, const std::uint32_t * counts)
   return hills;
 }
 
-/** Merges the least significant hill with a neighbor until all satisfy the rule. */
+/** Merges the least significant hill with a neighbor until all hills satisfy the rule. */
 void
 JoinHills(std::vector<Hill> & hills, const std::vector<double> & smooth, const HeatClassificationRule & rule)
 {
@@ -94,7 +93,7 @@ JoinHills(std::vector<Hill> & hills, const std::vector<double> & smooth, const H
   {
     total += hill.mass;
   }
-  const auto valley = [&](std::size_t left) { // between hill `left` and the next one
+  const auto valley = [&](std::size_t left) { // valley between hill `left` and the next one
     double least = std::numeric_limits<double>::max();
     for (unsigned int bin = hills[left].end - 1; bin <= hills[left + 1].first && bin < smooth.size(); ++bin)
     {

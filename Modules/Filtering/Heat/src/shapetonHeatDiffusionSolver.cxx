@@ -11,7 +11,7 @@
 
 namespace shapeton
 {
-/** A time interval with fields at its nodes. The requested steps in it are nodes, or are interpolated. */
+/** A time interval with fields at its nodes. Requested steps are nodes or interpolated. */
 struct HeatDiffusionSolver::Interval
 {
   std::uint64_t              start;
@@ -30,7 +30,7 @@ constexpr double        intervalRatio = 2.5;
 constexpr std::uint64_t explicitStart = 16;
 
 // A long time interval is split if the ratio to its start would exceed this: rounding errors grow with the degree of an
-// expansion and with the fine detail of its start, which the previous interval has smoothed.
+// expansion and the fine detail of its start, which earlier intervals smooth.
 constexpr std::uint64_t longestRatio = 32;
 constexpr std::uint64_t shortestStretch = 1000;
 
@@ -102,7 +102,7 @@ HeatDiffusionSolver::PlanIntervals(std::uint64_t                      start,
     {
       interval.end = std::min(last, ratioEnd);
     }
-    else if (steps.size() - snapshot > few) // up to where the requested steps themselves can be the nodes, or the ratio
+    else if (steps.size() - snapshot > few) // while the requested steps can be the nodes, or up to the ratio
     {
       interval.end = std::min(interval.end, std::max(steps[snapshot + few - 1], ratioEnd));
     }
@@ -184,7 +184,7 @@ HeatDiffusionSolver::ChebyshevCoefficients(std::uint64_t steps, double beta, dou
   {
     return { 1.0 };
   }
-  // Samples of the function at the Chebyshev points, then a cosine transform.
+  // Samples the function at the Chebyshev points, then applies a cosine transform.
   const auto          t = static_cast<double>(steps);
   const std::size_t   degree = static_cast<std::size_t>(std::sqrt(1.2 * t * beta * std::log(4.0 / tolerance))) + 16;
   const std::size_t   points = 2 * degree + 32;
@@ -194,7 +194,7 @@ HeatDiffusionSolver::ChebyshevCoefficients(std::uint64_t steps, double beta, dou
     const double sine = std::sin(0.5 * M_PI * (j + 0.5) / points);
     samples[j] = std::exp(t * std::log1p(-beta * sine * sine)); // (1 - x) / 2 = sine^2
   }
-  // Late samples underflow to 0: for a billion steps all but a few thousand.
+  // Late samples underflow to 0; for a billion steps, only a few thousand remain.
   const std::size_t   used = std::find(samples.begin(), samples.end(), 0.0) - samples.begin();
   std::vector<double> coefficients(degree + 1);
   ParallelFor(degree + 1, [&](std::size_t k) {
@@ -272,7 +272,7 @@ class HeatDiffusionSolver::Recorder
 public:
   Recorder(HeatEngine & engine, const std::vector<std::uint64_t> & steps) : m_Engine(engine), m_Steps(steps) {}
 
-  /** The next requested step, or `otherwise` if there is none before it. */
+  /** The next requested step, but at most `otherwise`. */
   std::uint64_t
   Next(std::uint64_t otherwise) const
   {
@@ -313,7 +313,7 @@ public:
   }
 
 private:
-  // Collected volumes are complete after each group, which limits the number of open volumes.
+  // Collected volumes are complete after each group, which limits memory.
   static constexpr std::size_t snapshotsAtOnce = 4;
 
   HeatEngine &                       m_Engine;
@@ -438,7 +438,7 @@ HeatDiffusionSolver::ShowNodes(HeatEngine & engine, const Interval & interval, R
   for (std::size_t k = 0; k < interval.nodes.size(); ++k)
   {
     recorder.Show(HeatEngine::FirstNode + static_cast<HeatEngine::Field>(k), interval.nodes[k]);
-    this->ReportProgress(0.0); // lets the snapshots pass on complete volumes
+    this->ReportProgress(0.0); // passes on complete volumes
   }
 }
 

@@ -9,11 +9,10 @@
 namespace shapeton
 {
 /** \class HeatEngine
- * \brief Fields of a run of HeatDiffusionSolver and the operations on them, on the CPU or on a GPU with the same
- * bytes.
+ * \brief Fields of a HeatDiffusionSolver run and operations on them, with identical results on the CPU and on a GPU.
  *
- * Fields are identified by numbers and initially uninitialized. The GPU plug-in has its own engine and receives
- * only numbers: this header includes no code of the library. */
+ * Fields are identified by numbers and initially uninitialized. The GPU plug-in implements its own engine, so this
+ * header does not include library code. */
 class HeatEngine
 {
 public:
@@ -56,8 +55,8 @@ public:
   StepExplicitly(unsigned int steps, float dt, bool compensated) = 0;
 
   /** Steps done + 1 .. done + steps, both even, of the recurrence from T_done in Even and its difference. Afterwards
-   * the last T_k is in Even, Odd is overwritten, and sum_k coefficients[g][k] T_k is added to the nodes, in pairs
-   * of terms. The very first step has half of `scale`. */
+   * the last T_k is in Even, Odd is overwritten, and sum_k coefficients[g][k] T_k is added to the nodes, in pairs of
+   * terms. The first step of the recurrence uses half of `scale`. */
   virtual void
   StepChebyshev(std::size_t done, unsigned int steps, float scale, const Expansions & coefficients) = 0;
 
@@ -87,7 +86,7 @@ struct ChebyshevPair
   float odd;
 };
 
-/** False if the expansion has ended before. */
+/** False beyond the end of the expansion. */
 inline bool
 FindPair(const std::vector<double> & coefficients, std::size_t k, ChebyshevPair & pair)
 {

@@ -10,7 +10,7 @@ namespace shapeton
 {
 namespace
 {
-// Measured on 256^3: the rows of a tile of all fields stay in the cache while it advances.
+// Measured on 256^3: all fields of a tile stay in the cache while it advances.
 constexpr TimeTileShape explicitTile{ 32, 32, 16 };
 constexpr TimeTileShape chebyshevTile{ 16, 16, 8 };
 

@@ -14,8 +14,8 @@ namespace shapeton
 class HeatEngineOnCpu : public HeatEngine
 {
 public:
-  /** Works in `heat` and writes it back in Finish(). Fields are allocated on first use; as this takes a while for
-   * large volumes, each allocation is reported to `allocated`. */
+  /** Works in `heat` and writes it back in Finish(). Fields are allocated on first use. Each allocation is reported to
+   * `allocated` because it takes time for large volumes. */
   HeatEngineOnCpu(const VolumeGradientOperator & volumeGradient,
                   PaddedField &                  heat,
                   HeatSnapshots &                snapshots,

@@ -10,7 +10,7 @@ namespace
 {
 using Field = HeatEngine::Field;
 
-/** Number of steps per slab visit, and of overlap slices on either side, whose values become invalid. */
+/** Number of steps per slab visit, and of overlap slices on each side, whose values become invalid. */
 constexpr unsigned int SlabSteps = 32;
 
 /** Bytes of all fields, one extra output field, and conductances for a number of slices, and some more for sums and
@@ -66,7 +66,7 @@ struct Slab
 };
 
 /** \class SlabEngine
- * \brief For volumes larger than GPU memory: steps run on the GPU, slab by slab, and everything else on the CPU.
+ * \brief Engine for volumes larger than GPU memory: the GPU computes the steps slab by slab, the CPU everything else.
  *
  * Values beyond a slab do not change during its steps, so each step invalidates one more slice from its border.
  * These slices overlap the adjacent slabs and are not copied back. */

@@ -10,7 +10,7 @@
 
 namespace shapeton
 {
-/** Whether the fields of a volume fit on a GPU; if the GPU is requested, whether those of some slices fit. */
+/** Whether the fields of a volume fit on a GPU; for a requested GPU, whether the fields of a slab fit. */
 DeviceUse
 ChooseDeviceForHeat(Device wanted, const PaddedGrid & grid);
 

@@ -115,7 +115,7 @@ ForEachRowOfSlice(const PaddedGrid & grid, std::size_t slice, const TBody & body
   }
 }
 
-/** The same for all rows, in parallel over slices. */
+/** Calls body for all rows, in parallel over slices. */
 template <typename TBody>
 void
 ForEachRow(const PaddedGrid & grid, const TBody & body)
@@ -129,8 +129,8 @@ ForEachRow(const PaddedGrid & grid, const TBody & body)
 // Slab thickness in slices for the sweeps over the finest level.
 constexpr std::size_t slabOfField = 4;
 
-/** Which neighbors of the voxels of a slice a forward sweep over the finest level updates before them, besides those
- * to the west and south. */
+/** Neighbors, in addition to west and south, that a forward sweep over the finest level updates before the voxels of a
+ * slice. */
 struct SweptBefore
 {
   bool isBelow, isAbove;
@@ -591,7 +591,7 @@ HeatMultigrid<VLabels>::Solve(LabelField &     potentials,
   Sums         before{};
   Factors      step{}; // along the directions; potentials and residuals apply it in the next pass
   double       firstChange = 0.0;
-  double       share = 0.0; // changes may increase occasionally; the reported share does not
+  double       share = 0.0; // changes may increase occasionally; the reported progress must not
   unsigned int iteration = 0;
   for (; iteration < mostIterations; ++iteration)
   {

@@ -72,16 +72,16 @@ private:
 
 /** Conjugate gradients for the potentials of `VLabels` labels at once, preconditioned by a multigrid cycle with
  * conductance-based aggregates (Notay, Electronic Transactions on Numerical Analysis 37, 2010). Gauss-Seidel sweeps
- * process alternating slabs of slices, so the results are the same for any number of threads. Each label has its
- * own coefficients. */
+ * process alternating slabs of slices, so results do not depend on the number of threads. Coefficients are computed per
+ * label. */
 template <int VLabels>
 class HeatMultigrid
 {
 public:
   explicit HeatMultigrid(const ConductanceHierarchy & hierarchy);
 
-  /** Iterates on `potentials` until no correction of the preconditioner, which estimates the error, exceeds
-   * `tolerance`. `residuals` are those of the start values and are overwritten. Returns the number of iterations. */
+  /** Iterates on `potentials` until no correction of the preconditioner, an estimate of the error, exceeds `tolerance`.
+   * `residuals` contains the residuals of the start values and is overwritten. Returns the number of iterations. */
   unsigned int
   Solve(LabelField & potentials, LabelField & residuals, double tolerance, const Progress & progress);
 

@@ -19,7 +19,7 @@ GridOf(const itk::ImageBase<3> * image)
   return { static_cast<int>(size[0]), static_cast<int>(size[1]), static_cast<int>(size[2]) };
 }
 
-/** Marks a set of voxels without its border; all of them if the border is the whole set. */
+/** Marks a set of voxels without its border; the whole set if it consists of border voxels only. */
 void
 MarkInside(const VoxelGrid &                grid,
            const std::vector<std::size_t> & voxels,

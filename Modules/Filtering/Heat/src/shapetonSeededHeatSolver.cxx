@@ -199,7 +199,7 @@ SeededHeatSolver::Solve(const unsigned short * seeds, const Progress & progress)
     m_Batches.clear();
   }
   m_Result = {};
-  auto batches = std::move(m_Batches); // after an abort there is no start solution
+  auto batches = std::move(m_Batches); // an abort invalidates the start solution
   m_Batches.clear();
   const ConductanceHierarchy hierarchy(m_VolumeGradient, seeds, progress.Part("", 0.0, 0.1));
   m_Result.labels.assign(number, labels.front());

@@ -21,11 +21,11 @@ struct TimeTileShape
 };
 
 /** Calls `operation(step, row)` for steps 1 .. `steps` and all rows of the grid, in an order that respects the stencil:
- * step s of a row comes after step s-1 of itself and its four neighbors, and before their step s+1.
+ * step s of a row follows step s-1 of the row and its four neighbors, and precedes their step s+1.
  *
  * Tiles of rows perform all steps while they are in the cache; each step shifts a tile by one row and one slice
- * toward the origin (time skewing), so that it depends only on itself and earlier tiles. Two alternating buffers
- * are enough. The result does not depend on the number of threads. */
+ * toward the origin (time skewing), so that it depends only on itself and earlier tiles. Two alternating buffers are
+ * sufficient. The result does not depend on the number of threads. */
 template <typename TOperation>
 void
 RunTimeTiles(const PaddedGrid & grid, unsigned int steps, const TimeTileShape & shape, const TOperation & operation)
@@ -73,8 +73,8 @@ RunTimeTiles(const PaddedGrid & grid, unsigned int steps, const TimeTileShape & 
       }
     }
   };
-  // Tiles are taken in order, so the dependencies of a tile have been taken by running workers: no deadlock, even if
-  // the threader starts fewer workers.
+  // Tiles start in order, so the dependencies of a tile are complete or running. This avoids deadlocks even if the
+  // threader starts fewer workers.
   const auto workers = std::min<std::size_t>(NumberOfThreads(), std::min(tilesY, tilesZ));
   ParallelWorkers(static_cast<unsigned int>(workers), [&](unsigned int) {
     const FlushToZero flushToZero;

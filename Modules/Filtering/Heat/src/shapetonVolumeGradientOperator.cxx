@@ -109,7 +109,7 @@ VolumeGradientOperator::VolumeGradientOperator(const float *                    
   this->ComputeConductances(intensities, progress);
 }
 
-/** The factor of the grid for each axis, times that of the intensities. \equation{2.4} as a product; the source
+/** The product of the grid factor of each axis and the intensity factor. \equation{2.4} as a product; the source
  * writes a sum. */
 void
 VolumeGradientOperator::ComputeConductances(const float * intensities, const Progress & progress)

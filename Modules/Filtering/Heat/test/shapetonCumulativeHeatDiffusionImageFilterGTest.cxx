@@ -63,8 +63,7 @@ TEST(CumulativeHeatDiffusionImageFilter, ASphereConvergesToThreeQuartersOverItsR
     filter->WantComponentsOn();
     filter->Update();
     const float center = filter->GetOutput()->GetPixel({ { 20, 20, 20 } });
-    // A voxel sphere has the cut faces of its projections, 6 pi r^2, and the volume 4/3 pi r^3, both within a voxel's
-    // size.
+    // A voxel sphere has 6 pi r^2 cut faces (its projections) and the volume 4/3 pi r^3, both up to discretization.
     EXPECT_NEAR(center * radius, 0.75, 0.75 / radius * 0.5);
     const auto & components = filter->GetResult().components;
     ASSERT_EQ(components.size(), 2U);
@@ -90,7 +89,7 @@ TEST(CumulativeHeatDiffusionImageFilter, ACubeConvergesToOneOverItsSide)
 
 TEST(CumulativeHeatDiffusionImageFilter, TranslationMovesTheHeatOfAClosedObject)
 {
-  // Another position in the volume: the object itself is insulated, so its heat is equal up to rounding.
+  // The object is insulated, so its heat does not depend on its position, up to rounding.
   const auto shape = [](std::ptrdiff_t x, std::ptrdiff_t y, std::ptrdiff_t z) {
     return x >= 0 && x < 6 && y >= 0 && y < 4 && z >= 0 && z < 8 && !(x > 2 && z > 3) ? 1.0 : 0.0;
   };

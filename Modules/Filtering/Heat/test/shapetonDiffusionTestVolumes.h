@@ -15,7 +15,7 @@ namespace test
 {
 using Size = std::array<std::size_t, 3>;
 
-/** A volume as the compiled functions take it: x fastest. */
+/** A volume as an array, x fastest. */
 struct Volume
 {
   Size               size;
@@ -57,7 +57,7 @@ struct Volume
   }
 };
 
-/** Uniform noise in [-0.5, 0.5) from a hash of the position: the same on every machine. */
+/** Uniform noise in [-0.5, 0.5) from a hash of the position: platform-independent. */
 inline double
 Noise(std::size_t x, std::size_t y, std::size_t z)
 {
@@ -70,7 +70,7 @@ Noise(std::size_t x, std::size_t y, std::size_t z)
   return h / 4294967296.0 - 0.5;
 }
 
-/** Soft and hard objects of several contrasts in noise. */
+/** Objects with soft and hard edges of several contrasts, in noise. */
 inline Volume
 MakeScene(const Size & size, double noise)
 {
@@ -88,7 +88,7 @@ MakeScene(const Size & size, double noise)
   return volume;
 }
 
-/** The diffusion of the dissertation step by step in double precision, written without any of the code under test. */
+/** Reference diffusion of the dissertation in double precision, independent of the code under test. */
 class BruteForce
 {
 public:

@@ -259,7 +259,7 @@ TEST(HeatDiffusionSolver, StopsWhenSteadyAndNotBefore)
     EXPECT_TRUE(run.steady);
     EXPECT_LT(run.lastStep, 100000U);
     const auto end = Diffuse(volumeGradient, Method::Chebyshev, 1000000, {});
-    EXPECT_LT(LargestDifference(run.last, end.last), 0.01); // the cube ends at 0.1
+    EXPECT_LT(LargestDifference(run.last, end.last), 0.01); // the cube converges to 0.1
     const auto early = Diffuse(volumeGradient, method, run.lastStep / 3, {}, dt, true);
     EXPECT_FALSE(early.steady);
     EXPECT_EQ(early.lastStep, run.lastStep / 3);
@@ -275,7 +275,7 @@ TEST(HeatDiffusionSolver, ALastStretchThatIsTooShortIsNotCalledSteady)
   const VolumeGradientOperator volumeGradient(volume.values.data(), volume.size, volume.Parameters(7.0));
   for (const Method method : { Method::Chebyshev, Method::Explicit })
   {
-    // Time intervals end at 16, 40, 100, 250, 625; the cube is steady much later.
+    // Time intervals end at 16, 40, 100, 250, 625; the cube becomes steady much later.
     for (const std::uint64_t last : { 17, 41, 101, 251, 626, 627 })
     {
       EXPECT_FALSE(Diffuse(volumeGradient, method, last, {}, dt, true).steady) << last;
@@ -290,7 +290,7 @@ TEST(HeatDiffusionSolver, AHotVoxelDoesNotHideThatOthersStillMove)
     volume.Fill([](std::size_t x, std::size_t y, std::size_t z) {
       return std::min({ x, y, z }) >= 3 && std::max({ x, y, z }) < 27 ? 0.5 : 0.0;
     });
-    volume.At(0, 0, 0) = 1.0F; // the same window in both
+    volume.At(0, 0, 0) = 1.0F; // use the same window for both volumes
     volume.At(28, 1, 28) = withHotVoxel ? 1.0F : 0.0F;
     const VolumeGradientOperator volumeGradient(volume.values.data(), volume.size, volume.Parameters(7.0));
     return Diffuse(volumeGradient, Method::Chebyshev, 1000000, {}, dt, true).lastStep;

@@ -40,7 +40,7 @@ TEST(HeatHistogram, CountsEveryVoxelOnce)
 TEST(HeatHistogram, EqualizationGivesEachHeatTheShareOfTheVoxelsBelowIt)
 {
   HeatHistogram      histogram({ 0 });
-  std::vector<float> heats(100, 0.0F); // background does not count
+  std::vector<float> heats(100, 0.0F); // background is not counted
   heats.insert(heats.end(), 30, 0.1F);
   heats.insert(heats.end(), 60, 0.11F);
   heats.insert(heats.end(), 10, 0.9F);
@@ -80,7 +80,7 @@ TEST(HeatHistogramFilter, RefusesStepsOutOfOrder)
 
 namespace
 {
-/** Normal heats around a mean; the quantiles, not random numbers. */
+/** Normally distributed heat around a mean, as quantiles instead of random numbers. */
 void
 AddPeak(std::vector<float> & heats, double mean, double deviation, int number)
 {
@@ -136,7 +136,7 @@ TEST(HeatClassification, AShallowValleyMakesNoClassAndTheLimitHolds)
 {
   std::vector<float> heats;
   AddPeak(heats, 0.100, 0.004, 3000);
-  AddPeak(heats, 0.106, 0.004, 3000); // one hill with the first
+  AddPeak(heats, 0.106, 0.004, 3000); // merged with the first
   AddPeak(heats, 0.300, 0.002, 2000);
   AddPeak(heats, 0.600, 0.002, 2000);
   HeatHistogram histogram({ 1000 });
@@ -200,7 +200,7 @@ TEST(HeatClassification, TheSurroundingsHoldTheBorder)
     {
       for (itk::IndexValueType x = 2; x < 10; ++x)
       {
-        heat->SetPixel({ { x, y, z } }, 0.2F); // reaches one side
+        heat->SetPixel({ { x, y, z } }, 0.2F); // touches one side
       }
     }
   }
@@ -229,7 +229,7 @@ TEST(HeatClassification, ConvergedComponentsJoinTheClassOfTheirHeat)
     components[i].convergedHeat = heats[i];
     components[i].normalizedHeat = 0.8 + 0.1 * i;
   }
-  const auto heat = MakeHeatImage({ 0.1F, 0.123F, 0.2F, 0.0F, 0.1F }); // the last one is far from converged
+  const auto heat = MakeHeatImage({ 0.1F, 0.123F, 0.2F, 0.0F, 0.1F }); // the last one has not converged
   AssignComponents(components, heat, classes);
   EXPECT_EQ(classes[0].components, 0U);
   EXPECT_EQ(classes[1].components, 2U);

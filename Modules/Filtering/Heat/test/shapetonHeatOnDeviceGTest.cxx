@@ -74,7 +74,7 @@ MakeSettings(const Volume & volume, std::uint64_t steps, const std::array<double
   return settings;
 }
 
-/** Edges of volumes with acceptable run time on a GPU; smaller for the stand-in. */
+/** Edge lengths of volumes with acceptable run time on a GPU; smaller for the emulation. */
 Size
 Large()
 {
@@ -88,7 +88,7 @@ TEST(HeatOnDevice, ExpansionAndHistogramAreTheSameBytes)
   const Settings settings = MakeSettings(volume, 20000);
   ExpectTheSame(volume, settings);
   const auto heat = Diffuse(volume, settings, Device::Cuda).heat;
-  EXPECT_GT(*std::max_element(heat.begin(), heat.end()), 0.1F); // the comparison is meaningful
+  EXPECT_GT(*std::max_element(heat.begin(), heat.end()), 0.1F); // otherwise the comparison is not meaningful
 }
 
 TEST(HeatOnDevice, OddSizesAndAnisotropicVoxelsAreTheSameBytes)

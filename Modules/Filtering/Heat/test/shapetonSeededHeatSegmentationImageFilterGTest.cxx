@@ -13,7 +13,7 @@ using ImageType = itk::Image<short, 3>;
 using FilterType = shapeton::SeededHeatSegmentationImageFilter<ImageType>;
 using shapeton::SeedImage;
 
-/** Three boxes of 0, 300 and 600 along x, on an oblique and anisotropic grid. */
+/** Three boxes with intensities 0, 300 and 600 along x, on an oblique, anisotropic grid. */
 ImageType::Pointer
 MakeBoxes()
 {

@@ -28,7 +28,7 @@ NumberOf(const Size & size)
   return size[0] * size[1] * size[2];
 }
 
-/** Two halves of different intensity in noise. */
+/** Two noisy halves of different intensity. */
 std::vector<float>
 MakeNoisyHalves(const Size & size)
 {
@@ -254,7 +254,7 @@ TEST(SeededHeatSolver, IsARandomWalkerWhereItsWeightsAreSetEqual)
     volume[i] = ((i % size[0] < 8) != (random() % 6 == 0)) ? 1.0F : 0.0F;
   }
   const auto seeds = ScatterSeeds(size, 3, 5);
-  for (const double weight : { 0.5, 0.1, 0.01, 0.001 }) // between 0 and 1; ours is 1 - p, the walker's exp(-beta)
+  for (const double weight : { 0.5, 0.1, 0.01, 0.001 }) // edge from 0 to 1: 1 - p, and exp(-beta) for Grady's walker
   {
     const auto       op = MakeOperator(volume, size, 1.0 - weight, { { 1, 1, 1 } });
     SeededHeatSolver solver(op);
@@ -318,7 +318,7 @@ TEST(SeededHeatSolver, LabelsStopAtAnEdgeThatInsulates)
 }
 
 // In a uniform volume a walker that starts next to a point reaches it with the probability 0.3405 (Polya). A point
-// against seeds all around thus gets no voxel; a ball of seeds gets those up to about twice its radius.
+// surrounded by other seeds thus gains no voxel; a ball of seeds gains voxels up to about twice its radius.
 TEST(SeededHeatSolver, APointInAnEvenVolumeGetsNoVoxelAndIsRemarkedOn)
 {
   const std::size_t        side = 41;

@@ -13,21 +13,21 @@
 
 namespace shapeton
 {
-/** What can stop a step of a shapeton.
+/** Rule for steps across walls.
  * \ingroup ShapetonParticles */
 enum class PathRule
 {
-  /** As published (3.2.1): only the end point of the step matters. A long step jumps over walls. */
+  /** As published (3.2.1): only the end point of the step is used, so a long step may skip walls. */
   Endpoint,
-  /** The step is traced voxel by voxel: each face transmits the shapeton with a probability equal to the weight of
-   * its edge and reflects it otherwise. The position within the voxel is drawn anew before each step, so that the
-   * shapetons are a Markov chain on the voxels. With DirectionSampling::Uniform its transition matrix is symmetric,
-   * and for steps shorter than a voxel the expected density obeys the operator of cumulative heat diffusion: see
+  /** The step is traced through the voxels: each face transmits the shapeton with a probability equal to its edge
+   * weight and reflects it otherwise. The position within the voxel is drawn anew before each step, so that the
+   * shapetons are a Markov chain on the voxels. With DirectionSampling::Uniform its transition matrix is symmetric, and
+   * for steps shorter than a voxel the expected density obeys the operator of cumulative heat diffusion: see
    * EquivalentHeatTimeSteps(). */
   Traversal
 };
 
-/** Where shapetons start.
+/** Initial placement of shapetons.
  * \ingroup ShapetonParticles */
 enum class ParticlePlacement
 {
@@ -60,7 +60,7 @@ struct ParticleDiffusionSettings
   PathRule                           pathRule{ PathRule::Endpoint };
   ParticlePlacement                  placement{ ParticlePlacement::Uniform };
   std::uint64_t                      seed{ 1 };
-  /** Where the shapetons move; all devices give the same bytes. */
+  /** Device that moves the shapetons; results are identical on all devices. */
   Device device{ Device::Automatic };
 };
 
@@ -74,7 +74,7 @@ struct SteadyRule
   bool automatic{ false };
 };
 
-/** Progress of a run. Exact: sums of integers.
+/** Measures of a run, exact because they are sums of integers.
  * \ingroup ShapetonParticles */
 struct ParticleMeasures
 {
@@ -88,14 +88,14 @@ struct ParticleMeasures
   /** Shapetons in voxels whose six weights are all 0; they never move. */
   std::uint32_t trappedShapetons{ 0 };
   /** (3.10) with densities normalized to a maximum of 1: the sum over the voxels of the squared change in this step.
-   * As printed, with raw counts, it is never less than the number of shapetons. */
+   * With raw counts, as printed, it is never less than the number of shapetons. */
   double change{ 0.0 };
   /** The change at which the reached voxels have 100 visits on average, so that counts are accurate to about 10 %: n
    * (1 + n / R) / (100 M / m)^2 with n shapetons, R reached voxels, maximum and mean number of visits M and m. */
   double automaticEpsilon{ 0.0 };
   bool   steady{ false };
 
-  /** The 'convergence' of Table 3.1: the share of the object voxels with visits, in [0, 1]. */
+  /** 'Convergence' of Table 3.1: the fraction of object voxels with visits, in [0, 1]. */
   double
   GetCoverage() const
   {
@@ -108,12 +108,12 @@ struct ParticleMeasures
  * (dissertation chapter 3).
  *
  * In each step a shapeton draws a direction from the six weights of its voxel (3.2.1), moves by a fixed distance, and
- * the voxel where it ends counts one visit. The distance is relative to the longest side of the volume in millimeters;
- * a step has the same length in millimeters in all directions. A shapeton is reflected at the border of the volume and
- * does not move if all six weights are 0.
+ * the voxel where it ends counts one visit. The distance is a fraction of the longest side of the volume in
+ * millimeters, equal in all directions. A shapeton is reflected at the border of the volume and does not move if all
+ * six weights are 0.
  *
- * Random numbers depend only on the seed, the shapeton and the step (Philox4x32-10), and visits are integers: results
- * have the same bytes for any number of threads, on any CPU, and for any division of a run.
+ * Random numbers depend only on the seed, the shapeton and the step (Philox4x32-10), and visits are integers, so
+ * results are bitwise identical for any number of threads, any CPU, and any division of a run.
  *
  * Weights are stored in units of 1 / 65535. Memory: 20 bytes per voxel, including `visits`, and 16 per shapeton.
  *
@@ -122,15 +122,15 @@ class ShapetonParticles_EXPORT ParticleDiffusion
 {
 public:
   /** Called on the calling thread at the end of a step, every few hundredths of a second unless a step takes longer;
-   * may throw to abort. `visits` and GetPlaces() are those of that step. */
+   * may throw to abort. `visits` and GetPlaces() are up to date. */
   using Observer = std::function<void(const ParticleMeasures &)>;
 
-  /** Places the shapetons. `intensities` and `mask` (null: no mask; 0 is outside) hold size[0] * size[1] * size[2]
+  /** Places the shapetons. `intensities` and `mask` (null: no mask; 0 is outside) have size[0] * size[1] * size[2]
    * values, x fastest, and are not needed afterwards. `visits` has the same size, is set to 0 and must outlive the
-   * object. `poll` is called occasionally, by Run() also within long steps, and may throw to abort; the object must
-   * not be used afterwards. Throws std::invalid_argument for settings out of range, std::domain_error if no
-   * shapeton can be placed (an empty mask; no initial heat), std::length_error for 2^31 voxels or more, or 2^24
-   * along an axis, DeviceError if the device cannot be used. */
+   * object. `poll` is called occasionally, by Run() also within long steps, and may throw to abort; the object must not
+   * be used afterwards. Throws std::invalid_argument for settings out of range, std::domain_error if no shapeton can be
+   * placed (an empty mask; no initial heat), std::length_error for 2^31 voxels or more, or 2^24 along an axis,
+   * DeviceError if the device cannot be used. */
   ParticleDiffusion(const float *                      intensities,
                     const std::array<std::size_t, 3> & size,
                     const ParticleDiffusionSettings &  settings,
@@ -142,15 +142,15 @@ public:
   ParticleDiffusion &
   operator=(const ParticleDiffusion &) = delete;
 
-  /** Performs steps up to `lastStep`, or until the rule, if given, finds the density steady. With a rule every step
-   * is measured, which takes twice as long. Throws std::overflow_error if the visits of a voxel exceed 32 bits. */
+  /** Performs steps up to `lastStep`, or until the density is steady by the rule, if given. With a rule every step is
+   * measured, which doubles the run time. Throws std::overflow_error if the visits of a voxel exceed 32 bits. */
   void
   Run(std::uint64_t lastStep, const std::optional<SteadyRule> & rule = {}, const Observer & observer = {});
 
   const ParticleMeasures &
   GetMeasures() const;
 
-  /** Where the shapetons move. */
+  /** Device that moves the shapetons. */
   const DeviceUse &
   GetDeviceUse() const;
 
@@ -162,8 +162,8 @@ public:
   ParticleState
   GetState() const;
 
-  /** Continues from a state. Throws std::invalid_argument, which names the difference, if the state is of another
-   * volume or other settings. */
+  /** Continues from a state. Throws std::invalid_argument, with the difference, if the state belongs to another volume
+   * or other settings. */
   void
   SetState(const ParticleState & state);
 
@@ -172,11 +172,11 @@ private:
   std::unique_ptr<Impl> m_Impl;
 };
 
-/** The number of time steps of cumulative heat diffusion after which heat has spread as far as shapetons after `steps`
- * steps of `stepInVoxels` smallest spacings, with PathRule::Traversal and DirectionSampling::Uniform. Without walls
- * the mean squared displacements along an axis are equal:
+/** Number of time steps of cumulative heat diffusion in which heat spreads as far as shapetons in `steps` steps of
+ * `stepInVoxels` smallest spacings, with PathRule::Traversal and DirectionSampling::Uniform. Without walls the mean
+ * squared displacements along an axis are equal:
  *
- *   2 dt t = steps (a^2 / 3 + (n / 6 + f^2 / 2 - f^3 / 3) / a), which is steps (a / 2) for a <= 1,
+ *   2 dt t = steps (a^2 / 3 + (n / 6 + f^2 / 2 - f^3 / 3) / a), equal to steps (a / 2) for a <= 1,
  *
  * a = stepInVoxels, n and f its integer and fractional part. This answers the open question 7.2.1 of the
  * dissertation; valid for cubic voxels. `timeStepLength` is dt. \ingroup ShapetonParticles */

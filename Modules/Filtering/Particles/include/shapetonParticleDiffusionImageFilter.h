@@ -15,7 +15,7 @@
 namespace shapeton
 {
 /** \class ShapetonInputError
- * \brief No shapeton can be placed in the input, or the initial state is of another run.
+ * \brief No shapeton can be placed in the input, or the initial state belongs to another run.
  * \ingroup ShapetonParticles */
 class ShapetonInputError : public itk::ExceptionObject
 {
@@ -25,32 +25,32 @@ public:
 };
 
 /** \class ParticleDiffusionImageFilter
- * \brief Describes each voxel by its number of visits by particles that move at random through the volume (shapeton
- * diffusion).
+ * \brief Describes each voxel by its number of visits by randomly moving particles (shapeton diffusion).
  *
- * Shapetons start at random places. In each step every shapeton draws a direction from the six edge weights of its
- * voxel, moves by a fixed distance, and adds one visit to the voxel where it ends. Frequent visits indicate
- * surroundings that confine shapetons.
+ * Shapetons start at random positions. In each step every shapeton draws a direction from the six edge weights of its
+ * voxel, moves by a fixed distance, and adds one visit to its new voxel. Frequent visits indicate confining
+ * surroundings.
  *
  * \par Inputs and Outputs
  * Input 0: a scalar volume of finite intensities. Input 1, optional: a mask on the same grid; shapetons start where it
  * is not 0. Output: the visits, on the grid of the input; they sum to shapetons x steps.
  *
  * \par Events
- * IterationEvent is invoked several times a second at the ends of steps: GetOutput() then holds the visits so far and
- * GetMeasures() the progress of the run, so that a program can display the growing density. Within longer steps
- * ProgressEvent is invoked. SetAbortGenerateData takes effect within a tenth of a second.
+ * IterationEvent is invoked several times a second at the end of a step: GetOutput() then returns the current visits
+ * and GetMeasures() the progress of the run, for example to display the density. Within longer steps ProgressEvent is
+ * invoked. SetAbortGenerateData takes effect within a tenth of a second.
  *
- * \par Going on
+ * \par Continuing
  * GetState() returns the state needed to continue; a filter with the same input and settings and SetInitialState()
- * gives the same bytes as an uninterrupted run.
+ * gives bitwise the same result as an uninterrupted run.
  *
  * \par Errors
- * ShapetonInputError for an empty mask, for placement by initial heat in a volume without any, for a feature size that
- * the volume cannot resolve, and for an initial state of another run; ExceptionObject for settings out of range.
+ * ShapetonInputError for an empty mask, for placement by initial heat in a volume without initial heat, for a feature
+ * size below the resolution of the volume, and for an initial state of another run; ExceptionObject for settings out of
+ * range.
  *
- * Results have the same bytes for any number of threads, which follow ITK's global setting, and on any CPU. Memory: 20
- * bytes per voxel besides the input, 4 more unless its pixels are float.
+ * Results are bitwise identical for any number of threads (ITK's global setting) and on any CPU. Memory: 20 bytes per
+ * voxel in addition to the input, 24 unless its pixels are float.
  *
  * Source: Gurijala, Shape-based analysis, chapter 3 and appendix 8. Differences: directions follow the solid angle
  * (DirectionSampling), long steps may be stopped by walls (PathRule), the steady rule (3.10) uses normalized densities.
@@ -107,7 +107,7 @@ public:
   itkGetConstMacro(AutomaticNumberOfShapetons, bool);
   itkBooleanMacro(AutomaticNumberOfShapetons);
 
-  /** Result of ChooseShapetons() with its reason; valid after Update() if requested. */
+  /** Result of ChooseShapetons() with the reason; valid after Update() if requested. */
   const AutomaticShapetons &
   GetAutomaticShapetons() const
   {
@@ -126,7 +126,7 @@ public:
   itkSetEnumMacro(Placement, ParticlePlacement);
   itkGetConstMacro(Placement, ParticlePlacement);
 
-  /** Any number; equal seeds give equal results. Default 1. */
+  /** Seed of the random numbers; any number. Default 1. */
   itkSetMacro(Seed, std::uint64_t);
   itkGetConstMacro(Seed, std::uint64_t);
 
@@ -137,7 +137,7 @@ public:
     return m_DeviceUse;
   }
 
-  /** Stop when the density is steady by (3.10) with Epsilon, or with the epsilon derived from the run itself
+  /** Stop when the density is steady by (3.10) with Epsilon, or with an epsilon derived from the run
    * (AutomaticEpsilon). Default off, 0.05, off. */
   itkSetMacro(UntilSteady, bool);
   itkGetConstMacro(UntilSteady, bool);

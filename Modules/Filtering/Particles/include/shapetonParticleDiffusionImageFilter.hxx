@@ -192,7 +192,7 @@ ParticleDiffusionImageFilter<TInputImage>::GenerateData()
   visits->Allocate();
   m_Measures = ParticleMeasures();
   m_FinalState = ParticleState();
-  const struct Release // also if the run is aborted: the volume's weights are large
+  const struct Release // also if the run is aborted, because the weights of the volume are large
   {
     ~Release() { diffusion.reset(); }
     std::unique_ptr<ParticleDiffusion> & diffusion;
@@ -214,7 +214,7 @@ ParticleDiffusionImageFilter<TInputImage>::GenerateData()
   {
     itkExceptionMacro(<< error.what());
   }
-  catch (const std::overflow_error & error) // visits of a voxel overflow
+  catch (const std::overflow_error & error) // the visits of a voxel overflow
   {
     itkExceptionMacro(<< error.what());
   }

@@ -7,7 +7,7 @@
 
 namespace shapeton
 {
-/** \name The shape distribution of an octant, after the appendix of the dissertation.
+/** \name The shape distribution of an octant (appendix of the dissertation).
  *
  * The weights w1, w2, w3 >= 0 of the edges along the three axes of an octant define a body whose radius in the
  * direction (theta, phi) is
@@ -30,7 +30,7 @@ PartialOctantVolume(double w1, double w2, double w3, double phi);
 
 /** The angle phi with PartialOctantVolume() == volume; `volume` in [0, OctantVolume()], clamped. pi/4 for an empty
  * octant. The source uses bisection with an absolute tolerance of 0.01, which freezes the angle for small weights
- * (appendix 8.3); here it is solved to rounding. \ingroup ShapetonParticles */
+ * (appendix 8.3); this implementation is accurate to rounding. \ingroup ShapetonParticles */
 ShapetonParticles_EXPORT double
 PhiOfPartialVolume(double w1, double w2, double w3, double volume);
 
@@ -75,7 +75,8 @@ using EdgeWeights = std::array<double, 6>;
 
 /** A unit vector sampled from the shape distribution of six weights by the inverse of its distribution function, in
  * double precision: the reference for the single-precision implementation. The random numbers, in (0, 1], choose
- * octant, phi and theta. The zero vector if all weights are 0: the shapeton does not move. \ingroup ShapetonParticles */
+ * octant, phi and theta. Returns the zero vector if all weights are 0; the shapeton does not move.
+ * \ingroup ShapetonParticles */
 ShapetonParticles_EXPORT std::array<double, 3>
 DrawDirection(const EdgeWeights & weights, DirectionSampling sampling, const std::array<double, 3> & random);
 } // namespace shapeton

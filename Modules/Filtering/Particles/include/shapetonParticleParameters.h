@@ -10,7 +10,7 @@
 
 namespace shapeton
 {
-/** Distance and number of shapetons chosen from the volume and the size of its features, with the reason.
+/** Distance and number of shapetons, derived from the volume and its feature size, with the reason.
  * \ingroup ShapetonParticles */
 struct AutomaticShapetons
 {
@@ -22,9 +22,9 @@ struct AutomaticShapetons
 
 /** Chooses the step and the number of shapetons (3.4.1, 3.4.2).
  *
- * A step longer than a feature skips it (Figure 3.7), so the step is half of `featureSize`, in mm. Too few shapetons
- * never cover the volume (Figure 3.6). Their number gives each voxel 20 visits on average in `timeSteps` steps, and at
- * least three start positions in the volume of a feature; it is in [1000, 10,000,000], in thousands.
+ * A step longer than a feature skips it (Figure 3.7), so the step is half of `featureSize` (mm). Too few shapetons do
+ * not cover the volume (Figure 3.6). Their number yields 20 visits per voxel on average in `timeSteps` steps, and at
+ * least three start positions in the volume of a feature; it is a multiple of 1000 in [1000, 10,000,000].
  *
  * `size` in voxels, `spacing` in mm. Throws std::invalid_argument for a feature smaller than a voxel or larger than the
  * volume. \ingroup ShapetonParticles */

@@ -19,7 +19,7 @@ struct ParticleState
   /** Identity of the run: name and value of each setting, and a hash of the volume's weights. */
   std::vector<std::pair<std::string, std::string>> identity;
   std::uint64_t                                    step{ 0 };
-  double                                           change{ 0.0 }; ///< change of that step; see ParticleMeasures
+  double                                           change{ 0.0 }; ///< change in that step; see ParticleMeasures
   /** Bits of the last 50 steps, newest lowest: 1 if the step satisfied the steady rule. Then the number of steps
    * tested. */
   std::uint64_t                     steadyHistory{ 0 };
@@ -28,7 +28,7 @@ struct ParticleState
   std::vector<std::uint32_t>        visits;
 };
 
-/** Writes a state: lines of text, an empty line, the arrays in little-endian binary, a checksum of all these.
+/** Writes a state: lines of text, an empty line, the arrays in little-endian binary, and a checksum.
  * \ingroup ShapetonParticles */
 ShapetonParticles_EXPORT void
 WriteParticleState(const ParticleState & state, std::ostream & stream);

@@ -6,8 +6,8 @@
 
 namespace shapeton
 {
-/** A 64-bit checksum that detects damage and differences, not forgery. Depends on how the bytes are split into
- * calls. */
+/** A 64-bit checksum that detects damage and differences, not forgery. Depends on the division of the bytes into calls.
+ */
 class Checksum
 {
 public:

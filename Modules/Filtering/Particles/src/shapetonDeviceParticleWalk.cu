@@ -1,4 +1,4 @@
-// Contains only launches: the arithmetic is shared with the CPU.
+// Contains only kernel launches; the arithmetic is shared with the CPU.
 #include "shapetonDeviceParticleWalk.h"
 #include "shapetonDeviceRuntime.h"
 #include "shapetonPlaceInVoxel.h"
@@ -15,7 +15,7 @@ using namespace ParticleKernels;
 using DeviceRuntime::Memory;
 using Arithmetic = ParticleArithmetic<ScalarLanes>;
 
-/** Several steps of a shapeton. Shapetons are independent and only add their visits, so all steps are one launch. */
+/** Several steps of a shapeton, in one launch because shapetons are independent and only add visits. */
 template <Sampling VSampling, bool VTraversal>
 struct Walk
 {

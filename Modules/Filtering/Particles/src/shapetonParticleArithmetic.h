@@ -9,7 +9,7 @@ namespace shapeton
 {
 namespace ParticleKernels
 {
-/** Arithmetic of a shapeton step: the single source for all instruction sets and GPU kernels.
+/** Arithmetic of a shapeton step, shared by all instruction sets and GPU kernels.
  *
  * `TLanes` defines the number types: vectors, or scalars for one shapeton (ScalarLanes). It provides the types
  * Floats, Integers (32 bits), Words (unsigned) and Truth (result of a comparison), and the operations below that
@@ -90,7 +90,7 @@ struct ParticleArithmetic
     return TLanes::FromBits(TLanes::BitsOf(value) ^ TLanes::Signed((TLanes::Unsigned(bit) & 1U) << 31 ^ 0x80000000U));
   }
 
-  /** The six weights, in units of 1 / 65535; only their ratios affect directions. */
+  /** The six weights, in units of 1 / 65535; directions depend only on their ratios. */
   struct Weights
   {
     Floats w[6];

@@ -17,7 +17,7 @@ using namespace ParticleKernels;
 /** Shapeton steps between two calls of the observer: a few hundredths of a second. */
 constexpr std::uint64_t EndpointBlock = std::uint64_t{ 1 } << 20;
 constexpr std::uint64_t TraversalBlock = std::uint64_t{ 1 } << 16;
-/** Factor on a GPU, from which the visits have to be copied for the observer. */
+/** Factor on a GPU, where the visits must be copied for the observer. */
 constexpr std::uint64_t BlocksOnDevice = 128;
 /** Window length of the steady rule, and number of steps in it that may fail. */
 constexpr std::uint64_t HistoryLength = 50;

@@ -14,7 +14,7 @@ namespace ParticleKernels
 /** Length of a voxel's record: the weights of the edges at -x, +x, -y, +y, -z, +z in units of 1 / 65535, and marks. */
 constexpr unsigned int  RecordLength = 8;
 constexpr unsigned int  MarksOfRecord = 6;
-constexpr std::uint16_t ObjectMark = 1; ///< the voxel counts for the coverage
+constexpr std::uint16_t ObjectMark = 1; ///< the voxel is counted for the coverage
 constexpr std::uint16_t TrapMark = 2;   ///< all six weights are 0
 
 /** Volume data used by the shapetons. */

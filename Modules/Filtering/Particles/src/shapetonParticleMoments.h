@@ -7,8 +7,8 @@ namespace shapeton
 namespace ParticleMoments
 {
 
-/** binomial(3, j) times the integral of (1 - u)^(3-j) u^j sin(theta), u = 2 theta / pi; they sum to 1. In closed form
- * combinations of 2/pi, 8/pi^2 (pi/2 - 1) and 24/pi^3 (pi^2/4 - 2). */
+/** binomial(3, j) times the integral of (1 - u)^(3-j) u^j sin(theta), u = 2 theta / pi; they sum to 1. Combinations of
+ * 2/pi, 8/pi^2 (pi/2 - 1) and 24/pi^3 (pi^2/4 - 2) in closed form. */
 constexpr double moment[4] = { 0.11636524537746896620,
                                0.21919585645148658675,
                                0.30265323386187589868,

@@ -9,7 +9,7 @@ namespace shapeton
 /** A step by PathRule::Traversal, for the CPU and for the kernels of a GPU: see TraverseVoxels(). */
 namespace ParticleKernels
 {
-/** The random numbers of one shapeton in one step besides those of its direction, as many as needed. */
+/** The random numbers of a shapeton in a step, except for its direction; drawn on demand. */
 class Numbers
 {
 public:
@@ -78,7 +78,7 @@ SHAPETON_HOST_DEVICE const std::uint16_t *
   return surroundings.records + static_cast<std::size_t>(path.voxel) * RecordLength;
 }
 
-/** Advances to the next face and through it or back; false if the step ends before. */
+/** Advances to the next face, then through it or back; false if the step ends before the face. */
 SHAPETON_HOST_DEVICE bool
 GoOn(const Surroundings & surroundings, Path & path)
 {

@@ -16,7 +16,7 @@ namespace
 {
 using namespace ParticleKernels;
 
-/** Only a weight of 0 becomes 0: any other weight keeps its edge open. */
+/** Only a weight of 0 becomes 0; any other weight keeps its edge open. */
 std::uint16_t
 Quantized(float conductance, float perWeight)
 {
@@ -57,7 +57,7 @@ FillRow(const VolumeGradientOperator & volumeGradient, std::size_t y, std::size_
   }
 }
 
-/** Some slices with one more slice on either side, if it exists: their weights are those of the volume. */
+/** Some slices with one more slice on each side, if present, so that weights equal the weights of the full volume. */
 struct RecordSlab
 {
   RecordSlab(std::size_t begin, std::size_t number, std::size_t slices)
@@ -73,7 +73,7 @@ struct RecordSlab
   std::size_t outerEnd;
 };
 
-/** Voxels of a slab: few enough for a responsive abort. */
+/** Voxels per slab, limited for a responsive abort. */
 constexpr std::size_t SlabVoxels = std::size_t{ 1 } << 20;
 } // namespace
 

@@ -9,7 +9,7 @@
 
 namespace shapeton
 {
-/** The six weights of each voxel, interleaved, as the shapetons read them: see ParticleKernels::RecordLength. */
+/** The six weights of each voxel, interleaved; see ParticleKernels::RecordLength. */
 class ParticleRecords
 {
 public:
@@ -28,7 +28,7 @@ public:
   const std::uint16_t *
   GetRecord(std::size_t voxel) const;
 
-  /** (2.3) times the greatest sum of weights: max S - S, in units of 1 / 65535. */
+  /** Initial heat (2.3) times the greatest sum of weights: max S - S, in units of 1 / 65535. */
   std::uint32_t
   GetInitialHeat(std::size_t voxel) const;
 

@@ -40,7 +40,7 @@ Write(const std::vector<TNumber> & numbers, std::ostream & stream, Checksum & ch
   stream.write(reinterpret_cast<const char *>(numbers.data()), numbers.size() * sizeof(TNumber));
 }
 
-/** Grows with the data read from the stream, so that a damaged length does not allocate all memory. */
+/** Grows with the data read, so a damaged length cannot exhaust memory. */
 template <typename TNumber>
 void
 Read(std::vector<TNumber> & numbers, std::uint64_t number, std::istream & stream, Checksum & checksum)
@@ -61,7 +61,7 @@ Read(std::vector<TNumber> & numbers, std::uint64_t number, std::istream & stream
 
 constexpr std::size_t longestHeader = 65536;
 
-/** Limited to the size of a header: another file may be one endless line. */
+/** Limited to the size of a header, because another file may be a single long line. */
 bool
 GetLine(std::istream & stream, std::string & line)
 {

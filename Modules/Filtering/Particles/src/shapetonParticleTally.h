@@ -7,8 +7,7 @@
 
 namespace shapeton
 {
-/** Sums updated with each visit. `old` is the count before a visit; the order of visits is arbitrary, but these sums
- * do not depend on it. */
+/** Sums updated with each visit. `old` is the count before a visit; the sums do not depend on the order of visits. */
 struct ParticleTally
 {
   std::uint64_t sumOfOld{ 0 };
@@ -36,7 +35,7 @@ struct ParticleTally
   }
 };
 
-/** The visits of the shapetons' voxels, summed over the shapetons, and the number of trapped shapetons. */
+/** The visits of the current voxels, summed over the shapetons, and the number of trapped shapetons. */
 struct ParticleSum
 {
   std::uint64_t visits{ 0 };

@@ -37,7 +37,7 @@ TraverseVoxels(const Surroundings & surroundings,
                const Random &       random,
                const Directions &   directions)
 {
-  // Many shapetons pass one face each in turn: the next record of each is prefetched while the others move.
+  // Shapetons pass one face each in turn; the next record of each is prefetched while the others move.
   constexpr std::size_t  together = 64;
   std::vector<PathOfOne> paths;
   paths.reserve(together);

@@ -15,7 +15,7 @@ using namespace ParticleKernels;
 
 namespace
 {
-/** Number of shapetons that are moved together: data needed next is prefetched while the others move. */
+/** Number of shapetons moved together; the data of each is prefetched while the others move. */
 constexpr std::size_t GroupSize = 256;
 
 const ThetaTable &
@@ -142,7 +142,7 @@ ParticleWalk::Count(const Shapetons & group) const
     }
     tally.sumOfOld += old;
     tally.maximum = std::max(tally.maximum, old + 1);
-    if (old == 0) // rare: the record is read only then
+    if (old == 0) // rare, so the record is read only then
     {
       ++tally.reached;
       tally.objectsReached += records.GetRecord(voxel)[MarksOfRecord] & ObjectMark;

@@ -38,7 +38,7 @@ struct ParticleWalk
   ParticleSum
   SumOverShapetons();
 
-  /** For a GPU that moves the shapetons: transfers positions, voxels and visits. */
+  /** Transfers positions, voxels and visits to and from a GPU. */
   void
   FetchFromDevice();
   void

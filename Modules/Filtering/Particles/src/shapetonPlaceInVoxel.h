@@ -8,8 +8,8 @@
 
 namespace shapeton
 {
-/** The position along an axis at `within`, in [0, 1], of the voxel with this index. Never the start of the next
- * voxel, neither on the upper face nor after rounding. */
+/** The position along an axis at `within`, in [0, 1], of the voxel with this index. Never the start of the next voxel,
+ * even on the upper face or after rounding. */
 SHAPETON_HOST_DEVICE float
 PlaceInVoxel(std::uint32_t index, float within)
 {

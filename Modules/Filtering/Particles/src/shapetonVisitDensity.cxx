@@ -26,7 +26,7 @@ ForSlices(const itk::Image<std::uint32_t, 3> * visits, const TBody & body)
 std::map<std::uint32_t, std::uint64_t>
 VoxelsByVisits(const itk::Image<std::uint32_t, 3> * visits)
 {
-  constexpr std::uint32_t                few = 1U << 16; // most voxels have fewer: counted without a search
+  constexpr std::uint32_t                few = 1U << 16; // most voxels have fewer visits: no search
   std::vector<std::uint64_t>             small(few, 0);
   std::map<std::uint32_t, std::uint64_t> voxels;
   const std::uint32_t * const            begin = visits->GetBufferPointer();
@@ -43,7 +43,7 @@ VoxelsByVisits(const itk::Image<std::uint32_t, 3> * visits)
   return voxels;
 }
 
-/** Distributes `voxels` evenly over the densities from `lower` to `upper`, an integer number to each bin. */
+/** Distributes `voxels` evenly over the densities from `lower` to `upper`, as integers per bin. */
 void
 Spread(double lower, double upper, std::uint64_t voxels, std::vector<std::uint32_t> & counts)
 {

@@ -17,8 +17,8 @@ constexpr DirectionSampling allSamplings[] = { DirectionSampling::SolidAngle,
                                                DirectionSampling::SectorArea,
                                                DirectionSampling::Uniform };
 
-/** Voxels whose intensity differs from that of all six neighbors by more than 1 / p. None at the border of the
- * volume, where the outer edges have weight 1. */
+/** Voxels whose intensity differs from all six neighbors by more than 1 / p. Border voxels are excluded because their
+ * outer edges have weight 1. */
 std::vector<bool>
 FindTraps(const Volume & volume, double p)
 {
@@ -218,7 +218,7 @@ TEST(ParticleDiffusion, AnotherSeedGivesOtherVisits)
 
 TEST(ParticleDiffusion, TheChangeIsThatOfNormalizedDensities)
 {
-  // 40000 shapetons use several threads; 7 make the maximum number of visits jump.
+  // 40000 shapetons use several threads; with 7, the maximum number of visits jumps.
   const Volume volume = MakeScene({ 14, 13, 12 }, 0.4);
   for (const std::uint32_t shapetons : { 7, 40000 })
   {
@@ -236,7 +236,7 @@ TEST(ParticleDiffusion, TheChangeIsThatOfNormalizedDensities)
 
 TEST(ParticleDiffusion, OneVoxelIsSteadyAfterFiftySteps)
 {
-  // The density is 1 from the first step on: the change is 1 in the first step and 0 in all others.
+  // The density is always 1, so the change is 1 in the first step and 0 in all others.
   const Volume volume({ 1, 1, 1 }, 1.0F);
   ParticleRun  run(volume, MakeSettings(volume, 10, 0.5));
   run.diffusion.Run(1, SteadyRule());
@@ -278,7 +278,7 @@ TEST(ParticleDiffusion, SteadyIsWhenTheChangeIsSmallInNineOfTenOfFiftySteps)
 
 TEST(ParticleDiffusion, TheObserverSeesWholeSteps)
 {
-  // More shapetons than are moved between two clock checks: a step is then divided.
+  // A step is divided if there are more shapetons than are moved between two clock checks.
   const Volume volume = MakeScene({ 30, 30, 30 }, 0.1);
   for (const PathRule rule : bothRules)
   {
@@ -370,7 +370,7 @@ TEST(ParticleDiffusion, AStepHasOneLengthInMillimeters)
   const Volume volume({ 60, 50, 20 }, 1.0F);
   auto         settings = MakeSettings(volume, 60000, 0.1);
   settings.volumeGradient.spacing = { 0.7, 0.9, 2.5 };
-  const double          length = 0.1 * 50.0; // the longest side is that of 20 x 2.5 mm
+  const double          length = 0.1 * 50.0; // the longest side has 20 x 2.5 mm
   ParticleRun           run(volume, settings);
   const auto            before = run.Places();
   std::array<double, 3> squares{};
@@ -442,7 +442,7 @@ TEST(ParticleDiffusion, RefusesVolumesThatItCannotIndex)
 
 TEST(ParticleDiffusion, RefusesMoreVisitsThanItCanCount)
 {
-  // Two million shapetons in one voxel exceed 2^32 visits in step 2148. Continuing from a saved state takes no time.
+  // Two million shapetons in one voxel exceed 2^32 visits in step 2148. A saved state avoids the preceding steps.
   const Volume volume({ 1, 1, 1 }, 1.0F);
   ParticleRun  run(volume, MakeSettings(volume, 2000000, 0.5));
   run.diffusion.Run(1);

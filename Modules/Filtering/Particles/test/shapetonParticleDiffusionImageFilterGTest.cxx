@@ -174,7 +174,7 @@ TEST(ParticleDiffusionImageFilter, KeepsAnObliqueAnisotropicGeometry)
 
 TEST(ParticleDiffusionImageFilter, TheVisitsGrowFromEventToEvent)
 {
-  // Also if a step has more shapetons than are moved between two events.
+  // Also for steps with more shapetons than are moved between two events.
   const auto image = MakeImage<float>(test::MakeScene({ 20, 20, 20 }, 0.1));
   for (const std::uint32_t shapetons : { 5000, 70000 })
   {
@@ -327,7 +327,7 @@ TEST(ParticleDiffusionImageFilter, AMaskOfAnotherGridIsRefused)
   EXPECT_NO_THROW(filter->Update());
   mask->SetOrigin(std::array<double, 3>{ { 0.0, 0.5, 0.0 } }.data());
   EXPECT_NE(Refusal(filter.GetPointer()), "");
-  const auto elsewhere = MakeMask(volume); // of other indices
+  const auto elsewhere = MakeMask(volume); // with other indices
   elsewhere->SetRegions(itk::ImageRegion<3>({ { 2, 0, 0 } }, { { 9, 8, 7 } }));
   filter->SetMaskImage(elsewhere);
   EXPECT_NE(Refusal(filter.GetPointer()).find("mask differs from the input in size or first index"), std::string::npos);
@@ -381,7 +381,7 @@ TEST(ParticleDiffusionImageFilter, PrintsItsSettings)
 
 TEST(ParticleParameters, EnoughShapetonsForTheVoxelsOrForTheFeatures)
 {
-  // 20 visits for each of 200^3 voxels in 1000 steps; 3 in each cube of 10 mm of 200^3 mm would be 24000.
+  // 20 visits for each of 200^3 voxels in 1000 steps require 160000 shapetons; 3 per 10 mm cube are 24000.
   const auto forVoxels = ChooseShapetons({ 200, 200, 200 }, { 1.0, 1.0, 1.0 }, 10.0, 1000);
   EXPECT_EQ(forVoxels.shapetons, 160000U);
   EXPECT_DOUBLE_EQ(forVoxels.distance, 5.0 / 200.0);
@@ -391,7 +391,7 @@ TEST(ParticleParameters, EnoughShapetonsForTheVoxelsOrForTheFeatures)
   const auto forFeatures = ChooseShapetons({ 200, 200, 200 }, { 1.0, 1.0, 1.0 }, 5.0, 10000);
   EXPECT_EQ(forFeatures.shapetons, 192000U);
   EXPECT_NE(forFeatures.shapetonsReason.find("volume of a feature"), std::string::npos);
-  // The longest side counts, in mm.
+  // The longest side in mm is used.
   EXPECT_DOUBLE_EQ(ChooseShapetons({ 100, 50, 40 }, { 0.5, 0.5, 2.5 }, 8.0, 1000).distance, 4.0 / 100.0);
 }
 
@@ -423,7 +423,7 @@ TEST(VisitDensity, IsRelativeToTheGreatestNumberOfVisits)
     nothing->GetBufferPointer(), nothing->GetBufferPointer() + 60, [](float density) { return density == 0.0F; }));
   for (std::uint32_t i = 0; i < 60; ++i)
   {
-    image->GetBufferPointer()[i] = i * 71000001U; // up to 4.19e9: no 31 bits
+    image->GetBufferPointer()[i] = i * 71000001U; // up to 4.19e9, beyond 31 bits
   }
   const auto density = NormalizeVisits(image);
   EXPECT_EQ(density->GetBufferPointer()[59], 1.0F);

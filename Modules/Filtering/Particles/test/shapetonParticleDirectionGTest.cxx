@@ -13,7 +13,7 @@ namespace
 {
 using Triple = std::array<double, 3>;
 
-/** Various weights: random, with zeros, small, very different from each other. */
+/** Various weights: random, zero, small, and of very different size. */
 std::vector<Triple>
 MakeWeights(int number)
 {
@@ -102,7 +102,7 @@ Equation87(double w1, double w2, double theta)
          0.5 * w1 * w1 * theta;
 }
 
-/** Mean squared components, and the mean components, of directions drawn. */
+/** Mean and mean squared components of sampled directions. */
 struct Moments
 {
   Triple first{};
@@ -328,7 +328,7 @@ TEST(ParticleDirection, DirectionsAreUnitVectors)
 
 TEST(ParticleDirection, AnOctantWithoutWeightsIsNeverDrawn)
 {
-  // Also with random numbers at the very ends, where the sum of the volumes is rounded.
+  // Also with random numbers at the limits, where the sum of the volumes is rounded.
   RandomNumbers random(6);
   for (int i = 0; i < 40000; ++i)
   {

@@ -14,11 +14,11 @@ namespace shapeton
 namespace test
 {
 /** The steps of PathRule::Traversal in double precision, with all outcomes and probabilities instead of random
- * numbers. Written without the code under test. */
+ * numbers. Independent of the code under test. */
 class ExactWalk
 {
 public:
-  /** The probability that a step ends in a voxel. */
+  /** Probability that a step ends in a voxel. */
   using Density = std::vector<double>;
 
   ExactWalk(const Volume & volume, double p)
@@ -116,12 +116,12 @@ private:
 /** The transition matrix of steps no longer than a voxel, exactly.
  *
  * Such a step meets the face of each axis at most once, at a uniformly distributed time, as the position in the voxel
- * is uniform, and independently of the other faces. So exactly the faces of a set of axes are met in a given order with
- * the probability
+ * is uniform, and independently of the other faces. So the probability to meet exactly the faces of a set of axes in a
+ * given order is
  *
  *   product of |way| over the set * product of 1 - |way| over the others / factorial of the number of the set,
  *
- * and only its mean over the directions, a polynomial in their components, is left to quadrature. */
+ * and its mean over the directions, a polynomial in their components, is computed by quadrature. */
 template <int Points>
 class TransitionMatrix
 {
@@ -236,7 +236,8 @@ private:
     return sum / (number == 3 ? 6.0 : number == 2 ? 2.0 : 1.0);
   }
 
-  /** Crosses the faces of the remaining axes in every order, and adds the end of the step to the row of `start`. */
+  /** Crosses the faces of the remaining axes in every order, and adds the end voxel of the step to the row of `start`.
+   */
   void
   Meet(std::size_t start, unsigned int octant, unsigned int axes, double probability, std::size_t voxel)
   {

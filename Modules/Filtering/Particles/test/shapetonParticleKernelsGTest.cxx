@@ -197,7 +197,7 @@ TermsBelow(double w1, double across, double theta)
   return terms;
 }
 
-/** The random numbers of a shapeton, as the kernels draw them: octant, phi, theta and term. */
+/** The random numbers of a shapeton in kernel order: octant, phi, theta and term. */
 std::array<double, 4>
 RandomOf(const Random & random, std::uint32_t shapeton)
 {
@@ -227,7 +227,7 @@ struct Angles
   double                across;
 };
 
-/** The cumulative share of the octants up to `octant` in the whole volume. */
+/** Cumulative volume fraction of the octants up to `octant`. */
 double
 ShareOfOctants(const std::uint16_t * record, unsigned int octants)
 {
@@ -410,7 +410,7 @@ TEST(ParticleKernels, RandomNumbersAreTheShareOfTheDistributionUpToTheDirection)
 
 TEST(ParticleKernels, DirectionsDependOnTheShapetonAndTheStepAlone)
 {
-  // The last 16 of 48 shapetons get the same directions alone as among the others.
+  // The last 16 of 48 shapetons get the same directions with and without the others.
   Crowd all = MakeMixedCrowd(48);
   Crowd some = MakeMixedCrowd(48);
   some.number = 16;
@@ -443,7 +443,7 @@ TEST(ParticleKernels, MeanSquaredComponentsOfEqualWeights)
 
 TEST(ParticleKernels, TheThetaTableInvertsTheSectorVolumes)
 {
-  // R^3 of the weights (1, 0) consists of the first of the four terms, that of (0, 1) of the last.
+  // For the weights (1, 0), R^3 is the first of the four terms; for (0, 1), the last one.
   for (const bool first : { true, false })
   {
     const double w1 = first ? 1.0 : 0.0;

@@ -19,7 +19,7 @@ Table()
   return table;
 }
 
-/** A few shapetons and the surrounding volume, in the array layout of the kernels. */
+/** A few shapetons and their volume, in the array layout of the kernels. */
 struct Crowd
 {
   Crowd(std::size_t numberOfShapetons, const std::array<std::int32_t, 3> & size)

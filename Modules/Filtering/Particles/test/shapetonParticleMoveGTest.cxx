@@ -12,7 +12,7 @@ using namespace shapeton::ParticleKernels;
 
 namespace
 {
-/** The place after mirrors at 0 and `size`, and before `size`. */
+/** The position after reflection at 0 and `size`, always less than `size`. */
 double
 Folded(double place, double size)
 {
@@ -28,7 +28,7 @@ struct MoveCase
   std::array<float, 3>        step;
 };
 
-/** Volumes with a width of one voxel; steps of many times the volume's sides. */
+/** Volumes with a width of one voxel, and steps much longer than the volume. */
 const MoveCase moveCases[] = {
   { { 40, 30, 20 }, { 3.7F, 2.9F, 1.1F } },      { { 1, 1, 1 }, { 1.0F, 1.0F, 1.0F } },
   { { 1, 7, 300 }, { 300.0F, 300.0F, 300.0F } }, { { 2000, 1, 1 }, { 2000.0F, 700.0F, 1.0F } },

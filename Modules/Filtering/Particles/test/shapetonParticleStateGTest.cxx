@@ -27,7 +27,7 @@ ReadBack(const std::string & bytes)
   return ReadParticleState(stream);
 }
 
-/** A small run, so that every byte of its state can be corrupted. */
+/** A small run; tests corrupt every byte of its state. */
 std::string
 MakeSmallState()
 {
@@ -64,7 +64,7 @@ ExpectToGoOn(const ParticleDiffusionSettings & settings,
   ExpectSame(resumed, whole);
 }
 
-/** The message of SetState() for the state of a run with other settings. */
+/** Error message of SetState() for the state of a run with other settings. */
 template <typename TSpoil>
 std::string
 Refusal(const TSpoil & spoil)

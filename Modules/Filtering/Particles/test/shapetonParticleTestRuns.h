@@ -23,7 +23,7 @@ MakeSettings(const Volume & volume, std::uint32_t shapetons, double distance, do
   return settings;
 }
 
-/** Shapetons in a volume, and the visits that they count. */
+/** Shapetons in a volume, and their visits. */
 class ParticleRun
 {
 public:
@@ -87,7 +87,7 @@ private:
   std::size_t m_Number;
 };
 
-/** All measures, to compare them. */
+/** All measures, for comparison. */
 inline auto
 Tied(const ParticleMeasures & measures)
 {

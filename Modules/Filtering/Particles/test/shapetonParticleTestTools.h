@@ -13,7 +13,7 @@
 
 namespace shapeton
 {
-/** The name of a test with this parameter. */
+/** Test name for this parameter. */
 inline void
 PrintTo(DirectionSampling sampling, std::ostream * stream)
 {
@@ -88,7 +88,7 @@ Gauss()
   return rule;
 }
 
-/** Numbers in (0, 1], the same with every standard library. */
+/** Numbers in (0, 1], independent of the standard library. */
 class RandomNumbers
 {
 public:
@@ -105,8 +105,8 @@ private:
 };
 
 /** Deviation of counts from their expectations: Pearson's statistic as a number of standard deviations (Wilson and
- * Hilferty). Adjacent entries are merged until 20 are expected. Infinite if an impossible event was counted. Beyond
- * +-4.5 with a probability below 1e-5. */
+ * Hilferty). Adjacent entries are merged until 20 are expected. Infinite if an impossible event was counted. The
+ * probability of values beyond +-4.5 is below 1e-5. */
 inline double
 ChiSquareDeviation(const std::vector<double> & probabilities, const std::vector<std::uint64_t> & counts)
 {

@@ -15,7 +15,7 @@ constexpr double        p = 2.5;
 constexpr double        step = 0.95;
 constexpr std::uint64_t steps = 6;
 
-/** A ball in noise: weights of all sizes from 0 to 1. */
+/** A ball in noise, with weights from 0 to 1. */
 Volume
 MakeVolume()
 {
@@ -27,7 +27,7 @@ MakeVolume()
   return volume;
 }
 
-/** Some voxels in and around a part of the ball, so that the density varies. */
+/** Some voxels in and around part of the ball, for a varying density. */
 std::vector<unsigned char>
 MakeStart()
 {
@@ -152,7 +152,7 @@ TEST_P(ParticleTransition, TheMatrixIsThatOfTheWalk)
   const Volume               volume = MakeVolume();
   const ExactWalk            walk(volume, p);
   const TransitionMatrix<14> matrix(walk, volume.values.size(), GetParam(), step);
-  // The lattice error is 5e-4, half of that of as many random points.
+  // The lattice error is 5e-4, half the error of random points.
   for (const std::size_t voxel : { 0, 1911, 2056 })
   {
     const auto ends = EndsByLattice(walk, voxel, GetParam(), step);

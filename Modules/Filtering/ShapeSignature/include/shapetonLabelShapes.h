@@ -8,7 +8,7 @@
 
 namespace shapeton
 {
-/** Label maps as read from volume files: integers, 0 for the background. \ingroup ShapetonShapeSignature */
+/** A label map as read from volume files: integers, 0 for the background. \ingroup ShapetonShapeSignature */
 using LabelMap = itk::Image<float, 3>;
 
 /** The labels of a label map, ascending, without 0. Throws InputError for values that are not integers from 0 to

@@ -9,9 +9,9 @@ namespace shapeton
 {
 /** \defgroup ShapeDatabaseFile Named signatures in one SQLite file
  *
- * The table `shape` has a row per shape: name, identity of the source table, label, numbers, and curves as JSON lists.
- * `PRAGMA application_id` is 0x53687074 ("Shpt"), `PRAGMA user_version` the version of the schema, 1. SQLite keeps a
- * rollback journal next to the file while rows are added: the next process that opens the file rolls back the
+ * The table `shape` contains one row per shape: name, identity of the source table, label, numbers, and curves as JSON
+ * lists. `PRAGMA application_id` is 0x53687074 ("Shpt"), `PRAGMA user_version` the version of the schema, 1. SQLite
+ * keeps a rollback journal next to the file while rows are added: the next process that opens the file rolls back the
  * transaction of a killed one.
  *
  * Both functions throw InputError and leave the file unchanged if it is not a shape database, has another version or

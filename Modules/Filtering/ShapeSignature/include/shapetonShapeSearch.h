@@ -8,11 +8,11 @@
 
 namespace shapeton
 {
-/** Differences of two signatures, part by part: root mean squares of the differences of logarithms. 0 for equal
- * ones. Volume is excluded, so that shapes of any size can be compared. \ingroup ShapetonShapeSignature */
+/** Differences of two signatures by component: root mean square differences of logarithms; 0 for equal signatures.
+ * Volume is excluded, so that shapes of any size can be compared. \ingroup ShapetonShapeSignature */
 struct SignatureDifference
 {
-  /** Logarithm of 0.01 + remainingHeat: heat below a hundredth carries little information. */
+  /** Logarithm of 0.01 + remainingHeat, because heat below 0.01 carries little information. */
   double remainingHeat{ 0.0 };
   double displacement{ 0.0 };
   double spectrum{ 0.0 };
@@ -25,15 +25,16 @@ struct SignatureDifference
 ShapetonShapeSignature_EXPORT SignatureDifference
 DifferenceOf(const ShapeSignature & a, const ShapeSignature & b);
 
-/** Distance of two signatures, at least 0: the root mean square of their differences, each in units of the root mean
- * square of the differences between copies of one shape, which are thus about 1 apart. The copies are rotated,
- * scaled, resampled and noisy versions of generated shapes (seeds 1 to 64). \ingroup ShapetonShapeSignature */
+/** Distance of two signatures, at least 0: the root mean square of their differences, each normalized such that copies
+ * of one shape have a distance of about 1. The copies are rotated, scaled, resampled and noisy versions of generated
+ * shapes (seeds 1 to 64). \ingroup ShapetonShapeSignature */
 ShapetonShapeSignature_EXPORT double
 SignatureDistance(const ShapeSignature & a, const ShapeSignature & b);
 
-/** The probability that the nearest entry has the same shape as the query: logistic in the logarithms of its
- * distance and of the margin, the distance of the nearest entry of another name divided by it, at most 10. Fitted
- * to generated shapes (seeds 1 to 99), half of which had no entry. \ingroup ShapetonShapeSignature */
+/** The probability that the nearest entry has the same shape as the query: logistic in the logarithms of its distance
+ * and of the margin. The margin is the distance of the nearest entry with another name divided by that distance, at
+ * most 10. Fitted to generated shapes (seeds 1 to 99), half of them without an entry. \ingroup ShapetonShapeSignature
+ */
 ShapetonShapeSignature_EXPORT double
 ProbabilityOfSameShape(double distance, double margin);
 
@@ -54,7 +55,7 @@ struct ShapeNeighbor
 /** Result of FindShape(). \ingroup ShapetonShapeSignature */
 struct ShapeSearchResult
 {
-  /** The nearest first; in case of ties the earlier entry. */
+  /** Nearest first; earlier entry first for ties. */
   std::vector<ShapeNeighbor> neighbors;
   /** ProbabilityOfSameShape() of the first one; if all entries share a name there is no margin, and it is set to 1. */
   double probability{ 0.0 };

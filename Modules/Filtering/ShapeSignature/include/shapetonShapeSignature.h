@@ -17,17 +17,18 @@ namespace shapeton
  * r the radius of the ball of the same volume; see Times().
  *
  * Two curves of heat over logarithmic time:
- * - `remainingHeat`: the object starts at heat 1, its surroundings stay at 0; the share of its heat that has not left
- *   yet (heat content; van den Berg and Davies, 1989: 1 - S sqrt(4 t / pi) / V + ..., S the surface). It measures local
- *   thickness. The second moment of the heat over the voxels is the same curve at twice the time.
- * - `displacement`: no heat leaves; the mean squared displacement of heat, over r^2, from time 0 to time t (restricted
- *   diffusion; Mitra, Sen and Schwartz, 1993). 6 t / r^2 initially, and finally twice the squared radius of gyration,
+ * - `remainingHeat`: the object starts at heat 1, its surroundings stay at 0; the remaining fraction of its heat (heat
+ *   content; van den Berg and Davies, 1989: 1 - S sqrt(4 t / pi) / V + ..., S the surface). It measures local
+ *   thickness. The second moment of the heat over the voxels equals this curve at twice the time.
+ * - `displacement`: the mean squared displacement of heat in an insulated object, over r^2, from time 0 to time t
+ *   (restricted diffusion; Mitra, Sen and Schwartz, 1993). 6 t / r^2 initially, and finally twice the squared radius of
+ *   gyration,
  *   reached later in objects with longer internal paths.
  *
  * `spectrum`: the smallest eigenvalues above 0 of the Laplace-Beltrami operator of the surface, times its area
- * (Shape-DNA; Reuter, Wolter and Peinecke, 2006); for an object in pieces, those of the largest shell.
+ * (Shape-DNA; Reuter, Wolter and Peinecke, 2006); for a disconnected object, computed from the largest shell.
  *
- * No measure distinguishes an object from its mirror image.
+ * Mirror images have equal signatures.
  *
  * \ingroup ShapetonShapeSignature */
 struct ShapetonShapeSignature_EXPORT ShapeSignature
@@ -42,7 +43,7 @@ struct ShapetonShapeSignature_EXPORT ShapeSignature
   using Curve = std::array<double, NumberOfTimes>;
 
   double volume{ 0.0 };  ///< mm^3: voxels times their volume
-  double surface{ 0.0 }; ///< mm^2: of the level 0.5 of the smoothed object, all shells
+  double surface{ 0.0 }; ///< mm^2, at level 0.5 of the smoothed object, all shells
   /** Ratios of the standard deviations along the principal axes: longest to middle, and middle to shortest; at least
    * 1. */
   double                                  elongation{ 1.0 };
@@ -62,10 +63,10 @@ struct ShapetonShapeSignature_EXPORT ShapeSignature
  * r / RadiusInVoxels wide. Image voxels are spread by quadratic B-splines, which smooths stair steps and preserves the
  * volume. For the displacement, a face conducts the smaller fraction of its two voxels; for the remaining heat, the
  * boundary is where the fraction crosses 0.5 (symmetric second order scheme; Gibou, Fedkiw, Cheng and Kang, 2002).
- * Sums over the object for all times follow from one Lanczos process (Golub and Meurant, 1994), without time steps.
- * HeatDiffusionSolver is not suitable for either: its edges insulate, and it computes the heat of each voxel.
+ * One Lanczos process yields the sums over the object for all times (Golub and Meurant, 1994), without time steps.
+ * HeatDiffusionSolver is not suitable because its edges insulate and it computes the heat of each voxel.
  *
- * It takes about half a second; more for sets of millions of voxels. The result has the same bytes for any number of
+ * The run time is about half a second, more for millions of voxels. Results are bitwise identical for any number of
  * threads. Throws InputError if the set has fewer than LeastVoxels, is thinner than a grid voxel nearly everywhere, or
  * is so long that the grid does not fit into memory; std::invalid_argument if its size is not that of the image.
  *

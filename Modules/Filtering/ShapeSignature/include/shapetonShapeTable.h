@@ -54,7 +54,7 @@ WriteShapeTable(const ShapeTable & table, const std::string & path);
 ShapetonShapeSignature_EXPORT ShapeTable
 ReadShapeTable(const std::string & path);
 
-/** Throws InputError that begins with `what` if a signature is not possible for any shape. \ingroup ShapetonShapeSignature */
+/** Throws InputError with the prefix `what` for a signature that no shape can have. \ingroup ShapetonShapeSignature */
 ShapetonShapeSignature_EXPORT void
 RequireSound(const ShapeSignature & signature, const std::string & what);
 } // namespace shapeton

@@ -72,7 +72,7 @@ LeavingOperator(const ShapeOccupancy & occupancy, const Participants & inside)
   return matrix;
 }
 
-/** M^-1/2 L M^-1/2 for heat that stays inside: M the filled fractions, L from the conductances of the faces. */
+/** M^-1/2 L M^-1/2 for an insulated object: M the filled fractions, L from the conductances of the faces. */
 SymmetricMatrix
 StayingOperator(const ShapeOccupancy & occupancy, const Participants & filled)
 {

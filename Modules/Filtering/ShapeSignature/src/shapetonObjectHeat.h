@@ -6,12 +6,12 @@
 
 namespace shapeton
 {
-/** The remaining share of heat of an object with surroundings of heat 0, at times in units of squared voxels; see
- * ShapeSignature::remainingHeat. Throws InputError if too little of the object is at least half a voxel thick. */
+/** The remaining fraction of heat of an object in surroundings of heat 0, at times in squared voxels; see
+ * ShapeSignature::remainingHeat. Throws InputError if most of the object is less than half a voxel thick. */
 ShapeSignature::Curve
 RemainingHeat(const ShapeOccupancy & occupancy, const ShapeSignature::Curve & times);
 
-/** The mean squared displacement of heat that cannot leave, in squared voxels. */
+/** The mean squared displacement of heat in an insulated object, in squared voxels. */
 ShapeSignature::Curve
 MeanSquareDisplacement(const ShapeOccupancy & occupancy, const ShapeSignature::Curve & times);
 } // namespace shapeton

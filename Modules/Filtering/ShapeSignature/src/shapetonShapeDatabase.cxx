@@ -64,7 +64,7 @@ RequireShapeDatabase(const SqliteFile & file)
   }
   if (const std::string fault = file.Text("PRAGMA quick_check(1)"); fault != "ok")
   {
-    // All lines except the last one only name the database.
+    // All lines except the last one only repeat the database name.
     throw InputError(file.Path() + ": the database is damaged (" + fault.substr(fault.rfind('\n') + 1) +
                      "); restore a copy of it");
   }
@@ -136,7 +136,7 @@ ShapeOf(const SqliteStatement & row, const std::string & path)
   return shape;
 }
 
-/** Opens for reading if there is nothing to roll back. */
+/** Opens read-only unless a transaction must be rolled back. */
 SqliteFile
 OpenForReading(const std::string & path)
 {
@@ -144,7 +144,7 @@ OpenForReading(const std::string & path)
   {
     return file;
   }
-  SqliteFile(path, SqliteFile::Access::Repair).Number("SELECT count(*) FROM sqlite_schema"); // a read rolls it back
+  SqliteFile(path, SqliteFile::Access::Repair).Number("SELECT count(*) FROM sqlite_schema"); // reading rolls it back
   return SqliteFile(path, SqliteFile::Access::Read);
 }
 } // namespace

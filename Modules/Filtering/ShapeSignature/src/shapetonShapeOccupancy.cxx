@@ -11,7 +11,7 @@ namespace shapeton
 {
 namespace
 {
-/** Half a gigabyte of filled fractions. */
+/** Limits the filled fractions to half a gigabyte. */
 constexpr double MostVoxels = 1 << 27;
 
 /** From image indices to LPS mm: p = origin + matrix * index. */
@@ -64,8 +64,8 @@ struct MassPoint
   double mass;
 };
 
-/** Number of points along an axis that represent a voxel: at least two per voxel of the finer grid. A voxel much
- * smaller than those is one point. */
+/** Number of points along an axis that represent a voxel: at least two per voxel of the finer grid. A much smaller
+ * voxel is a single point. */
 std::vector<MassPoint>
 PointsOfVoxel(double voxelsOfGrid)
 {

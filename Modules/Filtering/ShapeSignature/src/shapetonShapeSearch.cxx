@@ -8,16 +8,16 @@ namespace shapeton
 {
 namespace
 {
-/** Output of FitShapeDistance. */
+/** Coefficients computed by FitShapeDistance. */
 constexpr SignatureDifference DifferenceOfCopies{ 0.0263, 0.0106, 0.0097, 0.0412, 0.0054, 0.0075 };
 constexpr double              ProbabilityConstant = -1.650;
 constexpr double              ProbabilityOfDistance = -1.354;
 constexpr double              ProbabilityOfMargin = 2.042;
 
-/** Heat equivalent to none. */
+/** Heat considered as zero. */
 constexpr double NegligibleHeat = 0.01;
 constexpr double GreatestMargin = 10.0;
-/** Equal signatures: closer than any copy. */
+/** Distance of equal signatures, smaller than between copies. */
 constexpr double LeastDifference = 1e-3;
 
 template <std::size_t Size>

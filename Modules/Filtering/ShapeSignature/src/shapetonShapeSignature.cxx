@@ -21,7 +21,7 @@ namespace
 SurfaceMesh
 BoundaryOf(ShapeOccupancy & occupancy)
 {
-  // Values equal to the level would give degenerate faces.
+  // Values equal to the level would produce degenerate faces.
   constexpr float level = 0.5F, leastStep = 0.001F;
   for (float & value : occupancy.values)
   {

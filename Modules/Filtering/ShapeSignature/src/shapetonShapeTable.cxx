@@ -71,7 +71,7 @@ DescribeIntensities(const itk::Image<float, 3> * intensities, const VoxelRuns & 
   row.intensityDeviation = std::sqrt(std::max(0.0, squares / voxels - row.meanIntensity * row.meanIntensity));
 }
 
-/** Adds a shape, or a remark that it has no signature. */
+/** Adds a shape, or a remark if it has no signature. */
 void
 Describe(const itk::Image<float, 3> * intensities, const VoxelRuns & shape, ShapeRow row, ShapeTable & table)
 {

@@ -9,11 +9,11 @@ namespace shapeton
 {
 namespace
 {
-/** Enough for converged curves: the error of exp(-t A) decreases like exp(-steps^2 / (t |A|)). */
+/** Sufficient for converged curves: the error of exp(-t A) decreases like exp(-steps^2 / (t |A|)). */
 constexpr int Steps = 240;
 
-/** The Lanczos process from b: a tridiagonal matrix. Without reorthogonalization eigenvalues appear several times
- * and share their weight. */
+/** Tridiagonal matrix of the Lanczos process from b. Without reorthogonalization, eigenvalues are repeated and share
+ * their weight. */
 struct Tridiagonal
 {
   std::vector<double> diagonal;

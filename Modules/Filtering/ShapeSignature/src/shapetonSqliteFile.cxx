@@ -12,7 +12,7 @@ namespace shapeton
 {
 namespace
 {
-/** How long to wait for another writing process. */
+/** Maximum time to wait for another writing process. */
 constexpr int MostMilliseconds = 20000;
 
 int

@@ -36,7 +36,7 @@ public:
   std::string
   Text(const std::string & sql) const;
 
-  /** True if an interrupted transaction must be rolled back, which is not possible in a file opened read-only. */
+  /** Whether an interrupted transaction must be rolled back, which requires write access. */
   bool
   NeedsRepair() const;
 
@@ -78,7 +78,7 @@ public:
   SqliteStatement &
   Bind(double number);
 
-  /** Advances to the next row; false if there is none. */
+  /** Advances to the next row; false at the end. */
   bool
   Step();
 

@@ -9,10 +9,10 @@
 
 namespace signaturetest
 {
-using Solid = std::function<bool(const Eigen::Vector3d &)>; // in mm from the middle of the image
+using Solid = std::function<bool(const Eigen::Vector3d &)>; // in mm from the center of the image
 using Image = shapeton::LabelMap;
 
-/** An empty image around 0. */
+/** An empty image centered at the origin. */
 inline Image::Pointer
 MakeImage(const std::array<int, 3> &    size,
           const std::array<double, 3> & spacing = { 1.0, 1.0, 1.0 },
@@ -87,12 +87,12 @@ Turned(const Solid & solid, double degrees, const Eigen::Vector3d & axis)
   return [=](const Eigen::Vector3d & p) { return solid(back * p); };
 }
 
-/** A block, a rod out of it and a knob at its end: without symmetry. Radius of its ball: 11 mm. */
+/** An asymmetric solid: a block with a rod and a knob at its end. Equivalent ball radius: 11 mm. */
 inline Solid
 Hammer()
 {
   return [](const Eigen::Vector3d & p) {
-    const Eigen::Vector3d q = Eigen::AngleAxisd(0.3, Eigen::Vector3d(0.6, 0.0, 0.8)) * p; // along no axis of an image
+    const Eigen::Vector3d q = Eigen::AngleAxisd(0.3, Eigen::Vector3d(0.6, 0.0, 0.8)) * p; // oblique
     const bool            isBlock = std::abs(q[0]) <= 14.0 && std::abs(q[1]) <= 7.0 && std::abs(q[2] + 10.0) <= 5.5;
     const bool            isRod = std::hypot(q[0] - 4.0, q[1] - 1.0) <= 4.0 && q[2] >= -10.0 && q[2] <= 14.0;
     return isBlock || isRod || (q - Eigen::Vector3d(5.0, 2.0, 14.0)).norm() <= 5.5;

@@ -63,7 +63,7 @@ Bytes(const std::string & path)
   return text.str();
 }
 
-/** Runs SQL on a file as another program would. */
+/** Runs SQL on a file independently of the code under test. */
 void
 RunSql(const std::string & path, const std::string & sql)
 {
@@ -73,7 +73,7 @@ RunSql(const std::string & path, const std::string & sql)
   sqlite3_close(handle);
 }
 
-/** Reading and adding throw this reason and leave the file unchanged. */
+/** Checks that reading and adding throw with this reason and leave the file unchanged. */
 void
 ExpectRefused(const std::string & path, const std::string & reason)
 {
@@ -169,7 +169,7 @@ TEST_F(ShapeDatabase, RefusesDamagedFiles)
   std::ofstream(path, std::ios::binary) << bytes;
   ExpectRefused(path, "the database is damaged");
   const std::string message = basetest::MessageOf([&] { ReadShapeDatabase(path); });
-  EXPECT_EQ(message.find("***"), std::string::npos) << message; // SQLite's title above the error
+  EXPECT_EQ(message.find("***"), std::string::npos) << message; // SQLite's header line before the error
   std::ofstream(path, std::ios::binary) << bytes.substr(0, bytes.size() / 2);
   ExpectRefused(path, "the database is damaged");
 }
@@ -224,8 +224,8 @@ TEST_F(ShapeDatabase, SeveralProcessesAdd)
   EXPECT_EQ(ReadShapeDatabase(path).size(), 40U);
 }
 
-// A child adds tables of three shapes one after another, reports each by a byte in a pipe, and is killed after a while.
-// Returns the number of reports.
+// A child process adds tables of three shapes, reports each by a byte in a pipe, and is killed after a while. Returns
+// the number of reports.
 std::size_t
 AddUntilKilled(const std::string & path, int round, std::chrono::microseconds span)
 {
@@ -257,7 +257,7 @@ AddUntilKilled(const std::string & path, int round, std::chrono::microseconds sp
   return reported;
 }
 
-// Times of a kill before, during and after additions on this disk.
+// Times to kill the process before, during and after additions.
 std::chrono::microseconds
 MomentOfRound(const std::string & path, int round)
 {
@@ -278,10 +278,10 @@ TEST_F(ShapeDatabase, HoldsWholeTablesAfterKill)
     interrupted += std::filesystem::exists(path + "-journal") ? 1 : 0;
     const std::size_t now = ReadShapeDatabase(path).size();
     EXPECT_EQ(now % 3, 0U);
-    EXPECT_GE(now, stored + reported * 3); // reported additions are kept
+    EXPECT_GE(now, stored + reported * 3); // reported additions must be kept
     EXPECT_LE(now, stored + (reported + 1) * 3);
   }
-  EXPECT_GT(interrupted, 0); // otherwise the test has no effect
+  EXPECT_GT(interrupted, 0); // otherwise nothing was tested
 }
 
 TEST_F(ShapeDatabase, IsMadeAfterAKillInItsFirstAddition)

@@ -60,7 +60,7 @@ TEST(ShapeSearch, ProbabilityFallsWithDistanceAndRisesWithMargin)
 {
   EXPECT_GT(ProbabilityOfSameShape(0.5, 3.0), ProbabilityOfSameShape(1.0, 3.0));
   EXPECT_GT(ProbabilityOfSameShape(1.0, 3.0), ProbabilityOfSameShape(1.0, 1.5));
-  EXPECT_EQ(ProbabilityOfSameShape(1.0, 10.0), ProbabilityOfSameShape(1.0, 1000.0)); // as stated
+  EXPECT_EQ(ProbabilityOfSameShape(1.0, 10.0), ProbabilityOfSameShape(1.0, 1000.0)); // as documented
   EXPECT_GT(ProbabilityOfSameShape(100.0, 1.0), 0.0);
   EXPECT_LT(ProbabilityOfSameShape(0.0, 10.0), 1.0);
 }
@@ -73,6 +73,6 @@ TEST(ShapeSearch, EntriesOfOneNameGiveNoMarginToEachOther)
   const std::vector<NamedShape> once{ twice[0], twice[2] };
   const ShapeSignature          copy = SignatureOf(Scaled(Hammer(), 0.9));
   const auto nearest = [&](const std::vector<NamedShape> & entries) { return FindShape(copy, entries, 9).probability; };
-  EXPECT_GE(nearest(twice), nearest(once)); // the second hammer is at least not a rival
+  EXPECT_GE(nearest(twice), nearest(once)); // entries with the same name do not reduce the margin
   EXPECT_THROW(FindShape(copy, {}, 1), std::invalid_argument);
 }

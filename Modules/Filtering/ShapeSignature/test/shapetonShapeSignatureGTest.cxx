@@ -83,7 +83,7 @@ TEST(ShapeSignature, OfABallHasTheClosedForms)
     EXPECT_NEAR(ball.remainingHeat[k], HeatOfBall(times[k]), 0.01) << times[k];
   }
   ExpectClose(ball.displacement.back(), 2.0 * 0.6, 0.01, "twice the square of the radius of gyration");
-  // l (l + 1), 2 l + 1 times, on a sphere of area 4 pi.
+  // Eigenvalues l (l + 1) with multiplicity 2 l + 1 on a sphere of area 4 pi.
   for (std::size_t i = 0; i < 15; ++i)
   {
     const int l = i < 3 ? 1 : i < 8 ? 2 : 3;
@@ -143,7 +143,7 @@ TEST(ShapeSignature, HardlyChangesWithRotationScaleSamplingAndSlantedImages)
     EXPECT_LT(difference.flatness, 0.03) << how;
   }
   const SignatureDifference other = DifferenceOf(hammer, SignatureOf(Box({ 13.0, 18.0, 25.0 })));
-  EXPECT_GT(other.remainingHeat, 0.16); // another shape differs by twice the bounds, and more
+  EXPECT_GT(other.remainingHeat, 0.16); // another shape differs by more than twice the bounds
   EXPECT_GT(other.displacement, 0.07);
   EXPECT_GT(other.spectrum, 0.1);
 }
@@ -176,7 +176,7 @@ TEST(ShapeSignature, RefusesWhatHasNoShape)
 {
   EXPECT_EQ(basetest::MessageOf([] { SignatureOf(Ball(2.0)); }),
             "InputError: it has 32 voxels, fewer than the 64 that a signature needs");
-  // A sheet of 400 x 400 x 1: the ball of its volume has a radius of 34 voxels.
+  // A sheet of 400 x 400 x 1 voxels; the ball of equal volume has a radius of 34 voxels.
   EXPECT_NE(basetest::MessageOf([] {
               SignatureOf(MakeImage({ 402, 402, 3 }), Box({ 400.0, 400.0, 1.0 }));
             }).find("InputError: the shape is too thin for its size"),

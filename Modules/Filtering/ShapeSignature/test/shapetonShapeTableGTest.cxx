@@ -13,7 +13,7 @@ using namespace signaturetest;
 
 namespace
 {
-/** Label 3: two balls; label 5: a box; label 9: a speck. */
+/** Label 3: two balls; label 5: a box; label 9: a few voxels. */
 Image::Pointer
 Labels()
 {

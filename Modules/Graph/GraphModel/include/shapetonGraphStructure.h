@@ -7,8 +7,9 @@
 
 namespace shapeton
 {
-/** Outgoing half-edges of each node, ascending, in one array: node v has halfEdges[start[v]] to halfEdges[start[v + 1]
- * - 1]. Half-edge 2e starts at edges[e][0], 2e + 1 at edges[e][1]. \ingroup ShapetonGraphModel */
+/** Outgoing half-edges of each node, ascending, in one array: node v has the elements start[v] to
+ * start[v + 1] - 1 of halfEdges. Half-edge 2e starts at edges[e][0], 2e + 1 at edges[e][1].
+ * \ingroup ShapetonGraphModel */
 struct ShapetonGraphModel_EXPORT Incidence
 {
   explicit Incidence(const Graph & graph);
