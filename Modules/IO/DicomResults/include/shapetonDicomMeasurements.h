@@ -14,11 +14,11 @@ struct DicomMeasurement
   /** A decimal number of at most 16 characters. */
   std::string digits;
   DicomCode   unit;
-  /** How it was derived from several values, such as their mean. */
+  /** Derivation from several values, such as the mean. */
   std::optional<DicomCode> derivation;
 };
 
-/** Measurements of one object: a segment, or a part of the patient without a segment. \ingroup ShapetonDicomResults */
+/** Measurements of one object: a segment, or a body part without a segment. \ingroup ShapetonDicomResults */
 struct DicomMeasurementGroup
 {
   std::string              trackingID;
@@ -36,17 +36,17 @@ struct DicomMeasurementGroup
 /** A measurement report (TID 1500). \ingroup ShapetonDicomResults */
 struct DicomMeasurementReport
 {
-  /** Procedure that acquired the images, and the body part that they show. */
+  /** Imaging procedure and imaged body part. */
   DicomCode                          procedure;
   DicomCode                          region;
   DicomInstance                      segmentation;
   std::vector<DicomMeasurementGroup> groups;
-  /** Comments on the whole report. */
+  /** Comments on the report. */
   std::vector<std::string> comments;
 };
 
-/** Writes a Comprehensive 3D SR of the template TID 1500: a program as observer, an image library of all slices, a
- * measurement group (TID 1411) per measured object. Equal input gives equal bytes. Throws OutputError.
+/** Writes a Comprehensive 3D SR of the template TID 1500: a program as observer, an image library of all slices, and a
+ * measurement group (TID 1411) per measured object. Output is deterministic. Throws OutputError.
  * \ingroup ShapetonDicomResults */
 ShapetonDicomResults_EXPORT DicomInstance
 WriteDicomMeasurements(const DicomSource &            source,
@@ -54,7 +54,7 @@ WriteDicomMeasurements(const DicomSource &            source,
                        const DicomResultHeader &      header,
                        const std::string &            path);
 
-/** The first items of a report: English as its language, and the observer. \ingroup ShapetonDicomResults */
+/** The first items of a report: the language (English) and the observer. \ingroup ShapetonDicomResults */
 ShapetonDicomResults_EXPORT std::vector<DicomContent>
                     ContextOfReport(const DicomResultHeader & header);
 } // namespace shapeton

@@ -18,8 +18,8 @@ WriteDicomPicture(const DicomSource &                                 source,
                   const DicomResultHeader &                           header,
                   const std::string &                                 path);
 
-/** Writes a surface (LPS, mm) as Encapsulated STL in the frame of reference of the source. `what` is the coded term
- * of the surface. Throws InputError as WriteSurface() does, OutputError. \ingroup ShapetonDicomResults */
+/** Writes a surface (LPS, mm) as Encapsulated STL in the frame of reference of the source. `what` is the coded term for
+ * the surface. Throws InputError as WriteSurface() does, OutputError. \ingroup ShapetonDicomResults */
 ShapetonDicomResults_EXPORT DicomInstance
 WriteDicomSurface(const DicomSource &       source,
                   const SurfaceMesh &       mesh,
@@ -27,7 +27,7 @@ WriteDicomSurface(const DicomSource &       source,
                   const DicomResultHeader & header,
                   const std::string &       path);
 
-/** Meaning of the values of a map. \ingroup ShapetonDicomResults */
+/** Description of the values of a map. \ingroup ShapetonDicomResults */
 struct DicomMapMeaning
 {
   DicomCode quantity;
@@ -40,7 +40,7 @@ struct DicomMapMeaning
 };
 
 /** Writes an image as Parametric Map: 32-bit floating point, a frame per slice of the source, with an identity
- * real-world value mapping. Throws InputError if the grid is not that of the source, OutputError.
+ * real-world value mapping. Throws InputError if the grid differs from the source, OutputError.
  * \ingroup ShapetonDicomResults */
 ShapetonDicomResults_EXPORT DicomInstance
 WriteDicomMap(const DicomSource &          source,

@@ -25,7 +25,7 @@ struct DicomContent
     UID,
     /** A reference to an instance, optionally with a frame or segment. */
     Image,
-    /** A point in pixels of the image that is its child node. */
+    /** A point in pixel coordinates of the image in its child node. */
     PixelPoint,
     /** A point in the frame of reference, LPS, mm. */
     SpacePoint
@@ -33,7 +33,7 @@ struct DicomContent
   Kind        kind{ Kind::Container };
   std::string relationship;
   DicomCode   name;
-  /** Value of Text and UID; digits of Number; template of a Container that starts one, such as "1500". */
+  /** Value of Text and UID; digits of Number; template identifier of a Container, such as "1500". */
   std::string text;
   /** Value of Code, unit of Number. */
   DicomCode code;
@@ -90,8 +90,8 @@ enum class DicomReportKind
   ColonCAD
 };
 
-/** Writes a Structured Report: partial, unverified, preliminary. Its evidence is all slices of the source and
- * `others`. Equal input gives equal bytes. Throws OutputError. \ingroup ShapetonDicomResults */
+/** Writes a Structured Report: partial, unverified, preliminary. The evidence lists all slices of the source and
+ * `others`. Output is deterministic. Throws OutputError. \ingroup ShapetonDicomResults */
 ShapetonDicomResults_EXPORT DicomInstance
 WriteDicomReport(const DicomSource &                source,
                  DicomReportKind                    kind,

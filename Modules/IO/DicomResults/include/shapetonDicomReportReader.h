@@ -10,17 +10,18 @@
 
 namespace shapeton
 {
-/** Points that a report lists together. \ingroup ShapetonDicomResults */
+/** A group of points in a report. \ingroup ShapetonDicomResults */
 struct DicomReportPoints
 {
-  /** The tracking identifier of the measurement that contains the points, else their concept name. */
+  /** The tracking identifier of the measurement that contains the points, or else their concept name. */
   std::string name;
   /** LPS, mm. */
   std::vector<itk::Point<double, 3>> places;
 };
 
-/** Reads the points of a Structured Report of any template: those in space (SCOORD3D) and those in pixels of slices of
- * the source (SCOORD). Circles, ellipses and ellipsoids give their centers, lines and polygons their vertices.
+/** Reads the points of a Structured Report of any template: spatial points (SCOORD3D) and pixel positions in slices of
+ * the source (SCOORD). Circles, ellipses and ellipsoids are represented by their centers, lines and polygons by their
+ * vertices.
  *
  * Throws InputError for a file that is not a report or contains no point, for points in another frame of reference,
  * and for points in images other than the slices of the source. \ingroup ShapetonDicomResults */

@@ -30,7 +30,7 @@ struct DicomSegment
   std::string                  trackingID;
   std::string                  trackingUID;
   std::array<unsigned char, 3> color{ { 255, 255, 255 } };
-  /** Its voxels: those of `labels` with the value `label`, on the grid of the source. */
+  /** Its voxels have the value `label` in `labels`, on the grid of the source. */
   const DicomLabelImage * labels{ nullptr };
   unsigned short          label{ 1 };
 };
@@ -45,12 +45,12 @@ struct DicomSegmentation
   std::vector<std::size_t> voxels;
 };
 
-/** Writes a binary DICOM Segmentation: a frame per segment and slice with voxels of it. Segments may overlap.
+/** Writes a binary DICOM Segmentation: one frame per segment and nonempty slice. Segments may overlap.
  *
  * Frames are in the planes of the slices that they reference. With `isDeflated` the transfer syntax is Deflated
- * Explicit VR Little Endian. Equal input gives equal bytes.
+ * Explicit VR Little Endian. Output is deterministic.
  *
- * Throws InputError if the labels are on another grid than the source, or no segment has a voxel; OutputError.
+ * Throws InputError if the grids of labels and source differ or all segments are empty; OutputError.
  * \ingroup ShapetonDicomResults */
 ShapetonDicomResults_EXPORT DicomSegmentation
 WriteDicomSegmentation(const DicomSource &               source,

@@ -31,11 +31,11 @@ struct DicomSegmentationFile
 {
   std::string path;
   std::string frameOfReferenceUID;
-  /** The referenced series; empty if the file names none. */
+  /** The referenced series; empty if not stated. */
   std::string  seriesUID;
   unsigned int columns{ 0 };
   unsigned int rows{ 0 };
-  /** Distance of columns and of rows, mm. */
+  /** Column and row spacing, mm. */
   double spacing[2]{ 0.0, 0.0 };
   /** Direction along a row, then along a column. */
   double orientation[6]{};
@@ -46,7 +46,7 @@ struct DicomSegmentationFile
   /** Excludes segments that a label map declares as background. */
   std::vector<DicomSegmentInFile> segments;
   std::vector<DicomSegmentFrame>  frames;
-  /** Pixel values of a label map that belong to no segment: 0 unless declared, Pixel Padding Value, and the numbers
+  /** Pixel values of a label map outside all segments: 0 unless declared, Pixel Padding Value, and the numbers
    * of segments of the type Background (125040, DCM). */
   std::vector<int> background;
   /** Remarks for the user, one line each. */
@@ -55,12 +55,12 @@ struct DicomSegmentationFile
 
 /** Reads the header of a DICOM Segmentation from any vendor: binary, fractional or a label map (Supplement 243, 8 or
  * 16 bits, with any colors), uncompressed or deflated. All frames must be in parallel planes; slices without a
- * segment may be missing. Throws InputError that names the file and the error. \ingroup ShapetonDicomResults */
+ * segment may be missing. Throws InputError with the file name and the error. \ingroup ShapetonDicomResults */
 ShapetonDicomResults_EXPORT DicomSegmentationFile
 ReadDicomSegmentation(const std::string & path);
 
-/** Throws InputError unless the segmentation references the series of the source, or at least its frame of
- * reference, and no other. Equal grids alone may be a coincidence. \ingroup ShapetonDicomResults */
+/** Throws InputError unless the segmentation references only the series of the source, or at least its frame of
+ * reference. Equal grids may be a coincidence. \ingroup ShapetonDicomResults */
 ShapetonDicomResults_EXPORT void
 RequireMadeOn(const DicomSegmentationFile & file, const DicomSource & source);
 
@@ -74,12 +74,12 @@ struct DicomSegmentVoxels
 };
 
 /** The voxels of segments on the grid of the source series. A voxel belongs to a fractional segment if its fraction is
- * at least one half. On the grid of a tilted series (DicomSourceOptions::deshear) each slice is shifted by whole
- * pixels, so that no voxel is lost or duplicated.
+ * at least one half. On the grid of a tilted series (DicomSourceOptions::deshear) slices are shifted by whole pixels,
+ * without losing or duplicating voxels.
  *
  * Throws InputError if a frame does not match the pixels of a slice of the series, two frames of a segment are in
- * one slice, or the file is truncated; ParameterError for a segment number that does not exist, is repeated, or is
- * 0, which means no segment. \ingroup ShapetonDicomResults */
+ * one slice, or the file is truncated; ParameterError for a segment number that does not exist, is repeated, or is 0
+ * (background). \ingroup ShapetonDicomResults */
 ShapetonDicomResults_EXPORT DicomSegmentVoxels
 ReadDicomSegments(const DicomSegmentationFile & file, const std::vector<int> & numbers, const DicomSource & source);
 } // namespace shapeton

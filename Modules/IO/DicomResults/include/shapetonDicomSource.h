@@ -10,8 +10,8 @@
 
 namespace shapeton
 {
-/** The series that results were computed from. Results have its patient, study and frame of reference, and reference
- * its slices. \ingroup ShapetonDicomResults */
+/** The source series of results. Results share its patient, study and frame of reference, and reference its slices.
+ * \ingroup ShapetonDicomResults */
 struct DicomSource
 {
   DicomSeries series;
@@ -29,19 +29,20 @@ struct DicomSourceOptions
   std::string seriesUID;
   /** Accept a tilted series; the grid is then that of the repair `deshear`. For reading only. */
   bool deshear{ false };
-  /** Whether a message on a tilted series may advise `deshear`. */
+  /** Whether messages on a tilted series may suggest `deshear`. */
   bool offersDeshear{ false };
-  /** Accept an irregular series, a single slice, or a series without a frame of reference: points in pixels need
-   * only the position of their slice. For reading only. */
+  /** Accept an irregular series, a single slice, or a series without a frame of reference: pixel positions require only
+   * the position of their slice. For reading only. */
   bool forPoints{ false };
 };
 
-/** Reads the headers of a series, which must be regular: the slices of a repaired volume could not be referenced.
- * Throws InputError as ReadVolume() does, and if slices have no SOP Instance UID. \ingroup ShapetonDicomResults */
+/** Reads the headers of a series, which must be regular because results cannot reference the slices of a repaired
+ * volume. Throws InputError as ReadVolume() does, and if slices have no SOP Instance UID. \ingroup ShapetonDicomResults
+ */
 ShapetonDicomResults_EXPORT DicomSource
 ReadDicomSource(const std::string & path, const DicomSourceOptions & options = {});
 
-/** Description of a result in its header. \ingroup ShapetonDicomResults */
+/** Description of a result for its header. \ingroup ShapetonDicomResults */
 struct DicomResultHeader
 {
   /** The program that created it. */
@@ -60,7 +61,7 @@ struct DicomInstance
   std::string seriesUID;
 };
 
-/** Statement in each result: for research use, not for diagnosis. \ingroup ShapetonDicomResults */
+/** Statement in each result that it is for research use, not for diagnosis. \ingroup ShapetonDicomResults */
 constexpr const char * DicomResearchNote = "For research use; not a diagnosis.";
 } // namespace shapeton
 

@@ -8,7 +8,7 @@
 
 namespace shapeton
 {
-/** An attribute by which frames are ordered before their position. */
+/** A sort attribute of frames with priority over the position. */
 struct FrameDimension
 {
   DcmTagKey    attribute;

@@ -18,7 +18,7 @@ class DicomItem
 public:
   explicit DicomItem(DcmItem & item) : m_Item(&item) {}
 
-  /** An empty text gives an attribute without value. */
+  /** An empty text creates an attribute without value. */
   DicomItem &
   Text(const DcmTagKey & tag, const std::string & value);
   DicomItem &

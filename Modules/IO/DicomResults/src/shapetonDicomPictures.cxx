@@ -11,7 +11,7 @@ namespace shapeton
 {
 namespace
 {
-/** The bytes of a surface as an STL file, via a temporary file next to the object. */
+/** Serializes a surface as STL, via a temporary file next to the object. */
 std::string
 StlOf(const SurfaceMesh & mesh, const std::string & path)
 {

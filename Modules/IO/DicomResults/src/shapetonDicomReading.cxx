@@ -119,7 +119,7 @@ ReadContained(const std::string &                                               
   {
     throw InputError("\"" + path + "\" is not a file; give a DICOM file");
   }
-  if (!dcmDataDict.isDictionaryLoaded()) // loaded here, so that the child inherits it
+  if (!dcmDataDict.isDictionaryLoaded()) // loaded before the fork for the child
   {
     throw std::runtime_error("DCMTK's data dictionary is missing; install dcmtk or set DCMDICTPATH");
   }

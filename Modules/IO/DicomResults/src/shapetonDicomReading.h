@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-// Attributes of untrusted files: the following functions run in a contained process, except ReadContained().
+// Attributes of untrusted files. Except for ReadContained(), these functions run in a contained process.
 
 namespace shapeton
 {
@@ -18,7 +18,7 @@ namespace shapeton
 std::string
 TextOf(DcmItem & item, const DcmTagKey & tag);
 
-/** A number of finite values; throws std::runtime_error that names the attribute and its value. */
+/** The given number of finite values; throws std::runtime_error with the attribute and its value. */
 std::vector<double>
 NumbersOf(DcmItem & item, const DcmTagKey & tag, std::size_t count);
 
@@ -44,7 +44,7 @@ void
 LoadDicomObject(DcmFileFormat & file, const std::string & path, const std::vector<std::string> & sopClassUIDs);
 
 /** Calls `service` on `request` in a contained process that may write `sharedBytes`; `take` receives them with the
- * response. A failure becomes an InputError that names the file. */
+ * response. A failure becomes an InputError with the file name. */
 void
 ReadContained(const std::string &                                                          path,
               const std::string &                                                          request,

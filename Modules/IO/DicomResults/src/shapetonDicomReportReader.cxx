@@ -113,7 +113,7 @@ private:
     m_Found.push_back(graphic);
   }
 
-  /** The image is a child, or a child references it by its position in the tree. */
+  /** The image is a child, or is referenced by a child through its position in the tree. */
   void
   TakeImage(DcmItem & item, Graphic & graphic) const
   {
@@ -300,7 +300,7 @@ private:
     return place;
   }
 
-  /** A circle is given by its center and a point on it, an ellipse by the ends of its axes. */
+  /** A circle is defined by its center and a point on it, an ellipse by the ends of its axes. */
   static void
   KeepMiddle(const std::string & type, std::vector<Place> & places)
   {

@@ -91,8 +91,9 @@ DicomResultObject::PutSourceHeader()
   }
 }
 
-/** Dates are copied from the source, never the current ones: equal runs give equal bytes. Content Date and Time must
- * not be empty; without any date in the source they get the earliest one that some readers accept. */
+/** Dates are copied from the source instead of the current time, so that output is deterministic. Content Date and Time
+ * must not be empty; without a date in the source they are set to 1900, the earliest year that some readers
+ * accept. */
 void
 DicomResultObject::PutDates()
 {
@@ -192,7 +193,7 @@ DicomResultObject::PutSharedPlane()
 DicomInstance
 DicomResultObject::Save(const std::string & path, bool isDeflated)
 {
-  // UIDs are derived from the bytes without them.
+  // UIDs are derived from the bytes of the object without UIDs.
   const std::string none = "2.25.0";
   this->Root().Text(DCM_SeriesInstanceUID, none).Text(DCM_SOPInstanceUID, none);
   SaveFile(m_File, path, EXS_LittleEndianExplicit);

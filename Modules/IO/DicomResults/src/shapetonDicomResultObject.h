@@ -9,8 +9,8 @@ namespace shapeton
 /** \class DicomResultObject
  * \brief A DICOM object derived from a source series: attributes common to all results, and writing.
  *
- * Patient, study and dates are those of the source; the UIDs of series and instance are derived from all other data
- * of the file, so that equal results have equal bytes, and different ones never share a UID. */
+ * Patient, study and dates are copied from the source. The UIDs of series and instance are derived from all other data
+ * of the file, so output is deterministic and different results have different UIDs. */
 class DicomResultObject
 {
 public:
@@ -28,10 +28,10 @@ public:
   /** Frame of reference of the source; for images and surfaces. */
   void
   PutFrameOfReference();
-  /** Whether pixels were compressed lossily, here or in the source; for images. */
+  /** Whether pixels were compressed lossily, in this object or in the source; for images. */
   void
   PutLossiness();
-  /** RESEARCH; for images. Reports have their own flags. */
+  /** Sets RESEARCH; for images. Reports use other flags. */
   void
   PutContentQualification();
   /** References to the source series and slices. */
@@ -65,7 +65,7 @@ private:
 void
 PutReferenceToSlice(DicomItem item, const DicomSlice & slice);
 
-/** References the slice from which a frame was derived, with this kind of processing (CID 7203). */
+/** References the source slice of a frame, with this kind of processing (CID 7203). */
 void
 PutDerivation(DicomItem frame, const DicomSlice & slice, const DicomCode & processing);
 

@@ -76,7 +76,7 @@ private:
   CountSlice(const unsigned short * first, const unsigned short * last)
   {
     Counts counts;
-    while (first != last) // run by run: most of a slice is empty
+    while (first != last) // by runs, because most of a slice is empty
     {
       const auto end = std::find_if(first, last, [label = *first](unsigned short other) { return other != label; });
       counts[*first] += static_cast<std::size_t>(end - first);
@@ -88,7 +88,7 @@ private:
   std::vector<Counts> m_Slices;
 };
 
-/** CIELab, D50, as DICOM encodes it (PS3.3 C.10.7.1.1). */
+/** CIELab, D50, in DICOM encoding (PS3.3 C.10.7.1.1). */
 std::vector<Uint32>
 LabOf(const std::array<unsigned char, 3> & color)
 {
@@ -199,7 +199,7 @@ WriteFrames(DicomItem            root,
   return frames;
 }
 
-/** Whether segments may overlap: those of one label image never do. */
+/** Whether segments may overlap, that is if there are several label images. */
 bool
 DoOverlap(const std::vector<DicomSegment> & segments)
 {

@@ -270,7 +270,7 @@ CopyPixels(const std::string & path, std::size_t bytes, char * shared)
   LoadDicomObject(format, path, segmentationClasses);
   DcmDataset & dataset = *format.getDataset();
   DcmElement * pixels = nullptr;
-  // Accepts any VR: pixels of up to 8 bits are OW if the encoding does not specify it.
+  // Accepts any VR, because pixels of up to 8 bits are OW if the encoding does not specify a VR.
   const bool isRead = dataset.findAndGetElement(DCM_PixelData, pixels).good() && pixels &&
                       pixels->getLength(dataset.getOriginalXfer()) >= bytes &&
                       pixels->getPartialValue(shared, 0, static_cast<Uint32>(bytes)).good();
@@ -329,7 +329,7 @@ public:
   }
 
 private:
-  static constexpr double Tolerance = 0.05; // of a voxel: some writers round positions
+  static constexpr double Tolerance = 0.05; // fraction of a voxel, because some writers round positions
 
   [[noreturn]] void
   Refuse() const
@@ -343,7 +343,7 @@ private:
   const DicomSeries &           m_Series;
 };
 
-/** The labels of a slice, into which frames are painted. */
+/** The labels of a slice, the destination of frames. */
 struct Canvas
 {
   unsigned short * labels;

@@ -1,4 +1,4 @@
-// Results of other programs: label maps, tilted and single slices, encodings, values.
+// Results from other programs: label maps, tilted and single slices, encodings, values.
 #include "shapetonDicomReport.h"
 #include "shapetonDicomReportReader.h"
 #include "shapetonDicomResultsTesting.h"
@@ -114,7 +114,7 @@ TEST(DicomResultsOfOtherPrograms, ALabelMapHasABackgroundOrNone)
   padded.Dataset().putAndInsertUint16(DCM_PixelPaddingValue, 9);
   padded.Expect(padded.Read(), { 2, 7 }, "padding");
 
-  for (const Uint16 number : { 0, 4 }) // declared, by its type
+  for (const Uint16 number : { 0, 4 }) // declared by its type
   {
     LabelMap  declared({ number, 2, 7 }, 8, { 2, number, 7 });
     DcmItem * segment = nullptr;
@@ -143,7 +143,7 @@ TEST(DicomResultsOfOtherPrograms, LabelsThatAreNotDeclaredAreRefused)
   const auto file = map.Read();
   EXPECT_TRUE(Contains(InputErrorOf([&] { ReadDicomSegments(file, { 2 }, map.source); }),
                        "has pixels of segment 8, which it does not declare"));
-  LabelMap zero({ 0, 2 }, 8, { 0, 2 }); // its own structure: 0 means none in derived data
+  LabelMap zero({ 0, 2 }, 8, { 0, 2 }); // a separate structure; 0 means none in derived data
   EXPECT_THROW(ReadDicomSegments(zero.Read(), { 0, 2 }, zero.source), ParameterError);
   EXPECT_NO_THROW(ReadDicomSegments(zero.Read(), { 2 }, zero.source));
   LabelMap wide({ 0, 2 }, 8, { 2 });
@@ -245,7 +245,7 @@ TEST(DicomResultsOfOtherPrograms, ASegmentationIsDeshearedWithItsSeries)
     {
       continue;
     }
-    ++painted; // each within half a pixel of a pixel of its slice
+    ++painted; // each within half a pixel of a pixel in its slice
     DicomFixture::PointType point;
     read.labels->TransformIndexToPhysicalPoint(index, point);
     const auto step = point - places[static_cast<std::size_t>(index[2])];
@@ -315,7 +315,7 @@ TEST(DicomResultsOfOtherPrograms, RealFilesOfOtherPrograms)
   options.deshear = true;
   EXPECT_EQ(VoxelsOf(OddData("08-on-tilted-series.dcm"), ReadDicomSource(OddData("ct-tilted"), options)), 1600U);
 
-  DicomFixture liver; // a series with the grid of the label maps, which have every second slice
+  DicomFixture liver; // a series with the grid of the label maps, which contain every second slice
   liver.columns = 24;
   liver.rows = 38;
   liver.slices = 3;

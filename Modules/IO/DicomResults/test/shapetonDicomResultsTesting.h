@@ -6,7 +6,7 @@
 
 namespace shapeton
 {
-/** The series of a fixture with a patient, saved and read as a source. */
+/** The series of a fixture with patient data, saved and read as a source. */
 inline DicomSource
 SourceOf(const DicomFixture & fixture, const std::string & folder)
 {
@@ -27,7 +27,7 @@ SourceOf(const DicomFixture & fixture, const std::string & folder)
   return ReadDicomSource(folder);
 }
 
-/** Axes, spacings and sizes are all different. */
+/** Axes, spacings and sizes differ. */
 inline DicomFixture
 ObliqueFixture()
 {
@@ -51,7 +51,7 @@ Loaded(const std::string & path)
   return file;
 }
 
-/** The value of an attribute, nested ones too: the first one found. */
+/** The value of the first matching attribute, including nested ones. */
 inline std::string
 ValueOf(DcmFileFormat & file, const DcmTagKey & tag)
 {

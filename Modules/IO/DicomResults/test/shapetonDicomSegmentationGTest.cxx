@@ -55,7 +55,7 @@ ValuesOf(const DicomLabelImage * image)
            image->GetBufferPointer() + image->GetLargestPossibleRegion().GetNumberOfPixels() };
 }
 
-/** A file of two segments, and another one that overlaps them, as source, labels and path. */
+/** A file with two segments, and one that overlaps them: source, labels and path. */
 struct Written
 {
   explicit Written(const DicomFixture & fixture, bool isDeflated = false)
@@ -84,7 +84,7 @@ struct Written
   DicomSegmentation        segmentation;
 };
 
-/** Labels 1 and 2 are read back; the bits of 7 x 9 pixels do not fill whole bytes. */
+/** Labels 1 and 2 are read back; 7 x 9 bits are not a multiple of a byte. */
 void
 ExpectRoundTrip(const Written & written)
 {
@@ -150,7 +150,7 @@ TEST(DicomSegmentation, BelongsToItsSource)
   EXPECT_EQ(ValueOf(file, DCM_ContentQualification), "RESEARCH");
   EXPECT_EQ(ValueOf(file, DCM_SegmentsOverlap), "YES");
   EXPECT_EQ(ValueOf(file, DCM_InstitutionName), "");
-  EXPECT_EQ(ValueOf(file, DCM_NumberOfFrames), "15"); // of 18, as slice 2 is empty
+  EXPECT_EQ(ValueOf(file, DCM_NumberOfFrames), "15"); // of 18 because slice 2 is empty
   EXPECT_EQ(ValueOf(file, DCM_SOPInstanceUID), written.segmentation.instance.sopInstanceUID);
   DcmItem * reference = nullptr;
   DcmItem * series = nullptr;
@@ -226,7 +226,7 @@ TEST(DicomSegmentation, BelongsToTheSeriesThatItNames)
   const Written         written(ObliqueFixture());
   DicomSegmentationFile file = ReadDicomSegmentation(written.path);
   EXPECT_NO_THROW(RequireMadeOn(file, written.source));
-  DicomSource other = written.source; // another position with the same grid
+  DicomSource other = written.source; // same grid at another position
   other.series.uid += ".1";
   EXPECT_TRUE(Contains(InputErrorOf([&] { RequireMadeOn(file, other); }), "made on another series"));
   other = written.source;

@@ -14,8 +14,8 @@ class DcmTagKey;
 
 namespace shapeton
 {
-/** \defgroup DicomAttributes Attributes of DICOM files from any vendor, parsed by DCMTK
- * The files are untrusted: these functions are called in a ContainedProcess.
+/** \defgroup DicomAttributes Attributes of DICOM files from any vendor, parsed by DCMTK The files are untrusted; call
+ * these functions in a ContainedProcess.
  * \ingroup ShapetonVolumeFiles */
 ///@{
 
@@ -25,15 +25,15 @@ namespace shapeton
 ShapetonVolumeFiles_EXPORT void
 PrepareDicomParsing();
 
-/** A value that violates the rules of its attribute; the message names attribute and value. */
+/** A value that violates the rules of its attribute; the message contains attribute and value. */
 class MalformedDicomValue : public std::runtime_error
 {
 public:
   using std::runtime_error::runtime_error;
 };
 
-/** The numbers of an attribute; empty if it is missing or empty. Throws MalformedDicomValue if one of them is not a
- * finite decimal number, or their number is not `count`. */
+/** The numbers of an attribute; empty if it is missing or empty. Throws MalformedDicomValue unless they are `count`
+ * finite decimal numbers. */
 ShapetonVolumeFiles_EXPORT std::vector<double>
                    DicomNumbersOf(DcmItem & item, const DcmTagKey & tag, std::size_t count);
 
@@ -57,16 +57,16 @@ struct DicomEncoding
 {
   /** Its name, or its UID if the name is unknown. */
   std::string name;
-  /** The data set is parsed correctly and its pixels can be decoded. */
+  /** The data set is parsed correctly and the pixels can be decoded. */
   bool isSupported{ false };
-  /** DCMTK does not know the transfer syntax: the parsed data set may be wrong. */
+  /** The transfer syntax is unknown to DCMTK; the parsed data set may be wrong. */
   bool isUnknown{ false };
 };
 
 ShapetonVolumeFiles_EXPORT DicomEncoding
 DicomEncodingOf(DcmFileFormat & file);
 
-/** Label Map Segmentation Storage (Supplement 243), which DCMTK 3.6.7 does not know. */
+/** Label Map Segmentation Storage (Supplement 243), missing in DCMTK 3.6.7. */
 constexpr const char * LabelMapSegmentationStorageUID = "1.2.840.10008.5.1.4.1.1.66.7";
 ///@}
 } // namespace shapeton

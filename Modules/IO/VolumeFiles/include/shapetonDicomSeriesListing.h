@@ -9,11 +9,11 @@
 
 namespace shapeton
 {
-/** Adapts the words of an advice, for a program with options in place of parameters. \ingroup ShapetonVolumeFiles */
+/** Adapts the wording of an advice for a program with options instead of parameters. \ingroup ShapetonVolumeFiles */
 using AdviceInWords = std::function<std::string(const std::string & advice)>;
 
-/** The listing of a folder as text: a table with a line per series (one line for all single slices of one UID), then
- * for each series its UID, encoding and defects with advice, then the files outside any series.
+/** Lists a folder as text: a table with a line per series (one line for all single slices of one UID); UID, encoding
+ * and defects with advice for each series; and the files outside any series.
  * \ingroup ShapetonVolumeFiles */
 ShapetonVolumeFiles_EXPORT std::string
                    FormatDicomScan(const DicomScan & scan, const AdviceInWords & inWords = {});

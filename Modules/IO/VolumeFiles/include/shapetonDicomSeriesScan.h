@@ -23,15 +23,15 @@ enum class DicomDefectKind
   duplicateIdentical,
   /** Several slices at one position with different intensities. */
   duplicateConflicting,
-  /** Slices are missing: a distance is a multiple of the others. */
+  /** Slices are missing, because a distance is a multiple of the others. */
   gap,
   /** The distance between slices changes. */
   variableSpacing,
-  /** The slices are displaced within their planes: gantry tilt. */
+  /** The slices are displaced within their planes (gantry tilt). */
   shear,
   /** A planning image (Image Type contains LOCALIZER), not part of a volume. */
   localizer,
-  /** One Series Instance UID with images that do not form one volume. */
+  /** One Series Instance UID contains images that do not form one volume. */
   mixedSeries,
   /** A file ends prematurely. */
   truncated,
@@ -39,13 +39,13 @@ enum class DicomDefectKind
   unsupportedTransferSyntax,
   /** A file without a slice image: text, report, structure set, DICOMDIR, ... */
   notAnImage,
-  /** The slices of one volume have several frames of reference, a flaw of some de-identifications: a remark. */
+  /** The slices of one volume have several frames of reference, a flaw of some de-identifications; a remark. */
   mixedFrameOfReference,
-  /** The slices of one volume have several patients (Patient ID), another flaw of some de-identifications: a remark. */
+  /** The slices of one volume have several patients (Patient ID), another flaw of some de-identifications; a remark. */
   mixedPatient,
   /** A number of the geometry or the intensities cannot be parsed, for example because of a decimal comma. */
   malformedValue,
-  /** A text that is invalid in its character set: a remark. */
+  /** A text that is invalid in its character set; a remark. */
   undecodableText
 };
 
@@ -64,7 +64,7 @@ struct DicomDefect
   std::vector<std::string> files;
   /** Slices concerned, numbered from 1 along the normal; empty for defects of files. */
   std::vector<unsigned int> slices;
-  /** False for gaps and shear beyond what ReadVolume() repairs: the grid would have several times the number of
+  /** False for gaps and shear that ReadVolume() does not repair because the grid would have several times the number of
    * slices. */
   bool isRepairable{ true };
 };
@@ -84,9 +84,9 @@ struct DicomPixelFormat
   bool          isSigned{ false };
   double        slope{ 1.0 };
   double        intercept{ 0.0 };
-  /** The header has a slope or an intercept. Slices with and without have different units: a mixed series. */
+  /** The header has a slope or an intercept. A series that mixes slices with and without them has different units. */
   bool hasRescale{ false };
-  /** Stored values in [paddingLow, paddingHigh] are not measurements (Pixel Padding Value). */
+  /** Stored values in [paddingLow, paddingHigh] are padding (Pixel Padding Value). */
   bool         hasPadding{ false };
   std::int64_t paddingLow{ 0 };
   std::int64_t paddingHigh{ 0 };
@@ -111,7 +111,7 @@ struct DicomSlice
   double position{ 0.0 };
   /** Displacement relative to the first slice along rows and columns, mm; 0 unless the series is sheared. */
   double offset[2]{ 0.0, 0.0 };
-  /** Slice Thickness, mm; 0 if not stated. Used only for the spacing of a single slice. */
+  /** Slice Thickness, mm; 0 if missing. Used only for the spacing of a single slice. */
   double           thickness{ 0.0 };
   DicomPixelFormat pixels;
 };
@@ -130,8 +130,7 @@ struct DicomSeries
   unsigned int parts{ 1 };
   int          number{ 0 };
   std::string  description;
-  /** What distinguishes this part from the others, for example "ConvolutionKernel B70f"; empty if it is the
-   * geometry. */
+  /** Distinguishing attribute of this part, for example "ConvolutionKernel B70f"; empty if parts differ in geometry. */
   std::string distinction;
   std::string modality;
   std::string patientPosition;
@@ -139,27 +138,26 @@ struct DicomSeries
   std::string transferSyntax;
   /** Columns, rows, slices. */
   unsigned int size[3]{ 0, 0, 0 };
-  /** Distance of columns, of rows, and of slices along the normal, mm. The last one is the median distance if the
-   * series is irregular, and 0 for a single slice. */
+  /** Spacing of columns, rows, and slices along the normal, mm. The slice spacing of an irregular series is the median;
+   * 0 for a single slice. */
   double spacing[3]{ 0.0, 0.0, 0.0 };
   /** Columns: along a row, along a column, normal. */
   itk::Matrix<double, 3, 3> direction{};
   /** The pixels were compressed lossily. */
   bool isLossy{ false };
-  /** MONOCHROME1: low values are displayed bright. The values themselves are not affected. */
+  /** MONOCHROME1: low values are displayed bright. The values are not affected. */
   bool isInverted{ false };
   /** Ascending along the normal. */
   std::vector<DicomSlice>  slices;
   std::vector<DicomDefect> defects;
   /** Irregularities that do not prevent reading the volume. */
   std::vector<DicomDefect> remarks;
-  /** Why the series is not a volume, if no defect explains it: color, 2-D image, a single slice, ... Empty
-   * otherwise. */
+  /** Reason why the series is not a volume, if not a defect: color, 2-D image, a single slice, ... Empty otherwise. */
   std::string refusal;
-  /** The slices are valid but there is only one. */
+  /** There is a single, valid slice. */
   bool isSingleSlice{ false };
 
-  /** Text that selects this series: the UID, with "#part" for a part of a mixed series. */
+  /** Selector of this series: the UID, with "#part" for a part of a mixed series. */
   ShapetonVolumeFiles_EXPORT std::string
                      GetSelector() const;
   /** True if a volume can be read without repair. */
@@ -191,15 +189,15 @@ struct DicomScan
  * links) or in one file. Reads only headers, except for slices at equal positions, whose pixels are compared.
  *
  * Grouping: by Series Instance UID, Patient ID, Patient Position, frame of reference, orientation, size and pixel
- * spacing. Groups of one study that differ only in patient or frame of reference are one volume with the remark
- * mixedPatient or mixedFrameOfReference if their combined slices, three or more, are equidistant. Then by an attribute
- * of acquisition or reconstruction (acquisition number, temporal position, echo, b-value, stack, image type, kernel,
- * filter, diameter, thickness, kVp, series description and others), if several of these groups, each a regular grid,
- * cover the same positions or interleave: then each is coarser than the whole. Slices are ordered by Image Position
- * (Patient) along the normal of Image Orientation (Patient); Slice Thickness, Spacing Between Slices, Slice Location
- * and Instance Number are not used.
+ * spacing. Groups of one study that differ only in patient or frame of reference are one volume, with the remark
+ * mixedPatient or mixedFrameOfReference, if their combined slices, three or more, are equidistant. Groups are then
+ * split by an attribute of acquisition or reconstruction (acquisition number, temporal position, echo, b-value, stack,
+ * image type, kernel, filter, diameter, thickness, kVp, series description and others), if several of these groups,
+ * each a regular grid, cover the same positions or interleave, so that each is coarser than their union. Slices are
+ * ordered by Image Position (Patient) along the normal of Image Orientation (Patient); Slice Thickness, Spacing Between
+ * Slices, Slice Location and Instance Number are not used.
  *
- * Tolerances. Direction cosines: 1e-4. Pixel spacing: relative 1e-4. Positions along the normal and within the plane:
+ * Tolerances: Direction cosines: 1e-4. Pixel spacing: relative 1e-4. Positions along the normal and within the plane:
  * 1 % of the slice distance (of the pixel spacing), at least 0.01 mm if that is at most 10 % of the distance; real
  * series jitter by micrometers. Distances below 0.001 mm count as 0.
  *

@@ -9,8 +9,8 @@
 
 namespace shapeton
 {
-/** Header values of a CT series to write. Texts are UTF-8, at most 64 characters (comments: 10240), without backslash
- * and control characters.
+/** Header values of a CT series. Texts are UTF-8, at most 64 characters (comments: 10240), without backslashes and
+ * control characters.
  * \ingroup ShapetonVolumeFiles */
 struct DicomSeriesDescription
 {
@@ -31,15 +31,15 @@ struct DicomSeriesDescription
 /** Writes a volume in Hounsfield units as a CT Image Storage series (explicit VR little endian), one file per slice,
  * IM0001.dcm and so on, into an existing folder.
  *
- * The image axes may have any orientation but must form a right-handed orthonormal frame: a header contains two axes,
- * and readers compute the third by their cross product. Values must be in [-1024, 31743]; at least two slices, at most
- * 65535 rows and columns.
+ * The image axes may have any orientation but must form a right-handed orthonormal frame: readers compute the third
+ * axis as the cross product of the two axes in the header. Values must be in [-1024, 31743]; at least two slices, at
+ * most 65535 rows and columns.
  *
- * UIDs have the prefix 2.25. Those of study and frame of reference are derived from patientID, studyDescription and
- * seed, those of the series and its images from the whole description, the pixels and the geometry. Dates are fixed.
- * Equal calls thus write equal bytes, and different images never share a UID.
+ * UIDs have the prefix 2.25. UIDs of study and frame of reference are derived from patientID, studyDescription and
+ * seed; UIDs of the series and its images from the description, the pixels and the geometry. Dates are fixed. Output is
+ * deterministic, and different images have different UIDs.
  *
- * Positions, directions and spacings are written with the 16 characters of a Decimal String, that is, with at least 9
+ * Positions, directions and spacings are written with the 16 characters of a Decimal String, that is, at least 9
  * significant digits.
  *
  * Throws InputError for an image or a description that a CT series cannot represent, OutputError if a file cannot
@@ -52,8 +52,8 @@ WriteDicomSeries(const itk::Image<short, 3> *   image,
 /** Calls WriteDicomSeries and creates the folder atomically.
  *
  * The slices are written to a hidden folder next to `folder`, which is then renamed in one step. `folder` may be
- * missing, empty, or contain only a series written by WriteDicomSeries, which is then replaced and removed last. A
- * failed or interrupted run leaves the old series unchanged; the remains of a killed run are removed by the next one.
+ * missing, empty, or contain only a series written by WriteDicomSeries, which is replaced and then removed. A failed or
+ * interrupted run leaves the old series unchanged; the next run removes the remains of a killed run.
  *
  * Throws like WriteDicomSeries, and OutputError if `folder` contains anything else.
  * \ingroup ShapetonVolumeFiles */
@@ -62,7 +62,7 @@ WriteDicomSeriesFolder(const itk::Image<short, 3> *   image,
                        const std::string &            folder,
                        const DicomSeriesDescription & description);
 
-/** Throws the OutputError of WriteDicomSeriesFolder before the image is computed.
+/** Checks the conditions of WriteDicomSeriesFolder before the image is computed; throws OutputError.
  * \ingroup ShapetonVolumeFiles */
 ShapetonVolumeFiles_EXPORT void
 CheckDicomSeriesFolder(const std::string & folder);

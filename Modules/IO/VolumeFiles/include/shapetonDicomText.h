@@ -12,8 +12,7 @@ namespace shapeton
  * \ingroup ShapetonVolumeFiles */
 ///@{
 
-/** A Decimal String: at most 16 characters, as many digits as fit. Throws InputError for a number that is not
- * finite. */
+/** A Decimal String: at most 16 characters, as many digits as fit. Throws InputError for a nonfinite number. */
 ShapetonVolumeFiles_EXPORT std::string
                    DicomDecimal(double value);
 
@@ -21,17 +20,16 @@ ShapetonVolumeFiles_EXPORT std::string
 ShapetonVolumeFiles_EXPORT std::string
                    JoinDicomValues(const std::vector<std::string> & values);
 
-/** The values of "a\b\c" without surrounding blanks; none for an empty text. */
+/** The values of "a\b\c" without surrounding blanks; an empty list for an empty text. */
 ShapetonVolumeFiles_EXPORT std::vector<std::string>
                    SplitDicomValues(const std::string & text);
 
-/** Concatenates texts, each preceded by its length, so that different lists give different results: for
- * MakeDicomUID(). */
+/** Concatenates texts, each preceded by its length, as an injective input for MakeDicomUID(). */
 ShapetonVolumeFiles_EXPORT std::string
                    ConcatenateTexts(const std::vector<std::string> & texts);
 
 /** "2.25." and a UUID in decimal digits (DICOM PS3.5 B.2). The UUID is a custom one (RFC 9562, version 8) from the
- * SHA-256 of the text: equal texts give equal UIDs. */
+ * SHA-256 of the text: a function of the text. */
 ShapetonVolumeFiles_EXPORT std::string
                    MakeDicomUID(const std::string & text);
 ///@}

@@ -9,8 +9,8 @@
 
 namespace shapeton
 {
-/** Reads an image with its own pixel type that one of the tools has written. Throws InputError that names the file
- * and ends with `advice`. \ingroup ShapetonVolumeFiles */
+/** Reads an image written by one of the tools, with its own pixel type. Throws InputError with the file name and
+ * `advice`. \ingroup ShapetonVolumeFiles */
 template <typename TImage>
 typename TImage::Pointer
 ReadImage(const std::string & path, itk::ImageIOBase * format, const std::string & advice)

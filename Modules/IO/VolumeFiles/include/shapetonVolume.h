@@ -11,7 +11,7 @@
 
 namespace shapeton
 {
-/** A volume with its geometry (LPS, mm) and its origin.
+/** A volume with its geometry (LPS, mm) and provenance.
  * \ingroup ShapetonVolumeFiles */
 struct Volume
 {
@@ -27,11 +27,11 @@ struct Volume
   std::string identity;
   /** Descriptions of the applied repairs; part of the provenance. */
   std::vector<std::string> repairs;
-  /** Remarks for the user, for example "2 localizer images were left out". */
+  /** Remarks for the user, for example on skipped localizer images. */
   Remarks notes;
 };
 
-/** Volume::identity of a DICOM series. `selector` is that of DicomSeries: the UID, with "#part" for a part of a mixed
+/** Volume::identity of a DICOM series. For `selector`, see DicomSeries: the UID, with "#part" for a part of a mixed
  * series. \ingroup ShapetonVolumeFiles */
 ShapetonVolumeFiles_EXPORT std::string
                    IdentityOfSeries(const std::string & selector);
@@ -50,8 +50,8 @@ HaveSameGrid(const itk::ImageBase<3> * a, const itk::ImageBase<3> * b);
 ShapetonVolumeFiles_EXPORT itk::Image<unsigned char, 3>::Pointer
                    MaskOfVolume(const Volume & volume, const std::string & path);
 
-/** MaskOfVolume() of a volume read from `path`, for use with an image. Throws InputError if its grid differs from
- * that of the image, or it has no voxel other than 0. \ingroup ShapetonVolumeFiles */
+/** MaskOfVolume() of a volume read from `path`, for use with an image. Throws InputError if its grid differs from the
+ * image or all its voxels are 0. \ingroup ShapetonVolumeFiles */
 ShapetonVolumeFiles_EXPORT itk::Image<unsigned char, 3>::Pointer
                    MaskForImage(const Volume & volume, const std::string & path, const itk::ImageBase<3> * image);
 } // namespace shapeton

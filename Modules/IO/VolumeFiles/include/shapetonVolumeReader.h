@@ -12,7 +12,7 @@
 
 namespace shapeton
 {
-/** Options of the reader, with the allowed repairs. By default an irregular series is rejected.
+/** Options of the reader, with the allowed repairs. By default, irregular series are rejected.
  * \ingroup ShapetonVolumeFiles */
 struct VolumeReadOptions
 {
@@ -27,10 +27,9 @@ struct VolumeReadOptions
   bool deshear{ false };
   /** Keep the first of several slices at the same position. */
   bool dropDuplicates{ false };
-  /** Read a single DICOM slice as a volume of one slice; its spacing is its Slice Thickness, or 1 mm if that is
-   * missing. */
+  /** Read a single DICOM slice as a volume of one slice; the spacing is the Slice Thickness, or 1 mm if missing. */
   bool allowSingleSlice{ false };
-  /** The repairs that messages may advise; fewer if other objects reference the original slices. */
+  /** The repairs that messages may suggest; restricted if other objects reference the original slices. */
   enum class Advice
   {
     none,
@@ -38,7 +37,7 @@ struct VolumeReadOptions
     allRepairs
   };
   Advice advice{ Advice::allRepairs };
-  /** Receives the progress for each file and each slice of a DICOM series. It may throw to abort. */
+  /** Reports progress for each file and each slice of a DICOM series; may throw to abort. */
   Progress progress;
 };
 
@@ -47,29 +46,28 @@ struct VolumeReadOptions
 ShapetonVolumeFiles_EXPORT const DicomSeries &
 SelectDicomSeries(const DicomScan & scan, const VolumeReadOptions & options = {});
 
-/** The grid of the volume that ReadVolume() creates from a series without gaps and duplicates; with `isDesheared`,
- * that of the repair `deshear`. \ingroup ShapetonVolumeFiles */
+/** The grid of the volume that ReadVolume() creates from a series without gaps and duplicates; with `isDesheared`, the
+ * grid of the repair `deshear`. \ingroup ShapetonVolumeFiles */
 ShapetonVolumeFiles_EXPORT itk::ImageBase<3>::Pointer
                    GridOfDicomSeries(const DicomSeries & series, bool isDesheared = false);
 
-/** Throws InputError for a folder or file without an image, with its actual contents and advice. `wanted` is the
- * advice if it contains no DICOM. \ingroup ShapetonVolumeFiles */
+/** Throws InputError for a folder or file without an image, with its contents and advice. `wanted` is the advice for
+ * contents other than DICOM. \ingroup ShapetonVolumeFiles */
 ShapetonVolumeFiles_EXPORT void
 RequireDicomImages(const DicomScan & scan, const std::string & wanted = "name the folder that holds the series");
 
 /** Reads a folder (searched recursively), one DICOM file, or one NRRD, NIfTI or MetaImage file.
  *
- * A folder: a single usable series is read, with a note on skipped localizers, other images or irregular series; two
- * or more require VolumeReadOptions::seriesUID. One DICOM file: only that file, with all frames of an enhanced
- * multi-frame image, never the other files of its folder. Pixel Padding Value becomes the lowest other intensity of
- * the volume.
+ * Folder: reads the only usable series, with a note on skipped localizers, other images or irregular series; several
+ * series require VolumeReadOptions::seriesUID. DICOM file: reads all frames of this file, but not the other files in
+ * its folder. Pixel Padding Value becomes the lowest other intensity of the volume.
  *
  * NRRD (.nrrd, .nhdr), NIfTI (.nii, .nii.gz) and MetaImage (.mha, .mhd): three-dimensional scalar images with positive
- * finite spacing, perpendicular axes and finite voxels. A fourth dimension must have the size 1. Left-handed axes, as
- * most NIfTI files have, are kept.
+ * finite spacing, perpendicular axes and finite voxels. A fourth dimension must have size 1. Left-handed axes, as in
+ * most NIfTI files, are kept.
  *
- * Throws InputError that names the file or series, the defect and the slices concerned, and what to do;
- * ParameterError if a series is selected in a file without series. \ingroup ShapetonVolumeFiles */
+ * Throws InputError with the file or series, the defect, the affected slices and the remedy, and ParameterError if a
+ * series is selected in a file without series. \ingroup ShapetonVolumeFiles */
 ShapetonVolumeFiles_EXPORT Volume
 ReadVolume(const std::string & path, const VolumeReadOptions & options = {});
 } // namespace shapeton

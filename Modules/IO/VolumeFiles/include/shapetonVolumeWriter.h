@@ -16,13 +16,13 @@ namespace shapeton
  * \ingroup ShapetonVolumeFiles */
 using VolumeMetadata = std::vector<std::pair<std::string, std::string>>;
 
-/** Returns `path` if it is empty (no output wanted) or WriteVolume can write it; throws ParameterError otherwise.
- * For a check before a long computation. \ingroup ShapetonVolumeFiles */
+/** Returns `path` if it is empty (no output requested) or WriteVolume can write it; throws ParameterError otherwise.
+ * Use it before a long computation. \ingroup ShapetonVolumeFiles */
 ShapetonVolumeFiles_EXPORT const std::string &
                          RequireVolumeName(const std::string & path);
 
 /** Writes NRRD, NIfTI or MetaImage, depending on the extension of `path`; labels (integer pixels) compressed, float
- * pixels raw. The file is read back before the function returns, to detect a full disk. Throws OutputError, and
+ * pixels raw. The file is read back to detect a full disk. Throws OutputError, and
  * ParameterError for an extension other than .nrrd, .nii, .nii.gz, .mha. Instantiated for float, short, unsigned char,
  * unsigned short and unsigned int pixels.
  * \ingroup ShapetonVolumeFiles */

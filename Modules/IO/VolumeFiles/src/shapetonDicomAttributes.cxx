@@ -17,7 +17,7 @@ namespace shapeton
 {
 namespace
 {
-// Longer texts are truncated: they are for tables and messages.
+// Longer texts are truncated because they are used in tables and messages.
 constexpr std::size_t LongestText = 256;
 
 std::string

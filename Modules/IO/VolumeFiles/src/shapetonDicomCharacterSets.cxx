@@ -77,8 +77,8 @@ ConvertByName(const std::string & encoding, std::string & text)
   return isConverted;
 }
 
-/** Converts text with the Japanese escape sequences (PS3.3 C.12.1.1.2) to EUC-JP, which contains the same sets
- * without escape sequences; returns false for other sequences. */
+/** Converts text with the Japanese escape sequences (PS3.3 C.12.1.1.2) to EUC-JP, which encodes the same sets without
+ * escape sequences; returns false for other sequences. */
 bool
 RewriteAsEucJp(const std::string & text, std::string & rewritten)
 {
@@ -131,7 +131,7 @@ ConvertJapanese(std::string & text)
   return true;
 }
 
-/** Some writers omit the escape sequence: the bytes are in one of the declared sets. */
+/** For writers that omit the escape sequence; the bytes are in one of the declared sets. */
 bool
 ConvertWithoutEscapes(const std::vector<std::string> & sets, std::string & text)
 {

@@ -8,7 +8,7 @@ class DcmItem;
 
 namespace shapeton
 {
-/** The Specific Character Set values of an item: its own, else those of its parents. "ISO_IR 100" and "ISO 2022 IR
+/** The Specific Character Set values of an item or its closest parent. "ISO_IR 100" and "ISO 2022 IR
  * 100" become "100", other terms ("GB18030") are unchanged; empty for ASCII only. */
 std::vector<std::string>
 CharacterSetsOf(DcmItem & item);

@@ -22,12 +22,13 @@ namespace
 // Longer values stay on disk until they are accessed.
 constexpr Uint32 MaximumEagerValue = 4096;
 
-// Frame size in bytes that a decoder may produce from input of any size ...
+// Maximum decoded frame size in bytes for input of any size ...
 constexpr std::uint64_t HarmlessFrameBytes = 64u << 20;
-// ... and as a multiple of its input. JPEG and RLE compress less; JPEG-LS and JPEG 2000 more, for constant images.
+// ... and as a multiple of the input size. Ratios of JPEG and RLE are lower; only constant images exceed it, with
+// JPEG-LS and JPEG 2000.
 constexpr std::uint64_t MaximumCompression = 2000;
 
-// Cosines are written with about six digits; a larger error indicates an invalid rotation.
+// Cosines have about six digits; a larger error indicates an invalid rotation.
 constexpr double CosineTolerance = 1e-3;
 
 std::string
@@ -36,7 +37,7 @@ GetText(DcmItem & item, const DcmTagKey & tag)
   return DicomTextOf(item, tag).text;
 }
 
-/** An integer; `missing` if there is none. */
+/** An integer, or `missing`. */
 int
 GetInteger(DcmItem & item, const DcmTagKey & tag, int missing)
 {
@@ -66,7 +67,7 @@ GetItem(DcmItem * item, const DcmTagKey & sequence, signed long number = 0)
   return item && item->findAndGetSequenceItem(sequence, found, number).good() ? found : nullptr;
 }
 
-/** Signature bytes of DICOM, so that no parser guesses the type of other files. */
+/** Checks the signature of DICOM, because parsers guess the type of other files. */
 enum class Signature
 {
   none,
@@ -93,7 +94,7 @@ FindSignature(const std::string & path)
 
 // ---- frames ----
 
-/** The location of a frame attribute: in the frame's own functional group, in the shared one, or in the data set. */
+/** The location of a frame attribute: the functional group of the frame, the shared one, or the data set. */
 class FrameAttributes
 {
 public:
@@ -192,8 +193,8 @@ ReadRescale(const FrameAttributes & attributes, DicomPixelFormat & pixels, std::
   }
 }
 
-/** An attribute that distinguishes acquisitions and reconstructions: in a plain image, and in a functional group of
- * an enhanced one; `noAttribute` if it does not exist there. */
+/** An attribute that distinguishes acquisitions and reconstructions, in a plain image and in a functional group of an
+ * enhanced image; `noAttribute` if not available there. */
 struct AcquisitionKey
 {
   DcmTagKey plain;
@@ -253,7 +254,7 @@ SignExtended(std::int64_t value, unsigned int bits)
   return ((value & (2 * sign - 1)) ^ sign) - sign;
 }
 
-/** The VR of Pixel Padding Value is US or SS, not always that of the pixels. */
+/** The VR of Pixel Padding Value is US or SS and may differ from the pixels. */
 void
 ReadPadding(DcmItem & dataset, DicomPixelFormat & pixels)
 {
@@ -376,7 +377,7 @@ CheckEncapsulated(DcmPixelData & pixelData, E_TransferSyntax syntax, std::uint64
   return {};
 }
 
-/** Compares the size claimed in the header with that of the file; returns what is missing. */
+/** Compares the size in the header with the file size; returns a description of missing data. */
 std::string
 CheckPixelData(DcmDataset & dataset, const DicomFile & file, const DicomPixelFormat & pixels)
 {
@@ -411,8 +412,8 @@ CheckPixelData(DcmDataset & dataset, const DicomFile & file, const DicomPixelFor
 
 // ---- the file ----
 
-/** True if functional groups describe the frames of an image. Some scanners add such groups to plain slices (CT or
- * MR Image Storage), whose own attributes are complete. */
+/** Whether functional groups describe the frames of an image. Some scanners add such groups to plain slices (CT or MR
+ * Image Storage), which have complete attributes. */
 bool
 IsEnhanced(DcmDataset & dataset)
 {
@@ -448,7 +449,7 @@ ReadFrames(DcmDataset & dataset, std::uint64_t count, DicomFile & file)
   }
 }
 
-/** The number of frames that the file describes. */
+/** The number of frames described by the file. */
 std::uint64_t
 CountFrames(DcmDataset & dataset, DicomFile & file)
 {

@@ -23,8 +23,8 @@ struct DicomFrame
   bool             isLocalizer{ false };
   DicomPixelFormat pixels;
 
-  /** Attributes that are usually constant in a volume: they distinguish acquisitions and reconstructions that
-   * interleave or have equal positions. */
+  /** Attributes that are usually constant in a volume and distinguish acquisitions or reconstructions with interleaved
+   * or equal positions. */
   static constexpr unsigned int NumberOfAcquisitionKeys = 20;
   /** Their values, in the order of their names. */
   std::string acquisition[NumberOfAcquisitionKeys];
@@ -54,7 +54,7 @@ struct DicomFile
   std::string sopInstanceUID;
   std::string seriesUID;
   std::string frameOfReferenceUID;
-  /** Only compared: it identifies a person. */
+  /** Used only for comparisons because it identifies a person. */
   std::string patientID;
   std::string description;
   /** The bytes of the description are invalid in its character set. */
@@ -69,17 +69,17 @@ struct DicomFile
   std::uint16_t columns{ 0 };
   bool          isLossy{ false };
   bool          isInverted{ false };
-  /** The image has functional groups: its frames are slices. */
+  /** The image has functional groups, so its frames are slices. */
   bool isMultiFrame{ false };
   /** The pixel encoding is not supported. */
   bool isUnsupportedTransferSyntax{ false };
-  /** What is missing; empty for a complete file. */
+  /** Description of missing data; empty for a complete file. */
   std::string truncation;
   /** Attribute and value of an unreadable number of its geometry or intensities. The file then has no frames. */
   std::string malformedValue;
-  /** Why its pixels are not a slice of a volume: color, 2-D, ... */
+  /** Reason why its pixels are not a slice of a volume: color, 2-D, ... */
   std::string refusal;
-  /** The refusal means an image of another kind, not a damaged part of a volume. */
+  /** The refusal is due to another kind of image, not a damaged slice of a volume. */
   bool isOtherObject{ false };
 
   std::vector<DicomFrame> frames;

@@ -16,7 +16,7 @@ namespace shapeton
 {
 namespace
 {
-/** A private attribute by the name of its block (PS3.5 7.8.1); null if it is missing. */
+/** A private attribute identified by its block name (PS3.5 7.8.1); null if missing. */
 DcmElement *
 FindPrivate(DcmItem & item, Uint16 group, const std::string & creator, unsigned int number)
 {
@@ -59,8 +59,8 @@ CountsTiles(DcmItem & dataset)
   return bytes.size() >= 2 && (bytes[1] != 0 || static_cast<unsigned char>(bytes[0]) > 1);
 }
 
-/** The CSA header is a list of named elements, each with a list of texts. GDCM's parser terminates the process if
- * one of them is unusual, so that an ordinary slice would be lost. */
+/** The CSA header is a list of named elements, each with a list of texts. GDCM's parser is not used because it
+ * terminates the process on unusual elements. */
 bool
 CountsTilesInCsaHeader(DcmItem & dataset)
 {

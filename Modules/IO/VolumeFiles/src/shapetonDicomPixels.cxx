@@ -35,7 +35,7 @@ constexpr std::size_t MaximumProcesses = 16;
 
 // ---- in the contained process ----
 
-/** The most recently requested file: the frames of a multi-frame file are read consecutively. */
+/** The most recently requested file, kept open because frames of a multi-frame file are read consecutively. */
 struct OpenFile
 {
   std::string                    path;
@@ -227,7 +227,7 @@ DecodeFragments(DcmDataset & dataset, const std::vector<Fragment> & fragments, s
   {
     throw std::runtime_error("its compressed pixels cannot be decoded");
   }
-  // The codec corrects the format if the compressed stream and the header have different bits.
+  // The codec corrects the format if the bits of the compressed stream and the header differ.
   if (image.GetBufferLength() != bytes)
   {
     throw std::runtime_error("its compressed pixels are not of the size that the header states");
@@ -236,8 +236,8 @@ DecodeFragments(DcmDataset & dataset, const std::vector<Fragment> & fragments, s
   return image.GetPixelFormat().GetBitsStored();
 }
 
-/** Returns the bits of a decoded pixel if the encoding defines them, otherwise 0: then the header defines them. A
- * JPEG 2000 stream contains numbers, sometimes of more bits than Bits Stored; the other encodings contain words. */
+/** Returns the bits of a decoded pixel, or 0 if they are defined by the header. JPEG 2000 streams encode numbers,
+ * sometimes with more bits than Bits Stored; other encodings store words. */
 std::uint16_t
 DecodeFrame(OpenFile & file, const std::string & path, unsigned int frame, std::size_t bytes, char * pixels)
 {
@@ -302,7 +302,7 @@ Convert(const char * stored, const DicomPixelFormat & format, std::size_t count,
   const std::int64_t  sign = format.isSigned ? std::int64_t(1) << (format.bitsStored - 1) : 0;
   const std::int64_t  lowest = format.isSigned ? -sign : 0;
   const std::int64_t  highest = lowest + static_cast<std::int64_t>(mask);
-  // Some scanners write a padding value that does not fit into Bits Stored; then the whole word is compared.
+  // Some scanners write a padding value that does not fit into Bits Stored; then the full word is compared.
   const bool isWordPadding = format.hasPadding && (format.paddingLow < lowest || format.paddingHigh > highest);
   const auto paddingWord = static_cast<TWord>(format.paddingLow);
   for (std::size_t i = 0; i < count; ++i)

@@ -15,10 +15,10 @@ ConvertDicomPixels(const char * stored, const DicomPixelFormat & format, std::si
 
 /** Reads slices of equal size into consecutive blocks of `columns` x `rows` intensities; padding becomes NaN.
  *
- * Native encodings (implicit and explicit, little and big endian, deflated) are read by DCMTK, which has already
- * parsed the header and can read one frame from the middle of a large file; compressed frames are decoded by GDCM,
- * which has all codecs. Both run in contained processes, several at once. Progress is reported for each slice
- * processed by the calling thread. Throws InputError that names the file. */
+ * Native encodings (implicit and explicit, little and big endian, deflated) are read by DCMTK, which supports random
+ * access to frames; compressed frames are decoded by GDCM, which supports all codecs. Both run in several contained
+ * processes. Progress is reported for each slice processed by the calling thread. Throws InputError with the file name.
+ */
 void
 ReadDicomSlices(const std::vector<const DicomSlice *> & slices,
                 unsigned int                            columns,

@@ -35,8 +35,8 @@ AddDefect(DicomSeries &                     series,
           const std::string &               message,
           const std::vector<unsigned int> & indices);
 
-/** The number of elements of a list of series from `first` on that are single slices of one Series Instance UID, to
- * be listed on one line. 1 for any other series. */
+/** The number of consecutive series from `first` that are single slices of one Series Instance UID, for a common line
+ * in the list; 1 for other series. */
 std::size_t
 LengthOfSingles(const std::vector<const DicomSeries *> & list, std::size_t first);
 

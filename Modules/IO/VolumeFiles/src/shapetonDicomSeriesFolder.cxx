@@ -123,7 +123,7 @@ CheckTarget(const fs::path & target)
   }
 }
 
-// Removes the slices of a folder and the folder, unless it contains other files. Never removes anything else.
+// Removes the slices of a folder, and the folder unless it contains other files.
 void
 RemoveSeries(const fs::path & folder)
 {
@@ -173,7 +173,7 @@ FindLeftovers(const fs::path & target, const std::string & kind)
   return leftovers;
 }
 
-// Cleans up after killed runs: restores a series that was moved aside, removes unfinished ones.
+// Cleans up after killed runs: restores a series that was moved aside and removes unfinished ones.
 void
 Recover(const fs::path & target)
 {
@@ -240,7 +240,7 @@ private:
 
 volatile std::sig_atomic_t DeferredSignals::pending = 0;
 
-// The folder that becomes the target, or is removed.
+// A temporary folder that replaces the target or is removed.
 class TemporaryFolder
 {
 public:
@@ -306,7 +306,7 @@ private:
     }
   }
 
-  // A kill between the two steps leaves the old series under a name that Recover() restores.
+  // If the process is killed between the two steps, Recover() restores the old series.
   void
   ReplaceInTwoSteps()
   {

@@ -8,7 +8,7 @@
 
 namespace shapeton
 {
-/** Manufacturer and model in the headers of our slices; they identify a series that may be replaced. */
+/** Manufacturer and model in written headers; they identify series that may be replaced. */
 constexpr const char * DicomSeriesManufacturer = "Shapeton";
 constexpr const char * DicomSeriesModel = "DicomSeries";
 
@@ -16,7 +16,7 @@ constexpr const char * DicomSeriesModel = "DicomSeries";
 std::string
 DicomSliceName(std::size_t number);
 
-/** WriteDicomSeries that calls `beforeSlice` before each slice; an exception of it stops the writing. */
+/** WriteDicomSeries with a callback `beforeSlice` before each slice, which may throw to abort. */
 void
 WriteDicomSlices(const itk::Image<short, 3> *   image,
                  const std::string &            folder,

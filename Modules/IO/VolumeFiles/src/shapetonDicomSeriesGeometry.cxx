@@ -14,7 +14,7 @@ constexpr double AbsoluteTolerance = 0.01; // mm
 constexpr double LargestTolerance = 0.1;   // of the spacing
 constexpr double SmallestDistance = 0.001; // mm
 
-/** This number of equal wide distances in a row is a change of the spacing, not missing slices. */
+/** This number of consecutive equal wide distances is a change of the spacing, not missing slices. */
 constexpr unsigned int RunOfChangedSpacing = 3;
 
 double

@@ -33,8 +33,7 @@ struct SlicesGeometry
     unsigned int missing;
   };
   std::vector<Gap> gaps;
-  /** The distances are not multiples of one distance, or change permanently; the slices before the unusual
-   * distances. */
+  /** Slices before unusual distances, if the distances are not multiples of one distance or change permanently. */
   bool                      isVariable{ false };
   std::vector<unsigned int> unusual;
   /** The slices are displaced within their planes by a constant step, or irregularly. */
@@ -42,7 +41,7 @@ struct SlicesGeometry
   bool   isLinearShear{ false };
   double tiltDegrees{ 0.0 };
 
-  /** All slices are on one grid along the normal, each at its own position; some may be missing. */
+  /** All slices are at distinct positions of one grid along the normal; some may be missing. */
   bool
   IsGrid() const
   {
@@ -59,8 +58,8 @@ struct SlicesGeometry
 double
 PositionTolerance(double spacing);
 
-/** Largest factor by which a repair may increase the number of slices or pixels; beyond it most of the volume would
- * be invented. */
+/** Largest factor by which a repair may increase the number of slices or pixels; beyond it, most of the volume would be
+ * interpolated. */
 constexpr double LargestGrowth = 4;
 
 /** Number of grid steps that cover `length` mm at distances of about `spacing`. */

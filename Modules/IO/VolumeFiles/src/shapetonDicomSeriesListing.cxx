@@ -16,7 +16,7 @@ namespace
 namespace fs = std::filesystem;
 using Row = std::vector<std::string>;
 
-// An axis within 5 degrees of a body axis is named after it.
+// Tolerance of 5 degrees to name an axis after a body axis.
 constexpr double AxisCosine = 0.9962;
 
 constexpr std::size_t LongestFileList = 20;

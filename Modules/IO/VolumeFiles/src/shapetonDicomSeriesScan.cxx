@@ -26,7 +26,7 @@ namespace
 constexpr double EqualCosineTolerance = 1e-4;
 constexpr double PixelSpacingTolerance = 1e-4;
 
-/** A slice being assigned to a series; null frame: the image has no frame that can be described. */
+/** A slice to be assigned to a series; `frame` is null if the image has no valid frame. */
 struct Item
 {
   const DicomFile *  file;
@@ -70,7 +70,7 @@ ParseContained(ContainedProcess & process, const std::string & path)
 std::vector<DicomFile>
 ParseFiles(const std::vector<std::string> & paths, const Progress & progress)
 {
-  if (!dcmDataDict.isDictionaryLoaded()) // loaded here, so that each child inherits it
+  if (!dcmDataDict.isDictionaryLoaded()) // loaded before the forks for all children
   {
     throw std::runtime_error("DCMTK's data dictionary is missing; install dcmtk or set DCMDICTPATH");
   }
@@ -88,7 +88,7 @@ ParseFiles(const std::vector<std::string> & paths, const Progress & progress)
 
 // ---- grouping ----
 
-/** True for an image with a position in a volume, or that would have one if it were complete. */
+/** True for an image with a position in a volume, even if it is truncated. */
 bool
 IsPartOfVolume(const Item & item)
 {
@@ -108,7 +108,7 @@ AreClose(const double * a, const double * b, int count, double tolerance)
   return true;
 }
 
-/** True unless both state a patient position, and these differ. */
+/** False if both state a patient position and these differ. */
 bool
 AreOfOnePosition(const DicomFile & a, const DicomFile & b)
 {
@@ -129,7 +129,7 @@ AreOfOneKind(const Item & a, const Item & b)
     return true;
   }
   return a.frame->hasGeometry == b.frame->hasGeometry && a.frame->isLocalizer == b.frame->isLocalizer &&
-         a.frame->pixels.hasRescale == b.frame->pixels.hasRescale && // otherwise some slices would have other units
+         a.frame->pixels.hasRescale == b.frame->pixels.hasRescale && // otherwise units of slices would differ
          AreClose(a.frame->orientation, b.frame->orientation, 6, EqualCosineTolerance) &&
          AreClose(a.frame->spacing, b.frame->spacing, 2, PixelSpacingTolerance * a.frame->spacing[0]);
 }
@@ -240,7 +240,7 @@ Overlap(const Items & a, const Items & b, double spacing)
 
 // ---- patients and frames of reference ----
 
-/** True for groups of which two are complete volumes that cover the same interval. */
+/** True if two of the groups are complete volumes that cover the same interval. */
 bool
 HaveTwoVolumes(std::vector<Items> groups)
 {
@@ -259,8 +259,8 @@ HaveTwoVolumes(std::vector<Items> groups)
   return false;
 }
 
-/** Items of one kind by their patients and frames of reference; one group if the differences are a flaw within the
- * slices of one volume. Two slices are always equidistant, which proves nothing. */
+/** Groups items of one kind by patient and frame of reference; a single group if the differences are a flaw within one
+ * volume. Two slices are not sufficient because they are always equidistant. */
 std::vector<Items>
 SplitByIdentity(Items items)
 {
@@ -297,18 +297,18 @@ SplitByGeometry(const Items & items)
 
 // ---- acquisitions ----
 
-/** Items of one volume, and what distinguishes them from others of their kind. */
+/** Items of one volume, and the attribute that distinguishes them from others of their kind. */
 struct Part
 {
   Items       items;
   std::string distinction;
 };
 
-/** Groups interleave if their slice distance is more than this multiple of that of all slices together: two groups
- * have twice the distance, and the jitter of positions is a few hundredths. */
+/** Groups interleave if their slice distance exceeds the distance of all slices together by more than this factor. Two
+ * groups have twice the distance; the jitter of positions is a few percent. */
 constexpr double CoarserGrid = 1.5;
 
-/** The value of an attribute; an index past the last one gives all of them together. */
+/** The value of an attribute; an index past the last one returns all values together. */
 std::string
 ValueOf(const DicomFrame & frame, unsigned int key)
 {
@@ -342,8 +342,8 @@ DistinctionOf(const Items & group, const Part & whole)
   return text;
 }
 
-/** Groups by one attribute; none if it does not distinguish volumes but merely numbers the steps of one scan.
- * Separate volumes are grids of their own, which cover the same positions, or interleave to a combined grid. */
+/** Groups by one attribute; empty if it only numbers the steps of one scan. Separate volumes are regular grids that
+ * cover the same positions or interleave. */
 std::vector<Part>
 SplitByKey(const Part & whole, const SlicesGeometry & geometry, unsigned int key)
 {
@@ -628,7 +628,7 @@ ListParts(const std::vector<DicomSeries> & parts)
   return parts.size() > longestList ? list + ", ..." : list;
 }
 
-/** Why the parts of a series do not form one volume. */
+/** Reason why the parts of a series do not form one volume. */
 std::string
 MixtureOf(const std::vector<DicomSeries> & parts)
 {
@@ -660,7 +660,7 @@ NumberParts(std::vector<DicomSeries> & parts, unsigned int volumes)
   }
 }
 
-/** A file without a known position may be a slice of any volume of its series, so all of them may be incomplete. */
+/** A file without a known position may be a slice of any volume of its series, so all volumes may be incomplete. */
 void
 SpreadMalformedValues(std::vector<DicomSeries> & parts)
 {

@@ -6,10 +6,10 @@
 
 namespace shapeton
 {
-/** The grid of the repair `deshear`: it covers all slices, which are displaced within their planes. */
+/** The grid of the repair `deshear`, which covers all displaced slices. */
 struct DeshearedPlane
 {
-  /** The first column and row, in mm relative to those of the first slice of the series. */
+  /** Position of the first column and row, in mm relative to the first slice of the series. */
   double start[2];
   /** Columns and rows. */
   std::size_t size[2];
@@ -20,8 +20,8 @@ struct DeshearedPlane
 DeshearedPlane
 PlaneOfSlices(const DicomSeries & series, const std::vector<DicomSlice> & slices);
 
-/** Reads the pixels of a series and applies the requested and necessary repairs. The series must have no other
- * defect. Throws InputError. */
+/** Reads the pixels of a series and applies the requested and necessary repairs. The series must not have other
+ * defects. Throws InputError. */
 Volume
 ReadDicomVolume(const DicomSeries & series, const VolumeReadOptions & options);
 } // namespace shapeton

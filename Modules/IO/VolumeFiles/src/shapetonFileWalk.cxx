@@ -19,7 +19,7 @@ namespace
 namespace fs = std::filesystem;
 using FileIdentity = std::pair<dev_t, ino_t>;
 
-/** The entries of a folder sorted by name, so that "the first file" is deterministic. */
+/** The entries of a folder, sorted by name for deterministic results. */
 std::vector<std::string>
 ListFolder(const std::string & folder)
 {

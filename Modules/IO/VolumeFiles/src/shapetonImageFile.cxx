@@ -47,7 +47,7 @@ struct ImageHeader
   std::uint32_t              components{ 0 };
   bool                       isScalar{ false };
   bool                       statesSpacing{ true };
-  /** \name NIfTI: conversion of its voxels, and notes on its header */
+  /** \name NIfTI: voxel conversion and notes on the header */
   ///@{
   bool    isSwapped{ false };
   double  slope{ 1.0 };
@@ -84,8 +84,8 @@ TransmitHeader(TStream & stream, THeader & header)
   stream & header.componentType & header.componentBytes & header.components & header.isScalar & header.statesSpacing;
 }
 
-/** The cause stated by an ITK exception, without class and function names. NrrdIO lists the functions from the
- * outermost to the one that reports the cause. */
+/** The cause in an ITK exception, without class and function names. NrrdIO lists functions from the outermost one to
+ * the source of the error. */
 std::string
 Summary(const itk::ExceptionObject & error)
 {
@@ -309,7 +309,7 @@ CheckGeometry(const std::string & path, const ImageHeader & header)
   }
 }
 
-/** The size of the voxels in bytes; rejects a header that claims more than the file or the machine can hold. */
+/** The size of the voxels in bytes; rejects headers that exceed the capacity of the file or the memory. */
 double
 CheckSize(const std::string & path, const ImageHeader & header, const StoredVoxels & stored)
 {

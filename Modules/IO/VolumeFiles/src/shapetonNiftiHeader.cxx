@@ -26,7 +26,7 @@ using ComponentEnum = itk::ImageIOBase::IOComponentEnum;
 constexpr int Nifti1Bytes = 348;
 constexpr int Nifti2Bytes = 540;
 
-// Tolerance of half a voxel in 500: smaller deviations are rounding.
+// Tolerance of half a voxel in 500; smaller deviations are rounding errors.
 constexpr double RelativeSpacingTolerance = 1e-3;
 
 constexpr double DegreesPerRadian = 57.295779513082320877;
@@ -60,7 +60,7 @@ FirstBytes(const std::string & path, std::size_t size)
   return bytes;
 }
 
-/** The fields of a header of any version and byte order. */
+/** Access to header fields for any version and byte order. */
 class Fields
 {
 public:
@@ -258,7 +258,7 @@ struct DataType
   std::uint32_t components;
 };
 
-/** Other types, such as bits and 128-bit floating point, do not exist in ITK. */
+/** Other types, such as bits and 128-bit floating point, are not supported by ITK. */
 constexpr DataType DataTypes[] = { { 2, ComponentEnum::UCHAR, 1, 1 },       { 4, ComponentEnum::SHORT, 2, 1 },
                                    { 8, ComponentEnum::INT, 4, 1 },         { 16, ComponentEnum::FLOAT, 4, 1 },
                                    { 32, ComponentEnum::FLOAT, 4, 2 },      { 64, ComponentEnum::DOUBLE, 8, 1 },
@@ -279,8 +279,7 @@ SetVoxels(const Fields & fields, NiftiHeader & header)
     fields.Require(size > 0 || i > 3,
                    "dim[" + std::to_string(i) + "], a number of voxels, is " + std::to_string(size) +
                      "; it must be positive");
-    header.size.push_back(static_cast<std::uint64_t>(std::max<std::int64_t>(size, 1))); // some writers use 0 for unused
-                                                                                        // ones
+    header.size.push_back(static_cast<std::uint64_t>(std::max<std::int64_t>(size, 1))); // 0 in some files if unused
   }
   const auto * const type = std::find_if(
     std::begin(DataTypes), std::end(DataTypes), [&](const DataType & t) { return t.code == fields.DataType(); });
@@ -306,7 +305,7 @@ Uncompressed(const fs::path & path)
   return LowerCase(path.extension().string()) == ".gz" ? fs::path(path).replace_extension() : path;
 }
 
-/** The other file of a pair, with a lower- or upper-case extension, compressed or not; empty if it is missing. */
+/** The other file of a pair, with a lower- or upper-case extension, compressed or not; empty if not found. */
 std::string
 FileBeside(const fs::path & path, const std::string & extension, const std::string & capitals)
 {
@@ -450,8 +449,8 @@ RequireOrthogonal(const Fields & fields, const Frame & frame)
   }
 }
 
-/** A note if qform and sform place a corner of the volume more than half a voxel apart: programs differ in which of
- * them they use. */
+/** Adds a note if qform and sform place a corner of the volume more than half a voxel apart, because programs differ in
+ * their choice. */
 void
 NoteOtherQform(const Fields & fields, const Frame & sform, double scale, NiftiHeader & header)
 {
@@ -460,7 +459,7 @@ NoteOtherQform(const Fields & fields, const Frame & sform, double scale, NiftiHe
   {
     return;
   }
-  NiftiHeader ignored; // its notes on pixdim, which is unused here
+  NiftiHeader ignored; // removes its notes on pixdim, which is unused here
   const Frame qform = QformOf(fields, ignored);
   double      distance = 0.0;
   double      voxel = sform.axes[0].GetNorm();
@@ -511,7 +510,7 @@ void
 SetGeometry(const Fields & fields, NiftiHeader & header)
 {
   const double scale = MillimetersPerUnit(fields, header);
-  // Neither is known: uses the axes of ITK's space.
+  // Neither is defined; uses the axes of ITK's space.
   Frame frame{ { Vector(0.0), Vector(0.0), Vector(0.0) }, Vector(0.0) };
   if (fields.SformCode() > 0)
   {

@@ -18,7 +18,7 @@ constexpr double OrthonormalTolerance = 1e-3;
 
 /** Header of a NIfTI-1 or NIfTI-2 file, as specified at https://nifti.nimh.nih.gov.
  *
- * ITK's reader is not used for it: it scales the spacing to mm but not the origin, rejects an sform that disagrees
+ * ITK's reader is not used because it scales the spacing to mm but not the origin, rejects an sform that disagrees
  * with pixdim, treats a file without a valid magic as ANALYZE 7.5, adds scl_inter when scl_slope is 0, and does not
  * support NIfTI-2. */
 struct NiftiHeader
@@ -31,7 +31,7 @@ struct NiftiHeader
   std::uint32_t                     componentBytes{ 0 };
   /** Components per voxel: 2 for complex numbers, 3 or 4 for colors. */
   std::uint32_t components{ 1 };
-  /** The byte order of the voxels differs from that of this machine. */
+  /** Whether the byte order of the voxels differs from this machine. */
   bool isSwapped{ false };
   /** An intensity is slope * stored value + intercept. */
   double slope{ 1.0 };
@@ -44,20 +44,20 @@ struct NiftiHeader
   Vector                    spacing;
   Vector                    origin;
   itk::Matrix<double, 3, 3> direction;
-  /** False if a spacing of 1 mm was assumed because the header states none. */
+  /** False if a spacing of 1 mm was assumed because it is missing in the header. */
   bool statesSpacing{ true };
   /** Remarks on the geometry for the user. */
   Remarks notes;
 };
 
-/** The file that contains the header: for .img or .img.gz the .hdr or .hdr.gz next to it, empty if it does not
- * exist; else `path`. */
+/** The file that contains the header: the .hdr or .hdr.gz next to an .img or .img.gz, empty if not found; otherwise
+ * `path`. */
 std::string
 NiftiHeaderFile(const std::string & path);
 
-/** Reads such a file, optionally gzip-compressed, of either byte order. Uses the sform if its code is positive, else
- * the qform; otherwise orientation and origin are unknown, and a note is added. Throws InputError that names the
- * field and its value. */
+/** Reads a header, optionally gzip-compressed, in either byte order. Uses the sform if its code is positive, else
+ * the qform; otherwise orientation and origin are unknown, and a note is added. Throws InputError with the field and
+ * its value. */
 NiftiHeader
 ReadNiftiHeader(const std::string & path);
 } // namespace shapeton

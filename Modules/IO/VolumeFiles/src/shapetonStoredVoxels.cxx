@@ -163,7 +163,7 @@ LocateMetaVoxels(const std::string & path)
     ThrowUnsuitable(path, "not a MetaImage file: ElementDataFile is missing");
   }
   const std::string dimensions = header.ValueOf("ndims", '=');
-  if (dimensions.size() != 1 || dimensions < "1" || dimensions > "9") // MetaIO would loop over any number
+  if (dimensions.size() != 1 || dimensions < "1" || dimensions > "9") // MetaIO does not check the number
   {
     ThrowUnsuitable(path, "NDims must be between 1 and 9, got " + Quoted(Printable(dimensions)));
   }
@@ -217,7 +217,7 @@ LengthOf(const StoredVoxels & voxels)
 struct Stream
 {
   std::uint64_t bytes{ 0 };
-  TakeBytes     take; ///< if set, receives all of them
+  TakeBytes     take; ///< if set, receives all bytes
 };
 
 /** Inflates a zlib or gzip stream of one or several members, and verifies its checksums. */
@@ -350,7 +350,7 @@ ImageFormatOf(const std::string & path)
   const auto hasExtension = [&](const std::string & extension) {
     return EndsWith(name, extension) || EndsWith(name, extension + ".gz");
   };
-  // An .img without a header next to it may be anything, including DICOM.
+  // An .img without a header next to it may have any format, including DICOM.
   if (hasExtension(".nii") || hasExtension(".hdr") || (hasExtension(".img") && !NiftiHeaderFile(path).empty()))
   {
     return ImageFormat::nifti;
@@ -407,7 +407,7 @@ CanHold(const StoredVoxels & voxels, double bytes, double values)
 void
 VerifyVoxels(const StoredVoxels & voxels, std::uint64_t bytes)
 {
-  if (voxels.coding != StoredVoxels::Coding::text) // NRRD's reader detects a lack of numbers
+  if (voxels.coding != StoredVoxels::Coding::text) // NRRD's reader detects missing numbers
   {
     const bool isDeflated = voxels.coding == StoredVoxels::Coding::deflated;
     RequireBytes(isDeflated ? ReadDeflated(voxels).bytes : LengthOf(voxels), bytes);

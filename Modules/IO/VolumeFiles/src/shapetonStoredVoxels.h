@@ -40,7 +40,7 @@ struct StoredVoxels
   std::string   file;
   std::uint64_t offset{ 0 };
   Coding        coding{ Coding::raw };
-  /** Whether TakeVoxels() can provide them without another reader. */
+  /** Whether TakeVoxels() can read them. */
   bool canBeTaken{ false };
   /** Bytes before the voxels in the inflated stream. */
   std::uint64_t inflatedOffset{ 0 };
@@ -50,17 +50,17 @@ struct StoredVoxels
 StoredVoxels
 LocateVoxels(const std::string & path, ImageFormat format);
 
-/** False if the header of NRRD or MetaImage states no spacing for some axis: ITK then assumes 1 mm. To be called for
- * a file that ITK has read. */
+/** False if a NRRD or MetaImage header lacks the spacing of an axis; ITK then assumes 1 mm. For files that ITK has
+ * read. */
 bool
 StatesSpacing(const std::string & path, ImageFormat format);
 
-/** True if the file is long enough for `bytes` bytes of voxels in the worst case of its coding. Cheap: checked
+/** Whether the file is long enough for `bytes` bytes of voxels at the highest possible compression. A cheap check
  * before any allocation. */
 bool
 CanHold(const StoredVoxels & voxels, double bytes, double values);
 
-/** Reads all stored bytes and verifies their number and checksum: ITK's MetaImage reader accepts truncated and
+/** Reads all stored bytes and verifies their number and checksum, because ITK's MetaImage reader accepts truncated and
  * damaged files. Runs in a contained process; throws std::runtime_error. */
 void
 VerifyVoxels(const StoredVoxels & voxels, std::uint64_t bytes);

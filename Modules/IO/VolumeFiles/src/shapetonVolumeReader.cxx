@@ -18,7 +18,7 @@ namespace
 namespace fs = std::filesystem;
 using SeriesList = std::vector<const DicomSeries *>;
 
-// A message is one line; a long list is for DicomSeriesInspector.
+// Messages have one line; DicomSeriesInspector prints long lists.
 constexpr std::size_t LongestList = 6;
 
 bool
@@ -51,12 +51,12 @@ MayAdvise(const DicomDefect & defect, const VolumeReadOptions & options)
   return !IsRepaired(defect, repairs, false);
 }
 
-/** Why a series cannot be read with these options; empty if it can. */
+/** Reason why a series cannot be read with these options; otherwise empty. */
 std::string
 RefusalOf(const DicomSeries & series, const VolumeReadOptions & options)
 {
   const bool isChosenPart = series.parts > 1 && options.seriesUID == series.GetSelector();
-  // Slices that do not fit leave gaps, so the misfit is reported first.
+  // Nonmatching slices leave gaps, so they are reported first.
   std::vector<DicomDefect> defects = series.defects;
   std::stable_partition(defects.begin(), defects.end(), [](const DicomDefect & defect) {
     return defect.kind == DicomDefectKind::mixedSeries;
@@ -190,7 +190,7 @@ SelectByUID(const DicomScan & scan, const VolumeReadOptions & options)
   return *list.front();
 }
 
-/** Images of the same series that are not slices: they may explain a gap. */
+/** Images of the same series that are not slices, which may explain a gap. */
 std::string
 UnusableSlicesOf(const DicomSeries & series, const DicomScan & scan)
 {
@@ -221,7 +221,7 @@ SelectOnlyOne(const DicomScan & scan, const VolumeReadOptions & options)
                       " usable volumes; choose one by the parameter \"seriesUID\": " + List(usable, Describe));
   }
   const auto volumes = Select(scan, IsVolumeLike);
-  // A single slice is read only if there is nothing else, never instead of an irregular volume.
+  // A single slice is read only if it is the only series, not instead of an irregular volume.
   if (usable.size() == 1 && (volumes.empty() || !usable.front()->isSingleSlice))
   {
     return *usable.front();
@@ -233,7 +233,7 @@ SelectOnlyOne(const DicomScan & scan, const VolumeReadOptions & options)
   ThrowUnsuitable(scan.path, List(volumes.empty() ? all : volumes, explain));
 }
 
-/** One line on the other contents of a folder, after the user's selection. */
+/** Summarizes the other contents of a folder, after the user's selection. */
 void
 CountOthers(const DicomScan & scan, Volume & volume)
 {
@@ -245,7 +245,7 @@ CountOthers(const DicomScan & scan, Volume & volume)
   }
 }
 
-/** Images skipped without a request. */
+/** Notes on images that were skipped automatically. */
 void
 ListOthers(const DicomScan & scan, const DicomSeries & taken, Volume & volume)
 {
@@ -269,7 +269,7 @@ ListOthers(const DicomScan & scan, const DicomSeries & taken, Volume & volume)
   }
 }
 
-/** Irregularities of the series, and the other contents of the folder. */
+/** Notes on irregularities of the series and other contents of the folder. */
 void
 NoteOthers(const DicomScan & scan, const DicomSeries & taken, bool isChosen, Volume & volume)
 {

@@ -92,7 +92,7 @@ MakeDictionary(const VolumeMetadata & metadata)
   return dictionary;
 }
 
-/** Waits until the file is on the disk, which reveals late failures. */
+/** Flushes the file to disk to detect late failures. */
 void
 Flush(const std::string & path)
 {
@@ -117,8 +117,8 @@ Flush(const std::string & path)
   }
 }
 
-/** ITK's writers of MetaImage and NIfTI print errors to the standard error in addition to exceptions. The standard
- * error of a tool contains only its one message. */
+/** Suppresses the messages that ITK's writers of MetaImage and NIfTI print to standard error in addition to exceptions.
+ */
 class QuietStandardError
 {
 public:
@@ -248,7 +248,7 @@ WriteVolume(const itk::Image<TPixel, 3> * image, const std::string & path, const
 {
   using ImageType = itk::Image<TPixel, 3>;
   const itk::ImageIOBase::Pointer io = MakeImageIO(path);
-  // A copy of the header that shares the pixels, so that the caller's image keeps its dictionary.
+  // A copy of the header that shares the pixels; the caller's image keeps its dictionary.
   const auto output = ImageType::New();
   output->Graft(image);
   output->SetMetaDataDictionary(MakeDictionary(metadata));

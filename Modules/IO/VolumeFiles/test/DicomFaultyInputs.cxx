@@ -1,4 +1,4 @@
-// DicomFaultyInputs FOLDER: writes valid and faulty inputs for the tests of tools.
+// DicomFaultyInputs FOLDER: writes valid and faulty inputs for tool tests.
 #include "shapetonDicomFixture.h"
 
 #include <exception>

@@ -190,7 +190,7 @@ DicomFixture::MakeSlice(const PointType & position, int instanceNumber) const
   FillIdentity(dataset, instanceNumber);
   Put(dataset, DCM_ImageType, "ORIGINAL\\PRIMARY\\AXIAL");
   Put(dataset, DCM_AcquisitionNumber, "1");
-  // Deliberately wrong: neither may be used for the distance of slices.
+  // Deliberately wrong; readers must not use them as slice distance.
   Put(dataset, DCM_SliceThickness, DicomNumbers({ 3 * sliceSpacing }));
   Put(dataset, DCM_SpacingBetweenSlices, DicomNumbers({ 5 * sliceSpacing }));
   Put(dataset, DCM_ImagePositionPatient, DicomNumbers({ position[0], position[1], position[2] }));
@@ -468,7 +468,7 @@ WriteText(const std::string & path, const std::string & text)
 
 namespace
 {
-/** A NRRD file of 2 x 2 x 2 float voxels, all 1 but the one given. */
+/** A NRRD file of 2 x 2 x 2 float voxels, all 1 except for one. */
 void
 WriteNrrd(const std::string & path, float special)
 {
@@ -605,7 +605,7 @@ WriteBadFiles(const std::string & folder)
   SaveDicom(*flat, MakeFolder(folder + "/twoDimensional") + "/flat.dcm");
 }
 
-/** Inputs as written by other programs. */
+/** Inputs in the style of other programs. */
 void
 WriteOtherPrograms(const std::string & folder)
 {

@@ -14,8 +14,8 @@
 
 namespace shapeton
 {
-/** Valid and faulty series for tests, created with DCMTK. The intensities are a function of the position in space,
- * so that a wrong geometry gives wrong intensities. */
+/** Valid and faulty series for tests, created with DCMTK. Intensities are a function of the position in space, so a
+ * wrong geometry produces wrong intensities. */
 class DicomFixture
 {
 public:
@@ -66,8 +66,8 @@ public:
   File
   MakeEnhanced(const std::vector<double> & distances) const;
 
-  /** A label map segmentation (Supplement 243) of 8 or 16 bits with segments of these numbers and a frame at each of
-   * these positions; `labels` are its pixels. */
+  /** A label map segmentation (Supplement 243) of 8 or 16 bits with the given segments, frame positions and pixels
+   * `labels`. */
   File
   MakeLabelMap(const std::vector<PointType> & frames,
                const std::vector<Uint16> &    labels,
@@ -108,7 +108,7 @@ SetText(DcmFileFormat & file, const DcmTagKey & tag, const std::string & value);
 void
 StoreAsUnknown(DcmItem & item, const std::vector<DcmTagKey> & tags);
 
-/** The same for all attributes of an item. */
+/** Applies StoreAsUnknown() to all attributes of an item. */
 void
 StoreAllAsUnknown(DcmItem & item);
 
@@ -150,7 +150,7 @@ MakeFolder(const std::string & path);
 void
 WriteText(const std::string & path, const std::string & text);
 
-/** Folders with one defect each, named after it, and files that are not volumes; see the source for the list. */
+/** Writes folders named after their single defect, and files that are not volumes; see the source for the list. */
 void
 WriteFaultyInputs(const std::string & folder);
 } // namespace shapeton

@@ -1,4 +1,4 @@
-// Series as written by other programs: variants that the standard permits, and violations found in practice.
+// Series in the style of other programs: variants permitted by the standard, and violations found in practice.
 #include "shapetonDicomSeriesListing.h"
 #include "shapetonPrintable.h"
 #include "shapetonVolumeTesting.h"
@@ -21,7 +21,7 @@ using shapeton::VolumeReadOptions;
 // Half a step of the stored integers, and rounding to float.
 constexpr double RoundingError = 0.5 / 32 + 1e-4;
 
-/** The scan of files in a new folder. */
+/** Scans files in a new folder. */
 DicomScan
 ScanOf(const DicomFixture::Files & files, const std::string & folder = TestFolder())
 {
@@ -86,7 +86,7 @@ TEST(DicomOfOtherPrograms, AttributesWithUnknownRepresentationAreDecodedWithinSe
   }
 }
 
-// ---- what is not a slice ----
+// ---- images that are not slices ----
 
 namespace
 {
@@ -110,7 +110,7 @@ TEST(DicomOfOtherPrograms, ASiemensMosaicIsRefusedByNameHoweverItTells)
   {
     const std::string folder = TestFolder();
     auto              files = DicomFixture().MakeSeries();
-    files.push_back(DicomFixture().MakeSlice(DicomFixture().origin, 7)); // a second time at one position
+    files.push_back(DicomFixture().MakeSlice(DicomFixture().origin, 7)); // a second slice at one position
     for (const auto & file : files)
     {
       changes[i](*file);
@@ -183,7 +183,7 @@ TEST(DicomOfOtherPrograms, EncodingsThatAreNotSupportedHaveTheirNames)
 
 namespace
 {
-/** 8 slices 2 mm apart; the value of each attribute is a function of the slice number. */
+/** 8 slices with 2 mm spacing; each attribute is a function of the slice number. */
 DicomFixture::Files
 SlicesWith(const DcmTagKey & tag, const std::function<std::string(unsigned int)> & value)
 {
@@ -242,12 +242,12 @@ TEST(DicomOfOtherPrograms, ThreeAndFourInterleavedReconstructionsComeApartToo)
   auto       files = SlicesWith(DCM_ConvolutionKernel, kernel); // A B A B ...
   for (unsigned int i = 0; i < files.size(); ++i)
   {
-    SetText(*files[i], DCM_AcquisitionNumber, i % 4 < 2 ? "1" : "2"); // 1 1 2 2 ...: not a grid by itself
+    SetText(*files[i], DCM_AcquisitionNumber, i % 4 < 2 ? "1" : "2"); // 1 1 2 2 ...: not a regular grid
   }
   EXPECT_EQ(ScanOf(files).series.size(), 4U);
   for (unsigned int i = 0; i < files.size(); ++i)
   {
-    SetText(*files[i], DCM_ConvolutionKernel, i % 4 == 0 || i % 4 == 3 ? "A" : "B"); // neither is a grid by itself
+    SetText(*files[i], DCM_ConvolutionKernel, i % 4 == 0 || i % 4 == 3 ? "A" : "B"); // neither is a regular grid
   }
   EXPECT_EQ(ScanOf(files).series.size(), 4U);
   DicomFixture fixture;

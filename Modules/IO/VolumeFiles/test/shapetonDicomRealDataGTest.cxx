@@ -41,7 +41,7 @@ ReadSingle(const std::string & path)
   return { volume.image->GetBufferPointer(), volume.image->GetBufferPointer() + count };
 }
 
-/** ITK's reading of a slice, by another parser. */
+/** A slice read by ITK, with another parser. */
 std::vector<float>
 ReadByITK(const std::string & path)
 {
@@ -149,7 +149,7 @@ TEST(DicomRealData, TotalSegmentatorJpeg2000MatchesItsLabels)
   const Volume labels = ReadVolume(data + "/ct/totalsegmentator/example_seg_dicom.nii.gz");
   EXPECT_EQ(volume.image->GetLargestPossibleRegion(), labels.image->GetLargestPossibleRegion());
   EXPECT_EQ(volume.identity.compare(0, 7, "sha256:"), 0); // its UIDs were removed
-  // The axes differ (LAS against LPS), the place in space does not: compare by physical points, spleen = 1.
+  // The axes differ (LAS and LPS), but not the physical positions; compare by physical points, spleen = 1.
   double      sum = 0;
   std::size_t count = 0;
   for (std::size_t i = 0; i < labels.image->GetLargestPossibleRegion().GetNumberOfPixels(); ++i)
@@ -242,7 +242,7 @@ TEST(DicomRealData, EncodingsOfPydicomsMRAgree)
   {
     EXPECT_EQ(ReadSingle(folder + name), expected) << name;
   }
-  // Signed by its header, unsigned by its JPEG 2000 stream: air outside the field of view is -2000.
+  // Signed in the header, unsigned in the JPEG 2000 stream; air outside the field of view is -2000.
   EXPECT_EQ(ReadSingle(folder + "J2K_pixelrep_mismatch.dcm").front(), -2000.0F);
 }
 

@@ -50,7 +50,7 @@ TEST(DicomSeriesGeometry, DisplacementsBelowTheToleranceAreRegularAndAboveAreNot
   EXPECT_TRUE(Examine({ 0, 1, 2.021, 3, 4 }).isVariable);
   // Tenths of a millimeter are negligible at 20 mm but not at 1 mm.
   EXPECT_TRUE(Examine({ 0, 20, 40.1, 60 }).IsRegular());
-  // Positions in steps of 10 micrometers: the tolerance does not merge the slices.
+  // Positions in steps of 10 micrometers must not be merged by the tolerance.
   const SlicesGeometry fine = Examine({ 0, 0.01, 0.02, 0.03, 0.05 });
   EXPECT_TRUE(fine.duplicates.empty());
   EXPECT_EQ(fine.gaps.size(), 1u);

@@ -64,9 +64,9 @@ TEST_F(DicomSeriesScan, RegularSeries)
   EXPECT_EQ(series.size[0], 7u);
   EXPECT_EQ(series.size[1], 9u);
   EXPECT_EQ(series.size[2], 6u);
-  EXPECT_DOUBLE_EQ(series.spacing[0], 0.75); // of columns: the second number of Pixel Spacing
+  EXPECT_DOUBLE_EQ(series.spacing[0], 0.75); // column spacing, the second number of Pixel Spacing
   EXPECT_DOUBLE_EQ(series.spacing[1], 1.25);
-  EXPECT_DOUBLE_EQ(series.spacing[2], 2.0); // from positions: thickness and spacing of the header say 6 and 10
+  EXPECT_DOUBLE_EQ(series.spacing[2], 2.0); // from positions; thickness and spacing in the header are 6 and 10
   EXPECT_EQ(series.GetSelector(), series.uid);
 }
 

@@ -432,7 +432,7 @@ TEST(DicomSeriesFolder, RefusesAFolderWithOtherThings)
   fs::remove(series + "/notes.txt");
   std::ofstream(series + "/IM0006.dcm") << "not DICOM";
   refuses();
-  // A slice from another vendor under a name like ours.
+  // A slice from another vendor with a matching file name.
   DcmFileFormat file = Load(series + "/IM0001.dcm");
   file.getDataset()->putAndInsertString(DCM_Manufacturer, "Scanner");
   ASSERT_TRUE(file.saveFile((series + "/IM0006.dcm").c_str(), EXS_LittleEndianExplicit).good());
@@ -460,7 +460,7 @@ TEST(DicomSeriesFolder, AFailureKeepsTheOldSeries)
 
 namespace
 {
-// A process id that no process has.
+// An unused process id.
 std::string
 NumberOfADeadProcess()
 {
@@ -486,14 +486,14 @@ TEST(DicomSeriesFolder, TidiesAfterKilledRuns)
   shapeton::WriteDicomSeriesFolder(MakeImage(3), series, Describe());
   EXPECT_EQ(NamesIn(folder.GetPath()), (std::set<std::string>{ "series" }));
 
-  // Killed between the two steps of a file system without exchange: the old series is restored.
+  // Killed between the two renames on a file system without exchange: the old series is restored.
   shapeton::WriteDicomSeriesFolder(MakeImage(), series, Describe());
   fs::rename(series, folder / (".series." + dead + ".old"));
   EXPECT_THROW(shapeton::WriteDicomSeriesFolder(MakeImage(1), series, Describe()), shapeton::InputError);
   EXPECT_EQ(BytesIn(series), old);
   EXPECT_EQ(NamesIn(folder.GetPath()), (std::set<std::string>{ "series" }));
 
-  // A folder of ours with a foreign file is left unchanged.
+  // A written folder with an additional file is left unchanged.
   fs::create_directory(folder / (".series." + dead + ".part"));
   std::ofstream(folder / (".series." + dead + ".part/notes.txt")) << "mine";
   shapeton::WriteDicomSeriesFolder(MakeImage(), series, Describe());
@@ -503,7 +503,7 @@ TEST(DicomSeriesFolder, TidiesAfterKilledRuns)
 class KilledRun : public testing::TestWithParam<int>
 {};
 
-// At any time of the signal there is one complete series: the old or the new one.
+// Whenever the signal arrives, there is one complete series, old or new.
 TEST_P(KilledRun, LeavesAWholeSeries)
 {
   const int    signal = GetParam();

@@ -41,7 +41,7 @@ Contains(const std::string & text, const std::string & part)
   return text.find(part) != std::string::npos;
 }
 
-/** Whether the notes consist of one note with this text. */
+/** Whether there is exactly one note, with this text. */
 testing::AssertionResult
 HasOnlyNote(const Volume & volume, const std::string & part)
 {
@@ -63,7 +63,7 @@ PlaceOf(const Volume & volume, const itk::Index<3> & index)
 
 // ---- units: a rotation around z with cosine .6, spacing .5 x .75 x 2 mm, origin (-12.5, 30.25, 100) mm in RAS ----
 
-/** The position of an index by definition, in LPS. */
+/** Expected LPS position of an index. */
 Point
 TruePlace(const itk::Index<3> & i)
 {
@@ -100,7 +100,7 @@ ObliqueFile(int version, bool isSwapped, bool hasSform, int unit)
   return file;
 }
 
-/** Writes a file in each variant; returns their names. */
+/** Writes a file for each variant; returns their names. */
 std::vector<std::string>
 WriteEachKind(const basetest::Folder & folder, const NiftiFile & file)
 {
@@ -150,7 +150,7 @@ TEST(Nifti, UnknownUnitsAreMillimetersWithANote)
   EXPECT_TRUE(HasOnlyNote(volume, "unknown unit of length 5"));
 }
 
-// ITK's reader as reference where it is applicable: mm, an sform that agrees with pixdim, or a qform.
+// ITK's reader is the reference where applicable: mm, an sform that agrees with pixdim, or a qform.
 TEST(Nifti, GeometryIsThatOfITKForRandomRotations)
 {
   std::mt19937                     random(7);
@@ -161,7 +161,7 @@ TEST(Nifti, GeometryIsThatOfITKForRandomRotations)
     const double norm = std::sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
     for (double & number : q)
     {
-      number /= q[0] < 0 ? -norm : norm; // the first one is not negative in NIfTI
+      number /= q[0] < 0 ? -norm : norm; // the scalar part is nonnegative in NIfTI
     }
     NiftiFile file(1, trial % 2 == 1);
     file.SetUnits(2);
@@ -196,7 +196,7 @@ TEST(Nifti, WithoutAValidMagicIsRefused)
     file.SetMagic(magic);
     const std::string fault = FaultOf(file);
     EXPECT_TRUE(Contains(fault, "\"n+1\" or \"ni1\"") && Contains(fault, "ANALYZE 7.5")) << fault;
-    const basetest::Folder folder; // the pair, as ANALYZE 7.5 is stored
+    const basetest::Folder folder; // a pair, as in ANALYZE 7.5
     WriteBytes(folder / "a.hdr", file.Header());
     WriteBytes(folder / "a.img", file.voxels);
     EXPECT_EQ(basetest::MessageOf([&] { ReadImageFile(folder / "a.img"); }).find("InputError"), 0u);
@@ -212,10 +212,10 @@ TEST(Nifti, AShearedSformIsRefusedWithItsAngle)
   EXPECT_TRUE(Contains(fault, "not orthogonal: the angle between axis 1 and axis 2 is 87.14 degrees; resample"))
     << fault;
   EXPECT_FALSE(Contains(fault, "ITK ERROR"));
-  EXPECT_FALSE(Contains(fault, "sform_code")); // without a qform the advice would not help
+  EXPECT_FALSE(Contains(fault, "sform_code")); // without a qform the advice is omitted
   file.SetCodes(1, 1);
   EXPECT_TRUE(Contains(FaultOf(file), "set sform_code to 0 to use its qform"));
-  file.SetCodes(1, 0); // as advised
+  file.SetCodes(1, 0); // as the message advises
   EXPECT_NO_THROW(Read(file));
 }
 
@@ -235,7 +235,7 @@ TEST(Nifti, AnSformThatDisagreesWithPixdimIsTakenWithANote)
   EXPECT_NEAR(place[2], 10, 1e-6);
 }
 
-// The qform is the identity; so is the sform, or it flips x, which moves the far corner by 2 mm.
+// The qform is the identity. The sform is the identity or flips x, which moves the far corner by 2 mm.
 TEST(Nifti, AQformThatDisagreesWithTheSformIsNoted)
 {
   NiftiFile file;
@@ -264,7 +264,7 @@ TEST(Nifti, SignsOfPixdim)
 {
   NiftiFile file;
   file.SetCodes(1, 0);
-  file.SetPixdim({ -1, 1, 1, 2 }); // qfac: the third axis is turned
+  file.SetPixdim({ -1, 1, 1, 2 }); // qfac: the third axis is reversed
   EXPECT_EQ(PlaceOf(Read(file), { { 0, 0, 1 } }), (Point{ 0, 0, -2 }));
   file.SetPixdim({ 0, 1, 1, 2 }); // counts as 1
   EXPECT_EQ(PlaceOf(Read(file), { { 0, 0, 1 } }), (Point{ 0, 0, 2 }));
@@ -274,8 +274,7 @@ TEST(Nifti, SignsOfPixdim)
   EXPECT_EQ(PlaceOf(volume, { { 1, 0, 0 } }), (Point{ -1, 0, 0 }));
 }
 
-// VNL prints a warning for a matrix with subnormal numbers, but the standard error of a tool contains only its one
-// message.
+// VNL's warning for a matrix with subnormal numbers must not be printed to standard error.
 TEST(Nifti, DenormalCosinesAreZero)
 {
   NiftiFile file(2);

@@ -13,8 +13,7 @@
 
 namespace niftitest
 {
-/** A NIfTI file of 2 x 3 x 4 voxels with the numbers 0 to 23 as float, with an identity sform, to be changed field by
- * field. */
+/** A NIfTI file of 2 x 3 x 4 float voxels, 0 to 23, with an identity sform; tests modify single fields. */
 class NiftiFile
 {
 public:
@@ -96,7 +95,7 @@ public:
     }
   }
 
-  /** One file, with zeros between header and voxels, which start at `offset`. */
+  /** A single file with voxels at `offset` and zeros before them. */
   std::string
   Single(std::size_t offset = 0) const
   {

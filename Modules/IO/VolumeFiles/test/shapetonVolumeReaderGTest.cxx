@@ -103,8 +103,8 @@ TEST(VolumeReader, TheOrderOfFilesAndInstanceNumbersDoesNotMatter)
   EXPECT_LT(LargestDeviation(ReadSaved(files), DicomFixture::Ramp), Quantization);
 }
 
-/** GDCM 3.2, used by ITK 6, rejects RLE if a segment starts at an offset equal to the number of bytes of the
- * picture, as in small noisy ones. */
+/** GDCM 3.2, used by ITK 6, rejects RLE if a segment offset equals the number of bytes of the image, as in small noisy
+ * images. */
 DicomFixture
 FixtureForRle()
 {
@@ -307,7 +307,7 @@ TEST(VolumeReader, BitsAboveTheHighBitAreIgnored)
     std::vector<Uint16> withOverlay(pixels, pixels + count);
     for (std::size_t i = 0; i < withOverlay.size(); i += 3)
     {
-      withOverlay[i] |= 0xA000; // an overlay in the unused bits, as written by old scanners
+      withOverlay[i] |= 0xA000; // an overlay in the unused bits, written by old scanners
     }
     file->getDataset()->putAndInsertUint16Array(DCM_PixelData, withOverlay.data(), count);
   }
@@ -457,7 +457,7 @@ TEST(VolumeReader, ATruncatedSliceSpoilsTheSeries)
   const std::string message = InputErrorOf([&] { ReadVolume(folder); });
   EXPECT_TRUE(Contains(message, "truncated: ")) << message;
   EXPECT_TRUE(Contains(message, "im0006.dcm")) << message;
-  // Truncated before its series UID: it may be the last slice, which leaves no gap.
+  // A file truncated before its series UID may be the last slice, which would not leave a gap.
   shapeton::Truncate(folder + "/im0006.dcm", 300);
   const std::string unknown = InputErrorOf([&] { ReadVolume(folder); });
   EXPECT_TRUE(Contains(unknown, "truncated: ")) << unknown;
@@ -669,7 +669,7 @@ TEST(VolumeReader, DeshearPutsEachSliceInItsPlace)
         ASSERT_NEAR(value, DicomFixture::Ramp(point), Quantization) << index;
       }
     }
-    // Each slice covers its own 7 x 9 pixels, except for the border, where the interpolation lacks a neighbor.
+    // Each slice covers its 7 x 9 pixels except for the border, where interpolation lacks a neighbor.
     EXPECT_GE(covered, 6u * 6u * 8u);
     ASSERT_EQ(volume.repairs.size(), 1u);
     EXPECT_TRUE(Contains(volume.repairs[0], "deshear: 6 slices moved")) << volume.repairs[0];
@@ -678,7 +678,7 @@ TEST(VolumeReader, DeshearPutsEachSliceInItsPlace)
 
 TEST(VolumeReader, DeshearAfterAGantryTiltRestoresTheRamp)
 {
-  // A tilted gantry: the table moves along z, the planes are tilted by 15 degrees about x.
+  // Gantry tilt: the table moves along z, the planes are tilted by 15 degrees about x.
   const double angle = 15.0 * std::acos(-1.0) / 180.0;
   DicomFixture fixture;
   fixture.direction(1, 1) = std::cos(angle);
@@ -744,5 +744,5 @@ TEST(VolumeReader, IsAbortedByProgressOfEachFileAndSlice)
     options.progress = progress;
     ReadVolume(folder, options);
   };
-  shapeton::test::ExpectProgress(work, files.size() + 2); // other threads do not report their slices
+  shapeton::test::ExpectProgress(work, files.size() + 2); // only one thread reports its slices
 }

@@ -23,7 +23,7 @@ TestFolder()
                     info->name());
 }
 
-/** The message of the InputError of a call; fails if there is none. */
+/** The message of the InputError of a call; fails if nothing is thrown. */
 inline std::string
 InputErrorOf(const std::function<void()> & call)
 {
@@ -40,7 +40,7 @@ InputErrorOf(const std::function<void()> & call)
   return {};
 }
 
-/** The largest deviation of a volume from a function of space. */
+/** The largest deviation of a volume from a function of position. */
 inline double
 LargestDeviation(const Volume & volume, const std::function<double(const DicomFixture::PointType &)> & intensity)
 {

@@ -14,7 +14,7 @@
 #include <sys/resource.h>
 
 #if defined(__SANITIZE_ADDRESS__)
-/** NrrdIO leaks its messages if it cannot write. */
+/** NrrdIO leaks its error messages if writing fails. */
 extern "C" __attribute__((visibility("default"))) const char *
 __lsan_default_suppressions()
 {
@@ -217,7 +217,7 @@ TEST(VolumeWriter, Failures)
 
 TEST(VolumeWriter, AFullDiskIsNoticed)
 {
-  // A file size limit simulates a full disk; compressed and raw formats detect it at different places.
+  // A file size limit simulates a full disk; compressed and raw formats detect it at different points.
   rlimit before{};
   getrlimit(RLIMIT_FSIZE, &before);
   const rlimit tiny{ 120, before.rlim_max };
@@ -407,7 +407,7 @@ TEST(ImageFile, NiftiIsReadInLPS)
 TEST(ImageFile, LeftHandedNiftiIsRead)
 {
   NiftiFile file;
-  file.Set<float>(280, -1.0F); // x to the left, as most converters write it
+  file.Set<float>(280, -1.0F); // x to the left, as from most converters
   const Volume volume = ReadVolume(file.Write());
   EXPECT_DOUBLE_EQ(volume.image->GetDirection()(0, 0), 1.0);
   EXPECT_DOUBLE_EQ(volume.image->GetDirection()(1, 1), -1.0);
