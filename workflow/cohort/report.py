@@ -86,7 +86,7 @@ def page_of(examinations, truth, settings):
     page.paragraph("For research use. This is not a diagnosis and not a medical device.")
     page.heading("Summary")
     page.facts(_summary(examinations, outliers))
-    page.heading("What is missing or doubtful")
+    page.heading("Missing or doubtful results")
     _add_missing(page, examinations)
     page.heading("Examinations")
     _add_examinations(page, examinations, outliers)

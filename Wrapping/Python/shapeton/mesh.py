@@ -108,7 +108,7 @@ class Mesh(_Geometry):
         points = vtkPoints()
         points.SetData(numpy_to_vtk(self.vertices))
         if len(self.faces) > 0 and self.faces.max() >= len(self.vertices):
-            raise InputError(f"a face names vertex {self.faces.max()}, but there are {len(self.vertices)}")
+            raise InputError(f"a face refers to vertex {self.faces.max()}, but there are {len(self.vertices)}")
         corners = self.faces.astype(np.int64).ravel()
         cells = vtkCellArray()
         cells.SetData(3, numpy_to_vtkIdTypeArray(corners, deep=True))

@@ -149,7 +149,7 @@ class ColonTest(TestCase):
     def test_places_are_finite_and_may_be_far(self):
         flat = self.supine.flat
         for wrong in (np.nan, np.inf, -np.inf):
-            with self.assertRaisesRegex(ValueError, "place is not finite"):
+            with self.assertRaisesRegex(ValueError, "position is not finite"):
                 flat.find([[0.0, 0.0, 0.0], [wrong, 0.0, 0.0]])
             with self.assertRaisesRegex(shapeton.InputError, "point 0 is not finite"):
                 colon.find_landmarks(flat, self.supine.model.centerline.curve, markers=[[wrong, 0.0, 0.0]])

@@ -142,7 +142,7 @@ class VtkTest(TestCase):
         mixed.SetPolys(polys)  # as many corners as two triangles
         with self.assertRaisesRegex(shapeton.InputError, "cells other than triangles"):
             Mesh.from_vtk(mixed)
-        with self.assertRaisesRegex(shapeton.InputError, "names vertex 9"):
+        with self.assertRaisesRegex(shapeton.InputError, "refers to vertex 9"):
             Mesh(np.eye(3), [[0, 1, 9]]).to_vtk()
 
 

@@ -71,9 +71,9 @@ class HeatTest(TestCase):
             ("P must not be negative", {"p": -1.0}),
             ("TimeSteps must be at least 1", {"time_steps": 0}),
             (r"window \[3, 1\] is empty or reversed", {"window": (3.0, 1.0)}),
-            ("tolerance must lie between", {"tolerance": 2.0}),
+            ("tolerance must be between", {"tolerance": 2.0}),
             ("time step must be positive and at most 1/12", {"time_step_length": 0.2}),
-            ("steps to record must ascend", {"histogram_steps": [5, 3]}),
+            ("steps to record must be ascending", {"histogram_steps": [5, 3]}),
             ('"method" = "fast" is not one of: chebyshev, explicit', {"method": "fast"}),
             ('"conductance" = "" is not one of: physical, published', {"conductance": ""}),
         ):

@@ -58,7 +58,7 @@ class MeshTest(TestCase):
 
     def test_what_the_library_cannot_use_is_refused(self):
         for words, mesh in (
-            ("names vertex 3", Mesh(np.eye(3), [[0, 1, 3]])),
+            ("refers to vertex 3", Mesh(np.eye(3), [[0, 1, 3]])),
             ("finite", Mesh([[0, 0, np.nan], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]])),
             ("no face", Mesh(np.eye(3), np.empty((0, 3), int))),
             ("short", Mesh(np.eye(3), [[0, 1, 2]], {"short": [1.0]})),

@@ -21,7 +21,7 @@ AdviceForReading(int error)
   switch (error)
   {
     case EISDIR:
-      return "give the name of a file";
+      return "specify a file";
     case EIO:
       return "check the disk";
     default:
@@ -41,9 +41,9 @@ AdviceForWriting(int error)
     case ENAMETOOLONG:
       return "choose a shorter name";
     case EISDIR:
-      return "give a file name";
+      return "specify a file name";
     default:
-      return "choose a folder that exists and can be written";
+      return "use an existing, writable folder";
   }
 }
 } // namespace

@@ -21,13 +21,13 @@ ExpectWhole(const std::string & name)
 {
   try
   {
-    Throw<TException>("what it says");
+    Throw<TException>("the message");
     FAIL() << "nothing was thrown";
   }
   catch (const itk::ExceptionObject & error) // as an ITK pipeline catches it
   {
-    EXPECT_STREQ(error.what(), "what it says");
-    EXPECT_STREQ(error.GetDescription(), "what it says");
+    EXPECT_STREQ(error.what(), "the message");
+    EXPECT_STREQ(error.GetDescription(), "the message");
     EXPECT_EQ(error.GetNameOfClass(), name);
     EXPECT_NE(std::string(error.GetFile()).find("ExceptionsGTest.cxx"), std::string::npos);
     EXPECT_EQ(error.GetLine(), lineOfThrow);
@@ -35,7 +35,7 @@ ExpectWhole(const std::string & name)
     std::ostringstream printed;
     printed << error;
     EXPECT_NE(printed.str().find(name), std::string::npos);
-    EXPECT_NE(printed.str().find("what it says"), std::string::npos);
+    EXPECT_NE(printed.str().find("the message"), std::string::npos);
     EXPECT_NE(printed.str().find("ExceptionsGTest.cxx"), std::string::npos);
   }
 }

@@ -101,7 +101,7 @@ TEST_P(InterruptionWithThreads, EndsWhatOtherThreadsDoMeanwhile)
   };
   EXPECT_THROW(shapeton::ParallelInvoke(forEver, forEver), Stop);
   EXPECT_EQ(check.FromOthers(), 0);
-  EXPECT_THROW(shapeton::ParallelFor(100, [](std::size_t) {}), Stop) << "what has been stopped stays so";
+  EXPECT_THROW(shapeton::ParallelFor(100, [](std::size_t) {}), Stop) << "an interruption is permanent";
 }
 
 TEST_P(InterruptionWithThreads, EndsWhatIsDoneBeside)
@@ -144,7 +144,7 @@ TEST(Interruption, IsAskedByReports)
     const Interruption inner([&] { throw Stop(); });
     EXPECT_NE(Interruption::OfThread(), outer);
     EXPECT_THROW(shapeton::Progress()(0.5), Stop);
-    EXPECT_EQ(asked, 2) << "the one outside is asked, too";
+    EXPECT_EQ(asked, 2) << "the outer check is called, too";
   }
   EXPECT_EQ(Interruption::OfThread(), nullptr);
   EXPECT_NO_THROW(Interruption::Check());

@@ -45,7 +45,7 @@ TEST(Sha256, OfAFileThatCannotBeRead)
   EXPECT_EQ(MessageOf([] { shapeton::Sha256OfFile("missing"); }),
             "InputError: cannot read \"missing\": No such file or directory; check the name and its permissions");
   EXPECT_EQ(MessageOf([] { shapeton::Sha256OfFile("."); }),
-            "InputError: cannot read \".\": Is a directory; give the name of a file");
+            "InputError: cannot read \".\": Is a directory; specify a file");
 }
 
 TEST(FileBytes, ComeBackAsTheyWere)
@@ -69,12 +69,12 @@ TEST(FileBytes, ThatCannotBeReadOrWritten)
   EXPECT_EQ(MessageOf([] { shapeton::ReadFileBytes("missing"); }),
             "InputError: cannot read \"missing\": No such file or directory; check the name and its permissions");
   EXPECT_EQ(MessageOf([] { shapeton::ReadFileBytes("."); }),
-            "InputError: cannot read \".\": Is a directory; give the name of a file");
+            "InputError: cannot read \".\": Is a directory; specify a file");
   EXPECT_EQ(
     MessageOf([] { shapeton::WriteFileBytes("no/file", "x"); }),
-    "OutputError: cannot write \"no/file\": No such file or directory; choose a folder that exists and can be written");
+    "OutputError: cannot write \"no/file\": No such file or directory; use an existing, writable folder");
   EXPECT_EQ(MessageOf([] { shapeton::WriteFileBytes(".", "x"); }),
-            "OutputError: cannot write \".\": Is a directory; give a file name");
+            "OutputError: cannot write \".\": Is a directory; specify a file name");
   for (const std::size_t size : { 1, 1 << 20 })
   {
     EXPECT_EQ(

@@ -138,7 +138,7 @@ CsvFile::RequireColumns(const std::vector<std::string> & columns) const
     {
       this->Refuse(1,
                    "the column \"" + column + (number == 0 ? "\" is missing" : "\" occurs more than once") +
-                     "; the header must have " + header);
+                     "; the header must contain " + header);
     }
   }
 }

@@ -149,7 +149,7 @@ HtmlReport::AddHead(const std::vector<std::pair<std::string, std::string>> & sum
   this->AddResearchNote();
   this->AddHeading("Summary");
   this->AddFacts(summary);
-  this->AddHeading("What is missing or doubtful");
+  this->AddHeading("Missing or doubtful results");
   this->AddWarnings(warnings);
   if (warnings.empty())
   {

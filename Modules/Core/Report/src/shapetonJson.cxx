@@ -49,7 +49,7 @@ ReadJson(const std::string & path)
   }
   catch (const Json::out_of_range &) // e.g. 1e999
   {
-    throw InputError("\"" + path + "\" holds a number that is too large; correct the file");
+    throw InputError("\"" + path + "\" contains a number that is too large; correct the file");
   }
 }
 

@@ -72,7 +72,7 @@ TEST(CsvFile, NamesFaultsWithTheirLine)
   EXPECT_NE(FaultOf("x,y\n,2\n", { "x" }).find("line 2: x is \"\""), std::string::npos);
   EXPECT_NE(FaultOf("x,y\n1 2,2\n", { "x" }).find("not a number"), std::string::npos);
   EXPECT_NE(FaultOf("x,y\n\"1,2\n", { "x" }).find("line 2: a quote is not closed"), std::string::npos);
-  EXPECT_NE(FaultOf("x,y\n", { "x", "z" }).find("the column \"z\" is missing; the header must have x,z"),
+  EXPECT_NE(FaultOf("x,y\n", { "x", "z" }).find("the column \"z\" is missing; the header must contain x,z"),
             std::string::npos);
   EXPECT_NE(FaultOf("x,x\n", { "x" }).find("the column \"x\" occurs more than once"), std::string::npos);
   EXPECT_NE(FaultOf("", { "x" }).find("the column \"x\" is missing"), std::string::npos);

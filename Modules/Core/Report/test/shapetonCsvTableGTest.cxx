@@ -129,7 +129,7 @@ TEST(CsvTable, CannotBeWrittenEverywhere)
   const std::string      path = folder / "no/table.csv";
   EXPECT_EQ(basetest::MessageOf([&] { shapeton::CsvTable({ "a" }).Write(path); }),
             "OutputError: cannot write \"" + path +
-              "\": No such file or directory; choose a folder that exists and can be written");
+              "\": No such file or directory; use an existing, writable folder");
   EXPECT_EQ(
     basetest::MessageOf([] { shapeton::CsvTable({ "a" }).Write("/dev/full"); }),
     "OutputError: cannot write \"/dev/full\": No space left on device; free some space or choose another folder");

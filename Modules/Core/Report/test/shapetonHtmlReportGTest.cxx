@@ -403,7 +403,7 @@ TEST(HtmlReport, BeginsWithItsUseWhatWasFoundAndWhatIsDoubtful)
     const auto use = page.find("For research use. This is not a diagnosis");
     const auto found = page.find("1.6 m");
     EXPECT_LT(use, found);
-    EXPECT_LT(found, page.find("What is missing or doubtful"));
+    EXPECT_LT(found, page.find("Missing or doubtful results"));
   }
   EXPECT_NE(pages[0].find("Nothing is missing or doubtful"), std::string::npos);
   EXPECT_NE(pages[1].find("<p class=\"note\">a gap</p>"), std::string::npos);

@@ -83,7 +83,7 @@ TEST(Json, FaultsHaveAPlace)
   EXPECT_EQ(FaultOf("[1] 2"), "InputError: FILE is not valid JSON at line 1, column 5; correct the file there");
   EXPECT_EQ(FaultOf("[NaN]"), "InputError: FILE is not valid JSON at line 1, column 2; correct the file there");
   EXPECT_EQ(FaultOf("[\"\xFF\"]"), "InputError: FILE is not valid JSON at line 1, column 3; correct the file there");
-  EXPECT_EQ(FaultOf("[1e999]"), "InputError: FILE holds a number that is too large; correct the file");
+  EXPECT_EQ(FaultOf("[1e999]"), "InputError: FILE contains a number that is too large; correct the file");
 }
 
 TEST(Json, HostileFilesAreRefusedWithoutACrash)
@@ -98,7 +98,7 @@ TEST(Json, FilesThatCannotBeReadOrWritten)
   EXPECT_EQ(MessageOf([] { shapeton::ReadJson("missing.json"); }),
             "InputError: cannot read \"missing.json\": No such file or directory; check the name and its permissions");
   EXPECT_EQ(MessageOf([] { shapeton::ReadJson("."); }),
-            "InputError: cannot read \".\": Is a directory; give the name of a file");
+            "InputError: cannot read \".\": Is a directory; specify a file");
   EXPECT_EQ(
     MessageOf([] { shapeton::WriteJson({}, "/dev/full"); }),
     "OutputError: cannot write \"/dev/full\": No space left on device; free some space or choose another folder");

@@ -81,7 +81,7 @@ SeededHeatSegmentationImageFilter<TInputImage>::GenerateData()
   const LabelImageType * const seeds = this->GetSeeds();
   if (seeds->GetBufferedRegion() != this->GetInput()->GetBufferedRegion())
   {
-    throw InputError("the seeds have another size than the volume; give a label map on its grid");
+    throw InputError("the sizes of seeds and volume differ; use a label map on the grid of the volume");
   }
   RequireParameter(std::isfinite(m_LeastWeight) && m_LeastWeight > 0.0, "LeastWeight must be positive and finite");
   RequireParameter(std::isfinite(this->GetP()), "P must be finite");

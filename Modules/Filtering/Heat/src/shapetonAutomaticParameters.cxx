@@ -99,7 +99,7 @@ ChooseP(const float *                      intensities,
   AutomaticP choice;
   if (!(upper > lower))
   {
-    choice.reason = "the volume is constant: any p gives heat 0";
+    choice.reason = "the volume is constant: the heat is 0 for any p";
     return choice;
   }
   const double          smallest = std::min({ spacing[0], spacing[1], spacing[2] });
@@ -113,7 +113,7 @@ ChooseP(const float *                      intensities,
   const auto      firstEdge = std::max<std::size_t>(1, static_cast<std::size_t>(std::ceil(4.0 * choice.noise * bins)));
   if (firstEdge >= bins || Sum(peaks, firstEdge) == 0)
   {
-    choice.reason = "no edge exceeds the noise: the default is kept";
+    choice.reason = "no edge exceeds the noise; the default is used";
     return choice;
   }
   choice.edgeContrast = Quantile(peaks, 0.25, firstEdge);

@@ -36,7 +36,7 @@ CheckSteps(const std::vector<std::uint64_t> & steps, std::uint64_t last)
   const bool ascend = std::adjacent_find(steps.begin(), steps.end(), std::greater_equal<>()) == steps.end();
   if (!ascend || (!steps.empty() && steps.back() > last))
   {
-    throw std::invalid_argument("the steps to record must ascend and not exceed the last step");
+    throw std::invalid_argument("the steps to record must be ascending and must not exceed the last step");
   }
 }
 

@@ -169,11 +169,11 @@ HeatDiffusionSolver::HeatDiffusionSolver(const VolumeGradientOperator & volumeGr
 {
   if (!(timeStepLength > 0.0) || timeStepLength > MaximumTimeStepLength * (1.0 + 1e-6)) // accepts 0.08333333 as 1/12
   {
-    throw std::invalid_argument("the length of a time step must be positive and at most 1/12");
+    throw std::invalid_argument("the time step must be positive and at most 1/12");
   }
   if (!(tolerance >= 1e-6) || tolerance > 1.0)
   {
-    throw std::invalid_argument("the tolerance must lie between 1e-6 and 1");
+    throw std::invalid_argument("the tolerance must be between 1e-6 and 1");
   }
 }
 
@@ -340,7 +340,7 @@ HeatDiffusionSolver::Run(PaddedField &                      heat,
   const bool ascend = std::adjacent_find(steps.begin(), steps.end(), std::greater_equal<>()) == steps.end();
   if (!ascend || (!steps.empty() && steps.back() > lastStep))
   {
-    throw std::invalid_argument("the steps to record must ascend and not exceed the last step");
+    throw std::invalid_argument("the steps to record must be ascending and must not exceed the last step");
   }
   m_Steady = false;
   m_Applications = 0;

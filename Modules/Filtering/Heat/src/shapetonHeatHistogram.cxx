@@ -14,7 +14,7 @@ HeatHistogram::HeatHistogram(std::vector<std::uint64_t> timeSteps)
 {
   if (!std::is_sorted(m_TimeSteps.begin(), m_TimeSteps.end()))
   {
-    throw std::invalid_argument("the time steps of a heat histogram must ascend");
+    throw std::invalid_argument("the time steps of a heat histogram must be ascending");
   }
 }
 

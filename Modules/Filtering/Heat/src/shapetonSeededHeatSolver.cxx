@@ -47,10 +47,10 @@ SeededHeatSolver::SeededHeatSolver(const VolumeGradientOperator & volumeGradient
   : m_VolumeGradient(volumeGradient), m_Settings(settings)
 {
   RequireParameter(settings.tolerance >= 1e-6 && settings.tolerance <= 0.1,
-                   "the parameter \"tolerance\" must lie between 1e-6 and 0.1");
+                   "the parameter \"tolerance\" must be between 1e-6 and 0.1");
   RequireParameter(volumeGradient.GetParameters().leastWeight > 0.0,
-                   "the parameter \"leastWeight\" of the volume gradient operator must be positive: heat has to reach "
-                   "every voxel");
+                   "the parameter \"leastWeight\" of the volume gradient operator must be positive, because heat "
+                   "must reach every voxel");
 }
 
 SeededHeatSolver::~SeededHeatSolver() = default;
@@ -173,7 +173,7 @@ SeededHeatSolver::RemarkOnFewVoxels(const unsigned short * seeds)
       m_Result.remarks.push_back("label " + std::to_string(label) + " has " + std::to_string(own[label]) +
                                  (own[label] == 1 ? " seed" : " seeds") + " and gains only " +
                                  std::to_string(gained[label]) +
-                                 " voxels; if its region is larger, draw strokes through all of it");
+                                 " voxels; if its region is larger, add strokes throughout it");
     }
   }
 }
@@ -186,13 +186,13 @@ SeededHeatSolver::Solve(const unsigned short * seeds, const Progress & progress)
   const auto         labels = LabelsOf(seeds, number);
   if (labels.size() < 2)
   {
-    throw InputError(labels.empty() ? "no voxel has a seed; give seeds of at least two labels"
+    throw InputError(labels.empty() ? "no voxel has a seed; add seeds of at least two labels"
                                     : "all seeds have the label " + std::to_string(labels.front()) +
-                                        "; give seeds of at least two labels");
+                                        "; add seeds of at least two labels");
   }
   if (grid.GetLength() >= noAggregate / 2)
   {
-    throw InputError("the volume has more voxels than the solver can number; crop it or use larger voxels");
+    throw InputError("the volume has more voxels than the solver supports; crop it or use larger voxels");
   }
   if (labels != m_Result.labelValues || !m_Settings.keepProbabilities)
   {

@@ -15,20 +15,20 @@ CheckParameters(const VolumeGradientOperator::Parameters & parameters)
 {
   if (!(parameters.p >= 0.0) || !std::isfinite(parameters.p))
   {
-    throw std::invalid_argument("p must be a number that is not negative");
+    throw std::invalid_argument("p must be a nonnegative number");
   }
   if (!(parameters.leastWeight >= 0.0 && parameters.leastWeight <= 1.0))
   {
-    throw std::invalid_argument("leastWeight must lie between 0 and 1");
+    throw std::invalid_argument("leastWeight must be between 0 and 1");
   }
   if (!std::isfinite(parameters.lower) || !std::isfinite(parameters.upper))
   {
     throw std::invalid_argument(
-      "the volume or the intensity window holds values that are not finite (NaN or infinity)");
+      "the volume or the intensity window contains values that are not finite (NaN or infinity)");
   }
   if (parameters.upper < parameters.lower)
   {
-    throw std::invalid_argument("the upper end of the intensity window must not lie below the lower end");
+    throw std::invalid_argument("the upper end of the intensity window must not be below the lower end");
   }
   for (const double spacing : parameters.spacing)
   {
@@ -150,7 +150,7 @@ VolumeGradientOperator::ComputeConductances(const float * intensities, const Pro
   }
   if (!finite)
   {
-    throw std::invalid_argument("the volume holds values that are not finite (NaN or infinity); replace them");
+    throw std::invalid_argument("the volume contains values that are not finite (NaN or infinity); replace them");
   }
 }
 

@@ -54,7 +54,7 @@ ParticleDiffusionImageFilter<TInputImage>::VerifyPreconditions() const
   if (!ascend ||
       (!m_HistogramSteps.empty() && (m_HistogramSteps.front() < 1 || m_HistogramSteps.back() > this->GetTimeSteps())))
   {
-    itkExceptionMacro("the HistogramSteps must ascend and lie between 1 and TimeSteps");
+    itkExceptionMacro("HistogramSteps must be ascending and between 1 and TimeSteps");
   }
   if (m_InitialState && m_InitialState->step > this->GetTimeSteps())
   {

@@ -34,7 +34,7 @@ CheckSettings(const ParticleDiffusionSettings & settings, const std::array<std::
   }
   if (!(settings.distance > 0.0 && settings.distance <= 1.0))
   {
-    throw std::invalid_argument("the distance must lie in (0, 1], in units of the longest side of the volume");
+    throw std::invalid_argument("the distance must be in (0, 1], in units of the longest side of the volume");
   }
   constexpr std::size_t limit = std::size_t{ 1 } << 31;
   constexpr std::size_t longest = std::size_t{ 1 } << 24; // a position in single precision
@@ -333,7 +333,8 @@ ParticleDiffusion::SetState(const ParticleState & state)
     if (!known || state.identity[i].second != own[i].second)
     {
       throw std::invalid_argument("the saved state belongs to another run: its " + own[i].first + " is " +
-                                  (known ? state.identity[i].second : "missing") + ", here it is " + own[i].second);
+                                  (known ? state.identity[i].second : "missing") + ", but this run has " +
+                                  own[i].second);
     }
   }
   const auto incomplete = [&](const std::vector<float> & places) { return places.size() != impl.settings.shapetons; };

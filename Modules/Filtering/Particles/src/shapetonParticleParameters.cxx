@@ -57,12 +57,12 @@ ChooseShapetons(const std::array<std::size_t, 3> & size,
   const double wanted = std::clamp(std::max(forVoxels, forFeatures), fewest, most);
   chosen.shapetons = static_cast<std::uint32_t>(1000.0 * std::ceil(wanted / 1000.0));
   chosen.shapetonsReason =
-    wanted == most     ? "the maximum; more would be better"
-    : wanted == fewest ? "the minimum, as the volume is small"
+    wanted == most     ? "the maximum, although more would be better"
+    : wanted == fewest ? "the minimum, because the volume is small"
     : forVoxels >= forFeatures
       ? "each voxel gets " + Rounded(visitsPerVoxel) + " visits on average in " + std::to_string(timeSteps) +
           " time steps"
-      : Rounded(startsPerFeature) + " start in the volume of a feature, the cube of " + Rounded(featureSize) + " mm";
+      : Rounded(startsPerFeature) + " start in the volume of a feature, a cube of " + Rounded(featureSize) + " mm";
   return chosen;
 }
 } // namespace shapeton

@@ -137,9 +137,9 @@ PlaceByDensity(const ParticleKernels::Surroundings & surroundings,
   if (whole == 0)
   {
     throw std::domain_error(byInitialHeat
-                              ? "no voxel (of the mask, if given) has initial heat, as the volume has no edges; place "
-                                "the shapetons uniformly"
-                              : "the mask is empty; it needs voxels other than 0 to place shapetons in");
+                              ? "no voxel (of the mask, if given) has initial heat, because the volume has no edges; "
+                                "place the shapetons uniformly"
+                              : "the mask is empty; shapetons require nonzero mask voxels");
   }
   for (std::size_t i = 0; i < shapetons.number; ++i)
   {

@@ -141,7 +141,7 @@ ReadParticleState(std::istream & stream)
     }
     else
     {
-      throw std::runtime_error("its header holds the unknown entry \"" + name.substr(0, 40) + "\"");
+      throw std::runtime_error("its header contains the unknown entry \"" + name.substr(0, 40) + "\"");
     }
   }
   header += '\n';

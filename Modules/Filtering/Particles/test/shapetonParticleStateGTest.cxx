@@ -96,7 +96,7 @@ protected:
     read += sizeof(m_Buffer);
     if (read > (std::size_t{ 1 } << 26))
     {
-      ADD_FAILURE() << "it goes on reading";
+      ADD_FAILURE() << "reads beyond the header";
       return traits_type::eof();
     }
     setg(m_Buffer, m_Buffer, m_Buffer + sizeof(m_Buffer));

@@ -60,7 +60,7 @@ RequireShapeDatabase(const SqliteFile & file)
   {
     throw InputError(file.Path() + ": the database has version " + std::to_string(version) +
                      ", but this program supports " + std::to_string(SchemaVersion) +
-                     "; use the program that made it, or start a new database");
+                     "; use the program that created it, or create a new database");
   }
   if (const std::string fault = file.Text("PRAGMA quick_check(1)"); fault != "ok")
   {

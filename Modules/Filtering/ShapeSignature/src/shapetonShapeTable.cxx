@@ -82,7 +82,7 @@ Describe(const itk::Image<float, 3> * intensities, const VoxelRuns & shape, Shap
   }
   catch (const InputError & error)
   {
-    table.remarks.push_back("label " + row.Name() + " is left out: " + error.what());
+    table.remarks.push_back("label " + row.Name() + " is skipped: " + error.what());
     return;
   }
   DescribeIntensities(intensities, shape, row);
@@ -108,7 +108,7 @@ DescribeComponents(const itk::Image<float, 3> * intensities,
   if (const std::size_t rest = CountVoxels(label) - voxels; rest > 0)
   {
     table.remarks.push_back("label " + row.Name() + ": " + std::to_string(rest) +
-                            " voxels are left out, in components of fewer than " +
+                            " voxels in small components are skipped, with fewer than " +
                             std::to_string(ShapeSignature::LeastVoxels));
   }
 }

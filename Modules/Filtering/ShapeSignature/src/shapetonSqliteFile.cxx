@@ -93,7 +93,7 @@ SqliteFile::Fail(int code) const
   {
     throw InputError(m_Path + ": the database cannot be read (" + reason + ")");
   }
-  ThrowCannotWrite(m_Path, reason, "free space on the disk, or choose a folder that you may write to");
+  ThrowCannotWrite(m_Path, reason, "free some disk space, or use a writable folder");
 }
 
 void

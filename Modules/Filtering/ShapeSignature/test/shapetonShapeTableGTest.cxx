@@ -60,7 +60,7 @@ TEST(ShapeTable, DescribesLabels)
   EXPECT_EQ(table.rows[1].meanIntensity, 5.0); // the labels are the intensities here
   EXPECT_EQ(table.rows[1].intensityDeviation, 0.0);
   ASSERT_EQ(table.remarks.size(), 1U);
-  EXPECT_EQ(table.remarks[0], "label 9 is left out: it has 8 voxels, fewer than the 64 that a signature needs");
+  EXPECT_EQ(table.remarks[0], "label 9 is skipped: it has 8 voxels, fewer than the 64 that a signature needs");
 }
 
 TEST(ShapeTable, DescribesComponentsLargestFirst)
@@ -73,7 +73,7 @@ TEST(ShapeTable, DescribesComponentsLargestFirst)
   EXPECT_EQ(table.rows[2].Name(), "5.1");
   EXPECT_GT(table.rows[0].voxels, table.rows[1].voxels);
   EXPECT_EQ(table.rows[0].voxels + table.rows[1].voxels, CountVoxels(VoxelsOfLabel(labels, 3)));
-  EXPECT_EQ(table.remarks, Remarks{ "label 9: 8 voxels are left out, in components of fewer than 64" });
+  EXPECT_EQ(table.remarks, Remarks{ "label 9: 8 voxels in small components are skipped, with fewer than 64" });
 }
 
 TEST(ShapeTable, ReadsBackWhatItWrote)
@@ -102,7 +102,7 @@ TEST(ShapeTable, RefusesLabelsThatAreNone)
   const auto describe = [&] { DescribeShapes(image, image, false); };
   EXPECT_EQ(basetest::MessageOf(describe), "InputError: all voxels are 0: the label map has no label");
   image->GetBufferPointer()[7] = 1.0F;
-  EXPECT_NE(basetest::MessageOf(describe).find("no shape has a signature: label 1 is left out"), std::string::npos);
+  EXPECT_NE(basetest::MessageOf(describe).find("no shape has a signature: label 1 is skipped"), std::string::npos);
   image->GetBufferPointer()[7] = -1024.0F;
   EXPECT_NE(basetest::MessageOf(describe).find("has the value -1024; labels must be integers"), std::string::npos);
   image->GetBufferPointer()[7] = std::numeric_limits<float>::quiet_NaN();

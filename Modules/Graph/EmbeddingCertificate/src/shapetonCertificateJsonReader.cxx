@@ -185,7 +185,7 @@ public:
   {
     if (dynamic_cast<const nlohmann::detail::out_of_range *>(&error) != nullptr) // e.g. 1e999
     {
-      this->Refuse("holds a number that is too large");
+      this->Refuse("contains a number that is too large");
     }
     throw InputError('"' + m_FilePath + "\" is not valid JSON at " + PlaceInText(m_Bytes, position) +
                      "; compute the certificate again");
@@ -448,7 +448,7 @@ CertificateOf(const std::string & path, EntryTables & tables)
 {
   EntryReader          entries(path, tables);
   EmbeddingCertificate certificate;
-  entries.Require(entries.Text("format") == "Shapeton embedding certificate", "format", "names another format");
+  entries.Require(entries.Text("format") == "Shapeton embedding certificate", "format", "is not supported");
   entries.Require(entries.Integer("version", 1) == 1, "version", "is not 1");
   certificate.provenance = std::move(tables.provenance);
   certificate.statistics = std::move(tables.statistics);

@@ -152,7 +152,7 @@ private:
   {
     if (!std::isfinite(value))
     {
-      throw std::invalid_argument("a certificate holds finite numbers only");
+      throw std::invalid_argument("a certificate must contain finite numbers only");
     }
     this->Number(value);
   }

@@ -26,7 +26,7 @@ EdgesOfTree(const EmbeddingCertificate & certificate, const TracedMap & packed)
     }
     if (packed.Node(halfEdge ^ 1) != node || !sets.Unite(node, packed.Node(halfEdge)))
     {
-      throw Refusal("the tree does not lead to node " + std::to_string(node) + " or has a cycle there");
+      throw Refusal("the tree does not reach node " + std::to_string(node) + " or has a cycle there");
     }
     cut[halfEdge / 2] = 1;
   }
@@ -69,7 +69,7 @@ RequireDisk(const TracedMap & packed, const CutEdges & cut)
   if (components != 1)
   {
     throw Refusal("tree and generators cut the surface into " + std::to_string(components) +
-                  " pieces, not into one disk");
+                  " pieces instead of one disk");
   }
 }
 

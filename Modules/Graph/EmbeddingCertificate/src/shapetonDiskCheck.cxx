@@ -249,7 +249,7 @@ DiskCheck::CheckFaces(Measures & measures) const
     if (!(error <= std::max(ToleranceOf(v), Tolerance(place))))
     {
       throw Refusal("the circles of node " + std::to_string(v) + " and face " + std::to_string(f) +
-                    " are not orthogonal: the face lies " + Figure(error) + " from its expected position");
+                    " are not orthogonal: the face is " + Figure(error) + " from its expected position");
     }
     largest = std::max(largest, error);
   }
@@ -318,7 +318,7 @@ DiskCheck::CheckWord(Measures & measures) const
   const double error = product.Deviation();
   if (!(error <= static_cast<double>(explained)))
   {
-    throw Refusal("the product of the generators along the word misses the identity by " + Figure(error));
+    throw Refusal("the product of the generators along the word differs from the identity by " + Figure(error));
   }
   measures.emplace_back("wordError", error);
 }

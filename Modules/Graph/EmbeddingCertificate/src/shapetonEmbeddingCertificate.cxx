@@ -113,7 +113,7 @@ MapOfRotation(const Graph & graph, const std::vector<int> & rotation)
     if (halfEdge < 0 || halfEdge >= halfEdges)
     {
       throw InputError("a rotation names half-edge " + std::to_string(halfEdge) + ", but the graph has " +
-                       std::to_string(halfEdges) + "; take the rotation of this graph");
+                       std::to_string(halfEdges) + "; use the rotation of this graph");
     }
     lists[nodeOf(halfEdge)].push_back(halfEdge);
   }

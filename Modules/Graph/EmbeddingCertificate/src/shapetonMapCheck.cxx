@@ -30,16 +30,16 @@ public:
       const int inner = m_Packed.Node(path[i] ^ 1);
       Require(inner == m_Packed.Node(path[i + 1]), edge, "is subdivided into half-edges that do not follow each other");
       Require(
-        inner >= m_Certificate.graph.nodes && !m_IsUsedNode[inner], edge, "runs through a node that is not its own");
+        inner >= m_Certificate.graph.nodes && !m_IsUsedNode[inner], edge, "uses a node that is not reserved for it");
       m_IsUsedNode[inner] = true;
       const int more = path[i + 1] / 2;
       Require(static_cast<std::size_t>(more) >= m_Certificate.graph.edges.size() && !m_IsUsedEdge[more],
               edge,
-              "runs along an edge that is not its own");
+              "uses an edge that is not reserved for it");
       m_IsUsedEdge[more] = true;
     }
     Require(
-      m_Packed.Node(path.back() ^ 1) == m_Certificate.graph.edges[edge][1], edge, "does not lead to its end node");
+      m_Packed.Node(path.back() ^ 1) == m_Certificate.graph.edges[edge][1], edge, "does not end at its end node");
   }
 
   /** All edges that are not subdivided have the same ends as in the graph. */
@@ -50,7 +50,7 @@ public:
     {
       const auto [first, second] = m_Certificate.graph.edges[e];
       const int edge = static_cast<int>(e);
-      Require(m_Packed.Node(2 * edge) == first, edge, "begins at another node in the packed map");
+      Require(m_Packed.Node(2 * edge) == first, edge, "starts at another node in the packed map");
       Require(
         m_IsSubdivided[e] || m_Packed.Node(2 * edge + 1) == second, edge, "ends at another node in the packed map");
     }
@@ -108,7 +108,7 @@ RequireSameRotation(const EmbeddingCertificate & certificate, const TracedMap & 
     }
     if (graph.next[starts[h]] != starts[after])
     {
-      throw Refusal("the rotation of the graph and that of the packed map differ at node " +
+      throw Refusal("the rotations of the graph and the packed map differ at node " +
                     std::to_string(packed.Node(h)) + ", half-edge " + std::to_string(starts[h]));
     }
   }
@@ -142,7 +142,7 @@ CheckMap(const EmbeddingCertificate & certificate, const TracedMap & packed, Mea
   if (packed.firstOfFace.size() != certificate.faceRadii.size())
   {
     throw Refusal("the rotation has " + std::to_string(packed.firstOfFace.size()) + " faces, but the certificate " +
-                  std::to_string(certificate.faceRadii.size()) + " circles of faces");
+                  std::to_string(certificate.faceRadii.size()) + " face circles");
   }
   if (packed.Genus() != certificate.genus)
   {

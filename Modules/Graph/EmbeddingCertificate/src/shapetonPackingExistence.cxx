@@ -66,7 +66,7 @@ NameOfPoint(const TracedMap & map, int point)
 RefuseFourCycle(const TracedMap & map, int first, int second)
 {
   throw Refusal("the packed map is not 3-connected: " + NameOfPoint(map, first) + " and " + NameOfPoint(map, second) +
-                " meet more than once, so a pattern of circles does not exist and the solution is degenerate");
+                " meet more than once, so there is no circle pattern and the solution is degenerate");
 }
 
 /** Paths of length two from one point: count per end point, and middle points of the last two paths. */
@@ -132,7 +132,7 @@ CheckPackingExists(const TracedMap & packed)
   if (packed.nodes < 4)
   {
     throw Refusal("the packed map has " + std::to_string(packed.nodes) +
-                  " nodes; a pattern of circles on the sphere needs four");
+                  " nodes; a circle pattern on the sphere requires four");
   }
   const Incidence  incidence(packed);
   std::vector<int> order(incidence.Size());

@@ -145,7 +145,7 @@ private:
       if (!(error <= tolerance))
       {
         throw Refusal("the circles of node " + std::to_string(v) + " and face " + std::to_string(f) +
-                      " are not orthogonal: the face lies " + Figure(error) + " from its expected position");
+                      " are not orthogonal: the face is " + Figure(error) + " from its expected position");
       }
       largest = std::max(largest, error);
     }

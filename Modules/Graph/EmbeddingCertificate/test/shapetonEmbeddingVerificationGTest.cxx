@@ -76,7 +76,7 @@ TEST(EmbeddingVerification, SubdividedEdges)
   certificate.rotation = shapeton::RotationOfGraph(certificate);
   EXPECT_EQ("", RefusalOf(certificate));
   ExpectRefused(certificate, "do not follow each other", [](auto & c) { c.subdivided = { { 0, 2 } }; });
-  ExpectRefused(certificate, "does not lead to its end", [](auto & c) { c.subdivided = { { 0, 12 } }; });
+  ExpectRefused(certificate, "does not end at its end", [](auto & c) { c.subdivided = { { 0, 12 } }; });
   ExpectRefused(certificate, "ends at another node", [](auto & c) { c.subdivided.clear(); });
   ExpectRefused(certificate, "is subdivided twice", [](auto & c) { c.subdivided.push_back({ 0, 3 }); });
 }
@@ -118,7 +118,7 @@ TEST(EmbeddingVerification, SwappedRotations)
     std::swap(c.rotation[0], c.rotation[1]);
     std::swap(c.packedRotation[0], c.packedRotation[1]);
   };
-  ExpectRefused(Octahedron(), "the rotation of the graph and that of the packed map differ", swapGraph);
+  ExpectRefused(Octahedron(), "the rotations of the graph and the packed map differ", swapGraph);
   ExpectRefused(Octahedron(), "the rotation has 6 faces, but the certificate 8", swapBoth);
   ExpectRefused(
     Octahedron(), "are not consecutive", [](auto & c) { std::swap(c.packedRotation[0], c.packedRotation[5]); });
@@ -137,7 +137,7 @@ TEST(EmbeddingVerification, WrongTopology)
     c.rotation = shapeton::RotationOfGraph(c);
   });
   ExpectRefused(
-    Cube(), "begins at another node", [](auto & c) { std::swap(c.graph.edges[0][0], c.graph.edges[0][1]); });
+    Cube(), "starts at another node", [](auto & c) { std::swap(c.graph.edges[0][0], c.graph.edges[0][1]); });
 }
 
 /** K4 without an edge, and K2,3, which have no circle packing. */
@@ -194,7 +194,7 @@ TEST(EmbeddingVerification, PerturbedTorus)
   ExpectRefused(grid, "the word does not match", [](auto & c) { c.word = { 1, -2, -1, 2 }; });
   ExpectRefused(grid, "commutators", [](auto & c) { c.canonicalWords = { { 1 }, { 1 } }; });
   ExpectRefused(grid, "the tree", [](auto & c) { c.tree[3] = -1; });
-  ExpectRefused(grid, "the tree does not lead to node 5", [](auto & c) { c.tree[5] ^= 1; });
+  ExpectRefused(grid, "the tree does not reach node 5", [](auto & c) { c.tree[5] ^= 1; });
   ExpectRefused(grid, "belongs to the tree", [](auto & c) { c.generators[0].halfEdge = c.tree[5]; });
   EXPECT_EQ("", RefusalOf(grid, [](auto & c) { c.canonicalWords = { { 1, 2 }, { 2 } }; }));
 }

@@ -140,7 +140,7 @@ TableOfTrackedNodes(const DynamicSequence & sequence, const std::vector<std::str
   }
   for (std::size_t k = 0; k < names.size(); ++k)
   {
-    RequireParameter(found[k], "no step has a node \"" + names[k] + "\"; track nodes by the ids of the files");
+    RequireParameter(found[k], "no step has a node \"" + names[k] + "\"; use node ids of the files");
   }
   return table;
 }

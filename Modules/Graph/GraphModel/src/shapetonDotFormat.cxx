@@ -31,7 +31,7 @@ public:
     this->ReadBody();
     if (m_Token.kind != DotToken::Kind::End)
     {
-      m_Text.Refuse(m_Token.line, Quoted(m_Token.text) + " follows the end of the graph", "give one graph in a file");
+      m_Text.Refuse(m_Token.line, Quoted(m_Token.text) + " follows the end of the graph", "use one graph per file");
     }
     if (m_Dropped > 0)
     {
@@ -56,7 +56,7 @@ private:
     {
       m_Text.Refuse(m_Token.line,
                     "expected " + what + ", found " + Quoted(m_Token.text),
-                    m_Token.kind == DotToken::Kind::End ? "take a whole copy of the file" : "correct the file there");
+                    m_Token.kind == DotToken::Kind::End ? "use a complete copy of the file" : "correct the file there");
     }
   }
 

@@ -104,7 +104,7 @@ DotTokens::Plain()
   const bool             isSymbol = isPair || std::string_view("{}[];,=:").find(m_Rest[0]) != std::string_view::npos;
   if (!(isSymbol || name > 0))
   {
-    m_Text.Refuse(m_Line, "the character " + Quoted(m_Rest.substr(0, 1)) + " does not belong there");
+    m_Text.Refuse(m_Line, "the character " + Quoted(m_Rest.substr(0, 1)) + " is unexpected");
   }
   const std::size_t length = isPair ? 2 : isSymbol ? 1 : name;
   DotToken          token{
@@ -152,7 +152,7 @@ DotTokens::QuotedText()
     {
       this->Skip(1);
       this->SkipBlanks();
-      m_Text.Require(!m_Rest.empty() && m_Rest[0] == '"', m_Line, "a text in quotes is expected after the plus sign");
+      m_Text.Require(!m_Rest.empty() && m_Rest[0] == '"', m_Line, "a quoted string is expected after the plus sign");
     }
   }
   return token;

@@ -58,7 +58,7 @@ ReadEdgeList(const GraphText & text, std::vector<std::string> & notes)
     if (words.size() < 2)
     {
       text.Refuse(number,
-                  "the line has one word, " + Quoted(words[0]) + ", but an edge joins two nodes",
+                  "the line has only one word, " + Quoted(words[0]) + ", but an edge joins two nodes",
                   "write the names of two nodes on each line");
     }
     for (std::size_t i = 2; i < words.size() && words[i][0] != '{' && !IsComment(words[i]); ++i)

@@ -95,8 +95,8 @@ public:
       {
         m_Text.Require(graph.line == 0,
                        key.line,
-                       "the file contains a second graph; the first one begins in line " + std::to_string(graph.line),
-                       "give one graph in a file");
+                       "the file contains a second graph; the first one starts in line " + std::to_string(graph.line),
+                       "use one graph per file");
         graph.line = key.line;
         this->ReadGraph(key.line);
       }
@@ -105,7 +105,7 @@ public:
         this->SkipValue(value);
       }
     }
-    m_Text.Require(graph.line > 0, 0, "the entry \"graph [ ... ]\" is missing", "give a file that contains a graph");
+    m_Text.Require(graph.line > 0, 0, "the entry \"graph [ ... ]\" is missing", "use a file that contains a graph");
     for (const Edge & edge : m_Edges)
     {
       const int first = m_Builder.DeclaredNode(edge.source, edge.line);
@@ -135,7 +135,7 @@ private:
     if (entry.line > 0)
     {
       m_Text.Refuse(key.line,
-                    owner + " has a second " + Quoted(key.text) + "; the first one stands in line " +
+                    owner + " has a second " + Quoted(key.text) + "; the first one is in line " +
                       std::to_string(entry.line),
                     "remove one of them");
     }
@@ -154,7 +154,7 @@ private:
     const GmlToken value = m_Tokens.Next();
     if (value.kind == GmlToken::Kind::End)
     {
-      m_Text.Refuse(value.line, "the file ends after the key " + Quoted(key.text), "take a whole copy of the file");
+      m_Text.Refuse(value.line, "the file ends after the key " + Quoted(key.text), "use a complete copy of the file");
     }
     if (value.kind == GmlToken::Kind::Close)
     {
@@ -171,7 +171,7 @@ private:
     for (GmlToken key = m_Tokens.Next(); key.kind != GmlToken::Kind::Close; key = m_Tokens.Next())
     {
       m_Text.Require(
-        key.kind != GmlToken::Kind::End, line, "a list has no closing bracket", "take a whole copy of the file");
+        key.kind != GmlToken::Kind::End, line, "a list has no closing bracket", "use a complete copy of the file");
       take(key, this->ValueOf(key));
     }
   }
@@ -185,7 +185,7 @@ private:
       m_Text.Require(token.kind != GmlToken::Kind::End,
                      value.line,
                      "a list has no closing bracket",
-                     "take a whole copy of the file");
+                     "use a complete copy of the file");
       depth += token.kind == GmlToken::Kind::Open ? 1 : token.kind == GmlToken::Kind::Close ? -1 : 0;
     }
   }

@@ -15,9 +15,9 @@ RequireSound(const Graph & graph, const std::string & what)
       throw InputError(what + ": " + fault);
     }
   };
-  require(graph.nodes >= 1, "the graph has no nodes; give one with at least one");
+  require(graph.nodes >= 1, "the graph has no nodes; use a graph with at least one");
   require(graph.edges.size() < std::numeric_limits<int>::max() / 8,
-          "the graph has too many edges; give one below 2^28");
+          "the graph has too many edges; use fewer than 2^28");
   require(graph.names.empty() || graph.names.size() == static_cast<std::size_t>(graph.nodes),
           "the graph has " + std::to_string(graph.nodes) + " nodes but " + std::to_string(graph.names.size()) +
             " names");

@@ -17,7 +17,7 @@ public:
     {
       if (!(c >= 63 && c <= 126))
       {
-        text.Refuse(number, "the byte " + Quoted({ &c, 1 }) + " does not belong to the format");
+        text.Refuse(number, "the byte " + Quoted({ &c, 1 }) + " is invalid in this format");
       }
     }
   }
@@ -32,7 +32,7 @@ public:
     const std::size_t  digits = isLongest ? 6 : isLong ? 3 : 1;
     const std::int64_t most = 2147483647;
     m_Text.Require(
-      m_Line.size() >= skip + digits, m_Number, "the number of nodes is cut off", "take a whole copy of the file");
+      m_Line.size() >= skip + digits, m_Number, "the number of nodes is truncated", "use a complete copy of the file");
     std::int64_t size = 0;
     for (std::size_t i = skip; i < skip + digits; ++i)
     {
@@ -41,7 +41,7 @@ public:
     m_Line.remove_prefix(skip + digits);
     if (size > most)
     {
-      m_Text.Refuse(m_Number, "the graph has " + std::to_string(size) + " nodes, more than can be read");
+      m_Text.Refuse(m_Number, "the graph has " + std::to_string(size) + " nodes, more than supported");
     }
     return static_cast<int>(size);
   }
@@ -86,10 +86,10 @@ OnlyLine(const GraphText & text, std::string_view header)
     {
       continue;
     }
-    text.Require(only.number == 0, lines.Number(), "the file contains a second graph", "give one graph in a file");
+    text.Require(only.number == 0, lines.Number(), "the file contains a second graph", "use one graph per file");
     only = { line, lines.Number() };
   }
-  text.Require(only.number > 0, 0, "the file does not contain a graph", "give a file that contains a graph");
+  text.Require(only.number > 0, 0, "the file does not contain a graph", "use a file that contains a graph");
   text.Require(
     only.text[0] != '&', only.number, "the graph is directed (digraph6)", "write it as an undirected graph, graph6");
   return only;
@@ -112,7 +112,7 @@ ReadGraph6(const GraphText & text, std::vector<std::string> & notes)
     text.Refuse(line.number,
                 "a graph of " + std::to_string(builder.Nodes()) + " nodes needs " + std::to_string((pairs + 5) / 6) +
                   " bytes of edges, but " + std::to_string(bits.Bits() / 6) + " follow",
-                "take a whole copy of the file");
+                "use a complete copy of the file");
   }
   std::size_t index = 0;
   for (int second = 1; second < builder.Nodes(); ++second)
@@ -135,8 +135,8 @@ ReadSparse6(const GraphText & text, std::vector<std::string> &)
   if (line.text[0] != ':')
   {
     text.Refuse(line.number,
-                line.text[0] == ';' ? "incremental sparse6 needs the graph before"
-                                    : "a graph in sparse6 begins with a colon",
+                line.text[0] == ';' ? "incremental sparse6 requires the preceding graph"
+                                    : "a sparse6 graph starts with a colon",
                 "write the graph as graph6 or sparse6");
   }
   line.text.remove_prefix(1);

@@ -23,7 +23,7 @@ GraphBuilder::AddNode(std::string_view name, int line)
 {
   if (this->HasNode(name))
   {
-    m_Text.Refuse(line, "the node " + Quoted(name) + " is declared twice", "give each node an id of its own");
+    m_Text.Refuse(line, "the node " + Quoted(name) + " is declared twice", "use a unique id for each node");
   }
   this->Append(name);
 }
@@ -48,7 +48,7 @@ GraphBuilder::DeclaredNode(std::string_view name, int line) const
   if (found == m_Nodes.end())
   {
     m_Text.Refuse(line,
-                  "an edge names the node " + Quoted(name) + ", which the file does not declare",
+                  "an edge refers to the node " + Quoted(name) + ", which is not declared",
                   "declare the node or correct the edge");
   }
   return found->second;
@@ -58,26 +58,26 @@ void
 GraphBuilder::AddEdge(int first, int second, int line)
 {
   m_Text.Require(
-    m_Graph.edges.size() < MostEdges, line, "the graph has more than 100 million edges", "take a part of it");
+    m_Graph.edges.size() < MostEdges, line, "the graph has more than 100 million edges", "use a part of it");
   m_Graph.edges.push_back({ first, second });
 }
 
 Graph
 GraphBuilder::Take()
 {
-  m_Text.Require(m_Graph.nodes > 0, 0, "the graph has no nodes", "give a graph with at least one node");
+  m_Text.Require(m_Graph.nodes > 0, 0, "the graph has no nodes", "use a graph with at least one node");
   return std::move(m_Graph);
 }
 
 NumberedGraphBuilder::NumberedGraphBuilder(const GraphText & text, int nodes, int line, int firstName)
   : m_FirstName(firstName)
 {
-  text.Require(nodes > 0, line, "the graph has no nodes", "give a graph with at least one node");
+  text.Require(nodes > 0, line, "the graph has no nodes", "use a graph with at least one node");
   if (nodes > MostNodes)
   {
     text.Refuse(line,
                 "the graph has " + std::to_string(nodes) + " nodes, more than 10 million",
-                "correct the number or take a part of the graph");
+                "correct the number or use a part of the graph");
   }
   m_Graph.nodes = nodes;
 }

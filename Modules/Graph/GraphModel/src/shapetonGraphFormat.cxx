@@ -104,15 +104,15 @@ RequireText(const GraphText & text)
   text.Require(text.bytes.find_first_not_of(" \t\r\n\f\v") != std::string::npos,
                0,
                "the file is empty",
-               "give a file that contains a graph");
+               "use a file that contains a graph");
   const bool isBinary = std::any_of(text.bytes.begin(), text.bytes.end(), [](char c) {
     const auto byte = static_cast<unsigned char>(c);
     return byte < 0x09 || (byte > 0x0D && byte < 0x20 && byte != 0x1A && byte != 0x1B);
   });
   text.Require(!isBinary,
                0,
-               "the file is binary, but all formats of graphs are text",
-               "give GraphML, GML, DOT, an edge list, METIS, MATPOWER, PACE or graph6");
+               "the file is binary, but all graph formats are text",
+               "use GraphML, GML, DOT, an edge list, METIS, MATPOWER, PACE or graph6");
 }
 } // namespace
 
@@ -127,7 +127,7 @@ FormatOf(const GraphText & text)
   const GraphFormat * const format = FormatOfExtension(text.path);
   text.Require(format != nullptr,
                0,
-               "the format of the graph is not recognized by extension or content",
+               "the graph format is not recognized by extension or content",
                "name it .graphml, .gml, .dot, .edges, .graph (METIS), .m (MATPOWER), .gr (PACE) or .g6 (graph6)");
   return *format;
 }

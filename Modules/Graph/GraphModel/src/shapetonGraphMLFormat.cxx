@@ -42,10 +42,10 @@ public:
       {
         m_Text.Refuse(this->Line(),
                       std::string("the XML is not well-formed: ") + XML_ErrorString(XML_GetErrorCode(m_Parser.get())),
-                      "take a whole copy of the file or correct it there");
+                      "use a complete copy of the file or correct it there");
       }
     }
-    m_Text.Require(m_HasGraph, 0, "the element graph is missing", "give a GraphML file that contains a graph");
+    m_Text.Require(m_HasGraph, 0, "the element graph is missing", "use a GraphML file that contains a graph");
     for (const Edge & edge : m_Edges)
     {
       const int first = m_Builder.DeclaredNode(edge.source, edge.line);
@@ -110,7 +110,7 @@ private:
     ++m_Depth;
     if (!(m_Depth > 1 || name == "graphml"))
     {
-      m_Text.Refuse(line, "the outermost element is " + Quoted(name) + ", not graphml", "give a GraphML file");
+      m_Text.Refuse(line, "the outermost element is " + Quoted(name) + ", not graphml", "use a GraphML file");
     }
     if (name == "graph")
     {
@@ -126,14 +126,15 @@ private:
     {
       this->BeginEdge(attributes);
     }
-    m_Text.Require(name != "hyperedge", line, "a hyperedge joins more than two nodes", "give a graph with plain edges");
+    m_Text.Require(
+      name != "hyperedge", line, "a hyperedge joins more than two nodes", "use a graph without hyperedges");
   }
 
   void
   BeginGraph(const XML_Char ** attributes)
   {
     m_Text.Require(
-      !m_HasGraph, this->Line(), "the file contains a second graph, or one inside a node", "give one graph in a file");
+      !m_HasGraph, this->Line(), "the file contains a second graph, or one inside a node", "use one graph per file");
     const std::string kind = Attribute(attributes, "edgedefault");
     if (!(kind.empty() || kind == "directed" || kind == "undirected"))
     {

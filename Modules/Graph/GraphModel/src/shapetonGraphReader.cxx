@@ -41,11 +41,11 @@ GraphFilesOf(const std::string & folder)
   }
   if (error)
   {
-    throw InputError('"' + folder + "\": " + error.message() + "; give a folder of graph files");
+    throw InputError('"' + folder + "\": " + error.message() + "; use a folder of graph files");
   }
   if (files.empty())
   {
-    throw InputError('"' + folder + "\" has no files; give a folder with one graph file for each step");
+    throw InputError('"' + folder + "\" has no files; use a folder with one graph file for each step");
   }
   std::sort(files.begin(), files.end());
   return files;

@@ -57,7 +57,7 @@ RowsOf(const GraphText & text, std::string_view name)
       }
       if (start != 0)
       {
-        text.Refuse(lines.Number(), "a second matrix " + Quoted(name), "give one case in a file");
+        text.Refuse(lines.Number(), "a second matrix " + Quoted(name), "use one case per file");
       }
       isOpen = true;
       start = lines.Number();
@@ -77,11 +77,11 @@ RowsOf(const GraphText & text, std::string_view name)
   }
   if (start <= 0)
   {
-    text.Refuse(0, "the matrix " + Quoted(name) + " is missing", "give a whole MATPOWER case");
+    text.Refuse(0, "the matrix " + Quoted(name) + " is missing", "use a complete MATPOWER case");
   }
   if (isOpen)
   {
-    text.Refuse(start, "the matrix " + Quoted(name) + " has no end", "take a whole copy of the file");
+    text.Refuse(start, "the matrix " + Quoted(name) + " is not terminated", "use a complete copy of the file");
   }
   return rows;
 }

@@ -38,7 +38,7 @@ public:
     {
       m_Text.Refuse(m_Lines.Number(),
                     "the file is shorter than " + std::to_string(m_Header.nodes) + " lines, one for each node",
-                    "take a whole copy of the file");
+                    "use a complete copy of the file");
     }
     for (int node = 0; node < m_Header.nodes; ++node)
     {
@@ -107,7 +107,7 @@ private:
     {
       m_Text.Refuse(m_Lines.Number(),
                     "the file ends at node " + std::to_string(node) + " of " + std::to_string(m_Header.nodes),
-                    "take a whole copy of the file");
+                    "use a complete copy of the file");
     }
     const std::size_t step = m_Header.hasEdgeWeights ? 2 : 1;
     const auto        start = static_cast<std::size_t>(m_Header.numbersOfNode);
@@ -136,7 +136,7 @@ private:
       {
         m_Text.Refuse(m_Lines.Number(),
                       "the file continues after the last of its " + std::to_string(m_Header.nodes) + " nodes",
-                      "correct the first line or remove what follows");
+                      "correct the first line or remove the rest");
       }
     }
   }
@@ -178,7 +178,7 @@ private:
       m_Text.Refuse(0,
                     "the file has " + std::to_string(builder.Edges()) + " edges, but its first line states " +
                       std::to_string(m_Header.edges),
-                    "the file is truncated or its first line is wrong: take a whole copy or correct it");
+                    "the file is truncated or its first line is wrong: use a complete copy or correct it");
     }
   }
 

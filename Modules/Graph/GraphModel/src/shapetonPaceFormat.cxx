@@ -42,7 +42,7 @@ private:
   ReadHeader(const std::vector<std::string_view> & words)
   {
     m_Text.Require(
-      !m_Builder, m_Line, "a second line \"p\": the file holds several graphs", "give one graph in a file");
+      !m_Builder, m_Line, "a second line \"p\": the file contains several graphs", "use one graph per file");
     m_Text.Require(words.size() != 4 || words[1] != "sp",
                    m_Line,
                    "the graph is directed (\"p sp\": shortest paths)",
@@ -88,7 +88,7 @@ private:
       m_Text.Refuse(m_Line,
                     "the file ends after " + std::to_string(edges) + " edges, but its line \"p\" states " +
                       std::to_string(m_Edges),
-                    "the file is truncated or its line \"p\" is wrong: take a whole copy or correct it");
+                    "the file is truncated or its line \"p\" is wrong: use a complete copy or correct it");
     }
     return m_Builder->Take();
   }

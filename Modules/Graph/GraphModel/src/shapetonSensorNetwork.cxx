@@ -56,7 +56,7 @@ SensorNetwork::SensorNetwork(const SensorNetworkOptions & options)
   RequireParameter(options.range > 0.0, "the range must be positive (m)");
   RequireParameter(options.side > 0.0, "the side of the area must be positive (m)");
   RequireParameter(options.speed >= 0.0 && options.speed < 0.05 * options.side,
-                   "the speed is out of range; give 0 or more meters per step, less than a twentieth of the side");
+                   "the speed is out of range; use 0 or more meters per step, less than a twentieth of the side");
   for (std::uint32_t i = 0; i < m_Devices.size(); ++i)
   {
     const auto words = Philox4x32(options.seed, { i, 0, 0, startPurpose });

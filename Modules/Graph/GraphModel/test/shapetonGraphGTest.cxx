@@ -25,7 +25,7 @@ TEST(Graph, UnsoundGraphsAreRefusedByName)
 {
   EXPECT_EQ(FaultOf({ 1, {}, {} }), "");
   EXPECT_EQ(FaultOf({ 2, { { 0, 1 }, { 1, 1 } }, { "a", "b" } }), "");
-  EXPECT_EQ(FaultOf({ 0, {}, {} }), "file.gml: the graph has no nodes; give one with at least one");
+  EXPECT_EQ(FaultOf({ 0, {}, {} }), "file.gml: the graph has no nodes; use a graph with at least one");
   EXPECT_EQ(FaultOf({ 2, { { 0, 1 }, { 0, 2 } }, {} }), "file.gml: edge 1 names node 2, but there are 2");
   EXPECT_EQ(FaultOf({ 2, { { -1, 1 } }, {} }), "file.gml: edge 0 names node -1, but there are 2");
   EXPECT_EQ(FaultOf({ 2, {}, { "a" } }), "file.gml: the graph has 2 nodes but 1 names");

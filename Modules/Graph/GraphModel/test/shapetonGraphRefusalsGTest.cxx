@@ -66,9 +66,9 @@ TEST(GraphRefusals, DuplicateAndMissingNodes)
     { { "a.graphml", GraphMLOf("<node id=\"a\"/>\n<node id=\"a\"/>"), "line 4: the node \"a\" is declared twice" },
       { "a.gml", "graph [ node [ id 1 ]\n node [ id 1 ] ]", "line 2: the node \"1\" is declared twice" },
       { "a.m", "mpc.bus = [ 1 1;\n 1 1 ];\nmpc.branch = [];", "line 2: the node \"1\" is declared twice" },
-      { "a.graphml", GraphMLOf("<node id=\"a\"/>\n<edge source=\"a\" target=\"b\"/>"), "line 4: an edge names" },
-      { "a.gml", "graph [ node [ id 1 ]\n edge [ source 1 target 2 ] ]", "line 2: an edge names the node \"2\"" },
-      { "a.m", "mpc.bus = [ 1 1 ];\nmpc.branch = [ 1 2 ];", "line 2: an edge names the node \"2\"" },
+      { "a.graphml", GraphMLOf("<node id=\"a\"/>\n<edge source=\"a\" target=\"b\"/>"), "line 4: an edge refers to" },
+      { "a.gml", "graph [ node [ id 1 ]\n edge [ source 1 target 2 ] ]", "line 2: an edge refers to the node \"2\"" },
+      { "a.m", "mpc.bus = [ 1 1 ];\nmpc.branch = [ 1 2 ];", "line 2: an edge refers to the node \"2\"" },
       { "a.gr", "p tw 3 1\n1 4\n", "line 2: \"4\" is not a node" },
       { "a.gr", "p tw 3 1\n0 1\n", "line 2: \"0\" is not a node" },
       { "a.graph", "2 1\n3\n1\n", "line 2: node \"3\" does not exist" } });
@@ -79,17 +79,17 @@ TEST(GraphRefusals, KeysOfGmlThatStandTwice)
   const std::string nodes = "graph [\n node [ id 1 ]\n node [ id 2 ]\n";
   ExpectRefused({ { "a.gml",
                     nodes + " edge [ source 1\n target 2\n source 2 ] ]",
-                    "line 6: the edge has a second \"source\"; the first one stands in line 4" },
+                    "line 6: the edge has a second \"source\"; the first one is in line 4" },
                   { "a.gml",
                     nodes + " edge [ source 1\n target 2\n target 2 ] ]",
-                    "line 6: the edge has a second \"target\"; the first one stands in line 5" },
+                    "line 6: the edge has a second \"target\"; the first one is in line 5" },
                   { "a.gml",
                     "graph [ node [ id 1\nid 1 ] ]",
-                    "line 2: the node has a second \"id\"; the first one stands in line 1" },
+                    "line 2: the node has a second \"id\"; the first one is in line 1" },
                   { "a.gml", "graph [ directed 0\ndirected 0 ]", "line 2: the graph has a second \"directed\"" },
                   { "a.gml",
                     "graph [ node [ id 1 ] ]\ngraph [ ]",
-                    "line 2: the file contains a second graph; the first one begins in line 1" } });
+                    "line 2: the file contains a second graph; the first one starts in line 1" } });
   // A key in a nested list is a different key.
   EXPECT_EQ(
     "1-2 (1 2)",
@@ -104,13 +104,13 @@ TEST(GraphRefusals, TruncatedFiles)
                   { "a.gml", "graph [ node [ id", "the file ends after the key \"id\"" },
                   { "a.dot", "graph {\n a -- b", "found \"the end of the file\"" },
                   { "a.dot", "graph {\n a -- \"b", "line 2: a quoted string is not closed" },
-                  { "a.edges", "a b\nc", "line 2: the line has one word" },
+                  { "a.edges", "a b\nc", "line 2: the line has only one word" },
                   { "a.graph", "3 2\n2\n1 3\n", "the file ends at node 2 of 3" },
-                  { "a.m", "mpc.bus = [ 1 1 ];\nmpc.branch = [ 1 1\n", "line 2: the matrix \"branch\" has no end" },
+                  { "a.m", "mpc.bus = [ 1 1 ];\nmpc.branch = [ 1 1\n", "the matrix \"branch\" is not terminated" },
                   { "a.m", "mpc.bus = [ 1 1 ];\n", "the matrix \"branch\" is missing" },
                   { "a.gr", "p tw 3 2\n1 2\n", "the file ends after 1 edges, but its line \"p\" states 2" },
                   { "a.g6", "IheA@G", "needs 8 bytes of edges, but 5 follow" },
-                  { "a.s6", ":", "the number of nodes is cut off" } });
+                  { "a.s6", ":", "the number of nodes is truncated" } });
 }
 
 TEST(GraphRefusals, MalformedFiles)
@@ -124,7 +124,7 @@ TEST(GraphRefusals, MalformedFiles)
                   { "a.gml", "graph [ node [ label \"x\" ] ]", "the node has no id" },
                   { "a.dot", "graph { a [b=] }", "expected the value of an attribute, found \"]\"" },
                   { "a.dot", "graph { a } graph { b }", "follows the end of the graph" },
-                  { "a.dot", "graph { a -- ? }", "\"?\" does not belong there" },
+                  { "a.dot", "graph { a -- ? }", "\"?\" is unexpected" },
                   { "a.dot", "graph " + std::string(5000, '{'), "200 deep" },
                   { "a.edges", "a b c\n", "\"c\" after the two nodes of an edge is not a number" },
                   { "a.graph", "2 2\n2\n1\n", "has 1 edges, but its first line states 2" },
@@ -135,5 +135,5 @@ TEST(GraphRefusals, MalformedFiles)
                   { "a.gr", "p tw 2 0\np tw 2 0\n", "line 2: a second line \"p\"" },
                   { "a.m", "mpc.bus = [ 1.5 1 ];\nmpc.branch = [];", "\"1.5\" is not a bus number" },
                   { "a.g6", "DQc\nDQc\n", "a second graph" },
-                  { "a.g6", "D Q", "does not belong to the format" } });
+                  { "a.g6", "D Q", "is invalid in this format" } });
 }

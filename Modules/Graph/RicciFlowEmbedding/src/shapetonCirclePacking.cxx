@@ -115,9 +115,9 @@ NewtonFlow::FindDirection()
   m_Energy.Hessian(m_Diagonal, m_OffDiagonal);
   if (!m_Solver.Factorize(AsVector(m_Diagonal), AsVector(m_OffDiagonal), m_Steps.NextStep()))
   {
-    throw InputError("the Hessian of the Ricci energy is not positive to working accuracy, with a curvature of " +
+    throw InputError("the Hessian of the Ricci energy is not positive definite to working accuracy at a curvature of " +
                      ShortNumber(m_Energy.Residual()) +
-                     " remaining: the circle sizes differ too much; check that the map is 3-connected or use "
+                     " rad: the circle sizes differ too much; check that the map is 3-connected or use "
                      "the parameter \"augmentation\" = ring");
   }
   this->SolveForDirection(m_Energy.Gradient());
@@ -293,8 +293,8 @@ PackInGivenOrder(const CombinatorialMap &  map,
   if (!(packing.residual <= worstResidual))
   {
     throw InputError("the Ricci flow does not converge: after " + std::to_string(packing.steps) +
-                     " steps of Newton's method a curvature of " + ShortNumber(packing.residual) +
-                     " rad is left; check that the map is 3-connected or use the parameter \"augmentation\" = ring");
+                     " Newton steps the curvature is " + ShortNumber(packing.residual) +
+                     " rad; check that the map is 3-connected or use the parameter \"augmentation\" = ring");
   }
   return packing;
 }

@@ -245,8 +245,8 @@ AddSmallestCircle(EmbeddingCertificate & certificate)
     char text[320];
     std::snprintf(text,
                   sizeof(text),
-                  "%ld of %d nodes have circles below %.0e of the surface, the smallest that of node %s with %.1e: "
-                  "they are not legible in pictures, and the verifier rejects circles below 1e-12",
+                  "%ld of %d nodes have circles below %.0e of the surface (smallest: node %s, %.1e): they are not "
+                  "legible in pictures, and the verifier rejects circles below 1e-12",
                   static_cast<long>(illegible),
                   certificate.graph.nodes,
                   smallestLegibleRadius,

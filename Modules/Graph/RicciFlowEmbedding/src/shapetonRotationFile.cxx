@@ -29,7 +29,7 @@ public:
       if (from == to || !m_HalfEdge.emplace(std::pair(from, to), h).second ||
           !m_HalfEdge.emplace(std::pair(to, from), h + 1).second)
       {
-        throw InputError('"' + path + "\": a text rotation requires a graph without loops and multiple edges; give a " +
+        throw InputError('"' + path + "\": a text rotation requires a graph without loops and multiple edges; use a " +
                          "certificate (.json) instead");
       }
     }

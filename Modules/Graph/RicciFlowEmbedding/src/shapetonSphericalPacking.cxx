@@ -317,8 +317,8 @@ PackInGivenOrder(const CombinatorialMap &  map,
     char text[200];
     std::snprintf(text,
                   sizeof(text),
-                  "the radii are right to %.1e rad, but circles of neighbors miss each other by %.1e rad on the "
-                  "sphere: their sizes differ too much for double precision",
+                  "the radii are accurate to %.1e rad, but neighboring circles are %.1e rad apart on the sphere: "
+                  "circle sizes differ too much for double precision",
                   sphere.residual,
                   miss);
     throw InputError(text);

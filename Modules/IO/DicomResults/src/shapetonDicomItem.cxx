@@ -10,7 +10,7 @@ DicomItem::Check(const OFCondition & condition, const DcmTagKey & tag)
 {
   if (condition.bad())
   {
-    throw OutputError(std::string("cannot make the DICOM attribute ") + DcmTag(tag).getTagName() + ": " +
+    throw OutputError(std::string("cannot create the DICOM attribute ") + DcmTag(tag).getTagName() + ": " +
                       condition.text() + "; report this as a bug");
   }
   return *this;

@@ -104,7 +104,7 @@ LoadDicomObject(DcmFileFormat & file, const std::string & path, const std::vecto
   if (std::find(sopClassUIDs.begin(), sopClassUIDs.end(), uid) == sopClassUIDs.end())
   {
     throw std::runtime_error(std::string("is of the kind ") + dcmFindNameOfUID(uid.c_str(), "unknown") + ", not " +
-                             dcmFindNameOfUID(sopClassUIDs.front().c_str(), "the one that is read here"));
+                             dcmFindNameOfUID(sopClassUIDs.front().c_str(), "the supported kind"));
   }
 }
 
@@ -117,7 +117,7 @@ ReadContained(const std::string &                                               
 {
   if (!std::filesystem::is_regular_file(path))
   {
-    throw InputError("\"" + path + "\" is not a file; give a DICOM file");
+    throw InputError("\"" + path + "\" is not a file; use a DICOM file");
   }
   if (!dcmDataDict.isDictionaryLoaded()) // loaded before the fork for the child
   {
@@ -138,7 +138,7 @@ ReadContained(const std::string &                                               
   }
   catch (const std::runtime_error & failure)
   {
-    throw InputError("\"" + path + "\" " + failure.what() + "; give another file, or write it again");
+    throw InputError("\"" + path + "\" " + failure.what() + "; use another file, or export it again");
   }
 }
 } // namespace shapeton

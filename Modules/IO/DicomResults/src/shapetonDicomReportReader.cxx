@@ -251,14 +251,14 @@ private:
     if (m_Source.series.frameOfReferenceUID.empty())
     {
       throw InputError('"' + m_Path + "\" has points in space, but the series " + m_Source.series.uid +
-                       " has no frame of reference; give the series that it was made on");
+                       " has no frame of reference; use its source series");
     }
     if (graphic.frameOfReferenceUID != m_Source.series.frameOfReferenceUID)
     {
       throw InputError('"' + m_Path + "\" has points " +
                        (graphic.frameOfReferenceUID.empty() ? "without a" : "in another") +
                        " frame of reference, not in that of the series " + m_Source.series.uid +
-                       "; give the series that it was made on");
+                       "; use its source series");
     }
     Place place;
     std::copy(values, values + 3, place.Begin());
@@ -280,12 +280,12 @@ private:
     if (slice == slices.end())
     {
       throw InputError('"' + m_Path + "\" has points in an image that is not a slice of the series " +
-                       m_Source.series.uid + "; give the series that it was made on");
+                       m_Source.series.uid + "; use its source series");
     }
     if (!(values[0] >= 0.0F && values[0] <= static_cast<float>(m_Source.series.size[0]) && values[1] >= 0.0F &&
           values[1] <= static_cast<float>(m_Source.series.size[1])))
     {
-      throw InputError('"' + m_Path + "\" has points of " + graphic.name + " outside of their image; write it again");
+      throw InputError('"' + m_Path + "\" has points of " + graphic.name + " outside their image; write it again");
     }
     const DicomSeries & series = m_Source.series;
     Place               place = slice->imagePosition;
@@ -330,7 +330,7 @@ ReadDicomReportPoints(const std::string & path, const DicomSource & source)
   }
   if (points.empty())
   {
-    throw InputError('"' + path + "\" contains no points; give a report with points or regions");
+    throw InputError('"' + path + "\" contains no points; use a report with points or regions");
   }
   return points;
 }

@@ -80,7 +80,7 @@ DicomResultObject::PutSourceHeader()
   if (condition.bad())
   {
     throw InputError("the header of the source series cannot be read: " + std::string(condition.text()) +
-                     "; look at it with DicomSeriesInspector");
+                     "; inspect it with DicomSeriesInspector");
   }
   for (const DcmTagKey & tag : expected)
   {

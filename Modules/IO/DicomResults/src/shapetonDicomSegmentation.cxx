@@ -241,7 +241,7 @@ WriteDicomSegmentation(const DicomSource &               source,
   }
   if (frames == 0)
   {
-    throw InputError("no segment has a voxel, so that there is nothing to write to \"" + path + '"');
+    throw InputError("no segment has a voxel; there is nothing to write to \"" + path + '"');
   }
   object.Root()
     .Text(DCM_SegmentsOverlap, DoOverlap(segments) ? "YES" : "NO")

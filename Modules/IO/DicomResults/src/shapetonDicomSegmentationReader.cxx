@@ -123,7 +123,7 @@ ReadFrames(DcmItem & dataset, DicomSegmentationFile & file)
   const double                 claimed = NumbersOf(dataset, DCM_NumberOfFrames, 1).front();
   if (frames.empty() || claimed != static_cast<double>(frames.size()))
   {
-    throw std::runtime_error("describes " + std::to_string(frames.size()) + " frames, but claims another number");
+    throw std::runtime_error("describes " + std::to_string(frames.size()) + " frames, but states another number");
   }
   for (DcmItem * const item : frames)
   {
@@ -454,7 +454,7 @@ RequireSegments(const DicomSegmentationFile & file, const std::vector<int> & num
   {
     RequireParameter(Declares(file, number), '"' + file.path + "\" has no segment " + std::to_string(number));
     RequireParameter(number != 0,
-                     "segment 0 of \"" + file.path + "\" is not read, as 0 means no segment; choose others");
+                     "segment 0 of \"" + file.path + "\" is the background; choose another");
     RequireParameter(std::count(numbers.begin(), numbers.end(), number) == 1,
                      "segment " + std::to_string(number) + " is requested twice");
   }
@@ -491,8 +491,8 @@ RequireMadeOn(const DicomSegmentationFile & file, const DicomSource & source)
   {
     throw InputError(
       '"' + file.path + "\" " +
-      (tells ? "was made on another series than " : "does not state whether it was made on the series ") + series.uid +
-      "; give the series that it was made on");
+      (tells ? "was created from another series than " : "does not reference the series ") + series.uid +
+      "; use its source series");
   }
 }
 

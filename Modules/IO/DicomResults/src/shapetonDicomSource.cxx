@@ -120,16 +120,17 @@ RequireReferable(const DicomSeries & series, bool forPoints)
   {
     if (slice.sopClassUID.empty() || slice.sopInstanceUID.empty())
     {
-      throw InputError(slice.file + ": has no SOP Class or Instance UID, so that no result can refer to it; copy the "
-                                    "series from its source again");
+      throw InputError(slice.file +
+                       ": has no SOP Class or Instance UID, so results cannot reference it; copy the series from its "
+                       "source again");
     }
   }
   const bool hasIdentity = !series.uid.empty() && !series.studyUID.empty() && !series.frameOfReferenceUID.empty();
   if (!hasIdentity && !forPoints)
   {
     throw InputError(series.slices.front().file +
-                     ": has no Series or Study Instance UID or no frame of reference, so that no result can belong to "
-                     "it; copy the series from its source again");
+                     ": has no Series or Study Instance UID or no frame of reference, which results require; copy the series "
+                     "from its source again");
   }
 }
 } // namespace

@@ -155,8 +155,8 @@ TEST(DicomReport, RefusesGraphicsThatAreNone)
   EXPECT_TRUE(Contains(faultOf(graphic("POINT", { 1, 1, 2, 2 })), "invalid coordinates of a POINT"));
   EXPECT_TRUE(Contains(faultOf(graphic("ELLIPSE", { 1, 1, 2, 2 })), "invalid coordinates of a ELLIPSE"));
   EXPECT_TRUE(Contains(faultOf(graphic("FOO", { 1, 1 })), "invalid coordinates of a FOO"));
-  EXPECT_TRUE(Contains(faultOf(graphic("POINT", { 5000, 1 })), "outside of their image"));
-  EXPECT_TRUE(Contains(faultOf(graphic("POINT", { 1, -1 })), "outside of their image"));
+  EXPECT_TRUE(Contains(faultOf(graphic("POINT", { 5000, 1 })), "outside their image"));
+  EXPECT_TRUE(Contains(faultOf(graphic("POINT", { 1, -1 })), "outside their image"));
   EXPECT_TRUE(
     Contains(faultOf([](DcmItem & item) { item.findAndDeleteElement(DCM_ContentSequence); }), "reference no image"));
   EXPECT_TRUE(Contains(faultOf([](DcmItem & item) {

@@ -228,14 +228,14 @@ TEST(DicomSegmentation, BelongsToTheSeriesThatItNames)
   EXPECT_NO_THROW(RequireMadeOn(file, written.source));
   DicomSource other = written.source; // same grid at another position
   other.series.uid += ".1";
-  EXPECT_TRUE(Contains(InputErrorOf([&] { RequireMadeOn(file, other); }), "made on another series"));
+  EXPECT_TRUE(Contains(InputErrorOf([&] { RequireMadeOn(file, other); }), "created from another series"));
   other = written.source;
   other.series.frameOfReferenceUID += ".1";
-  EXPECT_TRUE(Contains(InputErrorOf([&] { RequireMadeOn(file, other); }), "made on another series"));
+  EXPECT_TRUE(Contains(InputErrorOf([&] { RequireMadeOn(file, other); }), "created from another series"));
   file.seriesUID.clear();
   EXPECT_NO_THROW(RequireMadeOn(file, written.source));
   file.frameOfReferenceUID.clear();
-  EXPECT_TRUE(Contains(InputErrorOf([&] { RequireMadeOn(file, written.source); }), "does not state whether"));
+  EXPECT_TRUE(Contains(InputErrorOf([&] { RequireMadeOn(file, written.source); }), "does not reference the series"));
 }
 
 TEST(DicomSegmentation, RefusesFramesAndSegmentsThatContradictEachOther)

@@ -54,7 +54,7 @@ ShapetonVolumeFiles_EXPORT itk::ImageBase<3>::Pointer
 /** Throws InputError for a folder or file without an image, with its contents and advice. `wanted` is the advice for
  * contents other than DICOM. \ingroup ShapetonVolumeFiles */
 ShapetonVolumeFiles_EXPORT void
-RequireDicomImages(const DicomScan & scan, const std::string & wanted = "name the folder that holds the series");
+RequireDicomImages(const DicomScan & scan, const std::string & wanted = "use the folder that contains the series");
 
 /** Reads a folder (searched recursively), one DICOM file, or one NRRD, NIfTI or MetaImage file.
  *

@@ -372,7 +372,7 @@ CheckEncapsulated(DcmPixelData & pixelData, E_TransferSyntax syntax, std::uint64
   const std::uint64_t bytes = CountFragmentBytes(*sequence);
   if (frameBytes > HarmlessFrameBytes && frameBytes / MaximumCompression > bytes)
   {
-    return "its " + std::to_string(bytes) + " compressed bytes cannot hold the image that the header claims";
+    return "its " + std::to_string(bytes) + " compressed bytes are not sufficient for the image that the header states";
   }
   return {};
 }

@@ -225,9 +225,9 @@ GetDicomDefectAdvice(const DicomDefect & defect)
     case DicomDefectKind::mixedFrameOfReference:
       return "if the series was combined from several, check that no part is displaced";
     case DicomDefectKind::mixedPatient:
-      return "check that all slices show one person";
+      return "check that all slices belong to one person";
     case DicomDefectKind::malformedValue:
-      return "write the numbers of these files as DICOM Decimal Strings, with a point, or export the series again";
+      return "write these numbers as DICOM Decimal Strings, with a decimal point, or export the series again";
     case DicomDefectKind::undecodableText:
       return "the images are not affected";
     case DicomDefectKind::localizer:

@@ -67,13 +67,13 @@ TargetOf(const std::string & folder)
 {
   if (folder.empty())
   {
-    throw OutputError("the name of the output folder is empty; give a folder name");
+    throw OutputError("the name of the output folder is empty; specify a folder name");
   }
   std::error_code error;
   fs::path        target = fs::weakly_canonical(fs::absolute(folder), error).lexically_normal();
   if (error)
   {
-    ThrowCannotWriteSeries(folder, error.message(), "give another name");
+    ThrowCannotWriteSeries(folder, error.message(), "use another name");
   }
   return target.has_filename() ? target : target.parent_path();
 }
@@ -87,21 +87,21 @@ CheckContents(const fs::path & target)
   }
   if (!fs::is_directory(target))
   {
-    ThrowCannotWriteSeries(target, "it is not a folder", "give another name");
+    ThrowCannotWriteSeries(target, "it is not a folder", "use another name");
   }
   std::error_code error;
   if (fs::equivalent(target, fs::current_path(), error))
   {
-    ThrowCannotWriteSeries(target, "it is the current folder", "give the name of a folder inside it");
+    ThrowCannotWriteSeries(target, "it is the current folder", "use a folder inside it");
   }
   for (const auto & entry : fs::directory_iterator(target))
   {
     if (!IsOurSlice(entry))
     {
       ThrowCannotWriteSeries(target,
-                             "it holds \"" + entry.path().filename().string() +
-                               "\", which is not a slice of a series that this program wrote",
-                             "give a new or an empty folder");
+                             "it contains \"" + entry.path().filename().string() +
+                               "\", which is not a slice of a series written by this program",
+                             "use a new or empty folder");
     }
   }
 }
@@ -115,11 +115,11 @@ CheckTarget(const fs::path & target)
   }
   catch (const fs::filesystem_error & failure)
   {
-    ThrowCannotWriteSeries(target, failure.code().message(), "choose a folder that can be read and written");
+    ThrowCannotWriteSeries(target, failure.code().message(), "use a readable and writable folder");
   }
   if (access(target.parent_path().c_str(), W_OK | X_OK) != 0)
   {
-    ThrowCannotWriteSeries(target, std::strerror(errno), "choose a place that exists and can be written");
+    ThrowCannotWriteSeries(target, std::strerror(errno), "use an existing, writable folder");
   }
 }
 
@@ -250,7 +250,7 @@ public:
     std::error_code error;
     if (!fs::create_directory(m_Path, error))
     {
-      ThrowCannotWriteSeries(target, error ? error.message() : "another run is writing it", "choose another place");
+      ThrowCannotWriteSeries(target, error ? error.message() : "another run is writing to it", "use another folder");
     }
   }
   TemporaryFolder(const TemporaryFolder &) = delete;
@@ -291,7 +291,7 @@ private:
     }
     if (!durable)
     {
-      ThrowCannotWriteSeries(m_Target, std::strerror(reason), "free some space or choose another place");
+      ThrowCannotWriteSeries(m_Target, std::strerror(reason), "free some space or use another folder");
     }
   }
 
@@ -302,7 +302,7 @@ private:
     fs::rename(from, to, error);
     if (error)
     {
-      ThrowCannotWriteSeries(m_Target, error.message(), "choose another place");
+      ThrowCannotWriteSeries(m_Target, error.message(), "use another folder");
     }
   }
 
@@ -317,7 +317,7 @@ private:
     if (error)
     {
       this->Rename(old, m_Target);
-      ThrowCannotWriteSeries(m_Target, error.message(), "choose another place");
+      ThrowCannotWriteSeries(m_Target, error.message(), "use another folder");
     }
     RemoveSeries(old);
   }

@@ -463,7 +463,7 @@ RemarkOnIdentity(DicomSeries & series,
   {
     series.remarks.push_back(DefectOfSlices(series,
                                             kind,
-                                            "the slices name " + std::to_string(values.size()) + " " + names +
+                                            "the slices have " + std::to_string(values.size()) + " " + names +
                                               ", but are equidistant and treated as one volume",
                                             AllIndices(series)));
   }
@@ -636,10 +636,10 @@ MixtureOf(const std::vector<DicomSeries> & parts)
   const bool        areSlices =
     std::all_of(parts.begin(), parts.end(), [](const DicomSeries & part) { return part.isSingleSlice; });
   return areSlices
-           ? "one Series Instance UID holds " + number +
+           ? "one Series Instance UID contains " + number +
                " slices that do not form a volume: they differ in patient, frame of reference, orientation or size, "
                "and are not equidistant"
-           : "one Series Instance UID holds images of " + number +
+           : "one Series Instance UID contains images of " + number +
                " kinds (columns x rows x slices): " + ListParts(parts);
 }
 
@@ -776,7 +776,7 @@ ScanDicom(const std::string & path, const Progress & progress)
   const auto paths = ListFiles(path);
   if (paths.empty())
   {
-    throw InputError(path + ": the folder is empty; name the folder that holds the DICOM files");
+    throw InputError(path + ": the folder is empty; use the folder that contains the DICOM files");
   }
   scan.files = static_cast<unsigned int>(paths.size());
   const std::vector<DicomFile> files = ParseFiles(paths, progress);

@@ -46,7 +46,7 @@ CheckText(const char * name, const std::string & text, std::size_t limit)
   if (std::any_of(text.begin(), text.end(), [](unsigned char c) { return c < 32 || c == 127 || c == '\\'; }))
   {
     throw InputError(std::string("the ") + name +
-                     " holds a backslash or a control character, which DICOM does not allow; remove it");
+                     " contains a backslash or a control character, which DICOM does not allow; remove it");
   }
 }
 
@@ -89,7 +89,7 @@ CheckDirection(const ShortImage::DirectionType & direction)
       if (!(std::abs(axes[i] * axes[j] - (i == j ? 1.0 : 0.0)) <= tolerance))
       {
         throw InputError(
-          "the image axes are not perpendicular unit vectors, which a CT series needs; resample the image");
+          "the image axes are not perpendicular unit vectors, which a CT series requires; resample the image");
       }
     }
   }
@@ -127,7 +127,7 @@ CheckImage(const ShortImage * image)
   if (region.GetSize(0) < 1 || region.GetSize(1) < 1 || region.GetSize(0) > 65535 || region.GetSize(1) > 65535)
   {
     throw InputError("the slices have " + std::to_string(region.GetSize(0)) + " x " +
-                     std::to_string(region.GetSize(1)) + " pixels; a CT series allows 1 to 65535 each way");
+                     std::to_string(region.GetSize(1)) + " pixels; a CT series allows 1 to 65535 in each direction");
   }
   if (region.GetSize(2) < 2)
   {
@@ -243,7 +243,7 @@ private:
   {
     if (condition.bad())
     {
-      throw OutputError(std::string("cannot make a DICOM header: ") + condition.text() + "; report this as a bug");
+      throw OutputError(std::string("cannot create a DICOM header: ") + condition.text() + "; report this as a bug");
     }
   }
   DcmDataset & m_Dataset;

@@ -33,7 +33,7 @@ CheckMemory(const DicomSeries & series, double voxels)
 {
   if (voxels * sizeof(float) > PhysicalMemory())
   {
-    Refuse(series, "the volume does not fit into the memory of this machine; use fewer slices");
+    Refuse(series, "the volume exceeds the memory of this machine; use fewer slices");
   }
 }
 
@@ -86,7 +86,7 @@ DropDuplicates(const DicomSeries & series, Volume & volume)
   const std::size_t dropped = series.slices.size() - kept.size();
   if (dropped > 0)
   {
-    volume.repairs.push_back("dropDuplicates: " + Count(dropped, "slice") + " at positions of other slices left out");
+    volume.repairs.push_back("dropDuplicates: " + Count(dropped, "slice") + " at positions of other slices skipped");
   }
   return kept;
 }
@@ -129,7 +129,7 @@ FillPadding(const DicomSeries & series, ImageType * image, Volume & volume)
   {
     if (std::isinf(voxels[i]))
     {
-      Refuse(series, "Rescale Slope and Intercept give intensities beyond the range of float");
+      Refuse(series, "Rescale Slope and Intercept result in intensities beyond the range of float");
     }
     padding += std::isnan(voxels[i]) ? 1 : 0;
     lowest = std::isnan(voxels[i]) ? lowest : std::min(lowest, voxels[i]);
@@ -242,7 +242,7 @@ Deshear(const DicomSeries & series,
     progress((&slice - slices.data() + 1.0) / static_cast<double>(slices.size()));
   }
   volume.repairs.push_back("deshear: " + Count(slices.size(), "slice") +
-                           " moved within their planes by linear interpolation, uncovered voxels set to " +
+                           " shifted within their planes by linear interpolation, uncovered voxels set to " +
                            NumberText(outside));
   return image;
 }
@@ -335,17 +335,16 @@ AddNotes(const DicomSeries & series, Volume & volume)
 {
   if (series.isLossy)
   {
-    volume.notes.push_back("the pixels went through a lossy compression");
+    volume.notes.push_back("the pixels were compressed lossily");
   }
   if (series.isInverted)
   {
-    volume.notes.push_back("MONOCHROME1: low intensities are meant to be shown bright; the values are unchanged");
+    volume.notes.push_back("MONOCHROME1: low intensities are displayed bright; the values are unchanged");
   }
   if (series.modality == "CT" && !series.slices.front().pixels.hasRescale)
   {
     volume.notes.push_back(
-      "no Rescale Slope and Rescale Intercept: the values are those stored, perhaps not Hounsfield "
-      "units");
+      "no Rescale Slope and Rescale Intercept: stored values are used, perhaps not Hounsfield units");
   }
   if (series.isSingleSlice)
   {

@@ -254,7 +254,7 @@ CheckKind(const std::string & path, const ImageHeader & header)
   {
     ThrowUnsuitable(path,
                     "its voxels have " + std::to_string(header.components) +
-                      " components (color, vector or complex); one intensity for each voxel is needed");
+                      " components (color, vector or complex); one intensity per voxel is required");
   }
   if (header.componentBytes == 0)
   {
@@ -262,7 +262,7 @@ CheckKind(const std::string & path, const ImageHeader & header)
   }
   if (header.size.size() < 3)
   {
-    ThrowUnsuitable(path, "a 2-D image; a volume is needed");
+    ThrowUnsuitable(path, "a 2-D image; a volume is required");
   }
   for (std::size_t i = 3; i < header.size.size(); ++i)
   {
@@ -326,13 +326,13 @@ CheckSize(const std::string & path, const ImageHeader & header, const StoredVoxe
   if (!CanHold(stored, bytes, voxels))
   {
     std::ostringstream text;
-    text << "truncated: the header claims " << header.size[0] << "x" << header.size[1] << "x" << header.size[2]
-         << " voxels, more than the file can hold";
+    text << "truncated: the header states " << header.size[0] << "x" << header.size[1] << "x" << header.size[2]
+         << " voxels, more than the file can contain";
     ThrowUnsuitable(path, text.str());
   }
   if (bytes + voxels * sizeof(float) > PhysicalMemory())
   {
-    ThrowUnsuitable(path, "the volume does not fit into the memory of this machine; crop it");
+    ThrowUnsuitable(path, "the volume exceeds the memory of this machine; crop it");
   }
   return bytes;
 }

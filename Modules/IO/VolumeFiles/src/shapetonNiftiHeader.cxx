@@ -121,7 +121,7 @@ public:
                   std::string("its header has the magic ") + Quoted(Printable(magic.substr(0, 3))) + " where " +
                     this->Name() + (m_IsNifti2 ? " has \"n+2\" or \"ni2\"" : " has \"n+1\" or \"ni1\"") +
                     ": it is damaged, or ANALYZE 7.5, which does not state orientation and origin; convert it to NIfTI "
-                    "with a program that knows them");
+                    "with a program that sets them");
     return isSingle;
   }
   std::int64_t
@@ -327,11 +327,11 @@ SetPlace(const std::string & path, const Fields & fields, NiftiHeader & header)
   const bool isSingle = fields.IsSingleFile();
   header.voxelFile = isSingle ? path : FileBeside(path, ".img", ".IMG");
   fields.Require(!header.voxelFile.empty(),
-                 "its voxels should be in an .img file beside it, which is missing (magic \"ni1\" or \"ni2\")");
+                 "the .img file with its voxels is missing (magic \"ni1\" or \"ni2\")");
   const double       offset = fields.VoxelOffset();
   const int          least = isSingle ? fields.Size() : 0;
   std::ostringstream text;
-  text << "vox_offset, where the voxels begin, is " << offset << "; it must be an integer of at least " << least;
+  text << "vox_offset, the start of the voxels, is " << offset << "; it must be an integer of at least " << least;
   fields.Require(offset >= least && offset == std::floor(offset) && offset < 1e15, text.str());
   header.voxelOffset = static_cast<std::uint64_t>(offset);
 }
@@ -418,7 +418,7 @@ SformOf(const Fields & fields, NiftiHeader & header)
     fields.Require(AreFinite(frame.axes[axis]) && AreFinite(frame.origin),
                    "a number of its sform (srow_x, srow_y, srow_z) is not finite; repair the header");
     taken[axis] = frame.axes[axis].GetNorm();
-    fields.Require(taken[axis] > 0.0, "axis " + NumberOf(axis) + " of its sform has no length; repair the header");
+    fields.Require(taken[axis] > 0.0, "axis " + NumberOf(axis) + " of its sform has zero length; repair the header");
     stated[axis] = std::abs(fields.Pixdim(axis + 1));
     agrees = agrees && std::abs(stated[axis] - taken[axis]) <= RelativeSpacingTolerance * taken[axis];
   }
@@ -528,8 +528,8 @@ SetGeometry(const Fields & fields, NiftiHeader & header)
     {
       frame.axes[axis][axis] = (axis < 2 ? -1.0 : 1.0) * SpacingOf(fields, axis, header);
     }
-    header.notes.emplace_back("sform_code and qform_code are 0: orientation and origin are unknown, and so are left "
-                              "and right; the axes are assumed to be left, posterior and superior");
+    header.notes.emplace_back("sform_code and qform_code are 0: orientation and origin are unknown, as are left and "
+                              "right; the axes are assumed to be left, posterior and superior");
   }
   const double toLps[3] = { -1.0, -1.0, 1.0 };
   for (int axis = 0; axis < 3; ++axis)

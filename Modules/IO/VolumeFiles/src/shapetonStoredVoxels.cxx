@@ -81,7 +81,7 @@ DetachedFile(const std::string & path, const std::string & name)
   const bool isList = LowerCase(name).compare(0, 4, "list") == 0;
   if (isList || name.find('%') != std::string::npos || name.find(' ') != std::string::npos)
   {
-    ThrowUnsuitable(path, "its data lie in several files (" + name + "); store the volume in one file");
+    ThrowUnsuitable(path, "its data are split into several files (" + name + "); store the volume in one file");
   }
   const std::string file = (fs::path(path).parent_path() / name).string();
   std::error_code   error;
@@ -309,7 +309,7 @@ ReadDeflated(const StoredVoxels & voxels, const TakeBytes & take = {})
   }
   if (!inflater.HasEnded())
   {
-    throw std::runtime_error("truncated: its compressed voxels break off after " + std::to_string(stream.bytes) +
+    throw std::runtime_error("truncated: its compressed voxels end after " + std::to_string(stream.bytes) +
                              " bytes");
   }
   return stream;
@@ -333,7 +333,7 @@ RequireBytes(std::uint64_t present, std::uint64_t needed)
 {
   if (present < needed)
   {
-    throw std::runtime_error("truncated: it holds " + std::to_string(present) + " of " + std::to_string(needed) +
+    throw std::runtime_error("truncated: it contains " + std::to_string(present) + " of " + std::to_string(needed) +
                              " bytes of voxels");
   }
 }

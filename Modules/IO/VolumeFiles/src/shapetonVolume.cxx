@@ -65,7 +65,7 @@ MaskOfVolume(const Volume & volume, const std::string & path)
     begin, end, mask->GetBufferPointer(), [](float value) { return static_cast<unsigned char>(value != 0.0F); });
   if (std::all_of(begin, end, [](float value) { return value == 0.0F; }))
   {
-    throw InputError(path + ": the mask is empty: it needs voxels other than 0");
+    throw InputError(path + ": the mask is empty: it must contain nonzero voxels");
   }
   return mask;
 }

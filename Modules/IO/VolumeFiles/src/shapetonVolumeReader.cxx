@@ -66,12 +66,12 @@ RefusalOf(const DicomSeries & series, const VolumeReadOptions & options)
     if (!IsRepaired(defect, options, isChosenPart))
     {
       return std::string(GetDicomDefectName(defect.kind)) + ": " + defect.message + "; " +
-             (MayAdvise(defect, options) ? GetDicomDefectAdvice(defect) : "a series without this defect is needed");
+             (MayAdvise(defect, options) ? GetDicomDefectAdvice(defect) : "a series without this defect is required");
     }
   }
   if (series.isSingleSlice && !options.allowSingleSlice)
   {
-    return "a single slice; a volume needs two or more, name the folder of the series";
+    return "a single slice; a volume requires two or more; use the folder of the series";
   }
   return series.isSingleSlice ? std::string() : series.refusal;
 }
@@ -94,7 +94,7 @@ List(const SeriesList & list, const std::function<std::string(const DicomSeries 
   {
     const std::size_t number = LengthOfSingles(list, i);
     joined += (i > 0 ? "; " : "") + text(*list[i]);
-    joined += number > 1 ? ", and " + Count(number - 1, "other slice") + " apart like it" : "";
+    joined += number > 1 ? ", and " + Count(number - 1, "other slice") + " of the same kind" : "";
     i += number;
   }
   return i < list.size() ? joined + "; and " + std::to_string(list.size() - i) + " more" : joined;
@@ -144,7 +144,7 @@ AdviceOnObjects(const DicomScan & scan)
   return std::string(areContours  ? "a structure set contains only contours; "
                      : areReports ? "the points of a report are read by DicomResultsToColon; "
                                   : "") +
-         "name the folder that holds the image series to which they refer";
+         "use the folder with the image series that they reference";
 }
 
 /** A damaged file of unknown series may be the first or last slice of any series. */
@@ -201,7 +201,7 @@ UnusableSlicesOf(const DicomSeries & series, const DicomScan & scan)
                             !(other.isSingleSlice && series.isSingleSlice);
     if (isUnusable && !other.slices.empty() && !other.Has(DicomDefectKind::localizer))
     {
-      text += "; not usable of this series: " + other.slices.front().file +
+      text += "; not usable from this series: " + other.slices.front().file +
               (other.slices.size() > 1 ? " and " + std::to_string(other.slices.size() - 1) + " more" : "") + ": " +
               other.refusal;
     }
@@ -240,7 +240,7 @@ CountOthers(const DicomScan & scan, Volume & volume)
   const std::size_t others = scan.series.size() - 1;
   if (others > 0)
   {
-    volume.notes.push_back("left out: " + std::to_string(others) +
+    volume.notes.push_back("skipped: " + std::to_string(others) +
                            " other series or parts of the folder; DicomSeriesInspector lists them");
   }
 }
@@ -257,14 +257,14 @@ ListOthers(const DicomScan & scan, const DicomSeries & taken, Volume & volume)
   if (localizers > 0)
   {
     volume.notes.push_back(std::to_string(localizers) +
-                           (localizers == 1 ? " localizer image was" : " localizer images were") + " left out");
+                           (localizers == 1 ? " localizer image was" : " localizer images were") + " skipped");
   }
   for (const DicomSeries & series : scan.series)
   {
     if (&series != &taken && !series.Has(DicomDefectKind::localizer))
     {
       const std::string reason = series.defects.empty() ? series.refusal : GetDicomDefectName(series.defects[0].kind);
-      volume.notes.push_back("left out: series " + Describe(series) + (reason.empty() ? "" : ": " + reason));
+      volume.notes.push_back("skipped: series " + Describe(series) + (reason.empty() ? "" : ": " + reason));
     }
   }
 }
@@ -292,7 +292,7 @@ NoteOthers(const DicomScan & scan, const DicomSeries & taken, bool isChosen, Vol
   if (damaged > 0)
   {
     volume.notes.push_back(std::to_string(damaged) + (damaged == 1 ? " truncated file was" : " truncated files were") +
-                           " left out");
+                           " skipped");
   }
 }
 
@@ -323,7 +323,7 @@ CheckExtent(const std::string & path, const Volume & volume, const VolumeReadOpt
   {
     if (size[axis] < 2 && !options.allowSingleSlice)
     {
-      ThrowUnsuitable(path, "a single slice; a volume needs two or more along each axis");
+      ThrowUnsuitable(path, "a single slice; a volume requires two or more along each axis");
     }
   }
 }
@@ -358,8 +358,8 @@ SelectDicomSeries(const DicomScan & scan, const VolumeReadOptions & options)
 {
   const bool isFile = scan.files == 1 && !fs::is_directory(scan.path);
   RequireDicomImages(scan,
-                     isFile ? "give a folder with a DICOM series, or a DICOM, NRRD, NIfTI or MetaImage file"
-                            : "name the folder that holds the series");
+                     isFile ? "use a folder with a DICOM series, or a DICOM, NRRD, NIfTI or MetaImage file"
+                            : "use the folder that contains the series");
   return options.seriesUID.empty() ? SelectOnlyOne(scan, options) : SelectByUID(scan, options);
 }
 

@@ -227,7 +227,7 @@ Verify(const TImage * image, const std::string & path)
   }
   if (!HoldsVoxels<TImage>(image, path, reader))
   {
-    throw OutputError(path + ": the file does not hold what was written; is the disk full?");
+    throw OutputError(path + ": the file differs from the written data; check the free disk space");
   }
 }
 } // namespace

@@ -160,7 +160,7 @@ TEST(DicomOfOtherPrograms, AFolderOfOtherObjectsSaysWhatTheyAre)
   SaveDicom(file, folder + "/more.dcm");
   const std::string message = InputErrorOf([&] { ReadVolume(folder); });
   EXPECT_TRUE(Contains(message, "2 RTStructureSetStorage")) << message;
-  EXPECT_TRUE(Contains(message, "contains only contours; name the folder that holds the image series")) << message;
+  EXPECT_TRUE(Contains(message, "contains only contours; use the folder with the image series")) << message;
   EXPECT_TRUE(Contains(InputErrorOf([&] { ReadVolume(folder + "/more.dcm"); }), "1 RTStructureSetStorage"));
 }
 

@@ -292,7 +292,7 @@ TEST(Nifti, NumbersThatAreNoGeometryAreRefused)
   EXPECT_TRUE(Contains(FaultOf(nan), "sform (srow_x, srow_y, srow_z) is not finite"));
   NiftiFile flat;
   flat.SetSform({ 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0 });
-  EXPECT_TRUE(Contains(FaultOf(flat), "axis 3 of its sform has no length"));
+  EXPECT_TRUE(Contains(FaultOf(flat), "axis 3 of its sform has zero length"));
   NiftiFile turned;
   turned.SetCodes(1, 0);
   turned.SetQform({ 1, 1, 0, 0, 0, 0 });
@@ -379,7 +379,7 @@ TEST(Nifti, VoxelsBeginWhereTheHeaderSays)
   for (const double offset : { 0.0, -1.0, 347.0, 352.5, NotANumber })
   {
     file.SetOffset(offset);
-    EXPECT_TRUE(Contains(FaultOf(file), "vox_offset, where the voxels begin, is")) << offset;
+    EXPECT_TRUE(Contains(FaultOf(file), "vox_offset, the start of the voxels, is")) << offset;
   }
 }
 
@@ -399,6 +399,6 @@ TEST(Nifti, BothFilesOfAPairAreOneVolume)
   WriteBytes(folder / "a.img", file.voxels);
   EXPECT_NE(ReadImageFile(folder / "a.hdr").identity, identity);
   WriteBytes(folder / "lonely.hdr", file.HeaderOfPair());
-  EXPECT_TRUE(Contains(basetest::MessageOf([&] { ReadImageFile(folder / "lonely.hdr"); }), ".img file beside it"));
+  EXPECT_TRUE(Contains(basetest::MessageOf([&] { ReadImageFile(folder / "lonely.hdr"); }), "the .img file"));
 }
 } // namespace

@@ -72,7 +72,7 @@ TEST(Volume, AsAMaskHasOnesAndTheGridOfTheImage)
 
   volume.image->FillBuffer(0.0F);
   EXPECT_EQ(basetest::MessageOf([&] { shapeton::MaskForImage(volume, "m.nrrd", image); }),
-            "InputError: m.nrrd: the mask is empty: it needs voxels other than 0");
+            "InputError: m.nrrd: the mask is empty: it must contain nonzero voxels");
   volume.image->SetSpacing(2.0);
   EXPECT_NE(
     basetest::MessageOf([&] { shapeton::MaskForImage(volume, "m.nrrd", image); }).find("differs in size or position"),

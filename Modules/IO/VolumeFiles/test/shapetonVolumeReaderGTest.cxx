@@ -215,7 +215,7 @@ TEST(VolumeReader, SlicesWithAFrameOfReferenceEachAreAVolumeWithANote)
   const Volume volume = ReadVolume(folder);
   EXPECT_LT(LargestDeviation(volume, DicomFixture::Ramp), Quantization);
   ASSERT_EQ(volume.notes.size(), 1U);
-  EXPECT_NE(volume.notes[0].find("mixedFrameOfReference: the slices name 6 frames of reference"), std::string::npos);
+  EXPECT_NE(volume.notes[0].find("mixedFrameOfReference: the slices have 6 frames of reference"), std::string::npos);
 }
 
 TEST(VolumeReader, SlicesApartAreOneEntryOfTheRefusal)
@@ -228,7 +228,7 @@ TEST(VolumeReader, SlicesApartAreOneEntryOfTheRefusal)
   files.erase(files.begin() + 2);
   const std::string refusal = RefusalOf(files);
   EXPECT_NE(refusal.find("mixedSeries"), std::string::npos);
-  EXPECT_NE(refusal.find("and 4 other slices apart like it"), std::string::npos) << refusal;
+  EXPECT_NE(refusal.find("and 4 other slices of the same kind"), std::string::npos) << refusal;
   EXPECT_EQ(refusal.find("#2 ("), std::string::npos) << refusal;
 }
 
@@ -427,7 +427,7 @@ TEST(VolumeReader, TheOnlyVolumeIsTakenWithANoteAboutTheRest)
   shapeton::WriteFaultyInputs(folder);
   const Volume volume = ReadVolume(folder + "/withLocalizer");
   EXPECT_LT(LargestDeviation(volume, DicomFixture::Ramp), Quantization);
-  EXPECT_EQ(volume.notes, std::vector<std::string>{ "2 localizer images were left out" });
+  EXPECT_EQ(volume.notes, std::vector<std::string>{ "2 localizer images were skipped" });
 }
 
 TEST(VolumeReader, PartsOfAMixedSeriesCanBeChosen)
@@ -466,7 +466,7 @@ TEST(VolumeReader, ATruncatedSliceSpoilsTheSeries)
   options.seriesUID = DicomFixture().seriesUID;
   const Volume volume = ReadVolume(folder, options);
   ExpectSize(volume, 7, 9, 5);
-  EXPECT_EQ(volume.notes, std::vector<std::string>{ "1 truncated file was left out" });
+  EXPECT_EQ(volume.notes, std::vector<std::string>{ "1 truncated file was skipped" });
 }
 
 TEST(VolumeReader, TruncatedCompressedPixelsAreNamed)
@@ -582,7 +582,7 @@ TEST(VolumeReader, DropDuplicatesKeepsTheFirst)
   ExpectSize(volume, 7, 9, 4);
   EXPECT_LT(LargestDeviation(volume, DicomFixture::Ramp), Quantization);
   EXPECT_EQ(volume.repairs,
-            std::vector<std::string>{ "dropDuplicates: 1 slice at positions of other slices left out" });
+            std::vector<std::string>{ "dropDuplicates: 1 slice at positions of other slices skipped" });
 }
 
 TEST(VolumeReader, ResampleGapsFillsGaps)
@@ -672,7 +672,7 @@ TEST(VolumeReader, DeshearPutsEachSliceInItsPlace)
     // Each slice covers its 7 x 9 pixels except for the border, where interpolation lacks a neighbor.
     EXPECT_GE(covered, 6u * 6u * 8u);
     ASSERT_EQ(volume.repairs.size(), 1u);
-    EXPECT_TRUE(Contains(volume.repairs[0], "deshear: 6 slices moved")) << volume.repairs[0];
+    EXPECT_TRUE(Contains(volume.repairs[0], "deshear: 6 slices shifted")) << volume.repairs[0];
   }
 }
 

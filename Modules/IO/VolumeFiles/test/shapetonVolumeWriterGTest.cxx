@@ -296,7 +296,7 @@ TEST(ImageFile, HeadersThatClaimTooMuchAreRefusedBeforeAllocation)
 {
   const std::string raw = RefusalOf(
     WriteNrrd("type: float\ndimension: 3\nsizes: 60000 60000 60000\nendian: little\nencoding: raw\n", Bytes8));
-  EXPECT_TRUE(Contains(raw, "truncated: the header claims 60000x60000x60000 voxels")) << raw;
+  EXPECT_TRUE(Contains(raw, "truncated: the header states 60000x60000x60000 voxels")) << raw;
   const std::string gzip =
     RefusalOf(WriteNrrd("type: float\ndimension: 3\nsizes: 3000 3000 3000\nendian: little\nencoding: gzip\n", Bytes8));
   EXPECT_TRUE(Contains(gzip, "truncated: ")) << gzip;
@@ -489,7 +489,7 @@ TEST(ImageFile, SeveralGzipMembersAreOneStream)
   };
   append(file.bytes, "wb");
   append(file.voxels.substr(0, 40), "ab");
-  EXPECT_TRUE(Contains(RefusalOf(path), "truncated: it holds 40 of 96 bytes"));
+  EXPECT_TRUE(Contains(RefusalOf(path), "truncated: it contains 40 of 96 bytes"));
   append(file.voxels.substr(40), "ab");
   EXPECT_EQ(ReadVolume(path).image->GetPixel({ { 1, 2, 3 } }), 23.0F);
 }

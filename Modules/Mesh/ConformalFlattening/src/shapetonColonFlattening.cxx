@@ -76,8 +76,8 @@ private:
     if (m_Result.rectumFrom == "firstLoop")
     {
       m_Result.warnings.push_back(std::string(surfaceName) +
-                                  " does not say which end is the rectum (field array rectumLoop, or " +
-                                  "the parameter \"centerline\"): u begins at the loop with the least vertex");
+                                  " does not identify the rectum end (field array rectumLoop, or " +
+                                  "the parameter \"centerline\"): u starts at the loop with the lowest vertex index");
     }
   }
 
@@ -153,7 +153,7 @@ private:
       m_Result.warnings.push_back(
         std::string(surfaceName) + ": the diffusion time is less than the square of the mean edge length, " +
         std::to_string(edge) +
-        " mm, so the metric depends on the mesh; take a finer surface or the parameter \"metric\" = euclidean");
+        " mm, so the metric depends on the mesh; use a finer surface or the parameter \"metric\" = euclidean");
     }
   }
 
@@ -164,7 +164,7 @@ private:
     m_Result.warnings.push_back(std::string(surfaceName) + ": the mean edge length, " + std::to_string(edge) +
                                 " mm, is too long for a diffusion time that preserves the narrowest part, of radius " +
                                 std::to_string(m_Result.narrowestRadius) +
-                                " mm: the metric is euclidean; take a finer surface");
+                                " mm: the metric is euclidean; use a finer surface");
   }
 
   /** Edge lengths of a surface in the metric of the map. */
@@ -323,7 +323,7 @@ private:
     {
       m_Result.warnings.push_back(std::string(surfaceName) + ": " + std::to_string(m_Result.distortion.flips) + " of " +
                                   std::to_string(flat.NumberOfFaces()) +
-                                  " faces are folded on the map; look at the handles, or remesh the surface");
+                                  " faces are folded on the map; check the handles, or remesh the surface");
     }
   }
 

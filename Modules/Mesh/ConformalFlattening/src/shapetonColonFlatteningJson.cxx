@@ -156,7 +156,7 @@ OnlyCurve(const CurveSet & curves, const std::string & what)
   if (curves.curves.size() != 1 || curves.curves.front().size() < 2)
   {
     throw InputError(what + " has " + std::to_string(curves.curves.size()) +
-                     " curves, or a point only; give a file with one curve");
+                     " curves or a single point; use a file with one curve");
   }
   std::vector<Eigen::Vector3d> points;
   for (const int v : curves.curves.front())

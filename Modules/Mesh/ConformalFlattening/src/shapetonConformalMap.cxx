@@ -31,7 +31,8 @@ ElementOfBoundary(int number, std::size_t count, const char * role)
   if (number < 1 || number > static_cast<int>(count))
   {
     throw InputError("boundary " + std::to_string(number) + ", chosen as the " + role +
-                     " one, does not exist; the surface has " + CountOfBoundaries(count) + ", number 1 is the longest");
+                     " boundary, does not exist; the surface has " + CountOfBoundaries(count) +
+                     ", number 1 is the longest");
   }
   return number - 1;
 }
@@ -41,13 +42,13 @@ RequireBoundaries(const ConformalMapOptions & options, std::size_t count)
 {
   if (count == 0)
   {
-    throw InputError("the surface has no boundary, but a map to the plane needs one; cut it open: one boundary for a "
-                     "rectangle, two or more for an annulus");
+    throw InputError("the surface has no boundary, but a map to the plane requires one; cut it open: one boundary for "
+                     "a rectangle, two or more for an annulus");
   }
   if (count == 1 && options.domain != ConformalDomain::Rectangle)
   {
     throw InputError(
-      "an annulus needs an outer and an inner boundary, but the surface has 1 boundary; map it to a rectangle, or "
+      "an annulus requires an outer and an inner boundary, but the surface has 1 boundary; map it to a rectangle, or "
       "cut a hole");
   }
   if (count > 2 && options.domain == ConformalDomain::Annulus)
@@ -206,7 +207,7 @@ Warn(ConformalMap & map)
   if (!map.ears.empty())
   {
     map.warnings.push_back(std::to_string(map.ears.size()) + (map.ears.size() == 1 ? " face has" : " faces have") +
-                           " all corners on one boundary, and no area on the plane");
+                           " all corners on one boundary and are mapped to zero area");
   }
   if (map.flips > 0)
   {
@@ -217,13 +218,13 @@ Warn(ConformalMap & map)
   {
     map.warnings.push_back("the two moduli differ by " + CsvTable::Rounded(100.0 * map.ModulusGap(), 2) +
                            " %, so the map is not conformal everywhere: " +
-                           (map.genus > 0 ? "handles are not small; remove them" : "remesh the surface finer"));
+                           (map.genus > 0 ? "handles are not small; remove them" : "use a finer mesh"));
   }
   if (map.domain != ConformalDomain::Rectangle &&
       map.slitMaps.front().logRadiusOfLoops.minCoeff() < std::log(smallestCircle))
   {
     map.warnings.push_back(
-      "the inner circle is less than a hundredth of the outer one; the domain rectangle shows more");
+      "the inner circle is less than a hundredth of the outer one; use the domain rectangle for a better view");
   }
 }
 

@@ -119,7 +119,7 @@ MeasureFlatDistortion(const FaceMatrix & F, const Eigen::MatrixX2d & uv, const S
 {
   if (sides.rows() != F.rows() || (F.size() > 0 && F.maxCoeff() >= uv.rows()))
   {
-    throw InputError("the flat map does not fit the surface: " + std::to_string(uv.rows()) + " places, sides of " +
+    throw InputError("the flat map does not match the surface: " + std::to_string(uv.rows()) + " places, sides of " +
                      std::to_string(sides.rows()) + " of " + std::to_string(F.rows()) + " faces");
   }
   FlatDistortion  distortion{ Eigen::VectorXd(F.rows()), Eigen::VectorXd(F.rows()), {} };
@@ -225,7 +225,7 @@ MeasureTriangleQuality(const SideLengths & sides, int bins)
 {
   if (bins < 1)
   {
-    throw InputError("a histogram needs at least one part");
+    throw InputError("a histogram requires at least one bin");
   }
   const Eigen::VectorXd qualities = TriangleQualities(sides);
   TriangleQuality       result;

@@ -68,7 +68,7 @@ MakeFlatSurface(CutSurface cut, const Eigen::MatrixX2d & uv)
   if (uv.rows() != cut.mesh.V.rows() || !uv.allFinite())
   {
     throw InputError("the flat map has " + std::to_string(uv.rows()) + " places for " +
-                     std::to_string(cut.mesh.V.rows()) + " vertices, or a place is not finite");
+                     std::to_string(cut.mesh.V.rows()) + " vertices, or a position is not finite");
   }
   SurfaceMesh  flat = std::move(cut.mesh);
   SurfaceArray source{ sourceName, {}, true };
@@ -97,7 +97,7 @@ FlatCoordinates(const SurfaceMesh & flat, const std::string & what)
   const SurfaceArray & array = RequirePointArray(flat, uvName, 2, what);
   if (!array.values.allFinite())
   {
-    throw InputError(what + ": its flat map has a place that is not finite; flatten it again");
+    throw InputError(what + ": its flat map has a position that is not finite; flatten it again");
   }
   return array.values;
 }

@@ -30,7 +30,7 @@ FacesOfHandles(const SurfaceConnectivity & connectivity, const std::vector<Surfa
     {
       if (v < 0 || v >= connectivity.NumberOfVertices())
       {
-        throw InputError("a handle names vertex " + std::to_string(v) + ", which does not exist");
+        throw InputError("a handle refers to vertex " + std::to_string(v) + ", which does not exist");
       }
       const std::vector<int> around = connectivity.NeighborsOfVertex(v);
       const bool             isNearRim =

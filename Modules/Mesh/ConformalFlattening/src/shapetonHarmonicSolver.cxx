@@ -56,7 +56,7 @@ RequireFixedComponents(const SurfaceLaplacian & laplacian, const std::vector<int
   {
     if (!hasFixed[components.Find(vertex)])
     {
-      throw InputError("a harmonic function needs a fixed value in each component of the surface; the component of "
+      throw InputError("a harmonic function requires a fixed value in each component of the surface; the component of "
                        "vertex " +
                        std::to_string(vertex) + " has none");
     }

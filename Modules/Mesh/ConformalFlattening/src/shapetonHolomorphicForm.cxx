@@ -50,7 +50,7 @@ std::vector<HolomorphicForm>
 HolomorphicFormsOf(const ConformalMap & map)
 {
   RequireParameter(map.domain == ConformalDomain::Slit,
-                   "1-forms need the slit maps of all inner boundaries; give the parameter \"domain\" = slit");
+                   "1-forms require the slit maps of all inner boundaries; set the parameter \"domain\" = slit");
   std::vector<std::vector<int>> paths;
   for (const SlitMap & slitMap : map.slitMaps)
   {

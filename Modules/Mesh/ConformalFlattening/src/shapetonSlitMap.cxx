@@ -41,7 +41,7 @@ InnerOf(const std::vector<BoundaryLoop> & loops, int outer)
 {
   if (loops.size() < 2)
   {
-    throw InputError("a slit map needs an outer and at least one inner boundary; the surface has " +
+    throw InputError("a slit map requires an outer and at least one inner boundary; the surface has " +
                      std::to_string(loops.size()) + (loops.size() == 1 ? " boundary" : " boundaries"));
   }
   if (outer < 0 || outer >= static_cast<int>(loops.size()))

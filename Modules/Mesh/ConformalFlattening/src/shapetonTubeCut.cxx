@@ -234,7 +234,7 @@ DistancesFromCurve(const SurfaceMesh &                  mesh,
   if (!(*middle <= farFromSurface))
   {
     throw InputError("most of the curve to cut along is " + std::to_string(*middle) +
-                     " mm or more from the surface; give a curve on it, in LPS and mm");
+                     " mm or more from the surface; use a curve on the surface, in LPS and mm");
   }
   return DistancesAlongEdges(graph, lengths, sources);
 }

@@ -51,7 +51,7 @@ ListOfLoops(const SurfaceMesh & mesh, const std::vector<std::vector<int>> & loop
 std::string
 AdviceFor(const SurfaceMesh & mesh, const std::vector<std::vector<int>> & loops)
 {
-  const std::string needs = "a tube needs two, one at each end";
+  const std::string needs = "a tube has two, one at each end";
   switch (loops.size())
   {
     case 0:
@@ -154,7 +154,7 @@ FindTubeEnds(const SurfaceMesh & mesh, const SurfaceConnectivity & connectivity,
   {
     throw InputError(what + " has " + std::to_string(connectivity.Components().size()) +
                      " components after cutting where it is not manifold or touches itself, but a tube has one; remesh "
-                     "the surface, or give one component");
+                     "the surface, or use one component");
   }
   if (!connectivity.IsManifold())
   {

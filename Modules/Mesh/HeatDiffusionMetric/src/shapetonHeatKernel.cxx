@@ -54,7 +54,7 @@ HeatKernelSignatureTimes(const SurfaceSpectrum & spectrum, int number)
     std::find_if(values.data(), values.data() + values.size(), [&](double value) { return value > rounding; });
   if (highest <= 0.0 || *lowest >= highest)
   {
-    throw InputError("too few eigenpairs to derive time scales; compute more, or state the times");
+    throw InputError("too few eigenpairs to derive time scales; compute more, or specify the times");
   }
   const double        factor = 4.0 * std::log(10.0);
   std::vector<double> times;

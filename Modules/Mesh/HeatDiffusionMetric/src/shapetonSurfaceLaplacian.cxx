@@ -141,7 +141,7 @@ SidesOfFace(const SurfaceConnectivity & connectivity, const Eigen::VectorXd & le
     const int edge = connectivity.EdgeOfFace(face, (k + 1) % 3);
     if (edge == -1)
     {
-      throw InputError(FaceName(face) + " names a vertex twice; repair the surface");
+      throw InputError(FaceName(face) + " has a repeated vertex; repair the surface");
     }
     sides[k] = lengths[edge];
   }
@@ -321,7 +321,7 @@ RequireOneManifold(const SurfaceConnectivity & connectivity, const std::string &
   {
     if (connectivity.ComponentOfFaces()[face] == -1)
     {
-      throw InputError(what + ": " + FaceName(face) + " names a vertex twice; repair the surface");
+      throw InputError(what + ": " + FaceName(face) + " has a repeated vertex; repair the surface");
     }
   }
   if (!connectivity.IsManifold())
@@ -331,7 +331,7 @@ RequireOneManifold(const SurfaceConnectivity & connectivity, const std::string &
   if (connectivity.Components().size() > 1)
   {
     throw InputError(what + " has " + std::to_string(connectivity.Components().size()) +
-                     " components where one is needed; choose a component");
+                     " components instead of one; choose a component");
   }
 }
 } // namespace shapeton

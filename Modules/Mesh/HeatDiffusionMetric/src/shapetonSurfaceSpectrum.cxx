@@ -143,7 +143,7 @@ AddPairs(ShiftedInverse &               inverse,
   if (solver.info() != Spectra::CompInfo::Successful)
   {
     throw InputError("only " + std::to_string(converged) + " of " + std::to_string(pairs) +
-                     " eigenpairs converged; ask for fewer, or remesh the surface");
+                     " eigenpairs converged; request fewer, or remesh the surface");
   }
   const Eigen::VectorXd values = solver.eigenvalues();
   const Eigen::MatrixXd vectors = solver.eigenvectors();

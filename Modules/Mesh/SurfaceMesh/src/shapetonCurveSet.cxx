@@ -18,13 +18,13 @@ RequireVertices(const CurveSet & curves, const std::string & what)
     const std::vector<int> & curve = curves.curves[c];
     if (curve.empty())
     {
-      throw InputError(what + ": curve " + std::to_string(c) + " has no vertex; correct it");
+      throw InputError(what + ": curve " + std::to_string(c) + " has no vertices; correct it");
     }
     for (const int v : curve)
     {
       if (v < 0 || v >= curves.V.rows())
       {
-        throw InputError(what + ": curve " + std::to_string(c) + " names vertex " + std::to_string(v) +
+        throw InputError(what + ": curve " + std::to_string(c) + " refers to vertex " + std::to_string(v) +
                          ", but there are " + std::to_string(curves.V.rows()) + "; correct it");
       }
     }
@@ -75,7 +75,7 @@ RequireSound(const CurveSet & curves, const std::string & what)
 {
   if (curves.V.rows() == 0)
   {
-    throw InputError(what + ": there are no points; give a file with lines or points");
+    throw InputError(what + ": there are no points; use a file with lines or points");
   }
   RequireConsistent(curves, 0, what);
 }
@@ -87,7 +87,7 @@ PointValues(const CurveSet & curves, const std::string & array, const std::strin
   if (!found || found->values.cols() != 1)
   {
     throw InputError(what + ": the point array \"" + array +
-                     "\" with one component is missing; give a file that has it");
+                     "\" with one component is missing; use a file with this array");
   }
   return found->values.col(0);
 }
@@ -115,7 +115,7 @@ ReadCurves(const std::string & path)
 {
   if (SurfaceExtension(path) != "vtp")
   {
-    RefuseSurface(path, "not a curve format", "give a .vtp file");
+    RefuseSurface(path, "not a curve format", "use a .vtp file");
   }
   PolygonSurface read = ReadVtpCurves(ReadFileBytes(path), path);
   CurveSet       curves;

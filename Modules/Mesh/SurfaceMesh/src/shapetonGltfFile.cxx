@@ -116,8 +116,9 @@ private:
     {
       if (static_cast<std::uint64_t>(index) >= vertices)
       {
-        RefuseSurface(
-          m_Path, "a face names vertex " + std::to_string(index) + ", but its mesh has " + std::to_string(vertices));
+        RefuseSurface(m_Path,
+                      "a face refers to vertex " + std::to_string(index) + ", but its mesh has " +
+                        std::to_string(vertices));
       }
     }
   }

@@ -20,7 +20,7 @@ constexpr std::uint32_t JsonChunk = 0x4E4F534A;
 constexpr std::uint32_t BinaryChunk = 0x004E4942;
 constexpr int           DeepestNode = 1000;
 
-const char * const Truncated = "truncated: it ends within its data";
+const char * const Truncated = "truncated: the file ends within its data";
 const char * const Again = "copy or write the file again";
 
 std::string
@@ -200,7 +200,7 @@ GltfScene::BufferOfUri(const std::string & uri) const
   const std::filesystem::path name = DecodePercents(uri);
   if (name.empty() || name.is_absolute() || uri.find("://") != std::string::npos || uri.find("..") != std::string::npos)
   {
-    RefuseSurface(m_Path, "a buffer lies outside its folder", "put all files into one folder, or write it as .glb");
+    RefuseSurface(m_Path, "a buffer is outside its folder", "put all files into one folder, or write it as .glb");
   }
   return ReadFileBytes((std::filesystem::path(m_Path).parent_path() / name).string());
 }

@@ -27,7 +27,7 @@ ReadCount(TextScanner & scanner, const char * what, std::size_t limit)
   const std::int64_t count = scanner.Integer(what, true);
   if (count < 0 || static_cast<std::uint64_t>(count) > limit)
   {
-    scanner.Refuse(std::to_string(count) + " as " + what + " is more than the file can hold");
+    scanner.Refuse(std::to_string(count) + " as " + what + " is more than the file can contain");
   }
   return static_cast<std::size_t>(count);
 }

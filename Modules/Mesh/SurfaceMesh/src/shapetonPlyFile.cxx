@@ -166,7 +166,7 @@ private:
     const std::size_t end = m_Bytes.find("end_header");
     if (m_Bytes.compare(0, 3, "ply") != 0 || end == std::string::npos)
     {
-      RefuseSurface(m_Path, "not a PLY file: it lacks \"ply\" or \"end_header\"", "give a surface");
+      RefuseSurface(m_Path, "not a PLY file: it lacks \"ply\" or \"end_header\"", "use a surface file");
     }
     const std::string header = m_Bytes.substr(0, end);
     m_DataBegin = std::min(m_Bytes.find('\n', end), m_Bytes.size() - 1) + 1;
@@ -204,7 +204,7 @@ private:
       const std::int64_t count = scanner.Integer("the number of elements");
       if (count < 0 || static_cast<std::uint64_t>(count) > m_Bytes.size())
       {
-        scanner.Refuse(std::to_string(count) + " elements are more than the file can hold");
+        scanner.Refuse(std::to_string(count) + " elements are more than the file can contain");
       }
       element.count = static_cast<std::size_t>(count);
       m_Elements.push_back(element);
@@ -311,7 +311,7 @@ private:
                                     FindSurfaceArray(arrays, "z") };
     if (!axes[0] || !axes[1] || !axes[2])
     {
-      RefuseSurface(m_Path, "its vertices lack x, y or z");
+      RefuseSurface(m_Path, "the vertices lack x, y or z");
     }
     for (Eigen::Index i = 0; i < axes[0]->values.rows(); ++i)
     {

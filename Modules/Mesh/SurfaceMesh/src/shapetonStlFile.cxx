@@ -36,7 +36,7 @@ ReadBinary(const std::string & bytes, const std::string & path)
   {
     RefuseSurface(path,
                   "truncated, or not an STL file: it states " + std::to_string(stated) +
-                    " triangles and has room for " + std::to_string(held),
+                    " triangles but has space for " + std::to_string(held),
                   "copy or write the file again");
   }
   PolygonSurface surface;
@@ -67,7 +67,7 @@ Expect(TextScanner & scanner, const std::string & word)
   if (LowerCase(found) != word) // some programs write keywords in capitals
   {
     scanner.Refuse(found.empty() ? "truncated: the file ends where \"" + word + "\" should be"
-                                 : "\"" + found.substr(0, 40) + "\" stands where \"" + word + "\" should be");
+                                 : "\"" + found.substr(0, 40) + "\" found instead of \"" + word + "\"");
   }
 }
 
@@ -115,8 +115,7 @@ ReadText(const std::string & bytes, const std::string & path)
     }
     else
     {
-      scanner.Refuse("\"" + word.substr(0, 40) + "\" stands where \"" + (isInside ? "facet" : "solid") +
-                     "\" should be");
+      scanner.Refuse("\"" + word.substr(0, 40) + "\" found instead of \"" + (isInside ? "facet" : "solid") + "\"");
     }
   }
   if (isInside)
@@ -143,7 +142,7 @@ ReadStl(const std::string & bytes, const std::string & path)
   }
   if (!isText)
   {
-    RefuseSurface(path, "neither a text nor a binary STL file", "give a surface");
+    RefuseSurface(path, "neither a text nor a binary STL file", "use a surface file");
   }
   return ReadText(bytes, path);
 }

@@ -24,7 +24,7 @@ RequireIndices(const FaceMatrix & F, int numberOfVertices)
   {
     if (F.data()[i] < 0 || F.data()[i] >= numberOfVertices)
     {
-      throw std::out_of_range("SurfaceConnectivity: face " + std::to_string(i / 3) + " names vertex " +
+      throw std::out_of_range("SurfaceConnectivity: face " + std::to_string(i / 3) + " refers to vertex " +
                               std::to_string(F.data()[i]) + " of " + std::to_string(numberOfVertices));
     }
   }

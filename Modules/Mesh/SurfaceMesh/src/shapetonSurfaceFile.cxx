@@ -37,7 +37,7 @@ CheckPolygons(const PolygonSurface & polygons, const std::string & path)
       if (polygons.corners[begin] < 0 || polygons.corners[begin] >= vertices)
       {
         RefuseSurface(path,
-                      "face " + std::to_string(p) + " names vertex " + std::to_string(polygons.corners[begin]) +
+                      "face " + std::to_string(p) + " refers to vertex " + std::to_string(polygons.corners[begin]) +
                         " (counted from 0), but there are " + std::to_string(vertices));
       }
     }
@@ -178,7 +178,7 @@ ReadSurfaceFile(const std::string & path)
   const auto                                 reader = readers.find(SurfaceExtension(path));
   if (reader == readers.end())
   {
-    RefuseSurface(path, "not a surface format", "give a .vtp, .stl, .obj, .ply, .off, .gltf or .glb file");
+    RefuseSurface(path, "not a surface format", "use a .vtp, .stl, .obj, .ply, .off, .gltf or .glb file");
   }
   if (bytes.empty())
   {

@@ -211,7 +211,7 @@ SurfaceLocator::FindClosest(const Eigen::Vector3d & p) const
   constexpr double farthest = 1e70; // products of four distances stay finite
   if (!p.allFinite())
   {
-    throw std::invalid_argument("SurfaceLocator: a place is not finite");
+    throw std::invalid_argument("SurfaceLocator: a position is not finite");
   }
   Closest best;
   double  bestSquare = std::numeric_limits<double>::infinity();

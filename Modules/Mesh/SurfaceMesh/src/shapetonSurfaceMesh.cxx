@@ -59,7 +59,7 @@ RequireSound(const SurfaceMesh & mesh, const std::string & what)
 {
   if (mesh.NumberOfFaces() == 0)
   {
-    throw InputError(what + ": there are no faces; give a surface of triangles or polygons");
+    throw InputError(what + ": there are no faces; use a surface of triangles or polygons");
   }
   for (int f = 0; f < mesh.NumberOfFaces(); ++f)
   {
@@ -67,7 +67,7 @@ RequireSound(const SurfaceMesh & mesh, const std::string & what)
     {
       if (mesh.F(f, k) < 0 || mesh.F(f, k) >= mesh.NumberOfVertices())
       {
-        throw InputError(what + ": face " + std::to_string(f) + " names vertex " + std::to_string(mesh.F(f, k)) +
+        throw InputError(what + ": face " + std::to_string(f) + " refers to vertex " + std::to_string(mesh.F(f, k)) +
                          ", but there are " + std::to_string(mesh.NumberOfVertices()) + "; correct it");
       }
       RequireFinite(mesh.V, mesh.F(f, k), what);

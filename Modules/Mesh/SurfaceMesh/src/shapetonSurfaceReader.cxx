@@ -100,7 +100,7 @@ TakePart(SurfaceFile & file, const std::string & name, const std::string & path)
     RefuseSurface(
       path,
       file.parts.empty() ? "it has no named parts" : "it has no part \"" + name + "\" but " + ListOfParts(file),
-      file.parts.empty() ? "leave the parameter \"part\" out" : "choose one with the parameter \"part\" = NAME");
+      file.parts.empty() ? "omit the parameter \"part\"" : "choose one with the parameter \"part\" = NAME");
   }
   std::vector<int> faces(part->numberOfFaces);
   std::iota(faces.begin(), faces.end(), part->firstFace);
@@ -297,7 +297,7 @@ TakeComponent(SurfaceFile & file, const SurfaceReadOptions & options, bool isCut
 Surface
 ReadChosen(const std::string & path, const SurfaceReadOptions & options, bool isCut)
 {
-  RequireParameter(options.component >= -1, "the component must be -1, 0 or the number of one");
+  RequireParameter(options.component >= -1, "the component must be -1, 0 or a component number");
   if (!options.unit.empty())
   {
     MillimetersOf(options.unit);

@@ -284,7 +284,7 @@ RemeshSurface(const SurfaceMesh & mesh, const SurfaceRemeshingOptions & options)
   const double faces = SurfaceArea(mesh.V, mesh.F) / (0.433 * options.targetEdgeLength * options.targetEdgeLength);
   if (!(faces <= MostFaces))
   {
-    throw InputError("the surface would get more than 100 million faces; use a longer target edge length");
+    throw InputError("the surface would have more than 100 million faces; use a longer target edge length");
   }
   Remesher remesher(mesh, connectivity, options.targetEdgeLength);
   for (int i = 0; i < options.iterations; ++i)

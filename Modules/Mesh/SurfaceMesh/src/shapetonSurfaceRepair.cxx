@@ -50,7 +50,7 @@ CleanFaces(SurfaceMesh & mesh, SurfaceRepairReport & report)
   std::sort(dropped.begin(), dropped.end());
   if (static_cast<int>(dropped.size()) == mesh.NumberOfFaces())
   {
-    throw InputError("the surface: every face is degenerate; give a surface of triangles with three vertices each");
+    throw InputError("the surface: every face is degenerate; use triangles with three distinct vertices");
   }
   if (!dropped.empty() || !defects.unreferencedVertices.empty())
   {
@@ -223,7 +223,7 @@ RequireManifold(const SurfaceMesh & mesh, const std::string & what)
                        std::to_string(found.front()) + "; repair the surface first");
     }
   };
-  refuse(defects.degenerateFaces, "faces name a vertex twice");
+  refuse(defects.degenerateFaces, "faces have a repeated vertex");
   refuse(defects.nonManifoldEdges, "edges have more than two faces");
   refuse(defects.nonManifoldVertices, "vertices have several fans of faces");
   refuse(defects.inconsistentEdges, "edges have faces of opposite orientation");

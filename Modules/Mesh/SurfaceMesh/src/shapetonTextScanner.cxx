@@ -144,7 +144,7 @@ TextScanner::Integer(const char * what, bool onLaterLines)
   const auto             result = std::from_chars(word.data(), word.data() + word.size(), value);
   if (result.ec != std::errc() || result.ptr != word.data() + word.size())
   {
-    this->Refuse("\"" + std::string(word.substr(0, LongestQuotation)) + "\" is not a whole number for " + what);
+    this->Refuse("\"" + std::string(word.substr(0, LongestQuotation)) + "\" is not an integer for " + what);
   }
   return value;
 }

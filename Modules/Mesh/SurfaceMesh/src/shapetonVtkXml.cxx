@@ -264,7 +264,7 @@ VtkXml::Decompressed(std::size_t place, bool isRaw) const
   const std::uint64_t blocks = this->IntegerOf(this->Take(again, m_SizeOfHeader, isRaw), 0);
   if (blocks > m_Bytes.size())
   {
-    this->Refuse("an array states more blocks than the file can hold");
+    this->Refuse("an array declares more blocks than the file can contain");
   }
   if (blocks == 0)
   {
@@ -326,7 +326,7 @@ VtkXml::BytesOf(const VtkXmlElement & array) const
   const std::uint64_t size = this->IntegerOf(this->Take(again, m_SizeOfHeader, isRaw), 0);
   if (size > m_Bytes.size())
   {
-    this->Refuse("an array states more bytes than the file holds");
+    this->Refuse("an array declares more bytes than the file contains");
   }
   return this->Take(place, m_SizeOfHeader + static_cast<std::size_t>(size), isRaw).substr(m_SizeOfHeader);
 }

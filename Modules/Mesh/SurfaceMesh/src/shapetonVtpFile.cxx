@@ -161,7 +161,7 @@ private:
       {
         if (!(connectivity[k] >= 0.0 && connectivity[k] < static_cast<double>(points)))
         {
-          m_Xml.Refuse("face " + std::to_string(i) + " names a vertex outside the " + std::to_string(points));
+          m_Xml.Refuse("face " + std::to_string(i) + " refers to a vertex outside the " + std::to_string(points));
         }
         corners.push_back(firstPoint + static_cast<std::int64_t>(connectivity[k]));
       }

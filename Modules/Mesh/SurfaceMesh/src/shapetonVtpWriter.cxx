@@ -58,7 +58,7 @@ AddArrays(const std::vector<SurfaceArray> & arrays, vtkFieldData & data)
     RequireName(array.name);
     if (array.values.cols() == 0)
     {
-      throw InputError("the array " + Quoted(array.name) + " has no columns; leave it out");
+      throw InputError("the array " + Quoted(array.name) + " has no columns; omit it");
     }
     data.AddArray(array.areIntegers ? Filled<vtkIntArray>(array) : Filled<vtkDoubleArray>(array));
   }
@@ -70,7 +70,7 @@ AddFact(const std::string & name, const std::string & value, vtkFieldData & data
   RequireName(name);
   if (value.find('\0') != std::string::npos)
   {
-    throw InputError("the fact " + Quoted(name) + " contains a zero byte, which VTP does not allow; leave it out");
+    throw InputError("the fact " + Quoted(name) + " contains a zero byte, which VTP does not allow; omit it");
   }
   vtkNew<vtkStringArray> fact;
   fact->SetName(name.c_str());

@@ -119,9 +119,9 @@ TEST(CurveSet, FaultsAreNamed)
   EXPECT_NE(FaultOfCurves({}).find("no points"), std::string::npos);
   shapeton::CurveSet curves = MakeCurves();
   curves.curves[2].clear();
-  EXPECT_NE(FaultOfCurves(curves).find("curve 2 has no vertex"), std::string::npos);
+  EXPECT_NE(FaultOfCurves(curves).find("curve 2 has no vertices"), std::string::npos);
   curves.curves[2] = { 0, 5 };
-  EXPECT_NE(FaultOfCurves(curves).find("names vertex 5, but there are 5"), std::string::npos);
+  EXPECT_NE(FaultOfCurves(curves).find("refers to vertex 5, but there are 5"), std::string::npos);
   curves = MakeCurves();
   curves.V(1, 1) = std::nan("");
   EXPECT_NE(FaultOfCurves(curves).find("vertex 1"), std::string::npos);

@@ -348,7 +348,7 @@ TEST(SurfaceFormats, FaultyGltf)
   EXPECT_EQ(FaultOf("glb", Glb(document)), "");
   EXPECT_NE(replaced(document, "\"2.0\"", "\"1.0\"").find("version"), std::string::npos);
   EXPECT_NE(replaced(document, "\"count\":4", "\"count\":5").find("accessor 0 extends beyond"), std::string::npos);
-  EXPECT_NE(replaced(document, "\"count\":4", "\"count\":3").find("names vertex 3"), std::string::npos);
+  EXPECT_NE(replaced(document, "\"count\":4", "\"count\":3").find("refers to vertex 3"), std::string::npos);
   EXPECT_NE(replaced(document, "\"count\":12", "\"count\":18446744073709551615").find("beyond"), std::string::npos);
   EXPECT_NE(replaced(document, "\"count\":12", "\"count\":-1").find("not a valid glTF"), std::string::npos);
   EXPECT_NE(replaced(document, "\"children\":[2]", "\"children\":[1]").find("two parents"), std::string::npos);

@@ -63,7 +63,7 @@ TEST(ColonReport, HoldsEveryPictureAndEscapesText)
   const std::string html = shapeton::BytesOf(folder / "index.html");
   EXPECT_EQ(CountOf(html, "data:image/png;base64,"), pictures.size());
   for (const char * text : { "For research use. This is not a diagnosis",
-                             "What is missing or doubtful",
+                             "Missing or doubtful results",
                              "no lumen over 11 mm at &lt;56 mm&gt;",
                              "Genus, raw &amp; repaired",
                              "a&lt;b&gt;.nrrd",

@@ -484,7 +484,7 @@ TEST(CommandLineOutputs, BadNamesAreRefusedAtOnce)
   const Scratch scratch;
   fs::create_directory("folder");
   WriteText("file", oldText);
-  const std::string advice = "choose a folder that exists and can be written";
+  const std::string advice = "use an existing, writable folder";
   ExpectRefused("", 2, "the name of an output is empty; give a file name");
   ExpectRefused("folder", 1, "cannot write \"folder\": it is a folder; give a file name");
   ExpectRefused("folder/", 1, "cannot write \"folder/\": it is a folder; give a file name");
@@ -525,8 +525,7 @@ TEST(CommandLineOutputs, AFolderWithoutPermissionIsRefusedAtOnce)
   EXPECT_EQ(outcome.status, 1);
   EXPECT_EQ(outcome.out, "");
   EXPECT_EQ(outcome.err,
-            "TestTool: cannot write \"locked/a.nrrd\": Permission denied; choose a folder that exists and can be "
-            "written\n");
+            "TestTool: cannot write \"locked/a.nrrd\": Permission denied; use an existing, writable folder\n");
 }
 
 TEST(CommandLineOutputs, AWriteProtectedFileIsNotReplaced)
@@ -641,8 +640,7 @@ TEST(CommandLineOutputs, ASymbolicLinkStaysAndItsTargetIsReplaced)
   fs::create_symlink("loop.nrrd", "loop.nrrd");
   ExpectRefused("loop.nrrd",
                 1,
-                "cannot write \"loop.nrrd\": Too many levels of symbolic links; choose a folder that exists and can "
-                "be written");
+                "cannot write \"loop.nrrd\": Too many levels of symbolic links; use an existing, writable folder");
 }
 
 TEST(CommandLineOutputs, TheParentOfALinkedFolderIsThatOfItsTarget)

@@ -208,8 +208,7 @@ TEST(CommandLineReturn, AFileThatCannotBeWrittenIsRefusedBeforeTheWork)
   EXPECT_EQ(outcome.status, 1);
   EXPECT_EQ(outcome.out, "");
   EXPECT_EQ(outcome.err,
-            "TestTool: cannot write \"no/r.txt\": No such file or directory; choose a folder that exists and can be "
-            "written\n");
+            "TestTool: cannot write \"no/r.txt\": No such file or directory; use an existing, writable folder\n");
 }
 
 TEST(CommandLineReturn, OnlySimpleOutputParametersReturnValues)
