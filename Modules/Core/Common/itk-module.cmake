@@ -1,5 +1,5 @@
-set(DOCUMENTATION "What all modules share: exceptions, progress, remarks, provenance, bytes, hashes and words, loops over threads, sets of
-voxels with exact distances, random numbers that depend on a counter alone, and the optional GPU plug-in.")
+set(DOCUMENTATION "Common classes: exceptions, progress, remarks, provenance, bytes, hashes and text, parallel loops, voxel sets with exact
+distances, counter-based random numbers, and the optional GPU plug-in.")
 
 itk_module(ShapetonCommon
   ENABLE_SHARED

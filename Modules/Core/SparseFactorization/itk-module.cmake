@@ -1,5 +1,5 @@
-set(DOCUMENTATION "Sparse symmetric matrices: order of elimination, supernodes, Cholesky factors of real matrices, selected inversion of complex
-ones.")
+set(DOCUMENTATION "Sparse symmetric matrices: elimination order, supernodes, Cholesky factorization of real matrices, selected inversion of
+complex ones.")
 
 itk_module(ShapetonSparseFactorization
   ENABLE_SHARED

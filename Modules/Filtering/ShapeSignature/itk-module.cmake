@@ -1,4 +1,4 @@
-set(DOCUMENTATION "Shape signatures of objects and a searchable database of them.")
+set(DOCUMENTATION "Shape signatures of objects and a searchable signature database.")
 
 itk_module(ShapetonShapeSignature
   ENABLE_SHARED

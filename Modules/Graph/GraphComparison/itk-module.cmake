@@ -1,5 +1,5 @@
-set(DOCUMENTATION "Graphs beside each other: canonical labeling, isomorphism, what differs, rotation systems carried over from one step of a
-dynamic graph to the next, layouts on the sphere turned to each other.")
+set(DOCUMENTATION "Graph comparison: canonical labeling, isomorphism, differences, rotation systems transferred between the steps of a dynamic
+graph, and alignment of layouts on the sphere.")
 
 itk_module(ShapetonGraphComparison
   ENABLE_SHARED

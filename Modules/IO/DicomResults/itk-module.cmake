@@ -1,5 +1,5 @@
-set(DOCUMENTATION "Results as DICOM objects beside the series that they were made from: segmentations, measurement reports, parametric maps,
-pictures and surfaces, and segmentations and the points of reports read back.")
+set(DOCUMENTATION "Results as DICOM objects that reference their source series: segmentations, measurement reports, parametric maps, pictures
+and surfaces; readers for segmentations and the points of reports.")
 
 itk_module(ShapetonDicomResults
   ENABLE_SHARED

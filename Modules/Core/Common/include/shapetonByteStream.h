@@ -55,8 +55,8 @@ private:
 };
 
 /** \class ByteReader
- * \brief Reads the data written by ByteWriter. The bytes come from a process that parses untrusted data, so each
- * length is checked; throws std::runtime_error if bytes are missing. \ingroup ShapetonCommon */
+ * \brief Reads the data written by ByteWriter. The sender parses untrusted data, so each length is checked; throws
+ * std::runtime_error if bytes are missing. \ingroup ShapetonCommon */
 class ByteReader
 {
 public:

@@ -29,7 +29,7 @@ class ShapetonCommon_EXPORT ContainedProcess
 public:
   struct Limits
   {
-    /** Memory that the child may allocate in addition to that of the parent. */
+    /** Memory that the child may allocate in addition to the parent. */
     std::size_t memoryBytes;
     /** CPU time limit of one request. */
     unsigned int cpuSeconds;

@@ -24,7 +24,7 @@ namespace shapeton
  * memory is host memory. This emulation is slow; tests compare its results byte by byte with the CPU code, which covers
  * everything except the hardware.
  *
- * Launches are asynchronous; each sees the results of the previous ones, and copies wait for them.
+ * Launches are asynchronous and ordered; copies wait for them.
  *
  * \ingroup ShapetonCommon */
 namespace DeviceRuntime
@@ -226,7 +226,7 @@ Uploaded(const T * values, std::size_t number)
 
 #if defined(__CUDACC__)
 constexpr unsigned int ThreadsInBlock = 256;
-constexpr unsigned int BlocksOfReduction = 2048; ///< more than any GPU runs at once
+constexpr unsigned int BlocksOfReduction = 2048; ///< more than any GPU runs concurrently
 
 template <typename TBody>
 __global__ void
@@ -435,7 +435,7 @@ Reduce(std::size_t number, const TBody & body)
     return whole;
   }
   const unsigned int        blocks = BlocksOfLoop(number);
-  static const Memory<TSum> partial(BlocksOfReduction); // allocation would take longer than most sums
+  static const Memory<TSum> partial(BlocksOfReduction); // allocation is slower than most sums
   ReduceKernel<<<blocks, ThreadsInBlock>>>(number, body, partial.Get());
   Check(cudaGetLastError(), "start a kernel");
   std::vector<TSum> sums(blocks);

@@ -4,8 +4,8 @@
 #include "itkProcessObject.h"
 
 /** \def shapetonIndexedOutputsMacro
- * For filters with outputs of several types, created by MakeOutput(index): an output disconnected from the pipeline
- * is replaced by one of its own type. itk::ImageSource would create one of the type of the first output. */
+ * For filters with outputs of several types, created by MakeOutput(index): an output disconnected from the pipeline is
+ * replaced by an object of the same type. itk::ImageSource would use the type of the first output. */
 #define shapetonIndexedOutputsMacro()                                                                                  \
   itk::DataObject::Pointer MakeOutput(const itk::ProcessObject::DataObjectIdentifierType & name) override              \
   {                                                                                                                    \

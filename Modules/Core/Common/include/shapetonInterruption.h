@@ -15,7 +15,7 @@ namespace shapeton
  *
  * While it exists, progress reports, loops and long steps of the thread that constructed it call `check` many times a
  * second, at irregular times. `check` may throw; the exception propagates to the caller of the work, and its worker
- * threads stop, too. Interruptions can be nested; then both are called.
+ * threads stop, too. Interruptions can be nested; all of them are called.
  *
  * \code
  * const Interruption interruption([&] { if (stopButton) { throw itk::ProcessAborted(__FILE__, __LINE__); } });

@@ -25,7 +25,7 @@ ShapetonCommon_EXPORT std::string
 ShapetonCommon_EXPORT std::string
             LowerCase(std::string text);
 
-/** A folder name without trailing slashes, so that names can be appended to it. \ingroup ShapetonCommon */
+/** A folder name without trailing slashes. \ingroup ShapetonCommon */
 ShapetonCommon_EXPORT std::string
             WithoutTrailingSlashes(std::string path);
 } // namespace shapeton

@@ -11,7 +11,7 @@
 namespace shapeton
 {
 /** \class Progress
- * \brief Progress receiver; every long function of Shapeton takes one.
+ * \brief Progress receiver, a parameter of all long-running functions.
  *
  * A copyable wrapper of a function of the stage in words and the completed share of the whole, from 0 to 1, or of the
  * share only; it may be empty. It is called on the thread that started the work. The function may throw to abort the

@@ -6,8 +6,8 @@
 
 namespace shapeton
 {
-/** Remarks on a result that a user should know but that are not errors, such as missing or doubtful findings; one line
- * each. Parameters are named as described in Exception.
+/** Remarks for the user on a result, such as missing or doubtful findings; one line each. Parameters are named as
+ * described in Exception.
  * \ingroup ShapetonCommon */
 using Remarks = std::vector<std::string>;
 

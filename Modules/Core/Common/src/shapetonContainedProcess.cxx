@@ -125,7 +125,7 @@ SetLimit(TResource resource, rlim_t value)
   setrlimit(resource, &limit);
 }
 
-/** Limits the memory that the process may allocate beyond what it has inherited. */
+/** Limits the memory that the process may allocate in addition to inherited memory. */
 void
 LimitMemory(std::size_t bytes)
 {

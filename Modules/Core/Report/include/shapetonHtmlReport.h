@@ -41,7 +41,7 @@ public:
   /** Adds the note that the report is for research use only, not for diagnosis. */
   void
   AddResearchNote();
-  /** Adds the head of a report: the research note, the findings, and what is missing or doubtful. */
+  /** Adds the head of a report: the research note, the findings, and missing or doubtful results. */
   void
   AddHead(const std::vector<std::pair<std::string, std::string>> & summary, const std::vector<std::string> & warnings);
   /** Adds a box for each kind of warning, the most severe first: failures and missing results, doubtful results,

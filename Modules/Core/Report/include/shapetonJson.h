@@ -22,7 +22,7 @@ WriteJson(const Json & document, const std::string & path);
 ShapetonReport_EXPORT Json
 ReadJson(const std::string & path);
 
-/** An object with a key for each name; of duplicate names the last one is used.
+/** An object with a key for each name; the last of duplicate names is used.
  * \ingroup ShapetonReport */
 ShapetonReport_EXPORT Json
 ProvenanceToJson(const Provenance & provenance);

@@ -6,7 +6,7 @@
 namespace shapeton
 {
 /** A JSON document that keeps the order of its keys. Headers include this forward declaration; code that accesses a
- * document includes shapetonJson.h, which takes a second longer to compile.
+ * document includes shapetonJson.h, which is slow to compile.
  * \ingroup ShapetonReport */
 using Json = nlohmann::ordered_json;
 } // namespace shapeton

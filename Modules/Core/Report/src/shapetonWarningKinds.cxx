@@ -62,8 +62,7 @@ PartsOf(const std::string & warning)
 }
 
 /** 0 for failures and missing results, 1 for doubtful results, 2 for notes. Warnings are plain text, so the class is
- * determined by the words used in the warnings of this repository. Unknown words are ranked last, but never
- * dropped. */
+ * determined by the words used in the warnings of this repository. Warnings without known words are ranked last. */
 int
 RankOf(const std::string & warning)
 {

@@ -8,7 +8,7 @@
 
 namespace shapeton
 {
-/** A set of voxels joined by edges of positive weight; diffusion never mixes different components.
+/** A set of voxels joined by edges of positive weight; diffusion does not mix components.
  * \ingroup ShapetonHeat */
 struct ShapeComponent
 {

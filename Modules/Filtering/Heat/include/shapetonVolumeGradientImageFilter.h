@@ -16,7 +16,7 @@ namespace shapeton
 /** \class VolumeGradientImageFilter
  * \brief Base class of filters that use the volume gradient operator: p and the intensity window.
  *
- * They process the whole volume at once.
+ * The filters process the whole volume at once.
  *
  * \ingroup ShapetonHeat */
 template <typename TInputImage, typename TOutputImage>

@@ -71,8 +71,8 @@ public:
     return std::abs(a - b) / resolution;
   }
 
-  /** In [0, 1]. Rounding residues of a zero weight are set to 0 because they would be leaks. The minimum is leastWeight
-   * / max(1, p halfGradient)^2, so an insulated voxel still prefers its more similar neighbors.
+  /** The edge weight in [0, 1]. Rounding residues of a zero weight are set to 0 because they would be leaks. The
+   * minimum is leastWeight / max(1, p halfGradient)^2, so an insulated voxel still prefers its more similar neighbors.
    *
    * \equation{2.5}
    *

@@ -425,7 +425,7 @@ private:
     }
   }
 
-  /** Processes two snapshots at once, so that each node is read once. */
+  /** Processes two snapshots at once to read each node once. */
   void
   CountCombined(std::size_t first, Combination combination, const std::vector<Weights> & weights)
   {

@@ -15,7 +15,7 @@ struct DeviceHeatVolume
 };
 
 /** \class DeviceHeatEngine
- * \brief A heat engine whose fields are in GPU memory. */
+ * \brief A heat engine with fields in GPU memory. */
 class DeviceHeatEngine : public HeatEngine
 {
 public:

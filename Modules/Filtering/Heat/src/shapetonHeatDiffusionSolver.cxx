@@ -259,7 +259,7 @@ HeatDiffusionSolver::Expand(HeatEngine & engine, const Expansions & coefficients
   const std::size_t longest = engine.GetLongestStretch(true);
   for (std::size_t done = 0; done < degree; done += longest)
   {
-    // Makes the number of terms even, so that they can be added in pairs.
+    // Makes the number of terms even, because they are added in pairs.
     const auto count = static_cast<unsigned int>(std::min(longest, (degree - done + 1) / 2 * 2));
     engine.StepChebyshev(done, count, 2.0F * step, coefficients);
     this->ReportProgress(count);

@@ -74,12 +74,12 @@ public:
   virtual void
   ShowCombined(std::size_t first, const std::array<Field, MostNodes> & nodes, const std::vector<Weights> & weights) = 0;
 
-  /** Writes the heat back to the field given to the engine. */
+  /** Writes the heat back to the input field. */
   virtual void
   Finish() = 0;
 };
 
-/** The coefficients that a step of the recurrence adds: those of the terms k and k - 1, k even. */
+/** The coefficients added by a step of the recurrence, for the terms k and k - 1, k even. */
 struct ChebyshevPair
 {
   float even;

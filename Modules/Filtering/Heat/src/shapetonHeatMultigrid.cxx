@@ -13,7 +13,7 @@ namespace
 constexpr std::size_t coarsestNodes = 200;
 constexpr std::size_t mostLevels = 16;
 constexpr int         sweepsOnCoarsest = 10;
-// Number of graphs whose next level is visited twice per cycle. Measured on CT: with three instead of five, the run
+// Number of graphs with two visits to the next level per cycle. Measured on CT: with three instead of five, the run
 // time grows by a tenth.
 constexpr std::size_t firstTwice = 1;
 constexpr std::size_t endTwice = 6;
@@ -558,7 +558,7 @@ HeatMultigrid<VLabels>::Advance(const Factors & step,
     });
     std::memcpy(energies[z].data(), &sums, sizeof(sums));
   };
-  // Directions at slab boundaries are updated first, so that each slab then needs one pass through memory.
+  // Directions at slab boundaries are updated first; each slab then requires a single pass through memory.
   ForEachSlab(slices, thickness, 0, 1, [&](std::size_t begin, std::size_t end) {
     turn(begin);
     if (begin + 1 < end)

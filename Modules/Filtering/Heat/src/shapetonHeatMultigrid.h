@@ -27,7 +27,7 @@ public:
   {
     return m_Graphs;
   }
-  /** Entry 0: the aggregates of the finest level; entry k + 1: those of graph k. */
+  /** Entry 0: the aggregates of the finest level; entry k + 1: the aggregates of graph k. */
   const std::vector<std::vector<std::uint32_t>> &
   GetAggregates() const
   {

@@ -63,7 +63,7 @@ LabelLargeComponents(VoxelSets & sets, const std::array<std::size_t, 3> & size, 
   {
     ++labels[sets.Find(voxel)];
   }
-  for (std::uint32_t voxel = 0; voxel < number; ++voxel) // a root comes before its other voxels
+  for (std::uint32_t voxel = 0; voxel < number; ++voxel) // a root precedes its other voxels
   {
     const std::uint32_t root = sets.Find(voxel);
     if (root != voxel)

@@ -23,8 +23,8 @@ struct TimeTileShape
 /** Calls `operation(step, row)` for steps 1 .. `steps` and all rows of the grid, in an order that respects the stencil:
  * step s of a row follows step s-1 of the row and its four neighbors, and precedes their step s+1.
  *
- * Tiles of rows perform all steps while they are in the cache; each step shifts a tile by one row and one slice
- * toward the origin (time skewing), so that it depends only on itself and earlier tiles. Two alternating buffers are
+ * Tiles of rows perform all steps while they are in the cache; each step shifts a tile by one row and one slice toward
+ * the origin (time skewing), which limits dependencies to the tile and earlier tiles. Two alternating buffers are
  * sufficient. The result does not depend on the number of threads. */
 template <typename TOperation>
 void

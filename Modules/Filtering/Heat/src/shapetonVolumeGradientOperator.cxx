@@ -104,7 +104,7 @@ VolumeGradientOperator::VolumeGradientOperator(const float *                    
     m_Factors[axis] =
       parameters.conductance == Conductance::Physical ? 1.0 / (m_Resolution[axis] * m_Resolution[axis]) : 1.0;
     m_Conductances[axis] = PaddedField(m_Grid);
-    progress(0.0); // a large field takes a while
+    progress(0.0); // slow for a large field
   }
   this->ComputeConductances(intensities, progress);
 }

@@ -42,7 +42,7 @@ public:
  *
  * \par Continuing
  * GetState() returns the state needed to continue; a filter with the same input and settings and SetInitialState()
- * gives bitwise the same result as an uninterrupted run.
+ * produce the bitwise result of an uninterrupted run.
  *
  * \par Errors
  * ShapetonInputError for an empty mask, for placement by initial heat in a volume without initial heat, for a feature

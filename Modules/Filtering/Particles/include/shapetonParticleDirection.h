@@ -60,10 +60,10 @@ ThetaOfSectorVolume(double w1, double w2, double volume);
 enum class DirectionSampling
 {
   /** Density over the sphere of directions proportional to R^3: octant by volume (8.6), phi by partial volume (8.5),
-   * theta by the volume per unit of phi. Six equal weights give the uniform distribution. */
+   * theta by the volume per unit of phi. Six equal weights result in the uniform distribution. */
   SolidAngle,
-  /** As published (3.2.1): theta by sector area (8.7), which favors the first axis: six equal weights give a mean
-   * squared component of .50, .25, .25. */
+  /** As published (3.2.1): theta by sector area (8.7), which favors the first axis: for six equal weights the mean
+   * squared components are .50, .25, .25. */
   SectorArea,
   /** Uniform over all directions, regardless of the weights; needed for the comparison with heat (see
    * PathRule::Traversal). */

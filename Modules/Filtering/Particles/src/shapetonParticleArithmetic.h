@@ -111,7 +111,7 @@ struct ParticleArithmetic
     Truth    empty; ///< all weights are 0
   };
 
-  /** By volume (8.6); `random` in (0, 1]. */
+  /** Samples the octant by volume (8.6); `random` is in (0, 1]. */
   SHAPETON_HOST_DEVICE static Octant
   DrawOctant(const Weights & weights, Floats random)
   {
@@ -188,8 +188,8 @@ struct ParticleArithmetic
     Floats sine;
   };
 
-  /** theta with density R^3 sin(theta). The cube of R = w1 (1 - u) + W u has four terms, and the distribution of
-   * theta for a given term does not depend on the weights: one random number selects the term, the other is used to
+  /** Samples theta with density R^3 sin(theta). The cube of R = w1 (1 - u) + W u has four terms, and the distribution
+   * of theta for a given term does not depend on the weights: one random number selects the term, the other is used to
    * look up theta. */
   SHAPETON_HOST_DEVICE static Angle
   DrawThetaBySolidAngle(Floats w1, Floats across, Floats random, Floats termRandom, const ThetaTable & table)
@@ -218,7 +218,7 @@ struct ParticleArithmetic
     return angle;
   }
 
-  /** theta by sector area (8.7), as published. */
+  /** Samples theta by sector area (8.7), as published. */
   SHAPETON_HOST_DEVICE static Angle
   DrawThetaBySectorArea(Floats w1, Floats across, Floats random)
   {

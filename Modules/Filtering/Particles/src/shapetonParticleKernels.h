@@ -53,8 +53,8 @@ constexpr std::size_t Granularity = 16;
 constexpr int ThetaTableSize = 512;
 
 /** 1 - cos(theta) and cos(theta) by quantile, for theta distributed as (1 - u)^(3-j) u^j sin(theta): with a quantile
- * q below one half, `low[j]` holds 1 - cos(theta) at q = (i / ThetaTableSize)^2 / 2; above it, `high[j]` holds
- * cos(theta) at 1 - q = (i / ThetaTableSize)^2 / 2. Smooth in i, so that linear interpolation has an error of 1e-5. */
+ * q below one half, `low[j]` is 1 - cos(theta) at q = (i / ThetaTableSize)^2 / 2; above it, `high[j]` is cos(theta) at
+ * 1 - q = (i / ThetaTableSize)^2 / 2. Smooth in i, so that linear interpolation has an error of 1e-5. */
 struct ThetaTable
 {
   ThetaTable();

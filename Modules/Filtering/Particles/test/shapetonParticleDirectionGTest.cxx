@@ -50,7 +50,7 @@ VolumeByQuadrature(const Triple & w, double phi)
   });
 }
 
-/** As printed. */
+/** The published formula. */
 double
 Equation85(double w1, double w2, double w3, double phi)
 {
@@ -79,7 +79,7 @@ Equation85(double w1, double w2, double w3, double phi)
   return (((a * phi + b) * phi + c) * phi + d) * phi;
 }
 
-/** As printed. */
+/** The published formula. */
 double
 Equation86(double w1, double w2, double w3)
 {
@@ -94,7 +94,7 @@ Equation86(double w1, double w2, double w3)
          p2;
 }
 
-/** As printed. */
+/** The published formula. */
 double
 Equation87(double w1, double w2, double theta)
 {

@@ -14,7 +14,7 @@ namespace
 /** Limits the filled fractions to half a gigabyte. */
 constexpr double MostVoxels = 1 << 27;
 
-/** From image indices to LPS mm: p = origin + matrix * index. */
+/** Affine map from image indices to LPS mm: p = origin + matrix * index. */
 struct IndexToPoint
 {
   Eigen::Matrix3d matrix;

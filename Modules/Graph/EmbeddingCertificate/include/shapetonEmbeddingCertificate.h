@@ -141,7 +141,7 @@ ShapetonEmbeddingCertificate_EXPORT void
 WriteEmbeddingCertificate(const EmbeddingCertificate & certificate, const std::string & path);
 
 /** Reads a file written by WriteEmbeddingCertificate. Checks only that list sizes are consistent and indices are in
- * range. Throws InputError that names the file and the location or entry. \ingroup ShapetonEmbeddingCertificate */
+ * range. Throws InputError with the file name and the location or entry. \ingroup ShapetonEmbeddingCertificate */
 ShapetonEmbeddingCertificate_EXPORT EmbeddingCertificate
 ReadEmbeddingCertificate(const std::string & path);
 } // namespace shapeton

@@ -123,9 +123,9 @@ AreBesideAnEdge(const TracedMap & map, int from, int to, const std::array<int, 2
 } // namespace
 
 /* On the sphere two nodes share exactly two faces if and only if an edge joins them, and these are the faces of the
- * edge; likewise for two faces. All 4-cycles of the incidence graph are found as pairs of paths of length two from
- * their first point, in the order of decreasing degree with earlier points removed (Chiba and Nishizeki 1985): linear
- * on a planar map. */
+ * edge; the same holds for two faces. All 4-cycles of the incidence graph are found as pairs of paths of length two
+ * from their first point, in the order of decreasing degree with earlier points removed (Chiba and Nishizeki 1985):
+ * linear on a planar map. */
 void
 CheckPackingExists(const TracedMap & packed)
 {

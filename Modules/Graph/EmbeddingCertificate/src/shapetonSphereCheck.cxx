@@ -145,7 +145,7 @@ private:
         throw Refusal("the circles of " + Circles("faces", f, g) + " are not tangent: they miss by " + Figure(ofFaces));
       }
       largest = std::max({ largest, ofNodes, ofFaces });
-      // Computed from the smaller circle, so that the point is accurate at its scale.
+      // Computed from the smaller circle for accuracy at its scale.
       const int    near = m_Certificate.nodeRadii[v] <= m_Certificate.nodeRadii[w] ? v : w;
       const double radius = m_Certificate.nodeRadii[near];
       const Point  center = NodePlace(near);

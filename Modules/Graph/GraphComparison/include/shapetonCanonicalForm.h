@@ -18,8 +18,8 @@ struct ShapetonGraphComparison_EXPORT CanonicalForm
 
   /** Canonical number of each node. */
   std::vector<int> rank;
-  /** The renumbered graph; each edge from the lower to the higher node, in ascending order. The names are those of the
-   * original nodes; everything else is equal for isomorphic graphs. */
+  /** The renumbered graph; each edge from the lower to the higher node, in ascending order. Names are copied from the
+   * original nodes; all other data are equal for isomorphic graphs. */
   Graph graph;
 };
 

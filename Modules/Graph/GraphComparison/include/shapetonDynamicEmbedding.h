@@ -23,7 +23,7 @@ struct GraphChanges
   /** Changed nodes of the second step, ascending: new nodes and those that gained or lost an edge. */
   std::vector<int> changedNodes;
   /** Unchanged nodes of both steps, and their displacement in radians after a rotation of the second sphere onto the
-   * first. NaN on other surfaces, or if there are no such nodes. */
+   * first. NaN on other surfaces, or without unchanged nodes. */
   int    unchangedNodes{ 0 };
   double meanDisplacement;
   double largestDisplacement;

@@ -31,7 +31,7 @@ public:
 
   CombinatorialMap
   Build() const;
-  /** As in PackedMap. */
+  /** Same as in PackedMap. */
   const std::vector<std::vector<int>> &
   Subdivided() const
   {

@@ -6,8 +6,8 @@
 
 namespace shapeton
 {
-/** Options for dynamic graphs: faces with more than six half-edges are always filled with dummies, so that later edges
- * can be routed there. \ingroup ShapetonGraphComparison */
+/** Options for dynamic graphs: faces with more than six half-edges are always filled with dummies, where later edges
+ * can be routed. \ingroup ShapetonGraphComparison */
 ShapetonGraphComparison_EXPORT AugmentationOptions
 FilledFaces();
 
@@ -15,12 +15,12 @@ FilledFaces();
  *
  * Circles far from a change hardly move if the packed map changes locally. With new dummies, one edge changes all
  * dummies of a long face, and two faces merged by a deleted edge need far more room than before. Therefore dummies of
- * faces that lose an edge are kept first, and hold the nodes of deleted edges in place. Where a part of the graph
- * flipped or changed its face, adjacent dummies are removed, and further neighbors as long as the rest does not fit.
- * Then new edges are added. An edge whose ends are separated by a single dummy replaces it. Any other edge becomes a
- * path along the fewest dummies (PackedMap::subdivided). Nothing moves: the end circles do not touch, but the circles
- * along the path do. Faces in conflict and long faces are then filled as in MakePackedMap(), which handles the whole
- * map if it has loops or parallel edges.
+ * faces with a deleted edge are kept first, which fixes the positions of its nodes. Where a part of the graph flipped
+ * or changed its face, adjacent dummies are removed, and further neighbors as long as the rest does not fit. Then new
+ * edges are added. An edge whose ends are separated by a single dummy replaces it. Any other edge becomes a path along
+ * the fewest dummies (PackedMap::subdivided). Nothing moves: the end circles do not touch, but the circles along the
+ * path do. Faces in conflict and long faces are then filled as in MakePackedMap(), which handles the whole map if it
+ * has loops or parallel edges.
  *
  * Nodes are identified by name. \pre `packed` is a packed map of `before`, `map` a map of `after`.
  * \ingroup ShapetonGraphComparison */

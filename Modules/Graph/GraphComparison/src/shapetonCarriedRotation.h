@@ -21,14 +21,14 @@ ShapetonGraphComparison_EXPORT std::vector<int>
 struct CarriedRotation
 {
   CombinatorialMap map;
-  /** Whether the rotation system was recomputed because this gives a smaller genus; it is then mirrored if that agrees
-   * with the old one in more places. */
+  /** Whether the rotation system was recomputed for a smaller genus; it is then mirrored if this agrees with the old
+   * one in more places. */
   bool embeddedAnew{ false };
 };
 
 /** \brief The rotation system of a changed graph; nodes are identified by name.
  *
- * Deleted edges are removed, and the order of the others is kept. A new edge is inserted into a face with both of its
+ * Deleted edges are removed; the order of the other edges is kept. A new edge is inserted into a face with both of its
  * ends if possible, a new node into the face with most of its neighbors. A handle is added only if no edge can be
  * inserted otherwise. If the genus rises, a new embedding with arranged blocks is computed and used if its genus is
  * smaller; an embedding with handles is replaced if the graph is planar. \pre `map` is one of `before`.

@@ -29,14 +29,14 @@ struct GraphFile
  * Nodes and edges keep their order in the file. Node names are the ids in the file. Loops and multiple
  * edges are kept. Weights, labels and attributes are ignored.
  *
- * Throws InputError that names the file, the line and the remedy if a file is empty, binary, malformed or truncated, or
+ * Throws InputError with the file, the line and the remedy if a file is empty, binary, malformed or truncated, or
  * contains more than one graph; if a node is declared twice or an edge uses an undeclared node; and for a directed
  * graph (embeddings are undirected; convert it to an undirected graph first). \ingroup ShapetonGraphModel */
 ShapetonGraphModel_EXPORT GraphFile
 ReadGraph(const std::string & path);
 
 /** Files of a folder with one graph per step, sorted by name; hidden files and .json are skipped. Throws InputError if
- * the folder cannot be read or has no such file. \ingroup ShapetonGraphModel */
+ * the folder cannot be read or does not contain graph files. \ingroup ShapetonGraphModel */
 ShapetonGraphModel_EXPORT std::vector<std::string>
                   GraphFilesOf(const std::string & folder);
 

@@ -14,7 +14,7 @@ namespace shapeton
 enum class PlanarSubgraph
 {
   None,   ///< all links: a unit-disk graph, which is not planar
-  Gabriel ///< links whose diametral disk contains no other device of the network; planar
+  Gabriel ///< links with no other network device in their diametral disk; planar
 };
 
 /** Number, range and motion of the devices of a SensorNetwork. \ingroup ShapetonGraphModel */
@@ -83,8 +83,8 @@ private:
   std::vector<bool>         m_IsCharging;
 };
 
-/** Links between points within each other's range, as ascending pairs. With `gabriel`, only those whose
- * diametral disk contains no other point. \ingroup ShapetonGraphModel */
+/** Links between points within each other's range, as ascending pairs. With `gabriel`, only links with no other point
+ * in their diametral disk. \ingroup ShapetonGraphModel */
 ShapetonGraphModel_EXPORT std::vector<std::array<int, 2>>
 LinksBetween(const std::vector<std::array<double, 2>> & points, const std::vector<double> & reach, bool gabriel);
 } // namespace shapeton

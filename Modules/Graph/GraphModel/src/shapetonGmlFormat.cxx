@@ -163,7 +163,7 @@ private:
     return value;
   }
 
-  /** Calls `take(key, value)` for each entry of a list up to its closing bracket. */
+  /** Calls `take(key, value)` for each entry of a list, up to the closing bracket. */
   template <typename Take>
   void
   ReadList(int line, const Take & take)

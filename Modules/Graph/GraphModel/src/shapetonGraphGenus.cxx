@@ -98,7 +98,7 @@ SearchAll(std::vector<SearchPart> & parts, int restarts, const TSearch & search,
   }
 }
 
-/** Mean number of corners examined by a move: those of both ends of an edge. */
+/** Mean number of corners examined by a move, that is at both ends of an edge. */
 double
 CornersOfAMove(const Graph & graph)
 {

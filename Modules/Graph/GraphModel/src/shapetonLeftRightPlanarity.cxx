@@ -213,7 +213,8 @@ LeftRightPlanarity::TestFrom(int root)
   }
 }
 
-/** Merges the return edges of an edge into those of earlier edges at the node; `position` is its own. */
+/** Merges the return edges of an edge into those of earlier edges at the node; `position` is the position of the edge.
+ */
 bool
 LeftRightPlanarity::FinishTested(int edge, int position)
 {

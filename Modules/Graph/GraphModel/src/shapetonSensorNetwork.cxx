@@ -20,7 +20,7 @@ constexpr double meanDrain = 0.01;
 constexpr double chargeOfStep = 0.05;
 constexpr double leastPower = 0.1;
 constexpr double powerToReturn = 0.5;
-constexpr double greatestTurn = 0.3; // radians in a step, to either side
+constexpr double greatestTurn = 0.3; // radians per step, in both directions
 
 double
 Unit(std::uint32_t word)

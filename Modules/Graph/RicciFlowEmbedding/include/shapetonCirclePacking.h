@@ -45,7 +45,7 @@ struct CirclePacking
 };
 
 /** Precision of the last steps and of the layout. Along a chain of n circles around another one, errors grow as n^2:
- * some maps with thousands of nodes need extended precision, which takes a few times longer.
+ * some maps with thousands of nodes require extended precision, which is a few times slower.
  * \ingroup ShapetonRicciFlowEmbedding */
 enum class PackingPrecision
 {

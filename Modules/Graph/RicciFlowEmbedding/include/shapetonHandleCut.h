@@ -16,8 +16,9 @@ namespace shapeton
  * faces remain disks, and gluing each pair of hubs together, reversed, restores the map.
  *
  * Each curve is the shortest, in crossed edges, of the loops found by dual trees from some root faces (from every face
- * on small maps). (Tree and cotree: Eppstein 2003; the loop through an edge in neither tree crosses a loop of the map
- * once, so it does not separate the surface.) Components of genus 0 are unchanged. \ingroup ShapetonRicciFlowEmbedding */
+ * on small maps). (Tree and cotree: Eppstein 2003; the loop through an edge outside both trees crosses a loop of the
+ * map once, so it does not separate the surface.) Components of genus 0 are unchanged.
+ * \ingroup ShapetonRicciFlowEmbedding */
 struct ShapetonRicciFlowEmbedding_EXPORT HandleCut
 {
   explicit HandleCut(const CombinatorialMap & map);

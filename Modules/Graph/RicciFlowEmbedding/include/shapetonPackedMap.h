@@ -68,7 +68,7 @@ struct AugmentationOptions
   std::vector<std::string> names;
 };
 
-/** \brief Augments a map so that it has a circle packing.
+/** \brief Augments a map to make it packable.
  *
  * With Augmentation::Ring, components are joined by a dummy node in the longest face of each; loops and parallel edges
  * are subdivided by dummy nodes. A face in conflict (see FaceConflicts) is filled with rings. If it meets a node twice,

@@ -68,8 +68,8 @@ OuterFaces(const CombinatorialMap & map, const BlockMaps & blocks, const std::ve
   return outer;
 }
 
-/** Half-edges of a block around a node, from the one after the corner of the outer face (or of the longest face, if the
- * outer one does not meet the node) to the one before it. */
+/** Half-edges of a block around a node, starting after the corner of the outer face (or of the longest face, if the
+ * outer face does not meet the node). */
 std::vector<int>
 FromOuterFace(const BlockMaps & blocks, const std::vector<FaceKey> & faces, const FaceKey & outer, int any)
 {

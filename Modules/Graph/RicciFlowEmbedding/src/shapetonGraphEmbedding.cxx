@@ -16,8 +16,8 @@ namespace
 {
 /** For larger graphs only one packing is computed instead of several candidates. */
 constexpr int mostEdgesForChoice = 4000;
-/** If a node circle is smaller, split components are rearranged. This takes quadratic time, so larger graphs are
- * excluded. Units of the surface. */
+/** If a node circle is smaller, split components are rearranged. The time is quadratic, so larger graphs are excluded.
+ * Units of the surface. */
 constexpr double smallCircle = 1e-4;
 constexpr int    mostEdgesForSplits = 10000;
 

@@ -168,7 +168,7 @@ AddRing(MapBuilder & builder, const std::vector<int> & boundary, const RingParts
     builder.AddNode();
   }
   const auto endOf = [&](int j) { return j + 1 < number ? parts[j + 1] : length; };
-  // At a corner between two dummies the half-edge of the later one comes first, counter-clockwise.
+  // At a corner between two dummies, the half-edge of the later one is first in counter-clockwise order.
   for (int j = 0; j < number; ++j)
   {
     const int begin = parts[j];

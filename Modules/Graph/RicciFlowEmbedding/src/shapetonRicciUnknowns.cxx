@@ -67,7 +67,7 @@ RicciUnknowns::FindKinds(const CirclesAtInfinity & infinite)
   }
 }
 
-/** In the plane only ratios of radii matter. */
+/** Fixes one radius, because only ratios of radii are determined in the plane. */
 void
 RicciUnknowns::FixOneNode()
 {
@@ -86,7 +86,7 @@ RicciUnknowns::FixOneNode()
   }
 }
 
-/** Initial unknowns; hyperbolic: those of equal circles that would fill a disk of radius 2. */
+/** Initial unknowns; in hyperbolic geometry, equal circles that would fill a disk of radius 2. */
 std::vector<double>
 RicciUnknowns::StartingPoint() const
 {

@@ -18,7 +18,7 @@ struct RicciUnknowns
   {
     Unknown,
     Fixed,
-    Eliminated, ///< a face with its radius given by its three nodes
+    Eliminated, ///< a face with a radius determined by its three nodes
     Line,
     Horocycle
   };

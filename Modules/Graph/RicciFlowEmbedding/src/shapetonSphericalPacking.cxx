@@ -56,8 +56,8 @@ CirclesThrough(const CombinatorialMap & map, int edge)
   return infinite;
 }
 
-/** The longest face; ties go to the one whose nodes have most neighbors, then to the last one: the central dummies of
- * rings come last and have large circles. */
+/** The longest face; ties go to the face with most neighbors of its nodes, then to the last one, because the central
+ * dummies of rings are last and have large circles. */
 int
 LongestFace(const CombinatorialMap & map)
 {

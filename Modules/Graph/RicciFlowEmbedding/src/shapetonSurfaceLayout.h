@@ -77,7 +77,7 @@ private:
 /** \brief The words of a canonical fundamental polygon: A1, B1, ... Ag, Bg with A1 B1 A1^-1 B1^-1 ... equal to `word`
  * in the free group.
  *
- * A word U a P b Q a^-1 R b^-1 S gives A = U a Q^-1 R^-1 U^-1, B = U R Q P b R^-1 U^-1 and the remaining word U R Q P
+ * A word U a P b Q a^-1 R b^-1 S yields A = U a Q^-1 R^-1 U^-1, B = U R Q P b R^-1 U^-1 and the remaining word U R Q P
  * S. Throws std::invalid_argument unless the word describes a closed orientable surface cut into one disk.
  * \ingroup ShapetonRicciFlowEmbedding */
 ShapetonRicciFlowEmbedding_EXPORT std::vector<std::vector<int>>
@@ -96,13 +96,13 @@ ShapetonRicciFlowEmbedding_EXPORT std::array<std::complex<double>, 2>
 /** \brief Motions of the Poincare disk that satisfy a relation to 300 digits.
  *
  * The generators come from radii in double precision, so their relation holds to about 1e-11 times the matrix size.
- * Newton's method finds the smallest change of all generators that makes the relation exact, so that long words remain
+ * Newton's method finds the smallest change of all generators that makes the relation exact, which keeps long words
  * meaningful. \ingroup ShapetonRicciFlowEmbedding */
 struct DeckRelation
 {
   /** The corrected generators, rounded. */
   std::vector<PlaneMotion> generators;
-  /** Whether they were corrected; false if the relation does not even hold to 0.1, for genera of about 30 and more. */
+  /** Whether they were corrected; false if the residual exceeds 0.1, for genera of about 30 and more. */
   bool isRefined{ false };
   /** Largest |product - identity| of the relation: with the given generators, with the corrected and rounded ones, and
    * for the product of commutators of `canonicalWords` with the exact ones. */

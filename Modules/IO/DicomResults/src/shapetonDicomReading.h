@@ -43,7 +43,7 @@ CodeOf(DcmItem & item, const DcmTagKey & sequence);
 void
 LoadDicomObject(DcmFileFormat & file, const std::string & path, const std::vector<std::string> & sopClassUIDs);
 
-/** Calls `service` on `request` in a contained process that may write `sharedBytes`; `take` receives them with the
+/** Calls `service` on `request` in a contained process that may write `sharedBytes`; `take` is called with them and the
  * response. A failure becomes an InputError with the file name. */
 void
 ReadContained(const std::string &                                                          path,

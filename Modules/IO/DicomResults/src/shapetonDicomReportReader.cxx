@@ -20,10 +20,10 @@ struct Graphic
 {
   std::string name;
   std::string type;
-  /** For points in space. */
+  /** Frame of reference of points in space. */
   std::string frameOfReferenceUID;
   bool        isInPixels{ false };
-  /** For points in pixels; empty if none or more than one is referenced. */
+  /** Image of points in pixels; empty unless exactly one image is referenced. */
   std::string        sopInstanceUID;
   std::uint32_t      frame{ 1 };
   std::vector<float> values;

@@ -74,7 +74,7 @@ ReadTextHeader(const std::string & path, const std::function<bool(const std::str
   return header;
 }
 
-/** A data file named by a header: one plain file. Lists and patterns of files are rejected. */
+/** A single data file referenced by a header; lists and patterns of files are rejected. */
 std::string
 DetachedFile(const std::string & path, const std::string & name)
 {

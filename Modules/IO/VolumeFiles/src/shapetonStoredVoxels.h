@@ -36,7 +36,7 @@ struct StoredVoxels
     deflated,
     text
   };
-  /** The file itself, or the data file named by a header. */
+  /** The file itself, or the data file referenced by a header. */
   std::string   file;
   std::uint64_t offset{ 0 };
   Coding        coding{ Coding::raw };

@@ -59,7 +59,7 @@ struct ColonFlattening
   int    eigenpairs{ 0 };
   /** HeatDiffusionMetric::drownedEdges of the metric of the map. */
   int drownedEdges{ 0 };
-  /** NarrowestLevelRadius() (mm); 0 if the time was given. */
+  /** NarrowestLevelRadius() (mm); 0 if the time was set. */
   double narrowestRadius{ 0.0 };
   /** Source of the rectum end: "rectumLoop", "centerline" or "firstLoop". */
   std::string rectumFrom;

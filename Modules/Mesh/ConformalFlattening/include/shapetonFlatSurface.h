@@ -26,8 +26,7 @@ MakeFlatSurface(CutSurface cut, const Eigen::MatrixX2d & uv);
 ShapetonConformalFlattening_EXPORT void
 SetFlatExtent(SurfaceMesh & flat, double circumference, double length);
 
-/** Returns `uv`, one row per vertex. If it is missing, throws InputError with the prefix `what` that names the tool to
- * run. */
+/** Returns `uv`, one row per vertex. If it is missing, throws InputError with the prefix `what` and the tool to run. */
 ShapetonConformalFlattening_EXPORT Eigen::MatrixX2d
                            FlatCoordinates(const SurfaceMesh & flat, const std::string & what);
 

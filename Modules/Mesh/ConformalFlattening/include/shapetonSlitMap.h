@@ -60,7 +60,7 @@ public:
    * \param outer index of the loop that becomes the outer circle.
    * \param weightLevels for each vertex 0, or 1 to 6: how close to 1 the weights of its edges are clamped to avoid
    * flipped faces; empty: 0. Fluxes and moduli use these weights.
-   * \pre One oriented manifold component; the loops are those of BoundaryLoopsByLength(). Throws InputError if there
+   * \pre One oriented manifold component; the loops come from BoundaryLoopsByLength(). Throws InputError if there
    * are fewer than two loops or the outer loop does not exist, and as MakeSurfaceLaplacian(). */
   SlitMapSolver(const SurfaceMesh &         mesh,
                 const SurfaceConnectivity & connectivity,

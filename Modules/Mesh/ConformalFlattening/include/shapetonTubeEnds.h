@@ -13,16 +13,16 @@ struct TubeEnds
 {
   std::vector<int> first;
   std::vector<int> second;
-  /** The first loop is the one named by the field array `rectumLoop`; else the one with the lowest vertex index. */
+  /** The first loop is given by the field array `rectumLoop`; otherwise it is the loop with the lowest vertex index. */
   bool isRectumKnown{ false };
 
-  /** All vertices of the first loop, then those of the second. */
+  /** All vertices of the first loop, then of the second. */
   ShapetonConformalFlattening_EXPORT std::vector<int>
                              Vertices() const;
 };
 
 /** Throws InputError unless the surface is one oriented manifold component with exactly two boundary loops. Handles are
- * allowed. The message starts with `what`, describes the surface and names the tool to use.
+ * allowed. The message starts with `what`, describes the surface and states the tool to use.
  * \ingroup ShapetonConformalFlattening */
 ShapetonConformalFlattening_EXPORT TubeEnds
 FindTubeEnds(const SurfaceMesh & mesh, const SurfaceConnectivity & connectivity, const std::string & what);
@@ -53,7 +53,7 @@ struct TrimmedTube
 
 /** Removes parts cut off by interior edges that join two vertices of one end. These are mostly ears: faces with all
  * corners on one end, which any map with constant ends collapses. Removed vertices are dropped from `rectumLoop` and
- * `cecumLoop`. The tube is returned unchanged if it has no such edge, or if the removal would leave no tube. \pre As
+ * `cecumLoop`. The tube is returned unchanged if no edge is found, or if the result would not be a tube. \pre As
  * for FindTubeEnds(). \ingroup ShapetonConformalFlattening */
 ShapetonConformalFlattening_EXPORT TrimmedTube
 TrimEars(SurfaceMesh mesh, const SurfaceConnectivity & connectivity);

@@ -48,7 +48,7 @@ using TubeMetric =
  * - edge weights at flipped faces, from the third map also one ring around, are clamped to bounds that approach 1 with
  *   each map (BoundedWeights());
  * - faces still flipped after 8 maps are cut off, with the surrounding pouch where the scale is below 1e-3;
- * - finally all weights are clamped, which gives an embedding up to rounding.
+ * - finally all weights are clamped, which yields an embedding up to rounding.
  *
  * Handles always fold. On a tube with handles nothing is cut off and faces within 3 rings of handles are ignored. If
  * other faces remain flipped, the first map is returned.

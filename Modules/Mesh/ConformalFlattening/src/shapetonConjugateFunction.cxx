@@ -151,7 +151,7 @@ TurnsOfFaces(const FaceMatrix &          F,
         const int last = CornerOf(cut.mesh.F, other, cut.mesh.F(face, (k + 1) % 3));
         if (other == face || next == -1 || last == -1)
         {
-          continue; // the cut lies between them
+          continue; // the cut is between them
         }
         const int atFirst =
           turns[face] + static_cast<int>(std::lround(values[3 * face + k] - values[3 * other + next]));

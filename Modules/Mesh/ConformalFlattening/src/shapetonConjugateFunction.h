@@ -47,8 +47,8 @@ TurnsOfFaces(const FaceMatrix &          F,
              const CornerValues &        values,
              std::vector<int> &          turns);
 
-/** Sums of differences along a breadth-first edge tree of a cut surface from vertex 0. The edges and differences are
- * those of the uncut surface. */
+/** Sums of differences along a breadth-first edge tree of a cut surface from vertex 0. Edges and differences refer to
+ * the uncut surface. */
 Eigen::VectorXd
 IntegrateAlongTree(const CutSurface &          cut,
                    const SurfaceConnectivity & connectivity,

@@ -10,7 +10,7 @@ namespace shapeton
 /** A surface with some faces replaced by hole fillings. */
 struct FaceReplacement
 {
-  /** The remaining faces in their order, then those of the fillings. Point arrays of new vertices are means over the
+  /** The remaining faces in their order, then the fillings. Point arrays of new vertices are means over the
    * rim of the hole; cell arrays of new faces are 0, the mark array is 1. `rectumLoop` and `cecumLoop` are
    * renumbered. */
   SurfaceMesh mesh;

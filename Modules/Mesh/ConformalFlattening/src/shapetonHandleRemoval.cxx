@@ -11,7 +11,7 @@ namespace
 {
 constexpr const char * filledName = "filled";
 
-/** Faces to delete: those of handle vertices, except vertices next to a boundary. */
+/** Faces to delete: faces of handle vertices, except for vertices next to a boundary. */
 std::vector<char>
 FacesOfHandles(const SurfaceConnectivity & connectivity, const std::vector<SurfaceHandle> & handles)
 {

@@ -76,7 +76,7 @@ struct HarmonicSolver::Factor
   SparseCholesky                                     cholesky;
 };
 
-/** Replaces the rows of fixed vertices by identity rows, so that the pattern is the same for any fixed vertices. */
+/** Replaces the rows of fixed vertices by identity rows; the pattern is then independent of the fixed vertices. */
 HarmonicSolver::Factor::Factor(const SurfaceLaplacian &      laplacian,
                                const std::vector<int> &      fixed,
                                const SymbolicFactorization & symbolic,

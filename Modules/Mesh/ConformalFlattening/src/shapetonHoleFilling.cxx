@@ -12,11 +12,11 @@ namespace
 {
 /** Rings with at most this many vertices get a single center vertex. */
 constexpr int smallRing = 8;
-/** Longer rims are filled by rings, because patch triangulation takes cubic time. */
+/** Longer rims are filled by rings because patch triangulation has cubic complexity. */
 constexpr int longRim = 400;
 constexpr int ringStep = 6; // as in a plane of equilateral triangles
 
-/** Triangles between a ring and the one inside it. */
+/** Triangles between a ring and the next inner one. */
 void
 JoinRings(const std::vector<int> & outer, const std::vector<int> & inner, std::vector<std::array<int, 3>> & faces)
 {
@@ -87,7 +87,7 @@ TriangulateHole(const std::vector<int> &    loop,
                 const SurfaceConnectivity & connectivity,
                 int                         firstVertex)
 {
-  // The faces of the surface run along the loop, those of the filling against it.
+  // Surface faces follow the loop direction, filling faces are opposite.
   const std::vector<int>       rim(loop.rbegin(), loop.rend());
   std::vector<Eigen::Vector3d> points;
   std::vector<double>          scales;

@@ -23,8 +23,8 @@ TriangulateHole(const std::vector<int> &    loop,
                 const SurfaceConnectivity & connectivity,
                 int                         firstVertex);
 
-/** Places the new vertices to minimize the sum of squared uniform Laplacians at them and at the rim. `connectivity` is
- * that of the closed surface. */
+/** Places the new vertices to minimize the sum of squared uniform Laplacians at them and at the rim. `connectivity`
+ * belongs to the closed surface. */
 void
 SmoothFilling(const HoleFilling & filling, const SurfaceConnectivity & connectivity, VertexMatrix & V);
 } // namespace shapeton

@@ -43,7 +43,7 @@ public:
   Faces() const;
 
 private:
-  /** Neighbor k lies across the edge from corner k to the next; -1 at the rim. */
+  /** Neighbor k shares the edge from corner k to the next; -1 at the rim. */
   struct Face
   {
     std::array<int, 3> corners;

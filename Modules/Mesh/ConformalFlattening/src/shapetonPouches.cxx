@@ -268,7 +268,7 @@ MakeCap(const SurfaceMesh & mesh, const std::vector<int> & rim, double area)
   return cap;
 }
 
-/** Writes the cell array: wall and old caps get new numbers, the fillings come last. */
+/** Writes the cell array: wall and old caps are renumbered, followed by the fillings. */
 void
 NumberCaps(SurfaceMesh &                    mesh,
            const std::vector<HoleFilling> & fillings,

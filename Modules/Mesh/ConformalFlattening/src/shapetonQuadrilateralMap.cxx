@@ -41,7 +41,7 @@ PlacesOfCorners(const std::vector<int> & boundary, const std::array<int, 4> & co
   return places;
 }
 
-/** Vertices between two boundary positions, both included. */
+/** Vertices between two boundary positions, inclusive. */
 std::vector<int>
 SideOfBoundary(const std::vector<int> & boundary, int from, int to)
 {
@@ -148,7 +148,7 @@ private:
   std::vector<Eigen::Vector3d> m_Points;
 };
 
-/** Areas equal up to rounding are ties, so that the result does not depend on rounding. */
+/** Treats areas that are equal up to rounding as ties, for reproducible results. */
 bool
 IsLarger(double area, double than)
 {

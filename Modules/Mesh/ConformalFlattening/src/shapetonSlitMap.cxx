@@ -125,7 +125,7 @@ struct SlitMapSolver::State
     P = 0.5 * (fluxes + fluxes.transpose());
   }
 
-  /** Cuts along the cheapest path that touches no other boundary and avoids saddles, which occur at handles. Computes
+  /** Cuts along the cheapest path that avoids other boundaries, and saddles, which occur at handles. Computes
    * the angle and returns its energy. */
   double
   ComputeAngle(Eigen::VectorXd edgeCosts, const std::vector<char> & isAvoided, SlitMap & map) const

@@ -126,7 +126,7 @@ LeftAtVertex(const Fan & fan, int entered, int left)
   {
     return entered == -1 ? std::vector<int>{} : corners;
   }
-  // At a boundary the left side ends, and may continue beyond it.
+  // The left side ends at a boundary, and may continue beyond it.
   if (entered != -1 && !fan.SweepBack(entered, left, corners))
   {
     return left == -1 ? std::vector<int>{} : corners;

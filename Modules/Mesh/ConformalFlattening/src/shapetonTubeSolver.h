@@ -10,7 +10,7 @@ namespace shapeton
 /** \class TubeSolver
  * \brief Repeatable FlattenTube() with different edge weights.
  *
- * The moduli are those of the metric for any weights: modulusU stays an upper and modulusV a lower bound. */
+ * The moduli are computed in the metric for any weights: modulusU remains an upper and modulusV a lower bound. */
 class TubeSolver
 {
 public:

@@ -71,7 +71,7 @@ TEST(SlitMap, SlitsStayWhereTheyAre)
   const SlitMapSolver solver = SolverOf(slit.mesh);
   ASSERT_EQ(solver.Loops().size(), 4u);
   ASSERT_EQ(solver.InnerLoops(), (std::vector<int>{ 1, 2, 3 }));
-  // By length: outer circle, the slit on ring 16, the inner circle, the slit on ring 8.
+  // Loops by length: outer circle, slit on ring 16, inner circle, slit on ring 8.
   const SlitMap map = solver.Map(2);
   const double  depth = twoPi / map.modulusU;
   EXPECT_NEAR(map.logRadiusOfLoops[0], 0.0, 1e-14);

@@ -239,7 +239,7 @@ TEST(TubeUnfolding, BlindPouchesAreCutOffAndListed)
   }
 }
 
-/** In a deep pouch diffusion distances fall below the error of the default number of poles. */
+/** In a deep pouch, diffusion distances are below the error of the default number of poles. */
 TEST(TubeUnfolding, DeepPouchesAreMeasuredByMorePoles)
 {
   RoughTubeOptions rough;

@@ -80,8 +80,8 @@ MakeSurfaceLaplacian(const SurfaceConnectivity &     connectivity,
 ShapetonHeatDiffusionMetric_EXPORT bool
 AreTriangles(const SurfaceConnectivity & connectivity, const Eigen::VectorXd & edgeLengths);
 
-/** For lengths with a small error, which affects the shortest side of a face most. If that side is too short for a
- * triangle, it is set to the difference of the other two. Returns the changed edges; some faces may still violate the
+/** Repairs lengths with a small error, which affects the shortest side of a face most: a side that is too short for a
+ * triangle is set to the difference of the other two. Returns the changed edges; some faces may still violate the
  * triangle inequality. Errors as MakeSurfaceLaplacian(). \ingroup ShapetonHeatDiffusionMetric */
 ShapetonHeatDiffusionMetric_EXPORT std::set<int>
 LengthenShortestSides(const SurfaceConnectivity & connectivity, Eigen::VectorXd & edgeLengths);

@@ -28,7 +28,7 @@ RequireFewDrowned(const HeatDiffusionMetric & metric)
 }
 
 /** Edge distances from elements of the heat kernel at twice the time. \equation{5.4} for the squared distance; the
- * source gives it for the distance itself, which contradicts (5.5). */
+ * source states it for the distance, which contradicts (5.5). */
 HeatDiffusionMetric
 MetricOf(const SurfaceLaplacian & laplacian, const Eigen::VectorXd & diagonal, const Eigen::VectorXd & offDiagonal)
 {

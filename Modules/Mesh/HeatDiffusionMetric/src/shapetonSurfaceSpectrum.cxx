@@ -42,7 +42,7 @@ struct SymmetricPairs
   }
 };
 
-/** Inverse of M^-1/2 L M^-1/2 + shift in the interface of Spectra, on the complement of the known pairs. */
+/** Inverse of M^-1/2 L M^-1/2 + shift in the interface of Spectra, on the complement of the computed pairs. */
 class ShiftedInverse
 {
 public:

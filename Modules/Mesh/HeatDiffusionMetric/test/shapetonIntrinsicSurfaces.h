@@ -4,7 +4,7 @@
 #include "shapetonSurfaceLaplacian.h"
 #include "shapetonTestSurfaces.h"
 
-/** Flat surfaces given by edge lengths, with exactly known spectra. */
+/** Flat surfaces defined by edge lengths, with closed-form spectra. */
 namespace testsurfaces
 {
 /** A grid with its planar edge lengths, independent of wrapping. */

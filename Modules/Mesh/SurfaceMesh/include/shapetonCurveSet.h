@@ -48,8 +48,8 @@ WriteCurves(CurveSet curves, const std::string & path);
 ShapetonSurfaceMesh_EXPORT void
 WriteCurvesOnSurface(CurveSet curves, const FaceMatrix & faces, const std::string & path);
 
-/** Reads the lines and verts of a VTP file (possibly none); faces are ignored. Throws InputError that names the file
- * and the error. \ingroup ShapetonSurfaceMesh */
+/** Reads the lines and verts of a VTP file (possibly none); faces are ignored. Throws InputError with the file name and
+ * the error. \ingroup ShapetonSurfaceMesh */
 ShapetonSurfaceMesh_EXPORT CurveSet
 ReadCurves(const std::string & path);
 } // namespace shapeton

@@ -44,8 +44,8 @@ ShapetonSurfaceMesh_EXPORT void
 WriteMarkups(const std::vector<Markup> & markups, const std::string & path);
 
 /** Reads markups of 3D Slicer, versions 1.x: points (fiducials, lines, angles) and curves; planes and boxes are
- * skipped. RAS becomes LPS, um become mm; points that were not placed are skipped. Throws InputError that names the
- * file and the error, also if no point remains. \ingroup ShapetonSurfaceMesh */
+ * skipped. RAS becomes LPS, um become mm; points that were not placed are skipped. Throws InputError with the file name
+ * and the error, also if no point remains. \ingroup ShapetonSurfaceMesh */
 ShapetonSurfaceMesh_EXPORT std::vector<Markup>
                      ReadMarkups(const std::string & path);
 

@@ -64,7 +64,7 @@ struct SurfaceComponent
  *
  * An edge is a pair of vertices with any number of faces. Degenerate faces (with a repeated vertex) are ignored: they
  * have no edges and no component. Faces are connected through a shared edge, not through a shared vertex. All lists are
- * in index order, so equal input gives equal output. Memory: about 100 bytes per face.
+ * in index order, so output is deterministic. Memory: about 100 bytes per face.
  *
  * \ingroup ShapetonSurfaceMesh
  */

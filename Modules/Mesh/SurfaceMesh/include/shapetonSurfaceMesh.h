@@ -30,7 +30,7 @@ struct SurfaceArray
 /** \class SurfaceMesh
  * \brief A triangle surface: vertices V, faces F, and arrays on them.
  *
- * The algorithms of this module take V and F; other mesh classes are used only in file readers and writers.
+ * The algorithms of this module use V and F; other mesh classes are used only in file readers and writers.
  * RequireSound() guarantees valid indices only: faces may be degenerate or inconsistent. InspectSurface() finds such
  * defects and RepairSurface() repairs them.
  *

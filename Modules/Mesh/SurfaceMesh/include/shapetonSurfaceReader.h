@@ -44,7 +44,7 @@ struct SurfaceFile
  * - Point and cell arrays: VTP with its field data, and scalar properties of PLY. Colors, normals and texture
  *   coordinates of other formats are dropped.
  *
- * Throws InputError that names the file, the error, its location and the remedy, for missing, empty, truncated or
+ * Throws InputError with the file, the error, its location and the remedy for missing, empty, truncated or
  * unsupported files, indices out of range, nonfinite coordinates, and files without faces. Sizes stated in a file are
  * checked against its length before memory is allocated. \ingroup ShapetonSurfaceMesh */
 ShapetonSurfaceMesh_EXPORT SurfaceFile
@@ -59,8 +59,8 @@ struct SurfaceReadOptions
    * -1: all components. Components are counted as after RepairSurface(): pieces joined along a seam (two boundaries of
    * coincident vertices) are one; surfaces are cut at edges with more than two faces. */
   int component{ 0 };
-  /** "m", "mm" or "um", overriding the unit of the format. If empty, the unit of the format is used, and a surface
-   * whose largest extent is not between 5 mm and 5 m is rejected. */
+  /** "m", "mm" or "um", overriding the unit of the format. If empty, the unit of the format is used, and a surface with
+   * a largest extent outside 5 mm to 5 m is rejected. */
   std::string unit;
   /** Accepts a surface of any extent with a note, for results that do not depend on size. */
   bool isAnyExtentPlausible{ false };
@@ -87,9 +87,9 @@ struct Surface
 ShapetonSurfaceMesh_EXPORT Surface
 ReadSurface(const std::string & path, const SurfaceReadOptions & options = {});
 
-/** ReadSurface() followed by RepairSurface(), for computations. Throws InputError, which names the file, for defects
- * that cannot be repaired: an invalid surface, zero-area faces, a nonorientable part; and if several components remain
- * and none was chosen. \ingroup ShapetonSurfaceMesh */
+/** ReadSurface() followed by RepairSurface(), for computations. Throws InputError with the file name for defects that
+ * cannot be repaired: an invalid surface, zero-area faces, a nonorientable part; and if several components remain and
+ * none was chosen. \ingroup ShapetonSurfaceMesh */
 ShapetonSurfaceMesh_EXPORT Surface
 ReadRepairedSurface(const std::string & path, const SurfaceReadOptions & options = {});
 } // namespace shapeton

@@ -27,7 +27,7 @@ struct SurfaceRemeshingOptions
  * between them deviates by at most 5 % of the target.
  *
  * Sharp features are rounded to about the target length. Arrays are dropped because all vertices are new; facts are
- * kept. Equal input gives equal output; single-threaded.
+ * kept. Deterministic and single-threaded.
  *
  * Throws InputError as RequireManifold(), and if the surface would exceed 100 million faces; ParameterError for options
  * out of range. \ingroup ShapetonSurfaceMesh */

@@ -54,8 +54,8 @@ RepairSurface(const SurfaceMesh &          mesh,
               SurfaceRepairReport *        report = nullptr);
 
 /** Checks the requirements of simplification and remeshing: manifold, consistently oriented, no degenerate faces.
- * Returns the connectivity used for the check. Throws InputError with the prefix `what` that names the first defect
- * and the repair. \ingroup ShapetonSurfaceMesh */
+ * Returns the connectivity used for the check. Throws InputError with the prefix `what`, the first defect and the
+ * repair. \ingroup ShapetonSurfaceMesh */
 ShapetonSurfaceMesh_EXPORT SurfaceConnectivity
 RequireManifold(const SurfaceMesh & mesh, const std::string & what);
 } // namespace shapeton

@@ -40,11 +40,11 @@ struct SurfaceSimplificationReport
  * Surface simplification using quadric error metrics, 1997), and to planes through boundary edges, perpendicular to
  * their face. The squared distance to the old vertex is added with weight 1/1000, which keeps positions well defined in
  * flat regions. The cheapest edge is collapsed to its point of least error. A collapse requires that
- * - the link condition holds: manifoldness, genus, components and boundary loops never change;
+ * - the link condition holds: manifoldness, genus, components and boundary loops are preserved;
  * - no face normal turns by more than about 70 degrees;
  * - no angle becomes smaller than the limit.
- * A boundary vertex merged with an interior one keeps its position. Ties are broken by vertex indices; equal input
- * gives equal output. Single-threaded; about 4 microseconds and 250 bytes per face.
+ * A boundary vertex merged with an interior one keeps its position. Deterministic: ties are broken by vertex indices.
+ * Single-threaded; about 4 microseconds and 250 bytes per face.
  *
  * Remaining vertices and faces keep their order. Arrays are dropped because the vertices are new; facts are kept. A
  * surface that already has few enough faces is returned with its arrays.

@@ -15,7 +15,7 @@ namespace
 {
 constexpr int greatestLabel = 32767; // limit of Slicer's reader
 
-/** From hue (in turns), saturation and value. */
+/** RGB color from hue (in turns), saturation and value. */
 std::array<double, 3>
 FromHsv(double hue, double saturation, double value)
 {

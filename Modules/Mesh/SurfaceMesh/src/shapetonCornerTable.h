@@ -11,8 +11,7 @@ namespace shapeton
  * Half-edge h of face h / 3 runs from its corner h to the next corner. The caller stores the positions. Removed faces
  * and vertices keep their indices; Faces() skips and renumbers them.
  *
- * On a boundary, a vertex stores the outgoing half-edge without a twin, so that a walk around the vertex visits all of
- * its faces.
+ * A boundary vertex stores the outgoing half-edge without a twin; a walk around it then visits all of its faces.
  */
 class CornerTable
 {

@@ -295,7 +295,7 @@ GltfScene::ViewOf(std::size_t index, const std::string & type) const
   {
     RefuseSurface(m_Path, "accessor " + std::to_string(index) + " has a wrong type or stride");
   }
-  // Compare each number with the remaining size, so that sums do not overflow.
+  // Compares each number with the remaining size to avoid overflow of sums.
   const bool fitsBuffer = begin <= buffer.size() && length <= buffer.size() - begin;
   const bool fitsView =
     offset <= length && (count == 0 || (row <= length - offset && (count - 1) <= (length - offset - row) / stride));

@@ -104,7 +104,7 @@ private:
     }
   }
 
-  std::string    m_Text; // starts with an empty line, so that NextLine() finds the first one
+  std::string    m_Text; // starts with an empty line, because NextLine() advances first
   TextScanner    m_Scanner;
   PolygonSurface m_Surface;
   int            m_LeftOut{ 0 };

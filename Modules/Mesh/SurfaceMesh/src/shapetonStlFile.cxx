@@ -47,7 +47,7 @@ ReadBinary(const std::string & bytes, const std::string & path)
   {
     for (int i = 0; i < 3; ++i)
     {
-      const std::size_t offset = FirstTriangle + t * TriangleSize + 12 * (i + 1); // the normal comes first
+      const std::size_t offset = FirstTriangle + t * TriangleSize + 12 * (i + 1); // skips the normal
       surface.AddPoint(
         ValueAt<float>(bytes, offset), ValueAt<float>(bytes, offset + 4), ValueAt<float>(bytes, offset + 8));
     }
@@ -135,7 +135,7 @@ ReadStl(const std::string & bytes, const std::string & path)
     bytes.size() == FirstTriangle + TriangleSize * std::size_t{ ValueAt<std::uint32_t>(bytes, HeaderSize) };
   const std::size_t begin = bytes.find_first_not_of(" \t\r\n");
   const bool        saysSolid = begin != std::string::npos && LowerCase(bytes.substr(begin, 5)) == "solid";
-  const bool        isText = saysSolid && bytes.find('\0') == std::string::npos; // some binary files say "solid", too
+  const bool        isText = saysSolid && bytes.find('\0') == std::string::npos; // binary files may start with "solid"
   if (isLongEnough && (hasStatedSize || !isText))
   {
     return ReadBinary(bytes, path);

@@ -125,7 +125,7 @@ SurfaceConnectivity::BuildVertexFaces()
   }
 }
 
-// Vertex blocks find their edges in parallel; then the number of the first edge of each block is known.
+// Vertex blocks find their edges in parallel, which determines the first edge number of each block.
 void
 SurfaceConnectivity::BuildEdges()
 {

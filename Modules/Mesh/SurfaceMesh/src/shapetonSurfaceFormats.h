@@ -72,7 +72,7 @@ ReadGltf(const std::string & bytes, const std::string & path);
 ///@{
 void
 WriteVtp(const SurfaceMesh & mesh, const std::string & path);
-/** The faces come after the curves. */
+/** Writes the faces after the curves. */
 void
 WriteVtp(const CurveSet & curves, const FaceMatrix & faces, const std::string & path);
 void

@@ -292,7 +292,7 @@ EnclosedVolume(const VertexMatrix & V, const FaceMatrix & F)
   {
     return 0.0;
   }
-  const Eigen::Vector3d origin = V.row(F(0, 0)); // near the surface, so that little cancels
+  const Eigen::Vector3d origin = V.row(F(0, 0)); // near the surface, which reduces cancellation
   double                volume = 0.0;
   for (int f = 0; f < F.rows(); ++f)
   {

@@ -44,7 +44,7 @@ ExtentOf(const SurfaceMesh & mesh)
   return (corners[1] - corners[0]).transpose();
 }
 
-/** Joins items by semicolons; the rest of a long list is given as a count. */
+/** Joins items by semicolons; a long list ends with the number of omitted items. */
 std::string
 Join(const std::vector<std::string> & items)
 {
@@ -166,7 +166,7 @@ JoinSeams(const SurfaceMesh & mesh, const SurfaceConnectivity & connectivity, Di
   }
 }
 
-/** The faces that RepairSurface() keeps if a surface is not manifold. */
+/** The faces kept by RepairSurface() if a surface is not manifold. */
 std::vector<int>
 FacesKept(const SurfaceMesh & mesh, const SurfaceConnectivity & connectivity)
 {
@@ -187,8 +187,8 @@ FacesKept(const SurfaceMesh & mesh, const SurfaceConnectivity & connectivity)
   return kept;
 }
 
-/** Faces of each component, largest component first. Components are those that RepairSurface() leaves: faces are
- * connected by edges with two faces and by seams, but not by edges with more faces. */
+/** Faces of each component, largest component first. Components as after RepairSurface(): faces are connected by edges
+ * with two faces and by seams, but not by edges with more faces. */
 std::vector<std::vector<int>>
 FacesOfComponents(const SurfaceMesh & mesh, const SurfaceConnectivity & connectivity)
 {

@@ -167,7 +167,7 @@ Simplifier::Simplifier(const SurfaceMesh &                  mesh,
   m_Positions.resize(mesh.V.rows());
   for (int v = 0; v < mesh.NumberOfVertices(); ++v)
   {
-    m_Positions[v] = mesh.V.row(v).transpose() - m_Origin; // near 0, so that little cancels in the quadrics
+    m_Positions[v] = mesh.V.row(v).transpose() - m_Origin; // near 0, which reduces cancellation in the quadrics
   }
   m_Quadrics.resize(mesh.V.rows());
   for (int h = 0; h < m_Table.NumberOfHalfEdges(); h += 3)

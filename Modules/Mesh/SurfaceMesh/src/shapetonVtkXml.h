@@ -19,7 +19,7 @@ struct VtkXmlElement
   /** Empty if the attribute does not exist. */
   std::string
   Get(const std::string & attribute) const;
-  /** nullptr if there is none. */
+  /** nullptr if not found. */
   const VtkXmlElement *
   Find(const std::string & child) const;
 };
