@@ -50,8 +50,8 @@ struct DeviceUse
 };
 
 /** Chooses the device for a computation that needs `bytes` of memory on a GPU, or at least `leastBytes` if the GPU
- * is requested. Throws DeviceError if the GPU is requested and cannot be used. The plug-in is searched on first
- * use: next to this library, or at the path in the environment variable SHAPETON_DEVICE_PLUGIN.
+ * is requested. Throws DeviceError if the GPU is requested and cannot be used. On first use the plug-in is loaded from
+ * the folder of this library, or from the path in the environment variable SHAPETON_DEVICE_PLUGIN.
  * SHAPETON_DEVICE_MEMORY may limit the bytes of GPU memory to use. \ingroup ShapetonCommon */
 ShapetonCommon_EXPORT DeviceUse
 ChooseDevice(Device wanted, std::size_t bytes, std::size_t leastBytes);

@@ -129,7 +129,7 @@ TransformRow(const unsigned char * lumen, float * squared, std::size_t size, dou
   }
 }
 
-/** Processes all lines of one plane across the rows, several rows at once, because memory is read by cache lines. */
+/** Processes all lines of one plane across the rows, several rows at once to use full cache lines. */
 void
 TransformPlane(float * plane, std::size_t width, std::size_t lines, std::size_t stride, double spacing, float greatest)
 {

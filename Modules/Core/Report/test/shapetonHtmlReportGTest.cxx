@@ -315,7 +315,7 @@ SourceOfPicture(const std::string & bytes)
   return "no picture";
 }
 
-// With one more byte the PNG signature ends on a base64 boundary, so that the following bytes are encoded separately.
+// With one more byte, the PNG signature ends on a base64 boundary and the following bytes are encoded separately.
 TEST(HtmlReport, PicturesAreEncodedAsTheExamplesOfRFC4648)
 {
   const std::pair<std::string, std::string> examples[] = { { "", "" },

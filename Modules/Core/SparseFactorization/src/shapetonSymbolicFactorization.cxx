@@ -16,7 +16,7 @@ CheckEdges(int numberOfVertices, Edges edges)
 {
   if (numberOfVertices < 1)
   {
-    throw InputError("a matrix needs at least one row");
+    throw InputError("a matrix requires at least one row");
   }
   for (auto & [a, b] : edges)
   {

@@ -165,7 +165,7 @@ private:
   }
 
   /** Joins nodes over edges that are strong for both. Each remaining single node then joins its strongest neighbor
-   * in the cell if the edge is strong for this node: thus an insulated node joins its surroundings. */
+   * in the cell if the edge is strong for this node, so an insulated node joins its surroundings. */
   void
   JoinStrong(std::uint32_t number)
   {

@@ -28,7 +28,8 @@ public:
 };
 
 /** Type of the plug-in's function ShapetonMakeHeatEngine(). The engine reads the heat from `heat` and writes it back
- * in Finish(). Without `heat`, or without snapshots, fields are exchanged explicitly and no snapshot is shown. */
+ * in Finish(). Without `heat`, or without snapshots, fields are exchanged explicitly and snapshots are not passed on.
+ */
 using MakeDeviceHeatEngineFunction = DeviceHeatEngine *(const DeviceHeatVolume & volume,
                                                         float *                  heat,
                                                         HeatSnapshots *          snapshots);

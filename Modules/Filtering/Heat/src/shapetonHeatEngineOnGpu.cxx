@@ -13,8 +13,7 @@ using Field = HeatEngine::Field;
 /** Number of steps per slab visit, and of overlap slices on each side, whose values become invalid. */
 constexpr unsigned int SlabSteps = 32;
 
-/** Bytes of all fields, one extra output field, and conductances for a number of slices, and some more for sums and
- * counts. */
+/** Bytes of all fields, one extra output field and conductances for a number of slices, plus sums and counts. */
 std::size_t
 BytesOfSlices(const PaddedGrid & grid, std::size_t slices)
 {

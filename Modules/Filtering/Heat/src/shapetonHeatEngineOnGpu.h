@@ -14,8 +14,8 @@ namespace shapeton
 DeviceUse
 ChooseDeviceForHeat(Device wanted, const PaddedGrid & grid);
 
-/** An engine on the chosen GPU: with all fields there, or, if they do not fit, with the fields in host memory and
- * slabs of them on the GPU. Arguments as for HeatEngineOnCpu. */
+/** Creates an engine on the chosen GPU with all fields in GPU memory or, if they do not fit, with fields in host memory
+ * and slabs on the GPU. Arguments as for HeatEngineOnCpu. */
 std::unique_ptr<HeatEngine>
 MakeHeatEngineOnGpu(const DeviceUse &              use,
                     const VolumeGradientOperator & volumeGradient,

@@ -33,8 +33,8 @@ enum class ParticlePlacement
 {
   /** Uniformly in the volume, or in the mask (3.2). */
   Uniform,
-  /** In proportion to the initial heat (2.3), within the mask if there is one: their density is then a sample of the
-   * heat distribution. */
+  /** In proportion to the initial heat (2.3), within the mask, if set; the density then samples the heat distribution.
+   */
   InitialHeat
 };
 

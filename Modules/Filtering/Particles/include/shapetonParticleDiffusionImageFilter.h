@@ -177,7 +177,7 @@ public:
     return m_Measures;
   }
 
-  /** Rows for the HistogramSteps that were reached; steps before an initial state have no row. */
+  /** Rows for the HistogramSteps that were reached; there are no rows for steps before an initial state. */
   const HeatHistogram &
   GetHistogram() const
   {

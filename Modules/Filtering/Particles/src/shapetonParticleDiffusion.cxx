@@ -22,7 +22,7 @@ constexpr std::uint64_t BlocksOnDevice = 128;
 /** Window length of the steady rule, and number of steps in it that may fail. */
 constexpr std::uint64_t HistoryLength = 50;
 constexpr int           AllowedFailures = 5;
-/** Mean number of visits of the reached voxels at which the automatic rule is satisfied. */
+/** Mean number of visits of the reached voxels that satisfies the automatic rule. */
 constexpr double WantedVisits = 100.0;
 
 void

@@ -8,7 +8,7 @@
 #include <sstream>
 #include <stdexcept>
 
-static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__, "the state is written as it lies in memory");
+static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__, "the state is written in memory layout");
 
 namespace shapeton
 {

@@ -11,8 +11,8 @@ namespace shapeton
  *
  * The table `shape` contains one row per shape: name, identity of the source table, label, numbers, and curves as JSON
  * lists. `PRAGMA application_id` is 0x53687074 ("Shpt"), `PRAGMA user_version` the version of the schema, 1. SQLite
- * keeps a rollback journal next to the file while rows are added: the next process that opens the file rolls back the
- * transaction of a killed one.
+ * keeps a rollback journal next to the file while rows are added: the next process that opens the file rolls back an
+ * interrupted transaction.
  *
  * Both functions throw InputError and leave the file unchanged if it is not a shape database, has another version or
  * is damaged (PRAGMA quick_check).
@@ -21,7 +21,7 @@ namespace shapeton
 /** Adds the rows of a table in one transaction: all, or none. A single row is named `name`, several rows "name:label".
  * Creates the file if it does not exist. Several processes may add rows concurrently.
  *
- * A row is identified by the identity of its table and its label; adding a table again throws InputError, even with
+ * The key of a row is the identity of its table and its label; adding a table twice throws InputError, even with
  * another name. Several shapes may share a name.
  *
  * \param identity identity of the table, "sha256:..." of its file.

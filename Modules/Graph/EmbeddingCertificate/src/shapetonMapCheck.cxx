@@ -6,8 +6,8 @@ namespace shapeton
 {
 namespace
 {
-/** Marks the elements used by a path of a subdivided edge; rejects a path that leaves the dummies or meets another
- * path. */
+/** Marks the elements used by the path of a subdivided edge; rejects paths that leave the dummies or meet other paths.
+ */
 class PathCheck
 {
 public:

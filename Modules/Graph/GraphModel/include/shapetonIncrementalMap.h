@@ -81,7 +81,7 @@ public:
   {
     return m_Previous[halfEdge ^ 1];
   }
-  /** The face to the left of a half-edge, a label in [0, FaceLabels()): the face of the corner after it. */
+  /** Label in [0, FaceLabels()) of the face to the left of a half-edge, that is the face of the corner after it. */
   int
   FaceOfCorner(int halfEdge) const
   {

@@ -46,11 +46,11 @@ private:
 std::vector<std::string_view>
 Words(std::string_view line, std::string_view separators = {});
 
-/** True, with the number, if all of `word` is a decimal integer of type int. */
+/** Parses `word` as a decimal integer of type int; returns false unless it is one entirely. */
 bool
 ParseInt(std::string_view word, int & value);
 
-/** True, with the number, if all of `word` is a decimal floating-point number. */
+/** Parses `word` as a decimal floating-point number; returns false unless it is one entirely. */
 bool
 ParseDouble(std::string_view word, double & value);
 

@@ -34,7 +34,7 @@ struct PackedMap
 /** \brief The faces that prevent a circle packing: those that meet a node twice, and those that share two nodes with
  * another face other than as the ends of one common edge.
  *
- * A map has a packing of circles for its nodes and faces if it is 3-connected (Koebe, Andreev, Thurston), or, on a
+ * A map has a circle packing for its nodes and faces if it is 3-connected (Koebe, Andreev, Thurston), or, on a
  * surface of genus 1 and more, if its universal cover is (Bobenko and Springborn, Trans. AMS 356, 2004). A map with at
  * least 4 nodes and without loops, parallel edges and such faces is 3-connected. Otherwise a vanishing residual is not
  * a proof: on K4 without an edge and on K2,3 Newton's method converges to a degenerate limit. On genus 1 and more the

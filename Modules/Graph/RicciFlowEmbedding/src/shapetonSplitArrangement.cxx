@@ -241,7 +241,7 @@ Arranger::LabelAround(int node, int number, int offset)
   } while (h != first);
 }
 
-/** Number of nodes within each component, with everything connected to them; 0 for an edge. */
+/** Number of nodes within each component, including everything connected to it; 0 for an edge. */
 std::vector<int>
 Arranger::SizesOf(const NodePair & pair, int number)
 {

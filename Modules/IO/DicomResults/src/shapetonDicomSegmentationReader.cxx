@@ -91,7 +91,7 @@ TakeBackground(DcmItem & dataset, DicomSegmentationFile & file)
   }
   if (file.segments.empty())
   {
-    throw std::runtime_error("declares no segment besides the background");
+    throw std::runtime_error("declares only a background segment");
   }
 }
 

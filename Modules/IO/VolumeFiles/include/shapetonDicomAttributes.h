@@ -14,8 +14,8 @@ class DcmTagKey;
 
 namespace shapeton
 {
-/** \defgroup DicomAttributes Attributes of DICOM files from any vendor, parsed by DCMTK The files are untrusted; call
- * these functions in a ContainedProcess.
+/** \defgroup DicomAttributes Attributes of DICOM files from any vendor, parsed by DCMTK
+ * The files are untrusted; call these functions in a ContainedProcess.
  * \ingroup ShapetonVolumeFiles */
 ///@{
 

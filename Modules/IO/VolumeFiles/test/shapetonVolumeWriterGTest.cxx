@@ -89,7 +89,7 @@ BytesOf(const std::string & path)
   return { std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>() };
 }
 
-/** A NIfTI-1 header for 2 x 3 x 4 voxels of type float or short with the identity as sform, to be modified. */
+/** A NIfTI-1 header for 2 x 3 x 4 voxels of type float or short with an identity sform; tests modify it. */
 struct NiftiFile
 {
   std::string bytes = std::string(352, '\0');

@@ -33,10 +33,10 @@ struct HandleDetection
 
 /** Finds the handles of a surface from its flat map (dissertation 5.4.3).
  *
- * A flat map has angle defects only at folds, and it must fold at handles. Vertices with a defect above 1e-6, dilated
- * by one ring, form clusters. By Gauss-Bonnet the defects of a cluster sum to -4 pi times its genus; clusters with sum
- * 0 are false alarms. Elsewhere the map must be free of folds, as FlattenTube() with the Laplacian produces in any
- * metric.
+ * A flat map has angle defects only at folds, and handles always cause folds. Vertices with a defect above 1e-6,
+ * dilated by one ring, form clusters. By Gauss-Bonnet the defects of a cluster sum to -4 pi times its genus; clusters
+ * with sum 0 are false alarms. Elsewhere the map must be free of folds, as FlattenTube() with the Laplacian produces in
+ * any metric.
  *
  * \param connectivity of the surface before the cut.
  * \param flat the flat surface, with the same faces in the same order.

@@ -265,7 +265,7 @@ private:
     }
   }
 
-  /** Positions of the removed handles on the final map: at the nearest vertex. */
+  /** Positions of the removed handles on the final map, at the nearest vertex. */
   void
   PlaceOnMap()
   {

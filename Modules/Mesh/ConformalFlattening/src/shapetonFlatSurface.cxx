@@ -50,7 +50,7 @@ RequireExtent(const SurfaceMesh & flat, const std::string & name, const std::str
   const SurfaceArray * array = FindSurfaceArray(flat.fieldArrays, name);
   if (!array || array->values.size() != 1)
   {
-    throw InputError(what + " has no field array \"" + name + "\" with one value, as flat tubes have; flatten it " +
+    throw InputError(what + " has no field array \"" + name + "\" with one value, as in flat tubes; flatten it " +
                      "with ColonFlattening");
   }
   const double value = array->values(0, 0);

@@ -54,7 +54,8 @@ public:
   /** \param t diffusion time (mm^2).
    * \param poles pairs of conjugate poles, leastPoles to mostPoles; each costs one factorization.
    * \param atOnce number of factorizations in memory at the same time.
-   * Throws InputError if t is not positive, or so large that rounding exceeds more than a thousandth of the distances.
+   * Throws InputError if t is not positive, or so large that rounding errors dominate more than a thousandth of the
+   * distances.
    */
   HeatDiffusionMetric
   Compute(double t, int poles = defaultPoles, int atOnce = 2, const Progress & progress = {}) const;

@@ -24,7 +24,7 @@ struct SurfaceSpectrum
   }
 };
 
-/** Stopping criteria of ComputeSurfaceSpectrum(): residual of an eigenpair relative to the largest one, and restarts.
+/** Stopping criteria of ComputeSurfaceSpectrum(): residual relative to the largest eigenvalue, and number of restarts.
  * \ingroup ShapetonHeatDiffusionMetric */
 struct SurfaceSpectrumOptions
 {

@@ -14,7 +14,7 @@ DiffuseOverSurface(const SurfaceLaplacian & laplacian, double time, Eigen::Matri
   constexpr int steps = 2;
   if (values.rows() != laplacian.NumberOfVertices() || !(time >= 0.0))
   {
-    throw std::invalid_argument("diffusion over a surface needs a row for each vertex and a time from 0");
+    throw std::invalid_argument("surface diffusion requires one row per vertex and a nonnegative time");
   }
   if (time == 0.0)
   {

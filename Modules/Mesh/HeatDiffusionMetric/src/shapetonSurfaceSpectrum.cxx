@@ -155,8 +155,8 @@ AddPairs(ShiftedInverse &               inverse,
   known.Sort();
 }
 
-/** Single-vector Lanczos finds one direction of a multiple eigenspace, and others only through rounding. Therefore the
- * pairs are counted, and missing ones are computed in the complement of the others. */
+/** Single-vector Lanczos finds one direction of a multiple eigenspace, and others only by rounding errors. Therefore
+ * the pairs are counted, and missing ones are computed in the complement of the others. */
 SymmetricPairs
 LanczosPairs(const SurfaceLaplacian & laplacian, int pairs, const SurfaceSpectrumOptions & options)
 {

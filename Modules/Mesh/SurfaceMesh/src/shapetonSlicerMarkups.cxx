@@ -132,7 +132,7 @@ MarkupOfCurve(const CurveSet & curves, std::size_t curve, Markup::Kind kind, dou
 {
   if (curve >= curves.curves.size() || !(spacing > 0.0))
   {
-    throw std::invalid_argument("a markup needs an existing curve and a positive spacing");
+    throw std::invalid_argument("a markup requires an existing curve and a positive spacing");
   }
   const std::vector<int> & vertices = curves.curves[curve];
   const auto               pointOf = [&](std::size_t i) -> Eigen::Vector3d { return curves.V.row(vertices[i]); };

@@ -194,8 +194,8 @@ Together(const std::vector<shapeton::SurfaceMesh> & meshes)
   return together;
 }
 
-/** The surface with a seam around the faces `beyond`: vertices on the seam are duplicated, and these faces use the
- * copies. */
+/** Adds a seam around the faces with `isBeyond`: vertices on the seam are duplicated, and these faces use the copies.
+ */
 inline shapeton::SurfaceMesh
 WithSeam(shapeton::SurfaceMesh mesh, const std::function<bool(int)> & isBeyond)
 {
