@@ -70,9 +70,8 @@ TEST(FileBytes, ThatCannotBeReadOrWritten)
             "InputError: cannot read \"missing\": No such file or directory; check the name and its permissions");
   EXPECT_EQ(MessageOf([] { shapeton::ReadFileBytes("."); }),
             "InputError: cannot read \".\": Is a directory; specify a file");
-  EXPECT_EQ(
-    MessageOf([] { shapeton::WriteFileBytes("no/file", "x"); }),
-    "OutputError: cannot write \"no/file\": No such file or directory; use an existing, writable folder");
+  EXPECT_EQ(MessageOf([] { shapeton::WriteFileBytes("no/file", "x"); }),
+            "OutputError: cannot write \"no/file\": No such file or directory; use an existing, writable folder");
   EXPECT_EQ(MessageOf([] { shapeton::WriteFileBytes(".", "x"); }),
             "OutputError: cannot write \".\": Is a directory; specify a file name");
   for (const std::size_t size : { 1, 1 << 20 })

@@ -128,8 +128,7 @@ TEST(CsvTable, CannotBeWrittenEverywhere)
   const basetest::Folder folder;
   const std::string      path = folder / "no/table.csv";
   EXPECT_EQ(basetest::MessageOf([&] { shapeton::CsvTable({ "a" }).Write(path); }),
-            "OutputError: cannot write \"" + path +
-              "\": No such file or directory; use an existing, writable folder");
+            "OutputError: cannot write \"" + path + "\": No such file or directory; use an existing, writable folder");
   EXPECT_EQ(
     basetest::MessageOf([] { shapeton::CsvTable({ "a" }).Write("/dev/full"); }),
     "OutputError: cannot write \"/dev/full\": No space left on device; free some space or choose another folder");

@@ -38,8 +38,7 @@ public:
               "uses an edge that is not reserved for it");
       m_IsUsedEdge[more] = true;
     }
-    Require(
-      m_Packed.Node(path.back() ^ 1) == m_Certificate.graph.edges[edge][1], edge, "does not end at its end node");
+    Require(m_Packed.Node(path.back() ^ 1) == m_Certificate.graph.edges[edge][1], edge, "does not end at its end node");
   }
 
   /** All edges that are not subdivided have the same ends as in the graph. */
@@ -108,8 +107,8 @@ RequireSameRotation(const EmbeddingCertificate & certificate, const TracedMap & 
     }
     if (graph.next[starts[h]] != starts[after])
     {
-      throw Refusal("the rotations of the graph and the packed map differ at node " +
-                    std::to_string(packed.Node(h)) + ", half-edge " + std::to_string(starts[h]));
+      throw Refusal("the rotations of the graph and the packed map differ at node " + std::to_string(packed.Node(h)) +
+                    ", half-edge " + std::to_string(starts[h]));
     }
   }
 }

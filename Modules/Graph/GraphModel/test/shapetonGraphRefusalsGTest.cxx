@@ -77,19 +77,18 @@ TEST(GraphRefusals, DuplicateAndMissingNodes)
 TEST(GraphRefusals, KeysOfGmlThatStandTwice)
 {
   const std::string nodes = "graph [\n node [ id 1 ]\n node [ id 2 ]\n";
-  ExpectRefused({ { "a.gml",
-                    nodes + " edge [ source 1\n target 2\n source 2 ] ]",
-                    "line 6: the edge has a second \"source\"; the first one is in line 4" },
-                  { "a.gml",
-                    nodes + " edge [ source 1\n target 2\n target 2 ] ]",
-                    "line 6: the edge has a second \"target\"; the first one is in line 5" },
-                  { "a.gml",
-                    "graph [ node [ id 1\nid 1 ] ]",
-                    "line 2: the node has a second \"id\"; the first one is in line 1" },
-                  { "a.gml", "graph [ directed 0\ndirected 0 ]", "line 2: the graph has a second \"directed\"" },
-                  { "a.gml",
-                    "graph [ node [ id 1 ] ]\ngraph [ ]",
-                    "line 2: the file contains a second graph; the first one starts in line 1" } });
+  ExpectRefused(
+    { { "a.gml",
+        nodes + " edge [ source 1\n target 2\n source 2 ] ]",
+        "line 6: the edge has a second \"source\"; the first one is in line 4" },
+      { "a.gml",
+        nodes + " edge [ source 1\n target 2\n target 2 ] ]",
+        "line 6: the edge has a second \"target\"; the first one is in line 5" },
+      { "a.gml", "graph [ node [ id 1\nid 1 ] ]", "line 2: the node has a second \"id\"; the first one is in line 1" },
+      { "a.gml", "graph [ directed 0\ndirected 0 ]", "line 2: the graph has a second \"directed\"" },
+      { "a.gml",
+        "graph [ node [ id 1 ] ]\ngraph [ ]",
+        "line 2: the file contains a second graph; the first one starts in line 1" } });
   // A key in a nested list is a different key.
   EXPECT_EQ(
     "1-2 (1 2)",

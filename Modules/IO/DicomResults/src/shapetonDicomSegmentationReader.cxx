@@ -453,8 +453,7 @@ RequireSegments(const DicomSegmentationFile & file, const std::vector<int> & num
   for (const int number : numbers)
   {
     RequireParameter(Declares(file, number), '"' + file.path + "\" has no segment " + std::to_string(number));
-    RequireParameter(number != 0,
-                     "segment 0 of \"" + file.path + "\" is the background; choose another");
+    RequireParameter(number != 0, "segment 0 of \"" + file.path + "\" is the background; choose another");
     RequireParameter(std::count(numbers.begin(), numbers.end(), number) == 1,
                      "segment " + std::to_string(number) + " is requested twice");
   }
@@ -489,10 +488,9 @@ RequireMadeOn(const DicomSegmentationFile & file, const DicomSource & source)
   const bool tells = !file.seriesUID.empty() || !file.frameOfReferenceUID.empty();
   if (!tells || !isSeries || !isFrame)
   {
-    throw InputError(
-      '"' + file.path + "\" " +
-      (tells ? "was created from another series than " : "does not reference the series ") + series.uid +
-      "; use its source series");
+    throw InputError('"' + file.path + "\" " +
+                     (tells ? "was created from another series than " : "does not reference the series ") + series.uid +
+                     "; use its source series");
   }
 }
 

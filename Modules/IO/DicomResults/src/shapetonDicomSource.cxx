@@ -128,9 +128,10 @@ RequireReferable(const DicomSeries & series, bool forPoints)
   const bool hasIdentity = !series.uid.empty() && !series.studyUID.empty() && !series.frameOfReferenceUID.empty();
   if (!hasIdentity && !forPoints)
   {
-    throw InputError(series.slices.front().file +
-                     ": has no Series or Study Instance UID or no frame of reference, which results require; copy the series "
-                     "from its source again");
+    throw InputError(
+      series.slices.front().file +
+      ": has no Series or Study Instance UID or no frame of reference, which results require; copy the series "
+      "from its source again");
   }
 }
 } // namespace

@@ -326,8 +326,7 @@ SetPlace(const std::string & path, const Fields & fields, NiftiHeader & header)
 {
   const bool isSingle = fields.IsSingleFile();
   header.voxelFile = isSingle ? path : FileBeside(path, ".img", ".IMG");
-  fields.Require(!header.voxelFile.empty(),
-                 "the .img file with its voxels is missing (magic \"ni1\" or \"ni2\")");
+  fields.Require(!header.voxelFile.empty(), "the .img file with its voxels is missing (magic \"ni1\" or \"ni2\")");
   const double       offset = fields.VoxelOffset();
   const int          least = isSingle ? fields.Size() : 0;
   std::ostringstream text;

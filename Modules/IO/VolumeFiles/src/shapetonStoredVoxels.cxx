@@ -309,8 +309,7 @@ ReadDeflated(const StoredVoxels & voxels, const TakeBytes & take = {})
   }
   if (!inflater.HasEnded())
   {
-    throw std::runtime_error("truncated: its compressed voxels end after " + std::to_string(stream.bytes) +
-                             " bytes");
+    throw std::runtime_error("truncated: its compressed voxels end after " + std::to_string(stream.bytes) + " bytes");
   }
   return stream;
 }

@@ -581,8 +581,7 @@ TEST(VolumeReader, DropDuplicatesKeepsTheFirst)
   const Volume volume = ReadSaved(files, options);
   ExpectSize(volume, 7, 9, 4);
   EXPECT_LT(LargestDeviation(volume, DicomFixture::Ramp), Quantization);
-  EXPECT_EQ(volume.repairs,
-            std::vector<std::string>{ "dropDuplicates: 1 slice at positions of other slices skipped" });
+  EXPECT_EQ(volume.repairs, std::vector<std::string>{ "dropDuplicates: 1 slice at positions of other slices skipped" });
 }
 
 TEST(VolumeReader, ResampleGapsFillsGaps)

@@ -151,8 +151,8 @@ HarmonicSolver::Solve(const Eigen::MatrixXd & fixedValues, const Eigen::MatrixXd
   if (fixedValues.rows() != static_cast<Eigen::Index>(m_Fixed.size()) ||
       (source.size() > 0 && (source.rows() != vertices || source.cols() != fixedValues.cols())))
   {
-    throw InputError("a harmonic function requires " + std::to_string(m_Fixed.size()) + " fixed values and a source for " +
-                     std::to_string(vertices) + " vertices");
+    throw InputError("a harmonic function requires " + std::to_string(m_Fixed.size()) +
+                     " fixed values and a source for " + std::to_string(vertices) + " vertices");
   }
   Eigen::MatrixXd values = source;
   if (source.size() == 0)

@@ -97,10 +97,10 @@ TakePart(SurfaceFile & file, const std::string & name, const std::string & path)
     std::find_if(file.parts.begin(), file.parts.end(), [&](const SurfacePart & p) { return p.name == name; });
   if (part == file.parts.end())
   {
-    RefuseSurface(
-      path,
-      file.parts.empty() ? "it has no named parts" : "it has no part \"" + name + "\" but " + ListOfParts(file),
-      file.parts.empty() ? "omit the parameter \"part\"" : "choose one with the parameter \"part\" = NAME");
+    RefuseSurface(path,
+                  file.parts.empty() ? "it has no named parts"
+                                     : "it has no part \"" + name + "\" but " + ListOfParts(file),
+                  file.parts.empty() ? "omit the parameter \"part\"" : "choose one with the parameter \"part\" = NAME");
   }
   std::vector<int> faces(part->numberOfFaces);
   std::iota(faces.begin(), faces.end(), part->firstFace);

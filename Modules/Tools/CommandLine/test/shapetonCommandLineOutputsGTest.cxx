@@ -638,9 +638,8 @@ TEST(CommandLineOutputs, ASymbolicLinkStaysAndItsTargetIsReplaced)
   EXPECT_EQ(NamesIn("disk"), Words({ "not yet.nrrd", "real.nrrd" }));
 
   fs::create_symlink("loop.nrrd", "loop.nrrd");
-  ExpectRefused("loop.nrrd",
-                1,
-                "cannot write \"loop.nrrd\": Too many levels of symbolic links; use an existing, writable folder");
+  ExpectRefused(
+    "loop.nrrd", 1, "cannot write \"loop.nrrd\": Too many levels of symbolic links; use an existing, writable folder");
 }
 
 TEST(CommandLineOutputs, TheParentOfALinkedFolderIsThatOfItsTarget)
