@@ -366,7 +366,7 @@ ContainedProcess::Receive()
       return text;
     case OutOfMemory:
       this->Stop();
-      throw Failure("reading it needs more than " + InMegabytes(m_Limits.memoryBytes) +
+      throw Failure("reading it requires more than " + InMegabytes(m_Limits.memoryBytes) +
                     " of memory; the file is malformed");
     default:
       throw Failure(text);

@@ -113,8 +113,8 @@ ChooseDevice(Device wanted, std::size_t bytes, std::size_t leastBytes)
   std::string       missing = FindGpu(use);
   if (missing.empty() && needed > use.memory)
   {
-    missing = "this volume needs " + Megabytes(needed) + " of its memory, " + Megabytes(use.memory) + " are free on " +
-              use.device;
+    missing = "this volume requires " + Megabytes(needed) + " of its memory, " + Megabytes(use.memory) +
+              " are free on " + use.device;
   }
   if (missing.empty())
   {

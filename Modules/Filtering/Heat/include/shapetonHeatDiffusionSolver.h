@@ -128,7 +128,7 @@ private:
 
   static std::vector<Interval>
   PlanIntervals(std::uint64_t start, std::uint64_t last, const std::vector<std::uint64_t> & steps, bool checkSteady);
-  /** Weights of the nodes, starting with the start, for the field after `step`: barycentric interpolation in log(step).
+  /** Weights of the start and the nodes for the field after `step`: barycentric interpolation in log(step).
    */
   static std::array<float, 7>
   InterpolationWeights(const Interval & interval, std::uint64_t step);

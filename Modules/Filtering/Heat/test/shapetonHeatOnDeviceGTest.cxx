@@ -145,7 +145,7 @@ TEST(HeatOnDevice, SlabsOfALargerVolumeAreTheSameBytes)
   {
     Settings settings = MakeSettings(volume, 900);
     settings.method = method;
-    EXPECT_EQ(Diffuse(volume, settings, Device::Automatic).result.device.rfind("cpu (no GPU: this volume needs", 0),
+    EXPECT_EQ(Diffuse(volume, settings, Device::Automatic).result.device.rfind("cpu (no GPU: this volume requires", 0),
               0U);
     ExpectTheSame(volume, settings);
   }

@@ -108,8 +108,8 @@ DescribeComponents(const itk::Image<float, 3> * intensities,
   if (const std::size_t rest = CountVoxels(label) - voxels; rest > 0)
   {
     table.remarks.push_back("label " + row.Name() + ": " + std::to_string(rest) +
-                            " voxels in small components are skipped, with fewer than " +
-                            std::to_string(ShapeSignature::LeastVoxels));
+                            " voxels in components with fewer than " + std::to_string(ShapeSignature::LeastVoxels) +
+                            " voxels are skipped");
   }
 }
 

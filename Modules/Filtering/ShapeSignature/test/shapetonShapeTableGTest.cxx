@@ -73,7 +73,7 @@ TEST(ShapeTable, DescribesComponentsLargestFirst)
   EXPECT_EQ(table.rows[2].Name(), "5.1");
   EXPECT_GT(table.rows[0].voxels, table.rows[1].voxels);
   EXPECT_EQ(table.rows[0].voxels + table.rows[1].voxels, CountVoxels(VoxelsOfLabel(labels, 3)));
-  EXPECT_EQ(table.remarks, Remarks{ "label 9: 8 voxels in small components are skipped, with fewer than 64" });
+  EXPECT_EQ(table.remarks, Remarks{ "label 9: 8 voxels in components with fewer than 64 voxels are skipped" });
 }
 
 TEST(ShapeTable, ReadsBackWhatItWrote)

@@ -154,7 +154,7 @@ CheckMap(const EmbeddingCertificate & certificate, const TracedMap & packed, Mea
   if (graph.Genus() != certificate.genus)
   {
     throw Refusal("the rotation of the graph has genus " + std::to_string(graph.Genus()) + ", but the surface " +
-                  std::to_string(certificate.genus) + ": dummies leave the faces of the graph");
+                  std::to_string(certificate.genus) + ": dummies are outside the faces of the graph");
   }
   AppendSizes(certificate, packed, measures);
 }

@@ -132,7 +132,7 @@ TEST(EmbeddingVerification, WrongTopology)
     c.genus = 2;
     c.geometry = shapeton::EmbeddingGeometry::Hyperbolic;
   });
-  ExpectRefused(TorusGrid(3, 3), "dummies leave the faces of the graph", [](auto & c) {
+  ExpectRefused(TorusGrid(3, 3), "dummies are outside the faces of the graph", [](auto & c) {
     c.graph.edges.resize(1); // all other elements are dummies, so the graph has genus 0
     c.rotation = shapeton::RotationOfGraph(c);
   });

@@ -257,7 +257,7 @@ private:
       }
       this->SkipValue(value);
     });
-    m_Text.Require(source.line > 0 && target.line > 0, line, "the edge has no source or no target");
+    m_Text.Require(source.line > 0 && target.line > 0, line, "the edge lacks a source or a target");
     m_Edges.push_back({ source.value, target.value, line });
   }
 

@@ -154,7 +154,7 @@ private:
                    "the graph is directed: this edge has a direction",
                    "state edgedefault=\"undirected\" to make its edges undirected");
     Edge edge{ Attribute(attributes, "source"), Attribute(attributes, "target"), line };
-    m_Text.Require(!edge.source.empty() && !edge.target.empty(), line, "the edge has no source or no target");
+    m_Text.Require(!edge.source.empty() && !edge.target.empty(), line, "the edge lacks a source or a target");
     m_Edges.push_back(std::move(edge));
   }
 

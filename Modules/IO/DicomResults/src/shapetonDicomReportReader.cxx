@@ -255,9 +255,10 @@ private:
     }
     if (graphic.frameOfReferenceUID != m_Source.series.frameOfReferenceUID)
     {
-      throw InputError(
-        '"' + m_Path + "\" has points " + (graphic.frameOfReferenceUID.empty() ? "without a" : "in another") +
-        " frame of reference, not in that of the series " + m_Source.series.uid + "; use its source series");
+      throw InputError('"' + m_Path + "\" has points " +
+                       (graphic.frameOfReferenceUID.empty() ? "without a frame of reference, unlike the series "
+                                                            : "in another frame of reference than the series ") +
+                       m_Source.series.uid + "; use its source series");
     }
     Place place;
     std::copy(values, values + 3, place.Begin());

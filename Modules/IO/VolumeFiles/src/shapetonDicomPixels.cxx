@@ -220,7 +220,7 @@ DecodeFragments(DcmDataset & dataset, const std::vector<Fragment> & fragments, s
   image.SetDataElement(element);
   if (image.GetBufferLength() != bytes)
   {
-    throw std::runtime_error("its header contradicts itself about the size of a frame");
+    throw std::runtime_error("its header is inconsistent about the frame size");
   }
   std::vector<char> decoded(bytes);
   if (!image.GetBuffer(decoded.data()))
@@ -230,7 +230,7 @@ DecodeFragments(DcmDataset & dataset, const std::vector<Fragment> & fragments, s
   // The codec corrects the format if the bits of the compressed stream and the header differ.
   if (image.GetBufferLength() != bytes)
   {
-    throw std::runtime_error("its compressed pixels are not of the size that the header states");
+    throw std::runtime_error("its compressed pixels differ in size from the header");
   }
   std::copy(decoded.begin(), decoded.end(), pixels);
   return image.GetPixelFormat().GetBitsStored();

@@ -180,7 +180,7 @@ SelectByUID(const DicomScan & scan, const VolumeReadOptions & options)
   if (list.empty())
   {
     SeriesList all = Select(scan, [](const DicomSeries &) { return true; });
-    ThrowUnsuitable(scan.path, "no series has the UID " + uid + "; there are: " + List(all, Describe));
+    ThrowUnsuitable(scan.path, "series UID " + uid + " not found; available: " + List(all, Describe));
   }
   const std::string refusal = RefusalOf(*list.front(), options);
   if (!refusal.empty())

@@ -418,7 +418,7 @@ TEST(VolumeReader, OneOfTwoVolumesHasToBeChosen)
   EXPECT_LT(LargestDeviation(ReadVolume(folder, options), second.intensity), Quantization);
   options.seriesUID = "9.9";
   const std::string unknown = InputErrorOf([&] { ReadVolume(folder, options); });
-  EXPECT_TRUE(Contains(unknown, "no series has the UID 9.9; there are: ")) << unknown;
+  EXPECT_TRUE(Contains(unknown, "series UID 9.9 not found; available: ")) << unknown;
 }
 
 TEST(VolumeReader, TheOnlyVolumeIsTakenWithANoteAboutTheRest)

@@ -62,7 +62,7 @@ RequireBoundaries(const ConformalMapOptions & options, std::size_t count)
   }
   if (count == 1 && options.innerBoundary != 0)
   {
-    throw InputError("the surface has 1 boundary and no inner one");
+    throw InputError("the surface has 1 boundary, so there is no inner boundary");
   }
 }
 

@@ -46,8 +46,8 @@ InnerOf(const std::vector<BoundaryLoop> & loops, int outer)
   }
   if (outer < 0 || outer >= static_cast<int>(loops.size()))
   {
-    throw InputError("boundary " + std::to_string(outer + 1) + ", chosen as the outer one, does not exist; there are " +
-                     std::to_string(loops.size()));
+    throw InputError("boundary " + std::to_string(outer + 1) +
+                     ", chosen as the outer boundary, does not exist; there are " + std::to_string(loops.size()));
   }
   std::vector<int> inner;
   for (int i = 0; i < static_cast<int>(loops.size()); ++i)

@@ -99,7 +99,7 @@ TakePart(SurfaceFile & file, const std::string & name, const std::string & path)
   {
     RefuseSurface(path,
                   file.parts.empty() ? "it has no named parts"
-                                     : "it has no part \"" + name + "\" but " + ListOfParts(file),
+                                     : "part \"" + name + "\" does not exist; parts: " + ListOfParts(file),
                   file.parts.empty() ? "omit the parameter \"part\"" : "choose one with the parameter \"part\" = NAME");
   }
   std::vector<int> faces(part->numberOfFaces);
@@ -274,8 +274,8 @@ TakeComponent(SurfaceFile & file, const SurfaceReadOptions & options, bool isCut
   if (options.component > count)
   {
     RefuseSurface(path,
-                  "it has no component " + std::to_string(options.component) + " but " + std::to_string(count) + ": " +
-                    ListOfComponents(file.mesh, components),
+                  "component " + std::to_string(options.component) + " does not exist; there are " +
+                    std::to_string(count) + ": " + ListOfComponents(file.mesh, components),
                   "choose one with the parameter \"component\" = N");
   }
   if (options.component > 0)

@@ -45,7 +45,7 @@ TEST(SurfaceReader, SeveralComponentsNeedAChoice)
   options.component = -1;
   EXPECT_EQ(shapeton::ReadSurface(path, options).mesh.NumberOfFaces(), 88);
   options.component = 3;
-  EXPECT_NE(FaultOfReading(path, options).find("no component 3 but 2"), std::string::npos);
+  EXPECT_NE(FaultOfReading(path, options).find("component 3 does not exist; there are 2"), std::string::npos);
   options.component = -2;
   EXPECT_THROW(shapeton::ReadSurface(path, options), shapeton::ParameterError);
 }
@@ -64,7 +64,8 @@ TEST(SurfaceReader, SeamsDoNotSplitASurface)
     options.component = 1;
     EXPECT_EQ(shapeton::ReadSurface(folder / name, options).mesh.NumberOfFaces(), tube.NumberOfFaces()) << name;
     options.component = 2;
-    EXPECT_NE(FaultOfReading(folder / name, options).find("no component 2 but 1"), std::string::npos) << name;
+    EXPECT_NE(FaultOfReading(folder / name, options).find("component 2 does not exist; there are 1"), std::string::npos)
+      << name;
     shapeton::WriteSurface(WithSeam(tube, [](int f) { return f % 24 < 12; }), folder / ("along" + name));
     for (const std::string & file : { name, "along" + name })
     {
@@ -121,7 +122,7 @@ TEST(SurfaceReader, ASurfaceThatIsNotManifoldIsCutIntoComponents)
     EXPECT_EQ(part.mesh.NumberOfFaces(), 2);
     EXPECT_EQ(shapeton::SurfaceConnectivity(part.mesh).Components().size(), 1u);
   }
-  EXPECT_NE(faultOfRepairing().find("no component 4 but 3"), std::string::npos);
+  EXPECT_NE(faultOfRepairing().find("component 4 does not exist; there are 3"), std::string::npos);
   options = {};
   options.component = -1;
   EXPECT_EQ(
@@ -170,7 +171,7 @@ TEST(SurfaceReader, PartsByName)
     EXPECT_EQ(surface.mesh.NumberOfVertices(), 2 + faces);
   }
   options.part = "three";
-  EXPECT_NE(FaultOfReading(folder / "a.obj", options).find("but one (1 faces); two (2 faces); one #2"),
+  EXPECT_NE(FaultOfReading(folder / "a.obj", options).find("parts: one (1 faces); two (2 faces); one #2"),
             std::string::npos);
   shapeton::WriteSurface(Icosphere(1, 30), folder / "b.ply");
   EXPECT_NE(FaultOfReading(folder / "b.ply", options).find("no named parts"), std::string::npos);
