@@ -1,5 +1,5 @@
-# Differences between ITK 5.2 and 6.0 for CMake; shapetonITKCompatibility.h is the counterpart for the sources. Installed with
-# Shapeton, because a consumer's ITK needs the same.
+# Differences between ITK 5.2 and 6.0 for CMake; shapetonITKCompatibility.h is the C++ counterpart. Installed with
+# Shapeton, because consumers need the same targets.
 
 # ITK::<Module>Module: one INTERFACE target for each ITK module, so that the DEPENDS of an itk-module.cmake can be
 # linked by name and stay transitive. The targets of the ITK 5 packages lack include directories; those of ITK 6 have them.

@@ -60,7 +60,7 @@ function(shapeton_compare_devices tool)
     add_test(NAME ${tool}${test} COMMAND ${CMAKE_COMMAND} -DTOOL=$<TARGET_FILE:${tool}> -DPLUGIN=${plugin}
       -DOUT=${CMAKE_CURRENT_BINARY_DIR}/${test} "-DARGUMENTS=${ARGN}" -P ${Shapeton_SOURCE_DIR}/CMake/CompareDevices.cmake)
   endforeach()
-  set_tests_properties(${tool}Devices ${tool}Gpu PROPERTIES LABELS Applications SKIP_REGULAR_EXPRESSION "there is no GPU")
+  set_tests_properties(${tool}Devices ${tool}Gpu PROPERTIES LABELS Applications SKIP_REGULAR_EXPRESSION "no usable GPU")
 endfunction()
 
 # Adds one ctest for all tests of a driver that match a GoogleTest filter.

@@ -1,7 +1,7 @@
 # The command in Data/README.md for PhantomSeries reproduces its files.
 file(READ ${DATA}/README.md text)
 if(NOT text MATCHES "`ShapePhantom PhantomSeries ([^`]*)`")
-  message(FATAL_ERROR "Data/README.md names no command for PhantomSeries")
+  message(FATAL_ERROR "Data/README.md contains no command for PhantomSeries")
 endif()
 separate_arguments(arguments UNIX_COMMAND "${CMAKE_MATCH_1}")
 execute_process(COMMAND ${TOOL} ${OUT}/PhantomSeries ${arguments} OUTPUT_QUIET RESULT_VARIABLE status)

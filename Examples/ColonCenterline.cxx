@@ -1,4 +1,4 @@
-// The centerline of a synthetic colon from a mask of its lumen, and how well the colon is distended.
+// The centerline of a synthetic colon from a mask of its lumen, and the distension of the colon.
 // Usage: ExampleColonCenterline CENTERLINE.vtp
 #include "shapetonColonCenterline.h"
 #include "shapetonColonDistension.h"
@@ -33,7 +33,7 @@ main(int argc, char * argv[])
   {
     sum += (truth.V.rowwise() - centerline.curve.V.row(i)).rowwise().norm().minCoeff();
   }
-  std::cout << centerline.length / 10.0 << " cm, in truth " << phantom->GetAnatomy().Length() / 10.0 << " cm; "
+  std::cout << centerline.length / 10.0 << " cm, truth " << phantom->GetAnatomy().Length() / 10.0 << " cm; "
             << sum / static_cast<double>(centerline.curve.V.rows()) << " mm from the true line on average, "
             << centerline.gaps.size() << " gaps\n";
 }

@@ -19,7 +19,7 @@ main(int argc, char * argv[])
   phantom->SetSize({ { 180, 180, 168 } });
   phantom->SetSpacing(shapeton::ColonPhantomImageSource::SpacingType(2.0)); // mm
   phantom->CenterOutput();
-  phantom->TruthOnlyOn(); // the mask of the lumen without the CT
+  phantom->TruthOnlyOn(); // the lumen mask, without the CT
   phantom->Update();
   shapeton::ColonModelOptions modelOptions;
   modelOptions.faces = 30000;

@@ -1,5 +1,5 @@
-// Finds gas and tagged fluid in the CT of a synthetic patient, removes the fluid, and compares with the truth.
-// Usage: ExampleColonLumen
+// Finds gas and tagged fluid in the CT of a synthetic patient, removes the fluid, and compares the results with the
+// ground truth. Usage: ExampleColonLumen
 #include "shapetonColonPhantomImageSource.h"
 #include "shapetonElectronicCleansing.h"
 
@@ -18,14 +18,14 @@ main()
   phantom->SetSpacing(Phantom::SpacingType(spacing));
   phantom->CenterOutput();
   phantom->Update();
-  const auto ct = itk::Image<float, 3>::New(); // HU, as ReadVolume() gives them
+  const auto ct = itk::Image<float, 3>::New(); // HU, as from ReadVolume()
   ct->CopyInformation(phantom->GetOutput());
   ct->SetRegions(phantom->GetOutput()->GetBufferedRegion());
   ct->Allocate();
   std::copy_n(phantom->GetOutput()->GetBufferPointer(), ct->GetPixelContainer()->Size(), ct->GetBufferPointer());
 
   shapeton::ColonLumenOptions options;
-  options.patientPosition = "HFS"; // as in the DICOM header: supine, fluid at the back
+  options.patientPosition = "HFS"; // as in the DICOM header; supine, fluid at the back
   const shapeton::ColonLumen    lumen = shapeton::SegmentColonLumen(ct, options);
   const shapeton::CleansedColon cleansed = shapeton::CleanseColon(ct, lumen);
 
@@ -42,6 +42,6 @@ main()
     occupied += cleansed.occupancy->GetBufferPointer()[i] * spacing * spacing * spacing / 1000.0; // ml
   }
   std::cout << (lumen.isTagged ? "tagged" : "no tagged") << " fluid, " << lumen.levels.size() << " levels; Dice "
-            << 2.0 * both / either << "; a lumen of " << occupied << " ml, in truth "
-            << phantom->GetFluid().LumenVolume() << " ml\n";
+            << 2.0 * both / either << "; a lumen of " << occupied << " ml, truth " << phantom->GetFluid().LumenVolume()
+            << " ml\n";
 }

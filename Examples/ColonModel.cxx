@@ -1,4 +1,4 @@
-// Samples the lumen of a synthetic colon as a mask, and makes its centerline and its wall without handles.
+// Computes the centerline and the wall without handles of a synthetic colon from a mask of its lumen.
 // Usage: ExampleColonModel WALL.vtp CENTERLINE.vtp
 #include "shapetonColonAnatomy.h"
 #include "shapetonColonModel.h"
@@ -43,5 +43,5 @@ main(int argc, char * argv[])
   shapeton::WriteSurface(colon.wall.simplified, argv[1]);
   shapeton::WriteCurves(colon.centerline.curve, argv[2]);
   std::cout << "a colon of " << static_cast<int>(colon.centerline.length / 100.0) << " dm, wall of genus "
-            << colon.wall.report.repairedGenus << " in place of " << colon.wall.report.rawGenus << '\n';
+            << colon.wall.report.repairedGenus << " instead of " << colon.wall.report.rawGenus << '\n';
 }

@@ -1,4 +1,4 @@
-// From a DICOM folder of CT colonography to a flat picture of the colon, by a pipeline of ITK's process objects.
+// From a DICOM folder of CT colonography to a flat picture of the colon with an ITK pipeline.
 // Usage: ExampleColonPipeline DICOM_FOLDER FLAT.png
 #include "shapetonColonFlatteningFilter.h"
 #include "shapetonColonModelFilter.h"

@@ -1,4 +1,4 @@
-// The wall of a tube as a flat picture in the colors of its curvature, with a mark on it.
+// Draws the wall of a tube as a flat picture colored by curvature, with a mark.
 // Usage: ExampleColonViews TUBE PICTURE.png
 #include "shapetonColonFlattening.h"
 #include "shapetonFlatColonPictures.h"

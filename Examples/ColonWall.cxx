@@ -1,4 +1,4 @@
-// The wall of a synthetic colon without handles: where loops of the lumen touch in a coarse mask, it is cut.
+// Computes the wall of a synthetic colon, and cuts handles where loops of the lumen touch in a coarse mask.
 // Usage: ExampleColonWall WALL.vtp
 #include "shapetonColonPhantomImageSource.h"
 #include "shapetonColonWall.h"
@@ -28,7 +28,7 @@ main(int argc, char * argv[])
   const shapeton::SurfaceQuality quality = shapeton::InspectSurface(wall);
   const shapeton::SurfaceQuality raw = shapeton::InspectSurface(shapeton::ExtractWall(occupancy));
   shapeton::WriteSurface(wall, argv[1]);
-  std::cout << quality.faces << " faces, genus " << quality.genus.value_or(-1) << " in place of "
+  std::cout << quality.faces << " faces, genus " << quality.genus.value_or(-1) << " instead of "
             << raw.genus.value_or(-1) << "; " << repaired.report.cutVolume << " ml of " << repaired.report.lumenVolume
             << " ml were cut away\n";
 }

@@ -1,4 +1,4 @@
-// Estimates pi on all threads with random numbers that depend on a counter alone: the same result for any number of
+// Estimates pi on all threads with counter-based random numbers; the result is the same for any number of
 // threads. Prints the SHA-256 of the result.
 // Usage: ExampleBase POINTS
 #include "shapetonExceptions.h"
@@ -17,7 +17,7 @@ main(int argc, char * argv[])
 try
 {
   const int points = argc == 2 ? std::atoi(argv[1]) : 0;
-  shapeton::RequireParameter(points > 0, "give a number of points greater than 0"); // throws shapeton::ParameterError
+  shapeton::RequireParameter(points > 0, "the number of points must be greater than 0"); // throws ParameterError
 
   std::vector<int> inside(100, 0);
   shapeton::ParallelFor(inside.size(), [&](std::size_t i) {

@@ -1,4 +1,4 @@
-// Removes the handles of a tube and maps it to a rectangle, conformally in the heat diffusion metric; prints the
+// Removes the handles of a tube, maps it conformally to a rectangle in the heat diffusion metric, and prints the
 // quality.
 // Usage: ExampleConformalFlattening TUBE FLAT.vtp
 #include "shapetonColonFlattening.h"

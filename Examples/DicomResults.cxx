@@ -43,5 +43,5 @@ main(int argc, char * argv[])
                                  labels->GetBufferPointer() + labels->GetBufferedRegion().GetNumberOfPixels(),
                                  back.labels->GetBufferPointer());
   std::cout << written.voxels[0] << " voxels written, " << back.voxels[0] << " read, "
-            << (isSame ? "all the same" : "others") << "\n";
+            << (isSame ? "all the same" : "different") << "\n";
 }

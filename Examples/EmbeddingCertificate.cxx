@@ -1,4 +1,4 @@
-// The certificate of an embedding as a file: all numbers needed by a verifier or a picture.
+// Writes the certificate of an embedding to a file and reads it back.
 // Usage: ExampleEmbeddingCertificate CERTIFICATE.json
 #include "shapetonEmbeddingCertificate.h"
 #include "shapetonGraphEmbedding.h"
@@ -21,6 +21,6 @@ main(int argc, char * argv[])
   const shapeton::EmbeddingCertificate read = shapeton::ReadEmbeddingCertificate(argv[1]);
   std::cout << shapeton::NameOf(read.geometry) << ", genus " << read.genus << ", " << read.graph.nodes << " nodes, "
             << read.faceRadii.size() << " faces, " << read.generators.size() << " deck transformations, "
-            << (read.nodePositions == made.nodePositions ? "same" : "other") << " places, rotation of the graph "
+            << (read.nodePositions == made.nodePositions ? "same" : "other") << " positions, rotation of the graph "
             << (shapeton::RotationOfGraph(read) == read.rotation ? "agrees" : "differs") << '\n';
 }

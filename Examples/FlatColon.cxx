@@ -1,4 +1,4 @@
-// From a point in space to its pixel on the flat map of a tube, and back; the point in space of every pixel as a file.
+// Maps a point in space to its pixel on the flat map of a tube and back; writes the point in space of every pixel.
 // Usage: ExampleFlatColon TUBE COORDINATES.nrrd
 #include "shapetonColonFlattening.h"
 #include "shapetonFlatColon.h"
@@ -26,6 +26,6 @@ main(int argc, char * argv[])
   const shapeton::FlatPlace place = shapeton::FlatColonLocator(grid).Find(point);
   const double              away = (grid.PointOfPixel(place.pixel.column, place.pixel.row) - point).norm();
   std::cout << grid.Columns() << " x " << grid.Rows() << " pixels, " << grid.UncoveredPixels()
-            << " without a face; the point lies in pixel " << place.pixel.column << ", " << place.pixel.row
+            << " without a face; the point is in pixel " << place.pixel.column << ", " << place.pixel.row
             << ", whose center is " << away << " mm away\n";
 }

@@ -1,4 +1,4 @@
-// Compares graphs: two numberings of the Petersen graph, then the Petersen graph and a prism with as many edges.
+// Compares graphs: two numberings of the Petersen graph, then the Petersen graph and a prism with equally many edges.
 // Usage: ExampleGraphComparison
 #include "shapetonGraphComparison.h"
 #include "shapetonGraphFamilies.h"

@@ -1,4 +1,4 @@
-// Embeddings of small genus of graphs whose genus is known: a cube, K7, the Petersen graph, K8.
+// Embeds graphs of known genus with small genus: a cube, K7, the Petersen graph, K8.
 // Usage: ExampleGraphGenus
 #include "shapetonGraphFamilies.h"
 #include "shapetonGraphGenus.h"
@@ -17,7 +17,7 @@ main()
   for (const auto & [name, graph] : graphs)
   {
     const shapeton::SurfaceEmbedding embedding = shapeton::FindEmbedding(graph);
-    std::cout << name << ": genus " << embedding.map.Genus() << (embedding.minimal ? ", proven to be the least" : "")
-              << ", " << embedding.map.Faces() << " faces\n";
+    std::cout << name << ": genus " << embedding.map.Genus() << (embedding.minimal ? ", proven minimal" : "") << ", "
+              << embedding.map.Faces() << " faces\n";
   }
 }

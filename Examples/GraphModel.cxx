@@ -1,4 +1,4 @@
-// A graph on a torus as a rotation system: its faces, its genus by Euler's formula, its dual; a GraphML file of it.
+// A graph on a torus as a rotation system: faces, genus by Euler's formula, dual; writes a GraphML file.
 // Usage: ExampleGraphModel GRAPH.graphml
 #include "shapetonGraphFamilies.h"
 #include "shapetonGraphReader.h"

@@ -1,4 +1,4 @@
-// A tool that reads a graph of any format, embeds it, and writes a report with a view that can be turned and moved.
+// A tool that reads a graph of any format, embeds it, and writes a report with an interactive view.
 // Usage: ExampleGraphTools GRAPH REPORT.html
 #include "shapetonCommandLine.h"
 #include "shapetonGraphEmbedding.h"

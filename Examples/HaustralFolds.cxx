@@ -1,4 +1,4 @@
-// Haustral folds on the flat map of a tube that has four folds at known places.
+// Finds haustral folds on the flat map of a tube with four folds at known positions.
 // Usage: ExampleHaustralFolds FOLDS.csv
 #include "shapetonColonFlattening.h"
 #include "shapetonHaustralFoldFiles.h"

@@ -1,4 +1,4 @@
-// Runs cumulative heat diffusion until the heat is uniform in each closed object; it depends on shape and size.
+// Runs cumulative heat diffusion until the heat is uniform in each closed object; the heat depends on shape and size.
 // Usage: ExampleShapeDiffusion VOLUME
 #include "shapetonCumulativeHeatDiffusionImageFilter.h"
 #include "shapetonVolumeReader.h"

@@ -1,5 +1,5 @@
-// Heat diffusion distances of the ends of all edges of a surface: of all eigenpairs without computing any, and of the
-// first 100.
+// Heat diffusion distances along all edges of a surface: from all eigenpairs, without computing any, and from the first
+// 100.
 // Usage: ExampleHeatDiffusionMetric SURFACE
 #include "shapetonHeatDiffusionMetric.h"
 #include "shapetonSurfaceReader.h"

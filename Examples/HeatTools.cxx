@@ -1,4 +1,4 @@
-// A tool that lets heat diffuse through a volume and writes a report: histogram, classes of shape, slices, rendering.
+// A tool that runs heat diffusion on a volume and writes a report: histogram, shape classes, slices, rendering.
 // Usage: ExampleHeatTools VOLUME REPORT
 #include "shapetonCommandLine.h"
 #include "shapetonCumulativeHeatDiffusionImageFilter.h"
@@ -42,6 +42,6 @@ main(int argc, char * argv[])
     shapeton::WriteHeatReport(content, commandLine.GetString("report"), [&](const std::string & path) {
       return commandLine.Output(path); // a temporary name; the file is renamed at the end
     });
-    std::cout << content.classes.size() - 1 << " classes besides the background\n";
+    std::cout << content.classes.size() - 1 << " classes without the background\n";
   });
 }

@@ -1,4 +1,4 @@
-// Draws the heat histogram of a volume: time downwards, one line for each object that stays apart.
+// Draws the heat histogram of a volume: time downwards, one line for each separate object.
 // Usage: ExampleHeatViews VOLUME OUTPUT.png
 #include "shapetonCumulativeHeatDiffusionImageFilter.h"
 #include "shapetonHeatHistogramPicture.h"

@@ -1,4 +1,4 @@
-// Hands a surface with an array to ITK as a mesh, and takes it back.
+// Converts a surface with an array to an ITK mesh and back.
 // Usage: ExampleITKMeshes SURFACE
 #include "shapetonMeshAdapter.h"
 #include "shapetonSurfaceReader.h"
@@ -21,5 +21,5 @@ main(int argc, char * argv[])
   mesh->GetPointData(0, &values);
   const shapeton::SurfaceMesh back = shapeton::SurfaceOf(*mesh);
   std::cout << mesh->GetNumberOfCells() << " cells; the first point has the radius " << values[0] << "; array \""
-            << back.pointArrays.front().name << "\" comes back\n";
+            << back.pointArrays.front().name << "\" is restored\n";
 }

@@ -19,13 +19,14 @@ main()
 
   const shapeton::ColonCenterline line = shapeton::TraceColonCenterline(phantom->GetLumenOutput());
   const shapeton::ValveSearch     search =
-    shapeton::FindIleocecalValve(phantom->GetLumenOutput(), nullptr, line.curve); // by shape alone
+    shapeton::FindIleocecalValve(phantom->GetLumenOutput(), nullptr, line.curve); // by shape only
   if (!search.valve)
   {
     std::cout << "not found: " << search.reason << '\n';
     return 0;
   }
   std::cout << "confidence " << search.valve->confidence << ", "
-            << (search.valve->position - phantom->GetAnatomy().Valve().position).norm() << " mm from the true place, "
-            << line.length - search.valve->arcLength << " mm before the end of the centerline\n";
+            << (search.valve->position - phantom->GetAnatomy().Valve().position).norm()
+            << " mm from the true position, " << line.length - search.valve->arcLength
+            << " mm before the end of the centerline\n";
 }

@@ -1,4 +1,4 @@
-// Shapeton diffusion, watched while it runs.
+// Shapeton diffusion with an observer.
 // Usage: ExampleShapetonDiffusion VOLUME
 #include "shapetonParticleDiffusionImageFilter.h"
 #include "shapetonVolumeReader.h"
@@ -22,7 +22,7 @@ main(int argc, char * argv[])
   diffusion->SetDistance(0.03);
   diffusion->SetTimeSteps(500);
   diffusion->AddObserver(itk::IterationEvent(), [&](const itk::EventObject &) {
-    const auto & measures = diffusion->GetMeasures(); // and diffusion->GetOutput() holds the visits so far
+    const auto & measures = diffusion->GetMeasures(); // diffusion->GetOutput() contains the visits so far
     std::cout << "step " << measures.step << ": coverage " << measures.GetCoverage() << '\n';
   });
   diffusion->Update();

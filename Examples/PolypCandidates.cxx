@@ -1,4 +1,4 @@
-// Finds a polyp of 10 mm on the wall of a synthetic tube that has a fold of the same height, too.
+// Finds a polyp of 10 mm on the wall of a synthetic tube that also has a fold of the same height.
 // Usage: ExamplePolypCandidates
 #include "shapetonColonWall.h"
 #include "shapetonPolypCandidates.h"

@@ -1,4 +1,4 @@
-// One table as CSV, and inside an HTML report that opens from the file, without a network.
+// Writes a table as CSV and in an offline HTML report.
 // Usage: ExampleReport OUTPUT.html OUTPUT.csv
 #include "shapetonCsvTable.h"
 #include "shapetonHtmlReport.h"

@@ -1,5 +1,5 @@
-// A network of moving devices, step by step: nodes and links that come and go. Its Gabriel graph is planar at all
-// times. Usage: ExampleSensorNetwork
+// A network of moving devices, step by step: nodes and links appear and disappear. The Gabriel graph is always planar.
+// Usage: ExampleSensorNetwork
 #include "shapetonGraphGenus.h"
 #include "shapetonSensorNetwork.h"
 

@@ -1,4 +1,4 @@
-// Makes a phantom with known truth and counts the voxels of each object.
+// Generates a phantom with ground truth and counts the voxels of each object.
 // Usage: ExampleShapePhantom PRESET|SCENE.json
 #include "shapetonShapePhantomImageSource.h"
 

@@ -1,4 +1,4 @@
-// A shape in two images: distance between the signatures of copies, and to that of another shape.
+// Distances between shape signatures: of two copies of one shape in different images, and of two shapes.
 // Usage: ExampleShapeSignature
 #include "shapetonLabelShapes.h"
 #include "shapetonShapeSearch.h"
@@ -41,5 +41,5 @@ main()
   std::cout << "a copy is " << shapeton::SignatureDistance(large, small) << " away, another shape "
             << shapeton::SignatureDistance(large, other) << '\n';
   const auto found = shapeton::FindShape(small, { { "ball", other }, { "ellipsoid", large } }, 1);
-  std::cout << "found as entry " << found.neighbors[0].entry << (found.IsUnknown() ? ", but doubted" : "") << '\n';
+  std::cout << "found as entry " << found.neighbors[0].entry << (found.IsUnknown() ? ", but uncertain" : "") << '\n';
 }

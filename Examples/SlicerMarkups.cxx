@@ -1,4 +1,4 @@
-// A curve and a point as markups of 3D Slicer, and a color table for a label map; the markups are read back.
+// Writes a curve and a point as markups of 3D Slicer, and a color table; reads the markups back.
 // Usage: ExampleSlicerMarkups MARKUPS.mrk.json COLORS.ctbl
 #include "shapetonColorTable.h"
 #include "shapetonSlicerMarkups.h"

@@ -22,7 +22,7 @@ main()
       edges.push_back({ i, i + n });
     }
   }
-  Eigen::VectorXd diagonal = Eigen::VectorXd::Constant(n * n, 0.01); // a little of the identity: positive definite
+  Eigen::VectorXd diagonal = Eigen::VectorXd::Constant(n * n, 0.01); // makes the matrix positive definite
   Eigen::VectorXd offDiagonal = Eigen::VectorXd::Constant(edges.size(), -1.0);
   Eigen::VectorXd b(n * n);
   const auto      solution = [](int i) { return std::sin(0.1 * i); };
@@ -38,7 +38,7 @@ main()
     b[to] += solution(to) - solution(from);
   }
 
-  // Order and symbolic analysis, for any number of matrices and threads.
+  // Ordering and symbolic analysis, for any number of matrices and threads.
   const shapeton::SymbolicFactorization symbolic(n * n, edges, shapeton::EliminationOrder::NestedDissection);
   shapeton::SparseCholesky              cholesky(symbolic);
   const bool                            isPositive = cholesky.Factorize(diagonal, offDiagonal);

@@ -1,4 +1,4 @@
-// Runs a tool of Shapeton as a stage in a separate folder, twice: unchanged results are not computed again.
+// Runs a tool of Shapeton as a stage in a separate folder, twice; the second run reuses the results.
 // Usage: ExampleStagedRun SURFACE FOLDER
 #include "shapetonJson.h"
 #include "shapetonStagedRun.h"

@@ -23,7 +23,7 @@ MakePatient(const std::string & position)
   phantom->SetSize({ { 128, 128, 120 } });
   phantom->SetSpacing(Phantom::SpacingType(2.8)); // mm
   phantom->CenterOutput();
-  phantom->TruthOnlyOn(); // the mask of the lumen without the CT
+  phantom->TruthOnlyOn(); // the lumen mask, without the CT
   phantom->Update();
   return phantom;
 }
@@ -43,7 +43,7 @@ Examine(Phantom * phantom)
   position.name = phantom->GetParameters().position;
   position.flat = std::make_shared<shapeton::FlatColon>(flattening.map.flat);
   position.centerline = colon.centerline.curve;
-  // position.taeniae stays empty: the rotation comes from the folds alone
+  // position.taeniae is empty: the rotation is determined by the folds only
   position.folds = shapeton::FindHaustralFolds(*position.flat).folds;
   for (int i = 0; i < 4; ++i)
   {

@@ -1,4 +1,4 @@
-// A tube mapped to an annulus, and a picture of both with the checkerboard of the plane: squares, as the map is
+// Maps a tube to an annulus, and draws both with the checkerboard of the plane: squares, because the map is
 // conformal. Usage: ExampleSurfaceViews TUBE PICTURE.png
 #include "shapetonConformalMapPicture.h"
 #include "shapetonSurfaceReader.h"

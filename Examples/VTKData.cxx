@@ -20,7 +20,7 @@ main(int argc, char * argv[])
   vtkNew<vtkMassProperties>   measure;
   measure->SetInputData(shapeton::PolyDataOf(mesh));
   const auto                  turned = shapeton::PolyDataOf(mesh, shapeton::PatientSpace::RAS);
-  const shapeton::SurfaceMesh back = shapeton::SurfaceOf(*turned); // its field data say RAS
-  std::cout << "a surface of " << measure->GetSurfaceArea() << " mm^2; from RAS it comes back "
-            << (back.V == mesh.V ? "the same" : "changed") << '\n';
+  const shapeton::SurfaceMesh back = shapeton::SurfaceOf(*turned); // its field data state RAS
+  std::cout << "a surface of " << measure->GetSurfaceArea() << " mm^2; after conversion from RAS it is "
+            << (back.V == mesh.V ? "unchanged" : "changed") << '\n';
 }

@@ -1,4 +1,4 @@
-// Two balls in a volume with slices of 2 mm: the components of the mask, and the largest ball in each.
+// Two balls in a volume with slices of 2 mm: finds the components of the mask and the largest ball in each.
 // Usage: ExampleVoxels
 #include "shapetonSquaredDistances.h"
 #include "shapetonVoxelRuns.h"

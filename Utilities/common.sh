@@ -21,7 +21,7 @@ fail() {
 usage() { sed -n '2,/^[^#]/{/^#/!d;s/^# \{0,1\}//;p;}' "$0"; }
 
 # needs_value OPTION COUNT: COUNT is the number of remaining words, including the option.
-needs_value() { [ "$2" -ge 2 ] || fail "$1 needs a value; see --help" 2; }
+needs_value() { [ "$2" -ge 2 ] || fail "$1 requires a value; see --help" 2; }
 
 cores() { getconf _NPROCESSORS_ONLN; }
 

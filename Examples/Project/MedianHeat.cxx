@@ -1,5 +1,5 @@
-// Reads a volume with ITK, removes noise with ITK's median filter, diffuses its heat with Shapeton, writes it with ITK.
-// Usage: MedianHeat INPUT OUTPUT [RADIUS], the radius of the median in voxels, 1 by default
+// Reads a volume with ITK, removes noise with ITK's median filter, runs Shapeton's heat diffusion, writes the heat with
+// ITK. Usage: MedianHeat INPUT OUTPUT [RADIUS]; RADIUS of the median in voxels, default 1
 #include "shapetonCumulativeHeatDiffusionImageFilter.h"
 
 #include "itkImageFileReader.h"
@@ -45,7 +45,7 @@ main(int argc, char * argv[])
   {
     Diffuse(argv[1], argv[2], argc == 4 ? std::stoul(argv[3]) : 1);
   }
-  catch (const std::exception & error) // ITK's exceptions, too
+  catch (const std::exception & error) // including ITK's exceptions
   {
     std::cerr << error.what() << '\n';
     return EXIT_FAILURE;

@@ -153,7 +153,7 @@ test('search finds nodes by name, Enter selects the next match and centers it', 
   await press('/');
   await page.key('x');
   await idle();
-  assert.equal(await found(), 'no such node');
+  assert.equal(await found(), 'no matching node');
   await press('Escape');
   const names = await page.evaluate(() => graphPage.views[0].graph.data.names), [first] = names[0];
   const like = names.filter((n) => n.includes(first));

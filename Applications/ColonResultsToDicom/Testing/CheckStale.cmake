@@ -7,20 +7,20 @@ function(expect_status expected message)
   execute_process(COMMAND ${TOOL} ${OUT}/exam ${OUT}/objects --source ${SERIES} --quiet
     RESULT_VARIABLE status ERROR_VARIABLE error)
   if(NOT status STREQUAL expected OR NOT error MATCHES "${message}")
-    message(FATAL_ERROR "status ${status} in place of ${expected}, \"${error}\" in place of \"${message}\"")
+    message(FATAL_ERROR "status ${status} instead of ${expected}, \"${error}\" instead of \"${message}\"")
   endif()
 endfunction()
 
 file(READ ${OUT}/exam/polyps/candidates.csv candidates)
 file(WRITE ${OUT}/exam/polyps/candidates.csv "${candidates}\n")
-expect_status(3 "candidates.csv. is not what the stage polyps wrote")
+expect_status(3 "candidates.csv. was changed after the stage polyps wrote it")
 file(WRITE ${OUT}/exam/polyps/candidates.csv "${candidates}")
 expect_status(0 "")
 
 file(READ ${OUT}/exam/stages/flattening.json record)
 string(REGEX REPLACE "(\"segmentation/wall-simplified.vtp\": \")[0-9a-f]+" "\\10" older "${record}")
 file(WRITE ${OUT}/exam/stages/flattening.json "${older}")
-expect_status(3 "the stage flattening in .* were computed from a .segmentation/wall-simplified.vtp. that has changed")
+expect_status(3 "the stage flattening in .* were computed from an outdated .segmentation/wall-simplified.vtp")
 file(WRITE ${OUT}/exam/stages/flattening.json "${record}")
 
 file(REMOVE_RECURSE ${OUT}/exam/polyps)

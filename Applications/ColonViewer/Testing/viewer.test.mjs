@@ -173,7 +173,7 @@ test('the HU of a voxel are those under the crosshair', async (t) => {
   assert.ok(hu < -600, 'gas');
 });
 
-test('Shift and moving the mouse takes the crosshair along', async () => {
+test('Shift and moving the mouse moves the crosshair', async () => {
   const [x, y, w, h] = await box('flat'), old = await state();
   await page.mouse('mouseMoved', x + w * 0.31, y + h * 0.6, { modifiers: SHIFT });
   await idle();
@@ -432,7 +432,7 @@ test('the other position is dimmed where the map is not to be trusted', async (t
 test('help lists the keys; all fits a small screen and a large one', async () => {
   await press('?');
   const help = await page.evaluate(() => (document.getElementById('keys').open ? document.getElementById('keys').innerText : ''));
-  assert.match(help, /fly ahead 2 mm[^]*save verdicts\.json[^]*takes the crosshair along/);
+  assert.match(help, /fly ahead 2 mm[^]*save verdicts\.json[^]*moves the crosshair/);
   await shot('9-help');
   await press('Escape');
   for (const [width, height] of [[1280, 720], [3840, 2160]]) {

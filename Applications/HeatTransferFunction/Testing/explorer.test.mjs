@@ -166,7 +166,7 @@ test('what the page saves is what the tool makes of it', async () => {
   assert.equal(status, 2, stderr); // another time step
   writeFileSync(json, readFileSync(json, 'utf8').replace('5000', '500'));
   assert.deepEqual(run(INPUT, VISITS, `${WORK}/x.vp`, '--from', json).status, 3);
-  assert.match(run(INPUT, VISITS, `${WORK}/x.vp`, '--from', json).stderr, /were picked on heat, but .* holds density/);
+  assert.match(run(INPUT, VISITS, `${WORK}/x.vp`, '--from', json).stderr, /were picked on heat, but .* contains density/);
 });
 
 test('volume properties of any lines have the bytes of the tool', () => {

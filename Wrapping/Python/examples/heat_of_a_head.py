@@ -36,7 +36,7 @@ print(file=sys.stderr)
 labels, classes = shapeton.classify_heat(result.heat)
 for c in classes:
     print(f"class {c.label}: heat {c.lower_heat:.4f} to {c.upper_heat:.4f}, {c.volume / 1000.0:.0f} ml")
-print(f"{len(classes) - 1} classes besides the background")
+print(f"{len(classes) - 1} classes without the background")
 
 # %% A picture: a slice, its heat, its classes, the histogram
 middle = head.array.shape[0] // 2

@@ -118,8 +118,9 @@ private:
 };
 
 /** \class FlatColonFilter
- * \brief Makes a FlatColon from a mesh with the arrays of \ref FlatSurface, for example one read from a file or changed
- * by other filters: the input of the filters for folds, landmarks, positions and candidates. \ingroup ShapetonColonFilters */
+ * \brief Makes a FlatColon, the input of the filters for folds, landmarks, positions and candidates, from a mesh with
+ * the arrays of \ref FlatSurface, for example one read from a file or changed by other filters. \ingroup
+ * ShapetonColonFilters */
 template <typename TInputMesh = PipelineMesh>
 class FlatColonFilter : public StageFilter<itk::ProcessObject>
 {

@@ -16,7 +16,7 @@ namespace shapeton
  * Input: a CT in HU, scalar voxels of any type, any axes. Output 0: labels on its grid, 1 gas, 2 fluid. Output 1: the
  * complete ColonLumen, the input of ElectronicCleansingImageFilter; its labels start at index 0.
  *
- * Throws InputError if no prepared colon is found, unless KeepPartial is on, and as SegmentColonLumen().
+ * Throws InputError if no prepared colon is found, unless KeepPartial is on, and the exceptions of SegmentColonLumen().
  *
  * \ingroup ShapetonColonFilters */
 template <typename TInputImage>

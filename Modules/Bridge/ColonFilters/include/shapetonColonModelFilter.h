@@ -23,7 +23,8 @@ namespace shapeton
  * the CT. Outputs: 0 the simplified wall, 1 the repaired one, 2 the raw one; 3 the centerline, CurveSet; 4 the complete
  * ColonModel, whose images start at index 0.
  *
- * Throws InputError if no prepared colon is found or the mask is on another grid, and as BuildColonModel().
+ * Throws InputError if no prepared colon is found or the mask is on another grid, and the exceptions of
+ * BuildColonModel().
  *
  * \ingroup ShapetonColonFilters */
 template <typename TInputImage, typename TOutputMesh = PipelineMesh>
@@ -98,7 +99,7 @@ protected:
     const auto * const ct = static_cast<const TInputImage *>(this->itk::ProcessObject::GetInput(0));
     if (this->GetLumenMask() && !HaveSameGrid(ct, this->GetLumenMask()))
     {
-      throw InputError("the lumen mask differs in size or place from the CT: give a mask made on that CT");
+      throw InputError("the lumen mask and the CT have different grids: use a mask on the grid of the CT");
     }
   }
 

@@ -84,7 +84,7 @@ protected:
     Superclass::VerifyPreconditions();
     if ((this->GetCleansed() == nullptr) == (this->GetMask() == nullptr))
     {
-      itkExceptionMacro("give one of the inputs Cleansed and Mask");
+      itkExceptionMacro("set one of the inputs Cleansed and Mask");
     }
   }
 

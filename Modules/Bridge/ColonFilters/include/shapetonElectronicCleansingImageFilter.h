@@ -14,8 +14,8 @@ namespace shapeton
  * \brief Pipeline filter of CleanseColon(): a CT without tagged fluid.
  *
  * \par Inputs and Outputs
- * Input: a CT in HU. Input Lumen: output 1 of the ColonLumenImageFilter of the same CT. Output 0: the CT with gas in
- * place of fluid, float. Output 1: CleansedColon with the occupancy, the input of ColonWallFilter; it starts at index
+ * Input: a CT in HU. Input Lumen: output 1 of the ColonLumenImageFilter of the same CT. Output 0: the CT with gas
+ * instead of fluid, float. Output 1: CleansedColon with the occupancy, the input of ColonWallFilter; it starts at index
  * 0. Throws InputError if the lumen is not on the grid of the CT.
  *
  * \ingroup ShapetonColonFilters */
@@ -65,7 +65,7 @@ protected:
     const ColonLumen & lumen = this->GetLumen()->Get();
     if (lumen.labels && !HaveSameGrid(ct, lumen.labels))
     {
-      throw InputError("the lumen differs in size or place from the CT: give a lumen found in that CT");
+      throw InputError("the lumen and the CT have different grids: use the lumen of this CT");
     }
     CleansedColon cleansed = CleanseColon(ct, lumen, this->Reporter());
     HandOver(cleansed.ct.GetPointer(), this->GetOutput());

@@ -84,7 +84,7 @@ protected:
     Superclass::VerifyPreconditions();
     if (this->GetLandmarks() && !this->GetFlatColon())
     {
-      itkExceptionMacro("the input Landmarks needs the input FlatColon, to which its segments belong");
+      itkExceptionMacro("the input Landmarks requires the input FlatColon");
     }
   }
 

@@ -50,7 +50,7 @@ public:
   {
     return m_Result != nullptr;
   }
-  /** \exception itk::ExceptionObject if there is no value, because the source filter has not been updated. */
+  /** \exception itk::ExceptionObject if the source filter has not been updated. */
   const TResult &
   Get() const
   {
@@ -61,7 +61,7 @@ public:
   {
     if (!m_Result)
     {
-      itkExceptionMacro("there is no result yet; call Update() of its filter first");
+      itkExceptionMacro("the result is not available; call Update() of its filter first");
     }
     return m_Result;
   }

@@ -170,8 +170,8 @@ FloatsFromIndexZero(const TImage * image)
   }
 }
 
-/** Copies the voxels of an image that starts at index 0 to the output of a filter with its regions set, so that filters
- * that work in place on the output do not modify other results.
+/** Copies the voxels of an image that starts at index 0 to the output of a filter with its regions set. Downstream
+ * filters may then modify the output in place without changing other results.
  * \pre Both have the same size. \ingroup ShapetonColonFilters */
 template <typename TImage>
 void
@@ -188,7 +188,7 @@ template <typename TMesh, typename = typename TMesh::MeshTraits>
 void
 HandOver(const SurfaceMesh & surface, TMesh * output)
 {
-  output->Initialize(); // the pipeline does so only if data may be released
+  output->Initialize(); // the pipeline does this only if data may be released
   FillMesh(surface, *output);
   output->SetBufferedRegion(output->GetRequestedRegion()); // else the pipeline considers it incomplete
 }

@@ -94,7 +94,7 @@ NewModelFilter()
   return filter;
 }
 
-/** The whole chain to candidates, connected but not run. */
+/** The complete pipeline up to candidates, connected but not run. */
 struct Pipeline
 {
   ModelFilter::Pointer             model = NewModelFilter();
@@ -123,7 +123,7 @@ struct Pipeline
   }
 };
 
-/** Run once for all tests. */
+/** The pipeline, run once for all tests. */
 Pipeline &
 FinishedPipeline()
 {
@@ -307,7 +307,7 @@ TEST(ColonFilters, ProgressIsReportedAndARunCanBeAborted)
 TEST(ColonFilters, EachStageOnTheWallReportsAndCanBeAborted)
 {
   Pipeline & finished = FinishedPipeline();
-  Pipeline   stages; // new filters on the results of the others
+  Pipeline   stages; // new filters on existing results
   stages.flattening->SetInput(finished.model->GetOutput());
   stages.flattening->SetCenterline(finished.model->GetCenterlineOutput());
   stages.landmarks->SetFlatColon(finished.flattening->GetFlatColonOutput());

@@ -29,10 +29,11 @@ RequireScalars(vtkImageData & data, unsigned int dimension, int components);
 /** \name Images as vtkImageData
  * Images of two or three dimensions with pixels of one or several components (RGBPixel, Vector; ImageDataOf() also
  * VectorImage). Spacing, origin and direction cosines are kept; SPACE in the field data states the axes. VTK filters
- * before version 9.0 ignore directions: give them images along the axes. Pixels are copied. */
+ * before version 9.0 ignore directions: use axis-aligned images. Pixels are copied. */
 ///@{
 
-/** Converts the buffered region of an image to the given space; its first pixel is at the origin. \ingroup ShapetonMeshBridge */
+/** Converts the buffered region of an image to the given space; its first pixel is at the origin. \ingroup
+ * ShapetonMeshBridge */
 template <typename TImage>
 vtkSmartPointer<vtkImageData>
 ImageDataOf(const TImage * image, PatientSpace space = PatientSpace::LPS)
@@ -41,7 +42,7 @@ ImageDataOf(const TImage * image, PatientSpace space = PatientSpace::LPS)
   using Traits = itk::DefaultConvertPixelTraits<typename TImage::PixelType>;
   using Component = typename Traits::ComponentType;
   static_assert(!std::is_same_v<typename TImage::InternalPixelType, itk::VariableLengthVector<Component>>,
-                "pixels of variable length that each own their memory: use an itk::VectorImage");
+                "images of VariableLengthVector are not supported: use an itk::VectorImage");
   const auto components = static_cast<int>(image->GetNumberOfComponentsPerPixel());
   const auto region = image->GetBufferedRegion();
   const auto origin = image->template TransformIndexToPhysicalPoint<double>(region.GetIndex());
@@ -87,7 +88,7 @@ ImageOf(vtkImageData & data, PatientSpace space = PatientSpace::LPS)
   constexpr unsigned int dimension = TImage::ImageDimension;
   using Traits = itk::DefaultConvertPixelTraits<typename TImage::PixelType>;
   static_assert(!std::is_same_v<typename TImage::PixelType, itk::VariableLengthVector<typename Traits::ComponentType>>,
-                "an image whose pixels have a fixed number of components is needed");
+                "the image type must have a fixed number of components per pixel");
   vtkDataArray * const scalars = data.GetPointData()->GetScalars();
   RequireScalars(data, dimension, static_cast<int>(Traits::GetNumberOfComponents()));
   space = SpaceOf(*data.GetFieldData(), space);

@@ -172,7 +172,7 @@ TrianglesOf(const TMesh & mesh)
     if (dimension > 2 || (dimension == 2 && corners != 3))
     {
       throw InputError("the cell " + std::to_string(cell.Index()) + " of the mesh has " + std::to_string(corners) +
-                       " points; cut it into triangles");
+                       " points; triangulate the mesh");
     }
     if (dimension == 2)
     {
@@ -200,8 +200,8 @@ TakeTriangles(const TMesh & mesh, const std::map<typename TMesh::PointIdentifier
       const auto row = rows.find(*point);
       if (row == rows.end())
       {
-        throw InputError("the cell " + std::to_string(identifier) + " of the mesh names the point " +
-                         std::to_string(*point) + ", which the mesh does not have");
+        throw InputError("the cell " + std::to_string(identifier) + " of the mesh refers to the point " +
+                         std::to_string(*point) + ", which does not exist");
       }
       surface.F(face, corner++) = row->second;
     }

@@ -45,7 +45,7 @@ LayoutOf(const std::vector<SurfaceArray> & arrays)
   return text.str();
 }
 
-/** The arrays described by the text, without rows. Empty if their components do not match those of the pixels because a
+/** The arrays described by the text, without rows. Empty if their components do not match the pixels, because a
  * filter has replaced the values. */
 inline std::vector<SurfaceArray>
 ArraysOfLayout(const std::string & layout, Eigen::Index components)
@@ -89,7 +89,7 @@ ArraysForPixels(const std::vector<SurfaceArray> & arrays, const std::string & na
     const auto components = itk::DefaultConvertPixelTraits<TPixel>::GetNumberOfComponents();
     RequireParameter(array->values.cols() == static_cast<Eigen::Index>(components),
                      "the array \"" + name + "\" has " + std::to_string(array->values.cols()) +
-                       " components, and the pixels of the mesh " + std::to_string(components));
+                       " components, but the pixels of the mesh have " + std::to_string(components));
     return { *array };
   }
 }

@@ -16,10 +16,10 @@ namespace shapeton
 ///@{
 /** Triangles become VTK polys. \ingroup ShapetonMeshBridge */
 ShapetonMeshBridge_EXPORT vtkSmartPointer<vtkPolyData>
-               PolyDataOf(const SurfaceMesh & mesh, PatientSpace space = PatientSpace::LPS);
+                          PolyDataOf(const SurfaceMesh & mesh, PatientSpace space = PatientSpace::LPS);
 /** \pre Single-vertex curves come first, as in VTK cell order. \ingroup ShapetonMeshBridge */
 ShapetonMeshBridge_EXPORT vtkSmartPointer<vtkPolyData>
-               PolyDataOf(const CurveSet & curves, PatientSpace space = PatientSpace::LPS);
+                          PolyDataOf(const CurveSet & curves, PatientSpace space = PatientSpace::LPS);
 ///@}
 
 /** \name Conversion back, in LPS
@@ -27,11 +27,12 @@ ShapetonMeshBridge_EXPORT vtkSmartPointer<vtkPolyData>
  * Strings of the field data become facts; other string arrays are dropped. */
 ///@{
 /** Polygons and strips are triangulated (vtkTriangleFilter), and each triangle gets the values of its polygon; points
- * and lines are dropped. Throws InputError if there are no polygons, and as RequireSound(). \ingroup ShapetonMeshBridge */
+ * and lines are dropped. Throws InputError if there are no polygons, and the exceptions of RequireSound(). \ingroup
+ * ShapetonMeshBridge */
 ShapetonMeshBridge_EXPORT SurfaceMesh
 SurfaceOf(vtkPolyData & data, PatientSpace space = PatientSpace::LPS);
-/** Verts (each a single-vertex curve) and lines with their values; polygons are dropped. Throws as RequireSound() if
- * there are neither. \ingroup ShapetonMeshBridge */
+/** Converts verts (to single-vertex curves) and lines with their values; polygons are dropped. Throws as RequireSound()
+ * if there are none. \ingroup ShapetonMeshBridge */
 ShapetonMeshBridge_EXPORT CurveSet
 CurvesOf(vtkPolyData & data, PatientSpace space = PatientSpace::LPS);
 ///@}

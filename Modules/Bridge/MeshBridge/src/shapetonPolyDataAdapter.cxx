@@ -56,7 +56,7 @@ VerticesOf(vtkPolyData & data, PatientSpace space)
   return V;
 }
 
-/** Whether to set SurfaceArray::areIntegers, which are written with 32 bits. */
+/** Whether to set SurfaceArray::areIntegers; such arrays are written with 32 bits. */
 bool
 HoldsIntegers(vtkDataArray & array, const SurfaceArray::ValueMatrix & values)
 {
@@ -130,7 +130,7 @@ class CurveReader
 public:
   explicit CurveReader(CurveSet & curves) : m_Curves(curves) {}
 
-  /** A cell with several points is one curve, or one curve per point if they are loose. */
+  /** Adds a cell with several points as one curve, or as one curve per point if they are not connected. */
   void
   Append(vtkCellArray & cells, bool areLoose)
   {
@@ -198,7 +198,7 @@ SurfaceOf(vtkPolyData & data, PatientSpace space)
   vtkPolyData & cut = *triangles->GetOutput();
   if (cut.GetNumberOfPolys() == 0)
   {
-    throw InputError("the vtkPolyData has no polygons; a surface is needed");
+    throw InputError("the vtkPolyData has no polygons; a surface is required");
   }
   auto mesh = WithoutCells<SurfaceMesh>(data, space);
   mesh.F.resize(cut.GetNumberOfPolys(), 3);

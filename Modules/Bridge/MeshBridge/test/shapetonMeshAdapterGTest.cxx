@@ -64,7 +64,7 @@ TYPED_TEST(MeshAdapter, ASurfaceComesBackWithAllThatIsOnIt)
   ExpectEqual(back.cellArrays, surface.cellArrays);
   ExpectEqual(back.fieldArrays, surface.fieldArrays);
   EXPECT_EQ(back.facts, surface.facts);
-  for (Eigen::Index f = 0; f < 2; ++f) // the same corners in the same order; a cell may start with another one
+  for (Eigen::Index f = 0; f < 2; ++f) // the same corners in the same cyclic order
   {
     int shift = 0;
     while (shift < 2 && back.F(f, shift) != surface.F(f, 0))

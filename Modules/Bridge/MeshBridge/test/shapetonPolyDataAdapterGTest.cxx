@@ -72,7 +72,7 @@ TEST(PolyDataAdapter, RasTurnsPlacesAndKeepsTheOutside)
   EXPECT_EQ(place[1], -1.7);
   EXPECT_EQ(place[2], 0.0);
   EXPECT_EQ(SpaceOf(*data->GetFieldData(), PatientSpace::LPS), PatientSpace::RAS);
-  // The enclosed volume keeps its sign: a half turn is not a reflection.
+  // A half turn, unlike a reflection, preserves the sign of the enclosed volume.
   double volume = 0.0;
   for (int f = 0; f < 4; ++f)
   {

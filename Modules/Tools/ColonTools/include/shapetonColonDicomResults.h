@@ -24,10 +24,10 @@ struct ColonDicomOptions
  * wall).
  *
  * \param exam the folder of the run, or its folder `second`.
- * \param source the folder with the series that the run read: checked by its UID, its grid, and its digest in the
- * record of the segmentation.
+ * \param source the folder with the series that the run read. Its UID, its grid, and its digest in the record of the
+ * segmentation are checked.
  * \param outputPath maps final names in the existing `folder` to the names to write to.
- * Returns a list of what is missing in the examination, and therefore in the results. Equal input gives equal bytes.
+ * Returns a list of the results missing in the examination, and thus in the objects. Equal input gives equal bytes.
  *
  * Throws InputError if the run is unfinished, did not read DICOM, or read another series; OutputError.
  * \ingroup ShapetonColonTools */

@@ -11,7 +11,7 @@ struct ColonPhantomParameters;
 class CommandLine;
 
 /** Parameters of ColonPhantom: those of the option `preset`, overridden by the given options. Options that `standard`
- * and `hard` do not use enter the provenance only when given, so that results of these presets keep their bytes.
+ * and `hard` do not use enter the provenance only if given, so results of these presets keep their bytes.
  * Throws ParameterError. \ingroup ShapetonColonTools */
 ShapetonColonTools_EXPORT ColonPhantomParameters
 ReadColonPhantomParameters(CommandLine & commandLine);
@@ -20,7 +20,7 @@ ReadColonPhantomParameters(CommandLine & commandLine);
  * only when given. Throws ParameterError unless it has three numbers within 1000 mm.
  * \ingroup ShapetonColonTools */
 ShapetonColonTools_EXPORT itk::Point<double, 3>
-                  ReadPhantomCenter(CommandLine & commandLine);
+                          ReadPhantomCenter(CommandLine & commandLine);
 } // namespace shapeton
 
 #endif

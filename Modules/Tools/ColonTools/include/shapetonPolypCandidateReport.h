@@ -15,10 +15,10 @@ class CommandLine;
 ShapetonColonTools_EXPORT void
 AddPolypCandidateTable(HtmlReport & report, const std::vector<PolypCandidate> & candidates);
 
-/** Caption of a picture in the section: for all candidates if the number is 0, otherwise for one candidate.
+/** Caption of a picture in the section: of all candidates for number 0, else of one candidate.
  * \ingroup ShapetonColonTools */
 ShapetonColonTools_EXPORT std::string
-                  CaptionOfPolypPicture(int candidate);
+                          CaptionOfPolypPicture(int candidate);
 
 /** Adds a section on candidates to a report: AddPolypCandidateTable(), the flat colon with all candidates, and a
  * close-up of each. Pictures are written to the existing `folder` under names that begin with "polyp-candidate".

@@ -57,15 +57,15 @@ TableOfErrors(const RegistrationResults & results);
 /** Reads points of the wall in both positions: a table with the columns sx, sy, sz (supine) and px, py, pz (prone),
  * LPS, mm. Throws InputError with file and line; also if the table has no points. */
 ShapetonColonTools_EXPORT std::vector<PointPair>
-                  ReadPointPairs(const std::string & path);
+                          ReadPointPairs(const std::string & path);
 
 /** Reads a folder back, for reports and later stages. Throws InputError if a file is missing or not written by
  * RegistrationFiles. */
 ShapetonColonTools_EXPORT RegistrationResults
 ReadRegistrationResults(const std::string & folder);
 
-/** Confidence of a registration in a folder, 0 to 1; 0 if it is flagged. Throws InputError if the JSON file does not
- * state it. */
+/** Confidence of a registration in a folder, 0 to 1; 0 if flagged as doubtful. Throws InputError if the JSON file does
+ * not state it. */
 ShapetonColonTools_EXPORT double
 ConfidenceOfRegistration(const std::string & folder);
 ///@}

@@ -20,12 +20,12 @@ class ShapetonColonTools_EXPORT RunRecords
 public:
   explicit RunRecords(const std::string & folder);
 
-  /** Throws InputError unless the file is the one that the completed stage wrote, and all results it was computed from,
-   * through all earlier stages, are the current results of the run. */
+  /** Throws InputError unless the completed stage wrote this file, and all results it was computed from, through all
+   * earlier stages, are the current results of the run. */
   void
   RequireCurrent(const std::string & stage, const std::string & file) const;
 
-  /** The same for all results of a stage, without reading them: throws InputError if the stage completed but was
+  /** Checks all results of a stage without reading them: throws InputError if the stage completed but was
    * computed from results that no longer exist. */
   void
   RequireCurrent(const std::string & stage) const;

@@ -11,8 +11,8 @@ namespace shapeton
 class CommandLine;
 
 /** \class SceneFiles
- * \brief Copies of results as single files, each named by a parameter. 3D Slicer can load a file as a node of its
- * scene, but not a folder.
+ * \brief Copies of results as single files, each named by a parameter, because 3D Slicer loads files, not folders, as
+ * nodes of its scene.
  * \ingroup ShapetonColonTools
  */
 class ShapetonColonTools_EXPORT SceneFiles

@@ -10,7 +10,7 @@
 namespace shapeton
 {
 /** \class Stage
- * \brief One call of a tool: its command line, and which arguments affect the result.
+ * \brief One call of a tool: its command line, and the arguments that affect the result.
  *
  * \code
  * Stage stage("flattening", "ColonFlattening");
@@ -25,7 +25,7 @@ namespace shapeton
 class ShapetonColonTools_EXPORT Stage
 {
 public:
-  /** Returns the identity of an input's content, as far as it matters for this stage. */
+  /** Returns the identity of the part of an input that affects this stage. */
   using Identity = std::function<std::string(const std::string & path)>;
 
   struct Argument
@@ -41,11 +41,11 @@ public:
     std::string flag;
     std::string value;
     Identity    identity;
-    /** For an input folder: the files in it that the tool reads; empty for all. */
+    /** Input folders only: the files that the tool reads; empty for all. */
     std::vector<std::string> files;
   };
 
-  /** The stage's folder has its name; the program is in the folder of the tools. */
+  /** `name` is also the name of the stage's folder; the program must be in the tool folder. */
   Stage(const std::string & name, const std::string & program);
   ~Stage();
 
@@ -61,7 +61,7 @@ public:
   /** An input folder from which the tool reads these files, if they exist; their contents affect the result. */
   Stage &
   InputFolder(const std::string & flag, const std::string & path, const std::vector<std::string> & files);
-  /** A file or folder in the stage's folder; "" is that folder itself. Must exist when the tool has finished. */
+  /** A file or folder in the stage's folder; "" is that folder itself. Must exist after the tool has finished. */
   Stage &
   Output(const std::string & flag, const std::string & name);
   /** Files that the tool writes without a separate argument. */

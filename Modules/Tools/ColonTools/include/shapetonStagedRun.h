@@ -41,9 +41,9 @@ struct ShapetonColonTools_EXPORT StageResult
 /** \class StagedRun
  * \brief Runs tools one after another in one folder, skipping those with up-to-date results.
  *
- * A stage is complete when its record in FOLDER/stages says so: the record holds the signature of the stage (program,
- * version, options, identities of its inputs) and the SHA-256 of each file that the tool wrote. If the signature is
- * the same and all files are unchanged, the tool is not run again.
+ * A stage is complete if it has a record in FOLDER/stages. The record stores the signature of the stage (program,
+ * version, options, identities of its inputs) and the SHA-256 of each file that the tool wrote. If the signature and
+ * all files are unchanged, the tool is not run again.
  *
  * The tool writes to a hidden folder whose files are renamed into FOLDER/NAME on success; then the record is written.
  * Thus a run killed at any time, even by SIGKILL, can be resumed and ends with the same files. A failed stage keeps
@@ -103,7 +103,7 @@ private:
 
 /** The folder of the running program. \ingroup ShapetonColonTools */
 ShapetonColonTools_EXPORT std::string
-                 FolderOfThisProgram();
+                          FolderOfThisProgram();
 } // namespace shapeton
 
 #endif

@@ -100,7 +100,7 @@ private:
     std::string content;
     if (line == "<filter-start>" || line == "<filter-end>")
     {
-      m_IsInBlock = true; // its names and comments belong to a step of the tool
+      m_IsInBlock = true; // names and comments of a step of the tool
     }
     else if (line == "</filter-start>" || line == "</filter-end>")
     {

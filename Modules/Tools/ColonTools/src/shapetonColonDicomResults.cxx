@@ -22,18 +22,18 @@ ReadSourceOf(const ColonExamination & exam, const std::string & path)
   if (IdentityOf(path) != exam.digest)
   {
     throw InputError("\"" + path + "\" differs from the folder that the examination \"" + exam.folder +
-                     "\" was made from, although the series is the same; give that folder, or run "
+                     "\" was computed from, although the series is the same; use that folder, or run "
                      "VirtualColonoscopy on this one");
   }
   if (!HaveSameGrid(exam.lumen, source.grid))
   {
     throw InputError("the examination \"" + exam.folder +
-                     "\" was made from a repaired series, whose voxels do not match the original slices");
+                     "\" was computed from a repaired series, whose voxels do not match the original slices");
   }
   return source;
 }
 
-/** The objects name the run, not the program that wrote them. Series numbers are consecutive. */
+/** The objects refer to the run, not to the program that wrote them. Series numbers are consecutive. */
 DicomResultHeader
 HeaderOf(const ColonExamination & exam, int number, const std::string & what)
 {

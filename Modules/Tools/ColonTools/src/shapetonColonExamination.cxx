@@ -41,7 +41,7 @@ TakeSource(ColonExamination & exam)
   if (exam.seriesUID.empty() || exam.digest.empty())
   {
     throw InputError("the examination \"" + exam.folder +
-                     "\" was not made from a DICOM series, which DICOM results must reference; run "
+                     "\" was not computed from a DICOM series, but DICOM results must reference one; run "
                      "VirtualColonoscopy on the series");
   }
 }

@@ -49,7 +49,7 @@ SummaryOf(const ColonFlattening & flattening)
   const TubeMap &   map = flattening.map;
   const std::string handles =
     std::to_string(flattening.genusBefore) + ", in the map " + std::to_string(flattening.genusAfter);
-  const std::string flips = std::to_string(flattening.distortion.flips) + ", of these away from handles " +
+  const std::string flips = std::to_string(flattening.distortion.flips) + ", away from handles " +
                             std::to_string(flattening.flipsAwayFromHandles);
   Facts facts{ { "Faces", std::to_string(flattening.surface.NumberOfFaces()) },
                { "Metric of the map", MetricInWords(flattening) },

@@ -18,7 +18,7 @@ ColonFlatteningViews::ColonFlatteningViews(CommandLine & commandLine) : m_Comman
   m_CoordinateMap = commandLine.OutputOf("coordinateMap");
   m_Report = commandLine.GetString("report");
   RequireParameter(!commandLine.IsGiven("volume") || this->ArePicturesWanted(),
-                   "--volume is only used for pictures; give --picture or --report as well");
+                   "--volume requires --picture or --report");
   if (!m_Report.empty())
   {
     commandLine.MakeFolder(m_Report);

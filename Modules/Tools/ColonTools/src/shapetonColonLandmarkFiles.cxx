@@ -194,7 +194,8 @@ ReadTaeniaMarkers(CommandLine & commandLine, const std::string & parameter)
   else
   {
     RequireParameter(EndsWith(path, ".vtp"),
-                     "--" + parameter + " takes VTP points or markups of 3D Slicer (.mrk.json), not \"" + path + '"');
+                     "--" + parameter + " requires VTP points or markups of 3D Slicer (.mrk.json), not \"" + path +
+                       '"');
     const CurveSet curves = ReadCurves(commandLine, parameter);
     for (Eigen::Index i = 0; i < curves.V.rows(); ++i)
     {
@@ -203,7 +204,7 @@ ReadTaeniaMarkers(CommandLine & commandLine, const std::string & parameter)
   }
   if (points.empty())
   {
-    throw InputError('"' + path + "\" contains no points for markers");
+    throw InputError('"' + path + "\" contains no marker points");
   }
   return points;
 }

@@ -15,7 +15,7 @@ namespace shapeton
 {
 namespace
 {
-/** Rounded to integer HU, as in the original scan. */
+/** Rounded to integer HU, like the original scan. */
 itk::Image<short, 3>::Pointer
 RoundedToHU(const itk::Image<float, 3> * image)
 {
@@ -161,7 +161,7 @@ ColonModelFiles::WriteFiles(const std::vector<File> & files)
 void
 ColonModelFiles::WriteBeside(ColonModelOptions & options)
 {
-  options.facts = ProvenanceMetadata(m_CommandLine.GetProvenance()); // adding it later would copy
+  options.facts = ProvenanceMetadata(m_CommandLine.GetProvenance()); // adding it later would copy the surface
   options.onCleansed = [this](const auto * cleansed) { this->WriteFiles({ this->CleansedFile(cleansed) }); };
   options.besideWall = [this](const ColonModel & model) { this->WriteFiles({ this->LumenFile(model) }); };
   options.besideSimplification = [this](const SurfaceMesh & raw, const SurfaceMesh & repaired) {

@@ -13,7 +13,7 @@ namespace shapeton
 {
 namespace
 {
-// A value equal to the default of the module description counts as not given.
+// A value equal to the default of the module description is treated as not given.
 template <typename TNumber>
 void
 Override(const CommandLine & commandLine, const char * name, TNumber & value)
@@ -42,7 +42,7 @@ Override(const CommandLine & commandLine, const char * name, SegmentValues & val
   }
   const std::vector<double> numbers = commandLine.GetDoubles(name);
   RequireParameter(numbers.size() == values.size(),
-                   "the parameter \"" + std::string(name) + "\" needs six numbers, one for each segment");
+                   "the parameter \"" + std::string(name) + "\" requires six numbers, one per segment");
   std::copy(numbers.begin(), numbers.end(), values.begin());
 }
 
@@ -55,7 +55,7 @@ Override(const CommandLine & commandLine, const char * name, std::vector<std::st
   }
 }
 
-// For options of structures that `standard` and `hard` do not have.
+// For options of structures that do not exist in `standard` and `hard`.
 template <typename TValue>
 void
 OverridePart(CommandLine & commandLine, const char * name, TValue & value)
@@ -134,10 +134,9 @@ ReadPhantomCenter(CommandLine & commandLine)
   constexpr double          farthest = 1000.0; // mm; larger than any patient
   const std::vector<double> numbers = commandLine.GetDoubles("center");
   RequireParameter(numbers.size() == 3,
-                   "the parameter \"center\" needs 3 numbers, not " + std::to_string(numbers.size()));
-  RequireParameter(
-    std::all_of(numbers.begin(), numbers.end(), [](double x) { return std::abs(x) <= farthest; }),
-    "the parameter \"center\" has a coordinate outside -1000 to 1000 mm; the patient's trunk lies within");
+                   "the parameter \"center\" requires 3 numbers, not " + std::to_string(numbers.size()));
+  RequireParameter(std::all_of(numbers.begin(), numbers.end(), [](double x) { return std::abs(x) <= farthest; }),
+                   "the parameter \"center\" has a coordinate outside -1000 to 1000 mm");
   return itk::Point<double, 3>(numbers.data());
 }
 } // namespace shapeton

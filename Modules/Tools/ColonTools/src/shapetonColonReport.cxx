@@ -89,7 +89,7 @@ AddSurface(HtmlReport & html, PicturePages & pages, const ColonParts & colon)
         "The transparent wall from the front, with the centerline colored by the distance from the anal verge." });
     drawings.push_back({ "inside-left.png",
                          [&] { return DrawColonWall(colon, PatientSide::Left, false); },
-                         "The same from the patient's left side." });
+                         "The same view from the patient's left side." });
   }
   drawings.push_back({ "wall-anterior.png",
                        [&] { return DrawColonWall(colon, PatientSide::Anterior, true); },

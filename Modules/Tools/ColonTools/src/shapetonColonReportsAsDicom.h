@@ -8,7 +8,7 @@ namespace shapeton
 {
 /** Note on each candidate in every report. */
 constexpr const char * CandidateNote =
-  "a candidate of a computer program, not a finding of a reader; its certainty is the score of the program; for "
+  "a candidate of a computer program, not a finding of a reader; its certainty is the program's score; for "
   "research use; not a diagnosis";
 
 /** Measurements of lumen, candidates and segments of the colon, as groups of TID 1500. */

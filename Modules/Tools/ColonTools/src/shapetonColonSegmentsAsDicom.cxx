@@ -87,7 +87,7 @@ ColonMask(const DicomLabelImage * lumen)
 ColonSegmentsAsDicom::ColonSegmentsAsDicom(const ColonExamination & exam) : m_Exam(exam), m_Parts(exam.lumen)
 {
   this->AddLumen();
-  this->AddHeads(); // before folds, so that a polyp on a fold stays a polyp
+  this->AddHeads(); // before folds, so a polyp on a fold remains a polyp
   this->AddFolds();
   this->AddColonSegments();
 }

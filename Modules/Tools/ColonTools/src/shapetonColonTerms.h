@@ -41,7 +41,7 @@ inline const DicomCode ml{ "ml", "UCUM", "ml" };
 inline const DicomCode hounsfield{ "[hnsf'U]", "UCUM", "Hounsfield unit" };
 inline const DicomCode percent{ "%", "UCUM", "Percent" };
 
-/** Code of a colon segment, 1 rectum to 6 cecum; other numbers give the colon. */
+/** Code of a colon segment, 1 rectum to 6 cecum; other numbers return the code of the colon. */
 const DicomCode &
 CodeOfSegment(int segment);
 } // namespace colonterms

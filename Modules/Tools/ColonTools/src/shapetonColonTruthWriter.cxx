@@ -14,7 +14,7 @@ namespace shapeton
 {
 namespace
 {
-// At most 0.7 of the thinnest septum of the preset, mm.
+// Maximum edge length: 0.7 of the thinnest septum of the preset, mm.
 double
 WallEdge(const ColonPhantomParameters & parameters)
 {
@@ -186,7 +186,7 @@ StructuresToJson(const Provenance & provenance, const ColonAnatomy & anatomy, co
   json["provenance"] = ProvenanceToJson(provenance);
   json["labels"] = { { "valve", 1 }, { "ileum", 2 },  { "ileumWall", 3 }, { "catheter", 4 },   { "balloon", 5 },
                      { "stool", 6 }, { "bubble", 7 }, { "foam", 8 },      { "smallBowel", 9 }, { "stomach", 10 } };
-  // Files of patients without diverticula keep their bytes.
+  // Files of patients without diverticula remain unchanged.
   if (anatomy.GetParameters().diverticula > 0)
   {
     json["labels"]["diverticulum"] = static_cast<int>(ColonStructure::Diverticulum);

@@ -76,7 +76,7 @@ AddModelFacts(const Json & quality, ColonoscopyFacts & facts)
     facts.emplace_back("Gaps that are bridged", std::to_string(quality["centerline"]["gaps"].size()));
     if (const double share = NumberOrNaN(quality, "/assessability/whole/assessableShare"); std::isfinite(share))
     {
-      facts.emplace_back("Assessable (the wall is seen)", WholePercent(share) + " of it");
+      facts.emplace_back("Assessable (the wall is visible)", WholePercent(share) + " of it");
     }
   }
   if (quality.contains("ileocecalValve"))

@@ -72,26 +72,26 @@ AddDistension(HtmlReport & html, PagePictures & pictures, const ColonoscopyResul
     std::string("Caliber (twice the radius of the largest ball inside) along the centerline. The dashed line "
                 "marks 10 mm. ") +
       (results.segments.empty() ? "Segment borders are at typical fractions of the length."
-                                : "Borders of segments are those of the landmarks."));
+                                : "Segment borders are from the landmarks."));
 }
 
 void
 AddViews(HtmlReport & html, PagePictures & pictures, const ColonoscopyResults & results)
 {
-  html.AddHeading("In space");
+  html.AddHeading("Views in space");
   const bool        hasLandmarks = results.labeled.F.rows() > 0;
   const std::string what =
     hasLandmarks ? "The wall colored by segments; taeniae 1 yellow, 2 blue, 3 pink; flexures dark." : "The wall.";
   std::vector<PagePictures::Drawing> drawings{ { [&] { return DrawSegments(results, PatientSide::Anterior); }, what },
                                                { [&] { return DrawSegments(results, PatientSide::Posterior); },
-                                                 "The same from the back." } };
+                                                 "The same view from the back." } };
   if (!results.centerline.curves.empty())
   {
     drawings.push_back({ [&] { return DrawInside(results, PatientSide::Anterior); },
-                         "The wall, see-through, with the centerline colored by the distance from the anal verge" +
+                         "The transparent wall with the centerline colored by the distance from the anal verge" +
                            std::string(results.flexures.curves.empty() ? "." : ", and the flexures.") });
     drawings.push_back(
-      { [&] { return DrawInside(results, PatientSide::Left); }, "The same from the patient's left side." });
+      { [&] { return DrawInside(results, PatientSide::Left); }, "The same view from the patient's left side." });
   }
   pictures.Add(drawings);
 }
@@ -134,8 +134,8 @@ AddPair(HtmlReport & html, PagePictures & pictures, const ColonoscopyPair & pair
 {
   const RegistrationParts parts{ &pair.first, &pair.second, &pair.registration };
   html.AddHeading("Two positions");
-  html.AddParagraph("Here the first series is called supine and the second prone. "
-                    "The separate report of the second is " +
+  html.AddParagraph("The first series is called supine, the second prone. "
+                    "The separate report of the second series is " +
                     std::string(colonoscopySecondFolder) + "/report.html.");
   html.AddFacts(RegistrationFacts(parts));
   AddRegistrationSection(html, parts, [&](const Picture * picture, const std::string &, const std::string & caption) {
@@ -161,7 +161,7 @@ void
 AddProvenance(HtmlReport & html, const ColonoscopyReportContent & content)
 {
   html.AddHeading("Stages");
-  html.AddTable(StageTable(content), "The files lie in the folder of the stage, their SHA-256 in stages/STAGE.json");
+  html.AddTable(StageTable(content), "The files are in the folder of the stage, their SHA-256 in stages/STAGE.json");
   html.AddHeading("Provenance");
   html.AddFacts(content.provenance);
 }

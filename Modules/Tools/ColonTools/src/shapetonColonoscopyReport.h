@@ -29,13 +29,13 @@ WriteColonoscopyReport(const ColonoscopyReportContent & content,
                        const std::string &              path,
                        const std::string &              scratchFolder);
 
-/** Writes the files for 3D Slicer that no stage writes, as far as there are results: centerline.mrk.json and the color
+/** Writes additional files for 3D Slicer, if their results exist: centerline.mrk.json and the color
  * tables lumen.ctbl and segments.ctbl. Returns their names. Throws OutputError.
  * \ingroup ShapetonColonTools */
 ShapetonColonTools_EXPORT std::vector<std::string>
-                      WriteColonoscopySlicerFiles(const ColonoscopyResults & results,
-                                                  const std::string &        folder,
-                                                  const OutputPath &         outputPath);
+                          WriteColonoscopySlicerFiles(const ColonoscopyResults & results,
+                                                      const std::string &        folder,
+                                                      const OutputPath &         outputPath);
 } // namespace shapeton
 
 #endif

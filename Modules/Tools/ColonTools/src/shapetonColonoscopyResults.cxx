@@ -42,7 +42,7 @@ private:
   const ColonoscopyResults & m_Results;
 };
 
-/** The centers (kind 0) among the feature points. */
+/** Indices of the centers (kind 0) among the feature points. */
 std::vector<ColonoscopyFold>
 FoldsOf(const CurveSet & features)
 {
@@ -85,7 +85,7 @@ LengthOfCenterline(const CurveSet & centerline)
   return distance && distance->values.size() > 0 ? distance->values.maxCoeff() : 0.0;
 }
 
-/** Runs in its own thread, which must not start the processes that read images. */
+/** Runs in a separate thread, which must not start the processes that read images. */
 void
 ReadAllButImages(const StageFiles & files, const std::string & folder, ColonoscopyResults & results)
 {

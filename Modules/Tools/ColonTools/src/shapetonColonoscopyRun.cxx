@@ -89,8 +89,8 @@ public:
     return true;
   }
 
-  /** Runs two independent stages, in parallel if there are enough threads; both run even if one fails. Progress is that
-   * of the second one, which takes longer. */
+  /** Runs two independent stages, in parallel if there are enough threads; both run even if one fails. Reports the
+   * progress of the second one, which takes longer. */
   bool
   RunBoth(const ColonoscopyStage & shorter, const ColonoscopyStage & longer, double begin, double share)
   {
@@ -229,7 +229,7 @@ SceneFilesOf(CommandLine & commandLine)
              { "flatPicture", "flattening/flat.png" } } };
 }
 
-/** Ends the run with the failure of its stage. */
+/** Throws the exception for the failed stage. */
 [[noreturn]] void
 ThrowFailure(int status, const std::string & failure)
 {
@@ -287,7 +287,7 @@ RunTwo(CommandLine & commandLine, SeriesRun & first, SeriesRun & second)
     Present(commandLine, presentation);
   }
   ColonoscopyPresentation presentation = first.Presentation();
-  presentation.failure += second.Failure(); // the run ends with the first stage that fails
+  presentation.failure += second.Failure(); // the run stops at the first failed stage
   Present(commandLine, presentation);
   if (!presentation.failure.empty())
   {
@@ -301,14 +301,14 @@ RunColonoscopy(CommandLine & commandLine, const std::string & toolFolder)
 {
   const std::string folder = commandLine.GetString("outputFolder");
   const bool        hasSecond = commandLine.IsGiven("second");
-  CheckDicomResults(commandLine); // before any work
+  CheckDicomResults(commandLine); // before the stages
   RequireDeviceForCt(commandLine, !commandLine.GetFlag("inputIsLumen"));
   for (const char * const input : { "inputVolume", "second" })
   {
     if (commandLine.IsGiven(input))
     {
       CommandLine::RequireApart(
-        commandLine.GetString(input), folder, "give a folder with a DICOM series, a DICOM file or a volume");
+        commandLine.GetString(input), folder, "use a folder with a DICOM series, a DICOM file or a volume");
     }
   }
   const SceneFiles sceneFiles = SceneFilesOf(commandLine);

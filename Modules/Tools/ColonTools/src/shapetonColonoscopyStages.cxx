@@ -19,7 +19,7 @@ namespace
 {
 namespace names = colonoscopystage;
 
-/** Passes options to the tools, in the canonical spelling of the provenance. */
+/** Passes options to the tools, spelled as in the provenance. */
 class OptionPasser
 {
 public:
@@ -126,7 +126,7 @@ Segmentation(const OptionPasser & passer)
   stage.Input("", passer.Volume())
     .Output("", "")
     .Output("report", "report")
-    .Option("keepPartial", "true") // so that the report can show the reason of a failure
+    .Option("keepPartial", "true") // for the reason of a failure in the report
     .Expect({ "lumen.nrrd", "centerline.vtp", "wall.vtp", "wall-repaired.vtp", "wall-simplified.vtp", "quality.json" });
   passer.Pass(stage, { "inputIsLumen", "faces", "resampleGaps", "deshear", "dropDuplicates" });
   passer.PassOwn(stage, "position");
@@ -174,7 +174,8 @@ Landmarks(const OptionPasser & passer, const StagedRun & run)
   return stage;
 }
 
-/** Identity of the curves without the provenance: an option that does not change them does not require new folds. */
+/** Identity of the curves without the provenance, so folds are not recomputed for options that do not change the
+ * curves. */
 std::string
 IdentityOfCurves(const std::string & path)
 {
@@ -224,7 +225,7 @@ Folds(const OptionPasser & passer, const StagedRun & run)
   return stage;
 }
 
-/** A search for candidates on the wall in a folder, with their table. */
+/** The stage that searches for candidates on the wall in a folder and writes their table. */
 Stage
 SearchForCandidates(const char * name, const OptionPasser & passer, const std::string & folder)
 {

@@ -15,7 +15,7 @@ namespace shapeton
 {
 namespace
 {
-/** Names and the files they stand for. */
+/** Names in the digest, and their files. */
 using NamedFiles = std::vector<std::pair<std::string, std::string>>;
 
 bool

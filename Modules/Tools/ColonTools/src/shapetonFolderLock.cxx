@@ -22,7 +22,7 @@ StagedRun::Lock::Lock(const std::string & folder)
     throw OutputError("cannot write to the folder \"" + folder + "\" (" + std::strerror(errno) +
                       "); choose another one");
   }
-  constexpr int tries = 30; // of 0.1 s each; time for a tool to remove its temporary files
+  constexpr int tries = 30; // attempts, 0.1 s apart; lets a tool remove its temporary files
   for (int i = 0; flock(m_Descriptor, LOCK_EX | LOCK_NB) != 0; ++i)
   {
     if (errno != EINTR && (errno != EWOULDBLOCK || i >= tries))

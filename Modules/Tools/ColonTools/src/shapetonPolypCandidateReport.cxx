@@ -25,7 +25,7 @@ OtherPosition(const PolypCandidate & candidate)
   }
   const PolypInOtherPosition & other = *candidate.other;
   return other.isExcluded ? "not imaged"
-         : other.isSeen   ? "candidate " + std::to_string(other.candidate) + ", " + Cell(other.distance, 2) + " mm off"
+         : other.isSeen   ? "candidate " + std::to_string(other.candidate) + ", " + Cell(other.distance, 2) + " mm away"
                           : "no candidate";
 }
 
@@ -73,8 +73,8 @@ AddPolypCandidateTable(HtmlReport & report, const std::vector<PolypCandidate> & 
     report.AddParagraph("No candidates at this sensitivity.");
     return;
   }
-  report.AddTable(TableForReaders(candidates), "Candidates by falling score");
-  report.AddParagraph("Category implied by candidates: " + CategoryImplied(candidates) + ".");
+  report.AddTable(TableForReaders(candidates), "Candidates by decreasing score");
+  report.AddParagraph("Category implied by the candidates: " + CategoryImplied(candidates) + ".");
 }
 
 std::string

@@ -45,7 +45,7 @@ RequireOwnFolder(const std::string & folder, const std::string & examination)
   }
   RequireParameter(!isTaken,
                    "the output folder \"" + folder + "\" is the folder of the examination \"" + examination +
-                     "\" or of one of its stages; give a separate folder");
+                     "\" or of one of its stages; use a separate folder");
 }
 
 Eigen::Vector3d
@@ -117,7 +117,7 @@ ReadMap(const std::string & path)
     const SurfaceArray * const array = FindSurfaceArray(surface.pointArrays, name);
     if (!array || array->values.cols() != columns)
     {
-      throw InputError('"' + path + "\" has no point array " + name + "; give a file written by ColonRegistration");
+      throw InputError('"' + path + "\" has no point array " + name + "; use a file written by ColonRegistration");
     }
   }
   return surface;
@@ -292,7 +292,7 @@ ReadPointPairs(const std::string & path)
   }
   if (points.empty())
   {
-    throw InputError('"' + path + "\" contains no points; give a row of sx,sy,sz,px,py,pz (LPS, mm) for each");
+    throw InputError('"' + path + "\" contains no points; each row must contain sx,sy,sz,px,py,pz (LPS, mm)");
   }
   return points;
 }
@@ -322,7 +322,7 @@ ConfidenceOfRegistration(const std::string & folder)
   const Json        confidence = document.value("confidence", Json::object());
   if (!confidence.contains("whole") || !confidence["whole"].is_number() || !confidence.contains("flagged"))
   {
-    throw InputError('"' + path + "\" states no confidence; give a file written by ColonRegistration");
+    throw InputError('"' + path + "\" contains no confidence; use a file written by ColonRegistration");
   }
   return confidence["flagged"] == true ? 0.0 : std::clamp(confidence["whole"].get<double>(), 0.0, 1.0);
 }

@@ -29,7 +29,7 @@ MatchTable(const RegistrationResults & results)
 {
   const bool               hasTruth = !results.points.empty();
   std::vector<std::string> columns{ "Segment", "Confidence",   "Supine folds", "Prone folds",
-                                    "Matched", "Contradicted", "Supine alone", "Prone alone" };
+                                    "Matched", "Contradicted", "Supine only",  "Prone only" };
   if (hasTruth)
   {
     columns.insert(columns.end(), { "Correct", "Wrong", "Not matched" });
@@ -119,22 +119,22 @@ AddRegistrationSection(HtmlReport &                 html,
   for (const Json & reason : document["confidence"]["reasons"])
   {
     html.AddNote("The registration is doubtful: " + reason.get<std::string>() +
-                 ". It may be wrong everywhere; do not rely on it.");
+                 ". All of it may be wrong; do not rely on it.");
   }
   addPicture(DrawAlignedColons(parts, options),
              "aligned",
              "Both flat walls in paired rows, the prone one in the supine frame. Matched folds share a color.");
-  html.AddTable(MatchTable(*parts.results),
-                "Fold matches by segment. Matched: the map agrees; contradicted: it does not. Prone folds are counted "
-                "in the segment given by the prone landmarks." +
-                  std::string(parts.results->points.empty()
-                                ? ""
-                                : " Correct, wrong and not matched are judged by known points nearby."));
-  addPicture(
-    DrawConfidenceChart(parts),
-    "confidence",
-    "Confidence along the colon: mean (dark) and minimum (pale) around the tube; doubtful below the dashed line. "
-    "Gray: excluded.");
+  html.AddTable(
+    MatchTable(*parts.results),
+    "Fold matches by segment. Matched: the map agrees; contradicted: the map disagrees. Prone folds are counted "
+    "in the segment given by the prone landmarks." +
+      std::string(
+        parts.results->points.empty() ? "" : " Correct, wrong and not matched are determined by known points nearby."));
+  addPicture(DrawConfidenceChart(parts),
+             "confidence",
+             "Confidence along the colon: mean (dark) and minimum (pale) around the tube; values below the dashed line "
+             "are doubtful. "
+             "Gray: excluded.");
   addPicture(DrawCurvatureCheckerboard(parts, options),
              "checkerboard",
              "The curvature of both walls in alternating squares; red bulges into the lumen.");

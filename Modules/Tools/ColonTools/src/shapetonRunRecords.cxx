@@ -31,7 +31,7 @@ ReadFinished(const std::string & path)
   return *record;
 }
 
-/** "" if the stage did not write the file. */
+/** SHA-256 of the file; "" if the stage did not write it. */
 std::string
 HashOf(const StageRecord & record, const std::string & file)
 {
@@ -60,7 +60,7 @@ public:
       if (HashOf(maker, input.filename().string()) != hash)
       {
         Refuse("the results of the stage " + record.result.name + " in \"" + run.string() +
-               "\" were computed from a \"" + name + "\" that has changed since");
+               "\" were computed from an outdated \"" + name + "\"");
       }
       this->Check(path, maker);
     }
@@ -86,7 +86,7 @@ RunRecords::RequireCurrent(const std::string & stage, const std::string & file) 
   const StageRecord record = ReadFinished(this->PathOf(stage));
   if (!fs::is_regular_file(path) || Sha256OfFile(path) != HashOf(record, file))
   {
-    Refuse('"' + path + "\" is not what the stage " + stage + " wrote");
+    Refuse('"' + path + "\" was changed after the stage " + stage + " wrote it");
   }
   ChainOfStages().Check(this->PathOf(stage), record);
 }

@@ -20,7 +20,7 @@ SceneFiles::SceneFiles(CommandLine & commandLine, const std::vector<Choice> & ch
     }
     const fs::path extension = fs::path(choice.name).extension();
     RequireParameter(fs::path(path).extension() == extension,
-                     "the parameter \"" + choice.parameter + "\" takes a file name that ends with " +
+                     "the parameter \"" + choice.parameter + "\" requires a file name that ends with " +
                        extension.string());
     m_Asked.push_back({ choice.name, commandLine.OutputOf(choice.parameter) });
   }

@@ -31,14 +31,15 @@ JsonOf(const FileHashes & hashes)
   return json;
 }
 
-/** Old files are removed by name: no name may point outside the stage's folder. */
+/** Files are removed by these names, so no name may refer to a file outside the stage's folder. */
 void
 RequireInside(const std::string & name)
 {
   const std::filesystem::path path = name;
   if (path.is_absolute() || path.lexically_normal().string().rfind("..", 0) == 0)
   {
-    throw InputError("a record names the file \"" + name + "\", which does not belong to its stage; remove the record");
+    throw InputError("a record contains the file \"" + name +
+                     "\", which does not belong to its stage; remove the record");
   }
 }
 

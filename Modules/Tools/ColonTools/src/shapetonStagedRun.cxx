@@ -43,7 +43,7 @@ RequireExpected(const Stage & stage, const std::string & folder, StageResult & r
   }
 }
 
-/** The existing ones. */
+/** Returns the existing files. */
 std::vector<std::string>
 FilesReadOf(const Stage::Argument & argument)
 {
@@ -61,7 +61,7 @@ FilesReadOf(const Stage::Argument & argument)
   return paths;
 }
 
-/** The identity without the prefix of its kind. */
+/** Returns the identity without its prefix, such as "sha256:". */
 std::string
 HashIn(const std::string & identity)
 {
@@ -235,7 +235,7 @@ StagedRun::Run(const Stage & stage, const Progress & progress)
   {
     RemoveFolder(scratch);
   }
-  if (hasNew || (isDone && old->inputs != inputs)) // the identity of an input may be equal though its bytes differ
+  if (hasNew || (isDone && old->inputs != inputs)) // inputs with equal identity may differ in their bytes
   {
     WriteStageRecord({ signature, inputs, result }, recordPath);
   }

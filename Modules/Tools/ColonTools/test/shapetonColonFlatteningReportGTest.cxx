@@ -152,7 +152,7 @@ TEST(FlatColonPictures, TwoByTwoSamplesForEachPixel)
                       {},
                       page);
   const auto drawn = pictures.Draw(shapeton::FlatColoring::Relief, "Folds");
-  // Identical except for the note below the title, which shifts the rest down.
+  // Identical except for the note below the title, which moves the rest down.
   const auto sizes = plain->GetBufferedRegion().GetSize();
   const int  shift = static_cast<int>(drawn->GetBufferedRegion().GetSize()[1] - sizes[1]);
   ASSERT_EQ(shift, 60); // three lines of 20 on a narrow page

@@ -28,9 +28,9 @@ TEST(ContentIdentity, OfAFolderIsThatOfItsFilesAndTheirNames)
   shapeton::WriteFileBytes(folder / "a/sub/y", "2");
   const std::string identity = shapeton::IdentityOf(folder / "a");
   fs::copy(folder / "a", folder / "b", fs::copy_options::recursive);
-  EXPECT_EQ(shapeton::IdentityOf(folder / "b"), identity) << "the place does not count";
+  EXPECT_EQ(shapeton::IdentityOf(folder / "b"), identity) << "the location is ignored";
   shapeton::WriteFileBytes(folder / "b/.DS_Store", "noise");
-  EXPECT_EQ(shapeton::IdentityOf(folder / "b"), identity) << "hidden files do not count";
+  EXPECT_EQ(shapeton::IdentityOf(folder / "b"), identity) << "hidden files are ignored";
   shapeton::WriteFileBytes(folder / "b/sub/y", "3");
   EXPECT_NE(shapeton::IdentityOf(folder / "b"), identity);
   fs::rename(folder / "a/x", folder / "a/z");

@@ -45,7 +45,7 @@ TEST(DicomToColon, WhatMayBeTheLumenIsAsked)
   try
   {
     LumenSegmentsOf(FileOf({ Segment(1, "a", "1"), Segment(2, "b", "2") }));
-    FAIL() << "no InputError";
+    FAIL() << "expected InputError";
   }
   catch (const InputError & error)
   {

@@ -239,7 +239,7 @@ TEST(RegistrationResults, CountsOfSegmentsAddUp)
   EXPECT_EQ(pairs, static_cast<int>(pair.results.matches.size()));
   EXPECT_EQ(pair.results.document["matches"]["correct"], correct);
   EXPECT_EQ(wrong, 0);
-  EXPECT_GT(correct, 0.8 * supine); // the others have no known point near, or were not matched
+  EXPECT_GT(correct, 0.8 * supine); // the others have no known point nearby, or were not matched
 }
 
 TEST(RegistrationResults, VerdictsFollowTheTruth)
@@ -260,7 +260,7 @@ TEST(RegistrationResults, VerdictsFollowTheTruth)
   EXPECT_EQ(missed.document["matches"]["unmatched"], 1);
   EXPECT_EQ(missed.document["matches"]["correct"], pair.results.document["matches"]["correct"].get<int>() - 1);
   EXPECT_EQ(missed.matches[20].verdict, shapeton::FoldVerdict::Correct);
-  // Without points nothing can be judged.
+  // Without points no verdicts are possible.
   const auto unknown = shapeton::MakeRegistrationResults(pair.supine, pair.prone, pair.registration);
   EXPECT_EQ(unknown.matches[0].verdict, shapeton::FoldVerdict::Unknown);
   EXPECT_FALSE(unknown.document["matches"].contains("correct"));

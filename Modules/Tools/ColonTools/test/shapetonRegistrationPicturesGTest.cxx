@@ -108,11 +108,11 @@ TEST(RegistrationPictures, OfOneColonWithItselfBothStripsAreEqual)
   const shapeton::RegistrationParts parts{ &supine, &supine, &same };
   const auto                        size = Small();
   const shapeton::Picture::Pointer  page = shapeton::DrawAlignedColons(parts, size);
-  // Each strip of the page is repeated below itself, row by row.
+  // Each row of a strip is repeated below the strip.
   const int gap = 26;
   const int strip = size.pixelsAround + 2 * static_cast<int>(std::lround(0.08 * size.pixelsAround));
   int       equal = 0, all = 0;
-  const int top = 12 + 30 + 3 * 20 + 50; // head of the page and of the row
+  const int top = 12 + 30 + 3 * 20 + 50; // headers of the page and of the row
   for (int y = 0; y < strip; ++y)
   {
     for (int x = 60; x < 500; ++x)
@@ -143,7 +143,7 @@ TEST(RegistrationPictures, ExcludedStretchesAreStriped)
   const double pixels = 100.0 * 100.0 * length / Form().circumference; // around, and along for 600 mm
   const int    striped = DifferentPixels(before, shapeton::DrawCurvatureCheckerboard(parts, Small()));
   EXPECT_GT(striped, 0.8 * share * pixels);
-  EXPECT_LT(striped, 1.5 * share * pixels); // the strip continues above and below
+  EXPECT_LT(striped, 1.5 * share * pixels); // overlap above and below
 }
 
 TEST(RegistrationPictures, ChartsNeedPointsOnlyForErrors)

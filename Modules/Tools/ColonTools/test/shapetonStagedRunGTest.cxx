@@ -26,7 +26,7 @@ using shapeton::Stage;
 using shapeton::StagedRun;
 using shapeton::StageResult;
 
-/** A folder of tools (shell scripts), a folder for a run, and a file that counts the calls of tools. */
+/** A folder of tools (shell scripts), a folder for a run, and a file that counts tool calls. */
 class Bench
 {
 public:
@@ -160,7 +160,7 @@ TEST(StagedRun, RepeatsWhatIsChanged)
   const Bench bench;
   RunOnce(bench, CopyStage(bench, "a"));
   EXPECT_FALSE(RunOnce(bench, CopyStage(bench, "b")).isResumed) << "an option";
-  EXPECT_FALSE(fs::exists(bench / "run/copying/sub/extra-a")) << "files of the other option are gone";
+  EXPECT_FALSE(fs::exists(bench / "run/copying/sub/extra-a")) << "files of the other option were removed";
   shapeton::WriteFileBytes(bench / "input", "other");
   EXPECT_FALSE(RunOnce(bench, CopyStage(bench, "b")).isResumed) << "the input";
   shapeton::WriteFileBytes(bench / "run/copying/copy", "touched");
@@ -260,7 +260,7 @@ TEST(StagedRun, AFailureKeepsTheOlderResultUnlessThereIsAPart)
   EXPECT_EQ(part.status, 3);
   EXPECT_EQ(part.message, "only a part");
   EXPECT_TRUE(part.Has("copy"));
-  EXPECT_FALSE(RunOnce(bench, partial).isResumed) << "a part is not a result";
+  EXPECT_FALSE(RunOnce(bench, partial).isResumed) << "partial results are not resumed";
 }
 
 TEST(StagedRun, FilesOfOthersStay)
@@ -334,14 +334,13 @@ TEST(RunRecords, ResultsOfAnInterruptedRunAreToldFromThoseThatBelongTogether)
   for (const std::string stage : { "second", "third" })
   {
     EXPECT_NE(faultOf(stage).find("stage second in"), std::string::npos) << faultOf(stage);
-    EXPECT_NE(faultOf(stage).find("computed from a \"first/copy\" that has changed"), std::string::npos)
-      << faultOf(stage);
+    EXPECT_NE(faultOf(stage).find("computed from an outdated \"first/copy\""), std::string::npos) << faultOf(stage);
     EXPECT_EQ(MessageOf([&] { records.RequireCurrent(stage); }), faultOf(stage));
   }
   RunChain(bench, "b", 3);
   EXPECT_EQ(faultOf("third"), none);
   shapeton::WriteFileBytes(bench / "run/third/copy", "by hand");
-  EXPECT_NE(faultOf("third").find("is not what the stage third wrote"), std::string::npos);
+  EXPECT_NE(faultOf("third").find("was changed after the stage third wrote it"), std::string::npos);
   EXPECT_NO_THROW(records.RequireCurrent("third"));
   EXPECT_NO_THROW(records.RequireCurrent("none"));
   EXPECT_EQ(faultOf("second"), none);
@@ -404,7 +403,7 @@ TEST(StagedRun, AKilledRunIsTakenUpAndEndsTheSame)
     fs::remove_all(bench / "run/copying");
     KillRun(bench, CopyStage(bench, "a").Idle("wait", "20"), signal);
     EXPECT_FALSE(fs::exists(bench / "run/copying/copy"));
-    EXPECT_FALSE(RunOnce(bench, CopyStage(bench, "a")).isResumed); // waits until the child is gone
+    EXPECT_FALSE(RunOnce(bench, CopyStage(bench, "a")).isResumed); // waits until the child has ended
     EXPECT_EQ(bench.Log().substr(bench.Log().size() - 10), "a\nended\na\n");
     EXPECT_EQ(bench.Files(), files);
   }

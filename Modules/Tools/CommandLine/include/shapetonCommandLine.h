@@ -30,14 +30,14 @@ namespace shapeton
  * }
  * \endcode
  *
- * Arguments: options may stand anywhere; `--` ends them. A value follows its option or an equals sign (`--gamma 2`,
+ * Arguments: options may be anywhere; `--` ends them. A value follows its option or an equals sign (`--gamma 2`,
  * `--gamma=2`, `-g 2`); a value that begins with two hyphens requires the equals sign. A boolean is a bare flag, or has
- * `=true` or `=false`. Negative numbers are values. Numbers must be finite and use a decimal point in every locale. If
+ * `=true` or `=false`. Negative numbers are values. Numbers must be finite, with a decimal point in every locale. If
  * an option is repeated, the last one wins, unless the XML says multiple="true". An unknown option, an empty file name,
  * or a wrong number of arguments is a ParameterError.
  *
  * Every tool has --help (-h), --version, --xml, --quiet, --returnparameterfile FILE. The first of --help, --version
- * and --xml before a `--` is answered even if other arguments are wrong. An option --threads N, if the XML declares
+ * and --xml before a `--` is executed even if other arguments are wrong. An option --threads N, if the XML declares
  * it, sets ITK's global number of threads before the body runs; 0 keeps the default.
  *
  * Exit status: 0 success, 1 other failure, 2 wrong usage (ParameterError), 3 unsuitable input (InputError). Only this
@@ -48,9 +48,9 @@ namespace shapeton
  *
  * Outputs are written to temporary names returned by Output() and renamed after the body has returned, so a failed or
  * killed run leaves neither a half-written file nor a damaged old one. Temporary files left after SIGKILL are removed
- * by the next run that writes to the folder. A symbolic link stays and the file it names is replaced; a hard link is
- * separated, so its other name keeps the old result. The new file has the permissions of the old one, or those of the
- * umask. Only regular files that are not inputs of the run are replaced: a folder, a device, a pipe or a
+ * by the next run that writes to the folder. A symbolic link is kept and its target is replaced. A hard link is
+ * separated, so the file's other name keeps the old result. The new file has the permissions of the old one, or the
+ * default of the umask. Only regular files that are not inputs of the run are replaced: a folder, a device, a pipe or a
  * write-protected file is rejected before the work starts.
  *
  * \ingroup ShapetonCommandLine
@@ -62,7 +62,7 @@ public:
 
   /** Parses the arguments, runs `body`, commits the outputs and reports. Returns the exit status. `xml` must outlive
    * the call. Termination signals are handled so that temporary files are removed first; signals that are ignored
-   * (nohup) or already handled stay as they are. */
+   * (nohup) or already handled are not changed. */
   static int
   Run(const char * xml, int argc, const char * const argv[], const Body & body);
 
@@ -71,7 +71,7 @@ public:
   operator=(const CommandLine &) = delete;
 
   /** \name Values by the `name` of the parameter in the XML; the default of the XML if no value was given.
-   * Numbers, enumerations and constraints have been checked. A name that is not in the XML throws std::logic_error.
+   * Numbers, enumerations and constraints have been checked. Throws std::logic_error for a name that is not in the XML.
    * Reading a number with neither a value nor a default throws ParameterError; a vector is then empty. */
   ///@{
   /** True if the parameter differs from its default; 3D Slicer passes the defaults as well. */
@@ -91,7 +91,7 @@ public:
   GetIntegers(const std::string & name) const;
   std::vector<std::string>
   GetStrings(const std::string & name) const;
-  /** Values of a `point` that may be given several times: LPS, mm. */
+  /** Values of a repeatable `point`: LPS, mm. */
   std::vector<std::array<double, 3>>
   GetPoints(const std::string & name) const;
   ///@}
@@ -116,8 +116,8 @@ public:
   void
   Publish(const std::string & path);
 
-  /** Lets an output replace the file of this input parameter, which must have been read: for a checkpoint that a run
-   * resumes from and replaces. */
+  /** Allows an output to replace the file of this input parameter, which must have been read; for example a checkpoint
+   * that a run resumes from and replaces. */
   void
   AllowReplacing(const std::string & name);
 
@@ -127,7 +127,7 @@ public:
   MakeFolder(const std::string & path);
 
   /** Throws ParameterError if a result folder is the input folder or inside it, which would change the input. Throws
-   * InputError if the input does not exist; `advice` says what to give. */
+   * InputError if the input does not exist; `advice` completes the message. */
   static void
   RequireApart(const std::string & input, const std::string & outputFolder, const std::string & advice);
 
@@ -136,7 +136,7 @@ public:
   static std::string
   InOptions(const std::string & text);
 
-  /** Reports a warning: kept for the report and printed on stdout, for Slicer or the terminal. */
+  /** Reports a warning: stored for reports, and printed on stdout for Slicer or the terminal. */
   void
   Warn(const std::string & message);
   /** Reports each warning. */
@@ -166,13 +166,13 @@ public:
   Return(const std::string & name, const std::string & value);
 
   /** States the identity of an input: "sha256:..." or "seriesInstanceUID:...". If `name` is a parameter, the provenance
-   * has the identity in place of its value, which may be a path. */
+   * contains the identity instead of the value, which may be a path. */
   void
   AddInput(const std::string & name, const std::string & identity);
 
   /** Provenance of a result: tool, version, inputs, repairs, and the options that affect it. Options include defaults
    * and have a canonical spelling (`1e3` and `1000` are the same); booleans are listed only if true. Threads, device,
-   * paths, dates, host and durations are left out, so that equal runs give equal bytes. */
+   * paths, dates, host and durations are excluded, so equal runs give equal bytes. */
   Provenance
   GetProvenance() const;
 
@@ -180,7 +180,7 @@ public:
   void
   AddProvenance(const std::string & key, const std::string & value);
 
-  /** Leaves out of the provenance an option that does not affect results, such as `threads`. */
+  /** Excludes an option that does not affect results, such as `threads`, from the provenance. */
   void
   LeaveOutOfProvenance(const std::string & name);
 
@@ -188,9 +188,9 @@ public:
   void
   AddRunFact(const std::string & key, const std::string & value);
 
-  /** Requests a JSON file at `path` that records how the run went, including everything that may differ between equal
-   * runs. Its keys are tool, version, arguments, host, threads, start (UTC), seconds, stages (seconds of each progress
-   * stage), warnings and those of AddRunFact(). By custom `<output>.run.json`. */
+  /** Requests a JSON file at `path` that records the run, including all data that may differ between equal runs. Its
+   * keys are tool, version, arguments, host, threads, start (UTC), seconds, stages (seconds of each progress
+   * stage), warnings and those of AddRunFact(). Usually `<output>.run.json`. */
   void
   RecordRun(const std::string & path);
 

@@ -12,8 +12,8 @@ class CommandLine;
 ShapetonCommandLine_EXPORT Device
 ReadDevice(const CommandLine & commandLine);
 
-/** Checks the device before any work on pictures of a CT. Throws DeviceError if the GPU was requested and none is
- * usable, ParameterError if it was requested and there is no CT. \ingroup ShapetonCommandLine */
+/** Checks the device before any work on pictures of a CT. Throws DeviceError if the GPU was requested but is not
+ * usable, ParameterError if it was requested without a CT. \ingroup ShapetonCommandLine */
 ShapetonCommandLine_EXPORT void
 RequireDeviceForCt(const CommandLine & commandLine, bool hasCt);
 } // namespace shapeton

@@ -9,7 +9,7 @@ namespace shapeton
 {
 class CommandLine;
 
-/** ReadSurface() for a tool that takes one component: `parameter` names the input in the tool's XML, which also
+/** ReadSurface() for a tool that requires one component: `parameter` names the input in the tool's XML, which also
  * declares the options part, component and unit ("file" keeps the unit of the format). Adds the identity to the
  * provenance and notes to the warnings. \ingroup ShapetonCommandLine */
 ShapetonCommandLine_EXPORT Surface
@@ -34,7 +34,7 @@ ReadCurves(CommandLine & commandLine, const std::string & parameter);
 /** ReadMarkups() for the parameter of a tool; adds the identity of the file to the provenance.
  * \ingroup ShapetonCommandLine */
 ShapetonCommandLine_EXPORT std::vector<Markup>
-                 ReadMarkups(CommandLine & commandLine, const std::string & parameter);
+                           ReadMarkups(CommandLine & commandLine, const std::string & parameter);
 } // namespace shapeton
 
 #endif

@@ -22,9 +22,9 @@ WarnUnlessCT(CommandLine & commandLine, const Volume & volume);
 /** MaskForImage() for the volume named by the input `parameter`. Adds its identity to the provenance.
  * \ingroup ShapetonCommandLine */
 ShapetonCommandLine_EXPORT itk::Image<unsigned char, 3>::Pointer
-                 ReadMask(CommandLine & commandLine, const std::string & parameter, const itk::ImageBase<3> * image);
+ReadMask(CommandLine & commandLine, const std::string & parameter, const itk::ImageBase<3> * image);
 
-/** The same for a label image: throws InputError if it holds a negative or fractional number, as a CT does.
+/** MaskForImage() for a label image: throws InputError for negative or fractional values, as in a CT.
  * \ingroup ShapetonCommandLine */
 ShapetonCommandLine_EXPORT itk::Image<unsigned char, 3>::Pointer
 ReadLabelMask(CommandLine & commandLine, const std::string & parameter, const itk::ImageBase<3> * image);

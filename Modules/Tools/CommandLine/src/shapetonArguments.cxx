@@ -137,7 +137,7 @@ private:
       m_Result.returnFile = this->TakeValue();
       if (m_Result.returnFile.empty())
       {
-        throw ParameterError(m_Option + ": the name is empty; give one");
+        throw ParameterError(m_Option + ": the name is empty");
       }
     }
     else
@@ -157,7 +157,7 @@ private:
     const std::string value = this->TakeValue();
     if (!parameter.multiple)
     {
-      m_Result.given.erase(parameter.name); // the last one wins
+      m_Result.given.erase(parameter.name); // the last value wins
       if (IsDefault(parameter, value))
       {
         return;
@@ -188,13 +188,13 @@ private:
     }
     if (m_Next == m_Arguments.size())
     {
-      throw ParameterError(m_Option + " needs a value");
+      throw ParameterError(m_Option + " requires a value");
     }
     const std::string & value = m_Arguments[m_Next++];
     if (value.compare(0, 2, "--") == 0) // a missing value, not a file of that name
     {
-      throw ParameterError(m_Option + " needs a value; one that begins with two hyphens is written " + m_Option +
-                           "=VALUE");
+      throw ParameterError(m_Option + " requires a value; a value that begins with two hyphens is written " +
+                           m_Option + "=VALUE");
     }
     return value;
   }
@@ -213,13 +213,14 @@ private:
     return *parameter;
   }
 
-  /** A hint at the option that differs by at most two letters, as one in British spelling or with a typing error does.
+  /** Suggests the option that differs by at most two letters, for example because of British spelling or a typing
+   * error.
    */
   std::string
   SimilarOption() const
   {
-    constexpr std::size_t shortest = 5; // "--gam": shorter options resemble each other by chance
-    constexpr std::size_t longest = 40; // no option has as many letters; the distance of a longer text would take long
+    constexpr std::size_t shortest = 5; // "--gam": shorter options are similar by chance
+    constexpr std::size_t longest = 40; // longer than any option; limits the run time
     std::size_t           least = 3;
     std::string           hint = ";";
     for (const Parameter & parameter : m_Module.parameters)

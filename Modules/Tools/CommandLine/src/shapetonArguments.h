@@ -17,7 +17,7 @@ struct Arguments
   bool                                            quiet{ false };
 };
 
-/** The first of --help, -h, --version and --xml before a "--"; empty when there is none. */
+/** The first of --help, -h, --version and --xml before a "--"; empty if there is none. */
 std::string
 FindQuestion(const std::vector<std::string> & arguments);
 

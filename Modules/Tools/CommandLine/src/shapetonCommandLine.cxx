@@ -37,7 +37,8 @@ namespace
 {
 using Parameter = ModuleDescription::Parameter;
 
-// If stdout was closed at start, an output file could be opened as stdout and receive the progress.
+// Reopens stdout if it was closed at start; otherwise an output file could be opened as stdout and receive the
+// progress.
 void
 OpenMissingStandardStreams()
 {
@@ -45,7 +46,7 @@ OpenMissingStandardStreams()
   {
     if (fcntl(descriptor, F_GETFD) < 0 && errno == EBADF)
     {
-      open("/dev/null", O_RDWR); // gets the lowest free descriptor, which is this one
+      open("/dev/null", O_RDWR); // open() returns the lowest free descriptor, which is this one
     }
   }
 }
@@ -243,7 +244,7 @@ CommandLine::State::RequireNoInput(const std::string & path) const
       std::error_code error;
       if (std::filesystem::equivalent(value, path, error))
       {
-        throw ParameterError("the output " + Quoted(path) + " is an input of this run; give another name");
+        throw ParameterError("the output " + Quoted(path) + " is an input of this run; use another name");
       }
     }
   }
@@ -370,7 +371,7 @@ CommandLine::CommandLine(const char * xml) : m_State(std::make_unique<State>())
 
 CommandLine::~CommandLine()
 {
-  m_State->display.End(); // so that the error message starts on a new line
+  m_State->display.End(); // the error message starts on a new line
 }
 
 int

@@ -24,16 +24,16 @@ CheckName(const std::string & path)
 {
   if (path.empty())
   {
-    throw ParameterError("the name of an output is empty; give a file name");
+    throw ParameterError("the name of an output is empty");
   }
   const fs::path name = fs::path(path).filename();
   if (name.empty() || name == "." || name == "..")
   {
-    ThrowCannotWrite(path, "it is a folder", "give a file name");
+    ThrowCannotWrite(path, "it is a folder", "use a file name");
   }
 }
 
-// Resolves the path to the file to replace: a symbolic link stays and its target is replaced, as with `cp`.
+// Resolves the path to the file to replace: a symbolic link is kept and its target is replaced, as with `cp`.
 fs::path
 ResolveTarget(const std::string & path)
 {
@@ -58,7 +58,7 @@ CheckTarget(const std::string & path, const fs::path & target)
   const auto      status = fs::status(target, error);
   if (fs::is_directory(status))
   {
-    ThrowCannotWrite(path, "it is a folder", "give a file name");
+    ThrowCannotWrite(path, "it is a folder", "use a file name");
   }
   if (!fs::status_known(status))
   {
@@ -70,15 +70,15 @@ CheckTarget(const std::string & path, const fs::path & target)
   }
   if (!fs::is_regular_file(status))
   {
-    ThrowCannotWrite(path, "it is not a regular file", "give the name of a file on a disk");
+    ThrowCannotWrite(path, "it is not a regular file", "use the name of a regular file");
   }
   if (faccessat(AT_FDCWD, target.c_str(), W_OK, AT_EACCESS) != 0)
   {
-    ThrowCannotWrite(path, std::generic_category().message(errno), "choose another name or allow writing to the file");
+    ThrowCannotWrite(path, std::generic_category().message(errno), "use another name or allow writing to the file");
   }
 }
 
-// Fails early instead of after the computation; the check leaves no files.
+// Fails before the computation, not after it; the check leaves no files.
 void
 CheckCreation(const std::string & path, const std::string & temporary)
 {
@@ -112,7 +112,7 @@ Sync(const fs::path & path)
   return error;
 }
 
-// Keeps the permissions of the old file: a private result does not become world-readable.
+// Keeps the permissions of the old file, so a private result does not become world-readable.
 void
 KeepPermissions(const fs::path & target, const std::string & temporary)
 {
@@ -183,7 +183,7 @@ OutputFiles::Add(const std::string & path)
   CheckTarget(path, target);
   if (std::any_of(m_Files.begin(), m_Files.end(), [&](const File & file) { return file.target == target; }))
   {
-    throw ParameterError("two outputs have the same name \"" + path + "\"; give each its own");
+    throw ParameterError("two outputs have the same name \"" + path + "\"; use different names");
   }
   this->RemoveLeftovers(target.parent_path());
   const std::string temporary = TemporaryNameFor(target, m_Added++).string();
@@ -212,7 +212,7 @@ OutputFiles::MakeFolder(const std::string & path)
 {
   if (path.empty())
   {
-    throw ParameterError("the name of a folder for outputs is empty; give one");
+    throw ParameterError("the name of a folder for outputs is empty");
   }
   std::error_code error;
   const fs::path  target = fs::absolute(path);
@@ -224,14 +224,14 @@ OutputFiles::MakeFolder(const std::string & path)
     {
       ThrowCannotWrite(path, error.message(), "choose a writable folder");
     }
-    if (isNew) // and not created by another run meanwhile
+    if (isNew) // not created by another run meanwhile
     {
       m_Folders.push_back({ folder, std::move(removal) });
     }
   }
   if (!fs::is_directory(target, error))
   {
-    ThrowCannotWrite(path, "it exists and is not a folder", "give another name");
+    ThrowCannotWrite(path, "it exists and is not a folder", "use another name");
   }
 }
 

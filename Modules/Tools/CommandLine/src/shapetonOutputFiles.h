@@ -26,7 +26,7 @@ public:
   std::string
   Add(const std::string & path);
 
-  /** The message with temporary names replaced by the paths the user wrote. */
+  /** The message with temporary names replaced by the paths from the command line. */
   std::string
   InFinalNames(std::string message) const;
 
@@ -45,7 +45,7 @@ public:
 private:
   struct File
   {
-    std::string           path; ///< as the user wrote it
+    std::string           path; ///< as on the command line
     std::filesystem::path target;
     std::string           temporary;
     RemovalAtDeath        removal;

@@ -109,7 +109,7 @@ CheckValue(const Parameter & parameter, const std::string & value)
 {
   if (value.empty() && (parameter.IsPath() || parameter.IsNumeric()))
   {
-    Refuse(parameter, parameter.IsPath() ? "the name is empty; give one" : "the value is empty; give a number");
+    Refuse(parameter, parameter.IsPath() ? "the name is empty" : "the value is empty; give a number");
   }
   CheckEnumeration(parameter, value);
   if (!parameter.IsNumeric())
@@ -119,7 +119,7 @@ CheckValue(const Parameter & parameter, const std::string & value)
   const auto numbers = NumbersOf(parameter, value);
   if (parameter.IsPoint() && numbers.size() != 3)
   {
-    Refuse(parameter, Quoted(value) + " is not a point; give three coordinates, LPS in mm, for example -12.5,40,310");
+    Refuse(parameter, Quoted(value) + " is not a point; use three coordinates, LPS in mm, for example -12.5,40,310");
   }
   for (const auto & number : numbers)
   {

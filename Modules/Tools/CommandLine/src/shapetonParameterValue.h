@@ -20,7 +20,7 @@ ParseNumber(const ModuleDescription::Parameter & parameter, const std::string & 
 void
 CheckValue(const ModuleDescription::Parameter & parameter, const std::string & value);
 
-/** Canonical spelling of a value: "+7.0" and "7" give "7". */
+/** Canonical spelling of a value: "7" for "+7.0" and "7". */
 std::string
 CanonicalValue(const ModuleDescription::Parameter & parameter, const std::string & value);
 } // namespace shapeton

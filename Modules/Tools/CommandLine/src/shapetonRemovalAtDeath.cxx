@@ -21,7 +21,7 @@ namespace
 std::atomic<RemovalAtDeath::Node *> newest{ nullptr };
 std::atomic<bool>                   isDelayed{ false };
 std::atomic<int>                    delayedSignal{ 0 };
-std::atomic<pid_t>                  owner{ 0 }; // a forked child inherits the list but owns none of the files
+std::atomic<pid_t>                  owner{ 0 }; // a forked child inherits the list, but the files belong to the parent
 
 constexpr int requests[] = { SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE, SIGALRM, SIGXCPU };
 constexpr int crashes[] = { SIGABRT, SIGSEGV, SIGBUS, SIGFPE, SIGILL };

@@ -12,7 +12,7 @@ class RemovalAtDeath
 public:
   struct Node;
 
-  /** Installs the handlers. Signals that are already handled or ignored stay as they are: SIGHUP under nohup, SIGSEGV
+  /** Installs the handlers. Signals that are already handled or ignored are not changed: SIGHUP under nohup, SIGSEGV
    * under a sanitizer. */
   static void
   InstallHandlers();
@@ -27,7 +27,7 @@ private:
   Node * m_Node;
 };
 
-/** RAII guard that defers SIGINT, SIGTERM and similar signals, so that a program is not killed between two renames. */
+/** RAII guard that defers SIGINT, SIGTERM and similar signals, to avoid termination between two renames. */
 class DeathDelay
 {
 public:

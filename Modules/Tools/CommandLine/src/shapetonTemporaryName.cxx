@@ -17,7 +17,7 @@ namespace
 {
 const std::string mark = ".part";
 
-// Process numbers are only unique inside one process namespace of one host: the state of a run on another host that
+// Process numbers are only unique within one process namespace of one host. The state of a run on another host that
 // shares the folder is unknown.
 std::string
 ComputeMachineTag()
@@ -115,7 +115,7 @@ IsLeftover(const std::string & name)
   {
     return false;
   }
-  // A process with our own number is dead too: it must have ended before this one started.
+  // A process with the number of this process has also ended: it ran before this process started.
   return process == getpid() || (kill(static_cast<pid_t>(process), 0) != 0 && errno == ESRCH);
 }
 } // namespace shapeton

@@ -16,7 +16,7 @@ RequireDeviceForCt(const CommandLine & commandLine, bool hasCt)
 {
   if (ReadDevice(commandLine) == Device::Cuda)
   {
-    RequireParameter(hasCt, "the GPU only renders pictures of a CT, and none is given: remove --device cuda");
+    RequireParameter(hasCt, "the GPU only renders pictures of a CT, but there is no CT: remove --device cuda");
     ChooseDevice(Device::Cuda, 0);
   }
 }

@@ -50,7 +50,7 @@ ReadWhole(CommandLine & commandLine, const std::string & parameter)
   return volume;
 }
 
-/** A CT given instead of its mask would be treated as lumen wherever it is not 0. */
+/** Rejects a CT used as mask by mistake: all its nonzero voxels would be lumen. */
 void
 RequireLabels(const Volume & volume, const std::string & path)
 {
@@ -60,8 +60,8 @@ RequireLabels(const Volume & volume, const std::string & path)
   if (odd != end)
   {
     std::ostringstream text;
-    text << path << ": this is not a mask, because it contains the value " << *odd
-         << "; give an image of non-negative integers, 0 outside";
+    text << path << ": not a mask, because it contains the value " << *odd
+         << "; use an image of non-negative integers, 0 outside";
     throw InputError(text.str());
   }
 }
@@ -88,6 +88,6 @@ RequireIntensityWindow(const CommandLine & commandLine)
 {
   const auto window = commandLine.GetDoubles("intensityWindow");
   RequireParameter(window.empty() || (window.size() == 2 && window[0] < window[1]),
-                   "--intensityWindow needs two numbers, the lower one first, for example -160,240");
+                   "--intensityWindow requires two numbers, the lower one first, for example -160,240");
 }
 } // namespace shapeton

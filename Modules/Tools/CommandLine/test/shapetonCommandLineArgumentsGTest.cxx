@@ -244,20 +244,20 @@ TEST(CommandLineArguments, MissingAndUnexpected)
   ExpectUsageError({}, "the argument inputVolume is missing; --help shows the usage");
   ExpectUsageError({ "in.nrrd" }, "the argument outputVolume is missing; --help shows the usage");
   ExpectUsageError({ "a", "b", "c" }, "unexpected argument \"c\"; --help shows the usage");
-  ExpectUsageError({ "", "b" }, "inputVolume: the name is empty; give one");
-  ExpectBadOption({ "--table=" }, "--table: the name is empty; give one");
-  ExpectBadOption({ "--returnparameterfile=" }, "--returnparameterfile: the name is empty; give one");
-  ExpectBadOption({ "--gamma" }, "--gamma needs a value");
-  ExpectBadOption({ "-g" }, "-g needs a value");
-  ExpectBadOption({ "--returnparameterfile" }, "--returnparameterfile needs a value");
+  ExpectUsageError({ "", "b" }, "inputVolume: the name is empty");
+  ExpectBadOption({ "--table=" }, "--table: the name is empty");
+  ExpectBadOption({ "--returnparameterfile=" }, "--returnparameterfile: the name is empty");
+  ExpectBadOption({ "--gamma" }, "--gamma requires a value");
+  ExpectBadOption({ "-g" }, "-g requires a value");
+  ExpectBadOption({ "--returnparameterfile" }, "--returnparameterfile requires a value");
 }
 
 TEST(CommandLineArguments, AForgottenValueIsNotTakenFromTheNextOption)
 {
   ExpectBadOption({ "--table", "--untilSteady" },
-                  "--table needs a value; one that begins with two hyphens is written --table=VALUE");
+                  "--table requires a value; a value that begins with two hyphens is written --table=VALUE");
   ExpectBadOption({ "--table", "--" },
-                  "--table needs a value; one that begins with two hyphens is written --table=VALUE");
+                  "--table requires a value; a value that begins with two hyphens is written --table=VALUE");
 }
 
 TEST(CommandLineArguments, UnknownOptions)
@@ -304,11 +304,12 @@ TEST(CommandLineArguments, MalformedUTF8InMessagesBecomesQuestionMarks)
 {
   const std::pair<std::string, std::string> cases[] = {
     { "\xC3\xA4\xE2\x82\xAC\xF0\x9F\xA6\xB4", "\xC3\xA4\xE2\x82\xAC\xF0\x9F\xA6\xB4" }, // characters of 2, 3, 4 bytes
-    { "\xED\x9F\xBF\xEE\x80\x80\xF4\x8F\xBF\xBF", "\xED\x9F\xBF\xEE\x80\x80\xF4\x8F\xBF\xBF" }, // beside the excluded
+    { "\xED\x9F\xBF\xEE\x80\x80\xF4\x8F\xBF\xBF",
+      "\xED\x9F\xBF\xEE\x80\x80\xF4\x8F\xBF\xBF" }, // adjacent to surrogates
     { "\x80|\xBF|\xFE|\xFF", "?|?|?|?" },
-    { "\xC3|\xE2\x82|\xF0\x9F\xA6", "?|??|???" },                            // cut off
-    { "\xC0\xAF|\xC1\xBF|\xE0\x80\xAF|\xF0\x80\x80\xAF", "??|??|???|????" }, // longer than needed
-    { "\xED\xA0\x80|\xF4\x90\x80\x80|\xF5\x80\x80\x80", "???|????|????" },   // no character
+    { "\xC3|\xE2\x82|\xF0\x9F\xA6", "?|??|???" },                            // truncated
+    { "\xC0\xAF|\xC1\xBF|\xE0\x80\xAF|\xF0\x80\x80\xAF", "??|??|???|????" }, // overlong encoding
+    { "\xED\xA0\x80|\xF4\x90\x80\x80|\xF5\x80\x80\x80", "???|????|????" },   // not a character
   };
   for (const auto & [text, shown] : cases)
   {
@@ -398,7 +399,7 @@ TEST(CommandLineArguments, PointsMayBeGivenSeveralTimes)
             "-1.5 2 3|4 5 6|-1.5,2,3,4,5,6");
   EXPECT_EQ(RunTool({}, print, pointsXml).out, "");
   ExpectUsageError({ "--seed", "1,2" },
-                   "--seed: \"1,2\" is not a point; give three coordinates, LPS in mm, for example -12.5,40,310",
+                   "--seed: \"1,2\" is not a point; use three coordinates, LPS in mm, for example -12.5,40,310",
                    pointsXml);
   ExpectUsageError({ "--seed", "1,2,a" }, "--seed: \"a\" is not a number", pointsXml);
 }

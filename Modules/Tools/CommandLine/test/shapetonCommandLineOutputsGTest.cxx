@@ -29,7 +29,7 @@ using namespace tooltest;
 const std::string oldText = "the old result, which took a week\n";
 const std::string newText = "new\n";
 
-/** A body that writes `newText` to all `paths`. */
+/** Writes `newText` to all `paths`. */
 Body
 WriterOf(const Words & paths)
 {
@@ -112,7 +112,7 @@ TEST(CommandLineOutputs, TemporaryNamesHaveTheFolderAndTheExtensionOfTheFinalOne
       std::cout << temporary;
       if (fs::exists(temporary))
       {
-        throw std::logic_error("something lies there while the tool computes");
+        throw std::logic_error("the output exists while the tool computes");
       }
       WriteText(temporary, newText);
     });
@@ -124,7 +124,7 @@ TEST(CommandLineOutputs, TemporaryNamesHaveTheFolderAndTheExtensionOfTheFinalOne
     EXPECT_NE(temporary, scratch.Path() / path);
     EXPECT_EQ(ReadText(path), newText);
   }
-  EXPECT_EQ(NamesIn().size(), cases.size() - 2) << "three lie in the folder, which is one more";
+  EXPECT_EQ(NamesIn().size(), cases.size() - 2) << "three of them are in the folder, which is one more name";
   EXPECT_EQ(NamesIn("sub"), Words({ "heat.nii.gz", "points.mrk.json", "report.json" }));
 }
 
@@ -294,12 +294,12 @@ TEST(CommandLineOutputs, TheBodyMayChangeTheFolder)
   EXPECT_TRUE(NamesIn("sub").empty());
 }
 
-// ---- killed ----
+// ---- termination ----
 
 class CommandLineKilled : public testing::TestWithParam<int>
 {};
 
-/** Begins two files, with one of them half written and open, and then does `die`. */
+/** Begins two files, one of them half written and open, then calls `die`. */
 Body
 HalfWayThen(const std::function<void()> & die)
 {
@@ -340,7 +340,7 @@ INSTANTIATE_TEST_SUITE_P(Requests,
                          CommandLineKilled,
                          testing::Values(SIGTERM, SIGINT, SIGHUP, SIGQUIT, SIGPIPE, SIGXCPU, SIGALRM),
                          NameOfSignal);
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) // these report crashes themselves
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) // sanitizers report crashes themselves
 INSTANTIATE_TEST_SUITE_P(Crashes, CommandLineKilled, testing::Values(SIGABRT, SIGSEGV, SIGBUS, SIGFPE), NameOfSignal);
 #endif
 
@@ -401,7 +401,7 @@ TEST(CommandLineOutputs, LeftoversOfSIGKILLAreRemovedByTheNextRun)
   const auto killed = RunWithOptions({ "--table", "b.csv" }, HalfWayThen([] { raise(SIGKILL); }));
   EXPECT_EQ(killed.status, -SIGKILL);
   EXPECT_EQ(ReadText("a.nrrd"), oldText);
-  EXPECT_EQ(NamesIn().size(), 7u) << "two temporary files and a folder are left";
+  EXPECT_EQ(NamesIn().size(), 7u) << "two temporary files and a folder remain";
 
   EXPECT_EQ(Write({ "another.png" }).status, 0);
   Words expected = ownedByOthers;
@@ -422,7 +422,7 @@ TEST(CommandLineOutputs, TheFilesOfARunThatLivesAreNoLeftovers)
   EXPECT_EQ(NamesIn(), Words({ "a.nrrd", "b.nrrd" }));
 }
 
-// ---- the moment of renaming ----
+// ---- renaming ----
 
 TEST(CommandLineOutputs, AreAllRenamedOrNoneWhenASignalComesBetween)
 {
@@ -473,11 +473,11 @@ TEST(CommandLineOutputs, ADiskThatFailsWhenTheFileIsMadeDurable)
   EXPECT_EQ(NamesIn(), Words({ "a.nrrd" }));
   EXPECT_EQ(ReadText("a.nrrd"), oldText);
 
-  EXPECT_EQ(writeWith(EINVAL).status, 0) << "a file system that has no such call";
+  EXPECT_EQ(writeWith(EINVAL).status, 0) << "a file system without this call";
   EXPECT_EQ(ReadText("a.nrrd"), newText);
 }
 
-// ---- places that cannot be written ----
+// ---- unwritable paths ----
 
 TEST(CommandLineOutputs, BadNamesAreRefusedAtOnce)
 {
@@ -485,12 +485,12 @@ TEST(CommandLineOutputs, BadNamesAreRefusedAtOnce)
   fs::create_directory("folder");
   WriteText("file", oldText);
   const std::string advice = "use an existing, writable folder";
-  ExpectRefused("", 2, "the name of an output is empty; give a file name");
-  ExpectRefused("folder", 1, "cannot write \"folder\": it is a folder; give a file name");
-  ExpectRefused("folder/", 1, "cannot write \"folder/\": it is a folder; give a file name");
-  ExpectRefused("new/", 1, "cannot write \"new/\": it is a folder; give a file name");
-  ExpectRefused(".", 1, "cannot write \".\": it is a folder; give a file name");
-  ExpectRefused("folder/..", 1, "cannot write \"folder/..\": it is a folder; give a file name");
+  ExpectRefused("", 2, "the name of an output is empty");
+  ExpectRefused("folder", 1, "cannot write \"folder\": it is a folder; use a file name");
+  ExpectRefused("folder/", 1, "cannot write \"folder/\": it is a folder; use a file name");
+  ExpectRefused("new/", 1, "cannot write \"new/\": it is a folder; use a file name");
+  ExpectRefused(".", 1, "cannot write \".\": it is a folder; use a file name");
+  ExpectRefused("folder/..", 1, "cannot write \"folder/..\": it is a folder; use a file name");
   ExpectRefused("no/a.nrrd", 1, "cannot write \"no/a.nrrd\": No such file or directory; " + advice);
   ExpectRefused("file/a.nrrd", 1, "cannot write \"file/a.nrrd\": Not a directory; " + advice);
   ExpectRefused("/proc/a.nrrd", 1, "cannot write \"/proc/a.nrrd\": No such file or directory; " + advice);
@@ -504,8 +504,7 @@ TEST(CommandLineOutputs, DevicesAndPipesAreNeverReplaced)
   ASSERT_EQ(mkfifo("pipe", 0600), 0);
   for (const std::string path : { "/dev/full", "/dev/null", "pipe" })
   {
-    ExpectRefused(
-      path, 1, "cannot write \"" + path + "\": it is not a regular file; give the name of a file on a disk");
+    ExpectRefused(path, 1, "cannot write \"" + path + "\": it is not a regular file; use the name of a regular file");
   }
   EXPECT_TRUE(fs::is_character_file("/dev/full"));
 }
@@ -540,7 +539,7 @@ TEST(CommandLineOutputs, AWriteProtectedFileIsNotReplaced)
   });
   EXPECT_EQ(outcome.status, 1);
   EXPECT_EQ(outcome.err,
-            "TestTool: cannot write \"a.nrrd\": Permission denied; choose another name or allow writing to the file\n");
+            "TestTool: cannot write \"a.nrrd\": Permission denied; use another name or allow writing to the file\n");
   EXPECT_EQ(ReadText("a.nrrd"), oldText);
 }
 
@@ -559,13 +558,13 @@ TEST(CommandLineOutputs, TwoOutputsWithOneNameAreRefused)
   {
     const auto outcome = Write(pair);
     EXPECT_EQ(outcome.status, 2);
-    EXPECT_EQ(outcome.err, "TestTool: two outputs have the same name \"" + pair[1] + "\"; give each its own\n");
+    EXPECT_EQ(outcome.err, "TestTool: two outputs have the same name \"" + pair[1] + "\"; use different names\n");
   }
   EXPECT_EQ(NamesIn(), Words({ "alias.nrrd", "link", "sub" }));
   EXPECT_TRUE(NamesIn("sub").empty());
 }
 
-/** Writes 1 MB with the old result in place and prints what is there afterwards. */
+/** Overwrites an old result with 1 MB and prints the remaining contents. */
 int
 WriteOneMegabyte()
 {
@@ -612,7 +611,7 @@ TEST(CommandLineOutputs, AFileSizeLimit)
     setrlimit(RLIMIT_FSIZE, &limit);
     return WriteOneMegabyte();
   });
-  EXPECT_EQ(outcome.status, 1) << "and not SIGXFSZ";
+  EXPECT_EQ(outcome.status, 1) << "not SIGXFSZ";
   EXPECT_EQ(outcome.out, "a.nrrd " + oldText);
   EXPECT_TRUE(
     EndsWith(outcome.err, ": cannot write \"a.nrrd\": File too large; free some space or choose another folder\n"))
@@ -682,7 +681,7 @@ TEST(CommandLineOutputs, ALinkInPlaceOfTheTemporaryFileIsNotFollowed)
   const auto outcome = RunWithOptions({}, [](shapeton::CommandLine & commandLine) {
     std::string link = commandLine.Output("a.nrrd");
     WriteText(link, newText);
-    link.replace(link.rfind("-0.part"), 2, "-1").replace(link.rfind("/.a."), 3, "/.b"); // what b.nrrd will get
+    link.replace(link.rfind("-0.part"), 2, "-1").replace(link.rfind("/.a."), 3, "/.b"); // default permissions of b.nrrd
     fs::create_symlink("victim", link);
     const std::string temporary = commandLine.Output("b.nrrd");
     std::cout << (temporary == link) << fs::exists(temporary);
@@ -732,7 +731,7 @@ TEST(CommandLineOutputs, AFolderStaysAfterARunThatSucceeds)
   const auto    outcome = InProcess([] {
     const int status =
       RunHere({ "in", "out" }, [](shapeton::CommandLine & commandLine) { commandLine.MakeFolder("a/empty one"); });
-    raise(SIGTERM); // signals after the run do not touch it either
+    raise(SIGTERM); // signals after the run do not remove it either
     return status;
   });
   EXPECT_EQ(outcome.status, -SIGTERM);
@@ -762,8 +761,8 @@ TEST(CommandLineOutputs, FoldersThatCannotBeMade)
       RunWithOptions({}, [&path](shapeton::CommandLine & commandLine) { commandLine.MakeFolder(path); });
     return std::to_string(outcome.status) + ' ' + outcome.err;
   };
-  EXPECT_EQ(messageOf(""), "2 TestTool: the name of a folder for outputs is empty; give one\n");
-  EXPECT_EQ(messageOf("file"), "1 TestTool: cannot write \"file\": it exists and is not a folder; give another name\n");
+  EXPECT_EQ(messageOf(""), "2 TestTool: the name of a folder for outputs is empty\n");
+  EXPECT_EQ(messageOf("file"), "1 TestTool: cannot write \"file\": it exists and is not a folder; use another name\n");
   EXPECT_EQ(messageOf("file/sub"),
             "1 TestTool: cannot write \"file/sub\": Not a directory; choose a writable folder\n");
   EXPECT_EQ(messageOf("/proc/sub"),

@@ -32,7 +32,7 @@ struct XmlReader
   std::string text;
 };
 
-/** The elements of `fragment`; fails when it is not well-formed. */
+/** The elements of `fragment`; fails if it is not well-formed. */
 Elements
 ReadXml(const std::string & fragment)
 {
@@ -110,7 +110,7 @@ TEST(CommandLineProgress, IsWellFormedMonotoneAndShort)
   EXPECT_EQ(TextsOf(elements, "filter-comment"), stages);
   EXPECT_EQ(TextsOf(elements, "filter-start").size(), 2u);
   EXPECT_EQ(TextsOf(elements, "filter-end").size(), 2u);
-  EXPECT_EQ(TextsOf(elements, "filter-name"), Words({ stages[0], stages[0], stages[1], stages[1] })) << "begin and end";
+  EXPECT_EQ(TextsOf(elements, "filter-name"), Words({ stages[0], stages[0], stages[1], stages[1] })) << "start and end";
   for (const double seconds : NumbersOf(elements, "filter-time"))
   {
     EXPECT_GE(seconds, 0.0);
@@ -197,7 +197,7 @@ TEST(CommandLineProgress, WarningsAreKeptAndToldAsWellFormedComments)
     commandLine.Warn("another");
     if (commandLine.GetWarnings() != Words({ remark, "another" }))
     {
-      throw std::logic_error("they are not kept");
+      throw std::logic_error("warnings are not stored");
     }
   });
   EXPECT_EQ(outcome.status, 0) << outcome.err;
@@ -206,7 +206,7 @@ TEST(CommandLineProgress, WarningsAreKeptAndToldAsWellFormedComments)
             Words({ "slices 3 <and> 4 & \"5\" of [31m????? \xC3\xA4", "another" }));
 }
 
-/** A source whose progress is set step by step. */
+/** A source that reports progress step by step. */
 class SlowSource : public itk::ImageSource<itk::Image<float, 3>>
 {
 public:
@@ -306,8 +306,7 @@ TEST(CommandLineProgress, HasAFullStopInEveryLocale)
 
 // ---- on a terminal ----
 
-/** What a terminal's lines show after `text`, of which only carriage returns, line feeds and printable characters are
- * known. */
+/** Lines shown by a terminal after `text`. Supports only carriage returns, line feeds and printable characters. */
 Words
 LinesShown(const std::string & text)
 {
@@ -325,7 +324,7 @@ LinesShown(const std::string & text)
       lines.emplace_back();
       continue;
     }
-    EXPECT_GE(c, ' ') << "an escape code that not every terminal knows";
+    EXPECT_GE(c, ' ') << "an escape code that is not supported by all terminals";
     std::string & line = lines.back();
     line.resize(std::max(line.size(), column + 1), ' ');
     line[column++] = c;
@@ -366,7 +365,7 @@ TEST(CommandLineTerminal, ShowsABarWithTheRemainingTimeAndClearsIt)
     << outcome.out;
   EXPECT_GE(std::stoi(match[1]), 2) << "19 times 60 ms, rounded up";
   EXPECT_NE(outcome.out.find("[" + bar + "] 100 %  Writing"), std::string::npos) << outcome.out;
-  EXPECT_EQ(outcome.out.find("Writing  0:"), std::string::npos) << "nothing is left";
+  EXPECT_EQ(outcome.out.find("Writing  0:"), std::string::npos) << "no remaining time";
   EXPECT_EQ(outcome.out.find('<'), std::string::npos) << "no XML";
   EXPECT_EQ(LinesShown(outcome.out), Words({ "" }));
 }

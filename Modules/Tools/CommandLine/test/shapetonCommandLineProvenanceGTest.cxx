@@ -68,7 +68,7 @@ TEST(CommandLineProvenance, IsTheSameHoweverTheSameOptionsAreWritten)
             provenance);
   EXPECT_EQ(ProvenanceWith({ "--offset", "-0" }), ProvenanceWith({ "--offset", "0.0" }));
   EXPECT_NE(ProvenanceWith({ "-g", "1.25" }), provenance);
-  EXPECT_NE(ProvenanceWith({ "--seriesUID", "false" }), provenance) << "a text, not a boolean";
+  EXPECT_NE(ProvenanceWith({ "--seriesUID", "false" }), provenance) << "a string, not a boolean";
 }
 
 TEST(CommandLineProvenance, HasNoThreadsPathsOrReturnValues)
@@ -119,7 +119,7 @@ TEST(CommandLineThreads, SetTheGlobalNumberOfITKBeforeTheBodyRuns)
   EXPECT_EQ(threadsWith({ "--threads", "1e1" }), 10);
 }
 
-// ---- the record of the run ----
+// ---- run record ----
 
 TEST(CommandLineRunRecord, SaysHowTheRunWent)
 {

@@ -14,7 +14,7 @@ FaultySystem faultySystem;
 
 using tooltest::faultySystem;
 
-// Functions of the program override library functions of the same name, also for calls from libraries.
+// Functions of the program override library functions of the same name, also in calls from libraries.
 extern "C" __attribute__((visibility("default"))) int
 fsync(int descriptor) noexcept(noexcept(::fsync(0)))
 {

@@ -9,7 +9,7 @@ struct FaultySystem
   int  fsyncError{ 0 };
   int  renameError{ 0 };
   int  callOfRename{ 1 };           ///< number of the faulty call, counted from 1
-  int  signalAtRename{ 0 };         ///< raised before the work
+  int  signalAtRename{ 0 };         ///< raised before the call
   bool losesRaceForFolder{ false }; ///< simulates another process that creates each folder first
 };
 

@@ -79,7 +79,7 @@ Fork()
   const pid_t child = fork();
   if (child < 0)
   {
-    throw std::runtime_error("no process");
+    throw std::runtime_error("cannot start a process");
   }
   return child;
 }
@@ -107,7 +107,7 @@ OnTerminal(const std::function<int()> & work, unsigned short columns)
   const int terminal = posix_openpt(O_RDWR | O_NOCTTY);
   if (terminal < 0 || grantpt(terminal) != 0 || unlockpt(terminal) != 0)
   {
-    throw std::runtime_error("no pseudo-terminal");
+    throw std::runtime_error("cannot open a pseudo-terminal");
   }
   winsize size{};
   size.ws_col = columns;
@@ -124,7 +124,7 @@ OnTerminal(const std::function<int()> & work, unsigned short columns)
     dup2(fileno(err), STDERR_FILENO);
     Work(work);
   }
-  // Reading ends when the child closes the terminal, which is not open anywhere else.
+  // Reading ends when the child closes the terminal, because it has the only open descriptor.
   std::string out = ReadUntilHangUp(terminal);
   const int   status = StatusOf(child);
   return { status, out, ReadAll(err) };
@@ -197,7 +197,7 @@ BecomeNobody()
   constexpr uid_t nobody = 65534;
   if (geteuid() == 0 && (setgroups(0, nullptr) != 0 || setgid(nobody) != 0 || setuid(nobody) != 0))
   {
-    throw std::runtime_error("cannot give up the rights of root");
+    throw std::runtime_error("cannot drop root privileges");
   }
 }
 

@@ -11,7 +11,7 @@
 
 namespace tooltest
 {
-/** How a process ended. */
+/** Outcome of a process. */
 struct Outcome
 {
   int         status{ -1 }; ///< exit status, or the negative number of the signal that ended it
@@ -19,11 +19,11 @@ struct Outcome
   std::string err;
 };
 
-/** Runs `work` in a forked process; its value is the exit status. */
+/** Runs `work` in a forked process; its return value is the exit status. */
 Outcome
 InProcess(const std::function<int()> & work);
 
-/** The same with a pseudo-terminal of this number of columns as stdout; 0: a terminal of unknown width. */
+/** RunProcess() with a pseudo-terminal with this number of columns as stdout; 0: unknown width. */
 Outcome
 OnTerminal(const std::function<int()> & work, unsigned short columns);
 
@@ -44,7 +44,7 @@ RunHere(const Words &       arguments,
 Outcome
 RunTool(const Words & arguments, const Body & body, const char * xml = Xml);
 
-/** The same, with "in.nrrd" and "out.nrrd" as positional arguments before `options`. */
+/** RunTool() with "in.nrrd" and "out.nrrd" as positional arguments before `options`. */
 Outcome
 RunWithOptions(const Words & options, const Body & body);
 
@@ -55,11 +55,11 @@ WriteText(const std::string & path, const std::string & text);
 std::string
 ReadText(const std::string & path);
 
-/** The names in a folder, hidden ones too, in alphabetical order. */
+/** The names in a folder, including hidden ones, in alphabetical order. */
 Words
 NamesIn(const std::string & folder = ".");
 
-/** Drops root privileges, which allow writing everywhere. */
+/** Drops root privileges, which permit writing everywhere. */
 void
 BecomeNobody();
 } // namespace tooltest

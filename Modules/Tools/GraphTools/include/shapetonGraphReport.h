@@ -12,7 +12,7 @@ namespace shapeton
 struct GraphReport
 {
   std::string title;
-  /** Views side by side, grouped by geometry; turning, zooming and moving one applies to its group. */
+  /** Views side by side, grouped by geometry; turning, zooming and moving a view applies to its group. */
   std::vector<GraphView>   views{};
   std::vector<std::string> paragraphs{};
   std::vector<std::string> warnings{};
@@ -20,7 +20,7 @@ struct GraphReport
   std::vector<std::pair<std::string, std::string>> facts{};
   /** Captions and tables. */
   std::vector<std::pair<std::string, CsvTable>> tables{};
-  /** Initial model of the hyperbolic plane; the reader can change it. */
+  /** Initial model of the hyperbolic plane; the user can change it. */
   DiskModel disk{ DiskModel::Poincare };
 };
 
@@ -34,7 +34,7 @@ WriteGraphReport(const GraphReport & report, const std::string & path);
 /** Provenance and statistics of a certificate as facts for a report.
  * \ingroup ShapetonGraphTools */
 ShapetonGraphTools_EXPORT std::vector<std::pair<std::string, std::string>>
-                  FactsOf(const EmbeddingCertificate & certificate);
+                          FactsOf(const EmbeddingCertificate & certificate);
 } // namespace shapeton
 
 #endif

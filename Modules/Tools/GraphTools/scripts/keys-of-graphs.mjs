@@ -4,7 +4,7 @@ const STEP = 0.12; // fraction of the radius of a view
 const keys = [
   ['Select', [
     ['/', '/', 'search by name', 'search'],
-    ['n', 'N', 'next node, of those found if a name was searched', 'stepNode', 1],
+    ['n', 'N', 'next node (of the search results)', 'stepNode', 1],
     ['p', 'P', 'previous node', 'stepNode', -1],
     ['e', 'E', 'next edge of the node; Shift: previous', 'stepEdge', 1],
     ['Shift+e', '', '', 'stepEdge', -1],
@@ -17,14 +17,14 @@ const keys = [
     ['ArrowRight', '', '', 'move', [STEP, 0]],
     ['ArrowUp', '', '', 'move', [0, STEP]],
     ['ArrowDown', '', '', 'move', [0, -STEP]],
-    ['Shift+ArrowLeft', 'Shift ← → ↑ ↓', 'as Shift and drag', 'move', [-STEP, 0, true]],
+    ['Shift+ArrowLeft', 'Shift ← → ↑ ↓', 'same as Shift and drag', 'move', [-STEP, 0, true]],
     ['Shift+ArrowRight', '', '', 'move', [STEP, 0, true]],
     ['Shift+ArrowUp', '', '', 'move', [0, STEP, true]],
     ['Shift+ArrowDown', '', '', 'move', [0, -STEP, true]],
     ['+', '+', 'zoom in', 'zoom', 0.2],
     ['-', '-', 'zoom out', 'zoom', -0.2],
     ['r', 'R', 'reset the view', 'reset'],
-    ['v', 'V', 'the next view gets the keys', 'nextView'],
+    ['v', 'V', 'select the next view for the keys', 'nextView'],
   ]],
   ['Show', [
     ['g', 'G', 'graph', 'flip', 'graph'],
@@ -34,13 +34,13 @@ const keys = [
     ['f', 'F', 'circles of faces', 'flip', 'faceCircles'],
     ['l', 'L', 'labels', 'flip', 'labels'],
     ['t', 'T', 'domains', 'flip', 'tiles'],
-    ['k', 'K', 'the other projection', 'project'],
+    ['k', 'K', 'switch the projection', 'project'],
     ['?', '?', 'this help', 'help'],
   ]],
 ];
 
 const MOUSE = [
-  ['click', 'selects a node, an edge, or the node of a circle; beside them nothing'],
+  ['click', 'selects a node, an edge, or the node of a circle; elsewhere: clears the selection'],
   ['drag', 'turns the sphere, moves plane and disk'],
   ['Shift and drag', 'moves the sphere by a Moebius transformation, turns plane and disk'],
   ['wheel', 'zooms at the pointer'],

@@ -11,10 +11,10 @@ import { GraphMarks, GraphPicture } from './views.mjs';
 const TOOLS = `<label>search <input type="search" id="name" placeholder="name of a node" autocomplete="off"></label>
 <output id="found"></output> <button type="button" id="help">keys (?)</button>
 <p id="summary" aria-live="polite"></p><dialog id="keys"></dialog>`;
-const HINT = 'Click a node or an edge, or search a name.';
+const HINT = 'Click a node or an edge, or search for a name.';
 const MODELS = { spherical: Sphere, euclidean: Plane, hyperbolic: Disk };
 
-// Graphs of one geometry, moved together, with their switches.
+// Graphs of one geometry with their switches; they move together.
 class Group {
   constructor(root, page) {
     this.root = root;
@@ -50,7 +50,7 @@ class Group {
     this.changed();
   }
 
-  // Same as clicking the box.
+  // Same as clicking the checkbox.
   flip(name) { this.boxes.find((box) => box.name === name)?.click(); }
 
   project() {
@@ -111,7 +111,7 @@ class GraphPage {
 
   tellFound() {
     const at = this.matches.indexOf(this.selection.node) + 1;
-    const text = !this.field.value ? '' : !this.matches.length ? 'no such node' : `${at || '–'} of ${this.matches.length}`;
+    const text = !this.field.value ? '' : !this.matches.length ? 'no matching node' : `${at || '–'} of ${this.matches.length}`;
     document.getElementById('found').textContent = text;
   }
 
@@ -143,7 +143,7 @@ class GraphPage {
   stepEdge(by) { this.selection.stepAround(by); this.selected(); }
   follow() { this.selection.follow(); this.selected(); this.bring(); }
 
-  // Starts off-center, so that turning with Shift has a lever arm.
+  // Starts off-center, because turning with Shift requires a lever arm.
   move([dx, dy, isShift]) {
     const { model } = this.view.group, from = isShift && model.step === 2 ? [dy && 0.5, dx && 0.5] : [0, 0];
     model.drag(from, [from[0] + dx, from[1] + dy], Boolean(isShift));
@@ -165,7 +165,7 @@ class GraphPage {
     this.selected();
   }
 
-  // For tests: everything requested has been painted.
+  // For tests: whether everything requested has been painted.
   async idle() {
     do await new Promise((done) => { requestAnimationFrame(() => setTimeout(done)); });
     while (View.pending);

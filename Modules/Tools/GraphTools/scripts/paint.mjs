@@ -1,8 +1,8 @@
 const NODE = '#c62828', DUAL = '#2e7d32', EDGE = '#212121', CIRCLE = '#f3b3ac';
 const PASTEL = ['#fff3c4', '#cfe8ff', '#ffd9d4', '#d6f5d6', '#eadcff', '#ffe3c2', '#d2f4f0', '#ffd6ec', '#e8f0c8', '#dfe3ee'];
-// Selection styles: hues that are safe for color-blind readers (Okabe and Ito), each with its own width.
+// Selection styles: hues that are safe for color-blind readers (Okabe and Ito), each with a different width.
 const CHOSEN = '#0072b2', NEAR = '#d55e00';
-const MOST_LINES = 500; // per path: in longer paths, browsers take more time per line
+const MOST_LINES = 500; // lines per path; browsers are slower per line in longer paths
 const FULL = 2 * Math.PI;
 
 const colorOf = (data, node) => (data.colors ? data.colors[node] : CIRCLE);

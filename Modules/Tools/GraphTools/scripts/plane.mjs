@@ -1,6 +1,6 @@
 import { minus, plus, polar, times } from './motions.mjs';
 
-// Base of plane and disk: a scale, and no hidden side.
+// Base of plane and disk: a scale, without a hidden side.
 export class Flat {
   constructor() {
     this.step = 2;

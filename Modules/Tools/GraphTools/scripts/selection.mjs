@@ -9,7 +9,7 @@ export class Selection {
   get isEmpty() { return this.graph === null; }
   chooseNode(graph, node) { Object.assign(this, { graph, node, edge: -1, key: graph.keys[node] }); }
 
-  // hub: the end whose next edge is selected by stepping.
+  // hub: the end around which edges are stepped.
   chooseEdge(graph, edge, hub = graph.ends(edge)[0]) { Object.assign(this, { graph, node: -1, edge, key: graph.keyOfEdge(edge), hub }); }
 
   // Marks in a graph: {node, edge, near: nodes, edges}; -1 for the other kind; null if the graph lacks the selection.
@@ -42,7 +42,7 @@ export class Selection {
     return [...(edge >= 0 ? wordsOfEdge(graph, edge) : wordsOfNode(graph, node)), ...this.mates()].join(' · ');
   }
 
-  // In which other graphs the selection occurs, with its name there, and in which it does not.
+  // Lists the other graphs that contain the selection, with its name there, and the graphs that do not.
   mates() {
     const others = this.graphs.filter((g) => g !== this.graph), own = this.nameIn(this.graph), absent = [], words = [];
     for (const graph of others) {

@@ -17,7 +17,7 @@ function boostAlong(u, rapidity) {
   return [...m, s * u[0], s * u[1], s * u[2], c];
 }
 
-// Rows: right, up, towards the eye; as FrameOf() of shapetonPictureMaps.cxx has them.
+// Rows: right, up, towards the eye; as in FrameOf() of shapetonPictureMaps.cxx.
 function frameTowards(eye) {
   const right = unit(Math.abs(eye[2]) < 0.9 ? [-eye[1], eye[0], 0] : cross([0, 1, 0], eye)), up = cross(eye, right);
   return [...right, 0, ...up, 0, ...eye, 0, 0, 0, 0, 1];

@@ -54,7 +54,7 @@ export class GraphPicture extends View {
 // The selection above the picture, and the gestures of both.
 export class GraphMarks extends View {
   constructor(root, picture, page) {
-    super(root, 'marks', `${picture.graph.data.title}: what is selected`);
+    super(root, 'marks', `${picture.graph.data.title}: selection`);
     Object.assign(this, { picture, page, graph: picture.graph, group: picture.group });
     this.caption = root.parentElement.querySelector('figcaption');
     picture.marks = this;
@@ -110,7 +110,7 @@ export class GraphMarks extends View {
     return -1;
   }
 
-  // A node under a pixel, else an edge, else the node whose circle it is.
+  // The node under a pixel, else the edge, else the node whose circle contains it.
   pick(x, y) {
     const { selection } = this.page, near = this.nodeAt(x, y);
     const edge = near < 0 ? edgeUnder(this.picture.tiles, this.graph, [x, y], EDGE_REACH) : -1;

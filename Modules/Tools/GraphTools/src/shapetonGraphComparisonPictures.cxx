@@ -19,7 +19,7 @@ SentenceOf(const GraphComparison & comparison)
   const std::string by = comparison.correspondence.by;
   return std::string(comparison.isomorphic ? "The graphs are isomorphic. " : "The graphs are not isomorphic. ") +
          std::to_string(partners) + " nodes have a partner, found by " + by +
-         "; their circles share a color. Circles without a partner are gray.";
+         "; their circles share a color. Circles of other nodes are gray.";
 }
 
 /** Keys shared by corresponding nodes. */

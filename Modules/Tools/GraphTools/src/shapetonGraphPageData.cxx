@@ -11,7 +11,7 @@ namespace shapeton
 {
 namespace
 {
-/** Rounds to 9 digits: more than screen resolution, and half the bytes. */
+/** Rounds to 9 digits: better than screen resolution, half the bytes. */
 double
 Rounded(double value)
 {
@@ -168,7 +168,7 @@ private:
   Json
   Tiles() const
   {
-    constexpr double mostSegments = 60000.0; // that a canvas can paint interactively
+    constexpr double mostSegments = 60000.0; // limit for interactive painting on a canvas
     const double     segments = static_cast<double>(m_Graph.halfEdges.size() + 1);
     const double     least = 4.0 * m_View.certificate->genus + 1.0;
     const int        count = static_cast<int>(std::clamp(mostSegments / segments, least, std::max(least, 120.0)));

@@ -56,12 +56,12 @@ HelpOf(EmbeddingGeometry geometry)
   switch (geometry)
   {
     case EmbeddingGeometry::Spherical:
-      return "Drag to turn the sphere, shift and drag to move by a Moebius transformation, wheel to zoom "
-             "about the pointer by another one: circles stay circles, and edges do not cross.";
+      return "Drag to turn the sphere, Shift and drag to move by a Moebius transformation, wheel to zoom "
+             "at the pointer by another one: circles stay circles, and edges do not cross.";
     case EmbeddingGeometry::Euclidean:
-      return "Drag to move, shift and drag to turn, wheel to zoom. The domains are copies of one torus.";
+      return "Drag to move, Shift and drag to turn, wheel to zoom. The domains are copies of one torus.";
     default:
-      return "Drag to move by an isometry of the hyperbolic plane (a Moebius transformation of the disk), shift and "
+      return "Drag to move by an isometry of the hyperbolic plane (a Moebius transformation of the disk), Shift and "
              "drag to turn, wheel to enlarge. The domains are copies of one surface.";
   }
 }
@@ -92,7 +92,7 @@ GroupsOf(const std::vector<GraphView> & views, HtmlReport & page)
     const std::size_t edges = view.certificate->packed.edges.size();
     if (edges > mostEdges)
     {
-      page.AddNote(view.title + ": the map has " + std::to_string(edges) + " edges, too many to show on a page.");
+      page.AddNote(view.title + ": the map has " + std::to_string(edges) + " edges, too many for a page.");
       continue;
     }
     const EmbeddingGeometry geometry = view.certificate->geometry;

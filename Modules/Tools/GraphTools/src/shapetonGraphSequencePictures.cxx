@@ -81,7 +81,7 @@ private:
   std::vector<std::string>   m_Colors;
 };
 
-/** Marks the changes between two steps: on the second step, and on the first the ends of removed edges. */
+/** Marks the changes between two steps: on the first step the ends of removed edges, all others on the second step. */
 void
 WriteComparedSteps(const DynamicSequence &          sequence,
                    const std::vector<int> &         compared,
@@ -137,7 +137,7 @@ WriteSequencePictures(const DynamicSequence &          sequence,
   GraphReport report{ "Dynamic graph", changes, {}, sheet.warnings, sheet.provenance, {} };
   report.paragraphs = {
     "Green: nodes that are new, or gained or lost an edge since the previous step; blue: tracked nodes; "
-    "red: all others."
+    "red: other nodes."
   };
   if (steps > mostStepsOfPicture)
   {

@@ -1,4 +1,4 @@
-// The scripts of the pages of graphs that need no page, on graphs whose truth is known. usage: node --test scripts.test.mjs
+// Tests scripts of graph pages without a page, on graphs with known results. Usage: node --test scripts.test.mjs
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { Disk } from '../scripts/disk.mjs';
@@ -11,13 +11,13 @@ import { edgeUnder, nodeUnder, Tile } from '../scripts/tile.mjs';
 const far = (a, b) => Math.hypot(...a.map((x, k) => x - b[k]));
 const frame = { c: 400, R: 384, middle: [0, 0], extent: 1 }, tile = { a: [1, 0], b: [0, 0] };
 
-// Random numbers that are the same in each run.
+// Deterministic random numbers.
 function randoms(seed) {
   let state = seed;
   return () => { state = (1664525 * state + 1013904223) >>> 0; return state / 2 ** 32; };
 }
 
-// Two circles of each geometry that touch, as [places, radii].
+// Two tangent circles in each geometry, as [positions, radii].
 const hyperbolic = (d) => Math.tanh(d / 2);
 const TOUCHING = [
   [() => new Sphere([0, 0, 1]), [0.6, 0, 0.8, 0, 0.6, 0.8], (() => { const a = Math.acos(0.64); return [0.3 * a, 0.7 * a]; })()],
@@ -32,7 +32,7 @@ function arcsOf(model, places, radii) {
   return arcs;
 }
 
-test('circles that touch do so after any motion', () => {
+test('tangent circles stay tangent after any motion', () => {
   const random = randoms(5), any = () => [random() - 0.5, random() - 0.5];
   for (const [make, places, radii] of TOUCHING) {
     const model = make();
@@ -43,7 +43,7 @@ test('circles that touch do so after any motion', () => {
       if (i % 3 === 1) model.drag(any(), any(), true);
       if (i % 3 === 2) model.zoom(any(), 0.2 * (random() - 0.5));
       const arcs = arcsOf(model, places, radii);
-      if (arcs.length < 2) continue; // out of the picture
+      if (arcs.length < 2) continue; // outside the picture
       const [[x, y, r], [u, v, s]] = arcs, gap = Math.hypot(x - u, y - v);
       assert.ok(Math.min(Math.abs(gap - r - s), Math.abs(gap - Math.abs(r - s))) < 1e-6 * (r + s), `${model.constructor.name}, step ${i}`);
       checked++;
@@ -52,7 +52,7 @@ test('circles that touch do so after any motion', () => {
   }
 });
 
-test('what is dragged stays under the pointer, on plane and disk', () => {
+test('a dragged point stays under the pointer, on plane and disk', () => {
   for (const model of [new Plane(), new Disk(), Object.assign(new Disk(), { choice: 'klein' })]) {
     model.zoom([0.1, 0.1], 0.3);
     const units = (q) => { const [x, y] = model.pixel(frame, q); return [(x - frame.c) / frame.R, (frame.c - y) / frame.R]; };
@@ -62,7 +62,7 @@ test('what is dragged stays under the pointer, on plane and disk', () => {
   }
 });
 
-test('zooming keeps what is under the pointer, on sphere and plane', () => {
+test('zooming fixes the point under the pointer, on sphere and plane', () => {
   for (const model of [new Sphere([0, 0, 1]), Object.assign(new Sphere([0, 0, 1]), { choice: 'flat' }), new Plane()]) {
     const place = model.step === 3 ? [0.36, 0.48, 0.8] : [0.3, 0.2], at = () => model.pixel(frame, model.mover(frame, tile)(place, 0));
     const [x, y] = at();
@@ -71,7 +71,7 @@ test('zooming keeps what is under the pointer, on sphere and plane', () => {
   }
 });
 
-test('any place can be brought to the middle; a sphere begins with its front there', () => {
+test('any point can be centered; a sphere initially shows its front', () => {
   const random = randoms(9);
   for (const [make] of TOUCHING) {
     const model = make();
@@ -88,7 +88,7 @@ test('any place can be brought to the middle; a sphere begins with its front the
   }
 });
 
-test('points between two of the disk divide their distance', () => {
+test('interpolated points on the disk divide the distance proportionally', () => {
   const model = new Disk(), p = [0.3, 0.4], q = [-0.5, 0.6], complex = (a, b) => [a[0] * b[0] - a[1] * b[1], a[0] * b[1] + a[1] * b[0]];
   const gap = (a, b) => {
     const w = complex([a[0], -a[1]], b), d = Math.hypot(1 - w[0], w[1]);
@@ -98,7 +98,7 @@ test('points between two of the disk divide their distance', () => {
   assert.ok(Math.abs(gap(p, r) - 0.3 * gap(p, q)) < 1e-9 && Math.abs(gap(r, q) - 0.7 * gap(p, q)) < 1e-9);
 });
 
-// A random graph with parallel edges and loops on random places of the sphere; circles touch in the middle of edges.
+// A random graph with parallel edges and loops at random positions on the sphere; circles touch at the midpoints of edges.
 function randomGraph(seed, nodes, edges, names) {
   const random = randoms(seed), unit = (p) => p.map((x) => x / Math.hypot(...p));
   const at = Array.from({ length: nodes }, () => unit([random() - 0.5, random() - 0.5, random() - 0.5]));
@@ -110,7 +110,7 @@ function randomGraph(seed, nodes, edges, names) {
   });
 }
 
-test('edges around nodes and edges of other graphs are those of a search through all', () => {
+test('edges around nodes and edges of other graphs match an exhaustive search', () => {
   const graph = randomGraph(3, 12, 40), { ends } = graph.data;
   for (let node = 0; node < graph.nodes; node++) {
     const all = ends.flatMap((n, h) => (n === node ? [h >> 1] : []));
@@ -124,7 +124,7 @@ test('edges around nodes and edges of other graphs are those of a search through
   }
 });
 
-test('a selection is found in other graphs by name or by number, and described in words', () => {
+test('a selection is found in other graphs by name or by number, and described as text', () => {
   const a = randomGraph(3, 5, 9), b = randomGraph(3, 5, 9, ['n4', 'n3', 'n2', 'n1', 'x']), selection = new Selection([a, b]);
   selection.chooseNode(a, 4);
   assert.deepEqual(selection.marksIn(a).near, a.neighbors(4).filter((n) => n !== 4));
@@ -143,7 +143,7 @@ test('a selection is found in other graphs by name or by number, and described i
   assert.equal(selection.marksIn(a), null);
 });
 
-test('keys walk around a node and along an edge', () => {
+test('keys step around a node and along an edge', () => {
   const graph = randomGraph(8, 6, 14), selection = new Selection([graph]), seen = [];
   selection.chooseNode(graph, 2);
   for (let i = 0; i < graph.degree(2); i++) { selection.stepAround(1); seen.push(selection.edge); }
@@ -156,14 +156,14 @@ test('keys walk around a node and along an edge', () => {
   assert.equal(selection.node, graph.otherEnd(seen.at(-1), 2));
 });
 
-test('names that are the text come before those that begin with it, and those that hold it', () => {
+test('exact matches precede names that begin with the text and names that contain it', () => {
   const graph = { data: { names: ['xab', 'abc', 'AB', 'b', 'ab<d'] } };
   assert.deepEqual(nodesNamed(graph, ' ab'), [2, 1, 4, 0]);
   assert.deepEqual(nodesNamed(graph, ' '), []);
   assert.deepEqual(nodesNamed(graph, 'z'), []);
 });
 
-test('what is under a pixel is what is painted there', () => {
+test('picking returns the object painted at a pixel', () => {
   const graph = randomGraph(21, 30, 50), tiles = [new Tile(new Sphere([0, 0, 1]), graph.data, frame, tile)];
   let edges = 0;
   for (let i = 0; i < graph.nodes; i++) assert.equal(nodeUnder(tiles, graph, tiles[0].pixelOf(i), 5), tiles[0].isSeen(i) ? i : -1);
@@ -173,7 +173,7 @@ test('what is under a pixel is what is painted there', () => {
     const at = line[line.length >> 1], found = edgeUnder(tiles, graph, at, 5);
     const lines = [...graph.halvesOf(found)].map((k) => tiles[0].half(k)).filter(Boolean);
     edges++;
-    assert.ok(found === edge || lines.some((l) => l.some((p) => far(p, at) < 30)), `${found} in place of ${edge}`);
+    assert.ok(found === edge || lines.some((l) => l.some((p) => far(p, at) < 30)), `${found} instead of ${edge}`);
     assert.equal(edgeUnder(tiles, graph, [-50, -50], 5), -1);
   });
   assert.ok(edges > 20);

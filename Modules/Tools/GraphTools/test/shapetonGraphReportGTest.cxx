@@ -45,7 +45,7 @@ TEST(GraphReport, NeedsNoNetwork)
   EXPECT_EQ(std::string::npos, page.text.find("import"));
 }
 
-/** Graphs of one geometry are moved together; other geometries have separate switches. */
+/** Graphs of one geometry move together; other geometries have separate switches. */
 TEST(GraphReport, GroupsOfGeometries)
 {
   const EmbeddingCertificate cube = Cube();
@@ -55,5 +55,5 @@ TEST(GraphReport, GroupsOfGeometries)
   ASSERT_TRUE(page.isWellFormed);
   EXPECT_EQ(4u, page.elements.at("figure").size());
   EXPECT_EQ(3u, page.Count("div", "class", "graph-group"));
-  EXPECT_EQ(2u, page.elements.at("select").size()); // the torus has one view only
+  EXPECT_EQ(2u, page.elements.at("select").size()); // the torus has only one view
 }

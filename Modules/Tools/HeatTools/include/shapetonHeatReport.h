@@ -42,11 +42,11 @@ struct HeatReportContent
   Remarks warnings;
 
   const HeatHistogram * histogram{ nullptr };
-  /** If given, defines axis and colors instead. */
+  /** Histogram that defines axis and colors; null for `histogram`. */
   const HeatHistogram * axisHistogram{ nullptr };
   HeatScale             scale{ HeatScale::Equalized };
-  /** Zoomed ranges; none by default. A second histogram shows the last range, a second rendering the lines found in it,
-   * and the explorer starts there. */
+  /** Zoomed ranges; none by default. A second histogram shows the last range, a second rendering its lines, and the
+   * explorer starts with it. */
   HeatRanges ranges;
   /** Time steps marked in the histogram. */
   std::vector<std::uint64_t> markedTimeSteps;
@@ -63,7 +63,7 @@ struct HeatReportContent
   std::vector<HeatClass> classes;
   /** Transfer function of the rendering; by default ShapeTransferFunction::FromClasses. */
   std::optional<ShapeTransferFunction> transferFunction;
-  /** Renderer, if given; it must use the same heat and transfer function. */
+  /** Optional renderer; it must use the same heat and transfer function. */
   const VolumeRenderer * renderer{ nullptr };
   /** Whether WriteExplorer() writes its page to the same folder; the report links to it. */
   bool hasExplorer{ false };
@@ -93,12 +93,12 @@ ClassTable(const HeatReportContent & content);
 
 /** The histogram of the report, with its marks and classes. \ingroup ShapetonHeatTools */
 ShapetonHeatTools_EXPORT Picture::Pointer
-                 DrawHistogram(const HeatReportContent & content);
+                         DrawHistogram(const HeatReportContent & content);
 
-/** The histogram of content.ranges, with the lines found inside the last range in place of the classes.
+/** The histogram of content.ranges, with the lines found inside the last range instead of the classes.
  * \ingroup ShapetonHeatTools */
 ShapetonHeatTools_EXPORT Picture::Pointer
-                 DrawOpenedHistogram(const HeatReportContent & content);
+                         DrawOpenedHistogram(const HeatReportContent & content);
 
 /** A warning if the last of content.ranges has no counts; empty otherwise, or if no range is zoomed.
  * \ingroup ShapetonHeatTools */
@@ -113,7 +113,7 @@ HistogramTable(const HeatHistogram & histogram, const ShapeQuantity & quantity =
 /** Parameters of a run as text, with the reason for each value chosen from the data.
  * \ingroup ShapetonHeatTools */
 ShapetonHeatTools_EXPORT HeatReportContent::Facts
-                 RunFacts(const CumulativeHeatDiffusionResult & result);
+                         RunFacts(const CumulativeHeatDiffusionResult & result);
 
 /** A report on a run with its parameters, histogram, images and time step; the arguments must outlive it.
  * \ingroup ShapetonHeatTools */

@@ -19,7 +19,7 @@ class DicomMapOutput;
  * \brief The output files of a heat diffusion tool, declared by the parameters of its XML.
  *
  * outputHeat, initialHeatOutput and labels are volumes, classTable and histogramTable CSV, histogram a PNG, report a
- * folder, which also gets a HeatExplorer. histogramRange zooms ranges of histogram and report. Outputs that were not
+ * folder that also contains a HeatExplorer. histogramRange zooms ranges of histogram and report. Outputs that were not
  * requested are not written, except the record of the run (`<outputHeat>.run.json`). Volumes carry the provenance of
  * the run, heat also its time step (key `timeStep`).
  *
@@ -49,8 +49,8 @@ public:
     return !m_Labels.empty() || !m_ClassTable.empty() || !m_Report.empty();
   }
 
-  /** Writes all but the initial heat: content.heat is the heat after content.timeStep; `labels` may be null if no
-   * classes are requested. The ranges of the content are those of histogramRange. */
+  /** Writes all files except the initial heat: content.heat is the heat after content.timeStep; `labels` may be null if
+   * no classes are requested. The ranges of the content are those of histogramRange. */
   void
   Write(HeatReportContent content, const itk::Image<unsigned char, 3> * labels) const;
 

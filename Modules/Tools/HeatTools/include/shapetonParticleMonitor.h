@@ -24,15 +24,15 @@ struct ParticleProgress
 /** Three slices through `cut` with the visits so far in color, from blue (fewest) to red (most). The header shows
  * step, rate, coverage and distance from the steady state. \ingroup ShapetonHeatTools */
 ShapetonHeatTools_EXPORT Picture::Pointer
-                 DrawParticlePreview(const itk::Image<float, 3> *         gray,
-                                     const itk::Image<std::uint32_t, 3> * visits,
-                                     const itk::Index<3> &                cut,
-                                     const ParticleProgress &             progress);
+                         DrawParticlePreview(const itk::Image<float, 3> *         gray,
+                                             const itk::Image<std::uint32_t, 3> * visits,
+                                             const itk::Index<3> &                cut,
+                                             const ParticleProgress &             progress);
 
 /** Mean position of the voxels with intensity above `lower`; the center of the volume if there are none.
  * \ingroup ShapetonHeatTools */
 ShapetonHeatTools_EXPORT itk::Index<3>
-                 MiddleOfObjects(const itk::Image<float, 3> * gray, double lower);
+                         MiddleOfObjects(const itk::Image<float, 3> * gray, double lower);
 
 /** Resumes the filter from the checkpoint named by the parameter `resume`; the new checkpoint may replace it.
  * Throws InputError if the file is not a checkpoint, ParameterError if the run would end before its time step.
@@ -45,7 +45,7 @@ ResumeFromCheckpoint(CommandLine & commandLine, ParticleDiffusionImageFilter<itk
  * a PNG or the page of LiveExplorer (.html) replaced every `previewEvery` seconds, and `checkpoint`, a saved state
  * replaced about every minute.
  *
- * Finish() replaces both once more. The picture states a rate and so, unlike results, differs between runs.
+ * Finish() replaces both a last time. The picture shows a rate, so unlike results it differs between runs.
  *
  * \ingroup ShapetonHeatTools
  */

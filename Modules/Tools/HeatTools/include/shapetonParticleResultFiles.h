@@ -18,17 +18,17 @@ struct Volume;
 /** Warnings on a run of shapeton diffusion: trapped shapetons, density that did not reach the requested steady state,
  * few visits. \ingroup ShapetonHeatTools */
 ShapetonHeatTools_EXPORT std::vector<std::string>
-                 ParticleRemarks(const ParticleDiffusionImageFilter<itk::Image<float, 3>> * filter);
+                         ParticleRemarks(const ParticleDiffusionImageFilter<itk::Image<float, 3>> * filter);
 
-/** Parameters and measures of a run as text, with reasons if the distance and the number of shapetons were chosen from
- * the data. \ingroup ShapetonHeatTools */
+/** Parameters and measures of a run as text, with reasons for a distance and a number of shapetons chosen from the
+ * data. \ingroup ShapetonHeatTools */
 ShapetonHeatTools_EXPORT HeatReportContent::Facts
-                 ParticleFacts(const ParticleDiffusionImageFilter<itk::Image<float, 3>> * filter);
+                         ParticleFacts(const ParticleDiffusionImageFilter<itk::Image<float, 3>> * filter);
 
 /** \class ParticleResultFiles
  * \brief The output files of the shapeton diffusion tool, declared by the parameters of its XML.
  *
- * outputDensity and labels are volumes, classTable a CSV, report a folder, which also gets a HeatExplorer;
+ * outputDensity and labels are volumes, classTable a CSV, report a folder that also contains a HeatExplorer;
  * histogramRange zooms ranges of its histogram. Outputs that were not requested are not written, except the record of
  * the run (`<outputDensity>.run.json`). The density holds visits and states its time step (key `timeStep`) and
  * provenance.

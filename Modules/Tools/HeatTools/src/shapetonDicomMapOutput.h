@@ -22,7 +22,8 @@ public:
   explicit DicomMapOutput(CommandLine & commandLine);
   ~DicomMapOutput();
 
-  /** Writes the map if requested. `code` is in the scheme 99SHAPETON, `meaning` is its text; values have no unit. */
+  /** Writes the map if requested. `code` is in the scheme 99SHAPETON, `meaning` is its text. Values are
+   * dimensionless. */
   void
   Write(const itk::Image<float, 3> * image, const std::string & code, const std::string & meaning) const;
   /** Writes counts, which 32-bit floats represent exactly up to 2^24. */

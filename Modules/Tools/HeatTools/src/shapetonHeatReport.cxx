@@ -258,9 +258,9 @@ CaptionOfRange(const HeatReportContent & content)
   {
     voxels += line.voxels;
   }
-  return "The same from " + CsvTable::Rounded(opened.range.lower, 4) + " to " +
-         CsvTable::Rounded(opened.range.upper, 4) + " alone, equalized anew: " + GroupedDigits(voxels) +
-         " voxels at the last time step. The bars below are the " + "lines that are found in it.";
+  return "The histogram from " + CsvTable::Rounded(opened.range.lower, 4) + " to " +
+         CsvTable::Rounded(opened.range.upper, 4) + " only, equalized again: " + GroupedDigits(voxels) +
+         " voxels at the last time step. The bars below are the lines found in this range.";
 }
 
 void
@@ -278,21 +278,21 @@ std::vector<std::string>
 ReadingGuideOfHeat()
 {
   return {
-    "Heat starts at the edges of the image. In each time step it flows to neighbors of "
-    "similar intensity and hardly across edges. A region enclosed by edges converges to one heat, which "
+    "Heat starts at the edges of the image. In each time step, it flows to neighbors of "
+    "similar intensity, but hardly across edges. A region enclosed by edges converges to one heat, which "
     "depends on its shape and size. A region open to the border of the volume loses its heat to the "
     "background.",
     "Histogram: time runs downwards, heat to the right. A vertical line at the bottom is an object, or several "
     "objects of similar shape. Early time steps (top) show local shape such as edges and corners, late ones (bottom) "
     "whole objects. On the equalized scale, width is proportional to the number of voxels, so distances along the "
-    "axis are not differences of heat: read the numbers.",
+    "axis are not heat differences; use the axis labels.",
     "The color of a heat is given by its position on the histogram's axis, from blue (lowest) to red (highest), "
     "also in the rendering: similar heats have similar colors. Classes have separate, distinguishable colors: in "
     "their slices, in the table and in the bars below the histogram. A class is a range of heats; two objects "
     "may share a class without being similar otherwise, and one organ may span several classes. The class "
-    "that covers most of the volume's border is the surroundings; the rendering leaves it out. "
+    "that covers most of the volume's border is the surroundings; the rendering omits it. "
     "Heat also depends on size: it is lower for a larger object of the same shape. The scale-normalized heat "
-    "of closed components compensates for that."
+    "of closed components is independent of size."
   };
 }
 
@@ -305,13 +305,13 @@ ReadingGuideOfVisits()
     "the number of visits divided by the maximum.",
     "Histogram: time runs downwards, density to the right. A vertical line at the bottom is an object, or several "
     "objects with similar visits. Visits are a sample: n visits have an error of about the square root of n, so "
-    "lines are broad if visits are few; more shapetons or steps make them sharper.",
+    "lines are broad if visits are few; more shapetons or steps sharpen them.",
     "The color of a density is given by its position on the histogram's axis, from blue (fewest visits) to red "
     "(most), also in the rendering. Classes have separate, distinguishable colors: in their slices, in the table and "
     "in "
     "the bars below the histogram. A class is a range of densities; two objects may share a class without being "
     "similar otherwise.",
-    "As published, only the end of a step matters: steps longer than a feature pass over it and over its walls. If "
+    "As published, only the end point of a step counts: steps longer than a feature pass over it and its walls. If "
     "all six neighbors are cut off by edges, a shapeton is trapped; such voxels have by far the most visits."
   };
 }
@@ -439,14 +439,14 @@ RunFacts(const CumulativeHeatDiffusionResult & result)
                   { "p", CsvTable::Rounded(result.p.p, 6) } };
   if (!result.p.reason.empty())
   {
-    facts.emplace_back("Why this p", result.p.reason);
+    facts.emplace_back("Reason for p", result.p.reason);
   }
   facts.emplace_back("Time steps", std::to_string(result.timeStep) + (result.steady ? ": the heat is steady" : ""));
   if (result.steady)
   {
     facts.emplace_back(
-      "Why so many steps",
-      "the histogram's lines have flattened: over the last stretch of time, of ratio 2.5, the heat of at most "
+      "Reason for the number of steps",
+      "the histogram's lines are nearly vertical: over the last time interval, with ratio 2.5, the heat of at most "
       "one voxel in 1000 changed by more than 1 %");
   }
   facts.emplace_back("Time step length", CsvTable::Rounded(result.timeStepLength, 6));
@@ -510,7 +510,7 @@ WriteHeatReport(const HeatReportContent & content, const std::string & folder, c
 {
   if (!content.histogram || !content.gray || !content.heat)
   {
-    throw std::invalid_argument("a heat report needs a histogram, an image and a heat volume");
+    throw std::invalid_argument("a heat report requires a histogram, an image and a heat volume");
   }
   const HeatAxis              axis = AxisOf(content);
   const ShapeTransferFunction transferFunction = ShownLines(content);
@@ -536,7 +536,7 @@ WriteHeatReport(const HeatReportContent & content, const std::string & folder, c
   }
   if (content.hasExplorer)
   {
-    html.AddMarkup("<p><a href=\"explorer.html\">Heat explorer</a>: pick lines of this histogram by hand; slices and "
+    html.AddMarkup("<p><a href=\"explorer.html\">Heat explorer</a>: pick lines of this histogram; slices and "
                    "rendering follow.</p>");
   }
   html.AddHeading("Classes");

@@ -14,8 +14,8 @@ ReadOpenedRanges(const CommandLine & commandLine)
   const bool       hasPicture = commandLine.Declares("histogram");
   const HeatRanges ranges = HeatRangesOf(commandLine.GetDoubles("histogramRange"));
   RequireParameter(ranges.empty() || commandLine.IsGiven("report") || (hasPicture && commandLine.IsGiven("histogram")),
-                   std::string("the parameter \"histogramRange\" opens a part of the histogram; give ") +
-                     (hasPicture ? "--histogram or --report, which show it" : "--report, which shows it"));
+                   std::string("the parameter \"histogramRange\" requires ") +
+                     (hasPicture ? "--histogram or --report" : "--report"));
   return ranges;
 }
 

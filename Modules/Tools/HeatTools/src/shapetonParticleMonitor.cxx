@@ -23,7 +23,7 @@ namespace
 {
 using Clock = std::chrono::steady_clock;
 
-/** Minimum interval, because a state is as large as the volume. */
+/** Minimum interval; a state is as large as the volume. */
 constexpr double secondsBetweenCheckpoints = 60.0;
 
 double
@@ -98,13 +98,13 @@ ResumeFromCheckpoint(CommandLine & commandLine, ParticleDiffusionImageFilter<itk
   }
   catch (const std::runtime_error & error)
   {
-    throw InputError(path + " is not a usable checkpoint, " + (stream.is_open() ? error.what() : "it cannot be read") +
-                     ": give a file written by --checkpoint");
+    throw InputError(path + " is not a valid checkpoint, " + (stream.is_open() ? error.what() : "it cannot be read") +
+                     ": use a file written by --checkpoint");
   }
   if (state.step > filter->GetTimeSteps())
   {
-    throw ParameterError("the checkpoint " + path + " is of step " + std::to_string(state.step) +
-                         ": give --timeSteps of at least that");
+    throw ParameterError("the checkpoint " + path + " is from step " + std::to_string(state.step) +
+                         ": increase --timeSteps to at least this step");
   }
   filter->SetInitialState(std::move(state));
   commandLine.AllowReplacing("resume");
@@ -120,7 +120,7 @@ struct ParticleMonitor::Impl
     , previewEvery(line.GetDouble("previewEvery"))
   {
     commandLine.LeaveOutOfProvenance("previewEvery");
-    // Reject now if they cannot be written.
+    // Reject unwritable outputs now.
     Register(checkpoint);
     if (std::filesystem::path(preview).extension() == ".html")
     {
@@ -190,7 +190,7 @@ struct ParticleMonitor::Impl
     WritePng(DrawParticlePreview(filter->GetInput(), filter->GetOutput(), *cut, progress), temporary[preview]);
   }
 
-  /** Writes the constant part, the first time. */
+  /** Writes the constant part on the first call. */
   void
   WritePage()
   {
@@ -230,7 +230,7 @@ struct ParticleMonitor::Impl
     stream.close();
     if (!stream)
     {
-      throw OutputError("cannot write the checkpoint " + checkpoint + "; free some space or choose another place");
+      throw OutputError("cannot write the checkpoint " + checkpoint + "; free some space or choose another folder");
     }
   }
 

@@ -59,7 +59,7 @@ ParticleRemarks(const FilterType * filter)
   std::vector<std::string> remarks;
   if (!(filter->GetWindowLower() < filter->GetWindowUpper()))
   {
-    remarks.push_back("all voxels have the same intensity in the window: the shapetons find no shape");
+    remarks.push_back("all voxels have the same intensity in the window: there is no shape to find");
   }
   if (filter->GetUntilSteady() && !measures.steady)
   {
@@ -75,7 +75,7 @@ ParticleRemarks(const FilterType * filter)
   if (MeanVisits(filter) < 4.0)
   {
     remarks.push_back("the voxels reached have " + CsvTable::Rounded(MeanVisits(filter), 3) +
-                      " visits on average, which is little more than noise: take more shapetons or steps");
+                      " visits on average, which is hardly above noise: use more shapetons or steps");
   }
   return remarks;
 }
@@ -109,11 +109,11 @@ ParticleFacts(const FilterType * filter)
                                      { "Shapetons trapped", Percent(ShareTrapped(filter)) } };
   if (filter->GetAutomaticDistance())
   {
-    facts.emplace_back("Why this distance", filter->GetAutomaticShapetons().distanceReason);
+    facts.emplace_back("Reason for the distance", filter->GetAutomaticShapetons().distanceReason);
   }
   if (filter->GetAutomaticNumberOfShapetons())
   {
-    facts.emplace_back("Why so many shapetons", filter->GetAutomaticShapetons().shapetonsReason);
+    facts.emplace_back("Reason for the number of shapetons", filter->GetAutomaticShapetons().shapetonsReason);
   }
   return facts;
 }
@@ -150,8 +150,7 @@ ParticleResultFiles::Write(const FilterType * filter, const Volume & volume) con
   const ShapeAnalysis shape = AnalyzeVisits(filter->GetOutput(), filter->GetMeasures().step);
   if (shape.classes.size() <= 2)
   {
-    m_CommandLine.Warn(
-      "all voxels that were visited fall into one class of density: no object stands out from the others");
+    m_CommandLine.Warn("all visited voxels are in one class of density: no objects can be distinguished");
   }
   HeatReportContent content;
   content.title = "Shapeton diffusion";

@@ -87,12 +87,12 @@ private:
     SeedImage::IndexType index;
     if (!m_Seeds->TransformPhysicalPointToIndex(point, index))
     {
-      throw InputError(NameOf(number) + " lies outside the volume; place it on the volume that is segmented");
+      throw InputError(NameOf(number) + " is outside the volume; move it into the segmented volume");
     }
     unsigned short & voxel = m_Seeds->GetPixel(index);
     if (voxel != 0 && voxel != m_Label)
     {
-      throw InputError(NameOf(number) + " lies in a voxel that is already a seed of label " + std::to_string(voxel) +
+      throw InputError(NameOf(number) + " is in a voxel that is already a seed of label " + std::to_string(voxel) +
                        "; a voxel can have only one label");
     }
     voxel = m_Label;
@@ -109,7 +109,7 @@ SeedsOfVolume(const Volume & volume, const std::string & path, const itk::ImageB
 {
   if (!HaveSameGrid(image, volume.image))
   {
-    throw InputError(path + ": the labels differ in size or position from the volume; use labels of that volume");
+    throw InputError(path + ": the labels and the volume have different grids; use labels on the grid of the volume");
   }
   const auto        seeds = NewSeeds(image);
   const std::size_t number = image->GetLargestPossibleRegion().GetNumberOfPixels();
@@ -136,7 +136,7 @@ SeedsOfMarkups(const std::vector<Markup> & markups, const itk::ImageBase<3> * im
     const std::size_t number = markup.points.size();
     if (number == 0)
     {
-      throw InputError("the markup \"" + markup.name + "\" has no point: label " + std::to_string(label) +
+      throw InputError("the markup \"" + markup.name + "\" has no point, so label " + std::to_string(label) +
                        " would have no seed");
     }
     for (std::size_t i = 0; i < number; ++i)

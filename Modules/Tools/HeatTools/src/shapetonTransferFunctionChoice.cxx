@@ -37,8 +37,8 @@ RequireQuantity(const TransferFunctionChoice & choice, const ShapeQuantity & fou
 {
   if (!choice.quantity.empty() && choice.quantity != found.name)
   {
-    throw InputError("the lines were picked on " + choice.quantity + ", but " + path + " holds " + found.name +
-                     ": give the volume they were picked on");
+    throw InputError("the lines were picked on " + choice.quantity + ", but " + path + " contains " + found.name +
+                     ": use the volume they were picked on");
   }
 }
 } // namespace shapeton

@@ -44,7 +44,7 @@ TEST(ParticleMonitor, PreviewShowsFewVisitsInBlueAndManyInRed)
   progress.timeSteps = 100;
   const auto preview = shapeton::DrawParticlePreview(box, visits, { { 8, 8, 8 } }, progress);
   ASSERT_EQ(preview->GetBufferedRegion().GetSize(0), 1200U);
-  // Count colors over the whole picture: the box takes (8/24)^2 of each slice.
+  // Count colors in the whole picture: the box covers (8/24)^2 of each slice.
   double red = 0.0;
   double blue = 0.0;
   for (unsigned int y = 90; y < preview->GetBufferedRegion().GetSize(1) - 60; ++y)

@@ -122,7 +122,7 @@ TEST(SeedFiles, AStrokeMarksAllVoxelsThatItPasses)
       enter = std::max(enter, (from - 0.5) / along[axis]);
       leave = std::min(leave, (from + 0.5) / along[axis]);
     }
-    if (std::abs(leave - enter) > 1e-9) // rounding decides for a corner that is only touched
+    if (std::abs(leave - enter) > 1e-9) // a touched corner depends on rounding
     {
       EXPECT_EQ(it.Get() == 2, leave > enter) << it.GetIndex();
       passed += leave > enter ? 1 : 0;
@@ -137,7 +137,7 @@ TEST(SeedFiles, MarkupsThatCannotBeSeedsAreRefused)
   auto       markups = MakeMarkups(image);
   markups[2].points.push_back(PlaceOf(image, { { 31, 2, 2 } }));
   EXPECT_EQ(MessageOf([&] { shapeton::SeedsOfMarkups(markups, image); }),
-            "point 3 of the markup \"bright\" lies outside the volume; place it on the volume that is segmented");
+            "point 3 of the markup \"bright\" is outside the volume; move it into the segmented volume");
   markups[2].points.back() = markups[0].points[0];
   EXPECT_NE(MessageOf([&] { shapeton::SeedsOfMarkups(markups, image); }).find("already a seed of label 1"),
             std::string::npos);
@@ -164,6 +164,6 @@ TEST(SeedFiles, LabelMapsLieOnTheGridAndHoldWholeNumbers)
   }
   const double moved[3] = { 0.0, 0.0, 0.0 };
   volume.image->SetOrigin(moved);
-  EXPECT_NE(MessageOf([&] { shapeton::SeedsOfVolume(volume, "map", image); }).find("size or position"),
+  EXPECT_NE(MessageOf([&] { shapeton::SeedsOfVolume(volume, "map", image); }).find("different grids"),
             std::string::npos);
 }

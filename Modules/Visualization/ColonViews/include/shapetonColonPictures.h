@@ -16,8 +16,8 @@ namespace shapeton
 {
 /** Inputs of pictures of a colon. Not owned.
  *
- * Only the lumen is required. The centerline is one curve from the anal verge on with the point arrays arcLength and
- * radius (mm) and, if there are gaps, gap (1 on a bridge over one, else 0). The wall may have a cell array bridged
+ * Only the lumen is required. The centerline is one curve starting at the anal verge, with the point arrays arcLength
+ * and radius (mm) and, if there are gaps, gap (1 on a bridge over one, else 0). The wall may have a cell array bridged
  * (1: interpolated over a gap).
  * \ingroup ShapetonColonViews */
 struct ColonParts
@@ -40,33 +40,33 @@ struct ColonSegment
   double distendedShare{ -1.0 };
 };
 
-/** Indices of the slices that show most of the lumen: the one with the largest area, and others evenly spaced over the
- * extent of the lumen. Ascending along the axis through the plane; all slices of the lumen if there are fewer.
+/** Indices of the slices that show most of the lumen, ascending: the slice with the largest lumen area, and others
+ * evenly spaced over the extent of the lumen. All slices of the lumen if it has fewer than requested.
  * \ingroup ShapetonColonViews */
 ShapetonColonViews_EXPORT std::vector<itk::IndexValueType>
-                  ChooseSlices(const itk::Image<unsigned char, 3> * lumen, SlicePlane plane, int number);
+                          ChooseSlices(const itk::Image<unsigned char, 3> * lumen, SlicePlane plane, int number);
 
 /** Slices side by side with the outlines of gas and fluid and the section of the wall; without a CT the lumen is
  * filled. The default window is that of CT colonography, -1100 to 500 HU.
  *
  * Throws std::invalid_argument without a lumen, or if the CT has another grid. \ingroup ShapetonColonViews */
 ShapetonColonViews_EXPORT Picture::Pointer
-                  DrawColonSlices(const ColonParts &      colon,
-                                  SlicePlane              plane,
-                                  int                     number = 3,
-                                  const IntensityWindow & window = { -1100.0, 500.0 });
+                          DrawColonSlices(const ColonParts &      colon,
+                                          SlicePlane              plane,
+                                          int                     number = 3,
+                                          const IntensityWindow & window = { -1100.0, 500.0 });
 
 /** Projects the colon along the volume's axis of a coronal or sagittal plane: the lumen thickness (mm) in gray, and the
  * centerline colored by the distance from the anal verge. Throws the same exceptions.
  * \ingroup ShapetonColonViews */
 ShapetonColonViews_EXPORT Picture::Pointer
-                  DrawColonProjection(const ColonParts & colon, SlicePlane plane);
+                          DrawColonProjection(const ColonParts & colon, SlicePlane plane);
 
-/** The wall from one side: opaque, or transparent with the centerline inside. Bridges have their own color, the ends
+/** The wall from one side: opaque, or transparent with the centerline inside. Bridges have a separate color; the ends
  * of the centerline are labeled. Throws std::invalid_argument without a wall, or without a centerline if transparent.
  * \ingroup ShapetonColonViews */
 ShapetonColonViews_EXPORT Picture::Pointer
-                  DrawColonWall(const ColonParts & colon, PatientSide side, bool isSolid);
+                          DrawColonWall(const ColonParts & colon, PatientSide side, bool isSolid);
 } // namespace shapeton
 
 #endif

@@ -11,7 +11,7 @@ namespace shapeton
 /** Options of the viewer page of a colon. \ingroup ShapetonColonViews */
 struct ColonViewerOptions
 {
-  /** If true, all data are in the page; otherwise in script files in its folder `data`, which load faster. */
+  /** If true, the page contains all data; otherwise script files in its folder `data` do, which load faster. */
   bool isSingle{ false };
   /** 8 bits hold -1024 to 512 HU in steps of 6 HU, 16 bits all values. */
   int bits{ 8 };
@@ -19,11 +19,11 @@ struct ColonViewerOptions
   double near{ 14.0 };
   /** Leaves out the series UIDs and the folder name. */
   bool isAnonymous{ false };
-  /** A verdicts.json saved by the page; may be empty. */
+  /** Path of a verdicts.json saved by the page; may be empty. */
   std::string verdicts;
-  /** The run of the other position of the patient; if empty, the one in the folder of the run, if any. */
+  /** Run of the patient's other position; if empty, the one in the folder of the run, if any. */
   std::string second;
-  /** The ColonRegistration folder for the run and `second`; without it, these positions are not linked. */
+  /** ColonRegistration folder for the run and `second`; without it, the positions are not linked. */
   std::string registration;
 };
 
@@ -31,9 +31,9 @@ struct ColonViewerOptions
  * space, the endoluminal view and slices with a linked crosshair, candidates, verdicts. The page works offline. With
  * verdicts, also writes `folder`/verdicts.mrk.json for 3D Slicer.
  *
- * `exam` is the folder of the run. With its folders `second` and `registration` the page shows both positions, linked
- * by the map. Equal input gives equal bytes. `outputPath` maps final names to the names to write to. `folder`, and its
- * folder `data` unless the page is single, must exist.
+ * `exam` is the folder of the run. If it contains the folders `second` and `registration`, the page shows both
+ * positions, linked by the map. Equal input gives equal bytes. `outputPath` maps final names to the names to write to.
+ * `folder`, and its folder `data` unless the page is single, must exist.
  *
  * Throws InputError for an unfinished run, a file not written by the run, verdicts of another examination or a map of
  * other positions; ParameterError for an option out of range; OutputError.

@@ -9,7 +9,7 @@ namespace shapeton
 /** Minimum caliber (mm) of a sufficiently distended colon. \ingroup ShapetonColonViews */
 constexpr double distendedCaliber = 10.0;
 
-/** Title and size of a DrawDistensionChart(). \ingroup ShapetonColonViews */
+/** Title and size of the picture of DrawDistensionChart(). \ingroup ShapetonColonViews */
 struct DistensionChartOptions
 {
   std::string title{ "Distension" };
@@ -18,17 +18,17 @@ struct DistensionChartOptions
   unsigned int height{ 460 };
 };
 
-/** The caliber (twice the radius of the centerline, mm) by the distance from the anal verge, with a line at 10 mm and
+/** The caliber (twice the radius of the centerline, mm) over the distance from the anal verge, with a line at 10 mm and
  * smaller calibers in another color, gaps shaded, and segment boundaries and names.
  *
- * Throws InputError if the centerline lacks the arrays arcLength or radius, std::invalid_argument for a too small
- * picture. \ingroup ShapetonColonViews */
+ * Throws InputError if the centerline lacks the arrays arcLength or radius, std::invalid_argument if the picture is too
+ * small. \ingroup ShapetonColonViews */
 ShapetonColonViews_EXPORT Picture::Pointer
-                  DrawDistensionChart(const CurveSet &                  centerline,
-                                      const std::vector<ColonSegment> & segments,
-                                      const DistensionChartOptions &    options = {});
+                          DrawDistensionChart(const CurveSet &                  centerline,
+                                              const std::vector<ColonSegment> & segments,
+                                              const DistensionChartOptions &    options = {});
 
-/** Plot area and axes of that picture. \ingroup ShapetonColonViews */
+/** Plot area and axes of the picture of DrawDistensionChart(). \ingroup ShapetonColonViews */
 ShapetonColonViews_EXPORT PlotFrame
 DistensionFrame(const CurveSet & centerline, const DistensionChartOptions & options = {});
 } // namespace shapeton

@@ -19,14 +19,14 @@ enum class FlatColoring
 
 /** "relief", "curvature", "volume". \ingroup ShapetonColonViews */
 ShapetonColonViews_EXPORT std::string
-                  NameOf(FlatColoring coloring);
+                          NameOf(FlatColoring coloring);
 
 /** Inputs of flat pictures of a colon. Not owned. \ingroup ShapetonColonViews */
 struct FlatColonParts
 {
   const FlatColon * flat{ nullptr };
-  /** One curve with the point array arcLength, used for the ruler if the surface has no arcLength, and for hatching
-   * sections that cannot be assessed, if it marks them. */
+  /** One curve with the point array arcLength. Provides the ruler if the surface has no arcLength, and the sections
+   * that cannot be assessed, which are hatched. */
   const CurveSet * centerline{ nullptr };
   /** Hounsfield units. */
   const itk::Image<float, 3> * ct{ nullptr };
@@ -43,7 +43,7 @@ struct FlatColonParts
 /** \class FlatColonPictures
  * \brief Pages of one flat colon, with settings suited to reading.
  *
- * Strips are painted with 2 x 2 samples per page pixel, up to 16 million samples, and averaged.
+ * Strips are painted with 2 x 2 samples per page pixel, at most 16 million in total, and averaged.
  * Curvature is averaged over 2 mm, normals over 1 mm.
  *
  * \ingroup ShapetonColonViews */

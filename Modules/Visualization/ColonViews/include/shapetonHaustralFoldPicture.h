@@ -11,7 +11,7 @@ namespace shapeton
 /** Inputs of a picture of folds. Not owned. \ingroup ShapetonColonViews */
 struct HaustralFoldPictureContent
 {
-  /** Flat colon of the folds. */
+  /** Flat colon on which the folds were found. */
   const FlatColon *     flat{ nullptr };
   const HaustralFolds * folds{ nullptr };
   /** Curves on the wall; may be null. */
@@ -20,15 +20,15 @@ struct HaustralFoldPictureContent
   std::vector<FlatAnnotation> annotations;
 };
 
-/** A page of the flat colon in rows (DrawFlatColonPage()): the relief, folds outlined in colors that differ from their
- * neighbors', green dots at their ends (larger if more reliable), taeniae as yellow lines. `pixelSize`: mm of the map
+/** A page of the flat colon in rows (DrawFlatColonPage()) with the relief. Folds are outlined, neighbors in different
+ * colors, with green dots at their ends (larger if more reliable); taeniae are yellow lines. `pixelSize`: mm of the map
  * at the mean circumference. Throws InputError and ParameterError as FlatColonGrid does.
  * \ingroup ShapetonColonViews */
 ShapetonColonViews_EXPORT Picture::Pointer
-                  DrawHaustralFolds(const HaustralFoldPictureContent & content,
-                                    double                             pixelSize,
-                                    const std::string &                title,
-                                    int                                greatestColumns = 1500);
+                          DrawHaustralFolds(const HaustralFoldPictureContent & content,
+                                            double                             pixelSize,
+                                            const std::string &                title,
+                                            int                                greatestColumns = 1500);
 } // namespace shapeton
 
 #endif

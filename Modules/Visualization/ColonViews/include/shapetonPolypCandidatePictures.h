@@ -11,8 +11,8 @@
 namespace shapeton
 {
 /** \class PolypCandidatePictures
- * \brief Close-ups of each candidate, as Figures 3.10 and 5.6 of the dissertation show polyps, and the flat colon with
- * all of them.
+ * \brief Close-ups of each candidate, as in Figures 3.10 and 5.6 of the dissertation, and the flat colon with
+ * all candidates.
  *
  * The head is tinted in all pictures. Equal input gives equal bytes for any number of threads. The colon must outlive
  * the object; its wall and flat map are required, and the centerline for endoluminal views.

@@ -9,7 +9,7 @@
 namespace shapeton
 {
 /** \defgroup RegistrationPictures Pictures of a colon in two positions
- * All use newly computed results or results read back by ReadRegistrationResults(). Equal parts give equal bytes for
+ * Results may be newly computed or read by ReadRegistrationResults(). Equal parts give equal bytes for
  * any number of threads. All throw InputError if the results belong to other examinations.
  * \ingroup ShapetonColonViews */
 ///@{
@@ -31,25 +31,25 @@ struct AlignedColonsOptions
   int greatestColumns{ 1500 };
 };
 
-/** Both flat walls in paired rows: the supine one, and below it the prone one in the supine frame, so that mapped
- * points are aligned. Matched folds share a color and are joined by a line (red if the map contradicts the pair, or if
- * known points show that it is wrong), unmatched folds are black; excluded sections are hatched. */
+/** Both flat walls in paired rows: the supine one, and below it the prone one in the supine frame, so mapped points are
+ * aligned. Matched folds share a color and are joined by a line (red if the map, or known points, contradict the
+ * pair); unmatched folds are black; excluded sections are hatched. */
 ShapetonColonViews_EXPORT Picture::Pointer
-                  DrawAlignedColons(const RegistrationParts & parts, const AlignedColonsOptions & options = {});
+                          DrawAlignedColons(const RegistrationParts & parts, const AlignedColonsOptions & options = {});
 
 /** Checkerboard of the curvature of both walls in the supine frame; folds continue from square to square where the map
  * is correct. */
 ShapetonColonViews_EXPORT Picture::Pointer
-                  DrawCurvatureCheckerboard(const RegistrationParts & parts, const AlignedColonsOptions & options = {});
+DrawCurvatureCheckerboard(const RegistrationParts & parts, const AlignedColonsOptions & options = {});
 
 /** Confidence along the supine colon: mean and minimum around the tube; excluded sections are gray. */
 ShapetonColonViews_EXPORT Picture::Pointer
-                  DrawConfidenceChart(const RegistrationParts & parts);
+                          DrawConfidenceChart(const RegistrationParts & parts);
 
 /** Errors of the points along the supine colon, a dot for each counted point. Throws std::invalid_argument without
  * points. */
 ShapetonColonViews_EXPORT Picture::Pointer
-                  DrawErrorChart(const RegistrationParts & parts);
+                          DrawErrorChart(const RegistrationParts & parts);
 ///@}
 } // namespace shapeton
 

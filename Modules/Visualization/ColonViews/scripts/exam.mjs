@@ -176,8 +176,8 @@ export class Exam {
     return this.wall.ray(eye, unit(d), norm(d) - 1.5, true) !== null;
   }
 
-  // Best view of a point of the wall: {index of the centerline, eye}. eye is null on the centerline: unoccluded, about 25 mm away,
-  // close to perpendicular. If no point of the centerline sees it, for example behind a fold, the eye is in front of the wall.
+  // Best view of a point of the wall: {index of the centerline, eye}. If eye is null, the view is from the centerline, unoccluded,
+  // close to perpendicular, about 25 mm away. If no such point exists, for example behind a fold, the eye is in front of the wall.
   viewpoint(place) {
     const mid = this.centerAt(place.arc), n = this.inward(place.face), reach = 60;
     let best = { score: -Infinity, index: mid };
@@ -209,7 +209,7 @@ export class Exam {
     return normalOf(this.points, this.faces, face).map((x) => this.side * x);
   }
 
-  // Millimeters along the axes of the image, from the center of its first voxel; and back.
+  // LPS to millimeters along the image axes from the center of the first voxel, and back.
   toImage(p) { const d = sub(p, this.volume.origin); return this.volume.axes.map((a) => dot(d, a)); }
   fromImage(q) { return this.volume.origin.map((o, k) => o + this.volume.axes.reduce((s, a, j) => s + q[j] * a[k], 0)); }
 

@@ -8,7 +8,7 @@ function canvasOf(columns, rows) {
   return Object.assign(document.createElement('canvas'), { width: columns, height: rows });
 }
 
-// The flat wall as seen from inside: u to the right from the rectum on, v around the tube, wrapping.
+// The flat wall as seen from inside: u runs to the right from the rectum; v wraps around the tube.
 export class FlatView extends View {
   constructor(root, panel) {
     super(root, 'flat', 'flat wall');
@@ -36,7 +36,7 @@ export class FlatView extends View {
     return marks.filter(Boolean).map((c) => ({ cm: Math.round(c.arc / 10), u: exam.fromXyz(c.xyz).uv[0] }));
   }
 
-  // The layers have a separate image, redrawn after changes.
+  // The layers are a separate image, redrawn after changes.
   repaintLayers() {
     const { columns, rows } = this.relief, image = new ImageData(columns, rows);
     paintFlat(this.panel.exam, this.panel.layers, image);

@@ -4,8 +4,8 @@ const SIGHT = 200;    // mm; wall farther away counts as unseen
 const AROUND = 250;  // mm along the colon, ahead of and behind the eye
 const TOLERANCE = 0.2; // mm, so that a face does not hide itself
 
-// Faces seen during the flight: the center of the face is inside the picture and not occluded. Wall interpolated over a gap does
-// not count. The eye moves immediately; faces are tested in idle time.
+// Faces seen during the flight: the center of the face is inside the picture and not occluded. Interpolated wall is excluded.
+// The eye moves immediately; faces are tested in idle time.
 export class Seen {
   constructor(exam) {
     const { points: P, faces: F } = exam, n = F.length / 3;

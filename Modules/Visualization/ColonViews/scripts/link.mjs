@@ -1,7 +1,7 @@
 import { distance, third } from '../../../Core/Report/scripts/math.mjs';
 import { hitOf, Tree } from './tree.mjs';
 
-// Faces of a position on the map of the other one, as separate triangles, because faces that cross its cut are kept whole.
+// Faces of a position on the map of the other one. Triangles do not share vertices, because faces may cross the cut of that map.
 // uv: vertex coordinates on the other map, of circumference c.
 function imageOf({ faces }, uv, c) {
   const points = new Float64Array(3 * faces.length);
@@ -19,9 +19,9 @@ function sizeOf({ points, faces }, face) {
   return Math.max(distance(a, b), distance(b, c), distance(c, a));
 }
 
-// Mappings between two positions. Each vertex has its position on the flat map of the other one; mapped: these (u, v).
-// Between vertices the map is interpolated, because a straight line in space would leave the wall. Where the forward map
-// stretches the faces more than the backward map, the latter has more vertices, and its inverse is used.
+// Mappings between two positions. mapped: (u, v) of each vertex on the flat map of the other position. Between vertices (u, v)
+// is interpolated, because a straight line in space would leave the wall. Where the forward map stretches the faces more than
+// the backward map, the inverse of the latter is used, because it has more vertices.
 export class Link {
   constructor(exams, mapped) {
     Object.assign(this, { exams, images: exams.map((exam, k) => imageOf(exam, mapped[k], exams[1 - k].circumference)) });

@@ -98,7 +98,7 @@ export class Painter {
 
 const SIDES = 4;
 
-// A tube around a polyline, to draw a line that has a width.
+// A tube around a polyline, to draw a thick line.
 export function tube(painter, line, radius, color) {
   const points = [], normals = [], faces = [];
   let side = [0, 0, 1];

@@ -57,7 +57,7 @@ export class Panel {
     this.slices.forEach((v) => v.changed());
   }
 
-  // Sets the crosshair. from: the view where it was set, which keeps its direction.
+  // Sets the crosshair. from: the view where it was set; its view direction stays.
   set(place, from = null) {
     this.follow(place, from);
     this.notify(this);
@@ -71,7 +71,7 @@ export class Panel {
     this.notify(this);
   }
 
-  // The same without the callback, for the crosshair of the other position.
+  // Sets the crosshair without the callback, for moves of the other position.
   follow(place, from = null) {
     this.place = place;
     if (from !== this.flat) this.flat.reveal(place);
@@ -79,7 +79,7 @@ export class Panel {
     this.changed();
   }
 
-  // Flies along the centerline by this number of millimeters, in the direction of flight.
+  // Flies by this distance (mm) along the centerline in the direction of flight.
   fly(mm) {
     const { center } = this.exam, i = this.inside;
     i.go(this.exam.centerAt(center[i.index].arc + mm * i.way));
@@ -90,7 +90,7 @@ export class Panel {
     return way > 0 ? index === this.exam.center.length - 1 : index === 0;
   }
 
-  // After a move of the eye, sets the crosshair to the wall ahead of it.
+  // Sets the crosshair to the wall ahead of the eye.
   flown() {
     const camera = this.inside.camera(), place = this.exam.fromRay(camera.eye, sub(camera.at, camera.eye));
     const isNear = place && distance(place.xyz, camera.eye) < EYE_REACH;
@@ -101,7 +101,7 @@ export class Panel {
     this.notify(this);
   }
 
-  // Two points and the paths between them; a third point starts over.
+  // Adds a point to the measurement and computes the paths between both points; a third point starts over.
   startMeasure(done = null) { this.measure = { places: [], done }; this.changed(); }
   endMeasure() { this.measure = null; this.changed(); }
 
@@ -113,7 +113,7 @@ export class Panel {
     const [a, b] = m.places, straight = distance(a.xyz, b.xyz), isOnWall = Math.max(a.off, b.off) < ON_WALL;
     m.path = isOnWall ? this.exam.paths().between(a, b) : null;
     m.lengths = { straight, wall: m.path ? m.path.length : null, line: Math.abs(a.arc - b.arc) };
-    const wall = m.path ? `${m.path.length.toFixed(1)} mm` : isOnWall ? 'more than 1 m' : 'unknown (a place is off the wall)';
+    const wall = m.path ? `${m.path.length.toFixed(1)} mm` : isOnWall ? 'more than 1 m' : 'unknown (a point is off the wall)';
     m.text = `straight ${straight.toFixed(1)} mm · along the wall ${wall} · along the centerline ${m.lengths.line.toFixed(1)} mm`;
     if (m.done) m.done(straight);
   }

@@ -84,7 +84,7 @@ export class SliceView extends View {
     g.drawImage(this.image, x - (f.s * dx) / 2, y - (f.s * dy) / 2, nx * dx * f.s, ny * dy * f.s);
   }
 
-  // Windowed gray values of a slice. Means of 4^3 voxels are bluish, to distinguish them from scanned voxels.
+  // Windowed gray values of a slice. Means of 4^3 voxels are bluish to distinguish them from original voxels.
   fill(index) {
     const { exam: { volume: v }, window: [width, level] } = this.panel, key = [index, width, level].join();
     if (key === this.key) return;

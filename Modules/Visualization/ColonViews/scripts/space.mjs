@@ -103,8 +103,8 @@ export class OutsideView extends SpaceView {
 const REACH = 90;    // range of the light inside the colon, mm
 const STRETCH = 250; // visible range along the colon ahead of and behind the eye, mm
 
-// An eye on the centerline. Its vertical field of view is 120 degrees; with 92, a flight both ways misses a tenth of the wall.
-// way: 1 to the cecum, -1 to the rectum; look: the target point, if any; otherwise yaw and pitch apply.
+// An eye on the centerline. Its vertical field of view is 120 degrees; at 92 degrees, a flight in both directions misses a tenth of
+// the wall. way: 1 to the cecum, -1 to the rectum; look: the target point, if any; otherwise yaw and pitch apply.
 export class EndoView extends SpaceView {
   constructor(root, panel) {
     super(root, 'inside', 'from the centerline', panel);
@@ -116,7 +116,7 @@ export class EndoView extends SpaceView {
   // Moves to the best view of a point of the wall.
   lookAt(place) {
     Object.assign(this, this.panel.exam.viewpoint(place), { look: place.xyz, yaw: 0, pitch: 0 });
-    this.label.textContent = this.eye ? 'from beside the centerline' : 'from the centerline';
+    this.label.textContent = this.eye ? 'off the centerline' : 'from the centerline';
   }
 
   camera() {

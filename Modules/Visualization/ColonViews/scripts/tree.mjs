@@ -106,7 +106,7 @@ export class Tree {
     return lo <= hi;
   }
 
-  // Unrolled by coordinate: a flight needs a million of these for the seen areas.
+  // Unrolled by coordinate for speed: a flight casts a million rays to find the seen areas.
   hit(f, o, d, far) {
     const { points: P, faces: F } = this;
     const a = 3 * F[3 * f], b = 3 * F[3 * f + 1], c = 3 * F[3 * f + 2];
@@ -195,7 +195,7 @@ export function normalOf(points, faces, face) {
 // The face of a map of circumference c that contains (u, v), or null.
 export function hitOf(tree, c, [u, v]) {
   const rest = v - c * Math.floor(v / c);
-  for (const k of [0, -1, 1]) { // the cut deviates from v = 0 by less than a turn
+  for (const k of [0, -1, 1]) { // the cut is within one turn of v = 0
     const hit = tree.ray([u, rest + k * c, -1], [0, 0, 1]);
     if (hit) return hit;
   }

@@ -113,7 +113,7 @@ export class Verdicts {
   }
 
   buttons(finding) {
-    const size = element('button', { type: 'button', textContent: 'size', title: 'measure it with two clicks' });
+    const size = element('button', { type: 'button', textContent: 'size', title: 'measure with two clicks' });
     size.onclick = () => this.actions.resize(finding);
     const remove = element('button', { type: 'button', textContent: 'remove' });
     remove.onclick = () => this.removeFinding(finding);
@@ -131,7 +131,7 @@ export class Verdicts {
     this.actions.changed();
   }
 
-  // Replaces all entries by the text of a file. Throws a message for the reader if it is unsuitable, without changes.
+  // Replaces all entries by those in the text of a file. Throws an error with a user message, and changes nothing, if invalid.
   open(text) {
     let saved;
     try { saved = JSON.parse(text); } catch { throw new Error('This file is not JSON: choose a verdicts.json saved by this page.'); }

@@ -220,7 +220,7 @@ class Viewer {
     const { panel, verdicts } = this, { seen } = panel.exam;
     $('status').textContent = panel.describe();
     $('share').textContent = seen.sum ? `wall seen in flight: ${(100 * seen.share).toFixed(1)} %` : '';
-    $('trust').textContent = !this.maps ? '' : this.trust === null ? 'not visible in one position: the other place is unreliable'
+    $('trust').textContent = !this.maps ? '' : this.trust === null ? 'not visible in one position: the mapped point is unreliable'
       : this.trust === undefined ? '' : `confidence of the map ${this.trust.toFixed(2)}`;
     $('unsaved').textContent = verdicts?.isSaved === false ? 'not saved yet' : '';
     $('way').textContent = panel.inside.way > 0 ? '→ cecum' : '← anal verge';
@@ -255,7 +255,7 @@ class Viewer {
 
 // Notices to show before reading.
 function tellMissing(info, painter) {
-  if (!painter.gl) notice('This browser has no WebGL 2: flat wall, slices and verdicts work, the two views in space do not.');
+  if (!painter.gl) notice('This browser has no WebGL 2: flat wall, slices and verdicts work, both 3D views do not.');
   for (const position of info.positions) {
     const { missing, name } = position, what = missing.filter((m) => m !== 'CT');
     if (missing.includes('CT')) notice('This run was made from a lumen mask: slices show the mask, not a CT.');

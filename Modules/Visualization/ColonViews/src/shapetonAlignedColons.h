@@ -78,9 +78,9 @@ private:
 
   RegistrationParts     m_Parts;
   const FlatColonGrid & m_Grid;
-  const FlatColonGrid & m_Fine; ///< grid of the supine wall that is painted on
+  const FlatColonGrid & m_Fine; ///< grid of the supine wall, which is painted
   const FlatColonAxis & m_FineAxis;
-  const FlatColonGrid & m_Prone; ///< grid of the prone wall, equally fine
+  const FlatColonGrid & m_Prone; ///< grid of the prone wall, of the same resolution
   const FlatColonAxis & m_ProneAxis;
   std::vector<double>   m_Distances;
 };

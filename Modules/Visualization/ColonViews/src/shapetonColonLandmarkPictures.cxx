@@ -45,7 +45,7 @@ AddSegmentLegend(const ColonSegments & segments, SurfaceRenderingOptions & optio
   }
 }
 
-/** Point of the loop that faces the viewer, because labels inside the colon would be hidden. */
+/** Point of the loop nearest to the viewer, because labels inside the colon would be hidden. */
 Eigen::Vector3d
 FrontOfLoop(const ColonLandmarks & landmarks, const SegmentBorder & border, const PatientView & view)
 {
@@ -84,7 +84,7 @@ AddTaeniae(const ColonTaeniae & taeniae, std::vector<CurveSet> & sets, SurfaceSc
   }
 }
 
-/** Line of a closed walk on the map. */
+/** Closed path on the map as a line. */
 FlatLine
 LineOfLoop(const ColonWallTube & tube, const SurfaceWalk & loop)
 {

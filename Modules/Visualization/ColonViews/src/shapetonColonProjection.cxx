@@ -53,7 +53,6 @@ public:
     return m_Values[this->PlaceOf(index)];
   }
 
-  /** At least 1. */
   double
   Greatest() const
   {
@@ -139,7 +138,7 @@ struct Box
   int halfHeight;
 };
 
-/** Whether text there is inside the picture and avoids the orientation letters at the centers of its sides. */
+/** Whether a label is inside the picture and does not cover the orientation letters at the centers of the sides. */
 bool
 IsFree(const Box & text, int width, int height)
 {

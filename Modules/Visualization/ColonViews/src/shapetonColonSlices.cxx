@@ -45,7 +45,7 @@ PaintPanel(const ColonParts & colon, const SliceView & view, const IntensityWind
       },
       1.0);
   }
-  // The wall is drawn first: it is visible where it departs from the outlines.
+  // The wall is drawn first, so it is visible only where it differs from the outlines.
   constexpr double thickness = 1.5;
   if (colon.wall)
   {

@@ -47,7 +47,8 @@ RegistrationOf(const std::string & exam, const ColonViewerOptions & options)
   return options.second.empty() && Exists(ofRun + "/map-supine-to-prone.vtp") ? ofRun : options.registration;
 }
 
-/** Identity that verdicts refer to: the flat wall, which depends on all earlier results, and the list of candidates. */
+/** Identity of the examination for verdicts: the flat wall, which depends on all earlier results, and the
+ * candidates. */
 std::string
 Fingerprint(const std::vector<std::string> & folders)
 {
@@ -117,7 +118,7 @@ WriteColonViewer(const std::string &        exam,
   RequireParameter(options.bits == 8 || options.bits == 16, "the parameter \"bits\" must be 8 or 16");
   RequireParameter(options.near >= 0.0 && options.near <= 100.0, "the parameter \"near\" must be from 0 to 100 mm");
   RequireParameter(options.registration.empty() || !options.second.empty(),
-                   "the parameter \"registration\" needs \"second\", the run that it links with the first");
+                   "the parameter \"registration\" requires \"second\"");
   const std::vector<std::string> folders = PositionsOf(exam, options);
   PageBlocks                     blocks(folder + "/data", options.isSingle, outputPath);
   Json                           positions = Json::array();

@@ -60,7 +60,7 @@ PatternOf(const ConformalMap & map, int checks)
   {
     return Checkerboard(longer / checks);
   }
-  // The checks match along the cut if a turn has an even number of them.
+  // An even number of checks per turn makes the pattern continuous across the cut.
   const double circumference = FlatCircumference(map.flat, "the map");
   const double around = 2.0 * std::max(1.0, std::round(0.5 * checks * circumference / longer));
   return Checkerboard(circumference / around);

@@ -48,7 +48,7 @@ PlaceAt(const Stations & stations, double distance)
   return { before->caliber + share * (after->caliber - before->caliber), before->isGap || after->isGap, true };
 }
 
-/** The areas under the curve, and the gaps, column by column. */
+/** Draws the areas under the curve, and the gaps, column by column. */
 void
 DrawAreas(Picture * picture, const PlotFrame & frame, const Stations & stations)
 {
@@ -183,7 +183,7 @@ DistensionFrame(const CurveSet & centerline, const DistensionChartOptions & opti
 {
   if (options.width < 500 || options.height < 300)
   {
-    throw std::invalid_argument("the picture of a distension chart needs at least 500 x 300 pixels");
+    throw std::invalid_argument("the picture of a distension chart must have at least 500 x 300 pixels");
   }
   PlotFrame frame;
   frame.left = 90;

@@ -74,7 +74,7 @@ FlatColonPictures::Draw(FlatColoring coloring, const std::string & title, int gr
 {
   if (coloring == FlatColoring::Volume && !m_Parts.ct)
   {
-    throw std::invalid_argument("a volume rendering needs a CT");
+    throw std::invalid_argument("a volume rendering requires a CT");
   }
   Picture::Pointer strip = this->Paint(coloring);
   if (m_Fine)

@@ -13,7 +13,7 @@ ReduceStrip(const Picture * strip, unsigned int factor, unsigned int width, unsi
   const auto size = strip->GetLargestPossibleRegion().GetSize();
   if (factor < 1 || (width - 1) * factor >= size[0] || (height - 1) * factor >= size[1])
   {
-    throw std::invalid_argument("a strip cannot be reduced to so many pixels");
+    throw std::invalid_argument("the size of the strip must be a multiple of the reduced size");
   }
   std::array<float, 256> linear{};
   for (int i = 0; i < 256; ++i)

@@ -83,7 +83,7 @@ DrawSpot(Picture * picture, const FlatPageRow & place, const PlacedAnnotation & 
   DrawRimmedText(picture, placed.annotation.text, textX, static_cast<int>(std::lround(y)), style, InkColor);
 }
 
-/** Two slanted lines across the strip that mark an omission. */
+/** Draws two slanted lines across the strip, which mark an omission. */
 void
 DrawBreak(Picture * picture, const FlatPageRow & place, int x)
 {
@@ -100,7 +100,7 @@ DrawBreak(Picture * picture, const FlatPageRow & place, int x)
   }
 }
 
-/** A step of 1, 2 or 5 times a power of ten, in cm, with `least` pixels or more between labels. */
+/** Label spacing in cm: 1, 2 or 5 times a power of ten, at least `least` pixels. */
 double
 LabelStep(double pixelsPerCm, double least)
 {
@@ -124,7 +124,7 @@ LengthShown(const FlatColonRow & row, const std::vector<double> & distanceOfColu
   return length;
 }
 
-/** The segment that began before this row, unless the label of the next one is at the same position. */
+/** The segment that continues from the previous row, unless the next segment's label is at the same position. */
 const PlacedAnnotation *
 SegmentGoingOn(const FlatPageRow & place, const std::vector<PlacedAnnotation> & annotations, const TextStyle & style)
 {
@@ -152,7 +152,7 @@ DrawStripOfRow(Picture * picture, const FlatPageRow & place, const Picture * str
 {
   constexpr int    hatchPeriod = 8;
   constexpr double pale = 0.5;
-  constexpr double madeUp = 0.85; // this part is not wall
+  constexpr double madeUp = 0.85; // not part of the wall
   const int        stripWidth = grid.Columns();
   const RGBColor * source = strip->GetBufferPointer();
   for (int x = 0; x < place.Width(); ++x)
@@ -200,7 +200,7 @@ DrawRulerOfRow(Picture * picture, const FlatPageRow & place, const std::vector<d
   FillRectangle(picture, place.left, top, place.Width(), 1, InkColor);
   const TextStyle style = StyleOf(14, InkColor, HorizontalAnchor::Center, VerticalAnchor::Top);
   int             lastTick = place.left - leastDistance;
-  int             labelEnd = place.left - 5; // right of the unit
+  int             labelEnd = place.left - 5; // to the right of the unit
   for (const FlatColonTick & tick : RulerTicks(distanceOfColumns, millimetersPerCm * tickStep))
   {
     if (!place.row.Shows(tick.column))

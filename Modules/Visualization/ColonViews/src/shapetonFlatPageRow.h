@@ -43,7 +43,7 @@ struct FlatPageRow
   {
     return this->StripTop() + this->StripHeight() + ruler;
   }
-  /** x coordinate in the picture of a position in grid columns (0: left edge of the first one). */
+  /** Converts grid columns (0: left edge of the first column) to an x coordinate of the picture. */
   double
   XOf(double column) const
   {

@@ -49,7 +49,7 @@ ColorsOfTissue(double darkest, double colorStep)
   return colors;
 }
 
-/** Opacity of a sample at the center of a piece of this length, from gas to tissue; the last one is repeated. */
+/** Opacities of a ray segment of this length, from gas to tissue; the last one is repeated. */
 std::vector<float>
 OpacitiesOf(double extinction, double length)
 {
@@ -69,7 +69,7 @@ VolumeOf(const itk::Image<float, 3> * ct)
   const auto &    size = ct->GetLargestPossibleRegion().GetSize();
   const auto &    spacing = ct->GetSpacing();
   WallVolume      volume{};
-  Eigen::Matrix3d axes; // columns: a step of each index in space
+  Eigen::Matrix3d axes; // columns: the step of each index in space
   volume.voxels = ct->GetBufferPointer();
   for (int k = 0; k < 3; ++k)
   {
@@ -100,7 +100,8 @@ public:
   WallRays(const itk::Image<float, 3> * ct, const FlatVolumeOptions & options) : m_Volume(VolumeOf(ct))
   {
     constexpr double stepInVoxels = 0.4;
-    // On the boundary, the mean of gas and contrast medium would look like tissue; 1.5 voxels farther out it does not.
+    // On the boundary, the partial volume of gas and contrast medium looks like tissue; 1.5 voxels farther out it does
+    // not.
     constexpr double voxelsBehind = 1.5;
     m_Look.gas = options.gas;
     m_Look.tissue = options.tissue;
@@ -128,7 +129,7 @@ public:
     });
   }
 
-  /** Renders as many rows at a time as the GPU takes rays. */
+  /** Renders as many rows at a time as fit into one batch of rays of the GPU. */
   Picture::Pointer
   PaintOnGpu(const FlatColonGrid & grid, const FlatColonAxis & axis) const
   {
@@ -201,7 +202,7 @@ RequireCover(const FlatColonGrid & grid, const itk::Image<float, 3> * ct)
   if (share > greatestShare)
   {
     throw InputError("the volume does not contain the surface: " + CsvTable::Rounded(100.0 * share, 3) +
-                     " % of it are outside; give the CT that the surface was made from");
+                     " % of it is outside; use the CT from which the surface was computed");
   }
 }
 } // namespace

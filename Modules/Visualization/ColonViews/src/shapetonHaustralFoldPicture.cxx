@@ -23,7 +23,7 @@ GridOptionsFor(double pixelSize)
   return options;
 }
 
-/** Neighbors along the colon differ, and all contrast with mucosa, the green of ends and the yellow of taeniae. */
+/** Colors of consecutive folds differ, and contrast with the mucosa, the green ends and the yellow taeniae. */
 RGBColor
 ColorOf(int label)
 {

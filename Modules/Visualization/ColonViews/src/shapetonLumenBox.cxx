@@ -11,8 +11,8 @@ namespace shapeton
 {
 namespace
 {
-/** Position of the next nonzero value from `begin` on, or `end`. Tests eight voxels at once, because most of a volume
- * is not lumen. */
+/** Position of the first nonzero value at or after `begin`, or `end`. Tests eight voxels at once, because most of a
+ * volume is not lumen. */
 const unsigned char *
 NextFilled(const unsigned char * begin, const unsigned char * end)
 {
@@ -84,7 +84,7 @@ CheckParts(const ColonParts & colon)
 {
   if (!colon.lumen || colon.lumen->GetBufferedRegion().GetNumberOfPixels() == 0)
   {
-    throw std::invalid_argument("a picture of the colon needs its lumen");
+    throw std::invalid_argument("a picture of the colon requires its lumen");
   }
   if (colon.ct &&
       (colon.ct->GetBufferedRegion() != colon.lumen->GetBufferedRegion() || !HaveSameGrid(colon.ct, colon.lumen)))

@@ -29,14 +29,14 @@ CheckColor(double column, double row)
 PlanePattern
 Checkerboard(double side)
 {
-  Require(side > 0.0, "a check needs a side greater than 0");
+  Require(side > 0.0, "the side of a check must be greater than 0");
   return [side](double u, double v) { return CheckColor(u / side, v / side); };
 }
 
 PlanePattern
 PolarCheckerboard(int around)
 {
-  Require(around > 0 && around % 2 == 0, "checks around an annulus come in pairs");
+  Require(around > 0 && around % 2 == 0, "the number of checks around an annulus must be even and positive");
   const double perRadian = around / (2.0 * Pi);
   return [perRadian](double u, double v) {
     return CheckColor(perRadian * std::log(std::hypot(u, v)), perRadian * std::atan2(v, u));
@@ -46,12 +46,12 @@ PolarCheckerboard(int around)
 PlanePattern
 LevelSets(double lower, double upper, double width)
 {
-  Require(lower < upper && width > 0.0, "level sets need an ascending range and a width");
+  Require(lower < upper && width > 0.0, "level sets require an ascending range and a positive width");
   return [=](double u, double) {
     const double     band = std::floor((u - lower) / width);
     const double     within = (u - lower) / width - band;
     const RGBColor   color = HeatColor((band + 0.5) * width / (upper - lower));
-    constexpr double line = 0.06; // fraction of the width, on either side of a level
+    constexpr double line = 0.06; // fraction of the band width, on each side of a level
     return std::min(within, 1.0 - within) < line ? MixColors(color, MakeColor(20, 22, 28), 0.8) : color;
   };
 }

@@ -33,7 +33,7 @@ const RGBColor   head = MakeColor(92, 138, 236);
 const RGBColor   ground = MakeColor(18, 19, 25);
 const RGBColor   lightInk = MakeColor(222, 226, 234);
 
-/** Lit as on the strips of FlatColonView: from the left and slightly above. */
+/** Same light as on strips: from the left and slightly above. */
 RGBColor
 Lit(const RGBColor & color, const FlatColonFrame & frame, const Vector3d & normal)
 {
@@ -49,7 +49,7 @@ Lit(const RGBColor & color, const FlatColonFrame & frame, const Vector3d & norma
   return lit;
 }
 
-/** mm of wall per mm of the map around a position; the heads of polyps are small on the map. */
+/** Local scale: mm of wall per mm of the map. The heads of polyps are small on the map. */
 double
 MeanScaleAround(const FlatColonGrid & grid, const FlatPixel & middle)
 {
@@ -151,14 +151,14 @@ struct PolypCandidatePictures::Data
   const FlatColonAxis & axis;
   SurfaceLocator        wall;
   VertexMatrix          inwardNormals;
-  SurfaceMesh           wallWithHeads; ///< its one point array is 1 in the heads, else 0
+  SurfaceMesh           wallWithHeads; ///< with one point array: 1 in the heads, else 0
 };
 
 PolypCandidatePictures::PolypCandidatePictures(const PolypColon & colon, const std::vector<PolypCandidate> & candidates)
 {
   if (!colon.flat)
   {
-    throw InputError("pictures of candidates need the flat colon; run VirtualColonoscopy or ColonFlattening");
+    throw InputError("pictures of candidates require the flat colon; run VirtualColonoscopy or ColonFlattening");
   }
   m_Data = std::make_unique<const Data>(colon, candidates);
 }

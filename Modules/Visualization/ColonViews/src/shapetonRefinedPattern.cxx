@@ -7,7 +7,7 @@ namespace shapeton
 {
 namespace
 {
-/** Sufficient for smooth shading. */
+/** Maximum number of parts; sufficient for smooth shading. */
 constexpr Eigen::Index enoughFaces = 50000;
 /** Faces are subdivided down to this fraction of the whole shape, about two pixels. */
 constexpr double finest = 1.0 / 500.0;

@@ -16,7 +16,7 @@ const RGBColor colorOfAlone = MakeColor(24, 24, 28);
 const RGBColor colorOfDoubt = MakeColor(230, 20, 20);
 constexpr char seenFrom[] = "Seen from the lumen, rectum at the left. For research use; not a diagnosis.";
 
-/** Neighbors along the colon differ; all contrast with mucosa, black and red. */
+/** Colors of consecutive folds differ, and contrast with the mucosa, black and red. */
 RGBColor
 ColorOfPair(std::size_t pair)
 {

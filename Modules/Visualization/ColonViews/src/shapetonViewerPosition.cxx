@@ -263,7 +263,7 @@ RequireSameFaces(const SurfaceMesh & mesh, const SurfaceMesh & flat, const std::
   if (mesh.F.rows() != flat.F.rows() || mesh.F != flat.F)
   {
     throw InputError("the file \"" + path +
-                     "\" belongs to another surface than flattening/flat.vtp of its position; run again");
+                     "\" does not match the surface flattening/flat.vtp of its position; run VirtualColonoscopy again");
   }
 }
 
@@ -279,11 +279,11 @@ void
 PutPoints(PageBlocks & blocks, const std::string & prefix, const SurfaceMesh & mesh, const std::string & path)
 {
   blocks.PutReals(prefix + "points", mesh.V);
-  // Faces of folds may measure only thousandths of a millimeter on the map.
+  // Faces on folds may be only thousandths of a millimeter large on the map.
   blocks.PutReals<std::uint32_t>(prefix + "uv", ValuesOf(mesh.pointArrays, "uv", path));
   blocks.PutReals(prefix + "arc", ValuesOf(mesh.pointArrays, "arcLength", path));
-  // Equal on both sides of the cut. Renumbered, because a page indexes an array with them.
-  const SurfaceArray::ValueMatrix      sources = ValuesOf(mesh.pointArrays, "sourcePointId", path);
+  // Equal on both sides of the cut; renumbered because the page uses them as array indices.
+  const SurfaceArray::ValueMatrix sources = ValuesOf(mesh.pointArrays, "sourcePointId", path);
   std::vector<std::uint32_t> first(static_cast<std::size_t>(sources.maxCoeff()) + 1, mesh.NumberOfVertices());
   std::vector<std::uint32_t> source(mesh.NumberOfVertices());
   for (int vertex = 0; vertex < mesh.NumberOfVertices(); ++vertex)
@@ -295,7 +295,6 @@ PutPoints(PageBlocks & blocks, const std::string & prefix, const SurfaceMesh & m
   blocks.Put(prefix + "source", source, 1);
 }
 
-/** Returns the points of the wall. */
 VertexMatrix
 PutWall(PageBlocks &        blocks,
         const std::string & prefix,
@@ -322,7 +321,7 @@ PutWall(PageBlocks &        blocks,
   return mesh.V;
 }
 
-/** The CT without its tagged fluid; for a run on a lumen mask, the mask itself. */
+/** The cleansed CT; the mask itself for a run on a lumen mask. */
 void
 PutVolume(PageBlocks &               blocks,
           const std::string &        prefix,

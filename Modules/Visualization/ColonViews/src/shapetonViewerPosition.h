@@ -19,9 +19,9 @@ PutViewerPosition(PageBlocks &               blocks,
                   const std::string &        exam,
                   const ColonViewerOptions & options);
 
-/** Adds the map from the position in the folder `exam` to the other one: `prefix`mapped, the mapped position (LPS, mm)
+/** Adds the map from the position in `exam` to the other one: `prefix`mapped, the mapped position (LPS, mm)
  * of each point, and `prefix`trust, its confidence times 200, or 255 if the wall is not visible in one position. Throws
- * InputError for a map of another wall. */
+ * InputError if the map belongs to another wall. */
 void
 PutViewerMap(PageBlocks & blocks, const std::string & prefix, const std::string & exam, const std::string & path);
 } // namespace shapeton

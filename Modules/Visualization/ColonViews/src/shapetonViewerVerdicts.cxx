@@ -65,7 +65,7 @@ ReadVerdicts(const std::string & path, const Json & exam)
     }
     if (verdicts.at("exam").at("sha256") != exam.at("sha256"))
     {
-      Refuse(path, "belong to another examination; give verdicts saved for this one");
+      Refuse(path, "belong to another examination; use verdicts saved for this one");
     }
     MarkupOfVerdicts(verdicts, Json::array());
   }

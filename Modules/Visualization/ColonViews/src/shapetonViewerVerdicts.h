@@ -6,8 +6,8 @@
 
 namespace shapeton
 {
-/** Reads verdicts saved by the page. Throws InputError for another format or another examination than `exam`, which has
- * the member sha256. */
+/** Reads verdicts saved by the page. Throws InputError if the format is unknown, or the examination is not `exam`,
+ * which has the member sha256. */
 Json
 ReadVerdicts(const std::string & path, const Json & exam);
 

@@ -134,7 +134,7 @@ Widened(const std::vector<char> & marked, const BlockGrid & grid, int axis, int 
   return wide;
 }
 
-/** 1 for blocks without a lumen voxel within `near` mm. Uses boxes around the lumen, so it never marks too many. */
+/** 1 for blocks without a lumen voxel within `near` mm. Conservative: uses boxes around the lumen. */
 std::vector<std::uint8_t>
 FarBlocks(const MaskType & lumen, const VolumeType::RegionType & box, const BlockGrid & grid, double near)
 {

@@ -33,7 +33,7 @@ struct WallLook
   int           inside; ///< maximum number of steps into the lumen
   int           outside;
   double        stepsBehind; ///< where the color of the boundary is sampled
-  const float * opacities;   ///< per sample, from gas to tissue inclusive, last one repeated
+  const float * opacities;   ///< per sample, from gas to tissue; the last one is repeated
   float         darkest;     ///< intensity of the first color
   float         colorStep;
   const float * colors; ///< linear red, green, blue
@@ -160,7 +160,7 @@ ColorOf(const WallLook & look, float hu)
   return look.colors + 3 * Smaller(Larger(color, 0), WallLook::numberOfColors - 1);
 }
 
-/** Lighting by the normal opposite to the gradient, towards the gas, or by the surface normal where the CT is uniform.
+/** Lighting by the negative gradient, which points to the gas, or by the surface normal where the CT is uniform.
  * Central differences over the smallest spacing along each axis of the volume. */
 template <bool VIsInside>
 SHAPETON_HOST_DEVICE FlatLight
@@ -218,7 +218,7 @@ template <bool VIsInside>
 SHAPETON_HOST_DEVICE void
 Cast(const WallVolume & volume, const WallLook & look, const WallRay & ray, const Place & surface, float color[3])
 {
-  constexpr float faint = 0.12F; // contributes so little that the previous sample's lighting is reused
+  constexpr float faint = 0.12F; // small contribution: reuses the lighting of the previous sample
   const double    wayOut[] = { -look.step * ray.normal[0], -look.step * ray.normal[1], -look.step * ray.normal[2] };
   const Place     outwards = IndexOfVector(volume, wayOut);
   FlatLight       light = FlatLight::On(ray.normal, ray.axes);

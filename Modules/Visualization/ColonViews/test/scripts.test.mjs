@@ -1,4 +1,4 @@
-// The scripts of the page that need no page, on surfaces whose truth is known. usage: node --test scripts.test.mjs
+// Tests scripts without a page on surfaces with known results. Usage: node --test scripts.test.mjs
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { Seen } from '../scripts/flight.mjs';
@@ -11,13 +11,13 @@ import { Tree } from '../scripts/tree.mjs';
 
 const far = (a, b) => Math.hypot(...a.map((x, k) => x - b[k]));
 
-// Random numbers that are the same in each run.
+// Deterministic random numbers.
 function randoms(seed) {
   let state = seed;
   return () => { state = (1664525 * state + 1013904223) >>> 0; return state / 2 ** 32; };
 }
 
-// A tube of radius r along z, cut along x > 0, with points moved at random along it, so that no edge lies where a path would.
+// A tube of radius r along z, cut along x > 0, with points moved at random along it, so no edge coincides with a path.
 function tubeOf(r, length, around, rows) {
   const random = randoms(7), points = [], source = [], faces = [], shift = new Map();
   for (let j = 0; j <= rows; j++) {
@@ -42,18 +42,18 @@ const onTube = (tree, surface, p) => {
   return { face, wall };
 };
 
-test('distances along a tube are those of its plane, across its cut, too', () => {
+test('distances along a tube equal those in the unrolled plane, also across its cut', () => {
   const r = 20, surface = tubeOf(r, 100, 48, 40), tree = new Tree(surface.points, surface.faces), paths = new SurfacePaths(surface);
   const random = randoms(11);
   for (let i = 0; i < 40; i++) {
     const [a, b] = [2 * Math.PI * random(), Math.PI * (0.1 + 0.8 * random())], [y, z] = [10 + 80 * random(), 10 + 80 * random()];
     const at = (angle, height) => onTube(tree, surface, [r * Math.cos(angle), r * Math.sin(angle), height]);
     const truth = Math.hypot(r * b, z - y), path = paths.between(at(a, y), at(a + b, z));
-    assert.ok(Math.abs(path.length / truth - 1) < 0.02, `${path.length} in place of ${truth}`);
+    assert.ok(Math.abs(path.length / truth - 1) < 0.02, `${path.length} instead of ${truth}`);
   }
 });
 
-test('rays and nearest points are those of a search through all triangles', () => {
+test('rays and nearest points match an exhaustive search', () => {
   const surface = tubeOf(15, 60, 30, 24), tree = new Tree(surface.points, surface.faces), random = randoms(3);
   for (let i = 0; i < 200; i++) {
     const o = [20 * (random() - 0.5), 20 * (random() - 0.5), 60 * random()], d = [random() - 0.5, random() - 0.5, random() - 0.5];
@@ -65,7 +65,7 @@ test('rays and nearest points are those of a search through all triangles', () =
   }
 });
 
-test('a pixel of a point and the ray through this pixel belong together', () => {
+test('the ray through the pixel of a point passes through the point', () => {
   const camera = { eye: [3, -200, 40], at: [0, 5, 2], up: [0, 0, 1], fov: 0.75, near: 1, far: 999 }, random = randoms(5);
   for (let i = 0; i < 100; i++) {
     const p = [80 * (random() - 0.5), 80 * (random() - 0.5), 80 * (random() - 0.5)], [x, y] = project(camera, 640, 480, p);
@@ -74,14 +74,14 @@ test('a pixel of a point and the ray through this pixel belong together', () => 
   }
 });
 
-test('oblique and permuted axes of an image find those of the patient', () => {
+test('oblique and permuted image axes map to patient axes', () => {
   const [c, s] = [Math.cos(0.3), Math.sin(0.3)];
   assert.deepEqual(nearestAxes([[1, 0, 0], [0, 1, 0], [0, 0, 1]]), [0, 1, 2]);
   assert.deepEqual(nearestAxes([[c, s, 0], [-s, c, 0], [0, 0, -1]]), [0, 1, 2]);
   assert.deepEqual(nearestAxes([[0, -c, s], [0, s, c], [1, 0, 0]]), [2, 0, 1]);
 });
 
-test('what is seen from inside a tube is what a search through all triangles finds', () => {
+test('the seen area inside a tube matches an exhaustive search', () => {
   const surface = tubeOf(15, 200, 30, 60), tree = new Tree(surface.points, surface.faces), n = surface.faces.length / 3;
   const exam = {
     ...surface, wall: tree, arc: Float32Array.from({ length: surface.points.length / 3 }, (_, i) => surface.points[3 * i + 2]),
@@ -99,7 +99,7 @@ test('what is seen from inside a tube is what a search through all triangles fin
   assert.ok(seen.share > 0.2 && seen.share < 0.5);
 });
 
-// A position whose wall is a flat strip of faces of about 4 mm, cut at v = 0; its points are its map.
+// A position with a flat strip as wall, faces of about 4 mm, cut at v = 0; the points are also the map.
 function stripOf(seed, length, circumference) {
   const random = randoms(seed), columns = length / 4, rows = circumference / 4, uv = [], faces = [], wobble = () => 1.5 * (random() - 0.5);
   for (let i = 0; i <= columns; i++) {
@@ -118,9 +118,9 @@ function stripOf(seed, length, circumference) {
   return exam;
 }
 
-test('places of the other position are those of the map, and back, where it stretches the wall sevenfold, too', () => {
+test('points map to the other position and back, also where the wall is stretched sevenfold', () => {
   const length = 400, c = 80, random = randoms(13);
-  // Around, the other position is turned by 20 mm.
+  // The other position is rotated by 20 mm around the tube.
   const there = (u) => u + 60 * (1 + Math.tanh((u - 200) / 10)), whole = there(length);
   const back = (w) => {
     let lo = -50, hi = length + 50;

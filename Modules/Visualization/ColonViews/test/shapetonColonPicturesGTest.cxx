@@ -40,7 +40,7 @@ TEST(ColonPictures, SlicesAreChosenByTheLumen)
     lumen->SetPixel({ { 5, 5, z } }, 1);
   }
   lumen->SetPixel({ { 6, 5, 33 } }, 2);
-  // Ten, thirty and fifty sixtieths of the way; the slice with two voxels takes the place of the nearest.
+  // At 10/60, 30/60 and 50/60 of the extent; the slice with two voxels replaces the nearest one.
   EXPECT_EQ(shapeton::ChooseSlices(lumen, shapeton::SlicePlane::Axial, 3),
             (std::vector<itk::IndexValueType>{ 33, 50, 70 }));
   EXPECT_EQ(shapeton::ChooseSlices(lumen, shapeton::SlicePlane::Coronal, 3), (std::vector<itk::IndexValueType>{ 5 }));
@@ -54,7 +54,7 @@ TEST(ColonPictures, TheStorageOfTheVolumeDoesNotMatter)
   const shapeton::TestColon other({ { 2, 0, 1 } }, { { true, false, true } });
   for (const auto plane : planes)
   {
-    // Names at the ends may be rounded to the next pixel: no centerline.
+    // No centerline, because the labels at its ends may be rounded to the next pixel.
     shapeton::ColonParts parts[] = { reference.Parts(), other.Parts() };
     parts[0].centerline = nullptr;
     parts[1].centerline = nullptr;
@@ -62,7 +62,7 @@ TEST(ColonPictures, TheStorageOfTheVolumeDoesNotMatter)
                                            shapeton::DrawColonProjection(parts[1], plane)),
               1);
   }
-  // Captions name slices by index, which do differ; a single slice in the middle of the lumen is the same.
+  // One slice in the middle of the lumen: captions contain slice indices, which differ.
   const auto a = shapeton::DrawColonSlices(reference.Parts(), shapeton::SlicePlane::Coronal, 1);
   const auto b = shapeton::DrawColonSlices(other.Parts(), shapeton::SlicePlane::Coronal, 1);
   ASSERT_EQ(a->GetBufferedRegion(), b->GetBufferedRegion());
@@ -72,7 +72,7 @@ TEST(ColonPictures, TheStorageOfTheVolumeDoesNotMatter)
 
 TEST(ColonPictures, AProjectionMeasuresTheThickness)
 {
-  // A slab 40 mm thick from front to back and one of 10 mm: brightness is the square root of the share.
+  // Slabs 40 mm and 10 mm thick from front to back; brightness is proportional to the square root of the thickness.
   auto lumen = itk::Image<unsigned char, 3>::New();
   lumen->SetRegions(itk::Size<3>{ { 40, 40, 30 } });
   lumen->Allocate();
@@ -136,7 +136,7 @@ TEST(ColonPictures, BridgesAndEndsAreSeen)
   parts.wall = &plain;
   const auto unbridged = shapeton::DrawColonWall(parts, shapeton::PatientSide::Anterior, true);
   EXPECT_GT(PixelsLike(bridged, bridge, 90), PixelsLike(unbridged, bridge, 90) + 300);
-  // The tube of the centerline and the balls at its ends have the colors of the distance.
+  // The centerline and the balls at its ends are colored by distance.
   const auto inside = shapeton::DrawColonWall(parts, shapeton::PatientSide::Anterior, false);
   parts.centerline = nullptr;
   EXPECT_THROW(shapeton::DrawColonWall(parts, shapeton::PatientSide::Anterior, false), std::invalid_argument);
@@ -205,7 +205,7 @@ TEST(ColonPictures, NamesOfEndsKeepOffTheOrientationLetters)
     parts.centerline = nullptr;
     return shapeton::DrawColonProjection(parts, shapeton::SlicePlane::Coronal);
   }();
-  // Left of the middle and 3 mm above the lower border: a name to the right of it would cover the letter F.
+  // Left of the middle and 3 mm above the lower border, where a label on the right would cover the letter F.
   colon.centerline.V.row(0) << -8.0, 0.0, -17.0;
   colon.centerline.V.row(1) << -8.0, 0.0, -16.5;
   const auto    with = shapeton::DrawColonProjection(colon.Parts(), shapeton::SlicePlane::Coronal);

@@ -40,7 +40,7 @@ TEST(ConformalMapPicture, PolarChecksCloseAroundTheMiddle)
       return pattern(r * std::cos((k + 0.5) * step), r * std::sin((k + 0.5) * step));
     };
     EXPECT_NE(at(i, 1.2), at(i + 1, 1.2)) << i;
-    EXPECT_NE(at(i, 1.2), at(i, 1.2 * std::exp(step))) << i; // as long as it is wide
+    EXPECT_NE(at(i, 1.2), at(i, 1.2 * std::exp(step))) << i; // square
   }
 }
 
@@ -62,10 +62,10 @@ TEST(ConformalMapPicture, PatternsThatAreNoneAreRefused)
 TEST(ConformalMapPicture, ViewerFacesAnOpenSurface)
 {
   PatientViewOptions view;
-  SurfaceMesh        mesh = Square(2, 10.0); // looks to +z, the patient's head
+  SurfaceMesh        mesh = Square(2, 10.0); // faces +z, the patient's head
   LookAtSurface(mesh, view);
   EXPECT_NEAR(view.elevation, 90.0, 1e-9);
-  mesh.V.col(2).swap(mesh.V.col(0)); // to -x, from the patient's right
+  mesh.V.col(2).swap(mesh.V.col(0)); // faces -x, the patient's right
   LookAtSurface(mesh, view);
   EXPECT_NEAR(view.elevation, 0.0, 1e-9);
   EXPECT_NEAR(view.azimuth, -90.0, 1e-9);

@@ -38,7 +38,7 @@ TEST(DistensionChart, TicksAndValuesLieWhereTheyBelong)
   const shapeton::TestColon colon;
   const Chart               chart(colon);
   EXPECT_DOUBLE_EQ(chart.frame.x.upper, shapeton::TestColon::length);
-  EXPECT_DOUBLE_EQ(chart.frame.y.upper, 21.6); // a little more than the greatest caliber
+  EXPECT_DOUBLE_EQ(chart.frame.y.upper, 21.6); // slightly more than the greatest caliber
   const int bottom = chart.frame.top + chart.frame.height;
   for (const double distance : { 0.0, 20.0, 100.0, 180.0 }) // every 20 mm
   {
@@ -60,7 +60,7 @@ TEST(DistensionChart, NarrowStretchesAndGapsAreTold)
   const double              narrow = 0.6 * shapeton::TestColon::length;
   EXPECT_GT(chart.At(narrow, 4.0)[0], chart.At(narrow, 4.0)[2] + 60); // orange
   EXPECT_EQ(chart.At(0.33 * shapeton::TestColon::length, 15.0), gapShade);
-  EXPECT_EQ(chart.At(0.33 * shapeton::TestColon::length, 1.5), gapShade); // no caliber is made up
+  EXPECT_EQ(chart.At(0.33 * shapeton::TestColon::length, 1.5), gapShade); // no caliber in a gap
   EXPECT_NE(chart.At(0.28 * shapeton::TestColon::length, 15.0), gapShade);
   int dashes = 0;
   for (int x = 0; x < chart.frame.width; ++x)

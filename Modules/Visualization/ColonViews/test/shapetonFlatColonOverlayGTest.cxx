@@ -20,7 +20,7 @@ StripOf(const FlatColonGrid & grid)
   return shapeton::NewPicture(grid.Columns(), grid.Rows(), paper);
 }
 
-/** Labels of a grid of this size; none at first. */
+/** Empty label image of a grid of this size. */
 struct Labels
 {
   Labels(int columns, int rows) : columns(columns), rows(rows), values(columns * rows, 0) {}

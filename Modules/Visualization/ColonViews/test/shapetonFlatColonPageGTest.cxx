@@ -106,7 +106,7 @@ TEST(FlatColonPage, LongBridgesAreCutShort)
   const auto cut = DrawFlatColonPage(page.strip, page.grid, page.distances, {}, options);
   options.longestBridge = 0;
   const auto whole = DrawFlatColonPage(page.strip, page.grid, page.distances, {}, options);
-  EXPECT_EQ(CountOf(cut, plain), CountOf(whole, plain)) << "nothing of the wall is lost";
+  EXPECT_EQ(CountOf(cut, plain), CountOf(whole, plain)) << "no wall is lost";
   const shapeton::RGBColor hatch = shapeton::MakeColor(130, 134, 146);
   EXPECT_LT(CountOf(cut, hatch), 0.75 * CountOf(whole, hatch));
 }
@@ -146,7 +146,7 @@ TEST(FlatColonPage, APolypHasItsRingWhereItLies)
   const int x = left + static_cast<int>(polypU / page.grid.PixelSize());
   const int row =
     stripRows.front() + page.grid.PixelOfUv({ polypU, 2.0 * flattubes::pi * radius - polypAngle * radius }).row;
-  const int reach = static_cast<int>(std::lround(polypRadius / 0.5)) + 4; // of the ring; the map is not conformal there
+  const int reach = static_cast<int>(std::lround(polypRadius / 0.5)) + 4; // around the ring the map is not conformal
   int       nearest = 1000;
   for (int away = 1; away < 3 * reach; ++away)
   {
@@ -191,7 +191,7 @@ TEST(FlatColonPage, APairHasBothStripsBelowEachOtherAndLinksBetween)
   const shapeton::FlatColonPair pair{ page.strip, lower, "supine", "prone", { { { u, 1.0 }, { u, 9.0 }, link } } };
   const auto                    picture = shapeton::DrawFlatColonPairPage(pair, page.grid, page.distances, {}, options);
   const auto single = shapeton::DrawFlatColonPage(page.strip, page.grid, page.distances, {}, options);
-  EXPECT_EQ(CountOf(picture, plain), CountOf(single, plain)); // hatched where that one is
+  EXPECT_EQ(CountOf(picture, plain), CountOf(single, plain)); // hatched at the same columns
   EXPECT_EQ(CountOf(picture, other), CountOf(picture, plain));
   const std::vector<int> above = RowsWith(picture, plain), below = RowsWith(picture, other);
   const std::vector<int> between = RowsWith(picture, link);

@@ -5,8 +5,8 @@
 
 #include "itkImage.h"
 
-/** A straight piece of colon with semilunar folds between three taeniae, one polyp and a bridged end; not conformal,
- * which a picture does not ask for. */
+/** A straight piece of colon with semilunar folds between three taeniae, one polyp and a bridged end. Its map is not
+ * conformal, which pictures do not require. */
 namespace flatcolon
 {
 constexpr double radius = 20.0;
@@ -41,7 +41,7 @@ RadiusAt(double u, double angle)
   return radius - std::max(7.0 * ridge * between, polyp) + 0.8 * between;
 }
 
-/** The wall; the angle falls with v, so that u x v looks outwards. */
+/** The wall; the angle decreases with v, so u x v points outwards. */
 inline shapeton::SurfaceMesh
 Wall(double (*radiusAt)(double, double) = RadiusAt)
 {
@@ -51,7 +51,7 @@ Wall(double (*radiusAt)(double, double) = RadiusAt)
   return mesh;
 }
 
-/** Value for a point at this position of the wall's smooth tube. */
+/** Distance of the wall from the smooth tube at this position. */
 inline Eigen::Vector3d
 PointAt(double u, double angle, double r)
 {

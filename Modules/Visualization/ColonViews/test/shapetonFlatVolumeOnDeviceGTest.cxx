@@ -29,14 +29,14 @@ ExpectTheSame(const Colon & colon, const Ct * ct, const shapeton::FlatVolumeOpti
   const std::size_t           bytes = 3 * cpu->GetBufferedRegion().GetNumberOfPixels();
   const unsigned char * const pixels = cpu->GetBufferPointer()->GetDataPointer();
   EXPECT_EQ(std::memcmp(gpu->GetBufferPointer(), pixels, bytes), 0);
-  EXPECT_GT(std::set<unsigned char>(pixels, pixels + bytes).size(), 30U); // a picture, not an empty one
+  EXPECT_GT(std::set<unsigned char>(pixels, pixels + bytes).size(), 30U); // not empty
 }
 } // namespace
 
 TEST(FlatVolumeOnDevice, ObliqueVolumesAreTheSameBytes)
 {
   SHAPETON_REQUIRE_DEVICE();
-  // Fine enough for several batches of rays.
+  // Large enough for several batches of rays.
   const Colon colon(RadiusAt, 0.2);
   const auto  huAt = [](const Eigen::Vector3d & p) { return HuAt(p, RadiusAt); };
   const auto  ct = MakeCt(ObliqueAxes(), Eigen::Vector3d(1.2, 0.7, 1.5), huAt);

@@ -6,7 +6,7 @@
 
 namespace
 {
-/** Pixels of a color, give or take. */
+/** Number of pixels of approximately this color. */
 int
 Count(const shapeton::Picture * picture, int red, int green, int blue)
 {

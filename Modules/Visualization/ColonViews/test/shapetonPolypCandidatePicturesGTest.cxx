@@ -12,7 +12,7 @@ namespace
 {
 using namespace polyptubes;
 
-/** A coarse wall of the test below along x, as produced by a flattening. */
+/** A coarse tube along x, as produced by a flattening. */
 shapeton::SurfaceMesh
 FlatTube()
 {
@@ -106,7 +106,7 @@ TEST(PerspectiveRendering, PlacesAreThoseOfAPinhole)
   const Eigen::Vector2d middle = shapeton::ProjectPoint({ 0.0, 10.0, 0.0 }, camera);
   EXPECT_NEAR(middle.x(), 200.0, 1e-9);
   EXPECT_NEAR(middle.y(), 150.0, 1e-9);
-  // 45 degrees to the side is half a width away, at any distance; upwards is z.
+  // A point 45 degrees to the side is half a width off the middle, at any distance; z is up.
   const Eigen::Vector2d side = shapeton::ProjectPoint({ 30.0, 30.0, 0.0 }, camera);
   EXPECT_NEAR(std::abs(side.x() - 200.0), 200.5, 1e-9);
   EXPECT_LT(shapeton::ProjectPoint({ 0.0, 10.0, 2.0 }, camera).y(), 150.0);
@@ -115,7 +115,7 @@ TEST(PerspectiveRendering, PlacesAreThoseOfAPinhole)
   EXPECT_THROW(shapeton::ProjectPoint({ 0.0, 10.0, 0.0 }, camera), std::invalid_argument);
 }
 
-// Two squares: the near one hides the far one, independent of their order.
+// The near square hides the far one, regardless of their order.
 TEST(PerspectiveRendering, NearHidesFar)
 {
   shapeton::SurfaceMesh squares;

@@ -8,9 +8,10 @@
 
 namespace shapeton
 {
-/** An arch in a coronal plane: half a circle of 60 mm from the patient's left over the head side to the right, 10 mm
- * thick in radius, narrow at 60 % of its length, with a gap from 30 to 36 % that a tube of 2 mm bridges. Fluid lies
- * behind y = 3 mm. The voxels of the volume run along the patient's axes order[i], against them where reversed. */
+/** An arch in a coronal plane: half a circle of 60 mm radius from the patient's left over the head side to the right.
+ * The tube has a radius of 10 mm, is narrow at 60 % of its length, and has a gap from 30 to 36 %, bridged by a tube of
+ * 2 mm. Fluid fills y > 3 mm. The image axes run along the patient's axes order[i], reversed where `reversed` is
+ * set. */
 class TestColon
 {
 public:

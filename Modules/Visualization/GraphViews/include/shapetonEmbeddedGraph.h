@@ -7,7 +7,7 @@
 
 namespace shapeton
 {
-/** Geometry of a certificate for pictures, local to the lifts of the nodes, with dummies hidden. */
+/** Geometry of a certificate for pictures, relative to the lifts of the nodes; dummies are hidden. */
 struct ShapetonGraphViews_EXPORT EmbeddedGraph
 {
   explicit EmbeddedGraph(const EmbeddingCertificate & certificate);
@@ -16,7 +16,7 @@ struct ShapetonGraphViews_EXPORT EmbeddedGraph
 
   const EmbeddingCertificate & certificate;
   ModelSpace                   space;
-  CombinatorialMap             map; ///< packed
+  CombinatorialMap             map; ///< genus of the packed map
   std::vector<Place>           nodes;
   std::vector<Place>           faces;
   /** For each packed half-edge: the tangency point of the circles of its ends and the center of the face to its left,
@@ -27,16 +27,16 @@ struct ShapetonGraphViews_EXPORT EmbeddedGraph
   std::vector<char> isVisibleEdge;
   /** Halves of the graph's edges, each from a node or a dummy of a path to the tangency point. */
   std::vector<Segment> halfEdges;
-  /** Halves of the dual's edges, from edge nodes to the representatives of faces. */
+  /** Halves of the dual's edges, from edge nodes to the representative faces. */
   std::vector<Segment> dual;
   /** For each edge of the graph: the packed half-edge where it crosses its dual. */
   std::vector<int> crossings;
-  /** Packed faces that represent the faces of the graph; faces that coincide with one have visible circles. */
+  /** Packed faces that represent the faces of the graph; only the representatives have visible circles. */
   std::vector<int>  representatives;
   std::vector<char> isVisibleFace;
   /** Sphere only: center of the largest circle inside the graph face that covers the largest area. */
   Place pole;
-  /** Sphere only: unit vector of the direction that shows most of the graph. */
+  /** Sphere only: unit view direction that shows most of the graph. */
   Place front;
 
 private:

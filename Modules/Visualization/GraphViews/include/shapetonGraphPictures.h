@@ -28,12 +28,13 @@ struct GraphView
   std::vector<std::string> nodeColors{};
   /** Whether nodes are labeled with their names. */
   bool hasLabels{ false };
-  /** For pages: a key of each node, shared with the corresponding nodes of other graphs; if empty, nodes correspond by
+  /** Pages only: key of each node, shared with the corresponding nodes of other graphs. If empty, nodes correspond by
    * name. */
   std::vector<int> nodeKeys{};
 };
 
-/** Model of the hyperbolic plane, size and arrangement of the panels for WriteGraphSvg(). \ingroup ShapetonGraphViews */
+/** Model of the hyperbolic plane, size and arrangement of the panels for WriteGraphSvg(). \ingroup
+ * ShapetonGraphViews */
 struct GraphPictureOptions
 {
   DiskModel disk{ DiskModel::Poincare };
@@ -68,10 +69,10 @@ WriteGraphVtp(const EmbeddingCertificate &                             certifica
               const std::vector<std::pair<std::string, std::string>> & facts,
               const std::string &                                      path);
 
-/** `count` colors of different hue, for corresponding nodes.
+/** `count` colors of different hues, for corresponding nodes.
  * \ingroup ShapetonGraphViews */
 ShapetonGraphViews_EXPORT std::vector<std::string>
-                  DistinctColors(int count);
+                          DistinctColors(int count);
 } // namespace shapeton
 
 #endif

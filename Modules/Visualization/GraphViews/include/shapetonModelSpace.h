@@ -51,7 +51,7 @@ public:
   static Place
   OnArc(const Place & from, const Place & to, double distance);
 
-  /** Half the angle at the center of a circle of radius r, in its kite with a circle of radius s; plane and disk. */
+  /** Half the angle at the center of a circle of radius r in its kite with a circle of radius s; plane and disk. */
   double
   HalfKiteAngle(double r, double s) const;
 

@@ -39,7 +39,7 @@ EmbeddedGraph::FindPlaces()
   touch.resize(map.HalfEdges());
   corner.resize(map.HalfEdges());
   const bool       isSphere = space.Geometry() == EmbeddingGeometry::Spherical;
-  std::vector<int> first(map.Nodes(), -1); // the first half-edge in the rotation, to which the angle belongs
+  std::vector<int> first(map.Nodes(), -1); // first half-edge in the rotation; start of the angle
   for (const int h : certificate.packedRotation)
   {
     int & start = first[map.Node(h)];
@@ -105,7 +105,7 @@ EmbeddedGraph::AddDualCrossing(int halfEdge)
 void
 EmbeddedGraph::FindDual()
 {
-  std::vector<int> parent(map.Faces(), -2); // half-edge that leads towards the representative; -1 there
+  std::vector<int> parent(map.Faces(), -2); // half-edge towards the representative; -1 at the representative
   std::vector<int> owner(map.Faces());
   std::vector<int> order(map.Faces());
 
@@ -148,7 +148,7 @@ EmbeddedGraph::FindDual()
   }
 }
 
-/** A face of the graph contains the circles of its packed faces, and of dummies that are not on an edge of the graph.
+/** A face of the graph contains the circles of its packed faces and of dummies that are not on an edge of the graph.
  * `owner` is the representative of each packed face. */
 void
 EmbeddedGraph::FindPole(const std::vector<int> & owner)
@@ -189,8 +189,8 @@ EmbeddedGraph::FindPole(const std::vector<int> & owner)
   }
 }
 
-/** Center of the nodes, weighted by radius, because small ones are many and large ones dominate the view. If the graph
- * surrounds the sphere evenly, a direction from which polyhedra look solid. */
+/** Mean direction of the nodes, weighted by radius, because many nodes are small and large ones dominate the view. If
+ * the graph surrounds the sphere evenly, a direction from which polyhedra look solid. */
 void
 EmbeddedGraph::FindFront()
 {
@@ -207,7 +207,7 @@ EmbeddedGraph::FindFront()
   front = length > uneven * total ? Place{ sum.x / length, sum.y / length, sum.z / length } : Place{ 0.48, -0.6, 0.64 };
 }
 
-/** Each edge is crossed once, at the tangency point in the middle of its path; from there the dual follows the
+/** The dual crosses each edge once, at the tangency point in the middle of its path, and then follows the
  * parents. */
 void
 EmbeddedGraph::DrawDual(const std::vector<int> & parent)

@@ -51,7 +51,7 @@ GraphPainter::Paint(const PanelPlan & plan) const
     const Place & rim = m_Graph.touch[m_Graph.map.FirstAround(node)];
     namesLeftOut += panel.AddLabel(m_Graph.nodes[node], rim, NameOfNode(m_Graph.certificate.graph, node)) ? 0 : 1;
   }
-  const std::size_t        leftOut = panel.LeftOut(); // a few are only the short ends of curves
+  const std::size_t        leftOut = panel.LeftOut(); // a few are just short ends of curves
   std::vector<std::string> title(1, plan.title);
   if (leftOut > m_Graph.halfEdges.size() / 100)
   {
@@ -66,7 +66,7 @@ GraphPainter::Paint(const PanelPlan & plan) const
   return panel.Content();
 }
 
-/** Whole edges on the sphere, if the arc between the ends passes through the tangency point; else halves. */
+/** Draws whole edges on the sphere if the arc between the ends passes through the tangency point, else halves. */
 std::vector<EmbeddedGraph::Segment>
 GraphPainter::Edges() const
 {
@@ -85,7 +85,7 @@ GraphPainter::Edges() const
   return edges;
 }
 
-/** From a tenth of a pixel for small graphs to a pixel for graphs that fill the panel with points. */
+/** Size limit of skipped items: a tenth of a pixel for small graphs, up to a pixel for very large ones. */
 double
 GraphPainter::LeastPixels() const
 {

@@ -9,7 +9,7 @@ namespace shapeton
 {
 namespace
 {
-/** Panels in rows, with their own coordinates and clipped. */
+/** Panels in rows, each clipped and with separate coordinates. */
 void
 WriteSheet(const std::vector<std::string> & panels, const GraphPictureOptions & options, const std::string & path)
 {
@@ -51,7 +51,7 @@ WriteGraphSheetSvg(const std::vector<GraphView> & views, const GraphPictureOptio
 {
   std::list<EmbeddedGraph> graphs;
   std::vector<PanelPlan>   plans;
-  const Place *            pole = nullptr; // shared by all spheres, so that unchanged nodes keep their position
+  const Place *            pole = nullptr; // shared by all spheres, so unchanged nodes keep their position
   for (const GraphView & view : views)
   {
     const EmbeddedGraph & graph = graphs.emplace_back(*view.certificate);
@@ -74,7 +74,7 @@ WriteGraphSheetSvg(const std::vector<GraphView> & views, const GraphPictureOptio
 std::vector<std::string>
 DistinctColors(int count)
 {
-  constexpr double         golden = 0.61803398874989485; // consecutive numbers differ most in hue
+  constexpr double         golden = 0.61803398874989485; // golden ratio: consecutive hues differ strongly
   std::vector<std::string> colors;
   for (int i = 0; i < count; ++i)
   {

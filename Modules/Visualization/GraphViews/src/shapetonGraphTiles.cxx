@@ -21,7 +21,7 @@ RootOf(const EmbeddedGraph & graph)
   return static_cast<int>(std::find(tree.begin(), tree.end(), -1) - tree.begin());
 }
 
-/** True if both ends of the edge touch at the same place, so that no deck transformation is involved. */
+/** Whether both ends of the edge touch without a deck transformation. */
 bool
 IsInside(const EmbeddedGraph & graph, int halfEdge)
 {

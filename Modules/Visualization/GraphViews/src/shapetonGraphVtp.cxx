@@ -19,8 +19,8 @@ enum CellKind
   FaceCircleCell = 3
 };
 
-/** Maximum distance of a chord from its arc, within the limits on the number of corners of a circle or pieces of half
- * an edge. Units of the surface. */
+/** Maximum distance of a chord from its arc, in units of the surface. The number of corners of a circle and of pieces
+ * of half an edge is limited as well. */
 constexpr double flatness = 1e-4;
 constexpr double fewestCorners = 8.0;
 constexpr double mostCorners = 32.0;
@@ -64,7 +64,7 @@ public:
   CurveSet
   Take()
   {
-    const std::vector<Place> points = std::move(m_Points); // freed early: there may be tens of millions
+    const std::vector<Place> points = std::move(m_Points); // freed early, because there may be tens of millions
     CurveSet                 set;
     set.V.resize(static_cast<Eigen::Index>(points.size()), 3);
     for (std::size_t i = 0; i < points.size(); ++i)
@@ -118,7 +118,7 @@ WriteGraphVtp(const EmbeddingCertificate &                             certifica
   const auto          circle = [&](const Place & center, double radius) {
     return graph.space.Circle(center, radius, CornersOfCircle(radius / unit));
   };
-  std::vector<int> edgeOf(certificate.packed.edges.size(), -1); // for packed edges that belong to an edge of the graph
+  std::vector<int> edgeOf(certificate.packed.edges.size(), -1); // for packed edges on an edge of the graph
   for (std::size_t e = 0; e < certificate.graph.edges.size(); ++e)
   {
     edgeOf[e] = static_cast<int>(e);

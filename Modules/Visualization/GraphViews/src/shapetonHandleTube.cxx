@@ -33,7 +33,7 @@ NormalOf(const Eigen::Vector3d & p, const Eigen::Vector3d & q)
 }
 
 /** Height where a chimney ends. Its profile is a parabola above the sphere's tangent at the rim; a bend of this radius
- * there stays outside the sphere. */
+ * at that height stays outside the sphere. */
 double
 HeightOfChimney(const SphereHole & hole, double radius)
 {
@@ -42,7 +42,7 @@ HeightOfChimney(const SphereHole & hole, double radius)
   return std::max(1.0 + 1.5 * radius, low + 2.5 * std::max(0.0, rim - radius) * rim / low);
 }
 
-/** Sections going up, without the lowest one; `along` is the direction of the tube there. */
+/** Sections in upward order, without the lowest one; `along` is the tube direction. */
 std::vector<TubeSection>
 Chimney(const SphereHole & hole, double radius, const Eigen::Vector3d & normal, const Eigen::Vector3d & along)
 {
@@ -154,7 +154,7 @@ PlaceTubes(const std::vector<std::array<SphereHole, 2>> & pairs)
   }
   throw InputError(
     "the " + std::to_string(tubes.size()) +
-    " handles of the surface are too crowded for tubes in space; leave the parameter \"surface\" out and see the tiles "
+    " handles of the surface are too crowded for tubes in space; omit the parameter \"surface\" and view the tiles "
     "of the Poincare disk with the parameter \"svg\" or the parameter \"report\"");
 }
 } // namespace shapeton

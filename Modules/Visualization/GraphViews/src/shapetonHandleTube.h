@@ -28,8 +28,8 @@ struct TubeSection
 
 /** \brief A tube outside the unit sphere from the rim of one hole to that of another.
  *
- * It rises radially from both holes as a chimney, whose radius becomes `radius`, and bends from one to the other in the
- * plane of their axes, `lift` higher than the chimneys. */
+ * It rises radially from both holes as chimneys that narrow to `radius`, and bends from one to the other in the plane
+ * of their axes, `lift` higher than the chimneys. */
 struct HandleTube
 {
   /** Sections from the first hole to the second, including both rims. */

@@ -83,7 +83,7 @@ ModelSpace::Between(const Place & from, const Place & to, double share) const
   {
     return Combination(1.0 - share, from, share, to);
   }
-  const Complex w = FromCenter(-Number(from), Number(to)); // seen from `from` the geodesic is straight
+  const Complex w = FromCenter(-Number(from), Number(to)); // the geodesic is straight in the chart centered at `from`
   const double  length = std::abs(w);
   const Complex part = length > 0.0 ? w / length * std::tanh(share * std::atanh(std::min(length, 1.0 - 1e-16))) : w;
   return PlaceOf(FromCenter(Number(from), part));

@@ -67,7 +67,7 @@ PlansOfTorus(const EmbeddedGraph & graph)
   }
   PanelPlan overlap{ "Universal cover: overlap graph and fundamental domain", flat, WindowAround(pixels, 1.4) };
   overlap.hasTiles = true;
-  // Copies of a large graph are gray; each takes as long to paint as the original.
+  // Copies of a large graph are only gray, because each takes as long to paint as the original.
   const std::size_t segments = graph.halfEdges.size() + graph.dual.size();
   overlap.tiles = TilesAround(graph, segments > 1000000 ? 1 : segments > 100000 ? 9 : 25);
   PanelPlan circles = overlap;

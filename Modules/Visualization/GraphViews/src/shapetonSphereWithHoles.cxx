@@ -117,7 +117,7 @@ SphereWithHoles::AddVertices(const SphericalPacking & packing)
   }
 }
 
-/** Adds both sides of each half-edge: its own face to the left, that of the previous half-edge to the right. */
+/** Adds both sides of each half-edge: its face to the left, the previous half-edge's face to the right. */
 void
 SphereWithHoles::AddTriangles()
 {
@@ -240,7 +240,7 @@ SphereWithHoles::Refine()
 void
 SphereWithHoles::AddParts(std::array<int, 3> t, const EdgeMiddles & middles)
 {
-  // If there are both, a split edge comes first and a whole one last.
+  // In a mixed triangle, a split edge is first and an unsplit one last.
   for (int turn = 0; turn < 3 && (middles(t[0], t[1]) < 0 || middles(t[2], t[0]) >= 0); ++turn)
   {
     std::rotate(t.begin(), t.begin() + 1, t.end());

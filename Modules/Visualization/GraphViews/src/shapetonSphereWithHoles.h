@@ -86,8 +86,8 @@ private:
   std::vector<std::array<int, 3>> m_Triangles;
   std::vector<std::vector<int>>   m_Paths;
 
-  /** \name Vertices of the packing. Half-edges at a node with a hole have rim vertices, towards tangency point and
-   * face.
+  /** \name Vertices of the packing. Half-edges at a node with a hole have rim vertices, in the directions of tangency
+   * point and face.
    */
   ///@{
   std::vector<int> m_HoleOfNode;

@@ -38,7 +38,7 @@ HolesOf(const HandleCut & cut, const SphericalPacking & packing)
   return pairs;
 }
 
-/** End of a path that belongs to a half-edge. */
+/** Path end at a half-edge. */
 int
 EndAt(const std::vector<std::vector<int>> & paths, int halfEdge)
 {
@@ -120,7 +120,7 @@ private:
   const HandleCut &             m_Cut;
   const SphereWithHoles &       m_Sphere;
   std::vector<std::vector<int>> m_Rims;   ///< vertices on the rim of each hole
-  std::vector<std::vector<int>> m_Curves; ///< for half-edges at a first hub, from there to the second
+  std::vector<std::vector<int>> m_Curves; ///< for half-edges at a first hub, from the first hub to the second
 };
 } // namespace
 

@@ -107,7 +107,7 @@ SvgPanel::SvgPanel(const ModelSpace &    space,
   : m_Space(space), m_Picture(picture), m_Window(window), m_Size(size), m_Least(least)
 {}
 
-/** Size limit: repeated copies need less detail. */
+/** Size limit; larger for repeated copies, which need less detail. */
 double
 SvgPanel::LeastOf(const Motion & motion) const
 {

@@ -9,8 +9,8 @@
 
 namespace shapeton
 {
-/** \brief Maps a flat torus to the torus ((R + r cos v) cos u, (R + r cos v) sin u, r sin v) in space, the printed
- * formula of section 6.3.3, R = 1.
+/** \brief Maps a flat torus to the torus ((R + r cos v) cos u, (R + r cos v) sin u, r sin v) in space, the
+ * formula printed in section 6.3.3, R = 1.
  *
  * Its conformal types are the rectangles of sides 1 and r / sqrt(R^2 - r^2); r is chosen so that the affine map from
  * the lattice of the graph has the least dilatation (the nearest rectangle in the upper half plane has the same

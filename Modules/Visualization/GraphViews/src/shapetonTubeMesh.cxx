@@ -57,7 +57,7 @@ TubeMesh::RimOf(const TubeSection & section, const std::vector<int> & rim, std::
   return ring;
 }
 
-/** Whole turns of the last ring that minimize the mean winding of the curves. */
+/** Number of whole turns of the last ring that minimizes the mean winding of the curves. */
 void
 TubeMesh::Unwind(const Ring & first, Ring & last)
 {

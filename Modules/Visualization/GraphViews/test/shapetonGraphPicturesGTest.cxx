@@ -53,7 +53,7 @@ TEST(GraphPictures, Baselines)
   ExpectBaseline(TorusGrid(3, 2), "TorusGrid.svg");
 }
 
-/** Small graphs on one side of the sphere are viewed from that side, graphs around it from a fixed side. */
+/** Small graphs on one side of the sphere are viewed from that side, graphs around the sphere from a fixed side. */
 TEST(GraphPictures, TheFrontShowsTheGraph)
 {
   const EmbeddingCertificate    path = PathInTetrahedron();
@@ -74,14 +74,14 @@ TEST(GraphPictures, SphereShowsEachCircle)
 {
   const XmlPage page = PictureOf(Cube());
   ASSERT_TRUE(page.isWellFormed);
-  EXPECT_EQ(5u, page.elements.at("svg").size()); // the sheet and four panels
+  EXPECT_EQ(5u, page.elements.at("svg").size()); // the outer svg element and four panels
   EXPECT_EQ(8u, page.Count("circle", "stroke", Node));
   EXPECT_EQ(6u, page.Count("circle", "stroke", Face));
-  // Marks of nodes: in both flat panels, and each once on the front or the back of the sphere.
+  // Node marks: in both flat panels, and once on the front or the back of the sphere.
   EXPECT_EQ(8u * 3u, page.Count("circle", "fill", Node));
 }
 
-/** A path of three nodes: of the four circles of the tetrahedron and its four faces nothing else is shown. */
+/** A path of three nodes: the other circles of the tetrahedron and its four faces are hidden. */
 TEST(GraphPictures, DummiesAreHidden)
 {
   const XmlPage page = PictureOf(PathInTetrahedron(), {}, true);
@@ -99,13 +99,13 @@ TEST(GraphPictures, TilesOfTheUniversalCover)
     const XmlPage page = PictureOf(certificate);
     ASSERT_TRUE(page.isWellFormed);
     EXPECT_EQ(3u, page.elements.at("svg").size());
-    EXPECT_EQ(2u, page.Count("path", "stroke", "#8d6e00")); // the domain itself, in both panels
+    EXPECT_EQ(2u, page.Count("path", "stroke", "#8d6e00")); // the domain, in both panels
     EXPECT_EQ(2u, page.Count("path", "stroke", "#8e24aa")); // the fundamental polygon
     EXPECT_GE(page.Count("path", "stroke", "#b0a890"), 2u * 9u);
   }
 }
 
-/** No name is wider than a little more than its circle, and the title counts those that would be too small to read. */
+/** Names fit approximately into their circles; the title counts the names that would be too small to read. */
 TEST(GraphPictures, NamesFitTheirCirclesOrAreLeftOut)
 {
   EmbeddingCertificate cube = Cube();
@@ -148,8 +148,8 @@ TEST(GraphPictures, SmallMultiplesHaveTheColorsOfTheirNodes)
   }
 }
 
-/** Circles of the VTP file of a cube touch where they should: the nearest points of two of them are the same but for
- * the corners of the polygon. */
+/** Circles of the VTP file of a cube touch where expected: the nearest points of two tangent circles are equal, except
+ * for the error of the polygons. */
 TEST(GraphPictures, CurvesOfTheSphere)
 {
   const Folder folder;
@@ -166,7 +166,7 @@ TEST(GraphPictures, CurvesOfTheSphere)
   EXPECT_EQ(3.0, kinds(40));
 }
 
-/** The corners of a polygon lie on its circle, and the middles of its sides at most 1e-4 of a period within; circles
+/** The corners of a polygon are on its circle, and the midpoints of its sides at most 1e-4 of a period inside; circles
  * this small need fewer corners than the 32 of large ones. */
 TEST(GraphPictures, PolygonsAreAsFineAsTheirCirclesNeed)
 {

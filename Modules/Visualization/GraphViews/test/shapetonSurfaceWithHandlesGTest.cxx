@@ -13,7 +13,7 @@
 
 namespace
 {
-/** Half-edges of each node in ascending order, which gives a high genus. */
+/** Half-edges of each node in ascending order, which results in a high genus. */
 shapeton::CombinatorialMap
 AscendingMap(const shapeton::Graph & graph)
 {
@@ -132,7 +132,7 @@ Pierces(const Eigen::Vector3d & p, const Eigen::Vector3d & q, const std::array<E
   return isInside && volume(t[0], t[1], t[2], p) * volume(t[0], t[1], t[2], q) < 0.0;
 }
 
-/** Pairs of an edge and a triangle without a common vertex that meet, by brute force among boxes that do. */
+/** Intersecting pairs of an edge and a triangle without a common vertex, by brute force on intersecting boxes. */
 int
 SelfIntersections(const shapeton::SurfaceMesh & mesh)
 {
@@ -173,8 +173,7 @@ SelfIntersections(const shapeton::SurfaceMesh & mesh)
 }
 } // namespace
 
-/** Hubs put together again, reversed, are the map: what stands around the nodes is as it was, and so is what is
- * crossed. */
+/** Reversing and merging the hubs restores the map: rotations and crossed edges are unchanged. */
 TEST(HandleCut, PutTogetherAgainItIsTheMap)
 {
   for (const shapeton::CombinatorialMap & map : SomeMaps())
@@ -222,14 +221,14 @@ TEST(SurfaceWithHandles, IsClosedAndHasTheGenusOfTheMap)
     EXPECT_TRUE(quality.isClosed && quality.isManifold && quality.isOriented);
     EXPECT_EQ(quality.components.size(), 1U);
     EXPECT_EQ(quality.genus, map.Genus());
-    EXPECT_GT(quality.volume.value_or(0.0), 3.5); // outwards; a sphere has 4.19
+    EXPECT_GT(quality.volume.value_or(0.0), 3.5); // positive: faces point outwards; a sphere has 4.19
     EXPECT_EQ(quality.defects.unreferencedVertices.size(), 0U);
-    EXPECT_NEAR(mesh.V.rowwise().norm().minCoeff(), 1.0, 0.05); // the chord of a hole at most
+    EXPECT_NEAR(mesh.V.rowwise().norm().minCoeff(), 1.0, 0.05); // at most the chord of a hole
   }
 }
 
-/** Edges run along the mesh, meet only at nodes, and stand around these as the rotation says. With the genus this says
- * that the surface is that of the map. */
+/** Edges run along the mesh, meet only at nodes, and follow the rotation around each node. Together with the genus
+ * this shows that the map is embedded correctly. */
 TEST(SurfaceWithHandles, EdgesLieOnTheSurfaceAndDoNotCross)
 {
   for (const shapeton::CombinatorialMap & map : SomeMaps())

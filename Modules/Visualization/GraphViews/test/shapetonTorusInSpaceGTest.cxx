@@ -15,7 +15,7 @@ Distance(const shapeton::TorusInSpace::Point & a, const shapeton::TorusInSpace::
   return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
 }
 
-/** The differential of the map at a point, by differences: lengths of the images of the two axes, and their product. */
+/** The differential of the map by finite differences: lengths of the images of both axes, and their product. */
 std::array<double, 3>
 Metric(const shapeton::TorusInSpace & torus, const std::complex<double> & z)
 {

@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-/** The elements of an XML file by their tags; fails where it is not well-formed. */
+/** The elements of an XML file by tag; fails if it is not well-formed. */
 struct XmlPage
 {
   using Attributes = std::map<std::string, std::string>;

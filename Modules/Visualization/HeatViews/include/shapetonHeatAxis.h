@@ -15,13 +15,13 @@ namespace shapeton
  * \ingroup ShapetonHeatViews */
 enum class HeatScale
 {
-  /** Position by the cumulative count, so that every feature gets space. */
+  /** Position proportional to the cumulative count, so every feature is visible. */
   Equalized,
   /** Position proportional to heat. */
   Normalized
 };
 
-/** The heats from lower to upper, 0 <= lower < upper <= 1. The default means all heats that occur.
+/** The heats from lower to upper, 0 <= lower < upper <= 1. By default all heats in the histogram.
  * \ingroup ShapetonHeatViews */
 struct HeatRange
 {
@@ -29,8 +29,8 @@ struct HeatRange
   double upper{ 0.0 };
 };
 
-/** A one-row histogram whose classes have equal weight, so that its axis gives each class the same width. For densities
- * of shapetons, where the surroundings do not cool to the background and would occupy nearly all of the axis.
+/** A one-row histogram whose classes have equal weight, so each class has the same width on its axis. For shapeton
+ * densities, where the surroundings would otherwise occupy nearly all of the axis.
  * \ingroup ShapetonHeatViews */
 ShapetonHeatViews_EXPORT HeatHistogram
 BalanceClasses(const HeatHistogram & histogram, std::size_t row, const std::vector<HeatClass> & classes);
@@ -46,7 +46,7 @@ BalanceClasses(const HeatHistogram & histogram, std::size_t row, const std::vect
 class ShapetonHeatViews_EXPORT HeatAxis
 {
 public:
-  /** Throws std::invalid_argument for a range that is neither the default nor valid. */
+  /** Throws std::invalid_argument for an invalid range, except the default. */
   explicit HeatAxis(const HeatHistogram & histogram,
                     HeatScale             scale = HeatScale::Equalized,
                     const HeatRange &     range = {});
@@ -60,8 +60,8 @@ public:
   double
   HeatAt(double position) const;
 
-  /** Color of a heat, of its line in the histogram, and of objects of that heat: HeatColor() of its position. On the
-   * equalized axis it is the position of the center of its bin, where the line is drawn. */
+  /** Color of voxels with this heat: HeatColor() of its position. On the equalized axis, uses the position of the bin's
+   * center, where its line is drawn. */
   RGBColor
   ColorOf(double heat) const;
 

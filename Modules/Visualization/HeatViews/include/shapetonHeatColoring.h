@@ -22,8 +22,8 @@ using HeatColoring = std::function<std::optional<RGBColor>(float)>;
 ShapetonHeatViews_EXPORT HeatColoring
 ColorByHeat(const HeatAxis & axis);
 
-/** Colors each class except the background by ClassColor(). Heat colors would not distinguish the classes: on the
- * equalized axis, the decreasing heats of early time steps take most of the space, and classes of late steps share one
+/** Colors each class except the background by ClassColor(). Heat colors do not distinguish the classes: on the
+ * equalized axis, the decreasing heats of early time steps take most of the space, so classes of late steps share one
  * color.
  * \ingroup ShapetonHeatViews */
 ShapetonHeatViews_EXPORT HeatColoring

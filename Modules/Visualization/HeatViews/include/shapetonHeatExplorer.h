@@ -25,7 +25,7 @@ struct HeatExplorerContent
   std::string           title;
   ShapeQuantity         quantity;
   const HeatHistogram * histogram{ nullptr };
-  /** If given, defines the axis instead. */
+  /** Histogram that defines the axis; null for the drawn one. */
   const HeatHistogram *        axisHistogram{ nullptr };
   HeatScale                    scale{ HeatScale::Equalized };
   const itk::Image<float, 3> * gray{ nullptr };
@@ -33,7 +33,7 @@ struct HeatExplorerContent
   IntensityWindow window;
   /** Initial lines of the page. */
   ShapeTransferFunction lines;
-  /** Initially zoomed ranges; the key B leaves the last one. */
+  /** Initially zoomed ranges; the key B closes the last one. */
   HeatRanges ranges;
 };
 

@@ -24,7 +24,7 @@ struct HeatHistogramPictureOptions
   HeatScale     scale{ HeatScale::Equalized };
   /** Histogram that defines the axis and its colors; by default the drawn one. */
   const HeatHistogram * axisHistogram{ nullptr };
-  /** Shows only the last of these ranges, equalized separately, with the zoom levels from all heats above the plot; by
+  /** If not empty, shows only the last of these ranges, equalized separately, with the zoom levels above the plot. By
    * default all heats. */
   HeatRanges ranges;
   /** Time steps marked by pink lines (Figure 2.4); those outside the recorded range are skipped. */
@@ -36,7 +36,7 @@ struct HeatHistogramPictureOptions
   unsigned int height{ 900 };
 };
 
-/** Pixels of a picture that show counts.
+/** Plot area of a picture, pixels.
  * \ingroup ShapetonHeatViews */
 struct PlotArea
 {
@@ -52,9 +52,10 @@ ShapetonHeatViews_EXPORT PlotArea
 PlotAreaOf(const HeatHistogramPictureOptions & options);
 
 /** Draws a heat histogram as in the dissertation's Figures 2.3 to 2.7: time runs downwards, heat to the right. The
- * color of a point encodes its heat (HeatAxis::ColorOf), its brightness the logarithm of the number of voxels, raised
- * where a row has more than its neighborhood, so that lines stand out. The white line at the left border is the
- * background, bin 0. Rows have equal heights. The time axis is labeled with their time steps, for linear and nonlinear
+ * color of a point encodes its heat (HeatAxis::ColorOf), its brightness the logarithm of the number of voxels. The
+ * brightness is raised where a row has more voxels than its neighborhood, so lines stand out. The white line at the
+ * left border is the background, bin 0. Rows have equal heights. The time axis is labeled with the time steps, for
+ * linear and nonlinear
  * spacing. The heat axis is labeled with heats on both scales.
  *
  * A zoomed range fills the plot. Above it is a strip for each level, at most the last six: the axis of that level in
@@ -64,7 +65,7 @@ PlotAreaOf(const HeatHistogramPictureOptions & options);
  * a picture that is too small.
  * \ingroup ShapetonHeatViews */
 ShapetonHeatViews_EXPORT Picture::Pointer
-                 DrawHeatHistogram(const HeatHistogram & histogram, const HeatHistogramPictureOptions & options = {});
+DrawHeatHistogram(const HeatHistogram & histogram, const HeatHistogramPictureOptions & options = {});
 } // namespace shapeton
 
 #endif

@@ -30,8 +30,8 @@ struct ShapeAnalysis
 ShapetonHeatViews_EXPORT ShapeAnalysis
 AnalyzeHeat(const itk::Image<float, 3> * heat, std::uint64_t timeStep);
 
-/** Visits of shapetons after `timeStep`, as a density; its axis balances the classes. Without labels, which require a
- * pass over all voxels, the classes lack borderShare, volume and exact voxel counts. \ingroup ShapetonHeatViews */
+/** Visits of shapetons after `timeStep`, as a density; its axis balances the classes. Labels require a pass over all
+ * voxels; without them, the classes have no borderShare, volume or exact voxel counts. \ingroup ShapetonHeatViews */
 ShapetonHeatViews_EXPORT ShapeAnalysis
 AnalyzeVisits(const itk::Image<std::uint32_t, 3> * visits, std::uint64_t timeStep, bool wantLabels = true);
 } // namespace shapeton

@@ -34,8 +34,8 @@ ViewOfVolume(const itk::ImageBase<3> * volume, const VolumeRenderingOptions & op
  * Direct volume rendering by ray casting, on the CPU or on a GPU with the same bytes; needs neither a display nor a
  * graphics driver. Each voxel is classified by its own heat, and color and opacity are interpolated. Heat is not
  * interpolated, because between an object and the background it would pass through the heats of all other objects and
- * surround the object with their colors. Opacity refers to a path of one smallest spacing. Of transparent objects
- * little more than the surface is drawn, so that objects inside them are visible. The light comes from above the
+ * surround the object with their colors. Opacity refers to a path of one smallest spacing. Transparent objects are
+ * drawn mainly at their surface, so objects inside them are visible. The light comes from above the
  * viewer's left shoulder. Origin, spacing and direction cosines are respected. Equal input gives equal bytes for any
  * number of threads; ITK's global default number is used.
  *
@@ -68,14 +68,14 @@ private:
 /** One picture by a VolumeRenderer on the CPU.
  * \ingroup ShapetonHeatViews */
 ShapetonHeatViews_EXPORT Picture::Pointer
-                 RenderVolume(const itk::Image<float, 3> *   heat,
-                              const ShapeTransferFunction &  transferFunction,
-                              const VolumeRenderingOptions & options = {});
+                         RenderVolume(const itk::Image<float, 3> *   heat,
+                                      const ShapeTransferFunction &  transferFunction,
+                                      const VolumeRenderingOptions & options = {});
 
 /** Smallest region that contains all voxels with a line of the transfer function; empty if there are none.
  * \ingroup ShapetonHeatViews */
 ShapetonHeatViews_EXPORT std::optional<itk::ImageRegion<3>>
-                 VisibleRegion(const itk::Image<float, 3> * heat, const ShapeTransferFunction & transferFunction);
+VisibleRegion(const itk::Image<float, 3> * heat, const ShapeTransferFunction & transferFunction);
 } // namespace shapeton
 
 #endif

@@ -31,7 +31,7 @@ const PAGE = `
 <footer><span id="status" role="status"></span><b>For research use; not a diagnosis. This page holds the volume.</b></footer>
 <dialog id="keys"></dialog>`;
 
-// The lines picked on the histogram of a volume, and all their views. `history` holds the undoable state: time step, lines, opened
+// The lines picked on a heat histogram, and all views. `history` stores the undoable state: time step, lines, opened
 // ranges; it does not include crosshair, chosen line and camera.
 class HeatExplorer {
   constructor(folder, info, gray, histogram, axisCounts) {
@@ -56,8 +56,8 @@ class HeatExplorer {
     this.histogramView = new HistogramView(root, this);
     this.rendering = new RenderingView(root, this);
     this.slices = this.info.planes.map((plane) => new HeatSliceView(root, this, plane));
-    if (!this.rendering.isPossible) notice('This browser has no WebGL 2: histogram, slices and files work, the volume in space does not.');
-    if (this.volume.stride > 1) notice(`The volume is large: only every ${this.volume.stride}. voxel of each axis is shown.`);
+    if (!this.rendering.isPossible) notice('This browser has no WebGL 2: histogram, slices and files work, the rendering does not.');
+    if (this.volume.stride > 1) notice(`The volume is large: only one of ${this.volume.stride} voxels along each axis is shown.`);
     this.listen();
   }
 
@@ -173,7 +173,7 @@ class HeatExplorer {
   }
 
   setLines(lines, lower, kind = null) {
-    if (lines.length > MOST_LINES) { this.tell(`at most ${MOST_LINES} lines are possible: remove one first`); return; }
+    if (lines.length > MOST_LINES) { this.tell(`the maximum is ${MOST_LINES} lines: remove one first`); return; }
     this.chosen = lines.findIndex((l) => l.lower === lower);
     this.change({ lines }, kind);
   }
@@ -248,7 +248,7 @@ class HeatExplorer {
     this.alterChosen((line) => ({ color: lineColors[(lineColors.indexOf(line.color) + 1) % lineColors.length] }));
   }
 
-  // Moves an end by bins, keeping at least one bin; bins taken from neighbors are removed from them.
+  // Moves an end by bins, keeping at least one bin; overlapped bins are removed from the neighbors.
   moveEnd([end, by]) {
     const line = this.lines[this.chosen];
     if (!line) return;
@@ -353,7 +353,7 @@ class HeatExplorer {
     byId('ranges').textContent = `axis: ${['all', ...ranges].join(' › ')}${this.isEqualized ? '' : ' (not equalized)'}`;
   }
 
-  // For tests: everything requested has been painted, at full quality unless a coarse picture suffices.
+  // For tests: resolves when everything requested is painted, at full quality unless a coarse picture suffices.
   async idle(isCoarseEnough = false) {
     do await new Promise((done) => { requestAnimationFrame(() => setTimeout(done)); });
     while (View.pending || this.busy || (this.rendering.isCoarse && !isCoarseEnough));
@@ -377,7 +377,7 @@ async function readState(folder, version = '', known = {}) {
   return { state, histogram, axisCounts, live: counted(await readBlock(folder, 'bins-live')) };
 }
 
-// Follows a run until it finishes. Lines picked by the reader stay; automatic lines are recomputed.
+// Follows a run until it finishes. Lines picked by the user are kept; automatic lines are recomputed.
 function followRun(explorer) {
   const { info, folder } = explorer, wait = 1000 * Math.max(0.2, info.secondsBetweenStates);
   let news = performance.now(), number = 0;
@@ -409,7 +409,7 @@ async function openExplorer(folder) {
   first.axisCounts ??= info.hasAxis ? await readBlock(folder, 'axis') : first.histogram;
   const explorer = new HeatExplorer(folder, Object.assign(info, first.state), gray, first.histogram, first.axisCounts);
   explorer.live = first.live ?? null;
-  Object.assign(explorer, await explorer.load(explorer.step)); // an unreadable first step is reported instead of the page
+  Object.assign(explorer, await explorer.load(explorer.step)); // if the first step is unreadable, only the error is shown
   explorer.makeViews();
   await explorer.follow();
   explorer.times.open = performance.now() - started;

@@ -39,7 +39,7 @@ function sharpen(row) {
   });
 }
 
-// The histogram as HeatHistogramPicture draws it: heat to the right, time downwards, one row of pixels for each of its rows.
+// The histogram as HeatHistogramPicture draws it: heat to the right, time downwards, one pixel row per histogram row.
 function pictureOf(counts, axis, columns, colors) {
   const rows = counts.length / NUMBER_OF_BINS, columnsOf = columnCounts(counts, axis, columns);
   const greatest = columnsOf.reduce((a, b) => Math.max(a, b), 0), image = new ImageData(columns, rows);
@@ -56,7 +56,7 @@ function pictureOf(counts, axis, columns, colors) {
   return canvas;
 }
 
-// The heat histogram. page: axis, counts of all rows and of the shown step, lines, what clicks and drags do.
+// The heat histogram. page: axis, counts of all rows and of the shown step, lines, mouse actions.
 export class HistogramView extends View {
   constructor(root, page) {
     super(root, 'histogram', 'histogram');

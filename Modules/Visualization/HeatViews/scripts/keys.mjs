@@ -1,32 +1,32 @@
 import { KeyTable } from '../../../Core/Report/scripts/keys.mjs';
 
-// See Keys; the methods are those of the explorer.
+// See Keys; the methods belong to the explorer.
 export const explorerKeys = new KeyTable([
   ['Histogram', [
     ['ArrowRight', '→', 'cursor to the right', 'moveCursor', 1],
     ['ArrowLeft', '←', 'cursor to the left', 'moveCursor', -1],
     ['Enter', 'Enter', 'pick the line at the cursor, or the range from the mark', 'pickAtCursor'],
-    ['m', 'M', 'begin a range at the cursor, or end it there without picking', 'toggleMark'],
+    ['m', 'M', 'start a range at the cursor, or cancel it', 'toggleMark'],
     ['l', 'L', 'pick the line of the voxel under the crosshair', 'pickHere'],
     ['PageUp', 'Page ↑', 'earlier stored time step', 'nextStep', -1],
     ['PageDown', 'Page ↓', 'later stored time step', 'nextStep', 1],
     ['o', 'O', 'open up the chosen line: the axis is equalized within it', 'openChosen'],
-    ['b', 'B', 'back out of the opened range', 'closeRange'],
-    ['e', 'E', 'axis equalized, or in proportion to the value', 'toggleScale'],
-    ['f', 'F', 'the histogram fills the window, or not', 'toggleFull'],
+    ['b', 'B', 'leave the opened range', 'closeRange'],
+    ['e', 'E', 'equalized or linear axis', 'toggleScale'],
+    ['f', 'F', 'histogram in full window on or off', 'toggleFull'],
   ]],
   ['Lines', [
     ['n', 'N', 'next line', 'stepLine', 1],
     ['p', 'P', 'previous line', 'stepLine', -1],
-    ['Delete', 'Del', 'remove the chosen line', 'removeChosen'],
-    ['k', 'K', 'next color of it', 'nextColor'],
+    ['Delete', 'Del', 'remove the selected line', 'removeChosen'],
+    ['k', 'K', 'next color', 'nextColor'],
     ['+', '+', 'more opaque', 'addOpacity', 0.05],
     ['-', '-', 'more transparent', 'addOpacity', -0.05],
-    ['h', 'H', 'hide it, or show it', 'toggleLine'],
-    ['[', '[', 'its lower end one bin down', 'moveEnd', ['lower', -1]],
-    [']', ']', 'its lower end one bin up', 'moveEnd', ['lower', 1]],
-    ['{', '{', 'its upper end one bin down', 'moveEnd', ['upper', -1]],
-    ['}', '}', 'its upper end one bin up', 'moveEnd', ['upper', 1]],
+    ['h', 'H', 'hide or show the line', 'toggleLine'],
+    ['[', '[', 'lower end one bin down', 'moveEnd', ['lower', -1]],
+    [']', ']', 'lower end one bin up', 'moveEnd', ['lower', 1]],
+    ['{', '{', 'upper end one bin down', 'moveEnd', ['upper', -1]],
+    ['}', '}', 'upper end one bin up', 'moveEnd', ['upper', 1]],
     ['Ctrl+z', 'Ctrl Z', 'undo', 'undo'],
     ['Ctrl+y', 'Ctrl Y', 'redo', 'redo'],
     ['Ctrl+Shift+z', '', '', 'redo'],
@@ -42,7 +42,7 @@ export const explorerKeys = new KeyTable([
     ['Shift+ArrowRight', 'Shift →', 'to the right', 'turn', [15, 0]],
     ['Shift+ArrowUp', 'Shift ↑', 'upwards', 'turn', [0, 15]],
     ['Shift+ArrowDown', 'Shift ↓', 'downwards', 'turn', [0, -15]],
-    ['z', 'Z', 'enlarge slices and rendering; Shift: make them smaller', 'enlarge', 1.25],
+    ['z', 'Z', 'enlarge slices and rendering; Shift: shrink', 'enlarge', 1.25],
     ['Shift+z', '', '', 'enlarge', 0.8],
   ]],
   ['Files', [
@@ -59,6 +59,6 @@ export const explorerKeys = new KeyTable([
   ['double click on a line', 'opens it up'],
   ['click on a time step', 'shows the heat of that step'],
   ['click on a slice or the rendering', 'sets the crosshair in all views'],
-  ['wheel', 'goes through slices; with Ctrl enlarges them; enlarges the rendering'],
+  ['wheel', 'scrolls through slices (with Ctrl: zooms); zooms the rendering'],
   ['drag the rendering', 'turns it'],
 ]);

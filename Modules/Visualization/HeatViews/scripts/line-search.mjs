@@ -1,6 +1,6 @@
 import { lowerEdge, NUMBER_OF_BINS } from './lines.mjs';
 
-// The line around a bin with many counts: both slopes, down to a twentieth of the peak or until the counts rise again.
+// The line around a peak bin: both slopes, until the counts fall below a twentieth of the peak or rise again.
 export function lineAround(counts, top) {
   const at = (i) => (counts[i - 1] + 2 * counts[i] + (counts[i + 1] ?? 0)) / 4; // single bins are noisy
   const least = at(top) / 20;

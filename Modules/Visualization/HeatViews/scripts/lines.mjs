@@ -1,8 +1,8 @@
 // Lines of a heat histogram as a transfer function: {lower, upper, color '#rrggbb', opacity, isOn}. A line contains the voxels with
-// lower <= heat < upper. The bins are those of HeatHistogram.
+// lower <= heat < upper. Bins as in HeatHistogram.
 const BINS_PER_OCTAVE = 256, OCTAVES = 16;
 export const NUMBER_OF_BINS = BINS_PER_OCTAVE * OCTAVES + 1;
-export const MOST_LINES = 12; // 3D Slicer reads no more
+export const MOST_LINES = 12; // limit of 3D Slicer
 
 // Lower edge of a bin; exact, because it is an integer fraction of a power of two.
 export function lowerEdge(bin) {
@@ -13,7 +13,7 @@ export function lowerEdge(bin) {
 export function binOf(heat) {
   if (!(heat >= 2 ** -OCTAVES)) return 0;
   let octave = Math.floor(Math.log2(heat));
-  if (2 ** octave > heat) octave--; // log2 rounds
+  if (2 ** octave > heat) octave--; // corrects rounding of log2
   const within = Math.floor((heat / 2 ** octave - 1) * BINS_PER_OCTAVE);
   return Math.min(NUMBER_OF_BINS - 1, 1 + (octave + OCTAVES) * BINS_PER_OCTAVE + within);
 }
@@ -89,19 +89,19 @@ function pointsText(points, unit) {
   return [values.length, ...values].join(' ');
 }
 
-// The lines as a volume property of 3D Slicer: the bytes that HeatTransferFunction writes. unit: what a heat of 1 is in the volume.
+// The lines as a volume property of 3D Slicer, with the same bytes as HeatTransferFunction. unit: volume value of heat 1.
 export function volumeProperty(lines, unit) {
   const points = [opacityPoints(lines), [[0, 1], [1, 1]], colorPoints(lines)];
   return `${['0', '1', '0.6', '0.3', '0.2', '10', ...points.map((p) => pointsText(p, unit))].join('\n')}\n`;
 }
 
-// What HeatTransferFunction --from reads.
+// Text for HeatTransferFunction --from.
 export function savedText(lines, quantity, timeStep) {
   const saved = lines.map(({ lower, upper, color, opacity }) => ({ lower, upper, color, opacity }));
   return `${JSON.stringify({ shapeton: 'transfer function', version: 1, quantity, timeStep, lines: saved }, null, 2)}\n`;
 }
 
-// Parses the lines of such a text. Throws a message for the reader if invalid; HeatTransferFunction checks more strictly.
+// Parses the lines of such a text. Throws an error with a user message if invalid; HeatTransferFunction checks more strictly.
 export function linesFromText(text, quantity) {
   let saved = null;
   try {

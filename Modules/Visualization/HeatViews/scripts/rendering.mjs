@@ -3,14 +3,14 @@ import { add, clamp, cross, dot, scaled, sub, unit } from '../../../Core/Report/
 import { View } from '../../../Core/Report/scripts/view.mjs';
 
 const BLOCK = 8, FILLED = 0.88; // edge length of a block, voxels; fraction of the picture filled by the volume
-const BUDGET = [200, 1500], LEAST_PART = 0.1; // ms for a coarse and for a fine picture; of the pixels of the screen, along a side
-const MIXED = 1, UNIFORM = 2; // content of a block; 0: nothing visible
+const BUDGET = [200, 1500], LEAST_PART = 0.1; // ms for a coarse and for a fine picture; picture pixels per screen pixel along a side
+const MIXED = 1, UNIFORM = 2; // content of a block; 0: invisible
 
 // One triangle covers the picture.
 const CORNERS = 'void main() { gl_Position = vec4(gl_VertexID == 1 ? 3. : -1., gl_VertexID == 2 ? 3. : -1., 0, 1); }';
 
 // Casts rays through a volume of premultiplied colors, as RenderVolume does: voxels are classified first, then color and opacity
-// are interpolated, so no line appears between two voxels that neither of them has.
+// are interpolated, so interpolation creates no other lines between two voxels.
 const RAYS = `
 precision highp sampler3D;
 uniform sampler3D voxels, blocks;
@@ -28,7 +28,7 @@ vec3 gradientAt(vec3 p) {
   return (k.xxx * at(p + k.xxx).a + k.xyy * at(p + k.xyy).a + k.yxy * at(p + k.yxy).a + k.yyx * at(p + k.yyx).a) / 4.;
 }
 
-// Opaque objects are opaque throughout; of transparent objects little more than the surface is drawn.
+// Opaque objects are opaque throughout; transparent objects are drawn mainly at their surface.
 vec4 shaded(vec4 c, vec3 gradient) {
   float steep = min(4. * length(gradient), 1.), inside = c.a * c.a * c.a * c.a;
   float alpha = c.a * (inside + (1. - inside) * min(steep / c.a, 1.));
@@ -166,7 +166,7 @@ class RayCaster {
   }
 }
 
-// The volume in space, by parallel projection. While something changes the picture is coarse; the fine one follows.
+// The volume in space, by parallel projection. During changes the picture is coarse; a fine one follows.
 export class RenderingView extends View {
   constructor(root, page) {
     super(root, 'rendering', 'rendering');
@@ -191,7 +191,7 @@ export class RenderingView extends View {
     this.quickly();
   }
 
-  // A coarse picture at once, the fine one when nothing has moved for a while.
+  // Draws a coarse picture immediately, and a fine one after a pause.
   quickly() {
     clearTimeout(this.timer);
     Object.assign(this, { isCoarse: true, isStale: true });
@@ -213,7 +213,7 @@ export class RenderingView extends View {
   }
 
   draw(g, w, h, ratio) {
-    if (!this.isPossible) { this.say(g, 'The volume in space needs WebGL 2.'); return; }
+    if (!this.isPossible) { this.say(g, 'The rendering requires WebGL 2.'); return; }
     const key = [w, h, ratio].join();
     if (this.isStale || key !== this.key) this.cast(w, h, ratio);
     this.key = key;
@@ -245,7 +245,7 @@ export class RenderingView extends View {
       toLight, halfway: unit(sub(toLight, forward)), normals: this.rows.flat(),
     });
     Object.assign(this.picture, { width: W, height: H });
-    this.picture.getContext('2d', { willReadFrequently: true }).drawImage(drawn, 0, 0); // waits for it
+    this.picture.getContext('2d', { willReadFrequently: true }).drawImage(drawn, 0, 0); // waits for the GPU
     const time = performance.now() - started;
     this.cost = time / (W * H);
     return time;

@@ -2,7 +2,7 @@ import { clamp } from '../../../Core/Report/scripts/math.mjs';
 import { View } from '../../../Core/Report/scripts/view.mjs';
 import { channelsOf } from './lines.mjs';
 
-const OPACITY = 0.6; // of the colors of lines over the gray values, as in pictures of reports
+const OPACITY = 0.6; // opacity of line colors over the gray values, as in report pictures
 
 // A slice along the image's own axes, with voxels in the colors of their lines. plane: as written by HeatExplorer.
 export class HeatSliceView extends View {
@@ -21,7 +21,7 @@ export class HeatSliceView extends View {
     const { plane, page: { place } } = this, [nx, ny] = this.size, [dx, dy] = this.steps;
     const s = this.zoom * Math.min(this.w / (nx * dx), this.h / (ny * dy));
     const own = (i, n, isFlipped) => (isFlipped ? n - 1 - i : i) + 0.5;
-    // When enlarged, the slice follows the crosshair, but fills the view if possible.
+    // An enlarged slice follows the crosshair, but fills the view if possible.
     const start = (room, n, step, i) => {
       const length = n * step * s;
       return length <= room ? (room - length) / 2 : clamp(room / 2 - i * step * s, room - length, 0);
@@ -77,7 +77,7 @@ export class HeatSliceView extends View {
   scaleBy(by) { this.zoom = clamp(this.zoom * by, 1, 12); this.changed(); }
 }
 
-// For each line, and none, the color of each gray value.
+// Color of each gray value for each line, and for no line.
 export function paintsOf(lines) {
   const paints = new Uint32Array((lines.length + 1) * 256);
   for (let g = 0; g < 256; g++) paints[g] = 0xff000000 | (g * 0x10101);

@@ -103,7 +103,7 @@ ClassifiedVolume::MarkOccupiedBlocks()
 void
 ClassifiedVolume::MarkUniformBlocks()
 {
-  // A block and all its neighbors: they extend farther than the smoothing of opacity and the gradient's differences.
+  // A block and all its neighbors cover the support of opacity smoothing and of the gradient's differences.
   constexpr std::uint8_t    several = 255;
   std::vector<std::uint8_t> lineOfBlock(m_Content.size());
   ParallelFor(m_Blocks[2], [&](int blockZ) {

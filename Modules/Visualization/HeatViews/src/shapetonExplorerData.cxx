@@ -18,7 +18,7 @@ namespace
 {
 using ImageType = itk::Image<float, 3>;
 
-/** Subsamples each axis by n, so that the page opens within seconds. */
+/** Subsampling factor of each axis that lets the page open within seconds. */
 class VoxelGrid
 {
 public:

@@ -19,7 +19,7 @@ PutGray(PageBlocks & blocks, const itk::Image<float, 3> * gray, const IntensityW
 void
 PutCounts(PageBlocks & blocks, const std::string & name, const HeatHistogram & histogram);
 
-/** Page data on volume and views that do not depend on the heat. */
+/** Page data on volume and views, independent of the heat. */
 Json
 InfoOf(const HeatExplorerContent & content);
 
@@ -29,7 +29,7 @@ JsonOf(const ShapeQuantity & quantity);
 Json
 JsonOf(const ShapeTransferFunction & transferFunction);
 
-/** The page that reads its data from a folder next to it. */
+/** The page, which reads its data from a folder next to it. */
 void
 WriteExplorerPage(const std::string & path, const std::string & dataFolder);
 } // namespace shapeton

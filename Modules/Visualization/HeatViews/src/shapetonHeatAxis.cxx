@@ -65,7 +65,7 @@ HeatAxis::HeatAxis(const HeatHistogram & histogram, HeatScale scale, const HeatR
 {
   if (!(m_Range.lower >= 0.0 && m_Range.lower < m_Range.upper && m_Range.upper <= 1.0))
   {
-    throw std::invalid_argument("a heat range needs 0 <= lower < upper <= 1");
+    throw std::invalid_argument("a heat range must satisfy 0 <= lower < upper <= 1");
   }
   if (scale == HeatScale::Normalized && IsDefault(range))
   {

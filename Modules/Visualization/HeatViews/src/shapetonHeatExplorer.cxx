@@ -27,7 +27,7 @@ HeatExplorer::Write(const HeatExplorerContent & content)
 {
   if (m_TimeSteps.empty())
   {
-    throw std::logic_error("a heat explorer needs the heat of a time step");
+    throw std::logic_error("a heat explorer requires the heat of at least one time step");
   }
   PutGray(m_Blocks, content.gray, WindowOf(content.gray, content.window));
   PutCounts(m_Blocks, "histogram", *content.histogram);

@@ -19,10 +19,10 @@ constexpr int classStripHeight = 44;
 constexpr int tickLength = 6;
 constexpr int openingStripHeight = 8;
 constexpr int openingHeight = 30; // a strip and the lines to the next one
-// If there are more zoom levels, only the last ones are drawn, so that any number of ranges fits.
+// Maximum number of drawn zoom levels; only the last ones are drawn.
 constexpr std::size_t mostOpenings = 6;
-// Maximum width of a drawn bin: on the equalized axis, a converged line has a large fraction of the counts and of the
-// axis, but should look like a line.
+// Maximum width of a drawn bin. On the equalized axis, a converged line has a large fraction of the counts and thus of
+// the axis, but should look like a line.
 constexpr double greatestLineWidth = 6.0;
 
 const RGBColor faintInk = MakeColor(96, 100, 110);
@@ -125,7 +125,7 @@ BrightnessOf(double count, double greatest)
                                        : 0.0;
 }
 
-/** Raises pixels brighter than their neighborhood in the row and lowers the rest, so that lines stand out from the haze
+/** Raises pixels brighter than their neighborhood in the row and lowers the rest, so lines stand out from the haze
  * of drifting heat that equalization spreads evenly. */
 void
 Sharpen(std::vector<double> & brightness)
@@ -203,7 +203,7 @@ DrawBackgroundLine(Picture * picture, const HeatHistogram & histogram, const Tim
   }
 }
 
-/** Brightness of a line of pixels; where several rows share it, the largest count is shown. */
+/** Brightness of a row of pixels; shows the largest count if several histogram rows share it. */
 std::vector<double>
 BrightnessOfLine(const ColumnCounts & counts, int firstRow, int endRow, int columns, double greatest)
 {
@@ -290,7 +290,7 @@ DrawHeatTicks(Picture * picture, const HeatAxis & axis, const PlotArea & area, i
   const auto          pixelOf = [&](double heat) { return area.left + axis.PositionOf(heat) * (area.width - 1); };
   const HeatRange &   range = axis.GetRange();
   std::vector<double> heats = HeatTicks(range.lower, range.upper, leastDistance, pixelOf);
-  const bool          isNarrow = heats.size() < 2; // it does not contain two round numbers
+  const bool          isNarrow = heats.size() < 2; // the range does not contain two round numbers
   if (isNarrow)
   {
     heats = { range.lower, range.upper };
@@ -307,8 +307,8 @@ DrawHeatTicks(Picture * picture, const HeatAxis & axis, const PlotArea & area, i
   }
 }
 
-/** Draws a bar from the lower to the upper heat of each class in its color, with its number below, on the first of two
- * lines where it fits. */
+/** Draws a bar from the lower to the upper heat of each class in its color. Its number is below the bar, on the first
+ * of two lines where it fits. */
 void
 DrawClasses(Picture *                      picture,
             const HeatAxis &               axis,
@@ -347,7 +347,7 @@ DrawClasses(Picture *                      picture,
   }
 }
 
-/** Label positions without overlap, each as close below its own as possible, all above `bottom`. */
+/** Label positions without overlap, each moved down as little as possible, all above `bottom`. */
 std::vector<int>
 SpreadLabels(const std::vector<double> & wanted, int distance, int bottom)
 {
@@ -506,7 +506,7 @@ DrawHeatHistogram(const HeatHistogram & histogram, const HeatHistogramPictureOpt
   }
   if (options.width < 600 || options.height < 400)
   {
-    throw std::invalid_argument("the picture of a heat histogram needs at least 600 x 400 pixels");
+    throw std::invalid_argument("the picture of a heat histogram must have at least 600 x 400 pixels");
   }
   const HeatHistogram & axisHistogram = options.axisHistogram ? *options.axisHistogram : histogram;
   const HeatAxis        axis(axisHistogram, options.scale, ShownRange(options));

@@ -39,8 +39,8 @@ HeatRangesOf(const std::vector<double> & ends)
 {
   RequireParameter(
     ends.size() % 2 == 0,
-    "the parameter \"histogramRange\" takes pairs of numbers: a,b, and c,d after them for a range within "
-    "that one, for example 0.1,0.4,0.2,0.25");
+    "the parameter \"histogramRange\" requires pairs of numbers: a,b, followed by c,d for a range within "
+    "a,b, for example 0.1,0.4,0.2,0.25");
   HeatRanges ranges;
   for (std::size_t i = 0; i < ends.size(); i += 2)
   {
@@ -72,7 +72,6 @@ std::vector<HeatClass>
 FindClassesInside(const HeatHistogram & histogram, std::size_t row, const HeatRange & range)
 {
   HeatClassificationRule rule;
-  rule.backgroundHeat = 0.0; // low heats are part of the range as well
   std::vector<HeatClass> classes = FindHeatClasses(RowInside(histogram, row, range), 0, rule);
   classes.erase(classes.begin()); // the background, bin 0
   if (!classes.empty())

@@ -61,7 +61,7 @@ SnapshotsIn(const std::string & folder)
   return snapshots;
 }
 
-/** The first few time steps, and the last one. */
+/** Lists the first few time steps, and the last one. */
 std::string
 ListOf(const std::map<std::uint64_t, std::string> & snapshots)
 {
@@ -85,8 +85,8 @@ FindInFolder(const std::string & folder, std::optional<std::uint64_t> timeStep)
   const std::map<std::uint64_t, std::string> snapshots = SnapshotsIn(folder);
   if (snapshots.empty())
   {
-    throw InputError("the folder " + folder + " contains no heat-<time step>.nrrd: give a folder written by " +
-                     "CumulativeHeatDiffusion as its snapshots, or a heat volume");
+    throw InputError("the folder " + folder + " contains no heat-<time step>.nrrd: use a folder written by " +
+                     "CumulativeHeatDiffusion --snapshots, or a heat volume");
   }
   const auto found = timeStep ? snapshots.find(*timeStep) : std::prev(snapshots.end());
   if (found == snapshots.end())
@@ -129,7 +129,7 @@ FindHeatSnapshot(const std::string & path, std::optional<std::uint64_t> timeStep
 {
   if (!std::filesystem::exists(path))
   {
-    throw InputError("no heat volume found at " + path + ": give a heat volume or a folder of snapshots");
+    throw InputError("no heat volume found at " + path + ": check the path of the heat volume or folder of snapshots");
   }
   if (std::filesystem::is_directory(path))
   {
@@ -138,8 +138,8 @@ FindHeatSnapshot(const std::string & path, std::optional<std::uint64_t> timeStep
   const std::optional<std::uint64_t> stated = TimeStepInHeader(path);
   if (timeStep && stated && *timeStep != *stated)
   {
-    throw ParameterError("the heat volume " + path + " is of time step " + std::to_string(*stated) + ", not " +
-                         std::to_string(*timeStep) + ": leave out the time step, or give a folder of snapshots");
+    throw ParameterError("the heat volume " + path + " is from time step " + std::to_string(*stated) + ", not " +
+                         std::to_string(*timeStep) + ": omit the time step, or use a folder of snapshots");
   }
   return { path, stated ? stated : timeStep };
 }
@@ -162,7 +162,7 @@ RequireHeat(const itk::Image<float, 3> * heat, const std::string & path)
   if (!isHeat)
   {
     throw InputError(
-      path + " is not a heat volume, its values are not in [0, 1]: give one written by CumulativeHeatDiffusion, or a "
+      path + " is not a heat volume, its values are not in [0, 1]: use one written by CumulativeHeatDiffusion, or a "
              ".nrrd or .mha with the visits of ShapetonDiffusion");
   }
 }

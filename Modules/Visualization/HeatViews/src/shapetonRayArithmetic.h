@@ -21,7 +21,7 @@ enum class RayContent : std::uint8_t
 {
   Transparent,
   Mixed,
-  /** A single line, extending far enough that the gradient is 0. */
+  /** A single line in the whole neighborhood; the gradient is 0. */
   Uniform
 };
 
@@ -123,8 +123,8 @@ UniformSampleAt(const RayVolume & volume, const double position[3])
   return volume.samples[volume.lines[VoxelIndex(volume, index[0], index[1], index[2])]];
 }
 
-/** Color and opacity between voxels. The slope at the border of an object, where opacity is interpolated to one half,
- * is doubled, so that the object keeps its size. */
+/** Color and opacity between voxels. At the border of an object, opacity is interpolated to one half; the slope is
+ * doubled to preserve the size of the object. */
 SHAPETON_HOST_DEVICE RaySample
 SampleAt(const RayVolume & volume, const double position[3])
 {
@@ -298,7 +298,7 @@ Accumulate(const RayVolume & volume,
   const Gradient perVoxel = isUniform ? Gradient{} : GradientAt(volume, position);
   const float *  g = perVoxel.along;
   const float    steepness = Smaller(4.0F * sqrtf(g[0] * g[0] + g[1] * g[1] + g[2] * g[2]), 1.0F);
-  // Opaque objects are opaque throughout; of transparent objects little more than the surface is drawn.
+  // Opaque objects are opaque throughout; transparent objects are drawn mainly at their surface.
   const float    power2 = sample[3] * sample[3];
   const float    inside = power2 * power2;
   const float    opacity = sample[3] * (inside + (1.0F - inside) * Smaller(steepness / sample[3], 1.0F));
@@ -323,7 +323,7 @@ ColorOfPixel(const RayVolume & volume, const RayView & view, double x, double y,
   float visible = 1.0F;
   if (Clip(volume, view, start, first, last))
   {
-    // Integer sample numbers, counted from the picture plane: adjacent rays sample the same planes.
+    // Integer sample numbers, counted from the picture plane, so adjacent rays sample the same planes.
     for (double t = ceil(first); t <= last && visible > 0.004F; t += 1.0)
     {
       const double position[3] = { start[0] + t * view.step[0],

@@ -16,7 +16,7 @@ Refuse(const std::string & path, const std::string & fault)
   throw InputError(path + " is not a transfer function saved by the heat explorer: " + fault + "; save it again");
 }
 
-/** Reader of one file, with errors that name it. */
+/** Reader of one file; errors include its name. */
 class Reader
 {
 public:

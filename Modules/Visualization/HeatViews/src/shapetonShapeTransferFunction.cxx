@@ -102,7 +102,7 @@ ParseLine(const std::string & text)
   const auto color = ColorOf(parts[1]);
   if (!color)
   {
-    throw ParameterError("\"" + parts[1] + "\" in the line \"" + text + "\" is not a color: give #rrggbb or one of " +
+    throw ParameterError("\"" + parts[1] + "\" in the line \"" + text + "\" is not a color: use #rrggbb or one of " +
                          ColorNames());
   }
   line.color = *color;
@@ -110,7 +110,7 @@ ParseLine(const std::string & text)
   if (!TakeNumber(opacity, line.opacity) || !opacity.empty())
   {
     throw ParameterError("\"" + parts[2] + "\" in the line \"" + text +
-                         "\" is not an opacity: give a number from 0 to 1");
+                         "\" is not an opacity: use a number from 0 to 1");
   }
   return line;
 }
@@ -126,7 +126,7 @@ Check(const TransferFunctionLine & line)
 {
   if (!(line.lowerHeat >= 0.0 && line.upperHeat <= 1.0 && line.lowerHeat < line.upperHeat))
   {
-    throw ParameterError("the range of heats " + RangeText(line) + " is wrong: it needs 0 <= a < b <= 1");
+    throw ParameterError("the range of heats " + RangeText(line) + " is invalid: it requires 0 <= a < b <= 1");
   }
   if (line.upperHeat - line.lowerHeat < narrowestLine)
   {
@@ -135,7 +135,7 @@ Check(const TransferFunctionLine & line)
   if (!(line.opacity >= 0.0 && line.opacity <= 1.0))
   {
     throw ParameterError("the opacity " + CsvTable::Number(line.opacity) + " of the line " + RangeText(line) +
-                         " is wrong: give a number from 0 to 1");
+                         " is invalid: use a number from 0 to 1");
   }
 }
 
@@ -164,8 +164,8 @@ JoinClosest(std::vector<HeatClass> & classes, const HeatAxis & axis)
   classes.erase(classes.begin() + static_cast<std::ptrdiff_t>(closest) + 1);
 }
 
-/** 0.9 for classes up to the median voxel count; smaller for larger ones, by that ratio to the power of 2/3, down to
- * 0.03: a class that fills much of the volume becomes a veil. */
+/** 0.9 for classes up to the median voxel count. Larger classes: 0.9 times the inverse of that ratio to the power of
+ * 2/3, at least 0.03, so a class that fills much of the volume becomes a veil. */
 double
 OpacityFor(std::uint64_t voxels, std::uint64_t middleVoxels)
 {
@@ -278,7 +278,7 @@ ShapeTransferFunction::ShapeTransferFunction(std::vector<TransferFunctionLine> l
     if (m_Lines[i].lowerHeat < m_Lines[i - 1].upperHeat)
     {
       throw ParameterError("the lines " + RangeText(m_Lines[i - 1]) + " and " + RangeText(m_Lines[i]) +
-                           " overlap: a heat has one color");
+                           " overlap: lines must be disjoint");
     }
   }
 }
@@ -334,7 +334,7 @@ ShapeTransferFunction::LineOf(float heat) const
     });
   if (after == m_Lines.begin() || heat >= (after - 1)->upperHeat)
   {
-    // The maximum heat belongs to a line that ends there.
+    // Heat 1 is included in a line that ends at 1.
     const bool isAtEnd = !m_Lines.empty() && heat >= 1.0F && m_Lines.back().upperHeat >= 1.0;
     return isAtEnd ? static_cast<int>(m_Lines.size()) - 1 : -1;
   }

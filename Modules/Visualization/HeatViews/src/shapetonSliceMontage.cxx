@@ -34,7 +34,7 @@ struct SliceScore
   std::size_t       voxels{ 0 };
 };
 
-/** The cut of DrawSliceMontage(); samples every n-th voxel of each axis, at most some millions. */
+/** The default cut of DrawSliceMontage(), from every n-th voxel of each axis, at most a few million voxels. */
 itk::Index<3>
 MostColorfulCut(const ImageType * heat, const HeatColoring & coloring)
 {
@@ -128,7 +128,7 @@ Check(const ImageType * gray, const ImageType * heat, const SliceMontageOptions 
   if (!gray || !heat || gray->GetBufferedRegion() != heat->GetBufferedRegion() ||
       gray->GetBufferedRegion().GetNumberOfPixels() == 0)
   {
-    throw std::invalid_argument("a montage needs an image and a heat volume of the same size");
+    throw std::invalid_argument("the image and the heat volume of a montage must have the same size");
   }
   if (options.cut && !gray->GetBufferedRegion().IsInside(*options.cut))
   {
@@ -136,7 +136,7 @@ Check(const ImageType * gray, const ImageType * heat, const SliceMontageOptions 
   }
   if (options.width < 600)
   {
-    throw std::invalid_argument("a montage needs a width of at least 600 pixels");
+    throw std::invalid_argument("a montage must be at least 600 pixels wide");
   }
 }
 } // namespace

@@ -47,7 +47,7 @@ MakeRayView(const itk::ImageBase<3> * volume, const PatientView & view)
   rays.millimetersPerPixel = view.GetMillimetersPerPixel();
   rays.middleX = view.GetMiddleX();
   rays.middleY = view.GetMiddleY();
-  // Two samples per smallest voxel: the opacity of a sample then follows by a square root from that of a voxel.
+  // Two samples per smallest spacing, so the transmittance of a sample is the square root of that of a voxel.
   const Vector3 step = view.GetForward() * (0.5 * std::min({ spacing[0], spacing[1], spacing[2] }));
   RayArithmetic::ToIndexVector(rays, step.GetDataPointer(), rays.step);
   const Vector3 toLight = Lighting::DirectionToLight(view.GetRight(), view.GetUp(), view.GetForward());
@@ -141,7 +141,7 @@ VolumeRenderer::VolumeRenderer(const itk::Image<float, 3> *  heat,
 {
   if (!heat || heat->GetBufferedRegion().GetNumberOfPixels() == 0)
   {
-    throw std::invalid_argument("there is no volume to render");
+    throw std::invalid_argument("the volume to render is empty");
   }
   constexpr std::size_t bytesOfVoxel = 4; // lines, opacity and content
   constexpr std::size_t more = std::size_t{ 1 } << 26;

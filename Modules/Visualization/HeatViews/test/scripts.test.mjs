@@ -1,4 +1,4 @@
-// The scripts of the page that need no page. usage: node --test scripts.test.mjs
+// Tests scripts without a page. Usage: node --test scripts.test.mjs
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
@@ -10,7 +10,7 @@ import {
 } from '../scripts/lines.mjs';
 import { contentsOf } from '../scripts/rendering.mjs';
 
-// Random numbers that are the same in each run.
+// Deterministic random numbers.
 function randoms(seed) {
   let state = seed;
   return () => { state = (1664525 * state + 1013904223) >>> 0; return state / 2 ** 32; };
@@ -28,7 +28,7 @@ test('bins tile the heats from 0 to 1', () => {
   assert.deepEqual([0, 1e-6, 1, 2].map(binOf), [0, 0, NUMBER_OF_BINS - 1, NUMBER_OF_BINS - 1]);
 });
 
-test('numbers are those of C with %g', () => { // printf("%.9g"), ties to the even digit among them
+test('numbers match C's %g', () => { // printf("%.9g"), including ties to even
   const pairs = [
     [0.1005859375, '0.100585938'], [0.2001953125, '0.200195312'], [1e-5, '1e-05'], [0.00012345678912, '0.000123456789'],
     [123456789, '123456789'],
@@ -40,7 +40,7 @@ test('numbers are those of C with %g', () => { // printf("%.9g"), ties to the ev
   assert.equal(rounded(0.375, 2), '0.38');
 });
 
-test('a volume property has ramps at the ends of lines and none between lines that touch', () => {
+test('a volume property has ramps at the ends of lines, but not between adjacent lines', () => {
   const rows = volumeProperty([line(0.25, 0.5), line(0.5, 0.75, '#00ff00', 1)], 1).split('\n');
   assert.deepEqual(rows.slice(0, 6), ['0', '1', '0.6', '0.3', '0.2', '10']);
   assert.equal(rows[6], '14 0 0 0.249999 0 0.25 0.5 0.499999 0.5 0.5 1 0.749999 1 0.75 0');
@@ -49,7 +49,7 @@ test('a volume property has ramps at the ends of lines and none between lines th
   assert.equal(volumeProperty([line(0.25, 0.5)], 400).split('\n')[7], '4 0 1 400 1');
 });
 
-test('a new line takes its heats from those that it overlaps', () => {
+test('a new line removes its heats from the lines that it overlaps', () => {
   const ranges = (lines) => lines.map((l) => [l.lower, l.upper]);
   assert.deepEqual(ranges(withLine([line(0.2, 0.6)], line(0.3, 0.4))), [[0.2, 0.3], [0.3, 0.4], [0.4, 0.6]]);
   assert.deepEqual(ranges(withLine([line(0.2, 0.3), line(0.3, 0.5)], line(0.1, 0.4))), [[0.1, 0.4], [0.4, 0.5]]);
@@ -57,7 +57,7 @@ test('a new line takes its heats from those that it overlaps', () => {
   assert.deepEqual([...numbers.subarray(98, 106)], [0, 0, 1, 1, 1, 0, 0, 0]);
 });
 
-test('saved lines are read again, and others refused', () => {
+test('saved lines are read back, and invalid ones rejected', () => {
   const lines = [line(lowerEdge(3001), lowerEdge(3100)), line(0.5, 1, '#05bffa', 0.05)];
   const text = savedText(lines, 'heat', 100);
   assert.deepEqual(linesFromText(text, 'heat'), lines);
@@ -68,7 +68,7 @@ test('saved lines are read again, and others refused', () => {
   assert.throws(() => linesFromText(text, 'density'), /for heat, not for density/);
 });
 
-test('the axis is equalized in all and in each opened range, and goes back from place to heat', () => {
+test('the axis is equalized in the full and in each opened range, and is invertible', () => {
   const random = randoms(5), rows = 3, counts = new Uint32Array(rows * NUMBER_OF_BINS);
   for (let i = 0; i < counts.length; i++) counts[i] = 1000 * random() ** 8;
   const shares = equalization(counts), whole = rangeOfCounts(counts);
@@ -80,7 +80,7 @@ test('the axis is equalized in all and in each opened range, and goes back from 
       for (let i = 1; i < 50; i++) assert.ok(Math.abs(axis.positionOf(axis.heatAt(i / 50)) - i / 50) < 1e-9);
     }
   }
-  // Equalized: each tenth of the axis has a tenth of the counts of the range, the rows weighing the same.
+  // Equalized: each tenth of the axis has a tenth of the counts of the range; rows have equal weight.
   const [a, b] = [2000, 2300], axis = new HeatAxis(shares, true, [lowerEdge(a), lowerEdge(b)]), middle = binOf(axis.heatAt(0.5));
   const sum = (from, to) => shares[to] - shares[from];
   assert.ok(Math.abs(sum(a, middle) / sum(a, b) - 0.5) < 0.02);
@@ -88,7 +88,7 @@ test('the axis is equalized in all and in each opened range, and goes back from 
   assert.ok(empty.positionOf(0.4) > empty.positionOf(0.3));
 });
 
-test('ranges opened one within another have the axis of the pictures', () => { // HeatRanges.NestedAxesAreThoseOfTheExplorer
+test('nested ranges have the same axis as the pictures', () => { // HeatRanges.NestedAxesAreThoseOfTheExplorer
   const example = JSON.parse(readFileSync(new URL('../../HeatViews/test/nested-ranges.json', import.meta.url)));
   const counts = new Uint32Array(example.rows.length * NUMBER_OF_BINS), within = (c) => c - Math.floor(c);
   const heatAt = (c) => lowerEdge(Math.floor(c)) + within(c) * (lowerEdge(Math.floor(c) + 1) - lowerEdge(Math.floor(c)));
@@ -99,7 +99,7 @@ test('ranges opened one within another have the axis of the pictures', () => { /
   }
 });
 
-test('a line is found with its slopes, in noise, and apart from its neighbor', () => {
+test('a line is found with its slopes, despite noise, and separate from its neighbor', () => {
   const random = randoms(9), counts = new Uint32Array(NUMBER_OF_BINS);
   const peak = (middle, width, height) => { for (let i = -60; i <= 60; i++) counts[middle + i] += height * Math.exp(-((i / width) ** 2)); };
   peak(3000, 8, 5000);
@@ -116,7 +116,7 @@ test('a line is found with its slopes, in noise, and apart from its neighbor', (
   assert.equal(lineNear(single, new HeatAxis(equalization(single), false, [0, 1]), 0.9, 0.01), null);
 });
 
-test('undo and redo go through states; a slider is one change', () => {
+test('undo and redo restore states; a slider move is one change', () => {
   const history = new History('a');
   history.change('b');
   history.change('c', 'slider');
@@ -134,15 +134,15 @@ test('undo and redo go through states; a slider is one change', () => {
   assert.equal(history.state, 'e');
 });
 
-test('rays skip no block from which a visible voxel can be interpolated', () => {
+test('rays do not skip blocks that affect visible voxels', () => {
   const size = [21, 17, 18], random = randoms(3), bins = new Uint16Array(size[0] * size[1] * size[2]);
-  const numbers = Uint8Array.from([0, 1, 2, 2]), colors = Uint32Array.from([0, 200 * 2 ** 24, 0, 0]); // the second line cannot be seen
+  const numbers = Uint8Array.from([0, 1, 2, 2]), colors = Uint32Array.from([0, 200 * 2 ** 24, 0, 0]); // the second line is invisible
   for (let i = 0; i < bins.length; i++) bins[i] = random() < 0.001 ? 1 : 2 + Math.round(random());
   const blocks = size.map((n) => Math.ceil(n / 8)), contents = contentsOf(bins, numbers, colors, size);
   const at = (x, y, z) => bins[(z * size[1] + y) * size[0] + x] === 1;
   for (let b = 0; b < contents.length; b++) {
     const low = [b % blocks[0], Math.floor(b / blocks[0]) % blocks[1], Math.floor(b / (blocks[0] * blocks[1]))].map((i) => 8 * i);
-    let isSeen = false; // a search through all voxels
+    let isSeen = false; // exhaustive search
     for (let z = low[2]; z <= Math.min(low[2] + 8, size[2] - 1); z++) {
       for (let y = low[1]; y <= Math.min(low[1] + 8, size[1] - 1); y++) {
         for (let x = low[0]; x <= Math.min(low[0] + 8, size[0] - 1); x++) isSeen ||= at(x, y, z);

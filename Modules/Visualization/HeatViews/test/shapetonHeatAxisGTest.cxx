@@ -8,7 +8,7 @@
 
 namespace
 {
-/** Two rows: 100 voxels at 0.1, 300 at 0.2, 600 at 0.4, and a background of 5000; the same in both. */
+/** Two equal rows: 100 voxels at 0.1, 300 at 0.2, 600 at 0.4, and 5000 background voxels. */
 shapeton::HeatHistogram
 ThreeLines()
 {
@@ -78,7 +78,7 @@ TEST(HeatAxis, PositionNeverFallsAndHeatAtInvertsIt)
 TEST(HeatAxis, APartIsEqualizedAnew)
 {
   const shapeton::HeatAxis part(ThreeLines(), shapeton::HeatScale::Equalized, { 0.05, 0.3 });
-  // 100 and 300 voxels are left.
+  // 100 and 300 voxels remain.
   EXPECT_NEAR(part.PositionOf(MiddleOfBin(0.1F)), 0.125, 1e-6);
   EXPECT_NEAR(part.PositionOf(MiddleOfBin(0.2F)), 0.25 + 0.375, 1e-6);
   EXPECT_EQ(part.PositionOf(0.4), 1.0);
@@ -98,7 +98,7 @@ TEST(HeatAxis, ColorsFollowThePosition)
   const shapeton::HeatAxis axis(ThreeLines());
   EXPECT_EQ(axis.ColorOf(0.15), shapeton::HeatColor(0.1));
   EXPECT_EQ(axis.ColorOf(1.0), shapeton::HeatColor(1.0));
-  // 0.1 lies anywhere in its bin; its line has the color of the bin's middle.
+  // 0.1 is not at the center of its bin, but its line has the color of the center.
   EXPECT_EQ(axis.ColorOf(0.1), shapeton::HeatColor(0.05));
   EXPECT_EQ(axis.ColorOf(0.4), shapeton::HeatColor(0.7));
   EXPECT_EQ(shapeton::HeatAxis(ThreeLines(), shapeton::HeatScale::Normalized, { 0.0, 0.5 }).ColorOf(0.1),

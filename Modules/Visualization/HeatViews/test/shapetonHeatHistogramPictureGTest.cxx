@@ -85,7 +85,7 @@ TEST_P(HeatHistogramPicture, LinesStandAtTheirPlaceInTheirColor)
       isLine[near] = true;
     }
   }
-  // At the end there is nothing but the three lines.
+  // Only the three lines remain at the end.
   const shapeton::RGBColor dark = shapeton::At(picture, area.left - 2, bottom);
   for (int x = area.left; x < area.left + area.width; ++x)
   {
@@ -163,7 +163,7 @@ TEST(HeatHistogramPictures, APartOfTheHeatsFillsThePlot)
     lit += shapeton::At(picture, x, bottom) != dark ? 1 : 0;
   }
   EXPECT_GT(lit, 0);
-  EXPECT_LE(lit, 9); // the line at 0.2 alone
+  EXPECT_LE(lit, 9); // only the line at 0.2
   const shapeton::HeatAxis part(histogram, shapeton::HeatScale::Equalized, options.ranges.back());
   EXPECT_NE(shapeton::At(picture, ColumnOf(0.2, part, area), bottom), dark);
 }

@@ -102,7 +102,7 @@ TEST(HeatRanges, ASingleBinCannotBeOpened)
 
 TEST(HeatRanges, LinesThatAClassOfAllHeatsJoinsAreFoundInside)
 {
-  // Ten lines, 3 % apart, with a hundredth of the voxels of a large object each, and less than a class needs.
+  // Ten lines, 3 % apart, each with a hundredth of the voxels of a large object, too few for separate classes.
   shapeton::HeatHistogram histogram({ 0 });
   histogram.AddToRow(0, std::vector<float>(3000000, 0.5F).data(), 3000000);
   for (int line = 0; line < 10; ++line)

@@ -9,7 +9,7 @@
 
 namespace
 {
-/** The visits of a volume of 4^3 voxels, of which the first has most. */
+/** Visits of a volume of 4^3 voxels; the first voxel has the most. */
 shapeton::ShapeAnalysis
 VisitsAfter(std::uint64_t timeStep)
 {

@@ -13,7 +13,7 @@ namespace
 using namespace shapeton;
 using Heat = itk::Image<float, 3>;
 
-/** Nested bodies of several heats on a turned, anisotropic grid. */
+/** Nested bodies of several heats on a rotated, anisotropic grid. */
 Heat::Pointer
 MakeHeat(unsigned int nx, unsigned int ny, unsigned int nz)
 {
@@ -61,7 +61,7 @@ ExpectTheSame(const Heat * heat, const VolumeRenderingOptions & options)
   ASSERT_EQ(bytes, 3 * b->GetBufferedRegion().GetNumberOfPixels());
   const unsigned char * const pixels = b->GetBufferPointer()->GetDataPointer();
   EXPECT_EQ(std::memcmp(a->GetBufferPointer(), pixels, bytes), 0);
-  EXPECT_GT(std::set<unsigned char>(pixels, pixels + bytes).size(), 30U); // a picture, not an empty one
+  EXPECT_GT(std::set<unsigned char>(pixels, pixels + bytes).size(), 30U); // not empty
 }
 
 TEST(RaysOnDevice, PicturesFromAllSidesAreTheSameBytes)

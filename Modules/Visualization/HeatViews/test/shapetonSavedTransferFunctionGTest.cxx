@@ -24,7 +24,7 @@ std::string
 FileWith(const std::string & text)
 {
   const std::string test = testing::UnitTest::GetInstance()->current_test_info()->name();
-  const std::string path = testing::TempDir() + "/transfer-function-" + test + ".json"; // tests run beside each other
+  const std::string path = testing::TempDir() + "/transfer-function-" + test + ".json"; // tests run in parallel
   shapeton::WriteFileBytes(path, text);
   return path;
 }

@@ -10,7 +10,7 @@ namespace
 {
 using VisitsType = itk::Image<std::uint32_t, 3>;
 
-/** Slices of 100 voxels with these numbers of visits, the middle of which scatter by one. */
+/** Slices of 100 voxels with these numbers of visits; the middle ones vary by one. */
 VisitsType::Pointer
 MakeVisits(const std::vector<std::uint32_t> & slices)
 {
@@ -42,7 +42,7 @@ TEST(VisitDensity, HistogramCountsEachVoxelOnceAndSpreadsSmallNumbers)
   const std::uint32_t * const row = histogram.GetRow(0);
   EXPECT_EQ(std::accumulate(row, row + shapeton::HeatHistogram::NumberOfBins, 0U), 400U);
   EXPECT_EQ(row[0], 100U);
-  // 50 voxels of one visit lie from one half to one and a half, in more bins than one.
+  // 50 voxels with one visit are spread from 0.5 to 1.5 visits, over several bins.
   const double       greatest = 20001.0;
   const unsigned int first = shapeton::HeatHistogram::BinOf(static_cast<float>(0.5 / greatest));
   const unsigned int end = shapeton::HeatHistogram::BinOf(static_cast<float>(1.4999 / greatest));
@@ -55,7 +55,7 @@ TEST(ShapeAnalysis, TellsVisitsApartAndGivesEachClassTheSameRoom)
   // Nine slices of surroundings, two objects.
   const auto visits = MakeVisits({ 20, 20, 20, 20, 20, 20, 20, 20, 20, 200, 2000 });
   const auto shape = shapeton::AnalyzeVisits(visits, 50);
-  ASSERT_EQ(shape.classes.size(), 4U); // with the background, which is empty
+  ASSERT_EQ(shape.classes.size(), 4U); // including the background, which is empty
   EXPECT_EQ(shape.classes[1].voxels, 900U);
   EXPECT_EQ(shape.classes[2].voxels, 100U);
   EXPECT_EQ(shape.classes[3].voxels, 100U);
@@ -66,7 +66,7 @@ TEST(ShapeAnalysis, TellsVisitsApartAndGivesEachClassTheSameRoom)
   const shapeton::HeatAxis axis(shape.axisHistogram);
   EXPECT_NEAR(axis.PositionOf(shape.classes[1].upperHeat), 1.0 / 3.0, 0.01);
   EXPECT_NEAR(axis.PositionOf(shape.classes[2].upperHeat), 2.0 / 3.0, 0.01);
-  // Red is much, blue is little.
+  // Red: high density; blue: low density.
   const auto most = axis.ColorOf(shape.classes[3].meanHeat);
   const auto least = axis.ColorOf(shape.classes[1].meanHeat);
   EXPECT_GT(most[0], most[2]);

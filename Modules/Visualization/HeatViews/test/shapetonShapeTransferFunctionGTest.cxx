@@ -28,8 +28,8 @@ MessageOf(const std::string & text)
   return "";
 }
 
-/** A volume property as 3D Slicer's reader understands it: nine lines through a buffer of 1024 characters, each
- * function as a count and that many numbers, heats made to ascend strictly. */
+/** A volume property as parsed by 3D Slicer: nine lines read through a buffer of 1024 characters, each function as a
+ * count and that many numbers, with strictly ascending heats. */
 struct SlicerVolumeProperty
 {
   int                              interpolation;
@@ -264,7 +264,7 @@ TEST(ShapeTransferFunction, SlicerReadsTheVolumeProperty)
   EXPECT_EQ(property.specularPower, 10.0);
   EXPECT_EQ(property.gradientOpacity, (std::vector<std::vector<double>>{ { 0.0, 1.0 }, { 1.0, 1.0 } }));
   ExpectSameFunction(function, property, 2e-6);
-  // Half open: the lower end belongs to the line, the upper end does not.
+  // Half-open: the line includes its lower end, but not its upper end.
   EXPECT_NEAR(Interpolate(property.opacity, 0.1, 1), 0.5, 1e-6);
   EXPECT_NEAR(Interpolate(property.opacity, 0.2, 1), 1.0, 1e-6);
   EXPECT_NEAR(Interpolate(property.opacity, 0.25, 1), 0.0, 1e-6);
@@ -370,7 +370,7 @@ TEST(ShapeTransferFunction, TooManyClassesAreJoinedWhereTheyAreClosest)
   std::vector<shapeton::HeatClass> classes{ MakeClass(0, 0.0, 0.1, 5000) };
   for (unsigned int i = 0; i < 13; ++i)
   {
-    // Classes 5 and 6 have few voxels between their means.
+    // Classes 5 and 6 have only few voxels between their means.
     const std::uint64_t voxels = i == 5 || i == 6 ? 10 : 1000;
     classes.push_back(MakeClass(i + 1, 0.1 + 0.05 * i, 0.1 + 0.05 * (i + 1), voxels));
     const auto heat = static_cast<float>(classes.back().meanHeat);

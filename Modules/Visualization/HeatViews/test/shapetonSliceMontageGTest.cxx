@@ -59,7 +59,7 @@ GrayAt(const ImageType::PointType & point)
   return 3.0 * point[0] + 2.0 * point[1] + point[2];
 }
 
-/** Heat 0.5 in the block that is left, posterior and high of the center. */
+/** Heat 0.5 in a block to the left of, behind and above the center. */
 double
 HeatAt(const ImageType::PointType & point)
 {
@@ -113,15 +113,15 @@ TEST(SliceMontage, SlicesHaveTheRightShapeAndSide)
     const auto box = ColoredBox(picture, left, left + panel);
     const int  width = box[2] - box[0] + 1;
     const int  height = box[3] - box[1] + 1;
-    // Voxels at 3, 4, ... 17 mm, and slices at 3, 6, ... 15 mm: 15 mm either way.
+    // Voxels at 3, 4, ... 17 mm, slices at 3, 6, ... 15 mm: both 15 mm long.
     EXPECT_NEAR(width * 45.0 / panel, 15.0, 0.4) << i;
     EXPECT_NEAR(height * 45.0 / panel, 15.0, 0.4) << i;
-    // The block is left of the patient's middle (right half of axial and coronal) and posterior (right half of
+    // The block is left of the patient's center (right half of axial and coronal) and posterior (right half of
     // sagittal).
     EXPECT_GT(box[0], left + panel / 2) << i;
   }
   const int top = static_cast<int>(picture->GetBufferedRegion().GetSize(1)) - panel - 16 - 24;
-  // Posterior is below in the axial slice, the head is on top in the other two.
+  // Posterior is at the bottom of the axial slice; the head is on top in the other two.
   EXPECT_GT(ColoredBox(picture, 16, 396)[1], top + panel / 2 - 1);
   EXPECT_LT(ColoredBox(picture, 410, 790)[3], top + panel / 2);
   EXPECT_LT(ColoredBox(picture, 804, 1184)[3], top + panel / 2);
@@ -129,7 +129,7 @@ TEST(SliceMontage, SlicesHaveTheRightShapeAndSide)
 
 TEST(SliceMontage, TheStorageOfTheVolumeDoesNotMatter)
 {
-  const std::array<double, 3> spacing{ { 1.0, 1.8, 3.0 } }; // 45, 25 and 15 voxels: the middle is a voxel
+  const std::array<double, 3> spacing{ { 1.0, 1.8, 3.0 } }; // 45, 25 and 15 voxels: the center is a voxel
   const auto draw = [&](const std::array<unsigned int, 3> & order, const std::array<bool, 3> & isReversed) {
     const auto gray = MakeGrid(spacing, order, isReversed);
     const auto heat = MakeGrid(spacing, order, isReversed);
@@ -165,7 +165,7 @@ TEST(SliceMontage, CutsWhereMostColorsAreSeen)
   shapeton::SliceMontageOptions options;
   options.opacity = 1.0;
   const auto picture = shapeton::DrawSliceMontage(gray, heat, shapeton::ColorByLine(function), options);
-  options.cut = itk::Index<3>{ { 22, 7, 40 } }; // no slice across x has two colors: the largest object's, in the middle
+  options.cut = itk::Index<3>{ { 22, 7, 40 } }; // no sagittal slice has two colors: middle of the largest object
   const auto expected = shapeton::DrawSliceMontage(gray, heat, shapeton::ColorByLine(function), options);
   EXPECT_EQ(shapeton::GreatestDifference(picture, expected), 0);
 }

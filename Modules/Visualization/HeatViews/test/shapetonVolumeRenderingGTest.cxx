@@ -198,7 +198,7 @@ TEST(VolumeRendering, OneLineAloneShowsItsObjectsOnly)
 
 TEST(VolumeRendering, NoOtherObjectsColorAppearsBetweenAnObjectAndTheBackground)
 {
-  // Blue's heat is the greatest: interpolated heat would pass through green and red on its surface.
+  // Blue has the highest heat; interpolated heat would pass through green and red on its surface.
   auto heat = MakeObliqueGrid();
   FillBall(heat, blueCenter, 9.0, blueHeat);
   const auto picture = shapeton::RenderVolume(heat, shapeton::ShapeTransferFunction::Parse(threeLines), {});
@@ -262,7 +262,7 @@ TEST(VolumeRendering, TheStorageOfTheVolumeDoesNotMatter)
 
   const auto function = shapeton::ShapeTransferFunction::Parse(threeLines);
   const auto picture = shapeton::RenderVolume(image, function, {});
-  // Rounding may move a sample that lies just between two voxels.
+  // Rounding may move a sample that is halfway between two voxels.
   const auto countDifferent = [&](const shapeton::Picture * with) {
     int different = 0;
     for (itk::SizeValueType i = 0; i < 800 * 600; ++i)
@@ -352,7 +352,7 @@ TEST(VisibleRegion, HoldsTheVoxelsOfTheLinesAndFillsThePicture)
   const auto                  place = view.Project(redCenter);
   EXPECT_NEAR(place[0], 0.5 * (options.width - 1), 1.5 / view.GetMillimetersPerPixel());
   EXPECT_NEAR(place[1], 0.5 * (options.height - 1), 1.5 / view.GetMillimetersPerPixel());
-  EXPECT_LT(view.GetMillimetersPerPixel() * options.height, 40.0); // 14 mm, turned, and a margin
+  EXPECT_LT(view.GetMillimetersPerPixel() * options.height, 40.0); // 14 mm, rotated, with a margin
   EXPECT_FALSE(shapeton::VisibleRegion(image, shapeton::ShapeTransferFunction::Parse("0.7-0.8:red:1")).has_value());
 }
 

@@ -12,7 +12,7 @@ namespace shapeton
  * (highest heat) is red, as in the dissertation's figures. Values outside [0, 1] are clamped.
  *
  * Equal position steps are equal steps in CIELAB (each of 32 steps has a delta E of 9.6, about 3 % of the way from blue
- * to red), so that no step looks like an edge and similar heats look similar. The lightness L* rises from 42 to 84 at
+ * to red), so no step looks like an edge and similar heats look similar. The lightness L* rises from 42 to 84 at
  * position 0.69 and falls to 51 at red. It contrasts with a dark background everywhere, but only the hue is monotonic
  * in heat. \ingroup ShapetonPictureKit */
 ShapetonPictureKit_EXPORT RGBColor
@@ -21,8 +21,8 @@ HeatColor(double position);
 /** Color of a class, counted from 1. Classes are unordered; the colors are distinguishable, also for color-blind
  * readers.
  *
- * Any two of the first 8 are at least 39 apart in CIELAB (CIE 1976), of the 12 at least 27, as seen with normal, deutan
- * and protan vision. None is gray, and all contrast with black. They repeat after 12.
+ * Any two of the first 8 are at least 39 apart in CIELAB (CIE 1976), of all 12 at least 27, for normal, deutan and
+ * protan vision. No color is gray, and all contrast with black. Colors repeat after 12.
  * \ingroup ShapetonPictureKit */
 ShapetonPictureKit_EXPORT RGBColor
 ClassColor(unsigned int label);
@@ -30,17 +30,17 @@ ClassColor(unsigned int label);
 /** The color of a case-insensitive name ("red", "steelblue", ... see ColorNames()) or of "#rrggbb"; empty for any other
  * text. \ingroup ShapetonPictureKit */
 ShapetonPictureKit_EXPORT std::optional<RGBColor>
-                  ColorOf(const std::string & text);
+                          ColorOf(const std::string & text);
 
 /** Names accepted by ColorOf(), separated by ", ".
  * \ingroup ShapetonPictureKit */
 ShapetonPictureKit_EXPORT std::string
-                  ColorNames();
+                          ColorNames();
 
 /** The color as "#rrggbb".
  * \ingroup ShapetonPictureKit */
 ShapetonPictureKit_EXPORT std::string
-                  HexOf(const RGBColor & color);
+                          HexOf(const RGBColor & color);
 } // namespace shapeton
 
 #endif

@@ -43,7 +43,7 @@ LookFrom(PatientSide side, PatientViewOptions & options);
 
 /** "anterior", "left", ... \ingroup ShapetonPictureKit */
 ShapetonPictureKit_EXPORT std::string
-                  NameOf(PatientSide side);
+                          NameOf(PatientSide side);
 
 /** \class PatientView
  * \brief A parallel projection of patient space (LPS, mm) onto the pixels of a picture.
@@ -61,7 +61,8 @@ public:
   /** Throws std::invalid_argument for an elevation beyond 90 degrees, a nonpositive zoom, or an empty picture. */
   PatientView(const itk::ImageBase<3> * volume, const itk::ImageRegion<3> & focus, const PatientViewOptions & options);
 
-  /** Shows these distances (mm) on each side of the center, along GetRight() and GetUp(). Throws the same. */
+  /** Shows these distances (mm) on each side of the center, along GetRight() and GetUp(). Throws the same
+   * exceptions. */
   PatientView(const PointType & center, double halfWidth, double halfHeight, const PatientViewOptions & options);
 
   /** Picture position, in pixels (x to the right, y downwards), of a physical point. */

@@ -32,7 +32,7 @@ using Picture = itk::Image<RGBColor, 2>;
 /** A picture filled with one color. Throws std::invalid_argument if a side is 0.
  * \ingroup ShapetonPictureKit */
 ShapetonPictureKit_EXPORT Picture::Pointer
-                  NewPicture(unsigned int width, unsigned int height, const RGBColor & background);
+                          NewPicture(unsigned int width, unsigned int height, const RGBColor & background);
 
 /** Writes PNG, independent of the extension of `path`. Throws OutputError, also if the disk is full.
  * \ingroup ShapetonPictureKit */
@@ -100,7 +100,7 @@ enum class VerticalAnchor
   Bottom
 };
 
-/** Style of a text, in VTK's built-in sans-serif font, so that it looks the same on every machine.
+/** Style of a text, in VTK's built-in sans-serif font, for equal pictures on every machine.
  * \ingroup ShapetonPictureKit */
 struct TextStyle
 {
@@ -131,8 +131,8 @@ MeasureText(const std::string & text, const TextStyle & style);
 ShapetonPictureKit_EXPORT TextStyle
 FitText(const std::string & text, TextStyle style, int width);
 
-/** Draws one line of UTF-8 text at the anchor point (x, y). Needs no display. Throws std::runtime_error if the text
- * cannot be rendered.
+/** Draws one line of UTF-8 text at the anchor point (x, y). Does not require a display. Throws std::runtime_error if
+ * the text cannot be rendered.
  * \ingroup ShapetonPictureKit */
 ShapetonPictureKit_EXPORT void
 DrawText(Picture * picture, const std::string & text, int x, int y, const TextStyle & style);

@@ -29,7 +29,8 @@ struct OrientationLettersStyle
 {
   int      size{ 20 };
   RGBColor color;
-  /** Distance to the left and right border, pixels; three quarters of it to the upper and lower one. */
+  /** Distance to the left and right border, pixels; the distance to the upper and lower border is three quarters of
+   * it. */
   int margin{ 8 };
   /** Adds a black copy offset by one pixel, for pictures that may be bright there. */
   bool hasShadow{ false };
@@ -44,8 +45,8 @@ DrawOrientationLetters(Picture *                       picture,
                        const itk::Vector<double, 3> &  up,
                        const OrientationLettersStyle & style);
 
-/** Color scale, for example in millimeters: values up to `lower` have the map's color at 0, values from `upper` on that
- * at 1.
+/** Color scale, for example in millimeters: values up to `lower` have the map's color at 0, values from `upper` its
+ * color at 1.
  * \ingroup ShapetonPictureKit */
 struct ColorScale
 {
@@ -62,7 +63,7 @@ struct ColorScale
 
 /** Colors of `number` values. \ingroup ShapetonPictureKit */
 ShapetonPictureKit_EXPORT std::vector<RGBColor>
-                  ColorsOf(const double * values, std::size_t number, const ColorScale & scale);
+                          ColorsOf(const double * values, std::size_t number, const ColorScale & scale);
 
 /** Width of a color bar with ticks and title, pixels. \ingroup ShapetonPictureKit */
 constexpr int colorBarWidth = 96;

@@ -25,7 +25,7 @@ struct PlotFrame
   PlotAxis x; ///< to the right
   PlotAxis y; ///< upwards
 
-  /** Pixel position of a value: the lower end is the center of the first pixel, the upper end that of the last. */
+  /** Pixel position of a value; the ends are at the centers of the first and the last pixel. */
   double
   PixelOfX(double value) const
   {

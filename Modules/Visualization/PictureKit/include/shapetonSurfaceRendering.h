@@ -26,8 +26,8 @@ struct SurfaceActor
   std::vector<RGBColor> vertexColors;
   /** Empty, or one color per face; these override vertex colors. */
   std::vector<RGBColor> faceColors;
-  /** In (0, 1]; 1 is opaque. Lower values resemble a double-contrast X-ray: a face seen edge-on is denser than one seen
-   * from the front, so that contours stay clear and the interior is visible. */
+  /** In (0, 1]; 1 is opaque. Lower values resemble a double-contrast X-ray: faces seen edge-on are denser than faces
+   * seen from the front, so contours stay clear and the interior is visible. */
   double opacity{ 1.0 };
 };
 
@@ -68,7 +68,7 @@ struct SurfaceScene
  * \ingroup ShapetonPictureKit */
 struct SurfaceRenderingOptions : PatientViewOptions
 {
-  /** Title above the picture; an empty title takes no space. */
+  /** Title above the picture; no space is reserved for an empty title. */
   std::string title;
   /** Color bar at the right of the picture. */
   std::optional<ColorScale> colorBar;
@@ -93,7 +93,7 @@ struct SurfaceRenderingOptions : PatientViewOptions
  * opacity or radius out of range, and wrong options (see PatientView).
  * \ingroup ShapetonPictureKit */
 ShapetonPictureKit_EXPORT Picture::Pointer
-                  RenderSurfaces(const SurfaceScene & scene, const SurfaceRenderingOptions & options = {});
+                          RenderSurfaces(const SurfaceScene & scene, const SurfaceRenderingOptions & options = {});
 
 /** The view of RenderSurfaces(), in pixels of its picture. \ingroup ShapetonPictureKit */
 ShapetonPictureKit_EXPORT PatientView

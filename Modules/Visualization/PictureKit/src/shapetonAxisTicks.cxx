@@ -11,7 +11,7 @@ namespace shapeton
 {
 namespace
 {
-/** Accepts values, best first, that keep a minimum distance from all accepted ones. */
+/** Accepts values, best first, at a minimum distance from all accepted ones. */
 template <typename TValue>
 class TickCollector
 {
@@ -64,7 +64,7 @@ std::vector<double>
 HeatTicks(double lower, double upper, double leastDistance, const PixelOf & pixelOf)
 {
   TickCollector<double> ticks(leastDistance, pixelOf);
-  // Multipliers by roundness: one digit, then two, then three, the last only where there is enough space.
+  // Multipliers by roundness: one digit, then two, then three, three digits only where there is enough space.
   constexpr double                    room = 1.4;
   constexpr double                    muchRoom = 2.2;
   const std::vector<std::vector<int>> roundness{ { 1 }, { 2, 5 }, { 3, 4, 6, 7, 8, 9 } };
@@ -172,7 +172,7 @@ RoundTicks(double lower, double upper, int greatestNumber)
   const double tolerance = 1e-9 * greatestNumber;
   for (double k = std::ceil(lower / step - tolerance); k * step <= upper + tolerance * step; k += 1.0)
   {
-    ticks.push_back(k * step + 0.0); // no -0
+    ticks.push_back(k * step + 0.0); // avoids -0
   }
   return ticks;
 }

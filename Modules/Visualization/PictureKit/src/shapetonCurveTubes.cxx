@@ -13,7 +13,7 @@ namespace
 using Vector3 = Eigen::Vector3d;
 
 constexpr int sides = 12;
-constexpr int stacks = 10; // of a ball, from pole to pole
+constexpr int stacks = 10; // rings of a ball, from pole to pole
 
 /** Collects vertices and faces. */
 class MeshBuilder
@@ -86,7 +86,7 @@ private:
   std::vector<std::array<int, 3>> m_Faces;
 };
 
-/** The unit vector perpendicular to `tangent` that is closest to `last`, so that the tube does not twist. */
+/** The unit vector perpendicular to `tangent` that is closest to `last`, to avoid twist of the tube. */
 Vector3
 AcrossLike(const Vector3 & last, const Vector3 & tangent)
 {
@@ -100,7 +100,7 @@ AddTube(MeshBuilder & builder, const CurveActor & actor, const std::vector<int> 
   const auto colorOf = [&](int vertex) {
     return actor.vertexColors.empty() ? actor.color : actor.vertexColors[vertex];
   };
-  std::vector<int> vertices; // those that move on
+  std::vector<int> vertices; // distinct consecutive points
   for (const int vertex : curve)
   {
     if (vertices.empty() || actor.curves->V.row(vertex) != actor.curves->V.row(vertices.back()))

@@ -58,7 +58,7 @@ DepthShading::DepthShading(const std::vector<SeenSample> & samples,
   : m_Strength(static_cast<float>(strength))
 {
   const int reach = std::max(static_cast<int>(std::max(width, height)) / 60, 2);
-  m_DarkDepth = static_cast<float>(2.0 * reach * millimetersPerPixel); // equal to the extent of the surroundings
+  m_DarkDepth = static_cast<float>(2.0 * reach * millimetersPerPixel); // equal to the size of the neighborhood
   if (strength <= 0.0)
   {
     return;

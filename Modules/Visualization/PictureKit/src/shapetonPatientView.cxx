@@ -13,7 +13,7 @@ namespace
 // Fraction of the picture filled by the volume.
 constexpr double filled = 0.88;
 
-/** Exact for multiples of 90 degrees, so that views along the axes sample whole voxels. */
+/** Exact for multiples of 90 degrees, so views along the axes sample voxel centers. */
 double
 SineOfDegrees(double degrees)
 {
@@ -95,7 +95,8 @@ PatientView::TurnTo(const PatientViewOptions & options)
 {
   if (!(std::fabs(options.elevation) <= 90.0 && options.zoom > 0.0) || options.width == 0 || options.height == 0)
   {
-    throw std::invalid_argument("a view needs an elevation from -90 to 90 degrees, a positive zoom, and pixels");
+    throw std::invalid_argument(
+      "the elevation of a view must be from -90 to 90 degrees, zoom and size must be positive");
   }
   m_MiddleX = 0.5 * (options.width - 1.0);
   m_MiddleY = 0.5 * (options.height - 1.0);

@@ -25,7 +25,7 @@ public:
         !(camera.fieldOfView < 170.0) || !(camera.nearest > 0.0) || !(camera.lightReach > 0.0))
     {
       throw std::invalid_argument(
-        "a perspective camera has no view direction, looks along its up, or has a number out of range");
+        "a perspective camera has a zero view direction, one parallel to up, or a number out of range");
     }
     m_Forward = look.normalized();
     m_Right = across.normalized();
@@ -54,7 +54,7 @@ public:
   {
     const double          depth = std::max(this->DepthOf(point), m_Camera.nearest);
     const Eigen::Vector2d place = this->PlaceOf(m_Camera.eye + (point - m_Camera.eye) * (depth / this->DepthOf(point)));
-    // 1 / depth is linear over a face on the screen, and so is this value, which increases with depth.
+    // 1 / depth is linear over a face on the screen. So is this value, which increases with depth.
     const double order = -1000.0 * m_Camera.nearest / depth;
     return { ScreenPlace(place.x()),
              ScreenPlace(place.y()),
@@ -111,7 +111,7 @@ RenderPerspective(const SurfaceMesh &           surface,
   const Projection projection(camera);
   if (static_cast<Eigen::Index>(vertexColors.size()) != surface.V.rows())
   {
-    throw std::invalid_argument("a perspective picture needs a color for each vertex");
+    throw std::invalid_argument("a perspective picture requires a color for each vertex");
   }
   const FaceMatrix   faces = FacesInFront(surface, projection, camera.nearest);
   const VertexMatrix normals = VertexNormals(surface.V, surface.F);

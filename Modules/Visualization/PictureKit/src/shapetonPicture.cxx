@@ -55,11 +55,11 @@ IsInside(const Picture * picture, int x, int y)
   return x >= 0 && y >= 0 && x < WidthOf(picture) && y < HeightOf(picture);
 }
 
-/** Encodes PNG in memory, so that a failing disk causes an error in plain writing and not inside an image library. */
+/** Encodes PNG in memory, so disk errors occur in plain writing, not inside an image library. */
 std::string
 EncodePng(const Picture * picture)
 {
-  vtkNew<vtkImageFlip> upwards; // VTK's rows run upwards
+  vtkNew<vtkImageFlip> upwards; // VTK stores rows bottom-up
   upwards->SetInputData(ImageDataOf(picture));
   upwards->SetFilteredAxis(1);
   vtkNew<vtkPNGWriter> writer;
@@ -87,7 +87,7 @@ RenderText(const std::string & text, const TextStyle & style, vtkImageData * cov
   const std::lock_guard<std::mutex> lock(mutex);
   if (!vtkFreeTypeTools::GetInstance()->RenderString(property, vtkStdString(text), pointsPerInch, coverage, dimensions))
   {
-    throw std::runtime_error("cannot set the text \"" + text + "\"");
+    throw std::runtime_error("cannot render the text \"" + text + "\"");
   }
 }
 
@@ -126,7 +126,7 @@ NewPicture(unsigned int width, unsigned int height, const RGBColor & background)
 {
   if (width == 0 || height == 0)
   {
-    throw std::invalid_argument("a picture needs a width and a height");
+    throw std::invalid_argument("the width and the height of a picture must be positive");
   }
   auto picture = Picture::New();
   picture->SetRegions(Picture::SizeType{ { width, height } });

@@ -23,7 +23,7 @@ RowOf(const itk::Vector<double, 3> & vector)
 int
 ScreenPlace(double pixel)
 {
-  // Far outside any picture, and small enough for products of two differences in 64 bits.
+  // Far outside any picture, but small enough for products of two differences in 64 bits.
   constexpr double limit = 1 << 28;
   return static_cast<int>(std::lround(std::clamp((pixel + 0.5) * samplesAlongPixel * subsamples, -limit, limit)));
 }

@@ -165,7 +165,7 @@ private:
     }
     for (int k = 0; k < 4; ++k)
     {
-      // A single one, or two diagonal ones: the inside corners are cut off.
+      // One inside corner, or two diagonal ones: cut off the inside corners.
       const bool isAlone = inside == 3 ? !corner[k] : inside < 3 && corner[k];
       if (isAlone)
       {

@@ -71,7 +71,7 @@ public:
   }
 
 private:
-  /** False if the face covers no sample. */
+  /** Returns false if the face covers no sample. */
   static bool
   BandsOf(const ScreenPart & part, Eigen::Index face, int columns, int bands, int & first, int & last)
   {
@@ -171,7 +171,7 @@ public:
     return m_Corner[0]->z + w1 * (m_Corner[1]->z - m_Corner[0]->z) + w2 * (m_Corner[2]->z - m_Corner[0]->z);
   }
 
-  /** Components to the right, up and towards the viewer, flipped to face him; unit length. */
+  /** Components to the right, up and towards the viewer, flipped to face the viewer; unit length. */
   std::array<float, 3>
   NormalAt(float w1, float w2) const
   {
@@ -230,7 +230,7 @@ ShadeAt(const ScreenPart & part, int face, float w1, float w2, const std::array<
   // Right, up, towards the viewer; see Lighting::DirectionToLight. The half vector is the mean with (0, 0, 1).
   constexpr float toLight[3] = { -0.33686077F, 0.42107596F, 0.84215192F };
   constexpr float halfway[3] = { -0.17549822F, 0.21937277F, 0.95972702F };
-  // Wrap lighting, so that surfaces facing away from the light keep their shape.
+  // Wrap lighting shows the shape of surfaces facing away from the light.
   constexpr float around = 0.35F;
   const auto      product = [&normal](const float(&direction)[3]) {
     return normal[0] * direction[0] + normal[1] * direction[1] + normal[2] * direction[2];
@@ -255,7 +255,7 @@ struct SolidSample
   float w2{ 0.0F };
 };
 
-/** Transparent faces in front of it. */
+/** Transparent faces in front of the opaque surface. */
 struct VeilSample
 {
   float color[3]{ 0.0F, 0.0F, 0.0F };

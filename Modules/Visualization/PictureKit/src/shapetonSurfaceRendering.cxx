@@ -31,20 +31,20 @@ Check(const SurfaceScene & scene)
   Require(!scene.surfaces.empty() || !scene.curves.empty() || !scene.markers.empty(), "a scene must not be empty");
   for (const SurfaceActor & actor : scene.surfaces)
   {
-    Require(actor.surface && actor.surface->NumberOfVertices() > 0, "a surface of a scene needs vertices");
+    Require(actor.surface && actor.surface->NumberOfVertices() > 0, "a surface of a scene must have vertices");
     const FaceMatrix & faces = actor.surface->F;
     const int          vertices = actor.surface->NumberOfVertices();
     Require(faces.size() == 0 || (faces.minCoeff() >= 0 && faces.maxCoeff() < vertices),
             "a face of a scene has an invalid vertex index");
     Require(actor.vertexColors.empty() || static_cast<int>(actor.vertexColors.size()) == vertices,
-            "a scene needs a color for each vertex of a surface, or none");
+            "a surface of a scene requires a color for each vertex, or none");
     Require(actor.faceColors.empty() || static_cast<int>(actor.faceColors.size()) == faces.rows(),
-            "a scene needs a color for each face of a surface, or none");
-    Require(actor.opacity > 0.0 && actor.opacity <= 1.0, "the opacity of a surface is above 0 and at most 1");
+            "a surface of a scene requires a color for each face, or none");
+    Require(actor.opacity > 0.0 && actor.opacity <= 1.0, "the opacity of a surface must be above 0 and at most 1");
   }
   for (const CurveActor & actor : scene.curves)
   {
-    Require(actor.curves != nullptr && actor.radius > 0.0, "curves of a scene need a radius above 0");
+    Require(actor.curves != nullptr && actor.radius > 0.0, "curves of a scene require a radius above 0");
     for (const std::vector<int> & curve : actor.curves->curves)
     {
       Require(!curve.empty() && *std::min_element(curve.begin(), curve.end()) >= 0 &&
@@ -53,7 +53,7 @@ Check(const SurfaceScene & scene)
     }
     Require(actor.vertexColors.empty() ||
               static_cast<Eigen::Index>(actor.vertexColors.size()) == actor.curves->V.rows(),
-            "a scene needs a color for each vertex of its curves, or none");
+            "curves of a scene require a color for each vertex, or none");
   }
 }
 
@@ -80,7 +80,7 @@ public:
     {
       this->Add(VertexMatrix(marker.point.transpose()), marker.radius);
     }
-    Require(m_Lowest.allFinite() && m_Highest.allFinite(), "a scene needs points, and all of them finite");
+    Require(m_Lowest.allFinite() && m_Highest.allFinite(), "a scene must have points, all of them finite");
   }
 
   PatientView
@@ -90,7 +90,7 @@ public:
     Eigen::RowVector3d       half = 0.5 * (m_Highest - m_Lowest);
     if (half[0] <= 0.0 && half[1] <= 0.0)
     {
-      half.setOnes(); // a single point also needs a scale
+      half.setOnes(); // a single point has no extent
     }
     return { PatientView::PointType(center.data()), half[0], half[1], m_Options };
   }
@@ -179,7 +179,7 @@ struct Box
   }
 };
 
-/** Draws each label at the side of its marker where it does not overlap others, with a dark rim. */
+/** Draws each label at the side of its marker where it does not overlap other labels, with a dark rim. */
 void
 DrawLabels(Picture * picture, const std::vector<MarkerActor> & markers, const PatientView & view, int width)
 {

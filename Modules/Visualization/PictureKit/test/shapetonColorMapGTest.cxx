@@ -47,12 +47,12 @@ Difference(const Triple & a, const Triple & b)
 
 using Matrix = std::array<std::array<double, 3>, 3>;
 
-/** How linear sRGB looks without red or green cones (Vienot, Brettel, Mollon 1999). */
+/** Linear sRGB as seen without red or green cones (Vienot, Brettel, Mollon 1999). */
 constexpr Matrix normalSight{ { { 1.0, 0.0, 0.0 }, { 0.0, 1.0, 0.0 }, { 0.0, 0.0, 1.0 } } };
 constexpr Matrix protanSight{ { { 0.11238, 0.88762, 0.0 }, { 0.11238, 0.88762, 0.0 }, { 0.00401, -0.00401, 1.0 } } };
 constexpr Matrix deutanSight{ { { 0.29275, 0.70725, 0.0 }, { 0.29275, 0.70725, 0.0 }, { -0.02234, 0.02234, 1.0 } } };
 
-/** CIELAB of a color as it is seen. */
+/** CIELAB of a color for this type of vision. */
 Triple
 Seen(const shapeton::RGBColor & color, const Matrix & sight)
 {
@@ -65,7 +65,7 @@ Seen(const shapeton::RGBColor & color, const Matrix & sight)
   return LabOf(seen);
 }
 
-/** The least difference, CIE 1976, of any two of the first classes whose labels are at most `apart` apart. */
+/** The smallest difference (CIE 1976) between the colors of two labels that differ by at most `apart`. */
 double
 LeastDifference(unsigned int classes, unsigned int apart, const Matrix & sight)
 {
@@ -144,7 +144,7 @@ TEST(ColorMap, ClassesAreToldApartAlsoByTheColorBlind)
   {
     EXPECT_GT(LeastDifference(8, 7, sight), 39.0);
     EXPECT_GT(LeastDifference(12, 11, sight), 27.0);
-    EXPECT_GT(LeastDifference(13, 1, sight), 28.0) << "neighbors, also where the colors begin again";
+    EXPECT_GT(LeastDifference(13, 1, sight), 28.0) << "consecutive classes, also where the colors repeat";
   }
   EXPECT_EQ(shapeton::ClassColor(13), shapeton::ClassColor(1));
 }

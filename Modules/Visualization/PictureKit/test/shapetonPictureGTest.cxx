@@ -14,8 +14,7 @@ const shapeton::RGBColor white = shapeton::MakeColor(255, 255, 255);
 const shapeton::RGBColor black = shapeton::MakeColor(0, 0, 0);
 const shapeton::RGBColor red = shapeton::MakeColor(200, 10, 20);
 
-/** The smallest rectangle that holds all pixels that are not white: left, top, right, bottom; right < left when there
- * is none. */
+/** Bounding box of all pixels that are not white: left, top, right, bottom; right < left if there are none. */
 struct Ink
 {
   int left{ 1 << 20 };
@@ -65,7 +64,7 @@ TEST(Picture, PngKeepsEveryPixel)
 TEST(Picture, AFullDiskIsAnOutputErrorAtEverySize)
 {
   const auto picture = shapeton::NewPicture(300, 200, shapeton::MakeColor(1, 2, 3));
-  for (unsigned int i = 0; i < 300 * 200; ++i) // does not compress well
+  for (unsigned int i = 0; i < 300 * 200; ++i) // incompressible
   {
     picture->GetBufferPointer()[i] = shapeton::MakeColor(i * 7919 >> 3, i * 104729 >> 5, i * 1299709 >> 7);
   }
@@ -128,7 +127,7 @@ TEST(Picture, LinesHaveTheirLengthAndThickness)
     EXPECT_EQ(shapeton::At(picture, x, 21), black);
     EXPECT_EQ(shapeton::At(picture, x, 23), white);
   }
-  // The ink of a slanted line of thickness 2 is its area.
+  // The ink of a slanted line of thickness 2 equals its area.
   auto slanted = shapeton::NewPicture(60, 60, white);
   shapeton::DrawLine(slanted, 10, 10, 40, 50, black, 2);
   double ink = 0.0;
@@ -157,7 +156,7 @@ TEST(Picture, TextHasInkInItsPlace)
   EXPECT_LT(ink.bottom, 30 + extent.height);
   EXPECT_GE(ink.right - ink.left, extent.width - 6);
 
-  // The anchors move the same ink.
+  // Anchors only shift the text; the ink is equal.
   style.horizontal = shapeton::HorizontalAnchor::Right;
   style.vertical = shapeton::VerticalAnchor::Bottom;
   auto other = shapeton::NewPicture(300, 100, white);

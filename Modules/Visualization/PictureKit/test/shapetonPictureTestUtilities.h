@@ -83,7 +83,7 @@ GreatestDifference(const Picture * a, const Picture * b)
   return greatest;
 }
 
-/** Writes a picture to Testing/Temporary, where itkTestDriver finds it, and compares it, all channels, with the
+/** Writes a picture to Testing/Temporary, for itkTestDriver, and compares all its channels with the
  * baseline. */
 inline void
 ExpectBaseline(const Picture * picture, const std::string & name)

@@ -11,7 +11,7 @@ namespace shapeton
 {
 constexpr double testPi = 3.14159265358979323846;
 
-/** A grid of u x v quadrangles; `at` maps [0, 1] x [0, 1] to LPS. Its faces look along the product of the
+/** A grid of u x v quadrangles; `at` maps [0, 1] x [0, 1] to LPS. Its faces point along the cross product of the
  * derivatives. */
 inline SurfaceMesh
 ParametricMesh(int u, int v, const std::function<Eigen::RowVector3d(double, double)> & at)
@@ -63,7 +63,7 @@ TorusMesh(double ring, double tube)
   });
 }
 
-/** A coronal rectangle, one quadrangle, that looks to the front. */
+/** A coronal rectangle, one quadrangle, facing the front. */
 inline SurfaceMesh
 CoronalSheet(double left, double right, double below, double above, double y)
 {
@@ -72,7 +72,7 @@ CoronalSheet(double left, double right, double below, double above, double y)
   });
 }
 
-/** Turned about all patient axes, left-handed, with three different spacings. */
+/** Rotated about all patient axes, left-handed, with three different spacings. */
 template <typename TImage>
 typename TImage::Pointer
 ObliqueImage(const typename TImage::SizeType & size)

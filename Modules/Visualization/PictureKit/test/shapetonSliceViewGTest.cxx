@@ -17,7 +17,7 @@ constexpr shapeton::SlicePlane planes[] = { shapeton::SlicePlane::Axial,
 const shapeton::RGBColor black = shapeton::MakeColor(0, 0, 0);
 const shapeton::RGBColor white = shapeton::MakeColor(255, 255, 255);
 
-/** A ball of 11 mm in the middle of an oblique anisotropic image. */
+/** A ball of radius 11 mm in the middle of an oblique anisotropic image. */
 struct Ball
 {
   Ball() : mask(shapeton::ObliqueImage<MaskType>({ { 50, 40, 24 } }))
@@ -52,7 +52,7 @@ struct Ball
   MaskType::PointType     center;
 };
 
-/** Checks that the drawn pixels make a ring around the middle of the picture between two distances from the center. */
+/** Checks that the drawn pixels form a ring around the middle of the picture between two distances from the center. */
 void
 ExpectRing(const shapeton::Picture * picture, const Ball & ball, const shapeton::SliceView & view, double tolerance)
 {
@@ -86,7 +86,7 @@ TEST(SliceView, PixelsAndPlacesAreInverse)
       EXPECT_NEAR(pixel[0], x, 1e-9);
       EXPECT_NEAR(pixel[1], y, 1e-9);
     }
-    // A step to the right and one up are 0.1 mm along the directions of the view.
+    // One pixel to the right or up is 0.1 mm along the view directions.
     MaskType::PointType here;
     MaskType::PointType there;
     ball.mask->TransformContinuousIndexToPhysicalPoint(view.IndexOfPixel(100, 100), here);
@@ -106,11 +106,11 @@ TEST(SliceView, OutlinesLieOnTheBorderOfAMask)
     auto                      picture = shapeton::NewPicture(view.GetWidth(), view.GetHeight(), black);
     shapeton::DrawMaskOutline(
       picture, view, [&](const itk::Index<3> & index) { return ball.mask->GetPixel(index) == 1; }, white, 2.0);
-    // The border lies within half a voxel's diagonal in the slice.
+    // The border is accurate to half a voxel diagonal in the slice.
     const auto & spacing = ball.mask->GetSpacing();
     const double diagonal = std::hypot(spacing[view.GetAxes().across], spacing[view.GetAxes().down]);
     ExpectRing(picture, ball, view, 0.5 * diagonal + 0.15);
-    // Between a voxel inside and one outside, and nowhere else: each drawn pixel has both around it.
+    // Each drawn pixel is between a voxel inside and one outside.
     for (int y = 0; y < static_cast<int>(view.GetHeight()); ++y)
     {
       for (int x = 0; x < static_cast<int>(view.GetWidth()); ++x)

@@ -92,14 +92,14 @@ TEST(SurfaceRendering, ASphereCoversItsDisc)
   scene.surfaces.push_back(Actor(sphere));
   const auto options = PlainOptions();
   const auto picture = shapeton::RenderSurfaces(scene, options);
-  // Relative to the center, where the sphere covers pixels fully; its border covers them partly.
+  // Relative to the center, where pixels are fully covered; at the border coverage is partial.
   double covered = 0.0;
   for (itk::SizeValueType i = 0; i < picture->GetBufferedRegion().GetNumberOfPixels(); ++i)
   {
     covered += picture->GetBufferPointer()[i] == background ? 0.0 : 1.0;
   }
   const double mm = shapeton::ViewOfScene(scene, options).GetMillimetersPerPixel();
-  const double border = shapeton::testPi * 40.0 / mm; // half of the length of the border in pixels counts too much
+  const double border = shapeton::testPi * 40.0 / mm; // border pixels are overcounted by half on average
   EXPECT_NEAR((covered - border) * mm * mm, shapeton::testPi * 1600.0, 0.004 * shapeton::testPi * 1600.0);
 }
 
@@ -119,7 +119,7 @@ TEST(SurfaceRendering, WhatIsNearerHidesWhatIsBehind)
 
 TEST(SurfaceRendering, SheetsThatCrossAreCutWhereTheyCross)
 {
-  // One falls back to the left, the other to the right; they meet at x = 0.
+  // One surface slopes away to the left, the other to the right; they meet at x = 0.
   const auto tilted = [](double slope) {
     return shapeton::ParametricMesh(
       1, 1, [=](double u, double v) { return Eigen::RowVector3d(40 * u - 20, slope * (40 * u - 20), 40 * v - 20); });
@@ -154,7 +154,7 @@ TEST(SurfaceRendering, ATorusHasAHoleFromAboveAlone)
 
 TEST(SurfaceRendering, SidesShowThePatientTheRightWayRound)
 {
-  // Balls at the patient's left, back and head of a sphere, and where they are seen: pixels from the middle.
+  // Balls at the left, back and head side of a sphere, and their expected pixel offsets from the center.
   const shapeton::SurfaceMesh       sphere = shapeton::SphereMesh({ 0, 0, 0 }, 30.0, 24);
   const std::array<const char *, 6> across{ "L", "P", "R", "A", "L", "L" };
   const std::array<const char *, 6> up{ "H", "H", "H", "H", "P", "A" };
@@ -226,7 +226,7 @@ TEST(SurfaceRendering, FillsThePictureFromEverySide)
       }
     }
   }
-  EXPECT_NEAR(left, 18, 1); // 6 % of room at either side
+  EXPECT_NEAR(left, 18, 1); // 6 % margin on each side
   EXPECT_NEAR(right, 281, 1);
 }
 
@@ -265,7 +265,7 @@ TEST(SurfaceRendering, ColorsOfVerticesBlendAndThoseOfFacesDoNot)
 
 TEST(SurfaceRendering, SeeThroughLayersMultiply)
 {
-  // Seen from the front a layer of opacity 0.4 lets 1 - 0.4 / 4 pass; no line is seen where its two faces meet.
+  // From the front, a layer of opacity 0.4 transmits 1 - 0.4 / 4; the edge between its two faces is invisible.
   const shapeton::SurfaceMesh one = shapeton::CoronalSheet(-20, 20, -20, 20, -5.0);
   const shapeton::SurfaceMesh two = shapeton::CoronalSheet(-20, 20, -20, 20, 0.0);
   const shapeton::SurfaceMesh three = shapeton::CoronalSheet(-20, 20, -20, 20, 5.0);
@@ -280,7 +280,7 @@ TEST(SurfaceRendering, SeeThroughLayersMultiply)
     add(*mesh);
     passed *= 0.9;
     const auto picture = shapeton::RenderSurfaces(scene, PlainOptions(101));
-    for (int i = 10; i <= 90; ++i) // across the diagonals, too
+    for (int i = 10; i <= 90; ++i) // also across the diagonals
     {
       ASSERT_NEAR(shapeton::At(picture, i, 50)[0], 255 * (1.0 - passed) + 18 * passed, 1.0) << i;
       ASSERT_NEAR(shapeton::At(picture, i, 100 - i)[0], 255 * (1.0 - passed) + 18 * passed, 1.0) << i;
