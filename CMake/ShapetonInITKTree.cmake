@@ -1,5 +1,5 @@
 # CMake functions that the modules use in addition to ITK's when they are built inside ITK. Shapeton_SOURCE_DIR and
-# Shapeton_BINARY_DIR are those of the module Shapeton, the repository.
+# Shapeton_BINARY_DIR refer to the module Shapeton, the repository.
 include(GoogleTest)
 include(${Shapeton_SOURCE_DIR}/CMake/ShapetonITKTargets.cmake)
 include(${Shapeton_SOURCE_DIR}/CMake/ShapetonKernels.cmake)

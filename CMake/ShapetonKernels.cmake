@@ -24,7 +24,7 @@ function(shapeton_add_kernels name source)
     target_compile_features(${name}${set} PRIVATE cxx_std_17)
     target_compile_definitions(${name}${set} PRIVATE
       SHAPETON_INSTRUCTION_SET=${set} SHAPETON_VECTOR_BYTES=${bytes_${set}})
-    # Never fuse a*b+c, for the same results on every CPU. Vectorize regardless of the build type.
+    # No fusing of a*b+c, for equal results on every CPU. Vectorize regardless of the build type.
     target_compile_options(${name}${set} PRIVATE
       -ffp-contract=off -fno-math-errno -Wno-psabi $<$<NOT:$<CONFIG:Debug>>:-O3> ${option_${set}})
     target_include_directories(${name}${set} PRIVATE

@@ -1,4 +1,4 @@
-# Macros called by module files. Names and meanings are those of ITK's build, so that a module folder also builds inside an ITK
+# Macros called by module files. Names and meanings match ITK's build, so a module folder also builds inside an ITK
 # source tree; ITK's own macros do not work with an installed ITK.
 
 include(GenerateExportHeader)

@@ -17,7 +17,7 @@ function(shapeton_write_needs file)
   file(WRITE ${file} "${text}set(Shapeton_MODULES ${modules})\n")
 endfunction()
 
-# Targets of other packages that the users of a module link, and VTK targets hidden by shared libraries. Reads needs_<module> and
+# Finds the targets of other packages that users of a module link, and the VTK targets hidden by shared libraries. Reads needs_<module> and
 # hidden_<module> of the earlier modules.
 function(shapeton_needs_of needs_variable hidden_variable module)
   get_target_property(public Shapeton${module} INTERFACE_LINK_LIBRARIES)

@@ -1,5 +1,5 @@
-# Precompiles the headers of ITK, Eigen, JSON and the standard library, which took half of the build time. Sources must still
-# include what they use: clang-tidy, header tests and builds of selected modules do not use precompiled headers.
+# Precompiles the headers of ITK, Eigen, JSON and the standard library, which otherwise take half of the build time. Sources must still
+# include all headers that they use: clang-tidy, header tests and builds of selected modules do not use precompiled headers.
 
 # shapeton_precompile(<target>): makes a library, tool or test use the precompiled headers, if enabled in this build.
 function(shapeton_precompile target)

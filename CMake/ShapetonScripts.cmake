@@ -4,7 +4,7 @@
 #
 # ES modules, in dependency order, are combined into one classic script inside a function, because browsers reject modules from
 # file://. The lines "import ..." and the words "export" are removed, so top-level names must be unique. Other files, such as
-# styles, are joined unchanged. F.cxx defines the array shapeton::N of pieces, because compilers need not support literals longer
+# styles, are joined unchanged. F.cxx defines the array shapeton::N of pieces, because compilers may not support literals longer
 # than 64 kB; F.txt contains the whole text.
 set(text "")
 foreach(file IN LISTS FILES)

@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
-"""Compares the files of two folders by what they hold, not by how it is packed.
+"""Compares the files of two folders by their decoded contents.
 
 usage: compare-files.py OLD NEW [--names MAP]
 
 Images, surfaces, pictures and compressed files are decoded; other files are compared byte by byte. MAP is a text file with an old and a new
-word in each line, separated by a blank: the old word is replaced in the names of the old files and in all text of them (also in the
-headers of binary files). Lists each file that differs or that one folder lacks, and the number of files; status 0 if there is none,
+word in each line, separated by a blank: the old word is replaced in the names and all text of the old files (also in the
+headers of binary files). Lists files that differ or exist in only one folder, and the number of files; status 0 if there are none,
 3 otherwise. Run records, logs and files of CTest are not compared, because they differ between equal runs."""
 
 import argparse
@@ -19,7 +19,7 @@ IGNORED = re.compile(r"(^|/)(run\.json|[^/]*\.run\.json|[^/]*\.log|[^/]*\.tmp|CT
 
 
 def read_names(path):
-    """A function that turns old words into new ones; the longest word that fits is taken."""
+    """Returns a function that replaces old words by new ones, longest matches first."""
     if path is None:
         return lambda text: text
     pairs = [line.split() for line in path.read_text(encoding="utf-8").splitlines() if line.strip()]
@@ -36,7 +36,7 @@ def decode_nrrd(data, rename):
 
 
 def decode_png(data, rename):
-    """The chunks, the pixels inflated."""
+    """Returns the chunks, with inflated pixels."""
     chunks, at, pixels = [], 8, b""
     while at + 8 <= len(data):
         length, kind = int.from_bytes(data[at : at + 4], "big"), data[at + 4 : at + 8]
@@ -50,11 +50,11 @@ def decode_png(data, rename):
 
 
 def decode_xml(data, rename):
-    """A file of VTK or a page: blocks of base64 are decoded, and inflated where they are compressed."""
+    """Decodes the base64 blocks of a VTK file or a page, and inflates compressed ones."""
 
     def block(match):
         decoded = base64.b64decode(match[0] + b"=" * (-len(match[0]) % 4))
-        for start in (0, *range(16, min(len(decoded), 4096), 4)):  # VTK writes the sizes of its blocks first
+        for start in (0, *range(16, min(len(decoded), 4096), 4)):  # VTK writes the block sizes first
             if decoded[start : start + 1] == b"\x78":
                 try:
                     return decoded[:start] + zlib.decompress(decoded[start:])
@@ -91,7 +91,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("old", type=Path)
     parser.add_argument("new", type=Path)
-    parser.add_argument("--names", type=Path, help="file of old and new words")
+    parser.add_argument("--names", type=Path, help="file with old and new words")
     arguments = parser.parse_args()
     rename = read_names(arguments.names)
     old, new = files(arguments.old, rename), files(arguments.new)

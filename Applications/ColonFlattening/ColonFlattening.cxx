@@ -44,7 +44,7 @@ OptionsOf(CommandLine & commandLine)
   {
     options.centerline = shapeton::ReadCurves(commandLine, "centerline");
   }
-  options.progress = commandLine.PartOfProgress(0.0, 0.9); // the rest is for writing the files
+  options.progress = commandLine.PartOfProgress(0.0, 0.9); // the rest: writing the files
   return options;
 }
 

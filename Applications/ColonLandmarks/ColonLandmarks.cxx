@@ -23,7 +23,7 @@ OptionsOf(CommandLine & commandLine)
   {
     options.markers = shapeton::ReadTaeniaMarkers(commandLine, "markers");
   }
-  options.progress = commandLine.PartOfProgress(0.0, 0.7); // the rest is for splitting the colon and writing the files
+  options.progress = commandLine.PartOfProgress(0.0, 0.7); // the rest: splitting the colon and writing the files
   return options;
 }
 

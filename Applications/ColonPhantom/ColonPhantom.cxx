@@ -58,7 +58,7 @@ Describe(const shapeton::CommandLine & commandLine)
   return description;
 }
 
-// Correspondence of another position of this patient; no curves without the option.
+// Correspondence of another position of this patient; empty without the option.
 shapeton::CurveSet
 ReadOtherPosition(shapeton::CommandLine & commandLine)
 {
@@ -75,7 +75,7 @@ ReadOtherPosition(shapeton::CommandLine & commandLine)
     if (name == "Shapeton.option.seed" && value != seed)
     {
       throw shapeton::InputError("--pairWith: the points of \"" + commandLine.GetString("pairWith") +
-                                 "\" are of seed " + value + ", not of " + seed +
+                                 "\" have the seed " + value + ", not of " + seed +
                                  "; both positions must show the same patient");
     }
   }

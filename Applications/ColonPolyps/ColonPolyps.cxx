@@ -60,7 +60,7 @@ MapToOther(CommandLine & commandLine, Candidates & candidates)
   {
     commandLine.Warn("the registration \"" + folder + "\" has a confidence of " +
                      shapeton::CsvTable::Rounded(confidence, 2) +
-                     "; the other position was ignored (see the reasons there)");
+                     "; the other position was ignored (see the reasons in its report)");
     return;
   }
   shapeton::FindInOtherPosition(map, '"' + nearest + '"', others, candidates);

@@ -68,7 +68,7 @@ Register(CommandLine & commandLine)
   const shapeton::ColonPositionFiles prone = Read(commandLine, "proneFolder", "prone");
   if (supine.identity == prone.identity)
   {
-    commandLine.Warn("both folders hold the same examination, which is registered to itself");
+    commandLine.Warn("both folders contain the same examination, which is registered to itself");
   }
   commandLine.Progress("Registering", 0.2);
   const shapeton::SupineProneRegistration registration =

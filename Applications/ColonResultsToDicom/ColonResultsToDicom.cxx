@@ -19,7 +19,7 @@ Write(CommandLine &       commandLine,
       double              begin,
       double              end)
 {
-  CommandLine::RequireApart(source, folder, "give the folder with the DICOM series from which the run was computed");
+  CommandLine::RequireApart(source, folder, "use the folder with the DICOM series from which the run was computed");
   shapeton::ColonDicomOptions options;
   options.isDeflated = commandLine.GetFlag("deflate");
   options.progress = commandLine.PartOfProgress(begin, end);
@@ -38,7 +38,7 @@ WriteResults(CommandLine & commandLine)
   const bool        hasSecond = commandLine.IsGiven("secondSource");
   if (!hasSecond && std::filesystem::exists(exam + "/second"))
   {
-    commandLine.Warn("the results of the second series are skipped; give its folder with the parameter "
+    commandLine.Warn("the results of the second series are skipped; set its folder with the parameter "
                      "\"secondSource\"");
   }
   Write(commandLine, exam, commandLine.GetString("source"), folder, 0.0, hasSecond ? 0.5 : 1.0);

@@ -36,7 +36,7 @@ OptionsOf(CommandLine & commandLine, const std::string & patientPosition)
   options.faces = commandLine.GetInteger("faces");
   options.keepPieces = commandLine.GetFlag("keepPieces");
   options.keepPartial = commandLine.GetFlag("keepPartial");
-  options.progress = commandLine.PartOfProgress(0.0, 0.9); // the rest is for writing the files
+  options.progress = commandLine.PartOfProgress(0.0, 0.9); // the rest: writing the files
   return options;
 }
 

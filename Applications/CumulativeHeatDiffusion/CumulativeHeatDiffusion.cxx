@@ -27,7 +27,7 @@ CheckUsage(const CommandLine & commandLine)
                              "--snapshotFolder requires --snapshotSteps, the steps to write");
   shapeton::RequireParameter(!commandLine.IsGiven("snapshotSteps") || commandLine.IsGiven("snapshotFolder") ||
                                commandLine.IsGiven("report"),
-                             "--snapshotSteps requires --snapshotFolder or --report, where the heat is stored");
+                             "--snapshotSteps requires --snapshotFolder or --report, to store the heat");
   for (const int step : commandLine.GetIntegers("snapshotSteps"))
   {
     shapeton::RequireParameter(step >= 0 && step <= commandLine.GetInteger("timeSteps"),
@@ -70,7 +70,7 @@ RequestHistogram(const CommandLine & commandLine, FilterType * filter)
     shapeton::MakeSnapshotSteps(filter->GetTimeSteps(), commandLine.GetInteger("snapshots"), spacing));
 }
 
-/** Requests that the heat after --snapshotSteps is written, or kept for the report; returns the steps. */
+/** Schedules writing the heat after --snapshotSteps, or keeping it for the report; returns the steps. */
 std::vector<std::uint64_t>
 RequestSnapshots(CommandLine & commandLine, const shapeton::HeatResultFiles & files, FilterType * filter)
 {

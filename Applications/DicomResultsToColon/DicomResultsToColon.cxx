@@ -17,7 +17,7 @@ CheckUsage(const CommandLine & commandLine)
 {
   const bool ofSegments = commandLine.IsGiven("mask") || commandLine.IsGiven("labels") || commandLine.IsGiven("table");
   shapeton::RequireParameter(ofSegments || commandLine.IsGiven("markers"),
-                             "no output requested: give --mask, --labels or --table for a segmentation, --markers for "
+                             "no output requested: use --mask, --labels or --table for a segmentation, --markers for "
                              "a report");
   shapeton::RequireParameter(!ofSegments || !commandLine.IsGiven("markers"),
                              "--markers requires a report; --mask, --labels and --table require a segmentation");

@@ -74,7 +74,7 @@ WriteComparison(CommandLine & commandLine, const shapeton::DynamicSequence & seq
   for (const int step : steps)
   {
     shapeton::RequireParameter(step >= 0 && step < static_cast<int>(sequence.steps.size()),
-                               "--compare names step " + std::to_string(step) + ", but the steps are 0 to " +
+                               "--compare contains step " + std::to_string(step) + ", but the steps are 0 to " +
                                  std::to_string(sequence.steps.size() - 1));
   }
   const auto &         a = sequence.steps[steps[0]].certificate;

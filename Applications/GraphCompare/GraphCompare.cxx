@@ -10,7 +10,7 @@ namespace
 {
 using shapeton::CommandLine;
 
-/** One row per pair of corresponding nodes, with their common color; unmatched nodes have their own row. */
+/** One row per pair of corresponding nodes, with their common color; unmatched nodes have separate rows. */
 shapeton::CsvTable
 TableOfNodes(const shapeton::GraphComparison & comparison)
 {

@@ -47,7 +47,7 @@ ReadVolumes(shapeton::CommandLine & commandLine, const shapeton::TransferFunctio
   if (!shapeton::HaveSameGrid(volumes.input.image, heat.image))
   {
     throw shapeton::InputError("the grids of " + commandLine.GetString("inputVolume") + " and " + snapshot.path +
-                               " differ; give the volume from which the heat was computed");
+                               " differ; use the volume from which the heat was computed");
   }
   commandLine.Progress("Classifying", 0.5);
   const std::uint64_t step = volumes.timeStep.value_or(0);

@@ -37,7 +37,7 @@ CheckUsage(const CommandLine & commandLine)
   shapeton::RequireParameter(automatic == "components" || !commandLine.IsGiven("components"),
                              "--components requires --automaticSeeds components");
   shapeton::RequireParameter(automatic == "off" || !IsMarkups(commandLine.GetString("seeds")),
-                             "--automaticSeeds needs a map of classes, not markups, which are seeds already");
+                             "--automaticSeeds requires a map of classes, not markups, which are already seeds");
   shapeton::RequireVolumeName(commandLine.GetString("outputLabels"));
   shapeton::RequireVolumeName(commandLine.GetString("uncertainty"));
 }

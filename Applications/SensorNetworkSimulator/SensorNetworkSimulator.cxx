@@ -39,7 +39,7 @@ RequireOwnFolder(const std::string & folder, int steps)
     if (name[0] != '.' && name != "devices" && !isStep)
     {
       throw shapeton::OutputError('"' + folder + "\" holds \"" + name +
-                                  "\", which would become a step of the sequence; give an empty folder");
+                                  "\", which would become a step of the sequence; use an empty folder");
     }
   }
 }
@@ -79,7 +79,7 @@ Simulate(CommandLine & commandLine)
     const shapeton::Graph graph = network.GetGraph();
     if (graph.nodes == 0)
     {
-      throw shapeton::InputError("the network has no devices at step " + std::to_string(step) + "; give more devices");
+      throw shapeton::InputError("the network has no devices at step " + std::to_string(step) + "; use more devices");
     }
     char name[32];
     std::snprintf(name, sizeof(name), "/step-%04d.graphml", step);

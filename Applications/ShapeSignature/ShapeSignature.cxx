@@ -19,7 +19,7 @@ ReadLabels(CommandLine & commandLine, const shapeton::Volume & volume)
   if (!shapeton::HaveSameGrid(volume.image, labels.image))
   {
     throw shapeton::InputError("the grids of " + commandLine.GetString("inputVolume") + " and " + path +
-                               " differ; give the volume to which the labels refer");
+                               " differ; use the volume to which the labels refer");
   }
   return labels.image;
 }

@@ -72,7 +72,7 @@ TimesOf(CommandLine & commandLine, const shapeton::SurfaceSpectrum & spectrum)
       commandLine.Warn("at " + CsvTable::Number(time) + " mm^2 the last eigenpair still has " +
                        CsvTable::Rounded(share, 2) +
                        " of its heat, so the signature lacks the contribution of higher eigenpairs; "
-                       "raise --eigenpairs");
+                       "increase --eigenpairs");
     }
   }
   return given;

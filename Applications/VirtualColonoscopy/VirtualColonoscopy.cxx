@@ -9,7 +9,7 @@ namespace
 {
 using shapeton::CommandLine;
 
-/** Options that need another one. */
+/** Options that require another option. */
 void
 CheckSecond(const CommandLine & commandLine)
 {
@@ -29,10 +29,10 @@ CheckSecond(const CommandLine & commandLine)
   shapeton::RequireParameter(!commandLine.IsGiven("second") ||
                                commandLine.GetString("second") != commandLine.GetString("inputVolume") ||
                                commandLine.GetString("secondSeriesUID") != commandLine.GetString("seriesUID"),
-                             "the second series is the first one; set --secondSeriesUID or give another folder");
+                             "the second series is the first one; set --secondSeriesUID or use another folder");
 }
 
-/** Checks at once what a tool would reject only after minutes. */
+/** Checks options in advance that a tool would reject only after minutes. */
 void
 CheckUsage(const CommandLine & commandLine)
 {

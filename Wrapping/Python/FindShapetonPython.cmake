@@ -1,6 +1,6 @@
 # ShapetonPython_FOUND: the build requirements of the Python package were found: Python with headers and numpy,
 # pybind11.
-# ShapetonPython_MISSING: those not found. The first python3 with numpy is used, unless Python_EXECUTABLE is set.
+# ShapetonPython_MISSING: the missing requirements. The first python3 with numpy is used, unless Python_EXECUTABLE is set.
 if(NOT Python_EXECUTABLE)
   find_program(ShapetonPython_ON_PATH python3)
   foreach(candidate IN ITEMS ${ShapetonPython_ON_PATH} /usr/bin/python3)

@@ -1,4 +1,4 @@
-# Modules linked by the compiled module, which depend on the others.
+# Modules linked by the compiled module; these depend on all others.
 set(ShapetonPython_MODULES
   ColonModel
   ConformalFlattening

@@ -35,7 +35,7 @@ main(int argc, char * argv[])
       (map->GetSpacing() - baseline->GetSpacing()).GetNorm() > 1e-4 ||
       (map->GetOrigin() - baseline->GetOrigin()).GetNorm() > 1e-2 || map->GetDirection() != baseline->GetDirection())
   {
-    std::cerr << argv[1] << ": another grid than " << argv[2] << '\n';
+    std::cerr << argv[1] << ": the grid differs from " << argv[2] << '\n';
     return EXIT_FAILURE;
   }
   double farthest = 0.0;

@@ -4,7 +4,7 @@ file(REMOVE_RECURSE ${pictures})
 file(MAKE_DIRECTORY ${pictures})
 set(tube ${CMAKE_CURRENT_SOURCE_DIR}/Tube.off)
 
-# ---- of a tube alone: all files, the same bytes for any number of threads ----
+# ---- tube without a CT: all files, equal bytes for any number of threads ----
 foreach(run All One)
   set(threads 0)
   if(run STREQUAL One)
@@ -23,7 +23,7 @@ add_test(NAME ColonFlatteningPictureFiles COMMAND ${CMAKE_COMMAND} -DFOLDER=${pi
 set_tests_properties(ColonFlatteningPictureFiles PROPERTIES LABELS Applications
   FIXTURES_REQUIRED ColonFlatteningPictures)
 
-# ---- through the CT of the synthetic patient of ColonSegmentation ----
+# ---- CT of the synthetic patient of ColonSegmentation ----
 set(model ${Shapeton_BINARY_DIR}/Testing/Temporary/ColonSegmentation)
 function(on_model name)
   shapeton_tool_test(NAME ColonFlattening${name}
@@ -31,7 +31,7 @@ function(on_model name)
   set_tests_properties(ColonFlattening${name} PROPERTIES FIXTURES_REQUIRED "ColonPatient;ColonModelOfCt")
 endfunction()
 on_model(Cleansed --volume ${model}/ct/cleansed.nrrd --picture ${pictures}/cleansed.png --report ${pictures}/cleansed)
-# The same bytes on a GPU.
+# Equal bytes on a GPU.
 shapeton_compare_devices(ColonFlattening ${model}/ct/wall-simplified.vtp {OUT}/flat.vtp --volume ${model}/ct/cleansed.nrrd
   --picture {OUT}/flat.png --report {OUT}/report)
 set_tests_properties(ColonFlatteningDevices ColonFlatteningGpu PROPERTIES FIXTURES_REQUIRED "ColonPatient;ColonModelOfCt")

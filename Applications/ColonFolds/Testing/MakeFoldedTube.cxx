@@ -31,7 +31,7 @@ main(int argc, char * argv[])
     return 2;
   }
   const std::string folder = argv[1];
-  // The second crosses the cut, the third consists of two that meet on the line.
+  // The second fold crosses the cut; the third consists of two folds that meet on the taenia.
   const shapeton::SurfaceMesh folded = foldtubes::MakeTube({ { 25.0, 2.0, 18.0, 6.0 },
                                                              { 50.0, 0.0, 15.0, 5.0 },
                                                              { 80.0, 4.0, 30.0, 8.0, 0.22 },

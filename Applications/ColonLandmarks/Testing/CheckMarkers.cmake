@@ -1,4 +1,4 @@
-# The three markers were used, each by its own taenia, which passes through it.
+# The three markers were used, each by a different taenia, which passes through it.
 file(READ ${FOLDER}/landmarks.json json)
 string(JSON number LENGTH "${json}" taeniae markers)
 if(NOT number EQUAL 3)
@@ -15,5 +15,5 @@ foreach(i 0 1 2)
 endforeach()
 list(SORT taeniae)
 if(NOT taeniae STREQUAL "1;2;3")
-  message(FATAL_ERROR "the markers went to the taeniae ${taeniae}")
+  message(FATAL_ERROR "the markers were assigned to the taeniae ${taeniae}")
 endif()

@@ -24,7 +24,7 @@ value(chest chest SeriesInstanceUID)
 if(supine STREQUAL prone OR supine STREQUAL chest)
   message(FATAL_ERROR "two series have the UID ${supine}")
 endif()
-# The first voxel of a volume whose center is given: 0 - 23 * 15 / 2, 5 - 19 * 15 / 2, 230 - 17 * 14 / 2.
+# The first voxel of a volume with a given center: 0 - 23 * 15 / 2, 5 - 19 * 15 / 2, 230 - 17 * 14 / 2.
 value(first chest ImagePositionPatient)
 string(REPLACE "\\" ";" first "${first}")
 set(expected -172.5 -137.5 111)

@@ -16,7 +16,7 @@ if(NOT flips EQUAL 0 OR mean GREATER 3 OR NOT wrong EQUAL 0 OR correct LESS 50 O
   message(FATAL_ERROR "flips ${flips}, mean ${mean} mm, correct ${correct}, wrong ${wrong}, flagged ${flagged}")
 endif()
 if(excluded LESS 50 OR prone LESS 0.08 OR prone GREATER 0.13)
-  message(FATAL_ERROR "of the collapsed tenth: ${excluded} points, share ${prone}")
+  message(FATAL_ERROR "collapsed tenth: ${excluded} points, fraction ${prone}")
 endif()
 file(STRINGS ${FOLDER}/errors.csv lines)
 list(LENGTH lines number)

@@ -1,5 +1,5 @@
-# Modified or outdated results of a run are rejected; if no candidates were searched, the CAD report does not claim
-# that there are none.
+# Modified or outdated results of a run are rejected; without a search, the CAD report does not claim
+# that there are no candidates.
 file(REMOVE_RECURSE ${OUT})
 file(COPY ${EXAM}/ DESTINATION ${OUT}/exam)
 
@@ -28,6 +28,6 @@ expect_status(0 "")
 if(DSRDUMP)
   execute_process(COMMAND ${DSRDUMP} ${OUT}/objects/cad.dcm OUTPUT_VARIABLE text ERROR_QUIET)
   if(NOT text MATCHES "No algorithms succeeded; without findings" OR NOT text MATCHES "Summary of Detections[^\n]*Not Attempted")
-    message(FATAL_ERROR "the report of CAD says what was not looked for:\n${text}")
+    message(FATAL_ERROR "the CAD report claims results of a search that was not run:\n${text}")
   endif()
 endif()

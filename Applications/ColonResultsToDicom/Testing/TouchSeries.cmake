@@ -1,4 +1,4 @@
 # A copy of SERIES with an additional file, so that it differs from the input of the run.
 file(REMOVE_RECURSE ${OTHER})
 file(COPY ${SERIES}/ DESTINATION ${OTHER})
-file(WRITE ${OTHER}/note.txt "not there when the run was made")
+file(WRITE ${OTHER}/note.txt "added after the run")

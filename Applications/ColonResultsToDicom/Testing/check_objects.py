@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """check_objects.py SERIES_FOLDER EXAM_FOLDER RESULT_FOLDER
 
-Checks what ColonResultsToDicom wrote by pydicom, voxel by voxel: the segmentation against lumen.nrrd, references,
+Checks the objects of ColonResultsToDicom with pydicom, voxel by voxel: the segmentation against lumen.nrrd, references,
 patient, study, dates, numbers of the report against candidates.csv.
 """
 
@@ -31,7 +31,7 @@ def read_labels(path):
 
 
 def contents(item, wanted):
-    """All content items below whose concept has this meaning."""
+    """Returns all nested content items whose concept has this meaning."""
     for child in item.get("ContentSequence", []):
         name = child.get("ConceptNameCodeSequence")
         if name and name[0].CodeMeaning == wanted:
@@ -46,8 +46,8 @@ def read_series(folder):
 
 def check_header(name, result, source):
     for key in ("PatientID", "PatientName", "StudyInstanceUID", "StudyDate", "StudyTime", "AccessionNumber"):
-        check(result.get(key) == source.get(key), f"{name}: {key} is that of the source")
-    check(result.ContentDate == source.AcquisitionDate, f"{name}: the date is that of the source")
+        check(result.get(key) == source.get(key), f"{name}: {key} equals the source")
+    check(result.ContentDate == source.AcquisitionDate, f"{name}: the date equals the source")
     check(result.SeriesInstanceUID != source.SeriesInstanceUID, f"{name}: the series is new")
     check(result.SOPInstanceUID.startswith("2.25.") and len(result.SOPInstanceUID) <= 64, f"{name}: UID under 2.25")
 
@@ -69,13 +69,13 @@ def check_segmentation(result, slices, lumen):
         check(numpy.abs(source - place).max() < 1e-6, "seg: a frame is in the slice to which it refers")
         name = names[group.SegmentIdentificationSequence[0].ReferencedSegmentNumber]
         voxels[name][slice_number] |= frame > 0
-    check((voxels["gas"] == (lumen == 1)).all(), "seg: gas is that of lumen.nrrd")
-    check((voxels["fluid"] == (lumen == 2)).all(), "seg: fluid is that of lumen.nrrd")
+    check((voxels["gas"] == (lumen == 1)).all(), "seg: gas equals lumen.nrrd")
+    check((voxels["fluid"] == (lumen == 2)).all(), "seg: fluid equals lumen.nrrd")
     colon = ("rectum", "sigmoid", "descending", "transverse", "ascending", "cecum")
     together = sum(voxels[name].astype(int) for name in colon)
-    check((together == ((lumen == 1) | (lumen == 2))).all(), "seg: each voxel of the lumen has one segment of the colon")
+    check((together == ((lumen == 1) | (lumen == 2))).all(), "seg: each lumen voxel is in one segment of the colon")
     tissue = [name for name in voxels if name.startswith("candidate") or name == "haustral folds"]
-    check(len(tissue) > 1, "seg: candidates and folds are there")
+    check(len(tissue) > 1, "seg: candidates and folds exist")
     together = sum(voxels[name].astype(int) for name in tissue)
     check(together.max() == 1 and not (together.astype(bool) & (lumen > 0)).any(), "seg: folds and heads are tissue")
     return {s.TrackingUID: (s.SegmentNumber, int(voxels[s.SegmentLabel].sum())) for s in result.SegmentSequence}
@@ -91,7 +91,7 @@ def check_report(result, segmentation, slices, candidates, tracked):
         for instance in series.ReferencedSOPSequence
     }
     expected = {s.SOPInstanceUID for s in slices} | {segmentation.SOPInstanceUID}
-    check(evidence == expected, "sr: the evidence is slices and segmentation")
+    check(evidence == expected, "sr: the evidence contains slices and segmentation")
     groups = {next(contents(g, "Tracking Identifier")).TextValue: g for g in contents(result, "Measurement Group")}
     for row in candidates:
         group = groups["candidate " + row["candidate"]]
@@ -117,7 +117,7 @@ def main(series, exam, folder):
     objects = {name: pydicom.dcmread(folder / f"{name}.dcm") for name in ("seg", "sr", "cad", "sc", "stl")}
     for name, result in objects.items():
         check_header(name, result, slices[0])
-    check(len({o.SeriesInstanceUID for o in objects.values()}) == len(objects), "each object has its own series")
+    check(len({o.SeriesInstanceUID for o in objects.values()}) == len(objects), "each object is in a separate series")
     tracked = check_segmentation(objects["seg"], slices, lumen)
     check_report(objects["sr"], objects["seg"], slices, candidates, tracked)
     findings = list(contents(objects["cad"], "Single Image Finding"))

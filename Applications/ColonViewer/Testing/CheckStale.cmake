@@ -9,5 +9,5 @@ if(NOT status STREQUAL 3 OR NOT error MATCHES "stage landmarks in .* were comput
   message(FATAL_ERROR "status ${status}, \"${error}\"")
 endif()
 if(EXISTS ${OUT}/page/viewer.html)
-  message(FATAL_ERROR "a page was made")
+  message(FATAL_ERROR "a page was written")
 endif()

@@ -57,7 +57,7 @@ test('equal runs give equal bytes', () => {
   }
 });
 
-test('a single page holds all, with the verdicts that were given', async () => {
+test('a single page contains all data, with the given verdicts', async () => {
   writeFileSync(`${work}/verdicts.json`, verdictsOf(infoOf(`${work}/first`).exam.sha256));
   const folder = made('single', '--single', '--bits', '16', '--verdicts', `${work}/verdicts.json`);
   assert.deepEqual(readdirSync(folder).sort(), ['verdicts.mrk.json', 'viewer.html']);
@@ -71,7 +71,7 @@ test('a single page holds all, with the verdicts that were given', async () => {
   assert.deepEqual(list.controlPoints[1].position, [1, 2, 3]);
 });
 
-test('verdicts of another examination are refused, and the old page stays', () => {
+test('verdicts of another examination are rejected, and the old page is unchanged', () => {
   const old = readFileSync(`${work}/single/viewer.html`);
   writeFileSync(`${work}/other.json`, verdictsOf('0'.repeat(64)));
   const { status, stderr } = make('single', '--single', '--verdicts', `${work}/other.json`);
@@ -82,7 +82,7 @@ test('verdicts of another examination are refused, and the old page stays', () =
   assert.ok(readFileSync(`${work}/single/viewer.html`).equals(old));
 });
 
-test('an anonymous page names neither series nor folder', () => {
+test('an anonymous page contains neither series UID nor folder name', () => {
   const info = infoOf(made('anonymous', '--anonymous'));
   assert.deepEqual(info.exam.seriesUIDs, []);
   assert.equal(info.title, 'Examination');
@@ -115,7 +115,7 @@ test('a browser without DecompressionStream gets a list of supported browsers', 
   await page.send('Page.removeScriptToEvaluateOnNewDocument', { identifier });
 });
 
-test('without WebGL 2 the views in the plane go on', async () => {
+test('without WebGL 2 the 2D views still work', async () => {
   await page.close();
   page = await launch({ width: 1280, height: 720, hasGl: false });
   await open(`${work}/first`);

@@ -8,7 +8,7 @@ import { after, before, test } from 'node:test';
 import { launch } from '../../../Testing/Browser/browser.mjs';
 
 const folder = process.env.VIEWER, shots = process.env.SHOTS, downloads = mkdtempSync(join(tmpdir(), 'verdicts-'));
-const isTimed = Boolean(process.env.TIMINGS); // limits hold on an idle machine
+const isTimed = Boolean(process.env.TIMINGS); // limits for an idle machine
 const SHIFT = 8, CTRL = 2, VIEWS = ['flat', 'outside', 'inside', 'axial', 'coronal', 'sagittal'];
 const figures = {};
 let page;
@@ -85,7 +85,7 @@ test('a click on the flat wall moves the crosshair everywhere', async () => {
     await idle();
     times.push(Date.now() - started);
     const s = await state();
-    assert.ok(far([s.shown.flat[0] + x, s.shown.flat[1] + y], at) < 1.5, 'the crosshair is where the click was');
+    assert.ok(far([s.shown.flat[0] + x, s.shown.flat[1] + y], at) < 1.5, 'the crosshair is at the click');
     for (const view of VIEWS) {
       assert.ok(s.shown[view], `no crosshair in ${view}`);
       const [, , width, height] = await box(view), [a, b] = s.shown[view], seen = await crossSeen(view);
@@ -98,7 +98,7 @@ test('a click on the flat wall moves the crosshair everywhere', async () => {
   await shot('2-flat-click');
 });
 
-test('places of the map, in space and back are the same', async () => {
+test('mapping a point to space and back is the identity', async () => {
   const errors = await page.evaluate(() => viewer.exams.flatMap((exam) => {
     const out = [];
     for (let i = 0; i < 400; i++) {
@@ -113,7 +113,7 @@ test('places of the map, in space and back are the same', async () => {
   assert.ok(figures.thereAndBack <= 0.1);
 });
 
-test('a click on the wall in space shows this place', async () => {
+test('a click on the 3D wall moves the crosshair to this point', async () => {
   const [x, y, w, h] = await box('outside');
   let hits = 0;
   for (const [a, b] of [[0.3, 0.4], [0.25, 0.5], [0.7, 0.35], [0.7, 0.5], [0.5, 0.6], [0.3, 0.65], [0.4, 0.3], [0.6, 0.45]]) {
@@ -124,7 +124,7 @@ test('a click on the wall in space shows this place', async () => {
     if (far(s.xyz, old.xyz) < 1e-9) continue; // outside the colon
     hits++;
     assert.ok(far(s.shown.outside.slice(0, 2), [a * w, b * h]) < 1.5);
-    assert.equal(s.shown.outside[2], false, 'what was clicked is seen');
+    assert.equal(s.shown.outside[2], false, 'the clicked point is visible');
   }
   assert.ok(hits >= 2);
   await shot('3-wall-click');
@@ -150,7 +150,7 @@ test('a click on a slice selects that voxel, the wheel and keys the next slice',
   }
 });
 
-test('slices are drawn as the scanner saw them: what is left of the patient is at the right', async () => {
+test('slices use the radiological convention: the patient's left is at the right', async () => {
   const directions = await page.evaluate(() => {
     const { panels: [panel] } = viewer;
     return panel.slices.map((s) => {
@@ -162,7 +162,7 @@ test('slices are drawn as the scanner saw them: what is left of the patient is a
   assert.ok(axial[0][0] > 0 && axial[1][1] > 0 && coronal[0][0] > 0 && coronal[1][2] < 0 && sagittal[0][1] > 0 && sagittal[1][2] < 0);
 });
 
-test('the HU of a voxel are those under the crosshair', async (t) => {
+test('the displayed HU are those of the voxel under the crosshair', async (t) => {
   if (await page.evaluate(() => !viewer.exams[0].volume.isCt)) { t.skip('a mask'); return; }
   const [hu, text] = await page.evaluate(() => {
     const { panels: [panel] } = viewer, c = panel.exam.center[Math.floor(panel.exam.center.length / 2)].xyz;
@@ -180,7 +180,7 @@ test('Shift and moving the mouse moves the crosshair', async () => {
   assert.ok(far((await state()).xyz, old.xyz) > 1);
 });
 
-test('each layer changes a view, and changes it back', async () => {
+test('each layer changes a view, and hiding it restores the view', async () => {
   const print = () => page.evaluate(() => viewer.panels[0].views.map((v) => v.canvas.toDataURL()).join());
   const names = await page.evaluate(() => [...document.querySelectorAll('#layers input')].map((e) => e.name));
   await press('n');
@@ -195,7 +195,7 @@ test('each layer changes a view, and changes it back', async () => {
   }
 });
 
-test('a jump to a candidate puts the eye where it sees it', async () => {
+test('a jump to a candidate moves the eye to a position that sees it', async () => {
   const entries = await page.evaluate(() => viewer.verdicts.entries.map((e) => e.position));
   let seen = 0;
   await page.evaluate(() => viewer.verdicts.choose(null));
@@ -226,7 +226,7 @@ test('keys fly along the centerline, both ways', async () => {
   await shot('5-flight');
 });
 
-test('Space flies on to the end, and the areas not seen are counted', async () => {
+test('Space flies to the end, and unseen areas are counted', async () => {
   figures.framesPerSecond = await page.evaluate(async () => {
     const [p] = viewer.panels, arc = () => p.exam.center[p.inside.index].arc, from = arc(), started = performance.now();
     viewer.toggleFlight();
@@ -242,7 +242,7 @@ test('Space flies on to the end, and the areas not seen are counted', async () =
   assert.match(await page.evaluate(() => document.getElementById('share').textContent), /wall seen in flight: [\d.]+ %/);
 });
 
-// Brute-force visibility, without trees, boxes and time slices: the center of the face is in the view, at most 200 mm
+// Brute-force visibility: the center of the face is in the view, at most 200 mm
 // away, and no other face crosses the ray. For a subset of the faces; `poses` are the cameras of the flight.
 const bruteForceOf = (number, poses) => page.evaluate((n, all) => {
   const [{ exam, inside }] = viewer.panels, { points: P, faces: F } = exam, { middles, marks, area } = exam.seen;
@@ -270,7 +270,7 @@ const bruteForceOf = (number, poses) => page.evaluate((n, all) => {
   return { page: shareOf((f) => marks[f]), brute: shareOf((f) => isSeen([...middles.slice(3 * f, 3 * f + 3)])) };
 }, number, poses);
 
-test('a flight both ways sees nearly all that any point of the line can see, and the page counts it right', async () => {
+test('a flight in both directions sees nearly all that is visible from the centerline, and the page counts correctly', async () => {
   const { seen, visible, poses } = await page.evaluate(() => {
     const [{ exam, inside }] = viewer.panels, { seen: s } = exam, { index, way } = inside, cameras = [];
     Object.assign(s, { sum: 0, queue: [] });
@@ -296,7 +296,7 @@ test('a flight both ways sees nearly all that any point of the line can see, and
   });
   figures.seenOfVisible = seen / visible;
   assert.ok(figures.seenOfVisible > 0.95, `${figures.seenOfVisible}`);
-  if (await page.evaluate(() => viewer.panels[0].exam.faces.length > 150000)) return; // brute force takes hours of these
+  if (await page.evaluate(() => viewer.panels[0].exam.faces.length > 150000)) return; // brute force on these takes hours
   const { page: counted, brute } = await bruteForceOf(150, poses);
   Object.assign(figures, { counted, brute });
   assert.ok(brute > 0.5 && Math.abs(counted - brute) < 0.01, `${counted} for ${brute}`);
@@ -338,7 +338,7 @@ const saved = async () => {
     }
     await new Promise((done) => { setTimeout(done, 50); });
   }
-  throw new Error('nothing was saved');
+  throw new Error('no file was saved');
 };
 const openVerdicts = async (text) => {
   const file = join(downloads, 'open.txt');
@@ -349,7 +349,7 @@ const openVerdicts = async (text) => {
   rmSync(file);
 };
 
-test('verdicts, notes and findings are saved, opened again, and refused for another examination', async () => {
+test('verdicts, notes and findings are saved, reopened, and rejected for another examination', async () => {
   await page.evaluate(() => viewer.verdicts.choose(null));
   await press('n');
   await press('e');
@@ -414,7 +414,7 @@ test('the other position follows the map, and back', async (t) => {
   await shot('8-linked');
 });
 
-test('the other position is dimmed where the map is not to be trusted', async (t) => {
+test('the other position is dimmed where the map is unreliable', async (t) => {
   if (await page.evaluate(() => !viewer.maps)) { t.skip('one position'); return; }
   const dims = await page.evaluate(() => [255, 20, 190].map((trust) => {
     const [panel] = viewer.panels, corners = panel.exam.faces.subarray(3 * panel.place.face, 3 * panel.place.face + 3);
@@ -429,7 +429,7 @@ test('the other position is dimmed where the map is not to be trusted', async (t
   assert.match(dims[2][1], /0\.95/);
 });
 
-test('help lists the keys; all fits a small screen and a large one', async () => {
+test('help lists the keys; the layout fits small and large screens', async () => {
   await press('?');
   const help = await page.evaluate(() => (document.getElementById('keys').open ? document.getElementById('keys').innerText : ''));
   assert.match(help, /fly ahead 2 mm[^]*save verdicts\.json[^]*moves the crosshair/);

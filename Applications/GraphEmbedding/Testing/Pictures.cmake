@@ -1,4 +1,4 @@
-# Pictures of small graphs against their baselines: sphere, torus with dummies, disk in both models. Made by
+# Pictures of small graphs against their baselines: sphere, torus with dummies, disk in both models. Created by
 #   GraphEmbedding GRAPH CERTIFICATE.json --svg PICTURE.svg [options below]
 set(baselines ${here}/Baseline)
 

@@ -30,7 +30,7 @@ const pick = (opacity) => page.evaluate(async (o) => {
   return { repaint: Math.round(repaint), frame: Math.round(explorer.times.fine) };
 }, opacity);
 
-test('a change is painted within a second, and its fine frame within three', async () => {
+test('a change is painted within one second, and its fine frame within three', async () => {
   assert.deepEqual(await page.evaluate(() => [explorer.lines.length > 0, ...explorer.info.volume.size]), [true, 256, 256, 256]);
   figures.picks = [];
   for (const opacity of [1, 0.5, 0.1, 0.02]) figures.picks.push(await pick(opacity));

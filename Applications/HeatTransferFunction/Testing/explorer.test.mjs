@@ -25,7 +25,7 @@ after(async () => {
   console.log(JSON.stringify(figures));
 });
 
-// Everything is painted, the rendering at least coarsely.
+// Whether everything is painted, the rendering at least coarsely.
 const idle = () => page.evaluate(() => explorer.idle(true));
 const notices = () => page.evaluate(() => document.getElementById('notices').textContent);
 const shot = async (name) => {
@@ -43,7 +43,7 @@ async function open(folder) {
   if (await page.evaluate(() => Boolean(window.explorer))) await idle();
 }
 
-// Page position of a position on the histogram axis, from 0 to 1.
+// Page coordinates of a position (0 to 1) on the histogram axis.
 const onPlot = (position) => page.evaluate((p) => {
   const { histogramView: view } = explorer, { left, top, width, height } = view.plot, box = view.canvas.getBoundingClientRect();
   return [box.x + left + p * (width - 1), box.y + top + height * 0.6];
@@ -130,8 +130,8 @@ test('a click picks a line, which colors all views at once; undo and redo', asyn
   assert.deepEqual(await pictures(), picked);
 });
 
-test('heats are classified before they are interpolated: a line without voxels is seen nowhere', async () => {
-  const gap = await page.evaluate(() => { // the widest gap of heats below the greatest frequent one
+test('heats are classified before they are interpolated: a line without voxels is invisible', async () => {
+  const gap = await page.evaluate(() => { // the widest gap of heats below the highest frequent heat
     const { counts } = explorer, lower = (bin) => (1 + ((bin - 1) % 256) / 256) * 2 ** (Math.floor((bin - 1) / 256) - 16);
     let best = [0, 0], start = null;
     for (let bin = 1; bin < counts.length; bin++) {
@@ -146,7 +146,7 @@ test('heats are classified before they are interpolated: a line without voxels i
   await shot('3-classified');
 });
 
-test('what the page saves is what the tool makes of it', async () => {
+test('the page and the tool save identical files', async () => {
   await setLines([]);
   await drag(0.2, 0.45);
   await drag(0.6, 0.8);
@@ -169,7 +169,7 @@ test('what the page saves is what the tool makes of it', async () => {
   assert.match(run(INPUT, VISITS, `${WORK}/x.vp`, '--from', json).stderr, /were picked on heat, but .* contains density/);
 });
 
-test('volume properties of any lines have the bytes of the tool', () => {
+test('volume properties of the page and the tool are byte-identical', () => {
   let seed = 12345;
   const random = () => { seed = (1103515245 * seed + 12345) % 2 ** 31; return seed / 2 ** 31; };
   for (let n = 0; n < 3; n++) {
@@ -201,7 +201,7 @@ test('another stored time step', async () => {
   assert.equal(await page.evaluate(() => explorer.step), 5000);
 });
 
-test('ranges are opened up, one within another, and lines picked in them', async () => {
+test('nested ranges are opened, and lines picked in them', async () => {
   await setLines([]);
   await drag(0.3, 0.7, SHIFT);
   const [first] = await page.evaluate(() => explorer.state.ranges);
@@ -225,7 +225,7 @@ test('ranges are opened up, one within another, and lines picked in them', async
   assert.equal(await page.evaluate(() => explorer.state.ranges.length), 0);
 });
 
-test('ranges that the tool opened are open when the page begins', async () => {
+test('ranges opened by the tool are open initially', async () => {
   await open(RANGE);
   assert.deepEqual(await page.evaluate(() => explorer.state.ranges), [[0.14, 0.3], [0.145, 0.17]]);
   assert.deepEqual(await page.evaluate(() => [explorer.axis.lower, explorer.axis.upper]), [0.145, 0.17]);
@@ -235,7 +235,7 @@ test('ranges that the tool opened are open when the page begins', async () => {
   await open(HEAT);
 });
 
-test('everything by keys', async () => {
+test('all actions by keys', async () => {
   await setLines([]);
   for (let i = 0; i < 10; i++) await page.key('ArrowRight');
   await page.key('m');
@@ -304,7 +304,7 @@ const broken = (file, isRemoved) => {
   return folder;
 };
 
-test('damaged and missing data are reported, and the rest works', async () => {
+test('damaged and missing data are reported, and the rest of the page works', async () => {
   for (const file of ['gray.js', 'bins-5000.js']) {
     await open(broken(file));
     assert.match(await notices(), new RegExp(`The data .* in explorer/${file} is damaged`));

@@ -25,5 +25,5 @@ file(GLOB all ${FOLDER}/* ${FOLDER}/.*)
 list(LENGTH slices count)
 list(LENGTH all things) # the series and its run record
 if(NOT before STREQUAL after OR NOT count EQUAL 4 OR NOT things EQUAL 2)
-  message(FATAL_ERROR "the old series was harmed, or something was left behind: ${all}")
+  message(FATAL_ERROR "the old series was changed, or files were left behind: ${all}")
 endif()

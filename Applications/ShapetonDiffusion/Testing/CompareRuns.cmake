@@ -1,4 +1,4 @@
-# The same bytes of every file but the run record for 1, 2, 3 and 8 threads, and for a run in two parts.
+# Equal bytes of every file except the run record for 1, 2, 3 and 8 threads, and for a run in two parts.
 set(options --shapetons 20000 --timeSteps 300 --distance 0.03 --seed 5 --quiet)
 set(results --labels labels.nrrd --classTable classes.csv --checkpoint end.state)
 
@@ -33,7 +33,7 @@ foreach(threads 1 2 3 8)
   compare(${OUT}/1 ${OUT}/${threads} ${files})
 endforeach()
 
-# The state of the first part is replaced by that of the second.
+# The second part replaces the state of the first.
 run(${OUT}/parts --checkpoint end.state --timeSteps 117)
 run(${OUT}/parts ${results} --resume end.state --preview now.png --previewEvery 0.5)
 compare(${OUT}/1 ${OUT}/parts density.nrrd labels.nrrd classes.csv end.state)

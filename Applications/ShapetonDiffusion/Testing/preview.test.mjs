@@ -33,7 +33,7 @@ const nextStep = async () => {
   return step();
 };
 
-test('the page follows the growing density and keeps the lines that were picked', async () => {
+test('the page follows the growing density and keeps the picked lines', async () => {
   run = spawn(TOOL, [INPUT, `${WORK}/density.nrrd`, '--timeSteps', '100000000', ...OPTIONS], { stdio: 'ignore' });
   for (let i = 0; i < 600 && !existsSync(`${WORK}/now-data/live.js`); i++) await sleep(50);
   await open();
@@ -50,7 +50,7 @@ test('the page follows the growing density and keeps the lines that were picked'
   assert.deepEqual(page.errors, []);
 });
 
-test('a run that was killed leaves a whole page and nothing half-written', async () => {
+test('a killed run leaves a complete page and no partial files', async () => {
   const gone = new Promise((done) => { run.on('exit', done); });
   run.kill();
   await gone;
@@ -60,7 +60,7 @@ test('a run that was killed leaves a whole page and nothing half-written', async
   assert.ok(await step() > 0);
 });
 
-test('a run that ends leaves its last state, which says so', async () => {
+test('a finished run leaves its last state, marked as finished', async () => {
   const { status, stderr } = spawnSync(TOOL, [INPUT, `${WORK}/density.nrrd`, '--timeSteps', '400', ...OPTIONS], { encoding: 'utf8' });
   assert.deepEqual({ status, stderr }, { status: 0, stderr: '' });
   await open();

@@ -13,6 +13,6 @@ foreach(object seg sr cad sc stl)
   execute_process(COMMAND ${CMAKE_COMMAND} -E compare_files ${OUT}/dicom/${object}.dcm ${OUT}-single/${object}.dcm
     RESULT_VARIABLE differs)
   if(NOT status EQUAL 0 OR differs)
-    message(FATAL_ERROR "${object}.dcm of the stage is not that of the tool: ${error}")
+    message(FATAL_ERROR "${object}.dcm of the stage differs from the tool's: ${error}")
   endif()
 endforeach()

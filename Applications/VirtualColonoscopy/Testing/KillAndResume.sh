@@ -21,14 +21,14 @@ for stage in segmentation flattening landmarks folds report; do
   "$tool" "$input" "$folder" --quiet "$@" &
   run=$!
   while kill -0 "$run" 2>/dev/null && [ ! -e "$folder/.$stage.part" ]; do sleep 0.01; done
-  [ -e "$folder/.$stage.part" ] || fail "the stage $stage was not seen at work"
-  kill -KILL "$run" 2>/dev/null || fail "the run was over before it could be killed in $stage"
+  [ -e "$folder/.$stage.part" ] || fail "the stage $stage was not observed running"
+  kill -KILL "$run" 2>/dev/null || fail "the run ended before it could be killed in $stage"
   wait "$run" 2>/dev/null
-  [ ! -e "$folder/stages/$stage.json" ] || fail "the stage $stage was done before it could be killed"
+  [ ! -e "$folder/stages/$stage.json" ] || fail "the stage $stage ended before it could be killed"
 done
 "$tool" "$input" "$folder" --quiet "$@" || fail "the resumed run exited with $?"
 diff <(digests "$finished") <(digests "$folder") || fail "the files differ"
 second=$(flock "$folder/.lock" "$tool" "$input" "$folder" --quiet "$@" 2>&1; echo "status $?")
 [[ $second == *"another run is using"*"status 1" ]] || fail "unexpected message during another run: $second"
 left=$(find "$folder" -name '.*.part*')
-[ -z "$left" ] || fail "this was left: $left"
+[ -z "$left" ] || fail "leftover files: $left"

@@ -4,7 +4,7 @@ of a call.
 
 usage: PythonBenchmark [--size VOXELS] [--steps STEPS] [--repeats NUMBER]
 
-The tool and the package alternate on the same volume in separate processes: both read it, diffuse heat and write the
+The tool and the package alternate on the same volume in separate processes: both read it, run the heat diffusion and write the
 heat, which must be equal.
 """
 
@@ -83,7 +83,7 @@ def compare_heat(volume, folder, steps, repeats):
         one, other = (statistics.median(pair[side][index] for pair in runs) for side in (0, 1))
         print(f"heat, {name}: tool {one:.2f} {unit}, package {other:.2f} {unit}, ratio {other / one:.3f}")
     heats = [shapeton.read_volume(str(folder / name)).array for name in ("tool.nrrd", "package.nrrd")]
-    print("heat, voxels:", "the same bytes" if heats[0].tobytes() == heats[1].tobytes() else "DIFFERENT")
+    print("heat, voxels:", "equal bytes" if heats[0].tobytes() == heats[1].tobytes() else "DIFFERENT")
 
 
 def main():

@@ -2,7 +2,7 @@
 
 usage: colon_to_flat_map.py PICTURE.png [FOLDER-OF-DICOM-SLICES]
 
-Without a folder a synthetic patient is scanned. Each part that begins with a line of %% is a cell for editors that
+Without a folder a synthetic patient is scanned. Lines with %% start cells for editors that
 support them.
 """
 

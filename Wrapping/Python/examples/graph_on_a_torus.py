@@ -1,11 +1,11 @@
-"""A graph on a torus: K7, each of seven nodes joined with each other one, drawn without a crossing.
+"""A graph on a torus: K7, the complete graph of seven nodes, drawn without crossings.
 
 usage: graph_on_a_torus.py PICTURE.png
 
-Each part that begins with a line of %% is a cell for editors that support them.
+Lines with %% start cells for editors that support them.
 """
 
-# %% The graph, embedded and proved
+# %% The graph, embedded and verified
 import sys
 
 import matplotlib
@@ -22,7 +22,7 @@ certificate = graphs.embed_graph(graph)
 verdict = graphs.verify_embedding(certificate)
 print(f"genus {certificate.genus}, {certificate.geometry}; valid: {verdict.is_valid}")
 
-# %% The plane that unrolls the torus: the circles of the nodes repeat with the two periods
+# %% The universal cover of the torus: node circles repeat with both periods
 first, second = certificate.periods.reshape(2, 2)
 places = certificate.node_positions
 shifts = [i * first + j * second for i in range(-2, 3) for j in range(-2, 3)]

@@ -3,7 +3,7 @@
 usage: heat_of_a_head.py VOLUME PICTURE.png
 
 The volume is a NIfTI, NRRD or MetaImage file or a folder of DICOM slices, for example Debian's ch2.nii.gz (package
-mricron-data). Each part that begins with a line of %% is a cell for editors that support them.
+mricron-data). Lines with %% start cells for editors that support them.
 """
 
 # %% The volume

@@ -9,10 +9,10 @@ points are LPS in mm. This module contains volumes, heat and shapetons; the othe
 - `shapeton.shapes`: labels from seeds, signatures for shape retrieval
 - `shapeton.graphs`: graphs, their embeddings and certificates
 
-Long functions take ``progress``, a function of the completed share (0 to 1) and the stage in words. It is called at
+Long functions accept ``progress``, a function of the completed share (0 to 1) and the stage name. It is called at
 most ten times a second; if it returns False, `Aborted` is raised. Ctrl-C works as usual in Python. The GIL is
 released. Errors are `ParameterError` and `InputError`, which are ValueErrors, and `OutputError`, an OSError; the
-message says what to do.
+message contains a remedy.
 """
 
 from . import _shapeton
@@ -20,7 +20,7 @@ from ._calls import make_interruptible
 
 make_interruptible(_shapeton)
 
-from ._shapeton import (  # noqa: E402  (as they are now)
+from ._shapeton import (  # noqa: E402  (re-exported)
     Aborted,
     DicomDefect,
     DicomSeries,

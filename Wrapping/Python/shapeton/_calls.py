@@ -1,4 +1,4 @@
-"""Immediate response to Ctrl-C during a call, even where a step of the library cannot be interrupted.
+"""Immediate response to Ctrl-C during a call, even if a step of the library cannot be interrupted.
 
 Python handles signals in its main thread only. Long functions called there therefore run in a separate thread; when
 the main thread stops waiting, that thread ends by itself, at the latest after its current step.
@@ -18,7 +18,7 @@ _CALLBACKS = ("progress", "snapshot")
 
 
 class _Call(threading.Thread):
-    """A call in a separate thread; its callbacks run in the thread that waits for it."""
+    """A call in a separate thread; callbacks run in the waiting thread."""
 
     def __init__(self, function: _Function, arguments: Tuple[Any, ...], options: Dict[str, Any], stop: Any) -> None:
         super().__init__(name=function.__name__)
@@ -58,7 +58,7 @@ class _Call(threading.Thread):
                 pass
 
     def outcome(self) -> Tuple[Any, Any]:
-        """The result and the exception, one of which is None."""
+        """Returns the result and the exception; one of them is None."""
         try:
             self.start()
             for callback, arguments in iter(self._question, None):
@@ -76,7 +76,7 @@ def _interruptible(function: _Function, new_stop_flag: _Function) -> _Function:
     @functools.wraps(function)
     def call(*arguments: Any, **options: Any) -> Any:
         main = threading.main_thread()
-        if threading.current_thread() is not main or not main.is_alive():  # it is not when the interpreter ends
+        if threading.current_thread() is not main or not main.is_alive():  # false at interpreter shutdown
             return function(*arguments, **options)
         result, error = _Call(function, arguments, options, new_stop_flag()).outcome()
         try:

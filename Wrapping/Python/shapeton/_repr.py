@@ -37,7 +37,7 @@ def _describe(result: Any) -> str:
 
 
 def describe_results(compiled: ModuleType) -> None:
-    """Adds a `repr` that lists the attributes to the classes of the compiled module without one."""
+    """Adds a `repr` that lists the attributes to classes of the compiled module that lack one."""
     for thing in vars(compiled).values():
         if inspect.isclass(thing) and not issubclass(thing, BaseException) and "__repr__" not in vars(thing):
             thing.__repr__ = _describe  # type: ignore[method-assign]

@@ -24,10 +24,10 @@ class Aborted(Error, RuntimeError):
     """A progress function returned False; also a RuntimeError."""
 
 class CenterlineGap:
-    """A part without lumen that is bridged by the centerline."""
+    """A section without lumen, bridged by the centerline."""
     @property
     def begin(self) -> float:
-        """Begin in mm along the line."""
+        """Start along the line, mm."""
         ...
 
     @property
@@ -37,7 +37,7 @@ class CenterlineGap:
 
     @property
     def end(self) -> float:
-        """End in mm along the line."""
+        """End along the line, mm."""
         ...
 
     @property
@@ -111,7 +111,7 @@ class ColonFlattening:
 
     @property
     def handles(self) -> List[SurfaceHandle]:
-        """Handles found; most walls have none."""
+        """Handles; most walls have none."""
         ...
 
     @property
@@ -126,7 +126,7 @@ class ColonFlattening:
 
     @property
     def surface(self) -> Mesh:
-        """The surface that was flattened."""
+        """The flattened surface in space."""
         ...
 
     @property
@@ -169,7 +169,7 @@ class ColonFlexure:
 
     @property
     def reason(self) -> str:
-        """Why it was not found; otherwise empty."""
+        """Reason why it was not found; otherwise empty."""
         ...
 
 
@@ -230,7 +230,7 @@ class ColonLumen:
 
     @property
     def failure(self) -> str:
-        """Why the colon is not usable; otherwise empty."""
+        """Reason why the colon is not usable; otherwise empty."""
         ...
 
     @property
@@ -283,7 +283,7 @@ class ColonModel:
 
     @property
     def failure(self) -> str:
-        """Why the colon is not usable; otherwise empty."""
+        """Reason why the colon is not usable; otherwise empty."""
         ...
 
     @property
@@ -354,7 +354,7 @@ class ColonPiece:
 
     @property
     def modulus_v(self) -> float:
-        """The same: a lower bound."""
+        """Height over width of the rectangle: a lower bound."""
         ...
 
     @property
@@ -396,7 +396,7 @@ class ColonThresholds:
 
     @property
     def fluid_boundary(self) -> float:
-        """Half-height between tissue and fluid."""
+        """Mean of tissue and fluid."""
         ...
 
     @property
@@ -406,7 +406,7 @@ class ColonThresholds:
 
     @property
     def gas_boundary(self) -> float:
-        """Half-height between them: the boundary of the wall."""
+        """Mean of gas and tissue: the boundary of the wall."""
         ...
 
     @property
@@ -482,7 +482,7 @@ class ConformalMap:
 
     @property
     def modulus_v(self) -> float:
-        """The same from the conjugate; the gap is the error bar."""
+        """The modulus from the conjugate; the gap is the error bar."""
         ...
 
     @property
@@ -505,12 +505,12 @@ class DicomDefect:
 
     @property
     def files(self) -> List[str]:
-        """The files concerned."""
+        """The affected files."""
         ...
 
     @property
     def message(self) -> str:
-        """The defect in a sentence."""
+        """The defect as a sentence."""
         ...
 
     @property
@@ -520,12 +520,12 @@ class DicomDefect:
 
     @property
     def slices(self) -> List[int]:
-        """The slices concerned, from 1 along the normal."""
+        """The affected slices, counted from 1 along the normal."""
         ...
 
 
 class DicomSeries:
-    """A DICOM series of a folder, as `list_series` finds it."""
+    """A DICOM series of a folder; see `list_series`."""
     @property
     def defects(self) -> List[DicomDefect]:
         """Defects that prevent reading the series without repair."""
@@ -558,7 +558,7 @@ class DicomSeries:
 
     @property
     def refusal(self) -> str:
-        """Why this is not a volume, if no defect explains it; otherwise empty."""
+        """Reason why this is not a volume, if no defect explains it; otherwise empty."""
         ...
 
     @property
@@ -620,7 +620,7 @@ class EmbeddingCertificate:
 
     @property
     def node_positions(self) -> NDArray[Any]:
-        """One row per packed node, those of the graph first; a view."""
+        """One row per packed node, starting with the graph's nodes; a view."""
         ...
 
     @property
@@ -630,7 +630,7 @@ class EmbeddingCertificate:
 
     @property
     def packed(self) -> Graph:
-        """The graph with the dummy nodes that make it 3-connected."""
+        """The 3-connected graph, including dummy nodes."""
         ...
 
     @property
@@ -640,7 +640,7 @@ class EmbeddingCertificate:
 
     @property
     def rotation(self) -> List[int]:
-        """Half-edges that leave each node, counterclockwise, in one list."""
+        """Outgoing half-edges of all nodes, counterclockwise, in one list."""
         ...
 
     @property
@@ -663,7 +663,7 @@ class EmbeddingVerdict:
     """Result of `verify_embedding`."""
     @property
     def is_valid(self) -> bool:
-        """Whether it is proved that no two edges cross."""
+        """Whether the absence of crossings is proven."""
         ...
 
     @property
@@ -673,7 +673,7 @@ class EmbeddingVerdict:
 
     @property
     def refusal(self) -> str:
-        """The first condition that fails; otherwise empty."""
+        """The first failed condition; otherwise empty."""
         ...
 
 
@@ -777,7 +777,7 @@ class GraphComparison:
 
     @property
     def differences(self) -> List[str]:
-        """Differences in sentences; none for isomorphic graphs."""
+        """Differences as sentences; empty for isomorphic graphs."""
         ...
 
     @property
@@ -891,7 +891,7 @@ class HeatClass:
 
     @property
     def lower_heat(self) -> float:
-        """The class holds lower_heat <= heat < upper_heat."""
+        """The class contains lower_heat <= heat < upper_heat."""
         ...
 
     @property
@@ -924,7 +924,7 @@ class HeatDiffusionMetric:
     """Heat diffusion distances along all edges."""
     @property
     def drowned_edges(self) -> int:
-        """Edges with a length below rounding error, as at the tip of a needle; they are set to the shortest possible length."""
+        """Edges with a length below rounding error, for example at the tip of a needle; set to the shortest possible length."""
         ...
 
     @property
@@ -952,7 +952,7 @@ class HeatHistogram:
 
     @property
     def edges(self) -> NDArray[Any]:
-        """4098 heats: bin b holds edges[b] <= heat < edges[b + 1]. Bin 0 is the background, the others are 256 per factor of two."""
+        """4098 heats: bin b contains edges[b] <= heat < edges[b + 1]. Bin 0 is the background, the others are 256 per factor of two."""
         ...
 
     def equalization(self) -> List[float]:
@@ -1090,12 +1090,12 @@ class MatchedFolds:
 
     @property
     def weight(self) -> float:
-        """Weight of the pair in the map, 0 to 1; below 0.5 it is not followed."""
+        """Weight of the pair in the map, 0 to 1; pairs below 0.5 are ignored."""
         ...
 
 
 class NamedShape:
-    """A signature with a name, which may be shared by several."""
+    """A signature with a name, not necessarily unique."""
     def __init__(self, name: str, signature: ShapeSignature) -> None: ...
 
     @property
@@ -1211,7 +1211,7 @@ class PolypInOtherPosition:
     """Position of a candidate in the other position of the patient."""
     @property
     def candidate(self) -> int:
-        """Number of that candidate; 0 for none."""
+        """Number of the most similar candidate; 0 for none."""
         ...
 
     @property
@@ -1221,17 +1221,17 @@ class PolypInOtherPosition:
 
     @property
     def distance(self) -> float:
-        """Distance to the most similar candidate there, mm."""
+        """Distance to the most similar candidate in the other position, mm."""
         ...
 
     @property
     def is_excluded(self) -> bool:
-        """Whether the wall there cannot be assessed."""
+        """Whether the corresponding wall cannot be assessed."""
         ...
 
     @property
     def is_seen(self) -> bool:
-        """Whether a similar candidate was found there."""
+        """Whether a similar candidate was found."""
         ...
 
     @property
@@ -1356,7 +1356,7 @@ class SegmentDistension:
     """Distension of a segment of the colon."""
     @property
     def begin(self) -> float:
-        """Begin in mm along the centerline."""
+        """Start along the centerline, mm."""
         ...
 
     @property
@@ -1366,7 +1366,7 @@ class SegmentDistension:
 
     @property
     def end(self) -> float:
-        """End in mm along the centerline."""
+        """End along the centerline, mm."""
         ...
 
     @property
@@ -1389,7 +1389,7 @@ class ShapeComponent:
     """Voxels connected by edges of positive weight."""
     @property
     def closed(self) -> bool:
-        """False if it reaches the border of the volume."""
+        """False if the component reaches the border of the volume."""
         ...
 
     @property
@@ -1483,7 +1483,7 @@ class ShapeSearchResult:
 
     @property
     def probability(self) -> float:
-        """Probability that the nearest is the same shape, fitted to generated shapes."""
+        """Probability that the nearest entry is the same shape, fitted to generated shapes."""
         ...
 
     @property
@@ -1511,7 +1511,7 @@ class ShapeSignature:
 
     @property
     def remaining_heat(self) -> NDArray[Any]:
-        """25 values, descending from 1: fraction of the heat that has not left the shape."""
+        """25 values, descending from 1: fraction of the heat remaining in the shape."""
         ...
 
     @property
@@ -1668,7 +1668,7 @@ class SurfaceSpectrum:
         ...
 
     def signature(self, time: float) -> NDArray[Any]:
-        """The heat kernel signature, n values: the heat that stays at each vertex from a unit source there; 1/mm^2."""
+        """The heat kernel signature, n values: the remaining heat of a unit source at each vertex; 1/mm^2."""
         ...
 
     def signature_times(self, number: int=...) -> List[float]:
@@ -1922,7 +1922,7 @@ def hypercube_graph(dimension: int) -> Graph:
     ...
 
 def implied_category(candidates: Sequence[PolypCandidate]) -> str:
-    """C-RADS category implied by the candidate sizes alone, in words."""
+    """C-RADS category implied by the candidate sizes only, as text."""
     ...
 
 def inspect_surface(mesh: Mesh) -> Dict[str, Any]:
@@ -1961,7 +1961,7 @@ def read_position(folder: Union[str, os.PathLike[str]], name: str) -> ColonPosit
     ...
 
 def read_shape_database(path: Union[str, os.PathLike[str]]) -> List[NamedShape]:
-    """All shapes of an SQLite file of the tool ShapeSearch, in the order of insertion."""
+    """All shapes of an SQLite file of the tool ShapeSearch, in insertion order."""
     ...
 
 def read_shape_table(path: Union[str, os.PathLike[str]]) -> ShapeTable:
@@ -1984,7 +1984,7 @@ def read_volume(path: Union[str, os.PathLike[str]], *, series_uid: str=..., resa
 
     An irregular series raises InputError with the name of the defect, unless its repair is allowed:
 
-    series_uid: selects a series if the folder holds several (`DicomSeries.selector`).
+    series_uid: selects a series if the folder contains several (`DicomSeries.selector`).
     resample_gaps: fills gaps and uneven spacing by interpolation between slices.
     deshear: resamples a tilted volume onto perpendicular axes.
     drop_duplicates: keeps the first of several slices at one position.
@@ -2093,7 +2093,7 @@ def trace_centerline(lumen: Image, *, start: Optional[ArrayLike]=..., seed_point
     ...
 
 def verify_embedding(certificate: EmbeddingCertificate) -> EmbeddingVerdict:
-    """Proves from the numbers of an embedding that no two edges cross, or reports which condition fails."""
+    """Proves from the numbers of an embedding that no edges cross, or reports the failed condition."""
     ...
 
 def visit_density(visits: Image) -> Image:
@@ -2113,7 +2113,7 @@ def write_graph(graph: Graph, path: Union[str, os.PathLike[str]]) -> None:
     ...
 
 def write_shape_table(table: ShapeTable, path: Union[str, os.PathLike[str]]) -> None:
-    """Writes a CSV file, as the tool ShapeSignature does."""
+    """Writes a CSV file like the tool ShapeSignature."""
     ...
 
 def write_surface(mesh: Mesh, path: Union[str, os.PathLike[str]]) -> None:

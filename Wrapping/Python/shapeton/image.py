@@ -12,7 +12,7 @@ from ._shapeton import InputError, ParameterError
 #: From LPS to RAS and back: x to the right instead of to the left, y to the front instead of to the back.
 _RAS = np.diag([-1.0, -1.0, 1.0, 1.0])
 
-_PERPENDICULAR = 1e-3  # headers round
+_PERPENDICULAR = 1e-3  # tolerance for rounded headers
 
 #: Units of lengths of NIfTI.
 _MILLIMETERS = {"meter": 1000.0, "mm": 1.0, "micron": 0.001}
@@ -24,7 +24,7 @@ class Image:
     """Voxels of a volume and their position in the patient.
 
     array
-        Voxels, indexed ``[z, y, x]``; real numbers. The array is not copied. The functions of this package read it
+        Voxels, indexed ``[z, y, x]``; real numbers. The array is not copied. Functions of this package use it
         without a copy if it is C-contiguous and of the type they use (float32 for intensities, uint8 for masks), and
         convert it otherwise.
     spacing
@@ -85,7 +85,7 @@ class Image:
         return matrix
 
     def like(self, array: Any) -> Image:
-        """An image with other voxels on the same grid."""
+        """Returns an image with other voxels on the same grid."""
         return Image(array, self._spacing, self._origin, self._direction)
 
     def __array__(self, dtype: Any = None) -> NDArray[Any]:
@@ -93,12 +93,12 @@ class Image:
         return np.asarray(self._array, dtype=dtype)
 
     def point(self, index: Any) -> NDArray[Any]:
-        """The position of the voxel ``[z, y, x]``, or of each row of such indices; LPS, mm."""
+        """Returns the position (LPS, mm) of a voxel ``[z, y, x]``, or of each row of such indices."""
         xyz = np.asarray(index, dtype=np.float64)[..., ::-1]
         return np.asarray(xyz @ self.affine[:3, :3].T + self.affine[:3, 3])
 
     def index(self, point: Any) -> NDArray[Any]:
-        """The index ``[z, y, x]``, not rounded, of a position in LPS, mm, or of each row of such positions."""
+        """Returns the continuous index ``[z, y, x]`` of a position (LPS, mm), or of each row of such positions."""
         xyz = (np.asarray(point, dtype=np.float64) - self.affine[:3, 3]) @ np.linalg.inv(self.affine[:3, :3]).T
         return np.asarray(xyz[..., ::-1])
 
@@ -208,7 +208,7 @@ class Image:
 
 
 def for_vtk(values: NDArray[Any]) -> NDArray[Any]:
-    """C-contiguous and in native byte order, bool as uint8; copied only if necessary."""
+    """Returns a C-contiguous array in native byte order, bool as uint8; copies only if necessary."""
     native = values.astype(np.uint8) if values.dtype == bool else values.astype(values.dtype.newbyteorder("="), copy=False)
     return np.ascontiguousarray(native)
 

@@ -46,14 +46,14 @@ class Mesh(_Geometry):
     vertices
         n x 3, float64; LPS, mm.
     faces
-        m x 3, int32: indices of vertices, counterclockwise where seen from outside.
+        m x 3, int32: indices of vertices, counterclockwise as seen from outside.
     point_arrays, cell_arrays, field_arrays
-        By name: one row per vertex, one row per face, data of the whole surface. Integers stay
-        whole numbers (int32); everything else is float64.
+        By name: one row per vertex, one row per face, data of the whole surface. Integers are kept
+        as int32; all other data are float64.
     facts
-        Pairs of texts, for example provenance; files in the format VTP keep them.
+        Pairs of strings, for example provenance; stored in VTP files.
     notes
-        Remarks of `read_surface`.
+        Notes of `read_surface`.
     """
 
     __slots__ = ("_faces",)
@@ -139,7 +139,7 @@ class Curves(_Geometry):
         n x 3, float64; LPS, mm.
     curves
         For each curve the indices of its vertices in order, int32; a curve of one vertex is a point. One curve through
-        all vertices where none are given.
+        all vertices if omitted.
     point_arrays, cell_arrays, field_arrays
         By name: one row per vertex, one row per curve, data of all curves.
     """

@@ -139,9 +139,9 @@ AddLumen(py::module_ & module)
   py::class_<ColonThresholds>(module, "ColonThresholds", "Intensities in HU, all estimated from the data.")
     .def_readonly("gas", &ColonThresholds::gas, "Typical gas inside the body.")
     .def_readonly("tissue", &ColonThresholds::tissue, "Typical soft tissue.")
-    .def_readonly("gas_boundary", &ColonThresholds::gasBoundary, "Half-height between them: the boundary of the wall.")
+    .def_readonly("gas_boundary", &ColonThresholds::gasBoundary, "Mean of gas and tissue: the boundary of the wall.")
     .def_readonly("fluid", &ColonThresholds::fluid, "Mode of tagged fluid; 0 without fluid.")
-    .def_readonly("fluid_boundary", &ColonThresholds::fluidBoundary, "Half-height between tissue and fluid.");
+    .def_readonly("fluid_boundary", &ColonThresholds::fluidBoundary, "Mean of tissue and fluid.");
 
   py::class_<ColonLumen>(module, "ColonLumen", "Result of `segment_lumen`.")
     .def_readonly("labels", &ColonLumen::labels, "uint8: 1 gas, 2 fluid, 0 otherwise.")
@@ -153,7 +153,7 @@ AddLumen(py::module_ & module)
     .def_property_readonly(
       "catheter", &CatheterOf, "Axis of a rectal catheter as Curves; None unless one was found with certainty.")
     .def_readonly("warnings", &ColonLumen::warnings, "Missing or doubtful results, one per line.")
-    .def_readonly("failure", &ColonLumen::failure, "Why the colon is not usable; otherwise empty.");
+    .def_readonly("failure", &ColonLumen::failure, "Reason why the colon is not usable; otherwise empty.");
 
   py::class_<CleansedColon>(module, "CleansedColon", "Result of `cleanse`.")
     .def_readonly("ct", &CleansedColon::ct, "float32, HU: the CT with fluid replaced by gas.")
@@ -189,16 +189,16 @@ seed_points: k x 3, LPS mm; the pieces of gas or fluid that contain them are col
 void
 AddCenterline(py::module_ & module)
 {
-  py::class_<CenterlineGap>(module, "CenterlineGap", "A part without lumen that is bridged by the centerline.")
-    .def_readonly("begin", &CenterlineGap::begin, "Begin in mm along the line.")
-    .def_readonly("end", &CenterlineGap::end, "End in mm along the line.")
+  py::class_<CenterlineGap>(module, "CenterlineGap", "A section without lumen, bridged by the centerline.")
+    .def_readonly("begin", &CenterlineGap::begin, "Start along the line, mm.")
+    .def_readonly("end", &CenterlineGap::end, "End along the line, mm.")
     .def_readonly("distance", &CenterlineGap::distance, "Straight distance between the ends of the lumen, mm.")
     .def_readonly("is_doubtful", &CenterlineGap::isDoubtful, "Whether it is longer than known collapsed segments.");
 
   py::class_<SegmentDistension>(module, "SegmentDistension", "Distension of a segment of the colon.")
     .def_readonly("name", &SegmentDistension::name, "Name of the segment.")
-    .def_readonly("begin", &SegmentDistension::begin, "Begin in mm along the centerline.")
-    .def_readonly("end", &SegmentDistension::end, "End in mm along the centerline.")
+    .def_readonly("begin", &SegmentDistension::begin, "Start along the centerline, mm.")
+    .def_readonly("end", &SegmentDistension::end, "End along the centerline, mm.")
     .def_readonly(
       "share", &SegmentDistension::share, "Fraction of its length with a diameter of at least 10 mm, 0 to 1.")
     .def_readonly("mean_caliber", &SegmentDistension::meanCaliber, "Mean inner diameter, mm.")
@@ -318,7 +318,7 @@ AddModel(py::module_ & module)
     .def_readonly("distension", &ColonModel::distension, "Distension of the segments.")
     .def_readonly("wall", &ColonModel::wall, "ColonWall.")
     .def_readonly("warnings", &ColonModel::warnings, "Warnings of all stages, one per line.")
-    .def_readonly("failure", &ColonModel::failure, "Why the colon is not usable; otherwise empty.")
+    .def_readonly("failure", &ColonModel::failure, "Reason why the colon is not usable; otherwise empty.")
     .def_property_readonly(
       "statistics",
       [](const ColonModel & model) { return FromJson(ColonQualityToJson(model)); },

@@ -32,7 +32,7 @@ public:
   SetArray(const py::array & array)
   {
     m_Array = Share(array);
-    // The image is only read, so read-only arrays are accepted, too.
+    // The image is only read, so read-only arrays are also accepted.
     this->SetImportPointer(static_cast<TPixel *>(const_cast<void *>(array.data())), array.size(), false);
   }
 
@@ -314,7 +314,7 @@ private:
   {
     const WithGil                 gil;
     const py::handle              function = m_Function.get();
-    py::detail::make_caster<bool> answer; // accepts numpy.bool_, too, but nothing else
+    py::detail::make_caster<bool> answer; // also accepts numpy.bool_
     if (answer.load(function(share, m_Stage), false) && !static_cast<bool>(answer))
     {
       PyErr_SetString(ClassOf("shapeton._shapeton", "Aborted").ptr(), "the progress function returned False");

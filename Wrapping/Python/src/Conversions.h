@@ -64,21 +64,21 @@ ToPython(const itk::Image<TPixel, 3> * image);
 /** A copy of a shapeton.Mesh, validated by RequireSound(). */
 SurfaceMesh
 MeshOf(const py::handle & mesh);
-/** A shapeton.Mesh whose arrays are views of what `owner` keeps alive. */
+/** A shapeton.Mesh; its arrays are views of data kept alive by `owner`. */
 py::object
 ToPython(const SurfaceMesh & mesh, const py::handle & owner);
 
-/** A copy of a shapeton.Curves, or, of an n x 3 array, one curve through its rows. */
+/** A copy of a shapeton.Curves, or from an n x 3 array one curve through its rows. */
 CurveSet
 CurvesOf(const py::handle & curves);
-/** A shapeton.Curves whose arrays are views of what `owner` keeps alive. */
+/** A shapeton.Curves; its arrays are views of data kept alive by `owner`. */
 py::object
 ToPython(const CurveSet & curves, const py::handle & owner);
 
 class Watch;
 
 /** \class Reports
- * \brief Progress that calls a function of Python, or None, with the share and the stage.
+ * \brief Progress that calls a function of Python, or None, with the completed share and the stage.
  *
  * Called at most ten times a second, and once with the share 1 by Complete(). Aborts if the function returns False
  * (shapeton.Aborted) or throws, and on a signal such as Ctrl-C. Construct it with the GIL held; call it from the same
@@ -89,7 +89,7 @@ public:
   Reports() = default;
   explicit Reports(const py::object & function);
 
-  /** Reports that the work is done. */
+  /** Reports completion. */
   void
   Complete() const;
 
@@ -99,7 +99,7 @@ private:
   std::shared_ptr<Watch> m_Watch; ///< null for None
 };
 
-/** Minimum interval between two calls of Reports; 0 for tests, which see every report. */
+/** Minimum interval between two calls of Reports; 0 for tests, to receive every report. */
 void
 SetProgressPeriod(unsigned int milliseconds);
 
@@ -139,7 +139,7 @@ OwnerOf(TValue && value)
   return py::capsule(new Value(std::forward<TValue>(value)), [](void * owned) { delete static_cast<Value *>(owned); });
 }
 
-/** Throws InputError unless three numbers are finite; `row` names them. */
+/** Throws InputError unless three numbers are finite; the message contains `row`. */
 void
 RequireFinitePlace(const double * place, py::ssize_t row);
 
@@ -174,7 +174,7 @@ WordOf(TValue value, const Words<TValue> & words)
   const auto found = std::find_if(words.begin(), words.end(), [&](const auto & word) { return word.second == value; });
   if (found == words.end())
   {
-    throw std::logic_error("a value has no word");
+    throw std::logic_error("a value has no keyword");
   }
   return found->first;
 }
@@ -205,7 +205,7 @@ struct type_caster<itk::SmartPointer<itk::Image<TPixel, 3>>>
   }
 };
 
-/** Caster of surfaces and curves: a member is a view that keeps its object alive, a result owns its data. */
+/** Caster of surfaces and curves: members are views that keep their object alive, results own their data. */
 template <typename TGeometry>
 struct geometry_caster
 {

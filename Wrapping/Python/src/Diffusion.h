@@ -12,7 +12,7 @@
 
 namespace shapeton::python
 {
-/** Lower and upper intensity; none: those of the image. */
+/** Lower and upper intensity; if absent, minimum and maximum of the image. */
 using Window = std::optional<std::pair<double, double>>;
 
 template <typename TFilter>
@@ -25,7 +25,7 @@ SetWindow(const Window & window, TFilter * filter)
   }
 }
 
-/** Calls Update() and reports the filter's progress as that of a stage. Removes all observers of the filter. */
+/** Calls Update() and reports the filter's progress as progress of a stage. Removes all observers of the filter. */
 template <typename TFilter>
 void
 UpdateWithProgress(TFilter * filter, const char * stage, const Progress & progress)

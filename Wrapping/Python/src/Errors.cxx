@@ -24,7 +24,7 @@ WordsOf(const itk::ExceptionObject & error)
   return front == std::string::npos ? text : text.substr(front + 3);
 }
 
-/** An exception class that lives as long as the process: its static holder must not be destroyed after interpreter
+/** An exception class with process lifetime: its static holder must not be destroyed after interpreter
  * shutdown. */
 py::handle
 AddError(py::module_ & module, const char * name, const py::handle & bases, const char * words)

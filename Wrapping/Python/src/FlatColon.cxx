@@ -112,7 +112,7 @@ surface: from `flatten_tube`. pixel_size: mm on the map, used for folds and land
            FlatColonGridOptions options;
            options.pixelSize = pixelSize;
            auto flat = std::make_shared<FlatColon>(std::move(surface), options);
-           flat->Grid(); // rejects a surface that is not flat
+           flat->Grid(); // rejects surfaces that are not flat
            return flat;
          }),
          "surface"_a,

@@ -78,7 +78,7 @@ AddConformalMap(py::module_ & module)
   py::class_<ConformalMap>(module, "ConformalMap", "A planar map of a surface, with quality measures.")
     .def_readonly("flat", &ConformalMap::flat, "The cut surface in space with the point array uv (mm in the plane).")
     .def_readonly("modulus_u", &ConformalMap::modulusU, "Height over width of the rectangle, or 2 pi / ln(R / r).")
-    .def_readonly("modulus_v", &ConformalMap::modulusV, "The same from the conjugate; the gap is the error bar.")
+    .def_readonly("modulus_v", &ConformalMap::modulusV, "The modulus from the conjugate; the gap is the error bar.")
     .def_readonly("genus", &ConformalMap::genus, "Genus; 0 without handles.")
     .def_readonly("flips", &ConformalMap::flips, "Number of flipped faces.")
     .def_readonly("corners", &ConformalMap::corners, "Four corner vertices, for a rectangle with one boundary.")
@@ -125,7 +125,7 @@ AddFlattening(py::module_ & module)
     .def_readonly("vertices", &SurfaceHandle::vertices, "Vertices of the flattened surface, ascending.");
 
   py::class_<ColonFlattening>(module, "ColonFlattening", "A flattened tube with its measurements.")
-    .def_readonly("surface", &ColonFlattening::surface, "The surface that was flattened.")
+    .def_readonly("surface", &ColonFlattening::surface, "The flattened surface in space.")
     .def_property_readonly(
       "flat",
       [](const ColonFlattening & flattening) -> const SurfaceMesh & { return flattening.map.flat; },
@@ -137,7 +137,7 @@ AddFlattening(py::module_ & module)
     .def_property_readonly(
       "length", [](const ColonFlattening & f) { return f.map.length; }, "Length of the map, mm.")
     .def_property_readonly(
-      "handles", [](const ColonFlattening & f) { return f.handles.handles; }, "Handles found; most walls have none.")
+      "handles", [](const ColonFlattening & f) { return f.handles.handles; }, "Handles; most walls have none.")
     .def_readonly("genus_before", &ColonFlattening::genusBefore, "Number of handles of the input surface.")
     .def_readonly("genus_after", &ColonFlattening::genusAfter, "Number of handles of the flattened surface.")
     .def_readonly("warnings", &ColonFlattening::warnings, "Doubtful results, one per line.")

@@ -39,7 +39,7 @@ MakeGraph(int nodes, const py::object & rows, const std::vector<std::string> & n
     {
       if (end < 0 || end >= nodes)
       {
-        throw InputError("edge " + std::to_string(e) + " names node " + std::to_string(end) + ", but there are " +
+        throw InputError("edge " + std::to_string(e) + " refers to node " + std::to_string(end) + ", but there are " +
                          std::to_string(nodes));
       }
     }
@@ -189,14 +189,14 @@ disk (radius: a length; in the disk, hyperbolic). Half-edge 2e leaves the first 
       "geometry",
       [](const Certificate & c) { return NameOf(c.geometry); },
       "\"spherical\" (genus 0), \"euclidean\" (1) or \"hyperbolic\".")
-    .def_readonly("rotation", &Certificate::rotation, "Half-edges that leave each node, counterclockwise, in one list.")
-    .def_readonly("packed", &Certificate::packed, "The graph with the dummy nodes that make it 3-connected.")
+    .def_readonly("rotation", &Certificate::rotation, "Outgoing half-edges of all nodes, counterclockwise, in one list.")
+    .def_readonly("packed", &Certificate::packed, "The 3-connected graph, including dummy nodes.")
     .def_readonly(
       "subdivided", &Certificate::subdivided, "Edges subdivided into paths of the packed graph, as half-edges.")
     .def_property_readonly(
       "node_positions",
       View([](const Certificate & c, const py::handle & owner) { return Rows(c.nodePositions, c, owner); }),
-      "One row per packed node, those of the graph first; a view.")
+      "One row per packed node, starting with the graph's nodes; a view.")
     .def_property_readonly(
       "node_radii",
       View([](const Certificate & c, const py::handle & owner) { return Row(c.nodeRadii, owner); }),
@@ -245,15 +245,15 @@ AddGraphs(py::module_ & module)
     .def_property_readonly(
       "is_valid",
       [](const EmbeddingVerdict & v) { return v.refusal.empty(); },
-      "Whether it is proved that no two edges cross.")
-    .def_readonly("refusal", &EmbeddingVerdict::refusal, "The first condition that fails; otherwise empty.")
+      "Whether the absence of crossings is proven.")
+    .def_readonly("refusal", &EmbeddingVerdict::refusal, "The first failed condition; otherwise empty.")
     .def_property_readonly(
       "measures", [](const EmbeddingVerdict & v) { return DictOf(v.measures); }, "Measurements by name.");
   py::class_<GraphComparison>(module, "GraphComparison", "Comparison of two graphs.")
     .def_readonly("isomorphic", &GraphComparison::isomorphic, "Whether the graphs are isomorphic.")
     .def_readonly("a", &GraphComparison::a, "Certificate of the first graph in canonical order.")
     .def_readonly("b", &GraphComparison::b, "Certificate of the second graph in canonical order.")
-    .def_readonly("differences", &GraphComparison::differences, "Differences in sentences; none for isomorphic graphs.")
+    .def_readonly("differences", &GraphComparison::differences, "Differences as sentences; empty for isomorphic graphs.")
     .def_property_readonly(
       "correspondence",
       [](const GraphComparison & c) { return c.correspondence.image; },
@@ -286,7 +286,7 @@ progress: called with (share, stage), share from 0 to 1; False, or an exception 
              &VerifyEmbedding,
              "certificate"_a,
              ReleaseGil(),
-             "Proves from the numbers of an embedding that no two edges cross, or reports which condition fails.");
+             "Proves from the numbers of an embedding that no edges cross, or reports the failed condition.");
   module.def("compare_graphs",
              Reporting(+[](const Graph & a, const Graph & b, std::uint64_t seed, const Progress & progress) {
                GenusOptions genus;

@@ -128,7 +128,7 @@ AddHistogram(py::module_ & module)
     .def_property_readonly(
       "edges",
       [](const HeatHistogram &) { return LowerEdges(); },
-      "4098 heats: bin b holds edges[b] <= heat < edges[b + 1]. Bin 0 is the background, the others are 256 per "
+      "4098 heats: bin b contains edges[b] <= heat < edges[b + 1]. Bin 0 is the background, the others are 256 per "
       "factor of two.")
     .def("equalization",
          &HeatHistogram::GetEqualization,
@@ -162,7 +162,7 @@ AddClasses(py::module_ & module)
 {
   py::class_<HeatClass>(module, "HeatClass", "A class of voxels with similar heat: a line of the heat histogram.")
     .def_readonly("label", &HeatClass::label, "0 is the background, 1 the class of lowest heat.")
-    .def_readonly("lower_heat", &HeatClass::lowerHeat, "The class holds lower_heat <= heat < upper_heat.")
+    .def_readonly("lower_heat", &HeatClass::lowerHeat, "The class contains lower_heat <= heat < upper_heat.")
     .def_readonly("upper_heat", &HeatClass::upperHeat, "See lower_heat.")
     .def_readonly("mean_heat", &HeatClass::meanHeat, "Mean heat, in [0, 1].")
     .def_readonly("voxels", &HeatClass::voxels, "Number of voxels.")
@@ -180,7 +180,7 @@ AddClasses(py::module_ & module)
       "First voxel, [z, y, x].")
     .def_readonly("voxels", &ShapeComponent::voxels, "Number of voxels.")
     .def_readonly("volume", &ShapeComponent::volume, "mm^3.")
-    .def_readonly("closed", &ShapeComponent::closed, "False if it reaches the border of the volume.")
+    .def_readonly("closed", &ShapeComponent::closed, "False if the component reaches the border of the volume.")
     .def_readonly("converged_heat", &ShapeComponent::convergedHeat, "Steady-state heat of each voxel.")
     .def_readonly("surface_area", &ShapeComponent::surfaceArea, "mm^2; 0 for an open component.")
     .def_readonly("normalized_heat", &ShapeComponent::normalizedHeat, "Area / (6 volume^(2/3)): 1 for a cube.");

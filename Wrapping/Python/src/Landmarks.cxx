@@ -47,7 +47,7 @@ AddFlexure(py::module_ & module)
     .def_property_readonly(
       "name", [](const ColonFlexure & flexure) { return NameOfFlexure(flexure.number); }, "For example \"splenic\".")
     .def_readonly("is_found", &ColonFlexure::isFound, "Whether it was found.")
-    .def_readonly("reason", &ColonFlexure::reason, "Why it was not found; otherwise empty.")
+    .def_readonly("reason", &ColonFlexure::reason, "Reason why it was not found; otherwise empty.")
     .def_readonly("point", &ColonFlexure::point, "Point on the centerline; LPS, mm.")
     .def_readonly("arc_length", &ColonFlexure::arcLength, "mm along the centerline.")
     .def_readonly(
@@ -62,7 +62,7 @@ AddPieces(py::module_ & module)
     .def_readonly("name", &ColonPiece::name, "Name of the segment.")
     .def_readonly("flat", &ColonPiece::flat, "Surface in space, with the point array uv (mm on the rectangle).")
     .def_readonly("modulus_u", &ColonPiece::modulusU, "Height over width of the rectangle: an upper bound.")
-    .def_readonly("modulus_v", &ColonPiece::modulusV, "The same: a lower bound.")
+    .def_readonly("modulus_v", &ColonPiece::modulusV, "Height over width of the rectangle: a lower bound.")
     .def_readonly("area", &ColonPiece::area, "mm^2.");
 
   module.def("split_colon",

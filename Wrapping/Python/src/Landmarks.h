@@ -10,7 +10,7 @@
 
 namespace shapeton::python
 {
-/** Result of find_folds(): a separate class, because the labels of the module's class are a picture. */
+/** Result of find_folds(): a separate class, because HaustralFolds stores its labels as an image. */
 struct FoundFolds
 {
   HaustralFolds folds;

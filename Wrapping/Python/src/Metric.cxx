@@ -43,7 +43,7 @@ double
 DefaultTime(const Manifold & surface, const SurfaceMesh & mesh)
 {
   const double edge = MeanEdgeAt55000Faces(surface.connectivity, EdgeLengths(surface.connectivity, mesh.V));
-  return 8.0 * edge * edge; // same default as ConformalMap
+  return 8.0 * edge * edge; // default of ConformalMap
 }
 
 SurfaceSpectrum
@@ -98,7 +98,7 @@ AddSpectrum(py::module_ & module)
          &HeatKernelSignature,
          "time"_a,
          ReleaseGil(),
-         "The heat kernel signature, n values: the heat that stays at each vertex from a unit source there; 1/mm^2.")
+         "The heat kernel signature, n values: the remaining heat of a unit source at each vertex; 1/mm^2.")
     .def("signature_times",
          &HeatKernelSignatureTimes,
          "number"_a = 4,
@@ -151,7 +151,7 @@ AddMetric(py::module_ & module)
     .def_readonly(
       "drowned_edges",
       &HeatDiffusionMetric::drownedEdges,
-      "Edges with a length below rounding error, as at the tip of a needle; they are set to the shortest possible "
+      "Edges with a length below rounding error, for example at the tip of a needle; set to the shortest possible "
       "length.");
 
   module.def("surface_edges",

@@ -115,7 +115,7 @@ AddMatches(py::module_ & module)
     .def_readonly(
       "residual", &MatchedFolds::residual, "Distance between the mapped supine fold and the prone fold, mm.")
     .def_readonly(
-      "weight", &MatchedFolds::weight, "Weight of the pair in the map, 0 to 1; below 0.5 it is not followed.");
+      "weight", &MatchedFolds::weight, "Weight of the pair in the map, 0 to 1; pairs below 0.5 are ignored.");
 }
 
 void

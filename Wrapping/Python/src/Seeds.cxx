@@ -29,7 +29,7 @@ struct SeededLabels
   Remarks                                      warnings;
 };
 
-/** A volume whose labels are found from seeds, any number of times. */
+/** A volume to be labeled from seeds repeatedly. */
 class SeededHeat
 {
 public:
@@ -51,12 +51,12 @@ public:
   Segment(const SeedImage::Pointer & seeds, bool wantsProbabilities, const Progress & progress)
   {
     RequireParameter(m_Worker != std::this_thread::get_id(),
-                     "a progress function called `segment` of the object that it reports on; make another SeededHeat");
-    const std::lock_guard<std::mutex> lock(m_Mutex); // Python threads may share one
+                     "a progress function called `segment` of the reporting object; create another SeededHeat");
+    const std::lock_guard<std::mutex> lock(m_Mutex); // Python threads may share this object
     const Working                     working(m_Worker);
     if (!HaveSameGrid(m_Filter->GetInput(), seeds))
     {
-      throw InputError("the grids of the seeds and of the image differ; give a label map on the grid of the image");
+      throw InputError("the grids of the seeds and of the image differ; use a label map on the grid of the image");
     }
     m_Filter->SetSeeds(seeds);
     UpdateWithProgress(m_Filter.GetPointer(), "Diffusing heat from the seeds", progress);
@@ -70,13 +70,13 @@ public:
         result.probabilities[label] = m_Filter->GetProbabilities(label);
       }
     }
-    result.labels->DisconnectPipeline(); // the next call allocates its own
+    result.labels->DisconnectPipeline(); // the next call allocates a new output
     result.uncertainty->DisconnectPipeline();
     return result;
   }
 
 private:
-  /** Marks this thread as the working thread. */
+  /** Marks this thread as the running thread. */
   class Working
   {
   public:

@@ -33,7 +33,7 @@ AddSignature(py::module_ & module)
     .def_property_readonly(
       "remaining_heat",
       [](const ShapeSignature & s) { return ArrayOf(s.remainingHeat); },
-      "25 values, descending from 1: fraction of the heat that has not left the shape.")
+      "25 values, descending from 1: fraction of the heat remaining in the shape.")
     .def_property_readonly(
       "displacement",
       [](const ShapeSignature & s) { return ArrayOf(s.displacement); },
@@ -68,7 +68,7 @@ AddTables(py::module_ & module)
                if (!HaveSameGrid(image, labels))
                {
                  throw InputError(
-                   "the grids of the image and of the labels differ; give labels on the grid of the image");
+                   "the grids of the image and of the labels differ; use labels on the grid of the image");
                }
                return DescribeShapes(image, labels, components, progress.Part("Describing shapes", 0.0, 1.0));
              }),
@@ -90,7 +90,7 @@ A shape takes half a second. Shapes of fewer than 64 voxels, or too thin, are sk
     "table"_a,
     "path"_a,
     ReleaseGil(),
-    "Writes a CSV file, as the tool ShapeSignature does.");
+    "Writes a CSV file like the tool ShapeSignature.");
   module.def(
     "read_shape_table",
     [](const Path & path) { return ReadShapeTable(path.text); },
@@ -102,7 +102,7 @@ A shape takes half a second. Shapes of fewer than 64 voxels, or too thin, are sk
 void
 AddSearch(py::module_ & module)
 {
-  py::class_<NamedShape>(module, "NamedShape", "A signature with a name, which may be shared by several.")
+  py::class_<NamedShape>(module, "NamedShape", "A signature with a name, not necessarily unique.")
     .def(py::init([](const std::string & name, const ShapeSignature & signature) {
            return NamedShape{ name, signature };
          }),
@@ -119,7 +119,7 @@ AddSearch(py::module_ & module)
     .def_readonly("neighbors", &ShapeSearchResult::neighbors, "Nearest first.")
     .def_readonly("probability",
                   &ShapeSearchResult::probability,
-                  "Probability that the nearest is the same shape, fitted to generated shapes.")
+                  "Probability that the nearest entry is the same shape, fitted to generated shapes.")
     .def_property_readonly(
       "unknown", &ShapeSearchResult::IsUnknown, "Whether the shape is probably none of the entries.");
 
@@ -132,8 +132,8 @@ AddSearch(py::module_ & module)
   module.def(
     "find_shape",
     [](const ShapeSignature & signature, const std::vector<NamedShape> & entries, std::size_t nearest) {
-      RequireParameter(!entries.empty(), "the parameter \"entries\" is empty; give at least one shape");
-      RequireParameter(nearest > 0, "the parameter \"nearest\" is 0; give at least 1");
+      RequireParameter(!entries.empty(), "the parameter \"entries\" is empty; at least one shape is required");
+      RequireParameter(nearest > 0, "the parameter \"nearest\" is 0; it must be at least 1");
       return FindShape(signature, entries, nearest);
     },
     "signature"_a,
@@ -146,7 +146,7 @@ AddSearch(py::module_ & module)
     [](const Path & path) { return ReadShapeDatabase(path.text); },
     "path"_a,
     ReleaseGil(),
-    "All shapes of an SQLite file of the tool ShapeSearch, in the order of insertion.");
+    "All shapes of an SQLite file of the tool ShapeSearch, in insertion order.");
 }
 } // namespace
 

@@ -28,7 +28,7 @@ struct StopFlag
 };
 thread_local std::shared_ptr<const StopFlag> stopFlag;
 
-/** Whether the interpreter is shutting down or finalized: only the finalizing thread can get the GIL. */
+/** Whether the interpreter is shutting down or finalized; then only the finalizing thread can get the GIL. */
 bool
 IsEnding()
 {
@@ -40,7 +40,7 @@ IsEnding()
 void
 StopWhereAsked()
 {
-  if (IsEnding()) // this thread has the GIL, so it is the finalizing thread
+  if (IsEnding()) // this thread holds the GIL, so it is the finalizing thread
   {
     endingThread = std::this_thread::get_id();
   }
@@ -57,11 +57,11 @@ StopWhereAsked()
 void
 StopCalls()
 {
-  constexpr std::chrono::seconds longest(10); // a progress function may block on something else
+  constexpr std::chrono::seconds longest(10); // a progress function may block
   endingThread = std::this_thread::get_id();
   const py::gil_scoped_release release;
   Timer                        timer(longest);
-  timer.IsOver(); // begins the period
+  timer.IsOver(); // starts the period
   while (runningCalls > 0 && !timer.IsOver())
   {
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
@@ -167,7 +167,7 @@ AddThreads(py::module_ & module)
       "obey",
       [](const std::shared_ptr<StopFlag> & flag) { stopFlag = flag; },
       "Functions called by this thread from now on end with SystemExit soon after the flag is set.");
-  endingThread = std::thread::id(); // an interpreter may be initialized after another one
+  endingThread = std::thread::id(); // a new interpreter may be initialized after shutdown
   py::module_::import("atexit").attr("register")(py::cpp_function(&StopCalls));
   pthread_atfork(nullptr, nullptr, [] { runningCalls = 0; }); // a child process has no other threads
 }

@@ -39,7 +39,7 @@ std::shared_ptr<PyObject>
 Share(py::object object);
 
 /** \class WithoutGil
- * \brief Lets other Python threads run during a function of the library, and signals stop it.
+ * \brief Lets other Python threads run during a function of the library, and lets signals stop it.
  *
  * At interpreter shutdown, functions in other threads stop with SystemExit and are awaited: their ITK threads must not
  * outlive ITK. */

@@ -119,11 +119,11 @@ AddVolumes(py::module_ & module)
       "name", [](const DicomDefect & defect) { return GetDicomDefectName(defect.kind); }, "For example \"gap\".")
     .def_property_readonly(
       "advice", [](const DicomDefect & defect) { return InPython(GetDicomDefectAdvice(defect)); }, "Possible remedy.")
-    .def_readonly("message", &DicomDefect::message, "The defect in a sentence.")
-    .def_readonly("files", &DicomDefect::files, "The files concerned.")
-    .def_readonly("slices", &DicomDefect::slices, "The slices concerned, from 1 along the normal.");
+    .def_readonly("message", &DicomDefect::message, "The defect as a sentence.")
+    .def_readonly("files", &DicomDefect::files, "The affected files.")
+    .def_readonly("slices", &DicomDefect::slices, "The affected slices, counted from 1 along the normal.");
 
-  py::class_<DicomSeries>(module, "DicomSeries", "A DICOM series of a folder, as `list_series` finds it.")
+  py::class_<DicomSeries>(module, "DicomSeries", "A DICOM series of a folder; see `list_series`.")
     .def_property_readonly(
       "selector", &DicomSeries::GetSelector, "The series_uid for `read_volume`: the UID, with \"#part\" if needed.")
     .def_readonly("uid", &DicomSeries::uid, "Series Instance UID.")
@@ -141,7 +141,7 @@ AddVolumes(py::module_ & module)
       "Spacing of columns, rows, slices; mm, 0 if unknown.")
     .def_property_readonly("is_usable", &DicomSeries::IsUsable, "Whether a volume can be read without repair.")
     .def_readonly(
-      "refusal", &DicomSeries::refusal, "Why this is not a volume, if no defect explains it; otherwise empty.")
+      "refusal", &DicomSeries::refusal, "Reason why this is not a volume, if no defect explains it; otherwise empty.")
     .def_readonly("defects", &DicomSeries::defects, "Defects that prevent reading the series without repair.")
     .def_readonly("remarks", &DicomSeries::remarks, "Peculiarities that do not prevent reading.")
     .def("__repr__", [](const DicomSeries & s) {
@@ -175,7 +175,7 @@ progress: called with (share, stage), share from 0 to 1; False, or an exception 
 
 An irregular series raises InputError with the name of the defect, unless its repair is allowed:
 
-series_uid: selects a series if the folder holds several (`DicomSeries.selector`).
+series_uid: selects a series if the folder contains several (`DicomSeries.selector`).
 resample_gaps: fills gaps and uneven spacing by interpolation between slices.
 deshear: resamples a tilted volume onto perpendicular axes.
 drop_duplicates: keeps the first of several slices at one position.

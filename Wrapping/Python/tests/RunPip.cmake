@@ -1,7 +1,7 @@
-# Installs the package by pip without an index, into a folder with a blank in its name, and imports it from there.
-# Shapeton is the one that INSTALLED was found in, or the build BUILD_DIR, which is installed here, or built with the package.
+# Installs the package by pip without an index into a folder with a blank in its name, and imports it.
+# Shapeton is found in INSTALLED, or installed from BUILD_DIR, or built with the package.
 function(run)
-  # Python seeks modules in the working folder first.
+  # Python searches modules in the working folder first.
   execute_process(COMMAND ${ARGN} WORKING_DIRECTORY ${WORK_DIR} RESULT_VARIABLE status OUTPUT_VARIABLE output ERROR_VARIABLE output)
   if(NOT status EQUAL 0)
     message(FATAL_ERROR "${ARGN} failed:\n${output}")

@@ -21,14 +21,14 @@ needs_tools = unittest.skipUnless(TOOLS, "SHAPETON_TOOLS, the folder of the tool
 
 
 def run_tool(name, *arguments):
-    """Runs a tool of the build; fails with its message, or if its progress does not end."""
+    """Runs a tool of the build; fails with its message, or if its progress is incomplete."""
     command = [os.path.join(TOOLS, name), *map(str, arguments)]
     done = subprocess.run(command, capture_output=True, text=True, check=False)
     if done.returncode != 0:
         raise AssertionError(done.stderr)
     shares = [float(share) for share in re.findall("<filter-progress>(.*)</filter-progress>", done.stdout)]
     if shares and (shares != sorted(shares) or shares.count(1.0) != 1):
-        raise AssertionError(f"the progress of {name} does not rise to 1, once: {shares}")
+        raise AssertionError(f"the progress of {name} does not increase to 1 exactly once: {shares}")
 
 
 def error_of_tool(name, *arguments):
@@ -36,14 +36,14 @@ def error_of_tool(name, *arguments):
     command = [os.path.join(TOOLS, name), *map(str, arguments)]
     done = subprocess.run(command, capture_output=True, text=True, check=False)
     if done.returncode == 0:
-        raise AssertionError(f"{name} has not failed")
+        raise AssertionError(f"{name} did not fail")
     return done.stderr.strip()
 
 
 def run_python(code, timeout=None, **variables):
-    """Runs a program in another Python and returns its output. It must exit within the time (s) with status 0."""
+    """Runs a program in another Python and returns its output. It must exit with status 0 within the time limit (s)."""
     environment = {**os.environ, **variables}
-    command = [sys.executable, "-c", code]  # which seeks modules in the working folder first
+    command = [sys.executable, "-c", code]  # searches modules in the working folder first
     done = subprocess.run(
         command, capture_output=True, text=True, check=False, env=environment, cwd=os.sep, timeout=timeout
     )
@@ -74,7 +74,7 @@ def stored(path, shape):
 
 
 def oblique():
-    """Three unit vectors in columns: 20 degrees about z, then 30 about x."""
+    """Rotation matrix: 20 degrees about z, then 30 about x."""
     a, b = np.radians([20.0, 30.0])
     about_z = np.array([[np.cos(a), -np.sin(a), 0.0], [np.sin(a), np.cos(a), 0.0], [0.0, 0.0, 1.0]])
     about_x = np.array([[1.0, 0.0, 0.0], [0.0, np.cos(b), -np.sin(b)], [0.0, np.sin(b), np.cos(b)]])
@@ -107,7 +107,7 @@ def cylinder(radius, height, around=40, along=30):
 
 
 class TestCase(unittest.TestCase):
-    """A test with a temporary folder."""
+    """Base class of tests with a temporary folder."""
 
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
@@ -115,6 +115,6 @@ class TestCase(unittest.TestCase):
         self.folder = Path(folder.name)
 
     def assertSame(self, one, other):
-        """The same shape, type and bytes."""
+        """Asserts equal shape, type and bytes."""
         self.assertEqual((one.shape, one.dtype), (other.shape, other.dtype))
         self.assertEqual(one.tobytes(), other.tobytes())

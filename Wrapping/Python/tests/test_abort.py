@@ -1,4 +1,4 @@
-"""Each stage ends soon after a signal, measured by the CPU time of the process, which hardly depends on other load."""
+"""Each stage ends soon after a signal, measured in CPU time of the process, which hardly depends on other load."""
 
 import os
 import signal
@@ -18,7 +18,7 @@ def interrupt(*_):
 
 
 class Position:
-    """The wall of one position of a small synthetic patient and what is derived from it."""
+    """The wall of one position of a small synthetic patient, and derived data."""
 
     def __init__(self, name):
         truth = colon.colon_phantom(position=name, size=(120, 120, 112), spacing=(3.0, 3.0, 3.0), truth_only=True)
@@ -32,7 +32,7 @@ class Position:
         self.position = colon.ColonPosition(name, self.landmarks, self.centerline, self.folds)
 
     def new_flat(self):
-        """Without the grids that a FlatColon keeps."""
+        """Returns a FlatColon without cached grids."""
         return colon.FlatColon(self.flat_mesh)
 
 
@@ -43,7 +43,7 @@ class AbortTest(TestCase):
         cls.addClassCleanup(signal.signal, signal.SIGPROF, signal.signal(signal.SIGPROF, interrupt))
 
     def seconds(self, work):
-        """CPU time of the process, of the shortest of three runs: the first one fills caches."""
+        """CPU time of the process: minimum of three runs, because the first one fills caches."""
         times = [time.process_time()]
         for _ in range(3):
             work()
@@ -51,7 +51,7 @@ class AbortTest(TestCase):
         return min(after - before for before, after in zip(times, times[1:]))
 
     def check_progress(self, work):
-        """`work` takes a progress function, which gets increasing shares and may abort it."""
+        """Checks that `work` reports increasing shares and can be aborted by its progress function."""
         shares = []
         work(progress=lambda share, stage: shares.append((share, stage)))
         self.assertEqual(shares, sorted(shares, key=lambda call: call[0]))
@@ -60,7 +60,7 @@ class AbortTest(TestCase):
             work(progress=lambda *_: False)
 
     def check_short(self, work):
-        """A signal at the first progress report of `work` ends it: for calls of a few milliseconds, too short for a
+        """A signal at the first progress report ends `work`; for calls of a few milliseconds, too short for a
         timer."""
         self.check_progress(work)
         sent = []
@@ -83,7 +83,7 @@ class AbortTest(TestCase):
             try:
                 work()
             finally:
-                signal.setitimer(signal.ITIMER_PROF, 0)  # a late signal would end what comes next
+                signal.setitimer(signal.ITIMER_PROF, 0)  # a late signal would end later code
         self.assertLess(time.process_time() - begin - 0.25 * whole, max(0.2, 0.5 * whole))
 
     def test_surfaces(self):

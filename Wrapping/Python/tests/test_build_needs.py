@@ -98,7 +98,7 @@ class BuildNeedsTest(TestCase):
 
     def test_other_places_are_looked_at(self):
         (self.folder / "packages/wheel.py").unlink()
-        self.write("packages/setuptools.py", "__version__ = '70.1.0'")  # which makes wheels itself
+        self.write("packages/setuptools.py", "__version__ = '70.1.0'")  # builds wheels itself
         (self.folder / "bin/g++").rename(self.folder / "bin/other")
         (self.folder / "prefix").rename(self.folder / "moved")
         self.assertEqual(self.missing(CXX="other -m64", CMAKE_PREFIX_PATH=str(self.folder / "moved")), "")
@@ -111,7 +111,7 @@ class BuildNeedsTest(TestCase):
                    "--target", self.folder / "target", REPOSITORY]
         done = subprocess.run(command, capture_output=True, text=True, check=False, env={**os.environ, "PYTHONPATH": ""})
         if "no such option: --python" in done.stderr:
-            self.skipTest("this pip has no option --python")
+            self.skipTest("pip lacks the option --python")
         self.assertNotEqual(done.returncode, 0)
         self.assertRegex(done.stdout + done.stderr, "Shapeton cannot be built with .*, which lacks setuptools 61 .*, wheel")
         self.assertNotIn("Traceback", done.stdout + done.stderr)

@@ -1,4 +1,4 @@
-"""Calls run in separate threads, which the main thread abandons when it is interrupted."""
+"""Calls run in separate threads; the main thread stops waiting for them when interrupted."""
 
 import gc
 import os
@@ -34,7 +34,7 @@ class CallsTest(TestCase):
         for name, read in (("graph.json", graphs.read_graph), ("surface.vtp", surfaces.read_surface)):
             with self.subTest(name):
                 pipe = self.folder / name
-                os.mkfifo(pipe)  # opening it waits for one who writes
+                os.mkfifo(pipe)  # opening it waits for a writer
                 signal.signal(signal.SIGALRM, signal.default_int_handler)
                 signal.setitimer(signal.ITIMER_REAL, 0.2)
                 with self.assertRaises(KeyboardInterrupt):
@@ -48,7 +48,7 @@ class CallsTest(TestCase):
         signal.setitimer(signal.ITIMER_REAL, 0.2)
         with self.assertRaises(KeyboardInterrupt):
             shapeton.diffuse_heat(self.image, time_steps=10**9)
-        join_helpers()  # for ever, if it did not
+        join_helpers()  # would wait forever otherwise
 
     def test_callbacks_run_in_the_thread_that_calls(self):
         threads = []

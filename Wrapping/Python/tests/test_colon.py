@@ -14,7 +14,7 @@ def lumen_of(position):
 
 
 class Examination:
-    """All stages of one position, from the true lumen on."""
+    """All stages of one position, starting with the true lumen."""
 
     def __init__(self, position):
         self.truth = lumen_of(position)

@@ -1,4 +1,4 @@
-"""Each stage of the colon gives results byte-identical to those of its tool, with defaults in both."""
+"""Each stage of the colon gives byte-identical results to its tool, both with defaults."""
 
 import json
 import tempfile
@@ -14,7 +14,7 @@ from support import TestCase, needs_tools, run_tool, stored
 
 
 class Examination:
-    """One position of a synthetic patient, by the tools in the folders of VirtualColonoscopy, and by the package."""
+    """One position of a synthetic patient, processed by the tools, in the folders of VirtualColonoscopy, and the package."""
 
     def __init__(self, name, folder):
         self.folder = folder / name
@@ -66,7 +66,7 @@ class SameAsToolsTest(TestCase):
             labels = shapeton.read_volume(folder / "lumen.nrrd").array
             self.assertSame(labels, model.lumen.labels.array.astype(np.float32))
             cleansed = shapeton.read_volume(folder / "cleansed.nrrd").array
-            self.assertLessEqual(np.abs(cleansed - model.cleansed.array).max(), 0.5)  # whole HU in the file
+            self.assertLessEqual(np.abs(cleansed - model.cleansed.array).max(), 0.5)  # integer HU in the file
             line = surfaces.read_curves(folder / "centerline.vtp")
             self.assertSame(line.vertices, model.centerline.curve.vertices)
             for name, mesh in (("wall", model.wall.raw), ("wall-repaired", model.wall.repaired),
@@ -118,7 +118,7 @@ class SameAsToolsTest(TestCase):
             supine.model.wall.repaired,
             supine.model.lumen.labels,
             centerline=supine.model.centerline.curve,
-            ct=cleansed.like(np.clip(np.rint(cleansed.array), -32768, 32767)),  # as the file holds it
+            ct=cleansed.like(np.clip(np.rint(cleansed.array), -32768, 32767)),  # as in the file
             flat=supine.flat,
             segments=supine.landmarks.segments,
             catheter=supine.model.lumen.catheter,

@@ -1,7 +1,7 @@
 """Images and surfaces of other packages.
 
-nibabel and VTK are Debian's. Of SimpleITK, itk and pyvista, which Debian lacks, small stand-ins with the calls that are used
-show that the converters make these calls, and no more than that.
+nibabel and VTK are Debian packages. SimpleITK, itk and pyvista, which Debian lacks, are replaced by small stand-ins, which
+only verify the calls of the converters.
 """
 
 import gc

@@ -16,7 +16,7 @@ from support import TestCase
 
 REPOSITORY = Path(__file__).parents[3]
 
-#: The functions equivalent to a tool. An option is searched among their parameters.
+#: The functions equivalent to a tool. Options are searched among their parameters.
 TOOLS = {
     "ColonFlattening": [flattening.flatten_tube, colon.FlatColon, surfaces.read_surface, shapeton.read_volume],
     "ColonFolds": [colon.find_folds, colon.FlatColon, surfaces.read_surface],
@@ -44,7 +44,7 @@ TOOLS = {
 TOOLS_ALONE = {"ColonResultsToDicom", "ColonViewer", "DicomResultsToColon", "DynamicGraph", "HeatTransferFunction",
                "SensorNetworkSimulator", "ShapePhantom", "VirtualColonoscopy"}
 
-#: Options whose parameter is not their name in snake case.
+#: Options with a parameter that differs from the option name in snake case.
 NAMES = {
     ("ColonSegmentation", "position"): "patient_position",
     ("ConformalMap", "metric"): "edge_lengths",
@@ -53,7 +53,7 @@ NAMES = {
     ("SurfaceSpectrum", "eigenpairs"): "pairs",
 }
 
-#: Words of a tool, and values that stand for a choice, and what Python has in their place.
+#: Keywords and special values of tools, and their equivalents in Python.
 MEANINGS = {
     "unit": {"file": ""},
     ("ColonSegmentation", "position"): {"auto": ""},
@@ -61,19 +61,19 @@ MEANINGS = {
     ("ConformalMap", "time"): {0: None},
     ("GraphEmbedding", "genus"): {"auto": None},
     ("ShapetonDiffusion", "featureSize"): {0: None},
-    ("ShapetonDiffusion", "shapetons"): {65000: None},  # or as many as feature_size asks for
+    ("ShapetonDiffusion", "shapetons"): {65000: None},  # or the number for feature_size
 }
 
-#: Options without a parameter: replaced by a separate function or a value of another parameter, or concerning
-#: files that the tool alone writes.
+#: Options without a parameter: replaced by a separate function or a value of another parameter, or about
+#: files that only the tool writes.
 OPTIONS_ALONE = {
     "threads": "set_threads",
-    "device": "the same bytes on every device",
+    "device": "equal bytes on every device",
     "autoParameters": "p=None",
     "resume": "checkpoints of the tool",
     ("ColonFlattening", "coloring"): "a picture",
-    ("ColonFolds", "publishedHigh"): "scheme \"published\" with its own values",
-    ("ColonFolds", "publishedLow"): "scheme \"published\" with its own values",
+    ("ColonFolds", "publishedHigh"): "scheme \"published\" with fixed values",
+    ("ColonFolds", "publishedLow"): "scheme \"published\" with fixed values",
     ("ColonLandmarks", "split"): "split_colon",
     ("ColonPhantom", "center"): "the field of view of the tool",
     ("ColonPhantom", "contents"): "organs of the tool",
@@ -89,12 +89,12 @@ OPTIONS_ALONE = {
     ("ShapetonDiffusion", "previewEvery"): "progress",
 }
 
-#: Defaults that the bindings state because the library leaves these values to the caller.
+#: Defaults defined by the bindings, because the library requires these values from the caller.
 STATED = {("spectrum", "pairs"), ("signature_times", "number"), ("find_shape", "nearest")}
 
 
 def options_of(tool):
-    """(name, default) of each option of a tool with a default: a number, a list of numbers, True, False or a word."""
+    """Yields (name, default) of each option with a default: a number, a list of numbers, True, False or a keyword."""
     for element in ElementTree.parse(REPOSITORY / f"Applications/{tool}/{tool}.xml").iterfind("parameters/*"):
         text = element.findtext("default") or ""
         if element.find("longflag") is None or not text:
@@ -110,7 +110,7 @@ def options_of(tool):
 
 
 def defaults_of(function):
-    """The defaults of a function of the compiled module, from its docstring."""
+    """Returns the defaults of a compiled function from its docstring."""
     doc = function.__init__.__doc__ if inspect.isclass(function) else function.__doc__
     (definition,) = ast.parse(f"def {doc.partition(chr(10))[0].strip()}: ...").body
     arguments = definition.args
@@ -122,7 +122,7 @@ def defaults_of(function):
 
 
 def small(name):
-    """seriesUID: series_uid."""
+    """Converts seriesUID to series_uid."""
     return re.sub(r"(?<=[a-z0-9])(?=[A-Z])", "_", name).lower()
 
 
@@ -147,7 +147,7 @@ class DefaultsTest(TestCase):
                     continue
                 with self.subTest(tool, option=option):
                     parameter = NAMES.get(key, small(option))
-                    self.assertIn(parameter, defaults, "no function has it: add it to NAMES or OPTIONS_ALONE")
+                    self.assertIn(parameter, defaults, "not a parameter of any function: add it to NAMES or OPTIONS_ALONE")
                     if not isinstance(default, list):
                         default = MEANINGS.get(key, MEANINGS.get(option, {})).get(default, default)
                     self.assertEqual(defaults[parameter], default)
@@ -163,7 +163,7 @@ class DefaultsTest(TestCase):
                 function = name[1] if name else function
                 stated = re.search(r'"(\w+)"_a = (-?[0-9][^,)]*|"[^"]+")', line)
                 if stated and (function, stated[1]) not in STATED:
-                    self.fail(f"{path.name}: {function} states the default {stated[0]}; take it from the library")
+                    self.fail(f"{path.name}: {function} defines the default {stated[0]}; use the library's default")
 
     def test_the_bytes_of_each_tool_are_compared(self):
         methods = [*vars(test_same_as_tools.SameAsToolsTest), *vars(test_colon_tools.SameAsToolsTest)]

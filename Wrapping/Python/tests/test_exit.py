@@ -1,4 +1,4 @@
-"""Objects of each class may live until interpreter shutdown, which is not delayed."""
+"""Objects of each class may exist until interpreter shutdown, without delaying it."""
 
 import inspect
 import unittest
@@ -8,7 +8,7 @@ from shapeton import _shapeton
 
 from support import DATA, TestCase, run_python
 
-#: Programs with objects in globals, and the classes of these objects.
+#: Programs with objects in globals; together they use all classes.
 PROGRAMS = {
     "heat": (
         """
@@ -141,7 +141,7 @@ def new_heat():
 
 
 def run_to_the_end(code):
-    """Output of a program; it must exit soon, with status 0 and without other output."""
+    """Returns the output of a program, which must exit soon with status 0 and without other output."""
     return run_python(code, timeout=600, PYTHONFAULTHANDLER="1", PYTHONMALLOC="debug")
 
 

@@ -263,7 +263,7 @@ print(resident() - before)
 
 class LeakTest(TestCase):
     def test_a_thousand_calls_leave_nothing_behind(self):
-        # One heat has 55 kB; leaking one per call would be 55 MB.
+        # A heat image has 55 kB; leaking one per call would be 55 MB.
         self.assertLess(int(run_python(LEAKS)), 4_000_000)
 
 

@@ -54,7 +54,7 @@ class ImageTest(TestCase):
 
 
 class LayoutTest(TestCase):
-    """The heat does not depend on the type and layout of an array."""
+    """The heat is independent of the type and layout of an array."""
 
     def setUp(self):
         super().setUp()

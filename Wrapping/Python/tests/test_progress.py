@@ -1,4 +1,4 @@
-"""The progress of each function increases to 1, which is reported once, at the end."""
+"""The progress of each function increases to 1, which is reported once at the end."""
 
 import inspect
 import unittest
@@ -33,11 +33,11 @@ class Position:
 
 
 class ProgressTest(TestCase):
-    reporting = set()  # the functions of which a test was made
+    reporting = set()  # the tested functions
 
     @classmethod
     def setUpClass(cls):
-        _shapeton._set_progress_period(0)  # each report is seen
+        _shapeton._set_progress_period(0)  # receives every report
         cls.addClassCleanup(_shapeton._set_progress_period, 100)
 
     def check(self, function, *arguments, **options):
@@ -71,7 +71,7 @@ class ProgressTest(TestCase):
         heat = shapes.SeededHeat(image)
         seeds = seeds_of(image)
         self.check(heat.segment, seeds)
-        self.check(heat.segment, seeds)  # starts from the solution, so it has little to do
+        self.check(heat.segment, seeds)  # starts from the solution
         many = seeds.array.copy()
         many[5, 5, 5:12] = range(3, 10)
         self.check(heat.segment, image.like(many))
@@ -135,7 +135,7 @@ class ProgressTest(TestCase):
         self.assertNotIn(1.0, shares)
 
     def test_z_each_function_with_progress_was_checked(self):
-        """The last one by its name."""
+        """Runs last by name."""
         functions = list(vars(_shapeton).items())
         for _, kind in functions.copy():
             if inspect.isclass(kind):

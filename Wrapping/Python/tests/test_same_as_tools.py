@@ -1,4 +1,4 @@
-"""A function with its defaults gives results byte-identical to its tool; for the stages of a colon see
+"""Functions with defaults give byte-identical results to their tools; for the stages of a colon, see
 test_colon_tools."""
 
 import csv
@@ -85,7 +85,7 @@ class SameAsToolsTest(TestCase):
         self.assertEqual([{name: one[name] for name in found[0]} for one in written], found)
 
     def table_of(self, shape, name):
-        """A phantom, its labels and the table of its shapes by the tool."""
+        """A phantom, its labels, and the shape table written by the tool."""
         image, labels, table = (self.folder / (name + end) for end in (".nrrd", "-labels.nrrd", ".csv"))
         run_tool("ShapePhantom", image, "--shape", shape, "--size", "80,80,80", "--labels", labels)
         run_tool("ShapeSignature", image, labels, table)
@@ -103,7 +103,7 @@ class SameAsToolsTest(TestCase):
             run_tool("ShapeSearch", path, database, "--add", path.stem)
         run_tool("ShapeSearch", table, database, "--neighbors", neighbors)
         entries = shapes.read_shape_database(database)
-        self.assertGreater(len(entries), 5)  # more than are listed by default
+        self.assertGreater(len(entries), 5)  # more than listed by default
         with open(neighbors, encoding="utf-8") as file:
             written = [row["name"] for row in csv.DictReader(line for line in file if not line.startswith("#"))]
         expected = [
@@ -137,7 +137,7 @@ class SameAsToolsTest(TestCase):
         self.assertSameCertificate(found.b, files[2] / "b.json")
 
     def assertSameCertificate(self, certificate, path):
-        """Values as stored in files: without the sign of zero."""
+        """Returns values as stored in files, without the sign of zero."""
         graphs.write_certificate(certificate, self.folder / "own.json")
         one, other = graphs.read_certificate(self.folder / "own.json"), graphs.read_certificate(path)
         for name in ("node_positions", "node_radii", "face_positions", "face_radii"):

@@ -9,7 +9,7 @@ from support import TestCase, balls, error_of_tool, needs_tools, oblique, run_to
 
 
 def two_halves(shape=(20, 24, 28)):
-    """Two plateaus in noise, and a seed in each."""
+    """Two plateaus in noise with a seed in each."""
     voxels = np.random.default_rng(3).normal(0.0, 10.0, shape)
     voxels[:, :, shape[2] // 2 :] += 300.0
     image = shapeton.Image(voxels.astype(np.float32), (0.8, 0.9, 1.5), (-10.0, 20.0, 5.0), oblique())
@@ -43,7 +43,7 @@ class SeedsTest(TestCase):
         image, seeds = two_halves()
         self.assertEqual(shapes.SeededHeat(image).segment(seeds).warnings, [])
         voxels = np.zeros(seeds.array.shape, np.uint16)
-        voxels[:, :, -1], voxels[10, 12, 3] = 9, 4  # a plane against a point
+        voxels[:, :, -1], voxels[10, 12, 3] = 9, 4  # a plane and a point
         (warning,) = shapes.SeededHeat(image, p=0.0).segment(image.like(voxels)).warnings  # no edges
         self.assertRegex(warning, "^label 4 has 1 seed and gains only [0-9] voxels; ")
 
@@ -59,7 +59,7 @@ class SeedsTest(TestCase):
         changed[5, 5, -2] = 4
         after = heat.segment(image.like(changed))
         self.assertEqual(after.labels.array[5, 5, -2], 4)
-        self.assertSame(first.labels.array, kept)  # results do not change under a user's hand
+        self.assertSame(first.labels.array, kept)  # later calls do not change earlier results
 
     @needs_tools
     def test_labels_are_those_of_the_tool(self):
@@ -90,7 +90,7 @@ class SeedsTest(TestCase):
             shapes.SeededHeat(image, tolerance=3.0).segment(seeds)
         with self.assertRaises(shapeton.Aborted):
             heat.segment(seeds, progress=lambda share, stage: False)
-        with self.assertRaisesRegex(shapeton.ParameterError, "make another SeededHeat"):
+        with self.assertRaisesRegex(shapeton.ParameterError, "create another SeededHeat"):
             heat.segment(seeds, progress=lambda share, stage: heat.segment(seeds))
         self.assertTrue(heat.segment(seeds).labels.array.any())
 

@@ -175,7 +175,7 @@ class MetricTest(TestCase):
 
     def test_heat_over_a_surface_goes_in_two_implicit_steps(self):
         mesh = icosphere(50.0, 4)
-        height = mesh.vertices[:, 2]  # an eigenfunction of the eigenvalue 2 / r^2
+        height = mesh.vertices[:, 2]  # an eigenfunction for the eigenvalue 2 / r^2
         for time in (500.0, 2500.0):
             share = surfaces.diffuse_over_surface(mesh, height, time) @ height / (height @ height)
             self.assertAlmostEqual(share, (1.0 + time / 2500.0) ** -2, places=3)
@@ -199,7 +199,7 @@ class FlatteningTest(TestCase):
         self.assertAlmostEqual(result.modulus_u, 2.0 * np.pi * 15.0 / 80.0, delta=0.02)
         self.assertGreaterEqual(result.modulus_u, result.modulus_v - 1e-9)
         self.assertEqual(result.statistics["flips"], result.flips)
-        # Any multiple of the metric is the same conformal structure.
+        # All multiples of the metric have the same conformal structure.
         scaled = flattening.conformal_map(tube, domain="annulus", edge_lengths=3.0 * surfaces.edge_lengths(tube))
         self.assertAlmostEqual(scaled.modulus_u, result.modulus_u, places=9)
 

@@ -73,7 +73,7 @@ struct PolypInOtherPosition
   /** mm from there to the most similar candidate of the other position, or to the nearest if none is similar; infinite
    * without candidates. */
   double distance{ std::numeric_limits<double>::infinity() };
-  /** Number of that candidate; 0 for none. */
+  /** Number of the most similar candidate; 0 for none. */
   int candidate{ 0 };
   /** Whether a similar candidate is there: likeness of at least 0.1. */
   bool isSeen{ false };
