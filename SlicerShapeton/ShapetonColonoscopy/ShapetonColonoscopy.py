@@ -23,7 +23,7 @@ class ShapetonColonoscopy(ScriptedLoadableModule):
 
 
 class MapClicks(qt.QObject):
-    """Reports clicks on the picture of the map."""
+    """Reports clicks on the map picture."""
 
     def __init__(self, clicked):
         qt.QObject.__init__(self)
@@ -37,7 +37,7 @@ class MapClicks(qt.QObject):
 
 
 class FlatMapView:
-    """The flat colon, enlarged, with a mark."""
+    """Enlarged picture of the flat colon with a mark."""
 
     scale = 3
 
@@ -92,7 +92,7 @@ class ShapetonColonoscopyWidget(ScriptedLoadableModuleWidget, VTKObservationMixi
         self.applyButton = qt.QPushButton("Apply")
         self.applyButton.connect("clicked()", self.onApply)
         form.addRow(self.applyButton)
-        self.mapView = FlatMapView(section(self.layout, "Flat colon: click to go there"), self.onMapClick)
+        self.mapView = FlatMapView(section(self.layout, "Flat colon: click to show in slices"), self.onMapClick)
         self.layout.addStretch(1)
         crosshair = slicer.mrmlScene.GetFirstNodeByClass("vtkMRMLCrosshairNode")
         self.addObserver(crosshair, slicer.vtkMRMLCrosshairNode.CursorPositionModifiedEvent, self.onCursor)

@@ -70,7 +70,7 @@ class ShapetonHeatWidget(ScriptedLoadableModuleWidget):
         self.histogram = qt.QLabel()
         lines.addRow(self.histogram)
         self.lines = LineTable(lines)
-        lines.addRow(self._button("Render the lines picked", self.onRender))
+        lines.addRow(self._button("Render the selected lines", self.onRender))
         self.layout.addStretch(1)
 
     def cleanup(self):
@@ -101,14 +101,14 @@ class ShapetonHeatWidget(ScriptedLoadableModuleWidget):
         )
 
     def _window(self):
-        """None uses the whole range."""
+        """Returns the intensity window; None for the whole range."""
         text = self.intensityWindow.text.strip()
         return tuple(float(part) for part in text.split(",")) if text else None
 
     @staticmethod
     def _range():
         edit = qt.QLineEdit()
-        edit.placeholderText = "least,greatest in the units of the volume; the whole range when empty"
+        edit.placeholderText = "minimum,maximum in the units of the volume; whole range if empty"
         return edit
 
     @staticmethod

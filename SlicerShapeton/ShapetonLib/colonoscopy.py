@@ -33,7 +33,7 @@ class ColonoscopyLogic:
         return ToolRun("VirtualColonoscopy", arguments, onProgress)
 
     def load(self, folder):
-        """The results of a run in that folder, as nodes."""
+        """Loads the results of a run in the folder as nodes."""
         colon = os.path.join(folder, "colon")
 
         def path(name):
@@ -55,7 +55,7 @@ class ColonoscopyLogic:
         return results
 
     def jumpTo(self, flatMap, column, row):
-        """Shows a point of the map in the slices. Returns False outside the wall."""
+        """Shows a point of the map in the slices; returns False outside the wall."""
         place = flatMap.placeOf(column, row)
         if place is None:
             return False
@@ -65,7 +65,7 @@ class ColonoscopyLogic:
         return True
 
     def pixelOfCursor(self, flatMap):
-        """Position of the slice cursor on the map; None if it is not near the wall."""
+        """Returns the slice cursor's position on the map; None if it is not near the wall."""
         crosshair = slicer.mrmlScene.GetFirstNodeByClass("vtkMRMLCrosshairNode")
         place = [0.0, 0.0, 0.0]
         if not crosshair.GetCursorPositionRAS(place):

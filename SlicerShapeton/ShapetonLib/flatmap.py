@@ -8,7 +8,7 @@ from vtk.util import numpy_support
 
 
 def readCoordinates(path):
-    """coordinates.nrrd of ColonFlattening as an array of rows, columns and 3 components: LPS in mm, NaN outside the
+    """Reads coordinates.nrrd of ColonFlattening as an array of rows, columns and 3 components: LPS in mm, NaN outside the
     wall. Slicer's readers expect volumes in space; this image is in the plane of the map."""
     with open(path, "rb") as file:
         header, data = file.read().split(b"\n\n", 1)
@@ -43,14 +43,14 @@ class FlatMap:
         return self.places.shape[1], self.places.shape[0]
 
     def placeOf(self, column, row):
-        """None outside the wall."""
+        """Returns the point of a pixel; None outside the wall."""
         columns, rows = self.size
         if not (0 <= column < columns and 0 <= row < rows) or not self.isWall[row, column]:
             return None
         return tuple(self.places[row, column])
 
     def pixelOf(self, place, within):
-        """The wall pixel nearest to a point; None if the distance exceeds the limit in mm."""
+        """Returns the wall pixel nearest to a point; None beyond the limit (mm)."""
         distance = vtk.reference(0.0)
         index = self._locator.FindClosestPointWithinRadius(within, place, distance)
         if index < 0:
@@ -59,11 +59,11 @@ class FlatMap:
         return int(column), int(row)
 
     def writePicture(self, path):
-        """The relief of the wall, lit from the left of the map (PNG); white outside the wall."""
+        """Returns the relief of the wall (PNG), lit from the left of the map; white outside the wall."""
         along = numpy.gradient(self.places, axis=1)
         around = numpy.gradient(self.places, axis=0)
         normal = numpy.cross(along, around)
-        axis = numpy.nan_to_num(along).sum(axis=0, keepdims=True)  # direction of the light
+        axis = numpy.nan_to_num(along).sum(axis=0, keepdims=True)  # light direction
         cosine = (normal * axis).sum(axis=2) / (
             numpy.linalg.norm(normal, axis=2) * numpy.linalg.norm(axis, axis=2) + 1e-12
         )

@@ -1,4 +1,4 @@
-"""Cumulative heat diffusion of a volume of the scene, and the transfer function of lines of its histogram."""
+"""Cumulative heat diffusion of a volume of the scene, and transfer functions of histogram lines."""
 
 import csv
 import os
@@ -9,7 +9,7 @@ from ShapetonLib.toolrun import ToolRun, exportVolume
 
 
 class Line:
-    """Heats from `lower` to `upper`, shown in a color (#rrggbb) with an opacity."""
+    """Heats from `lower` to `upper`, with a color (#rrggbb) and an opacity."""
 
     def __init__(self, lower, upper, color, opacity):
         self.lower, self.upper, self.color, self.opacity = lower, upper, color, opacity
@@ -37,7 +37,7 @@ class HeatLogic:
         return self._path(folder, "histogram.png")
 
     def classLines(self, folder):
-        """The classes of the histogram except the background, as selectable lines."""
+        """Returns the histogram classes except the background as selectable lines."""
         with open(self._path(folder, "classes.csv"), newline="") as table:
             rows = [row for row in csv.DictReader(table) if row["label"] != "0"]
         return [Line(float(row["lowerHeat"]), float(row["upperHeat"]), row["color"], 0.5) for row in rows]

@@ -10,7 +10,7 @@ from ShapetonLib.toolrun import toolsFolderKey
 
 
 class RunPanel:
-    """Shows one ToolRun at a time. A timer polls the run, because Slicer's event loop blocks Python threads."""
+    """Shows one ToolRun at a time. A timer polls it, because Slicer's event loop blocks Python threads."""
 
     interval = 200  # ms
 
@@ -21,15 +21,15 @@ class RunPanel:
         self.outputFolder = ctk.ctkPathLineEdit()
         self.outputFolder.filters = ctk.ctkPathLineEdit.Dirs
         self.outputFolder.currentPath = os.path.join(slicer.app.temporaryPath, "Shapeton")
-        self.outputFolder.setToolTip("Results are files in this folder; another run on the same volume resumes from them.")
+        self.outputFolder.setToolTip("Folder for result files; another run on the same volume resumes from them.")
         layout.addRow("Results:", self.outputFolder)
 
         self.toolsFolder = ctk.ctkPathLineEdit()
         self.toolsFolder.filters = ctk.ctkPathLineEdit.Dirs
         self.toolsFolder.currentPath = slicer.util.settingsValue(toolsFolderKey, "")
-        self.toolsFolder.setToolTip("Folder of Shapeton's tools, if not those of this extension.")
+        self.toolsFolder.setToolTip("Folder of Shapeton's tools; by default the tools of this extension.")
         self.toolsFolder.connect("currentPathChanged(QString)", self._rememberToolsFolder)
-        layout.addRow("Folder of tools:", self.toolsFolder)
+        layout.addRow("Tools folder:", self.toolsFolder)
 
         self.progress = qt.QProgressBar()
         self.progress.setRange(0, 1000)

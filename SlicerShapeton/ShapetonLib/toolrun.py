@@ -11,7 +11,7 @@ toolsFolderKey = "Shapeton/ToolsFolder"
 
 
 def toolPath(name):
-    """The executable: from the folder in the settings, otherwise the command-line module of this extension."""
+    """Returns the executable from the folder in the settings, else the command-line module of this extension."""
     folder = slicer.util.settingsValue(toolsFolderKey, "")
     if folder:
         path = os.path.join(folder, name)
@@ -19,12 +19,12 @@ def toolPath(name):
         module = getattr(slicer.modules, name.lower(), None)
         path = module.path if module else name
     if not os.path.isfile(path):
-        raise RuntimeError(f"The tool {name} is not there ({path}); give the folder of Shapeton's tools")
+        raise RuntimeError(f"The tool {name} was not found ({path}); set the folder of Shapeton's tools")
     return path
 
 
 def toolEnvironment():
-    """Tools of another folder are not linked with Slicer's libraries, so Slicer's search paths are removed."""
+    """Removes Slicer's library search paths, because tools of another folder do not use Slicer's libraries."""
     return slicer.util.startupEnvironment() if slicer.util.settingsValue(toolsFolderKey, "") else None
 
 
@@ -49,7 +49,7 @@ class ToolRun:
 
     def poll(self):
         """Reads the output of the tool. Returns True when it has finished."""
-        isOver = self._process.poll() is not None  # polled before reading, so that no output is lost
+        isOver = self._process.poll() is not None  # polled before reading, to read all output
         self._readLines(self._process.stdout, self._takeLine)
         self._readLines(self._process.stderr, lambda line: None, keep=True)
         if isOver:
@@ -63,7 +63,7 @@ class ToolRun:
         self._process.terminate()
 
     def requireSuccess(self):
-        """After the end: raises RuntimeError with the error message of the tool."""
+        """Raises RuntimeError with the tool's message if the finished tool failed."""
         if self._process.returncode != 0:
             error = self._text[self._process.stderr].decode(errors="replace").strip()
             raise RuntimeError(error or f"{self.name} ended with status {self._process.returncode}")
@@ -100,5 +100,5 @@ def exportVolume(node, path):
     """Writes the voxels of a volume node to a file; the storage node is unchanged."""
     if node.GetParentTransformNode():
         raise RuntimeError(f"{node.GetName()} is under a transform; harden the transform first")
-    if not slicer.util.exportNode(node, path, {}):  # {}: the function would store values in its mutable default
+    if not slicer.util.exportNode(node, path, {}):  # {}: exportNode would modify its mutable default argument
         raise RuntimeError(f"{node.GetName()} cannot be written to {path}")

@@ -1,4 +1,4 @@
-# Core and imgproc only, as shared libraries in the extension package: static ones require further libraries.
+# Core and imgproc only, as shared libraries in the extension package: static libraries require further libraries.
 set(proj OpenCV)
 set(${proj}_DEPENDS "")
 ExternalProject_Include_Dependencies(${proj} PROJECT_VAR proj)

@@ -1,4 +1,4 @@
-# Libraries and tools, laid out as Slicer does: tools in cli-modules, libraries one folder above.
+# Libraries and tools in Slicer's layout: tools in cli-modules, libraries one folder above.
 set(proj Shapeton)
 set(${proj}_DEPENDS Boost Eigen3 METIS OpenCV SQLite3 Spectra nauty nlohmann_json)
 ExternalProject_Include_Dependencies(${proj} PROJECT_VAR proj)

@@ -1,4 +1,4 @@
-# With thread-local storage, as Debian builds it. Its headers are included as <nauty/...>.
+# With thread-local storage, as in Debian. Its headers are included as <nauty/...>.
 set(proj nauty)
 set(${proj}_DEPENDS "")
 ExternalProject_Include_Dependencies(${proj} PROJECT_VAR proj)

@@ -1,4 +1,4 @@
-# The parser of SlicerExecutionModel, built from SOURCE, reads each tool description and finds all of its parameters.
+# The parser of SlicerExecutionModel, built from SOURCE, parses each tool description and finds all its parameters.
 cmake_minimum_required(VERSION 3.22)
 if(NOT SOURCE)
   message("skipped: SlicerExecutionModel_SOURCE_DIR is not set")

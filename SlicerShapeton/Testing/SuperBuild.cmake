@@ -39,7 +39,7 @@ file(ARCHIVE_EXTRACT INPUT ${WORK_DIR}/inner/SlicerShapeton.tar.gz DESTINATION $
 set(modules ${WORK_DIR}/package/SlicerShapeton/lib/Slicer-5.9/qt-scripted-modules)
 foreach(file ShapetonHeat.py ShapetonColonoscopy.py ShapetonLib/toolrun.py Resources/Icons/ShapetonHeat.svg)
   if(NOT EXISTS ${modules}/${file})
-    message(FATAL_ERROR "the package has no ${modules}/${file}")
+    message(FATAL_ERROR "the package does not contain ${modules}/${file}")
   endif()
 endforeach()
 run(${WORK_DIR}/package/SlicerShapeton/bin/ShapePhantom --version)

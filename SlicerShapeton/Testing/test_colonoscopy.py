@@ -74,7 +74,7 @@ class ColonoscopyTest(Case):
     def testTheWallIsColoredBySegments(self):
         surface = polyData(self.results.wall._file)
         space = surface.GetFieldData().GetAbstractArray("SPACE")
-        self.assertIn("LPS", space.GetValue(0))  # where Slicer looks for it
+        self.assertIn("LPS", space.GetValue(0))  # read by Slicer
         segments = numpy_support.vtk_to_numpy(surface.GetCellData().GetArray("segment"))
         asked = self.results.wall.GetDisplayNode()._asked
         self.assertEqual(asked["SetActiveScalar"], ("segment", vtk.vtkAssignAttribute.CELL_DATA))
@@ -141,10 +141,10 @@ class ColonoscopyTest(Case):
         reader.Update()
         self.assertEqual(reader.GetOutput().GetDimensions()[:2], self.results.flatMap.size)
         shades = numpy_support.vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars())
-        self.assertGreater(shades.std(), 20.0)  # folds are seen
+        self.assertGreater(shades.std(), 20.0)  # folds are visible
 
     def testTheWidgetShowsTheMapAndFollows(self):
-        """The code runs on dummy widgets."""
+        """Runs the widget code on dummy widgets."""
         widget = ShapetonColonoscopyWidget()
         widget.setup()
         widget.onFinished(self.examination)

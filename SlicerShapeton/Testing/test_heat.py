@@ -56,7 +56,7 @@ class HeatTest(Case):
             self.logic.start(self.volume, self.folder)
 
     def assertOpacity(self, path, line):
-        """The scalar opacity of the volume property: 0.5 in the middle of the line, 0 far from it."""
+        """Scalar opacity of the volume property: 0.5 in the middle of the line, 0 far from the line."""
         with open(path) as file:
             rows = [row.split() for row in file if row.strip()]
         numbers = [float(part) for part in next(row for row in rows if len(row) > 5)[1:]]

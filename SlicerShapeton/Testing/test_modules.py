@@ -1,4 +1,4 @@
-"""The widget code runs on dummy widgets."""
+"""Runs the widget code on dummy widgets."""
 
 import time
 import unittest
@@ -38,7 +38,7 @@ class ModulesTest(Case):
     def testColonoscopyTellsWhatIsWrongAndCanBeCanceled(self):
         widget = ShapetonColonoscopyWidget()
         widget.setup()
-        widget.onApply()  # no volume is chosen: nothing happens
+        widget.onApply()  # no effect without a selected volume
         self.assertFalse(widget.panel.isBusy)
         widget.volume._node = slicer.Node("vtkMRMLScalarVolumeNode", self.phantom())
         widget.panel.outputFolder.currentPath = self.folder

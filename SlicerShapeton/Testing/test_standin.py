@@ -1,4 +1,4 @@
-"""All names of the stub exist in Slicer: each is searched in its declarations in a source tree of Slicer
+"""All names of the stub exist in Slicer: searches each name in the declarations of a source tree of Slicer
 (Slicer_SOURCE_DIR)."""
 
 import inspect
@@ -32,5 +32,5 @@ class StandInTest(unittest.TestCase):
 if __name__ == "__main__":
     result = unittest.main(exit=False).result
     if result.wasSuccessful() and not os.environ.get("Slicer_SOURCE_DIR"):
-        print("skipped: Slicer_SOURCE_DIR is not set", file=sys.stderr)  # the last line is the reason that is reported
+        print("skipped: Slicer_SOURCE_DIR is not set", file=sys.stderr)  # the last line is reported as the reason
     sys.exit(not result.wasSuccessful())

@@ -41,10 +41,10 @@ class ToolRunTest(Case):
         self.assertEqual([name for name in os.listdir(self.folder) if "heat" in name], [])
 
     def testAnAbsentToolIsNamed(self):
-        with self.assertRaisesRegex(RuntimeError, "NoSuchTool is not there .*; give the folder of Shapeton's tools"):
+        with self.assertRaisesRegex(RuntimeError, "NoSuchTool was not found .*; set the folder of Shapeton's tools"):
             toolPath("NoSuchTool")
         slicer.util._settings.pop(toolsFolderKey)
-        with self.assertRaisesRegex(RuntimeError, "ShapePhantom is not there"):
+        with self.assertRaisesRegex(RuntimeError, "ShapePhantom was not found"):
             toolPath("ShapePhantom")  # the stub has no command-line modules
 
 

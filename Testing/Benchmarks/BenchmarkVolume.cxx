@@ -10,7 +10,7 @@ MakeBenchmarkVolume(const std::array<std::size_t, 3> & size)
 {
   struct Ball
   {
-    float x, y, z, radius, value; // relative to the sides of the volume; the radius to the first side
+    float x, y, z, radius, value; // relative to the sides of the volume; radius relative to the first side
   };
   const std::array<Ball, 3> balls = {
     { { 0.31F, 0.35F, 0.39F, 0.16F, 120 }, { 0.66F, 0.59F, 0.55F, 0.21F, 200 }, { 0.23F, 0.74F, 0.70F, 0.10F, 250 } }

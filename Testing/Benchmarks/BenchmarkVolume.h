@@ -11,7 +11,7 @@
 std::vector<float>
 MakeBenchmarkVolume(const std::array<std::size_t, 3> & size);
 
-/** Parameters with the window from the least to the greatest intensity; all others are defaults. */
+/** Default parameters, with a window from the minimum to the maximum intensity. */
 shapeton::VolumeGradientOperator::Parameters
 WholeWindow(const std::vector<float> & intensities);
 

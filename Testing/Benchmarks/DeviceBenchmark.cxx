@@ -147,7 +147,7 @@ MeasureHistogram(const Setting & s)
   Print("256^3, t = 1e5, 512 rows of the histogram", seconds, "s", 0.8);
 }
 
-/** Time of additional steps, in seconds, after those of an earlier run. */
+/** Time (s) of additional steps after an earlier run. */
 double
 SecondsOfShapetons(const Setting & s, std::uint32_t shapetons, std::uint64_t steps)
 {
@@ -182,7 +182,7 @@ MeasureFrame(Setting & s)
     SecondsOf([&] { renderer = std::make_unique<VolumeRenderer>(heat, lines, Device::Cuda); });
   const double frame = SecondsOf([&] { renderer->Render(options); });
   Print("256^3, a frame of 1000 x 1000 pixels", 1e3 * frame, "ms", 20.0);
-  std::printf("\nClassification of that volume, once, on the CPU, and upload: %.0f ms.\n", 1e3 * classification);
+  std::printf("\nOne-time classification on the CPU, and upload: %.0f ms.\n", 1e3 * classification);
 }
 } // namespace
 
@@ -191,7 +191,7 @@ main()
 {
   const DeviceUse use = ChooseDevice(Device::Cuda, 0);
   const double    bandwidth = MeasureTriad();
-  std::printf("\n%s; triad %.0f GB/s\n\n| what | measured | asked, at most | |\n|---|---|---|---|\n",
+  std::printf("\n%s; triad %.0f GB/s\n\n| what | measured | bound | |\n|---|---|---|---|\n",
               use.device.c_str(),
               bandwidth / 1e9);
   Setting s(256);

@@ -1,4 +1,4 @@
-// Time of each DICOM object of an examination, and of all together. usage: DicomResultsBenchmark [EXAM SOURCE]; without
+// Time of each DICOM object of an examination, and of all objects. Usage: DicomResultsBenchmark [EXAM SOURCE]; without
 // arguments, a phantom of 512 x 512 x 400 voxels is generated and analyzed first with the tools next to this program,
 // which takes many minutes. Times are CPU seconds of one thread.
 #include "shapetonTestFolder.h"
@@ -68,7 +68,7 @@ Measure(const std::string & exam, const std::string & source, const std::string 
     std::printf("  %-20s %6.2f s, %4.1f %% of the whole\n", stages[i].name.c_str(), seconds, 100.0 * seconds / whole);
     if (stages[i].name == "seg.dcm")
     {
-      PrintBound("seg.dcm by itself: its segments found, packed and written, s", seconds, 5.0);
+      PrintBound("seg.dcm alone: finding, packing and writing its segments, s", seconds, 5.0);
       PrintBound("seg.dcm, MB", Megabytes(folder + "/seg.dcm"), isDeflated ? 8.0 : 80.0);
     }
   }
@@ -79,7 +79,7 @@ Run(const std::string & command)
 {
   if (std::system((command + " --quiet").c_str()) != 0)
   {
-    throw std::runtime_error("it failed: " + command);
+    throw std::runtime_error("command failed: " + command);
   }
 }
 
@@ -87,7 +87,7 @@ Run(const std::string & command)
 std::pair<std::string, std::string>
 MakePhantomRun(const std::string & tools, const basetest::Folder & folder)
 {
-  std::printf("making and analyzing a phantom of 512 x 512 x 400 voxels\n");
+  std::printf("generating and analyzing a phantom of 512 x 512 x 400 voxels\n");
   std::fflush(stdout);
   const std::string source = folder / "series";
   const std::string exam = folder / "exam";

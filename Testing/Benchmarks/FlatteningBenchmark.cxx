@@ -86,7 +86,7 @@ SecondsOfCgal(const SurfaceMesh & mesh, int times)
   return BestSeconds(times, [&] {
     if (smp::parameterize(surface, TParameterizer(), border, uv) != smp::OK)
     {
-      std::printf("  (it failed)\n");
+      std::printf("  (failed)\n");
     }
   });
 }
@@ -109,8 +109,8 @@ CompareTimes(int faces)
               byNewton,
               newton.iterations,
               newton.hasConverged ? "" : ", STALLED");
-  PrintBound("time against Newton-CETM", ours / byNewton, 0.55);
-  std::printf("  seconds of all processors: %.3f against %.3f\n",
+  PrintBound("time relative to Newton-CETM", ours / byNewton, 0.55);
+  std::printf("  CPU seconds: %.3f compared with %.3f\n",
               ProcessorSeconds([&] { plain.Flatten(plain.lengths); }),
               ProcessorSeconds(flattenByNewton));
   if (faces > facesOfPeers)
@@ -120,11 +120,11 @@ CompareTimes(int faces)
   const double byLscm = SecondsOfCgal<smp::LSCM_parameterizer_3<CgalMesh>>(map.flat, 3);
   const double byArap = SecondsOfCgal<smp::ARAP_parameterizer_3<CgalMesh>>(map.flat, 1);
   std::printf("  CGAL LSCM %.3f s, CGAL ARAP %.3f s on the cut surface\n", byLscm, byArap);
-  PrintBound("time against CGAL LSCM", ours / byLscm, 0.25);
-  PrintBound("time against CGAL ARAP", ours / byArap, 0.03);
+  PrintBound("time relative to CGAL LSCM", ours / byLscm, 0.25);
+  PrintBound("time relative to CGAL ARAP", ours / byArap, 0.03);
 }
 
-/** Compares two Laplacians, each with its own factorization, with one factorization and 2g solves. */
+/** Compares two Laplacians with separate factorizations to one factorization with 2g solves. */
 void
 CompareWithHolomorphicForms(int faces, int handles)
 {
@@ -144,7 +144,7 @@ CompareWithHolomorphicForms(int faces, int handles)
   };
   const double pair = BestSeconds(3, [&] { solve(2, 2); });
   const double forms = BestSeconds(2, [&] { solve(1, 2 * handles); });
-  std::printf("  %3d handles: 2 solves against %3d; %.3f s with 2 factorizations against %.3f s with one: %.2f\n",
+  std::printf("  %3d handles: 2 solves vs. %3d; %.3f s with 2 factorizations vs. %.3f s with one: %.2f\n",
               handles,
               2 * handles,
               pair,
@@ -152,7 +152,7 @@ CompareWithHolomorphicForms(int faces, int handles)
               pair / forms);
 }
 
-/** Detection on a map and removal, for a surface with handles. */
+/** Detection and removal of handles. */
 void
 MeasureHandles(int faces, int handles)
 {
@@ -162,7 +162,7 @@ MeasureHandles(int faces, int handles)
     const HandleDetection detection = DetectHandles(with.connectivity, map.flat);
     RemoveHandles(with.tube.mesh, with.connectivity, detection.handles);
   });
-  PrintBound("detection and removal of 100 handles, seconds of one processor", seconds, 0.15);
+  PrintBound("detection and removal of 100 handles, CPU seconds", seconds, 0.15);
 }
 
 void
@@ -173,7 +173,7 @@ MeasureWholeJob(int faces)
   const double seconds = BestSeconds(faces > facesOfPeers ? 1 : 3, [&] { result = FlattenColon(mesh, "the tube"); });
   rusage       usage;
   getrusage(RUSAGE_SELF, &usage);
-  std::printf("whole job, %d faces, heat diffusion metric, t = %.1f mm^2: %.2f s, peak of this run %.0f MB\n",
+  std::printf("complete run, %d faces, heat diffusion metric, t = %.1f mm^2: %.2f s, peak of this run %.0f MB\n",
               result.surface.NumberOfFaces(),
               result.time,
               seconds,

@@ -93,7 +93,7 @@ Measure(const char * text, const CombinatorialMap & map, double asked)
   const Graph          graph = map.ToGraph();
   EmbeddingCertificate certificate;
   const double         seconds = Seconds([&] { certificate = EmbedGraph(graph, map); });
-  std::printf("%d nodes, %d edges, genus %d: residual %.1e, up to here %.2f GB\n",
+  std::printf("%d nodes, %d edges, genus %d: residual %.1e, peak memory so far %.2f GB\n",
               map.Nodes(),
               map.Edges(),
               certificate.genus,
@@ -107,7 +107,7 @@ int
 main(int argc, char * argv[])
 {
   CompareWithPeers();
-  std::printf("planar embedding and packing beside sfdp\n");
+  std::printf("planar embedding and packing compared with sfdp\n");
   CompareWithSfdp("grid 55 x 55", GridGraph(55, 55));
   CompareWithSfdp("triangles on a sphere", peers::GridOnSphere(55).ToGraph());
   CompareWithSfdp("path of 80", PathGraph(80));

@@ -54,7 +54,7 @@ TriangulatedGrid(int side)
   return graph;
 }
 
-/** Includes the embedding, like ours. */
+/** Includes the embedding, like Shapeton's. */
 bool
 EmbedByBoost(const shapeton::Graph & graph)
 {

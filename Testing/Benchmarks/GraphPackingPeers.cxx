@@ -78,7 +78,7 @@ MapOf(int nodes, const std::vector<Triangle> & triangles)
   return { nodes, edges, next };
 }
 
-/** All circles in one list, nodes first, each with the circles that it crosses at right angles. */
+/** All circles in one list, nodes first, each with its orthogonal circles. */
 struct Packing
 {
   Packing(const CombinatorialMap & map, const shapeton::CirclesAtInfinity & infinite)
@@ -226,7 +226,7 @@ CirclesThroughFirstEdge(const CombinatorialMap & map)
   shapeton::CirclesAtInfinity infinite;
   infinite.lineNodes.assign(map.Nodes(), 0);
   infinite.lineFaces.assign(map.Faces(), 0);
-  const int last = 2 * map.Edges() - 2; // next to the node that closes the grid
+  const int last = 2 * map.Edges() - 2; // adjacent to the node that closes the grid
   for (int h = last; h < last + 2; ++h)
   {
     infinite.lineNodes[map.Node(h)] = 1;

@@ -7,7 +7,7 @@
 #include <array>
 #include <vector>
 
-/** Peers of circle packing: methods of the literature and a force layout. */
+/** Peers for circle packing: methods from the literature and a force layout. */
 namespace peers
 {
 /** Triangulated grids with random diagonals; on the sphere, one node closes the boundary. */
@@ -21,7 +21,7 @@ CirclesThroughFirstEdge(const shapeton::CombinatorialMap & map);
 
 enum class Method
 {
-  ThurstonSweep, ///< sets each radius in turn to that for uniform neighbors (Collins and Stephenson)
+  ThurstonSweep, ///< updates one radius at a time by the uniform neighbor model (Collins and Stephenson)
   GradientFlow   ///< du = -h K with the largest stable h
 };
 
@@ -33,13 +33,13 @@ struct PeerRun
   bool   isExtrapolated{ false };
 };
 
-/** Runs to a curvature of 1e-10, or for a minute and extrapolates time and steps. */
+/** Runs until the curvature is 1e-10, at most one minute; then time and steps are extrapolated. */
 PeerRun
 RunPeer(const shapeton::CombinatorialMap & map, const shapeton::CirclesAtInfinity & infinite, Method method);
 
 struct SfdpRun
 {
-  double                             seconds{ -1.0 }; ///< negative: not installed
+  double                             seconds{ -1.0 }; ///< negative if sfdp is not installed
   long                               crossings{ 0 };
   std::vector<std::array<double, 2>> places;
 };

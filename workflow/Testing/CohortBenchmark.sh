@@ -1,8 +1,8 @@
 #!/bin/bash
 # usage: CohortBenchmark [COUNT]
-# Two parallel jobs against one: a cohort of COUNT small synthetic patients (default 12; two of them are broken on
-# purpose) on this machine, first
-# by one job at a time, then by two. Each examination has one thread. Prints the ratio of the times of run-cohort, its report included.
+# Speedup of two parallel jobs: a cohort of COUNT small synthetic patients (default 12; two of them intentionally
+# broken) on this machine, first
+# one job at a time, then two. Each examination uses one thread. Prints the ratio of the run times, including the report.
 # shellcheck source-path=SCRIPTDIR
 source "$(dirname "$(realpath "${BASH_SOURCE[0]}")")/common.sh"
 
@@ -11,7 +11,7 @@ folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 count=${1:-12}
 
-# with_jobs JOBS: seconds of a run of the whole cohort
+# with_jobs JOBS: run time of the whole cohort in seconds
 with_jobs() {
   local begin
   mkdir -p "$folder/profile-$1"
@@ -41,5 +41,5 @@ two=$(with_jobs 2)
 expect "results of two jobs" "$(cat "$folder/2/cohort.tsv")" "$(cat "$folder/1/cohort.tsv")"
 printf '%d patients: one job %.1f s, two jobs %.1f s; processor time of the tools %.1f s and %.1f s\n' "$count" "$one" "$two" \
   "$(seconds_of processorSeconds 1)" "$(seconds_of processorSeconds 2)"
-row "two jobs against one, times as fast" "$(awk "BEGIN { print $one / $two }")" ">=" 1.7
-row "what the workflow itself takes for each patient, s" "$(awk "BEGIN { print ($one - $(seconds_of seconds 1)) / $count }")" "<=" 3
+row "speedup of two jobs" "$(awk "BEGIN { print $one / $two }")" ">=" 1.7
+row "overhead of the workflow per patient, s" "$(awk "BEGIN { print ($one - $(seconds_of seconds 1)) / $count }")" "<=" 3

@@ -10,7 +10,7 @@ sys.path.insert(0, WORKFLOW)
 
 
 class Case(unittest.TestCase):
-    """A temporary folder per test."""
+    """Base class of tests with a temporary folder."""
 
     def setUp(self):
         self._folder = tempfile.TemporaryDirectory()

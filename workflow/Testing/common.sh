@@ -8,7 +8,7 @@ workflow=$(dirname "$testing")
 repository=$(dirname "$workflow")
 export testing workflow repository
 
-# need_packages LEVEL...: ends the check as skipped where a package of Utilities/install-dependencies is missing; ctest looks for
+# need_packages LEVEL...: skips the check if a package of Utilities/install-dependencies is missing; ctest searches for
 # "skipped: ".
 need_packages() {
   local level package
@@ -22,7 +22,7 @@ need_packages() {
 }
 
 need_root() {
-  [ "$(id -u)" -eq 0 ] || { echo "skipped: $1 starts as root only"; exit 0; }
+  [ "$(id -u)" -eq 0 ] || { echo "skipped: $1 requires root"; exit 0; }
 }
 
 # expect WHAT ACTUAL WANTED
@@ -30,7 +30,7 @@ expect() {
   [ "$2" = "$3" ] || { printf '%s: is\n%s\nand should be\n%s\n' "$1" "$2" "$3" >&2; exit 1; }
 }
 
-# end_processes PID-FILE...: ends what a check has started, and waits until it is gone.
+# end_processes PID-FILE...: ends the processes of a check, and waits for their end.
 end_processes() {
   local file pid
   for file in "$@"; do

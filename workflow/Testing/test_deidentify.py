@@ -27,11 +27,11 @@ VALUES = {
 def profile_tags():
     with open(f"{PACS}/confidential.txt", encoding="ascii") as file:
         tags = [int(line.split()[0].replace(",", ""), 16) for line in file if not line.startswith("#")]
-    return [tag for tag in tags if tag >= 0x00080000]  # those before are of files and messages
+    return [tag for tag in tags if tag >= 0x00080000]  # lower tags belong to files and messages
 
 
 def fill(data):
-    """Every attribute of the profile supported by pydicom, also nested once; a private one."""
+    """A slice with every attribute of the profile supported by pydicom, also nested once, and a private one."""
     count = 0
     for tag in profile_tags():
         try:
@@ -136,7 +136,7 @@ class Deidentified(Case):
         self.refused("has RecognizableVisualFeatures YES", RecognizableVisualFeatures="YES")
         self.refused("is not a CT slice but Secondary Capture", SOPClassUID="1.2.840.10008.5.1.4.1.1.7")
         self.keys = self.write("short", "abc")
-        self.refused("holds less than 32 characters")
+        self.refused("contains less than 32 characters")
 
 
 if __name__ == "__main__":

@@ -18,7 +18,7 @@ class StandIn:
 
     def __init__(self):
         self.held, self.changes, self.marks, self.reports = {}, [], {}, {}
-        self.kept, self.sent, self.unwanted = set(), [], set()  # of the PACS
+        self.kept, self.sent, self.unwanted = set(), [], set()  # instances of the PACS
         self.is_away = self.is_silent = False
 
     def receive(self, *instances):
@@ -153,7 +153,7 @@ class Gateway(Case):
             if rng.random() < 0.2:
                 self.orthanc.receive(f"{turn}")
             if rng.random() < 0.3:
-                self.queue = gateway.Queue(self.folder, self.orthanc)  # its memory is lost, Orthanc's is not
+                self.queue = gateway.Queue(self.folder, self.orthanc)  # its state is lost, Orthanc's is not
             self.orthanc.is_away = rng.random() < 0.3
             self.steps(1)
         self.orthanc.is_away = False

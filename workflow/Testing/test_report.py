@@ -1,4 +1,4 @@
-"""The group report: outliers and FROC against values worked out by hand, order of the page."""
+"""The group report: outliers and FROC against values computed by hand, order of the page."""
 
 import contextlib
 import io
@@ -43,7 +43,7 @@ class Truth(Case):
         self.write("polyps.csv", POLYPS)
         self.write("polyps/candidates.csv", CANDIDATES)
         one = read_series(self.folder, self.folder)
-        # the first candidate is 7.9 mm from the base of a polyp with a radius of 5 mm; 8 mm is the reach
+        # the first candidate is 7.9 mm from the base of a polyp with a radius of 5 mm; 8 mm is the limit
         self.assertEqual(one.polyps, [0.95, 0.0])
         self.assertEqual(one.false_scores, [0.85])
         self.assertEqual(one.diameter_errors, [-1.0])

@@ -1,4 +1,4 @@
-"""The simulation of a cluster against schedules worked out by hand."""
+"""The simulation of a cluster against schedules computed by hand."""
 
 import importlib.machinery
 import importlib.util
@@ -22,7 +22,7 @@ class Simulation(unittest.TestCase):
         self.assertAlmostEqual(simulate.simulate(jobs, 2, 4, 64000), 3 * JOB, delta=24 * SUBMISSION)
 
     def test_memory_limits_as_cores_do(self):
-        jobs = [[(TIME, 30000)]] * 8  # two a node, whatever the cores
+        jobs = [[(TIME, 30000)]] * 8  # two per node, regardless of the cores
         self.assertAlmostEqual(simulate.simulate(jobs, 2, 4, 64000), 2 * JOB, delta=8 * SUBMISSION)
 
     def test_a_killed_job_runs_again(self):

@@ -44,7 +44,7 @@ class Table(Case):
             ("a\tauto\tct\tone", 'line 2: column series: "one" is not a Series Instance UID'),
             ("a\tauto\tct", "line 2: found 3 cells for 4 columns"),
             ("a\tauto\tct\t\na\tauto\tct\t", "line 3: column source: same series as in line 2"),
-            ("a\tprone\tc\t\na\tprone\td\t", "line 3: column position: line 2 is prone, too"),
+            ("a\tprone\tc\t\na\tprone\td\t", "line 3: column position: line 2 is also prone"),
             ("a\tauto\tc\t\na\tauto\td\t\na\tauto\te\t", 'line 4: column subject: "a" already has two series'),
         ):
             self.assertTrue(self.faults(HEADS + row + "\n").startswith("cohort.tsv, " + fault), row)
@@ -58,7 +58,7 @@ class Table(Case):
         self.assertIn("line 1: no rows found", self.faults(HEADS))
 
     def test_a_file_that_is_no_table(self):
-        with self.assertRaisesRegex(TableError, "No such file or directory; give the table"):
+        with self.assertRaisesRegex(TableError, "No such file or directory; check the path"):
             read_table(os.path.join(self.folder, "absent.tsv"))
         with open(self.write("binary.tsv", ""), "wb") as file:
             file.write(b"\xff\xfe\x00")

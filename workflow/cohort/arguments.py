@@ -4,10 +4,10 @@ import os
 
 
 def arguments_of(subject, series, folders, options):
-    """`folders` are the folders of the series, in the same order."""
+    """Returns the arguments; `folders` are the folders of the series, in the same order."""
     arguments = [folders[0], f"{subject}/exam", "--threads", "1", "--quiet"]
     for row, uid, position in zip(series, ("--seriesUID", "--secondSeriesUID"), ("--position", "--secondPosition")):
-        if row.series and not row.query:  # a fetched folder holds one series, and its UID may be mapped
+        if row.series and not row.query:  # a fetched folder contains one series, possibly with a mapped UID
             arguments += [uid, row.series]
         if row.position != "auto":
             arguments += [position, row.position]

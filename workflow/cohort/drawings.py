@@ -9,14 +9,14 @@ INK, FAR, PALE = "#3f6ea8", "#c77700", "#ddd"
 
 
 def strips(measures):
-    """One strip per measure (name, values, outlier flags): a tick per value, the median as a dark line."""
+    """Draws one strip per measure (name, values, outlier flags): a tick per value, the median as a dark line."""
     rows = [strip for name, values, far in measures if values for strip in [_strip(name, values, far)]]
     shifted = "".join(f'<g transform="translate(0 {index * HEIGHT})">{row}</g>' for index, row in enumerate(rows))
     return _svg(WIDTH + MARGIN, HEIGHT * len(rows), shifted)
 
 
 def curve(points, x_name, y_name):
-    """Points (x, y) with y from 0 to 1, joined."""
+    """Draws connected points (x, y), y from 0 to 1."""
     width, height = 420, 240
     right = max([x for x, _ in points] + [1.0])
     places = [(50 + (width - 70) * x / right, 20 + (height - 70) * (1.0 - y)) for x, y in points]

@@ -2,7 +2,7 @@
 
 SUBJECT/status.json is written if no retry is needed: done (status 0), unsuitable (2: wrong usage; 3: the input).
 Everything else (status 1, killed, out of memory) is a failure of this program, and Snakemake decides on a retry.
-SUBJECT/attempt.json describes the last attempt; it has no end if the attempt was killed with its job."""
+SUBJECT/attempt.json describes the last attempt; the end is missing if the attempt was killed with its job."""
 
 import datetime
 import fcntl
@@ -20,15 +20,15 @@ OUTCOMES = {0: "done", 2: "unsuitable", 3: "unsuitable"}
 
 
 def alone(path):
-    """Waits for processes left by a killed workflow. The file stays open in this process and all its children, so the
-    next attempt waits for the last of them, whichever of them was killed."""
+    """Waits for processes left by a killed workflow. The file is open in this process and all its children, so the
+    next attempt waits for all of them."""
     lock = os.open(path, os.O_RDWR | os.O_CREAT, 0o644)
     os.set_inheritable(lock, True)
     fcntl.flock(lock, fcntl.LOCK_EX)
 
 
 def run(command, log_path):
-    """Exit status as in a shell, and the last line of the log."""
+    """Runs a command; returns its exit status as in a shell, and the last line of the log."""
     with open(log_path, "w", encoding="utf-8") as log:
         status = subprocess.run(command, stdout=log, stderr=log, stdin=subprocess.DEVNULL, close_fds=False).returncode
     with open(log_path, encoding="utf-8", errors="replace") as log:
@@ -37,7 +37,7 @@ def run(command, log_path):
 
 
 def message_of(status, last_line):
-    """One line with the reason; a killed tool prints none."""
+    """Returns the reason of a failure as one line; a killed tool prints none."""
     if status == 0:
         return ""
     if status > 128:

@@ -13,7 +13,7 @@ def write_whole(path, text):
 
 
 def read_json(path):
-    """The document, or an empty one if the file is absent."""
+    """Reads a document; returns an empty one if the file is absent."""
     try:
         with open(path, encoding="utf-8") as file:
             return json.load(file)

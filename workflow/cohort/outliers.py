@@ -7,8 +7,8 @@ FEWEST = 8  # fewer values do not define a usual range
 
 
 def scores(values):
-    """The modified z-score of each value: its distance from the median, in median absolute deviations scaled to the
-    standard deviation. None without a value; all 0 if there are too few, or more than half are equal."""
+    """Returns the modified z-score of each value: distance from the median in median absolute deviations, scaled to the
+    standard deviation. None without a value; all 0 for too few values, or if more than half are equal."""
     known = [value for value in values if value is not None]
     middle = statistics.median(known) if known else 0.0
     deviation = statistics.median(abs(value - middle) for value in known) if known else 0.0
@@ -18,7 +18,7 @@ def scores(values):
 
 
 def find_outliers(examinations):
-    """The outliers of each examination as {measure: score}."""
+    """Returns the outliers of each examination as {measure: score}."""
     measures = [examination.measures() for examination in examinations]
     found = [{} for _ in examinations]
     for name in sorted({name for one in measures for name in one} - {"flagged"}):

@@ -11,12 +11,12 @@ td:first-child { white-space: nowrap; }
 
 
 def text_of(value):
-    """A value as text; empty if unknown."""
+    """Returns a value as text; empty if unknown."""
     return "" if value is None else f"{value:g}" if isinstance(value, float) else str(value)
 
 
 class Page:
-    """Collects the body; write out with text()."""
+    """Collects the body; text() returns the page."""
 
     def __init__(self, title):
         self._title = title

@@ -1,6 +1,6 @@
 """report.py OUTPUT: writes report.html, cohort.tsv and runs.tsv from the results of a cohort. Status 1 if a run failed.
 
-cohort.tsv holds results only, so it is byte-identical wherever the cohort ran; times and memory are in runs.tsv."""
+cohort.tsv contains only results, so it is byte-identical on every machine; times and memory are in runs.tsv."""
 
 import os
 import sys
@@ -33,7 +33,7 @@ def main():
 
 
 def faults_of(examinations):
-    """(examination, subject, problem, reason) of all failures."""
+    """Returns (examination, subject, problem, reason) of all failures."""
     faults = [(one, one.subject, one.outcome, one.message) for one in examinations if one.outcome != "done"]
     return faults + [(one, one.subject, "results not sent", one.unsent) for one in examinations if one.unsent]
 
@@ -66,7 +66,7 @@ def _tabs(rows):
 
 
 def read_truth(output, subjects):
-    """Series with ground truth, and the registration errors of their pairs. Unfinished runs are excluded."""
+    """Returns series with ground truth, and the registration errors of pairs. Unfinished runs are excluded."""
     series, errors = [], []
     for subject, rows in subjects.items():
         exam = f"{output}/{subject}/exam"
@@ -101,13 +101,13 @@ def page_of(examinations, truth, settings):
 
 
 def _urgency(examination, outliers):
-    """Missing results first, then the farthest outliers, then doubts; ties in table order."""
+    """Sort key: missing results first, then the farthest outliers, then doubts; ties in table order."""
     farthest = max(map(abs, _of_results(outliers).values()), default=0.0)
     return OUTCOMES.index(examination.outcome), -farthest, not examination.doubts
 
 
 def _of_results(outliers):
-    """Outliers except time and memory, which are highlighted in their own table."""
+    """Returns outliers except time and memory, which are highlighted in a separate table."""
     return {name: score for name, score in outliers.items() if name not in RUN_MEASURES}
 
 
@@ -133,7 +133,7 @@ def _add_missing(page, examinations):
     page.table(
         ["Subject", "Outcome", "Why"],
         [words for _, *words in faults],
-        "Unsuitable: the input is rejected, without a retry. Failed: tried twice, and retried in the next run.",
+        "Unsuitable: the input was rejected and is not retried. Failed: tried twice, and retried in the next run.",
         [one.report for one, *_ in faults],
     )
 
@@ -167,7 +167,7 @@ def _add_examinations(page, examinations, outliers):
 
 
 def _far_cells(outliers, numbers, measures, first):
-    """Cells (row, column) of outliers; the measures start at the column "first"."""
+    """Returns cells (row, column) of outliers; the measures start at column `first`."""
     return {
         (row, column)
         for row, (far, number) in enumerate(zip(outliers, numbers))
@@ -177,7 +177,7 @@ def _far_cells(outliers, numbers, measures, first):
 
 
 def _readable(measure):
-    """The heading of a column: "flexureConfidence" becomes "flexure confidence"."""
+    """Returns a column heading: "flexure confidence" for "flexureConfidence"."""
     unit = {**SERIES_MEASURES, **PAIR_MEASURES, **RUN_MEASURES, "askedMB": ("MB",)}.get(measure, ("",))[0]
     words = "".join(f" {letter.lower()}" if letter.isupper() else letter for letter in measure.removesuffix("MB"))
     return words + (f", {unit}" if unit else "")
@@ -209,7 +209,7 @@ def _add_truth(page, series, errors):
             f"FROC of {len(series)} series with {sum(len(one.polyps) for one in series)} polyps.",
         )
         page.table(
-            ["Score of at least", "Fraction of polyps found", "False candidates per series"],
+            ["Minimum score", "Fraction of polyps found", "False candidates per series"],
             [[threshold, round(share, 3), round(false, 2)] for threshold, share, false in rows],
             f"A candidate is correct within {REACH:g} mm of a polyp. Polyps in collapsed segments count as missed.",
         )
@@ -229,7 +229,7 @@ def _add_runs(page, examinations, outliers):
     page.table(
         ["Subject", *map(_readable, columns)],
         [[one.subject, *(one.run.get(name) for name in columns)] for one in examinations],
-        "Last attempt; memory is that of the largest process.",
+        "Last attempt; memory of the largest process.",
         far={(row, columns.index(name) + 1) for row, far in enumerate(outliers) for name in RUN_MEASURES if name in far},
     )
 

@@ -7,7 +7,7 @@ import subprocess
 
 @functools.cache
 def voxels_of(folder):
-    """An upper bound, assuming that all files below the folder are slices like the first. 0 without a DICOM file. Only
+    """Returns an upper bound, assuming that all files below the folder are slices like the first; 0 without DICOM. Only
     one slice is read, because Snakemake calls this for all examinations before the first one starts."""
     files = sorted(os.path.join(place, name) for place, _, names in os.walk(folder) for name in names if not name.startswith("."))
     for file in files[:20]:  # the first files may not be DICOM
@@ -18,15 +18,15 @@ def voxels_of(folder):
 
 
 def megabytes(voxels, attempt, greatest=None):
-    """Memory: 600 MB, of which Snakemake uses 120, plus 28 bytes per voxel (measured: 3,453 MB for 112.7 million
-    voxels); twice that in a second attempt. Limited to the memory of the machine, where the examination then runs
+    """Returns the memory: 600 MB, including 120 for Snakemake, plus 28 bytes per voxel (measured: 3,453 MB for 112.7 million
+    voxels); doubled in a second attempt. Limited to the memory of the machine, where the examination then runs
     alone."""
     asked = int((600 + 28e-6 * voxels) * attempt)
     return min(asked, greatest) if greatest else asked
 
 
 def minutes(voxels, attempt):
-    """Time limit on a cluster: ten times the time measured on one core."""
+    """Returns the time limit on a cluster: ten times the time measured on one core."""
     return int((10 + 60e-8 * voxels) * attempt)
 
 

@@ -12,14 +12,14 @@ SERIES_MEASURES = {
     "distended": ("%", "Distended: caliber of at least 10 mm"),
     "assessable": ("%", "Assessable wall"),
     "caliber": ("mm", "Mean caliber"),
-    "gaps": ("", "Gaps that are bridged"),
+    "gaps": ("", "Bridged gaps"),
     "flexures": ("", "Flexures found"),
-    "flexureConfidence": ("", "Least confidence of a flexure"),
+    "flexureConfidence": ("", "Minimum confidence of a flexure"),
     "candidates": ("", "Polyp candidates"),
 }
 PAIR_MEASURES = {
     "pairConfidence": ("", "Confidence of the registration"),
-    "matchedShare": ("%", "Folds that are matched"),
+    "matchedShare": ("%", "Matched folds"),
 }
 RUN_MEASURES = {"seconds": ("s", "Time of the run"), "memoryMB": ("MB", "Memory of the run")}
 
@@ -33,11 +33,11 @@ class Examination:
     pair: dict
     run: dict
     report: str  # path of its page below the folder of the cohort, or empty
-    unsent: str = ""  # why its results did not reach the PACS
+    unsent: str = ""  # reason why its results did not reach the PACS
     doubts: list = dataclasses.field(default_factory=list)
 
     def measures(self):
-        """All measures, named as the columns of the tables, with the number of the series."""
+        """Returns all measures by column name, with the number of the series."""
         values = {f"{name}{number}": value for number, one in enumerate(self.series, 1) for name, value in one.items()}
         return {**values, **self.pair, **{name: self.run.get(name) for name in RUN_MEASURES}}
 
@@ -61,7 +61,7 @@ def read_examination(output, subject, rows):
 
 
 def _end_of(folder):
-    """Outcome and message; an attempt killed with its job has only a begin."""
+    """Returns outcome and message; an attempt killed with its job only has a start."""
     status, attempt = read_json(f"{folder}/status.json"), read_json(f"{folder}/attempt.json")
     if status:
         return status["outcome"], status["message"]
@@ -72,7 +72,7 @@ def _end_of(folder):
 
 
 def _fetch_fault(folder):
-    """Why a series did not arrive."""
+    """Returns the reason why a series did not arrive."""
     for number in (1, 2):
         if not os.path.isdir(f"{folder}/source/{number}") and os.path.exists(f"{folder}/fetch-{number}.txt"):
             return _last_line(f"{folder}/fetch-{number}.txt")
@@ -80,7 +80,7 @@ def _fetch_fault(folder):
 
 
 def _send_fault(folder):
-    """Why the results did not reach the PACS."""
+    """Returns the reason why the results did not reach the PACS."""
     is_unsent = os.path.exists(f"{folder}/send.txt") and not os.path.exists(f"{folder}/sent.json")
     return _last_line(f"{folder}/send.txt") if is_unsent else ""
 

@@ -30,13 +30,13 @@ class Series:
 
     @property
     def query(self):
-        """KEY=VALUE of a query, otherwise None."""
+        """Returns KEY=VALUE of a query, otherwise None."""
         match = QUERY.fullmatch(self.source)
         return f"{match[1]}={match[2]}" if match else None
 
 
 def read_table(path):
-    """Subjects with their one or two series, in table order; TableError lists all errors."""
+    """Returns subjects with one or two series, in table order; TableError lists all errors."""
     faults = []
     rows = _rows(path, faults)
     for row in rows:
@@ -54,7 +54,7 @@ def read_table(path):
 
 
 def absent_sources(subjects, is_done):
-    """One line per missing source folder; finished examinations do not need theirs."""
+    """Returns one line per missing source folder, except for finished examinations."""
     return [
         f"line {row.line}, column source: {row.source} is not a folder; mount it, or correct the path"
         for subject, series in subjects.items()
@@ -69,7 +69,7 @@ def _rows(path, faults):
         with open(path, newline="", encoding="utf-8-sig") as file:
             lines = list(csv.reader(file, delimiter="\t", quoting=csv.QUOTE_NONE))
     except OSError as error:
-        raise TableError(f"{path}: {error.strerror}; give the table of the cohort") from None
+        raise TableError(f"{path}: {error.strerror}; check the path of the table") from None
     except UnicodeDecodeError:
         raise TableError(f"{path}: not a UTF-8 text; export the table as tab-separated text") from None
     heads = lines[0] if lines else []
@@ -103,11 +103,11 @@ def _check_row(row, faults):
 
     require(re.fullmatch(SUBJECT, row.subject), "subject", f'"{row.subject}" is not a valid name; use letters, digits, _ and -')
     require(row.position in POSITIONS, "position", f'"{row.position}" is not one of {", ".join(POSITIONS)}')
-    require(row.source, "source", "empty; give a folder with a DICOM series, or pacs:KEY=VALUE")
+    require(row.source, "source", "empty; use a folder with a DICOM series, or pacs:KEY=VALUE")
     if row.source.startswith("pacs:"):
         keys = "StudyInstanceUID, AccessionNumber or PatientID"
         require(row.query, "source", f'"{row.source}" is not a query; write pacs:KEY=VALUE, where KEY is {keys}')
-        require(row.series, "series", "a query requires the Series Instance UID; workflow/pacs/find lists those of a study")
+        require(row.series, "series", "a query requires the Series Instance UID; workflow/pacs/find lists the series of a study")
     require(not row.series or UID.fullmatch(row.series), "series", f'"{row.series}" is not a Series Instance UID')
     require(not row.truth or os.path.isdir(row.truth), "truth", f"{row.truth} is not a folder; correct the path")
 
@@ -119,6 +119,6 @@ def _check_subject(series, faults):
         return
     first, second = series[:2]
     if (first.source, first.series) == (second.source, second.series):
-        faults.append((second.line, f"column source: same series as in line {first.line}; give another folder or series"))
+        faults.append((second.line, f"column source: same series as in line {first.line}; use another folder or series"))
     if first.position == second.position != "auto":
-        faults.append((second.line, f"column position: line {first.line} is {first.position}, too; correct one, or write auto"))
+        faults.append((second.line, f"column position: line {first.line} is also {first.position}; correct one, or use auto"))

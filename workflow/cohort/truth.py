@@ -7,7 +7,7 @@ import math
 import os
 import statistics
 
-REACH = 3.0  # mm beyond the radius of a polyp, as in the published tables of validation
+REACH = 3.0  # mm beyond the radius of a polyp, as in the published validation tables
 THRESHOLDS = [0.95, 0.9, 0.8, 0.7, 0.6, 0.5, 0.4, 0.3, 0.25]
 
 
@@ -22,7 +22,7 @@ class SeriesTruth:
 
 
 def read_series(exam, truth):
-    """None if the run has no candidates or the ground truth no polyps.csv."""
+    """Returns None if candidates or polyps.csv of the ground truth are missing."""
     candidates, polyps = _rows(f"{exam}/polyps/candidates.csv"), _rows(f"{truth}/polyps.csv")
     if candidates is None or polyps is None:
         return None
@@ -37,7 +37,7 @@ def read_series(exam, truth):
 
 
 def froc(series):
-    """Rows (threshold, sensitivity, false candidates per series) over all series."""
+    """Returns rows (threshold, sensitivity, false candidates per series) over all series."""
     count = sum(len(one.polyps) for one in series)
     if not count:
         return []
@@ -52,7 +52,7 @@ def froc(series):
 
 
 def registration_error(exam):
-    """Median error in mm of the counted points, or None."""
+    """Returns the median error (mm) of the counted points, or None."""
     errors = [float(row["inSpace"]) for row in _rows(f"{exam}/registration/errors.csv") or [] if row["kind"] == "counted"]
     return statistics.median(errors) if errors else None
 
@@ -62,7 +62,7 @@ def _score(candidate):
 
 
 def _is_at(candidate, polyp):
-    """Within the reach of the polyp's head or base."""
+    """Whether a candidate is within REACH of the polyp's head or base."""
     place = [float(candidate[name]) for name in "xyz"]
     ends = [[float(polyp[name]) for name in names] for names in (("x", "y", "z"), ("baseX", "baseY", "baseZ"))]
     return min(math.dist(place, end) for end in ends) <= 0.5 * float(polyp["diameter"]) + REACH

@@ -15,7 +15,7 @@ trap '[ -z "$tunnel" ] || kill "$tunnel" 2>/dev/null; rm -rf "$temporary" ${part
 read_pacs() {
   local name value required folder
   folder=$(dirname "$1")
-  [ -r "$1" ] || fail "cannot read $1; describe the PACS there, see workflow/pacs/README.md" 3
+  [ -r "$1" ] || fail "cannot read $1; write the description of the PACS, see workflow/pacs/README.md" 3
   pacs[name]=$1
   while read -r name value; do
     case $name in
@@ -106,7 +106,7 @@ web() {
     fail "${pacs[url]}: $(reason "$temporary/curl.txt"); check ${pacs[name]}"
 }
 
-# find_values LEVEL KEYWORD [KEY=VALUE...]: the values of a keyword in the PACS, one per line. findscu always exits
+# find_values LEVEL KEYWORD [KEY=VALUE...]: prints the values of a keyword in the PACS, one per line. findscu always exits
 # with 0; only its last response shows success.
 find_values() {
   local level=$1 keyword=$2 keys=()
@@ -124,7 +124,7 @@ find_values() {
   tr -d '\0' <"$temporary/findscu.txt" | sed -n "/Find Response: /,\$s/^.*\[\([^]]*\)\] .* $keyword\$/\1/p" | sed 's/ *$//' | sort -u # \0 pads a UID
 }
 
-# find_by_web: the same with QIDO-RS; given studies and series are part of the path.
+# find_by_web: find_values with QIDO-RS; given studies and series are part of the path.
 find_by_web() {
   local level=$1 keyword=$2 path=studies query="includefield=$2&limit=100000"
   shift 2
@@ -139,16 +139,16 @@ find_by_web() {
   "$here/multipart.py" values "$keyword" "$temporary/found.json"
 }
 
-# instances_of STUDY SERIES: the SOP Instance UIDs that the PACS has, sorted.
+# instances_of STUDY SERIES: prints the SOP Instance UIDs in the PACS, sorted.
 instances_of() { find_values IMAGE SOPInstanceUID "StudyInstanceUID=$1" "SeriesInstanceUID=$2"; }
 
-# lines_of UIDS LIST: the lines of a list written by uids.py whose instance is in the file UIDS.
+# lines_of UIDS LIST: prints the lines of a list of uids.py with an instance in the file UIDS.
 lines_of() { awk 'NR == FNR { wanted[$1]; next } $1 in wanted' "$1" "$2"; }
 
-# missing_from WANTED THERE: lines of the first file missing in the second one; both are sorted.
+# missing_from WANTED FOUND: prints lines of the first file missing in the second one; both are sorted.
 missing_from() { comm -23 "$1" "$2"; }
 
-# fail_for MESSAGE NAMES: prints every name in the file NAMES on a line, then the message with the first of them.
+# fail_for MESSAGE NAMES: prints all names in the file NAMES, one per line, then the message with the first names.
 fail_for() {
   cat "$2" >&2
   fail "$1: $(head -3 "$2" | paste -sd ' ')$([ "$(wc -l <"$2")" -le 3 ] || echo " and others, listed above")"

@@ -2,9 +2,9 @@
 """gateway.py FOLDER: delivers all instances in the Orthanc of FOLDER to the PACS.
 
 Storage commitment is requested for each instance first, and only instances missing in the PACS are sent. So nothing is
-lost or sent twice, whatever is killed: instances not marked as committed are queried again. waiting.tsv lists the waiting
+lost or sent twice after a kill: instances not marked as committed are queried again. waiting.tsv lists the waiting
 instances with the reasons.
-A committed instance is kept for a day, so that its sender still finds it; a resent one is only queried, not sent
+A committed instance is kept for a day, so its sender still finds it; an instance sent again is only queried, not forwarded
 again."""
 
 import base64
@@ -18,7 +18,7 @@ import urllib.request
 COMMITTED = "1024"  # first user-defined metadata number of Orthanc
 KEPT = 86400  # s
 LONGEST_PAUSE = 60  # s
-LONGEST_SILENCE = 3600  # s, until a PACS without a report is asked again
+LONGEST_SILENCE = 3600  # s, until a PACS without a report is queried again
 AT_ONCE = 200  # instances per request
 
 
@@ -51,12 +51,12 @@ class Orthanc:
         while True:
             try:
                 return self.call("GET", "/system")
-            except (urllib.error.URLError, Refused):  # another Orthanc has the port; ours will report it and exit
+            except (urllib.error.URLError, Refused):  # another Orthanc uses the port; ours will report this and exit
                 time.sleep(0.1)
 
 
 def words_of(answer):
-    """An error of Orthanc as one line."""
+    """Returns an error of Orthanc as one line."""
     try:
         error = json.loads(answer)
     except ValueError:
@@ -83,7 +83,7 @@ class Queue:
         self.reported = None
 
     def take_new(self):
-        """Whether new instances arrived since the last call; on the first call, all instances in Orthanc."""
+        """Returns whether new instances arrived since the last call; the first call includes all instances in Orthanc."""
         new, is_done = [], False
         while not is_done:
             changes = self.orthanc.call("GET", f"/changes?since={self.last_change}&limit=1000")
@@ -135,7 +135,7 @@ class Queue:
         self.taken += 1
 
     def send(self, lacking):
-        """Sends each instance separately, so that a rejected one does not block others and has its own reason."""
+        """Sends each instance separately, so a rejected one does not block others and has a separate reason."""
         for instance in lacking:
             try:
                 self.orthanc.call("POST", "/modalities/pacs/store", {"Resources": [instance]})
@@ -170,7 +170,7 @@ class Queue:
         self.reported = reported
 
     def step(self):
-        """Whether the PACS accepted an instance."""
+        """Sends an instance; returns whether the PACS accepted it."""
         before = self.taken
         try:
             self.send(self.collect())

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Helpers for DICOMweb with curl.
-multipart.py values KEYWORD FILE        prints the values of a keyword in an answer of QIDO-RS
-multipart.py split FILE FOLDER          writes the parts of an answer of WADO-RS as files
+multipart.py values KEYWORD FILE        prints the values of a keyword in a QIDO-RS response
+multipart.py split FILE FOLDER          writes the parts of a WADO-RS response as files
 multipart.py join BOUNDARY FILE         prints a body for STOW-RS"""
 
 import json
@@ -19,7 +19,7 @@ def values(keyword, path):
 
 
 def split(path, folder):
-    """Parts start with their headers and are separated by boundary lines; the first line of the response is the
+    """Splits a response. Parts start with headers and are separated by boundary lines; the first line is the
     boundary."""
     with open(path, "rb") as file:
         content = file.read()

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 """uids.py FOLDER...: prints a line "SOP instance, series, study, file" per DICOM file below the folders, sorted. Reads
-top-level attributes only; dcmdump +P also finds those in sequences. Status 1 if a file is not DICOM or truncated."""
+top-level attributes only; dcmdump +P would include sequences. Status 1 if a file is not DICOM or truncated."""
 
 import os
 import sys
@@ -12,7 +12,7 @@ def line_of(path):
     try:
         data = pydicom.dcmread(path)
         return f"{data.SOPInstanceUID} {data.SeriesInstanceUID} {data.StudyInstanceUID} {path}"
-    except Exception as error:  # pydicom raises many kinds for malformed files
+    except Exception as error:  # pydicom raises many types for malformed files
         sys.exit(f"{path} is not a complete DICOM file: {error}")
 
 

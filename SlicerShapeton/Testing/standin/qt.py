@@ -1,4 +1,4 @@
-"""Dummy widgets, so that the code around them runs. They do not verify the calls to Qt."""
+"""Dummy widgets to run widget code. They do not verify the calls to Qt."""
 
 
 class Widget:

@@ -1,4 +1,4 @@
-"""Build backend named in pyproject.toml: the functions of setuptools, after a check of the build requirements."""
+"""Build backend of pyproject.toml: the functions of setuptools, after a check of the build requirements."""
 
 import sys
 

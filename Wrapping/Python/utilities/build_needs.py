@@ -15,7 +15,7 @@ SYSTEM_PREFIXES = ("/usr/local", "/usr")  # default search paths of CMake
 
 
 def _module(name):
-    """A module of this Python, or None if it cannot be imported."""
+    """Imports a module of this Python; returns None if this fails."""
     try:
         return importlib.import_module(name)
     except Exception:  # pylint: disable=broad-except
@@ -23,12 +23,12 @@ def _module(name):
 
 
 def _numbers(version):
-    """Major and minor number of a version."""
+    """Returns major and minor number of a version."""
     return tuple(int(n) for n in re.findall(r"\d+", version)[:2])
 
 
 def _program(variable, names):
-    """The program named by an environment variable such as CC, otherwise the first of the names on PATH; or None."""
+    """Returns the program from an environment variable such as CC, else the first one found on PATH, or None."""
     given = shlex.split(os.environ.get(variable, ""))
     return next(filter(None, map(shutil.which, given[:1] or names)), None)
 
@@ -54,7 +54,7 @@ def has_headers():
 
 
 def pybind11_folder():
-    """The folder of pybind11's CMake files, of version 2.10 or later, or None."""
+    """Returns the folder of the CMake files of pybind11 2.10 or later, or None."""
     folders = [Path(folder) for folder in [os.environ.get("pybind11_DIR")] if folder]
     package = _module("pybind11")
     if package is not None and hasattr(package, "get_cmake_dir"):
@@ -85,7 +85,7 @@ def has_maker():
     return shutil.which("ninja" if generator.startswith("Ninja") else "make") is not None
 
 
-#: Requirement in words, its Debian package, and the check whether it is available.
+#: Requirement as text, its Debian package, and a check whether it is available.
 NEEDS = (
     ("setuptools 61", "python3-setuptools", has_setuptools),
     ("wheel", "python3-wheel", has_wheel),
@@ -93,21 +93,21 @@ NEEDS = (
     ("the headers of Python", "python3-dev", has_headers),
     ("pybind11 2.10", "pybind11-dev", lambda: pybind11_folder() is not None),
     ("CMake 3.22", "cmake", has_cmake),
-    ("make, or ninja where CMAKE_GENERATOR names it", "make", has_maker),
+    ("make, or ninja if CMAKE_GENERATOR selects it", "make", has_maker),
     ("a C compiler", "gcc", lambda: _program("CC", ("cc", "gcc", "clang")) is not None),
     ("a C++ compiler", "g++", lambda: _program("CXX", ("c++", "g++", "clang++")) is not None),
 )
 
 
 def missing():
-    """Missing requirements: one sentence, empty if the build can start."""
+    """Returns one sentence with the missing requirements; empty if there are none."""
     absent = [(words, package) for words, package, is_there in NEEDS if not is_there()]
     if not absent:
         return ""
     words = ", ".join(f"{words} (Debian: {package})" for words, package in absent)
     hint = ""
     if sys.executable != "/usr/bin/python3" and any(package.startswith("python3-") for _, package in absent):
-        hint = "; packages of Debian are for /usr/bin/python3 alone"
+        hint = "; Debian packages are for /usr/bin/python3 only"
     if any("pip-build-env" in folder for folder in sys.path):
-        hint = "; pip hides installed packages from this build: give --no-build-isolation"
+        hint = "; pip hides installed packages from this build: use --no-build-isolation"
     return f"Shapeton cannot be built with {sys.executable}, which lacks {words}{hint}."

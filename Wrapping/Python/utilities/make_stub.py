@@ -1,4 +1,4 @@
-"""Types of the compiled module for type checkers and editors, from its docstrings.
+"""Writes type stubs of the compiled module from its docstrings, for type checkers and editors.
 
 usage: make_stub.py [--check] shapeton/_shapeton.pyi
 
@@ -56,7 +56,7 @@ class Types(ast.NodeTransformer):
 
     def visit_Subscript(self, node):
         if isinstance(node.value, ast.Attribute) and node.value.attr == "ndarray":
-            return self.named("ndarray")  # element type and shape are documented in words
+            return self.named("ndarray")  # element type and shape are documented in the text
         if isinstance(node.slice, ast.Constant):
             return self.visit(node.value)  # float[3] of List[float[3]]
         return self.generic_visit(node)

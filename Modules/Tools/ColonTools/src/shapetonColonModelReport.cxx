@@ -66,7 +66,7 @@ AddLineFacts(const ColonModel & model, Facts & facts)
     bridged += gap.end - gap.begin;
   }
   facts.emplace_back("Length of the centerline", Millimeters(line.length));
-  facts.emplace_back("Gaps that are bridged",
+  facts.emplace_back("Bridged gaps",
                      std::to_string(line.gaps.size()) + (line.gaps.empty() ? "" : ", " + Millimeters(bridged)));
   facts.emplace_back("Places where loops have merged", std::to_string(line.merges.size()));
   facts.emplace_back("Distended (caliber of at least 10 mm)",

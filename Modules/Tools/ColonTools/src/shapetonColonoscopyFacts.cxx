@@ -73,7 +73,7 @@ AddModelFacts(const Json & quality, ColonoscopyFacts & facts)
     facts.emplace_back("Length of the centerline", Centimeters(length));
     facts.emplace_back("Distended (caliber of at least 10 mm)",
                        WholePercent(NumberOrNaN(quality, "/distension/whole/share")) + " of it");
-    facts.emplace_back("Gaps that are bridged", std::to_string(quality["centerline"]["gaps"].size()));
+    facts.emplace_back("Bridged gaps", std::to_string(quality["centerline"]["gaps"].size()));
     if (const double share = NumberOrNaN(quality, "/assessability/whole/assessableShare"); std::isfinite(share))
     {
       facts.emplace_back("Assessable (the wall is visible)", WholePercent(share) + " of it");

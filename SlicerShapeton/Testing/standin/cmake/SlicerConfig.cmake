@@ -1,4 +1,4 @@
-# A stub of the CMake package of 3D Slicer, for tests without it: the folders that Slicer gives to an extension, and
+# A stub of the CMake package of 3D Slicer, for tests without it: the folders provided by Slicer for extensions, and
 # the functions for dependencies of a source tree of Slicer (Slicer_SOURCE_TREE).
 set(Slicer_USE_FILE ${CMAKE_CURRENT_LIST_DIR}/UseSlicer.cmake)
 set(Slicer_EXTENSION_GENERATE_CONFIG ${CMAKE_CURRENT_LIST_DIR}/GenerateConfig.cmake)

@@ -1,6 +1,6 @@
 """A stub of the part of 3D Slicer used by ShapetonLib, for tests without Slicer.
 
-It holds files and records the calls on nodes. Names not listed in `api` raise AttributeError, and the test
+It stores files and records the calls on nodes. Names not listed in `api` raise AttributeError, and the test
 StandInNamesWhatSlicerHas searches each name in Slicer's sources."""
 
 import os
