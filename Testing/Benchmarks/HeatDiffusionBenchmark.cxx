@@ -278,7 +278,7 @@ main(int argc, char * argv[])
   PrintRatio("sweep / roofline at 20 bytes per voxel and step", roofline(ms["Sweep"]), 0.55);
   PrintRatio("time-tiled steps / roofline", roofline(tiled), 1.0);
   PrintRatio("time-tiled steps with compensated sums / roofline", roofline(ms["TiledCompensated"] / 16.0), 1.0);
-  PrintRatio("time-tiled step against the scalar loop, one thread", ms["Scalar"] / tiled, 3.5);
+  PrintRatio("time-tiled step vs. scalar loop, one thread", ms["Scalar"] / tiled, 3.5);
   PrintRatio(
     "time-tiled step against an iteration of ITK's filter", ms["ItkGradientAnisotropicDiffusion"] / 5.0 / tiled, 100.0);
   PrintRatio("heat after 100,000 steps against the scalar loop*", 1e5 * ms["Scalar"] / ms["FinalState/100000"], 150.0);
@@ -286,6 +286,6 @@ main(int argc, char * argv[])
     "heat after 1,000,000 steps against the scalar loop*", 1e6 * ms["Scalar"] / ms["FinalState/1000000"], 150.0);
   PrintRatio(
     "512 histogram rows to 100,000 against the scalar loop*", 1e5 * ms["Scalar"] / ms["Snapshots/100000"], 50.0);
-  std::printf("* its time for so many steps is extrapolated from its time per step\n");
+  std::printf("* extrapolated from the time per step of the scalar loop\n");
   return 0;
 }

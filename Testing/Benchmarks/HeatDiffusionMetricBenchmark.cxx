@@ -69,7 +69,7 @@ Run(int faces)
 {
   testsurfaces::ColonTubeOptions options;
   options.faces = faces;
-  options.length = std::min(1500.0, 1500.0 * faces / 55000.0); // small tubes are short, so that t matches their radius
+  options.length = std::min(1500.0, 1500.0 * faces / 55000.0); // small tubes are short, so t matches their radius
   const auto                tube = testsurfaces::MakeColonTube(options);
   const SurfaceConnectivity connectivity(tube.mesh);
   const SurfaceLaplacian    laplacian = MakeSurfaceLaplacian(connectivity, tube.mesh.V);

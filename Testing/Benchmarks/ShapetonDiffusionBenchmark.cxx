@@ -138,7 +138,7 @@ SectorArea(benchmark::State & state)
   Take(state, Usual(DirectionSampling::SectorArea));
 }
 
-/** The steady-state criterion is evaluated at each step; this one never ends the run. */
+/** Evaluates the steady-state criterion at each step, but never ends the run. */
 void
 EachStepMeasured(benchmark::State & state)
 {
@@ -359,8 +359,8 @@ MeanOf(const std::vector<Summary> & runs, unsigned int i)
   return text;
 }
 
-/** Checks that the peer simulates the same process, up to the effect of its tolerance on the angles where weights are
- * small. */
+/** Checks that the peer simulates the same process, except for the effect of its tolerance on the angles of small
+ * weights. */
 void
 CompareResults(double p)
 {

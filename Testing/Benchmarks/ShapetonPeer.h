@@ -8,7 +8,7 @@
 
 /** Straightforward implementation of the published shapeton diffusion: the printed formulas (8.5), (8.6) and (8.7), a
  * binary search with an absolute tolerance (8.3), weights computed from intensities on demand, one shapeton at a time.
- * The random numbers are those of the library. */
+ * Uses the random numbers of the library. */
 class ShapetonPeer
 {
 public:
@@ -26,7 +26,7 @@ public:
                const Parameters &                        parameters,
                const std::array<std::vector<float>, 3> & places);
 
-  /** Runs a number of steps; each thread moves its own part of the shapetons. */
+  /** Runs a number of steps; each thread moves a separate part of the shapetons. */
   void
   Run(unsigned int steps, unsigned int threads);
 

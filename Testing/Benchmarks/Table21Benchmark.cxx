@@ -1,4 +1,4 @@
-// Table 2.1 of the dissertation with our column. Rows whose data are not available use a phantom of that size.
+// Table 2.1 of the dissertation with a column for Shapeton. Rows without available data use a phantom of equal size.
 #include "BenchmarkVolume.h"
 
 #include "shapetonCumulativeHeatDiffusion.h"
@@ -76,7 +76,7 @@ int
 main()
 {
   const shapeton::DeviceUse gpu = shapeton::ChooseDevice(shapeton::Device::Automatic, 0);
-  std::printf("\nTable 2.1, %u threads, GPU: %s; * phantom of that size, the data set is not available\n\n",
+  std::printf("\nTable 2.1, %u threads, GPU: %s; * phantom of equal size, data set not available\n\n",
               itk::MultiThreaderBase::GetGlobalDefaultNumberOfThreads(),
               gpu.Describe().c_str());
   std::printf("| data set | resolution | steps | p | conventional, s per step (published) | cumulative, ms per step "

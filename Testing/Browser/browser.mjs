@@ -6,12 +6,12 @@ import { join, resolve } from 'node:path';
 
 const FLAGS = [
   '--headless=new', '--no-sandbox', '--remote-debugging-pipe', '--no-first-run', '--disable-extensions', '--disable-component-update',
-  '--disable-background-networking', '--disable-gpu-compositing', // like a browser without a graphics card
+  '--disable-background-networking', '--disable-gpu-compositing', // as in a browser without a graphics card
 ];
 const SOFTWARE_GL = ['--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader'];
 const NO_GL = ['--disable-gpu', '--disable-3d-apis'];
 
-// Sends requests and receives answers over the pipe; dispatches events to the listeners.
+// Sends requests and receives responses over the pipe; dispatches events to the listeners.
 class Pipe {
   constructor(child) {
     const [, , , to, from] = child.stdio;
@@ -80,7 +80,7 @@ class Page {
     for (const end = Date.now() + limit; ;) {
       const value = await this.evaluate(f, ...args);
       if (value) return value;
-      if (Date.now() > end) throw new Error(`gave up waiting for ${f}`);
+      if (Date.now() > end) throw new Error(`timeout while waiting for ${f}`);
       await new Promise((done) => { setTimeout(done, 50); });
     }
   }

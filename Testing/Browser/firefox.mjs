@@ -15,7 +15,7 @@ async function portOf(profile) {
     if (port) return port;
     await wait(100);
   }
-  throw new Error('Firefox does not listen');
+  throw new Error('Firefox does not respond');
 }
 
 // A page with user actions.
@@ -62,7 +62,7 @@ class FirefoxPage {
     for (const end = Date.now() + limit; ;) {
       const value = await this.evaluate(f);
       if (value) return value;
-      if (Date.now() > end) throw new Error(`gave up waiting for ${f}`);
+      if (Date.now() > end) throw new Error(`timeout while waiting for ${f}`);
       await wait(50);
     }
   }

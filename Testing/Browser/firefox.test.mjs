@@ -26,7 +26,7 @@ test('without WebGL 2 the colon viewer shows a notice, and its 2D views still wo
     await idle();
     const shown = await page.evaluate(() => Object.fromEntries(viewer.panels[0].views.map((v) => [v.box.dataset.view, v.shown])));
     for (const view of FLAT_VIEWS) assert.ok(shown[view], `${view} after a click on ${name}`);
-    assert.ok(Math.hypot(shown[name][0] + x - at[0], shown[name][1] + y - at[1]) < 1.5, `${name}: the crosshair is where the click was`);
+    assert.ok(Math.hypot(shown[name][0] + x - at[0], shown[name][1] + y - at[1]) < 1.5, `${name}: the crosshair is at the click`);
     const colors = await page.evaluate((n) => {
       const { canvas, context } = viewer.panels[0].views.find((v) => v.box.dataset.view === n);
       return new Set(new Uint32Array(context.getImageData(0, 0, canvas.width, canvas.height).data.buffer)).size;

@@ -68,7 +68,7 @@ test('a click on a node selects it, marks it and its neighbors, and fades the re
   const near = await page.evaluate((i) => graphPage.views[0].graph.neighbors(i), node);
   for (const i of await seenNodes(0)) {
     if (near.includes(i)) assert.ok(await marked(0, i, NEAR) > 15, 'a neighbor is marked');
-    else if (i !== node) assert.equal(await marked(0, i, NEAR) + await marked(0, i, CHOSEN), 0, 'others are not');
+    else if (i !== node) assert.equal(await marked(0, i, NEAR) + await marked(0, i, CHOSEN), 0, 'other nodes are not marked');
   }
   await page.until(() => Number(getComputedStyle(document.querySelector('.picture')).opacity) < 0.3);
   await shot('1-node');
@@ -171,7 +171,7 @@ test('search finds nodes by name, Enter selects the next match and centers it', 
   }
 });
 
-test('keys select, walk, move, zoom and switch; help lists them', async () => {
+test('keys select, step, move, zoom and toggle; help lists them', async () => {
   await open(DISK);
   const old = await picture();
   const moves = [['ArrowLeft', 'r'], ['ArrowUp', 'r', SHIFT], ['+', 'r'], ['c', 'c'], ['d', 'd'], ['k', 'k'], ['t', 't']];
@@ -192,7 +192,7 @@ test('keys select, walk, move, zoom and switch; help lists them', async () => {
   assert.match(help, /search by name[^]*Moebius/);
   await press('Escape');
   assert.equal(await page.evaluate(() => document.getElementById('keys').open), false);
-  assert.match(await summary(), /^node/, 'Escape left the help alone');
+  assert.match(await summary(), /^node/, 'Escape only closed the help');
 });
 
 test('dragging moves all graphs of a group and selects nothing', async () => {

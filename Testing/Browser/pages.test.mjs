@@ -18,7 +18,7 @@ const pagesIn = (path) => {
 for (const path of process.env.PAGES.split('|')) {
   test(`pages in ${path}`, async () => {
     const files = pagesIn(path);
-    assert.ok(files.length > 0, 'there are none');
+    assert.ok(files.length > 0, 'no pages found');
     for (const file of files) {
       page.errors.length = page.requests.length = 0;
       await page.open(file);

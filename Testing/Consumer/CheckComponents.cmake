@@ -1,4 +1,4 @@
-# Checks that components find only the packages that they need, and that an unknown name is an error with a clear message, both
+# Checks that components find only the required packages, and that an unknown name is an error with a clear message, both
 # for components and for SHAPETON_MODULES.
 include(${CMAKE_CURRENT_LIST_DIR}/Consumers.cmake)
 set(source ${SOURCE_DIR}/Testing/Consumer/Component)
@@ -18,11 +18,11 @@ set(absent -DCMAKE_DISABLE_FIND_PACKAGE_VTK=ON -DCMAKE_DISABLE_FIND_PACKAGE_Eige
   -DCMAKE_DISABLE_FIND_PACKAGE_nlohmann_json=ON -DCMAKE_DISABLE_FIND_PACKAGE_OpenSSL=ON)
 find(needed Heat ${absent})
 if(NOT status EQUAL 0)
-  message(FATAL_ERROR "Heat must not need any package of ${absent}:\n${errors}")
+  message(FATAL_ERROR "Heat must not require any package of ${absent}:\n${errors}")
 endif()
 find(missing Heat,SurfaceMesh ${absent})
 if(status EQUAL 0 OR NOT errors MATCHES "nlohmann_json")
-  message(FATAL_ERROR "SurfaceMesh needs nlohmann_json, which is missing:\n${errors}")
+  message(FATAL_ERROR "SurfaceMesh must require nlohmann_json, which is missing:\n${errors}")
 endif()
 find(unknown Heat,Diffusion)
 if(status EQUAL 0 OR NOT errors MATCHES "Shapeton has no component.*\"Diffusion\"; *its components are.*Common, Report,.*Heat,")

@@ -1,7 +1,7 @@
 # Shared functions of the scripts in this folder, which ctest calls. They read
 #   BUILD_DIR, COMPILER, BUILD_TYPE, SANITIZE   settings of the tested build
 #   SOURCE_DIR                                  the repository
-#   WORK_DIR                                    the test's own folder, which may be removed
+#   WORK_DIR                                    the test's folder, which may be removed
 cmake_minimum_required(VERSION 3.22)
 
 # run(<command...>): runs a command and sets `out` to its output; aborts the test if the command fails.
@@ -20,7 +20,7 @@ function(expect regex)
   endif()
 endfunction()
 
-# Installs with DESTDIR under a name with a space and moves the result: a package must not depend on its build or install location.
+# Installs with DESTDIR under a name with a space and moves the result: a package must be independent of its build and install location.
 function(install_moved prefix)
   file(REMOVE_RECURSE "${WORK_DIR}/stage" "${prefix}")
   run(${CMAKE_COMMAND} -E env "DESTDIR=${WORK_DIR}/stage" ${CMAKE_COMMAND} --install ${BUILD_DIR} --prefix "/opt/of one")

@@ -1,3 +1,3 @@
-# Makes the installation that the other tests use; see CMakeLists.txt.
+# Creates the installation used by the other tests; see CMakeLists.txt.
 include(${CMAKE_CURRENT_LIST_DIR}/Consumers.cmake)
 install_moved("${PREFIX}")

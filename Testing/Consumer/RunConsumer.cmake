@@ -9,7 +9,7 @@ function(voxels variable file bytes)
   set(${variable} ${hex} PARENT_SCOPE)
 endfunction()
 
-# A median of radius 0 changes nothing, so the heat equals that of the tool; a larger radius changes it.
+# A median of radius 0 is the identity, so the heat equals the tool's; a larger radius changes it.
 file(REMOVE_RECURSE "${WORK_DIR}/build")
 configure(${SOURCE_DIR}/Examples/Project "${WORK_DIR}/build" "-DCMAKE_PREFIX_PATH=${PREFIX}")
 run(${CMAKE_COMMAND} --build "${WORK_DIR}/build")
@@ -22,10 +22,10 @@ foreach(file IN ITEMS tool same other)
   voxels(${file} "${WORK_DIR}/${file}.nrrd" 131072) # 32^3 floats
 endforeach()
 if(NOT same STREQUAL tool)
-  message(FATAL_ERROR "Examples/Project and CumulativeHeatDiffusion give different heat of one volume")
+  message(FATAL_ERROR "Examples/Project and CumulativeHeatDiffusion give different heat for one volume")
 endif()
 if(other STREQUAL tool)
-  message(FATAL_ERROR "the median of Examples/Project changes nothing")
+  message(FATAL_ERROR "the median of Examples/Project has no effect")
 endif()
 
 file(GLOB descriptions "${PREFIX}/${TOOLS_DIR}/*.xml")

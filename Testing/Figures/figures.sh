@@ -1,13 +1,13 @@
 # The figures, in the order of the page; read by make-figures.
 # shellcheck shell=bash
 
-# rendering PICTURE: only the 3D view of a picture of HeatTransferFunction.
+# rendering PICTURE: crops the 3D view of a picture of HeatTransferFunction.
 rendering() { printf '%s@16,64,860,620' "$1"; }
-# slices PICTURE: its three slices.
+# slices PICTURE: crops its three slices.
 slices() { printf '%s@0,700,1200,454' "$1"; }
-# visits PICTURE: a preview of ShapetonDiffusion without its header, whose rate differs between runs.
+# visits PICTURE: crops a preview of ShapetonDiffusion without its header, which shows a rate that differs between runs.
 visits() { printf '%s@0,70,1200,432' "$1"; }
-# histogram PICTURE: without the title.
+# histogram PICTURE: crops a histogram without its title.
 histogram() { printf '%s@0,40,1200,860' "$1"; }
 
 write '# Figures of the dissertation, made by our tools' '' \

@@ -1,4 +1,4 @@
-"""Runs tools on a full disk or with too little memory. The last message must state the cause, the status must be 1, and existing
+"""Runs tools on a full disk or with too little memory. The last message must state the reason, the status must be 1, and existing
 files must be kept.
 
 usage: check_limits.py disk|memory TOOL_FOLDER WORK_FOLDER [--colonoscopy]
@@ -30,7 +30,7 @@ def inputs(tools, work, size):
 
 
 def fast_commands(work):
-    """Command lines of the tools; arguments that start with OUT/ are outputs."""
+    """Returns command lines of the tools; arguments that start with OUT/ are outputs."""
     shapes, data = work / "shapes.nrrd", Path(__file__).parents[2] / "Data"
     return [
         ["ColonPhantom", "OUT/series", "--size", "64,64,60"],
@@ -77,7 +77,7 @@ def earlier_results(command, folder):
 
 
 def judge(status, messages, pattern, before, out, complete):
-    """Fault of a run with limited resources, if any: it must write all files, or fail with the right message and none."""
+    """Returns the fault of a run with limited resources, if any: it must write all files, or fail with the right message."""
     after = content(out)
     if status == 0:
         return None if set(after) == complete else f"success without {sorted(complete ^ set(after))}"
@@ -111,11 +111,11 @@ def disk_faults(tools, work, command):
         failures += status != 0
         fault = judge(status, messages, DISK, before, full / "out", complete)
         faults += [f"{command[0]} with {share} of {needed} bytes of disk: {fault}"] if fault else []
-    return faults + ([] if failures else [f"{command[0]} never met a full disk"])
+    return faults + ([] if failures else [f"{command[0]} never filled the disk"])
 
 
 def colonoscopy_faults(tools, work):
-    """Fills the disk in each stage in turn; each run with more space must resume where the last one ended."""
+    """Fills the disk in each stage in turn; each run with more space must resume the previous one."""
     full = work / "full"
     command = ["VirtualColonoscopy", work / "colon", "OUT/run", "--faces", "20000", "--viewer", "--dicomResults"]
     mounted(full, 1 << 20)

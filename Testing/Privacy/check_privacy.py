@@ -2,7 +2,7 @@
 
 usage: check_privacy.py TOOL_FOLDER WORK_FOLDER [--colonoscopy]
 
-Fails if marks are found that Documentation/privacy.md does not state. Base64, gzip and deflated data are searched, too.
+Fails if marks are found that Documentation/privacy.md does not state. Base64, gzip and deflated data are also searched.
 --colonoscopy runs VirtualColonoscopy with viewer and DICOM results; otherwise the fast tools run."""
 
 import base64
@@ -59,7 +59,7 @@ def views(data):
         decoded = base64.b64decode(text[: len(text) // 4 * 4])
         yield decoded
         yield from inflated(decoded)
-        yield from inflated(decoded[16:])  # VTK writes sizes of blocks first
+        yield from inflated(decoded[16:])  # VTK writes block sizes first
 
 
 def marks_in(data):
@@ -104,9 +104,9 @@ def main(tools, work, is_colonoscopy):
     found = {path: marks_in(path.read_bytes()) for path in sorted(out.rglob("*")) if path.is_file()}
     faults = [f"{path.relative_to(out)}: {name}" for path, names in found.items() for name in sorted(names - allowed_in(path))]
     if not any(found.values()):
-        faults.append("no mark was found, not even the series UID: the search does not work")
+        faults.append("no mark was found, not even the series UID: the search is broken")
     if is_colonoscopy and "PatientName" not in found[out / "colon/dicom/sr.dcm"]:
-        faults.append("DICOM results do not name the patient of their series")
+        faults.append("DICOM results do not contain the patient name of their series")
     if faults:
         sys.exit("identifying data not stated in Documentation/privacy.md:\n" + "\n".join(faults))
     print(f"{len(found)} files contain no identifying data beyond Documentation/privacy.md")

@@ -210,7 +210,7 @@ ReadAll(const std::string & path, const std::string & soundFolder, const shapeto
   return IsSurface(path) ? ReadAllOfSurface(path) : ReadAllOfVolume(path, soundFolder);
 }
 
-/** Runs several trials at a time and counts their outcomes. */
+/** Runs several trials in parallel and counts their outcomes. */
 class Campaign
 {
 public:
@@ -362,7 +362,7 @@ Crash()
 }
 
 #if defined(__SANITIZE_ADDRESS__)
-/** Succeeds apparently; only the sanitizer's report reveals the fault. */
+/** Apparently succeeds; only the sanitizer's report reveals the fault. */
 bool
 CrashInChild(const std::string &)
 {
@@ -434,7 +434,7 @@ main(int argc, char * argv[])
   {
     const fs::path parent = options.folder.empty() ? fs::temp_directory_path() : fs::path(options.folder);
     fs::create_directories(parent);
-    // Use a new folder, because other files in the given one must not be removed.
+    // Use a new folder, because other files in the given folder must not be removed.
     options.folder = (fs::canonical(parent) / ("FuzzInputs-" + std::to_string(getpid()))).string();
     shapeton::MakeFolder(options.folder);
     const int status = options.isSelfTest ? SelfTest(options) : Fuzz(options);

@@ -63,7 +63,7 @@ SetDigits(std::string & bytes, const std::string &, FuzzRandom & random)
   }
   const std::size_t end = std::min(bytes.find_first_not_of(digits, start), bytes.size());
   std::string       value = values[random.Below(std::size(values))];
-  if (random.Below(2) == 0) // of the same length, so that surrounding lengths stay valid
+  if (random.Below(2) == 0) // of equal length, so surrounding lengths remain valid
   {
     value.resize(end - start, ' ');
   }

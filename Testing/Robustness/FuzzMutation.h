@@ -33,8 +33,8 @@ private:
   std::uint64_t m_State;
 };
 
-/** Mutates a file by one to four changes: bits, bytes, lengths, numbers in text; pieces removed, duplicated, or taken
- * from another file. */
+/** Mutates a file by one to four changes: bits, bytes, lengths, numbers in text; pieces removed, duplicated, or
+ * inserted from another file. */
 std::string
 Mutate(std::string bytes, const std::string & other, FuzzRandom & random);
 #endif

@@ -5,7 +5,7 @@
 
 #include "shapetonDicomSource.h"
 
-/** File extension of mutants of these seeds, which distinguishes them from slices. */
+/** File extension of mutants of these seeds, to distinguish them from slices. */
 constexpr const char * ResultExtension = ".result.dcm";
 
 /** Source series of the results; created in `folder`. */
@@ -16,7 +16,7 @@ MakeResultSource(const std::string & folder);
 std::vector<FuzzSeed>
 MakeResultSeeds(const std::string & folder, const shapeton::DicomSource & source);
 
-/** Reads a file as a segmentation and as a report; returns whether it was one of them. */
+/** Reads a file as a segmentation and as a report; returns whether one of them succeeded. */
 bool
 ReadAllOfResult(const std::string & path, const shapeton::DicomSource & source);
 #endif

@@ -69,7 +69,7 @@ AddDicomSeeds(const std::string & folder, std::vector<FuzzSeed> & seeds)
   add();
 }
 
-/** Slices as other programs write them: VR UN, mosaics, code extensions of character sets, label maps. */
+/** Slices as from other programs: VR UN, mosaics, code extensions of character sets, label maps. */
 void
 AddOtherDicomSeeds(const std::string & folder, std::vector<FuzzSeed> & seeds)
 {
@@ -161,7 +161,7 @@ AddSurfaceSeeds(const std::string & folder, std::vector<FuzzSeed> & seeds)
                     "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\n"
                     "endfacet\nendsolid a\n" });
   seeds.push_back(
-    { ".obj", // dialects, a seam, a vertex that no face uses
+    { ".obj", // dialects, a seam, an unused vertex
       "# C:\\\r\no one two\r\nv 0 0 0 1 1 1\r\nv 10 0 \\\r\n 0 1 1 1\r\nv 0 10 0\nv nan nan 1e300\nv 10 0 0\n"
       "v 0 10 0 1.0\nv 10 10 0\nvt 0 0\nvn 0 0 1\nf 1/1/1 2//1 \\\n3/1\ng b\nf -3 -1 -2 \\ \n" });
   seeds.push_back({ ".ply", // three faces at one edge

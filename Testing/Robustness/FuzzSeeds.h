@@ -7,11 +7,11 @@
 /** A valid file to mutate. */
 struct FuzzSeed
 {
-  /** File extension of mutants, so that the reader assumes the format. */
+  /** File extension of mutants, which selects the format in the reader. */
   std::string extension;
   std::string bytes;
-  /** Compress the bytes with gzip after the mutation. A mutated gzip file would only fail its checksum, and the code
-   * behind would not be tested. */
+  /** Compress the bytes with gzip after the mutation. A mutated gzip file would only fail its checksum, so the code
+   * after decompression would not be tested. */
   bool isGzipped{ false };
 };
 

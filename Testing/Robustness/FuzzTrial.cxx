@@ -36,7 +36,7 @@ Work(const std::string & path, const std::string & log, const FuzzTrial::Reader 
   const int file = open(log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644);
   dup2(file, STDOUT_FILENO);
   dup2(file, STDERR_FILENO);
-  setpgid(0, 0); // so that contained processes are killed with this one
+  setpgid(0, 0); // to kill contained processes with this one
   const rlimit noCore{ 0, 0 };
   setrlimit(RLIMIT_CORE, &noCore);
   int status = WrongException;
@@ -59,7 +59,7 @@ TextOf(const std::string & path)
   return { std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>() };
 }
 
-/** Library of a stack frame, "(/usr/lib/libfoo.so.1+0x12)"; empty for libraries that are in every stack. */
+/** Library of a stack frame, "(/usr/lib/libfoo.so.1+0x12)"; empty for libraries in every stack. */
 std::string
 LibraryOf(const std::string & frame)
 {
@@ -99,7 +99,7 @@ IsForeign(const std::string & library)
   return false;
 }
 
-/** Library at fault in a sanitizer's report: the first one of the stack that is not in every stack. */
+/** Library at fault in a sanitizer's report: the first library of the stack that is not in every stack. */
 std::string
 LibraryAtFault(const std::string & log)
 {
@@ -179,7 +179,7 @@ FuzzTrial::Judge(int status, long peakKilobytes)
   const std::string log = TextOf(m_Log);
   const std::string report = FirstReport(log);
   const std::string library = report.empty() ? "" : LibraryAtFault(log);
-  const bool        isUndefined = report.compare(0, 13, "runtime error") == 0; // only our code is instrumented for this
+  const bool        isUndefined = report.compare(0, 13, "runtime error") == 0; // only Shapeton is instrumented for this
   const int         exitStatus = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
   m_Outcome.kind = FuzzOutcome::Kind::fault;
   if (m_IsOutOfTime)
@@ -192,7 +192,7 @@ FuzzTrial::Judge(int status, long peakKilobytes)
   }
   else if (exitStatus == WrongException)
   {
-    m_Outcome.reason = "wrong kind of error: " + log;
+    m_Outcome.reason = "unexpected type of error: " + log;
   }
   else if (exitStatus != Read && exitStatus != Refused)
   {

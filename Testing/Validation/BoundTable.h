@@ -10,7 +10,7 @@ public:
   /** Without bounds, measurements are only reported. */
   BoundTable(ValidationReport & report, bool hasBounds);
 
-  /** Adds a measurement with a bound: `all` for all exams together, `exams` for each exam; `isReached` tells whether
+  /** Adds a measurement with a bound: `all` for all exams together, `exams` for each exam; `isReached`: whether
    * the bound holds. */
   void
   AddBounded(const std::string &         what,
@@ -33,7 +33,7 @@ private:
 /** Mean; 0 without values. */
 double
 MeanOf(const std::vector<double> & values);
-/** Value that this share of the values does not exceed; 0 without values. */
+/** Quantile of the values for this share; 0 without values. */
 double
 Percentile(std::vector<double> values, double share);
 /** Returns part / whole; 1 if `whole` is 0. */

@@ -56,8 +56,8 @@ struct CatheterTrial
   double      outerError{ 0.0 };   ///< mm
   bool        hasBalloon{ false }; ///< filled with gas or fluid
   bool        seesBalloon{ false };
-  double      balloonError{ 0.0 };    ///< error of its diameter (mm)
-  double      balloonDistance{ 0.0 }; ///< error of its center (mm)
+  double      balloonError{ 0.0 };    ///< error of the balloon diameter (mm)
+  double      balloonDistance{ 0.0 }; ///< error of the balloon center (mm)
 };
 
 std::vector<Eigen::Vector3d>

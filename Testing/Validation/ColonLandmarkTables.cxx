@@ -19,7 +19,7 @@ struct FoldBounds
   double ends; ///< mm
 };
 
-/** Patients of one preset whose models are made in the same way. */
+/** Patients of one preset with equally computed models. */
 struct Column
 {
   std::string               title;
@@ -41,7 +41,7 @@ struct FoldScores
   std::vector<double> ends;
 };
 
-/** Relaxes the bounds for models made from CT instead of the true lumen. */
+/** Relaxes the bounds for models from CT instead of the true lumen. */
 void
 Ease(Column & column)
 {

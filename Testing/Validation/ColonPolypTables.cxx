@@ -32,7 +32,7 @@ constexpr double defaultScore = 1.0 - defaultPolypSensitivity;
 /** Number of exams per column used with the published preset. */
 constexpr std::size_t publishedExams = 2;
 
-/** Relaxes the bounds for models made from CT instead of the true lumen. */
+/** Relaxes the bounds for models from CT instead of the true lumen. */
 void
 Ease(PolypBounds & bounds)
 {
@@ -190,7 +190,7 @@ AddBounded(const PolypBounds & bounds, const std::vector<PolypExam> & exams, Bou
                    !errors.empty() && MeanOf(errors) <= bounds.size);
 }
 
-/** Explains a lower bound that is not reached by the number of large polyps. */
+/** Explains a missed lower bound by the number of large polyps. */
 void
 WriteLargeNeeded(double lowerBound, const Count & big, ValidationReport & report)
 {
@@ -294,9 +294,9 @@ TryPublishedExam(const LandmarkCase & one, const ColonExam & exam)
 /** Results of the exams of a column. */
 struct Results
 {
-  /** As in a run of both positions with default options. */
+  /** Candidates as in a run of both positions with default options. */
   std::vector<PolypExam> delivered;
-  /** Each position alone, at any sensitivity. */
+  /** Candidates of each single position, at any sensitivity. */
   std::vector<PolypExam> alone;
   std::vector<PolypExam> published;
   int                    pairs{ 0 };

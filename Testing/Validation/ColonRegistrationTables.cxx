@@ -31,7 +31,7 @@ struct Column
   double                    spacing{ 0.8 };
 };
 
-/** Relaxes the bounds for models made from CT; the comparison of map and frame is unchanged. */
+/** Relaxes the bounds for models from CT; the comparison of map and frame is unchanged. */
 void
 Ease(RegistrationBounds & bounds)
 {
@@ -135,7 +135,7 @@ AddMatches(const RegistrationBounds & bounds, const PatientScores & patients, bo
                    isWhole && ShareOf(right, common) >= bounds.recall);
 }
 
-/** Returns the patients whose measure is outside of the bound of the mean. */
+/** Returns the patients with a measure outside the bound of the mean. */
 template <typename TMeasure>
 std::string
 PatientsOutside(const PatientScores & patients, const TMeasure & measure, bool isAtMost, double bound)
@@ -153,7 +153,7 @@ PatientsOutside(const PatientScores & patients, const TMeasure & measure, bool i
   return names;
 }
 
-/** Returns the reason of each bound that is not reached. */
+/** Returns the reason for each missed bound. */
 std::vector<std::string>
 AddErrors(const RegistrationBounds & bounds, const PatientScores & patients, bool isWhole, BoundTable & table)
 {
@@ -201,7 +201,7 @@ AddTrust(const RegistrationBounds & bounds, const PatientScores & patients, bool
   table.AddBounded("inverted triangles", "0", std::to_string(flips), {}, isWhole && flips == 0);
 }
 
-/** Names of the files of results with true landmarks end with this. */
+/** Suffix of file names of results with true landmarks. */
 constexpr const char * trueLandmarks = "-true-landmarks";
 
 /** Bounds apply with found landmarks; with true ones, results are only reported. */
@@ -261,7 +261,7 @@ WritePatients(const std::string & name, const PatientScores & patients, Validati
   report.AddRows(name, table);
 }
 
-/** Table 4.1 of the dissertation, which has border points only and counts unmatched ones as incorrect. */
+/** Table 4.1 of the dissertation, which has only border points and counts unmatched ones as incorrect. */
 void
 WritePoints(const PatientScores & patients, ValidationReport & report)
 {
@@ -331,7 +331,7 @@ WriteSchemes(const PatientScores & patients, ValidationReport & report)
   report.AddRows("schemes", table);
 }
 
-/** Pairs each supine patient with the next one prone. */
+/** Pairs each supine position with the prone position of the next patient. */
 void
 TellPatientsApart(const std::vector<LandmarkExam> & supine,
                   const std::vector<LandmarkExam> & prone,

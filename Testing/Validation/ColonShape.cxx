@@ -14,7 +14,7 @@ namespace
 {
 constexpr double pi = 3.14159265358979323846;
 
-/** Stretch of the centerline (mm). */
+/** Section of the centerline (mm). */
 struct Stretch
 {
   double begin{ 0.0 };
@@ -32,7 +32,7 @@ struct Stretch
   }
 };
 
-/** Stretch 0 is the whole line, followed by the segments; empty if a border is missing. */
+/** Section 0 is the whole line, followed by the segments; empty if a border is missing. */
 std::array<Stretch, 7>
 StretchesOf(const ColonSegments & segments, double length)
 {
@@ -54,8 +54,8 @@ StretchesOf(const ColonSegments & segments, double length)
 }
 
 /** \class SectionMeter
- * \brief Radius of the circle with the area of the wall's cross section, for each mm of the line; 0 without a column of
- * the map. */
+ * \brief Radius of the circle with the area of the wall's cross section, for each mm of the line; 0 without a column
+ * of the map. */
 class SectionMeter
 {
 public:
@@ -183,7 +183,7 @@ private:
     return (m_Grid.PointOfPixel(column, row) - m_Axis.centers.row(column).transpose()).norm();
   }
 
-  /** Straight distance through the fold in a row of the map; 0 if a flank is missing. */
+  /** Straight thickness of the fold in a row of the map; 0 if a flank is missing. */
   double
   ChordIn(int row, int first, int last, double height) const
   {
@@ -216,7 +216,7 @@ private:
     return depth;
   }
 
-  /** First point from the crest on where the wall reaches this distance from the axis; such a point must exist. */
+  /** First point after the crest where the wall reaches this distance from the axis; such a point must exist. */
   Eigen::Vector3d
   FlankAt(int row, int crest, int step, double level) const
   {
@@ -236,7 +236,7 @@ private:
 };
 
 /** \class FoldMeter
- * \brief Cross sections and folds of a colon, per stretch. */
+ * \brief Cross sections and folds of a colon, per section. */
 class FoldMeter
 {
 public:

@@ -18,15 +18,15 @@ struct SegmentShape
   /** Total turning of the line, smoothed by 10 mm (degrees per dm). */
   std::vector<double> turnings;
   std::vector<double> foldsPerDecimeter;
-  /** Distance between folds along a straight path on the wall: the length over the sum of the circumference shares
-   * covered by the folds. */
+  /** Distance between folds along a straight path on the wall: the length divided by the sum of the circumference
+   * shares covered by the folds. */
   std::vector<double> spacings;
   ///@}
   /** \name One for each mm of the line */
   ///@{
   /** Radius of the largest ball centered on the line; bridges are excluded. */
   std::vector<double> inscribedRadii;
-  /** Radius of the circle with the area of the wall's cross section, into which folds protrude. */
+  /** Radius of the circle with the area of the wall's cross section, including folds. */
   std::vector<double> radii;
   ///@}
   /** \name One for each fold */
@@ -45,7 +45,7 @@ struct SegmentShape
 /** Segments 1 to 6; index 0 is the whole colon. */
 using ColonShape = std::array<SegmentShape, 7>;
 
-/** Measures segments and folds detected with default options: folds split along the taeniae. A segment without both
+/** Measures segments and folds detected with default options; folds are split along the taeniae. A segment without both
  * borders is empty. */
 ColonShape
 MeasureColonShape(const shapeton::FlatColon & flat, const shapeton::CurveSet & centerline);

@@ -11,7 +11,7 @@ using namespace shapeton;
 
 namespace
 {
-/** Four folds of one form on a straight tube of 160 mm. */
+/** Four equal folds on a straight tube of 160 mm. */
 constexpr foldtubes::Fold oneFold{ 0.0, 0.0, 20.0, 6.0, 0.0, 0.0, 2.0 };
 
 FlatColon
@@ -27,7 +27,7 @@ TubeWithFolds()
   return FlatColon(foldtubes::MakeTube(folds));
 }
 
-/** Along the axis of the tube, a point each mm, with balls of 17 mm and a bridge of 20 mm. */
+/** Centerline on the axis of the tube, a point per mm, with balls of 17 mm and a bridge of 20 mm. */
 CurveSet
 AxisOfTube()
 {
@@ -67,7 +67,8 @@ TEST(ColonShape, TubeWithFoldsIsMeasuredAsItWasMade)
   EXPECT_NEAR(MeanOf(shape.extents), 360.0 * 2.0 * oneFold.halfLength / turn, 12.0);
   EXPECT_NEAR(shape.spacings.at(0), 159.0 / (4.0 * 2.0 * oneFold.halfLength / turn), 13.0);
   ASSERT_EQ(shape.heights.size(), 4U);
-  // Measured above the feet, where the flank curves outward most; for a Gaussian, at sqrt(3) standard deviations.
+  // Measured above the feet, where the flank has its largest outward curvature; for a Gaussian, at sqrt(3) standard
+  // deviations.
   EXPECT_GT(MeanOf(shape.heights), oneFold.height * (1.0 - std::exp(-1.5)));
   EXPECT_LT(MeanOf(shape.heights), oneFold.height);
   ASSERT_EQ(shape.thicknesses.size(), 4U);

@@ -43,7 +43,7 @@ MakeCase(unsigned int seed, const std::string & position, double fluid, double s
   return one;
 }
 
-/** Both positions, fluid from 0 to 0.5; every third patient has a collapsed stretch. */
+/** Both positions, fluid from 0 to 0.5; every third patient has a collapsed section. */
 Group
 MakeGroup(const std::string & title, const std::vector<unsigned int> & seeds, double spacing)
 {
@@ -236,7 +236,7 @@ private:
   std::vector<Row> m_Rows;
   std::size_t      m_Place{ 0 };
   std::string      m_Exam;
-  /** Exams with folds or polyps not kept, with their numbers. */
+  /** Exams with lost folds or polyps, with their numbers. */
   std::string m_Lost;
   int         m_Kept{ 0 };
   int         m_Shapes{ 0 };
@@ -284,7 +284,7 @@ ValidateColonSurfaces(const ValidationSettings & settings, ValidationReport & re
     TryGroup(MakeGroup("1.4 mm voxels", settings.Seeds(10), 1.4), Faces, report);
     return;
   }
-  // Coarse voxels; the bounds are for finer ones, so this only checks that the code runs.
+  // Coarse voxels; the bounds are for finer voxels, so this only checks that the code runs.
   const ColonCase   one = MakeCase(settings.Seeds(1).front(), "supine", 0.2, 2.8);
   const ColonErrors errors = TryColon(one, 20000);
   CsvTable          table = EmptyCaseTable();

@@ -75,7 +75,7 @@ MeasureLumen(const ColonModel & model, Source * truth, ColonErrors & errors)
   errors.dice = 2.0 * static_cast<double>(both) / static_cast<double>(found + real);
 }
 
-/** Every n-th vertex, so that about `count` vertices are used. */
+/** Every n-th vertex; about `count` vertices in total. */
 std::vector<int>
 SomeVertices(const SurfaceMesh & mesh, int count)
 {
@@ -209,9 +209,9 @@ public:
     , m_IsCollapsed(PointValues(m_Line, "collapsed", "the true centerline"))
   {}
 
-  /** Arc length of a point in or near the lumen, and its distance from the line, whose points are about 2 mm apart. The
+  /** Arc length of a point in or near the lumen, and its distance from the line, with points about 2 mm apart. The
    * arc length comes from the lumen, because the closest point of the line may be in an adjacent loop or collapsed
-   * stretch. */
+   * section. */
   double
   Place(const Eigen::Vector3d & p, double & distance) const
   {
@@ -244,7 +244,7 @@ MeasurePolyps(const ColonAnatomy & anatomy, const TissueKeeper & keeper, ColonEr
   {
     if (polyp.diameter >= 6.0 && !line.IsCollapsedAt(polyp.arcLength))
     {
-      // Deeper than 1.5 mm is its interior, or fat beyond the wall.
+      // Deeper than 1.5 mm is the interior of the structure, or fat beyond the wall.
       ++errors.polyps;
       errors.keptPolyps += keeper.IsKept({ polyp.position }, 0.5 * polyp.diameter + 1.5, 1.5);
     }
@@ -279,7 +279,7 @@ MeasureFolds(Source * truth, const TissueKeeper & keeper, ColonErrors & errors)
   }
 }
 
-/** Jumps and reversals of the line along the true one. */
+/** Jumps and reversals of the line along the true line. */
 void
 MeasureOrder(const CurveSet & line, const Eigen::VectorXd & gap, const TrueLine & trueLine, ColonErrors & errors)
 {

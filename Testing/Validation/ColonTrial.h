@@ -23,11 +23,11 @@ struct ColonErrors
   /** Distance from vertices of the raw wall, without bridges, to the true wall (mm). */
   double surfaceMedian{ 0.0 };
   double surface95{ 0.0 };
-  /** The same for vertices within 3 mm of a fluid level. */
+  /** Distance for vertices within 3 mm of a fluid level (mm). */
   double level95{ 0.0 };
   /** Distance from the true wall to the raw one (mm), to detect missed parts. */
   double missed95{ 0.0 };
-  /** Folds of at least 2.5 mm thickness in fluid, and polyps of at least 6 mm outside of collapsed stretches, that keep
+  /** Folds of at least 2.5 mm thickness in fluid, and polyps of at least 6 mm outside of collapsed sections, that keep
    * 90 % of their volume in the cleansed CT. */
   int keptFolds{ 0 };
   int folds{ 0 };
@@ -38,7 +38,7 @@ struct ColonErrors
   double lengthError{ 0.0 };
   /** Distance from the line, without gaps, to the true line (mm). */
   double meanLineDistance{ 0.0 };
-  /** Share of the true line outside of collapsed stretches that is within the lumen's radius of the line. */
+  /** Share of the true line outside of collapsed sections that is within the lumen's radius of the line. */
   double covered{ 0.0 };
   /** Number of jumps of more than 40 mm along the true line, without gaps, and of reversals. */
   int shortCuts{ 0 };
@@ -58,7 +58,8 @@ struct ColonErrors
   std::string failure;
 };
 
-/** Makes the phantom, builds the model from its CT only, and measures it. `faces` is the requested number of faces. */
+/** Generates the phantom, builds the model from its CT only, and measures it. `faces` is the requested number of
+ * faces. */
 ColonErrors
 TryColon(const ColonCase & one, int faces);
 

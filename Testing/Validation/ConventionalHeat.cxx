@@ -109,7 +109,7 @@ ConventionalHeat(const VolumeGradientOperator & volumeGradient, std::uint64_t ti
   ParallelForWorkers(size[1] * size[2], [&](std::size_t row, unsigned int worker) {
     for (std::size_t x = 0; x < size[0]; ++x)
     {
-      // P = 1 - dt L is symmetric: e' P^(2k) e = |P^k e|^2, so that half of the steps are enough.
+      // P = 1 - dt L is symmetric: e' P^(2k) e = |P^k e|^2, so half of the steps suffice.
       SingleSource & source = sources[worker];
       source.Start({ x, row % size[1], row / size[1] });
       for (std::uint64_t step = 0; step < (timeSteps + 1) / 2; ++step)

@@ -120,7 +120,7 @@ ValidateDistancesOfHands(const ValidationSettings & settings, ValidationReport &
                  "" });
   double           pictured = 0.0;
   std::string      earliest;                   // change at the first time
-  constexpr double asLongAsAFingertip = 100.0; // mm^2; beyond, heat passes from finger to finger
+  constexpr double asLongAsAFingertip = 100.0; // mm^2; at longer times heat crosses the contact
   for (const double t : { 8.0 * h * h, 100.0, 300.0, 1000.0, 3000.0 })
   {
     const double change = changeOf(touching.Diffusion(t), apart.Diffusion(t));

@@ -11,12 +11,12 @@ using Eigen::Vector3d;
 
 namespace
 {
-/** Arrival distance at c of a plane wave that reaches a and b of a triangle at the given distances; infinite if it
- * comes from outside of the triangle. */
+/** Arrival distance at c of a plane wave that reaches a and b of a triangle at the given distances; infinite if the
+ * wave comes from outside of the triangle. */
 double
 WaveThrough(const Vector3d & a, const Vector3d & b, const Vector3d & c, double atA, double atB)
 {
-  // The source unfolded into the plane of the triangle: beyond ab, at these distances of a and b.
+  // The source unfolded into the plane of the triangle: on the other side of ab, at these distances from a and b.
   const double base = (b - a).norm();
   const double x = (atA * atA - atB * atB + base * base) / (2.0 * base);
   const double square = atA * atA - x * x;

@@ -1,8 +1,8 @@
 // Fits the weights of PolypScore() to phantoms and prints them. usage: FitPolypScore. The exams are those of
-// TrainingExams(), with 0.8 mm voxels; those from CT take minutes each unless SHAPETON_LANDMARK_CACHE holds them.
+// TrainingExams(), with 0.8 mm voxels; exams from CT take minutes each unless cached in SHAPETON_LANDMARK_CACHE.
 //
 // Positive samples: for each polyp of at least 5.5 mm, the candidate with the greatest solid angle. Negative samples:
-// candidates away from polyps, weighted by the share of the score that content and catheter leave. Candidates at the
+// candidates away from polyps, weighted by the score factor for content and catheter. Candidates at the
 // ileocecal valve are excluded, because it has the shape of a polyp. Logistic regression by Newton's method, with a
 // penalty of half the squared weights of the terms over their standard deviations.
 #include "PolypTrial.h"
@@ -31,7 +31,7 @@ struct Samples
   std::vector<double> weight;
 };
 
-/** Only seeds below 100; the others are for validation. The true lumen adds negatives of the anatomy; CT adds those
+/** Only seeds below 100; the others are for validation. The true lumen adds negatives of the anatomy; CT adds negatives
  * caused by noise, segmentation and residue. */
 std::vector<LandmarkCase>
 TrainingExams()

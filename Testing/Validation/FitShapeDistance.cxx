@@ -1,9 +1,9 @@
 // Fits the constants of SignatureDistance() and ProbabilityOfSameShape() and prints them. usage: FitShapeDistance;
 // takes some minutes. Uses generated shapes, seeds 1 to 64, and their copies.
 //
-// Units: root mean squares of the differences between copies and their shapes. Parts: how often the nearest shape is
-// the correct one, for each combination of parts. Probability: for random halves of the shapes, all copies are looked
-// up in that half; logistic regression (Newton's method) predicts whether the nearest entry is correct.
+// Units: root mean squares of the differences between copies and their shapes. Parts: fraction of copies whose nearest
+// shape is the correct one, for each combination of parts. Probability: for random halves of the shapes, all copies are
+// searched in that half; logistic regression (Newton's method) predicts whether the nearest entry is correct.
 #include "ShapeCollection.h"
 
 #include "shapetonPhiloxStream.h"
@@ -74,7 +74,7 @@ RootMeanSquares(const std::vector<Query> & queries)
   return units;
 }
 
-/** Root mean square of the parts in a bit set, in their units. */
+/** Root mean square of the parts in a bit set, in units of each part. */
 double
 Distance(const Parts & difference, const Parts & units, unsigned int used)
 {

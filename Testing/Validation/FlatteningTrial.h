@@ -25,7 +25,7 @@ struct TubeCase
   Eigen::VectorXd               lengths; ///< Euclidean edge lengths (mm)
 };
 
-/** `span` is the number of edges between the two faces that a handle joins. */
+/** `span` is the number of edges between the two faces joined by a handle. */
 testsurfaces::ColonTube
 GenerateTube(int faces, int handles, int seed, int span = 4, double length = 1500.0);
 

@@ -301,7 +301,7 @@ MakeFace(double edge)
 HandledPatch
 MakePotPatch(double edge)
 {
-  // A thick-walled pot around the z axis; the handle is on its right as seen from the front, at +x.
+  // A thick-walled pot around the z axis; the handle is at +x, on the right as seen from the front.
   const SignedDistance belly = Ellipsoid({ 0, 0, 0 }, { 60, 60, 70 });
   const SignedDistance handle =
     Rod({ { 48, 0, 28 }, { 76, 0, 30 }, { 92, 0, 8 }, { 80, 0, -18 }, { 50, 0, -26 } }, 6.5);

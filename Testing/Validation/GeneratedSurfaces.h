@@ -36,7 +36,8 @@ LoopAcross(const shapeton::SurfaceMesh & mesh,
 int
 VertexAt(const shapeton::SurfaceMesh & mesh, const Eigen::Vector3d & place);
 
-/** A surface before and after a cut along a loop of edges: the vertices of the first are the first ones of the second.
+/** A surface before and after a cut along a loop of edges: the vertices of the first are the first vertices of the
+ * second.
  */
 struct CutPair
 {
@@ -58,8 +59,8 @@ ThumbNail();
 shapeton::SurfaceMesh
 MakeFace(double edge);
 
-/** Patch of a pot with its handle, bounded by a rectangle on its wall, and the same with the handle cut. Genus 1 and 0.
- * `corners` of the patch are counterclockwise, seen from outside. */
+/** Patch of a pot with its handle, bounded by a rectangle on its wall, and the same patch with the handle cut. Genus 1
+ * and 0. `corners` of the patch are counterclockwise, seen from outside. */
 struct HandledPatch
 {
   CutPair            surfaces;

@@ -368,7 +368,7 @@ MoveLittle(bool isQuick, ValidationReport & report)
   report.AddRows("edits", table);
 }
 
-/** The same on networks not used for tuning, as results differ between networks. */
+/** Stability on networks not used for tuning, because results differ between networks. */
 void
 MoveLittleOnNetworks(bool isQuick, ValidationReport & report)
 {

@@ -96,7 +96,7 @@ SfdpDisplacement(const Graph & before, const Graph & after, const std::vector<in
   return MeanDistance(Normalized(a.places), Normalized(b.places), isChanged);
 }
 
-/** The same circles with their barycenter at the center of the sphere, as without a previous step. */
+/** Moves the barycenter of the circles to the center of the sphere, as without a previous step. */
 EmbeddingCertificate
 NotMoved(const EmbeddingCertificate & certificate)
 {

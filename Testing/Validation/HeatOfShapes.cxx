@@ -10,7 +10,7 @@ using namespace shapeton;
 
 namespace
 {
-using Distance = std::function<double(double, double, double)>; // in voxels from the middle; <= 0 inside
+using Distance = std::function<double(double, double, double)>; // in voxels from the center; <= 0 inside
 
 struct Measured
 {
@@ -85,7 +85,7 @@ ValidateHeatOfShapes(const ValidationSettings & settings, ValidationReport & rep
                        double              formBound,
                        double              normalized,
                        double              bound) {
-    const bool hasForm = formBound > 0.0; // none for turned cubes
+    const bool hasForm = formBound > 0.0; // none for rotated cubes
     table.AddRow({ name,
                    std::to_string(m.component.voxels),
                    hasForm ? CsvTable::Rounded(closedForm, 4) : "",

@@ -76,11 +76,11 @@ ShareWithTrueSegment(const shapeton::ColonLandmarks & landmarks, const shapeton:
   return all > 0.0 ? right / all : 0.0;
 }
 
-/** Points of the three true taeniae along one stretch of the colon. */
+/** Points of the three true taeniae along one section of the colon. */
 using Stretch = std::array<Points, 3>;
 
-/** Sorted distances between the k-th points of the three taeniae (mm). Where a fold covers the phantom's own
- * centerline, the taeniae meet in it. */
+/** Sorted distances between the k-th points of the three taeniae (mm). Where a fold covers the phantom's
+ * centerline, the taeniae meet in the fold. */
 std::array<double, 3>
 DistancesBetween(const shapeton::CurveSet & taeniae, std::size_t k)
 {
@@ -96,7 +96,7 @@ AreOnePoint(const shapeton::CurveSet & taeniae, std::size_t k)
   return DistancesBetween(taeniae, k)[2] < 1.0;
 }
 
-/** Open stretches between the collapsed ones, where there is a wall: bridges are longer than the collapsed parts. */
+/** Open sections between the collapsed ones, where a wall exists: bridges are longer than the collapsed sections. */
 std::vector<Stretch>
 OpenStretches(const shapeton::ColonAnatomy & anatomy, const shapeton::ColonWallTube & tube)
 {
@@ -131,7 +131,7 @@ OpenStretches(const shapeton::ColonAnatomy & anatomy, const shapeton::ColonWallT
   return result;
 }
 
-/** Joins all stretches. */
+/** Joins all sections. */
 Stretch
 Joined(const std::vector<Stretch> & stretches)
 {
@@ -146,7 +146,7 @@ Joined(const std::vector<Stretch> & stretches)
   return all;
 }
 
-/** Distances of the points of each true taenia, for the assignment of found to true taeniae with the smallest mean. */
+/** Distances of the points of each true taenia, for the assignment to found taeniae with the smallest mean. */
 std::array<std::vector<double>, 3>
 DistancesOfTaeniae(const shapeton::ColonTaeniae & found, const Stretch & truth)
 {

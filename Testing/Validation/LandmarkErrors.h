@@ -13,14 +13,14 @@ struct LandmarkErrors
   /** Errors along the centerline (mm) of the true segment borders: the rectosigmoid, descending-sigmoid, splenic and
    * hepatic flexure. Infinite if the flexure was not found. */
   std::array<double, 4> flexures{};
-  /** Stated probability that each is within 30 mm; 0 if it was not found. */
+  /** Confidence that each flexure is within 30 mm; 0 if not found. */
   std::array<double, 4> flexureConfidence{};
   bool                  areFlexuresWithin30{ false };
-  /** Area share of the surface that has its true segment; includes collapsed stretches. */
+  /** Share of the surface area with the correct segment; includes collapsed sections. */
   double labeledShare{ 0.0 };
-  /** Distances from points of the true taeniae to the found taenia, without collapsed stretches (mm). Infinite if none
-   * was found. Folds do not show how far a taenia turns inside a collapsed stretch, so found taeniae are assigned to
-   * true ones separately in each open stretch. */
+  /** Distances from points of the true taeniae to the found taenia, without collapsed sections (mm). Infinite if none
+   * was found. Folds do not show the rotation of taeniae inside a collapsed section, so found taeniae are assigned to
+   * true ones separately in each open section. */
   double taeniaMean{ 0.0 };
   double taenia95{ 0.0 };
   double taeniaGreatest{ 0.0 };
@@ -37,8 +37,8 @@ MeasureLandmarks(const shapeton::ColonLandmarks & landmarks,
                  const shapeton::CurveSet &       centerline,
                  const shapeton::ColonAnatomy &   anatomy);
 
-/** A point on each true taenia in the middle of the transverse colon, where a reader sees them best: the point nearest
- * to the middle that is on the visible surface and not on a fold in which the taeniae meet. */
+/** A point on each true taenia in the middle of the transverse colon, where they are most visible to a reader: the
+ * point nearest to the middle on the visible surface, but not on a fold in which the taeniae meet. */
 std::vector<Eigen::Vector3d>
 MarkersOfTruth(const shapeton::ColonAnatomy & anatomy, const shapeton::SurfaceMesh & surface);
 

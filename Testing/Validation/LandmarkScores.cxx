@@ -10,7 +10,7 @@ using namespace shapeton;
 
 namespace
 {
-/** Also valid if nothing is found. */
+/** Also valid without any detections. */
 LandmarkErrors
 TryLandmarks(const LandmarkExam & exam, const ColonLandmarkOptions & options, std::string & failure)
 {

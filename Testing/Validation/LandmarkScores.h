@@ -21,7 +21,7 @@ struct LandmarkBounds
   std::optional<double> calibration{};
 };
 
-/** Landmark errors over the exams of a column, with our rules, with the published ones, and with a marker on each
+/** Landmark errors over the exams of a column, with Shapeton's rules, the published rules, and a marker on each
  * taenia. */
 class LandmarkScores
 {
@@ -36,7 +36,7 @@ public:
   void
   AddReported(BoundTable & table) const;
 
-  /** Names the missed flexures, if any. */
+  /** Lists the missed flexures, if any. */
   void
   WriteMissedFlexures(ValidationReport & report) const;
 

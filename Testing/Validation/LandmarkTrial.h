@@ -14,7 +14,7 @@ struct LandmarkCase
   shapeton::ColonPhantomParameters parameters;
   /** Voxel spacing (mm). */
   double spacing{ 0.8 };
-  /** Whether the model is made from the CT, or else from the true lumen on the same grid. */
+  /** Whether the model is computed from the CT; otherwise from the true lumen on the same grid. */
   bool isFromCt{ false };
 };
 
@@ -22,7 +22,7 @@ struct LandmarkCase
 struct LandmarkExam
 {
   std::shared_ptr<const shapeton::ColonAnatomy> anatomy;
-  /** Flat colon as made by ColonFlattening from the simplified wall. */
+  /** Flat colon as computed by ColonFlattening from the simplified wall. */
   shapeton::SurfaceMesh flat;
   shapeton::CurveSet    centerline;
   /** Wall at full resolution, without handles. */
@@ -31,12 +31,12 @@ struct LandmarkExam
   std::string failure;
 };
 
-/** Exam with the additional data used to judge candidates. */
+/** Exam with additional data to evaluate candidates. */
 struct ColonExam : LandmarkExam
 {
   /** 1: gas, 2: fluid. */
   itk::Image<unsigned char, 3>::Pointer lumen;
-  /** Cleansed CT (HU); null if the model is not made from a CT. */
+  /** Cleansed CT (HU); null if the model is not computed from a CT. */
   itk::Image<float, 3>::Pointer ct;
   /** Axis of a detected rectal catheter, see CurveOfCatheter(). */
   shapeton::CurveSet catheter;
@@ -50,12 +50,12 @@ ValidationCase(const std::string & preset,
                double              spacing,
                bool                isFromCt);
 
-/** Makes phantom, model and flat map. If SHAPETON_LANDMARK_CACHE names a folder, exams are cached there. For
+/** Computes phantom, model and flat map. If SHAPETON_LANDMARK_CACHE is set, exams are cached in this folder. For
  * development only, because cached exams are not invalidated when the programs change. */
 LandmarkExam
 MakeLandmarkExam(const LandmarkCase & one);
 
-/** The same with images, cropped to 15 mm around the lumen. */
+/** Exam with images, cropped to 15 mm around the lumen. */
 ColonExam
 MakeColonExam(const LandmarkCase & one);
 

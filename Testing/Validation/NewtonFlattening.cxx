@@ -176,7 +176,7 @@ LayOut(const shapeton::SurfaceConnectivity & connectivity, const shapeton::CutSu
   isDone[0] = 1;
   while (!queue.empty())
   {
-    const auto [f, k] = queue.front(); // the edge from corner k on is placed
+    const auto [f, k] = queue.front(); // the edge that starts at corner k is placed
     queue.pop_front();
     const int a = F(f, k), b = F(f, (k + 1) % 3), c = F(f, (k + 2) % 3);
     if (!isPlaced[c])
@@ -251,7 +251,7 @@ FlattenByNewton(const shapeton::SurfaceConnectivity & connectivity,
     }
     if (!isBetter)
     {
-      return result; // it would need edge flips
+      return result; // would require edge flips
     }
   }
   const double circumference = LengthOfLoop(connectivity, ends.first, state);

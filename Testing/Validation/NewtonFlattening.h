@@ -15,7 +15,7 @@ struct NewtonFlattening
 };
 
 /** Scales the lengths of the edges by exp((w_a + w_b) / 2) until all vertices inside are flat and all boundaries
- * straight, and lays the faces of the cut surface out. The order of elimination and the pattern serve all iterations.
+ * straight, and lays out the faces of the cut surface. Elimination order and pattern are reused in all iterations.
  */
 NewtonFlattening
 FlattenByNewton(const shapeton::SurfaceConnectivity & connectivity,

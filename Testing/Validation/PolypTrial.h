@@ -11,7 +11,7 @@
 struct PolypTruth
 {
   shapeton::ColonPolyp polyp;
-  /** Highest score of a candidate at the polyp; 0 if there is none. */
+  /** Highest score of a candidate at the polyp; 0 without one. */
   double score{ 0.0 };
   /** Diameter of that candidate (mm). */
   double diameter{ 0.0 };
@@ -21,9 +21,9 @@ struct PolypTruth
 struct PolypExam
 {
   std::string name;
-  /** Polyps outside of collapsed stretches. */
+  /** Polyps outside of collapsed sections. */
   std::vector<PolypTruth> truths;
-  /** Scores of false positive candidates, and of those at the ileocecal valve among them. */
+  /** Scores of false positive candidates, and of the subset at the ileocecal valve. */
   std::vector<double> falseScores;
   std::vector<double> valveScores;
 };
@@ -45,7 +45,7 @@ ComparePolyps(const LandmarkCase &                          one,
               const shapeton::ColonAnatomy &                anatomy,
               const std::vector<shapeton::PolypCandidate> & candidates);
 
-/** Polyps outside of collapsed stretches. */
+/** Polyps outside of collapsed sections. */
 std::vector<shapeton::ColonPolyp>
 VisiblePolyps(const shapeton::ColonAnatomy & anatomy);
 

@@ -45,12 +45,12 @@ MetricOf(const SurfaceMesh & mesh, const SurfaceConnectivity & connectivity, con
   }
   catch (const InputError &)
   {
-    // A violated triangle inequality is a result, too.
+    // A violated triangle inequality is also a result.
   }
   return metric;
 }
 
-/** Writes the rows of one diffusion time; returns the differences for a chart. */
+/** Adds the rows of one diffusion time; returns the differences for a chart. */
 class QualityOfTime
 {
 public:

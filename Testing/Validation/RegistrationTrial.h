@@ -9,7 +9,7 @@
 #include <array>
 #include <map>
 
-/** Feature points (ends of visible folds) of one segment of the source, by the match of their fold (Table 4.1 of the
+/** Feature points (ends of visible folds) of one segment of the source, by the match of their folds (Table 4.1 of the
  * dissertation, which counts unmatched ones as incorrect). */
 struct FeaturePointCounts
 {
@@ -42,7 +42,7 @@ struct RegistrationScore
   bool                               isFlagged{ false };
   double                             confidence{ 0.0 };
   double                             seconds{ 0.0 };
-  /** Correct fold pairs, all pairs, and folds visible in both positions. */
+  /** Numbers of correct fold pairs, all pairs, and folds visible in both positions. */
   int right{ 0 };
   int pairs{ 0 };
   int common{ 0 };
@@ -53,11 +53,11 @@ struct RegistrationScore
   std::string failure;
 };
 
-/** Makes the registration input of an exam, with the landmarks found by ColonLandmarks or the true ones. */
+/** Creates the registration input of an exam, with landmarks from ColonLandmarks or true landmarks. */
 shapeton::ColonPosition
 MakeColonPosition(const LandmarkExam & exam, const std::string & name, bool hasTrueLandmarks);
 
-/** Wall points visible in both positions, outside of true collapse. */
+/** Wall points visible in both positions, outside of truly collapsed sections. */
 std::vector<shapeton::PointPair>
 TruePairs(const shapeton::ColonAnatomy & source, const shapeton::ColonAnatomy & target);
 

@@ -12,7 +12,7 @@ using namespace shapeton;
 
 namespace
 {
-/** Pair of positions as judged by the registration. */
+/** Pair of positions with its confidence from the registration. */
 struct JudgedPair
 {
   std::string            name;
@@ -27,7 +27,7 @@ struct JudgedPair
   {
     return isRefused ? 0.0 : confidence.whole;
   }
-  /** Event predicted by the confidence: the same patient, and a map good enough to find most folds. */
+  /** Event predicted by the confidence: the same patient, and a map that is accurate enough to match most folds. */
   bool
   IsRight() const
   {

@@ -32,7 +32,7 @@ MeasuresDistance(const ShapeSignature & a, const ShapeSignature & b)
   return std::sqrt(Squared(a.volume, b.volume) + Squared(a.surface, b.surface) + Squared(a.elongation, b.elongation));
 }
 
-/** The same, scale-invariant. */
+/** Scale-invariant baseline: surface, elongation and flatness. */
 double
 ProportionsDistance(const ShapeSignature & a, const ShapeSignature & b)
 {
@@ -145,7 +145,7 @@ AveragePrecision(const ShapeSignature &             query,
   return precision / wanted;
 }
 
-/** For each shape, the mean over itself and its copies. */
+/** For each shape, the mean over the shape and its copies. */
 std::vector<double>
 AveragePrecisions(const std::vector<MeasuredShape> & shapes, const Distance & distance)
 {
@@ -220,12 +220,12 @@ ReportKinds(const std::vector<MeasuredShape> & shapes, ValidationReport & report
   report.AddRows("kinds", table);
 }
 
-/** Results of queries to a database that lacks a fifth of the shapes. */
+/** Results of queries to a database without a fifth of the shapes. */
 struct Answers
 {
   std::vector<double>                  unknownOfLeftOut; ///< for each shape, the share of its copies
   std::vector<double>                  rightOfEntries;
-  std::vector<std::pair<double, bool>> probabilities; ///< and whether the nearest is correct
+  std::vector<std::pair<double, bool>> probabilities; ///< whether the nearest shape is correct
 };
 
 Answers

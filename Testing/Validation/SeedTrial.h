@@ -22,7 +22,7 @@ struct LabeledVolume
 struct DrawnSeeds
 {
   shapeton::SeedImage::Pointer image;
-  /** Number of labels that are too thin for enough seeds after erosion by one voxel, so that seeds are also placed at
+  /** Number of labels that are too thin for enough seeds after erosion by one voxel; their seeds are also placed at
    * the border. */
   int thinLabels{ 0 };
 };
@@ -47,8 +47,8 @@ SegmentByHeat(const LabeledVolume & volume, const shapeton::SeedImage * seeds);
 Segmentation
 SegmentByWatershed(const LabeledVolume & volume, const shapeton::SeedImage * seeds);
 
-/** Segments with ITK's ConfidenceConnected and its defaults, once per label. Voxels reached by several labels take the
- * one whose region mean is nearest; unreached voxels are background. */
+/** Segments with ITK's ConfidenceConnected and its defaults, once per label. Voxels reached by several labels get the
+ * label with the nearest region mean; unreached voxels are background. */
 Segmentation
 SegmentByConfidence(const LabeledVolume & volume, const shapeton::SeedImage * seeds);
 

@@ -39,7 +39,7 @@ Windowed(const TImage * image, double lower, double upper)
   return windowed;
 }
 
-/** Sets label 1 for the background and for parts that are too small or not wanted (empty: all are wanted), then one
+/** Sets label 1 for the background and for parts that are too small or not selected (empty: all are selected), then one
  * label per part. */
 template <typename TImage>
 void
@@ -211,7 +211,7 @@ RunRandomWalker(const LabeledVolume & volume, const std::map<int, std::vector<Dr
   return scores;
 }
 
-/** Methods in order: ours, the random walker, the others. */
+/** Methods in order: Shapeton, random walker, others. */
 std::vector<MethodScores>
 RunMethods(const LabeledVolume & volume, const std::map<int, std::vector<DrawnSeeds>> & seeds)
 {
@@ -273,7 +273,7 @@ AddMeans(const LabeledVolume &                          volume,
   }
 }
 
-/** Difference between our method and each peer, per draw. */
+/** Difference between Shapeton and each peer, per draw. */
 void
 AddDifferences(const LabeledVolume &             volume,
                const std::vector<MethodScores> & methods,
@@ -362,7 +362,7 @@ AddVolume(const LabeledVolume &      volume,
   }
 }
 
-/** `remark` follows the differences. */
+/** `remark` is printed after the differences. */
 void
 ReportResults(const std::string & data, const Results & results, const std::string & remark, ValidationReport & report)
 {

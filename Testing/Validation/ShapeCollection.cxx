@@ -354,7 +354,7 @@ AddNoise(LabelMap * image, double probability, PhiloxStream & stream)
   }
 }
 
-/** Makes a copy by nearest-neighbor interpolation. */
+/** Creates a copy by nearest-neighbor interpolation. */
 LabelMap::Pointer
 CopyOf(const LabelMap * shape, const CopyPlan & plan, PhiloxStream & stream)
 {
@@ -423,7 +423,7 @@ std::vector<CollectedShape>
 BonesOfFeet(const std::string & dataFolder, std::size_t number)
 {
   constexpr float             dense = 350.0F;    // HU
-  constexpr float             depth = 2.0F;      // mm: bones touch by bridges that are thinner than twice that
+  constexpr float             depth = 2.0F;      // mm: bones are connected by bridges thinner than twice this
   constexpr std::size_t       leastVoxels = 900; // deeper than `depth`
   const Volume                ct = ReadVolume(dataFolder + "/ct/visible-female-ankle");
   const auto                  size = ct.image->GetBufferedRegion().GetSize();

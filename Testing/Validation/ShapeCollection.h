@@ -19,7 +19,7 @@ std::vector<CollectedShape>
 PresetShapes();
 
 /** Shapes of eight families with random proportions in images of 96^3 voxels: ellipsoids, twisted boxes, bent capsules,
- * rings, knotty tubes, balls with bumps, bodies with limbs, boxes with rods. Each seed gives one shape. */
+ * rings, knotty tubes, balls with bumps, bodies with limbs, boxes with rods. One shape per seed. */
 std::vector<CollectedShape>
 GeneratedShapes(unsigned int firstSeed, int number);
 

@@ -23,7 +23,7 @@ ColorOfLevel(unsigned int level)
   return HeatColor((level - 0.5) / numberOfLevels);
 }
 
-/** Whether all but a few values are equal to within half a percent; ranks would then show the rounding of a converged
+/** Whether nearly all values are equal within half a percent; ranks would then show the rounding of a converged
  * field. */
 bool
 IsFlat(std::vector<float> values)

@@ -12,9 +12,9 @@
 /** Number of color levels of a field. */
 constexpr unsigned int numberOfLevels = 12;
 
-/** Color levels of the result in the object voxels: equal shares of these voxels from 1 (blue, least) to numberOfLevels
- * (red, most); 0 elsewhere and in voxels without visits. Equal values, to within a bin of the heat histogram, have the
- * same level. */
+/** Color levels of the result in the object voxels: equal shares of these voxels from 1 (blue, lowest) to
+ * numberOfLevels (red, highest); 0 elsewhere and in voxels without visits. Values in one bin of the heat histogram have
+ * the same level. */
 itk::Image<unsigned char, 3>::Pointer
 LevelsOf(const TrialVolume & volume, const Trial & trial);
 
@@ -22,7 +22,7 @@ LevelsOf(const TrialVolume & volume, const Trial & trial);
 shapeton::Picture::Pointer
 RenderLevels(const itk::Image<unsigned char, 3> * levels, unsigned int width, unsigned int height, double azimuth = 30);
 
-/** Draws one slice perpendicular to an axis at the largest size that fits: levels in color, gray elsewhere; all gray
+/** Draws one slice perpendicular to an axis at the largest possible size: levels in color, gray elsewhere; all gray
  * without levels. Uses the radiological orientation. */
 shapeton::Picture::Pointer
 DrawPlane(const TrialVolume &                  volume,

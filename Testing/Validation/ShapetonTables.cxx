@@ -1,4 +1,4 @@
-// Tables 3.1 and 3.2 and Figure 3.6 of the dissertation with our results.
+// Tables 3.1 and 3.2 and Figure 3.6 of the dissertation with results of Shapeton.
 #include "ShapetonComparison.h"
 
 #include "shapetonVolumeReader.h"
@@ -47,7 +47,7 @@ PlaceShapetons(const TrialVolume & volume, std::uint32_t shapetons, std::vector<
                                              visits.data());
 }
 
-/** Steps until the cube is covered, to within 2 %, and the coverage after 1,600 steps. */
+/** Steps until the cube is covered, accurate to 2 %, and the coverage after 1,600 steps. */
 struct CubeRun
 {
   std::uint64_t stepsToNearly{ 0 }; ///< 99 %

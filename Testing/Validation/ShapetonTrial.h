@@ -31,7 +31,7 @@ struct TrialVolume
   }
 };
 
-/** Makes a preset of ShapePhantom; the window ranges from the background to the greatest intensity. */
+/** Generates a preset of ShapePhantom; the window ranges from the background to the greatest intensity. */
 TrialVolume
 MakeTrialPhantom(const std::string & preset, const itk::Size<3> & size);
 
@@ -45,7 +45,7 @@ struct WalkRule
 };
 /** Rule of chapter 3. */
 extern const WalkRule publishedWalk;
-/** Rule whose density follows the heat operator. */
+/** Rule with a density that follows the heat operator. */
 extern const WalkRule controlledWalk;
 
 struct WalkSettings
@@ -78,8 +78,8 @@ RunHeat(const TrialVolume & volume, double p, std::uint64_t steps);
 Trial
 RunShapetons(const TrialVolume & volume, double p, const WalkRule & rule, const WalkSettings & settings);
 
-/** Step length in units of the smallest spacing, and the number of heat steps with the spread of the controlled walk
- * (see shapeton::EquivalentHeatTimeSteps). */
+/** Step length in units of the smallest spacing, and the number of heat steps with the same spread as the controlled
+ * walk (see shapeton::EquivalentHeatTimeSteps). */
 double
 StepInVoxels(const TrialVolume & volume, double distance);
 std::uint64_t
@@ -89,8 +89,8 @@ MatchedHeatSteps(const TrialVolume & volume, const WalkSettings & settings);
 std::map<int, double>
 MeansOfObjects(const TrialVolume & volume, const itk::Image<float, 3> * field);
 
-/** Share of the variance of the field over the labeled voxels that is between the objects: 1 if each object has one
- * value, 0 if all means are equal. */
+/** Share of the variance of the field over the labeled voxels that is between the objects: 1 if each object has a
+ * constant value, 0 if all means are equal. */
 double
 VarianceBetweenObjects(const TrialVolume & volume, const itk::Image<float, 3> * field);
 

@@ -25,7 +25,7 @@ struct RealCase
   double                      upper;
   double                      p;
   double                      distance;
-  std::array<unsigned int, 2> axes;   ///< of the two planes shown
+  std::array<unsigned int, 2> axes;   ///< axes of the two displayed planes
   std::array<double, 2>       places; ///< positions in [0, 1] along these axes
   std::string                 sees;
 };

@@ -10,8 +10,8 @@
 /** Bounds for the cecal end over the exams of a column, as shares from 0 to 1. */
 struct StructureBounds
 {
-  double pole{ 0.95 };  ///< exams whose line ends within 15 mm of the cecal pole
-  double valve{ 0.80 }; ///< exams whose ileocecal valve is found within 15 mm
+  double pole{ 0.95 };  ///< exams with a line end within 15 mm of the cecal pole
+  double valve{ 0.80 }; ///< exams with the ileocecal valve found within 15 mm
 };
 
 /** Errors of the cecal pole and the ileocecal valve over the exams of a column. */

@@ -11,7 +11,7 @@ class TrueFolds
 public:
   explicit TrueFolds(const shapeton::ColonAnatomy & anatomy);
 
-  /** Index of the fold with the nearest crest, where it is at least 1 mm above the wall, within 6 mm; -1 if there is
+  /** Index of the fold with the nearest crest (at least 1 mm above the wall) within 6 mm; -1 if there is
    * none. */
   int
   NearestTo(const Eigen::Vector3d & point) const;

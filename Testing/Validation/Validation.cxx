@@ -17,7 +17,7 @@ struct Area
 {
   std::string name;
   std::string title;
-  bool        hasPatients{ false }; ///< its parts depend on the first seed of the synthetic patients
+  bool        hasPatients{ false }; ///< parts depend on the first seed of the synthetic patients
 };
 
 const std::vector<Area> areas = {
@@ -152,7 +152,7 @@ struct Request
   std::string        output{ "." };
   std::string        rows;    ///< for CSV files; empty for the output folder
   std::string        wanted;  ///< empty for all parts
-  std::string        options; ///< options that change the content of a section
+  std::string        options; ///< options that affect the content of a section
 };
 
 /** Reads the value of an option; returns false if it is invalid. */
@@ -230,8 +230,8 @@ Parse(const std::vector<std::string> & arguments, Request & request)
   return true;
 }
 
-/** Runs a part and writes its section and its rows; returns the number of failures. Patients from another first seed
- * have their own section and rows. */
+/** Runs a part and writes its section and its rows; returns the number of failures. Patients with another first seed
+ * have a separate section and rows. */
 unsigned int
 RunPart(const Part & part, const Request & request)
 {

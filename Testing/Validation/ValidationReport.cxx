@@ -19,7 +19,7 @@ HasFailed(const std::vector<std::string> & row)
     row.begin(), row.end(), [](const std::string & cell) { return cell.find("FAIL") != std::string::npos; });
 }
 
-// Stands in the page for the link to a file of rows, until it is known where both are.
+// Placeholder in the page for the link to a file of rows, until both locations are known.
 std::string
 LinkTo(const std::string & name)
 {

@@ -18,9 +18,9 @@ struct ValidationSection
   std::string rowsPrefix; ///< first part of their names: `rowsPrefix`-`name of the rows`.csv
 };
 
-/** Replaces the lines between `<!-- part NAME -->` and `<!-- end NAME -->` by `text`. A page without these lines gets
- * them at its end. Keeps everything else byte for byte. Throws std::runtime_error if only one of both lines exists, if
- * one occurs twice, or if they are in the wrong order. */
+/** Replaces the lines between `<!-- part NAME -->` and `<!-- end NAME -->` by `text`. Appends
+ * these lines if missing. Keeps everything else byte for byte. Throws std::runtime_error if only one of both lines
+ * exists, if one occurs twice, or if they are in the wrong order. */
 std::string
 ReplaceSection(const std::string & page, const std::string & name, const std::string & text);
 
@@ -36,13 +36,13 @@ public:
   void
   AddTable(const shapeton::CsvTable & table);
 
-  /** A table with a row per seed, exam or label: it becomes a CSV file named after the part and `name`, whose first
-   * column is the current heading; the page holds a link, the number of rows, and the rows that have failed. */
+  /** Adds a table with a row per seed, exam or label as a CSV file named after the part and `name`. Its first
+   * column is the current heading; the page contains a link, the number of rows, and the failed rows. */
   void
   AddRows(const std::string & name, const shapeton::CsvTable & table);
 
-  /** Adds all rows to the CSV file, as AddRows() does; the page shows the link, and the rows that have a bound (a cell
-   * of the column "bound" that is not empty) or that have failed. */
+  /** Adds all rows to the CSV file, as AddRows() does; the page shows the link, and rows with a bound (a non-empty cell
+   * of the column "bound") or a failure. */
   void
   AddSummary(const std::string & name, const shapeton::CsvTable & table);
 
@@ -66,7 +66,7 @@ public:
 private:
   using RowTest = std::function<bool(const std::vector<std::string> &)>;
 
-  /** Adds those rows to the CSV file `name`, and to the page a link and the rows that pass `isShown`, if any. */
+  /** Adds the rows to the CSV file `name`, and to the page a link and the rows that pass `isShown`, if any. */
   void
   AddRowsAndShow(const std::string & name, const shapeton::CsvTable & table, const RowTest & isShown);
   void
@@ -95,8 +95,8 @@ MeanWithInterval(const std::vector<double> & values);
 /** Settings of a part. */
 struct ValidationSettings
 {
-  /** Seeds of the synthetic patients of a preset: `asked` of them (20 for realistic) or the set number, starting at 100
-   * (140 for realistic) or the set first seed. */
+  /** Seeds of the synthetic patients of a preset: `asked` seeds (20 for realistic) or the set number, starting at 100
+   * (140 for realistic) or at the set first seed. */
   std::vector<unsigned int>
   Seeds(int asked, const std::string & preset = "standard") const;
 
@@ -104,17 +104,17 @@ struct ValidationSettings
   std::string
   SeedsInWords() const;
 
-  /** Refers to the method of another part; names the first seed if it is set. */
+  /** Refers to the method of another part; states the first seed if it is set. */
   std::string
   MethodOf(const std::string & part) const;
 
   bool         quick{ false };
   int          patients{ 0 };  ///< synthetic patients per preset; 0: default of the part
-  unsigned int firstSeed{ 0 }; ///< 0: that of the published tables
+  unsigned int firstSeed{ 0 }; ///< 0: as in the published tables
   /** Presets of the synthetic patients. */
   std::vector<std::string> presets{ "standard", "hard", "realistic" };
   int                      draws{ 0 };          ///< seed draws in seeded-heat and seeded-heat-organs; 0: 3
-  int                      seedsOfLabel{ 0 };   ///< seeds per label there; 0: 5, 20 and 100
+  int                      seedsOfLabel{ 0 };   ///< seeds per label in these parts; 0: 5, 20 and 100
   std::string              dataFolder;          ///< empty without real data
   std::string              outputFolder{ "." }; ///< folder of the pages and their pictures
   std::string              pictureFolder;       ///< folder of pictures in Documentation/pictures

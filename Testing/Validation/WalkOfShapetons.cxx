@@ -106,7 +106,7 @@ VisitsOf(const test::Volume &               volume,
   return densities;
 }
 
-/** Mean squared deviation of the expected density from a reference, one value per pair of seeds. The products of
+/** Mean squared deviation of the expected density from a reference, one value per pair of seeds. Products of
  * deviations of different seeds have independent sampling errors, which cancel on average. */
 std::vector<double>
 SquaredDeviations(const std::vector<Density> & densities, const Density & reference)
@@ -150,7 +150,7 @@ struct Percent
   std::string text;
 };
 
-/** Variance of the voxel displacement along an axis in one step of a walk without walls. */
+/** Variance of the voxel displacement along an axis per step of a walk without walls. */
 double
 VarianceOfStep(double stepInVoxels)
 {
@@ -197,7 +197,7 @@ SpreadOfTheWalk(const ValidationSettings & settings, ValidationReport & report)
   report.AddRows("steps", table);
 }
 
-/** Closed object of side 12 in 16^3 voxels, 0 around, with two mixed intensity levels: soft (all weights strictly
+/** Closed object of side 12 in 16^3 voxels, 0 around, with two mixed intensity levels: soft edges (all weights strictly
  * between 0 and 1, small between the levels) or with hard walls only (all weights 0 or 1). */
 test::Volume
 ClosedObject(bool hard)
@@ -212,7 +212,7 @@ ClosedObject(bool hard)
   return volume;
 }
 
-/** Mean heat at the times of the steps of a walk, by explicit steps of at most 1/96 in double precision. */
+/** Mean heat at the times of a walk's steps, by explicit steps of at most 1/96 in double precision. */
 Density
 MeanHeat(const test::Volume & volume, double p, double stepInVoxels, std::uint64_t steps, const Mask & domain)
 {
@@ -302,11 +302,11 @@ BiasOfTheWalk(const ValidationSettings & settings, ValidationReport & report)
 }
 
 constexpr std::size_t cubeSide = 40;
-/** Steps that take as long as two time steps of 1/12. */
+/** Steps equivalent to two time steps of 1/12. */
 constexpr double stepOfFigure = 2.0 / 3.0;
 
-/** Mean visits near the corners, edges and faces of the cube of figure 2.4 (less than 2 voxels from that many sides, at
- * least 10 from the others) and around its center. */
+/** Mean visits near the corners, edges and faces of the cube of figure 2.4 (less than 2 voxels from three, two or one
+ * sides, at least 10 from the others) and around its center. */
 std::array<double, 4>
 MeansOfRegions(const Density & density)
 {
@@ -345,7 +345,7 @@ MeanHeatOfCube(const test::Volume & volume, const Mask & domain, const std::vect
   {
     steps.push_back(step);
   }
-  // One field per worker and piece of time.
+  // One field per worker and time interval.
   std::vector<std::vector<Density>> sums(itk::MultiThreaderBase::GetGlobalDefaultNumberOfThreads(),
                                          std::vector<Density>(times.size(), Density(volume.values.size())));
   HeatDiffusionSolver               solver(volumeGradient, HeatDiffusionSolver::Method::Chebyshev, 1.0 / 12.0, 1e-5);
@@ -367,7 +367,8 @@ MeanHeatOfCube(const test::Volume & volume, const Mask & domain, const std::vect
   return means;
 }
 
-/** Correlation of the expected visits with heat over the voxels; sampling errors would reduce that of the visits. */
+/** Correlation of the expected visits with heat over the voxels; sampling errors would reduce the correlation of the
+ * visits. */
 double
 CorrelationOfExpectation(const std::vector<Density> & densities, const Density & heat)
 {
@@ -518,7 +519,7 @@ UniformPlacement(const ValidationSettings & settings, ValidationReport & report)
       std::array<std::vector<double>, 2> layers;
       for (const Density & density : densities)
       {
-        // The middle of the cube's first face along x, where its neighbors lie on the same sides.
+        // The center of the cube's first face along x, where neighbors are on the same sides.
         std::array<double, 2> sums{};
         for (std::size_t z = 10; z < 22; ++z)
         {
@@ -643,7 +644,7 @@ AddObjects(const test::Volume &         volume,
   {
     const auto a = MeansOfObject(volume, intensity, coarse);
     const auto b = MeansOfObject(volume, intensity, fine);
-    // Hard walls: shapetons do not leave their object, so the numbers per object are binomial.
+    // Hard walls: shapetons cannot leave their object, so the numbers per object are binomial.
     const double voxels = static_cast<double>(std::count(volume.values.begin(), volume.values.end(), intensity));
     const double mean = MeanInterval(a).mean;
     const double share = mean * voxels / static_cast<double>(ones.size());

@@ -25,7 +25,7 @@ except ImportError as missing:
 
 
 def segment(options, seeds_path, out_path):
-    """CPU seconds of one segmentation, and whether it converged."""
+    """Runs one segmentation; returns CPU seconds and whether it converged."""
     image = nibabel.load(options.image)
     volume = image.get_fdata()
     seeds = numpy.asarray(nibabel.load(seeds_path).dataobj).astype(numpy.int32)
@@ -45,7 +45,7 @@ def segment(options, seeds_path, out_path):
 
 
 def write(array, image, path):
-    """With the geometry of the image."""
+    """Writes an array with the geometry of the image."""
     header = image.header.copy()
     header.set_data_dtype(array.dtype)
     nibabel.Nifti1Image(array, image.affine, header).to_filename(path)
