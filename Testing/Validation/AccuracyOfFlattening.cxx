@@ -159,9 +159,10 @@ public:
   Finish()
   {
     m_Report.AddText(
-      "## With handles, metric of heat diffusion\n\nA handle joins two faces the given number of edges apart. h: mean "
-      "edge length at 55,000 faces. Change: of the moduli from u and from v against the tube without handles in the "
-      "same metric. Bounds apply at t = 8 h^2 with 43 or 100 handles; the table shows the extremes over seeds and "
+      "## With handles, metric of heat diffusion\n\nEach handle joins two faces that are the given number of edges "
+      "apart. h: mean "
+      "edge length at 55,000 faces. Change: difference of the moduli from u and from v to the tube without handles in "
+      "the same metric. Bounds apply at t = 8 h^2 with 43 or 100 handles; the table shows the extremes over seeds and "
       "distances.");
     CsvTable summary({ "faces",
                        "handles",
@@ -182,11 +183,11 @@ public:
     }
     m_Report.AddTable(summary);
     m_Report.AddRows("handles", m_Table);
-    m_Report.AddText(
-      "Reason for all failures of the factor 4: the modulus from v still changes by more than half of its Euclidean "
-      "change. The changes exceed their bounds only for handles 4 edges apart at 55,000 faces.");
-    m_Report.AddText("## Handles found and removed\n\nFlips away: farther than 3 rings from a handle. Located: places "
-                     "within 3 edges of a true one, each of which counts once.");
+    m_Report.AddText("All failures of the factor 4 have one reason: the modulus from v still changes by more than half "
+                     "of its Euclidean "
+                     "change. The changes exceed their bounds only for handles 4 edges apart at 55,000 faces.");
+    m_Report.AddText("## Handles found and removed\n\nFlips away: farther than 3 rings from a handle. Located: "
+                     "detected handles within 3 edges of a true one; each true handle counts once.");
     m_Report.AddRows("places", m_Places);
   }
 
@@ -332,8 +333,8 @@ public:
   void
   Finish()
   {
-    m_Report.AddText("## Shape of round polyps\n\nAxis ratio on the map in the metric of heat diffusion against that "
-                     "on the Euclidean map. Bound of the difference: 15 %.");
+    m_Report.AddText("## Shape of round polyps\n\nAxis ratio on the heat diffusion map compared with the Euclidean "
+                     "map. Bound of the difference: 15 %.");
     m_Report.AddRows("polyps", m_Table);
     m_Report.AddText("Largest difference: " + Short(m_Largest) + " %.");
   }
@@ -392,9 +393,10 @@ ValidateAccuracyOfFlattening(const ValidationSettings & settings, ValidationRepo
     withHandles.AddDecimated(43, seed);
     withHandles.AddDecimated(100, seed);
   }
-  report.AddText("Tubes like a colon (`MakeColonTube()`, " + Short(length, 4) +
-                 " mm, mean radius 22 mm, folds of 30 %) with handles at known places. Dilatation is measured in the "
-                 "metric of the map; each face counts once.");
+  report.AddText(
+    "Colon-like tubes (`MakeColonTube()`, " + Short(length, 4) +
+    " mm, mean radius 22 mm, folds of 30 %) with handles at known positions. Dilatation is measured in the "
+    "metric of the map; each face counts once.");
   withoutHandles.Finish();
   withHandles.Finish();
   polyps.Finish();

@@ -44,8 +44,8 @@ LargestError(const test::Volume &                       volume,
 void
 ValidateAccuracyOfHeat(const ValidationSettings & settings, ValidationReport & report)
 {
-  report.AddText("Volumes of balls and boxes in noise. Error: largest difference of any recorded step from the same "
-                 "explicit steps in double precision.");
+  report.AddText("Volumes of balls and boxes in noise. Error: largest difference of a recorded step from explicit "
+                 "steps in double precision.");
   CsvTable table({ "side, voxels", "spacing, mm", "p", "solver", "rows", "last step", "largest error", "bound", "" });
   const std::uint64_t last = settings.quick ? 1000 : 10000;
   double              largest = 0.0;

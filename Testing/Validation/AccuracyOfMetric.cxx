@@ -155,7 +155,7 @@ AddRow(int faces, bool isQuick, ValidationReport & report, CsvTable & table)
 void
 ValidateAccuracyOfMetric(const ValidationSettings & settings, ValidationReport & report)
 {
-  report.AddText("Tubes like a colon (`MakeColonTube()`). Relative differences of the edge lengths with " +
+  report.AddText("Colon-like tubes (`MakeColonTube()`). Relative differences of the edge lengths with " +
                  std::to_string(HeatDiffusionMetricSolver::defaultPoles) +
                  " poles from three references. 500 eigenpairs: root mean square at most 1e-5. 8 poles: largest at "
                  "most 1e-6. Columns of exp(-2t M^-1 L) at the ends of random edges, by Chebyshev expansion without a "

@@ -83,7 +83,8 @@ ValidateClassesOfPhantoms(const ValidationSettings & settings, ValidationReport 
     std::to_string(99 + seeds) +
     ", automatic p, 100,000 steps. Purity: share of an object's voxels in its main class, mean over the objects, with "
     "the 95 % confidence interval over the seeds. Bound without blur: mean purity at least 0.9 and one class per "
-    "object. Blurred edges leak by design (an edge over k voxels needs p above k / contrast), so they have no bound.");
+    "object. Blurred edges leak by design (an edge over k voxels requires p above k / contrast), so they have no "
+    "bound.");
   CsvTable table({ "phantom", "noise SD, HU", "blur, voxels", "seeds", "purity", "objects", "classes", "" });
   double   sharpest = 1.0, blurred = 1.0;
   for (const std::string preset : { "figure2.7a", "figure2.7b" })

@@ -258,6 +258,6 @@ ValidateColonCatheters(const ValidationSettings & settings, ValidationReport & r
   std::copy_if(without.begin(), without.end(), std::back_inserter(listed), [](const CatheterTrial & trial) {
     return trial.confidence > 0.0;
   });
-  report.AddText("`exams` lists the exams with a catheter, and those without one whose confidence is above 0.");
+  report.AddText("`exams` lists the exams with a catheter, and exams without one but with a confidence above 0.");
   WriteExams(listed, report);
 }

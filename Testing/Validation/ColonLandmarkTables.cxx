@@ -206,18 +206,19 @@ Explain(const ValidationSettings & settings, ValidationReport & report)
   }
   report.AddText("Synthetic patients (" + settings.SeedsInWords() +
                  "), supine and prone. The colon is modeled from the true lumen, flattened, and searched with default "
-                 "options. `value` pools all exams; the mean is over exams. `faults` names the exam and the reason of "
-                 "each miss. An exam without landmarks counts as wrong.");
+                 "options. `value` pools all exams; the mean is over exams. `faults` lists exam and reason of each "
+                 "miss. An exam without landmarks counts as wrong.");
   report.AddText(
     "The true crest of a fold is sampled where it is at least 1 mm above the wall. A sample is visible if the surface "
-    "lies within 3 mm and is not a bridge. Folds with less than half of their samples visible are hidden and excluded. "
-    "A fold is found if at least half of its visible samples lie within 2 mm of one label. A label belongs only to the "
-    "fold >= 2 mm high of which it covers most samples. It is correct if at least half of its pixels lie within 4 mm "
+    "is within 3 mm and not a bridge. Folds with less than half of their samples visible are hidden and excluded. "
+    "A fold is found if at least half of its visible samples are within 2 mm of one label. Each label is assigned to "
+    "the one fold >= 2 mm high of which it covers most samples. It is correct if at least half of its pixels are "
+    "within 4 mm "
     "of the crest of a fold >= 1.5 mm high. End points are compared with the ends of the true crest.");
   report.AddText(
-    "Taenia errors are distances from true points to the found taeniae, outside collapsed stretches; taeniae are "
-    "assigned anew in each open stretch. Three markers are one given point per true taenia; their bound of 1 fails "
-    "with any point beyond 10 mm. Flexure errors are measured along the centerline from the border between true "
+    "Taenia errors are distances from true points to the found taeniae, outside collapsed sections; taeniae are "
+    "assigned separately in each open section. With three markers, one point per true taenia is given; the bound of 1 "
+    "fails for any point beyond 10 mm. Flexure errors are measured along the centerline from the border between true "
     "segments. The cecal pole is the point of the cecal wall farthest from the mouth of the cecum. The reliability "
     "files compare confidence with the share of flexures within 30 mm and of valves within 15 mm.");
 }

@@ -389,24 +389,25 @@ Explain(const ValidationSettings & settings, ValidationReport & report)
     return;
   }
   report.AddText("Synthetic patients (" + settings.SeedsInWords() +
-                 "), supine and prone. The wall is made from the true lumen in voxels of 0.8 mm and searched with "
-                 "default options. True polyps in collapsed stretches are excluded.");
+                 "), supine and prone. The wall is computed from the true lumen in voxels of 0.8 mm and searched with "
+                 "default options. True polyps in collapsed sections are excluded.");
   report.AddText(
-    "A polyp is found if a candidate lies within its radius plus 3 mm of the center of its head or base. Other "
-    "candidates are false, including those at the ileocecal valve; those of both positions of a patient are added. "
+    "A polyp is found if a candidate is within its radius plus 3 mm of the center of its head or base. Other "
+    "candidates are false, including candidates at the ileocecal valve; false candidates of both positions of a "
+    "patient are added. "
     "Scores are final: they account for content, valve, catheter and, where both positions can be registered, the "
-    "other position. Shares have Wilson's two-sided 95 % bound, with polyps taken as independent. Other intervals are "
+    "other position. Shares have Wilson's two-sided 95 % bound, assuming independent polyps. Other intervals are "
     "over patients or polyps.");
   report.AddText(
-    "`curve` is the free-response ROC of single positions by sensitivity. `missed` lists the polyps >= 6 mm "
-    "that are not found.");
+    "`curve` is the free-response ROC of single positions by sensitivity. `missed` lists the missed polyps >= 6 mm.");
 }
 
 void
 ExplainCt(const ValidationSettings & settings, ValidationReport & report)
 {
-  report.AddText(settings.MethodOf("colon-polyps") +
-                 " The wall is made from CT: bounds of shares are 0.03 lower, the bound of sizes is 1.3 times larger.");
+  report.AddText(
+    settings.MethodOf("colon-polyps") +
+    " The wall is computed from CT: bounds of shares are 0.03 lower, the bound of sizes is 1.3 times larger.");
 }
 
 /** Coarse voxels of one patient; only checks that the code runs. */

@@ -401,16 +401,16 @@ Explain(const ValidationSettings & settings, ValidationReport & report)
     "), supine registered to prone; folds slide 3 mm along the wall. Both colons are modeled from the true "
     "lumen in voxels of 0.8 mm, flattened, and searched with default options.");
   report.AddText(
-    "Errors are measured at grid points of the wall that are not constraints, outside collapsed stretches: in space, "
+    "Errors are measured at grid points of the wall that are not constraints, outside collapsed sections: in space, "
     "and on the flat map with a circumference of 1. Means are over patients, including flagged ones. The frame is the "
-    "alignment of flexures and taeniae alone. A found fold corresponds to the true fold whose crest is nearest to its "
-    "middle, within 6 mm. A match is correct if both folds correspond to the same true fold; recall refers to true "
+    "alignment of flexures and taeniae only. A detected fold corresponds to the true fold with the crest nearest to "
+    "its center, within 6 mm. A match is correct if both folds correspond to the same true fold; recall refers to true "
     "folds found in both positions.");
   report.AddText(
     "In `patients`, +- is half the 95 % interval of the mean over 20 blocks along the colon. `points` counts the end "
     "points of supine folds (Table 4.1 of the dissertation, which counts unmatched points as incorrect); border points "
-    "lie within 15 mm of the cut of the flat map. `schemes` compares simpler registrations. Files named "
-    "`true-landmarks` have the results with the true flexures and taeniae.");
+    "are within 15 mm of the cut of the flat map. `schemes` compares simpler registrations. Files named "
+    "`true-landmarks` contain the results with the true flexures and taeniae.");
 }
 
 void

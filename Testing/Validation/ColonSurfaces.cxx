@@ -265,11 +265,11 @@ Explain(const ValidationSettings & settings, ValidationReport & report)
 {
   report.AddText("Synthetic patients of preset standard (" + settings.SeedsInWords() +
                  "), supine and prone, with fluid from 0 to half of the lumen; every third patient has a collapsed "
-                 "stretch. `ColonSegmentation` receives the CT and the patient position only.");
+                 "section. `ColonSegmentation` receives the CT and the patient position only.");
   report.AddText(
-    "Each exam must meet each bound; the last one holds for all exams together. Surface error is the distance from "
+    "Each exam must meet each bound; the last bound applies to all exams together. Surface error is the distance from "
     "vertices of `wall.vtp`, without synthetic bridges, to the true wall; `missed` in `patients` is the reverse "
-    "distance. True length is covered where the line passes within the lumen radius. Folds and polyps are kept if at "
+    "distance. True length is covered where the line is within the lumen radius. Folds and polyps are kept if at "
     "least 90 % of their tissue volume remains in the cleansed CT; a fold extends to 0.8 of its height from the "
     "crest.");
 }

@@ -163,26 +163,27 @@ const std::vector<PhantomCase> phantoms = {
     "Figure 3.4: cube, cuboids, sphere",
     { "cube", "large cuboid", "small cuboid", "sphere" },
     65000,
-    "CHD and the controlled walk order the objects by surface over volume. The published walk that starts anywhere "
-    "gives one class: visits are alike inside all objects and lower in a layer at their walls. If it starts in the "
-    "objects, it measures how fast they leak, in the reverse order of heat. Cube and large cuboid are then alike and "
-    "the sphere differs, as published, but the small cuboid is farthest from the large one. No method gives the two "
-    "cuboids one value 'irrespective of their size' (3.3.1)." },
+    "CHD and the controlled walk order the objects by surface over volume. The published walk from everywhere finds "
+    "one class: visits are similar inside all objects and lower in a layer at their walls. The walk from the objects "
+    "measures how fast they leak, in the reverse order of heat. Cube and large cuboid are then similar and the sphere "
+    "differs, as published, but the small cuboid differs most from the large one. No method assigns one value to both "
+    "cuboids 'irrespective of their size' (3.3.1)." },
   { "figure3.5",
     "Figure 3.5: deformed shapes",
     { "cuboid", "deformed cuboid", "sphere", "deformed sphere" },
     1000,
-    "The printed 1,000 shapetons give about one visit per voxel of this volume, which is noise. The published walk "
-    "that starts in the objects gives cuboids and spheres one class each, as published: the deformations hardly change "
+    "The 1,000 shapetons of the dissertation result in about one visit per voxel of this volume, which is noise. The "
+    "published walk from the objects finds one class of cuboids and one of spheres, as published: the deformations "
+    "hardly change "
     "how fast they leak. CHD and the controlled walk show the deformations: a third more heat in the twisted and bent "
-    "cuboid (partly because a turned surface cuts more voxel faces), 7 % more in the sphere with bumps." },
+    "cuboid (partly because a rotated surface cuts more voxel faces), 7 % more in the sphere with bumps." },
   { "hydrogen",
     "Figure 3.11a: hydrogen",
     { "nucleus", "upper lobe", "lower lobe", "orbit" },
     65000,
-    "CHD and the controlled walk give both lobes one value that differs from nucleus and orbit, as 3.6 claims. The "
-    "published walk does not separate the four if it starts anywhere. If it starts in the objects, both lobes are "
-    "alike, and within 7 % of the nucleus." },
+    "CHD and the controlled walk assign one value to both lobes, different from nucleus and orbit, as 3.6 claims. The "
+    "published walk from everywhere does not separate the four. From the objects, both lobes are similar, and within 7 "
+    "% of the nucleus." },
 };
 
 } // namespace
@@ -191,12 +192,12 @@ void
 ValidateComparisonOfShapetons(const ValidationSettings & settings, ValidationReport & report)
 {
   const Comparison comparison{ settings, report };
-  report.AddText("Two walks: 'published' is that of chapter 3 (DirectionSampling::SectorArea, PathRule::Endpoint, "
+  report.AddText("Two walks: 'published' is the walk of chapter 3 (DirectionSampling::SectorArea, PathRule::Endpoint, "
                  "ParticlePlacement::Uniform); 'controlled' samples CHD (Uniform, Traversal, InitialHeat). Seconds: "
                  "processor time, summed over all cores. Trapped: shapetons in voxels whose six weights are 0. "
-                 "Variance between objects: its share of the variance over all object voxels. Classes: those of "
-                 "ClassifyHeat() and ClassifyVisits(). The adjusted Rand index compares them with the objects over the "
-                 "object voxels. All seeds are 1; visits are reproducible, times are not.");
+                 "Variance between objects: share of the variance over all object voxels. Classes: from ClassifyHeat() "
+                 "and ClassifyVisits(). The adjusted Rand index compares classes and objects over the object voxels. "
+                 "All seeds are 1; visits are reproducible, times are not.");
   RunShapetons(
     MakeTrialPhantom("figure2.4", itk::Size<3>::Filled(8)), 7.0, publishedWalk, { 100, 0.1, 1 }); // fills tables
   for (std::size_t i = 0; i < (settings.quick ? 1 : phantoms.size()); ++i)

@@ -107,7 +107,8 @@ ValidateDistancesOfHands(const ValidationSettings & settings, ValidationReport &
                  "), and the same hand cut apart there (genus " +
                  std::to_string(*apart.connectivity.Components()[0].genus) +
                  "). f(x) = d(p, x) + d(x, q) - d(p, q) (5.6), with p the tip of the little finger and q the nail of "
-                 "the thumb. Change: root mean square of the difference of both f over that of f, over all vertices. "
+                 "the thumb. Change: root mean square of the difference of both f divided by the root mean square of "
+                 "f, over all vertices. "
                  "Diffusion distances are from " +
                  std::to_string(pairs) + " eigenpairs.\n\n![](figure-5.2.png)");
   CsvTable table({ "distance", "t, mm^2", "t / h^2", "change of f", "change of d(p, q)", "below a third of geodesic" });
@@ -139,8 +140,8 @@ ValidateDistancesOfHands(const ValidationSettings & settings, ValidationReport &
   report.AddText("Change of f: " + percent(geodesic) + " with geodesic distances, " + earliest +
                  " with diffusion distances at t = 8 h^2. Bound up to t = 100 mm^2: a third of the geodesic change.");
   report.AddRows("times", table);
-  report.AddText("The claim holds for times like those of the flattening, at which heat reaches less than the length "
-                 "of a fingertip, 2 sqrt(t). Later, heat passes from finger to finger, and f depends on the contact as "
-                 "much as with geodesics, or more.");
+  report.AddText(
+    "The claim holds for diffusion times as in flattening, for which the diffusion length 2 sqrt(t) is shorter than a "
+    "fingertip. At longer times, heat crosses the contact, and f depends on it at least as much as with geodesics.");
   DrawHands(touching, apart, pictured, settings.outputFolder + "/figure-5.2.png");
 }

@@ -56,9 +56,10 @@ Figure24(ValidationReport & report)
                    steps[i] <= 1100 ? report.Check(ordered) : (ordered ? "yes" : "no") });
   }
   report.AddRows("cube", table);
-  report.AddText("The order holds at all steps of the figure, and flat parts even out first. The cube reaches one "
-                 "heat, 1 / 40, after about 4,000 steps. When a feature is captured depends on the size of the cube, "
-                 "the time step and the rendering threshold, which the dissertation does not give.");
+  report.AddText(
+    "The order holds at all steps of the figure, and flat parts converge first. The cube reaches a uniform heat, 1 / "
+    "40, after about 4,000 steps. The time at which a feature is captured depends on the size of the cube, the time "
+    "step and the rendering threshold, which the dissertation does not state.");
 }
 
 /** Heat left by conventional diffusion in the middle of a closed cube of 64 voxels. */
@@ -116,8 +117,8 @@ Figure25(const ValidationSettings & settings, ValidationReport & report)
                  std::to_string(cube) + ", and conventional diffusion at 1 / (number of voxels) = 1 / " +
                  std::to_string(cube * cube * cube) + " (in a cube of side 4, 1 / " + CsvTable::Rounded(1.0 / end, 4) +
                  ": " + report.Check(std::abs(64.0 * end - 1.0) < 1e-4) +
-                 "). The tools leave out conventional diffusion for this reason and for its cost, which grows with the "
-                 "square of the number of voxels.");
+                 "). The tools omit conventional diffusion for this reason and because its cost is quadratic in the "
+                 "number of voxels.");
 }
 
 /** The lines of a phantom at steady state, largest object first. */
@@ -167,12 +168,11 @@ ValidateFiguresOfChapter2(const ValidationSettings & settings, ValidationReport 
   const double ratio = threeLines ? a[2].convergedHeat / a[0].convergedHeat : 0.0;
   const double companions = threeLines ? a[2].normalizedHeat / a[0].normalizedHeat : 0.0;
   report.AddText("Each object is a line, as published (three objects: " + report.Check(threeLines) +
-                 "). The heats of the two spheres are not close to each other: their ratio is " +
-                 CsvTable::Rounded(ratio, 3) +
+                 "). The heats of the two spheres differ: their ratio is " + CsvTable::Rounded(ratio, 3) +
                  ", the ratio of the radii (2 within 10 %: " + report.Check(std::abs(ratio - 2.0) < 0.2) +
                  "). The ratio of their scale-normalized values is " + CsvTable::Rounded(companions, 3) +
                  " (1 within 5 %: " + report.Check(std::abs(companions - 1.0) < 0.05) +
-                 "), which is what the figure claims for the heat.");
+                 "), as the figure claims for the heat.");
   const auto b = Figure27("figure2.7b", settings, report);
   double     closest = 1.0;
   for (std::size_t i = 0; i < b.size(); ++i)

@@ -139,10 +139,10 @@ ValidateFlatColonWithHandles(const ValidationSettings & settings, ValidationRepo
   const int    faces = settings.quick ? 6000 : 55000;
   const double length = settings.quick ? 750.0 : 1500.0;
   const int    handles = settings.quick ? 10 : 43;
-  report.AddText("Tubes like a colon (`MakeColonTube()`, " + std::to_string(faces) + " faces, " +
+  report.AddText("Colon-like tubes (`MakeColonTube()`, " + std::to_string(faces) + " faces, " +
                  CsvTable::Rounded(length, 4) +
                  " mm) with handles, each compared with the same tube without handles in the same metric. Shift: "
-                 "distance that a vertex moves along the colon, mm, with both maps stretched to one length. The figure "
+                 "displacement of a vertex along the colon, mm, after scaling both maps to one length. The figure "
                  "shows the shifts of seed 1 from blue (0) to red (the Euclidean 99 %).\n\n![](figure-5.5.png)");
   CsvTable                   table({ "seed",
                                      "handles",
@@ -150,7 +150,7 @@ ValidateFlatColonWithHandles(const ValidationSettings & settings, ValidationRepo
                                      "t, mm^2",
                                      "t / h^2",
                                      "change of the modulus from u, %",
-                                     "change of that from v, %",
+                                     "change of the modulus from v, %",
                                      "gap, %",
                                      "shift, median, mm",
                                      "shift, 99 %, mm",
@@ -194,7 +194,7 @@ ValidateFlatColonWithHandles(const ValidationSettings & settings, ValidationRepo
   }
   report.AddTable(summary);
   report.AddRows("seeds", table);
-  report.AddText("The metric of heat diffusion closes the gap between the two moduli, but changes them nearly as much. "
-                 "The larger of both changes, in the table, does not fall by the factor of 4 asked for 43 handles.");
+  report.AddText("The heat diffusion metric closes the gap between the two moduli, but changes them nearly as much. "
+                 "The larger change, in the table, does not decrease by the required factor of 4 for 43 handles.");
   sheet.Write(settings.outputFolder + "/figure-5.5.png");
 }

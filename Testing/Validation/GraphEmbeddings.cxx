@@ -193,13 +193,12 @@ EmbedFiles(const ValidationSettings & settings, ValidationReport & report)
   extremes.AddRow(
     { "smallest circle of a node", Rounded(*std::min_element(all.caps.begin(), all.caps.end()), 2), "at least 1e-6" });
   extremes.AddRow({ "circles below 1e-4 in rome", smallOfRome, "3 %" });
-  report.AddText(
-    "Each graph is embedded with the genus that the search finds, and the verifier checks the certificate.");
+  report.AddText("Each graph is embedded with the genus found by the search, and its certificate is verified.");
   report.AddTable(extremes);
   report.AddRows("sets", table);
   if (!leftOut.empty())
   {
-    report.AddText("Left out (more than " + std::to_string(mostEdges) + " edges and genus above " +
+    report.AddText("Skipped (more than " + std::to_string(mostEdges) + " edges and genus above " +
                    std::to_string(largestGenus) + "): " + leftOut + ".");
   }
 }
@@ -227,15 +226,14 @@ FindGenera(bool isQuick, ValidationReport & report)
                     { "K15", CompleteGraph(15), 12 },
                     { "Q5", HypercubeGraph(5), 5 } });
   }
-  CsvTable table({ "graph", "genus found", "asked, at most", "" });
+  CsvTable table({ "graph", "genus found", "bound", "" });
   for (const Known & known : graphs)
   {
     const int genus = FindEmbedding(known.graph).map.Genus();
     table.AddRow(
       { known.name, std::to_string(genus), std::to_string(known.genus), report.Check(genus <= known.genus) });
   }
-  report.AddText(
-    "The search finds the genus of all known graphs but K15, whose genus is 11; at most 12 is asked there.");
+  report.AddText("The search finds the genus of all known graphs except K15 (genus 11), for which the bound is 12.");
   report.AddRows("genera", table);
 }
 
@@ -275,7 +273,7 @@ CompareWithSfdp(bool isQuick, ValidationReport & report)
     report.Check(isAccepted);
     proved += isAccepted ? 1 : 0;
   }
-  report.AddText("Planarity, packing and arrangement against the force layout of Graphviz's sfdp: times and crossings. "
+  report.AddText("Planar embedding and packing compared with the force layout of Graphviz's sfdp: times and crossings. "
                  "The verifier proves that embeddings have no crossings: " +
                  RatioOf(proved, static_cast<int>(graphs.size())) + '.');
   report.AddRows("sfdp", table);
@@ -303,7 +301,7 @@ CompareSpeed(bool isQuick, ValidationReport & report)
                  isMet(sweep.seconds >= 100.0 * newton),
                  ratio(flow),
                  isMet(flow.seconds >= 1000.0 * newton) });
-  report.AddText("Packing of triangles on a sphere to a curvature of 1e-10 by three methods in one run:");
+  report.AddText("Circle packing of a triangulated sphere to a curvature of 1e-10 by three methods in one run:");
   report.AddTable(table);
 }
 
@@ -404,7 +402,7 @@ MoveLittleOnNetworks(bool isQuick, ValidationReport & report)
                    RatioOf(static_cast<int>(steady), static_cast<int>(ratios.size())) });
   }
   report.AddText("The same on " + std::to_string(networks) + " sensor networks of " + std::to_string(devices) +
-                 " devices, seeds 201 and on, that were not used for tuning:");
+                 " devices (seeds from 201) that were not used for tuning:");
   report.AddTable(table);
 }
 } // namespace

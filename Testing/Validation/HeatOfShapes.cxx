@@ -109,7 +109,7 @@ ValidateHeatOfShapes(const ValidationSettings & settings, ValidationReport & rep
   for (const double degrees :
        settings.quick ? std::vector<double>{ 0.0, 30.0 } : std::vector<double>{ 0.0, 10.0, 20.0, 30.0, 45.0 })
   {
-    add("cube, side 20, turned by " + CsvTable::Number(degrees),
+    add("cube, side 20, rotated by " + CsvTable::Number(degrees),
         Measure(44, TurnedCube(20.0, degrees)),
         1.0 / 20.0,
         degrees == 0.0 ? 1e-6 : 0.0,
@@ -117,7 +117,7 @@ ValidateHeatOfShapes(const ValidationSettings & settings, ValidationReport & rep
         0.06);
   }
   report.AddRows("shapes", table);
-  report.AddText("Section 2.3.4 of the dissertation says that the heat is invariant to scale and orientation. Neither "
-                 "holds. The heat of a sphere about halves when its radius doubles. A cube turned by 30 degrees holds "
-                 "27 % more heat than along the axes, because a slanted face cuts more edges of the grid.");
+  report.AddText("According to section 2.3.4 of the dissertation, the heat is invariant to scale and orientation. "
+                 "Neither is true. Doubling the radius of a sphere about halves its heat. A cube rotated by 30 degrees "
+                 "has 27 % more heat than an axis-aligned one, because an oblique face cuts more grid edges.");
 }

@@ -92,7 +92,7 @@ ValidateOrgansOfAbdomen(const ValidationSettings & settings, ValidationReport & 
     report.AddRows("organs", table);
     report.AddText("Mean Dice over " + std::to_string(dice.size()) + " organs: " + MeanWithInterval(dice) + ".");
   }
-  report.AddText("Heat classes do not segment organs: heat flows over soft edges of a few HU, so many organs share a "
+  report.AddText("Heat classes do not segment organs: heat flows across soft edges of a few HU, so many organs share a "
                  "class. The classes separate air with lung and gas, fat, the soft-tissue body as a whole, and dense "
                  "bone. The dissertation itself calls the result a weak segmentation (2.5).");
 }

@@ -85,7 +85,7 @@ ValidatePotWithHandle(const ValidationSettings & settings, ValidationReport & re
                  " faces, genus " + std::to_string(*connectivity.Components()[0].genus) +
                  "), and the same patch with the handle cut through along a loop of edges, as in the dissertation. The "
                  "rims of the cut are natural boundaries. Both are mapped to a rectangle with the same four corners. "
-                 "Modulus: height over width, the geometric mean of those from u and v.\n\n![](figure-5.4.png)");
+                 "Modulus: height over width, geometric mean of the moduli from u and v.\n\n![](figure-5.4.png)");
   CsvTable            table({ "metric",
                               "t, mm^2",
                               "t / h^2",
@@ -115,10 +115,10 @@ ValidatePotWithHandle(const ValidationSettings & settings, ValidationReport & re
   report.AddRows("times", table);
   const double least = *std::min_element(changes.begin() + 1, changes.end());
   report.AddText(
-    "At the best time, cutting changes the modulus less in the metric of heat diffusion: " +
+    "At the best time, cutting changes the modulus less in the heat diffusion metric: " +
     CsvTable::Rounded(least / changes.front(), 2) +
     " of the Euclidean change (bound 0.8: " + report.Check(least < 0.8 * changes.front()) +
-    "). The gap with the handle is smaller, too. The handle is large: it needs times much longer than the square of "
-    "its radius, 42 mm^2. Still longer times distort the patch itself, differently with and without the handle.");
+    "). The gap with the handle is also smaller. The large handle requires times much longer than the square of its "
+    "radius, 42 mm^2. Even longer times distort the patch differently with and without the handle.");
   DrawPatches(pot, 200.0, settings.outputFolder + "/figure-5.4.png");
 }

@@ -113,10 +113,11 @@ Explain(const SurfaceMesh & mesh, double h, ValidationReport & report)
   report.AddText(
     "Heat diffusion distances of the edges of a tube like a colon (" + std::to_string(mesh.NumberOfFaces()) +
     " faces, h = " + CsvTable::Rounded(h, 3) +
-    " mm), from the first eigenpairs against all of them (exact). rms: root mean square of the relative difference of "
+    " mm), from the first eigenpairs, compared with all (exact). rms: root mean square of the relative difference of "
     "lengths. Below 0.6: share of triangles with these lengths whose 2r/R is below 0.6 (in space " +
     CsvTable::Rounded(100.0 * inSpace.shareBelowThreshold, 3) +
-    " %). Histogram: L2 distance of that of 2r/R (20 parts) from the exact one. Modulus: of the flat colon in this "
+    " %). Histogram: L2 distance of the 2r/R histogram (20 bins) from the exact one. Modulus: of the flat colon in "
+    "this "
     "metric.");
 }
 } // namespace
@@ -157,11 +158,10 @@ ValidateQualityOfMetric(const ValidationSettings & settings, ValidationReport & 
     quality.AddExact(table);
   }
   report.AddRows("eigenpairs", table);
-  report.AddText(
-    "Most pairs against exact at t = 32 h^2: rms " + CsvTable::Rounded(last, 2) +
-    ", bound 1e-5: " + report.Check(last <= 1e-5) +
-    ". Few pairs do not resolve the angles of a long tube, which then appears thinner than it is, or as a line. Long "
-    "times turn triangles into slivers, whatever the number of pairs.\n\n![](flattening-quality.svg)");
+  report.AddText("Most pairs against exact at t = 32 h^2: rms " + CsvTable::Rounded(last, 2) +
+                 ", bound 1e-5: " + report.Check(last <= 1e-5) +
+                 ". Few pairs do not resolve the angles around a long tube, which then appears too thin or as a line. "
+                 "Long times produce slivers for any number of pairs.\n\n![](flattening-quality.svg)");
   WriteLogarithmicChart(
     settings.outputFolder + "/flattening-quality.svg", "eigenpairs", "relative difference of lengths, rms", chart);
 }

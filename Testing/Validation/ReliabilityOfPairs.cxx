@@ -195,9 +195,10 @@ ValidateReliabilityOfPairs(const ValidationSettings & settings, ValidationReport
   report.AddText(
     "Synthetic patients (" + settings.SeedsInWords() +
     "), from the true lumen in voxels of 0.8 mm. The supine position of each patient is registered to the prone "
-    "positions of the same patient and of the next two. A pair is right if it is of one patient and its mean error is "
-    "at most 10 mm. A rejected pair has confidence 0. The expected calibration error is the mean difference between "
-    "confidence and share of right pairs within classes of confidence. Only the preset realistic has bounds.");
+    "positions of the same patient and of the next two. A pair is correct if both positions are of one patient and the "
+    "mean error is at most 10 mm. A rejected pair has confidence 0. The expected calibration error is the mean "
+    "difference between "
+    "confidence and share of correct pairs within classes of confidence. Only the preset realistic has bounds.");
   for (const std::string & preset : settings.presets)
   {
     report.AddText("## Preset " + preset);

@@ -298,8 +298,8 @@ ReportUnknown(const std::vector<MeasuredShape> & shapes, bool quick, ValidationR
 {
   const Answers answers = AskWithoutAFifth(shapes);
   const double  unknown = MeanOf(answers.unknownOfLeftOut);
-  report.AddText("## Unknown shapes\n\nEach fifth of the shapes is left out of a database of the originals; the copies "
-                 "of all shapes are looked up.");
+  report.AddText("## Unknown shapes\n\nEvery fifth shape is omitted from a database of the originals; the copies of "
+                 "all shapes are searched.");
   CsvTable table({ "copies of", "answer", "share", "bound", "" });
   table.AddRow({ "shapes left out",
                  "unknown",
@@ -324,19 +324,19 @@ ValidateSearchOfShapes(const ValidationSettings & settings, ValidationReport & r
     table.AddRow({ shape.name, std::to_string(shape.copies.size()) });
   }
   report.AddText(
-    std::to_string(shapes.size()) +
-    " shapes that were not used to fit anything: objects of `ShapePhantom`'s presets, " +
+    std::to_string(shapes.size()) + " shapes that were not used for fitting: objects of `ShapePhantom`'s presets, " +
     (settings.dataFolder.empty()
        ? std::string("no real ones (SHAPETON_TEST_DATA_DIR is not set)")
        : std::string("bones of two feet (CT of the Visible Human Female, above 350 HU, "
                      "opened by 2 mm), organs of an abdomen (labels of TotalSegmentator's example)")) +
     ", and generated shapes (seeds from 100 on). " + std::to_string(copies) +
-    " copies: turned by 30 degrees; scaled by 0.5 and 2 in voxels of one size; resampled to slanted voxels 1.3 x 1.3 x "
+    " copies: rotated by 30 degrees; scaled by 0.5 and 2 in voxels of one size; resampled to oblique voxels 1.3 x 1.3 "
+    "x "
     "2.6 times as large; noisy (a fifth of the boundary voxels change sides); all of these together with voxels of 0.9 "
     "x 0.9 x 1.8, scaled by 0.8. Values are means over shapes with 95 % intervals.");
   report.AddRows("shapes", table);
-  report.AddText("## Nearest neighbor\n\nThe nearest of all originals to each copy. Average precision: of originals "
-                 "and copies among all others.");
+  report.AddText("## Nearest neighbor\n\nNearest original of each copy. Average precision: retrieval of originals and "
+                 "copies among all others.");
   ReportMethods(shapes, report);
   ReportKinds(shapes, report);
   ReportUnknown(shapes, settings.quick, report);

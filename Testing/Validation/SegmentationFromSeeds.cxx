@@ -390,12 +390,13 @@ ReportMethod(ValidationReport & report)
 {
   report.AddText(
     "Seeds are voxels of each label, drawn from the truth eroded by one voxel, or from the whole label if that leaves "
-    "too few. The background is a label with as many seeds. All methods get the same seeds and the same intensities, "
-    "scaled to [0, 1] by a window, and have their defaults: seeded heat (p = 100, least weight 0.2); scikit-image's "
-    "`random_walker` (beta 130, mode `cg_j`, tolerance 1e-3; mode `cg_mg` needs pyamg, which Debian 12 lacks); ITK's "
+    "too few. The background is a label with as many seeds. All methods use the same seeds, the same intensities, "
+    "scaled to [0, 1] by a window, and their defaults: seeded heat (p = 100, least weight 0.2); scikit-image's "
+    "`random_walker` (beta 130, mode `cg_j`, tolerance 1e-3; mode `cg_mg` requires pyamg, which Debian 12 lacks); "
+    "ITK's "
     "`MorphologicalWatershedFromMarkers` on the gradient magnitude; ITK's `ConfidenceConnected` per label (overlaps "
     "get the label of the nearest mean, the rest is background). Dice: mean over all labels, with the 95 % confidence "
-    "interval over the draws, seeds 1, 2, and so on. CPU seconds: of all threads, mean over the draws.");
+    "interval over the draws, seeds 1, 2, and so on. CPU seconds: sum over all threads, mean over the draws.");
 }
 
 void
@@ -482,9 +483,9 @@ ReportAgreement(const ValidationSettings & settings, ValidationReport & report)
   const double        deviation = StandardDeviation(volume.image);
   const auto          seeds = DrawSeeds(volume, judgedNumber, 1).image;
   report.AddText("## Probabilities compared with scikit-image\n\nA volume of " + std::to_string(side) +
-                 "^3 voxels of 0 and 1, where both weights can be made equal. Ours between 0 and 1 is 1 - p, that of "
-                 "`random_walker` is exp(-beta / (10 s)) + 1e-10, with s the standard deviation of the volume; beta "
-                 "follows. Tolerance of `random_walker`: 1e-9. " +
+                 "^3 voxels of 0 and 1, where both weights can be made equal. The weight between 0 and 1 is 1 - p for "
+                 "seeded heat and exp(-beta / (10 s)) + 1e-10 for `random_walker`, with s the standard deviation of "
+                 "the volume; beta follows. Tolerance of `random_walker`: 1e-9. " +
                  std::to_string(volume.names.size()) + " labels, " + std::to_string(judgedNumber) + " seeds each.");
   CsvTable table({ "weight between 0 and 1", "beta", "greatest difference of a probability", "bound", "" });
   for (const double weight : { 0.5, 0.1, 0.01 })
@@ -526,8 +527,8 @@ ValidateSegmentationFromSeeds(const ValidationSettings & settings, ValidationRep
   const bool isComplete = !settings.dataFolder.empty() && !settings.quick;
   ReportResults(data,
                 results,
-                isComplete ? "The 95 % intervals of both failed differences contain 0. On the organs the cause is too "
-                             "few background seeds ([notes](seeded-heat.md#seededheat))."
+                isComplete ? "The 95 % intervals of both failed differences contain 0. For the organs, the reason is "
+                             "too few background seeds ([notes](seeded-heat.md#seededheat))."
                            : "",
                 report);
 }
@@ -535,7 +536,7 @@ ValidateSegmentationFromSeeds(const ValidationSettings & settings, ValidationRep
 void
 ValidateSegmentationOfOrgans(const ValidationSettings & settings, ValidationReport & report)
 {
-  report.AddText("Seeds, methods and measures are those of [seeded-heat](seeded-heat.md).");
+  report.AddText("For seeds, methods and measures see [seeded-heat](seeded-heat.md).");
   Results results;
   AddVolume(Abdomen(settings.dataFolder, "All organs of an abdomen", {}), true, settings, report, results);
   ReportResults("TotalSegmentator's example (CT, 3 mm, window -160 to 240 HU) with all labels of at least 1000 voxels; "

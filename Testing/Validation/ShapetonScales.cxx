@@ -95,8 +95,8 @@ CompareScales(const Comparison & comparison)
   const double distance = 1.0 / volume.image->GetLargestPossibleRegion().GetSize(0);
   comparison.report.AddText("## Figure 7.1: scale and time\n\nThe cube of figure2.4 in 64^3 voxels, p = 7, one voxel "
                             "per step, 400,000 shapetons, seed 1. Mean over the outer layers of the cube at corners, "
-                            "edges and faces, and over its inside, relative to the mean of the four. CHD is taken at "
-                            "the step that EquivalentHeatTimeSteps() gives; shapetons show all visits so far.");
+                            "edges and faces, and over its inside, relative to the mean of the four. CHD is evaluated "
+                            "at the step from EquivalentHeatTimeSteps(); shapetons show all visits so far.");
   CsvTable     table({ "shapeton steps", "method", "corner", "edge", "face", "inside" });
   PictureSheet sheet("Figure 7.1: a cube, 64^3, p = 7, 400,000 shapetons, one voxel a step, seed 1",
                      { 3, steps.size(), 140, 128 });
@@ -126,11 +126,11 @@ CompareScales(const Comparison & comparison)
   }
   comparison.report.AddRows("scales", table);
   comparison.Show(sheet, "figure7.1");
-  comparison.report.AddText("The published walk shows no corners and edges at any time, as 7.2.1 says; in the end it "
-                            "has fewer visits there than inside. The controlled walk passes through the scales of CHD, "
-                            "with corner > edge > face > inside at the first number of steps: " +
-                            comparison.report.Check(ordered) +
-                            ". Its visits are sums over all steps so far, and so lag behind the heat.");
+  comparison.report.AddText(
+    "The published walk shows no corners and edges at any time, as stated in 7.2.1; finally, it has fewer visits there "
+    "than inside. The controlled walk passes through the scales of CHD, "
+    "with corner > edge > face > inside at the first number of steps: " +
+    comparison.report.Check(ordered) + ". Its visits are accumulated over all steps, so they lag behind the heat.");
 }
 
 void
@@ -145,7 +145,7 @@ CompareDistances(const Comparison & comparison)
   comparison.report.AddText(
     "## Figure 3.7: the distance\n\nThe vessels phantom (thin vessels: radius 5 to 6 voxels) in 256^3 voxels, p = 7.5, "
     "400 steps, 65,000 shapetons, published rule, seed 1. Shapetons start anywhere or in the vessels; the source does "
-    "not say which. Mean visits are relative to all voxels. CHD took " +
+    "not state which. Mean visits are relative to all voxels. CHD took " +
     CsvTable::Rounded(heat.seconds, 2) + " s for 100,000 steps.");
   CsvTable     table(columnsOfVessels);
   PictureSheet sheet("Figure 3.7: vessels, 256^3, p = 7.5, 65,000 shapetons from the vessels, 400 steps, seed 1",
@@ -170,9 +170,9 @@ CompareDistances(const Comparison & comparison)
   table.AddRow(RowOfVessels("in the vessels, PathRule::Traversal", volume, 0.05, trial));
   comparison.report.AddRows("distances", table);
   comparison.Show(sheet, "vessels");
-  comparison.report.AddText(
-    "Shapetons that start anywhere visit thin vessels as often as the background, at every distance. Those that start "
-    "in the vessels jump through the walls, more with longer steps, and leave thin vessels first. Figure 3.7 shows "
-    "this leakage, not scale. With PathRule::Traversal all of them stay inside: " +
-    comparison.report.Check(CellsOfVessels(volume, trial).back() == Percent(1.0)) + ".");
+  comparison.report.AddText("Shapetons that start anywhere visit thin vessels as often as the background, at every "
+                            "distance. Shapetons that start in the vessels jump through the walls, more with longer "
+                            "steps, and leave thin vessels first. Figure 3.7 shows "
+                            "this leakage, not scale. With PathRule::Traversal, all shapetons stay inside: " +
+                            comparison.report.Check(CellsOfVessels(volume, trial).back() == Percent(1.0)) + ".");
 }

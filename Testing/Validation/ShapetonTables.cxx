@@ -158,10 +158,11 @@ TabulateCubeByShapetons(const Comparison & comparison)
                    CsvTable::Rounded(100.0 * run.coverageAt1600, 4) + " %" });
   }
   report.AddRows("cube", table);
-  report.AddText("Shapetons do not interact: the number of visits needed in all does not depend on their number, and "
-                 "the steps fall as one over it. On a CPU the total time has no optimum; it rises slowly as places and "
-                 "visits outgrow the caches. The published optimum near 30,000 is that of a graphics card whose step "
-                 "costs the same for 30,000 and 65,000 shapetons, and whose steps stop falling there.");
+  report.AddText(
+    "Shapetons do not interact: the total number of required visits is independent of their number, and the number of "
+    "steps is inversely proportional to it. On a CPU the total time has no optimum; it increases slowly when positions "
+    "and visits exceed the caches. The published optimum near 30,000 is due to a graphics card with equal costs per "
+    "step for 30,000 and 65,000 shapetons, where the number of steps stops decreasing.");
 }
 
 void
@@ -216,8 +217,8 @@ TabulatePublishedVolumes(const Comparison & comparison)
         CsvTable::Rounded(walk.seconds, 3) });
   }
   report.AddText("## Table 3.2: published and measured times\n\n65,000 shapetons, distance 0.01, published rule, "
-                 "seed 1. The published times are those of a GeForce GTX 480, ours of a CPU. Our CHD evaluates all "
-                 "steps by one Chebyshev expansion; its time per step is the total divided by the steps.");
+                 "seed 1. Published times are from a GeForce GTX 480, ours from a CPU. Our CHD evaluates all steps by "
+                 "one Chebyshev expansion; its time per step is the total divided by the steps.");
   report.AddRows("published", table);
   const auto range = [&](int i) {
     const auto [least, most] = std::minmax_element(seconds[i].begin(), seconds[i].end());

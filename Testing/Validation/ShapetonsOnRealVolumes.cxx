@@ -182,7 +182,7 @@ const std::vector<RealCase> realCases = {
     { { 2, 0 } },
     { { 0.5, 0.5 } },
     "CHD shows nested shells: scalp, skull, and the brain from its convoluted rim to its core, with the walls of the "
-    "ventricles. The published walk separates the smooth inside of the brain from all places with edges. The "
+    "ventricles. The published walk separates the smooth inside of the brain from all regions with edges. The "
     "controlled walk shows the same as CHD, with noise." },
   { "abdomen",
     "Abdomen CT (TotalSegmentator)",
@@ -195,7 +195,8 @@ const std::vector<RealCase> realCases = {
     { { 2, 1 } },
     { { 0.5, 0.5 } },
     "CHD shows hot bones and a warm body that cools towards its border. The published walk shows homogeneous tissue: "
-    "fat, muscle and bladder gather visits; bones, bowel and other places with many edges lose them. The controlled "
+    "visits accumulate in fat, muscle and bladder, and are rare in bones, bowel and other regions with many edges. The "
+    "controlled "
     "walk shows bones and bowel walls. None of them segments organs." },
   { "ankle",
     "CT of the feet (Visible Human Female, cropped)",
@@ -208,8 +209,8 @@ const std::vector<RealCase> realCases = {
     { { 2, 1 } },
     { { 0.5, 0.5 } },
     "CHD shows bones in warm feet, hottest where they are small. Half of the published shapetons are trapped in spongy "
-    "bone, whose voxels are closed on all sides, and leave other voxels there unvisited (black). The rest gather in "
-    "the smooth heel. The controlled walk shows the bones, with noise." },
+    "bone, whose voxels are closed on all sides, and leave other voxels there unvisited (black). The others accumulate "
+    "in the smooth heel. The controlled walk shows the bones, with noise." },
   { "bonsai",
     "Bonsai",
     "volumes/bonsai.nii.gz",
@@ -221,7 +222,7 @@ const std::vector<RealCase> realCases = {
     { { 1, 0 } },
     { { 0.5, 0.5 } },
     "CHD and the controlled walk show the earth in the pot as hot, then the trunk. The leaves are coolest, because "
-    "they leak into the air. The published walk shows trunk and leaves a little above the earth, which is rough. None "
+    "they leak into the air. In the published walk, trunk and leaves are slightly above the rough earth. None "
     "separates leaves from twigs." },
 };
 } // namespace
@@ -269,7 +270,7 @@ CompareEngineByP(const Comparison & comparison)
   }
   comparison.report.AddRows("engine", table);
   comparison.Show(sheet, "engine");
-  comparison.report.AddText("A larger p closes more voxels and traps more shapetons. At p = 15 and 20 nearly all of "
-                            "them stay where noise put them. With ten visits per voxel, a value is accurate to about "
+  comparison.report.AddText("A larger p closes more voxels and traps more shapetons. At p = 15 and 20, nearly all "
+                            "shapetons are trapped by noise. With ten visits per voxel, a value is accurate to about "
                             "30 %, so most of the picture is noise. CHD shows the same closed parts without noise.");
 }

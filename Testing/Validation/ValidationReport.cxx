@@ -291,12 +291,12 @@ std::string
 ValidationSettings::SeedsInWords() const
 {
   return "`ColonPhantom`, seeds from " + (firstSeed > 0 ? std::to_string(firstSeed) : "100, realistic from 140") +
-         "; parameters fitted on seeds 1 to 99, a few rules chosen with some of seeds 100 to 119 in view";
+         "; parameters fitted on seeds 1 to 99, a few rules chosen with knowledge of some of seeds 100 to 119";
 }
 
 std::string
 ValidationSettings::MethodOf(const std::string & part) const
 {
   return (firstSeed > 0 ? "Seeds from " + std::to_string(firstSeed) + ". " : std::string()) +
-         "Data and method are those of `" + part + "`.";
+         "For data and method see `" + part + "`.";
 }

@@ -160,9 +160,10 @@ VarianceOfStep(double stepInVoxels)
 void
 SpreadOfTheWalk(const ValidationSettings & settings, ValidationReport & report)
 {
-  report.AddText("## Variance of a step\n\nTraversal with uniform directions and without walls: variance of the "
-                 "displacement along an axis per step, against the closed form of EquivalentHeatTimeSteps(). Four "
-                 "steps from one voxel of 64^3; bound of each deviation: five standard errors.");
+  report.AddText(
+    "## Variance of a step\n\nTraversal with uniform directions and without walls: variance of the "
+    "displacement along an axis per step, compared with the closed form of EquivalentHeatTimeSteps(). Four "
+    "steps from one voxel of 64^3; bound of each deviation: five standard errors.");
   CsvTable            table({ "step a, voxels", "closed form", "measured per step", "standard error", "" });
   const std::uint32_t shapetons = settings.quick ? 20000 : 500000;
   constexpr double    steps = 4;
@@ -252,7 +253,7 @@ BiasOfTheWalk(const ValidationSettings & settings, ValidationReport & report)
     "## Deviation from heat\n\nClosed objects of 12^3 voxels: 'soft', with weights strictly between 0 "
     "and 1 (about .1 and .98, p = 2), and 'walls', with weights 0 and 1 only. Shapetons placed by initial heat walk by "
     "traversal. Deviation: root mean square of expected visits minus the mean heat at the same times, both relative to "
-    "their means, in percent of the standard deviation of the heat. Products of the deviations of two seeds cancel the "
+    "their means, in percent of the standard deviation of the heat. Products of the deviations of two seeds cancel "
     "sampling errors. Duration: about 33 time steps of 1/12.");
   const std::vector<double> lengths =
     settings.quick ? std::vector<double>{ 2.0, 0.5 } : std::vector<double>{ 4.0, 2.0, 1.5, 1.0, 0.7, 0.5, 0.25, 0.1 };
@@ -425,7 +426,8 @@ ScaleOfStates(const ValidationSettings & settings, ValidationReport & report)
   report.AddText(
     "## Scale by time: figure 7.1\n\nThe cube of figure 2.4, side 40 in 64^3 voxels, p = 7, steps of 2/3 voxel. "
     "Visits near corners, edges and faces (2 voxels deep) and around the center, and their correlation over the cube "
-    "with the mean heat of the steps up to t. The walks have the steps that spread as far as t time steps of heat: t / "
+    "with the mean heat of the steps up to t. The numbers of steps of the walks correspond to the spread of t time "
+    "steps of heat: t / "
     "2 by traversal, 1.125 t by endpoints, where a step has the variance a^2 / 3.");
   const test::Volume               volume = Cube(64, cubeSide);
   const Mask                       domain = MaskOf(volume);
@@ -489,8 +491,8 @@ ScaleOfStates(const ValidationSettings & settings, ValidationReport & report)
   }
   report.AddTable(summary);
   report.AddRows("states", table);
-  report.AddText("Figure 7.1 is right: the published process shows no local shape. It starts without any and builds up "
-                 "a depletion along the walls, deepest at the corners, the opposite of heat.");
+  report.AddText("Figure 7.1 is correct: the published process shows no local shape. It starts without local shape and "
+                 "builds up a depletion along the walls, deepest at the corners, the opposite of heat.");
 }
 
 void
@@ -547,8 +549,8 @@ UniformPlacement(const ValidationSettings & settings, ValidationReport & report)
   report.AddText("Largest with uniform directions: " + CsvTable::Rounded(largestOfUniform, 3) +
                  " % (bound 2 %). Smallest with other directions: " + CsvTable::Rounded(smallestOfOthers, 3) +
                  " % (bound 4 %). A walk with a symmetric transition matrix keeps a uniform density, so uniform "
-                 "placement shows nothing. All contrast of the published process comes from its directions, which lead "
-                 "away from walls: both sides of a wall are visited less, whatever the shape of the object.");
+                 "placement shows nothing. All contrast of the published process is caused by its directions, which "
+                 "point away from walls: both sides of a wall are visited less, regardless of the object's shape.");
 }
 
 /** Replaces each voxel by `factor`^3 voxels. */
@@ -699,9 +701,9 @@ ResolutionOfTheResult(const ValidationSettings & settings, ValidationReport & re
   report.AddTable(summary);
   report.AddRows("resolution", table);
   report.AddText("The published result depends on the resolution. Its directions differ from uniform ones only in the "
-                 "layer of voxels beside a wall, which a longer step leaves at once, so the contrast vanishes with "
-                 "finer voxels. By traversal from initial heat the share of each object stays the same, and with "
-                 "uniform directions so does the density inside the objects.");
+                 "voxel layer next to a wall, which a longer step leaves immediately, so the contrast vanishes with "
+                 "finer voxels. By traversal from initial heat, the share of each object is unchanged, and with "
+                 "uniform directions also the density inside the objects.");
 }
 } // namespace
 
