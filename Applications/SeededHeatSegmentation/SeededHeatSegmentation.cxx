@@ -37,7 +37,7 @@ CheckUsage(const CommandLine & commandLine)
   shapeton::RequireParameter(automatic == "components" || !commandLine.IsGiven("components"),
                              "--components requires --automaticSeeds components");
   shapeton::RequireParameter(automatic == "off" || !IsMarkups(commandLine.GetString("seeds")),
-                             "--automaticSeeds requires a map of classes, not markups, which are already seeds");
+                             "--automaticSeeds: markups are already seeds; use a map of classes");
   shapeton::RequireVolumeName(commandLine.GetString("outputLabels"));
   shapeton::RequireVolumeName(commandLine.GetString("uncertainty"));
 }

@@ -150,7 +150,7 @@ test('a click on a slice selects that voxel, the wheel and keys the next slice',
   }
 });
 
-test('slices use the radiological convention: the patient's left is at the right', async () => {
+test('slices use the radiological convention: left is at the right', async () => {
   const directions = await page.evaluate(() => {
     const { panels: [panel] } = viewer;
     return panel.slices.map((s) => {

@@ -49,11 +49,13 @@ ColonoscopyStage
 StageOfRegistration(const CommandLine & commandLine);
 
 /** The polyp search in the first series alone; the candidates of the second series are compared with its results. */
+ColonoscopyStage
 StageOfSearch(const CommandLine & commandLine);
 
 /** The polyp search in a series. With two series, candidates are weighted by the findings at the corresponding position
  * in the other one: the second series uses the results of StageOfSearch(), and the first series the results of the
  * second. */
+ColonoscopyStage
 StageOfPolyps(const CommandLine & commandLine, ColonoscopySeries series);
 
 /** The viewer page of the run, with both positions if there are two. */

@@ -86,7 +86,7 @@ FindInFolder(const std::string & folder, std::optional<std::uint64_t> timeStep)
   if (snapshots.empty())
   {
     throw InputError("the folder " + folder + " contains no heat-<time step>.nrrd: use a folder written by " +
-                     "CumulativeHeatDiffusion --snapshots, or a heat volume");
+                     "CumulativeHeatDiffusion (--snapshotFolder), or a heat volume");
   }
   const auto found = timeStep ? snapshots.find(*timeStep) : std::prev(snapshots.end());
   if (found == snapshots.end())

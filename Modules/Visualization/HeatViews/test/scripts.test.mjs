@@ -28,7 +28,7 @@ test('bins tile the heats from 0 to 1', () => {
   assert.deepEqual([0, 1e-6, 1, 2].map(binOf), [0, 0, NUMBER_OF_BINS - 1, NUMBER_OF_BINS - 1]);
 });
 
-test('numbers match C's %g', () => { // printf("%.9g"), including ties to even
+test('numbers match %g of C', () => { // printf("%.9g"), including ties to even
   const pairs = [
     [0.1005859375, '0.100585938'], [0.2001953125, '0.200195312'], [1e-5, '1e-05'], [0.00012345678912, '0.000123456789'],
     [123456789, '123456789'],
