@@ -88,7 +88,7 @@ struct Change
   double v{ 0.0 };
 };
 
-/** Extremes over the tubes of one size with the same number of handles, for which there are bounds. */
+/** Extremes over the tubes of one size and number of handles, to compare with the bounds. */
 struct HandleGroup
 {
   std::string

@@ -127,7 +127,7 @@ AddRow(int faces, bool isQuick, ValidationReport & report, CsvTable & table)
 {
   testsurfaces::ColonTubeOptions options;
   options.faces = faces;
-  options.length = std::min(1500.0, 1500.0 * faces / 55000.0); // small tubes are short, so that t matches their radius
+  options.length = std::min(1500.0, 1500.0 * faces / 55000.0); // small tubes are short, so t matches their radius
   const auto                      tube = testsurfaces::MakeColonTube(options);
   const SurfaceConnectivity       connectivity(tube.mesh);
   const SurfaceLaplacian          laplacian = MakeSurfaceLaplacian(connectivity, tube.mesh.V);

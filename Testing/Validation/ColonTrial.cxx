@@ -210,7 +210,7 @@ public:
   {}
 
   /** Arc length of a point in or near the lumen, and its distance from the line, with points about 2 mm apart. The
-   * arc length comes from the lumen, because the closest point of the line may be in an adjacent loop or collapsed
+   * arc length is looked up in the lumen, because the closest point of the line may be in an adjacent loop or collapsed
    * section. */
   double
   Place(const Eigen::Vector3d & p, double & distance) const

@@ -12,7 +12,7 @@ using Eigen::Vector3d;
 namespace
 {
 /** Arrival distance at c of a plane wave that reaches a and b of a triangle at the given distances; infinite if the
- * wave comes from outside of the triangle. */
+ * wave arrives from outside the triangle. */
 double
 WaveThrough(const Vector3d & a, const Vector3d & b, const Vector3d & c, double atA, double atB)
 {

@@ -27,7 +27,7 @@ DrawValues(const shapeton::SurfaceMesh &             mesh,
            const shapeton::SurfaceRenderingOptions & options,
            const shapeton::CurveSet *                white = nullptr);
 
-/** Root mean square of a - b relative to that of a. */
+/** Root mean square of a - b divided by the root mean square of a. */
 double
 RelativeChange(const Eigen::VectorXd & a, const Eigen::VectorXd & b);
 

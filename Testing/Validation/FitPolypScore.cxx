@@ -1,4 +1,4 @@
-// Fits the weights of PolypScore() to phantoms and prints them. usage: FitPolypScore. The exams are those of
+// Fits the weights of PolypScore() to phantoms and prints them. Usage: FitPolypScore. The exams are from
 // TrainingExams(), with 0.8 mm voxels; exams from CT take minutes each unless cached in SHAPETON_LANDMARK_CACHE.
 //
 // Positive samples: for each polyp of at least 5.5 mm, the candidate with the greatest solid angle. Negative samples:

@@ -160,7 +160,7 @@ DrawHalves(const std::vector<Query> & queries, const Parts & units)
   return samples;
 }
 
-/** With a light penalty, so that a solution exists for fully separated shapes. */
+/** With a light penalty, so a solution exists for fully separated shapes. */
 Eigen::Vector3d
 Fit(const Samples & samples)
 {

@@ -33,7 +33,7 @@ GenerateTube(int faces, int handles, int seed, int span = 4, double length = 150
 testsurfaces::ColonTube
 GenerateDecimatedTube(int handles, int seed);
 
-/** Handles made by the generator. */
+/** Handles created by the generator. */
 std::vector<shapeton::SurfaceHandle>
 TrueHandles(const testsurfaces::ColonTube & tube);
 

@@ -213,7 +213,7 @@ LoopAcross(const SurfaceMesh & mesh, const Vector3d & place, const Vector3d & no
   }
   if (next.empty())
   {
-    throw std::runtime_error("the surface does not cross the plane there");
+    throw std::runtime_error("the surface does not cross the plane near the given point");
   }
   std::vector<int> loop{ next.begin()->first, next.begin()->second.front() };
   while (loop.back() != loop.front() && loop.size() <= next.size())

@@ -45,7 +45,7 @@ struct CutPair
   shapeton::SurfaceMesh cut;
 };
 
-/** Hand whose thumb touches the index finger, and the same hand cut apart there. */
+/** Hand whose thumb touches the index finger, and the same hand separated at the contact. */
 CutPair
 MakeHand(double edge);
 

@@ -7,7 +7,7 @@
 #include <array>
 #include <vector>
 
-/** Errors of landmarks relative to those of a phantom. */
+/** Errors of landmarks relative to the landmarks of a phantom. */
 struct LandmarkErrors
 {
   /** Errors along the centerline (mm) of the true segment borders: the rectosigmoid, descending-sigmoid, splenic and
@@ -28,7 +28,7 @@ struct LandmarkErrors
   double taeniaWorstMean{ 0.0 };
   /** Share of those points within 10 mm. */
   double taeniaWithin10{ 0.0 };
-  /** The same share with a single assignment for the whole colon. */
+  /** Share within 10 mm with a single assignment for the whole colon. */
   double taeniaIdentified10{ 0.0 };
 };
 

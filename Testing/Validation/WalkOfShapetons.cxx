@@ -579,7 +579,7 @@ Blocks(const Density & fine, const test::Size & size, std::size_t factor)
   return Relative(sums, Mask(sums.size(), 1));
 }
 
-/** A ball, a box and a plate two voxels thick, each with its own intensity. */
+/** A ball, a box and a plate two voxels thick, each with a different intensity. */
 test::Volume
 Objects()
 {

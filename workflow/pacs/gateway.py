@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """gateway.py FOLDER: delivers all instances in the Orthanc of FOLDER to the PACS.
 
-Storage commitment is requested for each instance first, and only instances missing in the PACS are sent. So nothing is
+Storage commitment is requested for each instance first, and only instances missing in the PACS are sent. So no instance is
 lost or sent twice after a kill: instances not marked as committed are queried again. waiting.tsv lists the waiting
 instances with the reasons.
 A committed instance is kept for a day, so its sender still finds it; an instance sent again is only queried, not forwarded

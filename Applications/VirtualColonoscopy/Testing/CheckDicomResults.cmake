@@ -1,4 +1,4 @@
-# A finished run is resumed with --dicomResults: earlier stages are not recomputed, and the objects equal those of the
+# A finished run is resumed with --dicomResults: earlier stages are not recomputed, and the objects equal the objects of the
 # tool.
 file(REMOVE_RECURSE ${OUT} ${OUT}-single)
 file(COPY ${FINISHED}/ DESTINATION ${OUT})

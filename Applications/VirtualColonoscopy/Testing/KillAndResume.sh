@@ -1,6 +1,6 @@
 #!/bin/bash
 # Called by ctest: KillAndResume.sh TOOL INPUT FINISHED FOLDER OPTIONS...
-# Kills a run in FOLDER by SIGKILL in each of its stages and resumes it; the files must equal those of FINISHED. Also:
+# Kills a run in FOLDER by SIGKILL in each of its stages and resumes it; the files must equal the files of FINISHED. Also:
 # a second run in a locked folder is rejected.
 set -u
 tool=$1 input=$2 finished=$3 folder=$4

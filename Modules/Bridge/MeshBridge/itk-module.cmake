@@ -1,4 +1,4 @@
-set(DOCUMENTATION "Conversions between the surfaces and images of Shapeton and those of ITK and VTK.")
+set(DOCUMENTATION "Conversions of surfaces and images between Shapeton, ITK and VTK.")
 
 itk_module(ShapetonMeshBridge
   ENABLE_SHARED

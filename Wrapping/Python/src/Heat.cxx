@@ -41,7 +41,7 @@ ConsumerOf(const py::object & function)
   return [&function](std::uint64_t step, const ImageType * heat) {
     const WithGil gil;
     const auto    image = ToPython<float>(heat);
-    function(step, image.attr("like")(image.attr("array").attr("copy")())); // the filter continues with its own copy
+    function(step, image.attr("like")(image.attr("array").attr("copy")())); // the filter continues with a separate copy
   };
 }
 

@@ -119,8 +119,8 @@ private:
 
 /** \class FlatColonFilter
  * \brief Makes a FlatColon, the input of the filters for folds, landmarks, positions and candidates, from a mesh with
- * the arrays of \ref FlatSurface, for example one read from a file or changed by other filters. \ingroup
- * ShapetonColonFilters */
+ * the arrays of \ref FlatSurface, for example one read from a file or changed by other filters.
+ * \ingroup ShapetonColonFilters */
 template <typename TInputMesh = PipelineMesh>
 class FlatColonFilter : public StageFilter<itk::ProcessObject>
 {

@@ -16,7 +16,7 @@ namespace shapeton
  * \par Inputs and Outputs
  * Either the input Cleansed, output 1 of ElectronicCleansingImageFilter, or the input Mask, a mask of the lumen. Input
  * Centerline: output of ColonCenterlineFilter. Outputs: 0 the simplified wall, for flattening, 1 the repaired one, 2
- * the raw one with its handles; 3 ColonWall with its report. A PipelineMesh holds all arrays.
+ * the raw one with its handles; 3 ColonWall with its report. A PipelineMesh stores all arrays.
  *
  * \ingroup ShapetonColonFilters */
 template <typename TOutputMesh = PipelineMesh>

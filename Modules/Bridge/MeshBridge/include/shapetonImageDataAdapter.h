@@ -32,8 +32,8 @@ RequireScalars(vtkImageData & data, unsigned int dimension, int components);
  * before version 9.0 ignore directions: use axis-aligned images. Pixels are copied. */
 ///@{
 
-/** Converts the buffered region of an image to the given space; its first pixel is at the origin. \ingroup
- * ShapetonMeshBridge */
+/** Converts the buffered region of an image to the given space; its first pixel is at the origin.
+ * \ingroup ShapetonMeshBridge */
 template <typename TImage>
 vtkSmartPointer<vtkImageData>
 ImageDataOf(const TImage * image, PatientSpace space = PatientSpace::LPS)
@@ -80,7 +80,7 @@ ImageDataOf(const TImage * image, PatientSpace space = PatientSpace::LPS)
 
 /** Converts the scalars to an image in LPS. `space` is used unless the field data state a space. Values are converted
  * to the pixel type by static_cast. Throws InputError if there are no scalars, or if their number of components
- * differs from that of the pixels. \ingroup ShapetonMeshBridge */
+ * differs from the pixels'. \ingroup ShapetonMeshBridge */
 template <typename TImage>
 typename TImage::Pointer
 ImageOf(vtkImageData & data, PatientSpace space = PatientSpace::LPS)

@@ -24,7 +24,7 @@ using PipelineMesh = itk::Mesh<itk::VariableLengthVector<double>,
 
 /** \name Surfaces as itk::Mesh and itk::QuadEdgeMesh
  * TMesh has three dimensions and coordinates of any precision; positions are LPS, mm. Pixels of type
- * itk::VariableLengthVector hold all arrays, with concatenated components; other pixels hold one array. Names, field
+ * itk::VariableLengthVector store all arrays, with concatenated components; other pixels store one array. Names, field
  * arrays and facts are stored in the MetaDataDictionary. */
 ///@{
 namespace meshadapter

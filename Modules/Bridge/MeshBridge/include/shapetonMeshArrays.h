@@ -69,7 +69,7 @@ ArraysOfLayout(const std::string & layout, Eigen::Index components)
 }
 
 /** Arrays stored by this pixel type: all of them, or the named one. Throws ParameterError if the named array does not
- * exist or its number of components differs from that of the pixels. */
+ * exist or its number of components differs from the pixels'. */
 template <typename TPixel>
 std::vector<SurfaceArray>
 ArraysForPixels(const std::vector<SurfaceArray> & arrays, const std::string & name)

@@ -27,8 +27,8 @@ ShapetonMeshBridge_EXPORT vtkSmartPointer<vtkPolyData>
  * Strings of the field data become facts; other string arrays are dropped. */
 ///@{
 /** Polygons and strips are triangulated (vtkTriangleFilter), and each triangle gets the values of its polygon; points
- * and lines are dropped. Throws InputError if there are no polygons, and the exceptions of RequireSound(). \ingroup
- * ShapetonMeshBridge */
+ * and lines are dropped. Throws InputError if there are no polygons, and the exceptions of RequireSound().
+ * \ingroup ShapetonMeshBridge */
 ShapetonMeshBridge_EXPORT SurfaceMesh
 SurfaceOf(vtkPolyData & data, PatientSpace space = PatientSpace::LPS);
 /** Converts verts (to single-vertex curves) and lines with their values; polygons are dropped. Throws as RequireSound()

@@ -10,8 +10,8 @@ namespace shapeton
 struct ColonPhantomParameters;
 class CommandLine;
 
-/** Parameters of ColonPhantom: those of the option `preset`, overridden by the given options. Options that `standard`
- * and `hard` do not use enter the provenance only if given, so results of these presets keep their bytes.
+/** Parameters of ColonPhantom: parameters of the option `preset`, overridden by the given options. Options that
+ * `standard` and `hard` do not use enter the provenance only if given, so results of these presets keep their bytes.
  * Throws ParameterError. \ingroup ShapetonColonTools */
 ShapetonColonTools_EXPORT ColonPhantomParameters
 ReadColonPhantomParameters(CommandLine & commandLine);

@@ -18,11 +18,11 @@ namespace shapeton
 /** Numbers of the segments that form the colon lumen: gas and intraluminal fluid, or the only segment. Fluid without
  * gas does not count as a lumen. Throws InputError, listing all segments, if the choice is ambiguous. */
 ShapetonColonTools_EXPORT std::vector<int>
-                    LumenSegmentsOf(const DicomSegmentationFile & file);
+                          LumenSegmentsOf(const DicomSegmentationFile & file);
 
 /** The numbers of all segments. */
 ShapetonColonTools_EXPORT std::vector<int>
-                    AllSegmentsOf(const DicomSegmentationFile & file);
+                          AllSegmentsOf(const DicomSegmentationFile & file);
 
 /** A row for each given segment: number, name, code, scheme, meaning, voxels, volume in ml. */
 ShapetonColonTools_EXPORT CsvTable
@@ -30,9 +30,9 @@ TableOfSegments(const DicomSegmentationFile & file,
                 const std::vector<int> &      numbers,
                 const DicomSegmentVoxels &    voxels);
 
-/** Point lists, named after the measurements they belong to. */
+/** Point lists, named after their measurements. */
 ShapetonColonTools_EXPORT std::vector<Markup>
-                    MarkupsOfReport(const std::vector<DicomReportPoints> & points);
+                          MarkupsOfReport(const std::vector<DicomReportPoints> & points);
 ///@}
 } // namespace shapeton
 

@@ -31,7 +31,7 @@ AddPolypCandidateSection(HtmlReport &                        report,
                          const std::string &                 folder,
                          const OutputPath &                  outputPath);
 
-/** Writes index.html with that section and the provenance into a folder; does nothing if the folder name is empty.
+/** Writes index.html with this section and the provenance into a folder; does nothing if the folder name is empty.
  * \ingroup ShapetonColonTools */
 ShapetonColonTools_EXPORT void
 WritePolypCandidateReport(CommandLine &                       commandLine,

@@ -26,7 +26,7 @@ struct ShapetonColonTools_EXPORT StageResult
   int status{ 0 };
   /** Error message of a failed tool. */
   std::string message;
-  /** Warnings of the tool; those of the original run if the stage was skipped. */
+  /** Warnings of the tool, from the original run if the stage was skipped. */
   Remarks warnings;
   /** Names in the stage's folder and their SHA-256, in alphabetical order. Records of single runs (*.run.json) are left
    * out because they differ from run to run. */
@@ -57,7 +57,7 @@ struct ShapetonColonTools_EXPORT StageResult
 class ShapetonColonTools_EXPORT StagedRun
 {
 public:
-  /** `folder` must exist; `toolFolder` holds the programs. Throws OutputError if the folder cannot be written to or
+  /** `folder` must exist; `toolFolder` contains the programs. Throws OutputError if the folder cannot be written to or
    * another run is using it. */
   StagedRun(const std::string & folder, const std::string & toolFolder);
   ~StagedRun();
@@ -98,7 +98,7 @@ private:
   std::string                        m_Folder;
   std::string                        m_ToolFolder;
   std::mutex                         m_Mutex;      ///< guards m_Identities
-  std::map<std::string, std::string> m_Identities; ///< cache, so that each file is read once
+  std::map<std::string, std::string> m_Identities; ///< cache, to read each file once
 };
 
 /** The folder of the running program. \ingroup ShapetonColonTools */

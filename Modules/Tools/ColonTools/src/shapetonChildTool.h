@@ -14,7 +14,7 @@ struct ChildOutcome
 {
   /** Exit status; 1 if a signal ended it. */
   int status{ 0 };
-  /** stderr without the tool's name; if a signal ended the tool, a message that says so. */
+  /** stderr without the tool's name; if a signal ended the tool, a message about the signal. */
   std::string message;
   /** stdout without the progress. */
   std::string text;

@@ -41,7 +41,7 @@ HeaderOf(const ColonExamination & exam, int number, const std::string & what)
   return { "VirtualColonoscopy", version, 9000 + number, "Research: " + what };
 }
 
-/** Writes the wall, and the flat colon if there is one. */
+/** Writes the wall, and the flat colon if it exists. */
 void
 WritePictures(ColonExamination &  exam,
               const DicomSource & series,

@@ -53,7 +53,7 @@ std::string
 ValveInWords(const ColonLandmarks & landmarks)
 {
   const std::string cecum = landmarks.segments.isCecumAtValve
-                              ? "The cecum ends there."
+                              ? "The cecum ends at the valve."
                               : "The end of the cecum is estimated: 6 cm before the end of the centerline.";
   if (!landmarks.valve)
   {

@@ -11,7 +11,7 @@ namespace
 {
 using namespace colonterms;
 
-/** Adds a measurement; unknown values are left out. */
+/** Adds a measurement; unknown values are omitted. */
 void
 Add(DicomMeasurementGroup &  group,
     const DicomCode &        name,

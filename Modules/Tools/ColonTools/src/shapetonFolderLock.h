@@ -5,7 +5,7 @@
 
 namespace shapeton
 {
-/** Exclusive lock of a folder, held while this object or a child process started meanwhile exists. */
+/** Exclusive lock of a folder, held while this object exists, or a child process started during its lifetime. */
 class StagedRun::Lock
 {
 public:

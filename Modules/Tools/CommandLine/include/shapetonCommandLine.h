@@ -33,7 +33,7 @@ namespace shapeton
  * Arguments: options may be anywhere; `--` ends them. A value follows its option or an equals sign (`--gamma 2`,
  * `--gamma=2`, `-g 2`); a value that begins with two hyphens requires the equals sign. A boolean is a bare flag, or has
  * `=true` or `=false`. Negative numbers are values. Numbers must be finite, with a decimal point in every locale. If
- * an option is repeated, the last one wins, unless the XML says multiple="true". An unknown option, an empty file name,
+ * an option is repeated, the last one wins, unless the XML has multiple="true". An unknown option, an empty file name,
  * or a wrong number of arguments is a ParameterError.
  *
  * Every tool has --help (-h), --version, --xml, --quiet, --returnparameterfile FILE. The first of --help, --version
@@ -41,10 +41,10 @@ namespace shapeton
  * it, sets ITK's global number of threads before the body runs; 0 keeps the default.
  *
  * Exit status: 0 success, 1 other failure, 2 wrong usage (ParameterError), 3 unsuitable input (InputError). Only this
- * class sets it. On failure stderr holds one line; on success it is empty. If the message of an exception or a warning
- * names a parameter as Exception does (`the parameter "p" = 2`), it is printed as the option (`--p 2`). stdout shows a
- * progress bar on a terminal and Slicer's progress XML otherwise; nothing with --quiet, or if the body reports neither
- * progress nor warnings. Progress never decreases, and reaches 1 once, after the body has returned.
+ * class sets it. On failure stderr contains one line; on success it is empty. If the message of an exception or a
+ * warning names a parameter as Exception does (`the parameter "p" = 2`), it is printed as the option (`--p 2`). stdout
+ * shows a progress bar on a terminal and Slicer's progress XML otherwise; nothing with --quiet, or if the body reports
+ * neither progress nor warnings. Progress never decreases, and reaches 1 once, after the body has returned.
  *
  * Outputs are written to temporary names returned by Output() and renamed after the body has returned, so a failed or
  * killed run leaves neither a half-written file nor a damaged old one. Temporary files left after SIGKILL are removed
@@ -61,7 +61,7 @@ public:
   using Body = std::function<void(CommandLine &)>;
 
   /** Parses the arguments, runs `body`, commits the outputs and reports. Returns the exit status. `xml` must outlive
-   * the call. Termination signals are handled so that temporary files are removed first; signals that are ignored
+   * the call. Handlers of termination signals remove temporary files first; signals that are ignored
    * (nohup) or already handled are not changed. */
   static int
   Run(const char * xml, int argc, const char * const argv[], const Body & body);
@@ -190,7 +190,7 @@ public:
 
   /** Requests a JSON file at `path` that records the run, including all data that may differ between equal runs. Its
    * keys are tool, version, arguments, host, threads, start (UTC), seconds, stages (seconds of each progress
-   * stage), warnings and those of AddRunFact(). Usually `<output>.run.json`. */
+   * stage), warnings and the keys of AddRunFact(). Usually `<output>.run.json`. */
   void
   RecordRun(const std::string & path);
 

@@ -29,7 +29,7 @@ ReadMask(CommandLine & commandLine, const std::string & parameter, const itk::Im
 ShapetonCommandLine_EXPORT itk::Image<unsigned char, 3>::Pointer
 ReadLabelMask(CommandLine & commandLine, const std::string & parameter, const itk::ImageBase<3> * image);
 
-/** Throws ParameterError unless the option intensityWindow is absent or holds two ascending numbers.
+/** Throws ParameterError unless the option intensityWindow is absent or has two ascending numbers.
  * \ingroup ShapetonCommandLine */
 ShapetonCommandLine_EXPORT void
 RequireIntensityWindow(const CommandLine & commandLine);

@@ -5,7 +5,7 @@ import { edgeUnder, nodeUnder, Tile } from './tile.mjs';
 const MOST_NAMED = 40; // maximum number of labeled neighbors
 const EDGE_REACH = 6;  // pixels
 
-// The whole graph. GraphMarks paints the selection above it, so that a click does not repaint the graph.
+// The whole graph. GraphMarks paints the selection above it, so a click does not repaint the graph.
 export class GraphPicture extends View {
   constructor(root, graph, group) {
     super(root, 'picture', graph.data.title);

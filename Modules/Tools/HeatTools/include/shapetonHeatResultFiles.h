@@ -50,7 +50,7 @@ public:
   }
 
   /** Writes all files except the initial heat: content.heat is the heat after content.timeStep; `labels` may be null if
-   * no classes are requested. The ranges of the content are those of histogramRange. */
+   * no classes are requested. The ranges of the content must be the parameter histogramRange. */
   void
   Write(HeatReportContent content, const itk::Image<unsigned char, 3> * labels) const;
 

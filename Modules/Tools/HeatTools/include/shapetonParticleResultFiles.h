@@ -30,7 +30,7 @@ ShapetonHeatTools_EXPORT HeatReportContent::Facts
  *
  * outputDensity and labels are volumes, classTable a CSV, report a folder that also contains a HeatExplorer;
  * histogramRange zooms ranges of its histogram. Outputs that were not requested are not written, except the record of
- * the run (`<outputDensity>.run.json`). The density holds visits and states its time step (key `timeStep`) and
+ * the run (`<outputDensity>.run.json`). The density contains visits and states its time step (key `timeStep`) and
  * provenance.
  *
  * \ingroup ShapetonHeatTools

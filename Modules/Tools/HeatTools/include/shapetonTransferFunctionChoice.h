@@ -29,8 +29,8 @@ struct TransferFunctionChoice
 ShapetonHeatTools_EXPORT TransferFunctionChoice
 ReadTransferFunctionChoice(CommandLine & commandLine);
 
-/** Throws InputError if the lines were picked for a quantity that differs from that of `path`. \ingroup
- * ShapetonHeatTools */
+/** Throws InputError if the lines were picked for another quantity than stored in `path`.
+ * \ingroup ShapetonHeatTools */
 ShapetonHeatTools_EXPORT void
 RequireQuantity(const TransferFunctionChoice & choice, const ShapeQuantity & found, const std::string & path);
 } // namespace shapeton

@@ -17,7 +17,7 @@ struct DicomSource;
 class DicomMapOutput
 {
 public:
-  /** Reads the headers of the series, so that unsuitable input is rejected before the run. Throws ParameterError if the
+  /** Reads the headers of the series, to reject unsuitable input before the run. Throws ParameterError if the
    * input is not DICOM, InputError as ReadDicomSource() does. */
   explicit DicomMapOutput(CommandLine & commandLine);
   ~DicomMapOutput();

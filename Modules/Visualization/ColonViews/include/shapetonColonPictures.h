@@ -17,9 +17,8 @@ namespace shapeton
 /** Inputs of pictures of a colon. Not owned.
  *
  * Only the lumen is required. The centerline is one curve starting at the anal verge, with the point arrays arcLength
- * and radius (mm) and, if there are gaps, gap (1 on a bridge over one, else 0). The wall may have a cell array bridged
- * (1: interpolated over a gap).
- * \ingroup ShapetonColonViews */
+ * and radius (mm) and, if there are gaps, gap (1 on a bridge over a gap, else 0). The wall may have a cell array
+ * bridged (1: interpolated over a gap). \ingroup ShapetonColonViews */
 struct ColonParts
 {
   /** Hounsfield units, on the grid of the lumen. */
@@ -47,7 +46,7 @@ ShapetonColonViews_EXPORT std::vector<itk::IndexValueType>
                           ChooseSlices(const itk::Image<unsigned char, 3> * lumen, SlicePlane plane, int number);
 
 /** Slices side by side with the outlines of gas and fluid and the section of the wall; without a CT the lumen is
- * filled. The default window is that of CT colonography, -1100 to 500 HU.
+ * filled. The default is the window of CT colonography, -1100 to 500 HU.
  *
  * Throws std::invalid_argument without a lumen, or if the CT has another grid. \ingroup ShapetonColonViews */
 ShapetonColonViews_EXPORT Picture::Pointer

@@ -30,20 +30,20 @@ ShapetonColonViews_EXPORT PlanePattern
 LevelSets(double lower, double upper, double width);
 ///@}
 
-/** The surface mapped to the plane: vertices at (u, 0, v), so that a view from the patient's front shows u to the right
+/** The surface mapped to the plane: vertices at (u, 0, v); a view from the patient's front shows u to the right
  * and v up. \ingroup ShapetonColonViews */
 ShapetonColonViews_EXPORT SurfaceMesh
 PlaneOf(const SurfaceMesh & flat, const Eigen::MatrixX2d & uv);
 
 /** Draws `shape` in the colors of the pattern at `uv`, which has a row for each vertex; the pattern is resolved more
- * finely than the faces. `boundaries` may be empty; they are drawn on top, each in its own color (the first one
+ * finely than the faces. `boundaries` may be empty; they are drawn on top, each in a different color (the first one
  * yellow). Options: as for RenderSurfaces(). \ingroup ShapetonColonViews */
 ShapetonColonViews_EXPORT Picture::Pointer
-                    DrawPattern(const SurfaceMesh &               shape,
-                                const Eigen::MatrixX2d &          uv,
-                                const PlanePattern &              pattern,
-                                const std::vector<BoundaryLoop> & boundaries,
-                                const SurfaceRenderingOptions &   options);
+                          DrawPattern(const SurfaceMesh &               shape,
+                                      const Eigen::MatrixX2d &          uv,
+                                      const PlanePattern &              pattern,
+                                      const std::vector<BoundaryLoop> & boundaries,
+                                      const SurfaceRenderingOptions &   options);
 
 /** Sets azimuth and elevation to view an open surface along its mean normal; from the front if this is zero, for
  * example for a closed surface. \ingroup ShapetonColonViews */
@@ -63,7 +63,7 @@ struct ConformalMapPictureOptions
 /** The surface in space on the left, the plane on the right, both with the checkerboard of the plane. Equal input gives
  * equal bytes for any number of threads. \ingroup ShapetonColonViews */
 ShapetonColonViews_EXPORT Picture::Pointer
-                    DrawConformalMap(const ConformalMap & map, const ConformalMapPictureOptions & options = {});
+                          DrawConformalMap(const ConformalMap & map, const ConformalMapPictureOptions & options = {});
 
 /** Draws the holomorphic 1-forms of a surface, a row for each inner boundary (dissertation, Figure 5.3 d to f): 20
  * level sets from 0 to 1 of the harmonic function that is 1 on this boundary and 0 on the others, equally spaced level
@@ -71,7 +71,7 @@ ShapetonColonViews_EXPORT Picture::Pointer
  * pixels.
  * \ingroup ShapetonColonViews */
 ShapetonColonViews_EXPORT Picture::Pointer
-                    DrawHolomorphicForms(const ConformalMap & map, unsigned int panel = 480);
+                          DrawHolomorphicForms(const ConformalMap & map, unsigned int panel = 480);
 } // namespace shapeton
 
 #endif

@@ -39,7 +39,8 @@ struct FlatAnnotation
   double diameter{ 6.0 };
 };
 
-/** Title, rows and margins of a page that shows the flat colon row by row. See FlatColonPage. \ingroup ShapetonColonViews */
+/** Title, rows and margins of a page that shows the flat colon row by row. See FlatColonPage. \ingroup
+ * ShapetonColonViews */
 struct FlatColonPageOptions
 {
   std::string title;
@@ -50,7 +51,7 @@ struct FlatColonPageOptions
   /** Maximum length (pixels) of a section that is bridged all around and hence interpolated; longer ones are cut short
    * with a break in the strip, because a conformal map enlarges such narrow places. 0 shows all. */
   int longestBridge{ 60 };
-  /** Fraction of the circumference by which the picture is repeated above and below, paler, so that no structure is cut
+  /** Fraction of the circumference by which the picture is repeated above and below, paler, to avoid structures cut
    * in two. 0 to 0.5. */
   double overlap{ 0.08 };
   /** Color bar at the right of the page. */
@@ -67,11 +68,11 @@ struct FlatColonPageOptions
  * or an annotation has no position.
  * \ingroup ShapetonColonViews */
 ShapetonColonViews_EXPORT Picture::Pointer
-                  DrawFlatColonPage(const Picture *                     strip,
-                                    const FlatColonGrid &               grid,
-                                    const std::vector<double> &         distanceOfColumns,
-                                    const std::vector<FlatAnnotation> & annotations = {},
-                                    const FlatColonPageOptions &        options = {});
+                          DrawFlatColonPage(const Picture *                     strip,
+                                            const FlatColonGrid &               grid,
+                                            const std::vector<double> &         distanceOfColumns,
+                                            const std::vector<FlatAnnotation> & annotations = {},
+                                            const FlatColonPageOptions &        options = {});
 
 /** Corresponding positions in two strips. \ingroup ShapetonColonViews */
 struct FlatColonLink
@@ -94,14 +95,14 @@ struct FlatColonPair
   std::vector<FlatColonLink> links;
 };
 
-/** DrawFlatColonPage() for two strips on one grid: each row shows the lower strip below the upper one, so that
- * corresponding places are aligned. \ingroup ShapetonColonViews */
+/** DrawFlatColonPage() for two strips on one grid: each row shows the lower strip below the upper one, with
+ * corresponding positions aligned. \ingroup ShapetonColonViews */
 ShapetonColonViews_EXPORT Picture::Pointer
-                  DrawFlatColonPairPage(const FlatColonPair &               pair,
-                                        const FlatColonGrid &               grid,
-                                        const std::vector<double> &         distanceOfColumns,
-                                        const std::vector<FlatAnnotation> & annotations = {},
-                                        const FlatColonPageOptions &        options = {});
+                          DrawFlatColonPairPage(const FlatColonPair &               pair,
+                                                const FlatColonGrid &               grid,
+                                                const std::vector<double> &         distanceOfColumns,
+                                                const std::vector<FlatAnnotation> & annotations = {},
+                                                const FlatColonPageOptions &        options = {});
 } // namespace shapeton
 
 #endif

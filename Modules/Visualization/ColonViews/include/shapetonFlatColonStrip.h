@@ -13,7 +13,7 @@ namespace shapeton
  * A filet view: the wall as seen by an eye that moves along the axis of the tube and looks sideways in all directions.
  * Each pixel is lit in the frame of the smooth tube (FrameAt()), from the left (along u) and above. Folds are thus
  * transverse bands with a bright and a dark side, independent of the bends of the colon. Pixels without a face are
- * gray. The axis must be that of the grid. Equal input gives equal bytes for any number of threads.
+ * gray. The axis must belong to the grid. Equal input gives equal bytes for any number of threads.
  * \ingroup ShapetonColonViews */
 ///@{
 
@@ -36,10 +36,10 @@ CurvatureScale(double limit = 0.2);
 /** The curvature of the grid (averaged over FlatColonGridOptions::curvatureLength) in these colors, shaded with this
  * strength, 0 to 1. */
 ShapetonColonViews_EXPORT Picture::Pointer
-                  PaintFlatCurvature(const FlatColonGrid & grid,
-                                     const FlatColonAxis & axis,
-                                     const ColorScale &    scale = CurvatureScale(),
-                                     double                shading = 0.35);
+                          PaintFlatCurvature(const FlatColonGrid & grid,
+                                             const FlatColonAxis & axis,
+                                             const ColorScale &    scale = CurvatureScale(),
+                                             double                shading = 0.35);
 
 /** Rendering parameters of the CT. Hounsfield units and mm. */
 struct FlatVolumeOptions
@@ -62,11 +62,11 @@ struct FlatVolumeOptions
  *
  * Throws InputError if more than 5 % of the wall is outside the CT, ParameterError for options out of range. */
 ShapetonColonViews_EXPORT Picture::Pointer
-                  PaintFlatVolume(const FlatColonGrid &        grid,
-                                  const FlatColonAxis &        axis,
-                                  const itk::Image<float, 3> * ct,
-                                  const FlatVolumeOptions &    options = {},
-                                  const DeviceUse &            use = {});
+                          PaintFlatVolume(const FlatColonGrid &        grid,
+                                          const FlatColonAxis &        axis,
+                                          const itk::Image<float, 3> * ct,
+                                          const FlatVolumeOptions &    options = {},
+                                          const DeviceUse &            use = {});
 
 /** The device for rendering as requested by `use`; all devices give the same bytes. Throws DeviceError if the GPU is
  * requested and not usable. */
@@ -76,7 +76,7 @@ ChooseFlatVolumeDevice(const itk::Image<float, 3> * ct, Device wanted);
 /** Averages `factor` x `factor` pixels in linear light, to antialias a strip painted on a correspondingly finer
  * grid. */
 ShapetonColonViews_EXPORT Picture::Pointer
-                  ReduceStrip(const Picture * strip, unsigned int factor, unsigned int width, unsigned int height);
+ReduceStrip(const Picture * strip, unsigned int factor, unsigned int width, unsigned int height);
 ///@}
 } // namespace shapeton
 

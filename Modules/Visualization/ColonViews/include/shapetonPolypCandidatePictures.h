@@ -28,8 +28,8 @@ public:
   Picture::Pointer
   DrawFlatColon() const;
 
-  /** Relief of the full-resolution wall around the candidate on the flat map. Pixels are a quarter of those of
-   * DrawFlatColon(), or smaller, so that at most 60 mm of wall are visible. 400 x 300 pixels. */
+  /** Relief of the full-resolution wall around the candidate on the flat map. Pixels are at most a quarter of the
+   * pixels of DrawFlatColon(); at most 60 mm of wall are visible. 400 x 300 pixels. */
   Picture::Pointer
   DrawCloseUp(const PolypCandidate & candidate) const;
 

@@ -2,7 +2,7 @@ import { axesOf, cross, distance, dot, norm, sub, third, unit } from '../../../C
 
 const SIGHT = 200;    // mm; wall farther away counts as unseen
 const AROUND = 250;  // mm along the colon, ahead of and behind the eye
-const TOLERANCE = 0.2; // mm, so that a face does not hide itself
+const TOLERANCE = 0.2; // mm; avoids self-occlusion of faces
 
 // Faces seen during the flight: the center of the face is inside the picture and not occluded. Interpolated wall is excluded.
 // The eye moves immediately; faces are tested in idle time.
@@ -27,7 +27,7 @@ export class Seen {
     this.queue.push({ camera, aspect, at: exam.facesBefore(arc - AROUND), to: exam.facesBefore(arc + AROUND) });
   }
 
-  // Works for this number of milliseconds; returns true while there is more to do.
+  // Works for this number of milliseconds; returns whether work remains.
   work(milliseconds) {
     const end = performance.now() + milliseconds;
     while (this.queue.length && performance.now() < end) {

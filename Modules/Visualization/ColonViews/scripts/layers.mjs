@@ -1,4 +1,4 @@
-// Layers that can be shown or hidden. The colors are those of Okabe and Ito, which are safe for color-blind readers.
+// Layers that can be shown or hidden. Colors by Okabe and Ito, which are safe for color-blind readers.
 export const layerList = [
   ['candidates', 'candidates', true],
   ['folds', 'folds', false],

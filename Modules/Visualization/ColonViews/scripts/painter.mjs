@@ -24,7 +24,7 @@ void main() {
   o = vec4(C.rgb * (.18 + .82 * d) * fade, clear > 0. ? clear * pow(1. - d, 2.) + .04 : 1.);
 }`;
 
-// One WebGL2 context for all views in space: a view draws, then copies the picture into its own canvas, where crosshairs and
+// One WebGL2 context for all views in space: a view draws, then copies the picture into a separate canvas, where crosshairs and
 // labels are added. A browser allows few contexts, and buffers are shared. Without WebGL2 `gl` is null.
 export class Painter {
   constructor() {

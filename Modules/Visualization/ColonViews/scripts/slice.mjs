@@ -11,7 +11,7 @@ export function nearestAxes(axes) {
   return orders.reduce((best, order) => (agreement(order) > agreement(best) + 1e-9 ? order : best));
 }
 
-// A slice of the volume as scanned, without resampling: its rows and columns are those of the image.
+// A slice of the volume as scanned, without resampling, with the rows and columns of the image.
 export class SliceView extends View {
   constructor(root, panel, plane) {
     super(root, PLANES[plane], PLANES[plane]);
@@ -40,7 +40,7 @@ export class SliceView extends View {
     const extent = (k) => v.size[k] * v.spacing[k];
     const s = this.zoom * Math.min(this.w / extent(this.across), this.h / extent(this.down));
     if (this.zoom === 1 || !this.middle) this.middle = pair.map((k) => extent(k) / 2 - v.spacing[k] / 2);
-    // Only if the crosshair would leave the view, so that two clicks can measure a distance.
+    // Scrolls only if the crosshair would leave the view, so two clicks can measure a distance.
     const leaves = pair.some((k, i) => Math.abs(p[k] - this.middle[i]) * s > 0.46 * [this.w, this.h][i]);
     if (this.zoom > 1 && leaves) this.middle = pair.map((k) => p[k]);
     const [mx, my] = this.middle, sx = this.flipX ? -s : s, sy = this.flipY ? -s : s;

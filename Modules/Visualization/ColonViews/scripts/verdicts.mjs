@@ -131,7 +131,7 @@ export class Verdicts {
     this.actions.changed();
   }
 
-  // Replaces all entries by those in the text of a file. Throws an error with a user message, and changes nothing, if invalid.
+  // Replaces all entries by the entries in the text of a file. Throws an error with a user message, and changes nothing, if invalid.
   open(text) {
     let saved;
     try { saved = JSON.parse(text); } catch { throw new Error('This file is not JSON: choose a verdicts.json saved by this page.'); }

@@ -200,7 +200,7 @@ class Viewer {
     other.root.classList.toggle('dim', this.trust === null || this.trust < DOUBTFUL);
   }
 
-  // Updates the seen areas in small steps, smaller ones while flying, so that rendering has priority.
+  // Updates the seen areas in small steps, smaller ones while flying, to prioritize rendering.
   lookAround(seen) {
     if (seen.isBusy) return;
     seen.isBusy = true;
@@ -258,7 +258,7 @@ function tellMissing(info, painter) {
   if (!painter.gl) notice('This browser has no WebGL 2: flat wall, slices and verdicts work, both 3D views do not.');
   for (const position of info.positions) {
     const { missing, name } = position, what = missing.filter((m) => m !== 'CT');
-    if (missing.includes('CT')) notice('This run was made from a lumen mask: slices show the mask, not a CT.');
+    if (missing.includes('CT')) notice('This run is based on a lumen mask: slices show the mask, not a CT.');
     if (what.length) notice(`The run has no ${what.join(', ')}${name ? ` (${name})` : ''}.`);
   }
   if (info.positions.length > 1 && !info.hasMap) notice('The run has no registration: the positions are not linked.');

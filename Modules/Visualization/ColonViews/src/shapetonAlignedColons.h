@@ -8,7 +8,7 @@
 
 namespace shapeton
 {
-/** A map file as a function on its own flat map. The surface and the grid must outlive it. */
+/** A map file as a function on its flat map. The surface and the grid must outlive it. */
 class MapOfSurface
 {
 public:
@@ -62,7 +62,7 @@ public:
   /** The supine wall. */
   Picture::Pointer
   PaintSupine(const StripPainter & paint) const;
-  /** The prone wall as mapped into the supine frame; gray where there is none. */
+  /** The prone wall as mapped into the supine frame; gray elsewhere. */
   Picture::Pointer
   PaintProne(const StripPainter & paint) const;
   /** Hatches the excluded sections. */

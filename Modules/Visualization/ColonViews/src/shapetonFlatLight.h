@@ -13,7 +13,7 @@ struct FlatAxes
   double towards[3];
 };
 
-/** Lighting of a piece of wall: brightness of its own color, and added white. */
+/** Lighting of a piece of wall: factor of its color, and added white. */
 struct FlatLight
 {
   float brightness;
@@ -29,7 +29,7 @@ struct FlatLight
     constexpr double ambient = 0.10;
     constexpr double diffuse = 0.80;
     constexpr double fromEye = 0.12;
-    constexpr double wrap = 0.7; // wraps light around edges, so that shadowed sides keep their shape
+    constexpr double wrap = 0.7; // wrap lighting shows the shape of shadowed sides
     constexpr float  specular = 0.10F;
     const double     seen[] = { HostDevice::Product(normal, axes.right),
                                 HostDevice::Product(normal, axes.down),

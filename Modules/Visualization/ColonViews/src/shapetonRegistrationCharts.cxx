@@ -133,7 +133,7 @@ DrawErrorChart(const RegistrationParts & parts)
   const RegistrationResults & results = *parts.results;
   if (results.points.empty())
   {
-    throw std::invalid_argument("there are no points whose errors are known");
+    throw std::invalid_argument("an error chart requires points with known errors");
   }
   const AlignedColons    colons(parts, 60);
   const FlatColonLocator locator(colons.Grid());

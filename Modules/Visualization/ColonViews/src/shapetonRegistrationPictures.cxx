@@ -155,7 +155,7 @@ DrawCurvatureCheckerboard(const RegistrationParts & parts, const AlignedColonsOp
   const Picture::Pointer board = colons.PaintSupine(PaintCurvature);
   const Picture::Pointer prone = colons.PaintProne(PaintCurvature);
   const int              rows = colons.Grid().Rows();
-  constexpr int          squaresAround = 4; // even, so that colors also alternate across the cut
+  constexpr int          squaresAround = 4; // even, so colors also alternate across the cut
   for (int row = 0; row < rows; ++row)
   {
     for (int column = 0; column < colons.Grid().Columns(); ++column)

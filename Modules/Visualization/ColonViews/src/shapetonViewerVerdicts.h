@@ -11,7 +11,7 @@ namespace shapeton
 Json
 ReadVerdicts(const std::string & path, const Json & exam);
 
-/** One point per candidate with a verdict and per finding. `positions` are those of the page. */
+/** One point per candidate with a verdict and per finding. `positions` are the positions on the page. */
 Markup
 MarkupOfVerdicts(const Json & verdicts, const Json & positions);
 } // namespace shapeton

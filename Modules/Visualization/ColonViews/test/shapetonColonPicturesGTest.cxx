@@ -224,5 +224,5 @@ TEST(ColonPictures, NamesOfEndsKeepOffTheOrientationLetters)
       EXPECT_EQ(shapeton::At(with, x, y), pixel) << x << ", " << y;
     }
   }
-  EXPECT_GT(inked, 10) << "the letter is there";
+  EXPECT_GT(inked, 10) << "the letter is drawn";
 }

@@ -12,7 +12,7 @@ namespace shapeton
 {
 /** Writes nodes (points) and edges (polylines) of a graph on a surface in space as VTP: genus 0 on the unit sphere as
  * WriteGraphVtp() does, genus 1 on a torus (see TorusInSpace), higher genus on a sphere with handles (see
- * SurfaceWithHandles), whose triangles are also in the file. Dummies are left out.
+ * SurfaceWithHandles), whose triangles are also in the file. Dummies are omitted.
  *
  * Cell arrays from genus 1 on: kind (0 node, 1 edge, 2 triangle) and id, counted from 0 for each kind. Field arrays of
  * the torus, whose radius is 1: tubeRadius and dilatation; of the sphere with handles: twist, the turns of the edges

@@ -33,8 +33,8 @@ struct GraphView
   std::vector<int> nodeKeys{};
 };
 
-/** Model of the hyperbolic plane, size and arrangement of the panels for WriteGraphSvg(). \ingroup
- * ShapetonGraphViews */
+/** Model of the hyperbolic plane, size and arrangement of the panels for WriteGraphSvg().
+ * \ingroup ShapetonGraphViews */
 struct GraphPictureOptions
 {
   DiskModel disk{ DiskModel::Poincare };
@@ -63,7 +63,7 @@ WriteGraphSheetSvg(const std::vector<GraphView> & views, const GraphPictureOptio
 
 /** Writes nodes (points), edges and circles (polylines) as VTP: on the unit sphere, in the plane, or in the Poincare
  * disk, z = 0. Cell arrays: kind (0 node, 1 edge, 2 circle of a node, 3 circle of a face), id of the node, edge or
- * face, radius. Dummies are left out. Throws OutputError. \ingroup ShapetonGraphViews */
+ * face, radius. Dummies are omitted. Throws OutputError. \ingroup ShapetonGraphViews */
 ShapetonGraphViews_EXPORT void
 WriteGraphVtp(const EmbeddingCertificate &                             certificate,
               const std::vector<std::pair<std::string, std::string>> & facts,

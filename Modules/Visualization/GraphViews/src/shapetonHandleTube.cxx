@@ -111,7 +111,7 @@ HandleTube::Sections() const
   for (int i = 1; i < bendSections; ++i)
   {
     const double t = static_cast<double>(i) / bendSections;
-    // Zero angular velocity at both ends, so that the tube leaves the chimneys along their axes.
+    // Zero angular velocity at both ends: the tube leaves the chimneys along their axes.
     const double          smooth = t * t * (3.0 - 2.0 * t);
     const double          slope = 6.0 * t * (1.0 - t);
     const double          height = low + rise * smooth + 4.0 * lift * t * (1.0 - t);

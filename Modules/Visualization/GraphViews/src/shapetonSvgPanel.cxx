@@ -148,7 +148,7 @@ SvgPanel::PathOfSegment(const Place & from, const Place & to, bool goesOn) const
   return path;
 }
 
-/** Clips the hidden part of a geodesic; false if nothing is left. */
+/** Clips the hidden part of a geodesic; returns false if the geodesic is hidden. */
 bool
 SvgPanel::Shorten(Place & from, Place & to) const
 {

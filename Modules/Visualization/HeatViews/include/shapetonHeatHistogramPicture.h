@@ -55,8 +55,7 @@ PlotAreaOf(const HeatHistogramPictureOptions & options);
  * color of a point encodes its heat (HeatAxis::ColorOf), its brightness the logarithm of the number of voxels. The
  * brightness is raised where a row has more voxels than its neighborhood, so lines stand out. The white line at the
  * left border is the background, bin 0. Rows have equal heights. The time axis is labeled with the time steps, for
- * linear and nonlinear
- * spacing. The heat axis is labeled with heats on both scales.
+ * linear and nonlinear spacing. The heat axis is labeled with heats on both scales.
  *
  * A zoomed range fills the plot. Above it is a strip for each level, at most the last six: the axis of that level in
  * the colors of its pictures, with lines from the heats that the next level shows.

@@ -28,7 +28,7 @@ function columnCounts(counts, axis, columns) {
   return out;
 }
 
-// Raises pixels brighter than their neighborhood in the row, so that lines stand out from the haze of drifting heat.
+// Raises pixels brighter than their neighborhood in the row, to make lines visible in the haze of drifting heat.
 function sharpen(row) {
   const reach = 16, before = new Float64Array(row.length + 1);
   for (let x = 0; x < row.length; x++) before[x + 1] = before[x] + row[x];

@@ -2,7 +2,7 @@
 export class History {
   constructor(state) { Object.assign(this, { state, before: [], after: [], kind: null }); }
 
-  // kind: consecutive changes of the same kind, such as those of a slider, are undone together.
+  // kind: consecutive changes of one kind, such as slider moves, are undone together.
   change(state, kind = null) {
     if (kind === null || kind !== this.kind) this.before.push(this.state);
     Object.assign(this, { state, after: [], kind });

@@ -1,6 +1,6 @@
 import { KeyTable } from '../../../Core/Report/scripts/keys.mjs';
 
-// See Keys; the methods belong to the explorer.
+// See Keys; methods of the explorer.
 export const explorerKeys = new KeyTable([
   ['Histogram', [
     ['ArrowRight', '→', 'cursor to the right', 'moveCursor', 1],

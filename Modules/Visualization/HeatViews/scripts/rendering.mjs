@@ -187,7 +187,7 @@ export class RenderingView extends View {
   load(bins, numbers, colors) {
     if (!this.isPossible) return;
     this.caster.load(bins, numbers, colors);
-    this.cost = null; // the cost of rays that end at opaque voxels does not predict that of transparent ones
+    this.cost = null; // the cost of rays through opaque voxels does not predict the cost of transparent ones
     this.quickly();
   }
 

@@ -125,7 +125,7 @@ BrightnessOf(double count, double greatest)
                                        : 0.0;
 }
 
-/** Raises pixels brighter than their neighborhood in the row and lowers the rest, so lines stand out from the haze
+/** Raises pixels brighter than their neighborhood in the row and lowers the rest, so lines are visible in the haze
  * of drifting heat that equalization spreads evenly. */
 void
 Sharpen(std::vector<double> & brightness)

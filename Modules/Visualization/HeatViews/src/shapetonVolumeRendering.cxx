@@ -47,7 +47,7 @@ MakeRayView(const itk::ImageBase<3> * volume, const PatientView & view)
   rays.millimetersPerPixel = view.GetMillimetersPerPixel();
   rays.middleX = view.GetMiddleX();
   rays.middleY = view.GetMiddleY();
-  // Two samples per smallest spacing, so the transmittance of a sample is the square root of that of a voxel.
+  // Two samples per smallest spacing, so the transmittance of a sample is the square root of a voxel's.
   const Vector3 step = view.GetForward() * (0.5 * std::min({ spacing[0], spacing[1], spacing[2] }));
   RayArithmetic::ToIndexVector(rays, step.GetDataPointer(), rays.step);
   const Vector3 toLight = Lighting::DirectionToLight(view.GetRight(), view.GetUp(), view.GetForward());

@@ -5,7 +5,7 @@
 
 namespace shapeton
 {
-/** A perspective camera, such as that of an endoscope. \ingroup ShapetonPictureKit */
+/** A perspective camera, for example of an endoscope. \ingroup ShapetonPictureKit */
 struct PerspectiveCamera
 {
   /** LPS, mm. */
@@ -30,13 +30,13 @@ struct PerspectiveCamera
  * std::invalid_argument for numbers out of range, a view direction that is zero or parallel to `up`, and a wrong number
  * of colors. \ingroup ShapetonPictureKit */
 ShapetonPictureKit_EXPORT Picture::Pointer
-                  RenderPerspective(const SurfaceMesh &           surface,
-                                    const std::vector<RGBColor> & vertexColors,
-                                    const PerspectiveCamera &     camera);
+                          RenderPerspective(const SurfaceMesh &           surface,
+                                            const std::vector<RGBColor> & vertexColors,
+                                            const PerspectiveCamera &     camera);
 
 /** Picture position of a point, in pixels; NaN behind the eye. \ingroup ShapetonPictureKit */
 ShapetonPictureKit_EXPORT Eigen::Vector2d
-                  ProjectPoint(const Eigen::Vector3d & point, const PerspectiveCamera & camera);
+                          ProjectPoint(const Eigen::Vector3d & point, const PerspectiveCamera & camera);
 } // namespace shapeton
 
 #endif

@@ -79,7 +79,7 @@ DrawLine(Picture *        picture,
          double           thickness = 1.0,
          double           opacity = 1.0);
 
-/** Copies `source` so that its upper left pixel is at (left, top).
+/** Copies `source` with its upper left pixel at (left, top).
  * \ingroup ShapetonPictureKit */
 ShapetonPictureKit_EXPORT void
 PastePicture(Picture * picture, const Picture * source, int left, int top);
@@ -126,7 +126,7 @@ struct TextExtent
 ShapetonPictureKit_EXPORT TextExtent
 MeasureText(const std::string & text, const TextStyle & style);
 
-/** The style with the largest size, at least 8 and at most its own, at which the text fits in `width` pixels.
+/** The style with the largest size, at least 8 and at most the given one, at which the text fits in `width` pixels.
  * \ingroup ShapetonPictureKit */
 ShapetonPictureKit_EXPORT TextStyle
 FitText(const std::string & text, TextStyle style, int width);

@@ -32,7 +32,7 @@ struct OrientationLettersStyle
   /** Distance to the left and right border, pixels; the distance to the upper and lower border is three quarters of
    * it. */
   int margin{ 8 };
-  /** Adds a black copy offset by one pixel, for pictures that may be bright there. */
+  /** Adds a black copy offset by one pixel, for pictures with bright borders. */
   bool hasShadow{ false };
 };
 

@@ -85,7 +85,7 @@ struct SurfaceRenderingOptions : PatientViewOptions
  *
  * Drawn with a depth buffer on the CPU: 3 x 3 samples per pixel, interpolated normals, light from above the viewer's
  * left shoulder, two-sided faces. Opaque objects hide each other sample by sample. Transparent ones
- * (SurfaceActor::opacity) are blended over the objects behind them in any order, and hide nothing. Equal input gives
+ * (SurfaceActor::opacity) are blended over the objects behind them in any order, and do not occlude. Equal input gives
  * equal bytes for any number of threads; ITK's global default number is used. Memory: about 30 bytes per vertex and
  * face, and 5 per pixel.
  *

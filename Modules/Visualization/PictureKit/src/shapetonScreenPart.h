@@ -12,7 +12,7 @@ namespace shapeton
 /** Samples per pixel along each side. */
 constexpr int samplesAlongPixel = 3;
 /** Screen positions are multiples of this fraction of a sample. Shared edges are therefore identical for both faces, so
- * there are no gaps and no sample counts twice. */
+ * there are no gaps, and no sample is counted twice. */
 constexpr int subsamples = 64;
 
 /** A projected vertex. */
