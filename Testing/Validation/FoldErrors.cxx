@@ -34,7 +34,7 @@ struct TrueFold
   double                       height{ 0.0 };
   double                       length{ 0.0 };
   double                       arcLength{ 0.0 };
-  std::vector<Eigen::Vector3d> crest; ///< where it protrudes from the wall
+  std::vector<Eigen::Vector3d> crest; ///< samples where the fold protrudes from the wall
   Eigen::Vector3d              ends[2];
   int                          seen{ 0 };
   std::map<int, int>           samplesOfLabel;

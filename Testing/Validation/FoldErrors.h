@@ -5,14 +5,14 @@
 
 #include <string>
 
-/** Errors of the folds found on a flat map relative to the true ones. The true crest of a fold is sampled where it is
- * at least 1 mm above the wall; each sample is assigned to the nearest point of the flat surface. A sample is visible
- * if that point is within 3 mm and not on a bridge. A fold with less than half of its samples visible is hidden and
- * ignored. A true fold is found if at least half of its visible samples are within 2 mm of a single label. Each label
- * is assigned to the true fold (of at least 2 mm) of which it covers most samples; other covered folds are
- * merged with that fold and count as missed. A label is correct if at least half of its pixels are within 4 mm, in 3D,
- * of the crest of a true fold of at least 1.5 mm height. End point errors are 3D distances between the ends of the true
- * crest, at the wall, and the ends of the assigned fold, in the better order. */
+/** Errors of the folds detected on a flat map relative to the true folds. The true crest of a fold is sampled where it
+ * is at least 1 mm above the wall; each sample is assigned to the nearest point of the flat surface. A sample is
+ * visible if that point is within 3 mm and not on a bridge. A fold with less than half of its samples visible is hidden
+ * and ignored. A true fold is found if at least half of its visible samples are within 2 mm of a single label. Each
+ * label is assigned to the true fold (of at least 2 mm) of which it covers most samples; other covered folds are merged
+ * with that fold and count as missed. A label is correct if at least half of its pixels are within 4 mm, in 3D, of the
+ * crest of a true fold of at least 1.5 mm height. End point errors are 3D distances between the ends of the true crest,
+ * at the wall, and the ends of the assigned fold, in the better order. */
 struct FoldErrors
 {
   /** True folds with a height of at least 3.5 mm. */

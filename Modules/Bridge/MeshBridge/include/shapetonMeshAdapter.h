@@ -85,7 +85,7 @@ ValueOf(const itk::MetaDataDictionary & dictionary, const char * key)
 
 /** Fills an empty mesh.
  * \param pointArray, cellArray the arrays for pixels with a fixed number of components; empty for none.
- * Throws ParameterError if the mesh is not empty or an array does not exist; InputError as RequireSound(), and for a
+ * Throws ParameterError if the mesh is not empty or an array does not exist; InputError like RequireSound(), and for a
  * QuadEdgeMesh if the surface is not an oriented manifold. \ingroup ShapetonMeshBridge */
 template <typename TMesh>
 void
@@ -216,8 +216,8 @@ TakeTriangles(const TMesh & mesh, const std::map<typename TMesh::PointIdentifier
 
 /** Converts the triangles of a mesh to a surface, points and cells by ascending identifier. Vertices and lines are
  * dropped. Values with unknown names, or replaced by a filter, become one array named pointData or cellData. Throws
- * InputError for polygons with more than three points, solids, cells with missing points, and as RequireSound().
- * \ingroup ShapetonMeshBridge */
+ * InputError for polygons with more than three points, solids, cells with missing points, and the exceptions of
+ * RequireSound(). \ingroup ShapetonMeshBridge */
 template <typename TMesh, typename = typename TMesh::MeshTraits>
 SurfaceMesh
 SurfaceOf(const TMesh & mesh)

@@ -19,7 +19,7 @@ class CommandLine;
  * \param other correspondence.vtp of another position of this patient; if not null, points.csv is also written: pairs
  * of points, the point of the other position first (TableOfPointPairs()).
  *
- * Throws OutputError, and InputError as TableOfPointPairs() does. \ingroup ShapetonColonTools */
+ * Throws OutputError and the exceptions of TableOfPointPairs(). \ingroup ShapetonColonTools */
 ShapetonColonTools_EXPORT void
 WriteColonTruth(CommandLine &             commandLine,
                 ColonPhantomImageSource & source,

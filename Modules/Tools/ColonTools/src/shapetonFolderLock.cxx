@@ -13,7 +13,7 @@
 
 namespace shapeton
 {
-// Children inherit the descriptor on purpose: the lock is held as long as any of them runs.
+// Children inherit the descriptor intentionally: the lock is held while any child runs.
 StagedRun::Lock::Lock(const std::string & folder)
   : m_Descriptor(open((folder + "/.lock").c_str(), O_RDWR | O_CREAT, 0666))
 {

@@ -42,7 +42,7 @@ namespace shapeton
  *
  * Exit status: 0 success, 1 other failure, 2 wrong usage (ParameterError), 3 unsuitable input (InputError). Only this
  * class sets it. On failure stderr contains one line; on success it is empty. If the message of an exception or a
- * warning names a parameter as Exception does (`the parameter "p" = 2`), it is printed as the option (`--p 2`). stdout
+ * warning contains a parameter in the form `the parameter "p" = 2`, it is printed as the option (`--p 2`). stdout
  * shows a progress bar on a terminal and Slicer's progress XML otherwise; nothing with --quiet, or if the body reports
  * neither progress nor warnings. Progress never decreases, and reaches 1 once, after the body has returned.
  *

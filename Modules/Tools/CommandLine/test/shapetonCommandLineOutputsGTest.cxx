@@ -124,7 +124,7 @@ TEST(CommandLineOutputs, TemporaryNamesHaveTheFolderAndTheExtensionOfTheFinalOne
     EXPECT_NE(temporary, scratch.Path() / path);
     EXPECT_EQ(ReadText(path), newText);
   }
-  EXPECT_EQ(NamesIn().size(), cases.size() - 2) << "three of them are in the folder, which is one more name";
+  EXPECT_EQ(NamesIn().size(), cases.size() - 2) << "three outputs are in the folder, which is one more name";
   EXPECT_EQ(NamesIn("sub"), Words({ "heat.nii.gz", "points.mrk.json", "report.json" }));
 }
 
@@ -359,7 +359,7 @@ TEST(CommandLineOutputs, ASignalThatWasIgnoredStaysIgnored)
 {
   const Scratch scratch;
   const auto    outcome = InProcess([] {
-    signal(SIGHUP, SIG_IGN); // as nohup does
+    signal(SIGHUP, SIG_IGN); // as with nohup
     return RunHere({ "in", "out" }, [](shapeton::CommandLine & commandLine) {
       raise(SIGHUP);
       WriterOf({ "a.nrrd" })(commandLine);

@@ -19,7 +19,7 @@ struct TransferFunctionChoice
 {
   std::optional<ShapeTransferFunction> lines;
   std::optional<std::uint64_t>         timeStep;
-  /** Quantity of the lines, if the file states it. */
+  /** Quantity of the lines, if stated in the file. */
   std::string quantity;
 };
 

@@ -18,7 +18,7 @@ class DicomMapOutput
 {
 public:
   /** Reads the headers of the series, to reject unsuitable input before the run. Throws ParameterError if the
-   * input is not DICOM, InputError as ReadDicomSource() does. */
+   * input is not DICOM, and the exceptions of ReadDicomSource(). */
   explicit DicomMapOutput(CommandLine & commandLine);
   ~DicomMapOutput();
 

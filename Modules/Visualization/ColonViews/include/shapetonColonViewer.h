@@ -11,13 +11,14 @@ namespace shapeton
 /** Options of the viewer page of a colon. \ingroup ShapetonColonViews */
 struct ColonViewerOptions
 {
-  /** If true, the page contains all data; otherwise script files in its folder `data` do, which load faster. */
+  /** If true, the page contains all data; otherwise the data are script files in the folder `data`, which load faster.
+   */
   bool isSingle{ false };
   /** 8 bits hold -1024 to 512 HU in steps of 6 HU, 16 bits all values. */
   int bits{ 8 };
   /** Distance from the lumen (mm, 0 to 100) beyond which the volume is stored as means of 4^3 voxels. */
   double near{ 14.0 };
-  /** Leaves out the series UIDs and the folder name. */
+  /** Omits the series UIDs and the folder name. */
   bool isAnonymous{ false };
   /** Path of a verdicts.json saved by the page; may be empty. */
   std::string verdicts;

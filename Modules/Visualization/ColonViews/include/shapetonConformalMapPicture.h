@@ -67,9 +67,8 @@ ShapetonColonViews_EXPORT Picture::Pointer
 
 /** Draws the holomorphic 1-forms of a surface, a row for each inner boundary (dissertation, Figure 5.3 d to f): 20
  * level sets from 0 to 1 of the harmonic function that is 1 on this boundary and 0 on the others, equally spaced level
- * sets of its conjugate, and both as a checkerboard. Throws as HolomorphicFormsOf() does. `panel`: side of one view,
- * pixels.
- * \ingroup ShapetonColonViews */
+ * sets of its conjugate, and both as a checkerboard. Throws the exceptions of HolomorphicFormsOf(). `panel`: side of
+ * one view, pixels. \ingroup ShapetonColonViews */
 ShapetonColonViews_EXPORT Picture::Pointer
                           DrawHolomorphicForms(const ConformalMap & map, unsigned int panel = 480);
 } // namespace shapeton

@@ -49,7 +49,7 @@ struct FlatVolumeOptions
   double tissue{ -250.0 };
   /** Distance from the surface into the lumen where a ray starts; it starts later if tissue is nearer. */
   double depthOfLumen{ 3.0 };
-  /** Distance beyond the surface where it ends. */
+  /** Distance beyond the surface where the ray ends. */
   double depthOfWall{ 4.0 };
   /** Extinction of tissue, 1/mm; controls the visible depth. */
   double extinction{ 2.5 };

@@ -22,7 +22,7 @@ struct HaustralFoldPictureContent
 
 /** A page of the flat colon in rows (DrawFlatColonPage()) with the relief. Folds are outlined, neighbors in different
  * colors, with green dots at their ends (larger if more reliable); taeniae are yellow lines. `pixelSize`: mm of the map
- * at the mean circumference. Throws InputError and ParameterError as FlatColonGrid does.
+ * at the mean circumference. Throws the exceptions of FlatColonGrid.
  * \ingroup ShapetonColonViews */
 ShapetonColonViews_EXPORT Picture::Pointer
                           DrawHaustralFolds(const HaustralFoldPictureContent & content,

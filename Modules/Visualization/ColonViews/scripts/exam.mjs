@@ -170,7 +170,7 @@ export class Exam {
     return hit && this.place(hit.face, hit.weights);
   }
 
-  // Whether the wall occludes a point of it from an eye.
+  // Whether the wall occludes a wall point from an eye.
   hidden(eye, p) {
     const d = sub(p, eye);
     return this.wall.ray(eye, unit(d), norm(d) - 1.5, true) !== null;

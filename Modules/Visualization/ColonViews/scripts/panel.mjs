@@ -57,7 +57,7 @@ export class Panel {
     this.slices.forEach((v) => v.changed());
   }
 
-  // Sets the crosshair. from: the view where it was set; its view direction stays.
+  // Sets the crosshair. from: the originating view, which keeps its view direction.
   set(place, from = null) {
     this.follow(place, from);
     this.notify(this);

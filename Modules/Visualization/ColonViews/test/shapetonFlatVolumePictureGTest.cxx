@@ -42,7 +42,7 @@ TEST(FlatVolumePicture, ContrastMediumIsWhite)
   const shapeton::RGBColor tissue = At(picture, 50, 30);
   const shapeton::RGBColor medium = At(picture, 90, 30);
   EXPECT_GT(tissue[0], tissue[2] + 50);
-  EXPECT_LT(medium[0] - medium[2], 0.6 * (tissue[0] - tissue[2])) << "also where it borders on gas";
+  EXPECT_LT(medium[0] - medium[2], 0.6 * (tissue[0] - tissue[2])) << "also next to gas";
 }
 
 TEST(FlatVolumePicture, ObliqueVolumesShowTheSame)

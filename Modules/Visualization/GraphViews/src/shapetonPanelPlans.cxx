@@ -76,7 +76,7 @@ PlansOfTorus(const EmbeddedGraph & graph)
   return { overlap, circles };
 }
 
-/** Tiles shrink towards the rim, so large graphs need fewer of them. */
+/** Tiles shrink towards the rim, so large graphs require fewer tiles. */
 int
 NumberOfTiles(const EmbeddedGraph & graph)
 {

@@ -18,9 +18,9 @@ struct SphereHole
 
 /** \brief Triangulation of the unit sphere along a circle packing, with holes around some nodes.
  *
- * Before refinement, each triangle is formed by a node, a tangency point and a face; at a hole it ends at the rim.
- * Edges of the packed map are therefore paths of the mesh. Edges are bisected until none is longer than `longest`. New
- * vertices are on the sphere, or on the rim if both ends are. */
+ * Before refinement, each triangle is formed by a node, a tangency point and a face; at a hole the triangle ends at the
+ * rim. Edges of the packed map are therefore paths of the mesh. Edges are bisected until none is longer than `longest`.
+ * New vertices are on the sphere, or on the rim if both ends are. */
 class SphereWithHoles
 {
 public:

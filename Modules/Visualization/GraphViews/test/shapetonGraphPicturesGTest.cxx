@@ -69,7 +69,7 @@ TEST(GraphPictures, TheFrontShowsTheGraph)
   EXPECT_DOUBLE_EQ(0.48, front.x);
 }
 
-/** The stereographic picture of a cube shows all of it: 8 nodes and 6 circles of faces, one of them around the rest. */
+/** The stereographic picture of a cube shows 8 nodes and 6 circles of faces, one of which surrounds all others. */
 TEST(GraphPictures, SphereShowsEachCircle)
 {
   const XmlPage page = PictureOf(Cube());

@@ -23,7 +23,7 @@ struct LiveState
  * \brief The HeatExplorer page for a running computation; polls for a new state every few seconds.
  *
  * Each state is a single file, replaced by renaming, so the page never reads a partial state. The page keeps the
- * histogram of the states so far, at most 64 of them.
+ * histogram of the states so far, at most 64 rows.
  *
  * \ingroup ShapetonHeatViews */
 class ShapetonHeatViews_EXPORT LiveExplorer

@@ -9,7 +9,7 @@ const MIXED = 1, UNIFORM = 2; // content of a block; 0: invisible
 // One triangle covers the picture.
 const CORNERS = 'void main() { gl_Position = vec4(gl_VertexID == 1 ? 3. : -1., gl_VertexID == 2 ? 3. : -1., 0, 1); }';
 
-// Casts rays through a volume of premultiplied colors, as RenderVolume does: voxels are classified first, then color and opacity
+// Casts rays through a volume of premultiplied colors, as in RenderVolume: voxels are classified first, then color and opacity
 // are interpolated, so interpolation creates no other lines between two voxels.
 const RAYS = `
 precision highp sampler3D;

@@ -72,7 +72,7 @@ void
 ClassifiedVolume::MarkOccupiedBlocks()
 {
   m_Content.assign(this->BlockIndex(0, 0, m_Blocks[2]), Content::Transparent);
-  // A block includes one voxel beyond its borders, as interpolation does.
+  // A block includes one voxel beyond its borders, for interpolation.
   ParallelFor(m_Blocks[2], [&](int blockZ) {
     const int firstZ = std::max(blockZ * BlockSize - 1, 0);
     const int endZ = std::min((blockZ + 1) * BlockSize + 1, m_Size[2]);
