@@ -4,8 +4,8 @@ of a call.
 
 usage: PythonBenchmark [--size VOXELS] [--steps STEPS] [--repeats NUMBER]
 
-The tool and the package alternate on the same volume in separate processes: both read it, run the heat diffusion and write the
-heat, which must be equal.
+The tool and the package alternate on the same volume in separate processes: both read it, run the heat diffusion
+and write the heat, which must be equal.
 """
 
 import argparse

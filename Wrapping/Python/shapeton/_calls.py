@@ -1,7 +1,7 @@
 """Immediate response to Ctrl-C during a call, even if a step of the library cannot be interrupted.
 
-Python handles signals in its main thread only. Long functions called in the main thread therefore run in a separate thread; when
-the main thread stops waiting, that thread ends by itself, at the latest after its current step.
+Python handles signals in its main thread only. Long functions called in the main thread therefore run in a separate
+thread; when the main thread stops waiting, this thread ends by itself, at the latest after its current step.
 """
 
 from __future__ import annotations

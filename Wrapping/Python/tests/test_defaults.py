@@ -147,7 +147,7 @@ class DefaultsTest(TestCase):
                     continue
                 with self.subTest(tool, option=option):
                     parameter = NAMES.get(key, small(option))
-                    self.assertIn(parameter, defaults, "not a parameter of any function: add it to NAMES or OPTIONS_ALONE")
+                    self.assertIn(parameter, defaults, "not a parameter: add it to NAMES or OPTIONS_ALONE")
                     if not isinstance(default, list):
                         default = MEANINGS.get(key, MEANINGS.get(option, {})).get(default, default)
                     self.assertEqual(defaults[parameter], default)
