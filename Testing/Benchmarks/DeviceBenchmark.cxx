@@ -191,9 +191,8 @@ main()
 {
   const DeviceUse use = ChooseDevice(Device::Cuda, 0);
   const double    bandwidth = MeasureTriad();
-  std::printf("\n%s; triad %.0f GB/s\n\n| what | measured | bound | |\n|---|---|---|---|\n",
-              use.device.c_str(),
-              bandwidth / 1e9);
+  std::printf(
+    "\n%s; triad %.0f GB/s\n\n| what | measured | bound | |\n|---|---|---|---|\n", use.device.c_str(), bandwidth / 1e9);
   Setting s(256);
   MeasureSteps(s, bandwidth);
   MeasureFinalState("256^3, t = 1e5, final state", s, 0.3);

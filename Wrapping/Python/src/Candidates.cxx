@@ -58,12 +58,14 @@ AddCandidate(py::module_ & module)
   py::class_<PolypInOtherPosition>(
     module, "PolypInOtherPosition", "Position of a candidate in the other position of the patient.")
     .def_readonly("point", &PolypInOtherPosition::point, "Point on the other wall; LPS, mm.")
-    .def_readonly("distance", &PolypInOtherPosition::distance, "Distance to the most similar candidate in the other position, mm.")
+    .def_readonly(
+      "distance", &PolypInOtherPosition::distance, "Distance to the most similar candidate in the other position, mm.")
     .def_readonly("candidate", &PolypInOtherPosition::candidate, "Number of the most similar candidate; 0 for none.")
     .def_readonly("likeness", &PolypInOtherPosition::likeness, "Similarity of location, width and score, 0 to 1.")
     .def_readonly("own_score", &PolypInOtherPosition::ownScore, "Score before weighting; otherwise NaN.")
     .def_readonly("is_seen", &PolypInOtherPosition::isSeen, "Whether a similar candidate was found.")
-    .def_readonly("is_excluded", &PolypInOtherPosition::isExcluded, "Whether the corresponding wall cannot be assessed.")
+    .def_readonly(
+      "is_excluded", &PolypInOtherPosition::isExcluded, "Whether the corresponding wall cannot be assessed.")
     .def_readonly("confidence", &PolypInOtherPosition::confidence, "Confidence of the registration, 0 to 1.");
 
   py::class_<PolypCandidate>(module, "PolypCandidate", "A polyp-like location on the wall; not a clinical finding.")

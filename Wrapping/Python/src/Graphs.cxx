@@ -189,7 +189,8 @@ disk (radius: a length; in the disk, hyperbolic). Half-edge 2e leaves the first 
       "geometry",
       [](const Certificate & c) { return NameOf(c.geometry); },
       "\"spherical\" (genus 0), \"euclidean\" (1) or \"hyperbolic\".")
-    .def_readonly("rotation", &Certificate::rotation, "Outgoing half-edges of all nodes, counterclockwise, in one list.")
+    .def_readonly(
+      "rotation", &Certificate::rotation, "Outgoing half-edges of all nodes, counterclockwise, in one list.")
     .def_readonly("packed", &Certificate::packed, "The 3-connected graph, including dummy nodes.")
     .def_readonly(
       "subdivided", &Certificate::subdivided, "Edges subdivided into paths of the packed graph, as half-edges.")
@@ -253,7 +254,8 @@ AddGraphs(py::module_ & module)
     .def_readonly("isomorphic", &GraphComparison::isomorphic, "Whether the graphs are isomorphic.")
     .def_readonly("a", &GraphComparison::a, "Certificate of the first graph in canonical order.")
     .def_readonly("b", &GraphComparison::b, "Certificate of the second graph in canonical order.")
-    .def_readonly("differences", &GraphComparison::differences, "Differences as sentences; empty for isomorphic graphs.")
+    .def_readonly(
+      "differences", &GraphComparison::differences, "Differences as sentences; empty for isomorphic graphs.")
     .def_property_readonly(
       "correspondence",
       [](const GraphComparison & c) { return c.correspondence.image; },

@@ -193,8 +193,8 @@ private:
     const std::string & value = m_Arguments[m_Next++];
     if (value.compare(0, 2, "--") == 0) // a missing value, not a file of that name
     {
-      throw ParameterError(m_Option + " requires a value; a value that begins with two hyphens is written " +
-                           m_Option + "=VALUE");
+      throw ParameterError(m_Option + " requires a value; a value that begins with two hyphens is written " + m_Option +
+                           "=VALUE");
     }
     return value;
   }
