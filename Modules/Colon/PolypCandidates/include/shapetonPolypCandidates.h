@@ -29,7 +29,7 @@ enum class PolypPreset
 
 /** "default", "published". \ingroup ShapetonPolypCandidates */
 ShapetonPolypCandidates_EXPORT std::string
-                               NameOf(PolypPreset preset);
+                       NameOf(PolypPreset preset);
 
 /** Size classes for reports: the largest diameter, rounded to whole millimeters.
  * \ingroup ShapetonPolypCandidates */
@@ -46,7 +46,7 @@ ShapetonPolypCandidates_EXPORT PolypSize
 SizeOf(double diameter);
 /** "<= 5 mm", "6-9 mm", ">= 10 mm", ">= 30 mm". \ingroup ShapetonPolypCandidates */
 ShapetonPolypCandidates_EXPORT std::string
-                               NameOf(PolypSize size);
+                       NameOf(PolypSize size);
 
 /** Tissue of a candidate, from the HU inside it. \ingroup ShapetonPolypCandidates */
 enum class PolypTissue
@@ -63,7 +63,7 @@ ShapetonPolypCandidates_EXPORT PolypTissue
 TissueOf(double hounsfield);
 /** "unknown", "gas", "fat", "soft tissue", "tagged". \ingroup ShapetonPolypCandidates */
 ShapetonPolypCandidates_EXPORT std::string
-                               NameOf(PolypTissue tissue);
+                       NameOf(PolypTissue tissue);
 
 /** A candidate in the other position of the patient. \ingroup ShapetonPolypCandidates */
 struct PolypInOtherPosition
@@ -73,7 +73,7 @@ struct PolypInOtherPosition
   /** mm from there to the most similar candidate of the other position, or to the nearest if none is similar; infinite
    * without candidates. */
   double distance{ std::numeric_limits<double>::infinity() };
-  /** Number of the most similar candidate; 0 for none. */
+  /** Number of that candidate; 0 for none. */
   int candidate{ 0 };
   /** Whether a similar candidate is there: likeness of at least 0.1. */
   bool isSeen{ false };
@@ -100,8 +100,7 @@ struct OtherPolypCandidate
   double score{ 1.0 };
 };
 
-/** A place of the wall that resembles a polyp. For research use; a candidate is not a finding. \ingroup
- * ShapetonPolypCandidates
+/** A place of the wall that resembles a polyp. For research use; a candidate is not a finding. \ingroup ShapetonPolypCandidates
  */
 struct PolypCandidate
 {
@@ -180,7 +179,7 @@ MatchedSmoothingTime(const SurfaceMesh & wall, double time);
  * Throws ParameterError for a sensitivity out of [0, 1], and the InputError of MakeSurfaceLaplacian(). The result is
  * identical for any number of threads. \ingroup ShapetonPolypCandidates */
 ShapetonPolypCandidates_EXPORT std::vector<PolypCandidate>
-FindPolypCandidates(const SurfaceMesh & wall, const PolypCandidateOptions & options = {});
+                       FindPolypCandidates(const SurfaceMesh & wall, const PolypCandidateOptions & options = {});
 
 /** Marks the candidate that may be the ileocecal valve if no valve is known: the largest of at least 15 mm, 30 to 100
  * mm before the end of the centerline. \ingroup ShapetonPolypCandidates */

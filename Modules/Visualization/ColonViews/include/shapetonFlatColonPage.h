@@ -39,8 +39,8 @@ struct FlatAnnotation
   double diameter{ 6.0 };
 };
 
-/** Title, rows and margins of a page that shows the flat colon row by row. See FlatColonPage. \ingroup
- * ShapetonColonViews */
+/** Title, rows and margins of a page that shows the flat colon row by row. See FlatColonPage.
+ * \ingroup ShapetonColonViews */
 struct FlatColonPageOptions
 {
   std::string title;
