@@ -1,4 +1,4 @@
-set(DOCUMENTATION "The colon of a CT or of a lumen mask: wall surface, ileocecal valve, and the model that joins lumen, centerline and wall.")
+set(DOCUMENTATION "The colon of a CT or of a lumen mask: wall surface, ileocecal valve, and a model of lumen, centerline and wall.")
 
 itk_module(ShapetonColonModel
   ENABLE_SHARED

@@ -15,23 +15,23 @@ namespace shapeton
 {
 /** \defgroup ColonAssessability Assessable parts of a colon
  *
- * A part of the colon cannot be assessed where its wall is not visible. C-RADS (Zalis et al., Radiology 2005) calls
- * this category C0: preparation that hides lesions of 10 mm, or collapsed segments. The first rule that holds at a
- * point of the centerline decides:
+ * The colon cannot be assessed where its wall is not visible: C-RADS category C0 (Zalis et al., Radiology 2005), for
+ * inadequate preparation that hides lesions of 10 mm or for collapsed segments. Each point of the centerline is
+ * classified by the first rule that applies:
  *
  * - no lumen: the line is a bridge, without gas or tagged fluid
  * - cut by the scan: the lumen extends beyond the border of the image
- * - untagged fluid: straight below the line the lumen ends at an untagged level of 150 mm^2 or more, which hides the
- *   wall below it. Flat walls were mistaken for levels of up to 80 mm^2 in the examinations inspected
- * - narrow: the caliber is below 10 mm over 5 mm or more, as counted for distension; the lip of a single fold is
- *   thinner. Up to 40 mm at the beginning, the anal canal, are narrow by nature
+ * - untagged fluid: directly below the line, the lumen ends at an untagged level of at least 150 mm^2, which hides the
+ *   wall below it. In the examinations inspected, flat walls were mistaken for levels of up to 80 mm^2
+ * - narrow: the caliber is below 10 mm over at least 5 mm, as for distension; a single fold is thinner. The first 40 mm
+ *   are exempt, since the anal canal is narrow
  *
- * The limit of 10 mm is that of MeasureDistension(); 150 mm^2, 5 mm and the shares of the verdicts are our choice. The
- * fluid rule does not apply to a mask without a CT.
+ * MeasureDistension() uses the same limit of 10 mm; 150 mm^2, 5 mm and the fractions of the verdicts are our choice.
+ * The fluid rule requires a CT.
  * \ingroup ShapetonColonCenterline */
 ///@{
 
-/** Why the wall is not visible at a point of the centerline. The values are those of the array notAssessable. */
+/** Reason why the wall is not visible at a point of the centerline; the values stored in the array notAssessable. */
 enum class ColonHindrance
 {
   None = 0,
@@ -45,18 +45,18 @@ constexpr int numberOfColonHindrances = 5;
 /** "none", "noLumen", "cutByScan", "untaggedFluid", "narrow". */
 ShapetonColonCenterline_EXPORT std::string
                        NameOf(ColonHindrance hindrance);
-/** The hindrance with this name; None for an empty name. Throws InputError for any other text. */
+/** The hindrance with this name; None for an empty name. Throws InputError for an unknown name. */
 ShapetonColonCenterline_EXPORT ColonHindrance
 HindranceOfName(const std::string & name);
-/** The hindrance with this value in the array notAssessable; the nearest one for values out of range. */
+/** The hindrance for a value of the array notAssessable; values out of range are clamped. */
 ShapetonColonCenterline_EXPORT ColonHindrance
 HindranceOfValue(double value);
 /** For example "caliber below 10 mm"; empty for None. */
 ShapetonColonCenterline_EXPORT std::string
                        InWords(ColonHindrance hindrance);
 
-/** Adds the point array notAssessable, a ColonHindrance for each point, to the centerline. `curve` needs the arrays of
- * TraceColonCenterline(). Throws InputError when one is missing. */
+/** Adds the point array notAssessable (ColonHindrance) to the centerline. Throws InputError if `curve` lacks an array
+ * of TraceColonCenterline(). */
 ShapetonColonCenterline_EXPORT void
 MarkHindrances(const ColonLumen & lumen, CurveSet & curve);
 
@@ -69,12 +69,12 @@ struct HinderedStretch
   ColonHindrance hindrance{ ColonHindrance::None };
 };
 
-/** Whether a line has the arrays that FindHinderedStretches() needs. */
+/** Whether the arrays required by FindHinderedStretches() exist. */
 ShapetonColonCenterline_EXPORT bool
 TellsHindrances(const CurveSet & curve);
 
-/** The hindered stretches in order along the line, from arcLength and notAssessable; without the latter from gap and
- * radius. Throws InputError when these are missing, too. */
+/** The hindered stretches in order along the line, from arcLength and notAssessable, or from arcLength, gap and radius
+ * if notAssessable is missing. Throws InputError if required arrays are missing. */
 ShapetonColonCenterline_EXPORT std::vector<HinderedStretch>
                        FindHinderedStretches(const CurveSet & curve);
 
@@ -85,7 +85,7 @@ HindranceAt(const std::vector<HinderedStretch> & stretches, double arcLength);
 ShapetonColonCenterline_EXPORT void
 MarkHindrances(const std::vector<HinderedStretch> & stretches, CurveSet & curves);
 
-/** How much of a part of the colon can be assessed. */
+/** The assessable fraction of a part of the colon. */
 struct ColonAssessability
 {
   /** Assessable share of the length, 0 to 1; 0 for an empty part. */
@@ -96,7 +96,7 @@ struct ColonAssessability
   /** "assessable" if the share is at least 0.9, "notAssessable" below 0.5, else "partly". */
   ShapetonColonCenterline_EXPORT std::string
                          Verdict() const;
-  /** The hindrances with a length above zero, longest first. */
+  /** The hindrances that occur, longest first. */
   ShapetonColonCenterline_EXPORT std::vector<ColonHindrance>
                          Hindrances() const;
 };
@@ -105,7 +105,7 @@ struct ColonAssessability
 ShapetonColonCenterline_EXPORT ColonAssessability
 Assess(const std::vector<HinderedStretch> & stretches, double begin, double end);
 
-/** Keys: reason (its name), words. */
+/** Keys: reason (its name), words (a description). */
 ShapetonColonCenterline_EXPORT Json
 HindranceToJson(ColonHindrance hindrance);
 

@@ -19,15 +19,15 @@ namespace shapeton
  * \ingroup ShapetonColonCenterline */
 struct ColonCenterlineOptions
 {
-  /** One mm of path costs 1 / (d + 0.1 mm)^exponent, d the distance to the wall; from 1 to 8. */
+  /** Exponent of the path cost 1 / (d + 0.1 mm)^exponent per mm, where d is the distance to the wall; 1 to 8. */
   int exponent{ 3 };
   /** Start of the line in the rectum, LPS in mm; detected automatically if not given. */
   std::optional<itk::Point<double, 3>> start;
-  /** Points in the colon, LPS in mm: the nearest pieces of lumen are used, whatever their size. */
+  /** Points in the colon, LPS in mm. The piece of lumen nearest to each is used, even if it is small. */
   std::vector<itk::Point<double, 3>> seedPoints;
   /** Smallest piece of lumen to use, ml. */
   double minimumVolume{ 5.0 };
-  /** A piece of at least a fifth of that volume is also used if the diagonal of its box is at least this, mm. */
+  /** Minimum bounding box diagonal (mm) of smaller pieces to use; these have at least a fifth of minimumVolume. */
   double minimumExtent{ 60.0 };
   /** Distance between points of the line, mm, from 0.2 to 10. */
   double step{ 1.0 };
@@ -49,8 +49,8 @@ struct CenterlineGap
   itk::Point<double, 3> to;
   /** Straight distance between the ends of the lumen, mm. */
   double distance{ 0.0 };
-  /** The order of the pieces is uncertain: the gap is longer than known collapsed stretches (150 mm), or, in a
-   * ColonModel, outside the scan. */
+  /** Whether the order of the pieces is uncertain: the gap exceeds the longest known collapsed stretch (150 mm) or, in
+   * a ColonModel, is outside the scan. */
   bool isDoubtful{ false };
 };
 
@@ -65,7 +65,7 @@ struct CenterlinePiece
   /** First and last arcLength (mm) of a used piece. */
   double begin{ 0.0 };
   double end{ 0.0 };
-  /** Why the piece is not used; empty for a used piece. */
+  /** Reason why the piece is not used; empty for a used piece. */
   std::string           reason;
   itk::Point<double, 3> place;
 };
@@ -76,56 +76,57 @@ struct CenterlineMerge
   itk::Point<double, 3> place;
   /** Radius of the hole at its widest, mm. */
   double clearance{ 0.0 };
-  /** Length that a path through the hole would skip, mm. */
+  /** Length of colon that a path through the hole would bypass, mm. */
   double loop{ 0.0 };
 };
 
-/** The centerline of a colon from the rectum to the cecum, with the gaps it bridges and the pieces of lumen it joins.
+/** The centerline of a colon from the rectum to the cecum, with the bridged gaps and the joined pieces of lumen.
  * \ingroup ShapetonColonCenterline */
 struct ColonCenterline
 {
   /** One curve from the rectum to the cecum, LPS in mm. Point arrays: arcLength (mm from the rectal end), radius (mm;
-   * the largest ball inside the lumen across the line, or the bridge radius in gaps), gap (1 on a bridge, else 0).
-   * Field arrays: lengths (mm, for the exponents 2, 3 and 4), gaps (begin, end), merges (x, y, z, clearance, loop). */
+   * of the largest inscribed ball centered in the cross-section, or the bridge radius in gaps), gap (1 on a bridge,
+   * else 0). Field arrays: lengths (mm, for the exponents 2, 3 and 4), gaps (begin, end), merges (x, y, z, clearance,
+   * loop). */
   CurveSet curve;
   /** Length of the line, mm. */
   double                     length{ 0.0 };
   std::vector<CenterlineGap> gaps;
-  /** From the rectum to the cecum; unused pieces last. */
+  /** In order from the rectum to the cecum; unused pieces last. */
   std::vector<CenterlinePiece> pieces;
-  /** Widest first, one for each place. */
+  /** Widest first, one per contact. */
   std::vector<CenterlineMerge> merges;
   /** Lengths of the line for the exponents 2, 3 and 4, mm. */
   std::array<double, 3> lengths{};
-  /** Share of the used volume near the line rather than in side branches, 0 to 1. Near: the straight way to the line
-   * within the lumen is at most 10 mm + twice the radius there. */
+  /** Fraction of the used volume near the line rather than in side branches, 0 to 1. A voxel is near if its path to the
+   * line within the lumen is at most 10 mm plus twice the local radius. */
   double coverage{ 0.0 };
   /** Warnings, with positions. */
   Remarks warnings;
-  /** Empty, or why the mask is not a colon: its line has far more gaps and holes, or its sections are far larger than
-   * in any colon. */
+  /** Reason why the mask cannot be a colon: far too many gaps and holes, or far too large cross-sections; empty
+   * otherwise. */
   std::string failure;
 };
 
-/** \brief The centerline of the colon from a mask of its lumen.
+/** \brief Computes the centerline of the colon from a mask of its lumen.
  *
- * 1. Distance to the wall; pieces are the components of the lumen.
- * 2. Each piece is cut into cells of about one inscribed ball. The widest passages between cells form a tree. Passages
- *    that would close long rings are holes in septa between touching loops; no path uses them.
- * 3. The path of a piece is the cheapest one (1 mm costs 1 / (d + 0.1 mm)^3, Dijkstra on 26 neighbors) between its two
- *    ends: the places with d >= 8 mm that are farthest along such paths, extended into tapering ends where another
- *    piece follows.
- * 4. The rectum is the most caudal, posterior and medial end of a piece. The other pieces are ordered by the shortest
- *    joins of their ends, each end used once; exact for up to 14 pieces.
- * 5. The path is moved to the middle of the lumen, smoothed and resampled; gaps are bridged by cubic curves.
+ * 1. Compute the distance to the wall and the connected components (pieces) of the lumen.
+ * 2. Partition each piece into cells of about one inscribed ball. The widest passages between cells form a tree.
+ *    Passages that would close long rings are holes in septa between touching loops and are excluded from paths.
+ * 3. Find the minimal path of each piece (cost 1 / (d + 0.1 mm)^3 per mm, Dijkstra on 26 neighbors) between its two
+ *    ends: the points with d >= 8 mm farthest apart along such paths, extended into tapering ends where another piece
+ *    follows.
+ * 4. Start at the rectum, the most caudal, posterior and medial end of a piece, and order the other pieces by the
+ *    shortest joins of their ends, each used once; exact for up to 14 pieces.
+ * 5. Center, smooth and resample the path; bridge gaps by cubic curves.
  *
- * Directions are those of LPS, whatever the axes of the image. Equal input gives equal output for any number of
- * threads. Time is linear in voxels.
+ * Anatomical directions refer to LPS for any image orientation. The result does not depend on the number of threads.
+ * Time is linear in the number of voxels.
  *
  * Source: Bitter et al., Penalized-distance volumetric skeleton algorithm (2001), for the path; the cells and their
- * tree are ours.
+ * tree are original work.
  *
- * Throws InputError, with the findings, when no usable lumen is found; ParameterError for options out of range.
+ * Throws InputError if no usable lumen is found, and ParameterError for options out of range.
  * \ingroup ShapetonColonCenterline */
 ShapetonColonCenterline_EXPORT ColonCenterline
 TraceColonCenterline(const LumenMask * lumen, const ColonCenterlineOptions & options = {});

@@ -10,14 +10,14 @@
 
 namespace shapeton
 {
-/** Smallest caliber of distended lumen, mm. \ingroup ShapetonColonCenterline */
+/** Minimum caliber of distended lumen, mm. \ingroup ShapetonColonCenterline */
 constexpr double LeastDistendedCaliber = 10.0;
 
 /** A segment of the colon along its centerline. \ingroup ShapetonColonCenterline */
 struct ColonSegmentBorder
 {
   std::string name;
-  /** arcLength of its end toward the cecum, mm. */
+  /** arcLength of its cecal end, mm. */
   double end{ 0.0 };
 };
 
@@ -37,7 +37,7 @@ struct SegmentDistension
   double collapsedLength{ 0.0 };
 };
 
-/** Segment borders at customary shares of the length from the anal verge, for use without landmarks:
+/** Segment borders at customary fractions of the length from the anal verge, for use without landmarks:
  *
  * | segment | share | from | to |
  * |---|---|---|---|
@@ -48,24 +48,24 @@ struct SegmentDistension
  * | ascending | 0.13 | 0.83 | 0.96 |
  * | cecum | 0.04 | 0.96 | 1 |
  *
- * Round figures for orientation, not measured here. Individual patients differ by several percent of the length.
+ * These are rounded typical values; patients differ by several percent of the length.
  * \ingroup ShapetonColonCenterline */
 ShapetonColonCenterline_EXPORT std::vector<ColonSegmentBorder>
                        CustomarySegments(double length);
 
-/** Measures the distension of each segment as reports of CT colonography and barium enema state it: the share of the
+/** Measures the distension of each segment as in reports of CT colonography and barium enema: the fraction of the
  * centerline with a caliber of at least 1 cm.
  *
- * The caliber is the diameter of the largest ball inside the lumen across the line, 2 * radius: the inner diameter
- * between folds, not between haustra. A gap counts as 0 mm. Each step of the line is weighted by its length.
+ * The caliber is the diameter of the largest inscribed ball, 2 * radius: the inner diameter at folds, not at haustra.
+ * It is 0 in gaps. Points are weighted by step length.
  *
- * `curve` needs the point arrays arcLength, radius and gap of TraceColonCenterline(). The borders must ascend; the last
- * segment ends with the line. Throws InputError when an array is missing or the line has zero length,
- * ParameterError for borders that do not ascend or are missing. \ingroup ShapetonColonCenterline */
+ * `curve` needs the point arrays arcLength, radius and gap of TraceColonCenterline(). The last segment ends with the
+ * line. Throws InputError if an array is missing or the line has zero length, and ParameterError if borders are missing
+ * or not in ascending order. \ingroup ShapetonColonCenterline */
 ShapetonColonCenterline_EXPORT std::vector<SegmentDistension>
                        MeasureDistension(const CurveSet & curve, const std::vector<ColonSegmentBorder> & borders);
 
-/** Measures the distension of CustomarySegments(). \ingroup ShapetonColonCenterline */
+/** Measures distension for CustomarySegments(). \ingroup ShapetonColonCenterline */
 ShapetonColonCenterline_EXPORT std::vector<SegmentDistension>
                        MeasureDistension(const CurveSet & curve);
 } // namespace shapeton

@@ -9,25 +9,25 @@ namespace shapeton
 {
 namespace
 {
-/** Radius (mm) of holes between two loops: seldom above the first, never above the second. */
+/** Usual and absolute maximum radius (mm) of holes between two loops. */
 constexpr double usualHole = 7.0;
 constexpr double widestHole = 10.0;
 /** Minimum gain (mm) in path length for treating a passage as a hole, and additional gain per mm of width above the
- * usual one: where loops are adjacent, thin septa are open up to half the caliber. */
+ * usual one. Openings in thin septa between adjacent loops are up to half the caliber wide. */
 constexpr double leastGain = 40.0;
 constexpr double gainOfWide = 100.0;
 /** Tolerance for equal lengths, mm: sums of the same lengths in another order differ by less. */
 constexpr double sameLength = 1e-6;
-/** A ring is long if it exceeds this plus some radii, mm. In a shorter one the path cost avoids the narrow passage, and
- * around a fold both ways are right. */
+/** Base length (mm) of long rings, to which a multiple of the radius is added. In shorter rings the path cost avoids
+ * the narrow passage, and either side of a fold is correct. */
 constexpr double shortRing = 60.0;
 constexpr double ringRadii = 4.0;
-/** Side branches of at least this length (mm) are not haustra, nor are those of this volume (mm^3) at this distance
- * (mm, and 1.5 radii) from the middle of the path. */
+/** Minimum length (mm) of side branches other than haustra; alternatively, minimum volume (mm^3) at this distance (mm,
+ * plus 1.5 radii) from the middle of the path. */
 constexpr double shortestBranch = 40.0;
 constexpr double smallestBranch = 20e3;
 constexpr double besideWay = 10.0;
-/** A passage may be a hole if its radius is below this share of the caliber within this distance (mm) on both sides. */
+/** Maximum radius of a hole relative to the caliber within this distance (mm) on both sides. */
 constexpr double leastOpening = 0.4;
 constexpr double holeReach = 30.0;
 } // namespace
@@ -36,7 +36,7 @@ CellTree::CellTree(const LumenCells & cells, double coreRadius)
   : m_Cells(cells), m_CoreRadius(coreRadius), m_Links(cells.NumberOfCells()), m_IsInTree(cells.passages.size(), 0)
 {
   this->SpanWidest();
-  // Each swap makes a path longer, so the loop terminates; the bound limits the time for odd input.
+  // Each swap lengthens a path, so the loop terminates; the bound limits the time for degenerate input.
   for (int exchanges = 0; exchanges < 30 && this->Exchange(); ++exchanges)
   {}
 }
@@ -294,7 +294,7 @@ CellTree::BestSwap(int in, const TreeRing & ring, const TreeReach & reach) const
     const int    out = ring.passages[i];
     const double surplus = ways[i] - before - this->LeastGain(out);
     const double clearance = m_Cells.passages[out].clearance;
-    // Close the hole between two branches at its narrowest place.
+    // Close the hole between two branches at its narrowest passage.
     const bool isNarrower = best.out >= 0 && clearance < m_Cells.passages[best.out].clearance;
     if (clearance <= widestHole && surplus > best.surplus + (isNarrower ? -sameLength : sameLength))
     {

@@ -7,29 +7,29 @@
 namespace shapeton
 {
 /** \class CellTree
- * \brief Decides which passages between cells belong to the colon, and which join touching loops.
+ * \brief Classifies passages between cells as colon or as holes between touching loops.
  *
- * Loops of the colon touch, and thin septa leak, so the cells form a graph with handles. The maximum spanning tree
- * takes the widest passages first and so leaves out each hole between parts connected by wider passages. Where the
- * colon itself is narrower than a hole, the tree would contain the hole and leave two dead ends. Therefore a hole is
- * swapped for a narrower passage if that makes the longest path of the tree clearly longer. Passages outside the tree
- * that close a short ring (around a fold, within a wide place) are open; those that close a long ring are merges.
+ * Loops of the colon touch and thin septa leak, so the graph of cells contains cycles. The maximum spanning tree
+ * excludes each hole between parts connected by wider passages. Where the colon is narrower than a hole, the tree would
+ * contain the hole and end in two dead ends. Therefore a hole is replaced by a narrower passage if this makes the
+ * longest path of the tree clearly longer. Passages outside the tree that close a short ring (around a fold or within
+ * wide lumen) are open; those that close a long ring are merges.
  */
 class CellTree
 {
 public:
-  /** The longest path does not end in cells narrower than `coreRadius` (mm). */
+  /** Longest paths end only in cells of at least `coreRadius` (mm). */
   CellTree(const LumenCells & cells, double coreRadius);
 
-  /** Whether a path may enter the next cell. */
+  /** Whether paths may use the passage. */
   bool
   IsOpen(int a, int b) const;
 
-  /** The cells at both ends of the longest path through the tree of `member`; equal without a second core cell. */
+  /** The end cells of the longest path in the tree of `member`; identical if there is only one core cell. */
   std::array<int, 2>
   Ends(int member) const;
 
-  /** For each cell the first cell connected to it. */
+  /** The first connected cell for each cell. */
   std::vector<int>
   Groups() const;
 
@@ -37,13 +37,13 @@ public:
   std::vector<int>
   Way(int from, int to) const;
 
-  /** Length (mm) missed by a path: for each side branch the length of its core beyond the lumen around the path, or its
-   * volume over `area` (mm^2) if that is more, as for a wide pouch. Small branches are ignored. */
+  /** Total length (mm) of the side branches of a path. Each counts with its core length beyond the lumen around the
+   * path, or with volume / `area` (mm^2) if larger, as for a wide pouch. Small branches are ignored. */
   double
   SideBranches(const std::vector<int> & way, double area) const;
 
-  /** Likelihood that the passages of a path are holes in septa: the sum over its narrow places of 1 - clearance / least
-   * clearance expected from the lumen on both sides; 0 for a path through colon. */
+  /** Score for holes in septa on a path: the sum over narrow passages of 1 - clearance / minimum clearance expected
+   * from the lumen on both sides; 0 for a path within the colon. */
   double
   Holes(const std::vector<int> & way) const;
 
@@ -73,7 +73,7 @@ public:
     this->AddLink(passage);
   }
 
-  /** Classifies the passages outside the tree as open or merge; call it when the tree is final. */
+  /** Classifies the passages outside the final tree as open or merge. */
   void
   SortOut();
 
@@ -81,7 +81,7 @@ public:
   {
     /** Index into LumenCells::passages. */
     int passage;
-    /** Length of the tree path that the passage would shortcut, mm; 0 without another path. */
+    /** Length (mm) of the tree path that the passage would bypass; 0 if no other path exists. */
     double loop;
   };
   /** Widest first. */
@@ -94,14 +94,14 @@ public:
 private:
   void
   SpanWidest();
-  /** A passage that replaces another one in the tree, and its gain in the longest path beyond the minimum, mm. */
+  /** A replacement of one tree passage by another, and the gain (mm) in longest path beyond the minimum. */
   struct Swap
   {
     int    in;
     int    out;
     double surplus;
   };
-  /** The best swap that adds `in`, which closes a ring; without `out` if none gains enough. */
+  /** The best swap that adds `in`, which closes a ring; `out` is unset if no gain is sufficient. */
   Swap
   BestSwap(int in, const TreeRing & ring, const TreeReach & reach) const;
   bool
@@ -120,7 +120,7 @@ private:
   /** The tree path between the two cells of a passage; empty if there is none. */
   TreeRing
   Ring(const TreeWalk & all, int passage) const;
-  /** The widest cell of a path within the reach of a hole from index i, forward or backward. */
+  /** The widest cell of a path within the search distance from index i, forward or backward. */
   double
   WidestOnWay(const std::vector<int> & way, int i, int direction) const;
   double

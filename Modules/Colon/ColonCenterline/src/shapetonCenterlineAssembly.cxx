@@ -12,23 +12,23 @@ namespace shapeton
 {
 namespace
 {
-/** Places narrower than this radius (mm) are reported. */
+/** Radius (mm) below which narrow lumen is reported. */
 constexpr double narrow = 2.5;
-/** Share of lumen (DistanceField::Occupancy) below which the line is outside. */
+/** DistanceField::Occupancy below which the line is outside the lumen. */
 constexpr double leastInside = 0.55;
 
 /** Side branches larger than this volume (mm^3) are reported. */
 constexpr double largeBranch = 20e3;
 
-/** A stretch of the curve, in the frame of the grid. */
+/** A section of the curve in grid coordinates. */
 struct Section
 {
   CurvePoints         points;
   std::vector<double> radii;
-  /** Nodes from which the curve was made. */
+  /** Nodes of the original path. */
   std::vector<int> nodes;
   bool             isGap{ false };
-  /** Index into the order of pieces; for a gap that of the piece before it. */
+  /** Index into the order of pieces; for a gap, index of the preceding piece. */
   int piece{ 0 };
 };
 
@@ -55,7 +55,7 @@ EndDirection(const CurvePoints & points, bool atBegin)
   return direction.norm() > 0.0 ? Eigen::Vector3d(direction.normalized()) : Eigen::Vector3d(Eigen::Vector3d::UnitZ());
 }
 
-/** For each point of a section whether it or the segment to the next one is outside the lumen. */
+/** Whether each point of a section, or the segment to the next point, is outside the lumen. */
 std::vector<char>
 FindOutside(const DistanceField & field, const CurvePoints & points)
 {
@@ -68,7 +68,7 @@ FindOutside(const DistanceField & field, const CurvePoints & points)
   return isOutside;
 }
 
-/** The section itself if all of it is inside the lumen; otherwise cut where it leaves the lumen, with gaps between. */
+/** Splits a section where it leaves the lumen, with gaps in between. */
 void
 AddInside(const DistanceField & field, const Section & section, std::vector<Section> & sections)
 {
@@ -104,7 +104,7 @@ MakeSections(const LumenNetwork &             network,
   std::vector<Section> sections;
   for (std::size_t i = 0; i < order.size(); ++i)
   {
-    // The last end is the cecum, whose pole is wide: narrow lumen there is the ileum or the appendix.
+    // The line ends at the wide pole of the cecum; narrow lumen there is the ileum or the appendix.
     const bool isLast = i + 1 == order.size();
     Section    section;
     section.nodes = lines[order[i].piece].Nodes(true, !isLast);
@@ -146,7 +146,7 @@ MakeArray(const std::string & name, const std::vector<double> & values, int colu
   return array;
 }
 
-/** Builds the curve with its arrays; sets begin and end of each section by arcLength. */
+/** Builds the curve and its arrays; sets begin and end (arcLength) of each section. */
 void
 FillCurve(const LumenGrid &            grid,
           const std::vector<Section> & sections,
@@ -248,7 +248,7 @@ AddGaps(const LumenGrid &            grid,
   }
 }
 
-/** Reports stretches inside the lumen that are hardly open. */
+/** Reports very narrow lumen. */
 void
 WarnOfNarrowPlaces(const LumenGrid & grid, const std::vector<Section> & sections, ColonCenterline & result)
 {
@@ -277,7 +277,7 @@ WarnOfNarrowPlaces(const LumenGrid & grid, const std::vector<Section> & sections
   }
 }
 
-/** The anus is near the midplane and posterior; the direction of a line that begins elsewhere is uncertain. */
+/** Warns if the line does not begin near the posterior midline, where the anus is expected. */
 void
 WarnOfUnlikelyRectum(ColonCenterline & result)
 {
@@ -292,16 +292,16 @@ WarnOfUnlikelyRectum(ColonCenterline & result)
   if (std::abs(extent.ShareAlong(0, place) - 0.5) > fromMiddle || extent.ShareAlong(1, place) < leastBack)
   {
     result.warnings.push_back("the line begins at " + PlaceInWords(place) +
-                              ", which is unlikely for the anus: it may run from the cecum to the rectum, or "
+                              ", which is unlikely for the anus: it may be reversed, or "
                               "the rectum is missing");
   }
 }
 
-/** Expensive intermediate results, computed separately. */
+/** Expensive intermediate results. */
 struct ShapedLines
 {
   std::vector<Section> sections;
-  /** For each piece the lengths of the lines along its paths for the exponents 2, of the options, and 4, mm. */
+  /** Line lengths (mm) of each piece for exponent 2, the exponent of the options, and exponent 4. */
   std::vector<std::array<double, 3>> lengths;
 };
 
@@ -329,7 +329,7 @@ ShapeLines(const LumenNetwork &             network,
   return shaped;
 }
 
-/** Lengths for the exponents 2, 3, 4: that of the line, corrected by the difference of the other paths to its core. */
+/** Lengths for the exponents 2, 3 and 4, from the length of the line and the differences between the paths. */
 void
 AddLengths(const std::vector<std::array<double, 3>> & ofPieces, ColonCenterline & result)
 {
@@ -348,14 +348,14 @@ AddLengths(const std::vector<std::array<double, 3>> & ofPieces, ColonCenterline 
   }
 }
 
-/** Lumen that is connected to the line, but away from it. */
+/** Lumen connected to the line but far from it. */
 struct SideBranch
 {
-  int    place;  ///< index of the line's point where most of it is connected
+  int    place;  ///< index of the line point to which most of it is connected
   double volume; ///< mm^3
 };
 
-/** Finds branches, which are connected to consecutive points of the line; `away` has mm^3 for each point. */
+/** Finds branches: far lumen connected to consecutive points of the line. `away` is its volume (mm^3) per point. */
 std::vector<SideBranch>
 SideBranches(const std::vector<double> & away)
 {
@@ -376,7 +376,7 @@ SideBranches(const std::vector<double> & away)
   return branches;
 }
 
-/** Lumen is near the line if the straight way to it within the lumen is explained by the caliber. */
+/** Finds side branches: lumen whose distance to the line within the lumen exceeds the limit for the caliber. */
 void
 AddCover(const LumenNetwork & network, const std::vector<Section> & sections, ColonCenterline & result)
 {
@@ -461,7 +461,7 @@ AddUnusedLines(const LumenNetwork &             network,
     piece.component = lines[i].component;
     piece.volume = 1e-3 * lines[i].volume;
     piece.place = ToPoint(network.grid, network.grid.Position(lines[i].core[lines[i].core.size() / 2]));
-    piece.reason = "it is too far from the ends of the other pieces";
+    piece.reason = "it is too far from the other pieces";
     result.pieces.push_back(piece);
     result.warnings.push_back("a piece of lumen of " + InTenths(piece.volume) + " ml at " + PlaceInWords(piece.place) +
                               " is not used: " + piece.reason);

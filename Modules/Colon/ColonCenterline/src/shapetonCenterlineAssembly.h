@@ -9,8 +9,8 @@
 
 namespace shapeton
 {
-/** Assembles one curve from the lines of the pieces in order, each directed from the rectum to the cecum, with arrays,
- * gaps, pieces, lengths and warnings. */
+/** Assembles one curve with arrays, gaps, pieces, lengths and warnings from the ordered lines of the pieces, each
+ * directed from the rectum to the cecum. */
 ColonCenterline
 AssembleCenterline(const LumenNetwork &             network,
                    const DistanceField &            field,
@@ -32,7 +32,7 @@ AddUnusedComponents(const LumenMask *       lumen,
                     const LumenChoice &     choice,
                     ColonCenterline &       result);
 
-/** Lists the places where loops touch, with a warning for each. */
+/** Lists the contacts between loops, with a warning for each. */
 void
 AddMerges(const LumenNetwork & network, ColonCenterline & result);
 } // namespace shapeton

@@ -11,17 +11,17 @@ namespace shapeton
 namespace
 {
 constexpr double thickestFold = 5.0; // mm along the line
-/** mm (Gray's Anatomy, 41st ed.: 4 cm): narrow by nature. */
+/** Length of the anal canal, mm (Gray's Anatomy, 41st ed.: 4 cm). */
 constexpr double analCanal = 40.0;
 constexpr double leastPool = 150.0; // mm^2
 constexpr double nearLevel = 3.0;   // mm
 constexpr double deepest = 120.0;   // mm from the line to a level
-constexpr double besideGap = 15.0;  // mm along the line: its ends taper
+constexpr double besideGap = 15.0;  // mm along the line; the lumen tapers next to a gap
 
 const char * const arrayName = "notAssessable";
 const char * const lineName = "the centerline";
 
-/** Index one past a run of equal values that begins at `begin`. */
+/** End index (exclusive) of the run of equal values that starts at `begin`. */
 template <typename TValues>
 std::size_t
 EndOfRun(const TValues & values, std::size_t begin)
@@ -34,7 +34,7 @@ EndOfRun(const TValues & values, std::size_t begin)
   return end;
 }
 
-/** Start of the share of a point on the line: halfway to the previous point. */
+/** Start of the interval of a point: halfway to the previous point. */
 double
 BeginOf(const Eigen::VectorXd & arc, std::size_t point)
 {
@@ -64,7 +64,7 @@ NarrowPoints(const Eigen::VectorXd & arc, const Eigen::VectorXd & radius)
   return isNarrow;
 }
 
-/** Hindrances from gap and radius. */
+/** Classifies hindrances from gap and radius. */
 std::vector<ColonHindrance>
 HindrancesOfShape(const CurveSet & curve)
 {
@@ -86,7 +86,7 @@ class LumenAround
 public:
   explicit LumenAround(const ColonLumen & lumen) : m_Lumen(lumen) {}
 
-  /** The border of the image is as near as the wall, and the lumen continues there. */
+  /** Whether the image border is as near as the wall and the lumen extends beyond it. */
   bool
   IsCutByScan(const Eigen::Vector3d & point, double radius) const
   {
@@ -113,7 +113,7 @@ public:
     return false;
   }
 
-  /** Below the point the lumen ends at a large untagged level. */
+  /** Whether the lumen below the point ends at a large untagged level. */
   bool
   IsOverUntaggedFluid(const Eigen::Vector3d & point) const
   {
@@ -159,7 +159,7 @@ private:
 
   const ColonLumen & m_Lumen;
 };
-/** Gaps with the border of the scan at both ends: the colon continues outside the scan. */
+/** Finds gaps with the border of the scan at both ends: the colon continues outside the scan. */
 void
 MarkGapsOutsideScan(const Eigen::VectorXd & arc, std::vector<ColonHindrance> & hindrances)
 {

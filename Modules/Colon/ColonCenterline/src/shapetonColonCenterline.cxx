@@ -35,8 +35,8 @@ ToVector(const itk::Point<double, 3> & point)
   return { point[0], point[1], point[2] };
 }
 
-/** The widest node of each piece; a piece is a set connected by open passages. Fragments split off a component by the
- * grid and smaller than the smallest piece are left out. */
+/** The widest node of each piece, a set of cells connected by open passages. Ignores fragments below the minimum volume
+ * that the coarser grid separated from a component. */
 std::vector<int>
 WidestNodes(const LumenNetwork & network, double minimumVolume)
 {
@@ -68,7 +68,7 @@ WidestNodes(const LumenNetwork & network, double minimumVolume)
   return nodes;
 }
 
-/** Path trees need memory for each node of the whole lumen, so only the largest piece keeps them; it usually contains
+/** Path trees are as large as the whole lumen, so they are stored only for the largest piece, which usually contains
  * the rectum. */
 void
 KeepPathsOfLargest(std::vector<PieceLine> & lines)
@@ -81,7 +81,7 @@ KeepPathsOfLargest(std::vector<PieceLine> & lines)
   }
 }
 
-/** The lines of all pieces; the one with the given start in the rectum comes first. */
+/** The lines of all pieces; the line with the given start in the rectum is first. */
 std::vector<PieceLine>
 TracePieces(const LumenNetwork & network, const ColonCenterlineOptions & options)
 {
@@ -118,8 +118,8 @@ PhysicalPoints(const LumenGrid & grid, const std::vector<int> & nodes)
   return points;
 }
 
-/** End 1 of a line, or end 0 of a reversed one. Its direction is from the last 40 mm of the core to the center of the
- * tips, since paths turn to the wall in a blunt end. */
+/** End 1 of a line, or end 0 of a reversed line. The direction points from the last 40 mm of the core to the center of
+ * the tips, since paths bend toward the wall in a blunt end. */
 JoinEnd
 MakeJoinEnd(const LumenGrid & grid, const PieceLine & line, bool isReversed, bool prolongs)
 {
@@ -166,7 +166,7 @@ MakeJoinPiece(const LumenGrid & grid, const PieceLine & line, bool prolongs)
   return piece;
 }
 
-/** The pieces in order from the rectum; the ends of `lines` become the joined ones. */
+/** The pieces in order from the rectum; sets the ends of `lines` to the joined ends. */
 std::vector<PlacedPiece>
 ChooseOrder(const LumenNetwork &           network,
             const LumenChoice &            choice,
@@ -203,7 +203,7 @@ ChooseOrder(const LumenNetwork &           network,
   return order;
 }
 
-/** The ordered lines of a lumen. The grid is the first member, since the network refers to it. */
+/** The ordered lines of a lumen. The grid is declared first, since the network refers to it. */
 struct Traced
 {
   std::unique_ptr<LumenGrid>    grid;
@@ -234,8 +234,7 @@ TraceOn(const std::array<int, 3> &     blocks,
   return traced;
 }
 
-/** Blocks of voxels can disconnect a narrow lumen whose voxels are connected: this shows as a short gap between two
- * lines of one component. */
+/** Detects narrow lumen disconnected by merging voxels to blocks: a short gap between two lines of one component. */
 bool
 IsTorn(const Traced & traced)
 {
@@ -279,13 +278,13 @@ Trace(const LumenDistanceImage *     distance,
   return traced;
 }
 
-/** A mask with far more gaps and holes than a colon, or with far larger sections, is not a colon. */
+/** Reason why the mask cannot be a colon: far more gaps and holes, or far larger cross-sections; empty otherwise. */
 std::string
 FailureOfLine(const ColonCenterline & line)
 {
-  // Real colons: at most 8; lungs of three chests: 56 to 121. The limit is the geometric mean of the two nearest.
+  // Colons have at most 8, the lungs of three chests 56 to 121. The limit is the geometric mean of 8 and 56.
   constexpr std::size_t mostFaults = 20;
-  constexpr double      largestSection = 50.0; // cm^2, on average: a tube of 80 mm
+  constexpr double      largestSection = 50.0; // mean, cm^2: a tube of 80 mm diameter
   const std::size_t     gaps = line.gaps.size();
   const std::size_t     merges = line.merges.size();
   if (gaps + merges > mostFaults)
@@ -298,7 +297,7 @@ FailureOfLine(const ColonCenterline & line)
   {
     ml += piece.isUsed ? piece.volume : 0.0;
   }
-  const double section = 10.0 * ml / line.length; // ml per mm are 10 cm^2
+  const double section = 10.0 * ml / line.length; // 1 ml per mm is 10 cm^2
   if (section > largestSection)
   {
     return "the lumen is not a colon: " + std::to_string(std::lround(ml)) + " ml along a line of " +

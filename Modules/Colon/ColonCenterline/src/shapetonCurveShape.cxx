@@ -103,7 +103,7 @@ ResampleCurve(const CurvePoints & points, double step)
 CurvePoints
 SmoothCurve(const CurvePoints & points, double step, double sigma, const DistanceField * field)
 {
-  // Each pass with the weights 1/4, 1/2, 1/4 adds half a step^2 to the variance.
+  // Each pass with weights 1/4, 1/2, 1/4 increases the variance by step^2 / 2.
   const int   passes = static_cast<int>(std::lround(2.0 * sigma * sigma / (step * step)));
   CurvePoints result = points;
   CurvePoints next = points;

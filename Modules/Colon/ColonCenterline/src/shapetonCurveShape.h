@@ -9,7 +9,7 @@
 
 namespace shapeton
 {
-/** Points of a curve in the frame of a LumenGrid, mm. */
+/** Points of a curve in LumenGrid coordinates, mm. */
 using CurvePoints = std::vector<Eigen::Vector3d>;
 
 /** Interpolated distances to the wall, 0 outside. */
@@ -18,11 +18,11 @@ class DistanceField
 public:
   explicit DistanceField(const LumenDistanceImage * image);
 
-  /** Trilinear; positions count from the first voxel along the axes of the image. */
+  /** Trilinear interpolation; positions in LumenGrid coordinates, mm. */
   double
   At(const Eigen::Vector3d & position) const;
 
-  /** Share of lumen at a position, trilinear between 1 for a lumen voxel and 0; the wall is at 0.5. */
+  /** Trilinear interpolation of the mask: 1 in lumen voxels, 0 elsewhere; the wall is at 0.5. */
   double
   Occupancy(const Eigen::Vector3d & position) const;
 
@@ -40,16 +40,16 @@ private:
 double
 CurveLength(const CurvePoints & points);
 
-/** Resamples with equal steps of about `step` mm; both ends are kept. */
+/** Resamples to equal steps of about `step` mm; both ends remain fixed. */
 CurvePoints
 ResampleCurve(const CurvePoints & points, double step);
 
-/** Binomial smoothing, close to a Gaussian of `sigma` mm for points `step` mm apart; both ends are kept. A point that
- * would leave the lumen does not move. */
+/** Binomial smoothing that approximates a Gaussian of `sigma` mm for points `step` mm apart. Both ends, and points that
+ * would leave the lumen, remain fixed. */
 CurvePoints
 SmoothCurve(const CurvePoints & points, double step, double sigma, const DistanceField * field = nullptr);
 
-/** A cubic curve from a to b that leaves along `out` and arrives along `in` (unit vectors), without a and b. */
+/** Inner points of a cubic curve from a to b with unit tangents `out` at a and `in` at b. */
 CurvePoints
 BridgeGap(const Eigen::Vector3d & a,
           const Eigen::Vector3d & out,

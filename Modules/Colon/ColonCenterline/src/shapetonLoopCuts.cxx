@@ -13,11 +13,11 @@ namespace
 constexpr int mostCuts = 6;
 /** Penalty (mm) of a path through a hole in a septum; less than CellTree::LeastGain. */
 constexpr double holeCost = 35.0;
-/** Colons have up to about 20 passages to cut; input with many more is not a lumen, and the bound limits its time. */
+/** Colons have up to about 20 candidates; the bound limits the time for input that is not a lumen. */
 constexpr std::size_t mostTrials = 100;
 /** Number of the best single cuts that are tried in pairs. */
 constexpr std::size_t pairedCuts = 10;
-/** mm^3; smaller pieces do not affect the layout. */
+/** Minimum volume (mm^3) of a piece that affects the layout. */
 constexpr double smallestPiece = 5e3;
 /** Minimum volume of a stretch of colon, mm^3. */
 constexpr double smallestStretch = 20e3;
@@ -89,8 +89,8 @@ LayOut(const LumenGrid & grid, const LumenCells & cells, const CellTree & tree, 
   return layout;
 }
 
-/** Tries cuts. The cost (mm) of the resulting colon is that of joins, omitted pieces, side branches, holes, and a
- * beginning away from the rectum. */
+/** Evaluates cuts. The cost (mm) of the resulting colon is the sum for joins, omitted pieces, side branches, holes, and
+ * the distance of its start from the rectum. */
 class CutSearch
 {
 public:
@@ -130,14 +130,14 @@ public:
     return joins + layout.faults + std::max(0.0, m_Extent.DistanceFromAnus(begin) - m_NearestToAnus);
   }
 
-  /** One or two cuts, the cost with them, and the cost including their minimum gain. */
+  /** One or two cuts, the resulting cost, and the cost including the minimum gain. */
   struct Trial
   {
     double           cost;
     std::vector<int> passages;
   };
 
-  /** The best cut, or the best pair if no single cut saves enough. Empty if none does. */
+  /** The best cut, or the best pair if no single cut reduces the cost enough; empty if no pair does either. */
   Trial
   Best()
   {
@@ -164,7 +164,7 @@ public:
   }
 
 private:
-  /** Passages that separate two stretches of colon; at most the narrowest ones. */
+  /** Passages that separate two stretches of colon; limited to the narrowest ones. */
   std::vector<int>
   Passages() const
   {
@@ -207,7 +207,7 @@ private:
   CellTree &         m_Tree;
   double             m_UsualRadius;
   ColonExtent        m_Extent;
-  /** Minimum over all lumen. */
+  /** Minimum over the whole lumen. */
   double m_NearestToAnus{ 1e30 };
 };
 } // namespace

@@ -5,11 +5,11 @@
 
 namespace shapeton
 {
-/** Cuts holes that connect an end of one stretch of colon to the side of another.
+/** Cuts holes between the end of one stretch of colon and the side of another.
  *
- * Where the colon is collapsed and its parts touch elsewhere, the hole is their only connection, and no ring reveals
- * it. It shows as a long side branch. Such a hole is cut if joining the parts end to end over gaps gives a clearly
- * better colon: joins shorter than the side branches. Returns the passages; modifies the tree. */
+ * If the colon is collapsed and its parts touch elsewhere, the hole is their only connection and closes no ring. It
+ * appears as a long side branch. It is cut if joining the parts end to end over gaps is clearly better, that is, if the
+ * joins are shorter than the side branches. Returns the cut passages and removes them from the tree. */
 std::vector<int>
 CutLoops(const LumenGrid & grid, const LumenCells & cells, CellTree & tree);
 } // namespace shapeton

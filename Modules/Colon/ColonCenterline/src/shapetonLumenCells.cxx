@@ -104,10 +104,10 @@ LumenCells::Claim(const LumenGrid & grid, int center)
   const double radius = grid.Distance(center);
   centers.push_back(center);
   positions.push_back(grid.Position(center));
-  // Slightly above zero, so a cell at the narrowest place still includes its neighbors.
+  // Slightly above zero: a cell at the narrowest voxel still includes its neighbors.
   radii.push_back(std::max(radius, 0.7 * grid.Spacing().maxCoeff()));
   cellOf[center] = cell;
-  // Distances are accurate to half a voxel; the ball must not extend through a thin wall.
+  // Distances are accurate to half a voxel, and the ball must not extend through a thin wall.
   const double       ball = radius - 0.5 * grid.Spacing().maxCoeff();
   const auto         at = grid.Voxel(center);
   std::array<int, 3> from, to;

@@ -5,7 +5,7 @@
 
 namespace shapeton
 {
-/** The widest place where two cells touch. */
+/** The widest contact between two cells. */
 struct CellPassage
 {
   int a, b;
@@ -16,11 +16,12 @@ struct CellPassage
 };
 
 /** \class LumenCells
- * \brief The lumen cut into compact cells, each about one inscribed ball.
+ * \brief Partition of the lumen into compact cells, each about one inscribed ball.
  *
- * Voxels are visited from the widest to the narrowest. An unclaimed voxel joins the cell of a neighbor, or, if that is
- * far for its radius, becomes the center of a new cell and claims its inscribed ball. So cells never extend through a
- * hole into another loop, whose wider voxels are visited before those of the hole.
+ * Voxels are processed in order of decreasing distance to the wall. An unassigned voxel joins the cell of a neighbor
+ * or, if the center of that cell is too far for its radius, becomes the center of a new cell with its inscribed ball.
+ * Cells never extend through a hole into another loop, because the wider voxels of that loop are processed before the
+ * hole.
  */
 struct LumenCells
 {

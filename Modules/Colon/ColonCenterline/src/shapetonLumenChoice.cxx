@@ -12,7 +12,7 @@ namespace shapeton
 {
 namespace
 {
-/** Maximum distance (mm) of a seed or start from the lumen; a greater one is a user error. */
+/** Maximum distance (mm) of a seed or start from the lumen. */
 constexpr double farthestSeed = 30.0;
 
 struct NearComponent
@@ -110,7 +110,7 @@ LimitNumber(LumenChoice & choice)
     if (choice.isUsed[c] && !choice.isWanted[c])
     {
       choice.isUsed[c] = 0;
-      choice.reasons[c] = "there are more than " + std::to_string(mostJoinPieces) + " larger pieces";
+      choice.reasons[c] = "more than " + std::to_string(mostJoinPieces) + " pieces are larger";
       --used;
     }
   }

@@ -6,16 +6,16 @@
 
 namespace shapeton
 {
-/** The used components of a lumen; entries from 1. */
+/** The used components of a lumen, indexed from 1. */
 struct LumenChoice
 {
   std::vector<char> isUsed;
-  /** Requested by a seed or as the start. */
+  /** Whether a seed or the start requires it. */
   std::vector<char>        isWanted;
   std::vector<std::string> reasons;
 };
 
-/** Throws InputError when no component remains, or when a start or seed is far from the lumen. */
+/** Throws InputError if no component remains, or if the start or a seed is far from the lumen. */
 LumenChoice
 ChooseLumen(const LumenMask * lumen, const LumenComponents & components, const ColonCenterlineOptions & options);
 

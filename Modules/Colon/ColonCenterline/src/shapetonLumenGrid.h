@@ -13,15 +13,15 @@
 namespace shapeton
 {
 /** \class LumenGrid
- * \brief The voxels of the lumen as nodes 0, 1, ..., in the order of the image, on voxels of at most about 1.7 mm.
+ * \brief The lumen as nodes 0, 1, ..., in image order, on a grid with a spacing of at most about 1.7 mm.
  *
- * Finer voxels are merged to blocks; a block is lumen only if all of its voxels are, so walls never vanish. Positions
- * are in the frame of the image axes, in mm from the first voxel of the region; ToPhysical() converts to LPS.
+ * Finer voxels are merged to blocks. A block is lumen only if all of its voxels are, so that walls do not vanish.
+ * Positions are in mm along the image axes, from the first voxel of the region; ToPhysical() converts to LPS.
  */
 class LumenGrid
 {
 public:
-  /** Nodes are the voxels whose component has a true entry in `isUsed` (from 1); `block` is the number of voxels per
+  /** Nodes are the voxels whose component is true in `isUsed` (indexed from 1); `block` is the number of voxels per
    * node along each axis. */
   LumenGrid(const LumenDistanceImage * distance,
             const LumenLabelImage *    labels,
@@ -89,7 +89,7 @@ public:
     return m_Spacing;
   }
 
-  /** Calls `body(neighbor, length)` for the nodes among the 26 neighbors, in order, with the step length in mm. */
+  /** Calls `body(neighbor, length)` in order for the nodes among the 26 neighbors; `length` is the step in mm. */
   template <typename TBody>
   void
   ForEachNeighbor(int node, const TBody & body) const
@@ -142,11 +142,11 @@ private:
   void
   FindNeighbors();
 
-  /** A node and its neighbors, stored together since paths visit nodes in a cache-unfriendly order. The neighbors of a
-   * row have consecutive numbers, so one is stored for each of the nine rows. */
+  /** A node and its neighbors, stored together for cache locality in path searches. Neighbors in a row have consecutive
+   * numbers, so only one is stored for each of the nine rows. */
   struct Neighbors
   {
-    std::uint32_t      present{ 0 }; ///< bit x + 3 y + 9 z for the voxel x - 1, y - 1, z - 1 steps away
+    std::uint32_t      present{ 0 }; ///< bit x + 3 y + 9 z for the voxel at offset (x - 1, y - 1, z - 1)
     std::array<int, 9> firstOfRow;
   };
 

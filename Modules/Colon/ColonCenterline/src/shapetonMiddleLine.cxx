@@ -10,21 +10,20 @@ namespace shapeton
 {
 namespace
 {
-/** Half length of the averaging window in lumen radii, so single haustra do not bend the line. */
+/** Half length of the averaging window in lumen radii, large enough to average over single haustra. */
 constexpr double slabRadii = 2.5;
-/** Minimum ratio of chord to arc of that stretch. */
+/** Minimum ratio of chord to arc length in that window. */
 constexpr double straightness = 0.6;
 
 /** Minimum distance of the center to the wall (mm), unless the path is closer. */
 constexpr double leastClearance = 2.5;
 /** Minimum share of lumen (DistanceField::Occupancy) on the line. */
 constexpr double safelyInside = 0.7;
-/** Voxels assigned to a point of the line are at most this far along its path, mm. */
+/** Maximum path distance (mm) of voxels assigned to a point of the line. */
 constexpr double reachOfMiddle = 40.0;
 /** Distance of the end of the line from the pole of the cecum, mm. */
 constexpr double beforePole = 3.0;
-/** Considered length of the line before the mouth of the cecum, and half the considered reach of lumen beyond it,
- * mm. */
+/** Length (mm) of the line evaluated before the mouth of the cecum; half the search distance beyond it. */
 constexpr double farthestOfPouch = 150.0;
 
 CurvePoints
@@ -40,7 +39,7 @@ PositionsOf(const LumenGrid & grid, const std::vector<int> & nodes)
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-/** For each node the nearest of the points `first` to `last` of a curve within the lumen; -1 beyond `reach` mm. */
+/** Index of the nearest curve point (`first` to `last`) within the lumen for each node; -1 beyond `reach` mm. */
 NearestPlaces
 NearestPoints(const LumenNetwork & network, const CurvePoints & points, int first, int last, double reach)
 {
@@ -58,7 +57,7 @@ NearestPoints(const LumenNetwork & network, const CurvePoints & points)
   return NearestPoints(network, points, 0, static_cast<int>(points.size()) - 1, infinite).indices;
 }
 
-/** The lumen across each point of a curve. */
+/** Weighted cross-section of the lumen at each point of a curve. */
 struct Slabs
 {
   /** Weighted sums of positions. */
@@ -66,7 +65,7 @@ struct Slabs
   std::vector<double> weights;
 };
 
-/** Nodes are weighted by their distance to the wall, so haustra have little weight. */
+/** Nodes are weighted by their distance to the wall to reduce the influence of haustra. */
 Slabs
 SlabsAcross(const LumenNetwork & network, const CurvePoints & points)
 {
@@ -86,7 +85,7 @@ SlabsAcross(const LumenNetwork & network, const CurvePoints & points)
   return slabs;
 }
 
-/** Mean over this many neighbors on both sides. */
+/** Mean over this number of neighbors on both sides. */
 double
 MeanAround(const std::vector<double> & values, int i, int number)
 {
@@ -100,7 +99,7 @@ MeanAround(const std::vector<double> & values, int i, int number)
   return sum / (to - from + 1);
 }
 
-/** Mean of the slabs around each point, over a stretch of some radii of the lumen; both ends stay. */
+/** Mean of the slabs around each point over a window of a few lumen radii; both ends remain fixed. */
 CurvePoints
 SlabMeans(const Slabs & slabs, const CurvePoints & points, const std::vector<double> & radii, double step)
 {
@@ -108,10 +107,10 @@ SlabMeans(const Slabs & slabs, const CurvePoints & points, const std::vector<dou
   CurvePoints means = points;
   for (int i = 1; i < last; ++i)
   {
-    // Symmetric window, otherwise the end would attract the mean.
+    // An asymmetric window would bias the mean away from the end.
     const double reach = slabRadii * MeanAround(radii, i, static_cast<int>(20.0 / step));
     int          number = std::min({ static_cast<int>(reach / step), i, last - i });
-    // Shorter in a sharp bend, where the mean would cut the corner.
+    // Shorten the window in sharp bends, where the mean would cut the corner.
     while (number > 1 && (points[i + number] - points[i - number]).norm() < straightness * 2.0 * number * step)
     {
       --number;
@@ -129,8 +128,7 @@ SlabMeans(const Slabs & slabs, const CurvePoints & points, const std::vector<dou
   return means;
 }
 
-/** Moves each point to the middle of the lumen across the curve; both ends stay. The mean is taken over a stretch, so
- * single haustra do not bend the line. */
+/** Moves each point to the middle of the lumen; both ends remain fixed. */
 CurvePoints
 MoveToMiddle(const LumenNetwork & network, const DistanceField & field, const CurvePoints & points, double step)
 {
@@ -143,7 +141,7 @@ MoveToMiddle(const LumenNetwork & network, const DistanceField & field, const Cu
   CurvePoints       moved = points;
   for (std::size_t i = 1; i + 1 < points.size(); ++i)
   {
-    // The mean of a bent slab may be in the wall: move back toward the path as far as needed.
+    // The mean of a bent slab may be in the wall; move back toward the path until inside.
     const double least = std::min(leastClearance, 0.5 * radii[i]);
     for (double share = 1.0; share > 0.0; share -= 0.125)
     {
@@ -158,7 +156,7 @@ MoveToMiddle(const LumenNetwork & network, const DistanceField & field, const Cu
   return moved;
 }
 
-/** The nearest node to a point, among those from `begin` along a path, which may touch itself farther on. */
+/** The path node nearest to a point, searched from `begin` onward, since the path may touch itself. */
 std::size_t
 NearestFrom(const CurvePoints & nodes, std::size_t begin, const Eigen::Vector3d & point)
 {
@@ -172,7 +170,7 @@ NearestFrom(const CurvePoints & nodes, std::size_t begin, const Eigen::Vector3d 
   return nearest;
 }
 
-/** Replaces stretches outside the lumen by those of the path, which may wind more than the line. */
+/** Replaces sections outside the lumen by the corresponding sections of the path. */
 void
 KeepInside(const DistanceField & field, const CurvePoints & nodes, CurvePoints & points)
 {
@@ -219,9 +217,9 @@ IsVisible(const DistanceField & field, const Eigen::Vector3d & from, const Eigen
   return true;
 }
 
-/** Nodes beyond the mouth of a pouch with their distances from it: not nearer to a point of the curve before the mouth,
- * and as wide as a colon or next to such lumen, which excludes ileum and appendix. The index of others is -1. The curve
- * beyond the mouth is ignored, since it may be wrong there. */
+/** Nodes beyond the mouth of a pouch and their distances from it. Such nodes are nearest to the mouth among the curve
+ * points up to it, and at least as wide as a colon or next to such lumen, which excludes ileum and appendix. The index
+ * of other nodes is -1. The curve beyond the mouth is ignored, since it may be wrong. */
 NearestPlaces
 PouchBeyond(const LumenNetwork & network, const CurvePoints & points, int mouth, double step)
 {
@@ -248,8 +246,8 @@ PouchBeyond(const LumenNetwork & network, const CurvePoints & points, int mouth,
   return beyond;
 }
 
-/** The farthest node of the pouch within the lumen beyond a point of a curve. Among those about equally far it is the
- * most caudal one, since the cecum hangs down. -1 if there is none, or hardly any curve before it. */
+/** The farthest node of the pouch beyond a point of a curve; among nodes at about the same distance, the most caudal,
+ * as expected for the cecum. -1 if none is found or the curve before it is too short. */
 int
 FindPole(const LumenNetwork & network, const DistanceField & field, const CurvePoints & points, int mouth, double step)
 {
@@ -257,7 +255,7 @@ FindPole(const LumenNetwork & network, const DistanceField & field, const CurveP
   {
     return -1;
   }
-  // Paths over 26 neighbors are longer than straight ones by at most 13 %, by 7 % on average.
+  // Paths over 26 neighbors exceed the Euclidean length by at most 13 %, by 7 % on average.
   constexpr double    longestWay = 1.13, usualWay = 1.07;
   constexpr double    caudal = 0.05; // mm of path equivalent to one mm downward
   const LumenGrid &   grid = network.grid;
@@ -289,7 +287,7 @@ FindPole(const LumenNetwork & network, const DistanceField & field, const CurveP
   return pole;
 }
 
-/** Index up to which a curve from `from` approaches a place by at least 0.7 mm per mm. */
+/** Index up to which a curve from `from` approaches a point by at least 0.7 mm per mm. */
 int
 LastTowards(const CurvePoints & points, int from, double step, const Eigen::Vector3d & place)
 {
@@ -303,7 +301,7 @@ LastTowards(const CurvePoints & points, int from, double step, const Eigen::Vect
   return last;
 }
 
-/** A curve to a place within the lumen: straight if visible, otherwise along a path. */
+/** A curve within the lumen to a node: straight if possible, otherwise along a path. */
 CurvePoints
 WayTo(const LumenNetwork &           network,
       const DistanceField &          field,
@@ -332,7 +330,7 @@ BeforeEnd(const CurvePoints & points, double steps)
   return last - std::min(static_cast<int>(steps), last / 2);
 }
 
-/** The line up to where it stops approaching the pole, searched from `from`, and the path from there. */
+/** The line from `from` up to the point where it stops approaching the pole, then the path to the pole. */
 CurvePoints
 LineToPole(const LumenNetwork &           network,
            const DistanceField &          field,
@@ -369,9 +367,8 @@ ShapeLine(const LumenNetwork &           network,
   return ResampleCurve(points, options.step);
 }
 
-// The first end may be on the side of the cecum, which is as wide as it is long, or back toward its mouth. So a pole is
-// first searched from a distance where this does not matter, then from about the mouth, along a line that leads to the
-// first pole.
+// The cecum is as wide as it is long, so the initial end may be on its side or near its mouth. Therefore the pole is
+// first searched from farther away, then from about the mouth along a line to the first pole.
 void
 LeadToPole(const LumenNetwork &           network,
            const DistanceField &          field,

@@ -7,25 +7,25 @@
 
 namespace shapeton
 {
-/** A smooth curve in the middle of the lumen from a path of nodes. */
+/** Converts a path of nodes to a smooth curve in the middle of the lumen. */
 CurvePoints
 ShapeLine(const LumenNetwork &           network,
           const DistanceField &          field,
           const std::vector<int> &       nodes,
           const ColonCenterlineOptions & options);
 
-/** Extends the end of a curve to the pole of a wide end: the last node of its path may be anywhere near the pole. */
+/** Extends a curve to the pole of a wide end, since the last path node is only near the pole. */
 void
 LeadToPole(const LumenNetwork &           network,
            const DistanceField &          field,
            const ColonCenterlineOptions & options,
            CurvePoints &                  points);
 
-/** Cuts the end of a curve where 10 mm of it are safely inside: a path continues into places half a voxel wide. */
+/** Trims the end of a curve until 10 mm are well inside the lumen, since paths continue into gaps of half a voxel. */
 void
 TrimEnds(const DistanceField & field, double step, CurvePoints & points);
 
-/** At each point the radius of the largest ball inside the lumen with its center across the curve within 2 mm. */
+/** Radius at each point: the largest inscribed ball whose center is in the cross-section, at most 2 mm away. */
 std::vector<double>
 RadiiAlong(const LumenNetwork & network, const DistanceField & field, const CurvePoints & points, double step);
 } // namespace shapeton

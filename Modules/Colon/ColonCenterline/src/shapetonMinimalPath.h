@@ -17,14 +17,14 @@ struct PathTree
   /** Path length to each node, mm; -1 if unreachable. */
   std::vector<float> lengths;
 
-  /** The nodes from the start to this one. */
+  /** The nodes from the start to the given node. */
   std::vector<int>
   PathTo(int node) const;
 };
 
-/** Dijkstra's algorithm on 26 neighbors; one mm costs 1 / (d + 0.1 mm)^exponent, d the distance to the wall. Paths
- * change cells only where the tree allows it. Ties are broken by the order of the nodes. With `last` the search stops
- * at that node. */
+/** Dijkstra's algorithm on 26 neighbors with cost 1 / (d + 0.1 mm)^exponent per mm, where d is the distance to the
+ * wall. Paths cross only between cells connected in the tree. Ties are broken by node order. The search stops at `last`
+ * if given. */
 PathTree
 GrowPathTree(const LumenGrid &  grid,
              const LumenCells & cells,
@@ -33,7 +33,7 @@ GrowPathTree(const LumenGrid &  grid,
              int                exponent,
              int                last = -1);
 
-/** For each node the index of the nearest path node within the lumen, -1 if unreachable, and its distance, mm. */
+/** Index of the nearest path node within the lumen for each node (-1 if unreachable), and its distance, mm. */
 struct NearestPlaces
 {
   std::vector<int>   indices;

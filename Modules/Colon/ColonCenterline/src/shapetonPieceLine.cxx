@@ -8,19 +8,19 @@ namespace shapeton
 {
 namespace
 {
-/** A lumen of at most this radius (mm) is a side branch, the terminal ileum or a taper, not an end of a piece. */
+/** Maximum radius (mm) of side branches, terminal ileum and tapers, which are not ends of a piece. */
 constexpr double widestCore = 8.0;
-/** In a narrower piece, the core has at least this share of the greatest radius. */
+/** Minimum core radius of narrower pieces, relative to the largest radius. */
 constexpr double coreShare = 0.75;
 /** Length of rectum and anal canal, mm. */
 constexpr double rectumLength = 120.0;
 /** Tapers are followed down to this radius, mm. */
 constexpr double narrowestTaper = 1.0;
-/** Nodes this near to the wall (mm) may be tips, and the number of them to test. */
+/** Maximum wall distance (mm) and number of the candidate tips. */
 constexpr double      atWall = 3.5;
 constexpr std::size_t mostTips = 60;
 
-/** The node with at least this distance to the wall whose path is longest; the start if there is none. */
+/** The node with the longest path among those at least this far from the wall; the start if none exists. */
 int
 FarthestNode(const LumenGrid & grid, const PathTree & paths, double leastDistance)
 {
@@ -35,7 +35,7 @@ FarthestNode(const LumenGrid & grid, const PathTree & paths, double leastDistanc
   return farthest;
 }
 
-/** For each node the last core node on its path, as an index into the core; -1 if there is none. */
+/** Index into the core of the last core node on the path to each node; -1 if none. */
 std::vector<int>
 BranchIndices(const LumenGrid & grid, const PathTree & paths, const std::vector<int> & core)
 {
@@ -68,7 +68,7 @@ EndAt(const PathTree & paths, const std::vector<int> & core, const std::vector<i
   return end;
 }
 
-/** The nodes at the wall whose path length is within the caliber of the end of the longest one. */
+/** Nodes at the wall whose path is at most one caliber shorter than the longest path. */
 std::vector<int>
 NodesAtEnd(const LumenGrid &        grid,
            const PathTree &         paths,
@@ -165,8 +165,8 @@ TraceBetween(const LumenNetwork & network, int first, bool isFixed, int exponent
   return line;
 }
 
-/** The tip of the rectum: among nodes whose path joins the core near its last node, the one that is far along its path
- * and caudal, in the middle of the lumen. */
+/** The tip of the rectum: a caudal node in the middle of the lumen with a long path that joins the core near its last
+ * node. */
 int
 FindTip(const LumenGrid & grid, const PathTree & paths, const std::vector<int> & core)
 {
@@ -182,7 +182,7 @@ FindTip(const LumenGrid & grid, const PathTree & paths, const std::vector<int> &
   {
     most = isRectum(node) ? std::max(most, tipness(node)) : most;
   }
-  // A rectum cut by the image is wide there; use its center.
+  // A rectum truncated by the image border is wide there; use its center.
   constexpr double slab = 5.0;
   int              tip = core.back();
   double           widest = -1.0;
@@ -268,7 +268,7 @@ BeginAtAnus(const LumenNetwork & network, const PieceLine & line, int exponent)
   moved.ends[0] = {};
   moved.tips = {};
   moved.paths = nullptr;
-  // The extension leaves the core at the same distance from its other end.
+  // The extension branches off at the same distance from the other end of the core.
   moved.ends[1].branch += static_cast<int>(moved.core.size()) - static_cast<int>(line.core.size());
   return moved;
 }

@@ -13,22 +13,22 @@ struct PieceEnd
   /** The last node shared with the core. */
   int              branch{ 0 };
   std::vector<int> nodes;
-  /** Length missing to the path to the farthest tip, mm. */
+  /** Difference (mm) from the path length of the farthest tip. */
   double shortfall{ 0.0 };
 };
 
-/** The path through one piece of lumen, from its end 0 to its end 1. */
+/** The path through one piece of lumen, from end 0 to end 1. */
 struct PieceLine
 {
   int component{ 0 };
   /** Nodes between the wide ends. */
   std::vector<int>        core;
   std::array<PieceEnd, 2> ends;
-  /** Alternative tips of the ends, behind which the lumen may continue. The first is that of `ends`. */
+  /** Alternative tips of the ends, beyond which the lumen may continue; the first is the tip in `ends`. */
   std::array<std::vector<PieceEnd>, 2> tips;
   /** Volume of the piece, mm^3. */
   double volume{ 0.0 };
-  /** The path tree from one end of the core that gave the line; may be null. */
+  /** The path tree of the line, from one end of the core; may be null. */
   std::shared_ptr<const PathTree> paths;
 
   /** All nodes, from end 0 to end 1, with the ends extended if requested. */
@@ -48,7 +48,7 @@ struct LumenNetwork
   /** Minimum radius of the lumen at ends, mm: 8, or half the usual radius of a narrow lumen. */
   double   coreRadius;
   CellTree tree;
-  /** Indices into LumenCells::passages of holes that connect an end of colon to the side of another stretch. */
+  /** Indices into LumenCells::passages of holes between an end of colon and the side of another stretch. */
   std::vector<int> cuts;
 };
 
@@ -56,7 +56,7 @@ struct LumenNetwork
 PieceLine
 TracePiece(const LumenNetwork & network, int node, int exponent);
 
-/** The same line with end 0 moved to the caudal tip of the rectum, down the anal canal. */
+/** The line with end 0 extended down the anal canal to the caudal tip of the rectum. */
 PieceLine
 BeginAtAnus(const LumenNetwork & network, const PieceLine & line, int exponent);
 

@@ -8,13 +8,13 @@ namespace shapeton
 {
 namespace
 {
-/** Penalty of the least likely place of a cecum, mm. */
+/** Penalty for the least likely position of a cecum, mm. */
 constexpr double cecumWeight = 60.0;
-/** Penalty of a tapering cecum (mm), and the calibers of taper and cecum relative to the usual one. */
+/** Penalty for a tapering cecum (mm), and relative calibers of a taper and a cecum. */
 constexpr double taperWeight = 80.0;
 constexpr double cecumCaliber = 1.25;
 constexpr double taperCaliber = 0.75;
-/** Equivalent length of a join per mm of shortfall. */
+/** Join length equivalent to 1 mm of shortfall. */
 constexpr double shortfallShare = 0.3;
 constexpr double never = std::numeric_limits<double>::infinity();
 
@@ -24,7 +24,7 @@ TipOf(const JoinEnd & end, int tip)
   return end.tips.empty() ? end.position : end.tips[tip];
 }
 
-/** Effective length of a join, mm: ends that face away from each other count as farther apart. */
+/** Effective length of a join (mm), increased for ends that face away from each other. */
 double
 JoinCost(const JoinEnd & a, const JoinEnd & b)
 {
@@ -36,14 +36,14 @@ JoinCost(const JoinEnd & a, const JoinEnd & b)
   return 5.0 + distance * (1.0 + 0.35 * turns) + 2.0 * std::max(0.0, distance - longestJoin);
 }
 
-/** Worth of a piece, in mm of joins. */
+/** Penalty for omitting a piece, in mm of joins. */
 double
 LeavingCost(const JoinPiece & piece)
 {
   return piece.isWanted ? 1e6 : 60.0 + piece.length;
 }
 
-/** Costs of the joins of each state (see Table::Extend) with each next one. */
+/** Join costs from each state to each next state (see Table::Extend). */
 std::vector<double>
 JoinCosts(const std::vector<JoinPiece> & pieces)
 {
@@ -166,7 +166,7 @@ RadiusNearEnd(const std::vector<Eigen::Vector3d> & points, const std::vector<dou
 void
 PreferCecum(const ColonExtent & extent, double usualRadius, std::vector<JoinPiece> & pieces)
 {
-  // Relative to the extent of the colon, since the cecum is mobile: a tendency, not a rule.
+  // A soft penalty relative to the extent of the colon, since the cecum is mobile.
   for (JoinPiece & piece : pieces)
   {
     for (JoinEnd & end : piece.ends)

@@ -16,13 +16,13 @@ struct JoinEnd
   Eigen::Vector3d position;
   /** Unit vector out of the piece along its line. */
   Eigen::Vector3d out;
-  /** Points of the wall at the end, where a join may begin; the position if there are none. */
+  /** Wall points at the end where a join may begin; the position itself if none exist. */
   std::vector<Eigen::Vector3d> tips;
-  /** For each tip the length missing to the farthest tip, mm. */
+  /** Difference (mm) of each tip from the path length of the farthest tip. */
   std::vector<double> shortfalls;
   /** Radius of the widest ball within `endReach` of the end, mm. */
   double radius{ 0.0 };
-  /** Cost of ending the colon here, mm. */
+  /** Cost if the colon ends here, mm. */
   double asCecum{ 0.0 };
 };
 
@@ -45,28 +45,27 @@ struct PlacedPiece
 /** Length of the wide part of cecum and rectum along the line, mm. */
 constexpr double endReach = 30.0;
 
-/** Radius of the widest ball within `endReach` of the end of a path, mm; `radii` at its points. */
+/** Radius (mm) of the widest ball within `endReach` of the end of a path; `radii` are given at its points. */
 double
 RadiusNearEnd(const std::vector<Eigen::Vector3d> & points, const std::vector<double> & radii);
 
-/** Maximum number of pieces that can be ordered: time doubles with each. */
+/** Maximum number of pieces to order; time doubles with each. */
 constexpr int mostJoinPieces = 14;
 
-/** Joins longer than this (mm) are longer than a collapsed stretch. */
+/** Maximum length of a collapsed stretch, mm. */
 constexpr double longestJoin = 150.0;
 
-/** The closest tips of two ends; a tip far back on the side of its end counts as farther. */
+/** The closest tips of two ends; the distance includes the shortfall of each tip. */
 std::array<int, 2>
 ClosestTips(const JoinEnd & a, const JoinEnd & b);
 
-/** Sets the cost of each end as the last one. The cecum is caudal, on the right and wide, while the colon tapers where
- * it collapses. `usualRadius` is LumenCells::UsualRadius. */
+/** Sets the cost of each end as the cecum: low for a caudal, right and wide end, high for a tapering, collapsed one.
+ * `usualRadius` is LumenCells::UsualRadius. */
 void
 PreferCecum(const ColonExtent & extent, double usualRadius, std::vector<JoinPiece> & pieces);
 
-/** The order with the least sum of joins and of penalties for omitted pieces, with the first piece and its direction
- * given. Exact: dynamic programming over subsets (Held, Karp 1962). Pieces that cost more than they contribute are left
- * out. `cost` returns the sum, mm. */
+/** The order that minimizes the sum of joins and of penalties for omitted pieces, for a given first piece and
+ * direction. Exact, by dynamic programming over subsets (Held, Karp 1962). `cost` returns the sum, mm. */
 std::vector<PlacedPiece>
 OrderPieces(const std::vector<JoinPiece> & pieces, const PlacedPiece & first, double * cost = nullptr);
 

@@ -12,8 +12,8 @@
 
 namespace shapeton
 {
-/** A monotone priority queue (Ahuja, Mehlhorn, Orlin, Tarjan 1990): the bucket of an entry is the highest bit in which
- * its key differs from the last key popped. Non-negative doubles are ordered by their bit patterns. */
+/** A monotone priority queue (Ahuja, Mehlhorn, Orlin, Tarjan 1990): the bucket index is the highest bit in which a key
+ * differs from the last key popped. Keys are non-negative doubles, compared by bit pattern. */
 class RadixQueue
 {
 public:

@@ -70,7 +70,7 @@ std::vector<TreeReach::Part>
 TreeReach::FromTheFirst(const std::vector<Part> & hanging, const std::vector<double> & lengths)
 {
   std::vector<Part> parts{ hanging.front() };
-  Part              last = hanging.front(); // the same, seen from the last cell
+  Part              last = hanging.front(); // the same part, relative to the last cell
   double            length = 0.0;
   for (std::size_t i = 1; i < hanging.size(); ++i)
   {

@@ -6,7 +6,7 @@
 
 namespace shapeton
 {
-/** A passage of a tree of cells, seen from one of its two cells. */
+/** A passage of a tree of cells, directed from one of its two cells. */
 struct TreeLink
 {
   int    cell;
@@ -20,7 +20,7 @@ using TreeLinks = std::vector<std::vector<TreeLink>>;
 /** The cells of one or more trees with parents first, and the path length from the start to each cell. */
 struct TreeWalk
 {
-  /** An empty walk. */
+  /** Creates an empty walk. */
   explicit TreeWalk(std::size_t cells) : length(cells, -1.0), depth(cells, -1), parent(cells, -1), passage(cells, -1) {}
 
   /** Adds the tree of a cell, starting there. */
@@ -55,8 +55,8 @@ struct TreeRing
 /** \class TreeReach
  * \brief Longest paths between core cells of a tree, with and without some of its passages.
  *
- * The part beyond each passage is summarized once, from the leaves and back, so a query about a cell takes time linear
- * in its number of links.
+ * The part beyond each passage is summarized once, in an upward and a downward pass; a query then takes time linear in
+ * the number of links of the cell.
  */
 class TreeReach
 {
@@ -64,23 +64,23 @@ public:
   /** A walk over all trees, and a flag for core cells. */
   TreeReach(const TreeLinks & links, const TreeWalk & all, const std::vector<char> & isCore);
 
-  /** Length of the longest path between two core cells of the tree of `cell`; 0 with fewer. */
+  /** Length of the longest path between two core cells of the tree of `cell`; 0 for fewer than two. */
   double
   LongestWay(int cell) const
   {
     return this->Around(cell).longest;
   }
 
-  /** For each passage of a ring the longest path between two core cells of the tree in which that passage is replaced
-   * by one of `length` between the two ends of the ring. */
+  /** For each passage of a ring: the longest path between two core cells after the passage is replaced by one of length
+   * `length` between the ends of the ring. */
   std::vector<double>
   LongestWaysWithout(const TreeRing & ring, double length) const;
 
 private:
-  /** Summary of a part of a tree, seen from one of its cells. */
+  /** Summary of a part of a tree relative to one of its cells. */
   struct Part
   {
-    /** Length to the farthest core cell; far below 0 without one. */
+    /** Length to the farthest core cell; a large negative value if none exists. */
     double deepest{ -1e300 };
     /** Longest path between two core cells. */
     double longest{ 0.0 };
@@ -98,16 +98,16 @@ private:
   Part
   Around(int cell, int passage = -1, int other = -1) const;
 
-  /** Cumulative parts of the first cells of a ring with their branches, seen from the first cell. */
+  /** Cumulative summaries of the cells of a ring with their branches, relative to the first cell. */
   static std::vector<Part>
   FromTheFirst(const std::vector<Part> & hanging, const std::vector<double> & lengths);
 
   const TreeLinks &         m_Links;
   const TreeWalk &          m_Walk;
   const std::vector<char> & m_IsCore;
-  /** For each cell the subtree below it, seen from the cell. */
+  /** Subtree below each cell, relative to the cell. */
   std::vector<Part> m_Below;
-  /** The rest of the tree, seen from the parent. */
+  /** The rest of the tree, relative to the parent. */
   std::vector<Part> m_Above;
 };
 } // namespace shapeton

@@ -10,7 +10,7 @@ namespace
 {
 using shapeton::ColonHindrance;
 
-/** Straight tubes along x, of radius 12 mm, in voxels of 1 mm; the line is their axis. */
+/** A straight tube along x with radius 12 mm and voxels of 1 mm; the line is its axis. */
 class Tube
 {
 public:
@@ -140,7 +140,7 @@ TEST(ColonAssessability, NarrowStretchesCountAndSingleFoldsDoNot)
   EXPECT_EQ(part.Hindrances(), (std::vector<ColonHindrance>{ ColonHindrance::Narrow, ColonHindrance::NoLumen }));
   EXPECT_EQ(shapeton::HindranceAt(stretches, 70.0), ColonHindrance::Narrow);
   EXPECT_EQ(shapeton::HindranceAt(stretches, 90.0), ColonHindrance::None);
-  // An unmarked line gives the same from its shape.
+  // Without the array, the result follows from gap and radius.
   EXPECT_EQ(shapeton::FindHinderedStretches(line).size(), 2u);
 }
 
@@ -160,7 +160,7 @@ TEST(ColonAssessability, UntaggedFluidHidesTheWallBelow)
       EXPECT_NEAR(stretches[0].end, 100.0, 1.0);
     }
   }
-  Tube flat; // a flat wall, no pool
+  Tube flat; // a flat wall without a pool
   flat.Fill(60, 68, 12.0, 4.0);
   flat.AddLevel(64.0, 4.5, 80.0, false);
   EXPECT_TRUE(flat.Stretches(flat.Line()).empty());

@@ -109,7 +109,7 @@ Occupancy(const shapeton::LumenMask * mask, const Eigen::Vector3d & at)
   return sum;
 }
 
-/** Share of the points of a curve before its nearest point to a given one. */
+/** Fraction of the points of a curve before the point nearest to a given position. */
 double
 ShareAt(const TubePoints & points, const Eigen::Vector3d & point)
 {
@@ -119,8 +119,7 @@ ShareAt(const TubePoints & points, const Eigen::Vector3d & point)
   return (std::min_element(points.begin(), points.end(), nearer) - points.begin()) / static_cast<double>(points.size());
 }
 
-/** A curve through rectum and sigmoid, up the descending, along the transverse and down the ascending colon to the pole
- * of the cecum. */
+/** A curve through rectum, sigmoid, descending, transverse and ascending colon to the pole of the cecum. */
 TubePoints
 ColonThrough(TubePoints places, const Eigen::Vector3d & pole)
 {
@@ -135,7 +134,7 @@ ColonThrough(TubePoints places, const Eigen::Vector3d & pole)
   return shapeton::CurveThrough(places);
 }
 
-/** Adjacent limbs, as in a radiator; the axes of limbs are `pitch` mm apart. It begins caudally. */
+/** A serpentine of adjacent limbs, whose axes are `pitch` mm apart. It begins caudally. */
 TubePoints
 Serpentine(int limbs, double length, double pitch)
 {
@@ -180,7 +179,7 @@ TEST(ColonCenterline, OfAColonIsItsAxisInAnyImageFrame)
 
 TEST(ColonCenterline, CoversAWideLumenButNotABranch)
 {
-  // Three tubes side by side overlap: 64 mm wide, 36 mm deep. The branch leaves at a right angle.
+  // Three tubes side by side overlap: 64 mm wide, 36 mm deep. The branch is at a right angle.
   TubePoints axis;
   for (double z = -150.0; z <= 150.0; z += 0.5)
   {
@@ -271,7 +270,7 @@ TEST(ColonCenterline, OfATorusArcAndAHelixHasTheClosedLength)
   }
 }
 
-/** Limbs with septa of one voxel that leak at some places. */
+/** Limbs separated by septa of one voxel with some leaks. */
 TubeMask
 LeakySerpentine(const TubePoints & truth, double pitch, double hole)
 {
@@ -377,8 +376,8 @@ TEST(ColonCenterline, CutsAHoleThatHangsTheCecumOnAnotherLoop)
 
 TEST(ColonCenterline, CutsAHoleByWhichThePouchOfTheLastPieceHangsOnTheFirst)
 {
-  // A narrow hole connects the first limb to the rest together with the pouch at the end of the third one. The joint of
-  // the third limb to the second has collapsed, as has that of the second to the first.
+  // A narrow hole and the pouch at the end of the third limb connect the first limb to the rest. The joints between the
+  // first, second and third limb have collapsed.
   const TubePoints truth = ColonThrough(
     { { 0, 40, -150 }, { 0, 35, -90 }, { -50, 0, -60 }, { -40, -25, -20 }, { 40, 0, -50 } }, { -105, 0, -75 });
   TubeMask mask(truth, 35.0, { 1.5, 1.5, 1.5 });
@@ -405,7 +404,7 @@ TEST(ColonCenterline, CutsAHoleByWhichThePouchOfTheLastPieceHangsOnTheFirst)
 
 TEST(ColonCenterline, GoesOnAtATaperRatherThanAtANearerCecum)
 {
-  // The sigmoid collapses next to the pole of the cecum, and continues farther away.
+  // The sigmoid is collapsed next to the pole of the cecum and continues farther away.
   const Eigen::Vector3d collapses(-22, -45, -80);
   const Eigen::Vector3d goesOn(30, -75, -100);
   const TubePoints      truth = ColonThrough({ { 0, 40, -150 },
@@ -430,8 +429,8 @@ TEST(ColonCenterline, GoesOnAtATaperRatherThanAtANearerCecum)
 
 TEST(ColonCenterline, BeginsAtARectumThatLooksLikeASideBranch)
 {
-  // The sigmoid has collapsed where it meets the descending colon, which leaks into the rectum: the longest path
-  // through the lumen runs down the descending colon and up the sigmoid.
+  // The junction of sigmoid and descending colon is collapsed, and the descending colon leaks into the rectum: the
+  // longest path through the lumen follows the descending colon down and the sigmoid up.
   const Eigen::Vector3d collapses(40, -35, -75);
   const Eigen::Vector3d goesOn(28, 22, -78);
   const Eigen::Vector3d leaks(0, 40, -85);
@@ -471,7 +470,7 @@ TEST(ColonCenterline, ReachesThePoleOfAWideCecum)
   EXPECT_LT((points.back() - pole).norm(), 9.0);
 }
 
-/** A pouch next to the cecum turns back up, and touches the ascending colon: the path ends in it. */
+/** A pouch next to the cecum bends upward and touches the ascending colon; the path ends in the pouch. */
 TEST(ColonCenterline, ReachesThePoleBesideAPouchThatTurnsBack)
 {
   const Eigen::Vector3d pole(-115, -75, -95);
@@ -555,7 +554,7 @@ TEST(ColonCenterline, HasTheSameBytesForAnyNumberOfThreads)
   itk::MultiThreaderBase::SetGlobalDefaultNumberOfThreads(before);
 }
 
-/** Every second voxel, if it and its neighbors are lumen: walls do not vanish. */
+/** Subsamples by 2; a voxel is lumen only if its neighbors are, so that walls do not vanish. */
 shapeton::LumenMask::Pointer
 Coarser(const itk::Image<float, 3> * image)
 {
@@ -595,7 +594,7 @@ TEST(ColonCenterline, OfARealColonPassesAllOfItsParts)
   const auto mask = Coarser(volume.image);
   const auto line = shapeton::TraceColonCenterline(mask);
   EXPECT_TRUE(IsInside(line, mask));
-  // Read from projections of the mask: rectum, the low and high bends, the flexure on the right, the cecum.
+  // Read off projections of the mask: rectum, the low and high bends, the flexure on the right, the cecum.
   const TubePoints points = PointsOf(line);
   EXPECT_LT((points.front() - Eigen::Vector3d(-15, -4, -503)).norm(), 25.0);
   for (const Eigen::Vector3d & place : { Eigen::Vector3d(80, -40, -390),

@@ -63,7 +63,7 @@ WalkFrom(const TreeLinks & links, int start)
   return walk;
 }
 
-/** Reference by a walk from each core cell. */
+/** Reference result by a search from each core cell. */
 double
 LongestWay(const Tree & tree)
 {
@@ -83,7 +83,7 @@ LongestWay(const Tree & tree)
   return longest;
 }
 
-/** The path from the start of a walk to a cell, reversed. */
+/** The path from a cell back to the start of a walk. */
 TreeRing
 RingTo(const TreeWalk & walk, int cell)
 {
@@ -97,7 +97,7 @@ RingTo(const TreeWalk & walk, int cell)
   return ring;
 }
 
-/** Compares the longest path with brute force for each swapped passage between two cells. */
+/** Compares the longest path after each swap between two cells with brute force. */
 void
 ExpectWays(const Tree & tree, int from, int to)
 {

@@ -12,10 +12,10 @@
 
 namespace shapeton
 {
-/** How flexures are found. \ingroup ShapetonColonLandmarks */
+/** Method that finds the flexures. \ingroup ShapetonColonLandmarks */
 enum class FlexureRule
 {
-  /** Ordered dynamic programming with a prior from published anatomy, then a shift to the apex. */
+  /** Ordered dynamic programming with a prior from published anatomy, followed by a shift to the apex. */
   Ordered,
   /** Bends in two projections, sorted by height (dissertation 4.2.2). */
   Published
@@ -24,31 +24,31 @@ enum class FlexureRule
 /** A major bend of the colon, found or not. \ingroup ShapetonColonLandmarks */
 struct ColonFlexure
 {
-  /** Counted from the rectum: 1 rectosigmoid, 2 descending-sigmoid, 3 splenic, 4 hepatic. */
+  /** Number from the rectum: 1 rectosigmoid, 2 descending-sigmoid, 3 splenic, 4 hepatic. */
   int  number{ 0 };
   bool isFound{ false };
-  /** Why it was not found; empty otherwise. */
+  /** Reason why it was not found; empty otherwise. */
   std::string reason;
   /** Position on the centerline, LPS, mm. */
   Eigen::Vector3d point{ Eigen::Vector3d::Zero() };
-  /** Unit tangent of the centerline there, LPS, toward the cecum. */
+  /** Unit tangent of the centerline toward the cecum, LPS. */
   Eigen::Vector3d tangent{ Eigen::Vector3d::UnitZ() };
   /** Distance along the centerline, mm. */
   double arcLength{ 0.0 };
   /** 0 to 1. Ordered: model probability that the flexure is within 30 mm. Published: 0.5 if all four are in anatomical
-   * order, since that rule provides no measure. */
+   * order; that method provides no probability. */
   double confidence{ 0.0 };
 };
 
-/** The four flexures of a centerline, in order from the rectum; a missing one states the reason. See
+/** The four flexures of a centerline in order from the rectum, with the reason for each missing one. See
  * FindColonFlexures(). \ingroup ShapetonColonLandmarks */
 struct ColonFlexures
 {
   FlexureRule                 rule{ FlexureRule::Ordered };
   std::array<ColonFlexure, 4> flexures;
-  /** The descending colon is on the right: situs inversus, or a flipped image. Checked by Ordered only. */
+  /** Whether the descending colon is on the right: situs inversus or a flipped image. Set only by Ordered. */
   bool isMirrored{ false };
-  /** The line more likely runs from the cecum to the rectum; confidences are low then. Checked by Ordered only. */
+  /** Whether the line is probably reversed (cecum to rectum), which lowers confidences. Set only by Ordered. */
   bool    isBackwards{ false };
   Remarks warnings;
 
@@ -67,20 +67,20 @@ ShapetonColonLandmarks_EXPORT std::string
 
 /** Finds the four flexures of a centerline that runs from the rectum to the cecum.
  *
- * Ordered: each place of the line (every 4 mm) has twelve features: the share of the length before it, its place in the
- * bounding box of the line, the turning between chords of 35 and of 70 mm, and the directions 40 mm before and after
- * it. The score of a flexure is the log-likelihood of a Gaussian with independent features; the length of the rectum
- * and the shares of the length between flexures have Gaussians, too. Each point up to the splenic flexure is scored
- * (place in the box, direction over 15 mm) by the likelihood ratio of the descending colon, which runs straight up
- * along the left and posterior wall, to the whole colon. Dynamic programming finds the best four places in order
- * exactly. Then the splenic and hepatic flexures, which are fixed to the posterior wall, move to the highest place
- * within 16 mm, with posterior depth weighted by one half. The rectosigmoid one moves to the sharpest bend within
- * 14 mm; the descending-sigmoid one, where the straight run begins, to the probability-weighted mean of its places
- * within 60 mm. The mirror image of the line is scored as well; it wins if its likelihood, summed over all places,
- * times .001 is greater. The prior probability of a line from the cecum to the rectum is .01; confidences are
- * multiplied by the probability of the chosen direction.
+ * Ordered: twelve features are computed every 4 mm along the line: the fraction of the length before the point, its
+ * position in the bounding box of the line, the angles between chords of 35 and of 70 mm, and the directions 40 mm
+ * before and after it. The score of a flexure is the log-likelihood of a Gaussian with independent features. The length
+ * of the rectum and the length fractions between flexures are Gaussian as well. Each point up to the splenic flexure is
+ * scored (position in the box, direction over 15 mm) by the likelihood ratio of the descending colon, straight along
+ * the left and posterior wall, to the whole colon. Dynamic programming finds the optimal four ordered points. Then the
+ * splenic and hepatic flexures, which are fixed to the posterior wall, are shifted to the highest point within 16 mm,
+ * with posterior depth weighted by one half. The rectosigmoid flexure is shifted to the sharpest bend within 14 mm. The
+ * descending-sigmoid flexure, the start of the straight part, is set to the probability-weighted mean of its candidates
+ * within 60 mm. The mirror image of the line is scored as well and chosen if its total likelihood times .001 is
+ * greater. The prior probability of a line from the cecum to the rectum is .01; confidences are multiplied by the
+ * probability of the chosen direction.
  *
- * The prior comes from anatomy, not from centerlines or phantoms:
+ * The prior is based on published anatomy, not on centerlines or phantoms:
  * - lengths from the anal verge, cm: anal canal 4, rectum 12, sigmoid 40, descending 25, transverse 50, ascending 15,
  *   cecum 6 (Standring, ed.: Gray's Anatomy, 41st ed., 2016); ascending 20-25, descending 10-15, cecum 6 (SEER
  *   training module, US National Cancer Institute). The means lie between them. Total 189.5 +- 26.3 cm (Khashab et al.,
@@ -88,18 +88,18 @@ ShapetonColonLandmarks_EXPORT std::string
  * 2022, 295 patients). Standard deviations are a quarter to a third of the segment, more for the sigmoid, whose length
  *   varies most (Phillips et al., Ann R Coll Surg Engl 97, 2015).
  * - heights by vertebrae (Gray's Anatomy): rectosigmoid junction S3, end of the descending colon at the pelvic brim
- *   (S1 to S2), hepatic flexure L1 to L2, splenic flexure T12 and above all others; 18.5 cm of lumbar spine and 17 cm
- *   from the promontory to the anal verge turn them into shares of the box.
+ *   (S1 to S2), hepatic flexure L1 to L2, splenic flexure T12 and above all others. Heights relative to the box assume
+ *   18.5 cm of lumbar spine and 17 cm from the promontory to the anal verge.
  * - sides and depth: rectum in the midline in front of the sacrum, descending colon left and posterior, transverse
  *   colon hanging forward between its flexures, ascending colon right (same source).
  *
- * Source: the programming method is ours; "Published" is the rule of the dissertation, 4.2.2, which does not define
- * "comparable y"; 25 mm is used here.
+ * Source: Ordered is original work. Published is the rule of the dissertation, 4.2.2; its "comparable y" is undefined
+ * there and 25 mm here.
  *
- * A line shorter than 80 cm (the least length known, Hounnou et al., Surg Radiol Anat 24, 2002) is not a whole colon:
- * no flexure is found, and the reason is stated. The same holds for a line whose features are too far from the prior.
- * Warnings name doubtful results. \param centerline one curve with the point array arcLength. Throws InputError when
- * the array is missing or does not ascend, or when there is not exactly one curve. \ingroup ShapetonColonLandmarks */
+ * No flexure is found, and the reason is reported, if the line is shorter than 80 cm (minimum for a whole colon,
+ * Hounnou et al., Surg Radiol Anat 24, 2002) or its features are too far from the prior. Doubtful results cause
+ * warnings. \param centerline one curve with the point array arcLength. Throws InputError unless there is exactly one
+ * curve with an ascending arcLength. \ingroup ShapetonColonLandmarks */
 ShapetonColonLandmarks_EXPORT ColonFlexures
 FindColonFlexures(const CurveSet & centerline, FlexureRule rule = FlexureRule::Ordered);
 } // namespace shapeton

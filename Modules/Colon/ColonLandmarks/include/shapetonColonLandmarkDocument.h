@@ -16,7 +16,7 @@ namespace shapeton
  * \ingroup ShapetonColonLandmarks */
 ///@{
 
-/** A segment of the colon, as named by radiologists. */
+/** A radiological segment of the colon. */
 struct ColonSegmentExtent
 {
   /** 1 rectum, 2 sigmoid, 3 descending, 4 transverse, 5 ascending, 6 cecum. */
@@ -29,13 +29,13 @@ struct ColonSegmentExtent
   double area{ 0.0 };
 };
 
-/** The segments in landmarks.json whose two ends are known: the rectum begins at 0, the cecum ends with the centerline.
- * Throws InputError for any other document. */
+/** The segments in landmarks.json with two known ends. The rectum begins at 0; the cecum ends with the centerline.
+ * Throws InputError for an invalid document. */
 ShapetonColonLandmarks_EXPORT std::vector<ColonSegmentExtent>
                       SegmentsOf(const Json & landmarks, double lengthOfCenterline);
 
-/** The segment at a distance along the centerline, mm from the anal verge; its end belongs to the last one. Null
- * outside all segments. */
+/** The segment at a distance (mm) along the centerline from the anal verge; null outside all segments. The end of the
+ * centerline is part of the last segment. */
 ShapetonColonLandmarks_EXPORT const ColonSegmentExtent *
 FindSegment(const std::vector<ColonSegmentExtent> & segments, double arcLength);
 
@@ -48,7 +48,7 @@ struct ColonFlexurePlace
   double confidence{ 0.0 };
 };
 
-/** Rectosigmoid, descending-sigmoid, splenic, hepatic. Throws InputError for any other document. */
+/** Rectosigmoid, descending-sigmoid, splenic, hepatic. Throws InputError for an invalid document. */
 ShapetonColonLandmarks_EXPORT std::array<ColonFlexurePlace, 4>
                       FlexuresOf(const Json & landmarks);
 ///@}

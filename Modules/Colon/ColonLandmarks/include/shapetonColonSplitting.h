@@ -12,18 +12,18 @@ struct ColonPiece
   /** Segment number as in ColonSegments. */
   int         segment{ 0 };
   std::string name;
-  /** Surface with `uv` (mm): a rectangle from (0, 0), u from the rectal end; both sides along v = const are the taenia.
+  /** Surface with `uv` (mm): a rectangle from (0, 0) with u from the rectal end; both sides v = const are the taenia.
    * See ConformalMap::flat. */
   SurfaceMesh flat;
   /** Lower and upper bound of height over width of the rectangle (dissertation 4.3, Figure 4.6). */
   double modulusU{ 0.0 };
   double modulusV{ 0.0 };
-  /** Size of the rectangle, mm; it has the area of the surface. */
+  /** Size of the rectangle, mm; its area equals the surface area. */
   double width{ 0.0 };
   double height{ 0.0 };
   /** Wall area, mm^2. */
   double area{ 0.0 };
-  /** Number of faces that the map flips. */
+  /** Number of flipped faces. */
   int flips{ 0 };
 };
 
@@ -36,8 +36,8 @@ struct ColonPieces
 };
 
 /** Cuts the wall at the segment borders and each segment along the first taenia, and maps each to a rectangle with
- * MapConformally(). A segment that is unknown or not a tube between its borders is left out with a warning. Without
- * taeniae all are left out. \ingroup ShapetonColonLandmarks */
+ * MapConformally(). A segment that is unknown or not a tube between its borders is skipped with a warning. Without
+ * taeniae, all are skipped. \ingroup ShapetonColonLandmarks */
 ShapetonColonLandmarks_EXPORT ColonPieces
 SplitColon(const SurfaceMesh & flat, const ColonLandmarks & landmarks, const Progress & progress = {});
 

@@ -12,14 +12,14 @@ namespace shapeton
 /** Method that finds the taeniae coli. \ingroup ShapetonColonLandmarks */
 enum class TaeniaRule
 {
-  /** Windowed fuzzy C-means and joint dynamic programming for three paths; the result with less energy is kept. */
+  /** Windowed fuzzy C-means and joint dynamic programming for three paths; the result of lower energy is kept. */
   Joint,
-  /** The tightest track of the fuzzy C-means, the others at one and two thirds of the circumference (dissertation
+  /** The most compact track of fuzzy C-means, and two tracks at one and two thirds of the circumference (dissertation
    * 4.2.1). */
   Published
 };
 
-/** One of the three bands of muscle. \ingroup ShapetonColonLandmarks */
+/** One of the three bands of longitudinal muscle. \ingroup ShapetonColonLandmarks */
 struct ColonTaenia
 {
   /** Points on the wall from the rectum to the cecum, LPS, mm. */
@@ -28,7 +28,7 @@ struct ColonTaenia
   std::vector<Eigen::Vector2d> uv;
   /** mm along the centerline. */
   std::vector<double> arcLength;
-  /** 0 to 1: support by nearby fold ends, and agreement of the two methods. */
+  /** 0 to 1, from nearby fold ends and the agreement of the two methods. */
   std::vector<double> confidence;
 };
 
@@ -38,7 +38,7 @@ struct UsedMarker
   Eigen::Vector3d point{ Eigen::Vector3d::Zero() };
   /** Number of the taenia, 1 to 3. */
   int taenia{ 0 };
-  /** Distances from the marker to the wall, and from its place on the wall to the taenia, mm. */
+  /** Distances (mm) from the marker to the wall, and from its projection on the wall to the taenia. */
   double distanceFromWall{ 0.0 };
   double distanceOfTaenia{ 0.0 };
 };
@@ -53,12 +53,13 @@ struct ColonTaeniaOptions
   Progress progress;
 };
 
-/** The three taeniae coli on the wall of a colon, with their support. See FindColonTaeniae().
+/** The three taeniae coli on the wall of a colon, with confidences. See FindColonTaeniae().
  * \ingroup ShapetonColonLandmarks */
 struct ColonTaeniae
 {
   TaeniaRule rule{ TaeniaRule::Joint };
-  /** Three, or empty if the wall has too few folds. In the row order of the flat image, best supported first. */
+  /** Three, or empty if too few folds are found. In the row order of the flat image, starting with the best
+   * supported. */
   std::vector<ColonTaenia> taeniae;
   std::string              reason; ///< why none were found
   /** The result kept: "joint", "fuzzyCMeans" or "thirds". */
@@ -66,7 +67,7 @@ struct ColonTaeniae
   /** Energy per row; NaN for a method that was not run. */
   double jointEnergy{ 0.0 };
   double fuzzyEnergy{ 0.0 };
-  /** Disagreement of the two methods on the wall: mean (mm), and share of the length above 10 mm. */
+  /** Disagreement of the two methods on the wall: mean (mm), and fraction of the length with more than 10 mm. */
   double                  meanDisagreement{ 0.0 };
   double                  disagreeingShare{ 0.0 };
   std::vector<UsedMarker> markers;
@@ -77,20 +78,19 @@ struct ColonTaeniae
 ShapetonColonLandmarks_EXPORT std::string
                       NameOf(TaeniaRule rule);
 
-/** Finds the three taeniae coli of a flat colon: the bands where haustral folds end (dissertation 4.2.1).
+/** Finds the three taeniae coli of a flat colon, the bands at which haustral folds end (dissertation 4.2.1).
  *
- * Folds are those of FindHaustralFolds(). The evidence is computed on a grid of rows (2.8 mm of the map) along the tube
- * and 72 angles around it: the density of folds, minus that of their ends, minus how far the wall between folds stands
- * out toward the axis and how little it is concave. Haustra bulge outward between taeniae; the first two harmonics,
- * which come from bends, are removed.
+ * Folds are found by FindHaustralFolds(). The evidence is computed on a grid of rows (2.8 mm of the map) along the tube
+ * and 72 angles: the density of folds, minus the density of fold ends, minus a term for wall between folds that is
+ * close to the axis and not concave. Haustra bulge outward between taeniae. The first two harmonics, caused by bends,
+ * are removed.
  * - Fuzzy C-means (c = 3, m = 2; Bezdek 1981) of the angles of fold ends in windows of 150 mm, tracked between windows.
- * - Joint dynamic programming of three paths: state (angle, two gaps), gaps of 45 to 225 degrees; in each row all turn
- *   by at most one step, and each by one more. Costs are equal for all tracks, so a mirrored wall has mirrored taeniae.
- *   Exact.
- * Both are rated by the energy of the dynamic programming. Taeniae pass through markers: these attract the paths, then
- * a bump of 60 mm corrects the remainder.
+ * - Joint, exact dynamic programming of three paths: state (angle, two gaps), gaps of 45 to 225 degrees. In each row,
+ * all paths turn by at most one step together, and each by at most one more. All paths have the same costs, so a
+ * mirrored wall results in mirrored taeniae. Both are compared by the energy of the dynamic programming. Markers
+ * attract the paths; a bump of 60 mm then moves each taenia exactly through its markers.
  *
- * Throws InputError when a marker is more than 15 mm from the wall. \ingroup ShapetonColonLandmarks */
+ * Throws InputError if a marker is more than 15 mm from the wall. \ingroup ShapetonColonLandmarks */
 ShapetonColonLandmarks_EXPORT ColonTaeniae
 FindColonTaeniae(const FlatColon & flat, const ColonWallTube & tube, const ColonTaeniaOptions & options = {});
 

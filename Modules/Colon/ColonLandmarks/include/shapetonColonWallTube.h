@@ -14,18 +14,18 @@
 namespace shapeton
 {
 /** \class ColonWallTube
- * \brief The wall of a flat colon without its cut, on which walks are computed.
+ * \brief The wall of a flat colon with the cut closed, for path searches.
  *
- * Vertices of the flat surface at one place (sourcePointId) are one vertex here; faces keep their order. A walk may
- * cross the cut; Turns() counts the crossings of an edge and so identifies walks around the tube.
+ * Duplicate vertices of the flat surface (equal sourcePointId) are merged; the order of faces is unchanged. A walk may
+ * cross the cut. Turns() counts the crossings of an edge, which identifies walks around the tube.
  *
  * \ingroup ShapetonColonLandmarks */
 class ShapetonColonLandmarks_EXPORT ColonWallTube
 {
 public:
   /** \param centerline one curve with arcLength, from the rectum to the cecum of this surface.
-   * Throws InputError, with the reason, when an array is missing, or the centerline belongs to another colon or runs in
-   * the opposite direction. A centerline that covers only part of the surface gives a warning. */
+   * Throws InputError if an array is missing, or the centerline does not match the surface or is reversed. Warns if the
+   * centerline covers only part of the surface. */
   ColonWallTube(const FlatColon & colon, const CurveSet & centerline);
   ~ColonWallTube();
 
@@ -49,25 +49,25 @@ public:
   {
     return static_cast<int>(m_V.rows());
   }
-  /** The tube vertex of a vertex of the flat surface. */
+  /** The tube vertex that corresponds to a vertex of the flat surface. */
   int
   VertexOfFlat(int flatVertex) const
   {
     return m_VertexOfFlat[flatVertex];
   }
-  /** One vertex of the flat surface at this place. */
+  /** One of the vertices of the flat surface merged to this vertex. */
   int
   FlatOfVertex(int vertex) const
   {
     return m_FlatOfVertex[vertex];
   }
-  /** Whether the cut of the flat surface runs through the vertex. */
+  /** Whether the vertex is on the cut of the flat surface. */
   bool
   IsOnCut(int vertex) const
   {
     return m_IsOnCut[vertex] != 0;
   }
-  /** Position on the map, mm; v is that of FlatOfVertex(). */
+  /** Position of FlatOfVertex() on the map, mm. */
   Eigen::Vector2d
   Uv(int vertex) const
   {
@@ -79,7 +79,7 @@ public:
   {
     return m_ArcLength[vertex];
   }
-  /** Distance along the centerline (mm) of the middle of the tube at this u (mm of the map); nondecreasing. */
+  /** Distance along the centerline (mm) of the tube center at u (mm of the map); nondecreasing. */
   double
   ArcLengthOfU(double u) const;
   double
@@ -87,8 +87,7 @@ public:
   {
     return m_Circumference;
   }
-  /** Number of turns around the tube, positive toward larger v, from vertex a to its neighbor b, in addition to the
-   * difference of their v. */
+  /** Number of turns to add to the difference of v from vertex a to its neighbor b; positive toward larger v. */
   int
   Turns(int a, int b) const;
 
@@ -125,7 +124,7 @@ private:
  * \brief A sequence of neighboring vertices of a tube. \ingroup ShapetonColonLandmarks */
 struct SurfaceWalk
 {
-  /** Vertices of the tube. A closed walk does not repeat its first vertex. */
+  /** Vertices of the tube; a closed walk does not repeat the first vertex. */
   std::vector<int> vertices;
   /** Length, mm. */
   double length{ 0.0 };

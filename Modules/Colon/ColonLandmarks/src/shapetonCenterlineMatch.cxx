@@ -10,10 +10,10 @@ namespace shapeton
 {
 namespace
 {
-/** Maximum share of the wall length where the centerline may be outside. Correct ones have 0, those of another position
- * of the same patient 0.24 and more. */
+/** Maximum fraction of the wall length along which the centerline may be outside. Correct centerlines have 0,
+ * centerlines of the other position of the same patient at least 0.24. */
 constexpr double greatestShareOutside = 0.1;
-/** Minimum radius used for narrow stretches, mm. */
+/** Lower bound of the wall radius, mm. */
 constexpr double leastRadius = 8.0;
 constexpr double pixelSize = 2.0; // mm; sufficient for the center of the tube
 
@@ -24,10 +24,10 @@ Median(std::vector<double> values)
   return values[values.size() / 2];
 }
 
-/** Fit of the points of a line to the columns assigned to them. */
+/** Fit of a line to the columns assigned to its points. */
 struct MatchQuality
 {
-  /** Share of the tube length along which the line is farther from the center than the wall. */
+  /** Fraction of the tube length along which the line is farther from the center than the wall. */
   double shareOutside{ 0.0 };
   /** Median distance, mm. */
   double medianDistance{ 0.0 };
@@ -92,7 +92,7 @@ Assign(const FlatColonGrid & grid, const FlatColonAxis & axis, const CurveSet & 
   return match;
 }
 
-/** Called only for a bad assignment. */
+/** Throws the error for a bad assignment. */
 void
 ExplainMismatch(const FlatColonGrid & grid,
                 const FlatColonAxis & axis,
@@ -120,7 +120,7 @@ ExplainMismatch(const FlatColonGrid & grid,
                      " mm): they belong to different colons or positions. Give the centerline that was made with this "
                      "surface.");
   }
-  match.warnings.push_back("the centerline covers a part of the flat surface only: places beyond its ends have no "
+  match.warnings.push_back("the centerline covers a part of the flat surface only: positions beyond its ends have no "
                            "distance along it");
 }
 } // namespace

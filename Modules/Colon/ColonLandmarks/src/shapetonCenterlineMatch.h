@@ -10,7 +10,7 @@
 
 namespace shapeton
 {
-/** Correspondence between columns of a flat map and places on a centerline. */
+/** Correspondence between columns of a flat map and positions on a centerline. */
 struct CenterlineMatch
 {
   /** Centerline points in order. */
@@ -22,7 +22,7 @@ struct CenterlineMatch
   Remarks             warnings;
 };
 
-/** Throws InputError when the centerline does not belong to the surface, or runs from the cecum to the rectum. */
+/** Throws InputError if the centerline does not match the surface, or is directed from the cecum to the rectum. */
 CenterlineMatch
 MatchCenterline(const FlatColon & flat, const CurveSet & centerline);
 } // namespace shapeton

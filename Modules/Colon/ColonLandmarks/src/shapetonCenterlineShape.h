@@ -8,7 +8,7 @@
 
 namespace shapeton
 {
-/** A centerline resampled with equal steps, and measures of its bends. */
+/** A centerline resampled to equal steps, with measures of its bends. */
 class CenterlineShape
 {
 public:
@@ -33,10 +33,10 @@ public:
   {
     return m_Begin + i * Step;
   }
-  /** The line of a patient with left and right swapped. */
+  /** The line with left and right swapped. */
   CenterlineShape
   Mirrored() const;
-  /** The line from its end to its beginning. */
+  /** The reversed line. */
   CenterlineShape
   Reversed() const;
   /** Index of the nearest point. */
@@ -69,7 +69,7 @@ private:
   double       m_Begin{ 0.0 };
 };
 
-/** The only curve of a centerline: its points and arcLength (mm, ascending) in order; throws InputError otherwise. */
+/** Points and ascending arcLength (mm) of the only curve; throws InputError otherwise. */
 void
 OrderedCenterline(const CurveSet & centerline, VertexMatrix & points, Eigen::VectorXd & arcLength);
 } // namespace shapeton

@@ -13,15 +13,15 @@ namespace shapeton
 namespace
 {
 constexpr double leastColon = 800.0; // mm
-/** Maximum mean squared deviation of a feature; above it the flexure is not found. */
+/** Maximum mean squared feature deviation of a flexure. */
 constexpr double greatestMeanDeviation = 4.0;
-/** Maximum distance of the apex from the best place, mm. The descending colon ends where its straight run ends, not at
- * a bend. */
+/** Maximum distance (mm) of the apex from the optimum. The descending colon ends with its straight part, not at a
+ * bend. */
 constexpr std::array<double, 4> apexReach{ 14.0, 0.0, 16.0, 16.0 };
 constexpr double                impossible = -1e30;
 
-/** Nearby apex. Upper flexures: the highest place, among equally high ones the most posterior, since the flexures are
- * fixed to the posterior wall and the transverse colon hangs forward. Rectosigmoid: the sharpest bend. */
+/** Nearby apex. Upper flexures: the highest point, with a preference for posterior ones, since the flexures are fixed
+ * to the posterior wall. Rectosigmoid: the sharpest bend. */
 int
 SnapToApex(const CenterlineShape & shape, const Eigen::VectorXd & turning, int flexure, int place)
 {
@@ -66,7 +66,7 @@ FindOrdered(const CenterlineShape & shape, ColonFlexures & result)
     flexure.confidence = flexure.isFound ? places.confidence[k] : 0.0;
     if (!flexure.isFound)
     {
-      flexure.reason = "no bend at the anatomical place of this flexure";
+      flexure.reason = "no bend at the anatomical position of this flexure";
     }
   }
 }
@@ -82,7 +82,7 @@ FindPublished(const CenterlineShape & shape, ColonFlexures & result)
     ColonFlexure & flexure = result.flexures[k];
     if (places[k] < 0)
     {
-      flexure.reason = "the published rule found no bend for it";
+      flexure.reason = "the published rule found no matching bend";
     }
     else if (places[k] <= previous)
     {
@@ -112,8 +112,8 @@ WarnOfFlexures(ColonFlexures & result)
   }
   if (result.isBackwards)
   {
-    result.warnings.push_back("the line more likely runs from the cecum to the rectum: it may run "
-                              "backwards, or a part of the colon is missing; the flexures are in doubt");
+    result.warnings.push_back("the line probably runs from the cecum to the rectum: it may be "
+                              "reversed, or a part of the colon is missing; the flexures are unreliable");
   }
   const std::string & reason = result.flexures[0].reason;
   const bool          isOneReason = std::all_of(
@@ -133,7 +133,7 @@ WarnOfFlexures(ColonFlexures & result)
     else if (flexure.confidence < 0.5 && result.rule == FlexureRule::Ordered)
     {
       result.warnings.push_back(name + " is uncertain (confidence " +
-                                std::to_string(static_cast<int>(100.0 * flexure.confidence)) + " %): look at it");
+                                std::to_string(static_cast<int>(100.0 * flexure.confidence)) + " %): check it");
     }
   }
 }
@@ -174,7 +174,7 @@ FindColonFlexures(const CurveSet & centerline, FlexureRule rule)
     for (ColonFlexure & flexure : result.flexures)
     {
       flexure.reason = "the centerline is " + std::to_string(static_cast<int>(shape.Length() / 10.0)) +
-                       " cm long, a part of a colon (a whole one has 80 cm at least)";
+                       " cm long, only a part of a colon (a whole colon is at least 80 cm long)";
     }
   }
   else

@@ -28,7 +28,7 @@ SetArray(std::vector<SurfaceArray> & arrays, const SurfaceArray & array)
     arrays.end());
   arrays.push_back(array);
 }
-/** Adds a remark for each segment that is not fully assessable. */
+/** Adds a remark for each segment that is not completely assessable. */
 void
 WarnOfHindrances(ColonLandmarks & landmarks)
 {

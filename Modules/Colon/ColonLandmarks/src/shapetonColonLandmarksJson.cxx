@@ -37,7 +37,7 @@ FindBorder(const ColonSegments & segments, int number)
   return nullptr;
 }
 
-/** The place of the loop on the map: its mean u, and the v of its first vertex. */
+/** Position of the loop on the map: its mean u, and the v of its first vertex. */
 Json
 UvOfLoop(const ColonLandmarks & landmarks, const SegmentBorder & border)
 {
@@ -82,7 +82,7 @@ FlexuresToJson(const ColonLandmarks & landmarks)
     }
     else
     {
-      json["reason"] = flexure.reason.empty() ? "no loop around the wall was found there" : flexure.reason;
+      json["reason"] = flexure.reason.empty() ? "no loop around the wall was found at the flexure" : flexure.reason;
     }
     list.push_back(json);
   }
@@ -101,9 +101,9 @@ CecumToJson(const ColonLandmarks & landmarks)
   }
   const bool atValve = landmarks.segments.isCecumAtValve;
   json["source"] = atValve ? "ileocecalValve" : "estimated";
-  json["reason"] = border == nullptr ? "the hepatic flexure is unknown, or leaves no room"
+  json["reason"] = border == nullptr ? "the hepatic flexure is unknown or too close to the end"
                    : atValve         ? "at the ileocecal valve"
-                                     : "6 cm from the end of the centerline, the length of a cecum; no valve is known";
+                                     : "6 cm (the average length) from the end of the centerline; the valve is unknown";
   return json;
 }
 
@@ -124,7 +124,7 @@ ValveToJson(const ColonLandmarks & landmarks)
   }
   else
   {
-    json["reason"] = "the segmentation found none; its quality.json says why";
+    json["reason"] = "not found by the segmentation; see the reason in its quality.json";
   }
   return json;
 }
@@ -138,7 +138,7 @@ AreaOfFace(const ColonWallTube & tube, int face)
   return 0.5 * (b - a).cross(c - a).norm();
 }
 
-/** Names of segments not separated from a neighbor because a border is missing. */
+/** Names of segments without a known border. */
 Json
 SegmentsNotFound(const ColonLandmarks & landmarks)
 {

@@ -10,13 +10,13 @@ namespace shapeton
 {
 namespace
 {
-/** mm, straight from the end of the centerline, since its course is uncertain in such a wide place. */
+/** Average length, mm. A straight distance from the end of the centerline, whose course is uncertain in wide lumen. */
 constexpr double cecumLength = 60.0;
 constexpr int    borderOfCecum = 5;
-/** Low, since the place is that of average anatomy, not of a visible structure. */
+/** Low, since the position is based on average anatomy, not on a visible structure. */
 constexpr double confidenceOfCecum = 0.3;
 
-/** Labels faces connected without crossing a loop, from 0. */
+/** Labels connected faces separated by loops, from 0. */
 std::vector<int>
 PartsBetweenLoops(const ColonWallTube & tube, const std::vector<SegmentBorder> & borders)
 {
@@ -86,7 +86,7 @@ SegmentAt(const std::vector<SegmentBorder> & borders, double arcLength)
   return behind == before + 1 ? behind : 0;
 }
 
-/** Each part gets the segment of its center. */
+/** Assigns each part the segment at its center. */
 std::vector<int>
 SegmentsOfFaces(const ColonWallTube & tube, const std::vector<SegmentBorder> & borders)
 {
@@ -110,7 +110,7 @@ SegmentsOfFaces(const ColonWallTube & tube, const std::vector<SegmentBorder> & b
   return segments;
 }
 
-/** Index of the line point where the cecum begins in average anatomy. */
+/** Index of the line point at which the average cecum begins. */
 int
 EstimatedBeginOfCecum(const CenterlineShape & shape)
 {

@@ -38,7 +38,7 @@ WeldedSurface(const SurfaceMesh & flat, const ColonWallTube & tube)
 std::vector<double>
 DistancesFromTaenia(const SurfaceMesh & mesh, const ColonTaenia & taenia)
 {
-  constexpr double    reach = 60.0; // mm along the colon: other loops may touch
+  constexpr double    reach = 60.0; // mm along the colon, since other loops may touch
   std::vector<double> distances(mesh.V.rows(), reach);
   for (Eigen::Index vertex = 0; vertex < mesh.V.rows(); ++vertex)
   {
@@ -54,8 +54,8 @@ DistancesFromTaenia(const SurfaceMesh & mesh, const ColonTaenia & taenia)
   return distances;
 }
 
-/** The cheapest path along the taenia from one boundary to the other, with only its ends on them. One mm costs
- * 1 + (d / 5 mm)^2, d the distance from the taenia. */
+/** The minimal path along the taenia between the boundaries, with only its ends on them. The cost per mm is 1 + (d / 5
+ * mm)^2, where d is the distance from the taenia. */
 std::vector<int>
 CutBetween(const SurfaceMesh &         mesh,
            const SurfaceConnectivity & connectivity,
@@ -70,7 +70,7 @@ CutBetween(const SurfaceMesh &         mesh,
   std::vector<char>                                              isStart(mesh.V.rows(), 0);
   for (const int vertex : from)
   {
-    // The start of the path must be at the taenia, too.
+    // The start of the path must also be close to the taenia.
     cost[vertex] = 4.0 * distance[vertex];
     isStart[vertex] = 1;
     queue.emplace(cost[vertex], vertex);
@@ -108,7 +108,7 @@ CutBetween(const SurfaceMesh &         mesh,
   return {};
 }
 
-/** The corners of the cut surface in boundary order: rectal, cecal, cecal, rectal end. */
+/** The corners of the cut surface in boundary order: rectal, cecal, cecal, rectal. */
 std::vector<int>
 CornersOf(const CutSurface & cut, const std::vector<int> & path)
 {
@@ -201,7 +201,7 @@ SplitColon(const SurfaceMesh & flat, const ColonLandmarks & landmarks, const Pro
   ColonPieces result;
   if (landmarks.taeniae.taeniae.empty())
   {
-    result.warnings.push_back("the colon was not split: no taenia was found to cut along");
+    result.warnings.push_back("the colon was not split: no taenia was found for the cut");
     return result;
   }
   const SurfaceMesh welded = WeldedSurface(flat, *landmarks.tube);
@@ -230,7 +230,7 @@ SplitColon(const SurfaceMesh & flat, const ColonLandmarks & landmarks, const Pro
     }
     catch (const InputError & error)
     {
-      result.warnings.push_back("segment-" + NameOfSegment(segment) + ".vtp was not made: " + error.what());
+      result.warnings.push_back("segment-" + NameOfSegment(segment) + ".vtp was not written: " + error.what());
     }
   }
   return result;

@@ -21,7 +21,7 @@ constexpr double evidenceWidth = 10.0;     // mm around it
 constexpr double endsForCertainty = 4.0;   // within that reach
 constexpr double leastContradiction = 3.0; // mm
 
-/** The second and third track follow the first one in the direction of rows. */
+/** The second and third track follow the first in the row direction. */
 TaeniaTracks
 InOrderOfRows(TaeniaTracks tracks)
 {
@@ -41,7 +41,7 @@ InOrderOfRows(TaeniaTracks tracks)
   return tracks;
 }
 
-/** Mean distance of the tracks in mm, row by row, for the best of the three cyclic shifts. */
+/** Mean distance (mm) between the tracks in each row, for the best of the three cyclic shifts. */
 std::vector<double>
 DistancesOf(const TaeniaEvidence & evidence, const TaeniaTracks & a, const TaeniaTracks & b)
 {
@@ -116,7 +116,7 @@ ReportDisagreement(const std::vector<double> & distances, ColonTaeniae & result)
   }
 }
 
-/** A taenia has one place per row: of two markers of one taenia in a row it passes through the first. */
+/** Keeps only the first of two markers of the same taenia in a row. */
 void
 WarnOfMarkersThatDisagree(ColonTaeniae & result)
 {
@@ -132,7 +132,7 @@ WarnOfMarkersThatDisagree(ColonTaeniae & result)
   }
 }
 
-/** Makes the track with least cost the first one. */
+/** Rotates the tracks to start with the lowest cost. */
 TaeniaTracks
 BestFirst(const TaeniaEvidence & evidence, const TaeniaTracks & tracks, std::vector<TaeniaPass> & passes)
 {
@@ -238,7 +238,7 @@ FindColonTaeniae(const FlatColon & flat, const ColonWallTube & tube, const Colon
   TaeniaTracks        tracks = ChooseTracks(evidence, options.progress.Part("", 0.4, 0.9), result, distances);
   if (tracks.empty())
   {
-    result.reason = "the published rule uses fuzzy C-means, which found too few fold ends";
+    result.reason = "too few fold ends for the fuzzy C-means of the published rule";
     result.warnings.push_back("no taenia was found: " + result.reason);
     return result;
   }

@@ -94,7 +94,7 @@ ColonWallTube::ArcLengthOfU(double u) const
   return m_ArcLengthOfColumn[i] + (place - i) * (m_ArcLengthOfColumn[next] - m_ArcLengthOfColumn[i]);
 }
 
-// Uses the nearest centerline point close to that of the column of the vertex, so touching loops do not mislead.
+// Searches only near the centerline point of the vertex's column, to exclude touching loops.
 void
 ColonWallTube::MeasureArcLength(const FlatColon & colon, const CurveSet & centerline)
 {

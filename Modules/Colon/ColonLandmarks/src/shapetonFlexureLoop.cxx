@@ -10,7 +10,7 @@ namespace shapeton
 {
 namespace
 {
-/** Walks around the tube are paths in its covering space: a node is a vertex and the turns made so far. */
+/** Finds loops around the tube as paths in its covering space; a node is a vertex with a number of turns. */
 constexpr int sheets = 5;
 constexpr int middleSheet = 2;
 
@@ -37,7 +37,7 @@ public:
     }
   }
 
-  /** Starts at the cut, since each walk around the tube meets it in a vertex. */
+  /** Starts at the cut, since each loop around the tube contains a vertex of the cut. */
   SurfaceWalk
   Best(const Progress & progress) const
   {
@@ -95,7 +95,7 @@ private:
   ImproveFrom(int start, double & least, SurfaceWalk & best) const
   {
     std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
-    std::unordered_map<int, Entry>                                 reached; // cost and place before
+    std::unordered_map<int, Entry>                                 reached; // cost and predecessor
     const int                                                      from = start * sheets + middleSheet;
     const int                                                      goal = from + 1;
     reached[from] = { 0.0, from };

@@ -32,15 +32,15 @@ using FlexureFeatures = std::array<double, NumberOfFlexureFeatures>;
 /** Anatomical prior of a flexure; see shapetonColonFlexures.h for the sources. */
 struct FlexurePrior
 {
-  /** Share of the length before it; place in the box (0 right, front, bottom; 1 left, back, top); turning between
-   * chords of 35 and 70 mm in units of 90 degrees; direction (left, back, up) 40 mm before and 40 mm after. */
+  /** Fraction of the length before it; position in the box (0 right, front, bottom; 1 left, back, top); angle between
+   * chords of 35 and 70 mm in units of 90 degrees; direction (left, back, up) 40 mm before and after. */
   std::array<PriorValue, NumberOfFlexureFeatures> features;
-  /** Share of the length from the previous flexure; for the first one see TheLengthOfRectum. */
+  /** Length from the previous flexure as a fraction; for the first flexure see TheLengthOfRectum. */
   PriorValue gap;
 };
 
 constexpr std::array<FlexurePrior, 4> TheFlexurePriors{
-  { // rectosigmoid: 16 of 152 cm; midline, in front of S3; the sigmoid leaves it forward, to either side
+  { // rectosigmoid: 16 of 152 cm; midline, in front of S3; the sigmoid turns forward, to either side
     { { { { 0.105, 0.06 },
           { 0.50, 0.10 },
           { 0.70, 0.15 },
@@ -68,7 +68,7 @@ constexpr std::array<FlexurePrior, 4> TheFlexurePriors{
           { 0.20, 0.35 },
           { 0.85, 0.25 } } },
       { 0.26, 0.07 } },
-    // splenic: the highest place, left and back; the transverse colon leaves it to the right, forward and down
+    // splenic: the highest point, left and back; the transverse colon turns right, forward and down
     { { { { 0.515, 0.06 },
           { 0.90, 0.10 },
           { 0.75, 0.18 },
@@ -82,7 +82,7 @@ constexpr std::array<FlexurePrior, 4> TheFlexurePriors{
           { -0.45, 0.40 },
           { -0.40, 0.40 } } },
       { 0.145, 0.045 } },
-    // hepatic: right, one to two vertebrae lower; the ascending colon leaves it downward
+    // hepatic: right, one to two vertebrae lower; the ascending colon turns down
     { { { { 0.84, 0.045 },
           { 0.12, 0.10 },
           { 0.65, 0.18 },
@@ -101,11 +101,11 @@ constexpr std::array<FlexurePrior, 4> TheFlexurePriors{
 /** Share of the length from the hepatic flexure to the end: ascending colon and cecum. */
 constexpr PriorValue ThePriorOfRightColon{ 0.165, 0.045 };
 
-/** Length from the anal verge to the rectosigmoid flexure, mm; it hardly depends on the length of the colon. Up to 5 cm
- * of the anal canal may be outside the image. */
+/** Length (mm) from the anal verge to the rectosigmoid flexure, almost independent of the length of the colon. Up to 5
+ * cm of the anal canal may be outside the image. */
 constexpr PriorValue TheLengthOfRectum{ 150.0, 40.0 };
 
-/** Prior of all points of a section of the colon: place in the box and direction, as for a flexure. */
+/** Prior for the points of a section of the colon: position in the box and direction, as for a flexure. */
 struct SectionPrior
 {
   std::array<PriorValue, 3> place;

@@ -10,7 +10,7 @@ namespace shapeton
 namespace
 {
 constexpr int stride = 2; // in steps of the shape
-/** Clamp of squared deviations: one feature alone cannot rule out a place. */
+/** Clamp of squared deviations, so that no single feature excludes a point. */
 constexpr double greatestDeviation = 60.0;
 /** Clamp of the log-likelihood ratio of one point of the descending colon, for the same reason. */
 constexpr double leastRatio = -12.0;
@@ -49,8 +49,8 @@ Sum(Scores a, const Scores & b)
   return a;
 }
 
-/** Likelihood ratio of the course of the descending colon as a mixture of a usual and a rarer redundant colon, whose
- * course is not informative. Places did not change for shares of redundant ones from 0.02 to 0.3. */
+/** Likelihood ratio of the course of the descending colon: a mixture of the usual and a rarer redundant colon, whose
+ * course is uninformative. The flexures did not change for mixture weights from 0.02 to 0.3. */
 double
 MixedWithRedundant(double ratioOfUsual)
 {
@@ -86,7 +86,7 @@ public:
   {
     const std::array<int, 4> places = this->BestPlaces();
     FlexurePlaces            result;
-    // Only the descending-sigmoid flexure does not move to an apex.
+    // The descending-sigmoid flexure is the only one without an apex.
     std::array<int, 4> moved = places;
     moved[1] = this->MeanPlaceNear(places[1], 1);
     result.confidence = this->Confidences(moved);
@@ -98,7 +98,7 @@ public:
     return result;
   }
 
-  /** Tempered log-likelihood of the line for any places, up to a constant. */
+  /** Tempered log-likelihood of the line, summed over all flexure positions, up to a constant. */
   double
   Evidence() const
   {
@@ -139,7 +139,7 @@ private:
     }
   }
 
-  /** Cumulative log-likelihood ratio of the descending colon against any place and direction. */
+  /** Cumulative log-likelihood ratio of the descending colon to the whole colon. */
   void
   ScoreDescendingColon(const CenterlineShape & shape)
   {
@@ -221,8 +221,8 @@ private:
     return places;
   }
 
-  /** Probability-weighted mean of the places of a flexure within 60 mm of its best one. The best course begins the
-   * descending colon too early, since each similar point adds to its likelihood. */
+  /** Probability-weighted mean of the positions of a flexure within 60 mm of the optimum. The optimum starts the
+   * descending colon too early, since each similar point increases its likelihood. */
   int
   MeanPlaceNear(int place, int k) const
   {
@@ -239,7 +239,7 @@ private:
     return static_cast<int>(std::lround(moment / sum));
   }
 
-  /** Log sums over all places of the previous (or next) flexure, for each place of this one. */
+  /** Log sums over all positions of the previous (or next) flexure, for each position of this one. */
   Scores
   SumOver(const Scores & from, int k, bool fromBefore) const
   {
@@ -260,7 +260,7 @@ private:
     return sums;
   }
 
-  /** Probability of each flexure to be within the tolerance of its place. */
+  /** Probability that each flexure is within the tolerance of its position. */
   std::array<double, 4>
   Confidences(const std::array<int, 4> & at) const
   {
@@ -275,7 +275,7 @@ private:
     return result;
   }
 
-  /** For each flexure and place the log sum over all courses through it (forward and backward sums). */
+  /** For each flexure and position, the log sum over all solutions (forward-backward algorithm). */
   std::array<Scores, 4>
   SumsThrough() const
   {
@@ -303,7 +303,7 @@ private:
   int                          m_Last;
   std::vector<FlexureFeatures> m_Features;
   Scores                       m_Descending;
-  /** Log-likelihood of each place for each flexure, including the ends of the colon. */
+  /** Log-likelihood of each position for each flexure, including the ends of the colon. */
   std::array<Scores, 4> m_Scores;
   std::array<Scores, 4> m_Sums; ///< SumsThrough()
 };

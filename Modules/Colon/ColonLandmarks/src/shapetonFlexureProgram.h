@@ -7,7 +7,7 @@
 
 namespace shapeton
 {
-/** The best places of the four flexures, before the shift to an apex. */
+/** The optimal points of the four flexures, before the shift to an apex. */
 struct FlexurePlaces
 {
   /** Indices of points of the shape. */
@@ -16,15 +16,15 @@ struct FlexurePlaces
   std::array<double, 4> confidence{};
   /** Mean squared deviation of the features of the flexure from the prior. */
   std::array<double, 4> meanDeviation{};
-  /** The descending colon is on the right. */
+  /** Whether the descending colon is on the right. */
   bool isMirrored{ false };
-  /** The line more likely runs from the cecum to the rectum. */
+  /** Whether the line is probably directed from the cecum to the rectum. */
   bool isBackwards{ false };
 };
 
-/** Finds the exact best ordered places from the likelihoods of flexures, sections and lengths described in
- * shapetonColonFlexures.h. The likelier one of the line and its mirror image is used; confidences account for the other
- * one and for the reversed line. */
+/** Finds the optimal ordered points from the likelihoods of flexures, sections and lengths described in
+ * shapetonColonFlexures.h. The more likely one of the line and its mirror image is used; confidences account for both
+ * and for the reversed line. */
 FlexurePlaces
 FindFlexurePlaces(const CenterlineShape & shape);
 } // namespace shapeton

@@ -70,7 +70,7 @@ ClusterFrom(const std::vector<Complex> & points, const TaeniaAngles & start)
   return result;
 }
 
-/** The order of the clusters closest to the previous ones; each continuous. */
+/** Permutes the clusters to be closest to the previous ones and unwraps their angles. */
 Clusters
 Follow(const Clusters & clusters, const TaeniaAngles & before)
 {
@@ -161,7 +161,7 @@ TrackWindow(std::vector<Window> & windows, std::size_t at, std::size_t from)
                            : ClusterOf(windows[at].points, before.angles);
 }
 
-/** Tracks from the window with most fold ends in both directions. */
+/** Tracks clusters in both directions from the window with the most fold ends. */
 bool
 TrackWindows(std::vector<Window> & windows)
 {
@@ -186,7 +186,7 @@ TrackWindows(std::vector<Window> & windows)
   return true;
 }
 
-/** The tightest track, and two others at thirds of the circumference. */
+/** The most compact track, and two others at thirds of the circumference. */
 void
 ReplaceByThirds(std::vector<Window> & windows)
 {

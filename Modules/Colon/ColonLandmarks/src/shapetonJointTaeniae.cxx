@@ -10,16 +10,16 @@ namespace shapeton
 {
 namespace
 {
-/** Gaps in cells: 45 degrees; up to 225 degrees. */
+/** Gaps in cells: minimum 45 degrees, maximum 225 degrees. */
 constexpr int leastApart = 9;
 constexpr int gaps = 37;
-/** Cost of a step of all three tracks together, and of one track alone, equal for each. */
+/** Cost of a step of all three tracks together, and of one track alone. */
 constexpr float turnCost = 0.8F;
 constexpr float moveCost = 0.7F;
 constexpr float unevenCost = 0.008F;
-/** In cells: beyond this difference of a gap from a third of the wall the cost is linear. */
+/** Huber threshold (cells) for the deviation of a gap from a third of the wall. */
 constexpr double usualUnevenness = 2.0;
-/** Cost per cell between a marker and the nearest track: more than any evidence. */
+/** Cost per cell between a marker and the nearest track; exceeds any evidence. */
 constexpr float markCost = 50.0F;
 constexpr float forbidden = 1e30F;
 
@@ -118,8 +118,8 @@ private:
     }
   }
 
-  /** For the states of one angle the minimum cost to reach each from the previous row, and the steps: of all tracks
-   * (times 27), of the first, second and third alone (9, 3, 1); 0, 1, or 2 for -1. */
+  /** Minimum cost to reach each state of one angle from the previous row, and the steps, encoded in base 3: all tracks
+   * (times 27), the first, second and third alone (9, 3, 1); the digit 2 stands for -1. */
   struct Arrivals
   {
     std::array<float, gaps * gaps>         cost;
@@ -128,7 +128,7 @@ private:
 
   static constexpr int allTracks = 27;
 
-  /** A track: its factor in the steps of Arrivals, and the change of the two gaps by its step. */
+  /** Factor of a track in the steps of Arrivals, and the change of the two gaps by its step. */
   struct Track
   {
     int place;
@@ -178,7 +178,7 @@ private:
     return &m_Best[static_cast<std::size_t>((a + anglesAround) % anglesAround) * gaps * gaps];
   }
 
-  /** Steps of all tracks together, or of none. */
+  /** Applies steps of all tracks together. */
   Arrivals
   Turned(int a) const
   {
@@ -198,7 +198,7 @@ private:
     return turned;
   }
 
-  /** Steps of one track alone, where cheaper. */
+  /** Applies steps of single tracks that reduce the cost. */
   static void
   TakeMoved(const Arrivals & before, const Track & track, int step, Arrivals & after)
   {
@@ -219,7 +219,7 @@ private:
     }
   }
 
-  /** Cell centers in turns; each track is continuous. */
+  /** Cell centers in turns; tracks are unwrapped. */
   TaeniaTracks
   Trace() const
   {

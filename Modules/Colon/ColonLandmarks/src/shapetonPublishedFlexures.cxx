@@ -10,7 +10,7 @@ namespace
 {
 constexpr double leastBend = 50.0; // degrees between chords of 40 mm
 constexpr double chord = 40.0;     // mm
-constexpr double spread = 25.0;    // mm: at most one bend within
+constexpr double spread = 25.0;    // mm; at most one bend within this distance
 constexpr double comparable = 25.0;
 
 /** Angle (degrees) between the chords before and after a point in the projection to two axes. */
@@ -47,7 +47,7 @@ BendsInPlane(const VertexMatrix & points, int first, int second)
   return peaks;
 }
 
-/** Bends of both projections in order; among those closer than 20 mm the first is kept. */
+/** Bends of both projections in order; of bends closer than 20 mm, only the first is kept. */
 std::vector<int>
 MajorBends(const VertexMatrix & points)
 {

@@ -7,8 +7,8 @@
 
 namespace shapeton
 {
-/** The rule of the dissertation, 4.2.2: indices into the shape, from the rectosigmoid to the hepatic flexure; -1 if not
- * found. The order is checked only for the two upper ones. */
+/** Finds flexures by the rule of the dissertation, 4.2.2. Returns point indices from the rectosigmoid to the hepatic
+ * flexure; -1 if not found. Only the order of the two upper ones is checked. */
 std::array<int, 4>
 PublishedFlexures(const CenterlineShape & shape);
 } // namespace shapeton

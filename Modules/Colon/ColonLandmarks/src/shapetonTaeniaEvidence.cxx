@@ -22,13 +22,13 @@ constexpr double endRows = 6.0;
 constexpr double endAngles = 3.5;
 constexpr double wallRows = 6.0;
 constexpr double wallAngles = 2.0;
-/** Folds fade out at the border of a taenia band: distance from their ends to its center, mm. */
+/** Distance (mm) from fold ends, at the border of a taenia, to its center. */
 constexpr double halfBand = 6.0;
-/** Folds occasionally cross taeniae: maximum evidence against one above the median of its row. */
+/** Maximum evidence against a taenia, above the row median; limited since folds occasionally cross taeniae. */
 constexpr double mostAgainst = 1.0;
-/** The wall closes at the ends of the tube: length over which evidence fades out, mm. */
+/** Length (mm) over which evidence fades out at the ends of the tube, where the wall closes. */
 constexpr double fadingLength = 40.0;
-/** Folds along the tube end anywhere: minimum sine of their angle to the tube. */
+/** Minimum sine of the angle between a fold and the tube, since longitudinal folds may end anywhere. */
 constexpr double leastSine = 0.35;
 
 using Cells = std::vector<double>;
@@ -54,7 +54,7 @@ Smoothed(const Cells & cells, int rows, double alongRows, double aroundAngles)
   return SmoothedRows(turned, rows, alongRows);
 }
 
-/** Share of fold in each cell. */
+/** Fold fraction of each cell. */
 Cells
 FoldDensity(const FlatColonGrid & grid, const HaustralFolds & folds, const TaeniaEvidence & evidence)
 {

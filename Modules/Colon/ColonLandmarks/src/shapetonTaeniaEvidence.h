@@ -14,9 +14,9 @@
 
 namespace shapeton
 {
-/** Angles of the three taeniae in a row: turns around the tube in the direction of the grid rows, as in WallTurns. */
+/** Angles of the three taeniae in a row, in turns around the tube in grid row direction, as in WallTurns. */
 using TaeniaAngles = std::array<double, 3>;
-/** Angles for each row along the tube; each track is continuous. */
+/** Angles for each row along the tube; tracks are unwrapped. */
 using TaeniaTracks = std::vector<TaeniaAngles>;
 
 /** The end of a fold. */
@@ -26,7 +26,7 @@ struct FoldEnd
   double angle{ 0.0 }; ///< turns, [0, 1)
 };
 
-/** A place through which a taenia must pass. */
+/** A point through which a taenia must pass. */
 struct TaeniaMark
 {
   int    row{ 0 };
@@ -36,7 +36,7 @@ struct TaeniaMark
 /** Number of evidence cells around the tube. */
 constexpr int anglesAround = 72;
 
-/** Evidence of taeniae from folds, on rows along the tube and angles around it. */
+/** Evidence of taeniae from folds, on a grid of rows along the tube and angles around it. */
 struct TaeniaEvidence
 {
   int rows{ 0 };
@@ -49,7 +49,7 @@ struct TaeniaEvidence
   std::vector<double>     girth;
   std::vector<FoldEnd>    ends;
   std::vector<TaeniaMark> marks;
-  /** Definition of all angles here. */
+  /** Defines all angles used here. */
   WallTurns turns;
 
   float
@@ -76,7 +76,7 @@ struct TaeniaEvidence
   }
 };
 
-/** Computes the evidence; angles are those of the wall, or of the map for the published rule. */
+/** Computes the evidence in wall angles, or in map angles for the published rule. */
 TaeniaEvidence
 MakeTaeniaEvidence(const FlatColon & flat, const ColonWallTube & tube, const HaustralFolds & folds, TaeniaRule rule);
 
@@ -88,12 +88,12 @@ JointTaeniae(const TaeniaEvidence & evidence, const Progress & progress);
 double
 EnergyOfTaeniae(const TaeniaEvidence & evidence, const TaeniaTracks & tracks);
 
-/** Tracks of windowed fuzzy C-means; with `thirds` the tightest of them and two at thirds of the circumference. Empty
- * with too few fold ends. */
+/** Tracks of windowed fuzzy C-means; with `thirds`, the most compact one and two at thirds of the circumference. Empty
+ * for too few fold ends. */
 TaeniaTracks
 FuzzyTaeniae(const TaeniaEvidence & evidence, bool thirds);
 
-/** Tracks smoothed over the rows by a Gaussian of this standard deviation. */
+/** Smooths tracks over the rows by a Gaussian of this standard deviation. */
 TaeniaTracks
 SmoothedTracks(const TaeniaTracks & tracks, double deviation);
 

@@ -38,7 +38,7 @@ BendTrack(const TaeniaEvidence &                  evidence,
     offset[i] = TurnsBetween(passes[i]->mark.angle, tracks[passes[i]->mark.row][track]);
     for (Eigen::Index j = 0; j < size; ++j)
     {
-      // Two markers at nearly one place may contradict each other: the ridge term averages them.
+      // Contradictory markers at nearly the same position are averaged by the ridge term.
       overlap(i, j) = Bump(arcOf(i) - arcOf(j)) + (i == j ? 1e-3 : 0.0);
     }
   }

@@ -7,7 +7,7 @@
 
 namespace shapeton
 {
-/** Place of a marker, and the track through it. */
+/** Position of a marker, and its track. */
 struct TaeniaPass
 {
   TaeniaMark      mark;

@@ -7,13 +7,12 @@ namespace shapeton
 {
 namespace
 {
-/** Weights of the distance from the axis over the radius, and of the mean curvature times the radius (-0.5 on a
- * tube). */
+/** Weights of distance from the axis / radius, and of mean curvature * radius (-0.5 on a tube). */
 constexpr double reliefWeight = 20.0;
 constexpr double curvatureWeight = 2.0;
-/** Clamp of curvature times radius: larger values come from voxel steps. */
+/** Clamp of curvature * radius; larger values are caused by voxel steps. */
 constexpr double greatestCurvature = 2.0;
-/** Harmonics around the tube to remove: bends shift its center and make it oval. */
+/** Number of harmonics to remove; bends shift the center of the tube and make it oval. */
 constexpr int bendHarmonics = 2;
 
 /** Subtracts mean and first harmonics of each row. */
@@ -42,7 +41,7 @@ RemoveBends(std::vector<double> & wall, int rows)
   }
 }
 
-/** Evidence of one place of the wall. */
+/** Evidence at one point of the wall. */
 double
 InwardForm(const FlatSample & sample, const FlatColonAxis & axis, int column)
 {

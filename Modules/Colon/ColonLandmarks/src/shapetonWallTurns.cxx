@@ -6,10 +6,10 @@ namespace shapeton
 {
 namespace
 {
-/** Standard deviation of the smoothing along the tube, rows: folds lengthen the wall locally. */
+/** Standard deviation (rows) of the smoothing along the tube, since folds lengthen the wall locally. */
 constexpr double smoothingOfTurns = 6.0;
 
-/** Length of wall in each pixel around, averaged over the columns of a row; the mean of the row in holes. */
+/** Circumferential wall length per pixel, averaged over the columns of a row; the row mean in holes. */
 std::vector<double>
 LengthsOfWall(const FlatColonGrid & grid, int rows, int columnsPerRow)
 {
@@ -62,7 +62,7 @@ WallTurns::WallTurns(const FlatColonGrid & grid, int rows, int columnsPerRow) : 
     {
       total += ofRow[pixel];
     }
-    double offset = 0.0; // of the turns of the map from those of the wall, averaged over the wall
+    double offset = 0.0; // map turns minus wall turns, averaged over the wall
     for (int pixel = 0; pixel < m_Pixels; ++pixel)
     {
       const double share = ofRow[pixel] / total;

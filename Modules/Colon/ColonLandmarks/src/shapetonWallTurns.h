@@ -10,35 +10,33 @@
 namespace shapeton
 {
 /** \class WallTurns
- * \brief Angles around the tube measured by wall length, in turns: their difference times the girth is the length of
- * wall in between.
+ * \brief Angles around the tube (in turns) measured by wall length: angle difference times girth is the length of wall.
  *
- * The angles of the flat map differ: where a section is flat, a conformal map stretches the far side. Taeniae divide
- * the wall in space into thirds, but the map into anything from 45 to 225 degrees. The two kinds of angles agree on
- * average over the wall of each row, so a line along the tube is one in both. */
+ * Map angles differ, since a conformal map is distorted where the cross-section is flat. Taeniae divide the wall into
+ * thirds, but the map into sectors of 45 to 225 degrees. Both angles agree on average in each row, so a longitudinal
+ * line is longitudinal in both. */
 class WallTurns
 {
 public:
-  /** Without rows. */
+  /** Creates an object without rows. */
   WallTurns() = default;
 
   /** Measures rows of `columnsPerRow` columns of the grid. */
   WallTurns(const FlatColonGrid & grid, int rows, int columnsPerRow);
 
-  /** The angles of the map itself. */
+  /** Uses the map angles unchanged. */
   static WallTurns
   OfMap(const FlatColonGrid & grid, int rows);
 
-  /** Converts an angle of the map in turns, in the direction of the grid rows; increases by 1 per turn. */
+  /** Converts a map angle (turns, in grid row direction) to a wall angle; increases by 1 per turn. */
   double
   FromMap(int row, double turns) const;
 
-  /** Inverse of the above. */
+  /** Converts a wall angle to a map angle. */
   double
   ToMap(int row, double turns) const;
 
-  /** Calls take(cell, share) for each of the cells around the wall that overlap a pixel of the grid; shares are
-   * relative to a cell. */
+  /** Calls take(cell, share) for each wall cell that overlaps a grid pixel; shares are relative to a cell. */
   template <typename TTake>
   void
   ForCellsOfPixel(int row, int pixelRow, int cells, const TTake & take) const
@@ -62,7 +60,7 @@ private:
   }
 
   int m_Pixels{ 0 };
-  /** Start of each pixel of the grid, and the end of the turn. */
+  /** Start of each grid pixel, and the end of the turn. */
   std::vector<double> m_Borders;
 };
 } // namespace shapeton

@@ -111,7 +111,7 @@ TEST(ColonFlexures, OfAPartOfAColonAreNotNamed)
 
 TEST(ColonFlexures, OfALineLikeNoColonAreNotFound)
 {
-  // Straight up: no part hangs, none is right or left.
+  // Straight up, without bends and at the midline.
   const ColonFlexures found = FindColonFlexures(RoundedCurve({ { 0, 0, 0 }, { 0, 0, 1500 } }));
   EXPECT_LT(found.NumberFound(), 4);
   EXPECT_FALSE(found.warnings.empty());

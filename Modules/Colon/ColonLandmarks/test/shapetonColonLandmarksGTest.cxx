@@ -25,7 +25,7 @@ BorderAt(const ColonWallTube & tube, int number, double z)
   return border;
 }
 
-/** A cylinder labeled as rectum, sigmoid and descending colon, with a straight taenia. */
+/** A cylinder with labels for rectum, sigmoid and descending colon and a straight taenia. */
 ColonLandmarks
 LandmarksOfCylinder(const shapeton::SurfaceMesh & flat)
 {
@@ -49,7 +49,7 @@ LandmarksOfCylinder(const shapeton::SurfaceMesh & flat)
 }
 } // namespace
 
-// A rectangle of circumference by length: the modulus is their quotient.
+// The modulus of the rectangle is circumference / length.
 TEST(ColonSplitting, OfACylinderHasTheModulusOfItsRectangles)
 {
   flattubes::TubeForm form;
@@ -136,7 +136,7 @@ TEST(ColonLandmarks, SegmentsAndBordersTellWhereTheWallIsNotSeen)
   landmarks.hindered = { { 10.0, 14.0, shapeton::ColonHindrance::Narrow },
                          { 70.0, 105.0, shapeton::ColonHindrance::UntaggedFluid } };
   landmarks.lengthOfCenterline = length;
-  landmarks.taeniae = {}; // these have no confidence
+  landmarks.taeniae = {}; // taeniae without confidence
   EXPECT_NEAR(shapeton::AssessabilityOfSegment(landmarks, 1)->share, 0.9, 1e-12);
   EXPECT_EQ(shapeton::AssessabilityOfSegment(landmarks, 2)->Verdict(), "partly");
   EXPECT_FALSE(shapeton::AssessabilityOfSegment(landmarks, 3)); // its end is unknown
@@ -164,5 +164,5 @@ TEST(ColonLandmarks, AreNotFoundAfterAnAbort)
     options.progress = progress;
     FindColonLandmarks(flat, colon.centerline, options);
   };
-  shapeton::test::ExpectProgress(work, 100); // including one for each possible start of a loop
+  shapeton::test::ExpectProgress(work, 100); // including one call per possible start of a loop
 }

@@ -21,7 +21,7 @@ struct Tube
   ColonWallTube tube{ flat, landmarktubes::StraightLine(length) };
 };
 
-/** Distance (mm) around the tube between a place of a taenia and the nearest true one. */
+/** Circumferential distance (mm) from a point of a taenia to the nearest true taenia. */
 double
 ErrorAt(const Eigen::Vector3d & point)
 {
@@ -70,7 +70,7 @@ TEST(ColonTaeniae, RunWhereFoldsEnd)
   EXPECT_LT(found.disagreeingShare, 0.1);
 }
 
-// 50, 92 and 218 degrees apart in the middle: none continues as its neighbor there.
+// The tracks are 50, 92 and 218 degrees apart in the middle and must not be confused.
 TEST(ColonTaeniae, StayThemselvesWhereTwoComeNear)
 {
   const double        nearer = 70.0 * landmarktubes::pi / 180.0;
@@ -147,7 +147,7 @@ TEST(ColonTaeniae, PassThroughMarkers)
   EXPECT_LT(GreatestErrorWithin(found, 300.0, 440.0), 5.0);
 }
 
-// A sixth of a turn from the true ones, where all evidence is against them.
+// A sixth of a turn from the true taeniae, against all evidence.
 TEST(ColonTaeniae, GoWhereverEnoughMarkersTell)
 {
   constexpr double             sixth = landmarktubes::pi / 3.0 * foldtubes::radius; // mm

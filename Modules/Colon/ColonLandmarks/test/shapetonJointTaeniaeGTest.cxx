@@ -50,7 +50,7 @@ CellsOf(const TaeniaAngles & angles)
   return cells;
 }
 
-/** Three tracks are allowed in these cells and the next ones. */
+/** The three tracks are limited to these cells and the next ones. */
 constexpr std::array<int, 3> freeCells{ 5, 29, 50 };
 
 bool
@@ -60,7 +60,7 @@ IsFree(int cell)
     freeCells.begin(), freeCells.end(), [cell](int first) { return cell == first || cell == first + 1; });
 }
 
-/** The least energy of all tracks that stay in the free cells. */
+/** Minimum energy over all tracks within the allowed cells. */
 double
 LeastEnergyOfAll(const TaeniaEvidence & evidence)
 {

@@ -9,7 +9,7 @@ namespace landmarktubes
 {
 using flattubes::pi;
 
-/** Height of the wall toward the axis, mm, at (mm along, angle). */
+/** Inward height of the wall (mm) at (mm along the tube, angle). */
 using Relief = std::function<double(double, double)>;
 
 /** A tube along a curve with points every millimeter. */
@@ -55,8 +55,8 @@ StraightLine(double length)
   return RoundedCurve({ { 0.0, 0.0, 0.0 }, { 0.0, 0.0, length } });
 }
 
-/** Angle of a taenia of TubeWithTaeniae(), radians. In the middle the second one is `nearer` to the first, and the
- * third one follows it. */
+/** Angle (radians) of a taenia of TubeWithTaeniae(). In the middle, the second and third taenia are shifted by `nearer`
+ * toward the first. */
 inline double
 TaeniaAngle(int taenia, double u, double nearer = 0.0)
 {

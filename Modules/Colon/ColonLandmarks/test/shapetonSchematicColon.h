@@ -6,14 +6,14 @@
 #include <array>
 #include <vector>
 
-/** A schematic centerline of a colon with flexures at known places. */
+/** A schematic centerline of a colon with known flexures. */
 struct SchematicColon
 {
   shapeton::CurveSet    centerline;
   std::array<double, 4> flexures{}; ///< arcLength, mm
 };
 
-/** Straight pieces between places, their corners rounded by averaging; points every millimeter. LPS, mm. */
+/** A polyline with corners rounded by averaging; points every millimeter. LPS, mm. */
 inline shapeton::CurveSet
 RoundedCurve(const std::vector<Eigen::Vector3d> & places)
 {
@@ -75,7 +75,7 @@ MakeSchematicColon(const std::vector<Eigen::Vector3d> & loop = {})
   return colon;
 }
 
-/** The same line from its other end. */
+/** The reversed line. */
 inline shapeton::CurveSet
 ReversedCurve(shapeton::CurveSet curve)
 {

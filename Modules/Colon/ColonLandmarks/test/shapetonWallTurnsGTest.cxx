@@ -43,7 +43,7 @@ BentTube()
 }
 } // namespace
 
-/** Around a torus the length of the wall is the radius of the tube times the angle there. */
+/** The wall length around a torus is the tube radius times the angle. */
 TEST(WallTurns, OfATorusAreItsAngles)
 {
   const FlatColonGrid grid = BentTube();
@@ -51,7 +51,7 @@ TEST(WallTurns, OfATorusAreItsAngles)
   double              greatest = 0.0;
   for (double onMap = -1.0; onMap < 2.0; onMap += 0.013)
   {
-    // The grid's rows run with v, or against it.
+    // The row direction of the grid is +v or -v.
     const double alongV = grid.IsMirrored() ? onMap : -onMap;
     const double expected = AngleOnTorus(2.0 * flattubes::pi * alongV) / (2.0 * flattubes::pi);
     const double found = turns.FromMap(rows / 2, onMap) * (grid.IsMirrored() ? 1.0 : -1.0);

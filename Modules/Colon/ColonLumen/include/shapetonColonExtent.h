@@ -8,8 +8,8 @@
 
 namespace shapeton
 {
-/** \brief Bounding box of the known lumen of a colon, LPS in mm. The position in the box indicates which end of the
- * colon a place may be. Points are of any type whose coordinates are [0] to [2]. \ingroup ShapetonColonLumen */
+/** \brief Bounding box of the known lumen of a colon, LPS in mm. The position of a point in the box indicates which end
+ * of the colon it may be. Points are of any type with coordinates [0] to [2]. \ingroup ShapetonColonLumen */
 struct ColonExtent
 {
   template <typename TPoint>
@@ -23,7 +23,7 @@ struct ColonExtent
     }
   }
 
-  /** Weighted distance (mm) of a place from the expected end of the rectum: caudal, medial, posterior. */
+  /** Weighted distance (mm) of a point from the expected end of the rectum: caudal, medial, posterior. */
   template <typename TPoint>
   double
   DistanceFromAnus(const TPoint & place) const
@@ -34,7 +34,7 @@ struct ColonExtent
     return (place[2] - lowest[2]) + sideways * std::abs(place[0] - middle) + forwards * (highest[1] - place[1]);
   }
 
-  /** Relative position of a place between the lower and the upper side along an axis, 0 to 1. */
+  /** Relative position of a point between the lower and the upper side along an axis, 0 to 1. */
   template <typename TPoint>
   double
   ShareAlong(int axis, const TPoint & place) const

@@ -20,22 +20,22 @@ namespace shapeton
  * \ingroup ShapetonColonLumen */
 struct ColonLumenOptions
 {
-  /** DICOM Patient Position or a name, see GravityOfPatientPosition(). Empty: gravity is inferred from the levels. A
-   * name is used as given. The code of a header is overridden, with a warning, by fluid levels of 50 cm^2 that are flat
-   * in another direction and five times the area that is flat in its own. */
+  /** DICOM Patient Position or a name, see GravityOfPatientPosition(). If empty, gravity is inferred from the fluid
+   * levels. Names are always used. DICOM codes are overridden, with a warning, if levels of at least 50 cm^2, and of
+   * five times the area for the code, are flat in another direction. */
   std::string patientPosition;
-  /** Points in LPS, mm. Pieces of gas or bright fluid that contain them are colon, overriding the automatic choice. */
+  /** Points in LPS, mm. Gas or bright fluid at these points is colon, overriding the automatic choice. */
   std::vector<itk::Point<double, 3>> seedPoints;
-  /** Called with the completed fraction, 0..1, ascending, always from the calling thread. May throw to abort. */
+  /** Called from the calling thread with the completed fraction, 0 to 1, ascending. May throw to abort. */
   Progress progress;
 };
 
 /** Source of the direction of gravity. \ingroup ShapetonColonLumen */
 enum class ColonGravitySource
 {
-  PatientPosition, ///< stated by the options
+  PatientPosition, ///< given in the options
   Levels,          ///< inferred from the fluid levels in the data
-  Assumed          ///< neither known: supine is assumed
+  Assumed          ///< supine, by default
 };
 
 /** Intensities in HU, all estimated from the data. \ingroup ShapetonColonLumen */
@@ -43,20 +43,20 @@ struct ColonThresholds
 {
   double gas{ 0.0 };           ///< typical gas inside the body
   double tissue{ 0.0 };        ///< typical soft tissue
-  double gasSeed{ 0.0 };       ///< certainly gas below this
+  double gasSeed{ 0.0 };       ///< upper threshold of certain gas
   double gasBoundary{ 0.0 };   ///< half height between gas and tissue: the wall
   double fluid{ 0.0 };         ///< mode of tagged fluid, Hf; 0 if none was found
-  double fluidSeed{ 0.0 };     ///< certainly fluid above this, "high"
+  double fluidSeed{ 0.0 };     ///< lower threshold of certain fluid, "high"
   double fluidBoundary{ 0.0 }; ///< half height between tissue and Hf, "low"; labels use the local half height
 };
 
-/** A flat surface of fluid or other matter under gas. \ingroup ShapetonColonLumen */
+/** A flat interface between gas and fluid or other matter. \ingroup ShapetonColonLumen */
 struct ColonLevel
 {
   itk::Point<double, 3> center;
-  double                area{ 0.0 };    ///< mm^2 of its flat middle part
+  double                area{ 0.0 };    ///< of the flat central part, mm^2
   double                tilt{ 0.0 };    ///< degrees from perpendicular to gravity
-  double                fluidHU{ 0.0 }; ///< mean of the matter below it
+  double                fluidHU{ 0.0 }; ///< mean below the level
   bool                  isTagged{ false };
   bool                  isColon{ false };
 };
@@ -82,7 +82,7 @@ struct ColonLeftOut
   double                inscribedRadius{ 0.0 }; ///< mm; 0 where not measured
   double                meanHU{ 0.0 };
   itk::Point<double, 3> center;
-  /** For gas too thin for a colon: points in it, one for each cell of 5 mm. */
+  /** Sample points in gas too thin for a colon, one for each cell of 5 mm. */
   std::vector<itk::Point<double, 3>> places;
 };
 
@@ -100,29 +100,29 @@ struct ColonLumen
   ColonThresholds           thresholds;
   double                    noise{ 0.0 };      ///< standard deviation in soft tissue, HU
   double                    smoothing{ 0.0 };  ///< sigma of the prefilter in mm; 0 for low noise
-  bool                      isTagged{ false }; ///< fluid brighter than tissue is under the gas of the colon
+  bool                      isTagged{ false }; ///< whether fluid brighter than tissue is under the gas of the colon
   std::vector<ColonLevel>   levels;            ///< largest first
   std::vector<LumenPiece>   pieces;            ///< largest first
   std::vector<ColonLeftOut> leftOut;           ///< largest first
   Remarks                   warnings;
-  /** A certain catheter in the rectum, which is filled in, or a possible one; empty for a mask. */
+  /** A detected catheter in the rectum, which is added to the lumen, or a possible one; empty for a mask. */
   std::optional<RectalCatheter> catheter;
-  /** Empty, or why this is not a usable colon: "no colon found: ...", "no distended colon found: the largest gas is
-   * lung, ..." or "the colon is not distended or tagged enough: ..."; the labels then contain what was found. */
+  /** Reason why the colon is not usable, or empty: "no colon found: ...", "no distended colon found: the largest gas is
+   * lung, ..." or "the colon is not distended or tagged enough: ..."; the labels then contain the partial result. */
   std::string failure;
 };
 
 /** Segments the gas and the tagged fluid of the colon in a CT colonography, without seeds.
  *
- * `ct`: Hounsfield units; any axes (permuted, oblique, left-handed), spacing about 0.5 to 3 mm. Needs about 6 bytes per
- * voxel besides the input. The result is identical for any number of threads.
+ * `ct` is in Hounsfield units with any axes (permuted, oblique, left-handed) and a spacing of about 0.5 to 3 mm. About
+ * 6 bytes per voxel are required in addition to the input. The result does not depend on the number of threads.
  *
- * Throws ParameterError when a seed point is outside the image or in neither gas nor bright matter, or when the patient
- * position is unknown; InputError when a dimension of the image is below 8 voxels. \ingroup ShapetonColonLumen */
+ * Throws ParameterError if a seed point is outside the image or in neither gas nor bright matter, or if the patient
+ * position is unknown, and InputError if an image dimension is below 8 voxels. \ingroup ShapetonColonLumen */
 ShapetonColonLumen_EXPORT ColonLumen
 SegmentColonLumen(const itk::Image<float, 3> * ct, const ColonLumenOptions & options = {});
 
-/** Why a mask on the grid of a CT in HU is not a colon lumen: most of its gas is lung. Empty if it may be a colon.
+/** Reason why a mask on the grid of a CT (HU) is not a colon lumen: most of its gas is lung. Empty otherwise.
  * \ingroup ShapetonColonLumen */
 ShapetonColonLumen_EXPORT std::string
                   FailureOfMask(const itk::Image<float, 3> * ct, const itk::Image<unsigned char, 3> * mask);

@@ -17,27 +17,27 @@ using LumenDistanceImage = itk::Image<float, 3>;
 /** Component labels, 0 outside. \ingroup ShapetonColonLumen */
 using LumenLabelImage = itk::Image<std::int32_t, 3>;
 
-/** The bounding box of the lumen, padded by `margin` voxels within the image. Throws InputError when
- * the lumen is empty. \ingroup ShapetonColonLumen */
+/** The bounding box of the lumen, padded by `margin` voxels within the image. Throws InputError if the lumen is empty.
+ * \ingroup ShapetonColonLumen */
 ShapetonColonLumen_EXPORT itk::ImageRegion<3>
                   LumenRegion(const LumenMask * lumen, unsigned int margin = 1);
 
-/** Distance of each lumen voxel of `region` to the wall, mm; 0 outside the lumen. The image covers only `region` and
- * has the geometry of `lumen`.
+/** Distance (mm) of each lumen voxel of `region` to the wall; 0 outside the lumen. The image covers only `region`, in
+ * the physical space of `lumen`.
  *
- * It is the exact Euclidean distance between the centers of the voxel and of the nearest voxel outside the lumen, minus
- * a quarter of the smallest spacing. A flat wall is half a voxel nearer than that center. The wall of a round lumen is
- * hardly nearer to its axis, because the nearest of many centers counts. So a tube of radius r measures r on its axis,
- * to about half a voxel. Voxels beyond the region count as lumen, so a lumen cut by the image keeps its caliber up to
- * the cut; use a region with a margin where the image continues. Linear time in voxels; the result is independent of
- * the number of threads.
+ * The distance is the exact Euclidean distance between the centers of the voxel and of the nearest voxel outside the
+ * lumen, minus a quarter of the smallest spacing. This is a compromise: a flat wall is half a voxel nearer than the
+ * center, while the wall of a round lumen is hardly nearer to the axis. On the axis of a tube, the distance equals the
+ * radius to about half a voxel. Voxels outside the region are treated as lumen to preserve the caliber at the image
+ * border; elsewhere use a region with a margin. Linear time in voxels; the result does not depend on the number of
+ * threads.
  *
- * Throws InputError when the region contains no voxel outside the lumen.
+ * Throws InputError if all voxels of the region are lumen.
  * \ingroup ShapetonColonLumen */
 ShapetonColonLumen_EXPORT LumenDistanceImage::Pointer
                   LumenDistance(const LumenMask * lumen, const itk::ImageRegion<3> & region);
 
-/** Connected components by faces of voxels. \ingroup ShapetonColonLumen */
+/** A face-connected component. \ingroup ShapetonColonLumen */
 struct LumenComponent
 {
   std::int64_t voxels{ 0 };
@@ -53,7 +53,7 @@ struct LumenComponents
 {
   /** Label 1 for the first of `components`, and so on. Covers only the region. */
   LumenLabelImage::Pointer labels;
-  /** Largest first; of equal ones the one with the earlier voxel. */
+  /** Largest first; components of equal size in the order of their first voxels. */
   std::vector<LumenComponent> components;
 };
 

@@ -10,13 +10,13 @@ namespace shapeton
 /** \class PrincipalAxes
  * \brief Eigenvalues and unit eigenvectors of a symmetric 2 x 2 matrix, such as a covariance, smallest first.
  *
- * Compiled once, as Eigen's solver is expensive to compile.
+ * A separate class to reduce compile time of Eigen's solver.
  *
  * \ingroup ShapetonColonLumen */
 class ShapetonColonLumen_EXPORT PrincipalAxes
 {
 public:
-  /** Reads only the lower triangle. */
+  /** Uses only the lower triangle. */
   explicit PrincipalAxes(const Eigen::Matrix2d & symmetric);
 
   Eigen::Vector2d values;  ///< ascending

@@ -9,7 +9,7 @@ namespace shapeton
 {
 namespace
 {
-/** Binomial smoothing 1 2 1 of a line in place; zero beyond its ends. */
+/** In-place binomial smoothing (1 2 1) of a line; zero beyond its ends. */
 void
 SmoothCells(float * line, std::size_t stride, int length)
 {
@@ -136,9 +136,9 @@ LocalFluid::At(int i, int j, int k) const
 
 namespace
 {
-constexpr double Reach = 5.0;     // mm across gravity
+constexpr double Reach = 5.0;     // mm perpendicular to gravity
 constexpr double Thickness = 4.0; // mm along gravity
-constexpr double Sigma = 2.5;     // mm, of the weights across
+constexpr double Sigma = 2.5;     // mm, of the weights perpendicular to gravity
 } // namespace
 
 LevelSurface::LevelSurface(const ColonGrid &                  grid,
@@ -225,7 +225,7 @@ LevelSurface::MeasureBlur(std::vector<double> & shares)
   const double median = shares[shares.size() / 2];
   double       low = 0.2;
   double       high = 3.0;
-  // The rise over a step that contains the crossing, at a phase of a quarter step: between the best and the worst.
+  // The rise over the step that contains the crossing, at a phase of a quarter step, between the extremes.
   for (int i = 0; i < 40; ++i)
   {
     const double sigma = 0.5 * (low + high);

@@ -8,13 +8,13 @@
 
 namespace shapeton
 {
-/** Local intensity of tagged fluid: means of voxels deep in the fluid over cells of about 2 mm, smoothed with a
+/** Local intensity of tagged fluid: means over cells of about 2 mm of voxels deep in the fluid, smoothed with a
  * standard deviation of about 3 mm and extrapolated to the surroundings. */
 class LocalFluid
 {
 public:
-  /** Averages voxels with a nonzero value in `fluid` that are at least 2 mm from other voxels. `fallback` is used if
-   * there are none nearby. */
+  /** Averages nonzero voxels of `fluid` that are at least 2 mm from other voxels; `fallback` is the value far from
+   * them. */
   LocalFluid(const ColonGrid & grid, const VoxelValues & hu, const std::vector<unsigned char> & fluid, double fallback);
 
   /** Linear interpolation between the cells. */
@@ -39,7 +39,7 @@ private:
   std::vector<float> m_Weight;
 };
 
-/** Subvoxel interface of gas and fluid: the depth at which values cross the mean of gas and local fluid. */
+/** Subvoxel interface between gas and fluid: the depth at which values cross the mean of gas and local fluid. */
 class LevelSurface
 {
 public:
@@ -51,12 +51,12 @@ public:
                const LocalFluid &                 fluid,
                double                             gas);
 
-  /** Depth of the level around a voxel minus that of the voxel, mm: positive in gas above it. Empty without a level
-   * within 5 mm across and 4 mm along gravity. */
+  /** Depth (mm) of the nearby level relative to the voxel, positive in the gas above it. Empty if no level is within 5
+   * mm perpendicular to and 4 mm along gravity. */
   std::optional<double>
   HeightAbove(std::size_t voxel) const;
 
-  /** Standard deviation of the blur across the levels, voxels included, mm; from the steepness of the levels. */
+  /** Standard deviation (mm) of the blur across the levels including voxel size, from the slope at the levels. */
   double
   Blur() const
   {

@@ -59,7 +59,7 @@ LateralCells::LateralCells(const std::vector<Place> & places, double cellSize) :
 
 namespace
 {
-/** The half height below one gas voxel, found within three steps; false if the gas continues or the grid ends. */
+/** Finds the half height within three steps below a gas voxel; false if the gas continues or the grid ends. */
 bool
 FloorBelow(const ColonGrid &    grid,
            const VoxelValues &  hu,
@@ -139,7 +139,7 @@ Median(std::vector<double> & values)
   return *middle;
 }
 
-/** Values along gravity under floors. */
+/** Intensity profiles along gravity under floors. */
 class BelowFloors
 {
 public:
@@ -198,7 +198,7 @@ private:
     return count > 0;
   }
 
-  /** The value at a depth below the half height of one floor, linear between voxels; false outside the grid. */
+  /** Linearly interpolated value at a depth below the half height of one floor; false outside the grid. */
   bool
   EdgeBelow(std::size_t f, double & value) const
   {
@@ -225,11 +225,11 @@ private:
   {
     double end{ 0.0 }; ///< end of the rise of a level
     bool   isOver{ false };
-    double excess{ 0.0 }; ///< variance of the rise beyond that of the blur, relative to the contribution of a thin wall
+    double excess{ 0.0 }; ///< excess of the variance of the rise over the blur, relative to the contribution of a thin wall
   };
 
-  /** False outside the grid. The variance of a sampled rise hardly depends on the positions of the voxels, even if they
-   * are as large as the rise is thick, unlike intermediate values. */
+  /** False outside the grid. Unlike intermediate values, the variance of a sampled rise hardly depends on the voxel
+   * positions, even if voxels are as large as the rise. */
   bool
   RiseBelow(std::size_t f, Rise & rise) const
   {
@@ -268,7 +268,7 @@ private:
     return rise.end > m_Tissue + LeastTagging && gas < m_Tissue;
   }
 
-  /** The matter directly below a level whose rise is as steep as the blur allows; empty otherwise. */
+  /** Intensity of the matter directly below a level if its rise is explained by the blur alone; empty otherwise. */
   double
   EndOfSteepRise(const Level & level) const
   {
@@ -291,11 +291,11 @@ private:
   const std::vector<Floor> & m_Floors;
   const GravitySteps &       m_Fall;
   double                     m_Tissue;
-  double                     m_Blur; ///< mm, voxels included
+  double                     m_Blur; ///< mm, including voxel size
 };
 constexpr double MaximumSlope = 0.1;  // tangent
 constexpr double MinimumArea = 30.0;  // mm^2
-constexpr double MinimumWidth = 1.5;  // mm: a strip along the bottom of a straight tube is thinner
+constexpr double MinimumWidth = 1.5;  // mm; larger than a strip along the bottom of a straight tube
 constexpr double HighestStepIn = 0.8; // mm between neighbors of one level
 
 struct Plane
@@ -306,7 +306,7 @@ struct Plane
   double          count{ 0.0 };
 };
 
-/** Sums for fitting a plane to points, relative to one place. */
+/** Accumulated sums for fitting a plane to points, relative to an origin. */
 class PlaneFit
 {
 public:
@@ -336,7 +336,7 @@ private:
   double          m_Square{ 0.0 };
 };
 
-/** Decides which floors are flat and which of them form one level. */
+/** Finds flat floors and groups them to levels. */
 class LevelFinder
 {
 public:
@@ -504,20 +504,20 @@ FindLevels(const ColonGrid &          grid,
 
 namespace
 {
-constexpr double FirstDepth = 1.2;   // mm below the half height; above it the rise is too steep to be tested
-constexpr double GreatestDip = 0.3;  // of the contrast of the fainter of level fluid and goal
+constexpr double FirstDepth = 1.2;   // mm below the half height; the rise above is too steep for the test
+constexpr double GreatestDip = 0.3;  // relative to the lower contrast of level fluid and target
 constexpr double NoiseInDip = 2.0;   // standard deviations
-constexpr double LogisticRate = 1.7; // the logistic curve of this rate is within 1 % of the normal distribution
+constexpr double LogisticRate = 1.7; // approximates the normal distribution within 1 %
 
-/** Approximate normal distribution, with the share `half` at 0. */
+/** Approximate normal distribution with the value `half` at 0. */
 double
 ShareOfRise(double depth, double half, double blur)
 {
   return 1.0 / (1.0 + (1.0 / half - 1.0) * std::exp(-LogisticRate * depth / blur));
 }
 
-/** Depth of the half height below the linear interpolation of the two adjacent voxels; `above` is the depth of the
- * upper one, at most 0. The interpolation is biased for a rise thinner than a voxel. */
+/** Corrects the depth of the half height for the bias of linear interpolation if the rise is thinner than a voxel;
+ * `above` is the depth of the upper voxel, at most 0. */
 double
 ErrorOfLine(double above, double step, double half, double blur)
 {

@@ -7,12 +7,12 @@
 
 namespace shapeton
 {
-/** Path from a voxel down along gravity: step t leads to the voxel nearest to the point t steps below. A step is the
- * distance from voxel to voxel, so paths are columns if gravity is within a few degrees of an axis. */
+/** Path from a voxel along gravity: step t is the voxel nearest to the point t steps below. The step length is the
+ * voxel distance, so paths are voxel columns if gravity is within a few degrees of an axis. */
 struct GravitySteps
 {
   Eigen::Vector3d direction;   ///< of gravity, unit vector in LPS
-  Eigen::Vector3d across[2];   ///< perpendicular to it and to each other
+  Eigen::Vector3d across[2];   ///< perpendicular to gravity and to each other
   double          step{ 1.0 }; ///< mm
 
   GravitySteps(const ColonGrid & grid, const Eigen::Vector3d & gravity);
@@ -35,7 +35,7 @@ private:
   Eigen::Vector3d m_VoxelsPerStep;
 };
 
-/** Points in a plane, sorted into square cells for neighbor search. */
+/** Points in a plane, binned into square cells for neighbor search. */
 class LateralCells
 {
 public:
@@ -45,7 +45,8 @@ public:
   };
   LateralCells(const std::vector<Place> & places, double cellSize);
 
-  /** Calls `body(index)` for all points in the 3 by 3 cells around a place: at least those within the cell size. */
+  /** Calls `body(index)` for all points in the 3 by 3 cells around a position, which include all points within the cell
+   * size. */
   template <typename TBody>
   void
   ForEachNear(double a, double b, const TBody & body) const
@@ -82,12 +83,12 @@ private:
 /** The lower end of gas. */
 struct Floor
 {
-  std::size_t voxel; ///< last voxel of the gas
-  int         gas;   ///< index of its piece
+  std::size_t voxel; ///< lowest gas voxel
+  int         gas;   ///< index of the gas piece
   float       depth; ///< of the half height, along gravity, mm
 };
 
-/** The floors of all pieces of gas for which `use` holds. */
+/** The floors of all pieces of gas for which `use` is true. */
 std::vector<Floor>
 FloorsOfGas(const ColonGrid &         grid,
             const VoxelValues &       hu,
@@ -99,21 +100,21 @@ FloorsOfGas(const ColonGrid &         grid,
 
 constexpr double UsualBlur = 0.8;      // mm, standard deviation of the scanner blur
 constexpr double LeastTagging = 100.0; // HU above tissue
-constexpr double LeastAtEdge = 0.7;    // of the fluid contrast, where the rise of a level ends
-constexpr double StepsToFluid = 3.0;   // from a gas voxel above a level: two may be in the rise
+constexpr double LeastAtEdge = 0.7;    // relative to the fluid contrast; the rise of a level ends here
+constexpr double StepsToFluid = 3.0;   // from a gas voxel above a level; two may be in the rise
 
-/** A flat part of a gas floor: depth = depth + slope . (place - center), in mm along and across gravity. */
+/** A flat part of a gas floor: depth + slope . (position - center), in mm along and perpendicular to gravity. */
 struct Level
 {
-  int                 gas{ 0 };     ///< the piece above it
+  int                 gas{ 0 };     ///< the gas piece above
   double              area{ 0.0 };  ///< mm^2
-  double              width{ 0.0 }; ///< standard deviation along its shorter side, mm
+  double              width{ 0.0 }; ///< standard deviation along the shorter side, mm
   double              depth{ 0.0 };
   Eigen::Vector2d     slope;
   Eigen::Vector2d     center;
-  std::vector<size_t> floors;       ///< indices of the gas voxels just above it
-  double              below{ 0.0 }; ///< median intensity 3 to 6 mm below it
-  double              edge{ 0.0 };  ///< median intensity about 2 mm below it, past the rise of a level
+  std::vector<size_t> floors;       ///< indices of the gas voxels directly above
+  double              below{ 0.0 }; ///< median intensity 3 to 6 mm below
+  double              edge{ 0.0 };  ///< median intensity about 2 mm below, beyond the rise of a level
 
   /** Intensity of the matter below; shallow pools are brightest near the level. */
   double
@@ -121,7 +122,7 @@ struct Level
   {
     return below > edge ? below : edge;
   }
-  /** Bright matter is directly below, without a wall in between. */
+  /** Whether bright matter is directly below, without a wall in between. */
   bool
   IsTagged(double tissue) const
   {
@@ -129,8 +130,8 @@ struct Level
   }
 };
 
-/** Finds flat parts of floors, perpendicular to gravity within 6 degrees, of at least 30 mm^2, largest first. Walls are
- * curved: the bottom of a haustrum is flat on only a few mm^2. */
+/** Finds flat parts of floors of at least 30 mm^2, perpendicular to gravity within 6 degrees, largest first. Walls are
+ * curved; the bottom of a haustrum is flat over only a few mm^2. */
 std::vector<Level>
 FindLevels(const ColonGrid &          grid,
            const VoxelValues &        hu,
@@ -138,20 +139,20 @@ FindLevels(const ColonGrid &          grid,
            const GravitySteps &       fall,
            double                     tissue);
 
-/** Columns along gravity, from a level down to bright matter.
+/** Tests columns along gravity from a level down to bright matter for walls.
  *
- * Below a level values rise with the blur, then stay constant. If they lag behind that rise, or drop again before the
- * bright matter, a wall is in between, and the bright matter is in another bowel. */
+ * Below a level, values rise according to the blur and then remain constant. If they rise more slowly, or drop before
+ * the bright matter, a wall is in between and the bright matter is in another bowel. */
 class LevelColumn
 {
 public:
-  /** Columns from levels to one piece of bright matter. */
+  /** Counts of columns from levels to one piece of bright matter. */
   struct Votes
   {
     std::size_t open{ 0 };
     std::size_t all{ 0 };
 
-    /** Majority vote, since noise opens some columns through a wall and closes some open ones. */
+    /** Majority vote, since noise affects single columns. */
     bool
     AreOpen() const
     {
@@ -167,7 +168,7 @@ public:
               double                  noise,
               double                  smoothing);
 
-  /** Whether no wall is visible between the level and the voxel `steps` below one of its floors; both on the grid. */
+  /** Whether no wall is visible between the level and the voxel `steps` below one of its floors. */
   bool
   IsOpen(const Level & level, const std::array<int, 3> & floor, int steps) const;
 

@@ -12,26 +12,26 @@ namespace
 constexpr std::size_t LeastSections = 8; // 1 mm each
 constexpr double      ShareOfRays = 1.0 / 3;
 constexpr double      ThickestMembrane = 3.0; // mm, blurred
-constexpr double      ThinnestInFluid = 2.0; // mm, blurred: at a level of bright fluid values cross those of a membrane
-constexpr double      LeastRoom = 2.5;       // mm between tube and ball
+constexpr double      ThinnestInFluid = 2.0; // mm, blurred; excludes the partial volume layer at a level of bright fluid
+constexpr double      LeastRoom = 2.5;       // mm between tube and sphere
 constexpr double      LargestBalloon = 30.0; // mm, radius
 constexpr double      FarFromBall = 1.5;     // mm
 constexpr double      ShareOnBall = 0.75;
-constexpr double      LeastResidual = 0.6; // mm, always allowed
+constexpr double      LeastResidual = 0.6; // mm; smaller residuals are always accepted
 constexpr double      ShareOfRadius = 1.0 / 12;
 constexpr double      ShareOffAxis = 1.0 / 3; // of the radius
-constexpr double      ShareOfCylinder = 0.5;  // of the residual of a cylinder
+constexpr double      ShareOfCylinder = 0.5;  // relative to the residual of a cylinder
 
 using Exits = std::vector<BalloonExit>;
 
-/** Threshold for a membrane, HU: blur may leave a quarter of its contrast. */
+/** Threshold (HU) for a membrane, whose contrast may be reduced to a quarter by blur. */
 double
 MembraneBoundary(const ColonThresholds & thresholds)
 {
   return thresholds.gas + 0.25 * (thresholds.tissue - thresholds.gas);
 }
 
-/** Exit point of the ray from the matter around the tube at this place. */
+/** Exit point of the ray from the matter around the tube. */
 std::optional<BalloonExit>
 ExitOf(const CatheterTube & tube, const TubeSection & section, int number, const CatheterRegion & region)
 {
@@ -73,8 +73,8 @@ ExitsOf(const CatheterTube & tube, const TubeSection & section, const CatheterRe
   return exits;
 }
 
-/** Least squares ball: |x|^2 = 2 c x + r^2 - c^2 is linear in c and r^2 - c^2. For coplanar points its center is in the
- * plane. */
+/** Least squares sphere: |x|^2 = 2 c x + r^2 - c^2 is linear in c and r^2 - c^2. For coplanar points, the center is in
+ * their plane. */
 CatheterBalloon
 FittedBall(const Exits & exits)
 {
@@ -114,7 +114,7 @@ RootMeanSquare(const CatheterBalloon & ball)
   return std::sqrt(sum / static_cast<double>(ball.exits.size()));
 }
 
-/** The ball that fits most of the points; outliers are removed iteratively. */
+/** Robust sphere fit with iterative removal of outliers. */
 CatheterBalloon
 BallThroughMost(Exits exits)
 {
@@ -160,7 +160,7 @@ IsAroundTube(const CatheterBalloon & ball, const CatheterTube & tube)
          RootMeanSquare(ball) <= ShareOfCylinder * CylinderResidual(ball.exits, nearest->along);
 }
 
-/** Balloon of the sections from `first` to before `last`, if there is one. */
+/** The balloon in the sections from `first` up to `last` (exclusive), if any. */
 std::optional<CatheterBalloon>
 BalloonOf(const CatheterTube & tube, const std::vector<Exits> & ofSection, std::size_t first, std::size_t last)
 {

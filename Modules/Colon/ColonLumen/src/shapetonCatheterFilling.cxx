@@ -10,9 +10,9 @@ namespace shapeton
 namespace
 {
 constexpr double TipReach = 20.0;         // mm around the inner end
-constexpr double TipClosing = 2.3;        // mm, half of the thickest wall
+constexpr double TipClosing = 2.3;        // mm, half the maximum wall thickness
 constexpr double MembraneClosing = 1.5;   // mm
-constexpr double LargestPocketMl = 120.0; // a ball of 30 mm radius
+constexpr double LargestPocketMl = 120.0; // a ball with a radius of 30 mm
 
 VoxelBox
 BoxAround(const ColonGrid & grid, const Eigen::Vector3d & center, double reach)
@@ -49,7 +49,7 @@ template <typename TBody>
 void
 ForEachAcross(const ColonGrid & grid, const TubeSection & section, double reach, const TBody & body)
 {
-  const double half = std::max(0.75, 0.5 * grid.spacing.maxCoeff()); // mm: sections overlap
+  const double half = std::max(0.75, 0.5 * grid.spacing.maxCoeff()); // mm, so that sections overlap
   ForEachVoxelOf(BoxAround(grid, section.center, reach), grid, [&](std::size_t p, const Eigen::Vector3d & x) {
     double    distance = 0.0;
     const int ray = section.RayTo(x, distance);
@@ -60,8 +60,8 @@ ForEachAcross(const ColonGrid & grid, const TubeSection & section, double reach,
   });
 }
 
-/** Voxels of a tube: bore and wall, as fluid where the wall is next to fluid, otherwise as gas. Where the end of the
- * wall is not visible, as in the anal canal, up to the usual radius of the tube. */
+/** Fills the bore and wall of a tube, as fluid where the wall is next to fluid, otherwise as gas. Uses the median outer
+ * radius where the outside of the wall is not visible, as in the anal canal. */
 ClassVolume
 VoxelsOfTube(const CatheterTube & tube, const ColonGrid & grid)
 {
@@ -79,7 +79,7 @@ VoxelsOfTube(const CatheterTube & tube, const ColonGrid & grid)
   return taken;
 }
 
-/** Voxels added by closing the lumen in a part by a ball. */
+/** Voxels added by morphological closing of the lumen in a region. */
 std::vector<unsigned char>
 AddedByClosing(const ColonGrid & grid, const ClassVolume & classes, double radius)
 {
@@ -95,7 +95,7 @@ AddedByClosing(const ColonGrid & grid, const ClassVolume & classes, double radiu
   return mask;
 }
 
-/** Matter around a balloon, from the exit nearest in direction. */
+/** Matter around a balloon, from the exit point in the nearest direction. */
 class AroundBalloon
 {
 public:
@@ -119,7 +119,7 @@ public:
 
 private:
   Eigen::Vector3d          m_Center;
-  std::vector<BalloonExit> m_Exits; ///< with directions instead of positions
+  std::vector<BalloonExit> m_Exits; ///< contain directions instead of positions
 };
 
 /** Sets the class PocketGas for gas outside the colon that does not touch the border of the region. */
@@ -148,7 +148,7 @@ MarkPockets(CatheterRegion & region)
   });
 }
 
-/** Fills the tube into the lumen, piece by piece. */
+/** Adds the catheter to the lumen, part by part. */
 class CatheterFilling
 {
 public:
@@ -165,7 +165,7 @@ public:
     this->FillPockets();
   }
 
-  /** Adds the content of a balloon and its membrane; gas outside the colon keeps its class. */
+  /** Adds the content of a balloon and its membrane; the class of gas outside the colon is unchanged. */
   void
   FillBalloon(const CatheterBalloon & balloon)
   {
@@ -185,8 +185,8 @@ public:
     });
   }
 
-  /** Adds the closing of the lumen within `reach` of a place if connected to the filled part, with the class from
-   * `classAt(position)`. Returns its voxels. */
+  /** Adds the closing of the lumen within `reach` of a position if connected to the filled part, with the class
+   * `classAt(position)`. Returns the added voxels. */
   template <typename TClassAt>
   VoxelSet
   FillHanging(const Eigen::Vector3d & place, double reach, double closing, const TClassAt & classAt)

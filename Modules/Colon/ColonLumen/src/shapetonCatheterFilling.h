@@ -5,10 +5,9 @@
 
 namespace shapeton
 {
-/** Searches a catheter within 150 mm of the caudal end of the lumen. If certain, it is added to the lumen: bore and
- * wall; enclosed gas; a balloon with its content and membrane; and the rest of the tip within 20 mm of the inner end,
- * with side holes and bulb, as the morphological closing of the lumen by 2.3 mm. Empty if nothing resembles a
- * catheter. */
+/** Searches for a catheter within 150 mm of the caudal end of the lumen. A certain catheter is added to the lumen:
+ * bore, wall, enclosed gas, and a balloon with content and membrane. The rest of the tip, with side holes and bulb, is
+ * added by a morphological closing of 2.3 mm within 20 mm of the inner end. Empty if no candidate is found. */
 std::optional<RectalCatheter>
 FillRectalCatheter(LumenField & field);
 } // namespace shapeton

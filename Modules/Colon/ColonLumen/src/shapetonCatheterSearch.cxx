@@ -12,18 +12,18 @@ namespace
 constexpr double      FarthestFromAnus = 150.0; // mm
 constexpr double      MostOutside = 0.25;       // of the rays inside the body
 constexpr double      LeastMentioned = 0.25;    // minimum confidence for a report
-constexpr double      LeastClosed = 0.9;        // of the rays across a bore end at its wall
-constexpr double      MostOval = 0.1;           // of a bore's section
+constexpr double      LeastClosed = 0.9;        // fraction of the radial rays that end at the wall of a bore
+constexpr double      MostOval = 0.1;           // of the cross-section of a bore
 constexpr double      MostUneven = 0.5;         // mm, range of its radius
 constexpr std::size_t LongestHole = 6;          // sections
 
-/** A limit and the width of the uncertain range on either side. */
+/** A limit with the width of the uncertain range on both sides. */
 struct Margin
 {
   double limit;
-  double width; ///< negative if the value must be below the limit
+  double width; ///< negative for an upper limit
 
-  /** .5 at the limit, 1 and 0 at its sides. */
+  /** .5 at the limit, 1 and 0 at the ends of the range. */
   double
   Of(double value) const
   {
@@ -45,7 +45,7 @@ Percentile(std::vector<double> values, double share)
   return *at;
 }
 
-/** Sections whose share is not clearly too low, by descending share. */
+/** Sections with a sufficient fraction of enclosed rays, in descending order. */
 std::vector<const TubeSection *>
 EnclosedSections(const std::vector<TubeSection> & sections)
 {
@@ -83,7 +83,7 @@ MeasureWall(const std::vector<const TubeSection *> & enclosed, CatheterTube & tu
   tube.wallHU = MedianOf(hu);
 }
 
-/** Consecutive sections, from the first to before the last. */
+/** Range of consecutive sections; the last is excluded. */
 struct Stretch
 {
   std::size_t first{ 0 };
@@ -96,7 +96,7 @@ struct Stretch
   }
 };
 
-/** The longest stretch of round sections of similar width. */
+/** The longest run of round sections of similar width. */
 Stretch
 LongestEven(const std::vector<TubeSection> & sections)
 {
@@ -124,7 +124,7 @@ LongestEven(const std::vector<TubeSection> & sections)
   return longest;
 }
 
-/** Extends a stretch on both sides at the same width, across holes in the wall, up to a nearby end of the bore. */
+/** Extends a range on both sides at the same width, across holes in the wall, up to a nearby end of the bore. */
 Stretch
 AcrossHoles(const std::vector<TubeSection> & sections, const Stretch & even, double radius)
 {
@@ -153,7 +153,7 @@ MeasuredAlong(const std::vector<TubeSection> & sections, const Stretch & stretch
   return values;
 }
 
-/** The tube from the sections in the body with the best evidence. */
+/** The tube with the best evidence from the sections in the body. */
 CatheterTube
 TubeOf(const std::vector<TubeSection> & sections)
 {
@@ -214,7 +214,7 @@ BoxOfCatheter(const ColonGrid & grid, const ClassVolume & classes)
   const VoxelRuns set =
     CollectRuns(grid, [&](std::size_t p) { return classes[p] == ColonGas || classes[p] == ColonFluid; });
   const bool isUpwards = grid.axes(2, 2) > 0.0;
-  int        end = -1; // the caudal slice of the lumen
+  int        end = -1; // the most caudal slice of the lumen
   ForEachRun(set, [&](std::size_t, int, int k) { end = end < 0 || !isUpwards ? k : end; });
   const int slices = static_cast<int>(FarthestFromAnus / grid.spacing[2]);
   VoxelBox  box{ { { 0, 0, 0 } }, grid.size };
@@ -232,7 +232,7 @@ BoxOfCatheter(const ColonGrid & grid, const ClassVolume & classes)
 std::optional<CatheterTube>
 FindCatheterTube(const CatheterRegion & region)
 {
-  // Half a voxel more than the radii of bores, since the distance ends at the center of a wall voxel.
+  // Half a voxel more than the bore radius, since distances are measured to the center of a wall voxel.
   const double               half = 0.5 * region.grid.spacing.maxCoeff();
   const double               leastLength = LengthMargin.limit - LengthMargin.width;
   std::vector<unsigned char> gas(region.hu.size());

@@ -10,7 +10,7 @@ namespace shapeton
 {
 constexpr double LeastCatheterConfidence = 0.5;
 
-/** A bore in the rectum that is or resembles a catheter. */
+/** A bore in the rectum that may be a catheter. */
 struct CatheterTube
 {
   std::vector<TubeSection> sections; ///< inside the body, 1 mm apart, anal side first
@@ -24,13 +24,13 @@ struct CatheterTube
 VoxelBox
 BoxOfCatheter(const ColonGrid & grid, const ClassVolume & classes);
 
-/** Finds the bore with the highest confidence; none if no long bore comes close to the limits.
+/** Finds the bore with the highest confidence; empty if no long bore is close to the limits.
  *
- * A catheter has a bore that is round (ovality below .1) and even (radii within .5 mm) for at least 30 mm, with a
- * radius of 1 to 4.5 mm. Along 6 mm of it 90 % of the rays cross a wall (1 to 4.5 mm, before fluid from 1.6 mm) and
- * then enter the lumen; elsewhere a tube may touch the wall of the rectum or be partly in fluid. A crease between folds
- * is open along its side; a collapsed bowel is surrounded by tissue. See CatheterEvidence for the margins of these
- * limits. */
+ * The bore of a catheter is round (ovality below .1) and uniform (radii within .5 mm) for at least 30 mm, with a radius
+ * of 1 to 4.5 mm. Along 6 mm of it, 90 % of the rays cross a wall (1 to 4.5 mm thick, at least 1.6 mm next to fluid)
+ * into the lumen; elsewhere a tube may touch the wall of the rectum or be partly in fluid. In contrast, a crease
+ * between folds is open on one side, and a collapsed bowel is surrounded by tissue. See CatheterEvidence for
+ * margins. */
 std::optional<CatheterTube>
 FindCatheterTube(const CatheterRegion & region);
 } // namespace shapeton

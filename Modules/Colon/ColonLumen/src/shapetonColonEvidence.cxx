@@ -16,10 +16,10 @@ namespace shapeton
 {
 namespace
 {
-constexpr double SeedShare = 0.7;     // of the way from tissue to fluid
-constexpr double BrighterBowel = 1.2; // contrast of a bowel relative to that of the fluid of the colon
+constexpr double SeedShare = 0.7;     // fraction of the range from tissue to fluid
+constexpr double BrighterBowel = 1.2; // contrast of another bowel relative to the fluid of the colon
 constexpr double FaintestPercentile = 0.1;
-constexpr double FaintestShare = 0.75; // of the typical fluid's contrast
+constexpr double FaintestShare = 0.75; // relative to the contrast of typical fluid
 
 /** Area-weighted percentile of the levels. */
 double
@@ -55,8 +55,8 @@ LargeTaggedLevels(const ColonEvidence & evidence)
   return tagged;
 }
 
-/** Bright pieces reached by columns under a level within 8 mm, on at least 20 mm^2 and mostly without a wall in
- * between; one level may cover several pools. */
+/** Bright pieces within 8 mm below a level, over at least 20 mm^2 and mostly without a wall in between. One level may
+ * cover several pools. */
 std::vector<int>
 BrightUnder(const ColonEvidence & evidence, const GravitySteps & fall, const Level & level)
 {
@@ -105,8 +105,8 @@ Enclose(VoxelBox & box, const std::array<int, 3> & low, const std::array<int, 3>
   }
 }
 
-/** Upper bound of the intensity of a wall between the fluid and a brighter bowel, including noise: walls get brighter
- * with the blur of the prefilter. */
+/** Upper bound of the intensity of a wall between the fluid and a brighter bowel, including noise and the blur of the
+ * prefilter. */
 double
 BrightestWall(const ColonEvidence & evidence)
 {
@@ -208,7 +208,7 @@ BoxOfColon(const ColonEvidence & evidence)
     return box;
   }
   box = evidence.grid.Widened(box, 12.0);
-  // Includes the anal canal, which may contain a catheter.
+  // Extended to include the anal canal, which may contain a catheter.
   const int canal = static_cast<int>(50.0 / evidence.grid.spacing[2]);
   if (evidence.grid.axes(2, 2) > 0.0)
   {
@@ -224,7 +224,7 @@ BoxOfColon(const ColonEvidence & evidence)
 namespace
 {
 constexpr double SeedReach = 2.0;       // mm
-constexpr double LeastContrast = 150.0; // HU, of bright matter above tissue
+constexpr double LeastContrast = 150.0; // HU; contrast of bright matter to tissue
 
 std::string
 NameOf(const itk::Point<double, 3> & point)
@@ -245,7 +245,7 @@ VoxelOf(const ColonGrid & grid, const itk::Point<double, 3> & point)
   return grid.Index(v[0], v[1], v[2]);
 }
 
-/** The nearby voxel with the greatest value times `sign`, above a threshold. */
+/** The nearby voxel with the maximum of `sign` * value, above a threshold. */
 std::optional<std::size_t>
 MostExtreme(const ColonEvidence & evidence, std::size_t voxel, double sign, double threshold)
 {
@@ -288,7 +288,8 @@ namespace
 {
 constexpr double ClearLevels = 500.0; // mm^2
 constexpr double ClearRatio = 3.0;
-// Against a file header. On a well-tagged examination the levels have 200 cm^2, other directions at most 3 cm^2.
+// Required to override a file header. In a well-tagged examination, levels cover 200 cm^2; in other directions, at most
+// 3 cm^2.
 constexpr double CertainLevels = 5000.0; // mm^2
 constexpr double CertainRatio = 5.0;
 
@@ -327,15 +328,15 @@ WarnOfGravity(const std::string & patientPosition, const LevelsOfDirection * con
     const std::string position = NameOfGravity(contradiction->gravity);
     const std::string used = lumen.gravitySource == ColonGravitySource::PatientPosition
                                ? "the given position was used; if it is wrong, tagged fluid is missed"
-                               : position + " was taken, since headers are often wrong";
+                               : position + " was used, since headers are often wrong";
     lumen.warnings.push_back(
       "the patient position \"" + patientPosition +
       "\" contradicts the fluid levels in the data: " + std::to_string(std::lround(contradiction->area)) +
-      " mm^2 of flat levels say " + position + "; " + used + "; look at the slices and give the position they show");
+      " mm^2 of flat levels indicate " + position + "; " + used + "; check the slices and give the correct position");
   }
   if (lumen.gravitySource == ColonGravitySource::Assumed)
   {
-    lumen.warnings.push_back("no patient position is given and the data show no clear fluid levels; supine is assumed");
+    lumen.warnings.push_back("no patient position is given and no clear fluid levels were found; supine is assumed");
   }
 }
 } // namespace
@@ -345,7 +346,7 @@ FindGravity(const std::string & patientPosition, ColonEvidence & evidence, Colon
 {
   const auto given = GravityOfPatientPosition(patientPosition);
   const auto assumed = *GravityOfPatientPosition("supine");
-  // For the given or assumed direction, and for the one with most levels.
+  // For the given or assumed direction, and for the direction with the most levels.
   LevelsOfDirection usual;
   LevelsOfDirection clearest;
   for (const char * name : { "supine", "prone", "leftDecubitus", "rightDecubitus" })
@@ -363,7 +364,7 @@ FindGravity(const std::string & patientPosition, ColonEvidence & evidence, Colon
   }
   const bool isClear = Outweigh(clearest, ClearLevels, ClearRatio, given ? usual.area : 0.0);
   const bool isContradiction = given && isClear && !(clearest.gravity == *given);
-  // A name was given explicitly.
+  // A name was given, not a DICOM code.
   const bool isOfHeader = given && patientPosition != NameOfGravity(*given);
   const bool isOverruled = isContradiction && isOfHeader && Outweigh(clearest, CertainLevels, CertainRatio, usual.area);
   lumen.gravitySource = given && !isOverruled ? ColonGravitySource::PatientPosition

@@ -11,7 +11,7 @@ namespace shapeton
 constexpr double LargeLevel = 200.0; // mm^2
 constexpr double PoolArea = 20.0;    // mm^2
 
-/** Evidence on the volume, before single voxels are classified. */
+/** Global evidence from the volume, computed before voxel classification. */
 struct ColonEvidence
 {
   ColonGrid                       grid;
@@ -20,17 +20,17 @@ struct ColonEvidence
   double                          noise{ 0.0 };
   double                          remainingNoise{ 0.0 }; ///< after the prefilter
   double                          smoothing{ 0.0 };
-  double                          bodyMl{ 0.0 }; ///< of all matter denser than -400 HU
+  double                          bodyMl{ 0.0 }; ///< volume denser than -400 HU
   GasOfVolume                     gas;
-  std::vector<LungEvidence>       lung;        ///< of pieces of gas of at least 20 ml; zero below
-  std::vector<std::string>        kind;        ///< of pieces of gas: kind if not colon, empty for colon
+  std::vector<LungEvidence>       lung;        ///< per piece of gas; zero below 20 ml
+  std::vector<std::string>        kind;        ///< per piece of gas; empty for colon
   std::vector<char>               isCandidate; ///< pieces of gas that may be in a bowel
   std::vector<char>               isColon;     ///< pieces of gas
   Eigen::Vector3d                 gravity{ 0.0, 1.0, 0.0 };
   std::vector<Level>              levels; ///< under the candidates
   VoxelRuns                       brightSet;
   RunLabels                       brightLabels;
-  std::vector<char>               isColonBright; ///< bright pieces that are connected to colon gas or contain a seed
+  std::vector<char>               isColonBright; ///< bright pieces connected to colon gas or with a seed
   std::vector<std::vector<int>>   brightOfLevel;
   std::vector<std::array<int, 3>> brightSeeds; ///< seed points in bright matter
   bool                            isTagged{ false };
@@ -40,11 +40,11 @@ struct ColonEvidence
 void
 MeasureFluid(ColonEvidence & evidence);
 
-/** Finds bright matter, and the part of it connected to the gas of the colon. */
+/** Finds bright matter, and the pieces connected to the gas of the colon. */
 void
 FindBright(ColonEvidence & evidence);
 
-/** The box around everything that may be colon. */
+/** The bounding box of all candidates for colon. */
 VoxelBox
 BoxOfColon(const ColonEvidence & evidence);
 
@@ -55,14 +55,13 @@ struct LumenSeeds
   std::vector<std::array<int, 3>> bright;
 };
 
-/** Finds for each point (LPS, mm) the most extreme voxel within 2 mm: gas, otherwise bright. Throws ParameterError for
- * a point outside the image, or in neither. */
+/** Finds the most extreme voxel within 2 mm of each point (LPS, mm): gas if any, otherwise bright matter. Throws
+ * ParameterError for a point outside the image, or in neither. */
 LumenSeeds
 FindSeedVoxels(const ColonEvidence & evidence, const std::vector<itk::Point<double, 3>> & points);
 
-/** Sets gravity and the levels under the candidates: along the direction of the patient position, otherwise the one
- * with by far the most flat levels, otherwise supine. Warns if the position contradicts the levels, and if gravity is
- * unknown. */
+/** Sets gravity and the levels under the candidates: from the patient position, otherwise the direction with by far the
+ * most flat levels, otherwise supine. Warns if the position contradicts the levels or gravity is unknown. */
 void
 FindGravity(const std::string & patientPosition, ColonEvidence & evidence, ColonLumen & lumen);
 } // namespace shapeton

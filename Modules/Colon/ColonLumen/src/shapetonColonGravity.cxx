@@ -9,7 +9,7 @@ namespace
 struct Position
 {
   const char *           name;
-  const char *           codeEnd; // after HF or FF
+  const char *           codeEnd; // the part after HF or FF
   itk::Vector<double, 3> gravity;
 };
 

@@ -20,12 +20,12 @@ namespace shapeton
 namespace
 {
 constexpr double   GasByDefinition = -1000.0; // HU
-constexpr double   SeedShareOfGas = 0.2;      // of the way from gas to tissue
-const char * const asColon = " are taken for colon: no small bowel is that wide";
-const char * const asRectum = " are taken for rectum or sigmoid: no other colon is near the anus";
-const char * const asCatheter = ": a rectal catheter, which is filled in";
+constexpr double   SeedShareOfGas = 0.2;      // fraction of the range from gas to tissue
+const char * const asColon = " are classified as colon: too wide for small bowel";
+const char * const asRectum = " are classified as rectum or sigmoid: no other colon is near the anus";
+const char * const asCatheter = ": a rectal catheter, which was filled in";
 const char * const asTube = ": it may be a catheter; the evidence is inconclusive";
-constexpr double   TolerableNoise = 50.0; // a quarter of the way from gas to its seed threshold
+constexpr double   TolerableNoise = 50.0; // a quarter of the range from gas to its seed threshold
 
 class LumenSegmentation
 {
@@ -89,7 +89,7 @@ private:
     m_Options.progress(0.2);
   }
 
-  /** Increases smoothing in steps of 0.3 mm, only as far as the noise requires. */
+  /** Increases smoothing in steps of 0.3 mm until the noise is tolerable. */
   void
   Smooth()
   {
@@ -155,7 +155,7 @@ private:
     m_Options.progress(0.45);
   }
 
-  /** Pieces at seed points are colon, except lung. */
+  /** Marks pieces at seed points as colon; throws for lung. */
   void
   KeepSeeds()
   {
@@ -171,7 +171,7 @@ private:
     }
   }
 
-  /** Typical gas is estimated deep inside the core. */
+  /** Estimates typical gas deep inside the core pieces. */
   void
   MeasureGas()
   {
@@ -241,9 +241,9 @@ SegmentColonLumen(const itk::Image<float, 3> * ct, const ColonLumenOptions & opt
 std::string
 FailureOfMask(const itk::Image<float, 3> * ct, const itk::Image<unsigned char, 3> * mask)
 {
-  constexpr float            lungBelow = -600.0F; // HU; keeps lung at quiet breathing in one piece
-  constexpr double           leastMl = 20.0;      // of a piece large enough to be classified
-  constexpr double           mostly = 0.5;        // share of lung in the gas of a mask of lungs
+  constexpr float            lungBelow = -600.0F; // HU; includes lung at quiet breathing
+  constexpr double           leastMl = 20.0;      // minimum volume of a classified piece
+  constexpr double           mostly = 0.5;        // minimum fraction of lung in the gas of a rejected mask
   const ColonGrid            grid = GridOfImage(ct);
   const VoxelValues          hu = LoadVoxels(ct, grid);
   std::vector<unsigned char> isGas(grid.NumberOfVoxels());

@@ -11,10 +11,10 @@ namespace shapeton
 {
 namespace
 {
-constexpr double RectumLead = 30.0;     // mm nearer to the anus than the colon
+constexpr double RectumLead = 30.0;     // mm; required difference in distance to the anus
 constexpr double FarthestRectum = 60.0; // mm; loops of small bowel in the pelvis are higher or more anterior
 
-/** Calls `body(piece, point)` for both ends of all runs. */
+/** Calls `body(piece, point)` for both ends of each run. */
 template <typename TBody>
 void
 ForEachEnd(const ColonGrid & grid, const VoxelRuns & set, const RunLabels & labels, const TBody & body)
@@ -51,7 +51,7 @@ DistancesFromAnus(const ColonGrid & grid, const VoxelRuns & set, const RunLabels
   return distances;
 }
 
-/** Minimum over the chosen pieces; infinite if none is chosen. */
+/** Minimum over the selected pieces; infinity if none is selected. */
 double
 NearestOf(const std::vector<double> & distances, const std::vector<char> & isChosen)
 {
@@ -84,26 +84,26 @@ namespace
 {
 constexpr double CoreRadius = 10.0;    // mm; gas in small bowel is thinner
 constexpr double CoreMl = 20.0;        //
-constexpr double WideRadius = 12.5;    // mm; above the caliber of small bowel, 25 mm
+constexpr double WideRadius = 12.5;    // mm; small bowel has a caliber of at most 25 mm
 constexpr double WideMl = 8.0;         //
-constexpr double CutRadius = 7.0;      // mm; the size of a piece cut by the border of the image is unknown
+constexpr double CutRadius = 7.0;      // mm; for pieces of unknown size, cut by the image border
 constexpr double CutMl = 2.0;          //
 constexpr double RectumRadius = 7.0;   // mm; of gas and fluid near the anus
 constexpr double LungShare = 0.1;      // of the way from gas to tissue
 constexpr double CandidateMl = 0.05;   // smaller gas is noise
-constexpr double LungMl = 500.0;       // of lungs in view, from which airways are identified by their height
-constexpr double LungHeight = 150.0;   // mm of lungs in view; a flexure may be next to their lower half
-constexpr double FaintShare = 0.5;     // of the typical fluid's contrast
-constexpr double StomachShare = 0.25;  // of the colon's gas
+constexpr double LungMl = 500.0;       // minimum volume of lungs for identifying airways by height
+constexpr double LungHeight = 150.0;   // mm of lungs in the image; a flexure may be next to their lower half
+constexpr double FaintShare = 0.5;     // relative to the contrast of typical fluid
+constexpr double StomachShare = 0.25;  // relative to the gas of the colon
 constexpr double LongestColumn = 60.0; // mm
 
 const char * const Stomach = "stomach";
 
-/** Kind of a piece of gas that is not colon; empty if it may be colon. */
+/** Kind of a piece of gas outside the colon; empty if it may be colon. */
 std::string
 KindOfGas(const GasPiece & piece, const LungEvidence & lung, const ColonThresholds & thresholds)
 {
-  if (piece.isOutside) // under a thin shell, which also holds for lung in a thin chest wall
+  if (piece.isOutside) // under a thin shell, such as lung in a thin chest wall
   {
     return lung.IsVascularLung() ? LungKind : OutsideKind;
   }
@@ -118,7 +118,7 @@ KindOfGas(const GasPiece & piece, const LungEvidence & lung, const ColonThreshol
   return isWide ? "" : SmallBowelKind;
 }
 
-/** Area of the levels of a piece: over fluid as bright as in the colon, and over fainter matter. */
+/** Areas of the levels of a piece over fluid as bright as in the colon and over fainter matter. */
 struct LevelAreas
 {
   double bright{ 0.0 };
@@ -138,7 +138,7 @@ AreasOfPieces(const ColonEvidence & evidence)
   return areas;
 }
 
-/** Voxel steps to the places around a column, up to 4 mm across gravity, since the rim of a level is not flat. */
+/** Voxel offsets around a column, up to 4 mm perpendicular to gravity, since the rim of a level is not flat. */
 std::vector<std::array<int, 3>>
 StepsAround(const ColonGrid & grid, const GravitySteps & fall)
 {
@@ -156,7 +156,7 @@ StepsAround(const ColonGrid & grid, const GravitySteps & fall)
   return steps;
 }
 
-/** Adds voxels brighter than `least` in the column under a voxel; the first 3.5 mm may be the blurred layer. */
+/** Adds voxels brighter than `least` in the column under a voxel; the first 3.5 mm may be a blurred layer. */
 void
 AddColumn(const ColonEvidence &             evidence,
           const GravitySteps &              fall,
@@ -226,7 +226,7 @@ MarkStomach(ColonEvidence & evidence, const std::vector<LevelAreas> & areas)
   }
 }
 
-/** Allowed pieces that contain a ball of this radius together with the fluid below them. */
+/** Allowed pieces that, with the fluid below them, contain a ball of this radius. */
 std::vector<int>
 TakeOverFluid(ColonEvidence &                 evidence,
               const std::vector<LevelAreas> & areas,
@@ -261,7 +261,7 @@ HeightsOf(const ColonGrid & grid, const GasPiece & piece)
   return { { std::min(low, high), std::max(low, high) } };
 }
 
-/** Gas entirely next to the cranial half of the lungs is in airways or the esophagus. */
+/** Whether gas is only next to the cranial half of the lungs, as in airways or the esophagus. */
 void
 MarkAirways(ColonEvidence & evidence)
 {

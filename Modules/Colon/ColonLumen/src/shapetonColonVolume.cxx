@@ -10,7 +10,7 @@ namespace shapeton
 {
 namespace
 {
-/** The image axes in the order of the working grid: the one closest to the long axis of the patient is last. */
+/** The image axes in the order of the working grid; the axis closest to the long axis of the patient is last. */
 std::array<int, 3>
 WorkingOrder(const itk::ImageBase<3> * image)
 {
@@ -264,7 +264,7 @@ SmoothVoxels(const ColonGrid & grid, VoxelValues & hu, double sigma)
   for (int a = 0; a < 3; ++a)
   {
     const auto kernel = HalfKernel(sigma / grid.spacing[a]);
-    const int  other = a == 2 ? 1 : 2; // lines of one slab along this axis are processed by one thread
+    const int  other = a == 2 ? 1 : 2; // one thread processes a slab of lines along this axis
     const int  third = 3 - a - other;
     ParallelFor(grid.size[other], [&](std::size_t s) {
       std::vector<float> buffer;
@@ -280,7 +280,7 @@ double
 ShareInWall(const ColonGrid & grid, double smoothing)
 {
   constexpr double halfWall = 1.0;  // mm
-  constexpr double usualBlur = 0.8; // mm, standard deviation of the scanner's
+  constexpr double usualBlur = 0.8; // mm, standard deviation of the scanner blur
   const double     voxel = grid.spacing.maxCoeff();
   const double     variance = usualBlur * usualBlur + voxel * voxel / 12.0 + smoothing * smoothing;
   return std::erfc(halfWall / std::sqrt(2.0 * variance));
@@ -294,7 +294,7 @@ Contains(const VoxelSet & voxels, std::size_t voxel)
   return std::binary_search(voxels.begin(), voxels.end(), voxel);
 }
 
-/** Voxels around which the ball fits. */
+/** Voxels at which the ball fits. */
 VoxelSet
 WideVoxels(const ColonGrid &                        grid,
            const VoxelSet &                         voxels,
@@ -437,7 +437,7 @@ FindDeepestVoxel(const ColonGrid & grid,
   const auto      distance = SquaredDistanceToBackground(part, MaskOfRuns(grid, set, labels, label, box));
   const auto      place = std::max_element(distance.begin(), distance.end());
   DeepestVoxel    deepest;
-  // A piece that fills its whole box has no background.
+  // No background exists if a piece fills its bounding box.
   deepest.radius = std::sqrt(std::min(*place, 1e6F));
   deepest.voxel = part.Voxel(static_cast<std::size_t>(place - distance.begin()));
   for (int a = 0; a < 3; ++a)

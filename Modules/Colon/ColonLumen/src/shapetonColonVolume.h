@@ -19,8 +19,8 @@
 
 namespace shapeton
 {
-/** Geometry of a working grid. Its third axis is the image axis closest to the long axis of the patient, so its slices
- * are axial; the other two keep their order. */
+/** Geometry of a working grid. The third axis is the image axis closest to the long axis of the patient, so slices are
+ * axial; the order of the other two is unchanged. */
 struct ColonGrid : VoxelGrid
 {
   Eigen::Vector3d    spacing;
@@ -40,7 +40,7 @@ struct ColonGrid : VoxelGrid
     const auto v = this->Voxel(index);
     return this->Position(Eigen::Vector3d(v[0], v[1], v[2]));
   }
-  /** Continuous voxel coordinates of a point in LPS. */
+  /** Continuous index of a point in LPS. */
   Eigen::Vector3d
   VoxelOf(const Eigen::Vector3d & position) const
   {
@@ -51,7 +51,7 @@ struct ColonGrid : VoxelGrid
   {
     return spacing.prod();
   }
-  /** The part of this grid in a box. */
+  /** The subgrid in a box. */
   ColonGrid
   Part(const VoxelBox & box) const;
   /** The box with a margin in mm on all sides, clipped to the grid. */
@@ -64,8 +64,7 @@ using ColonImage = itk::Image<float, 3>;
 ColonGrid
 GridOfImage(const itk::ImageBase<3> * image);
 
-/** The part of an image in a working grid. Values are clamped to [-1100, 32767]: padding counts as air, NaN as
- * padding. */
+/** The part of an image in a working grid. Values are clamped to [-1100, 32767]; padding and NaN become air. */
 VoxelValues
 LoadVoxels(const ColonImage * image, const ColonGrid & grid);
 
@@ -79,7 +78,7 @@ SquaredDistanceToBackground(const ColonGrid &                  grid,
                             const std::vector<unsigned char> & mask,
                             double                             farthest = std::numeric_limits<double>::infinity());
 
-/** Calls `body(indexInImage, indexInGrid)` for all voxels of a part; each slice of the grid by one thread. */
+/** Calls `body(indexInImage, indexInGrid)` for all voxels of a part, in parallel over grid slices. */
 template <typename TBody>
 void
 ForEachVoxel(const itk::ImageBase<3> * image, const ColonGrid & grid, const TBody & body)
@@ -105,12 +104,12 @@ ForEachVoxel(const itk::ImageBase<3> * image, const ColonGrid & grid, const TBod
   });
 }
 
-/** Mode of soft tissue, HU; 40 if the volume has none between -20 and 120. */
+/** Mode of soft tissue between -20 and 120 HU; 40 if not found. */
 double
 ModeOfTissue(const VoxelValues & hu);
 
-/** Moments of blocks of about 5 mm, at least 2 voxels along each axis; the remainder at the upper ends is in no
- * block. */
+/** Moments of blocks of about 5 mm, at least 2 voxels along each axis; incomplete blocks at the upper ends are
+ * ignored. */
 struct VoxelBlocks
 {
   std::array<int, 3>  edge{ { 1, 1, 1 } }; ///< voxels
@@ -118,7 +117,7 @@ struct VoxelBlocks
   std::vector<double> mean;                ///< HU
   std::vector<double> deviation;           ///< standard deviation, HU
 
-  /** Whether the blocks contain voxels of a row. */
+  /** Whether the voxels of a row are in blocks. */
   bool
   HoldRow(int j, int k) const
   {
@@ -129,8 +128,8 @@ struct VoxelBlocks
 VoxelBlocks
 MeasureBlocks(const ColonGrid & grid, const VoxelValues & hu);
 
-/** Standard deviation of noise in soft tissue: its lower quartile over blocks of about 5 mm with a mean within 60 HU of
- * `tissue`. 0 with fewer than 20 blocks. */
+/** Standard deviation of noise in soft tissue: the lower quartile over blocks of about 5 mm with a mean within 60 HU of
+ * `tissue`; 0 for fewer than 20 blocks. */
 double
 NoiseInTissue(const ColonGrid & grid, const VoxelValues & hu, double tissue);
 
@@ -145,16 +144,16 @@ NormalDistribution(double x)
 void
 SmoothVoxels(const ColonGrid & grid, VoxelValues & hu, double sigma);
 
-/** Remaining contrast, 0..1, in the middle of a 2 mm wall between two bowels after a prefilter of sigma `smoothing` in
- * mm. */
+/** Remaining contrast (0 to 1) in the middle of a 2 mm wall between two bowels after a prefilter of sigma `smoothing`
+ * (mm). */
 double
 ShareInWall(const ColonGrid & grid, double smoothing);
 
-/** Indices of voxels, ascending: a small part of a large grid. */
+/** Ascending voxel indices of a small subset of a large grid. */
 using VoxelSet = std::vector<std::size_t>;
 
-/** Whether `holds(index, squared distance in mm^2)` for each voxel of the box within `reach` mm to each side of this
- * one; stops at the first failure. */
+/** Whether `holds(index, squared distance in mm^2)` is true for all voxels of the box of half width `reach` mm around a
+ * voxel; stops at the first failure. */
 template <typename THolds>
 bool
 ForAllWithin(const ColonGrid & grid, std::size_t voxel, double reach, const THolds & holds)
@@ -178,16 +177,16 @@ ForAllWithin(const ColonGrid & grid, std::size_t voxel, double reach, const THol
   return true;
 }
 
-/** Part labels of a set: voxels without an entry form one more part. */
+/** Part labels of a set; voxels without an entry form an additional part. */
 using VoxelParts = std::unordered_map<std::size_t, int>;
 
-/** Face-connected pieces in the order of their first voxels; each in traversal order. Voxels connect only within their
- * part. */
+/** Face-connected pieces in the order of their first voxels, each in traversal order. Connections between different
+ * parts are ignored. */
 std::vector<std::vector<std::size_t>>
 ConnectedPieces(const ColonGrid & grid, const VoxelSet & voxels, const VoxelParts & parts = {});
 
-/** Cuts a set at its necks, where no ball of this radius (mm) fits into the set and `isOpen`: for each voxel the
- * number, from 1, of the nearest wide part within the set. Empty without a wide part. */
+/** Partitions a set at necks, where no ball of this radius (mm) fits into the set and `isOpen`. Returns for each voxel
+ * the number (from 1) of the nearest wide part within the set; empty if no wide part exists. */
 VoxelParts
 PartsAtNecks(const ColonGrid &                        grid,
              const VoxelSet &                         voxels,

@@ -13,17 +13,17 @@ namespace shapeton
 namespace
 {
 constexpr double Margin = 6.0;        // mm around the lumen
-constexpr double Shell = 4.0;         // mm; no influence of the lumen beyond
-constexpr double FullyInside = 10.0;  // blurs from the wall; an error function bound is exactly 1 there
+constexpr double Shell = 4.0;         // mm; the lumen has no influence beyond this distance
+constexpr double FullyInside = 10.0;  // in units of the blur; the error function is exactly 1 there
 constexpr double ScannerBlur = 0.75;  // mm, standard deviation
-constexpr double GreatestRate = 0.15; // of one inverse diffusion step; more amplifies noise
-constexpr double ContinuedOver = 1.2; // mm, of the weights along gravity
+constexpr double GreatestRate = 0.15; // of one inverse diffusion step; higher rates amplify noise
+constexpr double ContinuedOver = 1.2; // mm, scale of the weights along gravity
 
-/** Share of lumen in a voxel, and the share of fluid in it. */
+/** Lumen fraction of a voxel, and the fluid fraction of the lumen. */
 struct Share
 {
   float lumen{ 0.0F };
-  float fluid{ 0.0F }; ///< share of the lumen part
+  float fluid{ 0.0F }; ///< fraction of the lumen part
 };
 
 class Cleansing
@@ -41,7 +41,7 @@ public:
     , m_Blur(std::sqrt(0.64 + lumen.smoothing * lumen.smoothing + std::pow(grid.spacing.maxCoeff(), 2) / 12.0))
   {}
 
-  /** Releases each volume after use: they dominate the memory of the whole run. */
+  /** Releases each volume after use, since these dominate peak memory. */
   CleansedColon
   Run(const Progress & progress)
   {
@@ -72,7 +72,7 @@ private:
   {
     m_ToGas = this->DistanceTo(1, Shell);
     m_ToFluid = this->DistanceTo(2, Shell);
-    this->ForAll([this](std::size_t p) { // uses only the voxel's own values, and replaces them
+    this->ForAll([this](std::size_t p) { // in place; depends only on values of the same voxel
       const Share share = this->DirectShare(p);
       m_Hu[p] = share.lumen;
       m_ToGas[p] = std::min(m_ToGas[p], m_ToFluid[p]);
@@ -87,7 +87,7 @@ private:
   FindOccupancy()
   {
     const double allLumen = 0.5 * m_Grid.spacing.maxCoeff() + FullyInside * m_Blur;
-    m_Occupancy = this->DistanceWithin(m_Labels, allLumen); // to the wall; replaced by the occupancy
+    m_Occupancy = this->DistanceWithin(m_Labels, allLumen); // distance to the wall; later replaced by the occupancy
     this->ForAll([&](std::size_t p) {
       m_Occupancy[p] = this->Bounded(this->Continued(p), m_Labels[p] != 0, m_Occupancy[p], m_ToLumen[p]);
     });
@@ -126,7 +126,7 @@ private:
     return LocalFluid(m_Grid, m_Hu, mask, m_Lumen.thresholds.fluid);
   }
 
-  /** Distance (mm) to the nearest voxel of a class, up to the maximum. */
+  /** Distance (mm) to the nearest voxel of a class, limited to the maximum. */
   VoxelValues
   DistanceTo(unsigned char c, double farthest) const
   {
@@ -135,7 +135,7 @@ private:
     return this->DistanceWithin(mask, farthest);
   }
 
-  /** Distance (mm) from the voxels of a mask to the nearest one outside it. */
+  /** Distance (mm) from each voxel of a mask to the nearest voxel outside. */
   VoxelValues
   DistanceWithin(const std::vector<unsigned char> & mask, double farthest) const
   {
@@ -151,7 +151,7 @@ private:
     return std::max(m_Fluid.At(v[0], v[1], v[2]), m_Lumen.thresholds.tissue + 100.0);
   }
 
-  /** The value of the matter in the lumen relative to tissue. */
+  /** Contrast of the lumen content to tissue. */
   double
   Contrast(double fluidShare, std::size_t p) const
   {
@@ -160,10 +160,10 @@ private:
                             : t.gas - t.tissue;
   }
 
-  /** Whether a share of fluid is impossible: it contradicts the nearest label, or the voxel's own label and value. With
-   * f fluid and g gas, f + g at most 1, a value above the half height of fluid limits gas to a fifth of f + g, and one
-   * below the half height of gas limits fluid to half. This happens at the rim of a level, where fluid that wets the
-   * wall rises above it. */
+  /** Whether a fluid fraction is inconsistent with the nearest label, or with the label and value of the voxel. For
+   * fluid f and gas g with f + g <= 1, a value above the half height of fluid limits gas to a fifth of f + g, and a
+   * value below the half height of gas limits fluid to half. Inconsistencies occur at the rim of a level, where fluid
+   * wets the wall. */
   bool
   IsRefuted(double share, std::size_t p) const
   {
@@ -174,7 +174,7 @@ private:
            (share < 0.5 && isFluid) || (share > 0.5 && isGas);
   }
 
-  /** Fluid fraction of the lumen share. */
+  /** Fluid fraction of the lumen. */
   double
   FluidShare(std::size_t p) const
   {
@@ -211,7 +211,7 @@ private:
     return share;
   }
 
-  /** Reliability of the value of a voxel. Computed on demand, since few voxels contain both gas and fluid. */
+  /** Reliability of a voxel value, computed on demand, since few voxels contain both gas and fluid. */
   float
   Weight(std::size_t p) const
   {
@@ -225,7 +225,7 @@ private:
     return static_cast<float>(std::min(1.0, contrast * contrast / (full * full)));
   }
 
-  /** Where gas and fluid together look like tissue, interpolates the shares above and below linearly. */
+  /** Where a mixture of gas and fluid resembles tissue, interpolates linearly between the fractions above and below. */
   double
   Continued(std::size_t p) const
   {
@@ -259,7 +259,7 @@ private:
     return trust * own + (1.0 - trust) * line;
   }
 
-  /** Bounds by the distance from the border of the labels, since an edge has no influence beyond the blur. */
+  /** Limits the occupancy by the distance from the label border, since an edge has no influence beyond the blur. */
   float
   Bounded(double share, bool isLumen, double toWall, double toLumen) const
   {
@@ -278,8 +278,8 @@ private:
     return seen < 0.01 ? 0.0F : static_cast<float>(seen);
   }
 
-  /** Restores curved walls in fluid after blur: crests of folds and heads of polyps are inside their half height. One
-   * step of inverse diffusion, as far as the voxel size allows. */
+  /** Restores curved walls in fluid by one step of inverse diffusion, limited by the voxel size. Blur shrinks the half
+   * height surface at crests of folds and heads of polyps. */
   float
   Sharpened(std::size_t p) const
   {
@@ -331,7 +331,7 @@ private:
     return image;
   }
 
-  /** Builds the CT: replaces the fluid share of each voxel by gas; a full lumen voxel becomes gas. */
+  /** Creates the cleansed CT: replaces the fluid fraction of each voxel by gas; pure lumen voxels become gas. */
   ColonImage::Pointer
   MakeCleansed() const
   {
@@ -369,7 +369,7 @@ private:
   VoxelValues                m_ToFluid;
   VoxelValues                m_ToLumen;
   VoxelValues                m_LumenShares;
-  VoxelValues                m_FluidParts; ///< of the lumen share
+  VoxelValues                m_FluidParts; ///< fractions of the lumen
   VoxelValues                m_Occupancy;
 };
 

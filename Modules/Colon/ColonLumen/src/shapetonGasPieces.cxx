@@ -20,14 +20,14 @@ constexpr double NearPlace = 20.0;   // mm along a row
 constexpr double ShareOfShell = 0.3;
 constexpr double MeasuredMl = 0.5;
 
-/** Boundary lengths and area of a slice piece, or a group of them, within the slices; mm or mm^2. */
+/** Boundary lengths (mm) and area (mm^2) within the slices of a slice piece or a group of pieces. */
 struct Outline
 {
   double border{ 0.0 };
   double edge{ 0.0 }; ///< inside the image
 };
 
-/** The outline of each labeled part of the slices. */
+/** Computes the outline of each labeled part of the slices. */
 std::vector<Outline>
 OutlinesInSlices(const ColonGrid & grid, const VoxelRuns & set, const RunLabels & labels)
 {
@@ -43,7 +43,7 @@ OutlinesInSlices(const ColonGrid & grid, const VoxelRuns & set, const RunLabels 
     (j == 0 ? outline.border : outline.edge) += length;
     (j == grid.size[1] - 1 ? outline.border : outline.edge) += length;
   });
-  // A column shared by two rows was counted from above and from below.
+  // A column shared by two rows was counted twice.
   for (int k = 0; k < set.size[2]; ++k)
   {
     for (int j = 1; j < set.size[1]; ++j)
@@ -67,7 +67,7 @@ RunsOf(const RunLabels & labels, const std::vector<char> & isIn)
   return use;
 }
 
-/** 1 for each part that contains one of the voxels. */
+/** Marks each part that contains one of the voxels. */
 std::vector<char>
 PartsOf(const VoxelRuns & set, const RunLabels & parts, const std::vector<std::array<int, 3>> & voxels)
 {
@@ -134,8 +134,8 @@ struct Section
     return PrincipalAxes(squares / voxels - mean * mean.transpose());
   }
 
-  /** Long, and oriented front to back rather than side to side, like the natal cleft, or open to the side like air next
-   * to the table. Gas over a level of fluid is long, too, but oriented sideways within the body. */
+  /** Whether a part is elongated front to back, like the natal cleft, or open to the side, like air next to the table.
+   * Gas over a fluid level is elongated sideways within the body. */
   bool
   IsLikeCleft(const ColonGrid & grid) const
   {
@@ -167,9 +167,9 @@ SectionsOfParts(const ColonGrid & grid, const VoxelRuns & set, const RunLabels &
   return sections;
 }
 
-/** Adds the natal cleft, and strips of air next to the table, to the air outside. They are long and narrow, front to
- * back or open to the side where the caudal border of the image cuts them, unlike a rectum. They continue upward while
- * the next slice shows a quarter of them; the anal canal is much smaller. */
+/** Adds the natal cleft, and strips of air next to the table, to the outside air. At the caudal image border they are
+ * long and narrow, front to back or open to the side, unlike a rectum. They are followed upward while the overlap with
+ * the next slice is at least a quarter; the anal canal is much smaller. */
 void
 AddCleft(const ColonGrid &                       grid,
          const VoxelRuns &                       set,
@@ -215,8 +215,8 @@ AddCleft(const ColonGrid &                       grid,
   }
 }
 
-/** Whether the border of the image cuts a box, ignoring the caudal border of a scan with the whole outline of the body,
- * where it cuts the natal cleft. */
+/** Whether the image border cuts a box. The caudal border is ignored if the whole outline of the body is in the image,
+ * since it cuts the natal cleft. */
 bool
 IsCut(const ColonGrid & grid, const VoxelBox & box, bool showsOutside)
 {
@@ -231,7 +231,7 @@ IsCut(const ColonGrid & grid, const VoxelBox & box, bool showsOutside)
   return isCut;
 }
 
-/** Volumes, boxes, means, centers. */
+/** Computes volumes, bounding boxes, means and centers. */
 void
 MeasurePieces(const ColonGrid & grid, const VoxelValues & hu, bool showsOutside, GasOfVolume & gas)
 {
@@ -258,7 +258,7 @@ MeasurePieces(const ColonGrid & grid, const VoxelValues & hu, bool showsOutside,
   }
 }
 
-/** Pieces that open widely to the outside across slices. */
+/** Finds pieces with a wide opening to the outside across slices. */
 void
 FindPockets(const ColonGrid & grid, GasOfVolume & gas)
 {
@@ -291,8 +291,8 @@ FindPockets(const ColonGrid & grid, GasOfVolume & gas)
   }
 }
 
-/** Whether at least a quarter of the first or last row of a slice near a place is outside air. Otherwise the row cuts
- * the body. */
+/** Whether at least a quarter of the first or last row of a slice near a position is outside air, so the row does not
+ * cut the body. */
 bool
 ShowsAir(const ColonGrid & grid, const GasOfVolume & gas, int i, int j, int k)
 {
@@ -309,8 +309,7 @@ ShowsAir(const ColonGrid & grid, const GasOfVolume & gas, int i, int j, int k)
   return outside >= ShareOfWalls * (end - begin);
 }
 
-/** Whether only a thin shell separates the end of a column of gas from the outside air, or from a border of the image
- * that is in air. */
+/** Whether only a thin shell separates the end of a gas column from outside air, or from an image border in air. */
 bool
 IsThinlyCovered(const ColonGrid & grid, const GasOfVolume & gas, int i, int j, int k, int towards)
 {
@@ -330,8 +329,8 @@ IsThinlyCovered(const ColonGrid & grid, const GasOfVolume & gas, int i, int j, i
   return false;
 }
 
-/** Hollow tables, cushions and blankets, and the natal cleft on them: their front or back is under a thin shell next to
- * known outside air. Returns whether any was found. */
+/** Adds hollow tables, cushions and blankets, and the natal cleft above them, whose front or back is a thin shell next
+ * to outside air. Returns whether any was found. */
 bool
 FindShells(const ColonGrid & grid, GasOfVolume & gas)
 {
@@ -365,7 +364,7 @@ FindShells(const ColonGrid & grid, GasOfVolume & gas)
   return isAnyNew;
 }
 
-/** Adds voxels with four neighbors in a mask: oblique columns have gaps where they change voxel rows. */
+/** Adds voxels with four neighbors in a mask, to close gaps where oblique columns change voxel rows. */
 void
 FillGaps(const ColonGrid & grid, std::vector<unsigned char> & mask)
 {
@@ -428,7 +427,7 @@ MeasureDepth(const ColonGrid & grid, const VoxelValues & hu, GasOfVolume & gas)
     const VoxelBox  box = grid.Widened(piece.box, 1e-6);
     const ColonGrid part = grid.Part(box);
     const auto      d = SquaredDistanceToBackground(part, MaskOfRuns(grid, gas.set, gas.labels, p, box));
-    // A piece that fills its whole box has no background.
+    // No background exists if a piece fills its bounding box.
     const float deepest = std::min(*std::max_element(d.begin(), d.end()), 1e6F);
     piece.radius = std::sqrt(deepest);
     const float least = std::min(9.0F, 0.36F * deepest);

@@ -15,13 +15,13 @@ struct GasPiece
   VoxelBox        box;
   Eigen::Vector3d center{ 0.0, 0.0, 0.0 }; ///< LPS
   double          mean{ 0.0 };             ///< HU
-  double          radius{ 0.0 };           ///< of the largest ball inside, mm; 0 below 0.5 ml
-  double          inside{ 0.0 };           ///< mean HU at least 3 mm deep, or in its deepest part
+  double          radius{ 0.0 };           ///< of the largest inscribed ball, mm; 0 for pieces below 0.5 ml
+  double          inside{ 0.0 };           ///< mean HU at least 3 mm deep, or in the deepest part
   bool            isOutside{ false };      ///< outside air, even if enclosed in a slice
-  bool            isCut{ false }; ///< cut by the border of the image, except by its caudal one next to outside air
+  bool            isCut{ false }; ///< cut by the image border, except by the caudal border next to outside air
 };
 
-/** All gas of a volume, and its part outside the body. Entry 0 of `pieces` is the air outside. */
+/** All gas of a volume. Entry 0 of `pieces` is the air outside the body. */
 struct GasOfVolume
 {
   VoxelRuns             set;
@@ -30,14 +30,13 @@ struct GasOfVolume
   std::vector<char>     isOutsideRun;
 };
 
-/** Finds voxels below `seed`. Air is outside if in a slice it touches the border of the image and this border is at
- * least
- * 0.6 times as long as its edge inside the image, or a quarter of the image border. The path around a convex body is
- * never shorter than the outline of the body, measured along rows and columns, while gas in a bowel cut by the border
- * has a long wall and a short cut. Slices are tested one by one because an open rectal tube connects the rectum to the
- * room. A piece that opens to the outside across slices with more than a quarter of its largest section is outside,
- * too, and so is a piece that mostly ends, in front or behind, at a thin shell over outside air: tables, cushions. The
- * natal cleft is outside, too. Air that contains one of the `kept` voxels is not outside. */
+/** Finds voxels below `seed`. Air is outside if it touches the image border in a slice and this border is at least 0.6
+ * times as long as its edge inside the image, or a quarter of the image border. For air around a convex body, the
+ * border is at least as long as the body outline, measured along rows and columns; for gas in a truncated bowel, it is
+ * short. Slices are tested separately because an open rectal tube connects the rectum to the room. Also outside are
+ * pieces with an opening across slices of more than a quarter of their largest section, pieces mostly behind a thin
+ * shell next to outside air (tables, cushions), and the natal cleft. Air that contains one of the `kept` voxels is not
+ * outside. */
 GasOfVolume
 FindGas(const ColonGrid & grid, const VoxelValues & hu, double seed, const std::vector<std::array<int, 3>> & kept);
 
@@ -50,7 +49,7 @@ struct MeasuredPiece
   double radius{ 0.0 }; ///< mm
 };
 
-/** Volume and inscribed radius of a piece together with additional voxels. */
+/** Volume and inscribed radius of a piece with additional voxels. */
 MeasuredPiece
 MeasureTogether(const ColonGrid &                       grid,
                 const GasOfVolume &                     gas,

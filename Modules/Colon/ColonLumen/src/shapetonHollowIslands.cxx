@@ -15,14 +15,14 @@ constexpr double LargestBore = 80.0;    // mm^2
 constexpr double WallThickness = 1.0;   // mm
 constexpr double CanalReach = 60.0;     // mm below the gas of the rectum
 constexpr double RingWidth = 4.0;       // mm around the catheter
-constexpr double LeastBody = 0.75;      // of the ring, tissue or lumen
+constexpr double LeastBody = 0.75;      // minimum fraction of the ring in tissue or lumen
 
 /** Parts of slices outside the lumen. */
 struct Islands
 {
   VoxelRuns         set;
   RunLabels         labels;
-  std::vector<char> isSmall; ///< enclosed by lumen in its slice
+  std::vector<char> isSmall; ///< small and enclosed by lumen in the slice
   std::vector<char> hasGas;
 };
 
@@ -51,7 +51,7 @@ FindIslands(const ColonGrid & grid, const VoxelValues & hu, double gasBoundary, 
   return islands;
 }
 
-/** Adds small islands above or below accepted ones, slice by slice up to the tip. */
+/** Adds small islands above or below accepted ones, slice by slice, up to the tip. */
 void
 TakeTips(const ColonGrid & grid, const Islands & islands, std::vector<char> & taken)
 {
@@ -82,7 +82,7 @@ public:
     : m_Grid(grid), m_Hu(hu), m_GasBoundary(gasBoundary), m_Classes(classes), m_State(grid.stride[2], Unseen)
   {}
 
-  /** \param bore gas of the catheter in a slice where lumen encloses it. */
+  /** \param bore gas of the catheter in a slice where it is enclosed by lumen. */
   void
   Walk(std::vector<std::size_t> bore)
   {
@@ -112,14 +112,14 @@ private:
     Seen
   };
 
-  /** Gas not known to be lumen: that of the catheter, and outside air. */
+  /** Gas outside the lumen: in the catheter, or outside air. */
   bool
   IsOtherGas(std::size_t p) const
   {
     return m_Hu[p] < m_GasBoundary && !IsColonLumen(m_Classes[p]);
   }
 
-  /** Voxels of the slice within a distance of the given ones, including these. */
+  /** Dilation of voxels within the slice. */
   std::vector<std::size_t>
   Around(const std::vector<std::size_t> & voxels, double distance)
   {
@@ -156,7 +156,7 @@ private:
     }
   }
 
-  /** Gas in this slice connected to the voxels above or below the bore; empty if it is not a bore. */
+  /** Gas in this slice adjacent to the bore in the previous slice; empty if it is not a bore. */
   std::vector<std::size_t>
   NextBore(const std::vector<std::size_t> & bore, int slice)
   {
@@ -224,7 +224,7 @@ FillHollowIslands(const ColonGrid & grid, const VoxelValues & hu, double gasBoun
     taken[i] = islands.isSmall[i] && islands.hasGas[i];
   }
   TakeTips(grid, islands, taken);
-  // Gas of the catheter in each slice where lumen encloses it.
+  // Gas of the catheter in each slice where it is enclosed by lumen.
   std::vector<std::vector<std::size_t>> bores(taken.size());
   ForEachRun(islands.set, [&](std::size_t r, int j, int k) {
     const int island = islands.labels.ofRun[r];

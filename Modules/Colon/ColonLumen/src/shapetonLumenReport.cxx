@@ -17,7 +17,7 @@ constexpr double LeastPieceMl = 0.05;
 constexpr double LeastLeftOutMl = 1.0;
 constexpr double LeastBrightMl = 10.0;
 constexpr double LeastBrightRadius = 7.0; // mm
-constexpr double UsableMl = 400.0;        // or UsableShare of the body, if the image shows less of it
+constexpr double UsableMl = 400.0;        // or UsableShare of the body if that is less
 constexpr double UsableShare = 0.02;
 constexpr double UsableRadius = 10.0; // mm
 
@@ -43,7 +43,7 @@ Rounded(double value, int digits)
   return text.str();
 }
 
-/** Sums over one connected part. */
+/** Accumulated sums of one connected part. */
 struct PieceSums
 {
   double          gas{ 0.0 };
@@ -155,7 +155,7 @@ DescribeOtherBright(const LumenVoxels & voxels, ColonLumen & lumen)
     rest.what = "other bright matter";
     rest.why =
       "as bright as tagged fluid, inscribed radius " + Rounded(deepest.radius, 1) +
-      " mm, no level of the colon above it: small bowel, bone, or fluid-filled colon, which a seed point includes";
+      " mm, no level of the colon above it: small bowel, bone, or fluid-filled colon; a seed point adds it to the colon";
     rest.ml = ml;
     rest.inscribedRadius = deepest.radius;
     rest.meanHU = voxels.hu[middle];
@@ -164,7 +164,7 @@ DescribeOtherBright(const LumenVoxels & voxels, ColonLumen & lumen)
   }
 }
 
-/** For each piece of gas that may be colon except for its width: one voxel per cell of 5 mm. */
+/** One voxel per cell of 5 mm for each piece of gas classified as small bowel. */
 std::vector<std::vector<itk::Point<double, 3>>>
 PlacesOfThinGas(const ColonEvidence & evidence)
 {
@@ -189,7 +189,7 @@ PlacesOfThinGas(const ColonEvidence & evidence)
   return places;
 }
 
-/** Reason for the kind of a piece of gas. */
+/** Explains the kind of a piece of gas. */
 std::string
 ReasonOf(const ColonEvidence & evidence, std::size_t piece)
 {
@@ -258,7 +258,7 @@ LargestLung(const ColonEvidence & evidence)
   return largest;
 }
 
-/** Gas inside the body that is not colon, ml. */
+/** Volume (ml) of gas inside the body outside the colon. */
 struct GasLeftOut
 {
   double thinBowel{ 0.0 };

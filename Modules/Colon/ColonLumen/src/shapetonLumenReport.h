@@ -11,18 +11,18 @@ EmptyLabels(const ColonImage * image);
 void
 WriteLabels(const ColonImage * image, const LumenVoxels & voxels, ColonLumen & lumen);
 
-/** Connected parts of the lumen of at least 0.05 ml; WriteLabels() removes smaller ones from the labels. */
+/** Connected parts of the lumen of at least 0.05 ml; WriteLabels() removes smaller parts from the labels. */
 void
 DescribePieces(const LumenVoxels & voxels, ColonLumen & lumen);
 
 void
 DescribeLevels(const ColonEvidence & evidence, const LumenVoxels & voxels, ColonLumen & lumen);
 
-/** Other matter as bright as the fluid of the colon, of at least 10 ml and with a ball of 7 mm radius. */
+/** Lists other matter as bright as the fluid of the colon, with at least 10 ml and an inscribed radius of 7 mm. */
 void
 DescribeOtherBright(const LumenVoxels & voxels, ColonLumen & lumen);
 
-/** Thresholds, noise, and gas of at least 1 ml that is not colon. */
+/** Reports thresholds, noise, and gas of at least 1 ml outside the colon. */
 void
 DescribeRest(const ColonEvidence & evidence, ColonLumen & lumen);
 

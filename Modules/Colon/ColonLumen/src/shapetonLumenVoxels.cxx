@@ -21,7 +21,7 @@ IsGrowing(unsigned char c)
   return c >= ColonGas && c <= OtherBright;
 }
 
-/** The voxels of growing classes that touch one of another class. */
+/** The voxels of growing classes next to a voxel of another class. */
 std::vector<std::size_t>
 Front(const ColonGrid & grid, const ClassVolume & classes)
 {
@@ -167,7 +167,7 @@ namespace
 constexpr double LevelReach = 6.0;  // mm around the flat part of a level
 constexpr double LevelLeeway = 0.5; // mm
 
-/** Distance over which values pass from gas to fluid, mm: between 31 % and 81 % of a blurred step. */
+/** Width (mm) of the transition from gas to fluid, between 31 % and 81 % of a blurred step. */
 double
 LayerThickness(const LumenField & field)
 {
@@ -175,7 +175,7 @@ LayerThickness(const LumenField & field)
   return 1.38 * std::sqrt(UsualBlur * UsualBlur + smoothing * smoothing + field.fall.step * field.fall.step / 12.0);
 }
 
-/** Proximity to the floors of the levels of the colon. */
+/** Tests for proximity to the levels of the colon. */
 class NearLevels
 {
 public:
@@ -226,7 +226,7 @@ private:
   LateralCells                     m_Cells;
 };
 
-/** Searches up and down from a voxel. The steps are tabulated, since most voxels need all of them. */
+/** Searches up and down from a voxel with precomputed steps. */
 class Column
 {
 public:
@@ -239,7 +239,7 @@ public:
     }
   }
 
-  /** Whether gas is above the voxel and fluid below within the steps, and nothing else in between. */
+  /** Whether, within the steps, gas is directly above the undecided voxels and fluid directly below. */
   bool
   IsBetweenGasAndFluid(std::size_t p) const
   {
@@ -275,8 +275,7 @@ private:
   std::vector<std::array<int, 3>> m_Offsets;
 };
 
-/** Fills the layer in which values pass from gas to fluid, only near levels: elsewhere there may be a wall in
- * between. */
+/** Fills the transition from gas to fluid, only near levels; elsewhere a wall may be in between. */
 void
 FillLevelLayers(LumenField & field)
 {
@@ -298,8 +297,8 @@ FillLevelLayers(LumenField & field)
 }
 
 constexpr double GrowthReach = 3.0;       // mm
-constexpr double LeastCompetingMl = 0.05; // of other bright matter that competes
-constexpr double FaintDepth = 2.0;        // mm below a level, searched for faintly tagged fluid
+constexpr double LeastCompetingMl = 0.05; // minimum volume of competing bright matter
+constexpr double FaintDepth = 2.0;        // mm below a level; search depth for faintly tagged fluid
 constexpr double FilledCavityMl = 0.03;
 
 void
@@ -327,7 +326,7 @@ PaintBright(LumenField & field)
   });
 }
 
-/** Pockets of gas that share a level with the fluid of the colon. */
+/** Finds gas pockets with a level on the fluid of the colon. */
 bool
 TakeGasOverFluid(LumenField & field)
 {
@@ -353,7 +352,7 @@ TakeGasOverFluid(LumenField & field)
   return found;
 }
 
-/** Bright pieces under levels of gas newly identified as colon: to be decided like the initial ones. */
+/** Marks bright pieces under levels of newly identified colon gas as undecided. */
 bool
 TakeBrightUnderGas(LumenField & field)
 {
@@ -381,7 +380,7 @@ TakeBrightUnderGas(LumenField & field)
   return found;
 }
 
-/** Grows certain gas and fluid into the voxels around. */
+/** Grows certain gas and fluid into adjacent voxels. */
 void
 Grow(LumenField & field)
 {
@@ -401,7 +400,7 @@ Grow(LumenField & field)
   });
 }
 
-/** Faintly tagged fluid under the levels of the colon, without certainly bright matter. */
+/** Adds faintly tagged fluid under the levels of the colon. */
 std::vector<std::size_t>
 FaintSeeds(const LumenField & field)
 {
@@ -427,7 +426,7 @@ FaintSeeds(const LumenField & field)
   return seeds;
 }
 
-/** Walls are detected in the input itself, since the prefilter would hide them. */
+/** Detects walls in the unfiltered input, since the prefilter would blur them. */
 void
 AddUnmixed(const ColonImage * image, LumenField & field)
 {
@@ -446,7 +445,7 @@ AddUnmixed(const ColonImage * image, LumenField & field)
   }
 }
 
-/** Removes noise specks inside the lumen; polyps on thin stalks are larger. */
+/** Removes noise specks inside the lumen, smaller than polyps on thin stalks. */
 void
 FillCavities(LumenField & field)
 {

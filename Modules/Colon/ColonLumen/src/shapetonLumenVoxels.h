@@ -17,7 +17,7 @@ enum LumenClass : unsigned char
   ColonFluid = 2,
   OtherGas = 3,
   OtherBright = 4,
-  Undecided = 5 ///< bright and connected to the fluid of the colon, possibly by a leak
+  Undecided = 5 ///< bright and connected to the fluid of the colon, possibly through a leak
 };
 
 using ClassVolume = std::vector<unsigned char>;
@@ -29,8 +29,8 @@ IsColonLumen(unsigned char c)
   return c == ColonGas || c == ColonFluid;
 }
 
-/** Grows the first four classes at the same rate, by faces, by at most `layers`, into voxels where `mayEnter(voxel,
- * class)` holds. The colon has priority in ties. */
+/** Grows the first four classes at the same rate over voxel faces, by at most `layers`, into voxels where
+ * `mayEnter(voxel, class)` is true. The colon has priority in ties. */
 void
 GrowClasses(const ColonGrid &                                               grid,
             ClassVolume &                                                   classes,
@@ -40,14 +40,14 @@ GrowClasses(const ColonGrid &                                               grid
 /** The part of the volume around the colon during voxel classification. The evidence refers to the whole volume. */
 struct LumenField
 {
-  /** Moves the intensities out of `evidence` to save memory. */
+  /** Moves the intensities from `evidence` to save memory. */
   explicit LumenField(ColonEvidence & colonEvidence);
 
   /** Sets the class of the voxels of a run of the whole volume. */
   void
   Fill(const VoxelRun & run, int j, int k, unsigned char voxelClass);
 
-  /** Voxel of this part; false for a voxel of the whole volume outside it. */
+  /** Converts a voxel of the whole volume to this part; false if outside. */
   bool
   Local(std::size_t whole, std::array<int, 3> & v) const;
 
@@ -55,12 +55,12 @@ struct LumenField
   std::ptrdiff_t
   Below(const std::array<int, 3> & v, int t) const;
 
-  /** Distance from the last gas voxel down to fluid under a level, mm: three coarse voxels, two of which are in the
+  /** Search distance (mm) from the lowest gas voxel down to fluid: three coarse voxels, two of which are in the
    * rise. */
   double
   FluidReach() const;
 
-  /** Whether a level is one of tagged fluid. */
+  /** Whether a level is the surface of tagged fluid. */
   bool
   IsTagged(const Level & level) const
   {
@@ -89,13 +89,13 @@ struct LumenVoxels
   ColonGrid          grid;
   VoxelValues        hu;
   ClassVolume        classes;
-  std::vector<Level> levels; ///< of the colon; floors are voxels of `grid`
+  std::vector<Level> levels; ///< levels of the colon; floors are voxels of `grid`
 
   std::optional<RectalCatheter> catheter;
 };
 
-/** Classifies voxels. Moves the intensities out of `evidence` to save memory, and marks there pieces of gas identified
- * as colon by their position over its fluid. */
+/** Classifies voxels. Moves the intensities from `evidence` to save memory, and marks there additional pieces of gas
+ * above the fluid of the colon. */
 LumenVoxels
 DecideVoxels(const ColonImage * image, ColonEvidence & evidence);
 } // namespace shapeton

@@ -9,16 +9,16 @@ namespace shapeton
 {
 namespace
 {
-// Real scans (median HU above room air, parenchyma, vessels per 100 cm^2): lungs of a chest 108, .99, 9.5, lung bases
-// 92, .91, 11.7; gas of colons 3 to 38, .03 to .15 (.30 in one piece of 38 ml), 0 to 0.2. The limits are in the middle
-// of the gaps.
+// Measured on clinical CT (median HU above room air, parenchyma, vessels per 100 cm^2): lungs of a chest 108, .99, 9.5,
+// lung bases 92, .91, 11.7; gas of colons 3 to 38, .03 to .15 (.30 in one piece of 38 ml), 0 to 0.2. The limits are
+// halfway between.
 constexpr double LungExcess = 105.0;      // HU above air; denser gas is always lung
 constexpr double ParenchymaExcess = 60.0; // HU above air
 constexpr double DensestExcess = 500.0;   // HU above air; lung at full expiration
-constexpr double MixedShare = 0.2;        // of the variance of a mixture of gas and tissue with that mean
-constexpr double MostlyParenchyma = 0.5;  // with few vessels
+constexpr double MixedShare = 0.2;        // relative to the variance of a mixture of gas and tissue with the same mean
+constexpr double MostlyParenchyma = 0.5;  // sufficient with few vessels
 constexpr double FewVessels = 1.5;        // per 100 cm^2
-constexpr double SomeParenchyma = 0.2;    // with many vessels: emphysema has nearly the HU of air
+constexpr double SomeParenchyma = 0.2;    // sufficient with many vessels, since emphysema is nearly as dark as air
 constexpr double ManyVessels = 4.0;       // per 100 cm^2
 constexpr double ShareInPiece = 0.3;      // of a block
 constexpr double ShareInside = 0.9;       // of a block
@@ -27,16 +27,16 @@ constexpr double LeastSection = 300.0;    // mm^2 of gas in an axial slice
 constexpr double LeastVessel = 3.0;       // mm^2
 constexpr double LargestVessel = 100.0;   // mm^2; a larger one is a fold or a wall
 constexpr float  VesselHU = -500.0F;      // a vessel reaches half of the contrast even when blurred by the scanner
-constexpr float  Padding = -1095.0F;      // reconstruction values outside the circle are below
+constexpr float  Padding = -1095.0F;      // values outside the reconstruction circle are below
 
-/** Number of islands of tissue enclosed by the gas of a slice, and area of the gas, mm^2. */
+/** Number of tissue islands enclosed by gas in a slice, and gas area (mm^2). */
 struct SliceCount
 {
   double area{ 0.0 };
   int    vessels{ 0 };
 };
 
-/** Pixels of a slice, 1 for gas of the piece; counted pixels are cleared. */
+/** Pixels of a slice: 1 for gas of the piece; visited pixels are cleared. */
 class SliceIslands
 {
 public:
@@ -56,7 +56,7 @@ public:
     }
   }
 
-  /** Calls `body(i, j)` for the pixels of an island; false if there is none. */
+  /** Calls `body(i, j)` for the pixels of an island; false if none is left. */
   template <typename TBody>
   bool
   Take(int i, int j, const TBody & body)
@@ -65,7 +65,7 @@ public:
   }
 
 private:
-  /** `reach` 1: across edges of pixels; 2: also across corners. */
+  /** `reach` 1: 4-connected; 2: 8-connected. */
   template <typename TBody>
   bool
   Fill(int i, int j, int reach, const TBody & body)
@@ -129,7 +129,7 @@ LungEvidence::IsLung() const
 double
 RoomAir(const ColonGrid & grid, const VoxelValues & hu, const GasOfVolume & gas)
 {
-  constexpr int         margin = 3; // voxels from the body or the table, where values are mixed
+  constexpr int         margin = 3; // voxels; excludes partial volume at the body or the table
   constexpr std::size_t least = 1000;
   std::vector<float>    values;
   ForEachRun(gas.set, [&](std::size_t r, int j, int k) {
@@ -157,7 +157,7 @@ struct LungSearch::Shares
 {
   std::size_t         parenchyma{ 0 };
   std::size_t         gas{ 0 };
-  std::vector<double> means; ///< of blocks entirely inside
+  std::vector<double> means; ///< of blocks completely inside
 };
 
 LungSearch::LungSearch(const ColonGrid &   grid,
@@ -206,7 +206,7 @@ LungSearch::Measure(int piece) const
   return evidence;
 }
 
-/** Uniform and denser than air: a block across the border of gas and tissue has a similar mean, but varies. */
+/** Whether a block is uniform and denser than air; blocks across the border of gas and tissue are not uniform. */
 bool
 LungSearch::IsParenchyma(std::size_t block) const
 {

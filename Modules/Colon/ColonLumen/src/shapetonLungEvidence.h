@@ -10,23 +10,23 @@ namespace shapeton
 {
 /** \brief Absolute measures that distinguish lung from the gas of a bowel.
  *
- * Gas in a bowel has the HU of room air up to a thin wall. Lung is denser than air throughout, uniform over a few mm,
- * and contains vessels, whose cross sections are islands of tissue in each axial slice. */
+ * Gas in a bowel has the HU of room air up to the thin wall. Lung is uniformly denser than air and contains vessels,
+ * whose cross sections are tissue islands in axial slices. */
 struct LungEvidence
 {
-  double excess{ 0.0 };     ///< median of blocks of 5 mm inside the piece above room air, HU
-  double parenchyma{ 0.0 }; ///< share of parenchyma among the blocks in and within 10 mm of the piece, 0 to 1
+  double excess{ 0.0 };     ///< median HU above room air of blocks of 5 mm inside the piece
+  double parenchyma{ 0.0 }; ///< fraction of parenchyma blocks in and within 10 mm of the piece, 0 to 1
   double vessels{ 0.0 };    ///< cross sections of vessels per 100 cm^2 of the piece in axial slices
 
   bool
   IsLung() const;
-  /** Certain lung, which not even a foam table or a blanket resembles. */
+  /** Whether it is certainly lung, not even a foam table or a blanket. */
   bool
   IsVascularLung() const;
 };
 
-/** HU of air outside the body, clamped to [-1000, -950] (a scanner may cut off below); -1000 without such air in the
- * volume. */
+/** HU of air outside the body, clamped to [-1000, -950], since scanners may truncate lower values; -1000 if not in the
+ * image. */
 double
 RoomAir(const ColonGrid & grid, const VoxelValues & hu, const GasOfVolume & gas);
 
@@ -56,7 +56,7 @@ private:
   const VoxelValues & m_HU;
   const GasOfVolume & m_Gas;
   double              m_Air;
-  double              m_Contrast; ///< of tissue above air, HU
+  double              m_Contrast; ///< between tissue and air, HU
   double              m_Noise;
   VoxelBlocks         m_Blocks;
   std::vector<char>   m_IsOutside; ///< blocks that contain air outside the body

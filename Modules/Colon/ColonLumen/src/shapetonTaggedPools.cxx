@@ -16,12 +16,12 @@ namespace shapeton
 {
 namespace
 {
-constexpr double PassageRadius = 2.5;   // mm; a narrower connection of two parts of the fluid is a leak
-constexpr double PassageInVoxels = 1.4; // the minimum radius of a passage, to exclude layers crossed by a wall
-constexpr double ThinReach = 12.0;      // mm from wide fluid, or from a level, to the end of a thin layer
-constexpr double DeepestWide = 20.0;    // mm from a level down to a wide part
+constexpr double PassageRadius = 2.5;   // mm; narrower connections between parts of the fluid are leaks
+constexpr double PassageInVoxels = 1.4; // minimum radius of a passage, to exclude layers across a wall
+constexpr double ThinReach = 12.0;      // maximum length (mm) of a thin layer from wide fluid or a level
+constexpr double DeepestWide = 20.0;    // maximum depth (mm) of a wide part below a level
 
-/** The parts of the undecided matter as wide as a passage, with those of the colon marked. */
+/** Undecided matter at least as wide as a passage, with the parts in the colon marked. */
 class WideFluid
 {
 public:
@@ -44,8 +44,7 @@ public:
     m_IsColon.assign(m_Labels.number + 1, 0);
   }
 
-  /** Marks the fluid directly under the levels of the colon, and its wide parts reached by columns from there without a
-   * wall in between. */
+  /** Marks the fluid directly under the levels of the colon, and wide parts below it without a wall in between. */
   void
   MarkUnderLevels()
   {
@@ -94,7 +93,7 @@ public:
   }
 
 private:
-  /** One column under a level: its first fluid, and a vote on the first wide part below. */
+  /** Processes one column under a level: marks the first fluid, and votes on the first wide part below. */
   void
   MarkColumn(const Level & level, const std::array<int, 3> & floor, std::vector<LevelColumn::Votes> & votes)
   {
@@ -157,14 +156,14 @@ SplitAtNecks(LumenField & field)
 namespace
 {
 constexpr double LeastPoolContrast = 100.0; // HU above tissue
-constexpr double Plateau = 0.75;            // of the contrast of a core: a wall in between is below it
-constexpr double GreatestDepth = 15.0;      // mm, volume of a core over its open contact area with the fluid
+constexpr double Plateau = 0.75;            // relative to the contrast of a core; a wall in between is below
+constexpr double GreatestDepth = 15.0;      // mm, ratio of core volume to open contact area with the fluid
 constexpr double LeastCoreMl = 0.05;
-constexpr double NeckRadius = 2.5; // mm; narrower connected matter is judged separately
+constexpr double NeckRadius = 2.5; // mm; parts connected by narrower necks are tested separately
 
 struct Arrival
 {
-  float       faintest; ///< mean value on the way
+  float       faintest; ///< minimum of the mean values on the path
   std::size_t voxel;
 
   bool
@@ -205,7 +204,7 @@ public:
   }
 
 private:
-  /** Mean of a voxel and its face neighbors: less noise, and a wall of two voxels remains visible. */
+  /** Mean of a voxel and its face neighbors, to reduce noise while preserving walls of two voxels. */
   float
   Mean(std::size_t voxel) const
   {
@@ -218,7 +217,7 @@ private:
     return sum / static_cast<float>(count);
   }
 
-  /** Visits reachable voxels, brightest paths first, so each voxel gets its best path. */
+  /** Visits reachable voxels in order of path brightness, so the first path to each voxel is the best. */
   void
   Flood(const VoxelSet & seeds)
   {
@@ -261,7 +260,7 @@ private:
     }
   }
 
-  /** Whether fluid is within two voxels, or 2 mm: reached matter there may be its blurred edge. */
+  /** Whether fluid is within two voxels or 2 mm, where matter may be its blurred edge. */
   bool
   IsNearFluid(std::size_t p) const
   {
@@ -271,7 +270,7 @@ private:
     });
   }
 
-  /** Reached voxels beyond the blurred edge, in pieces of at least LeastCoreMl that are open to the fluid; by index. */
+  /** Cores: reached voxels beyond the blurred edge, in pieces of at least LeastCoreMl open to the fluid. */
   VoxelSet
   Cores(const VoxelSet & seeds) const
   {
@@ -289,7 +288,7 @@ private:
     return this->OpenPieces(cores);
   }
 
-  /** The lowest value on the straight line to the nearest fluid voxel within three voxels; empty if there is none. */
+  /** Minimum value on the line to the nearest fluid voxel within three voxels; empty if none. */
   std::optional<double>
   DipTowardsFluid(std::size_t p) const
   {
@@ -321,8 +320,7 @@ private:
     return dip;
   }
 
-  /** Whether a core has a broad contact to the fluid, mostly without a dip of the values in between, or contains a
-   * seed. */
+  /** Whether a core contains a seed, or broadly contacts the fluid, mostly without a dip in between. */
   bool
   IsOpenToFluid(const VoxelSet & piece) const
   {
@@ -363,7 +361,7 @@ private:
     return kept;
   }
 
-  /** Adds the cores and adjacent voxels above their half height. */
+  /** Adds cores and adjacent voxels above their half height. */
   void
   GrowBack(const VoxelSet & cores)
   {
@@ -396,7 +394,7 @@ private:
   double                                 m_Least;
   double                                 m_Tissue;
   double                                 m_Tolerance;
-  double                                 m_Voxel; ///< mm, 1 at least
+  double                                 m_Voxel; ///< mm, at least 1
   ClassVolume &                          m_Classes;
   VoxelSet                               m_Seeds;
   std::unordered_map<std::size_t, float> m_Reached;
@@ -422,15 +420,14 @@ AddUnmixedFluid(const ColonGrid &                grid,
 namespace
 {
 constexpr double LeastMl = 50.0;
-constexpr double LeastRadius = 14.0; // mm; small bowel is 25 mm wide, plus voxel effects
+constexpr double LeastRadius = 14.0; // mm; small bowel has a diameter of 25 mm, plus discretization
 constexpr double RectumMl = 20.0;
 constexpr double PoolRectumRadius = 10.0; // mm
-constexpr double LeastLength = 2.5;       // in volumes of the inscribed ball
+constexpr double LeastLength = 2.5;       // in volumes of the largest inscribed ball
 constexpr double WellTagged = 300.0;      // HU above tissue
-constexpr double SimilarShare = 0.25;     // of the fluid's contrast
+constexpr double SimilarShare = 0.25;     // relative to the contrast of the fluid
 
-/** Mean of up to 27 voxels at the center of the largest ball, which may be on the border of the image if that cuts the
- * ball. */
+/** Mean of up to 27 voxels at the center of the largest inscribed ball, which may be at the image border. */
 bool
 IsAsBright(const ColonEvidence & evidence, const std::array<int, 3> & middle)
 {

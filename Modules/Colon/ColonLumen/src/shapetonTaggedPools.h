@@ -7,19 +7,18 @@
 
 namespace shapeton
 {
-/** Decides Undecided voxels. Bright matter connected to the levels and seeds of the colon by a wide passage is colon;
- * the rest competes for the space between. Thin matter is colon only within 12 mm of wide fluid or a level; beyond it
- * is bone or another bowel. */
+/** Classifies Undecided voxels. Bright matter connected to the levels and seeds of the colon by a wide passage is
+ * colon; the other parts compete for the voxels in between. Thin matter is colon only within 12 mm of wide fluid or a
+ * level; farther away it is bone or another bowel. */
 void
 SplitAtNecks(LumenField & field);
 
-/** Adds fainter fluid connected to the fluid of the colon: layers of poorly mixed contrast agent.
+/** Adds fainter fluid connected to the fluid of the colon, such as layers of poorly mixed contrast agent.
  *
- * From the fluid, paths run through matter brighter than tissue, on means of 3 by 3 by 3 voxels. A path may continue to
- * fainter matter but not to brighter matter again, since the wall between the colon and another bowel is a dip. Matter
- * too far from the fluid to be its blurred edge is a core; each core is grown back to the half height between tissue
- * and itself. Dips are detected in `sharp`, the values without the prefilter of sigma `smoothing` (mm). `seeds`: voxels
- * that are cores from the start. */
+ * Paths from the fluid through matter brighter than tissue are searched on means of 3 by 3 by 3 voxels. Values may only
+ * decrease along a path, since the wall to another bowel is a dip. Matter too far from the fluid to be its blurred edge
+ * is a core; each core is grown to its half height above tissue. Dips are detected in `sharp`, the values without the
+ * prefilter of sigma `smoothing` (mm). `seeds` are initial cores. */
 void
 AddUnmixedFluid(const ColonGrid &                grid,
                 const VoxelValues &              hu,
@@ -34,14 +33,14 @@ AddUnmixedFluid(const ColonGrid &                grid,
 struct FluidWithoutGas
 {
   double          ml{ 0.0 };
-  bool            isRectum{ false };       ///< identified because nothing else is near the anus
-  Eigen::Vector3d center{ 0.0, 0.0, 0.0 }; ///< of the largest ball inside, LPS, mm
+  bool            isRectum{ false };       ///< whether identified because no other colon is near the anus
+  Eigen::Vector3d center{ 0.0, 0.0, 0.0 }; ///< of the largest inscribed ball, LPS, mm
 };
 
-/** Adds bright matter without a level if its caliber exceeds that of small bowel: at least 50 ml, an inscribed radius
- * of at least 14 mm, longer than wide, unlike a bladder, and as bright as the fluid of the colon. Applies only if fluid
- * is tagged so well (300 HU above tissue) that no bone of that width is as bright. Each becomes a seed point of
- * `evidence`. Nearer to the anus than the colon (see PiecesNearerToAnus()) 20 ml and 10 mm are enough. */
+/** Adds bright matter without a level that is wider than small bowel: at least 50 ml, an inscribed radius of at least
+ * 14 mm, elongated (unlike a bladder), and as bright as the fluid of the colon. Requires fluid tagged so well (300 HU
+ * above tissue) that bone of that width is less bright. Each piece becomes a seed point of `evidence`. Nearer to the
+ * anus than the colon (see PiecesNearerToAnus()), 20 ml and 10 mm are sufficient. */
 std::vector<FluidWithoutGas>
 TakeFluidWithoutGas(ColonEvidence & evidence);
 } // namespace shapeton

@@ -19,7 +19,7 @@ namespace
 constexpr double AxisStep = 1.0;   // mm
 constexpr double AxisSmooth = 3.0; // mm, standard deviation
 
-/** The part of a mask not covered by any ball inside it. */
+/** Residue of the morphological opening of a mask by a ball. */
 std::vector<unsigned char>
 WithoutBalls(const ColonGrid &                  grid,
              const std::vector<unsigned char> & mask,
@@ -52,7 +52,7 @@ PiecesOf(const ColonGrid & grid, const std::vector<unsigned char> & mask)
   return pieces;
 }
 
-/** Shortest paths within a set from one voxel to each, by their numbers in the set. */
+/** Shortest paths within a set from one voxel to all others, indexed by position in the set. */
 struct Ways
 {
   std::vector<double>      length; ///< mm
@@ -65,7 +65,7 @@ struct Ways
   }
 };
 
-/** Finds paths in a connected set over faces, edges and corners of voxels. */
+/** Finds paths in a 26-connected set of voxels. */
 class WaysWithin
 {
 public:
@@ -128,7 +128,7 @@ private:
   const VoxelSet &  m_Voxels; ///< ascending
 };
 
-/** Resamples a line with equal steps, at least as many as fit into its length. */
+/** Resamples a line to equal steps of at most AxisStep. */
 BoreAxis
 Resampled(const BoreAxis & line, double step)
 {
@@ -169,7 +169,7 @@ Lengthened(const BoreAxis & line, double by)
   return longer;
 }
 
-/** Gaussian smoothing of a line with equal steps. The line is reflected at its ends to avoid shrinking. */
+/** Gaussian smoothing of a line with equal steps, reflected at its ends to avoid shrinking. */
 BoreAxis
 Smoothed(const BoreAxis & line, double step)
 {
@@ -196,7 +196,7 @@ Smoothed(const BoreAxis & line, double step)
   return smooth;
 }
 
-/** The longest path through a piece, with the voxels across it. */
+/** The longest path through a piece, with its cross-sections. */
 class Trunk
 {
 public:
@@ -218,7 +218,7 @@ public:
       {
         n = ways.before[n];
       }
-      if (m_Bins[n] == bin) // a diagonal step may skip one
+      if (m_Bins[n] == bin) // a diagonal step may skip a bin
       {
         m_Middle.push_back(this->TakeAcross(n));
       }
@@ -231,7 +231,7 @@ public:
     return m_Length;
   }
 
-  /** Mean area of its sections, mm^2. */
+  /** Mean cross-sectional area, mm^2. */
   double
   Section() const
   {
@@ -242,11 +242,11 @@ public:
   BoreAxis
   Axis() const
   {
-    // The first and the last mean are half a step inside.
+    // The first and last mean are half a step from the ends.
     return Resampled(Lengthened(Smoothed(m_Middle, m_Step), 0.5 * m_Step), AxisStep);
   }
 
-  /** The pieces that remain without it. */
+  /** The pieces that remain after removing the path with its cross-sections. */
   std::vector<VoxelSet>
   Branches() const
   {
@@ -270,8 +270,8 @@ public:
   }
 
 private:
-  /** Assigns each voxel its position on the path, measured from the end farther from it: voxels at equal distance from
-   * a far end are flat across a bore, those near an end form shells around its corner. */
+  /** Assigns each voxel a position on the path, measured from the farther end: voxels at equal distance from a far end
+   * form a flat cross-section, near an end they form shells around its corner. */
   void
   Place(const Ways & fromStart, const Ways & fromEnd)
   {
@@ -284,7 +284,7 @@ private:
     }
   }
 
-  /** The voxels connected to a given one within those where `isPart` holds. */
+  /** The voxels connected to a given one where `isPart` is true. */
   template <typename TIsPart>
   std::vector<std::size_t>
   Connected(std::size_t start, const TIsPart & isPart) const
@@ -303,8 +303,8 @@ private:
     return connected;
   }
 
-  /** Takes the voxels across from one on the path, without those of other branches, and returns their center. They are
-   * connected by voxels one step before or after, since at the end of a bore the farthest ones form a ring. */
+  /** Removes the cross-section at a path voxel, without other branches, and returns its center. Connectivity includes
+   * the adjacent bins, since the farthest voxels at the end of a bore form a ring. */
   Eigen::Vector3d
   TakeAcross(std::size_t onWay)
   {
@@ -327,18 +327,18 @@ private:
   const ColonGrid &        m_Grid;
   const VoxelSet &         m_Voxels;
   WaysWithin               m_Search;
-  double                   m_Step;   ///< mm; chosen so that no bin is empty
+  double                   m_Step;   ///< mm; large enough to avoid empty bins
   double                   m_Length; ///< mm
   std::vector<std::size_t> m_Bins;   ///< position of each voxel along the path, in steps
-  BoreAxis                 m_Middle; ///< from the end to the start
+  BoreAxis                 m_Middle; ///< centers, from the end to the start
   std::vector<char>        m_IsTaken;
 };
 
-/** Centerlines of a piece and of its branches along their longest paths, except those shorter or wider than a bore. */
+/** Finds centerlines along the longest paths of a piece and its branches, except those shorter or wider than a bore. */
 std::vector<BoreAxis>
 AxesOf(const ColonGrid & grid, VoxelSet && piece, double leastLength)
 {
-  constexpr double      thinnest = 2.0; // mm^2, minimum mean section worth searching
+  constexpr double      thinnest = 2.0; // mm^2, minimum mean cross-section
   const auto            least = static_cast<std::size_t>(thinnest * leastLength / grid.VoxelVolume());
   std::vector<BoreAxis> axes;
   std::vector<VoxelSet> pieces{ std::move(piece) };

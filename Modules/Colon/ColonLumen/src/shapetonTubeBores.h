@@ -10,9 +10,9 @@ constexpr double LargestBoreRadius = 4.5; // mm
 /** Centerline of a long, thin piece of gas: one point per mm, LPS. */
 using BoreAxis = std::vector<Eigen::Vector3d>;
 
-/** Finds long, thin pieces of gas: the part not reached by a ball of radius `reach`, at least `leastLength` long along
- * its centerline and on average no wider than a bore of LargestBoreRadius. Both in mm. Bores may be bent. A larger
- * reach finds wider bores, and more of the gas next to their openings. */
+/** Finds long, thin pieces of gas: the residue of the opening by a ball of radius `reach` (mm), with a centerline of at
+ * least `leastLength` (mm) and a mean cross-section of at most a bore of LargestBoreRadius. Bores may be bent. A larger
+ * reach finds wider bores, but includes more of the gas next to their openings. */
 class TubeBores
 {
 public:
@@ -24,7 +24,7 @@ public:
 private:
   const ColonGrid &          m_Grid;
   std::vector<unsigned char> m_Gas;
-  VoxelValues                m_SquaredDepth; ///< mm^2, of gas
+  VoxelValues                m_SquaredDepth; ///< of gas, mm^2
 };
 } // namespace shapeton
 

@@ -15,19 +15,19 @@ namespace shapeton
 namespace
 {
 constexpr double RayStep = 0.2;                          // mm
-constexpr int    CentringTurns = 2;                      // the second perpendicular to the direction from the first
+constexpr int    CentringTurns = 2;                      // the second uses the direction from the first
 constexpr double CentringSmooth = 2.0;                   // sections, standard deviation
-constexpr double LeastClosedRays = 0.9;                  // of the rays, for a section with a known center
-constexpr double LargestReach = LargestBoreRadius + 1.0; // mm, of the rays within a bore
+constexpr double LeastClosedRays = 0.9;                  // minimum fraction of the rays for locating the center
+constexpr double LargestReach = LargestBoreRadius + 1.0; // mm, of rays within a bore
 
-/** Position between two samples where the value crosses the boundary of gas. */
+/** Interpolated position between two samples at the gas boundary. */
 double
 Passed(double before, double after, double boundary)
 {
   return std::clamp((boundary - before) / (after - before), 0.0, 1.0);
 }
 
-/** End of the gas at `start`; 0 if it does not end within `reach`, or there is none. */
+/** End of the gas along a ray from `start`; 0 if `start` is not in gas or the gas does not end within `reach`. */
 double
 EndOfGas(const CatheterRegion & region, const OutwardRay & ray, double start, double reach)
 {
@@ -44,7 +44,7 @@ EndOfGas(const CatheterRegion & region, const OutwardRay & ray, double start, do
   return 0.0;
 }
 
-/** Kind of the gas that a ray enters; the voxel at the entry may still belong to the wall. */
+/** Kind of the gas behind a layer; the voxel at the entry may still be wall. */
 BehindLayer
 KindOfGas(const CatheterRegion & region, const Eigen::Vector3d & entry, const Eigen::Vector3d & direction)
 {
@@ -79,13 +79,13 @@ SectionsAcross(const BoreAxis & axis)
   return sections;
 }
 
-/** Offset from a place in a bore to its center: the first harmonic of the radius over the angle, exact for a circle.
+/** Offset from a point in a bore to its center: the first harmonic of the radius over the angle, exact for a circle.
  * Empty where the bore is open. */
 std::optional<Eigen::Vector3d>
 ToMiddle(const CatheterRegion & region, const TubeSection & section)
 {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  Eigen::Vector3d directions = Eigen::Vector3d::Zero(); // of the rays that leave the bore
+  Eigen::Vector3d directions = Eigen::Vector3d::Zero(); // sum over the rays that end at the wall
   double          radii = 0.0;
   int             closed = 0;
   for (int n = 0; n < TubeSection::NumberOfRays; ++n)
@@ -104,11 +104,11 @@ ToMiddle(const CatheterRegion & region, const TubeSection & section)
   {
     return std::nullopt;
   }
-  // Open rays count with the mean radius; the directions of all rays sum to zero.
+  // Open rays are assigned the mean radius; the directions of all rays sum to zero.
   return Eigen::Vector3d(2.0 / TubeSection::NumberOfRays * (sum - radii / closed * directions));
 }
 
-/** The shift of the section nearest to the n-th that has one, preferring earlier ones; zero if none has. */
+/** The shift of the nearest section with a known center, preferring earlier ones; zero if none. */
 Eigen::Vector3d
 NearestShift(const std::vector<std::optional<Eigen::Vector3d>> & shifts, std::ptrdiff_t n)
 {
@@ -126,7 +126,7 @@ NearestShift(const std::vector<std::optional<Eigen::Vector3d>> & shifts, std::pt
   return Eigen::Vector3d::Zero();
 }
 
-/** Moves an axis smoothly to the center of its bore; open sections use adjacent shifts. */
+/** Centers an axis in its bore with smooth shifts; open sections use adjacent shifts. */
 void
 MoveToMiddle(const CatheterRegion & region, BoreAxis & axis)
 {

@@ -8,7 +8,7 @@
 
 namespace shapeton
 {
-/** A class in addition to LumenClass: gas outside the colon surrounded by tissue, as in a balloon. */
+/** Additional LumenClass: gas outside the colon surrounded by tissue, as in a balloon. */
 constexpr unsigned char PocketGas = 6;
 
 /** The part of the volume searched for a catheter. */
@@ -30,21 +30,21 @@ struct CatheterRegion
 /** Matter behind a layer crossed by a ray. */
 enum class BehindLayer
 {
-  Tissue, ///< the layer does not end within reach, or ends at a speck of gas
+  Tissue, ///< no end within reach, or only a speck of gas
   Gas,    ///< of the colon or a pocket
   Fluid,  ///< of the colon
   Outside ///< other gas, such as around the body
 };
 
-constexpr double ThinnestTubeWall = 1.0; // mm, if gas is behind the wall
-/** mm, if fluid is behind the wall. Partial volume between gas and bright fluid alone resembles a wall of 1.2 mm. */
+constexpr double ThinnestTubeWall = 1.0; // mm, next to gas
+/** mm, next to fluid; partial volume between gas and bright fluid resembles a wall of 1.2 mm. */
 constexpr double ThinnestWallInFluid = 1.6;
 constexpr double ThickestTubeWall = 4.5; // mm
 
-/** A ray from the center of a bore and the first layer along it. Distances from the center in mm. */
+/** The first layer along a ray from the center of a bore. Distances from the center, mm. */
 struct TubeRay
 {
-  double      inner{ 0.0 };  ///< end of the gas; 0 if not within the reach of the ray
+  double      inner{ 0.0 };  ///< end of the gas; 0 if not within reach
   double      outer{ 0.0 };  ///< end of the layer; 0 if not within reach
   double      wallHU{ 0.0 }; ///< maximum in the layer
   BehindLayer behind{ BehindLayer::Tissue };
@@ -52,17 +52,17 @@ struct TubeRay
   /** Whether the layer ends at lumen. */
   bool
   IsLeft() const;
-  /** Whether the sequence is gas, a wall, lumen. */
+  /** Whether the sequence is gas, wall, lumen. */
   bool
   IsEnclosed() const;
 };
 
-/** A path from the center of a bore outward. */
+/** Sampling path outward from the center of a bore. */
 struct OutwardRay
 {
   Eigen::Vector3d from;
   Eigen::Vector3d direction; ///< unit vector
-  double          boundary;  ///< HU above which there is no gas
+  double          boundary;  ///< upper threshold of gas, HU
 };
 
 /** A cross section of a bore. */
@@ -79,30 +79,30 @@ struct TubeSection
   DirectionOf(int ray) const;
   OutwardRay
   RayAlong(int ray, double boundary) const;
-  /** The ray next to a place; `distance` is that of the place from the axis. */
+  /** The ray nearest to a point; `distance` is set to the distance of the point from the axis. */
   int
   RayTo(const Eigen::Vector3d & position, double & distance) const;
-  /** Share of all rays, as below. */
+  /** Fraction of enclosed rays. */
   double
   ClosedShare() const; ///< rays that leave the bore
   double
   ShareOf(BehindLayer behind) const;
   double
   EnclosedShare() const;
-  /** Median over the rays that leave the bore; 0 without such rays. */
+  /** Median over the rays that end at the wall; 0 without such rays. */
   double
   BoreRadius() const;
   /** Deviation of the bore from a circle: root mean square of the second and third harmonics of the radius over the
-   * angle, divided by its mean. The first harmonic is that of an off-center axis, higher ones are those of voxels. */
+   * angle, divided by its mean. The first harmonic is caused by an off-center axis, higher ones by voxels. */
   double
   Ovality() const;
 };
 
-/** The first layer behind the gas at `start` on a ray of length `reach`, mm. */
+/** The first layer behind the gas at `start` along a ray of length `reach`, mm. */
 TubeRay
 FirstLayer(const CatheterRegion & region, const OutwardRay & ray, double start, double reach);
 
-/** The layer that a ray enters at `inner`, mm; without an end beyond `reach`. */
+/** The layer that begins at `inner` (mm) along a ray; its end is unset beyond `reach`. */
 TubeRay
 CrossLayer(const CatheterRegion & region, const OutwardRay & ray, double inner, double reach);
 
@@ -110,7 +110,7 @@ CrossLayer(const CatheterRegion & region, const OutwardRay & ray, double inner, 
 std::vector<TubeSection>
 MeasureSections(const CatheterRegion & region, BoreAxis axis);
 
-/** Median of an odd number of values; 0 for none. */
+/** Median of an odd number of values; 0 if empty. */
 double
 MedianOf(std::vector<double> values);
 } // namespace shapeton

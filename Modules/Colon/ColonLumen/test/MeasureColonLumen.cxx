@@ -1,6 +1,6 @@
 // usage: MeasureColonLumen INPUT [--truth FOLDER] [--position P] [--pictures PREFIX] [--seed x,y,z]
 //
-// Segments and cleanses a CT and prints the result; with the truth of a phantom, also its error. INPUT: any input of
+// Segments and cleanses a CT and prints the result, with errors if the truth of a phantom is given. INPUT: any input of
 // ReadVolume(), or a NumPy file of 16-bit integers (1 mm voxels).
 
 #include "shapetonColonMeasures.h"
@@ -65,7 +65,7 @@ Print(const shapeton::ColonLumen & lumen)
   std::cout << "failure: " << lumen.failure << '\n';
 }
 
-/** Whole slices, or with --look x,y,z (LPS, mm) the surroundings of that point. */
+/** Writes whole slices, or the surroundings of a point (LPS, mm) with --look x,y,z. */
 void
 Draw(const itk::Image<float, 3> *         image,
      const shapeton::ColonLumen &         lumen,

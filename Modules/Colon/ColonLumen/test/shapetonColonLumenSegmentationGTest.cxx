@@ -52,15 +52,14 @@ Oblique(double aboutZ, double aboutX)
   return z * x;
 }
 
-/** A half-filled colon, and next to it, behind a wall of 3 mm, a thinner bowel filled with fluid of the same
- * brightness. */
+/** A half-filled colon next to a thinner bowel, behind a wall of 3 mm, filled with fluid of the same brightness. */
 ColonTestScene
 ColonAndBowel(const Vec & gravity)
 {
   ColonTestScene scene;
   scene.gravity = gravity;
   scene.lumens.push_back({ Tube(At(0, 0, 0), 2, 30, 18), 4.0, 700.0 });
-  // Across gravity from the colon, so that they touch below the level.
+  // Beside the colon perpendicular to gravity; they touch below the level.
   const Vec aside = At(gravity[1], -gravity[0], 0) * 30.0 + gravity * 8.0;
   scene.lumens.push_back({ Tube(aside, 2, 30, 10), -1e9, 700.0 });
   return scene;
@@ -126,7 +125,7 @@ TEST(ColonLumenSegmentation, TakesGasAndFluidAndNoBowelOfEqualBrightness)
   EXPECT_NEAR(lumen.pieces[0].inscribedRadius, 18.0, 1.5);
 }
 
-/** A pool of poorly mixed fluid ends on a slanting floor; 2 mm below it is bowel as bright as well-mixed fluid. */
+/** A pool of poorly mixed fluid with a slanting floor; 2 mm below is bowel as bright as well-mixed fluid. */
 TEST(ColonLumenSegmentation, BrightBowelUnderAShallowFaintPoolStaysOut)
 {
   const auto     floor = [](const Vec & x) { return 12.5 + 0.25 * (x[0] - 28.0); };
@@ -156,7 +155,7 @@ TEST(ColonLumenSegmentation, BrightBowelUnderAShallowFaintPoolStaysOut)
   EXPECT_EQ(label(-28, 10), 2);
 }
 
-/** Voxels of 2.8 mm: for any position of the level between them, the pool below is found, although an equally bright
+/** With voxels of 2.8 mm, the pool below is found for any subvoxel position of the level, even though an equally bright
  * bowel is connected to it through a barely visible wall of 1 mm. */
 TEST(ColonLumenSegmentation, APoolOfCoarseVoxelsIsFoundThoughABrightBowelHangsOnIt)
 {
@@ -197,7 +196,7 @@ TEST(ColonLumenSegmentation, TheGivenPositionWinsAndTheContradictionIsToldOf)
   const auto lumen = Segment(image, "prone");
   EXPECT_EQ(lumen.gravity, At(0, -1, 0));
   ASSERT_EQ(lumen.warnings.size(), 1U);
-  EXPECT_NE(lumen.warnings[0].find("say supine"), std::string::npos);
+  EXPECT_NE(lumen.warnings[0].find("indicate supine"), std::string::npos);
 }
 
 TEST(ColonLumenSegmentation, ObliqueAnisotropicAndPermutedAxes)
@@ -278,7 +277,7 @@ TEST(ColonLumenSegmentation, FluidWithoutGasIsColonWhereItIsWiderThanSmallBowel)
   EXPECT_TRUE(narrow.warnings.empty());
 }
 
-/** Ascending and descending colon, each half full, and further bowel, a tube along the patient filled with fluid below
+/** Half-filled ascending and descending colon, and another bowel: a longitudinal tube filled with fluid below
  * `level`. */
 shapeton::ColonLumen
 SegmentWithBowel(const Vec & middle, double halfLength, double radius, double level)
@@ -307,8 +306,8 @@ TEST(ColonLumenSegmentation, BowelAtThePlaceOfTheRectumIsTakenThoughItIsThin)
     const auto rectum = SegmentWithBowel(At(0, 30, -40), 34.0, radius, level);
     EXPECT_EQ(rectum.pieces.size(), 3U) << level;
     ASSERT_EQ(rectum.warnings.size(), 1U) << level;
-    EXPECT_NE(rectum.warnings[0].find("taken for rectum or sigmoid"), std::string::npos) << rectum.warnings[0];
-    const auto beside = SegmentWithBowel(At(0, 30, 50), 34.0, radius, level); // as near to the anus as the colon
+    EXPECT_NE(rectum.warnings[0].find("classified as rectum or sigmoid"), std::string::npos) << rectum.warnings[0];
+    const auto beside = SegmentWithBowel(At(0, 30, 50), 34.0, radius, level); // as close to the anus as the colon
     EXPECT_EQ(beside.pieces.size(), 2U) << level;
     EXPECT_TRUE(beside.warnings.empty()) << level;
     const auto thin = SegmentWithBowel(At(0, 30, -40), 34.0, tooThin, level);
@@ -353,7 +352,7 @@ TEST(ColonLumenSegmentation, TheCatheterIsLumenDownToTheAnalVerge)
   }
 }
 
-/** Air under a thin shell over air under a thin shell over the room: a cleft on a cushion. */
+/** A cleft on a cushion: room air, shell, air, shell, air. */
 TEST(ColonLumenSegmentation, AirThatOnlyThinShellsCoverIsOutside)
 {
   ColonTestScene scene;
@@ -368,7 +367,7 @@ TEST(ColonLumenSegmentation, AirThatOnlyThinShellsCoverIsOutside)
   const auto image = shapeton::CenteredImage({ 72, 72, 60 }, { 2.0, 2.0, 2.0 }, Identity());
   scene.Sample(image);
   EXPECT_EQ(Segment(image).pieces.size(), 1U);
-  scene.lumens.pop_back(); // without the cushion it is under a wall of 18 mm
+  scene.lumens.pop_back(); // without the cushion, the wall is 18 mm thick
   scene.Sample(image);
   EXPECT_EQ(Segment(image).pieces.size(), 2U);
 }
@@ -388,11 +387,11 @@ TEST(ColonLumenSegmentation, LargeLevelsOverruleTheCodeOfAHeader)
   EXPECT_EQ(lumen.gravitySource, shapeton::ColonGravitySource::Levels);
   ASSERT_EQ(lumen.warnings.size(), 1U);
   EXPECT_NE(lumen.warnings[0].find("\"HFP\" contradicts"), std::string::npos);
-  EXPECT_NE(lumen.warnings[0].find("supine was taken"), std::string::npos);
+  EXPECT_NE(lumen.warnings[0].find("supine was used"), std::string::npos);
   EXPECT_EQ(Segment(image, "prone").gravity, At(0, -1, 0));
 }
 
-/** Gas over fluid cut by the caudal border is oriented sideways; the natal cleft runs from front to back, and a strip
+/** At the caudal border, gas over fluid is elongated sideways, the natal cleft is oriented front to back, and a strip
  * of air next to the table extends to the side of the image. */
 TEST(ColonLumenSegmentation, AFlatLumenThatTheCaudalBorderCutsIsNoCleft)
 {
@@ -415,7 +414,7 @@ TEST(ColonLumenSegmentation, AFlatLumenThatTheCaudalBorderCutsIsNoCleft)
   EXPECT_EQ(pieces(30.0, 12.0, 45.0), 1U);
 }
 
-/** In a small field of view the front border cuts the body, while the back border is in room air. */
+/** In a small field of view, the front border cuts the body and the back border is in room air. */
 TEST(ColonLumenSegmentation, ABorderThatCutsTheBodyIsNoThinShell)
 {
   ColonTestScene scene;
@@ -466,7 +465,7 @@ TEST(ColonLumenSegmentation, ThinGasIsNoDistendedColon)
   EXPECT_NEAR(lumen.leftOut[0].inscribedRadius, 7.0, 2.0);
 }
 
-/** Two lungs: parenchyma of this HU and vessels of 2 mm radius, 15 mm apart. */
+/** Two lungs: parenchyma of the given HU with vessels of 2 mm radius, 15 mm apart. */
 ColonTestScene
 Lungs(double parenchyma, bool hasVessels)
 {
@@ -501,7 +500,7 @@ TEST(ColonLumenSegmentation, LungOfAnyDensityIsNotColon)
   {
     const auto lumen = Segment(Chest(Lungs(parenchyma, true)));
     EXPECT_NE(lumen.failure, "") << parenchyma;
-    if (parenchyma < -790.0) // denser lung is not gas
+    if (parenchyma < -790.0) // denser lung is above the gas threshold
     {
       EXPECT_EQ(lumen.failure.find("no distended colon found: the largest gas is lung"), 0U) << lumen.failure;
     }

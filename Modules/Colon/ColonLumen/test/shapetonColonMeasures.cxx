@@ -88,7 +88,7 @@ PrintOverlap(const ColonLumen & lumen, const itk::Image<float, 3> * truth, std::
   out << " )\n";
 }
 
-/** Voxels found without true lumen within 3 mm along any axis: other organs, not an inexact border. */
+/** Volume of found voxels without true lumen within 3 mm along any axis: other organs rather than an inexact border. */
 void
 PrintLeak(const ColonLumen & lumen, const itk::Image<float, 3> * truth, std::ostream & out)
 {
@@ -124,7 +124,7 @@ PrintLeak(const ColonLumen & lumen, const itk::Image<float, 3> * truth, std::ost
   out << "leak beyond 3 mm " << leaked * spacing[0] * spacing[1] * spacing[2] * 1e-3 << " ml\n";
 }
 
-/** The largest connected errors: truth in `missed` or extra voxels. */
+/** Prints the largest connected errors: missed or extra voxels. */
 void
 PrintBlobs(const ColonLumen &           lumen,
            const itk::Image<float, 3> * truth,
@@ -183,7 +183,7 @@ PrintBlobs(const ColonLumen &           lumen,
   }
 }
 
-/** Volume of tissue around some points, found and true, and fluid share of the lumen around it. */
+/** Found and true volume of tissue around points, and fluid fraction of the surrounding lumen. */
 struct Relief
 {
   double          found{ 0.0 };

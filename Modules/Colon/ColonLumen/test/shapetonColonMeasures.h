@@ -12,11 +12,11 @@ namespace shapeton
 itk::Image<float, 3>::Pointer
 ReadColonTestVolume(const std::string & path, std::string & patientPosition);
 
-/** Points of the 0.5 isosurface of an occupancy, in LPS: crossings of 0.5 between face-adjacent voxels. */
+/** Points of the 0.5 isosurface of an occupancy (LPS): crossings of 0.5 between face-adjacent voxels. */
 std::vector<itk::Point<double, 3>>
 HalfLevelPoints(const itk::Image<float, 3> * occupancy);
 
-/** Prints Dice, leak and distances of the surface from the truth in a folder: lumen.nrrd (non-zero: lumen), wall.vtp.
+/** Prints Dice, leak and surface distances to the truth in a folder: lumen.nrrd (nonzero: lumen), wall.vtp.
  */
 void
 CompareWithTruth(const itk::Image<float, 3> * ct,

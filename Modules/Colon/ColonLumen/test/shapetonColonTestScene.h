@@ -11,8 +11,8 @@
 
 namespace shapeton
 {
-/** A synthetic abdomen in physical space: functions define its matter, and voxels are means over 3 by 3 by 3 points,
- * which models partial volume. */
+/** A synthetic abdomen defined by functions in physical space; voxels are means over 3 by 3 by 3 points, which models
+ * partial volume. */
 class ColonTestScene
 {
 public:
@@ -29,9 +29,9 @@ public:
 
   Vec                gravity{ 0.0 };
   std::vector<Lumen> lumens;
-  /** Soft tissue inside, outside air beyond; mm from the center. */
+  /** Radius (mm) of the body from the center; air outside. */
   double bodyRadius{ 65.0 };
-  /** Replaces all other matter where positive, for example a fold: 50 HU. */
+  /** Tissue (50 HU) that replaces all other matter where positive, for example a fold. */
   std::function<double(const Vec &)> fold;
 
   ColonTestScene() { gravity[1] = 1.0; }
@@ -101,7 +101,7 @@ private:
   }
 };
 
-/** A tube around the line through `middle` along axis `axis` with round ends. */
+/** A tube with round ends around the line through `middle` along `axis`. */
 inline std::function<double(const itk::Vector<double, 3> &)>
 Tube(const itk::Vector<double, 3> & middle, int axis, double halfLength, double radius)
 {
@@ -112,7 +112,7 @@ Tube(const itk::Vector<double, 3> & middle, int axis, double halfLength, double 
   };
 }
 
-/** An image around the origin. */
+/** Creates an image centered at the origin. */
 inline itk::Image<float, 3>::Pointer
 CenteredImage(const std::array<int, 3> &        size,
               const std::array<double, 3> &     spacing,

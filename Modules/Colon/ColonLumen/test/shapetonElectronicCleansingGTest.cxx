@@ -35,7 +35,7 @@ struct Cleansed
   shapeton::CleansedColon       result;
 };
 
-/** Axes turned by 10 degrees about the long axis. */
+/** Axes rotated by 10 degrees about the long axis. */
 Cleansed
 Cleanse(const ColonTestScene & scene, double voxel)
 {
@@ -56,7 +56,7 @@ Cleanse(const ColonTestScene & scene, double voxel)
   return c;
 }
 
-/** A half filled tube. */
+/** A half-filled tube. */
 Cleansed
 CleanseTube(double voxel, const std::function<double(const Vec &)> & fold = {})
 {
@@ -89,13 +89,13 @@ TEST(ElectronicCleansing, TheWallIsFoundFinerThanVoxels)
   }
   EXPECT_LT(Percentile(all, 0.5), 0.15);
   EXPECT_LT(Percentile(all, 0.95), 0.4);
-  // A membrane along the level would be up to 18 mm from the wall.
+  // A residual membrane along the level would be up to 18 mm from the wall.
   EXPECT_LT(Percentile(nearLevel, 0.95), 0.8);
   EXPECT_LT(Percentile(nearLevel, 1.0), 2.0);
 }
 
-/** Gas in a dome over a wide pool: beyond the edge of the dome the roof of the pool is 1.5 mm above the level, and
- * fluid, which wets it, keeps the gas out. */
+/** Gas in a dome over a wide pool. Beyond the dome, the roof of the pool is 1.5 mm above the level, and the gap is
+ * filled with fluid that wets it. */
 TEST(ElectronicCleansing, NoSlitsAreLeftAtTheRimOfALevel)
 {
   const auto box = [](double halfWidth, double top, double bottom) {
@@ -145,7 +145,7 @@ TEST(ElectronicCleansing, TheInsideBecomesGasAndTissueStays)
 
 TEST(ElectronicCleansing, FoldsInFluidAndThroughTheLevelStay)
 {
-  // A plate of 3 mm across the tube up to 4 mm above the level, with a way over it.
+  // A plate of 3 mm across the tube, up to 4 mm above the level, open at the top.
   const auto                      fold = [](const Vec & x) { return std::min(1.5 - std::abs(x[2]), x[1] + 1.0); };
   const auto                      c = CleanseTube(1.4, fold);
   double                          kept = 0.0, all = 0.0;
@@ -160,7 +160,7 @@ TEST(ElectronicCleansing, FoldsInFluidAndThroughTheLevelStay)
     if (std::abs(v[2]) < 6.0 && c.scene.lumens[0].depth(v) > 3.0 && v[1] > 0.0 &&
         c.result.occupancy->TransformPhysicalPointToIndex(x, inside))
     {
-      // Lumen outside the plate, over its extent, is the remaining slab.
+      // The lumen without the plate, over its extent, is the remaining slab.
       kept += 1.0 - c.result.occupancy->GetPixel(inside);
       all += fold(v) > 0.0;
     }
@@ -168,7 +168,7 @@ TEST(ElectronicCleansing, FoldsInFluidAndThroughTheLevelStay)
   EXPECT_NEAR(kept / all, 1.0, 0.1);
 }
 
-/** Share of a ball of tissue above the half height between gas and tissue. */
+/** Fraction of a ball of tissue above the half height between gas and tissue. */
 double
 KeptOfBall(const itk::Image<float, 3> * ct, const Vec & middle, double radius)
 {
@@ -195,14 +195,14 @@ TEST(ElectronicCleansing, WhatTheBlurTakesFromAPolypInFluidComesBack)
   auto       c = CleanseTube(1.4, ball);
   const auto blur = itk::DiscreteGaussianImageFilter<itk::Image<float, 3>, itk::Image<float, 3>>::New();
   blur->SetInput(c.ct);
-  blur->SetVariance(0.4); // and the voxels themselves: 0.56 = 0.75^2
+  blur->SetVariance(0.4); // plus voxel blur: 0.56 = 0.75^2
   blur->Update();
   shapeton::ColonLumenOptions options;
   options.patientPosition = "HFS";
   c.lumen = shapeton::SegmentColonLumen(blur->GetOutput(), options);
   const auto result = shapeton::CleanseColon(blur->GetOutput(), c.lumen);
-  // The half height of a blurred ball is sigma^2 / radius = 0.16 mm inside, and voxels of 1.4 mm add to that: 81 %
-  // would remain.
+  // The half height of a blurred ball is sigma^2 / radius = 0.16 mm inside, and voxels of 1.4 mm increase this: only 81
+  // % would remain.
   EXPECT_GT(KeptOfBall(result.ct, middle, 3.5), 0.87);
 }
 
@@ -215,7 +215,7 @@ TEST(ElectronicCleansing, TheCropHasTheGeometryOfItsPart)
   itk::Point<double, 3> corner;
   c.ct->TransformIndexToPhysicalPoint(shift, corner);
   EXPECT_LT((corner - c.result.occupancy->GetOrigin()).GetNorm(), 1e-9);
-  // No lumen reaches the border of the crop.
+  // The border of the cropped image is free of lumen.
   const auto size = c.result.occupancy->GetBufferedRegion().GetSize();
   for (std::size_t p = 0; p < size[0] * size[1] * size[2]; ++p)
   {

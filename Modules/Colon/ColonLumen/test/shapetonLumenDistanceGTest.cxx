@@ -27,7 +27,7 @@ MakeMask(const itk::Size<3> & size, const Eigen::Vector3d & spacing)
   return mask;
 }
 
-/** Each voxel is lumen with the probability `share`. */
+/** Random mask; each voxel is lumen with probability `share`. */
 LumenMask::Pointer
 RandomMask(const itk::Size<3> & size, const Eigen::Vector3d & spacing, double share)
 {

@@ -31,8 +31,9 @@ public:
     , m_Shift(ct->TransformPhysicalPointToIndex(cleansed.occupancy->GetOrigin()))
   {}
 
-  /** Part of one slice across index axis `axis`. From left to right: the CT; the CT with gas outlined red and fluid
-   * green; the CT with the truth outlined, if given; the cleansed CT with the 0.5 level of the occupancy. */
+  /** Part of one slice perpendicular to index axis `axis`. From left to right: the CT; the CT with outlines of gas
+   * (red) and fluid (green); the CT with the outline of the truth, if given; the cleansed CT with the 0.5 level of the
+   * occupancy. */
   ColonPicture::Pointer
   Draw(int axis, const itk::Index<3> & middle, int reach, int scale) const
   {

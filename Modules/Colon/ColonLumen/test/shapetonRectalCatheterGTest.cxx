@@ -37,7 +37,7 @@ BentTube(double x, double y, double tip, double radius, double bend)
   };
 }
 
-/** A rectum from z = -20 up to 56, a body that ends at -45, and a catheter through both, its tip at `tip`. */
+/** A rectum from z = -20 to 56, a body that ends at -45, and a catheter through both with its tip at `tip`. */
 ColonTestScene
 RectumScene(double tip, double y = 0.0, double wall = Plastic, double bend = 0.0)
 {
@@ -131,7 +131,7 @@ TEST(RectalCatheter, ATubeInGasIsFoundAndFilledIn)
   EXPECT_GT(lumen.catheter->evidence.enclosedLength, 25.0);
   EXPECT_EQ(lumen.catheter->balloonDiameter, 0.0);
   ASSERT_FALSE(lumen.warnings.empty());
-  EXPECT_NE(lumen.warnings.back().find("a rectal catheter, which is filled in"), std::string::npos);
+  EXPECT_NE(lumen.warnings.back().find("a rectal catheter, which was filled in"), std::string::npos);
 }
 
 TEST(RectalCatheter, AxesAndSpacingMakeNoDifference)
@@ -183,10 +183,10 @@ TEST(RectalCatheter, ABalloonOfGasInFluidIsFilledIn)
   ExpectBalloon(scene);
 }
 
-/** Blur leaves less than half of it, so the gas on both sides is connected. */
+/** Blur reduces the membrane to less than half its contrast, so the gas on both sides is connected. */
 TEST(RectalCatheter, ABalloonWithAThinMembraneIsSeen) { ExpectBalloon(BalloonScene(-1000.0, -550.0)); }
 
-/** A collar around the tube with flat ends is not a ball. */
+/** A collar around the tube with flat ends is not a balloon. */
 TEST(RectalCatheter, ACollarIsNoBalloon)
 {
   auto       scene = RectumScene(24.0);
@@ -197,7 +197,7 @@ TEST(RectalCatheter, ACollarIsNoBalloon)
   EXPECT_EQ(lumen.catheter->balloonDiameter, 0.0);
 }
 
-/** An empty balloon is a sleeve on the tube. */
+/** A deflated balloon is a sleeve around the tube. */
 TEST(RectalCatheter, ASleeveIsNoBalloon)
 {
   auto       scene = RectumScene(24.0);
@@ -226,7 +226,7 @@ TEST(RectalCatheter, TheAxisRunsInTheMiddleOfTheBore)
   EXPECT_GT(number, 50);
 }
 
-/** The result is the same mirrored left to right and at another spacing. */
+/** The result is invariant to mirroring left to right and to spacing. */
 TEST(RectalCatheter, MirrorAndResamplingKeepIt)
 {
   auto       scene = RectumScene(24.0, -6.0, Plastic, 8.0);
@@ -254,15 +254,15 @@ TEST(RectalCatheter, ABowelWithoutOneHasNone)
   auto scene = RectumScene(24.0);
   scene.lumens.erase(scene.lumens.begin(), scene.lumens.begin() + 2);
   EXPECT_FALSE(Segment(scene).catheter.has_value());
-  // A collapsed bowel: a thread of gas in tissue.
+  // A collapsed bowel is a thread of gas in tissue.
   scene.lumens.push_back({ BentTube(0, 26, 30, Bore, 0), 1e9, 0.0 });
   EXPECT_FALSE(Segment(scene).catheter.has_value());
-  // A slit between two folds: walls on two sides, open along the others.
+  // A slit between two folds has walls on two sides only.
   scene.fold = [](const Vec & x) { return std::min({ 4.0 - std::abs(x[0]), std::abs(x[0]) - 2.0, x[1] }); };
   EXPECT_FALSE(Segment(scene).catheter.has_value());
 }
 
-/** Rays toward the touched wall end in tissue. */
+/** Rays toward the adjacent wall end in tissue. */
 TEST(RectalCatheter, ATubeThatSinksOntoTheWallIsFoundAndFilledIn)
 {
   ExpectTube(Segment(RectumScene(24.0, 4.0, 30.0, (Rectum - Outer) / 0.54)), 24.0);
@@ -283,7 +283,7 @@ TEST(RectalCatheter, TheAxisKeepsToTheBoreWhereItBranches)
   }
 }
 
-/** A few millimeters in the rectum give a doubtful catheter, not a certain one. */
+/** A tube with only a few millimeters in the rectum is a doubtful catheter. */
 TEST(RectalCatheter, AShortPieceInTheRectumIsDoubtful)
 {
   const auto lumen = Segment(RectumScene(-10.0));

@@ -14,7 +14,7 @@ namespace shapeton
 /** Points in LPS, mm. */
 using TubePoints = std::vector<Eigen::Vector3d>;
 
-/** An orthonormal frame not aligned with any patient axis; optionally mirrored. */
+/** An oblique orthonormal frame, optionally mirrored. */
 inline Eigen::Matrix3d
 ObliqueFrame(bool isLeftHanded = false)
 {
@@ -28,7 +28,7 @@ ObliqueFrame(bool isLeftHanded = false)
   return frame;
 }
 
-/** The curve through control points (Catmull, Rom), with points at most 1 mm apart. */
+/** Catmull-Rom curve through control points, with points at most 1 mm apart. */
 inline TubePoints
 CurveThrough(const TubePoints & control)
 {
@@ -52,7 +52,8 @@ CurveThrough(const TubePoints & control)
   return points;
 }
 
-/** A colon: rectum, sigmoid loop that dips below the top of the rectum, descending, transverse, ascending, cecum. */
+/** A colon: rectum, a sigmoid loop that descends below the top of the rectum, descending, transverse, ascending,
+ * cecum. */
 inline TubePoints
 ColonCurve()
 {
@@ -85,7 +86,7 @@ LengthOf(const TubePoints & points)
   return length;
 }
 
-/** Part of a curve, by shares of its points. */
+/** Part of a curve between two fractions of its points. */
 inline TubePoints
 PartOf(const TubePoints & points, double from, double to)
 {
@@ -94,7 +95,7 @@ PartOf(const TubePoints & points, double from, double to)
 }
 
 /** \class TubeMask
- * \brief A mask on a grid around painted tubes.
+ * \brief A mask of painted tubes on a grid around them.
  */
 class TubeMask
 {
@@ -135,7 +136,7 @@ public:
     m_Mask->Allocate(true);
   }
 
-  /** Sets all voxels with centers within the radius of the curve to the value. */
+  /** Sets all voxels with centers within `radius` of the curve to the value. */
   void
   Paint(const TubePoints & points, const std::function<double(double)> & radiusOfShare, unsigned char value = 1)
   {

@@ -27,55 +27,55 @@ struct ColonModelOptions
   std::vector<itk::Point<double, 3>> seedPoints;
   /** Number of faces of the simplified wall; 0 chooses it automatically, see ColonWallOptions. */
   int faces{ 0 };
-  /** Keep the pieces of a broken lumen separate: no tubes through collapsed stretches. */
+  /** Keep the pieces of an interrupted lumen separate, without tubes through collapsed stretches. */
   bool keepPieces{ false };
   /** Continue as far as possible when the colon is not distended or tagged enough. */
   bool keepPartial{ false };
-  /** Called from the calling thread with the stage and the completed fraction, 0 to 1. */
+  /** Called on the calling thread with the stage and the completed fraction, 0 to 1. */
   Progress progress;
-  /** Called with the cleansed CT (HU) on another thread, in parallel with the remaining steps; with a single thread,
-   * after them. Called again after it returned if gas that fills gaps of the line changes the CT. Use it for slow work
-   * such as writing. */
+  /** Called with the cleansed CT (HU) on another thread, in parallel with the remaining steps (after them if
+   * single-threaded). Called again, after the first call returned, if gas that fills gaps of the line changes the CT.
+   * Intended for slow work such as writing. */
   std::function<void(const itk::Image<float, 3> *)> onCleansed;
-  /** Called on another thread with the model except the wall, while the wall is built; with a single thread,
-   * afterwards. Use it for slow work that needs no wall, such as writing the volumes. */
+  /** Called on another thread with the model except the wall, while the wall is built (afterwards if single-threaded).
+   * Intended for slow work that does not require the wall, such as writing the volumes. */
   std::function<void(const ColonModel &)> besideWall;
-  /** Facts stored with the surfaces, see ColonWallOptions. */
+  /** Metadata stored with the surfaces, see ColonWallOptions. */
   std::vector<std::pair<std::string, std::string>> facts;
   /** See ColonWallOptions. */
   std::function<void(const SurfaceMesh & raw, const SurfaceMesh & repaired)> besideSimplification;
 };
 
 /** \class ColonModel
- * \brief A colon: lumen, centerline and wall.
+ * \brief Model of a colon: lumen, centerline and wall.
  * \ingroup ShapetonColonModel
  */
 struct ColonModel
 {
   /** Labels on the grid of the input. For a mask without a CT only the labels and pieces are set. */
   ColonLumen lumen;
-  /** False if the input was only a mask. */
+  /** Whether a CT was given, not only a mask. */
   bool hasIntensities{ true };
   /** Cleansed CT (HU); null without intensities. */
   itk::Image<float, 3>::Pointer cleansed;
   /** Centerline with the valve, see SetIleocecalValve(). */
   ColonCenterline centerline;
   ValveSearch     valve;
-  /** Terminal ileum removed from the lumen: not part of labels, line and wall. */
+  /** Terminal ileum, which was removed from labels, line and wall. */
   std::optional<TerminalIleum> terminalIleum;
   /** Distension of the segments, and of the whole line. */
   std::vector<SegmentDistension> distension;
   SegmentDistension              wholeDistension;
   ColonWall                      wall;
-  /** Missing or doubtful results of all stages. */
+  /** Warnings of all stages. */
   Remarks warnings;
-  /** Empty, or why the colon is not usable; then only the first parts are set. With keepPartial all parts that could be
-   * computed. */
+  /** Reason why the colon is not usable, or empty. On failure only the first parts are set; with keepPartial, all
+   * computable parts. */
   std::string failure;
 };
 
 /** Runs the pipeline on a CT colonography in HU: lumen, cleansing, centerline, distension, wall.
- * Throws the exceptions of its parts. \ingroup ShapetonColonModel */
+ * Throws the exceptions of the individual steps. \ingroup ShapetonColonModel */
 ShapetonColonModel_EXPORT ColonModel
 BuildColonModel(const itk::Image<float, 3> * ct, const ColonModelOptions & options);
 
@@ -84,17 +84,17 @@ ShapetonColonModel_EXPORT ColonModel
 BuildColonModel(const itk::Image<float, 3> * ct, const LumenMask * lumen, const ColonModelOptions & options);
 
 /** Runs the pipeline on a mask of the lumen, without cleansing. The raw wall is the 0.5 isosurface of the mask, with
- * stairs and handles; the repaired wall is that of the smoothed mask. \ingroup ShapetonColonModel */
+ * stairs and handles; the repaired wall is extracted from the smoothed mask. \ingroup ShapetonColonModel */
 ShapetonColonModel_EXPORT ColonModel
 BuildColonModelOfLumen(const LumenMask * lumen, const ColonModelOptions & options);
 
-/** Stretches of at least 10 mm where the border of the scan cuts the colon; shorter ones are the anal canal.
+/** Stretches of at least 10 mm where the scan border cuts the colon; shorter ones are the anal canal.
  * \ingroup ShapetonColonModel */
 ShapetonColonModel_EXPORT std::vector<HinderedStretch>
                   CutsByScan(const CurveSet & line);
 
-/** Axis of a catheter with the point arrays radius (outer; a different one at the tip) and balloonRadius (0 without a
- * balloon), mm, as input of RankCatheterLast(). \ingroup ShapetonColonModel */
+/** Axis of a catheter with the point arrays radius (outer radius, different at the tip) and balloonRadius (0 without a
+ * balloon) in mm, as input of RankCatheterLast(). \ingroup ShapetonColonModel */
 ShapetonColonModel_EXPORT CurveSet
 CurveOfCatheter(const RectalCatheter & catheter);
 } // namespace shapeton

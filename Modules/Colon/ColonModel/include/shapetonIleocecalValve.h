@@ -23,11 +23,11 @@ struct IleocecalValve
   Eigen::Vector3d position{ Eigen::Vector3d::Zero() };
   /** Distance along the centerline from the anal verge. */
   double arcLength{ 0.0 };
-  /** Extent of the bulge across its axis: greatest width (of two lips from end to end), and least width of the larger
+  /** Extent of the bulge perpendicular to its axis: maximum width (over both lips), and minimum width of the larger
    * lip. */
   double length{ 0.0 };
   double width{ 0.0 };
-  /** Median HU inside: lips contain fat. NaN without a CT. */
+  /** Median HU inside, since lips contain fat; NaN without a CT. */
   double attenuation{ std::numeric_limits<double>::quiet_NaN() };
   /** Model probability that this is the valve, 0 to 1. */
   double confidence{ 0.0 };
@@ -36,34 +36,34 @@ struct IleocecalValve
 /** Result of FindIleocecalValve(). \ingroup ShapetonColonModel */
 struct ValveSearch
 {
-  /** The most likely place of the valve, if its confidence is at least .5. */
+  /** The most likely candidate, if its confidence is at least .5. */
   std::optional<IleocecalValve> valve;
-  /** Why the valve was not found; empty otherwise. */
+  /** Reason why the valve was not found; empty otherwise. */
   std::string reason;
 };
 
 /** Finds the ileocecal valve within 160 mm of the end of the centerline of a colon.
  *
- * Candidates are bulges of the wall that remain when folds are smoothed away: regions of the half level of the lumen
- * smoothed by a Gaussian of 3 mm where both principal curvatures are above .01/mm. Regions within 18 mm of each other
- * are the lips of one candidate. Log-odds are the sum of terms for size, place along the line, similarity to a ball (a
- * polyp on a stalk) and tissue. At most one candidate is the valve. The confidence is the probability of the best one
- * plus those within 25 mm of it, which are on the same fold.
+ * Candidates are bulges of the wall that persist after smoothing of the folds: regions of the 0.5 level of the lumen,
+ * smoothed by a Gaussian of 3 mm, where both principal curvatures are above .01/mm. Regions within 18 mm of each other
+ * are the lips of one candidate. Log-odds are the sum of terms for size, position along the line, similarity to a ball
+ * (a polyp on a stalk) and tissue. At most one candidate is the valve. The confidence is the probability of the best
+ * candidate plus those within 25 mm of it, on the same fold.
  *
  * \param labels nonzero voxels are lumen.
  * \param ct HU on the same grid, cleansed or not; null: shape only.
- * \param centerline one curve from rectum to cecum with the point array arcLength (mm); InputError without it.
- * The result is identical for any number of threads. \ingroup ShapetonColonModel */
+ * \param centerline one curve from rectum to cecum with the point array arcLength (mm); throws InputError without it.
+ * The result does not depend on the number of threads. \ingroup ShapetonColonModel */
 ShapetonColonModel_EXPORT ValveSearch
 FindIleocecalValve(const LumenMask * labels, const itk::Image<float, 3> * ct, const CurveSet & centerline);
 
 /** \name The valve in the file of a centerline
  * Stored as the field array ileocecalValve: x, y, z (LPS, mm), arcLength, length, width (mm), confidence. */
 ///@{
-/** Stores the valve in the curve, or removes it. \ingroup ShapetonColonModel */
+/** Stores the valve in the curve, or removes a stored valve. \ingroup ShapetonColonModel */
 ShapetonColonModel_EXPORT void
 SetIleocecalValve(const std::optional<IleocecalValve> & valve, CurveSet & centerline);
-/** The valve stored in a centerline; empty without one. Throws InputError for an array of the wrong size.
+/** The valve stored in a centerline, if any. Throws InputError for an array of the wrong size.
  * \ingroup ShapetonColonModel */
 ShapetonColonModel_EXPORT std::optional<IleocecalValve>
                       IleocecalValveOf(const CurveSet & centerline);

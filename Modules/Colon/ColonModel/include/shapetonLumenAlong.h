@@ -9,10 +9,10 @@
 
 namespace shapeton
 {
-/** Labels the voxels of a lumen by their place along the colon: that of the closest point of the centerline within the
- * lumen, so touching loops do not exchange labels. 0 outside the lumen.
+/** Labels the voxels of a lumen by the closest point of the centerline, measured within the lumen to separate touching
+ * loops; 0 outside the lumen.
  * \param centerline one curve with the point array `arcLength`.
- * \param labelOf returns the label for mm along the centerline; called from several threads.
+ * \param labelOf maps the distance along the centerline (mm) to a label; called from several threads.
  * \ingroup ShapetonColonModel */
 ShapetonColonModel_EXPORT itk::Image<unsigned short, 3>::Pointer
                  LabelLumenAlong(const LumenMaskImage *                        lumen,

@@ -9,23 +9,23 @@
 
 namespace shapeton
 {
-/** Share of lumen in each voxel, 0 to 1; the wall is the 0.5 isosurface. \ingroup ShapetonColonModel */
+/** Fraction of lumen in each voxel, 0 to 1; the wall is the 0.5 isosurface. \ingroup ShapetonColonModel */
 using OccupancyImage = itk::Image<float, 3>;
 
 /** Findings and changes of RepairLumenTopology(). Volumes in ml. \ingroup ShapetonColonModel */
 struct LumenTopologyReport
 {
-  /** Handles of the largest piece before the repair. */
+  /** Number of handles of the largest piece before the repair. */
   std::int64_t handlesBefore{ 0 };
   std::int64_t handlesAfter{ 0 };
-  /** Cavities enclosed by the largest piece; they are filled. */
+  /** Cavities in the largest piece, which are filled. */
   std::int64_t cavities{ 0 };
-  /** Pieces that are not face-connected to the largest one; they are dropped. */
+  /** Pieces not face-connected to the largest one, which are removed. */
   std::int64_t droppedPieces{ 0 };
   double       lumenVolume{ 0.0 };
   double       droppedVolume{ 0.0 };
   double       cavityVolume{ 0.0 };
-  /** Volume cut away to remove all handles. */
+  /** Volume removed to cut all handles. */
   double cutVolume{ 0.0 };
 };
 
@@ -38,19 +38,19 @@ struct LumenTopology
 
 /** Computes a mask of the voxels of at least 0.5 without handles and cavities, with minimal changes.
  *
- * The largest piece is kept and its cavities are filled. Then an object of one voxel grows by simple points: first
- * along the centerline, if there is one, so that the lumen itself is never cut across, then in the order of the
- * distance to the wall. Fronts around a handle meet where it is thinnest, and the membrane left there cuts it.
+ * The largest piece is kept and its cavities are filled. Then a single voxel is grown by simple points, first along the
+ * centerline (if given), to avoid cuts across the lumen, then in order of decreasing distance to the wall. The fronts
+ * around a handle meet where it is thinnest, and the remaining membrane cuts it.
  *
- * \param centerline in LPS mm; if empty, the growth starts at the widest place, and a stretch of the lumen narrower
- *        than a leak between its neighbors can be cut instead of the leak.
- * Throws InputError when no voxel reaches 0.5. Time: about 1 microsecond per lumen voxel.
+ * \param centerline in LPS mm. If empty, growth starts at the voxel with maximum distance to the wall, and a stretch of
+ * lumen narrower than a leak may be cut instead of the leak. Throws InputError if all values are below 0.5. Takes about
+ * 1 microsecond per lumen voxel.
  * \ingroup ShapetonColonModel */
 ShapetonColonModel_EXPORT LumenTopology
 RepairLumenTopology(const OccupancyImage * occupancy, const CurveSet & centerline);
 
-/** Converts a mask to an occupancy of 0 and 1; nonzero voxels are lumen. With `sigma` (mm) greater than 0, the field is
- * smoothed by a Gaussian and shifted to keep the number of voxels of at least 0.5: stairs vanish, the volume stays.
+/** Converts a mask to an occupancy of 0 and 1; nonzero voxels are lumen. For `sigma` (mm) greater than 0, the field is
+ * smoothed by a Gaussian to remove stairs and shifted to preserve the number of voxels of at least 0.5.
  * \ingroup ShapetonColonModel */
 ShapetonColonModel_EXPORT OccupancyImage::Pointer
                  OccupancyFromMask(const LumenMaskImage * mask, double sigma = 0.0);

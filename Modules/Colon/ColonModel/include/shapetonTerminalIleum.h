@@ -6,27 +6,27 @@
 namespace shapeton
 {
 /** \class TerminalIleum
- * \brief A part of the lumen outside the colon: gas or tagged fluid that passed back through the valve.
+ * \brief The part of the lumen in the ileum, from gas or tagged fluid that passed back through the valve.
  * \ingroup ShapetonColonModel */
 struct TerminalIleum
 {
   /** On the grid of the labels, 1 inside. */
   LumenMask::Pointer mask;
-  /** Center of its opening into the colon, LPS, mm. */
+  /** Center of the opening into the colon, LPS, mm. */
   Eigen::Vector3d mouth{ Eigen::Vector3d::Zero() };
-  /** Straight distance from the mouth to its farthest point, mm. */
+  /** Straight distance from the mouth to the farthest point, mm. */
   double length{ 0.0 };
   /** Volume, ml. */
   double volume{ 0.0 };
 };
 
-/** Finds the terminal ileum in a lumen: a connected region 4 mm or more beyond all balls of 8.5 mm radius that leaves
- * the colon within 25 mm of the valve and only there, extends at least 30 mm, and contains no point of the centerline.
- * These rules prevent cutting the colon: corners of haustra are shallower, loops of colon are wider, and an appendix
- * leaves elsewhere. Empty if none is found.
+/** Finds the terminal ileum in a lumen: a connected region at least 4 mm outside the opening by a ball of 8.5 mm
+ * radius, which is attached to the colon only within 25 mm of the valve, extends at least 30 mm, and contains no point
+ * of the centerline. These rules avoid removing colon: corners of haustra are shallower, loops of colon are wider, and
+ * an appendix is attached elsewhere. Empty if not found.
  *
  * \param labels nonzero voxels are lumen.
- * \param centerline as for FindIleocecalValve(). The result is identical for any number of threads.
+ * \param centerline as for FindIleocecalValve(). The result does not depend on the number of threads.
  * \ingroup ShapetonColonModel */
 ShapetonColonModel_EXPORT std::optional<TerminalIleum>
 FindTerminalIleum(const LumenMask * labels, const CurveSet & centerline, const IleocecalValve & valve);

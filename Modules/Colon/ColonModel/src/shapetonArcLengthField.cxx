@@ -11,10 +11,10 @@ namespace
 {
 /** Bucket size of the queue, mm. */
 constexpr double QueueStep = 0.1;
-/** Number of curve points around a site to search for the closest place. */
+/** Number of curve points around a site to search for the closest position. */
 constexpr std::int32_t Reach = 8;
 
-/** Priority queue of voxels; distances are ordered to within one QueueStep. */
+/** Bucket queue of voxels; the order is exact to one QueueStep. */
 class DistanceQueue
 {
 public:
@@ -72,7 +72,7 @@ ArcLengthField::PointOfVoxel(std::int64_t voxel) const
     { static_cast<double>(voxel % nx), static_cast<double>(voxel / nx % ny), static_cast<double>(voxel / nx / ny) });
 }
 
-/** Each voxel takes the site of a face neighbor if that is closer than its own. */
+/** Propagates closer sites between face neighbors. */
 void
 ArcLengthField::Spread(const LumenMaskImage * lumen)
 {

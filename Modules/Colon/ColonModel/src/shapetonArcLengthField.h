@@ -7,12 +7,11 @@
 
 namespace shapeton
 {
-/** Maps a place of the wall to the closest place of the centerline within the lumen, so touching loops do not exchange
- * values. */
+/** Maps a wall point to the closest centerline point within the lumen, which separates touching loops. */
 class ArcLengthField
 {
 public:
-  /** One curve with the point array `arcLength`. */
+  /** Requires one curve with the point array `arcLength`. */
   ArcLengthField(const LumenMaskImage * lumen, const CurveSet & centerline);
 
   /** Distance along the centerline, mm; thread-safe. */
@@ -37,7 +36,7 @@ private:
 
   GridGeometry              m_Grid;
   itk::Size<3>              m_Size;
-  VertexMatrix              m_Points; ///< of the curve, in order
+  VertexMatrix              m_Points; ///< points of the curve, in order
   std::vector<double>       m_ArcLengths;
   std::vector<std::int32_t> m_Sites; ///< row of m_Points for each voxel
 };
