@@ -48,7 +48,7 @@ CecalRegion::PlaceGrid(const CurveSet & centerline, const Eigen::VectorXd & befo
       box.extend(centerline.V.row(i).transpose());
     }
   }
-  // Centered in the box, so a mirrored patient has mirrored voxels.
+  // Centered in the box, so mirroring the patient mirrors the voxels.
   const Eigen::Array3i half = ((0.5 * box.sizes().array() + margin) / Step).ceil().cast<int>();
   m_Grid.SetSize({ { 2 * half[0] + 1, 2 * half[1] + 1, 2 * half[2] + 1 } });
   m_Origin = box.center() - Step * half.cast<double>().matrix();
@@ -80,7 +80,7 @@ CecalRegion::Sample(const LumenMask * labels, const itk::Image<float, 3> * ct)
   });
 }
 
-// Through the lumen, so a loop next to the cecum is excluded; then a little into the tissue.
+// Through the lumen, to exclude adjacent loops, then slightly into the tissue.
 void
 CecalRegion::MeasureBeforeEnd(const CurveSet & centerline, const Eigen::VectorXd & beforeEnd)
 {

@@ -13,14 +13,13 @@
 namespace shapeton
 {
 /** \class CecalRegion
- * \brief The cecal end of a colon on cubic voxels along the axes of the patient, independent of the axes and spacings
- * of the image. */
+ * \brief The cecal end of a colon, resampled to cubic voxels along the patient axes. */
 class CecalRegion
 {
 public:
   /** Voxel size, mm. */
   static constexpr double Step = 1.25;
-  /** Part of the line before its end where a valve may be, mm. */
+  /** Length (mm) of the end of the line where the valve may be. */
   static constexpr double Reach = 160.0;
 
   /** \param ct HU on the grid of the labels; may be null.
@@ -65,8 +64,8 @@ public:
   {
     return m_Hounsfield[voxel];
   }
-  /** Distance (mm) before the end of the line of the line point from which a lumen voxel, or tissue next to it, was
-   * reached; beyond Reach if not reached. */
+  /** Distance (mm) to the end of the line, from the line point nearest to a voxel of lumen or adjacent tissue; greater
+   * than Reach if not reached. */
   float
   BeforeEnd(std::size_t voxel) const
   {

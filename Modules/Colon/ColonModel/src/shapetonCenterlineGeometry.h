@@ -8,7 +8,7 @@
 
 namespace shapeton
 {
-/** Positions of a grid: p = origin + matrix * index, index into the buffer (from 0). */
+/** Transform from buffer index (from 0) to position: p = origin + matrix * index. */
 struct GridGeometry
 {
   Eigen::Matrix3d matrix;
@@ -29,8 +29,7 @@ struct GridGeometry
   }
 };
 
-/** Calls `body(x, y, z)` for the voxels of the image on a polyline from a to b, in order, each face-adjacent to the
- * previous one. */
+/** Calls `body(x, y, z)` in order for the face-connected voxels of the image on the line from a to b. */
 void
 ForVoxelsOfSegment(const GridGeometry &                             grid,
                    const itk::Size<3> &                             size,

@@ -23,14 +23,14 @@ DistanceToAxis(const Eigen::Vector3d & p, const Axis & axis)
   return (p - axis.first - share * way).norm();
 }
 
-/** Decreases from 1 to 0 over the width; 0.5 on the wall of the tube. */
+/** Ramp from 1 to 0 over the width; 0.5 at the wall of the tube. */
 double
 TubeOccupancy(double distance, double radius, double width)
 {
   return std::clamp(0.5 + (radius - distance) / width, 0.0, 1.0);
 }
 
-/** Axes of the tubes, and warnings where the curve leaves the lumen without a gap. */
+/** Finds the axes of the tubes; warns where the curve is outside the lumen without a gap. */
 void
 FindAxes(const OccupancyImage * occupancy, const CurveSet & centerline, BridgedOccupancy & result)
 {
@@ -62,8 +62,8 @@ FindAxes(const OccupancyImage * occupancy, const CurveSet & centerline, BridgedO
       {
         std::ostringstream text;
         text.precision(5);
-        text << "the centerline runs outside the lumen from " << leftAt << " to " << backAt
-             << " mm, where no gap is marked; it was bridged there";
+        text << "the centerline is outside the lumen from " << leftAt << " to " << backAt
+             << " mm without a marked gap; it was bridged there";
         result.warnings.push_back(text.str());
         leftAt = -1.0;
       }
@@ -71,7 +71,7 @@ FindAxes(const OccupancyImage * occupancy, const CurveSet & centerline, BridgedO
   }
 }
 
-/** A copy on a grid that contains all tubes with a margin. */
+/** Copies a field to a grid that contains all tubes with a margin. */
 OccupancyImage::Pointer
 EnlargedCopy(const OccupancyImage * occupancy, const std::vector<Axis> & axes, double reach)
 {

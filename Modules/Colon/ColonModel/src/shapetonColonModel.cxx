@@ -32,7 +32,7 @@ LumenOptionsOf(const ColonModelOptions & options)
   return lumen;
 }
 
-/** Warns where the border of the scan cuts the colon. */
+/** Warns where the scan border cuts the colon. */
 void
 JudgeCuts(ColonCenterline & line)
 {
@@ -47,9 +47,9 @@ JudgeCuts(ColonCenterline & line)
     }
     line.warnings.push_back("the border of the scan cuts the colon from " + std::to_string(std::lround(stretch.begin)) +
                             " to " + std::to_string(std::lround(stretch.end)) + " mm along the centerline: " +
-                            (isOutside ? "part of it is not in the scan, and the parts on both sides of the gap may be "
+                            (isOutside ? "a part is outside the scan, and the parts on both sides of the gap may be "
                                          "in the wrong order"
-                                       : "the rest of it is not in the scan"));
+                                       : "the rest is outside the scan"));
   }
 }
 
@@ -73,7 +73,7 @@ FindValve(ColonModel & model)
   SetIleocecalValve(model.valve.valve, model.centerline.curve);
 }
 
-/** Finds the valve on the line; attached ileum is cut off, and line and valve are computed again. */
+/** Finds the valve; if ileum is attached, removes it and recomputes line and valve. */
 void
 AddValve(ColonModel & model, const ColonModelOptions & options)
 {
@@ -112,8 +112,7 @@ WaitFor(std::future<void> & beside)
   }
 }
 
-/** Runs a task and waits for the parallel one, also after an InputError, which a partial model survives, so that a
- * failure of the parallel task is not lost. */
+/** Runs a task and waits for the parallel one, even after an InputError, to report failures of both. */
 template <typename TWork>
 void
 DoAndWaitFor(std::future<void> & beside, const TWork & work)
@@ -145,7 +144,7 @@ AddWall(ColonModel & model, const ColonModelOptions & options, const TMake & mak
   AppendRemarks(model.warnings, model.wall.report.warnings);
 }
 
-/** The cleansed colon, and the task that uses its CT in parallel with the remaining steps. */
+/** The cleansed colon, and the parallel task that uses its CT. */
 struct CleansedWork
 {
   CleansedColon     colon;
@@ -167,7 +166,7 @@ TraceAndCleanse(ColonModel &                 model,
                 const itk::Image<float, 3> * ct,
                 const ColonModelOptions &    options)
 {
-  ParallelInvoke([&] { TraceLine(model, options); }, // needs no CT
+  ParallelInvoke([&] { TraceLine(model, options); }, // does not require the CT
                  [&] {
                    cleansed.colon = CleanseColon(ct, model.lumen);
                    model.cleansed = cleansed.colon.ct;
@@ -180,13 +179,13 @@ InWords(const GasInGap & one)
 {
   const auto rounded = [](double value) { return std::to_string(std::lround(value)); };
   return rounded(one.gas.ml) + " ml of gas around " + PlaceInWords(one.gas.center) +
-         ", as thin as small bowel, join the ends of a gap of " + rounded(one.gap.distance) +
+         ", as narrow as small bowel, connect the ends of a gap of " + rounded(one.gap.distance) +
          " mm in the centerline, from " + PlaceInWords(one.gap.from) + " to " + PlaceInWords(one.gap.to) +
-         ": they are taken for colon; check them, or give the lumen as a mask";
+         ": classified as colon; check it, or give the lumen as a mask";
 }
 
-/** Adds gas that fills gaps of the line as seed points and recomputes from the CT, if that shortens the gaps by at
- * least half of the filled length. The seed points are then added to `options`, since the line may be traced again. */
+/** Adds gas that fills gaps of the line as seed points and recomputes the model. The result is used, and the seed
+ * points are added to `options`, if the gaps are shortened by at least half of the filled length. */
 void
 FillGaps(ColonModel & model, CleansedWork & cleansed, const itk::Image<float, 3> * ct, ColonModelOptions & options)
 {
@@ -233,7 +232,7 @@ enum class LumenOrigin
   Mask  ///< given
 };
 
-/** Whether the border of the scan cuts the colon anywhere. */
+/** Whether the scan border cuts the colon anywhere. */
 bool
 IsCutByScan(const CurveSet & line)
 {
@@ -243,7 +242,7 @@ IsCutByScan(const CurveSet & line)
   });
 }
 
-/** Gas of a CT that ends within the scan on all sides and is shorter than any colon: a stomach, or a loop of bowel. */
+/** Reason if the lumen is completely inside the scan and shorter than any colon: a stomach or a loop of bowel. */
 std::string
 FailureOfShortLine(const ColonModel & model)
 {
@@ -261,7 +260,7 @@ FailureOfShortLine(const ColonModel & model)
          "its lumen as a mask";
 }
 
-/** Whether to complete the model: its line is a colon, or partial results are requested. */
+/** Whether to continue: the line is a colon, or partial results are requested. */
 bool
 MayGoOn(ColonModel & model, const ColonModelOptions & options, LumenOrigin origin)
 {
@@ -276,7 +275,7 @@ MayGoOn(ColonModel & model, const ColonModelOptions & options, LumenOrigin origi
   return model.failure.empty() || options.keepPartial;
 }
 
-/** Cleansing, centerline and wall of a lumen from the data or a mask. */
+/** Computes cleansed CT, centerline and wall of a lumen from the CT or a mask. */
 void
 Complete(ColonModel & model, const itk::Image<float, 3> * ct, ColonModelOptions options, LumenOrigin origin)
 {
@@ -339,7 +338,7 @@ Cropped(const LumenMask * lumen)
   return filter->GetOutput();
 }
 
-/** Radius of the section of a ball through a point, mm; 0 outside it. */
+/** Radius (mm) of the cross-section of a ball through a point; 0 outside the ball. */
 double
 RadiusOfSection(const itk::Point<double, 3> & center, double diameter, const itk::Point<double, 3> & point)
 {

@@ -145,7 +145,7 @@ IleumToJson(const std::optional<TerminalIleum> & ileum)
 {
   if (!ileum)
   {
-    return { { "found", false }, { "reason", "no part of the lumen leaves the colon at a detected valve" } };
+    return { { "found", false }, { "reason", "no part of the lumen extends beyond a detected valve" } };
   }
   return { { "found", true },
            { "mouth", { ileum->mouth[0], ileum->mouth[1], ileum->mouth[2] } },
@@ -217,7 +217,7 @@ Json
 DistensionToJson(const ColonModel & model)
 {
   Json json;
-  json["note"] = "share of the centerline with a caliber of at least 10 mm; borders of segments by customary shares of "
+  json["note"] = "fraction of the centerline with a caliber of at least 10 mm; segment borders at customary fractions of "
                  "the length, not by landmarks";
   json["whole"] = ToJson(model.wholeDistension);
   json["segments"] = Json::array();
@@ -241,11 +241,11 @@ AssessabilityToJson(const ColonModel & model)
   return json;
 }
 
-/** Whether the line begins near the anus: caudal, medial and posterior relative to its extent. */
+/** Whether the line begins near the anus: caudal, medial and posterior in its bounding box. */
 bool
 BeginsInRectum(const CurveSet & curve)
 {
-  // The lines of four real colons begin at 10 to 50 mm; one that begins in the descending colon would at about 80 mm.
+  // The lines of four real colons begin at 10 to 50 mm; a line from the descending colon would begin at about 80 mm.
   constexpr double farthest = 65.0; // mm, see ColonExtent::DistanceFromAnus()
   ColonExtent      extent;
   for (Eigen::Index n = 0; n < curve.V.rows(); ++n)
@@ -262,7 +262,7 @@ InMillimeters(double begin, double end)
   return "from " + std::to_string(std::lround(begin)) + " to " + std::to_string(std::lround(end)) + " mm";
 }
 
-/** Reasons why the line does not run from the rectum to the cecum with all gaps explained. */
+/** Parts missing from a complete line from the rectum to the cecum. */
 std::vector<std::string>
 MissingParts(const ColonModel & model)
 {
@@ -273,11 +273,11 @@ MissingParts(const ColonModel & model)
   std::vector<std::string> missing;
   if (!BeginsInRectum(model.centerline.curve))
   {
-    missing.push_back("the rectum: the line begins elsewhere");
+    missing.push_back("the rectum: the line does not begin there");
   }
   for (const HinderedStretch & cut : CutsByScan(model.centerline.curve))
   {
-    missing.push_back("the part beyond the border of the scan, which cuts the colon " +
+    missing.push_back("the part outside the scan, whose border cuts the colon " +
                       InMillimeters(cut.begin, cut.end) + " along the line");
   }
   for (const CenterlineGap & gap : model.centerline.gaps)

@@ -63,7 +63,7 @@ public:
     Remarks                       remarksOnRaw;
     std::optional<ArcLengthField> arcLengths;
     SurfaceMesh                   repaired;
-    // All other steps depend on the repaired surface; the raw one is independent of it.
+    // All other steps depend on the repaired surface; the raw surface is independent.
     ParallelInvoke([this] { this->Repair(); },
                    [&, this] {
                      remarksOnRaw = this->MakeRaw();
@@ -71,11 +71,11 @@ public:
                    });
     this->MakeRepaired();
     this->ReleaseOccupancy();
-    ParallelInvoke([this] { this->Simplify(); }, // runs on one core
+    ParallelInvoke([this] { this->Simplify(); }, // single-threaded
                    [&, this] {
                      arcLengths.emplace(m_Mask, m_Centerline);
                      m_Mask = nullptr;
-                     repaired = m_Wall.repaired; // which the simplification reads
+                     repaired = m_Wall.repaired; // which is an input of the simplification
                      m_Wall.report.bridgedFaces =
                        this->Inspect(repaired, m_Wall.report.repairedFaces, m_Wall.report.repairedQuality);
                      this->AddPlaces(m_Wall.raw, *arcLengths);
@@ -122,7 +122,7 @@ private:
       std::ostringstream text;
       text.precision(4);
       text << topology.report.droppedPieces << " pieces of the lumen with " << topology.report.droppedVolume
-           << " ml in total are connected to nothing and are left out of the wall";
+           << " ml in total are not connected and were removed from the wall";
       m_Wall.report.warnings.push_back(text.str());
     }
     this->Advance(Step::Repaired);
@@ -162,7 +162,7 @@ private:
     this->Advance(Step::Opened);
   }
 
-  /** Handles next to an end may leave no disc to cut out; the raw surface then stays closed. */
+  /** Opens the raw surface, unless handles next to an end prevent a disc. */
   Remarks
   OpenRaw()
   {
@@ -178,19 +178,19 @@ private:
     catch (const InputError & error)
     {
       m_Wall.report.rawGenus = SurfaceConnectivity(m_Wall.raw).Components().front().genus.value_or(-1);
-      remarks.push_back(std::string("the raw surface stays closed: ") + error.what());
+      remarks.push_back(std::string("the raw surface remains closed:  ") + error.what());
     }
     return remarks;
   }
 
-  /** Releases the input volumes: the next steps need the memory. */
+  /** Releases the input volumes to reduce peak memory. */
   void
   ReleaseOccupancy()
   {
     m_RepairedField = nullptr;
     m_RepairedOccupancy = nullptr;
     m_Bridges.occupancy = nullptr;
-    if (m_Bridges.axes.empty()) // else needed to identify faces of the tubes
+    if (m_Bridges.axes.empty()) // otherwise required to identify faces of the tubes
     {
       m_Occupancy = nullptr;
     }
@@ -239,7 +239,7 @@ private:
     this->Advance(Step::Simplified);
   }
 
-  /** Progress between these shares of the whole. */
+  /** Progress scaled to a part of the total. */
   void
   SimplifyTo(int faces, double begin, double end)
   {
@@ -249,12 +249,12 @@ private:
     m_Wall.simplified = SimplifySurface(m_Wall.repaired, options, &m_Simplification);
   }
 
-  /** Face count from area and narrowest radius of the simplified wall. */
+  /** Computes the face count from area and narrowest radius of the simplified wall. */
   int
   FacesForFlatMap() const
   {
     SurfaceMesh wall = m_Wall.simplified;
-    wall.cellArrays.push_back(BridgedFaces(wall, m_Bridges, m_Occupancy)); // no levels of the lumen
+    wall.cellArrays.push_back(BridgedFaces(wall, m_Bridges, m_Occupancy)); // excluded from the radius
     const SurfaceConnectivity connectivity(wall);
     const TubeEnds            ends = FindTubeEnds(wall, connectivity, "the wall");
     const Eigen::VectorXd     u = HarmonicAlongTube(MakeSurfaceLaplacian(connectivity, wall.V), ends);
@@ -268,7 +268,7 @@ private:
     return m_Centerline.V.row(isRectum ? curve.front() : curve.back());
   }
 
-  /** `arcLength`, and `notAssessable` where the centerline has it. */
+  /** Adds `arcLength`, and `notAssessable` if the centerline has that array. */
   void
   AddPlaces(SurfaceMesh & mesh, const ArcLengthField & field) const
   {
@@ -284,7 +284,7 @@ private:
     }
   }
 
-  /** `notAssessable` of the centerline point whose arcLength is nearest to that of each face. */
+  /** `notAssessable` of the centerline point with the arcLength nearest to that of each face. */
   SurfaceArray
   HindrancesOfFaces(const SurfaceMesh & mesh) const
   {
@@ -303,7 +303,7 @@ private:
     return array;
   }
 
-  /** Adds `bridged`, counts the faces and returns the number of tube faces. */
+  /** Adds `bridged` and returns the number of tube faces. */
   int
   Inspect(SurfaceMesh & mesh, int & faces, SurfaceQuality & quality) const
   {

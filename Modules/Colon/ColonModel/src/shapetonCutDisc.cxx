@@ -11,7 +11,7 @@ namespace shapeton
 {
 namespace
 {
-/** Maximum ratio of the faces of an enclosed island to those of the disc around it. */
+/** Maximum number of faces of an enclosed island relative to the surrounding disc. */
 constexpr std::size_t GreatestIsland = 4;
 } // namespace
 
@@ -138,7 +138,7 @@ DiscCutter::FillIslands(std::vector<int> & faces, int outsideVertex) const
   }
 }
 
-/** Adds outside faces with two edges on the disc, which would protrude into the opening. */
+/** Adds faces with two edges on the disc, which would protrude into the opening. */
 void
 DiscCutter::FillTeeth(std::vector<int> & faces) const
 {

@@ -19,13 +19,13 @@ public:
     return m_Connectivity;
   }
 
-  /** The faces whose vertices are all within `radius` of the pole, measured along edges, with enclosed islands and
-   * without teeth on their boundary; in ascending order. Empty if they do not form a topological disc or touch excluded
-   * faces. The vertex `outside` is not on an island. */
+  /** The faces whose vertices are all within `radius` of the pole, measured along edges, including enclosed islands and
+   * faces that protrude at the boundary; in ascending order. Empty if they do not form a topological disc or touch
+   * excluded faces. The part with the vertex `outside` is never an island. */
   std::vector<int>
   FindDisc(int pole, double radius, int outside) const;
 
-  /** Excludes these faces and their neighbors from later discs. */
+  /** Excludes faces and their neighbors from later discs. */
   void
   Forbid(const std::vector<int> & faces);
 
@@ -49,15 +49,15 @@ private:
   std::vector<char>   m_IsForbidden;
 };
 
-/** Writes field arrays `rectumLoop` and `cecumLoop` by the distance of the loops to the ends of the centerline, and
- * returns the genus. Throws InputError unless the surface is one manifold component with two loops. */
+/** Adds the field arrays `rectumLoop` and `cecumLoop`, assigned by distance to the ends of the centerline, and returns
+ * the genus. Throws InputError unless the surface is one manifold component with two loops. */
 int
 SetLoops(SurfaceMesh &               mesh,
          const SurfaceConnectivity & connectivity,
          const Eigen::Vector3d &     rectum,
          const Eigen::Vector3d &     cecum);
 
-/** Smooths the rims by moving boundary vertices, as long as no adjacent face becomes a needle or flips. */
+/** Smooths the rims by moving boundary vertices unless an adjacent face would degenerate or flip. */
 void
 SmoothRims(SurfaceMesh & mesh, const SurfaceConnectivity & connectivity);
 } // namespace shapeton

@@ -16,14 +16,15 @@ constexpr const char * arrayName = "ileocecalValve";
 constexpr int          valuesInArray = 7;
 constexpr double       leastConfidence = 0.5;
 
-/** Rounded down, so a value below the limit never appears to reach it. */
+/** Rounded down, so that a value below the limit is not printed as the limit. */
 std::string
 PerCent(double share)
 {
   return std::to_string(static_cast<int>(std::floor(100.0 * share))) + " %";
 }
 
-/** Probability that the valve is this place or an adjacent one on the same fold; at most one place is the valve. */
+/** Probability that the valve is this candidate or an adjacent one on the same fold; at most one candidate is the
+ * valve. */
 double
 ProbabilityNear(const ValveEvidence & best, const std::vector<ValveEvidence> & places, const std::vector<double> & odds)
 {
@@ -62,7 +63,7 @@ FindIleocecalValve(const LumenMask * labels, const itk::Image<float, 3> * ct, co
   valve.confidence = ProbabilityNear(best, places, odds);
   if (valve.confidence < leastConfidence)
   {
-    search.reason = "no place is likely enough: the most likely one, at " + PlaceInWords(valve.position) + ", has " +
+    search.reason = "no candidate is likely enough: the most likely one, at " + PlaceInWords(valve.position) + ", has " +
                     PerCent(valve.confidence);
     return search;
   }

@@ -35,7 +35,7 @@ CopyFlagsToMask(const PaddedVoxels & voxels, LumenMaskImage * mask)
   voxels.ForEachVoxel([&](std::int64_t padded, std::int64_t inner) { values[inner] = voxels.flags[padded] & Lumen; });
 }
 
-/** Gives all voxels of all components but one the same flags; returns their number. */
+/** Sets the flags of all components except one; returns the number of changed voxels. */
 std::int64_t
 SetFlagsOfOthers(PaddedVoxels & voxels, const VoxelComponents & components, int kept, unsigned char flags)
 {
@@ -78,7 +78,7 @@ KeepSolidPiece(LumenMaskImage * mask, double voxelVolume, LumenTopologyReport & 
   report.lumenVolume = static_cast<double>(pieces.sizes[largest]) * voxelVolume;
 }
 
-/** Keeps voxels with both neighbors along an axis; voxels outside the grid count as kept. */
+/** Keeps voxels with both neighbors along an axis; voxels outside the grid are treated as kept. */
 std::vector<unsigned char>
 Eroded(const VoxelGrid & grid, const std::vector<unsigned char> & mask, int axis)
 {
@@ -100,7 +100,7 @@ Eroded(const VoxelGrid & grid, const std::vector<unsigned char> & mask, int axis
   return eroded;
 }
 
-/** Squared distances to the nearest lumen voxel that touches the background, also by a corner, mm^2. */
+/** Squared distances (mm^2) to the nearest lumen voxel that is 26-adjacent to the background. */
 VoxelValues
 SquaredDistancesToRim(const LumenMaskImage * lumen)
 {
@@ -115,8 +115,8 @@ SquaredDistancesToRim(const LumenMaskImage * lumen)
   return SquaredDistances(grid, { spacing[0], spacing[1], spacing[2] }, inside);
 }
 
-/** Distance to the wall as ranks. Voxels next to the wall have equal distances; there the occupancy breaks ties, so a
- * membrane follows the septum. */
+/** Ranks by distance to the wall. Ties next to the wall are broken by the occupancy, so that a membrane follows the
+ * septum. */
 GrowthRankImage::Pointer
 RanksOfLumen(const LumenMaskImage * lumen, const OccupancyImage * occupancy)
 {
@@ -157,7 +157,7 @@ RaiseCenterline(GrowthRankImage * ranks, const CurveSet & centerline)
   }
 }
 
-/** A lumen voxel of the greatest rank. */
+/** A lumen voxel of maximum rank. */
 void
 PlantSeed(LumenMaskImage * grown, const LumenMaskImage * limit, const GrowthRankImage * ranks)
 {

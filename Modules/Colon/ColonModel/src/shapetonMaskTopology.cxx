@@ -8,9 +8,9 @@ namespace shapeton
 {
 namespace
 {
-/** Contribution of a cube of 2 x 2 x 2 voxels to eight times the Euler number; bit x + 2 y + 4 z. The object is a
- * complex of voxels as points, pairs by faces, full squares and full cubes. The background is not connected through
- * corners, so the ring of six voxels around two opposite ones is closed, too. */
+/** Contribution of a cube of 2 x 2 x 2 voxels (bit x + 2 y + 4 z) to eight times the Euler number. The object is a cell
+ * complex: voxels are vertices, face pairs are edges, full squares and full cubes are cells. The background is not
+ * connected through corners, so the ring of six voxels around two opposite background voxels is also filled. */
 int
 EightfoldEulerNumber(unsigned int cube)
 {
@@ -18,7 +18,7 @@ EightfoldEulerNumber(unsigned int cube)
   int        eightfold = cube == 0xFFU ? -8 : 0;
   for (unsigned int i = 0; i < 8; ++i)
   {
-    eightfold += has(1U << i) ? 1 : 0; // a voxel is shared by eight cubes
+    eightfold += has(1U << i) ? 1 : 0; // a voxel is in eight cubes
     eightfold += i < 4 && cube == (0xFFU & ~(1U << i) & ~(0x80U >> i)) ? 8 : 0;
   }
   for (unsigned int a = 1; a < 8; a <<= 1)
@@ -27,11 +27,11 @@ EightfoldEulerNumber(unsigned int cube)
     const unsigned int c = 7 - a - b;
     for (const unsigned int i : { 0U, b, c, b + c })
     {
-      eightfold -= has(1U << i | 1U << (i + a)) ? 2 : 0; // an edge by four
+      eightfold -= has(1U << i | 1U << (i + a)) ? 2 : 0; // an edge in four
     }
     for (const unsigned int i : { 0U, c })
     {
-      eightfold += has(1U << i | 1U << (i + a) | 1U << (i + b) | 1U << (i + a + b)) ? 4 : 0; // a square by two
+      eightfold += has(1U << i | 1U << (i + a) | 1U << (i + b) | 1U << (i + a + b)) ? 4 : 0; // a square in two
     }
   }
   return eightfold;

@@ -25,7 +25,7 @@ VoxelMl(const itk::ImageBase<3> * image)
   return 1e-3 * spacing[0] * spacing[1] * spacing[2];
 }
 
-/** Sums over the voxels of a piece. */
+/** Accumulated sums of a piece. */
 struct PieceSums
 {
   double                 gas{ 0.0 };
@@ -36,7 +36,7 @@ struct PieceSums
   itk::Vector<double, 3> fluidPlace{ 0.0 };
 };
 
-/** Sums over the components of the labels; `ct` may be null. */
+/** Accumulates sums for the components of the labels; `ct` may be null. */
 std::vector<PieceSums>
 SumPieces(const itk::Image<float, 3> * ct, const LumenMask * labels, const LumenDistanceImage * distance)
 {
@@ -80,7 +80,7 @@ DescribePieces(const std::vector<PieceSums> & sums, double voxelMl, ColonLumen &
   }
 }
 
-/** Fluid is below the gas of its piece. */
+/** Estimates gravity from gas to fluid in each piece. */
 void
 ChooseGravity(const std::vector<PieceSums> & sums, const std::string & patientPosition, ColonLumen & lumen)
 {
@@ -118,7 +118,7 @@ MedianOf(std::vector<float> & values)
   return *middle;
 }
 
-/** Intensities of voxels at least 2 mm and one and a half voxels deep: clear gas and clear fluid. */
+/** Intensities of pure gas and fluid, from voxels at least 2 mm and 1.5 voxels deep. */
 void
 MeasureThresholds(const itk::Image<float, 3> * ct, const LumenDistanceImage * distance, ColonLumen & lumen)
 {

@@ -11,8 +11,7 @@ namespace
 {
 constexpr float HighestLevel = 0.95F;
 
-/** The threshold that keeps the number of voxels of the mask. It is near 0.5, so voxels far from it are only
- * counted. */
+/** Threshold that preserves the number of voxels. It is near 0.5, so voxels far from 0.5 are only counted. */
 float
 LevelOfEqualVolume(const OccupancyImage * image, std::size_t voxels)
 {

@@ -47,7 +47,7 @@ RayAtEnd(const CurveSet & centerline, bool isRectum)
   return { end, way.normalized() };
 }
 
-/** Ray parameter of the intersection with a triangle, infinity without one (Moeller, Trumbore 1997). */
+/** Ray parameter of the intersection with a triangle; infinity if none (Moeller, Trumbore 1997). */
 double
 HitOfRay(const Ray & ray, const Eigen::Vector3d & a, const Eigen::Vector3d & b, const Eigen::Vector3d & c)
 {
@@ -74,7 +74,7 @@ ClosestVertex(const SurfaceMesh & mesh, const Eigen::Vector3d & point)
   return static_cast<int>(closest);
 }
 
-/** The vertex closest to where the ray first leaves the surface, or to its origin if it never does. */
+/** The vertex closest to the first intersection of the ray, or to its origin if none. */
 int
 PoleVertex(const SurfaceMesh & mesh, const Ray & ray)
 {
@@ -86,7 +86,7 @@ PoleVertex(const SurfaceMesh & mesh, const Ray & ray)
   return ClosestVertex(mesh, std::isfinite(best) ? ray.origin + best * ray.direction : ray.origin);
 }
 
-/** The largest disc around the pole that can be cut out. */
+/** The largest valid disc around the pole. */
 std::vector<int>
 DiscAtEnd(const DiscCutter &      cutter,
           int                     pole,

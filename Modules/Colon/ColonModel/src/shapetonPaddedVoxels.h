@@ -8,7 +8,7 @@
 
 namespace shapeton
 {
-/** Voxel flags with a layer of zeros around, so each voxel has 26 neighbors. */
+/** Voxel flags padded by a layer of zeros, so that each voxel has 26 neighbors. */
 struct PaddedVoxels
 {
   VoxelGrid                  grid; ///< including the layer
@@ -21,7 +21,7 @@ struct PaddedVoxels
     , flags(grid.NumberOfVoxels(), 0)
   {}
 
-  /** Calls `body(padded index, index in the image's buffer)` for each voxel of the image; each slice by one thread. */
+  /** Calls `body(padded index, buffer index)` for each voxel of the image, in parallel over slices. */
   template <typename TBody>
   void
   ForEachVoxel(const TBody & body) const
@@ -51,15 +51,15 @@ struct PaddedVoxels
   }
 };
 
-/** Components of voxels; runs are those of the padded grid. */
+/** Components of voxels; runs refer to the padded grid. */
 struct VoxelComponents
 {
   VoxelRuns                 runs;
   RunLabels                 labels;
-  std::vector<std::int64_t> sizes; ///< number of voxels per label; 0 for the unused label 0
+  std::vector<std::int64_t> sizes; ///< number of voxels per label; label 0 is unused
 };
 
-/** The components of the voxels where (flags & flag) != 0 equals `isSet`. The padding is included: with `isSet` false,
+/** The components of the voxels where (flags & flag) != 0 equals `isSet`, including the padding: for `isSet` false,
  * label 1 is the outside. */
 VoxelComponents
 FindComponents(const PaddedVoxels & voxels, unsigned char flag, bool isSet, VoxelContact contact);

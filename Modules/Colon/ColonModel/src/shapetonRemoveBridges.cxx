@@ -74,7 +74,7 @@ RemoveBridges(const SurfaceMesh & mesh)
   {
     return mesh;
   }
-  SurfaceRepairOptions repair; // separates faces connected only by a vertex
+  SurfaceRepairOptions repair; // separates faces connected only at a vertex
   repair.mergeVertices = false;
   repair.orient = false;
   SurfaceMesh pieces = RepairSurface(FacesOfSurface(mesh, lumen), repair);

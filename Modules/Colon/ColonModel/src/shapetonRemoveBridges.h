@@ -5,8 +5,8 @@
 
 namespace shapeton
 {
-/** Removes the faces with `bridged` = 1: each piece of the lumen becomes a component, open at the tubes. Fragments of
- * less than a thousandth of the faces are removed, too. `rectumLoop` and `cecumLoop` keep their points. */
+/** Removes the faces with `bridged` = 1, so that each piece of the lumen becomes a component, open at the tubes. Also
+ * removes fragments of less than a thousandth of the faces. `rectumLoop` and `cecumLoop` are preserved. */
 SurfaceMesh
 RemoveBridges(const SurfaceMesh & mesh);
 } // namespace shapeton

@@ -7,7 +7,7 @@
 
 namespace shapeton
 {
-/** Gaussian smoothing of cubic voxels with `sigma` voxels; border values are repeated. */
+/** Gaussian smoothing with `sigma` in voxels; border values are repeated. */
 std::vector<float>
 SmoothedField(const VoxelGrid & grid, const std::vector<unsigned char> & values, double sigma);
 } // namespace shapeton

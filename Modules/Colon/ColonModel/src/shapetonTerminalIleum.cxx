@@ -11,18 +11,18 @@ namespace shapeton
 {
 namespace
 {
-/** Radius of the largest ball in an ileum, mm. Haustra, except for their corners, contain larger ones. */
+/** Maximum inscribed radius (mm) of an ileum. Haustra are wider except for their corners. */
 constexpr double ilealRadius = 8.5;
-/** mm: crevices next to lips are shallower; this part of the ileum stays with the colon. */
+/** mm; crevices next to lips are shallower. This part of the ileum is not removed. */
 constexpr double leftWithColon = 4.0;
-/** Maximum distance from the line to follow the ileum, mm. */
+/** Maximum distance (mm) of the ileum from the line. */
 constexpr double margin = 110.0;
-/** Maximum distance from the valve at which the ileum may leave the colon, mm. */
+/** Maximum distance (mm) of the opening from the valve. */
 constexpr double fromValve = 25.0;
-/** Minimum length, mm: corners of haustra are shallower. */
+/** Minimum length, mm; corners of haustra are shallower. */
 constexpr double leastLength = 30.0;
 
-/** The lumen beyond the reach of balls of the ileal radius: 1 there, 0 elsewhere. */
+/** Mask of the lumen removed by an opening with a ball of the ileal radius. */
 std::vector<unsigned char>
 NarrowLumen(const CecalRegion & region)
 {
@@ -43,7 +43,7 @@ NarrowLumen(const CecalRegion & region)
   return narrow;
 }
 
-/** A part of the narrow lumen, starting where it leaves the wide lumen. */
+/** A branch of narrow lumen, starting at the wide lumen. */
 struct Branch
 {
   std::vector<std::size_t> mouth;
@@ -60,7 +60,7 @@ TouchesWideLumen(const CecalRegion & region, const std::vector<unsigned char> & 
   return touches;
 }
 
-/** Removes the connected part around a voxel from `free`. */
+/** Extracts the connected part around a voxel from `free`. */
 Branch
 GrowBranch(const CecalRegion &                region,
            const std::vector<unsigned char> & narrow,
@@ -100,7 +100,7 @@ LengthOf(const CecalRegion & region, const Branch & branch, const Eigen::Vector3
   return farthest;
 }
 
-/** 1 inside the branch, for each voxel of the region. */
+/** Mask of the branch for the voxels of the region. */
 std::vector<unsigned char>
 VoxelsOf(const CecalRegion & region, const Branch & branch)
 {
@@ -147,7 +147,7 @@ MaskOf(const CecalRegion & region, const Branch & branch, const LumenMask * labe
   return mask;
 }
 
-/** Whether the branch leaves the wide lumen only at the valve; returns the center of the opening. */
+/** Returns the center of the opening if the branch is connected to the wide lumen only at the valve. */
 bool
 LeavesAtValve(const CecalRegion & region, const Branch & branch, const IleocecalValve & valve, Eigen::Vector3d & middle)
 {

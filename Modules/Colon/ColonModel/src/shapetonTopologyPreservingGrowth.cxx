@@ -10,7 +10,7 @@ namespace shapeton
 {
 namespace
 {
-// Sets of the 27 voxels, bit x + 3 y + 9 z.
+// Subsets of the 27 voxels, bit x + 3 y + 9 z.
 using Bits = std::uint32_t;
 constexpr Bits All = 0x7FFFFFF;
 constexpr Bits LowX = 0x1249249; // x = 0
@@ -69,7 +69,7 @@ IsOneComponent(Bits wanted, Bits set, const TSpread & spread)
   return wanted != 0 && (wanted & ~reached) == 0;
 }
 
-/** Voxels ordered by rank, ties in the order of arrival. */
+/** Voxels ordered by rank, first in, first out for equal ranks. */
 class RankQueue
 {
 public:
@@ -131,7 +131,7 @@ public:
   std::int64_t
   Run()
   {
-    for (std::size_t voxel = 0; voxel < m_Flags.size(); ++voxel) // the padding has no candidates
+    for (std::size_t voxel = 0; voxel < m_Flags.size(); ++voxel) // the padding is never a candidate
     {
       if ((m_Flags[voxel] & Object) != 0)
       {
@@ -164,7 +164,7 @@ private:
     return bits;
   }
 
-  /** Adds candidates around an object voxel, including corner neighbors, whose topological numbers may change. */
+  /** Adds candidates around an object voxel, including corner neighbors, whose topological numbers may have changed. */
   void
   PushNeighbors(std::int64_t voxel)
   {
@@ -198,7 +198,8 @@ private:
 bool
 IsSimplePoint(std::uint32_t neighborhood)
 {
-  // Geodesic neighborhoods: an edge counts if a face leads to it, a corner if an edge does.
+  // Geodesic neighborhoods: an edge neighbor requires an adjacent face neighbor, a corner neighbor an adjacent edge
+  // neighbor.
   const Bits object = neighborhood & All & ~Center;
   const Bits faces = object & Faces;
   const Bits edges = object & Edges & Spread6(faces);

@@ -12,25 +12,25 @@ namespace shapeton
 {
 namespace
 {
-/** Standard deviation, mm. Removes structures thinner than 4 mm, such as folds, from the half level. */
+/** Standard deviation (mm) of the smoothing, which removes structures thinner than 4 mm, such as folds. */
 constexpr double smoothing = 3.0;
 /** Minimum of the smaller principal curvature of a bulge, 1/mm. */
 constexpr double leastCurvature = 0.01;
-/** Minimum solid angle, sr; less is a ripple. */
+/** Minimum solid angle (sr), to exclude ripples. */
 constexpr double leastSolidAngle = 0.3;
 
-/** A voxel at the level, with the surface element in it. */
+/** A voxel on the surface, with its surface element. */
 struct SurfaceVoxel
 {
   std::size_t     voxel;
   Eigen::Vector3d point;
-  Eigen::Vector3d inward; // into the lumen
+  Eigen::Vector3d inward; // normal into the lumen
   double          area;
   double          lesser;
   double          greater;
 };
 
-/** Central differences of a field, in units of voxels. */
+/** Central differences of a field per voxel. */
 class FieldShape
 {
 public:
@@ -70,11 +70,11 @@ private:
   const std::vector<float> & m_Field;
 };
 
-/** The surface element of the half level in a voxel; none if the level is more than 1.5 voxels away. */
+/** The surface element of the 0.5 level in a voxel; empty if the level is more than 1.5 voxels away. */
 bool
 MeasureSurface(const CecalRegion & region, const FieldShape & shape, double value, SurfaceVoxel & one)
 {
-  constexpr double      reach = 1.5; // voxels: support of the bump function that distributes the surface among voxels
+  constexpr double      reach = 1.5; // voxels; support of the bump function that distributes the surface over voxels
   const Eigen::Vector3d gradient = shape.Gradient(one.voxel);
   const double          steepness = gradient.norm();
   const double          distance = (value - 0.5) / std::max(steepness, 1e-6);
@@ -86,7 +86,7 @@ MeasureSurface(const CecalRegion & region, const FieldShape & shape, double valu
   const Eigen::Vector3d       right = one.inward.unitOrthogonal();
   Eigen::Matrix<double, 3, 2> tangents;
   tangents << right, one.inward.cross(right);
-  // The field decreases from the lumen into the tissue: over a ball of tissue it increases outward.
+  // The field decreases from lumen to tissue, so it increases outward over a ball of tissue.
   const Eigen::Matrix2d curvature = tangents.transpose() * shape.Hessian(one.voxel) * tangents / steepness;
   const Eigen::Vector2d curvatures = PrincipalAxes(curvature).values;
   one.lesser = curvatures[0] / CecalRegion::Step;
@@ -120,7 +120,7 @@ BulgingSurface(const CecalRegion & region)
   return surface;
 }
 
-/** Components connected by faces, edges or corners; ascending in each. */
+/** 26-connected components; ascending indices in each. */
 std::vector<std::vector<SurfaceVoxel>>
 ConnectedParts(const VoxelGrid & grid, const std::vector<SurfaceVoxel> & surface)
 {
@@ -178,7 +178,7 @@ MeasureWidths(const std::vector<SurfaceVoxel> & part, ValveBulge & bulge)
   }
 }
 
-/** Median of the intensities below the surface away from the lumen. */
+/** Median intensity below the surface, away from the lumen. */
 double
 AttenuationOf(const CecalRegion & region, const std::vector<SurfaceVoxel> & part, const ValveBulge & bulge)
 {

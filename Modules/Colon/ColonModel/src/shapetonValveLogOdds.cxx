@@ -7,7 +7,7 @@ namespace shapeton
 {
 namespace
 {
-/** The largest bulge, and those around it. */
+/** The largest bulge and its neighbors. */
 ValveEvidence
 EvidenceOf(const std::vector<ValveBulge> & lips)
 {
@@ -34,15 +34,15 @@ Squared(double value)
   return value * value;
 }
 
-/** Smooth step from 0 to 1 about `middle`. */
+/** Smooth step from 0 to 1 at `middle`. */
 double
 Step(double value, double middle, double width)
 {
   return 1.0 / (1.0 + std::exp(-(value - middle) / width));
 }
 
-/** Log-likelihood ratio of the area for a valve against other bulges, which get rarer with area. A valve has about 200
- * mm^2; more is no further evidence, since large polyps have it, too. */
+/** Log-likelihood ratio of the area for a valve versus other bulges, which are rarer for larger areas. A valve covers
+ * about 200 mm^2; larger areas are not further evidence, since large polyps exist. */
 double
 LogOddsOfSize(double area)
 {
@@ -51,8 +51,8 @@ LogOddsOfSize(double area)
   return offset + std::min(area, most) / decay - 0.5 * Squared(std::log(area / typical) / spread);
 }
 
-/** Log-likelihood ratio of the tissue for a valve against other bulges. Lips contain fat in most patients, but so does
- * the tissue behind a thin wall; gas and tagged matter are not tissue. */
+/** Log-likelihood ratio of the tissue for a valve versus other bulges. Lips contain fat in most patients, but so does
+ * the tissue behind a thin wall. Gas and tagged matter are not tissue. */
 double
 LogOddsOfContent(double hounsfield)
 {
@@ -70,7 +70,7 @@ LogOddsOfContent(double hounsfield)
 std::vector<ValveEvidence>
 JoinLips(std::vector<ValveBulge> bulges)
 {
-  constexpr double reach = 18.0; // mm; bulges this close to a larger one are its lips
+  constexpr double reach = 18.0; // mm; maximum distance between the lips of a valve
   std::stable_sort(bulges.begin(), bulges.end(), [](const auto & a, const auto & b) { return a.area > b.area; });
   std::vector<ValveEvidence> places;
   while (!bulges.empty())
@@ -88,7 +88,7 @@ double
 ValveLogOdds(const ValveEvidence & evidence)
 {
   const double ofPlace = -0.5 * Squared((evidence.beforeEnd - 70.0) / 40.0);
-  // A ball of any size, such as the head of a polyp on its stalk, has 4 pi.
+  // The solid angle of a ball, such as the head of a polyp on a stalk, is 4 pi.
   const double ofBall = -4.0 * Step(evidence.solidAngle, 8.5, 0.7);
   return LogOddsOfSize(evidence.area) + ofPlace + ofBall + LogOddsOfContent(evidence.valve.attenuation);
 }

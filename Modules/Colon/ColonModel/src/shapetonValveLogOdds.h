@@ -8,12 +8,12 @@
 
 namespace shapeton
 {
-/** A place that may be the valve: a bulge, or several nearby ones, such as lips. */
+/** A candidate for the valve: a bulge, or several nearby bulges, such as lips. */
 struct ValveEvidence
 {
-  /** Without arcLength and confidence. */
+  /** The candidate without arcLength and confidence. */
   IleocecalValve valve;
-  /** Distance before the end of the line, mm. */
+  /** Distance to the end of the line, mm. */
   double beforeEnd{ 0.0 };
   /** Total area of the bulges, mm^2. */
   double area{ 0.0 };
@@ -21,11 +21,11 @@ struct ValveEvidence
   double solidAngle{ 0.0 };
 };
 
-/** Groups bulges within 18 mm of a larger one with it. */
+/** Groups bulges with a larger one within 18 mm. */
 std::vector<ValveEvidence>
 JoinLips(std::vector<ValveBulge> bulges);
 
-/** Log-odds that a place is the valve rather than no place. */
+/** Log-odds of a candidate relative to no valve. */
 double
 ValveLogOdds(const ValveEvidence & evidence);
 } // namespace shapeton

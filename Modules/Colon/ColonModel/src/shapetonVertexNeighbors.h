@@ -5,8 +5,8 @@
 
 namespace shapeton
 {
-/** End vertices of the edges that leave each vertex: all neighbors if the surface is closed and oriented. Needs far
- * less memory and time than a SurfaceConnectivity. */
+/** End vertices of the outgoing edges of each vertex: all neighbors if the surface is closed and oriented. Requires far
+ * less memory and time than SurfaceConnectivity. */
 class VertexNeighbors
 {
 public:

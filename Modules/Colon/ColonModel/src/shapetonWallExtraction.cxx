@@ -12,10 +12,10 @@ namespace shapeton
 namespace
 {
 constexpr float LevelOfWall = 0.5F;
-/** Minimum distance of values from the level: several crossing edges at one voxel would give degenerate faces. */
+/** Minimum distance of values from the level, to avoid degenerate faces at a voxel. */
 constexpr float LeastStep = 0.001F;
 
-/** Mirrors a value at the level if it is on the wrong side. */
+/** Reflects a value at the level if it is on the wrong side. */
 float
 ClampedValue(float value, bool isLumen)
 {
@@ -53,7 +53,7 @@ PaddedField(const OccupancyImage * occupancy, const LumenMaskImage * mask)
   return values;
 }
 
-/** The contour in LPS mm. */
+/** Extracts the contour in LPS mm. */
 SurfaceMesh
 ContourOf(const OccupancyImage * occupancy, const LumenMaskImage * mask)
 {

@@ -12,7 +12,7 @@ namespace shapeton
 {
 namespace
 {
-// Pass band 0.1 as VTK's windowed sinc filter has it by default: 1 / shrinking - 1 / growing.
+// Pass band 0.1 = 1 / shrinking - 1 / growing, the default of VTK's windowed sinc filter.
 constexpr double ShrinkingStep = 0.5;
 constexpr double GrowingStep = -0.5263157894736842;
 
@@ -39,11 +39,11 @@ VertexNormals(const SurfaceMesh & mesh)
   return normals;
 }
 
-/** Vertices whose neighbors do not form a ring: boundary vertices, and those without faces. */
+/** Vertices whose neighbors do not form a ring: boundary vertices and isolated ones. */
 std::vector<char>
 FixedVertices(const SurfaceMesh & mesh)
 {
-  // Around an interior vertex, each neighbor is once the end and once the begin of an edge.
+  // Around an interior vertex, each neighbor is once the end and once the start of an edge.
   std::vector<std::int64_t> balance(static_cast<std::size_t>(mesh.NumberOfVertices()), 0);
   std::vector<char>         isFixed(static_cast<std::size_t>(mesh.NumberOfVertices()), 1);
   for (Eigen::Index f = 0; f < mesh.F.rows(); ++f)

@@ -9,7 +9,7 @@
 
 #include <cmath>
 
-/** The end of a colon: a tube of 24 mm radius along z from 0 to a half ball at 200 mm, with added structures. */
+/** The end of a colon: a tube of 24 mm radius along z from 0 to a hemisphere at 200 mm, with added structures. */
 namespace cecalscene
 {
 constexpr double radius = 24.0, end = 200.0;
@@ -24,7 +24,7 @@ struct Scene
   double ileumRadius{ 5.0 };
   /** HU inside the valve. */
   float core{ -80.0F };
-  /** Transformation of the patient: rotates the tube, mirrors it at x = 0. */
+  /** Transform of the patient: rotation of the tube, or reflection at x = 0. */
   Eigen::Matrix3d turn{ Eigen::Matrix3d::Identity() };
 };
 
@@ -63,7 +63,7 @@ struct Images
   itk::Image<float, 3>::Pointer ct{ itk::Image<float, 3>::New() };
 };
 
-/** Images with voxels of this spacing, whose axes are the columns of `axes`. */
+/** Creates images with this spacing and direction matrix `axes`. */
 inline Images
 Draw(const Scene &           scene,
      const Eigen::Vector3d & spacing = Eigen::Vector3d::Constant(1.5),

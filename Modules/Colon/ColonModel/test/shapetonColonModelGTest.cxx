@@ -20,7 +20,7 @@ namespace
 using CtImage = itk::Image<float, 3>;
 using Source = shapeton::ColonPhantomImageSource;
 
-/** A coarse patient: 2.8 mm, or the given grid. */
+/** A patient with a spacing of 2.8 mm, or on the given grid. */
 Source::Pointer
 MakePatient(const Source::DirectionType & direction, int collapsed = 0)
 {
@@ -156,7 +156,7 @@ TEST(ColonModel, OfACtIsATubeAroundTheTrueLine)
 
 TEST(ColonModel, ObliqueAxesGiveTheSameColon)
 {
-  Source::DirectionType axes; // a turn of 20 degrees about z and a swap of two axes
+  Source::DirectionType axes; // rotation by 20 degrees about z, and two axes swapped
   const double          c = std::cos(0.35);
   const double          s = std::sin(0.35);
   axes(0, 0) = c;
@@ -192,7 +192,7 @@ ExpectModelOfMask(Source * patient)
   EXPECT_LT(MeanDistance(model.centerline.curve, patient->GetAnatomy().Centerline()), 3.0);
 }
 
-/** Without a position gravity points from the gas to the fluid. */
+/** Without a position, gravity points from gas to fluid. */
 void
 ExpectGasAndFluidOfMask(Source * patient)
 {
@@ -212,7 +212,7 @@ ExpectGasAndFluidOfMask(Source * patient)
     all += truth != 0;
     right += truth != 0 && truth == model.lumen.labels->GetBufferPointer()[i];
   }
-  EXPECT_GT(static_cast<double>(right), 0.93 * static_cast<double>(all)); // voxels across levels and walls are mixed
+  EXPECT_GT(static_cast<double>(right), 0.93 * static_cast<double>(all)); // except partial volume at levels and walls
 }
 
 TEST(ColonModel, OfTheTrueMaskAloneOrBesideTheCt)
@@ -262,7 +262,7 @@ TEST(ColonModel, WithoutAColonSaysSo)
   EXPECT_EQ(quality.at("failure").get<std::string>(), model.failure);
 }
 
-/** Soft tissue with a bag of gas, 100 mm long and 50 mm wide, like a stomach; and a mask of the bag. */
+/** Soft tissue around gas of 100 mm length and 50 mm width, like a stomach, and a mask of the gas. */
 std::pair<CtImage::Pointer, shapeton::LumenMask::Pointer>
 BagOfGas()
 {
@@ -296,7 +296,7 @@ TEST(ColonModel, AShortBagOfGasWithinTheScanIsNotAColon)
   options.keepPartial = true;
   EXPECT_GT(shapeton::BuildColonModel(ct.GetPointer(), options).wall.raw.NumberOfFaces(), 0);
   options = Options();
-  options.seedPoints.emplace_back(std::array<double, 3>{ 60.0, 60.0, 80.0 }.data()); // as the message advises
+  options.seedPoints.emplace_back(std::array<double, 3>{ 60.0, 60.0, 80.0 }.data()); // as suggested by the message
   EXPECT_EQ(shapeton::BuildColonModel(ct.GetPointer(), options).failure, "");
   EXPECT_EQ(shapeton::BuildColonModel(ct.GetPointer(), mask.GetPointer(), Options()).failure, "");
 }
@@ -329,15 +329,15 @@ TEST(ColonModel, AMaskWithoutGasIsRefused)
   EXPECT_THROW(shapeton::BuildColonModel(ct.GetPointer(), mask.GetPointer(), Options()), shapeton::InputError);
 }
 
-/** Region around a piece of a line along z. */
+/** Region around a section of a line along z. */
 bool
 IsInCapsule(const itk::Point<double, 3> & p, double x, double begin, double end, double radius)
 {
   return std::hypot(p[0] - x, p[1], p[2] - std::clamp(p[2], begin, end)) < radius;
 }
 
-/** A straight colon of 36 mm in a block of soft tissue with a gap of 118 mm; 110 mm of gas as thin as small bowel at
- * the given distance from the gap. LPS, mm; voxels of 2 mm. */
+/** A straight colon of 36 mm diameter in soft tissue with a gap of 118 mm, and 110 mm of gas as narrow as small bowel
+ * at the given distance from the gap. LPS, mm; voxels of 2 mm. */
 CtImage::Pointer
 ColonInTwoParts(double aside)
 {
@@ -371,7 +371,7 @@ bool
 TellsOfAFilledGap(const shapeton::ColonModel & model)
 {
   return std::any_of(model.warnings.begin(), model.warnings.end(), [](const std::string & warning) {
-    return warning.find("join the ends of a gap") != std::string::npos;
+    return warning.find("connect the ends of a gap") != std::string::npos;
   });
 }
 
@@ -383,7 +383,7 @@ TEST(ColonModel, ThinGasThatFillsAGapIsColon)
   const shapeton::ColonModel model = shapeton::BuildColonModel(ColonInTwoParts(0.0), options);
   EXPECT_EQ(model.failure, "");
   EXPECT_TRUE(TellsOfAFilledGap(model));
-  ASSERT_EQ(cleansed.size(), 2U); // the first without the gas
+  ASSERT_EQ(cleansed.size(), 2U); // the first result is without the gas
   EXPECT_EQ(cleansed.back(), model.cleansed.GetPointer());
   EXPECT_EQ(LabelAt(model, 0.0, 209.0), 1);
   for (const shapeton::CenterlineGap & gap : model.centerline.gaps)

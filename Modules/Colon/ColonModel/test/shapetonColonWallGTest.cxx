@@ -46,7 +46,7 @@ Field(const shapeton::SurfaceMesh & mesh, const char * name)
   return array == nullptr ? Eigen::VectorXd() : Eigen::VectorXd(array->values.col(0));
 }
 
-/** One manifold component with two loops whose arrays name them in order, near the planes z = 0 and z = far. */
+/** Expects one manifold component with a `rectumLoop` near z = 0 and a `cecumLoop` near z = far. */
 void
 ExpectOpenEnds(const shapeton::SurfaceMesh & mesh, int genus)
 {
@@ -113,7 +113,7 @@ TEST(ColonWall, ClosedFormsOnAnyGrid)
     const auto mesh = shapeton::ExtractWall(TubeOccupancy(grid));
     EXPECT_TRUE(shapeton::SurfaceConnectivity(mesh).IsClosed());
     EXPECT_TRUE(shapeton::SurfaceConnectivity(mesh).IsOriented());
-    EXPECT_NEAR(volume, shapeton::EnclosedVolume(mesh.V, mesh.F), 0.005 * volume); // positive: outward faces
+    EXPECT_NEAR(volume, shapeton::EnclosedVolume(mesh.V, mesh.F), 0.005 * volume); // positive if faces are oriented outward
     EXPECT_NEAR(area, shapeton::SurfaceArea(mesh.V, mesh.F), 0.005 * area);
     EXPECT_GT(0.03, GreatestError(mesh, Tube({ TubeAxis.front(), TubeAxis.back() }, TubeRadius)));
   }
@@ -123,7 +123,7 @@ TEST(ColonWall, VerticesLieOnTheCrossing)
 {
   const auto image = Occupancy(Sphere({ 0, 0, 0 }, 8), BoxOf({ { 0, 0, 0 } }, 8));
   const auto mesh = shapeton::ExtractWall(image);
-  // On unit spacing each vertex has two whole coordinates relative to the grid; along the third the field is linear.
+  // For unit spacing, two coordinates of each vertex are integers; the field is linear along the third.
   for (Eigen::Index i = 0; i < mesh.V.rows(); ++i)
   {
     Eigen::Vector3d low;
@@ -164,7 +164,7 @@ TEST(ColonWall, ClampingMovesOnlyWhatTheMaskChanges)
   const auto  occupancy = Occupancy(Without(whole, Sphere({ 0, 0, 0 }, 3)), BoxOf({ { 0, 0, 0 } }, 10));
   const auto  mask = shapeton::RepairLumenTopology(occupancy, shapeton::CurveSet()).mask;
   const auto  mesh = shapeton::ExtractWall(occupancy, mask);
-  EXPECT_GT(0.05, GreatestError(mesh, whole)); // the outer wall stays, the cavity is gone
+  EXPECT_GT(0.05, GreatestError(mesh, whole)); // the cavity is filled, the outer wall unchanged
   auto other = shapeton::LumenMaskImage::New();
   other->SetRegions({ { { 0, 0, 0 } }, { { 3, 3, 3 } } });
   other->Allocate(true);
@@ -230,7 +230,7 @@ TEST(ColonWall, OpensBothEnds)
     EXPECT_EQ(10.0, open.rectumRadius);
     EXPECT_EQ(10.0, open.cecumRadius);
     ExpectOpenEnds(open.mesh, 0);
-    // Discs of the round ends: 10 mm along the sphere of 12 mm, a little less since paths follow edges.
+    // Discs at the round ends: 10 mm along the sphere of 12 mm, slightly less since paths follow edges.
     const double angle = 10.0 / TubeRadius;
     const double height = TubeRadius * std::cos(angle);
     EXPECT_NEAR(-height, CenterOfLoop(open.mesh, "rectumLoop")[2], 1.1);
@@ -241,14 +241,14 @@ TEST(ColonWall, OpensBothEnds)
 
 TEST(ColonWall, MakesTheDiscSmallerWhereItIsNone)
 {
-  // A disc of 20 mm around the pole of a tube of 5 mm radius and 30 mm length reaches the other end.
+  // A disc of 20 mm around the pole of a tube of 5 mm radius and 30 mm length includes the other end.
   const Points axis = Line({ 0, 0, 0 }, { 0, 0, 20 });
   const auto   closed = shapeton::ExtractWall(Occupancy(Tube({ axis.front(), axis.back() }, 5), BoxOf(axis, 5)));
   const auto   open = shapeton::OpenColonEnds(closed, Centerline(axis));
   EXPECT_EQ(20.0, open.rectumRadius);
   EXPECT_GT(20.0, open.cecumRadius);
   ExpectOpenEnds(open.mesh, 0);
-  // A region with a torus inside is not a disc, either.
+  // A region that contains a torus is not a disc.
   const Depth lumen = Union(Tube({ { 0, 0, 0 }, { 0, 0, 50 } }, 6), Torus({ 0, 0, -6 }, 4, 2));
   const auto  handle = shapeton::ExtractWall(
     Occupancy(Union(lumen, Torus({ 6, 0, -4 }, 5, 1.5)), BoxOf({ { 0, 0, 0 }, { 0, 0, 50 } }, 14), {}, 1.0));
@@ -297,7 +297,7 @@ TEST(ColonWall, PiecesCanStayApart)
   {
     const shapeton::SurfaceQuality quality = shapeton::InspectSurface(*mesh);
     EXPECT_EQ(2U, quality.components.size());
-    EXPECT_EQ(4U, quality.boundaryLoopLengths.size()); // an opened end and a mouth of the tube at each piece
+    EXPECT_EQ(4U, quality.boundaryLoopLengths.size()); // one opened end and one tube mouth per piece
     EXPECT_TRUE(quality.isManifold);
     EXPECT_EQ(0.0, shapeton::FindSurfaceArray(mesh->cellArrays, "bridged")->values.sum());
     const shapeton::SurfaceConnectivity connectivity(*mesh);
@@ -391,7 +391,7 @@ TEST(ColonWall, TheChainCutsALeak)
 
 TEST(ColonWall, ArcLengthIsThatOfTheOwnLoop)
 {
-  // A wide leg next to a narrow one, 1 mm between them: its wall is closer to the axis of the narrow leg.
+  // A wide leg 1 mm from a narrow one; its wall is closer to the axis of the narrow leg.
   Points axis = Line({ 0, 0, 0 }, { 0, 0, 50 });
   for (const Points & part : { Line({ 1, 0, 50 }, { 19, 0, 50 }), Line({ 19, 0, 49 }, { 19, 0, 0 }) })
   {
@@ -477,7 +477,7 @@ TEST(ColonWall, TheChainOnAMask)
   {
     sum += tube(wall.repaired.V.row(v));
   }
-  EXPECT_NEAR(0.0, sum / static_cast<double>(wall.repaired.V.rows()), 0.06); // neither shrunk nor grown
+  EXPECT_NEAR(0.0, sum / static_cast<double>(wall.repaired.V.rows()), 0.06); // neither shrinking nor growth
 }
 
 TEST(ColonWall, SameBytesForAnyNumberOfThreads)

@@ -8,7 +8,7 @@
 
 namespace
 {
-/** The mask of a real colon, cropped to its bounding box with a margin of one voxel; none without test data. */
+/** The mask of a real colon, cropped to its bounding box with a margin of one voxel; null without test data. */
 shapeton::LumenMaskImage::Pointer
 RealMask()
 {
@@ -59,7 +59,7 @@ RealMask()
 }
 } // namespace
 
-// The Euler number of the surface is -34, so it has 18 handles.
+// The Euler number of the surface is -34: 18 handles.
 TEST(ColonWallRealData, RepairsAColonOfEighteenHandles)
 {
   const auto mask = RealMask();

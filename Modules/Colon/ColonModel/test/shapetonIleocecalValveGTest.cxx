@@ -10,7 +10,7 @@ using shapeton::ValveSearch;
 
 namespace
 {
-/** The center of the surface of the valve is between its base and its top, 11 mm above. */
+/** The center of the valve surface is between its base and its top, 11 mm above. */
 void
 ExpectValve(const ValveSearch & search, const Eigen::Matrix3d & turn)
 {
@@ -36,7 +36,7 @@ TEST(IleocecalValve, IsABulgeOfFat)
   const ValveSearch search = cecalscene::Search(scene, images);
   ExpectValve(search, scene.turn);
   EXPECT_NEAR(search.valve->attenuation, -80.0, 15.0);
-  EXPECT_GT(search.valve->length, 12.0); // the foot does not bulge
+  EXPECT_GT(search.valve->length, 12.0); // the foot is not part of the bulge
   EXPECT_LT(search.valve->length, 24.0);
 }
 

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <functional>
 
-/** Lumens defined by the depth below their wall, mm, positive inside. */
+/** Lumens defined by signed distance to the wall, mm, positive inside. */
 namespace lumenshapes
 {
 constexpr double Pi = 3.14159265358979323846;
@@ -36,8 +36,8 @@ ObliqueGrid(bool isLeftHanded)
   return grid;
 }
 
-/** The field 0.5 + depth / width on a grid around the box of a shape, clamped to 0..1. Linear around the wall as long
- * as the width is at least two voxels. */
+/** The field 0.5 + depth / width, clamped to [0, 1], on a grid around a shape. Linear near the wall if the width is at
+ * least two voxels. */
 inline shapeton::OccupancyImage::Pointer
 Occupancy(const Depth & depth, const Eigen::AlignedBox3d & box, const Grid & grid = {}, double width = 3.0)
 {
@@ -127,7 +127,7 @@ Without(const Depth & a, const Depth & b)
   return [=](const Eigen::Vector3d & p) { return std::min(a(p), -b(p)); };
 }
 
-/** Two parallel legs at x = 0 and x = distance, from z = 0 up to `length`, joined there by a half circle. */
+/** Two parallel legs at x = 0 and x = distance from z = 0 to `length`, joined there by a semicircle. */
 inline Points
 UTurn(double length, double distance)
 {

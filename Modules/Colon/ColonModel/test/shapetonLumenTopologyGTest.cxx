@@ -10,7 +10,7 @@ namespace
 {
 const shapeton::CurveSet NoCenterline;
 
-/** The result has genus 0 for any input. */
+/** Expects genus 0 for any input. */
 shapeton::LumenTopology
 Repaired(const shapeton::OccupancyImage * occupancy, const shapeton::CurveSet & centerline = NoCenterline)
 {
@@ -46,7 +46,7 @@ Contains(const shapeton::LumenMaskImage * mask, const Points & points)
   return true;
 }
 
-/** Distance of the removed voxels from the middle of the septum, at x = 10.5. */
+/** Distance of the removed voxels from the middle of the septum at x = 10.5. */
 double
 GreatestDistanceOfCut(const shapeton::OccupancyImage * occupancy, const shapeton::LumenMaskImage * mask)
 {
@@ -92,7 +92,7 @@ TEST(LumenTopology, CutsALeakBetweenLoopsAndNotTheTube)
 
 TEST(LumenTopology, CenterlineKeepsANarrowStretchOpen)
 {
-  // The tube is narrower at its turn than the leak; only the centerline distinguishes them.
+  // The tube is narrower at its bend than the leak; only the centerline distinguishes them.
   Points legs = UTurn(40, 21);
   Depth  lumen = Union(Tube({ { 0, 0, 0 }, { 0, 0, 38 } }, 8), Tube({ { 21, 0, 0 }, { 21, 0, 38 } }, 8));
   lumen = Union(Union(lumen, Tube(legs, 2)), Tube({ { 5, 0, 20 }, { 16, 0, 20 } }, 3));

@@ -23,7 +23,7 @@ TEST(TerminalIleum, IsCutOffTheColonAndNothingElseIs)
   const auto images = cecalscene::Draw(scene);
   const auto ileum = Find(scene, images);
   ASSERT_TRUE(ileum);
-  EXPECT_NEAR(ileum->length, 46.0, 3.0); // 4 mm stay with the colon
+  EXPECT_NEAR(ileum->length, 46.0, 3.0); // 4 mm are not removed
   EXPECT_LT((ileum->mouth - Eigen::Vector3d(cecalscene::radius + 4.0, 0.0, 145.0)).norm(), 3.0);
   EXPECT_NEAR(ileum->volume, 1e-3 * M_PI * 25.0 * 46.0, 0.5);
 

@@ -155,14 +155,14 @@ TEST(TopologyPreservingGrowth, SimplePointsChangeNoNumberOfTheSurface)
 TEST(TopologyPreservingGrowth, KnownPointsAreSimpleOrNot)
 {
   const auto bit = [](int x, int y, int z) { return 1U << (x + 3 * y + 9 * z); };
-  EXPECT_FALSE(shapeton::IsSimplePoint(0));                           // alone: a new piece
+  EXPECT_FALSE(shapeton::IsSimplePoint(0));                           // an isolated voxel: a new piece
   EXPECT_FALSE(shapeton::IsSimplePoint(0x7FFFFFF));                   // the last voxel of a cavity
   EXPECT_TRUE(shapeton::IsSimplePoint(bit(0, 1, 1)));                 // a tip
   EXPECT_FALSE(shapeton::IsSimplePoint(bit(0, 0, 1)));                // an edge does not connect the object
   EXPECT_FALSE(shapeton::IsSimplePoint(bit(0, 1, 1) | bit(2, 1, 1))); // a bridge
   EXPECT_TRUE(shapeton::IsSimplePoint(0x7FFFFFF & ~bit(0, 1, 1)));    // the bottom of a pit
   EXPECT_FALSE(shapeton::IsSimplePoint(0x7FFFFFF & ~bit(0, 0, 0)));   // a corner does not connect the background
-  EXPECT_TRUE(shapeton::IsSimplePoint(0x7FFFFFF & ~bit(0, 0, 1)));    // but an edge does
+  EXPECT_TRUE(shapeton::IsSimplePoint(0x7FFFFFF & ~bit(0, 0, 1)));    // an edge connects the background
   EXPECT_FALSE(shapeton::IsSimplePoint(0x7FFFFFF & ~bit(0, 1, 1) & ~bit(2, 1, 1))); // would close a tunnel
 }
 
@@ -206,7 +206,7 @@ TEST(TopologyPreservingGrowth, FillsAConvexLimitAndCutsARingWhereTheRankIsLowest
   shapeton::GrowByTopologyPreservingPoints(seed, limit, ranks);
   EXPECT_EQ(9 * 9 * 3, shapeton::TopologyOfMask(seed).voxels);
 
-  for (int z = 0; z < 3; ++z) // a hole: the limit becomes a ring
+  for (int z = 0; z < 3; ++z) // a hole that makes the limit a ring
   {
     for (int y = 3; y < 6; ++y)
     {
@@ -214,7 +214,7 @@ TEST(TopologyPreservingGrowth, FillsAConvexLimitAndCutsARingWhereTheRankIsLowest
       {
         limit->SetPixel({ { x, y, z } }, 0);
       }
-      ranks->SetPixel({ { y, 7, z } }, 10); // nothing special
+      ranks->SetPixel({ { y, 7, z } }, 10); // equal ranks
     }
     for (int x = 0; x < 3; ++x)
     {

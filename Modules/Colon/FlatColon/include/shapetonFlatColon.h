@@ -13,9 +13,8 @@ namespace shapeton
 /** \class FlatColon
  * \brief The flat wall of a colon with its derived data, computed on demand and cached.
  *
- * The surface is a flat tube from FlattenTube() (see FlatColonGrid). Grids, their axes and curvatures are computed on
- * first use and cached for the lifetime of the object, so equal requests return the same object. Thread-safe; results
- * do not depend on the order of the calls.
+ * The surface is a flat tube from FlattenTube() (see FlatColonGrid). Grids, axes and curvatures are cached for the
+ * lifetime of the object. Thread-safe; results do not depend on the order of calls.
  *
  * Grid(), Axis() and Curvature() throw the exceptions of FlatColonGrid, MakeFlatColonAxis() and
  * SmoothedMeanCurvature().
@@ -25,7 +24,7 @@ class ShapetonFlatColon_EXPORT FlatColon
 {
 public:
   /** \param options of the grid used by folds, taeniae and registration.
-   * \param what names the surface in messages. */
+   * \param what name of the surface in messages. */
   explicit FlatColon(SurfaceMesh                  surface,
                      const FlatColonGridOptions & options = {},
                      std::string                  what = "the flat surface");
@@ -45,7 +44,7 @@ public:
   /** A grid with other options, such as for a picture. */
   const FlatColonGrid &
   Grid(const FlatColonGridOptions & options) const;
-  /** Axis of Grid(), or of the grid with other options, smoothed over a fifth of the circumference. */
+  /** Axis of Grid() or of the grid with the given options, smoothed over a fifth of the circumference. */
   const FlatColonAxis &
   Axis() const
   {
@@ -53,8 +52,8 @@ public:
   }
   const FlatColonAxis &
   Axis(const FlatColonGridOptions & options) const;
-  /** Curvature of the tube without its cut, after heat diffusion for `time` mm^2, indexed by
-   * FlatColonGrid::SourceOfPoints(); folds are positive PerArea for either orientation of the faces. */
+  /** Curvature of the tube with the cut closed, after heat diffusion for `time` mm^2, indexed by
+   * FlatColonGrid::SourceOfPoints(). PerArea, folds are positive for either orientation of the faces. */
   const Eigen::VectorXd &
   Curvature(double time, CurvatureUnit unit = CurvatureUnit::PerArea) const;
 

@@ -7,7 +7,7 @@
 namespace shapeton
 {
 /** \class FlatColonAxis
- * \brief The tube without its folds, for each column of the grid: the reference for relief.
+ * \brief The axis of the tube for each grid column: the reference for relief.
  * \ingroup ShapetonFlatColon */
 struct FlatColonAxis
 {
@@ -19,8 +19,8 @@ struct FlatColonAxis
   Eigen::VectorXd radii;
 };
 
-/** Frame of the smooth tube at a point of the wall: right (along u), down (around) and toward the axis, perpendicular
- * unit vectors. \ingroup ShapetonFlatColon */
+/** Orthonormal frame of the smooth tube at a point of the wall: right (along u), down (around) and toward the axis.
+ * \ingroup ShapetonFlatColon */
 struct FlatColonFrame
 {
   Eigen::Vector3d right;
@@ -29,7 +29,7 @@ struct FlatColonFrame
 };
 
 /** Computes the axis. `smoothing` is a standard deviation in mm of the map; 0 uses a fifth of the circumference.
- * Columns without faces are filled from their neighbors; throws InputError when no column has a face.
+ * Columns without faces are interpolated; throws InputError if all columns are empty.
  * \ingroup ShapetonFlatColon */
 ShapetonFlatColon_EXPORT FlatColonAxis
 MakeFlatColonAxis(const FlatColonGrid & grid, double smoothing = 0.0);
@@ -39,14 +39,14 @@ MakeFlatColonAxis(const FlatColonGrid & grid, double smoothing = 0.0);
 ShapetonFlatColon_EXPORT FlatColonFrame
 FrameAt(const FlatColonAxis & axis, int column, const Eigen::Vector3d & point);
 
-/** Distance along the centerline of each column, mm, nondecreasing: the isotonic fit to the mean arcLength of the
- * columns. Empty if the surface has no arcLength. \ingroup ShapetonFlatColon */
+/** Distance (mm) of each column along the centerline: the nondecreasing isotonic fit to the mean arcLength of the
+ * columns. Empty if the surface lacks arcLength. \ingroup ShapetonFlatColon */
 ShapetonFlatColon_EXPORT std::vector<double>
                  DistanceOfColumns(const FlatColonGrid & grid);
 
-/** Distance of each column from a centerline with the point array arcLength (mm): the centers of the columns are
- * assigned to its vertices in order, with the least squared distances and no column before the one to its left.
- * Touching loops of the colon do not mislead it. Throws InputError when the centerline has no arcLength.
+/** Distance (mm) of each column along a centerline with the point array arcLength. Column centers are assigned to
+ * vertices in nondecreasing order with minimum sum of squared distances, which is robust to touching loops of the
+ * colon. Throws InputError if the centerline lacks arcLength.
  * \ingroup ShapetonFlatColon */
 ShapetonFlatColon_EXPORT std::vector<double>
                  DistanceOfColumns(const FlatColonAxis & axis, const CurveSet & centerline);

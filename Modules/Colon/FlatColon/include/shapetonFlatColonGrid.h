@@ -13,8 +13,8 @@ namespace shapeton
 /** Resolution and smoothing of a FlatColonGrid. \ingroup ShapetonFlatColon */
 struct FlatColonGridOptions
 {
-  /** mm at the mean circumference, greater than 0. The grid uses the nearest size that divides the circumference into
-   * whole pixels. */
+  /** Pixel size in mm at the mean circumference, greater than 0; adjusted to divide the circumference into whole
+   * pixels. */
   double pixelSize{ 1.0 };
   /** Standard deviation of the curvature smoothing, mm on the surface; 0 for none. */
   double curvatureLength{ 0.0 };
@@ -29,10 +29,10 @@ struct FlatPixel
   int row{ 0 };
 };
 
-/** Surface sample at a place of the flat map. \ingroup ShapetonFlatColon */
+/** Surface sample at a position on the flat map. \ingroup ShapetonFlatColon */
 struct FlatSample
 {
-  /** -1 in a hole of the surface; the other members are undefined then. */
+  /** -1 in a hole of the surface, where the other members are undefined. */
   int face{ -1 };
   /** Barycentric coordinates in the face; each at least 0, sum 1. */
   Eigen::Vector3d barycentric{ Eigen::Vector3d::Zero() };
@@ -40,14 +40,15 @@ struct FlatSample
   Eigen::Vector3d point{ Eigen::Vector3d::Zero() };
   /** Unit normal into the lumen. */
   Eigen::Vector3d inwardNormal{ Eigen::Vector3d::Zero() };
-  /** Mean curvature (half the sum of the principal ones), 1/mm: positive where the wall bulges into the lumen, as at
-   * folds and polyps (1/r on a ball of radius r), negative where it bulges outwards (-1/(2R) on a tube of radius R). */
+  /** Mean curvature (half the sum of the principal curvatures), 1/mm: positive where the wall bulges into the lumen, as
+   * at folds and polyps (1/r on a ball of radius r), negative where it bulges outward (-1/(2R) on a tube of radius
+   * R). */
   double curvature{ 0.0 };
   /** mm on the surface per mm of the map. */
   double scale{ 1.0 };
-  /** Whether the wall here bridges a gap. */
+  /** Whether this part of the wall bridges a gap. */
   bool isBridged{ false };
-  /** Distance along the centerline, mm; NaN if the surface has no arcLength. */
+  /** Distance along the centerline, mm; NaN if the surface lacks arcLength. */
   double arcLength{ std::numeric_limits<double>::quiet_NaN() };
 };
 
@@ -56,41 +57,40 @@ struct FlatSample
  *
  * The surface is a flat tube from FlattenTube(): V in space (LPS, mm), vertices along the cut duplicated, the point
  * arrays uv (mm at the mean circumference: u along the tube, v around it) and sourcePointId, the field arrays
- * circumference and length (mm). Cell array bridged and point array arcLength are optional. v may leave
- * [0, circumference], as along a cut that is not straight: it is taken modulo the circumference, on which both sides of
- * the cut agree.
+ * circumference and length (mm). Cell array bridged and point array arcLength are optional. v may be outside [0,
+ * circumference], for example along an uneven cut; it is taken modulo the circumference.
  *
- * The picture of the grid, columns to the right and rows downward, is the view from inside the lumen: u x v points out
- * of the lumen for any orientation of the faces and of the map (rows run against v if the map is mirrored). Inside is
- * the side of the tube axis.
+ * The grid image, columns to the right and rows downward, is the view from inside the lumen for any orientation of the
+ * faces and of the map: the rows are reversed relative to v if the map is mirrored. Inside is the side of the tube
+ * axis.
  *
- * A pixel belongs to the face that contains its center. For this test coordinates are rounded to multiples of 2^-14
- * pixels, and a pixel center on a shared edge belongs to one of the two faces (top-left rule). So there are neither
- * holes nor ties, also along the cut. Where the map folds over, the face that is not flipped wins, then the one with
- * the lower index. Samples are computed in double precision.
+ * A pixel is assigned to the face that contains its center. Coordinates are rounded to multiples of 2^-14 pixels, and
+ * pixel centers on shared edges are assigned by the top-left rule, so no holes or ties occur, even along the cut. Where
+ * the map overlaps, faces that are not flipped have priority, then lower indices. Samples are computed in double
+ * precision.
  *
- * Memory: 4 bytes per pixel and about 130 per face. Equal input gives equal results for any number of threads.
+ * Memory: 4 bytes per pixel and about 130 per face. The result does not depend on the number of threads.
  *
  * \ingroup ShapetonFlatColon
  */
 class ShapetonFlatColon_EXPORT FlatColonGrid
 {
 public:
-  /** Throws InputError, prefixed with `what`, when an array is missing or malformed, a value is not finite or the map
-   * is not that of a tube; ParameterError when the pixel size is not positive, or would give more than 65,536 pixels in
-   * a direction or 2^27 in all. */
+  /** Throws InputError, prefixed with `what`, if an array is missing or malformed, a value is not finite, or the map is
+   * not a flat tube. Throws ParameterError if the pixel size is not positive or requires more than 65,536 pixels along
+   * an axis or 2^27 in total. */
   explicit FlatColonGrid(const SurfaceMesh &          flat,
                          const FlatColonGridOptions & options = {},
                          const std::string &          what = "the flat surface");
   ~FlatColonGrid();
 
-  /** Number of pixels along the tube, with centers within its length. */
+  /** Number of pixels along the tube. */
   int
   Columns() const
   {
     return m_Columns;
   }
-  /** Number of pixels around the tube, exactly one turn. */
+  /** Number of pixels per turn around the tube. */
   int
   Rows() const
   {
@@ -148,21 +148,20 @@ public:
   /** (u, v) of the center of a pixel. */
   Eigen::Vector2d
   UvOfPixel(int column, int row) const;
-  /** The pixel that contains a place of the map; v is taken modulo the circumference, u is clamped to the first and
-   * last column. */
+  /** The pixel that contains a position of the map; v is taken modulo the circumference, u is clamped to the grid. */
   FlatPixel
   PixelOfUv(const Eigen::Vector2d & uv) const;
   /** Surface sample at the center of a pixel. */
   FlatSample
   SampleOfPixel(int column, int row) const;
-  /** Only the point of a pixel, LPS, mm; NaN outside all faces. */
+  /** Point at the center of a pixel, LPS, mm; NaN outside all faces. */
   Eigen::Vector3d
   PointOfPixel(int column, int row) const;
 
   /** (u, v) of a point of a face, v in [0, circumference). */
   Eigen::Vector2d
   UvOfFacePoint(int face, const Eigen::Vector3d & barycentric) const;
-  /** Positions and faces as given. */
+  /** The surface from the constructor. */
   const VertexMatrix &
   Points() const
   {
@@ -173,7 +172,7 @@ public:
   {
     return m_F;
   }
-  /** For each point the index of its tube vertex, from 0; the copies of a vertex along the cut share one index. */
+  /** Tube vertex index of each point, from 0; duplicates along the cut share an index. */
   const std::vector<int> &
   SourceOfPoints() const
   {

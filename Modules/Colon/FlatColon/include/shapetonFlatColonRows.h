@@ -7,7 +7,7 @@
 
 namespace shapeton
 {
-/** Columns that a picture leaves out. \ingroup ShapetonFlatColon */
+/** Columns omitted from a picture. \ingroup ShapetonFlatColon */
 struct FlatColonCut
 {
   int firstColumn{ 0 };
@@ -17,13 +17,13 @@ struct FlatColonCut
 /** A part of the flat map shown as one row of a picture. \ingroup ShapetonFlatColon */
 struct ShapetonFlatColon_EXPORT FlatColonRow
 {
-  /** Columns of the grid; `columns` includes those left out. */
+  /** Columns of the grid; `columns` includes omitted ones. */
   int firstColumn{ 0 };
   int columns{ 0 };
-  /** Columns left out of the row, in order: the middle of long bridges. */
+  /** Omitted columns in order: the middle of long bridges. */
   std::vector<FlatColonCut> cuts;
-  /** mm on the surface per mm of the map: median, 10th and 90th percentile over the row. Bridged pixels are excluded if
-   * there are others. */
+  /** mm on the surface per mm of the map: median, 10th and 90th percentile over the row. Bridged pixels are excluded
+   * unless all are bridged. */
   double scale{ 1.0 };
   double lowScale{ 1.0 };
   double highScale{ 1.0 };
@@ -31,8 +31,7 @@ struct ShapetonFlatColon_EXPORT FlatColonRow
   /** Number of pixels in the row. */
   int
   ShownColumns() const;
-  /** Position in the row, in pixels from its left border, of a position in columns of the grid; columns left out map to
-   * the cut. */
+  /** Converts a position in grid columns to pixels from the left border of the row; omitted columns map to the cut. */
   double
   PlaceOf(double column) const;
   /** The grid column shown by a pixel of the row. */
@@ -43,9 +42,9 @@ struct ShapetonFlatColon_EXPORT FlatColonRow
   Shows(double column) const;
 };
 
-/** Splits the grid into rows of nearly equal length, in order, without overlap: the fewest with at most
- * `greatestColumns` pixels each. A stretch bridged all around and longer than `longestBridge` pixels is shortened to
- * that, half at each end; 0 shows all. \ingroup ShapetonFlatColon */
+/** Splits the grid into the minimum number of consecutive rows of nearly equal length with at most `greatestColumns`
+ * pixels. Completely bridged stretches are shortened to `longestBridge` pixels, half at each end; 0 disables
+ * shortening. \ingroup ShapetonFlatColon */
 ShapetonFlatColon_EXPORT std::vector<FlatColonRow>
                  BreakIntoRows(const FlatColonGrid & grid, int greatestColumns, int longestBridge = 0);
 
@@ -58,8 +57,8 @@ struct FlatColonTick
   double distance{ 0.0 };
 };
 
-/** Ticks at multiples of `step` (mm, greater than 0) of the distance along the centerline. A value that is constant
- * over several columns has its tick at the first. \ingroup ShapetonFlatColon */
+/** Ticks at multiples of `step` (mm, greater than 0) of the distance along the centerline; where it is constant, at the
+ * first column. \ingroup ShapetonFlatColon */
 ShapetonFlatColon_EXPORT std::vector<FlatColonTick>
                  RulerTicks(const std::vector<double> & distanceOfColumns, double step);
 } // namespace shapeton

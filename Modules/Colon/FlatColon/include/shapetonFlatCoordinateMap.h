@@ -9,11 +9,11 @@
 
 namespace shapeton
 {
-/** Point in space (LPS, mm) of each pixel of the flat map. Index (0, 0) is the first column and row; the physical space
- * of the image is the map: the physical point of an index is its (u, v) in mm. \ingroup ShapetonFlatColon */
+/** Point in space (LPS, mm) of each pixel of the flat map. Index (0, 0) is the first column and row; the physical point
+ * of an index is (u, v) in mm. \ingroup ShapetonFlatColon */
 using FlatCoordinateMap = itk::Image<itk::Vector<float, 3>, 2>;
 
-/** Sets size and physical space of a picture to those of the grid: the physical point of an index is its (u, v) in mm.
+/** Sets size and physical space of an image to the grid: the physical point of an index is (u, v) in mm.
  * \ingroup ShapetonFlatColon */
 ShapetonFlatColon_EXPORT void
 SetFlatSpace(const FlatColonGrid & grid, itk::ImageBase<2> * picture);
@@ -27,7 +27,7 @@ ShapetonFlatColon_EXPORT const std::string &
                        RequireCoordinateMapName(const std::string & path);
 
 /** Writes NRRD; its header contains the space of the vectors, pixel size, circumference and `metadata`. Throws
- * OutputError when the file cannot be written, ParameterError for another extension. \ingroup ShapetonFlatColon */
+ * OutputError if the file cannot be written, and ParameterError for another extension. \ingroup ShapetonFlatColon */
 ShapetonFlatColon_EXPORT void
 WriteFlatCoordinateMap(const FlatColonGrid & grid, const std::string & path, const VolumeMetadata & metadata = {});
 } // namespace shapeton

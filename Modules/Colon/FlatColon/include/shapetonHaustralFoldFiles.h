@@ -13,33 +13,32 @@ namespace shapeton
  * \ingroup ShapetonFlatColon */
 ///@{
 
-/** Feature points as curves of one vertex, LPS mm: three for each fold, with the cell arrays fold (its label), kind (0
- * center, 1 and 2 ends), reliability (0 to 1), uv (mm of the map), and arcLength (mm along the centerline, of the fold;
- * only if known for all). */
+/** Feature points as curves of one vertex, LPS mm: three per fold, with the cell arrays fold (label), kind (0 center, 1
+ * and 2 ends), reliability (0 to 1), uv (mm of the map), and arcLength (of the fold, mm along the centerline; only if
+ * known for all). */
 ShapetonFlatColon_EXPORT CurveSet
 FeaturesOfFolds(const HaustralFolds & folds);
 
-/** Writes the feature points with these facts as VTP; without folds the file has no points. Throws OutputError. */
+/** Writes the feature points with metadata as VTP; the file is empty without folds. Throws OutputError. */
 ShapetonFlatColon_EXPORT void
 WriteFoldFeatures(const HaustralFolds &                                    folds,
                   const std::vector<std::pair<std::string, std::string>> & facts,
                   const std::string &                                      path);
 
-/** One row per fold with the values of HaustralFold, in the shortest text that reads back exactly; unknown values are
- * empty, and the column notAssessable has the name of the hindrance, or is empty. */
+/** One row per fold with the values of HaustralFold in the shortest exact text. Unknown values are empty; the column
+ * notAssessable is the name of the hindrance or empty. */
 ShapetonFlatColon_EXPORT CsvTable
 TableOfFolds(const HaustralFolds & folds);
 
-/** Reads the folds of such a table from a file, exactly as written. Throws InputError with the file and the
- * line. */
+/** Reads the folds from a table file without loss. Throws InputError with the file and the line. */
 ShapetonFlatColon_EXPORT std::vector<HaustralFold>
                      ReadFoldTable(const std::string & path);
 
-/** Centers and ends as two lists of points for 3D Slicer, named by label. Empty lists are left out. */
+/** Centers and ends as two lists of points for 3D Slicer, named by label; empty lists are omitted. */
 ShapetonFlatColon_EXPORT std::vector<Markup>
                      MarkupsOfFolds(const HaustralFolds & folds);
 
-/** A color for each label; neighbors along the colon differ. */
+/** A color for each label; neighbors along the colon have different colors. */
 ShapetonFlatColon_EXPORT std::vector<LabelColor>
                      ColorsOfFolds(const HaustralFolds & folds);
 
@@ -48,7 +47,7 @@ ShapetonFlatColon_EXPORT const std::string &
                            RequireFoldLabelsName(const std::string & path);
 
 /** Writes compressed NRRD; its header contains pixel size and circumference of the grid and `metadata`. Throws
- * OutputError when the file cannot be written, ParameterError for another extension. */
+ * OutputError if the file cannot be written, and ParameterError for another extension. */
 ShapetonFlatColon_EXPORT void
 WriteFoldLabels(const HaustralFolds &  folds,
                 const FlatColonGrid &  grid,
@@ -60,8 +59,8 @@ WriteFoldLabels(const HaustralFolds &  folds,
 ShapetonFlatColon_EXPORT itk::Image<unsigned short, 2>::Pointer
                      ReadFoldLabels(const std::string & path);
 
-/** The fold of each face of a flat surface, from the label at its center; 0 for none. Throws InputError when the
- * surface has no point array uv. */
+/** Fold label at the center of each face of a flat surface; 0 for wall. Throws InputError if the surface lacks the
+ * point array uv. */
 ShapetonFlatColon_EXPORT std::vector<unsigned short>
                      FoldsOfFaces(const SurfaceMesh & flat, const itk::Image<unsigned short, 2> & labels);
 ///@}

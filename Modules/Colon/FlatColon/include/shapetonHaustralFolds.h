@@ -20,10 +20,10 @@ namespace shapeton
 /** Method that classifies pixels of the flat map as folds. \ingroup ShapetonFlatColon */
 enum class HaustralFoldScheme
 {
-  /** Minimum cut of a graph with weights from the surface itself. */
+  /** Minimum graph cut with weights estimated from the surface. */
   GraphCut,
-  /** Fixed interval of a curvature that is not divided by area (dissertation 4.2.1 and 4.3.1): valid for one density of
-   * the mesh. */
+  /** Fixed interval of a curvature that is not divided by area (dissertation 4.2.1 and 4.3.1), valid only for one mesh
+   * density. */
   Published
 };
 
@@ -37,19 +37,19 @@ struct HaustralFoldOptions
   double minimumLength{ 7.0 };
   /** Area, mm^2 on the surface. */
   double minimumArea{ 12.0 };
-  /** Long over short axis of the ellipse. */
+  /** Ratio of long to short axis of the ellipse. */
   double minimumElongation{ 1.5 };
-  /** Angle between the long axis and the tube, degrees, 0 to 90: folds run around; taeniae and impressions of other
-   * bowel loops run along. */
+  /** Minimum angle between the long axis and the tube, degrees, 0 to 90. Folds are circumferential; taeniae and
+   * impressions of other bowel loops are longitudinal. */
   double minimumAngle{ 30.0 };
   ///@}
   /** Time of the heat diffusion that smooths the curvature, mm^2; 0 for none. */
   double smoothingTime{ 2.0 };
   /** \name GraphCut */
   ///@{
-  /** Cost of 1 mm of outline, relative to that of 1 mm^2 where the odds of fold and wall are e. */
+  /** Cost of 1 mm of outline, relative to 1 mm^2 with odds of e for fold or wall. */
   double smoothness{ 1.0 };
-  /** The outline costs less where curvature changes by more than this, 1/mm. */
+  /** Curvature difference (1/mm) above which the outline costs less. */
   double contrast{ 0.02 };
   ///@}
   /** \name Published: interval of the curvature of folds, mm; negative where the wall bulges into the lumen */
@@ -57,7 +57,7 @@ struct HaustralFoldOptions
   double publishedLow{ -4.5 };
   double publishedHigh{ -0.5 };
   ///@}
-  /** Curves on the wall that split merged folds; may be null. */
+  /** Taeniae on the wall, which split merged folds; may be null. */
   const CurveSet * taeniae{ nullptr };
   /** May throw to abort. */
   Progress progress;
@@ -76,26 +76,26 @@ struct HaustralFold
   std::array<Eigen::Vector3d, 2> ends;
   /** Length along the crest, mm on the surface. */
   double length{ 0.0 };
-  /** Area of the label, mm^2 on the surface; the minimum area applies before the label is extended along the crest. */
+  /** Area of the label, mm^2 on the surface. The minimum area applies before the label is extended along the crest. */
   double area{ 0.0 };
-  /** Long over short axis of the ellipse with the same second moments on the map. */
+  /** Ratio of long to short axis of the ellipse with the same second moments on the map. */
   double elongation{ 1.0 };
-  /** Angle of the long axis to u, degrees, in (-90, 90]; 90 runs around the tube. */
+  /** Angle of the long axis to u, degrees, in (-90, 90]; 90 is circumferential. */
   double angle{ 0.0 };
-  /** Mean over the fold, after smoothing, 1/mm; positive where the wall bulges into the lumen. */
+  /** Mean smoothed curvature, 1/mm; positive where the wall bulges into the lumen. */
   double meanCurvature{ 0.0 };
-  /** Maximum height of the crest above the wall on both sides, mm; NaN if a side is not visible. */
+  /** Maximum height (mm) of the crest above the wall on both sides; NaN if a side is not visible. */
   double height{ 0.0 };
   /** Certainty that this is a fold, 0 to 1. */
   double reliability{ 0.0 };
-  /** Reliability of the ends as feature points, 0 to 1: that of the fold, halved far from the border of the map (the
-   * cut) or from the nearest taenia, if given. */
+  /** Reliability of the ends as feature points, 0 to 1: the reliability of the fold, halved far from the map border
+   * (the cut) or from the nearest taenia, if given. */
   std::array<double, 2> endReliability{ { 0.0, 0.0 } };
-  /** mm along the centerline; NaN if the surface has no arcLength. */
+  /** mm along the centerline; NaN if the surface lacks arcLength. */
   double arcLength{ 0.0 };
-  /** Whether the fold is on both sides of the cut. */
+  /** Whether the fold crosses the cut. */
   bool crossesCut{ false };
-  /** Why the wall is not clearly visible there; also None if the surface has no cell array notAssessable. */
+  /** Reason why the wall is not clearly visible there; None if the surface lacks the cell array notAssessable. */
   ColonHindrance hindrance{ ColonHindrance::None };
 };
 
@@ -108,9 +108,9 @@ struct HaustralFolds
   Remarks                                warnings;
 };
 
-/** Finds folds on the flat map of a colon (dissertation 4.3.1), in the pixels of its own grid. Bridged stretches
- * contain no folds. A surface without folds gives a warning, not an error. Equal input gives equal results for any
- * number of threads. Throws ParameterError for options out of range, InputError when vertices of the surface coincide.
+/** Finds folds on the flat map of a colon (dissertation 4.3.1) on the grid of FlatColon. Bridged stretches are
+ * excluded. A surface without folds causes a warning. The result does not depend on the number of threads. Throws
+ * ParameterError for options out of range, and InputError if vertices of the surface coincide.
  * \ingroup ShapetonFlatColon */
 ShapetonFlatColon_EXPORT HaustralFolds
 FindHaustralFolds(const FlatColon & flat, const HaustralFoldOptions & options = {});

@@ -10,18 +10,18 @@ namespace shapeton
 /** Normalization of the mean curvature of a vertex. \ingroup ShapetonFlatColon */
 enum class CurvatureUnit
 {
-  /** Half the sum of the principal curvatures, 1/mm: independent of the mesh. */
+  /** Half the sum of the principal curvatures, 1/mm; independent of the mesh. */
   PerArea,
-  /** Not divided by the area of the vertex and with the opposite sign (dissertation 4.3.1, sum of cotangent weights
-   * times the edges along the normal), mm: increases with the size of the faces. */
+  /** With opposite sign and not divided by vertex area (dissertation 4.3.1: normal component of the cotangent-weighted
+   * edge sum), mm; increases with face size. */
   Published
 };
 
 /** Mean curvature of each vertex after heat diffusion over the surface for `time` mm^2 (two implicit steps; Neumann
- * boundaries). If faces are counterclockwise from outside, inward bulges such as folds are positive PerArea and
- * negative Published. Before smoothing it is 0 at boundary vertices, where curvature is undefined, and clamped to
- * +-1/mm against needle triangles. Throws the InputError of MakeSurfaceLaplacian() with lengths, and ParameterError for
- * a negative time. \ingroup ShapetonFlatColon */
+ * boundaries). For faces counterclockwise from outside, inward bulges such as folds are positive PerArea and negative
+ * Published. Before smoothing, values are 0 at boundary vertices, where curvature is undefined, and clamped to +-1/mm
+ * to limit the effect of needle triangles. Throws InputError for degenerate faces as MakeSurfaceLaplacian(), and
+ * ParameterError for a negative time. \ingroup ShapetonFlatColon */
 ShapetonFlatColon_EXPORT Eigen::VectorXd
                  SmoothedMeanCurvature(const VertexMatrix & V,
                                        const FaceMatrix &   F,

@@ -10,14 +10,14 @@ namespace
 {
 constexpr int         rounds = 60;
 constexpr std::size_t mostSamples = 60000;
-/** Minimum standard deviation of a class, 1/mm: no wall is smoother, and a class cannot collapse to a few values. */
+/** Minimum standard deviation of a class, 1/mm; walls are not smoother, and it prevents collapse of a class. */
 constexpr double leastDeviation = 0.01;
 constexpr double greatestOdds = 6.0;
-/** Mean curvature of folds, 1/mm: the rim of a fold 10 mm thick has 0.1, of which smoothing leaves about half. */
+/** Initial mean curvature of folds, 1/mm: 0.1 at the rim of a fold 10 mm thick, reduced to about half by smoothing. */
 constexpr double leastFold = 0.05;
 
-/** Maximum weight of a pixel in median areas: where a pouch maps to a few pixels, one of them may cover thousands of
- * square millimeters, and its curvature is not representative. */
+/** Maximum weight of a pixel in median areas. A pixel of a pouch may cover thousands of square millimeters with an
+ * unrepresentative curvature. */
 constexpr double greatestArea = 20.0;
 
 struct Samples
@@ -98,7 +98,7 @@ struct Moments
   }
 };
 
-/** False if a class has vanished. */
+/** Updates the classes; false if a class is empty. */
 bool
 Improve(const Samples & samples, CurvatureMixture & mixture)
 {
@@ -111,7 +111,7 @@ Improve(const Samples & samples, CurvatureMixture & mixture)
     double                sum = 0.0;
     for (int k = 0; k < 3; ++k)
     {
-      // Folds bulge more than the wall: weaker bulges, such as pouches, cannot belong to their class.
+      // Folds bulge more than the wall; excludes weaker bulges, such as pouches.
       const bool isPossible = k < 2 || value > mixture.wall.mean;
       densities[k] = isPossible ? Density(*classes[k], value) + 1e-12 : 0.0;
       sum += densities[k];

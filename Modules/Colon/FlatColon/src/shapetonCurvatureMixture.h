@@ -5,7 +5,7 @@
 
 namespace shapeton
 {
-/** Normal distributions of the curvature of the wall, of its unevenness (taeniae, noise, pouches), and of folds. */
+/** Gaussian mixture of the curvature of the wall, of uneven wall (taeniae, noise, pouches), and of folds. */
 struct CurvatureMixture
 {
   struct Class
@@ -17,17 +17,16 @@ struct CurvatureMixture
   Class wall;
   Class uneven;
   Class fold;
-  /** Folds stand out from the wall and bulge into the lumen. */
+  /** Whether folds are distinct from the wall and bulge into the lumen. */
   bool hasFolds{ false };
 
-  /** Log-odds of a fold against the rest with equal priors, clamped to [-6, 6]: the share of folds differs between
-   * colons, their shape does not. Beyond the means the sign is kept, so a bulge stronger than a fold still counts as a
-   * fold. */
+  /** Log-odds of fold versus wall, clamped to [-6, 6]. The priors are equal, since the fraction of folds varies between
+   * colons. The sign is constant beyond the means, so a bulge stronger than a fold is also a fold. */
   double
   LogOdds(double curvature) const;
 };
 
-/** Expectation maximization over all pixels of the wall, weighted by their area on the surface. */
+/** Expectation maximization over all pixels of the wall, weighted by surface area. */
 CurvatureMixture
 FitCurvatureMixture(const FoldPicture & picture);
 } // namespace shapeton

@@ -11,7 +11,7 @@ namespace shapeton
 {
 namespace
 {
-/** The tube before it was cut, faces counterclockwise from outside. */
+/** The tube with the cut closed; faces counterclockwise from outside. */
 struct Tube
 {
   explicit Tube(const FlatColonGrid & grid) : V(grid.InwardNormals().rows(), 3), F(grid.Faces())
@@ -59,7 +59,7 @@ KeyOf(const FlatColonGridOptions & options)
 template <typename TKey, typename TValue>
 using KeptValues = std::list<std::pair<TKey, TValue>>;
 
-/** The value of a key, computed on first use. References to list elements stay valid. */
+/** The cached value of a key, computed on first use. References to list elements remain valid. */
 template <typename TKey, typename TValue, typename TMake>
 const TValue &
 FindOrMake(std::mutex & mutex, KeptValues<TKey, TValue> & kept, const TKey & key, const TMake & make)
@@ -76,7 +76,7 @@ FindOrMake(std::mutex & mutex, KeptValues<TKey, TValue> & kept, const TKey & key
 }
 } // namespace
 
-/** Each kind has its own mutex, since axis and curvature request a grid. */
+/** One mutex per kind, since axis and curvature request a grid. */
 struct FlatColon::Derived
 {
   std::mutex                                                    gridMutex;

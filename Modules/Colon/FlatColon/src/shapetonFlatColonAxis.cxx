@@ -14,7 +14,7 @@ namespace
 {
 constexpr int rowsOfColumn = 96; ///< used for a mean over a column
 
-/** Calls `take` for pixels of a column, evenly spaced, that have a face. */
+/** Calls `take` for evenly spaced pixels of a column that are on a face. */
 template <typename TTake>
 void
 ForColumn(const FlatColonGrid & grid, int column, const TTake & take)
@@ -37,7 +37,7 @@ MeasureColumn(const FlatColonGrid & grid, int column)
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   double          weight = 0.0;
   ForColumn(grid, column, [&](const FlatSample & sample) {
-    sum += sample.scale * sample.point; // length of this part of the column in space
+    sum += sample.scale * sample.point; // weighted by length in space
     weight += sample.scale;
   });
   const Eigen::Vector3d center = sum / weight;
@@ -47,7 +47,7 @@ MeasureColumn(const FlatColonGrid & grid, int column)
   return { center.x(), center.y(), center.z(), distance / weight };
 }
 
-/** Replaces NaN rows by the nearest valid row; the earlier one in ties. */
+/** Replaces NaN rows by the nearest valid row, preferring earlier rows. */
 void
 FillGaps(Eigen::MatrixXd & values, const std::string & what)
 {
@@ -72,7 +72,7 @@ FillGaps(Eigen::MatrixXd & values, const std::string & what)
   }
 }
 
-/** Gaussian means along the rows; extrapolated beyond the ends by point reflection. */
+/** Gaussian smoothing along the rows, with point reflection at the ends. */
 Eigen::MatrixXd
 Smoothed(const Eigen::MatrixXd & values, double deviation)
 {
@@ -144,7 +144,7 @@ Spread(int total, int number)
   return indices;
 }
 
-/** Station index of each point; nondecreasing with the least sum of squared distances (dynamic programming). */
+/** Nondecreasing station indices of the points with minimum sum of squared distances (dynamic programming). */
 std::vector<int>
 AssignInOrder(const VertexMatrix & points, const VertexMatrix & stations)
 {
@@ -209,7 +209,7 @@ FrameAt(const FlatColonAxis & axis, int column, const Eigen::Vector3d & point)
   Eigen::Vector3d towards = axis.centers.row(column).transpose() - point;
   towards -= frame.right.dot(towards) * frame.right;
   frame.towards = towards.norm() > 1e-9 ? Eigen::Vector3d(towards.normalized()) : frame.right.unitOrthogonal();
-  frame.down = frame.right.cross(frame.towards); // right x down points away from the eye on the axis
+  frame.down = frame.right.cross(frame.towards); // right x down points away from the axis
   return frame;
 }
 

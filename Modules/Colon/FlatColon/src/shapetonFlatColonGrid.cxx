@@ -40,7 +40,7 @@ SignedArea(const Eigen::Vector2d & a, const Eigen::Vector2d & b)
   return a.x() * b.y() - a.y() * b.x();
 }
 
-/** Twice the unflipped area of the map minus the flipped one. */
+/** Twice the signed area of the map. */
 double
 SignedAreaOfMap(const Eigen::MatrixX2d & uv, const FaceMatrix & F)
 {
@@ -52,7 +52,7 @@ SignedAreaOfMap(const Eigen::MatrixX2d & uv, const FaceMatrix & F)
   return sum;
 }
 
-/** 1 if the faces are oriented toward the center of their part of the tube, else -1. */
+/** 1 if the faces are oriented toward the tube axis, else -1. */
 double
 SignOfInside(const VertexMatrix & V, const FaceMatrix & F, const Eigen::VectorXd & u, double partLength)
 {
@@ -96,7 +96,7 @@ FlatColonGrid::FlatColonGrid(const SurfaceMesh & flat, const FlatColonGridOption
   m_IsMirrored = inside * sign > 0.0;
   if (m_IsMirrored)
   {
-    m_Uv.col(1) = m_Circumference - m_Uv.col(1).array(); // from here on in the direction of the rows
+    m_Uv.col(1) = m_Circumference - m_Uv.col(1).array(); // now in row direction
     sign = -sign;
   }
   const SnappedMap map = SnapMap(m_Uv, m_SourceOfVertex, m_PixelSize, m_Rows);
@@ -156,7 +156,7 @@ FlatColonGrid::ChooseSize(const FlatColonGridOptions & options)
   const double columns = std::round(m_Length / size);
   RequireParameter(rows >= leastRows, "the pixel size must be smaller than a fourth of the circumference");
   RequireParameter(rows <= mostPixelsAcross && columns <= mostPixelsAcross && rows * columns <= mostPixels,
-                   "the pixels are too small: the grid may have at most 65536 in a direction and 2^27 in total");
+                   "the pixel size is too small: the grid is limited to 65536 pixels per axis and 2^27 in total");
   m_Rows = static_cast<int>(rows);
   m_PixelSize = m_Circumference / m_Rows;
   m_Columns = std::max(1, static_cast<int>(std::round(m_Length / m_PixelSize)));
@@ -178,7 +178,7 @@ FlatColonGrid::PixelOfUv(const Eigen::Vector2d & uv) const
   return { static_cast<int>(column), Wrap(static_cast<int>(turn * m_Rows)) };
 }
 
-/** \param uv in the picture: along the columns and along the rows. */
+/** \param uv in image coordinates. */
 Eigen::Vector3d
 FlatColonGrid::BarycentricOf(int face, Eigen::Vector2d uv) const
 {
@@ -193,7 +193,7 @@ FlatColonGrid::BarycentricOf(int face, Eigen::Vector2d uv) const
   const double    middle = a.y() + (b.y() + c.y()) / 3.0;
   const double    turns = std::round((middle - uv.y()) / m_Circumference);
   Eigen::Vector3d best = Eigen::Vector3d::Constant(-std::numeric_limits<double>::infinity());
-  for (const double other : { 0.0, -1.0, 1.0 }) // a face may span more than half of the tube
+  for (const double other : { 0.0, -1.0, 1.0 }) // a face may cover more than half of the circumference
   {
     const Eigen::Vector2d p(uv.x() - a.x(), uv.y() + (turns + other) * m_Circumference - a.y());
     const double          ofB = SignedArea(p, c) / area;
@@ -205,7 +205,7 @@ FlatColonGrid::BarycentricOf(int face, Eigen::Vector2d uv) const
       return best;
     }
   }
-  best = best.cwiseMax(0.0); // rounding errors of pixels on an edge
+  best = best.cwiseMax(0.0); // avoids rounding errors of pixels on an edge
   return best / best.sum();
 }
 

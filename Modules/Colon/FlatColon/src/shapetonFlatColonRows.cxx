@@ -9,7 +9,7 @@ namespace shapeton
 {
 namespace
 {
-/** Scales of pixels, evenly spaced over the row: of all with a face, or of those that are not bridged. */
+/** Scales of evenly spaced pixels of the row that are not bridged, or of all if all are bridged. */
 std::vector<double>
 ScalesOf(const FlatColonGrid & grid, const FlatColonRow & row, bool withBridges)
 {
@@ -49,7 +49,7 @@ MeasureScale(const FlatColonGrid & grid, FlatColonRow & row)
   row.highScale = quantile(0.9);
 }
 
-/** At least nine in ten of its pixels: the rest is the seam of a collapsed place. */
+/** Whether at least 90 % of the pixels of a column are bridged; the others are the seam of collapsed lumen. */
 bool
 IsBridgedAllAround(const FlatColonGrid & grid, int column)
 {
@@ -61,7 +61,7 @@ IsBridgedAllAround(const FlatColonGrid & grid, int column)
   return 10 * bridged >= 9 * grid.Rows();
 }
 
-/** The middle of bridges longer than `longest` pixels. */
+/** Columns in the middle of bridges longer than `longest` pixels. */
 std::vector<FlatColonCut>
 FindCuts(const FlatColonGrid & grid, int longest)
 {

@@ -20,22 +20,22 @@ Area(const Place & a, const Place & b, const Place & c)
   return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
 }
 
-/** The first pixel whose center is not before a coordinate. */
+/** The first pixel with its center at or after a coordinate. */
 std::int64_t
 FirstPixel(std::int64_t place)
 {
   const std::int64_t shifted = place - SnappedMap::unit / 2 + SnappedMap::unit - 1;
-  return shifted >> SnappedMap::bits; // rounds down, also for negative values
+  return shifted >> SnappedMap::bits; // floor, also for negative values
 }
 
-/** Points on an edge belong to the triangle for which it is a lower or left edge. */
+/** Top-left rule: points on an edge belong to the triangle for which it is a lower or left edge. */
 bool
 OwnsItsPoints(const Place & from, const Place & to)
 {
   return to[1] == from[1] ? to[0] > from[0] : to[1] < from[1];
 }
 
-/** A triangle with positive area: tests which pixel centers it contains. */
+/** Tests pixel centers for a triangle with positive area. */
 class Triangle
 {
 public:
@@ -91,7 +91,7 @@ private:
   int                  m_Sign;
 };
 
-/** Face indices by overlapping band of columns, in ascending order. */
+/** Ascending indices of the faces that overlap each band of columns. */
 std::vector<std::vector<int>>
 FacesOfBands(const SnappedMap & map, const FaceMatrix & faces, int columns)
 {
@@ -109,7 +109,7 @@ FacesOfBands(const SnappedMap & map, const FaceMatrix & faces, int columns)
   return bands;
 }
 
-/** A band of the picture, columns first to last. */
+/** Rasterizes a band of columns. */
 struct Band
 {
   std::vector<int> & faceOfPixel;

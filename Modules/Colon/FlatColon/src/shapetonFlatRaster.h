@@ -8,7 +8,7 @@
 
 namespace shapeton
 {
-/** Vertex coordinates snapped to fractions of a pixel, so shared edges are identical for both faces. */
+/** Vertex coordinates snapped to fractions of a pixel, so that shared edges are identical for both faces. */
 struct SnappedMap
 {
   static constexpr int          bits = 14;
@@ -17,13 +17,13 @@ struct SnappedMap
   std::vector<std::int64_t>     v;
 };
 
-/** Snaps the vertices. Copies of one vertex along the cut, which differ in v by whole turns, differ by exact multiples
- * of the rows. A copy that is elsewhere keeps its own place. */
+/** Snaps the vertices. Duplicates along the cut that differ in v by whole turns differ by exact multiples of the rows
+ * afterward. Other duplicates are snapped independently. */
 SnappedMap
 SnapMap(const Eigen::MatrixX2d & uv, const std::vector<int> & sourceOfVertex, double pixelSize, int rows);
 
-/** The face of each pixel, row by row, -1 outside all faces; v is taken modulo the rows. Faces whose sign of area is
- * `sign` have priority, then the lower index. */
+/** The face of each pixel in row-major order, -1 outside all faces; v is taken modulo the rows. Faces whose area has
+ * the sign `sign` have priority, then lower indices. */
 std::vector<int>
 RasterizeFaces(const SnappedMap & map, const FaceMatrix & faces, int columns, int rows, int sign);
 } // namespace shapeton

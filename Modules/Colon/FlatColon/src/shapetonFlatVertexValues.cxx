@@ -23,7 +23,7 @@ struct FaceShape
   }
 
   Eigen::Vector3d corners[3];
-  Eigen::Vector3d normal; ///< length is twice the area
+  Eigen::Vector3d normal; ///< its length is twice the area
   double          area;
 };
 
@@ -46,8 +46,8 @@ public:
     : m_F(F), m_SourceOfVertex(sourceOfVertex), m_AreaOfFaces(areaOfFaces), m_AreaOfVertices(areaOfVertices)
   {}
 
-  /** Smooths with a standard deviation of `length`. An area-weighted mean over faces and back has a variance of h^2 / 3
-   * in each direction, h the mean edge length. */
+  /** Smooths with a standard deviation of `length`. Averaging to faces and back has a variance of h^2 / 3 per
+   * direction, where h is the mean edge length. */
   template <typename TValues>
   void
   Smooth(double length, TValues & values) const
@@ -123,7 +123,7 @@ MakeFlatVertexValues(const VertexMatrix &     V,
     }
   }
   values.normals.rowwise().normalize();
-  // The area grows as a bulge is pulled outward: the gradient is 2 H n (Meyer et al., 2003, equation 8).
+  // The area gradient is 2 H n (Meyer et al., 2003, equation 8), positive for bulges.
   values.curvature =
     (area.array() > 0.0)
       .select(0.5 * growth.cwiseProduct(values.normals).rowwise().sum().array() / area.array().max(1e-300), 0.0);

@@ -7,14 +7,14 @@
 
 namespace shapeton
 {
-/** Vertex values with the copies along the cut merged. Rows by source vertex. */
+/** Vertex values with duplicates along the cut merged; one row per source vertex. */
 struct FlatVertexValues
 {
-  /** Unit vectors, area-weighted means of the face normals; zero without area. */
+  /** Area-weighted means of the face normals, normalized; zero without area. */
   VertexMatrix normals;
-  /** Mean curvature, 1/mm, positive where the surface bulges to the side of the normals. */
+  /** Mean curvature, 1/mm, positive where the surface bulges toward the normals. */
   Eigen::VectorXd curvature;
-  /** Square root of the ratio of surface area to map area of the adjacent faces. */
+  /** Square root of surface area / map area of the adjacent faces. */
   Eigen::VectorXd scale;
 };
 

@@ -13,18 +13,18 @@ namespace
 {
 using Eigen::Vector2d;
 
-/** Share of the plateau at the end of a fold, where the smoothed crest has reached the wall. */
+/** Fraction of the plateau curvature at the end of a fold. */
 constexpr double endShare = 0.2;
-/** Minimum share of the plateau at the start of a trace, well within the fold. */
+/** Minimum fraction of the plateau curvature at the start of a trace, well within the fold. */
 constexpr double coreShare = 0.6;
-/** A crest that drops and rises again by this share of the plateau belongs to another fold. */
+/** Rise after a drop, as a fraction of the plateau curvature, that indicates another fold. */
 constexpr double riseShare = 0.1;
 constexpr double stepLength = 0.5;     ///< mm of the map
 constexpr double farthest = 20.0;      ///< mm of the map from the start of a trace
 constexpr double sideways = 0.3;       ///< of a step
-constexpr double memoryOfCourse = 0.9; ///< share of the direction kept by a step
+constexpr double memoryOfCourse = 0.9; ///< weight of the previous direction
 
-/** First row of the fold: after the widest gap, or, for a ring, where it has fewest pixels. */
+/** First row of the fold: after the widest gap or, for a ring, the row with the fewest pixels. */
 int
 FirstRow(const FoldPixels & pixels, int rows)
 {
@@ -94,7 +94,7 @@ private:
            fy * ((1.0 - fx) * at(column, below) + fx * at(next, below));
   }
 
-  /** Wall that does not belong to another fold. */
+  /** Whether a pixel is wall and not part of another fold. */
   bool
   IsFree(const Vector2d & place) const
   {
@@ -114,7 +114,7 @@ private:
     return rest < 0 ? rest + m_Picture.rows : rest;
   }
 
-  /** For each millimeter along the ellipse the mean position, weighted by the square of curvature. */
+  /** Mean position for each millimeter along the ellipse, weighted by squared curvature. */
   FoldPlaces
   Ridge(const FoldPlaces & places, const FoldEllipse & ellipse) const
   {
@@ -162,7 +162,7 @@ private:
     return *place;
   }
 
-  /** The first and the last place with most of the plateau. */
+  /** The first and last positions on the plateau. */
   std::pair<int, int>
   Core(const FoldPlaces & ridge, double plateau) const
   {
@@ -179,7 +179,7 @@ private:
     return { std::max(first, 0), std::max(last, 0) };
   }
 
-  /** Steps outward from a place of the ridge. */
+  /** Traces outward from a point of the ridge. */
   FoldPlaces
   Follow(const FoldPlaces & ridge, int start, int side, double plateau) const
   {
@@ -218,7 +218,7 @@ private:
     return path;
   }
 
-  /** Forward, and slightly toward greater curvature. */
+  /** Forward step, slightly toward higher curvature. */
   Vector2d
   Step(const Vector2d & place, Vector2d & course, double step) const
   {

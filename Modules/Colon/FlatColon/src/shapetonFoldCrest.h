@@ -5,10 +5,10 @@
 
 namespace shapeton
 {
-/** Positions (column, row); rows continue beyond the last one where a fold crosses the cut. */
+/** Positions (column, row); rows exceed the last row where a fold crosses the cut. */
 using FoldPlaces = std::vector<Eigen::Vector2d>;
 
-/** The rows of a fold, continuous around the tube from one side to the other. */
+/** The rows of a fold, unwrapped around the tube. */
 FoldPlaces
 UnrollFold(const FoldPixels & pixels, int rows);
 
@@ -21,16 +21,16 @@ struct FoldEllipse
   /** Unit vector of the long axis; rows increase along it. */
   Eigen::Vector2d axis;
   double          elongation;
-  /** Half the long axis of a uniformly filled ellipse, pixels. */
+  /** Half the long axis of the ellipse, pixels. */
   double longHalf;
 };
 
-/** The line on top of a fold. */
+/** The ridge line of a fold. */
 struct FoldCrest
 {
-  /** From one end to the other, in the direction of the ellipse axis. */
+  /** Points from end to end, in the direction of the ellipse axis. */
   FoldPlaces places;
-  /** Curvature at its center, 1/mm. */
+  /** Curvature at the center, 1/mm. */
   double plateau{ 0.0 };
 
   /** Length in mm on the surface. */
@@ -41,13 +41,12 @@ struct FoldCrest
   Middle(const FoldPicture & picture) const;
 };
 
-/** The long axis of the ellipse: the axial end points of the dissertation. */
+/** The long axis of the ellipse, with the axial end points of the dissertation. */
 FoldCrest
 CrestOfEllipse(const FoldPicture & picture, const FoldPlaces & places, const FoldEllipse & ellipse);
 
-/** Traces the ridge of curvature within the fold, and beyond it at both ends while it keeps a fifth of the plateau. A
- * cut at one curvature for all folds shortens them, more for low folds than for high ones. Below `floor` (1/mm) there
- * are no folds. */
+/** Traces the ridge of curvature within the fold and extends it at both ends down to a fifth of the plateau curvature,
+ * since a common threshold shortens folds, low ones most. Curvature below `floor` (1/mm) is wall. */
 FoldCrest
 TraceCrest(const FoldPicture & picture, const FoldPlaces & places, const FoldEllipse & ellipse, double floor);
 
@@ -55,7 +54,7 @@ TraceCrest(const FoldPicture & picture, const FoldPlaces & places, const FoldEll
 FoldPixels
 PixelsAlongCrest(const FoldPicture & picture, const FoldCrest & crest);
 
-/** Surface length of one pixel at a position, mm. */
+/** Surface length (mm) of one pixel at a position. */
 double
 MillimetersOfPixel(const FoldPicture & picture, const Eigen::Vector2d & place);
 } // namespace shapeton

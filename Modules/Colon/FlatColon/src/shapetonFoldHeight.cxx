@@ -13,7 +13,7 @@ namespace
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-/** Maximum surface distance from the crest to a foot, mm: the flank of the highest folds. */
+/** Maximum surface distance (mm) from the crest to a foot: the flank of the highest folds. */
 constexpr double farthestFoot = 18.0;
 
 class HeightMeter
@@ -21,7 +21,7 @@ class HeightMeter
 public:
   HeightMeter(const FlatColonGrid & grid, const FoldPicture & picture) : m_Grid(grid), m_Picture(picture) {}
 
-  /** Above the wall on both sides of a place; below 0 where a foot is missing. */
+  /** Height above the wall on both sides of a crest point; negative if a foot is missing. */
   double
   HeightAt(const Vector2d & place, const Vector2d & across) const
   {
@@ -57,7 +57,7 @@ private:
     return m_Picture.Index(static_cast<int>(std::lround(place.x())), row < 0 ? row + m_Picture.rows : row);
   }
 
-  /** Points from the crest to the foot. False if the map or the wall ends before it. */
+  /** Collects points from the crest to the foot; false if the map or the wall ends before. */
   bool
   AddFlank(const Vector2d & start, const Vector2d & course, std::vector<Vector3d> & points) const
   {
@@ -81,7 +81,7 @@ private:
       }
       else if (foot > 0 && curvature > 0.5 * least)
       {
-        break; // past the foot
+        break; // beyond the foot
       }
       way += MillimetersOfPixel(m_Picture, place);
     }
@@ -97,7 +97,7 @@ private:
 double
 HeightOfFold(const FlatColonGrid & grid, const FoldPicture & picture, const FoldCrest & crest)
 {
-  constexpr std::size_t reach = 3; // places on either side that define the direction of the crest
+  constexpr std::size_t reach = 3; // points on either side that define the crest direction
   const HeightMeter     meter(grid, picture);
   std::vector<double>   heights;
   for (std::size_t i = reach; i + reach < crest.places.size(); ++i)

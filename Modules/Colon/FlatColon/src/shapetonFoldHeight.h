@@ -5,9 +5,9 @@
 
 namespace shapeton
 {
-/** Maximum height of a fold above the wall, mm. Across the crest the surface is followed on both sides to its most
- * convex place, the foot; the point farthest from the line between the feet is the top. Returns the 90th percentile
- * over the crest; NaN if fewer than three places have two feet. */
+/** Maximum height of a fold above the wall, mm. Perpendicular to the crest, the surface is followed on both sides to
+ * its most convex point, the foot; the top is the point farthest from the line between the feet. Returns the 90th
+ * percentile along the crest; NaN if both feet are found at fewer than three points. */
 double
 HeightOfFold(const FlatColonGrid & grid, const FoldPicture & picture, const FoldCrest & crest);
 } // namespace shapeton

@@ -11,7 +11,7 @@ namespace shapeton
 {
 namespace
 {
-/** Merges labels that meet across the first and last row to the lowest one. */
+/** Merges labels across the first and last row to the lowest one. */
 DisjointSets<>
 JoinAcrossCut(const cv::Mat1i & labels, int number)
 {
@@ -38,7 +38,7 @@ ConnectedFolds(const FoldPicture & picture, const std::vector<char> & mask)
   const cv::Mat1b image(
     picture.rows, picture.columns, reinterpret_cast<unsigned char *>(const_cast<char *>(mask.data())));
   cv::Mat1i labels;
-  // The numbering may depend on the number of threads: use only the connectivity.
+  // The numbering may depend on the number of threads; use only the connectivity.
   const int               number = cv::connectedComponents(image, labels, 8, CV_32S);
   DisjointSets            sets = JoinAcrossCut(labels, number);
   std::vector<int>        places(number, -1);

@@ -5,10 +5,10 @@
 
 namespace shapeton
 {
-/** The pixels of one fold, in the order of rows and columns. */
+/** The pixels of one fold in row-major order. */
 using FoldPixels = std::vector<FlatPixel>;
 
-/** Connected components with eight neighbors per pixel, periodic in rows, ordered by their first pixels. */
+/** 8-connected components, periodic in rows, ordered by their first pixels. */
 std::vector<FoldPixels>
 ConnectedFolds(const FoldPicture & picture, const std::vector<char> & mask);
 } // namespace shapeton

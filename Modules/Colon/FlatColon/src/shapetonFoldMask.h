@@ -5,11 +5,11 @@
 
 namespace shapeton
 {
-/** 1 for the pixels of folds, by the minimum cut of a graph with four neighbors per pixel, periodic in rows. */
+/** Fold mask by the minimum cut of a 4-connected graph, periodic in rows. */
 std::vector<char>
 CutFolds(const FoldPicture & picture, const CurvatureMixture & mixture, const HaustralFoldOptions & options);
 
-/** 1 where the curvature is in the published interval. */
+/** Mask of the curvature in the published interval. */
 std::vector<char>
 ThresholdFolds(const FoldPicture & picture, const HaustralFoldOptions & options);
 } // namespace shapeton

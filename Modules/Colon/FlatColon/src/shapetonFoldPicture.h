@@ -5,21 +5,21 @@
 
 namespace shapeton
 {
-/** Data of each pixel of the flat map, row by row as in the label picture. */
+/** Data of each pixel of the flat map, in the order of the label image. */
 struct FoldPicture
 {
   int    columns{ 0 };
   int    rows{ 0 };
   double pixelSize{ 1.0 };
-  /** Smoothed curvature; 1/mm, positive at folds, or in the published unit, where they are negative. */
+  /** Smoothed curvature: 1/mm, positive at folds; or in the published unit, negative at folds. */
   std::vector<float> curvature;
-  /** 1, or -1 where folds are negative. */
+  /** Sign of the curvature of folds: 1 or -1. */
   double sign{ 1.0 };
   /** mm on the surface per mm of the map. */
   std::vector<float> scale;
-  /** Whether the pixel has a face that is not bridged. */
+  /** Whether the pixel is on a face that is not bridged. */
   std::vector<char> isWall;
-  /** Number of the part of the pixel, from 1; 0 for none. */
+  /** Part number of the pixel from 1; 0 for none. */
   std::vector<int> part;
 
   std::size_t

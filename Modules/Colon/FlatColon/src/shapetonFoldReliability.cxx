@@ -12,7 +12,7 @@ namespace
 {
 constexpr double widthOfBorder = 10.0; ///< mm
 
-/** Distance from a place to the cut at v = 0, mm on the surface. */
+/** Distance to the cut at v = 0, mm on the surface. */
 double
 DistanceToBorder(const FlatColonGrid & grid, const Eigen::Vector2d & uv)
 {

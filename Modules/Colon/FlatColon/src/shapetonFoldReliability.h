@@ -6,16 +6,16 @@
 
 namespace shapeton
 {
-/** Sets the reliability of a fold: twice the mean fold probability of its pixels, minus 1; for the published scheme the
- * mean curvature over the far end of the interval. */
+/** Sets the reliability of a fold: 2 * mean fold probability of its pixels - 1 or, for the published scheme, mean
+ * curvature / far end of the interval. */
 void
 RateFold(const FoldPicture &         picture,
          const CurvatureMixture &    mixture,
          const HaustralFoldOptions & options,
          MeasuredFold &              measured);
 
-/** Sets the reliability of the ends of rated folds: that of the fold at the border or a taenia, half of it far away, as
- * a Gaussian of 10 mm. */
+/** Sets the reliability of fold ends: the reliability of the fold at the border or a taenia, decreasing to half of it
+ * by a Gaussian of 10 mm. */
 void
 RateEnds(const FlatColonGrid & grid, const CurveSet * taeniae, std::vector<MeasuredFold> & folds);
 } // namespace shapeton

@@ -106,7 +106,7 @@ private:
     uv = { (place.x() + 0.5) * m_Picture.pixelSize, v - turn * std::floor(v / turn) };
     const FlatPixel pixel = m_Grid.PixelOfUv(uv);
     point = m_Grid.PointOfPixel(pixel.column, pixel.row);
-    if (!point.allFinite()) // a hole of the surface within the fold
+    if (!point.allFinite()) // hole in the surface
     {
       point = this->NearestPoint(place);
     }

@@ -5,10 +5,10 @@
 
 namespace shapeton
 {
-/** A fold with all its measurements. */
+/** A fold with its measurements. */
 struct MeasuredFold
 {
-  /** Without label and reliabilities. */
+  /** Measures a fold, without label and reliabilities. */
   HaustralFold fold;
   FoldPixels   pixels;
   FoldCrest    crest;

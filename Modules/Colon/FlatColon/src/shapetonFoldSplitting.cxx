@@ -13,7 +13,7 @@ namespace shapeton
 {
 namespace
 {
-/** Parts of a fold that grow from its ridges as the level decreases. */
+/** Parts of a fold grown from its ridges with decreasing level. */
 class FoldFlood
 {
 public:
@@ -56,7 +56,7 @@ private:
   {
     return std::abs(m_Picture.curvature[this->IndexOf(i)]);
   }
-  /** The parts next to a pixel, that of its greatest neighbor first. */
+  /** The parts adjacent to a pixel, starting with the part of the highest neighbor. */
   std::vector<int>
   PartsAround(int i)
   {
@@ -208,11 +208,11 @@ MaskOfTaeniae(const FlatColonGrid & grid, const CurveSet & taeniae, double dista
   }
   if (points == 0)
   {
-    throw InputError("the taeniae are points, not curves");
+    throw InputError("the taeniae must be curves, not points");
   }
   if (2 * far > points)
   {
-    throw InputError("most of the taeniae are more than 15 mm from the surface; do they belong to another surface?");
+    throw InputError("most points of the taeniae are more than 15 mm from the surface; give taeniae of the same surface");
   }
   return mask;
 }

@@ -8,24 +8,23 @@ namespace shapeton
 /** Rule for splitting merged folds. */
 struct FoldSplittingRule
 {
-  /** Two ridges are two folds if the saddle between them has less than this share of the curvature of the lower
-   * ridge. */
+  /** Saddle curvature, relative to the lower ridge, below which two ridges are separate folds. */
   double saddle{ 0.5 };
-  /** The same for a saddle on a taenia, where most folds end but some continue. */
+  /** The same limit for a saddle on a taenia, where most folds end. */
   double saddleOnTaenia{ 0.6 };
   /** Minimum area of a ridge, mm^2. */
   double leastArea{ 6.0 };
-  /** 1 for pixels of taeniae; may be empty. */
+  /** Mask of taeniae; may be empty. */
   std::vector<char> isTaenia;
 };
 
-/** Watershed of curvature: floods a fold from its ridges downward and merges ridges that the rule does not separate.
- * The parts are ordered by their first pixels. */
+/** Watershed of curvature: floods a fold from its ridges downward and merges ridges not separated by the rule. Parts
+ * are ordered by their first pixels. */
 std::vector<FoldPixels>
 SplitFold(const FoldPicture & picture, const FoldPixels & pixels, const FoldSplittingRule & rule);
 
-/** 1 for the pixels within `distance` mm of the taeniae on the map, from the nearest surface points of samples along
- * them. Throws InputError when most of the points are more than 15 mm from the surface. */
+/** Mask of the pixels within `distance` mm of the taeniae on the map, from sample points projected to the surface.
+ * Throws InputError if most points are more than 15 mm from the surface. */
 std::vector<char>
 MaskOfTaeniae(const FlatColonGrid & grid, const CurveSet & taeniae, double distance);
 } // namespace shapeton

@@ -21,7 +21,7 @@ using LabelImage = itk::Image<unsigned short, 2>;
 
 constexpr int pointsOfFold = 3;
 
-/** A feature point: 0 the center, 1 and 2 the ends. */
+/** A feature point of a fold: center (0) or end (1, 2). */
 struct Feature
 {
   Feature(const HaustralFold & fold, int kind)
@@ -52,7 +52,7 @@ AreArcLengthsKnown(const HaustralFolds & folds)
     folds.folds.begin(), folds.folds.end(), [](const HaustralFold & fold) { return std::isfinite(fold.arcLength); });
 }
 
-/** The fold at a place of the map; v is taken modulo the circumference. */
+/** The fold at a position of the map; v is taken modulo the circumference. */
 unsigned short
 LabelAt(const LabelImage & labels, const Eigen::Vector2d & uv)
 {
@@ -151,7 +151,7 @@ RequireFoldLabelsName(const std::string & path)
   const std::string extension = ".nrrd";
   const bool        fits =
     path.size() > extension.size() && path.compare(path.size() - extension.size(), std::string::npos, extension) == 0;
-  RequireParameter(path.empty() || fits, path + ": labels of folds are written as .nrrd");
+  RequireParameter(path.empty() || fits, path + ": fold labels must be written as .nrrd");
   return path;
 }
 

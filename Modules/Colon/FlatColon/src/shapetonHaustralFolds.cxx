@@ -40,7 +40,7 @@ IsFold(const HaustralFold & fold, const HaustralFoldOptions & options)
          fold.elongation >= options.minimumElongation && std::abs(fold.angle) >= options.minimumAngle;
 }
 
-/** Finds the folds of one flat colon. */
+/** Implementation of FindHaustralFolds(). */
 class FoldFinder
 {
 public:
@@ -93,7 +93,7 @@ private:
     return m_Mixture.hasFolds ? CutFolds(m_Picture, m_Mixture, m_Options) : std::vector<char>(m_Picture.Size(), 0);
   }
 
-  /** Connected components, with merged folds split. Large ones are marked in the picture, so crests end there. */
+  /** Finds connected components and splits merged folds. Marks large ones in the picture, so that crests end there. */
   std::vector<FoldPixels>
   Parts()
   {
@@ -130,7 +130,7 @@ private:
     folds.labels->Allocate(true);
     if (m_Found.size() > std::numeric_limits<unsigned short>::max())
     {
-      throw InputError("there are more than 65535 folds; is the surface very noisy?");
+      throw InputError("more than 65535 folds were found; the surface may be too noisy");
     }
     for (const MeasuredFold & measured : m_Found)
     {
@@ -149,7 +149,7 @@ private:
     return folds;
   }
 
-  /** Assigns this label to unlabeled pixels; returns their area, mm^2. */
+  /** Labels unlabeled pixels and returns their area, mm^2. */
   double
   Paint(const FoldPixels & pixels, int label, itk::Image<unsigned short, 2> * labels) const
   {
@@ -164,7 +164,7 @@ private:
     return area;
   }
 
-  /** Extends labels along the crests, since the cut ends before them. */
+  /** Extends labels along the crests, which are longer than the graph cut result. */
   void
   LengthenLabels(HaustralFolds & folds) const
   {
@@ -183,7 +183,7 @@ private:
   std::vector<MeasuredFold>   m_Found;
 };
 
-/** Sets why the wall at the folds is not clearly visible, if the surface has the array. */
+/** Sets the hindrances of the folds from the array notAssessable, if present. */
 void
 NoteHindrances(const FlatColon & flat, std::vector<HaustralFold> & folds)
 {

@@ -11,10 +11,10 @@ namespace shapeton
 {
 namespace
 {
-/** 1/mm: a ball of 1 mm. Larger curvature is a mesh defect, such as a needle. */
+/** 1/mm, the curvature of a ball of 1 mm radius. Higher values are mesh defects, such as needles. */
 constexpr double greatestCurvature = 1.0;
 
-/** Area-weighted means of the face normals; unit vectors, or zero. */
+/** Area-weighted means of the face normals, normalized or zero. */
 VertexMatrix
 VertexNormals(const VertexMatrix & V, const FaceMatrix & F)
 {
@@ -55,7 +55,7 @@ SmoothedMeanCurvature(const VertexMatrix & V, const FaceMatrix & F, double time,
   const SurfaceConnectivity         connectivity(F, static_cast<int>(V.rows()));
   const SurfaceLaplacian            laplacian = MakeSurfaceLaplacian(connectivity, EdgeLengths(connectivity, V));
   const Eigen::SparseMatrix<double> stiffness = StiffnessMatrix(laplacian);
-  // Degenerate faces count as needles. L V = -2 H M n with n outward: where the surface bulges inward L V points
+  // Degenerate faces are treated as needles. L V = -2 H M n with outward n: L V points inward where the surface bulges
   // inward.
   Eigen::VectorXd      values = -(stiffness * V).cwiseProduct(VertexNormals(V, F)).rowwise().sum();
   const Eigen::ArrayXd area = laplacian.mass.array().max(1e-12);

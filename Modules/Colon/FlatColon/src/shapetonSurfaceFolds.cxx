@@ -32,7 +32,7 @@ BridgedFaces(const SurfaceMesh & surface)
   return isBridged;
 }
 
-/** Value of each point of the flat surface; equal on both sides of the cut. */
+/** Values at the points of the flat surface; equal on both sides of the cut. */
 Eigen::VectorXd
 CurvatureOfPoints(const FlatColon & flat, double time)
 {
@@ -46,7 +46,7 @@ CurvatureOfPoints(const FlatColon & flat, double time)
   return curvature;
 }
 
-/** Connectivity with faces adjacent across the cut, too. */
+/** Connectivity that includes adjacency across the cut. */
 SurfaceConnectivity
 ConnectivityOfTube(const FlatColonGrid & grid)
 {
@@ -55,7 +55,7 @@ ConnectivityOfTube(const FlatColonGrid & grid)
   return SurfaceConnectivity(F, static_cast<int>(grid.InwardNormals().rows()));
 }
 
-/** Value of each face: mean of its corners. */
+/** Face values: means of the corners. */
 std::vector<double>
 CurvatureOfFaces(const SurfaceMesh & surface, const Eigen::VectorXd & curvature)
 {
@@ -107,11 +107,11 @@ ThresholdBetween(const SurfaceMesh &         surface,
       best = bin;
     }
   }
-  // At least 0, since folds bulge into the lumen: otherwise a wall without folds would be divided.
+  // At least 0, since folds bulge into the lumen; otherwise a wall without folds would be split.
   return std::max(low + width * (best + 1), 0.0);
 }
 
-/** Candidate faces connected to this one; removes them from the candidates. */
+/** Collects candidate faces connected to this one and removes them from the candidates. */
 std::vector<int>
 TakeComponent(const SurfaceConnectivity & tube, int seed, std::vector<char> & isCandidate)
 {

@@ -52,7 +52,7 @@ TEST(FlatColonAxis, FollowsABentTube)
   {
     const double          turn = (column + 0.5) / bendRadius;
     const Eigen::Vector3d tangent(-std::sin(turn), 0.0, std::cos(turn));
-    // The wall is longer, and so has more weight, at the outside of the bend: by r^2 / 4R = 0.9 mm.
+    // The longer outside of the bend has more weight, which shifts the center by r^2 / 4R = 0.9 mm.
     ASSERT_LT((axis.centers.row(column).transpose() - OnArc(column + 0.5)).norm(), 1.0);
     ASSERT_NEAR(axis.radii[column], 18.0, 0.3);
     if (column > 8 && column < grid.Columns() - 8)
@@ -76,7 +76,7 @@ TEST(FlatColonAxis, FramesAreThoseOfAnEyeInside)
     ASSERT_NEAR(frame.right.cross(frame.down).dot(frame.towards), -1.0, 1e-12);
     ASSERT_GT(frame.towards.dot(sample.inwardNormal), 0.995);
     const Eigen::Vector3d next = grid.PointOfPixel(column, row + 1) - sample.point;
-    ASSERT_GT(frame.down.dot(next.normalized()), 0.99) << "rows run downwards";
+    ASSERT_GT(frame.down.dot(next.normalized()), 0.99) << "rows are downward";
     const Eigen::Vector3d beside = grid.PointOfPixel(column + 1, row) - sample.point;
     ASSERT_GT(frame.right.dot(beside.normalized()), 0.99);
   }
@@ -88,7 +88,7 @@ TEST(FlatColonAxis, DistanceOfTheSurfaceNeverFalls)
   auto &                arcLength = mesh.pointArrays[2].values;
   for (Eigen::Index i = 0; i < arcLength.rows(); ++i)
   {
-    arcLength(i, 0) += 6.0 * std::sin(0.3 * mesh.pointArrays[0].values(i, 0)); // falls, in places
+    arcLength(i, 0) += 6.0 * std::sin(0.3 * mesh.pointArrays[0].values(i, 0)); // locally decreasing
   }
   const std::vector<double> distances = DistanceOfColumns(FlatColonGrid(mesh));
   ASSERT_EQ(distances.size(), 150U);
@@ -119,7 +119,7 @@ TEST(FlatColonAxis, DistanceOfACenterline)
 
 TEST(FlatColonAxis, TouchingLoopsDoNotMislead)
 {
-  // A hairpin with legs 2 mm apart; the axis is that of all of it.
+  // A hairpin with legs 2 mm apart.
   std::vector<Eigen::Vector3d> points;
   for (int i = 0; i <= 100; ++i)
   {

@@ -59,7 +59,7 @@ TEST(FlatColon, HasTheGridAndTheAxisOfItsSurface)
   EXPECT_EQ(flat.Surface().V, mesh.V);
 }
 
-// A cylinder of radius R bulges outward: -1/(2R), also along the cut, for either orientation of the faces.
+// The curvature of a cylinder of radius R is -1/(2R), also along the cut and for either face orientation.
 TEST(FlatColon, KnowsTheCurvatureOfTheTubeWithoutItsCut)
 {
   for (const bool isInsideOut : { false, true })
@@ -106,7 +106,7 @@ TEST(FlatColon, NamesTheSurfaceThatIsNotFlat)
     try
     {
       flat.Grid();
-      ADD_FAILURE() << "no fault";
+      ADD_FAILURE() << "no exception";
     }
     catch (const shapeton::InputError & error)
     {

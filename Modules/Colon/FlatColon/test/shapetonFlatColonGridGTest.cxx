@@ -13,7 +13,7 @@ using namespace flattubes;
 using shapeton::FlatColonGrid;
 using shapeton::FlatSample;
 
-/** Point of a pixel of the cylinder: on the chord between two vertices. */
+/** Point of a pixel on the cylinder, on the chord between two vertices. */
 Eigen::Vector3d
 PointOnPolygon(const TubeForm & form, double u, double v)
 {
@@ -31,7 +31,7 @@ Jitter(int i)
   return x - std::floor(x) - 0.5;
 }
 
-/** Moves vertices within the map, the copies on the cut together. */
+/** Moves vertices on the map; duplicates on the cut are moved together. */
 shapeton::SurfaceMesh
 MakeIrregularCylinder(const TubeForm & form, double amount)
 {
@@ -86,7 +86,7 @@ TEST(FlatColonGrid, CylinderClosedForms)
       ASSERT_NEAR(sample.scale, scale, 1e-12);
       ASSERT_NEAR(sample.arcLength, 10.0 + uv.x(), 1e-10);
       ASSERT_FALSE(sample.isBridged);
-      if (column > 2 && column < 147) // at an end half of the neighborhood is missing
+      if (column > 2 && column < 147) // at the ends, half of the neighborhood is missing
       {
         const Eigen::Vector3d inward = -Eigen::Vector3d(expected.x(), expected.y(), 0.0).normalized();
         ASSERT_LT((sample.inwardNormal - inward).norm(), 1e-11);
@@ -254,7 +254,7 @@ TEST(FlatColonGrid, EveryPixelHasTheFaceThatItsMiddleLiesIn)
 
 TEST(FlatColonGrid, PixelsOnSharedEdgesBelongToOneFace)
 {
-  TubeForm form; // cells of one pixel: each middle lies on a diagonal
+  TubeForm form; // cells of one pixel: pixel centers are on diagonals
   form.around = 60;
   form.along = 75;
   form.circumference = 60.0;
@@ -269,7 +269,7 @@ TEST(FlatColonGrid, PixelsOnSharedEdgesBelongToOneFace)
       ASSERT_EQ(grid.FaceOfPixel(column, row) - first, grid.FaceOfPixel(0, 0));
     }
   }
-  form.around = 30; // cells of two pixels, moved by half a pixel: middles lie on vertices
+  form.around = 30; // cells of two pixels, shifted by half a pixel: pixel centers are on vertices
   shapeton::SurfaceMesh moved = MakeCylinder(form);
   moved.pointArrays[0].values.col(1).array() += 0.5;
   EXPECT_EQ(FlatColonGrid(moved).UncoveredPixels(), 0);

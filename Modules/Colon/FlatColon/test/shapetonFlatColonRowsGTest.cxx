@@ -24,7 +24,7 @@ TEST(FlatColonRows, CoverTheColonOnce)
       EXPECT_EQ(row.firstColumn, next);
       EXPECT_GE(row.columns, 1);
       EXPECT_LE(row.columns, greatest);
-      EXPECT_LE(std::abs(row.columns - rows.front().columns), 1) << "rows are equal but for a column";
+      EXPECT_LE(std::abs(row.columns - rows.front().columns), 1) << "row lengths differ by at most one column";
       next += row.columns;
     }
     EXPECT_EQ(next, 150);
@@ -50,7 +50,7 @@ TEST(FlatColonRows, LongBridgesAreCutShort)
         EXPECT_DOUBLE_EQ(row.PlaceOf(shown.back() + 0.5), place + 0.5);
       }
     }
-    ASSERT_EQ(shown.size(), 100U) << "50 mm less";
+    ASSERT_EQ(shown.size(), 100U) << "shortened by 50 mm";
     EXPECT_EQ(shown[54], 54);
     EXPECT_EQ(shown[55], 105);
     EXPECT_EQ(shown.back(), 149);
@@ -58,14 +58,14 @@ TEST(FlatColonRows, LongBridgesAreCutShort)
   const auto whole = BreakIntoRows(grid, 1000, 10);
   EXPECT_FALSE(whole[0].Shows(80.0));
   EXPECT_DOUBLE_EQ(whole[0].PlaceOf(80.0), 55.0);
-  EXPECT_EQ(BreakIntoRows(grid, 1000, 60)[0].ShownColumns(), 150) << "not longer than that";
+  EXPECT_EQ(BreakIntoRows(grid, 1000, 60)[0].ShownColumns(), 150) << "not shortened";
   EXPECT_EQ(BreakIntoRows(grid, 1000)[0].ShownColumns(), 150);
   EXPECT_THROW(BreakIntoRows(grid, 1000, -1), shapeton::ParameterError);
 }
 
 TEST(FlatColonRows, ScaleIsThatOfTheSurfaceWithoutBridges)
 {
-  // A cone: conformal with u = log of the radius; the scale is the radius over the mean one.
+  // A cone is conformal with u = log of the radius; the scale is radius / mean radius.
   TubeForm form;
   form.circumference = 100.0;
   form.length = 100.0;

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <functional>
 
-/** Tubes with flat maps as from a flattening: the vertices of the cut are duplicated. */
+/** Tubes with flat maps as from FlattenTube(), with duplicate vertices along the cut. */
 namespace flattubes
 {
 constexpr double pi = 3.14159265358979323846;
@@ -19,9 +19,9 @@ struct TubeForm
   int    along{ 60 };
   double circumference{ 120.0 };
   double length{ 150.0 };
-  /** Deviation of the cut from v = 0, and the column steps over which it occurs. */
+  /** Deviation of the cut from v = 0, and the number of column steps. */
   double cutSway{ 0.0 };
-  /** Faces oriented into the lumen, a map in the opposite direction. */
+  /** Whether faces are oriented into the lumen, and whether the map is reversed. */
   bool isInsideOut{ false };
   bool isMirrored{ false };
 };
@@ -38,8 +38,8 @@ AddArray(std::vector<shapeton::SurfaceArray> & arrays,
   arrays.push_back(std::move(array));
 }
 
-/** A tube with position(u, angle) in space, whose map is u along and angle / (2 pi) of the circumference around;
- * conformal only if the position is. */
+/** A tube with position(u, angle) in space and map coordinates (u, angle / (2 pi) * circumference); conformal only if
+ * `position` is. */
 inline shapeton::SurfaceMesh
 MakeFlatTube(const TubeForm & form, const std::function<Eigen::Vector3d(double, double)> & position)
 {
@@ -79,7 +79,7 @@ MakeFlatTube(const TubeForm & form, const std::function<Eigen::Vector3d(double, 
     for (int i = 0; i < form.around; ++i)
     {
       const int a = j * columns + i;
-      const int b = a + columns; // u further on
+      const int b = a + columns; // next in u
       for (const Eigen::Vector3i & corners : { Eigen::Vector3i(a, b, b + 1), Eigen::Vector3i(a, b + 1, a + 1) })
       {
         mesh.F.row(face++) = form.isInsideOut ? Eigen::Vector3i(corners[0], corners[2], corners[1]) : corners;
@@ -89,7 +89,7 @@ MakeFlatTube(const TubeForm & form, const std::function<Eigen::Vector3d(double, 
   return mesh;
 }
 
-/** A straight cylinder along z: u x v looks out of it. */
+/** A straight cylinder along z; u x v points outward. */
 inline Eigen::Vector3d
 OnCylinder(double radius, double u, double angle)
 {
@@ -103,7 +103,7 @@ MakeCylinder(const TubeForm & form)
   return MakeFlatTube(form, [radius](double u, double angle) { return OnCylinder(radius, u, -angle); });
 }
 
-/** A tube of this form along an arc of a circle in the plane of x and z; not conformal. */
+/** A tube along a circular arc in the xz plane; not conformal. */
 inline shapeton::SurfaceMesh
 MakeBentTube(const TubeForm & form, double bendRadius, const std::function<double(double, double)> & radius)
 {

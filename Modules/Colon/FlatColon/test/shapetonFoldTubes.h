@@ -5,7 +5,7 @@
 
 #include <vector>
 
-/** Straight tubes of radius 20 mm with folds of a known form. */
+/** Straight tubes of radius 20 mm with folds of known shape. */
 namespace foldtubes
 {
 constexpr double radius = 20.0;
@@ -16,7 +16,7 @@ struct Fold
   double angle{ 0.0 };      ///< of the center, radians
   double halfLength{ 0.0 }; ///< mm around the tube
   double height{ 0.0 };     ///< mm
-  double dip{ 0.0 };        ///< share of the height missing in the middle
+  double dip{ 0.0 };        ///< relative reduction of the height in the middle
   double slant{ 0.0 };      ///< mm of u per mm around
   double thickness{ 1.5 };  ///< standard deviation across, mm
 };

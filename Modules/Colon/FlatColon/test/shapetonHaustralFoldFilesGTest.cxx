@@ -118,7 +118,7 @@ TEST(HaustralFoldFiles, ATableWithAnUnknownReasonIsRefusedByLine)
   try
   {
     shapeton::ReadFoldTable(path);
-    FAIL() << "not refused";
+    FAIL() << "not rejected";
   }
   catch (const shapeton::InputError & error)
   {

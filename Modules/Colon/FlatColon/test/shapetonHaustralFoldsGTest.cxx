@@ -141,7 +141,7 @@ TEST(HaustralFolds, BridgedStretchesHoldNone)
 TEST(HaustralFolds, RidgesAlongTheTubeAreNoFolds)
 {
   std::vector<Fold> folds = FourFolds();
-  folds.push_back({ 75.0, 2.0, 3.0, 5.0, 0.0, 0.0, 12.0 }); // narrow around, long along
+  folds.push_back({ 75.0, 2.0, 3.0, 5.0, 0.0, 0.0, 12.0 }); // narrow, longitudinal
   const FlatColon flat(MakeTube(folds));
   EXPECT_EQ(FindHaustralFolds(flat).folds.size(), 4u);
   HaustralFoldOptions options;
@@ -159,7 +159,7 @@ TEST(HaustralFolds, LengthAndAreaAreOnTheSurface)
   options.minimumLength = 0.0;
   options.minimumArea = 0.5 * (all.folds[3].area + all.folds[1].area);
   EXPECT_EQ(FindHaustralFolds(flat, options).folds.size(), 3u);
-  // A map at twice the scale has the same folds: everything is measured in space.
+  // A map at twice the scale results in the same folds, since measurements are in space.
   shapeton::SurfaceMesh large = MakeTube(FourFolds());
   large.pointArrays[0].values *= 2.0;
   large.fieldArrays[0].values *= 2.0;
@@ -176,7 +176,7 @@ TEST(HaustralFolds, LengthAndAreaAreOnTheSurface)
 TEST(HaustralFolds, TaeniaeSplitWhatHasGrownTogether)
 {
   std::vector<Fold> folds = FourFolds();
-  folds[2].dip = 0.22; // both halves meet at angle 4
+  folds[2].dip = 0.22; // both halves join at angle 4
   folds[2].halfLength = 30.0;
   const FlatColon flat(MakeTube(folds));
   EXPECT_EQ(FindHaustralFolds(flat).folds.size(), 4u);
@@ -227,14 +227,14 @@ TEST(HaustralFolds, OrientationOfFacesAndMapDoesNotMatter)
 TEST(HaustralFolds, NeedlesDoNoHarm)
 {
   shapeton::SurfaceMesh mesh = MakeTube(FourFolds());
-  // A vertex on the line between two neighbors: a degenerate face.
+  // A vertex on the line between two neighbors creates a degenerate face.
   const Eigen::Index face = 2 * 120 * 75;
   const auto         corner = [&](int k) { return mesh.V.row(mesh.F(face, k)); };
   corner(0) = 0.5 * (corner(1) + corner(2)).eval();
   EXPECT_EQ(FindHaustralFolds(FlatColon(mesh)).folds.size(), 4u);
 }
 
-// A knob that the map shrinks to a pixel has the area of all folds there, and one curvature.
+// A knob mapped to one pixel has the area of many folds and a single curvature value.
 TEST(HaustralFolds, AreaInOnePixelDoesNotOutweighFolds)
 {
   constexpr double      reach = 8.0; // mm
@@ -321,5 +321,5 @@ TEST(HaustralFolds, AreNotFoundAfterAnAbort)
     options.progress = progress;
     FindHaustralFolds(flat, options);
   };
-  shapeton::test::ExpectProgress(work, 12); // including one for each fold
+  shapeton::test::ExpectProgress(work, 12); // including one call per fold
 }

@@ -8,7 +8,7 @@
 
 namespace
 {
-/** A cylinder of radius 20 mm without a cut, faces counterclockwise from outside. */
+/** A closed cylinder of radius 20 mm; faces counterclockwise from outside. */
 struct Cylinder
 {
   explicit Cylinder(int around = 60, int along = 40)
@@ -37,7 +37,7 @@ TEST(SmoothedCurvature, OfACylinderIsItsClosedForm)
   const Eigen::VectorXd curvature = shapeton::SmoothedMeanCurvature(tube.V, tube.F, 0.0);
   for (Eigen::Index i = 60; i + 60 < curvature.size(); ++i)
   {
-    EXPECT_NEAR(curvature[i], -1.0 / 40.0, 1e-12); // it bulges outwards
+    EXPECT_NEAR(curvature[i], -1.0 / 40.0, 1e-12); // bulges outward
   }
   EXPECT_EQ(curvature[0], 0.0); // on the boundary
 }

@@ -52,12 +52,12 @@ TEST(SurfaceFolds, AreNotMadeUpWhereTheWallIs)
   EXPECT_EQ(FindSurfaceFolds(FlatColon(bridged)).number, 1);
   for (shapeton::SurfaceArray & array : bridged.cellArrays)
   {
-    array.values.setOnes(); // the one array is "bridged"
+    array.values.setOnes(); // the only array is "bridged"
   }
   EXPECT_EQ(FindSurfaceFolds(FlatColon(bridged)).number, 0);
 }
 
-// The fold is on the cut.
+// The fold crosses the cut.
 TEST(SurfaceFolds, AreOneOnBothSidesOfTheCut)
 {
   foldtubes::Fold fold;

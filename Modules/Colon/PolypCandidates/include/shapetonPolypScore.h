@@ -10,35 +10,34 @@ namespace shapeton
 {
 struct WallBulge;
 
-/** Features that distinguish a polyp from the rest of the wall. \ingroup ShapetonPolypCandidates */
+/** Features that distinguish polyps from other wall. \ingroup ShapetonPolypCandidates */
 struct PolypFeatures
 {
-  /** Mean shape index of the head, weighted by the smaller curvature: 1 a cap, 0.5 a ridge (Koenderink and van Doorn
-   * 1992; Yoshida and Nappi 2001). */
+  /** Mean shape index of the head, weighted by the smaller curvature: 1 for a cap, 0.5 for a ridge (Koenderink and van
+   * Doorn 1992; Yoshida and Nappi 2001). */
   double shapeIndex{ 0.0 };
-  /** Smallest over largest width across the axis. */
+  /** Ratio of smallest to largest width perpendicular to the axis. */
   double roundness{ 0.0 };
   /** Concavity of the wall around the head: the negated smaller principal curvature of its foot
    * (WallBulge::footCurvature) times the largest width. 0.4 to 2.5 for polyps of phantoms, below 0.3 for three quarters
    * of the bumps of folds and wall. */
   double hollowness{ 0.0 };
-  /** Mean curvedness of the head, 1/mm (Koenderink and van Doorn 1992): 2 / diameter for a ball, so 0.33 for one of 6
-   * mm;
-   * 0.06 to 0.28 for polyps of 5.5 mm and more of phantoms. Sharper bulges are smaller, or not smooth heads: residue of
-   * fluid or of a catheter, edges of cut walls. */
+  /** Mean curvedness of the head, 1/mm (Koenderink and van Doorn 1992): 2 / diameter for a ball, 0.33 for 6 mm; 0.06 to
+   * 0.28 for polyps of 5.5 mm and more of phantoms. Sharper bulges are smaller or not smooth heads: residue of fluid or
+   * of a catheter, or edges of truncated walls. */
   double curvedness{ 0.0 };
   /** \name Reported, not in the score */
   ///@{
   /** Integral of the Gaussian curvature, sr. */
   double solidAngle{ 0.0 };
-  /** Height over greatest width. */
+  /** Ratio of height to largest width. */
   double prominence{ 0.0 };
   ///@}
   /** \name Reported, not in the score: NaN unless MeasureShapeDiffusion() was run */
   ///@{
-  /** Cumulative heat of the tissue of the head, 0 to 1. */
+  /** Cumulative heat in the tissue of the head, 0 to 1. */
   double heat{ std::numeric_limits<double>::quiet_NaN() };
-  /** Shapeton visits there relative to their mean in the surrounding tissue. */
+  /** Shapeton visits relative to the mean in the surrounding tissue. */
   double shapetonDensity{ std::numeric_limits<double>::quiet_NaN() };
   ///@}
 };
@@ -56,7 +55,7 @@ ShapetonPolypCandidates_EXPORT std::array<double, numberOfPolypTerms>
 /** Logistic regression weights: terms, then the constant. \ingroup ShapetonPolypCandidates */
 using PolypWeights = std::array<double, numberOfPolypTerms + 1>;
 
-/** The weights in use; the README describes the data they were fitted to. \ingroup ShapetonPolypCandidates */
+/** The default weights; see the README for the training data. \ingroup ShapetonPolypCandidates */
 ShapetonPolypCandidates_EXPORT const PolypWeights &
 FittedPolypWeights();
 

@@ -30,7 +30,7 @@ struct PolypColon
   std::shared_ptr<const FlatColon> flat;
   /** Surface with the cell array segment; may be empty. */
   SurfaceMesh segments;
-  /** Missing data and the consequences. */
+  /** Warnings about missing data and the consequences. */
   Remarks warnings;
   /** Identities of the files. */
   std::vector<std::pair<std::string, std::string>> facts;
@@ -52,44 +52,45 @@ struct PolypSearchOptions
   Progress progress;
 };
 
-/** Finds candidates and adds all available data: attenuation, shape diffusion, place on the flat map, segment, remark.
- * Throws the exceptions of its parts. \ingroup ShapetonPolypCandidates */
+/** Finds candidates and adds all available data: attenuation, shape diffusion, position on the flat map, segment,
+ * remark. Throws the exceptions of the individual steps. \ingroup ShapetonPolypCandidates */
 ShapetonPolypCandidates_EXPORT std::vector<PolypCandidate>
                        SearchPolyps(const PolypColon & colon, const PolypSearchOptions & options = {});
 
-/** Mean distance of the candidates to a wall, mm; 0 without candidates. The walls of two positions may coincide in
- * places, so the wall is identified by all candidates together. \ingroup ShapetonPolypCandidates */
+/** Mean distance (mm) of the candidates to a wall; 0 without candidates. The walls of two positions may coincide
+ * locally, so only the mean identifies the wall. \ingroup ShapetonPolypCandidates */
 ShapetonPolypCandidates_EXPORT double
 MeanDistanceToWall(const SurfaceMesh & wall, const std::vector<PolypCandidate> & candidates);
 
-/** Converts candidates for FindInOtherPosition(), with their own scores. \ingroup ShapetonPolypCandidates */
+/** Converts candidates for FindInOtherPosition(), with the scores of their position. \ingroup
+ * ShapetonPolypCandidates */
 ShapetonPolypCandidates_EXPORT std::vector<OtherPolypCandidate>
                        AsOthers(const std::vector<PolypCandidate> & candidates);
 
-/** Maps candidates to the other position by a map of ColonRegistration: a flat surface with the point arrays mapped
- * (LPS, mm), excluded and confidence. Throws InputError, prefixed with `what`, when an array is missing or candidates
- * are on average more than 10 mm from the surface. \ingroup ShapetonPolypCandidates */
+/** Maps candidates to the other position by a map from ColonRegistration: a flat surface with the point arrays mapped
+ * (LPS, mm), excluded and confidence. Throws InputError, prefixed with `what`, if an array is missing or the mean
+ * distance of the candidates to the surface exceeds 10 mm. \ingroup ShapetonPolypCandidates */
 ShapetonPolypCandidates_EXPORT void
 FindInOtherPosition(const SurfaceMesh &                      map,
                     const std::string &                      what,
                     const std::vector<OtherPolypCandidate> & others,
                     std::vector<PolypCandidate> &            candidates);
 
-/** Registrations of lower confidence provide no evidence on single candidates. \ingroup ShapetonPolypCandidates */
+/** Minimum confidence of a registration used as evidence for single candidates. \ingroup ShapetonPolypCandidates */
 constexpr double LeastRegistrationConfidence = 0.5;
 
-/** Updates candidates after FindInOtherPosition() with the evidence of the other position: a polyp stays in place, and
- * most stool moves. The shape score becomes the probability of a polyp given this score, the flatness, and the likeness
- * at its place (logistic regression on phantoms, see the notes); the tissue factor is kept. The score is unchanged to
- * the extent that the registration may be wrong, where the place is not visible, and at the valve. Candidates are
- * sorted by their new scores, keep their numbers, and get a remark if nothing similar is visible. \param confidence of
- * the registration, 0 to 1. \ingroup ShapetonPolypCandidates */
+/** Updates candidates after FindInOtherPosition() by the evidence from the other position: polyps are stationary, most
+ * stool is mobile. The shape score is replaced by the probability of a polyp given shape score, flatness and likeness
+ * (logistic regression on phantoms, see the notes); the tissue factor is unchanged. The new score is blended with the
+ * old one by the confidence of the registration. The score is unchanged at the valve and where the other position is
+ * not visible. Candidates are sorted by the new scores, keep their numbers, and receive a remark if nothing similar is
+ * visible. \param confidence of the registration, 0 to 1. \ingroup ShapetonPolypCandidates */
 ShapetonPolypCandidates_EXPORT void
 WeighByOtherPosition(double confidence, std::vector<PolypCandidate> & candidates);
 
-/** Category implied by the sizes of the candidates alone; the category itself ("C0" to "C4") is the reader's decision.
- * C-RADS (Zalis et al., Radiology 2005): C1 no candidate of 6 mm, C2 fewer than three of 6 to 9 mm, C3 one of 10 mm or
- * three of 6 to 9 mm; C4 requires a reader. A text that states that it is implied. \ingroup ShapetonPolypCandidates */
+/** Text with the C-RADS category implied by the sizes of the candidates alone; the actual category ("C0" to "C4") is
+ * the reader's decision. C-RADS (Zalis et al., Radiology 2005): C1 no candidate of 6 mm, C2 fewer than three of 6 to 9
+ * mm, C3 one of 10 mm or three of 6 to 9 mm; C4 requires a reader. \ingroup ShapetonPolypCandidates */
 ShapetonPolypCandidates_EXPORT std::string
                        CategoryImplied(const std::vector<PolypCandidate> & candidates);
 
@@ -97,13 +98,13 @@ ShapetonPolypCandidates_EXPORT std::string
 ShapetonPolypCandidates_EXPORT CsvTable
 TableOfPolypCandidates(const std::vector<PolypCandidate> & candidates);
 
-/** Reads candidates from such a table, with its precision: without vertices, apex, axis, and the features of the score.
- * Throws InputError for any other file. \ingroup ShapetonPolypCandidates */
+/** Reads candidates from a table, without vertices, apex, axis and score features. Throws InputError for an invalid
+ * file. \ingroup ShapetonPolypCandidates */
 ShapetonPolypCandidates_EXPORT std::vector<PolypCandidate>
                        ReadPolypCandidates(const std::string & path);
 
-/** Reads candidates for FindInOtherPosition() with the scores of their own position from a table with the columns x, y,
- * z (LPS, mm); without a column `candidate` they are numbered by row. Throws InputError for any other file.
+/** Reads candidates for FindInOtherPosition(), with the scores of their position, from a table with the columns x, y, z
+ * (LPS, mm); without a column `candidate` they are numbered by row. Throws InputError for an invalid file.
  * \ingroup ShapetonPolypCandidates */
 ShapetonPolypCandidates_EXPORT std::vector<OtherPolypCandidate>
                        ReadOtherPolypCandidates(const std::string & path);

@@ -12,9 +12,9 @@ namespace shapeton
 /** Lumen mask: nonzero voxels are gas or fluid in the colon; any grid. \ingroup ShapetonPolypCandidates */
 using PolypLumenImage = itk::Image<unsigned char, 3>;
 
-/** Sets heat and shapetonDensity of the features of candidates: cumulative heat diffusion (10 mm^2) and 4,000 shapetons
- * (steps of 1.8 mm, 200 of them) in a box 12 mm around each head, where tissue is 1 and lumen 0, both with p = 15.
- * Sampled at points below the surface as for the attenuation. \ingroup ShapetonPolypCandidates */
+/** Sets the features heat and shapetonDensity of candidates: cumulative heat diffusion (10 mm^2) and 4,000 shapetons
+ * (200 steps of 1.8 mm), both with p = 15, in a box 12 mm around each head, where tissue is 1 and lumen 0. Sampled at
+ * the points used for the attenuation. \ingroup ShapetonPolypCandidates */
 ShapetonPolypCandidates_EXPORT void
 MeasureShapeDiffusion(const SurfaceMesh &           wall,
                       const PolypLumenImage *       lumen,
@@ -28,20 +28,20 @@ struct PublishedPolypOptions
   double        distance{ 0.005 };
   double        p{ 15.0 };
   std::uint64_t steps{ 4000 };
-  /** 0 to 1: keeps candidates with a shape score of at least 1 - sensitivity. */
+  /** Candidates with a shape score of at least 1 - sensitivity are listed; 0 to 1. */
   double sensitivity{ defaultPolypSensitivity };
   /** May throw to abort. */
   Progress progress;
 };
 
 /** Finds candidates by shapeton diffusion (dissertation 3.5.2). Shapetons start in the tissue within 8 mm of the lumen
- * and move at random through the volume. Their smoothed density in the tissue below each vertex of the wall is ranked.
- * Polyps are parts of the wall among the 4 % with the most visits, 3 to 40 mm wide; the score is the mean share of the
- * wall with fewer visits, scaled from (0.96, 1) to (0, 1), times the roundness.
+ * and perform random walks in the volume. Wall vertices are ranked by the smoothed density in the tissue below.
+ * Candidates are parts of the top 4 % of the wall, 3 to 40 mm wide; the score is the mean rank, scaled from (0.96, 1)
+ * to (0, 1), times the roundness.
  *
- * The source shows the density by a transfer function chosen by hand and gives no rule for candidates; ranks and limits
- * are ours. \param ct Cleansed CT in HU. If null, tissue is 1 and lumen is 0.
- * Throws the exceptions of FindPolypCandidates(). The result is identical for any number of threads.
+ * The source only displays the density with a manual transfer function; ranks and limits are original work. \param ct
+ * Cleansed CT in HU. If null, tissue is 1 and lumen is 0. Throws the exceptions of FindPolypCandidates(). The result
+ * does not depend on the number of threads.
  * \ingroup ShapetonPolypCandidates */
 ShapetonPolypCandidates_EXPORT std::vector<PolypCandidate>
                        FindPublishedPolypCandidates(const SurfaceMesh &           wall,

@@ -21,26 +21,25 @@ struct WallBulge
   Eigen::Vector3d axis{ Eigen::Vector3d::UnitZ() };
   /** Area, mm^2. */
   double area{ 0.0 };
-  /** Integral of the Gaussian curvature: the solid angle of its normals, sr. 2 pi for half an ellipsoid of any
-   * flatness, up to 4 pi for a ball on a thin stalk; small for a dent of any size. */
+  /** Integral of the Gaussian curvature, the solid angle of the normals, sr: 2 pi for any half ellipsoid, up to 4 pi
+   * for a ball on a thin stalk, small for ripples of any size. */
   double solidAngle{ 0.0 };
-  /** Mean weighted by the smaller curvature: any bulge is a ridge near its rim, where the weight falls to 0. */
+  /** Mean weighted by the smaller curvature, which is 0 at the rim, where any bulge resembles a ridge. */
   double shapeIndex{ 0.0 };
   /** Area-weighted mean. */
   double curvedness{ 0.0 };
-  /** Largest and smallest width across the axis, mm. */
+  /** Largest and smallest width perpendicular to the axis, mm. */
   double greatestWidth{ 0.0 };
   double leastWidth{ 0.0 };
-  /** Height of the apex above the plane of the foot, mm: the plane across the axis through the center of the ring 1 to
-   * 2 mm around the bulge. */
+  /** Height (mm) of the apex above the foot: the plane perpendicular to the axis through the center of the ring 1 to 2
+   * mm around the bulge. */
   double height{ 0.0 };
-  /** Area-weighted mean of the smaller principal curvature of the wall within 2 mm around the bulge, 1/mm. Negative
-   * where the wall turns up into the bulge: on all sides of a head, hardly for a bump on the crest of a fold, which
-   * continues along the crest, or for a ripple. */
+  /** Area-weighted mean of the smaller principal curvature of the wall within 2 mm around the bulge, 1/mm. Negative for
+   * a concave foot: on all sides of a head, but hardly for a ripple or a bump on the crest of a fold. */
   double footCurvature{ 0.0 };
 };
 
-/** Parts of a wall below these limits are left out. \ingroup ShapetonPolypCandidates */
+/** Minimum size of bulges. \ingroup ShapetonPolypCandidates */
 struct WallPartLimits
 {
   /** Minimum solid angle, sr. */
@@ -49,8 +48,8 @@ struct WallPartLimits
   double leastWidth{ 2.0 };
 };
 
-/** Measures the connected parts of a wall where `level`, given at its vertices and linear within faces, is positive, in
- * the order of their first vertices. Rims cross faces; areas, means and widths are those within the rims.
+/** Measures the connected parts of a wall where the vertex function `level`, linear within faces, is positive, in the
+ * order of their first vertices. Rims cross faces; areas, means and widths refer to the part inside the rim.
  * \ingroup ShapetonPolypCandidates */
 ShapetonPolypCandidates_EXPORT std::vector<WallBulge>
                        MeasureWallParts(const SurfaceMesh &         wall,
@@ -59,8 +58,8 @@ ShapetonPolypCandidates_EXPORT std::vector<WallBulge>
                                         const Eigen::VectorXd &     level,
                                         const WallPartLimits &      limits = {});
 
-/** Finds the parts of the wall where the smaller principal curvature, and so both, is above `leastCurvature` (1/mm).
- * `isLeftOut`, one for each vertex, excludes bridges and rims. \ingroup ShapetonPolypCandidates */
+/** Finds the parts of the wall where both principal curvatures are above `leastCurvature` (1/mm). `isLeftOut` (per
+ * vertex) excludes bridges and rims. \ingroup ShapetonPolypCandidates */
 ShapetonPolypCandidates_EXPORT std::vector<WallBulge>
                        FindWallBulges(const SurfaceMesh &         wall,
                                       const SurfaceConnectivity & connectivity,

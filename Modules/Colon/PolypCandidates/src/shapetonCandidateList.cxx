@@ -11,8 +11,8 @@ namespace
 {
 constexpr double rimWidth = 3.0; // mm
 
-/** Width (mm) of a head hidden by the fillet at its foot. A head higher than about half of its width shows its widest
- * place; a lower one merges into the wall before. Measured on phantoms (README). */
+/** Width (mm) of a head hidden by the fillet at its foot, as measured on phantoms (README). Heads lower than about half
+ * their width merge into the wall before their maximum width. */
 double
 HiddenRim(double prominence)
 {
@@ -62,7 +62,7 @@ FindNoWall(const SurfaceMesh & wall, const SurfaceConnectivity & connectivity)
       isLeftOut[wall.F(face, k)] |= bridged->values(face, 0) != 0.0;
     }
   }
-  // Straight distances: rims are smooth and far from other parts of the wall.
+  // Straight distances are sufficient, since rims are smooth and far from other parts of the wall.
   std::vector<int>    reached;
   std::vector<double> way(wall.NumberOfVertices(), std::numeric_limits<double>::infinity());
   for (const std::vector<int> & loop : connectivity.BoundaryLoops())
@@ -153,7 +153,7 @@ std::vector<Eigen::Vector3d>
 PointsBelowSurface(const SurfaceMesh & wall, const PolypCandidate & candidate)
 {
   const double    depth = std::clamp(candidate.leastDiameter / 3.0, 1.0, 4.0);
-  Eigen::Vector3d inside = Eigen::Vector3d::Zero(); // approximate center of the head's body
+  Eigen::Vector3d inside = Eigen::Vector3d::Zero(); // approximate center of the head
   for (const int vertex : candidate.vertices)
   {
     inside += wall.V.row(vertex).transpose() / static_cast<double>(candidate.vertices.size());

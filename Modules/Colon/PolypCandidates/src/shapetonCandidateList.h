@@ -5,14 +5,14 @@
 
 namespace shapeton
 {
-/** Marks vertices that are not usable wall: on a bridge, or within 3 mm, along edges, of a rim. */
+/** Marks unusable vertices: on a bridge, or within 3 mm of a rim along edges. */
 std::vector<char>
 FindNoWall(const SurfaceMesh & wall, const SurfaceConnectivity & connectivity);
 
 PolypCandidate
 CandidateOf(WallBulge bulge, const PolypFeatures & features, double score, const SurfaceMesh & wall);
 
-/** Appends a remark; ignores "". */
+/** Appends a remark unless empty. */
 void
 AddRemark(const std::string & remark, PolypCandidate & candidate);
 
@@ -24,12 +24,13 @@ SortByScore(std::vector<PolypCandidate> & candidates);
 void
 Rank(std::vector<PolypCandidate> & candidates);
 
-/** Ranks candidates and removes duplicates: of two whose heads share more than a tenth of the vertices of the smaller
- * one, or whose centers are nearer than half of the larger diameter, the one with the lower score is dropped. */
+/** Ranks candidates and removes duplicates. Of two heads that share more than a tenth of the vertices of the smaller
+ * one, or whose centers are closer than half the larger diameter, the one with the lower score is removed. */
 void
 SortAndNumber(std::vector<PolypCandidate> & candidates);
 
-/** For each vertex of a head a point (LPS, mm) toward its center, a third of the least diameter deep, 1 to 4 mm. */
+/** Sample points (LPS, mm) below the vertices of a head, at a third of the smallest diameter (1 to 4 mm) toward the
+ * center. */
 std::vector<Eigen::Vector3d>
 PointsBelowSurface(const SurfaceMesh & wall, const PolypCandidate & candidate);
 } // namespace shapeton
