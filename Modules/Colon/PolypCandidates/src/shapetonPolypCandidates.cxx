@@ -115,7 +115,7 @@ void
 NoteIleocecalValve(double lengthOfCenterline, std::vector<PolypCandidate> & candidates)
 {
   constexpr double leastDiameter = 15.0;
-  constexpr double nearest = 30.0, farthest = 100.0; // mm before the end of the cecum
+  constexpr double nearest = 30.0, farthest = 100.0; // mm from the cecal end
   PolypCandidate * valve = nullptr;
   for (PolypCandidate & candidate : candidates)
   {
@@ -135,7 +135,7 @@ NoteIleocecalValve(double lengthOfCenterline, std::vector<PolypCandidate> & cand
 void
 RankValveLast(const IleocecalValve & valve, std::vector<PolypCandidate> & candidates)
 {
-  // Koenderink's limit between ridge and dome; a cap has 1.
+  // Koenderink's limit between ridge and dome; the value of a cap is 1.
   constexpr double leastShapeIndexOfDomes = 13.0 / 16.0;
   const double     reach = std::max(12.0, 0.5 * valve.length + 3.0); // mm
   for (PolypCandidate & one : candidates)
@@ -151,7 +151,7 @@ RankValveLast(const IleocecalValve & valve, std::vector<PolypCandidate> & candid
       AddRemark("the ileocecal valve", one);
     }
   }
-  // After those of equal score: Rank() is stable.
+  // Last among equal scores, since Rank() is stable.
   std::stable_partition(
     candidates.begin(), candidates.end(), [](const PolypCandidate & one) { return !one.isAtValve; });
   Rank(candidates);

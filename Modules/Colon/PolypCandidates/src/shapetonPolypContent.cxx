@@ -20,7 +20,7 @@ Step(double value, double middle, double width)
   return 1.0 / (1.0 + std::exp(-(value - middle) / width));
 }
 
-/** Label at a place of the lumen image; 0 outside it. */
+/** Label at a position in the lumen image; 0 outside. */
 class LumenAt
 {
 public:
@@ -34,7 +34,7 @@ public:
     return isInside ? m_Lumen->GetPixel(index) : 0;
   }
 
-  /** Distance without lumen in all of 26 directions, mm: 0, or up to 3 in steps of 0.6. */
+  /** Distance (mm) without lumen in all 26 directions, up to 3 in steps of 0.6. */
   double
   Clearance(const Eigen::Vector3d & point) const
   {
@@ -58,14 +58,14 @@ private:
   const PolypLumenImage * m_Lumen;
 };
 
-/** A place inside a head: HU and mm from the lumen. */
+/** A sample inside a head: HU and distance to the lumen, mm. */
 struct InnerPoint
 {
   double clearance;
   double hounsfield;
 };
 
-/** Distance from the surface of a head to the center of its body, mm. */
+/** Distance (mm) from the surface of a head to its center. */
 double
 DepthOf(const PolypCandidate & candidate)
 {
@@ -83,7 +83,7 @@ MiddleOf(const SurfaceMesh & wall, const PolypCandidate & candidate)
   return middle - DepthOf(candidate) * candidate.axis;
 }
 
-/** Points on the lines from the vertices of a head to the center of its body. */
+/** Samples on the lines from the vertices of a head to its center. */
 std::vector<InnerPoint>
 InnerPointsOf(const SurfaceMesh &                                                       wall,
               const PolypCandidate &                                                    candidate,
@@ -110,7 +110,7 @@ InnerPointsOf(const SurfaceMesh &                                               
   return points;
 }
 
-/** Median HU of the points away from the lumen, or of the deepest quarter if these are few; NaN without points. */
+/** Median HU of the samples away from the lumen, or of the deepest quarter if too few; NaN without samples. */
 double
 MedianInside(std::vector<InnerPoint> points)
 {
@@ -133,7 +133,7 @@ MedianInside(std::vector<InnerPoint> points)
   return middle->hounsfield;
 }
 
-/** Share of the vertices of a head that are covered by fluid. */
+/** Fraction of the vertices of a head covered by fluid. */
 double
 SubmergedShare(const SurfaceMesh & wall, const PolypCandidate & candidate, const LumenAt & lumen)
 {
@@ -153,7 +153,7 @@ RemarkOn(const PolypCandidate & candidate)
 {
   if (candidate.tissue == PolypTissue::Gas)
   {
-    return "made of gas: a bubble or a film";
+    return "gas: a bubble or a film";
   }
   if (candidate.tissue == PolypTissue::Tagged)
   {

@@ -63,8 +63,8 @@ FindMostAlike(const PolypCandidate &                   candidate,
   }
 }
 
-/** From 1 for a flat head to 0. Two in five flat polyps visible in one position are missed in the other, and stool is
- * seldom flat. */
+/** Flatness, 1 for a flat head. Two of five flat polyps visible in one position are missed in the other, and stool is
+ * rarely flat. */
 double
 Flatness(const PolypCandidate & candidate)
 {
@@ -72,7 +72,7 @@ Flatness(const PolypCandidate & candidate)
   return 1.0 / (1.0 + std::exp((candidate.height / candidate.diameter - prominence) / width));
 }
 
-/** Probability of a polyp, given the shape score and the findings in the other position. Fitted, see the notes. */
+/** Probability of a polyp, given the shape score and the evidence of the other position. Fitted, see the notes. */
 double
 ProbabilityInPair(const PolypCandidate & candidate)
 {
@@ -161,7 +161,7 @@ WeighByOtherPosition(double confidence, std::vector<PolypCandidate> & candidates
     const double ofTissue = candidate.score / candidate.shapeScore;
     const double weighed = ofTissue * ProbabilityInPair(candidate);
     candidate.score = confidence * weighed + (1.0 - confidence) * candidate.score;
-    // For a valve or a bubble the remark suffices, and an unreliable registration is no evidence.
+    // No remark for a valve or a bubble, or if the registration is unreliable.
     const bool isTold = ofTissue > 0.5 && confidence >= LeastRegistrationConfidence;
     AddRemark(isTold && !other.isSeen ? "no similar candidate in the other position: most stool moves" : "", candidate);
   }

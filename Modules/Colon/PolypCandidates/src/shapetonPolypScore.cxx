@@ -31,7 +31,7 @@ TermsOf(const PolypFeatures & features)
              std::log(std::max(features.curvedness / sharp, 1.0)) } };
 }
 
-// From FitPolypScore of Testing/Validation; the notes describe its data, and later transfers of the weights.
+// Fitted by FitPolypScore of Testing/Validation; see the notes for the data and later tests of the weights.
 const PolypWeights &
 FittedPolypWeights()
 {

@@ -63,7 +63,7 @@ MeanOfTissue(const TissueBox & box, const std::vector<float> & values)
   return number > 0.0 ? sum / number : 0.0;
 }
 
-/** Share of the wall, by area, with a smaller value. */
+/** Area fraction of the wall with a smaller value. */
 Eigen::VectorXd
 RanksByArea(const Eigen::VectorXd & values, const Eigen::VectorXd & areas)
 {

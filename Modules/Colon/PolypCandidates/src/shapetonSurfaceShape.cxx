@@ -21,7 +21,7 @@ AreaVector(const VertexMatrix & V, const FaceMatrix & F, int face)
   return 0.5 * (b - a).cross(c - a);
 }
 
-/** Normals into the lumen, which is on the inner side of the faces. */
+/** Vertex normals into the lumen, opposite to the face normals. */
 Eigen::MatrixXd
 InwardNormals(const VertexMatrix & V, const FaceMatrix & F)
 {
@@ -38,7 +38,7 @@ InwardNormals(const VertexMatrix & V, const FaceMatrix & F)
   return normals;
 }
 
-/** The shape operator of a face as a symmetric matrix in space: least squares of S e = dn over its edges e. */
+/** The shape operator of a face as a symmetric 3 x 3 matrix: least squares solution of S e = dn over the edges e. */
 Matrix3d
 ShapeOperator(const VertexMatrix & V, const FaceMatrix & F, const VertexMatrix & normals, int face)
 {
@@ -51,7 +51,7 @@ ShapeOperator(const VertexMatrix & V, const FaceMatrix & F, const VertexMatrix &
   Eigen::Matrix<double, 3, 2> frame;
   frame.col(0) = first.normalized();
   frame.col(1) = area.normalized().cross(frame.col(0));
-  Matrix3d normalMatrix = Matrix3d::Zero(); // of the unknowns a, b, c in S = [a b; b c]
+  Matrix3d normalMatrix = Matrix3d::Zero(); // for the unknowns a, b, c in S = [a b; b c]
   Vector3d right = Vector3d::Zero();
   for (int k = 0; k < 3; ++k)
   {
@@ -77,7 +77,7 @@ AnyPerpendicular(const Vector3d & normal)
   return normal.cross(Vector3d::Unit(least)).normalized();
 }
 
-/** Principal curvatures of an operator in the plane perpendicular to `normal`, the larger one first. */
+/** Principal curvatures of an operator in the plane perpendicular to `normal`, largest first. */
 Eigen::Vector2d
 PrincipalCurvatures(const Matrix3d & shape, const Vector3d & normal)
 {

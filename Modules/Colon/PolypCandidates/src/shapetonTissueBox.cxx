@@ -32,7 +32,7 @@ TissueBox::TissueBox(const PolypLumenImage * lumen, const std::vector<Eigen::Vec
     const itk::IndexValueType last = std::min(high[axis], region.GetUpperIndex()[axis]);
     if (last < m_First[axis])
     {
-      throw InputError("the lumen and the wall do not overlap; take both from one folder");
+      throw InputError("the lumen and the wall do not overlap; use files of the same folder");
     }
     size[axis] = static_cast<itk::SizeValueType>(last - m_First[axis] + 1);
     m_Size[axis] = size[axis];
@@ -71,7 +71,7 @@ TissueBox::TakeIntensities(const itk::Image<float, 3> * ct)
   constexpr float gas = -1000.0F, bright = 200.0F;
   if (ct->GetLargestPossibleRegion() != m_Lumen->GetLargestPossibleRegion())
   {
-    throw InputError("the cleansed CT and the lumen have different grids; take both from one folder");
+    throw InputError("the cleansed CT and the lumen have different grids; use files of the same folder");
   }
   const itk::Size<3> size = { { m_Size[0], m_Size[1], m_Size[2] } };
   float *            value = m_Intensities.data();

@@ -8,7 +8,7 @@
 
 namespace shapeton
 {
-/** A part of a volume as plain arrays, x fastest: input of shape diffusion. */
+/** A part of a volume as plain arrays (x fastest), input of shape diffusion. */
 class TissueBox
 {
 public:
@@ -36,13 +36,13 @@ public:
   {
     return m_Intensities;
   }
-  /** Replaces 0 and 1 by HU from a CT on the same grid, clamped to [-1000, 200] and scaled to [0, 1]. */
+  /** Replaces the binary values by HU from a CT on the same grid, clamped to [-1000, 200] and scaled to [0, 1]. */
   void
   TakeIntensities(const itk::Image<float, 3> * ct);
-  /** 1 for tissue at most `depth` mm, along the axes, from the lumen. */
+  /** Mask of tissue within `depth` mm of the lumen along the axes. */
   std::vector<unsigned char>
   TissueNearLumen(double depth) const;
-  /** Mean of tissue values below these points; points outside the box count as 0. */
+  /** Mean of tissue values at the points; points outside the box contribute 0. */
   double
   MeanAt(const std::vector<float> & values, const std::vector<Eigen::Vector3d> & points) const;
   /** The index of a voxel; -1 outside the box. */

@@ -13,13 +13,13 @@ namespace
 {
 using Eigen::Vector3d;
 
-/** The ring around the bulge that measures its foot, mm from its rim: all of it for the curvature, the outer part,
- * beyond the fillet, for the height. */
+/** Extent (mm from the rim) of the ring that measures the foot: the whole ring for the curvature, the outer part beyond
+ * the fillet for the height. */
 constexpr double ringBegin = 1.0;
 constexpr double ringEnd = 2.0;
 
-/** Measures parts of a wall where a level that is linear within faces is positive. Their rims cross faces, and all
- * measures are integrals or extents within these rims, so the vertex positions have little influence. */
+/** Measures parts of a wall where a level function, linear within faces, is positive. All measures are integrals or
+ * extents within the exact rim, so they hardly depend on the vertex positions. */
 class BulgeFinder
 {
 public:
@@ -30,7 +30,7 @@ public:
     : m_Wall(wall), m_Connectivity(connectivity), m_Shape(shape), m_Level(level)
   {}
 
-  /** The connected vertices around one where the level is positive; removes them from `isFree`. */
+  /** Extracts connected vertices of positive level from `isFree`. */
   std::vector<int>
   Grow(int seed, std::vector<char> & isFree) const
   {
@@ -51,7 +51,7 @@ public:
     return found;
   }
 
-  /** A bulge, and the edge crossings of its rim. */
+  /** A bulge with the edge crossings of its rim. */
   struct Rimmed
   {
     WallBulge             bulge;
@@ -157,7 +157,7 @@ private:
     bulge.axis = normal.normalized();
   }
 
-  /** Points within the rim and on it. */
+  /** Points within and on the rim. */
   std::vector<Vector3d>
   PointsOf(const Rimmed & part) const
   {
@@ -169,8 +169,8 @@ private:
     return points;
   }
 
-  /** Directions across the axis are measured from the direction of largest spread, so they rotate and mirror with the
-   * wall. */
+  /** Directions perpendicular to the axis are relative to the direction of largest spread, for invariance to rotation
+   * and reflection. */
   void
   MeasureWidths(Rimmed & part) const
   {
@@ -227,7 +227,7 @@ private:
     return std::sqrt(least);
   }
 
-  /** The connected faces within `reach` mm (straight) of the rim, at least those at its vertices. */
+  /** Connected faces within `reach` mm (Euclidean) of the rim, at least the faces at its vertices. */
   std::vector<int>
   FacesAround(const Rimmed & part, double reach) const
   {
@@ -259,13 +259,13 @@ private:
       return std::binary_search(part.bulge.vertices.begin(), part.bulge.vertices.end(), vertex);
     };
     const auto corners = m_Wall.F.row(face);
-    // Positive levels of a face without a vertex of this bulge belong to another one.
+    // A positive level in a face without a vertex of this bulge is part of another bulge.
     return isMember(corners[0]) || isMember(corners[1]) || isMember(corners[2])
              ? WherePositive(this->PolygonOf(face), this->LevelsOf(face, -1.0))
              : this->PolygonOf(face);
   }
 
-  /** The part of a polygon that is nearer to the rim than a distance in mm. */
+  /** The part of a polygon within a distance (mm) of the rim. */
   static WallPolygon
   NearRim(const WallPolygon & polygon, const std::vector<Vector3d> & rim, double distance, double sign)
   {
@@ -277,7 +277,7 @@ private:
     return WherePositive(polygon, values);
   }
 
-  /** Measures of the ring around a bulge. */
+  /** Measurements of the ring around a bulge. */
   struct Foot
   {
     Vector3d middle{ Vector3d::Zero() };
@@ -355,7 +355,7 @@ FindWallBulges(const SurfaceMesh &         wall,
                const std::vector<char> &   isLeftOut,
                double                      leastCurvature)
 {
-  constexpr double outside = -1.0; // 1/mm: bulges end at excluded parts
+  constexpr double outside = -1.0; // 1/mm, so that bulges end at excluded parts
   Eigen::VectorXd  level = shape.lesser.array() - leastCurvature;
   for (Eigen::Index i = 0; i < level.size(); ++i)
   {

@@ -20,21 +20,21 @@ struct WallPlace
   double lesser;
 };
 
-/** A part of a face: corners in order, in a plane. */
+/** A planar part of a face, with ordered corners. */
 using WallPolygon = std::vector<WallPlace>;
 
 WallPlace
 Between(const WallPlace & a, const WallPlace & b, double share);
 
-/** The part where a linear function with these corner values is positive. New corners, where it is 0, are appended to
- * `rim` if given. */
+/** Clips a polygon to the part where a linear function with these corner values is positive. New corners are appended
+ * to `rim` if given. */
 WallPolygon
 WherePositive(const WallPolygon &            polygon,
               const std::vector<double> &    values,
               std::vector<Eigen::Vector3d> * rim = nullptr);
 
-/** Calls body(place, area) for the edge midpoints of triangles that make up the polygon, with shares of its area: sums
- * over them are integrals, exact for quadratic functions. */
+/** Calls body(point, area) for the quadrature points of a polygon (edge midpoints of its triangles); exact for
+ * quadratic functions. */
 template <typename TBody>
 void
 ForEachShare(const WallPolygon & polygon, const TBody & body)

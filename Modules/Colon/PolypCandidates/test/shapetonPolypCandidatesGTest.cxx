@@ -31,7 +31,7 @@ const Body polyp = Ellipsoid(Base(0.0), 5.0, 6.0);
 
 TEST(PolypCandidates, HalfEllipsoidIsFoundWithItsSize)
 {
-  for (const double spacing : { 0.6, 0.8, 1.0 }) // the density of the mesh does not matter
+  for (const double spacing : { 0.6, 0.8, 1.0 }) // results are independent of mesh density
   {
     const auto candidates = Find(MakeWall({ polyp }, spacing));
     ASSERT_EQ(candidates.size(), 1u) << spacing;
@@ -39,7 +39,7 @@ TEST(PolypCandidates, HalfEllipsoidIsFoundWithItsSize)
     EXPECT_EQ(one.number, 1);
     EXPECT_NEAR(one.diameter, 10.0, 1.0) << spacing;
     EXPECT_NEAR(one.leastDiameter, 10.0, 1.2) << spacing;
-    // Above a ring on the concave wall, which is higher than the base itself.
+    // Above a ring on the concave wall, which is higher than the base.
     EXPECT_GT(one.height, 3.8) << spacing;
     EXPECT_LT(one.height, 6.0) << spacing;
     EXPECT_LT((one.position - Base(0.0)).norm(), 5.0);
@@ -51,7 +51,7 @@ TEST(PolypCandidates, HalfEllipsoidIsFoundWithItsSize)
   }
 }
 
-// Edges of 2 mm or more, longer than the ring of the foot.
+// Edges of at least 2 mm, longer than the ring around the foot.
 TEST(PolypCandidates, CoarseWallsHaveFeetToo)
 {
   for (const double spacing : { 1.4, 2.0, 2.8 })
@@ -69,7 +69,7 @@ TEST(PolypCandidates, BallIsMeasuredAcross)
     const auto candidates = Find(MakeWall({ Ball(Base(0.0) + 0.8 * radiusOfHead * Vector3d::UnitZ(), radiusOfHead) }));
     ASSERT_EQ(candidates.size(), 1u) << radiusOfHead;
     EXPECT_NEAR(candidates.front().diameter, 2.0 * radiusOfHead, 0.5);
-    EXPECT_GT(candidates.front().features.solidAngle, 2.0 * M_PI); // more than half of it is visible
+    EXPECT_GT(candidates.front().features.solidAngle, 2.0 * M_PI); // more than a hemisphere is exposed
   }
 }
 
@@ -83,7 +83,7 @@ TEST(PolypCandidates, FoldIsNoneAndPolypOnItIs)
   EXPECT_NEAR(candidates.front().diameter, 8.0, 1.0);
 }
 
-// Caps of one ball that protrude from the wall by different amounts: lower ones have less concave feet.
+// Caps of a ball that protrude from the wall by different amounts; the foot of a lower cap is less concave.
 TEST(PolypCandidates, FootOfALowHeadIsLessHollow)
 {
   constexpr double ballRadius = 8.0;
@@ -133,7 +133,7 @@ TEST(PolypCandidates, ScoreGoesWithItsFeatures)
   const double score = shapeton::PolypScore(lump);
   EXPECT_GT(score, 1.0 - shapeton::defaultPolypSensitivity);
   shapeton::PolypFeatures other = lump;
-  other.curvedness = 0.1; // the size of a head does not matter above a minimum
+  other.curvedness = 0.1; // the score does not depend on size above a minimum
   EXPECT_EQ(shapeton::PolypScore(other), score);
   other.curvedness = 0.45;
   EXPECT_LT(shapeton::PolypScore(other), 0.05);
@@ -163,13 +163,13 @@ TEST(PolypCandidates, RigidMotionMovesThemAlong)
   {
     EXPECT_LT((turn * before[i].position + shift - after[i].position).norm(), 0.01);
     EXPECT_NEAR(before[i].score, after[i].score, 1e-3);
-    EXPECT_NEAR(before[i].diameter, after[i].diameter, 0.1); // other directions of the widths
+    EXPECT_NEAR(before[i].diameter, after[i].diameter, 0.1); // widths are measured in other directions
   }
 }
 
 namespace
 {
-/** The same wall mirrored, with its vertices and faces in another order. */
+/** The mirrored wall with vertices and faces in another order. */
 shapeton::SurfaceMesh
 MirroredAndRenumbered(const shapeton::SurfaceMesh & wall)
 {
@@ -178,7 +178,7 @@ MirroredAndRenumbered(const shapeton::SurfaceMesh & wall)
   other.V = wall.V.colwise().reverse();
   other.V.col(0) *= -1.0;
   other.F = (vertices - 1 - wall.F.array()).matrix().colwise().reverse();
-  other.F.col(1).swap(other.F.col(2)); // undoes the flip by mirroring
+  other.F.col(1).swap(other.F.col(2)); // restores the orientation after mirroring
   return other;
 }
 } // namespace
@@ -202,8 +202,8 @@ TEST(PolypCandidates, AMirroredWallHasTheMirroredList)
   }
 }
 
-// A head whose widths are a few voxels: the result must not depend on the voxel grid. It is moved around the tube,
-// which rotates it relative to the grid, and by fractions of a voxel along it.
+// A head with a width of a few voxels must not depend on the voxel grid. It is rotated around the tube and shifted
+// along it by fractions of a voxel.
 TEST(PolypCandidates, ASmallHeadIsOneWhateverTheVoxelsAre)
 {
   for (const double spacing : { 0.7, 0.85, 1.0, 1.2 })
@@ -303,7 +303,7 @@ TEST(PolypCandidates, PlacesAreReadFromTheTable)
   EXPECT_EQ(others[0].score, 0.5);
   EXPECT_EQ(others[1].score, 0.75);
   EXPECT_EQ(shapeton::AsOthers(candidates)[1].score, 0.75);
-  std::ofstream(path) << "x,y,z\n1,2,3\n"; // marks of a reader
+  std::ofstream(path) << "x,y,z\n1,2,3\n"; // annotations of a reader
   const auto marks = shapeton::ReadOtherPolypCandidates(path);
   ASSERT_EQ(marks.size(), 1u);
   EXPECT_EQ(marks[0].number, 1);
@@ -329,13 +329,13 @@ TEST(PolypCandidates, ATableTellsWhatWasWritten)
   full.tissue = shapeton::PolypTissue::Soft;
   full.uv = { 900.5, 12.25 };
   full.other = shapeton::PolypInOtherPosition{ { 4.0, 5.0, -6.5 }, 7.25, 3, true, false, 0.75, 0.5, 0.625 };
-  full.remark = "seen, and \"noted\"";
+  full.remark = "with, comma and \"quotes\"";
   const shapeton::CsvTable table = shapeton::TableOfPolypCandidates({ full, bare });
   table.Write(path);
   EXPECT_EQ(shapeton::TableOfPolypCandidates(shapeton::ReadPolypCandidates(path)).GetRows(), table.GetRows());
 }
 
-// The heat of a closed body scales with its surface to volume ratio.
+// The heat of a closed body scales with the ratio of surface to volume.
 TEST(PolypCandidates, SmallHeadsAreHotter)
 {
   std::vector<double> heats;
@@ -365,7 +365,7 @@ TEST(PolypCandidates, ContentIsMeasuredInsideAndRanks)
                                              { 600.0, shapeton::PolypTissue::Tagged } })
   {
     const double inside = hounsfield;
-    // Partial volume over 2 mm; it must not affect the value.
+    // Partial volume over 2 mm must not affect the value.
     const auto ct = MakeImage<itk::Image<float, 3>>(
       0.8, [=](double d) { return inside + (-900.0 - inside) * std::clamp(0.5 * d + 0.5, 0.0, 1.0); }, bodies);
     const auto gas = MakeImage<shapeton::PolypLumenImage>(
@@ -417,7 +417,7 @@ TEST(PolypCandidates, HeadsAreVoxelsOfTheirTissue)
     }
   }
   const double ball = 4.0 / 3.0 * 3.14159265358979 * 125.0;
-  EXPECT_GT(volume, 0.5 * ball); // a part lies below the wall around it
+  EXPECT_GT(volume, 0.5 * ball); // a part is below the surrounding wall
   EXPECT_LT(volume, 1.1 * ball);
 }
 
@@ -431,7 +431,7 @@ TEST(PolypCandidates, TissueLikelihoodKeepsTissueAndDropsGas)
   EXPECT_NEAR(shapeton::TissueLikelihood(500.0), 0.25, 1e-3);
   EXPECT_EQ(shapeton::TissueLikelihood(std::nan("")), 1.0);
   EXPECT_EQ(shapeton::TissueLikelihood(40.0, std::nan("")), shapeton::TissueLikelihood(40.0, 0.0));
-  // Under fluid no gas darkens a head: values below fat are bubbles, 3 mm ones on CT have -150 to -270 HU.
+  // Heads under fluid are not darkened by gas: values below fat are bubbles, with -150 to -270 HU on CT for 3 mm.
   EXPECT_GT(shapeton::TissueLikelihood(40.0, 1.0), 0.99);
   EXPECT_GT(shapeton::TissueLikelihood(-90.0, 1.0), 0.85);
   EXPECT_LT(shapeton::TissueLikelihood(-160.0, 1.0), 0.25);
@@ -456,7 +456,7 @@ TEST(PolypCandidates, OtherPositionIsFoundThroughTheMap)
                                 "map",
                                 { { 1, there + Vector3d(0.0, 80.0, 0.0), diameter, 1.0 },
                                   { 2, there + Vector3d(8.0, 0.0, 0.0), diameter, 0.9 },
-                                  { 3, there, 4.0 * diameter, 1.0 } }, // nearer, but far too wide
+                                  { 3, there, 4.0 * diameter, 1.0 } }, // closer, but far too wide
                                 candidates);
   ASSERT_TRUE(candidates.front().other.has_value());
   const shapeton::PolypInOtherPosition & other = *candidates.front().other;
@@ -473,7 +473,7 @@ TEST(PolypCandidates, OtherPositionIsFoundThroughTheMap)
   shapeton::FindInOtherPosition(map, "map", { { 1, there, diameter, 1.0 } }, candidates);
   EXPECT_TRUE(candidates.front().other->isExcluded);
   EXPECT_FALSE(candidates.front().other->isSeen);
-  map.V.rowwise() += Eigen::RowVector3d(0.0, 0.0, 500.0); // of another colon
+  map.V.rowwise() += Eigen::RowVector3d(0.0, 0.0, 500.0); // surface of another colon
   EXPECT_THROW(shapeton::FindInOtherPosition(map, "map", {}, candidates), shapeton::InputError);
 }
 
@@ -488,7 +488,7 @@ TEST(PolypCandidates, AllOfThemTellOnWhichWallTheyAre)
     return wall;
   };
   std::vector<PolypCandidate> candidates(3);
-  candidates[0].position = { 0.0, 50.0, 1.0 }; // both walls are equally near
+  candidates[0].position = { 0.0, 50.0, 1.0 }; // equidistant from both walls
   candidates[1].position = { 80.0, 50.0, 2.0 };
   candidates[2].position = { -80.0, 50.0, 3.0 };
   EXPECT_NEAR(shapeton::MeanDistanceToWall(square(0.0), candidates), 2.0, 1e-12);
@@ -536,7 +536,7 @@ TEST(PolypCandidates, KnownValveIsNamedAndRanksBehindSoftTissue)
   valve.confidence = 0.6;
   PolypCandidate lip, beside, bubble;
   lip.score = 0.9;
-  lip.position = { 15.9, 0.0, 0.0 }; // half of the length and 3 mm
+  lip.position = { 15.9, 0.0, 0.0 }; // half the length plus 3 mm
   beside.score = 0.3;
   beside.position = { 16.1, 0.0, 0.0 };
   bubble.score = 0.01;
@@ -615,16 +615,16 @@ TEST(PolypCandidates, TheOtherPositionWeighsWhatItShows)
     return one[0];
   };
   EXPECT_EQ(weighed(0.0, 0.9, 0.0).score, 0.9);       // a registration without evidence
-  EXPECT_EQ(weighed(1.0, 0.9, 0.0, true).score, 0.9); // a place that is not visible
+  EXPECT_EQ(weighed(1.0, 0.9, 0.0, true).score, 0.9); // not visible
   EXPECT_TRUE(std::isnan(weighed(1.0, 0.9, 0.0, true).other->ownScore));
   EXPECT_LT(weighed(1.0, 0.9, 0.0).score, 0.25);
   EXPECT_GT(weighed(1.0, 0.9, 0.9).score, 0.9);
   EXPECT_NE(weighed(1.0, 0.9, 0.0).remark, "");
   EXPECT_EQ(weighed(1.0, 0.9, 0.9).remark, "");
   EXPECT_EQ(weighed(1.0, 0.9, 0.3).other->ownScore, 0.9);
-  // Probabilities of a correct map and of a wrong one.
+  // Probabilities of a correct and of a wrong map.
   EXPECT_NEAR(weighed(0.75, 0.9, 0.0).score, 0.75 * weighed(1.0, 0.9, 0.0).score + 0.25 * 0.9, 1e-12);
-  // The tissue factor stays: half of the shape score before and after; a catheter remains one.
+  // The tissue factor (one half) is unchanged; a catheter remains a catheter.
   EXPECT_NEAR(weighed(1.0, 0.45, 0.5).score, 0.5 * weighed(1.0, 0.9, 0.5).score, 1e-12);
   EXPECT_EQ(weighed(1.0, 0.0, 1.0).score, 0.0);
   double last = 0.0;
@@ -660,8 +660,8 @@ TEST(PolypCandidates, WeighedCandidatesKeepTheirNumbers)
 namespace
 {
 
-/** Ranked by a valve at the origin, confidence .95, and weighed by another position without a match at the origin, and
- * the same 100 mm away. */
+/** A candidate at the origin, ranked by a valve there (confidence .95) and weighed by another position without a match,
+ * and the same candidate 100 mm away. */
 std::vector<PolypCandidate>
 RankedByValve(std::vector<PolypCandidate> candidates)
 {
@@ -693,7 +693,7 @@ HeadOf(double shapeIndex, double shapeScore, const Eigen::Vector3d & position)
 
 } // namespace
 
-/** For any valve confidence and other position it is listed, last. */
+/** It is listed last for any valve confidence and other position. */
 TEST(PolypCandidates, LargePolypThatIsTakenForTheValveStaysInTheList)
 {
   const auto candidates =

@@ -9,7 +9,7 @@
 #include <functional>
 #include <vector>
 
-/** Closed straight lumens of radius 20 mm along x that contain bodies of a known form. */
+/** Closed straight lumens of radius 20 mm along x with bodies of known shape. */
 namespace polyptubes
 {
 using Eigen::Vector3d;
@@ -19,14 +19,14 @@ using Body = std::function<double(const Vector3d &)>;
 constexpr double radius = 20.0;
 constexpr double halfLength = 28.0;
 
-/** Point on the wall below the center. */
+/** Wall point below the center. */
 inline Vector3d
 Base(double x)
 {
   return { x, 0.0, -radius };
 }
 
-/** An ellipsoid half in the lumen, on the lower wall. */
+/** A half ellipsoid on the lower wall. */
 inline Body
 Ellipsoid(const Vector3d & middle, double halfWidth, double height)
 {
@@ -48,7 +48,7 @@ inline Body
 Plate(double x, double height)
 {
   return [=](const Vector3d & p) {
-    const double          toCrest = radius - height - std::hypot(p.y(), p.z()); // negative within the rim of the plate
+    const double          toCrest = radius - height - std::hypot(p.y(), p.z()); // negative inside the plate
     const double          sideways = std::max(0.0, p.z() + 4.0);
     const Eigen::Vector2d off(p.x() - x, std::max(0.0, toCrest + 1.5));
     return std::hypot(off.norm(), sideways) - 1.5;

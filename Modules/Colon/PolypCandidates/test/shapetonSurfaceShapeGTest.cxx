@@ -15,7 +15,7 @@ Measure(const shapeton::SurfaceMesh & mesh, double time)
 }
 } // namespace
 
-// A ball in the lumen: the faces are oriented into it.
+// A ball in the lumen, with faces oriented inward.
 TEST(SurfaceShape, BallHasItsCurvatureWhateverTheSmoothing)
 {
   shapeton::SurfaceMesh ball = testsurfaces::Icosphere(4, 5.0);
@@ -27,9 +27,9 @@ TEST(SurfaceShape, BallHasItsCurvatureWhateverTheSmoothing)
     EXPECT_NEAR(shape.lesser.mean(), 0.2, 0.004) << time;
     EXPECT_GT(shape.lesser.minCoeff(), 0.18) << time;
     EXPECT_LT(shape.greater.maxCoeff(), 0.22) << time;
-    // Into the lumen, which is around the ball.
+    // Outward, into the lumen around the ball.
     EXPECT_GT((shape.inwardNormals.cwiseProduct(ball.V)).rowwise().sum().minCoeff(), 4.9);
-    // Gauss and Bonnet: 4 pi.
+    // Gauss-Bonnet: 4 pi.
     EXPECT_NEAR((shape.greater.array() * shape.lesser.array() * shape.areas.array()).sum(), 4.0 * M_PI, 0.3);
   }
 }

@@ -11,8 +11,8 @@
 
 namespace shapeton
 {
-/** Positions of the nodes of one cylinder on another, along each row, row by row: mm along and around. The coordinate
- * around is continuous; the node after the last one of a row is the first one, a whole turn farther.
+/** Positions (mm along and around) of the nodes of one cylinder on another, in row-major order. The coordinate around
+ * is unwrapped; the node after the last one of a row is the first one plus a turn.
  * \ingroup ShapetonSupineProne */
 struct CylinderValues
 {
@@ -21,22 +21,22 @@ struct CylinderValues
 };
 
 /** \class BeltramiEquations
- * \brief Maps between cylinders and their Beltrami coefficients, by linear finite elements.
+ * \brief Linear finite elements for maps between cylinders and their Beltrami coefficients.
  *
- * A map f of z = x + iy, x mm along the source and y mm around it, has the Beltrami coefficient mu with
- * df/dz* = mu df/dz; |mu| < 1 where it preserves the orientation, 0 where it is conformal. Both coordinates of the map
- * with a given mu solve div(A grad f) = 0, with A of determinant 1:
+ * A map f of z = x + iy, x mm along the source and y mm around it, satisfies the Beltrami equation df/dz* = mu df/dz,
+ * with |mu| < 1 where it preserves orientation and mu = 0 where it is conformal. For given mu, both coordinates solve
+ * div(A grad f) = 0, where det A = 1:
  *
  *   (1 - |mu|^2) A = [ |1 - mu|^2, -2 Im mu; -2 Im mu, |1 + mu|^2 ].
  *
- * Nodes are in rows at any distance, at equal angles; each cell is cut along the diagonal from (row, angle) to
+ * Rows are at arbitrary distances, nodes at equal angles. Each cell is split along the diagonal from (row, angle) to
  * (row + 1, angle + 1), as in CylinderMap. \ingroup ShapetonSupineProne */
 class ShapetonSupineProne_EXPORT BeltramiEquations
 {
 public:
   using Coefficients = std::vector<std::complex<double>>;
 
-  /** Corners of a triangle, and for each the whole turns (0 or 1) to add to its coordinate around. */
+  /** Corners of a triangle, with the number of turns (0 or 1) to add to the coordinate around. */
   struct Triangle
   {
     std::array<int, 3> node;
@@ -50,7 +50,7 @@ public:
     std::array<double, 3> share;
   };
 
-  /** Stiffness matrix of both coordinates, and the right-hand side of one turn for the coordinate around. */
+  /** Stiffness matrix of both coordinates, and right-hand side for one turn of the coordinate around. */
   struct System
   {
     Eigen::SparseMatrix<double> stiffness;
@@ -92,13 +92,13 @@ public:
    * (row + 1, angle + 1), (row, angle + 1). */
   Triangle
   TriangleOf(int triangle) const;
-  /** The triangle and coordinates of a place between nodes: row in [0, Rows() - 1], angle in [0, Angles()). */
+  /** Triangle and barycentric coordinates of a position: row in [0, Rows() - 1], angle in [0, Angles()). */
   Place
   PlaceOf(double row, double angle) const;
   /** Area, mm^2. */
   double
   AreaOf(int triangle) const;
-  /** Beltrami coefficient of each triangle; its absolute value is above 1 where the map flips it. `flips` counts
+  /** Beltrami coefficient of each triangle, with an absolute value above 1 for flipped triangles. `flips` counts
    * flipped and degenerate triangles. */
   Coefficients
   CoefficientsOf(const CylinderValues & values, int & flips) const;

@@ -8,13 +8,12 @@
 
 namespace shapeton
 {
-/** A place on the wall of a colon, unrolled. \ingroup ShapetonSupineProne */
+/** A position on the unrolled wall of a colon. \ingroup ShapetonSupineProne */
 struct CylinderPlace
 {
   /** Distance along the centerline, mm. */
   double s{ 0.0 };
-  /** Angle around the tube in turns, increasing downward in the picture seen from inside the lumen; values that differ
-   * by an integer are the same place. */
+  /** Angle around the tube in turns, modulo 1, increasing downward in the view from inside the lumen. */
   double turn{ 0.0 };
 };
 
@@ -25,15 +24,15 @@ TurnDifference(double turn, double from);
 /** \class ColonCylinder
  * \brief The wall of a colon as a cylinder: distance along the centerline and angle on the flat map.
  *
- * The flat map is conformal, so its length depends on folds and caliber; two positions of one colon agree much better
- * in the length of the centerline. The distance along it is that of the grid column (DistanceOfColumns()), made
- * strictly ascending. Both directions are exact inverses of each other. The flat colon must outlive this object.
+ * The length of the conformal flat map depends on folds and caliber; lengths along the centerline agree much better
+ * between two positions of a colon. The distance is DistanceOfColumns() of the grid column, made strictly ascending.
+ * Both conversions are exact inverses. The flat colon must outlive this object.
  * \ingroup ShapetonSupineProne */
 class ShapetonSupineProne_EXPORT ColonCylinder
 {
 public:
-  /** \param centerline with the point array arcLength, mm; required if the grid has none.
-   * Throws InputError when neither has the distance along the centerline. */
+  /** \param centerline with the point array arcLength, mm; required if the grid lacks it. Throws InputError if neither
+   * has arcLength. */
   ColonCylinder(const FlatColon & flat, const CurveSet & centerline);
 
   double
@@ -46,13 +45,13 @@ public:
   {
     return m_Arc.back();
   }
-  /** Mean circumference of the tube without folds, mm: the length of a turn. */
+  /** Mean circumference (mm) of the tube without folds: the length of a turn. */
   double
   Around() const
   {
     return m_Around;
   }
-  /** mm along the centerline at a position in columns (0.5 is the center of the first one); extrapolated beyond the
+  /** mm along the centerline at a position in columns (0.5 is the center of the first column); extrapolated beyond the
    * ends. */
   double
   ArcOfColumn(double column) const;
@@ -63,8 +62,8 @@ public:
   /** v in [0, circumference). */
   Eigen::Vector2d
   UvOfPlace(const CylinderPlace & place) const;
-  /** Point on the wall, LPS, mm, interpolated between pixel centers; beyond the ends that of the nearest column. NaN
-   * where the grid has no face. */
+  /** Point on the wall, LPS, mm, interpolated between pixel centers; beyond the ends, at the nearest column. NaN in
+   * holes of the grid. */
   Eigen::Vector3d
   PointOfPlace(const CylinderPlace & place) const;
   const FlatColonGrid &

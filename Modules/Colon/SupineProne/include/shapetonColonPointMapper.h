@@ -6,27 +6,27 @@
 
 namespace shapeton
 {
-/** A place of the wall mapped by the registration. \ingroup ShapetonSupineProne */
+/** A point of the wall mapped by the registration. \ingroup ShapetonSupineProne */
 struct MappedPoint
 {
-  /** Place on the flat map of the other position, mm; v in [0, circumference). */
+  /** Position on the flat map of the other position, mm; v in [0, circumference). */
   Eigen::Vector2d uv{ Eigen::Vector2d::Zero() };
-  /** The place on the wall in space, LPS, mm. */
+  /** Point on the wall of the other position, LPS, mm. */
   Eigen::Vector3d point{ Eigen::Vector3d::Zero() };
   /** Local confidence of the registration, 0 to 1. */
   double confidence{ 0.0 };
-  /** Whether the wall is not visible there in one of the positions: the map is interpolated from both sides. */
+  /** Whether the wall is not visible in one of the positions, so the map is interpolated from both sides. */
   bool isExcluded{ true };
-  /** Distance of the input point from its own wall, mm; 0 for a place on the map. */
+  /** Distance (mm) of the input point from its wall; 0 for map positions. */
   double distance{ 0.0 };
 };
 
 /** \class ColonPointMapper
- * \brief Maps points in space and places on the map from one position to the other, in both directions.
+ * \brief Maps points in space and on the flat map between both positions.
  *
- * For findings of one position: points, polyps, vertex labels. The registration must outlive the object. Thread-safe.
- * Uv and point are NaN where the map misses the place, which a registration without flips (RegistrationFigures::flips)
- * never does, or where the wall has a hole.
+ * Intended for findings of one position: points, polyps, vertex labels. The registration must outlive the object.
+ * Thread-safe. Uv and point are NaN at holes of the wall, and where the inverse map is undefined, which occurs only if
+ * RegistrationFigures::flips is nonzero.
  * \ingroup ShapetonSupineProne */
 class ShapetonSupineProne_EXPORT ColonPointMapper
 {
@@ -38,7 +38,7 @@ public:
   Forward(const Eigen::Vector3d & point) const;
   MappedPoint
   Inverse(const Eigen::Vector3d & point) const;
-  /** Maps places on the map. */
+  /** Maps flat map positions. */
   MappedPoint
   ForwardUv(const Eigen::Vector2d & sourceUv) const;
   MappedPoint

@@ -14,7 +14,7 @@
 
 namespace shapeton
 {
-/** Registration input for the colon in one position. \ingroup ShapetonSupineProne */
+/** Registration input: the colon in one position. \ingroup ShapetonSupineProne */
 struct ColonPosition
 {
   /** Name in messages: "supine", a folder. */
@@ -23,8 +23,8 @@ struct ColonPosition
   std::shared_ptr<const FlatColon> flat;
   /** One curve from the rectum to the cecum, LPS, mm, with the point array arcLength (mm). */
   CurveSet centerline;
-  /** Up to three curves on the wall, LPS, mm, with the cell array taenia; the numbers may differ from those of the
-   * other position. Empty if unknown. */
+  /** Up to three curves on the wall, LPS, mm, with the cell array taenia; the numbering may differ between positions.
+   * Empty if unknown. */
   CurveSet taeniae;
   /** Distances along the centerline, mm: rectosigmoid, descending-sigmoid, splenic, hepatic; NaN if not found. */
   std::array<double, 4> flexures{ { std::numeric_limits<double>::quiet_NaN(),
@@ -34,21 +34,21 @@ struct ColonPosition
   /** Probability that each flexure is within 30 mm, 0 to 1. */
   std::array<double, 4>     flexureConfidence{ { 1.0, 1.0, 1.0, 1.0 } };
   std::vector<HaustralFold> folds;
-  /** Mean curvature of the vertices of the flat surface, 1/mm, positive where the wall bulges into the lumen, smoothed
-   * over some mm; if empty, that of the grid is used. */
+  /** Smoothed mean curvature of the vertices of the flat surface, 1/mm, positive where the wall bulges into the lumen;
+   * if empty, the curvature of the grid is used. */
   Eigen::VectorXd curvature;
-  /** Whether each column of the grid is excluded, from FindExcludedColumns(). */
+  /** Excluded columns of the grid, from FindExcludedColumns(). */
   std::vector<char> isExcluded;
 };
 
-/** Finds columns of the grid that are bridged for more than half of their turn, are at a gap of the centerline (point
- * array gap, if present), or have a wall less than `leastRadius` mm from its center: collapsed stretches.
+/** Finds collapsed columns of the grid: bridged for more than half of their turn, at a gap of the centerline (point
+ * array gap, if present), or with a mean radius below `leastRadius` mm.
  * \ingroup ShapetonSupineProne */
 ShapetonSupineProne_EXPORT std::vector<char>
                    FindExcludedColumns(const FlatColon & flat, const CurveSet & centerline, double leastRadius = 9.0);
 
-/** Builds the position from its parts; `flat` is the surface of landmarks and folds.
- * \param name for messages. \ingroup ShapetonSupineProne */
+/** Creates the position; `flat` is the surface of landmarks and folds.
+ * \param name name for messages. \ingroup ShapetonSupineProne */
 ShapetonSupineProne_EXPORT ColonPosition
 MakeColonPosition(const std::string &               name,
                   std::shared_ptr<const FlatColon>  flat,

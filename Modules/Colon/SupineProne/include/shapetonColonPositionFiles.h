@@ -13,9 +13,9 @@ struct ColonPositionFiles
   ColonPosition position;
   /** The known segments. */
   std::vector<ColonSegmentExtent> segments;
-  /** "sha256:..." of all files read; independent of their location. */
+  /** "sha256:..." of all files read, independent of their location. */
   std::string identity;
-  /** Missing optional data. */
+  /** Warnings about missing optional data. */
   Remarks warnings;
 };
 
@@ -23,7 +23,7 @@ struct ColonPositionFiles
  * landmarks/landmarks.json, landmarks/taeniae.vtp (absent if none were found), landmarks/folds-surface.vtp (curvature)
  * and folds/folds.csv.
  * \param name for messages, "supine" or "prone".
- * Throws InputError with the name of the missing or malformed file and of the tool that writes it.
+ * Throws InputError with the name of the missing or malformed file and the tool that writes it.
  * \ingroup ShapetonSupineProne */
 ShapetonSupineProne_EXPORT ColonPositionFiles
 ReadColonPosition(const std::string & folder, const std::string & name);

@@ -7,14 +7,13 @@
 
 namespace shapeton
 {
-/** Nodes of a map between cylinders: rows are equal steps along the source, columns are equal angles from turn 0.
+/** Nodes of a map between cylinders: rows at equal steps along the source, columns at equal angles from turn 0.
  * \ingroup ShapetonSupineProne */
 struct CylinderNodes
 {
   double begin{ 0.0 };
   double step{ 1.0 };
-  /** Image of each node: mm along the target, and turns, continuous along rows and columns (the last column and the
-   * first one differ by the missing part of the turn). */
+  /** Image of each node: mm along the target, and turns, unwrapped along rows and columns. */
   Eigen::MatrixXd s;
   Eigen::MatrixXd turn;
 
@@ -40,8 +39,8 @@ struct CylinderNodes
 /** \class CylinderMap
  * \brief A piecewise linear map between two cylinders, and its inverse.
  *
- * Each cell of the nodes is cut along its diagonal. Beyond the ends the map continues as a shift along the colon. It is
- * one-to-one if no triangle is flipped; see Flips(). Thread-safe.
+ * Each cell is split along its diagonal. Beyond the ends the map is a shift along the colon. It is a bijection if no
+ * triangle is flipped; see Flips(). Thread-safe.
  * \ingroup ShapetonSupineProne */
 class ShapetonSupineProne_EXPORT CylinderMap
 {
@@ -52,13 +51,13 @@ public:
 
   CylinderPlace
   Forward(const CylinderPlace & place) const;
-  /** Empty where the map is not a bijection and misses the place. The turn is in [0, 1). */
+  /** Inverse map, with the turn in [0, 1); may be empty if the map is not a bijection. */
   std::optional<CylinderPlace>
   Inverse(const CylinderPlace & place) const;
   /** Number of flipped or degenerate triangles. */
   int
   Flips() const;
-  /** The nodes, without those added beyond the ends. */
+  /** The original nodes. */
   const CylinderNodes &
   Nodes() const
   {
@@ -72,7 +71,7 @@ private:
   InverseOnTriangle(int triangle, const CylinderPlace & place) const;
 
   CylinderNodes                 m_Nodes;
-  CylinderNodes                 m_Extended; ///< with a row far beyond each end
+  CylinderNodes                 m_Extended; ///< with an additional row far beyond each end
   std::vector<std::vector<int>> m_Bins;
   double                        m_BinBegin{ 0.0 };
   int                           m_BinRows{ 0 };

@@ -10,7 +10,7 @@
 
 namespace shapeton
 {
-/** A fold as input of the matching: coordinates in mm on the unrolled target cylinder, after the initial map; y is
+/** A fold as input of the matching, with coordinates in mm on the unrolled target cylinder after the initial map; y is
  * periodic. \ingroup ShapetonSupineProne */
 struct FoldFeature
 {
@@ -27,9 +27,9 @@ struct FoldFeature
 /** Method that matches folds. \ingroup ShapetonSupineProne */
 enum class FoldMatchingMethod
 {
-  /** Independent folds: exact, by the Hungarian method with dustbins. */
+  /** Independent folds: exact solution by the Hungarian method with dustbins. */
   Hungarian,
-  /** Neighboring folds should move alike: graph matching by dual decomposition. */
+  /** Similar displacements of neighboring folds: graph matching by dual decomposition. */
   DualDecomposition
 };
 
@@ -37,7 +37,7 @@ enum class FoldMatchingMethod
 struct FoldMatchingOptions
 {
   FoldMatchingMethod method{ FoldMatchingMethod::Hungarian };
-  /** Maximum distance of candidate pairs, along and around, mm. */
+  /** Maximum distance of candidate pairs along and around, mm. */
   double reachAlong{ 25.0 };
   double reachAround{ 16.0 };
   /** Standard deviations of the positions (mm), and of the logarithms of length and area. */
@@ -49,8 +49,8 @@ struct FoldMatchingOptions
   double alone{ 4.0 };
   /** \name DualDecomposition */
   ///@{
-  /** Number of neighbors of each fold, and weight and standard deviation (mm) of the difference of their displacements;
-   * the cost of a pair is truncated at `truncation`. */
+  /** Number of neighbors of each fold; weight and standard deviation (mm) of the difference of their displacements. The
+   * cost of a pair is truncated at `truncation`. */
   int    neighbors{ 6 };
   double pairWeight{ 1.0 };
   double pairDeviation{ 6.0 };
@@ -59,20 +59,20 @@ struct FoldMatchingOptions
   ///@}
 };
 
-/** Matched pairs of folds of two positions, with a bound on the optimal energy. See MatchFolds().
+/** Matched pairs of folds with a bound on the optimal energy. See MatchFolds().
  * \ingroup ShapetonSupineProne */
 struct FoldMatching
 {
-  /** Fold indices in source, ascending, and target. */
+  /** Fold indices in source (ascending) and target. */
   std::vector<std::pair<int, int>> pairs;
   /** Cost of each pair, without neighbor terms. */
   std::vector<double> costs;
-  /** Energy of the matching, and the greatest lower bound found for any matching; equal for Hungarian. */
+  /** Energy of the matching and best lower bound; equal for Hungarian. */
   double primal{ 0.0 };
   double bound{ 0.0 };
   int    iterations{ 0 };
 
-  /** Duality gap relative to the energy saved over no matching: 0 proves that the matching is optimal. */
+  /** Duality gap relative to the energy reduction by the matching; 0 proves optimality. */
   double
   Gap() const
   {
@@ -81,13 +81,13 @@ struct FoldMatching
   double savable{ 0.0 };
 };
 
-/** One-to-one matching of folds with dustbins (dissertation 4.3.1). A pair costs the squared differences of position,
- * length and area over their variances; an unmatched fold costs `alone`. DualDecomposition adds the truncated squared
- * difference of the displacements of neighboring folds.
+/** One-to-one matching of folds with dustbins (dissertation 4.3.1). The cost of a pair is the sum of squared
+ * differences of position, length and area over their variances; the cost of an unmatched fold is `alone`.
+ * DualDecomposition adds the truncated squared difference of the displacements of neighboring folds.
  *
- * The printed objective of 4.3.1 has no pairwise term, so the Hungarian method solves it exactly; its term for
- * unmatched features, |q|^2, is a distance to the origin and is a constant here. Dual decomposition (Torresani,
- * Kolmogorov, Rother 2008): one assignment subproblem, one for each pair of neighbors, multipliers by subgradients.
+ * The objective printed in 4.3.1 lacks a pairwise term, so the Hungarian method is exact; its term for unmatched
+ * features, |q|^2, is a distance to the origin, here replaced by a constant. Dual decomposition (Torresani, Kolmogorov,
+ * Rother 2008): one assignment subproblem, one subproblem per pair of neighbors, multipliers by subgradients.
  * \param turn circumference of the plane, mm. \ingroup ShapetonSupineProne */
 ShapetonSupineProne_EXPORT FoldMatching
 MatchFolds(const std::vector<FoldFeature> & source,

@@ -20,13 +20,13 @@ struct PointError
   enum class Kind
   {
     Counted,
-    /** In an excluded stretch. */
+    /** Whether the point is in an excluded stretch. */
     Excluded,
-    /** More than 10 mm from one of the surfaces; distances are undefined. */
+    /** Whether the point is more than 10 mm from one of the surfaces, so distances are undefined. */
     OffSurface
   };
   Kind kind{ Kind::OffSurface };
-  /** Distance in space (mm), and on the flat map of the target relative to its circumference. */
+  /** Distance in space (mm), and distance on the flat map of the target relative to its circumference. */
   double inSpace{ std::numeric_limits<double>::quiet_NaN() };
   double onMap{ std::numeric_limits<double>::quiet_NaN() };
 };
@@ -35,10 +35,11 @@ struct PointError
  * \ingroup ShapetonSupineProne */
 struct RegistrationErrors
 {
-  /** For each counted pair: distance in space (mm), and on the flat map of the target relative to its circumference. */
+  /** For each valid pair: distance in space (mm), and distance on the flat map of the target relative to its
+   * circumference. */
   std::vector<double> inSpace;
   std::vector<double> onMap;
-  /** Pairs that are not counted: more than 10 mm from one of the surfaces, in an excluded stretch. */
+  /** Number of ignored pairs: more than 10 mm from one of the surfaces, and in an excluded stretch. */
   int offSurface{ 0 };
   int excluded{ 0 };
 
@@ -48,13 +49,13 @@ struct RegistrationErrors
   Median() const;
   ShapetonSupineProne_EXPORT double
   Percentile95() const;
-  /** Share of the distances in space below 10 mm. */
+  /** Fraction of the distances in space below 10 mm. */
   ShapetonSupineProne_EXPORT double
   ShareWithin10() const;
   ShapetonSupineProne_EXPORT double
   MeanOnMap() const;
-  /** Half width (mm) of the 95 % confidence interval of the mean, over blocks of neighboring points in the given order,
-   * since errors of neighbors are correlated. */
+  /** Half width (mm) of the 95 % confidence interval of the mean, from blocks of consecutive points, since errors of
+   * neighbors are correlated. */
   ShapetonSupineProne_EXPORT double
   HalfInterval() const;
 };
@@ -66,7 +67,7 @@ ShapetonSupineProne_EXPORT std::vector<PointError>
                                   const CylinderMap &             map,
                                   const std::vector<PointPair> &  pairs);
 
-/** Collects the counted errors, and the numbers of the others. \ingroup ShapetonSupineProne */
+/** Collects the valid errors and counts the ignored ones. \ingroup ShapetonSupineProne */
 ShapetonSupineProne_EXPORT RegistrationErrors
 SummaryOf(const std::vector<PointError> & errors);
 

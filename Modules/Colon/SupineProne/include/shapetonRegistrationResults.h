@@ -14,14 +14,14 @@ namespace shapeton
  * \ingroup ShapetonSupineProne */
 ///@{
 
-/** Ground truth from points with known correspondence for a pair of folds, or for a fold of the supine position. */
+/** Verdict on a pair of folds, or on a supine fold, from points with known correspondence. */
 enum class FoldVerdict
 {
-  /** No point is nearby, or the other fold was not found. */
+  /** No point is nearby, or the true partner was not detected. */
   Unknown,
   Correct,
   Wrong,
-  /** The fold is unmatched although its true partner was found and is free. */
+  /** The fold is unmatched although its true partner was detected and is free. */
   Unmatched
 };
 
@@ -29,7 +29,7 @@ enum class FoldVerdict
 ShapetonSupineProne_EXPORT std::string
                    NameOf(FoldVerdict verdict);
 
-/** A matched pair of folds, as in the table. */
+/** A matched pair of folds: a row of the table. */
 struct MatchedFolds
 {
   /** HaustralFold::label. */
@@ -49,7 +49,7 @@ struct MatchedFolds
   /** Correct or Wrong if points are available. */
   FoldVerdict verdict{ FoldVerdict::Unknown };
 
-  /** Whether the map follows the pair; otherwise the pair contradicts its neighbors. */
+  /** Whether the map is consistent with the pair; otherwise the pair contradicts its neighbors. */
   bool
   IsFollowed() const
   {
@@ -57,22 +57,22 @@ struct MatchedFolds
   }
 };
 
-/** Folds and their matches in a segment of the colon, counted as in Table 4.1 of the dissertation, but with unmatched
- * folds separate from wrong pairs. Prone folds are assigned to segments by the prone landmarks. */
+/** Counts of folds and matches in a segment of the colon, as in Table 4.1 of the dissertation, but with separate counts
+ * of unmatched folds and wrong pairs. Prone folds are assigned to segments by the prone landmarks. */
 struct SegmentMatches
 {
   std::string segment;
   int         supineFolds{ 0 };
   int         proneFolds{ 0 };
-  /** Pairs, by the segment of their supine fold. */
+  /** Pairs by segment of the supine fold. */
   int followed{ 0 };
   int contradicted{ 0 };
   int supineAlone{ 0 };
   int proneAlone{ 0 };
   /** Mean confidence of the visible part, 0 to 1; NaN if no part is visible. */
   double confidence{ 0.0 };
-  /** \name With ground truth: correct and wrong pairs, and unmatched supine folds whose true partner was found and is
-   * in no correct pair */
+  /** \name With ground truth: correct and wrong pairs, and unmatched supine folds whose true partner was detected but
+   * is not in a correct pair */
   ///@{
   int correct{ 0 };
   int wrong{ 0 };
@@ -88,10 +88,10 @@ struct RegistrationResults
    * where the wall is not visible in one of them). */
   SurfaceMesh supineToProne;
   SurfaceMesh proneToSupine;
-  /** In the order of the supine folds. */
+  /** Ordered by supine fold. */
   std::vector<MatchedFolds>   matches;
   std::vector<SegmentMatches> segments;
-  /** Ground-truth points, and the error of each. */
+  /** Ground-truth points with errors. */
   std::vector<PointPair>  points;
   std::vector<PointError> errors;
   /** registration.json without provenance and warnings. */

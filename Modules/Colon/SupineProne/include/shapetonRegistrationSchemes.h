@@ -8,22 +8,22 @@ namespace shapeton
 /** Simpler registration methods, for comparison. \ingroup ShapetonSupineProne */
 enum class RegistrationScheme
 {
-  /** Flat maps stretched to the same length, with the single rotation in which their fold pictures agree best. */
+  /** Flat maps scaled to the same length, with the single rotation for the best agreement of the fold pictures. */
   Rectangles,
   /** As Rectangles, with proportional distances along the centerlines. */
   Centerline,
-  /** Flexures and taeniae: SupineProneRegistration::frame. */
+  /** SupineProneRegistration::frame, from flexures and taeniae. */
   Landmarks,
-  /** The warping before fold matching: SupineProneRegistration::warp. */
+  /** SupineProneRegistration::warp, before fold matching. */
   Warping,
   /** SupineProneMap::Published. */
   Published,
-  /** The quasi-conformal map of Published, but only through the ends of the colon and the folds that the registration
-   * has matched and the map follows. */
+  /** The quasi-conformal map of Published, but constrained only by the ends of the colon and the consistent fold pairs
+   * of the registration. */
   QuasiConformal
 };
 
-/** The map of a scheme for a pair registered by RegisterColonPositions(); frame and warp are taken from `registration`.
+/** The map of a scheme for a pair registered by RegisterColonPositions(); reuses frame and warp of `registration`.
  * \ingroup ShapetonSupineProne */
 ShapetonSupineProne_EXPORT CylinderMap
 MapOfScheme(RegistrationScheme              scheme,

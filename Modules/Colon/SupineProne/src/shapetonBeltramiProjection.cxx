@@ -15,7 +15,7 @@ namespace
 using Complex = std::complex<double>;
 using Coefficients = BeltramiEquations::Coefficients;
 
-/** Values in mm, with the ends moved to circles. */
+/** Values in mm, with the ends projected to circles. */
 CylinderValues
 ValuesOf(const CylinderNodes & nodes, double targetAround)
 {
@@ -29,7 +29,7 @@ ValuesOf(const CylinderNodes & nodes, double targetAround)
   return values;
 }
 
-/** Replaces clamped coefficients by the mean of the triangles at their corners. */
+/** Replaces clamped coefficients by the mean over the adjacent triangles. */
 void
 Smooth(const BeltramiEquations & equations, const std::vector<char> & isCut, Coefficients & mu)
 {
@@ -56,7 +56,7 @@ Smooth(const BeltramiEquations & equations, const std::vector<char> & isCut, Coe
   }
 }
 
-/** Clamps coefficients to `greatest` and averages their neighborhood; false if none was too large. */
+/** Clamps coefficients to `greatest` and averages their neighborhood; false if no coefficient was too large. */
 bool
 Bound(const BeltramiEquations & equations, double greatest, Coefficients & mu)
 {
@@ -96,7 +96,7 @@ SolveWithFixed(const Eigen::SparseMatrix<double> & stiffness, Eigen::VectorXd ri
   values.segment(first, inner) = right.segment(first, inner);
 }
 
-/** The map with these coefficients and the previous overall rotation. */
+/** The map for these coefficients, with the overall rotation of the previous map. */
 void
 Solve(const BeltramiEquations & equations, const Coefficients & mu, CylinderValues & values)
 {
@@ -154,7 +154,7 @@ ProjectToBijection(const CylinderNodes &             nodes,
     bound *= projection.flips > 0 ? 0.9 : 1.0;
     if (projection.flips == 0 && GreatestOf(mu) < 0.5 * (1.0 + options.greatest))
     {
-      break; // coefficients slightly above the bound are acceptable in a bijection
+      break; // a bijection with coefficients slightly above the bound is accepted
     }
   }
   projection.greatest = GreatestOf(mu);

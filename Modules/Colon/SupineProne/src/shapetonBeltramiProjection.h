@@ -8,7 +8,7 @@ namespace shapeton
 {
 struct BeltramiProjectionOptions
 {
-  /** Greatest absolute value of the Beltrami coefficient, below 1. */
+  /** Maximum absolute value of the Beltrami coefficient, below 1. */
   double greatest{ 0.8 };
   int    iterations{ 12 };
   /** Called after each solve. */
@@ -18,7 +18,7 @@ struct BeltramiProjectionOptions
 struct BeltramiProjection
 {
   CylinderNodes nodes;
-  /** Flipped triangles before and after. */
+  /** Number of flipped triangles before and after. */
   int    flipsBefore{ 0 };
   int    flips{ 0 };
   double greatestBefore{ 0.0 };
@@ -26,11 +26,10 @@ struct BeltramiProjection
   int    iterations{ 0 };
 };
 
-/** Finds a nearby bijection. The Beltrami coefficient is clamped to `greatest` and smoothed there, and the map with
- * that coefficient is found from linear elliptic equations (linear Beltrami solver, Lui, Lam, Yau, Gu 2014), with the
- * ends of the source mapped to circles of the target as the only constraint. This is repeated with a tighter bound
- * while a triangle is flipped. A valid map is returned unchanged, except for its ends. `sourceAround` and
- * `targetAround` are the circumferences, mm. */
+/** Finds a nearby bijection. The Beltrami coefficient is clamped to `greatest` and locally smoothed, and the map for
+ * that coefficient is computed (linear Beltrami solver, Lui, Lam, Yau, Gu 2014), constrained only at the ends, which
+ * map to circles. This is repeated with a tighter bound while triangles are flipped. A valid map is returned unchanged,
+ * except for its ends. `sourceAround` and `targetAround` are the circumferences, mm. */
 BeltramiProjection
 ProjectToBijection(const CylinderNodes &             nodes,
                    double                            sourceAround,

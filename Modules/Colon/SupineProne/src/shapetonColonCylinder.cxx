@@ -12,8 +12,7 @@ namespace shapeton
 namespace
 {
 
-/** Smooths, and adds a small slope to make the distances distinct: steps of the assignment to the centerline are not a
- * property of the wall. */
+/** Smooths the distances, since steps are artifacts of the assignment, and adds a small slope to make them distinct. */
 std::vector<double>
 StrictlyAscending(const std::vector<double> & values, int reach, double leastStep)
 {
@@ -21,7 +20,7 @@ StrictlyAscending(const std::vector<double> & values, int reach, double leastSte
   std::vector<double> ascending(values.size());
   for (int i = 0; i <= last; ++i)
   {
-    const int near = std::min({ reach, i, last - i }); // symmetric: the ends stay fixed
+    const int near = std::min({ reach, i, last - i }); // symmetric, so that the ends remain fixed
     double    sum = 0.0;
     for (int j = i - near; j <= i + near; ++j)
     {
@@ -48,7 +47,7 @@ ColonCylinder::ColonCylinder(const FlatColon & flat, const CurveSet & centerline
   std::vector<double>   distance = grid.HasArcLength() ? DistanceOfColumns(grid) : DistanceOfColumns(axis, centerline);
   if (distance.size() < 2 || !(distance.back() > distance.front()))
   {
-    throw InputError("the flat surface and its centerline have no array arcLength; create them with "
+    throw InputError("the array arcLength is missing from the flat surface and its centerline; create them with "
                      "ColonSegmentation and ColonFlattening (the parameter \"centerline\")");
   }
   constexpr double smoothing = 5.0; // mm

@@ -11,7 +11,7 @@ namespace shapeton
 constexpr int    WarpAngles = 48;   ///< rotations of the warping
 constexpr double WarpRowStep = 3.0; ///< mm between its rows
 
-/** Two positions with derived data, before registration. The positions must outlive it. */
+/** Two positions with derived data, before registration. The positions must outlive this object. */
 struct ColonPair
 {
   ColonPair(const ColonPosition & source, const ColonPosition & target);
@@ -25,10 +25,10 @@ struct ColonPair
   TaeniaAngles                         sourceTaeniae;
   TaeniaAngles                         targetTaeniae;
   PiecewiseLine                        frame;
-  /** Distances (mm) in the source where separately registered segments meet. */
+  /** Borders of separately registered segments in the source, mm. */
   std::vector<double> breaks;
 
-  /** The same in the target, mm. */
+  /** Borders of separately registered segments in the target, mm. */
   double
   Around() const
   {
@@ -41,12 +41,12 @@ struct ColonPair
   }
 };
 
-/** Sets taeniae, frame and, if `isSegmentWise`, breaks. Throws InputError when the positions have no landmarks in
+/** Sets taeniae, frame and, if `isSegmentWise`, breaks. Throws InputError if the positions have no landmarks in
  * common. */
 void
 FindFrame(ColonPair & pair, bool isSegmentWise, std::vector<std::string> & warnings);
 
-/** Whether the wall at this place of a colon is not visible. */
+/** Whether the wall at a position is not visible. */
 bool
 IsExcluded(const ColonPosition & position, const ColonCylinder & cylinder, const CylinderPlace & place);
 } // namespace shapeton

@@ -104,7 +104,7 @@ ReadLandmarks(Examination & examination, ColonPositionFiles & files)
   }
 }
 
-/** Checks the patient position stored with a lumen from a CT: the two examinations may be swapped. */
+/** Warns if the patient position stored with the lumen suggests that the examinations are swapped. */
 void
 WarnOfPosition(const Examination & examination, ColonPositionFiles & files)
 {
@@ -123,7 +123,7 @@ WarnOfPosition(const Examination & examination, ColonPositionFiles & files)
   const bool        isOpposite = (name == "supine" && position == "prone") || (name == "prone" && position == "supine");
   if (isOpposite && said("/lumen/gravitySource") != "assumed")
   {
-    files.warnings.push_back(name + ": the patient of this examination lay " + position + "; are the two swapped?");
+    files.warnings.push_back(name + ": the patient position of this examination is " + position + "; the two may be swapped");
   }
 }
 } // namespace
@@ -139,7 +139,7 @@ ReadColonPosition(const std::string & folder, const std::string & name)
   RequireSound(position.centerline, name + ": the centerline");
   const std::string flatPath = examination.Take("flattening", "flat.vtp", "ColonFlattening");
   position.flat = std::make_shared<FlatColon>(ReadSurface(flatPath).mesh, FlatColonGridOptions{}, '"' + flatPath + '"');
-  position.flat->Grid(); // rejects a surface that is not flat before the rest is read
+  position.flat->Grid(); // rejects a surface that is not flat before reading other files
   ReadLandmarks(examination, files);
   const std::string foldsPath = examination.Take("landmarks", "folds-surface.vtp", "ColonLandmarks");
   position.curvature = CurvatureOf(ReadSurface(foldsPath).mesh, position.flat->Surface(), foldsPath);

@@ -13,7 +13,7 @@ namespace
 {
 constexpr double rowStep = 3.0; // mm
 
-/** Picture stretched to this number of rows from end to end. */
+/** Picture scaled to this number of rows from end to end. */
 CylinderPicture
 PictureOf(const ColonWithFolds & colon, double step, int rows)
 {
@@ -27,7 +27,7 @@ PictureOf(const ColonWithFolds & colon, double step, int rows)
   return MakeCylinderPicture(colon.position, colon.cylinder, colon.folds, form);
 }
 
-/** Bit 1: the angles are reversed; bit 2: the rows are. */
+/** Bit 1 reverses the angles, bit 2 the rows. */
 CylinderPicture
 Turned(CylinderPicture picture, int way)
 {

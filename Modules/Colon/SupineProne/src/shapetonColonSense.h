@@ -17,9 +17,8 @@ struct ColonWithFolds
   const std::vector<float> & folds;
 };
 
-/** Throws InputError when a transformed colon fits better: then it is reversed or a mirror image. Uses only the ends
- * and the folds. Returns the energy of the best transformed warp minus that of the original one; about 0 for two
- * patients. */
+/** Throws InputError if a reversed or mirrored colon fits better. Uses only the ends and the folds. Returns the energy
+ * of the best transformed warp minus the energy of the original one; about 0 for two patients. */
 double
 RequireSameSense(const ColonWithFolds & source, const ColonWithFolds & target, const Progress & progress);
 } // namespace shapeton

@@ -9,13 +9,13 @@ namespace shapeton
 {
 namespace
 {
-/** Constraints that map taeniae of the source to those of the target. In the rectum the muscle is one coat without
- * bands; taeniae there are only extrapolated. */
+/** Constraints that map taeniae of the source to taeniae of the target. The rectum is excluded: its muscle has no
+ * bands, and taeniae there are only extrapolated. */
 std::vector<DirectionConstraint>
 ConstraintsOfTaeniae(const ColonPair & pair, const RowMap & map, double deviation)
 {
   constexpr double                 step = 6.0;      // mm
-  constexpr double                 greatest = 15.0; // mm: farther away it is another one
+  constexpr double                 greatest = 15.0; // mm; at larger distances it is another taenia
   constexpr double                 rectum = 100.0;  // mm from the anal verge
   std::vector<DirectionConstraint> constraints;
   const double                     begin = pair.sourceCylinder->Begin() + rectum;
@@ -43,7 +43,7 @@ ConstraintsOfTaeniae(const ColonPair & pair, const RowMap & map, double deviatio
   return constraints;
 }
 
-/** Matches folds; each iteration uses the map of the previous one. */
+/** Matches folds iteratively under the previous map. */
 void
 MatchAndFit(const ColonPair &  pair,
             FoldMatchingMethod method,
@@ -117,7 +117,7 @@ FitCorrection(const ColonPair &                pair,
   corrected.pairWeights.clear();
   for (std::size_t i = 0; i < corrected.matching.pairs.size(); ++i)
   {
-    corrected.pairWeights.push_back(weights[3 * i]); // of the center
+    corrected.pairWeights.push_back(weights[3 * i]); // weight of the center
   }
 }
 

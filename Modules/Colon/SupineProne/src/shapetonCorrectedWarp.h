@@ -8,7 +8,7 @@
 
 namespace shapeton
 {
-/** A map that moves whole rows, with a smooth correction. */
+/** A row-wise map with a smooth correction. */
 struct RowMap
 {
   PiecewiseLine                           s;
@@ -20,7 +20,7 @@ struct RowMap
   operator()(const CylinderPlace & place) const;
 };
 
-/** A warp with its matched pairs of folds, and the correction computed from them. */
+/** A warp with matched fold pairs and the resulting correction. */
 struct CorrectedWarp
 {
   CylindricalWarp                         warp;
@@ -30,38 +30,38 @@ struct CorrectedWarp
   double taeniaDeviation{ 3.0 };
   /** Stiffness of the correction, mm^2. */
   double stiffness{ 2.0 };
-  /** How much the correction follows the center of each pair, 0 to 1. */
+  /** Final weight of the center of each pair in the correction, 0 to 1. */
   std::vector<double> pairWeights;
 
-  /** The map without its correction, and with it. */
+  /** The map without and with the correction. */
   RowMap
   Warp(const ColonPair & pair) const;
   RowMap
   Map(const ColonPair & pair) const;
-  /** Number of pairs that the map follows minus the others. */
+  /** Number of consistent pairs minus inconsistent ones. */
   double
   Support() const;
 };
 
-/** Matches folds about the warp, and again about the corrected one. The correction is a thin plate through the centers
- * and ends of matched folds and along the taeniae. Used to rate a warp: taeniae have the weight of folds, and the stiff
- * correction cannot follow wrong pairs. */
+/** Matches folds under the warp, and again under the corrected warp. The correction is a thin plate through the centers
+ * and ends of matched folds and along the taeniae. Used to rate a warp: taeniae are weighted like folds, and the
+ * correction is too stiff to follow wrong pairs. */
 CorrectedWarp
 CorrectWarp(const ColonPair & pair, const CylindricalWarp & warp, FoldMatchingMethod method, const Progress & progress);
 
-/** Repeats it with less stiffness for the chosen warp. Taeniae are less accurate than folds, and errors of neighboring
- * points of one are correlated, so each has a quarter of the weight of a fold. */
+/** Repeats the correction with less stiffness for the selected warp. The weight of a taenia point is a quarter of the
+ * weight of a fold, since taeniae are less accurate and errors of neighboring points are correlated. */
 CorrectedWarp
 CorrectChosenWarp(const ColonPair &       pair,
                   const CylindricalWarp & warp,
                   FoldMatchingMethod      method,
                   const Progress &        progress);
 
-/** Refines the correction by the fold pictures themselves (Gauss-Newton). */
+/** Refines the correction by Gauss-Newton on the fold pictures. */
 void
 RefineByPictures(const ColonPair & pair, CorrectedWarp & corrected, const Progress & progress);
 
-/** Refits the correction to the matched folds, the taeniae under the map, and further constraints. */
+/** Refits the correction to the matched folds, the taeniae, and further constraints. */
 void
 FitCorrection(const ColonPair &                pair,
               const RowMap &                   map,

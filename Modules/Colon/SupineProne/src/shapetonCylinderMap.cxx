@@ -11,7 +11,7 @@ constexpr double beyond = 1000.0; ///< mm, added at each end
 constexpr double binSize = 5.0;   ///< mm along the target
 constexpr int    binAngles = 36;
 
-/** Position of the unevenly spaced rows of the extended nodes. */
+/** Positions of the rows of the extended nodes. */
 double
 RowPlace(const CylinderNodes & nodes, double s)
 {
@@ -42,8 +42,8 @@ Extended(const CylinderNodes & nodes)
   return extended;
 }
 
-/** Corners of triangle 2 * (row * angles + angle) and the next one: nodes (row, angle), (row + 1, angle),
- * (row + 1, angle + 1) and (row, angle), (row + 1, angle + 1), (row, angle + 1). */
+/** Corners of triangle 2 * (row * angles + angle) and its successor: nodes (row, angle), (row + 1, angle), (row + 1,
+ * angle + 1) and (row, angle), (row + 1, angle + 1), (row, angle + 1). */
 struct TriangleCorners
 {
   int           row;
@@ -67,7 +67,7 @@ CornersOf(const CylinderNodes & nodes, int triangle)
            isSecond ? nodes.At(row, angle + 1) : nodes.At(row + 1, angle + 1) };
 }
 
-/** Twice the area, in mm times turns, positive unless the triangle is flipped. */
+/** Twice the signed area (mm * turns), negative for flipped triangles. */
 double
 AreaOf(const CylinderPlace & a, const CylinderPlace & b, const CylinderPlace & c)
 {
@@ -121,7 +121,7 @@ CylinderMap::Forward(const CylinderPlace & place) const
   const CylinderPlace c = m_Extended.At(i + 1, j + 1);
   const CylinderPlace b = p >= q ? m_Extended.At(i + 1, j) : m_Extended.At(i, j + 1);
   const double        first = p >= q ? p - q : q - p; // weight of corner b
-  const double        both = std::min(p, q);          // of corner c
+  const double        both = std::min(p, q);          // weight of corner c
   const double        rest = 1.0 - first - both;
   return { rest * a.s + first * b.s + both * c.s, rest * a.turn + first * b.turn + both * c.turn + around };
 }

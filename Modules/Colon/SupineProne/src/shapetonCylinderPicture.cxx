@@ -9,7 +9,7 @@ namespace shapeton
 {
 namespace
 {
-/** Sums of values and of shares. */
+/** Sums of values and weights. */
 struct Splat
 {
   Eigen::MatrixXd sum;
@@ -36,7 +36,7 @@ AddPixel(Splat & splat, double row, double angle, double value)
   }
 }
 
-/** Excludes a row by its share of excluded columns. */
+/** Excludes a row by its fraction of excluded columns. */
 void
 Normalize(CylinderPicture & picture, const std::vector<char> & isExcluded)
 {

@@ -8,15 +8,15 @@
 
 namespace shapeton
 {
-/** Picture of the fold probability on a cylinder: rows are equal steps along the colon, columns are angles. Normalized
- * to mean 0 and deviation 1 over rows that are not excluded; excluded rows are 0. */
+/** Picture of the fold probability on a cylinder: rows at equal steps along the colon, columns at equal angles.
+ * Normalized to mean 0 and standard deviation 1 over valid rows; excluded rows are 0. */
 struct CylinderPicture
 {
   Eigen::MatrixXd   values;
   std::vector<char> isExcluded;
-  /** Picture of bands along the taeniae, mean 0 and deviation 1 in each row; empty if unknown. */
+  /** Picture of bands along the taeniae with mean 0 and standard deviation 1 in each row; empty if unknown. */
   Eigen::MatrixXd taeniae;
-  /** Center of the first row, and row distance, in the coordinate along the colon, mm. */
+  /** Center of the first row and row spacing along the colon, mm. */
   double begin{ 0.0 };
   double step{ 1.0 };
 
@@ -41,7 +41,7 @@ struct CylinderPictureForm
   /** Standard deviations of the smoothing, in rows and angles. */
   double smoothRows{ 1.0 };
   double smoothAngles{ 1.0 };
-  /** Maps the distance along the centerline, mm, to the row coordinate; must ascend. */
+  /** Maps the distance along the centerline (mm) to the row coordinate; must be increasing. */
   std::function<double(double)> coordinate;
 };
 
@@ -51,11 +51,11 @@ MakeCylinderPicture(const ColonPosition &       position,
                     const std::vector<float> &  probability,
                     const CylinderPictureForm & form);
 
-/** Interpolates between pixels; the ends repeat. The center of the first angle is at half a pixel. */
+/** Interpolates between pixels; end rows are repeated. The center of the first angle is at half a pixel. */
 double
 SampleOf(const CylinderPicture & picture, double s, double turn);
 
-/** Gaussian mean over rows (ends repeat) and over angles (periodic). */
+/** Gaussian smoothing over rows (end rows repeated) and angles (periodic). */
 Eigen::MatrixXd
 SmoothedOnCylinder(const Eigen::MatrixXd & values, double rows, double angles);
 } // namespace shapeton

@@ -11,14 +11,14 @@ namespace shapeton
 namespace
 {
 constexpr float infinite = std::numeric_limits<float>::infinity();
-/** Maximum number of target rows per row. The centerline takes shortcuts through collapsed stretches, so their length
- * differs by much more than that of others. */
+/** Maximum number of target rows per row. In collapsed stretches, where the centerline is a shortcut, lengths differ
+ * much more. */
 constexpr int           greatestAdvance = 3;
 constexpr int           greatestUnseenAdvance = 8;
 constexpr unsigned char jumped = 255; ///< code of a jump step
 
-/** State (offset, rotation) of each row: the target row is 2 * row + offset - reach, the rotation that of the frame,
- * rounded, plus rotation - width. */
+/** State (offset, rotation) of each row: the target row is 2 * row + offset - reach, the rotation is the rounded
+ * rotation of the frame + rotation - width. */
 class WarpSearch
 {
 public:
@@ -96,7 +96,7 @@ private:
     return now;
   }
 
-  /** Where the wall is not visible the path may continue in any rotation, and anywhere farther along. */
+  /** Where the wall is not visible, the path may continue at any rotation and at any later row. */
   void
   Jump(int row, const std::vector<float> & before, const std::vector<float> & cost, std::vector<float> & now)
   {
@@ -145,8 +145,7 @@ private:
     return m_Source.isExcluded[row] || m_Source.isExcluded[row - 1];
   }
 
-  /** Rotation steps of the frame from the previous row. Where the wall is not visible the taeniae are unknown, too, and
-   * the path follows the frame. */
+  /** Rotation steps of the frame from the previous row. Where the wall is not visible, the path follows the frame. */
   int
   Turned(int row) const
   {
@@ -155,7 +154,7 @@ private:
     return this->IsUnseen(row) || std::abs(turned) > greatest ? 0 : turned;
   }
 
-  /** step = 3 * rows passed + change of rotation + 1; -1 if none. */
+  /** step = 3 * number of rows + change of rotation + 1; -1 if none. */
   int
   StateBefore(int offset, int rotation, int turned, int step) const
   {
@@ -227,7 +226,7 @@ private:
   CylindricalWarpingOptions  m_Options;
   std::vector<int>           m_Center;
   std::vector<unsigned char> m_Step;
-  std::vector<int>           m_Origin; ///< origin state of a jump to a row and an offset
+  std::vector<int>           m_Origin; ///< origin of a jump to a row and an offset
   int                        m_Reach;
   RowCosts                   m_Costs;
   int                        m_Angles{ 1 };

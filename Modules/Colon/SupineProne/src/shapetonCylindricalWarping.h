@@ -13,49 +13,48 @@ struct CylindricalWarpingOptions
   double band{ 60.0 };
   /** Maximum deviation of the rotation from the frame, turns. */
   double rotationBand{ 0.125 };
-  /** Cost of the squared deviation from two rows per step, and of a step of rotation. */
+  /** Cost of the squared deviation from two rows per step, and cost of a rotation step. */
   double slopeWeight{ 0.3 };
   double rotationWeight{ 0.4 };
-  /** A weak spring to the frame on each row, since folds look alike and the next fold fits as well. Its cost at
-   * `frameDeviation` mm. */
+  /** Cost of a weak spring to the frame per row at `frameDeviation` mm, since neighboring folds are similar. */
   double frameDeviation{ 25.0 };
   double springWeight{ 0.05 };
   /** Factor of both costs in excluded rows. */
   double excludedEase{ 0.05 };
-  /** Cost of a jump to any rotation and any place farther along, where a row is excluded in one of the pictures: the
-   * centerline takes a shortcut through a collapsed stretch, and the flat map rotates there. Second: cost of each
-   * skipped target row. */
+  /** Cost of a jump to any rotation and later row where a row is excluded in one picture, since in a collapsed stretch
+   * the centerline is a shortcut and the flat map rotates; and cost of each skipped target row. */
   double jumpCost{ 2.0 };
   double leapCost{ 0.1 };
-  /** Cost of the content of a row, whether the other one shows it or not. */
+  /** Cost of the content of a row, independent of the other picture. */
   double contentWeight{ 0.3 };
-  /** Weight of taeniae relative to folds, if both pictures have them. Taeniae look alike, so they determine the
+  /** Weight of taeniae relative to folds, if known in both pictures. Taeniae are similar, so they determine the
    * rotation only up to thirds of a turn. */
   double taeniaWeight{ 0.0 };
-  /** Places of the source that the path must not carry to the other side, mm; equal in the target under the frame. */
+  /** Segment borders (mm) that the path must not cross, in source coordinates. */
   std::vector<double> breaks;
   /** Standard deviation of the path smoothing, rows. */
   double   smoothing{ 3.0 };
   Progress progress;
 };
 
-/** For each row of the source picture its place in the target and the rotation. */
+/** Target position and rotation of each row of the source picture. */
 struct CylindricalWarp
 {
   std::vector<double> s;
   /** mm along the target. */
   std::vector<double> targetS;
-  /** Turns, continuous. */
+  /** Turns, unwrapped. */
   std::vector<double> rotation;
-  /** Mean cost per row without the spring; excluded rows count as 0. */
+  /** Mean cost per row without the spring; excluded rows contribute 0. */
   double energy{ 0.0 };
 };
 
 /** Dynamic time warping on two cylinders (after Sakoe and Chiba 1978, with the rotation as part of the state). Each row
- * of the source is assigned to a row of the target picture, whose rows are half as far apart and follow the frame. Per
- * row 0 to 3 target rows are passed (0 to 8 where the wall is not visible), and the rotation changes by at most one
- * step, except for jumps where the wall is not visible. The best path is exact. \param rotation turns at each row of
- * the source; empty allows all. \param target in the coordinate of the source, with the same first row. */
+ * of the source is assigned to a row of the target picture, whose row spacing is half as large and follows the frame.
+ * Per row, the path advances by 0 to 3 target rows (0 to 8 where the wall is not visible) and at most one rotation
+ * step, except for jumps where the wall is not visible. The path is optimal. \param rotation turns at each row of the
+ * source; if empty, all rotations are allowed. \param target in the coordinate of the source, with the same first
+ * row. */
 CylindricalWarp
 WarpCylinder(const CylinderPicture &           source,
              const CylinderPicture &           target,

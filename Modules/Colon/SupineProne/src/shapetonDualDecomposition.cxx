@@ -42,7 +42,7 @@ private:
     return choice[row] < 0 ? static_cast<int>(m_Problem.candidates[row].size()) : choice[row];
   }
 
-  /** Adds to the cost of a label in the assignment subproblem. */
+  /** Adds a value to the cost of a label in the assignment subproblem. */
   void
   AddToLabel(AssignmentProblem & problem, int row, int label, double value) const
   {
@@ -54,7 +54,7 @@ private:
   Iterate(double step)
   {
     m_Modified = m_Problem;
-    AssignmentProblem votes = m_Problem; // rounding: the pair subproblems dominate
+    AssignmentProblem votes = m_Problem; // rounding dominated by the pair subproblems
     for (std::size_t p = 0; p < m_Pairs.size(); ++p)
     {
       for (int label = 0; label < m_First[p].size(); ++label)

@@ -7,22 +7,22 @@
 
 namespace shapeton
 {
-/** Two rows of an assignment with dependent choices; the last label of a row is its dustbin. */
+/** Pairwise term of two rows of an assignment; the last label of a row is its dustbin. */
 struct PairTerm
 {
   int             first;
   int             second;
-  Eigen::MatrixXd cost; ///< label of the first, label of the second
+  Eigen::MatrixXd cost; ///< indexed by label of the first and of the second row
 };
 
 struct PairedAssignment
 {
-  Assignment assignment; ///< its cost includes that of the pairs
+  Assignment assignment; ///< with pairwise costs included
   double     bound{ 0.0 };
   int        iterations{ 0 };
 };
 
-/** Minimizes assignment and pair terms by dual decomposition. Deterministic; stops early when the bound is reached. */
+/** Minimizes assignment and pair terms by dual decomposition. Deterministic; stops when the bound is reached. */
 PairedAssignment
 SolvePairedAssignment(const AssignmentProblem & problem, const std::vector<PairTerm> & pairs, int iterations);
 } // namespace shapeton

@@ -60,7 +60,7 @@ MarkExcluded(const ColonPair & pair, SupineProneRegistration & registration)
   }
 }
 
-/** `weights` correspond to the pairs of registration.matching. */
+/** `weights` are the weights of the pairs of registration.matching. */
 void
 FillIn(const ColonPair &           pair,
        CylinderMap                 map,
@@ -130,7 +130,7 @@ MapAsPublished(const ColonPair &         pair,
   if (registration.figures.flips > 0)
   {
     registration.warnings.push_back("the published map flips " + std::to_string(registration.figures.flips) +
-                                    " triangles: it is not one-to-one there");
+                                    " triangles, where it is not one-to-one");
   }
 }
 } // namespace shapeton

@@ -6,11 +6,11 @@
 
 namespace shapeton
 {
-/** Samples a map at the nodes of the final one: every 4 mm and 10 degrees. */
+/** Samples a map at the nodes of the final map: every 4 mm and 10 degrees. */
 CylinderNodes
 NodesOf(const ColonPair & pair, const RowMap & map);
 
-/** Sets map, matching, matches, exclusions, and their figures. */
+/** Sets map, matching, matches, exclusions, and figures. */
 void
 ProjectMap(const ColonPair &         pair,
            const CorrectedWarp &     corrected,
@@ -18,7 +18,7 @@ ProjectMap(const ColonPair &         pair,
            SupineProneRegistration & registration,
            const Progress &          progress);
 
-/** The same by FindPublishedMap() about the frame of the registration; warns of flipped triangles. */
+/** Sets these by FindPublishedMap() about the frame of the registration; warns of flipped triangles. */
 void
 MapAsPublished(const ColonPair &         pair,
                FoldMatchingMethod        method,

@@ -7,9 +7,9 @@
 
 namespace shapeton
 {
-/** The conformal flat walls of a pair, and nodes on the source in equidistant rows along its centerline. Maps between
- * the flat walls have values in mm of the target wall; nodes and places are in mm along the centerlines. The pair must
- * outlive it. */
+/** The conformal flat walls of a pair, with source nodes in equidistant rows along the centerline. Values of maps are
+ * in mm of the flat target wall; nodes and positions are in mm along the centerlines. The pair must outlive this
+ * object. */
 class FlatPair
 {
 public:
@@ -37,15 +37,14 @@ public:
   NodesOf(const CylinderValues & values) const;
   BeltramiEquations::Place
   PlaceOf(const CylinderPlace & place) const;
-  /** Image of a place of the source under a map. */
+  /** Image of a source position under a map. */
   CylinderPlace
   Mapped(const CylinderPlace & place, const CylinderValues & values) const;
-  /** Condition that the place maps to `s` of the target. Between nodes a map is linear in mm of the centerline, in
-   * which `s` is known, while the condition is in mm of the flat wall. So each corner is weighted by the ratio of the
-   * two between `s` and its current value. */
+  /** Constraint that the position maps to `s` of the target. Between nodes a map is linear in mm along the centerline,
+   * but the constraint is in mm of the flat wall; the weights of the corners account for the local ratio. */
   MapCondition
   Along(const CylinderPlace & place, double s, const CylinderValues & values) const;
-  /** Condition that the place maps to `turn` of the target, by the shorter way from its current value. */
+  /** Constraint that the position maps to `turn` of the target, unwrapped to be closest to its current value. */
   MapCondition
   Around(const CylinderPlace & place, double turn, const CylinderValues & values) const;
 

@@ -72,7 +72,7 @@ MakeProblem(const std::vector<FoldFeature> & source,
   return problem;
 }
 
-/** Pairs of each fold and its nearest neighbors. */
+/** Pairs of neighboring folds. */
 std::set<std::pair<int, int>>
 Neighbors(const std::vector<FoldFeature> & folds, double turn, int number)
 {

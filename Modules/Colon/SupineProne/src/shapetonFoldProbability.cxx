@@ -11,7 +11,7 @@ namespace shapeton
 {
 namespace
 {
-/** `ofPoints` as in ColonPosition. */
+/** Curvature at the pixels; `ofPoints` as in ColonPosition. */
 double
 CurvatureAt(const FlatColonGrid & grid, const Eigen::VectorXd & ofPoints, int column, int row)
 {
@@ -32,7 +32,7 @@ CurvatureAt(const FlatColonGrid & grid, const Eigen::VectorXd & ofPoints, int co
   return curvature;
 }
 
-/** 0 to 1: bulges into the lumen. */
+/** Probability (0 to 1) from inward curvature. */
 std::vector<float>
 BulgeOfPixels(const ColonPosition & position)
 {
@@ -63,7 +63,7 @@ BulgeOfPixels(const ColonPosition & position)
   return curvature;
 }
 
-/** Raises the pixels around a place of the map, v of any turn, to a Gaussian. */
+/** Draws a Gaussian at a position of the map by maximum; v may be outside [0, circumference]. */
 void
 DrawPoint(const FlatColonGrid & grid, const Eigen::Vector2d & uv, double pixel, std::vector<float> & picture)
 {
@@ -83,7 +83,7 @@ DrawPoint(const FlatColonGrid & grid, const Eigen::Vector2d & uv, double pixel, 
   }
 }
 
-/** 0 to 1: proximity to the line from one end of a fold through its center to the other. */
+/** Probability (0 to 1) from the distance to the line between the ends of a fold through its center. */
 std::vector<float>
 DrawFolds(const ColonPosition & position)
 {

@@ -5,9 +5,10 @@
 
 namespace shapeton
 {
-/** Fold probability of each pixel of the grid (row by row), 0 for wall, 1 for folds: the mean of two views. One is a
- * cubic step of curvature between its median and its 95th percentile, which also shows low folds and impressions of
- * other loops. The other one is the detected folds, drawn from end to end through their centers, all alike. */
+/** Fold probability of each pixel of the grid in row-major order, 0 for wall, 1 for folds: the mean of two terms. The
+ * first is a cubic step of curvature between its median and 95th percentile, which includes low folds and impressions
+ * of other loops. The second is a drawing of the detected folds, from end to end through their centers, with uniform
+ * profile. */
 std::vector<float>
 FoldProbability(const ColonPosition & position);
 } // namespace shapeton

@@ -42,14 +42,14 @@ PlacesOf(const SupineProneRegistration & registration, const std::vector<PointPa
   return places;
 }
 
-/** mm along and around from one place to another. */
+/** Displacement (mm along and around) between two positions. */
 Eigen::Vector2d
 Way(const CylinderPlace & from, const CylinderPlace & to, double around)
 {
   return { to.s - from.s, TurnDifference(to.turn, from.turn) * around };
 }
 
-/** Moves a place with the points around it; empty without points. */
+/** Moves a position with the nearby points; empty if none are near. */
 std::optional<CylinderPlace>
 Moved(const CylinderPlace & place, const std::vector<PlacePair> & pairs, double around)
 {
@@ -78,7 +78,7 @@ Moved(const CylinderPlace & place, const std::vector<PlacePair> & pairs, double 
   return CylinderPlace{ place.s + moved.s / weights, place.turn + firstTurn + moved.turn / weights };
 }
 
-/** Distance of a place to the line from a to b, in the plane. */
+/** Planar distance of a point to the segment from a to b. */
 double
 DistanceToLine(const Eigen::Vector2d & place, const Eigen::Vector2d & a, const Eigen::Vector2d & b)
 {
@@ -88,7 +88,7 @@ DistanceToLine(const Eigen::Vector2d & place, const Eigen::Vector2d & a, const E
   return (place - a - share * edge).norm();
 }
 
-/** End, center and end of a crest in mm on a plane. */
+/** End, center and end of a crest in the plane, mm. */
 using Crest = std::array<Eigen::Vector2d, 3>;
 
 double
@@ -113,7 +113,7 @@ PlacesOfCrest(const HaustralFold & fold, const ColonCylinder & cylinder)
   };
 }
 
-/** Ends without nearby points move with the center; empty if that has none either. */
+/** Moves a crest; ends without nearby points move with the center. Empty if no points are near the center either. */
 std::optional<std::array<CylinderPlace, 3>>
 MovedCrest(const std::array<CylinderPlace, 3> & crest, const std::vector<PlacePair> & pairs, double around)
 {
@@ -133,7 +133,7 @@ MovedCrest(const std::array<CylinderPlace, 3> & crest, const std::vector<PlacePa
   return moved;
 }
 
-/** Crest in the plane about a place. */
+/** Crest in the plane relative to a position. */
 Crest
 Unrolled(const std::array<CylinderPlace, 3> & crest, const CylinderPlace & about, double around)
 {

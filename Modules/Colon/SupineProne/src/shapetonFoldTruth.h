@@ -5,10 +5,10 @@
 
 namespace shapeton
 {
-/** True fold correspondence, from points with known correspondence. Computed on the unrolled walls, so the height of
- * folds does not matter: each place of a supine crest moves with the points within 10 mm. Two folds are the same if the
- * mean distance of the shorter crest from the longer one is at most 8 mm (folds slide some mm on the wall, and are at
- * least 15 mm apart). A fold detected in two pieces is the same as both. */
+/** True fold correspondence from points with known correspondence. Each position of a supine crest is moved with the
+ * points within 10 mm on the unrolled walls, independent of fold height. Two folds correspond if the mean distance of
+ * the shorter crest from the longer one is at most 8 mm (folds slide some mm on the wall and are at least 15 mm apart).
+ * A fold detected in two pieces corresponds to both. */
 class FoldTruth
 {
 public:
@@ -17,13 +17,13 @@ public:
             const SupineProneRegistration & registration,
             const std::vector<PointPair> &  points);
 
-  /** Verdict on each supine fold for these pairs of indices. A fold without a partner is unmatched if a prone fold is
-   * the same and is in no correct pair. */
+  /** Verdict on each supine fold for these pairs of indices. A fold without a partner is unmatched if a corresponding
+   * prone fold exists that is not in a correct pair. */
   std::vector<FoldVerdict>
   Judge(const std::vector<FoldMatch> & matches) const;
 
 private:
-  /** For each supine fold: whether points are nearby, and the prone folds that are the same. */
+  /** For each supine fold: whether points are nearby, and the corresponding prone folds. */
   std::vector<char>             m_IsKnown;
   std::vector<std::vector<int>> m_Same;
 };

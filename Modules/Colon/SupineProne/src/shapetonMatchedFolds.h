@@ -9,14 +9,14 @@
 
 namespace shapeton
 {
-/** Maps a place of the source to the target. */
+/** Maps a source position to the target. */
 using PlaceMap = std::function<CylinderPlace(const CylinderPlace &)>;
 
-/** MatchFolds() for all folds of the pair, with those of the source at their mapped places. */
+/** Applies MatchFolds() to all folds of the pair after mapping the source folds. */
 FoldMatching
 MatchFoldsAbout(const ColonPair & pair, const PlaceMap & map, FoldMatchingMethod method);
 
-/** Displacements of matched folds in addition to the map: the center of each pair, then both ends, paired by
+/** Residual displacements of matched folds under the map: the center of each pair, then both ends, paired by
  * position. */
 std::vector<DisplacementConstraint>
 ConstraintsOfFolds(const ColonPair & pair, const PlaceMap & map, const FoldMatching & matching);

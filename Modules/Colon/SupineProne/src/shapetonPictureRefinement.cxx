@@ -6,7 +6,7 @@ namespace shapeton
 {
 namespace
 {
-/** Picture in its own coordinate, with equal settings for both positions. */
+/** Picture in the coordinate of its position, with equal settings for both positions. */
 CylinderPicture
 PlainPicture(const ColonPosition &      position,
              const ColonCylinder &      cylinder,
@@ -24,14 +24,14 @@ PlainPicture(const ColonPosition &      position,
   return MakeCylinderPicture(position, cylinder, folds, form);
 }
 
-/** Differences of the target and source pictures, linearized about the map. */
+/** Differences between target and source pictures, linearized about the map. */
 std::vector<DirectionConstraint>
 ConstraintsOfPictures(const ColonPair &       pair,
                       const CylinderPicture & source,
                       const CylinderPicture & target,
                       const RowMap &          map)
 {
-  constexpr double                 weight = 0.04; // weight of a difference of one standard deviation
+  constexpr double                 weight = 0.04; // per difference of one standard deviation
   const double                     along = 0.5 * WarpRowStep;
   const double                     around = 0.5 / WarpAngles;
   std::vector<DirectionConstraint> constraints;

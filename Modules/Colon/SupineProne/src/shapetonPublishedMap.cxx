@@ -11,14 +11,14 @@ namespace shapeton
 {
 namespace
 {
-/** A place of the source and its prescribed image. */
+/** A source position and its prescribed image. */
 struct Landmark
 {
   CylinderPlace source;
   CylinderPlace target;
 };
 
-/** Conditions on a map from landmarks. */
+/** Constraints on a map from landmarks. */
 class PublishedConditions
 {
 public:
@@ -43,7 +43,7 @@ public:
   std::vector<Landmark> landmarks;
 
 private:
-  /** The taenia of the target nearest to the first, best supported, taenia of the source. */
+  /** The target taenia nearest to the first (best supported) source taenia. */
   static int
   MainTaeniaOfTarget(const ColonPair & pair, const CylinderMap & frame)
   {
@@ -60,7 +60,7 @@ private:
     return static_cast<int>(std::min_element(away.begin(), away.end()) - away.begin());
   }
 
-  /** Ends and flexures. */
+  /** Adds ends and flexures. */
   void
   AddCircles(const CylinderValues & values, std::vector<MapCondition> & along) const
   {
@@ -73,7 +73,7 @@ private:
     }
   }
 
-  /** Without taeniae and other landmarks the map keeps its initial rotation. */
+  /** Fixes the initial rotation if there are no taeniae and other landmarks. */
   void
   AddTaenia(const CylinderValues & values, std::vector<MapCondition> & around) const
   {
@@ -104,7 +104,7 @@ SegmentWise(ColonPair pair)
   return pair;
 }
 
-/** The ends of matched folds. */
+/** Adds the ends of matched folds. */
 std::vector<Landmark>
 LandmarksOf(const ColonPair & pair, const CylinderMap & map, const FoldMatching & matching)
 {
@@ -125,7 +125,7 @@ LandmarksOf(const ColonPair & pair, const CylinderMap & map, const FoldMatching 
   return landmarks;
 }
 
-/** How much the map follows the center of each pair, weighted as in SmoothCorrection. */
+/** Weight of the center of each pair from its residual, as in SmoothCorrection. */
 std::vector<double>
 PairWeights(const ColonPair & pair, const CylinderMap & map, const FoldMatching & matching)
 {
@@ -140,7 +140,7 @@ PairWeights(const ColonPair & pair, const CylinderMap & map, const FoldMatching 
   return weights;
 }
 
-/** A quasi-conformal map through all landmarks of the pair, and additional ones. */
+/** A quasi-conformal map through all landmarks of the pair and additional ones. */
 class LandmarkMapper
 {
 public:

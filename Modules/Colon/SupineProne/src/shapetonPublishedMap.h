@@ -13,7 +13,7 @@ struct PublishedMap
 {
   CylinderMap  map;
   FoldMatching matching;
-  /** How much the map follows the center of each pair, 0 to 1. */
+  /** Final weight of the center of each pair, 0 to 1. */
   std::vector<double> pairWeights;
   double              greatestDilatation{ 0.0 };
   /** See QuasiConformalMap. */
@@ -21,15 +21,14 @@ struct PublishedMap
   double greatestMiss{ 0.0 };
 };
 
-/** Supine to prone as in 4.3 and 5.4.2 of the dissertation, which refers to Zeng, Marino, Gurijala, Gu, Kaufman 2010: a
- * quasi-conformal map of the conformal flat walls through landmarks. Ends and flexures map to ends and flexures, as
- * circles that may rotate, and the main taenia, along which the method cuts the wall, to the main taenia. Folds are
- * matched once about this map, segment by segment, and the final map is forced through the ends of all matched folds,
- * right or wrong.
+/** Supine to prone map as in 4.3 and 5.4.2 of the dissertation, which refers to Zeng, Marino, Gurijala, Gu, Kaufman
+ * 2010: a quasi-conformal map between the conformal flat walls through landmarks. Ends and flexures are circles that
+ * may rotate; the main taenia, along which the method cuts the wall, maps to the main taenia. Folds are matched once
+ * under this map, per segment, and the final map is constrained by the ends of all matched folds, correct or not.
  *
- * The dissertation does not specify how the Beltrami coefficient is found; see FindQuasiConformalMap(). It gives ends
- * of folds near the main taenia more weight than others, which hard constraints cannot. Here the map is periodic
- * around, and `frame` determines the correspondence of the taeniae. */
+ * The dissertation does not specify how the Beltrami coefficient is computed; see FindQuasiConformalMap(). Its higher
+ * weights for ends of folds near the main taenia are not possible with hard constraints. Here the map is periodic, and
+ * `frame` determines the correspondence of the taeniae. */
 PublishedMap
 FindPublishedMap(const ColonPair &   pair,
                  const CylinderMap & frame,
@@ -37,7 +36,7 @@ FindPublishedMap(const ColonPair &   pair,
                  double              greatestDilatation,
                  const Progress &    progress = {});
 
-/** The same map through only the ends of already matched folds and the ends of the colon. */
+/** The same map constrained only by the ends of given fold pairs and of the colon. */
 CylinderMap
 QuasiConformalMapThrough(const ColonPair &    pair,
                          const CylinderMap &  start,

@@ -34,7 +34,7 @@ GreatestMiss(const std::vector<MapCondition> & conditions, const Eigen::VectorXd
   return greatest;
 }
 
-/** Adds weight * share * share^T for each condition; its nodes are corners of one triangle, so the pattern is
+/** Adds weight * share * share^T for each constraint. Its nodes are corners of one triangle, so the sparsity pattern is
  * unchanged. */
 void
 AddConditions(const std::vector<MapCondition> & conditions, double weight, Eigen::SparseMatrix<double> & matrix)
@@ -51,7 +51,7 @@ AddConditions(const std::vector<MapCondition> & conditions, double weight, Eigen
   }
 }
 
-/** Reuses the symbolic factorization, which is the same for all coefficients and conditions. */
+/** Reuses the symbolic factorization, which is independent of coefficients and constraints. */
 class ConditionedSolver
 {
 public:
@@ -70,8 +70,8 @@ public:
   }
 
 private:
-  /** Minimizes the energy under conditions by the method of multipliers. Each iteration reduces the violation by the
-   * ratio of the condition weight to the stiffness, so few are needed. */
+  /** Minimizes the energy under constraints by the method of multipliers. Each iteration reduces the violation by the
+   * ratio of constraint weight to stiffness, so few iterations are required. */
   Eigen::VectorXd
   Coordinate(Eigen::SparseMatrix<double>       stiffness,
              const Eigen::VectorXd &           right,
@@ -121,8 +121,8 @@ private:
   SparseCholesky            m_Solver;
 };
 
-/** Solves (mass + length^2 stiffness) nu = mass mu at the nodes. Right-angled triangles give no negative weights, so
- * the maximum is not exceeded. */
+/** Solves (mass + length^2 stiffness) nu = mass mu at the nodes. Right triangles have no negative weights, so the
+ * maximum principle holds. */
 class CoefficientSmoother
 {
 public:
@@ -206,7 +206,7 @@ GreatestCoefficient(const Coefficients & mu)
   return GreatestDifference(mu, Coefficients(mu.size()));
 }
 
-/** Repeats with conditions that depend on the map until the map satisfies them. */
+/** Iterates with constraints that depend on the map until they are satisfied. */
 void
 SettleConditions(ConditionedSolver &                                              solver,
                  const Coefficients &                                             mu,

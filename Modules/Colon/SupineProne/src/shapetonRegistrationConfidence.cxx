@@ -7,7 +7,7 @@ namespace shapeton
 {
 namespace
 {
-constexpr double followed = 0.5; ///< minimum weight of a pair that the map follows
+constexpr double followed = 0.5; ///< minimum weight of a consistent pair
 
 bool
 IsFoldSeen(const ColonCylinder & cylinder, const ColonPosition & position, const HaustralFold & fold)
@@ -45,7 +45,7 @@ CountMatches(const ColonPosition & source, const ColonPosition & target, SupineP
   confidence.residual = std::sqrt(squares / std::max(1, followedPairs));
 }
 
-/** Confidence of each node: nearby pairs that the map follows, against folds that it does not explain. */
+/** Confidence of each node from nearby consistent pairs and unexplained folds. */
 void
 JudgeNodes(const ColonPosition & source, SupineProneRegistration & registration)
 {
@@ -72,7 +72,7 @@ JudgeNodes(const ColonPosition & source, SupineProneRegistration & registration)
   {
     for (int j = 0; j < nodes.Angles(); ++j)
     {
-      constexpr double doubt = 0.5; // prior weight of one unexplained fold at the node, for nodes without folds
+      constexpr double doubt = 0.5; // prior weight of an unexplained fold, for nodes without folds
       double           sum = 0.0;
       double           weights = doubt;
       for (const Evidence & item : evidence)
@@ -99,7 +99,7 @@ Logistic(double value, double middle, double width)
   return 1.0 / (1.0 + std::exp(-(value - middle) / width));
 }
 
-/** Log-odds of one piece of evidence. */
+/** Log-odds of one term. */
 double
 LogOdds(double value, double middle, double width)
 {
@@ -129,7 +129,7 @@ JudgeRegistration(const ColonPosition & source, const ColonPosition & target, Su
   confidence.whole = std::min({ ofOnePatient, byContradiction, byMargin });
   if (ofOnePatient < 0.5)
   {
-    confidence.reasons.push_back("the folds of the two positions do not fit: are these two patients?");
+    confidence.reasons.push_back("the folds of the two positions do not fit: these may be two patients");
   }
   else if (byContradiction < 0.5)
   {
@@ -137,7 +137,7 @@ JudgeRegistration(const ColonPosition & source, const ColonPosition & target, Su
   }
   if (byMargin < 0.5)
   {
-    confidence.reasons.push_back("the taeniae may be confused: rotated by a third, the folds fit nearly as well");
+    confidence.reasons.push_back("the taeniae may be confused: the folds fit nearly as well after rotation by a third");
   }
   confidence.isFlagged = !confidence.reasons.empty();
 }

@@ -5,7 +5,7 @@
 
 namespace shapeton
 {
-/** Sets the confidence, from its energies and margin. */
+/** Sets the confidence from its energies and margin. */
 void
 JudgeRegistration(const ColonPosition & source, const ColonPosition & target, SupineProneRegistration & registration);
 } // namespace shapeton

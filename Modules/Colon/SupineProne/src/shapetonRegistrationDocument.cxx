@@ -48,7 +48,7 @@ SegmentToJson(const SegmentMatches & row, bool hasTruth)
   return json;
 }
 
-/** Ratio to a total that may be 0. */
+/** Ratio with zero total allowed. */
 Json
 Share(int share, int whole)
 {

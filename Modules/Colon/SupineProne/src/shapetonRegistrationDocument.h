@@ -5,7 +5,7 @@
 
 namespace shapeton
 {
-/** registration.json of results whose other members are set. \param frame errors of the frame of flexures and taeniae,
+/** Creates registration.json from otherwise complete results. \param frame errors of the frame by flexures and taeniae;
  * empty without points. */
 Json
 DocumentOf(const SupineProneRegistration & registration,

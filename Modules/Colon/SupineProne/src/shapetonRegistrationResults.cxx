@@ -20,7 +20,7 @@ AddArray(SurfaceMesh & surface, const std::string & name, int columns, bool areI
   return surface.pointArrays.back();
 }
 
-/** `flat` with the corresponding place in the other position at each vertex. */
+/** `flat` with the corresponding point of the other position at each vertex. */
 template <typename TMap>
 SurfaceMesh
 MappedSurface(const SurfaceMesh & flat, const TMap & map, const Progress & progress)
@@ -143,7 +143,7 @@ private:
     }
   }
 
-  /** The row of a segment; "" collects places whose segment is unknown. */
+  /** The row of a segment; "" for unknown segments. */
   SegmentMatches &
   RowOf(const std::string & segment)
   {

@@ -10,7 +10,7 @@ namespace shapeton
 {
 namespace
 {
-/** From end to end of both flat maps, linear in mm of the maps. */
+/** Linear in mm of the flat maps, from end to end. */
 PiecewiseLine
 FrameOfRectangles(const ColonPair & pair)
 {
@@ -28,7 +28,7 @@ FrameOfRectangles(const ColonPair & pair)
   return frame;
 }
 
-/** Overall rotation (turns) of the target for the best agreement of the fold pictures about the frame. */
+/** Overall rotation (turns) of the target for the best agreement of the fold pictures under the frame. */
 double
 BestRotation(const ColonPair & pair, const PiecewiseLine & frame)
 {

@@ -5,18 +5,18 @@
 
 namespace shapeton
 {
-/** Costs of assigning rows of the source to rows of the target, for states of offset and rotation. The pictures must
- * outlive it. */
+/** Costs of assigning source rows to target rows for states (offset, rotation). The pictures must outlive this
+ * object. */
 class RowCosts
 {
 public:
-  /** Offsets are 0 to 2 reach: at offset `reach` a row is in the frame. */
+  /** Offsets are 0 to 2 * reach; `reach` is the offset of the frame. */
   RowCosts(const CylinderPicture &           source,
            const CylinderPicture &           target,
            int                               reach,
            const CylindricalWarpingOptions & options);
 
-  /** Costs of all offsets with `rotations` steps of rotation each, from `firstRotation`. */
+  /** Costs of all offsets for `rotations` rotation steps from `firstRotation`. */
   std::vector<float>
   OfRow(int row, int firstRotation, int rotations) const;
   /** Cost of the spring to the frame. */

@@ -117,7 +117,7 @@ SmoothCorrection::Solve(const std::vector<DisplacementConstraint> & constraints,
   }
   for (int node = 0; node < 2 * nodes; ++node)
   {
-    constexpr double noDrift = 1e-6; // no displacement far from all constraints
+    constexpr double noDrift = 1e-6; // decay to 0 far from all constraints
     entries.emplace_back(node, node, noDrift);
   }
   for (std::size_t i = 0; i < constraints.size(); ++i)

@@ -6,7 +6,7 @@
 
 namespace shapeton
 {
-/** Prescribed displacement of a place of the source, mm along and around the target. */
+/** Prescribed displacement of a source position, mm along and around the target. */
 struct DisplacementConstraint
 {
   CylinderPlace   place;
@@ -14,8 +14,8 @@ struct DisplacementConstraint
   double          weight{ 1.0 };
 };
 
-/** Constraint on one component of a displacement: direction . displacement = value (mm). Around the tube for a taenia,
- * along the gradient for a picture. */
+/** Constraint on one component of a displacement: direction . displacement = value (mm). The direction is around the
+ * tube for a taenia, along the gradient for a picture. */
 struct DirectionConstraint
 {
   CylinderPlace   place;
@@ -23,7 +23,7 @@ struct DirectionConstraint
   double          value{ 0.0 };
   /** 1 / variance. */
   double weight{ 0.0 };
-  /** Whether it is down-weighted like other constraints if it contradicts them. */
+  /** Whether the constraint is down-weighted if it contradicts others. */
   bool isRobust{ false };
 };
 
@@ -34,7 +34,7 @@ struct SmoothCorrectionOptions
   int    angles{ 24 };
   /** Standard deviation of a constraint, mm. */
   double deviation{ 3.0 };
-  /** Errors beyond this are down-weighted (Cauchy), mm. */
+  /** Scale of the Cauchy weight for errors, mm. */
   double robust{ 8.0 };
   int    iterations{ 4 };
   /** Weight of the integral of the squared Laplacian, mm^2. */
@@ -50,7 +50,7 @@ class SmoothCorrection
 public:
   SmoothCorrection(double begin, double end, double around, const SmoothCorrectionOptions & options = {});
 
-  /** Returns the final weight of each constraint, in (0, 1], times its own. */
+  /** Fits the field; returns the final weight of each constraint in (0, 1], times its own weight. */
   std::vector<double>
   Fit(const std::vector<DisplacementConstraint> & constraints,
       const std::vector<DirectionConstraint> &    directions,
@@ -79,7 +79,7 @@ private:
   double                  m_Begin;
   double                  m_Around;
   int                     m_Rows;
-  Eigen::VectorXd         m_Values; ///< values along of all nodes, then around
+  Eigen::VectorXd         m_Values; ///< values along for all nodes, then values around
 };
 } // namespace shapeton
 

@@ -84,7 +84,7 @@ private:
     return choice < 0 ? m_Columns + row : m_Problem.candidates[row][choice].column;
   }
 
-  /** Change of the cost against leaving the column unassigned. */
+  /** Change of the cost relative to an unassigned column. */
   double
   CostOf(int row, int choice) const
   {
@@ -142,7 +142,7 @@ private:
     }
   }
 
-  /** Flips the assignments along the path that ends at this column. */
+  /** Augments the assignment along the path that ends at this column. */
   void
   Flip(int column)
   {
@@ -159,7 +159,7 @@ private:
       m_ChoiceOfColumn[column] = m_Through[column];
       if (previous >= 0)
       {
-        m_RowOfColumn[previous] = -1; // assigned by the next step of the path
+        m_RowOfColumn[previous] = -1; // assigned in the next step of the path
       }
       column = previous;
     }

@@ -5,7 +5,7 @@
 
 namespace shapeton
 {
-/** Assignment with dustbins: rows are assigned to columns at a cost, or stay unassigned. */
+/** Assignment problem with dustbins: rows are assigned to columns at a cost or remain unassigned. */
 struct AssignmentProblem
 {
   struct Candidate
@@ -22,13 +22,13 @@ struct AssignmentProblem
 
 struct Assignment
 {
-  /** Index of the candidate chosen by each row, or -1. */
+  /** Candidate index of each row, or -1. */
   std::vector<int> choice;
   double           cost{ 0.0 };
 };
 
-/** The cheapest one-to-one assignment: Hungarian method (Kuhn 1955) by shortest augmenting paths over the candidates
- * only. Each row has its own dustbin, so a path always exists. */
+/** The one-to-one assignment of minimum cost by the Hungarian method (Kuhn 1955), with shortest augmenting paths over
+ * the candidates only. Each row has a dustbin, so a path always exists. */
 Assignment
 SolveAssignment(const AssignmentProblem & problem);
 } // namespace shapeton

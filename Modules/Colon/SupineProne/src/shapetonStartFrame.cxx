@@ -12,7 +12,7 @@ namespace
 {
 constexpr double greatestStretch = 3.0;
 
-/** Whether each piece is stretched at most `greatestStretch` times relative to the whole, either way. */
+/** Whether each section is stretched or compressed by at most `greatestStretch` relative to the whole colon. */
 bool
 IsPlausible(const PiecewiseLine & frame)
 {
@@ -21,7 +21,7 @@ IsPlausible(const PiecewiseLine & frame)
   {
     const double     from = (frame.from[i] - frame.from[i - 1]) * whole;
     const double     to = frame.to[i] - frame.to[i - 1];
-    constexpr double slack = 15.0; // mm: short pieces may differ by the error of a flexure
+    constexpr double slack = 15.0; // mm; allows for the error of a flexure in short sections
     if (!(from > 0.0 && to > 0.0) || to > greatestStretch * from + slack || from > greatestStretch * to + slack)
     {
       return false;
@@ -48,7 +48,8 @@ FrameOf(const ColonPosition &    source,
   return frame;
 }
 
-/** Standard deviation (mm) of an error within 30 mm with this probability (inverse error function by Winitzki 2008). */
+/** Standard deviation (mm) of an error that is within 30 mm with this probability (inverse error function by Winitzki
+ * 2008). */
 double
 DeviationOf(double confidence)
 {
@@ -60,7 +61,7 @@ DeviationOf(double confidence)
   return within / std::sqrt(2.0 * (std::sqrt(b * b - logarithm / a) - b));
 }
 
-/** Confidence of the flexure at this place. */
+/** Confidence of the flexure at this position. */
 double
 ConfidenceOfFlexure(const ColonPosition & position, double arcLength)
 {
@@ -80,7 +81,7 @@ struct AngleSample
   double turn;
 };
 
-/** Samples along one taenia, in ascending order of s. */
+/** Samples along one taenia, sorted by s. */
 std::vector<AngleSample>
 SamplesOfTaenia(const CurveSet &         curves,
                 const std::vector<int> & curve,
@@ -107,7 +108,7 @@ SamplesOfTaenia(const CurveSet &         curves,
   return samples;
 }
 
-/** Linear between samples, constant beyond them. */
+/** Linear interpolation between samples, constant beyond. */
 std::vector<double>
 Resampled(const std::vector<AngleSample> & samples, double begin, double step, int number)
 {
@@ -175,7 +176,7 @@ FlexureFrame(const ColonPosition &      source,
     {
       used.pop_back();
       warnings.push_back(std::string("the ") + names[flexure] +
-                         " flexure is ignored: its places in the two positions differ too much");
+                         " flexure is ignored: its locations in the two positions differ too much");
     }
   }
   return FrameOf(source, sourceCylinder, target, targetCylinder, used);
@@ -260,7 +261,7 @@ RotationOfTaeniae(const TaeniaAngles &        source,
       directions.row(i) += Eigen::RowVector2d(std::cos(2.0 * Pi * turn), std::sin(2.0 * Pi * turn));
     }
   }
-  constexpr double    smoothing = 15.0; // mm: a taenia with a local error does not cause a jump
+  constexpr double    smoothing = 15.0; // mm, to avoid a jump at a local error of a taenia
   const double        step = s.size() > 1 ? (s.back() - s.front()) / (s.size() - 1.0) : 1.0;
   std::vector<double> rotation;
   for (std::size_t i = 0; i < s.size(); ++i)

@@ -8,8 +8,7 @@
 
 namespace shapeton
 {
-/** An ascending function from the distance along one colon to that along the other, piecewise linear and extrapolated
- * linearly. */
+/** An increasing, piecewise linear function between the distances along two colons, extrapolated linearly. */
 struct PiecewiseLine
 {
   std::vector<double> from;
@@ -24,8 +23,8 @@ struct PiecewiseLine
   }
 };
 
-/** Frame from the ends of both colons and the flexures found in both. A flexure that would stretch the adjacent colon
- * more than three times relative to the rest is left out, with a warning. */
+/** Frame from the ends and the flexures found in both colons. A flexure that would stretch the adjacent colon more than
+ * three times relative to the rest is skipped with a warning. */
 PiecewiseLine
 FlexureFrame(const ColonPosition &      source,
              const ColonCylinder &      sourceCylinder,
@@ -37,13 +36,13 @@ FlexureFrame(const ColonPosition &      source,
 PiecewiseLine
 EndFrame(const PiecewiseLine & frame);
 
-/** Between EndFrame() and FlexureFrame(): each flexure moves the frame according to its confidence in both positions,
- * against an expected deviation of 40 mm from proportional lengths. */
+/** Weighted mean of EndFrame() and FlexureFrame(): flexures are weighted by their confidence in both positions, for an
+ * expected deviation of 40 mm from proportional lengths. */
 PiecewiseLine
 CautiousFrame(const PiecewiseLine & frame, const ColonPosition & source, const ColonPosition & target);
 
-/** Angles of the three taeniae in turns, continuous, every `step` mm from the beginning of the colon; in order around
- * the tube. */
+/** Angles of the three taeniae in unwrapped turns, every `step` mm from the start of the colon; in order around the
+ * tube. */
 struct TaeniaAngles
 {
   double                             begin{ 0.0 };
@@ -59,8 +58,8 @@ struct TaeniaAngles
 TaeniaAngles
 AnglesOfTaeniae(const ColonPosition & position, const ColonCylinder & cylinder, std::vector<std::string> & warnings);
 
-/** Rotation (turns) of the target relative to the source, at places `s` of the source, if taenia i of the source
- * corresponds to taenia i + shift of the target. Continuous. */
+/** Unwrapped rotation (turns) of the target relative to the source at `s` of the source, if taenia i of the source
+ * corresponds to taenia i + shift of the target. */
 std::vector<double>
 RotationOfTaeniae(const TaeniaAngles &        source,
                   const TaeniaAngles &        target,

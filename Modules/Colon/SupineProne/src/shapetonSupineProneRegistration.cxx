@@ -14,7 +14,7 @@ namespace shapeton
 {
 namespace
 {
-/** Measures whether folds distinguish the map from one rotated by a third. */
+/** Measures whether folds distinguish the map from a map rotated by a third. */
 void
 JudgeThirds(const WarpingChoice & choice, RegistrationConfidence & confidence)
 {
@@ -39,7 +39,7 @@ RequireUsable(const ColonPosition & position)
                    position.name + ": the number of excluded columns must be that of the grid");
 }
 
-/** The node nearest to a place. */
+/** The node nearest to a position. */
 std::pair<int, int>
 NearestNode(const CylinderNodes & nodes, const CylinderPlace & place)
 {
@@ -59,7 +59,7 @@ RegisterColonPositions(const ColonPosition & source, const ColonPosition & targe
   const bool isPublished = options.map == SupineProneMap::Published;
   RequireParameter(
     !isPublished || !(options.refines || options.isSegmentWise),
-    "the published map takes neither the parameter \"refine\" nor the parameter \"segmentWise\": it is always "
+    "the published map does not support the parameters \"refine\" and \"segmentWise\": it is always "
     "segment-wise and never refined");
   options.progress("Describing folds", 0.0);
   ColonPair               pair(source, target);

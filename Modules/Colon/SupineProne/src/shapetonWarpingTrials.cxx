@@ -8,7 +8,7 @@ namespace shapeton
 {
 namespace
 {
-/** A frame to try, and the allowed deviation of the path. */
+/** A trial frame with the allowed deviation of the path. */
 struct Trial
 {
   PiecewiseLine frame;
@@ -20,8 +20,8 @@ struct Trial
   double taeniae;
 };
 
-/** Flexures have errors of centimeters, and lengths are not quite proportional, so neither frame is reliable alone.
- * Segments need the flexures themselves. */
+/** Tries several frames, since flexures have errors of centimeters and lengths are not exactly proportional. Segments
+ * require the frame of the flexures. */
 std::vector<Trial>
 Trials(const ColonPair & pair)
 {
@@ -50,7 +50,7 @@ Trials(const ColonPair & pair)
   return trials;
 }
 
-/** Bands along the taeniae at these places of a colon. */
+/** Bands along the taeniae at these distances along a colon. */
 Eigen::MatrixXd
 BandsOf(const TaeniaAngles & taeniae, const std::vector<double> & s, int angles)
 {
@@ -72,7 +72,7 @@ BandsOf(const TaeniaAngles & taeniae, const std::vector<double> & s, int angles)
   return bands;
 }
 
-/** Picture with warping rows in the coordinate of the source; without a frame for the source. */
+/** Picture with warping rows in the coordinate of the source; the frame is empty for the source. */
 CylinderPicture
 PictureOf(const ColonPair & pair, const PiecewiseLine * frame)
 {
@@ -112,7 +112,7 @@ WarpAbout(const ColonPair & pair, const Trial & trial, const CylinderPicture & s
   return WarpCylinder(source, PictureOf(pair, &trial.frame), trial.frame, {}, options);
 }
 
-/** The path along the colon as a frame, which must ascend. */
+/** The path along the colon as an increasing frame. */
 PiecewiseLine
 FrameOf(const CylindricalWarp & warp)
 {
@@ -125,7 +125,7 @@ FrameOf(const CylindricalWarp & warp)
   return frame;
 }
 
-/** Least energies near the warp, and near it rotated by one and two thirds. */
+/** Minimum energies near the warp and near the warp rotated by one and two thirds. */
 std::vector<double>
 EnergiesOfThirds(const ColonPair &       pair,
                  const CylindricalWarp & warp,
@@ -150,7 +150,7 @@ EnergiesOfThirds(const ColonPair &       pair,
   return energies;
 }
 
-/** Rotation of the frame of flexures from the taeniae, in the one of three correspondences closest to the warp. */
+/** Rotation of the frame of flexures by the taeniae, for the one of three correspondences closest to the warp. */
 std::vector<double>
 RotationOfFrame(const ColonPair & pair, const CylindricalWarp & warp)
 {

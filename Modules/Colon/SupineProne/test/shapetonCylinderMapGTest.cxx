@@ -8,7 +8,7 @@ namespace
 {
 constexpr double pi = 3.14159265358979323846;
 
-/** Stretched, rotated and bent in proportion to `bend`. */
+/** A stretched, rotated map, bent in proportion to `bend`. */
 shapeton::CylinderNodes
 BentNodes(double bend)
 {

@@ -11,7 +11,7 @@ namespace
 {
 constexpr double turn = 120.0; // mm
 
-/** A pseudorandom sequence, the same on all platforms. */
+/** A platform-independent pseudorandom sequence. */
 double
 Uneven(int i)
 {
@@ -105,7 +105,7 @@ TEST(FoldMatching, DualDecompositionWithoutPairTermsIsHungarian)
 
 TEST(FoldMatching, TheBoundLiesBelowAndNeighborsMoveAlike)
 {
-  // All folds move by 13 mm along; a stray fold is nearer to the former place of one of them.
+  // All folds move by 13 mm; a spurious fold is nearer to the original position of one of them.
   auto a = SomeFolds(30, 3, 500.0);
   auto b = a;
   for (shapeton::FoldFeature & fold : b)

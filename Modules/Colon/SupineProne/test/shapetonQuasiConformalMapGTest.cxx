@@ -33,7 +33,7 @@ struct Known
   }
 };
 
-/** Maps ends to ends; bent in between. */
+/** A bent map from ends to ends. */
 Known
 BentMap(double x, double y)
 {
@@ -52,7 +52,7 @@ StretchedMap(double x, double y)
   return { 2.0 * x, targetAround / around * y + 0.3 * x, 2.0, 0.0, 0.3, targetAround / around };
 }
 
-/** Rows get farther apart along the source. */
+/** The row spacing increases along the source. */
 double
 PlaceOfRow(int row, int rows)
 {
@@ -109,7 +109,7 @@ AtNode(int node, double value)
   return { { node, node, node }, { 1.0, 0.0, 0.0 }, value };
 }
 
-/** Ends map to circles at their current values, and a node of the first row keeps its angle. */
+/** Constrains the ends to circles at their current values, and the angle of one node of the first row. */
 MapConditions
 EndsOf(const BeltramiEquations & equations, const CylinderValues & values, int kept = 0)
 {
@@ -124,7 +124,7 @@ EndsOf(const BeltramiEquations & equations, const CylinderValues & values, int k
   return conditions;
 }
 
-/** Moves a place, in rows and angles of the nodes, by this many mm from its current value. */
+/** Moves a position (in rows and angles of the nodes) by the given mm. */
 void
 AddLandmark(const BeltramiEquations & equations,
             const CylinderValues &    values,
@@ -175,7 +175,7 @@ Find(const BeltramiEquations & equations, const CylinderValues & start, const Ma
   return shapeton::FindQuasiConformalMap(equations, start, [&](const CylinderValues &) { return conditions; }, {});
 }
 
-/** Three distant landmarks that move some mm; `turned` shifts them by this many angles. */
+/** Three distant landmarks that move by some mm, shifted by `turned` angles. */
 MapConditions
 SomeLandmarks(const BeltramiEquations & equations, const CylinderValues & values, int turned = 0, double scale = 1.0)
 {
@@ -253,7 +253,7 @@ TEST(QuasiConformalMap, LandmarksHold)
   }
 }
 
-/** Points have zero capacity: a harmonic map deviates only locally around a landmark, and folds there. */
+/** Points have zero capacity: a harmonic map deviates only locally at a landmark and folds over there. */
 TEST(QuasiConformalMap, IsOneToOneWhereTheHarmonicMapFolds)
 {
   const BeltramiEquations equations = Equations(40, 36);
@@ -290,7 +290,7 @@ TEST(QuasiConformalMap, ScaledCylindersAreConformal)
   const BeltramiEquations equations = Equations(40, 36);
   const CylinderValues    start = ValuesOf(equations, StretchedMap);
   const auto              map = Find(equations, start, SomeLandmarks(equations, start));
-  // Conditions are in mm of the target, but smoothing in mm of the source, so it is unchanged.
+  // Constraints are in mm of the target; smoothing is in mm of the source and thus unchanged.
   constexpr double        scale = 2.5;
   const BeltramiEquations large = Equations(40, 36, 1.0, scale);
   const CylinderValues    largeStart{ scale * start.along, scale * start.around };

@@ -21,7 +21,7 @@ SomeMovement()
   return { 0.37, 8.0 };
 }
 
-/** The position with a collapse in the middle of the tube, which is not visible. */
+/** The position with an invisible collapsed stretch in the middle of the tube. */
 shapeton::ColonPosition
 WithCollapse(shapeton::ColonPosition position)
 {
@@ -38,7 +38,7 @@ WithCollapse(shapeton::ColonPosition position)
   return position;
 }
 
-/** Errors of a map in mm of the flat map all over the tube, except for this many mm about its middle. */
+/** Errors of a map (mm of the flat map) over the tube, except for the given distance from its middle. */
 double
 GreatestError(const shapeton::SupineProneRegistration & registration,
               const shapeton::CylinderMap &             map,
@@ -87,8 +87,8 @@ TEST(SupineProneRegistration, FindsAKnownMovement)
   EXPECT_GT(registration.matches.size(), 0.9 * FoldsOfPatient(1).size());
 }
 
-/** Taeniae alone cannot detect it: the tube rotates by a third where the wall is not visible, so they end at the same
- * places. */
+/** Taeniae alone cannot detect a rotation by a third where the wall is not visible, since their angles at the ends are
+ * equal. */
 TEST(SupineProneRegistration, TheRotationMayChangeInACollapse)
 {
   Movement movement = SomeMovement();
@@ -136,18 +136,18 @@ TEST(SupineProneRegistration, EvidenceOfOnePatientAddsUp)
     confidence.senseMargin = senseMargin;
     return confidence.ProbabilityOfOnePatient();
   };
-  // The best value of each kind from two patients in 14 pairs, and the worst from one patient in 20.
+  // Best values for two patients in 14 pairs, and worst values for one patient in 20 pairs.
   EXPECT_LT(probability(0.75, 0.13, 0.15, 0.042), 0.5);
   EXPECT_GT(probability(0.80, 0.13, 0.14, 0.052), 0.5);
-  // Many folds visible in only one position, in a picture that fits in only one orientation.
+  // Many folds visible in only one position; the picture fits in only one orientation.
   EXPECT_GT(probability(0.61, 0.14, 0.23, 0.096), 0.9);
-  // Few folds that are similar in two patients, and fit as well in another orientation.
+  // A few similar folds of two patients that fit equally well in another orientation.
   EXPECT_LT(probability(0.94, 0.106, 0.33, 0.037), 0.5);
   EXPECT_LT(probability(1.0, 0.2, 0.05, 0.0), 0.5);
   EXPECT_LT(probability(0.6, 0.2, 0.05, 0.2), 0.5);
 }
 
-/** As in the dissertation: conditions hold, and the figures report the cost. */
+/** As in the dissertation: constraints hold, and the figures report flips and dilatation. */
 TEST(SupineProneRegistration, ThePublishedMapGoesThroughItsLandmarks)
 {
   const shapeton::ColonPosition supine = MakePosition("supine", 1, {});
@@ -243,7 +243,7 @@ TEST(SupineProneRegistration, SimplerSchemesFindWhatTheyCanExpress)
     const auto                    registration = shapeton::RegisterColonPositions(supine, prone);
     return GreatestError(registration, shapeton::MapOfScheme(scheme, supine, prone, registration), movement);
   };
-  const Movement turned{ 0.375, 0.0 }; // a rotation tested by the schemes, one of 48
+  const Movement turned{ 0.375, 0.0 }; // one of the 48 rotations tested by the schemes
   for (const Scheme scheme : { Scheme::Rectangles, Scheme::Centerline, Scheme::Landmarks, Scheme::Published })
   {
     EXPECT_LT(errorOf(scheme, turned), 3.0) << static_cast<int>(scheme);
@@ -268,6 +268,6 @@ TEST(SupineProneRegistration, IsAbortedByProgressWhateverTheMap)
       options.progress = progress;
       RegisterColonPositions(supine, prone, options);
     };
-    shapeton::test::ExpectProgress(work, 500); // including one for each row of each warp
+    shapeton::test::ExpectProgress(work, 500); // including one call per row of each warp
   }
 }

@@ -11,7 +11,7 @@
 #include <algorithm>
 #include <filesystem>
 
-/** Synthetic colons as straight tubes with three bands and folds between them, in several positions. */
+/** Synthetic colons in several positions: straight tubes with three bands and folds between them. */
 namespace tubecolons
 {
 using flattubes::pi;
@@ -22,7 +22,7 @@ constexpr double firstArc = 10.0; ///< distance at the start of the test tubes, 
 struct Fold
 {
   double s;    ///< mm
-  double turn; ///< of its center
+  double turn; ///< of the center
 };
 
 inline double
@@ -32,7 +32,7 @@ Uneven(int i)
   return value - std::floor(value);
 }
 
-/** Folds between three bands at the turns 0, 1/3 and 2/3, with uneven gaps. */
+/** Folds between three bands at turns 0, 1/3 and 2/3, with uneven gaps. */
 inline std::vector<Fold>
 FoldsOfPatient(int patient)
 {
@@ -48,12 +48,12 @@ FoldsOfPatient(int patient)
   return folds;
 }
 
-/** Maps a place of the first position to the second one. */
+/** Maps a point of the first position to the second. */
 struct Movement
 {
   double rotation{ 0.0 };   ///< turns
-  double stretch{ 0.0 };    ///< mm, at most
-  double turnBehind{ 0.0 }; ///< more rotation in the second half, turns
+  double stretch{ 0.0 };    ///< maximum, mm
+  double turnBehind{ 0.0 }; ///< additional rotation of the second half, turns
   double
   S(double s) const
   {
@@ -77,7 +77,7 @@ Form()
   return form;
 }
 
-/** The tube with folds 5 mm high. */
+/** The tube with folds of 5 mm height. */
 inline shapeton::SurfaceMesh
 MakeWall(const std::vector<shapeton::CylinderPlace> & folds)
 {
@@ -117,7 +117,7 @@ MakeFold(int label, const shapeton::CylinderPlace & place)
   return fold;
 }
 
-/** Three bands, with the first at this turn. */
+/** Three bands; the first is at this turn. */
 inline shapeton::CurveSet
 MakeTaeniae(double firstTurn, bool isReversed)
 {
@@ -154,7 +154,7 @@ MakeCenterline()
   return centerline;
 }
 
-/** The colon of a patient; `isReversed` begins at the cecum. Curvature is that of the grid. */
+/** The colon of a patient, starting at the cecum if `isReversed`. Uses the curvature of the grid. */
 inline shapeton::ColonPositionFiles
 MakeExamination(const std::string & name, int patient, const Movement & movement, bool isReversed = false)
 {
@@ -196,7 +196,7 @@ MakePosition(const std::string & name, int patient, const Movement & movement, b
   return MakeExamination(name, patient, movement, isReversed).position;
 }
 
-/** The parts of landmarks.json that are read. */
+/** The parts of landmarks.json required by registration. */
 inline shapeton::Json
 LandmarksOf(const shapeton::ColonPositionFiles & files)
 {
@@ -247,7 +247,7 @@ WriteExamination(const shapeton::ColonPositionFiles & files, const std::string &
   shapeton::TableOfFolds(folds).Write(folder + "/folds/folds.csv");
 }
 
-/** Points all over the wall between the folds, in the first position and after the movement. */
+/** Wall points between the folds, in the first position and after the movement. */
 inline std::vector<shapeton::PointPair>
 KnownPoints(const Movement & movement)
 {

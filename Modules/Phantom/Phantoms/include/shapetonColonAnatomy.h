@@ -33,18 +33,18 @@ struct ColonPolyp
  * \ingroup ShapetonPhantoms */
 struct ColonDiverticulum
 {
-  int             id;         ///< from 1; the same in all positions of one seed
-  Eigen::Vector3d mouth;      ///< origin of the neck on the wall
-  Eigen::Vector3d position;   ///< center of the sac, a ball
+  int             id;         ///< from 1; equal in all positions of one seed
+  Eigen::Vector3d mouth;      ///< start of the neck at the wall
+  Eigen::Vector3d position;   ///< center of the spherical sac
   double          neck;       ///< inner diameter
-  double          diameter;   ///< diameter of the sac; smaller than in other positions if space is limited
+  double          diameter;   ///< diameter of the sac; smaller in positions with limited space
   double          arcLength;  ///< arc length of the mouth
   int             segment;    ///< segment of the mouth
-  int             materialId; ///< nearest wall point of Correspondence() to the mouth
-  /** Content: stool or, in ColonAnatomy, lumen (filled like the lumen at the mouth). ColonStructures replaces lumen
-   * by gas or fluid, evaluated at the center of the sac. */
+  int             materialId; ///< wall point of Correspondence() nearest to the mouth
+  /** Content: stool or lumen (filled like the lumen at the mouth). ColonStructures replaces lumen by gas or fluid,
+   * evaluated at the center of the sac. */
   std::string content;
-  double      intensity; ///< HU of the stool; else 0
+  double      intensity; ///< HU of the stool, otherwise 0
 };
 
 /** The ileocecal valve of the phantom. LPS, mm. \ingroup ShapetonPhantoms */
@@ -53,14 +53,14 @@ struct ColonValve
   std::string     kind;      ///< bump or lips
   Eigen::Vector3d position;  ///< midpoint of base and crest
   Eigen::Vector3d base;      ///< point on the wall without folds
-  Eigen::Vector3d mouth;     ///< opening of the ileum, at the bottom of the cleft between the lips; for a bump its top
+  Eigen::Vector3d mouth;     ///< opening of the ileum, at the bottom of the cleft between the lips; top of a bump
   Eigen::Vector3d direction; ///< unit vector from the wall into the lumen
   Eigen::Vector3d slit;      ///< unit vector around the colon, along the mouth
-  Eigen::Vector3d upperLip;  ///< midpoint of the crest of the lip toward the ascending colon; for a bump its top
-  Eigen::Vector3d lowerLip;  ///< the same for the lip toward the cecum
+  Eigen::Vector3d upperLip;  ///< midpoint of the crest of the lip toward the ascending colon; top of a bump
+  Eigen::Vector3d lowerLip;  ///< midpoint of the crest of the lip toward the cecum; top of a bump
   double          length;    ///< along the slit
   double          height;    ///< above the wall
-  double          thickness; ///< of each lip; for a bump the total thickness
+  double          thickness; ///< of each lip; total thickness of a bump
   double          arcLength;
 };
 
@@ -79,15 +79,15 @@ struct ColonPlace
  *
  * Physical LPS, mm, around (0, 0, 0): +x is left, +y posterior, +z superior. Segments: 1 rectum (with the anal canal),
  * 2 sigmoid, 3 descending, 4 transverse, 5 ascending, 6 cecum. Arc length is measured along the centerline of this
- * position, from the anal verge. The lumen does not intersect the spine, a cylinder along z through x = 0, y = 80 with
- * the radius 30 for z > -50, which continues below as the sacrum behind the rectum (see SpineAxis()).
+ * position, from the anal verge. The lumen does not intersect the spine, a cylinder along z at x = 0, y = 80 with
+ * radius 30 for z > -50, and the sacrum below, behind the rectum (see SpineAxis()).
  *
- * All functions are const and thread-safe. The same parameters give the same bytes.
+ * All functions are const and thread-safe. Results are reproducible bit by bit.
  * \ingroup ShapetonPhantoms */
 class ShapetonPhantoms_EXPORT ColonAnatomy
 {
 public:
-  /** Sample::distance is clamped to this distance in mm on either side of the wall. */
+  /** Sample::distance is clamped to this distance (mm) on both sides of the wall. */
   static constexpr double Reach = 10.0;
 
   struct Sample
@@ -115,9 +115,8 @@ public:
   Sample
   Evaluate(const Eigen::Vector3d & point) const;
 
-  /** A single curve from the anal verge to the cecum with the point arrays arcLength (mm), radius (mean radius of
-   * the wall without folds, mm), inscribedRadius (distance to the nearest wall or fold, mm), segment and collapsed
-   * (0 or 1). */
+  /** One curve from the anal verge to the cecum with the point arrays arcLength (mm), radius (mean radius of the wall
+   * without folds, mm), inscribedRadius (distance to the nearest wall or fold, mm), segment and collapsed (0 or 1). */
   CurveSet
   Centerline() const;
 
@@ -133,53 +132,54 @@ public:
   std::vector<ColonPolyp>
   Polyps() const;
 
-  /** The diverticula that are open in this position, ordered by id. */
+  /** The diverticula open in this position, ordered by id. */
   std::vector<ColonDiverticulum>
   Diverticula() const;
 
   ColonValve
   Valve() const;
 
-  /** The point of the wall farthest from the mouth of the cecum, which is the center of the lumen at the valve. */
+  /** The wall point farthest from the mouth of the cecum, the center of the lumen at the valve. */
   Eigen::Vector3d
   CecalPole() const;
 
   /** Points of the wall on a grid in material coordinates with the point arrays materialId, arcLength, angle,
-   * segment, collapsed and onFold. Equal materialId values are the same piece of wall in all positions of one seed. */
+   * segment, collapsed and onFold. The same materialId identifies the same piece of wall in all positions of one
+   * seed. */
   CurveSet
   Correspondence() const;
 
-  /** The wall point at a share of the colon's length at rest and an angle: the same piece of wall in all positions
-   * of one seed. */
+  /** The wall point at a fraction of the colon length at rest and an angle: the same piece of wall in all positions of
+   * one seed. */
   ColonPlace
   PlaceAt(double share, double angle) const;
 
-  /** The surface of the lumen, closed at both ends, normals pointing out of the lumen, sampled with `edgeLength` mm.
-   * Edges longer than 0.7 of the thinnest septum join touching stretches; those longer than 0.5 of the narrowest
-   * neck may cut off a diverticulum. */
+  /** The surface of the lumen, closed at both ends, with outward normals, sampled with `edgeLength` mm. An edge length
+   * above 0.7 times the thinnest septum merges touching stretches; above 0.5 times the narrowest neck, it may cut off a
+   * diverticulum. */
   SurfaceMesh
   Wall(double edgeLength) const;
 
-  /** mm, from the anal verge to the end in the cecum. */
+  /** Length (mm) from the anal verge to the end in the cecum. */
   double
   Length() const;
 
   int
   SegmentAt(double arcLength) const;
 
-  /** rectum, sigmoid, descending, transverse, ascending, cecum. Empty for other numbers. */
+  /** "rectum", "sigmoid", "descending", "transverse", "ascending", "cecum"; empty for other numbers. */
   static std::string
   SegmentName(int segment);
 
-  /** Corners of a box that contains the lumen with a margin of `margin` mm. */
+  /** Corners of the bounding box of the lumen with a margin of `margin` mm. */
   void
   BoundingBox(double margin, Eigen::Vector3d & low, Eigen::Vector3d & high) const;
 
-  /** Center of the spine at a height z; the colon keeps a distance of 30 mm. For a scanner that adds the bone. */
+  /** Center of the spine at height z; the distance to the colon is at least 30 mm. Used to add bone to the image. */
   static Eigen::Vector3d
   SpineAxis(double z);
 
-  /** Entry point of the catheter and direction of the anal canal there, a unit vector into the body. */
+  /** Entry point of the catheter, and unit vector along the anal canal into the body. */
   void
   AnalVerge(Eigen::Vector3d & point, Eigen::Vector3d & inwards) const;
 

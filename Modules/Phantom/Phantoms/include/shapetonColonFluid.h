@@ -11,28 +11,28 @@
 
 namespace shapeton
 {
-/** A connected pool of tagged fluid with one level. \ingroup ShapetonPhantoms */
+/** A connected pool of tagged fluid with a common level. \ingroup ShapetonPhantoms */
 struct ColonPool
 {
-  double level;     ///< height of the fluid level: up * point, mm
+  double level;     ///< height of the level (up * point), mm
   double bottom;    ///< height of the lowest point, mm
   double volume;    ///< ml
   double intensity; ///< mean, HU
-  /** HU of the unmixed wedge at the bottom; 0 if there is none. */
+  /** HU of the unmixed wedge at the bottom; 0 if absent. */
   double wedge;
 };
 
 /** \class ColonFluid
  * \brief The tagged fluid in the lumen of a colon: pools with levels perpendicular to gravity.
  *
- * The lumen is sampled on a lattice. Slices of it by arc length are the nodes of a graph; the height of an edge is
- * that at which fluid passes from one slice to the other. Basins are merged in the order of these heights, and the
- * resulting tree is filled from its root: if the fluid of a node suffices to pass its ridge, it has one level, else
- * the ridge divides it. Thus no level is above a ridge that it has not passed, and no fluid is unsupported.
+ * The lumen is sampled on a lattice. Slices by arc length are the nodes of a graph; the height of an edge is the level
+ * at which fluid flows between two slices. Basins are merged in order of these heights, and the resulting tree is
+ * filled from its root: if the fluid of a node exceeds its ridge, it has one level, otherwise the ridge divides it.
+ * This guarantees physically consistent levels.
  *
- * The share of the lumen's volume is that of the parameters (error below 0.002 on the lattice). Basins below 2 ml
- * contain fluid only together with their neighbors. Fluid may fill a stretch up to its ceiling; the levels on both
- * sides of such a stretch have equal height.
+ * The fluid fraction of the lumen volume matches the parameters (error below 0.002 on the lattice). Basins below 2 ml
+ * contain fluid only together with their neighbors. Fluid may fill a stretch completely; the levels on both sides of
+ * such a stretch are equal.
  *
  * \ingroup ShapetonPhantoms */
 class ShapetonPhantoms_EXPORT ColonFluid
@@ -41,15 +41,15 @@ public:
   /** The anatomy must outlive this object. */
   explicit ColonFluid(const ColonAnatomy & anatomy);
 
-  /** Direction of gravity, a unit vector: that of the position, tilted by at most 1 degree. */
+  /** Unit vector of gravity for the position, tilted by at most 1 degree. */
   const Eigen::Vector3d &
   Down() const
   {
     return m_Down;
   }
 
-  /** Depth in mm of a point of the lumen below the fluid level of its stretch, negative above it; a large negative
-   * value where there is no fluid. */
+  /** Depth (mm) of a point of the lumen below the fluid level of its stretch, negative above; a large negative value in
+   * stretches without fluid. */
   double
   DepthBelowLevel(const Eigen::Vector3d & point, double arcLength) const;
 
@@ -63,7 +63,7 @@ public:
     return m_Pools;
   }
 
-  /** The volume of the lumen, ml. */
+  /** Volume of the lumen, ml. */
   double
   LumenVolume() const
   {
@@ -85,7 +85,7 @@ private:
   const ColonAnatomy &   m_Anatomy;
   Eigen::Vector3d        m_Down;
   double                 m_LumenVolume{ 0.0 };
-  std::vector<int>       m_PoolOfBin; // -1 if there is no fluid
+  std::vector<int>       m_PoolOfBin; // -1 without fluid
   std::vector<ColonPool> m_Pools;
   std::array<Wave, 8>    m_Waves;
 };

@@ -20,23 +20,23 @@ namespace shapeton
 /** \class ColonPhantomImageSource
  * \brief CT colonography volume of a synthetic patient, with its ground truth.
  *
- * The patient is defined in physical space (LPS, mm), with the center of the abdomen at (0, 0, 0): grids with other
- * spacings or directions show the same patient. Each voxel is the mean of its content (BodySampler), blurred by the
- * scanner, with correlated noise (CorrelatedNoise), rounded to integer HU and clamped to [-1024, 31743].
+ * The patient is defined in physical space (LPS, mm), with the center of the abdomen at (0, 0, 0), independent of the
+ * grid. Each voxel is the mean of its content (BodySampler), with scanner blur and correlated noise (CorrelatedNoise),
+ * rounded to integer HU and clamped to [-1024, 31743].
  *
- * The lumen's ground truth is evaluated at the voxel center: neither blur nor noise changes it. The catheter is in the
- * lumen and counts as part of it.
+ * The ground truth of the lumen is evaluated at voxel centers, without blur and noise. The catheter is part of the
+ * lumen.
  *
- * Each voxel depends only on its index and position: the same bytes for any number of threads. The whole volume is
- * generated at once.
+ * Each voxel depends only on its index and position, so the result does not depend on the number of threads. The whole
+ * volume is generated at once.
  *
  * \par Inputs and Outputs
  * No input. Output 0 is the image in HU; output 1 the lumen (1 gas, 2 fluid); output 2 the segments of the lumen (see
  * ColonAnatomy); output 3 other structures (ColonStructure).
  *
  * \par Parameters
- * Size (default 256, 256, 240), Spacing (default 1.4 mm), Origin (default: such that the volume's center is at the
- * patient's (0, 0, 0)) and Direction are those of GenerateImageSource; CenterOutput() moves the origin after a change.
+ * Size (default 256, 256, 240), Spacing (default 1.4 mm), Origin (by default centers the volume at (0, 0, 0)) and
+ * Direction are inherited from GenerateImageSource; call CenterOutput() after a change.
  *
  * \ingroup ShapetonPhantoms */
 class ShapetonPhantoms_EXPORT ColonPhantomImageSource : public itk::GenerateImageSource<itk::Image<short, 3>>
@@ -64,25 +64,23 @@ public:
     return m_Parameters;
   }
 
-  /** Standard deviation of the profile of a plane face, mm, in [0, 3]; default 0.75. It includes the width of a
-   * voxel. It is 1.2 times larger for a soft kernel, 0.75 times for a sharp one; along the third axis the slice
-   * thickness is added. */
+  /** Standard deviation (mm) of the edge profile including voxel width, in [0, 3]; default 0.75. Scaled by 1.2 for a
+   * soft kernel and by 0.75 for a sharp one; the slice thickness is added along the third axis. */
   itkSetClampMacro(Blur, double, 0.0, 3.0);
   itkGetConstMacro(Blur, double);
 
-  /** Generate only the outputs 1 to 3, which takes a small fraction of the time; output 0 then has no pixels.
-   * Default off. */
+  /** Generate only outputs 1 to 3, which is much faster; output 0 is then empty. Default off. */
   itkSetMacro(TruthOnly, bool);
   itkGetConstMacro(TruthOnly, bool);
   itkBooleanMacro(TruthOnly);
 
   /** Sets the origin from size, spacing and direction such that the center of the volume is at `center` (LPS, mm).
-   * The center of the abdomen is (0, 0, 0), the diaphragm rises to about z = 160, the lungs reach up to about z =
-   * 345. */
+   * The center of the abdomen is (0, 0, 0), the top of the diaphragm is at about z = 160, and the top of the lungs at
+   * about z = 345. */
   void
   CenterOutput(const PointType & center = PointType(0.0));
 
-  /** The ground truth; computed on first use. Valid until the parameters change. */
+  /** The ground truth, computed on first use and valid until the parameters change. */
   const ColonAnatomy &
   GetAnatomy();
   const ColonFluid &

@@ -13,29 +13,29 @@
 
 namespace shapeton
 {
-/** Structure of a voxel of the ground truth besides the lumen of the colon. \ingroup ShapetonPhantoms */
+/** Ground-truth structure of a voxel, other than the lumen of the colon. \ingroup ShapetonPhantoms */
 enum class ColonStructure : unsigned char
 {
   None,
-  Valve,          ///< the tissue of its lips, or the bump
+  Valve,          ///< the tissue of the lips, or the bump
   Ileum,          ///< the lumen of the terminal ileum, up to the mouth of the valve
-  IleumWall,      ///< also the whole of a collapsed ileum
-  Catheter,       ///< its wall and bore
-  Balloon,        ///< its wall and content
-  Stool,          ///< including the gas in it
-  Bubble,         ///< of gas, in fluid
-  Foam,           ///< bubbles and films between them
-  SmallBowel,     ///< the lumen of its other loops
+  IleumWall,      ///< including a collapsed ileum
+  Catheter,       ///< wall and bore
+  Balloon,        ///< wall and content
+  Stool,          ///< including enclosed gas
+  Bubble,         ///< gas in fluid
+  Foam,           ///< bubbles and films
+  SmallBowel,     ///< the lumen of the other loops
   Stomach,        ///< its lumen
-  Diverticulum,   ///< its neck and sac, including their content
-  RightUpperLobe, ///< parenchyma of the lobe; this and the following only in a whole chest
+  Diverticulum,   ///< neck and sac, including the content
+  RightUpperLobe, ///< parenchyma of the lobe; this and the following only in a complete chest
   RightMiddleLobe,
   RightLowerLobe,
   LeftUpperLobe,
   LeftLowerLobe,
   Airway,     ///< the lumen of trachea and bronchi
-  AirwayWall, ///< also the whole of a bronchus thinner than its wall
-  LungVessel, ///< pulmonary arteries and veins, from the heart on
+  AirwayWall, ///< including bronchi thinner than their wall
+  LungVessel, ///< pulmonary arteries and veins, starting at the heart
   Heart       ///< excluding its fat
 };
 
@@ -45,15 +45,15 @@ struct ColonResidue
   ColonStructure  structure;
   Eigen::Vector3d position;  ///< its center
   double          diameter;  ///< nominal diameter
-  double          intensity; ///< HU; for foam that of the films
-  std::string     kind;      ///< plain or mottled (containing gas) stool, bubble, foam
+  double          intensity; ///< HU; for foam, of the films
+  std::string     kind;      ///< plain or mottled (with gas) stool, bubble, foam
 };
 
 /** The terminal ileum of a valve with lips. LPS, mm. \ingroup ShapetonPhantoms */
 struct ColonIleum
 {
   std::string content; ///< collapsed, gas or fluid
-  bool        isOpen;  ///< whether its lumen is connected to that of the colon
+  bool        isOpen;  ///< whether the lumen is connected to the colon
   double      slitWidth;
   double      bore;
   double      length;
@@ -71,14 +71,14 @@ struct ColonCatheter
   Eigen::Vector3d tip;     ///< last point of the axis
   std::string     balloon; ///< none, gas, fluid or deflated
   Eigen::Vector3d balloonCenter{ 0.0, 0.0, 0.0 };
-  double          balloonDiameter{ 0.0 }; ///< including its wall
+  double          balloonDiameter{ 0.0 }; ///< including the wall
 };
 
 /** \class ColonStructures
- * \brief Structures of an examination besides the colon, with their ground truth: lungs, heart, small bowel, stomach,
- * valve, terminal ileum, residue in the lumen, rectal catheter.
+ * \brief Structures other than the colon wall, with ground truth: lungs, heart, small bowel, stomach, valve, terminal
+ * ileum, residue in the lumen, rectal catheter.
  *
- * A voxel's label depends only on its position.
+ * The label of a voxel depends only on its position.
  *
  * \ingroup ShapetonPhantoms */
 class ShapetonPhantoms_EXPORT ColonStructures
@@ -97,7 +97,7 @@ public:
   const ColonIleum *
   GetIleum() const;
 
-  /** Null if there is none. */
+  /** Null if absent. */
   const ColonCatheter *
   GetCatheter() const;
 
@@ -108,12 +108,12 @@ public:
   const std::vector<ColonDiverticulum> &
   GetDiverticula() const;
 
-  /** The axis of each tubular structure, with the cell array structure (a ColonStructure); that of the ileum starts
-   * at the colon, that of the catheter ends at its tip. */
+  /** Axes of tubular structures, with the cell array structure (a ColonStructure). The ileum starts at the colon; the
+   * catheter ends at its tip. */
   CurveSet
   Axes() const;
 
-  /** The ColonStructure at a point; if several overlap, the one painted last. */
+  /** The ColonStructure at a point; where several overlap, the last in painting order. */
   ColonStructure
   At(const Eigen::Vector3d & point) const;
 

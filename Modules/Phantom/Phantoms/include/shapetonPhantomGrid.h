@@ -21,8 +21,8 @@ struct PhantomGrid
 
 /** Creates a grid from user input: size (three integers from 2), spacing (three numbers from 0.001 to 1000 mm) and
  * direction (nine numbers, row by row; orthonormal to 0.001, then orthonormalized). `bytesPerVoxel` is the memory per
- * voxel. `extent` is the total extent of the voxels in mm if no spacing is given. Throws ParameterError, also if the
- * volume does not fit into the memory of the machine.
+ * voxel. `extent` is the total extent of the voxels in mm if no spacing is given. Throws ParameterError for invalid
+ * input, or if the volume does not fit in memory.
  * \ingroup ShapetonPhantoms */
 ShapetonPhantoms_EXPORT PhantomGrid
 MakePhantomGrid(const std::vector<int> &                      size,

@@ -18,26 +18,27 @@ namespace shapeton
 /** \class ShapePhantomImageSource
  * \brief Samples a ShapeScene as an image in Hounsfield units and a label image.
  *
- * The scene is defined in physical space, so images with other spacings or directions sample the same objects.
+ * The scene is defined in physical space, independent of the grid.
  *
  * Consecutive objects of equal intensity form one body, their union; bodies are painted in order, each over the
- * previous ones. If a body covers the share a of a voxel, the value v becomes v + a (intensity - v). Without blur a is
- * 1 if the voxel center is in the body or on its surface, else 0. With blur, a = Phi(-d / blur), with d the signed
- * distance of the center and Phi the normal distribution function: for a plane face this is a convolution with a
- * Gaussian. Then noise is added, and the value is rounded to integer HU and clamped to [-1024, 31743], the range of a
+ * previous ones. If a body covers the fraction a of a voxel, the value v becomes v + a (intensity - v). Without blur, a
+ * is 1 if the voxel center is in the body or on its surface, else 0. With blur, a = Phi(-d / blur), where d is the
+ * signed distance of the center and Phi the normal distribution function; for a plane face this equals convolution with
+ * a Gaussian. Then noise is added, and the value is rounded to integer HU and clamped to [-1024, 31743], the range of a
  * written CT series.
  *
- * A voxel's label is that of the last object that contains its center (signed distance <= 0), or 0. Neither blur nor
- * noise changes it.
+ * The label of a voxel is the label of the last object that contains its center (signed distance <= 0), or 0,
+ * independent of blur and noise.
  *
- * Each voxel depends only on its index and physical position: the same bytes for any number of threads or pieces.
+ * Each voxel depends only on its index and physical position, so the result does not depend on the number of threads or
+ * pieces.
  *
  * \par Inputs and Outputs
  * No input. Output 0 is the image, output 1 the labels.
  *
  * \par Parameters
- * Size (default 64 each), Spacing, Origin and Direction are those of GenerateImageSource; CenterOutput() moves the
- * origin such that the center of the volume is that of the scene, (0, 0, 0).
+ * Size (default 64 each), Spacing, Origin and Direction are inherited from GenerateImageSource; CenterOutput() centers
+ * the volume at (0, 0, 0), the center of the scene.
  *
  * \ingroup ShapetonPhantoms */
 class ShapetonPhantoms_EXPORT ShapePhantomImageSource : public itk::GenerateImageSource<itk::Image<short, 3>>
@@ -76,7 +77,7 @@ public:
   itkSetMacro(Seed, std::uint64_t);
   itkGetConstMacro(Seed, std::uint64_t);
 
-  /** Sets the origin from size, spacing and direction such that the center of the volume is at (0, 0, 0). */
+  /** Sets the origin from size, spacing and direction to center the volume at (0, 0, 0). */
   void
   CenterOutput();
 
@@ -85,8 +86,8 @@ public:
   const LabelImageType *
   GetLabelOutput() const;
 
-  /** The names of the objects that are not completely inside the volume: they contain voxels of its border layer, or
-   * are outside. Call it after UpdateOutputInformation(). */
+  /** Names of the objects that are not completely inside the volume: those with voxels in the border layer, or outside.
+   * Call after UpdateOutputInformation(). */
   std::vector<std::string>
   FindIncompleteObjects() const;
 
@@ -128,7 +129,7 @@ private:
   double        m_NoiseStandardDeviation{ 0.0 };
   std::uint64_t m_Seed{ 0 };
 
-  // The scene, scaled to the current output.
+  // The scene scaled to the current output.
   ShapeScene                      m_ScaledScene;
   std::vector<ShapeScene::Object> m_Objects;
 };
