@@ -14,22 +14,22 @@
 namespace shapeton
 {
 /** \class ShapeScene
- * \brief Objects with known shape, position, intensity and label: the ground truth of a phantom.
+ * \brief Objects with known shape, position, intensity and label, the ground truth of a phantom.
  *
- * Objects are solids given by signed distance functions: spheres, ellipsoids, cubes, boxes, cylinders, capsules, tori
- * and tubes along polylines, rotated, translated, and deformed by bending, twisting or bumps. Coordinates are physical
- * LPS with the center of the scene at (0, 0, 0).
+ * Objects are solids defined by signed distance functions: spheres, ellipsoids, cubes, boxes, cylinders, capsules, tori
+ * and tubes along polylines, optionally rotated, translated, bent, twisted or with bumps. Coordinates are physical LPS
+ * with the center of the scene at (0, 0, 0).
  *
- * A scene is a JSON document; the README of the module describes its schema. Presets follow the synthetic data of the
+ * A scene is a JSON document; see the README of the module for the schema. Presets resemble the synthetic data of the
  * dissertation: figure2.4 (one cube), figure2.7a (a cube and two spheres of different size), figure2.7b (two cubes and
  * two cuboids of different size and orientation), figure3.4 (a cube, two cuboids, a sphere), figure3.5 (a cuboid, the
  * same cuboid bent and twisted, a sphere, the same sphere with bumps), hydrogen (a nucleus, two lobes and an orbit,
  * like Figure 3.11a), and vessels (thin tubes, a large vessel and an aneurysm, like the data of Figures 2.10 and 3.7).
- * The dissertation does not specify dimensions; these are our choice.
+ * The dimensions are our choice, since the dissertation does not specify them.
  *
- * A scene has its own unit of length: millimeters, or for a relative scene (all presets) a length that
- * ShapePhantomImageSource sets to the shortest extent of the volume. Presets fit into a ball with a diameter of 0.96
- * units, so that they are complete for any direction of the image axes.
+ * The unit of length is the millimeter or, for a relative scene (all presets), the shortest extent of the volume, set
+ * by ShapePhantomImageSource. Presets fit into a ball with a diameter of 0.96 units, so they are complete for any image
+ * direction.
  *
  * \ingroup ShapetonPhantoms */
 class ShapetonPhantoms_EXPORT ShapeScene
@@ -52,11 +52,11 @@ public:
   static const std::vector<std::string> &
   GetPresetNames();
 
-  /** Loads a preset, or else a JSON file. Throws ParameterError if it is neither, and the exceptions of FromFile. */
+  /** Loads a preset or a JSON file. Throws ParameterError if neither exists, and the exceptions of FromFile(). */
   static ShapeScene
   Load(const std::string & presetOrFile);
 
-  /** Throws InputError with the file and the key. */
+  /** Throws InputError with the file and the invalid key. */
   static ShapeScene
   FromFile(const std::string & path);
 
@@ -64,11 +64,11 @@ public:
   static ShapeScene
   FromJson(const nlohmann::ordered_json & document, const std::string & source);
 
-  /** True when lengths are fractions of the unit length. */
+  /** Whether lengths are fractions of the unit length. */
   bool
   IsRelative() const;
 
-  /** Length in mm of the scene's unit, > 0; default 1. */
+  /** Unit length in mm, > 0; default 1. */
   void
   SetUnitLength(double millimeters);
   double
@@ -86,13 +86,13 @@ public:
   Object
   GetObject(std::size_t object) const;
 
-  /** Signed distance in mm from a point to the surface of an object, negative inside, rounded to 2^-30 mm. Exact for
-   * undeformed objects except ellipsoids (inside a sharp bend of a tube, a lower bound); first-order accurate near
-   * the surface for the others. The sign is exact for all. */
+  /** Signed distance (mm) from a point to the surface of an object, negative inside, rounded to 2^-30 mm. Exact for
+   * undeformed objects except ellipsoids (a lower bound inside sharp bends of tubes), otherwise first-order accurate
+   * near the surface. The sign is always exact. */
   double
   SignedDistance(std::size_t object, const PointType & point) const;
 
-  /** The label at a point: that of the last object with signed distance <= 0, or 0. */
+  /** Label of the last object with signed distance <= 0 at a point, or 0. */
   unsigned char
   GetLabel(const PointType & point) const;
 

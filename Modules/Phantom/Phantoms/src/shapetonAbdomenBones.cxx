@@ -23,7 +23,7 @@ AddBone(PhantomBodies & bodies, const PhantomSolid & bone, double thickness, dou
   bodies.push_back(MakeSolidBody(Grown(bone, -thickness), marrow));
 }
 
-// Height above the center of the nearest vertebra.
+// Height relative to the center of the nearest vertebra.
 double
 InVertebra(double z)
 {
@@ -31,7 +31,7 @@ InVertebra(double z)
   return (turns - std::floor(turns) - 0.5) * vertebraPitch;
 }
 
-// Repeats a solid around the center of each vertebra, at most `height` mm high.
+// Repeats a solid of at most `height` mm around the center of each vertebra.
 PhantomSolid
 EachVertebra(const PhantomSolid & section, double height)
 {
@@ -62,7 +62,7 @@ AddSpine(PhantomBodies & bodies)
   bodies.push_back(MakeSolidBody(Both(ColumnSolid(0.0, 99.0, 10.0, 8.5), high), 20.0)); // canal
 }
 
-// Follows the axis that the colon avoids; the tip is narrow.
+// Follows SpineAxis(), with a narrow tip.
 PhantomSolid
 Sacrum()
 {
@@ -82,7 +82,7 @@ void
 AddPelvis(PhantomBodies & bodies)
 {
   AddBone(bodies, Sacrum(), 1.8, 200.0);
-  // The wings of the ilium become wider upward.
+  // The wings of the ilium widen upward.
   const auto bowl = ShellOf(EllipsoidSolid(MakePoint(0, 34, -35), MakeVector(136, 78, 152), 2.5), 11.0);
   const auto slab = Both(HalfSpaceSolid(MakeVector(0, 0, 1), -34.0), HalfSpaceSolid(MakeVector(0, 0, -1), 172.0));
   const auto front = HalfSpaceSolid(MakeVector(0, -0.9578, -0.2873), 38.0);
@@ -97,7 +97,7 @@ AddPelvis(PhantomBodies & bodies)
   }
 }
 
-constexpr double ribDescent = 105.0; // mm from the spine to the sternum, if the rib reached it
+constexpr double ribDescent = 105.0; // mm from spine to sternum, for a complete rib
 
 // A rib descends from the spine to the front, along the chest wall.
 PhantomSolid
@@ -130,7 +130,7 @@ AddRibs(PhantomBodies & bodies)
     AddBone(bodies, Both(Rib(height, wall), Behind(end)), 1.4, 250.0);
   }
 }
-// The upper five ribs on each side; the last two descend less.
+// The upper five ribs on each side; the uppermost two descend less.
 void
 AddUpperRibs(PhantomBodies & bodies)
 {
@@ -167,7 +167,7 @@ AddThoraxBones(PhantomBodies & bodies)
                                            MakePoint(side * 100, -38, 344),
                                            MakePoint(side * 132, -14, 338) };
     AddBone(bodies, TubeSolid(clavicle, 5.5), 1.8, 250.0);
-    // The scapula: a plate outside the ribs, and its spine.
+    // The scapula: a plate outside the ribs with a spine.
     const auto plate = ShellOf(Grown(ThoracicCage(), 16.0), 5.0);
     const auto outline = BoxSolid(MakePoint(side * 104, 62, 268), MakeVector(46, 44, 62));
     const auto edge = HalfSpaceSolid(MakeVector(side * 0.78, 0.0, -0.6258), -58.0);

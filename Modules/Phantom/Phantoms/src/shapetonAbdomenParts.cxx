@@ -116,7 +116,7 @@ Stomach(const ColonAnatomy & anatomy)
   return AwayFromColon(stomach, anatomy, 4.0);
 }
 
-// Gas reaches down to 14 mm below the highest point of the stomach.
+// Gas fills the upper 14 mm of the stomach.
 void
 AddStomach(PhantomBodies & bodies, const ColonAnatomy & anatomy, const itk::Vector<double, 3> & down)
 {
@@ -180,7 +180,7 @@ AddOrgans(PhantomBodies & bodies, const ColonAnatomy & anatomy, const itk::Vecto
   }
 }
 
-// They branch off the aorta.
+// Branches of the aorta.
 void
 AddMesentery(PhantomBodies & bodies, unsigned seed)
 {
@@ -196,7 +196,7 @@ AddMesentery(PhantomBodies & bodies, unsigned seed)
   }
 }
 
-// Foam in a shell, just not touching the skin.
+// Foam in a shell, slightly below the skin.
 void
 AddTable(PhantomBodies & bodies, const std::string & position)
 {

@@ -14,7 +14,7 @@ AddPart(PhantomBodies & bodies, const PhantomSolid & solid, double intensity);
 PhantomSolid
 Above(double z);
 
-/** The outline of the body, and the inside of its muscular wall. */
+/** The outline of the body, and the inner surface of its muscular wall. */
 PhantomSolid
 BodyOutline();
 PhantomSolid
@@ -24,19 +24,19 @@ AbdominalCavity();
 PhantomSolid
 DiaphragmDome();
 
-/** Skin, subcutaneous fat, the muscular wall, the fat inside it, muscles of the back, buttocks and pelvic floor. */
+/** Adds skin, subcutaneous fat, the muscular wall, the fat inside, muscles of the back, buttocks and pelvic floor. */
 void
 AddBodyWall(PhantomBodies & bodies);
 
-/** Spine, sacrum, pelvis, hips and ribs. */
+/** Adds spine, sacrum, pelvis, hips and ribs. */
 void
 AddBones(PhantomBodies & bodies);
 
-/** The upper ribs, sternum, clavicles and scapulae, above those of AddBones(). */
+/** Adds the upper ribs, sternum, clavicles and scapulae above the bones of AddBones(). */
 void
 AddThoraxBones(PhantomBodies & bodies);
 
-/** Liver, spleen, kidneys, great vessels, bladder, and the stomach with fluid and a small gas bubble. */
+/** Adds liver, spleen, kidneys, great vessels, bladder, and the stomach with fluid and a small gas bubble. */
 void
 AddOrgans(PhantomBodies & bodies, const ColonAnatomy & anatomy, const itk::Vector<double, 3> & down);
 
@@ -44,15 +44,15 @@ AddOrgans(PhantomBodies & bodies, const ColonAnatomy & anatomy, const itk::Vecto
 PhantomSolid
 StomachLumen(const ColonAnatomy & anatomy);
 
-/** Vessels in the fat between the loops of bowel. */
+/** Adds vessels in the fat between the loops of bowel. */
 void
 AddMesentery(PhantomBodies & bodies, unsigned seed);
 
-/** The plain chest: lung bases of uniform intensity above the diaphragm, and the heart between them. */
+/** Adds the plain chest: lung bases of uniform intensity above the diaphragm, and the heart in between. */
 void
 AddChest(PhantomBodies & bodies, const ColonAnatomy & anatomy);
 
-/** The scanner's table under the body. */
+/** Adds the scanner table under the body. */
 void
 AddTable(PhantomBodies & bodies, const std::string & position);
 } // namespace shapeton

@@ -17,7 +17,7 @@ NumberOf(const CellIndex & size)
   return static_cast<std::size_t>(size[0]) * size[1] * size[2];
 }
 
-// Blurs the middle axis of an array [outer][length][inner] and keeps every `step`-th result.
+// Blurs an array [outer][length][inner] along the middle axis and subsamples by `step`.
 std::vector<float>
 BlurAxis(const std::vector<float> & in,
          std::size_t                outer,
@@ -49,7 +49,7 @@ BlurAxis(const std::vector<float> & in,
 }
 } // namespace
 
-// The cells of one region with the margin required by the blur.
+// The cells of a region, with the margin required by the blur.
 class BodySampler::Canvas
 {
 public:
@@ -85,7 +85,7 @@ private:
     return point;
   }
 
-  // For the block's cells and the ramps of their faces.
+  // Bounding radius of the cells of the block and the ramps of their faces.
   double
   RadiusOf(const CellIndex & size) const
   {
@@ -115,8 +115,8 @@ private:
     }
   }
 
-  // Pushes the bodies from `begin` on that may affect the block; true if the block shows at most one body, without its
-  // faces. Completely covered bodies are skipped.
+  // Pushes the bodies from `begin` that may affect the block, without completely covered ones; true if the block is
+  // inside at most one body, away from its faces.
   bool
   SelectBodies(const PointType & center, double radius, std::size_t begin, bool & textured)
   {
@@ -238,7 +238,7 @@ BodySampler::BodySampler(PhantomBodies                 bodies,
   grid->TransformContinuousIndexToPhysicalPoint(first, m_FirstCell);
 }
 
-// The blur includes the voxel width: variances add.
+// The blur includes the voxel width; variances are additive.
 BodySampler::Axis
 BodySampler::MakeAxis(double spacing, double blur)
 {

@@ -10,14 +10,14 @@
 namespace shapeton
 {
 /** \class BodySampler
- * \brief Intensities of the voxels of a grid as measured by a scanner.
+ * \brief Computes the voxel intensities of a grid as measured by a scanner.
  *
- * Each voxel is split into up to three cells along each axis, with a width of at most about 0.8 mm if possible. A cell
- * has the mean intensity of the bodies in it, assuming plane faces over its width; cells far from all faces are filled
- * in blocks. The cells are then blurred by a Gaussian and averaged over the voxel. The profile of a plane face has the
- * standard deviation `blur`, or that of the voxel's own width (spacing / sqrt(12)) where this is larger.
+ * Each voxel is split into up to three cells per axis, with a width of at most about 0.8 mm if possible. The value of a
+ * cell is the mean intensity of the bodies in it, assuming plane faces over its width; cells far from all faces are
+ * filled in blocks. The cells are then blurred by a Gaussian and averaged over the voxel. The standard deviation of the
+ * edge profile is `blur`, or the standard deviation of the voxel width (spacing / sqrt(12)) if larger.
  *
- * A voxel's value depends only on its position.
+ * The value of a voxel depends only on its position.
  *
  * \ingroup ShapetonPhantoms */
 class ShapetonPhantoms_EXPORT BodySampler
@@ -40,7 +40,7 @@ private:
   struct Axis
   {
     int                cells;  // per voxel
-    int                margin; // cells of the blur beyond it
+    int                margin; // cells of blur around the voxel
     double             width;  // mm
     std::vector<float> weights;
   };

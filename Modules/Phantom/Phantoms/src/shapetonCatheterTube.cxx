@@ -20,7 +20,7 @@ constexpr double pointApart = 6.0;   // mm
 constexpr double rubber = 100.0;     // HU, of a balloon
 constexpr double balloonWall = 1.0;  // mm
 constexpr double water = 8.0;        // HU
-constexpr double sleeve = 1.2;       // mm by which an empty balloon thickens the tube
+constexpr double sleeve = 1.2;       // mm, thickness of a deflated balloon around the tube
 constexpr double leastBalloon = 3.0; // mm of gas or fluid around the tube
 constexpr double clearance = 0.5;    // mm between tube or balloon and wall of the rectum
 constexpr double pastBalloon = 4.0;  // mm, minimum length of the tube beyond the balloon
@@ -47,7 +47,7 @@ public:
     m_ArcLength = PointValues(m_Line, "arcLength", "the centerline of the phantom");
   }
 
-  /** Along the centerline. */
+  /** Follows the centerline. */
   std::vector<Vector3d>
   Middle(double depth) const
   {
@@ -64,7 +64,7 @@ public:
     return axis;
   }
 
-  /** Straight beyond the canal, up to the wall. */
+  /** Continues straight beyond the canal, up to the wall. */
   std::vector<Vector3d>
   Straight(double depth) const
   {
@@ -82,7 +82,7 @@ public:
     return axis;
   }
 
-  /** Sinks onto the wall beyond `free` mm, within the limits of its bending. */
+  /** Rests on the wall beyond `free` mm, with limited bending. */
   std::vector<Vector3d>
   Sinking(double depth, double free) const
   {
@@ -137,7 +137,7 @@ private:
   Eigen::VectorXd      m_ArcLength;
 };
 
-/** Uniform directions: a spiral with golden-angle steps. */
+/** Uniform directions on a golden-angle spiral. */
 std::vector<Vector3d>
 EvenDirections(int number)
 {
@@ -152,12 +152,12 @@ EvenDirections(int number)
   return directions;
 }
 
-/** The radius of the largest ball around a point that fits into the rectum, at most `largest`. */
+/** Radius of the largest ball around a point that fits into the rectum, at most `largest`. */
 double
 RoomAround(const ColonAnatomy & anatomy, const Vector3d & center, double largest)
 {
   constexpr double step = 0.5;
-  constexpr double apart = 0.5 * ColonAnatomy::Reach; // between the points tested around the ball's surface
+  constexpr double apart = 0.5 * ColonAnatomy::Reach; // between the test points on the surface of the ball
   static const std::vector<Vector3d> directions = EvenDirections(400);
   const double                       distance = anatomy.Evaluate(center).distance;
   double                             room = distance - clearance;
@@ -187,8 +187,7 @@ public:
     : m_Anatomy(anatomy), m_Fluid(fluid), m_Catheter(catheter)
   {}
 
-  // Just inside the canal, with the requested diameter or as wide as rectum and tip permit; if that is too narrow it
-  // remains empty.
+  // Just inside the canal, with the requested diameter or less if limited by rectum and tip; deflated if too narrow.
   void
   AddBalloon(double wanted)
   {
@@ -238,7 +237,7 @@ public:
   }
 
 private:
-  // Every 6 mm from the tip, up to the balloon, which a hole would empty.
+  // Every 6 mm from the tip up to the balloon, which must not have a hole.
   std::vector<std::size_t>
   PlacesOfHoles() const
   {
@@ -276,7 +275,7 @@ private:
     m_Catheter.parts.push_back({ label, solid, MakeSolidBody(solid, intensity), false });
   }
 
-  // They alternate between four sides; each has the content of the lumen outside.
+  // Holes alternate between four sides and are filled like the lumen outside.
   void
   AddHole(std::size_t place, double outer)
   {
@@ -296,7 +295,7 @@ private:
   const ColonAnatomy & m_Anatomy;
   const ColonFluid &   m_Fluid;
   CatheterTube &       m_Catheter;
-  double               m_BalloonReach{ 0.0 }; ///< mm along the tube from the balloon's center
+  double               m_BalloonReach{ 0.0 }; ///< mm along the tube from the center of the balloon
 };
 } // namespace
 

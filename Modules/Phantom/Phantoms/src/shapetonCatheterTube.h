@@ -7,7 +7,7 @@
 
 namespace shapeton
 {
-/** The tube through the anal canal into the rectum: its ground truth, and its parts in painting order. */
+/** The tube through the anal canal into the rectum: ground truth, and parts in painting order. */
 struct CatheterTube
 {
   ColonCatheter                      truth;
@@ -15,7 +15,7 @@ struct CatheterTube
   std::vector<ColonStructures::Part> parts;
 };
 
-/** For an anatomy with a catheter. Anatomy and fluid must outlive the parts. */
+/** Requires an anatomy with a catheter. Anatomy and fluid must outlive the parts. */
 CatheterTube
 MakeCatheterTube(const ColonAnatomy & anatomy, const ColonFluid & fluid);
 } // namespace shapeton

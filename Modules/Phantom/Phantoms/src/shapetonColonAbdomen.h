@@ -11,8 +11,8 @@ namespace shapeton
 /** All bodies of a CT volume of the phantom, in painting order: table, skin, fat, muscles, bones, organs, lung bases,
  * stomach, loops of small bowel, the colon with its contents and structures (ColonStructures). The background is air.
  *
- * Everything except the colon is at the same place in all positions; table, levels and bubbles follow gravity.
- * Anatomy and fluid must outlive the bodies. \ingroup ShapetonPhantoms */
+ * All organs except the colon are at the same position for all patient positions; table, levels and bubbles follow
+ * gravity. Anatomy and fluid must outlive the bodies. \ingroup ShapetonPhantoms */
 ShapetonPhantoms_EXPORT PhantomBodies
 MakeColonAbdomen(const ColonAnatomy & anatomy, const ColonFluid & fluid, const ColonStructures & structures);
 

@@ -21,7 +21,7 @@ Checked(const ColonPhantomParameters & parameters)
   return parameters;
 }
 
-// The wall's radius at each node in this position, for which stretches must leave room.
+// The radius of the wall at each node in this position, used to separate stretches.
 std::vector<double>
 NodeRadii(const ColonPath & rest, const ColonPlan & plan, const ColonPhantomParameters & parameters)
 {

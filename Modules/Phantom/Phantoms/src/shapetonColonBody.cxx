@@ -7,9 +7,9 @@ namespace shapeton
 {
 namespace
 {
-// Distances to the colon are first-order accurate: away from the wall they may be too large by this factor.
+// Distances to the colon are first-order accurate; away from the wall they may be too large by this factor.
 constexpr double colonSlope = 3.0;
-// The levels of adjacent pools differ: blocks of the lumen are smaller than this, mm.
+// Maximum size (mm) of blocks in the lumen, since the levels of adjacent pools differ.
 constexpr double largestBlock = 4.0;
 
 Eigen::Vector3d
@@ -94,7 +94,7 @@ PolypSolid(const ColonPolyp & polyp)
   const Eigen::Vector3d center = isOnStalk ? polyp.position : polyp.base;
   const double          radius = 0.5 * polyp.diameter;
   const double          height = isOnStalk ? radius : polyp.height;
-  // At most the distance. Its surface is hidden in the wall.
+  // A lower bound of the distance; the surface is hidden in the wall.
   const auto head = [=](const PhantomBody::PointType & p) {
     const Eigen::Vector3d off = ToEigen(p) - center;
     const double          along = off.dot(axis);

@@ -7,7 +7,7 @@
 
 namespace shapeton
 {
-/** The colon: its 2 mm wall, gas and tagged fluid. Anatomy and fluid must outlive it. */
+/** The colon: the 2 mm wall, gas and tagged fluid. Anatomy and fluid must outlive the body. */
 std::shared_ptr<const PhantomBody>
 MakeColonBody(const ColonAnatomy & anatomy, const ColonFluid & fluid);
 
@@ -18,8 +18,8 @@ constexpr double bowelWall = 2.0;
 constexpr double gasIntensity = -994.0;
 constexpr double softTissueIntensity = 50.0;
 
-/** Depth of polyp tissue, including the wall behind it: more than the wall of MakeColonBody(), which has the same
- * thickness on polyps as elsewhere. */
+/** Depth of polyp tissue, including the wall behind it. Larger than the wall of MakeColonBody(), whose thickness is the
+ * same on polyps as elsewhere. */
 PhantomSolid
 PolypSolid(const ColonPolyp & polyp);
 

@@ -16,7 +16,7 @@ namespace
 constexpr double c_CellSize = 8.0;
 constexpr double c_Apart = 40.0; // mm along the curve between two stretches
 
-// A point of the smooth curve with the path's nodes as control points.
+// A point of the smooth curve whose control points are the nodes of the path.
 Vector3d
 PathPoint(const ColonPath & path, double material)
 {
@@ -174,7 +174,7 @@ ColonCurve::BuildGrid(const std::vector<double> & reach)
 void
 ColonCurve::AddSampleToCells(int sample, double reach, std::vector<std::vector<Range>> & cells) const
 {
-  // Half the diagonal of a cell plus a step of the curve.
+  // Half the cell diagonal plus a step of the curve.
   const double       radius = reach + 0.8661 * c_CellSize + m_Step;
   const Vector3d     at = (m_Samples[sample] - m_GridLow) / c_CellSize;
   std::array<int, 3> low, high;

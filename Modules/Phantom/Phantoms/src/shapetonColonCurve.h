@@ -12,9 +12,9 @@
 namespace shapeton
 {
 /** \class ColonCurve
- * \brief The centerline: a uniform cubic B-spline with a frame, and a search for its nearest points.
+ * \brief The centerline: a uniform cubic B-spline with a frame and nearest-point search.
  *
- * The parameter t counts steps of about 2 mm of material length; material(t) = t * GetStep(). */
+ * The parameter t is in steps of about 2 mm of material length; material(t) = t * GetStep(). */
 class ColonCurve
 {
 public:
@@ -22,7 +22,7 @@ public:
 
   ColonCurve(const ColonPath & path, const std::vector<double> & twist);
 
-  /** The number of steps of a path of this length. */
+  /** Number of steps for a path of this length. */
   static int
   NumberOfSteps(double length);
 
@@ -42,7 +42,7 @@ public:
   {
     Vector3d position;
     Vector3d first;  ///< derivative by t
-    Vector3d second; ///< second derivative by t
+    Vector3d second; ///< second derivative with respect to t
   };
   Frame
   At(double t) const;
@@ -63,11 +63,11 @@ public:
   {
     return m_ArcLength.back();
   }
-  /** The parameter of an arc length. */
+  /** The parameter t of an arc length. */
   double
   ParameterAt(double arcLength) const;
 
-  /** Prepares the search: points farther than `reach[k]` mm from sample k may miss it. */
+  /** Prepares the search; sample k is found only for points within `reach[k]` mm. */
   void
   BuildGrid(const std::vector<double> & reach);
 
@@ -96,8 +96,8 @@ private:
 
   int                   m_Steps;
   double                m_Step;
-  std::vector<Vector3d> m_Control; ///< one more at each end
-  std::vector<Vector3d> m_Normal;  ///< likewise
+  std::vector<Vector3d> m_Control; ///< with one additional point at each end
+  std::vector<Vector3d> m_Normal;  ///< with one additional normal at each end
   std::vector<double>   m_ArcLength;
   std::vector<Vector3d> m_Samples;
 

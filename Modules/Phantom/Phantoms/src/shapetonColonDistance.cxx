@@ -32,7 +32,7 @@ JoinTissue(const ColonDistance & a, const ColonDistance & b, double fillet)
   const double  y = fillet - b.value;
   const double  r = std::sqrt(x * x + y * y);
   ColonDistance result{ fillet - r, (x * a.gradient + y * b.gradient) / r };
-  // Adjacent bodies are counted twice; this is corrected.
+  // Corrects for adjacent bodies, which are counted twice.
   const double length = result.gradient.norm();
   if (length > 1.0)
   {

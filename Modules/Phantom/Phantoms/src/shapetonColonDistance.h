@@ -5,7 +5,7 @@
 
 namespace shapeton
 {
-/** A distance and its gradient direction. */
+/** A distance with its gradient direction. */
 struct ColonDistance
 {
   double          value; ///< mm, positive in the lumen

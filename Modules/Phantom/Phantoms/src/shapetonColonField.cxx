@@ -46,8 +46,7 @@ EllipsoidDistance(const Vector3d & point, const PolypBody & polyp)
   return { (k - 1.0) / length, slope / length };
 }
 
-// The ileum holds the valve: if a position would rotate it away by more than half a radian, the right colon is rotated
-// back.
+// The ileum fixes the valve: limits the rotation of the right colon by a position to half a radian there.
 std::vector<double>
 HeldTwist(const ColonPath & path, const ColonPlan & plan, std::vector<double> twist)
 {
@@ -72,7 +71,7 @@ struct ColonField::Local
   double   t;
   double   angle;
   double   distance; ///< from the centerline
-  double   speed;    ///< mm along the wall's direction per unit of t, at this distance
+  double   speed;    ///< mm along the wall per unit of t, at this distance
   Vector3d tangent;
   Vector3d outwards;
   Vector3d around;
@@ -90,7 +89,7 @@ ColonField::ColonField(const ColonPath &              path,
   std::vector<double> reaches;
   for (int k = 0; k <= m_Curve.GetNumberOfSteps(); ++k)
   {
-    // A flat or collapsed wall is never closer than the centerline.
+    // A lower bound for a flat or collapsed wall: the distance to the centerline.
     reaches.push_back(std::max(0.0, m_Relief.LargestRadiusNear(k)) + reach);
   }
   m_Curve.BuildGrid(reaches);
@@ -156,7 +155,7 @@ ColonField::WallDistance(const Local & local) const
 void
 ColonField::AddFolds(const Local & local, ColonDistance & distance) const
 {
-  // Nearly touching folds are merged, so that no slit remains between them.
+  // Merges nearly touching folds, to avoid slits.
   ColonDistance folds{ 1e9, local.outwards };
   for (int i : m_Relief.FoldsNear(local.t))
   {
@@ -166,16 +165,16 @@ ColonField::AddFolds(const Local & local, ColonDistance & distance) const
     {
       continue;
     }
-    // Slopes are used at the crest and behind it; near the centerline angles are unreliable.
+    // Slopes are used only at and behind the crest, since angles near the centerline are unreliable.
     const double arm = std::max(local.distance, 0.8 * std::abs(crest.value) + 0.1);
-    // Across the fold, and toward the lumen from the middle of its crest.
+    // Across the fold, and toward the lumen from the middle of the crest.
     const double   slant = t.byAngle * local.speed / arm;
     const double   slantLength = std::sqrt(1.0 + slant * slant);
     const double   across = (local.t - t.value) * local.speed / slantLength;
     const Vector3d acrossGradient = (local.tangent - slant * local.around) / slantLength;
     const double   rise = crest.byAngle / arm;
     const double   riseLength = std::sqrt(1.0 + rise * rise);
-    // Far from the crest the slope at a fold's end is unrelated to its distance.
+    // Far from the crest, the slope at the end of a fold is unrelated to the distance.
     const double  radial = crest.value + fold.halfThickness - local.distance;
     const double  above = std::max(radial / riseLength, radial - 3.0);
     ColonDistance body;
@@ -234,7 +233,7 @@ ColonField::AddLips(const Vector3d & point, double t, ColonDistance & distance) 
   }
 }
 
-// Half of the septum is on either side of the surface at equal distance from both walls.
+// Half of the septum is on each side of the surface equidistant from both walls.
 void
 ColonField::AddSeptum(const Local &         here,
                       const ColonDistance & own,
@@ -260,7 +259,7 @@ ColonField::Evaluate(const Vector3d & point, Place & place) const
   return m_Diverticula.empty() ? isNearTube : this->AddDiverticula(point, isNearTube, place);
 }
 
-// The lumina of tube and flask are joined with a rounded edge of the mouth.
+// Joins the lumina of tube and flask with a rounded mouth.
 bool
 ColonField::AddDiverticula(const Vector3d & point, bool isNearTube, Place & place) const
 {
@@ -346,7 +345,7 @@ ColonField::WallAlong(const Vector3d & from, const Vector3d & direction, double 
     Place place;
     return this->Evaluate(from + r * direction, place) ? place.distance.value : -m_Reach;
   };
-  // Steps shorter than the thickness of any fold, then bisection.
+  // Marches with steps shorter than any fold thickness, then bisects.
   double low = 0.0;
   double high = 0.0;
   while (distanceAt(high) > 0)
@@ -380,7 +379,7 @@ ColonField::MakeValve(const ColonPlan & plan) const
   return valve;
 }
 
-// On the wall without its folds, which slide.
+// On the wall without folds, since folds slide.
 void
 ColonField::PlaceLips(const ColonPlan & plan)
 {

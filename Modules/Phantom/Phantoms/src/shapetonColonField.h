@@ -31,8 +31,8 @@ struct PolypBody
 /** \class ColonField
  * \brief Signed distance to the wall of the colon in a position.
  *
- * Each body of tissue has a distance and its gradient; they are joined with fillets. The result is divided by the
- * length of its gradient, which makes it first-order accurate near the wall. */
+ * Bodies of tissue, each with a distance and gradient, are joined with fillets. The result is divided by the length of
+ * its gradient to be first-order accurate near the wall. */
 class ColonField
 {
 public:
@@ -45,14 +45,14 @@ public:
     double        angle;
   };
 
-  /** Returns false without a result if no wall is within reach. */
+  /** Returns false if no wall is within reach. */
   bool
   Evaluate(const Eigen::Vector3d & point, Place & place) const;
 
   /** The first intersection of a ray from the centerline with the wall, and its distance. */
   Eigen::Vector3d
   WallPoint(double t, double angle, double & radius) const;
-  /** The same for any ray. */
+  /** The first intersection of any ray with the wall. */
   Eigen::Vector3d
   WallAlong(const Eigen::Vector3d & from, const Eigen::Vector3d & direction, double & distance) const;
 
@@ -72,7 +72,7 @@ public:
   {
     return m_Polyps;
   }
-  /** The diverticula of the plan that have room in this position. */
+  /** The diverticula of the plan that fit in this position. */
   const std::vector<DiverticulumBody> &
   GetDiverticula() const
   {
@@ -119,8 +119,7 @@ private:
   ColonCurve  m_Curve;
   ColonRelief m_Relief;
   double      m_Reach;
-  double      m_BetweenFolds;             ///< mm, fillet between folds; 0: folds are joined with the wall one by
-                                          ///< one
+  double      m_BetweenFolds;             ///< mm, fillet between folds; 0 to join folds individually
   std::vector<double>           m_Septum; ///< at each step
   std::vector<PolypBody>        m_Polyps;
   std::vector<std::vector<int>> m_PolypsNear;

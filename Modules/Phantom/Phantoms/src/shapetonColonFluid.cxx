@@ -20,7 +20,7 @@ constexpr double sliceLength = 3.0;   // mm
 constexpr double smallestBasin = 2.0; // ml
 constexpr double ridgeMargin = 1.2;   // mm; the lattice overestimates passage heights by about half a step
 constexpr double textureDeviation = 43.0;
-constexpr int    blockSide = 6; // lattice steps; its half diagonal is below ColonAnatomy::Reach
+constexpr int    blockSide = 6; // lattice steps; half the diagonal is below ColonAnatomy::Reach
 constexpr double pointVolume = latticeStep * latticeStep * latticeStep / 1000.0; // ml
 
 int
@@ -29,8 +29,8 @@ SliceAt(double arcLength)
   return std::max(0, static_cast<int>(std::floor(arcLength / sliceLength)));
 }
 
-// The points of a lattice in the lumen, each with its slice. The lattice is oblique, so that the heights of its points
-// are evenly distributed.
+// The points of a lattice in the lumen, with their slices. The lattice is oblique to distribute the heights of its
+// points evenly.
 class LumenLattice
 {
 public:
@@ -283,7 +283,7 @@ ColonFluid::DepthBelowLevel(const Eigen::Vector3d & point, double arcLength) con
   return pool < 0 ? -1000.0 : m_Pools[pool].level + m_Down.dot(point);
 }
 
-// The wedge fills the pool from its bottom to half its depth, with a slope of about 10 degrees.
+// The wedge fills the lower half of the pool, with a slope of about 10 degrees.
 double
 ColonFluid::Intensity(const Eigen::Vector3d & point, double arcLength) const
 {

@@ -6,7 +6,7 @@
 
 namespace shapeton
 {
-/** Purposes of random numbers: each has its own stream, so that changes to one do not affect the others. */
+/** Purposes of random numbers, each with a separate stream, so that changes to one do not affect the others. */
 enum class ColonStream : std::uint32_t
 {
   SegmentLengths = 1,
@@ -44,10 +44,10 @@ public:
   Uniform();
   double
   Uniform(double low, double high);
-  /** Mean 0, standard deviation 1. */
+  /** Normal number with mean 0 and standard deviation 1. */
   double
   Normal();
-  /** The numbers of this index, independent of previous draws. */
+  /** The number with this index, independent of previous draws. */
   void
   Seek(std::uint32_t index);
 
@@ -58,7 +58,7 @@ private:
   std::uint32_t m_Draw{ 0 };
 };
 
-/** A smooth random function of a length, about [-1, 1]: a cubic B-spline with uniform coefficients. */
+/** A smooth random function of a length in about [-1, 1]: a cubic B-spline with uniform coefficients. */
 class SmoothNoise
 {
 public:
@@ -72,7 +72,7 @@ private:
   std::vector<double> m_Coefficients;
 };
 
-/** 0 below a, 1 above b, smooth between. */
+/** Smooth step: 0 below a, 1 above b. */
 double
 SmoothStep(double a, double b, double x);
 } // namespace shapeton

@@ -89,7 +89,7 @@ PatientOffset(unsigned seed, double place, int segment)
   return amplitude * Vector3d(x(place), y(place), z(place));
 }
 
-// Length of a segment; that of the cecum extends beyond the end of the curve by the radius there.
+// Length of a segment; the cecum extends beyond the end of the curve by its radius.
 double
 CurveLength(const ColonPhantomParameters & parameters, std::size_t segment, double ofTemplate)
 {
@@ -118,7 +118,7 @@ RadiiOf(const SegmentValues & caliber)
       table[k].fill(0.5 * caliber[k]);
     }
   }
-  // Given values are blended gradually.
+  // Blends given values gradually.
   for (std::size_t k = 1; k < table.size(); ++k)
   {
     if (caliber[k] != 0.0 || caliber[k - 1] != 0.0)
@@ -136,7 +136,7 @@ GravityOf(const std::string & position)
   return directions[PositionNumber(position) - 1];
 }
 
-// Displacement of the cecum in a position: medially, up or down, and with gravity.
+// Displacement of the cecum in a position: medially, up or down, and along gravity.
 Vector3d
 CecumMove(const ColonPhantomParameters & parameters)
 {
@@ -170,8 +170,8 @@ Mobilities(const ColonPath & path)
   return result;
 }
 
-// The hepatic flexure is the highest point of its bend. If a patient's lengths stretch the template, relaxation moves
-// it along the colon; the segment border is moved with it.
+// The hepatic flexure is the highest point of its bend. If the lengths of the patient stretch the template, relaxation
+// moves it along the colon; the segment border follows.
 void
 MoveHepaticFlexureToHighest(ColonPath & path)
 {
@@ -238,7 +238,7 @@ RestPath(const ColonPhantomParameters & parameters)
   {
     MoveHepaticFlexureToHighest(path);
   }
-  // The lengths that remain after smoothing and limits of space are those of the patient.
+  // The lengths after smoothing and limits of space define the patient.
   for (std::size_t i = 1; i < path.nodes.size(); ++i)
   {
     path.material[i] = path.material[i - 1] + (path.nodes[i] - path.nodes[i - 1]).norm();
@@ -275,9 +275,9 @@ RestRadius(const ColonPath & path, const ColonPhantomParameters & parameters, in
     const double x = 2.0 * (m - begin[segment - 1]) / (begin[segment] - begin[segment - 1]);
     double       value = x < 1 ? r[0] + x * (r[1] - r[0]) : r[1] + (x - 1) * (r[2] - r[1]);
     value *= 1.0 + 0.11 * slow(m);
-    // The sigmoid has contracted stretches.
+    // Contracted stretches of the sigmoid.
     value *= 1.0 - (segment == 2 ? 0.42 : 0.0) * SmoothStep(0.35, 0.9, narrow(m));
-    // The anal canal, as wide as the catheter, opens into the ampulla.
+    // From the anal canal, as wide as the catheter, to the ampulla.
     radius[i] = canal + (std::min(value, widest) - canal) * SmoothStep(22.0, 55.0, m);
   }
   return radius;

@@ -9,8 +9,8 @@
 
 namespace shapeton
 {
-/** The colon as a chain of nodes about 10 mm apart from the anal verge to the cecum. Material coordinates are
- * lengths along the chain at rest. */
+/** The colon as a chain of nodes, about 10 mm apart, from the anal verge to the cecum. Material coordinates are lengths
+ * along the chain at rest. */
 struct ColonPath
 {
   std::vector<Eigen::Vector3d> nodes;
@@ -32,7 +32,7 @@ struct ColonPath
   }
 };
 
-/** The chain of a patient at rest, along a template of the anatomy, stretched to the patient's lengths. */
+/** The chain of a patient at rest: a template of the anatomy, stretched to the segment lengths. */
 ColonPath
 RestPath(const ColonPhantomParameters & parameters);
 
@@ -40,8 +40,8 @@ RestPath(const ColonPhantomParameters & parameters);
 std::vector<double>
 RestRadius(const ColonPath & path, const ColonPhantomParameters & parameters, int count);
 
-/** The chain in a position: the mobile stretches are displaced, and stretches with these radii (one per node) are
- * kept apart except for contacts. */
+/** The chain in a position: mobile stretches are displaced, and stretches with these radii (one per node) are separated
+ * except at contacts. */
 ColonPath
 PositionedPath(const ColonPath & rest, const std::vector<double> & radius, const ColonPhantomParameters & parameters);
 

@@ -23,7 +23,7 @@ using ImageType = ColonPhantomImageSource::ImageType;
 
 constexpr itk::SizeValueType tileSide = 32;
 
-/** Effect of a reconstruction kernel. */
+/** Effect of a reconstruction kernel on blur and noise. */
 struct Kernel
 {
   double                blur;             ///< factor
@@ -41,7 +41,7 @@ KernelOf(const std::string & name)
   return name == "soft" ? Kernel{ 1.2, { { 0.66, 0.5, 0.5 } } } : Kernel{ 1.0, { { 0.63, 0.14, 0.42 } } };
 }
 
-// Tiles do not depend on the number of threads.
+// The tiles do not depend on the number of threads.
 std::vector<RegionType>
 TilesOf(const RegionType & region)
 {
@@ -254,7 +254,7 @@ ColonPhantomImageSource::PaintImage(const std::vector<OutputImageRegionType> & t
   ImageType * const image = this->GetOutput();
   image->SetBufferedRegion(image->GetRequestedRegion());
   image->Allocate();
-  const ColonPhantomParameters & parameters = this->GetAnatomy().GetParameters(); // with drawn values
+  const ColonPhantomParameters & parameters = this->GetAnatomy().GetParameters(); // including drawn values
   const Kernel                   kernel = KernelOf(parameters.kernel);
   const double                   blur = kernel.blur * m_Blur;
   const double          along = std::sqrt(blur * blur + parameters.sliceThickness * parameters.sliceThickness / 12.0);

@@ -67,7 +67,7 @@ RequireValidValve(const ColonPhantomParameters & p)
                    "\"ileumContent\" are for a valve with lips; set the parameter \"valve\" to lips");
 }
 
-// 0: from the template.
+// 0 to use the template.
 void
 RequireSegmentValues(const char * name, const SegmentValues & values, double low, double high)
 {
@@ -109,7 +109,7 @@ enum class Group
   Diverticula
 };
 
-/** Draws in a fixed order, so that given values do not affect drawn ones. */
+/** Draws parameters in a fixed order, so that given values do not affect drawn ones. */
 class Draw
 {
 public:
@@ -172,7 +172,7 @@ DrawShape(ColonPhantomParameters & p)
   static constexpr double widest[] = { 54, 36, 44, 54, 68, 78 };
   Draw                    length(p, Group::Lengths);
   Draw                    caliber(p, Group::Caliber);
-  // Half of the range between narrow and wide is drawn per patient, half per segment.
+  // Half of the range from narrow to wide is drawn per patient, half per segment.
   const double build = caliber.Chance();
   for (std::size_t i = 0; i < p.lengths.size(); ++i)
   {

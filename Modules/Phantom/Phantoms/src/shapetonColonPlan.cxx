@@ -70,7 +70,7 @@ ColonPlan::ColonPlan(const ColonPath & rest, const ColonPhantomParameters & para
   diverticula = PlanDiverticula(*this, parameters.seed, parameters.diverticula);
 }
 
-// The ileum comes from the middle of the body.
+// The ileum enters from the middle of the body.
 void
 ColonPlan::PlanValve(const ColonPath & rest, const ColonPhantomParameters & parameters)
 {
@@ -131,7 +131,7 @@ ColonPlan::TaeniaAngle(int taenia, double material) const
 double
 ColonPlan::HaustraStrength(double material) const
 {
-  // The taeniae coli of the rectum form one layer; they meet at the end of the cecum.
+  // The taeniae coli form one layer in the rectum and meet at the end of the cecum.
   const double rectumEnd = m_SegmentBegin[1];
   return SmoothStep(rectumEnd - 20, rectumEnd + 40, material) * SmoothStep(0, 25, m_Length - material);
 }
@@ -161,7 +161,7 @@ ColonPlan::MakeFold(double material, double angle, double halfAngle, ColonRandom
   fold.material = material;
   fold.angle = angle;
   fold.halfAngle = halfAngle;
-  // Wide stretches have higher folds; quartiles 3.5, 6.6 and 11.4 mm.
+  // Folds are higher in wide stretches; quartiles 3.5, 6.6 and 11.4 mm.
   fold.height = std::clamp(8.3 * std::exp(0.95 * (0.5 * wide + 0.85 * random.Normal())), 1.8, 16.0);
   fold.thickness = random.Uniform(1.5, 3.0);
   fold.slant = random.Uniform(-3.0, 3.0);
@@ -174,7 +174,7 @@ ColonPlan::MakeFold(double material, double angle, double halfAngle, ColonRandom
 void
 ColonPlan::PlanValves(ColonRandom & random)
 {
-  // The transverse folds of the rectum, left, right, left.
+  // The transverse folds of the rectum: left, right, left.
   const double places[] = { 0.5, 0.68, 0.86 };
   for (int i = 0; i < 3; ++i)
   {
@@ -236,7 +236,7 @@ ColonPlan::PlanFolds(unsigned seed)
 bool
 ColonPlan::IsClearOfFolds(const PolypPlan & polyp) const
 {
-  // Heads avoid folds, which may slide in other positions.
+  // Heads avoid folds, since folds may slide in other positions.
   const double head = polyp.kind == "pedunculated" ? 0.5 * polyp.diameter + 4.0 : 0.3 * polyp.diameter + 1.0;
   return std::all_of(folds.begin(), folds.end(), [&](const FoldPlan & fold) {
     if (polyp.fold >= 0 && &fold == &folds[polyp.fold])
@@ -288,7 +288,7 @@ ColonPlan::PlanPolyps(unsigned seed, int count)
   for (int i = 0; i < count; ++i)
   {
     PolypPlan polyp{};
-    // An unsuitable position is drawn again, finally with a smaller polyp.
+    // Redraws unsuitable positions, finally with a smaller polyp.
     bool isPlaced = false;
     for (int attempt = 0; attempt < 400 && !isPlaced; ++attempt)
     {

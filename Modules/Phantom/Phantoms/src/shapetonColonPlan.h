@@ -14,16 +14,16 @@ namespace shapeton
 double
 WrapAngle(double angle);
 
-/** A fold at rest. The coordinate u is -1 and 1 at its ends. */
+/** A fold at rest. The coordinate u is -1 and 1 at the ends. */
 struct FoldPlan
 {
   double material;  ///< mm
-  double angle;     ///< angle of its middle
+  double angle;     ///< angle of the middle
   double halfAngle; ///< half angle from the middle to an end, < pi
   double height;    ///< mm
   double thickness; ///< mm
-  double slant;     ///< mm by which the end u = 1 is ahead
-  double bow;       ///< mm by which both ends are ahead of the middle
+  double slant;     ///< mm, offset of the end u = 1 along the colon
+  double bow;       ///< mm, offset of both ends from the middle along the colon
   double wave;      ///< mm
   double wavePhase;
 };
@@ -33,7 +33,7 @@ struct PolypPlan
 {
   std::string kind;
   double      diameter;
-  double      height; ///< height of the head, or of the whole polyp without a stalk
+  double      height; ///< height of the head, or of a polyp without a stalk
   double      stalk;  ///< length, 0 without a stalk
   double      stalkRadius;
   double      material;
@@ -41,15 +41,15 @@ struct PolypPlan
   int         fold; ///< -1: on the wall
 };
 
-/** A diverticulum at rest: a sac with a neck through the wall. mm. */
+/** A diverticulum at rest: a sac with a neck through the wall; lengths in mm. */
 struct DiverticulumPlan
 {
   double material;
   double angle;
   double neck;       ///< inner diameter
-  double neckLength; ///< from the wall's surface to the sac
+  double neckLength; ///< from the surface of the wall to the sac
   double diameter;   ///< diameter of the sac
-  double stool;      ///< HU of its stool; 0: filled like the lumen
+  double stool;      ///< HU of the stool; 0 if filled like the lumen
 };
 
 /** The ileocecal valve at rest. */
@@ -61,10 +61,10 @@ struct ValvePlan
   double length;    ///< of the lips around the colon, mm
   double height;    ///< mm
   double thickness; ///< of each lip, mm
-  double behind;    ///< radians by which the ileum enters farther from behind than from the center of the abdomen
+  double behind;    ///< entry angle of the ileum toward the back, relative to the center of the abdomen, radians
 };
 
-/** The angle at which the wall faces a direction most, to 0.1. */
+/** The angle at which the wall best faces a direction, accurate to 0.1. */
 double
 AngleTowards(const ColonCurve & curve, double t, const Eigen::Vector3d & direction);
 
@@ -73,7 +73,7 @@ double
 AngleOfIleum(const ColonCurve & curve, const ValvePlan & valve);
 
 /** \class ColonPlan
- * \brief Patient-specific features in material coordinates: position along the colon at rest (mm) and angle. */
+ * \brief Patient-specific features in material coordinates (position along the colon at rest, mm, and angle). */
 class ColonPlan
 {
 public:
@@ -83,7 +83,7 @@ public:
   double
   TaeniaAngle(int taenia, double material) const;
 
-  /** 0 to 1: how strongly the three taeniae coli and the haustra between them are developed. */
+  /** Prominence of the three taeniae coli and the haustra in between, 0 to 1. */
   double
   HaustraStrength(double material) const;
 
@@ -125,7 +125,7 @@ private:
   IsClearOfFolds(const PolypPlan & polyp) const;
 
   double                             m_Length;
-  std::vector<double>                m_SegmentBegin; ///< six starts, then the length
+  std::vector<double>                m_SegmentBegin; ///< start of the six segments, then the length
   std::vector<double>                m_Radius;
   std::array<std::vector<double>, 3> m_Taenia; ///< every 2 mm
 };

@@ -8,7 +8,7 @@ namespace shapeton
 {
 namespace
 {
-/** Vertices by materialId. */
+/** Vertex index by materialId. */
 std::map<int, int>
 VerticesOutsideCollapse(const CurveSet & points, const std::string & what)
 {
@@ -48,7 +48,7 @@ TableOfPointPairs(const CurveSet & first, const CurveSet & second)
   }
   if (table.GetRows().empty())
   {
-    throw InputError("the positions have no materialId in common; use positions of one seed");
+    throw InputError("the positions have no materialId in common; use positions of the same seed");
   }
   return table;
 }

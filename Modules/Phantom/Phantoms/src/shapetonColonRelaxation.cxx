@@ -9,10 +9,10 @@ using Eigen::Vector3d;
 
 namespace
 {
-// Haustra bulge, and walls are a few millimeters thick.
+// Margins for bulging haustra and wall thickness.
 constexpr double c_Bulge = 1.06;
 constexpr double c_Septum = 6.0;
-// Largest distance between centerlines that two stretches need.
+// Maximum required distance between the centerlines of two stretches.
 constexpr double c_FarApart = 120.0;
 // The canal and the start of the ampulla are fixed.
 constexpr int c_Held = 5;
@@ -32,7 +32,7 @@ ColonRelaxation::Run(int rounds)
 {
   for (int round = 0; round < rounds; ++round)
   {
-    // Toward the end only the hard constraints remain.
+    // Finally, only hard constraints are active.
     if (round < 4 * rounds / 5)
     {
       this->PullToAnchors();
@@ -62,7 +62,7 @@ ColonRelaxation::PullToAnchors()
 void
 ColonRelaxation::Unbend()
 {
-  // Long spans suppress waves of several radii, the short one kinks.
+  // Long spans suppress waves of several radii, the short span kinks.
   for (int span : { 4, 2, 1 })
   {
     const std::vector<Vector3d> old = m_Nodes;
@@ -77,7 +77,7 @@ ColonRelaxation::Unbend()
   }
 }
 
-// No bend is tighter than the tube is wide.
+// Limits bends to the width of the tube.
 void
 ColonRelaxation::OpenBends()
 {
@@ -182,7 +182,7 @@ ColonRelaxation::KeepLengths()
   {
     for (std::size_t k = 1; k < m_Nodes.size(); ++k)
     {
-      // Alternates between both directions, so that errors do not accumulate at one end.
+      // Alternates between both directions to avoid accumulation of errors at one end.
       const std::size_t i = pass % 2 == 0 ? k : m_Nodes.size() - k;
       const Vector3d    edge = m_Nodes[i] - m_Nodes[i - 1];
       const double      length = edge.norm();
@@ -203,7 +203,7 @@ ColonRelaxation::LeaveRoomAt(int node, double room)
   {
     for (int j = 0; j < count; ++j)
     {
-      // Neighbors along the colon have the room that bends need.
+      // Neighbors along the colon are separated by the bend constraint.
       if (std::abs(j - node) > 12)
       {
         m_Slack(i, j) = m_Slack(j, i) = -room;
@@ -262,7 +262,7 @@ ColonRelaxation::DrawTogether(const std::vector<ColonPath::Contact> & contacts)
     {
       for (int b = std::max(0, contact.second - 3); b <= std::min(count - 1, contact.second + 3); ++b)
       {
-        // The walls overlap slightly where haustra bulge, so that they flatten against each other.
+        // Slight overlap, so that bulging haustra flatten against each other.
         m_Slack(a, b) = m_Slack(b, a) = c_Septum + 1.0;
       }
     }

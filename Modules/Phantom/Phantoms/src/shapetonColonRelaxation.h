@@ -10,19 +10,18 @@
 namespace shapeton
 {
 /** \class ColonRelaxation
- * \brief Relaxes a chain of nodes: preserves lengths, limits curvature, separates stretches, keeps them inside the
- * abdomen.
+ * \brief Relaxes a chain of nodes inside the abdomen: preserves lengths, limits curvature and separates stretches.
  *
- * Position based dynamics (Mueller et al. 2007): each constraint moves the nodes just enough to satisfy it, in a
- * fixed order, repeatedly. Two nodes must be at least as far apart as on a circle of the tube's minimum radius;
- * this single rule keeps bends open and stretches apart. */
+ * Position based dynamics (Mueller et al. 2007): constraints are projected repeatedly in a fixed order. Two nodes must
+ * be at least as far apart as on a circle of the minimum radius of the tube; this rule limits bends and separates
+ * stretches. */
 class ColonRelaxation
 {
 public:
-  /** `radius` of the lumen at each node in mm. The nodes are also the rest positions. */
+  /** `radius` is the lumen radius at each node, mm. The nodes are also the rest positions. */
   ColonRelaxation(const ColonPath & path, const std::vector<double> & radius);
 
-  /** 0 (fixed) to 1 (free), for each node; 0.5 by default. */
+  /** Mobility of each node, 0 (fixed) to 1 (free); default 0.5. */
   void
   SetMobility(const std::vector<double> & mobility)
   {
@@ -32,16 +31,16 @@ public:
   void
   Run(int rounds);
 
-  /** Keeps the other stretches `room` mm farther from the nodes within two of this one, for structures that leave
-   * the colon there. Call it before searching contacts: these nodes then have none. */
+  /** Reserves `room` mm around this node and two neighbors on each side for attached structures. Call before searching
+   * contacts, which excludes these nodes. */
   void
   LeaveRoomAt(int node, double room);
 
-  /** Up to `number` pairs of closest stretches, well separated from each other. */
+  /** Up to `number` pairs of closest stretches, with pairs far apart from each other. */
   std::vector<ColonPath::Contact>
   FindContacts(int number) const;
 
-  /** Makes these pairs touch from now on. */
+  /** Adds contact constraints for these pairs. */
   void
   DrawTogether(const std::vector<ColonPath::Contact> & contacts);
 

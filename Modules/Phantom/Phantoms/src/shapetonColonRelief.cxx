@@ -15,10 +15,10 @@ constexpr double c_CollapseEnd = 15.0;    // mm
 constexpr double c_ClosedCanal = 20.0;    // mm of the anal canal without a catheter
 constexpr double c_HighestFold = 0.6;     // of the radius, so that no fold blocks the lumen
 constexpr double c_FoldNeighborhood = 16; // mm along the colon
-constexpr double c_LongestChord = 44.0;   // mm along the colon; farther stretches have a septum
+constexpr double c_LongestChord = 44.0;   // mm along the colon; more distant stretches are separated by a septum
 constexpr double c_ChordStep = 4.0;       // mm
 
-// Roughness of the wall: knots 4 mm apart, so waves of 8 mm and more.
+// Roughness of the wall: knots 4 mm apart, so wavelengths of at least 8 mm.
 class Roughness
 {
 public:
@@ -57,7 +57,7 @@ private:
   std::vector<float>      m_Values;
 };
 
-/** Distance of a point of the curve to its neighbors on one side. */
+/** Distances from a point of the curve to its neighbors on one side. */
 class Chords
 {
 public:
@@ -77,7 +77,8 @@ public:
     }
   }
 
-  // 1 / mm: points beyond this in this direction are closer to a neighbor. For short chords it is the curvature.
+  // Inverse distance (1/mm) in this direction beyond which points are closer to a neighbor; equals the curvature for
+  // short chords.
   double
   BendTowards(const Eigen::Vector3d & direction) const
   {
@@ -225,13 +226,13 @@ ColonRelief::FoldPlaces(const ColonPlan & plan, const ColonPhantomParameters & p
     random.Seek(static_cast<std::uint32_t>(i + 1));
     const double m = plan.folds[i].material;
     const double slide = 0.75 * std::clamp(together(m), -1.0, 1.0) + random.Uniform(-0.25, 0.25);
-    // The valves of the rectum are fixed.
+    // The rectal valves are fixed.
     places.push_back(m + SmoothStep(120.0, 200.0, m) * parameters.foldSlide * slide);
   }
   return places;
 }
 
-// 1 at a fold's foot, 0 between folds.
+// 1 at the foot of a fold, 0 between folds.
 double
 ColonRelief::Waist(const ColonPlan & plan, const std::vector<double> & places, double material, double angle) const
 {
@@ -290,9 +291,8 @@ ColonRelief::FillTable(const ColonPlan &              plan,
   }
 }
 
-// The wall on the inside of a bend must be closer than the center of curvature, where it would intersect itself. Within
-// `longestChord` it must also be closer than where the tube returns to itself, as otherwise a bridge of tissue would
-// remain.
+// The wall on the inside of a bend must be closer than the center of curvature, to avoid self-intersection. Within
+// `longestChord` it must also be closer than the point where the tube touches itself, to avoid a bridge of tissue.
 void
 ColonRelief::RelieveBends(const ColonCurve & curve, double longestChord)
 {

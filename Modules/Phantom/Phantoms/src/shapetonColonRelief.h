@@ -9,7 +9,7 @@
 
 namespace shapeton
 {
-/** A value and its derivatives with respect to the curve parameter t and the angle. */
+/** A value with its derivatives with respect to the curve parameter t and the angle. */
 struct ReliefValue
 {
   double value;
@@ -17,7 +17,7 @@ struct ReliefValue
   double byAngle;
 };
 
-/** A fold in a position: the course of its crest. */
+/** The crest of a fold in a position. */
 struct FoldCourse
 {
   static constexpr int    Knots = 40;
@@ -26,12 +26,12 @@ struct FoldCourse
   double angle;
   double halfAngle;
   double halfThickness;
-  double height; ///< mm, the highest in this position
+  double height; ///< mm, maximum in this position
   bool   isFlattened;
   float  t[Knots + 3];
   float  crest[Knots + 3]; ///< mm from the centerline
 
-  /** False beyond the ends. */
+  /** Returns false beyond the ends. */
   bool
   At(double u, ReliefValue & t, ReliefValue & crest) const;
 };
@@ -41,7 +41,7 @@ std::vector<double>
 ColonTwist(const ColonPlan & plan, const ColonPhantomParameters & parameters);
 
 /** \class ColonRelief
- * \brief The wall in a position: radius as a function of position and angle, and the folds on it.
+ * \brief The wall in a position: radius as a function of curve parameter and angle, and the folds.
  *
  * Radii are a cubic B-spline over a grid of half steps of the curve and of 128 angles. */
 class ColonRelief
@@ -49,19 +49,19 @@ class ColonRelief
 public:
   static constexpr int Angles = 128;
 
-  /** Without a curve the colon is straight. With one, the wall avoids the center of sharp bends. */
+  /** Without a curve the colon is straight; with a curve, the wall avoids the center of sharp bends. */
   ColonRelief(const ColonPlan & plan, const ColonPhantomParameters & parameters, const ColonCurve * curve);
 
-  /** Radius of the wall without folds in mm; below 0 where collapsed. */
+  /** Radius (mm) of the wall without folds; negative where collapsed. */
   ReliefValue
   RadiusAt(double t, double angle) const;
-  /** Mean over the angles. */
+  /** Mean radius over the angles. */
   double
   MeanRadiusAt(double t) const;
-  /** Largest value within the step. */
+  /** Maximum radius within the step. */
   double
   LargestRadiusNear(int step) const;
-  /** 0 open to 1 collapsed. */
+  /** Degree of collapse, 0 (open) to 1. */
   double
   CollapseAt(double t) const;
 
@@ -97,12 +97,12 @@ private:
   int                           m_Rows;
   std::vector<double>           m_Collapse; ///< at each step
   std::vector<double>           m_Base;     ///< at each row
-  std::vector<float>            m_Table;    ///< rows, one more at each end
+  std::vector<float>            m_Table;    ///< rows, with one additional row at each end
   std::vector<double>           m_Mean;
   std::vector<double>           m_Largest;
   std::vector<FoldCourse>       m_Folds;
   std::vector<std::vector<int>> m_FoldsNear;
-  std::vector<std::vector<int>> m_PlansNear; ///< for construction, by 10 mm of material
+  std::vector<std::vector<int>> m_PlansNear; ///< for construction, in bins of 10 mm of material length
 };
 } // namespace shapeton
 

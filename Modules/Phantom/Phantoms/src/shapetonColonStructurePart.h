@@ -8,7 +8,7 @@
 
 namespace shapeton
 {
-/** A part of a structure: its region in the ground truth, and its appearance to a scanner. */
+/** A part of a structure: region in the ground truth, and appearance in the image. */
 struct ColonStructures::Part
 {
   ColonStructure                     label; ///< None: no label

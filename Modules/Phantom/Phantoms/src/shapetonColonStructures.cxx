@@ -29,7 +29,7 @@ using PointType = PhantomBody::PointType;
 
 constexpr double fatIntensity = -110.0;
 constexpr double behindBase = 3.0;     // mm; depth of the lips behind the wall
-constexpr double flaskSlope = 1.5;     // where neck and sac join
+constexpr double flaskSlope = 1.5;     // at the junction of neck and sac
 constexpr double stoolIntoWall = 0.35; // mm; half a cell, so that no gas appears between stool and wall
 constexpr double lipsSlope = 4.0;      // the distance to half ellipsoids may be too large by this factor
 
@@ -138,7 +138,7 @@ ColonStructures::AddChest(const ColonAnatomy & anatomy, const ColonFluid & fluid
   }
 }
 
-// They are painted with the abdomen.
+// Painted with the abdomen.
 void
 ColonStructures::AddBowel(const ColonAnatomy & anatomy, const ColonFluid & fluid)
 {
@@ -155,7 +155,7 @@ ColonStructures::AddBowel(const ColonAnatomy & anatomy, const ColonFluid & fluid
   }
 }
 
-// Any fat is below the mucosa, which is the 2 mm wall of the colon.
+// Fat is below the mucosa, the 2 mm wall of the colon.
 void
 ColonStructures::AddValve(const ColonAnatomy & anatomy)
 {
@@ -183,7 +183,7 @@ ColonStructures::AddIleum(const ColonAnatomy & anatomy, const ColonFluid & fluid
   m_AxisOf.push_back(ColonStructure::Ileum);
 }
 
-// Their walls, gas and fluid are painted with the colon.
+// Walls, gas and fluid are painted with the colon.
 void
 ColonStructures::AddDiverticula(const ColonAnatomy & anatomy, const ColonFluid & fluid)
 {
@@ -275,7 +275,7 @@ ColonStructures::Fill(LabelImageType * image, const itk::ImageRegion<3> & region
   this->FillBlock(image, region, all);
 }
 
-// Bisects the block until nothing is near it or it is small.
+// Bisects the block until it is small or nothing is near.
 void
 ColonStructures::FillBlock(LabelImageType *                  image,
                            const itk::ImageRegion<3> &       block,

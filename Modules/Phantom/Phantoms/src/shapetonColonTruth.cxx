@@ -78,7 +78,7 @@ private:
   std::vector<std::vector<double>> m_CellValues;
 };
 
-/** Numbers of the wall points of a patient. */
+/** Grid dimensions of the wall points of a patient. */
 class MaterialGrid
 {
 public:
@@ -130,7 +130,7 @@ private:
   std::vector<int> m_Columns;
 };
 
-// Points of the wall and of the crests of folds at each step, for inscribed radii.
+// Wall and fold crest points at each step, for inscribed radii.
 std::vector<std::vector<Vector3d>>
 InnerPoints(const ColonField & field)
 {
@@ -340,7 +340,7 @@ ColonValveTruth(const ColonPlan & plan, const ColonField & field)
   return valve;
 }
 
-// Both ends are hemispheres: rays from the last point of the centerline meet every point of the last one.
+// Both ends are hemispheres, so rays from the last point of the centerline reach every point.
 Vector3d
 CecalPoleTruth(const ColonPlan & plan, const ColonField & field)
 {

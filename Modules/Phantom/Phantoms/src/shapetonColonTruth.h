@@ -8,7 +8,7 @@
 
 namespace shapeton
 {
-/** Ground truth returned by ColonAnatomy; see there. */
+/** Implementation of the ground truth of ColonAnatomy. */
 CurveSet
 ColonCenterlineTruth(const ColonPlan & plan, const ColonField & field);
 CurveSet

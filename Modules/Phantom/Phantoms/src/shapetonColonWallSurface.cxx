@@ -38,7 +38,7 @@ public:
     {
       m_Blocks[axis] = static_cast<int>((high[axis] - low[axis]) / (c_Block * spacing)) + 1;
     }
-    // One more layer than blocks: the first of the next slab.
+    // One additional layer: the first layer of the next slab.
     m_SizeX = c_Block * m_Blocks[0] + 1;
     m_SizeY = c_Block * m_Blocks[1] + 1;
   }
@@ -67,7 +67,7 @@ private:
     return m_Low + m_Spacing * Vector3d(x, y, z);
   }
 
-  // Never so close to 0 that points on different edges of the grid would round to one.
+  // Bounded away from 0, so that points on different grid edges remain distinct after rounding.
   double
   DistanceAt(const Vector3d & point) const
   {
@@ -97,7 +97,7 @@ private:
     });
   }
 
-  // Blocks far from the wall use the value at their center.
+  // Use the value at the center for blocks far from the wall.
   void
   SampleBlock(const std::array<int, 3> & begin, const std::array<int, 3> & end, int base)
   {
@@ -135,7 +135,7 @@ private:
     this->Append(contour->GetOutput(), base);
   }
 
-  // Points on the layer shared by two slabs have bitwise equal x and y in both.
+  // Points on a shared layer have bitwise equal x and y in both slabs.
   void
   Append(vtkPolyData * surface, int base)
   {
@@ -169,7 +169,7 @@ private:
   Vector3d
   OntoWall(Vector3d point) const
   {
-    // Newton steps; half steps if they oscillate across an edge of the field.
+    // Newton steps; half steps if they oscillate at a crease of the field.
     for (int round = 0; round < 40; ++round)
     {
       ColonField::Place place;
@@ -216,7 +216,7 @@ private:
   std::map<std::pair<double, double>, int> m_Shared;
 };
 
-// A grid point that rounding moves to the other side of the wall creates a component of eight faces.
+// A grid point moved across the wall by rounding creates a component of eight faces.
 SurfaceMesh
 WithoutSpecks(const SurfaceMesh & mesh)
 {

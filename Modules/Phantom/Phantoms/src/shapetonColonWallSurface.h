@@ -6,8 +6,8 @@
 
 namespace shapeton
 {
-/** The zero level of the distance, extracted on a grid of this spacing (mm) in the box, its vertices projected onto
- * the wall. Works in slabs, so that memory does not grow with the volume. */
+/** Extracts the zero level of the distance on a grid with this spacing (mm) in the box and projects its vertices onto
+ * the wall. Processes slabs to limit memory. */
 SurfaceMesh
 ExtractColonWall(const ColonField & field, const Eigen::Vector3d & low, const Eigen::Vector3d & high, double spacing);
 } // namespace shapeton

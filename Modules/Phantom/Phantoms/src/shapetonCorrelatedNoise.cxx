@@ -15,7 +15,7 @@ SideWeight(double correlation)
   return correlation <= 0.0 ? 0.0 : (1.0 - std::sqrt(1.0 - 2.0 * correlation * correlation)) / (2.0 * correlation);
 }
 
-// Filters the middle axis of an array [outer][length][inner], which becomes shorter by two layers.
+// Filters an array [outer][length][inner] along the middle axis, which is shortened by two layers.
 std::vector<float>
 FilterAxis(const std::vector<float> & in, std::size_t outer, std::size_t length, std::size_t inner, double side)
 {

@@ -14,10 +14,11 @@ namespace shapeton
 /** \class CorrelatedNoise
  * \brief Gaussian noise of a CT volume, correlated between neighboring voxels.
  *
- * White noise from Philox for each voxel of the grid and one layer around it, filtered along each axis by (a, 1, a) /
- * sqrt(1 + 2 a^2): the correlation of neighbors is 2 a / (1 + 2 a^2), that of next neighbors a^2 / (1 + 2 a^2).
+ * White noise from Philox for each voxel of the grid and one surrounding layer, filtered along each axis by (a, 1, a) /
+ * sqrt(1 + 2 a^2). The correlation is 2 a / (1 + 2 a^2) between neighbors and a^2 / (1 + 2 a^2) at a distance of two
+ * voxels.
  *
- * A voxel's noise depends only on its index.
+ * The noise of a voxel depends only on its index.
  *
  * \ingroup ShapetonPhantoms */
 class ShapetonPhantoms_EXPORT CorrelatedNoise
@@ -31,7 +32,7 @@ public:
                   double                        standardDeviation,
                   const std::array<double, 3> & correlation);
 
-  /** Adds the noise of a region of the grid to its values, first index fastest. */
+  /** Adds noise to the values of a region, first index fastest. */
   void
   AddTo(std::vector<float> & values, const RegionType & region) const;
 

@@ -11,7 +11,7 @@ namespace
 {
 constexpr double ln2 = 0.693147180559945309417232121458;
 
-// 64 of the 128 bits of a block.
+// The first 64 of the 128 bits of a block.
 std::uint64_t
 RandomBits(std::uint64_t seed, std::uint64_t counter)
 {
@@ -66,7 +66,7 @@ Polynomial(const std::array<double, VSize> & coefficients, double x)
   return value;
 }
 
-// Wichura, Algorithm AS 241, PPND16: relative accuracy about 1e-16. Coefficients from the highest power down.
+// Wichura, Algorithm AS 241, PPND16: relative accuracy about 1e-16. Coefficients in order of descending powers.
 double
 InverseNormalDistribution(double p)
 {
@@ -135,7 +135,7 @@ InverseNormalDistribution(double p)
 double
 NormalNoise(std::uint64_t seed, std::uint64_t counter)
 {
-  // The middle of one of 2^52 equal parts of (0, 1): p and 1 - p are exact, and neither is 0.
+  // Midpoint of one of 2^52 equal parts of (0, 1): p and 1 - p are exact and nonzero.
   const std::uint64_t part = RandomBits(seed, counter) >> 12;
   return InverseNormalDistribution(std::ldexp(static_cast<double>(2 * part + 1), -53));
 }

@@ -14,14 +14,14 @@ namespace
 {
 using Eigen::Vector3d;
 
-constexpr double c_OwnSeptum = 1.6;   // mm of tissue between a sac and its own stretch
-constexpr double c_OtherSeptum = 3.0; // mm between a sac and anything else
-constexpr double c_Stretch = 40.0;    // mm along the colon, half the length of a stretch
+constexpr double c_OwnSeptum = 1.6;   // mm of tissue between a sac and the stretch it is attached to
+constexpr double c_OtherSeptum = 3.0; // mm between a sac and other structures
+constexpr double c_Stretch = 40.0;    // mm, half the length of a stretch along the colon
 constexpr double c_SmallestSac = 3.0; // mm
-constexpr double c_Plain = 0.7;       // mm between the wall and its relief, above which the wall is not plain
+constexpr double c_Plain = 0.7;       // mm; maximum distance between wall and relief without folds
 constexpr int    c_Around = 8;
 
-// Uniform over the sphere.
+// Uniform directions on the sphere.
 std::vector<Vector3d>
 SphereDirections()
 {
@@ -60,7 +60,7 @@ public:
   }
 
 private:
-  // mm to the wall, positive in the lumen; a large negative value without a wall nearby.
+  // Distance (mm) to the wall, positive in the lumen; a large negative value if no wall is near.
   double
   DistanceAt(const Vector3d & point) const
   {
@@ -68,7 +68,7 @@ private:
     return m_Field.Evaluate(point, place) ? place.distance.value : -1e3;
   }
 
-  // False if a fold or another stretch covers the wall, or the lumen is closed.
+  // Finds a mouth; false if a fold or another stretch covers the wall, or the lumen is closed.
   bool
   FindMouth(const DiverticulumPlan & plan, DiverticulumBody & body, Vector3d & outwards) const
   {
@@ -105,7 +105,7 @@ private:
     return true;
   }
 
-  // Upright if there is room, else tilted, else smaller.
+  // Tries an upright sac, then tilted, then smaller ones.
   bool
   FindRoom(const DiverticulumPlan & plan, const Vector3d & outwards, DiverticulumBody & body) const
   {
@@ -114,7 +114,7 @@ private:
       body.radius = 0.5 * std::max(share * plan.diameter, c_SmallestSac);
       for (const double tilt : { 0.0, 0.35, 0.6 })
       {
-        // Keeps the gap between sac and wall.
+        // Preserves the gap between sac and wall.
         const double length = (plan.neckLength + body.radius) / std::cos(tilt);
         for (int i = 0; i < (tilt > 0.0 ? c_Around : 1); ++i)
         {
@@ -170,7 +170,7 @@ private:
     });
   }
 
-  // The upper half of the neck is in tissue.
+  // The upper half of the neck must be in tissue.
   bool
   LeavesOnce(const DiverticulumBody & body) const
   {

@@ -11,19 +11,19 @@ namespace
 {
 // Relative probability per mm of each segment, rectum to cecum.
 constexpr double c_Frequency[] = { 0.0, 1.0, 0.8, 0.08, 0.12, 0.0 };
-constexpr double c_RowShare = 0.7;      // share of positions that continue a row
+constexpr double c_RowShare = 0.7;      // probability of continuing a row
 constexpr double c_NarrowestTube = 8.0; // mm, radius
-constexpr double c_FoldSlide = 4.0;     // mm by which folds may come closer in a position
-constexpr double c_Rim = 1.5;           // mm of plain wall around a mouth
+constexpr double c_FoldSlide = 4.0;     // mm; maximum shift of folds in a position
+constexpr double c_Rim = 1.5;           // mm of wall without folds around a mouth
 constexpr double c_BetweenSacs = 3.0;   // mm
 constexpr double c_FromValve = 50.0;    // mm along the colon
 constexpr double c_StoolShare = 0.25;
 constexpr int    c_Attempts = 400;
 
-/** The course of a row of diverticula. */
+/** A row of diverticula. */
 struct Row
 {
-  double material; ///< of its last diverticulum
+  double material; ///< of the last diverticulum
   int    taenia;
   double side; ///< side of the taenia, -1 or 1
 };

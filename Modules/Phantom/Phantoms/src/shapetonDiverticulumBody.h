@@ -8,7 +8,7 @@
 
 namespace shapeton
 {
-/** A diverticulum in a position: a ball outside the wall and a neck from the wall to its center. */
+/** A diverticulum in a position: a ball outside the wall, with a neck from the wall to its center. */
 struct DiverticulumBody
 {
   Eigen::Vector3d mouth; ///< on the wall
@@ -17,13 +17,13 @@ struct DiverticulumBody
   double          radius; ///< radius of the sac
   double          t;      ///< position of the mouth on the curve
   double          angle;
-  int             plan; ///< its index in the plan
+  int             plan; ///< index in the plan
 
   /** Distance to the flask, positive outside, with a round shoulder between neck and sac. */
   ColonDistance
   Distance(const Eigen::Vector3d & point) const;
 
-  /** No point of the flask is farther from the center of its sac. */
+  /** Radius of the bounding sphere around the center of the sac. */
   double
   Extent() const;
 };

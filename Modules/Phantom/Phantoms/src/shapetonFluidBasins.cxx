@@ -12,7 +12,7 @@ namespace
 {
 using Heights = std::vector<std::vector<float>>;
 
-// Slices connected by fluid below `ceiling`, in two parts if a ridge of that height divides them.
+// Slices connected by fluid below `ceiling`, with two parts if divided by a ridge of that height.
 struct Basin
 {
   std::vector<int> slices;
@@ -56,7 +56,7 @@ public:
     this->JoinPieces();
   }
 
-  // The basin of all slices.
+  // The root basin of all slices.
   int
   Root() const
   {
@@ -69,7 +69,7 @@ public:
   }
 
 private:
-  // A part too small to be a basin does not create a ridge.
+  // Parts below the minimum volume do not create a ridge.
   void
   Join(int sliceA, int sliceB, double height)
   {
@@ -99,8 +99,8 @@ private:
     this->Absorb(a, basinA, basinB, height);
   }
 
-  // The smaller basin's slices are assigned to the larger one, at each level of its division that they touch: they are
-  // so high or so small that only a level above its ridges reaches them.
+  // The slices of the smaller basin are assigned to the larger one, at each level of the division that they touch,
+  // since only fluid above its ridges reaches them.
   void
   Absorb(int representative, int basinA, int basinB, double height)
   {
@@ -113,7 +113,7 @@ private:
     m_BasinOf[representative] = larger;
   }
 
-  // Disconnected pieces, as left by a collapsed stretch.
+  // Disconnected pieces, for example at a collapsed stretch.
   void
   JoinPieces()
   {
@@ -135,7 +135,7 @@ private:
   const Heights &    m_Heights;
   std::size_t        m_Smallest;
   DisjointSets<>     m_Sets;
-  std::vector<int>   m_BasinOf; // of a representative
+  std::vector<int>   m_BasinOf; // for representatives
   std::vector<Basin> m_Basins;
   int                m_Root{ -1 };
 };

@@ -7,7 +7,7 @@
 
 namespace shapeton
 {
-/** A connection through which fluid can pass from one slice of the lumen to another. */
+/** A connection for fluid between two slices of the lumen. */
 struct FluidPassage
 {
   int    a;
@@ -24,8 +24,8 @@ struct FluidPool
   std::size_t      points;
 };
 
-/** Distributes fluid, measured in lattice points, over the slices of a lumen; `heights` are those of the points of
- * each slice, each sorted. See ColonFluid. */
+/** Distributes fluid, measured in lattice points, over the slices of a lumen; `heights` are the sorted heights of the
+ * points of each slice. See ColonFluid. */
 std::vector<FluidPool>
 FillBasins(const std::vector<std::vector<float>> & heights,
            std::vector<FluidPassage>               passages,

@@ -15,7 +15,7 @@ LumenLabels::LumenLabels(const ColonAnatomy & anatomy,
   : m_Anatomy(anatomy), m_Fluid(fluid), m_Lumen(lumen), m_Segments(segments)
 {}
 
-// Distances may be too large by a factor away from the wall: only blocks of half the reach are classified by their
+// Away from the wall distances may be too large by a factor, so only blocks of half the reach are classified by their
 // center.
 bool
 LumenLabels::MissesLumen(const RegionType & block) const

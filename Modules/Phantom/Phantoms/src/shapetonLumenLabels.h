@@ -8,7 +8,7 @@
 
 namespace shapeton
 {
-/** Labels the voxels with centers in the lumen: gas 1 or fluid 2, and the segment. */
+/** Labels voxels with centers in the lumen: gas (1) or fluid (2), and the segment. */
 class LumenLabels
 {
 public:

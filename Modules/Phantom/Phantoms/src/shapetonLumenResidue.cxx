@@ -18,8 +18,8 @@ using Eigen::Vector3d;
 constexpr int    attempts = 60;
 constexpr double leastRadius = 8.0;   // mm, minimum radius of a lumen with residue
 constexpr double intoWall = 0.35;     // mm; half a cell, so that no gas appears between stool and wall
-constexpr double adherentShare = 0.3; // share of the stool that keeps its place in all positions
-constexpr double clearOfRectum = 0.1; // share of the length, occupied by the catheter
+constexpr double adherentShare = 0.3; // fraction of the stool that adheres to the wall in all positions
+constexpr double clearOfRectum = 0.1; // fraction of the length occupied by the catheter
 
 struct Ball
 {
@@ -101,7 +101,7 @@ private:
                                 false });
   }
 
-  // On the wall; if `loose`, the lowest point of a section apart from random variation.
+  // A point on the wall; if `loose`, at the lowest point of a section with random variation.
   ColonPlace
   PlaceOnWall(ColonRandom & random, bool isLoose) const
   {
@@ -156,7 +156,7 @@ private:
     m_Residue.truth.push_back({ ColonStructure::Stool, middle, size, intensity, name });
   }
 
-  // At the wall, below a fluid level.
+  // A point at the wall below a fluid level.
   void
   AddBubble(ColonRandom & random)
   {
@@ -176,7 +176,7 @@ private:
     }
   }
 
-  // A layer of small bubbles with films of fluid on a level.
+  // A layer of small bubbles with fluid films on a level.
   void
   AddFoam(ColonRandom & random)
   {

@@ -7,7 +7,7 @@
 
 namespace shapeton
 {
-/** Content of the lumen besides gas and fluid: stool, bubbles and foam, as parts in painting order. */
+/** Residue in the lumen: stool, bubbles and foam, as parts in painting order. */
 struct LumenResidue
 {
   std::vector<ColonResidue>          truth;

@@ -12,7 +12,7 @@ using VectorType = itk::Vector<double, 3>;
 using Iterator = std::vector<PointType>::iterator;
 
 constexpr double branchingExponent = 2.8;
-constexpr double taper = 0.92; // ratio of a branch's radius at its end to its mean radius; at its start it is 1 / taper
+constexpr double taper = 0.92; // radius at the end of a branch / mean radius; 1 / taper at its start
 constexpr double tipTaper = 0.6; // the last branches are thinner at their ends
 
 PointType
@@ -23,7 +23,7 @@ CenterOf(Iterator first, Iterator last)
   return PointType(0.0) + sum / static_cast<double>(last - first);
 }
 
-// The first principal axis by power iteration; a few steps are accurate enough for a division.
+// The first principal axis by power iteration; a few steps are sufficiently accurate for a split.
 VectorType
 LongestExtent(Iterator first, Iterator last, const PointType & center)
 {

@@ -20,7 +20,7 @@ using VectorType = itk::Vector<double, 3>;
 
 constexpr double tissue = 42.0;     // HU of vessels, walls of airways and fissures
 constexpr double pleura = 3.0;      // mm between ribs and lung, and of the diaphragm
-constexpr double fissure = 0.4;     // thickness, mm; a scanner's blur reduces its contrast to that of a thin line
+constexpr double fissure = 0.4;     // thickness, mm; appears as a thin, faint line after scanner blur
 constexpr double forestReach = 6.0; // mm
 
 const PointType lowCorner = MakePoint(-150.0, -102.0, 60.0);
@@ -40,8 +40,8 @@ RandomOf(unsigned seed, Stream stream, unsigned number = 0)
   return PhantomRandom(seed, static_cast<std::uint32_t>(stream) + number);
 }
 
-// AwayFromColon() for a solid much larger than ColonAnatomy::Reach: outside the colon's box its inner distances are
-// unchanged.
+// AwayFromColon() for a solid much larger than ColonAnatomy::Reach: inner distances outside the bounding box of the
+// colon are unchanged.
 PhantomSolid
 AwayFromColonsBox(const PhantomSolid & solid, const ColonAnatomy & anatomy, double gap)
 {
@@ -69,15 +69,15 @@ LungSpace(const ColonAnatomy & anatomy, double lift)
   return AwayFromColonsBox(Without(left, Mediastinum()), anatomy, 8.0);
 }
 
-/** The fissures divide the lungs into lobes. */
+/** The fissures, which divide the lungs into lobes. */
 class Lobes
 {
 public:
-  static constexpr double slope = 1.25; // the gradient of the waves adds to that of the planes
+  static constexpr double slope = 1.25; // sum of the gradients of waves and planes
 
   static constexpr int count = 5;
 
-  // mm above (before) the oblique fissure of the side.
+  // Distance (mm) above (in front of) the oblique fissure of the side.
   static double
   AboveOblique(const PointType & p)
   {
@@ -85,7 +85,7 @@ public:
     return p[0] < 0.0 ? -0.676 * p[1] + 0.737 * p[2] - 146.1 + wave : -0.707 * p[1] + 0.707 * p[2] - 143.0 - wave;
   }
 
-  // mm above the horizontal fissure of the right lung.
+  // Distance (mm) above the horizontal fissure of the right lung.
   static double
   AboveHorizontal(const PointType & p)
   {
@@ -93,7 +93,7 @@ public:
     return 0.05 * p[0] - 0.05 * p[1] + 0.9975 * p[2] - 219.4 + wave;
   }
 
-  // mm to the nearest fissure, positive.
+  // Unsigned distance (mm) to the nearest fissure.
   static double
   ToFissure(const PointType & p)
   {
@@ -102,7 +102,7 @@ public:
     return hasHorizontal ? std::min(oblique, std::abs(AboveHorizontal(p))) : std::abs(oblique);
   }
 
-  // 0 to 4: right upper, right middle, right lower, left upper, left lower.
+  // Lobe index 0 to 4: right upper, right middle, right lower, left upper, left lower.
   static int
   At(const PointType & p)
   {
@@ -135,7 +135,7 @@ public:
   }
 };
 
-/** Smooth noise in about [-1, 1] with mean 0: a periodic lattice of random numbers. */
+/** Smooth zero-mean noise in about [-1, 1] from a periodic lattice of random numbers. */
 class Texture
 {
 public:
@@ -148,7 +148,7 @@ public:
     }
   }
 
-  // Lobules of a few mm superimposed on regions of a few cm.
+  // Sum of lobules of a few mm and regions of a few cm.
   double
   operator()(const PointType & p) const
   {
@@ -188,7 +188,7 @@ private:
   std::vector<float> m_Values;
 };
 
-/** The parenchyma of both lungs with its fissures. Holes in the tissue are included in its mean. */
+/** The parenchyma of both lungs with fissures. The mean density includes holes. */
 class LungBody : public PhantomBody
 {
 public:
@@ -214,7 +214,7 @@ public:
     return { distance, std::min(-distance, (Lobes::ToFissure(p) - 0.5 * fissure) / Lobes::slope), true };
   }
 
-  // Gravity and texture modify the share of tissue, so that no value is below that of air.
+  // Gravity and texture modulate the tissue fraction, so that values are never below air.
   double
   Intensity(const PointType & p) const override
   {
@@ -243,7 +243,7 @@ private:
     return std::max(0.1, 1.0 + m_State.gravityGradient * depth + m_State.texture * m_Texture(p));
   }
 
-  // On a lattice: the mean over the lungs without other structures, but including holes, is that of the state.
+  // Calibrates on a lattice: the mean over the lungs, including holes but not other structures, matches the state.
   void
   SetMean(const PhantomSolid & holes, const PhantomSolid & others)
   {
@@ -292,7 +292,7 @@ private:
   double       m_Tissue{ 0.0 }; // HU above air without modulation
 };
 
-/** Trees of one kind: trunks, then a tree for each lobe from the end of a trunk. */
+/** Trees of one kind: trunks, then one tree per lobe from the end of a trunk. */
 struct TreePlan
 {
   std::vector<TaperedTube>            trunks;
@@ -397,7 +397,7 @@ WithWalls(std::vector<TaperedTube> tubes)
   return tubes;
 }
 
-// Holes of emphysema: most of them in the upper lobes, and a few subpleural bullae.
+// Holes of emphysema, mostly in the upper lobes, and a few subpleural bullae.
 PhantomSolid
 Holes(const PhantomSolid & lungs, unsigned seed)
 {

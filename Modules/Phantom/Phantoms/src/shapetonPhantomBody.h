@@ -14,17 +14,16 @@ namespace shapeton
  * \ingroup ShapetonPhantoms */
 struct BodyProbe
 {
-  /** Signed distance to the body's outer surface in mm, negative inside; its magnitude may be too small, never too
-   * large. */
+  /** Signed distance (mm) to the outer surface of the body, negative inside; its magnitude is a lower bound. */
   double distance;
   /** Lower bound of the distance to any surface of the body, outer or inner, mm. */
   double clearance;
-  /** True if the intensity is smooth within the ball of radius `clearance`. */
+  /** Whether the intensity is smooth within the ball of radius `clearance`. */
   bool textured{ false };
 };
 
 /** \class PhantomBody
- * \brief A body of a CT phantom: its region and its intensity in HU.
+ * \brief A body of a CT phantom: region and intensity in HU.
  *
  * Bodies are painted in order, each over the previous ones.
  *
@@ -39,11 +38,11 @@ public:
   virtual BodyProbe
   Probe(const PointType & point) const = 0;
 
-  /** Intensity in HU at a point of the body that is not on any of its surfaces. */
+  /** Intensity (HU) at a point of the body away from its surfaces. */
   virtual double
   Intensity(const PointType & point) const = 0;
 
-  /** Updates `value`, the mean intensity of a cell of `width` mm around `point`, by the share of the body in it. */
+  /** Blends the body into `value`, the mean intensity of a cell of `width` mm around `point`. */
   virtual void
   Paint(const PointType & point, double width, double & value) const = 0;
 };
@@ -51,7 +50,7 @@ public:
 /** In painting order. \ingroup ShapetonPhantoms \ingroup ShapetonPhantoms */
 using PhantomBodies = std::vector<std::shared_ptr<const PhantomBody>>;
 
-/** The share of a cell of `width` mm inside a plane face; `distance` of its center, negative inside.
+/** Fraction of a cell of `width` mm inside a plane face; `distance` of its center is negative inside.
  * \ingroup ShapetonPhantoms
  * \ingroup ShapetonPhantoms */
 inline double

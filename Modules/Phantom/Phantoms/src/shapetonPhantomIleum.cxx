@@ -17,7 +17,7 @@ namespace
 using Eigen::Vector3d;
 
 constexpr double ileumStep = 2.0;
-constexpr double intoColon = 1.5;     // mm of the tube above the mouth, so that an open one joins the colon's lumen
+constexpr double intoColon = 1.5;     // mm of the tube above the mouth, so that an open ileum is connected to the lumen of the colon
 constexpr double thinWall = 1.5;      // mm
 constexpr double behindWall = 3.0;    // mm, start of the widening of the slit
 constexpr double widening = 10.0;     // mm, length of the widening
@@ -25,7 +25,8 @@ constexpr double tightestBend = 11.0; // mm, radius
 constexpr double closed = -0.3;       // mm, half width of a slit without a lumen
 constexpr int    mostWays = 60;
 
-// A tube with a slot-shaped section: all points within `radius` of a line segment of 2 `half` mm along `wide`.
+// A tube with a slot-shaped cross-section: all points within `radius` of a line segment of length 2 * `half` mm along
+// `wide`.
 struct SlotSection
 {
   Vector3d middle;
@@ -60,7 +61,7 @@ SlotTubeSolid(const std::vector<SlotSection> & sections)
   }
   const Vector3d center = 0.5 * (low + high);
   const double   reach = 0.5 * (high - low).norm() + widest;
-  // Where the slit widens to the tube, both its radius and its half width change by up to 0.8 per mm.
+  // Where the slit widens to the tube, radius and half width change by up to 0.8 per mm.
   constexpr double slope = 2.0;
   return { [=](const PhantomBody::PointType & point) {
             const Vector3d p(point[0], point[1], point[2]);
@@ -79,7 +80,7 @@ SlotTubeSolid(const std::vector<SlotSection> & sections)
            slope };
 }
 
-// Grows the axis step by step toward a point in the center of the abdomen, avoiding colon, spine and body wall.
+// Grows the axis toward a point in the center of the abdomen, avoiding colon, spine and body wall.
 class IleumPath
 {
 public:
@@ -119,7 +120,7 @@ public:
   }
 
 private:
-  // mm of missing room between the tube and colon, body wall and spine; negative if there is room.
+  // Deficit (mm) of the distance between tube and colon, body wall and spine; negative if sufficient.
   double
   Lacking(const Vector3d & at) const
   {
@@ -184,7 +185,7 @@ MakeAxis(const ColonAnatomy & anatomy, const ColonValve & valve, ColonRandom & r
   return best;
 }
 
-// From the slit between the lips to the round tube, or to the flat collapsed one.
+// Cross-sections from the slit between the lips to the round or collapsed tube.
 std::vector<SlotSection>
 MakeSections(const PhantomIleum & ileum, const ColonValve & valve, const SmoothNoise & noise, bool outer)
 {
@@ -223,7 +224,7 @@ MakePhantomIleum(const ColonAnatomy & anatomy, const ColonFluid & fluid)
   ileum.content = parameters.ileumContent;
   ileum.bore = parameters.ileumBore;
   ileum.intensity = ileum.content == "gas" ? gasIntensity : patient.Uniform(250.0, 750.0);
-  // Different contents on both sides of the mouth would mix: then it is closed.
+  // Closes the mouth if contents differ, since they would mix.
   const bool   isWet = fluid.DepthBelowLevel(valve.mouth, valve.arcLength) > 0.0;
   const bool   isSame = ileum.content == (isWet ? "fluid" : "gas");
   const double width = random.Uniform(1.0, 3.0);

@@ -13,17 +13,17 @@ namespace shapeton
 struct PhantomIleum
 {
   std::string                  content;   ///< collapsed, gas or fluid
-  bool                         isOpen;    ///< whether its lumen is connected to that of the colon
+  bool                         isOpen;    ///< whether the lumen is connected to the colon
   double                       slitWidth; ///< mm, 0 if closed
   double                       bore;      ///< mm
-  double                       length;    ///< mm, from the mouth to its end
+  double                       length;    ///< mm, from the mouth to the end
   double                       intensity; ///< HU of the content
   std::vector<Eigen::Vector3d> axis;      ///< from just inside the colon, 2 mm apart
   PhantomSolid                 lumen;     ///< empty if collapsed
-  PhantomSolid                 wall;      ///< including its content
+  PhantomSolid                 wall;      ///< including the content
 };
 
-/** For a colon with a lips valve. The anatomy must outlive the solids. */
+/** Requires a valve with lips. The anatomy must outlive the solids. */
 PhantomIleum
 MakePhantomIleum(const ColonAnatomy & anatomy, const ColonFluid & fluid);
 } // namespace shapeton

@@ -56,8 +56,8 @@ PowerLessOne(double x, double exponent)
 
 PhantomBody::~PhantomBody() = default;
 
-// First order: (k - 1) / |grad k|, with the norm k = |p / radii|, which increases by at most 1 / shortest. In three
-// dimensions the gradient of a norm with exponent n is at least 3^(1/n - 1/2) / longest.
+// First-order distance (k - 1) / |grad k| of the norm k = |p / radii|, whose gradient is at most 1 / shortest. In three
+// dimensions, the gradient of a norm with exponent n is at least 3^(1/n - 1/2) / longest.
 PhantomSolid
 EllipsoidSolid(const PointType & center, const itk::Vector<double, 3> & radii, double exponent)
 {
@@ -147,8 +147,7 @@ BoxSolid(const PointType & center, const itk::Vector<double, 3> & halfSize)
   } };
 }
 
-// If one distance is large, the other is not evaluated: the larger one of the two bounds the true distance, and so does
-// either.
+// If one distance is large, the other is not evaluated, since either one bounds the true distance.
 PhantomSolid
 Both(const PhantomSolid & a, const PhantomSolid & b)
 {

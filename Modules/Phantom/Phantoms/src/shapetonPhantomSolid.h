@@ -10,8 +10,8 @@
 
 namespace shapeton
 {
-/** A solid defined by its signed distance: negative inside, first-order accurate near the surface. `distance` /
- * `slope` never exceeds the true distance. */
+/** A solid defined by signed distance: negative inside, first-order accurate near the surface. `distance` / `slope` is
+ * a lower bound of the true distance. */
 struct PhantomSolid
 {
   using PointType = PhantomBody::PointType;
@@ -37,7 +37,7 @@ MakeVector(double x, double y, double z)
 PhantomSolid
 EllipsoidSolid(const itk::Point<double, 3> & center, const itk::Vector<double, 3> & radii, double exponent = 2.0);
 
-/** An infinite cylinder along z; its cross-section is an ellipse of that kind. */
+/** An infinite cylinder along z with such a cross-section. */
 PhantomSolid
 ColumnSolid(double x, double y, double a, double b, double exponent = 2.0);
 
@@ -48,7 +48,7 @@ CapsuleSolid(const itk::Point<double, 3> & from, const itk::Point<double, 3> & t
 PhantomSolid
 TubeSolid(const std::vector<itk::Point<double, 3>> & points, double radius);
 
-/** All points with normal * p <= offset; the normal has length 1. */
+/** Half space normal * p <= offset for a unit normal. */
 PhantomSolid
 HalfSpaceSolid(const itk::Vector<double, 3> & normal, double offset);
 
@@ -62,7 +62,7 @@ Either(const PhantomSolid & a, const PhantomSolid & b);
 PhantomSolid
 Without(const PhantomSolid & a, const PhantomSolid & b);
 
-/** The solid expanded by `margin` mm, eroded if negative. */
+/** The solid dilated by `margin` mm; eroded if negative. */
 PhantomSolid
 Grown(const PhantomSolid & solid, double margin);
 

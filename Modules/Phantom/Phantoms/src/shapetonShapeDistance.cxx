@@ -27,7 +27,7 @@ Minus(const Vector & a, const Vector & b)
   return { { a[0] - b[0], a[1] - b[1], a[2] - b[2] } };
 }
 
-// sqrt of a sum of squares instead of hypot: correctly rounded, so identical on every machine.
+// sqrt of a sum of squares instead of hypot, since it is correctly rounded and thus platform-independent.
 double
 Length(double a, double b)
 {
@@ -131,7 +131,7 @@ Displacement(const Bumps & bumps, const Vector & p)
   return bumps.amplitude * std::sin(k * p[0]) * std::sin(k * p[1]) * std::sin(k * p[2]);
 }
 
-// A function with the sign of the signed distance, in the object's frame.
+// A function with the sign of the signed distance, in object coordinates.
 double
 ImplicitValue(const Object & object, Vector p)
 {
@@ -147,8 +147,7 @@ ImplicitValue(const Object & object, Vector p)
   return std::visit([&p](const auto & primitive) { return Distance(primitive, p); }, object.primitive) - displacement;
 }
 
-// One-sided differences, the smaller of each pair: a central one would see the far side of a bent object's gap as a
-// jump.
+// Uses the smaller one-sided difference, since a central difference may cross the gap of a bent object.
 double
 GradientLength(const Object & object, const Vector & p, double value)
 {
@@ -167,8 +166,8 @@ GradientLength(const Object & object, const Vector & p, double value)
   return Length(gradient);
 }
 
-// A lower bound of the distance to the object, 0 inside the envelope. Far from the surface, where space is stretched
-// most (at the center of a bend, far from the axis of a twist), f / |grad f| is below it.
+// A lower bound of the distance to the object, 0 inside the envelope. It improves f / |grad f| far from the surface,
+// where space is stretched (at the center of a bend, far from the axis of a twist).
 double
 DistanceToEnvelope(const Object & object, Vector p)
 {
@@ -176,7 +175,7 @@ DistanceToEnvelope(const Object & object, Vector p)
   if (bend)
   {
     p = Undo(*bend, p);
-    p[2] = 0.0; // distances along the arc are not preserved, those across it are
+    p[2] = 0.0; // only distances perpendicular to the arc are preserved
   }
   for (unsigned int i = 0; i < 3; ++i)
   {
@@ -317,7 +316,7 @@ Envelope(const Object & object)
     {
       for (double & value : extent)
       {
-        // A twist in between mixes the bumps of x and y.
+        // A twist in between mixes x and y.
         value += std::abs(bumps->amplitude) * (twisted ? std::sqrt(2.0) : 1.0);
       }
     }

@@ -12,7 +12,7 @@ namespace shape
 {
 using Vector = std::array<double, 3>;
 
-// ---- primitives: centered at the origin of the object's frame, long axis z ----
+// ---- primitives: centered at the origin of the object coordinates, long axis z ----
 
 struct Sphere
 {
@@ -45,20 +45,20 @@ struct Tube
 };
 using Primitive = std::variant<Sphere, Ellipsoid, Box, Cylinder, Torus, Tube>;
 
-// ---- deformations, in the object's frame ----
+// ---- deformations, in object coordinates ----
 
-/** The z axis becomes an arc of radius `arcRadius` around the point (arcRadius, 0, 0). Only the last deformation of an
- * object is a bend, and arcRadius > envelope[0]. */
+/** Bends the z axis to an arc of radius `arcRadius` around (arcRadius, 0, 0). Only the last deformation may be a bend,
+ * and arcRadius > envelope[0]. */
 struct Bend
 {
   double arcRadius;
 };
-/** Each section is rotated about the z axis in proportion to z; rad per unit length. */
+/** Rotates each section about the z axis in proportion to z; rad per unit length. */
 struct Twist
 {
   double rate;
 };
-/** The surface is displaced outward by amplitude * sin(kx) sin(ky) sin(kz). */
+/** Displaces the surface outward by amplitude * sin(kx) sin(ky) sin(kz). */
 struct Bumps
 {
   double amplitude;
@@ -66,7 +66,7 @@ struct Bumps
 };
 using Deformation = std::variant<Bend, Twist, Bumps>;
 
-/** One object of a scene, in the scene's unit of length. */
+/** An object of a scene, in the length unit of the scene. */
 struct Object
 {
   std::string                          name;
@@ -81,11 +81,11 @@ struct Object
   double                               boundingRadius{ 0.0 };
 };
 
-/** Half extents of the smallest box around the origin that contains the primitive. */
+/** Half extents of the bounding box of the primitive, centered at the origin. */
 Vector
 HalfExtent(const Primitive & primitive);
 
-/** Half extents of a box around the origin that contains the object with its twists and bumps, before it is bent. */
+/** Half extents of a box around the origin that contains the object with twists and bumps, before bending. */
 Vector
 Envelope(const Object & object);
 
@@ -93,9 +93,9 @@ Envelope(const Object & object);
 void
 UpdateBounds(Object & object);
 
-/** Signed distance of a point to the surface, negative inside. Exact for undeformed boxes, spheres, cylinders, tori
- * and tubes (inside a sharp bend of a tube, a lower bound). For ellipsoids and deformed objects the sign is exact
- * and the value is the first-order distance f / |grad f|. */
+/** Signed distance of a point to the surface, negative inside. Exact for undeformed boxes, spheres, cylinders, tori and
+ * tubes (a lower bound inside sharp bends of tubes). For ellipsoids and deformed objects, the sign is exact and the
+ * value is the first-order distance f / |grad f|. */
 double
 SignedDistance(const Object & object, const Vector & point);
 } // namespace shape

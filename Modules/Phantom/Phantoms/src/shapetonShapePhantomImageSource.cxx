@@ -13,7 +13,7 @@ namespace
 {
 using PointType = ShapePhantomImageSource::PointType;
 
-// NormalDistribution is exactly 0 from here on.
+// NormalDistribution is exactly 0 beyond this value.
 constexpr double reachOfBlur = 8.0;
 
 double
@@ -168,7 +168,7 @@ ShapePhantomImageSource::FindBodiesNear(const PointType & lineStart, const Point
     const auto & object = m_Objects[i];
     sameBody = sameBody && i > 0 && object.intensity == m_Objects[i - 1].intensity;
     const double reach = object.boundingRadius + reachOfBlur * m_Blur;
-    // The margin prevents rounding from dropping an object that the per-voxel test would keep.
+    // The margin accounts for rounding relative to the per-voxel test.
     if (SquaredDistanceToSegment(lineStart, lineEnd, object.boundingCenter) > 1.001 * Square(reach))
     {
       continue;
@@ -259,7 +259,7 @@ ShapePhantomImageSource::FindIncompleteObjects() const
   {
     objects.push_back(scene.GetObject(i));
     itk::ContinuousIndex<double, 3> index;
-    // An object that does not cross the border is completely inside or outside, and so is this point.
+    // An object that does not cross the border is completely inside or outside, as is this point.
     incomplete[i] = !image->TransformPhysicalPointToContinuousIndex(objects[i].boundingCenter, index);
   }
   VisitBorder(image, [&](const PointType & point) {

@@ -21,7 +21,7 @@ ToUnits(const ShapeScene::PointType & point, double unitLength)
   return { { point[0] / unitLength, point[1] / unitLength, point[2] / unitLength } };
 }
 
-// Keeps faces through voxel centers there, independent of the last bits of a sine.
+// Rounds distances so that faces through voxel centers are independent of the last bits of a sine.
 double
 Round(double distance)
 {

@@ -15,7 +15,7 @@ struct ShapeScene::Data
   std::vector<shape::Object> objects;
 };
 
-/** Reads and checks a scene document. Throws InputError that names `source` and the key. */
+/** Reads and validates a scene document. Throws InputError with `source` and the key. */
 ShapeScene::Data
 ParseShapeScene(const nlohmann::ordered_json & document, const std::string & source);
 } // namespace shapeton

@@ -19,7 +19,7 @@ constexpr double      highestIntensity = 31743.0;
 constexpr std::size_t mostObjects = 10000;
 constexpr std::size_t mostPoints = 10000;
 
-// A value of the document and its path, for messages.
+// A value of the document with its path for messages.
 class Node
 {
 public:
@@ -156,7 +156,7 @@ private:
     auto elements = this->Elements();
     if (elements.size() != 3)
     {
-      this->Fail("must hold three numbers, not " + std::to_string(elements.size()));
+      this->Fail("must be a list of three numbers, not " + std::to_string(elements.size()));
     }
     return elements;
   }
@@ -228,7 +228,7 @@ ParseTube(const Node & node)
   const auto  points = node["points"].Elements();
   if (points.size() < 2 || points.size() > mostPoints)
   {
-    node["points"].Fail("must hold 2 to " + std::to_string(mostPoints) + " points, not " +
+    node["points"].Fail("must be a list of 2 to " + std::to_string(mostPoints) + " points, not " +
                         std::to_string(points.size()));
   }
   for (const auto & point : points)
@@ -304,7 +304,7 @@ ParseBumps(const Node & node, const shape::Object & object)
   node.AllowKeys({ "kind", "amplitude", "wavelength" });
   if (std::holds_alternative<shape::Ellipsoid>(object.primitive))
   {
-    node.Fail("puts bumps on an ellipsoid, whose distance is not known exactly; use a sphere");
+    node.Fail("adds bumps to an ellipsoid, for which exact distances are not available; use a sphere");
   }
   const double waveNumber = 2.0 * itk::Math::pi / node["wavelength"].Positive();
   const double amplitude = node["amplitude"].Number(-largestLength, largestLength);
@@ -371,7 +371,7 @@ ParseRotation(const Node & node)
   return rotation;
 }
 
-// By default 1 for the first object, 2 for the second, ...
+// The default is 1 for the first object, 2 for the second, ...
 unsigned char
 ParseLabel(const Node & object, std::size_t index)
 {

@@ -18,7 +18,7 @@ constexpr int    numberOfLoops = 90;
 constexpr double stepLength = 11.0; // mm
 constexpr double cellSide = 4.0;    // mm
 constexpr int    cellsOfBlock = 4;  // cells
-constexpr double reach = 6.0;       // mm around the loops within which distances are known
+constexpr double reach = 6.0;       // mm around the loops; maximum distance
 
 struct Loop
 {
@@ -84,7 +84,7 @@ RandomAxis(PhantomRandom & random)
 double
 RandomIntensity(PhantomRandom & random, double tagged)
 {
-  constexpr double thinShare = 0.6875; // share of the tagged ones
+  constexpr double thinShare = 0.6875; // fraction of the tagged loops
   const double     kind = random.Uniform(0.0, 1.0);
   if (kind < thinShare * tagged)
   {
@@ -176,7 +176,7 @@ private:
   struct Segment
   {
     int loop;
-    int end; // index of its second point on the axis
+    int end; // index of the second point on the axis
   };
   using Segments = std::vector<Segment>;
 
@@ -193,7 +193,7 @@ private:
     return -(m_Down * point.GetVectorFromOrigin()) - loop.gasHeight;
   }
 
-  // First the candidates of a block, then those of its cells.
+  // Finds the candidates of a block, then of its cells.
   void
   FillCells()
   {
@@ -253,7 +253,7 @@ private:
     return DistanceToSegment(point, loop.axis[start], loop.axis[segment.end]) - loop.radius;
   }
 
-  // Loops that may be among the two nearest to a point of a cube.
+  // Loops that may be among the two nearest to any point of a cube.
   Segments
   SegmentsNear(const PointType & center, double side, const Segments & among) const
   {
@@ -311,7 +311,7 @@ private:
     return &m_Cells[cell];
   }
 
-  // The walls of the nearest two loops meet halfway between them.
+  // The walls of the two nearest loops meet halfway.
   Nearest
   FindNearest(const PointType & point) const
   {

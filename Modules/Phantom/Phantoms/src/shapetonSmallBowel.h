@@ -5,9 +5,9 @@
 
 namespace shapeton
 {
-/** Loops of small bowel in the central abdomen: tubes with a radius of 10 to 14 mm, pressed against each other with
- * walls between them. `tagged` is the share with contrast medium, some of them as bright as tagged fluid; some
- * contain gas above a fluid level. `down` is the direction of gravity. */
+/** Loops of small bowel in the central abdomen: adjacent tubes with a radius of 10 to 14 mm, separated by walls.
+ * `tagged` is the fraction with contrast medium; some loops are as bright as tagged fluid, some contain gas above a
+ * fluid level. `down` is the direction of gravity. */
 struct SmallBowelLoops
 {
   std::shared_ptr<const PhantomBody> body;

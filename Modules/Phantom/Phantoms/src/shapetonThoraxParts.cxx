@@ -19,8 +19,7 @@ constexpr double blood = 42.0;
 constexpr double diaphragm = 3.0; // thickness of the diaphragm, mm
 constexpr double vesselFat = 3.5; // thickness of the fat around the great vessels, mm
 constexpr double heartFat = 5.0;  // thickness of the fat around the heart, mm
-constexpr double capBase = 170.0; // z of the plane where the rib cage becomes narrower, mm; above the default field of
-                                  // view
+constexpr double capBase = 170.0; // z (mm) above which the rib cage narrows; above the default field of view
 
 PhantomSolid
 Union(const std::vector<PhantomSolid> & solids)
@@ -55,7 +54,7 @@ AddShoulders(PhantomBodies & bodies)
   const auto upper = Both(BodyOutline(), Above(230.0));
   const auto chest = Both(Both(Grown(BodyOutline(), -14.0), Grown(trunk, -12.0)), Above(215.0));
   AddPart(bodies, chest, muscle);
-  // Fat between the muscles: armpits, and under the pectoral muscles.
+  // Fat between the muscles, in the armpits and under the pectoral muscles.
   for (const double side : { -1.0, 1.0 })
   {
     const auto armpit = EllipsoidSolid(MakePoint(side * 136, 0, 290), MakeVector(22, 46, 62));

@@ -6,12 +6,12 @@
 
 namespace shapeton
 {
-/** The inner surface of the ribs: the column of the abdomen's chest wall, closed by a cap whose top is at z = 350 mm.
+/** The inner surface of the ribs: the cylinder of the chest wall, closed by a cap with its top at z = 350 mm.
  */
 PhantomSolid
 ThoracicCage();
 
-/** The structures between the lungs, including the heart with its fat. */
+/** The mediastinum, including the heart with its fat. */
 PhantomSolid
 Mediastinum();
 
@@ -19,14 +19,14 @@ Mediastinum();
 PhantomSolid
 Heart();
 
-/** The regions covered by the two halves of the diaphragm above the dome of the abdomen; `lift` (mm) raises them. */
+/** The regions under the two domes of the diaphragm, above the abdominal cavity, raised by `lift` (mm). */
 PhantomSolid
 RightHemidiaphragm(double lift);
 PhantomSolid
 LeftHemidiaphragm(double lift);
 
-/** Shoulders and neck, muscles of the chest, pleura, diaphragm with liver and spleen under it, mediastinum with fat,
- * heart, great vessels and esophagus. Lungs, airways and pulmonary vessels are those of MakeLungParts(). */
+/** Adds shoulders and neck, muscles of the chest, pleura, diaphragm with liver and spleen below, mediastinum with fat,
+ * heart, great vessels and esophagus. Lungs, airways and pulmonary vessels are created by MakeLungParts(). */
 void
 AddThorax(PhantomBodies & bodies, const ColonAnatomy & anatomy, double lift);
 } // namespace shapeton

@@ -12,8 +12,8 @@ namespace
 using PointType = PhantomBody::PointType;
 
 constexpr double forestCell = 5.0; // mm
-// Radii change by less than a third of a mm per mm, so the distance to the axis minus the radius is too large by at
-// most this factor.
+// Maximum overestimation by distance to the axis minus radius, for radii that change by less than a third of a mm per
+// mm.
 constexpr double taperSlope = 1.1;
 
 class TubeForest
@@ -90,7 +90,7 @@ private:
     return (p - (tube.from + along * t)).GetNorm() - radius;
   }
 
-  // A point of a cell is closer to the tube than the center of the cell by at most half the diagonal.
+  // The distance of a point of a cell differs from that of its center by at most half the diagonal.
   void
   Insert(int number)
   {

@@ -17,7 +17,7 @@ struct TaperedTube
   double    toRadius;
 };
 
-/** The union of many tubes, with a spatial index. Distances larger than `reach` mm are reported as `reach`. */
+/** The union of many tubes with a spatial index. Distances are clamped to `reach` mm. */
 PhantomSolid
 ForestSolid(const std::vector<TaperedTube> & tubes, double reach);
 } // namespace shapeton

@@ -10,7 +10,7 @@ using Eigen::Vector3d;
 namespace
 {
 constexpr double c_Fillet = 1.0;      // mm, at the bottom of the cleft
-constexpr double c_MiddleShare = 0.4; // share of a lip's thickness, from the mouth to the lip's center
+constexpr double c_MiddleShare = 0.4; // distance of the center of a lip from the mouth, relative to the lip thickness
 } // namespace
 
 Vector3d

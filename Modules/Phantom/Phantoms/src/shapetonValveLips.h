@@ -7,8 +7,8 @@
 
 namespace shapeton
 {
-/** The two lips of the ileocecal valve in a position: half ellipsoids side by side on the wall, with a cleft between
- * them and a mouth at its bottom. */
+/** The two lips of the ileocecal valve in a position: adjacent half ellipsoids on the wall, with a cleft in between and
+ * the mouth at its bottom. */
 struct ValveLips
 {
   Eigen::Vector3d base;      ///< on the wall, below the mouth
@@ -27,7 +27,7 @@ struct ValveLips
   Eigen::Vector3d
   Crest(int side) const;
 
-  /** Height of the bottom of the cleft above the base, mm. */
+  /** Height (mm) of the bottom of the cleft above the base. */
   double
   MouthHeight() const;
 

@@ -10,7 +10,7 @@ namespace
 {
 using shapeton::PhantomBody;
 
-// The points between two planes perpendicular to a direction.
+// A slab between two planes perpendicular to a direction.
 class Slab : public PhantomBody
 {
 public:
@@ -69,7 +69,7 @@ NormalDistribution(double x)
   return 0.5 * std::erfc(-x / std::sqrt(2.0));
 }
 
-// Largest deviation from the profile of a slab, in units of the step, over all voxels of the grid.
+// Maximum deviation from the profile of a slab, in units of the step, over all voxels.
 double
 LargestDeviation(const ImageType *              grid,
                  const itk::Vector<double, 3> & normal,

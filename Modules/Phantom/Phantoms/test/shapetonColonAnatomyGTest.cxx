@@ -56,7 +56,7 @@ Directions(int number)
   return directions;
 }
 
-// Points within 1.5 mm of the wall, all along the colon.
+// Points within 1.5 mm of the wall along the whole colon.
 std::vector<Vector3d>
 PointsNearWall(const shapeton::ColonAnatomy & anatomy)
 {
@@ -168,7 +168,7 @@ TEST(ColonAnatomy, PatientIsTheSameInTwoPositions)
   {
     EXPECT_EQ(supine.Polyps()[i].materialId, prone.Polyps()[i].materialId);
   }
-  // The rectum is fixed, the transverse colon moves by a few centimeters, the length hardly changes.
+  // The rectum is fixed, the transverse colon moves by a few centimeters, and the length hardly changes.
   const shapeton::CurveSet c = supine.Centerline(), d = prone.Centerline();
   const auto               segment = Column(c.pointArrays, "segment");
   double                   mostMoved = 0.0;
@@ -259,7 +259,7 @@ TEST_P(EachPreset, StretchesStayApart)
       {
         continue;
       }
-      // The longest distance outside the lumen on the line from one stretch to the other.
+      // Maximum length outside the lumen on the line between two stretches.
       double longest = 0.0, stay = 0.0;
       for (double x = 0; x < across; x += 0.05)
       {
@@ -278,7 +278,7 @@ TEST(ColonAnatomy, NoVoxelsOfTwoStretchesTouch)
   const shapeton::ColonAnatomy anatomy(Patient(1));
   const shapeton::CurveSet     line = anatomy.Centerline();
   const auto                   radius = Column(line.pointArrays, "radius");
-  // Around the closest approach of two stretches.
+  // Near the closest points of two stretches.
   Vector3d middle = Vector3d::Zero();
   double   least = 1e9;
   for (Eigen::Index i = 0; i < line.V.rows(); ++i)
@@ -375,7 +375,7 @@ TEST(ColonAnatomy, SessilePolypHasItsVolume)
       const bool     isPolyp = without.Evaluate(point).distance > 0 && with.Evaluate(point).distance <= 0;
       volume += isPolyp ? step * step * step : 0.0;
     }
-    // Half an ellipsoid; the concave wall removes a little of it, the fillet adds a little.
+    // A half ellipsoid, slightly reduced by the concave wall and enlarged by the fillet.
     const double expected = M_PI / 6 * polyp.diameter * polyp.diameter * polyp.height;
     EXPECT_NEAR(volume / expected, 1.0, 0.3) << polyp.diameter;
     ++compared;
@@ -439,12 +439,12 @@ TEST(ColonAnatomy, SegmentsHaveTheShapeAskedFor)
   shaped.lengths[3] = 550.0;
   shaped.caliber[2] = 44.0;
   const shapeton::ColonAnatomy before(plain), after(shaped);
-  // There is not always room for the full length.
+  // The full length does not always fit.
   EXPECT_GT(LengthOf(after, 2), 700.0);
   EXPECT_LT(LengthOf(before, 2), 600.0);
   EXPECT_NEAR(LengthOf(after, 4), 500.0, 80.0);
   EXPECT_GT(LengthOf(before, 4), 600.0);
-  // The noise of place and position is 11 and 15 %.
+  // The variation by location and position is 11 and 15 %.
   EXPECT_LT(RadiusWithin(before, 3), 19.5);
   EXPECT_NEAR(RadiusWithin(after, 3), 22.0, 3.5);
 }

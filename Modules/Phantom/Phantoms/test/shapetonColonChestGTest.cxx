@@ -45,7 +45,7 @@ IsLobe(ColonStructure structure)
   return structure >= ColonStructure::RightUpperLobe && structure <= ColonStructure::LeftLowerLobe;
 }
 
-// A patient whose intensities are evaluated point by point, with or without the blur of the scanner.
+// Evaluates the intensities of a patient at points, with or without scanner blur.
 class ScannedPatient
 {
 public:
@@ -80,7 +80,7 @@ public:
     return m_Samplers[blurred ? 1 : 0]->Sample(voxel).front();
   }
 
-  // Calls visit(point) for points of lobes that are 2 mm from everything else, on a lattice of `step` mm.
+  // Calls visit(point) for lattice points (`step` mm) of lobes at least 2 mm from other structures.
   template <typename TVisitor>
   void
   VisitLungs(double step, const TVisitor & visit) const
@@ -131,7 +131,7 @@ MakeChest(const shapeton::ColonPhantomParameters & parameters,
 }
 } // namespace
 
-// 3000 points and more with a deviation below 60 HU: the mean of the sample is accurate to about 1 HU.
+// At least 3000 points with a standard deviation below 60 HU: the sample mean is accurate to about 1 HU.
 TEST(ColonChest, LungsHaveTheDensityAskedFor)
 {
   struct Case
@@ -161,7 +161,7 @@ TEST(ColonChest, LungsHaveTheDensityAskedFor)
     });
     EXPECT_GT(count, 3000U);
     EXPECT_NEAR(sum / static_cast<double>(count), one.wanted, 4.0) << one.lungs;
-    // Labeled lung must not contain liver (62 HU), muscle or bone; a thin vessel (42 HU) may be that close.
+    // Labeled lung must not contain liver (62 HU), muscle or bone; thin vessels (42 HU) are allowed.
     EXPECT_LT(highest, 50.0) << one.lungs;
     EXPECT_EQ(holes > count / 50, one.lungs == std::string("emphysema")) << holes;
   }
@@ -184,7 +184,7 @@ TEST(ColonChest, TheDependentSideIsDenser)
   }
 }
 
-// Along lines through the lungs: between two lobes there is a fissure, which a scanner shows as a thin line.
+// On lines through the lungs, two lobes are separated by a fissure, which is a thin line in the image.
 TEST(ColonChest, FissuresDivideTheLobes)
 {
   const ScannedPatient  patient(ChestParameters("inspiration"));
@@ -196,7 +196,7 @@ TEST(ColonChest, FissuresDivideTheLobes)
     for (double y = -60.0; y < 90.0; y += 20.0)
     {
       ColonStructure lobe = ColonStructure::None;
-      double         left = 0.0; // z of the end of that lobe
+      double         left = 0.0; // z of the end of the lobe
       for (double z = 160.0; z < 330.0; z += 0.1)
       {
         const ColonStructure label = patient.LabelAt({ x, y, z });
@@ -224,11 +224,10 @@ TEST(ColonChest, FissuresDivideTheLobes)
   }
   EXPECT_EQ(kinds, (std::set<std::string>{ "13-12", "14-12", "14-13", "16-15" }));
   EXPECT_GT(fissures, 60);
-  EXPECT_LT(faint, fissures / 10); // where a vessel lies beside one
+  EXPECT_LT(faint, fissures / 10); // next to a vessel
 }
 
-// Voxels of 0.9 mm of both lungs: vessels with adjacent voxels are one component, and the large components start at the
-// hila.
+// With voxels of 0.9 mm, adjacent vessels are one component, and the large components start at the hila.
 TEST(ColonChest, VesselsAreTreesFromTheHila)
 {
   const auto source =
@@ -287,13 +286,13 @@ TEST(ColonChest, VesselsAreTreesFromTheHila)
   EXPECT_LT(share, 0.15);
 }
 
-// Changes are limited to the organ, its wall of at most 4 mm (more at edges), half a voxel's diagonal and the blur.
+// Changes are limited to the organ, its wall of at most 4 mm (more at edges), half a voxel diagonal and the blur.
 TEST(ColonChest, LeavingAnOrganOutChangesNothingElse)
 {
   struct Case
   {
     const char *             organ;
-    std::set<ColonStructure> labels; // besides the lumen
+    std::set<ColonStructure> labels; // other than the lumen
     Vector3d                 center;
   };
   const std::set<ColonStructure> lung{ ColonStructure::RightUpperLobe, ColonStructure::RightMiddleLobe,
@@ -356,7 +355,7 @@ TEST(ColonChest, TheTableIsUnderThePatient)
   EXPECT_NEAR(without.IntensityAt({ 0, 152, 0 }), -1000.0, 1.0);
 }
 
-// Axes z, -x, -y of the first grid, three different spacings: both have the same voxels in space.
+// Axes z, -x, -y of the first grid, with three different spacings and the same voxels in space.
 TEST(ColonChest, GridsWithOtherAxesShowTheSameChest)
 {
   const auto                 parameters = ChestParameters("emphysema");
@@ -389,7 +388,7 @@ TEST(ColonChest, GridsWithOtherAxesShowTheSameChest)
   EXPECT_LE(largest, 2.0);
 }
 
-// Moved by two voxels along x and three along z.
+// Shifted by two voxels along x and three along z.
 TEST(ColonChest, AMovedVolumeShowsTheSamePatient)
 {
   const auto parameters = ChestParameters("inspiration");

@@ -54,7 +54,7 @@ TEST(ColonDiverticula, SacIsABallAndNeckATubeOfTheirSizes)
     const Vector3d side = axis.unitOrthogonal();
     for (int i = 0; i < 24; ++i)
     {
-      // The half of the sac facing away from the neck.
+      // The half of the sac opposite the neck.
       const Vector3d off = Eigen::AngleAxisd(i, axis) * (std::cos(0.06 * i) * axis + std::sin(0.06 * i) * side);
       EXPECT_NEAR(distanceAt(one.position + (radius + 0.3) * off), -0.3, 0.01) << one.id;
       EXPECT_NEAR(distanceAt(one.position + (radius - 0.2) * off), 0.2, 0.05) << one.id;
@@ -67,7 +67,7 @@ TEST(ColonDiverticula, SacIsABallAndNeckATubeOfTheirSizes)
       EXPECT_GT(distanceAt(middle + (0.5 * one.neck - 0.1) * off), 0.0) << one.id;
       EXPECT_LT(distanceAt(middle + (0.5 * one.neck + 0.3) * off), 0.0) << one.id;
     }
-    // One lumen from the sac through the mouth.
+    // Connected lumen from the sac through the mouth.
     for (double way = -2.0; way < length + radius; way += 0.2)
     {
       EXPECT_GT(distanceAt(one.mouth + way * axis), 0.0) << one.id;
@@ -161,7 +161,7 @@ TEST(ColonDiverticula, SixOfTenPatientsHaveNone)
   EXPECT_NEAR(none, 0.6 * patients, 80);
 }
 
-// The cecum of this patient bends back on itself.
+// The cecum of this patient is folded back.
 TEST(ColonDiverticula, WallStaysATube)
 {
   const shapeton::ColonAnatomy anatomy(Patient("realistic", 7, 25));

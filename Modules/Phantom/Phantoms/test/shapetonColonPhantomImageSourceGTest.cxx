@@ -50,7 +50,7 @@ PointOf(const itk::ImageBase<3> * image, const itk::Index<3> & index)
   return { p[0], p[1], p[2] };
 }
 
-// Mean and deviation of the intensities at lumen voxels of one label that are `depth` mm from wall and level.
+// Mean and standard deviation of lumen voxels of one label at least `depth` mm from wall and level.
 struct Statistics
 {
   double      mean{ 0.0 };
@@ -84,7 +84,7 @@ IntensityOf(Source * source, unsigned char label, double depth)
   return result;
 }
 
-// Paints every cell, so that nothing can be skipped incorrectly.
+// Reference that evaluates every cell without skipping.
 class NeverSkipped : public shapeton::PhantomBody
 {
 public:
@@ -110,7 +110,7 @@ private:
 };
 } // namespace
 
-// Visits points of the lumen, the same ones in each call.
+// Visits a fixed sample of points in the lumen.
 template <typename TVisitor>
 void
 VisitLumen(const shapeton::ColonAnatomy & anatomy, int points, const TVisitor & visit)
@@ -173,7 +173,7 @@ TEST(ColonPhantomImageSource, FluidHasTheShareAskedFor)
 class EachPosition : public testing::TestWithParam<const char *>
 {};
 
-// Between gas and fluid 1.4 mm apart with lumen between them there is a level, to 0.4 mm.
+// A level is between gas and fluid that are 1.4 mm apart with lumen in between, to 0.4 mm.
 TEST_P(EachPosition, FluidEndsInLevelsOnly)
 {
   const shapeton::ColonAnatomy anatomy(Standard(GetParam(), 0.3));
@@ -232,7 +232,7 @@ INSTANTIATE_TEST_SUITE_P(ColonPhantomImageSource,
                          EachPosition,
                          testing::Values("supine", "prone", "leftDecubitus", "rightDecubitus"));
 
-// A point on the centerline in gas, with fluid deep enough below it.
+// A point on the centerline in gas above sufficiently deep fluid.
 Eigen::Vector3d
 PlaceOverFluid(Source * source)
 {
@@ -365,7 +365,7 @@ TEST(ColonPhantomImageSource, PolypsOfRealisticPatientsAreSoftTissueThroughout)
   EXPECT_GT(large, 0);
 }
 
-// By the center of each voxel, regardless of skipped blocks.
+// Reference by voxel centers, without skipping blocks.
 TEST(ColonPhantomImageSource, StructuresAreThoseAtTheVoxels)
 {
   auto parameters = shapeton::ColonPhantomPreset("realistic");
@@ -431,7 +431,7 @@ TEST(ColonPhantomImageSource, SameBytesForAnyNumberOfThreads)
   }
 }
 
-// The axes of the second grid are z, -x, -y of the first; both have the same voxels in space.
+// Axes z, -x, -y of the first grid, with the same voxels in space.
 TEST(ColonPhantomImageSource, TheTruthAloneIsThatOfTheImage)
 {
   const auto whole = MakeSource(Standard("prone", 0.3), 48);

@@ -88,7 +88,7 @@ TEST(ColonValve, LipsStandAroundAMouth)
       EXPECT_LT(std::abs(distanceAt(crest)), 0.2) << seed;
       EXPECT_LT(distanceAt(crest - valve.direction), -0.5) << seed;
       EXPECT_NEAR((crest - valve.base).dot(valve.direction), valve.height, 1e-9);
-      // A finger's breadth above the mouth is below the crests.
+      // The point above the mouth is below the crests.
       EXPECT_GT((crest - valve.mouth).dot(valve.direction), 0.08 * valve.height);
     }
     EXPECT_LT(std::abs(distanceAt(valve.mouth)), 0.2) << seed;
@@ -240,7 +240,7 @@ TEST(ColonStructures, BalloonFillsWhatTheRectumLeaves)
     EXPECT_LE(catheter.balloonDiameter, 30.0);
     const double radius = 0.5 * catheter.balloonDiameter;
     EXPECT_GT((catheter.tip - catheter.balloonCenter).norm(), radius);
-    for (int n = 0; n < 100; ++n) // along a spiral over the ball
+    for (int n = 0; n < 100; ++n) // on a spiral around the ball
     {
       const double   z = (n - 49.5) / 50.0, across = std::sqrt(1.0 - z * z);
       const Vector3d direction(across * std::cos(2.4 * n), across * std::sin(2.4 * n), z);
@@ -276,7 +276,7 @@ TEST(ColonStructures, ResidueLiesInTheLumenWhereItsKindDoes)
     {
       EXPECT_EQ(exam.structures.At(one.position), ColonStructure::Bubble);
     }
-    // No residue outside the lumen.
+    // Residue is only inside the lumen.
     for (int axis = 0; axis < 3; ++axis)
     {
       for (const double side : { -0.3, 0.3 })
@@ -304,7 +304,7 @@ TEST(ColonStructures, DiverticulaHoldWhatTheTruthSays)
   for (const shapeton::ColonDiverticulum & one : exam.structures.GetDiverticula())
   {
     ++contents[one.content];
-    // 1 mm inside of the bottom.
+    // 1 mm above the bottom.
     const Vector3d axis = (one.position - one.mouth).normalized();
     points.push_back(one.position + (0.5 * one.diameter - 1.0) * axis);
     EXPECT_EQ(exam.structures.At(one.position), ColonStructure::Diverticulum) << one.id;

@@ -26,7 +26,7 @@ Noise(std::uint64_t seed)
   return values;
 }
 
-// Mean product of values `step` apart, over the requested variance.
+// Mean product of values `step` apart, divided by the requested variance.
 double
 Correlation(const std::vector<float> & values, std::size_t step, int lag)
 {

@@ -40,7 +40,7 @@ MakeSource(const shapeton::ShapeScene & scene, unsigned int size, double spacing
   return source;
 }
 
-// 40 degrees about (1, 2, 3), anisotropic.
+// Anisotropic, rotated by 40 degrees about (1, 2, 3).
 Source::Pointer
 MakeObliqueSource(const shapeton::ShapeScene & scene)
 {
@@ -137,15 +137,15 @@ struct Statistics
 };
 } // namespace
 
-// Over uniform random places of the lattice, the expected number of lattice points in a body of volume V is exactly
-// V / h^3 (Fubini). A lattice line that meets a convex body cuts two faces, unless it passes between two of its points:
-// the expected number of faces across an axis is 2 / h^2 times the integral of min(1, chord / h) over the body's shadow
-// along the axis. For smooth bodies this is the shadow's area to 1e-3 at the sizes below.
+// For a uniformly random lattice offset, the expected number of lattice points in a body of volume V is exactly V / h^3
+// (Fubini). A lattice line through a convex body crosses two faces, unless the chord is between two lattice points. The
+// expected number of faces across an axis is thus 2 / h^2 times the integral of min(1, chord / h) over the projection
+// of the body. For smooth bodies of the sizes below, the integral is the projected area to 1e-3.
 struct Body
 {
   const char * object;
   double       volume;
-  double       shadows; // that integral for the three axes together; 0: not convex
+  double       shadows; // sum of that integral over the three axes; 0 if not convex
 };
 
 constexpr double latticeSpacing = 0.8;
@@ -177,7 +177,7 @@ TEST_P(ClosedForms, VoxelAndFaceCountsAreUnbiased)
     shadows.Add(0.5 * counts.faces * spacing * spacing);
   }
   EXPECT_NEAR(volume.Mean(), GetParam().volume, 4.0 * volume.StandardError() + 1e-9);
-  EXPECT_LT(volume.StandardError(), 0.005 * GetParam().volume); // otherwise the bound above is meaningless
+  EXPECT_LT(volume.StandardError(), 0.005 * GetParam().volume); // required for the bound above
   if (GetParam().shadows > 0.0)
   {
     EXPECT_NEAR(shadows.Mean(), GetParam().shadows, 4.0 * shadows.StandardError() + 1e-3 * GetParam().shadows);
@@ -185,7 +185,7 @@ TEST_P(ClosedForms, VoxelAndFaceCountsAreUnbiased)
   }
 }
 
-// Sphere: 3 pi r^2. Box a, b, c turned by 30 degrees about z: along x and y each face counts by the cosine of its
+// Sphere: 3 pi r^2. Box a, b, c rotated by 30 degrees about z: faces along x and y are weighted by the cosine of their
 // normal.
 INSTANTIATE_TEST_SUITE_P(
   Bodies,
@@ -206,14 +206,14 @@ INSTANTIATE_TEST_SUITE_P(
     Body{ R"({ "kind": "torus", "ringRadius": 9, "tubeRadius": 3, "rotation": { "axis": [1, 1, 0], "angle": 50 } })",
           2.0 * pi * pi * 9.0 * 9.0,
           0.0 },
-    // Twisting preserves volumes; so does bending if the section's centroid is on the axis (Pappus).
+    // Twisting preserves volume, as does bending if the centroid of the section is on the axis (Pappus).
     Body{ R"({ "kind": "box", "size": [6, 7, 20], "deformations": [{ "kind": "twist", "angle": 90 },
                                                                   { "kind": "bend", "angle": 110 }] })",
           6.0 * 7.0 * 20.0,
           0.0 }));
 
-// No lattice point farther than half a voxel's diagonal from the surface is on the wrong side, so the error is at most
-// the volume of that shell.
+// Lattice points farther than half a voxel diagonal from the surface are correct, so the error is at most the volume of
+// that shell.
 TEST(ShapePhantomImageSource, VoxelCountOfASphereStaysWithinTheShell)
 {
   const double half = 0.5 * std::sqrt(3.0);
@@ -344,7 +344,7 @@ TEST(ShapePhantomImageSource, ObliqueImageSamplesTheSamePhysicalScene)
 
 TEST(ShapePhantomImageSource, BlurIsTheGaussianIntegralAcrossAPlaneFace)
 {
-  // The face z = 0.37 of a box that extends far beyond the volume in x and y, so that no other face matters.
+  // The face z = 0.37 of a box that extends far beyond the volume in x and y.
   const auto source = MakeSource(
     SceneOf(R"({ "kind": "box", "size": [400, 400, 100], "center": [0, 0, -49.63], "intensity": 1000 })", -200.0),
     24,
@@ -366,7 +366,7 @@ TEST(ShapePhantomImageSource, BlurIsTheGaussianIntegralAcrossAPlaneFace)
 
 TEST(ShapePhantomImageSource, EqualIntensitiesAreAUnionAndOthersPaintOver)
 {
-  // Two halves of a sphere's interior overlap: no seam. A cavity is inside.
+  // Two overlapping halves of a sphere without a seam, with a cavity inside.
   const auto source = MakeSource(SceneOf(R"(
       { "kind": "sphere", "radius": 9, "center": [-1, 0, 0], "intensity": 500 },
       { "kind": "sphere", "radius": 9, "center": [1, 0, 0], "intensity": 500 },
@@ -425,8 +425,8 @@ TEST(ShapePhantomImageSource, NoiseIsNormal)
   }
 }
 
-// Random123's known answer for Philox4x32-10 with counter 0 and key 0 starts 6627e8d5 e169c58d: the uniform number
-// 0.39905..., whose normal quantile is -0.25581.
+// The known answer of Random123 for Philox4x32-10 with counter 0 and key 0 starts with 6627e8d5 e169c58d: the uniform
+// number 0.39905... with normal quantile -0.25581.
 TEST(ShapePhantomImageSource, NoiseFollowsPhilox)
 {
   const auto source = MakeSource(SceneOf(""), 2);

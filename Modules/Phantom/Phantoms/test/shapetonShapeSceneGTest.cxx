@@ -67,9 +67,8 @@ private:
 const char * const placed = R"(, "center": [1, -2, 3], "rotation": { "axis": [1, 2, -1], "angle": 35 })";
 } // namespace
 
-// A function that is nowhere steeper than 1 is at most the distance to its zero set in magnitude; where a step of
-// length |d| against the gradient ends on the zero set, it is at least that distance. Both together: it is the
-// distance.
+// The magnitude of a 1-Lipschitz function is at most the distance to its zero set. If a step of length |d| against the
+// gradient ends on the zero set, it is also at least that distance, and thus equal.
 class ExactDistance : public testing::TestWithParam<const char *>
 {};
 
@@ -88,8 +87,8 @@ TEST_P(ExactDistance, IsTheDistanceToTheSurface)
     before = point;
     inside += distance < 0.0;
     const VectorType gradient = Gradient(scene, point);
-    const bool insideABend = distance < 0.0 && scene.GetObject(0).name == "tube 1"; // there it is only a lower bound
-    if (std::abs(gradient.GetNorm() - 1.0) < 1e-4 && !insideABend)                  // not on the skeleton
+    const bool insideABend = distance < 0.0 && scene.GetObject(0).name == "tube 1"; // only a lower bound there
+    if (std::abs(gradient.GetNorm() - 1.0) < 1e-4 && !insideABend)                  // not on the medial axis
     {
       ++landed;
       EXPECT_NEAR(scene.SignedDistance(0, point - gradient * distance), 0.0, 2e-3);
@@ -121,7 +120,7 @@ TEST(ShapeScene, KnownDistances)
                                                                 // degrees)
   EXPECT_EQ(turned.SignedDistance(0, MakePoint(0, 1, 0)), 0.0);
   const auto capsule = SceneOf(R"({ "kind": "capsule", "radius": 2, "length": 6 })");
-  EXPECT_EQ(capsule.SignedDistance(0, MakePoint(0, 0, 5)), 0.0); // the length is that of the axis
+  EXPECT_EQ(capsule.SignedDistance(0, MakePoint(0, 0, 5)), 0.0); // the length refers to the axis
   const auto ellipsoid = SceneOf(R"({ "kind": "ellipsoid", "radii": [2, 3, 5] })");
   EXPECT_NEAR(ellipsoid.SignedDistance(0, MakePoint(0, 3.01, 0)), 0.01, 1e-4);
   EXPECT_NEAR(ellipsoid.SignedDistance(0, MakePoint(0, 0, 4.99)), -0.01, 1e-4);
@@ -136,7 +135,7 @@ TEST(ShapeScene, RotationTurnsCounterclockwise)
   EXPECT_GT(scene.SignedDistance(0, MakePoint(0, -2.5, 5 * std::sqrt(0.75))), 2.0);
 }
 
-// The sign of a deformed box agrees with the forward map of points known to be inside or outside.
+// The sign for a deformed box agrees with the forward map of points known to be inside or outside.
 TEST(ShapeScene, TwistedAndBentBoxHoldsTheImagesOfItsPoints)
 {
   const auto   scene = SceneOf(R"({ "kind": "box", "size": [4, 3, 20], "deformations": [
@@ -187,7 +186,7 @@ TEST(ShapeScene, BumpsMoveTheSurface)
   }
 }
 
-// Near the surface, a step of length |d| against the gradient leaves a second-order residual.
+// Near the surface, the residual after a step of length |d| against the gradient is of second order.
 class FirstOrderDistance : public testing::TestWithParam<const char *>
 {};
 
@@ -223,7 +222,7 @@ INSTANTIATE_TEST_SUITE_P(
     R"("kind": "sphere", "radius": 9, "deformations": [{ "kind": "bumps", "amplitude": 1, "wavelength": 12 }])",
     R"("kind": "box", "size": [6, 8, 20], "deformations": [{ "kind": "twist", "angle": 60 }])"));
 
-// Where space is stretched most, f / |grad f| alone would be close to 0.
+// Where space is stretched most, f / |grad f| alone would be almost 0.
 TEST(ShapeScene, NoSpuriousSurfaceFarFromDeformedObjects)
 {
   const auto   bent = SceneOf(R"({ "kind": "box", "size": [4, 4, 20], "deformations": [
@@ -338,11 +337,11 @@ INSTANTIATE_TEST_SUITE_P(
     WrongScene{ OBJECT(R"({ "kind": "sphere", "radius": null })"), "objects[0].radius must be a number above 0" },
     WrongScene{ OBJECT(R"({ "kind": "sphere", "radius": 1e7 })"), "at most 1" },
     WrongScene{ OBJECT(R"({ "kind": "sphere", "radius": 1, "side": 1 })"), "objects[0] has the unknown key \"side\"" },
-    WrongScene{ OBJECT(R"({ "kind": "box", "size": [1, 2] })"), "objects[0].size must hold three numbers, not 2" },
+    WrongScene{ OBJECT(R"({ "kind": "box", "size": [1, 2] })"), "objects[0].size must be a list of three numbers, not 2" },
     WrongScene{ OBJECT(R"({ "kind": "box", "size": [1, 2, -1] })"), "objects[0].size[2] must be a number above 0" },
     WrongScene{ OBJECT(R"({ "kind": "box", "size": 3 })"), "objects[0].size must be a list" },
     WrongScene{ OBJECT(R"({ "kind": "torus", "ringRadius": 2, "tubeRadius": 3 })"), "objects[0].tubeRadius" },
-    WrongScene{ OBJECT(R"({ "kind": "tube", "radius": 1, "points": [[0, 0, 0]] })"), "objects[0].points must hold 2" },
+    WrongScene{ OBJECT(R"({ "kind": "tube", "radius": 1, "points": [[0, 0, 0]] })"), "objects[0].points must be a list of 2" },
     WrongScene{ OBJECT(R"({ "kind": "tube", "radius": 1, "points": [[0, 0, 0], [1, true, 0]] })"),
                 "objects[0].points[1][1] must be a number" },
     WrongScene{ OBJECT(R"({ "kind": "cube", "side": 1, "center": [0, 0, 1e9] })"), "objects[0].center[2]" },
@@ -366,4 +365,4 @@ INSTANTIATE_TEST_SUITE_P(
                 "objects[0].deformations[0].amplitude must be less than wavelength" },
     WrongScene{ OBJECT(R"({ "kind": "ellipsoid", "radii": [1, 2, 3], "deformations": [{ "kind": "bumps",
                             "amplitude": 0.01, "wavelength": 1 }] })"),
-                "puts bumps on an ellipsoid" }));
+                "adds bumps to an ellipsoid" }));
