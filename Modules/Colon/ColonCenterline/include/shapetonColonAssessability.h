@@ -88,12 +88,12 @@ MarkHindrances(const std::vector<HinderedStretch> & stretches, CurveSet & curves
 /** The assessable fraction of a part of the colon. */
 struct ColonAssessability
 {
-  /** Assessable share of the length, 0 to 1; 0 for an empty part. */
+  /** Assessable fraction of the length, 0 to 1; 0 for an empty part. */
   double share{ 0.0 };
   /** Hindered lengths (mm), indexed by ColonHindrance. */
   std::array<double, numberOfColonHindrances> lengths{};
 
-  /** "assessable" if the share is at least 0.9, "notAssessable" below 0.5, else "partly". */
+  /** "assessable" if the fraction is at least 0.9, "notAssessable" below 0.5, else "partly". */
   ShapetonColonCenterline_EXPORT std::string
                          Verdict() const;
   /** The hindrances that occur, longest first. */

@@ -70,7 +70,7 @@ struct CenterlinePiece
   itk::Point<double, 3> place;
 };
 
-/** A place where two loops of the colon touch and their lumens are connected. \ingroup ShapetonColonCenterline */
+/** A contact between two loops of the colon with connected lumens. \ingroup ShapetonColonCenterline */
 struct CenterlineMerge
 {
   itk::Point<double, 3> place;

@@ -29,7 +29,7 @@ struct SegmentDistension
   /** First and last arcLength, mm. */
   double begin{ 0.0 };
   double end{ 0.0 };
-  /** Share of its length with a caliber of at least 10 mm, 0 to 1. */
+  /** Fraction of its length with a caliber of at least 10 mm, 0 to 1. */
   double share{ 0.0 };
   /** Mean inner diameter, mm; collapsed stretches count as 0. */
   double meanCaliber{ 0.0 };
@@ -39,7 +39,7 @@ struct SegmentDistension
 
 /** Segment borders at customary fractions of the length from the anal verge, for use without landmarks:
  *
- * | segment | share | from | to |
+ * | segment | fraction | from | to |
  * |---|---|---|---|
  * | rectum | 0.10 | 0 | 0.10 |
  * | sigmoid | 0.25 | 0.10 | 0.35 |

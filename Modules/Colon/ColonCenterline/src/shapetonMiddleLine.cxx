@@ -17,7 +17,7 @@ constexpr double straightness = 0.6;
 
 /** Minimum distance of the center to the wall (mm), unless the path is closer. */
 constexpr double leastClearance = 2.5;
-/** Minimum share of lumen (DistanceField::Occupancy) on the line. */
+/** Minimum DistanceField::Occupancy on the line. */
 constexpr double safelyInside = 0.7;
 /** Maximum path distance (mm) of voxels assigned to a point of the line. */
 constexpr double reachOfMiddle = 40.0;

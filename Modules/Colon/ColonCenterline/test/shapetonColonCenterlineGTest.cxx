@@ -53,7 +53,7 @@ MeanDistance(const TubePoints & from, const TubePoints & to)
   return sum / from.size();
 }
 
-/** Share of `truth` within `reach` mm of the line. */
+/** Fraction of `truth` within `reach` mm of the line. */
 double
 Covered(const TubePoints & truth, const TubePoints & line, double reach)
 {

@@ -103,7 +103,7 @@ CecumToJson(const ColonLandmarks & landmarks)
   json["source"] = atValve ? "ileocecalValve" : "estimated";
   json["reason"] = border == nullptr ? "the hepatic flexure is unknown or too close to the end"
                    : atValve         ? "at the ileocecal valve"
-                                     : "6 cm (the average length) from the end of the centerline; the valve is unknown";
+                                     : "6 cm from the end of the centerline, the length of a cecum; no valve is known";
   return json;
 }
 
@@ -124,7 +124,7 @@ ValveToJson(const ColonLandmarks & landmarks)
   }
   else
   {
-    json["reason"] = "not found by the segmentation; see the reason in its quality.json";
+    json["reason"] = "the segmentation found none; its quality.json says why";
   }
   return json;
 }

@@ -98,7 +98,7 @@ constexpr std::array<FlexurePrior, 4> TheFlexurePriors{
       { 0.325, 0.06 } } }
 };
 
-/** Share of the length from the hepatic flexure to the end: ascending colon and cecum. */
+/** Fraction of the length from the hepatic flexure to the end: ascending colon and cecum. */
 constexpr PriorValue ThePriorOfRightColon{ 0.165, 0.045 };
 
 /** Length (mm) from the anal verge to the rectosigmoid flexure, almost independent of the length of the colon. Up to 5

@@ -14,7 +14,7 @@ constexpr int stride = 2; // in steps of the shape
 constexpr double greatestDeviation = 60.0;
 /** Clamp of the log-likelihood ratio of one point of the descending colon, for the same reason. */
 constexpr double leastRatio = -12.0;
-/** Minimum share of the length between flexures. */
+/** Minimum fraction of the length between flexures. */
 constexpr double leastGap = 0.02;
 /** Exponent of the likelihood in probabilities, since the features are correlated. Calibrated on phantoms of the preset
  * realistic, seeds 1 to 24. */

@@ -39,7 +39,7 @@ struct RectalCatheter
   double                             outerDiameter{ 0.0 };
   double                             tipRadius{ 0.0 };       ///< maximum distance of the tip from the axis
   double                             wallHU{ 0.0 };          ///< median of the maxima across the wall
-  double                             balloonDiameter{ 0.0 }; ///< including the membrane; 0 if no filled balloon is visible
+  double                             balloonDiameter{ 0.0 }; ///< including the membrane; 0 if no filled balloon is seen
   itk::Point<double, 3>              balloonCenter{};        ///< center of a visible balloon
   double                             filledMl{ 0.0 };        ///< volume of tube, tip and balloon added to the lumen
   CatheterEvidence                   evidence;

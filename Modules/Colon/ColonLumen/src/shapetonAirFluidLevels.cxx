@@ -225,7 +225,7 @@ private:
   {
     double end{ 0.0 }; ///< end of the rise of a level
     bool   isOver{ false };
-    double excess{ 0.0 }; ///< excess of the variance of the rise over the blur, relative to the contribution of a thin wall
+    double excess{ 0.0 }; ///< variance of the rise beyond the blur, relative to the contribution of a thin wall
   };
 
   /** False outside the grid. Unlike intermediate values, the variance of a sampled rise hardly depends on the voxel

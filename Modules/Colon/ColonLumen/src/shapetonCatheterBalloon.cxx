@@ -12,7 +12,7 @@ namespace
 constexpr std::size_t LeastSections = 8; // 1 mm each
 constexpr double      ShareOfRays = 1.0 / 3;
 constexpr double      ThickestMembrane = 3.0; // mm, blurred
-constexpr double      ThinnestInFluid = 2.0; // mm, blurred; excludes the partial volume layer at a level of bright fluid
+constexpr double      ThinnestInFluid = 2.0; // mm, blurred; excludes partial volume at a level of bright fluid
 constexpr double      LeastRoom = 2.5;       // mm between tube and sphere
 constexpr double      LargestBalloon = 30.0; // mm, radius
 constexpr double      FarFromBall = 1.5;     // mm

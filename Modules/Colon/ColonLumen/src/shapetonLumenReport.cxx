@@ -155,7 +155,7 @@ DescribeOtherBright(const LumenVoxels & voxels, ColonLumen & lumen)
     rest.what = "other bright matter";
     rest.why =
       "as bright as tagged fluid, inscribed radius " + Rounded(deepest.radius, 1) +
-      " mm, no level of the colon above it: small bowel, bone, or fluid-filled colon; a seed point adds it to the colon";
+      " mm, no level of the colon above it: small bowel, bone, or fluid-filled colon (add it by a seed point)";
     rest.ml = ml;
     rest.inscribedRadius = deepest.radius;
     rest.meanHU = voxels.hu[middle];

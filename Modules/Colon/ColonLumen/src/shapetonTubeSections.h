@@ -84,7 +84,7 @@ struct TubeSection
   RayTo(const Eigen::Vector3d & position, double & distance) const;
   /** Fraction of enclosed rays. */
   double
-  ClosedShare() const; ///< rays that leave the bore
+  ClosedShare() const; ///< fraction of rays that end at the wall
   double
   ShareOf(BehindLayer behind) const;
   double

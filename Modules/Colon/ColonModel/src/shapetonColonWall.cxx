@@ -178,7 +178,7 @@ private:
     catch (const InputError & error)
     {
       m_Wall.report.rawGenus = SurfaceConnectivity(m_Wall.raw).Components().front().genus.value_or(-1);
-      remarks.push_back(std::string("the raw surface remains closed:  ") + error.what());
+      remarks.push_back(std::string("the raw surface remains closed: ") + error.what());
     }
     return remarks;
   }

@@ -113,7 +113,7 @@ TEST(ColonWall, ClosedFormsOnAnyGrid)
     const auto mesh = shapeton::ExtractWall(TubeOccupancy(grid));
     EXPECT_TRUE(shapeton::SurfaceConnectivity(mesh).IsClosed());
     EXPECT_TRUE(shapeton::SurfaceConnectivity(mesh).IsOriented());
-    EXPECT_NEAR(volume, shapeton::EnclosedVolume(mesh.V, mesh.F), 0.005 * volume); // positive if faces are oriented outward
+    EXPECT_NEAR(volume, shapeton::EnclosedVolume(mesh.V, mesh.F), 0.005 * volume); // outward orientation
     EXPECT_NEAR(area, shapeton::SurfaceArea(mesh.V, mesh.F), 0.005 * area);
     EXPECT_GT(0.03, GreatestError(mesh, Tube({ TubeAxis.front(), TubeAxis.back() }, TubeRadius)));
   }

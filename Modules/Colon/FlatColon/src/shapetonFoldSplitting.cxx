@@ -212,7 +212,7 @@ MaskOfTaeniae(const FlatColonGrid & grid, const CurveSet & taeniae, double dista
   }
   if (2 * far > points)
   {
-    throw InputError("most points of the taeniae are more than 15 mm from the surface; give taeniae of the same surface");
+    throw InputError("most points of the taeniae are more than 15 mm from the surface; give taeniae of this surface");
   }
   return mask;
 }

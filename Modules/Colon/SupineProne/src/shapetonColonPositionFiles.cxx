@@ -123,7 +123,8 @@ WarnOfPosition(const Examination & examination, ColonPositionFiles & files)
   const bool        isOpposite = (name == "supine" && position == "prone") || (name == "prone" && position == "supine");
   if (isOpposite && said("/lumen/gravitySource") != "assumed")
   {
-    files.warnings.push_back(name + ": the patient position of this examination is " + position + "; the two may be swapped");
+    files.warnings.push_back(name + ": the patient position of this examination is " + position +
+                             "; the two may be swapped");
   }
 }
 } // namespace

@@ -59,7 +59,7 @@ RegisterColonPositions(const ColonPosition & source, const ColonPosition & targe
   const bool isPublished = options.map == SupineProneMap::Published;
   RequireParameter(
     !isPublished || !(options.refines || options.isSegmentWise),
-    "the published map does not support the parameters \"refine\" and \"segmentWise\": it is always "
+    "the published map supports neither the parameter \"refine\" nor the parameter \"segmentWise\": it is always "
     "segment-wise and never refined");
   options.progress("Describing folds", 0.0);
   ColonPair               pair(source, target);

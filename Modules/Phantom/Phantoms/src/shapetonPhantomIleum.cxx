@@ -17,7 +17,7 @@ namespace
 using Eigen::Vector3d;
 
 constexpr double ileumStep = 2.0;
-constexpr double intoColon = 1.5;     // mm of the tube above the mouth, so that an open ileum is connected to the lumen of the colon
+constexpr double intoColon = 1.5;     // mm of the tube above the mouth, to connect an open ileum to the colon
 constexpr double thinWall = 1.5;      // mm
 constexpr double behindWall = 3.0;    // mm, start of the widening of the slit
 constexpr double widening = 10.0;     // mm, length of the widening
