@@ -244,7 +244,7 @@ AddGaps(const LumenGrid &            grid,
     result.gaps.push_back(gap);
     result.warnings.push_back("no lumen over " + InTenths(gap.distance) + " mm from " + PlaceInWords(gap.from) +
                               " to " + PlaceInWords(gap.to) + ": the centerline is bridged there" +
-                              (gap.isDoubtful ? "; after such a long gap the order of the pieces is in doubt" : ""));
+                              (gap.isDoubtful ? "; the order of the pieces is uncertain for such a long gap" : ""));
   }
 }
 
@@ -413,8 +413,8 @@ AddCover(const LumenNetwork & network, const std::vector<Section> & sections, Co
     if (branch.volume > largeBranch)
     {
       const auto place = ToPoint(network.grid, network.grid.Position(path[branch.place]));
-      result.warnings.push_back("a side branch of " + InTenths(1e-3 * branch.volume) + " ml leaves the line at " +
-                                PlaceInWords(place) + ": other bowel, or a loop that the line skips");
+      result.warnings.push_back("a side branch of " + InTenths(1e-3 * branch.volume) + " ml starts at " +
+                                PlaceInWords(place) + ": other bowel, or a loop missed by the line");
     }
   }
 }

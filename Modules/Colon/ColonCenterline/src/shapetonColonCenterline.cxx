@@ -290,7 +290,7 @@ FailureOfLine(const ColonCenterline & line)
   if (gaps + merges > mostFaults)
   {
     return "the lumen is not a colon: its line has " + std::to_string(gaps) + " gaps and touches itself at " +
-           std::to_string(merges) + " places, far more than in a colon; is it lung, or the wall instead of the lumen?";
+           std::to_string(merges) + " places, far more than in a colon; give the lumen, not lung or the wall";
   }
   double ml = 0.0;
   for (const CenterlinePiece & piece : line.pieces)
@@ -302,7 +302,7 @@ FailureOfLine(const ColonCenterline & line)
   {
     return "the lumen is not a colon: " + std::to_string(std::lround(ml)) + " ml along a line of " +
            std::to_string(std::lround(line.length)) + " mm are " + std::to_string(std::lround(section)) +
-           " cm^2 on average, far more than in a colon; is it lung or stomach?";
+           " cm^2 on average, far more than in a colon; give the lumen, not lung or stomach";
   }
   return {};
 }

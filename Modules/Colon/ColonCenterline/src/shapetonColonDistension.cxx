@@ -11,12 +11,12 @@ namespace
 void
 RequireBorders(const std::vector<ColonSegmentBorder> & borders)
 {
-  RequireParameter(!borders.empty(), "distension needs at least one segment of the colon");
+  RequireParameter(!borders.empty(), "distension requires at least one segment of the colon");
   for (std::size_t i = 1; i < borders.size(); ++i)
   {
     RequireParameter(borders[i].end >= borders[i - 1].end,
                      "the border of the segment \"" + borders[i].name +
-                       "\" must not be before that of the previous segment");
+                       "\" must not precede the previous border");
   }
 }
 

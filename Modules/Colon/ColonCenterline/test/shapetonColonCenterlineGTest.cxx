@@ -648,7 +648,7 @@ TEST(ColonCenterline, RefusesWhatHasNoColon)
   }
   catch (const shapeton::InputError & error)
   {
-    EXPECT_NE(std::string(error.what()).find("no piece of lumen has 5.0 ml: there are 1, the largest has 2."),
+    EXPECT_NE(std::string(error.what()).find("no piece of lumen is at least 5.0 ml: the largest of 1 is 2."),
               std::string::npos)
       << error.what();
   }

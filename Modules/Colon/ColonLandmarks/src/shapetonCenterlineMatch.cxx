@@ -113,11 +113,11 @@ ExplainMismatch(const FlatColonGrid & grid,
   const double near = MedianDistanceOfLine(axis, match.points);
   if (lengthOfLine > 0.6 * lengthOfAxis || near > leastRadius)
   {
-    throw InputError("the centerline runs outside the flat surface along " +
+    throw InputError("the centerline is outside the flat surface along " +
                      std::to_string(static_cast<int>(std::lround(100.0 * quality.shareOutside))) +
                      " % of its length (median distance from the middle: " +
                      std::to_string(static_cast<int>(std::lround(quality.medianDistance))) +
-                     " mm): they belong to different colons or positions. Give the centerline that was made with this "
+                     " mm): they belong to different colons or positions. Give the centerline created with this "
                      "surface.");
   }
   match.warnings.push_back("the centerline covers a part of the flat surface only: positions beyond its ends have no "

@@ -13,7 +13,7 @@ OrderedCenterline(const CurveSet & centerline, VertexMatrix & points, Eigen::Vec
   if (centerline.curves.size() != 1 || centerline.curves[0].size() < 2)
   {
     throw InputError("the centerline has " + std::to_string(centerline.curves.size()) +
-                     " curves; landmarks need one line of several points, from the rectum to the cecum");
+                     " curves; landmarks require one line of several points, from the rectum to the cecum");
   }
   const Eigen::VectorXd    arc = PointValues(centerline, "arcLength", "the centerline");
   const std::vector<int> & order = centerline.curves[0];

@@ -230,7 +230,7 @@ SplitColon(const SurfaceMesh & flat, const ColonLandmarks & landmarks, const Pro
     }
     catch (const InputError & error)
     {
-      result.warnings.push_back("segment-" + NameOfSegment(segment) + ".vtp was not written: " + error.what());
+      result.warnings.push_back("segment-" + NameOfSegment(segment) + ".vtp could not be created: " + error.what());
     }
   }
   return result;

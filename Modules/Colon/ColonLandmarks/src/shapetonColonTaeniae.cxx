@@ -83,7 +83,7 @@ ChooseTracks(const TaeniaEvidence & evidence,
   result.jointEnergy = EnergyOfTaeniae(evidence, joint);
   if (fuzzy.empty())
   {
-    result.warnings.push_back("no window of the wall has enough fold ends for fuzzy C-means");
+    result.warnings.push_back("no window of the wall contains enough fold ends for fuzzy C-means");
     result.fuzzyEnergy = std::numeric_limits<double>::quiet_NaN();
     distances.assign(evidence.rows, 0.0);
     result.kept = "joint";
@@ -229,8 +229,8 @@ FindColonTaeniae(const FlatColon & flat, const ColonWallTube & tube, const Colon
   std::vector<TaeniaPass> passes = LocateMarkers(options.markers, grid, locator, evidence, result.markers);
   if (static_cast<int>(evidence.ends.size()) < leastEnds && passes.size() < 3)
   {
-    result.reason = "the wall has only " + std::to_string(folds.folds.size()) +
-                    " folds, too few to locate taeniae; set at least three markers";
+    result.reason = "only " + std::to_string(folds.folds.size()) +
+                    " folds were found, too few to locate taeniae; set at least three markers";
     result.warnings.push_back("no taenia was found: " + result.reason);
     return result;
   }

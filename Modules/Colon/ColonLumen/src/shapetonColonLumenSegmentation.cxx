@@ -21,7 +21,7 @@ namespace
 {
 constexpr double   GasByDefinition = -1000.0; // HU
 constexpr double   SeedShareOfGas = 0.2;      // fraction of the range from gas to tissue
-const char * const asColon = " are classified as colon: too wide for small bowel";
+const char * const asColon = " are classified as colon: no small bowel is that wide";
 const char * const asRectum = " are classified as rectum or sigmoid: no other colon is near the anus";
 const char * const asCatheter = ": a rectal catheter, which was filled in";
 const char * const asTube = ": it may be a catheter; the evidence is inconclusive";

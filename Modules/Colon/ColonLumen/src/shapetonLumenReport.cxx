@@ -198,7 +198,7 @@ ReasonOf(const ColonEvidence & evidence, std::size_t piece)
   if (kind == LungKind)
   {
     const double vessels = evidence.lung[piece].vessels; // 0 for pieces too small to measure
-    return "it has " + Rounded(gas.radius > 0.0 ? gas.inside : gas.mean, 0) + " HU" +
+    return "mean " + Rounded(gas.radius > 0.0 ? gas.inside : gas.mean, 0) + " HU" +
            (vessels > 0.0 ? ", with " + Rounded(vessels, 1) + " cross sections of vessels per 100 cm^2" : "");
   }
   if (kind == OutsideKind)
@@ -307,8 +307,8 @@ JudgeLumen(const ColonEvidence & evidence, ColonLumen & lumen)
   }
   if (other.thinBowel < 1.0 && ml < 1.0)
   {
-    lumen.failure = "no colon found: no gas inside the body could be bowel; is this a CT of the abdomen, in "
-                    "Hounsfield units (air is -1000)?";
+    lumen.failure = "no colon found: no gas inside the body could be bowel; give a CT of the abdomen in "
+                    "Hounsfield units (air is -1000)";
     return;
   }
   lumen.failure = "the colon is not distended or tagged enough: " + Rounded(ml, 0) +

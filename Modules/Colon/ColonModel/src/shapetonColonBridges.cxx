@@ -63,7 +63,7 @@ FindAxes(const OccupancyImage * occupancy, const CurveSet & centerline, BridgedO
         std::ostringstream text;
         text.precision(5);
         text << "the centerline is outside the lumen from " << leftAt << " to " << backAt
-             << " mm without a marked gap; it was bridged there";
+             << " mm, where no gap is marked; it was bridged there";
         result.warnings.push_back(text.str());
         leftAt = -1.0;
       }

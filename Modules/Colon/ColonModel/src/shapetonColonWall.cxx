@@ -122,7 +122,7 @@ private:
       std::ostringstream text;
       text.precision(4);
       text << topology.report.droppedPieces << " pieces of the lumen with " << topology.report.droppedVolume
-           << " ml in total are not connected and were removed from the wall";
+           << " ml in total have no connection to the rest and were removed from the wall";
       m_Wall.report.warnings.push_back(text.str());
     }
     this->Advance(Step::Repaired);
@@ -339,7 +339,7 @@ BuildColonWall(OccupancyImage::ConstPointer occupancy,
                OccupancyImage::ConstPointer repairedOccupancy)
 {
   RequireParameter(options.faces == 0 || options.faces >= 100,
-                   "the simplified wall needs at least 100 faces, or 0 for automatic choice");
+                   "the simplified wall requires at least 100 faces, or 0 for automatic choice");
   RequireSound(centerline, "the centerline");
   if (centerline.curves.size() != 1 || centerline.curves.front().size() < 2)
   {

@@ -63,7 +63,7 @@ FindIleocecalValve(const LumenMask * labels, const itk::Image<float, 3> * ct, co
   valve.confidence = ProbabilityNear(best, places, odds);
   if (valve.confidence < leastConfidence)
   {
-    search.reason = "no candidate is likely enough: the best one, at " + PlaceInWords(valve.position) + ", has " +
+    search.reason = "no candidate is likely enough: the best one is at " + PlaceInWords(valve.position) + " with " +
                     PerCent(valve.confidence);
     return search;
   }

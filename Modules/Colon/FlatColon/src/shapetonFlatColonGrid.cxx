@@ -104,7 +104,7 @@ FlatColonGrid::FlatColonGrid(const SurfaceMesh & flat, const FlatColonGridOption
   m_UncoveredPixels = static_cast<int>(std::count(m_FaceOfPixel.begin(), m_FaceOfPixel.end(), -1));
   if (2.0 * m_UncoveredPixels > m_FaceOfPixel.size())
   {
-    throw InputError(what + ": its faces cover less than half of the map; uv, circumference and length do not fit");
+    throw InputError(what + ": its faces cover less than half of the map; uv, circumference and length disagree");
   }
 }
 

@@ -80,7 +80,7 @@ RequireCoordinateMapName(const std::string & path)
   const std::string extension = ".nrrd";
   const bool        fits =
     path.size() > extension.size() && path.compare(path.size() - extension.size(), std::string::npos, extension) == 0;
-  RequireParameter(path.empty() || fits, path + ": a coordinate map is written as .nrrd");
+  RequireParameter(path.empty() || fits, path + ": a coordinate map must be written as .nrrd");
   return path;
 }
 

@@ -36,7 +36,7 @@ RequireUsable(const ColonPosition & position)
   }
   RequireParameter(position.isExcluded.empty() ||
                      position.isExcluded.size() == static_cast<std::size_t>(position.flat->Grid().Columns()),
-                   position.name + ": the number of excluded columns must be that of the grid");
+                   position.name + ": the number of excluded columns must match the grid");
 }
 
 /** The node nearest to a position. */

@@ -124,10 +124,10 @@ struct ColonPhantomParameters
   double ileumLength{ drawnBySeed };
   /** Content of the terminal ileum: collapsed, gas, fluid (tagged) or drawn; drawn may differ between positions. */
   std::string ileumContent{ "drawn" };
-  /** The chest: plain (lung bases of -850 HU without detail, no shoulders), or a complete chest with lungs in
+  /** The chest: plain (lung bases of -850 HU without detail, no shoulders), or a whole chest with lungs in
    * inspiration (mean -865 HU), quietBreathing (-765 HU) or emphysema (-940 HU, with holes). */
   std::string lungs{ "plain" };
-  /** Mean HU of the parenchyma of a complete chest (including holes, excluding vessels, airways and fissures), -980 to
+  /** Mean HU of the parenchyma of a whole chest (including holes, excluding vessels, airways and fissures), -980 to
    * -500, or lungDensityOfState. */
   double lungDensity{ lungDensityOfState };
   /** The organs to include, from PhantomOrgans(). Omitted organs are replaced by fat, lungs by soft tissue; the shapes
@@ -139,7 +139,7 @@ struct ColonPhantomParameters
 ShapetonPhantoms_EXPORT bool
 Contains(const ColonPhantomParameters & parameters, const std::string & organ);
 
-/** Whether the chest is complete rather than plain. \ingroup ShapetonPhantoms */
+/** Whether the patient has a whole chest rather than a plain one. \ingroup ShapetonPhantoms */
 inline bool
 HasWholeChest(const ColonPhantomParameters & parameters)
 {

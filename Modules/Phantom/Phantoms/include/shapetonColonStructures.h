@@ -28,7 +28,7 @@ enum class ColonStructure : unsigned char
   SmallBowel,     ///< the lumen of the other loops
   Stomach,        ///< its lumen
   Diverticulum,   ///< neck and sac, including the content
-  RightUpperLobe, ///< parenchyma of the lobe; this and the following only in a complete chest
+  RightUpperLobe, ///< parenchyma of the lobe; this and the following only in a whole chest
   RightMiddleLobe,
   RightLowerLobe,
   LeftUpperLobe,

@@ -64,7 +64,7 @@ RequireValidValve(const ColonPhantomParameters & p)
                        p.ileumLength == none.ileumLength && p.ileumContent == none.ileumContent;
   RequireParameter(p.valve == "lips" || isPlain,
                    "the parameters \"valveLength\", \"valveHeight\", \"valveFat\", \"ileumBore\", \"ileumLength\" and "
-                   "\"ileumContent\" are for a valve with lips; set the parameter \"valve\" to lips");
+                   "\"ileumContent\" require a valve with lips; set the parameter \"valve\" to lips");
 }
 
 // 0 to use the template.
@@ -248,8 +248,8 @@ RequireValidChest(const ColonPhantomParameters & p)
   {
     RequireRange("lungDensity", p.lungDensity, -980, -500);
     RequireParameter(HasWholeChest(p),
-                     "the parameter \"lungDensity\" is for a whole chest; set the parameter \"lungs\" to inspiration, "
-                     "quietBreathing or emphysema");
+                     "the parameter \"lungDensity\" requires a whole chest; set the parameter \"lungs\" to inspiration,"
+                     " quietBreathing or emphysema");
   }
 }
 } // namespace

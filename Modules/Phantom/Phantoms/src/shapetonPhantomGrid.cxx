@@ -35,7 +35,7 @@ SizeOf(const std::vector<int> & numbers, double bytesPerVoxel)
   CheckCount("size", numbers, 3);
   if (*std::min_element(numbers.begin(), numbers.end()) < 2)
   {
-    throw ParameterError(Named("size") + ": a volume has at least 2 voxels along each axis");
+    throw ParameterError(Named("size") + ": a volume requires at least 2 voxels along each axis");
   }
   const double bytes = bytesPerVoxel * numbers[0] * numbers[1] * numbers[2];
   if (bytes > 0.9 * PhysicalMemory())

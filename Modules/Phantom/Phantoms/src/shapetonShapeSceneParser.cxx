@@ -97,7 +97,7 @@ public:
   {
     if (!m_Json.is_string())
     {
-      this->Fail("must be a text" + this->NotThis());
+      this->Fail("must be a string" + this->NotThis());
     }
     return m_Json.get<std::string>();
   }

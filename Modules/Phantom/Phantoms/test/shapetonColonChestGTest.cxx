@@ -474,7 +474,7 @@ TEST(ColonChest, RefusesWhatDoesNotFit)
   refuses(parameters, "\"lungs\" is 'deepBreath'");
   parameters = ChestParameters("plain");
   parameters.lungDensity = -800.0;
-  refuses(parameters, "for a whole chest");
+  refuses(parameters, "requires a whole chest");
   parameters.lungs = "inspiration";
   parameters.lungDensity = -1000.0;
   refuses(parameters, "\"lungDensity\" is -1000");
