@@ -39,7 +39,7 @@ struct ColonCenterlineOptions
   Progress progress;
 };
 
-/** A stretch without lumen that the line bridges. \ingroup ShapetonColonCenterline */
+/** A stretch without lumen, bridged by the line. \ingroup ShapetonColonCenterline */
 struct CenterlineGap
 {
   /** First and last arcLength, mm. */

@@ -15,7 +15,7 @@ constexpr double slabRadii = 2.5;
 /** Minimum ratio of chord to arc length in that window. */
 constexpr double straightness = 0.6;
 
-/** Minimum distance of the center to the wall (mm), unless the path is closer. */
+/** Minimum distance (mm) of the center to the wall, unless the path is closer. */
 constexpr double leastClearance = 2.5;
 /** Minimum DistanceField::Occupancy on the line. */
 constexpr double safelyInside = 0.7;

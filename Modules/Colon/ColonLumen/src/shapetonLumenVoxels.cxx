@@ -239,7 +239,7 @@ public:
     }
   }
 
-  /** Whether, within the steps, gas is directly above the undecided voxels and fluid directly below. */
+  /** Whether the nearest classified voxels above and below are gas and fluid, within the steps. */
   bool
   IsBetweenGasAndFluid(std::size_t p) const
   {

@@ -128,7 +128,7 @@ private:
   const VoxelSet &  m_Voxels; ///< ascending
 };
 
-/** Resamples a line to equal steps of at most AxisStep. */
+/** Resamples a line to equal steps of at most `step`. */
 BoreAxis
 Resampled(const BoreAxis & line, double step)
 {

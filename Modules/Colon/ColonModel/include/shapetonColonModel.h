@@ -25,7 +25,7 @@ struct ColonModelOptions
   /** See ColonLumenOptions. For a mask without a CT only the seed points are used. */
   std::string                        patientPosition;
   std::vector<itk::Point<double, 3>> seedPoints;
-  /** Number of faces of the simplified wall; 0 chooses it automatically, see ColonWallOptions. */
+  /** Number of faces of the simplified wall; 0 for automatic choice, see ColonWallOptions. */
   int faces{ 0 };
   /** Keep the pieces of an interrupted lumen separate, without tubes through collapsed stretches. */
   bool keepPieces{ false };

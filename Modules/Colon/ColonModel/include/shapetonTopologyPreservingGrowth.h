@@ -23,7 +23,7 @@ using GrowthRankImage = itk::Image<std::uint16_t, 3>;
  * Bertrand, Malandain: A new characterization of three-dimensional simple points (1994): the topological numbers
  * T6+ of the object and T18 of the background are both 1.
  *
- * \param neighborhood 27 bits, x + 3 y + 9 z for x, y, z in 0..2; bit 13, the center, is ignored.
+ * \param neighborhood the 27 voxels as bits x + 3 y + 9 z for x, y, z in 0..2; bit 13, the center, is ignored.
  * \ingroup ShapetonColonModel */
 ShapetonColonModel_EXPORT bool
 IsSimplePoint(std::uint32_t neighborhood);

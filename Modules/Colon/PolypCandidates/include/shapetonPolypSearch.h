@@ -46,7 +46,7 @@ ReadPolypColon(const std::string & folder);
 struct PolypSearchOptions
 {
   PolypPreset preset{ PolypPreset::Default };
-  /** 0 to 1: keeps candidates with a shape score of at least 1 - sensitivity. */
+  /** Candidates with a shape score of at least 1 - sensitivity are listed; 0 to 1. */
   double sensitivity{ defaultPolypSensitivity };
   /** Called with the stage and the completed fraction, 0 to 1. */
   Progress progress;

@@ -40,7 +40,7 @@ struct PublishedPolypOptions
  * to (0, 1), times the roundness.
  *
  * The source only displays the density with a manual transfer function; ranks and limits are original work. \param ct
- * Cleansed CT in HU. If null, tissue is 1 and lumen is 0. Throws the exceptions of FindPolypCandidates(). The result
+ * cleansed CT in HU; if null, tissue is 1 and lumen is 0. Throws the exceptions of FindPolypCandidates(). The result
  * does not depend on the number of threads.
  * \ingroup ShapetonPolypCandidates */
 ShapetonPolypCandidates_EXPORT std::vector<PolypCandidate>

@@ -88,7 +88,7 @@ public:
   {
     return m_TargetAround;
   }
-  /** Even triangles have the corners (row, angle), (row + 1, angle), (row + 1, angle + 1), odd ones (row, angle),
+  /** Corners of even triangles: (row, angle), (row + 1, angle), (row + 1, angle + 1); of odd triangles: (row, angle),
    * (row + 1, angle + 1), (row, angle + 1). */
   Triangle
   TriangleOf(int triangle) const;

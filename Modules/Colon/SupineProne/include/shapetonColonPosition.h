@@ -48,7 +48,7 @@ ShapetonSupineProne_EXPORT std::vector<char>
                    FindExcludedColumns(const FlatColon & flat, const CurveSet & centerline, double leastRadius = 9.0);
 
 /** Creates the position; `flat` is the surface of landmarks and folds.
- * \param name name for messages. \ingroup ShapetonSupineProne */
+ * \param name label of the position in messages. \ingroup ShapetonSupineProne */
 ShapetonSupineProne_EXPORT ColonPosition
 MakeColonPosition(const std::string &               name,
                   std::shared_ptr<const FlatColon>  flat,

@@ -71,7 +71,7 @@ ShapetonSupineProne_EXPORT std::vector<PointError>
 ShapetonSupineProne_EXPORT RegistrationErrors
 SummaryOf(const std::vector<PointError> & errors);
 
-/** SummaryOf() of ErrorsOfPoints() for the map of the registration, or for its `frame` with `measuresFrame`.
+/** Summary of ErrorsOfPoints() for the map of the registration, or for its `frame` if `measuresFrame` is set.
  * \ingroup ShapetonSupineProne */
 ShapetonSupineProne_EXPORT RegistrationErrors
 MeasureRegistrationErrors(const SupineProneRegistration & registration,

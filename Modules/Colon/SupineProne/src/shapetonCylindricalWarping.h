@@ -13,7 +13,7 @@ struct CylindricalWarpingOptions
   double band{ 60.0 };
   /** Maximum deviation of the rotation from the frame, turns. */
   double rotationBand{ 0.125 };
-  /** Cost of the squared deviation from two rows per step, and cost of a rotation step. */
+  /** Cost per squared deviation from two target rows per row, and cost per rotation step. */
   double slopeWeight{ 0.3 };
   double rotationWeight{ 0.4 };
   /** Cost of a weak spring to the frame per row at `frameDeviation` mm, since neighboring folds are similar. */

@@ -78,7 +78,7 @@ private:
   std::vector<std::vector<double>> m_CellValues;
 };
 
-/** Grid dimensions of the wall points of a patient. */
+/** Numbering of the wall points of a patient. */
 class MaterialGrid
 {
 public:
