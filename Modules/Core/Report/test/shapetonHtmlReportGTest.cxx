@@ -451,7 +451,7 @@ TEST(HtmlReport, EqualWarningsAreCountedToo)
 TEST(HtmlReport, TheWorstWarningsComeFirst)
 {
   EXPECT_EQ(PageWithWarnings({ "the faces looked inwards; they were turned",
-                               "the splenic flexure is uncertain (confidence 31 %): look at it",
+                               "the splenic flexure is uncertain (confidence 31 %): check it",
                                "the surface: 3 vertices were joined",
                                "landmarks: the hepatic flexure was not found: no bend there",
                                "the heat is not yet steady after 500 steps",
@@ -459,7 +459,7 @@ TEST(HtmlReport, TheWorstWarningsComeFirst)
               .TextsOf("p"),
             Texts({ "landmarks: the hepatic flexure was not found: no bend there",
                     "No window of the wall holds enough fold ends",
-                    "the splenic flexure is uncertain (confidence 31 %): look at it",
+                    "the splenic flexure is uncertain (confidence 31 %): check it",
                     "the heat is not yet steady after 500 steps",
                     "the faces looked inwards; they were turned",
                     "the surface: 3 vertices were joined" }));

@@ -149,7 +149,8 @@ TEST(ColonPositionFiles, ExaminationsThatChangedPlacesAreTold)
   const std::string prone = "\"position\": \"prone\", \"gravitySource\": \"levels\"";
   EXPECT_TRUE(warnings("prone", prone).empty());
   ASSERT_EQ(warnings("supine", prone).size(), 1U);
-  EXPECT_NE(warnings("supine", prone)[0].find("supine: the patient of this examination lay prone"), std::string::npos);
+  EXPECT_NE(warnings("supine", prone)[0].find("supine: the patient position of this examination is prone"),
+            std::string::npos);
   EXPECT_TRUE(warnings("prone", "\"position\": \"supine\", \"gravitySource\": \"assumed\"").empty());
   EXPECT_TRUE(warnings("supine", "\"position\": \"leftDecubitus\", \"gravitySource\": \"levels\"").empty());
   EXPECT_TRUE(warnings("supine", "\"position\": 1").empty());
