@@ -1,5 +1,5 @@
 set(DOCUMENTATION "Results as DICOM objects that reference their source series: segmentations, measurement reports, parametric maps, pictures
-and surfaces; readers for segmentations and the points of reports.")
+and surfaces, and readers for segmentations and the points of reports.")
 
 itk_module(ShapetonDicomResults
   ENABLE_SHARED

@@ -85,8 +85,8 @@ FindInFolder(const std::string & folder, std::optional<std::uint64_t> timeStep)
   const std::map<std::uint64_t, std::string> snapshots = SnapshotsIn(folder);
   if (snapshots.empty())
   {
-    throw InputError("the folder " + folder + " contains no heat-<time step>.nrrd: use a folder written by " +
-                     "CumulativeHeatDiffusion (--snapshotFolder), or a heat volume");
+    throw InputError("the folder " + folder + " contains no heat-<time step>.nrrd: use the snapshot folder of " +
+                     "CumulativeHeatDiffusion, or a heat volume");
   }
   const auto found = timeStep ? snapshots.find(*timeStep) : std::prev(snapshots.end());
   if (found == snapshots.end())
