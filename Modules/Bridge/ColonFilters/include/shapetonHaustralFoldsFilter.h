@@ -19,7 +19,8 @@ namespace shapeton
  * Output 1: HaustralFolds.
  *
  * \ingroup ShapetonColonFilters */
-class ShapetonColonFilters_EXPORT HaustralFoldsFilter : public StageFilter<itk::ImageSource<itk::Image<unsigned short, 2>>>
+class ShapetonColonFilters_EXPORT HaustralFoldsFilter
+  : public StageFilter<itk::ImageSource<itk::Image<unsigned short, 2>>>
 {
 public:
   ITK_DISALLOW_COPY_AND_MOVE(HaustralFoldsFilter);

@@ -19,13 +19,14 @@ enum class PatientSpace
 
 /** "LPS", "RAS". \ingroup ShapetonMeshBridge */
 ShapetonMeshBridge_EXPORT std::string
-               NameOf(PatientSpace space);
+                          NameOf(PatientSpace space);
 
 /** Writes the space to the field data SPACE, as 3D Slicer does. \ingroup ShapetonMeshBridge */
 ShapetonMeshBridge_EXPORT void
 SetSpace(PatientSpace space, vtkFieldData & data);
 
-/** The space stated in the field data, else `otherwise`. Throws InputError for any other value. \ingroup ShapetonMeshBridge */
+/** The space stated in the field data, else `otherwise`. Throws InputError for any other value. \ingroup
+ * ShapetonMeshBridge */
 ShapetonMeshBridge_EXPORT PatientSpace
 SpaceOf(vtkFieldData & data, PatientSpace otherwise);
 } // namespace shapeton

@@ -44,7 +44,7 @@ constexpr int numberOfColonHindrances = 5;
 
 /** "none", "noLumen", "cutByScan", "untaggedFluid", "narrow". */
 ShapetonColonCenterline_EXPORT std::string
-                       NameOf(ColonHindrance hindrance);
+                               NameOf(ColonHindrance hindrance);
 /** The hindrance with this name; None for an empty name. Throws InputError for an unknown name. */
 ShapetonColonCenterline_EXPORT ColonHindrance
 HindranceOfName(const std::string & name);
@@ -53,7 +53,7 @@ ShapetonColonCenterline_EXPORT ColonHindrance
 HindranceOfValue(double value);
 /** For example "caliber below 10 mm"; empty for None. */
 ShapetonColonCenterline_EXPORT std::string
-                       InWords(ColonHindrance hindrance);
+                               InWords(ColonHindrance hindrance);
 
 /** Adds the point array notAssessable (ColonHindrance) to the centerline. Throws InputError if `curve` lacks an array
  * of TraceColonCenterline(). */
@@ -76,7 +76,7 @@ TellsHindrances(const CurveSet & curve);
 /** The hindered stretches in order along the line, from arcLength and notAssessable, or from arcLength, gap and radius
  * if notAssessable is missing. Throws InputError if required arrays are missing. */
 ShapetonColonCenterline_EXPORT std::vector<HinderedStretch>
-                       FindHinderedStretches(const CurveSet & curve);
+                               FindHinderedStretches(const CurveSet & curve);
 
 ShapetonColonCenterline_EXPORT ColonHindrance
 HindranceAt(const std::vector<HinderedStretch> & stretches, double arcLength);
@@ -95,10 +95,10 @@ struct ColonAssessability
 
   /** "assessable" if the fraction is at least 0.9, "notAssessable" below 0.5, else "partly". */
   ShapetonColonCenterline_EXPORT std::string
-                         Verdict() const;
+                                 Verdict() const;
   /** The hindrances that occur, longest first. */
   ShapetonColonCenterline_EXPORT std::vector<ColonHindrance>
-                         Hindrances() const;
+                                 Hindrances() const;
 };
 
 /** Assessability of the part between two arcLengths. */

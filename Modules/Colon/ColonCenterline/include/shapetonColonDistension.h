@@ -51,7 +51,7 @@ struct SegmentDistension
  * These are rounded typical values; patients differ by several percent of the length.
  * \ingroup ShapetonColonCenterline */
 ShapetonColonCenterline_EXPORT std::vector<ColonSegmentBorder>
-                       CustomarySegments(double length);
+                               CustomarySegments(double length);
 
 /** Measures the distension of each segment as in reports of CT colonography and barium enema: the fraction of the
  * centerline with a caliber of at least 1 cm.
@@ -63,11 +63,11 @@ ShapetonColonCenterline_EXPORT std::vector<ColonSegmentBorder>
  * line. Throws InputError if an array is missing or the line has zero length, and ParameterError if borders are missing
  * or not in ascending order. \ingroup ShapetonColonCenterline */
 ShapetonColonCenterline_EXPORT std::vector<SegmentDistension>
-                       MeasureDistension(const CurveSet & curve, const std::vector<ColonSegmentBorder> & borders);
+MeasureDistension(const CurveSet & curve, const std::vector<ColonSegmentBorder> & borders);
 
 /** Measures distension for CustomarySegments(). \ingroup ShapetonColonCenterline */
 ShapetonColonCenterline_EXPORT std::vector<SegmentDistension>
-                       MeasureDistension(const CurveSet & curve);
+                               MeasureDistension(const CurveSet & curve);
 } // namespace shapeton
 
 #endif

@@ -15,8 +15,7 @@ RequireBorders(const std::vector<ColonSegmentBorder> & borders)
   for (std::size_t i = 1; i < borders.size(); ++i)
   {
     RequireParameter(borders[i].end >= borders[i - 1].end,
-                     "the border of the segment \"" + borders[i].name +
-                       "\" must not precede the previous border");
+                     "the border of the segment \"" + borders[i].name + "\" must not precede the previous border");
   }
 }
 

@@ -133,8 +133,8 @@ RequireSome(const LumenMask *              lumen,
   }
   const LumenComponent & largest = components.components.front();
   throw InputError("no piece of lumen is at least " + InTenths(options.minimumVolume) + " ml: the largest of " +
-                   std::to_string(components.components.size()) + " is " + InTenths(largest.volume) +
-                   " ml at " + PlaceInWords(PlaceOf(lumen, largest)) + ". Give a mask of the whole lumen.");
+                   std::to_string(components.components.size()) + " is " + InTenths(largest.volume) + " ml at " +
+                   PlaceInWords(PlaceOf(lumen, largest)) + ". Give a mask of the whole lumen.");
 }
 } // namespace
 

@@ -57,13 +57,14 @@ struct ColonFlexures
   NumberFound() const;
 };
 
-/** "rectosigmoid", "descending-sigmoid", "splenic", "hepatic"; empty for other numbers. \ingroup ShapetonColonLandmarks */
+/** "rectosigmoid", "descending-sigmoid", "splenic", "hepatic"; empty for other numbers. \ingroup ShapetonColonLandmarks
+ */
 ShapetonColonLandmarks_EXPORT std::string
-                      NameOfFlexure(int number);
+                              NameOfFlexure(int number);
 
 /** "ordered", "published". \ingroup ShapetonColonLandmarks */
 ShapetonColonLandmarks_EXPORT std::string
-                      NameOf(FlexureRule rule);
+                              NameOf(FlexureRule rule);
 
 /** Finds the four flexures of a centerline that runs from the rectum to the cecum.
  *

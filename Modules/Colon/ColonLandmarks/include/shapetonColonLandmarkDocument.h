@@ -32,7 +32,7 @@ struct ColonSegmentExtent
 /** The segments in landmarks.json with two known ends. The rectum begins at 0; the cecum ends with the centerline.
  * Throws InputError for an invalid document. */
 ShapetonColonLandmarks_EXPORT std::vector<ColonSegmentExtent>
-                      SegmentsOf(const Json & landmarks, double lengthOfCenterline);
+                              SegmentsOf(const Json & landmarks, double lengthOfCenterline);
 
 /** The segment at a distance (mm) along the centerline from the anal verge; null outside all segments. The end of the
  * centerline is part of the last segment. */
@@ -50,7 +50,7 @@ struct ColonFlexurePlace
 
 /** Rectosigmoid, descending-sigmoid, splenic, hepatic. Throws InputError for an invalid document. */
 ShapetonColonLandmarks_EXPORT std::array<ColonFlexurePlace, 4>
-                      FlexuresOf(const Json & landmarks);
+                              FlexuresOf(const Json & landmarks);
 ///@}
 } // namespace shapeton
 

@@ -56,7 +56,7 @@ FindColonLandmarks(const FlatColon & flat, const CurveSet & centerline, const Co
 /** Assessability of segment 1 to 6; empty if a border or the hindrances are unknown.
  * \ingroup ShapetonColonLandmarks */
 ShapetonColonLandmarks_EXPORT std::optional<ColonAssessability>
-                      AssessabilityOfSegment(const ColonLandmarks & landmarks, int segment);
+                              AssessabilityOfSegment(const ColonLandmarks & landmarks, int segment);
 
 /** \name Contents of landmark files */
 ///@{
@@ -67,7 +67,8 @@ FlexureCurves(const ColonLandmarks & landmarks);
 /** The flat surface with the cell array segment. \ingroup ShapetonColonLandmarks */
 ShapetonColonLandmarks_EXPORT SurfaceMesh
 SegmentSurface(const SurfaceMesh & flat, const ColonLandmarks & landmarks);
-/** The flat surface with the cell array fold and the point array meanCurvature (1/mm). \ingroup ShapetonColonLandmarks */
+/** The flat surface with the cell array fold and the point array meanCurvature (1/mm). \ingroup ShapetonColonLandmarks
+ */
 ShapetonColonLandmarks_EXPORT SurfaceMesh
 FoldSurface(const SurfaceMesh & flat, const ColonLandmarks & landmarks);
 /** Stable keys: flexureRule, mirrored, backwards, flexures (a list of number, name, found, reason, position, arcLength,

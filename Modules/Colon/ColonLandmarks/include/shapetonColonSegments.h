@@ -41,7 +41,7 @@ constexpr int NumberOfColonSegments = 6;
 /** "rectum", "sigmoid", ... in radiological terms; "unknown" for 0, empty for other numbers.
  * \ingroup ShapetonColonLandmarks */
 ShapetonColonLandmarks_EXPORT std::string
-                      NameOfSegment(int segment);
+                              NameOfSegment(int segment);
 
 /** A closed edge loop once around the tube, near the plane through `point` with this normal (dissertation 4.2.2: plane
  * orthogonal to the centerline, Dijkstra's shortest path). The cost per mm of edge is 1 + (d / 5 mm)^2, where d is the

@@ -76,7 +76,7 @@ struct ColonTaeniae
 
 /** "joint", "published". \ingroup ShapetonColonLandmarks */
 ShapetonColonLandmarks_EXPORT std::string
-                      NameOf(TaeniaRule rule);
+                              NameOf(TaeniaRule rule);
 
 /** Finds the three taeniae coli of a flat colon, the bands at which haustral folds end (dissertation 4.2.1).
  *

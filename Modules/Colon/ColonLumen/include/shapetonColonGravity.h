@@ -15,12 +15,12 @@ namespace shapeton
  * or feet first is irrelevant, since LPS is fixed to the patient. Empty for other texts, such as a sitting position.
  * \ingroup ShapetonColonLumen */
 ShapetonColonLumen_EXPORT std::optional<itk::Vector<double, 3>>
-                  GravityOfPatientPosition(const std::string & code);
+                          GravityOfPatientPosition(const std::string & code);
 
 /** "supine", "prone", "leftDecubitus" or "rightDecubitus", whichever is closest to a direction in LPS.
  * \ingroup ShapetonColonLumen */
 ShapetonColonLumen_EXPORT std::string
-                  NameOfGravity(const itk::Vector<double, 3> & gravity);
+                          NameOfGravity(const itk::Vector<double, 3> & gravity);
 } // namespace shapeton
 
 #endif

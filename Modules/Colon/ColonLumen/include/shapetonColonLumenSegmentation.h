@@ -125,7 +125,7 @@ SegmentColonLumen(const itk::Image<float, 3> * ct, const ColonLumenOptions & opt
 /** Reason why a mask on the grid of a CT (HU) is not a colon lumen: most of its gas is lung. Empty otherwise.
  * \ingroup ShapetonColonLumen */
 ShapetonColonLumen_EXPORT std::string
-                  FailureOfMask(const itk::Image<float, 3> * ct, const itk::Image<unsigned char, 3> * mask);
+                          FailureOfMask(const itk::Image<float, 3> * ct, const itk::Image<unsigned char, 3> * mask);
 } // namespace shapeton
 
 #endif

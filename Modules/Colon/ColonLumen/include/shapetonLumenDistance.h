@@ -20,7 +20,7 @@ using LumenLabelImage = itk::Image<std::int32_t, 3>;
 /** The bounding box of the lumen, padded by `margin` voxels within the image. Throws InputError if the lumen is empty.
  * \ingroup ShapetonColonLumen */
 ShapetonColonLumen_EXPORT itk::ImageRegion<3>
-                  LumenRegion(const LumenMask * lumen, unsigned int margin = 1);
+                          LumenRegion(const LumenMask * lumen, unsigned int margin = 1);
 
 /** Distance (mm) of each lumen voxel of `region` to the wall; 0 outside the lumen. The image covers only `region`, in
  * the physical space of `lumen`.
@@ -35,7 +35,7 @@ ShapetonColonLumen_EXPORT itk::ImageRegion<3>
  * Throws InputError if all voxels of the region are lumen.
  * \ingroup ShapetonColonLumen */
 ShapetonColonLumen_EXPORT LumenDistanceImage::Pointer
-                  LumenDistance(const LumenMask * lumen, const itk::ImageRegion<3> & region);
+                          LumenDistance(const LumenMask * lumen, const itk::ImageRegion<3> & region);
 
 /** A face-connected component. \ingroup ShapetonColonLumen */
 struct LumenComponent

@@ -12,10 +12,10 @@ namespace
 constexpr std::size_t LeastSections = 8; // 1 mm each
 constexpr double      ShareOfRays = 1.0 / 3;
 constexpr double      ThickestMembrane = 3.0; // mm, blurred
-constexpr double      ThinnestInFluid = 2.0; // mm, blurred; excludes partial volume at a level of bright fluid
-constexpr double      LeastRoom = 2.5;       // mm between tube and sphere
-constexpr double      LargestBalloon = 30.0; // mm, radius
-constexpr double      FarFromBall = 1.5;     // mm
+constexpr double      ThinnestInFluid = 2.0;  // mm, blurred; excludes partial volume at a level of bright fluid
+constexpr double      LeastRoom = 2.5;        // mm between tube and sphere
+constexpr double      LargestBalloon = 30.0;  // mm, radius
+constexpr double      FarFromBall = 1.5;      // mm
 constexpr double      ShareOnBall = 0.75;
 constexpr double      LeastResidual = 0.6; // mm; smaller residuals are always accepted
 constexpr double      ShareOfRadius = 1.0 / 12;

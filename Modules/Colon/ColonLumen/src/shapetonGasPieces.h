@@ -18,7 +18,7 @@ struct GasPiece
   double          radius{ 0.0 };           ///< of the largest inscribed ball, mm; 0 for pieces below 0.5 ml
   double          inside{ 0.0 };           ///< mean HU at least 3 mm deep, or in the deepest part
   bool            isOutside{ false };      ///< outside air, even if enclosed in a slice
-  bool            isCut{ false }; ///< cut by the image border, except by the caudal border next to outside air
+  bool            isCut{ false };          ///< cut by the image border, except by the caudal border next to outside air
 };
 
 /** All gas of a volume. Entry 0 of `pieces` is the air outside the body. */

@@ -1,7 +1,7 @@
 #ifndef shapetonHollowIslands_h
 #define shapetonHollowIslands_h
 
-#include "shapetonLumenVoxels.h"
+#include "shapetonLumenField.h"
 
 namespace shapeton
 {

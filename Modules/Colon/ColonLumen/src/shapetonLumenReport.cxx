@@ -153,9 +153,8 @@ DescribeOtherBright(const LumenVoxels & voxels, ColonLumen & lumen)
     const auto   middle = voxels.grid.Index(deepest.voxel[0], deepest.voxel[1], deepest.voxel[2]);
     ColonLeftOut rest;
     rest.what = "other bright matter";
-    rest.why =
-      "as bright as tagged fluid, inscribed radius " + Rounded(deepest.radius, 1) +
-      " mm, no level of the colon above it: small bowel, bone, or fluid-filled colon (add it by a seed point)";
+    rest.why = "as bright as tagged fluid, inscribed radius " + Rounded(deepest.radius, 1) +
+               " mm, no level of the colon above it: small bowel, bone, or fluid-filled colon (add it by a seed point)";
     rest.ml = ml;
     rest.inscribedRadius = deepest.radius;
     rest.meanHU = voxels.hu[middle];

@@ -3,7 +3,7 @@
 
 #include "shapetonColonEvidence.h"
 #include "shapetonColonLumenSegmentation.h"
-#include "shapetonLumenVoxels.h"
+#include "shapetonLumenField.h"
 
 namespace shapeton
 {

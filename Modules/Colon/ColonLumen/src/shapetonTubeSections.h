@@ -1,7 +1,7 @@
 #ifndef shapetonTubeSections_h
 #define shapetonTubeSections_h
 
-#include "shapetonLumenVoxels.h"
+#include "shapetonLumenField.h"
 #include "shapetonTubeBores.h"
 
 #include <array>

@@ -91,7 +91,7 @@ BuildColonModelOfLumen(const LumenMask * lumen, const ColonModelOptions & option
 /** Stretches of at least 10 mm where the scan border cuts the colon; shorter ones are the anal canal.
  * \ingroup ShapetonColonModel */
 ShapetonColonModel_EXPORT std::vector<HinderedStretch>
-                  CutsByScan(const CurveSet & line);
+                          CutsByScan(const CurveSet & line);
 
 /** Axis of a catheter with the point arrays radius (outer radius, different at the tip) and balloonRadius (0 without a
  * balloon) in mm, as input of RankCatheterLast(). \ingroup ShapetonColonModel */

@@ -66,7 +66,7 @@ SetIleocecalValve(const std::optional<IleocecalValve> & valve, CurveSet & center
 /** The valve stored in a centerline, if any. Throws InputError for an array of the wrong size.
  * \ingroup ShapetonColonModel */
 ShapetonColonModel_EXPORT std::optional<IleocecalValve>
-                      IleocecalValveOf(const CurveSet & centerline);
+                          IleocecalValveOf(const CurveSet & centerline);
 ///@}
 } // namespace shapeton
 

@@ -15,9 +15,9 @@ namespace shapeton
  * \param labelOf maps the distance along the centerline (mm) to a label; called from several threads.
  * \ingroup ShapetonColonModel */
 ShapetonColonModel_EXPORT itk::Image<unsigned short, 3>::Pointer
-                 LabelLumenAlong(const LumenMaskImage *                        lumen,
-                                 const CurveSet &                              centerline,
-                                 const std::function<unsigned short(double)> & labelOf);
+                          LabelLumenAlong(const LumenMaskImage *                        lumen,
+                                          const CurveSet &                              centerline,
+                                          const std::function<unsigned short(double)> & labelOf);
 } // namespace shapeton
 
 #endif

@@ -53,7 +53,7 @@ RepairLumenTopology(const OccupancyImage * occupancy, const CurveSet & centerlin
  * smoothed by a Gaussian to remove stairs and shifted to preserve the number of voxels of at least 0.5.
  * \ingroup ShapetonColonModel */
 ShapetonColonModel_EXPORT OccupancyImage::Pointer
-                 OccupancyFromMask(const LumenMaskImage * mask, double sigma = 0.0);
+                          OccupancyFromMask(const LumenMaskImage * mask, double sigma = 0.0);
 } // namespace shapeton
 
 #endif

@@ -277,8 +277,8 @@ MissingParts(const ColonModel & model)
   }
   for (const HinderedStretch & cut : CutsByScan(model.centerline.curve))
   {
-    missing.push_back("the part outside the scan, whose border cuts the colon " +
-                      InMillimeters(cut.begin, cut.end) + " along the line");
+    missing.push_back("the part outside the scan, whose border cuts the colon " + InMillimeters(cut.begin, cut.end) +
+                      " along the line");
   }
   for (const CenterlineGap & gap : model.centerline.gaps)
   {

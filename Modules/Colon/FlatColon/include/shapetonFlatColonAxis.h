@@ -42,14 +42,14 @@ FrameAt(const FlatColonAxis & axis, int column, const Eigen::Vector3d & point);
 /** Distance (mm) of each column along the centerline: the nondecreasing isotonic fit to the mean arcLength of the
  * columns. Empty if the surface lacks arcLength. \ingroup ShapetonFlatColon */
 ShapetonFlatColon_EXPORT std::vector<double>
-                 DistanceOfColumns(const FlatColonGrid & grid);
+                         DistanceOfColumns(const FlatColonGrid & grid);
 
 /** Distance (mm) of each column along a centerline with the point array arcLength. Column centers are assigned to
  * vertices in nondecreasing order with minimum sum of squared distances, which is robust to touching loops of the
  * colon. Throws InputError if the centerline lacks arcLength.
  * \ingroup ShapetonFlatColon */
 ShapetonFlatColon_EXPORT std::vector<double>
-                 DistanceOfColumns(const FlatColonAxis & axis, const CurveSet & centerline);
+                         DistanceOfColumns(const FlatColonAxis & axis, const CurveSet & centerline);
 } // namespace shapeton
 
 #endif

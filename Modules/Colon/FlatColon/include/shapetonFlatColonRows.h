@@ -46,7 +46,7 @@ struct ShapetonFlatColon_EXPORT FlatColonRow
  * pixels. Completely bridged stretches are shortened to `longestBridge` pixels, half at each end; 0 disables
  * shortening. \ingroup ShapetonFlatColon */
 ShapetonFlatColon_EXPORT std::vector<FlatColonRow>
-                 BreakIntoRows(const FlatColonGrid & grid, int greatestColumns, int longestBridge = 0);
+                         BreakIntoRows(const FlatColonGrid & grid, int greatestColumns, int longestBridge = 0);
 
 /** A tick of a ruler. \ingroup ShapetonFlatColon */
 struct FlatColonTick
@@ -60,7 +60,7 @@ struct FlatColonTick
 /** Ticks at multiples of `step` (mm, greater than 0) of the distance along the centerline; where it is constant, at the
  * first column. \ingroup ShapetonFlatColon */
 ShapetonFlatColon_EXPORT std::vector<FlatColonTick>
-                 RulerTicks(const std::vector<double> & distanceOfColumns, double step);
+                         RulerTicks(const std::vector<double> & distanceOfColumns, double step);
 } // namespace shapeton
 
 #endif

@@ -20,11 +20,11 @@ SetFlatSpace(const FlatColonGrid & grid, itk::ImageBase<2> * picture);
 
 /** Builds the coordinate map; NaN outside all faces. \ingroup ShapetonFlatColon */
 ShapetonFlatColon_EXPORT FlatCoordinateMap::Pointer
-                 MakeFlatCoordinateMap(const FlatColonGrid & grid);
+                         MakeFlatCoordinateMap(const FlatColonGrid & grid);
 
 /** Throws ParameterError unless the name is empty (not requested) or ends with .nrrd. \ingroup ShapetonFlatColon */
 ShapetonFlatColon_EXPORT const std::string &
-                       RequireCoordinateMapName(const std::string & path);
+                               RequireCoordinateMapName(const std::string & path);
 
 /** Writes NRRD; its header contains the space of the vectors, pixel size, circumference and `metadata`. Throws
  * OutputError if the file cannot be written, and ParameterError for another extension. \ingroup ShapetonFlatColon */

@@ -32,19 +32,19 @@ TableOfFolds(const HaustralFolds & folds);
 
 /** Reads the folds from a table file without loss. Throws InputError with the file and the line. */
 ShapetonFlatColon_EXPORT std::vector<HaustralFold>
-                     ReadFoldTable(const std::string & path);
+                         ReadFoldTable(const std::string & path);
 
 /** Centers and ends as two lists of points for 3D Slicer, named by label; empty lists are omitted. */
 ShapetonFlatColon_EXPORT std::vector<Markup>
-                     MarkupsOfFolds(const HaustralFolds & folds);
+                         MarkupsOfFolds(const HaustralFolds & folds);
 
 /** A color for each label; neighbors along the colon have different colors. */
 ShapetonFlatColon_EXPORT std::vector<LabelColor>
-                     ColorsOfFolds(const HaustralFolds & folds);
+                         ColorsOfFolds(const HaustralFolds & folds);
 
 /** Throws ParameterError unless the name is empty (not requested) or ends with .nrrd. */
 ShapetonFlatColon_EXPORT const std::string &
-                           RequireFoldLabelsName(const std::string & path);
+                               RequireFoldLabelsName(const std::string & path);
 
 /** Writes compressed NRRD; its header contains pixel size and circumference of the grid and `metadata`. Throws
  * OutputError if the file cannot be written, and ParameterError for another extension. */
@@ -57,12 +57,12 @@ WriteFoldLabels(const HaustralFolds &  folds,
 /** Reads a file of WriteFoldLabels(). Throws InputError with the file and the error.
  * \ingroup ShapetonFlatColon */
 ShapetonFlatColon_EXPORT itk::Image<unsigned short, 2>::Pointer
-                     ReadFoldLabels(const std::string & path);
+                         ReadFoldLabels(const std::string & path);
 
 /** Fold label at the center of each face of a flat surface; 0 for wall. Throws InputError if the surface lacks the
  * point array uv. */
 ShapetonFlatColon_EXPORT std::vector<unsigned short>
-                     FoldsOfFaces(const SurfaceMesh & flat, const itk::Image<unsigned short, 2> & labels);
+                         FoldsOfFaces(const SurfaceMesh & flat, const itk::Image<unsigned short, 2> & labels);
 ///@}
 } // namespace shapeton
 

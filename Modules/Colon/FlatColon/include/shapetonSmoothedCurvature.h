@@ -23,10 +23,10 @@ enum class CurvatureUnit
  * to limit the effect of needle triangles. Throws InputError for degenerate faces as MakeSurfaceLaplacian(), and
  * ParameterError for a negative time. \ingroup ShapetonFlatColon */
 ShapetonFlatColon_EXPORT Eigen::VectorXd
-                 SmoothedMeanCurvature(const VertexMatrix & V,
-                                       const FaceMatrix &   F,
-                                       double               time,
-                                       CurvatureUnit        unit = CurvatureUnit::PerArea);
+                         SmoothedMeanCurvature(const VertexMatrix & V,
+                                               const FaceMatrix &   F,
+                                               double               time,
+                                               CurvatureUnit        unit = CurvatureUnit::PerArea);
 } // namespace shapeton
 
 #endif

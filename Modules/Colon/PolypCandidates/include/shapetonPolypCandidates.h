@@ -29,7 +29,7 @@ enum class PolypPreset
 
 /** "default", "published". \ingroup ShapetonPolypCandidates */
 ShapetonPolypCandidates_EXPORT std::string
-                       NameOf(PolypPreset preset);
+                               NameOf(PolypPreset preset);
 
 /** Size classes for reports, by the largest diameter rounded to whole millimeters.
  * \ingroup ShapetonPolypCandidates */
@@ -46,7 +46,7 @@ ShapetonPolypCandidates_EXPORT PolypSize
 SizeOf(double diameter);
 /** "<= 5 mm", "6-9 mm", ">= 10 mm", ">= 30 mm". \ingroup ShapetonPolypCandidates */
 ShapetonPolypCandidates_EXPORT std::string
-                       NameOf(PolypSize size);
+                               NameOf(PolypSize size);
 
 /** Tissue of a candidate, from the HU inside it. \ingroup ShapetonPolypCandidates */
 enum class PolypTissue
@@ -63,7 +63,7 @@ ShapetonPolypCandidates_EXPORT PolypTissue
 TissueOf(double hounsfield);
 /** "unknown", "gas", "fat", "soft tissue", "tagged". \ingroup ShapetonPolypCandidates */
 ShapetonPolypCandidates_EXPORT std::string
-                       NameOf(PolypTissue tissue);
+                               NameOf(PolypTissue tissue);
 
 /** Evidence for a candidate from the other patient position. \ingroup ShapetonPolypCandidates */
 struct PolypInOtherPosition
@@ -180,7 +180,7 @@ MatchedSmoothingTime(const SurfaceMesh & wall, double time);
  * outside [0, 1], and the InputError of MakeSurfaceLaplacian(). The result does not depend on the number of threads.
  * \ingroup ShapetonPolypCandidates */
 ShapetonPolypCandidates_EXPORT std::vector<PolypCandidate>
-                       FindPolypCandidates(const SurfaceMesh & wall, const PolypCandidateOptions & options = {});
+FindPolypCandidates(const SurfaceMesh & wall, const PolypCandidateOptions & options = {});
 
 /** Marks the candidate that may be the ileocecal valve if no valve is known: the largest of at least 15 mm, 30 to 100
  * mm before the end of the centerline. \ingroup ShapetonPolypCandidates */

@@ -36,9 +36,9 @@ MeasureContent(const SurfaceMesh &           wall,
  * head consists of the lines from its surface to its center used by MeasureContent(), without the lumen.
  * \ingroup ShapetonPolypCandidates */
 ShapetonPolypCandidates_EXPORT itk::Image<unsigned short, 3>::Pointer
-                       LabelPolypHeads(const SurfaceMesh &                 wall,
-                                       const PolypLumenImage *             lumen,
-                                       const std::vector<PolypCandidate> & candidates);
+                               LabelPolypHeads(const SurfaceMesh &                 wall,
+                                               const PolypLumenImage *             lumen,
+                                               const std::vector<PolypCandidate> & candidates);
 } // namespace shapeton
 
 #endif

@@ -48,9 +48,9 @@ FeaturesOf(const WallBulge & bulge);
 
 /** Terms of the score: shape index, natural logarithms of roundness and hollowness (at least 0.05), and the logarithm
  * of curvedness / 0.25 per mm, at least 0. \ingroup ShapetonPolypCandidates */
-constexpr int          numberOfPolypTerms = 4;
+constexpr int                  numberOfPolypTerms = 4;
 ShapetonPolypCandidates_EXPORT std::array<double, numberOfPolypTerms>
-                       TermsOf(const PolypFeatures & features);
+                               TermsOf(const PolypFeatures & features);
 
 /** Logistic regression weights: terms, then the constant. \ingroup ShapetonPolypCandidates */
 using PolypWeights = std::array<double, numberOfPolypTerms + 1>;

@@ -55,7 +55,7 @@ struct PolypSearchOptions
 /** Finds candidates and adds all available data: attenuation, shape diffusion, position on the flat map, segment,
  * remark. Throws the exceptions of the individual steps. \ingroup ShapetonPolypCandidates */
 ShapetonPolypCandidates_EXPORT std::vector<PolypCandidate>
-                       SearchPolyps(const PolypColon & colon, const PolypSearchOptions & options = {});
+                               SearchPolyps(const PolypColon & colon, const PolypSearchOptions & options = {});
 
 /** Mean distance (mm) of the candidates to a wall; 0 without candidates. The walls of two positions may coincide
  * locally, so only the mean identifies the wall. \ingroup ShapetonPolypCandidates */
@@ -65,7 +65,7 @@ MeanDistanceToWall(const SurfaceMesh & wall, const std::vector<PolypCandidate> &
 /** Converts candidates for FindInOtherPosition(), with the scores of their position. \ingroup
  * ShapetonPolypCandidates */
 ShapetonPolypCandidates_EXPORT std::vector<OtherPolypCandidate>
-                       AsOthers(const std::vector<PolypCandidate> & candidates);
+                               AsOthers(const std::vector<PolypCandidate> & candidates);
 
 /** Maps candidates to the other position by a map from ColonRegistration: a flat surface with the point arrays mapped
  * (LPS, mm), excluded and confidence. Throws InputError, prefixed with `what`, if an array is missing or the mean
@@ -92,7 +92,7 @@ WeighByOtherPosition(double confidence, std::vector<PolypCandidate> & candidates
  * the reader's decision. C-RADS (Zalis et al., Radiology 2005): C1 no candidate of 6 mm, C2 fewer than three of 6 to 9
  * mm, C3 one of 10 mm or three of 6 to 9 mm; C4 requires a reader. \ingroup ShapetonPolypCandidates */
 ShapetonPolypCandidates_EXPORT std::string
-                       CategoryImplied(const std::vector<PolypCandidate> & candidates);
+                               CategoryImplied(const std::vector<PolypCandidate> & candidates);
 
 /** One row per candidate; unknown values are empty. \ingroup ShapetonPolypCandidates */
 ShapetonPolypCandidates_EXPORT CsvTable
@@ -101,17 +101,17 @@ TableOfPolypCandidates(const std::vector<PolypCandidate> & candidates);
 /** Reads candidates from a table, without vertices, apex, axis and score features. Throws InputError for an invalid
  * file. \ingroup ShapetonPolypCandidates */
 ShapetonPolypCandidates_EXPORT std::vector<PolypCandidate>
-                       ReadPolypCandidates(const std::string & path);
+                               ReadPolypCandidates(const std::string & path);
 
 /** Reads candidates for FindInOtherPosition(), with the scores of their position, from a table with the columns x, y, z
  * (LPS, mm); without a column `candidate` they are numbered by row. Throws InputError for an invalid file.
  * \ingroup ShapetonPolypCandidates */
 ShapetonPolypCandidates_EXPORT std::vector<OtherPolypCandidate>
-                       ReadOtherPolypCandidates(const std::string & path);
+                               ReadOtherPolypCandidates(const std::string & path);
 
 /** Points for 3D Slicer, labeled by number and diameter; empty without candidates. \ingroup ShapetonPolypCandidates */
 ShapetonPolypCandidates_EXPORT std::vector<Markup>
-                       MarkupsOfPolypCandidates(const std::vector<PolypCandidate> & candidates);
+                               MarkupsOfPolypCandidates(const std::vector<PolypCandidate> & candidates);
 } // namespace shapeton
 
 #endif

@@ -44,10 +44,10 @@ struct PublishedPolypOptions
  * does not depend on the number of threads.
  * \ingroup ShapetonPolypCandidates */
 ShapetonPolypCandidates_EXPORT std::vector<PolypCandidate>
-                       FindPublishedPolypCandidates(const SurfaceMesh &           wall,
-                                                    const PolypLumenImage *       lumen,
-                                                    const itk::Image<float, 3> *  ct,
-                                                    const PublishedPolypOptions & options = {});
+                               FindPublishedPolypCandidates(const SurfaceMesh &           wall,
+                                                            const PolypLumenImage *       lumen,
+                                                            const itk::Image<float, 3> *  ct,
+                                                            const PublishedPolypOptions & options = {});
 } // namespace shapeton
 
 #endif

@@ -52,20 +52,20 @@ struct WallPartLimits
  * order of their first vertices. Rims cross faces; areas, means and widths refer to the part inside the rim.
  * \ingroup ShapetonPolypCandidates */
 ShapetonPolypCandidates_EXPORT std::vector<WallBulge>
-                       MeasureWallParts(const SurfaceMesh &         wall,
-                                        const SurfaceConnectivity & connectivity,
-                                        const SurfaceShape &        shape,
-                                        const Eigen::VectorXd &     level,
-                                        const WallPartLimits &      limits = {});
+                               MeasureWallParts(const SurfaceMesh &         wall,
+                                                const SurfaceConnectivity & connectivity,
+                                                const SurfaceShape &        shape,
+                                                const Eigen::VectorXd &     level,
+                                                const WallPartLimits &      limits = {});
 
 /** Finds the parts of the wall where both principal curvatures are above `leastCurvature` (1/mm). `isLeftOut` (per
  * vertex) excludes bridges and rims. \ingroup ShapetonPolypCandidates */
 ShapetonPolypCandidates_EXPORT std::vector<WallBulge>
-                       FindWallBulges(const SurfaceMesh &         wall,
-                                      const SurfaceConnectivity & connectivity,
-                                      const SurfaceShape &        shape,
-                                      const std::vector<char> &   isLeftOut,
-                                      double                      leastCurvature);
+                               FindWallBulges(const SurfaceMesh &         wall,
+                                              const SurfaceConnectivity & connectivity,
+                                              const SurfaceShape &        shape,
+                                              const std::vector<char> &   isLeftOut,
+                                              double                      leastCurvature);
 } // namespace shapeton
 
 #endif

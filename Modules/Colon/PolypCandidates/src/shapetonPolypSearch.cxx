@@ -145,8 +145,8 @@ ReadPolypColon(const std::string & folder)
   {
     colon.catheter = ReadCurves(segmentation + "catheter.vtp");
   }
-  SurfaceMesh flat = ReadPart(
-    folder + "/flattening/flat.vtp", "flat", "candidates have neither a map position nor a picture", colon);
+  SurfaceMesh flat =
+    ReadPart(folder + "/flattening/flat.vtp", "flat", "candidates have neither a map position nor a picture", colon);
   if (flat.NumberOfFaces() > 0)
   {
     colon.flat = std::make_shared<FlatColon>(std::move(flat));

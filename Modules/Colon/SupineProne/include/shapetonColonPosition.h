@@ -45,7 +45,7 @@ struct ColonPosition
  * array gap, if present), or with a mean radius below `leastRadius` mm.
  * \ingroup ShapetonSupineProne */
 ShapetonSupineProne_EXPORT std::vector<char>
-                   FindExcludedColumns(const FlatColon & flat, const CurveSet & centerline, double leastRadius = 9.0);
+FindExcludedColumns(const FlatColon & flat, const CurveSet & centerline, double leastRadius = 9.0);
 
 /** Creates the position; `flat` is the surface of landmarks and folds.
  * \param name label of the position in messages. \ingroup ShapetonSupineProne */

@@ -63,9 +63,9 @@ struct RegistrationErrors
 /** Registration error at each point for a map between the positions of a registration.
  * \ingroup ShapetonSupineProne */
 ShapetonSupineProne_EXPORT std::vector<PointError>
-                   ErrorsOfPoints(const SupineProneRegistration & registration,
-                                  const CylinderMap &             map,
-                                  const std::vector<PointPair> &  pairs);
+                           ErrorsOfPoints(const SupineProneRegistration & registration,
+                                          const CylinderMap &             map,
+                                          const std::vector<PointPair> &  pairs);
 
 /** Collects the valid errors and counts the ignored ones. \ingroup ShapetonSupineProne */
 ShapetonSupineProne_EXPORT RegistrationErrors

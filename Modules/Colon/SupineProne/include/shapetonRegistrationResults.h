@@ -27,7 +27,7 @@ enum class FoldVerdict
 
 /** "", "correct", "wrong", "unmatched". */
 ShapetonSupineProne_EXPORT std::string
-                   NameOf(FoldVerdict verdict);
+                           NameOf(FoldVerdict verdict);
 
 /** A matched pair of folds: a row of the table. */
 struct MatchedFolds

@@ -148,11 +148,11 @@ RegisterColonPositions(const ColonPosition &      source,
 
 /** Maps a position on the flat map, mm. \ingroup ShapetonSupineProne */
 ShapetonSupineProne_EXPORT Eigen::Vector2d
-                   MapUv(const SupineProneRegistration & registration, const Eigen::Vector2d & sourceUv);
+                           MapUv(const SupineProneRegistration & registration, const Eigen::Vector2d & sourceUv);
 
 /** Inverse of MapUv(); NaN where undefined. \ingroup ShapetonSupineProne */
 ShapetonSupineProne_EXPORT Eigen::Vector2d
-                   InverseMapUv(const SupineProneRegistration & registration, const Eigen::Vector2d & targetUv);
+                           InverseMapUv(const SupineProneRegistration & registration, const Eigen::Vector2d & targetUv);
 
 /** Confidence at a source position, 0 to 1. \ingroup ShapetonSupineProne */
 ShapetonSupineProne_EXPORT double

@@ -11,23 +11,23 @@ namespace shapeton
  * become '?'. File names may contain anything; terminals and XML do not accept it.
  * \ingroup ShapetonCommon */
 ShapetonCommon_EXPORT std::string
-            Printable(const std::string & text);
+                      Printable(const std::string & text);
 
 /** `text` in double quotes, shortened if it is too long for a message. \ingroup ShapetonCommon */
 ShapetonCommon_EXPORT std::string
-            Quoted(const std::string & text);
+                      Quoted(const std::string & text);
 
 /** The text without leading and trailing blanks, tabs, line ends and zeros. \ingroup ShapetonCommon */
 ShapetonCommon_EXPORT std::string
-            Trimmed(const std::string & text);
+                      Trimmed(const std::string & text);
 
 /** Converts A to Z to lower case in any locale; other characters are unchanged. \ingroup ShapetonCommon */
 ShapetonCommon_EXPORT std::string
-            LowerCase(std::string text);
+                      LowerCase(std::string text);
 
 /** A folder name without trailing slashes. \ingroup ShapetonCommon */
 ShapetonCommon_EXPORT std::string
-            WithoutTrailingSlashes(std::string path);
+                      WithoutTrailingSlashes(std::string path);
 } // namespace shapeton
 
 #endif

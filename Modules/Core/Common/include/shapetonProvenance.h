@@ -14,13 +14,14 @@ namespace shapeton
  * \ingroup ShapetonCommon */
 using Provenance = std::vector<std::pair<std::string, std::string>>;
 
-/** The provenance with "Shapeton." before each name, to distinguish it from other metadata of a file. \ingroup ShapetonCommon */
+/** The provenance with "Shapeton." before each name, to distinguish it from other metadata of a file. \ingroup
+ * ShapetonCommon */
 ShapetonCommon_EXPORT Provenance
 ProvenanceMetadata(const Provenance & provenance);
 
 /** "name=value; name=value", for files with a single comment field. \ingroup ShapetonCommon */
 ShapetonCommon_EXPORT std::string
-            ProvenanceComment(const Provenance & provenance);
+                      ProvenanceComment(const Provenance & provenance);
 } // namespace shapeton
 
 #endif

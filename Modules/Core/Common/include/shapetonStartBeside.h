@@ -14,7 +14,7 @@ namespace shapeton
  * Interruption of the starting thread, which must outlive the task.
  * \ingroup ShapetonCommon */
 ShapetonCommon_EXPORT std::future<void>
-            StartBeside(std::function<void()> work);
+                      StartBeside(std::function<void()> work);
 } // namespace shapeton
 
 #endif

@@ -18,12 +18,12 @@ using OutputPath = std::function<std::string(const std::string &)>;
 /** Scripts or styles of a page as joined by shapeton_join_scripts() in CMake: string literals, terminated by nullptr.
  * \ingroup ShapetonReport */
 ShapetonReport_EXPORT std::string
-              PageText(const char * const pieces[]);
+                      PageText(const char * const pieces[]);
 
 /** The style sheet shared by all pages; a root element of class `dark` selects dark colors.
  * \ingroup ShapetonReport */
 ShapetonReport_EXPORT std::string
-              PageStyle();
+                      PageStyle();
 
 /** \class HtmlReport
  * \brief A self-contained HTML file with embedded styles and pictures; it opens without a network or other files.

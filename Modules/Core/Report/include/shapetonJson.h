@@ -35,7 +35,7 @@ RoundedJson(double value, int digits = 6);
 /** "line 3, column 14": the position of byte number `byte` of the text, counted from 1.
  * \ingroup ShapetonReport */
 ShapetonReport_EXPORT std::string
-              PlaceInText(const std::string & text, std::size_t byte);
+                      PlaceInText(const std::string & text, std::size_t byte);
 } // namespace shapeton
 
 #endif

@@ -14,7 +14,7 @@ namespace shapeton
 /** JSON without markup characters, safe inside a script element.
  * \ingroup ShapetonReport */
 ShapetonReport_EXPORT std::string
-               ScriptText(const Json & value);
+                      ScriptText(const Json & value);
 
 /** \class PageBlocks
  * \brief Arrays as scripts that a file:// page can load: block(name, {header}, "base64 of gzip").

@@ -12,7 +12,7 @@ namespace shapeton
  * 6 right of the decimal point it keeps a power of ten, in superscript. Any other text is unchanged.
  * \ingroup ShapetonReport */
 ShapetonReport_EXPORT std::string
-              PlainNumber(const std::string & number);
+                      PlainNumber(const std::string & number);
 
 /** A number, optionally followed by a blank and a unit such as mm, ml or %.
  * \ingroup ShapetonReport */
@@ -25,17 +25,17 @@ struct Quantity
 /** Parses a quantity; empty for any other text. Digits of the number may be grouped by blanks.
  * \ingroup ShapetonReport */
 ShapetonReport_EXPORT std::optional<Quantity>
-              QuantityOf(const std::string & text);
+                      QuantityOf(const std::string & text);
 
 /** A quantity for display: the number in plain notation, its thousands separated by narrow no-break spaces, then the
  * unit. \ingroup ShapetonReport */
 ShapetonReport_EXPORT std::string
-              ReadableQuantity(const Quantity & quantity);
+                      ReadableQuantity(const Quantity & quantity);
 
 /** A text for display: numbers in plain notation, thousands separated for those with a unit, mm^2 in superscript.
  * Names that contain digits are unchanged. \ingroup ShapetonReport */
 ShapetonReport_EXPORT std::string
-              ReadableText(const std::string & text);
+                      ReadableText(const std::string & text);
 } // namespace shapeton
 
 #endif

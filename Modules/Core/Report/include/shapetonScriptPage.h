@@ -24,7 +24,7 @@ struct ScriptPage
 /** The page as HTML. `blocks` returns the blocks of a single page.
  * \ingroup ShapetonReport */
 ShapetonReport_EXPORT std::string
-               TextOf(const ScriptPage & page, const PageBlocks & blocks);
+                      TextOf(const ScriptPage & page, const PageBlocks & blocks);
 } // namespace shapeton
 
 #endif

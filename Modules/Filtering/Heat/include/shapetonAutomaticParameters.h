@@ -47,7 +47,7 @@ enum class SnapshotSpacing
  * start of a logarithmic spacing (512 steps to 100,000 yield 388).
  * \ingroup ShapetonHeat */
 ShapetonHeat_EXPORT std::vector<std::uint64_t>
-                      MakeSnapshotSteps(std::uint64_t last, std::size_t number, SnapshotSpacing spacing);
+                    MakeSnapshotSteps(std::uint64_t last, std::size_t number, SnapshotSpacing spacing);
 } // namespace shapeton
 
 #endif

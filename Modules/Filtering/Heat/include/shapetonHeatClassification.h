@@ -37,7 +37,7 @@ FindHeatClasses(const HeatHistogram & histogram, std::size_t row, const HeatClas
 /** The label of each voxel by its heat. Sets the exact voxels, meanHeat, volume and borderShare of the classes.
  * \ingroup ShapetonHeat */
 ShapetonHeat_EXPORT itk::Image<unsigned char, 3>::Pointer
-                      LabelHeat(const itk::Image<float, 3> * heat, std::vector<HeatClass> & classes);
+                    LabelHeat(const itk::Image<float, 3> * heat, std::vector<HeatClass> & classes);
 
 /** Sets components and normalizedHeat of the classes: each closed converged component (heat within 5 % of its
  * convergedHeat) counts in the class of its first voxel.

@@ -13,7 +13,7 @@ using SeedImage = itk::Image<unsigned short, 3>;
 
 /** An image of zeros on the grid of `image`. \ingroup ShapetonHeat */
 ShapetonHeat_EXPORT SeedImage::Pointer
-                  NewSeeds(const itk::ImageBase<3> * image);
+                    NewSeeds(const itk::ImageBase<3> * image);
 
 /** Seeds from classes, such as the lines of a heat histogram (HeatClassification::labels).
  * \ingroup ShapetonHeat */
@@ -29,7 +29,7 @@ struct ClassSeeds
 /** Seeds are eroded by one voxel at the border of their class, unless that would remove them all. Labels count from
  * 1, in the order of the classes. Throws InputError if a chosen class has no voxel. \ingroup ShapetonHeat */
 ShapetonHeat_EXPORT SeedImage::Pointer
-                  SeedsOfClasses(const SeedImage * classes, const ClassSeeds & choice);
+                    SeedsOfClasses(const SeedImage * classes, const ClassSeeds & choice);
 } // namespace shapeton
 
 #endif

@@ -38,19 +38,19 @@ struct ShapeComponent
  * `initialHeat` is computed by VolumeGradientOperator::ComputeInitialHeat; `spacing` in mm.
  * \ingroup ShapetonHeat */
 ShapetonHeat_EXPORT std::vector<ShapeComponent>
-                      FindShapeComponents(const VolumeGradientOperator & volumeGradient,
-                                          const PaddedField &            initialHeat,
-                                          const std::array<double, 3> &  spacing,
-                                          std::uint64_t                  minimumVoxels);
+                    FindShapeComponents(const VolumeGradientOperator & volumeGradient,
+                                        const PaddedField &            initialHeat,
+                                        const std::array<double, 3> &  spacing,
+                                        std::uint64_t                  minimumVoxels);
 
 /** Fraction of the sphere of directions closest to each of the 13 axes through a voxel's neighbors, in the order of
  * CroftonOffsets(); sums to 1. For equal spacings .0916 (faces), .0740 (edges), .0704 (corners).
  * \ingroup ShapetonHeat */
 ShapetonHeat_EXPORT std::array<double, 13>
-                      CroftonWeights(const std::array<double, 3> & spacing);
+                    CroftonWeights(const std::array<double, 3> & spacing);
 
 ShapetonHeat_EXPORT const std::array<std::array<int, 3>, 13> &
-                            CroftonOffsets();
+                          CroftonOffsets();
 } // namespace shapeton
 
 #endif

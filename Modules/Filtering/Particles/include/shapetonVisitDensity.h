@@ -13,11 +13,11 @@ namespace shapeton
 /** Visits divided by the maximum number of visits: a density in [0, 1], which can be used like heat for histogram,
  * classification and transfer function. 0 everywhere if there are no visits. \ingroup ShapetonParticles */
 ShapetonParticles_EXPORT itk::Image<float, 3>::Pointer
-                      NormalizeVisits(const itk::Image<std::uint32_t, 3> * visits);
+                         NormalizeVisits(const itk::Image<std::uint32_t, 3> * visits);
 
 /** Maximum number of visits of a voxel. \ingroup ShapetonParticles */
 ShapetonParticles_EXPORT std::uint32_t
-                      GreatestVisits(const itk::Image<std::uint32_t, 3> * visits);
+                         GreatestVisits(const itk::Image<std::uint32_t, 3> * visits);
 
 /** Adds the normalized visits of all voxels to a row of a histogram. A number of visits n is spread over n - 1/2 to n +
  * 1/2, to avoid a comb of lines for small numbers; voxels without visits are in bin 0.
@@ -28,7 +28,7 @@ AddVisitsToRow(const itk::Image<std::uint32_t, 3> * visits, std::size_t row, Hea
 /** The classes of a row filled by AddVisitsToRow(), as FindHeatClasses() for heat. Voxels without visits are
  * background. `greatest` is the result of GreatestVisits(). \ingroup ShapetonParticles */
 ShapetonParticles_EXPORT std::vector<HeatClass>
-                      FindVisitClasses(const HeatHistogram & histogram, std::size_t row, std::uint32_t greatest);
+                         FindVisitClasses(const HeatHistogram & histogram, std::size_t row, std::uint32_t greatest);
 
 /** The classes of a volume of visits and the label of each voxel, as ClassifyHeat() for heat. `density` is
  * the result of NormalizeVisits(). \ingroup ShapetonParticles */

@@ -14,7 +14,7 @@ using LabelMap = itk::Image<float, 3>;
 /** The labels of a label map, ascending, without 0. Throws InputError for values that are not integers from 0 to
  * 65535, and if there is no label. \ingroup ShapetonShapeSignature */
 ShapetonShapeSignature_EXPORT std::vector<int>
-                      LabelsOf(const LabelMap * labels);
+                              LabelsOf(const LabelMap * labels);
 
 /** The voxels of a label. \ingroup ShapetonShapeSignature */
 ShapetonShapeSignature_EXPORT VoxelRuns
@@ -23,11 +23,11 @@ VoxelsOfLabel(const LabelMap * labels, int label);
 /** The face-connected components of a shape with at least this number of voxels, the largest first.
  * \ingroup ShapetonShapeSignature */
 ShapetonShapeSignature_EXPORT std::vector<VoxelRuns>
-                      ComponentsOf(const VoxelRuns & shape, std::size_t leastVoxels = 1);
+                              ComponentsOf(const VoxelRuns & shape, std::size_t leastVoxels = 1);
 
 /** The number of voxels of a shape. \ingroup ShapetonShapeSignature */
 ShapetonShapeSignature_EXPORT std::size_t
-                      CountVoxels(const VoxelRuns & shape);
+                              CountVoxels(const VoxelRuns & shape);
 } // namespace shapeton
 
 #endif

@@ -27,15 +27,15 @@ namespace shapeton
  * \param identity identity of the table, "sha256:..." of its file.
  * \return the number of shapes now in the database. Throws OutputError if it cannot be written. */
 ShapetonShapeSignature_EXPORT std::size_t
-                     AddToShapeDatabase(const std::string & path,
-                                        const ShapeTable &  table,
-                                        const std::string & identity,
-                                        const std::string & name);
+                              AddToShapeDatabase(const std::string & path,
+                                                 const ShapeTable &  table,
+                                                 const std::string & identity,
+                                                 const std::string & name);
 
 /** All shapes, in the order in which they were added. The file is opened read-only, or for writing if an interrupted
  * transaction has to be rolled back. Throws InputError also if the file does not exist or contains no shape. */
 ShapetonShapeSignature_EXPORT std::vector<NamedShape>
-                     ReadShapeDatabase(const std::string & path);
+                              ReadShapeDatabase(const std::string & path);
 ///@}
 } // namespace shapeton
 

@@ -25,7 +25,7 @@ struct ShapeRow
 
   /** "7" or, for a component, "7.1". */
   ShapetonShapeSignature_EXPORT std::string
-                        Name() const;
+                                Name() const;
 };
 
 /** The shapes of a label map. \ingroup ShapetonShapeSignature */

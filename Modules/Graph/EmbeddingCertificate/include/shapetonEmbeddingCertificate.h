@@ -119,18 +119,18 @@ SmallestCircle(const EmbeddingCertificate & certificate);
 /** "spherical", "euclidean", "hyperbolic".
  * \ingroup ShapetonEmbeddingCertificate */
 ShapetonEmbeddingCertificate_EXPORT std::string
-                            NameOf(EmbeddingGeometry geometry);
+                                    NameOf(EmbeddingGeometry geometry);
 
 /** Rotation of the graph implied by a rotation of the packed map: skips dummies and contracts subdivided edges. Throws
  * InputError if the packed map does not match the graph. \ingroup ShapetonEmbeddingCertificate */
 ShapetonEmbeddingCertificate_EXPORT std::vector<int>
-                            RotationOfGraph(const EmbeddingCertificate & certificate);
+                                    RotationOfGraph(const EmbeddingCertificate & certificate);
 
 /** Converts between a map and its rotation as one list of half-edges. The second throws InputError if the list is not a
  * rotation of the graph. \ingroup ShapetonEmbeddingCertificate */
 ///@{
 ShapetonEmbeddingCertificate_EXPORT std::vector<int>
-                            FlatRotation(const CombinatorialMap & map);
+                                    FlatRotation(const CombinatorialMap & map);
 ShapetonEmbeddingCertificate_EXPORT CombinatorialMap
 MapOfRotation(const Graph & graph, const std::vector<int> & rotation);
 ///@}

@@ -25,7 +25,7 @@ struct ShapetonGraphComparison_EXPORT CanonicalForm
 
 /** For each node of `a` its image in `b`; empty if the graphs are not isomorphic. \ingroup ShapetonGraphComparison */
 ShapetonGraphComparison_EXPORT std::vector<int>
-                       Isomorphism(const CanonicalForm & a, const CanonicalForm & b);
+                               Isomorphism(const CanonicalForm & a, const CanonicalForm & b);
 } // namespace shapeton
 
 #endif

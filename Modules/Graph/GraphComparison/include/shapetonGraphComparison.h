@@ -28,9 +28,10 @@ struct GraphFigures
 ShapetonGraphComparison_EXPORT GraphFigures
 FiguresOf(const Graph & graph);
 
-/** Describes the differences between the invariants of two graphs, one sentence each. \ingroup ShapetonGraphComparison */
+/** Describes the differences between the invariants of two graphs, one sentence each. \ingroup ShapetonGraphComparison
+ */
 ShapetonGraphComparison_EXPORT std::vector<std::string>
-                       DifferencesBetween(const GraphFigures & a, const GraphFigures & b);
+                               DifferencesBetween(const GraphFigures & a, const GraphFigures & b);
 
 /** Node correspondence and its method. \ingroup ShapetonGraphComparison */
 struct NodeCorrespondence
@@ -65,7 +66,8 @@ struct GraphComparison
 
 /** Labels both graphs canonically and embeds them. If the graphs are not isomorphic, the second embedding reuses the
  * rotation system of the first where nodes correspond by names, and its sphere is aligned with the first by a Moebius
- * transformation. Reports overall progress; the progress function in the options is ignored. \ingroup ShapetonGraphComparison
+ * transformation. Reports overall progress; the progress function in the options is ignored. \ingroup
+ * ShapetonGraphComparison
  */
 ShapetonGraphComparison_EXPORT GraphComparison
 CompareGraphs(const Graph &                 a,
@@ -77,7 +79,7 @@ CompareGraphs(const Graph &                 a,
 /** "#rrggbb" for each node of both graphs. Corresponding nodes share a color; colors of neighbors in canonical order
  * differ strongly; unmatched nodes are gray. \ingroup ShapetonGraphComparison */
 ShapetonGraphComparison_EXPORT std::array<std::vector<std::string>, 2>
-                       ColorsOfNodes(const GraphComparison & comparison);
+                               ColorsOfNodes(const GraphComparison & comparison);
 
 /** Comparison as JSON without the embeddings, by node names. \ingroup ShapetonGraphComparison */
 ShapetonGraphComparison_EXPORT Json

@@ -10,12 +10,12 @@ namespace shapeton
 {
 /** For each node of `a` the node of `b` with the same name, or -1. \ingroup ShapetonGraphComparison */
 ShapetonGraphComparison_EXPORT std::vector<int>
-                       NodesOfSameName(const Graph & a, const Graph & b);
+                               NodesOfSameName(const Graph & a, const Graph & b);
 
 /** For each edge of `a` an edge of `b` between the images of its ends, or -1; parallel edges are matched in order.
  * `image` is -1 for nodes missing in `b`. \ingroup ShapetonGraphComparison */
 ShapetonGraphComparison_EXPORT std::vector<int>
-                       EdgesOfSameEnds(const Graph & a, const Graph & b, const std::vector<int> & image);
+                               EdgesOfSameEnds(const Graph & a, const Graph & b, const std::vector<int> & image);
 
 /** A rotation system transferred to a changed graph. \ingroup ShapetonGraphComparison */
 struct CarriedRotation

@@ -32,7 +32,7 @@ MoveEmbedding(EmbeddingCertificate & certificate, const SphereMotion & motion);
 
 /** Position of a node on the sphere. \ingroup ShapetonGraphComparison */
 ShapetonGraphComparison_EXPORT std::array<double, 3>
-                       PlaceOnSphere(const EmbeddingCertificate & certificate, int node);
+                               PlaceOnSphere(const EmbeddingCertificate & certificate, int node);
 
 /** Angle between two unit vectors in radians, accurate for small angles. \ingroup ShapetonGraphComparison */
 ShapetonGraphComparison_EXPORT double

@@ -178,7 +178,8 @@ private:
 
 /** Overlap graph of a map and its dual (vertex-face-edge graph): its nodes are the nodes of the map, then its faces,
  * then its edges. For each half-edge h of the map, edge h joins Node(h) and edge HalfEdges() + h joins Face(h) with
- * the node of edge h / 2. All faces are kites of four half-edges: node, edge, face, edge. \ingroup ShapetonGraphModel */
+ * the node of edge h / 2. All faces are kites of four half-edges: node, edge, face, edge. \ingroup ShapetonGraphModel
+ */
 struct ShapetonGraphModel_EXPORT OverlapGraph
 {
   explicit OverlapGraph(const CombinatorialMap & original);

@@ -27,9 +27,10 @@ RequireSound(const Graph & graph, const std::string & what);
 
 /** Name of a node, or its index as text if the graph has no names. \ingroup ShapetonGraphModel */
 ShapetonGraphModel_EXPORT std::string
-                  NameOfNode(const Graph & graph, int node);
+                          NameOfNode(const Graph & graph, int node);
 
-/** The graph with node v renumbered to `image[v]`, a permutation; the edge order is kept. \ingroup ShapetonGraphModel */
+/** The graph with node v renumbered to `image[v]`, a permutation; the edge order is kept. \ingroup ShapetonGraphModel
+ */
 ShapetonGraphModel_EXPORT Graph
 RelabeledGraph(const Graph & graph, const std::vector<int> & image);
 } // namespace shapeton

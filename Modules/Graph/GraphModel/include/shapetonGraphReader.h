@@ -38,7 +38,7 @@ ReadGraph(const std::string & path);
 /** Files of a folder with one graph per step, sorted by name; hidden files and .json are skipped. Throws InputError if
  * the folder cannot be read or does not contain graph files. \ingroup ShapetonGraphModel */
 ShapetonGraphModel_EXPORT std::vector<std::string>
-                  GraphFilesOf(const std::string & folder);
+                          GraphFilesOf(const std::string & folder);
 
 /** Writes GraphML that ReadGraph reads back to the same graph; unnamed nodes are called n0, n1, ... Throws OutputError.
  * \ingroup ShapetonGraphModel */

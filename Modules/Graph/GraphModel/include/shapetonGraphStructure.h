@@ -35,12 +35,12 @@ struct Subgraph
 
 /** Connected components, sorted by their lowest nodes. \ingroup ShapetonGraphModel */
 ShapetonGraphModel_EXPORT std::vector<Subgraph>
-                  ConnectedComponents(const Graph & graph);
+                          ConnectedComponents(const Graph & graph);
 
 /** Blocks (maximal 2-connected parts, bridges, loops), as ascending lists of edges, sorted by their lowest edges. Each
  * edge is in one block; a node without edges is in none. \ingroup ShapetonGraphModel */
 ShapetonGraphModel_EXPORT std::vector<std::vector<int>>
-                  BlocksOf(const Graph & graph);
+                          BlocksOf(const Graph & graph);
 
 /** The subgraph of these edges and their nodes. \ingroup ShapetonGraphModel */
 ShapetonGraphModel_EXPORT Subgraph
@@ -48,7 +48,7 @@ SubgraphOfEdges(const Graph & graph, const std::vector<int> & edges);
 
 /** For each edge the first edge with the same ends, in any order; -1 for a loop. \ingroup ShapetonGraphModel */
 ShapetonGraphModel_EXPORT std::vector<int>
-                  FirstParallels(const Graph & graph);
+                          FirstParallels(const Graph & graph);
 
 /** Length of a shortest cycle: 1 with a loop, 2 with a multiple edge, 0 in a forest. Breadth-first searches from all
  * nodes, cut off at half the best length; stops at a cycle of 3 in a simple graph. \ingroup ShapetonGraphModel */

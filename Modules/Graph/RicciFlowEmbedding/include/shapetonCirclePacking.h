@@ -112,7 +112,7 @@ FaceRadius(const CirclePacking & packing, int face)
 
 /** Curvatures of given radii: nodes, then faces; 0 for infinite circles. \ingroup ShapetonRicciFlowEmbedding */
 ShapetonRicciFlowEmbedding_EXPORT std::vector<double>
-                          CurvaturesOf(const CombinatorialMap & map, const CirclePacking & packing);
+                                  CurvaturesOf(const CombinatorialMap & map, const CirclePacking & packing);
 
 /** Whether the circle of a face is a horocycle. \ingroup ShapetonRicciFlowEmbedding */
 inline bool

@@ -19,7 +19,7 @@ using SphereCircle = std::array<double, 4>;
 
 /** Center of the cap, a unit vector. \ingroup ShapetonRicciFlowEmbedding */
 ShapetonRicciFlowEmbedding_EXPORT std::array<double, 3>
-                          CenterOf(const SphereCircle & circle);
+                                  CenterOf(const SphereCircle & circle);
 /** Angle of the cap, in (0, pi). \ingroup ShapetonRicciFlowEmbedding */
 ShapetonRicciFlowEmbedding_EXPORT double
 RadiusOf(const SphereCircle & circle);
@@ -67,7 +67,8 @@ PackOnSphere(const CombinatorialMap &  map,
              const Progress &          progress = {});
 
 /** Rotates the sphere so that two sums of the node centers, weighted by `rank`, point to the north pole and to the
- * meridian of the x axis. Nodes beyond the end of the rank list have zero weight. \ingroup ShapetonRicciFlowEmbedding */
+ * meridian of the x axis. Nodes beyond the end of the rank list have zero weight. \ingroup ShapetonRicciFlowEmbedding
+ */
 ShapetonRicciFlowEmbedding_EXPORT void
 TurnToCanonicalPosition(SphericalPacking & packing, const std::vector<int> & rank);
 } // namespace shapeton

@@ -81,17 +81,17 @@ private:
  * S. Throws std::invalid_argument unless the word describes a closed orientable surface cut into one disk.
  * \ingroup ShapetonRicciFlowEmbedding */
 ShapetonRicciFlowEmbedding_EXPORT std::vector<std::vector<int>>
-                          CanonicalWords(const std::vector<int> & word);
+                                  CanonicalWords(const std::vector<int> & word);
 
 /** The cyclic rotation of a word of disk motions with the smallest partial products, because rounding errors of the
  * product grow with the square of their size. \ingroup ShapetonRicciFlowEmbedding */
 ShapetonRicciFlowEmbedding_EXPORT std::vector<int>
-                          CenteredWord(const std::vector<PlaneMotion> & generators, const std::vector<int> & word);
+CenteredWord(const std::vector<PlaneMotion> & generators, const std::vector<int> & word);
 
 /** A reduced basis of the lattice of two translations: |w1| <= |w2|, |Re(conj(w1) w2)| <= |w1|^2 / 2, Im(conj(w1) w2) >
  * 0. \ingroup ShapetonRicciFlowEmbedding */
 ShapetonRicciFlowEmbedding_EXPORT std::array<std::complex<double>, 2>
-                          ReducedLattice(std::complex<double> w1, std::complex<double> w2);
+                                  ReducedLattice(std::complex<double> w1, std::complex<double> w2);
 
 /** \brief Motions of the Poincare disk that satisfy a relation to 300 digits.
  *
@@ -127,7 +127,7 @@ WordResidual(const std::vector<PlaneMotion> & generators, const std::vector<int>
 /** The `number` group elements that move the origin least, the identity first: a finite part of the universal cover.
  * \ingroup ShapetonRicciFlowEmbedding */
 ShapetonRicciFlowEmbedding_EXPORT std::vector<PlaneMotion>
-                          UniversalCover(const std::vector<PlaneMotion> & generators, int number);
+                                  UniversalCover(const std::vector<PlaneMotion> & generators, int number);
 } // namespace shapeton
 
 #endif

@@ -56,7 +56,7 @@ WriteDicomMeasurements(const DicomSource &            source,
 
 /** The first items of a report: the language (English) and the observer. \ingroup ShapetonDicomResults */
 ShapetonDicomResults_EXPORT std::vector<DicomContent>
-                    ContextOfReport(const DicomResultHeader & header);
+                            ContextOfReport(const DicomResultHeader & header);
 } // namespace shapeton
 
 #endif

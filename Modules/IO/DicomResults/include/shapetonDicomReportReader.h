@@ -26,7 +26,7 @@ struct DicomReportPoints
  * Throws InputError for a file that is not a report or contains no point, for points in another frame of reference,
  * and for points in images other than the slices of the source. \ingroup ShapetonDicomResults */
 ShapetonDicomResults_EXPORT std::vector<DicomReportPoints>
-                    ReadDicomReportPoints(const std::string & path, const DicomSource & source);
+                            ReadDicomReportPoints(const std::string & path, const DicomSource & source);
 } // namespace shapeton
 
 #endif

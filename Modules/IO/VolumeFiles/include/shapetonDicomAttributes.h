@@ -35,7 +35,7 @@ public:
 /** The numbers of an attribute; empty if it is missing or empty. Throws MalformedDicomValue unless they are `count`
  * finite decimal numbers. */
 ShapetonVolumeFiles_EXPORT std::vector<double>
-                   DicomNumbersOf(DcmItem & item, const DcmTagKey & tag, std::size_t count);
+                           DicomNumbersOf(DcmItem & item, const DcmTagKey & tag, std::size_t count);
 
 /** A text in UTF-8: one line of at most 256 bytes. */
 struct DicomText

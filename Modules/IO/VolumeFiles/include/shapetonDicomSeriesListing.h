@@ -16,7 +16,7 @@ using AdviceInWords = std::function<std::string(const std::string & advice)>;
  * and defects with advice for each series; and the files outside any series.
  * \ingroup ShapetonVolumeFiles */
 ShapetonVolumeFiles_EXPORT std::string
-                   FormatDicomScan(const DicomScan & scan, const AdviceInWords & inWords = {});
+                           FormatDicomScan(const DicomScan & scan, const AdviceInWords & inWords = {});
 
 /** Writes the listing of a folder as JSON for programs. Names are stable, files are relative to the folder; lengths
  * in mm, LPS. Throws OutputError.

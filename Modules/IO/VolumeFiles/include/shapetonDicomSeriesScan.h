@@ -159,7 +159,7 @@ struct DicomSeries
 
   /** Selector of this series: the UID, with "#part" for a part of a mixed series. */
   ShapetonVolumeFiles_EXPORT std::string
-                     GetSelector() const;
+                             GetSelector() const;
   /** True if a volume can be read without repair. */
   bool
   IsUsable() const

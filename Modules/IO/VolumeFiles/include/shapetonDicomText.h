@@ -14,24 +14,24 @@ namespace shapeton
 
 /** A Decimal String: at most 16 characters, as many digits as fit. Throws InputError for a nonfinite number. */
 ShapetonVolumeFiles_EXPORT std::string
-                   DicomDecimal(double value);
+                           DicomDecimal(double value);
 
 /** "a\b\c": several values of one attribute. */
 ShapetonVolumeFiles_EXPORT std::string
-                   JoinDicomValues(const std::vector<std::string> & values);
+                           JoinDicomValues(const std::vector<std::string> & values);
 
 /** The values of "a\b\c" without surrounding blanks; an empty list for an empty text. */
 ShapetonVolumeFiles_EXPORT std::vector<std::string>
-                   SplitDicomValues(const std::string & text);
+                           SplitDicomValues(const std::string & text);
 
 /** Concatenates texts, each preceded by its length, as an injective input for MakeDicomUID(). */
 ShapetonVolumeFiles_EXPORT std::string
-                   ConcatenateTexts(const std::vector<std::string> & texts);
+                           ConcatenateTexts(const std::vector<std::string> & texts);
 
 /** "2.25." and a UUID in decimal digits (DICOM PS3.5 B.2). The UUID is a custom one (RFC 9562, version 8) from the
  * SHA-256 of the text: a function of the text. */
 ShapetonVolumeFiles_EXPORT std::string
-                   MakeDicomUID(const std::string & text);
+                           MakeDicomUID(const std::string & text);
 ///@}
 } // namespace shapeton
 

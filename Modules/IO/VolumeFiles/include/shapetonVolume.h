@@ -34,11 +34,11 @@ struct Volume
 /** Volume::identity of a DICOM series. For `selector`, see DicomSeries: the UID, with "#part" for a part of a mixed
  * series. \ingroup ShapetonVolumeFiles */
 ShapetonVolumeFiles_EXPORT std::string
-                   IdentityOfSeries(const std::string & selector);
+                           IdentityOfSeries(const std::string & selector);
 
 /** The selector contained in a series identity; empty for any other identity. \ingroup ShapetonVolumeFiles */
 ShapetonVolumeFiles_EXPORT std::string
-                   SeriesOfIdentity(const std::string & identity);
+                           SeriesOfIdentity(const std::string & identity);
 
 /** Whether two volumes have the same size and the same voxel positions, to a hundredth of the smallest spacing.
  * \ingroup ShapetonVolumeFiles */
@@ -48,12 +48,12 @@ HaveSameGrid(const itk::ImageBase<3> * a, const itk::ImageBase<3> * b);
 /** A mask that is 1 where the volume is not 0. Throws InputError, prefixed by `path`, if all voxels are 0.
  * \ingroup ShapetonVolumeFiles */
 ShapetonVolumeFiles_EXPORT itk::Image<unsigned char, 3>::Pointer
-                   MaskOfVolume(const Volume & volume, const std::string & path);
+                           MaskOfVolume(const Volume & volume, const std::string & path);
 
 /** MaskOfVolume() of a volume read from `path`, for use with an image. Throws InputError if its grid differs from the
  * image or all its voxels are 0. \ingroup ShapetonVolumeFiles */
 ShapetonVolumeFiles_EXPORT itk::Image<unsigned char, 3>::Pointer
-                   MaskForImage(const Volume & volume, const std::string & path, const itk::ImageBase<3> * image);
+MaskForImage(const Volume & volume, const std::string & path, const itk::ImageBase<3> * image);
 } // namespace shapeton
 
 #endif

@@ -49,7 +49,7 @@ SelectDicomSeries(const DicomScan & scan, const VolumeReadOptions & options = {}
 /** The grid of the volume that ReadVolume() creates from a series without gaps and duplicates; with `isDesheared`, the
  * grid of the repair `deshear`. \ingroup ShapetonVolumeFiles */
 ShapetonVolumeFiles_EXPORT itk::ImageBase<3>::Pointer
-                   GridOfDicomSeries(const DicomSeries & series, bool isDesheared = false);
+                           GridOfDicomSeries(const DicomSeries & series, bool isDesheared = false);
 
 /** Throws InputError for a folder or file without an image, with its contents and advice. `wanted` is the advice for
  * contents other than DICOM. \ingroup ShapetonVolumeFiles */

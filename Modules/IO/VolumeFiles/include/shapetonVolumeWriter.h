@@ -19,7 +19,7 @@ using VolumeMetadata = std::vector<std::pair<std::string, std::string>>;
 /** Returns `path` if it is empty (no output requested) or WriteVolume can write it; throws ParameterError otherwise.
  * Use it before a long computation. \ingroup ShapetonVolumeFiles */
 ShapetonVolumeFiles_EXPORT const std::string &
-                         RequireVolumeName(const std::string & path);
+                                 RequireVolumeName(const std::string & path);
 
 /** Writes NRRD, NIfTI or MetaImage, depending on the extension of `path`; labels (integer pixels) compressed, float
  * pixels raw. The file is read back to detect a full disk. Throws OutputError, and
@@ -44,7 +44,7 @@ WriteVolume(const itk::Image<unsigned int, 3> *, const std::string &, const Volu
 /** The volume as 16-bit integers, or null if an intensity is not an integer in their range.
  * \ingroup ShapetonVolumeFiles */
 ShapetonVolumeFiles_EXPORT itk::Image<short, 3>::Pointer
-                   ToShort(const itk::Image<float, 3> * image);
+                           ToShort(const itk::Image<float, 3> * image);
 } // namespace shapeton
 
 #endif

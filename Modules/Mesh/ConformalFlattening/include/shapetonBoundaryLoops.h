@@ -20,16 +20,16 @@ struct BoundaryLoop
  * statistics number loops from 1. Throws InputError if a boundary is not closed, or touches itself or another boundary
  * at a vertex. \ingroup ShapetonConformalFlattening */
 ShapetonConformalFlattening_EXPORT std::vector<BoundaryLoop>
-                           BoundaryLoopsByLength(const SurfaceConnectivity & connectivity, const VertexMatrix & V);
+BoundaryLoopsByLength(const SurfaceConnectivity & connectivity, const VertexMatrix & V);
 
 /** For each vertex, the index of its loop, or -1. \ingroup ShapetonConformalFlattening */
 ShapetonConformalFlattening_EXPORT std::vector<int>
-                           LoopOfVertices(const std::vector<BoundaryLoop> & loops, int numberOfVertices);
+                                   LoopOfVertices(const std::vector<BoundaryLoop> & loops, int numberOfVertices);
 
 /** Faces with all three corners on one loop, in ascending order. A function constant on the loop is constant on these
  * faces, so their mapped area is zero. \ingroup ShapetonConformalFlattening */
 ShapetonConformalFlattening_EXPORT std::vector<int>
-                           EarsOfLoops(const FaceMatrix & F, const std::vector<int> & loopOfVertices);
+                                   EarsOfLoops(const FaceMatrix & F, const std::vector<int> & loopOfVertices);
 } // namespace shapeton
 
 #endif

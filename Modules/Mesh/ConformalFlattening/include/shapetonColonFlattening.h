@@ -103,7 +103,7 @@ WriteHandles(const std::vector<SurfaceHandle> &                       handles,
 /** Returns the points of a single curve. Throws InputError with the prefix `what` if there are several curves, or the
  * curve is a single point. \ingroup ShapetonConformalFlattening */
 ShapetonConformalFlattening_EXPORT std::vector<Eigen::Vector3d>
-                           OnlyCurve(const CurveSet & curves, const std::string & what);
+                                   OnlyCurve(const CurveSet & curves, const std::string & what);
 } // namespace shapeton
 
 #endif

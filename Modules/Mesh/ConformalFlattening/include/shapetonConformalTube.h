@@ -93,7 +93,7 @@ MeanLevelLength(const SurfaceMesh & mesh, const Eigen::VectorXd & u);
 
 /** Lengths (mm) of the level sets u = (i + 1/2) / number, i = 0, 1, ... \ingroup ShapetonConformalFlattening */
 ShapetonConformalFlattening_EXPORT Eigen::VectorXd
-                           LevelLengths(const SurfaceMesh & mesh, const Eigen::VectorXd & u, int number);
+                                   LevelLengths(const SurfaceMesh & mesh, const Eigen::VectorXd & u, int number);
 
 /** The smallest of 500 level lengths divided by 2 pi (mm): the radius for DefaultDiffusionTime(). It measures the
  * circumference along the folds, as diffusion does; the largest inscribed ball is smaller. Levels through faces with

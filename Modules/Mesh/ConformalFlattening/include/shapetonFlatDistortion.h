@@ -45,7 +45,7 @@ MeasureFlatDistortion(const FaceMatrix & F, const Eigen::MatrixX2d & uv, const S
 /** Marks the faces with zero area in the plane, or with an orientation opposite to most of the flat area. Uses exact
  * arithmetic (ExactOrientation()). No face is marked if the map is locally one-to-one. */
 ShapetonConformalFlattening_EXPORT std::vector<char>
-                           FlippedFaces(const FaceMatrix & F, const Eigen::MatrixX2d & uv);
+                                   FlippedFaces(const FaceMatrix & F, const Eigen::MatrixX2d & uv);
 
 /** Plane coordinates of face corners; corner k of a face is row 3 * face + k. */
 using CornerPlaces = Eigen::MatrixX2d;
@@ -88,7 +88,7 @@ struct TriangleQuality
 
 /** 2r/R of each face; 0 if the sides do not form a triangle. */
 ShapetonConformalFlattening_EXPORT Eigen::VectorXd
-                           TriangleQualities(const SideLengths & sides);
+                                   TriangleQualities(const SideLengths & sides);
 
 /** Histogram with the given number of bins, at least 1. */
 ShapetonConformalFlattening_EXPORT TriangleQuality

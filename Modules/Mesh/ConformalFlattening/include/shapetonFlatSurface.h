@@ -28,7 +28,7 @@ SetFlatExtent(SurfaceMesh & flat, double circumference, double length);
 
 /** Returns `uv`, one row per vertex. If it is missing, throws InputError with the prefix `what` and the tool to run. */
 ShapetonConformalFlattening_EXPORT Eigen::MatrixX2d
-                           FlatCoordinates(const SurfaceMesh & flat, const std::string & what);
+                                   FlatCoordinates(const SurfaceMesh & flat, const std::string & what);
 
 /** Returns `circumference` (mm). Throws InputError with the prefix `what` if it is missing or not positive. */
 ShapetonConformalFlattening_EXPORT double
@@ -40,7 +40,7 @@ FlatLength(const SurfaceMesh & flat, const std::string & what);
 
 /** Returns `sourcePointId`. Throws InputError with the prefix `what` if it is missing. */
 ShapetonConformalFlattening_EXPORT std::vector<int>
-                           FlatSourcePoints(const SurfaceMesh & flat, const std::string & what);
+                                   FlatSourcePoints(const SurfaceMesh & flat, const std::string & what);
 ///@}
 } // namespace shapeton
 

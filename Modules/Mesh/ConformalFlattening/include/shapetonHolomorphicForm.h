@@ -27,7 +27,7 @@ struct HolomorphicForm
  * domain of the map is ConformalDomain::Slit, because other maps do not include all slit maps.
  * \ingroup ShapetonConformalFlattening */
 ShapetonConformalFlattening_EXPORT std::vector<HolomorphicForm>
-                           HolomorphicFormsOf(const ConformalMap & map);
+                                   HolomorphicFormsOf(const ConformalMap & map);
 } // namespace shapeton
 
 #endif

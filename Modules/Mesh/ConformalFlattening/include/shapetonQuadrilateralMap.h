@@ -7,7 +7,8 @@
 
 namespace shapeton
 {
-/** Conformal map to a rectangle of a surface with one boundary and four corners on it. \ingroup ShapetonConformalFlattening */
+/** Conformal map to a rectangle of a surface with one boundary and four corners on it. \ingroup
+ * ShapetonConformalFlattening */
 struct QuadrilateralMap
 {
   /** Boundary vertices, counterclockwise as seen from outside, mapped to (0, 0), (1, 0), (1, 1), (0, 1). */
@@ -49,7 +50,7 @@ MapQuadrilateral(const SurfaceConnectivity & connectivity,
  * move helps. A rectangle keeps its own corners. Ties go to the first vertex along the boundary. \pre At least four
  * vertices; else InputError. \ingroup ShapetonConformalFlattening */
 ShapetonConformalFlattening_EXPORT std::array<int, 4>
-                           SpreadCorners(const BoundaryLoop & boundary, const VertexMatrix & V);
+                                   SpreadCorners(const BoundaryLoop & boundary, const VertexMatrix & V);
 } // namespace shapeton
 
 #endif

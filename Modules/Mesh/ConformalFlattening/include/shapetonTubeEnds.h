@@ -18,7 +18,7 @@ struct TubeEnds
 
   /** All vertices of the first loop, then of the second. */
   ShapetonConformalFlattening_EXPORT std::vector<int>
-                             Vertices() const;
+                                     Vertices() const;
 };
 
 /** Throws InputError unless the surface is one oriented manifold component with exactly two boundary loops. Handles are

@@ -55,7 +55,8 @@ using TubeMetric =
  *
  * The published conjugate may fold anywhere, so it is mapped once.
  *
- * \pre As for FlattenTube(); only end edges have both vertices on one end: TrimEars(). \ingroup ShapetonConformalFlattening */
+ * \pre As for FlattenTube(); only end edges have both vertices on one end: TrimEars(). \ingroup
+ * ShapetonConformalFlattening */
 ShapetonConformalFlattening_EXPORT UnfoldedTube
 FlattenWithoutFolds(SurfaceMesh         mesh,
                     const TubeEnds &    ends,
@@ -64,7 +65,7 @@ FlattenWithoutFolds(SurfaceMesh         mesh,
 
 /** Faces of caps; empty for a surface without caps. \ingroup ShapetonConformalFlattening */
 ShapetonConformalFlattening_EXPORT std::vector<char>
-                           FacesOfCaps(const SurfaceMesh & surface);
+                                   FacesOfCaps(const SurfaceMesh & surface);
 } // namespace shapeton
 
 #endif

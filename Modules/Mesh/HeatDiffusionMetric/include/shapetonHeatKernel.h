@@ -16,14 +16,14 @@ HeatKernel(const SurfaceSpectrum & spectrum, int p, int q, double t);
 
 /** K_t(p, p) for each vertex p (1/mm^2; Sun, Ovsjanikov and Guibas, 2009). */
 ShapetonHeatDiffusionMetric_EXPORT Eigen::VectorXd
-                           HeatKernelSignature(const SurfaceSpectrum & spectrum, double t);
+                                   HeatKernelSignature(const SurfaceSpectrum & spectrum, double t);
 
 /** Sample times for a heat kernel signature (mm^2): `number` of them, logarithmically spaced from 4 ln 10 / lambda_K,
  * below which truncation matters, to 4 ln 10 / lambda_1, where heat is uniform (lambda_1 is the first positive
  * eigenvalue; Sun, Ovsjanikov and Guibas, 2009). Throws InputError if the spectrum has fewer than two distinct
  * positive eigenvalues. */
 ShapetonHeatDiffusionMetric_EXPORT std::vector<double>
-                           HeatKernelSignatureTimes(const SurfaceSpectrum & spectrum, int number);
+                                   HeatKernelSignatureTimes(const SurfaceSpectrum & spectrum, int number);
 
 /** Weight exp(-lambda_K t) of the last pair at time t; the truncation error is of this order. */
 ShapetonHeatDiffusionMetric_EXPORT double
@@ -36,7 +36,7 @@ DiffusionDistance(const SurfaceSpectrum & spectrum, int p, int q, double t);
 
 /** Distances from p to all vertices. */
 ShapetonHeatDiffusionMetric_EXPORT Eigen::VectorXd
-                           DiffusionDistances(const SurfaceSpectrum & spectrum, int p, double t);
+                                   DiffusionDistances(const SurfaceSpectrum & spectrum, int p, double t);
 ///@}
 } // namespace shapeton
 

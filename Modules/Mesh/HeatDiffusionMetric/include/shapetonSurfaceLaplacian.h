@@ -58,7 +58,7 @@ struct SurfaceLaplacian
 
 /** Straight edge lengths, in edge order (mm). \ingroup ShapetonHeatDiffusionMetric */
 ShapetonHeatDiffusionMetric_EXPORT Eigen::VectorXd
-                           EdgeLengths(const SurfaceConnectivity & connectivity, const VertexMatrix & V);
+                                   EdgeLengths(const SurfaceConnectivity & connectivity, const VertexMatrix & V);
 
 /** Laplacian of a surface with these edge lengths. Throws InputError if a length is not finite or not positive, a face
  * violates the triangle inequality by more than 1e-5 of its longest side, a face is degenerate, or a vertex has no
@@ -88,11 +88,11 @@ LengthenShortestSides(const SurfaceConnectivity & connectivity, Eigen::VectorXd 
 
 /** The diagonal of L. \ingroup ShapetonHeatDiffusionMetric */
 ShapetonHeatDiffusionMetric_EXPORT Eigen::VectorXd
-                           StiffnessDiagonal(const SurfaceLaplacian & laplacian);
+                                   StiffnessDiagonal(const SurfaceLaplacian & laplacian);
 
 /** L as a full symmetric matrix. \ingroup ShapetonHeatDiffusionMetric */
 ShapetonHeatDiffusionMetric_EXPORT Eigen::SparseMatrix<double>
-                           StiffnessMatrix(const SurfaceLaplacian & laplacian);
+                                   StiffnessMatrix(const SurfaceLaplacian & laplacian);
 
 /** u^T L u, the integral of |grad u|^2: twice the Dirichlet energy. \ingroup ShapetonHeatDiffusionMetric */
 ShapetonHeatDiffusionMetric_EXPORT double

@@ -23,7 +23,7 @@ struct LabelColor
  * values.
  * \ingroup ShapetonSurfaceMesh */
 ShapetonSurfaceMesh_EXPORT std::array<double, 3>
-                     ColorOfLabel(int label);
+                           ColorOfLabel(int label);
 
 /** Writes a color table of 3D Slicer (.ctbl): one line per label, transparent background. Blanks in names become
  * underscores, as Slicer writes them. Throws ParameterError for another extension, std::invalid_argument for a value or

@@ -33,7 +33,7 @@ RequireSound(const CurveSet & curves, const std::string & what);
 /** Values of a single-component point array, one per vertex. Throws InputError with the prefix `what` if the array is
  * missing. \ingroup ShapetonSurfaceMesh */
 ShapetonSurfaceMesh_EXPORT Eigen::VectorXd
-                   PointValues(const CurveSet & curves, const std::string & array, const std::string & what);
+                           PointValues(const CurveSet & curves, const std::string & array, const std::string & what);
 
 /** Writes curves as VTP (.vtp), marked as LPS. Points are written as VTK verts, before the lines; reading restores the
  * curves in that order. Output is deterministic. Throws OutputError if the file cannot be written, ParameterError for

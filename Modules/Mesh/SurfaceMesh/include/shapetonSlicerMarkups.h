@@ -47,7 +47,7 @@ WriteMarkups(const std::vector<Markup> & markups, const std::string & path);
  * skipped. RAS becomes LPS, um become mm; points that were not placed are skipped. Throws InputError with the file name
  * and the error, also if no point remains. \ingroup ShapetonSurfaceMesh */
 ShapetonSurfaceMesh_EXPORT std::vector<Markup>
-                     ReadMarkups(const std::string & path);
+                           ReadMarkups(const std::string & path);
 
 /** Converts a curve of a set to a markup with control points at most `spacing` mm apart along it, including both
  * ends: Slicer is slow with thousands of them. For Kind::Points, all vertices become separate points. A closed

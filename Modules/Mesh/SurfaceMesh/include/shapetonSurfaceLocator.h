@@ -10,10 +10,10 @@ namespace shapeton
  * After Ericson, Real-Time Collision Detection (2005), section 5.1.5. Also handles zero-area triangles.
  * \ingroup ShapetonSurfaceMesh */
 ShapetonSurfaceMesh_EXPORT Eigen::Vector3d
-                   ClosestPointOfTriangle(const Eigen::Vector3d & p,
-                                          const Eigen::Vector3d & a,
-                                          const Eigen::Vector3d & b,
-                                          const Eigen::Vector3d & c);
+                           ClosestPointOfTriangle(const Eigen::Vector3d & p,
+                                                  const Eigen::Vector3d & a,
+                                                  const Eigen::Vector3d & b,
+                                                  const Eigen::Vector3d & c);
 
 /** \class SurfaceLocator
  * \brief Exact closest-point queries on a surface, by a bounding box tree of its faces.

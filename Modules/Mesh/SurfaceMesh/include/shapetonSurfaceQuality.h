@@ -6,7 +6,8 @@
 
 namespace shapeton
 {
-/** Defects of a surface, as ascending indices. RepairSurface() repairs all except zeroAreaFaces. \ingroup ShapetonSurfaceMesh
+/** Defects of a surface, as ascending indices. RepairSurface() repairs all except zeroAreaFaces. \ingroup
+ * ShapetonSurfaceMesh
  */
 struct SurfaceDefects
 {
@@ -50,7 +51,8 @@ struct SurfaceStatistics
 ShapetonSurfaceMesh_EXPORT SurfaceStatistics
 StatisticsOf(std::vector<double> values);
 
-/** Statistics of a surface. Lengths in mm, areas in mm^2, volumes in mm^3, angles in degrees. \ingroup ShapetonSurfaceMesh */
+/** Statistics of a surface. Lengths in mm, areas in mm^2, volumes in mm^3, angles in degrees. \ingroup
+ * ShapetonSurfaceMesh */
 struct SurfaceQuality
 {
   int vertices{ 0 };
@@ -109,7 +111,7 @@ SurfaceQualityToJson(const SurfaceQuality & quality);
 
 /** Quality as human-readable text; long lists are cut after ten items. \ingroup ShapetonSurfaceMesh */
 ShapetonSurfaceMesh_EXPORT std::string
-                   FormatSurfaceQuality(const SurfaceQuality & quality);
+                           FormatSurfaceQuality(const SurfaceQuality & quality);
 } // namespace shapeton
 
 #endif

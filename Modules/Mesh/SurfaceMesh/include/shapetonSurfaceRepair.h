@@ -34,7 +34,7 @@ struct SurfaceRepairReport
 
   /** One text per kind of change; empty if nothing changed. */
   ShapetonSurfaceMesh_EXPORT std::vector<std::string>
-                     Words() const;
+                             Words() const;
 };
 
 /** Repairs a surface to a manifold, consistently oriented one with the same faces, in their order.

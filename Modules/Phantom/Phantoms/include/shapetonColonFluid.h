@@ -93,7 +93,7 @@ private:
 /** Direction of gravity in a position, tilted by at most 1 degree depending on the seed. Throws ParameterError for
  * an unknown position. \ingroup ShapetonPhantoms */
 ShapetonPhantoms_EXPORT Eigen::Vector3d
-                    GravityOf(const ColonPhantomParameters & parameters);
+                        GravityOf(const ColonPhantomParameters & parameters);
 } // namespace shapeton
 
 #endif

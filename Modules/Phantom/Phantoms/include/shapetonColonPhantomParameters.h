@@ -18,7 +18,7 @@ constexpr double lungDensityOfState = -1.0;
 /** Names of the optional organs. Skin, fat, muscles and bones are always included.
  * \ingroup ShapetonPhantoms */
 ShapetonPhantoms_EXPORT const std::vector<std::string> &
-                          PhantomOrgans();
+                              PhantomOrgans();
 
 /** A value for each segment of the colon, rectum to cecum. \ingroup ShapetonPhantoms */
 using SegmentValues = std::array<double, 6>;

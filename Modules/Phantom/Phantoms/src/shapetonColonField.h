@@ -116,11 +116,11 @@ private:
   void
   FillSepta(const ColonPath & path, double least);
 
-  ColonCurve  m_Curve;
-  ColonRelief m_Relief;
-  double      m_Reach;
-  double      m_BetweenFolds;             ///< mm, fillet between folds; 0 to join folds individually
-  std::vector<double>           m_Septum; ///< at each step
+  ColonCurve                    m_Curve;
+  ColonRelief                   m_Relief;
+  double                        m_Reach;
+  double                        m_BetweenFolds; ///< mm, fillet between folds; 0 to join folds individually
+  std::vector<double>           m_Septum;       ///< at each step
   std::vector<PolypBody>        m_Polyps;
   std::vector<std::vector<int>> m_PolypsNear;
   std::vector<DiverticulumBody> m_Diverticula;

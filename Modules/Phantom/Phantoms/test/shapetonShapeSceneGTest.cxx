@@ -87,8 +87,8 @@ TEST_P(ExactDistance, IsTheDistanceToTheSurface)
     before = point;
     inside += distance < 0.0;
     const VectorType gradient = Gradient(scene, point);
-    const bool insideABend = distance < 0.0 && scene.GetObject(0).name == "tube 1"; // only a lower bound there
-    if (std::abs(gradient.GetNorm() - 1.0) < 1e-4 && !insideABend)                  // not on the medial axis
+    const bool       insideABend = distance < 0.0 && scene.GetObject(0).name == "tube 1"; // only a lower bound there
+    if (std::abs(gradient.GetNorm() - 1.0) < 1e-4 && !insideABend)                        // not on the medial axis
     {
       ++landed;
       EXPECT_NEAR(scene.SignedDistance(0, point - gradient * distance), 0.0, 2e-3);

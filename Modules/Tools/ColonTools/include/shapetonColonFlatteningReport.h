@@ -14,7 +14,7 @@ class CommandLine;
 
 /** Handles of a flattening as annotations, numbered from 1. \ingroup ShapetonColonTools */
 ShapetonColonTools_EXPORT std::vector<FlatAnnotation>
-                  AnnotationsOfHandles(const ColonFlattening & flattening);
+                          AnnotationsOfHandles(const ColonFlattening & flattening);
 
 /** Additional content of a report on a flattening. \ingroup ShapetonColonTools */
 struct ColonFlatteningReportContent

@@ -49,9 +49,10 @@ private:
 };
 
 /** Reads markers for taeniae: points and vertices of a VTP file or of 3D Slicer markups; LPS, mm.
- * Throws InputError for a file without points, ParameterError for an unsupported extension. \ingroup ShapetonColonTools */
+ * Throws InputError for a file without points, ParameterError for an unsupported extension. \ingroup ShapetonColonTools
+ */
 ShapetonColonTools_EXPORT std::vector<Eigen::Vector3d>
-                  ReadTaeniaMarkers(CommandLine & commandLine, const std::string & parameter);
+                          ReadTaeniaMarkers(CommandLine & commandLine, const std::string & parameter);
 } // namespace shapeton
 
 #endif

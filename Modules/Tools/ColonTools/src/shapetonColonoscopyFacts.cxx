@@ -155,8 +155,9 @@ TaeniaeInWords(const ColonoscopyResults & results)
   const double disagreement = NumberOrNaN(taeniae, "/meanDisagreement");
   if (std::isfinite(disagreement))
   {
-    text += "; the other method differs by " + ShortNumber(disagreement, 2) + " mm on average, by more than 10 mm along " +
-            WholePercent(NumberOrNaN(taeniae, "/disagreeingShare")) + " of the colon";
+    text += "; the other method differs by " + ShortNumber(disagreement, 2) +
+            " mm on average, by more than 10 mm along " + WholePercent(NumberOrNaN(taeniae, "/disagreeingShare")) +
+            " of the colon";
   }
   return text;
 }
@@ -257,13 +258,14 @@ FlexureTable(const ColonoscopyResults & results)
       continue;
     }
     const Json & p = flexure.at("position");
-    table.AddRow(
-      { name,
-        Centimeters(NumberOrNaN(flexure, "/arcLength")),
-        ShortNumber(p[0].get<double>()) + ", " + ShortNumber(p[1].get<double>()) + ", " + ShortNumber(p[2].get<double>()),
-        NumberOrNothing(NumberOrNaN(flexure, "/confidence"), 2),
-        flexure.contains("notAssessable") ? "not assessable: " + flexure["notAssessable"].at("words").get<std::string>()
-                                          : "" });
+    table.AddRow({ name,
+                   Centimeters(NumberOrNaN(flexure, "/arcLength")),
+                   ShortNumber(p[0].get<double>()) + ", " + ShortNumber(p[1].get<double>()) + ", " +
+                     ShortNumber(p[2].get<double>()),
+                   NumberOrNothing(NumberOrNaN(flexure, "/confidence"), 2),
+                   flexure.contains("notAssessable")
+                     ? "not assessable: " + flexure["notAssessable"].at("words").get<std::string>()
+                     : "" });
   }
   return table;
 }

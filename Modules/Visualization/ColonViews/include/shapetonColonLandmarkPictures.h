@@ -28,21 +28,21 @@ ColorOfTaenia(int taenia);
 
 /** Segment boundaries on a flat page, with the segment names. \ingroup ShapetonColonViews */
 ShapetonColonViews_EXPORT std::vector<FlatAnnotation>
-                  SegmentAnnotations(const std::vector<ColonSegmentExtent> & segments);
+                          SegmentAnnotations(const std::vector<ColonSegmentExtent> & segments);
 
 /** The wall from one side, colored by segment, with taeniae, loops and names of the flexures, and markers.
  * \ingroup ShapetonColonViews */
 ShapetonColonViews_EXPORT Picture::Pointer
-                  DrawColonLandmarks(const ColonLandmarkParts & parts, PatientSide side);
+                          DrawColonLandmarks(const ColonLandmarkParts & parts, PatientSide side);
 
 /** The wall from one side, with the folds found on the surface. \ingroup ShapetonColonViews */
 ShapetonColonViews_EXPORT Picture::Pointer
-                  DrawSurfaceFolds(const ColonLandmarkParts & parts, PatientSide side);
+                          DrawSurfaceFolds(const ColonLandmarkParts & parts, PatientSide side);
 
 /** The flat colon in rows, with taeniae, loops of the flexures, markers and segment names.
  * \ingroup ShapetonColonViews */
 ShapetonColonViews_EXPORT Picture::Pointer
-                  DrawFlatLandmarks(const ColonLandmarkParts & parts, int greatestColumns = 1500);
+                          DrawFlatLandmarks(const ColonLandmarkParts & parts, int greatestColumns = 1500);
 } // namespace shapeton
 
 #endif

@@ -71,10 +71,10 @@ DrawFlatHatching(Picture *                            strip,
 /** Maps a curve in space to the flat map by nearest surface points, at most `step` mm apart; non-finite where the
  * surface is more than `farthest` mm away. */
 ShapetonColonViews_EXPORT std::vector<Eigen::Vector2d>
-                  PlacesOfCurve(const FlatColonGrid &                grid,
-                                const std::vector<Eigen::Vector3d> & points,
-                                double                               step = 2.0,
-                                double                               farthest = 15.0);
+                          PlacesOfCurve(const FlatColonGrid &                grid,
+                                        const std::vector<Eigen::Vector3d> & points,
+                                        double                               step = 2.0,
+                                        double                               farthest = 15.0);
 ///@}
 } // namespace shapeton
 

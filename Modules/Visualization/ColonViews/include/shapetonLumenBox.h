@@ -17,7 +17,7 @@ AreasOf(const itk::Image<unsigned char, 3> * lumen);
 /** Bounding box of the lumen, with a margin in mm, clipped to the volume. Throws std::invalid_argument without a
  * lumen. */
 ShapetonColonViews_EXPORT itk::ImageRegion<3>
-                  LumenBox(const itk::Image<unsigned char, 3> * lumen, const LumenAreas & areas, double margin);
+                          LumenBox(const itk::Image<unsigned char, 3> * lumen, const LumenAreas & areas, double margin);
 
 /** Throws std::invalid_argument without a lumen, or if the CT has another grid. */
 ShapetonColonViews_EXPORT void

@@ -92,9 +92,9 @@ PlacesOf(const CurveSet & curves, std::size_t curve)
 Json
 Taeniae(const std::string & path)
 {
-  const CurveSet        curves = ReadCurves(path);
+  const CurveSet                  curves = ReadCurves(path);
   const SurfaceArray::ValueMatrix uv = ValuesOf(curves.pointArrays, "uv", path);
-  Json                  taeniae = Json::array();
+  Json                            taeniae = Json::array();
   for (std::size_t curve = 0; curve < curves.curves.size(); ++curve)
   {
     Json places = Json::array();
@@ -110,10 +110,10 @@ Taeniae(const std::string & path)
 Json
 Flexures(const std::string & path)
 {
-  const CurveSet        curves = ReadCurves(path);
+  const CurveSet                  curves = ReadCurves(path);
   const SurfaceArray::ValueMatrix numbers = ValuesOf(curves.cellArrays, "flexure", path);
   const SurfaceArray::ValueMatrix confidence = ValuesOf(curves.cellArrays, "confidence", path);
-  Json                  flexures = Json::array();
+  Json                            flexures = Json::array();
   for (std::size_t curve = 0; curve < curves.curves.size(); ++curve)
   {
     flexures.push_back({ { "name", NameOfFlexure(static_cast<int>(numbers(curve, 0))) },
@@ -189,8 +189,8 @@ public:
   FlatFaces(const SurfaceMesh & mesh, const std::string & path) : m_Mesh(mesh), m_Order(mesh.NumberOfFaces())
   {
     const SurfaceArray::ValueMatrix arc = ValuesOf(mesh.pointArrays, "arcLength", path);
-    const auto &          F = mesh.F;
-    Eigen::VectorXd       place(F.rows());
+    const auto &                    F = mesh.F;
+    Eigen::VectorXd                 place(F.rows());
     for (Eigen::Index face = 0; face < F.rows(); ++face)
     {
       place[face] = arc(F(face, 0), 0) + arc(F(face, 1), 0) + arc(F(face, 2), 0);
@@ -284,8 +284,8 @@ PutPoints(PageBlocks & blocks, const std::string & prefix, const SurfaceMesh & m
   blocks.PutReals(prefix + "arc", ValuesOf(mesh.pointArrays, "arcLength", path));
   // Equal on both sides of the cut; renumbered because the page uses them as array indices.
   const SurfaceArray::ValueMatrix sources = ValuesOf(mesh.pointArrays, "sourcePointId", path);
-  std::vector<std::uint32_t> first(static_cast<std::size_t>(sources.maxCoeff()) + 1, mesh.NumberOfVertices());
-  std::vector<std::uint32_t> source(mesh.NumberOfVertices());
+  std::vector<std::uint32_t>      first(static_cast<std::size_t>(sources.maxCoeff()) + 1, mesh.NumberOfVertices());
+  std::vector<std::uint32_t>      source(mesh.NumberOfVertices());
   for (int vertex = 0; vertex < mesh.NumberOfVertices(); ++vertex)
   {
     auto & of = first[static_cast<std::size_t>(sources(vertex, 0))];
@@ -374,9 +374,9 @@ PutViewerMap(PageBlocks & blocks, const std::string & prefix, const std::string 
 {
   const SurfaceMesh mesh = ReadSurfaceFile(path).mesh;
   RequireSameFaces(mesh, ReadSurfaceFile(exam + "/flattening/flat.vtp").mesh, path);
-  const SurfaceArray::ValueMatrix     confidence = ValuesOf(mesh.pointArrays, "confidence", path);
-  const SurfaceArray::ValueMatrix     excluded = ValuesOf(mesh.pointArrays, "excluded", path);
-  std::vector<std::uint8_t> trust;
+  const SurfaceArray::ValueMatrix confidence = ValuesOf(mesh.pointArrays, "confidence", path);
+  const SurfaceArray::ValueMatrix excluded = ValuesOf(mesh.pointArrays, "excluded", path);
+  std::vector<std::uint8_t>       trust;
   for (int vertex = 0; vertex < mesh.NumberOfVertices(); ++vertex)
   {
     const double share = std::isfinite(confidence(vertex, 0)) ? std::clamp(confidence(vertex, 0), 0.0, 1.0) : 0.0;

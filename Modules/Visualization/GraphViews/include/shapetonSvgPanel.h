@@ -48,11 +48,11 @@ struct SvgStyle
 
 /** Formats a number with at most two decimals, a decimal point and no trailing zeros. */
 ShapetonGraphViews_EXPORT std::string
-                  SvgNumber(double value);
+                          SvgNumber(double value);
 
 /** Escapes text for XML. */
 ShapetonGraphViews_EXPORT std::string
-                  SvgText(const std::string & text);
+                          SvgText(const std::string & text);
 
 /** Content of one panel, in pixels. Items outside the panel or too small are skipped. */
 class ShapetonGraphViews_EXPORT SvgPanel

@@ -29,7 +29,7 @@ RowInside(const HeatHistogram & histogram, std::size_t row, const HeatRange & ra
  * several lines. Ascending and without gaps from the lower to the upper heat; labels count from 1. Of the measures,
  * only voxels and meanHeat are set. Empty if there are no counts. \ingroup ShapetonHeatViews */
 ShapetonHeatViews_EXPORT std::vector<HeatClass>
-                 FindClassesInside(const HeatHistogram & histogram, std::size_t row, const HeatRange & range);
+                         FindClassesInside(const HeatHistogram & histogram, std::size_t row, const HeatRange & range);
 } // namespace shapeton
 
 #endif

@@ -46,20 +46,20 @@ WindowOf(const itk::Image<float, 3> * gray, const IntensityWindow & window);
  * Throws std::invalid_argument if the images differ in size, the cut is outside, or the width is too small.
  * \ingroup ShapetonHeatViews */
 ShapetonHeatViews_EXPORT Picture::Pointer
-                 DrawSliceMontage(const itk::Image<float, 3> * gray,
-                                  const itk::Image<float, 3> * heat,
-                                  const HeatColoring &         coloring,
-                                  const SliceMontageOptions &  options = {});
+                         DrawSliceMontage(const itk::Image<float, 3> * gray,
+                                          const itk::Image<float, 3> * heat,
+                                          const HeatColoring &         coloring,
+                                          const SliceMontageOptions &  options = {});
 
 /** A legend for the classes except the background: ClassColor(), number, mean value.
  * \ingroup ShapetonHeatViews */
 ShapetonHeatViews_EXPORT std::vector<LegendEntry>
-                 LegendOf(const std::vector<HeatClass> & classes, const ShapeQuantity & quantity = {});
+                         LegendOf(const std::vector<HeatClass> & classes, const ShapeQuantity & quantity = {});
 
 /** A legend for the lines of a transfer function: range of heats.
  * \ingroup ShapetonHeatViews */
 ShapetonHeatViews_EXPORT std::vector<LegendEntry>
-                 LegendOf(const ShapeTransferFunction & transferFunction);
+                         LegendOf(const ShapeTransferFunction & transferFunction);
 } // namespace shapeton
 
 #endif

@@ -18,18 +18,18 @@ namespace shapeton
  * pixels wide. `title` is one line. `renderer`, if given, draws the volume; it must use the same heat and transfer
  * function. Throws std::invalid_argument if the images differ in size. \ingroup ShapetonHeatViews */
 ShapetonHeatViews_EXPORT Picture::Pointer
-                 DrawTransferFunction(const itk::Image<float, 3> *  gray,
-                                      const itk::Image<float, 3> *  heat,
-                                      const ShapeTransferFunction & transferFunction,
-                                      const std::string &           title,
-                                      const IntensityWindow &       window = {},
-                                      const ShapeQuantity &         quantity = {},
-                                      const VolumeRenderer *        renderer = nullptr);
+                         DrawTransferFunction(const itk::Image<float, 3> *  gray,
+                                              const itk::Image<float, 3> *  heat,
+                                              const ShapeTransferFunction & transferFunction,
+                                              const std::string &           title,
+                                              const IntensityWindow &       window = {},
+                                              const ShapeQuantity &         quantity = {},
+                                              const VolumeRenderer *        renderer = nullptr);
 
 /** The number of voxels in each line.
  * \ingroup ShapetonHeatViews */
 ShapetonHeatViews_EXPORT std::vector<std::uint64_t>
-                 CountVoxelsOfLines(const itk::Image<float, 3> * heat, const ShapeTransferFunction & transferFunction);
+CountVoxelsOfLines(const itk::Image<float, 3> * heat, const ShapeTransferFunction & transferFunction);
 } // namespace shapeton
 
 #endif

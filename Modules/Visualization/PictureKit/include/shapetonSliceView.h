@@ -31,7 +31,7 @@ enum class SlicePlane
 
 /** "axial", ... \ingroup ShapetonPictureKit */
 ShapetonPictureKit_EXPORT std::string
-                  NameOf(SlicePlane plane);
+                          NameOf(SlicePlane plane);
 
 /** Volume axes of the picture of a slice, and whether they are flipped.
  * \ingroup ShapetonPictureKit */
@@ -133,7 +133,7 @@ private:
 /** A slice in gray, linearly interpolated. \pre The image has the geometry of the view's volume.
  * \ingroup ShapetonPictureKit */
 ShapetonPictureKit_EXPORT Picture::Pointer
-                  PaintSlice(const SliceView & view, const itk::Image<float, 3> * gray, const IntensityWindow & window);
+PaintSlice(const SliceView & view, const itk::Image<float, 3> * gray, const IntensityWindow & window);
 
 /** Blends colors over the pixels of voxels; an empty color leaves the picture unchanged. \ingroup ShapetonPictureKit */
 ShapetonPictureKit_EXPORT void
