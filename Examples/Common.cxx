@@ -1,6 +1,6 @@
 // Estimates pi on all threads with counter-based random numbers; the result is the same for any number of
 // threads. Prints the SHA-256 of the result.
-// Usage: ExampleBase POINTS
+// Usage: ExampleCommon POINTS
 #include "shapetonExceptions.h"
 #include "shapetonNumberText.h"
 #include "shapetonParallelFor.h"

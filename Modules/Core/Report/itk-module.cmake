@@ -1,4 +1,4 @@
-set(DOCUMENTATION "Writers and readers of HTML reports, CSV tables and JSON documents. No VTK.")
+set(DOCUMENTATION "HTML reports, CSV tables, JSON documents, pages of scripts with their data, and SHA-256. No VTK.")
 
 itk_module(ShapetonReport
   ENABLE_SHARED

@@ -6,6 +6,7 @@ itk_module(ShapetonGraphModel
   DEPENDS
     ShapetonCommon
   PRIVATE_DEPENDS
+    ShapetonReport
     ITKExpat
   TEST_DEPENDS
     ITKGoogleTest

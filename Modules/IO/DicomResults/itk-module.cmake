@@ -9,6 +9,7 @@ itk_module(ShapetonDicomResults
     ShapetonVolumeFiles
     ITKCommon
   PRIVATE_DEPENDS
+    ShapetonReport
     ShapetonCommon
   TEST_DEPENDS
     ITKGoogleTest

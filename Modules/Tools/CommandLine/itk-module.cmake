@@ -9,6 +9,7 @@ itk_module(ShapetonCommandLine
     ShapetonSurfaceMesh
     ShapetonVolumeFiles
   PRIVATE_DEPENDS
+    ShapetonReport
     ITKExpat
   TEST_DEPENDS
     ITKExpat

@@ -10,7 +10,6 @@ itk_module(ShapetonGraphTools
     ShapetonGraphComparison
     ShapetonGraphViews
   PRIVATE_DEPENDS
-    ShapetonCommon
     ShapetonCommandLine
   TEST_DEPENDS
     ITKExpat
