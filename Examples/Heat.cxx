@@ -1,5 +1,5 @@
 // Runs cumulative heat diffusion until the heat is uniform in each closed object; the heat depends on shape and size.
-// Usage: ExampleShapeDiffusion VOLUME
+// Usage: ExampleHeat VOLUME
 #include "shapetonCumulativeHeatDiffusionImageFilter.h"
 #include "shapetonVolumeReader.h"
 

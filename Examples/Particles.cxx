@@ -1,5 +1,5 @@
 // Shapeton diffusion with an observer.
-// Usage: ExampleShapetonDiffusion VOLUME
+// Usage: ExampleParticles VOLUME
 #include "shapetonParticleDiffusionImageFilter.h"
 #include "shapetonVolumeReader.h"
 
