@@ -25,8 +25,8 @@ ShapetonMeshBridge_EXPORT std::string
 ShapetonMeshBridge_EXPORT void
 SetSpace(PatientSpace space, vtkFieldData & data);
 
-/** The space stated in the field data, else `otherwise`. Throws InputError for any other value. \ingroup
- * ShapetonMeshBridge */
+/** The space stated in the field data, else `otherwise`. Throws InputError for any other value.
+ * \ingroup ShapetonMeshBridge */
 ShapetonMeshBridge_EXPORT PatientSpace
 SpaceOf(vtkFieldData & data, PatientSpace otherwise);
 } // namespace shapeton

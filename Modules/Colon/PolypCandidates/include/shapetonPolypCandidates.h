@@ -100,8 +100,8 @@ struct OtherPolypCandidate
   double score{ 1.0 };
 };
 
-/** A part of the wall that resembles a polyp. For research use; a candidate is not a finding. \ingroup
- * ShapetonPolypCandidates
+/** A part of the wall that resembles a polyp. For research use; a candidate is not a finding.
+ * \ingroup ShapetonPolypCandidates
  */
 struct PolypCandidate
 {

@@ -14,8 +14,8 @@ namespace shapeton
  * \ingroup ShapetonCommon */
 using Provenance = std::vector<std::pair<std::string, std::string>>;
 
-/** The provenance with "Shapeton." before each name, to distinguish it from other metadata of a file. \ingroup
- * ShapetonCommon */
+/** The provenance with "Shapeton." before each name, to distinguish it from other metadata of a file.
+ * \ingroup ShapetonCommon */
 ShapetonCommon_EXPORT Provenance
 ProvenanceMetadata(const Provenance & provenance);
 

@@ -10,8 +10,8 @@ namespace shapeton
 {
 struct FactorLayout;
 
-/** The nonzero elements of a sparse symmetric matrix: one per vertex, one per edge. \ingroup
- * ShapetonSparseFactorization */
+/** The nonzero elements of a sparse symmetric matrix: one per vertex, one per edge.
+ * \ingroup ShapetonSparseFactorization */
 struct SymmetricElements
 {
   Eigen::VectorXcd diagonal;

@@ -66,8 +66,8 @@ struct GraphComparison
 
 /** Labels both graphs canonically and embeds them. If the graphs are not isomorphic, the second embedding reuses the
  * rotation system of the first where nodes correspond by names, and its sphere is aligned with the first by a Moebius
- * transformation. Reports overall progress; the progress function in the options is ignored. \ingroup
- * ShapetonGraphComparison
+ * transformation. Reports overall progress; the progress function in the options is ignored.
+ * \ingroup ShapetonGraphComparison
  */
 ShapetonGraphComparison_EXPORT GraphComparison
 CompareGraphs(const Graph &                 a,

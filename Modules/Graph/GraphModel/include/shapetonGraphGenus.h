@@ -51,8 +51,8 @@ ShapetonGraphModel_EXPORT bool
 FindPlanarEmbedding(const Graph & graph, CombinatorialMap & map);
 
 /** Lower bound of the genus by Euler's formula V - E + F = 2 - 2g for a connected simple graph of minimum degree three:
- * each cycle bounds at most one face, and the numbers of cycles of length 3, 4 and 5 are limited. \ingroup
- * ShapetonGraphModel
+ * each cycle bounds at most one face, and the numbers of cycles of length 3, 4 and 5 are limited.
+ * \ingroup ShapetonGraphModel
  */
 ShapetonGraphModel_EXPORT int
 GenusLowerBound(const Graph & graph);

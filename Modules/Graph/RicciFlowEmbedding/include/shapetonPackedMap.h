@@ -41,8 +41,8 @@ struct PackedMap
  * condition is sufficient, not necessary: some maps that use all of their handles fail it although they have a packing.
  *
  * All such pairs are found as 4-cycles of the graph of nodes and faces, from each node of highest degree (Chiba and
- * Nishizeki 1985), in linear time for bounded genus. \pre Triangles have no parallel edges. \ingroup
- * ShapetonRicciFlowEmbedding
+ * Nishizeki 1985), in linear time for bounded genus. \pre Triangles have no parallel edges.
+ * \ingroup ShapetonRicciFlowEmbedding
  */
 struct ShapetonRicciFlowEmbedding_EXPORT FaceConflicts
 {

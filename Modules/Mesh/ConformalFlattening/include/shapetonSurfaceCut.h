@@ -37,8 +37,8 @@ CutAlongPaths(const SurfaceMesh &                   mesh,
               const SurfaceConnectivity &           connectivity,
               const std::vector<std::vector<int>> & vertexPaths);
 
-/** For each path of vertices, the corners on its left as in CutSurface, without cutting. \ingroup
- * ShapetonConformalFlattening
+/** For each path of vertices, the corners on its left as in CutSurface, without cutting.
+ * \ingroup ShapetonConformalFlattening
  */
 ShapetonConformalFlattening_EXPORT std::vector<int>
 LeftCorners(const FaceMatrix & F, const SurfaceConnectivity & connectivity, const std::vector<int> & vertexPath);

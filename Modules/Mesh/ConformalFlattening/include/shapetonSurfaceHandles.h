@@ -20,8 +20,8 @@ struct SurfaceHandle
   std::vector<int> vertices;
 };
 
-/** Handles of a flat tube, with the number of false detections. See DetectHandles(). \ingroup
- * ShapetonConformalFlattening */
+/** Handles of a flat tube, with the number of false detections. See DetectHandles().
+ * \ingroup ShapetonConformalFlattening */
 struct HandleDetection
 {
   /** In the order of their first vertices. */
@@ -45,8 +45,8 @@ struct HandleDetection
 ShapetonConformalFlattening_EXPORT HandleDetection
 DetectHandles(const SurfaceConnectivity & connectivity, const SurfaceMesh & flat);
 
-/** Marks the faces with a corner at most this many edges away from a handle vertex. \ingroup
- * ShapetonConformalFlattening */
+/** Marks the faces with a corner at most this many edges away from a handle vertex.
+ * \ingroup ShapetonConformalFlattening */
 ShapetonConformalFlattening_EXPORT std::vector<char>
 FacesNearHandles(const SurfaceConnectivity & connectivity, const std::vector<SurfaceHandle> & handles, int rings);
 /** A surface after handle removal. \ingroup ShapetonConformalFlattening */

@@ -55,8 +55,8 @@ using TubeMetric =
  *
  * The published conjugate may fold anywhere, so it is mapped once.
  *
- * \pre As for FlattenTube(); only end edges have both vertices on one end: TrimEars(). \ingroup
- * ShapetonConformalFlattening */
+ * \pre As for FlattenTube(); only end edges have both vertices on one end: TrimEars().
+ * \ingroup ShapetonConformalFlattening */
 ShapetonConformalFlattening_EXPORT UnfoldedTube
 FlattenWithoutFolds(SurfaceMesh         mesh,
                     const TubeEnds &    ends,

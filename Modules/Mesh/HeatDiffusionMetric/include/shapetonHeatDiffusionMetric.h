@@ -8,8 +8,8 @@
 
 namespace shapeton
 {
-/** Heat diffusion distance (HDD) between the ends of each edge, used as new edge lengths. \ingroup
- * ShapetonHeatDiffusionMetric
+/** Heat diffusion distance (HDD) between the ends of each edge, used as new edge lengths.
+ * \ingroup ShapetonHeatDiffusionMetric
  */
 struct HeatDiffusionMetric
 {

@@ -6,8 +6,8 @@
 
 namespace shapeton
 {
-/** Defects of a surface, as ascending indices. RepairSurface() repairs all except zeroAreaFaces. \ingroup
- * ShapetonSurfaceMesh
+/** Defects of a surface, as ascending indices. RepairSurface() repairs all except zeroAreaFaces.
+ * \ingroup ShapetonSurfaceMesh
  */
 struct SurfaceDefects
 {
@@ -51,8 +51,8 @@ struct SurfaceStatistics
 ShapetonSurfaceMesh_EXPORT SurfaceStatistics
 StatisticsOf(std::vector<double> values);
 
-/** Statistics of a surface. Lengths in mm, areas in mm^2, volumes in mm^3, angles in degrees. \ingroup
- * ShapetonSurfaceMesh */
+/** Statistics of a surface. Lengths in mm, areas in mm^2, volumes in mm^3, angles in degrees.
+ * \ingroup ShapetonSurfaceMesh */
 struct SurfaceQuality
 {
   int vertices{ 0 };

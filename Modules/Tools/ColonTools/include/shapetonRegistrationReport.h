@@ -22,8 +22,8 @@ ShapetonColonTools_EXPORT std::vector<std::pair<std::string, std::string>>
 
 /** Adds the section on both positions to a page: confidence, both walls in paired rows, the checkerboard, a table of
  * matches by segment, and errors if points are known. The arguments may be newly computed or read back by
- * ReadColonPosition() and ReadRegistrationResults(), so any report can include this section. \ingroup
- * ShapetonColonTools */
+ * ReadColonPosition() and ReadRegistrationResults(), so any report can include this section.
+ * \ingroup ShapetonColonTools */
 ShapetonColonTools_EXPORT void
 AddRegistrationSection(HtmlReport &                 html,
                        const RegistrationParts &    parts,
