@@ -2,7 +2,6 @@ set(DOCUMENTATION "The stages of virtual colonoscopy as ITK process objects: lum
 landmarks, registration and candidates.")
 
 itk_module(ShapetonColonFilters
-  ENABLE_SHARED
   EXCLUDE_FROM_DEFAULT
   DEPENDS
     ShapetonCommon

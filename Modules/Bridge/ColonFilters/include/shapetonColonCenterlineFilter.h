@@ -1,8 +1,6 @@
 #ifndef shapetonColonCenterlineFilter_h
 #define shapetonColonCenterlineFilter_h
 
-#include "ShapetonColonFiltersExport.h"
-
 #include "shapetonColonCenterline.h"
 #include "shapetonStageFilter.h"
 
@@ -16,25 +14,18 @@ namespace shapeton
  * gaps, pieces and further results.
  *
  * \ingroup ShapetonColonFilters */
-class ShapetonColonFilters_EXPORT ColonCenterlineFilter : public StageFilter<itk::ProcessObject>
+class ColonCenterlineFilter
+  : public StageFilter<itk::ProcessObject,
+                       ColonCenterlineOptions,
+                       ResultObject<CurveSet>,
+                       ResultObject<ColonCenterline>>
 {
 public:
-  ITK_DISALLOW_COPY_AND_MOVE(ColonCenterlineFilter);
-
-  using Self = ColonCenterlineFilter;
-  using Superclass = StageFilter<itk::ProcessObject>;
-  using Pointer = itk::SmartPointer<Self>;
-  using ConstPointer = itk::SmartPointer<const Self>;
-  using OptionsType = ColonCenterlineOptions;
-
-  itkNewMacro(Self);
-  itkOverrideGetNameOfClassMacro(ColonCenterlineFilter);
+  shapetonStageFilterMacro(ColonCenterlineFilter);
 
   using Superclass::SetInput;
-  void
-  SetInput(const LumenMask * labels);
-  const LumenMask *
-  GetInput() const;
+  shapetonRequiredInputMacro(Input, LumenMask);
+  shapetonOutputMacro(Centerline, 1);
 
   /** \name See ColonCenterlineOptions for units, ranges and defaults */
   ///@{
@@ -48,26 +39,14 @@ public:
   shapetonOptionMacro(GapRadius, gapRadius);
   ///@}
 
-  ResultObject<CurveSet> *
-  GetOutput();
-  ResultObject<ColonCenterline> *
-  GetCenterlineOutput();
-
-  using Superclass::MakeOutput;
-  itk::DataObject::Pointer
-  MakeOutput(DataObjectPointerArraySizeType index) override;
-
 protected:
-  ColonCenterlineFilter();
-  ~ColonCenterlineFilter() override = default;
-
   void
-  Compute() override;
-  void
-  PrintSelf(std::ostream & os, itk::Indent indent) const override;
-
-private:
-  OptionsType m_Options;
+  Compute() override
+  {
+    ColonCenterline centerline = TraceColonCenterline(FromIndexZero(this->GetInput()), this->ReportingOptions());
+    RequireSuccess(centerline);
+    this->SetOutputs(centerline.curve, std::move(centerline));
+  }
 };
 } // namespace shapeton
 

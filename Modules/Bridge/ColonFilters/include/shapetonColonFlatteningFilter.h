@@ -3,7 +3,6 @@
 
 #include "shapetonColonFlattening.h"
 #include "shapetonFlatColon.h"
-#include "shapetonMeshAdapter.h"
 #include "shapetonStageFilter.h"
 
 #include "itkMeshToMeshFilter.h"
@@ -21,100 +20,42 @@ namespace shapeton
  *
  * \ingroup ShapetonColonFilters */
 template <typename TInputMesh = PipelineMesh, typename TOutputMesh = TInputMesh>
-class ColonFlatteningFilter : public StageFilter<itk::MeshToMeshFilter<TInputMesh, TOutputMesh>>
+class ColonFlatteningFilter
+  : public StageFilter<itk::MeshToMeshFilter<TInputMesh, TOutputMesh>,
+                       ColonFlatteningOptions,
+                       TOutputMesh,
+                       ResultObject<ColonFlattening>,
+                       ResultObject<FlatColon>>
 {
 public:
-  ITK_DISALLOW_COPY_AND_MOVE(ColonFlatteningFilter);
+  shapetonStageFilterMacro(ColonFlatteningFilter);
 
-  using Self = ColonFlatteningFilter;
-  using Superclass = StageFilter<itk::MeshToMeshFilter<TInputMesh, TOutputMesh>>;
-  using Pointer = itk::SmartPointer<Self>;
-  using ConstPointer = itk::SmartPointer<const Self>;
-  using OptionsType = ColonFlatteningOptions;
-
-  itkNewMacro(Self);
-  itkOverrideGetNameOfClassMacro(ColonFlatteningFilter);
-
-  itkSetInputMacro(Centerline, ResultObject<CurveSet>);
-  itkGetInputMacro(Centerline, ResultObject<CurveSet>);
+  shapetonInputMacro(Centerline, ResultObject<CurveSet>);
+  shapetonOutputMacro(Flattening, 1);
+  shapetonOutputMacro(FlatColon, 2);
 
   /** \name See ColonFlatteningOptions for units, ranges and defaults */
   ///@{
-  shapetonOptionMacro(Metric, metric);
+  shapetonEnumOptionMacro(Metric, metric, "Euclidean", "HeatDiffusion", "TruncatedHeatDiffusion");
   shapetonOptionMacro(Time, time);
   shapetonOptionMacro(Eigenpairs, eigenpairs);
   shapetonOptionMacro(RemoveHandles, removeHandles);
   itkBooleanMacro(RemoveHandles);
   ///@}
 
-  ResultObject<ColonFlattening> *
-  GetFlatteningOutput()
-  {
-    return static_cast<ResultObject<ColonFlattening> *>(this->itk::ProcessObject::GetOutput(1));
-  }
-  ResultObject<FlatColon> *
-  GetFlatColonOutput()
-  {
-    return static_cast<ResultObject<FlatColon> *>(this->itk::ProcessObject::GetOutput(2));
-  }
-
-  using Superclass::MakeOutput;
-  itk::DataObject::Pointer
-  MakeOutput(itk::ProcessObject::DataObjectPointerArraySizeType index) override
-  {
-    switch (index)
-    {
-      case 1:
-        return ResultObject<ColonFlattening>::New().GetPointer();
-      case 2:
-        return ResultObject<FlatColon>::New().GetPointer();
-      default:
-        return Superclass::MakeOutput(index);
-    }
-  }
-
 protected:
-  ColonFlatteningFilter()
-  {
-    this->SetNumberOfRequiredOutputs(3);
-    for (unsigned int i = 0; i < 3; ++i)
-    {
-      this->SetNthOutput(i, this->MakeOutput(i));
-    }
-  }
-  ~ColonFlatteningFilter() override = default;
-
-  void
-  GenerateOutputInformation() override
-  {} // information cannot be copied between different mesh types
-
   void
   Compute() override
   {
-    ColonFlatteningOptions options = m_Options;
-    options.progress = this->Reporter();
+    ColonFlatteningOptions options = this->ReportingOptions();
     if (this->GetCenterline())
     {
       options.centerline = this->GetCenterline()->Get();
     }
     ColonFlattening flattening = FlattenColon(SurfaceOf(*this->GetInput()), "the mesh", options);
-    HandOver(flattening.map.flat, this->GetOutput());
-    this->GetFlatColonOutput()->Set(std::make_shared<const FlatColon>(flattening.map.flat));
-    this->SetResult(1, std::move(flattening));
+    const auto      flat = std::make_shared<const FlatColon>(flattening.map.flat);
+    this->SetOutputs(flattening.map.flat, std::move(flattening), flat);
   }
-
-  void
-  PrintSelf(std::ostream & os, itk::Indent indent) const override
-  {
-    Superclass::PrintSelf(os, indent);
-    os << indent << "Metric: " << static_cast<int>(m_Options.metric) << std::endl;
-    os << indent << "Time: " << m_Options.time << std::endl;
-    os << indent << "Eigenpairs: " << m_Options.eigenpairs << std::endl;
-    os << indent << "RemoveHandles: " << m_Options.removeHandles << std::endl;
-  }
-
-private:
-  OptionsType m_Options;
 };
 
 /** \class FlatColonFilter
@@ -122,69 +63,25 @@ private:
  * the arrays of \ref FlatSurface, for example one read from a file or changed by other filters.
  * \ingroup ShapetonColonFilters */
 template <typename TInputMesh = PipelineMesh>
-class FlatColonFilter : public StageFilter<itk::ProcessObject>
+class FlatColonFilter : public StageFilter<itk::ProcessObject, FlatColonGridOptions, ResultObject<FlatColon>>
 {
 public:
-  ITK_DISALLOW_COPY_AND_MOVE(FlatColonFilter);
-
-  using Self = FlatColonFilter;
-  using Superclass = StageFilter<itk::ProcessObject>;
-  using Pointer = itk::SmartPointer<Self>;
-  using ConstPointer = itk::SmartPointer<const Self>;
-  using OptionsType = FlatColonGridOptions;
-
-  itkNewMacro(Self);
-  itkOverrideGetNameOfClassMacro(FlatColonFilter);
+  shapetonStageFilterMacro(FlatColonFilter);
 
   using Superclass::SetInput;
-  void
-  SetInput(const TInputMesh * mesh)
-  {
-    this->SetNthInput(0, const_cast<TInputMesh *>(mesh));
-  }
+  shapetonRequiredInputMacro(Input, TInputMesh);
 
   /** See FlatColonGridOptions. */
   shapetonOptionMacro(PixelSize, pixelSize);
 
-  ResultObject<FlatColon> *
-  GetOutput()
-  {
-    return static_cast<ResultObject<FlatColon> *>(this->itk::ProcessObject::GetOutput(0));
-  }
-
-  using Superclass::MakeOutput;
-  itk::DataObject::Pointer
-  MakeOutput(DataObjectPointerArraySizeType) override
-  {
-    return ResultObject<FlatColon>::New().GetPointer();
-  }
-
 protected:
-  FlatColonFilter()
-  {
-    this->SetNumberOfRequiredInputs(1);
-    this->SetNthOutput(0, this->MakeOutput(0));
-  }
-  ~FlatColonFilter() override = default;
-
   void
   Compute() override
   {
-    const auto * const mesh = static_cast<const TInputMesh *>(this->itk::ProcessObject::GetInput(0));
-    const auto         flat = std::make_shared<const FlatColon>(SurfaceOf(*mesh), m_Options, "the mesh");
+    const auto flat = std::make_shared<const FlatColon>(SurfaceOf(*this->GetInput()), this->m_Options, "the mesh");
     flat->Grid(); // reject a mesh that is not flat here rather than later
-    this->GetOutput()->Set(flat);
+    this->SetOutputs(flat);
   }
-
-  void
-  PrintSelf(std::ostream & os, itk::Indent indent) const override
-  {
-    Superclass::PrintSelf(os, indent);
-    os << indent << "PixelSize: " << m_Options.pixelSize << std::endl;
-  }
-
-private:
-  OptionsType m_Options;
 };
 } // namespace shapeton
 

@@ -1,8 +1,6 @@
 #ifndef shapetonColonLandmarksFilter_h
 #define shapetonColonLandmarksFilter_h
 
-#include "ShapetonColonFiltersExport.h"
-
 #include "shapetonColonLandmarks.h"
 #include "shapetonStageFilter.h"
 
@@ -16,52 +14,32 @@ namespace shapeton
  * were not found.
  *
  * \ingroup ShapetonColonFilters */
-class ShapetonColonFilters_EXPORT ColonLandmarksFilter : public StageFilter<itk::ProcessObject>
+class ColonLandmarksFilter
+  : public StageFilter<itk::ProcessObject, ColonLandmarkOptions, ResultObject<ColonLandmarks>, ResultObject<CurveSet>>
 {
 public:
-  ITK_DISALLOW_COPY_AND_MOVE(ColonLandmarksFilter);
+  shapetonStageFilterMacro(ColonLandmarksFilter);
 
-  using Self = ColonLandmarksFilter;
-  using Superclass = StageFilter<itk::ProcessObject>;
-  using Pointer = itk::SmartPointer<Self>;
-  using ConstPointer = itk::SmartPointer<const Self>;
-  using OptionsType = ColonLandmarkOptions;
-
-  itkNewMacro(Self);
-  itkOverrideGetNameOfClassMacro(ColonLandmarksFilter);
-
-  itkSetInputMacro(FlatColon, ResultObject<FlatColon>);
-  itkGetInputMacro(FlatColon, ResultObject<FlatColon>);
-  itkSetInputMacro(Centerline, ResultObject<CurveSet>);
-  itkGetInputMacro(Centerline, ResultObject<CurveSet>);
+  shapetonRequiredInputMacro(FlatColon, ResultObject<FlatColon>);
+  shapetonRequiredInputMacro(Centerline, ResultObject<CurveSet>);
+  shapetonOutputMacro(Taeniae, 1);
 
   /** \name See ColonLandmarkOptions */
   ///@{
-  shapetonOptionMacro(FlexureRule, flexureRule);
-  shapetonOptionMacro(TaeniaRule, taeniaRule);
+  shapetonEnumOptionMacro(FlexureRule, flexureRule, "Ordered", "Published");
+  shapetonEnumOptionMacro(TaeniaRule, taeniaRule, "joint", "published");
   shapetonOptionMacro(Markers, markers);
   ///@}
 
-  ResultObject<ColonLandmarks> *
-  GetOutput();
-  ResultObject<CurveSet> *
-  GetTaeniaeOutput();
-
-  using Superclass::MakeOutput;
-  itk::DataObject::Pointer
-  MakeOutput(DataObjectPointerArraySizeType index) override;
-
 protected:
-  ColonLandmarksFilter();
-  ~ColonLandmarksFilter() override = default;
-
   void
-  Compute() override;
-  void
-  PrintSelf(std::ostream & os, itk::Indent indent) const override;
-
-private:
-  OptionsType m_Options;
+  Compute() override
+  {
+    ColonLandmarks landmarks =
+      FindColonLandmarks(this->GetFlatColon()->Get(), this->GetCenterline()->Get(), this->ReportingOptions());
+    CurveSet taeniae = landmarks.taeniae.taeniae.empty() ? CurveSet() : TaeniaCurves(landmarks.taeniae);
+    this->SetOutputs(std::move(landmarks), std::move(taeniae));
+  }
 };
 } // namespace shapeton
 

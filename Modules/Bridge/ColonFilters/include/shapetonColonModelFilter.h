@@ -2,8 +2,6 @@
 #define shapetonColonModelFilter_h
 
 #include "shapetonColonModel.h"
-#include "shapetonExceptions.h"
-#include "shapetonMeshAdapter.h"
 #include "shapetonStageFilter.h"
 #include "shapetonVolume.h"
 
@@ -28,22 +26,22 @@ namespace shapeton
  *
  * \ingroup ShapetonColonFilters */
 template <typename TInputImage, typename TOutputMesh = PipelineMesh>
-class ColonModelFilter : public StageFilter<itk::ImageToMeshFilter<TInputImage, TOutputMesh>>
+class ColonModelFilter
+  : public StageFilter<itk::ImageToMeshFilter<TInputImage, TOutputMesh>,
+                       ColonModelOptions,
+                       TOutputMesh,
+                       TOutputMesh,
+                       TOutputMesh,
+                       ResultObject<CurveSet>,
+                       ResultObject<ColonModel>>
 {
 public:
-  ITK_DISALLOW_COPY_AND_MOVE(ColonModelFilter);
+  shapetonStageFilterMacro(ColonModelFilter);
 
-  using Self = ColonModelFilter;
-  using Superclass = StageFilter<itk::ImageToMeshFilter<TInputImage, TOutputMesh>>;
-  using Pointer = itk::SmartPointer<Self>;
-  using ConstPointer = itk::SmartPointer<const Self>;
-  using OptionsType = ColonModelOptions;
-
-  itkNewMacro(Self);
-  itkOverrideGetNameOfClassMacro(ColonModelFilter);
-
-  itkSetInputMacro(LumenMask, LumenMaskImage);
-  itkGetInputMacro(LumenMask, LumenMaskImage);
+  shapetonInputMacro(LumenMask, LumenMaskImage);
+  using itk::MeshSource<TOutputMesh>::GetOutput; // for any index
+  shapetonOutputMacro(Centerline, 3);
+  shapetonOutputMacro(Model, 4);
 
   /** \name See ColonModelOptions */
   ///@{
@@ -54,44 +52,7 @@ public:
   itkBooleanMacro(KeepPieces);
   ///@}
 
-  using itk::MeshSource<TOutputMesh>::GetOutput; // for any index
-  ResultObject<CurveSet> *
-  GetCenterlineOutput()
-  {
-    return static_cast<ResultObject<CurveSet> *>(this->itk::ProcessObject::GetOutput(3));
-  }
-  ResultObject<ColonModel> *
-  GetModelOutput()
-  {
-    return static_cast<ResultObject<ColonModel> *>(this->itk::ProcessObject::GetOutput(4));
-  }
-
-  using Superclass::MakeOutput;
-  itk::DataObject::Pointer
-  MakeOutput(itk::ProcessObject::DataObjectPointerArraySizeType index) override
-  {
-    switch (index)
-    {
-      case 3:
-        return ResultObject<CurveSet>::New().GetPointer();
-      case 4:
-        return ResultObject<ColonModel>::New().GetPointer();
-      default:
-        return Superclass::MakeOutput(index);
-    }
-  }
-
 protected:
-  ColonModelFilter()
-  {
-    this->SetNumberOfRequiredOutputs(5);
-    for (unsigned int i = 0; i < 5; ++i)
-    {
-      this->SetNthOutput(i, this->MakeOutput(i));
-    }
-  }
-  ~ColonModelFilter() override = default;
-
   void
   VerifyInputInformation() const override
   {
@@ -106,34 +67,14 @@ protected:
   void
   Compute() override
   {
-    ColonModelOptions options = m_Options;
-    options.progress = this->Reporter();
+    const auto options = this->ReportingOptions();
     const auto ct = FloatsFromIndexZero(this->GetInput());
     ColonModel model = this->GetLumenMask() ? BuildColonModel(ct, FromIndexZero(this->GetLumenMask()), options)
                                             : BuildColonModel(ct, options);
-    if (!model.failure.empty())
-    {
-      throw InputError(model.failure);
-    }
-    HandOver(model.wall.simplified, this->GetOutput(0));
-    HandOver(model.wall.repaired, this->GetOutput(1));
-    HandOver(model.wall.raw, this->GetOutput(2));
-    this->SetResult(3, CurveSet(model.centerline.curve));
-    this->SetResult(4, std::move(model));
+    RequireSuccess(model);
+    const ColonWall & wall = model.wall;
+    this->SetOutputs(wall.simplified, wall.repaired, wall.raw, model.centerline.curve, std::move(model));
   }
-
-  void
-  PrintSelf(std::ostream & os, itk::Indent indent) const override
-  {
-    Superclass::PrintSelf(os, indent);
-    os << indent << "PatientPosition: " << m_Options.patientPosition << std::endl;
-    os << indent << "SeedPoints: " << m_Options.seedPoints.size() << std::endl;
-    os << indent << "NumberOfFaces: " << m_Options.faces << std::endl;
-    os << indent << "KeepPieces: " << m_Options.keepPieces << std::endl;
-  }
-
-private:
-  OptionsType m_Options;
 };
 } // namespace shapeton
 

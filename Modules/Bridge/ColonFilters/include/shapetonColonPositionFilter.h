@@ -1,14 +1,19 @@
 #ifndef shapetonColonPositionFilter_h
 #define shapetonColonPositionFilter_h
 
-#include "ShapetonColonFiltersExport.h"
-
 #include "shapetonColonLandmarks.h"
 #include "shapetonColonPosition.h"
 #include "shapetonStageFilter.h"
 
 namespace shapeton
 {
+/** Options of ColonPositionFilter. \ingroup ShapetonColonFilters */
+struct ColonPositionFilterOptions
+{
+  /** Name in messages. */
+  std::string positionName{ "the colon" };
+};
+
 /** \class ColonPositionFilter
  * \brief Pipeline filter of MakeColonPosition(): the colon in one position, prepared for registration.
  *
@@ -16,50 +21,30 @@ namespace shapeton
  * Inputs FlatColon, Centerline, Landmarks, Folds. Output: ColonPosition, the input of SupineProneRegistrationFilter.
  *
  * \ingroup ShapetonColonFilters */
-class ShapetonColonFilters_EXPORT ColonPositionFilter : public StageFilter<itk::ProcessObject>
+class ColonPositionFilter
+  : public StageFilter<itk::ProcessObject, ColonPositionFilterOptions, ResultObject<ColonPosition>>
 {
 public:
-  ITK_DISALLOW_COPY_AND_MOVE(ColonPositionFilter);
+  shapetonStageFilterMacro(ColonPositionFilter);
 
-  using Self = ColonPositionFilter;
-  using Superclass = StageFilter<itk::ProcessObject>;
-  using Pointer = itk::SmartPointer<Self>;
-  using ConstPointer = itk::SmartPointer<const Self>;
+  shapetonRequiredInputMacro(FlatColon, ResultObject<FlatColon>);
+  shapetonRequiredInputMacro(Centerline, ResultObject<CurveSet>);
+  shapetonRequiredInputMacro(Landmarks, ResultObject<ColonLandmarks>);
+  shapetonRequiredInputMacro(Folds, ResultObject<HaustralFolds>);
 
-  itkNewMacro(Self);
-  itkOverrideGetNameOfClassMacro(ColonPositionFilter);
-
-  itkSetInputMacro(FlatColon, ResultObject<FlatColon>);
-  itkGetInputMacro(FlatColon, ResultObject<FlatColon>);
-  itkSetInputMacro(Centerline, ResultObject<CurveSet>);
-  itkGetInputMacro(Centerline, ResultObject<CurveSet>);
-  itkSetInputMacro(Landmarks, ResultObject<ColonLandmarks>);
-  itkGetInputMacro(Landmarks, ResultObject<ColonLandmarks>);
-  itkSetInputMacro(Folds, ResultObject<HaustralFolds>);
-  itkGetInputMacro(Folds, ResultObject<HaustralFolds>);
-
-  /** Name in messages. Default "the colon". */
-  itkSetStringMacro(PositionName);
-  itkGetStringMacro(PositionName);
-
-  ResultObject<ColonPosition> *
-  GetOutput();
-
-  using Superclass::MakeOutput;
-  itk::DataObject::Pointer
-  MakeOutput(DataObjectPointerArraySizeType index) override;
+  /** See ColonPositionFilterOptions. */
+  shapetonOptionMacro(PositionName, positionName);
 
 protected:
-  ColonPositionFilter();
-  ~ColonPositionFilter() override = default;
-
   void
-  Compute() override;
-  void
-  PrintSelf(std::ostream & os, itk::Indent indent) const override;
-
-private:
-  std::string m_PositionName{ "the colon" };
+  Compute() override
+  {
+    this->SetOutputs(MakeColonPosition(this->GetPositionName(),
+                                       this->GetFlatColon()->Share(),
+                                       this->GetCenterline()->Get(),
+                                       this->GetLandmarks()->Get(),
+                                       this->GetFolds()->Get().folds));
+  }
 };
 } // namespace shapeton
 

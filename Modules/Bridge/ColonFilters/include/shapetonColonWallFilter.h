@@ -3,7 +3,6 @@
 
 #include "shapetonColonWall.h"
 #include "shapetonElectronicCleansing.h"
-#include "shapetonMeshAdapter.h"
 #include "shapetonStageFilter.h"
 
 #include "itkMeshSource.h"
@@ -20,26 +19,21 @@ namespace shapeton
  *
  * \ingroup ShapetonColonFilters */
 template <typename TOutputMesh = PipelineMesh>
-class ColonWallFilter : public StageFilter<itk::MeshSource<TOutputMesh>>
+class ColonWallFilter
+  : public StageFilter<itk::MeshSource<TOutputMesh>,
+                       ColonWallOptions,
+                       TOutputMesh,
+                       TOutputMesh,
+                       TOutputMesh,
+                       ResultObject<ColonWall>>
 {
 public:
-  ITK_DISALLOW_COPY_AND_MOVE(ColonWallFilter);
+  shapetonStageFilterMacro(ColonWallFilter);
 
-  using Self = ColonWallFilter;
-  using Superclass = StageFilter<itk::MeshSource<TOutputMesh>>;
-  using Pointer = itk::SmartPointer<Self>;
-  using ConstPointer = itk::SmartPointer<const Self>;
-  using OptionsType = ColonWallOptions;
-
-  itkNewMacro(Self);
-  itkOverrideGetNameOfClassMacro(ColonWallFilter);
-
-  itkSetInputMacro(Cleansed, ResultObject<CleansedColon>);
-  itkGetInputMacro(Cleansed, ResultObject<CleansedColon>);
-  itkSetInputMacro(Mask, LumenMaskImage);
-  itkGetInputMacro(Mask, LumenMaskImage);
-  itkSetInputMacro(Centerline, ResultObject<CurveSet>);
-  itkGetInputMacro(Centerline, ResultObject<CurveSet>);
+  shapetonInputMacro(Cleansed, ResultObject<CleansedColon>);
+  shapetonInputMacro(Mask, LumenMaskImage);
+  shapetonRequiredInputMacro(Centerline, ResultObject<CurveSet>);
+  shapetonOutputMacro(Wall, 3);
 
   /** \name See ColonWallOptions for units, ranges and defaults */
   ///@{
@@ -52,32 +46,7 @@ public:
   shapetonOptionMacro(MaskSmoothing, maskSmoothing);
   ///@}
 
-  ResultObject<ColonWall> *
-  GetWallOutput()
-  {
-    return static_cast<ResultObject<ColonWall> *>(this->itk::ProcessObject::GetOutput(3));
-  }
-
-  using Superclass::MakeOutput;
-  itk::DataObject::Pointer
-  MakeOutput(itk::ProcessObject::DataObjectPointerArraySizeType index) override
-  {
-    return index == 3 ? itk::DataObject::Pointer(ResultObject<ColonWall>::New()) : Superclass::MakeOutput(index);
-  }
-
 protected:
-  ColonWallFilter()
-  {
-    this->SetPrimaryInputName("Centerline");
-    this->SetNumberOfRequiredInputs(1);
-    this->SetNumberOfRequiredOutputs(4);
-    for (unsigned int i = 0; i < 4; ++i)
-    {
-      this->SetNthOutput(i, this->MakeOutput(i));
-    }
-  }
-  ~ColonWallFilter() override = default;
-
   void
   VerifyPreconditions() const override
   {
@@ -89,37 +58,14 @@ protected:
   }
 
   void
-  GenerateOutputInformation() override
-  {} // the centerline has no information to copy to a mesh
-
-  void
   Compute() override
   {
-    ColonWallOptions options = m_Options;
-    options.progress = this->Reporter();
+    const auto       options = this->ReportingOptions();
     const CurveSet & line = this->GetCenterline()->Get();
     ColonWall        wall = this->GetMask() ? BuildColonWallFromMask(FromIndexZero(this->GetMask()), line, options)
                                             : BuildColonWall(this->GetCleansed()->Get().occupancy, line, options);
-    HandOver(wall.simplified, this->GetOutput(0));
-    HandOver(wall.repaired, this->GetOutput(1));
-    HandOver(wall.raw, this->GetOutput(2));
-    this->SetResult(3, std::move(wall));
+    this->SetOutputs(wall.simplified, wall.repaired, wall.raw, std::move(wall));
   }
-
-  void
-  PrintSelf(std::ostream & os, itk::Indent indent) const override
-  {
-    Superclass::PrintSelf(os, indent);
-    os << indent << "NumberOfFaces: " << m_Options.faces << std::endl;
-    os << indent << "BridgeRadius: " << m_Options.bridgeRadius << std::endl;
-    os << indent << "NormalLimit: " << m_Options.normalLimit << std::endl;
-    os << indent << "TangentialLimit: " << m_Options.tangentialLimit << std::endl;
-    os << indent << "KeepPieces: " << m_Options.keepPieces << std::endl;
-    os << indent << "MaskSmoothing: " << m_Options.maskSmoothing << std::endl;
-  }
-
-private:
-  OptionsType m_Options;
 };
 } // namespace shapeton
 

@@ -2,7 +2,6 @@
 #define shapetonElectronicCleansingImageFilter_h
 
 #include "shapetonElectronicCleansing.h"
-#include "shapetonExceptions.h"
 #include "shapetonStageFilter.h"
 #include "shapetonVolume.h"
 
@@ -20,44 +19,19 @@ namespace shapeton
  *
  * \ingroup ShapetonColonFilters */
 template <typename TInputImage>
-class ElectronicCleansingImageFilter : public StageFilter<itk::ImageToImageFilter<TInputImage, itk::Image<float, 3>>>
+class ElectronicCleansingImageFilter
+  : public StageFilter<itk::ImageToImageFilter<TInputImage, itk::Image<float, 3>>,
+                       NoOptions,
+                       itk::Image<float, 3>,
+                       ResultObject<CleansedColon>>
 {
 public:
-  ITK_DISALLOW_COPY_AND_MOVE(ElectronicCleansingImageFilter);
+  shapetonStageFilterMacro(ElectronicCleansingImageFilter);
 
-  using Self = ElectronicCleansingImageFilter;
-  using Superclass = StageFilter<itk::ImageToImageFilter<TInputImage, itk::Image<float, 3>>>;
-  using Pointer = itk::SmartPointer<Self>;
-  using ConstPointer = itk::SmartPointer<const Self>;
-
-  itkNewMacro(Self);
-  itkOverrideGetNameOfClassMacro(ElectronicCleansingImageFilter);
-
-  itkSetInputMacro(Lumen, ResultObject<ColonLumen>);
-  itkGetInputMacro(Lumen, ResultObject<ColonLumen>);
-
-  ResultObject<CleansedColon> *
-  GetCleansedOutput()
-  {
-    return static_cast<ResultObject<CleansedColon> *>(this->itk::ProcessObject::GetOutput(1));
-  }
-
-  using Superclass::MakeOutput;
-  itk::DataObject::Pointer
-  MakeOutput(itk::ProcessObject::DataObjectPointerArraySizeType index) override
-  {
-    return index == 1 ? itk::DataObject::Pointer(ResultObject<CleansedColon>::New()) : Superclass::MakeOutput(index);
-  }
+  shapetonRequiredInputMacro(Lumen, ResultObject<ColonLumen>);
+  shapetonOutputMacro(Cleansed, 1);
 
 protected:
-  ElectronicCleansingImageFilter()
-  {
-    this->AddRequiredInputName("Lumen");
-    this->SetNumberOfRequiredOutputs(2);
-    this->SetNthOutput(1, this->MakeOutput(1));
-  }
-  ~ElectronicCleansingImageFilter() override = default;
-
   void
   Compute() override
   {
@@ -68,8 +42,7 @@ protected:
       throw InputError("the lumen and the CT have different grids: use the lumen of this CT");
     }
     CleansedColon cleansed = CleanseColon(ct, lumen, this->Reporter());
-    HandOver(cleansed.ct.GetPointer(), this->GetOutput());
-    this->SetResult(1, std::move(cleansed));
+    this->SetOutputs(cleansed.ct.GetPointer(), std::move(cleansed));
   }
 };
 } // namespace shapeton

@@ -1,8 +1,7 @@
 #ifndef shapetonHaustralFoldsFilter_h
 #define shapetonHaustralFoldsFilter_h
 
-#include "ShapetonColonFiltersExport.h"
-
+#include "shapetonFlatCoordinateMap.h"
 #include "shapetonHaustralFolds.h"
 #include "shapetonStageFilter.h"
 
@@ -19,29 +18,22 @@ namespace shapeton
  * Output 1: HaustralFolds.
  *
  * \ingroup ShapetonColonFilters */
-class ShapetonColonFilters_EXPORT HaustralFoldsFilter
-  : public StageFilter<itk::ImageSource<itk::Image<unsigned short, 2>>>
+class HaustralFoldsFilter
+  : public StageFilter<itk::ImageSource<itk::Image<unsigned short, 2>>,
+                       HaustralFoldOptions,
+                       itk::Image<unsigned short, 2>,
+                       ResultObject<HaustralFolds>>
 {
 public:
-  ITK_DISALLOW_COPY_AND_MOVE(HaustralFoldsFilter);
+  shapetonStageFilterMacro(HaustralFoldsFilter);
 
-  using Self = HaustralFoldsFilter;
-  using Superclass = StageFilter<itk::ImageSource<itk::Image<unsigned short, 2>>>;
-  using Pointer = itk::SmartPointer<Self>;
-  using ConstPointer = itk::SmartPointer<const Self>;
-  using OptionsType = HaustralFoldOptions;
-
-  itkNewMacro(Self);
-  itkOverrideGetNameOfClassMacro(HaustralFoldsFilter);
-
-  itkSetInputMacro(FlatColon, ResultObject<FlatColon>);
-  itkGetInputMacro(FlatColon, ResultObject<FlatColon>);
-  itkSetInputMacro(Taeniae, ResultObject<CurveSet>);
-  itkGetInputMacro(Taeniae, ResultObject<CurveSet>);
+  shapetonRequiredInputMacro(FlatColon, ResultObject<FlatColon>);
+  shapetonInputMacro(Taeniae, ResultObject<CurveSet>);
+  shapetonOutputMacro(Folds, 1);
 
   /** \name See HaustralFoldOptions for units, ranges and defaults */
   ///@{
-  shapetonOptionMacro(Scheme, scheme);
+  shapetonEnumOptionMacro(Scheme, scheme, "GraphCut", "Published");
   shapetonOptionMacro(MinimumLength, minimumLength);
   shapetonOptionMacro(MinimumArea, minimumArea);
   shapetonOptionMacro(MinimumElongation, minimumElongation);
@@ -53,26 +45,23 @@ public:
   shapetonOptionMacro(PublishedHigh, publishedHigh);
   ///@}
 
-  ResultObject<HaustralFolds> *
-  GetFoldsOutput();
-
-  using Superclass::MakeOutput;
-  itk::DataObject::Pointer
-  MakeOutput(DataObjectPointerArraySizeType index) override;
-
 protected:
-  HaustralFoldsFilter();
-  ~HaustralFoldsFilter() override = default;
+  void
+  GenerateOutputInformation() override
+  {
+    const_cast<ResultObject<FlatColon> *>(this->GetFlatColon())->Update();
+    SetFlatSpace(this->GetFlatColon()->Get().Grid(), this->GetOutput());
+  }
 
   void
-  GenerateOutputInformation() override;
-  void
-  Compute() override;
-  void
-  PrintSelf(std::ostream & os, itk::Indent indent) const override;
-
-private:
-  OptionsType m_Options;
+  Compute() override
+  {
+    HaustralFoldOptions options = this->ReportingOptions();
+    options.progress = options.progress.Part("Folds", 0.0, 1.0);
+    options.taeniae = this->GetTaeniae() ? &this->GetTaeniae()->Get() : nullptr;
+    HaustralFolds folds = FindHaustralFolds(this->GetFlatColon()->Get(), options);
+    this->SetOutputs(folds.labels.GetPointer(), std::move(folds));
+  }
 };
 } // namespace shapeton
 

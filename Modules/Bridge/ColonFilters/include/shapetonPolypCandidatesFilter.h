@@ -3,7 +3,6 @@
 
 #include "shapetonColonLandmarks.h"
 #include "shapetonColonModel.h"
-#include "shapetonMeshAdapter.h"
 #include "shapetonPolypSearch.h"
 #include "shapetonStageFilter.h"
 
@@ -22,62 +21,27 @@ namespace shapeton
  *
  * \ingroup ShapetonColonFilters */
 template <typename TInputMesh = PipelineMesh>
-class PolypCandidatesFilter : public StageFilter<itk::ProcessObject>
+class PolypCandidatesFilter
+  : public StageFilter<itk::ProcessObject, PolypSearchOptions, ResultObject<std::vector<PolypCandidate>>>
 {
 public:
-  ITK_DISALLOW_COPY_AND_MOVE(PolypCandidatesFilter);
+  shapetonStageFilterMacro(PolypCandidatesFilter);
 
-  using Self = PolypCandidatesFilter;
-  using Superclass = StageFilter<itk::ProcessObject>;
-  using Pointer = itk::SmartPointer<Self>;
-  using ConstPointer = itk::SmartPointer<const Self>;
-  using OptionsType = PolypSearchOptions;
   using CandidatesType = std::vector<PolypCandidate>;
 
-  itkNewMacro(Self);
-  itkOverrideGetNameOfClassMacro(PolypCandidatesFilter);
-
   using Superclass::SetInput;
-  void
-  SetInput(const TInputMesh * wall)
-  {
-    this->SetNthInput(0, const_cast<TInputMesh *>(wall));
-  }
-  itkSetInputMacro(Model, ResultObject<ColonModel>);
-  itkGetInputMacro(Model, ResultObject<ColonModel>);
-  itkSetInputMacro(FlatColon, ResultObject<FlatColon>);
-  itkGetInputMacro(FlatColon, ResultObject<FlatColon>);
-  itkSetInputMacro(Landmarks, ResultObject<ColonLandmarks>);
-  itkGetInputMacro(Landmarks, ResultObject<ColonLandmarks>);
+  shapetonRequiredInputMacro(Input, TInputMesh);
+  shapetonRequiredInputMacro(Model, ResultObject<ColonModel>);
+  shapetonInputMacro(FlatColon, ResultObject<FlatColon>);
+  shapetonInputMacro(Landmarks, ResultObject<ColonLandmarks>);
 
   /** \name See PolypSearchOptions for ranges and defaults */
   ///@{
-  shapetonOptionMacro(Preset, preset);
+  shapetonEnumOptionMacro(Preset, preset, "default", "published");
   shapetonOptionMacro(Sensitivity, sensitivity);
   ///@}
 
-  ResultObject<CandidatesType> *
-  GetOutput()
-  {
-    return static_cast<ResultObject<CandidatesType> *>(this->itk::ProcessObject::GetOutput(0));
-  }
-
-  using Superclass::MakeOutput;
-  itk::DataObject::Pointer
-  MakeOutput(DataObjectPointerArraySizeType) override
-  {
-    return ResultObject<CandidatesType>::New().GetPointer();
-  }
-
 protected:
-  PolypCandidatesFilter()
-  {
-    this->SetNumberOfRequiredInputs(1);
-    this->AddRequiredInputName("Model");
-    this->SetNthOutput(0, this->MakeOutput(0));
-  }
-  ~PolypCandidatesFilter() override = default;
-
   void
   VerifyPreconditions() const override
   {
@@ -91,17 +55,7 @@ protected:
   void
   Compute() override
   {
-    PolypSearchOptions options = m_Options;
-    options.progress = this->Reporter();
-    this->SetResult(0, SearchPolyps(this->Colon(), options));
-  }
-
-  void
-  PrintSelf(std::ostream & os, itk::Indent indent) const override
-  {
-    Superclass::PrintSelf(os, indent);
-    os << indent << "Preset: " << NameOf(m_Options.preset) << std::endl;
-    os << indent << "Sensitivity: " << m_Options.sensitivity << std::endl;
+    this->SetOutputs(SearchPolyps(this->Colon(), this->ReportingOptions()));
   }
 
 private:
@@ -110,7 +64,7 @@ private:
   {
     const ColonModel & model = this->GetModel()->Get();
     PolypColon         colon;
-    colon.wall = SurfaceOf(*static_cast<const TInputMesh *>(this->itk::ProcessObject::GetInput(0)));
+    colon.wall = SurfaceOf(*this->GetInput());
     colon.centerline = model.centerline.curve;
     if (model.lumen.catheter && model.lumen.catheter->isSure)
     {
@@ -128,8 +82,6 @@ private:
     }
     return colon;
   }
-
-  OptionsType m_Options;
 };
 } // namespace shapeton
 

@@ -1,6 +1,7 @@
 #ifndef shapetonStageFilter_h
 #define shapetonStageFilter_h
 
+#include "shapetonExceptions.h"
 #include "shapetonFilterProgress.h"
 #include "shapetonIndexedOutputs.h"
 #include "shapetonInterruption.h"
@@ -13,126 +14,80 @@
 #include "itkProcessObject.h"
 
 #include <algorithm>
+#include <array>
+#include <functional>
+#include <optional>
 #include <stdexcept>
+#include <tuple>
 #include <type_traits>
+#include <utility>
+#include <vector>
 
-/** Set and Get methods of a parameter stored in m_Options of type OptionsType. */
-#define shapetonOptionMacro(name, member)                                                                              \
+/** \name Members of a filter derived from StageFilter
+ * For the public part of its class. */
+///@{
+/** Types, New() and the name of the class. */
+#define shapetonStageFilterMacro(name)                                                                                 \
+  ITK_DISALLOW_COPY_AND_MOVE(name);                                                                                    \
+  using Self = name;                                                                                                   \
+  using Superclass = typename name::StageFilter;                                                                       \
+  using Pointer = itk::SmartPointer<Self>;                                                                             \
+  using ConstPointer = itk::SmartPointer<const Self>;                                                                  \
+  using OptionsType = typename Superclass::OptionsType;                                                                \
+  itkNewMacro(Self);                                                                                                   \
+  itkOverrideGetNameOfClassMacro(name);                                                                                \
+                                                                                                                       \
+protected:                                                                                                             \
+  name() = default;                                                                                                    \
+  ~name() override = default;                                                                                          \
+                                                                                                                       \
+public:                                                                                                                \
+  ITK_MACROEND_NOOP_STATEMENT
+
+/** Set and Get methods of an optional input. */
+#define shapetonInputMacro(name, type)                                                                                 \
+  itkSetInputMacro(name, type);                                                                                        \
+  itkGetInputMacro(name, type)
+
+/** Set and Get methods of a required input. The first one is the primary input unless the superclass has one. */
+#define shapetonRequiredInputMacro(name, type)                                                                         \
+  shapetonInputMacro(name, type);                                                                                      \
+                                                                                                                       \
+protected:                                                                                                             \
+  const bool m_Requires##name{ this->RequireInput(#name) };                                                            \
+                                                                                                                       \
+public:                                                                                                                \
+  ITK_MACROEND_NOOP_STATEMENT
+
+/** Get method of an output. */
+#define shapetonOutputMacro(name, index)                                                                               \
+  auto * Get##name##Output() { return this->template OutputAt<index>(); }                                              \
+  ITK_MACROEND_NOOP_STATEMENT
+
+/** Set and Get methods of a member of the options, and its line in PrintSelf. */
+#define shapetonOptionMacro(name, member) shapetonEnumOptionMacro(name, member, )
+
+/** The same for an enumeration; the names of its values follow. */
+#define shapetonEnumOptionMacro(name, member, ...)                                                                     \
   virtual void Set##name(const decltype(OptionsType::member) & value)                                                  \
   {                                                                                                                    \
-    if (m_Options.member != value)                                                                                     \
+    if (this->m_Options.member != value)                                                                               \
     {                                                                                                                  \
-      m_Options.member = value;                                                                                        \
+      this->m_Options.member = value;                                                                                  \
       this->Modified();                                                                                                \
     }                                                                                                                  \
   }                                                                                                                    \
-  virtual const decltype(OptionsType::member) & Get##name() const { return m_Options.member; }                         \
+  virtual const decltype(OptionsType::member) & Get##name() const { return this->m_Options.member; }                   \
+                                                                                                                       \
+protected:                                                                                                             \
+  const bool m_Prints##name{ this->PrintWithSelf(#name, this->m_Options.member, { __VA_ARGS__ }) };                    \
+                                                                                                                       \
+public:                                                                                                                \
   ITK_MACROEND_NOOP_STATEMENT
+///@}
 
 namespace shapeton
 {
-/** \class StageFilter
- * \brief Base class of the virtual colonoscopy filters: they process whole inputs, report progress, can be aborted, and
- * throw ITK exceptions.
- *
- * \tparam TSuperclass itk::ProcessObject or a class derived from it.
- * \ingroup ShapetonColonFilters */
-template <typename TSuperclass>
-class StageFilter : public TSuperclass
-{
-public:
-  ITK_DISALLOW_COPY_AND_MOVE(StageFilter);
-
-  using Self = StageFilter;
-  using Superclass = TSuperclass;
-
-  itkOverrideGetNameOfClassMacro(StageFilter);
-
-  using Superclass::MakeOutput;
-  shapetonIndexedOutputsMacro();
-
-  /** Description of the current stage while progress is reported; empty before and after. */
-  itkGetConstReferenceMacro(Stage, std::string);
-
-protected:
-  StageFilter() = default;
-  ~StageFilter() override = default;
-
-  /** Forwards progress and stage to ITK observers, and aborts on request. */
-  shapeton::Progress
-  Reporter()
-  {
-    return shapeton::Progress([this](const std::string & stage, double share) {
-      m_Stage = stage;
-      ReportProgress(*this, share);
-    });
-  }
-
-  virtual void
-  Compute() = 0;
-
-  void
-  GenerateData() override
-  {
-    const Interruption interruption([this] { AbortIfAsked(*this); });
-    const struct Clear // also after an abort
-    {
-      ~Clear() { stage.clear(); }
-      std::string & stage;
-    } clear{ m_Stage };
-    try
-    {
-      this->Compute();
-    }
-    catch (const std::logic_error & error) // errors of the calling code
-    {
-      itkExceptionMacro(<< error.what());
-    }
-    catch (const std::runtime_error & error) // no solution
-    {
-      itkExceptionMacro(<< error.what());
-    }
-  }
-
-  void
-  GenerateInputRequestedRegion() override
-  {
-    Superclass::GenerateInputRequestedRegion();
-    for (const auto & name : this->GetInputNames())
-    {
-      if (auto * const input = this->ProcessObject::GetInput(name))
-      {
-        input->SetRequestedRegionToLargestPossibleRegion();
-      }
-    }
-  }
-
-  void
-  EnlargeOutputRequestedRegion(itk::DataObject * output) override
-  {
-    Superclass::EnlargeOutputRequestedRegion(output);
-    output->SetRequestedRegionToLargestPossibleRegion();
-  }
-
-  void
-  PrintSelf(std::ostream & os, itk::Indent indent) const override
-  {
-    Superclass::PrintSelf(os, indent);
-    os << indent << "Stage: " << m_Stage << std::endl;
-  }
-
-  template <typename TResult>
-  void
-  SetResult(unsigned int output, TResult && result)
-  {
-    using Object = ResultObject<std::decay_t<TResult>>;
-    static_cast<Object *>(this->ProcessObject::GetOutput(output))->Set(std::forward<TResult>(result));
-  }
-
-private:
-  std::string m_Stage;
-};
-
 /** \name Images for functions on whole volumes
  * The buffered region of an image with its first voxel at index 0 and the same position. */
 ///@{
@@ -192,6 +147,250 @@ HandOver(const SurfaceMesh & surface, TMesh * output)
   FillMesh(surface, *output);
   output->SetBufferedRegion(output->GetRequestedRegion()); // else the pipeline considers it incomplete
 }
+
+/** Fills the output object of a filter. \ingroup ShapetonColonFilters */
+template <typename TResult, typename TValue>
+void
+HandOver(TValue && value, ResultObject<TResult> * output)
+{
+  output->Set(std::forward<TValue>(value));
+}
+
+/** Throws InputError if a stage states in `result.failure` why it has no result. \ingroup ShapetonColonFilters */
+template <typename TResult>
+void
+RequireSuccess(const TResult & result)
+{
+  if (!result.failure.empty())
+  {
+    throw InputError(result.failure);
+  }
+}
+
+/** Of a stage without options. \ingroup ShapetonColonFilters */
+struct NoOptions
+{};
+
+/** \class StageFilter
+ * \brief Base class of the virtual colonoscopy filters: they process whole inputs, report progress, can be aborted, and
+ * throw ITK exceptions.
+ *
+ * A derived class declares its inputs, options and further outputs with the macros of this header, and calls the
+ * function of its stage in Compute().
+ *
+ * \tparam TSuperclass itk::ProcessObject or a class derived from it.
+ * \tparam TOptions options of the stage.
+ * \tparam TOutputs types of all outputs: images or meshes as in the superclass, ResultObject for other results.
+ * \ingroup ShapetonColonFilters */
+template <typename TSuperclass, typename TOptions, typename... TOutputs>
+class StageFilter : public TSuperclass
+{
+public:
+  ITK_DISALLOW_COPY_AND_MOVE(StageFilter);
+
+  using Self = StageFilter;
+  using Superclass = TSuperclass;
+  using OptionsType = TOptions;
+  template <unsigned int VIndex>
+  using OutputType = std::tuple_element_t<VIndex, std::tuple<TOutputs...>>;
+
+  itkOverrideGetNameOfClassMacro(StageFilter);
+
+  using Superclass::GetOutput;
+  OutputType<0> *
+  GetOutput()
+  {
+    return this->OutputAt<0>();
+  }
+
+  itk::DataObject::Pointer
+  MakeOutput(itk::ProcessObject::DataObjectPointerArraySizeType index) override
+  {
+    using Maker = itk::DataObject::Pointer (*)();
+    static constexpr std::array<Maker, sizeof...(TOutputs)> makers{ [] {
+      return itk::DataObject::Pointer(TOutputs::New());
+    }... };
+    return makers.at(index)();
+  }
+  shapetonIndexedOutputsMacro();
+
+  /** Description of the current stage while progress is reported; empty before and after. */
+  itkGetConstReferenceMacro(Stage, std::string);
+
+protected:
+  StageFilter()
+  {
+    this->SetNumberOfRequiredOutputs(sizeof...(TOutputs));
+    for (unsigned int i = 0; i < sizeof...(TOutputs); ++i)
+    {
+      this->SetNthOutput(i, this->MakeOutput(i));
+    }
+  }
+  ~StageFilter() override = default;
+
+  template <unsigned int VIndex>
+  OutputType<VIndex> *
+  OutputAt()
+  {
+    return static_cast<OutputType<VIndex> *>(this->itk::ProcessObject::GetOutput(VIndex));
+  }
+
+  /** \name Called by the macros
+   * They return true. */
+  ///@{
+  bool
+  RequireInput(const char * name)
+  {
+    if (this->GetNumberOfRequiredInputs() > 0)
+    {
+      return this->AddRequiredInputName(name);
+    }
+    this->SetPrimaryInputName(name);
+    this->SetNumberOfRequiredInputs(1);
+    return true;
+  }
+
+  template <typename TOption>
+  bool
+  PrintWithSelf(const char * name, const TOption & option, std::vector<const char *> valueNames)
+  {
+    m_Printers.push_back([name, &option, valueNames = std::move(valueNames)](std::ostream & os) {
+      os << name << ": ";
+      if constexpr (std::is_enum_v<TOption>)
+      {
+        os << valueNames.at(static_cast<std::size_t>(option));
+      }
+      else
+      {
+        PrintOption(os, option);
+      }
+      os << std::endl;
+    });
+    return true;
+  }
+  ///@}
+
+  /** Forwards progress and stage to ITK observers, and aborts on request. */
+  shapeton::Progress
+  Reporter()
+  {
+    return shapeton::Progress([this](const std::string & stage, double share) {
+      m_Stage = stage;
+      ReportProgress(*this, share);
+    });
+  }
+
+  /** The options with a progress receiver, for one call of the stage. */
+  TOptions
+  ReportingOptions()
+  {
+    TOptions options = m_Options;
+    options.progress = this->Reporter();
+    return options;
+  }
+
+  /** Runs the stage and calls SetOutputs(). */
+  virtual void
+  Compute() = 0;
+
+  /** Hands over one value for each output, in their order. */
+  template <typename... TValues>
+  void
+  SetOutputs(TValues &&... values)
+  {
+    unsigned int index = 0;
+    (HandOver(std::forward<TValues>(values), static_cast<TOutputs *>(this->ProcessObject::GetOutput(index++))), ...);
+  }
+
+  void
+  GenerateData() override
+  {
+    const Interruption interruption([this] { AbortIfAsked(*this); });
+    const struct Clear // also after an abort
+    {
+      ~Clear() { stage.clear(); }
+      std::string & stage;
+    } clear{ m_Stage };
+    try
+    {
+      this->Compute();
+    }
+    catch (const std::logic_error & error) // errors of the calling code
+    {
+      itkExceptionMacro(<< error.what());
+    }
+    catch (const std::runtime_error & error) // no solution
+    {
+      itkExceptionMacro(<< error.what());
+    }
+  }
+
+  void
+  GenerateInputRequestedRegion() override
+  {
+    Superclass::GenerateInputRequestedRegion();
+    for (const auto & name : this->GetInputNames())
+    {
+      if (auto * const input = this->ProcessObject::GetInput(name))
+      {
+        input->SetRequestedRegionToLargestPossibleRegion();
+      }
+    }
+  }
+
+  void
+  EnlargeOutputRequestedRegion(itk::DataObject * output) override
+  {
+    Superclass::EnlargeOutputRequestedRegion(output);
+    output->SetRequestedRegionToLargestPossibleRegion();
+  }
+
+  /** Only volumes have information before they are computed. */
+  void
+  GenerateOutputInformation() override
+  {
+    if constexpr (std::is_base_of_v<itk::ImageBase<3>, OutputType<0>>)
+    {
+      Superclass::GenerateOutputInformation();
+    }
+  }
+
+  void
+  PrintSelf(std::ostream & os, itk::Indent indent) const override
+  {
+    Superclass::PrintSelf(os, indent);
+    os << indent << "Stage: " << m_Stage << std::endl;
+    for (const auto & print : m_Printers)
+    {
+      print(os << indent);
+    }
+  }
+
+  TOptions m_Options;
+
+private:
+  template <typename TOption>
+  static void
+  PrintOption(std::ostream & os, const TOption & option)
+  {
+    os << option;
+  }
+  template <typename TElement>
+  static void
+  PrintOption(std::ostream & os, const std::vector<TElement> & elements)
+  {
+    os << elements.size();
+  }
+  template <typename TOption>
+  static void
+  PrintOption(std::ostream & os, const std::optional<TOption> & option)
+  {
+    option ? os << *option : os << "(automatic)";
+  }
+
+  std::string                                      m_Stage;
+  std::vector<std::function<void(std::ostream &)>> m_Printers;
+};
 } // namespace shapeton
 
 #endif

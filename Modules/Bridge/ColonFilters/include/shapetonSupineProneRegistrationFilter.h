@@ -1,8 +1,6 @@
 #ifndef shapetonSupineProneRegistrationFilter_h
 #define shapetonSupineProneRegistrationFilter_h
 
-#include "ShapetonColonFiltersExport.h"
-
 #include "shapetonStageFilter.h"
 #include "shapetonSupineProneRegistration.h"
 
@@ -15,29 +13,19 @@ namespace shapeton
  * Inputs Source and Target, each the output of a ColonPositionFilter. Output: SupineProneRegistration.
  *
  * \ingroup ShapetonColonFilters */
-class ShapetonColonFilters_EXPORT SupineProneRegistrationFilter : public StageFilter<itk::ProcessObject>
+class SupineProneRegistrationFilter
+  : public StageFilter<itk::ProcessObject, SupineProneOptions, ResultObject<SupineProneRegistration>>
 {
 public:
-  ITK_DISALLOW_COPY_AND_MOVE(SupineProneRegistrationFilter);
+  shapetonStageFilterMacro(SupineProneRegistrationFilter);
 
-  using Self = SupineProneRegistrationFilter;
-  using Superclass = StageFilter<itk::ProcessObject>;
-  using Pointer = itk::SmartPointer<Self>;
-  using ConstPointer = itk::SmartPointer<const Self>;
-  using OptionsType = SupineProneOptions;
-
-  itkNewMacro(Self);
-  itkOverrideGetNameOfClassMacro(SupineProneRegistrationFilter);
-
-  itkSetInputMacro(Source, ResultObject<ColonPosition>);
-  itkGetInputMacro(Source, ResultObject<ColonPosition>);
-  itkSetInputMacro(Target, ResultObject<ColonPosition>);
-  itkGetInputMacro(Target, ResultObject<ColonPosition>);
+  shapetonRequiredInputMacro(Source, ResultObject<ColonPosition>);
+  shapetonRequiredInputMacro(Target, ResultObject<ColonPosition>);
 
   /** \name See SupineProneOptions for ranges and defaults */
   ///@{
-  shapetonOptionMacro(Map, map);
-  shapetonOptionMacro(Matching, matching);
+  shapetonEnumOptionMacro(Map, map, "Default", "Published");
+  shapetonEnumOptionMacro(Matching, matching, "Hungarian", "DualDecomposition");
   shapetonOptionMacro(SegmentWise, isSegmentWise);
   itkBooleanMacro(SegmentWise);
   shapetonOptionMacro(Refine, refines);
@@ -45,24 +33,13 @@ public:
   shapetonOptionMacro(GreatestDilatation, greatestDilatation);
   ///@}
 
-  ResultObject<SupineProneRegistration> *
-  GetOutput();
-
-  using Superclass::MakeOutput;
-  itk::DataObject::Pointer
-  MakeOutput(DataObjectPointerArraySizeType index) override;
-
 protected:
-  SupineProneRegistrationFilter();
-  ~SupineProneRegistrationFilter() override = default;
-
   void
-  Compute() override;
-  void
-  PrintSelf(std::ostream & os, itk::Indent indent) const override;
-
-private:
-  OptionsType m_Options;
+  Compute() override
+  {
+    this->SetOutputs(
+      RegisterColonPositions(this->GetSource()->Get(), this->GetTarget()->Get(), this->ReportingOptions()));
+  }
 };
 } // namespace shapeton
 
