@@ -59,8 +59,9 @@ protected:
 };
 
 /** \class FlatColonFilter
- * \brief Makes a FlatColon, the input of the filters for folds, landmarks, positions and candidates, from a mesh with
- * the arrays of \ref FlatSurface, for example one read from a file or changed by other filters.
+ * \brief Makes a FlatColon from a mesh with the arrays of \ref FlatSurface, for example one read from a file or changed
+ * by other filters: the input of the filters for folds, landmarks, positions and candidates.
+ *
  * \ingroup ShapetonColonFilters */
 template <typename TInputMesh = PipelineMesh>
 class FlatColonFilter : public StageFilter<itk::ProcessObject, FlatColonGridOptions, ResultObject<FlatColon>>

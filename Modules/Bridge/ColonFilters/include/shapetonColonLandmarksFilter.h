@@ -26,8 +26,8 @@ public:
 
   /** \name See ColonLandmarkOptions */
   ///@{
-  shapetonEnumOptionMacro(FlexureRule, flexureRule, "Ordered", "Published");
-  shapetonEnumOptionMacro(TaeniaRule, taeniaRule, "joint", "published");
+  shapetonOptionMacro(FlexureRule, flexureRule);
+  shapetonOptionMacro(TaeniaRule, taeniaRule);
   shapetonOptionMacro(Markers, markers);
   ///@}
 

@@ -37,7 +37,7 @@ public:
 
   /** \name See PolypSearchOptions for ranges and defaults */
   ///@{
-  shapetonEnumOptionMacro(Preset, preset, "default", "published");
+  shapetonOptionMacro(Preset, preset);
   shapetonOptionMacro(Sensitivity, sensitivity);
   ///@}
 

@@ -2,6 +2,7 @@
 #define shapetonStageFilter_h
 
 #include "shapetonExceptions.h"
+#include "shapetonFilterOptions.h"
 #include "shapetonFilterProgress.h"
 #include "shapetonIndexedOutputs.h"
 #include "shapetonInterruption.h"
@@ -15,13 +16,11 @@
 
 #include <algorithm>
 #include <array>
-#include <functional>
-#include <optional>
 #include <stdexcept>
+#include <string>
 #include <tuple>
 #include <type_traits>
 #include <utility>
-#include <vector>
 
 /** \name Members of a filter derived from StageFilter
  * For the public part of its class. */
@@ -62,27 +61,6 @@ public:                                                                         
 /** Get method of an output. */
 #define shapetonOutputMacro(name, index)                                                                               \
   auto * Get##name##Output() { return this->template OutputAt<index>(); }                                              \
-  ITK_MACROEND_NOOP_STATEMENT
-
-/** Set and Get methods of a member of the options, and its line in PrintSelf. */
-#define shapetonOptionMacro(name, member) shapetonEnumOptionMacro(name, member, )
-
-/** The same for an enumeration; the names of its values follow. */
-#define shapetonEnumOptionMacro(name, member, ...)                                                                     \
-  virtual void Set##name(const decltype(OptionsType::member) & value)                                                  \
-  {                                                                                                                    \
-    if (this->m_Options.member != value)                                                                               \
-    {                                                                                                                  \
-      this->m_Options.member = value;                                                                                  \
-      this->Modified();                                                                                                \
-    }                                                                                                                  \
-  }                                                                                                                    \
-  virtual const decltype(OptionsType::member) & Get##name() const { return this->m_Options.member; }                   \
-                                                                                                                       \
-protected:                                                                                                             \
-  const bool m_Prints##name{ this->PrintWithSelf(#name, this->m_Options.member, { __VA_ARGS__ }) };                    \
-                                                                                                                       \
-public:                                                                                                                \
   ITK_MACROEND_NOOP_STATEMENT
 ///@}
 
@@ -175,22 +153,21 @@ struct NoOptions
  * \brief Base class of the virtual colonoscopy filters: they process whole inputs, report progress, can be aborted, and
  * throw ITK exceptions.
  *
- * A derived class declares its inputs, options and further outputs with the macros of this header, and calls the
- * function of its stage in Compute().
+ * A derived class declares its inputs and further outputs with the macros of this header, its options with those of
+ * FilterWithOptions, and calls the function of its stage in Compute().
  *
  * \tparam TSuperclass itk::ProcessObject or a class derived from it.
  * \tparam TOptions options of the stage.
  * \tparam TOutputs types of all outputs: images or meshes as in the superclass, ResultObject for other results.
  * \ingroup ShapetonColonFilters */
 template <typename TSuperclass, typename TOptions, typename... TOutputs>
-class StageFilter : public TSuperclass
+class StageFilter : public FilterWithOptions<TOptions, TSuperclass>
 {
 public:
   ITK_DISALLOW_COPY_AND_MOVE(StageFilter);
 
   using Self = StageFilter;
-  using Superclass = TSuperclass;
-  using OptionsType = TOptions;
+  using Superclass = FilterWithOptions<TOptions, TSuperclass>;
   template <unsigned int VIndex>
   using OutputType = std::tuple_element_t<VIndex, std::tuple<TOutputs...>>;
 
@@ -235,9 +212,7 @@ protected:
     return static_cast<OutputType<VIndex> *>(this->itk::ProcessObject::GetOutput(VIndex));
   }
 
-  /** \name Called by the macros
-   * They return true. */
-  ///@{
+  /** Called by the macro; returns true. */
   bool
   RequireInput(const char * name)
   {
@@ -249,26 +224,6 @@ protected:
     this->SetNumberOfRequiredInputs(1);
     return true;
   }
-
-  template <typename TOption>
-  bool
-  PrintWithSelf(const char * name, const TOption & option, std::vector<const char *> valueNames)
-  {
-    m_Printers.push_back([name, &option, valueNames = std::move(valueNames)](std::ostream & os) {
-      os << name << ": ";
-      if constexpr (std::is_enum_v<TOption>)
-      {
-        os << valueNames.at(static_cast<std::size_t>(option));
-      }
-      else
-      {
-        PrintOption(os, option);
-      }
-      os << std::endl;
-    });
-    return true;
-  }
-  ///@}
 
   /** Forwards progress and stage to ITK observers, and aborts on request. */
   shapeton::Progress
@@ -284,7 +239,7 @@ protected:
   TOptions
   ReportingOptions()
   {
-    TOptions options = m_Options;
+    TOptions options = this->m_Options;
     options.progress = this->Reporter();
     return options;
   }
@@ -360,36 +315,10 @@ protected:
   {
     Superclass::PrintSelf(os, indent);
     os << indent << "Stage: " << m_Stage << std::endl;
-    for (const auto & print : m_Printers)
-    {
-      print(os << indent);
-    }
   }
-
-  TOptions m_Options;
 
 private:
-  template <typename TOption>
-  static void
-  PrintOption(std::ostream & os, const TOption & option)
-  {
-    os << option;
-  }
-  template <typename TElement>
-  static void
-  PrintOption(std::ostream & os, const std::vector<TElement> & elements)
-  {
-    os << elements.size();
-  }
-  template <typename TOption>
-  static void
-  PrintOption(std::ostream & os, const std::optional<TOption> & option)
-  {
-    option ? os << *option : os << "(automatic)";
-  }
-
-  std::string                                      m_Stage;
-  std::vector<std::function<void(std::ostream &)>> m_Printers;
+  std::string m_Stage;
 };
 } // namespace shapeton
 

@@ -3,6 +3,7 @@
 
 #include "shapetonAutomaticParameters.h"
 #include "shapetonCumulativeHeatDiffusion.h"
+#include "shapetonFilterOptions.h"
 #include "shapetonITKCompatibility.h"
 #include "shapetonVolumeDiffusionImageFilter.h"
 
@@ -32,13 +33,15 @@ namespace shapeton
  * \ingroup ShapetonHeat */
 template <typename TInputImage>
 class ITK_TEMPLATE_EXPORT CumulativeHeatDiffusionImageFilter
-  : public VolumeDiffusionImageFilter<TInputImage, itk::Image<float, 3>>
+  : public FilterWithOptions<CumulativeHeatDiffusionSettings,
+                             VolumeDiffusionImageFilter<TInputImage, itk::Image<float, 3>>>
 {
 public:
   ITK_DISALLOW_COPY_AND_MOVE(CumulativeHeatDiffusionImageFilter);
 
   using Self = CumulativeHeatDiffusionImageFilter;
-  using Superclass = VolumeDiffusionImageFilter<TInputImage, itk::Image<float, 3>>;
+  using Superclass = typename CumulativeHeatDiffusionImageFilter::FilterWithOptions;
+  using OptionsType = typename Superclass::OptionsType;
   using Pointer = itk::SmartPointer<Self>;
   using ConstPointer = itk::SmartPointer<const Self>;
   using HeatImageType = itk::Image<float, 3>;
@@ -51,25 +54,20 @@ public:
 
   /** Whether ChooseP() chooses p from noise and edges; P is then ignored. GetResult() returns the choice and its
    * reason. Default off. */
-  itkSetMacro(AutomaticP, bool);
-  itkGetConstMacro(AutomaticP, bool);
+  shapetonOptionMacro(AutomaticP, automaticP);
   itkBooleanMacro(AutomaticP);
 
   /** Length dt of a time step in (0, 1/12]. Default 1/12. */
-  itkSetMacro(TimeStepLength, double);
-  itkGetConstMacro(TimeStepLength, double);
+  shapetonOptionMacro(TimeStepLength, timeStepLength);
 
   /** Chebyshev (default) or Explicit; see HeatDiffusionSolver. */
-  itkSetEnumMacro(Method, Method);
-  itkGetEnumMacro(Method, Method);
+  shapetonEnumOptionMacro(Method, method, "Chebyshev", "Explicit");
 
   /** Error bound of the heat, in [1e-6, 1]; single precision achieves about 5e-6. Default 1e-5. */
-  itkSetMacro(Tolerance, double);
-  itkGetConstMacro(Tolerance, double);
+  shapetonOptionMacro(Tolerance, tolerance);
 
   /** Effect of the spacing on conductances; see VolumeGradientOperator. Default Physical. */
-  itkSetEnumMacro(Conductance, Conductance);
-  itkGetEnumMacro(Conductance, Conductance);
+  shapetonEnumOptionMacro(Conductance, volumeGradient.conductance, "Physical", "Published");
 
   /** Whether to treat voxels as unit cubes. Default off. */
   itkSetMacro(IgnoreSpacing, bool);
@@ -77,18 +75,15 @@ public:
   itkBooleanMacro(IgnoreSpacing);
 
   /** Whether to stop before TimeSteps when the heat is steady; see HeatDiffusionSolver::SteadyRule. Default off. */
-  itkSetMacro(UntilSteady, bool);
-  itkGetConstMacro(UntilSteady, bool);
+  shapetonOptionMacro(UntilSteady, untilSteady);
   itkBooleanMacro(UntilSteady);
 
   /** Whether to find the components and their exact converged heat; see FindShapeComponents. Default off. */
-  itkSetMacro(WantComponents, bool);
-  itkGetConstMacro(WantComponents, bool);
+  shapetonOptionMacro(WantComponents, wantComponents);
   itkBooleanMacro(WantComponents);
 
   /** Steps recorded as rows of the heat histogram; ascending, at most TimeSteps. Default none. */
-  void
-  SetHistogramSteps(const StepsType & steps);
+  shapetonOptionMacro(HistogramSteps, histogramSteps);
 
   /** Receives the heat after `step`, on the grid of the input; valid during the call. */
   using SnapshotConsumer = std::function<void(std::uint64_t step, const HeatImageType * heat)>;
@@ -130,17 +125,8 @@ private:
   void
   HandOut(std::uint64_t step, const std::vector<float> & values) const;
 
-  bool                          m_AutomaticP{ false };
-  double                        m_TimeStepLength{ HeatDiffusionSolver::MaximumTimeStepLength };
-  Method                        m_Method{ Method::Chebyshev };
-  double                        m_Tolerance{ 1e-5 };
-  Conductance                   m_Conductance{ Conductance::Physical };
   bool                          m_IgnoreSpacing{ false };
-  bool                          m_UntilSteady{ false };
-  bool                          m_WantComponents{ false };
   bool                          m_WantInitialHeat{ false };
-  StepsType                     m_HistogramSteps;
-  StepsType                     m_SnapshotSteps;
   SnapshotConsumer              m_SnapshotConsumer;
   CumulativeHeatDiffusionResult m_Result;
 };

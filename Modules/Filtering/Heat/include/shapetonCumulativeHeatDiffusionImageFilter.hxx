@@ -18,18 +18,10 @@ CumulativeHeatDiffusionImageFilter<TInputImage>::CumulativeHeatDiffusionImageFil
 
 template <typename TInputImage>
 void
-CumulativeHeatDiffusionImageFilter<TInputImage>::SetHistogramSteps(const StepsType & steps)
-{
-  m_HistogramSteps = steps;
-  this->Modified();
-}
-
-template <typename TInputImage>
-void
 CumulativeHeatDiffusionImageFilter<TInputImage>::SetSnapshotSteps(const StepsType &        steps,
                                                                   const SnapshotConsumer & consumer)
 {
-  m_SnapshotSteps = steps;
+  this->m_Options.snapshotSteps = steps;
   m_SnapshotConsumer = consumer;
   this->Modified();
 }
@@ -38,23 +30,15 @@ template <typename TInputImage>
 CumulativeHeatDiffusionSettings
 CumulativeHeatDiffusionImageFilter<TInputImage>::MakeSettings(const float * intensities)
 {
-  CumulativeHeatDiffusionSettings settings;
+  CumulativeHeatDiffusionSettings settings = this->m_Options;
   settings.volumeGradient = this->MakeOperatorParameters(intensities);
   settings.spacing = settings.volumeGradient.spacing;
-  settings.volumeGradient.conductance = m_Conductance;
+  settings.volumeGradient.conductance = this->GetConductance();
   if (m_IgnoreSpacing)
   {
     settings.volumeGradient.spacing = { { 1.0, 1.0, 1.0 } };
   }
-  settings.automaticP = m_AutomaticP;
-  settings.method = m_Method;
   settings.timeSteps = this->GetTimeSteps();
-  settings.timeStepLength = m_TimeStepLength;
-  settings.tolerance = m_Tolerance;
-  settings.untilSteady = m_UntilSteady;
-  settings.histogramSteps = m_HistogramSteps;
-  settings.snapshotSteps = m_SnapshotSteps;
-  settings.wantComponents = m_WantComponents;
   settings.device = this->GetDevice();
   return settings;
 }
@@ -125,17 +109,9 @@ void
 CumulativeHeatDiffusionImageFilter<TInputImage>::PrintSelf(std::ostream & os, itk::Indent indent) const
 {
   Superclass::PrintSelf(os, indent);
-  os << indent << "AutomaticP: " << m_AutomaticP << std::endl;
-  os << indent << "TimeStepLength: " << m_TimeStepLength << std::endl;
-  os << indent << "Method: " << (m_Method == Method::Chebyshev ? "Chebyshev" : "Explicit") << std::endl;
-  os << indent << "Tolerance: " << m_Tolerance << std::endl;
-  os << indent << "Conductance: " << (m_Conductance == Conductance::Physical ? "Physical" : "Published") << std::endl;
   os << indent << "IgnoreSpacing: " << m_IgnoreSpacing << std::endl;
-  os << indent << "UntilSteady: " << m_UntilSteady << std::endl;
-  os << indent << "WantComponents: " << m_WantComponents << std::endl;
   os << indent << "WantInitialHeat: " << m_WantInitialHeat << std::endl;
-  os << indent << "HistogramSteps: " << m_HistogramSteps.size() << std::endl;
-  os << indent << "SnapshotSteps: " << m_SnapshotSteps.size() << std::endl;
+  os << indent << "SnapshotSteps: " << this->m_Options.snapshotSteps.size() << std::endl;
 }
 } // namespace shapeton
 

@@ -1,6 +1,7 @@
 #ifndef shapetonParticleDiffusionImageFilter_h
 #define shapetonParticleDiffusionImageFilter_h
 
+#include "shapetonFilterOptions.h"
 #include "shapetonHeatHistogram.h"
 #include "shapetonITKCompatibility.h"
 #include "shapetonParticleDiffusion.h"
@@ -58,13 +59,15 @@ public:
  * \ingroup ShapetonParticles */
 template <typename TInputImage>
 class ITK_TEMPLATE_EXPORT ParticleDiffusionImageFilter
-  : public VolumeDiffusionImageFilter<TInputImage, itk::Image<std::uint32_t, 3>>
+  : public FilterWithOptions<ParticleDiffusionSettings,
+                             VolumeDiffusionImageFilter<TInputImage, itk::Image<std::uint32_t, 3>>>
 {
 public:
   ITK_DISALLOW_COPY_AND_MOVE(ParticleDiffusionImageFilter);
 
   using Self = ParticleDiffusionImageFilter;
-  using Superclass = VolumeDiffusionImageFilter<TInputImage, itk::Image<std::uint32_t, 3>>;
+  using Superclass = typename ParticleDiffusionImageFilter::FilterWithOptions;
+  using OptionsType = typename Superclass::OptionsType;
   using Pointer = itk::SmartPointer<Self>;
   using ConstPointer = itk::SmartPointer<const Self>;
   using VisitsImageType = itk::Image<std::uint32_t, 3>;
@@ -87,13 +90,11 @@ public:
   }
 
   /** Number of shapetons; at least 1. Default 65000. */
-  itkSetMacro(NumberOfShapetons, std::uint32_t);
-  itkGetConstMacro(NumberOfShapetons, std::uint32_t);
+  shapetonOptionMacro(NumberOfShapetons, shapetons);
 
   /** Length of a step in (0, 1], in units of the longest side of the volume in mm; the same in mm in all directions.
    * Default 0.01. */
-  itkSetMacro(Distance, double);
-  itkGetConstMacro(Distance, double);
+  shapetonOptionMacro(Distance, distance);
 
   /** Size in mm of the features of interest. With AutomaticDistance and AutomaticNumberOfShapetons,
    * ChooseShapetons() derives these parameters from it when the filter runs; Distance and NumberOfShapetons then
@@ -115,20 +116,16 @@ public:
   }
 
   /** Default SolidAngle. */
-  itkSetEnumMacro(DirectionSampling, DirectionSampling);
-  itkGetConstMacro(DirectionSampling, DirectionSampling);
+  shapetonOptionMacro(DirectionSampling, directionSampling);
 
   /** Default Endpoint. */
-  itkSetEnumMacro(PathRule, PathRule);
-  itkGetConstMacro(PathRule, PathRule);
+  shapetonOptionMacro(PathRule, pathRule);
 
   /** Default Uniform. */
-  itkSetEnumMacro(Placement, ParticlePlacement);
-  itkGetConstMacro(Placement, ParticlePlacement);
+  shapetonOptionMacro(Placement, placement);
 
   /** Seed of the random numbers; any number. Default 1. */
-  itkSetMacro(Seed, std::uint64_t);
-  itkGetConstMacro(Seed, std::uint64_t);
+  shapetonOptionMacro(Seed, seed);
 
   /** The device used by the last Update(). */
   const DeviceUse &
@@ -205,16 +202,10 @@ private:
   void
   TakeSteps();
 
-  std::uint32_t                  m_NumberOfShapetons{ 65000 };
-  double                         m_Distance{ 0.01 };
   double                         m_FeatureSize{ 0.0 };
   bool                           m_AutomaticDistance{ false };
   bool                           m_AutomaticNumberOfShapetons{ false };
   AutomaticShapetons             m_AutomaticShapetons;
-  DirectionSampling              m_DirectionSampling{ DirectionSampling::SolidAngle };
-  PathRule                       m_PathRule{ PathRule::Endpoint };
-  ParticlePlacement              m_Placement{ ParticlePlacement::Uniform };
-  std::uint64_t                  m_Seed{ 1 };
   DeviceUse                      m_DeviceUse;
   bool                           m_UntilSteady{ false };
   double                         m_Epsilon{ 0.05 };

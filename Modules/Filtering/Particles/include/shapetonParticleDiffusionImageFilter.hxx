@@ -83,11 +83,11 @@ ParticleDiffusionImageFilter<TInputImage>::ChooseParameters()
   }
   if (m_AutomaticDistance)
   {
-    m_Distance = m_AutomaticShapetons.distance;
+    this->m_Options.distance = m_AutomaticShapetons.distance;
   }
   if (m_AutomaticNumberOfShapetons)
   {
-    m_NumberOfShapetons = m_AutomaticShapetons.shapetons;
+    this->m_Options.shapetons = m_AutomaticShapetons.shapetons;
   }
 }
 
@@ -95,14 +95,8 @@ template <typename TInputImage>
 ParticleDiffusionSettings
 ParticleDiffusionImageFilter<TInputImage>::MakeSettings(const float * intensities)
 {
-  ParticleDiffusionSettings settings;
+  ParticleDiffusionSettings settings = this->m_Options;
   settings.volumeGradient = this->MakeOperatorParameters(intensities);
-  settings.shapetons = m_NumberOfShapetons;
-  settings.distance = m_Distance;
-  settings.directionSampling = m_DirectionSampling;
-  settings.pathRule = m_PathRule;
-  settings.placement = m_Placement;
-  settings.seed = m_Seed;
   settings.device = this->GetDevice();
   return settings;
 }
@@ -225,15 +219,9 @@ void
 ParticleDiffusionImageFilter<TInputImage>::PrintSelf(std::ostream & os, itk::Indent indent) const
 {
   Superclass::PrintSelf(os, indent);
-  os << indent << "NumberOfShapetons: " << m_NumberOfShapetons << std::endl;
-  os << indent << "Distance: " << m_Distance << std::endl;
   os << indent << "FeatureSize: " << m_FeatureSize << std::endl;
   os << indent << "AutomaticDistance: " << m_AutomaticDistance << std::endl;
   os << indent << "AutomaticNumberOfShapetons: " << m_AutomaticNumberOfShapetons << std::endl;
-  os << indent << "DirectionSampling: " << NameOf(m_DirectionSampling) << std::endl;
-  os << indent << "PathRule: " << NameOf(m_PathRule) << std::endl;
-  os << indent << "Placement: " << NameOf(m_Placement) << std::endl;
-  os << indent << "Seed: " << m_Seed << std::endl;
   os << indent << "UntilSteady: " << m_UntilSteady << std::endl;
   os << indent << "Epsilon: " << m_Epsilon << std::endl;
   os << indent << "AutomaticEpsilon: " << m_AutomaticEpsilon << std::endl;
