@@ -1,16 +1,11 @@
 #ifndef shapetonColonPhantomImageSource_h
 #define shapetonColonPhantomImageSource_h
 
-#include "ShapetonPhantomsExport.h"
-#include "shapetonIndexedOutputs.h"
 #include "shapetonColonAnatomy.h"
 #include "shapetonColonFluid.h"
 #include "shapetonColonStructures.h"
-#include "shapetonITKCompatibility.h"
+#include "shapetonPhantomImageSource.h"
 #include "shapetonProgress.h"
-
-#include "itkGenerateImageSource.h"
-#include "itkImage.h"
 
 #include <memory>
 #include <vector>
@@ -35,21 +30,20 @@ namespace shapeton
  * ColonAnatomy); output 3 other structures (ColonStructure).
  *
  * \par Parameters
- * Size (default 256, 256, 240), Spacing (default 1.4 mm), Origin (by default centers the volume at (0, 0, 0)) and
- * Direction are inherited from GenerateImageSource; call CenterOutput() after a change.
+ * Size (default 256, 256, 240), Spacing (default 1.4 mm), Origin (default: such that the volume's center is at the
+ * patient's (0, 0, 0)) and Direction are those of GenerateImageSource; CenterOutput() moves the origin after a change.
+ * The diaphragm rises to about z = 160, the lungs reach up to about z = 345.
  *
  * \ingroup ShapetonPhantoms */
-class ShapetonPhantoms_EXPORT ColonPhantomImageSource : public itk::GenerateImageSource<itk::Image<short, 3>>
+class ShapetonPhantoms_EXPORT ColonPhantomImageSource : public PhantomImageSource
 {
 public:
   ITK_DISALLOW_COPY_AND_MOVE(ColonPhantomImageSource);
 
   using Self = ColonPhantomImageSource;
-  using Superclass = itk::GenerateImageSource<itk::Image<short, 3>>;
+  using Superclass = PhantomImageSource;
   using Pointer = itk::SmartPointer<Self>;
   using ConstPointer = itk::SmartPointer<const Self>;
-  using ImageType = itk::Image<short, 3>;
-  using LabelImageType = itk::Image<unsigned char, 3>;
 
   itkNewMacro(Self);
   itkOverrideGetNameOfClassMacro(ColonPhantomImageSource);
@@ -74,13 +68,7 @@ public:
   itkGetConstMacro(TruthOnly, bool);
   itkBooleanMacro(TruthOnly);
 
-  /** Sets the origin from size, spacing and direction such that the center of the volume is at `center` (LPS, mm).
-   * The center of the abdomen is (0, 0, 0), the top of the diaphragm is at about z = 160, and the top of the lungs at
-   * about z = 345. */
-  void
-  CenterOutput(const PointType & center = PointType(0.0));
-
-  /** The ground truth, computed on first use and valid until the parameters change. */
+  /** The ground truth; computed on first use. Valid until the parameters change. */
   const ColonAnatomy &
   GetAnatomy();
   const ColonFluid &
@@ -90,19 +78,24 @@ public:
 
   /** 1 gas, 2 fluid, 0 elsewhere. */
   LabelImageType *
-  GetLumenOutput();
+  GetLumenOutput()
+  {
+    return this->LabelOutput(1);
+  }
 
   /** 1 to 6 in the lumen, 0 elsewhere. */
   LabelImageType *
-  GetSegmentOutput();
+  GetSegmentOutput()
+  {
+    return this->LabelOutput(2);
+  }
 
   /** A ColonStructure for each voxel. */
   LabelImageType *
-  GetStructureOutput();
-
-  shapetonIndexedOutputsMacro();
-  itk::ProcessObject::DataObjectPointer
-  MakeOutput(itk::ProcessObject::DataObjectPointerArraySizeType output) override;
+  GetStructureOutput()
+  {
+    return this->LabelOutput(3);
+  }
 
 protected:
   ColonPhantomImageSource();
@@ -113,8 +106,6 @@ protected:
   /** Requires positive spacings. */
   void
   VerifyPreconditions() const override;
-  void
-  GenerateOutputInformation() override;
   void
   EnlargeOutputRequestedRegion(itk::DataObject * output) override;
   void

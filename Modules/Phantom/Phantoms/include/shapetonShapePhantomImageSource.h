@@ -1,13 +1,8 @@
 #ifndef shapetonShapePhantomImageSource_h
 #define shapetonShapePhantomImageSource_h
 
-#include "ShapetonPhantomsExport.h"
-#include "shapetonIndexedOutputs.h"
-#include "shapetonITKCompatibility.h"
+#include "shapetonPhantomImageSource.h"
 #include "shapetonShapeScene.h"
-
-#include "itkGenerateImageSource.h"
-#include "itkImage.h"
 
 #include <cstdint>
 #include <string>
@@ -41,17 +36,15 @@ namespace shapeton
  * the volume at (0, 0, 0), the center of the scene.
  *
  * \ingroup ShapetonPhantoms */
-class ShapetonPhantoms_EXPORT ShapePhantomImageSource : public itk::GenerateImageSource<itk::Image<short, 3>>
+class ShapetonPhantoms_EXPORT ShapePhantomImageSource : public PhantomImageSource
 {
 public:
   ITK_DISALLOW_COPY_AND_MOVE(ShapePhantomImageSource);
 
   using Self = ShapePhantomImageSource;
-  using Superclass = itk::GenerateImageSource<itk::Image<short, 3>>;
+  using Superclass = PhantomImageSource;
   using Pointer = itk::SmartPointer<Self>;
   using ConstPointer = itk::SmartPointer<const Self>;
-  using ImageType = itk::Image<short, 3>;
-  using LabelImageType = itk::Image<unsigned char, 3>;
 
   itkNewMacro(Self);
   itkOverrideGetNameOfClassMacro(ShapePhantomImageSource);
@@ -77,23 +70,21 @@ public:
   itkSetMacro(Seed, std::uint64_t);
   itkGetConstMacro(Seed, std::uint64_t);
 
-  /** Sets the origin from size, spacing and direction to center the volume at (0, 0, 0). */
-  void
-  CenterOutput();
-
   LabelImageType *
-  GetLabelOutput();
+  GetLabelOutput()
+  {
+    return this->LabelOutput(1);
+  }
   const LabelImageType *
-  GetLabelOutput() const;
+  GetLabelOutput() const
+  {
+    return this->LabelOutput(1);
+  }
 
   /** Names of the objects that are not completely inside the volume: those with voxels in the border layer, or outside.
    * Call after UpdateOutputInformation(). */
   std::vector<std::string>
   FindIncompleteObjects() const;
-
-  shapetonIndexedOutputsMacro();
-  itk::ProcessObject::DataObjectPointer
-  MakeOutput(itk::ProcessObject::DataObjectPointerArraySizeType output) override;
 
 protected:
   ShapePhantomImageSource();
@@ -101,8 +92,6 @@ protected:
   void
   PrintSelf(std::ostream & os, itk::Indent indent) const override;
 
-  void
-  GenerateOutputInformation() override;
   void
   BeforeThreadedGenerateData() override;
   void

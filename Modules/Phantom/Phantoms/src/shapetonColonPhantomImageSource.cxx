@@ -66,12 +66,6 @@ TilesOf(const RegionType & region)
   return tiles;
 }
 
-short
-ToHounsfieldUnits(float value)
-{
-  return static_cast<short>(std::floor(std::clamp(value, -1024.0F, 31743.0F) + 0.5F));
-}
-
 std::uint64_t
 NoiseSeed(const ColonPhantomParameters & parameters)
 {
@@ -79,7 +73,7 @@ NoiseSeed(const ColonPhantomParameters & parameters)
 }
 } // namespace
 
-ColonPhantomImageSource::ColonPhantomImageSource()
+ColonPhantomImageSource::ColonPhantomImageSource() : PhantomImageSource(4)
 {
   SizeType size;
   size.Fill(256);
@@ -89,39 +83,6 @@ ColonPhantomImageSource::ColonPhantomImageSource()
   spacing.Fill(1.4);
   this->SetSpacing(spacing);
   this->CenterOutput();
-  this->SetNumberOfRequiredOutputs(4);
-  for (unsigned int n = 1; n < 4; ++n)
-  {
-    this->SetNthOutput(n, this->MakeOutput(n));
-  }
-}
-
-itk::ProcessObject::DataObjectPointer
-ColonPhantomImageSource::MakeOutput(itk::ProcessObject::DataObjectPointerArraySizeType output)
-{
-  if (output > 0)
-  {
-    return LabelImageType::New().GetPointer();
-  }
-  return Superclass::MakeOutput(output);
-}
-
-ColonPhantomImageSource::LabelImageType *
-ColonPhantomImageSource::GetLumenOutput()
-{
-  return static_cast<LabelImageType *>(this->ProcessObject::GetOutput(1));
-}
-
-ColonPhantomImageSource::LabelImageType *
-ColonPhantomImageSource::GetSegmentOutput()
-{
-  return static_cast<LabelImageType *>(this->ProcessObject::GetOutput(2));
-}
-
-ColonPhantomImageSource::LabelImageType *
-ColonPhantomImageSource::GetStructureOutput()
-{
-  return static_cast<LabelImageType *>(this->ProcessObject::GetOutput(3));
 }
 
 void
@@ -166,17 +127,6 @@ ColonPhantomImageSource::GetStructures()
 }
 
 void
-ColonPhantomImageSource::CenterOutput(const PointType & center)
-{
-  itk::Vector<double, 3> toCenter;
-  for (unsigned int i = 0; i < 3; ++i)
-  {
-    toCenter[i] = 0.5 * (static_cast<double>(this->GetSize()[i]) - 1.0) * this->GetSpacing()[i];
-  }
-  this->SetOrigin(center - this->GetDirection() * toCenter);
-}
-
-void
 ColonPhantomImageSource::VerifyPreconditions() const
 {
   Superclass::VerifyPreconditions();
@@ -184,24 +134,6 @@ ColonPhantomImageSource::VerifyPreconditions() const
   if (!std::all_of(spacing.Begin(), spacing.End(), [](double s) { return s > 0.0 && std::isfinite(s); }))
   {
     itkExceptionMacro("the spacing " << spacing << " is not positive");
-  }
-}
-
-void
-ColonPhantomImageSource::GenerateOutputInformation()
-{
-  for (unsigned int n = 0; n < 4; ++n)
-  {
-    auto * const output = static_cast<itk::ImageBase<3> *>(this->ProcessObject::GetOutput(n));
-    if (this->GetUseReferenceImage() && this->GetReferenceImage())
-    {
-      output->CopyInformation(this->GetReferenceImage());
-      continue;
-    }
-    output->SetLargestPossibleRegion(OutputImageRegionType(this->GetStartIndex(), this->GetSize()));
-    output->SetSpacing(this->GetSpacing());
-    output->SetOrigin(this->GetOrigin());
-    output->SetDirection(this->GetDirection());
   }
 }
 

@@ -54,44 +54,14 @@ VisitBorder(const itk::ImageBase<3> * image, const TVisitor & visit)
     }
   }
 }
-
-short
-ToHounsfieldUnits(double value)
-{
-  return static_cast<short>(std::floor(std::clamp(value, -1024.0, 31743.0) + 0.5));
-}
 } // namespace
 
-ShapePhantomImageSource::ShapePhantomImageSource()
+ShapePhantomImageSource::ShapePhantomImageSource() : PhantomImageSource(2)
 {
   SizeType size;
   size.Fill(64);
   this->SetSize(size);
-  this->SetNumberOfRequiredOutputs(2);
-  this->SetNthOutput(1, this->MakeOutput(1));
   this->DynamicMultiThreadingOn();
-}
-
-itk::ProcessObject::DataObjectPointer
-ShapePhantomImageSource::MakeOutput(itk::ProcessObject::DataObjectPointerArraySizeType output)
-{
-  if (output == 1)
-  {
-    return LabelImageType::New().GetPointer();
-  }
-  return Superclass::MakeOutput(output);
-}
-
-ShapePhantomImageSource::LabelImageType *
-ShapePhantomImageSource::GetLabelOutput()
-{
-  return static_cast<LabelImageType *>(this->ProcessObject::GetOutput(1));
-}
-
-const ShapePhantomImageSource::LabelImageType *
-ShapePhantomImageSource::GetLabelOutput() const
-{
-  return static_cast<const LabelImageType *>(this->ProcessObject::GetOutput(1));
 }
 
 void
@@ -99,35 +69,6 @@ ShapePhantomImageSource::SetScene(const ShapeScene & scene)
 {
   m_Scene = scene;
   this->Modified();
-}
-
-void
-ShapePhantomImageSource::CenterOutput()
-{
-  itk::Vector<double, 3> toCenter;
-  for (unsigned int i = 0; i < 3; ++i)
-  {
-    toCenter[i] = 0.5 * (static_cast<double>(this->GetSize()[i]) - 1.0) * this->GetSpacing()[i];
-  }
-  this->SetOrigin(PointType(0.0) - this->GetDirection() * toCenter);
-}
-
-void
-ShapePhantomImageSource::GenerateOutputInformation()
-{
-  for (unsigned int n = 0; n < 2; ++n)
-  {
-    auto * const output = static_cast<itk::ImageBase<3> *>(this->ProcessObject::GetOutput(n));
-    if (this->GetUseReferenceImage() && this->GetReferenceImage())
-    {
-      output->CopyInformation(this->GetReferenceImage());
-      continue;
-    }
-    output->SetLargestPossibleRegion(RegionType(this->GetStartIndex(), this->GetSize()));
-    output->SetSpacing(this->GetSpacing());
-    output->SetOrigin(this->GetOrigin());
-    output->SetDirection(this->GetDirection());
-  }
 }
 
 ShapeScene
