@@ -205,7 +205,7 @@ EdgeInsertion::CornerOfLongestFace(int node) const
 {
   int longest = m_Map.Any(node);
   ForCorners(node, [&](int h) {
-    const auto lengthAt = [this](int corner) { return m_Map.FaceLength(m_Map.FaceOfCorner(corner)); };
+    const auto lengthAt = [this](int corner) { return m_Map.FaceLength(m_Map.Face(corner)); };
     longest = lengthAt(h) > lengthAt(longest) ? h : longest;
   });
   return longest;
@@ -222,11 +222,11 @@ EdgeInsertion::InsertIfFree(int edge)
     return true;
   }
   std::map<int, int> cornerOfFace;
-  ForCorners(node1, [&](int h) { cornerOfFace.emplace(m_Map.FaceOfCorner(h), h); });
+  ForCorners(node1, [&](int h) { cornerOfFace.emplace(m_Map.Face(h), h); });
   int a = -1;
   int b = -1;
   ForCorners(node0, [&](int h) {
-    const auto found = cornerOfFace.find(m_Map.FaceOfCorner(h));
+    const auto found = cornerOfFace.find(m_Map.Face(h));
     if (b < 0 && found != cornerOfFace.end())
     {
       a = h;
@@ -265,7 +265,7 @@ EdgeInsertion::InsertNode(int node)
   };
   for (const int e : m_NewEdgesOf[node])
   {
-    ForCorners(neighborBy(e), [&](int h) { cornersOfFace[m_Map.FaceOfCorner(h)].emplace(neighborBy(e), h); });
+    ForCorners(neighborBy(e), [&](int h) { cornersOfFace[m_Map.Face(h)].emplace(neighborBy(e), h); });
   }
   if (cornersOfFace.empty())
   {

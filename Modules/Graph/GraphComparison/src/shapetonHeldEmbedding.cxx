@@ -116,9 +116,9 @@ WithWheels(const IncrementalMap & map, const OpenRegion & region)
   std::vector<char> isDone(map.FaceLabels(), 0);
   for (int h = 0; h < 2 * map.Edges(); ++h)
   {
-    if (map.Contains(h / 2) && !isDone[map.FaceOfCorner(h)])
+    if (map.Contains(h / 2) && !isDone[map.Face(h)])
     {
-      isDone[map.FaceOfCorner(h)] = 1;
+      isDone[map.Face(h)] = 1;
       AddWheels(map, region, h, graph);
     }
   }

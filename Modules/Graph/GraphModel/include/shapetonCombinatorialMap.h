@@ -11,37 +11,19 @@ namespace shapeton
 /** For each node its outgoing half-edges, counter-clockwise. \ingroup ShapetonGraphModel */
 using Rotation = std::vector<std::vector<int>>;
 
-/** \class CombinatorialMap
- * \brief A graph embedded in closed orientable surfaces, one for each component, given by the order of the half-edges
- * around each node (rotation system).
+/** \class RotationSystem
+ * \brief Half-edges of a graph with their order around each node and the face to the left of each.
  *
  * Half-edge 2e starts at edges[e][0], 2e + 1 at edges[e][1]; Twin(h) = h ^ 1. The order around a node is
  * counter-clockwise, as seen from outside. The face of a half-edge is to its left: FaceNext(h) =
  * PreviousAround(Twin(h)), so FaceNext traverses a face counter-clockwise. Both half-edges of a loop start at the same
  * node.
  *
- * Faces are numbered by their lowest half-edge. A node without edges is a component of genus 0 without faces.
- *
  * \ingroup ShapetonGraphModel
  */
-class ShapetonGraphModel_EXPORT CombinatorialMap
+class RotationSystem
 {
 public:
-  /** The empty map. */
-  CombinatorialMap() = default;
-
-  /** Throws InputError if `rotation` is not a rotation system of `graph`: each half-edge once, at its own node. */
-  CombinatorialMap(const Graph & graph, const Rotation & rotation);
-
-  /** Builds the map from the permutation of half-edges counter-clockwise around their nodes. Throws
-   * InputError unless each cycle of `nextAround` consists of the half-edges of one node. */
-  CombinatorialMap(int nodes, const std::vector<std::array<int, 2>> & edges, std::vector<int> nextAround);
-
-  int
-  Nodes() const
-  {
-    return static_cast<int>(m_FirstAround.size());
-  }
   int
   Edges() const
   {
@@ -51,11 +33,6 @@ public:
   HalfEdges() const
   {
     return static_cast<int>(m_Next.size());
-  }
-  int
-  Faces() const
-  {
-    return static_cast<int>(m_FirstOfFace.size());
   }
   static int
   Twin(int halfEdge)
@@ -94,7 +71,46 @@ public:
   {
     return Twin(m_Next[halfEdge]);
   }
-  /** Lowest half-edge that starts at the node, or -1. */
+
+protected:
+  std::vector<int> m_Node;
+  std::vector<int> m_Next;
+  std::vector<int> m_Previous;
+  std::vector<int> m_Face;
+};
+
+/** \class CombinatorialMap
+ * \brief A graph embedded in closed orientable surfaces, one for each component, given by the order of the half-edges
+ * around each node (rotation system).
+ *
+ * Faces are numbered by their lowest half-edge. A node without edges is a component of genus 0 without faces.
+ *
+ * \ingroup ShapetonGraphModel
+ */
+class ShapetonGraphModel_EXPORT CombinatorialMap : public RotationSystem
+{
+public:
+  /** The empty map. */
+  CombinatorialMap() = default;
+
+  /** Throws InputError if `rotation` is not a rotation system of `graph`: each half-edge once, at its own node. */
+  CombinatorialMap(const Graph & graph, const Rotation & rotation);
+
+  /** From the permutation of half-edges counter-clockwise around their nodes, without a list for each node. Throws
+   * InputError unless each cycle of `nextAround` consists of the half-edges of one node. */
+  CombinatorialMap(int nodes, const std::vector<std::array<int, 2>> & edges, std::vector<int> nextAround);
+
+  int
+  Nodes() const
+  {
+    return static_cast<int>(m_FirstAround.size());
+  }
+  int
+  Faces() const
+  {
+    return static_cast<int>(m_FirstOfFace.size());
+  }
+  /** Lowest half-edge that leaves the node, or -1. */
   int
   FirstAround(int node) const
   {
@@ -166,10 +182,6 @@ private:
   void
   FindComponents();
 
-  std::vector<int> m_Node;
-  std::vector<int> m_Next;
-  std::vector<int> m_Previous;
-  std::vector<int> m_Face;
   std::vector<int> m_FirstAround;
   std::vector<int> m_FirstOfFace;
   std::vector<int> m_ComponentOfNode;

@@ -12,15 +12,15 @@ namespace shapeton
 /** \class IncrementalMap
  * \brief A rotation system with edge insertion and removal and incrementally updated faces.
  *
- * A corner is identified by the preceding half-edge, counter-clockwise: an edge inserted "after a" has its half-edge
- * between a and NextAround(a), within the face FaceOfCorner(a). Inserting an edge between two corners of one face
- * splits the face. Inserting it between two faces merges them, which adds a handle if both are in one component. The
- * shorter part is relabeled, so a change costs the length of the shorter face. Uses the conventions of
- * CombinatorialMap. Existing loops are kept, but loops cannot be inserted or removed.
+ * A corner is named by the half-edge before it, counter-clockwise: an edge inserted "after a" has its half-edge between
+ * a and NextAround(a), within the face Face(a), a label in [0, FaceLabels()). Inserting an edge between two corners of
+ * one face splits the face. Inserting it between two faces merges them, which adds a handle if both are in one
+ * component. The shorter part is relabeled, so a change costs the length of the shorter face. Existing loops are kept,
+ * but loops cannot be inserted or removed.
  *
  * \ingroup ShapetonGraphModel
  */
-class ShapetonGraphModel_EXPORT IncrementalMap
+class ShapetonGraphModel_EXPORT IncrementalMap : public RotationSystem
 {
 public:
   /** Creates a map with these edges, not yet inserted. */
@@ -34,11 +34,6 @@ public:
   {
     return static_cast<int>(m_Any.size());
   }
-  int
-  Edges() const
-  {
-    return static_cast<int>(m_Node.size() / 2);
-  }
   /** Number of faces of the inserted edges. */
   int
   Faces() const
@@ -51,11 +46,6 @@ public:
     return m_Next[2 * edge] >= 0;
   }
   int
-  Node(int halfEdge) const
-  {
-    return m_Node[halfEdge];
-  }
-  int
   Degree(int node) const
   {
     return m_Degree[node];
@@ -65,27 +55,6 @@ public:
   Any(int node) const
   {
     return m_Any[node];
-  }
-  int
-  NextAround(int halfEdge) const
-  {
-    return m_Next[halfEdge];
-  }
-  int
-  PreviousAround(int halfEdge) const
-  {
-    return m_Previous[halfEdge];
-  }
-  int
-  FaceNext(int halfEdge) const
-  {
-    return m_Previous[halfEdge ^ 1];
-  }
-  /** Label in [0, FaceLabels()) of the face to the left of a half-edge, that is the face of the corner after it. */
-  int
-  FaceOfCorner(int halfEdge) const
-  {
-    return m_Face[halfEdge];
   }
   int
   FaceLabels() const
@@ -131,10 +100,6 @@ private:
   void
   Divide(int one, int other);
 
-  std::vector<int> m_Node;
-  std::vector<int> m_Next;
-  std::vector<int> m_Previous;
-  std::vector<int> m_Face;
   std::vector<int> m_Any;
   std::vector<int> m_Degree;
   std::vector<int> m_Length;

@@ -58,8 +58,9 @@ CombinatorialMap::CombinatorialMap(const Graph & graph, const Rotation & rotatio
 CombinatorialMap::CombinatorialMap(int                                     nodes,
                                    const std::vector<std::array<int, 2>> & edges,
                                    std::vector<int>                        nextAround)
-  : m_Next(std::move(nextAround)), m_FirstAround(nodes, -1)
+  : m_FirstAround(nodes, -1)
 {
+  m_Next = std::move(nextAround);
   Require(m_Next.size() == 2 * edges.size(),
           [&] { return std::to_string(m_Next.size()) + " half-edges for " + std::to_string(edges.size()) + " edges"; });
   m_Node.resize(m_Next.size());

@@ -178,17 +178,17 @@ GenusAnnealing::CornerForNode(const std::vector<int> & corners)
   m_FirstOfFace.resize(std::max<std::size_t>(m_FirstOfFace.size(), m_Map.FaceLabels()), -1);
   for (const int h : corners)
   {
-    ++m_FirstOfFace[m_Map.FaceOfCorner(h)];
+    ++m_FirstOfFace[m_Map.Face(h)];
   }
   const auto rank = [this](int h) {
-    const int face = m_Map.FaceOfCorner(h);
+    const int face = m_Map.Face(h);
     return std::make_pair(m_FirstOfFace[face], m_Map.FaceLength(face));
   };
   const int best =
     *std::max_element(corners.begin(), corners.end(), [&rank](int a, int b) { return rank(a) < rank(b); });
   for (const int h : corners)
   {
-    m_FirstOfFace[m_Map.FaceOfCorner(h)] = -1;
+    m_FirstOfFace[m_Map.Face(h)] = -1;
   }
   return best;
 }
@@ -199,7 +199,7 @@ GenusAnnealing::CornerOfLongestFace(int node) const
   int best = m_Map.Any(node);
   for (int h = m_Map.NextAround(best); h != m_Map.Any(node); h = m_Map.NextAround(h))
   {
-    if (m_Map.FaceLength(m_Map.FaceOfCorner(h)) > m_Map.FaceLength(m_Map.FaceOfCorner(best)))
+    if (m_Map.FaceLength(m_Map.Face(h)) > m_Map.FaceLength(m_Map.Face(best)))
     {
       best = h;
     }
@@ -266,7 +266,7 @@ GenusAnnealing::CollectCorners(int edge)
     int       h = first;
     do
     {
-      body(h, m_FirstOfFace[m_Map.FaceOfCorner(h)]);
+      body(h, m_FirstOfFace[m_Map.Face(h)]);
       h = m_Map.NextAround(h);
     } while (h != first);
   };
@@ -303,7 +303,7 @@ GenusAnnealing::ShorterPart(int a, int b) const
 double
 GenusAnnealing::WeightOf(const Corners & corners, int exponent) const
 {
-  const int    length = m_Map.FaceLength(m_Map.FaceOfCorner(corners.after0));
+  const int    length = m_Map.FaceLength(m_Map.Face(corners.after0));
   const int    part = ShorterPart(corners.after0, corners.after1);
   const double ratio = static_cast<double>(length) / (static_cast<double>(part + 1) * (length - part + 1));
   double       weight = 1.0;

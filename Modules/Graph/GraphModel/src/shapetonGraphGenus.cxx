@@ -257,7 +257,7 @@ FindCornersOfTwoFaces(const IncrementalMap & map, int edge, int & a, int & b)
     b = first1;
     do
     {
-      if (map.FaceOfCorner(a) != map.FaceOfCorner(b))
+      if (map.Face(a) != map.Face(b))
       {
         return true;
       }
@@ -282,7 +282,7 @@ RaiseGenus(const Graph & graph, const CombinatorialMap & map, int genus)
     for (int e = 0; e < changed.Edges() && missing > 0; ++e)
     {
       const bool isLoop = graph.edges[e][0] == graph.edges[e][1];
-      if (isLoop || changed.FaceOfCorner(2 * e) == changed.FaceOfCorner(2 * e + 1))
+      if (isLoop || changed.Face(2 * e) == changed.Face(2 * e + 1))
       {
         continue;
       }

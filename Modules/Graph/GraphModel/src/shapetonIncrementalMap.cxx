@@ -5,32 +5,20 @@
 namespace shapeton
 {
 IncrementalMap::IncrementalMap(int nodes, const std::vector<std::array<int, 2>> & edges)
-  : m_Next(2 * edges.size(), -1)
-  , m_Previous(2 * edges.size(), -1)
-  , m_Face(2 * edges.size(), -1)
-  , m_Any(nodes, -1)
-  , m_Degree(nodes, 0)
+  : m_Any(nodes, -1), m_Degree(nodes, 0)
 {
-  m_Node.reserve(2 * edges.size());
   for (const auto & edge : edges)
   {
-    m_Node.insert(m_Node.end(), edge.begin(), edge.end());
+    AddEdge(edge[0], edge[1]);
   }
 }
 
 IncrementalMap::IncrementalMap(const CombinatorialMap & map)
-  : m_Any(map.Nodes()), m_Degree(map.Degrees()), m_Length(map.FaceLengths()), m_Faces(map.Faces())
+  : RotationSystem(map), m_Any(map.Nodes()), m_Degree(map.Degrees()), m_Length(map.FaceLengths()), m_Faces(map.Faces())
 {
   for (int v = 0; v < map.Nodes(); ++v)
   {
     m_Any[v] = map.FirstAround(v);
-  }
-  for (int h = 0; h < map.HalfEdges(); ++h)
-  {
-    m_Node.push_back(map.Node(h));
-    m_Next.push_back(map.NextAround(h));
-    m_Previous.push_back(map.PreviousAround(h));
-    m_Face.push_back(map.Face(h));
   }
 }
 

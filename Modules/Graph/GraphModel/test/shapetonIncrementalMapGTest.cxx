@@ -38,7 +38,7 @@ ExpectFacesOf(const shapeton::IncrementalMap & map, const std::vector<std::array
   {
     if (index[h / 2] >= 0)
     {
-      const int label = map.FaceOfCorner(static_cast<int>(h));
+      const int label = map.Face(static_cast<int>(h));
       const int face = traced.Face(2 * index[h / 2] + static_cast<int>(h) % 2);
       EXPECT_EQ(labelOfFace.try_emplace(face, label).first->second, label);
       EXPECT_EQ(map.FaceLength(label), lengths[face]);
