@@ -145,7 +145,7 @@ RequireSuccess(const TResult & result)
   }
 }
 
-/** Of a stage without options. \ingroup ShapetonColonFilters */
+/** Options of a stage that has none. \ingroup ShapetonColonFilters */
 struct NoOptions
 {};
 
