@@ -1,5 +1,6 @@
 #include "shapetonShapePhantomImageSource.h"
 #include "shapetonCounterNoise.h"
+#include "shapetonPhantomSolid.h"
 
 #include "itkImageScanlineIterator.h"
 
@@ -15,15 +16,6 @@ using PointType = ShapePhantomImageSource::PointType;
 
 // NormalDistribution is exactly 0 beyond this value.
 constexpr double reachOfBlur = 8.0;
-
-double
-SquaredDistanceToSegment(const PointType & a, const PointType & b, const PointType & p)
-{
-  const auto   along = b - a;
-  const double squared = along.GetSquaredNorm();
-  const double t = squared > 0.0 ? std::clamp(((p - a) * along) / squared, 0.0, 1.0) : 0.0;
-  return (p - (a + along * t)).GetSquaredNorm();
-}
 
 double
 Square(double x)
@@ -110,7 +102,7 @@ ShapePhantomImageSource::FindBodiesNear(const PointType & lineStart, const Point
     sameBody = sameBody && i > 0 && object.intensity == m_Objects[i - 1].intensity;
     const double reach = object.boundingRadius + reachOfBlur * m_Blur;
     // The margin accounts for rounding relative to the per-voxel test.
-    if (SquaredDistanceToSegment(lineStart, lineEnd, object.boundingCenter) > 1.001 * Square(reach))
+    if (Square(DistanceToSegment(object.boundingCenter, lineStart, lineEnd)) > 1.001 * Square(reach))
     {
       continue;
     }
