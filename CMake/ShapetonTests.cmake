@@ -8,7 +8,8 @@ function(creategoogletestdriver kit libraries sources)
   cmake_parse_arguments(PARSE_ARGV 3 driver "TOGETHER" "" "ALONE;LONG")
   add_executable(${kit}GTestDriver ${sources})
   target_link_libraries(${kit}GTestDriver PRIVATE ${libraries} GTest::gtest_main)
-  # The tested code is in the libraries. Tests take most of their time to compile, and -O3 makes this a fifth longer.
+  target_include_directories(${kit}GTestDriver PRIVATE ${Shapeton_SOURCE_DIR}/Modules/Core/Common/test)
+  # The tested code is in the libraries. Most of the time of a test is its compilation, which -O3 makes a fifth longer.
   target_compile_options(${kit}GTestDriver PRIVATE $<$<CONFIG:Release>:-O1>)
   shapeton_precompile(${kit}GTestDriver)
   set_source_files_properties(${driver_ALONE} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)

@@ -8,12 +8,8 @@ itk_module(ShapetonColonLumen
     ShapetonCommon
     ITKCommon
   TEST_DEPENDS
-    ShapetonSurfaceMesh
     ShapetonVolumeFiles
-    ITKConnectedComponents
     ITKGoogleTest
-    ITKIOImageBase
-    ITKIOPNG
     ITKImageFunction
     ITKSmoothing
   DESCRIPTION "${DOCUMENTATION}"

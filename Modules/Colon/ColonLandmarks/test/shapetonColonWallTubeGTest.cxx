@@ -1,7 +1,7 @@
 #include "shapetonColonWallTube.h"
 
 #include "shapetonLandmarkTubes.h"
-#include "shapetonExceptions.h"
+#include "shapetonTestErrors.h"
 
 #include <gtest/gtest.h>
 
@@ -25,15 +25,7 @@ Cylinder(double sway = 1.0)
 std::string
 MessageOf(const shapeton::SurfaceMesh & flat, const shapeton::CurveSet & centerline)
 {
-  try
-  {
-    const ColonWallTube tube(shapeton::FlatColon(flat), centerline);
-  }
-  catch (const shapeton::InputError & error)
-  {
-    return error.what();
-  }
-  return {};
+  return basetest::ErrorOf([&] { const ColonWallTube tube(shapeton::FlatColon(flat), centerline); });
 }
 } // namespace
 

@@ -1,55 +1,28 @@
 #include "shapetonColonLumenSegmentation.h"
 
-#include "shapetonColonMeasures.h"
 #include "shapetonColonTestScene.h"
 #include "itkMultiThreaderBase.h"
 #include "shapetonExceptions.h"
+#include "shapetonVolumeReader.h"
 
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <fstream>
 
 namespace
 {
+using shapeton::At;
 using shapeton::ColonTestScene;
 using shapeton::Tube;
 using Vec = ColonTestScene::Vec;
 using ImageType = itk::Image<float, 3>;
 
-Vec
-At(double x, double y, double z)
-{
-  Vec v;
-  v[0] = x;
-  v[1] = y;
-  v[2] = z;
-  return v;
-}
-
-itk::Matrix<double, 3, 3>
-Identity()
-{
-  itk::Matrix<double, 3, 3> m;
-  m.SetIdentity();
-  return m;
-}
-
 /** Rotation about z and then about x, degrees. */
 itk::Matrix<double, 3, 3>
 Oblique(double aboutZ, double aboutX)
 {
-  const double              c = std::cos(aboutZ / 57.29578), s = std::sin(aboutZ / 57.29578);
-  const double              d = std::cos(aboutX / 57.29578), t = std::sin(aboutX / 57.29578);
-  itk::Matrix<double, 3, 3> z, x;
-  z.SetIdentity();
-  x.SetIdentity();
-  z(0, 0) = z(1, 1) = c;
-  z(0, 1) = -s;
-  z(1, 0) = s;
-  x(1, 1) = x(2, 2) = d;
-  x(1, 2) = -t;
-  x(2, 1) = t;
-  return z * x;
+  return shapeton::TurnedAxes(aboutZ / 57.29578, aboutX / 57.29578);
 }
 
 /** A half-filled colon next to a thinner bowel, behind a wall of 3 mm, filled with fluid of the same brightness. */
@@ -109,7 +82,7 @@ Segment(const ImageType * image, const std::string & position = "")
 TEST(ColonLumenSegmentation, TakesGasAndFluidAndNoBowelOfEqualBrightness)
 {
   const auto scene = ColonAndBowel(At(0, 1, 0));
-  const auto image = shapeton::CenteredImage({ 110, 110, 80 }, { 1.3, 1.3, 1.3 }, Identity());
+  const auto image = shapeton::CenteredImage({ 110, 110, 80 }, { 1.3, 1.3, 1.3 }, Oblique(0.0, 0.0));
   scene.Sample(image);
   const auto lumen = Segment(image, "HFS");
   EXPECT_EQ(lumen.failure, "");
@@ -141,7 +114,7 @@ TEST(ColonLumenSegmentation, BrightBowelUnderAShallowFaintPoolStaysOut)
       -1e9,
       650.0 });
   scene.lumens.push_back({ [=](const Vec & x) { return std::min(tube(x), floor(x) - x[1]); }, 10.5, 270.0 });
-  const auto image = shapeton::CenteredImage({ 116, 116, 76 }, { 1.4, 1.4, 1.4 }, Identity());
+  const auto image = shapeton::CenteredImage({ 116, 116, 76 }, { 1.4, 1.4, 1.4 }, Oblique(0.0, 0.0));
   scene.Sample(image);
   const auto lumen = Segment(image, "HFS");
   EXPECT_EQ(lumen.failure, "");
@@ -164,7 +137,7 @@ TEST(ColonLumenSegmentation, APoolOfCoarseVoxelsIsFoundThoughABrightBowelHangsOn
     ColonTestScene scene = ColonAndBowel(At(0, 1, 0));
     scene.lumens[0].level = level;
     scene.lumens[1].depth = Tube(At(27.9, 8, 0), 2, 30, 10);
-    const auto image = shapeton::CenteredImage({ 52, 52, 40 }, { 2.8, 2.8, 2.8 }, Identity());
+    const auto image = shapeton::CenteredImage({ 52, 52, 40 }, { 2.8, 2.8, 2.8 }, Oblique(0.0, 0.0));
     scene.Sample(image);
     const auto lumen = Segment(image, "HFS");
     ASSERT_EQ(lumen.failure, "") << level;
@@ -179,7 +152,7 @@ TEST(ColonLumenSegmentation, GravityIsReadFromTheLevels)
   for (const Vec & gravity : { At(0, 1, 0), At(0, -1, 0), At(1, 0, 0), At(-1, 0, 0) })
   {
     const auto scene = ColonAndBowel(gravity);
-    const auto image = shapeton::CenteredImage({ 72, 72, 50 }, { 2.0, 2.0, 2.0 }, Identity());
+    const auto image = shapeton::CenteredImage({ 72, 72, 50 }, { 2.0, 2.0, 2.0 }, Oblique(0.0, 0.0));
     scene.Sample(image);
     const auto lumen = Segment(image);
     EXPECT_EQ(lumen.gravitySource, shapeton::ColonGravitySource::Levels);
@@ -191,7 +164,7 @@ TEST(ColonLumenSegmentation, GravityIsReadFromTheLevels)
 TEST(ColonLumenSegmentation, TheGivenPositionWinsAndTheContradictionIsToldOf)
 {
   const auto scene = ColonAndBowel(At(0, 1, 0));
-  const auto image = shapeton::CenteredImage({ 72, 72, 50 }, { 2.0, 2.0, 2.0 }, Identity());
+  const auto image = shapeton::CenteredImage({ 72, 72, 50 }, { 2.0, 2.0, 2.0 }, Oblique(0.0, 0.0));
   scene.Sample(image);
   const auto lumen = Segment(image, "prone");
   EXPECT_EQ(lumen.gravity, At(0, -1, 0));
@@ -220,7 +193,7 @@ TEST(ColonLumenSegmentation, ObliqueAnisotropicAndPermutedAxes)
 TEST(ColonLumenSegmentation, SameBytesForAnyNumberOfThreads)
 {
   const auto scene = ColonAndBowel(At(0, 1, 0));
-  const auto image = shapeton::CenteredImage({ 72, 72, 50 }, { 2.0, 2.0, 2.0 }, Identity());
+  const auto image = shapeton::CenteredImage({ 72, 72, 50 }, { 2.0, 2.0, 2.0 }, Oblique(0.0, 0.0));
   scene.Sample(image);
   const auto threads = itk::MultiThreaderBase::GetGlobalDefaultNumberOfThreads();
   itk::MultiThreaderBase::SetGlobalDefaultNumberOfThreads(1);
@@ -240,7 +213,7 @@ TEST(ColonLumenSegmentation, ASeedPointTakesAPieceThatIsTooThin)
   ColonTestScene scene;
   scene.lumens.push_back({ Tube(At(-25, 0, 0), 2, 30, 18), 1e9, 0.0 });
   scene.lumens.push_back({ Tube(At(25, 0, 0), 2, 20, 6), 1e9, 0.0 });
-  const auto image = shapeton::CenteredImage({ 72, 72, 50 }, { 2.0, 2.0, 2.0 }, Identity());
+  const auto image = shapeton::CenteredImage({ 72, 72, 50 }, { 2.0, 2.0, 2.0 }, Oblique(0.0, 0.0));
   scene.Sample(image);
   shapeton::ColonLumenOptions options;
   EXPECT_EQ(shapeton::SegmentColonLumen(image, options).pieces.size(), 1U);
@@ -261,7 +234,7 @@ TEST(ColonLumenSegmentation, FluidWithoutGasIsColonWhereItIsWiderThanSmallBowel)
   ColonTestScene scene;
   scene.lumens.push_back({ Tube(At(-30, -20, 0), 2, 40, 18), -16.0, 700.0 });
   scene.lumens.push_back({ Tube(At(25, 30, 0), 2, 45, 16), -1e9, 700.0 });
-  const auto image = shapeton::CenteredImage({ 100, 100, 90 }, { 1.5, 1.5, 1.5 }, Identity());
+  const auto image = shapeton::CenteredImage({ 100, 100, 90 }, { 1.5, 1.5, 1.5 }, Oblique(0.0, 0.0));
   scene.Sample(image);
   const auto wide = Segment(image, "HFS");
   EXPECT_EQ(wide.pieces.size(), 2U);
@@ -286,7 +259,7 @@ SegmentWithBowel(const Vec & middle, double halfLength, double radius, double le
   scene.lumens.push_back({ Tube(At(-36, 0, 40), 2, 30, 18), 4.0, 700.0 });
   scene.lumens.push_back({ Tube(At(36, 0, 40), 2, 30, 18), 4.0, 700.0 });
   scene.lumens.push_back({ Tube(middle, 2, halfLength, radius), level, 700.0 });
-  const auto image = shapeton::CenteredImage({ 88, 88, 124 }, { 1.5, 1.5, 1.5 }, Identity());
+  const auto image = shapeton::CenteredImage({ 88, 88, 124 }, { 1.5, 1.5, 1.5 }, Oblique(0.0, 0.0));
   scene.Sample(image);
   return Segment(image, "HFS");
 }
@@ -364,7 +337,7 @@ TEST(ColonLumenSegmentation, AirThatOnlyThinShellsCoverIsOutside)
   scene.lumens.push_back({ Tube(At(0, -20, 0), 2, 30, 18), 1e9, 0.0 });
   scene.lumens.push_back({ slab(20, 46), 1e9, 0.0 });
   scene.lumens.push_back({ slab(50, 60), 1e9, 0.0 });
-  const auto image = shapeton::CenteredImage({ 72, 72, 60 }, { 2.0, 2.0, 2.0 }, Identity());
+  const auto image = shapeton::CenteredImage({ 72, 72, 60 }, { 2.0, 2.0, 2.0 }, Oblique(0.0, 0.0));
   scene.Sample(image);
   EXPECT_EQ(Segment(image).pieces.size(), 1U);
   scene.lumens.pop_back(); // without the cushion, the wall is 18 mm thick
@@ -380,7 +353,7 @@ TEST(ColonLumenSegmentation, LargeLevelsOverruleTheCodeOfAHeader)
     scene.lumens.push_back({ Tube(At(x, 0, 0), 2, 55, 32), 4.0, 500.0 });
   }
   scene.bodyRadius = 140.0;
-  const auto image = shapeton::CenteredImage({ 150, 150, 72 }, { 2.0, 2.0, 2.0 }, Identity());
+  const auto image = shapeton::CenteredImage({ 150, 150, 72 }, { 2.0, 2.0, 2.0 }, Oblique(0.0, 0.0));
   scene.Sample(image);
   const auto lumen = Segment(image, "HFP");
   EXPECT_EQ(lumen.gravity, At(0, 1, 0));
@@ -405,7 +378,7 @@ TEST(ColonLumenSegmentation, AFlatLumenThatTheCaudalBorderCutsIsNoCleft)
     scene.bodyRadius = 90.0; // only the corners of the image are room air
     scene.lumens.push_back({ Tube(At(0, -30, 20), 2, 30, 18), 1e9, 0.0 });
     scene.lumens.push_back({ flat(across, deep, middle), 1e9, 0.0 });
-    const auto image = shapeton::CenteredImage({ 72, 72, 60 }, { 2.0, 2.0, 2.0 }, Identity());
+    const auto image = shapeton::CenteredImage({ 72, 72, 60 }, { 2.0, 2.0, 2.0 }, Oblique(0.0, 0.0));
     scene.Sample(image);
     return Segment(image).pieces.size();
   };
@@ -421,7 +394,7 @@ TEST(ColonLumenSegmentation, ABorderThatCutsTheBodyIsNoThinShell)
   scene.lumens.push_back({ Tube(At(0, -25, 0), 2, 30, 15), 1e9, 0.0 });
   for (const int width : { 46, 70 }) // the wider one shows air on both sides of the body
   {
-    const auto image = shapeton::CenteredImage({ width, 60, 50 }, { 2.0, 2.0, 2.0 }, Identity());
+    const auto image = shapeton::CenteredImage({ width, 60, 50 }, { 2.0, 2.0, 2.0 }, Oblique(0.0, 0.0));
     auto       origin = image->GetOrigin();
     origin[1] += 15.0; // from 5 mm before the gas to 10 mm behind the body
     image->SetOrigin(origin);
@@ -436,7 +409,7 @@ TEST(ColonLumenSegmentation, UntaggedFluidIsNoLumen)
 {
   ColonTestScene scene;
   scene.lumens.push_back({ Tube(At(0, 0, 0), 2, 30, 18), 4.0, 20.0 });
-  const auto image = shapeton::CenteredImage({ 72, 72, 50 }, { 2.0, 2.0, 2.0 }, Identity());
+  const auto image = shapeton::CenteredImage({ 72, 72, 50 }, { 2.0, 2.0, 2.0 }, Oblique(0.0, 0.0));
   scene.Sample(image);
   const auto lumen = Segment(image);
   EXPECT_FALSE(lumen.isTagged);
@@ -448,7 +421,7 @@ TEST(ColonLumenSegmentation, UntaggedFluidIsNoLumen)
 TEST(ColonLumenSegmentation, ABodyWithoutGasHasNoColon)
 {
   ColonTestScene scene;
-  const auto     image = shapeton::CenteredImage({ 72, 72, 40 }, { 2.0, 2.0, 2.0 }, Identity());
+  const auto     image = shapeton::CenteredImage({ 72, 72, 40 }, { 2.0, 2.0, 2.0 }, Oblique(0.0, 0.0));
   scene.Sample(image);
   EXPECT_EQ(Segment(image).failure.find("no colon found"), 0U);
 }
@@ -457,7 +430,7 @@ TEST(ColonLumenSegmentation, ThinGasIsNoDistendedColon)
 {
   ColonTestScene scene;
   scene.lumens.push_back({ Tube(At(0, 0, 0), 2, 30, 7), 1e9, 0.0 });
-  const auto image = shapeton::CenteredImage({ 72, 72, 50 }, { 2.0, 2.0, 2.0 }, Identity());
+  const auto image = shapeton::CenteredImage({ 72, 72, 50 }, { 2.0, 2.0, 2.0 }, Oblique(0.0, 0.0));
   scene.Sample(image);
   const auto lumen = Segment(image);
   EXPECT_EQ(lumen.failure.find("the colon is not distended or tagged enough"), 0U);
@@ -489,7 +462,7 @@ Lungs(double parenchyma, bool hasVessels)
 ImageType::Pointer
 Chest(const ColonTestScene & scene)
 {
-  const auto image = shapeton::CenteredImage({ 100, 100, 60 }, { 2.0, 2.0, 2.5 }, Identity());
+  const auto image = shapeton::CenteredImage({ 100, 100, 60 }, { 2.0, 2.0, 2.5 }, Oblique(0.0, 0.0));
   scene.Sample(image);
   return image;
 }
@@ -552,56 +525,62 @@ TEST(ColonLumenSegmentation, NoSeedPointAndNoMaskMakeLungColon)
 
 TEST(ColonLumenSegmentation, FaultyOptionsAndImages)
 {
-  const auto image = shapeton::CenteredImage({ 72, 72, 7 }, { 2.0, 2.0, 2.0 }, Identity());
+  const auto image = shapeton::CenteredImage({ 72, 72, 7 }, { 2.0, 2.0, 2.0 }, Oblique(0.0, 0.0));
   image->Allocate(true);
   EXPECT_THROW(Segment(image), shapeton::InputError);
-  const auto other = shapeton::CenteredImage({ 12, 12, 12 }, { 2.0, 2.0, 2.0 }, Identity());
+  const auto other = shapeton::CenteredImage({ 12, 12, 12 }, { 2.0, 2.0, 2.0 }, Oblique(0.0, 0.0));
   other->Allocate(true);
   EXPECT_THROW(Segment(other, "upright"), shapeton::ParameterError);
   EXPECT_EQ(Segment(other).failure.find("no colon found"), 0U);
 }
 
-std::string
-DataFolder()
+/** Volumes in the folder SHAPETON_TEST_DATA_DIR. */
+class ColonLumenOfRealData : public testing::Test
 {
-  const char * folder = std::getenv("SHAPETON_TEST_DATA_DIR");
-  return folder ? folder : "";
-}
-
-ImageType::Pointer
-RealVolume(const std::string & name)
-{
-  std::string position;
-  return shapeton::ReadColonTestVolume(DataFolder() + "/" + name, position);
-}
-
-TEST(ColonLumenSegmentation, AnklesHoldNoColon)
-{
-  if (DataFolder().empty())
+protected:
+  void
+  SetUp() override
   {
-    GTEST_SKIP() << "SHAPETON_TEST_DATA_DIR is not set";
+    const char * folder = std::getenv("SHAPETON_TEST_DATA_DIR");
+    m_Folder = folder ? folder : "";
+    if (m_Folder.empty())
+    {
+      GTEST_SKIP() << "SHAPETON_TEST_DATA_DIR is not set";
+    }
   }
-  EXPECT_EQ(Segment(RealVolume("ct/visible-female-ankle")).failure.find("no colon found"), 0U);
+
+  shapeton::ColonLumen
+  SegmentFile(const std::string & name) const
+  {
+    const shapeton::Volume volume = shapeton::ReadVolume(m_Folder + "/" + name);
+    return Segment(volume.image, volume.patientPosition);
+  }
+
+  std::string m_Folder;
+};
+
+TEST_F(ColonLumenOfRealData, AnklesHoldNoColon)
+{
+  EXPECT_EQ(SegmentFile("ct/visible-female-ankle").failure.find("no colon found"), 0U);
 }
 
-TEST(ColonLumenSegmentation, AnUnpreparedColonIsRefused)
+TEST_F(ColonLumenOfRealData, AnUnpreparedColonIsRefused)
 {
-  if (DataFolder().empty())
-  {
-    GTEST_SKIP() << "SHAPETON_TEST_DATA_DIR is not set";
-  }
-  const auto lumen = Segment(RealVolume("ct/totalsegmentator/example_ct.nii.gz"));
+  const auto lumen = SegmentFile("ct/totalsegmentator/example_ct.nii.gz");
   EXPECT_EQ(lumen.failure.find("the colon is not distended or tagged enough"), 0U);
   EXPECT_FALSE(lumen.pieces.empty());
 }
 
-TEST(ColonLumenSegmentation, ACropOfARealColonographyIsUsable)
+TEST_F(ColonLumenOfRealData, ACropOfARealColonographyIsUsable)
 {
-  if (DataFolder().empty())
-  {
-    GTEST_SKIP() << "SHAPETON_TEST_DATA_DIR is not set";
-  }
-  const auto lumen = Segment(RealVolume("ctc/colonography-crop-1.npy"));
+  std::ifstream      file(m_Folder + "/ctc/colonography-crop-1.npy", std::ios::binary);
+  std::vector<short> values(1000000); // behind a NumPy header of 128 bytes
+  ASSERT_TRUE(file.seekg(128).read(reinterpret_cast<char *>(values.data()), 2000000));
+  const auto image = ImageType::New();
+  image->SetRegions(ImageType::SizeType::Filled(100));
+  image->Allocate();
+  std::copy(values.begin(), values.end(), image->GetBufferPointer());
+  const auto lumen = Segment(image);
   EXPECT_EQ(lumen.failure, "");
   ASSERT_FALSE(lumen.pieces.empty());
   EXPECT_NEAR(lumen.pieces[0].gasMl, 198.0, 4.0);

@@ -5,6 +5,7 @@
 #include "itkPoint.h"
 #include "itkVector.h"
 
+#include <array>
 #include <cmath>
 #include <functional>
 #include <vector>
@@ -101,7 +102,25 @@ private:
   }
 };
 
-/** A tube with round ends around the line through `middle` along `axis`. */
+inline ColonTestScene::Vec
+At(double x, double y, double z)
+{
+  const double values[3] = { x, y, z };
+  return ColonTestScene::Vec(values);
+}
+
+/** Rotation about z and then about x, radians. */
+inline itk::Matrix<double, 3, 3>
+TurnedAxes(double aboutZ, double aboutX)
+{
+  using Axes = vnl_matrix_fixed<double, 3, 3>;
+  const double c = std::cos(aboutZ), s = std::sin(aboutZ), d = std::cos(aboutX), t = std::sin(aboutX);
+  const double z[9] = { c, -s, 0, s, c, 0, 0, 0, 1 };
+  const double x[9] = { 1, 0, 0, 0, d, -t, 0, t, d };
+  return itk::Matrix<double, 3, 3>(Axes(z) * Axes(x));
+}
+
+/** A tube around the line through `middle` along axis `axis` with round ends. */
 inline std::function<double(const itk::Vector<double, 3> &)>
 Tube(const itk::Vector<double, 3> & middle, int axis, double halfLength, double radius)
 {

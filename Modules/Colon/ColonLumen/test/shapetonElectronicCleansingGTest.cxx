@@ -1,8 +1,8 @@
 #include "shapetonElectronicCleansing.h"
 
-#include "shapetonColonMeasures.h"
 #include "shapetonColonTestScene.h"
 #include "itkDiscreteGaussianImageFilter.h"
+#include "itkImageRegionConstIteratorWithIndex.h"
 #include "itkLinearInterpolateImageFunction.h"
 #include "itkMultiThreaderBase.h"
 
@@ -13,19 +13,10 @@
 
 namespace
 {
+using shapeton::At;
 using shapeton::ColonTestScene;
 using shapeton::Tube;
 using Vec = ColonTestScene::Vec;
-
-Vec
-At(double x, double y, double z)
-{
-  Vec v;
-  v[0] = x;
-  v[1] = y;
-  v[2] = z;
-  return v;
-}
 
 struct Cleansed
 {
@@ -41,13 +32,8 @@ Cleanse(const ColonTestScene & scene, double voxel)
 {
   Cleansed c;
   c.scene = scene;
-  itk::Matrix<double, 3, 3> direction;
-  direction.SetIdentity();
-  direction(0, 0) = direction(1, 1) = 0.984807753;
-  direction(0, 1) = -0.173648178;
-  direction(1, 0) = 0.173648178;
   const int n = static_cast<int>(90.0 / voxel);
-  c.ct = shapeton::CenteredImage({ n, n, n }, { voxel, voxel, voxel }, direction);
+  c.ct = shapeton::CenteredImage({ n, n, n }, { voxel, voxel, voxel }, shapeton::TurnedAxes(10.0 / 57.29578, 0.0));
   c.scene.Sample(c.ct);
   shapeton::ColonLumenOptions options;
   options.patientPosition = "HFS";
@@ -74,13 +60,38 @@ Percentile(std::vector<double> values, double share)
   return values.at(static_cast<std::size_t>(share * (values.size() - 1)));
 }
 
+/** Points of the 0.5 isosurface of an occupancy, in LPS: crossings of 0.5 between face-adjacent voxels. */
+std::vector<Vec>
+HalfLevelPoints(const itk::Image<float, 3> * occupancy)
+{
+  std::vector<Vec>                                             points;
+  itk::ImageRegionConstIteratorWithIndex<itk::Image<float, 3>> voxel(occupancy, occupancy->GetBufferedRegion());
+  for (; !voxel.IsAtEnd(); ++voxel)
+  {
+    for (unsigned int a = 0; a < 3; ++a)
+    {
+      auto next = voxel.GetIndex();
+      ++next[a];
+      if (!occupancy->GetBufferedRegion().IsInside(next) || (voxel.Get() < 0.5F) == (occupancy->GetPixel(next) < 0.5F))
+      {
+        continue;
+      }
+      itk::ContinuousIndex<double, 3> place(voxel.GetIndex());
+      place[a] += (0.5 - voxel.Get()) / (occupancy->GetPixel(next) - voxel.Get());
+      itk::Point<double, 3> point;
+      occupancy->TransformContinuousIndexToPhysicalPoint(place, point);
+      points.push_back(point.GetVectorFromOrigin());
+    }
+  }
+  return points;
+}
+
 TEST(ElectronicCleansing, TheWallIsFoundFinerThanVoxels)
 {
   const auto          c = CleanseTube(1.4);
   std::vector<double> all, nearLevel;
-  for (const auto & point : shapeton::HalfLevelPoints(c.result.occupancy))
+  for (const Vec & x : HalfLevelPoints(c.result.occupancy))
   {
-    const Vec x = point.GetVectorFromOrigin();
     all.push_back(std::abs(c.scene.lumens[0].depth(x)));
     if (std::abs(x[1] - c.scene.lumens[0].level) < 3.0)
     {
@@ -111,11 +122,11 @@ TEST(ElectronicCleansing, NoSlitsAreLeftAtTheRimOfALevel)
   scene.lumens.push_back({ pool, -1e9, 700.0 });
   const auto          c = Cleanse(scene, 1.0);
   std::vector<double> roof;
-  for (const auto & point : shapeton::HalfLevelPoints(c.result.occupancy))
+  for (const Vec & point : HalfLevelPoints(c.result.occupancy))
   {
     if (std::abs(point[1]) < 5.0 && std::abs(point[2]) < 20.0 && std::abs(point[0]) < 18.0)
     {
-      roof.push_back(std::abs(std::max(dome(point.GetVectorFromOrigin()), pool(point.GetVectorFromOrigin()))));
+      roof.push_back(std::abs(std::max(dome(point), pool(point))));
     }
   }
   EXPECT_LT(Percentile(roof, 0.95), 0.5);

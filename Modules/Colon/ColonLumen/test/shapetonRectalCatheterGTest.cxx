@@ -7,8 +7,10 @@
 
 namespace
 {
+using shapeton::At;
 using shapeton::ColonTestScene;
 using shapeton::Tube;
+using shapeton::TurnedAxes;
 using Vec = ColonTestScene::Vec;
 using ImageType = itk::Image<float, 3>;
 
@@ -16,16 +18,6 @@ constexpr double Rectum = 18.0; // mm, radius
 constexpr double Bore = 2.5;
 constexpr double Outer = 5.0;
 constexpr double Plastic = 150.0; // HU
-
-Vec
-At(double x, double y, double z)
-{
-  Vec v;
-  v[0] = x;
-  v[1] = y;
-  v[2] = z;
-  return v;
-}
 
 /** Tube along z through (x, y) up to `tip`, bent by `bend` mm toward x within the rectum. */
 std::function<double(const Vec &)>
@@ -48,22 +40,6 @@ RectumScene(double tip, double y = 0.0, double wall = Plastic, double bend = 0.0
   scene.lumens.push_back({ Tube(At(0, 0, 18), 2, 20, Rectum), 1e9, 0.0 });
   scene.lumens.push_back({ [](const Vec & p) { return -45.0 - p[2]; }, 1e9, 0.0 });
   return scene;
-}
-
-itk::Matrix<double, 3, 3>
-Turned(double aboutZ, double aboutX)
-{
-  const double              c = std::cos(aboutZ), s = std::sin(aboutZ), d = std::cos(aboutX), t = std::sin(aboutX);
-  itk::Matrix<double, 3, 3> z, x;
-  z.SetIdentity();
-  x.SetIdentity();
-  z(0, 0) = z(1, 1) = c;
-  z(0, 1) = -s;
-  z(1, 0) = s;
-  x(1, 1) = x(2, 2) = d;
-  x(1, 2) = -t;
-  x(2, 1) = t;
-  return z * x;
 }
 
 ImageType::Pointer
@@ -90,7 +66,7 @@ Segment(const ImageType * image)
 shapeton::ColonLumen
 Segment(const ColonTestScene & scene)
 {
-  return Segment(Sampled(scene, { 1.1, 1.1, 1.1 }, Turned(0.0, 0.0)));
+  return Segment(Sampled(scene, { 1.1, 1.1, 1.1 }, TurnedAxes(0.0, 0.0)));
 }
 
 /** Voxels in the rectum, farther than `margin` mm from its wall, that are not lumen. */
@@ -136,7 +112,7 @@ TEST(RectalCatheter, ATubeInGasIsFoundAndFilledIn)
 
 TEST(RectalCatheter, AxesAndSpacingMakeNoDifference)
 {
-  ExpectTube(Segment(Sampled(RectumScene(24.0), { 0.8, 0.9, 1.5 }, Turned(0.3, 0.25))), 24.0);
+  ExpectTube(Segment(Sampled(RectumScene(24.0), { 0.8, 0.9, 1.5 }, TurnedAxes(0.3, 0.25))), 24.0);
 }
 
 TEST(RectalCatheter, ATubeInFluidIsFoundAndFilledIn)
@@ -236,7 +212,7 @@ TEST(RectalCatheter, MirrorAndResamplingKeepIt)
   {
     scene.lumens[n].depth = [depth = at[n].depth](const Vec & x) { return depth(At(-x[0], x[1], x[2])); };
   }
-  const auto other = Segment(Sampled(scene, { 1.3, 1.3, 1.3 }, Turned(0.0, 0.0))).catheter;
+  const auto other = Segment(Sampled(scene, { 1.3, 1.3, 1.3 }, TurnedAxes(0.0, 0.0))).catheter;
   ASSERT_TRUE(one && other && one->isSure && other->isSure);
   EXPECT_NEAR(other->boreDiameter, one->boreDiameter, 0.3);
   EXPECT_NEAR(other->outerDiameter, one->outerDiameter, 0.3);

@@ -1,7 +1,7 @@
 #include "shapetonFlatColonLocator.h"
 
 #include "shapetonFlatTestTubes.h"
-#include "shapetonExceptions.h"
+#include "shapetonTestErrors.h"
 
 #include "itkMultiThreaderBase.h"
 
@@ -372,16 +372,8 @@ TEST(FlatColonGrid, RefusesWhatIsNoFlatTube)
 {
   const shapeton::SurfaceMesh good = MakeCylinder({});
   const auto                  refuses = [](const shapeton::SurfaceMesh & mesh, const std::string & words) {
-    try
-    {
-      const FlatColonGrid grid(mesh, {}, "flat.vtp");
-      return false;
-    }
-    catch (const shapeton::InputError & error)
-    {
-      const std::string message = error.what();
-      return message.rfind("flat.vtp", 0) == 0 && message.find(words) != std::string::npos;
-    }
+    const std::string message = basetest::ErrorOf([&] { const FlatColonGrid grid(mesh, {}, "flat.vtp"); });
+    return message.rfind("flat.vtp", 0) == 0 && message.find(words) != std::string::npos;
   };
   for (const std::size_t array : { 0, 1 })
   {

@@ -1,7 +1,7 @@
 #include "shapetonHaustralFoldFiles.h"
 
 #include "shapetonFoldTubes.h"
-#include "shapetonExceptions.h"
+#include "shapetonTestErrors.h"
 
 #include "itkImageFileReader.h"
 #include "itkNrrdImageIO.h"
@@ -115,15 +115,7 @@ TEST(HaustralFoldFiles, ATableWithAnUnknownReasonIsRefusedByLine)
   row[column] = "loud";
   wrong.AddRow(row);
   wrong.Write(path);
-  try
-  {
-    shapeton::ReadFoldTable(path);
-    FAIL() << "not rejected";
-  }
-  catch (const shapeton::InputError & error)
-  {
-    EXPECT_NE(std::string(error.what()).find("unknown.csv\", line 2: \"loud\""), std::string::npos) << error.what();
-  }
+  EXPECT_TRUE(basetest::Refuses([&] { shapeton::ReadFoldTable(path); }, "unknown.csv\", line 2: \"loud\""));
 }
 
 TEST(HaustralFoldFiles, TheTableReadsBackExactly)

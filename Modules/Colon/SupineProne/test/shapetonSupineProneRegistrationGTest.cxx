@@ -2,7 +2,7 @@
 #include "shapetonRegistrationSchemes.h"
 #include "shapetonProgressTests.h"
 #include "shapetonTestColons.h"
-#include "shapetonExceptions.h"
+#include "shapetonTestErrors.h"
 
 #include <gtest/gtest.h>
 
@@ -194,15 +194,9 @@ TEST(SupineProneRegistration, OptionsOfTheDefaultMapAreRefusedForThePublishedOne
 
 TEST(SupineProneRegistration, AColonThatRunsTheOtherWayIsRefused)
 {
-  try
-  {
-    shapeton::RegisterColonPositions(MakePosition("supine", 1, {}), MakePosition("prone", 1, SomeMovement(), true));
-    FAIL();
-  }
-  catch (const shapeton::InputError & error)
-  {
-    EXPECT_NE(std::string(error.what()).find("runs from the cecum to the rectum"), std::string::npos) << error.what();
-  }
+  const auto reversed = MakePosition("prone", 1, SomeMovement(), true);
+  EXPECT_TRUE(basetest::Refuses([&] { shapeton::RegisterColonPositions(MakePosition("supine", 1, {}), reversed); },
+                                "runs from the cecum to the rectum"));
 }
 
 TEST(SupineProneRegistration, WithoutLandmarksOrFoldsThereIsNoMap)

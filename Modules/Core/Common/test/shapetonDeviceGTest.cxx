@@ -1,4 +1,5 @@
 #include "shapetonDevice.h"
+#include "shapetonTestErrors.h"
 
 #include <gtest/gtest.h>
 
@@ -25,17 +26,10 @@ TEST(Device, AutomaticFallsBackToTheCpuAndSaysWhy)
 
 TEST(Device, AskedForAndMissingIsAnErrorOfOneLine)
 {
-  try
-  {
-    ChooseDevice(Device::Cuda, std::size_t{ 1 } << 62);
-    FAIL();
-  }
-  catch (const shapeton::DeviceError & error)
-  {
-    const std::string text = error.what();
-    EXPECT_EQ(text.rfind("the GPU cannot be used: ", 0), 0U) << text;
-    EXPECT_EQ(text.find('\n'), std::string::npos);
-  }
+  const std::string text =
+    basetest::ErrorOf<shapeton::DeviceError>([] { ChooseDevice(Device::Cuda, std::size_t{ 1 } << 62); });
+  EXPECT_EQ(text.rfind("the GPU cannot be used: ", 0), 0U) << text;
+  EXPECT_EQ(text.find('\n'), std::string::npos);
 }
 
 TEST(Device, NamesAreThoseOfTheOption)

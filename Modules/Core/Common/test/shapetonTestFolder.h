@@ -1,11 +1,10 @@
 #ifndef shapetonTestFolder_h
 #define shapetonTestFolder_h
 
-#include "shapetonExceptions.h"
+#include "shapetonTestErrors.h"
 
 #include <cstdlib>
 #include <filesystem>
-#include <functional>
 #include <stdexcept>
 #include <string>
 
@@ -70,21 +69,6 @@ private:
   std::filesystem::path m_Previous;
   std::filesystem::path m_Path;
 };
-
-/** Type and message of the exception thrown by `work`, such as "InputError: message". */
-inline std::string
-MessageOf(const std::function<void()> & work)
-{
-  try
-  {
-    work();
-  }
-  catch (const shapeton::Exception & error)
-  {
-    return std::string(error.GetNameOfClass()) + ": " + error.what();
-  }
-  return "no error";
-}
 } // namespace basetest
 
 #endif

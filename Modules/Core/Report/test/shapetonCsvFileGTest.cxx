@@ -1,6 +1,6 @@
 #include "shapetonCsvFile.h"
 #include "shapetonFileBytes.h"
-#include "shapetonExceptions.h"
+#include "shapetonTestErrors.h"
 
 #include <gtest/gtest.h>
 
@@ -21,19 +21,13 @@ FileOf(const std::string & text)
 std::string
 FaultOf(const std::string & text, const std::vector<std::string> & columns)
 {
-  try
-  {
+  return basetest::ErrorOf([&] {
     const shapeton::CsvFile file(FileOf(text), columns);
     for (std::size_t row = 0; row < file.Rows(); ++row)
     {
       file.Number(row, columns.front());
     }
-  }
-  catch (const shapeton::InputError & error)
-  {
-    return error.what();
-  }
-  return "";
+  });
 }
 } // namespace
 

@@ -2,6 +2,7 @@
 #include "shapetonParticleParameters.h"
 #include "shapetonParticleTestRuns.h"
 #include "shapetonVisitDensity.h"
+#include "shapetonTestErrors.h"
 
 #include <gtest/gtest.h>
 
@@ -82,15 +83,7 @@ template <typename TFilter>
 std::string
 Refusal(TFilter * filter)
 {
-  try
-  {
-    filter->Update();
-  }
-  catch (const itk::ExceptionObject & error)
-  {
-    return error.GetDescription();
-  }
-  return "";
+  return basetest::ErrorOf<itk::ExceptionObject>([&] { filter->Update(); });
 }
 } // namespace
 

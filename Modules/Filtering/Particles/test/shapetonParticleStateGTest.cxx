@@ -1,5 +1,6 @@
 #include "shapetonParticleState.h"
 #include "shapetonParticleTestRuns.h"
+#include "shapetonTestErrors.h"
 
 #include <gtest/gtest.h>
 
@@ -75,15 +76,7 @@ Refusal(const TSpoil & spoil)
   ParticleRun                run(volume, settings, mask);
   spoil(volume, settings, mask);
   ParticleRun other(volume, settings, mask);
-  try
-  {
-    run.diffusion.SetState(other.diffusion.GetState());
-  }
-  catch (const std::invalid_argument & error)
-  {
-    return error.what();
-  }
-  return "";
+  return basetest::ErrorOf<std::invalid_argument>([&] { run.diffusion.SetState(other.diffusion.GetState()); });
 }
 
 /** A long file of zeros. */

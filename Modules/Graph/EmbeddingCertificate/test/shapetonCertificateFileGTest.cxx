@@ -1,6 +1,6 @@
 #include "shapetonCertificateFixtures.h"
 #include "shapetonFileBytes.h"
-#include "shapetonExceptions.h"
+#include "shapetonTestErrors.h"
 
 #include "gtest/gtest.h"
 
@@ -46,15 +46,7 @@ ReadText(const std::string & text)
 std::string
 MessageOf(const std::string & text)
 {
-  try
-  {
-    ReadText(text);
-  }
-  catch (const shapeton::InputError & error)
-  {
-    return error.what();
-  }
-  return "no error";
+  return basetest::ErrorOf([&] { ReadText(text); });
 }
 
 std::string

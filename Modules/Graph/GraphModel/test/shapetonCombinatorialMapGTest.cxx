@@ -1,6 +1,6 @@
 #include "shapetonCombinatorialMap.h"
 #include "shapetonGraphFamilies.h"
-#include "shapetonExceptions.h"
+#include "shapetonTestErrors.h"
 
 #include <gtest/gtest.h>
 
@@ -30,15 +30,7 @@ Nodes(const shapeton::CombinatorialMap & map, const std::vector<int> & halfEdges
 std::string
 FaultOf(const shapeton::Graph & graph, const shapeton::Rotation & rotation)
 {
-  try
-  {
-    shapeton::CombinatorialMap map(graph, rotation);
-  }
-  catch (const shapeton::InputError & error)
-  {
-    return error.what();
-  }
-  return "";
+  return basetest::ErrorOf([&] { shapeton::CombinatorialMap map(graph, rotation); });
 }
 
 void

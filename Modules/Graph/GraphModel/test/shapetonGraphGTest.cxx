@@ -1,6 +1,6 @@
 #include "shapetonGraph.h"
 #include "shapetonGraphFamilies.h"
-#include "shapetonExceptions.h"
+#include "shapetonTestErrors.h"
 
 #include <gtest/gtest.h>
 
@@ -9,15 +9,7 @@ namespace
 std::string
 FaultOf(const shapeton::Graph & graph)
 {
-  try
-  {
-    shapeton::RequireSound(graph, "file.gml");
-  }
-  catch (const shapeton::InputError & error)
-  {
-    return error.what();
-  }
-  return "";
+  return basetest::ErrorOf([&] { shapeton::RequireSound(graph, "file.gml"); });
 }
 } // namespace
 

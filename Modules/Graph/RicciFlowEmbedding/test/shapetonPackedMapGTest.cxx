@@ -1,7 +1,7 @@
 #include "shapetonPackedMap.h"
 
 #include "shapetonGraphFamilies.h"
-#include "shapetonExceptions.h"
+#include "shapetonTestErrors.h"
 
 #include <gtest/gtest.h>
 
@@ -201,14 +201,7 @@ TEST(PackedMap, WithoutDummiesConflictsAreRefusedWithTheReason)
   k4.edges.pop_back();
   for (const Graph & graph : { k4, CompleteBipartiteGraph(2, 3), CycleGraph(3), CycleGraph(2), PathGraph(5) })
   {
-    try
-    {
-      MakePackedMap(AnyMap(graph), Augmentation::None);
-      FAIL();
-    }
-    catch (const InputError & error)
-    {
-      EXPECT_NE(std::string(error.what()).find("use the parameter \"augmentation\" = ring"), std::string::npos);
-    }
+    EXPECT_TRUE(basetest::Refuses([&] { MakePackedMap(AnyMap(graph), Augmentation::None); },
+                                  "use the parameter \"augmentation\" = ring"));
   }
 }

@@ -5,7 +5,7 @@
 #include "shapetonPlanarDomains.h"
 #include "shapetonRoughTube.h"
 #include "shapetonSurfaceQuality.h"
-#include "shapetonExceptions.h"
+#include "shapetonTestErrors.h"
 
 #include <gtest/gtest.h>
 
@@ -28,15 +28,7 @@ MapTo(ConformalDomain domain, const SurfaceMesh & mesh, int outer = 0, int inner
 std::string
 Refusal(const SurfaceMesh & mesh, const ConformalMapOptions & options)
 {
-  try
-  {
-    MapConformally(mesh, options, "the test");
-  }
-  catch (const InputError & error)
-  {
-    return error.what();
-  }
-  return "";
+  return basetest::ErrorOf([&] { MapConformally(mesh, options, "the test"); });
 }
 
 /** A hemisphere with three holes around vertices. */

@@ -1,7 +1,7 @@
 #include "shapetonFlatSurface.h"
 
 #include "shapetonTestSurfaces.h"
-#include "shapetonExceptions.h"
+#include "shapetonTestErrors.h"
 
 #include <gtest/gtest.h>
 
@@ -54,17 +54,7 @@ TEST(FlatSurface, FlatSurfacesCanBeFlattenedAgain)
 TEST(FlatSurface, MissingOrBrokenArraysAreNamed)
 {
   const shapeton::SurfaceMesh plain = Square(4, 8.0);
-  const auto                  errorOf = [](const auto & body) -> std::string {
-    try
-    {
-      body();
-    }
-    catch (const shapeton::InputError & error)
-    {
-      return error.what();
-    }
-    return {};
-  };
+  const auto errorOf = [](const auto & body) -> std::string { return basetest::ErrorOf([&] { body(); }); };
   EXPECT_NE(std::string::npos,
             errorOf([&] { shapeton::FlatCoordinates(plain, "a.vtp"); }).find("a.vtp is not a flat surface"));
   EXPECT_NE(std::string::npos, errorOf([&] { shapeton::FlatSourcePoints(plain, "a.vtp"); }).find("sourcePointId"));

@@ -2,7 +2,7 @@
 
 #include "shapetonColonTube.h"
 #include "shapetonTestSurfaces.h"
-#include "shapetonExceptions.h"
+#include "shapetonTestErrors.h"
 
 #include <gtest/gtest.h>
 
@@ -19,15 +19,7 @@ LaplacianOf(const shapeton::SurfaceMesh & mesh)
 std::string
 ErrorOf(const shapeton::SurfaceMesh & mesh, const std::vector<int> & fixed)
 {
-  try
-  {
-    const shapeton::HarmonicSolver solver(LaplacianOf(mesh), fixed);
-  }
-  catch (const shapeton::InputError & error)
-  {
-    return error.what();
-  }
-  return {};
+  return basetest::ErrorOf([&] { const shapeton::HarmonicSolver solver(LaplacianOf(mesh), fixed); });
 }
 } // namespace
 

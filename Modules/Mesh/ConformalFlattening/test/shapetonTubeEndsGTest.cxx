@@ -1,7 +1,7 @@
 #include "shapetonTubeEnds.h"
 
 #include "shapetonTestSurfaces.h"
-#include "shapetonExceptions.h"
+#include "shapetonTestErrors.h"
 
 #include <gtest/gtest.h>
 
@@ -22,15 +22,7 @@ Tube()
 std::string
 ErrorOf(const shapeton::SurfaceMesh & mesh)
 {
-  try
-  {
-    shapeton::PrepareTube(mesh, "the surface");
-  }
-  catch (const shapeton::InputError & error)
-  {
-    return error.what();
-  }
-  return {};
+  return basetest::ErrorOf([&] { shapeton::PrepareTube(mesh, "the surface"); });
 }
 
 shapeton::SurfaceMesh

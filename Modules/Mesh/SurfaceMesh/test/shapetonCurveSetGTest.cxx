@@ -2,6 +2,7 @@
 #include "shapetonSurfaceTestFiles.h"
 #include "shapetonSurfaceWriter.h"
 #include "shapetonTestSurfaces.h"
+#include "shapetonTestErrors.h"
 
 #include <vtkCellData.h>
 #include <vtkNew.h>
@@ -31,15 +32,7 @@ MakeCurves()
 std::string
 FaultOfCurves(const shapeton::CurveSet & curves)
 {
-  try
-  {
-    shapeton::RequireSound(curves, "it");
-  }
-  catch (const shapeton::InputError & error)
-  {
-    return error.what();
-  }
-  return "";
+  return basetest::ErrorOf([&] { shapeton::RequireSound(curves, "it"); });
 }
 
 TEST(CurveSet, AFileKeepsAllOfItWithPointsFirst)

@@ -4,6 +4,7 @@
 #include "shapetonSurfaceTestFiles.h"
 #include "shapetonSurfaceWriter.h"
 #include "shapetonTestSurfaces.h"
+#include "shapetonTestErrors.h"
 
 #include "gtest/gtest.h"
 
@@ -16,15 +17,7 @@ using namespace testsurfaces;
 std::string
 FaultOfReading(const std::string & path, const shapeton::SurfaceReadOptions & options)
 {
-  try
-  {
-    shapeton::ReadSurface(path, options);
-  }
-  catch (const shapeton::InputError & error)
-  {
-    return error.what();
-  }
-  return "";
+  return basetest::ErrorOf([&] { shapeton::ReadSurface(path, options); });
 }
 
 TEST(SurfaceReader, SeveralComponentsNeedAChoice)

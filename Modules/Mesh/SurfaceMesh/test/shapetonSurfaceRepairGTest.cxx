@@ -1,7 +1,7 @@
 #include "shapetonSurfaceRepair.h"
 #include "shapetonSurfaceQuality.h"
 #include "shapetonTestSurfaces.h"
-#include "shapetonExceptions.h"
+#include "shapetonTestErrors.h"
 
 #include "gtest/gtest.h"
 
@@ -184,15 +184,7 @@ TEST(SurfaceRepair, NothingButDegenerateFacesIsRefused)
 TEST(SurfaceRepair, RequireManifoldNamesTheFault)
 {
   const auto messageOf = [](const shapeton::SurfaceMesh & mesh) -> std::string {
-    try
-    {
-      shapeton::RequireManifold(mesh, "wall.vtp");
-    }
-    catch (const shapeton::InputError & error)
-    {
-      return error.what();
-    }
-    return "";
+    return basetest::ErrorOf([&] { shapeton::RequireManifold(mesh, "wall.vtp"); });
   };
   EXPECT_EQ(messageOf(Octahedron()), "");
   EXPECT_EQ(messageOf(MoebiusStrip(9, 2)).find("wall.vtp: "), 0u);

@@ -2,7 +2,7 @@
 #include "shapetonColonAbdomen.h"
 #include "shapetonColonPhantomImageSource.h"
 #include "shapetonDisjointSets.h"
-#include "shapetonExceptions.h"
+#include "shapetonTestErrors.h"
 
 #include "itkImageRegionConstIteratorWithIndex.h"
 
@@ -460,15 +460,7 @@ TEST(ColonChest, SameBytesForAnyNumberOfThreads)
 TEST(ColonChest, RefusesWhatDoesNotFit)
 {
   const auto refuses = [](const shapeton::ColonPhantomParameters & parameters, const std::string & text) {
-    try
-    {
-      shapeton::RequireValid(parameters);
-      ADD_FAILURE() << text;
-    }
-    catch (const shapeton::ParameterError & error)
-    {
-      EXPECT_NE(std::string(error.GetDescription()).find(text), std::string::npos) << error.GetDescription();
-    }
+    EXPECT_TRUE(basetest::Refuses<shapeton::ParameterError>([&] { shapeton::RequireValid(parameters); }, text));
   };
   auto parameters = ChestParameters("deepBreath");
   refuses(parameters, "\"lungs\" is 'deepBreath'");

@@ -1,6 +1,6 @@
 #include "shapetonShapeScene.h"
 #include "shapetonJson.h"
-#include "shapetonExceptions.h"
+#include "shapetonTestErrors.h"
 
 #include <gtest/gtest.h>
 
@@ -298,18 +298,10 @@ class WrongScenes : public testing::TestWithParam<WrongScene>
 TEST_P(WrongScenes, AreRefusedByKey)
 {
   const auto document = shapeton::Json::parse(GetParam().json);
-  try
-  {
-    shapeton::ShapeScene::FromJson(document, "wrong.json");
-    FAIL() << "accepted " << GetParam().json;
-  }
-  catch (const shapeton::InputError & error)
-  {
-    const std::string message = error.what();
-    EXPECT_NE(message.find("wrong.json"), std::string::npos) << message;
-    EXPECT_NE(message.find(GetParam().message), std::string::npos) << message;
-    EXPECT_EQ(message.find('\n'), std::string::npos) << message;
-  }
+  const auto message = basetest::ErrorOf([&] { shapeton::ShapeScene::FromJson(document, "wrong.json"); });
+  EXPECT_NE(message.find("wrong.json"), std::string::npos) << message << GetParam().json;
+  EXPECT_NE(message.find(GetParam().message), std::string::npos) << message;
+  EXPECT_EQ(message.find('\n'), std::string::npos) << message;
 }
 
 #define OBJECT(text) R"({ "units": "mm", "objects": [ )" text " ] }"

@@ -1,5 +1,5 @@
 #include "shapetonDicomToColon.h"
-#include "shapetonExceptions.h"
+#include "shapetonTestErrors.h"
 
 #include <gtest/gtest.h>
 
@@ -42,16 +42,10 @@ TEST(DicomToColon, TheOnlySegmentIsTheLumenWhateverItIsCalled)
 
 TEST(DicomToColon, WhatMayBeTheLumenIsAsked)
 {
-  try
-  {
-    LumenSegmentsOf(FileOf({ Segment(1, "a", "1"), Segment(2, "b", "2") }));
-    FAIL() << "expected InputError";
-  }
-  catch (const InputError & error)
-  {
-    EXPECT_EQ(std::string(error.what()),
-              "\"seg.dcm\" has no gas segment; select segments with the parameter \"segments\" of 1 (a), 2 (b)");
-  }
+  EXPECT_EQ(basetest::ErrorOf([] {
+              LumenSegmentsOf(FileOf({ Segment(1, "a", "1"), Segment(2, "b", "2") }));
+            }),
+            "\"seg.dcm\" has no gas segment; select segments with the parameter \"segments\" of 1 (a), 2 (b)");
 }
 
 TEST(DicomToColon, TableCountsMilliliters)

@@ -3,7 +3,7 @@
 #include "shapetonRegistrationFiles.h"
 #include "shapetonTestColons.h"
 #include "shapetonFileBytes.h"
-#include "shapetonExceptions.h"
+#include "shapetonTestErrors.h"
 
 #include <gtest/gtest.h>
 
@@ -27,15 +27,7 @@ template <typename TAction>
 std::string
 FaultOf(const TAction & action)
 {
-  try
-  {
-    action();
-  }
-  catch (const shapeton::InputError & error)
-  {
-    return error.what();
-  }
-  return "";
+  return basetest::ErrorOf([&] { action(); });
 }
 
 /** Registered once for all tests. */

@@ -1,43 +1,13 @@
 #include "shapetonSeedFiles.h"
+#include "shapetonObliqueBoxes.h"
 #include "shapetonSeededHeatSegmentationImageFilter.h"
-
-#include "itkImageRegionIteratorWithIndex.h"
 
 #include "gtest/gtest.h"
 
-#include <cmath>
-
 namespace
 {
-using ImageType = itk::Image<short, 3>;
+using namespace obliqueboxes;
 using shapeton::Markup;
-using shapeton::SeedImage;
-
-/** Three boxes of 0, 300 and 600 along x, on an oblique and anisotropic grid. */
-ImageType::Pointer
-MakeBoxes()
-{
-  auto image = ImageType::New();
-  image->SetRegions(itk::Size<3>{ { 30, 14, 9 } });
-  const double              spacing[3] = { 0.8, 1.1, 2.0 };
-  const double              origin[3] = { -40.0, 25.0, 300.0 };
-  const double              c = std::cos(0.5);
-  const double              s = std::sin(0.5);
-  itk::Matrix<double, 3, 3> direction;
-  direction.SetIdentity();
-  direction[0][0] = direction[2][2] = c;
-  direction[0][2] = -s;
-  direction[2][0] = s;
-  image->SetSpacing(spacing);
-  image->SetOrigin(origin);
-  image->SetDirection(direction);
-  image->Allocate();
-  for (itk::ImageRegionIteratorWithIndex<ImageType> it(image, image->GetLargestPossibleRegion()); !it.IsAtEnd(); ++it)
-  {
-    it.Set(static_cast<short>(300 * (it.GetIndex()[0] / 10)));
-  }
-  return image;
-}
 
 Eigen::Vector3d
 PlaceOf(const itk::ImageBase<3> * image, const itk::Index<3> & index)
@@ -59,28 +29,6 @@ MakeMarkups(const ImageType * image)
   markups[2].name = "bright";
   markups[2].points = { PlaceOf(image, { { 29, 13, 8 } }), PlaceOf(image, { { 25, 1, 0 } }) };
   return markups;
-}
-
-std::size_t
-Count(const SeedImage * image, unsigned short label)
-{
-  const auto * const begin = image->GetBufferPointer();
-  return static_cast<std::size_t>(
-    std::count(begin, begin + image->GetLargestPossibleRegion().GetNumberOfPixels(), label));
-}
-
-std::string
-MessageOf(const std::function<void()> & call)
-{
-  try
-  {
-    call();
-  }
-  catch (const itk::ExceptionObject & error)
-  {
-    return error.GetDescription();
-  }
-  return "";
 }
 } // namespace
 
@@ -136,14 +84,12 @@ TEST(SeedFiles, MarkupsThatCannotBeSeedsAreRefused)
   const auto image = MakeBoxes();
   auto       markups = MakeMarkups(image);
   markups[2].points.push_back(PlaceOf(image, { { 31, 2, 2 } }));
-  EXPECT_EQ(MessageOf([&] { shapeton::SeedsOfMarkups(markups, image); }),
-            "point 3 of the markup \"bright\" is outside the volume; move it into the segmented volume");
+  EXPECT_EQ(basetest::ErrorOf([&] { shapeton::SeedsOfMarkups(markups, image); }),
+            "point 3 of the markup \"bright\" lies outside the volume; place it on the volume that is segmented");
   markups[2].points.back() = markups[0].points[0];
-  EXPECT_NE(MessageOf([&] { shapeton::SeedsOfMarkups(markups, image); }).find("already a seed of label 1"),
-            std::string::npos);
+  EXPECT_TRUE(Refuses([&] { shapeton::SeedsOfMarkups(markups, image); }, "already a seed of label 1"));
   markups[2].points.clear();
-  EXPECT_NE(MessageOf([&] { shapeton::SeedsOfMarkups(markups, image); }).find("\"bright\" has no point"),
-            std::string::npos);
+  EXPECT_TRUE(Refuses([&] { shapeton::SeedsOfMarkups(markups, image); }, "\"bright\" has no point"));
 }
 
 TEST(SeedFiles, LabelMapsLieOnTheGridAndHoldWholeNumbers)
@@ -159,11 +105,9 @@ TEST(SeedFiles, LabelMapsLieOnTheGridAndHoldWholeNumbers)
   for (const float value : { 0.5F, -1.0F, 65536.0F })
   {
     volume.image->SetPixel({ { 3, 3, 3 } }, value);
-    EXPECT_NE(MessageOf([&] { shapeton::SeedsOfVolume(volume, "map", image); }).find("map: labels must be whole"),
-              std::string::npos);
+    EXPECT_TRUE(Refuses([&] { shapeton::SeedsOfVolume(volume, "map", image); }, "map: labels must be whole"));
   }
   const double moved[3] = { 0.0, 0.0, 0.0 };
   volume.image->SetOrigin(moved);
-  EXPECT_NE(MessageOf([&] { shapeton::SeedsOfVolume(volume, "map", image); }).find("different grids"),
-            std::string::npos);
+  EXPECT_TRUE(Refuses([&] { shapeton::SeedsOfVolume(volume, "map", image); }, "size or position"));
 }

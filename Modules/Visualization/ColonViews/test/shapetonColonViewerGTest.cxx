@@ -1,6 +1,6 @@
 #include "shapetonColonViewer.h"
 
-#include "shapetonExceptions.h"
+#include "shapetonTestErrors.h"
 
 #include <gtest/gtest.h>
 
@@ -24,15 +24,7 @@ Write(const ColonViewerOptions & options)
 std::string
 FaultOf(const ColonViewerOptions & options)
 {
-  try
-  {
-    Write(options);
-  }
-  catch (const shapeton::InputError & error)
-  {
-    return error.what();
-  }
-  return "";
+  return basetest::ErrorOf([&] { Write(options); });
 }
 } // namespace
 

@@ -1,6 +1,6 @@
 #include "shapetonHeatRanges.h"
 
-#include "shapetonExceptions.h"
+#include "shapetonTestErrors.h"
 #include "shapetonJson.h"
 
 #include "gtest/gtest.h"
@@ -38,15 +38,7 @@ HistogramOf(const shapeton::Json & rows)
 std::string
 ErrorOf(const std::vector<double> & ends)
 {
-  try
-  {
-    shapeton::HeatRangesOf(ends);
-  }
-  catch (const shapeton::ParameterError & error)
-  {
-    return error.GetDescription();
-  }
-  return "";
+  return basetest::ErrorOf<shapeton::ParameterError>([&] { shapeton::HeatRangesOf(ends); });
 }
 } // namespace
 

@@ -5,7 +5,7 @@
 #include "itkImageFileWriter.h"
 #include "itkMetaDataObject.h"
 #include "itkNrrdImageIO.h"
-#include "shapetonExceptions.h"
+#include "shapetonTestErrors.h"
 #include "shapetonVolumeWriter.h"
 
 namespace
@@ -41,15 +41,7 @@ template <typename TError>
 std::string
 MessageOf(const std::string & path, std::optional<std::uint64_t> timeStep)
 {
-  try
-  {
-    shapeton::FindHeatSnapshot(path, timeStep);
-  }
-  catch (const TError & error)
-  {
-    return error.what();
-  }
-  return "";
+  return basetest::ErrorOf<TError>([&] { shapeton::FindHeatSnapshot(path, timeStep); });
 }
 } // namespace
 

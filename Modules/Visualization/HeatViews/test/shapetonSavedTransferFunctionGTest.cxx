@@ -1,6 +1,6 @@
 #include "shapetonSavedTransferFunction.h"
 
-#include "shapetonExceptions.h"
+#include "shapetonTestErrors.h"
 #include "shapetonFileBytes.h"
 
 #include <gtest/gtest.h>
@@ -32,15 +32,7 @@ FileWith(const std::string & text)
 std::string
 FaultOf(const std::string & text)
 {
-  try
-  {
-    ReadTransferFunction(FileWith(text));
-  }
-  catch (const InputError & error)
-  {
-    return error.what();
-  }
-  return "";
+  return basetest::ErrorOf([&] { ReadTransferFunction(FileWith(text)); });
 }
 } // namespace
 

@@ -1,7 +1,7 @@
 #include "shapetonShapeTransferFunction.h"
 #include "shapetonPictureTestUtilities.h"
 
-#include "shapetonExceptions.h"
+#include "shapetonTestErrors.h"
 
 #include <vtkColorTransferFunction.h>
 #include <vtkPiecewiseFunction.h>
@@ -17,15 +17,7 @@ namespace
 std::string
 MessageOf(const std::string & text)
 {
-  try
-  {
-    shapeton::ShapeTransferFunction::Parse(text);
-  }
-  catch (const shapeton::ParameterError & error)
-  {
-    return error.what();
-  }
-  return "";
+  return basetest::ErrorOf<shapeton::ParameterError>([&] { shapeton::ShapeTransferFunction::Parse(text); });
 }
 
 /** A volume property as parsed by 3D Slicer: nine lines read through a buffer of 1024 characters, each function as a
