@@ -89,6 +89,21 @@ SetText(DcmFileFormat & file, const DcmTagKey & tag, const std::string & value)
   Put(*file.getDataset(), tag, value);
 }
 
+void
+SetText(const DicomFixture::Files & files, const DcmTagKey & tag, const std::string & value)
+{
+  SetText(files, tag, [&](std::size_t) { return value; });
+}
+
+void
+SetText(const DicomFixture::Files & files, const DcmTagKey & tag, const std::function<std::string(std::size_t)> & value)
+{
+  for (std::size_t i = 0; i < files.size(); ++i)
+  {
+    SetText(*files[i], tag, value(i));
+  }
+}
+
 itk::Matrix<double, 3, 3>
 DicomFixture::MakeIdentity()
 {
@@ -110,16 +125,17 @@ DicomFixture::ObliqueDirection()
   // Rotation by 30 degrees about z after 20 degrees about x.
   const double              a = 0.5235987755982988;
   const double              b = 0.3490658503988659;
+  const double              rows[9] = { std::cos(a),
+                                        -std::sin(a) * std::cos(b),
+                                        std::sin(a) * std::sin(b),
+                                        std::sin(a),
+                                        std::cos(a) * std::cos(b),
+                                        -std::cos(a) * std::sin(b),
+                                        0.0,
+                                        std::sin(b),
+                                        std::cos(b) };
   itk::Matrix<double, 3, 3> m;
-  m(0, 0) = std::cos(a);
-  m(0, 1) = -std::sin(a) * std::cos(b);
-  m(0, 2) = std::sin(a) * std::sin(b);
-  m(1, 0) = std::sin(a);
-  m(1, 1) = std::cos(a) * std::cos(b);
-  m(1, 2) = -std::cos(a) * std::sin(b);
-  m(2, 0) = 0;
-  m(2, 1) = std::sin(b);
-  m(2, 2) = std::cos(b);
+  std::copy_n(rows, 9, m.GetVnlMatrix().data_block());
   return m;
 }
 
@@ -530,10 +546,9 @@ WriteGroups(const std::string & folder)
   SaveDicom(sagittal.MakeSeries(), folder + "/mixedSeries", EXS_LittleEndianExplicit, "other");
 
   auto deidentified = fixture.MakeSeries();
-  for (std::size_t i = 0; i < deidentified.size(); ++i)
-  {
-    SetText(*deidentified[i], DCM_FrameOfReferenceUID, fixture.seriesUID + ".7." + std::to_string(i + 1));
-  }
+  SetText(deidentified, DCM_FrameOfReferenceUID, [&](std::size_t i) {
+    return fixture.seriesUID + ".7." + std::to_string(i + 1);
+  });
   SaveDicom(deidentified, MakeFolder(folder + "/mixedFrameOfReference"));
   deidentified.erase(deidentified.begin() + 2);
   SaveDicom(deidentified, MakeFolder(folder + "/framesApart"));
@@ -543,10 +558,7 @@ WriteGroups(const std::string & folder)
   scout.seriesUID += ".2";
   scout.description = "SCOUT";
   auto scouts = scout.MakeSeries();
-  for (auto & file : scouts)
-  {
-    SetText(*file, DCM_ImageType, "ORIGINAL\\PRIMARY\\LOCALIZER");
-  }
+  SetText(scouts, DCM_ImageType, "ORIGINAL\\PRIMARY\\LOCALIZER");
   SaveDicom(scouts, MakeFolder(folder + "/localizer"));
   SaveDicom(fixture.MakeSeries(), MakeFolder(folder + "/withLocalizer"));
   SaveDicom(scouts, folder + "/withLocalizer", EXS_LittleEndianExplicit, "scout");

@@ -104,6 +104,14 @@ DicomOrientation(const itk::Matrix<double, 3, 3> & direction);
 void
 SetText(DcmFileFormat & file, const DcmTagKey & tag, const std::string & value);
 
+/** The same value in each file, or a function of the number of the file. */
+void
+SetText(const DicomFixture::Files & files, const DcmTagKey & tag, const std::string & value);
+void
+SetText(const DicomFixture::Files &                     files,
+        const DcmTagKey &                               tag,
+        const std::function<std::string(std::size_t)> & value);
+
 /** Stores attributes of an item with VR UN: their values become implicit VR little endian (PS3.5 6.2.2). */
 void
 StoreAsUnknown(DcmItem & item, const std::vector<DcmTagKey> & tags);

@@ -14,20 +14,13 @@ using shapeton::DicomScan;
 using shapeton::InputErrorOf;
 using shapeton::ReadVolume;
 using shapeton::SaveDicom;
+using shapeton::ScanOf;
 using shapeton::SetText;
 using shapeton::TestFolder;
 using shapeton::VolumeReadOptions;
 
 // Half a step of the stored integers, and rounding to float.
 constexpr double RoundingError = 0.5 / 32 + 1e-4;
-
-/** Scans files in a new folder. */
-DicomScan
-ScanOf(const DicomFixture::Files & files, const std::string & folder = TestFolder())
-{
-  SaveDicom(files, folder);
-  return shapeton::ScanDicom(folder);
-}
 
 VolumeReadOptions
 AllRepairs()
@@ -190,10 +183,7 @@ SlicesWith(const DcmTagKey & tag, const std::function<std::string(unsigned int)>
   DicomFixture fixture;
   fixture.slices = 8;
   auto files = fixture.MakeSeries();
-  for (unsigned int i = 0; i < files.size(); ++i)
-  {
-    SetText(*files[i], tag, value(i));
-  }
+  SetText(files, tag, [&](std::size_t i) { return value(i); });
   return files;
 }
 
@@ -240,23 +230,18 @@ TEST(DicomOfOtherPrograms, ThreeAndFourInterleavedReconstructionsComeApartToo)
 {
   const auto kernel = [](unsigned int i) { return std::string(1, static_cast<char>('A' + i % 2)); };
   auto       files = SlicesWith(DCM_ConvolutionKernel, kernel); // A B A B ...
-  for (unsigned int i = 0; i < files.size(); ++i)
-  {
-    SetText(*files[i], DCM_AcquisitionNumber, i % 4 < 2 ? "1" : "2"); // 1 1 2 2 ...: not a regular grid
-  }
+  SetText(files, DCM_AcquisitionNumber, [&](std::size_t i) {
+    return i % 4 < 2 ? "1" : "2";
+  }); // 1 1 2 2 ...: not a regular grid
   EXPECT_EQ(ScanOf(files).series.size(), 4U);
-  for (unsigned int i = 0; i < files.size(); ++i)
-  {
-    SetText(*files[i], DCM_ConvolutionKernel, i % 4 == 0 || i % 4 == 3 ? "A" : "B"); // neither is a regular grid
-  }
+  SetText(files, DCM_ConvolutionKernel, [&](std::size_t i) {
+    return i % 4 == 0 || i % 4 == 3 ? "A" : "B";
+  }); // neither is a regular grid
   EXPECT_EQ(ScanOf(files).series.size(), 4U);
   DicomFixture fixture;
   fixture.slices = 9;
   files = fixture.MakeSeries();
-  for (unsigned int i = 0; i < files.size(); ++i)
-  {
-    SetText(*files[i], DCM_ConvolutionKernel, std::string(1, static_cast<char>('A' + i % 3)));
-  }
+  SetText(files, DCM_ConvolutionKernel, [&](std::size_t i) { return std::string(1, static_cast<char>('A' + i % 3)); });
   files.erase(files.begin() + 4); // one of them has a gap
   EXPECT_EQ(ScanOf(files).series.size(), 3U);
 }
@@ -328,10 +313,7 @@ TEST(DicomOfOtherPrograms, NumbersAreCountedAndCheckedButBlanksAndSignsAreFine)
 {
   const auto messageOf = [](const std::string & spacing) {
     auto files = DicomFixture().MakeSeries();
-    for (const auto & file : files)
-    {
-      SetText(*file, DCM_PixelSpacing, spacing);
-    }
+    SetText(files, DCM_PixelSpacing, spacing);
     const DicomScan scan = ScanOf(files);
     return scan.series.at(0).IsUsable() ? std::string() : shapeton::FormatDicomScan(scan);
   };
@@ -368,6 +350,8 @@ TEST(DicomOfOtherPrograms, TextsInEachCharacterSetAreUtf8)
     std::string expected;
   };
   const std::vector<Case> cases{
+    { "ISO_IR 100", "\xfc", "\u00fc" },
+    { "ISO_IR 192", "\xc3\xbc", "\u00fc" },
     { "ISO 2022 IR 100", "\xfc", "\u00fc" },
     { "\\ISO 2022 IR 100", "\xfc", "\u00fc" }, // without its escape sequence
     { "\\ISO 2022 IR 100", "\x1b-A\xfc", "\u00fc" },
@@ -397,11 +381,8 @@ TEST(DicomOfOtherPrograms, TextsInEachCharacterSetAreUtf8)
   for (const Case & one : cases)
   {
     auto files = DicomFixture().MakeSeries();
-    for (const auto & file : files)
-    {
-      SetText(*file, DCM_SpecificCharacterSet, one.set);
-      SetText(*file, DCM_SeriesDescription, one.bytes);
-    }
+    SetText(files, DCM_SpecificCharacterSet, one.set);
+    SetText(files, DCM_SeriesDescription, one.bytes);
     const DicomScan scan = ScanOf(files);
     EXPECT_EQ(scan.series.at(0).description, one.expected) << one.set;
     EXPECT_TRUE(scan.series[0].remarks.empty()) << one.set;

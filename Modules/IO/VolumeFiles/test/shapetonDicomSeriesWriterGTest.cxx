@@ -1,5 +1,6 @@
 #include "shapetonDicomSeriesWriter.h"
-#include "shapetonTestErrors.h"
+#include "shapetonFileBytes.h"
+#include "shapetonTestFolder.h"
 #include "shapetonVolumeReader.h"
 
 #include "itkGDCMImageIO.h"
@@ -30,6 +31,7 @@ namespace fs = std::filesystem;
 
 namespace
 {
+using basetest::Folder;
 using ImageType = itk::Image<short, 3>;
 
 // Oblique and anisotropic; pixels from the full range of a CT series.
@@ -40,15 +42,9 @@ MakeImage(unsigned int slices = 5, int offset = 0)
   ImageType::RegionType region({ { 0, 0, 0 } }, { { 7, 6, slices } });
   image->SetRegions(region);
   image->Allocate();
-  ImageType::SpacingType spacing;
-  spacing[0] = 0.7;
-  spacing[1] = 0.9;
-  spacing[2] = 1.25;
+  const double spacing[3] = { 0.7, 0.9, 1.25 };
+  const double origin[3] = { -123.456789, 1.0 / 3.0, 1e-7 };
   image->SetSpacing(spacing);
-  ImageType::PointType origin;
-  origin[0] = -123.456789;
-  origin[1] = 1.0 / 3.0;
-  origin[2] = 1e-7;
   image->SetOrigin(origin);
   // 30 degrees about z, then 50 degrees about x.
   const double             a = std::acos(-1.0) / 6.0;
@@ -57,13 +53,7 @@ MakeImage(unsigned int slices = 5, int offset = 0)
   const double             rows[3][3] = { { std::cos(a), -std::sin(a), 0.0 },
                                           { std::cos(b) * std::sin(a), std::cos(b) * std::cos(a), -std::sin(b) },
                                           { std::sin(b) * std::sin(a), std::sin(b) * std::cos(a), std::cos(b) } };
-  for (unsigned int i = 0; i < 3; ++i)
-  {
-    for (unsigned int j = 0; j < 3; ++j)
-    {
-      direction(i, j) = rows[i][j];
-    }
-  }
+  std::copy_n(&rows[0][0], 9, direction.GetVnlMatrix().data_block());
   image->SetDirection(direction);
   unsigned int value = 12345 + offset;
   for (itk::ImageRegionIterator<ImageType> it(image, region); !it.IsAtEnd(); ++it)
@@ -75,34 +65,6 @@ MakeImage(unsigned int slices = 5, int offset = 0)
   image->SetPixel({ { 1, 0, 0 } }, 31743);
   return image;
 }
-
-// An empty folder that is removed at the end.
-class Folder
-{
-public:
-  Folder()
-    : m_Path(fs::path(SHAPETON_TEST_TEMPORARY_DIR) /
-             (std::string("DicomSeriesWriter.") + testing::UnitTest::GetInstance()->current_test_info()->name() + '.' +
-              std::to_string(getpid())))
-  {
-    fs::remove_all(m_Path);
-    fs::create_directories(m_Path);
-  }
-  ~Folder() { fs::remove_all(m_Path); }
-  std::string
-  operator/(const std::string & name) const
-  {
-    return (m_Path / name).string();
-  }
-  std::string
-  GetPath() const
-  {
-    return m_Path.string();
-  }
-
-private:
-  fs::path m_Path;
-};
 
 std::set<std::string>
 NamesIn(const std::string & folder)
@@ -121,10 +83,7 @@ BytesIn(const std::string & folder)
   std::map<std::string, std::string> bytes;
   for (const auto & name : NamesIn(folder))
   {
-    std::ifstream      is(fs::path(folder) / name, std::ios::binary);
-    std::ostringstream os;
-    os << is.rdbuf();
-    bytes[name] = os.str();
+    bytes[name] = shapeton::ReadFileBytes(folder + "/" + name);
   }
   return bytes;
 }
@@ -195,8 +154,8 @@ TEST(DicomSeriesWriter, DcmtkReadsPixelsAndGeometry)
 {
   const Folder folder;
   const auto   image = MakeImage();
-  shapeton::WriteDicomSeries(image, folder.GetPath(), Describe());
-  EXPECT_EQ(NamesIn(folder.GetPath()),
+  shapeton::WriteDicomSeries(image, folder / "", Describe());
+  EXPECT_EQ(NamesIn(folder / ""),
             (std::set<std::string>{ "IM0001.dcm", "IM0002.dcm", "IM0003.dcm", "IM0004.dcm", "IM0005.dcm" }));
   std::set<std::string> instances;
   for (int slice = 0; slice < 5; ++slice)
@@ -235,9 +194,9 @@ TEST(DicomSeriesWriter, GdcmReadsPixelsAndGeometry)
 {
   const Folder folder;
   const auto   image = MakeImage();
-  shapeton::WriteDicomSeries(image, folder.GetPath(), Describe());
+  shapeton::WriteDicomSeries(image, folder / "", Describe());
   const auto names = itk::GDCMSeriesFileNames::New();
-  names->SetDirectory(folder.GetPath());
+  names->SetDirectory(folder / "");
   const auto reader = itk::ImageSeriesReader<ImageType>::New();
   reader->SetImageIO(itk::GDCMImageIO::New());
   reader->SetFileNames(names->GetInputFileNames());
@@ -252,8 +211,8 @@ TEST(DicomSeriesWriter, OurReaderReadsPixelsAndGeometry)
   const auto   image = MakeImage();
   auto         description = Describe();
   description.patientPosition = "FFP";
-  shapeton::WriteDicomSeries(image, folder.GetPath(), description);
-  const shapeton::Volume volume = shapeton::ReadVolume(folder.GetPath());
+  shapeton::WriteDicomSeries(image, folder / "", description);
+  const shapeton::Volume volume = shapeton::ReadVolume(folder / "");
   EXPECT_EQ(volume.modality, "CT");
   EXPECT_EQ(volume.patientPosition, "FFP");
   EXPECT_TRUE(volume.repairs.empty());
@@ -270,8 +229,8 @@ TEST(DicomSeriesWriter, KeepsAStartIndexOutOfTheFile)
   ImageType::IndexType minusStart{ { -10, 4, -3 } };
   image->TransformIndexToPhysicalPoint(minusStart, origin);
   shifted->SetOrigin(origin);
-  shapeton::WriteDicomSeries(shifted, folder.GetPath(), Describe());
-  ExpectSameImage(image.GetPointer(), shapeton::ReadVolume(folder.GetPath()).image.GetPointer());
+  shapeton::WriteDicomSeries(shifted, folder / "", Describe());
+  ExpectSameImage(image.GetPointer(), shapeton::ReadVolume(folder / "").image.GetPointer());
 }
 
 TEST(DicomSeriesWriter, EqualCallsWriteEqualBytes)
@@ -291,7 +250,7 @@ TEST(DicomSeriesWriter, UIDsFollowTheContent)
 {
   const Folder folder;
   const auto   uidsOf = [&folder](const ImageType * image, const shapeton::DicomSeriesDescription & description) {
-    shapeton::WriteDicomSeries(image, folder.GetPath(), description);
+    shapeton::WriteDicomSeries(image, folder / "", description);
     DcmFileFormat            file = Load(folder / "IM0001.dcm");
     std::vector<std::string> uids;
     for (const auto & tag :
@@ -334,11 +293,11 @@ TEST(DicomSeriesWriter, StoresTwelveBitsWhereTheyAreEnough)
   const Folder folder;
   const auto   image = MakeImage();
   image->FillBuffer(3071);
-  shapeton::WriteDicomSeries(image, folder.GetPath(), Describe());
+  shapeton::WriteDicomSeries(image, folder / "", Describe());
   DcmFileFormat file = Load(folder / "IM0001.dcm");
   EXPECT_EQ(TextOf(file, DCM_BitsStored), "12");
   image->FillBuffer(3072);
-  shapeton::WriteDicomSeries(image, folder.GetPath(), Describe());
+  shapeton::WriteDicomSeries(image, folder / "", Describe());
   file = Load(folder / "IM0001.dcm");
   EXPECT_EQ(TextOf(file, DCM_BitsStored), "16");
 }
@@ -347,7 +306,7 @@ TEST(DicomSeriesWriter, RefusesWhatNoSeriesCanHold)
 {
   const Folder folder;
   const auto   refuses = [&folder](const ImageType * image, const shapeton::DicomSeriesDescription & description) {
-    return basetest::ErrorOf([&] { shapeton::WriteDicomSeries(image, folder.GetPath(), description); });
+    return basetest::ErrorOf([&] { shapeton::WriteDicomSeries(image, folder / "", description); });
   };
   auto image = MakeImage();
   auto direction = image->GetDirection();
@@ -372,7 +331,7 @@ TEST(DicomSeriesWriter, RefusesWhatNoSeriesCanHold)
   auto upsideDown = Describe();
   upsideDown.patientPosition = "XYZ";
   EXPECT_NE(refuses(MakeImage(), upsideDown).find("XYZ"), std::string::npos);
-  EXPECT_TRUE(NamesIn(folder.GetPath()).empty());
+  EXPECT_TRUE(NamesIn(folder / "").empty());
 
   const std::string umlauts = Describe(std::string(64, 'x')).seriesDescription.substr(2) + "\xC3\xA4\xC3\xB6";
   EXPECT_EQ(refuses(MakeImage(), Describe(umlauts)), ""); // 64 characters in 66 bytes
@@ -393,7 +352,7 @@ TEST(DicomSeriesFolder, MakesFillsAndReplacesAFolder)
   fs::create_directory(folder / "empty");
   shapeton::WriteDicomSeriesFolder(MakeImage(), folder / "empty", Describe());
   EXPECT_EQ(BytesIn(folder / "empty"), before);
-  EXPECT_EQ(NamesIn(folder.GetPath()), (std::set<std::string>{ "empty", "series" }));
+  EXPECT_EQ(NamesIn(folder / ""), (std::set<std::string>{ "empty", "series" }));
 }
 
 TEST(DicomSeriesFolder, WritesThroughALink)
@@ -436,7 +395,7 @@ TEST(DicomSeriesFolder, RefusesAFolderWithOtherThings)
                shapeton::OutputError);
   EXPECT_THROW(shapeton::WriteDicomSeriesFolder(MakeImage(), ".", Describe()), shapeton::OutputError);
   EXPECT_THROW(shapeton::WriteDicomSeriesFolder(MakeImage(), "", Describe()), shapeton::OutputError);
-  EXPECT_EQ(NamesIn(folder.GetPath()), (std::set<std::string>{ "file", "series" }));
+  EXPECT_EQ(NamesIn(folder / ""), (std::set<std::string>{ "file", "series" }));
 }
 
 TEST(DicomSeriesFolder, AFailureKeepsTheOldSeries)
@@ -447,7 +406,7 @@ TEST(DicomSeriesFolder, AFailureKeepsTheOldSeries)
   const auto before = BytesIn(series);
   EXPECT_THROW(shapeton::WriteDicomSeriesFolder(MakeImage(1), series, Describe()), shapeton::InputError);
   EXPECT_EQ(BytesIn(series), before);
-  EXPECT_EQ(NamesIn(folder.GetPath()), (std::set<std::string>{ "series" }));
+  EXPECT_EQ(NamesIn(folder / ""), (std::set<std::string>{ "series" }));
 }
 
 namespace
@@ -476,14 +435,14 @@ TEST(DicomSeriesFolder, TidiesAfterKilledRuns)
 
   fs::copy(series, folder / (".series." + dead + ".part"));
   shapeton::WriteDicomSeriesFolder(MakeImage(3), series, Describe());
-  EXPECT_EQ(NamesIn(folder.GetPath()), (std::set<std::string>{ "series" }));
+  EXPECT_EQ(NamesIn(folder / ""), (std::set<std::string>{ "series" }));
 
   // Killed between the two renames on a file system without exchange: the old series is restored.
   shapeton::WriteDicomSeriesFolder(MakeImage(), series, Describe());
   fs::rename(series, folder / (".series." + dead + ".old"));
   EXPECT_THROW(shapeton::WriteDicomSeriesFolder(MakeImage(1), series, Describe()), shapeton::InputError);
   EXPECT_EQ(BytesIn(series), old);
-  EXPECT_EQ(NamesIn(folder.GetPath()), (std::set<std::string>{ "series" }));
+  EXPECT_EQ(NamesIn(folder / ""), (std::set<std::string>{ "series" }));
 
   // A written folder with an additional file is left unchanged.
   fs::create_directory(folder / (".series." + dead + ".part"));
@@ -525,12 +484,12 @@ TEST_P(KilledRun, LeavesAWholeSeries)
     EXPECT_TRUE(bytes == oldBytes || bytes == newBytes) << bytes.size() << " files";
     if (signal == SIGTERM)
     {
-      EXPECT_EQ(NamesIn(folder.GetPath()), (std::set<std::string>{ "series" }));
+      EXPECT_EQ(NamesIn(folder / ""), (std::set<std::string>{ "series" }));
     }
   }
   shapeton::WriteDicomSeriesFolder(oldImage, series, Describe());
   EXPECT_EQ(BytesIn(series), oldBytes);
-  EXPECT_EQ(NamesIn(folder.GetPath()), (std::set<std::string>{ "series" }));
+  EXPECT_EQ(NamesIn(folder / ""), (std::set<std::string>{ "series" }));
   EXPECT_GT(killed, 0);
 }
 

@@ -105,14 +105,14 @@ std::vector<std::string>
 WriteEachKind(const basetest::Folder & folder, const NiftiFile & file)
 {
   WriteBytes(folder / "a.nii", file.Single());
-  WriteBytes(folder / "a.nii.gz", file.Single(), true);
+  WriteBytes(folder / "a.nii.gz", file.Single(), "wb");
   WriteBytes(folder / "b.hdr", file.HeaderOfPair());
   WriteBytes(folder / "b.img", file.voxels);
-  WriteBytes(folder / "c.hdr.gz", file.HeaderOfPair(), true);
-  WriteBytes(folder / "c.img.gz", file.voxels, true);
+  WriteBytes(folder / "c.hdr.gz", file.HeaderOfPair(), "wb");
+  WriteBytes(folder / "c.img.gz", file.voxels, "wb");
   WriteBytes(folder / "D.HDR", file.HeaderOfPair());
   WriteBytes(folder / "D.IMG", file.voxels);
-  WriteBytes(folder / "deflated.nii", file.Single(), true); // compressed despite its name
+  WriteBytes(folder / "deflated.nii", file.Single(), "wb"); // compressed despite its name
   WriteBytes(folder / "raw.nii.gz", file.Single());
   return {
     "a.nii", "a.nii.gz", "b.hdr", "b.img", "c.hdr.gz", "c.img.gz", "D.HDR", "D.IMG", "deflated.nii", "raw.nii.gz"
@@ -368,6 +368,8 @@ TEST(Nifti, FurtherDimensionsOfOneVoxel)
   EXPECT_TRUE(Contains(FaultOf(file), "dim[0], the number of dimensions, is 9"));
   file.SetDimensions({ 3, 2, -3, 4 });
   EXPECT_TRUE(Contains(FaultOf(file), "dim[2], a number of voxels, is -3"));
+  file.SetDimensions({ 3, 30000, 30000, 30000 });
+  EXPECT_TRUE(Contains(FaultOf(file), "truncated: "));
 }
 
 TEST(Nifti, VoxelsBeginWhereTheHeaderSays)

@@ -152,17 +152,18 @@ private:
   std::string m_Header;
 };
 
+/** Writes a file, or compresses it if a mode of gzopen() is given. */
 inline void
-WriteBytes(const std::string & path, const std::string & bytes, bool compresses = false)
+WriteBytes(const std::string & path, const std::string & bytes, const char * compresses = nullptr)
 {
-  if (compresses)
+  if (!compresses)
   {
-    const gzFile file = gzopen(path.c_str(), "wb");
-    gzwrite(file, bytes.data(), static_cast<unsigned int>(bytes.size()));
-    gzclose(file);
+    std::ofstream(path, std::ios::binary) << bytes;
     return;
   }
-  std::ofstream(path, std::ios::binary) << bytes;
+  const gzFile file = gzopen(path.c_str(), compresses);
+  gzwrite(file, bytes.data(), static_cast<unsigned int>(bytes.size()));
+  gzclose(file);
 }
 } // namespace niftitest
 

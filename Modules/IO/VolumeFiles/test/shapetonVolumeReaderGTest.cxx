@@ -206,10 +206,7 @@ TEST(VolumeReader, ACtWithoutRescaleIsReadAsStoredWithANote)
 TEST(VolumeReader, SlicesWithAFrameOfReferenceEachAreAVolumeWithANote)
 {
   auto files = DicomFixture().MakeSeries();
-  for (std::size_t i = 0; i < files.size(); ++i)
-  {
-    SetText(*files[i], DCM_FrameOfReferenceUID, "1.2.3." + std::to_string(i + 1));
-  }
+  SetText(files, DCM_FrameOfReferenceUID, [&](std::size_t i) { return "1.2.3." + std::to_string(i + 1); });
   const std::string folder = TestFolder();
   SaveDicom(files, folder);
   const Volume volume = ReadVolume(folder);
@@ -221,10 +218,7 @@ TEST(VolumeReader, SlicesWithAFrameOfReferenceEachAreAVolumeWithANote)
 TEST(VolumeReader, SlicesApartAreOneEntryOfTheRefusal)
 {
   auto files = DicomFixture().MakeSeries();
-  for (std::size_t i = 0; i < files.size(); ++i)
-  {
-    SetText(*files[i], DCM_FrameOfReferenceUID, "1.2.3." + std::to_string(i + 1));
-  }
+  SetText(files, DCM_FrameOfReferenceUID, [&](std::size_t i) { return "1.2.3." + std::to_string(i + 1); });
   files.erase(files.begin() + 2);
   const std::string refusal = RefusalOf(files);
   EXPECT_NE(refusal.find("mixedSeries"), std::string::npos);
@@ -354,10 +348,7 @@ TEST(VolumeReader, PaddingBecomesTheLowestIntensity)
 TEST(VolumeReader, InvertedGrayScaleKeepsItsValues)
 {
   auto files = DicomFixture().MakeSeries();
-  for (auto & file : files)
-  {
-    SetText(*file, DCM_PhotometricInterpretation, "MONOCHROME1");
-  }
+  SetText(files, DCM_PhotometricInterpretation, "MONOCHROME1");
   const Volume volume = ReadSaved(files);
   EXPECT_LT(LargestDeviation(volume, DicomFixture::Ramp), Quantization);
   ASSERT_EQ(volume.notes.size(), 1u);
@@ -391,10 +382,7 @@ TEST(VolumeReader, ModalityTablesAndZeroSlopesAreRefused)
   }
   EXPECT_TRUE(Contains(RefusalOf(files), "Modality LUT"));
   files = DicomFixture().MakeSeries();
-  for (auto & file : files)
-  {
-    SetText(*file, DCM_RescaleSlope, "0");
-  }
+  SetText(files, DCM_RescaleSlope, "0");
   EXPECT_TRUE(Contains(RefusalOf(files), "Rescale Slope is 0"));
 }
 

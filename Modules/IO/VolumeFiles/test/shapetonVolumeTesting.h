@@ -2,6 +2,7 @@
 #define shapetonVolumeTesting_h
 
 #include "shapetonDicomFixture.h"
+#include "shapetonDicomSeriesScan.h"
 #include "shapetonExceptions.h"
 #include "shapetonVolumeReader.h"
 
@@ -23,7 +24,15 @@ TestFolder()
                     info->name());
 }
 
-/** The message of the InputError of a call; fails if nothing is thrown. */
+/** The scan of files in a new folder. */
+inline DicomScan
+ScanOf(const DicomFixture::Files & files, const std::string & folder = TestFolder())
+{
+  SaveDicom(files, folder);
+  return ScanDicom(folder);
+}
+
+/** The message of the InputError of a call; fails if there is none. */
 inline std::string
 InputErrorOf(const std::function<void()> & call)
 {

@@ -1,7 +1,7 @@
+#include "shapetonFileBytes.h"
+#include "shapetonNiftiTestFile.h"
 #include "shapetonVolumeTesting.h"
 #include "shapetonVolumeWriter.h"
-
-#include "itk_zlib.h"
 
 #include <cstdint>
 #include <cmath>
@@ -83,65 +83,6 @@ ExpectRoundTrip(const std::string & name, bool isLeftHanded = false)
 }
 
 std::string
-BytesOf(const std::string & path)
-{
-  std::ifstream stream(path, std::ios::binary);
-  return { std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>() };
-}
-
-/** A NIfTI-1 header for 2 x 3 x 4 voxels of type float or short with an identity sform; tests modify it. */
-struct NiftiFile
-{
-  std::string bytes = std::string(352, '\0');
-  std::string voxels = std::string(24 * 4, '\0');
-
-  NiftiFile()
-  {
-    this->Set<std::int32_t>(0, 348);
-    this->SetDimensions({ 3, 2, 3, 4, 1, 1, 1, 1 });
-    this->Set<std::int16_t>(70, 16);
-    this->Set<std::int16_t>(72, 32);
-    for (int i = 0; i < 8; ++i)
-    {
-      this->Set<float>(76 + 4 * i, 1.0F);
-    }
-    this->Set<float>(108, 352.0F);
-    this->Set<std::int16_t>(254, 1);
-    for (int i = 0; i < 3; ++i)
-    {
-      this->Set<float>(280 + 20 * i, 1.0F);
-    }
-    bytes.replace(344, 4, std::string("n+1\0", 4));
-    for (int i = 0; i < 24; ++i)
-    {
-      const auto value = static_cast<float>(i);
-      std::memcpy(&voxels[4 * i], &value, sizeof(value));
-    }
-  }
-  template <typename TValue>
-  void
-  Set(std::size_t offset, TValue value)
-  {
-    std::memcpy(&bytes[offset], &value, sizeof(value));
-  }
-  void
-  SetDimensions(const std::vector<std::int16_t> & dimensions)
-  {
-    for (std::size_t i = 0; i < dimensions.size(); ++i)
-    {
-      this->Set<std::int16_t>(40 + 2 * i, dimensions[i]);
-    }
-  }
-  std::string
-  Write() const
-  {
-    const std::string path = TestFolder() + "/image.nii";
-    shapeton::WriteText(path, bytes + voxels);
-    return path;
-  }
-};
-
-std::string
 RefusalOf(const std::string & path)
 {
   return InputErrorOf([&path] { ReadVolume(path); });
@@ -187,8 +128,8 @@ TEST(VolumeWriter, MetadataStandInTheHeaderAndEqualImagesGiveEqualBytes)
   {
     WriteVolume<float>(image.GetPointer(), folder + "/a." + extension, metadata);
     WriteVolume<float>(image.GetPointer(), folder + "/b." + extension, metadata);
-    const std::string bytes = BytesOf(folder + "/a." + extension);
-    EXPECT_EQ(bytes, BytesOf(folder + "/b." + extension));
+    const std::string bytes = shapeton::ReadFileBytes(folder + "/a." + extension);
+    EXPECT_EQ(bytes, shapeton::ReadFileBytes(folder + "/b." + extension));
     EXPECT_TRUE(Contains(bytes, extension == "nrrd" ? "tool:=Test\n" : "tool = Test\n"));
     EXPECT_TRUE(Contains(bytes, "two lines"));
     EXPECT_EQ(ReadVolume(folder + "/a." + extension).image->GetBufferPointer()[7], image->GetBufferPointer()[7]);
@@ -202,10 +143,10 @@ TEST(VolumeWriter, LabelsAreCompressedAndIntensitiesAreNot)
   labels->SetRegions(itk::Size<3>{ { 64, 64, 64 } });
   labels->Allocate(true);
   WriteVolume<unsigned char>(labels.GetPointer(), folder + "/labels.nrrd");
-  EXPECT_LT(BytesOf(folder + "/labels.nrrd").size(), 64u * 64u);
+  EXPECT_LT(shapeton::ReadFileBytes(folder + "/labels.nrrd").size(), 64u * 64u);
   const auto image = MakeOblique<float>();
   WriteVolume<float>(image.GetPointer(), folder + "/image.nrrd");
-  EXPECT_TRUE(Contains(BytesOf(folder + "/image.nrrd"), "encoding: raw"));
+  EXPECT_TRUE(Contains(shapeton::ReadFileBytes(folder + "/image.nrrd"), "encoding: raw"));
 }
 
 TEST(VolumeWriter, Failures)
@@ -356,12 +297,13 @@ TEST(ImageFile, AMissingSpacingIsNoted)
   const auto notesOfNrrd = [&](const std::string & spacing) {
     return ReadVolume(WriteNrrd(nrrd + spacing, Bytes8)).notes.size();
   };
-  const auto notesOfNifti = [](float spacing) {
-    NiftiFile file;
-    file.Set<std::int16_t>(254, 0); // without a matrix
-    file.Set<std::int16_t>(252, 1);
-    file.Set<float>(84, spacing); // along y
-    return ReadVolume(file.Write()).notes.size();
+  const auto notesOfNifti = [](double spacing) {
+    niftitest::NiftiFile file;
+    file.SetCodes(1, 0); // without a matrix
+    file.SetPixdim({ 1, 1, spacing, 1 });
+    const std::string path = TestFolder() + "/image.nii";
+    shapeton::WriteText(path, file.Single());
+    return ReadVolume(path).notes.size();
   };
   EXPECT_EQ(notesOfNrrd(""), 1u);
   EXPECT_EQ(notesOfNrrd("spacings: 1 nan 1\n"), 1u);
@@ -369,8 +311,8 @@ TEST(ImageFile, AMissingSpacingIsNoted)
   EXPECT_EQ(notesOfNrrd("space: left-posterior-superior\nspace directions: (1,0,0) (0,1,0) (0,0,1)\n"), 0u);
   EXPECT_EQ(notesOfMeta(""), 1u);
   EXPECT_EQ(notesOfMeta("ElementSpacing = 1 2 3\n"), 0u);
-  EXPECT_EQ(notesOfNifti(0.0F), 1u);
-  EXPECT_EQ(notesOfNifti(1.0F), 0u);
+  EXPECT_EQ(notesOfNifti(0.0), 1u);
+  EXPECT_EQ(notesOfNifti(1.0), 0u);
 }
 
 TEST(ImageFile, DetachedDataBelongToTheIdentity)
@@ -392,66 +334,6 @@ TEST(ImageFile, DetachedDataBelongToTheIdentity)
   EXPECT_EQ(ReadVolume(folder + "/a.nhdr").image->GetPixel({ { 0, 1, 1 } }), 97.0F);
 }
 
-// ---- NIfTI ----
-
-TEST(ImageFile, NiftiIsReadInLPS)
-{
-  NiftiFile file;
-  file.Set<float>(292, 5.0F); // translation along x, RAS
-  const Volume volume = ReadVolume(file.Write());
-  EXPECT_EQ(volume.image->GetPixel({ { 1, 2, 3 } }), 23.0F);
-  EXPECT_DOUBLE_EQ(volume.image->GetOrigin()[0], -5.0);
-  EXPECT_DOUBLE_EQ(volume.image->GetDirection()(0, 0), -1.0);
-}
-
-TEST(ImageFile, LeftHandedNiftiIsRead)
-{
-  NiftiFile file;
-  file.Set<float>(280, -1.0F); // x to the left, as from most converters
-  const Volume volume = ReadVolume(file.Write());
-  EXPECT_DOUBLE_EQ(volume.image->GetDirection()(0, 0), 1.0);
-  EXPECT_DOUBLE_EQ(volume.image->GetDirection()(1, 1), -1.0);
-  EXPECT_DOUBLE_EQ(volume.image->GetDirection()(2, 2), 1.0);
-}
-
-TEST(ImageFile, RescaledNifti)
-{
-  NiftiFile file;
-  file.Set<float>(112, 2.0F);
-  file.Set<float>(116, -10.0F);
-  EXPECT_EQ(ReadVolume(file.Write()).image->GetPixel({ { 1, 2, 3 } }), 36.0F);
-}
-
-TEST(ImageFile, BadNiftiIsRefused)
-{
-  NiftiFile sheared;
-  sheared.Set<float>(284, 0.4F);
-  EXPECT_FALSE(RefusalOf(sheared.Write()).empty());
-  // With a valid qform in addition to the sheared sform.
-  sheared.Set<std::int16_t>(252, 1);
-  EXPECT_TRUE(Contains(RefusalOf(sheared.Write()), "orthogonal"));
-
-  NiftiFile nan;
-  nan.Set<float>(280, std::numeric_limits<float>::quiet_NaN());
-  EXPECT_FALSE(RefusalOf(nan.Write()).empty());
-
-  NiftiFile series;
-  series.SetDimensions({ 4, 2, 3, 2, 2 });
-  EXPECT_TRUE(Contains(RefusalOf(series.Write()), "a series of 2 volumes"));
-
-  NiftiFile huge;
-  huge.SetDimensions({ 3, 30000, 30000, 30000 });
-  EXPECT_TRUE(Contains(RefusalOf(huge.Write()), "truncated: "));
-
-  NiftiFile cut;
-  cut.voxels.resize(50);
-  EXPECT_TRUE(Contains(RefusalOf(cut.Write()), "truncated"));
-
-  NiftiFile negative;
-  negative.SetDimensions({ 3, 2, -3, 4 });
-  EXPECT_FALSE(RefusalOf(negative.Write()).empty());
-}
-
 TEST(ImageFile, TruncatedAndDamagedVoxelsAreNoticedInEachFormat)
 {
   const std::string folder = TestFolder();
@@ -460,7 +342,7 @@ TEST(ImageFile, TruncatedAndDamagedVoxelsAreNoticedInEachFormat)
   {
     const std::string path = folder + "/" + name;
     WriteVolume<short>(image.GetPointer(), path);
-    const std::string whole = BytesOf(path);
+    const std::string whole = shapeton::ReadFileBytes(path);
     for (const std::size_t lost : { 1, 9, 40 })
     {
       shapeton::WriteText(path, whole.substr(0, whole.size() - lost));
@@ -480,17 +362,12 @@ TEST(ImageFile, TruncatedAndDamagedVoxelsAreNoticedInEachFormat)
 
 TEST(ImageFile, SeveralGzipMembersAreOneStream)
 {
-  NiftiFile         file;
+  const std::string bytes = niftitest::NiftiFile().Single();
   const std::string path = TestFolder() + "/image.nii.gz";
-  const auto        append = [&path](const std::string & bytes, const char * mode) {
-    const gzFile stream = gzopen(path.c_str(), mode);
-    gzwrite(stream, bytes.data(), static_cast<unsigned int>(bytes.size()));
-    gzclose(stream);
-  };
-  append(file.bytes, "wb");
-  append(file.voxels.substr(0, 40), "ab");
-  EXPECT_TRUE(Contains(RefusalOf(path), "truncated: it contains 40 of 96 bytes"));
-  append(file.voxels.substr(40), "ab");
+  niftitest::WriteBytes(path, bytes.substr(0, 352), "wb");
+  niftitest::WriteBytes(path, bytes.substr(352, 40), "ab");
+  EXPECT_TRUE(Contains(RefusalOf(path), "truncated: it holds 40 of 96 bytes"));
+  niftitest::WriteBytes(path, bytes.substr(392), "ab");
   EXPECT_EQ(ReadVolume(path).image->GetPixel({ { 1, 2, 3 } }), 23.0F);
 }
 
