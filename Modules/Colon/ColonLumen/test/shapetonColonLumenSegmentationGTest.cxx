@@ -1,9 +1,9 @@
 #include "shapetonColonLumenSegmentation.h"
 
 #include "shapetonColonTestScene.h"
-#include "itkMultiThreaderBase.h"
 #include "shapetonExceptions.h"
 #include "shapetonVolumeReader.h"
+#include "shapetonTestThreads.h"
 
 #include <gtest/gtest.h>
 
@@ -195,17 +195,12 @@ TEST(ColonLumenSegmentation, SameBytesForAnyNumberOfThreads)
   const auto scene = ColonAndBowel(At(0, 1, 0));
   const auto image = shapeton::CenteredImage({ 72, 72, 50 }, { 2.0, 2.0, 2.0 }, Oblique(0.0, 0.0));
   scene.Sample(image);
-  const auto threads = itk::MultiThreaderBase::GetGlobalDefaultNumberOfThreads();
-  itk::MultiThreaderBase::SetGlobalDefaultNumberOfThreads(1);
-  const auto one = Segment(image, "HFS");
-  itk::MultiThreaderBase::SetGlobalDefaultNumberOfThreads(5);
-  const auto five = Segment(image, "HFS");
-  itk::MultiThreaderBase::SetGlobalDefaultNumberOfThreads(threads);
-  const auto n = one.labels->GetBufferedRegion().GetNumberOfPixels();
-  EXPECT_TRUE(
-    std::equal(one.labels->GetBufferPointer(), one.labels->GetBufferPointer() + n, five.labels->GetBufferPointer()));
-  EXPECT_EQ(one.thresholds.fluid, five.thresholds.fluid);
-  EXPECT_EQ(one.noise, five.noise);
+  basetest::ExpectSameWithAnyThreads(
+    [&] {
+      const auto lumen = Segment(image, "HFS");
+      return std::make_tuple(basetest::BytesOf(lumen.labels), lumen.thresholds.fluid, lumen.noise);
+    },
+    { 5 });
 }
 
 TEST(ColonLumenSegmentation, ASeedPointTakesAPieceThatIsTooThin)

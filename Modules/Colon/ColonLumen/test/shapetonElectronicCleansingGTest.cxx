@@ -1,10 +1,10 @@
 #include "shapetonElectronicCleansing.h"
 
 #include "shapetonColonTestScene.h"
+#include "shapetonTestThreads.h"
 #include "itkDiscreteGaussianImageFilter.h"
 #include "itkImageRegionConstIteratorWithIndex.h"
 #include "itkLinearInterpolateImageFunction.h"
-#include "itkMultiThreaderBase.h"
 
 #include <gtest/gtest.h>
 
@@ -244,19 +244,12 @@ TEST(ElectronicCleansing, TheCropHasTheGeometryOfItsPart)
 TEST(ElectronicCleansing, SameBytesForAnyNumberOfThreads)
 {
   const auto c = CleanseTube(2.0);
-  const auto threads = itk::MultiThreaderBase::GetGlobalDefaultNumberOfThreads();
-  itk::MultiThreaderBase::SetGlobalDefaultNumberOfThreads(1);
-  const auto one = shapeton::CleanseColon(c.ct, c.lumen);
-  itk::MultiThreaderBase::SetGlobalDefaultNumberOfThreads(5);
-  const auto five = shapeton::CleanseColon(c.ct, c.lumen);
-  itk::MultiThreaderBase::SetGlobalDefaultNumberOfThreads(threads);
-  for (const auto & pair : { std::make_pair(one.ct, five.ct), std::make_pair(one.occupancy, five.occupancy) })
-  {
-    const float * first = pair.first->GetBufferPointer();
-    const auto    n = pair.first->GetBufferedRegion().GetNumberOfPixels();
-    ASSERT_EQ(pair.second->GetBufferedRegion().GetNumberOfPixels(), n);
-    EXPECT_TRUE(std::equal(first, first + n, pair.second->GetBufferPointer()));
-  }
+  basetest::ExpectSameWithAnyThreads(
+    [&] {
+      const auto cleansed = shapeton::CleanseColon(c.ct, c.lumen);
+      return basetest::BytesOf(cleansed.ct) + basetest::BytesOf(cleansed.occupancy);
+    },
+    { 5 });
 }
 
 TEST(ElectronicCleansing, ProgressAscendsToTheEndAndMayAbort)

@@ -3,8 +3,8 @@
 #include "shapetonPhilox.h"
 #include "shapetonTubeMask.h"
 
-#include "itkMultiThreaderBase.h"
 #include "shapetonExceptions.h"
+#include "shapetonTestThreads.h"
 
 #include "gtest/gtest.h"
 
@@ -128,18 +128,9 @@ TEST(LumenDistance, CountsWhatLiesBeyondTheImageAsLumen)
 
 TEST(LumenDistance, HasTheSameBytesForAnyNumberOfThreads)
 {
-  const auto         mask = RandomMask({ { 40, 30, 20 } }, { 0.7, 0.8, 1.0 }, 0.97);
-  std::vector<float> first;
-  const auto         before = itk::MultiThreaderBase::GetGlobalDefaultNumberOfThreads();
-  for (unsigned int threads = 1; threads <= 3; ++threads)
-  {
-    itk::MultiThreaderBase::SetGlobalDefaultNumberOfThreads(threads);
-    const auto               distance = shapeton::LumenDistance(mask, mask->GetBufferedRegion());
-    const std::vector<float> values(distance->GetBufferPointer(), distance->GetBufferPointer() + 24000);
-    first = threads == 1 ? values : first;
-    EXPECT_EQ(std::memcmp(values.data(), first.data(), 24000 * sizeof(float)), 0) << threads;
-  }
-  itk::MultiThreaderBase::SetGlobalDefaultNumberOfThreads(before);
+  const auto mask = RandomMask({ { 40, 30, 20 } }, { 0.7, 0.8, 1.0 }, 0.97);
+  basetest::ExpectSameWithAnyThreads(
+    [&] { return basetest::BytesOf(shapeton::LumenDistance(mask, mask->GetBufferedRegion())); });
 }
 
 TEST(LumenDistance, RefusesMasksWithoutLumenOrWall)

@@ -3,8 +3,7 @@
 
 #include "shapetonPolypTubes.h"
 #include "shapetonExceptions.h"
-
-#include "itkMultiThreaderBase.h"
+#include "shapetonTestThreads.h"
 
 #include "itkImageRegionConstIteratorWithIndex.h"
 
@@ -259,24 +258,19 @@ TEST(PolypCandidates, SameBytesForAnyNumberOfThreads)
   const std::vector<Body>         bodies{ polyp, Ball(Base(16.0), 4.0) };
   const shapeton::SurfaceMesh     wall = MakeWall(bodies);
   const auto                      lumen = MakeLumen(bodies);
-  std::vector<shapeton::CsvTable> tables;
-  const itk::ThreadIdType         before = itk::MultiThreaderBase::GetGlobalDefaultNumberOfThreads();
-  for (const itk::ThreadIdType threads : { 1u, 3u })
-  {
-    itk::MultiThreaderBase::SetGlobalDefaultNumberOfThreads(threads);
-    auto candidates = Find(wall, 1.0);
-    shapeton::MeasureShapeDiffusion(wall, lumen, candidates);
-    tables.push_back(shapeton::TableOfPolypCandidates(candidates));
-    shapeton::PublishedPolypOptions published;
-    published.steps = 200;
-    published.sensitivity = 1.0;
-    tables.push_back(
-      shapeton::TableOfPolypCandidates(shapeton::FindPublishedPolypCandidates(wall, lumen, nullptr, published)));
-  }
-  itk::MultiThreaderBase::SetGlobalDefaultNumberOfThreads(before);
-  EXPECT_EQ(tables[0].GetRows(), tables[2].GetRows());
-  EXPECT_EQ(tables[1].GetRows(), tables[3].GetRows());
-  EXPECT_FALSE(tables[1].GetRows().empty());
+  shapeton::PublishedPolypOptions published;
+  published.steps = 200;
+  published.sensitivity = 1.0;
+  basetest::ExpectSameWithAnyThreads(
+    [&] {
+      auto candidates = Find(wall, 1.0);
+      shapeton::MeasureShapeDiffusion(wall, lumen, candidates);
+      const auto others = shapeton::FindPublishedPolypCandidates(wall, lumen, nullptr, published);
+      EXPECT_FALSE(shapeton::TableOfPolypCandidates(others).GetRows().empty());
+      return std::make_pair(shapeton::TableOfPolypCandidates(candidates).GetRows(),
+                            shapeton::TableOfPolypCandidates(others).GetRows());
+    },
+    { 3 });
 }
 
 TEST(PolypCandidates, PlacesAreReadFromTheTable)

@@ -1,6 +1,6 @@
 #include "shapetonSquaredDistances.h"
+#include "shapetonTestThreads.h"
 
-#include "itkMultiThreaderBase.h"
 #include "gtest/gtest.h"
 
 #include <random>
@@ -105,14 +105,7 @@ TEST(SquaredDistances, AreUnknownWithoutBackground)
 
 TEST(SquaredDistances, HaveTheSameBytesForAnyNumberOfThreads)
 {
-  const VoxelGrid       grid(40, 30, 20);
-  const auto            mask = RandomMask(grid.NumberOfVoxels(), 0.99);
-  shapeton::VoxelValues first;
-  for (const unsigned int threads : { 1U, 2U, 5U })
-  {
-    itk::MultiThreaderBase::SetGlobalDefaultNumberOfThreads(threads);
-    const auto squares = shapeton::SquaredDistances(grid, { { 0.8, 0.8, 1.0 } }, mask);
-    EXPECT_EQ(squares, threads == 1 ? squares : first);
-    first = squares;
-  }
+  const VoxelGrid grid(40, 30, 20);
+  const auto      mask = RandomMask(grid.NumberOfVoxels(), 0.99);
+  basetest::ExpectSameWithAnyThreads([&] { return shapeton::SquaredDistances(grid, { { 0.8, 0.8, 1.0 } }, mask); });
 }

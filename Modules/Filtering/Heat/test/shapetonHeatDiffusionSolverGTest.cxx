@@ -1,8 +1,7 @@
 #include "shapetonHeatDiffusionSolver.h"
 #include "shapetonAutomaticParameters.h"
 #include "shapetonDiffusionTestVolumes.h"
-
-#include "itkMultiThreaderBase.h"
+#include "shapetonTestThreads.h"
 
 #include <gtest/gtest.h>
 
@@ -222,28 +221,14 @@ TEST(HeatDiffusionSolver, ThreadsDoNotChangeABit)
   const Volume                 volume = MakeScene({ 70, 41, 53 }, 0.05);
   const VolumeGradientOperator volumeGradient(volume.values.data(), volume.size, volume.Parameters(7.0));
   const auto                   steps = MakeSnapshotSteps(3000, 40, SnapshotSpacing::Logarithmic);
-  const auto                   before = itk::MultiThreaderBase::GetGlobalDefaultNumberOfThreads();
-  for (const Method method : { Method::Chebyshev, Method::Explicit })
-  {
-    Trajectory first;
-    for (const unsigned int threads : { 1, 2, 3, 8 })
-    {
-      itk::MultiThreaderBase::SetGlobalDefaultNumberOfThreads(threads);
-      const auto trajectory = Diffuse(volumeGradient,
-                                      method,
-                                      method == Method::Explicit ? 100 : 3000,
-                                      method == Method::Explicit ? std::vector<std::uint64_t>{ 7, 100 } : steps);
-      if (threads == 1)
-      {
-        first = trajectory;
-        continue;
-      }
-      EXPECT_EQ(std::memcmp(trajectory.last.data(), first.last.data(), first.last.size() * sizeof(float)), 0)
-        << threads;
-      EXPECT_EQ(trajectory.fields, first.fields) << threads;
-    }
-  }
-  itk::MultiThreaderBase::SetGlobalDefaultNumberOfThreads(before);
+  const auto                   fieldsOf = [](const Trajectory & run) { return std::make_pair(run.last, run.fields); };
+  basetest::ExpectSameWithAnyThreads([&] { return fieldsOf(Diffuse(volumeGradient, Method::Chebyshev, 3000, steps)); },
+                                     { 2, 3, 8 });
+  basetest::ExpectSameWithAnyThreads(
+    [&] {
+      return fieldsOf(Diffuse(volumeGradient, Method::Explicit, 100, { 7, 100 }));
+    },
+    { 2, 3, 8 });
 }
 
 TEST(HeatDiffusionSolver, StopsWhenSteadyAndNotBefore)
@@ -302,8 +287,7 @@ TEST(HeatDiffusionSolver, AFailureInAnyThreadReachesTheCaller)
 {
   const Volume                 volume = MakeScene({ 16, 16, 16 }, 0.05);
   const VolumeGradientOperator volumeGradient(volume.values.data(), volume.size, volume.Parameters(7.0));
-  const auto                   before = itk::MultiThreaderBase::GetGlobalDefaultNumberOfThreads();
-  itk::MultiThreaderBase::SetGlobalDefaultNumberOfThreads(4);
+  const basetest::ThreadNumber four(4);
   for (const std::size_t failing : { 0, 100, 255 })
   {
     HeatDiffusionSolver solver(volumeGradient, Method::Chebyshev, dt, 1e-5);
@@ -316,7 +300,6 @@ TEST(HeatDiffusionSolver, AFailureInAnyThreadReachesTheCaller)
     };
     EXPECT_THROW(solver.Run(heat, 10, { 5 }, visitor), std::runtime_error);
   }
-  itk::MultiThreaderBase::SetGlobalDefaultNumberOfThreads(before);
 }
 
 TEST(HeatDiffusionSolver, ProgressAscendsToOneAndMayAbort)

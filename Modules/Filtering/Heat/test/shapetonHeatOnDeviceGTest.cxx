@@ -1,8 +1,7 @@
 #include "shapetonCumulativeHeatDiffusion.h"
 #include "shapetonDeviceTestTools.h"
 #include "shapetonDiffusionTestVolumes.h"
-
-#include "itkMultiThreaderBase.h"
+#include "shapetonTestThreads.h"
 
 #include <gtest/gtest.h>
 
@@ -157,14 +156,11 @@ TEST(HeatOnDevice, SlabsOfALargerVolumeAreTheSameBytes)
 TEST(HeatOnDevice, ThreadsDoNotChangeABit)
 {
   SHAPETON_REQUIRE_DEVICE();
-  const Volume   volume = MakeScene({ 33, 17, 29 }, 0.05);
-  const Settings settings = MakeSettings(volume, 500);
-  const auto     before = itk::MultiThreaderBase::GetGlobalDefaultNumberOfThreads();
+  const Volume volume = MakeScene({ 33, 17, 29 }, 0.05);
   for (const unsigned int threads : { 1, 3, 8 })
   {
-    itk::MultiThreaderBase::SetGlobalDefaultNumberOfThreads(threads);
-    ExpectTheSame(volume, settings);
+    const basetest::ThreadNumber number(threads);
+    ExpectTheSame(volume, MakeSettings(volume, 500));
   }
-  itk::MultiThreaderBase::SetGlobalDefaultNumberOfThreads(before);
 }
 } // namespace

@@ -2,8 +2,7 @@
 
 #include "shapetonExceptions.h"
 #include "shapetonPhilox.h"
-
-#include "itkMultiThreaderBase.h"
+#include "shapetonTestThreads.h"
 
 #include "gtest/gtest.h"
 
@@ -362,24 +361,17 @@ TEST(SeededHeatSolver, WhereNearlyAllVoxelsHaveSeedsThereIsNothingToRemarkOn)
 
 TEST(SeededHeatSolver, SameBytesForAnyNumberOfThreads)
 {
-  const Size       size{ { 37, 29, 31 } };
-  const auto       volume = MakeNoisyHalves(size);
-  const auto       seeds = ScatterSeeds(size, 6, 3);
-  const auto       threads = itk::MultiThreaderBase::GetGlobalDefaultNumberOfThreads();
-  const auto       op = MakeOperator(volume, size, 20.0, { { 1, 1, 1 } });
-  SeededHeatSolver one(op);
-  itk::MultiThreaderBase::SetGlobalDefaultNumberOfThreads(1);
-  one.Solve(seeds.data());
-  for (const unsigned int number : { 2U, 3U, 8U })
-  {
-    itk::MultiThreaderBase::SetGlobalDefaultNumberOfThreads(number);
-    SeededHeatSolver many(op);
-    many.Solve(seeds.data());
-    EXPECT_EQ(one.GetResult().labels, many.GetResult().labels);
-    EXPECT_EQ(one.GetResult().uncertainty, many.GetResult().uncertainty);
-    EXPECT_EQ(ProbabilitiesOf(one, 3), ProbabilitiesOf(many, 3));
-  }
-  itk::MultiThreaderBase::SetGlobalDefaultNumberOfThreads(threads);
+  const Size size{ { 37, 29, 31 } };
+  const auto volume = MakeNoisyHalves(size);
+  const auto seeds = ScatterSeeds(size, 6, 3);
+  const auto op = MakeOperator(volume, size, 20.0, { { 1, 1, 1 } });
+  basetest::ExpectSameWithAnyThreads(
+    [&] {
+      SeededHeatSolver solver(op);
+      solver.Solve(seeds.data());
+      return std::make_tuple(solver.GetResult().labels, solver.GetResult().uncertainty, ProbabilitiesOf(solver, 3));
+    },
+    { 2, 3, 8 });
 }
 
 TEST(SeededHeatSolver, AChangedSeedStartsFromTheLastSolution)

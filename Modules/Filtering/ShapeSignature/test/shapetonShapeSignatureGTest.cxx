@@ -1,10 +1,9 @@
 #include "shapetonSampledShapes.h"
 #include "shapetonShapeSearch.h"
 #include "shapetonTestFolder.h"
+#include "shapetonTestThreads.h"
 
 #include <gtest/gtest.h>
-
-#include "itkMultiThreaderBase.h"
 
 #include <cmath>
 
@@ -158,18 +157,12 @@ TEST(ShapeSignature, CurvesKeepTheirOrder)
 
 TEST(ShapeSignature, IsTheSameForAnyNumberOfThreads)
 {
-  const auto                  before = itk::MultiThreaderBase::GetGlobalDefaultNumberOfThreads();
-  std::vector<ShapeSignature> signatures;
-  for (const unsigned int threads : { 1U, 3U })
-  {
-    itk::MultiThreaderBase::SetGlobalDefaultNumberOfThreads(threads);
-    signatures.push_back(SignatureOf(Hammer()));
-  }
-  itk::MultiThreaderBase::SetGlobalDefaultNumberOfThreads(before);
-  EXPECT_EQ(signatures[0].remainingHeat, signatures[1].remainingHeat);
-  EXPECT_EQ(signatures[0].displacement, signatures[1].displacement);
-  EXPECT_EQ(signatures[0].spectrum, signatures[1].spectrum);
-  EXPECT_EQ(signatures[0].surface, signatures[1].surface);
+  basetest::ExpectSameWithAnyThreads(
+    [] {
+      const ShapeSignature signature = SignatureOf(Hammer());
+      return std::make_tuple(signature.remainingHeat, signature.displacement, signature.spectrum, signature.surface);
+    },
+    { 3 });
 }
 
 TEST(ShapeSignature, RefusesWhatHasNoShape)

@@ -4,9 +4,9 @@
 #include "shapetonCanonicalMapOrder.h"
 #include "shapetonGraphFamilies.h"
 #include "shapetonProgressTests.h"
-#include "itkMultiThreaderBase.h"
 #include "shapetonSplitArrangement.h"
 #include "shapetonExceptions.h"
+#include "shapetonTestThreads.h"
 
 #include <gtest/gtest.h>
 
@@ -153,15 +153,13 @@ TEST(GraphEmbedding, BothPointsAtInfinityGiveTheSamePlaces)
 
 TEST(GraphEmbedding, TheSameBytesForAnyNumberOfThreads)
 {
-  const shapeton::CombinatorialMap                                 torus = shapeton::TorusGridMap(70, 90, true);
-  std::vector<std::pair<std::vector<double>, std::vector<double>>> results;
-  for (const unsigned int threads : { 1U, 3U })
-  {
-    itk::MultiThreaderBase::SetGlobalDefaultNumberOfThreads(threads);
-    const auto certificate = shapeton::EmbedGraph(torus.ToGraph(), torus);
-    results.emplace_back(certificate.nodeRadii, certificate.nodePositions);
-  }
-  EXPECT_EQ(results[0], results[1]);
+  const shapeton::CombinatorialMap torus = shapeton::TorusGridMap(70, 90, true);
+  basetest::ExpectSameWithAnyThreads(
+    [&] {
+      const auto certificate = shapeton::EmbedGraph(torus.ToGraph(), torus);
+      return std::make_pair(certificate.nodeRadii, certificate.nodePositions);
+    },
+    { 3 });
 }
 
 TEST(GraphEmbedding, ALongPathKeepsItsCirclesLarge)

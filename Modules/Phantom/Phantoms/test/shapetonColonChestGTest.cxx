@@ -3,6 +3,7 @@
 #include "shapetonColonPhantomImageSource.h"
 #include "shapetonDisjointSets.h"
 #include "shapetonTestErrors.h"
+#include "shapetonTestThreads.h"
 
 #include "itkImageRegionConstIteratorWithIndex.h"
 
@@ -445,16 +446,16 @@ TEST(ColonChest, SameBytesForAnyNumberOfThreads)
 {
   auto parameters = ChestParameters("emphysema");
   parameters.noise = 20.0;
-  const auto source = MakeChest(parameters, { { 40, 36, 34 } }, { 8, 8, 8 }, { 0, 0, 240 });
-  source->SetNumberOfWorkUnits(1);
-  source->UpdateLargestPossibleRegion();
-  const auto               count = source->GetOutput()->GetLargestPossibleRegion().GetNumberOfPixels();
-  const auto * const       image = source->GetOutput()->GetBufferPointer();
-  const std::vector<short> one(image, image + count);
-  source->SetNumberOfWorkUnits(3);
-  source->Modified();
-  source->UpdateLargestPossibleRegion();
-  EXPECT_TRUE(std::equal(one.begin(), one.end(), source->GetOutput()->GetBufferPointer()));
+  const auto            source = MakeChest(parameters, { { 40, 36, 34 } }, { 8, 8, 8 }, { 0, 0, 240 });
+  std::set<std::string> images;
+  for (const unsigned int threads : { 1U, 3U })
+  {
+    source->SetNumberOfWorkUnits(threads);
+    source->Modified();
+    source->UpdateLargestPossibleRegion();
+    images.insert(basetest::BytesOf(source->GetOutput()));
+  }
+  EXPECT_EQ(images.size(), 1U);
 }
 
 TEST(ColonChest, RefusesWhatDoesNotFit)

@@ -3,6 +3,7 @@
 #include "shapetonColonPhantomImageSource.h"
 #include "shapetonExceptions.h"
 #include "shapetonVolumeWriter.h"
+#include "shapetonTestThreads.h"
 
 #include "itkImageRegionConstIteratorWithIndex.h"
 
@@ -14,6 +15,7 @@
 #include <map>
 #include <stdexcept>
 #include <vector>
+#include <set>
 
 namespace
 {
@@ -404,31 +406,19 @@ TEST(ColonPhantomImageSource, GasAndFluidHaveTheirIntensities)
   EXPECT_LT(fluid.mean, 880.0);
 }
 
-template <typename TImage>
-std::vector<typename TImage::PixelType>
-VoxelsOf(const TImage * image)
-{
-  const auto number = image->GetLargestPossibleRegion().GetNumberOfPixels();
-  return { image->GetBufferPointer(), image->GetBufferPointer() + number };
-}
-
 TEST(ColonPhantomImageSource, SameBytesForAnyNumberOfThreads)
 {
-  const auto source = MakeSource(Standard("prone", 0.2), 36);
-  source->SetNumberOfWorkUnits(1);
-  source->UpdateLargestPossibleRegion();
-  const auto image = VoxelsOf(source->GetOutput());
-  const auto lumen = VoxelsOf(source->GetLumenOutput());
-  const auto segments = VoxelsOf(source->GetSegmentOutput());
-  for (const unsigned int threads : { 2U, 3U })
+  const auto            source = MakeSource(Standard("prone", 0.2), 36);
+  std::set<std::string> images;
+  for (const unsigned int threads : { 1U, 2U, 3U })
   {
     source->SetNumberOfWorkUnits(threads);
     source->Modified();
     source->UpdateLargestPossibleRegion();
-    EXPECT_EQ(image, VoxelsOf(source->GetOutput()));
-    EXPECT_EQ(lumen, VoxelsOf(source->GetLumenOutput()));
-    EXPECT_EQ(segments, VoxelsOf(source->GetSegmentOutput()));
+    images.insert(basetest::BytesOf(source->GetOutput()) + basetest::BytesOf(source->GetLumenOutput()) +
+                  basetest::BytesOf(source->GetSegmentOutput()));
   }
+  EXPECT_EQ(images.size(), 1U);
 }
 
 // Axes z, -x, -y of the first grid, with the same voxels in space.

@@ -1,5 +1,6 @@
 #include "shapetonShapePhantomImageSource.h"
 #include "shapetonJson.h"
+#include "shapetonTestThreads.h"
 
 #include "itkImageRegionConstIteratorWithIndex.h"
 
@@ -69,14 +70,6 @@ MakeObliqueSource(const shapeton::ShapeScene & scene)
   source->CenterOutput();
   source->SetScene(scene);
   return source;
-}
-
-template <typename TImage>
-std::string
-BytesOf(const TImage * image)
-{
-  return std::string(reinterpret_cast<const char *>(image->GetBufferPointer()),
-                     image->GetLargestPossibleRegion().GetNumberOfPixels() * sizeof(typename TImage::PixelType));
 }
 
 struct Counts
@@ -443,10 +436,10 @@ TEST(ShapePhantomImageSource, SeedsGiveIndependentNoise)
   const auto source = MakeSource(SceneOf(""), 32);
   source->SetNoiseStandardDeviation(100.0);
   source->Update();
-  const std::string first = BytesOf(source->GetOutput());
+  const std::string first = basetest::BytesOf(source->GetOutput());
   source->SetSeed(1);
   source->Update();
-  const std::string second = BytesOf(source->GetOutput());
+  const std::string second = basetest::BytesOf(source->GetOutput());
   const auto *      a = reinterpret_cast<const short *>(first.data());
   const auto *      b = reinterpret_cast<const short *>(second.data());
   const int         number = 32 * 32 * 32;
@@ -470,8 +463,8 @@ TEST(ShapePhantomImageSource, SameBytesForAnyNumberOfThreads)
     source->SetNumberOfWorkUnits(threads);
     source->Modified();
     source->Update();
-    images.insert(BytesOf(source->GetOutput()));
-    labels.insert(BytesOf(source->GetLabelOutput()));
+    images.insert(basetest::BytesOf(source->GetOutput()));
+    labels.insert(basetest::BytesOf(source->GetLabelOutput()));
   }
   EXPECT_EQ(images.size(), 1U);
   EXPECT_EQ(labels.size(), 1U);
@@ -575,8 +568,8 @@ TEST(ShapePhantomImageSource, TakesTheGridOfAReferenceImage)
   referred->UseReferenceImageOn();
   referred->Update();
   EXPECT_EQ(referred->GetOutput()->GetDirection(), direct->GetOutput()->GetDirection());
-  EXPECT_EQ(BytesOf(referred->GetOutput()), BytesOf(direct->GetOutput()));
-  EXPECT_EQ(BytesOf(referred->GetLabelOutput()), BytesOf(direct->GetLabelOutput()));
+  EXPECT_EQ(basetest::BytesOf(referred->GetOutput()), basetest::BytesOf(direct->GetOutput()));
+  EXPECT_EQ(basetest::BytesOf(referred->GetLabelOutput()), basetest::BytesOf(direct->GetLabelOutput()));
 }
 
 TEST(ShapePhantomImageSource, ValuesStayInTheRangeOfACTSeries)

@@ -58,7 +58,7 @@ TEST(ColonFlatteningReport, HoldsPicturesTablesAndWarnings)
   }
   EXPECT_EQ(files,
             (std::set<std::string>{ "index.html", "flat-relief.png", "flat-curvature.png", "triangle-quality.png" }));
-  const std::string html = shapeton::BytesOf(folder / "index.html");
+  const std::string html = shapeton::ReadFileBytes(folder / "index.html");
   EXPECT_EQ(CountOf(html, "data:image/png;base64,"), 3U);
   for (const char * text : { "For research use. This is not a diagnosis",
                              "a &lt;warning&gt;",
@@ -71,7 +71,7 @@ TEST(ColonFlatteningReport, HoldsPicturesTablesAndWarnings)
   }
   const std::string again = html;
   WriteColonFlatteningReport(content, folder / ".", inPlace);
-  EXPECT_EQ(shapeton::BytesOf(folder / "index.html"), again);
+  EXPECT_EQ(shapeton::ReadFileBytes(folder / "index.html"), again);
   EXPECT_EQ(again.find("Blind pouches"), std::string::npos);
 }
 
@@ -86,7 +86,7 @@ TEST(ColonFlatteningReport, ListsCaps)
   content.parts.flat = &flat;
   const basetest::Folder folder;
   WriteColonFlatteningReport(content, folder / ".", inPlace);
-  const std::string html = shapeton::BytesOf(folder / "index.html");
+  const std::string html = shapeton::ReadFileBytes(folder / "index.html");
   for (const char * text : { "Blind pouches", "1.25 % of the wall", "1, 2, 3", "12.5", "345" })
   {
     EXPECT_NE(html.find(text), std::string::npos) << text;

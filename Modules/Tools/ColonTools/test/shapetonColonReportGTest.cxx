@@ -60,7 +60,7 @@ TEST(ColonReport, HoldsEveryPictureAndEscapesText)
   std::set<std::string>       expected = pictures;
   expected.insert("index.html");
   EXPECT_EQ(FilesIn(folder / "."), expected);
-  const std::string html = shapeton::BytesOf(folder / "index.html");
+  const std::string html = shapeton::ReadFileBytes(folder / "index.html");
   EXPECT_EQ(CountOf(html, "data:image/png;base64,"), pictures.size());
   for (const char * text : { "For research use. This is not a diagnosis",
                              "Missing or doubtful results",
@@ -88,7 +88,7 @@ TEST(ColonReport, TheLumenAloneIsEnough)
   content.warnings.clear();
   shapeton::WriteColonReport(content, folder / ".", inPlace);
   EXPECT_EQ(FilesIn(folder / ".").size(), 6U); // three slices, two projections, the page
-  const std::string html = shapeton::BytesOf(folder / "index.html");
+  const std::string html = shapeton::ReadFileBytes(folder / "index.html");
   EXPECT_NE(html.find("the outlines are shown without a CT"), std::string::npos);
   EXPECT_NE(html.find("Nothing is missing or doubtful"), std::string::npos);
 }
@@ -100,9 +100,9 @@ TEST(ColonReport, EqualContentGivesEqualBytes)
   std::string               pages[2];
   for (const int run : { 0, 1 })
   {
-    const shapeton::ThreadNumber number(run == 0 ? 1 : 3);
+    const basetest::ThreadNumber number(run == 0 ? 1 : 3);
     shapeton::WriteColonReport(ContentOf(colon), folder / ".", inPlace);
-    pages[run] = shapeton::BytesOf(folder / "index.html");
+    pages[run] = shapeton::ReadFileBytes(folder / "index.html");
   }
   EXPECT_FALSE(pages[0].empty());
   EXPECT_TRUE(pages[0] == pages[1]);

@@ -214,145 +214,50 @@ const char * const Xml = R"(<?xml version="1.0" encoding="utf-8"?>
   <parameters>
     <label>IO</label>
     <description><![CDATA[Input and output.]]></description>
-    <image>
-      <name>outputVolume</name>
-      <label>Output</label>
-      <description>Where to.</description>
-      <channel>output</channel>
-      <index>1</index>
-    </image>
-    <image>
-      <name>inputVolume</name>
-      <label>Input</label>
-      <description>Where from.</description>
-      <channel>input</channel>
-      <index>0</index>
-    </image>
-    <file>
-      <name>table</name>
-      <longflag>table</longflag>
-      <label>Table</label>
-      <description>A second output.</description>
-      <channel>output</channel>
-    </file>
-    <file>
-      <name>shape</name>
-      <longflag>shape</longflag>
-      <label>Shape</label>
-      <description>A second input.</description>
-      <channel>input</channel>
-    </file>
+    <image><name>outputVolume</name><label>Output</label><description>Where to.</description><channel>output</channel>
+      <index>1</index></image>
+    <image><name>inputVolume</name><label>Input</label><description>Where from.</description><channel>input</channel>
+      <index>0</index></image>
+    <file><name>table</name><longflag>table</longflag><label>Table</label><description>A second output.</description>
+      <channel>output</channel></file>
+    <file><name>shape</name><longflag>shape</longflag><label>Shape</label><description>A second input.</description>
+      <channel>input</channel></file>
   </parameters>
   <parameters advanced="true">
     <label>Settings</label>
     <description><![CDATA[All kinds.]]></description>
-    <double>
-      <name>gamma</name>
-      <flag>-g</flag>
-      <longflag>--gamma</longflag>
-      <label>Gamma</label>
-      <description><![CDATA[Exponent & more.]]></description>
-      <default>1.50</default>
-      <constraints><minimum>-2</minimum><maximum>10</maximum><step>0.01</step></constraints>
-    </double>
-    <double>
-      <name>offset</name>
-      <longflag>offset</longflag>
-      <label>Offset</label>
-      <description>Without a default.</description>
-    </double>
-    <integer>
-      <name>steps</name>
-      <longflag>steps</longflag>
-      <label>Steps</label>
-      <description>A number.</description>
-      <default>100000</default>
-      <constraints><minimum>1</minimum></constraints>
-    </integer>
-    <double-vector>
-      <name>window</name>
-      <longflag>window</longflag>
-      <label>Window</label>
-      <description>Lower and upper intensity.</description>
-      <default>-1,2.50</default>
-    </double-vector>
-    <integer-vector>
-      <name>size</name>
-      <longflag>size</longflag>
-      <label>Size</label>
-      <description>Voxels.</description>
-      <constraints><minimum>2</minimum></constraints>
-    </integer-vector>
-    <string-vector>
-      <name>names</name>
-      <longflag>names</longflag>
-      <label>Names</label>
-      <description>Some names.</description>
-    </string-vector>
-    <string multiple="true">
-      <name>tag</name>
-      <flag>t</flag>
-      <longflag>tag</longflag>
-      <label>Tag</label>
-      <description>May be repeated.</description>
-    </string>
-    <string>
-      <name>seriesUID</name>
-      <longflag>seriesUID</longflag>
-      <label>Series</label>
-      <description>Which one.</description>
-    </string>
-    <string>
-      <name>source</name>
-      <longflag>source</longflag>
-      <label>Source</label>
-      <description>A name, or a file.</description>
-    </string>
-    <string-enumeration>
-      <name>solver</name>
-      <longflag>solver</longflag>
-      <label>Solver</label>
-      <description>How.</description>
-      <element>chebyshev</element>
-      <element>explicit</element>
-      <default>chebyshev</default>
-    </string-enumeration>
-    <boolean>
-      <name>untilSteady</name>
-      <flag>u</flag>
-      <longflag>untilSteady</longflag>
-      <label>Steady</label>
-      <description>Whether.</description>
-      <default>false</default>
-    </boolean>
-    <boolean>
-      <name>ignoreSpacing</name>
-      <longflag>ignoreSpacing</longflag>
-      <label>Ignore</label>
-      <description>Whether.</description>
-      <default>false</default>
-    </boolean>
-    <integer>
-      <name>threads</name>
-      <longflag>threads</longflag>
-      <label>Threads</label>
-      <description>0: all.</description>
-      <default>0</default>
-      <constraints><minimum>0</minimum></constraints>
-    </integer>
-    <double>
-      <name>meanHeat</name>
-      <label>Mean</label>
-      <channel>output</channel>
-      <description>Told after the run.</description>
-      <default>0</default>
-    </double>
-    <string>
-      <name>remark</name>
-      <label>Remark</label>
-      <channel>output</channel>
-      <description>Told after the run.</description>
-    </string>
+    <double><name>gamma</name><flag>-g</flag><longflag>--gamma</longflag><label>Gamma</label>
+      <description><![CDATA[Exponent & more.]]></description><default>1.50</default>
+      <constraints><minimum>-2</minimum><maximum>10</maximum><step>0.01</step></constraints></double>
+    <double><name>offset</name><longflag>offset</longflag><label>Offset</label>
+      <description>Without a default.</description></double>
+    <integer><name>steps</name><longflag>steps</longflag><label>Steps</label><description>A number.</description>
+      <default>100000</default><constraints><minimum>1</minimum></constraints></integer>
+    <double-vector><name>window</name><longflag>window</longflag><label>Window</label>
+      <description>Lower and upper intensity.</description><default>-1,2.50</default></double-vector>
+    <integer-vector><name>size</name><longflag>size</longflag><label>Size</label><description>Voxels.</description>
+      <constraints><minimum>2</minimum></constraints></integer-vector>
+    <string-vector><name>names</name><longflag>names</longflag><label>Names</label>
+      <description>Some names.</description></string-vector>
+    <string multiple="true"><name>tag</name><flag>t</flag><longflag>tag</longflag><label>Tag</label>
+      <description>May be repeated.</description></string>
+    <string><name>seriesUID</name><longflag>seriesUID</longflag><label>Series</label>
+      <description>Which one.</description></string>
+    <string><name>source</name><longflag>source</longflag><label>Source</label>
+      <description>A name, or a file.</description></string>
+    <string-enumeration><name>solver</name><longflag>solver</longflag><label>Solver</label>
+      <description>How.</description><element>chebyshev</element><element>explicit</element>
+      <default>chebyshev</default></string-enumeration>
+    <boolean><name>untilSteady</name><flag>u</flag><longflag>untilSteady</longflag><label>Steady</label>
+      <description>Whether.</description><default>false</default></boolean>
+    <boolean><name>ignoreSpacing</name><longflag>ignoreSpacing</longflag><label>Ignore</label>
+      <description>Whether.</description><default>false</default></boolean>
+    <integer><name>threads</name><longflag>threads</longflag><label>Threads</label><description>0: all.</description>
+      <default>0</default><constraints><minimum>0</minimum></constraints></integer>
+    <double><name>meanHeat</name><label>Mean</label><channel>output</channel>
+      <description>Told after the run.</description><default>0</default></double>
+    <string><name>remark</name><label>Remark</label><channel>output</channel>
+      <description>Told after the run.</description></string>
   </parameters>
 </executable>
 )";

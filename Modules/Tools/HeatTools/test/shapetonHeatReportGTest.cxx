@@ -110,7 +110,7 @@ TEST_F(HeatReport, ThePageNeedsNoNetworkAndSaysWhatItIs)
 {
   const std::string folder = shapeton::TemporaryFolder("report-page");
   shapeton::WriteHeatReport(m_Content, folder, inPlace);
-  const std::string html = shapeton::BytesOf(folder + "/index.html");
+  const std::string html = shapeton::ReadFileBytes(folder + "/index.html");
   for (const char * const wanted : { "research use",
                                      "not a diagnosis",
                                      "mind the gap",
@@ -150,7 +150,7 @@ TEST_F(HeatReport, TablesAndJsonHoldTheClasses)
   EXPECT_EQ(table.GetRows()[1][4], "538");
   EXPECT_EQ(table.GetRows()[0].back(), "");
   EXPECT_EQ(table.GetRows()[1].back().size(), 7U);
-  const std::string csv = shapeton::BytesOf(folder + "/classes.csv");
+  const std::string csv = shapeton::ReadFileBytes(folder + "/classes.csv");
   EXPECT_EQ(csv.substr(0, 15), "label,lowerHeat");
 }
 
@@ -192,7 +192,7 @@ TEST_F(HeatReport, ClassesOfOneHeatColorHaveTheirOwnColors)
   m_Content.classes.push_back(other);
   const std::string folder = shapeton::TemporaryFolder("report-colors");
   shapeton::WriteHeatReport(m_Content, folder, inPlace);
-  const std::string html = shapeton::BytesOf(folder + "/index.html");
+  const std::string html = shapeton::ReadFileBytes(folder + "/index.html");
   for (const unsigned int label : { 1U, 2U })
   {
     EXPECT_NE(html.find("background:" + shapeton::HexOf(shapeton::ClassColor(label))), std::string::npos) << label;
@@ -210,7 +210,7 @@ TEST_F(HeatReport, EqualContentGivesEqualBytes)
   shapeton::WriteHeatReport(m_Content, second, inPlace);
   for (const char * const file : files)
   {
-    EXPECT_EQ(shapeton::BytesOf(first + "/" + file), shapeton::BytesOf(second + "/" + file)) << file;
+    EXPECT_EQ(shapeton::ReadFileBytes(first + "/" + file), shapeton::ReadFileBytes(second + "/" + file)) << file;
   }
 }
 

@@ -3,6 +3,7 @@
 
 #include "shapetonPictureTestUtilities.h"
 #include "shapetonTestColon.h"
+#include "shapetonTestThreads.h"
 
 #include <algorithm>
 #include <map>
@@ -146,13 +147,9 @@ TEST(ColonPictures, BridgesAndEndsAreSeen)
 TEST(ColonPictures, SameBytesForAnyNumberOfThreads)
 {
   const shapeton::TestColon colon;
-  const auto                draw = [&](unsigned int threads) {
-    const shapeton::ThreadNumber number(threads);
-    return shapeton::DrawColonWall(colon.Parts(), shapeton::PatientSide::Left, false);
-  };
-  const auto one = draw(1);
-  EXPECT_EQ(shapeton::GreatestDifference(one, draw(2)), 0);
-  EXPECT_EQ(shapeton::GreatestDifference(one, draw(3)), 0);
+  basetest::ExpectSameWithAnyThreads(
+    [&] { return basetest::BytesOf(shapeton::DrawColonWall(colon.Parts(), shapeton::PatientSide::Left, false)); },
+    { 2, 3 });
 }
 
 TEST(ColonPictures, RefusesWhatCannotBeDrawn)

@@ -58,7 +58,7 @@ TEST(Picture, PngKeepsEveryPixel)
   shapeton::WritePng(picture, folder + "/a.png");
   shapeton::WritePng(picture, folder + "/no-extension");
   EXPECT_EQ(shapeton::GreatestDifference(picture, shapeton::ReadPng(folder + "/a.png")), 0);
-  EXPECT_EQ(shapeton::BytesOf(folder + "/a.png"), shapeton::BytesOf(folder + "/no-extension"));
+  EXPECT_EQ(shapeton::ReadFileBytes(folder + "/a.png"), shapeton::ReadFileBytes(folder + "/no-extension"));
 }
 
 TEST(Picture, AFullDiskIsAnOutputErrorAtEverySize)

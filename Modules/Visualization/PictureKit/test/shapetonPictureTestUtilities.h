@@ -1,10 +1,11 @@
 #ifndef shapetonPictureTestUtilities_h
 #define shapetonPictureTestUtilities_h
 
+#include "shapetonFileBytes.h"
 #include "shapetonPicture.h"
+#include "shapetonTestThreads.h"
 
 #include "itkImageFileReader.h"
-#include "itkMultiThreaderBase.h"
 #include "itkPNGImageIO.h"
 
 #include "gtest/gtest.h"
@@ -12,8 +13,6 @@
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <string>
 
 namespace shapeton
@@ -38,31 +37,11 @@ ReadPng(const std::string & path)
   return reader->GetOutput();
 }
 
-inline std::string
-BytesOf(const std::string & path)
-{
-  std::ifstream file(path, std::ios::binary);
-  return { std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>() };
-}
-
 inline RGBColor
 At(const Picture * picture, int x, int y)
 {
   return picture->GetPixel({ { x, y } });
 }
-
-class ThreadNumber
-{
-public:
-  explicit ThreadNumber(unsigned int threads) : m_Before(itk::MultiThreaderBase::GetGlobalDefaultNumberOfThreads())
-  {
-    itk::MultiThreaderBase::SetGlobalDefaultNumberOfThreads(threads);
-  }
-  ~ThreadNumber() { itk::MultiThreaderBase::SetGlobalDefaultNumberOfThreads(m_Before); }
-
-private:
-  unsigned int m_Before;
-};
 
 /** Largest channel difference of two pictures; 256 if their sizes differ. */
 inline int

@@ -363,15 +363,8 @@ TEST(SurfaceRendering, SameBytesForAnyNumberOfThreads)
   options.azimuth = 20.0;
   options.elevation = 35.0;
   options.colorBar = torus.scale;
-  const auto render = [&](unsigned int threads) {
-    const shapeton::ThreadNumber number(threads);
-    return shapeton::RenderSurfaces(torus.scene, options);
-  };
-  const auto one = render(1);
-  for (const unsigned int threads : { 2U, 3U, 7U })
-  {
-    EXPECT_EQ(shapeton::GreatestDifference(one, render(threads)), 0) << threads;
-  }
+  basetest::ExpectSameWithAnyThreads([&] { return basetest::BytesOf(shapeton::RenderSurfaces(torus.scene, options)); },
+                                     { 2, 3, 7 });
 }
 
 TEST(SurfaceRendering, RefusesWhatCannotBeDrawn)
