@@ -11,6 +11,7 @@
 #include "shapetonHeatDiffusionMetricFilter.h"
 #include "shapetonPolypCandidatesFilter.h"
 #include "shapetonSupineProneRegistrationFilter.h"
+#include "shapetonTestImages.h"
 
 #include "itkChangeInformationImageFilter.h"
 #include "itkCommand.h"
@@ -39,12 +40,7 @@ ObliqueCt()
   source->SetParameters(parameters);
   source->SetSize({ { 112, 112, 106 } });
   source->SetSpacing(Source::SpacingType(3.2));
-  Source::DirectionType direction;
-  direction.SetIdentity();
-  direction(0, 0) = direction(1, 1) = std::cos(0.2);
-  direction(1, 0) = std::sin(0.2);
-  direction(0, 1) = -direction(1, 0);
-  source->SetDirection(direction);
+  source->SetDirection(basetest::Rotation(2, 0.2));
   source->CenterOutput();
   source->Update();
   return source->GetOutput();
@@ -415,10 +411,7 @@ TEST(ColonFilters, GridsThatDifferAreRefused)
   cleansing->SetInput(moved);
   cleansing->SetLumen(lumen->GetLumenOutput());
   EXPECT_THROW(cleansing->Update(), InputError);
-  const auto mask = LumenMaskImage::New();
-  mask->CopyInformation(moved);
-  mask->SetRegions(moved->GetLargestPossibleRegion());
-  mask->Allocate(true);
+  const auto mask = basetest::NewImageLike<LumenMaskImage>(moved);
   const auto model = NewModelFilter();
   model->SetLumenMask(mask);
   EXPECT_THROW(model->Update(), InputError);
@@ -459,9 +452,7 @@ TEST(ColonFilters, ErrorsAreExceptionsOfItk)
   EXPECT_THROW(wall->Update(), itk::ExceptionObject); // neither Cleansed nor Mask
   EXPECT_THROW(ResultObject<CurveSet>::New()->Get(), itk::ExceptionObject);
 
-  const auto soft = CtImage::New(); // a body without gas
-  soft->SetRegions(CtImage::SizeType{ { 32, 32, 32 } });
-  soft->Allocate();
+  const auto soft = basetest::NewImage<CtImage>({ { 32, 32, 32 } }); // a body without gas
   soft->FillBuffer(40);
   const auto model = ModelFilter::New();
   model->SetInput(soft);

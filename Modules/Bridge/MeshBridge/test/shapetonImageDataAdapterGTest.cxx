@@ -1,5 +1,6 @@
 #include "shapetonImageDataAdapter.h"
 #include "shapetonExceptions.h"
+#include "shapetonTestImages.h"
 
 #include "itkVectorImage.h"
 #include "itkRGBPixel.h"
@@ -26,15 +27,7 @@ ObliqueImage()
   image->SetRegions(typename ImageType::RegionType(start, size));
   image->SetSpacing(std::array<double, 3>{ { 0.7, 1.1, 2.5 } }.data());
   image->SetOrigin(std::array<double, 3>{ { -20.0, 35.0, 7.0 } }.data());
-  const double                      c = std::cos(0.4);
-  const double                      s = std::sin(0.4);
-  typename ImageType::DirectionType direction;
-  direction.SetIdentity();
-  direction(0, 0) = c;
-  direction(0, 1) = -s;
-  direction(1, 0) = s;
-  direction(1, 1) = c;
-  image->SetDirection(direction);
+  image->SetDirection(basetest::Rotation(2, 0.4));
   image->Allocate();
   std::iota(image->GetBufferPointer(), image->GetBufferPointer() + 24, TPixel(0));
   return image;

@@ -4,6 +4,7 @@
 #include "shapetonExceptions.h"
 #include "shapetonVolumeReader.h"
 #include "shapetonTestThreads.h"
+#include "shapetonTestImages.h"
 
 #include <gtest/gtest.h>
 
@@ -53,11 +54,7 @@ Compare(const ColonTestScene & scene, const shapeton::ColonLumen & lumen)
   const auto   size = lumen.labels->GetBufferedRegion().GetSize();
   const auto   spacing = lumen.labels->GetSpacing();
   const double ml = spacing[0] * spacing[1] * spacing[2] * 1e-3;
-  for (std::size_t p = 0; p < size[0] * size[1] * size[2]; ++p)
-  {
-    const auto            index = lumen.labels->ComputeIndex(static_cast<itk::OffsetValueType>(p));
-    itk::Point<double, 3> x;
-    lumen.labels->TransformIndexToPhysicalPoint(index, x);
+  basetest::ForVoxels(lumen.labels, [&](const auto & index, const auto & x) {
     const Vec  v = x.GetVectorFromOrigin();
     const bool truth = scene.IsLumen(0, v);
     const auto label = lumen.labels->GetPixel(index);
@@ -66,7 +63,7 @@ Compare(const ColonTestScene & scene, const shapeton::ColonLumen & lumen)
     overlap.leakMl += label && scene.IsLumen(1, v) ? ml : 0.0;
     const double height = v * scene.gravity - scene.lumens[0].level;
     overlap.wrongKindMl += truth && ((height < -1.5 && label == 2) || (height > 1.5 && label == 1)) ? ml : 0.0;
-  }
+  });
   overlap.dice = 2.0 * both / sum;
   return overlap;
 }
@@ -290,13 +287,9 @@ LabeledMl(const shapeton::ColonLumen & lumen, double low, double high)
   const auto  size = lumen.labels->GetBufferedRegion().GetSize();
   const auto  spacing = lumen.labels->GetSpacing();
   std::size_t count = 0;
-  for (std::size_t p = 0; p < size[0] * size[1] * size[2]; ++p)
-  {
-    const auto            index = lumen.labels->ComputeIndex(static_cast<itk::OffsetValueType>(p));
-    itk::Point<double, 3> x;
-    lumen.labels->TransformIndexToPhysicalPoint(index, x);
+  basetest::ForVoxels(lumen.labels, [&](const auto & index, const auto & x) {
     count += lumen.labels->GetPixel(index) != 0 && x[2] >= low && x[2] < high;
-  }
+  });
   return 1e-3 * spacing[0] * spacing[1] * spacing[2] * static_cast<double>(count);
 }
 
@@ -501,10 +494,7 @@ TEST(ColonLumenSegmentation, NoSeedPointAndNoMaskMakeLungColon)
   shapeton::ColonLumenOptions options;
   options.seedPoints.emplace_back(At(-40, 7, 0).GetDataPointer());
   EXPECT_THROW(shapeton::SegmentColonLumen(image, options), shapeton::ParameterError);
-  const auto mask = itk::Image<unsigned char, 3>::New();
-  mask->CopyInformation(image);
-  mask->SetRegions(image->GetBufferedRegion());
-  mask->Allocate(true);
+  const auto mask = basetest::NewImageLike<itk::Image<unsigned char, 3>>(image);
   const auto paint = [&](double below) {
     for (std::size_t i = 0; i < image->GetBufferedRegion().GetNumberOfPixels(); ++i)
     {

@@ -4,6 +4,7 @@
 #include "itkImage.h"
 #include "itkPoint.h"
 #include "itkVector.h"
+#include "shapetonTestImages.h"
 
 #include <array>
 #include <cmath>
@@ -66,21 +67,9 @@ public:
   void
   Sample(itk::Image<float, 3> * image) const
   {
-    image->Allocate();
-    const auto size = image->GetBufferedRegion().GetSize();
-    for (itk::SizeValueType k = 0; k < size[2]; ++k)
-    {
-      for (itk::SizeValueType j = 0; j < size[1]; ++j)
-      {
-        for (itk::SizeValueType i = 0; i < size[0]; ++i)
-        {
-          const itk::Index<3> index{ { static_cast<itk::IndexValueType>(i),
-                                       static_cast<itk::IndexValueType>(j),
-                                       static_cast<itk::IndexValueType>(k) } };
-          image->SetPixel(index, static_cast<float>(this->Voxel(image, index)));
-        }
-      }
-    }
+    basetest::ForVoxels(image, [&](const itk::Index<3> & index, const auto &) {
+      image->SetPixel(index, static_cast<float>(this->Voxel(image, index)));
+    });
   }
 
 private:
@@ -113,11 +102,7 @@ At(double x, double y, double z)
 inline itk::Matrix<double, 3, 3>
 TurnedAxes(double aboutZ, double aboutX)
 {
-  using Axes = vnl_matrix_fixed<double, 3, 3>;
-  const double c = std::cos(aboutZ), s = std::sin(aboutZ), d = std::cos(aboutX), t = std::sin(aboutX);
-  const double z[9] = { c, -s, 0, s, c, 0, 0, 0, 1 };
-  const double x[9] = { 1, 0, 0, 0, d, -t, 0, t, d };
-  return itk::Matrix<double, 3, 3>(Axes(z) * Axes(x));
+  return itk::Matrix<double, 3, 3>(basetest::Rotation(2, aboutZ) * basetest::Rotation(0, aboutX));
 }
 
 /** A tube around the line through `middle` along axis `axis` with round ends. */
@@ -137,21 +122,16 @@ CenteredImage(const std::array<int, 3> &        size,
               const std::array<double, 3> &     spacing,
               const itk::Matrix<double, 3, 3> & direction)
 {
-  auto                             image = itk::Image<float, 3>::New();
-  itk::Image<float, 3>::RegionType region;
-  itk::Vector<double, 3>           half;
+  itk::Size<3>           voxels;
+  itk::Vector<double, 3> half;
   for (int a = 0; a < 3; ++a)
   {
-    region.SetSize(a, size[a]);
-    half[a] = -0.5 * (size[a] - 1) * spacing[a];
+    voxels[a] = size[a];
+    half[a] = 0.5 * (size[a] - 1) * spacing[a];
   }
-  image->SetRegions(region);
-  image->SetSpacing(spacing.data());
-  image->SetDirection(direction);
-  itk::Point<double, 3> origin;
-  origin.Fill(0.0);
-  image->SetOrigin(origin + direction * half);
-  return image;
+  const auto middle = direction * half;
+  return basetest::NewImage<itk::Image<float, 3>>(
+    voxels, spacing, { { -middle[0], -middle[1], -middle[2] } }, direction);
 }
 } // namespace shapeton
 

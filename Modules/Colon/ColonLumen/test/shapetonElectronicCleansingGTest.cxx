@@ -2,6 +2,7 @@
 
 #include "shapetonColonTestScene.h"
 #include "shapetonTestThreads.h"
+#include "shapetonTestImages.h"
 #include "itkDiscreteGaussianImageFilter.h"
 #include "itkImageRegionConstIteratorWithIndex.h"
 #include "itkLinearInterpolateImageFunction.h"
@@ -137,11 +138,7 @@ TEST(ElectronicCleansing, TheInsideBecomesGasAndTissueStays)
 {
   const auto c = CleanseTube(1.4);
   const auto size = c.ct->GetBufferedRegion().GetNumberOfPixels();
-  for (std::size_t p = 0; p < size; ++p)
-  {
-    const auto            index = c.ct->ComputeIndex(static_cast<itk::OffsetValueType>(p));
-    itk::Point<double, 3> x;
-    c.ct->TransformIndexToPhysicalPoint(index, x);
+  basetest::ForVoxels(c.ct, [&](const auto & index, const auto & x) {
     const double depth = c.scene.lumens[0].depth(x.GetVectorFromOrigin());
     if (depth > 3.0)
     {
@@ -151,7 +148,7 @@ TEST(ElectronicCleansing, TheInsideBecomesGasAndTissueStays)
     {
       ASSERT_EQ(c.result.ct->GetPixel(index), c.ct->GetPixel(index)) << x;
     }
-  }
+  });
 }
 
 TEST(ElectronicCleansing, FoldsInFluidAndThroughTheLevelStay)
@@ -162,11 +159,7 @@ TEST(ElectronicCleansing, FoldsInFluidAndThroughTheLevelStay)
   double                          kept = 0.0, all = 0.0;
   const auto                      size = c.ct->GetBufferedRegion().GetNumberOfPixels();
   itk::Image<float, 3>::IndexType inside;
-  for (std::size_t p = 0; p < size; ++p)
-  {
-    const auto            index = c.ct->ComputeIndex(static_cast<itk::OffsetValueType>(p));
-    itk::Point<double, 3> x;
-    c.ct->TransformIndexToPhysicalPoint(index, x);
+  basetest::ForVoxels(c.ct, [&](const auto & index, const auto & x) {
     const Vec v = x.GetVectorFromOrigin();
     if (std::abs(v[2]) < 6.0 && c.scene.lumens[0].depth(v) > 3.0 && v[1] > 0.0 &&
         c.result.occupancy->TransformPhysicalPointToIndex(x, inside))
@@ -175,7 +168,7 @@ TEST(ElectronicCleansing, FoldsInFluidAndThroughTheLevelStay)
       kept += 1.0 - c.result.occupancy->GetPixel(inside);
       all += fold(v) > 0.0;
     }
-  }
+  });
   EXPECT_NEAR(kept / all, 1.0, 0.1);
 }
 

@@ -2,6 +2,7 @@
 
 #include "shapetonColonLumenSegmentation.h"
 #include "shapetonColonTestScene.h"
+#include "shapetonTestImages.h"
 
 #include <gtest/gtest.h>
 
@@ -76,13 +77,9 @@ HolesInRectum(const shapeton::ColonLumen & lumen, double margin)
   const auto   inside = Tube(At(0, 0, 18), 2, 20, Rectum - margin);
   int          holes = 0;
   const auto * labels = lumen.labels.GetPointer();
-  const auto   number = labels->GetBufferedRegion().GetNumberOfPixels();
-  for (std::size_t p = 0; p < number; ++p)
-  {
-    itk::Point<double, 3> x;
-    labels->TransformIndexToPhysicalPoint(labels->ComputeIndex(static_cast<itk::OffsetValueType>(p)), x);
-    holes += inside(x.GetVectorFromOrigin()) > 0.0 && labels->GetBufferPointer()[p] == 0;
-  }
+  basetest::ForVoxels(labels, [&](const auto & index, const auto & x) {
+    holes += inside(x.GetVectorFromOrigin()) > 0.0 && labels->GetPixel(index) == 0;
+  });
   return holes;
 }
 

@@ -2,6 +2,7 @@
 #define shapetonTubeMask_h
 
 #include "shapetonLumenDistance.h"
+#include "shapetonTestFrames.h"
 
 #include <Eigen/Geometry>
 
@@ -115,25 +116,12 @@ public:
     }
     m_Lowest = lowest - Eigen::Vector3d::Constant(margin);
     const Eigen::Vector3d extent = highest - lowest + Eigen::Vector3d::Constant(2.0 * margin);
-    m_Mask = LumenMask::New();
-    LumenMask::RegionType    region;
-    LumenMask::DirectionType direction;
-    LumenMask::PointType     origin;
-    const Eigen::Vector3d    first = frame * m_Lowest;
+    LumenMask::SizeType   size;
     for (int a = 0; a < 3; ++a)
     {
-      region.SetSize(a, static_cast<itk::SizeValueType>(std::ceil(extent[a] / spacing[a])) + 1);
-      origin[a] = first[a];
-      for (int b = 0; b < 3; ++b)
-      {
-        direction(a, b) = frame(a, b);
-      }
+      size[a] = static_cast<itk::SizeValueType>(std::ceil(extent[a] / spacing[a])) + 1;
     }
-    m_Mask->SetRegions(region);
-    m_Mask->SetSpacing(spacing.data());
-    m_Mask->SetOrigin(origin);
-    m_Mask->SetDirection(direction);
-    m_Mask->Allocate(true);
+    m_Mask = basetest::NewImageInFrame<LumenMask>(size, spacing, frame * m_Lowest, frame);
   }
 
   /** Sets all voxels with centers within `radius` of the curve to the value. */

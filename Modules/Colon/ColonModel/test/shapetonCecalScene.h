@@ -2,6 +2,7 @@
 #define shapetonCecalScene_h
 
 #include "shapetonIleocecalValve.h"
+#include "shapetonTestFrames.h"
 
 #include "itkImageRegionIteratorWithIndex.h"
 
@@ -69,40 +70,23 @@ Draw(const Scene &           scene,
      const Eigen::Vector3d & spacing = Eigen::Vector3d::Constant(1.5),
      const Eigen::Matrix3d & axes = Eigen::Matrix3d::Identity())
 {
-  const Eigen::Vector3d     middle = scene.turn * Eigen::Vector3d(20.0, 0.0, 110.0);
-  const Eigen::Vector3d     sides = axes.transpose().cwiseAbs() * scene.turn.cwiseAbs() * Eigen::Vector3d(170, 90, 230);
-  const Eigen::Vector3d     first = middle - 0.5 * axes * sides;
-  itk::Size<3>              size;
-  itk::Matrix<double, 3, 3> direction;
-  shapeton::LumenMask::PointType origin;
+  const Eigen::Vector3d middle = scene.turn * Eigen::Vector3d(20.0, 0.0, 110.0);
+  const Eigen::Vector3d sides = axes.transpose().cwiseAbs() * scene.turn.cwiseAbs() * Eigen::Vector3d(170, 90, 230);
+  const Eigen::Vector3d first = middle - 0.5 * axes * sides;
+  itk::Size<3>          size;
   for (int i = 0; i < 3; ++i)
   {
     size[i] = static_cast<itk::SizeValueType>(sides[i] / spacing[i]);
-    origin[i] = first[i];
-    for (int j = 0; j < 3; ++j)
-    {
-      direction(i, j) = axes(i, j);
-    }
   }
-  Images     images;
-  const auto prepare = [&](auto * image) {
-    image->SetRegions(size);
-    image->SetOrigin(origin);
-    image->SetSpacing(spacing.data());
-    image->SetDirection(direction);
-    image->Allocate();
-  };
-  prepare(images.lumen.GetPointer());
-  prepare(images.ct.GetPointer());
-  itk::ImageRegionIteratorWithIndex<shapeton::LumenMask> voxel(images.lumen, images.lumen->GetBufferedRegion());
-  for (; !voxel.IsAtEnd(); ++voxel)
-  {
-    const auto            point = images.lumen->TransformIndexToPhysicalPoint<double>(voxel.GetIndex());
-    const Eigen::Vector3d p = scene.turn.transpose() * Eigen::Vector3d(point.GetDataPointer());
+  Images images;
+  images.lumen = basetest::NewImageInFrame<shapeton::LumenMask>(size, spacing, first, axes);
+  images.ct = basetest::NewImageInFrame<itk::Image<float, 3>>(size, spacing, first, axes);
+  basetest::ForVoxels(images.lumen, [&](const auto & index, const auto & point) {
+    const Eigen::Vector3d p = scene.turn.transpose() * basetest::ToEigen(point);
     const bool            isLumen = IsLumen(scene, p);
-    voxel.Set(isLumen ? 1 : 0);
-    images.ct->SetPixel(voxel.GetIndex(), isLumen ? -950.0F : InValve(p) < 0.6 ? scene.core : 40.0F);
-  }
+    images.lumen->SetPixel(index, isLumen ? 1 : 0);
+    images.ct->SetPixel(index, isLumen ? -950.0F : InValve(p) < 0.6 ? scene.core : 40.0F);
+  });
   return images;
 }
 

@@ -11,6 +11,7 @@
 
 #include "gtest/gtest.h"
 #include "shapetonJson.h"
+#include "shapetonTestImages.h"
 
 #include <algorithm>
 #include <cmath>
@@ -123,9 +124,7 @@ WriteForBaselines(const shapeton::ColonModel & model)
   slice->Update();
   shapeton::WriteVolume(slice->GetOutput(), folder + "/ColonCleansedSlice.nrrd");
   const shapeton::VertexMatrix & line = model.centerline.curve.V;
-  const auto                     points = CtImage::New();
-  points->SetRegions(CtImage::SizeType{ { 3, static_cast<itk::SizeValueType>(line.rows()), 1 } });
-  points->Allocate();
+  const auto points = basetest::NewImage<CtImage>({ { 3, static_cast<itk::SizeValueType>(line.rows()), 1 } });
   std::copy(line.data(), line.data() + line.size(), points->GetBufferPointer());
   shapeton::WriteVolume(points.GetPointer(), folder + "/ColonCenterline.nrrd");
 }
@@ -248,9 +247,7 @@ TEST(ColonModel, TheCatheterIsWrittenWhereOneLies)
 
 TEST(ColonModel, WithoutAColonSaysSo)
 {
-  const auto ct = CtImage::New();
-  ct->SetRegions(CtImage::SizeType{ { 32, 32, 32 } });
-  ct->Allocate();
+  const auto ct = basetest::NewImage<CtImage>({ { 32, 32, 32 } });
   ct->FillBuffer(40.0F);
   auto options = Options();
   options.keepPartial = true;
@@ -314,9 +311,7 @@ TEST(ColonModel, APieceOfColonIsUsableAndNotComplete)
 
 TEST(ColonModel, AMaskWithoutGasIsRefused)
 {
-  const auto ct = CtImage::New();
-  ct->SetRegions(CtImage::SizeType{ { 32, 32, 32 } });
-  ct->Allocate();
+  const auto ct = basetest::NewImage<CtImage>({ { 32, 32, 32 } });
   ct->FillBuffer(40.0F);
   const auto mask = shapeton::LumenMask::New();
   mask->SetRegions(ct->GetLargestPossibleRegion());
@@ -341,22 +336,13 @@ IsInCapsule(const itk::Point<double, 3> & p, double x, double begin, double end,
 CtImage::Pointer
 ColonInTwoParts(double aside)
 {
-  const auto image = CtImage::New();
-  image->SetRegions(CtImage::SizeType{ { 90, 90, 220 } });
-  image->SetSpacing(CtImage::SpacingType(2.0));
-  const double origin[] = { -89.0, -89.0, 0.0 };
-  image->SetOrigin(origin);
-  image->Allocate();
-  itk::ImageRegionIteratorWithIndex<CtImage> it(image, image->GetLargestPossibleRegion());
-  for (; !it.IsAtEnd(); ++it)
-  {
-    itk::Point<double, 3> p;
-    image->TransformIndexToPhysicalPoint(it.GetIndex(), p);
+  const auto image = basetest::NewImage<CtImage>({ { 90, 90, 220 } }, { 2.0, 2.0, 2.0 }, { -89.0, -89.0, 0.0 });
+  basetest::ForVoxels(image, [&](const auto & index, const auto & p) {
     const bool isBody = std::max(std::abs(p[0]), std::abs(p[1])) < 80.0;
     const bool isColon = IsInCapsule(p, 0.0, 38.0, 132.0, 18.0) || IsInCapsule(p, 0.0, 286.0, 402.0, 18.0);
     const bool isThin = IsInCapsule(p, aside, 163.0, 255.0, 9.0);
-    it.Set(isBody && !isColon && !isThin ? 40.0F : -1000.0F);
-  }
+    image->SetPixel(index, isBody && !isColon && !isThin ? 40.0F : -1000.0F);
+  });
   return image;
 }
 

@@ -5,6 +5,7 @@
 #include "shapetonSurfaceConnectivity.h"
 #include "shapetonSurfaceQuality.h"
 #include "shapetonExceptions.h"
+#include "shapetonTestImages.h"
 
 #include <gtest/gtest.h>
 
@@ -165,9 +166,7 @@ TEST(ColonWall, ClampingMovesOnlyWhatTheMaskChanges)
   const auto  mask = shapeton::RepairLumenTopology(occupancy, shapeton::CurveSet()).mask;
   const auto  mesh = shapeton::ExtractWall(occupancy, mask);
   EXPECT_GT(0.05, GreatestError(mesh, whole)); // the cavity is filled, the outer wall unchanged
-  auto other = shapeton::LumenMaskImage::New();
-  other->SetRegions({ { { 0, 0, 0 } }, { { 3, 3, 3 } } });
-  other->Allocate(true);
+  auto other = basetest::NewImage<shapeton::LumenMaskImage>({ { 3, 3, 3 } });
   EXPECT_THROW(shapeton::ExtractWall(occupancy, other), std::invalid_argument);
 }
 
@@ -421,12 +420,9 @@ TEST(ColonWall, VoxelsAreLabeledByTheirOwnLoop)
   {
     axis.insert(axis.end(), part.begin(), part.end());
   }
-  const Depth lumen = Union(Tube({ { 0, 0, 0 }, { 0, 0, 50 } }, 14), Tube(axis, 4));
-  const auto  occupancy = Occupancy(lumen, BoxOf(axis, 14), ObliqueGrid(true), 2.0);
-  const auto  mask = shapeton::LumenMaskImage::New();
-  mask->CopyInformation(occupancy);
-  mask->SetRegions(occupancy->GetBufferedRegion());
-  mask->Allocate(true);
+  const Depth       lumen = Union(Tube({ { 0, 0, 0 }, { 0, 0, 50 } }, 14), Tube(axis, 4));
+  const auto        occupancy = Occupancy(lumen, BoxOf(axis, 14), ObliqueGrid(true), 2.0);
+  const auto        mask = basetest::NewImageLike<shapeton::LumenMaskImage>(occupancy);
   const std::size_t voxels = occupancy->GetBufferedRegion().GetNumberOfPixels();
   for (std::size_t i = 0; i < voxels; ++i)
   {
@@ -435,30 +431,24 @@ TEST(ColonWall, VoxelsAreLabeledByTheirOwnLoop)
   const auto labels = shapeton::LabelLumenAlong(
     mask, Centerline(axis), [](double arcLength) { return static_cast<unsigned short>(arcLength < 59.5 ? 1 : 2); });
   std::size_t counted = 0;
-  for (std::size_t i = 0; i < voxels; ++i)
-  {
-    itk::Point<double, 3> p;
-    labels->TransformIndexToPhysicalPoint(labels->ComputeIndex(static_cast<itk::OffsetValueType>(i)), p);
-    if (mask->GetBufferPointer()[i] == 0)
+  basetest::ForVoxels(labels, [&](const auto & index, const auto & p) {
+    if (mask->GetPixel(index) == 0)
     {
-      EXPECT_EQ(labels->GetBufferPointer()[i], 0);
+      EXPECT_EQ(labels->GetPixel(index), 0);
     }
     else if (p[2] > 0.0 && p[2] < 30.0 && std::abs(p[0] - 14.5) > 1.0)
     {
-      EXPECT_EQ(labels->GetBufferPointer()[i], p[0] < 14.5 ? 1 : 2) << p;
+      EXPECT_EQ(labels->GetPixel(index), p[0] < 14.5 ? 1 : 2) << p;
       ++counted;
     }
-  }
+  });
   EXPECT_GT(counted, 500u);
 }
 
 TEST(ColonWall, TheChainOnAMask)
 {
   const auto occupancy = TubeOccupancy(ObliqueGrid(true));
-  auto       mask = shapeton::LumenMaskImage::New();
-  mask->CopyInformation(occupancy);
-  mask->SetRegions(occupancy->GetBufferedRegion());
-  mask->Allocate();
+  auto       mask = basetest::NewImageLike<shapeton::LumenMaskImage>(occupancy);
   for (std::size_t i = 0; i < occupancy->GetBufferedRegion().GetNumberOfPixels(); ++i)
   {
     mask->GetBufferPointer()[i] = occupancy->GetBufferPointer()[i] >= 0.5F ? 2 : 0;

@@ -3,6 +3,7 @@
 
 #include "shapetonCurveSet.h"
 #include "shapetonLumenTopology.h"
+#include "shapetonTestFrames.h"
 
 #include <Eigen/Geometry>
 
@@ -46,40 +47,17 @@ Occupancy(const Depth & depth, const Eigen::AlignedBox3d & box, const Grid & gri
   {
     inner.extend(grid.direction.transpose() * box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(corner)));
   }
-  auto                                    image = shapeton::OccupancyImage::New();
-  shapeton::OccupancyImage::SizeType      size;
-  shapeton::OccupancyImage::PointType     origin;
-  shapeton::OccupancyImage::DirectionType direction;
-  const Eigen::Vector3d                   first = inner.min() - 3.0 * grid.spacing;
-  const Eigen::Vector3d                   corner = grid.direction * first;
-  shapeton::OccupancyImage::SpacingType   spacing;
+  shapeton::OccupancyImage::SizeType size;
+  const Eigen::Vector3d              first = inner.min() - 3.0 * grid.spacing;
   for (int i = 0; i < 3; ++i)
   {
     size[i] = static_cast<unsigned int>(std::ceil((inner.max()[i] - first[i]) / grid.spacing[i])) + 4;
-    origin[i] = corner[i];
-    spacing[i] = grid.spacing[i];
-    for (int k = 0; k < 3; ++k)
-    {
-      direction(i, k) = grid.direction(i, k);
-    }
   }
-  image->SetRegions(size);
-  image->SetOrigin(origin);
-  image->SetSpacing(spacing);
-  image->SetDirection(direction);
-  image->Allocate();
-  std::size_t i = 0;
-  for (unsigned int z = 0; z < size[2]; ++z)
-  {
-    for (unsigned int y = 0; y < size[1]; ++y)
-    {
-      for (unsigned int x = 0; x < size[0]; ++x)
-      {
-        const Eigen::Vector3d point = corner + grid.direction * grid.spacing.cwiseProduct(Eigen::Vector3d(x, y, z));
-        image->GetBufferPointer()[i++] = static_cast<float>(std::clamp(0.5 + depth(point) / width, 0.0, 1.0));
-      }
-    }
-  }
+  const auto image =
+    basetest::NewImageInFrame<shapeton::OccupancyImage>(size, grid.spacing, grid.direction * first, grid.direction);
+  basetest::Sample(image.GetPointer(), [&](const auto & point) {
+    return std::clamp(0.5 + depth(basetest::ToEigen(point)) / width, 0.0, 1.0);
+  });
   return image;
 }
 

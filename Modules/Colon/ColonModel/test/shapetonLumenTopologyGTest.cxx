@@ -1,6 +1,7 @@
 #include "itkImageRegionConstIteratorWithIndex.h"
 #include "shapetonLumenShapes.h"
 #include "shapetonExceptions.h"
+#include "shapetonTestImages.h"
 
 #include <gtest/gtest.h>
 
@@ -50,17 +51,11 @@ Contains(const shapeton::LumenMaskImage * mask, const Points & points)
 double
 GreatestDistanceOfCut(const shapeton::OccupancyImage * occupancy, const shapeton::LumenMaskImage * mask)
 {
-  double                                                           greatest = 0.0;
-  itk::ImageRegionConstIteratorWithIndex<shapeton::LumenMaskImage> it(mask, mask->GetBufferedRegion());
-  for (; !it.IsAtEnd(); ++it)
-  {
-    if (it.Get() == 0 && occupancy->GetPixel(it.GetIndex()) >= 0.5F)
-    {
-      shapeton::LumenMaskImage::PointType point;
-      mask->TransformIndexToPhysicalPoint(it.GetIndex(), point);
-      greatest = std::max(greatest, std::abs(point[0] - 10.5));
-    }
-  }
+  double greatest = 0.0;
+  basetest::ForVoxels(mask, [&](const auto & index, const auto & point) {
+    const bool isCut = mask->GetPixel(index) == 0 && occupancy->GetPixel(index) >= 0.5F;
+    greatest = isCut ? std::max(greatest, std::abs(point[0] - 10.5)) : greatest;
+  });
   return greatest;
 }
 } // namespace
@@ -148,9 +143,7 @@ TEST(LumenTopology, RefusesAnEmptyLumen)
 
 TEST(LumenTopology, OccupancyOfAMaskKeepsItsVolume)
 {
-  auto mask = shapeton::LumenMaskImage::New();
-  mask->SetRegions({ { { 0, 0, 0 } }, { { 40, 40, 40 } } });
-  mask->Allocate(true);
+  auto mask = basetest::NewImage<shapeton::LumenMaskImage>({ { 40, 40, 40 } });
   for (int i = 0; i < 40 * 40 * 40; ++i)
   {
     const Eigen::Vector3d p(i % 40, i / 40 % 40, i / 1600);

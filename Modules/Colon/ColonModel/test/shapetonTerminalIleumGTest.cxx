@@ -31,15 +31,11 @@ TEST(TerminalIleum, IsCutOffTheColonAndNothingElseIs)
   Scene colon = scene;
   colon.ileumLength = 0.0;
   int wrong = 0;
-  for (itk::ImageRegionIteratorWithIndex<shapeton::LumenMask> voxel(images.lumen, images.lumen->GetBufferedRegion());
-       !voxel.IsAtEnd();
-       ++voxel)
-  {
-    const auto            point = images.lumen->TransformIndexToPhysicalPoint<double>(voxel.GetIndex());
-    const Eigen::Vector3d p(point.GetDataPointer());
-    const bool            isNearMouth = std::abs(p.x() - cecalscene::radius) < 7.0;
-    wrong += !isNearMouth && (voxel.Get() != 0) != cecalscene::IsLumen(colon, p) ? 1 : 0;
-  }
+  basetest::ForVoxels(images.lumen, [&](const auto & index, const auto & point) {
+    const bool isNearMouth = std::abs(point[0] - cecalscene::radius) < 7.0;
+    const bool isLumen = cecalscene::IsLumen(colon, basetest::ToEigen(point));
+    wrong += !isNearMouth && (images.lumen->GetPixel(index) != 0) != isLumen ? 1 : 0;
+  });
   EXPECT_EQ(wrong, 0);
 }
 

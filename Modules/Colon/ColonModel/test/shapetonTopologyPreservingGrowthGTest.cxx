@@ -1,6 +1,7 @@
 #include "shapetonTopologyPreservingGrowth.h"
 
 #include "shapetonDisjointSets.h"
+#include "shapetonTestImages.h"
 
 #include <gtest/gtest.h>
 
@@ -18,9 +19,7 @@ namespace
 shapeton::LumenMaskImage::Pointer
 NewMask(unsigned int nx, unsigned int ny, unsigned int nz)
 {
-  auto mask = shapeton::LumenMaskImage::New();
-  mask->SetRegions({ { { 0, 0, 0 } }, { { nx, ny, nz } } });
-  mask->Allocate(true);
+  auto mask = basetest::NewImage<shapeton::LumenMaskImage>({ { nx, ny, nz } });
   return mask;
 }
 
@@ -234,9 +233,7 @@ TEST(TopologyPreservingGrowth, FillsAConvexLimitAndCutsARingWhereTheRankIsLowest
 
 TEST(TopologyPreservingGrowth, RefusesOtherSizes)
 {
-  auto ranks = shapeton::GrowthRankImage::New();
-  ranks->SetRegions({ { { 0, 0, 0 } }, { { 3, 3, 3 } } });
-  ranks->Allocate(true);
+  auto ranks = basetest::NewImage<shapeton::GrowthRankImage>({ { 3, 3, 3 } });
   EXPECT_THROW(shapeton::GrowByTopologyPreservingPoints(NewMask(3, 3, 3), NewMask(3, 3, 4), ranks),
                std::invalid_argument);
 }

@@ -2,6 +2,7 @@
 #define shapetonPolypTubes_h
 
 #include "shapetonColonWall.h"
+#include "shapetonTestFrames.h"
 
 #include <Eigen/Geometry>
 
@@ -71,33 +72,15 @@ template <typename TImage>
 typename TImage::Pointer
 MakeImage(double spacing, const std::function<double(double)> & valueOfDistance, const std::vector<Body> & bodies)
 {
-  const double               half[3] = { halfLength + 6.0, radius + 6.0, radius + 6.0 };
-  typename TImage::SizeType  size;
-  typename TImage::PointType origin;
+  const Vector3d            half(halfLength + 6.0, radius + 6.0, radius + 6.0);
+  typename TImage::SizeType size;
   for (unsigned int k = 0; k < 3; ++k)
   {
     size[k] = static_cast<itk::SizeValueType>(2.0 * half[k] / spacing) + 1;
-    origin[k] = -half[k];
   }
-  auto image = TImage::New();
-  image->SetRegions(size);
-  image->SetSpacing(typename TImage::SpacingType(spacing));
-  image->SetOrigin(origin);
-  image->Allocate();
-  std::size_t i = 0;
-  for (itk::SizeValueType z = 0; z < size[2]; ++z)
-  {
-    for (itk::SizeValueType y = 0; y < size[1]; ++y)
-    {
-      for (itk::SizeValueType x = 0; x < size[0]; ++x, ++i)
-      {
-        const Vector3d p(origin[0] + spacing * static_cast<double>(x),
-                         origin[1] + spacing * static_cast<double>(y),
-                         origin[2] + spacing * static_cast<double>(z));
-        image->GetBufferPointer()[i] = static_cast<typename TImage::PixelType>(valueOfDistance(Distance(p, bodies)));
-      }
-    }
-  }
+  const auto image = basetest::NewImageInFrame<TImage>(size, Vector3d::Constant(spacing), -half);
+  basetest::Sample(image.GetPointer(),
+                   [&](const auto & point) { return valueOfDistance(Distance(basetest::ToEigen(point), bodies)); });
   return image;
 }
 

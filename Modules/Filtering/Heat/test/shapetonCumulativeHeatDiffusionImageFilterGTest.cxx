@@ -2,6 +2,7 @@
 #include "shapetonAutomaticParameters.h"
 #include "shapetonHeatHistogramFilter.h"
 #include "shapetonDiffusionTestVolumes.h"
+#include "shapetonTestImages.h"
 
 #include <gtest/gtest.h>
 
@@ -16,9 +17,7 @@ typename itk::Image<TPixel, 3>::Pointer
 MakeImage(const test::Volume & volume, double scale = 1.0)
 {
   using ImageType = itk::Image<TPixel, 3>;
-  auto image = ImageType::New();
-  image->SetRegions(typename ImageType::SizeType{ { volume.size[0], volume.size[1], volume.size[2] } });
-  image->Allocate();
+  auto image = basetest::NewImage<ImageType>({ { volume.size[0], volume.size[1], volume.size[2] } });
   std::transform(volume.values.begin(), volume.values.end(), image->GetBufferPointer(), [scale](float value) {
     return static_cast<TPixel>(scale * value);
   });
@@ -139,10 +138,7 @@ TEST(CumulativeHeatDiffusionImageFilter, IntegerPixelsGiveTheHeatOfEqualFloats)
 {
   const test::Volume volume = test::MakeScene({ 16, 18, 14 }, 0.1);
   const auto         shorts = MakeImage<short>(volume, 1000.0);
-  auto               floats = itk::Image<float, 3>::New();
-  floats->CopyInformation(shorts);
-  floats->SetRegions(shorts->GetLargestPossibleRegion());
-  floats->Allocate();
+  auto               floats = basetest::NewImageLike<itk::Image<float, 3>>(shorts);
   std::copy_n(shorts->GetBufferPointer(), volume.values.size(), floats->GetBufferPointer());
   const auto a = MakeFilter(shorts.GetPointer(), 200);
   const auto b = MakeFilter(floats.GetPointer(), 200);
@@ -294,10 +290,7 @@ TEST(CumulativeHeatDiffusionImageFilter, HistogramAndSnapshotsAgree)
   std::map<std::uint64_t, itk::Image<float, 3>::Pointer> snapshots;
   filter->SetHistogramSteps(steps);
   filter->SetSnapshotSteps(steps, [&](std::uint64_t step, const itk::Image<float, 3> * heat) {
-    auto snapshot = itk::Image<float, 3>::New();
-    snapshot->CopyInformation(heat);
-    snapshot->SetRegions(heat->GetLargestPossibleRegion());
-    snapshot->Allocate();
+    auto snapshot = basetest::NewImageLike<itk::Image<float, 3>>(heat);
     std::copy_n(heat->GetBufferPointer(), heat->GetPixelContainer()->Size(), snapshot->GetBufferPointer());
     snapshots[step] = snapshot;
   });

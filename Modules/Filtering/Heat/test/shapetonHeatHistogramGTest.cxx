@@ -1,5 +1,6 @@
 #include "shapetonHeatClassification.h"
 #include "shapetonHeatHistogramFilter.h"
+#include "shapetonTestImages.h"
 
 #include <gtest/gtest.h>
 
@@ -69,9 +70,7 @@ TEST(HeatHistogram, EqualizationCountsEachRowTheSame)
 
 TEST(HeatHistogramFilter, RefusesStepsOutOfOrder)
 {
-  auto heat = itk::Image<float, 3>::New();
-  heat->SetRegions(itk::Image<float, 3>::SizeType{ { 2, 2, 2 } });
-  heat->Allocate();
+  auto heat = basetest::NewImage<itk::Image<float, 3>>({ { 2, 2, 2 } });
   auto filter = HeatHistogramFilter::New();
   filter->AddHeat(heat, 5);
   EXPECT_THROW(filter->AddHeat(heat, 4), itk::ExceptionObject);
@@ -94,10 +93,7 @@ AddPeak(std::vector<float> & heats, double mean, double deviation, int number)
 itk::Image<float, 3>::Pointer
 MakeHeatImage(const std::vector<float> & heats)
 {
-  auto image = itk::Image<float, 3>::New();
-  image->SetRegions(itk::Image<float, 3>::SizeType{ { heats.size(), 1, 1 } });
-  image->SetSpacing(std::array<double, 3>{ { 0.5, 1.0, 2.0 } }.data());
-  image->Allocate();
+  auto image = basetest::NewImage<itk::Image<float, 3>>({ { heats.size(), 1, 1 } }, { { 0.5, 1.0, 2.0 } });
   std::copy(heats.begin(), heats.end(), image->GetBufferPointer());
   return image;
 }
@@ -190,9 +186,7 @@ TEST(HeatClassification, AColdVolumeHasOnlyBackground)
 
 TEST(HeatClassification, TheSurroundingsHoldTheBorder)
 {
-  auto heat = itk::Image<float, 3>::New();
-  heat->SetRegions(itk::Image<float, 3>::SizeType{ { 10, 10, 10 } });
-  heat->Allocate();
+  auto heat = basetest::NewImage<itk::Image<float, 3>>({ { 10, 10, 10 } });
   heat->FillBuffer(0.01F);
   for (itk::IndexValueType z = 2; z < 8; ++z)
   {

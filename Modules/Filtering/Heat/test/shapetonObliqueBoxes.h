@@ -3,6 +3,7 @@
 
 #include "shapetonHeatSeeds.h"
 #include "shapetonTestErrors.h"
+#include "shapetonTestImages.h"
 
 #include "itkImageRegionIteratorWithIndex.h"
 
@@ -18,19 +19,8 @@ using shapeton::SeedImage;
 inline ImageType::Pointer
 MakeBoxes()
 {
-  auto image = ImageType::New();
-  image->SetRegions(itk::Size<3>{ { 30, 14, 9 } });
-  const double              spacing[3] = { 0.8, 1.1, 2.0 };
-  const double              origin[3] = { -40.0, 25.0, 300.0 };
-  itk::Matrix<double, 3, 3> direction;
-  direction.SetIdentity();
-  direction[0][0] = direction[2][2] = std::cos(0.5);
-  direction[0][2] = -std::sin(0.5);
-  direction[2][0] = std::sin(0.5);
-  image->SetSpacing(spacing);
-  image->SetOrigin(origin);
-  image->SetDirection(direction);
-  image->Allocate();
+  const auto image = basetest::NewImage<ImageType>(
+    { { 30, 14, 9 } }, { 0.8, 1.1, 2.0 }, { -40.0, 25.0, 300.0 }, basetest::Rotation(1, -0.5));
   for (itk::ImageRegionIteratorWithIndex<ImageType> it(image, image->GetLargestPossibleRegion()); !it.IsAtEnd(); ++it)
   {
     it.Set(static_cast<short>(300 * (it.GetIndex()[0] / 10)));

@@ -1,5 +1,6 @@
 #include "shapetonObliqueBoxes.h"
 #include "shapetonSeededHeatSegmentationImageFilter.h"
+#include "shapetonTestImages.h"
 
 #include "gtest/gtest.h"
 
@@ -146,9 +147,7 @@ TEST(SeededHeatSegmentationImageFilter, ProgressAscendsToTheEnd)
 
 TEST(HeatSeeds, ClassesGiveSeedsAwayFromTheirBorders)
 {
-  auto classes = SeedImage::New();
-  classes->SetRegions(itk::Size<3>{ { 20, 10, 10 } });
-  classes->Allocate(true);
+  auto       classes = basetest::NewImage<SeedImage>({ { 20, 10, 10 } });
   const auto fill = [&](const itk::Index<3> & low, const itk::Index<3> & high, unsigned short value) {
     for (itk::ImageRegionIteratorWithIndex<SeedImage> it(classes, classes->GetLargestPossibleRegion()); !it.IsAtEnd();
          ++it)

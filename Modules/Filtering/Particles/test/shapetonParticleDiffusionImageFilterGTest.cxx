@@ -3,6 +3,7 @@
 #include "shapetonParticleTestRuns.h"
 #include "shapetonVisitDensity.h"
 #include "shapetonTestErrors.h"
+#include "shapetonTestImages.h"
 
 #include <gtest/gtest.h>
 
@@ -17,9 +18,7 @@ template <typename TPixel>
 typename itk::Image<TPixel, 3>::Pointer
 MakeImage(const test::Volume & volume, double scale = 1.0)
 {
-  auto image = itk::Image<TPixel, 3>::New();
-  image->SetRegions(itk::Size<3>{ { volume.size[0], volume.size[1], volume.size[2] } });
-  image->Allocate();
+  auto image = basetest::NewImage<itk::Image<TPixel, 3>>({ { volume.size[0], volume.size[1], volume.size[2] } });
   std::transform(volume.values.begin(), volume.values.end(), image->GetBufferPointer(), [scale](float value) {
     return static_cast<TPixel>(scale * value);
   });
@@ -142,13 +141,8 @@ TEST(ParticleDiffusionImageFilter, AllPixelTypesGiveTheSameVisits)
 
 TEST(ParticleDiffusionImageFilter, KeepsAnObliqueAnisotropicGeometry)
 {
-  const auto                          image = MakeImage<float>(test::MakeScene({ 9, 8, 7 }, 0.1));
-  itk::Image<float, 3>::DirectionType direction;
-  direction.SetIdentity();
-  direction(0, 0) = direction(1, 1) = std::cos(0.4);
-  direction(1, 0) = std::sin(0.4);
-  direction(0, 1) = -direction(1, 0);
-  image->SetDirection(direction);
+  const auto image = MakeImage<float>(test::MakeScene({ 9, 8, 7 }, 0.1));
+  image->SetDirection(basetest::Rotation(2, 0.4));
   image->SetSpacing(std::array<double, 3>{ { 0.7, 0.8, 2.5 } }.data());
   image->SetOrigin(std::array<double, 3>{ { -12.5, 30.0, 101.0 } }.data());
   image->SetRegions(itk::ImageRegion<3>({ { -4, 7, 100 } }, { { 9, 8, 7 } }));
@@ -407,10 +401,7 @@ TEST(ParticleParameters, AFeatureThatCannotBeSeenIsRefused)
 
 TEST(VisitDensity, IsRelativeToTheGreatestNumberOfVisits)
 {
-  auto image = itk::Image<std::uint32_t, 3>::New();
-  image->SetRegions(itk::Size<3>{ { 5, 4, 3 } });
-  image->SetSpacing(std::array<double, 3>{ { 0.7, 0.8, 2.5 } }.data());
-  image->Allocate(true);
+  auto       image = basetest::NewImage<itk::Image<std::uint32_t, 3>>({ { 5, 4, 3 } }, { { 0.7, 0.8, 2.5 } });
   const auto nothing = NormalizeVisits(image);
   EXPECT_TRUE(std::all_of(
     nothing->GetBufferPointer(), nothing->GetBufferPointer() + 60, [](float density) { return density == 0.0F; }));

@@ -2,6 +2,7 @@
 #define shapetonSampledShapes_h
 
 #include "shapetonLabelShapes.h"
+#include "shapetonTestFrames.h"
 
 #include <Eigen/Geometry>
 
@@ -18,48 +19,20 @@ MakeImage(const std::array<int, 3> &    size,
           const std::array<double, 3> & spacing = { 1.0, 1.0, 1.0 },
           const Eigen::Matrix3d &       direction = Eigen::Matrix3d::Identity())
 {
-  const auto           image = Image::New();
-  Image::SizeType      voxels;
-  Image::SpacingType   distances;
-  Image::DirectionType cosines;
-  Eigen::Vector3d      middle;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    voxels[axis] = size[axis];
-    distances[axis] = spacing[axis];
-    middle[axis] = 0.5 * (size[axis] - 1) * spacing[axis];
-    for (int column = 0; column < 3; ++column)
-    {
-      cosines(axis, column) = direction(axis, column);
-    }
-  }
-  const Eigen::Vector3d first = -direction * middle;
-  image->SetRegions(voxels);
-  image->SetSpacing(distances);
-  image->SetDirection(cosines);
-  image->SetOrigin(itk::Point<double, 3>(first.data()));
-  image->Allocate(true);
-  return image;
+  const Eigen::Vector3d distances(spacing.data());
+  const Eigen::Vector3d middle = 0.5 * distances.cwiseProduct(Eigen::Vector3d(size[0] - 1, size[1] - 1, size[2] - 1));
+  Image::SizeType       voxels;
+  std::copy(size.begin(), size.end(), voxels.begin());
+  return basetest::NewImageInFrame<Image>(voxels, distances, -direction * middle, direction);
 }
 
 /** Labels the voxels whose center is in the solid. */
 inline void
 Draw(Image * image, const Solid & solid, float label = 1.0F)
 {
-  const auto size = image->GetBufferedRegion().GetSize();
-  float *    value = image->GetBufferPointer();
-  for (itk::IndexValueType k = 0; k < static_cast<itk::IndexValueType>(size[2]); ++k)
-  {
-    for (itk::IndexValueType j = 0; j < static_cast<itk::IndexValueType>(size[1]); ++j)
-    {
-      for (itk::IndexValueType i = 0; i < static_cast<itk::IndexValueType>(size[0]); ++i, ++value)
-      {
-        itk::Point<double, 3> point;
-        image->TransformIndexToPhysicalPoint(itk::Index<3>{ { i, j, k } }, point);
-        *value = solid(Eigen::Vector3d(point[0], point[1], point[2])) ? label : *value;
-      }
-    }
-  }
+  basetest::ForVoxels(image, [&](const itk::Index<3> & index, const auto & point) {
+    image->SetPixel(index, solid(basetest::ToEigen(point)) ? label : image->GetPixel(index));
+  });
 }
 
 inline Solid

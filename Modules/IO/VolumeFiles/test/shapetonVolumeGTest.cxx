@@ -2,8 +2,11 @@
 #include "shapetonImageFile.h"
 #include "shapetonTestFolder.h"
 #include "shapetonVolumeWriter.h"
+#include "shapetonTestImages.h"
 
 #include <gtest/gtest.h>
+
+#include <numeric>
 
 namespace
 {
@@ -13,24 +16,9 @@ using ImageType = shapeton::Volume::ImageType;
 ImageType::Pointer
 MakeImage()
 {
-  const auto   image = ImageType::New();
-  const double spacing[3] = { 0.5, 0.75, 2.0 };
-  const double origin[3] = { -12.5, 30.25, 100.0 };
-
-  ImageType::DirectionType direction;
-  direction.SetIdentity();
-  direction(0, 0) = direction(1, 1) = 0.6;
-  direction(0, 1) = -0.8;
-  direction(1, 0) = 0.8;
-  image->SetRegions(ImageType::SizeType{ { 5, 4, 3 } });
-  image->SetSpacing(spacing);
-  image->SetOrigin(origin);
-  image->SetDirection(direction);
-  image->Allocate();
-  for (int i = 0; i < 60; ++i)
-  {
-    image->GetBufferPointer()[i] = static_cast<float>(i);
-  }
+  const auto image = basetest::NewImage<ImageType>(
+    { { 5, 4, 3 } }, { 0.5, 0.75, 2.0 }, { -12.5, 30.25, 100.0 }, basetest::Rotation(2, std::acos(0.6)));
+  std::iota(image->GetBufferPointer(), image->GetBufferPointer() + 60, 0.0F);
   return image;
 }
 

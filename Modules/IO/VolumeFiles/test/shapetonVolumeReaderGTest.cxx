@@ -2,6 +2,7 @@
 
 #include "shapetonDicomSeriesScan.h"
 #include "shapetonProgressTests.h"
+#include "shapetonTestImages.h"
 
 #include <filesystem>
 #include <sys/stat.h>
@@ -644,18 +645,14 @@ TEST(VolumeReader, DeshearPutsEachSliceInItsPlace)
                                             volume.image->GetBufferPointer() +
                                               volume.image->GetLargestPossibleRegion().GetNumberOfPixels());
     std::size_t covered = 0;
-    for (std::size_t i = 0; i < volume.image->GetLargestPossibleRegion().GetNumberOfPixels(); ++i)
-    {
-      const auto              index = volume.image->ComputeIndex(static_cast<itk::OffsetValueType>(i));
-      DicomFixture::PointType point;
-      volume.image->TransformIndexToPhysicalPoint(index, point);
+    basetest::ForVoxels(volume.image, [&](const auto & index, const auto & point) {
       const float value = volume.image->GetPixel(index);
       if (value != outside)
       {
         ++covered;
         ASSERT_NEAR(value, DicomFixture::Ramp(point), Quantization) << index;
       }
-    }
+    });
     // Each slice covers its 7 x 9 pixels except for the border, where interpolation lacks a neighbor.
     EXPECT_GE(covered, 6u * 6u * 8u);
     ASSERT_EQ(volume.repairs.size(), 1u);

@@ -5,6 +5,7 @@
 #include "shapetonDicomSeriesScan.h"
 #include "shapetonExceptions.h"
 #include "shapetonVolumeReader.h"
+#include "shapetonTestImages.h"
 
 #include <gtest/gtest.h>
 
@@ -55,13 +56,9 @@ LargestDeviation(const Volume & volume, const std::function<double(const DicomFi
 {
   double     largest = 0;
   const auto region = volume.image->GetLargestPossibleRegion();
-  for (std::size_t i = 0; i < region.GetNumberOfPixels(); ++i)
-  {
-    const auto              index = volume.image->ComputeIndex(static_cast<itk::OffsetValueType>(i));
-    DicomFixture::PointType point;
-    volume.image->TransformIndexToPhysicalPoint(index, point);
+  basetest::ForVoxels(volume.image, [&](const auto & index, const auto & point) {
     largest = std::max(largest, std::abs(volume.image->GetPixel(index) - intensity(point)));
-  }
+  });
   return largest;
 }
 

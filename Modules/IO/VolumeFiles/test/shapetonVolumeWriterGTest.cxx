@@ -2,6 +2,7 @@
 #include "shapetonNiftiTestFile.h"
 #include "shapetonVolumeTesting.h"
 #include "shapetonVolumeWriter.h"
+#include "shapetonTestImages.h"
 
 #include <cstdint>
 #include <cmath>
@@ -139,9 +140,7 @@ TEST(VolumeWriter, MetadataStandInTheHeaderAndEqualImagesGiveEqualBytes)
 TEST(VolumeWriter, LabelsAreCompressedAndIntensitiesAreNot)
 {
   const std::string folder = TestFolder();
-  const auto        labels = itk::Image<unsigned char, 3>::New();
-  labels->SetRegions(itk::Size<3>{ { 64, 64, 64 } });
-  labels->Allocate(true);
+  const auto        labels = basetest::NewImage<itk::Image<unsigned char, 3>>({ { 64, 64, 64 } });
   WriteVolume<unsigned char>(labels.GetPointer(), folder + "/labels.nrrd");
   EXPECT_LT(shapeton::ReadFileBytes(folder + "/labels.nrrd").size(), 64u * 64u);
   const auto image = MakeOblique<float>();
@@ -173,9 +172,7 @@ TEST(VolumeWriter, AFullDiskIsNoticed)
     EXPECT_THROW(WriteVolume<short>(labels.GetPointer(), path), shapeton::OutputError) << name;
     setrlimit(RLIMIT_FSIZE, &before);
   }
-  const auto zeros = itk::Image<short, 3>::New();
-  zeros->SetRegions(itk::Size<3>{ { 90, 90, 90 } });
-  zeros->Allocate(true);
+  const auto zeros = basetest::NewImage<itk::Image<short, 3>>({ { 90, 90, 90 } });
   for (const std::string name : { "zeros.nrrd", "zeros.nii.gz", "zeros.mha" })
   {
     const std::string path = TestFolder() + "/" + name;

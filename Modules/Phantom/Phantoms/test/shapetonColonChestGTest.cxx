@@ -4,6 +4,7 @@
 #include "shapetonDisjointSets.h"
 #include "shapetonTestErrors.h"
 #include "shapetonTestThreads.h"
+#include "shapetonTestImages.h"
 
 #include "itkImageRegionConstIteratorWithIndex.h"
 
@@ -419,12 +420,7 @@ TEST(ColonChest, AMovedVolumeShowsTheSamePatient)
 TEST(ColonChest, AnObliqueGridSamplesTheSameChest)
 {
   const auto source = MakeChest(ChestParameters("inspiration"), { { 30, 30, 30 } }, { 3, 4, 5 }, { 0, 0, 0 });
-  ChestSource::DirectionType direction;
-  direction.SetIdentity();
-  direction(0, 0) = direction(2, 2) = 0.8;
-  direction(0, 2) = 0.6;
-  direction(2, 0) = -0.6;
-  source->SetDirection(direction);
+  source->SetDirection(basetest::Rotation(1, std::asin(0.6)));
   const double center[3] = { -60.0, 0.0, 230.0 };
   source->CenterOutput(itk::Point<double, 3>(center));
   source->TruthOnlyOn();

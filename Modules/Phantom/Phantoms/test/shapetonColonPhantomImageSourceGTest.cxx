@@ -4,6 +4,7 @@
 #include "shapetonExceptions.h"
 #include "shapetonVolumeWriter.h"
 #include "shapetonTestThreads.h"
+#include "shapetonTestImages.h"
 
 #include "itkImageRegionConstIteratorWithIndex.h"
 
@@ -474,13 +475,8 @@ TEST(ColonPhantomImageSource, AnObliqueGridSamplesTheSameLumen)
 {
   auto parameters = Standard("supine", 0.3);
   parameters.noise = 0.0;
-  const auto            source = MakeSource(parameters, 40, 56.0);
-  Source::DirectionType direction;
-  direction.SetIdentity();
-  direction(0, 0) = direction(2, 2) = 0.8;
-  direction(0, 2) = 0.6;
-  direction(2, 0) = -0.6;
-  source->SetDirection(direction);
+  const auto source = MakeSource(parameters, 40, 56.0);
+  source->SetDirection(basetest::Rotation(1, std::asin(0.6)));
   CenterOver(source, PlaceOverFluid(source));
   source->UpdateLargestPossibleRegion();
   const auto                                         lumen = source->GetLumenOutput();

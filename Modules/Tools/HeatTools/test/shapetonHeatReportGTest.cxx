@@ -5,6 +5,7 @@
 #include "shapetonFileBytes.h"
 #include "shapetonJson.h"
 #include "shapetonExceptions.h"
+#include "shapetonTestImages.h"
 
 #include <stdexcept>
 
@@ -19,15 +20,8 @@ protected:
   void
   SetUp() override
   {
-    m_Gray = ImageType::New();
-    m_Gray->SetRegions(ImageType::SizeType{ { 16, 14, 12 } });
-    const double spacing[3] = { 0.5, 0.5, 2.0 };
-    m_Gray->SetSpacing(spacing);
-    m_Gray->Allocate();
-    m_Heat = ImageType::New();
-    m_Heat->CopyInformation(m_Gray);
-    m_Heat->SetRegions(m_Gray->GetBufferedRegion());
-    m_Heat->Allocate();
+    m_Gray = basetest::NewImage<ImageType>({ { 16, 14, 12 } }, { 0.5, 0.5, 2.0 });
+    m_Heat = basetest::NewImageLike<ImageType>(m_Gray);
     m_Heat->FillBuffer(0.0F);
     for (int i = 0; i < 16 * 14 * 12; ++i)
     {

@@ -1,5 +1,6 @@
 #include "shapetonParticleMonitor.h"
 #include "shapetonPictureTestUtilities.h"
+#include "shapetonTestImages.h"
 
 namespace
 {
@@ -9,9 +10,7 @@ using ImageType = itk::Image<float, 3>;
 ImageType::Pointer
 MakeBox()
 {
-  auto image = ImageType::New();
-  image->SetRegions(ImageType::SizeType{ { 24, 24, 24 } });
-  image->Allocate();
+  auto image = basetest::NewImage<ImageType>({ { 24, 24, 24 } });
   image->FillBuffer(0.0F);
   for (int i = 0; i < 8 * 8 * 8; ++i)
   {

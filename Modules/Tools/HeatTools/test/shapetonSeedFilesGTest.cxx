@@ -1,6 +1,7 @@
 #include "shapetonSeedFiles.h"
 #include "shapetonObliqueBoxes.h"
 #include "shapetonSeededHeatSegmentationImageFilter.h"
+#include "shapetonTestImages.h"
 
 #include "gtest/gtest.h"
 
@@ -96,10 +97,7 @@ TEST(SeedFiles, LabelMapsLieOnTheGridAndHoldWholeNumbers)
 {
   const auto       image = MakeBoxes();
   shapeton::Volume volume;
-  volume.image = shapeton::Volume::ImageType::New();
-  volume.image->CopyInformation(image);
-  volume.image->SetRegions(image->GetLargestPossibleRegion());
-  volume.image->Allocate(true);
+  volume.image = basetest::NewImageLike<shapeton::Volume::ImageType>(image);
   volume.image->SetPixel({ { 3, 3, 3 } }, 65535.0F);
   EXPECT_EQ(Count(shapeton::SeedsOfVolume(volume, "map", image), 65535), 1u);
   for (const float value : { 0.5F, -1.0F, 65536.0F })

@@ -4,6 +4,7 @@
 #include "shapetonPictureTestUtilities.h"
 #include "shapetonTestColon.h"
 #include "shapetonTestThreads.h"
+#include "shapetonTestImages.h"
 
 #include <algorithm>
 #include <map>
@@ -32,9 +33,7 @@ const shapeton::RGBColor wallLine = shapeton::MakeColor(255, 70, 160);
 
 TEST(ColonPictures, SlicesAreChosenByTheLumen)
 {
-  auto lumen = itk::Image<unsigned char, 3>::New();
-  lumen->SetRegions(itk::Size<3>{ { 10, 12, 100 } });
-  lumen->Allocate();
+  auto lumen = basetest::NewImage<itk::Image<unsigned char, 3>>({ { 10, 12, 100 } });
   lumen->FillBuffer(0);
   for (int z = 20; z < 80; ++z)
   {
@@ -74,9 +73,7 @@ TEST(ColonPictures, TheStorageOfTheVolumeDoesNotMatter)
 TEST(ColonPictures, AProjectionMeasuresTheThickness)
 {
   // Slabs 40 mm and 10 mm thick from front to back; brightness is proportional to the square root of the thickness.
-  auto lumen = itk::Image<unsigned char, 3>::New();
-  lumen->SetRegions(itk::Size<3>{ { 40, 40, 30 } });
-  lumen->Allocate();
+  auto lumen = basetest::NewImage<itk::Image<unsigned char, 3>>({ { 40, 40, 30 } });
   lumen->FillBuffer(0);
   for (int z = 0; z < 30; ++z)
   {
@@ -158,17 +155,12 @@ TEST(ColonPictures, RefusesWhatCannotBeDrawn)
   shapeton::ColonParts      parts;
   EXPECT_THROW(shapeton::DrawColonSlices(parts, shapeton::SlicePlane::Axial), std::invalid_argument);
   EXPECT_THROW(shapeton::DrawColonProjection(parts, shapeton::SlicePlane::Coronal), std::invalid_argument);
-  auto empty = itk::Image<unsigned char, 3>::New();
-  empty->SetRegions(itk::Size<3>{ { 5, 5, 5 } });
-  empty->Allocate();
+  auto empty = basetest::NewImage<itk::Image<unsigned char, 3>>({ { 5, 5, 5 } });
   empty->FillBuffer(0);
   parts.lumen = empty;
   EXPECT_THROW(shapeton::DrawColonSlices(parts, shapeton::SlicePlane::Axial), std::invalid_argument);
   parts = colon.Parts();
-  auto moved = itk::Image<float, 3>::New();
-  moved->CopyInformation(colon.ct);
-  moved->SetRegions(colon.ct->GetBufferedRegion());
-  moved->Allocate();
+  auto moved = basetest::NewImageLike<itk::Image<float, 3>>(colon.ct);
   moved->FillBuffer(0.0F);
   moved->SetOrigin(colon.ct->GetOrigin() + itk::Vector<double, 3>(1.0));
   parts.ct = moved;

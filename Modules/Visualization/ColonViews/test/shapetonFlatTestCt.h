@@ -3,6 +3,7 @@
 
 #include "shapetonFlatColonStrip.h"
 #include "shapetonFlatTestColon.h"
+#include "shapetonTestFrames.h"
 
 #include <functional>
 
@@ -31,35 +32,12 @@ MakeCt(const Eigen::Matrix3d &                               axes,
   const Eigen::Vector3d center(0.0, 0.0, 0.5 * length);
   const Eigen::Vector3d half = axes.transpose().cwiseAbs() * Eigen::Vector3d(reach, reach, 0.5 * length + 8.0);
   Ct::SizeType          size;
-  Ct::SpacingType       spacings;
-  Ct::DirectionType     direction;
   for (int k = 0; k < 3; ++k)
   {
     size[k] = static_cast<itk::SizeValueType>(2.0 * half[k] / spacing[k]) + 2;
-    spacings[k] = spacing[k];
-    for (int row = 0; row < 3; ++row)
-    {
-      direction[row][k] = axes(row, k);
-    }
   }
-  const Eigen::Vector3d corner = center - axes * half;
-  const auto            image = Ct::New();
-  image->SetRegions(size);
-  image->SetSpacing(spacings);
-  image->SetDirection(direction);
-  image->SetOrigin(corner.data());
-  image->Allocate();
-  float * voxel = image->GetBufferPointer();
-  for (std::size_t z = 0; z < size[2]; ++z)
-  {
-    for (std::size_t y = 0; y < size[1]; ++y)
-    {
-      for (std::size_t x = 0; x < size[0]; ++x)
-      {
-        *voxel++ = huAt(corner + axes * Eigen::Vector3d(x * spacing[0], y * spacing[1], z * spacing[2]));
-      }
-    }
-  }
+  const auto image = basetest::NewImageInFrame<Ct>(size, spacing, center - axes * half, axes);
+  basetest::Sample(image.GetPointer(), [&](const auto & point) { return huAt(basetest::ToEigen(point)); });
   return image;
 }
 

@@ -2,6 +2,7 @@
 
 #include "shapetonExceptions.h"
 #include "shapetonFileBytes.h"
+#include "shapetonTestImages.h"
 
 #include <gtest/gtest.h>
 
@@ -20,11 +21,7 @@ AsItIs(const std::string & path)
 ImageType::Pointer
 VolumeOf(const ImageType::SizeType & size)
 {
-  auto volume = ImageType::New();
-  volume->SetRegions(size);
-  const double spacing[3] = { 0.5, 0.75, 2.0 };
-  volume->SetSpacing(spacing);
-  volume->Allocate();
+  auto volume = basetest::NewImage<ImageType>(size, { 0.5, 0.75, 2.0 });
   for (std::size_t i = 0; i < volume->GetBufferedRegion().GetNumberOfPixels(); ++i)
   {
     volume->GetBufferPointer()[i] = static_cast<float>(i % 101) / 101.0F;

@@ -7,6 +7,7 @@
 #include "itkNrrdImageIO.h"
 #include "shapetonTestErrors.h"
 #include "shapetonVolumeWriter.h"
+#include "shapetonTestImages.h"
 
 namespace
 {
@@ -15,9 +16,7 @@ using ImageType = itk::Image<float, 3>;
 ImageType::Pointer
 MakeHeat(float heat)
 {
-  auto image = ImageType::New();
-  image->SetRegions(ImageType::SizeType{ { 4, 3, 2 } });
-  image->Allocate();
+  auto image = basetest::NewImage<ImageType>({ { 4, 3, 2 } });
   image->FillBuffer(heat);
   return image;
 }
@@ -77,9 +76,7 @@ TEST(HeatSnapshot, AVolumeShowsTheTimeStepOfItsHeader)
 
 TEST(HeatSnapshot, AMetaImageShowsItsTimeStepToo)
 {
-  auto heat = itk::Image<float, 3>::New();
-  heat->SetRegions(itk::Image<float, 3>::SizeType{ { 3, 3, 3 } });
-  heat->Allocate();
+  auto heat = basetest::NewImage<itk::Image<float, 3>>({ { 3, 3, 3 } });
   heat->FillBuffer(0.5F);
   const std::string path = SHAPETON_TEST_TEMPORARY_DIR "/stated.mha";
   shapeton::WriteVolume(heat.GetPointer(), path, { { "timeStep", "50" } });
@@ -124,8 +121,6 @@ TEST(HeatSnapshot, GridsAgreeBySizeAndPlace)
   direction[1][1] = -1.0;
   turned->SetDirection(direction);
   EXPECT_FALSE(shapeton::HaveSameGrid(a, turned));
-  auto larger = ImageType::New();
-  larger->SetRegions(ImageType::SizeType{ { 4, 3, 3 } });
-  larger->Allocate();
+  auto larger = basetest::NewImage<ImageType>({ { 4, 3, 3 } });
   EXPECT_FALSE(shapeton::HaveSameGrid(a, larger));
 }

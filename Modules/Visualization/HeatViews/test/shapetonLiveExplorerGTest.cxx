@@ -2,6 +2,7 @@
 
 #include "shapetonFileBytes.h"
 #include "shapetonJson.h"
+#include "shapetonTestImages.h"
 
 #include <gtest/gtest.h>
 
@@ -13,9 +14,7 @@ namespace
 shapeton::ShapeAnalysis
 VisitsAfter(std::uint64_t timeStep)
 {
-  auto visits = itk::Image<std::uint32_t, 3>::New();
-  visits->SetRegions(itk::Size<3>{ { 4, 4, 4 } });
-  visits->Allocate();
+  auto visits = basetest::NewImage<itk::Image<std::uint32_t, 3>>({ { 4, 4, 4 } });
   visits->FillBuffer(1);
   visits->GetBufferPointer()[0] = static_cast<std::uint32_t>(timeStep);
   return shapeton::AnalyzeVisits(visits, timeStep);

@@ -1,5 +1,6 @@
 #include "shapetonDeviceTestTools.h"
 #include "shapetonVolumeRendering.h"
+#include "shapetonTestImages.h"
 
 #include <gtest/gtest.h>
 
@@ -17,19 +18,8 @@ using Heat = itk::Image<float, 3>;
 Heat::Pointer
 MakeHeat(unsigned int nx, unsigned int ny, unsigned int nz)
 {
-  const auto heat = Heat::New();
-  heat->SetRegions(Heat::SizeType{ { nx, ny, nz } });
-  const double spacing[] = { 0.8, 1.1, 2.3 };
-  const double origin[] = { 11.0, -7.0, 3.0 };
-  heat->SetSpacing(spacing);
-  heat->SetOrigin(origin);
-  Heat::DirectionType direction;
-  direction.SetIdentity();
-  direction(0, 0) = direction(1, 1) = std::cos(0.4);
-  direction(0, 1) = -std::sin(0.4);
-  direction(1, 0) = std::sin(0.4);
-  heat->SetDirection(direction);
-  heat->Allocate();
+  const auto heat =
+    basetest::NewImage<Heat>({ { nx, ny, nz } }, { 0.8, 1.1, 2.3 }, { 11.0, -7.0, 3.0 }, basetest::Rotation(2, 0.4));
   float * voxel = heat->GetBufferPointer();
   for (unsigned int z = 0; z < nz; ++z)
   {

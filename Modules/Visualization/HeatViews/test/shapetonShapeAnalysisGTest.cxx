@@ -3,6 +3,7 @@
 
 #include "shapetonHeatSnapshot.h"
 #include "shapetonVisitDensity.h"
+#include "shapetonTestImages.h"
 
 #include <numeric>
 
@@ -14,9 +15,7 @@ using VisitsType = itk::Image<std::uint32_t, 3>;
 VisitsType::Pointer
 MakeVisits(const std::vector<std::uint32_t> & slices)
 {
-  auto image = VisitsType::New();
-  image->SetRegions(VisitsType::SizeType{ { 10, 10, slices.size() } });
-  image->Allocate();
+  auto image = basetest::NewImage<VisitsType>({ { 10, 10, slices.size() } });
   for (std::size_t voxel = 0; voxel < 100 * slices.size(); ++voxel)
   {
     const std::uint32_t visits = slices[voxel / 100];
@@ -82,9 +81,7 @@ TEST(ShapeAnalysis, OfNoVisitsIsBackground)
 
 TEST(HeatSnapshot, VisitsAreWholeNumbersOfAStatedTimeStep)
 {
-  auto values = itk::Image<float, 3>::New();
-  values->SetRegions(itk::Image<float, 3>::SizeType{ { 2, 1, 1 } });
-  values->Allocate();
+  auto       values = basetest::NewImage<itk::Image<float, 3>>({ { 2, 1, 1 } });
   const auto set = [&](float a, float b) {
     values->GetBufferPointer()[0] = a;
     values->GetBufferPointer()[1] = b;

@@ -2,6 +2,7 @@
 #include "shapetonPatientOrientation.h"
 #include "shapetonPictureTestUtilities.h"
 #include "shapetonTestThreads.h"
+#include "shapetonTestImages.h"
 
 #include "itkMultiThreaderBase.h"
 
@@ -305,9 +306,7 @@ TEST(VolumeRendering, RefusesWhatCannotBeShown)
 
 TEST(VolumeRendering, AVolumeOfOneSliceIsShown)
 {
-  auto image = ImageType::New();
-  image->SetRegions(ImageType::SizeType{ { 20, 20, 1 } });
-  image->Allocate();
+  auto image = basetest::NewImage<ImageType>({ { 20, 20, 1 } });
   image->FillBuffer(redHeat);
   shapeton::VolumeRenderingOptions options;
   options.elevation = 90.0;

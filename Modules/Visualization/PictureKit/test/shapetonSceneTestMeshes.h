@@ -3,6 +3,7 @@
 
 #include "itkImage.h"
 #include "shapetonSurfaceMesh.h"
+#include "shapetonTestImages.h"
 
 #include <cmath>
 #include <functional>
@@ -77,41 +78,11 @@ template <typename TImage>
 typename TImage::Pointer
 ObliqueImage(const typename TImage::SizeType & size)
 {
-  auto                           image = TImage::New();
-  typename TImage::DirectionType turn;
-  typename TImage::DirectionType mirror;
-  typename TImage::SpacingType   spacing;
-  typename TImage::PointType     origin;
-  const double                   c = std::cos(0.3);
-  const double                   s = std::sin(0.3);
-  turn.SetIdentity();
-  mirror.SetIdentity();
+  using basetest::Rotation;
+  auto mirror = Rotation(0, 0.0);
   mirror[1][1] = -1.0;
-  for (unsigned int axis = 0; axis < 3; ++axis)
-  {
-    typename TImage::DirectionType one;
-    one.SetIdentity();
-    const unsigned int a = (axis + 1) % 3;
-    const unsigned int b = (axis + 2) % 3;
-    one[a][a] = c;
-    one[b][b] = c;
-    one[a][b] = -s;
-    one[b][a] = s;
-    turn = typename TImage::DirectionType(turn * one);
-  }
-  spacing[0] = 0.7;
-  spacing[1] = 1.1;
-  spacing[2] = 1.9;
-  origin[0] = 12.0;
-  origin[1] = -31.0;
-  origin[2] = 5.5;
-  image->SetRegions(size);
-  image->SetDirection(typename TImage::DirectionType(turn * mirror));
-  image->SetSpacing(spacing);
-  image->SetOrigin(origin);
-  image->Allocate();
-  image->FillBuffer(typename TImage::PixelType{});
-  return image;
+  const itk::Matrix<double, 3, 3> turn(Rotation(0, 0.3) * Rotation(1, 0.3) * Rotation(2, 0.3) * mirror);
+  return basetest::NewImage<TImage>(size, { 0.7, 1.1, 1.9 }, { 12.0, -31.0, 5.5 }, turn);
 }
 } // namespace shapeton
 
