@@ -51,7 +51,6 @@ Compare(const ColonTestScene & scene, const shapeton::ColonLumen & lumen)
 {
   Overlap      overlap;
   double       both = 0.0, sum = 0.0;
-  const auto   size = lumen.labels->GetBufferedRegion().GetSize();
   const auto   spacing = lumen.labels->GetSpacing();
   const double ml = spacing[0] * spacing[1] * spacing[2] * 1e-3;
   basetest::ForVoxels(lumen.labels, [&](const auto & index, const auto & x) {
@@ -79,8 +78,7 @@ Segment(const ImageType * image, const std::string & position = "")
 TEST(ColonLumenSegmentation, TakesGasAndFluidAndNoBowelOfEqualBrightness)
 {
   const auto scene = ColonAndBowel(At(0, 1, 0));
-  const auto image = shapeton::CenteredImage({ 110, 110, 80 }, { 1.3, 1.3, 1.3 }, Oblique(0.0, 0.0));
-  scene.Sample(image);
+  const auto image = shapeton::SampledImage(scene, { 110, 110, 80 }, { 1.3, 1.3, 1.3 });
   const auto lumen = Segment(image, "HFS");
   EXPECT_EQ(lumen.failure, "");
   EXPECT_TRUE(lumen.warnings.empty());
@@ -111,8 +109,7 @@ TEST(ColonLumenSegmentation, BrightBowelUnderAShallowFaintPoolStaysOut)
       -1e9,
       650.0 });
   scene.lumens.push_back({ [=](const Vec & x) { return std::min(tube(x), floor(x) - x[1]); }, 10.5, 270.0 });
-  const auto image = shapeton::CenteredImage({ 116, 116, 76 }, { 1.4, 1.4, 1.4 }, Oblique(0.0, 0.0));
-  scene.Sample(image);
+  const auto image = shapeton::SampledImage(scene, { 116, 116, 76 }, { 1.4, 1.4, 1.4 });
   const auto lumen = Segment(image, "HFS");
   EXPECT_EQ(lumen.failure, "");
   const auto label = [&](double x, double y) {
@@ -134,8 +131,7 @@ TEST(ColonLumenSegmentation, APoolOfCoarseVoxelsIsFoundThoughABrightBowelHangsOn
     ColonTestScene scene = ColonAndBowel(At(0, 1, 0));
     scene.lumens[0].level = level;
     scene.lumens[1].depth = Tube(At(27.9, 8, 0), 2, 30, 10);
-    const auto image = shapeton::CenteredImage({ 52, 52, 40 }, { 2.8, 2.8, 2.8 }, Oblique(0.0, 0.0));
-    scene.Sample(image);
+    const auto image = shapeton::SampledImage(scene, { 52, 52, 40 }, { 2.8, 2.8, 2.8 });
     const auto lumen = Segment(image, "HFS");
     ASSERT_EQ(lumen.failure, "") << level;
     const Overlap overlap = Compare(scene, lumen);
@@ -149,8 +145,7 @@ TEST(ColonLumenSegmentation, GravityIsReadFromTheLevels)
   for (const Vec & gravity : { At(0, 1, 0), At(0, -1, 0), At(1, 0, 0), At(-1, 0, 0) })
   {
     const auto scene = ColonAndBowel(gravity);
-    const auto image = shapeton::CenteredImage({ 72, 72, 50 }, { 2.0, 2.0, 2.0 }, Oblique(0.0, 0.0));
-    scene.Sample(image);
+    const auto image = shapeton::SampledImage(scene, { 72, 72, 50 }, { 2.0, 2.0, 2.0 });
     const auto lumen = Segment(image);
     EXPECT_EQ(lumen.gravitySource, shapeton::ColonGravitySource::Levels);
     EXPECT_EQ(lumen.gravity, gravity);
@@ -161,8 +156,7 @@ TEST(ColonLumenSegmentation, GravityIsReadFromTheLevels)
 TEST(ColonLumenSegmentation, TheGivenPositionWinsAndTheContradictionIsToldOf)
 {
   const auto scene = ColonAndBowel(At(0, 1, 0));
-  const auto image = shapeton::CenteredImage({ 72, 72, 50 }, { 2.0, 2.0, 2.0 }, Oblique(0.0, 0.0));
-  scene.Sample(image);
+  const auto image = shapeton::SampledImage(scene, { 72, 72, 50 }, { 2.0, 2.0, 2.0 });
   const auto lumen = Segment(image, "prone");
   EXPECT_EQ(lumen.gravity, At(0, -1, 0));
   ASSERT_EQ(lumen.warnings.size(), 1U);
@@ -177,8 +171,7 @@ TEST(ColonLumenSegmentation, ObliqueAnisotropicAndPermutedAxes)
   permuted.Fill(0.0);
   permuted(2, 0) = permuted(0, 1) = 1.0;
   permuted(1, 2) = -1.0;
-  const auto image = shapeton::CenteredImage({ 56, 130, 110 }, { 2.0, 1.1, 1.3 }, Oblique(20, 7) * permuted);
-  scene.Sample(image);
+  const auto image = shapeton::SampledImage(scene, { 56, 130, 110 }, { 2.0, 1.1, 1.3 }, Oblique(20, 7) * permuted);
   const auto lumen = Segment(image, "FFS");
   EXPECT_EQ(lumen.failure, "");
   const auto overlap = Compare(scene, lumen);
@@ -190,8 +183,7 @@ TEST(ColonLumenSegmentation, ObliqueAnisotropicAndPermutedAxes)
 TEST(ColonLumenSegmentation, SameBytesForAnyNumberOfThreads)
 {
   const auto scene = ColonAndBowel(At(0, 1, 0));
-  const auto image = shapeton::CenteredImage({ 72, 72, 50 }, { 2.0, 2.0, 2.0 }, Oblique(0.0, 0.0));
-  scene.Sample(image);
+  const auto image = shapeton::SampledImage(scene, { 72, 72, 50 }, { 2.0, 2.0, 2.0 });
   basetest::ExpectSameWithAnyThreads(
     [&] {
       const auto lumen = Segment(image, "HFS");
@@ -205,8 +197,7 @@ TEST(ColonLumenSegmentation, ASeedPointTakesAPieceThatIsTooThin)
   ColonTestScene scene;
   scene.lumens.push_back({ Tube(At(-25, 0, 0), 2, 30, 18), 1e9, 0.0 });
   scene.lumens.push_back({ Tube(At(25, 0, 0), 2, 20, 6), 1e9, 0.0 });
-  const auto image = shapeton::CenteredImage({ 72, 72, 50 }, { 2.0, 2.0, 2.0 }, Oblique(0.0, 0.0));
-  scene.Sample(image);
+  const auto                  image = shapeton::SampledImage(scene, { 72, 72, 50 }, { 2.0, 2.0, 2.0 });
   shapeton::ColonLumenOptions options;
   EXPECT_EQ(shapeton::SegmentColonLumen(image, options).pieces.size(), 1U);
   itk::Point<double, 3> seed;
@@ -226,8 +217,7 @@ TEST(ColonLumenSegmentation, FluidWithoutGasIsColonWhereItIsWiderThanSmallBowel)
   ColonTestScene scene;
   scene.lumens.push_back({ Tube(At(-30, -20, 0), 2, 40, 18), -16.0, 700.0 });
   scene.lumens.push_back({ Tube(At(25, 30, 0), 2, 45, 16), -1e9, 700.0 });
-  const auto image = shapeton::CenteredImage({ 100, 100, 90 }, { 1.5, 1.5, 1.5 }, Oblique(0.0, 0.0));
-  scene.Sample(image);
+  const auto image = shapeton::SampledImage(scene, { 100, 100, 90 }, { 1.5, 1.5, 1.5 });
   const auto wide = Segment(image, "HFS");
   EXPECT_EQ(wide.pieces.size(), 2U);
   ASSERT_EQ(wide.warnings.size(), 1U);
@@ -251,8 +241,7 @@ SegmentWithBowel(const Vec & middle, double halfLength, double radius, double le
   scene.lumens.push_back({ Tube(At(-36, 0, 40), 2, 30, 18), 4.0, 700.0 });
   scene.lumens.push_back({ Tube(At(36, 0, 40), 2, 30, 18), 4.0, 700.0 });
   scene.lumens.push_back({ Tube(middle, 2, halfLength, radius), level, 700.0 });
-  const auto image = shapeton::CenteredImage({ 88, 88, 124 }, { 1.5, 1.5, 1.5 }, Oblique(0.0, 0.0));
-  scene.Sample(image);
+  const auto image = shapeton::SampledImage(scene, { 88, 88, 124 }, { 1.5, 1.5, 1.5 });
   return Segment(image, "HFS");
 }
 
@@ -284,7 +273,6 @@ TEST(ColonLumenSegmentation, BowelAtThePlaceOfTheRectumIsTakenThoughItIsThin)
 double
 LabeledMl(const shapeton::ColonLumen & lumen, double low, double high)
 {
-  const auto  size = lumen.labels->GetBufferedRegion().GetSize();
   const auto  spacing = lumen.labels->GetSpacing();
   std::size_t count = 0;
   basetest::ForVoxels(lumen.labels, [&](const auto & index, const auto & x) {
@@ -303,8 +291,7 @@ TEST(ColonLumenSegmentation, TheCatheterIsLumenDownToTheAnalVerge)
   scene.lumens.push_back({ [](const Vec & x) { return -45.0 - x[2]; }, 1e9, 0.0 });
   for (const double turn : { 0.0, 180.0 }) // about x: the slices run upwards and downwards
   {
-    const auto image = shapeton::CenteredImage({ 110, 110, 96 }, { 1.3, 1.3, 1.3 }, Oblique(0.0, turn));
-    scene.Sample(image);
+    const auto image = shapeton::SampledImage(scene, { 110, 110, 96 }, { 1.3, 1.3, 1.3 }, Oblique(0.0, turn));
     const auto lumen = Segment(image);
     EXPECT_EQ(lumen.failure, "");
     const double canalMl = 1e-3 * 3.14159265 * 16.0 * 22.0;
@@ -325,8 +312,7 @@ TEST(ColonLumenSegmentation, AirThatOnlyThinShellsCoverIsOutside)
   scene.lumens.push_back({ Tube(At(0, -20, 0), 2, 30, 18), 1e9, 0.0 });
   scene.lumens.push_back({ slab(20, 46), 1e9, 0.0 });
   scene.lumens.push_back({ slab(50, 60), 1e9, 0.0 });
-  const auto image = shapeton::CenteredImage({ 72, 72, 60 }, { 2.0, 2.0, 2.0 }, Oblique(0.0, 0.0));
-  scene.Sample(image);
+  const auto image = shapeton::SampledImage(scene, { 72, 72, 60 }, { 2.0, 2.0, 2.0 });
   EXPECT_EQ(Segment(image).pieces.size(), 1U);
   scene.lumens.pop_back(); // without the cushion, the wall is 18 mm thick
   scene.Sample(image);
@@ -341,8 +327,7 @@ TEST(ColonLumenSegmentation, LargeLevelsOverruleTheCodeOfAHeader)
     scene.lumens.push_back({ Tube(At(x, 0, 0), 2, 55, 32), 4.0, 500.0 });
   }
   scene.bodyRadius = 140.0;
-  const auto image = shapeton::CenteredImage({ 150, 150, 72 }, { 2.0, 2.0, 2.0 }, Oblique(0.0, 0.0));
-  scene.Sample(image);
+  const auto image = shapeton::SampledImage(scene, { 150, 150, 72 }, { 2.0, 2.0, 2.0 });
   const auto lumen = Segment(image, "HFP");
   EXPECT_EQ(lumen.gravity, At(0, 1, 0));
   EXPECT_EQ(lumen.gravitySource, shapeton::ColonGravitySource::Levels);
@@ -366,8 +351,7 @@ TEST(ColonLumenSegmentation, AFlatLumenThatTheCaudalBorderCutsIsNoCleft)
     scene.bodyRadius = 90.0; // only the corners of the image are room air
     scene.lumens.push_back({ Tube(At(0, -30, 20), 2, 30, 18), 1e9, 0.0 });
     scene.lumens.push_back({ flat(across, deep, middle), 1e9, 0.0 });
-    const auto image = shapeton::CenteredImage({ 72, 72, 60 }, { 2.0, 2.0, 2.0 }, Oblique(0.0, 0.0));
-    scene.Sample(image);
+    const auto image = shapeton::SampledImage(scene, { 72, 72, 60 }, { 2.0, 2.0, 2.0 });
     return Segment(image).pieces.size();
   };
   EXPECT_EQ(pieces(30.0, 12.0, 0.0), 2U);
@@ -397,8 +381,7 @@ TEST(ColonLumenSegmentation, UntaggedFluidIsNoLumen)
 {
   ColonTestScene scene;
   scene.lumens.push_back({ Tube(At(0, 0, 0), 2, 30, 18), 4.0, 20.0 });
-  const auto image = shapeton::CenteredImage({ 72, 72, 50 }, { 2.0, 2.0, 2.0 }, Oblique(0.0, 0.0));
-  scene.Sample(image);
+  const auto image = shapeton::SampledImage(scene, { 72, 72, 50 }, { 2.0, 2.0, 2.0 });
   const auto lumen = Segment(image);
   EXPECT_FALSE(lumen.isTagged);
   EXPECT_EQ(lumen.gravitySource, shapeton::ColonGravitySource::Levels);
@@ -409,8 +392,7 @@ TEST(ColonLumenSegmentation, UntaggedFluidIsNoLumen)
 TEST(ColonLumenSegmentation, ABodyWithoutGasHasNoColon)
 {
   ColonTestScene scene;
-  const auto     image = shapeton::CenteredImage({ 72, 72, 40 }, { 2.0, 2.0, 2.0 }, Oblique(0.0, 0.0));
-  scene.Sample(image);
+  const auto     image = shapeton::SampledImage(scene, { 72, 72, 40 }, { 2.0, 2.0, 2.0 });
   EXPECT_EQ(Segment(image).failure.find("no colon found"), 0U);
 }
 
@@ -418,8 +400,7 @@ TEST(ColonLumenSegmentation, ThinGasIsNoDistendedColon)
 {
   ColonTestScene scene;
   scene.lumens.push_back({ Tube(At(0, 0, 0), 2, 30, 7), 1e9, 0.0 });
-  const auto image = shapeton::CenteredImage({ 72, 72, 50 }, { 2.0, 2.0, 2.0 }, Oblique(0.0, 0.0));
-  scene.Sample(image);
+  const auto image = shapeton::SampledImage(scene, { 72, 72, 50 }, { 2.0, 2.0, 2.0 });
   const auto lumen = Segment(image);
   EXPECT_EQ(lumen.failure.find("the colon is not distended or tagged enough"), 0U);
   ASSERT_FALSE(lumen.leftOut.empty());
@@ -450,8 +431,7 @@ Lungs(double parenchyma, bool hasVessels)
 ImageType::Pointer
 Chest(const ColonTestScene & scene)
 {
-  const auto image = shapeton::CenteredImage({ 100, 100, 60 }, { 2.0, 2.0, 2.5 }, Oblique(0.0, 0.0));
-  scene.Sample(image);
+  const auto image = shapeton::SampledImage(scene, { 100, 100, 60 }, { 2.0, 2.0, 2.5 });
   return image;
 }
 

@@ -133,6 +133,18 @@ CenteredImage(const std::array<int, 3> &        size,
   return basetest::NewImage<itk::Image<float, 3>>(
     voxels, spacing, { { -middle[0], -middle[1], -middle[2] } }, direction);
 }
+
+/** A scene around the origin. */
+inline itk::Image<float, 3>::Pointer
+SampledImage(const ColonTestScene &            scene,
+             const std::array<int, 3> &        size,
+             const std::array<double, 3> &     spacing,
+             const itk::Matrix<double, 3, 3> & direction = TurnedAxes(0.0, 0.0))
+{
+  const auto image = CenteredImage(size, spacing, direction);
+  scene.Sample(image);
+  return image;
+}
 } // namespace shapeton
 
 #endif

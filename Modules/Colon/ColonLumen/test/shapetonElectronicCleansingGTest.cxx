@@ -137,7 +137,6 @@ TEST(ElectronicCleansing, NoSlitsAreLeftAtTheRimOfALevel)
 TEST(ElectronicCleansing, TheInsideBecomesGasAndTissueStays)
 {
   const auto c = CleanseTube(1.4);
-  const auto size = c.ct->GetBufferedRegion().GetNumberOfPixels();
   basetest::ForVoxels(c.ct, [&](const auto & index, const auto & x) {
     const double depth = c.scene.lumens[0].depth(x.GetVectorFromOrigin());
     if (depth > 3.0)
@@ -157,7 +156,6 @@ TEST(ElectronicCleansing, FoldsInFluidAndThroughTheLevelStay)
   const auto                      fold = [](const Vec & x) { return std::min(1.5 - std::abs(x[2]), x[1] + 1.0); };
   const auto                      c = CleanseTube(1.4, fold);
   double                          kept = 0.0, all = 0.0;
-  const auto                      size = c.ct->GetBufferedRegion().GetNumberOfPixels();
   itk::Image<float, 3>::IndexType inside;
   basetest::ForVoxels(c.ct, [&](const auto & index, const auto & x) {
     const Vec v = x.GetVectorFromOrigin();

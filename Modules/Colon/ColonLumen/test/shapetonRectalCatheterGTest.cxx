@@ -51,9 +51,7 @@ Sampled(const ColonTestScene & scene, const std::array<double, 3> & spacing, con
   {
     size[a] = static_cast<int>((a < 2 ? 80.0 : 116.0) / spacing[a]);
   }
-  const auto image = shapeton::CenteredImage(size, spacing, axes);
-  scene.Sample(image);
-  return image;
+  return shapeton::SampledImage(scene, size, spacing, axes);
 }
 
 shapeton::ColonLumen

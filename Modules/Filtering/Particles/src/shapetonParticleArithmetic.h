@@ -150,8 +150,14 @@ struct ParticleArithmetic
     return drawn;
   }
 
-  /** s = 2 phi / pi by partial volume (8.5): the zero of a quartic by three Newton steps. The start value is exact
-   * if the weight of the first axis is a mere offset. Error of the distribution function 1e-6. */
+  /** s = 2 phi / pi by partial volume: the zero of a quartic by three Newton steps. The start value is exact if the
+   * weight of the first axis is a mere offset. Error of the distribution function 1e-6.
+   *
+   * \equation{8.1}
+   *
+   * \equation{8.2}
+   *
+   * \equation{8.5} as a polynomial in s. */
   SHAPETON_HOST_DEVICE static Floats
   DrawPhi(Floats w1, Floats w2, Floats w3, Floats random)
   {
@@ -233,7 +239,13 @@ struct ParticleArithmetic
     return { SineOfQuarter(1.0F - u), SineOfQuarter(u) };
   }
 
-  /** Samples a direction from the weights of a shapeton's voxel; the zero vector if all weights are 0. */
+  /** Samples a direction from the weights of a shapeton's voxel; the zero vector if all weights are 0.
+   *
+   * \equation{3.6} as `across`.
+   *
+   * \equation{3.7}
+   *
+   * \equation{8.4} as `across`. */
   template <Sampling VSampling>
   SHAPETON_HOST_DEVICE static void
   DrawDirection(const std::uint16_t * records,

@@ -3,7 +3,7 @@
 
 #include "shapetonDiffusionTestVolumes.h"
 #include "shapetonParticleDirection.h"
-#include "shapetonParticleTestTools.h"
+#include "shapetonPrintedEquations.h"
 
 #include <algorithm>
 #include <array>

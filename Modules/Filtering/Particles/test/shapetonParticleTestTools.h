@@ -8,7 +8,6 @@
 #include <cstdint>
 #include <limits>
 #include <ostream>
-#include <random>
 #include <vector>
 
 namespace shapeton
@@ -87,22 +86,6 @@ Gauss()
   static const GaussRule<24> rule;
   return rule;
 }
-
-/** Numbers in (0, 1], independent of the standard library. */
-class RandomNumbers
-{
-public:
-  explicit RandomNumbers(std::uint64_t seed) : m_Engine(seed) {}
-
-  double
-  Next()
-  {
-    return (static_cast<double>(m_Engine() >> 11) + 1.0) / 9007199254740992.0;
-  }
-
-private:
-  std::mt19937_64 m_Engine;
-};
 
 /** Deviation of counts from their expectations: Pearson's statistic as a number of standard deviations (Wilson and
  * Hilferty). Adjacent entries are merged until 20 are expected. Infinite if an impossible event was counted. The

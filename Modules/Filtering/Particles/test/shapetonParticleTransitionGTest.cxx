@@ -97,12 +97,26 @@ SlopeOf(const std::vector<double> & x, const std::vector<double> & y)
   return products / squares;
 }
 
-/** The distribution of the end voxels of a step, from a lattice in six dimensions: direction and position in the
- * voxel. */
+/** The density of a direction in an octant with these weights. */
+double
+DensityOf(double w1, double w2, double w3, double phi, double theta, DirectionSampling sampling)
+{
+  const double across = w2 + (w3 - w2) * phi / halfPi;
+  const double radius = w1 + (across - w1) * theta / halfPi;
+  const double area = Equation87(w1, across, halfPi);
+  if (sampling == DirectionSampling::SectorArea)
+  {
+    return area > 0.0 ? SectorVolume(w1, across, 0.0, halfPi) * 0.5 * radius * radius / area : 0.0;
+  }
+  return sampling == DirectionSampling::Uniform ? std::sin(theta) : radius * radius * radius / 3.0 * std::sin(theta);
+}
+
+/** The distribution of the end voxels of a step, from a lattice in six dimensions: octant and angles of the direction,
+ * weighted by its density, and position in the voxel. */
 std::vector<double>
 EndsByLattice(const ExactWalk & walk, std::size_t voxel, DirectionSampling sampling, double stepInVoxels)
 {
-  constexpr int         points = 1 << 17;
+  constexpr int         points = 1 << 19;
   constexpr double      root = 1.1127756842787055; // of x^7 = x + 1: its powers spread the points evenly
   std::array<double, 6> numbers{ 0.5, 0.5, 0.5, 0.5, 0.5, 0.5 };
   std::vector<double>   ends(side * side * side, 0.0);
@@ -115,10 +129,18 @@ EndsByLattice(const ExactWalk & walk, std::size_t voxel, DirectionSampling sampl
       number += power;
       number -= number > 1.0 ? 1.0 : 0.0;
     }
-    auto way = DrawDirection(walk.GetWeights(voxel), sampling, { numbers[0], numbers[1], numbers[2] });
-    std::transform(way.begin(), way.end(), way.begin(), [=](double component) { return component * stepInVoxels; });
-    walk.Follow(voxel, { numbers[3], numbers[4], numbers[5] }, way, 1.0 / points, ends);
+    const auto   octant = std::min(7U, static_cast<unsigned int>(8.0 * numbers[0]));
+    const double phi = numbers[1] * halfPi;
+    const double theta = numbers[2] * halfPi;
+    const auto & w = walk.GetWeights(voxel);
+    const double density =
+      DensityOf(w[octant & 1], w[2 + (octant >> 1 & 1)], w[4 + (octant >> 2)], phi, theta, sampling);
+    const double way[3] = { std::cos(theta), std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi) };
+    const auto   along = [&](unsigned int axis) { return (octant >> axis & 1 ? 1 : -1) * stepInVoxels * way[axis]; };
+    walk.Follow(voxel, { numbers[3], numbers[4], numbers[5] }, { along(0), along(1), along(2) }, density, ends);
   }
+  const double whole = std::accumulate(ends.begin(), ends.end(), 0.0);
+  std::transform(ends.begin(), ends.end(), ends.begin(), [=](double end) { return end / whole; });
   return ends;
 }
 
