@@ -157,7 +157,7 @@ TEST(ElectronicCleansing, FoldsInFluidAndThroughTheLevelStay)
   const auto                      c = CleanseTube(1.4, fold);
   double                          kept = 0.0, all = 0.0;
   itk::Image<float, 3>::IndexType inside;
-  basetest::ForVoxels(c.ct, [&](const auto & index, const auto & x) {
+  basetest::ForVoxels(c.ct, [&](const auto &, const auto & x) {
     const Vec v = x.GetVectorFromOrigin();
     if (std::abs(v[2]) < 6.0 && c.scene.lumens[0].depth(v) > 3.0 && v[1] > 0.0 &&
         c.result.occupancy->TransformPhysicalPointToIndex(x, inside))

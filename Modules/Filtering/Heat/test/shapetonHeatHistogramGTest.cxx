@@ -1,5 +1,5 @@
 #include "shapetonHeatClassification.h"
-#include "shapetonHeatHistogramFilter.h"
+#include "shapetonHeatHistogram.h"
 #include "shapetonTestImages.h"
 
 #include <gtest/gtest.h>
@@ -66,15 +66,6 @@ TEST(HeatHistogram, EqualizationCountsEachRowTheSame)
   const auto place = histogram.GetEqualization();
   EXPECT_DOUBLE_EQ(place[HeatHistogram::BinOf(0.01F) + 1], 0.5);
   EXPECT_DOUBLE_EQ(place[HeatHistogram::BinOf(0.5F)], 0.5);
-}
-
-TEST(HeatHistogramFilter, RefusesStepsOutOfOrder)
-{
-  auto heat = basetest::NewImage<itk::Image<float, 3>>({ { 2, 2, 2 } });
-  auto filter = HeatHistogramFilter::New();
-  filter->AddHeat(heat, 5);
-  EXPECT_THROW(filter->AddHeat(heat, 4), itk::ExceptionObject);
-  EXPECT_THROW(filter->AddHeat(nullptr, 6), itk::ExceptionObject);
 }
 
 namespace

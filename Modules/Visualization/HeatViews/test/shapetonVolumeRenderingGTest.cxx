@@ -6,8 +6,6 @@
 
 #include "itkMultiThreaderBase.h"
 
-#include <cmath>
-#include <functional>
 #include <stdexcept>
 
 namespace
@@ -35,47 +33,22 @@ MakePoint(double x, double y, double z)
 ImageType::Pointer
 MakeObliqueGrid()
 {
-  auto                     image = ImageType::New();
-  const double             a = 0.35;
-  const double             b = -0.5;
-  const double             rows[3][3] = { { std::cos(a), -std::sin(a) * std::cos(b), std::sin(a) * std::sin(b) },
-                                          { std::sin(a), std::cos(a) * std::cos(b), -std::cos(a) * std::sin(b) },
-                                          { 0.0, std::sin(b), std::cos(b) } };
-  ImageType::DirectionType direction;
-  for (unsigned int i = 0; i < 9; ++i)
-  {
-    direction[i / 3][i % 3] = rows[i / 3][i % 3];
-  }
-  const double        spacing[3] = { 1.0, 1.5, 2.5 };
-  ImageType::SizeType size{ { 100, 66, 40 } };
-  image->SetRegions(size);
-  image->SetDirection(direction);
-  image->SetSpacing(spacing);
-  itk::Vector<double, 3> toMiddle;
-  for (unsigned int axis = 0; axis < 3; ++axis)
-  {
-    toMiddle[axis] = 0.5 * (size[axis] - 1.0) * spacing[axis];
-  }
-  image->SetOrigin(MakePoint(10, -20, 30) - direction * toMiddle);
-  image->Allocate();
-  image->FillBuffer(0.0F);
+  const itk::Matrix<double, 3, 3> direction = basetest::Rotation(2, 0.35) * basetest::Rotation(0, -0.5);
+  const auto   image = basetest::NewImage<ImageType>({ { 100, 66, 40 } }, { { 1.0, 1.5, 2.5 } }, {}, direction);
+  const double toMiddle[3] = { 49.5, 48.75, 48.75 };
+  image->SetOrigin(MakePoint(10, -20, 30) - direction * itk::Vector<double, 3>(toMiddle));
   return image;
 }
 
 void
 FillBall(ImageType * image, const PointType & center, double radius, float heat)
 {
-  itk::ImageRegion<3> region = image->GetBufferedRegion();
-  for (itk::SizeValueType i = 0; i < region.GetNumberOfPixels(); ++i)
-  {
-    const itk::Index<3> index = image->ComputeIndex(static_cast<itk::OffsetValueType>(i));
-    PointType           point;
-    image->TransformIndexToPhysicalPoint(index, point);
+  basetest::ForVoxels(image, [&](const auto & index, const PointType & point) {
     if (point.EuclideanDistanceTo(center) <= radius)
     {
-      image->GetBufferPointer()[i] = heat;
+      image->SetPixel(index, heat);
     }
-  }
+  });
 }
 
 const PointType redCenter = MakePoint(-10, -25, 38);
