@@ -634,7 +634,7 @@ TEST(ColonCenterline, RefusesWhatHasNoColon)
   EXPECT_THROW(shapeton::TraceColonCenterline(mask.Get()), shapeton::InputError);
   mask.Paint(tube, 4.0);
   EXPECT_TRUE(basetest::Refuses([&] { shapeton::TraceColonCenterline(mask.Get()); },
-                                "no piece of lumen has 5.0 ml: there are 1, the largest has 2."));
+                                "no piece of lumen is at least 5.0 ml: the largest of 1 is 2."));
   mask.Paint(tube, 12.0);
   shapeton::ColonCenterlineOptions options;
   options.start = itk::Point<double, 3>(Eigen::Vector3d(0, 0, 500).data());

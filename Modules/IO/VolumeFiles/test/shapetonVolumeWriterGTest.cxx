@@ -363,7 +363,7 @@ TEST(ImageFile, SeveralGzipMembersAreOneStream)
   const std::string path = TestFolder() + "/image.nii.gz";
   niftitest::WriteBytes(path, bytes.substr(0, 352), "wb");
   niftitest::WriteBytes(path, bytes.substr(352, 40), "ab");
-  EXPECT_TRUE(Contains(RefusalOf(path), "truncated: it holds 40 of 96 bytes"));
+  EXPECT_TRUE(Contains(RefusalOf(path), "truncated: it contains 40 of 96 bytes"));
   niftitest::WriteBytes(path, bytes.substr(392), "ab");
   EXPECT_EQ(ReadVolume(path).image->GetPixel({ { 1, 2, 3 } }), 23.0F);
 }

@@ -86,7 +86,7 @@ TEST(SeedFiles, MarkupsThatCannotBeSeedsAreRefused)
   auto       markups = MakeMarkups(image);
   markups[2].points.push_back(PlaceOf(image, { { 31, 2, 2 } }));
   EXPECT_EQ(basetest::ErrorOf([&] { shapeton::SeedsOfMarkups(markups, image); }),
-            "point 3 of the markup \"bright\" lies outside the volume; place it on the volume that is segmented");
+            "point 3 of the markup \"bright\" is outside the volume; move it into the segmented volume");
   markups[2].points.back() = markups[0].points[0];
   EXPECT_TRUE(Refuses([&] { shapeton::SeedsOfMarkups(markups, image); }, "already a seed of label 1"));
   markups[2].points.clear();
@@ -107,5 +107,5 @@ TEST(SeedFiles, LabelMapsLieOnTheGridAndHoldWholeNumbers)
   }
   const double moved[3] = { 0.0, 0.0, 0.0 };
   volume.image->SetOrigin(moved);
-  EXPECT_TRUE(Refuses([&] { shapeton::SeedsOfVolume(volume, "map", image); }, "size or position"));
+  EXPECT_TRUE(Refuses([&] { shapeton::SeedsOfVolume(volume, "map", image); }, "different grids"));
 }
