@@ -16,18 +16,18 @@ namespace shapeton
 /** \defgroup ColonAssessability Assessable parts of a colon
  *
  * The colon cannot be assessed where its wall is not visible: C-RADS category C0 (Zalis et al., Radiology 2005), for
- * inadequate preparation that hides lesions of 10 mm or for collapsed segments. Each point of the centerline is
- * classified by the first rule that applies:
+ * inadequate preparation that hides lesions of 10 mm or more, or for collapsed segments. Each point of the centerline
+ * is classified by the first rule that applies:
  *
  * - no lumen: the line is a bridge, without gas or tagged fluid
  * - cut by the scan: the lumen extends beyond the border of the image
  * - untagged fluid: directly below the line, the lumen ends at an untagged level of at least 150 mm^2, which hides the
  *   wall below it. In the examinations inspected, flat walls were mistaken for levels of up to 80 mm^2
- * - narrow: the caliber is below 10 mm over at least 5 mm, as for distension; a single fold is thinner. The first 40 mm
- *   are exempt, since the anal canal is narrow
+ * - narrow: the caliber is below 10 mm over at least 5 mm, which is longer than a single fold. The first 40 mm are
+ *   exempt, since the anal canal is narrow
  *
- * MeasureDistension() uses the same limit of 10 mm; 150 mm^2, 5 mm and the fractions of the verdicts are our choice.
- * The fluid rule requires a CT.
+ * MeasureDistension() uses the same limit of 10 mm; 150 mm^2, 5 mm and the fractions that separate the verdicts are our
+ * choice. The fluid rule requires a CT.
  * \ingroup ShapetonColonCenterline */
 ///@{
 
@@ -51,7 +51,7 @@ HindranceOfName(const std::string & name);
 /** The hindrance for a value of the array notAssessable; values out of range are clamped. */
 ShapetonColonCenterline_EXPORT ColonHindrance
 HindranceOfValue(double value);
-/** For example "caliber below 10 mm"; empty for None. */
+/** Description, for example "caliber below 10 mm"; empty for None. */
 ShapetonColonCenterline_EXPORT std::string
                                InWords(ColonHindrance hindrance);
 

@@ -27,7 +27,8 @@ struct ColonCenterlineOptions
   std::vector<itk::Point<double, 3>> seedPoints;
   /** Smallest piece of lumen to use, ml. */
   double minimumVolume{ 5.0 };
-  /** Minimum bounding box diagonal (mm) of smaller pieces to use; these have at least a fifth of minimumVolume. */
+  /** Minimum bounding box diagonal (mm) of a smaller piece to use it; it must also have at least a fifth of
+   * minimumVolume. */
   double minimumExtent{ 60.0 };
   /** Distance between points of the line, mm, from 0.2 to 10. */
   double step{ 1.0 };
@@ -85,9 +86,9 @@ struct CenterlineMerge
 struct ColonCenterline
 {
   /** One curve from the rectum to the cecum, LPS in mm. Point arrays: arcLength (mm from the rectal end), radius (mm;
-   * of the largest inscribed ball centered in the cross-section, or the bridge radius in gaps), gap (1 on a bridge,
-   * else 0). Field arrays: lengths (mm, for the exponents 2, 3 and 4), gaps (begin, end), merges (x, y, z, clearance,
-   * loop). */
+   * that of the largest inscribed ball centered in the cross-section, or the bridge radius in gaps), gap (1 on a
+   * bridge, else 0). Field arrays: lengths (mm, for the exponents 2, 3 and 4), gaps (begin, end), merges (x, y, z,
+   * clearance, loop). */
   CurveSet curve;
   /** Length of the line, mm. */
   double                     length{ 0.0 };
@@ -117,7 +118,7 @@ struct ColonCenterline
  *    ends: the points with d >= 8 mm farthest apart along such paths, extended into tapering ends where another piece
  *    follows.
  * 4. Start at the rectum, the most caudal, posterior and medial end of a piece, and order the other pieces by the
- *    shortest joins of their ends, each used once; exact for up to 14 pieces.
+ *    shortest joins between their ends, using each piece once; exact for up to 14 pieces.
  * 5. Center, smooth and resample the path; bridge gaps by cubic curves.
  *
  * Anatomical directions refer to LPS for any image orientation. The result does not depend on the number of threads.

@@ -37,8 +37,8 @@ public:
   std::vector<int>
   Way(int from, int to) const;
 
-  /** Total length (mm) of the side branches of a path. Each counts with its core length beyond the lumen around the
-   * path, or with volume / `area` (mm^2) if larger, as for a wide pouch. Small branches are ignored. */
+  /** Total length (mm) of the side branches of a path. Each contributes its core length beyond the lumen around the
+   * path, or its volume / `area` (mm^2) if that is larger, as for a wide pouch. Small branches are ignored. */
   double
   SideBranches(const std::vector<int> & way, double area) const;
 
@@ -120,7 +120,7 @@ private:
   /** The tree path between the two cells of a passage; empty if there is none. */
   TreeRing
   Ring(const TreeWalk & all, int passage) const;
-  /** The widest cell of a path within the search distance from index i, forward or backward. */
+  /** Radius of the widest cell of a path within the search distance from index i, forward or backward. */
   double
   WidestOnWay(const std::vector<int> & way, int i, int direction) const;
   double

@@ -234,7 +234,7 @@ TraceOn(const std::array<int, 3> &     blocks,
   return traced;
 }
 
-/** Detects narrow lumen disconnected by merging voxels to blocks: a short gap between two lines of one component. */
+/** Detects narrow lumen disconnected by merging voxels into blocks: a short gap between two lines of one component. */
 bool
 IsTorn(const Traced & traced)
 {

@@ -89,8 +89,8 @@ LayOut(const LumenGrid & grid, const LumenCells & cells, const CellTree & tree, 
   return layout;
 }
 
-/** Evaluates cuts. The cost (mm) of the resulting colon is the sum for joins, omitted pieces, side branches, holes, and
- * the distance of its start from the rectum. */
+/** Evaluates cuts. The cost (mm) of the resulting colon is the sum of the costs of joins, omitted pieces, side branches
+ * and holes, and of the distance of its start from the rectum. */
 class CutSearch
 {
 public:

@@ -15,7 +15,7 @@ namespace shapeton
 /** \class LumenGrid
  * \brief The lumen as nodes 0, 1, ..., in image order, on a grid with a spacing of at most about 1.7 mm.
  *
- * Finer voxels are merged to blocks. A block is lumen only if all of its voxels are, so that walls do not vanish.
+ * Finer voxels are merged into blocks. A block is lumen only if all of its voxels are, so that walls do not vanish.
  * Positions are in mm along the image axes, from the first voxel of the region; ToPhysical() converts to LPS.
  */
 class LumenGrid
@@ -43,7 +43,7 @@ public:
   {
     return m_Distances[node];
   }
-  /** The component of the image, from 1. */
+  /** Component number of the node, from 1. */
   int
   Component(int node) const
   {

@@ -217,9 +217,10 @@ IsVisible(const DistanceField & field, const Eigen::Vector3d & from, const Eigen
   return true;
 }
 
-/** Nodes beyond the mouth of a pouch and their distances from it. Such nodes are nearest to the mouth among the curve
- * points up to it, and at least as wide as a colon or next to such lumen, which excludes ileum and appendix. The index
- * of other nodes is -1. The curve beyond the mouth is ignored, since it may be wrong. */
+/** Nodes beyond the mouth of a pouch and their distances from it. Of the curve points up to the mouth, the mouth is the
+ * nearest to such a node. The lumen at the node is at least as wide as a colon, or next to such lumen, which excludes
+ * ileum and appendix. The index of all other nodes is -1. The curve beyond the mouth is ignored, since it may be
+ * wrong. */
 NearestPlaces
 PouchBeyond(const LumenNetwork & network, const CurvePoints & points, int mouth, double step)
 {

@@ -21,7 +21,8 @@ LeadToPole(const LumenNetwork &           network,
            const ColonCenterlineOptions & options,
            CurvePoints &                  points);
 
-/** Trims the end of a curve until 10 mm are well inside the lumen, since paths continue into gaps of half a voxel. */
+/** Trims the end of a curve until its last 10 mm are well inside the lumen, since paths extend into gaps half a voxel
+ * wide. */
 void
 TrimEnds(const DistanceField & field, double step, CurvePoints & points);
 

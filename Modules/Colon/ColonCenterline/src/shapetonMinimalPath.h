@@ -33,7 +33,8 @@ GrowPathTree(const LumenGrid &  grid,
              int                exponent,
              int                last = -1);
 
-/** Index of the nearest path node within the lumen for each node (-1 if unreachable), and its distance, mm. */
+/** For each node: the index of the path node nearest to it within the lumen (-1 if unreachable), and the distance,
+ * mm. */
 struct NearestPlaces
 {
   std::vector<int>   indices;

@@ -59,12 +59,12 @@ constexpr double longestJoin = 150.0;
 std::array<int, 2>
 ClosestTips(const JoinEnd & a, const JoinEnd & b);
 
-/** Sets the cost of each end as the cecum: low for a caudal, right and wide end, high for a tapering, collapsed one.
- * `usualRadius` is LumenCells::UsualRadius. */
+/** Sets the cost of taking each end as the cecum: low for a caudal, wide end on the right, high for a tapering,
+ * collapsed end. `usualRadius` is LumenCells::UsualRadius. */
 void
 PreferCecum(const ColonExtent & extent, double usualRadius, std::vector<JoinPiece> & pieces);
 
-/** The order that minimizes the sum of joins and of penalties for omitted pieces, for a given first piece and
+/** The order that minimizes the sum of join costs and penalties for omitted pieces, for a given first piece and
  * direction. Exact, by dynamic programming over subsets (Held, Karp 1962). `cost` returns the sum, mm. */
 std::vector<PlacedPiece>
 OrderPieces(const std::vector<JoinPiece> & pieces, const PlacedPiece & first, double * cost = nullptr);

@@ -72,22 +72,22 @@ ShapetonColonLandmarks_EXPORT std::string
  * position in the bounding box of the line, the angles between chords of 35 and of 70 mm, and the directions 40 mm
  * before and after it. The score of a flexure is the log-likelihood of a Gaussian with independent features. The length
  * of the rectum and the length fractions between flexures are Gaussian as well. Each point up to the splenic flexure is
- * scored (position in the box, direction over 15 mm) by the likelihood ratio of the descending colon, straight along
- * the left and posterior wall, to the whole colon. Dynamic programming finds the optimal four ordered points. Then the
- * splenic and hepatic flexures, which are fixed to the posterior wall, are shifted to the highest point within 16 mm,
- * with posterior depth weighted by one half. The rectosigmoid flexure is shifted to the sharpest bend within 14 mm. The
- * descending-sigmoid flexure, the start of the straight part, is set to the probability-weighted mean of its candidates
- * within 60 mm. The mirror image of the line is scored as well and chosen if its total likelihood times .001 is
- * greater. The prior probability of a line from the cecum to the rectum is .01; confidences are multiplied by the
- * probability of the chosen direction.
+ * also scored by a likelihood ratio (position in the box, direction over 15 mm): that of the descending colon, which
+ * runs straight along the left posterior wall, to that of the whole colon. Dynamic programming finds the optimal four
+ * ordered points. Then the splenic and hepatic flexures, which are fixed to the posterior wall, are shifted to the
+ * highest point within 16 mm, with posterior depth weighted by one half. The rectosigmoid flexure is shifted to the
+ * sharpest bend within 14 mm. The descending-sigmoid flexure, the start of the straight part, is set to the
+ * probability-weighted mean of its candidates within 60 mm. The mirror image of the line is scored as well and chosen
+ * if its total likelihood times .001 is greater. The prior probability of a line from the cecum to the rectum is .01;
+ * confidences are multiplied by the probability of the chosen direction.
  *
  * The prior is based on published anatomy, not on centerlines or phantoms:
  * - lengths from the anal verge, cm: anal canal 4, rectum 12, sigmoid 40, descending 25, transverse 50, ascending 15,
  *   cecum 6 (Standring, ed.: Gray's Anatomy, 41st ed., 2016); ascending 20-25, descending 10-15, cecum 6 (SEER
- *   training module, US National Cancer Institute). The means lie between them. Total 189.5 +- 26.3 cm (Khashab et al.,
- *   Endoscopy 41, 2009, 505 adults, CT colonography), 150.3 +- 18.5 cm, 110 to 196 (Utano et al., Jpn J Radiol 40,
- * 2022, 295 patients). Standard deviations are a quarter to a third of the segment, more for the sigmoid, whose length
- *   varies most (Phillips et al., Ann R Coll Surg Engl 97, 2015).
+ *   training module, US National Cancer Institute). The means of the prior lie between these values. Total 189.5 +-
+ *   26.3 cm (Khashab et al., Endoscopy 41, 2009, 505 adults, CT colonography), 150.3 +- 18.5 cm, 110 to 196 (Utano et
+ *   al., Jpn J Radiol 40, 2022, 295 patients). Standard deviations are a quarter to a third of the segment length, more
+ *   for the sigmoid, whose length varies most (Phillips et al., Ann R Coll Surg Engl 97, 2015).
  * - heights by vertebrae (Gray's Anatomy): rectosigmoid junction S3, end of the descending colon at the pelvic brim
  *   (S1 to S2), hepatic flexure L1 to L2, splenic flexure T12 and above all others. Heights relative to the box assume
  *   18.5 cm of lumbar spine and 17 cm from the promontory to the anal verge.
@@ -95,7 +95,7 @@ ShapetonColonLandmarks_EXPORT std::string
  *   colon hanging forward between its flexures, ascending colon right (same source).
  *
  * Source: Ordered is original work. Published is the rule of the dissertation, 4.2.2; its "comparable y" is undefined
- * there and 25 mm here.
+ * there and is 25 mm here.
  *
  * No flexure is found, and the reason is reported, if the line is shorter than 80 cm (minimum for a whole colon,
  * Hounnou et al., Surg Radiol Anat 24, 2002) or its features are too far from the prior. Doubtful results cause

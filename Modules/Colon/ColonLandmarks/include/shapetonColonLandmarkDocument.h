@@ -29,8 +29,8 @@ struct ColonSegmentExtent
   double area{ 0.0 };
 };
 
-/** The segments in landmarks.json with two known ends. The rectum begins at 0; the cecum ends with the centerline.
- * Throws InputError for an invalid document. */
+/** The segments in landmarks.json for which both ends are known. The rectum begins at 0; the cecum ends with the
+ * centerline. Throws InputError for an invalid document. */
 ShapetonColonLandmarks_EXPORT std::vector<ColonSegmentExtent>
                               SegmentsOf(const Json & landmarks, double lengthOfCenterline);
 

@@ -12,10 +12,10 @@ namespace shapeton
 /** Method that finds the taeniae coli. \ingroup ShapetonColonLandmarks */
 enum class TaeniaRule
 {
-  /** Windowed fuzzy C-means and joint dynamic programming for three paths; the result of lower energy is kept. */
+  /** Windowed fuzzy C-means and joint dynamic programming for three paths; the result with the lower energy is kept. */
   Joint,
-  /** The most compact track of fuzzy C-means, and two tracks at one and two thirds of the circumference (dissertation
-   * 4.2.1). */
+  /** The most compact track of fuzzy C-means, and two tracks one and two thirds of the circumference away from it
+   * (dissertation 4.2.1). */
   Published
 };
 
@@ -67,7 +67,7 @@ struct ColonTaeniae
   /** Energy per row; NaN for a method that was not run. */
   double jointEnergy{ 0.0 };
   double fuzzyEnergy{ 0.0 };
-  /** Disagreement of the two methods on the wall: mean (mm), and fraction of the length with more than 10 mm. */
+  /** Disagreement between the two methods on the wall: mean (mm), and fraction of the length where it exceeds 10 mm. */
   double                  meanDisagreement{ 0.0 };
   double                  disagreeingShare{ 0.0 };
   std::vector<UsedMarker> markers;
@@ -87,8 +87,8 @@ ShapetonColonLandmarks_EXPORT std::string
  * - Fuzzy C-means (c = 3, m = 2; Bezdek 1981) of the angles of fold ends in windows of 150 mm, tracked between windows.
  * - Joint, exact dynamic programming of three paths: state (angle, two gaps), gaps of 45 to 225 degrees. In each row,
  * all paths turn by at most one step together, and each by at most one more. All paths have the same costs, so a
- * mirrored wall results in mirrored taeniae. Both are compared by the energy of the dynamic programming. Markers
- * attract the paths; a bump of 60 mm then moves each taenia exactly through its markers.
+ * mirrored wall results in mirrored taeniae. The results of the two methods are compared by the energy of the dynamic
+ * programming. Markers attract the paths; a bump of 60 mm then moves each taenia exactly through its markers.
  *
  * Throws InputError if a marker is more than 15 mm from the wall. \ingroup ShapetonColonLandmarks */
 ShapetonColonLandmarks_EXPORT ColonTaeniae

@@ -17,7 +17,8 @@ namespace shapeton
  * \brief The wall of a flat colon with the cut closed, for path searches.
  *
  * Duplicate vertices of the flat surface (equal sourcePointId) are merged; the order of faces is unchanged. A walk may
- * cross the cut. Turns() counts the crossings of an edge, which identifies walks around the tube.
+ * cross the cut. Turns() counts how often an edge crosses the cut; the sum over a walk shows whether it goes around the
+ * tube.
  *
  * \ingroup ShapetonColonLandmarks */
 class ShapetonColonLandmarks_EXPORT ColonWallTube
@@ -55,7 +56,7 @@ public:
   {
     return m_VertexOfFlat[flatVertex];
   }
-  /** One of the vertices of the flat surface merged to this vertex. */
+  /** One of the vertices of the flat surface that were merged into this vertex. */
   int
   FlatOfVertex(int vertex) const
   {

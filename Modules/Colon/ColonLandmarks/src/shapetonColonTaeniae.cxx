@@ -116,7 +116,7 @@ ReportDisagreement(const std::vector<double> & distances, ColonTaeniae & result)
   }
 }
 
-/** Keeps only the first of two markers of the same taenia in a row. */
+/** Keeps only the first of two markers of the same taenia in one row. */
 void
 WarnOfMarkersThatDisagree(ColonTaeniae & result)
 {

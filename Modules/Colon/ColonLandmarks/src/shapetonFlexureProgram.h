@@ -23,7 +23,7 @@ struct FlexurePlaces
 };
 
 /** Finds the optimal ordered points from the likelihoods of flexures, sections and lengths described in
- * shapetonColonFlexures.h. The more likely one of the line and its mirror image is used; confidences account for both
+ * shapetonColonFlexures.h. The line or its mirror image is used, whichever is more likely; confidences account for both
  * and for the reversed line. */
 FlexurePlaces
 FindFlexurePlaces(const CenterlineShape & shape);

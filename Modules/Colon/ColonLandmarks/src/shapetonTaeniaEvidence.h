@@ -14,7 +14,7 @@
 
 namespace shapeton
 {
-/** Angles of the three taeniae in a row, in turns around the tube in grid row direction, as in WallTurns. */
+/** Angles of the three taeniae for one row, in turns around the tube along the grid row, as in WallTurns. */
 using TaeniaAngles = std::array<double, 3>;
 /** Angles for each row along the tube; tracks are unwrapped. */
 using TaeniaTracks = std::vector<TaeniaAngles>;
@@ -88,8 +88,8 @@ JointTaeniae(const TaeniaEvidence & evidence, const Progress & progress);
 double
 EnergyOfTaeniae(const TaeniaEvidence & evidence, const TaeniaTracks & tracks);
 
-/** Tracks of windowed fuzzy C-means; with `thirds`, the most compact one and two at thirds of the circumference. Empty
- * for too few fold ends. */
+/** Tracks of windowed fuzzy C-means. With `thirds`: the most compact track, and two tracks one and two thirds of the
+ * circumference away from it. Empty if there are too few fold ends. */
 TaeniaTracks
 FuzzyTaeniae(const TaeniaEvidence & evidence, bool thirds);
 

@@ -13,7 +13,7 @@ namespace shapeton
  * \brief Angles around the tube (in turns) measured by wall length: angle difference times girth is the length of wall.
  *
  * Map angles differ, since a conformal map is distorted where the cross-section is flat. Taeniae divide the wall into
- * thirds, but the map into sectors of 45 to 225 degrees. Both angles agree on average in each row, so a longitudinal
+ * thirds, but the map into sectors of 45 to 225 degrees. The two angles agree on average in each row, so a longitudinal
  * line is longitudinal in both. */
 class WallTurns
 {

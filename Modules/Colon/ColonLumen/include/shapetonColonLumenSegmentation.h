@@ -21,8 +21,9 @@ namespace shapeton
 struct ColonLumenOptions
 {
   /** DICOM Patient Position or a name, see GravityOfPatientPosition(). If empty, gravity is inferred from the fluid
-   * levels. Names are always used. DICOM codes are overridden, with a warning, if levels of at least 50 cm^2, and of
-   * five times the area for the code, are flat in another direction. */
+   * levels. Names are always used. A DICOM code is overridden, with a warning, if the levels that are flat in another
+   * direction have an area of at least 50 cm^2 and of at least five times that of the levels that agree with the
+   * code. */
   std::string patientPosition;
   /** Points in LPS, mm. Gas or bright fluid at these points is colon, overriding the automatic choice. */
   std::vector<itk::Point<double, 3>> seedPoints;

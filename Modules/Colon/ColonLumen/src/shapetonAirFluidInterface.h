@@ -8,12 +8,12 @@
 
 namespace shapeton
 {
-/** Local intensity of tagged fluid: means over cells of about 2 mm of voxels deep in the fluid, smoothed with a
+/** Local intensity of tagged fluid: means of the voxels deep in the fluid over cells of about 2 mm, smoothed with a
  * standard deviation of about 3 mm and extrapolated to the surroundings. */
 class LocalFluid
 {
 public:
-  /** Averages nonzero voxels of `fluid` that are at least 2 mm from other voxels; `fallback` is the value far from
+  /** Averages nonzero voxels of `fluid` that are at least 2 mm from zero voxels; `fallback` is the value far from
    * them. */
   LocalFluid(const ColonGrid & grid, const VoxelValues & hu, const std::vector<unsigned char> & fluid, double fallback);
 
@@ -52,7 +52,7 @@ public:
                double                             gas);
 
   /** Depth (mm) of the nearby level relative to the voxel, positive in the gas above it. Empty if no level is within 5
-   * mm perpendicular to and 4 mm along gravity. */
+   * mm perpendicular to gravity and 4 mm along it. */
   std::optional<double>
   HeightAbove(std::size_t voxel) const;
 

@@ -336,7 +336,7 @@ private:
   double          m_Square{ 0.0 };
 };
 
-/** Finds flat floors and groups them to levels. */
+/** Finds flat floors and groups them into levels. */
 class LevelFinder
 {
 public:

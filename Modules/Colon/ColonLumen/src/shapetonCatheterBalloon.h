@@ -28,7 +28,7 @@ struct CatheterBalloon
  * residual) of a fitted sphere whose radius exceeds the tube radius by at least 2.5 mm. The RMS residual must be at
  * most .6 mm or a twelfth of the radius, whichever is greater, and at most half the residual of a cylinder along the
  * tube, which excludes a septum next to the rectum or a collar of tissue. A round lump of tissue centered on the tube
- * cannot be distinguished from a balloon of water. */
+ * cannot be distinguished from a balloon filled with water. */
 std::optional<CatheterBalloon>
 FindBalloon(const CatheterTube & tube, const CatheterRegion & region);
 } // namespace shapeton

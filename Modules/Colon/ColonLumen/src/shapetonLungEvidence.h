@@ -14,13 +14,13 @@ namespace shapeton
  * whose cross sections are tissue islands in axial slices. */
 struct LungEvidence
 {
-  double excess{ 0.0 };     ///< median HU above room air of blocks of 5 mm inside the piece
+  double excess{ 0.0 };     ///< HU above room air: median over blocks of 5 mm inside the piece
   double parenchyma{ 0.0 }; ///< fraction of parenchyma blocks in and within 10 mm of the piece, 0 to 1
   double vessels{ 0.0 };    ///< cross sections of vessels per 100 cm^2 of the piece in axial slices
 
   bool
   IsLung() const;
-  /** Whether it is certainly lung, not even a foam table or a blanket. */
+  /** Whether it is certainly lung, rather than, for example, a foam table or a blanket. */
   bool
   IsVascularLung() const;
 };

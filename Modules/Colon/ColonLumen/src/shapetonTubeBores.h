@@ -11,8 +11,8 @@ constexpr double LargestBoreRadius = 4.5; // mm
 using BoreAxis = std::vector<Eigen::Vector3d>;
 
 /** Finds long, thin pieces of gas: the residue of the opening by a ball of radius `reach` (mm), with a centerline of at
- * least `leastLength` (mm) and a mean cross-section of at most a bore of LargestBoreRadius. Bores may be bent. A larger
- * reach finds wider bores, but includes more of the gas next to their openings. */
+ * least `leastLength` (mm) and a mean cross-section no larger than that of a bore of LargestBoreRadius. Bores may be
+ * bent. A larger reach finds wider bores, but includes more of the gas next to their openings. */
 class TubeBores
 {
 public:

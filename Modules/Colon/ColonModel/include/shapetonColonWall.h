@@ -18,7 +18,7 @@ struct BridgedOccupancy
   /** Tube axes: pairs of points in LPS mm. */
   std::vector<std::pair<Eigen::Vector3d, Eigen::Vector3d>> axes;
   double                                                   radius{ 2.0 };
-  /** Number of additional tubes for stretches outside the lumen that are not marked as gaps. */
+  /** Warnings about additional tubes for stretches outside the lumen that are not marked as gaps. */
   Remarks warnings;
 };
 
@@ -26,8 +26,8 @@ struct BridgedOccupancy
  * the lumen.
  *
  * \param centerline LPS mm, with point arrays `gap` and `arcLength`.
- * \param radius of the tubes, mm, greater than 0; a connected tube needs at least one voxel.
- * Throws InputError if RequireSound() fails or an array is missing, and ParameterError for a radius out of range.
+ * \param radius of the tubes, mm, greater than 0; at least one voxel, or the tube may be disconnected. Throws
+ * InputError if RequireSound() fails or an array is missing, and ParameterError for a radius out of range.
  * \ingroup ShapetonColonModel */
 ShapetonColonModel_EXPORT BridgedOccupancy
 AddBridges(const OccupancyImage * occupancy, const CurveSet & centerline, double radius = 2.0);
@@ -100,8 +100,8 @@ OpenColonEnds(const SurfaceMesh & closed, const CurveSet & centerline, const Ope
 /** Options of BuildColonWall(): size, bridges, ends and smoothing. \ingroup ShapetonColonModel */
 struct ColonWallOptions
 {
-  /** Number of faces of the simplified surface; 0 to use FacesForDiffusion() of its area and narrowest radius with
-   * 55,000. */
+  /** Number of faces of the simplified surface; 0 for FacesForDiffusion() of the area and the narrowest radius of a
+   * surface simplified to 55,000 faces. */
   int faces{ 0 };
   /** Radius of the tubes through gaps, mm. */
   double          bridgeRadius{ 2.0 };
@@ -109,7 +109,8 @@ struct ColonWallOptions
   /** Maximum displacement of vertices of the repaired surface along their normals, as a fraction of the smallest
    * spacing. */
   double normalLimit{ 0.2 };
-  /** Maximum displacement along the surface, to avoid needle triangles; the only displacement for the raw surface. */
+  /** Maximum displacement along the surface, to avoid needle triangles; vertices of the raw surface move only along the
+   * surface. */
   double tangentialLimit{ 0.7 };
   /** Keep the pieces of an interrupted lumen separate: the faces of the tubes are removed, so each piece is a component
    * with open ends, and the surface has more than two boundary loops. */
@@ -164,10 +165,11 @@ struct ColonWall
 
 /** Bridges, repairs, extracts, opens and simplifies the wall.
  *
- * \param occupancy lumen where at least 0.5, on a grid cropped to it. Released after surface extraction; move the
- * pointer here to free the memory early. \param centerline one curve from rectum to cecum with point arrays `arcLength`
- * and `gap`. \param repairedOccupancy a separate occupancy on the same grid for the repaired surface, for example a
- * smoothed mask. Throws InputError if a step fails, or if the genus or the loops of the simplified surface differ.
+ * \param occupancy the lumen is where values are at least 0.5; the grid is cropped to it. Released after surface
+ * extraction; move the pointer here to free the memory early. \param centerline one curve from rectum to cecum with
+ * point arrays `arcLength` and `gap`. \param repairedOccupancy a separate occupancy on the same grid for the repaired
+ * surface, for example a smoothed mask. Throws InputError if a step fails, or if the genus or the loops of the
+ * simplified surface differ.
  * \ingroup ShapetonColonModel */
 ShapetonColonModel_EXPORT ColonWall
 BuildColonWall(OccupancyImage::ConstPointer occupancy,

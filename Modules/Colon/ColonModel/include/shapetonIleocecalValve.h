@@ -48,7 +48,7 @@ struct ValveSearch
  * smoothed by a Gaussian of 3 mm, where both principal curvatures are above .01/mm. Regions within 18 mm of each other
  * are the lips of one candidate. Log-odds are the sum of terms for size, position along the line, similarity to a ball
  * (a polyp on a stalk) and tissue. At most one candidate is the valve. The confidence is the probability of the best
- * candidate plus those within 25 mm of it, on the same fold.
+ * candidate plus that of the candidates within 25 mm of it, which are on the same fold.
  *
  * \param labels nonzero voxels are lumen.
  * \param ct HU on the same grid, cleansed or not; null: shape only.
@@ -57,8 +57,8 @@ struct ValveSearch
 ShapetonColonModel_EXPORT ValveSearch
 FindIleocecalValve(const LumenMask * labels, const itk::Image<float, 3> * ct, const CurveSet & centerline);
 
-/** \name The valve in the file of a centerline
- * Stored as the field array ileocecalValve: x, y, z (LPS, mm), arcLength, length, width (mm), confidence. */
+/** \name The valve in a centerline file Stored as the field array ileocecalValve: x, y, z (LPS, mm), arcLength, length,
+ * width (mm), confidence. */
 ///@{
 /** Stores the valve in the curve, or removes a stored valve. \ingroup ShapetonColonModel */
 ShapetonColonModel_EXPORT void

@@ -20,10 +20,10 @@ struct TerminalIleum
   double volume{ 0.0 };
 };
 
-/** Finds the terminal ileum in a lumen: a connected region at least 4 mm outside the opening by a ball of 8.5 mm
- * radius, which is attached to the colon only within 25 mm of the valve, extends at least 30 mm, and contains no point
- * of the centerline. These rules avoid removing colon: corners of haustra are shallower, loops of colon are wider, and
- * an appendix is attached elsewhere. Empty if not found.
+/** Finds the terminal ileum in a lumen: a connected region at least 4 mm outside the morphological opening of the lumen
+ * by a ball of 8.5 mm radius, which is attached to the colon only within 25 mm of the valve, extends at least 30 mm,
+ * and contains no point of the centerline. These rules avoid removing colon: corners of haustra are shallower, loops of
+ * colon are wider, and an appendix is attached elsewhere. Empty if not found.
  *
  * \param labels nonzero voxels are lumen.
  * \param centerline as for FindIleocecalValve(). The result does not depend on the number of threads.

@@ -18,7 +18,7 @@ public:
   double
   ArcLengthAt(const Eigen::Vector3d & point) const;
 
-  /** Value at the closest point of the curve for the center of a lumen voxel, by its buffer index. */
+  /** Value at the curve point closest to the center of a lumen voxel, given by its buffer index. */
   double
   ArcLengthOfVoxel(std::int64_t voxel) const;
 

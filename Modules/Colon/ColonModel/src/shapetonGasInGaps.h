@@ -16,7 +16,7 @@ struct GasInGap
 };
 
 /** Finds gas of at least 10 ml, with an inscribed radius of at least 7 mm, near both ends of a gap of at least 30 mm.
- * The maximum distance is a quarter of the length of the gap, at most 20 mm. */
+ * The maximum distance from an end is a quarter of the gap length, but at most 20 mm. */
 std::vector<GasInGap>
 FindGasInGaps(const ColonLumen & lumen, const ColonCenterline & line);
 

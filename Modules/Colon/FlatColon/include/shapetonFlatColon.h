@@ -53,7 +53,7 @@ public:
   const FlatColonAxis &
   Axis(const FlatColonGridOptions & options) const;
   /** Curvature of the tube with the cut closed, after heat diffusion for `time` mm^2, indexed by
-   * FlatColonGrid::SourceOfPoints(). PerArea, folds are positive for either orientation of the faces. */
+   * FlatColonGrid::SourceOfPoints(). With PerArea, folds are positive for either orientation of the faces. */
   const Eigen::VectorXd &
   Curvature(double time, CurvatureUnit unit = CurvatureUnit::PerArea) const;
 

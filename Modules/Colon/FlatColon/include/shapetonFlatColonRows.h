@@ -57,8 +57,8 @@ struct FlatColonTick
   double distance{ 0.0 };
 };
 
-/** Ticks at multiples of `step` (mm, greater than 0) of the distance along the centerline; where it is constant, at the
- * first column. \ingroup ShapetonFlatColon */
+/** Ticks at multiples of `step` (mm, greater than 0) of the distance along the centerline; where the distance is
+ * constant, at the first column. \ingroup ShapetonFlatColon */
 ShapetonFlatColon_EXPORT std::vector<FlatColonTick>
                          RulerTicks(const std::vector<double> & distanceOfColumns, double step);
 } // namespace shapeton

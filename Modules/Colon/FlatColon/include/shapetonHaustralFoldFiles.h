@@ -13,9 +13,9 @@ namespace shapeton
  * \ingroup ShapetonFlatColon */
 ///@{
 
-/** Feature points as curves of one vertex, LPS mm: three per fold, with the cell arrays fold (label), kind (0 center, 1
- * and 2 ends), reliability (0 to 1), uv (mm of the map), and arcLength (of the fold, mm along the centerline; only if
- * known for all). */
+/** Feature points as curves of one vertex each, LPS mm: three per fold, with the cell arrays fold (label), kind (0
+ * center, 1 and 2 ends), reliability (0 to 1), uv (mm of the map), and arcLength (of the fold, mm along the centerline;
+ * only if known for all). */
 ShapetonFlatColon_EXPORT CurveSet
 FeaturesOfFolds(const HaustralFolds & folds);
 
@@ -25,8 +25,8 @@ WriteFoldFeatures(const HaustralFolds &                                    folds
                   const std::vector<std::pair<std::string, std::string>> & facts,
                   const std::string &                                      path);
 
-/** One row per fold with the values of HaustralFold in the shortest exact text. Unknown values are empty; the column
- * notAssessable is the name of the hindrance or empty. */
+/** One row per fold with the values of HaustralFold, each written as the shortest text that is read back exactly.
+ * Unknown values are empty; the column notAssessable is the name of the hindrance or empty. */
 ShapetonFlatColon_EXPORT CsvTable
 TableOfFolds(const HaustralFolds & folds);
 
@@ -54,7 +54,7 @@ WriteFoldLabels(const HaustralFolds &  folds,
                 const std::string &    path,
                 const VolumeMetadata & metadata = {});
 
-/** Reads a file of WriteFoldLabels(). Throws InputError with the file and the error.
+/** Reads a file written by WriteFoldLabels(). Throws InputError with the file and the error.
  * \ingroup ShapetonFlatColon */
 ShapetonFlatColon_EXPORT itk::Image<unsigned short, 2>::Pointer
                          ReadFoldLabels(const std::string & path);

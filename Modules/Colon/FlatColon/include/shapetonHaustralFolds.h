@@ -47,7 +47,7 @@ struct HaustralFoldOptions
   double smoothingTime{ 2.0 };
   /** \name GraphCut */
   ///@{
-  /** Cost of 1 mm of outline, relative to 1 mm^2 with odds of e for fold or wall. */
+  /** Cost of 1 mm of outline, relative to the cost of misclassifying 1 mm^2 at odds of e. */
   double smoothness{ 1.0 };
   /** Curvature difference (1/mm) above which the outline costs less. */
   double contrast{ 0.02 };
@@ -89,7 +89,7 @@ struct HaustralFold
   /** Certainty that this is a fold, 0 to 1. */
   double reliability{ 0.0 };
   /** Reliability of the ends as feature points, 0 to 1: the reliability of the fold, halved far from the map border
-   * (the cut) or from the nearest taenia, if given. */
+   * (the cut) or, if taeniae are given, far from the nearest taenia. */
   std::array<double, 2> endReliability{ { 0.0, 0.0 } };
   /** mm along the centerline; NaN if the surface lacks arcLength. */
   double arcLength{ 0.0 };

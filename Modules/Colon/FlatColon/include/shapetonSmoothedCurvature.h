@@ -18,10 +18,10 @@ enum class CurvatureUnit
 };
 
 /** Mean curvature of each vertex after heat diffusion over the surface for `time` mm^2 (two implicit steps; Neumann
- * boundaries). For faces counterclockwise from outside, inward bulges such as folds are positive PerArea and negative
- * Published. Before smoothing, values are 0 at boundary vertices, where curvature is undefined, and clamped to +-1/mm
- * to limit the effect of needle triangles. Throws InputError for degenerate faces as MakeSurfaceLaplacian(), and
- * ParameterError for a negative time. \ingroup ShapetonFlatColon */
+ * boundaries). For faces counterclockwise from outside, inward bulges such as folds are positive with PerArea and
+ * negative with Published. Before smoothing, values are 0 at boundary vertices, where curvature is undefined, and
+ * clamped to +-1/mm to limit the effect of needle triangles. Throws InputError for degenerate faces as
+ * MakeSurfaceLaplacian() does, and ParameterError for a negative time. \ingroup ShapetonFlatColon */
 ShapetonFlatColon_EXPORT Eigen::VectorXd
                          SmoothedMeanCurvature(const VertexMatrix & V,
                                                const FaceMatrix &   F,

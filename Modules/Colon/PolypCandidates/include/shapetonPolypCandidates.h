@@ -119,7 +119,7 @@ struct PolypCandidate
   Eigen::Vector3d axis{ Eigen::Vector3d::UnitZ() };
   /** Vertices of the head on the wall. */
   std::vector<int> vertices;
-  /** Largest and smallest width (mm) of the head perpendicular to its axis. Up to 0.9 mm are added for heads lower than
+  /** Largest and smallest width (mm) of the head perpendicular to its axis. Up to 0.9 mm is added for heads lower than
    * about half their width, which merge into the wall before their maximum width. */
   double diameter{ 0.0 };
   double leastDiameter{ 0.0 };
@@ -150,8 +150,8 @@ struct PolypCandidateOptions
 {
   /** Candidates with a shape score of at least 1 - sensitivity are listed; 0 to 1. */
   double sensitivity{ defaultPolypSensitivity };
-  /** Time (mm^2) of the normal diffusion for a wall from voxels of 0.8 mm; adapted to other walls for the same total
-   * blur by voxels and diffusion, see MatchedSmoothingTime(). */
+  /** Time (mm^2) for diffusing the normals of a wall from voxels of 0.8 mm. For other walls it is adapted so that the
+   * total blur by voxels and diffusion is the same, see MatchedSmoothingTime(). */
   double smoothingTime{ 1.0 };
   /** Lower bound of the smaller principal curvature on a head, 1/mm. */
   double leastCurvature{ 0.01 };
@@ -162,8 +162,8 @@ struct PolypCandidateOptions
 };
 
 /** Adapts a diffusion time (mm^2) from voxels of 0.8 mm to a wall: reduced by half the difference in voxel face area
- * (mm^2), to at least 0.3 mm^2. The voxel face area is estimated as three times the mean face area of the wall, as
- * results from marching cubes. \ingroup ShapetonPolypCandidates */
+ * (mm^2), to at least 0.3 mm^2. The voxel face area is estimated as three times the mean face area of the wall, the
+ * ratio that results from marching cubes. \ingroup ShapetonPolypCandidates */
 ShapetonPolypCandidates_EXPORT double
 MatchedSmoothingTime(const SurfaceMesh & wall, double time);
 
@@ -190,8 +190,9 @@ NoteIleocecalValve(double lengthOfCenterline, std::vector<PolypCandidate> & cand
 /** Adds the remark "the ileocecal valve" to candidates at the valve and ranks them last among those listed at the
  * default sensitivity, with scores of at most 1 - defaultPolypSensitivity. The scores of domes and caps (shape index
  * above 13/16) do not depend on the valve confidence, to preserve large polyps mistaken for the valve. The scores of
- * ridges, such as the lips of a valve, are multiplied by the probability that they are not the valve. Candidates at the
- * valve are within half its length + 3 mm of its center, at least 12 mm. \ingroup ShapetonPolypCandidates */
+ * ridges, such as the lips of a valve, are multiplied by the probability that they are not the valve. A candidate is at
+ * the valve if its distance from the valve center is at most half the valve length + 3 mm, or 12 mm if that is greater.
+ * \ingroup ShapetonPolypCandidates */
 ShapetonPolypCandidates_EXPORT void
 RankValveLast(const IleocecalValve & valve, std::vector<PolypCandidate> & candidates);
 

@@ -19,12 +19,12 @@ struct PolypFeatures
   /** Ratio of smallest to largest width perpendicular to the axis. */
   double roundness{ 0.0 };
   /** Concavity of the wall around the head: the negated smaller principal curvature of its foot
-   * (WallBulge::footCurvature) times the largest width. 0.4 to 2.5 for polyps of phantoms, below 0.3 for three quarters
-   * of the bumps of folds and wall. */
+   * (WallBulge::footCurvature) times the largest width. 0.4 to 2.5 for phantom polyps, below 0.3 for three quarters of
+   * the bumps on folds and wall. */
   double hollowness{ 0.0 };
   /** Mean curvedness of the head, 1/mm (Koenderink and van Doorn 1992): 2 / diameter for a ball, 0.33 for 6 mm; 0.06 to
-   * 0.28 for polyps of 5.5 mm and more of phantoms. Sharper bulges are smaller or not smooth heads: residue of fluid or
-   * of a catheter, or edges of truncated walls. */
+   * 0.28 for phantom polyps of 5.5 mm or more. Sharper bulges are smaller heads, or not smooth heads but residue of
+   * fluid or of a catheter, or edges of truncated walls. */
   double curvedness{ 0.0 };
   /** \name Reported, not in the score */
   ///@{

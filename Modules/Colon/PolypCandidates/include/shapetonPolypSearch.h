@@ -89,8 +89,9 @@ ShapetonPolypCandidates_EXPORT void
 WeighByOtherPosition(double confidence, std::vector<PolypCandidate> & candidates);
 
 /** Text with the C-RADS category implied by the sizes of the candidates alone; the actual category ("C0" to "C4") is
- * the reader's decision. C-RADS (Zalis et al., Radiology 2005): C1 no candidate of 6 mm, C2 fewer than three of 6 to 9
- * mm, C3 one of 10 mm or three of 6 to 9 mm; C4 requires a reader. \ingroup ShapetonPolypCandidates */
+ * the reader's decision. C-RADS (Zalis et al., Radiology 2005): C1 no candidate of 6 mm or more, C2 one or two of 6 to
+ * 9 mm, C3 at least one of 10 mm or more, or at least three of 6 to 9 mm; C4 requires a reader. \ingroup
+ * ShapetonPolypCandidates */
 ShapetonPolypCandidates_EXPORT std::string
                                CategoryImplied(const std::vector<PolypCandidate> & candidates);
 

@@ -36,7 +36,7 @@ class ShapetonSupineProne_EXPORT BeltramiEquations
 public:
   using Coefficients = std::vector<std::complex<double>>;
 
-  /** Corners of a triangle, with the number of turns (0 or 1) to add to the coordinate around. */
+  /** Corners of a triangle, with the number of turns (0 or 1) to add to the coordinate around the cylinder. */
   struct Triangle
   {
     std::array<int, 3> node;

@@ -22,7 +22,7 @@ struct MappedPoint
 };
 
 /** \class ColonPointMapper
- * \brief Maps points in space and on the flat map between both positions.
+ * \brief Maps points in space and on the flat map between the two positions.
  *
  * Intended for findings of one position: points, polyps, vertex labels. The registration must outlive the object.
  * Thread-safe. Uv and point are NaN at holes of the wall, and where the inverse map is undefined, which occurs only if

@@ -47,7 +47,7 @@ struct ColonPosition
 ShapetonSupineProne_EXPORT std::vector<char>
 FindExcludedColumns(const FlatColon & flat, const CurveSet & centerline, double leastRadius = 9.0);
 
-/** Creates the position; `flat` is the surface of landmarks and folds.
+/** Creates the position; `flat` is the surface to which landmarks and folds refer.
  * \param name label of the position in messages. \ingroup ShapetonSupineProne */
 ShapetonSupineProne_EXPORT ColonPosition
 MakeColonPosition(const std::string &               name,

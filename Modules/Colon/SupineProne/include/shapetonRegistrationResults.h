@@ -85,7 +85,7 @@ struct RegistrationResults
 {
   /** The flat surface of one position with its map to the other: point arrays mapped (LPS, mm, on the other wall),
    * mappedUv (mm of the other flat map), displacement (mapped minus the point, mm), confidence (0 to 1) and excluded (1
-   * where the wall is not visible in one of them). */
+   * where the wall is not visible in one of the positions). */
   SurfaceMesh supineToProne;
   SurfaceMesh proneToSupine;
   /** Ordered by supine fold. */

@@ -8,9 +8,9 @@ namespace shapeton
 /** Simpler registration methods, for comparison. \ingroup ShapetonSupineProne */
 enum class RegistrationScheme
 {
-  /** Flat maps scaled to the same length, with the single rotation for the best agreement of the fold pictures. */
+  /** Flat maps scaled to the same length and rotated by the one angle for which the fold pictures agree best. */
   Rectangles,
-  /** As Rectangles, with proportional distances along the centerlines. */
+  /** Like Rectangles, but with proportional distances along the centerlines. */
   Centerline,
   /** SupineProneRegistration::frame, from flexures and taeniae. */
   Landmarks,

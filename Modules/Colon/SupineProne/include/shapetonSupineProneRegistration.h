@@ -67,7 +67,8 @@ struct RegistrationConfidence
   double contradictedShare{ 0.0 };
   /** Minimum mean cost of a row near the warp; about 0 or below if folds agree. */
   double energy{ 0.0 };
-  /** `energy`, then the energies near the warp rotated by one and by two thirds of a turn; detects confused taeniae. */
+  /** `energy`, then the energies near the warp rotated by one third and by two thirds of a turn; they reveal confused
+   * taeniae. */
   std::vector<double> energies;
   /** Minimum energy of the rotated warps minus energy of the warp. */
   double margin{ 0.0 };
@@ -80,9 +81,9 @@ struct RegistrationConfidence
   Eigen::MatrixXd ofNodes;
 
   /** Probability that both positions are of one patient. The log-odds are the sum of terms of matchedShare, energy,
-   * margin and senseMargin, each at most 4, but at most the term of senseMargin, since a few folds may be similar in
-   * two patients. Each term is 0 halfway between values measured for one patient and for two, so folds visible in only
-   * one position do not outweigh a picture that fits in only one orientation. */
+   * margin and senseMargin, each at most 4 and their sum at most the term of senseMargin, since a few folds may be
+   * similar in two patients. Each term is 0 halfway between values measured for one patient and for two, so folds
+   * visible in only one position do not outweigh a picture that fits in only one orientation. */
   ShapetonSupineProne_EXPORT double
   ProbabilityOfOnePatient() const;
 };

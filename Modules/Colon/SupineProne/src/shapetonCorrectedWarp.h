@@ -38,7 +38,7 @@ struct CorrectedWarp
   Warp(const ColonPair & pair) const;
   RowMap
   Map(const ColonPair & pair) const;
-  /** Number of consistent pairs minus inconsistent ones. */
+  /** Number of consistent pairs minus number of inconsistent pairs. */
   double
   Support() const;
 };

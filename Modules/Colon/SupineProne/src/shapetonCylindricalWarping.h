@@ -16,10 +16,11 @@ struct CylindricalWarpingOptions
   /** Cost per squared deviation from two target rows per row, and cost per rotation step. */
   double slopeWeight{ 0.3 };
   double rotationWeight{ 0.4 };
-  /** Cost of a weak spring to the frame per row at `frameDeviation` mm, since neighboring folds are similar. */
+  /** Cost per row, at `frameDeviation` mm, of a weak spring to the frame; needed because neighboring folds are
+   * similar. */
   double frameDeviation{ 25.0 };
   double springWeight{ 0.05 };
-  /** Factor of both costs in excluded rows. */
+  /** Factor for the slope and rotation costs in excluded rows. */
   double excludedEase{ 0.05 };
   /** Cost of a jump to any rotation and later row where a row is excluded in one picture, since in a collapsed stretch
    * the centerline is a shortcut and the flat map rotates; and cost of each skipped target row. */

@@ -18,7 +18,7 @@ ProjectMap(const ColonPair &         pair,
            SupineProneRegistration & registration,
            const Progress &          progress);
 
-/** Sets these by FindPublishedMap() about the frame of the registration; warns of flipped triangles. */
+/** Sets the same members by FindPublishedMap() about the frame of the registration; warns about flipped triangles. */
 void
 MapAsPublished(const ColonPair &         pair,
                FoldMatchingMethod        method,

@@ -5,8 +5,8 @@
 
 namespace shapeton
 {
-/** Creates registration.json from otherwise complete results. \param frame errors of the frame by flexures and taeniae;
- * empty without points. */
+/** Creates registration.json from otherwise complete results. \param frame errors of the frame from flexures and
+ * taeniae; empty without points. */
 Json
 DocumentOf(const SupineProneRegistration & registration,
            const RegistrationResults &     results,

@@ -23,8 +23,8 @@ struct PiecewiseLine
   }
 };
 
-/** Frame from the ends and the flexures found in both colons. A flexure that would stretch the adjacent colon more than
- * three times relative to the rest is skipped with a warning. */
+/** Frame from the ends and the flexures found in both colons. A flexure is skipped with a warning if it would stretch
+ * the adjacent colon by more than three times as much as the rest. */
 PiecewiseLine
 FlexureFrame(const ColonPosition &      source,
              const ColonCylinder &      sourceCylinder,
@@ -36,8 +36,8 @@ FlexureFrame(const ColonPosition &      source,
 PiecewiseLine
 EndFrame(const PiecewiseLine & frame);
 
-/** Weighted mean of EndFrame() and FlexureFrame(): flexures are weighted by their confidence in both positions, for an
- * expected deviation of 40 mm from proportional lengths. */
+/** Weighted mean of EndFrame() and FlexureFrame(): flexures are weighted by their confidence in both positions; the
+ * expected deviation from proportional lengths is 40 mm. */
 PiecewiseLine
 CautiousFrame(const PiecewiseLine & frame, const ColonPosition & source, const ColonPosition & target);
 

@@ -9,7 +9,8 @@ namespace shapeton
 struct WarpingChoice
 {
   CorrectedWarp best;
-  /** Minimum energies near the warp and near the warp rotated by one and two thirds, to detect confused taeniae. */
+  /** Minimum energies near the warp and near the warp rotated by one and two thirds of a turn, to detect confused
+   * taeniae. */
   std::vector<double> energies;
   /** Rotation of the frame of flexures at the rows of the warp, by the best correspondence of the taeniae. */
   std::vector<double> frameRotation;

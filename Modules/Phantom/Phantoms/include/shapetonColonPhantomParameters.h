@@ -60,7 +60,7 @@ struct ColonPhantomParameters
   double noise{ 25.0 };
   /** Reconstruction kernel: standard, soft, sharp or drawn (each a third). Determines blur and noise correlation. */
   std::string kernel{ "standard" };
-  /** Thickness of the slices in mm, regardless of their distance, 0 (equal to the in-plane blur) to 5; 0.6 to 2.5. */
+  /** Slice thickness in mm, independent of the slice spacing, 0 (equal to the in-plane blur) to 5; 0.6 to 2.5. */
   double sliceThickness{ 0.0 };
   /** Lengths of the segments along the colon in mm, from rectum to cecum (valve to pole): 0 (from the template) or 40
    * to 1200; rectum 150 to 180, sigmoid 350 to 1200, descending 220 to 330, transverse 550 to 1150, ascending 180 to
@@ -69,28 +69,28 @@ struct ColonPhantomParameters
   /** Mean diameters of the segments in mm: 0 (from the template) or 15 to 90; rectum 36 to 54, sigmoid 24 to 36,
    * descending 26 to 44, transverse 32 to 54, ascending 42 to 68, cecum 50 to 78. */
   SegmentValues caliber{};
-  /** Maximum displacement of the cecum from its rest position in mm, 0 to 100; 0 to 10, in three of ten patients 30 to
-   * 80. */
+  /** Maximum displacement of the cecum from its rest position in mm, 0 to 100; 30 to 80 in three of ten patients,
+   * otherwise 0 to 10. */
   double cecumMobility{ 0.0 };
   /** Fraction of the small bowel with contrast medium, 0 to 1; .5 to 1. */
   double smallBowelTagged{ 0.8 };
   /** HU of the fluid in the stomach, 0 to 900; 100 to 650. */
   double stomachIntensity{ 150.0 };
-  /** Number of pieces of stool of 4 to 20 mm beyond the rectum, 0 to 60; 0 to 14. Three of ten adhere to the wall, the
-   * others are at the lowest point in each position. Large ones may contain gas. */
+  /** Number of pieces of stool of 4 to 20 mm beyond the rectum, 0 to 60; 0 to 14. Three of ten pieces adhere to the
+   * wall; the others are at the lowest point in each position. Large ones may contain gas. */
   int stool{ 0 };
   /** Fraction of the stool that is tagged (200 to 650 HU, otherwise 20 to 70), 0 to 1; .3 to .9. */
   double stoolTagged{ drawnBySeed };
   /** Number of bubbles of 2 to 7 mm at the wall below fluid levels, 0 to 100; 0 to 20. */
   int bubbles{ 0 };
-  /** Number of patches of foam on fluid levels, 0 to 20; in three of ten patients 1 to 4. */
+  /** Number of patches of foam on fluid levels, 0 to 20; 1 to 4 in three of ten patients, otherwise 0. */
   int foam{ 0 };
-  /** Number of diverticula, 0 to 60, mostly in sigmoid and descending colon; none in six of ten patients, otherwise 3
-   * to 25. Their locations depend only on the patient; they are closed in positions without enough space. */
+  /** Number of diverticula, mostly in the sigmoid and descending colon, 0 to 60; none in six of ten patients, otherwise
+   * 3 to 25. Their locations depend only on the patient; they are closed in positions without enough space. */
   int diverticula{ 0 };
   /** The rectal catheter: none, central (in the middle of the lumen, with a closed end), rigid (straight beyond the
-   * anal canal), soft (rests on the wall) or drawn: rigid or soft, none in four of ten patients. Without a catheter,
-   * the anal canal is closed and the following parameters are ignored. */
+   * anal canal), soft (rests on the wall) or drawn: rigid or soft, and none in four of ten patients. Without a
+   * catheter, the anal canal is closed and the following parameters are ignored. */
   std::string catheter{ "central" };
   /** Inner diameter in mm, 2 to 8; 4 to 6. */
   double catheterBore{ 6.0 };
@@ -101,13 +101,13 @@ struct ColonPhantomParameters
   /** Distance from the anal verge to the tip in mm, 45 to 150, reduced if a rigid catheter would hit the wall; 55 to
    * 80, soft 75 to 125. */
   double catheterDepth{ 75.0 };
-  /** Number of side holes near the tip, 0 to 4, excluding holes covered by a balloon; 0 with an open end in four of
-   * ten. */
+  /** Number of side holes near the tip, 0 to 4, excluding holes covered by a balloon; in four of ten patients 0, with
+   * an open end. */
   int catheterHoles{ 0 };
   /** Balloon around the catheter inside the anal canal: none, gas, fluid (water), deflated (a sleeve) or drawn. */
   std::string balloon{ "none" };
-  /** Diameter of a balloon with gas or fluid in mm, 12 to 45, reduced if the rectum is narrower or the tip closer; 22
-   * to 38. */
+  /** Diameter of a balloon with gas or fluid in mm, 12 to 45, reduced if the rectum is narrower or the tip is too
+   * close; 22 to 38. */
   double balloonDiameter{ drawnBySeed };
   /** The ileocecal valve: bump (a smooth half ellipsoid) or lips (two lips around a slit, with the terminal ileum
    * behind it). The following six parameters are for lips. */
@@ -116,7 +116,7 @@ struct ColonPhantomParameters
   double valveLength{ drawnBySeed };
   /** Height of the lips above the wall in mm, 5 to 18; 8 to 15. */
   double valveHeight{ drawnBySeed };
-  /** Fat fraction of the lips below their mucosa, 0 to 1; .7 to .95, in three of ten patients 0 to .2. */
+  /** Fat fraction of the lips below their mucosa, 0 to 1; 0 to .2 in three of ten patients, otherwise .7 to .95. */
   double valveFat{ drawnBySeed };
   /** Bore of the terminal ileum in mm, 5 to 16; 8 to 12. */
   double ileumBore{ drawnBySeed };

@@ -8,9 +8,10 @@
 
 namespace shapeton
 {
-/** Corresponding wall points in two positions of a patient, each a correspondence.vtp
- * (ColonAnatomy::Correspondence()): a row sx,sy,sz,px,py,pz (LPS, mm) for each materialId in both, outside collapsed
- * stretches of either, in ascending order. Throws InputError if an array is missing or no common materialId exists.
+/** Corresponding wall points in two positions of a patient; each input is a correspondence.vtp
+ * (ColonAnatomy::Correspondence()). The table has one row sx,sy,sz,px,py,pz (LPS, mm) for each materialId that occurs
+ * in both positions and is not in a collapsed stretch of either, in ascending order. Throws InputError if an array is
+ * missing or no common materialId exists.
  * \ingroup ShapetonPhantoms */
 ShapetonPhantoms_EXPORT CsvTable
 TableOfPointPairs(const CurveSet & first, const CurveSet & second);

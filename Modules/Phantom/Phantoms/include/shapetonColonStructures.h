@@ -45,7 +45,7 @@ struct ColonResidue
   ColonStructure  structure;
   Eigen::Vector3d position;  ///< its center
   double          diameter;  ///< nominal diameter
-  double          intensity; ///< HU; for foam, of the films
+  double          intensity; ///< HU; for foam, HU of the films
   std::string     kind;      ///< plain or mottled (with gas) stool, bubble, foam
 };
 

@@ -16,7 +16,7 @@ struct ColonPath
   std::vector<Eigen::Vector3d> nodes;
   std::vector<double>          material; ///< mm, of each node
   std::vector<int>             segment;  ///< 1 to 6, of each node
-  /** Pairs of nodes with touching stretches. */
+  /** A pair of nodes whose stretches touch. */
   struct Contact
   {
     int    first;
@@ -40,8 +40,8 @@ RestPath(const ColonPhantomParameters & parameters);
 std::vector<double>
 RestRadius(const ColonPath & path, const ColonPhantomParameters & parameters, int count);
 
-/** The chain in a position: mobile stretches are displaced, and stretches with these radii (one per node) are separated
- * except at contacts. */
+/** The chain in a position: mobile stretches are displaced, and stretches are separated according to `radii` (one per
+ * node), except at contacts. */
 ColonPath
 PositionedPath(const ColonPath & rest, const std::vector<double> & radius, const ColonPhantomParameters & parameters);
 

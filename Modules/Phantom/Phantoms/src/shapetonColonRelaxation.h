@@ -32,11 +32,11 @@ public:
   Run(int rounds);
 
   /** Reserves `room` mm around this node and two neighbors on each side for attached structures. Call before searching
-   * contacts, which excludes these nodes. */
+   * for contacts; the search excludes these nodes. */
   void
   LeaveRoomAt(int node, double room);
 
-  /** Up to `number` pairs of closest stretches, with pairs far apart from each other. */
+  /** Up to `number` pairs of closest stretches; the pairs are far apart from each other. */
   std::vector<ColonPath::Contact>
   FindContacts(int number) const;
 

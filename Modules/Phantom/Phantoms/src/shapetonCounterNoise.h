@@ -11,7 +11,8 @@ namespace shapeton
 double
 NormalNoise(std::uint64_t seed, std::uint64_t counter);
 
-/** The standard normal distribution function, to about 1e-14 and as portable; 0 below -8 and 1 above 8. */
+/** The standard normal distribution function, accurate to about 1e-14 and equally portable; 0 below -8 and 1 above
+ * 8. */
 double
 NormalDistribution(double x);
 } // namespace shapeton

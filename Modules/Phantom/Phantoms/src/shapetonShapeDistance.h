@@ -47,8 +47,8 @@ using Primitive = std::variant<Sphere, Ellipsoid, Box, Cylinder, Torus, Tube>;
 
 // ---- deformations, in object coordinates ----
 
-/** Bends the z axis to an arc of radius `arcRadius` around (arcRadius, 0, 0). Only the last deformation may be a bend,
- * and arcRadius > envelope[0]. */
+/** Bends the z axis into an arc of radius `arcRadius` around (arcRadius, 0, 0). Only the last deformation may be a
+ * bend, and arcRadius > envelope[0]. */
 struct Bend
 {
   double arcRadius;
