@@ -120,7 +120,7 @@ ExplainMismatch(const FlatColonGrid & grid,
                      " mm): they belong to different colons or positions. Give the centerline created with this "
                      "surface.");
   }
-  match.warnings.push_back("the centerline covers a part of the flat surface only: positions beyond its ends have no "
+  match.warnings.push_back("the centerline covers only a part of the flat surface: positions beyond its ends have no "
                            "distance along it");
 }
 } // namespace

@@ -196,7 +196,7 @@ FindColonSegments(const ColonWallTube & tube,
   {
     result.warnings.push_back(
       "the segment of " + std::to_string(static_cast<int>(std::lround(100.0 * unknown / result.segmentOfFace.size()))) +
-      " % of the faces is unknown, as a border is missing");
+      " % of the faces is unknown because a border is missing");
   }
   return result;
 }

@@ -103,7 +103,7 @@ const char * const Stomach = "stomach";
 std::string
 KindOfGas(const GasPiece & piece, const LungEvidence & lung, const ColonThresholds & thresholds)
 {
-  if (piece.isOutside) // under a thin shell, such as lung in a thin chest wall
+  if (piece.isOutside) // under a thin shell, as lung may be under a thin chest wall
   {
     return lung.IsVascularLung() ? LungKind : OutsideKind;
   }
@@ -118,7 +118,7 @@ KindOfGas(const GasPiece & piece, const LungEvidence & lung, const ColonThreshol
   return isWide ? "" : SmallBowelKind;
 }
 
-/** Areas of the levels of a piece over fluid as bright as in the colon and over fainter matter. */
+/** Areas of the levels of a piece: of those over fluid as bright as in the colon, and of those over fainter matter. */
 struct LevelAreas
 {
   double bright{ 0.0 };

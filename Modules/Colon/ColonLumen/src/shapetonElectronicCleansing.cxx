@@ -151,7 +151,7 @@ private:
     return std::max(m_Fluid.At(v[0], v[1], v[2]), m_Lumen.thresholds.tissue + 100.0);
   }
 
-  /** Contrast of the lumen content to tissue. */
+  /** Contrast between the lumen content and tissue. */
   double
   Contrast(double fluidShare, std::size_t p) const
   {

@@ -257,7 +257,7 @@ LargestLung(const ColonEvidence & evidence)
   return largest;
 }
 
-/** Volume (ml) of gas inside the body outside the colon. */
+/** Volume (ml) of gas inside the body but outside the colon. */
 struct GasLeftOut
 {
   double thinBowel{ 0.0 };

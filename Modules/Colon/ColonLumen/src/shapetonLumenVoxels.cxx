@@ -296,7 +296,7 @@ AddUnmixed(const ColonImage * image, LumenField & field)
   }
 }
 
-/** Removes noise specks inside the lumen, smaller than polyps on thin stalks. */
+/** Removes noise specks inside the lumen, which are smaller than polyps on thin stalks. */
 void
 FillCavities(LumenField & field)
 {

@@ -9,9 +9,9 @@ namespace shapeton
 {
 namespace
 {
-// Measured on clinical CT (median HU above room air, parenchyma, vessels per 100 cm^2): lungs of a chest 108, .99, 9.5,
-// lung bases 92, .91, 11.7; gas of colons 3 to 38, .03 to .15 (.30 in one piece of 38 ml), 0 to 0.2. The limits are
-// halfway between.
+// Measured on clinical CT (median HU above room air, parenchyma, vessels per 100 cm^2): lungs of a chest 108, .99, 9.5;
+// lung bases 92, .91, 11.7; gas in colons 3 to 38, .03 to .15 (.30 in one piece of 38 ml), 0 to 0.2. The limits are
+// halfway between lung and colon.
 constexpr double LungExcess = 105.0;      // HU above air; denser gas is always lung
 constexpr double ParenchymaExcess = 60.0; // HU above air
 constexpr double DensestExcess = 500.0;   // HU above air; lung at full expiration

@@ -271,7 +271,7 @@ public:
 
 private:
   /** Assigns each voxel a position on the path, measured from the farther end: voxels at equal distance from a far end
-   * form a flat cross-section, near an end they form shells around its corner. */
+   * form a flat cross-section; from a near end, they would form shells around its corner. */
   void
   Place(const Ways & fromStart, const Ways & fromEnd)
   {

@@ -246,7 +246,7 @@ IsCutByScan(const CurveSet & line)
 std::string
 FailureOfShortLine(const ColonModel & model)
 {
-  // An adult colon is 1000 to 2500 mm long, 600 or more after a hemicolectomy; a stomach 200 to 300 mm.
+  // An adult colon is 1000 to 2500 mm long, 600 mm or more after a hemicolectomy; a stomach is 200 to 300 mm long.
   constexpr double shortestColon = 400.0; // mm
   if (model.centerline.length >= shortestColon || IsCutByScan(model.centerline.curve))
   {

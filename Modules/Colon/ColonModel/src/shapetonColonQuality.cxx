@@ -218,7 +218,7 @@ DistensionToJson(const ColonModel & model)
 {
   Json json;
   json["note"] = "fraction of the centerline with a caliber of at least 10 mm; segment borders at customary fractions "
-                 "of the length, not by landmarks";
+                 "of the length, not at landmarks";
   json["whole"] = ToJson(model.wholeDistension);
   json["segments"] = Json::array();
   for (const SegmentDistension & segment : model.distension)

@@ -11,7 +11,7 @@ namespace shapeton
 {
 namespace
 {
-/** Merges labels across the first and last row to the lowest one. */
+/** Merges labels that meet across the first and last row into the lowest one. */
 DisjointSets<>
 JoinAcrossCut(const cv::Mat1i & labels, int number)
 {

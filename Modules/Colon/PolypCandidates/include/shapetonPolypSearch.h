@@ -81,10 +81,11 @@ constexpr double LeastRegistrationConfidence = 0.5;
 
 /** Updates candidates after FindInOtherPosition() by the evidence from the other position: polyps are stationary, most
  * stool is mobile. The shape score is replaced by the probability of a polyp given shape score, flatness and likeness
- * (logistic regression on phantoms, see the notes); the tissue factor is unchanged. The new score is blended with the
- * old one by the confidence of the registration. The score is unchanged at the valve and where the other position is
- * not visible. Candidates are sorted by the new scores, keep their numbers, and receive a remark if nothing similar is
- * visible. \param confidence of the registration, 0 to 1. \ingroup ShapetonPolypCandidates */
+ * (logistic regression on phantoms, see Documentation/validation/colon-polyps.md); the tissue factor is unchanged. The
+ * new score is blended with the old one by the confidence of the registration. The score is unchanged at the valve and
+ * where the other position is not visible. Candidates are sorted by the new scores, keep their numbers, and receive a
+ * remark if nothing similar is visible. \param confidence of the registration, 0 to 1. \ingroup
+ * ShapetonPolypCandidates */
 ShapetonPolypCandidates_EXPORT void
 WeighByOtherPosition(double confidence, std::vector<PolypCandidate> & candidates);
 

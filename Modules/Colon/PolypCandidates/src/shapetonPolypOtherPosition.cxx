@@ -72,7 +72,8 @@ Flatness(const PolypCandidate & candidate)
   return 1.0 / (1.0 + std::exp((candidate.height / candidate.diameter - prominence) / width));
 }
 
-/** Probability of a polyp, given the shape score and the evidence of the other position. Fitted, see the notes. */
+/** Probability of a polyp, given the shape score and the evidence of the other position. Fitted, see
+ * Documentation/validation/colon-polyps.md. */
 double
 ProbabilityInPair(const PolypCandidate & candidate)
 {

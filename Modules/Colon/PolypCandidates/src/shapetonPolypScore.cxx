@@ -31,7 +31,8 @@ TermsOf(const PolypFeatures & features)
              std::log(std::max(features.curvedness / sharp, 1.0)) } };
 }
 
-// Fitted by FitPolypScore of Testing/Validation; see the notes for the data and later tests of the weights.
+// Fitted by FitPolypScore of Testing/Validation; see Documentation/validation/colon-polyps.md for the data and later
+// tests of the weights.
 const PolypWeights &
 FittedPolypWeights()
 {

@@ -25,9 +25,9 @@ struct MapConditions
 };
 
 /** The map for the Beltrami coefficient mu of each triangle, |mu| < 1, under the constraints: each coordinate minimizes
- * the energy (linear Beltrami solver, Lui, Lam, Yau, Gu 2014). It is harmonic for mu = 0. With constraints beyond the
- * ends of the cylinder and its rotation, the coefficient of the map differs from mu. Constraints hold to rounding
- * error; contradictory ones are satisfied in the least squares sense.
+ * the energy (linear Beltrami solver, Lui, Lam, Yau, Gu 2014). It is harmonic for mu = 0. If constraints are given in
+ * addition to those on the ends and the rotation of the cylinder, the coefficient of the map differs from mu.
+ * Constraints hold to rounding error; contradictory ones are satisfied in the least squares sense.
  * \ingroup ShapetonSupineProne */
 ShapetonSupineProne_EXPORT CylinderValues
 SolveBeltrami(const BeltramiEquations &               equations,

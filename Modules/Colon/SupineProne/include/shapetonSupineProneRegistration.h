@@ -80,9 +80,9 @@ struct RegistrationConfidence
   /** Confidence of each node of the map, 0 to 1. */
   Eigen::MatrixXd ofNodes;
 
-  /** Probability that both positions are of one patient. The log-odds are the sum of terms of matchedShare, energy,
-   * margin and senseMargin, each at most 4 and their sum at most the term of senseMargin, since a few folds may be
-   * similar in two patients. Each term is 0 halfway between values measured for one patient and for two, so folds
+  /** Probability that both positions are of the same patient. The log-odds are the sum of terms of matchedShare,
+   * energy, margin and senseMargin, each at most 4 and their sum at most the term of senseMargin, since a few folds may
+   * be similar in two patients. Each term is 0 halfway between values measured for one patient and for two, so folds
    * visible in only one position do not outweigh a picture that fits in only one orientation. */
   ShapetonSupineProne_EXPORT double
   ProbabilityOfOnePatient() const;

@@ -11,8 +11,8 @@ namespace shapeton
 namespace
 {
 constexpr float infinite = std::numeric_limits<float>::infinity();
-/** Maximum number of target rows per row. In collapsed stretches, where the centerline is a shortcut, lengths differ
- * much more. */
+/** Maximum number of target rows per source row. In collapsed stretches, where the centerline is a shortcut, lengths
+ * differ much more. */
 constexpr int           greatestAdvance = 3;
 constexpr int           greatestUnseenAdvance = 8;
 constexpr unsigned char jumped = 255; ///< code of a jump step

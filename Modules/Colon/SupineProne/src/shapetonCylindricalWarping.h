@@ -22,8 +22,9 @@ struct CylindricalWarpingOptions
   double springWeight{ 0.05 };
   /** Factor for the slope and rotation costs in excluded rows. */
   double excludedEase{ 0.05 };
-  /** Cost of a jump to any rotation and later row where a row is excluded in one picture, since in a collapsed stretch
-   * the centerline is a shortcut and the flat map rotates; and cost of each skipped target row. */
+  /** Cost of a jump to any rotation and any later row where a row is excluded in one picture, and cost of each skipped
+   * target row. Jumps are required because the centerline is a shortcut in a collapsed stretch, and the flat map
+   * rotates there. */
   double jumpCost{ 2.0 };
   double leapCost{ 0.1 };
   /** Cost of the content of a row, independent of the other picture. */

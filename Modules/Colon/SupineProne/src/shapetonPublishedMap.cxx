@@ -73,7 +73,7 @@ private:
     }
   }
 
-  /** Fixes the initial rotation if there are no taeniae and other landmarks. */
+  /** Fixes the initial rotation if there are neither taeniae nor other landmarks. */
   void
   AddTaenia(const CylinderValues & values, std::vector<MapCondition> & around) const
   {

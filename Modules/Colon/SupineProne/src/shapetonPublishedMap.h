@@ -26,9 +26,9 @@ struct PublishedMap
  * may rotate; the main taenia, along which the method cuts the wall, maps to the main taenia. Folds are matched once
  * under this map, per segment, and the final map is constrained by the ends of all matched folds, correct or not.
  *
- * The dissertation does not specify how the Beltrami coefficient is computed; see FindQuasiConformalMap(). Its higher
- * weights for ends of folds near the main taenia are not possible with hard constraints. Here the map is periodic, and
- * `frame` determines the correspondence of the taeniae. */
+ * The dissertation does not specify how the Beltrami coefficient is computed; see FindQuasiConformalMap(). The higher
+ * weights that it gives to ends of folds near the main taenia are not possible with hard constraints. Here the map is
+ * periodic, and `frame` determines the correspondence of the taeniae. */
 PublishedMap
 FindPublishedMap(const ColonPair &   pair,
                  const CylinderMap & frame,

@@ -137,7 +137,8 @@ JudgeRegistration(const ColonPosition & source, const ColonPosition & target, Su
   }
   if (byMargin < 0.5)
   {
-    confidence.reasons.push_back("the taeniae may be confused: the folds fit nearly as well after rotation by a third");
+    confidence.reasons.push_back(
+      "the taeniae may be confused: the folds fit nearly as well after rotation by a third of a turn");
   }
   confidence.isFlagged = !confidence.reasons.empty();
 }

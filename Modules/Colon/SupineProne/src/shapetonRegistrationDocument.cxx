@@ -48,7 +48,7 @@ SegmentToJson(const SegmentMatches & row, bool hasTruth)
   return json;
 }
 
-/** Ratio with zero total allowed. */
+/** Ratio; the total may be zero. */
 Json
 Share(int share, int whole)
 {

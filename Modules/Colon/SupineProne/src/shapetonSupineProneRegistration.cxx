@@ -14,7 +14,7 @@ namespace shapeton
 {
 namespace
 {
-/** Measures whether folds distinguish the map from a map rotated by a third. */
+/** Measures whether folds distinguish the map from a map rotated by a third of a turn. */
 void
 JudgeThirds(const WarpingChoice & choice, RegistrationConfidence & confidence)
 {

@@ -125,7 +125,7 @@ FrameOf(const CylindricalWarp & warp)
   return frame;
 }
 
-/** Minimum energies near the warp and near the warp rotated by one and two thirds. */
+/** Minimum energies near the warp and near the warp rotated by one and two thirds of a turn. */
 std::vector<double>
 EnergiesOfThirds(const ColonPair &       pair,
                  const CylindricalWarp & warp,

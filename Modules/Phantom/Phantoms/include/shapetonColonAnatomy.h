@@ -79,8 +79,8 @@ struct ColonPlace
  *
  * Physical LPS, mm, around (0, 0, 0): +x is left, +y posterior, +z superior. Segments: 1 rectum (with the anal canal),
  * 2 sigmoid, 3 descending, 4 transverse, 5 ascending, 6 cecum. Arc length is measured along the centerline of this
- * position, from the anal verge. The lumen does not intersect the spine, a cylinder along z at x = 0, y = 80 with
- * radius 30 for z > -50, and the sacrum below, behind the rectum (see SpineAxis()).
+ * position, from the anal verge. The lumen intersects neither the spine, a cylinder along z at x = 0, y = 80 with
+ * radius 30 for z > -50, nor the sacrum below it, behind the rectum (see SpineAxis()).
  *
  * All functions are const and thread-safe. Results are reproducible bit by bit.
  * \ingroup ShapetonPhantoms */

@@ -115,8 +115,8 @@ private:
     }
   }
 
-  // Pushes the bodies from `begin` that may affect the block, without completely covered ones; true if the block is
-  // inside at most one body, away from its faces.
+  // Pushes the bodies from `begin` that may affect the block, except completely covered ones; returns true if the block
+  // is inside at most one body, away from its faces.
   bool
   SelectBodies(const PointType & center, double radius, std::size_t begin, bool & textured)
   {

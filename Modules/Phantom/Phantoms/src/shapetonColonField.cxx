@@ -46,7 +46,7 @@ EllipsoidDistance(const Vector3d & point, const PolypBody & polyp)
   return { (k - 1.0) / length, slope / length };
 }
 
-// The ileum fixes the valve: limits the rotation of the right colon by a position to half a radian there.
+// The ileum fixes the valve: at the valve, the rotation of the right colon in a position is limited to half a radian.
 std::vector<double>
 HeldTwist(const ColonPath & path, const ColonPlan & plan, std::vector<double> twist)
 {

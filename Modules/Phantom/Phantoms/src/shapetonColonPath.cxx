@@ -238,7 +238,7 @@ RestPath(const ColonPhantomParameters & parameters)
   {
     MoveHepaticFlexureToHighest(path);
   }
-  // The lengths after smoothing and limits of space define the patient.
+  // The patient is defined by the lengths that remain after smoothing and after fitting into the available space.
   for (std::size_t i = 1; i < path.nodes.size(); ++i)
   {
     path.material[i] = path.material[i - 1] + (path.nodes[i] - path.nodes[i - 1]).norm();

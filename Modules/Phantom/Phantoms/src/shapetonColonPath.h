@@ -40,7 +40,7 @@ RestPath(const ColonPhantomParameters & parameters);
 std::vector<double>
 RestRadius(const ColonPath & path, const ColonPhantomParameters & parameters, int count);
 
-/** The chain in a position: mobile stretches are displaced, and stretches are separated according to `radii` (one per
+/** The chain in a position: mobile stretches are displaced, and stretches are separated according to `radius` (one per
  * node), except at contacts. */
 ColonPath
 PositionedPath(const ColonPath & rest, const std::vector<double> & radius, const ColonPhantomParameters & parameters);

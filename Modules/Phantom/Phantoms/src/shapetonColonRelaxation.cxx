@@ -62,7 +62,7 @@ ColonRelaxation::PullToAnchors()
 void
 ColonRelaxation::Unbend()
 {
-  // Long spans suppress waves of several radii, the short span kinks.
+  // Long spans suppress waves of several radii; the short span suppresses kinks.
   for (int span : { 4, 2, 1 })
   {
     const std::vector<Vector3d> old = m_Nodes;

@@ -105,7 +105,7 @@ private:
     return true;
   }
 
-  // Tries an upright sac, then tilted, then smaller ones.
+  // Tries an upright sac, then tilted sacs, then smaller ones.
   bool
   FindRoom(const DiverticulumPlan & plan, const Vector3d & outwards, DiverticulumBody & body) const
   {

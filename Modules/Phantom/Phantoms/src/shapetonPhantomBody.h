@@ -10,15 +10,14 @@
 
 namespace shapeton
 {
-/** Properties of a body around a point, for samplers that skip uniform regions. \ingroup ShapetonPhantoms
- * \ingroup ShapetonPhantoms */
+/** Properties of a body around a point, for samplers that skip uniform regions. \ingroup ShapetonPhantoms */
 struct BodyProbe
 {
   /** Signed distance (mm) to the outer surface of the body, negative inside; its magnitude is a lower bound. */
   double distance;
   /** Lower bound of the distance to any surface of the body, outer or inner, mm. */
   double clearance;
-  /** Whether the intensity is smooth within the ball of radius `clearance`. */
+  /** Whether the intensity varies (smoothly) within the ball of radius `clearance`; otherwise it is constant there. */
   bool textured{ false };
 };
 
@@ -47,11 +46,10 @@ public:
   Paint(const PointType & point, double width, double & value) const = 0;
 };
 
-/** In painting order. \ingroup ShapetonPhantoms \ingroup ShapetonPhantoms */
+/** In painting order. \ingroup ShapetonPhantoms */
 using PhantomBodies = std::vector<std::shared_ptr<const PhantomBody>>;
 
 /** Fraction of a cell of `width` mm inside a plane face; `distance` of its center is negative inside.
- * \ingroup ShapetonPhantoms
  * \ingroup ShapetonPhantoms */
 inline double
 ShareInside(double distance, double width)

@@ -87,7 +87,7 @@ public:
         {
           list += (list.empty() ? "" : ", ") + key;
         }
-        this->Fail("has the unknown key \"" + item.key() + "\"; known are " + list);
+        this->Fail("has the unknown key \"" + item.key() + "\"; known keys are " + list);
       }
     }
   }

@@ -12,8 +12,8 @@ namespace
 using PointType = PhantomBody::PointType;
 
 constexpr double forestCell = 5.0; // mm
-// Maximum overestimation by distance to the axis minus radius, for radii that change by less than a third of a mm per
-// mm.
+// Maximum factor by which distance to the axis minus radius overestimates the distance, for radii that change by less
+// than a third of a mm per mm.
 constexpr double taperSlope = 1.1;
 
 class TubeForest
