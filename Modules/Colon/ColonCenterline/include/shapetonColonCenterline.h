@@ -27,7 +27,7 @@ struct ColonCenterlineOptions
   std::vector<itk::Point<double, 3>> seedPoints;
   /** Smallest piece of lumen to use, ml. */
   double minimumVolume{ 5.0 };
-  /** Minimum bounding box diagonal (mm) of a smaller piece to use it; it must also have at least a fifth of
+  /** Minimum bounding box diagonal (mm) for a smaller piece to be used; its volume must be at least a fifth of
    * minimumVolume. */
   double minimumExtent{ 60.0 };
   /** Distance between points of the line, mm, from 0.2 to 10. */

@@ -45,8 +45,8 @@ ShapetonColonLandmarks_EXPORT std::string
 
 /** A closed edge loop once around the tube, near the plane through `point` with this normal (dissertation 4.2.2: plane
  * orthogonal to the centerline, Dijkstra's shortest path). The cost per mm of edge is 1 + (d / 5 mm)^2, where d is the
- * distance from the plane. The search covers the wall within 70 mm of `arcLength` along the centerline, and within 140
- * mm if no loop is found. Empty if no loop is found. \ingroup ShapetonColonLandmarks */
+ * distance from the plane. The search covers the wall within 70 mm of `arcLength` along the centerline, then within 140
+ * mm. Empty if neither contains a loop. \ingroup ShapetonColonLandmarks */
 ShapetonColonLandmarks_EXPORT SurfaceWalk
 FindLoop(const ColonWallTube &   tube,
          const Eigen::Vector3d & point,

@@ -15,7 +15,7 @@ struct CatheterEvidence
   double length{ 0.0 };
   double enclosedLength{ 0.0 }; ///< length of tube (mm) where 80 % of the radial rays cross a wall into the lumen
   double enclosedShare{ 0.0 };  ///< fraction of such rays, 0 to 1: minimum over the best 6 mm
-  double boreSpread{ 0.0 };     ///< mm: difference between the 80th and 20th percentiles of the radius along it
+  double boreSpread{ 0.0 };     ///< mm: 80th minus 20th percentile of the radius along the section
   /** Deviation of the bore from a circle: root mean square of the second and third harmonics of the radius over the
    * angle, divided by the mean radius; median along the section. */
   double ovality{ 0.0 };

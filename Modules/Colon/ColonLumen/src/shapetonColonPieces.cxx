@@ -118,7 +118,7 @@ KindOfGas(const GasPiece & piece, const LungEvidence & lung, const ColonThreshol
   return isWide ? "" : SmallBowelKind;
 }
 
-/** Areas of the levels of a piece: of those over fluid as bright as in the colon, and of those over fainter matter. */
+/** Areas of the levels of a piece: those over fluid as bright as in the colon, and those over fainter matter. */
 struct LevelAreas
 {
   double bright{ 0.0 };

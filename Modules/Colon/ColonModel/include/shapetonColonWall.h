@@ -26,8 +26,8 @@ struct BridgedOccupancy
  * the lumen.
  *
  * \param centerline LPS mm, with point arrays `gap` and `arcLength`.
- * \param radius of the tubes, mm, greater than 0; at least one voxel, or the tube may be disconnected. Throws
- * InputError if RequireSound() fails or an array is missing, and ParameterError for a radius out of range.
+ * \param radius of the tubes, mm, greater than 0; at least one voxel, or the tube may be disconnected.
+ * Throws InputError if RequireSound() fails or an array is missing, and ParameterError for a radius out of range.
  * \ingroup ShapetonColonModel */
 ShapetonColonModel_EXPORT BridgedOccupancy
 AddBridges(const OccupancyImage * occupancy, const CurveSet & centerline, double radius = 2.0);

@@ -57,8 +57,8 @@ struct ValveSearch
 ShapetonColonModel_EXPORT ValveSearch
 FindIleocecalValve(const LumenMask * labels, const itk::Image<float, 3> * ct, const CurveSet & centerline);
 
-/** \name The valve in a centerline file Stored as the field array ileocecalValve: x, y, z (LPS, mm), arcLength, length,
- * width (mm), confidence. */
+/** \name The valve in a centerline file
+ * Stored as the field array ileocecalValve: x, y, z (LPS, mm), arcLength, length, width (mm), confidence. */
 ///@{
 /** Stores the valve in the curve, or removes a stored valve. \ingroup ShapetonColonModel */
 ShapetonColonModel_EXPORT void
