@@ -71,7 +71,7 @@ struct CenterlinePiece
   itk::Point<double, 3> place;
 };
 
-/** A contact between two loops of the colon with connected lumens. \ingroup ShapetonColonCenterline */
+/** A contact between two loops of the colon where their lumens are connected. \ingroup ShapetonColonCenterline */
 struct CenterlineMerge
 {
   itk::Point<double, 3> place;
@@ -112,8 +112,9 @@ struct ColonCenterline
 /** \brief Computes the centerline of the colon from a mask of its lumen.
  *
  * 1. Compute the distance to the wall and the connected components (pieces) of the lumen.
- * 2. Partition each piece into cells of about one inscribed ball. The widest passages between cells form a tree.
- *    Passages that would close long rings are holes in septa between touching loops and are excluded from paths.
+ * 2. Partition each piece into cells, each about the size of an inscribed ball. The widest passages between cells form
+ *    a tree. Passages that would close long rings are holes in septa between touching loops and are excluded from
+ *    paths.
  * 3. Find the minimal path of each piece (cost 1 / (d + 0.1 mm)^3 per mm, Dijkstra on 26 neighbors) between its two
  *    ends: the points with d >= 8 mm farthest apart along such paths, extended into tapering ends where another piece
  *    follows.

@@ -94,7 +94,8 @@ public:
 private:
   void
   SpanWidest();
-  /** A replacement of one tree passage by another, and the gain (mm) in longest path beyond the minimum. */
+  /** A replacement of one tree passage by another, and the excess (mm) of its gain in path length over the minimum
+   * gain. */
   struct Swap
   {
     int    in;

@@ -19,9 +19,9 @@ struct CellPassage
  * \brief Partition of the lumen into compact cells, each about one inscribed ball.
  *
  * Voxels are processed in order of decreasing distance to the wall. An unassigned voxel joins the cell of a neighbor
- * or, if the center of that cell is too far for its radius, becomes the center of a new cell with its inscribed ball.
- * Cells never extend through a hole into another loop, because the wider voxels of that loop are processed before the
- * hole.
+ * or, if the center of that cell is too far away relative to its radius, becomes the center of a new cell with its
+ * inscribed ball. Cells never extend through a hole into another loop, because the wider voxels of that loop are
+ * processed before the hole.
  */
 struct LumenCells
 {

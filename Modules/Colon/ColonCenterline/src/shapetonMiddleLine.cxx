@@ -23,7 +23,8 @@ constexpr double safelyInside = 0.7;
 constexpr double reachOfMiddle = 40.0;
 /** Distance of the end of the line from the pole of the cecum, mm. */
 constexpr double beforePole = 3.0;
-/** Length (mm) of the line evaluated before the mouth of the cecum; half the search distance beyond it. */
+/** Length (mm) of the line evaluated before the mouth of the cecum; the search beyond the mouth covers twice this
+ * distance. */
 constexpr double farthestOfPouch = 150.0;
 
 CurvePoints

@@ -23,7 +23,7 @@ struct TreeWalk
   /** Creates an empty walk. */
   explicit TreeWalk(std::size_t cells) : length(cells, -1.0), depth(cells, -1), parent(cells, -1), passage(cells, -1) {}
 
-  /** Adds the tree of a cell, starting there. */
+  /** Adds the tree that contains a cell, starting at that cell. */
   void
   Visit(const TreeLinks & links, int cell);
 

@@ -30,7 +30,7 @@ struct ColonSegments
   /** For each face: 1 rectum (with the anal canal), 2 sigmoid, 3 descending, 4 transverse, 5 ascending, 6 cecum; 0 if
    * unknown because a border is missing. */
   std::vector<int> segmentOfFace;
-  /** Whether the border of the cecum is at the ileocecal valve rather than estimated from its average length. */
+  /** Whether the border of the cecum is at the ileocecal valve, not estimated from the average length of a cecum. */
   bool    isCecumAtValve{ false };
   Remarks warnings;
 };

@@ -88,7 +88,8 @@ ShapetonColonLandmarks_EXPORT std::string
  * - Joint, exact dynamic programming of three paths: state (angle, two gaps), gaps of 45 to 225 degrees. In each row,
  * all paths turn by at most one step together, and each by at most one more. All paths have the same costs, so a
  * mirrored wall results in mirrored taeniae. The results of the two methods are compared by the energy of the dynamic
- * programming. Markers attract the paths; a bump of 60 mm then moves each taenia exactly through its markers.
+ * programming. Markers attract the paths; a Gaussian displacement with a standard deviation of 30 mm then moves each
+ * taenia exactly through its markers.
  *
  * Throws InputError if a marker is more than 15 mm from the wall. \ingroup ShapetonColonLandmarks */
 ShapetonColonLandmarks_EXPORT ColonTaeniae

@@ -19,8 +19,8 @@ struct CleansedColon
 
 /** Removes the tagged fluid of a colon from its CT.
  *
- * The value of a voxel is the mean of gas (fraction g), fluid (fraction f) and tissue (remainder). Near only gas or
- * only fluid, the occupancy is linear in the value. Where a level meets the wall, its subvoxel height determines the
+ * The value of a voxel is the mean of gas (fraction g), fluid (fraction f) and tissue (remainder). Near gas alone or
+ * fluid alone, the occupancy is linear in the value. Where a level meets the wall, its subvoxel height determines the
  * ratio of gas to fluid. Where their mixture resembles tissue, the occupancy is interpolated from above and below. `ct`
  * is the image from which `lumen` was computed. Throws std::invalid_argument if the sizes differ.
  * \ingroup ShapetonColonLumen */

@@ -27,10 +27,10 @@ ShapetonColonLumen_EXPORT itk::ImageRegion<3>
  *
  * The distance is the exact Euclidean distance between the centers of the voxel and of the nearest voxel outside the
  * lumen, minus a quarter of the smallest spacing. This is a compromise: a flat wall is half a voxel nearer than the
- * center, while the wall of a round lumen is hardly nearer to the axis. On the axis of a tube, the distance equals the
- * radius to about half a voxel. Voxels outside the region are treated as lumen to preserve the caliber at the image
- * border; elsewhere use a region with a margin. Linear time in voxels; the result does not depend on the number of
- * threads.
+ * center of the first voxel outside, while the wall of a round lumen is hardly nearer to the axis than such a center.
+ * On the axis of a tube, the distance equals the radius to about half a voxel. Voxels outside the region are treated as
+ * lumen to preserve the caliber at the image border; elsewhere use a region with a margin. Linear time in voxels; the
+ * result does not depend on the number of threads.
  *
  * Throws InputError if all voxels of the region are lumen.
  * \ingroup ShapetonColonLumen */

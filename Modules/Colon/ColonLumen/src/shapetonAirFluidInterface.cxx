@@ -225,7 +225,8 @@ LevelSurface::MeasureBlur(std::vector<double> & shares)
   const double median = shares[shares.size() / 2];
   double       low = 0.2;
   double       high = 3.0;
-  // The rise over the step that contains the crossing, at a phase of a quarter step, between the extremes.
+  // Bisection for the sigma whose rise over the step that contains the crossing equals the median. The crossing is
+  // assumed a quarter of the way along the step, between the extremes.
   for (int i = 0; i < 40; ++i)
   {
     const double sigma = 0.5 * (low + high);

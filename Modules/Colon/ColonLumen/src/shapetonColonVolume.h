@@ -185,8 +185,9 @@ using VoxelParts = std::unordered_map<std::size_t, int>;
 std::vector<std::vector<std::size_t>>
 ConnectedPieces(const ColonGrid & grid, const VoxelSet & voxels, const VoxelParts & parts = {});
 
-/** Partitions a set at necks, where no ball of this radius (mm) fits into the set and `isOpen`. Returns for each voxel
- * the number (from 1) of the nearest wide part within the set; empty if no wide part exists. */
+/** Partitions a set at necks, where no ball of this radius (mm) fits into the union of the set and the voxels for which
+ * `isOpen` is true. Returns for each voxel the number (from 1) of the nearest wide part within the set; empty if no
+ * wide part exists. */
 VoxelParts
 PartsAtNecks(const ColonGrid &                        grid,
              const VoxelSet &                         voxels,

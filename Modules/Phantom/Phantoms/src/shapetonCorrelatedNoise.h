@@ -14,9 +14,9 @@ namespace shapeton
 /** \class CorrelatedNoise
  * \brief Gaussian noise of a CT volume, correlated between neighboring voxels.
  *
- * White noise from Philox, for each voxel of the grid and of one surrounding layer, is filtered along each axis by (a,
- * 1, a) / sqrt(1 + 2 a^2). The correlation is 2 a / (1 + 2 a^2) between neighbors and a^2 / (1 + 2 a^2) at a distance
- * of two voxels.
+ * White noise from Philox is generated for each voxel of the grid and of one surrounding layer. It is filtered along
+ * each axis by (a, 1, a) / sqrt(1 + 2 a^2). The correlation is 2 a / (1 + 2 a^2) between neighbors and a^2 / (1 + 2
+ * a^2) at a distance of two voxels.
  *
  * The noise of a voxel depends only on its index.
  *
