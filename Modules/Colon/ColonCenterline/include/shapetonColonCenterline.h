@@ -104,8 +104,8 @@ struct ColonCenterline
   double coverage{ 0.0 };
   /** Warnings, with positions. */
   Remarks warnings;
-  /** Reason why the mask cannot be a colon: far too many gaps and holes, or far too large cross-sections; empty
-   * otherwise. */
+  /** Reason why the mask cannot be a colon: far too many gaps and holes, or cross-sections that are far too large;
+   * empty otherwise. */
   std::string failure;
 };
 

@@ -278,7 +278,8 @@ Trace(const LumenDistanceImage *     distance,
   return traced;
 }
 
-/** Reason why the mask cannot be a colon: far more gaps and holes, or far larger cross-sections; empty otherwise. */
+/** Reason why the mask cannot be a colon: far more gaps and holes, or far larger cross-sections, than in a colon; empty
+ * otherwise. */
 std::string
 FailureOfLine(const ColonCenterline & line)
 {

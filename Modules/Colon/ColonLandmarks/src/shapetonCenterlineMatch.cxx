@@ -10,7 +10,7 @@ namespace shapeton
 {
 namespace
 {
-/** Maximum fraction of the wall length along which the centerline may be outside. Correct centerlines have 0;
+/** Maximum fraction of the wall length along which the centerline may be outside the wall. Correct centerlines have 0;
  * centerlines of the other position of the same patient have at least 0.24. */
 constexpr double greatestShareOutside = 0.1;
 /** Lower bound of the wall radius, mm. */

@@ -186,7 +186,7 @@ TrackWindows(std::vector<Window> & windows)
   return true;
 }
 
-/** The most compact track, and two others at thirds of the circumference. */
+/** The most compact track, and two tracks one and two thirds of the circumference away from it. */
 void
 ReplaceByThirds(std::vector<Window> & windows)
 {

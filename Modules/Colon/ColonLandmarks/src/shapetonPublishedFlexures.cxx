@@ -81,7 +81,7 @@ PublishedFlexures(const CenterlineShape & shape)
   }
   std::vector<int> byHeight = bends;
   std::stable_sort(byHeight.begin(), byHeight.end(), [&](int a, int b) { return points(a, 2) > points(b, 2); });
-  // The line starts at the rectum, so the splenic flexure is the earlier one of the two.
+  // The line starts at the rectum, so the splenic flexure is the earlier of the two.
   result[2] = std::min(byHeight[0], byHeight[1]);
   result[3] = std::max(byHeight[0], byHeight[1]);
   result[0] = byHeight.back();

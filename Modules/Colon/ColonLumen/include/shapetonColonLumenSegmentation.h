@@ -83,7 +83,7 @@ struct ColonLeftOut
   double                inscribedRadius{ 0.0 }; ///< mm; 0 where not measured
   double                meanHU{ 0.0 };
   itk::Point<double, 3> center;
-  /** Sample points in gas too thin for a colon, one for each cell of 5 mm. */
+  /** Sample points in gas that is too thin for a colon, one per cell of 5 mm. */
   std::vector<itk::Point<double, 3>> places;
 };
 

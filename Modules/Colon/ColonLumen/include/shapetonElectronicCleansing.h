@@ -21,8 +21,8 @@ struct CleansedColon
  *
  * The value of a voxel is the mean of gas (fraction g), fluid (fraction f) and tissue (remainder). Near gas alone or
  * fluid alone, the occupancy is linear in the value. Where a level meets the wall, its subvoxel height determines the
- * ratio of gas to fluid. Where their mixture resembles tissue, the occupancy is interpolated from above and below. `ct`
- * is the image from which `lumen` was computed. Throws std::invalid_argument if the sizes differ.
+ * ratio of gas to fluid. Where a mixture of gas and fluid resembles tissue, the occupancy is interpolated from above
+ * and below. `ct` is the image from which `lumen` was computed. Throws std::invalid_argument if the sizes differ.
  * \ingroup ShapetonColonLumen */
 ShapetonColonLumen_EXPORT CleansedColon
 CleanseColon(const itk::Image<float, 3> * ct, const ColonLumen & lumen, const Progress & progress = {});

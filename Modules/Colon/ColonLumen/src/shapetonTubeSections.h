@@ -93,7 +93,8 @@ struct TubeSection
   double
   BoreRadius() const;
   /** Deviation of the bore from a circle: root mean square of the second and third harmonics of the radius over the
-   * angle, divided by its mean. The first harmonic is caused by an off-center axis, higher ones by voxels. */
+   * angle, divided by its mean. The first harmonic is caused by an off-center axis, harmonics above the third by voxel
+   * steps. */
   double
   Ovality() const;
 };

@@ -8,7 +8,7 @@
 
 namespace shapeton
 {
-/** Gas that was excluded from the lumen as too thin, but connects both ends of a gap of the centerline. */
+/** Gas that was excluded from the lumen as too thin but connects the two ends of a gap in the centerline. */
 struct GasInGap
 {
   CenterlineGap gap;

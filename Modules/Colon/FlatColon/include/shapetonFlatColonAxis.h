@@ -45,8 +45,8 @@ ShapetonFlatColon_EXPORT std::vector<double>
                          DistanceOfColumns(const FlatColonGrid & grid);
 
 /** Distance (mm) of each column along a centerline with the point array arcLength. Column centers are assigned to
- * vertices in nondecreasing order with minimum sum of squared distances, which is robust to touching loops of the
- * colon. Throws InputError if the centerline lacks arcLength.
+ * vertices in nondecreasing order so that the sum of squared distances is minimal; this is robust to touching loops of
+ * the colon. Throws InputError if the centerline lacks arcLength.
  * \ingroup ShapetonFlatColon */
 ShapetonFlatColon_EXPORT std::vector<double>
                          DistanceOfColumns(const FlatColonAxis & axis, const CurveSet & centerline);

@@ -19,7 +19,7 @@ struct TubeForm
   int    along{ 60 };
   double circumference{ 120.0 };
   double length{ 150.0 };
-  /** Deviation of the cut from v = 0, and the number of column steps. */
+  /** Maximum deviation of the cut from v = 0, in steps between columns. */
   double cutSway{ 0.0 };
   /** Whether faces are oriented into the lumen, and whether the map is reversed. */
   bool isInsideOut{ false };

@@ -39,9 +39,9 @@ struct PublishedPolypOptions
  * Candidates are parts of the top 4 % of the wall, 3 to 40 mm wide; the score is the mean rank, scaled from (0.96, 1)
  * to (0, 1), times the roundness.
  *
- * The source only displays the density with a manual transfer function; ranks and limits are original work. \param ct
- * cleansed CT in HU; if null, tissue is 1 and lumen is 0. Throws the exceptions of FindPolypCandidates(). The result
- * does not depend on the number of threads.
+ * The dissertation only displays the density with a manual transfer function; ranks and limits are original work.
+ * \param ct cleansed CT in HU; if null, tissue is 1 and lumen is 0. Throws the exceptions of FindPolypCandidates(). The
+ * result does not depend on the number of threads.
  * \ingroup ShapetonPolypCandidates */
 ShapetonPolypCandidates_EXPORT std::vector<PolypCandidate>
                                FindPublishedPolypCandidates(const SurfaceMesh &           wall,

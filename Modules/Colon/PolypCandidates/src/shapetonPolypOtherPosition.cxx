@@ -63,8 +63,8 @@ FindMostAlike(const PolypCandidate &                   candidate,
   }
 }
 
-/** Flatness, 1 for a flat head. Two of five flat polyps visible in one position are missed in the other, and stool is
- * rarely flat. */
+/** Flatness, 1 for a flat head. Of the flat polyps visible in one position, two of five are missed in the other, and
+ * stool is rarely flat. */
 double
 Flatness(const PolypCandidate & candidate)
 {

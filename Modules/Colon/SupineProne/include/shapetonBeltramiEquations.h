@@ -12,7 +12,7 @@
 namespace shapeton
 {
 /** Positions (mm along and around) of the nodes of one cylinder on another, in row-major order. The coordinate around
- * is unwrapped; the node after the last one of a row is the first one plus a turn.
+ * the cylinder is unwrapped; the node after the last one of a row is the first one plus a turn.
  * \ingroup ShapetonSupineProne */
 struct CylinderValues
 {
@@ -50,7 +50,7 @@ public:
     std::array<double, 3> share;
   };
 
-  /** Stiffness matrix of both coordinates, and right-hand side for one turn of the coordinate around. */
+  /** Stiffness matrix of both coordinates, and right-hand side for one turn of the coordinate around the cylinder. */
   struct System
   {
     Eigen::SparseMatrix<double> stiffness;

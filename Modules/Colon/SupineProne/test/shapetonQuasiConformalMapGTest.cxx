@@ -175,7 +175,7 @@ Find(const BeltramiEquations & equations, const CylinderValues & start, const Ma
   return shapeton::FindQuasiConformalMap(equations, start, [&](const CylinderValues &) { return conditions; }, {});
 }
 
-/** Three distant landmarks that move by some mm, shifted by `turned` angles. */
+/** Three distant landmarks that move by a few mm, shifted by `turned` angles. */
 MapConditions
 SomeLandmarks(const BeltramiEquations & equations, const CylinderValues & values, int turned = 0, double scale = 1.0)
 {

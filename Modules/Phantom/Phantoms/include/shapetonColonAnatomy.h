@@ -154,9 +154,9 @@ public:
   ColonPlace
   PlaceAt(double share, double angle) const;
 
-  /** The surface of the lumen, closed at both ends, with outward normals, sampled with `edgeLength` mm. An edge length
-   * above 0.7 times the thinnest septum merges touching stretches; above 0.5 times the narrowest neck, it may cut off a
-   * diverticulum. */
+  /** The surface of the lumen, closed at both ends, with outward normals, sampled at an edge length of `edgeLength` mm.
+   * An edge length above 0.7 times the thinnest septum merges touching stretches; above 0.5 times the narrowest neck,
+   * it may cut off a diverticulum. */
   SurfaceMesh
   Wall(double edgeLength) const;
 

@@ -182,7 +182,7 @@ ColonRelaxation::KeepLengths()
   {
     for (std::size_t k = 1; k < m_Nodes.size(); ++k)
     {
-      // Alternates between both directions to avoid accumulation of errors at one end.
+      // Alternates between the two directions to avoid accumulating errors at one end.
       const std::size_t i = pass % 2 == 0 ? k : m_Nodes.size() - k;
       const Vector3d    edge = m_Nodes[i] - m_Nodes[i - 1];
       const double      length = edge.norm();
