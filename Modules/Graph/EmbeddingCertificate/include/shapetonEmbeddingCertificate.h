@@ -112,7 +112,8 @@ CoordinatesOf(EmbeddingGeometry geometry)
 ShapetonEmbeddingCertificate_EXPORT double
 UnitOfSurface(const EmbeddingCertificate & certificate);
 
-/** Radius of the smallest node circle of the graph, in that unit. \ingroup ShapetonEmbeddingCertificate */
+/** Radius of the smallest node circle of the graph, in units of UnitOfSurface().
+ * \ingroup ShapetonEmbeddingCertificate */
 ShapetonEmbeddingCertificate_EXPORT double
 SmallestCircle(const EmbeddingCertificate & certificate);
 

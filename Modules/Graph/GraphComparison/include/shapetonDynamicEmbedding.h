@@ -56,18 +56,19 @@ struct DynamicStep
 /** \class DynamicEmbedding
  * \brief Embeds the steps of a dynamic graph so that unchanged parts stay in place.
  *
- * The first step has its blocks arranged, see EmbedGraph(); later steps reuse the rotation system of the previous step.
- * Each sphere is rotated to bring unchanged nodes as close as possible to their old places. The graph is packed with
- * the reusable dummies (see CarryPackedMap()), which is more stable after few changes. If nodes move, it is also packed
- * with new dummies, which is more stable after many changes; the more stable result is used. If a circle is then too
- * small to be legible, blocks and dummies are rearranged, provided that the smallest circle becomes ten times larger.
+ * The blocks of the first step are arranged (see EmbedGraph()); later steps reuse the rotation system of the previous
+ * step. Each sphere is rotated to bring unchanged nodes as close as possible to their old places. The graph is packed
+ * with the reusable dummies (see CarryPackedMap()), which is more stable after few changes. If nodes move, it is also
+ * packed with new dummies, which is more stable after many changes; the more stable result is used. If a circle is then
+ * too small to be legible, blocks and dummies are rearranged, provided that the smallest circle becomes ten times
+ * larger.
  * \ingroup ShapetonGraphComparison */
 class ShapetonGraphComparison_EXPORT DynamicEmbedding
 {
 public:
   explicit DynamicEmbedding(GenusOptions genus = {}, GraphEmbeddingOptions embedding = {});
 
-  /** Embeds the next step. Throws InputError as FindEmbedding() and EmbedGraph(). */
+  /** Embeds the next step. Throws InputError as FindEmbedding() and EmbedGraph() do. */
   DynamicStep
   Add(const Graph & graph);
 

@@ -39,7 +39,7 @@ struct NodeCorrespondence
   /** "isomorphism", "names", "neighborhoods" (nodes with a neighborhood of up to four edges that is unique in both
    * graphs), or "none". */
   std::string by;
-  /** For each node of the first graph its node of the second one, or -1. */
+  /** For each node of the first graph the corresponding node of the second one, or -1. */
   std::vector<int> image;
 };
 

@@ -199,7 +199,7 @@ EdgeInsertion::KeptMap(const Graph & before, const CombinatorialMap & map)
   return IncrementalMap(CombinatorialMap(m_After.nodes, edges, std::move(next)));
 }
 
-/** Largest corner for a part to be joined by an edge; -1 for a node without edges. */
+/** Corner of the node in its longest face, where an edge joins another part; -1 for a node without edges. */
 int
 EdgeInsertion::CornerOfLongestFace(int node) const
 {

@@ -21,8 +21,8 @@ ShapetonGraphComparison_EXPORT std::vector<int>
 struct CarriedRotation
 {
   CombinatorialMap map;
-  /** Whether the rotation system was recomputed for a smaller genus; it is then mirrored if this agrees with the old
-   * one in more places. */
+  /** Whether the rotation system was recomputed for a smaller genus; it is then mirrored if the mirror image agrees
+   * with the old one in more places. */
   bool embeddedAnew{ false };
 };
 

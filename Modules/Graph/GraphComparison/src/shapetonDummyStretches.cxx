@@ -56,7 +56,7 @@ public:
   }
 
 private:
-  /** At a node with one or two half-edges the order is unchanged if the surrounding part of the graph flipped. */
+  /** At a node with one or two half-edges the order is unchanged even if the surrounding part of the graph flipped. */
   bool
   IsInChain(int halfEdge) const
   {

@@ -6,17 +6,17 @@
 
 namespace shapeton
 {
-/** The elements between two consecutive half-edges around a node that exist in both steps; all elements around a node
+/** The elements around a node between successive half-edges that exist in both steps; all elements around a node
  * without such half-edges. */
 struct DummyStretch
 {
   std::vector<int> dummies; ///< half-edges of the old packed map that lead to dummies
   std::vector<int> added;   ///< half-edges of the new graph
-  std::vector<int> places;  ///< per added half-edge: the dummy to remove, or on its path; -1: none
+  std::vector<int> places;  ///< per added half-edge: the dummy that is removed or on its path, or -1
 };
 
 /** All nonempty stretches. Dummies of a stretch are removed if the corner between its half-edges changed. With `reach`
- * >= 1, this also applies where edges are added, and with k to dummies up to k - 1 neighbors away. */
+ * = k >= 1, this also applies where edges are added, and to dummies up to k - 1 neighbors away. */
 class DummyStretches
 {
 public:

@@ -68,8 +68,8 @@ GraphOf(const IncrementalMap & map)
   return graph;
 }
 
-/** Inserts wheels into the face of a half-edge: one for each row of corners outside the region. Its rim has a node for
- * each corner, which fixes their order. */
+/** Inserts wheels into the face of a half-edge: one for each row of corners outside the region. The rim of a wheel has
+ * a node for each corner, which fixes their order. */
 void
 AddWheels(const IncrementalMap & map, const OpenRegion & region, int halfEdge, Graph & graph)
 {

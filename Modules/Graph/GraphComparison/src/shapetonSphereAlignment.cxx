@@ -82,7 +82,7 @@ DerivativeAt(const Vector & p)
   return derivative;
 }
 
-/** Step to the least sum of distances, each bounded by a quadratic form that touches it at the current points. */
+/** Step that minimizes the sum of distances, each bounded by a quadratic form that touches it at the current points. */
 Vector6
 StepTo(const std::vector<Vector> & targets, const std::vector<Vector4> & caps, const Matrix4 & motion)
 {

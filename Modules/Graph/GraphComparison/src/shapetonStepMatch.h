@@ -6,7 +6,7 @@
 namespace shapeton
 {
 /** Common elements of the packed map of one step of a dynamic graph and the map of the next one. A node without common
- * edges counts as new, so that it moves to its new neighbors; isolated nodes do not. */
+ * edges counts as new, so that it moves to its new neighbors; isolated nodes do not count as new. */
 struct StepMatch
 {
   StepMatch(const Graph & before, const PackedMap & packed, const Graph & after, const CombinatorialMap & map);

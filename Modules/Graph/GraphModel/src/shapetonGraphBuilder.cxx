@@ -4,7 +4,7 @@ namespace shapeton
 {
 namespace
 {
-// Larger drawings are illegible, and DOT subgraphs multiply the edges.
+// Larger drawings are illegible, and DOT subgraphs can multiply the number of edges.
 constexpr std::size_t MostEdges = 100000000;
 constexpr int         MostNodes = 10000000;
 } // namespace

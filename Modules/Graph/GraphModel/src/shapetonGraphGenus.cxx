@@ -19,7 +19,7 @@ constexpr std::uint32_t annealingPurpose = 0x6E05A1;
 // Exponents of successive searches. Sparse graphs of large genus need low exponents, complete graphs high ones: K15
 // reaches its genus of 11 only with 16. With 0 (all corners equal) a quarter more handles remain.
 constexpr int lastExponents[] = { 8, 16, 12, 6 };
-// Moves of one search at effort 1. On the Rome graphs and K15, longer searches do not improve on more searches.
+// Moves of one search at effort 1. On the Rome graphs and K15, longer searches are not better than more searches.
 constexpr double movesOfAnEdge = 4000.0;
 constexpr double mostMoves = 3.0e6;
 constexpr double mostCorners = 4.0e8;

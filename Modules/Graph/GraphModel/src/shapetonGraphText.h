@@ -46,11 +46,11 @@ private:
 std::vector<std::string_view>
 Words(std::string_view line, std::string_view separators = {});
 
-/** Parses `word` as a decimal integer of type int; returns false unless it is one entirely. */
+/** Parses `word` as a decimal integer of type int; returns false unless the whole word is one. */
 bool
 ParseInt(std::string_view word, int & value);
 
-/** Parses `word` as a decimal floating-point number; returns false unless it is one entirely. */
+/** Parses `word` as a decimal floating-point number; returns false unless the whole word is one. */
 bool
 ParseDouble(std::string_view word, double & value);
 

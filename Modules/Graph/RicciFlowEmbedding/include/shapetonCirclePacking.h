@@ -17,9 +17,9 @@ enum class FlowGeometry
   Hyperbolic
 };
 
-/** Circles of infinite radius: one flag for each node or face, or empty lists for none. A straight line (in hyperbolic
- * geometry a geodesic) subtends the angle pi at circles orthogonal to it. A horocycle is tangent to the ideal
- * boundary. \ingroup ShapetonRicciFlowEmbedding */
+/** Circles of infinite radius: one flag for each node or face, or empty lists for none. A straight line (a geodesic in
+ * hyperbolic geometry) subtends the angle pi at the center of each circle orthogonal to it. A horocycle is tangent to
+ * the ideal boundary. \ingroup ShapetonRicciFlowEmbedding */
 struct CirclesAtInfinity
 {
   std::vector<char> lineNodes;
@@ -66,9 +66,9 @@ enum class PackingPrecision
  *
  * Throws InputError if the curvature does not vanish: the map has no packing, or none in double precision.
  *
- * \pre `map` is connected, without loops and parallel edges, and no face meets a node twice. Genus 1 for Euclidean
- * geometry without circles at infinity, 2 and more for hyperbolic geometry. 3-connectivity (see FaceConflicts) is not
- * checked here. \ingroup ShapetonRicciFlowEmbedding */
+ * \pre `map` is connected, without loops and parallel edges, and no face meets a node twice. The genus is 1 for
+ * Euclidean geometry without circles at infinity, and at least 2 for hyperbolic geometry. 3-connectivity (see
+ * FaceConflicts) is not checked here. \ingroup ShapetonRicciFlowEmbedding */
 ShapetonRicciFlowEmbedding_EXPORT CirclePacking
 PackCircles(const CombinatorialMap &  map,
             FlowGeometry              geometry,
@@ -76,8 +76,8 @@ PackCircles(const CombinatorialMap &  map,
             PackingPrecision          precision = PackingPrecision::Double,
             const Progress &          progress = {});
 
-/** Half the kite angle of two circles at the first, finite one. If the second radius is infinite, it is a straight
- * line, or with `isHorocycle` a horocycle. \ingroup ShapetonRicciFlowEmbedding */
+/** Half the kite angle of two circles at the center of the first, which is finite. If the second radius is infinite, it
+ * is a straight line, or with `isHorocycle` a horocycle. \ingroup ShapetonRicciFlowEmbedding */
 template <typename TReal>
 TReal
 HalfKiteAngle(FlowGeometry geometry, TReal radius, TReal otherRadius, bool isHorocycle = false)

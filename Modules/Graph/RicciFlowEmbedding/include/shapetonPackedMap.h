@@ -32,7 +32,7 @@ struct PackedMap
 };
 
 /** \brief The faces that prevent a circle packing: those that meet a node twice, and those that share two nodes with
- * another face other than as the ends of one common edge.
+ * another face, unless these nodes are the ends of one common edge.
  *
  * A map has a circle packing for its nodes and faces if it is 3-connected (Koebe, Andreev, Thurston), or, on a
  * surface of genus 1 and more, if its universal cover is (Bobenko and Springborn, Trans. AMS 356, 2004). A map with at
@@ -73,10 +73,10 @@ struct AugmentationOptions
  *
  * With Augmentation::Ring, components are joined by a dummy node in the longest face of each; loops and parallel edges
  * are subdivided by dummy nodes. A face in conflict (see FaceConflicts) is filled with rings. If it meets a node twice,
- * the first ring has one dummy for two half-edges, or for one where two would meet a node twice. Further rings have
- * half the number of nodes each, while more than six are left; a single dummy fills the center. Radii therefore
- * decrease by a constant factor from ring to ring, not from node to node. Triangles and faces without conflict are
- * unchanged, hence so is a 3-connected map. Any genus.
+ * the first ring has one dummy for every two half-edges, or for one half-edge where two would meet a node twice.
+ * Further rings have half the number of nodes each, while more than six are left; a single dummy fills the center.
+ * Radii therefore decrease by a constant factor from ring to ring, not from node to node. Triangles and faces without
+ * conflict are unchanged, and therefore so is a 3-connected map. Maps of any genus are supported.
  *
  * With Augmentation::None the map must be connected and free of conflicts; else throws InputError that states the
  * reason. \ingroup ShapetonRicciFlowEmbedding */

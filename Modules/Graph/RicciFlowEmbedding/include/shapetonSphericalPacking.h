@@ -57,7 +57,7 @@ constexpr double smallestCapOfBarycenter = 1e-5;
  * would be smaller than smallestCapOfBarycenter, the sum of the fourth roots of cot(angle / 2) over these nodes is
  * minimized instead. This enlarges the smallest caps; larger exponents would let a single one of them displace all
  * others. The remaining freedom is a rotation. The packing is laid out again from the circle that became largest on the
- * sphere, because the transformation may enlarge a small part of the plane. Throws InputError as PackCircles().
+ * sphere, because the transformation may enlarge a small part of the plane. Throws InputError as PackCircles() does.
  * \ingroup ShapetonRicciFlowEmbedding */
 ShapetonRicciFlowEmbedding_EXPORT SphericalPacking
 PackOnSphere(const CombinatorialMap &  map,

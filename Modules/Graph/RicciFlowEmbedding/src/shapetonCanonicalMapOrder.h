@@ -12,9 +12,9 @@ namespace shapeton
  * numbering.
  *
  * A breadth-first search from a half-edge, counter-clockwise around each node, numbers the nodes and defines a code of
- * the map; the half-edge with the smallest code is the start. Only half-edges with the rarest neighborhood are tried,
- * by hashes refined until one is unique or for 32 rounds, up to a limit of 2e7 steps. Beyond this limit the numbering
- * may depend on the input. \ingroup ShapetonRicciFlowEmbedding */
+ * the map; the half-edge with the smallest code is the start. Only half-edges with the rarest neighborhood are tried.
+ * Neighborhoods are compared by hashes, refined until one is unique or for 32 rounds. Beyond a limit of 2e7 steps the
+ * numbering may depend on the input. \ingroup ShapetonRicciFlowEmbedding */
 struct ShapetonRicciFlowEmbedding_EXPORT CanonicalMapOrder
 {
   /** With `mayMirror`, also tries clockwise walks. */

@@ -61,7 +61,7 @@ private:
   const CombinatorialMap &        m_Map;
   CircleState<double>             m_State;
   std::vector<std::array<int, 2>> m_Pattern;
-  /** For pattern elements up to m_EdgeElements the edge of the map, then the half-edge of the kite. */
+  /** For the first m_EdgeElements pattern elements the edge of the map, for the others the half-edge of the kite. */
   std::vector<int> m_Source;
   std::size_t      m_EdgeElements{ 0 };
   /** For each half-edge, the contribution of its kite to the diagonal, and to the element of its edge or kite. */

@@ -57,7 +57,7 @@ struct ColonFlattening
   /** Diffusion time (mm^2); 0 for the Euclidean metric. */
   double time{ 0.0 };
   int    eigenpairs{ 0 };
-  /** HeatDiffusionMetric::drownedEdges of the metric of the map. */
+  /** HeatDiffusionMetric::drownedEdges for the metric of the map. */
   int drownedEdges{ 0 };
   /** NarrowestLevelRadius() (mm); 0 if the time was set. */
   double narrowestRadius{ 0.0 };
@@ -93,8 +93,8 @@ FlattenColon(SurfaceMesh mesh, const std::string & what, const ColonFlatteningOp
 ShapetonConformalFlattening_EXPORT Json
 ColonFlatteningToJson(const ColonFlattening & flattening);
 
-/** Writes the handles as points of a VTP file with the arrays genus, uv and radius (mm), and these facts; the file is
- * empty if there are no handles. Throws OutputError. \ingroup ShapetonConformalFlattening */
+/** Writes a VTP file with one point per handle, the arrays genus, uv and radius (mm), and `facts` as metadata. Without
+ * handles the file has no points. Throws OutputError. \ingroup ShapetonConformalFlattening */
 ShapetonConformalFlattening_EXPORT void
 WriteHandles(const std::vector<SurfaceHandle> &                       handles,
              const std::vector<std::pair<std::string, std::string>> & facts,

@@ -43,11 +43,11 @@ struct ConformalMapOptions
 struct ConformalMap
 {
   /** As in shapetonFlatSurface.h, with `uv` in mm, counterclockwise as seen from outside, u to the right and v up.
-   * - Rectangle of one boundary: starts at (0, 0); height over width is the geometric mean of the two moduli, and the
+   * - Rectangle, one boundary: starts at (0, 0); height over width is the geometric mean of the two moduli, and the
    * area equals the surface area.
-   * - Rectangle of several: u is 0 at the outer boundary, and one turn is `circumference`, the mean length of the level
-   *   sets of the radius. At the inner boundary u is `length`, circumference over the geometric mean of the moduli. The
-   *   cut is straight in space, not in the plane.
+   * - Rectangle, several boundaries: u is 0 at the outer boundary, and one turn has length `circumference`, the mean
+   *   length of the level sets of the radius. At the inner boundary u is `length`, circumference over the geometric
+   *   mean of the moduli. The cut is straight in space, not in the plane.
    * - Annulus, slit: centered at (0, 0); the annulus has the area of the surface. No vertex is duplicated. For Slit,
    *   `slitMap1`, `slitMap2`, ... are the maps with boundary 1, 2, ... as the inner circle. */
   SurfaceMesh     flat;
@@ -91,7 +91,7 @@ struct ConformalMap
 /** Maps a surface to the plane. A surface with handles is mapped with a warning: the map is conformal away from small
  * handles. Throws InputError with the prefix `what` if the surface is not a single oriented manifold component, the
  * domain does not allow its number of boundaries, or a boundary or corner does not exist; also throws as
- * MakeSurfaceLaplacian(). \ingroup ShapetonConformalFlattening */
+ * MakeSurfaceLaplacian() does. \ingroup ShapetonConformalFlattening */
 ShapetonConformalFlattening_EXPORT ConformalMap
 MapConformally(const SurfaceMesh & mesh, const ConformalMapOptions & options, const std::string & what);
 

@@ -11,7 +11,7 @@ namespace shapeton
 /** Method for the second coordinate of a tube. \ingroup ShapetonConformalFlattening */
 enum class TubeConjugate
 {
-  /** A second Laplacian with a unit jump across the cut and natural boundaries. */
+  /** A second harmonic function, with a unit jump across the cut and natural boundaries. */
   Laplacian,
   /** As published: the Hodge star of du in each face, averaged over the faces of each edge and summed along an edge
    * tree. With handles the sum depends on the tree. */
@@ -73,8 +73,8 @@ struct TubeMap
  * along v = 0 once v is known.
  *
  * \param edgeLengths in the edge order of the connectivity, in any metric and unit.
- * \pre The surface is a tube: FindTubeEnds(). Throws InputError as MakeSurfaceLaplacian(), and if the cut curve is far
- * from the surface. \ingroup ShapetonConformalFlattening */
+ * \pre The surface is a tube: FindTubeEnds(). Throws InputError as MakeSurfaceLaplacian() does, and if the cut curve is
+ * far from the surface. \ingroup ShapetonConformalFlattening */
 ShapetonConformalFlattening_EXPORT TubeMap
 FlattenTube(const SurfaceMesh &         mesh,
             const SurfaceConnectivity & connectivity,

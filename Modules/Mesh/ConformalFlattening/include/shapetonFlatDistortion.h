@@ -70,7 +70,7 @@ struct DistortionQuantiles
 };
 
 /** Quantiles of the dilatation over the unflipped faces, unweighted by area. Faces marked in `leftOut` are skipped. The
- * p-quantile of n sorted values is number floor(p n). 0 if no face remains. */
+ * p-quantile of n sorted values is the one with index floor(p n), from 0. 0 if no face remains. */
 ShapetonConformalFlattening_EXPORT DistortionQuantiles
 QuantilesOfDilatation(const FlatDistortion & distortion, const std::vector<char> & leftOut = {});
 

@@ -34,7 +34,7 @@ ShapetonConformalFlattening_EXPORT Eigen::MatrixX2d
 ShapetonConformalFlattening_EXPORT double
 FlatCircumference(const SurfaceMesh & flat, const std::string & what);
 
-/** Returns `length` (mm); errors as FlatCircumference(). */
+/** Returns `length` (mm). Throws as FlatCircumference() does. */
 ShapetonConformalFlattening_EXPORT double
 FlatLength(const SurfaceMesh & flat, const std::string & what);
 

@@ -35,7 +35,7 @@ struct QuadrilateralMap
  * first one is kept and the others are reversed.
  * \param weightLevels for each vertex 0, or 1 to 6: how close to 1 the weights of its edges are clamped to avoid
  * flipped faces; empty: 0. The moduli are those of the metric in any case.
- * Throws InputError if a corner is not on the boundary, repeated or out of order, and as MakeSurfaceLaplacian().
+ * Throws InputError if a corner is not on the boundary, repeated or out of order, and as MakeSurfaceLaplacian() does.
  * \ingroup ShapetonConformalFlattening */
 ShapetonConformalFlattening_EXPORT QuadrilateralMap
 MapQuadrilateral(const SurfaceConnectivity & connectivity,
@@ -45,10 +45,10 @@ MapQuadrilateral(const SurfaceConnectivity & connectivity,
                  const std::vector<int> &    weightLevels = {},
                  const Progress &            progress = {});
 
-/** Finds four well spread boundary vertices: the corners of an inscribed quadrilateral of large area. Starting from the
- * quarters of the boundary length with the largest area, each corner moves to the position of largest area until no
- * move helps. A rectangle keeps its own corners. Ties go to the first vertex along the boundary. \pre At least four
- * vertices; else InputError. \ingroup ShapetonConformalFlattening */
+/** Finds four well spread boundary vertices: the corners of an inscribed quadrilateral of large area. The search starts
+ * from corners at quarters of the boundary length, placed for the largest area. Each corner then moves to its best
+ * position until no move increases the area. A rectangle keeps its own corners. Ties go to the first vertex along the
+ * boundary. \pre At least four vertices; else InputError. \ingroup ShapetonConformalFlattening */
 ShapetonConformalFlattening_EXPORT std::array<int, 4>
                                    SpreadCorners(const BoundaryLoop & boundary, const VertexMatrix & V);
 } // namespace shapeton

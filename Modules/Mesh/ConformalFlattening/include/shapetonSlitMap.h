@@ -17,7 +17,7 @@ struct SlitMap
   /** Logarithm of the radius at each vertex: 0 on the outer circle, negative inside, constant on each loop. */
   Eigen::VectorXd logRadius;
   /** Angle at each vertex in radians, 0 at the first vertex of the outer loop, counterclockwise as seen from outside
-   * the surface. It is 2 pi larger in the corners `left`; it is not reduced to one turn. */
+   * the surface. It is 2 pi larger at the corners `left`; it is not reduced to one turn. */
   Eigen::VectorXd angle;
   /** Vertices of the cut from the outer to the inner loop, across which the angle jumps; chosen to wind as little as
    * possible. */
@@ -41,8 +41,8 @@ struct SlitMap
  *
  * n harmonic functions f_j, 1 on inner loop j and 0 on the others (5.12), have the fluxes P_ij = f_i^T L f_j through
  * the loops. -logRadius = sum lambda_j f_j with P lambda = 2 pi e_k has one turn around inner loop k and none around
- * the others (5.16), which holds exactly for the discrete flux. As it is constant on each loop, these become two
- * circles and n - 1 circular slits.
+ * the others (5.16), which holds exactly for the discrete flux. Because the logarithm is constant on each loop, the
+ * loops become two circles and n - 1 circular slits.
  *
  * The angle is the conjugate function: a second harmonic function that jumps by 2 pi across one path from the outer
  * loop to loop k and has natural boundaries elsewhere. No integration path is needed, and the angle has no period
@@ -60,8 +60,8 @@ public:
    * \param outer index of the loop that becomes the outer circle.
    * \param weightLevels for each vertex 0, or 1 to 6: how close to 1 the weights of its edges are clamped to avoid
    * flipped faces; empty: 0. Fluxes and moduli use these weights.
-   * \pre One oriented manifold component; the loops come from BoundaryLoopsByLength(). Throws InputError if there
-   * are fewer than two loops or the outer loop does not exist, and as MakeSurfaceLaplacian(). */
+   * \pre One oriented manifold component; the loops come from BoundaryLoopsByLength(). Throws InputError if there are
+   * fewer than two loops or the outer loop does not exist, and as MakeSurfaceLaplacian() does. */
   SlitMapSolver(const SurfaceMesh &         mesh,
                 const SurfaceConnectivity & connectivity,
                 const Eigen::VectorXd &     edgeLengths,

@@ -27,11 +27,11 @@ struct CutSurface
 
 /** Cuts a surface open along paths. Each path is a list of vertices; successive vertices share an edge. Paths may start
  * and end on boundaries or inside, close (first vertex = last vertex), meet or cross. Each vertex gets one copy for
- * each fan of faces that the cut leaves. The fan of the lowest face keeps the vertex; other fans follow in the order
- * of their lowest faces, vertices in ascending order.
+ * each fan of faces that the cut leaves. The fan with the lowest face keeps the vertex. Copies are appended in
+ * ascending order of the vertices, and for each vertex in the order of the lowest faces of its fans.
  *
- * \pre The surface is manifold and consistently oriented. Throws InputError if this fails at the path, or if two
- * successive vertices do not share an edge. \ingroup ShapetonConformalFlattening */
+ * \pre The surface is manifold and consistently oriented. Throws InputError if this does not hold along the path, or if
+ * two successive vertices do not share an edge. \ingroup ShapetonConformalFlattening */
 ShapetonConformalFlattening_EXPORT CutSurface
 CutAlongPaths(const SurfaceMesh &                   mesh,
               const SurfaceConnectivity &           connectivity,

@@ -62,8 +62,8 @@ struct HandleRemoval
   int genus{ 0 };
 };
 
-/** Deletes the handle vertices with their faces and any parts this disconnects, and fills the holes with triangles of
- * the surrounding size (Liepa, Filling holes in meshes, 2003). The filling minimizes bending: the sum of squared
+/** Deletes the handle vertices with their faces and any parts this disconnects, and fills the holes with triangles as
+ * large as those around them (Liepa, Filling holes in meshes, 2003). The filling minimizes bending: the sum of squared
  * uniform Laplacians at new vertices and at the rim. Boundaries are unchanged.
  *
  * \pre The surface is one oriented manifold component and the handles belong to it; else InputError.

@@ -36,9 +36,9 @@ struct PreparedTube
 };
 
 /** Repairs coincident vertices, degenerate and duplicate faces, unreferenced vertices, flipped faces, and non-manifold
- * edges and vertices. Inverts the surface if its faces point inward (by the enclosed volume with its ends closed). A
- * sound surface is returned unchanged. Vertices in `rectumLoop` and `cecumLoop` are renumbered. Throws InputError as
- * FindTubeEnds(). \ingroup ShapetonConformalFlattening */
+ * edges and vertices. Flips all faces if they point inward, that is, if the volume enclosed with closed ends is
+ * negative. A sound surface is returned unchanged. Vertices in `rectumLoop` and `cecumLoop` are renumbered. Throws
+ * InputError as FindTubeEnds() does. \ingroup ShapetonConformalFlattening */
 ShapetonConformalFlattening_EXPORT PreparedTube
 PrepareTube(SurfaceMesh mesh, const std::string & what);
 
@@ -52,9 +52,9 @@ struct TrimmedTube
 };
 
 /** Removes parts cut off by interior edges that join two vertices of one end. These are mostly ears: faces with all
- * corners on one end, which any map with constant ends collapses. Removed vertices are dropped from `rectumLoop` and
- * `cecumLoop`. The tube is returned unchanged if no edge is found, or if the result would not be a tube. \pre As
- * for FindTubeEnds(). \ingroup ShapetonConformalFlattening */
+ * corners on one end, which collapse in any map that is constant on each end. Removed vertices are dropped from
+ * `rectumLoop` and `cecumLoop`. The tube is returned unchanged if no edge is found, or if the result would not be a
+ * tube. \pre As for FindTubeEnds(). \ingroup ShapetonConformalFlattening */
 ShapetonConformalFlattening_EXPORT TrimmedTube
 TrimEars(SurfaceMesh mesh, const SurfaceConnectivity & connectivity);
 

@@ -45,15 +45,15 @@ using TubeMetric =
  * map is bitwise identical to the result of FlattenTube(). Otherwise:
  * - blind pouches with an area scale below 1e-6 of the mean are cut off where the scale is below 1e-3, and their holes
  *   are closed by caps: their bottoms are invisible on the map and lost to rounding;
- * - edge weights at flipped faces, from the third map also one ring around, are clamped to bounds that approach 1 with
- *   each map (BoundedWeights());
+ * - edge weights at flipped faces (from the third map on, also one ring around them) are clamped to bounds that
+ *   approach 1 with each map (BoundedWeights());
  * - faces still flipped after 8 maps are cut off, with the surrounding pouch where the scale is below 1e-3;
  * - finally all weights are clamped, which yields an embedding up to rounding.
  *
  * Handles always fold. On a tube with handles nothing is cut off and faces within 3 rings of handles are ignored. If
  * other faces remain flipped, the first map is returned.
  *
- * The published conjugate may fold anywhere, so it is mapped once.
+ * A map with the published conjugate may fold anywhere, so it is computed only once.
  *
  * \pre As for FlattenTube(); only end edges have both vertices on one end: TrimEars().
  * \ingroup ShapetonConformalFlattening */

@@ -16,7 +16,7 @@ namespace
 {
 /** Relative gap of the moduli, larger than mesh discretization alone produces. */
 constexpr double wideGap = 0.1;
-/** Fraction of the outer circle. */
+/** Warn if the inner circle is smaller than this fraction of the outer one. */
 constexpr double smallestCircle = 0.01;
 
 std::string

@@ -207,8 +207,8 @@ private:
     return values;
   }
 
-  /** Moves the cut to v = 0. Returns false and keeps the first path if the two cuts together do not bound: they pass a
-   * handle on different sides of its hole, so v would be multivalued. */
+  /** Moves the cut to v = 0. Returns false and keeps the first path if the two cuts together do not bound a region.
+   * They then pass a handle on different sides of its hole, and v would be multivalued. */
   bool
   CutAlongLine(const Eigen::VectorXd & v, const CornerValues & lifted, const Progress & progress)
   {

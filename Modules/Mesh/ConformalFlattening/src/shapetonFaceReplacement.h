@@ -23,8 +23,8 @@ struct FaceReplacement
 void
 OpenPinches(const FaceMatrix & F, const SurfaceConnectivity & connectivity, std::vector<char> & isDeleted);
 
-/** Deletes faces, and everything this disconnects from the largest part, and fills the holes with triangles of the
- * surrounding size (TriangulateHole(), SmoothFilling()). Boundaries are unchanged.
+/** Deletes faces, and everything this disconnects from the largest part, and fills the holes with triangles as large as
+ * those around them (TriangulateHole(), SmoothFilling()). Boundaries are unchanged.
  * \param isDeleted for each face; after OpenPinches().
  * \param markName integer cell array that marks new faces; created if missing.
  * \pre The surface is one oriented manifold component; InputError if the result is not. */

@@ -11,7 +11,7 @@
 namespace shapeton
 {
 /** \class HolePatch
- * \brief A disk that closes a polygon with triangles of the surrounding size.
+ * \brief A disk that closes a polygon with triangles as large as those around it.
  *
  * After Liepa, Filling holes in meshes (2003). Starts from the minimum-area triangulation (dynamic programming).
  * Triangles are split at their centers down to the length of the surrounding edges; in between, edges are flipped until

@@ -14,7 +14,7 @@ constexpr const char * capName = "cap";
 std::vector<char>
 InvisibleFaces(const SurfaceMesh & mesh, const SurfaceConnectivity & connectivity, const SurfaceMesh & flat);
 
-/** Marks the pouches with a marked face in their core. A pouch consists of its core and all faces connected to it with
+/** Marks the pouches whose core contains a marked face. A pouch consists of its core and all faces connected to it with
  * an area scale below 1e-3 of the mean around all corners. The marked region can be removed as is: the rest is
  * connected with one fan at each vertex, ends are untouched, and each cap is either wholly marked or not at all. All 0
  * if nothing can be cut off. */

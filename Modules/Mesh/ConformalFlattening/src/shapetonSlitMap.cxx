@@ -17,7 +17,7 @@ namespace
 {
 /** Cost of winding around, relative to the radial path length. */
 constexpr double sideways = 20.0;
-/** Cost of touching a vertex to avoid. */
+/** Cost of touching a vertex that the cut should avoid. */
 constexpr double detour = 1000.0;
 constexpr int    ringsAroundSaddles = 3;
 

@@ -32,7 +32,7 @@ Cut(const shapeton::SurfaceMesh & mesh, const std::vector<std::vector<int>> & pa
   return shapeton::CutAlongPaths(mesh, shapeton::SurfaceConnectivity(mesh), paths);
 }
 
-/** Largest difference within a face of a vertex function with a unit jump at these corners. */
+/** For a vertex function with a unit jump at these corners: its largest difference within any one face. */
 double
 GreatestStep(const shapeton::SurfaceMesh & mesh,
              const std::vector<double> &   values,

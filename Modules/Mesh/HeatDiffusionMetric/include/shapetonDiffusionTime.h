@@ -7,7 +7,8 @@
 
 namespace shapeton
 {
-/** Mean edge length of the surface at 55,000 faces, the number used in the dissertation (mm). \pre At least one face.
+/** Mean edge length (mm) that the surface would have with 55,000 faces, the number used in the dissertation. \pre At
+ * least one face.
  * \ingroup ShapetonHeatDiffusionMetric */
 ShapetonHeatDiffusionMetric_EXPORT double
 MeanEdgeAt55000Faces(const SurfaceConnectivity & connectivity, const Eigen::VectorXd & edgeLengths);
@@ -27,8 +28,8 @@ DefaultDiffusionTime(double meanEdge, double narrowestRadius);
 ShapetonHeatDiffusionMetric_EXPORT bool
 IsTooCoarseForDiffusion(double meanEdge, double narrowestRadius);
 
-/** Number of faces for h = min(2 mm, r): area / (0.42 h^2), from 55,000, the number used in the dissertation, to
- * 500,000.
+/** Number of faces for h = min(2 mm, r): area / (0.42 h^2), clamped to between 55,000 (the number used in the
+ * dissertation) and 500,000.
  * \param area mm^2. */
 ShapetonHeatDiffusionMetric_EXPORT int
 FacesForDiffusion(double area, double narrowestRadius);

@@ -19,7 +19,7 @@ struct HeatDiffusionMetric
   double time{ 0.0 };
   /** Number of eigenpairs; 0 for all of them (without computing any). */
   int eigenpairs{ 0 };
-  /** Bound of |r(x) - exp(-x)| (1 + x)^2 for the rational function r used for all x >= 0; 0 if none was used. */
+  /** Bound of |r(x) - exp(-x)| (1 + x)^2 over all x >= 0, where r is the rational function; 0 if none was used. */
   double rationalError{ 0.0 };
   /** Edges with a distance below 1e-6 of the heat at their ends, as at the tip of a needle. Rounding leaves no valid
    * digits, so they are set to that length, an upper bound of the true one. Also counts edges lengthened by
@@ -53,7 +53,7 @@ public:
   explicit HeatDiffusionMetricSolver(SurfaceLaplacian laplacian);
 
   /** \param t diffusion time (mm^2).
-   * \param poles pairs of conjugate poles, leastPoles to mostPoles; each costs one factorization.
+   * \param poles number of pairs of conjugate poles, leastPoles to mostPoles; each costs one factorization.
    * \param atOnce number of factorizations in memory at the same time.
    * Throws InputError if t is not positive, or so large that rounding errors dominate more than a thousandth of the
    * distances.

@@ -16,7 +16,8 @@ enum class MassLumping
 {
   /** A third of each face to each corner. */
   Barycentric,
-  /** Voronoi cells; in an obtuse face half of it to the obtuse corner, a quarter to the others (Meyer et al., 2003). */
+  /** Voronoi cells; an obtuse face gives half of its area to the obtuse corner and a quarter to each of the others
+   * (Meyer et al., 2003). */
   MixedVoronoi
 };
 
@@ -82,7 +83,7 @@ AreTriangles(const SurfaceConnectivity & connectivity, const Eigen::VectorXd & e
 
 /** Repairs lengths with a small error, which affects the shortest side of a face most: a side that is too short for a
  * triangle is set to the difference of the other two. Returns the changed edges; some faces may still violate the
- * triangle inequality. Errors as MakeSurfaceLaplacian(). \ingroup ShapetonHeatDiffusionMetric */
+ * triangle inequality. Throws as MakeSurfaceLaplacian() does. \ingroup ShapetonHeatDiffusionMetric */
 ShapetonHeatDiffusionMetric_EXPORT std::set<int>
 LengthenShortestSides(const SurfaceConnectivity & connectivity, Eigen::VectorXd & edgeLengths);
 

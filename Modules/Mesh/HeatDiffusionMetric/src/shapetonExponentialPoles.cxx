@@ -8,8 +8,9 @@ const ExponentialPoles &
 GetExponentialPoles(int pairs)
 {
   // Poles and residues minimize the largest (1 + x)^2 |r(x) - exp(-x)|, x >= 0, among the functions that decay like 1 /
-  // x^2 (the real parts of the residues sum to 0). Computed by least squares in the poles, with the residues solved for
-  // and points reweighted by their errors until these are equal, in extended precision, starting from Talbot's contour.
+  // x^2 (the real parts of the residues sum to 0). Computed in extended precision, starting from Talbot's contour:
+  // least squares in the poles, with the residues solved for, and points reweighted by their errors until all errors
+  // are equal.
   static const std::array<ExponentialPoles, 6> tables{
     { { { { { 1.17166496534825756, 0.930558759750549751 }, { 0.622622542601877458, 1.93091698769926236 } },
           { { -0.146479424765349248, 2.83846008184863755 }, { -0.682970145797239016, -0.378392928978626017 } },

@@ -37,14 +37,14 @@ ShapetonSurfaceMesh_EXPORT Eigen::VectorXd
 
 /** Writes curves as VTP (.vtp), marked as LPS. Points are written as VTK verts, before the lines; reading restores the
  * curves in that order. Output is deterministic. Throws OutputError if the file cannot be written, ParameterError for
- * another extension, and InputError as RequireSound(), except that an empty set is allowed.
+ * another extension, and InputError as RequireSound() does, except that an empty set is allowed.
  * \ingroup ShapetonSurfaceMesh */
 ShapetonSurfaceMesh_EXPORT void
 WriteCurves(CurveSet curves, const std::string & path);
 
-/** Like WriteCurves(), followed by the triangles of a surface on the same vertices as VTK polys. Cell arrays include
- * rows for these faces. ReadCurves() returns the curves of the file, ReadSurface() the surface. Throws as
- * WriteCurves(). \ingroup ShapetonSurfaceMesh */
+/** Like WriteCurves(), and then writes the triangles of a surface on the same vertices, as VTK polys. Cell arrays
+ * include rows for these faces. ReadCurves() returns the curves of the file, ReadSurface() the surface. Throws as
+ * WriteCurves() does. \ingroup ShapetonSurfaceMesh */
 ShapetonSurfaceMesh_EXPORT void
 WriteCurvesOnSurface(CurveSet curves, const FaceMatrix & faces, const std::string & path);
 

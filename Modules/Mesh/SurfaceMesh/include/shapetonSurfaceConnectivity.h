@@ -143,8 +143,8 @@ public:
   NeighborsOfVertex(int vertex) const;
   bool
   IsBoundaryVertex(int vertex) const;
-  /** For each face in FacesOfVertex(), its fan number from 0: faces connected by edges at this vertex. With
-   * `throughManifoldEdges`, only edges with two faces count. */
+  /** For each face in FacesOfVertex(), the number of its fan, from 0. Faces connected by edges at this vertex form a
+   * fan. With `throughManifoldEdges`, only edges with two faces count. */
   std::vector<int>
   FanOfFaces(int vertex, bool throughManifoldEdges = false) const;
   /** Number of these fans: 1 if the surface is manifold, 0 if the vertex has no faces. */

@@ -85,7 +85,7 @@ struct SurfaceQuality
   SurfaceDefects    defects;
 };
 
-/** Computes the statistics of a surface in linear time and memory. Throws InputError as RequireSound().
+/** Computes the statistics of a surface in linear time and memory. Throws InputError as RequireSound() does.
  * \ingroup ShapetonSurfaceMesh */
 ShapetonSurfaceMesh_EXPORT SurfaceQuality
 InspectSurface(const SurfaceMesh & mesh);

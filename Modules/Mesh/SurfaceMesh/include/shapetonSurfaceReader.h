@@ -62,7 +62,7 @@ struct SurfaceReadOptions
   /** "m", "mm" or "um", overriding the unit of the format. If empty, the unit of the format is used, and a surface with
    * a largest extent outside 5 mm to 5 m is rejected. */
   std::string unit;
-  /** Accepts a surface of any extent with a note, for results that do not depend on size. */
+  /** Accepts a surface of any extent and adds a note, for results that do not depend on size. */
   bool isAnyExtentPlausible{ false };
   /** Requires a single component after repair; messages then do not suggest selecting all. Otherwise ReadSurface()
    * accepts a surface with edge-connected faces and notes where it will be cut. */
@@ -77,13 +77,13 @@ struct Surface
   std::string identity;
   /** Remarks on the file and on doubtful input. */
   Remarks notes;
-  /** Repairs made by ReadRepairedSurface(), one text per kind of change. */
+  /** Repairs made by ReadRepairedSurface(), one line per kind of change. */
   Remarks repairs;
 };
 
-/** Reads a file and selects one part and component. Throws InputError as ReadSurfaceFile(), and, listing the choices,
- * if the part or component is unknown or several exist and none was chosen. Throws ParameterError for an invalid unit
- * or a component below -1. \ingroup ShapetonSurfaceMesh */
+/** Reads a file and selects one part and component. Throws InputError as ReadSurfaceFile() does. Also throws
+ * InputError, listing the choices, if the part or component is unknown, or if several exist and none was chosen. Throws
+ * ParameterError for an invalid unit or a component below -1. \ingroup ShapetonSurfaceMesh */
 ShapetonSurfaceMesh_EXPORT Surface
 ReadSurface(const std::string & path, const SurfaceReadOptions & options = {});
 

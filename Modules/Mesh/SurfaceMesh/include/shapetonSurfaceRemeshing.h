@@ -17,7 +17,7 @@ struct SurfaceRemeshingOptions
   Progress progress;
 };
 
-/** Remeshes a surface with nearly equilateral triangles of one size.
+/** Remeshes a surface with nearly equilateral triangles of uniform size.
  *
  * Botsch, Kobbelt: A remeshing approach to multiresolution modeling (2004). Edges longer than 4/3 of the target are
  * split and those shorter than 4/5 are collapsed. Flips bring the valence to six (four on a boundary). Vertices move
@@ -29,8 +29,8 @@ struct SurfaceRemeshingOptions
  * Sharp features are rounded to about the target length. Arrays are dropped because all vertices are new; facts are
  * kept. Deterministic and single-threaded.
  *
- * Throws InputError as RequireManifold(), and if the surface would exceed 100 million faces; ParameterError for options
- * out of range. \ingroup ShapetonSurfaceMesh */
+ * Throws InputError as RequireManifold() does, and if the surface would exceed 100 million faces; ParameterError for
+ * options out of range. \ingroup ShapetonSurfaceMesh */
 ShapetonSurfaceMesh_EXPORT SurfaceMesh
 RemeshSurface(const SurfaceMesh & mesh, const SurfaceRemeshingOptions & options);
 } // namespace shapeton

@@ -32,7 +32,7 @@ struct SurfaceRepairReport
   /** Number of nonorientable components, such as a Moebius strip; left unchanged. */
   int nonOrientableComponents{ 0 };
 
-  /** One text per kind of change; empty if nothing changed. */
+  /** One line per kind of change; empty if nothing changed. */
   ShapetonSurfaceMesh_EXPORT std::vector<std::string>
                              Words() const;
 };
@@ -46,8 +46,8 @@ struct SurfaceRepairReport
  * moving vertices. Zero-area faces with three distinct vertices are kept because dropping them would open holes. Field
  * arrays are not changed: vertex indices in them become invalid if vertices are merged or dropped.
  *
- * Throws InputError as RequireSound(), and if every face is degenerate; ParameterError if mergeDistance is negative or
- * not finite. \ingroup ShapetonSurfaceMesh */
+ * Throws InputError as RequireSound() does, and if every face is degenerate; ParameterError if mergeDistance is
+ * negative or not finite. \ingroup ShapetonSurfaceMesh */
 ShapetonSurfaceMesh_EXPORT SurfaceMesh
 RepairSurface(const SurfaceMesh &          mesh,
               const SurfaceRepairOptions & options = {},

@@ -13,7 +13,8 @@ namespace shapeton
  * precision and single-component arrays with names without blanks; OBJ positions in double precision; STL positions in
  * single precision. Output is deterministic.
  *
- * Throws OutputError if the file cannot be written, ParameterError for another extension, InputError as RequireSound().
+ * Throws OutputError if the file cannot be written, ParameterError for another extension, and InputError as
+ * RequireSound() does.
  * \ingroup ShapetonSurfaceMesh */
 ShapetonSurfaceMesh_EXPORT void
 WriteSurface(const SurfaceMesh & mesh, const std::string & path);

@@ -15,7 +15,7 @@ Refuse(const std::string & path, const std::string & fault, const std::string & 
   throw InputError("\"" + path + "\" " + fault + "; " + advice);
 }
 
-/** The text of a key, "" if it is missing. Throws Json::type_error if it is not a text. */
+/** The string value of a key, "" if it is missing. Throws Json::type_error if it is not a string. */
 std::string
 TextOf(const Json & object, const char * key)
 {
