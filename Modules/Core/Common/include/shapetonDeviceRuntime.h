@@ -61,8 +61,8 @@ Free(void * memory)
   cudaFree(memory);
 }
 
-/** Pins host memory for DMA transfers, which are twice as fast. Small memory, device memory and memory that
- * cannot be pinned is left unchanged. */
+/** Pins host memory for DMA transfers, which are then twice as fast. Small blocks, device memory, and memory that
+ * cannot be pinned are left unchanged. */
 class PinnedPages
 {
 public:

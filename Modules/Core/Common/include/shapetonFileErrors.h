@@ -19,8 +19,8 @@ ThrowUnsuitable(const std::string & path, const std::string & reason);
 [[noreturn]] ShapetonCommon_EXPORT void
 ThrowCannotWrite(const std::string & path, int error);
 
-/** For a library that does not report the reason of a failure. `error` is errno, which was set to 0 before the call; if
- * it is still 0, `otherwise` is the reason. */
+/** Use this for a library that does not report the reason for a failure. `error` is errno, which was set to 0 before
+ * the call; if it is still 0, `otherwise` is the reason. */
 [[noreturn]] ShapetonCommon_EXPORT void
 ThrowCannotWrite(const std::string & path, int error, const std::string & otherwise);
 

@@ -5,7 +5,7 @@
 
 // All source code that depends on the ITK version (5.2 to 6.0); for CMake, see CMake/ShapetonITKTargets.cmake.
 
-// Replaces itkTypeMacro from 5.4 on; 6.0 drops that one.
+// Replaces itkTypeMacro from 5.4 on; 6.0 no longer defines itkTypeMacro.
 #ifndef itkOverrideGetNameOfClassMacro
 #  define itkOverrideGetNameOfClassMacro(thisClass)                                                                    \
     const char * GetNameOfClass() const override { return #thisClass; }                                                \

@@ -67,7 +67,7 @@ private:
 };
 
 /** \class RareInterruption
- * \brief Calls Interruption once in many calls, for steps that take less than a microsecond.
+ * \brief Checks Interruption only once per many calls, for steps that take less than a microsecond.
  *
  * \ingroup ShapetonCommon */
 class RareInterruption

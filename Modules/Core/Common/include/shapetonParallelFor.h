@@ -39,8 +39,9 @@ private:
 
 /** Runs `body(worker)` on `workers` workers. Workers use ITK's threader; nested loops use separate threads, because
  * pool threads that wait for inner loops would leave no thread to run them. At the third nesting level the caller runs
- * the loop alone. A worker may start after another one has ended, so none may wait for one that has not started. The
- * first exception is rethrown when all workers have ended; ITK's threader would keep the exception of one worker only.
+ * the loop alone. A worker may start after another one has ended, so a worker must not wait for one that has not
+ * started. The first exception is rethrown when all workers have ended; ITK's threader would keep the exception of one
+ * worker only.
  * \ingroup ShapetonCommon */
 ShapetonCommon_EXPORT void
 ParallelWorkers(unsigned int workers, const std::function<void(unsigned int worker)> & body);

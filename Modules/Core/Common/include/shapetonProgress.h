@@ -13,9 +13,9 @@ namespace shapeton
 /** \class Progress
  * \brief Progress receiver, a parameter of all long-running functions.
  *
- * A copyable wrapper of a function of the stage in words and the completed share of the whole, from 0 to 1, or of the
- * share only; it may be empty. It is called on the thread that started the work. The function may throw to abort the
- * work; the exception propagates to the caller. Each report checks Interruption first.
+ * A copyable wrapper of a function that takes the name of the stage and the completed share of the whole, from 0 to 1,
+ * or only the share. It may be empty. It is called on the thread that started the work. The function may throw to abort
+ * the work; the exception propagates to the caller. Each report checks Interruption first.
  *
  * \code
  * options.progress = [&](const std::string & stage, double share) { std::cout << stage << ' ' << share << '\n'; };

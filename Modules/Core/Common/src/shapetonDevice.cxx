@@ -75,7 +75,7 @@ AllowedMemory(std::size_t bytesFree)
   return given ? std::min<std::size_t>(bytesFree, std::strtoull(given, nullptr, 10)) : bytesFree;
 }
 
-/** Sets name and memory of the GPU; returns the reason if none can be used, otherwise an empty text. */
+/** Sets name and memory of the GPU; returns the reason if none can be used, otherwise an empty string. */
 std::string
 FindGpu(DeviceUse & use)
 {

@@ -32,7 +32,7 @@ ShapetonReport_EXPORT std::optional<Quantity>
 ShapetonReport_EXPORT std::string
                       ReadableQuantity(const Quantity & quantity);
 
-/** A text for display: numbers in plain notation, thousands separated for those with a unit, mm^2 in superscript.
+/** Text for display: numbers in plain notation, thousands separated for those with a unit, mm^2 in superscript.
  * Names that contain digits are unchanged. \ingroup ShapetonReport */
 ShapetonReport_EXPORT std::string
                       ReadableText(const std::string & text);

@@ -12,7 +12,7 @@ namespace shapeton
 {
 namespace
 {
-/** Parses a text row by row. */
+/** Parses text row by row. */
 class Scanner
 {
 public:

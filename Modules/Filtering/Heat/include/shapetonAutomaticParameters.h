@@ -23,11 +23,11 @@ struct AutomaticP
 };
 
 /** Chooses p such that edges insulate and noise does not (future work in 7.2.2 of the dissertation). 1 / p is the
- * geometric mean of edgeContrast and a noise bound, four times the standard deviation or a quarter of edgeContrast;
- * p is in [1, 50]. Noise is 3.138 times the lower quartile of the nonzero half gradients, provided that at least one in
- * ten pairs of neighbors differs. Edges are pairs whose half gradient exceeds four times the noise and both adjacent
- * half gradients on the same axis. `spacing` along the axes is in any unit; half gradients are defined in
- * VolumeGradientOperator. \ingroup ShapetonHeat */
+ * geometric mean of edgeContrast and a noise bound. The bound is four times the standard deviation of the noise, but at
+ * least a quarter of edgeContrast. p is clamped to [1, 50]. Noise is 3.138 times the lower quartile of the nonzero half
+ * gradients, provided that at least one in ten pairs of neighbors differs. Edges are pairs whose half gradient exceeds
+ * four times the noise and both adjacent half gradients on the same axis. `spacing` along the axes is in any unit; half
+ * gradients are defined in VolumeGradientOperator. \ingroup ShapetonHeat */
 ShapetonHeat_EXPORT AutomaticP
 ChooseP(const float *                      intensities,
         const std::array<std::size_t, 3> & size,

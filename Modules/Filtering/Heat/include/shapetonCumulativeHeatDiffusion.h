@@ -41,7 +41,7 @@ struct CumulativeHeatDiffusionSettings
  * \ingroup ShapetonHeat */
 struct CumulativeHeatDiffusionResult
 {
-  AutomaticP                  p; ///< the reason is set only if it was chosen automatically
+  AutomaticP                  p; ///< the reason is set only if p was chosen automatically
   double                      windowLower{ 0.0 };
   double                      windowUpper{ 0.0 };
   double                      timeStepLength{ 0.0 };

@@ -16,8 +16,8 @@ namespace shapeton
  *
  * Inputs: a volume, and Seeds, a label map on the same grid (0: no seed). Outputs: labels and their uncertainty
  * (SeededHeatResult). If only the seeds have changed since the last Update() and probabilities are kept, the solver
- * starts from the last solution, for interactive use. Update() throws itk::ExceptionObject, of the derived classes
- * InputError (fewer than two labels have seeds) and ParameterError.
+ * starts from the last solution, for interactive use. Update() throws InputError (fewer than two labels have seeds) or
+ * ParameterError, both derived from itk::ExceptionObject.
  *
  * \ingroup ShapetonHeat */
 template <typename TInputImage>

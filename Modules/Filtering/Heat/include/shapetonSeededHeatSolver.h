@@ -30,7 +30,7 @@ struct SeededHeatResult
 {
   /** The label of greatest probability; the lowest one for ties. */
   std::vector<unsigned short> labels;
-  /** 1 minus the difference of the two greatest probabilities: 0 for a certain label, 1 for a tie of two. */
+  /** 1 minus the difference of the two greatest probabilities: 0 for a certain label, 1 for a tie. */
   std::vector<float> uncertainty;
   /** The labels that have seeds, ascending. */
   std::vector<unsigned short> labelValues;

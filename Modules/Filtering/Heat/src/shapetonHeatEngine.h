@@ -54,9 +54,9 @@ public:
   virtual void
   StepExplicitly(unsigned int steps, float dt, bool compensated) = 0;
 
-  /** Steps done + 1 .. done + steps, both even, of the recurrence from T_done in Even and its difference. Afterwards
-   * the last T_k is in Even, Odd is overwritten, and sum_k coefficients[g][k] T_k is added to the nodes, in pairs of
-   * terms. The first step of the recurrence uses half of `scale`. */
+  /** Steps done + 1 .. done + steps (`done` and `steps` even) of the recurrence from T_done in Even and its difference.
+   * Afterwards the last T_k is in Even, Odd is overwritten, and sum_k coefficients[g][k] T_k is added to the nodes, in
+   * pairs of terms. The first step of the recurrence uses half of `scale`. */
   virtual void
   StepChebyshev(std::size_t done, unsigned int steps, float scale, const Expansions & coefficients) = 0;
 

@@ -38,12 +38,12 @@ public:
  *
  * \par Events
  * IterationEvent is invoked several times a second at the end of a step: GetOutput() then returns the current visits
- * and GetMeasures() the progress of the run, for example to display the density. Within longer steps ProgressEvent is
- * invoked. SetAbortGenerateData takes effect within a tenth of a second.
+ * and GetMeasures() the progress of the run, for example to display the density. ProgressEvent is invoked during longer
+ * steps. SetAbortGenerateData takes effect within a tenth of a second.
  *
  * \par Continuing
- * GetState() returns the state needed to continue; a filter with the same input and settings and SetInitialState()
- * produce the bitwise result of an uninterrupted run.
+ * GetState() returns the state needed to continue. A filter with the same input and settings that starts from it
+ * (SetInitialState()) gives the same result, bit by bit, as an uninterrupted run.
  *
  * \par Errors
  * ShapetonInputError for an empty mask, for placement by initial heat in a volume without initial heat, for a feature

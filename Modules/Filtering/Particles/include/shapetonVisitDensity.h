@@ -25,12 +25,12 @@ ShapetonParticles_EXPORT std::uint32_t
 ShapetonParticles_EXPORT void
 AddVisitsToRow(const itk::Image<std::uint32_t, 3> * visits, std::size_t row, HeatHistogram & histogram);
 
-/** The classes of a row filled by AddVisitsToRow(), as FindHeatClasses() for heat. Voxels without visits are
+/** The classes of a row filled by AddVisitsToRow(), as FindHeatClasses() finds them for heat. Voxels without visits are
  * background. `greatest` is the result of GreatestVisits(). \ingroup ShapetonParticles */
 ShapetonParticles_EXPORT std::vector<HeatClass>
                          FindVisitClasses(const HeatHistogram & histogram, std::size_t row, std::uint32_t greatest);
 
-/** The classes of a volume of visits and the label of each voxel, as ClassifyHeat() for heat. `density` is
+/** The classes of a volume of visits and the label of each voxel, as ClassifyHeat() finds them for heat. `density` is
  * the result of NormalizeVisits(). \ingroup ShapetonParticles */
 ShapetonParticles_EXPORT HeatClassification
 ClassifyVisits(const itk::Image<std::uint32_t, 3> * visits, const itk::Image<float, 3> * density);

@@ -68,7 +68,7 @@ struct ShapeSearchResult
   }
 };
 
-/** Searches the entries, at least one, for the `nearest` neighbors of a shape.
+/** Finds the `nearest` entries that are closest to a shape. \pre There is at least one entry.
  * \ingroup ShapetonShapeSignature */
 ShapetonShapeSignature_EXPORT ShapeSearchResult
 FindShape(const ShapeSignature & shape, const std::vector<NamedShape> & entries, std::size_t nearest);

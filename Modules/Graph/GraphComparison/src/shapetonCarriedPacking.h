@@ -15,8 +15,8 @@ FilledFaces();
  *
  * Circles far from a change hardly move if the packed map changes locally. With new dummies, one edge changes all
  * dummies of a long face, and two faces merged by a deleted edge need far more room than before. Therefore dummies of
- * faces with a deleted edge are kept first, which fixes the positions of its nodes. Where a part of the graph flipped
- * or changed its face, adjacent dummies are removed, and then further neighbors until the rest fits. Then new
+ * faces with a deleted edge are kept at first, which fixes the positions of the edge's nodes. Where a part of the graph
+ * flipped or changed its face, adjacent dummies are removed, and then further neighbors until the rest fits. Then new
  * edges are added. An edge whose ends are separated by a single dummy replaces it. Any other edge becomes a path along
  * the fewest dummies (PackedMap::subdivided). Nothing moves: the end circles do not touch, but the circles along the
  * path do. Faces in conflict and long faces are then filled as in MakePackedMap(), which handles the whole map if it

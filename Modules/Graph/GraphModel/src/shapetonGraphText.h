@@ -21,7 +21,7 @@ struct GraphText
   Require(bool condition, int line, std::string_view fault, std::string_view advice = "correct the file there") const;
 };
 
-/** Iterates over the lines of a text, without line ends (LF or CR LF). */
+/** Iterates over lines of text, without line ends (LF or CR LF). */
 class LineReader
 {
 public:

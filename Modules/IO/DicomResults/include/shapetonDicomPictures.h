@@ -10,7 +10,8 @@
 
 namespace shapeton
 {
-/** Writes a picture as Secondary Capture in RGB. Throws InputError for more than 65535 rows or columns, OutputError.
+/** Writes a picture as an RGB Secondary Capture. Throws InputError for more than 65535 rows or columns, and
+ * OutputError.
  * \ingroup ShapetonDicomResults */
 ShapetonDicomResults_EXPORT DicomInstance
 WriteDicomPicture(const DicomSource &                                 source,
@@ -18,8 +19,8 @@ WriteDicomPicture(const DicomSource &                                 source,
                   const DicomResultHeader &                           header,
                   const std::string &                                 path);
 
-/** Writes a surface (LPS, mm) as Encapsulated STL in the frame of reference of the source. `what` is the coded term for
- * the surface. Throws InputError as WriteSurface() does, OutputError. \ingroup ShapetonDicomResults */
+/** Writes a surface (LPS, mm) as an Encapsulated STL in the frame of reference of the source. `what` is the coded term
+ * for the surface. Throws InputError as WriteSurface() does, and OutputError. \ingroup ShapetonDicomResults */
 ShapetonDicomResults_EXPORT DicomInstance
 WriteDicomSurface(const DicomSource &       source,
                   const SurfaceMesh &       mesh,
@@ -39,8 +40,8 @@ struct DicomMapMeaning
   DicomCode region;
 };
 
-/** Writes an image as Parametric Map: 32-bit floating point, a frame per slice of the source, with an identity
- * real-world value mapping. Throws InputError if the grid differs from the source, OutputError.
+/** Writes an image as a Parametric Map: 32-bit floating point, one frame per slice of the source, with an identity
+ * real-world value mapping. Throws InputError if the grid differs from that of the source, and OutputError.
  * \ingroup ShapetonDicomResults */
 ShapetonDicomResults_EXPORT DicomInstance
 WriteDicomMap(const DicomSource &          source,

@@ -50,7 +50,7 @@ struct DicomSegmentation
  * Frames are in the planes of the slices that they reference. With `isDeflated` the transfer syntax is Deflated
  * Explicit VR Little Endian. Output is deterministic.
  *
- * Throws InputError if the grids of labels and source differ or all segments are empty; OutputError.
+ * Throws InputError if the grids of labels and source differ or all segments are empty, and OutputError.
  * \ingroup ShapetonDicomResults */
 ShapetonDicomResults_EXPORT DicomSegmentation
 WriteDicomSegmentation(const DicomSource &               source,

@@ -18,7 +18,7 @@ class DicomItem
 public:
   explicit DicomItem(DcmItem & item) : m_Item(&item) {}
 
-  /** An empty text creates an attribute without value. */
+  /** An empty string creates an attribute without a value. */
   DicomItem &
   Text(const DcmTagKey & tag, const std::string & value);
   DicomItem &

@@ -37,7 +37,7 @@ public:
 ShapetonVolumeFiles_EXPORT std::vector<double>
                            DicomNumbersOf(DcmItem & item, const DcmTagKey & tag, std::size_t count);
 
-/** A text in UTF-8: one line of at most 256 bytes. */
+/** Text in UTF-8: one line of at most 256 bytes. */
 struct DicomText
 {
   std::string text;

@@ -9,10 +9,10 @@
 
 namespace shapeton
 {
-/** Adapts the wording of an advice for a program with options instead of parameters. \ingroup ShapetonVolumeFiles */
+/** Adapts the wording of advice for a program with options instead of parameters. \ingroup ShapetonVolumeFiles */
 using AdviceInWords = std::function<std::string(const std::string & advice)>;
 
-/** Lists a folder as text: a table with a line per series (one line for all single slices of one UID); UID, encoding
+/** Lists a folder as text: a table with one line per series (one line for all single slices of one UID); UID, encoding
  * and defects with advice for each series; and the files outside any series.
  * \ingroup ShapetonVolumeFiles */
 ShapetonVolumeFiles_EXPORT std::string

@@ -45,7 +45,7 @@ enum class DicomDefectKind
   mixedPatient,
   /** A number of the geometry or the intensities cannot be parsed, for example because of a decimal comma. */
   malformedValue,
-  /** A text that is invalid in its character set; a remark. */
+  /** Text that is invalid in its character set; a remark. */
   undecodableText
 };
 
@@ -181,7 +181,7 @@ struct DicomScan
   std::vector<DicomSeries> series;
   /** Files outside any series: not DICOM, DICOM without an image, or too damaged to identify. */
   std::vector<DicomDefect> otherFiles;
-  /** Number of DICOM objects without an image by kind, for example "RTStructureSetStorage". */
+  /** Number of DICOM objects of each kind that have no image, for example "RTStructureSetStorage". */
   std::map<std::string, unsigned int> otherObjects;
 };
 

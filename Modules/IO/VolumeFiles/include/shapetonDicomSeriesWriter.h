@@ -9,7 +9,7 @@
 
 namespace shapeton
 {
-/** Header values of a CT series. Texts are UTF-8, at most 64 characters (comments: 10240), without backslashes and
+/** Header values of a CT series. Strings are UTF-8, at most 64 characters (comments: 10240), without backslashes and
  * control characters.
  * \ingroup ShapetonVolumeFiles */
 struct DicomSeriesDescription

@@ -20,11 +20,11 @@ ShapetonVolumeFiles_EXPORT std::string
 ShapetonVolumeFiles_EXPORT std::string
                            JoinDicomValues(const std::vector<std::string> & values);
 
-/** The values of "a\b\c" without surrounding blanks; an empty list for an empty text. */
+/** The values of "a\b\c" without surrounding blanks; an empty list for an empty string. */
 ShapetonVolumeFiles_EXPORT std::vector<std::string>
                            SplitDicomValues(const std::string & text);
 
-/** Concatenates texts, each preceded by its length, as an injective input for MakeDicomUID(). */
+/** Concatenates strings, each preceded by its length, as an injective input for MakeDicomUID(). */
 ShapetonVolumeFiles_EXPORT std::string
                            ConcatenateTexts(const std::vector<std::string> & texts);
 

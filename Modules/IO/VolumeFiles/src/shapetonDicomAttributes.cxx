@@ -45,7 +45,7 @@ NumberIn(const DcmTagKey & tag, const std::string & value, const std::string & t
   {
     ThrowMalformed(tag,
                    value,
-                   text.find(',') != std::string::npos ? "with a comma in place of the decimal point"
+                   text.find(',') != std::string::npos ? "with a comma instead of a decimal point"
                                                        : "which is not a decimal number");
   }
   return number;

@@ -13,7 +13,8 @@ namespace shapeton
 std::vector<std::string>
 CharacterSetsOf(DcmItem & item);
 
-/** Converts a text from these sets to UTF-8; returns false and leaves it unchanged if its bytes are invalid in them. */
+/** Converts text from these character sets to UTF-8; returns false and leaves it unchanged if its bytes are invalid in
+ * them. */
 bool
 DecodeDicomText(const std::vector<std::string> & sets, std::string & text);
 } // namespace shapeton

@@ -59,12 +59,12 @@ CountsTiles(DcmItem & dataset)
   return bytes.size() >= 2 && (bytes[1] != 0 || static_cast<unsigned char>(bytes[0]) > 1);
 }
 
-/** The CSA header is a list of named elements, each with a list of texts. GDCM's parser is not used because it
+/** The CSA header is a list of named elements, each with a list of strings. GDCM's parser is not used because it
  * terminates the process on unusual elements. */
 bool
 CountsTilesInCsaHeader(DcmItem & dataset)
 {
-  // Name, multiplicity, VR, type, number of texts, a constant; then the four lengths before the first text.
+  // Name, multiplicity, VR, type, number of strings, a constant; then the four lengths before the first string.
   constexpr std::size_t textOffset = 64 + 5 * 4 + 4 * 4;
   constexpr std::size_t longestNumber = 12;
   DcmElement * const    element = FindPrivate(dataset, 0x0029, "SIEMENS CSA HEADER", 0x10);

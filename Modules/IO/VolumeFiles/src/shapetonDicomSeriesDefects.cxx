@@ -157,9 +157,10 @@ AddShear(DicomSeries & series, const SlicesGeometry & geometry)
   }
   AddDefect(series,
             DicomDefectKind::shear,
-            geometry.isLinearShear ? "the line through the slices is tilted against their normal by " +
+            geometry.isLinearShear ? "the line through the slices is tilted relative to their normal by " +
                                        NumberText(geometry.tiltDegrees, 3) + " degrees (gantry tilt)"
-                                   : std::string("the slices are displaced against one another within their planes"),
+                                   : std::string("the slices are displaced relative to one another within "
+                                                 "their planes"),
             AllIndices(series));
   series.defects.back().isRepairable = PlaneOfSlices(series, series.slices).growth <= LargestGrowth;
 }

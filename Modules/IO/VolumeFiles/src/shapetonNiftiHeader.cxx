@@ -118,7 +118,7 @@ public:
     const std::string end = m_IsNifti2 ? std::string("2\0\r\n\032\n", 6) : std::string("1\0", 2);
     const bool        isSingle = magic == "n+" + end;
     this->Require(isSingle || magic == "ni" + end,
-                  std::string("its header has the magic ") + Quoted(Printable(magic.substr(0, 3))) + " where " +
+                  std::string("its header has the magic number ") + Quoted(Printable(magic.substr(0, 3))) + " where " +
                     this->Name() + (m_IsNifti2 ? " has \"n+2\" or \"ni2\"" : " has \"n+1\" or \"ni1\"") +
                     ": it is damaged, or ANALYZE 7.5, which does not state orientation and origin; convert it to NIfTI "
                     "with a program that sets them");

@@ -19,8 +19,8 @@ constexpr double OrthonormalTolerance = 1e-3;
 /** Header of a NIfTI-1 or NIfTI-2 file, as specified at https://nifti.nimh.nih.gov.
  *
  * ITK's reader is not used because it scales the spacing to mm but not the origin, rejects an sform that disagrees
- * with pixdim, treats a file without a valid magic as ANALYZE 7.5, adds scl_inter when scl_slope is 0, and does not
- * support NIfTI-2. */
+ * with pixdim, treats a file without a valid magic number as ANALYZE 7.5, adds scl_inter when scl_slope is 0, and does
+ * not support NIfTI-2. */
 struct NiftiHeader
 {
   using Vector = itk::Vector<double, 3>;

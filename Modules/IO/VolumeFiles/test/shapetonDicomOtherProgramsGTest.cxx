@@ -296,7 +296,7 @@ TEST(DicomOfOtherPrograms, ANumberWithACommaIsNamedWithItsFileAndAttribute)
       const std::string message = InputErrorOf([&] { ReadVolume(folder, AllRepairs()); });
       for (const std::string & part : { std::string(isOnlyTheLast ? "im0006.dcm" : "im0001.dcm"),
                                         std::string(DcmTag(tag).getTagName()),
-                                        std::string("comma in place of the decimal point") })
+                                        std::string("comma instead of a decimal point") })
       {
         EXPECT_TRUE(Contains(message, part)) << message;
       }
