@@ -61,7 +61,7 @@ ChooseDevice(Device wanted, std::size_t bytes)
   return ChooseDevice(wanted, bytes, bytes);
 }
 
-/** Finds a function of the plug-in by name; only after ChooseDevice() has chosen the GPU. See DeviceRuntime.
+/** Finds a function of the plug-in by name. Call it only after ChooseDevice() has chosen the GPU. See DeviceRuntime.
  * \ingroup ShapetonCommon */
 ShapetonCommon_EXPORT void *
 FindDeviceFunction(const char * name);

@@ -17,8 +17,8 @@
 
 namespace shapeton
 {
-/** Device memory and launches of a body per element, for the kernels in .cu files. The bodies are SHAPETON_HOST_DEVICE
- * functions that the CPU runs, too.
+/** Device memory, and launches that call a body for each element, for the kernels in .cu files. The bodies are
+ * SHAPETON_HOST_DEVICE functions, which also run on the CPU.
  *
  * nvcc compiles these files for the GPU. Any C++ compiler accepts them as well: a launch is then a loop, and device
  * memory is host memory. This emulation is slow; tests compare its results byte by byte with the CPU code, which covers

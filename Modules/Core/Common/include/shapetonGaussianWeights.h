@@ -6,7 +6,7 @@
 
 namespace shapeton
 {
-/** Weights of a Gaussian with this standard deviation at integer offsets, up to `reach` standard deviations to both
+/** Weights of a Gaussian with this standard deviation at integer offsets, up to `reach` standard deviations on both
  * sides. They sum to 1; the middle weight belongs to offset 0. For a deviation of 0, returns a single weight of 1.
  * \ingroup ShapetonCommon */
 inline std::vector<double>

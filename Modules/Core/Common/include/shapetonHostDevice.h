@@ -36,7 +36,7 @@ Larger(T a, T b)
   return a < b ? b : a;
 }
 
-/** Dot product, accumulated from the first component on. */
+/** Dot product, accumulated from the first component to the last. */
 SHAPETON_HOST_DEVICE double
 Product(const double a[3], const double b[3])
 {

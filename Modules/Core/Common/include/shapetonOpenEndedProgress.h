@@ -8,7 +8,7 @@ namespace shapeton
 /** \class OpenEndedProgress
  * \brief Reports progress of work with an unknown number of steps, such as an iteration.
  *
- * The completed share grows with each step towards 1; it is one half after the typical number of steps.
+ * The completed share grows with each step toward 1; it is one half after the typical number of steps.
  *
  * \ingroup ShapetonCommon */
 class OpenEndedProgress

@@ -6,7 +6,7 @@
 
 namespace shapeton
 {
-/** Remarks for the user on a result, such as missing or doubtful findings; one line each. Parameters are named as
+/** Remarks for the user about a result, one line each, such as missing or doubtful findings. Parameters are named as
  * described in Exception.
  * \ingroup ShapetonCommon */
 using Remarks = std::vector<std::string>;

@@ -39,7 +39,7 @@ public:
   /** NaN for an empty cell. */
   double
   NumberOrNothing(std::size_t row, const std::string & column) const;
-  /** Line of the row in the file, from 1 on. */
+  /** Line number of the row in the file, from 1. */
   int
   LineOf(std::size_t row) const
   {

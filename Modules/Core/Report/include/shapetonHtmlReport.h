@@ -45,8 +45,8 @@ public:
   void
   AddHead(const std::vector<std::pair<std::string, std::string>> & summary, const std::vector<std::string> & warnings);
   /** Adds a box for each kind of warning, the most severe first: failures and missing results, doubtful results,
-   * notes. Warnings that differ only in numbers and quoted names share a box with their count, which expands to the
-   * full texts. */
+   * notes. Warnings that differ only in numbers and quoted names share one box with a count, which expands to the full
+   * warnings. */
   void
   AddWarnings(const std::vector<std::string> & warnings);
   void
@@ -67,7 +67,7 @@ public:
    * shown as a swatch with its value as tooltip. A table that is too wide scrolls within its box. */
   void
   AddTable(const CsvTable & table, const std::string & caption);
-  /** Adds a table of names and values. The value of an option, that is a name with a period, is shown unchanged. */
+  /** Adds a table of names and values. The value of an option (a name with a period) is shown unchanged. */
   void
   AddFacts(const std::vector<std::pair<std::string, std::string>> & facts);
   /** Adds markup unchanged: well-formed XML for drawings and scripts of the page, escaped by the caller. */

@@ -19,7 +19,7 @@ ShapetonReport_EXPORT std::string
 /** \class PageBlocks
  * \brief Arrays as scripts that a file:// page can load: block(name, {header}, "base64 of gzip").
  *
- * A file:// page may load scripts from its folder, but may not fetch files. Values are stored as differences to the
+ * A file:// page may load scripts from its folder, but may not fetch files. Values are stored as differences from the
  * value `delta` positions before, modulo 2^n, which compresses better. A single page embeds the scripts.
  *
  * \ingroup ShapetonReport */

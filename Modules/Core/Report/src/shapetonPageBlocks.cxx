@@ -20,8 +20,8 @@ std::string
 Gzip(const std::string & bytes)
 {
   constexpr int gzipWindow = 15 + 16;
-  // Differences of voxels are small random numbers, the case for Z_FILTERED. Level 6 takes three times as long and
-  // saves 1 %.
+  // Differences of voxels are small random numbers, for which Z_FILTERED is intended. Level 6 takes three times as long
+  // and saves 1 %.
   z_stream stream{};
   if (deflateInit2(&stream, 4, Z_DEFLATED, gzipWindow, 9, Z_FILTERED) != Z_OK)
   {

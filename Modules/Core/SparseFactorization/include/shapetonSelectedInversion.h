@@ -51,7 +51,8 @@ public:
   Invert(const SymmetricElements & matrix) const;
 
   /** Inverts matrixOf(0), ... matrixOf(number - 1) with all of ITK's threads, at most `atOnce` at a time, which
-   * determines the memory. Passes them to `take` in this order, one by one. `matrixOf` may be called concurrently. */
+   * determines the memory use. Passes them to `take` in this order, one by one. `matrixOf` may be called
+   * concurrently. */
   void
   InvertAll(int                                                         number,
             const std::function<SymmetricElements(int)> &               matrixOf,

@@ -37,7 +37,7 @@ class ShapetonSparseFactorization_EXPORT SymbolicFactorization
 public:
   struct Parts;
 
-  /** Edges are pairs of different vertices in [0, numberOfVertices), each pair once; else throws InputError. The
+  /** Edges are pairs of different vertices in [0, numberOfVertices), each pair once; otherwise throws InputError. The
    * graph may have several components. */
   SymbolicFactorization(int numberOfVertices, const std::vector<std::array<int, 2>> & edges, EliminationOrder order);
 

@@ -111,7 +111,7 @@ private:
            CostOf(parent.width + child.width, parent.rows);
   }
 
-  /** Merges the child with the largest saving until no merge saves time. */
+  /** Repeatedly merges the child with the largest saving until no merge saves time. */
   void
   MergeChildren(int parent)
   {

@@ -190,7 +190,7 @@ FindHeatClasses(const HeatHistogram & histogram, std::size_t row, const HeatClas
 {
   if (rule.maximumNumberOfClasses < 1 || rule.maximumNumberOfClasses > 254)
   {
-    throw std::invalid_argument("the greatest number of classes must be between 1 and 254");
+    throw std::invalid_argument("the maximum number of classes must be between 1 and 254");
   }
   const std::uint32_t * const counts = histogram.GetRow(row);
   const auto                  smooth = SmoothedDensity(counts);

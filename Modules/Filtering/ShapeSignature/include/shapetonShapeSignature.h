@@ -68,7 +68,7 @@ struct ShapetonShapeSignature_EXPORT ShapeSignature
  *
  * The run time is about half a second, more for millions of voxels. Results are bitwise identical for any number of
  * threads. Throws InputError if the set has fewer than LeastVoxels, is thinner than a grid voxel nearly everywhere, or
- * is so long that the grid does not fit into memory; std::invalid_argument if its size is not that of the image.
+ * is so long that the grid does not fit into memory. Throws std::invalid_argument if its size is not that of the image.
  *
  * \ingroup ShapetonShapeSignature */
 ShapetonShapeSignature_EXPORT ShapeSignature

@@ -8,7 +8,8 @@ namespace shapeton
 {
 namespace
 {
-/** If more dummies separate the ends, making them touch would move them and their surroundings far. */
+/** If more dummies separate the ends of an edge, making the circles of the ends touch would move them and their
+ * surroundings far. */
 constexpr std::size_t mostDummiesTakenOut = 1;
 
 /** An end of a new edge: a position in the order around its node. */

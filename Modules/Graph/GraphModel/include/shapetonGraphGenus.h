@@ -38,10 +38,10 @@ struct SurfaceEmbedding
 };
 
 /** Embeds any graph: disconnected, a tree, a single node, with loops and multiple edges. Planarity is tested first
- * (left-right test, Brandes 2009). Nonplanar blocks are then searched, without nodes of degree two and multiple edges,
- * by annealed re-insertion of edges. Throws InputError if the graph is invalid, or if no embedding of the requested
- * genus is found; the message states the smallest and largest genus found. Throws ParameterError for an invalid
- * option. Results are bitwise identical for any number of threads. \ingroup ShapetonGraphModel */
+ * (left-right test, Brandes 2009). Nonplanar blocks, reduced by their nodes of degree two and multiple edges, are then
+ * searched by annealed re-insertion of edges. Throws InputError if the graph is invalid, or if no embedding of the
+ * requested genus is found; the message states the smallest and largest genus found. Throws ParameterError for an
+ * invalid option. Results are bitwise identical for any number of threads. \ingroup ShapetonGraphModel */
 ShapetonGraphModel_EXPORT SurfaceEmbedding
 FindEmbedding(const Graph & graph, const GenusOptions & options = GenusOptions());
 

@@ -83,7 +83,7 @@ GenusAnnealing::GrowTree()
   }
 }
 
-/** Grows the placed region like a disk on the surface, with short faces inside. The next node is the one with most
+/** Grows the placed region like a disk on the surface, with short faces inside. The next node is the one with the most
  * neighbors in the region; ties go to the earliest discovered. */
 void
 GenusAnnealing::GrowByBreadth()

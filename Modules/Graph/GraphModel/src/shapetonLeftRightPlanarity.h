@@ -11,7 +11,7 @@ namespace shapeton
  * \brief The left-right planarity test and embedding (de Fraysseix and Rosenstiehl; Brandes, The Left-Right Planarity
  * Test, 2009), in linear time except for sorting the edges of each node, without recursion.
  *
- * A depth-first search orients all edges: tree edges away from the root, back edges towards it. Two back edges with
+ * A depth-first search orients all edges: tree edges away from the root, back edges toward it. Two back edges with
  * crossing paths must be on the same side, or on different sides, of the tree. The graph is planar if all these
  * constraints can be satisfied. They are stored as a stack of pairs of intervals of back edges.
  *

@@ -78,8 +78,8 @@ struct AugmentationOptions
  * Radii therefore decrease by a constant factor from ring to ring, not from node to node. Triangles and faces without
  * conflict are unchanged, and therefore so is a 3-connected map. Maps of any genus are supported.
  *
- * With Augmentation::None the map must be connected and free of conflicts; else throws InputError that states the
- * reason. \ingroup ShapetonRicciFlowEmbedding */
+ * With Augmentation::None the map must be connected and free of conflicts; otherwise throws InputError with the reason.
+ * \ingroup ShapetonRicciFlowEmbedding */
 ShapetonRicciFlowEmbedding_EXPORT PackedMap
 MakePackedMap(const CombinatorialMap & map, const AugmentationOptions & options = {});
 } // namespace shapeton

@@ -73,7 +73,7 @@ AreAcrossAnEdge(const CombinatorialMap & map, int node, int other, int face, int
   return false;
 }
 
-/** Lists all common neighbors of each pair with at least two; started from the member of higher degree. */
+/** For each pair with at least two common neighbors, lists all of them, starting from the member of higher degree. */
 class FourCycles
 {
 public:

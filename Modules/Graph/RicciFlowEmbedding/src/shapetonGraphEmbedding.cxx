@@ -91,7 +91,7 @@ CandidatesOf(const std::vector<const CombinatorialMap *> & maps, const GraphEmbe
   return candidates;
 }
 
-/** The embedding with the largest smallest circle. */
+/** The embedding whose smallest circle is the largest. */
 class BestEmbedding
 {
 public:

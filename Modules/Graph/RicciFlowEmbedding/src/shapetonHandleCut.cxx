@@ -70,7 +70,7 @@ EdgeOfShortestLoop(const CombinatorialMap & map, const DualTree & tree)
 std::vector<int>
 LoopThrough(const CombinatorialMap & map, const DualTree & tree, int edge)
 {
-  std::vector<int> there; // from the face to the left of the edge towards the root
+  std::vector<int> there; // from the face to the left of the edge toward the root
   std::vector<int> back;
   int              left = map.Face(2 * edge);
   int              right = map.Face(2 * edge + 1);

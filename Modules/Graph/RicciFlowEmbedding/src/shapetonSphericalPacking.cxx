@@ -56,7 +56,7 @@ CirclesThrough(const CombinatorialMap & map, int edge)
   return infinite;
 }
 
-/** The longest face; ties go to the face with most neighbors of its nodes, then to the last one, because the central
+/** The longest face; ties go to the face whose nodes have the most neighbors, then to the last one, because the central
  * dummies of rings are last and have large circles. */
 int
 LongestFace(const CombinatorialMap & map)

@@ -78,8 +78,8 @@ struct DicomSegmentVoxels
  * without losing or duplicating voxels.
  *
  * Throws InputError if a frame does not match the pixels of a slice of the series, two frames of a segment are in
- * one slice, or the file is truncated; ParameterError for a segment number that does not exist, is repeated, or is 0
- * (background). \ingroup ShapetonDicomResults */
+ * one slice, or the file is truncated. Throws ParameterError for a segment number that does not exist, is repeated, or
+ * is 0 (background). \ingroup ShapetonDicomResults */
 ShapetonDicomResults_EXPORT DicomSegmentVoxels
 ReadDicomSegments(const DicomSegmentationFile & file, const std::vector<int> & numbers, const DicomSource & source);
 } // namespace shapeton

@@ -43,8 +43,8 @@ CodeOf(DcmItem & item, const DcmTagKey & sequence);
 void
 LoadDicomObject(DcmFileFormat & file, const std::string & path, const std::vector<std::string> & sopClassUIDs);
 
-/** Calls `service` on `request` in a contained process that may write `sharedBytes`; `take` is called with them and the
- * response. A failure becomes an InputError with the file name. */
+/** Calls `service` on `request` in a contained process that may write `sharedBytes`; then calls `take` with these bytes
+ * and the response. A failure becomes an InputError with the file name. */
 void
 ReadContained(const std::string &                                                          path,
               const std::string &                                                          request,

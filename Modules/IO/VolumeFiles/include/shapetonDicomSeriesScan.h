@@ -39,9 +39,9 @@ enum class DicomDefectKind
   unsupportedTransferSyntax,
   /** A file without a slice image: text, report, structure set, DICOMDIR, ... */
   notAnImage,
-  /** The slices of one volume have several frames of reference, a flaw of some de-identifications; a remark. */
+  /** The slices of one volume have several frames of reference, an error of some de-identification tools; a remark. */
   mixedFrameOfReference,
-  /** The slices of one volume have several patients (Patient ID), another flaw of some de-identifications; a remark. */
+  /** The slices of one volume have several patients (Patient ID), another error of such tools; a remark. */
   mixedPatient,
   /** A number of the geometry or the intensities cannot be parsed, for example because of a decimal comma. */
   malformedValue,

@@ -24,8 +24,8 @@ constexpr Uint32 MaximumEagerValue = 4096;
 
 // Maximum decoded frame size in bytes for input of any size ...
 constexpr std::uint64_t HarmlessFrameBytes = 64u << 20;
-// ... and as a multiple of the input size. Ratios of JPEG and RLE are lower; only constant images exceed it, with
-// JPEG-LS and JPEG 2000.
+// ... and as a multiple of the input size. JPEG and RLE have lower ratios; only constant images in JPEG-LS or JPEG 2000
+// exceed this one.
 constexpr std::uint64_t MaximumCompression = 2000;
 
 // Cosines have about six digits; a larger error indicates an invalid rotation.

@@ -147,7 +147,7 @@ AdviceOnObjects(const DicomScan & scan)
          "use the folder with the image series that they reference";
 }
 
-/** A damaged file of unknown series may be the first or last slice of any series. */
+/** A damaged file from an unknown series may be the first or last slice of any series. */
 void
 RefuseUnknownDamage(const DicomScan & scan)
 {

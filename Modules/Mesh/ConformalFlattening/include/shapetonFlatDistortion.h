@@ -38,7 +38,7 @@ struct FlatDistortion
 };
 
 /** K + 1/K = sum_k cot(angle_k) l'_k^2 / (2 A'), with the angles in the metric, and lengths l' and area A' in the
- * plane. \pre `uv` has a row for each vertex in F, `sides` one for each face; else InputError. */
+ * plane. \pre `uv` has a row for each vertex in F, `sides` one for each face; otherwise throws InputError. */
 ShapetonConformalFlattening_EXPORT FlatDistortion
 MeasureFlatDistortion(const FaceMatrix & F, const Eigen::MatrixX2d & uv, const SideLengths & sides);
 

@@ -34,8 +34,8 @@ struct QuadrilateralMap
  * \param corners four boundary vertices in boundary order, in either direction. If the boundary runs clockwise, the
  * first one is kept and the others are reversed.
  * \param weightLevels for each vertex 0, or 1 to 6: how close to 1 the weights of its edges are clamped to avoid
- * flipped faces; empty: 0. The moduli are those of the metric in any case.
- * Throws InputError if a corner is not on the boundary, repeated or out of order, and as MakeSurfaceLaplacian() does.
+ * flipped faces. Empty means 0 everywhere. The moduli are those of the metric in any case. Throws InputError if a
+ * corner is not on the boundary, repeated or out of order, and as MakeSurfaceLaplacian() does.
  * \ingroup ShapetonConformalFlattening */
 ShapetonConformalFlattening_EXPORT QuadrilateralMap
 MapQuadrilateral(const SurfaceConnectivity & connectivity,
@@ -48,7 +48,7 @@ MapQuadrilateral(const SurfaceConnectivity & connectivity,
 /** Finds four well spread boundary vertices: the corners of an inscribed quadrilateral of large area. The search starts
  * from corners at quarters of the boundary length, placed for the largest area. Each corner then moves to its best
  * position until no move increases the area. A rectangle keeps its own corners. Ties go to the first vertex along the
- * boundary. \pre At least four vertices; else InputError. \ingroup ShapetonConformalFlattening */
+ * boundary. \pre There are at least four vertices; otherwise throws InputError. \ingroup ShapetonConformalFlattening */
 ShapetonConformalFlattening_EXPORT std::array<int, 4>
                                    SpreadCorners(const BoundaryLoop & boundary, const VertexMatrix & V);
 } // namespace shapeton

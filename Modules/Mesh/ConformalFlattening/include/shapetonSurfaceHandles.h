@@ -66,7 +66,7 @@ struct HandleRemoval
  * large as those around them (Liepa, Filling holes in meshes, 2003). The filling minimizes bending: the sum of squared
  * uniform Laplacians at new vertices and at the rim. Boundaries are unchanged.
  *
- * \pre The surface is one oriented manifold component and the handles belong to it; else InputError.
+ * \pre The surface is one oriented manifold component and the handles belong to it; otherwise throws InputError.
  * \ingroup ShapetonConformalFlattening */
 ShapetonConformalFlattening_EXPORT HandleRemoval
 RemoveHandles(const SurfaceMesh &                mesh,

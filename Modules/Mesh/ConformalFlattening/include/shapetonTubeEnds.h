@@ -58,8 +58,8 @@ struct TrimmedTube
 ShapetonConformalFlattening_EXPORT TrimmedTube
 TrimEars(SurfaceMesh mesh, const SurfaceConnectivity & connectivity);
 
-/** Updates the field arrays `rectumLoop` and `cecumLoop` of `after` by vertex position in `before`. An array with a
- * missing vertex is removed. \ingroup ShapetonConformalFlattening */
+/** Updates the field arrays `rectumLoop` and `cecumLoop` of `after`, matching its vertices with those of `before` by
+ * position. An array with a missing vertex is removed. \ingroup ShapetonConformalFlattening */
 ShapetonConformalFlattening_EXPORT void
 RenumberLoopArrays(const SurfaceMesh & before, SurfaceMesh & after);
 } // namespace shapeton

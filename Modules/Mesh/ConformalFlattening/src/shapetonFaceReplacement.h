@@ -27,7 +27,7 @@ OpenPinches(const FaceMatrix & F, const SurfaceConnectivity & connectivity, std:
  * those around them (TriangulateHole(), SmoothFilling()). Boundaries are unchanged.
  * \param isDeleted for each face; after OpenPinches().
  * \param markName integer cell array that marks new faces; created if missing.
- * \pre The surface is one oriented manifold component; InputError if the result is not. */
+ * \pre The surface is one oriented manifold component. Throws InputError if the result is not. */
 FaceReplacement
 ReplaceFaces(const SurfaceMesh &         mesh,
              const SurfaceConnectivity & connectivity,

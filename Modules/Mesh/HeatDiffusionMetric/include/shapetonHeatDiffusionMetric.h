@@ -78,7 +78,8 @@ private:
   SelectedInversion m_Inversion;
 };
 
-/** Heat diffusion metric of a surface, from its Euclidean edge lengths. \pre RequireOneManifold(); else InputError.
+/** Heat diffusion metric of a surface, from its Euclidean edge lengths. \pre RequireOneManifold() accepts the surface;
+ * otherwise throws InputError.
  * \ingroup ShapetonHeatDiffusionMetric */
 ShapetonHeatDiffusionMetric_EXPORT HeatDiffusionMetric
 ComputeHeatDiffusionMetric(const SurfaceMesh & mesh, double t, const Progress & progress = {});

@@ -19,7 +19,7 @@ struct LabelColor
   std::array<double, 3> color{ 1.0, 1.0, 1.0 };
 };
 
-/** A color that differs from the preceding labels: hues in steps of the golden angle, two saturations, two
+/** A color that differs from those of the preceding labels: hues in steps of the golden angle, two saturations, two
  * values.
  * \ingroup ShapetonSurfaceMesh */
 ShapetonSurfaceMesh_EXPORT std::array<double, 3>
@@ -27,7 +27,7 @@ ShapetonSurfaceMesh_EXPORT std::array<double, 3>
 
 /** Writes a color table of 3D Slicer (.ctbl): one line per label, transparent background. Blanks in names become
  * underscores, as Slicer writes them. Throws ParameterError for another extension, std::invalid_argument for a value or
- * color out of range, a duplicate value or an empty name; OutputError. \ingroup ShapetonSurfaceMesh */
+ * color out of range, a duplicate value or an empty name, and OutputError. \ingroup ShapetonSurfaceMesh */
 ShapetonSurfaceMesh_EXPORT void
 WriteColorTable(const std::vector<LabelColor> & labels, const std::string & path);
 } // namespace shapeton

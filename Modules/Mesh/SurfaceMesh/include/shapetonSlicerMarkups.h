@@ -37,15 +37,16 @@ struct Markup
 };
 
 /** Writes markups of 3D Slicer, schema version 1.0.3: one scene node each, LPS, mm. Output is deterministic.
- * Throws ParameterError unless the path ends with .mrk.json; std::invalid_argument if the number of labels or
- * descriptions differs from the number of points, a color is out of range or a coordinate is not finite; OutputError.
+ * Throws ParameterError unless the path ends with .mrk.json. Throws std::invalid_argument if the number of labels or
+ * descriptions differs from the number of points, a color is out of range or a coordinate is not finite. Throws
+ * OutputError.
  * \ingroup ShapetonSurfaceMesh */
 ShapetonSurfaceMesh_EXPORT void
 WriteMarkups(const std::vector<Markup> & markups, const std::string & path);
 
 /** Reads markups of 3D Slicer, versions 1.x: points (fiducials, lines, angles) and curves; planes and boxes are
- * skipped. RAS becomes LPS, um become mm; points that were not placed are skipped. Throws InputError with the file name
- * and the error, also if no point remains. \ingroup ShapetonSurfaceMesh */
+ * skipped. RAS is converted to LPS, and um to mm; points that were not placed are skipped. Throws InputError with the
+ * file name and the error, also if no point remains. \ingroup ShapetonSurfaceMesh */
 ShapetonSurfaceMesh_EXPORT std::vector<Markup>
                            ReadMarkups(const std::string & path);
 

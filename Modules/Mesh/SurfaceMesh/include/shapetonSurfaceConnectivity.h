@@ -71,7 +71,7 @@ struct SurfaceComponent
 class ShapetonSurfaceMesh_EXPORT SurfaceConnectivity
 {
 public:
-  /** \pre The indices in F are in [0, numberOfVertices); else std::out_of_range. */
+  /** \pre The indices in F are in [0, numberOfVertices); otherwise throws std::out_of_range. */
   SurfaceConnectivity(const FaceMatrix & F, int numberOfVertices);
   explicit SurfaceConnectivity(const SurfaceMesh & mesh);
   ~SurfaceConnectivity();

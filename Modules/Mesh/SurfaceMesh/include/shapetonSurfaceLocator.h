@@ -33,7 +33,7 @@ public:
     double          distance{ 0.0 };
   };
 
-  /** \pre There is at least one face, and all indices are in range; else std::invalid_argument. */
+  /** \pre There is at least one face, and all indices are in range; otherwise throws std::invalid_argument. */
   SurfaceLocator(const VertexMatrix & V, const FaceMatrix & F);
   ~SurfaceLocator();
 

@@ -35,10 +35,9 @@ struct SurfaceFile
  *   note.
  * - STL stores corners only, and glTF repeats vertices along seams: vertices at equal positions are merged. Other
  *   formats keep their vertices.
- * - glTF: the unit is meters, by its standard. Node transforms are applied. Axes are kept (y is NOT rotated to z), as
- * is the corner order unless a transform mirrors. Skinned and morphed meshes are read in their rest pose. Draco and
- * meshopt
- *   compression and sparse accessors are rejected.
+ * - glTF: the unit is the meter, as its standard requires. Node transforms are applied. Axes are kept (y is NOT rotated
+ *   to z), as is the corner order, unless a transform mirrors the mesh. Skinned and morphed meshes are read in their
+ *   rest pose. Draco and meshopt compression and sparse accessors are rejected.
  * - Files marked SPACE=RAS, as written by 3D Slicer (field data of VTP, a comment of PLY, OBJ and STL), are converted
  *   to LPS.
  * - Point and cell arrays: VTP with its field data, and scalar properties of PLY. Colors, normals and texture

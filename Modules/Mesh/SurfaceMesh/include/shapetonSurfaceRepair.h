@@ -46,7 +46,7 @@ struct SurfaceRepairReport
  * moving vertices. Zero-area faces with three distinct vertices are kept because dropping them would open holes. Field
  * arrays are not changed: vertex indices in them become invalid if vertices are merged or dropped.
  *
- * Throws InputError as RequireSound() does, and if every face is degenerate; ParameterError if mergeDistance is
+ * Throws InputError as RequireSound() does, and if every face is degenerate. Throws ParameterError if mergeDistance is
  * negative or not finite. \ingroup ShapetonSurfaceMesh */
 ShapetonSurfaceMesh_EXPORT SurfaceMesh
 RepairSurface(const SurfaceMesh &          mesh,
