@@ -7,7 +7,7 @@
 
 namespace shapeton
 {
-/** Throws InputError with the reason of `error` (an errno) and advice. \ingroup ShapetonCommon */
+/** Throws InputError with the description of `error` (an errno) and advice. \ingroup ShapetonCommon */
 [[noreturn]] ShapetonCommon_EXPORT void
 ThrowCannotRead(const std::string & path, int error);
 
@@ -15,7 +15,7 @@ ThrowCannotRead(const std::string & path, int error);
 [[noreturn]] ShapetonCommon_EXPORT void
 ThrowUnsuitable(const std::string & path, const std::string & reason);
 
-/** Throws OutputError with the reason of `error` (an errno) and advice. \ingroup ShapetonCommon */
+/** Throws OutputError with the description of `error` (an errno) and advice. \ingroup ShapetonCommon */
 [[noreturn]] ShapetonCommon_EXPORT void
 ThrowCannotWrite(const std::string & path, int error);
 
@@ -28,8 +28,8 @@ ThrowCannotWrite(const std::string & path, int error, const std::string & otherw
 [[noreturn]] ShapetonCommon_EXPORT void
 ThrowCannotWrite(const std::string & path, const std::string & reason, const std::string & advice);
 
-/** Throws InputError if a run folder of VirtualColonoscopy was written by an early version with British spelling of
- * file names, detected by its stage `segmentation`. \ingroup ShapetonCommon */
+/** Throws InputError if a run folder of VirtualColonoscopy, recognized by its stage `segmentation`, was written by an
+ * early version with British spelling in file names. \ingroup ShapetonCommon */
 ShapetonCommon_EXPORT void
 RequireCurrentFileNames(const std::string & runFolder);
 } // namespace shapeton

@@ -109,7 +109,7 @@ private:
   std::vector<float>       m_Values;
 };
 
-/** Squared distances along x of one row, limited to the largest one. */
+/** Squared distances along x in one row, clamped to the maximum. */
 void
 TransformRow(const unsigned char * lumen, float * squared, std::size_t size, double spacing, float greatest)
 {

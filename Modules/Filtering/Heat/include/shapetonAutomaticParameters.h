@@ -15,7 +15,7 @@ namespace shapeton
 struct AutomaticP
 {
   double p{ 7.0 };
-  /** Standard deviation of the difference of neighbors due to noise, in units of the intensity window. */
+  /** Standard deviation of the difference between neighbors due to noise, in units of the intensity window. */
   double noise{ 0.0 };
   /** Lower quartile of the half gradients across edges, in units of the intensity window. */
   double      edgeContrast{ 0.0 };

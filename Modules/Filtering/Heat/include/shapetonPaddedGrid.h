@@ -48,7 +48,7 @@ public:
   {
     return m_Length;
   }
-  /** Offset of the first voxel of a row; y and z may be -1 and ny, nz. */
+  /** Offset of the first voxel of a row; y may be from -1 to ny, and z from -1 to nz. */
   std::size_t
   GetRow(std::ptrdiff_t y, std::ptrdiff_t z) const
   {

@@ -30,11 +30,11 @@ struct SeededHeatResult
 {
   /** The label of greatest probability; the lowest one for ties. */
   std::vector<unsigned short> labels;
-  /** 1 minus the difference of the two greatest probabilities: 0 for a certain label, 1 for a tie. */
+  /** 1 minus the difference between the two greatest probabilities: 0 for a certain label, 1 for a tie. */
   std::vector<float> uncertainty;
   /** The labels that have seeds, ascending. */
   std::vector<unsigned short> labelValues;
-  /** Largest number of iterations of the conjugate gradients. */
+  /** Largest number of conjugate gradient iterations. */
   unsigned int iterations{ 0 };
   /** Remarks on labels that hardly grow beyond their seeds: fewer than FewestVoxels unseeded voxels, if at least half
    * of all voxels have no seed. This happens for an isolated point without edges that confine its heat. */

@@ -17,7 +17,7 @@ namespace shapeton
  *
  *   halfGradient = |I_i - I_j| / res_k,   weight = clamp(1 - p * halfGradient, 0, 1)      (2.5, 2.6)
  *
- * where res_k = h_k / h_min is the distance of the neighbors relative to the smallest spacing, which makes p
+ * where res_k = h_k / h_min is the distance between the neighbors relative to the smallest spacing, which makes p
  * independent of the unit. On anisotropic grids the Laplacian does not reduce to (2.4):
  * the conductance of an edge is weight * (h_min / h_k)^2 (Physical, the default; (2.4) writes a sum instead of a
  * product) or the weight alone (Published). The diffusion uses the conductances, the initial heat the weights.

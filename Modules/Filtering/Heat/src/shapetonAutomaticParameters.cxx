@@ -24,7 +24,7 @@ Sum(const Histogram & histogram, std::size_t first = 0)
   return sum;
 }
 
-/** The given quantile of the half gradients, counting from bin `first` on. */
+/** The given quantile of the half gradients, counting only bins from `first`. */
 double
 Quantile(const Histogram & histogram, double share, std::size_t first)
 {
@@ -41,7 +41,7 @@ Quantile(const Histogram & histogram, double share, std::size_t first)
   return 1.0;
 }
 
-/** Counts the half gradients along all lines of the volume; with `peaksOnly` only those that exceed both their
+/** Counts the half gradients along all lines of the volume; with `peaksOnly` only those that exceed both of their
  * neighbors. */
 Histogram
 CountHalfGradients(const float *                      intensities,

@@ -31,7 +31,7 @@ struct ConductanceField
 
   ConductanceField(const VolumeGradientOperator & volumeGradient, const unsigned short * seeds);
 
-  // Interface of a level in a hierarchy of graphs, the finest and all others.
+  // Interface of a level in a hierarchy of graphs, shared by the finest level and all others.
 
   std::array<std::size_t, 3>
   GetCells() const

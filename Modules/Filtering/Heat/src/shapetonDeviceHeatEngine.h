@@ -22,7 +22,8 @@ public:
   /** `values`: a field on the padded grid. */
   virtual void
   Upload(Field field, const float * values) = 0;
-  /** `number` slices from `first` on, with the border around each; `values` is the start of the field on the host. */
+  /** `number` slices, starting with `first`, with the border around each; `values` is the start of the field on the
+   * host. */
   virtual void
   Download(Field field, float * values, std::size_t first, std::size_t number) = 0;
 };

@@ -123,7 +123,7 @@ Combined(const float * const * nodes, std::size_t i, const float * weights)
     ((weights[4] * nodes[4][i] + weights[5] * nodes[5][i]) + weights[6] * nodes[6][i]));
 }
 
-/** Converts the bits of a float in [2^-octaves, 1] to a bin number from 1 on, 0 below; see HeatHistogram. */
+/** Converts the bits of a float to a bin number: from 1 for floats in [2^-octaves, 1], 0 below; see HeatHistogram. */
 SHAPETON_HOST_DEVICE unsigned short
 BinOf(float heat)
 {

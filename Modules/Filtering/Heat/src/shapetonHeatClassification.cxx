@@ -103,7 +103,7 @@ JoinHills(std::vector<Hill> & hills, const std::vector<double> & smooth, const H
   };
   while (hills.size() > 1)
   {
-    // Hills that violate the rule are first, then hills of smallest prominence, weighted by mass.
+    // Hills that violate the rule come first, then the hills with the smallest prominence, weighted by mass.
     std::size_t             weakest = 0;
     std::pair<bool, double> least{ true, std::numeric_limits<double>::max() };
     bool                    allowed = hills.size() <= rule.maximumNumberOfClasses;

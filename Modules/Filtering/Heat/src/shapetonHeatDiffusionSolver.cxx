@@ -102,7 +102,7 @@ HeatDiffusionSolver::PlanIntervals(std::uint64_t                      start,
     {
       interval.end = std::min(last, ratioEnd);
     }
-    else if (steps.size() - snapshot > few) // while the requested steps can be the nodes, or up to the ratio
+    else if (steps.size() - snapshot > few) // to the last step that can be a node, at least to the ratio
     {
       interval.end = std::min(interval.end, std::max(steps[snapshot + few - 1], ratioEnd));
     }

@@ -10,7 +10,8 @@ namespace
 {
 using Field = HeatEngine::Field;
 
-/** Number of steps per slab visit, and of overlap slices on each side, whose values become invalid. */
+/** Number of steps per slab visit. This is also the number of overlap slices on each side, whose values become invalid.
+ * */
 constexpr unsigned int SlabSteps = 32;
 
 /** Bytes of all fields, one extra output field and conductances for a number of slices, plus sums and counts. */
@@ -65,7 +66,8 @@ struct Slab
 };
 
 /** \class SlabEngine
- * \brief Engine for volumes larger than GPU memory: the GPU computes the steps slab by slab, the CPU everything else.
+ * \brief Engine for volumes larger than GPU memory: the GPU computes the steps slab by slab, and the CPU does
+ * everything else.
  *
  * Values beyond a slab do not change during its steps, so each step invalidates one more slice from its border.
  * These slices overlap the adjacent slabs and are not copied back. */

@@ -127,7 +127,7 @@ public:
 
   /** Places the shapetons. `intensities` and `mask` (null: no mask; 0 is outside) have size[0] * size[1] * size[2]
    * values, x fastest, and are not needed afterwards. `visits` has the same size, is set to 0 and must outlive the
-   * object. `poll` is called occasionally, by Run() also within long steps, and may throw to abort; the object must not
+   * object. `poll` is called occasionally, also during long steps of Run(), and may throw to abort; the object must not
    * be used afterwards. Throws std::invalid_argument for settings out of range, std::domain_error if no shapeton can be
    * placed (an empty mask; no initial heat), std::length_error for 2^31 voxels or more, or 2^24 along an axis,
    * DeviceError if the device cannot be used. */

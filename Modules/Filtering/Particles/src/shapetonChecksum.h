@@ -6,7 +6,8 @@
 
 namespace shapeton
 {
-/** A 64-bit checksum that detects damage and differences, not forgery. Depends on the division of the bytes into calls.
+/** A 64-bit checksum that detects damage and differences, not forgery. The result depends on how the bytes are divided
+ * among calls.
  */
 class Checksum
 {

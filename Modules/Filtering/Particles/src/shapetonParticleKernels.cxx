@@ -11,7 +11,7 @@ namespace ParticleKernels
 namespace
 {
 /** The integral of (1 - u)^(3-j) u^j sin(theta) between two angles by eight-point Gauss quadrature: accurate to
- * rounding, as a polynomial of degree 15 approximates the sine that closely. */
+ * rounding, because a polynomial of degree 15 approximates the sine that closely. */
 double
 Integral(int j, double from, double to)
 {

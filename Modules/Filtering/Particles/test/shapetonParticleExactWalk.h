@@ -148,7 +148,7 @@ public:
     }
   }
 
-  /** The probability of a step from a voxel to another. */
+  /** The probability of a step from one voxel to another. */
   double
   Get(std::size_t from, std::size_t to) const
   {

@@ -8,7 +8,7 @@
 
 namespace shapeton
 {
-/** Differences of two signatures by component: root mean square differences of logarithms; 0 for equal signatures.
+/** Differences between two signatures by component: root mean square differences of logarithms; 0 for equal signatures.
  * Volume is excluded, so that shapes of any size can be compared. \ingroup ShapetonShapeSignature */
 struct SignatureDifference
 {
@@ -21,13 +21,13 @@ struct SignatureDifference
   double flatness{ 0.0 };
 };
 
-/** The differences of two signatures. \ingroup ShapetonShapeSignature */
+/** The differences between two signatures. \ingroup ShapetonShapeSignature */
 ShapetonShapeSignature_EXPORT SignatureDifference
 DifferenceOf(const ShapeSignature & a, const ShapeSignature & b);
 
-/** Distance of two signatures, at least 0: the root mean square of their differences, each normalized such that copies
- * of one shape have a distance of about 1. The copies are rotated, scaled, resampled and noisy versions of generated
- * shapes (seeds 1 to 64). \ingroup ShapetonShapeSignature */
+/** Distance between two signatures, at least 0: the root mean square of their differences, each normalized such that
+ * copies of one shape have a distance of about 1. The copies are rotated, scaled, resampled and noisy versions of
+ * generated shapes (seeds 1 to 64). \ingroup ShapetonShapeSignature */
 ShapetonShapeSignature_EXPORT double
 SignatureDistance(const ShapeSignature & a, const ShapeSignature & b);
 

@@ -37,7 +37,7 @@ struct ShapetonShapeSignature_EXPORT ShapeSignature
   static constexpr std::size_t NumberOfEigenvalues = 20;
   /** Radius of the ball of the same volume, in voxels of the grid that signatures are computed on. */
   static constexpr double RadiusInVoxels = 16.0;
-  /** Smallest number of voxels with a signature. */
+  /** Smallest number of voxels for which a signature is computed. */
   static constexpr std::size_t LeastVoxels = 64;
 
   using Curve = std::array<double, NumberOfTimes>;
@@ -50,7 +50,7 @@ struct ShapetonShapeSignature_EXPORT ShapeSignature
   double                                  flatness{ 1.0 };
   Curve                                   remainingHeat{}; ///< descending from 1; 0 below 1e-9
   Curve                                   displacement{};  ///< above 0, ascending
-  std::array<double, NumberOfEigenvalues> spectrum{};      ///< above 0, ascending; 8 pi is the first one of a sphere
+  std::array<double, NumberOfEigenvalues> spectrum{};      ///< above 0, ascending; for a sphere the first one is 8 pi
 
   /** t / r^2: half octaves from 0.004 to 16.4. */
   static const Curve &

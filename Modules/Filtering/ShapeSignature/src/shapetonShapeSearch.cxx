@@ -17,7 +17,7 @@ constexpr double              ProbabilityOfMargin = 2.042;
 /** Heat considered as zero. */
 constexpr double NegligibleHeat = 0.01;
 constexpr double GreatestMargin = 10.0;
-/** Distance of equal signatures, smaller than between copies. */
+/** Distance between equal signatures; smaller than the distance between copies. */
 constexpr double LeastDifference = 1e-3;
 
 template <std::size_t Size>

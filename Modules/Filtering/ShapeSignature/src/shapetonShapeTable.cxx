@@ -89,7 +89,7 @@ Describe(const itk::Image<float, 3> * intensities, const VoxelRuns & shape, Shap
   table.rows.push_back(row);
 }
 
-/** The components of a label that are large enough, numbered from 1 on. */
+/** The components of a label that are large enough, numbered from 1. */
 void
 DescribeComponents(const itk::Image<float, 3> * intensities,
                    const VoxelRuns &            label,
@@ -113,7 +113,7 @@ DescribeComponents(const itk::Image<float, 3> * intensities,
   }
 }
 
-/** Whether the numbers from `first` on are monotonic up to rounding. */
+/** Whether the numbers, starting with `first`, are monotonic up to rounding. */
 template <std::size_t Size>
 bool
 IsMonotonic(const std::array<double, Size> & values, bool ascending)

@@ -13,8 +13,8 @@
 
 namespace shapeton
 {
-/** Geometry of the surface: unit sphere (genus 0), plane (genus 1) or hyperbolic plane of curvature -1 (genus 2 and
- * more). \ingroup ShapetonEmbeddingCertificate */
+/** Geometry of the surface: unit sphere (genus 0), plane (genus 1) or hyperbolic plane of curvature -1 (genus 2 or
+ * higher). \ingroup ShapetonEmbeddingCertificate */
 enum class EmbeddingGeometry
 {
   Spherical,

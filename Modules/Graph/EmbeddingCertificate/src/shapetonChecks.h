@@ -24,12 +24,12 @@ void
 CheckPlane(const EmbeddingCertificate & certificate, const TracedMap & packed, Measures & measures);
 void
 CheckDisk(const EmbeddingCertificate & certificate, const TracedMap & packed, Measures & measures);
-/** Genus 1 and more: tree and generators cut the surface into a disk bounded by the word; checks canonical words. */
+/** Genus 1 or higher: tree and generators cut the surface into a disk bounded by the word; checks canonical words. */
 void
 CheckCutGraph(const EmbeddingCertificate & certificate, const TracedMap & packed);
 ///@}
 
-/** Formats a number for a message with three digits. */
+/** Formats a number with three digits, for a message. */
 std::string
 Figure(double value);
 

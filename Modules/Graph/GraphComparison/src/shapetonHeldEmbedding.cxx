@@ -24,7 +24,8 @@ public:
   {
     return m_IsInside[node] != 0;
   }
-  /** Grows by the nodes within the given steps along the incident faces. Returns false if no node was added. */
+  /** Grows by the nodes within the given number of steps along the incident faces. Returns false if no node was added.
+   * */
   bool
   Grow(int steps)
   {

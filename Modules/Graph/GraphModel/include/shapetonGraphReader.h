@@ -40,7 +40,8 @@ ReadGraph(const std::string & path);
 ShapetonGraphModel_EXPORT std::vector<std::string>
                           GraphFilesOf(const std::string & folder);
 
-/** Writes GraphML that ReadGraph reads back to the same graph; unnamed nodes are called n0, n1, ... Throws OutputError.
+/** Writes GraphML from which ReadGraph restores the same graph; unnamed nodes are called n0, n1, ... Throws
+ * OutputError.
  * \ingroup ShapetonGraphModel */
 ShapetonGraphModel_EXPORT void
 WriteGraphML(const Graph & graph, const std::string & path);

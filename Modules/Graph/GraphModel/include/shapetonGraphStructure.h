@@ -51,7 +51,8 @@ ShapetonGraphModel_EXPORT std::vector<int>
                           FirstParallels(const Graph & graph);
 
 /** Length of a shortest cycle: 1 with a loop, 2 with a multiple edge, 0 in a forest. Breadth-first searches from all
- * nodes, cut off at half the best length; stops at a cycle of 3 in a simple graph. \ingroup ShapetonGraphModel */
+ * nodes, cut off at half the best length; stops at a cycle of length 3 in a simple graph.
+ * \ingroup ShapetonGraphModel */
 ShapetonGraphModel_EXPORT int
 Girth(const Graph & graph);
 } // namespace shapeton

@@ -207,7 +207,7 @@ GenusAnnealing::CornerOfLongestFace(int node) const
   return best;
 }
 
-/** Inserts edges that split a face first, and an edge that needs a handle only if all remaining ones do. */
+/** First inserts the edges that split a face. Inserts an edge that needs a handle only if all remaining ones do. */
 void
 GenusAnnealing::InsertRest()
 {

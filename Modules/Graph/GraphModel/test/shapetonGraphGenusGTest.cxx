@@ -38,7 +38,7 @@ Together(const shapeton::Graph & a, const shapeton::Graph & b, int common)
   return result;
 }
 
-/** Replaces each edge by a path of `pieces` edges and adds a leaf to each node and a parallel to each edge. */
+/** Replaces each edge by a path of `pieces` edges and adds a leaf to each node and a parallel edge to each edge. */
 shapeton::Graph
 Decorated(const shapeton::Graph & graph, int pieces)
 {

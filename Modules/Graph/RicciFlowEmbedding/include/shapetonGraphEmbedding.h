@@ -28,7 +28,7 @@ struct GraphEmbeddingOptions
 constexpr double smallestLegibleRadius = 1e-9;
 
 /** \brief Embeds a graph with its map by the circle packing of that map: on the unit sphere for genus 0, a flat torus
- * for genus 1, a hyperbolic surface for genus 2 and more.
+ * for genus 1, a hyperbolic surface for genus 2 or higher.
  *
  * On the sphere the packing is unique up to Moebius transformations. It is normalized so that the conformal barycenter
  * of the touch points of the graph's edges is at the center, and by a rotation determined by the map, not the numbering

@@ -35,9 +35,9 @@ struct PackedMap
  * another face, unless these nodes are the ends of one common edge.
  *
  * A map has a circle packing for its nodes and faces if it is 3-connected (Koebe, Andreev, Thurston), or, on a
- * surface of genus 1 and more, if its universal cover is (Bobenko and Springborn, Trans. AMS 356, 2004). A map with at
+ * surface of genus 1 or higher, if its universal cover is (Bobenko and Springborn, Trans. AMS 356, 2004). A map with at
  * least 4 nodes and without loops, parallel edges and such faces is 3-connected. Otherwise a vanishing residual is not
- * a proof: on K4 without an edge and on K2,3 Newton's method converges to a degenerate limit. On genus 1 and more the
+ * a proof: on K4 without an edge and on K2,3 Newton's method converges to a degenerate limit. For genus 1 or higher the
  * condition is sufficient, not necessary: some maps that use all of their handles fail it although they have a packing.
  *
  * All such pairs are found as 4-cycles of the graph of nodes and faces, from each node of highest degree (Chiba and

@@ -28,7 +28,7 @@ constexpr double wantedResidual = 1e-12;
 constexpr double worstResidual = 1e-10;
 constexpr int    mostSteps = 200;
 constexpr double usualSteps = 10.0;
-/** Steps without a better residual, far from the solution and at the rounding limit. */
+/** Maximum number of steps without a better residual, far from the solution and at the rounding limit. */
 constexpr int mostStepsInVain = 60;
 constexpr int mostStepsAtTheLimit = 2;
 /** Uncertainty of log r that triggers extended precision, and the maximum number of steps in it. */

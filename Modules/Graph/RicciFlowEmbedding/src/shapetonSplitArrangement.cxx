@@ -10,7 +10,7 @@ namespace shapeton
 {
 namespace
 {
-/** The blocks of a map as separate components: one node for each block of a node. */
+/** The blocks of a map as separate components: a node is copied for each block that contains it. */
 struct PartedMap
 {
   explicit PartedMap(const CombinatorialMap & map)

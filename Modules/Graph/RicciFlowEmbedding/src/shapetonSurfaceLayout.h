@@ -17,7 +17,7 @@ namespace shapeton
 class ShapetonRicciFlowEmbedding_EXPORT SurfaceLayout
 {
 public:
-  /** \pre `map` has genus 1 and a Euclidean packing, or genus 2 and more and a hyperbolic one. Both must outlive the
+  /** \pre `map` has genus 1 and a Euclidean packing, or genus 2 or higher and a hyperbolic one. Both must outlive the
    * layout. */
   SurfaceLayout(const CombinatorialMap & map, const CirclePacking & packing);
 
@@ -102,7 +102,7 @@ struct DeckRelation
 {
   /** The corrected generators, rounded. */
   std::vector<PlaneMotion> generators;
-  /** Whether they were corrected; false if the residual exceeds 0.1, for genera of about 30 and more. */
+  /** Whether they were corrected; false if the residual exceeds 0.1, for genera of about 30 or higher. */
   bool isRefined{ false };
   /** Largest |product - identity| of the relation: with the given generators, with the corrected and rounded ones, and
    * for the product of commutators of `canonicalWords` with the exact ones. */

@@ -343,7 +343,7 @@ private:
   const DicomSeries &           m_Series;
 };
 
-/** The labels of a slice, the destination of frames. */
+/** The labels of a slice, into which frames are painted. */
 struct Canvas
 {
   unsigned short * labels;

@@ -23,7 +23,7 @@ enum class DicomDefectKind
   duplicateIdentical,
   /** Several slices at one position with different intensities. */
   duplicateConflicting,
-  /** Slices are missing, because a distance is a multiple of the others. */
+  /** Slices are missing: a distance is a multiple of the others. */
   gap,
   /** The distance between slices changes. */
   variableSpacing,
@@ -189,13 +189,13 @@ struct DicomScan
  * links) or in one file. Reads only headers, except for slices at equal positions, whose pixels are compared.
  *
  * Grouping: by Series Instance UID, Patient ID, Patient Position, frame of reference, orientation, size and pixel
- * spacing. Groups of one study that differ only in patient or frame of reference are one volume, with the remark
- * mixedPatient or mixedFrameOfReference, if their combined slices, three or more, are equidistant. Groups are then
- * split by an attribute of acquisition or reconstruction (acquisition number, temporal position, echo, b-value, stack,
- * image type, kernel, filter, diameter, thickness, kVp, series description and others), if several of these groups,
- * each a regular grid, cover the same positions or interleave, so that each is coarser than their union. Slices are
- * ordered by Image Position (Patient) along the normal of Image Orientation (Patient); Slice Thickness, Spacing Between
- * Slices, Slice Location and Instance Number are not used.
+ * spacing. Groups of one study that differ only in patient or frame of reference form one volume if they have three or
+ * more slices in total and these are equidistant. The volume gets the remark mixedPatient or mixedFrameOfReference.
+ * Groups are then split by an attribute of acquisition or reconstruction (acquisition number, temporal position, echo,
+ * b-value, stack, image type, kernel, filter, diameter, thickness, kVp, series description and others), if several of
+ * these groups, each a regular grid, cover the same positions or interleave, so that each is coarser than their union.
+ * Slices are ordered by Image Position (Patient) along the normal of Image Orientation (Patient); Slice Thickness,
+ * Spacing Between Slices, Slice Location and Instance Number are not used.
  *
  * Tolerances: Direction cosines: 1e-4. Pixel spacing: relative 1e-4. Positions along the normal and within the plane:
  * 1 % of the slice distance (of the pixel spacing), at least 0.01 mm if that is at most 10 % of the distance; real

@@ -21,10 +21,10 @@ using VolumeMetadata = std::vector<std::pair<std::string, std::string>>;
 ShapetonVolumeFiles_EXPORT const std::string &
                                  RequireVolumeName(const std::string & path);
 
-/** Writes NRRD, NIfTI or MetaImage, depending on the extension of `path`; labels (integer pixels) compressed, float
- * pixels raw. The file is read back to detect a full disk. Throws OutputError, and
- * ParameterError for an extension other than .nrrd, .nii, .nii.gz, .mha. Instantiated for float, short, unsigned char,
- * unsigned short and unsigned int pixels.
+/** Writes NRRD, NIfTI or MetaImage, depending on the extension of `path`; labels (integer pixels) are compressed, float
+ * pixels are not. The file is read back to detect a full disk. Throws OutputError, and ParameterError for an extension
+ * other than .nrrd, .nii, .nii.gz, .mha. Instantiated for float, short, unsigned char, unsigned short and unsigned int
+ * pixels.
  * \ingroup ShapetonVolumeFiles */
 template <typename TPixel>
 void

@@ -17,7 +17,7 @@ struct DicomFrame
   double position[3]{};
   /** Direction cosines along a row, then along a column. */
   double orientation[6]{};
-  /** Distance of rows, distance of columns. */
+  /** Distance between rows, distance between columns. */
   double           spacing[2]{};
   double           thickness{ 0 };
   bool             isLocalizer{ false };

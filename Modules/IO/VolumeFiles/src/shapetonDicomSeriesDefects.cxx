@@ -142,7 +142,7 @@ AddVariableSpacing(DicomSeries & series, const SlicesGeometry & geometry)
   }
   AddDefect(series,
             DicomDefectKind::variableSpacing,
-            "the distance of slices varies from " + Millimeters(lowest) + " to " + Millimeters(highest) +
+            "the distance between slices varies from " + Millimeters(lowest) + " to " + Millimeters(highest) +
               ", first at " + NameOfSlice(series, geometry.unusual.front()),
             geometry.unusual);
   series.defects.back().isRepairable = MayBeResampled(series, geometry);

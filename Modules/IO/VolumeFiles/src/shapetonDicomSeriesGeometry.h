@@ -16,7 +16,7 @@ struct SlicePlace
 /** Irregularities of slices in ascending order of position. */
 struct SlicesGeometry
 {
-  /** Typical distance of the slices, mm: the median; 0 for fewer than two positions. */
+  /** Typical distance between slices, mm: the median; 0 for fewer than two positions. */
   double spacing{ 0.0 };
   /** Slices at one position: the first, and their number (two or more). */
   struct Duplicate
@@ -33,7 +33,8 @@ struct SlicesGeometry
     unsigned int missing;
   };
   std::vector<Gap> gaps;
-  /** Slices before unusual distances, if the distances are not multiples of one distance or change permanently. */
+  /** Whether the distances change permanently or are not multiples of one distance; if so, the slices that precede
+   * unusual distances. */
   bool                      isVariable{ false };
   std::vector<unsigned int> unusual;
   /** The slices are displaced within their planes by a constant step, or irregularly. */
@@ -70,7 +71,7 @@ ResampledSteps(double length, double spacing);
 bool
 CanBeResampled(std::size_t slices, double length, double spacing);
 
-/** Examines slices; `pixelSpacing` is the distance of columns and of rows. */
+/** Examines slices; `pixelSpacing` is the distance between columns and between rows. */
 SlicesGeometry
 ExamineSlices(const std::vector<SlicePlace> & slices, const double (&pixelSpacing)[2]);
 } // namespace shapeton

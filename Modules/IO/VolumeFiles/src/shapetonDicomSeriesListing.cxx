@@ -119,7 +119,7 @@ PointersTo(const DicomScan & scan)
   return list;
 }
 
-/** "3", or "3-277": a range of list elements from an index on, counted from 1. */
+/** "3", or "3-277": a range of list elements that starts at an index, counted from 1. */
 std::string
 NumbersFrom(std::size_t index, std::size_t number)
 {

@@ -304,7 +304,7 @@ struct Part
   std::string distinction;
 };
 
-/** Groups interleave if their slice distance exceeds the distance of all slices together by more than this factor. Two
+/** Groups interleave if their slice distance exceeds that of all slices together by more than this factor. Two
  * groups have twice the distance; the jitter of positions is a few percent. */
 constexpr double CoarserGrid = 1.5;
 

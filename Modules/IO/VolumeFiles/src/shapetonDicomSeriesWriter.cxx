@@ -137,7 +137,7 @@ CheckImage(const ShortImage * image)
   CheckValues(image);
 }
 
-// Texts and numbers common to all slices.
+// Strings and numbers common to all slices.
 struct SeriesHeader
 {
   std::string studyUID;

@@ -170,7 +170,7 @@ Contained(const std::function<std::string()> & work)
   }
 }
 
-/** Time limit for work on `bytes` bytes of voxels; a slow machine processes a megabyte per second. */
+/** Time limit for work on `bytes` bytes of voxels; a slow machine processes one megabyte per second. */
 ContainedProcess::Limits
 LimitsFor(double bytes)
 {

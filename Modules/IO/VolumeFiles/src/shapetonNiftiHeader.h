@@ -44,7 +44,7 @@ struct NiftiHeader
   Vector                    spacing;
   Vector                    origin;
   itk::Matrix<double, 3, 3> direction;
-  /** False if a spacing of 1 mm was assumed because it is missing in the header. */
+  /** False if a spacing of 1 mm was assumed because the header lacks it. */
   bool statesSpacing{ true };
   /** Remarks on the geometry for the user. */
   Remarks notes;

@@ -19,7 +19,7 @@ enum class ImageFormat
   meta
 };
 
-/** The format by the extension of a name. */
+/** The format indicated by the extension of a name. */
 ImageFormat
 ImageFormatOf(const std::string & path);
 

@@ -74,7 +74,7 @@ public:
                unsigned int                   bits,
                const std::vector<Uint16> &    segments) const;
 
-  /** `count` distances of slices, 0, spacing, 2 * spacing, ... */
+  /** `count` slice positions: 0, spacing, 2 * spacing, ... */
   std::vector<double>
   RegularDistances() const;
 
@@ -143,7 +143,7 @@ SaveDicom(const DicomFixture::Files & files,
           E_TransferSyntax            syntax = EXS_LittleEndianExplicit,
           const std::string &         stem = "im");
 
-/** Compresses a file in place by GDCM; `syntax` is a transfer syntax UID. */
+/** Compresses a file in place with GDCM; `syntax` is a transfer syntax UID. */
 void
 CompressDicom(const std::string & path, const std::string & syntax);
 

@@ -81,7 +81,7 @@ public:
   {
     this->PutReals(280, 400, values);
   }
-  /** The numbers 0 to 23 in a voxel type. */
+  /** The numbers 0 to 23 as values of a voxel type. */
   template <typename TVoxel>
   void
   SetVoxels(int datatype)

@@ -70,7 +70,8 @@ struct DistortionQuantiles
 };
 
 /** Quantiles of the dilatation over the unflipped faces, unweighted by area. Faces marked in `leftOut` are skipped. The
- * p-quantile of n sorted values is the one with index floor(p n), from 0. 0 if no face remains. */
+ * p-quantile of n sorted values is the one with the zero-based index floor(p n). If no face remains, quantiles are 0.
+ * */
 ShapetonConformalFlattening_EXPORT DistortionQuantiles
 QuantilesOfDilatation(const FlatDistortion & distortion, const std::vector<char> & leftOut = {});
 

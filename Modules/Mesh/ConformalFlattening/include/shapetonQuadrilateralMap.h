@@ -46,9 +46,10 @@ MapQuadrilateral(const SurfaceConnectivity & connectivity,
                  const Progress &            progress = {});
 
 /** Finds four well spread boundary vertices: the corners of an inscribed quadrilateral of large area. The search starts
- * from corners at quarters of the boundary length, placed for the largest area. Each corner then moves to its best
- * position until no move increases the area. A rectangle keeps its own corners. Ties go to the first vertex along the
- * boundary. \pre There are at least four vertices; otherwise throws InputError. \ingroup ShapetonConformalFlattening */
+ * with four points that divide the boundary length into quarters, at the position of largest area. Each corner then
+ * moves to its best position until no move increases the area. A rectangle keeps its own corners. Ties go to the first
+ * vertex along the boundary. \pre There are at least four vertices; otherwise throws InputError. \ingroup
+ * ShapetonConformalFlattening */
 ShapetonConformalFlattening_EXPORT std::array<int, 4>
                                    SpreadCorners(const BoundaryLoop & boundary, const VertexMatrix & V);
 } // namespace shapeton

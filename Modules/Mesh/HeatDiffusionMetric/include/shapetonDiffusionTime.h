@@ -28,8 +28,8 @@ DefaultDiffusionTime(double meanEdge, double narrowestRadius);
 ShapetonHeatDiffusionMetric_EXPORT bool
 IsTooCoarseForDiffusion(double meanEdge, double narrowestRadius);
 
-/** Number of faces for h = min(2 mm, r): area / (0.42 h^2), clamped to between 55,000 (the number used in the
- * dissertation) and 500,000.
+/** Number of faces for h = min(2 mm, r): area / (0.42 h^2), limited to the range from 55,000 (the number used in the
+ * dissertation) to 500,000.
  * \param area mm^2. */
 ShapetonHeatDiffusionMetric_EXPORT int
 FacesForDiffusion(double area, double narrowestRadius);

@@ -84,7 +84,7 @@ private:
 ShapetonHeatDiffusionMetric_EXPORT HeatDiffusionMetric
 ComputeHeatDiffusionMetric(const SurfaceMesh & mesh, double t, const Progress & progress = {});
 
-/** Metric of a surface with this Laplacian, with the triangle inequality guaranteed in all faces. Deep within pouches,
+/** Metric of a surface with this Laplacian that satisfies the triangle inequality in all faces. Deep within pouches,
  * distances may be as small as the error of the default number of poles and violate it; then mostPoles is used, and
  * LengthenShortestSides() fixes the remaining faces. \ingroup ShapetonHeatDiffusionMetric */
 ShapetonHeatDiffusionMetric_EXPORT HeatDiffusionMetric

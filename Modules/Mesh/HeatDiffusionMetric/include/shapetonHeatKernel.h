@@ -29,7 +29,7 @@ ShapetonHeatDiffusionMetric_EXPORT std::vector<double>
 ShapetonHeatDiffusionMetric_EXPORT double
 ShareOfLastPair(const SurfaceSpectrum & spectrum, double t);
 
-/** L2 distance of the heat distributions of p and q at time t; its square is sum_i exp(-2 lambda_i t) (phi_i(p) -
+/** L2 distance between the heat distributions of p and q at time t; its square is sum_i exp(-2 lambda_i t) (phi_i(p) -
  * phi_i(q))^2 (5.5) (1/mm). */
 ShapetonHeatDiffusionMetric_EXPORT double
 DiffusionDistance(const SurfaceSpectrum & spectrum, int p, int q, double t);

@@ -38,7 +38,7 @@ FaceName(int face)
   return "face " + std::to_string(face);
 }
 
-/** Whether the longest side, the last one, exceeds the sum of the others by rounding at most. */
+/** Whether the longest side, the last one, exceeds the sum of the others by no more than rounding. */
 bool
 IsTriangle(const std::array<double, 3> & sorted)
 {

@@ -8,8 +8,8 @@ class vtkPolyData;
 namespace shapeton
 {
 /** \name Content of VTP files as VTK data
- * Replaces the content of the object by positions in double precision, arrays and facts, and the field data SPACE=LPS.
- * Integers are 32-bit. */
+ * Replaces the content of the object with positions in double precision, arrays and facts, and the field data
+ * SPACE=LPS. Integers are 32-bit. */
 ///@{
 /** Triangles become VTK polys. \ingroup ShapetonSurfaceMesh */
 ShapetonSurfaceMesh_EXPORT void

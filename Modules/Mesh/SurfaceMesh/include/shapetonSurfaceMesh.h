@@ -72,7 +72,7 @@ ShapetonSurfaceMesh_EXPORT void
 RequireSound(const SurfaceMesh & mesh, const std::string & what);
 
 /** Extracts the given faces, in their order. Unused vertices are dropped, the others keep their order. Point and cell
- * arrays are subset; field arrays and facts are kept unchanged. \ingroup ShapetonSurfaceMesh */
+ * arrays are reduced accordingly; field arrays and facts are kept unchanged. \ingroup ShapetonSurfaceMesh */
 ShapetonSurfaceMesh_EXPORT SurfaceMesh
 FacesOfSurface(const SurfaceMesh & mesh, const std::vector<int> & faces);
 } // namespace shapeton

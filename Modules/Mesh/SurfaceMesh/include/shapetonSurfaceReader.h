@@ -17,7 +17,7 @@ struct SurfacePart
 /** Complete content of a surface file, before selection. \ingroup ShapetonSurfaceMesh */
 struct SurfaceFile
 {
-  /** Surface in mm (by the unit of the format), LPS. */
+  /** Surface in mm (converted from the unit of the format), LPS. */
   SurfaceMesh mesh;
   /** glTF: one part per node with a mesh, named after the node or, if unnamed, the mesh. OBJ: one per object or group.
    * Empty for other formats. Repeated names get " #2", " #3", ... */

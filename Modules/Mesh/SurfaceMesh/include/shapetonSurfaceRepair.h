@@ -42,9 +42,9 @@ struct SurfaceRepairReport
  * Steps, in order: merge coincident vertices into the first one; drop faces with a repeated vertex and duplicates of
  * earlier faces; cut non-manifold edges and vertices, so that each fan of faces connected by edges with two faces has
  * its own vertex; orient faces; drop unreferenced vertices. Vertices keep their order, followed by added ones. Point
- * arrays are copied to added vertices; other arrays are kept. Cuts open boundaries along non-manifold edges without
- * moving vertices. Zero-area faces with three distinct vertices are kept because dropping them would open holes. Field
- * arrays are not changed: vertex indices in them become invalid if vertices are merged or dropped.
+ * arrays are copied to added vertices; other arrays are kept. The cuts create boundaries along non-manifold edges
+ * without moving vertices. Zero-area faces with three distinct vertices are kept because dropping them would open
+ * holes. Field arrays are not changed: vertex indices in them become invalid if vertices are merged or dropped.
  *
  * Throws InputError as RequireSound() does, and if every face is degenerate. Throws ParameterError if mergeDistance is
  * negative or not finite. \ingroup ShapetonSurfaceMesh */

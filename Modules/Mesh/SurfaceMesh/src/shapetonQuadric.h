@@ -55,7 +55,7 @@ public:
     return p.dot(this->Multiply(p) + 2.0 * m_B) + m_C;
   }
 
-  /** The point of least value, if the planes and points determine it well. */
+  /** The point with the smallest value, if the planes and points determine it well. */
   bool
   Minimize(Eigen::Vector3d & p) const
   {
