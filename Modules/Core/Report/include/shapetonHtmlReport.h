@@ -64,7 +64,7 @@ public:
   void
   AddPicture(const std::string & pngPath, const std::string & caption);
   /** Adds a table. Columns of numbers are right-aligned, with their common unit in the header; a color "#rrggbb" is
-   * shown as a swatch with its value as tooltip. A table that is too wide scrolls within its box. */
+   * shown as a swatch with its value as a tooltip. A table that is too wide scrolls within its box. */
   void
   AddTable(const CsvTable & table, const std::string & caption);
   /** Adds a table of names and values. The value of an option (a name with a period) is shown unchanged. */

@@ -38,7 +38,8 @@ public:
   bool
   HasFactor() const;
 
-  /** Number of negative eigenvalues of the last matrix: by Sylvester's law of inertia the number of negative pivots.
+  /** Number of negative eigenvalues of the last matrix, which by Sylvester's law of inertia is the number of negative
+   * pivots.
    * \pre HasFactor(). */
   int
   NegativeEigenvalues() const;

@@ -15,8 +15,8 @@ namespace shapeton
  * \brief Describes each voxel by its heat after diffusion from all voxels at once (CHD).
  *
  * Each voxel starts with the initial heat (2.3) and heat flows between neighbors by the volume gradient operator
- * (2.4)-(2.6): f_i += dt * sum_j c_ij (f_j - f_i). Few steps reveal local shape (edges, corners), many steps reveal
- * whole objects: a closed object converges to its mean initial heat, which depends on its shape and size.
+ * (2.4)-(2.6): f_i += dt * sum_j c_ij (f_j - f_i). A few steps reveal local shape (edges, corners), and many steps
+ * reveal whole objects: a closed object converges to its mean initial heat, which depends on its shape and size.
  *
  * \par Inputs and Outputs
  * Input: a scalar volume of finite intensities. Output 0: the heat after the last step, in [0, 1], float, on the grid

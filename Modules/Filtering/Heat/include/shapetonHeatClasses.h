@@ -21,8 +21,8 @@ struct HeatClass
   double        meanHeat{ 0.0 };
   std::uint64_t voxels{ 0 };
   double        volume{ 0.0 }; ///< mm^3
-  /** Fraction of the border voxels of the volume that belong to the class. Above one half, the class is the
-   * surroundings of the objects, which lose heat through the border. */
+  /** Fraction of the border voxels of the volume that belong to the class. If it is above one half, the class consists
+   * of the surroundings of the objects, which lose heat through the border. */
   double borderShare{ 0.0 };
   /** Number of converged components of at least 27 voxels in the class that are closed by edges of zero weight. */
   std::uint64_t components{ 0 };

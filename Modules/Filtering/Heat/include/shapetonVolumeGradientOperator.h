@@ -20,7 +20,7 @@ namespace shapeton
  * where res_k = h_k / h_min is the distance between the neighbors relative to the smallest spacing, which makes p
  * independent of the unit. On anisotropic grids the Laplacian does not reduce to (2.4):
  * the conductance of an edge is weight * (h_min / h_k)^2 (Physical, the default; (2.4) writes a sum instead of a
- * product) or the weight alone (Published). The diffusion uses the conductances, the initial heat the weights.
+ * product) or the weight alone (Published). The diffusion uses the conductances; the initial heat uses the weights.
  *
  * The volume is extended by one layer that repeats the border intensities (weight 1) and stays at heat 0.
  *

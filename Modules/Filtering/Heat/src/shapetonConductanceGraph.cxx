@@ -12,7 +12,7 @@ namespace shapeton
 {
 namespace
 {
-// An edge is strong if it has at least this share of the strongest edge at both its ends. Measured on CT: with 0.5
+// An edge is strong if it has at least this share of the strongest edge at both its ends. Measured on CT: with 0.5 the
 // levels are so large that the run time grows by half; below 0.15 there are too many iterations.
 constexpr float strong = 0.15F;
 

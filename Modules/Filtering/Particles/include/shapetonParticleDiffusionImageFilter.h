@@ -26,7 +26,7 @@ public:
 };
 
 /** \class ParticleDiffusionImageFilter
- * \brief Describes each voxel by its number of visits by randomly moving particles (shapeton diffusion).
+ * \brief Describes each voxel by how often randomly moving particles visit it (shapeton diffusion).
  *
  * Shapetons start at random positions. In each step every shapeton draws a direction from the six edge weights of its
  * voxel, moves by a fixed distance, and adds one visit to its new voxel. Frequent visits indicate confining

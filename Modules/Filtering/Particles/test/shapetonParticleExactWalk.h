@@ -115,9 +115,9 @@ private:
 
 /** The transition matrix of steps no longer than a voxel, exactly.
  *
- * Such a step meets the face of each axis at most once, at a uniformly distributed time, as the position in the voxel
- * is uniform, and independently of the other faces. So the probability of meeting exactly the faces of a set of axes in
- * a given order is
+ * Such a step meets the face of each axis at most once, at a uniformly distributed time, because the position in the
+ * voxel is uniform, and independently of the other faces. So the probability of meeting exactly the faces of a set of
+ * axes in a given order is
  *
  *   product of |way| over the set * product of 1 - |way| over the others / factorial of the size of the set,
  *

@@ -18,7 +18,7 @@ namespace shapeton
  * is damaged (PRAGMA quick_check).
  * \ingroup ShapetonShapeSignature */
 ///@{
-/** Adds the rows of a table in one transaction: all, or none. A single row is named `name`, several rows "name:label".
+/** Adds the rows of a table in one transaction: all or none. A single row is named `name`, several rows "name:label".
  * Creates the file if it does not exist. Several processes may add rows concurrently.
  *
  * The key of a row is the identity of its table and its label; adding a table twice throws InputError, even with
@@ -33,7 +33,7 @@ ShapetonShapeSignature_EXPORT std::size_t
                                                  const std::string & name);
 
 /** All shapes, in the order in which they were added. The file is opened read-only, or for writing if an interrupted
- * transaction has to be rolled back. Throws InputError also if the file does not exist or contains no shape. */
+ * transaction has to be rolled back. Also throws InputError if the file does not exist or contains no shape. */
 ShapetonShapeSignature_EXPORT std::vector<NamedShape>
                               ReadShapeDatabase(const std::string & path);
 ///@}

@@ -33,7 +33,7 @@ SignatureDistance(const ShapeSignature & a, const ShapeSignature & b);
 
 /** The probability that the nearest entry has the same shape as the query: logistic in the logarithms of its distance
  * and of the margin. The margin is the distance of the nearest entry with another name divided by that distance, at
- * most 10. Fitted to generated shapes (seeds 1 to 99), half of them without an entry. \ingroup ShapetonShapeSignature
+ * most 10. Fitted to generated shapes (seeds 1 to 99), half of which have no entry. \ingroup ShapetonShapeSignature
  */
 ShapetonShapeSignature_EXPORT double
 ProbabilityOfSameShape(double distance, double margin);

@@ -17,9 +17,9 @@ namespace shapeton
  * r the radius of the ball of the same volume; see Times().
  *
  * Two curves of heat over logarithmic time:
- * - `remainingHeat`: the object starts at heat 1, its surroundings stay at 0; the remaining fraction of its heat (heat
- *   content; van den Berg and Davies, 1989: 1 - S sqrt(4 t / pi) / V + ..., S the surface). It measures local
- *   thickness. The second moment of the heat over the voxels equals this curve at twice the time.
+ * - `remainingHeat`: the object starts at heat 1 and its surroundings stay at 0; the curve is the remaining fraction of
+ *   its heat (heat content; van den Berg and Davies, 1989: 1 - S sqrt(4 t / pi) / V + ..., S the surface). It measures
+ *   local thickness. The second moment of the heat over the voxels equals this curve at twice the time.
  * - `displacement`: the mean squared displacement of heat in an insulated object, over r^2, from time 0 to time t
  *   (restricted diffusion; Mitra, Sen and Schwartz, 1993). 6 t / r^2 initially, and finally twice the squared radius of
  *   gyration,

@@ -58,10 +58,10 @@ struct DynamicStep
  *
  * The blocks of the first step are arranged (see EmbedGraph()); later steps reuse the rotation system of the previous
  * step. Each sphere is rotated to bring unchanged nodes as close as possible to their old places. The graph is packed
- * with the reusable dummies (see CarryPackedMap()), which is more stable after few changes. If nodes move, it is also
- * packed with new dummies, which is more stable after many changes; the more stable result is used. If a circle is then
- * too small to be legible, blocks and dummies are rearranged, provided that the smallest circle becomes ten times
- * larger.
+ * with the reusable dummies (see CarryPackedMap()), which is more stable if there are few changes. If nodes move, it is
+ * also packed with new dummies, which is more stable if there are many changes; the more stable result is used. If a
+ * circle is then too small to be legible, blocks and dummies are rearranged, provided that the smallest circle becomes
+ * ten times larger.
  * \ingroup ShapetonGraphComparison */
 class ShapetonGraphComparison_EXPORT DynamicEmbedding
 {

@@ -21,7 +21,7 @@ struct Graph
 };
 
 /** Throws InputError with the prefix `what` (a file name) if the graph has no nodes, an edge has an invalid node, the
- * numbers of names and nodes differ, or the half-edges exceed the range of int. \ingroup ShapetonGraphModel */
+ * numbers of names and nodes differ, or there are more half-edges than int can count. \ingroup ShapetonGraphModel */
 ShapetonGraphModel_EXPORT void
 RequireSound(const Graph & graph, const std::string & what);
 

@@ -69,7 +69,7 @@ private:
   std::int64_t      m_WalksLeft{ 0 };
 };
 
-/** Maximum number of faces: assigns the half-edges to short cycles first, as long as these last. */
+/** Maximum number of faces: assigns the half-edges to short cycles first, while any remain. */
 std::int64_t
 GreatestNumberOfFaces(const Graph & graph)
 {

@@ -13,7 +13,7 @@ struct GraphEmbeddingOptions
 {
   Augmentation    augmentation{ Augmentation::Ring };
   PointAtInfinity infinity{ PointAtInfinity::Circle }; ///< genus 0 only
-  /** Whether the rotation system was not chosen by the user: blocks may be rearranged (see ArrangeBlocks). */
+  /** True if the user did not choose the rotation system; blocks may then be rearranged (see ArrangeBlocks). */
   bool isRotationFree{ false };
   /** Whether a map of genus 0 may be mirrored to make the result independent of the numbering. */
   bool isSideFree{ true };

@@ -12,7 +12,7 @@ namespace shapeton
 {
 /** \brief An oriented circle on the unit sphere as a point of de Sitter space: (n, t) with |n|^2 - t^2 = 1.
  *
- * n points to the center of the cap, t is the cotangent of its angle: the cap contains the points p with n p > t. A
+ * n points to the center of the cap, and t is the cotangent of its angle: the cap contains the points p with n p > t. A
  * Moebius transformation of the sphere is a linear map of these vectors. The product of two is -1 for tangent caps that
  * do not overlap and 0 for orthogonal circles. \ingroup ShapetonRicciFlowEmbedding */
 using SphereCircle = std::array<double, 4>;

@@ -8,7 +8,7 @@ namespace shapeton
 {
 namespace
 {
-/** Maximum number of steps to search the shortest curve of one handle. */
+/** Maximum number of steps in the search for the shortest curve of one handle. */
 constexpr long mostVisits = 10'000'000;
 
 /** Faces of a component by distance from one of them, breadth first. */
@@ -87,7 +87,7 @@ LoopThrough(const CombinatorialMap & map, const DualTree & tree, int edge)
   return there;
 }
 
-/** Shortest loop found from some root faces; empty on genus 0. */
+/** Shortest loop found from some root faces; empty for genus 0. */
 std::vector<int>
 ShortestHandleCurve(const CombinatorialMap & map)
 {

@@ -18,8 +18,8 @@ using AdviceInWords = std::function<std::string(const std::string & advice)>;
 ShapetonVolumeFiles_EXPORT std::string
                            FormatDicomScan(const DicomScan & scan, const AdviceInWords & inWords = {});
 
-/** Writes the listing of a folder as JSON for programs. Names are stable, files are relative to the folder; lengths
- * in mm, LPS. Throws OutputError.
+/** Writes the listing of a folder as JSON for programs. Names are stable, and file names are relative to the folder.
+ * Lengths are in mm, positions in LPS. Throws OutputError.
  * \code
  * {
  *   "schema": "shapeton.dicomSeries.1",

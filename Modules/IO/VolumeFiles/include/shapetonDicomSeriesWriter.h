@@ -52,9 +52,9 @@ WriteDicomSeries(const itk::Image<short, 3> *   image,
 /** Calls WriteDicomSeries and creates the folder atomically.
  *
  * The slices are written to a hidden folder next to `folder`, and the hidden folder is then renamed in one step.
- * `folder` may be missing, empty, or contain only a series written by WriteDicomSeries, which is replaced and then
- * removed. A failed or interrupted run leaves the old series unchanged; the next run removes the remains of a killed
- * run.
+ * `folder` may be missing or empty, or it may contain only a series written by WriteDicomSeries, which is replaced and
+ * then removed. A failed or interrupted run leaves the old series unchanged; the next run removes the remains of a
+ * killed run.
  *
  * Throws like WriteDicomSeries, and OutputError if `folder` contains anything else.
  * \ingroup ShapetonVolumeFiles */

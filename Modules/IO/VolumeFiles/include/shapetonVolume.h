@@ -50,8 +50,8 @@ HaveSameGrid(const itk::ImageBase<3> * a, const itk::ImageBase<3> * b);
 ShapetonVolumeFiles_EXPORT itk::Image<unsigned char, 3>::Pointer
                            MaskOfVolume(const Volume & volume, const std::string & path);
 
-/** MaskOfVolume() of a volume read from `path`, for use with an image. Throws InputError if its grid differs from the
- * image or all its voxels are 0. \ingroup ShapetonVolumeFiles */
+/** MaskOfVolume() of a volume read from `path`, for use with an image. Throws InputError if its grid differs from that
+ * of the image or all its voxels are 0. \ingroup ShapetonVolumeFiles */
 ShapetonVolumeFiles_EXPORT itk::Image<unsigned char, 3>::Pointer
 MaskForImage(const Volume & volume, const std::string & path, const itk::ImageBase<3> * image);
 } // namespace shapeton

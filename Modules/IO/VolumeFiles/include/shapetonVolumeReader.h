@@ -51,8 +51,8 @@ SelectDicomSeries(const DicomScan & scan, const VolumeReadOptions & options = {}
 ShapetonVolumeFiles_EXPORT itk::ImageBase<3>::Pointer
                            GridOfDicomSeries(const DicomSeries & series, bool isDesheared = false);
 
-/** Throws InputError for a folder or file without an image, with its contents and advice. `wanted` is the advice for
- * contents other than DICOM. \ingroup ShapetonVolumeFiles */
+/** Throws InputError for a folder or file without an image; the message lists the contents and gives advice. `wanted`
+ * is the advice for contents other than DICOM. \ingroup ShapetonVolumeFiles */
 ShapetonVolumeFiles_EXPORT void
 RequireDicomImages(const DicomScan & scan, const std::string & wanted = "use the folder that contains the series");
 
@@ -67,7 +67,7 @@ RequireDicomImages(const DicomScan & scan, const std::string & wanted = "use the
  * most NIfTI files, are kept.
  *
  * Throws InputError with the file or series, the defect, the affected slices and the remedy, and ParameterError if a
- * series is selected in a file without series. \ingroup ShapetonVolumeFiles */
+ * series is selected but the file is not a DICOM series. \ingroup ShapetonVolumeFiles */
 ShapetonVolumeFiles_EXPORT Volume
 ReadVolume(const std::string & path, const VolumeReadOptions & options = {});
 } // namespace shapeton

@@ -41,7 +41,7 @@ WriteVolume(const itk::Image<unsigned short, 3> *, const std::string &, const Vo
 extern template ShapetonVolumeFiles_EXPORT void
 WriteVolume(const itk::Image<unsigned int, 3> *, const std::string &, const VolumeMetadata &);
 
-/** The volume as 16-bit integers, or null if an intensity is not an integer in their range.
+/** The volume as 16-bit integers, or null if an intensity is not an integer in the 16-bit range.
  * \ingroup ShapetonVolumeFiles */
 ShapetonVolumeFiles_EXPORT itk::Image<short, 3>::Pointer
                            ToShort(const itk::Image<float, 3> * image);

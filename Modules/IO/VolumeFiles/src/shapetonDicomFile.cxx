@@ -254,7 +254,7 @@ SignExtended(std::int64_t value, unsigned int bits)
   return ((value & (2 * sign - 1)) ^ sign) - sign;
 }
 
-/** The VR of Pixel Padding Value is US or SS and may differ from the pixels. */
+/** The VR of Pixel Padding Value is US or SS and may differ from that of the pixels. */
 void
 ReadPadding(DcmItem & dataset, DicomPixelFormat & pixels)
 {

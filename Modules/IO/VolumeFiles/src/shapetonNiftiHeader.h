@@ -31,7 +31,7 @@ struct NiftiHeader
   std::uint32_t                     componentBytes{ 0 };
   /** Components per voxel: 2 for complex numbers, 3 or 4 for colors. */
   std::uint32_t components{ 1 };
-  /** Whether the byte order of the voxels differs from this machine. */
+  /** Whether the byte order of the voxels differs from that of this machine. */
   bool isSwapped{ false };
   /** An intensity is slope * stored value + intercept. */
   double slope{ 1.0 };

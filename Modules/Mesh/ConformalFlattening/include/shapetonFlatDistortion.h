@@ -70,8 +70,7 @@ struct DistortionQuantiles
 };
 
 /** Quantiles of the dilatation over the unflipped faces, unweighted by area. Faces marked in `leftOut` are skipped. The
- * p-quantile of n sorted values is the one with the zero-based index floor(p n). If no face remains, quantiles are 0.
- * */
+ * p-quantile of n sorted values is the one with the zero-based index floor(p n). All are 0 if no face remains. */
 ShapetonConformalFlattening_EXPORT DistortionQuantiles
 QuantilesOfDilatation(const FlatDistortion & distortion, const std::vector<char> & leftOut = {});
 

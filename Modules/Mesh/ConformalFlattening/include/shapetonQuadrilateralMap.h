@@ -7,8 +7,8 @@
 
 namespace shapeton
 {
-/** Conformal map to a rectangle of a surface with one boundary and four corners on it.
- * \ingroup ShapetonConformalFlattening */
+/** Conformal map of a surface with one boundary, and four corners on it, to a rectangle. \ingroup
+ * ShapetonConformalFlattening */
 struct QuadrilateralMap
 {
   /** Boundary vertices, counterclockwise as seen from outside, mapped to (0, 0), (1, 0), (1, 1), (0, 1). */

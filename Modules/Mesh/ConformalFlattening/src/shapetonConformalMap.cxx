@@ -14,7 +14,7 @@ namespace shapeton
 {
 namespace
 {
-/** Relative gap of the moduli, larger than mesh discretization alone produces. */
+/** Relative gap between the moduli, larger than mesh discretization alone produces. */
 constexpr double wideGap = 0.1;
 /** Warn if the inner circle is smaller than this fraction of the outer one. */
 constexpr double smallestCircle = 0.01;

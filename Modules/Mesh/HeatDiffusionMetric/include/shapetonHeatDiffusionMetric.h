@@ -32,12 +32,12 @@ struct HeatDiffusionMetric
  * \brief Heat diffusion distances of all edges without eigenvectors.
  *
  * The squared distance is H_pp + H_qq - 2 H_pq with H = exp(-2 t M^-1 L) M^-1 (5.5, all pairs). The exponential is
- * replaced by a rational function: a sum over few complex poles, in conjugate pairs, of c / (z + 2 t M^-1 L). So H = Re
- * sum c (z M + 2 t L)^-1, and SelectedInversion computes its elements on edges and diagonal. Such sums are known from
- * quadrature on Talbot's contour and from Caratheodory-Fejer approximations (Trefethen, Weideman and Schmelzer, 2006).
- * Squared distances are orders of magnitude smaller than H at t = 0, which magnifies approximation errors at large x.
- * Therefore poles and residues are optimized with the weight (1 + x)^2: for a smooth spectrum the relative error is
- * independent of t and of the edge lengths, and 6 pairs are more accurate than 8 on Talbot's contour.
+ * replaced by a rational function: a sum over a few complex poles, in conjugate pairs, of c / (z + 2 t M^-1 L). So H =
+ * Re sum c (z M + 2 t L)^-1, and SelectedInversion computes its elements on edges and diagonal. Such sums are known
+ * from quadrature on Talbot's contour and from Caratheodory-Fejer approximations (Trefethen, Weideman and Schmelzer,
+ * 2006). Squared distances are orders of magnitude smaller than H at t = 0, which magnifies approximation errors at
+ * large x. Therefore poles and residues are optimized with the weight (1 + x)^2: for a smooth spectrum the relative
+ * error is independent of t and of the edge lengths, and 6 pairs are more accurate than 8 on Talbot's contour.
  *
  * A solver can be reused; it stores the elimination order and the symbolic analysis.
  *

@@ -71,8 +71,8 @@ FindSurfaceArray(const std::vector<SurfaceArray> & arrays, const std::string & n
 ShapetonSurfaceMesh_EXPORT void
 RequireSound(const SurfaceMesh & mesh, const std::string & what);
 
-/** Extracts the given faces, in their order. Unused vertices are dropped, the others keep their order. Point and cell
- * arrays are reduced accordingly; field arrays and facts are kept unchanged. \ingroup ShapetonSurfaceMesh */
+/** Extracts the given faces, in their order. Unused vertices are dropped, and the others keep their order. Point and
+ * cell arrays are reduced accordingly; field arrays and facts are kept unchanged. \ingroup ShapetonSurfaceMesh */
 ShapetonSurfaceMesh_EXPORT SurfaceMesh
 FacesOfSurface(const SurfaceMesh & mesh, const std::vector<int> & faces);
 } // namespace shapeton

@@ -31,8 +31,8 @@ struct SurfaceFile
 /** Reads VTP, STL (text and binary), OBJ, PLY (text and binary), OFF, glTF 2.0 and GLB. The format is chosen by the
  * file extension, case-insensitively.
  *
- * - Polygons are triangulated (ear cutting), triangle strips and fans are split; points and lines are skipped with a
- *   note.
+ * - Polygons are triangulated (ear cutting), and triangle strips and fans are split; points and lines are skipped with
+ *   a note.
  * - STL stores corners only, and glTF repeats vertices along seams: vertices at equal positions are merged. Other
  *   formats keep their vertices.
  * - glTF: the unit is the meter, as its standard requires. Node transforms are applied. Axes are kept (y is NOT rotated
@@ -58,8 +58,8 @@ struct SurfaceReadOptions
    * -1: all components. Components are counted as after RepairSurface(): pieces joined along a seam (two boundaries of
    * coincident vertices) are one; surfaces are cut at edges with more than two faces. */
   int component{ 0 };
-  /** "m", "mm" or "um", overriding the unit of the format. If empty, the unit of the format is used, and a surface with
-   * a largest extent outside 5 mm to 5 m is rejected. */
+  /** "m", "mm" or "um", overriding the unit of the format. If empty, the unit of the format is used, and a surface
+   * whose largest extent is not between 5 mm and 5 m is rejected. */
   std::string unit;
   /** Accepts a surface of any extent and adds a note, for results that do not depend on size. */
   bool isAnyExtentPlausible{ false };

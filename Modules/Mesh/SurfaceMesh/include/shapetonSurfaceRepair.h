@@ -37,7 +37,7 @@ struct SurfaceRepairReport
                              Words() const;
 };
 
-/** Repairs a surface to a manifold, consistently oriented one with the same faces, in their order.
+/** Turns a surface into a manifold, consistently oriented one with the same faces in the same order.
  *
  * Steps, in order: merge coincident vertices into the first one; drop faces with a repeated vertex and duplicates of
  * earlier faces; cut non-manifold edges and vertices, so that each fan of faces connected by edges with two faces has
