@@ -20,8 +20,8 @@ struct ParticleState
   std::vector<std::pair<std::string, std::string>> identity;
   std::uint64_t                                    step{ 0 };
   double                                           change{ 0.0 }; ///< change in that step; see ParticleMeasures
-  /** One bit for each of the last 50 steps, the newest lowest: 1 if the step satisfied the steady rule. Then the number
-   * of steps tested. */
+  /** One bit for each of the last 50 steps, the newest in the lowest bit: 1 if the step satisfied the steady rule. Then
+   * the number of tested steps. */
   std::uint64_t                     steadyHistory{ 0 };
   std::uint64_t                     testedSteps{ 0 };
   std::array<std::vector<float>, 3> places;

@@ -117,7 +117,7 @@ public:
     }
     else
     {
-      this->RefuseIfKnown("a text");
+      this->RefuseIfKnown("a string");
       m_Tables.text[m_Path] = value;
     }
     return true;

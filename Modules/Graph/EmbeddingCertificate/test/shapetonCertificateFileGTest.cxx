@@ -96,7 +96,7 @@ TEST(CertificateFile, RefusalsNameTheEntry)
   EXPECT_NE(std::string::npos,
             MessageOf(Replaced(text, "\"nodeRadii\": [0.5,", "\"nodeRadii\": [")).find("has 8 entries instead of 9"));
   EXPECT_NE(std::string::npos,
-            MessageOf(Replaced(text, "\"nodeRadii\": [0.5,", "\"nodeRadii\": [\"x\",")).find("holds a text"));
+            MessageOf(Replaced(text, "\"nodeRadii\": [0.5,", "\"nodeRadii\": [\"x\",")).find("holds a string"));
   EXPECT_NE(std::string::npos,
             MessageOf(Replaced(text, "\"nodeRadii\": [0.5,", "\"nodeRadii\": [1e999,")).find("too large"));
   EXPECT_NE(std::string::npos,

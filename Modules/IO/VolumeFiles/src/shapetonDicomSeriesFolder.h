@@ -16,7 +16,7 @@ constexpr const char * DicomSeriesModel = "DicomSeries";
 std::string
 DicomSliceName(std::size_t number);
 
-/** WriteDicomSeries with a callback `beforeSlice` before each slice, which may throw to abort. */
+/** WriteDicomSeries with a callback `beforeSlice`, which is called before each slice and may throw to abort. */
 void
 WriteDicomSlices(const itk::Image<short, 3> *   image,
                  const std::string &            folder,

@@ -30,7 +30,7 @@ RequireIndices(const FaceMatrix & F, int numberOfVertices)
   }
 }
 
-/** Converts bucket counts, stored one position too far, to bucket starts. */
+/** Converts bucket counts, each stored one position later, to bucket starts. */
 void
 Accumulate(std::vector<int> & counts)
 {
