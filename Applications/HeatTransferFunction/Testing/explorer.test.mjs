@@ -130,8 +130,8 @@ test('a click picks a line, which colors all views at once; undo and redo', asyn
   assert.deepEqual(await pictures(), picked);
 });
 
-test('heats are classified before they are interpolated: a line without voxels is invisible', async () => {
-  const gap = await page.evaluate(() => { // the widest gap of heats below the highest frequent heat
+test('voxels are classified before colors are interpolated: a line without voxels is invisible', async () => {
+  const gap = await page.evaluate(() => { // the widest gap in the heat below the highest frequent heat
     const { counts } = explorer, lower = (bin) => (1 + ((bin - 1) % 256) / 256) * 2 ** (Math.floor((bin - 1) / 256) - 16);
     let best = [0, 0], start = null;
     for (let bin = 1; bin < counts.length; bin++) {

@@ -85,8 +85,8 @@ ValueOf(const itk::MetaDataDictionary & dictionary, const char * key)
 
 /** Fills an empty mesh.
  * \param pointArray, cellArray the arrays for pixels with a fixed number of components; empty for none.
- * Throws ParameterError if the mesh is not empty or an array does not exist; InputError like RequireSound(), and for a
- * QuadEdgeMesh if the surface is not an oriented manifold. \ingroup ShapetonMeshBridge */
+ * Throws ParameterError if the mesh is not empty or an array does not exist; InputError as RequireSound() does, and for
+ * a QuadEdgeMesh if the surface is not an oriented manifold. \ingroup ShapetonMeshBridge */
 template <typename TMesh>
 void
 FillMesh(const SurfaceMesh & surface,

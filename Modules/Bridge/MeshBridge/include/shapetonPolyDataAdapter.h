@@ -32,7 +32,7 @@ ShapetonMeshBridge_EXPORT vtkSmartPointer<vtkPolyData>
 ShapetonMeshBridge_EXPORT SurfaceMesh
 SurfaceOf(vtkPolyData & data, PatientSpace space = PatientSpace::LPS);
 /** Converts verts (to single-vertex curves) and lines with their values; polygons are dropped. Throws as RequireSound()
- * if there are none. \ingroup ShapetonMeshBridge */
+ * does if there are none. \ingroup ShapetonMeshBridge */
 ShapetonMeshBridge_EXPORT CurveSet
 CurvesOf(vtkPolyData & data, PatientSpace space = PatientSpace::LPS);
 ///@}

@@ -10,7 +10,7 @@ namespace shapeton
 struct ColonPhantomParameters;
 class CommandLine;
 
-/** Parameters of ColonPhantom: parameters of the option `preset`, overridden by the given options. Options that
+/** Parameters of ColonPhantom: the values of the option `preset`, overridden by the given options. Options that
  * `standard` and `hard` do not use enter the provenance only if given, so results of these presets keep their bytes.
  * Throws ParameterError. \ingroup ShapetonColonTools */
 ShapetonColonTools_EXPORT ColonPhantomParameters

@@ -24,7 +24,7 @@ ShapetonColonTools_EXPORT std::vector<int>
 ShapetonColonTools_EXPORT std::vector<int>
                           AllSegmentsOf(const DicomSegmentationFile & file);
 
-/** A row for each given segment: number, name, code, scheme, meaning, voxels, volume in ml. */
+/** One row per given segment: number, name, code, scheme, meaning, voxels, volume in ml. */
 ShapetonColonTools_EXPORT CsvTable
 TableOfSegments(const DicomSegmentationFile & file,
                 const std::vector<int> &      numbers,

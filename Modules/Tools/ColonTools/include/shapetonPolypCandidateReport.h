@@ -15,7 +15,7 @@ class CommandLine;
 ShapetonColonTools_EXPORT void
 AddPolypCandidateTable(HtmlReport & report, const std::vector<PolypCandidate> & candidates);
 
-/** Caption of a picture in the section: of all candidates for number 0, else of one candidate.
+/** Caption of a picture in the section. Number 0 is the picture of all candidates, any other number that candidate.
  * \ingroup ShapetonColonTools */
 ShapetonColonTools_EXPORT std::string
                           CaptionOfPolypPicture(int candidate);

@@ -49,7 +49,7 @@ private:
 ShapetonColonTools_EXPORT CsvTable
 TableOfMatches(const RegistrationResults & results);
 
-/** A row for each point: coordinates, status (counted, excluded or offSurface), distance in space (mm) and on the map
+/** One row per point: coordinates, status (counted, excluded or offSurface), distance in space (mm) and on the map
  * (width 1). */
 ShapetonColonTools_EXPORT CsvTable
 TableOfErrors(const RegistrationResults & results);

@@ -71,7 +71,7 @@ public:
   StageResult
   Run(const Stage & stage, const Progress & progress = {});
 
-  /** IdentityOf(), cached per path; two threads that ask for a path at the same time may both compute it. */
+  /** IdentityOf(), cached per path; two threads that request the same path at the same time may both compute it. */
   std::string
   Identify(const std::string & path);
 

@@ -55,7 +55,7 @@ Override(const CommandLine & commandLine, const char * name, std::vector<std::st
   }
 }
 
-// For options of structures that do not exist in `standard` and `hard`.
+// Overrides an option of a structure that does not exist in `standard` and `hard`.
 template <typename TValue>
 void
 OverridePart(CommandLine & commandLine, const char * name, TValue & value)

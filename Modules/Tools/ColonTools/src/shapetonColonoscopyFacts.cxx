@@ -142,7 +142,7 @@ MeanConfidence(const CurveSet & curves, std::size_t curve)
   return sum / static_cast<double>(curves.curves[curve].size());
 }
 
-/** Number of folds, their method, and the distance of the other result. */
+/** Number of taeniae, their method, and how far the result of the other method differs. */
 std::string
 TaeniaeInWords(const ColonoscopyResults & results)
 {

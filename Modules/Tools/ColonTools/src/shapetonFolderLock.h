@@ -5,7 +5,7 @@
 
 namespace shapeton
 {
-/** Exclusive lock of a folder, held while this object exists, or a child process started during its lifetime. */
+/** Exclusive lock on a folder, held while this object, or a child process started during its lifetime, exists. */
 class StagedRun::Lock
 {
 public:

@@ -101,8 +101,8 @@ public:
   Declares(const std::string & name) const;
 
   /** Returns an absolute temporary name for the output `path`, in the same folder and with the same extension
-   * (".nii.gz" is one). The file does not exist yet; the body must write it. Throws OutputError immediately if the
-   * final file cannot be written, ParameterError if two outputs have one name. */
+   * (".nii.gz" counts as one). The file does not exist yet; the body must write it. Throws OutputError immediately if
+   * the final file cannot be written, ParameterError if two outputs have the same name. */
   std::string
   Output(const std::string & path);
 

@@ -115,7 +115,7 @@ IsLeftover(const std::string & name)
   {
     return false;
   }
-  // A process with the number of this process has also ended: it ran before this process started.
+  // An earlier process with the same number as this one has also ended.
   return process == getpid() || (kill(static_cast<pid_t>(process), 0) != 0 && errno == ESRCH);
 }
 } // namespace shapeton

@@ -46,7 +46,8 @@ export class PageGraph {
   }
 }
 
-// Inverts an array: for each number below count the positions where it occurs, as list bounds and concatenated lists.
+// Inverts an array: for each number below `count`, the positions where it occurs, as list bounds and concatenated
+// lists.
 function lists(numbers, count, valueOf) {
   const first = new Uint32Array(count + 1), all = new Uint32Array(numbers.length);
   for (const n of numbers) first[n + 1]++;

@@ -78,7 +78,7 @@ function wordsOfEdge(graph, edge) {
   return [`edge ${graph.nameOfEdge(edge)} of ${graph.data.title}`, `degrees of its ends ${degrees.join(' and ')}`];
 }
 
-// Nodes whose name equals, begins with or contains a text, best matches first; case-insensitive.
+// Nodes whose name equals, begins with or contains the given text, best matches first; case-insensitive.
 export function nodesNamed(graph, text) {
   const wanted = text.trim().toLowerCase(), ranks = [[], [], []];
   if (!wanted) return [];

@@ -29,7 +29,7 @@ struct TransferFunctionChoice
 ShapetonHeatTools_EXPORT TransferFunctionChoice
 ReadTransferFunctionChoice(CommandLine & commandLine);
 
-/** Throws InputError if the lines were picked for another quantity than stored in `path`.
+/** Throws InputError if the lines were picked for a quantity other than the one stored in `path`.
  * \ingroup ShapetonHeatTools */
 ShapetonHeatTools_EXPORT void
 RequireQuantity(const TransferFunctionChoice & choice, const ShapeQuantity & found, const std::string & path);

@@ -142,7 +142,7 @@ JsonOf(const std::vector<HeatClass> & classes, const HeatAxis & axis, const Shap
   return list;
 }
 
-/** Axis of the innermost range, or of all heats. */
+/** Axis of the innermost range, or the whole axis. */
 HeatAxis
 AxisOf(const HeatReportContent & content, const HeatRange & range = {})
 {
@@ -286,9 +286,9 @@ ReadingGuideOfHeat()
     "objects of similar shape. Early time steps (top) show local shape such as edges and corners, late ones (bottom) "
     "whole objects. On the equalized scale, width is proportional to the number of voxels, so distances along the "
     "axis are not heat differences; use the axis labels.",
-    "The color of a heat is given by its position on the histogram's axis, from blue (lowest) to red (highest), "
-    "also in the rendering: similar heats have similar colors. Classes have separate, distinguishable colors: in "
-    "their slices, in the table and in the bars below the histogram. A class is a range of heats; two objects "
+    "The color of a heat value is given by its position on the histogram's axis, from blue (lowest) to red (highest), "
+    "also in the rendering: similar values have similar colors. Classes have separate, distinguishable colors: in "
+    "their slices, in the table and in the bars below the histogram. A class is a heat range; two objects "
     "may share a class without being similar otherwise, and one organ may span several classes. The class "
     "that covers most of the volume's border is the surroundings; the rendering omits it. "
     "Heat also depends on size: it is lower for a larger object of the same shape. The scale-normalized heat "

@@ -55,8 +55,8 @@ ShapetonColonViews_EXPORT Picture::Pointer
                                           int                     number = 3,
                                           const IntensityWindow & window = { -1100.0, 500.0 });
 
-/** Projects the colon along the volume's axis of a coronal or sagittal plane: the lumen thickness (mm) in gray, and the
- * centerline colored by the distance from the anal verge. Throws the same exceptions.
+/** Projects the colon along the volume axis perpendicular to a coronal or sagittal plane: the lumen thickness (mm) in
+ * gray, and the centerline colored by the distance from the anal verge. Throws the same exceptions.
  * \ingroup ShapetonColonViews */
 ShapetonColonViews_EXPORT Picture::Pointer
                           DrawColonProjection(const ColonParts & colon, SlicePlane plane);

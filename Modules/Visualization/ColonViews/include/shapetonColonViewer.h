@@ -14,7 +14,7 @@ struct ColonViewerOptions
   /** If true, the page contains all data; otherwise the data are script files in the folder `data`, which load faster.
    */
   bool isSingle{ false };
-  /** 8 bits hold -1024 to 512 HU in steps of 6 HU, 16 bits all values. */
+  /** 8 bits hold -1024 to 512 HU in steps of 6 HU; 16 bits hold all values. */
   int bits{ 8 };
   /** Distance from the lumen (mm, 0 to 100) beyond which the volume is stored as means of 4^3 voxels. */
   double near{ 14.0 };

@@ -15,7 +15,7 @@ namespace shapeton
 ///@{
 using PlanePattern = std::function<RGBColor(double u, double v)>;
 
-/** Checkerboard of two colors with the given side. Throws std::invalid_argument unless it is positive. */
+/** Two-color checkerboard; `side` is the side length of a check. Throws std::invalid_argument unless it is positive. */
 ShapetonColonViews_EXPORT PlanePattern
 Checkerboard(double side);
 
@@ -35,7 +35,7 @@ LevelSets(double lower, double upper, double width);
 ShapetonColonViews_EXPORT SurfaceMesh
 PlaneOf(const SurfaceMesh & flat, const Eigen::MatrixX2d & uv);
 
-/** Draws `shape` in the colors of the pattern at `uv`, which has a row for each vertex; the pattern is resolved more
+/** Draws `shape` in the colors of the pattern at `uv`, which has one row per vertex; the pattern is resolved more
  * finely than the faces. `boundaries` may be empty; they are drawn on top, each in a different color (the first one
  * yellow). Options: as for RenderSurfaces(). \ingroup ShapetonColonViews */
 ShapetonColonViews_EXPORT Picture::Pointer
@@ -45,7 +45,7 @@ ShapetonColonViews_EXPORT Picture::Pointer
                                       const std::vector<BoundaryLoop> & boundaries,
                                       const SurfaceRenderingOptions &   options);
 
-/** Sets azimuth and elevation to view an open surface along its mean normal; from the front if this is zero, for
+/** Sets azimuth and elevation to view an open surface along its mean normal; from the front if that normal is zero, for
  * example for a closed surface. \ingroup ShapetonColonViews */
 ShapetonColonViews_EXPORT void
 LookAtSurface(const SurfaceMesh & mesh, PatientViewOptions & options);
@@ -65,7 +65,7 @@ struct ConformalMapPictureOptions
 ShapetonColonViews_EXPORT Picture::Pointer
                           DrawConformalMap(const ConformalMap & map, const ConformalMapPictureOptions & options = {});
 
-/** Draws the holomorphic 1-forms of a surface, a row for each inner boundary (dissertation, Figure 5.3 d to f): 20
+/** Draws the holomorphic 1-forms of a surface, one row per inner boundary (dissertation, Figure 5.3 d to f): 20
  * level sets from 0 to 1 of the harmonic function that is 1 on this boundary and 0 on the others, equally spaced level
  * sets of its conjugate, and both as a checkerboard. Throws the exceptions of HolomorphicFormsOf(). `panel`: side of
  * one view, pixels. \ingroup ShapetonColonViews */

@@ -18,8 +18,8 @@ struct DistensionChartOptions
   unsigned int height{ 460 };
 };
 
-/** The caliber (twice the radius of the centerline, mm) over the distance from the anal verge, with a line at 10 mm and
- * smaller calibers in another color, gaps shaded, and segment boundaries and names.
+/** Draws the caliber (twice the radius of the centerline, mm) over the distance from the anal verge, with a line at 10
+ * mm, smaller calibers in another color, shaded gaps, and the boundaries and names of segments.
  *
  * Throws InputError if the centerline lacks the arrays arcLength or radius, std::invalid_argument if the picture is too
  * small. \ingroup ShapetonColonViews */

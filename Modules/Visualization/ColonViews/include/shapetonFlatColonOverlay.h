@@ -68,8 +68,8 @@ DrawFlatHatching(Picture *                            strip,
                  const std::vector<double> &          distanceOfColumns,
                  const std::vector<HinderedStretch> & stretches);
 
-/** Maps a curve in space to the flat map by nearest surface points, at most `step` mm apart; non-finite where the
- * surface is more than `farthest` mm away. */
+/** Samples a curve in space at most every `step` mm, and maps each sample to the flat map by its nearest surface point.
+ * A result is non-finite where the surface is more than `farthest` mm away. */
 ShapetonColonViews_EXPORT std::vector<Eigen::Vector2d>
                           PlacesOfCurve(const FlatColonGrid &                grid,
                                         const std::vector<Eigen::Vector3d> & points,

@@ -61,8 +61,8 @@ struct FlatColonPageOptions
 /** A page with a strip in rows.
  *
  * Below each row is a ruler with the distance along the centerline in cm; if `distanceOfColumns` is empty, the ruler
- * counts along the map. Above it is a scale bar of round length with the row's local scale: the median, and the range
- * from 10 to 90 % of the pixels. Wall interpolated over a gap is hatched.
+ * counts along the map. Above each row is a scale bar of round length with the row's local scale: the median, and the
+ * range from 10 to 90 % of the pixels. Wall interpolated over a gap is hatched.
  *
  * Throws std::invalid_argument if the strip does not have the size of the grid, the distances do not match its columns,
  * or an annotation has no position.

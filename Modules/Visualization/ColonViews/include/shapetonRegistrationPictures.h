@@ -46,7 +46,7 @@ DrawCurvatureCheckerboard(const RegistrationParts & parts, const AlignedColonsOp
 ShapetonColonViews_EXPORT Picture::Pointer
                           DrawConfidenceChart(const RegistrationParts & parts);
 
-/** Errors of the points along the supine colon, a dot for each counted point. Throws std::invalid_argument without
+/** Errors of the points along the supine colon, one dot per counted point. Throws std::invalid_argument without
  * points. */
 ShapetonColonViews_EXPORT Picture::Pointer
                           DrawErrorChart(const RegistrationParts & parts);

@@ -279,7 +279,7 @@ void
 PutPoints(PageBlocks & blocks, const std::string & prefix, const SurfaceMesh & mesh, const std::string & path)
 {
   blocks.PutReals(prefix + "points", mesh.V);
-  // Faces on folds may be only thousandths of a millimeter large on the map.
+  // On the map, faces on folds may measure only thousandths of a millimeter.
   blocks.PutReals<std::uint32_t>(prefix + "uv", ValuesOf(mesh.pointArrays, "uv", path));
   blocks.PutReals(prefix + "arc", ValuesOf(mesh.pointArrays, "arcLength", path));
   // Equal on both sides of the cut; renumbered because the page uses them as array indices.

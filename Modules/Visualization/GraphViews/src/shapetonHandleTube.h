@@ -26,7 +26,7 @@ struct TubeSection
   double          radius;
 };
 
-/** \brief A tube outside the unit sphere from the rim of one hole to that of another.
+/** \brief A tube outside the unit sphere from the rim of one hole to the rim of another.
  *
  * It rises radially from both holes as chimneys that narrow to `radius`, and bends from one to the other in the plane
  * of their axes, `lift` higher than the chimneys. */

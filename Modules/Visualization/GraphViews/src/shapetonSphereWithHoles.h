@@ -24,7 +24,7 @@ struct SphereHole
 class SphereWithHoles
 {
 public:
-  /** Nodes come first, in order, without those with holes. The references are used only by the constructor. */
+  /** Nodes without holes come first, in order. The references are used only by the constructor. */
   SphereWithHoles(const PackedMap &               packed,
                   const SphericalPacking &        packing,
                   const std::vector<SphereHole> & holes,

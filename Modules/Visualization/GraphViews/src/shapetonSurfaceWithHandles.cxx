@@ -10,7 +10,7 @@ namespace shapeton
 {
 namespace
 {
-/** Maximum size of a hole: this fraction of its hub's circle, and an angle in radians. */
+/** Maximum size of a hole: as a fraction of its hub's circle, and as an angle (radians). */
 constexpr double shareOfHub = 0.6;
 constexpr double largestHole = 0.3;
 

@@ -49,7 +49,7 @@ TorusInSpace::Place(int node) const
   return { m_Certificate.nodePositions[2 * node], m_Certificate.nodePositions[2 * node + 1] };
 }
 
-/** Vector of an edge: the lift of its end at the distance of tangent circles. */
+/** Vector along an edge, to the lift of its end at which the circles of both nodes are tangent. */
 Complex
 TorusInSpace::Along(int halfEdge) const
 {

@@ -11,7 +11,7 @@
 
 namespace shapeton
 {
-/** Layout of heats on the horizontal axis of a heat histogram (dissertation 2.3.1, Figure 2.3).
+/** Layout of heat values on the horizontal axis of a heat histogram (dissertation 2.3.1, Figure 2.3).
  * \ingroup ShapetonHeatViews */
 enum class HeatScale
 {
@@ -21,7 +21,7 @@ enum class HeatScale
   Normalized
 };
 
-/** The heats from lower to upper, 0 <= lower < upper <= 1. By default all heats in the histogram.
+/** The heat values from lower to upper, 0 <= lower < upper <= 1. By default all values in the histogram.
  * \ingroup ShapetonHeatViews */
 struct HeatRange
 {
@@ -39,7 +39,7 @@ BalanceClasses(const HeatHistogram & histogram, std::size_t row, const std::vect
  * \brief Position of a heat on the axis of a heat histogram, and its color, consistent in all pictures of one result.
  *
  * The equalized axis is the map HeatHistogram::GetEqualization(), interpolated linearly inside a bin. A sub-range of
- * heats is re-equalized (the hierarchical histogram). If the range has no counts, all bins are equally wide.
+ * the heat is re-equalized (the hierarchical histogram). If the range has no counts, all bins are equally wide.
  *
  * \ingroup ShapetonHeatViews
  */
@@ -51,7 +51,7 @@ public:
                     HeatScale             scale = HeatScale::Equalized,
                     const HeatRange &     range = {});
 
-  /** Position from 0 at the lower end to 1 at the upper end; heats beyond the ends are clamped. Nondecreasing in
+  /** Position from 0 at the lower end to 1 at the upper end; values beyond the ends are clamped. Nondecreasing in
    * heat. */
   double
   PositionOf(double heat) const;

@@ -17,14 +17,14 @@ namespace shapeton
  * \ingroup ShapetonHeatViews */
 using HeatColoring = std::function<std::optional<RGBColor>(float)>;
 
-/** Colors all heats except the background (below the first bin of HeatHistogram) by axis position.
+/** Colors all heat values except the background (below the first bin of HeatHistogram) by axis position.
  * \ingroup ShapetonHeatViews */
 ShapetonHeatViews_EXPORT HeatColoring
 ColorByHeat(const HeatAxis & axis);
 
 /** Colors each class except the background by ClassColor(). Heat colors do not distinguish the classes: on the
- * equalized axis, the decreasing heats of early time steps take most of the space, so classes of late steps share one
- * color.
+ * equalized axis, the decreasing heat values of early time steps take most of the space, so classes of late steps share
+ * one color.
  * \ingroup ShapetonHeatViews */
 ShapetonHeatViews_EXPORT HeatColoring
 ColorByClass(const std::vector<HeatClass> & classes);

@@ -25,7 +25,7 @@ struct HeatHistogramPictureOptions
   /** Histogram that defines the axis and its colors; by default the drawn one. */
   const HeatHistogram * axisHistogram{ nullptr };
   /** If not empty, shows only the last of these ranges, equalized separately, with the zoom levels above the plot. By
-   * default all heats. */
+   * default the whole axis. */
   HeatRanges ranges;
   /** Time steps marked by pink lines (Figure 2.4); those outside the recorded range are skipped. */
   std::vector<std::uint64_t> markedTimeSteps;
@@ -55,10 +55,10 @@ PlotAreaOf(const HeatHistogramPictureOptions & options);
  * color of a point encodes its heat (HeatAxis::ColorOf), its brightness the logarithm of the number of voxels. The
  * brightness is raised where a row has more voxels than its neighborhood, so lines stand out. The white line at the
  * left border is the background, bin 0. Rows have equal heights. The time axis is labeled with the time steps, for
- * linear and nonlinear spacing. The heat axis is labeled with heats on both scales.
+ * linear and nonlinear spacing. The heat axis is labeled with heat values on both scales.
  *
  * A zoomed range fills the plot. Above it is a strip for each level, at most the last six: the axis of that level in
- * the colors of its pictures, with lines from the heats that the next level shows.
+ * the colors of its pictures, with lines from the ends of the range that the next level shows.
  *
  * Drawn on the CPU; equal input gives equal bytes. Throws std::invalid_argument for a histogram without rows and for
  * a picture that is too small.

@@ -11,7 +11,7 @@
 
 namespace shapeton
 {
-/** Nested ranges of heats: successive zoom levels of a histogram (dissertation 7.2.1, hierarchical heat histogram). The
+/** Nested heat ranges: successive zoom levels of a histogram (dissertation 7.2.1, hierarchical heat histogram). The
  * last one is displayed; the others show its position. \ingroup ShapetonHeatViews */
 using HeatRanges = std::vector<HeatRange>;
 

@@ -6,7 +6,7 @@
 
 namespace shapeton
 {
-/** Quantity of the voxel values in [0, 1], for titles, axes and tables; heat by default.
+/** Quantity that the voxel values in [0, 1] represent, for titles, axes and tables; heat by default.
  * \ingroup ShapetonHeatViews */
 struct ShapeQuantity
 {

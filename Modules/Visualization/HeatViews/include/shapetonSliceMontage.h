@@ -31,7 +31,7 @@ struct SliceMontageOptions
   unsigned int width{ 1200 };
 };
 
-/** The window itself; for the default window, the image quantiles it represents.
+/** Returns the window; for the default window, the image quantiles that it represents.
  * \ingroup ShapetonHeatViews */
 ShapetonHeatViews_EXPORT IntensityWindow
 WindowOf(const itk::Image<float, 3> * gray, const IntensityWindow & window);
@@ -56,7 +56,7 @@ ShapetonHeatViews_EXPORT Picture::Pointer
 ShapetonHeatViews_EXPORT std::vector<LegendEntry>
                          LegendOf(const std::vector<HeatClass> & classes, const ShapeQuantity & quantity = {});
 
-/** A legend for the lines of a transfer function: range of heats.
+/** A legend for the lines of a transfer function: color and heat range.
  * \ingroup ShapetonHeatViews */
 ShapetonHeatViews_EXPORT std::vector<LegendEntry>
                          LegendOf(const ShapeTransferFunction & transferFunction);

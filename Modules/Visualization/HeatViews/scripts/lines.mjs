@@ -101,7 +101,8 @@ export function savedText(lines, quantity, timeStep) {
   return `${JSON.stringify({ shapeton: 'transfer function', version: 1, quantity, timeStep, lines: saved }, null, 2)}\n`;
 }
 
-// Parses the lines of such a text. Throws an error with a user message if invalid; HeatTransferFunction checks more strictly.
+// Parses the lines of such text. Throws an error with a user message if invalid; HeatTransferFunction checks more
+// strictly.
 export function linesFromText(text, quantity) {
   let saved = null;
   try {

@@ -57,7 +57,7 @@ export class HeatSliceView extends View {
     this.cross(g, ...f.at(page.place));
   }
 
-  // Voxels are classified first: colors are interpolated between voxels, heats are not.
+  // Voxels are classified first: colors are interpolated between voxels, heat is not.
   fill() {
     const { plane, page: { volume, gray, bins, numbers, place, paints } } = this, [nx, ny] = this.size;
     const strides = [1, volume.size[0], volume.size[0] * volume.size[1]], out = new Uint32Array(this.pixels.data.buffer);

@@ -410,8 +410,8 @@ TextOf(const HeatRange & range)
   return HeatLabel(range.lower, 4) + " to " + HeatLabel(range.upper, 4);
 }
 
-/** Draws the strip of an axis, dimmed except for the zoomed heats, and lines from their ends to the ends of the next
- * level. */
+/** Draws the strip of an axis, dimmed except for the zoomed range, and lines from the ends of this range to the ends of
+ * the next level. */
 void
 DrawOpening(Picture *           picture,
             const HeatAxis &    axis,

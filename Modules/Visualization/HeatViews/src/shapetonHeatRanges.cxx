@@ -72,7 +72,7 @@ std::vector<HeatClass>
 FindClassesInside(const HeatHistogram & histogram, std::size_t row, const HeatRange & range)
 {
   HeatClassificationRule rule;
-  rule.backgroundHeat = 0.0; // low heats also belong to the range
+  rule.backgroundHeat = 0.0; // low heat values also belong to the range
   std::vector<HeatClass> classes = FindHeatClasses(RowInside(histogram, row, range), 0, rule);
   classes.erase(classes.begin()); // the background, bin 0
   if (!classes.empty())

@@ -54,7 +54,7 @@ Split(const std::string & text, char separator)
   return parts;
 }
 
-/** Removes the longest unsigned number from the start of a text; false if there is none. */
+/** Removes the longest unsigned number from the start of the text; returns false if there is none. */
 bool
 TakeNumber(std::string & text, double & value)
 {
@@ -84,7 +84,7 @@ ParseRange(const std::string & text, const std::string & line, TransferFunctionL
   if (!isRange)
   {
     throw ParameterError("\"" + text + "\" in the line \"" + line +
-                         "\" is not a range of heats a-b, for example 0.18-0.21");
+                         "\" is not a heat range a-b, for example 0.18-0.21");
   }
 }
 
@@ -126,11 +126,11 @@ Check(const TransferFunctionLine & line)
 {
   if (!(line.lowerHeat >= 0.0 && line.upperHeat <= 1.0 && line.lowerHeat < line.upperHeat))
   {
-    throw ParameterError("the range of heats " + RangeText(line) + " is invalid: it requires 0 <= a < b <= 1");
+    throw ParameterError("the heat range " + RangeText(line) + " is invalid: it requires 0 <= a < b <= 1");
   }
   if (line.upperHeat - line.lowerHeat < narrowestLine)
   {
-    throw ParameterError("the range of heats " + RangeText(line) + " is narrower than 1e-7: widen it");
+    throw ParameterError("the heat range " + RangeText(line) + " is narrower than 1e-7: widen it");
   }
   if (!(line.opacity >= 0.0 && line.opacity <= 1.0))
   {

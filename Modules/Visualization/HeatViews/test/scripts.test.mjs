@@ -18,7 +18,7 @@ function randoms(seed) {
 
 const line = (lower, upper, color = '#ff0000', opacity = 0.5) => ({ lower, upper, color, opacity, isOn: true });
 
-test('bins tile the heats from 0 to 1', () => {
+test('bins tile the heat from 0 to 1', () => {
   assert.equal(lowerEdge(1), 2 ** -16);
   assert.equal(lowerEdge(NUMBER_OF_BINS), 1);
   for (let bin = 1; bin < NUMBER_OF_BINS; bin++) {
@@ -49,7 +49,7 @@ test('a volume property has ramps at the ends of lines, but not between adjacent
   assert.equal(volumeProperty([line(0.25, 0.5)], 400).split('\n')[7], '4 0 1 400 1');
 });
 
-test('a new line removes its heats from the lines that it overlaps', () => {
+test('a new line removes its heat range from the lines that it overlaps', () => {
   const ranges = (lines) => lines.map((l) => [l.lower, l.upper]);
   assert.deepEqual(ranges(withLine([line(0.2, 0.6)], line(0.3, 0.4))), [[0.2, 0.3], [0.3, 0.4], [0.4, 0.6]]);
   assert.deepEqual(ranges(withLine([line(0.2, 0.3), line(0.3, 0.5)], line(0.1, 0.4))), [[0.1, 0.4], [0.4, 0.5]]);

@@ -8,7 +8,7 @@
 
 namespace
 {
-/** Objects whose heats converge to 0.1, 0.2 and 0.4 while the background cools down. */
+/** Objects whose heat converges to 0.1, 0.2 and 0.4 while the background cools down. */
 shapeton::HeatHistogram
 ConvergingLines()
 {

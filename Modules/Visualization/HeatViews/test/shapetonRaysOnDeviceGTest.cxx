@@ -14,7 +14,7 @@ namespace
 using namespace shapeton;
 using Heat = itk::Image<float, 3>;
 
-/** Nested bodies of several heats on a rotated, anisotropic grid. */
+/** Nested bodies of different heat on a rotated, anisotropic grid. */
 Heat::Pointer
 MakeHeat(unsigned int nx, unsigned int ny, unsigned int nz)
 {

@@ -13,7 +13,7 @@
 
 namespace
 {
-/** Message of the ParameterError for a text; empty if there is none. */
+/** Message of the ParameterError for this text; empty if no error is thrown. */
 std::string
 MessageOf(const std::string & text)
 {
@@ -21,7 +21,7 @@ MessageOf(const std::string & text)
 }
 
 /** A volume property as parsed by 3D Slicer: nine lines read through a buffer of 1024 characters, each function as a
- * count and that many numbers, with strictly ascending heats. */
+ * count and that many numbers, with strictly ascending heat values. */
 struct SlicerVolumeProperty
 {
   int                              interpolation;

@@ -13,7 +13,7 @@ namespace shapeton
 /** Maps a value to its position on an axis, in pixels. \ingroup ShapetonPictureKit */
 using PixelOf = std::function<double(double)>;
 
-/** Round heats in the range, ascending, at least `leastDistance` pixels apart; values with fewer digits take
+/** Round heat values in the range, ascending, at least `leastDistance` pixels apart; values with fewer digits take
  * precedence.
  * \ingroup ShapetonPictureKit */
 ShapetonPictureKit_EXPORT std::vector<double>

@@ -12,7 +12,7 @@ namespace shapeton
  * (highest heat) is red, as in the dissertation's figures. Values outside [0, 1] are clamped.
  *
  * Equal position steps are equal steps in CIELAB (each of 32 steps has a delta E of 9.6, about 3 % of the way from blue
- * to red), so no step looks like an edge and similar heats look similar. The lightness L* rises from 42 to 84 at
+ * to red), so no step looks like an edge and similar heat values look similar. The lightness L* rises from 42 to 84 at
  * position 0.69 and falls to 51 at red. It contrasts with a dark background everywhere, but only the hue is monotonic
  * in heat. \ingroup ShapetonPictureKit */
 ShapetonPictureKit_EXPORT RGBColor

@@ -84,7 +84,7 @@ DrawLine(Picture *        picture,
 ShapetonPictureKit_EXPORT void
 PastePicture(Picture * picture, const Picture * source, int left, int top);
 
-/** Horizontal position of a text relative to its anchor point.
+/** Horizontal position of text relative to its anchor point.
  * \ingroup ShapetonPictureKit */
 enum class HorizontalAnchor
 {
@@ -92,7 +92,7 @@ enum class HorizontalAnchor
   Center,
   Right
 };
-/** The part of a text at its vertical anchor. \ingroup ShapetonPictureKit */
+/** The part of the text at its vertical anchor. \ingroup ShapetonPictureKit */
 enum class VerticalAnchor
 {
   Top,
@@ -100,7 +100,7 @@ enum class VerticalAnchor
   Bottom
 };
 
-/** Style of a text, in VTK's built-in sans-serif font, for equal pictures on every machine.
+/** Text style. The font is VTK's built-in sans-serif font, for equal pictures on every machine.
  * \ingroup ShapetonPictureKit */
 struct TextStyle
 {

@@ -70,7 +70,7 @@ EncodePng(const Picture * picture)
   return std::string(reinterpret_cast<const char *>(bytes->GetPointer(0)), bytes->GetNumberOfValues());
 }
 
-/** Coverage of a text, in the last of 4 components per pixel; the extent is relative to the upright, lower left
+/** Coverage of rendered text, in the last of 4 components per pixel; the extent is relative to the upright, lower left
  * anchored position. */
 void
 RenderText(const std::string & text, const TextStyle & style, vtkImageData * coverage, int dimensions[2])

@@ -167,7 +167,7 @@ private:
   std::vector<ScreenPart> m_Parts;
 };
 
-/** A text in pixels. */
+/** Box of a label, in pixels. */
 struct Box
 {
   int left, top, right, bottom;

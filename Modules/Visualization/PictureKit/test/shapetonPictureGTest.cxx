@@ -178,7 +178,7 @@ TEST(Picture, UprightTextTurnsByAQuarter)
   const Ink b = InkOf(turned);
   EXPECT_NEAR(a.right - a.left, b.bottom - b.top, 2);
   EXPECT_NEAR(a.bottom - a.top, b.right - b.left, 2);
-  // Reading upwards: the wide "m" follows the narrow "ti", so the lower end has less ink than in a text reading
+  // Reading upwards: the wide "m" follows the narrow "ti", so the lower end has less ink than in text reading
   // downwards.
   EXPECT_GT(b.bottom - b.top, 3 * (b.right - b.left));
 }
