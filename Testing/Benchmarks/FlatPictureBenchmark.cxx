@@ -1,5 +1,5 @@
-// Flat pictures of a generated colon of 55,000 faces at 3000 x 200 and 12000 x 800 pixels: wall and CPU time of each
-// step.
+// Wall and CPU time of each step of flat pictures of a generated colon of 55,000 faces, at 3000 x 200 and 12000 x 800
+// pixels.
 #include "shapetonFlatColonPage.h"
 #include "shapetonFlatColonStrip.h"
 #include "shapetonFlatCoordinateMap.h"

@@ -1,5 +1,5 @@
-// Heat diffusion distances of all edges of colon-like tubes: exact, and from 50, 200 and 500 eigenpairs, in one run.
-// Arguments: numbers of faces. For the accuracy, see Utilities/run-validation flattening-metric.
+// Computes the heat diffusion distances of all edges of colon-like tubes, exactly and from 50, 200 and 500 eigenpairs,
+// in one run. Arguments: numbers of faces. For the accuracy, see Utilities/run-validation flattening-metric.
 #include "shapetonColonTube.h"
 #include "shapetonHeatDiffusionMetric.h"
 

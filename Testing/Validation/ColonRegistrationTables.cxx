@@ -261,7 +261,7 @@ WritePatients(const std::string & name, const PatientScores & patients, Validati
   report.AddRows(name, table);
 }
 
-/** Table 4.1 of the dissertation, which has only border points and counts unmatched ones as incorrect. */
+/** Table 4.1 of the dissertation, which has only border points and counts unmatched points as incorrect. */
 void
 WritePoints(const PatientScores & patients, ValidationReport & report)
 {

@@ -38,9 +38,10 @@ struct ColonErrors
   double lengthError{ 0.0 };
   /** Distance from the line, without gaps, to the true line (mm). */
   double meanLineDistance{ 0.0 };
-  /** Share of the true line outside of collapsed sections that is within the lumen's radius of the line. */
+  /** Share of the true line, without collapsed sections, that is no farther from the found line than the lumen's
+   * radius. */
   double covered{ 0.0 };
-  /** Number of jumps of more than 40 mm along the true line, without gaps, and of reversals. */
+  /** Number of jumps of more than 40 mm along the true line (gaps excluded), plus the number of reversals. */
   int shortCuts{ 0 };
   /** The pieces are in the true order. */
   bool isOrderRight{ true };

@@ -9,8 +9,8 @@
 #include <array>
 #include <map>
 
-/** Feature points (ends of visible folds) of one segment of the source, by the match of their folds (Table 4.1 of the
- * dissertation, which counts unmatched ones as incorrect). */
+/** Number of feature points (ends of visible folds) in one segment of the source whose folds are matched correctly,
+ * wrongly or not at all (Table 4.1 of the dissertation, which counts unmatched points as incorrect). */
 struct FeaturePointCounts
 {
   int correct{ 0 };

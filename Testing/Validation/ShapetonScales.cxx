@@ -8,7 +8,7 @@ using namespace shapeton;
 
 namespace
 {
-/** Values of a field at the cube's corner, edge, face and center, averaged over all eight corners and so on. */
+/** Values of a field at the corners, edges, faces and center of the cube, averaged over all places of each kind. */
 std::array<double, 4>
 CubeFeatures(const TrialVolume & volume, const itk::Image<float, 3> * field)
 {
@@ -36,8 +36,8 @@ CubeFeatures(const TrialVolume & volume, const itk::Image<float, 3> * field)
   return sums;
 }
 
-/** For thin vessels, large vessel and aneurysm: the mean visits relative to all voxels, and the share of visited
- * voxels; last, their joint share of all visits. */
+/** For the thin vessels, the large vessel and the aneurysm: the mean visits relative to all voxels, and the share of
+ * visited voxels. The last value is the share of all visits in the three together. */
 std::vector<std::string>
 CellsOfVessels(const TrialVolume & volume, const Trial & trial)
 {

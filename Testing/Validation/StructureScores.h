@@ -7,7 +7,7 @@
 
 #include <optional>
 
-/** Bounds for the cecal end over the exams of a column, as shares from 0 to 1. */
+/** Bounds for the cecal end, as shares (0 to 1) of the exams of a column. */
 struct StructureBounds
 {
   double pole{ 0.95 };  ///< exams with a line end within 15 mm of the cecal pole

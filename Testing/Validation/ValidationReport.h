@@ -36,7 +36,7 @@ public:
   void
   AddTable(const shapeton::CsvTable & table);
 
-  /** Adds a table with a row per seed, exam or label as a CSV file named after the part and `name`. Its first
+  /** Adds a table with one row per seed, exam or label as a CSV file named after the part and `name`. Its first
    * column is the current heading; the page contains a link, the number of rows, and the failed rows. */
   void
   AddRows(const std::string & name, const shapeton::CsvTable & table);

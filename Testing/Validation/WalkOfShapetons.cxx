@@ -198,8 +198,8 @@ SpreadOfTheWalk(const ValidationSettings & settings, ValidationReport & report)
   report.AddRows("steps", table);
 }
 
-/** Closed object of side 12 in 16^3 voxels, 0 around, with two mixed intensity levels: soft edges (all weights strictly
- * between 0 and 1, small between the levels) or with hard walls only (all weights 0 or 1). */
+/** Closed object of side 12 in 16^3 voxels, surrounded by 0, with two mixed intensity levels. It has either soft edges
+ * (all weights strictly between 0 and 1, small between the levels) or only hard walls (all weights 0 or 1). */
 test::Volume
 ClosedObject(bool hard)
 {

@@ -6,7 +6,7 @@
 # shellcheck source-path=SCRIPTDIR
 source "$(dirname "$(realpath "${BASH_SOURCE[0]}")")/common.sh"
 
-tools=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd) # this is called by its link there
+tools=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd) # this script is called through a link in the folder of the tools
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 count=${1:-12}

@@ -62,7 +62,7 @@ class Table(Case):
             read_table(os.path.join(self.folder, "absent.tsv"))
         with open(self.write("binary.tsv", ""), "wb") as file:
             file.write(b"\xff\xfe\x00")
-        with self.assertRaisesRegex(TableError, "not a UTF-8 text"):
+        with self.assertRaisesRegex(TableError, "not UTF-8 text"):
             read_table(os.path.join(self.folder, "binary.tsv"))
 
     def test_absent_folders_matter_until_the_subject_is_done(self):

@@ -71,7 +71,7 @@ def _rows(path, faults):
     except OSError as error:
         raise TableError(f"{path}: {error.strerror}; check the path of the table") from None
     except UnicodeDecodeError:
-        raise TableError(f"{path}: not a UTF-8 text; export the table as tab-separated text") from None
+        raise TableError(f"{path}: not UTF-8 text; export the table as tab-separated text") from None
     heads = lines[0] if lines else []
     for name in [name for name in REQUIRED if name not in heads]:
         faults.append((1, f'the column "{name}" is missing; the required columns are {", ".join(REQUIRED)}, separated by tabs'))

@@ -47,7 +47,7 @@ open_pacs() {
 open_tunnel() {
   local port
   for _ in 1 2 3 4 5; do
-    port=$((10000 + RANDOM % 22000)) # below the ports that systems give away
+    port=$((10000 + RANDOM % 22000)) # below the range of ports that systems assign automatically
     start_tunnel "$port"
     until grep -q " bound to " "$temporary/stunnel.txt"; do
       kill -0 "$tunnel" 2>/dev/null || break

@@ -1,4 +1,4 @@
-# The three markers were used, each by a different taenia, which passes through it.
+# Checks that all three markers were used, and that a different taenia passes through each.
 file(READ ${FOLDER}/landmarks.json json)
 string(JSON number LENGTH "${json}" taeniae markers)
 if(NOT number EQUAL 3)

@@ -1,4 +1,5 @@
-# Without a colon, its curves and surface are not written; the labels of the chest are listed.
+# Checks that a phantom without a colon has no curves and surface of a colon, and that the labels of the chest are
+# listed.
 set(names lumen.nrrd segments.nrrd structures.json structures.nrrd)
 file(GLOB found RELATIVE ${FOLDER} ${FOLDER}/* ${FOLDER}/.*)
 list(SORT found)

@@ -1,4 +1,5 @@
-# Two positions and another field of view of one seed are series of one study of one patient, in one frame of reference.
+# Checks that two positions and another field of view of one seed are series of the same study, patient and frame of
+# reference.
 if(NOT DCMDUMP)
   message("dcmdump is not installed")
   return()

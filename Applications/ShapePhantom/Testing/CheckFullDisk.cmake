@@ -1,4 +1,4 @@
-# With a file size limit of 4 kB, the tool fails with one line, and the old series is unchanged.
+# Checks that with a file size limit of 4 kB, the tool fails with a one-line message, and the old series is unchanged.
 file(REMOVE_RECURSE ${FOLDER})
 file(MAKE_DIRECTORY ${FOLDER})
 set(series --dicom --size 32,32,4)

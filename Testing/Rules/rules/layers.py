@@ -184,7 +184,7 @@ def library_texts(tree):
 
 
 def graph(tree):
-    """Yields a line per module with its dependencies, and the numbers of modules, dependencies and public headers."""
+    """Yields one line per module with its dependencies, and totals of modules, dependencies and public headers."""
     layers = Layers(tree)
     arrows, used = 0, set()
     for module in layers.modules.values():

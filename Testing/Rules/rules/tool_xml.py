@@ -41,8 +41,9 @@ PARAMETER = {"name", "flag", "longflag", "label", "description", "default", "cha
              "reference"}
 RESERVED = {"help", "version", "xml", "quiet", "echo", "returnparameterfile", "processinformationaddress", "serialize",
             "deserialize"}  # options that shapeton::CommandLine or Slicer adds to every tool
-# Options that a tool must have if it has an input of this kind, or one of the options that is not in APART: a tool that
-# refers to the slices of a series selects it by seriesUID; it may move its slices by deshear, but not add or drop slices.
+# Options that a tool must have if it has an input of this kind, or if it has one of these options that is not in APART.
+# A tool that only refers to the slices of a series selects the series by seriesUID; it may move slices by deshear, but
+# not add or drop them.
 SHARED = {
     ("image", "volume"): {"deshear": "boolean", "dropDuplicates": "boolean", "resampleGaps": "boolean",
                           "seriesUID": "string"},
@@ -60,7 +61,7 @@ def is_enumeration(kind):
 
 
 def number(text, kind):
-    """Returns a text as a number of a kind, or None."""
+    """Converts text to a number of the given kind; returns None if this fails."""
     if kind.startswith("integer"):
         return int(text) if re.fullmatch("-?[0-9]+", text) and -2**31 <= int(text) < 2**31 else None
     return float(text) if re.fullmatch(r"-?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?", text) else None
@@ -109,7 +110,7 @@ def children(element, allowed, repeatable=()):
 
 
 def texts(element, *required):
-    """The required children have a text, and the description is a sentence."""
+    """The required children contain text, and the description is a sentence."""
     for child in (*required, "description"):
         if not text_of(element, child):
             yield element, f"{label(element)} lacks <{child}>"

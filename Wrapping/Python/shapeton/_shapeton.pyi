@@ -901,7 +901,7 @@ class HeatClass:
 
     @property
     def normalized_heat(self) -> float:
-        """Scale-invariant heat of these components; 0 without any."""
+        """Scale-invariant heat of closed components; 0 without any."""
         ...
 
     @property
@@ -952,7 +952,7 @@ class HeatHistogram:
 
     @property
     def edges(self) -> NDArray[Any]:
-        """4098 heats: bin b contains edges[b] <= heat < edges[b + 1]. Bin 0 is the background, the others are 256 per factor of two."""
+        """4098 heat values: bin b contains edges[b] <= heat < edges[b + 1]. Bin 0 is the background, the others are 256 per factor of two."""
         ...
 
     def equalization(self) -> List[float]:
@@ -1254,7 +1254,7 @@ class Registration:
     """A map between the walls of two positions."""
     @property
     def confidence(self) -> float:
-        """0 to 1; below 0.5 flagged."""
+        """0 to 1; flagged below 0.5."""
         ...
 
     @property
@@ -1338,7 +1338,7 @@ class SeededLabels:
 
     @property
     def probabilities(self) -> Dict[int, Image]:
-        """Label to image, float32 in [0, 1], which sum to 1; empty unless requested."""
+        """One image per label, float32 in [0, 1]; the images sum to 1. Empty unless requested."""
         ...
 
     @property
@@ -1706,7 +1706,7 @@ def build_wall_of_mask(mask: Image, centerline: Union[Curves, NDArray[Any]], *, 
 def classify_heat(heat: Image, components: Sequence[ShapeComponent]=..., *, maximum_classes: int=..., background_heat: float=..., minimum_share: float=..., minimum_peak_to_valley: float=...) -> Tuple[Image, List[HeatClass]]:
     """The classes of a heat image: the lines of its histogram, separated at the valleys.
 
-    heat: in [0, 1]. components: those of `HeatResult`, to count them per class. maximum_classes: without the background.
+    heat: in [0, 1]. components: from `HeatResult`, to count them per class. maximum_classes: without the background.
     background_heat: lines with a peak below this heat are background. minimum_share: minimum fraction of the voxels above
     the background in a class. minimum_peak_to_valley: minimum ratio of the lower peak to the valley between neighbors.
 
@@ -1773,7 +1773,7 @@ def diffuse_heat(image: Image, *, p: Optional[float]=..., window: Optional[Tuple
     image: intensities; float32 and C-contiguous ones are read in place. Any spacing.
     p: steepness, from 0; an edge insulates if the half gradient reaches 1 / p. None: chosen from noise and edges.
     window: (lower, upper) intensities mapped to 0 and 1; None: minimum and maximum.
-    time_steps: at least 1. Few show local shape, many whole objects.
+    time_steps: at least 1. Few steps show local shape, many show whole objects.
     time_step_length: in (0, 1/12].
     tolerance: bound of the error of the heat, 1e-6 to 1.
     method: "chebyshev" or "explicit". conductance: "physical" or "published".
@@ -1861,7 +1861,7 @@ def find_in_other_position(map: Mesh, candidates: Sequence[PolypCandidate], othe
     """The candidates with `other` set, from a map of `Registration`.
 
     map: `Registration.supine_to_prone` if the candidates are supine. others: the candidates of the other position.
-    confidence: that of the registration, 0 to 1. If given, scores are weighted by the other position: polyps stay in
+    confidence: of the registration, 0 to 1. If given, scores are weighted by the other position: polyps stay in
     place, most stool moves.
     """
     ...
@@ -1908,7 +1908,7 @@ def heat_diffusion_metric(mesh: Mesh, time: Optional[float]=..., *, pairs: Optio
     """The heat diffusion distances along all edges, as new edge lengths.
 
     mesh: one manifold component. time: diffusion time, mm^2; None: 8 times the squared mean edge length at 55,000 faces.
-    pairs: uses only this number of eigenpairs, as published; None: all of them, without computing any.
+    pairs: uses only this number of eigenpairs, as published; None: exact distances, without eigenpairs.
     progress: called with (share, stage), share from 0 to 1; False, or an exception such as that of Ctrl-C, aborts.
     """
     ...
@@ -1971,7 +1971,7 @@ def read_shape_table(path: Union[str, os.PathLike[str]]) -> ShapeTable:
 def read_surface(path: Union[str, os.PathLike[str]], *, part: str=..., component: int=..., unit: str=..., any_extent: bool=..., repair: bool=...) -> Mesh:
     """Reads VTP, STL, OBJ, PLY, OFF, glTF or GLB; LPS, mm.
 
-    part: name of a part of the file; "" for all. component: from 1, by number of faces; 0: there must be one; -1: all.
+    part: name of a part of the file; "" for all. component: from 1, by number of faces; 0: the only one; -1: all.
     unit: "m", "mm" or "um", overrides that of the format and accepts any extent. any_extent: accepts a surface that is not
     between 5 mm and 5 m wide, with a note. repair: repairs as `repair_surface` does.
 
@@ -2049,7 +2049,7 @@ def signature_distance(a: ShapeSignature, b: ShapeSignature) -> float:
 def simplify_surface(mesh: Mesh, faces: int, *, smallest_angle: float=..., boundary_weight: float=..., progress: Optional[Callable[[float, str], object]]=...) -> Mesh:
     """A surface with at most this number of faces and the same topology, by edge collapses. Arrays are dropped.
 
-    smallest_angle: degrees, 0 to 30; none becomes smaller. boundary_weight: of boundary edges against faces.
+    smallest_angle: degrees, 0 to 30; no angle becomes smaller. boundary_weight: of boundary edges against faces.
     """
     ...
 
@@ -2113,7 +2113,7 @@ def write_graph(graph: Graph, path: Union[str, os.PathLike[str]]) -> None:
     ...
 
 def write_shape_table(table: ShapeTable, path: Union[str, os.PathLike[str]]) -> None:
-    """Writes a CSV file like the tool ShapeSignature."""
+    """Writes a CSV file as the tool ShapeSignature does."""
     ...
 
 def write_surface(mesh: Mesh, path: Union[str, os.PathLike[str]]) -> None:

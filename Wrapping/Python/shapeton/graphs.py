@@ -1,4 +1,4 @@
-"""Graphs: embeddings without crossings by circle packing, certificates that prove it, comparison."""
+"""Graphs: crossing-free embeddings by circle packing, certificates that prove them crossing-free, and comparison."""
 
 from ._shapeton import (
     EmbeddingCertificate,

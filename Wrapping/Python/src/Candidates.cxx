@@ -129,7 +129,7 @@ progress: called with (share, stage), share from 0 to 1; False, or an exception 
              R"(The candidates with `other` set, from a map of `Registration`.
 
 map: `Registration.supine_to_prone` if the candidates are supine. others: the candidates of the other position.
-confidence: that of the registration, 0 to 1. If given, scores are weighted by the other position: polyps stay in
+confidence: of the registration, 0 to 1. If given, scores are weighted by the other position: polyps stay in
 place, most stool moves.)");
   module.def("implied_category",
              &CategoryImplied,

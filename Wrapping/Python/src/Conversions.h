@@ -68,7 +68,7 @@ MeshOf(const py::handle & mesh);
 py::object
 ToPython(const SurfaceMesh & mesh, const py::handle & owner);
 
-/** A copy of a shapeton.Curves, or from an n x 3 array one curve through its rows. */
+/** A copy of a shapeton.Curves; for an n x 3 array, one curve through its rows. */
 CurveSet
 CurvesOf(const py::handle & curves);
 /** A shapeton.Curves; its arrays are views of data kept alive by `owner`. */
@@ -106,7 +106,7 @@ SetProgressPeriod(unsigned int milliseconds);
 template <typename TParameter>
 using InReports = std::conditional_t<std::is_same_v<TParameter, const Progress &>, const Reports &, TParameter>;
 
-/** Wraps a function whose last parameter is `const Progress &` for Python; reports the share 1 after it returns. */
+/** Wraps a function for Python. Its last parameter is `const Progress &`; the share 1 is reported when it returns. */
 template <typename TResult, typename... TParameters>
 auto
 Reporting(TResult (*function)(TParameters...))

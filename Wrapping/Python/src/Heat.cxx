@@ -128,8 +128,8 @@ AddHistogram(py::module_ & module)
     .def_property_readonly(
       "edges",
       [](const HeatHistogram &) { return LowerEdges(); },
-      "4098 heats: bin b contains edges[b] <= heat < edges[b + 1]. Bin 0 is the background, the others are 256 per "
-      "factor of two.")
+      "4098 heat values: bin b contains edges[b] <= heat < edges[b + 1]. Bin 0 is the background, the others are 256 "
+      "per factor of two.")
     .def("equalization",
          &HeatHistogram::GetEqualization,
          "4098 numbers from 0 to 1, ascending: the fraction of the counts, without bin 0, below the lower edge of "
@@ -171,7 +171,7 @@ AddClasses(py::module_ & module)
       "border_share", &HeatClass::borderShare, "Fraction of the voxels at the border of the volume, 0 to 1.")
     .def_readonly("components", &HeatClass::components, "Converged closed components in the class.")
     .def_readonly(
-      "normalized_heat", &HeatClass::normalizedHeat, "Scale-invariant heat of these components; 0 without any.");
+      "normalized_heat", &HeatClass::normalizedHeat, "Scale-invariant heat of closed components; 0 without any.");
 
   py::class_<ShapeComponent>(module, "ShapeComponent", "Voxels connected by edges of positive weight.")
     .def_property_readonly(
@@ -214,7 +214,7 @@ AddClasses(py::module_ & module)
     ReleaseGil(),
     R"(The classes of a heat image: the lines of its histogram, separated at the valleys.
 
-heat: in [0, 1]. components: those of `HeatResult`, to count them per class. maximum_classes: without the background.
+heat: in [0, 1]. components: from `HeatResult`, to count them per class. maximum_classes: without the background.
 background_heat: lines with a peak below this heat are background. minimum_share: minimum fraction of the voxels above
 the background in a class. minimum_peak_to_valley: minimum ratio of the lower peak to the valley between neighbors.
 
@@ -285,7 +285,7 @@ AddHeat(py::module_ & module)
 image: intensities; float32 and C-contiguous ones are read in place. Any spacing.
 p: steepness, from 0; an edge insulates if the half gradient reaches 1 / p. None: chosen from noise and edges.
 window: (lower, upper) intensities mapped to 0 and 1; None: minimum and maximum.
-time_steps: at least 1. Few show local shape, many whole objects.
+time_steps: at least 1. Few steps show local shape, many show whole objects.
 time_step_length: in (0, 1/12].
 tolerance: bound of the error of the heat, 1e-6 to 1.
 method: "chebyshev" or "explicit". conductance: "physical" or "published".

@@ -176,7 +176,7 @@ AddMetric(py::module_ & module)
              R"(The heat diffusion distances along all edges, as new edge lengths.
 
 mesh: one manifold component. time: diffusion time, mm^2; None: 8 times the squared mean edge length at 55,000 faces.
-pairs: uses only this number of eigenpairs, as published; None: all of them, without computing any.
+pairs: uses only this number of eigenpairs, as published; None: exact distances, without eigenpairs.
 progress: called with (share, stage), share from 0 to 1; False, or an exception such as that of Ctrl-C, aborts.)");
   module.def(
     "diffuse_over_surface",

@@ -166,7 +166,7 @@ AddRegistration(py::module_ & module)
       [](const Registered & r) { return r.results.matches; },
       "List of MatchedFolds, in the order of supine folds.")
     .def_property_readonly(
-      "confidence", [](const Registered & r) { return r.registration.confidence.whole; }, "0 to 1; below 0.5 flagged.")
+      "confidence", [](const Registered & r) { return r.registration.confidence.whole; }, "0 to 1; flagged below 0.5.")
     .def_property_readonly(
       "doubts",
       [](const Registered & r) { return r.registration.confidence.reasons; },

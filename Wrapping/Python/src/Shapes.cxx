@@ -90,7 +90,7 @@ A shape takes half a second. Shapes of fewer than 64 voxels, or too thin, are sk
     "table"_a,
     "path"_a,
     ReleaseGil(),
-    "Writes a CSV file like the tool ShapeSignature.");
+    "Writes a CSV file as the tool ShapeSignature does.");
   module.def(
     "read_shape_table",
     [](const Path & path) { return ReadShapeTable(path.text); },

@@ -75,7 +75,7 @@ AddFiles(py::module_ & module)
              "repair"_a = false,
              R"(Reads VTP, STL, OBJ, PLY, OFF, glTF or GLB; LPS, mm.
 
-part: name of a part of the file; "" for all. component: from 1, by number of faces; 0: there must be one; -1: all.
+part: name of a part of the file; "" for all. component: from 1, by number of faces; 0: the only one; -1: all.
 unit: "m", "mm" or "um", overrides that of the format and accepts any extent. any_extent: accepts a surface that is not
 between 5 mm and 5 m wide, with a note. repair: repairs as `repair_surface` does.
 
@@ -139,7 +139,7 @@ agree. split: cuts the surface where it is not manifold.)");
     ReleaseGil(),
     R"(A surface with at most this number of faces and the same topology, by edge collapses. Arrays are dropped.
 
-smallest_angle: degrees, 0 to 30; none becomes smaller. boundary_weight: of boundary edges against faces.)");
+smallest_angle: degrees, 0 to 30; no angle becomes smaller. boundary_weight: of boundary edges against faces.)");
   module.def("remesh_surface",
              Reporting(&Remesh),
              "mesh"_a,

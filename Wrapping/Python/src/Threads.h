@@ -32,9 +32,9 @@ private:
 };
 
 /** Shares a Python object with C++ code, which may release it in any thread and at any time. Objects that hold such a
- * reference may live until the process ends, for example as a module global. The reference is therefore released while
- * the interpreter is alive, and leaked after its shutdown: most threads would then block on the GIL, and the memory is
- * freed with the process. */
+ * reference may live until the process ends, for example as a module global. The reference is therefore released only
+ * while the interpreter is alive. After shutdown it is leaked, because most threads would block on the GIL; the memory
+ * is freed when the process exits. */
 std::shared_ptr<PyObject>
 Share(py::object object);
 

@@ -98,7 +98,7 @@ Interpolate(const std::vector<std::vector<double>> & nodes, double heat, std::si
   return nodes.back()[value];
 }
 
-/** Expects that the property matches the lines for all heats more than `margin` away from their ends. */
+/** Expects that the property matches the lines for all heat values more than `margin` away from their ends. */
 void
 ExpectSameFunction(const shapeton::ShapeTransferFunction & expected,
                    const SlicerVolumeProperty &            property,
