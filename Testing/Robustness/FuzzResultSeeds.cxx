@@ -61,7 +61,7 @@ MakeFractional(const std::string & path, const DicomSource & source)
   return ReadFileBytes(path);
 }
 
-/** A segmentation as from other programs: optionally with VR UN, and with a label in another character set. */
+/** A segmentation as other programs write it: optionally with VR UN, and with a label in another character set. */
 std::string
 MakeLabelMap(const std::string & path, unsigned int bits, bool isUnknown)
 {

@@ -69,7 +69,7 @@ AddDicomSeeds(const std::string & folder, std::vector<FuzzSeed> & seeds)
   add();
 }
 
-/** Slices as from other programs: VR UN, mosaics, code extensions of character sets, label maps. */
+/** Slices as other programs write them: VR UN, mosaics, code extensions of character sets, label maps. */
 void
 AddOtherDicomSeeds(const std::string & folder, std::vector<FuzzSeed> & seeds)
 {

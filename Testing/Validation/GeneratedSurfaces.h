@@ -36,8 +36,7 @@ LoopAcross(const shapeton::SurfaceMesh & mesh,
 int
 VertexAt(const shapeton::SurfaceMesh & mesh, const Eigen::Vector3d & place);
 
-/** A surface before and after a cut along a loop of edges: the vertices of the first are the first vertices of the
- * second.
+/** A surface before and after a cut along a loop of edges. The cut surface begins with the vertices of the uncut one.
  */
 struct CutPair
 {

@@ -16,8 +16,8 @@ public:
   void
   Add(double confidence, bool isRight);
 
-  /** Expected calibration error: the mean, over all statements, of the difference between the mean confidence of their
-   * class and the share of correct ones; 0 without statements. */
+  /** Expected calibration error: the difference between the mean confidence of a class and its share of correct
+   * statements, averaged over all statements; 0 without statements. */
   double
   CalibrationError() const;
 

@@ -95,8 +95,8 @@ MeanWithInterval(const std::vector<double> & values);
 /** Settings of a part. */
 struct ValidationSettings
 {
-  /** Seeds of the synthetic patients of a preset: `asked` seeds (20 for realistic) or the set number, starting at 100
-   * (140 for realistic) or at the set first seed. */
+  /** Seeds of the synthetic patients of a preset. Their number is `asked` (20 for realistic) unless one is set; the
+   * first seed is 100 (140 for realistic) unless one is set. */
   std::vector<unsigned int>
   Seeds(int asked, const std::string & preset = "standard") const;
 

@@ -10,7 +10,7 @@ from .xml_tree import parse, text_of
 BUILT_IN = {"help", "version", "xml", "quiet", "returnparameterfile"}
 # Values in messages that a tool rejects but never prints. `component` = -1 is omitted if
 # SurfaceReadOptions::takesOneComponent is set; the test SurfaceReader.ASurfaceThatIsNotManifoldIsCutIntoComponents and
-# those of Testing/Advice check this.
+# the tests of Testing/Advice check this.
 CONDITIONAL = {("component", "-1")}
 VERBS = {"needs", "says", "is", "takes", "and", "belongs", "has", "or"}  # words after an option that are not its value
 # Another tool, its option and the next word; or a parameter and its value.
@@ -27,7 +27,7 @@ def parameters_of(tree, xml):
 
 
 def folders_of(tree, cmake, folders, modules):
-    """Returns the folder of a tool and those of the modules that it links, also transitively. All tools link CommandLine."""
+    """Returns the folders of a tool and of all modules that it links, directly or transitively. All tools link CommandLine."""
     reached, names = {cmake.parent}, [*arguments(tree.text(cmake), "shapeton_add_tool("), "CommandLine"]
     while names:
         folder = folders.get(names.pop())

@@ -23,7 +23,7 @@ def comments(tree):
 
 def equations(tree):
     """Each formula of the dissertation is marked at most once, by `\\equation{n.m}` at the code that computes it;
-    those of WANTED are marked."""
+    the formulas in WANTED must be marked."""
     marked = {}
     for file, line, text in comments(tree):
         for number in EQUATION.findall(text):

@@ -1303,7 +1303,7 @@ class Registration:
 class SeededHeat:
     """Labels from a few seeds: the steady state of heat that leaves the seeds of each label.
 
-    image: intensities; float32 and C-contiguous ones are read in place.
+    image: intensities; not copied if float32 and C-contiguous.
     p: steepness, from 0; an edge insulates if the half gradient reaches 1 / p. None: chosen from noise and edges.
     window: (lower, upper) intensities mapped to 0 and 1; None: minimum and maximum.
     least_weight: positive; the weight of an edge that just insulates.
@@ -1319,7 +1319,7 @@ class SeededHeat:
 
         seeds: an image on the same grid, integers from 0 to 65535; 0: no seed; at least two labels.
         probabilities: also returns the probability of each label.
-        progress: called with (share, stage), share from 0 to 1; False, or an exception such as that of Ctrl-C, aborts.
+        progress: called with (share, stage), share from 0 to 1; returning False, an exception or Ctrl-C aborts.
         """
         ...
 
@@ -1734,7 +1734,7 @@ def colon_phantom(*, seed: int=..., position: str=..., preset: str=..., size: Se
 def compare_graphs(a: Graph, b: Graph, seed: int=..., *, progress: Optional[Callable[[float, str], object]]=...) -> GraphComparison:
     """Determines whether two graphs are isomorphic, embeds both and reports the differences.
 
-    progress: called with (share, stage), share from 0 to 1; False, or an exception such as that of Ctrl-C, aborts.
+    progress: called with (share, stage), share from 0 to 1; returning False, an exception or Ctrl-C aborts.
     """
     ...
 
@@ -1753,7 +1753,7 @@ def conformal_map(mesh: Mesh, *, domain: str=..., outer_boundary: int=..., inner
     outer_boundary, inner_boundary: numbers from 1 by length; 0: the longest, and the longest of the others.
     corners: four vertices of the only boundary of a rectangle. edge_lengths: another metric, in the order of
     `surface_edges`.
-    progress: called with (share, stage), share from 0 to 1; False, or an exception such as that of Ctrl-C, aborts.
+    progress: called with (share, stage), share from 0 to 1; returning False, an exception or Ctrl-C aborts.
     """
     ...
 
@@ -1761,7 +1761,7 @@ def describe_shapes(image: Image, labels: Image, *, components: bool=..., progre
     """The signature of each label, or of each connected component of each label.
 
     image: intensities, used for mean_intensity only. labels: integers from 0 (background) to 65535, on the same grid.
-    progress: called with (share, stage), share from 0 to 1; False, or an exception such as that of Ctrl-C, aborts.
+    progress: called with (share, stage), share from 0 to 1; returning False, an exception or Ctrl-C aborts.
 
     A shape takes half a second. Shapes of fewer than 64 voxels, or too thin, are skipped with a warning.
     """
@@ -1770,7 +1770,7 @@ def describe_shapes(image: Image, labels: Image, *, components: bool=..., progre
 def diffuse_heat(image: Image, *, p: Optional[float]=..., window: Optional[Tuple[float, float]]=..., time_steps: int=..., time_step_length: float=..., tolerance: float=..., method: str=..., conductance: str=..., ignore_spacing: bool=..., until_steady: bool=..., histogram_steps: Sequence[int]=..., snapshot_steps: Sequence[int]=..., snapshot: Optional[Callable[[int, Image], object]]=..., components: bool=..., initial_heat: bool=..., progress: Optional[Callable[[float, str], object]]=...) -> HeatResult:
     """Cumulative heat diffusion: a shape descriptor of each voxel, its heat after diffusion from all voxels at once.
 
-    image: intensities; float32 and C-contiguous ones are read in place. Any spacing.
+    image: intensities; not copied if float32 and C-contiguous. Any spacing.
     p: steepness, from 0; an edge insulates if the half gradient reaches 1 / p. None: chosen from noise and edges.
     window: (lower, upper) intensities mapped to 0 and 1; None: minimum and maximum.
     time_steps: at least 1. Few steps show local shape, many show whole objects.
@@ -1782,7 +1782,7 @@ def diffuse_heat(image: Image, *, p: Optional[float]=..., window: Optional[Tuple
     histogram_steps: ascending steps that become rows of the histogram, see `recorded_steps`.
     snapshot_steps, snapshot: snapshot(step, image) is called with the heat after each of these ascending steps.
     components: finds components and their converged heat. initial_heat: also returns the heat at step 0.
-    progress: called with (share, stage) ten times a second; False, or an exception such as that of Ctrl-C, aborts.
+    progress: called with (share, stage) ten times a second; returning False, an exception or Ctrl-C aborts.
 
     The heat is byte-identical for any number of threads. Memory: about 8 float32 fields, 13 with a histogram.
     """
@@ -1794,14 +1794,14 @@ def diffuse_over_surface(mesh: Mesh, values: ArrayLike, time: float, *, progress
     values: n, or n x k in columns. Two implicit time steps: the component of eigenvalue x is multiplied by
     (1 + x time / 2)^-2, where the exact factor is exp(-x time). For the exact one use `spectrum`.
 
-    progress: called with (share, stage), share from 0 to 1; False, or an exception such as that of Ctrl-C, aborts.
+    progress: called with (share, stage), share from 0 to 1; returning False, an exception or Ctrl-C aborts.
     """
     ...
 
 def diffuse_shapetons(image: Image, *, mask: Optional[Image]=..., p: float=..., window: Optional[Tuple[float, float]]=..., shapetons: Optional[int]=..., distance: float=..., feature_size: Optional[float]=..., time_steps: int=..., direction_sampling: str=..., path_rule: str=..., placement: str=..., seed: int=..., until_steady: bool=..., epsilon: Optional[float]=..., histogram_steps: Sequence[int]=..., progress: Optional[Callable[[float, str], object]]=...) -> ShapetonResult:
     """Shapeton diffusion: counts the visits of particles that perform a random walk through a volume.
 
-    image: intensities; float32 and C-contiguous ones are read in place. mask: shapetons start where it is nonzero.
+    image: intensities; not copied if float32 and C-contiguous. mask: shapetons start where it is nonzero.
     p: steepness, from 0. window: (lower, upper) intensities mapped to 0 and 1; None: minimum and maximum.
     shapetons: their number; None: 65000, or chosen from feature_size.
     distance: step length in (0, 1], in units of the longest side of the volume.
@@ -1811,7 +1811,7 @@ def diffuse_shapetons(image: Image, *, mask: Optional[Image]=..., p: float=..., 
     placement: "uniform" or "initialHeat". seed: the same seed gives the same visits.
     until_steady: stops when the density changes by less than epsilon (3.10); None: chosen from the run.
     histogram_steps: ascending steps, from 1, that become rows of the histogram.
-    progress: called with (share, stage) ten times a second; False, or an exception such as that of Ctrl-C, aborts.
+    progress: called with (share, stage) ten times a second; returning False, an exception or Ctrl-C aborts.
 
     The visits are byte-identical for any number of threads.
     """
@@ -1828,7 +1828,7 @@ def embed_graph(graph: Graph, *, genus: Optional[int]=..., rotation: Optional[Se
     rotation: for each node the half-edges that leave it, counterclockwise; replaces the search.
     seed: of the search. augmentation: "ring" adds dummy nodes if no packing exists, "none" does not.
     infinity: "circle" or "edgeNode", on the sphere.
-    progress: called with (share, stage), share from 0 to 1; False, or an exception such as that of Ctrl-C, aborts.
+    progress: called with (share, stage), share from 0 to 1; returning False, an exception or Ctrl-C aborts.
     """
     ...
 
@@ -1843,7 +1843,7 @@ def find_candidates(wall: Mesh, lumen: Image, *, centerline: Optional[Union[Curv
     Optional inputs add information to a candidate: centerline (with the valve), ct (HU, cleansed), flat (FlatColon),
     segments (`ColonLandmarks.segments`), catheter (`ColonLumen.catheter`).
     preset: "default" or "published". sensitivity: 0 to 1.
-    progress: called with (share, stage), share from 0 to 1; False, or an exception such as that of Ctrl-C, aborts.
+    progress: called with (share, stage), share from 0 to 1; returning False, an exception or Ctrl-C aborts.
     """
     ...
 
@@ -1853,7 +1853,7 @@ def find_folds(flat: FlatColon, *, scheme: str=..., minimum_length: float=..., m
     scheme: "graphCut" or "published". minimum_length: mm; minimum_area: mm^2; minimum_elongation: long over short axis;
     minimum_angle: against the tube, degrees. smoothing_time: of the curvature, mm^2. smoothness: cost of the outline.
     taeniae: Curves on the wall along which merged folds are split.
-    progress: called with (share, stage), share from 0 to 1; False, or an exception such as that of Ctrl-C, aborts.
+    progress: called with (share, stage), share from 0 to 1; returning False, an exception or Ctrl-C aborts.
     """
     ...
 
@@ -1871,7 +1871,7 @@ def find_landmarks(flat: FlatColon, centerline: Union[Curves, NDArray[Any]], *, 
 
     flat: FlatColon. centerline: from `trace_centerline`. flexure_rule: "ordered" or "published". taenia_rule: "joint" or
     "published". markers: k x 3, LPS mm: points on taeniae placed by a person.
-    progress: called with (share, stage), share from 0 to 1; False, or an exception such as that of Ctrl-C, aborts.
+    progress: called with (share, stage), share from 0 to 1; returning False, an exception or Ctrl-C aborts.
 
     A landmark that is not found does not raise an exception: it is absent, and `warnings` give the reason.
     """
@@ -1896,7 +1896,7 @@ def flatten_tube(mesh: Mesh, centerline: Optional[Union[Curves, NDArray[Any]]]=.
     metric: "heatDiffusion", "euclidean" or "truncatedHeatDiffusion". time: diffusion time, mm^2; 0: chosen for the mesh.
     eigenpairs: for truncatedHeatDiffusion. remove_handles: finds and cuts handles.
     method: "conjugate" or "published". cut: a curve near which the tube is cut, Curves or k x 3; None: computed.
-    progress: called with (share, stage), share from 0 to 1; False, or an exception such as that of Ctrl-C, aborts.
+    progress: called with (share, stage), share from 0 to 1; returning False, an exception or Ctrl-C aborts.
     """
     ...
 
@@ -1909,7 +1909,7 @@ def heat_diffusion_metric(mesh: Mesh, time: Optional[float]=..., *, pairs: Optio
 
     mesh: one manifold component. time: diffusion time, mm^2; None: 8 times the squared mean edge length at 55,000 faces.
     pairs: uses only this number of eigenpairs, as published; None: exact distances, without eigenpairs.
-    progress: called with (share, stage), share from 0 to 1; False, or an exception such as that of Ctrl-C, aborts.
+    progress: called with (share, stage), share from 0 to 1; returning False, an exception or Ctrl-C aborts.
     """
     ...
 
@@ -1936,7 +1936,7 @@ def inspect_surface(mesh: Mesh) -> Dict[str, Any]:
 def list_series(path: Union[str, os.PathLike[str]], *, progress: Optional[Callable[[float, str], object]]=...) -> List[DicomSeries]:
     """The DICOM series in a folder, searched recursively, or in a file. Reads headers.
 
-    progress: called with (share, stage), share from 0 to 1; False, or an exception such as that of Ctrl-C, aborts.
+    progress: called with (share, stage), share from 0 to 1; returning False, an exception or Ctrl-C aborts.
     """
     ...
 
@@ -1972,7 +1972,7 @@ def read_surface(path: Union[str, os.PathLike[str]], *, part: str=..., component
     """Reads VTP, STL, OBJ, PLY, OFF, glTF or GLB; LPS, mm.
 
     part: name of a part of the file; "" for all. component: from 1, by number of faces; 0: the only one; -1: all.
-    unit: "m", "mm" or "um", overrides that of the format and accepts any extent. any_extent: accepts a surface that is not
+    unit: "m", "mm" or "um", overrides the unit of the format and accepts any extent. any_extent: accepts a surface that is not
     between 5 mm and 5 m wide, with a note. repair: repairs as `repair_surface` does.
 
     Repairs and doubts are in the `notes` of the mesh.
@@ -1989,7 +1989,7 @@ def read_volume(path: Union[str, os.PathLike[str]], *, series_uid: str=..., resa
     deshear: resamples a tilted volume onto perpendicular axes.
     drop_duplicates: keeps the first of several slices at one position.
     allow_single_slice: accepts a single slice as a volume.
-    progress: for DICOM slices, called with (share, stage); False, or an exception such as that of Ctrl-C, aborts.
+    progress: for DICOM slices, called with (share, stage); returning False, an exception or Ctrl-C aborts.
 
     The image holds float32, rescaled: Hounsfield units for CT. Its `facts` hold modality, patient_position, series_uid,
     identity, repairs, notes. Files of other formats are read in one piece, for which Ctrl-C waits.
@@ -2005,7 +2005,7 @@ def register_positions(supine: ColonPosition, prone: ColonPosition, *, map: str=
 
     map: "default" or "published". matching: of folds, "hungarian" or "dualDecomposition". refine: by the wall curvature.
     segment_wise: folds stay within their segment.
-    progress: called with (share, stage), share from 0 to 1; False, or an exception such as that of Ctrl-C, aborts.
+    progress: called with (share, stage), share from 0 to 1; returning False, an exception or Ctrl-C aborts.
     """
     ...
 
@@ -2056,14 +2056,14 @@ def simplify_surface(mesh: Mesh, faces: int, *, smallest_angle: float=..., bound
 def spectrum(mesh: Mesh, pairs: int=..., *, progress: Optional[Callable[[float, str], object]]=...) -> SurfaceSpectrum:
     """The `pairs` smallest eigenpairs of the Laplacian of a surface with one manifold component.
 
-    progress: called with (share, stage), share from 0 to 1; False, or an exception such as that of Ctrl-C, aborts.
+    progress: called with (share, stage), share from 0 to 1; returning False, an exception or Ctrl-C aborts.
     """
     ...
 
 def split_colon(landmarks: ColonLandmarks, *, progress: Optional[Callable[[float, str], object]]=...) -> Tuple[List[ColonPiece], List[str]]:
     """Cuts the wall into its segments and maps each to a rectangle: (list of ColonPiece, warnings).
 
-    progress: called with (share, stage), share from 0 to 1; False, or an exception such as that of Ctrl-C, aborts.
+    progress: called with (share, stage), share from 0 to 1; returning False, an exception or Ctrl-C aborts.
     """
     ...
 

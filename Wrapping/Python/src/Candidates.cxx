@@ -117,7 +117,7 @@ wall: full resolution, without handles (`ColonWall.repaired`). lumen: uint8, non
 Optional inputs add information to a candidate: centerline (with the valve), ct (HU, cleansed), flat (FlatColon),
 segments (`ColonLandmarks.segments`), catheter (`ColonLumen.catheter`).
 preset: "default" or "published". sensitivity: 0 to 1.
-progress: called with (share, stage), share from 0 to 1; False, or an exception such as that of Ctrl-C, aborts.)");
+progress: called with (share, stage), share from 0 to 1; returning False, an exception or Ctrl-C aborts.)");
   module.def("find_in_other_position",
              &InOtherPosition,
              "map"_a,

@@ -235,7 +235,7 @@ AddFolds(py::module_ & module)
 scheme: "graphCut" or "published". minimum_length: mm; minimum_area: mm^2; minimum_elongation: long over short axis;
 minimum_angle: against the tube, degrees. smoothing_time: of the curvature, mm^2. smoothness: cost of the outline.
 taeniae: Curves on the wall along which merged folds are split.
-progress: called with (share, stage), share from 0 to 1; False, or an exception such as that of Ctrl-C, aborts.)");
+progress: called with (share, stage), share from 0 to 1; returning False, an exception or Ctrl-C aborts.)");
 }
 } // namespace
 

@@ -109,7 +109,7 @@ mesh: one manifold, oriented component with a boundary. domain: "rectangle", "an
 outer_boundary, inner_boundary: numbers from 1 by length; 0: the longest, and the longest of the others.
 corners: four vertices of the only boundary of a rectangle. edge_lengths: another metric, in the order of
 `surface_edges`.
-progress: called with (share, stage), share from 0 to 1; False, or an exception such as that of Ctrl-C, aborts.)");
+progress: called with (share, stage), share from 0 to 1; returning False, an exception or Ctrl-C aborts.)");
 }
 } // namespace
 
@@ -167,6 +167,6 @@ rectum if the surface does not name it.
 metric: "heatDiffusion", "euclidean" or "truncatedHeatDiffusion". time: diffusion time, mm^2; 0: chosen for the mesh.
 eigenpairs: for truncatedHeatDiffusion. remove_handles: finds and cuts handles.
 method: "conjugate" or "published". cut: a curve near which the tube is cut, Curves or k x 3; None: computed.
-progress: called with (share, stage), share from 0 to 1; False, or an exception such as that of Ctrl-C, aborts.)");
+progress: called with (share, stage), share from 0 to 1; returning False, an exception or Ctrl-C aborts.)");
 }
 } // namespace shapeton::python

@@ -283,7 +283,7 @@ genus: of the surface: 0 sphere, 1 flat torus, from 2 hyperbolic; None: the smal
 rotation: for each node the half-edges that leave it, counterclockwise; replaces the search.
 seed: of the search. augmentation: "ring" adds dummy nodes if no packing exists, "none" does not.
 infinity: "circle" or "edgeNode", on the sphere.
-progress: called with (share, stage), share from 0 to 1; False, or an exception such as that of Ctrl-C, aborts.)");
+progress: called with (share, stage), share from 0 to 1; returning False, an exception or Ctrl-C aborts.)");
   module.def("verify_embedding",
              &VerifyEmbedding,
              "certificate"_a,
@@ -303,6 +303,6 @@ progress: called with (share, stage), share from 0 to 1; False, or an exception 
              ReleaseGil(),
              R"(Determines whether two graphs are isomorphic, embeds both and reports the differences.
 
-progress: called with (share, stage), share from 0 to 1; False, or an exception such as that of Ctrl-C, aborts.)");
+progress: called with (share, stage), share from 0 to 1; returning False, an exception or Ctrl-C aborts.)");
 }
 } // namespace shapeton::python

@@ -282,7 +282,7 @@ AddHeat(py::module_ & module)
     ReleaseGil(),
     R"(Cumulative heat diffusion: a shape descriptor of each voxel, its heat after diffusion from all voxels at once.
 
-image: intensities; float32 and C-contiguous ones are read in place. Any spacing.
+image: intensities; not copied if float32 and C-contiguous. Any spacing.
 p: steepness, from 0; an edge insulates if the half gradient reaches 1 / p. None: chosen from noise and edges.
 window: (lower, upper) intensities mapped to 0 and 1; None: minimum and maximum.
 time_steps: at least 1. Few steps show local shape, many show whole objects.
@@ -294,7 +294,7 @@ until_steady: stops when the heat is steady.
 histogram_steps: ascending steps that become rows of the histogram, see `recorded_steps`.
 snapshot_steps, snapshot: snapshot(step, image) is called with the heat after each of these ascending steps.
 components: finds components and their converged heat. initial_heat: also returns the heat at step 0.
-progress: called with (share, stage) ten times a second; False, or an exception such as that of Ctrl-C, aborts.
+progress: called with (share, stage) ten times a second; returning False, an exception or Ctrl-C aborts.
 
 The heat is byte-identical for any number of threads. Memory: about 8 float32 fields, 13 with a histogram.)");
 }

@@ -76,7 +76,7 @@ AddPieces(py::module_ & module)
              ReleaseGil(),
              R"(Cuts the wall into its segments and maps each to a rectangle: (list of ColonPiece, warnings).
 
-progress: called with (share, stage), share from 0 to 1; False, or an exception such as that of Ctrl-C, aborts.)");
+progress: called with (share, stage), share from 0 to 1; returning False, an exception or Ctrl-C aborts.)");
 }
 } // namespace
 
@@ -134,7 +134,7 @@ AddLandmarks(py::module_ & module)
 
 flat: FlatColon. centerline: from `trace_centerline`. flexure_rule: "ordered" or "published". taenia_rule: "joint" or
 "published". markers: k x 3, LPS mm: points on taeniae placed by a person.
-progress: called with (share, stage), share from 0 to 1; False, or an exception such as that of Ctrl-C, aborts.
+progress: called with (share, stage), share from 0 to 1; returning False, an exception or Ctrl-C aborts.
 
 A landmark that is not found does not raise an exception: it is absent, and `warnings` give the reason.)");
   AddPieces(module);

@@ -135,7 +135,7 @@ AddSpectrum(py::module_ & module)
              ReleaseGil(),
              R"(The `pairs` smallest eigenpairs of the Laplacian of a surface with one manifold component.
 
-progress: called with (share, stage), share from 0 to 1; False, or an exception such as that of Ctrl-C, aborts.)");
+progress: called with (share, stage), share from 0 to 1; returning False, an exception or Ctrl-C aborts.)");
 }
 } // namespace
 
@@ -177,7 +177,7 @@ AddMetric(py::module_ & module)
 
 mesh: one manifold component. time: diffusion time, mm^2; None: 8 times the squared mean edge length at 55,000 faces.
 pairs: uses only this number of eigenpairs, as published; None: exact distances, without eigenpairs.
-progress: called with (share, stage), share from 0 to 1; False, or an exception such as that of Ctrl-C, aborts.)");
+progress: called with (share, stage), share from 0 to 1; returning False, an exception or Ctrl-C aborts.)");
   module.def(
     "diffuse_over_surface",
     Reporting(&DiffuseOver),
@@ -191,6 +191,6 @@ progress: called with (share, stage), share from 0 to 1; False, or an exception 
 values: n, or n x k in columns. Two implicit time steps: the component of eigenvalue x is multiplied by
 (1 + x time / 2)^-2, where the exact factor is exp(-x time). For the exact one use `spectrum`.
 
-progress: called with (share, stage), share from 0 to 1; False, or an exception such as that of Ctrl-C, aborts.)");
+progress: called with (share, stage), share from 0 to 1; returning False, an exception or Ctrl-C aborts.)");
 }
 } // namespace shapeton::python

@@ -203,6 +203,6 @@ Returns (points, k x 3, LPS mm; confidence, k, 0 to 1; excluded, k: wall not vis
 
 map: "default" or "published". matching: of folds, "hungarian" or "dualDecomposition". refine: by the wall curvature.
 segment_wise: folds stay within their segment.
-progress: called with (share, stage), share from 0 to 1; False, or an exception such as that of Ctrl-C, aborts.)");
+progress: called with (share, stage), share from 0 to 1; returning False, an exception or Ctrl-C aborts.)");
 }
 } // namespace shapeton::python

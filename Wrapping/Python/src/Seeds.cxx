@@ -122,7 +122,7 @@ AddSeeds(py::module_ & module)
                          "SeededHeat",
                          R"(Labels from a few seeds: the steady state of heat that leaves the seeds of each label.
 
-image: intensities; float32 and C-contiguous ones are read in place.
+image: intensities; not copied if float32 and C-contiguous.
 p: steepness, from 0; an edge insulates if the half gradient reaches 1 / p. None: chosen from noise and edges.
 window: (lower, upper) intensities mapped to 0 and 1; None: minimum and maximum.
 least_weight: positive; the weight of an edge that just insulates.
@@ -151,7 +151,7 @@ The last solution is kept as the start of the next one: 4 bytes per voxel and la
 
 seeds: an image on the same grid, integers from 0 to 65535; 0: no seed; at least two labels.
 probabilities: also returns the probability of each label.
-progress: called with (share, stage), share from 0 to 1; False, or an exception such as that of Ctrl-C, aborts.)");
+progress: called with (share, stage), share from 0 to 1; returning False, an exception or Ctrl-C aborts.)");
 
   module.def("seeds_of_classes",
              &SeedsOf,

@@ -81,7 +81,7 @@ AddTables(py::module_ & module)
              R"(The signature of each label, or of each connected component of each label.
 
 image: intensities, used for mean_intensity only. labels: integers from 0 (background) to 65535, on the same grid.
-progress: called with (share, stage), share from 0 to 1; False, or an exception such as that of Ctrl-C, aborts.
+progress: called with (share, stage), share from 0 to 1; returning False, an exception or Ctrl-C aborts.
 
 A shape takes half a second. Shapes of fewer than 64 voxels, or too thin, are skipped with a warning.)");
   module.def(

@@ -162,7 +162,7 @@ AddShapetons(py::module_ & module)
              ReleaseGil(),
              R"(Shapeton diffusion: counts the visits of particles that perform a random walk through a volume.
 
-image: intensities; float32 and C-contiguous ones are read in place. mask: shapetons start where it is nonzero.
+image: intensities; not copied if float32 and C-contiguous. mask: shapetons start where it is nonzero.
 p: steepness, from 0. window: (lower, upper) intensities mapped to 0 and 1; None: minimum and maximum.
 shapetons: their number; None: 65000, or chosen from feature_size.
 distance: step length in (0, 1], in units of the longest side of the volume.
@@ -172,7 +172,7 @@ direction_sampling: "solidAngle", "sectorArea" or "uniform". path_rule: "endpoin
 placement: "uniform" or "initialHeat". seed: the same seed gives the same visits.
 until_steady: stops when the density changes by less than epsilon (3.10); None: chosen from the run.
 histogram_steps: ascending steps, from 1, that become rows of the histogram.
-progress: called with (share, stage) ten times a second; False, or an exception such as that of Ctrl-C, aborts.
+progress: called with (share, stage) ten times a second; returning False, an exception or Ctrl-C aborts.
 
 The visits are byte-identical for any number of threads.)");
 

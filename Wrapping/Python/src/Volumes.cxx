@@ -158,7 +158,7 @@ AddVolumes(py::module_ & module)
              ReleaseGil(),
              R"(The DICOM series in a folder, searched recursively, or in a file. Reads headers.
 
-progress: called with (share, stage), share from 0 to 1; False, or an exception such as that of Ctrl-C, aborts.)");
+progress: called with (share, stage), share from 0 to 1; returning False, an exception or Ctrl-C aborts.)");
 
   const VolumeReadOptions defaults;
   module.def("read_volume",
@@ -180,7 +180,7 @@ resample_gaps: fills gaps and uneven spacing by interpolation between slices.
 deshear: resamples a tilted volume onto perpendicular axes.
 drop_duplicates: keeps the first of several slices at one position.
 allow_single_slice: accepts a single slice as a volume.
-progress: for DICOM slices, called with (share, stage); False, or an exception such as that of Ctrl-C, aborts.
+progress: for DICOM slices, called with (share, stage); returning False, an exception or Ctrl-C aborts.
 
 The image holds float32, rescaled: Hounsfield units for CT. Its `facts` hold modality, patient_position, series_uid,
 identity, repairs, notes. Files of other formats are read in one piece, for which Ctrl-C waits.)");

@@ -30,7 +30,7 @@ public:
   ColonModelFiles(CommandLine & commandLine, const std::string & folder);
 
   /** Adds the provenance to the surfaces, and writes each part of the model in parallel as soon as it is available.
-   * Call before computing the model; do not register other outputs until then. */
+   * Call it before the model is computed; do not register other outputs until the model is complete. */
   void
   WriteBeside(ColonModelOptions & options);
 

@@ -63,7 +63,7 @@ TEST(CommandLineFailures, OtherExceptionsEndWithStatusOne)
   EXPECT_EQ(unknown.err, "TestTool: an unknown failure; report this as a bug\n");
 }
 
-/** An ITK object with custom messages, because those of ITK's classes differ between versions. */
+/** An ITK object with custom messages, because the messages of ITK's classes differ between versions. */
 class FailingObject : public itk::Object
 {
 public:

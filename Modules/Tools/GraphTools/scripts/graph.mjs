@@ -1,5 +1,5 @@
-// A graph of the page: its data, and the correspondence of its nodes and edges with those of other graphs. A node is identified
-// across graphs by its key: its name, or a number that the page assigns to corresponding nodes.
+// A graph of the page: its data, and how its nodes and edges correspond to the nodes and edges of other graphs. A node
+// is identified across graphs by its key: its name, or a number that the page assigns to corresponding nodes.
 export class PageGraph {
   constructor(data) {
     this.data = data;

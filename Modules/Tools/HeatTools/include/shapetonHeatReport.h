@@ -100,7 +100,7 @@ ShapetonHeatTools_EXPORT Picture::Pointer
 ShapetonHeatTools_EXPORT Picture::Pointer
                          DrawOpenedHistogram(const HeatReportContent & content);
 
-/** A warning if the last of content.ranges has no counts; empty otherwise, or if no range is zoomed.
+/** A warning if the last of content.ranges has no counts; otherwise empty, also if there are no ranges.
  * \ingroup ShapetonHeatTools */
 ShapetonHeatTools_EXPORT Remarks
 RangeRemarks(const HeatReportContent & content);

@@ -108,7 +108,7 @@ export class Exam {
     });
   }
 
-  // Index of the point of the centerline at a distance along it.
+  // Index of the centerline point at a given distance along the line.
   centerAt(arc) {
     const c = this.center;
     let lo = 0, hi = c.length - 1;
@@ -119,7 +119,7 @@ export class Exam {
     return arc - c[lo].arc < c[hi].arc - arc ? lo : hi;
   }
 
-  // Number of faces before a distance; faces are sorted by distance along the colon.
+  // Number of faces before a given distance; faces are sorted by distance along the colon.
   facesBefore(arc) {
     let lo = 0, hi = this.faces.length / 3;
     while (lo < hi) {

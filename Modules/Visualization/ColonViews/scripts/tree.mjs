@@ -165,8 +165,8 @@ export class Tree {
   }
 }
 
-// Barycentric weights of the point of a triangle nearest to p, by the regions of its corners, edges and inside (Ericson,
-// Real-time collision detection, 5.1.5).
+// Barycentric weights of the point of a triangle nearest to p, found by the regions of corners, edges and inside
+// (Ericson, Real-time collision detection, 5.1.5).
 function nearestWeights(p, a, b, c) {
   const ab = sub(b, a), ac = sub(c, a), ap = sub(p, a), d1 = dot(ab, ap), d2 = dot(ac, ap);
   if (d1 <= 0 && d2 <= 0) return [1, 0, 0];

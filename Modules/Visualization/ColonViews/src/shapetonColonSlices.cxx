@@ -82,7 +82,7 @@ SlicesOf(const LumenType * lumen, const LumenAreas & areas, unsigned int axis, i
   {
     slices.push_back(box.GetIndex(axis) + static_cast<itk::IndexValueType>((i + 0.5) / shown * count));
   }
-  // The slice with the largest area replaces the nearest one.
+  // The slice with the largest area replaces the nearest of the other slices.
   const auto                most = std::max_element(areas[axis].begin(), areas[axis].end()) - areas[axis].begin();
   const itk::IndexValueType largest = lumen->GetBufferedRegion().GetIndex(axis) + most;
   const auto                nearest =

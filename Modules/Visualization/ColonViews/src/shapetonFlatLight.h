@@ -23,7 +23,8 @@ struct FlatLight
   SHAPETON_HOST_DEVICE static FlatLight
   On(const double normal[3], const FlatAxes & axes)
   {
-    // Towards the light, from the left and slightly above: (-0.62, -0.22, 0.75); and the half vector to the eye.
+    // The direction towards the light, which is at the left and slightly above, (-0.62, -0.22, 0.75), and the half
+    // vector to the eye.
     constexpr double toLight[] = { -0.6214621561237835, -0.22051882959231028, 0.7517687372465124 };
     constexpr double halfway[] = { -0.33201775133635536, -0.11781275047419061, 0.9358869422228607 };
     constexpr double ambient = 0.10;

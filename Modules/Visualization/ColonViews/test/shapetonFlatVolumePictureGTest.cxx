@@ -67,7 +67,7 @@ TEST(FlatVolumePicture, ObliqueVolumesShowTheSame)
 
 TEST(FlatVolumePicture, RaysStopAtTheOppositeWall)
 {
-  // More tissue begins 2 mm inside the surface; it must not hide the wall, which contains contrast medium.
+  // More tissue begins 2 mm inside the surface. It must not hide the wall, which contains contrast medium.
   const Colon              colon(SmoothTube);
   const auto               picture = colon.Paint(MakeStraightCt([](const Eigen::Vector3d & p) {
     const double r = std::hypot(p.x(), p.y());

@@ -61,7 +61,7 @@ Chimney(const SphereHole & hole, double radius, const Eigen::Vector3d & normal, 
   return sections;
 }
 
-/** Clearance between two tubes, with sections as balls; negative if they intersect. */
+/** Clearance between two tubes, whose sections are treated as balls; negative if they intersect. */
 double
 Clearance(const std::vector<TubeSection> & one, const std::vector<TubeSection> & other)
 {

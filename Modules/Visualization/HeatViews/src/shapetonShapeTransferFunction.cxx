@@ -164,8 +164,8 @@ JoinClosest(std::vector<HeatClass> & classes, const HeatAxis & axis)
   classes.erase(classes.begin() + static_cast<std::ptrdiff_t>(closest) + 1);
 }
 
-/** 0.9 for classes up to the median voxel count. Larger classes: 0.9 times the inverse of that ratio to the power of
- * 2/3, at least 0.03, so a class that fills much of the volume becomes a veil. */
+/** 0.9 for classes up to the median voxel count. For larger classes, 0.9 (median / voxel count)^(2/3), at least 0.03,
+ * so a class that fills much of the volume becomes a veil. */
 double
 OpacityFor(std::uint64_t voxels, std::uint64_t middleVoxels)
 {

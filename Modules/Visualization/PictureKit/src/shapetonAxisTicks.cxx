@@ -64,7 +64,7 @@ std::vector<double>
 HeatTicks(double lower, double upper, double leastDistance, const PixelOf & pixelOf)
 {
   TickCollector<double> ticks(leastDistance, pixelOf);
-  // Multipliers by roundness: one digit, then two, then three, three digits only where there is enough space.
+  // Multipliers by roundness: one digit, then two, then three; three digits only where there is enough space.
   constexpr double                    room = 1.4;
   constexpr double                    muchRoom = 2.2;
   const std::vector<std::vector<int>> roundness{ { 1 }, { 2, 5 }, { 3, 4, 6, 7, 8, 9 } };
