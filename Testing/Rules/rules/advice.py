@@ -27,7 +27,7 @@ def parameters_of(tree, xml):
 
 
 def folders_of(tree, cmake, folders, modules):
-    """Returns the folders of a tool and of all modules that it links, directly or transitively. All tools link CommandLine."""
+    """Returns the folders of a tool and of the modules that it links, also transitively. All tools link CommandLine."""
     reached, names = {cmake.parent}, [*arguments(tree.text(cmake), "shapeton_add_tool("), "CommandLine"]
     while names:
         folder = folders.get(names.pop())

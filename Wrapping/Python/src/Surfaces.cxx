@@ -76,7 +76,7 @@ AddFiles(py::module_ & module)
              R"(Reads VTP, STL, OBJ, PLY, OFF, glTF or GLB; LPS, mm.
 
 part: name of a part of the file; "" for all. component: from 1, by number of faces; 0: the only one; -1: all.
-unit: "m", "mm" or "um", overrides the unit of the format and accepts any extent. any_extent: accepts a surface that is not
+unit: "m", "mm" or "um", replaces the unit of the format; accepts any extent. any_extent: accepts a surface that is not
 between 5 mm and 5 m wide, with a note. repair: repairs as `repair_surface` does.
 
 Repairs and doubts are in the `notes` of the mesh.)");
