@@ -2,7 +2,7 @@
 set(Shapeton_GROUPS Core Mesh IO Filtering Phantom Graph Colon Bridge Visualization Tools)
 
 # The modules of Shapeton, each after its dependencies. This is the only list of modules; the test ModuleLayersOfThisRepository
-# checks that modules include only earlier ones.
+# checks that modules include only earlier modules.
 set(Shapeton_MODULES
   Core/Common
   Core/Report

@@ -137,7 +137,7 @@ ReadAllOfSurface(const std::string & path)
   return isRead;
 }
 
-/** Scans and reads a file like the tools, with all repairs; also adds a DICOM file to valid slices of its series. */
+/** Scans and reads a file as the tools do, with all repairs; also adds a DICOM file to valid slices of its series. */
 bool
 ReadAllOfVolume(const std::string & path, const std::string & soundFolder)
 {

@@ -53,7 +53,8 @@ GOOD = """<?xml version="1.0" encoding="utf-8"?>
 </executable>
 """
 
-# The good description with the first text replaced by the second one violates the rule that the third one names.
+# Replacing the first text of a row by the second one in the good description violates the rule that the third one
+# names.
 BREAKS = r"""
 <?xml | \n<?xml | must begin with <?xml
 </executable> | | is not well-formed

@@ -204,7 +204,7 @@ AddTrust(const RegistrationBounds & bounds, const PatientScores & patients, bool
 /** Suffix of file names of results with true landmarks. */
 constexpr const char * trueLandmarks = "-true-landmarks";
 
-/** Bounds apply with found landmarks; with true ones, results are only reported. */
+/** Bounds apply to results with found landmarks; results with true landmarks are only reported. */
 void
 WriteSummary(const Column & column, const PatientScores & patients, bool hasBounds, ValidationReport & report)
 {

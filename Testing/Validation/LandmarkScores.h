@@ -26,8 +26,8 @@ struct LandmarkBounds
 class LandmarkScores
 {
 public:
-  /** Finds the landmarks of an exam and returns a description of missed ones. If landmarks cannot be computed, the exam
-   * counts as entirely wrong. */
+  /** Finds the landmarks of an exam and returns a description of the missed landmarks. If landmarks cannot be computed,
+   * the exam counts as entirely wrong. */
   std::vector<std::string>
   Add(const LandmarkExam & exam);
 

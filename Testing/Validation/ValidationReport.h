@@ -19,7 +19,7 @@ struct ValidationSection
 };
 
 /** Replaces the lines between `<!-- part NAME -->` and `<!-- end NAME -->` by `text`. Appends
- * these lines if missing. Keeps everything else byte for byte. Throws std::runtime_error if only one of both lines
+ * these lines if missing. Keeps everything else byte for byte. Throws std::runtime_error if only one of the two lines
  * exists, if one occurs twice, or if they are in the wrong order. */
 std::string
 ReplaceSection(const std::string & page, const std::string & name, const std::string & text);

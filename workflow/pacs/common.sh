@@ -145,7 +145,7 @@ instances_of() { find_values IMAGE SOPInstanceUID "StudyInstanceUID=$1" "SeriesI
 # lines_of UIDS LIST: prints the lines of a list of uids.py with an instance in the file UIDS.
 lines_of() { awk 'NR == FNR { wanted[$1]; next } $1 in wanted' "$1" "$2"; }
 
-# missing_from WANTED FOUND: prints lines of the first file missing in the second one; both are sorted.
+# missing_from WANTED FOUND: prints the lines of the first file that the second one lacks; both are sorted.
 missing_from() { comm -23 "$1" "$2"; }
 
 # fail_for MESSAGE NAMES: prints all names in the file NAMES, one per line, then the message with the first names.

@@ -1,4 +1,4 @@
-"""Layers of modules: CMake/Modules.cmake lists groups and modules, each after those that it uses."""
+"""Layers of modules: CMake/Modules.cmake lists groups and modules, each after the modules that it uses."""
 
 import re
 from collections import Counter

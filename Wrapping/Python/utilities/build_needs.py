@@ -28,7 +28,7 @@ def _numbers(version):
 
 
 def _program(variable, names):
-    """Returns the program from an environment variable such as CC, else the first one found on PATH, or None."""
+    """Returns the program that an environment variable such as CC names, else the first one found on PATH, or None."""
     given = shlex.split(os.environ.get(variable, ""))
     return next(filter(None, map(shutil.which, given[:1] or names)), None)
 

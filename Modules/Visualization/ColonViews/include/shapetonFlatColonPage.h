@@ -48,8 +48,8 @@ struct FlatColonPageOptions
   std::string note;
   /** Maximum length of a row, pixels. */
   int greatestColumns{ 1500 };
-  /** Maximum length (pixels) of a section that is bridged all around and hence interpolated; longer ones are cut short
-   * with a break in the strip, because a conformal map enlarges such narrow places. 0 shows all. */
+  /** Maximum length (pixels) of a section that is bridged all around and hence interpolated; longer sections are
+   * shortened, with a break in the strip, because a conformal map enlarges such narrow places. 0 shows all. */
   int longestBridge{ 60 };
   /** Fraction of the circumference by which the picture is repeated above and below, paler, to avoid structures cut
    * in two. 0 to 0.5. */

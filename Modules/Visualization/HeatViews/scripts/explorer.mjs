@@ -57,7 +57,7 @@ class HeatExplorer {
     this.rendering = new RenderingView(root, this);
     this.slices = this.info.planes.map((plane) => new HeatSliceView(root, this, plane));
     if (!this.rendering.isPossible) notice('This browser has no WebGL 2: histogram, slices and files work, the rendering does not.');
-    if (this.volume.stride > 1) notice(`The volume is large: only one of ${this.volume.stride} voxels along each axis is shown.`);
+    if (this.volume.stride > 1) notice(`The volume is large: only one in ${this.volume.stride} voxels along each axis is shown.`);
     this.listen();
   }
 
