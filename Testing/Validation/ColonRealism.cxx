@@ -70,7 +70,7 @@ Plain(double value)
   return Rounded(value, value < 1000.0 ? 3 : 4);
 }
 
-/** Mean; for ten samples and more, also the 10, 50 and 90 % quantiles. */
+/** Mean; for ten or more samples, also the 10, 50 and 90 % quantiles. */
 std::string
 InWords(const std::vector<double> & samples)
 {

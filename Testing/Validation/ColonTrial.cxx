@@ -279,7 +279,7 @@ MeasureFolds(Source * truth, const TissueKeeper & keeper, ColonErrors & errors)
   }
 }
 
-/** Jumps and reversals of the line along the true line. */
+/** Counts the jumps and reversals of the found line along the true line. */
 void
 MeasureOrder(const CurveSet & line, const Eigen::VectorXd & gap, const TrueLine & trueLine, ColonErrors & errors)
 {

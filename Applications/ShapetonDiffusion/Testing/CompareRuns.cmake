@@ -1,4 +1,4 @@
-# Equal bytes of every file except the run record for 1, 2, 3 and 8 threads, and for a run in two parts.
+# Checks that all files except the run record are byte-identical for 1, 2, 3 and 8 threads, and for a run in two parts.
 set(options --shapetons 20000 --timeSteps 300 --distance 0.03 --seed 5 --quiet)
 set(results --labels labels.nrrd --classTable classes.csv --checkpoint end.state)
 

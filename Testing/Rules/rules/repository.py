@@ -15,7 +15,7 @@ WEB = re.compile(r"[A-Za-z][A-Za-z0-9+.-]*:")
 HEADING = re.compile(r"^#+ +(.*?) *#*$", re.MULTILINE)
 MACHINE = re.compile(r"/(?:home|root|work|Users)/|:\\Users")
 LICENSE = re.compile(r"General[ ]Public License|All rights[ ]reserved|Copyright[ ]\(")
-# Nested calls may deadlock; if progress throws, they return while threads are still running.
+# ITK's loops: nested calls may deadlock, and if progress throws, a call returns while its threads are still running.
 LOOP = re.compile(r"(?:MultiThreaderBase::New|GetMultiThreader)\(\)->Parallelize")
 
 

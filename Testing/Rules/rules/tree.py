@@ -23,7 +23,7 @@ class Fault(NamedTuple):
 
 
 class Tree:
-    """The files of a repository, without git's own and those in .gitignore; their paths are relative to its root."""
+    """The files of a repository, except git's own files and ignored files; their paths are relative to its root."""
 
     def __init__(self, root):
         self.root = Path(root)
@@ -50,17 +50,17 @@ class Tree:
         return [file for file in self.files if file.parts[:len(parts)] == parts]
 
     def sources(self, *folders):
-        """Returns the C++ files, those below the folders if any are given."""
+        """Returns the C++ files; if folders are given, only the files below them."""
         files = [file for folder in folders for file in self.below(folder)] if folders else self.files
         return [file for file in files if is_source(file)]
 
     def includes(self, file):
-        """Returns lines and headers of the includes of a C++ file."""
+        """Returns the line and the header of each include of a C++ file."""
         text = self.text(file)
         return [(line_at(text, match.start()), match[1]) for match in INCLUDE.finditer(text)]
 
     def strings(self, file):
-        """Returns lines and texts of the string literals of a C++ file. Adjacent ones are joined; comments are skipped.
+        """Returns the line and the text of each string literal of a C++ file. Joins adjacent literals; skips comments.
 
         Raw strings are not supported, because they do not contain messages."""
         source, found, end = self.text(file), [], 0

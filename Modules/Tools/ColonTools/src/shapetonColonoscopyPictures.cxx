@@ -22,7 +22,7 @@ SideInWords(PatientSide side)
   return side == PatientSide::Anterior ? "front" : side == PatientSide::Posterior ? "back" : NameOf(side);
 }
 
-/** Label of a curve from a cell array; its index without the array. */
+/** Label of a curve from a cell array, or the index of the curve if the array is missing. */
 int
 LabelOf(const CurveSet & curves, const char * array, std::size_t curve)
 {

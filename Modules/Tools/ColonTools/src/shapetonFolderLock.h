@@ -5,7 +5,7 @@
 
 namespace shapeton
 {
-/** Exclusive lock on a folder, held while this object, or a child process started during its lifetime, exists. */
+/** Exclusive lock on a folder, held as long as this object or a child process started during its lifetime exists. */
 class StagedRun::Lock
 {
 public:

@@ -116,8 +116,8 @@ public:
   void
   Publish(const std::string & path);
 
-  /** Allows an output to replace the file of this input parameter, which must have been read; for example a checkpoint
-   * that a run resumes from and replaces. */
+  /** Allows an output to replace the file of this input parameter, which must have been read already; for example, a
+   * resumed run replaces its checkpoint. */
   void
   AllowReplacing(const std::string & name);
 

@@ -11,7 +11,8 @@ export class Flat {
   zoom(at, amount) { this.scale = Math.min(1e6, Math.max(0.05, this.scale * Math.exp(amount))); }
 }
 
-// The universal cover of a flat torus. frame: the center of the domain and the length of the radius of a view.
+// The universal cover of a flat torus. frame: the center of the domain, and the length that the radius of a view
+// represents.
 export class Plane extends Flat {
   reset() { Object.assign(this, { scale: 1, turned: 0, shift: [0, 0] }); }
   get isStraight() { return true; }

@@ -81,7 +81,8 @@ private:
   std::vector<std::string>   m_Colors;
 };
 
-/** Marks the changes between two steps: on the first step the ends of removed edges, all others on the second step. */
+/** Marks the changes between two steps: the ends of removed edges on the first step, all other changes on the second
+ * step. */
 void
 WriteComparedSteps(const DynamicSequence &          sequence,
                    const std::vector<int> &         compared,

@@ -45,8 +45,8 @@ struct HeatReportContent
   /** Histogram that defines axis and colors; null for `histogram`. */
   const HeatHistogram * axisHistogram{ nullptr };
   HeatScale             scale{ HeatScale::Equalized };
-  /** Zoomed ranges; none by default. A second histogram shows the last range, a second rendering its lines, and the
-   * explorer starts with it. */
+  /** Zoomed ranges; none by default. With ranges, a second histogram shows the last one, a second rendering shows the
+   * lines in it, and the explorer starts with it. */
   HeatRanges ranges;
   /** Time steps marked in the histogram. */
   std::vector<std::uint64_t> markedTimeSteps;

@@ -279,7 +279,7 @@ ReadingGuideOfHeat()
 {
   return {
     "Heat starts at the edges of the image. In each time step, it flows to neighbors of "
-    "similar intensity, but hardly across edges. A region enclosed by edges converges to one heat, which "
+    "similar intensity, but hardly across edges. A region enclosed by edges converges to one value, which "
     "depends on its shape and size. A region open to the border of the volume loses its heat to the "
     "background.",
     "Histogram: time runs downwards, heat to the right. A vertical line at the bottom is an object, or several "

@@ -45,8 +45,8 @@ struct ColonSegment
 ShapetonColonViews_EXPORT std::vector<itk::IndexValueType>
                           ChooseSlices(const itk::Image<unsigned char, 3> * lumen, SlicePlane plane, int number);
 
-/** Slices side by side with the outlines of gas and fluid and the section of the wall; without a CT the lumen is
- * filled. The default is the window of CT colonography, -1100 to 500 HU.
+/** Draws slices side by side, with the outlines of gas and fluid and the section of the wall; without a CT the lumen is
+ * filled. The default window is the usual one for CT colonography, -1100 to 500 HU.
  *
  * Throws std::invalid_argument without a lumen, or if the CT has another grid. \ingroup ShapetonColonViews */
 ShapetonColonViews_EXPORT Picture::Pointer

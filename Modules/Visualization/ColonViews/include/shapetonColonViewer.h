@@ -22,7 +22,8 @@ struct ColonViewerOptions
   bool isAnonymous{ false };
   /** Path of a verdicts.json saved by the page; may be empty. */
   std::string verdicts;
-  /** Run of the patient's other position; if empty, the one in the folder of the run, if any. */
+  /** Run of the patient's other position. If empty, the other position in the folder of the run is shown, if there is
+   * one. */
   std::string second;
   /** ColonRegistration folder for the run and `second`; without it, the positions are not linked. */
   std::string registration;

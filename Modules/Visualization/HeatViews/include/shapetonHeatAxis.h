@@ -36,7 +36,8 @@ ShapetonHeatViews_EXPORT HeatHistogram
 BalanceClasses(const HeatHistogram & histogram, std::size_t row, const std::vector<HeatClass> & classes);
 
 /** \class HeatAxis
- * \brief Position of a heat on the axis of a heat histogram, and its color, consistent in all pictures of one result.
+ * \brief Position of a heat value on the axis of a heat histogram, and its color, consistent in all pictures of one
+ * result.
  *
  * The equalized axis is the map HeatHistogram::GetEqualization(), interpolated linearly inside a bin. A sub-range of
  * the heat is re-equalized (the hierarchical histogram). If the range has no counts, all bins are equally wide.

@@ -58,8 +58,8 @@ public:
   /** One line per class, except the background and, if there are other classes, the surroundings (borderShare above one
    * half), which would hide them. The color encodes the mean heat on the axis, so similar classes look similar.
    * Large classes are more transparent, so small ones inside them stay visible. If there are more than
-   * MaximumNumberOfLines classes, adjacent ones are merged, closest on the axis first; a merged range includes the heat
-   * values between them. */
+   * MaximumNumberOfLines classes, adjacent classes are merged, the closest on the axis first; a merged range includes
+   * the heat values between them. */
   static ShapeTransferFunction
   FromClasses(const std::vector<HeatClass> & classes, const HeatAxis & axis);
 
@@ -69,7 +69,7 @@ public:
     return m_Lines;
   }
 
-  /** Index of the line that contains a heat; -1 if there is none. */
+  /** Index of the line that contains a heat value; -1 if there is none. */
   int
   LineOf(float heat) const;
 

@@ -26,7 +26,8 @@ export function rangeOfCounts(counts) {
   return last === 0 ? [lowerEdge(1), 1] : [lowerEdge(first), lowerEdge(last + 1)];
 }
 
-// Position of a heat on the axis of the histogram, from 0 to 1, as in HeatAxis: equalized inside the range, or linear.
+// Position of a heat value on the axis of the histogram, from 0 to 1, as in HeatAxis: equalized inside the range, or
+// linear.
 export class HeatAxis {
   constructor(shares, isEqualized, [lower, upper]) {
     Object.assign(this, { shares, isEqualized, lower, upper });

@@ -18,7 +18,7 @@ namespace
 {
 using ImageType = itk::Image<float, 3>;
 
-/** Subsampling factor of each axis that lets the page open within seconds. */
+/** Subsampling factor of each axis, chosen so that the page opens within seconds. */
 class VoxelGrid
 {
 public:

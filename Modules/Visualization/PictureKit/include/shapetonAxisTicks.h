@@ -29,7 +29,7 @@ TimeTicks(const std::vector<std::uint64_t> & timeSteps, double leastDistance, co
 ShapetonPictureKit_EXPORT std::vector<double>
                           RoundTicks(double lower, double upper, int greatestNumber);
 
-/** Formats a heat as a short decimal number. \ingroup ShapetonPictureKit */
+/** Formats a heat value as a short decimal number. \ingroup ShapetonPictureKit */
 ShapetonPictureKit_EXPORT std::string
                           HeatLabel(double heat, int digits = 3);
 

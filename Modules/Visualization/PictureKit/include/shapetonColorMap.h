@@ -21,8 +21,8 @@ HeatColor(double position);
 /** Color of a class, counted from 1. Classes are unordered; the colors are distinguishable, also for color-blind
  * readers.
  *
- * Any two of the first 8 are at least 39 apart in CIELAB (CIE 1976), of all 12 at least 27, for normal, deutan and
- * protan vision. No color is gray, and all contrast with black. Colors repeat after 12.
+ * Any two of the first 8 colors are at least 39 apart in CIELAB (CIE 1976), and any two of all 12 at least 27, for
+ * normal, deutan and protan vision. No color is gray, and all contrast with black. Colors repeat after 12.
  * \ingroup ShapetonPictureKit */
 ShapetonPictureKit_EXPORT RGBColor
 ClassColor(unsigned int label);

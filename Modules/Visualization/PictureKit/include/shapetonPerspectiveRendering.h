@@ -21,7 +21,7 @@ struct PerspectiveCamera
   unsigned int height{ 360 };
   /** mm; faces with a corner nearer than this are not drawn. */
   double nearest{ 1.0 };
-  /** Distance (mm) at which light falls to one half; it decreases with the square of the distance. */
+  /** Distance (mm) at which the light has half its strength. Light decreases with the square of the distance. */
   double lightReach{ 60.0 };
 };
 

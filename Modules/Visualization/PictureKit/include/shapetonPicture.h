@@ -114,7 +114,7 @@ struct TextStyle
   bool upwards{ false };
 };
 
-/** Bounding box of a drawn text, pixels. \ingroup ShapetonPictureKit */
+/** Bounding box of drawn text, pixels. \ingroup ShapetonPictureKit */
 struct TextExtent
 {
   int width{ 0 };
