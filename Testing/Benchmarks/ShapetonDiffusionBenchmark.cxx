@@ -290,7 +290,7 @@ public:
   std::map<std::string, double> nanoseconds;
 };
 
-/** Quantities for comparing a run of the peer with one of the library. */
+/** Quantities that compare a run of the peer with a run of the library. */
 struct Summary
 {
   static constexpr unsigned int numbers = 7;

@@ -27,7 +27,7 @@ TubeWithFolds()
   return FlatColon(foldtubes::MakeTube(folds));
 }
 
-/** Centerline on the axis of the tube, a point per mm, with balls of 17 mm and a bridge of 20 mm. */
+/** Centerline on the axis of the tube, one point per mm, with balls of 17 mm and a bridge of 20 mm. */
 CurveSet
 AxisOfTube()
 {

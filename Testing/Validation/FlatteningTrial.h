@@ -43,7 +43,7 @@ LocatedHandles(const std::vector<shapeton::SurfaceHandle> & found,
                std::vector<shapeton::SurfaceHandle>         truth,
                double                                       distance);
 
-/** Tube with polyps, round inward bumps around distant vertices, and the faces of each polyp. */
+/** Tube with polyps (round inward bumps around vertices far apart), and the faces of each polyp. */
 struct PolypTube
 {
   testsurfaces::ColonTube       tube;

@@ -305,7 +305,8 @@ CompareSpeed(bool isQuick, ValidationReport & report)
   report.AddTable(table);
 }
 
-/** Ten edits; the bounds apply to 3,000 to 5,000 nodes, which are also added to `bounded`. */
+/** Ten edits. The bounds apply to graphs of 3,000 to 5,000 nodes; the results of these graphs are also added to
+ * `bounded`. */
 void
 AddStability(const std::string & name,
              const Graph &       graph,

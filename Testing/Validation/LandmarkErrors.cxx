@@ -146,7 +146,8 @@ Joined(const std::vector<Stretch> & stretches)
   return all;
 }
 
-/** Distances of the points of each true taenia, for the assignment to found taeniae with the smallest mean. */
+/** Distances of the points of each true taenia from its found taenia, for the assignment that has the smallest mean
+ * distance. */
 std::array<std::vector<double>, 3>
 DistancesOfTaeniae(const shapeton::ColonTaeniae & found, const Stretch & truth)
 {

@@ -59,7 +59,8 @@ MakeLandmarkExam(const LandmarkCase & one);
 ColonExam
 MakeColonExam(const LandmarkCase & one);
 
-/** Relaxation of bounds if the colon is segmented from CT: subtracted from shares, and factor for errors. */
+/** Relaxation of bounds if the colon is segmented from CT: shares may be lower by the first value, and errors may be
+ * larger by the second factor. */
 inline constexpr double lossFromCt = 0.03;
 inline constexpr double growthFromCt = 1.3;
 

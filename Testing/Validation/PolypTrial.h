@@ -28,7 +28,8 @@ struct PolypExam
   std::vector<double> valveScores;
 };
 
-/** Maximum distance (mm) of a matching candidate from a polyp's head or base, beyond its radius. */
+/** Maximum distance (mm) of a matching candidate from the head or base of a polyp, in addition to the polyp's radius.
+ * */
 constexpr double polypReach = 3.0;
 
 /** Whether a candidate is at a polyp. */

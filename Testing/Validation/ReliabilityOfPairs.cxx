@@ -1,4 +1,4 @@
-// Reliability of the confidence of pairs of positions, of the same patient or of two patients.
+// Reliability of the confidence of a registration, for pairs of positions of the same patient and of two patients.
 #include "BoundTable.h"
 #include "RegistrationTrial.h"
 #include "Reliability.h"

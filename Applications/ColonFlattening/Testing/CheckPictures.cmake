@@ -1,4 +1,4 @@
-# Called by ctest: all files exist and are byte-identical for any number of threads.
+# Called by ctest: checks that all files exist and are byte-identical for any number of threads.
 set(pairs flatAll.vtp flatOne.vtp curvatureAll.png curvatureOne.png mapAll.nrrd mapOne.nrrd)
 foreach(file index.html flat-relief.png flat-curvature.png triangle-quality.png)
   list(APPEND pairs reportAll/${file} reportOne/${file})

@@ -1,4 +1,4 @@
-# The ground truth is complete, and its images are on the grid of the series.
+# Checks that the ground truth is complete, and that its images are on the grid of the series.
 set(names centerline.vtp correspondence.vtp folds.vtp lumen.nrrd polyps.csv segments.nrrd structures.json
   structures.nrrd structures.vtp taeniae.vtp wall.vtp)
 file(GLOB found RELATIVE ${FOLDER} ${FOLDER}/* ${FOLDER}/.*)

@@ -1,4 +1,5 @@
-# The motion of the simulated patient is known: errors of a few millimeters, no flips, no wrong pairs.
+# Checks the registration of a simulated patient with known motion: errors of a few millimeters, no flips, no wrong
+# pairs.
 file(READ ${FOLDER}/registration.json document)
 function(figure variable)
   string(JSON value GET "${document}" ${ARGN})

@@ -1,5 +1,5 @@
-# Modified or outdated results of a run are rejected; without a search, the CAD report does not claim
-# that there are no candidates.
+# Checks that modified or outdated results of a run are rejected, and that without a search, the CAD report does not
+# claim that there are no candidates.
 file(REMOVE_RECURSE ${OUT})
 file(COPY ${EXAM}/ DESTINATION ${OUT}/exam)
 

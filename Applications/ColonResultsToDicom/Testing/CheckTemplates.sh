@@ -1,6 +1,6 @@
 #!/bin/bash
 # Called by ctest: CheckTemplates.sh REPORT.dcm
-# PixelMed's template validator finds no error in a Structured Report.
+# Checks that PixelMed's template validator finds no error in a Structured Report.
 set -u
 jars=/usr/share/java
 if ! command -v java >/dev/null || [ ! -f $jars/pixelmed.jar ]; then

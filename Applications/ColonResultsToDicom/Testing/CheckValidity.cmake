@@ -1,5 +1,5 @@
-# dciodvfy finds no errors in the objects of FOLDER, and warns only about the private coding scheme. It does not
-# support the Colon CAD SR, which dsrdump must read without messages on its tree.
+# Checks that dciodvfy finds no errors in the objects of FOLDER, and warns only about the private coding scheme. It does
+# not support the Colon CAD SR, which dsrdump must read without messages on its tree.
 if(NOT DCIODVFY OR NOT DSRDUMP)
   message("dciodvfy or dsrdump is not installed")
   return()

@@ -1,4 +1,5 @@
-# Called by ctest: all files exist and are byte-identical for any number of threads; no cleansed CT for a mask.
+# Called by ctest: checks that all files exist and are byte-identical for any number of threads, and that a mask has no
+# cleansed CT.
 set(files lumen.nrrd centerline.vtp wall.vtp wall-repaired.vtp wall-simplified.vtp quality.json)
 foreach(file IN LISTS files)
   foreach(folder ct oneThread lumen)

@@ -1,4 +1,4 @@
-# A run whose landmarks were computed from another flat wall is rejected.
+# Checks that a run whose landmarks were computed from another flat wall is rejected.
 file(REMOVE_RECURSE ${OUT})
 file(COPY ${EXAM}/ DESTINATION ${OUT}/exam)
 file(READ ${OUT}/exam/stages/landmarks.json record)

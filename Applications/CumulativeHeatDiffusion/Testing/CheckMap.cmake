@@ -1,4 +1,4 @@
-# dciodvfy finds no errors in the Parametric Map FILE, and warns only about the private coding scheme.
+# Checks that dciodvfy finds no errors in the Parametric Map FILE, and warns only about the private coding scheme.
 if(NOT DCIODVFY)
   message("dciodvfy is not installed")
   return()

@@ -1,4 +1,4 @@
-# The same command writes the same bytes for any number of threads, also when it replaces a series.
+# Checks that the same command writes the same bytes for any number of threads, also when it replaces a series.
 function(make folder)
   execute_process(COMMAND ${TOOL} ${folder} --quiet ${ARGN} RESULT_VARIABLE status ERROR_VARIABLE errors)
   if(NOT status EQUAL 0)

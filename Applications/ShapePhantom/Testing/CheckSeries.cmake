@@ -1,4 +1,4 @@
-# Every slice of FOLDER passes dciodvfy without errors or warnings.
+# Checks that every slice of FOLDER passes dciodvfy without errors or warnings.
 if(NOT DCIODVFY)
   message("dciodvfy is not installed")
   return()

@@ -1,5 +1,5 @@
-# During a run the preview is updated repeatedly, always with a complete picture; a killed run leaves the last preview and
-# the last checkpoint, and no partial files.
+# Checks that the preview is updated repeatedly during a run, always with a complete picture, and that a killed run
+# leaves the last preview and the last checkpoint, but no partial files.
 file(REMOVE_RECURSE ${OUT})
 file(MAKE_DIRECTORY ${OUT})
 file(WRITE ${OUT}/density.nrrd "the old result")

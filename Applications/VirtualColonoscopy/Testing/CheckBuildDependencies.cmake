@@ -1,5 +1,5 @@
-# All tools run by VirtualColonoscopy are built with it: each tool in StageTools.cmake, and each in the records of
-# finished runs, is an input of its target.
+# Checks that all tools run by VirtualColonoscopy are built with it: each tool in StageTools.cmake, and each in the
+# records of finished runs, is an input of its target.
 # cmake -DNINJA=... -DBUILD=... -DTOOL=... -DSTAGE_TOOLS=... "-DRUNS=FOLDER;..." -P CheckBuildDependencies.cmake
 include(${STAGE_TOOLS})
 set(tools "")

@@ -1,5 +1,5 @@
-# A finished run is resumed with --dicomResults: earlier stages are not recomputed, and the objects equal the objects of the
-# tool.
+# Resumes a finished run with --dicomResults. Checks that earlier stages are not recomputed, and that the objects equal
+# the objects that the tool writes.
 file(REMOVE_RECURSE ${OUT} ${OUT}-single)
 file(COPY ${FINISHED}/ DESTINATION ${OUT})
 file(READ ${OUT}/stages/polyps.json before)

@@ -1,4 +1,4 @@
-# A run without pending stages copies the requested results to the given names, byte-identically.
+# Checks that a run without pending stages copies the requested results to the given names, byte-identically.
 file(REMOVE_RECURSE ${OUT})
 file(MAKE_DIRECTORY ${OUT})
 file(COPY ${FINISHED}/ DESTINATION ${OUT}/colon)

@@ -1,6 +1,6 @@
 """Virtual colonoscopy: from CT colonography to lumen, wall, flat map, folds, landmarks, candidates, registration.
 
-Each stage is a function; `build_colon` runs the stages from the CT to the wall. `shapeton.flattening.flatten_tube` computes
+Each stage is a function; `build_colon` runs all stages up to the wall. `shapeton.flattening.flatten_tube` computes
 the flat wall, the input of folds, landmarks and registration.
 """
 

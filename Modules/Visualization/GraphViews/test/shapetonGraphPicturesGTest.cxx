@@ -166,8 +166,8 @@ TEST(GraphPictures, CurvesOfTheSphere)
   EXPECT_EQ(3.0, kinds(40));
 }
 
-/** The corners of a polygon are on its circle, and the midpoints of its sides at most 1e-4 of a period inside; circles
- * this small need fewer corners than the 32 of large ones. */
+/** The corners of a polygon are on its circle, and the midpoints of its sides at most 1e-4 of a period inside; such
+ * small circles need fewer than the 32 corners of large circles. */
 TEST(GraphPictures, PolygonsAreAsFineAsTheirCirclesNeed)
 {
   const Folder               folder;

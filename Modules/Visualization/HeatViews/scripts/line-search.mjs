@@ -18,7 +18,7 @@ export function lineAround(counts, top) {
   return [lowerEdge(end(-1)), lowerEdge(end(1) + 1)];
 }
 
-// The line drawn at a position of the axis, within `reach` (fraction of the axis); null if no voxel has such a heat.
+// The line drawn at a position of the axis, within `reach` (fraction of the axis); null if no voxel has such a value.
 export function lineNear(counts, axis, position, reach) {
   let top = 0;
   for (let bin = 1; bin < NUMBER_OF_BINS; bin++) {
