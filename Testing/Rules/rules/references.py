@@ -44,7 +44,7 @@ def group_only(tree):
 
 
 def groups(tree):
-    """The group of a comment is its module, or is defined by a comment of the module. Doxygen ignores others."""
+    """The group of a comment is its module, or is defined by a comment of the module. Doxygen ignores other groups."""
     known = {}
     for file, _, text in comments(tree):
         folder = folder_of(file)

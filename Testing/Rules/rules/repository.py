@@ -20,7 +20,7 @@ LOOP = re.compile(r"(?:MultiThreaderBase::New|GetMultiThreader)\(\)->Parallelize
 
 
 def links(markdown):
-    """Yields line and target of the links and pictures of a Markdown text, outside of code."""
+    """Yields the line and the target of each link and picture of a Markdown text, except in code."""
     in_block = False
     for number, line in enumerate(markdown.split("\n"), 1):
         in_block ^= "```" in line
@@ -86,7 +86,7 @@ def sizes(tree):
 
 def texts(tree):
     """Texts contain no machine-specific paths; sources contain no license or copyright notice, which would indicate
-    copied code, and no parallel loops other than those of shapetonParallelFor.h."""
+    copied code, and use only the parallel loops of shapetonParallelFor.h."""
     for file in tree.files:
         if "\0" in tree.text(file):
             continue
