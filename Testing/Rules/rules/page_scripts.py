@@ -40,7 +40,7 @@ ERROR = re.compile(r":(\d+)\n.*?^(\w+Error: .*?)$", re.MULTILINE | re.DOTALL)
 
 
 def page_scripts(tree):
-    """Scripts are valid and short, and contain no network access, unused imports or exports, or other forbidden code."""
+    """Scripts are valid and short, and contain no network access, unused imports or exports, or forbidden code."""
     scripts = [file for file in tree.files if file.suffix == ".mjs"]
     yield from faults_of_syntax(tree, scripts)
     for file in scripts:
