@@ -84,15 +84,15 @@ constexpr double LeastRegistrationConfidence = 0.5;
  * (logistic regression on phantoms, see Documentation/validation/colon-polyps.md); the tissue factor is unchanged. The
  * new score is blended with the old one by the confidence of the registration. The score is unchanged at the valve and
  * where the other position is not visible. Candidates are sorted by the new scores, keep their numbers, and receive a
- * remark if nothing similar is visible. \param confidence of the registration, 0 to 1. \ingroup
- * ShapetonPolypCandidates */
+ * remark if nothing similar is visible. \param confidence of the registration, 0 to 1.
+ * \ingroup ShapetonPolypCandidates */
 ShapetonPolypCandidates_EXPORT void
 WeighByOtherPosition(double confidence, std::vector<PolypCandidate> & candidates);
 
 /** Text with the C-RADS category implied by the sizes of the candidates alone; the actual category ("C0" to "C4") is
  * the reader's decision. C-RADS (Zalis et al., Radiology 2005): C1 no candidate of 6 mm or more, C2 one or two of 6 to
- * 9 mm, C3 at least one of 10 mm or more, or at least three of 6 to 9 mm; C4 requires a reader. \ingroup
- * ShapetonPolypCandidates */
+ * 9 mm, C3 at least one of 10 mm or more, or at least three of 6 to 9 mm; C4 requires a reader.
+ * \ingroup ShapetonPolypCandidates */
 ShapetonPolypCandidates_EXPORT std::string
                                CategoryImplied(const std::vector<PolypCandidate> & candidates);
 

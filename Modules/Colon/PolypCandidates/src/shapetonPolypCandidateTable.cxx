@@ -226,8 +226,7 @@ CategoryImplied(const std::vector<PolypCandidate> & candidates)
     large += size == PolypSize::From10 || size == PolypSize::From30 ? 1 : 0;
   }
   const std::string category = large > 0 || medium >= 3 ? "C3" : medium > 0 ? "C2" : "C1";
-  return category + ", implied by the sizes of the candidates alone (" + std::to_string(large) +
-         " of 10 mm or more, " + std::to_string(medium) +
-         " of 6 to 9 mm), if all were polyps; only a reader can assign a category";
+  return category + ", implied by the sizes of the candidates alone (" + std::to_string(large) + " of 10 mm or more, " +
+         std::to_string(medium) + " of 6 to 9 mm), if all were polyps; only a reader can assign a category";
 }
 } // namespace shapeton

@@ -47,8 +47,9 @@ testing::AssertionResult
 Refuses(const std::function<void()> & work, const std::string & part)
 {
   const std::string message = ErrorOf<TException>(work);
-  return message.find(part) != std::string::npos && !message.empty() ? testing::AssertionSuccess()
-                                                                     : testing::AssertionFailure() << '"' << message << '"';
+  return message.find(part) != std::string::npos && !message.empty()
+           ? testing::AssertionSuccess()
+           : testing::AssertionFailure() << '"' << message << '"';
 }
 } // namespace basetest
 

@@ -7,8 +7,8 @@
 
 namespace shapeton
 {
-/** Conformal map of a surface with one boundary, and four corners on it, to a rectangle. \ingroup
- * ShapetonConformalFlattening */
+/** Conformal map of a surface with one boundary, and four corners on it, to a rectangle.
+ * \ingroup ShapetonConformalFlattening */
 struct QuadrilateralMap
 {
   /** Boundary vertices, counterclockwise as seen from outside, mapped to (0, 0), (1, 0), (1, 1), (0, 1). */
@@ -48,8 +48,8 @@ MapQuadrilateral(const SurfaceConnectivity & connectivity,
 /** Finds four well spread boundary vertices: the corners of an inscribed quadrilateral of large area. The search starts
  * with four points that divide the boundary length into quarters, at the position of largest area. Each corner then
  * moves to its best position until no move increases the area. A rectangle keeps its own corners. Ties go to the first
- * vertex along the boundary. \pre There are at least four vertices; otherwise throws InputError. \ingroup
- * ShapetonConformalFlattening */
+ * vertex along the boundary. \pre There are at least four vertices; otherwise throws InputError.
+ * \ingroup ShapetonConformalFlattening */
 ShapetonConformalFlattening_EXPORT std::array<int, 4>
                                    SpreadCorners(const BoundaryLoop & boundary, const VertexMatrix & V);
 } // namespace shapeton

@@ -49,8 +49,8 @@ struct SurfaceSimplificationReport
  * Remaining vertices and faces keep their order. Arrays are dropped because the vertices are new; facts are kept. A
  * surface that already has few enough faces is returned with its arrays.
  *
- * Throws InputError as RequireManifold() does, and ParameterError for options out of range. \ingroup
- * ShapetonSurfaceMesh */
+ * Throws InputError as RequireManifold() does, and ParameterError for options out of range.
+ * \ingroup ShapetonSurfaceMesh */
 ShapetonSurfaceMesh_EXPORT SurfaceMesh
 SimplifySurface(const SurfaceMesh &                  mesh,
                 const SurfaceSimplificationOptions & options,
