@@ -15,7 +15,7 @@ write '# Figures of the dissertation, made by our tools' '' \
   '`Utilities/run-validation figures` makes them with the commands in [figures.sh](../Testing/Figures/figures.sh). Parameters are' \
   'those of the dissertation where it states them. The head is `ch2` of Debian'"'"'s mricron-data; engine and bonsai are CT volumes' \
   'of the Open SciVis collection (`SHAPETON_TEST_DATA_DIR`); the commands generate all other data.' '' \
-  'Figures that are not below:' '' \
+  'Figures not shown below:' '' \
   '| figure | shows | here |' '|---|---|---|' \
   '| 2.1 | MR head, abdominal stent, foot | head: 2.9; stent not available; [two other feet](heat-diffusion.md#few-steps-local-shape) |' \
   '| 2.2, 3.1 to 3.3, 6.7 | drawings of the method | not results |' \
@@ -76,7 +76,7 @@ run HeatTransferFunction four.nrrd four-heat.nrrd four.vp --picture four.png
 panels 2 400 "$(rendering a.png)=(a) two spheres, a cube" "$(histogram a-histogram.png)" \
   "$(rendering four.png)=(b) two cubes, two cuboids" "$(histogram four-histogram.png)"
 differs 'Ours: 40,000 steps. **Agrees:** three and four lines. **Differs:** the lines of one shape in two sizes are not' \
-  'close to each other. The heats of the spheres differ by a factor of 2, the ratio of their radii; their' \
+  'close to each other. The heat values of the spheres differ by a factor of 2, the ratio of their radii; their' \
   '`normalizedHeat` differs by 0.1 % ([values](validation/heat.md#figures-24-25-and-27-of-the-dissertation)).'
 
 figure 2.8 'p' engine.nii.gz
@@ -88,7 +88,7 @@ for p in 2 5 10 15; do
   engine+=("$(rendering engine-$p.png)=p = $p")
 done
 panels 2 400 "${engine[@]}"
-differs 'Ours: 100 steps; the rendered heats are our choice. **Agrees:** p = 2 and 5 differ much, 10 and 15 little.'
+differs 'Ours: 100 steps; the rendered heat ranges are our choice. **Agrees:** p = 2 and 5 differ much, 10 and 15 little.'
 
 figure 2.9 'an MR head' head.nii.gz
 run CumulativeHeatDiffusion head.nii.gz head-late.nrrd --p 20 --timeSteps 400000
