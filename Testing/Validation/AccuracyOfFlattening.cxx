@@ -160,10 +160,9 @@ public:
   {
     m_Report.AddText(
       "## With handles, metric of heat diffusion\n\nEach handle joins two faces that are the given number of edges "
-      "apart. h: mean "
-      "edge length at 55,000 faces. Change: difference of the moduli from u and from v to the tube without handles in "
-      "the same metric. Bounds apply at t = 8 h^2 with 43 or 100 handles; the table shows the extremes over seeds and "
-      "distances.");
+      "apart. h: mean edge length at 55,000 faces. Change: relative difference of the moduli from u (U) and from v (V) "
+      "between the tubes with and without handles, in one metric. Bounds apply at t = 8 h^2 with 43 or 100 handles; "
+      "the table shows the extremes over seeds and distances.");
     CsvTable summary({ "faces",
                        "handles",
                        "largest change U / V, %",

@@ -44,7 +44,7 @@ LargestError(const test::Volume &                       volume,
 void
 ValidateAccuracyOfHeat(const ValidationSettings & settings, ValidationReport & report)
 {
-  report.AddText("Volumes of balls and boxes in noise. Error: largest difference of a recorded step from explicit "
+  report.AddText("Volumes of balls and boxes in noise. Error: largest difference between a recorded step and explicit "
                  "steps in double precision.");
   CsvTable table({ "side, voxels", "spacing, mm", "p", "solver", "rows", "last step", "largest error", "bound", "" });
   const std::uint64_t last = settings.quick ? 1000 : 10000;

@@ -210,11 +210,10 @@ Explain(const ValidationSettings & settings, ValidationReport & report)
                  "miss. An exam without landmarks counts as wrong.");
   report.AddText(
     "The true crest of a fold is sampled where it is at least 1 mm above the wall. A sample is visible if the surface "
-    "is within 3 mm and not a bridge. Folds with less than half of their samples visible are hidden and excluded. "
-    "A fold is found if at least half of its visible samples are within 2 mm of one label. Each label is assigned to "
-    "the one fold >= 2 mm high of which it covers most samples. It is correct if at least half of its pixels are "
-    "within 4 mm "
-    "of the crest of a fold >= 1.5 mm high. End points are compared with the ends of the true crest.");
+    "is within 3 mm and not a bridge. Folds with less than half of their samples visible are hidden and excluded. A "
+    "fold is found if at least half of its visible samples are within 2 mm of one label. Each label is assigned to the "
+    "fold >= 2 mm high whose samples it covers most. It is correct if at least half of its pixels are within 4 mm of "
+    "the crest of a fold >= 1.5 mm high. End points are compared with the ends of the true crest.");
   report.AddText(
     "Taenia errors are distances from true points to the found taeniae, outside collapsed sections; taeniae are "
     "assigned separately in each open section. With three markers, one point per true taenia is given; the bound of 1 "

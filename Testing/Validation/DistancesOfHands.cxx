@@ -107,9 +107,8 @@ ValidateDistancesOfHands(const ValidationSettings & settings, ValidationReport &
                  "), and the same hand cut apart there (genus " +
                  std::to_string(*apart.connectivity.Components()[0].genus) +
                  "). f(x) = d(p, x) + d(x, q) - d(p, q) (5.6), with p the tip of the little finger and q the nail of "
-                 "the thumb. Change: root mean square of the difference of both f divided by the root mean square of "
-                 "f, over all vertices. "
-                 "Diffusion distances are from " +
+                 "the thumb. Change: root mean square of the difference between the two f, divided by the root mean "
+                 "square of f, over all vertices. Diffusion distances are from " +
                  std::to_string(pairs) + " eigenpairs.\n\n![](figure-5.2.png)");
   CsvTable table({ "distance", "t, mm^2", "t / h^2", "change of f", "change of d(p, q)", "below a third of geodesic" });
   const auto percent = [](double share) { return CsvTable::Rounded(100.0 * share, 3) + " %"; };

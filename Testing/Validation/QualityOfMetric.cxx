@@ -113,8 +113,9 @@ Explain(const SurfaceMesh & mesh, double h, ValidationReport & report)
   report.AddText(
     "Heat diffusion distances of the edges of a tube like a colon (" + std::to_string(mesh.NumberOfFaces()) +
     " faces, h = " + CsvTable::Rounded(h, 3) +
-    " mm), from the first eigenpairs, compared with all (exact). rms: root mean square of the relative difference of "
-    "lengths. Below 0.6: share of triangles with these lengths whose 2r/R is below 0.6 (in space " +
+    " mm), from the first eigenpairs, compared with those from all eigenpairs (exact). rms: root mean square of the "
+    "relative difference of lengths. Below 0.6: share of triangles with these lengths whose 2r/R is below 0.6 (in "
+    "space " +
     CsvTable::Rounded(100.0 * inSpace.shareBelowThreshold, 3) +
     " %). Histogram: L2 distance of the 2r/R histogram (20 bins) from the exact one. Modulus: of the flat colon in "
     "this "

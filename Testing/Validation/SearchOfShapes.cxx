@@ -330,10 +330,9 @@ ValidateSearchOfShapes(const ValidationSettings & settings, ValidationReport & r
        : std::string("bones of two feet (CT of the Visible Human Female, above 350 HU, "
                      "opened by 2 mm), organs of an abdomen (labels of TotalSegmentator's example)")) +
     ", and generated shapes (seeds from 100 on). " + std::to_string(copies) +
-    " copies: rotated by 30 degrees; scaled by 0.5 and 2 in voxels of one size; resampled to oblique voxels 1.3 x 1.3 "
-    "x "
-    "2.6 times as large; noisy (a fifth of the boundary voxels change sides); all of these together with voxels of 0.9 "
-    "x 0.9 x 1.8, scaled by 0.8. Values are means over shapes with 95 % intervals.");
+    " copies: rotated by 30 degrees; scaled by 0.5 and by 2, with isotropic voxels; resampled to oblique voxels 1.3 x "
+    "1.3 x 2.6 times as large; noisy (a fifth of the boundary voxels change sides); and all of these combined, scaled "
+    "by 0.8 with voxels 0.9 x 0.9 x 1.8 times as large. Values are means over shapes with 95 % intervals.");
   report.AddRows("shapes", table);
   report.AddText("## Nearest neighbor\n\nNearest original of each copy. Average precision: retrieval of originals and "
                  "copies among all others.");

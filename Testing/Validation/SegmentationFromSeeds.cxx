@@ -369,7 +369,7 @@ ReportResults(const std::string & data, const Results & results, const std::stri
   report.AddText("## Mean Dice\n\n" + data);
   if (!results.differences.GetRows().empty())
   {
-    report.AddText("The table is for 20 seeds per label. The columns after the first value are differences of the same "
+    report.AddText("The table is for 20 seeds per label. The columns after the first value are differences on the same "
                    "draws, with their bounds.");
     report.AddTable(results.differences);
   }

@@ -124,7 +124,8 @@ ValidateSlitMapsOfFace(const ValidationSettings & settings, ValidationReport & r
   const ConformalMap diffusion = MapConformally(mesh, options, "the face");
   report.AddText("A head defined by a formula, with open eyes and mouth, cut off at the back: " +
                  std::to_string(mesh.NumberOfFaces()) + " faces, " + std::to_string(euclidean.loops.size()) +
-                 " boundaries. Slit maps in the Euclidean metric (figure) and that of heat diffusion, t = 8 h^2 = " +
+                 " boundaries. Slit maps in the Euclidean metric (figure) and in the heat diffusion metric, t = 8 h^2 "
+                 "= " +
                  CsvTable::Rounded(t, 3) + " mm^2.\n\n![](figure-5.3.png)");
   const std::string     most = CsvTable::Rounded(100.0 * mostGap, 1) + " %";
   CsvTable              table({ "metric",

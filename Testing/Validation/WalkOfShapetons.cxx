@@ -683,8 +683,9 @@ ResolutionOfTheResult(const ValidationSettings & settings, ValidationReport & re
     "## Resolution of the volume\n\nA ball, a box and a thin plate in 32^3 voxels, and the same with each voxel cut "
     "into 4^3; distance .05 (1.6 and 6.4 voxels), " +
     std::to_string(steps) +
-    " steps, p = 7. Difference: of the visits per mm^3 of an object, relative to the mean of the volume. Standard "
-    "deviation: of the expected visits of coarse voxels between both, in percent of that of the coarse visits.");
+    " steps, p = 7. Difference: change of the visits per mm^3 of an object, relative to the mean of the volume. "
+    "Standard deviation: of the change of the expected visits of coarse voxels, in percent of that of the coarse "
+    "visits.");
   CsvTable table({ "walk", "object", "32^3", "128^3", "difference", "", "standard deviation between them, %" });
   CsvTable summary({ "walk", "largest difference of an object", "bound", "", "standard deviation between them, %" });
   for (const Walk & walk : { likeHeat, solidAngle, published, repaired })
