@@ -155,11 +155,13 @@ AddRow(int faces, bool isQuick, ValidationReport & report, CsvTable & table)
 void
 ValidateAccuracyOfMetric(const ValidationSettings & settings, ValidationReport & report)
 {
-  report.AddText("Colon-like tubes (`MakeColonTube()`). Relative differences of the edge lengths with " +
-                 std::to_string(HeatDiffusionMetricSolver::defaultPoles) +
-                 " poles from three references. 500 eigenpairs: root mean square at most 1e-5. 8 poles: largest at "
-                 "most 1e-6. Columns of exp(-2t M^-1 L) at the ends of random edges, by Chebyshev expansion without a "
-                 "factorization: largest at most 1e-6.");
+  report.AddText(
+    "Colon-like tubes (`MakeColonTube()`). Edge lengths from " +
+    std::to_string(HeatDiffusionMetricSolver::defaultPoles) +
+    " poles are compared with three references; bounds apply to relative differences. 500 eigenpairs: root "
+    "mean square at most 1e-5. 8 poles: largest at most 1e-6. Columns of exp(-2t M^-1 L) at the ends of random edges, "
+    "by Chebyshev expansion without a "
+    "factorization: largest at most 1e-6.");
   CsvTable table({ "faces",
                    "t, mm^2",
                    "t / h^2",
