@@ -158,10 +158,9 @@ ValidateAccuracyOfMetric(const ValidationSettings & settings, ValidationReport &
   report.AddText(
     "Colon-like tubes (`MakeColonTube()`). Edge lengths from " +
     std::to_string(HeatDiffusionMetricSolver::defaultPoles) +
-    " poles are compared with three references; bounds apply to relative differences. 500 eigenpairs: root "
-    "mean square at most 1e-5. 8 poles: largest at most 1e-6. Columns of exp(-2t M^-1 L) at the ends of random edges, "
-    "by Chebyshev expansion without a "
-    "factorization: largest at most 1e-6.");
+    " poles are compared with three references; bounds apply to relative differences. 500 eigenpairs: root mean "
+    "square at most 1e-5. 8 poles: largest at most 1e-6. Columns of exp(-2t M^-1 L) at the ends of random edges, by "
+    "Chebyshev expansion without a factorization: largest at most 1e-6.");
   CsvTable table({ "faces",
                    "t, mm^2",
                    "t / h^2",
