@@ -78,8 +78,8 @@ Figure25(const ValidationSettings & settings, ValidationReport & report)
   const std::size_t            cube = side / 2;
   const test::Volume           volume = Cube(side, cube);
   const VolumeGradientOperator volumeGradient(volume.values.data(), volume.size, volume.Parameters(7.0));
-  report.AddText("## Figure 2.5: cumulative and conventional diffusion\n\nCorrelation of the heat of both methods over "
-                 "the voxels of a cube of side " +
+  report.AddText("## Figure 2.5: cumulative and conventional diffusion\n\nCorrelation between the heat of the two "
+                 "methods over the voxels of a cube of side " +
                  std::to_string(cube) + " in " + std::to_string(side) + "^3, after 10, 30 and 100 steps of each.");
   const auto inside = [&](const std::vector<float> & field) {
     std::vector<float> values;

@@ -483,9 +483,9 @@ ReportAgreement(const ValidationSettings & settings, ValidationReport & report)
   const double        deviation = StandardDeviation(volume.image);
   const auto          seeds = DrawSeeds(volume, judgedNumber, 1).image;
   report.AddText("## Probabilities compared with scikit-image\n\nA volume of " + std::to_string(side) +
-                 "^3 voxels of 0 and 1, where both weights can be made equal. The weight between 0 and 1 is 1 - p for "
-                 "seeded heat and exp(-beta / (10 s)) + 1e-10 for `random_walker`, with s the standard deviation of "
-                 "the volume; beta follows. Tolerance of `random_walker`: 1e-9. " +
+                 "^3 voxels of 0 and 1, for which the weights of both methods can be made equal. The weight between 0 "
+                 "and 1 is 1 - p for seeded heat and exp(-beta / (10 s)) + 1e-10 for `random_walker`, with s the "
+                 "standard deviation of the volume; beta follows. Tolerance of `random_walker`: 1e-9. " +
                  std::to_string(volume.names.size()) + " labels, " + std::to_string(judgedNumber) + " seeds each.");
   CsvTable table({ "weight between 0 and 1", "beta", "greatest difference of a probability", "bound", "" });
   for (const double weight : { 0.5, 0.1, 0.01 })

@@ -208,9 +208,9 @@ const std::vector<RealCase> realCases = {
     0.01,
     { { 2, 1 } },
     { { 0.5, 0.5 } },
-    "CHD shows bones in warm feet, hottest where they are small. Half of the published shapetons are trapped in spongy "
-    "bone, whose voxels are closed on all sides, and leave other voxels there unvisited (black). The others accumulate "
-    "in the smooth heel. The controlled walk shows the bones, with noise." },
+    "CHD shows hot bones, hottest where they are small, in warm feet. Half of the published shapetons are trapped in "
+    "spongy bone, whose voxels are closed on all sides, and leave other voxels there unvisited (black). The others "
+    "accumulate in the smooth heel. The controlled walk shows the bones, with noise." },
   { "bonsai",
     "Bonsai",
     "volumes/bonsai.nii.gz",
