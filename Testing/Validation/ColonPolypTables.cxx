@@ -399,7 +399,7 @@ Explain(const ValidationSettings & settings, ValidationReport & report)
     "other position. Shares have Wilson's two-sided 95 % bound, assuming independent polyps. Other intervals are "
     "over patients or polyps.");
   report.AddText(
-    "`curve` is the free-response ROC of single positions by sensitivity. `missed` lists the missed polyps >= 6 mm.");
+    "`curve` is the free-response ROC curve of single positions. `missed` lists the missed polyps >= 6 mm.");
 }
 
 void

@@ -402,10 +402,10 @@ Explain(const ValidationSettings & settings, ValidationReport & report)
     "lumen in voxels of 0.8 mm, flattened, and searched with default options.");
   report.AddText(
     "Errors are measured at grid points of the wall that are not constraints, outside collapsed sections: in space, "
-    "and on the flat map with a circumference of 1. Means are over patients, including flagged ones. The frame is the "
-    "alignment of flexures and taeniae only. A detected fold corresponds to the true fold with the crest nearest to "
-    "its center, within 6 mm. A match is correct if both folds correspond to the same true fold; recall refers to true "
-    "folds found in both positions.");
+    "and on the flat map with a circumference of 1. Means are over patients, including flagged ones. The frame aligns "
+    "flexures and taeniae only. A detected fold corresponds to the true fold with the crest nearest to its center, "
+    "within 6 mm. A match is correct if both folds correspond to the same true fold; recall refers to true folds found "
+    "in both positions.");
   report.AddText(
     "In `patients`, +- is half the 95 % interval of the mean over 20 blocks along the colon. `points` counts the end "
     "points of supine folds (Table 4.1 of the dissertation, which counts unmatched points as incorrect); border points "
