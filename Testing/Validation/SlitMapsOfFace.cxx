@@ -155,7 +155,7 @@ ValidateSlitMapsOfFace(const ValidationSettings & settings, ValidationReport & r
                         std::to_string(map->flipsAtSlits),
                         report.Check(map->flips == map->flipsAtSlits) });
   }
-  report.AddText("Distortion of slit map 2, each in its metric; flips are allowed only at slits:");
+  report.AddText("Distortion of slit map 2 in each metric; flips are allowed only at slits:");
   report.AddRows("distortion", distortion);
   DrawFace(mesh, euclidean, settings.outputFolder + "/figure-5.3.png");
 }
