@@ -1,5 +1,6 @@
 #include "FuzzSeeds.h"
 
+#include "shapetonBase64Text.h"
 #include "shapetonDicomFixture.h"
 #include "shapetonGltfTestFiles.h"
 #include "shapetonNiftiTestFile.h"
@@ -155,7 +156,7 @@ AddSurfaceSeeds(const std::string & folder, std::vector<FuzzSeed> & seeds)
   seeds.push_back({ ".glb", testsurfaces::Glb(document) });
   seeds.push_back({ ".gltf",
                     testsurfaces::GltfDocument(",\"uri\":\"data:application/octet-stream;base64," +
-                                               testsurfaces::Base64(testsurfaces::TetrahedronBuffer()) + '"') });
+                                               shapeton::Base64(testsurfaces::TetrahedronBuffer()) + '"') });
   seeds.push_back({ ".off", "OFF\n4 4 6\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n" });
   seeds.push_back({ ".stl",
                     "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\n"

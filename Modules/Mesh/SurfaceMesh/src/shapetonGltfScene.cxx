@@ -1,6 +1,4 @@
 #include "shapetonGltfScene.h"
-#include "shapetonBase64.h"
-#include "shapetonBinaryValues.h"
 #include "shapetonFileBytes.h"
 #include "shapetonJson.h"
 #include "shapetonSurfaceFormats.h"
@@ -9,6 +7,7 @@
 
 #include <cctype>
 #include <filesystem>
+#include <map>
 #include <stdexcept>
 
 namespace shapeton
@@ -189,9 +188,10 @@ GltfScene::BufferOfUri(const std::string & uri) const
     {
       RefuseSurface(m_Path, "a buffer within it is not base64");
     }
-    std::size_t end = mark + 8;
-    std::string bytes = DecodeBase64(uri, end);
-    if (uri.find_first_not_of("=", end) != std::string::npos)
+    std::string text = uri.substr(mark + 8);
+    text.append((4 - text.size() % 4) % 4, '='); // some writers omit the padding
+    const std::string bytes = DecodeBase64(text, 0, text.size());
+    if (bytes.size() + (text.size() - text.find_last_not_of('=') - 1) != text.size() / 4 * 3)
     {
       RefuseSurface(m_Path, "a buffer within it is not base64");
     }
@@ -274,23 +274,27 @@ GltfScene::Instances() const
 GltfScene::View
 GltfScene::ViewOf(std::size_t index, const std::string & type) const
 {
+  static const std::map<std::size_t, BinaryType> types{
+    { 5120, BinaryTypeOf<std::int8_t>() },   { 5121, BinaryTypeOf<std::uint8_t>() },
+    { 5122, BinaryTypeOf<std::int16_t>() },  { 5123, BinaryTypeOf<std::uint16_t>() },
+    { 5125, BinaryTypeOf<std::uint32_t>() }, { 5126, BinaryTypeOf<float>() }
+  };
   const Json & accessor = m_Document.at("accessors").at(index);
   if (accessor.contains("sparse") || !accessor.contains("bufferView"))
   {
     RefuseSurface(m_Path, "accessor " + std::to_string(index) + " is sparse", "write it without sparse accessors");
   }
-  const Json &             view = m_Document.at("bufferViews").at(SizeOr(accessor, "bufferView", 0));
-  const std::string &      buffer = m_Buffers.at(SizeOr(view, "buffer", 0));
-  const std::size_t        componentType = SizeOr(accessor, "componentType", 0);
-  const std::size_t        components = type == "VEC3" ? 3 : 1;
-  static const std::size_t sizes[] = { 1, 1, 2, 2, 0, 4, 4 };
-  const std::size_t        size = componentType >= 5120 && componentType <= 5126 ? sizes[componentType - 5120] : 0;
-  const std::size_t        count = SizeOr(accessor, "count", 0);
-  const std::size_t        stride = SizeOr(view, "byteStride", size * components);
-  const std::size_t        begin = SizeOr(view, "byteOffset", 0);
-  const std::size_t        length = SizeOr(view, "byteLength", 0);
-  const std::size_t        offset = SizeOr(accessor, "byteOffset", 0);
-  const std::size_t        row = size * components;
+  const Json &        view = m_Document.at("bufferViews").at(SizeOr(accessor, "bufferView", 0));
+  const std::string & buffer = m_Buffers.at(SizeOr(view, "buffer", 0));
+  const auto          componentType = types.find(SizeOr(accessor, "componentType", 0));
+  const std::size_t   components = type == "VEC3" ? 3 : 1;
+  const std::size_t   size = componentType == types.end() ? 0 : componentType->second.size;
+  const std::size_t   count = SizeOr(accessor, "count", 0);
+  const std::size_t   stride = SizeOr(view, "byteStride", size * components);
+  const std::size_t   begin = SizeOr(view, "byteOffset", 0);
+  const std::size_t   length = SizeOr(view, "byteLength", 0);
+  const std::size_t   offset = SizeOr(accessor, "byteOffset", 0);
+  const std::size_t   row = size * components;
   if (accessor.at("type").get<std::string>() != type || size == 0 || stride < row || stride > 252)
   {
     RefuseSurface(m_Path, "accessor " + std::to_string(index) + " has a wrong type or stride");
@@ -303,14 +307,14 @@ GltfScene::ViewOf(std::size_t index, const std::string & type) const
   {
     RefuseSurface(m_Path, "accessor " + std::to_string(index) + " extends beyond its data", Again);
   }
-  return { &buffer, begin + offset, stride, count, static_cast<int>(componentType) };
+  return { &buffer, begin + offset, stride, count, componentType->second };
 }
 
 std::vector<double>
 GltfScene::Positions(std::size_t accessor) const
 {
   const View view = this->ViewOf(accessor, "VEC3");
-  if (view.componentType != 5126)
+  if (view.type.isInteger)
   {
     RefuseSurface(m_Path, "its positions are not floats", "write it without quantization");
   }
@@ -325,25 +329,15 @@ GltfScene::Positions(std::size_t accessor) const
 std::vector<std::int64_t>
 GltfScene::Indices(std::size_t accessor) const
 {
-  const View                view = this->ViewOf(accessor, "SCALAR");
+  const View view = this->ViewOf(accessor, "SCALAR");
+  if (!view.type.isUnsigned)
+  {
+    RefuseSurface(m_Path, "accessor " + std::to_string(accessor) + " has indices that are not unsigned integers");
+  }
   std::vector<std::int64_t> indices;
   for (std::size_t i = 0; i < view.count; ++i)
   {
-    const std::size_t place = view.begin + i * view.stride;
-    switch (view.componentType)
-    {
-      case 5121:
-        indices.push_back(ValueAt<std::uint8_t>(*view.bytes, place));
-        break;
-      case 5123:
-        indices.push_back(ValueAt<std::uint16_t>(*view.bytes, place));
-        break;
-      case 5125:
-        indices.push_back(ValueAt<std::uint32_t>(*view.bytes, place));
-        break;
-      default:
-        RefuseSurface(m_Path, "accessor " + std::to_string(accessor) + " has indices that are not unsigned integers");
-    }
+    indices.push_back(static_cast<std::int64_t>(view.type.valueAt(*view.bytes, view.begin + i * view.stride, false)));
   }
   return indices;
 }

@@ -1,6 +1,7 @@
 #ifndef shapetonGltfScene_h
 #define shapetonGltfScene_h
 
+#include "shapetonBinaryValues.h"
 #include "shapetonJson.h"
 
 #include <Eigen/Core>
@@ -56,7 +57,7 @@ private:
   {
     const std::string * bytes;
     std::size_t         begin, stride, count;
-    int                 componentType;
+    BinaryType          type;
   };
 
   void

@@ -11,24 +11,12 @@ namespace shapeton
 {
 namespace
 {
-enum class PlyType
-{
-  Int8,
-  UInt8,
-  Int16,
-  UInt16,
-  Int32,
-  UInt32,
-  Float32,
-  Float64
-};
-
 struct PlyProperty
 {
   std::string name;
-  PlyType     type{ PlyType::Float32 };
+  BinaryType  type{ BinaryTypeOf<float>() };
   bool        isList{ false };
-  PlyType     countType{ PlyType::UInt8 };
+  BinaryType  countType{ BinaryTypeOf<std::uint8_t>() };
 };
 
 struct PlyElement
@@ -38,31 +26,20 @@ struct PlyElement
   std::vector<PlyProperty> properties;
 };
 
-std::size_t
-SizeOf(PlyType type)
-{
-  static const std::size_t sizes[] = { 1, 1, 2, 2, 4, 4, 4, 8 };
-  return sizes[static_cast<int>(type)];
-}
-
-bool
-IsWhole(PlyType type)
-{
-  return type != PlyType::Float32 && type != PlyType::Float64;
-}
-
-PlyType
+const BinaryType &
 TypeOf(const std::string & name, const TextScanner & scanner)
 {
-  static const std::map<std::string, PlyType> types{ { "char", PlyType::Int8 },      { "int8", PlyType::Int8 },
-                                                     { "uchar", PlyType::UInt8 },    { "uint8", PlyType::UInt8 },
-                                                     { "short", PlyType::Int16 },    { "int16", PlyType::Int16 },
-                                                     { "ushort", PlyType::UInt16 },  { "uint16", PlyType::UInt16 },
-                                                     { "int", PlyType::Int32 },      { "int32", PlyType::Int32 },
-                                                     { "uint", PlyType::UInt32 },    { "uint32", PlyType::UInt32 },
-                                                     { "float", PlyType::Float32 },  { "float32", PlyType::Float32 },
-                                                     { "double", PlyType::Float64 }, { "float64", PlyType::Float64 } };
-  const auto                                  found = types.find(name);
+  static const std::map<std::string, BinaryType> types{
+    { "char", BinaryTypeOf<std::int8_t>() },     { "int8", BinaryTypeOf<std::int8_t>() },
+    { "uchar", BinaryTypeOf<std::uint8_t>() },   { "uint8", BinaryTypeOf<std::uint8_t>() },
+    { "short", BinaryTypeOf<std::int16_t>() },   { "int16", BinaryTypeOf<std::int16_t>() },
+    { "ushort", BinaryTypeOf<std::uint16_t>() }, { "uint16", BinaryTypeOf<std::uint16_t>() },
+    { "int", BinaryTypeOf<std::int32_t>() },     { "int32", BinaryTypeOf<std::int32_t>() },
+    { "uint", BinaryTypeOf<std::uint32_t>() },   { "uint32", BinaryTypeOf<std::uint32_t>() },
+    { "float", BinaryTypeOf<float>() },          { "float32", BinaryTypeOf<float>() },
+    { "double", BinaryTypeOf<double>() },        { "float64", BinaryTypeOf<double>() }
+  };
+  const auto found = types.find(name);
   if (found == types.end())
   {
     scanner.Refuse("\"" + name.substr(0, 40) + "\" is not a property type");
@@ -88,42 +65,23 @@ public:
   {}
 
   double
-  Next(PlyType type)
+  Next(const BinaryType & type)
   {
     if (m_IsText)
     {
       return m_Scanner.Number("a value", true);
     }
-    if (m_Bytes.size() - m_Place < SizeOf(type))
+    if (m_Bytes.size() - m_Place < type.size)
     {
       RefuseSurface(m_Path, "truncated: its data end before the last element", "copy or write the file again");
     }
-    const std::size_t place = m_Place;
-    m_Place += SizeOf(type);
-    switch (type)
-    {
-      case PlyType::Int8:
-        return ValueAt<std::int8_t>(m_Bytes, place);
-      case PlyType::UInt8:
-        return ValueAt<std::uint8_t>(m_Bytes, place);
-      case PlyType::Int16:
-        return ValueAt<std::int16_t>(m_Bytes, place, m_IsBigEndian);
-      case PlyType::UInt16:
-        return ValueAt<std::uint16_t>(m_Bytes, place, m_IsBigEndian);
-      case PlyType::Int32:
-        return ValueAt<std::int32_t>(m_Bytes, place, m_IsBigEndian);
-      case PlyType::UInt32:
-        return ValueAt<std::uint32_t>(m_Bytes, place, m_IsBigEndian);
-      case PlyType::Float32:
-        return ValueAt<float>(m_Bytes, place, m_IsBigEndian);
-      default:
-        return ValueAt<double>(m_Bytes, place, m_IsBigEndian);
-    }
+    m_Place += type.size;
+    return type.valueAt(m_Bytes, m_Place - type.size, m_IsBigEndian);
   }
 
   /** An integer from -2^31 to 2^32 - 1. */
   std::int64_t
-  NextWhole(PlyType type)
+  NextWhole(const BinaryType & type)
   {
     const double value = this->Next(type);
     if (!(std::abs(value) <= 4294967295.0) || value != std::floor(value))
@@ -247,7 +205,7 @@ private:
     std::vector<SurfaceArray> arrays;
     for (const PlyProperty & property : element.properties)
     {
-      arrays.push_back({ property.name, {}, IsWhole(property.type) });
+      arrays.push_back({ property.name, {}, property.type.isInteger });
       arrays.back().values.resize(property.isList ? 0 : static_cast<Eigen::Index>(element.count), 1);
     }
     for (std::size_t i = 0; i < element.count; ++i)

@@ -1,5 +1,4 @@
 #include "shapetonVtkXml.h"
-#include "shapetonBase64.h"
 #include "shapetonBinaryValues.h"
 #include "shapetonSurfaceFormats.h"
 
@@ -237,11 +236,12 @@ VtkXml::Take(std::size_t & place, std::size_t size, bool isRaw) const
   std::string bytes;
   if (!isRaw)
   {
-    bytes = DecodeBase64(m_Bytes, place, size);
-    place = std::min(place, m_Bytes.size());
-    while (place < m_Bytes.size() && m_Bytes[place] == '=')
+    const std::size_t length = (size + 2) / 3 * 4;
+    if (place <= m_Bytes.size() && length <= m_Bytes.size() - place)
     {
-      ++place;
+      bytes = DecodeBase64(m_Bytes, place, length);
+      bytes.resize(std::min(bytes.size(), size));
+      place += length;
     }
   }
   else if (place <= m_Bytes.size() && size <= m_Bytes.size() - place)
@@ -331,18 +331,6 @@ VtkXml::BytesOf(const VtkXmlElement & array) const
   return this->Take(place, m_SizeOfHeader + static_cast<std::size_t>(size), isRaw).substr(m_SizeOfHeader);
 }
 
-template <typename TValue>
-static std::vector<double>
-ValuesAs(const std::string & bytes, bool isBigEndian)
-{
-  std::vector<double> values(bytes.size() / sizeof(TValue));
-  for (std::size_t i = 0; i < values.size(); ++i)
-  {
-    values[i] = static_cast<double>(ValueAt<TValue>(bytes, i * sizeof(TValue), isBigEndian));
-  }
-  return values;
-}
-
 static std::vector<double>
 ValuesOfText(const std::string & text, std::size_t begin, const VtkXml & xml)
 {
@@ -370,19 +358,25 @@ VtkXml::Values(const VtkXmlElement & array) const
   {
     return ValuesOfText(m_Bytes, array.text, *this);
   }
-  using Convert = std::vector<double> (*)(const std::string &, bool);
-  static const std::map<std::string, Convert> types{
-    { "Int8", ValuesAs<std::int8_t> },     { "UInt8", ValuesAs<std::uint8_t> },   { "Int16", ValuesAs<std::int16_t> },
-    { "UInt16", ValuesAs<std::uint16_t> }, { "Int32", ValuesAs<std::int32_t> },   { "UInt32", ValuesAs<std::uint32_t> },
-    { "Int64", ValuesAs<std::int64_t> },   { "UInt64", ValuesAs<std::uint64_t> }, { "Float32", ValuesAs<float> },
-    { "Float64", ValuesAs<double> }
+  static const std::map<std::string, BinaryType> types{
+    { "Int8", BinaryTypeOf<std::int8_t>() },   { "UInt8", BinaryTypeOf<std::uint8_t>() },
+    { "Int16", BinaryTypeOf<std::int16_t>() }, { "UInt16", BinaryTypeOf<std::uint16_t>() },
+    { "Int32", BinaryTypeOf<std::int32_t>() }, { "UInt32", BinaryTypeOf<std::uint32_t>() },
+    { "Int64", BinaryTypeOf<std::int64_t>() }, { "UInt64", BinaryTypeOf<std::uint64_t>() },
+    { "Float32", BinaryTypeOf<float>() },      { "Float64", BinaryTypeOf<double>() }
   };
   const auto type = types.find(array.Get("type"));
   if (type == types.end())
   {
     this->Refuse("an array has the unknown type \"" + array.Get("type").substr(0, 40) + "\"");
   }
-  return type->second(this->BytesOf(array), m_IsBigEndian);
+  const std::string   bytes = this->BytesOf(array);
+  std::vector<double> values(bytes.size() / type->second.size);
+  for (std::size_t i = 0; i < values.size(); ++i)
+  {
+    values[i] = type->second.valueAt(bytes, i * type->second.size, m_IsBigEndian);
+  }
+  return values;
 }
 
 std::vector<std::string>

@@ -8,26 +8,6 @@
 /** glTF and GLB files as bytes. */
 namespace testsurfaces
 {
-inline std::string
-Base64(const std::string & bytes)
-{
-  static const char * const alphabet = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string               text;
-  for (std::size_t i = 0; i < bytes.size(); i += 3)
-  {
-    std::uint32_t bits = 0;
-    for (std::size_t k = 0; k < 3; ++k)
-    {
-      bits = bits << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0u);
-    }
-    for (int k = 0; k < 4; ++k)
-    {
-      text += alphabet[bits >> (18 - 6 * k) & 63];
-    }
-  }
-  return text;
-}
-
 /** Vertex positions and face indices of a unit tetrahedron. */
 inline std::string
 TetrahedronBuffer()

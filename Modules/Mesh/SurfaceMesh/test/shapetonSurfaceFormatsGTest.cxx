@@ -1,3 +1,4 @@
+#include "shapetonBase64Text.h"
 #include "shapetonSurfaceQuality.h"
 #include "shapetonSurfaceReader.h"
 #include "shapetonSurfaceRepair.h"
@@ -330,7 +331,8 @@ ExpectTwoTetrahedra(const shapeton::SurfaceFile & file)
 
 TEST(SurfaceFormats, GltfTakesBuffersWithinAndBesideIt)
 {
-  const std::string uri = R"(,"uri":"data:application/octet-stream;base64,)" + Base64(TetrahedronBuffer()) + "\"";
+  const std::string uri =
+    R"(,"uri":"data:application/octet-stream;base64,)" + shapeton::Base64(TetrahedronBuffer()) + "\"";
   ExpectTwoTetrahedra(ReadBytes("gltf", GltfDocument(uri)));
   ExpectTwoTetrahedra(ReadBytes("glb", Glb(GltfDocument(""))));
   const Folder folder;
