@@ -357,6 +357,12 @@ TEST(SurfaceFormats, FaultyGltf)
   EXPECT_NE(replaced(document, "\"children\":[2]", "\"children\":[9]").find("not a valid glTF"), std::string::npos);
   EXPECT_NE(replaced(document, "\"buffer\":0", "\"buffer\":7").find("not a valid glTF"), std::string::npos);
   EXPECT_NE(replaced(document, "5126", "5121").find("not floats"), std::string::npos);
+  const std::string base64 = shapeton::Base64(TetrahedronBuffer());
+  for (const std::string & text : { base64 + "====", '=' + base64.substr(1), '*' + base64.substr(1) })
+  {
+    const std::string uri = R"(,"uri":"data:application/octet-stream;base64,)" + text + '"';
+    EXPECT_NE(FaultOf("gltf", GltfDocument(uri)).find("not base64"), std::string::npos) << text;
+  }
   EXPECT_NE(FaultOf("gltf", GltfDocument(R"(,"uri":"../secret.bin")")).find("outside its folder"), std::string::npos);
   EXPECT_NE(FaultOf("gltf", GltfDocument(R"(,"uri":"absent.bin")")).find("No such file"), std::string::npos);
   EXPECT_NE(FaultOf("glb", Glb(document).substr(0, 400)).find("truncated"), std::string::npos);
