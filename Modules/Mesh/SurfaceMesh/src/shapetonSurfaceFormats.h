@@ -48,7 +48,8 @@ struct PolygonSurface
   }
 };
 
-/** \name Readers of the formats: the bytes of a file, and its name for messages. All throw InputError. */
+/** \name Readers of the formats: the bytes of a file, and its name for messages. All throw InputError. VTK's readers
+ * (9.1) round to single precision (STL, OBJ, PLY, glTF), drop properties (PLY) and accept indices out of range. */
 ///@{
 PolygonSurface
 ReadVtp(const std::string & bytes, const std::string & path);
