@@ -42,7 +42,7 @@ struct PlacedPiece
   bool isReversed{ false };
 };
 
-/** Length of the wide part of cecum and rectum along the line, mm. */
+/** Length of the wide part of the cecum and of the rectum along the line, mm. */
 constexpr double endReach = 30.0;
 
 /** Radius (mm) of the widest ball within `endReach` of the end of a path; `radii` are given at its points. */

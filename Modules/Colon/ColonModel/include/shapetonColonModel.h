@@ -34,7 +34,8 @@ struct ColonModelOptions
   /** Called on the calling thread with the stage and the completed fraction, 0 to 1. */
   Progress progress;
   /** Called with the cleansed CT (HU) on another thread, in parallel with the remaining steps (after them if
-   * single-threaded). Called again, after the first call returned, if gas that fills gaps of the line changes the CT.
+   * single-threaded). Called again, after the first call has returned, if filling gaps of the line with gas
+   * changes the CT.
    * Intended for slow work such as writing. */
   std::function<void(const itk::Image<float, 3> *)> onCleansed;
   /** Called on another thread with the model except the wall, while the wall is built (afterwards if single-threaded).

@@ -41,7 +41,8 @@ Step(double value, double middle, double width)
   return 1.0 / (1.0 + std::exp(-(value - middle) / width));
 }
 
-/** Log-likelihood ratio of the area for a valve versus other bulges, which are rarer for larger areas. A valve covers
+/** Log-likelihood ratio of the area for a valve versus other bulges: the larger the area, the
+ * rarer are other bulges. A valve covers
  * about 200 mm^2; larger areas are not further evidence, since large polyps exist. */
 double
 LogOddsOfSize(double area)

@@ -57,7 +57,8 @@ private:
     return m_Picture.Index(static_cast<int>(std::lround(place.x())), row < 0 ? row + m_Picture.rows : row);
   }
 
-  /** Collects points from the crest to the foot; false if the map or the wall ends before. */
+  /** Collects points from the crest to the foot; false if the map or the wall ends before the foot is
+   * reached. */
   bool
   AddFlank(const Vector2d & start, const Vector2d & course, std::vector<Vector3d> & points) const
   {

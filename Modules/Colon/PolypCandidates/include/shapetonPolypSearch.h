@@ -62,7 +62,8 @@ ShapetonPolypCandidates_EXPORT std::vector<PolypCandidate>
 ShapetonPolypCandidates_EXPORT double
 MeanDistanceToWall(const SurfaceMesh & wall, const std::vector<PolypCandidate> & candidates);
 
-/** Converts candidates for FindInOtherPosition(), with the scores of their position.
+/** Converts candidates for FindInOtherPosition(), with the scores of their own
+ * position alone.
  * \ingroup ShapetonPolypCandidates */
 ShapetonPolypCandidates_EXPORT std::vector<OtherPolypCandidate>
                                AsOthers(const std::vector<PolypCandidate> & candidates);

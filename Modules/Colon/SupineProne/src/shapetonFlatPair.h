@@ -44,7 +44,8 @@ public:
    * but the constraint is in mm of the flat wall; the weights of the corners account for the local ratio. */
   MapCondition
   Along(const CylinderPlace & place, double s, const CylinderValues & values) const;
-  /** Constraint that the position maps to `turn` of the target, unwrapped to be closest to its current value. */
+  /** Constraint that the position maps to `turn` of the target;
+   * `turn` is unwrapped to the value closest to the current one. */
   MapCondition
   Around(const CylinderPlace & place, double turn, const CylinderValues & values) const;
 

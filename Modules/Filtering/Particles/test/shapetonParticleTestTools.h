@@ -24,8 +24,8 @@ namespace test
 constexpr double pi = 3.14159265358979323846;
 constexpr double halfPi = 0.5 * pi;
 
-/** Gauss quadrature. 24 points are exact for polynomials of degree 47, accurate to rounding for the smooth functions
- * here. */
+/** Gauss quadrature. With 24 points it is exact for polynomials up to degree 47, and accurate to rounding for the
+ * smooth functions here. */
 template <int Points>
 class GaussRule
 {

@@ -118,7 +118,7 @@ EvenParts(std::size_t length, std::size_t covered)
   return parts;
 }
 
-/** Rotates a boundary that visits leaves to start at one; otherwise unchanged. */
+/** Rotates a boundary that visits leaves so that it starts at a leaf; otherwise unchanged. */
 void
 BeginAtLeaf(std::vector<int> & boundary)
 {

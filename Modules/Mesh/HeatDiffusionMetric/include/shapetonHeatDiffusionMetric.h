@@ -22,7 +22,8 @@ struct HeatDiffusionMetric
   /** Bound of |r(x) - exp(-x)| (1 + x)^2 over all x >= 0, where r is the rational function; 0 if none was used. */
   double rationalError{ 0.0 };
   /** Edges with a distance below 1e-6 of the heat at their ends, as at the tip of a needle. Rounding leaves no valid
-   * digits, so they are set to that length, an upper bound of the true one. Also counts edges lengthened by
+   * digits, so the edges are set to that
+   * length, an upper bound of the true one. Also counts edges lengthened by
    * LengthenShortestSides() because they were too short for the adjacent triangles within the error. An edge may count
    * twice. */
   int drownedEdges{ 0 };

@@ -36,7 +36,7 @@ struct Markup
   std::array<double, 3> color{ 1.0, 0.5, 0.5 };
 };
 
-/** Writes markups of 3D Slicer, schema version 1.0.3: one scene node each, LPS, mm. Output is deterministic.
+/** Writes 3D Slicer markups, schema version 1.0.3: one scene node per markup, LPS, mm. Output is deterministic.
  * Throws ParameterError unless the path ends with .mrk.json. Throws std::invalid_argument if the number of labels or
  * descriptions differs from the number of points, a color is out of range or a coordinate is not finite. Throws
  * OutputError.

@@ -9,12 +9,12 @@ namespace shapeton
 /** Target size and triangle shape for SimplifySurface(). \ingroup ShapetonSurfaceMesh */
 struct SurfaceSimplificationOptions
 {
-  /** Target number of faces, from 1. If topology allows, the result has this number of faces or one fewer. */
+  /** Target number of faces, at least 1. If topology allows, the result has this number of faces or one fewer. */
   int targetFaces{ 50000 };
   /** Collapses do not create angles below this limit (degrees, 0 to 30), except where such an angle already existed.
    * Lowered in steps of 5 degrees to 0 while the target cannot be reached. */
   double smallestAngle{ 20.0 };
-  /** Weight of boundary edges relative to faces, from 0. Large values preserve the boundary shape. */
+  /** Weight of boundary edges relative to faces, at least 0. Large values preserve the boundary shape. */
   double boundaryWeight{ 10.0 };
   /** Receives the completed fraction, from 0 to 1. */
   Progress progress;

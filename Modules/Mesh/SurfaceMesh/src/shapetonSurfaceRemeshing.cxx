@@ -56,7 +56,8 @@ private:
     return (m_Positions[m_Table.From(h)] - m_Positions[m_Table.To(h)]).norm();
   }
 
-  // Longest edges first: in any other order a waiting long edge makes its faces ever thinner.
+  // Longest edges first: in any other order the faces of a long edge
+  // that waits to be split become thinner and thinner.
   void
   SplitLongEdges()
   {

@@ -11,7 +11,7 @@ namespace shapeton
 class TextScanner
 {
 public:
-  /** `comment` starts a comment until the end of the line; 0 for none. Reading starts at `begin`, in line number
+  /** `comment` starts a comment until the end of the line; 0 for none. Reading starts at `begin`, which is on line
    * `line`. `continuation` at the end of a line, outside a comment, continues it on the next line; 0 for none. */
   TextScanner(const std::string & text,
               const std::string & path,

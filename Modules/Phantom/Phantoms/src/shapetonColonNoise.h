@@ -58,7 +58,8 @@ private:
   std::uint32_t m_Draw{ 0 };
 };
 
-/** A smooth random function of a length in about [-1, 1]: a cubic B-spline with uniform coefficients. */
+/** A smooth random function of a length, with values in about [-1, 1]: a cubic B-spline with uniformly distributed
+ * coefficients. */
 class SmoothNoise
 {
 public:

@@ -36,7 +36,7 @@ struct ColonReportContent
 /** Writes a report into an existing folder: a self-contained index.html, and its pictures as files: slices-axial.png,
  * slices-coronal.png, slices-sagittal.png, projection-coronal.png and projection-sagittal.png; with a centerline,
  * distension.png; with a wall, wall-anterior.png; with both, inside-anterior.png and inside-left.png. Equal content
- * gives equal bytes. Throws OutputError, and std::invalid_argument for a colon without lumen.
+ * gives equal bytes. Throws OutputError, or std::invalid_argument for a colon without a lumen.
  * \ingroup ShapetonColonTools */
 ShapetonColonTools_EXPORT void
 WriteColonReport(const ColonReportContent & content, const std::string & folder, const OutputPath & outputPath);
