@@ -75,7 +75,7 @@ ReadOtherPosition(shapeton::CommandLine & commandLine)
     if (name == "Shapeton.option.seed" && value != seed)
     {
       throw shapeton::InputError("--pairWith: the points of \"" + commandLine.GetString("pairWith") +
-                                 "\" have the seed " + value + ", not of " + seed +
+                                 "\" have the seed " + value + ", not " + seed +
                                  "; both positions must show the same patient");
     }
   }

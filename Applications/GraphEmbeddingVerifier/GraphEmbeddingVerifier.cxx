@@ -41,7 +41,7 @@ Verify(CommandLine & commandLine)
   }
   if (!verdict.refusal.empty())
   {
-    throw shapeton::InputError('"' + path + "\" proves no embedding: " + verdict.refusal +
+    throw shapeton::InputError('"' + path + "\" does not prove an embedding: " + verdict.refusal +
                                "; compute the certificate again");
   }
   std::cout << "valid";
