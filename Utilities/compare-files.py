@@ -15,17 +15,19 @@ import sys
 import zlib
 from pathlib import Path
 
+HASH = re.compile(rb"sha256:[0-9a-f]{64}")
 IGNORED = re.compile(r"(^|/)(run\.json|[^/]*\.run\.json|[^/]*\.log|[^/]*\.tmp|CTest[^/]*)$")
 
 
 def read_names(path):
-    """Returns a function that replaces old words by new ones, longest matches first."""
+    """Returns functions that replace old words by new ones, longest matches first, and hashes by a blank one."""
     if path is None:
-        return lambda text: text
+        return (lambda text: text), (lambda text: text)
     pairs = [line.split() for line in path.read_text(encoding="utf-8").splitlines() if line.strip()]
     names = {old.encode(): new.encode() for old, new in pairs}
     pattern = re.compile(b"|".join(re.escape(old) for old in sorted(names, key=len, reverse=True)))
-    return lambda text: pattern.sub(lambda match: names[match[0]], text)
+    blank = lambda text: HASH.sub(b"sha256:", text)
+    return lambda text: pattern.sub(lambda match: names[match[0]], blank(text)), blank
 
 
 def decode_nrrd(data, rename):
@@ -71,14 +73,14 @@ def decode_xml(data, rename):
 
 def decode(path, rename):
     data = path.read_bytes()
+    if path.suffix in (".vtp", ".vti", ".html"):
+        return decode_xml(rename(data), rename)
     if path.suffix == ".nrrd":
         return decode_nrrd(data, rename)
     if path.suffix == ".png":
         return decode_png(data, rename)
     if path.suffix == ".gz":
         return zlib.decompress(data, 47)
-    if path.suffix in (".vtp", ".vti", ".html"):
-        return decode_xml(data, rename)
     return rename(data) if b"\0" not in data else data
 
 
@@ -93,12 +95,12 @@ def main():
     parser.add_argument("new", type=Path)
     parser.add_argument("--names", type=Path, help="file with old and new words")
     arguments = parser.parse_args()
-    rename = read_names(arguments.names)
+    rename, blank = read_names(arguments.names)
     old, new = files(arguments.old, rename), files(arguments.new)
     differences = [f"only new: {name}" for name in sorted(new.keys() - old.keys())]
     differences += [f"only old: {name}" for name in sorted(old.keys() - new.keys())]
     differences += [f"differs:  {name}" for name in sorted(old.keys() & new.keys())
-                    if old[name].read_bytes() != new[name].read_bytes() and decode(old[name], rename) != decode(new[name], lambda text: text)]
+                    if old[name].read_bytes() != new[name].read_bytes() and decode(old[name], rename) != decode(new[name], blank)]
     print("\n".join([*differences, f"{len(new)} files, {len(differences)} differences"]))
     sys.exit(3 if differences else 0)
 
