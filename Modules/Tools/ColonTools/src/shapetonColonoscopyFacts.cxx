@@ -13,12 +13,6 @@ namespace shapeton
 namespace
 {
 std::string
-ShortNumber(double value, int digits = 4)
-{
-  return CsvTable::Rounded(value, digits);
-}
-
-std::string
 Centimeters(double mm)
 {
   return Rounded(std::round(mm) / 10.0, 5) + " cm";
@@ -45,7 +39,7 @@ ValveInWords(const Json & valve)
 {
   return valve.at("found").get<bool>()
            ? "at " + Centimeters(NumberOrNaN(valve, "/arcLength")) + " from the anal verge, confidence " +
-               ShortNumber(NumberOrNaN(valve, "/confidence"), 2)
+               CsvTable::Rounded(NumberOrNaN(valve, "/confidence"), 2)
            : "not found: " + valve.at("reason").get<std::string>();
 }
 
@@ -65,7 +59,8 @@ AddModelFacts(const Json & quality, ColonoscopyFacts & facts)
   const double fluid = NumberOrNaN(quality, "/lumen/fluidVolume");
   if (std::isfinite(gas))
   {
-    facts.emplace_back("Lumen", ShortNumber(gas) + " ml of gas, " + ShortNumber(fluid) + " ml of tagged fluid");
+    facts.emplace_back(
+      "Lumen", CsvTable::Rounded(gas, 4) + " ml of gas, " + CsvTable::Rounded(fluid, 4) + " ml of tagged fluid");
   }
   const double length = NumberOrNaN(quality, "/centerline/length");
   if (std::isfinite(length))
@@ -108,7 +103,7 @@ CellValue(const CurveSet & curves, const char * array, std::size_t curve)
 std::string
 NumberOrNothing(double value, int digits)
 {
-  return std::isfinite(value) ? ShortNumber(value, digits) : "";
+  return std::isfinite(value) ? CsvTable::Rounded(value, digits) : "";
 }
 
 int
@@ -155,7 +150,7 @@ TaeniaeInWords(const ColonoscopyResults & results)
   const double disagreement = NumberOrNaN(taeniae, "/meanDisagreement");
   if (std::isfinite(disagreement))
   {
-    text += "; the other method differs by " + ShortNumber(disagreement, 2) +
+    text += "; the other method differs by " + CsvTable::Rounded(disagreement, 2) +
             " mm on average, by more than 10 mm along " + WholePercent(NumberOrNaN(taeniae, "/disagreeingShare")) +
             " of the colon";
   }
@@ -260,8 +255,8 @@ FlexureTable(const ColonoscopyResults & results)
     const Json & p = flexure.at("position");
     table.AddRow({ name,
                    Centimeters(NumberOrNaN(flexure, "/arcLength")),
-                   ShortNumber(p[0].get<double>()) + ", " + ShortNumber(p[1].get<double>()) + ", " +
-                     ShortNumber(p[2].get<double>()),
+                   CsvTable::Rounded(p[0].get<double>(), 4) + ", " + CsvTable::Rounded(p[1].get<double>(), 4) + ", " +
+                     CsvTable::Rounded(p[2].get<double>(), 4),
                    NumberOrNothing(NumberOrNaN(flexure, "/confidence"), 2),
                    flexure.contains("notAssessable")
                      ? "not assessable: " + flexure["notAssessable"].at("words").get<std::string>()
