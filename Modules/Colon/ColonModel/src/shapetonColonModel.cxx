@@ -5,9 +5,8 @@
 #include "shapetonGasInGaps.h"
 #include "shapetonMaskedColonLumen.h"
 #include "shapetonExceptions.h"
-#include "shapetonParallelInvoke.h"
+#include "shapetonParallelFor.h"
 #include "shapetonPlaceInWords.h"
-#include "shapetonStartBeside.h"
 
 #include "itkRegionOfInterestImageFilter.h"
 
@@ -103,19 +102,10 @@ WallOptionsOf(const ColonModelOptions & options)
   return wall;
 }
 
-void
-WaitFor(std::future<void> & beside)
-{
-  if (beside.valid())
-  {
-    beside.get();
-  }
-}
-
 /** Runs a task and waits for the parallel one, even after an InputError, to report failures of both. */
 template <typename TWork>
 void
-DoAndWaitFor(std::future<void> & beside, const TWork & work)
+DoAndWaitFor(WorkBeside & beside, const TWork & work)
 {
   try
   {
@@ -123,17 +113,17 @@ DoAndWaitFor(std::future<void> & beside, const TWork & work)
   }
   catch (const InputError &)
   {
-    WaitFor(beside);
+    beside.Get();
     throw;
   }
-  WaitFor(beside);
+  beside.Get();
 }
 
 template <typename TMake>
 void
 AddWall(ColonModel & model, const ColonModelOptions & options, const TMake & make)
 {
-  std::future<void> beside;
+  WorkBeside beside;
   if (options.besideWall)
   {
     beside = StartBeside([&] { options.besideWall(model); });
@@ -147,8 +137,8 @@ AddWall(ColonModel & model, const ColonModelOptions & options, const TMake & mak
 /** The cleansed colon, and the parallel task that uses its CT. */
 struct CleansedWork
 {
-  CleansedColon     colon;
-  std::future<void> beside;
+  CleansedColon colon;
+  WorkBeside    beside;
 
   void
   Start(const ColonModelOptions & options)

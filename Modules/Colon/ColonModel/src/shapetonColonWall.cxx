@@ -6,7 +6,6 @@
 #include "shapetonCutDisc.h"
 #include "shapetonDiffusionTime.h"
 #include "shapetonParallelFor.h"
-#include "shapetonParallelInvoke.h"
 #include "shapetonRemoveBridges.h"
 #include "shapetonSurfaceConnectivity.h"
 #include "shapetonSurfaceQuality.h"

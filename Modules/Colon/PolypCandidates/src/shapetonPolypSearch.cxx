@@ -10,7 +10,7 @@
 #include "shapetonExceptions.h"
 #include "shapetonFileErrors.h"
 #include "shapetonImageFile.h"
-#include "shapetonStartBeside.h"
+#include "shapetonParallelFor.h"
 
 #include "itkNrrdImageIO.h"
 
@@ -132,10 +132,9 @@ ReadPolypColon(const std::string & folder)
   RequireCurrentFileNames(folder);
   RequireThere(segmentation + "wall-repaired.vtp");
   RequireThere(segmentation + "lumen.nrrd");
-  std::future<void> wall =
-    StartBeside([&] { colon.wall = ReadPart(segmentation + "wall-repaired.vtp", "wall", "", colon); });
+  WorkBeside wall = StartBeside([&] { colon.wall = ReadPart(segmentation + "wall-repaired.vtp", "wall", "", colon); });
   ReadVolumes(segmentation, colon);
-  wall.get();
+  wall.Get();
   if (IsThere(segmentation + "centerline.vtp"))
   {
     colon.centerline = ReadCurves(segmentation + "centerline.vtp");

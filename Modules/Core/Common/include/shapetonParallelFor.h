@@ -9,39 +9,30 @@
 #include <algorithm>
 #include <cstddef>
 #include <functional>
+#include <memory>
 #include <thread>
 
+// Loops over threads. All loops of a process, nested or not, share NumberOfThreads() - 1 helper threads; the calling
+// thread always works, too. Helpers come from oneTBB, or from ITK's thread pool if Shapeton was built without oneTBB or
+// the environment variable SHAPETON_THREADS_FROM is "itk". Results do not depend on the number or source of helpers.
 namespace shapeton
 {
-/** Number of threads that ITK's settings allow. \ingroup ShapetonCommon */
+/** The thread limit: itk::MultiThreaderBase::GetGlobalDefaultNumberOfThreads(). \ingroup ShapetonCommon */
 ShapetonCommon_EXPORT unsigned int
 NumberOfThreads();
 
-/** Nesting depth of parallel loops in this thread. \ingroup ShapetonCommon */
-ShapetonCommon_EXPORT unsigned int &
-DepthOfLoops();
-
-/** \class LoopDepth
- * \brief Sets DepthOfLoops() during its lifetime.
+/** Limits the threads of these loops, of ITK filters, and of VTK and OpenCV where these use oneTBB. At least 1.
  * \ingroup ShapetonCommon */
-class LoopDepth
-{
-public:
-  explicit LoopDepth(unsigned int depth) : m_Before(DepthOfLoops()) { DepthOfLoops() = depth; }
-  ~LoopDepth() { DepthOfLoops() = m_Before; }
-  LoopDepth(const LoopDepth &) = delete;
-  LoopDepth &
-  operator=(const LoopDepth &) = delete;
+ShapetonCommon_EXPORT void
+SetNumberOfThreads(unsigned int number);
 
-private:
-  unsigned int m_Before;
-};
+/** Name of the library that provides the helper threads: "oneTBB" or "ITK". \ingroup ShapetonCommon */
+ShapetonCommon_EXPORT const char *
+SourceOfThreads();
 
-/** Runs `body(worker)` on `workers` workers. Workers use ITK's threader; nested loops use separate threads, because
- * pool threads that wait for inner loops would leave no thread to run them. At the third nesting level the caller runs
- * the loop alone. A worker may start after another one has ended, so a worker must not wait for one that has not
- * started. The first exception is rethrown when all workers have ended; ITK's threader would keep the exception of one
- * worker only.
+/** Calls `body(worker)` once for each worker < `workers`. The calling thread takes worker 0; helpers that are free take
+ * others, and the calling thread takes those that are left. So a worker must not wait for one that has not started.
+ * All workers are called, even after an exception; then the first exception is rethrown.
  * \ingroup ShapetonCommon */
 ShapetonCommon_EXPORT void
 ParallelWorkers(unsigned int workers, const std::function<void(unsigned int worker)> & body);
@@ -112,6 +103,49 @@ ParallelForBlocks(std::size_t number, const TBody & body, const Progress & progr
               },
               progress);
 }
+
+/** Calls `first` on this thread, and `second` concurrently if a helper is free, otherwise afterwards. If both throw,
+ * the exception of `first` is rethrown. \ingroup ShapetonCommon */
+ShapetonCommon_EXPORT void
+ParallelInvoke(const std::function<void()> & first, const std::function<void()> & second);
+
+/** \class WorkBeside
+ * \brief Work started by StartBeside(). The destructor waits for it if it has started, and drops it otherwise.
+ *
+ * \ingroup ShapetonCommon */
+class ShapetonCommon_EXPORT WorkBeside
+{
+public:
+  WorkBeside() = default;
+  WorkBeside(WorkBeside && other) noexcept;
+  WorkBeside &
+  operator=(WorkBeside && other) noexcept;
+  ~WorkBeside();
+
+  /** Whether Get() must still be called. */
+  bool
+  IsPending() const
+  {
+    return m_Work != nullptr;
+  }
+
+  /** Waits for the work, or does it in this thread if no helper has started it; rethrows its exception. Does nothing if
+   * no work is pending. */
+  void
+  Get();
+
+private:
+  struct Work;
+  friend ShapetonCommon_EXPORT WorkBeside
+  StartBeside(std::function<void()> work);
+
+  std::unique_ptr<Work> m_Work;
+};
+
+/** Lets a helper do `work` as soon as one is free. The work uses the Interruption of this thread, which must outlive
+ * it. \ingroup ShapetonCommon */
+[[nodiscard]] ShapetonCommon_EXPORT WorkBeside
+StartBeside(std::function<void()> work);
 } // namespace shapeton
 
 #endif

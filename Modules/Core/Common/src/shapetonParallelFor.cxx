@@ -1,31 +1,234 @@
 #include "shapetonParallelFor.h"
 
-#include "shapetonParallelInvoke.h"
-#include "shapetonStartBeside.h"
+#include "shapetonHelperThreads.h"
 
 #include "itkMultiThreaderBase.h"
 
 #include <atomic>
+#include <cfenv>
+#include <condition_variable>
+#include <cstdlib>
 #include <exception>
+#include <list>
 #include <mutex>
-#include <vector>
+#include <string>
+
+#include <pthread.h>
 
 // Loops are compiled once here instead of for each body, because thread code dominates the build time.
 namespace shapeton
 {
 namespace
 {
-// Calls work(worker) once for each of `workers` workers: the calling thread runs the first one, separate threads the
-// others. `work` must not throw.
-void
-OnOwnThreads(unsigned int workers, const std::function<void(unsigned int)> & work)
+/** Shares of work, each done once by the thread that takes it. */
+struct SharedWork
 {
-  std::vector<std::future<void>> others; // joined on destruction, even after an exception
-  for (unsigned int worker = 1; worker < workers; ++worker)
+  SharedWork(unsigned int number, std::function<void(unsigned int share)> work)
+    : body(std::move(work)), shares(number), interruption(Interruption::OfThread())
   {
-    others.push_back(std::async(std::launch::async, [&work, worker] { work(worker); }));
+    std::fegetenv(&floatingPoint);
   }
-  work(0U);
+
+  const std::function<void(unsigned int share)> body;
+  const unsigned int                            shares;
+  Interruption * const                          interruption;
+  std::fenv_t                                   floatingPoint; ///< all threads calculate like the caller
+
+  // Guarded by the mutex of the scheduler:
+  unsigned int            taken{ 0 };
+  unsigned int            running{ 0 };
+  std::exception_ptr      failure;
+  std::condition_variable hasEnded;
+};
+
+/** Distributes the shares of all open works to the calling threads and the helpers. A caller takes shares of its own
+ * work only and waits only for shares that run, so nested works end whatever the helpers do. A caller that took foreign
+ * shares while it waits could meet a lock that it holds itself. */
+class Scheduler
+{
+public:
+  static Scheduler &
+  Instance()
+  {
+    Scheduler * scheduler = s_Instance.load();
+    if (!scheduler)
+    {
+      auto fresh = std::make_unique<Scheduler>();
+      if (s_Instance.compare_exchange_strong(scheduler, fresh.get()))
+      {
+        scheduler = fresh.release(); // never destroyed, because helpers may outlive static objects
+      }
+    }
+    return *scheduler;
+  }
+
+  Scheduler()
+  {
+    static const int isRegistered = pthread_atfork(nullptr, nullptr, StartAgainInChild);
+    static_cast<void>(isRegistered);
+    // The first ITK object sets up factories without locking; helpers must find them complete.
+    itk::MultiThreaderBase::New();
+    const char * const wanted = std::getenv("SHAPETON_THREADS_FROM");
+    m_Threads = s_IsForked || (wanted && wanted == std::string("itk")) ? MakeItkThreads() : MakeThreads();
+  }
+
+  const char *
+  NameOfLibrary() const
+  {
+    return m_Threads->NameOfLibrary();
+  }
+
+  void
+  SetLimit(unsigned int threads)
+  {
+    const std::lock_guard<std::mutex> lock(m_Mutex);
+    this->AdaptTo(threads);
+  }
+
+  /** Offers the shares that nobody has taken to the helpers. */
+  void
+  Open(SharedWork & work)
+  {
+    const std::lock_guard<std::mutex> lock(m_Mutex);
+    this->AdaptTo(NumberOfThreads());
+    for (unsigned int left = work.shares - work.taken; left > 0 && m_Helpers + 1 < m_Limit; --left)
+    {
+      m_Threads->Run([this] { this->Help(); });
+      ++m_Helpers;
+    }
+    m_Open.push_back(&work);
+  }
+
+  /** Does a share that the caller has taken. */
+  void
+  Do(SharedWork & work, unsigned int share)
+  {
+    std::unique_lock<std::mutex> lock(m_Mutex);
+    this->Do(work, share, lock);
+  }
+
+  /** Does the shares that nobody has taken and waits for those that run. */
+  void
+  Finish(SharedWork & work)
+  {
+    std::unique_lock<std::mutex> lock(m_Mutex);
+    while (work.taken < work.shares)
+    {
+      this->Do(work, this->Take(work), lock);
+    }
+    this->Wait(work, lock);
+  }
+
+  /** Drops the shares that nobody has taken and waits for those that run. */
+  void
+  Cancel(SharedWork & work)
+  {
+    std::unique_lock<std::mutex> lock(m_Mutex);
+    m_Open.remove(&work);
+    this->Wait(work, lock);
+  }
+
+private:
+  /** A forked process has neither the helpers nor, perhaps, an unlocked mutex. It uses ITK's pool, because oneTBB would
+   * offer threads that do not exist. */
+  static void
+  StartAgainInChild()
+  {
+    s_IsForked = true;
+    s_Instance = nullptr;
+  }
+
+  void
+  AdaptTo(unsigned int threads)
+  {
+    if (threads != m_Limit)
+    {
+      m_Threads->SetLimit(threads);
+      m_Limit = threads;
+    }
+  }
+
+  /** Runs in a helper: does shares of the oldest open work, which is the outermost one, until none are left. */
+  void
+  Help()
+  {
+    std::unique_lock<std::mutex> lock(m_Mutex);
+    while (!m_Open.empty())
+    {
+      SharedWork & work = *m_Open.front();
+      this->Do(work, this->Take(work), lock);
+    }
+    --m_Helpers;
+  }
+
+  unsigned int
+  Take(SharedWork & work)
+  {
+    const unsigned int share = work.taken++;
+    if (work.taken == work.shares)
+    {
+      m_Open.remove(&work);
+    }
+    return share;
+  }
+
+  void
+  Do(SharedWork & work, unsigned int share, std::unique_lock<std::mutex> & lock)
+  {
+    ++work.running;
+    lock.unlock();
+    const std::exception_ptr failure = Call(work, share);
+    lock.lock();
+    work.failure = work.failure ? work.failure : failure;
+    if (--work.running == 0)
+    {
+      work.hasEnded.notify_all();
+    }
+  }
+
+  static std::exception_ptr
+  Call(const SharedWork & work, unsigned int share)
+  {
+    std::exception_ptr failure;
+    std::fenv_t        before;
+    std::fegetenv(&before);
+    std::fesetenv(&work.floatingPoint);
+    try
+    {
+      const Interruption::Inherited inherited(work.interruption);
+      work.body(share);
+    }
+    catch (...)
+    {
+      failure = std::current_exception();
+    }
+    std::fesetenv(&before);
+    return failure;
+  }
+
+  static void
+  Wait(SharedWork & work, std::unique_lock<std::mutex> & lock)
+  {
+    work.hasEnded.wait(lock, [&work] { return work.running == 0; });
+  }
+
+  static inline std::atomic<Scheduler *> s_Instance{ nullptr };
+  static inline std::atomic<bool>        s_IsForked{ false };
+
+  std::mutex                     m_Mutex;
+  std::unique_ptr<HelperThreads> m_Threads;
+  unsigned int                   m_Limit{ 0 };
+  unsigned int                   m_Helpers{ 0 }; ///< requested or at work
+  std::list<SharedWork *>        m_Open;         ///< with shares to take, the oldest first
+};
+
+void
+Rethrow(const std::exception_ptr & failure)
+{
+  if (failure)
+  {
+    std::rethrow_exception(failure);
+  }
 }
 } // namespace
 
@@ -35,20 +238,24 @@ NumberOfThreads()
   return std::max<unsigned int>(1, itk::MultiThreaderBase::GetGlobalDefaultNumberOfThreads());
 }
 
-unsigned int &
-DepthOfLoops()
+void
+SetNumberOfThreads(unsigned int number)
 {
-  static thread_local unsigned int depth = 0;
-  return depth;
+  itk::MultiThreaderBase::SetGlobalDefaultNumberOfThreads(number);
+  Scheduler::Instance().SetLimit(NumberOfThreads());
+}
+
+const char *
+SourceOfThreads()
+{
+  return Scheduler::Instance().NameOfLibrary();
 }
 
 void
 ParallelWorkers(unsigned int workers, const std::function<void(unsigned int worker)> & body)
 {
-  constexpr unsigned int deepest = 2;
-  const unsigned int     depth = DepthOfLoops();
   Interruption::Check();
-  if (workers <= 1 || depth >= deepest)
+  if (workers <= 1 || NumberOfThreads() == 1)
   {
     for (unsigned int worker = 0; worker < workers; ++worker)
     {
@@ -56,37 +263,13 @@ ParallelWorkers(unsigned int workers, const std::function<void(unsigned int work
     }
     return;
   }
-  std::mutex           mutex;
-  std::exception_ptr   failure;
-  Interruption * const interruption = Interruption::OfThread();
-  const auto           work = [&](unsigned int worker) {
-    const LoopDepth               inside(depth + 1);
-    const Interruption::Inherited inherited(interruption);
-    try
-    {
-      body(worker);
-    }
-    catch (...)
-    {
-      const std::lock_guard<std::mutex> lock(mutex);
-      failure = failure ? failure : std::current_exception();
-    }
-  };
-  if (depth > 0)
-  {
-    OnOwnThreads(workers, work);
-  }
-  else
-  {
-    const auto threader = itk::MultiThreaderBase::New();
-    threader->SetNumberOfWorkUnits(workers);
-    threader->ParallelizeArray(
-      0, workers, [&work](itk::SizeValueType i) { work(static_cast<unsigned int>(i)); }, nullptr);
-  }
-  if (failure)
-  {
-    std::rethrow_exception(failure);
-  }
+  SharedWork  work(workers, std::cref(body));
+  Scheduler & scheduler = Scheduler::Instance();
+  work.taken = 1;
+  scheduler.Open(work);
+  scheduler.Do(work, 0);
+  scheduler.Finish(work);
+  Rethrow(work.failure);
 }
 
 void
@@ -124,43 +307,52 @@ ParallelFor(std::size_t number, const std::function<void(std::size_t i)> & body,
 void
 ParallelInvoke(const std::function<void()> & first, const std::function<void()> & second)
 {
-  if (NumberOfThreads() == 1)
+  WorkBeside beside = StartBeside(second);
+  first();
+  beside.Get();
+}
+
+struct WorkBeside::Work : public SharedWork
+{
+  using SharedWork::SharedWork;
+};
+
+WorkBeside::WorkBeside(WorkBeside && other) noexcept = default;
+
+WorkBeside &
+WorkBeside::operator=(WorkBeside && other) noexcept
+{
+  std::swap(m_Work, other.m_Work);
+  return *this;
+}
+
+WorkBeside::~WorkBeside()
+{
+  if (m_Work)
   {
-    first();
-    second();
-    return;
-  }
-  // Leaves a thread of ITK's pool for ITK filters in `second`, which itself occupies one.
-  itk::MultiThreaderBase::New()->SetMaximumNumberOfThreads(2);
-  std::exception_ptr failures[2];
-  ParallelWorkers(2, [&](unsigned int worker) {
-    try
-    {
-      worker == 0 ? first() : second();
-    }
-    catch (...)
-    {
-      failures[worker] = std::current_exception();
-    }
-  });
-  for (const std::exception_ptr & failure : failures)
-  {
-    if (failure)
-    {
-      std::rethrow_exception(failure);
-    }
+    Scheduler::Instance().Cancel(*m_Work);
   }
 }
 
-std::future<void>
+void
+WorkBeside::Get()
+{
+  if (const std::unique_ptr<Work> work = std::move(m_Work))
+  {
+    Scheduler::Instance().Finish(*work);
+    Rethrow(work->failure);
+  }
+}
+
+WorkBeside
 StartBeside(std::function<void()> work)
 {
-  const auto policy = NumberOfThreads() > 1 ? std::launch::async : std::launch::deferred;
-  itk::MultiThreaderBase::New(); // the first ITK object sets up factories and the thread pool without locking
-  return std::async(policy, [work = std::move(work), interruption = Interruption::OfThread()] {
-    const LoopDepth               inside(1); // as one of two workers
-    const Interruption::Inherited inherited(interruption);
-    work();
-  });
+  WorkBeside beside;
+  beside.m_Work = std::make_unique<WorkBeside::Work>(1U, [work = std::move(work)](unsigned int) { work(); });
+  if (NumberOfThreads() > 1)
+  {
+    Scheduler::Instance().Open(*beside.m_Work);
+  }
+  return beside;
 }
 } // namespace shapeton

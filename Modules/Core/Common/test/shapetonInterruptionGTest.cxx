@@ -1,7 +1,5 @@
 #include "shapetonInterruption.h"
 #include "shapetonParallelFor.h"
-#include "shapetonParallelInvoke.h"
-#include "shapetonStartBeside.h"
 
 #include "itkMultiThreaderBase.h"
 
@@ -116,7 +114,7 @@ TEST_P(InterruptionWithThreads, EndsWhatIsDoneBeside)
   });
   EXPECT_THROW(
     for (;;) { shapeton::ParallelFor(1000, [](std::size_t) {}); }, Stop);
-  EXPECT_THROW(beside.get(), Stop);
+  EXPECT_THROW(beside.Get(), Stop);
 }
 
 INSTANTIATE_TEST_SUITE_P(Threads, InterruptionWithThreads, testing::Values(1, 2, 5));

@@ -1,6 +1,4 @@
 #include "shapetonParallelFor.h"
-#include "shapetonParallelInvoke.h"
-#include "shapetonStartBeside.h"
 
 #include "itkMultiThreaderBase.h"
 
@@ -8,10 +6,16 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cfenv>
 #include <chrono>
+#include <cstdlib>
 #include <stdexcept>
+#include <string>
 #include <thread>
 #include <vector>
+
+#include <sys/wait.h>
+#include <unistd.h>
 
 namespace
 {
@@ -102,11 +106,10 @@ TEST_P(WithThreads, LoopsInLoopsInLoopsEnd)
       });
     });
   };
-  std::future<void> beside = shapeton::StartBeside(loops);
+  shapeton::WorkBeside beside = shapeton::StartBeside(loops);
   shapeton::ParallelInvoke(loops, loops);
-  beside.get();
+  beside.Get();
   EXPECT_EQ(count, 3 * number * number * number);
-  EXPECT_EQ(shapeton::DepthOfLoops(), 0U);
 }
 
 TEST_P(WithThreads, LoopsInLoopsOfSeveralCallersEnd)
@@ -131,10 +134,10 @@ TEST_P(WithThreads, WorkBesideIsDoneWhenItIsWaitedFor)
 {
   int  done = 0;
   auto work = shapeton::StartBeside([&done] { done = 1; });
-  work.get();
+  work.Get();
   EXPECT_EQ(done, 1);
   auto failing = shapeton::StartBeside([] { throw std::runtime_error("beside"); });
-  EXPECT_THROW(failing.get(), std::runtime_error);
+  EXPECT_THROW(failing.Get(), std::runtime_error);
 }
 
 TEST_P(WithThreads, ProgressComesFromTheCallerAndAscends)
@@ -176,5 +179,135 @@ TEST_P(WithThreads, NothingIsBegunAfterAnAbort)
   EXPECT_LT(begun, number / 2);
 }
 
-INSTANTIATE_TEST_SUITE_P(Threads, WithThreads, testing::Values(1U, 2U, 3U));
+/** Counts the threads that are inside of one or more loop bodies. */
+class BusyThreads
+{
+public:
+  class Body
+  {
+  public:
+    explicit Body(BusyThreads & busy) : m_Busy(busy)
+    {
+      if (s_Depth++ == 0)
+      {
+        const unsigned int now = ++m_Busy.m_Now;
+        for (unsigned int most = m_Busy.m_Most; most < now && !m_Busy.m_Most.compare_exchange_weak(most, now);)
+        {}
+      }
+    }
+    ~Body() { m_Busy.m_Now -= --s_Depth == 0; }
+
+  private:
+    BusyThreads & m_Busy;
+  };
+
+  unsigned int
+  Most() const
+  {
+    return m_Most;
+  }
+
+  /** Waits until `number` threads have been busy at the same time; whether that happened within 20 s. */
+  bool
+  WaitFor(unsigned int number) const
+  {
+    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+    while (m_Most < number && std::chrono::steady_clock::now() < end)
+    {
+      std::this_thread::yield();
+    }
+    return m_Most >= number;
+  }
+
+private:
+  static thread_local int   s_Depth;
+  std::atomic<unsigned int> m_Now{ 0 };
+  std::atomic<unsigned int> m_Most{ 0 };
+};
+
+thread_local int BusyThreads::s_Depth = 0;
+
+TEST_P(WithThreads, AllAllowedThreadsWorkAndNoOthers)
+{
+  const unsigned int allowed = shapeton::NumberOfThreads();
+  BusyThreads        busy;
+  shapeton::ParallelFor(allowed, [&](std::size_t) {
+    const BusyThreads::Body body(busy);
+    EXPECT_TRUE(busy.WaitFor(allowed)) << "a loop";
+  });
+  EXPECT_EQ(busy.Most(), allowed);
+}
+
+TEST_P(WithThreads, NestedLoopsShareTheThreads)
+{
+  const unsigned int allowed = shapeton::NumberOfThreads();
+  BusyThreads        busy;
+  const auto         loops = [&] {
+    shapeton::ParallelFor(3, [&](std::size_t) {
+      const BusyThreads::Body body(busy);
+      shapeton::ParallelFor(10, [&](std::size_t) {
+        const BusyThreads::Body inner(busy);
+        EXPECT_TRUE(busy.WaitFor(allowed)) << "nested loops";
+        shapeton::ParallelFor(10, [&](std::size_t) { const BusyThreads::Body innermost(busy); });
+      });
+    });
+  };
+  shapeton::WorkBeside beside = shapeton::StartBeside(loops);
+  shapeton::ParallelInvoke(loops, loops);
+  beside.Get();
+  EXPECT_EQ(busy.Most(), allowed);
+}
+
+TEST_P(WithThreads, AllCalculateLikeTheCaller)
+{
+  std::fesetround(FE_UPWARD);
+  std::vector<int> modes(50, -1);
+  shapeton::ParallelFor(modes.size(), [&](std::size_t i) {
+    modes[i] = std::fegetround();
+    std::this_thread::yield();
+  });
+  std::fesetround(FE_TONEAREST);
+  EXPECT_EQ(modes, std::vector<int>(50, FE_UPWARD));
+  shapeton::ParallelFor(modes.size(), [&](std::size_t i) { modes[i] = std::fegetround(); });
+  EXPECT_EQ(modes, std::vector<int>(50, FE_TONEAREST));
+}
+
+TEST_P(WithThreads, WorkBesideThatNobodyWaitsForLeavesNoTrace)
+{
+  std::atomic<int> begun{ 0 };
+  std::atomic<int> ended{ 0 };
+  for (int i = 0; i < 100; ++i)
+  {
+    const shapeton::WorkBeside work = shapeton::StartBeside([&] {
+      ++begun;
+      std::this_thread::yield();
+      ++ended;
+    });
+  }
+  EXPECT_EQ(begun, ended);
+}
+
+TEST_P(WithThreads, AForkedProcessLoopsToo)
+{
+  shapeton::ParallelFor(100, [](std::size_t) {});
+  const pid_t child = fork();
+  if (child == 0)
+  {
+    std::atomic<int> count{ 0 };
+    shapeton::ParallelFor(100, [&](std::size_t) { ++count; });
+    _exit(count == 100 && shapeton::SourceOfThreads() == std::string("ITK") ? 0 : 1);
+  }
+  int status = -1;
+  ASSERT_EQ(waitpid(child, &status, 0), child);
+  EXPECT_EQ(status, 0);
+}
+
+TEST(ParallelFor, TellsTheSourceOfItsThreads)
+{
+  const char * const wanted = std::getenv("SHAPETON_THREADS_FROM");
+  const bool         isItk = wanted && wanted == std::string("itk");
+  EXPECT_STREQ(shapeton::SourceOfThreads(), isItk ? "ITK" : SHAPETON_TEST_THREADS);
+}
+
+INSTANTIATE_TEST_SUITE_P(Threads, WithThreads, testing::Values(1U, 2U, 3U, 8U));
 } // namespace

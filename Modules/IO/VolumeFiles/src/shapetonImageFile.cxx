@@ -9,7 +9,6 @@
 #include "shapetonPrintable.h"
 #include "shapetonSha256.h"
 #include "shapetonParallelFor.h"
-#include "shapetonStartBeside.h"
 #include "shapetonStoredVoxels.h"
 #include "shapetonExceptions.h"
 #include "shapetonNiftiHeader.h"
@@ -517,7 +516,7 @@ ReadImage(const std::string &  path,
     },
     static_cast<std::size_t>(bytes),
     LimitsFor(bytes));
-  std::future<void> beside = StartBeside([&] {
+  WorkBeside beside = StartBeside([&] {
     volume.image = MakeImage(header); // after the memory check
     volume.identity = IdentityOf(path, stored);
   });
@@ -530,7 +529,7 @@ ReadImage(const std::string &  path,
     ThrowUnsuitable(path, failure.what());
   }
   process.Stop();
-  beside.get();
+  beside.Get();
   ConvertVoxels(path,
                 header,
                 process.GetShared(),

@@ -6,7 +6,7 @@
 #include "shapetonSurfaceReader.h"
 #include "shapetonExceptions.h"
 #include "shapetonImageFile.h"
-#include "shapetonStartBeside.h"
+#include "shapetonParallelFor.h"
 
 #include "shapetonJson.h"
 
@@ -147,12 +147,12 @@ ReadColonoscopyResults(const std::string & folder, const std::vector<StageResult
 {
   ColonoscopyResults results;
   results.stages = stages;
-  const StageFiles  files(folder, results);
-  std::future<void> others = StartBeside([&] { ReadAllButImages(files, folder, results); });
+  const StageFiles files(folder, results);
+  WorkBeside       others = StartBeside([&] { ReadAllButImages(files, folder, results); });
   files.Read(
     names::segmentation, "cleansed.nrrd", [&](const std::string & path) { results.ct = ReadImageFile(path).image; });
   files.Read(names::folds, "labels.nrrd", [&](const std::string & path) { results.foldLabels = ReadFoldLabels(path); });
-  others.get();
+  others.Get();
   return results;
 }
 } // namespace shapeton

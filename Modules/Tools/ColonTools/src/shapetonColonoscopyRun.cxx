@@ -7,7 +7,6 @@
 #include "shapetonToolDevice.h"
 #include "shapetonSceneFiles.h"
 #include "shapetonParallelFor.h"
-#include "shapetonStartBeside.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -94,8 +93,8 @@ public:
   bool
   RunBoth(const ColonoscopyStage & shorter, const ColonoscopyStage & longer, double begin, double share)
   {
-    StageResult       first;
-    std::future<void> beside;
+    StageResult first;
+    WorkBeside  beside;
     if (NumberOfThreads() > 1)
     {
       beside = StartBeside([&] { first = m_Run.Run(shorter.make(m_Run)); });
@@ -106,10 +105,7 @@ public:
       first = this->Compute(shorter, begin, share);
     }
     StageResult second = this->Compute(longer, begin + shorter.share * share, share);
-    if (beside.valid())
-    {
-      beside.get();
-    }
+    beside.Get();
     this->Record(std::move(first));
     this->Record(std::move(second));
     return this->Status() == 0;

@@ -4,13 +4,13 @@
 #include "shapetonModuleDescription.h"
 #include "shapetonModuleHelp.h"
 #include "shapetonOutputFiles.h"
+#include "shapetonParallelFor.h"
 #include "shapetonParameterValue.h"
 #include "shapetonPrintable.h"
 #include "shapetonProgressDisplay.h"
 #include "shapetonExceptions.h"
 
 #include "itkCommand.h"
-#include "itkMultiThreaderBase.h"
 #include "itkProcessObject.h"
 
 #include <nlohmann/json.hpp>
@@ -306,7 +306,7 @@ CommandLine::State::Prepare(const CommandLine & commandLine)
   const int threads = commandLine.Declares("threads") ? commandLine.GetInteger("threads") : 0;
   if (threads > 0)
   {
-    itk::MultiThreaderBase::SetGlobalDefaultNumberOfThreads(threads);
+    SetNumberOfThreads(static_cast<unsigned int>(threads));
   }
 }
 
@@ -347,7 +347,7 @@ CommandLine::State::RunRecordText() const
   record["version"] = module.version;
   record["arguments"] = arguments;
   record["host"] = HostName();
-  record["threads"] = itk::MultiThreaderBase::GetGlobalDefaultNumberOfThreads();
+  record["threads"] = NumberOfThreads();
   record["start"] = TimeText(start);
   record["seconds"] = elapsed.count();
   record["stages"] = nlohmann::ordered_json::object();
