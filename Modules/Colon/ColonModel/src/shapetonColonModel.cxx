@@ -203,7 +203,7 @@ FillGaps(ColonModel & model, CleansedWork & cleansed, const itk::Image<float, 3>
   TraceAndCleanse(filled, again, ct, with);
   if (LengthOfGaps(filled.centerline) <= most)
   {
-    WaitFor(cleansed.beside); // uses the CT of the previous line
+    cleansed.beside.Get(); // uses the CT of the previous line
     model = std::move(filled);
     cleansed = std::move(again);
     cleansed.Start(options);
