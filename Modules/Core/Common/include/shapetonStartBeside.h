@@ -10,8 +10,8 @@ namespace shapeton
 {
 /** Starts a task on a separate thread if ITK's settings allow two threads; otherwise get() runs the task. get() waits
  * and rethrows the exception of the task; without get(), the destructor waits for a started task. The thread is not
- * part of ITK's pool, and pool loops never wait for it; it must not start a ContainedProcess (see there). It uses the
- * Interruption of the starting thread, which must outlive the task.
+ * part of ITK's pool, and pool loops never wait for it. It uses the Interruption of the starting thread, which must
+ * outlive the task.
  * \ingroup ShapetonCommon */
 ShapetonCommon_EXPORT std::future<void>
                       StartBeside(std::function<void()> work);
