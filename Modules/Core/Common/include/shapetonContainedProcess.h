@@ -87,9 +87,18 @@ using ContainedService = std::function<std::string(const std::string & request, 
  * ContainedProcess. \ingroup ShapetonCommon */
 using ContainedServices = std::map<std::string, std::function<ContainedService()>>;
 
+/** \class AddContainedServices
+ * \brief A static instance in a program adds services to those that ServeContained() offers.
+ * \ingroup ShapetonCommon */
+class ShapetonCommon_EXPORT AddContainedServices
+{
+public:
+  explicit AddContainedServices(ContainedServices services);
+};
+
 /** The main function of a program that is started by ContainedProcess. \ingroup ShapetonCommon */
 ShapetonCommon_EXPORT int
-ServeContained(int argc, char * argv[], const ContainedServices & services);
+ServeContained(int argc, char * argv[]);
 } // namespace shapeton
 
 #endif

@@ -13,6 +13,14 @@ namespace
 {
 constexpr auto Never = MessageChannel::Clock::time_point::max() - std::chrono::hours(1);
 
+/** The services of this program. */
+ContainedServices &
+AllServices()
+{
+  static ContainedServices services;
+  return services;
+}
+
 struct ContainedResponse
 {
   char        kind;
@@ -42,11 +50,11 @@ ResponseOf(const TWork & work)
 }
 
 ContainedResponse
-CreateService(const ContainedServices & services, const std::string & name, ContainedService & service)
+CreateService(const std::string & name, ContainedService & service)
 {
   return ResponseOf([&]() -> ContainedResponse {
-    const auto found = services.find(name);
-    if (found == services.end())
+    const auto found = AllServices().find(name);
+    if (found == AllServices().end())
     {
       throw std::runtime_error("the program that reads files lacks the service " + name + "; install all of Shapeton");
     }
@@ -85,8 +93,10 @@ AnswerRequests(const MessageChannel & channel, const ContainedService & service)
 }
 } // namespace
 
+AddContainedServices::AddContainedServices(ContainedServices services) { AllServices().merge(services); }
+
 int
-ServeContained(int argc, char * argv[], const ContainedServices & services)
+ServeContained(int argc, char * argv[])
 {
   const MessageChannel channel{ FileDescriptor(FirstInheritedDescriptor) };
   if (argc != 3 || !channel.IsConnected())
@@ -101,7 +111,7 @@ ServeContained(int argc, char * argv[], const ContainedServices & services)
   }
   SilenceThisProcess();
   ContainedService        service;
-  const ContainedResponse ready = CreateService(services, argv[1], service);
+  const ContainedResponse ready = CreateService(argv[1], service);
   if (channel.Send(ready.kind, ready.text) && service)
   {
     AnswerRequests(channel, service);

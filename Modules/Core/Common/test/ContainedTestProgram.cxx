@@ -102,6 +102,11 @@ MakeFaultyService()
   throw std::runtime_error("the dictionary is missing");
 }
 
+const shapeton::AddContainedServices
+  services({ { "Misbehave", [] { return Misbehave; } },
+             { "Echo", [] { return [](const std::string & request, char *) { return request; }; } },
+             { "Faulty", MakeFaultyService } });
+
 /** Sends the number of a process that it starts, which then computes until it is killed. */
 int
 BeParent(const MessageChannel & channel)
@@ -122,10 +127,5 @@ main(int argc, char * argv[])
     const MessageChannel channel{ shapeton::FileDescriptor(shapeton::FirstInheritedDescriptor) };
     return service == "Parent" ? BeParent(channel) : channel.Send('V', "0.1.0") ? 0 : 1;
   }
-  return shapeton::ServeContained(
-    argc,
-    argv,
-    { { "Misbehave", [] { return Misbehave; } },
-      { "Echo", [] { return [](const std::string & request, char *) { return request; }; } },
-      { "Faulty", MakeFaultyService } });
+  return shapeton::ServeContained(argc, argv);
 }
