@@ -116,7 +116,7 @@ ParallelInvoke(const std::function<void()> & first, const std::function<void()> 
 class ShapetonCommon_EXPORT WorkBeside
 {
 public:
-  WorkBeside() = default;
+  WorkBeside() noexcept;
   WorkBeside(WorkBeside && other) noexcept;
   WorkBeside &
   operator=(WorkBeside && other) noexcept;

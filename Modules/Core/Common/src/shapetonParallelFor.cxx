@@ -317,6 +317,8 @@ struct WorkBeside::Work : public SharedWork
   using SharedWork::SharedWork;
 };
 
+WorkBeside::WorkBeside() noexcept = default;
+
 WorkBeside::WorkBeside(WorkBeside && other) noexcept = default;
 
 WorkBeside &
