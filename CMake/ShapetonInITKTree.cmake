@@ -3,6 +3,7 @@
 include(GoogleTest)
 include(${Shapeton_SOURCE_DIR}/CMake/ShapetonITKTargets.cmake)
 include(${Shapeton_SOURCE_DIR}/CMake/ShapetonKernels.cmake)
+include(${Shapeton_SOURCE_DIR}/CMake/ShapetonOptions.cmake)
 include(${Shapeton_SOURCE_DIR}/CMake/ShapetonPages.cmake)
 include(${Shapeton_SOURCE_DIR}/CMake/ShapetonTests.cmake)
 set(SHAPETON_TEST_DATA_DIR "$ENV{SHAPETON_TEST_DATA_DIR}" CACHE PATH

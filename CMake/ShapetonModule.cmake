@@ -3,6 +3,7 @@
 
 include(GenerateExportHeader)
 include(ShapetonITKTargets)
+include(ShapetonOptions)
 include(ShapetonTests)
 
 # itk_module(<name> [ENABLE_SHARED] DEPENDS ... PRIVATE_DEPENDS ... COMPILE_DEPENDS ... TEST_DEPENDS ... DESCRIPTION "...")

@@ -2,8 +2,8 @@
 # Builds bin/<Name> from <Name>.cxx and <Name>.xml, with the XML embedded (--xml prints it) and next to it (read by 3D Slicer).
 function(shapeton_add_tool name)
   cmake_parse_arguments(PARSE_ARGV 1 tool "" "" "MODULES;LIBRARIES")
-  set(xml ${CMAKE_CURRENT_SOURCE_DIR}/${name}.xml)
-  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${xml})
+  set(xml ${CMAKE_CURRENT_BINARY_DIR}/${name}.xml)
+  shapeton_generate(xml ${CMAKE_CURRENT_SOURCE_DIR}/${name}.xml ${xml})
   file(READ ${xml} text)
   file(CONFIGURE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/${name}XML.h @ONLY
     CONTENT "// Generated from @name@.xml\nstatic const char ToolXML[] = R\"__XML__(@text@)__XML__\";\n")

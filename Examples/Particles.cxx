@@ -18,7 +18,7 @@ main(int argc, char * argv[])
   const shapeton::Volume volume = shapeton::ReadVolume(argv[1]);
   const auto             diffusion = shapeton::ParticleDiffusionImageFilter<shapeton::Volume::ImageType>::New();
   diffusion->SetInput(volume.image);
-  diffusion->SetNumberOfShapetons(20000);
+  diffusion->SetShapetons(20000);
   diffusion->SetDistance(0.03);
   diffusion->SetTimeSteps(500);
   diffusion->AddObserver(itk::IterationEvent(), [&](const itk::EventObject &) {

@@ -2,6 +2,7 @@
 
 #include "shapetonAutomaticParameters.h"
 #include "shapetonCommandLine.h"
+#include "shapetonReadOptions.h"
 #include "shapetonCumulativeHeatDiffusionImageFilter.h"
 #include "shapetonHeatClassification.h"
 #include "shapetonHeatResultFiles.h"
@@ -38,27 +39,13 @@ CheckUsage(const CommandLine & commandLine)
 void
 Configure(CommandLine & commandLine, FilterType * filter)
 {
-  if (const auto window = commandLine.GetDoubles("intensityWindow"); !window.empty())
-  {
-    filter->SetIntensityWindow(window[0], window[1]);
-  }
-  const bool isExplicit = commandLine.GetString("solver") == "explicit";
-  const bool asPublished = commandLine.GetString("conductance") == "published";
-  filter->SetP(commandLine.GetDouble("p"));
-  filter->SetUntilSteady(commandLine.GetFlag("untilSteady"));
+  shapeton::ReadOptionsOf(commandLine, filter);
   if (commandLine.GetFlag("autoParameters"))
   {
     filter->AutomaticPOn();
     filter->UntilSteadyOn();
     commandLine.AddProvenance("option.p", "automatic");
   }
-  filter->SetDevice(shapeton::ReadDevice(commandLine));
-  filter->SetTimeSteps(commandLine.GetInteger("timeSteps"));
-  filter->SetTimeStepLength(commandLine.GetDouble("timeStepLength"));
-  filter->SetTolerance(commandLine.GetDouble("tolerance"));
-  filter->SetIgnoreSpacing(commandLine.GetFlag("ignoreSpacing"));
-  filter->SetMethod(isExplicit ? FilterType::Method::Explicit : FilterType::Method::Chebyshev);
-  filter->SetConductance(asPublished ? FilterType::Conductance::Published : FilterType::Conductance::Physical);
 }
 
 void

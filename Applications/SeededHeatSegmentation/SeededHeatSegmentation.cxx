@@ -1,6 +1,7 @@
 #include "SeededHeatSegmentationXML.h"
 
 #include "shapetonCommandLine.h"
+#include "shapetonReadOptions.h"
 #include "shapetonCsvTable.h"
 #include "shapetonExceptions.h"
 #include "shapetonSeedFiles.h"
@@ -67,14 +68,8 @@ ReadSeeds(CommandLine & commandLine, const ImageType * image)
 void
 Configure(CommandLine & commandLine, FilterType * filter)
 {
-  if (const auto window = commandLine.GetDoubles("intensityWindow"); !window.empty())
-  {
-    filter->SetIntensityWindow(window[0], window[1]);
-  }
-  filter->SetP(commandLine.GetDouble("p"));
+  shapeton::ReadOptionsOf(commandLine, filter);
   filter->SetAutomaticP(commandLine.GetFlag("autoParameters"));
-  filter->SetLeastWeight(commandLine.GetDouble("leastWeight"));
-  filter->SetTolerance(commandLine.GetDouble("tolerance"));
   filter->SetKeepProbabilities(commandLine.IsGiven("probabilities"));
 }
 

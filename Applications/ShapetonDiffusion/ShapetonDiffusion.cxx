@@ -2,14 +2,13 @@
 
 #include "shapetonAutomaticParameters.h"
 #include "shapetonCommandLine.h"
+#include "shapetonReadOptions.h"
 #include "shapetonParticleDiffusionImageFilter.h"
 #include "shapetonParticleMonitor.h"
 #include "shapetonParticleResultFiles.h"
 #include "shapetonExceptions.h"
 #include "shapetonToolDevice.h"
 #include "shapetonToolVolumes.h"
-
-#include <charconv>
 
 namespace
 {
@@ -31,48 +30,11 @@ CheckUsage(const CommandLine & commandLine)
 }
 
 void
-SetEpsilon(const CommandLine & commandLine, FilterType * filter)
-{
-  const std::string text = commandLine.GetString("epsilon");
-  if (text == "auto")
-  {
-    filter->AutomaticEpsilonOn();
-    return;
-  }
-  double             epsilon = 0.0;
-  const auto * const end = text.data() + text.size();
-  const auto         parsed = std::from_chars(text.data(), end, epsilon);
-  shapeton::RequireParameter(parsed.ec == std::errc() && parsed.ptr == end && epsilon > 0.0 && epsilon < 1e300,
-                             "--epsilon: \"" + text + "\" is not a positive number or auto");
-  filter->SetEpsilon(epsilon);
-}
-
-void
 Configure(const CommandLine & commandLine, FilterType * filter)
 {
-  if (const auto window = commandLine.GetDoubles("intensityWindow"); !window.empty())
-  {
-    filter->SetIntensityWindow(window[0], window[1]);
-  }
-  const std::string sampling = commandLine.GetString("directionSampling");
-  filter->SetDevice(shapeton::ReadDevice(commandLine));
-  filter->SetP(commandLine.GetDouble("p"));
-  filter->SetNumberOfShapetons(static_cast<std::uint32_t>(commandLine.GetInteger("shapetons")));
-  filter->SetDistance(commandLine.GetDouble("distance"));
-  filter->SetTimeSteps(static_cast<std::uint64_t>(commandLine.GetInteger("timeSteps")));
-  filter->SetDirectionSampling(sampling == "solidAngle"   ? shapeton::DirectionSampling::SolidAngle
-                               : sampling == "sectorArea" ? shapeton::DirectionSampling::SectorArea
-                                                          : shapeton::DirectionSampling::Uniform);
-  filter->SetPathRule(commandLine.GetString("pathRule") == "endpoint" ? shapeton::PathRule::Endpoint
-                                                                      : shapeton::PathRule::Traversal);
-  filter->SetPlacement(commandLine.GetString("placement") == "uniform" ? shapeton::ParticlePlacement::Uniform
-                                                                       : shapeton::ParticlePlacement::InitialHeat);
-  filter->SetSeed(static_cast<std::uint64_t>(commandLine.GetInteger("seed")));
-  filter->SetUntilSteady(commandLine.GetFlag("untilSteady"));
-  SetEpsilon(commandLine, filter);
+  shapeton::ReadOptionsOf(commandLine, filter);
   if (commandLine.IsGiven("featureSize"))
   {
-    filter->SetFeatureSize(commandLine.GetDouble("featureSize"));
     filter->AutomaticDistanceOn();
     filter->SetAutomaticNumberOfShapetons(!commandLine.IsGiven("shapetons"));
   }
@@ -129,7 +91,7 @@ Diffuse(CommandLine & commandLine)
   if (filter->GetAutomaticDistance())
   {
     commandLine.AddProvenance("chosen.distance", shapeton::CsvTable::Number(filter->GetDistance()));
-    commandLine.AddProvenance("chosen.shapetons", std::to_string(filter->GetNumberOfShapetons()));
+    commandLine.AddProvenance("chosen.shapetons", std::to_string(filter->GetShapetons()));
   }
   for (const auto & remark : shapeton::ParticleRemarks(filter))
   {

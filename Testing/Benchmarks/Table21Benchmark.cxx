@@ -59,10 +59,7 @@ double
 Seconds(const Row & row, const std::vector<float> & volume, shapeton::Device device)
 {
   shapeton::CumulativeHeatDiffusionSettings settings;
-  const auto                                ends = std::minmax_element(volume.begin(), volume.end());
-  settings.volumeGradient.lower = *ends.first;
-  settings.volumeGradient.upper = *ends.second;
-  settings.volumeGradient.p = row.p;
+  settings.p = row.p;
   settings.timeSteps = row.steps;
   const auto start = std::chrono::steady_clock::now();
   settings.device = device;

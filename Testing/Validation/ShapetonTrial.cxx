@@ -128,7 +128,7 @@ RunShapetons(const TrialVolume & volume, double p, const WalkRule & rule, const 
   filter->SetInput(volume.image);
   filter->SetP(p);
   filter->SetIntensityWindow(volume.lower, volume.upper);
-  filter->SetNumberOfShapetons(settings.shapetons);
+  filter->SetShapetons(settings.shapetons);
   filter->SetDistance(settings.distance);
   filter->SetTimeSteps(settings.steps);
   filter->SetDirectionSampling(rule.sampling);

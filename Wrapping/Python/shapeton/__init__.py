@@ -35,8 +35,6 @@ from ._shapeton import (  # noqa: E402  (re-exported)
     ShapetonResult,
     classify_heat,
     classify_visits,
-    diffuse_heat,
-    diffuse_shapetons,
     heat_histogram,
     list_series,
     read_volume,
@@ -47,6 +45,7 @@ from ._shapeton import (  # noqa: E402  (re-exported)
     write_volume,
 )
 from ._repr import describe_results
+from .heat import diffuse_heat, diffuse_shapetons
 from .image import Image
 from .mesh import Curves, Mesh
 

@@ -11,7 +11,10 @@ import inspect
 import threading
 from queue import Empty, SimpleQueue
 from types import ModuleType
-from typing import Any, Callable, Dict, Tuple
+from typing import Any, Callable, Dict, Tuple, get_type_hints
+
+from . import _shapeton
+from ._arguments import bound, check
 
 _Function = Callable[..., Any]
 _CALLBACKS = ("progress", "snapshot")
@@ -87,6 +90,23 @@ def _interruptible(function: _Function, new_stop_flag: _Function) -> _Function:
             del error  # refers to this frame
 
     call.__qualname__ = function.__name__  # the name of the compiled function cannot be pickled
+    return call
+
+
+def public(function: _Function) -> _Function:
+    """A function of the package: its arguments are checked, and Ctrl-C ends it if it takes long."""
+    signature = inspect.signature(function)
+    is_long = "progress" in signature.parameters or function.__name__.startswith("read_")
+    work = _interruptible(function, _shapeton._StopFlag) if is_long else function
+    hints: Dict[str, Any] = {}  # evaluated at the first call, because modules import each other
+
+    @functools.wraps(function)
+    def call(*arguments: Any, **options: Any) -> Any:
+        given = bound(function, signature, arguments, options)
+        hints.update({} if hints else get_type_hints(function))
+        check(function, hints, given.arguments)
+        return work(*given.args, **given.kwargs)
+
     return call
 
 

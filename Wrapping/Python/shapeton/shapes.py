@@ -1,8 +1,8 @@
 """Labels from seeds, and signatures for shape retrieval."""
 
+from .heat import SeededHeat
 from ._shapeton import (
     NamedShape,
-    SeededHeat,
     SeededLabels,
     ShapeNeighbor,
     ShapeRow,

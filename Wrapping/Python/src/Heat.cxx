@@ -1,6 +1,7 @@
 #include "Bindings.h"
 #include "Conversions.h"
 #include "Diffusion.h"
+#include "Options.h"
 
 #include "shapetonCumulativeHeatDiffusionImageFilter.h"
 #include "shapetonExceptions.h"
@@ -15,11 +16,7 @@ namespace
 using ImageType = itk::Image<float, 3>;
 using FilterType = CumulativeHeatDiffusionImageFilter<ImageType>;
 
-const Words<FilterType::Method>      methodWords{ { "chebyshev", FilterType::Method::Chebyshev },
-                                             { "explicit", FilterType::Method::Explicit } };
-const Words<FilterType::Conductance> conductanceWords{ { "physical", FilterType::Conductance::Physical },
-                                                       { "published", FilterType::Conductance::Published } };
-const Words<SnapshotSpacing>         spacingWords{ { "linear", SnapshotSpacing::Linear },
+const Words<SnapshotSpacing> spacingWords{ { "linear", SnapshotSpacing::Linear },
                                            { "logarithmic", SnapshotSpacing::Logarithmic } };
 
 /** Result of diffuse_heat(). */
@@ -46,38 +43,25 @@ ConsumerOf(const py::object & function)
 }
 
 Heat
-Diffuse(const ImageType::Pointer &         image,
-        std::optional<double>              p,
-        const Window &                     window,
-        std::uint64_t                      timeSteps,
-        double                             timeStepLength,
-        double                             tolerance,
-        const std::string &                method,
-        const std::string &                conductance,
-        bool                               ignoreSpacing,
-        bool                               untilSteady,
-        const std::vector<std::uint64_t> & histogramSteps,
-        const std::vector<std::uint64_t> & snapshotSteps,
-        const py::object &                 snapshot,
-        bool                               components,
-        bool                               initialHeat,
-        const Progress &                   progress)
+Diffuse(const ImageType::Pointer &                    image,
+        const Given<CumulativeHeatDiffusionOptions> & given,
+        bool                                          automaticP,
+        const std::vector<std::uint64_t> &            histogramSteps,
+        const std::vector<std::uint64_t> &            snapshotSteps,
+        const py::object &                            snapshot,
+        bool                                          components,
+        bool                                          initialHeat,
+        const Progress &                              progress)
 {
+  CumulativeHeatDiffusionSettings settings;
+  static_cast<CumulativeHeatDiffusionOptions &>(settings) = given.options;
+  settings.automaticP = automaticP;
+  settings.histogramSteps = histogramSteps;
+  settings.wantComponents = components;
   const auto filter = FilterType::New();
   filter->SetInput(image);
-  filter->SetAutomaticP(!p);
-  filter->SetP(p.value_or(filter->GetP()));
-  SetWindow(window, filter.GetPointer());
-  filter->SetTimeSteps(timeSteps);
-  filter->SetTimeStepLength(timeStepLength);
-  filter->SetTolerance(tolerance);
-  filter->SetMethod(ValueOf(method, "method", methodWords));
-  filter->SetConductance(ValueOf(conductance, "conductance", conductanceWords));
-  filter->SetIgnoreSpacing(ignoreSpacing);
-  filter->SetUntilSteady(untilSteady);
-  filter->SetHistogramSteps(histogramSteps);
+  filter->SetOptions(settings);
   filter->SetSnapshotSteps(snapshotSteps, ConsumerOf(snapshot));
-  filter->SetWantComponents(components);
   filter->SetWantInitialHeat(initialHeat);
   UpdateWithProgress(filter.GetPointer(), "Diffusing heat", progress);
   return { filter->GetOutput(), initialHeat ? filter->GetInitialHeatOutput() : nullptr, filter->GetResult() };
@@ -258,44 +242,6 @@ AddHeat(py::module_ & module)
     .def_property_readonly(
       "components", [](const Heat & heat) { return heat.result.components; }, "Largest first; empty unless requested.");
 
-  const auto defaults = FilterType::New();
-  module.def(
-    "diffuse_heat",
-    Reporting(&Diffuse),
-    "image"_a,
-    py::kw_only(),
-    "p"_a = defaults->GetP(),
-    "window"_a = py::none(),
-    "time_steps"_a = defaults->GetTimeSteps(),
-    "time_step_length"_a = defaults->GetTimeStepLength(),
-    "tolerance"_a = defaults->GetTolerance(),
-    "method"_a = WordOf(defaults->GetMethod(), methodWords),
-    "conductance"_a = WordOf(defaults->GetConductance(), conductanceWords),
-    "ignore_spacing"_a = defaults->GetIgnoreSpacing(),
-    "until_steady"_a = defaults->GetUntilSteady(),
-    "histogram_steps"_a = std::vector<std::uint64_t>(),
-    "snapshot_steps"_a = std::vector<std::uint64_t>(),
-    "snapshot"_a = py::none(),
-    "components"_a = false,
-    "initial_heat"_a = false,
-    "progress"_a = py::none(),
-    ReleaseGil(),
-    R"(Cumulative heat diffusion: a shape descriptor of each voxel, its heat after diffusion from all voxels at once.
-
-image: intensities; not copied if float32 and C-contiguous. Any spacing.
-p: steepness, from 0; an edge insulates if the half gradient reaches 1 / p. None: chosen from noise and edges.
-window: (lower, upper) intensities mapped to 0 and 1; None: minimum and maximum.
-time_steps: at least 1. Few steps show local shape, many show whole objects.
-time_step_length: in (0, 1/12].
-tolerance: bound of the error of the heat, 1e-6 to 1.
-method: "chebyshev" or "explicit". conductance: "physical" or "published".
-ignore_spacing: treats voxels as cubes.
-until_steady: stops when the heat is steady.
-histogram_steps: ascending steps that become rows of the histogram, see `recorded_steps`.
-snapshot_steps, snapshot: snapshot(step, image) is called with the heat after each of these ascending steps.
-components: finds components and their converged heat. initial_heat: also returns the heat at step 0.
-progress: called with (share, stage) ten times a second; returning False, an exception or Ctrl-C aborts.
-
-The heat is byte-identical for any number of threads. Memory: about 8 float32 fields, 13 with a histogram.)");
+  module.def("diffuse_heat", Reporting(&Diffuse), ReleaseGil());
 }
 } // namespace shapeton::python

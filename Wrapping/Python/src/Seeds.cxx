@@ -1,6 +1,7 @@
 #include "Bindings.h"
 #include "Conversions.h"
 #include "Diffusion.h"
+#include "Options.h"
 
 #include "shapetonExceptions.h"
 #include "shapetonHeatSeeds.h"
@@ -33,18 +34,11 @@ struct SeededLabels
 class SeededHeat
 {
 public:
-  SeededHeat(const ImageType::Pointer & image,
-             std::optional<double>      p,
-             const Window &             window,
-             double                     leastWeight,
-             double                     tolerance)
+  SeededHeat(const ImageType::Pointer & image, const Given<SeededHeatSegmentationOptions> & given, bool automaticP)
   {
     m_Filter->SetInput(image);
-    m_Filter->SetAutomaticP(!p);
-    m_Filter->SetP(p.value_or(m_Filter->GetP()));
-    SetWindow(window, m_Filter.GetPointer());
-    m_Filter->SetLeastWeight(leastWeight);
-    m_Filter->SetTolerance(tolerance);
+    m_Filter->SetOptions(given.options);
+    m_Filter->SetAutomaticP(automaticP);
   }
 
   SeededLabels
@@ -117,41 +111,14 @@ AddSeeds(py::module_ & module)
       "iterations", &SeededLabels::iterations, "Number of solver iterations; few after a small change of the seeds.")
     .def_readonly("warnings", &SeededLabels::warnings, "Labels that hardly extend beyond their seeds, one per line.");
 
-  const auto defaults = SeedFilter::New();
-  py::class_<SeededHeat>(module,
-                         "SeededHeat",
-                         R"(Labels from a few seeds: the steady state of heat that leaves the seeds of each label.
-
-image: intensities; not copied if float32 and C-contiguous.
-p: steepness, from 0; an edge insulates if the half gradient reaches 1 / p. None: chosen from noise and edges.
-window: (lower, upper) intensities mapped to 0 and 1; None: minimum and maximum.
-least_weight: positive; the weight of an edge that just insulates.
-tolerance: maximum error of a probability, 1e-6 to 0.1.
-
-Draw strokes through each part and through the background: points are not enough (`SeededLabels.warnings`).
-The last solution is kept as the start of the next one: 4 bytes per voxel and label.)")
-    .def(py::init<const ImageType::Pointer &, std::optional<double>, const Window &, double, double>(),
-         "image"_a,
-         py::kw_only(),
-         "p"_a = defaults->GetP(),
-         "window"_a = py::none(),
-         "least_weight"_a = defaults->GetLeastWeight(),
-         "tolerance"_a = defaults->GetTolerance())
+  py::class_<SeededHeat>(module, "SeededHeat")
+    .def(py::init<const ImageType::Pointer &, const Given<SeededHeatSegmentationOptions> &, bool>())
     .def("segment",
          Reporting(
            +[](SeededHeat & heat, const SeedImage::Pointer & seeds, bool probabilities, const Progress & progress) {
              return heat.Segment(seeds, probabilities, progress);
            }),
-         "seeds"_a,
-         py::kw_only(),
-         "probabilities"_a = false,
-         "progress"_a = py::none(),
-         ReleaseGil(),
-         R"(The label of each voxel.
-
-seeds: an image on the same grid, integers from 0 to 65535; 0: no seed; at least two labels.
-probabilities: also returns the probability of each label.
-progress: called with (share, stage), share from 0 to 1; returning False, an exception or Ctrl-C aborts.)");
+         ReleaseGil());
 
   module.def("seeds_of_classes",
              &SeedsOf,

@@ -1,6 +1,7 @@
 #include "Bindings.h"
 #include "Conversions.h"
 #include "Diffusion.h"
+#include "Options.h"
 
 #include "shapetonExceptions.h"
 #include "shapetonParticleDiffusionImageFilter.h"
@@ -14,13 +15,6 @@ using ImageType = itk::Image<float, 3>;
 using FilterType = ParticleDiffusionImageFilter<ImageType>;
 using Visits = FilterType::VisitsImageType;
 
-const Words<DirectionSampling> samplingWords{ { "solidAngle", DirectionSampling::SolidAngle },
-                                              { "sectorArea", DirectionSampling::SectorArea },
-                                              { "uniform", DirectionSampling::Uniform } };
-const Words<PathRule>          pathWords{ { "endpoint", PathRule::Endpoint }, { "traversal", PathRule::Traversal } };
-const Words<ParticlePlacement> placementWords{ { "uniform", ParticlePlacement::Uniform },
-                                               { "initialHeat", ParticlePlacement::InitialHeat } };
-
 /** Result of diffuse_shapetons(). */
 struct Shapetons
 {
@@ -32,49 +26,12 @@ struct Shapetons
   std::string      reason;
 };
 
-void
-SetChoices(FilterType *        filter,
-           const std::string & directionSampling,
-           const std::string & pathRule,
-           const std::string & placement)
-{
-  filter->SetDirectionSampling(ValueOf(directionSampling, "direction_sampling", samplingWords));
-  filter->SetPathRule(ValueOf(pathRule, "path_rule", pathWords));
-  filter->SetPlacement(ValueOf(placement, "placement", placementWords));
-}
-
-void
-SetSteps(FilterType *                       filter,
-         std::optional<std::uint32_t>       shapetons,
-         double                             distance,
-         std::optional<double>              featureSize,
-         std::uint64_t                      timeSteps,
-         const std::vector<std::uint64_t> & histogramSteps)
-{
-  filter->SetNumberOfShapetons(shapetons.value_or(filter->GetNumberOfShapetons()));
-  filter->SetDistance(distance);
-  filter->SetFeatureSize(featureSize.value_or(0.0));
-  filter->SetAutomaticDistance(featureSize.has_value());
-  filter->SetAutomaticNumberOfShapetons(featureSize.has_value() && !shapetons);
-  filter->SetTimeSteps(timeSteps);
-  filter->SetHistogramSteps(histogramSteps);
-}
-
 Shapetons
 Diffuse(const ImageType::Pointer &                                image,
         const std::optional<FilterType::MaskImageType::Pointer> & mask,
-        double                                                    p,
-        const Window &                                            window,
-        std::optional<std::uint32_t>                              shapetons,
-        double                                                    distance,
-        std::optional<double>                                     featureSize,
-        std::uint64_t                                             timeSteps,
-        const std::string &                                       directionSampling,
-        const std::string &                                       pathRule,
-        const std::string &                                       placement,
-        std::uint64_t                                             seed,
-        bool                                                      untilSteady,
-        std::optional<double>                                     epsilon,
+        const Given<ParticleDiffusionOptions> &                   given,
+        bool                                                      automaticDistance,
+        bool                                                      automaticShapetons,
         const std::vector<std::uint64_t> &                        histogramSteps,
         const Progress &                                          progress)
 {
@@ -84,17 +41,13 @@ Diffuse(const ImageType::Pointer &                                image,
   {
     filter->SetMaskImage(*mask);
   }
-  filter->SetP(p);
-  SetWindow(window, filter.GetPointer());
-  SetSteps(filter, shapetons, distance, featureSize, timeSteps, histogramSteps);
-  SetChoices(filter, directionSampling, pathRule, placement);
-  filter->SetSeed(seed);
-  filter->SetUntilSteady(untilSteady);
-  filter->SetAutomaticEpsilon(!epsilon);
-  filter->SetEpsilon(epsilon.value_or(filter->GetEpsilon()));
+  filter->SetOptions(given.options);
+  filter->SetAutomaticDistance(automaticDistance);
+  filter->SetAutomaticNumberOfShapetons(automaticShapetons);
+  filter->SetHistogramSteps(histogramSteps);
   UpdateWithProgress(filter.GetPointer(), "Diffusing shapetons", progress);
-  return { filter->GetOutput(),   filter->GetMeasures(),          filter->GetHistogram(),
-           filter->GetDistance(), filter->GetNumberOfShapetons(), filter->GetAutomaticShapetons().distanceReason };
+  return { filter->GetOutput(),   filter->GetMeasures(),  filter->GetHistogram(),
+           filter->GetDistance(), filter->GetShapetons(), filter->GetAutomaticShapetons().distanceReason };
 }
 
 template <typename TMember>
@@ -139,43 +92,7 @@ void
 AddShapetons(py::module_ & module)
 {
   AddResult(module);
-  const auto defaults = FilterType::New();
-  module.def("diffuse_shapetons",
-             Reporting(&Diffuse),
-             "image"_a,
-             py::kw_only(),
-             "mask"_a = py::none(),
-             "p"_a = defaults->GetP(),
-             "window"_a = py::none(),
-             "shapetons"_a = py::none(),
-             "distance"_a = defaults->GetDistance(),
-             "feature_size"_a = py::none(),
-             "time_steps"_a = defaults->GetTimeSteps(),
-             "direction_sampling"_a = WordOf(defaults->GetDirectionSampling(), samplingWords),
-             "path_rule"_a = WordOf(defaults->GetPathRule(), pathWords),
-             "placement"_a = WordOf(defaults->GetPlacement(), placementWords),
-             "seed"_a = defaults->GetSeed(),
-             "until_steady"_a = defaults->GetUntilSteady(),
-             "epsilon"_a = defaults->GetEpsilon(),
-             "histogram_steps"_a = std::vector<std::uint64_t>(),
-             "progress"_a = py::none(),
-             ReleaseGil(),
-             R"(Shapeton diffusion: counts the visits of particles that perform a random walk through a volume.
-
-image: intensities; not copied if float32 and C-contiguous. mask: shapetons start where it is nonzero.
-p: steepness, from 0. window: (lower, upper) intensities mapped to 0 and 1; None: minimum and maximum.
-shapetons: their number; None: 65000, or chosen from feature_size.
-distance: step length in (0, 1], in units of the longest side of the volume.
-feature_size: mm; sets distance, and shapetons, if these are None.
-time_steps: at least 1.
-direction_sampling: "solidAngle", "sectorArea" or "uniform". path_rule: "endpoint" or "traversal".
-placement: "uniform" or "initialHeat". seed: the same seed gives the same visits.
-until_steady: stops when the density changes by less than epsilon (3.10); None: chosen from the run.
-histogram_steps: ascending steps, from 1, that become rows of the histogram.
-progress: called with (share, stage) ten times a second; returning False, an exception or Ctrl-C aborts.
-
-The visits are byte-identical for any number of threads.)");
-
+  module.def("diffuse_shapetons", Reporting(&Diffuse), ReleaseGil());
   module.def(
     "visit_density",
     [](const Visits::Pointer & visits) { return NormalizeVisits(visits); },

@@ -24,8 +24,8 @@ HeatIn(const TissueBox & box)
 {
   constexpr double                time = 10.0; // mm^2
   CumulativeHeatDiffusionSettings settings;
-  settings.volumeGradient.p = publishedSteepness;
-  settings.volumeGradient.spacing = box.Spacing();
+  settings.p = publishedSteepness;
+  settings.intensityWindow = { { 0.0, 1.0 } };
   settings.spacing = box.Spacing();
   const double spacing = *std::min_element(settings.spacing.begin(), settings.spacing.end());
   settings.timeSteps =

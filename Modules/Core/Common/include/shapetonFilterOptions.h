@@ -1,6 +1,8 @@
 #ifndef shapetonFilterOptions_h
 #define shapetonFilterOptions_h
 
+#include "shapetonOptions.h"
+
 #include "itkProcessObject.h"
 
 #include <functional>
@@ -52,9 +54,44 @@ class FilterWithOptions : public TSuperclass
 public:
   using OptionsType = TOptions;
 
+  /** All options at once. */
+  void
+  SetOptions(const TOptions & options)
+  {
+    m_Options = options;
+    this->Modified();
+  }
+  const TOptions &
+  GetOptions() const
+  {
+    return m_Options;
+  }
+
 protected:
   using TSuperclass::TSuperclass;
   ~FilterWithOptions() override = default;
+
+  /** Called by the generated Set methods. */
+  template <typename TOption>
+  void
+  SetOption(TOption & option, const TOption & value)
+  {
+    if (option != value)
+    {
+      option = value;
+      this->Modified();
+    }
+  }
+
+  void
+  VerifyPreconditions() const override
+  {
+    TSuperclass::VerifyPreconditions();
+    if constexpr (IsDeclared<TOptions>::value)
+    {
+      CheckOptions(m_Options);
+    }
+  }
 
   /** Called by the macros; returns true. */
   template <typename TOption>
@@ -78,6 +115,13 @@ protected:
   PrintSelf(std::ostream & os, itk::Indent indent) const override
   {
     TSuperclass::PrintSelf(os, indent);
+    if constexpr (IsDeclared<TOptions>::value)
+    {
+      TOptions::VisitOptions(m_Options, [&](const OptionInfo & info, const auto & option) {
+        shapeton::PrintOption(os << indent << info.GetName() << ": ", info, option);
+        os << std::endl;
+      });
+    }
     for (const auto & print : m_Printers)
     {
       print(os << indent);
@@ -88,6 +132,20 @@ protected:
   TOptions m_Options;
 
 private:
+  struct NoVisit
+  {
+    template <typename TOption>
+    void
+    operator()(const OptionInfo &, TOption &) const
+    {}
+  };
+  template <typename T, typename = void>
+  struct IsDeclared : std::false_type
+  {};
+  template <typename T>
+  struct IsDeclared<T, std::void_t<decltype(T::VisitOptions(std::declval<T &>(), NoVisit()))>> : std::true_type
+  {};
+
   template <typename TOption>
   static void
   PrintOption(std::ostream & os, const TOption & option)

@@ -2,7 +2,7 @@
 #define shapetonCumulativeHeatDiffusion_h
 
 #include "shapetonAutomaticParameters.h"
-#include "shapetonHeatDiffusionSolver.h"
+#include "shapetonCumulativeHeatDiffusionOptions.h"
 #include "shapetonHeatHistogram.h"
 #include "shapetonShapeComponents.h"
 
@@ -13,28 +13,19 @@
 
 namespace shapeton
 {
-/** Settings of CumulativeHeatDiffusion(); see CumulativeHeatDiffusionImageFilter for their meaning.
- * \ingroup ShapetonHeat */
-struct CumulativeHeatDiffusionSettings
+/** Settings of DiffuseCumulativeHeat(). \ingroup ShapetonHeat */
+struct CumulativeHeatDiffusionSettings : CumulativeHeatDiffusionOptions
 {
-  VolumeGradientOperator::Parameters volumeGradient;
   /** Choose p from the data by ChooseP(). */
-  bool                        automaticP{ false };
-  HeatDiffusionSolver::Method method{ HeatDiffusionSolver::Method::Chebyshev };
-  std::uint64_t               timeSteps{ 100000 };
-  double                      timeStepLength{ HeatDiffusionSolver::MaximumTimeStepLength };
-  double                      tolerance{ 1e-5 };
-  bool                        untilSteady{ false };
-  /** Rows of the heat histogram; ascending. */
+  bool automaticP{ false };
+  /** Rows of the heat histogram; ascending, at most timeSteps. */
   std::vector<std::uint64_t> histogramSteps;
-  /** Steps whose heat is passed to the consumer; ascending. */
+  /** Steps whose heat is passed to the consumer; ascending, at most timeSteps. */
   std::vector<std::uint64_t> snapshotSteps;
   bool                       wantComponents{ false };
-  /** Spacing in mm for the components, even if the diffusion ignores it. */
+  /** Voxel spacing in mm along x, y, z; the components use it even if the diffusion ignores it. */
   std::array<double, 3> spacing{ { 1.0, 1.0, 1.0 } };
   std::uint64_t         minimumComponentVoxels{ 27 };
-  /** Device that computes the heat; results are identical on all devices. */
-  Device device{ Device::Automatic };
 };
 
 /** Result of a run, except for the heat, and the parameters used.

@@ -3,7 +3,7 @@
 
 #include "shapetonAutomaticParameters.h"
 #include "shapetonCumulativeHeatDiffusion.h"
-#include "shapetonFilterOptions.h"
+#include "shapetonCumulativeHeatDiffusionOptionsMethods.h"
 #include "shapetonITKCompatibility.h"
 #include "shapetonVolumeDiffusionImageFilter.h"
 
@@ -24,8 +24,9 @@ namespace shapeton
  * the components.
  *
  * \par Parameters
- * See the setters. The filter processes the whole volume at once, with ITK's global number of threads. Memory: about 8
- * single-precision copies of the volume, 13 with a histogram. Results are bitwise identical for any number of threads.
+ * Those of CumulativeHeatDiffusionOptions, and the following. The filter processes the whole volume at once, with ITK's
+ * global number of threads. Memory: about 8 single-precision copies of the volume, 13 with a histogram. Results are
+ * bitwise identical for any number of threads.
  *
  * Source: Gurijala, Shape-based analysis, chapter 2. Differences: the source specifies neither the time step nor the
  * scaling of intensities; (2.4) is read as a product on anisotropic grids; steps are taken by a Chebyshev expansion.
@@ -33,19 +34,19 @@ namespace shapeton
  * \ingroup ShapetonHeat */
 template <typename TInputImage>
 class ITK_TEMPLATE_EXPORT CumulativeHeatDiffusionImageFilter
-  : public FilterWithOptions<CumulativeHeatDiffusionSettings,
-                             VolumeDiffusionImageFilter<TInputImage, itk::Image<float, 3>>>
+  : public CumulativeHeatDiffusionOptionsMethods<
+      VolumeDiffusionImageFilter<TInputImage, itk::Image<float, 3>, CumulativeHeatDiffusionSettings>>
 {
 public:
   ITK_DISALLOW_COPY_AND_MOVE(CumulativeHeatDiffusionImageFilter);
 
   using Self = CumulativeHeatDiffusionImageFilter;
-  using Superclass = typename CumulativeHeatDiffusionImageFilter::FilterWithOptions;
+  using Superclass = typename CumulativeHeatDiffusionImageFilter::CumulativeHeatDiffusionOptionsMethods;
   using OptionsType = typename Superclass::OptionsType;
   using Pointer = itk::SmartPointer<Self>;
   using ConstPointer = itk::SmartPointer<const Self>;
   using HeatImageType = itk::Image<float, 3>;
-  using Method = HeatDiffusionSolver::Method;
+  using Solver = HeatDiffusionSolver::Method;
   using Conductance = VolumeGradientOperator::Conductance;
   using StepsType = std::vector<std::uint64_t>;
 
@@ -56,27 +57,6 @@ public:
    * reason. Default off. */
   shapetonOptionMacro(AutomaticP, automaticP);
   itkBooleanMacro(AutomaticP);
-
-  /** Length dt of a time step in (0, 1/12]. Default 1/12. */
-  shapetonOptionMacro(TimeStepLength, timeStepLength);
-
-  /** Chebyshev (default) or Explicit; see HeatDiffusionSolver. */
-  shapetonEnumOptionMacro(Method, method, "Chebyshev", "Explicit");
-
-  /** Error bound of the heat, in [1e-6, 1]; single precision achieves about 5e-6. Default 1e-5. */
-  shapetonOptionMacro(Tolerance, tolerance);
-
-  /** Effect of the spacing on conductances; see VolumeGradientOperator. Default Physical. */
-  shapetonEnumOptionMacro(Conductance, volumeGradient.conductance, "Physical", "Published");
-
-  /** Whether to treat voxels as unit cubes. Default off. */
-  itkSetMacro(IgnoreSpacing, bool);
-  itkGetConstMacro(IgnoreSpacing, bool);
-  itkBooleanMacro(IgnoreSpacing);
-
-  /** Whether to stop before TimeSteps when the heat is steady; see HeatDiffusionSolver::SteadyRule. Default off. */
-  shapetonOptionMacro(UntilSteady, untilSteady);
-  itkBooleanMacro(UntilSteady);
 
   /** Whether to find the components and their exact converged heat; see FindShapeComponents. Default off. */
   shapetonOptionMacro(WantComponents, wantComponents);
@@ -120,12 +100,9 @@ protected:
   GenerateData() override;
 
 private:
-  CumulativeHeatDiffusionSettings
-  MakeSettings(const float * intensities);
   void
   HandOut(std::uint64_t step, const std::vector<float> & values) const;
 
-  bool                          m_IgnoreSpacing{ false };
   bool                          m_WantInitialHeat{ false };
   SnapshotConsumer              m_SnapshotConsumer;
   CumulativeHeatDiffusionResult m_Result;

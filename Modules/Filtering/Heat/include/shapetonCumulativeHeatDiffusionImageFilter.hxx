@@ -10,7 +10,7 @@
 namespace shapeton
 {
 template <typename TInputImage>
-CumulativeHeatDiffusionImageFilter<TInputImage>::CumulativeHeatDiffusionImageFilter() : Superclass(100000)
+CumulativeHeatDiffusionImageFilter<TInputImage>::CumulativeHeatDiffusionImageFilter()
 {
   this->SetNumberOfRequiredOutputs(2);
   this->SetNthOutput(1, HeatImageType::New());
@@ -24,23 +24,6 @@ CumulativeHeatDiffusionImageFilter<TInputImage>::SetSnapshotSteps(const StepsTyp
   this->m_Options.snapshotSteps = steps;
   m_SnapshotConsumer = consumer;
   this->Modified();
-}
-
-template <typename TInputImage>
-CumulativeHeatDiffusionSettings
-CumulativeHeatDiffusionImageFilter<TInputImage>::MakeSettings(const float * intensities)
-{
-  CumulativeHeatDiffusionSettings settings = this->m_Options;
-  settings.volumeGradient = this->MakeOperatorParameters(intensities);
-  settings.spacing = settings.volumeGradient.spacing;
-  settings.volumeGradient.conductance = this->GetConductance();
-  if (m_IgnoreSpacing)
-  {
-    settings.volumeGradient.spacing = { { 1.0, 1.0, 1.0 } };
-  }
-  settings.timeSteps = this->GetTimeSteps();
-  settings.device = this->GetDevice();
-  return settings;
 }
 
 template <typename TInputImage>
@@ -87,10 +70,14 @@ CumulativeHeatDiffusionImageFilter<TInputImage>::GenerateData()
   }
   try
   {
+    CumulativeHeatDiffusionSettings settings = this->m_Options;
+    const auto                      parameters = this->MakeOperatorParameters(intensities);
+    settings.intensityWindow = { { parameters.lower, parameters.upper } };
+    settings.spacing = parameters.spacing;
     m_Result = DiffuseCumulativeHeat(
       intensities,
       this->GetVolumeSize(),
-      this->MakeSettings(intensities),
+      settings,
       heat->GetBufferPointer(),
       m_WantInitialHeat ? initialHeat->GetBufferPointer() : nullptr,
       m_SnapshotConsumer
@@ -109,7 +96,6 @@ void
 CumulativeHeatDiffusionImageFilter<TInputImage>::PrintSelf(std::ostream & os, itk::Indent indent) const
 {
   Superclass::PrintSelf(os, indent);
-  os << indent << "IgnoreSpacing: " << m_IgnoreSpacing << std::endl;
   os << indent << "WantInitialHeat: " << m_WantInitialHeat << std::endl;
   os << indent << "SnapshotSteps: " << this->m_Options.snapshotSteps.size() << std::endl;
 }

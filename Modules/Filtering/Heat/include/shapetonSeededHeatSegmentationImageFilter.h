@@ -3,6 +3,8 @@
 
 #include "shapetonAutomaticParameters.h"
 #include "shapetonExceptions.h"
+#include "shapetonSeededHeatOptionsMethods.h"
+#include "shapetonSeededHeatSegmentationOptionsMethods.h"
 #include "shapetonSeededHeatSolver.h"
 #include "shapetonVolumeGradientImageFilter.h"
 
@@ -22,7 +24,8 @@ namespace shapeton
  * \ingroup ShapetonHeat */
 template <typename TInputImage>
 class ITK_TEMPLATE_EXPORT SeededHeatSegmentationImageFilter
-  : public VolumeGradientImageFilter<TInputImage, itk::Image<unsigned short, 3>>
+  : public SeededHeatSegmentationOptionsMethods<SeededHeatOptionsMethods<
+      VolumeGradientImageFilter<TInputImage, itk::Image<unsigned short, 3>, SeededHeatSegmentationOptions>>>
 {
 public:
   ITK_DISALLOW_COPY_AND_MOVE(SeededHeatSegmentationImageFilter);
@@ -30,7 +33,7 @@ public:
   using LabelImageType = itk::Image<unsigned short, 3>;
   using HeatImageType = itk::Image<float, 3>;
   using Self = SeededHeatSegmentationImageFilter;
-  using Superclass = VolumeGradientImageFilter<TInputImage, LabelImageType>;
+  using Superclass = typename SeededHeatSegmentationImageFilter::SeededHeatSegmentationOptionsMethods;
   using Pointer = itk::SmartPointer<Self>;
   using ConstPointer = itk::SmartPointer<const Self>;
 
@@ -45,21 +48,6 @@ public:
   itkSetMacro(AutomaticP, bool);
   itkGetConstMacro(AutomaticP, bool);
   itkBooleanMacro(AutomaticP);
-
-  /** SeededHeatSettings::tolerance, default 1e-5. */
-  itkSetMacro(Tolerance, double);
-  itkGetConstMacro(Tolerance, double);
-
-  /** VolumeGradientOperator::Parameters::leastWeight, positive, default 0.2: the remaining conductance of an insulating
-   * edge. Regions without a seed thus get the surrounding label, and a voxel between two regions gets the label of the
-   * more similar one. */
-  itkSetMacro(LeastWeight, double);
-  itkGetConstMacro(LeastWeight, double);
-
-  /** Whether to keep the probabilities in memory for GetProbabilities() after Update(). Default on. */
-  itkSetMacro(KeepProbabilities, bool);
-  itkGetConstMacro(KeepProbabilities, bool);
-  itkBooleanMacro(KeepProbabilities);
 
   /** SeededHeatResult::uncertainty. */
   HeatImageType *
@@ -115,7 +103,7 @@ private:
     const void *                       pixels;
     itk::ModifiedTimeType              time;
     VolumeGradientOperator::Parameters parameters;
-    SeededHeatSettings                 settings;
+    SeededHeatOptions                  settings;
 
     bool
     operator==(const Origin & other) const;
@@ -125,9 +113,6 @@ private:
   PrepareSolver();
 
   bool                                          m_AutomaticP{ false };
-  double                                        m_Tolerance{ 1e-5 };
-  double                                        m_LeastWeight{ 0.2 };
-  bool                                          m_KeepProbabilities{ true };
   unsigned int                                  m_Iterations{ 0 };
   std::vector<unsigned short>                   m_LabelValues;
   Remarks                                       m_Remarks;

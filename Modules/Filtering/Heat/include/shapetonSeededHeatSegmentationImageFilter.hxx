@@ -11,7 +11,7 @@
 namespace shapeton
 {
 template <typename TInputImage>
-SeededHeatSegmentationImageFilter<TInputImage>::SeededHeatSegmentationImageFilter() : Superclass(100.0)
+SeededHeatSegmentationImageFilter<TInputImage>::SeededHeatSegmentationImageFilter()
 {
   this->AddRequiredInputName("Seeds");
   this->SetNumberOfRequiredOutputs(2);
@@ -59,9 +59,8 @@ SeededHeatSegmentationImageFilter<TInputImage>::PrepareSolver()
       intensities, this->GetVolumeSize(), origin.parameters.spacing, origin.parameters.lower, origin.parameters.upper);
     origin.parameters.p = m_ChosenP->p;
   }
-  origin.parameters.leastWeight = m_LeastWeight;
-  origin.settings.tolerance = m_Tolerance;
-  origin.settings.keepProbabilities = m_KeepProbabilities;
+  origin.parameters.leastWeight = this->GetLeastWeight();
+  origin.settings = this->m_Options;
   if (m_Solver && m_Origin && *m_Origin == origin)
   {
     return;
@@ -83,8 +82,6 @@ SeededHeatSegmentationImageFilter<TInputImage>::GenerateData()
   {
     throw InputError("the sizes of seeds and volume differ; use a label map on the grid of the volume");
   }
-  RequireParameter(std::isfinite(m_LeastWeight) && m_LeastWeight > 0.0, "LeastWeight must be positive and finite");
-  RequireParameter(std::isfinite(this->GetP()), "P must be finite");
   m_ChosenP.reset();
   try
   {
@@ -104,7 +101,7 @@ SeededHeatSegmentationImageFilter<TInputImage>::GenerateData()
   m_LabelValues = result.labelValues;
   m_Iterations = result.iterations;
   m_Remarks = result.remarks;
-  if (!m_KeepProbabilities)
+  if (!this->GetKeepProbabilities())
   {
     m_Solver.reset();
     m_Operator.reset();
@@ -130,9 +127,6 @@ SeededHeatSegmentationImageFilter<TInputImage>::PrintSelf(std::ostream & os, itk
 {
   Superclass::PrintSelf(os, indent);
   os << indent << "AutomaticP: " << m_AutomaticP << std::endl;
-  os << indent << "Tolerance: " << m_Tolerance << std::endl;
-  os << indent << "LeastWeight: " << m_LeastWeight << std::endl;
-  os << indent << "KeepProbabilities: " << m_KeepProbabilities << std::endl;
   os << indent << "Iterations: " << m_Iterations << std::endl;
 }
 } // namespace shapeton

@@ -4,6 +4,7 @@
 #include "ShapetonHeatExport.h"
 #include "shapetonProgress.h"
 #include "shapetonRemarks.h"
+#include "shapetonSeededHeatOptions.h"
 #include "shapetonVolumeGradientOperator.h"
 
 #include <memory>
@@ -11,18 +12,6 @@
 
 namespace shapeton
 {
-/** \class SeededHeatSettings
- * \brief Settings of SeededHeatSolver.
- * \ingroup ShapetonHeat */
-struct SeededHeatSettings
-{
-  /** Largest error of a probability, as estimated by the solver; in [1e-6, 0.1]. */
-  double tolerance{ 1e-5 };
-  /** Keep the probabilities of all labels, for GetProbabilities() and for starting from the last solution. Takes four
-   * bytes per voxel for each label except one. */
-  bool keepProbabilities{ true };
-};
-
 /** \class SeededHeatResult
  * \brief Result of SeededHeatSolver; one entry per voxel, x fastest.
  * \ingroup ShapetonHeat */
@@ -66,7 +55,7 @@ class ShapetonHeat_EXPORT SeededHeatSolver
 {
 public:
   /** The operator must outlive the solver. Throws ParameterError for settings out of range. */
-  explicit SeededHeatSolver(const VolumeGradientOperator & volumeGradient, const SeededHeatSettings & settings = {});
+  explicit SeededHeatSolver(const VolumeGradientOperator & volumeGradient, const SeededHeatOptions & settings = {});
   ~SeededHeatSolver();
 
   /** `seeds`: the label of each voxel, 0 for none, x fastest. With kept probabilities and the labels of the previous
@@ -105,7 +94,7 @@ private:
   RemarkOnFewVoxels(const unsigned short * seeds);
 
   const VolumeGradientOperator & m_VolumeGradient;
-  SeededHeatSettings             m_Settings;
+  SeededHeatOptions              m_Settings;
   SeededHeatResult               m_Result;
   std::vector<Batch>             m_Batches;
   std::vector<float>             m_Best;

@@ -1,9 +1,12 @@
 #ifndef shapetonVolumeGradientImageFilter_h
 #define shapetonVolumeGradientImageFilter_h
 
+#include "shapetonExceptions.h"
+#include "shapetonFilterOptions.h"
 #include "shapetonIndexedOutputs.h"
 #include "shapetonITKCompatibility.h"
 #include "shapetonVolumeGradientOperator.h"
+#include "shapetonVolumeGradientOptionsMethods.h"
 
 #include "itkImage.h"
 #include "itkImageToImageFilter.h"
@@ -19,14 +22,15 @@ namespace shapeton
  * The filters process the whole volume at once.
  *
  * \ingroup ShapetonHeat */
-template <typename TInputImage, typename TOutputImage>
-class ITK_TEMPLATE_EXPORT VolumeGradientImageFilter : public itk::ImageToImageFilter<TInputImage, TOutputImage>
+template <typename TInputImage, typename TOutputImage, typename TOptions>
+class ITK_TEMPLATE_EXPORT VolumeGradientImageFilter
+  : public VolumeGradientOptionsMethods<FilterWithOptions<TOptions, itk::ImageToImageFilter<TInputImage, TOutputImage>>>
 {
 public:
   ITK_DISALLOW_COPY_AND_MOVE(VolumeGradientImageFilter);
 
   using Self = VolumeGradientImageFilter;
-  using Superclass = itk::ImageToImageFilter<TInputImage, TOutputImage>;
+  using Superclass = typename VolumeGradientImageFilter::VolumeGradientOptionsMethods;
   using Pointer = itk::SmartPointer<Self>;
   using ConstPointer = itk::SmartPointer<const Self>;
 
@@ -37,21 +41,18 @@ public:
   using Superclass::MakeOutput;
   shapetonIndexedOutputsMacro();
 
-  /** Steepness p of (2.5), nonnegative: an edge insulates if the half gradient reaches 1 / p. Default 7, unless
-   * documented otherwise. */
-  itkSetMacro(P, double);
-  itkGetConstMacro(P, double);
-
-  /** Intensities that map to 0 and to 1, for CT in Hounsfield units. Default: the minimum and maximum intensity,
-   * which WindowLower and WindowUpper return after Update(). */
+  using Superclass::SetIntensityWindow;
   void
-  SetIntensityWindow(double lower, double upper);
+  SetIntensityWindow(double lower, double upper)
+  {
+    this->SetIntensityWindow(std::array<double, 2>{ { lower, upper } });
+  }
+  /** The intensities mapped to 0 and 1 by the last Update(). */
   itkGetConstMacro(WindowLower, double);
   itkGetConstMacro(WindowUpper, double);
 
 protected:
-  /** `p`: the default value of P. */
-  explicit VolumeGradientImageFilter(double p = 7.0) : m_P(p) {}
+  VolumeGradientImageFilter() = default;
   ~VolumeGradientImageFilter() override = default;
 
   void
@@ -75,8 +76,6 @@ protected:
   MakeOperatorParameters(const float * intensities);
 
 private:
-  double m_P;
-  bool   m_HasWindow{ false };
   double m_WindowLower{ 0.0 };
   double m_WindowUpper{ 0.0 };
 };

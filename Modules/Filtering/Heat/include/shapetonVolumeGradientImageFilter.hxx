@@ -8,38 +8,19 @@
 
 namespace shapeton
 {
-template <typename TInputImage, typename TOutputImage>
+template <typename TInputImage, typename TOutputImage, typename TOptions>
 void
-VolumeGradientImageFilter<TInputImage, TOutputImage>::SetIntensityWindow(double lower, double upper)
-{
-  if (m_HasWindow && m_WindowLower == lower && m_WindowUpper == upper)
-  {
-    return;
-  }
-  m_HasWindow = true;
-  m_WindowLower = lower;
-  m_WindowUpper = upper;
-  this->Modified();
-}
-
-template <typename TInputImage, typename TOutputImage>
-void
-VolumeGradientImageFilter<TInputImage, TOutputImage>::VerifyPreconditions() const
+VolumeGradientImageFilter<TInputImage, TOutputImage, TOptions>::VerifyPreconditions() const
 {
   Superclass::VerifyPreconditions();
-  if (!(m_P >= 0.0))
-  {
-    itkExceptionMacro("P must not be negative, got " << m_P);
-  }
-  if (m_HasWindow && !(m_WindowLower < m_WindowUpper))
-  {
-    itkExceptionMacro("the intensity window [" << m_WindowLower << ", " << m_WindowUpper << "] is empty or reversed");
-  }
+  const auto & window = this->GetIntensityWindow();
+  RequireParameter(!window || (*window)[0] < (*window)[1],
+                   "the parameter \"intensityWindow\" requires two numbers, the lower one first");
 }
 
-template <typename TInputImage, typename TOutputImage>
+template <typename TInputImage, typename TOutputImage, typename TOptions>
 void
-VolumeGradientImageFilter<TInputImage, TOutputImage>::GenerateInputRequestedRegion()
+VolumeGradientImageFilter<TInputImage, TOutputImage, TOptions>::GenerateInputRequestedRegion()
 {
   Superclass::GenerateInputRequestedRegion();
   for (const auto & name : this->GetInputNames())
@@ -51,26 +32,26 @@ VolumeGradientImageFilter<TInputImage, TOutputImage>::GenerateInputRequestedRegi
   }
 }
 
-template <typename TInputImage, typename TOutputImage>
+template <typename TInputImage, typename TOutputImage, typename TOptions>
 void
-VolumeGradientImageFilter<TInputImage, TOutputImage>::EnlargeOutputRequestedRegion(itk::DataObject * output)
+VolumeGradientImageFilter<TInputImage, TOutputImage, TOptions>::EnlargeOutputRequestedRegion(itk::DataObject * output)
 {
   Superclass::EnlargeOutputRequestedRegion(output);
   output->SetRequestedRegionToLargestPossibleRegion();
 }
 
-template <typename TInputImage, typename TOutputImage>
+template <typename TInputImage, typename TOutputImage, typename TOptions>
 std::array<std::size_t, 3>
-VolumeGradientImageFilter<TInputImage, TOutputImage>::GetVolumeSize() const
+VolumeGradientImageFilter<TInputImage, TOutputImage, TOptions>::GetVolumeSize() const
 {
   std::array<std::size_t, 3> size{};
   std::copy_n(this->GetInput()->GetBufferedRegion().GetSize().begin(), 3, size.begin());
   return size;
 }
 
-template <typename TInputImage, typename TOutputImage>
+template <typename TInputImage, typename TOutputImage, typename TOptions>
 const float *
-VolumeGradientImageFilter<TInputImage, TOutputImage>::GetIntensities(std::vector<float> & converted) const
+VolumeGradientImageFilter<TInputImage, TOutputImage, TOptions>::GetIntensities(std::vector<float> & converted) const
 {
   const auto * const pixels = this->GetInput()->GetBufferPointer();
   if constexpr (std::is_same_v<typename TInputImage::PixelType, float>)
@@ -84,32 +65,26 @@ VolumeGradientImageFilter<TInputImage, TOutputImage>::GetIntensities(std::vector
   }
 }
 
-template <typename TInputImage, typename TOutputImage>
+template <typename TInputImage, typename TOutputImage, typename TOptions>
 VolumeGradientOperator::Parameters
-VolumeGradientImageFilter<TInputImage, TOutputImage>::MakeOperatorParameters(const float * intensities)
+VolumeGradientImageFilter<TInputImage, TOutputImage, TOptions>::MakeOperatorParameters(const float * intensities)
 {
-  const std::size_t number = this->GetInput()->GetBufferedRegion().GetNumberOfPixels();
-  if (!m_HasWindow && number > 0)
-  {
-    const auto ends = std::minmax_element(intensities, intensities + number);
-    m_WindowLower = *ends.first;
-    m_WindowUpper = *ends.second;
-  }
+  const auto window = WindowOf(this->m_Options, intensities, this->GetInput()->GetBufferedRegion().GetNumberOfPixels());
+  m_WindowLower = window[0];
+  m_WindowUpper = window[1];
   VolumeGradientOperator::Parameters parameters;
-  parameters.p = m_P;
+  parameters.p = this->GetP();
   parameters.lower = m_WindowLower;
   parameters.upper = m_WindowUpper;
   std::copy_n(this->GetInput()->GetSpacing().Begin(), 3, parameters.spacing.begin());
   return parameters;
 }
 
-template <typename TInputImage, typename TOutputImage>
+template <typename TInputImage, typename TOutputImage, typename TOptions>
 void
-VolumeGradientImageFilter<TInputImage, TOutputImage>::PrintSelf(std::ostream & os, itk::Indent indent) const
+VolumeGradientImageFilter<TInputImage, TOutputImage, TOptions>::PrintSelf(std::ostream & os, itk::Indent indent) const
 {
   Superclass::PrintSelf(os, indent);
-  os << indent << "P: " << m_P << std::endl;
-  os << indent << "HasWindow: " << m_HasWindow << std::endl;
   os << indent << "WindowLower: " << m_WindowLower << std::endl;
   os << indent << "WindowUpper: " << m_WindowUpper << std::endl;
 }

@@ -3,6 +3,7 @@
 
 #include "shapetonPaddedGrid.h"
 #include "shapetonProgress.h"
+#include "shapetonVolumeGradientOptions.h"
 
 #include <array>
 #include <cmath>
@@ -39,8 +40,8 @@ public:
 
   struct Parameters
   {
-    /** Steepness; non-negative. An edge insulates if the half gradient reaches 1 / p. Default 7. */
-    double p{ 7.0 };
+    /** Steepness; non-negative. An edge insulates if the half gradient reaches 1 / p. */
+    double p{ VolumeGradientOptions().p };
     /** Intensities that map to 0 and to 1 (lower < upper); intensities outside are clamped. */
     double lower{ 0.0 };
     double upper{ 1.0 };
@@ -129,6 +130,11 @@ private:
   std::array<double, 3>      m_Factors{};
   std::array<PaddedField, 3> m_Conductances;
 };
+
+/** The intensity window of the options, or the minimum and maximum of `number` intensities; {0, 0} for none.
+ * \ingroup ShapetonHeat */
+ShapetonHeat_EXPORT std::array<double, 2>
+                    WindowOf(const VolumeGradientOptions & options, const float * intensities, std::size_t number);
 } // namespace shapeton
 
 #endif

@@ -51,10 +51,29 @@ CheckSettings(const std::array<std::size_t, 3> &      size,
   {
     throw std::invalid_argument("snapshots are requested without a consumer");
   }
+  CheckOptions(settings);
   if (size[0] * size[1] * size[2] >= std::numeric_limits<std::uint32_t>::max())
   {
     throw std::length_error("the volume has 2^32 voxels or more; crop it");
   }
+}
+
+VolumeGradientOperator::Parameters
+OperatorParameters(const float *                           intensities,
+                   const std::array<std::size_t, 3> &      size,
+                   const CumulativeHeatDiffusionSettings & settings)
+{
+  const auto                         window = WindowOf(settings, intensities, size[0] * size[1] * size[2]);
+  VolumeGradientOperator::Parameters parameters;
+  parameters.p = settings.p;
+  parameters.lower = window[0];
+  parameters.upper = window[1];
+  parameters.conductance = settings.conductance;
+  if (!settings.ignoreSpacing)
+  {
+    parameters.spacing = settings.spacing;
+  }
+  return parameters;
 }
 
 bool
@@ -228,7 +247,7 @@ DiffuseCumulativeHeat(const float *                           intensities,
                       const Progress &                        progress)
 {
   CheckSettings(size, settings, consumer);
-  auto                          parameters = settings.volumeGradient;
+  auto                          parameters = OperatorParameters(intensities, size, settings);
   CumulativeHeatDiffusionResult result;
   result.p.p = parameters.p;
   result.windowLower = parameters.lower;
@@ -242,7 +261,7 @@ DiffuseCumulativeHeat(const float *                           intensities,
   // Preparation is fast, so it does not report progress, but can be aborted.
   const Progress               preparation = progress.Part("", 0.0, 0.0);
   const VolumeGradientOperator volumeGradient(intensities, size, parameters, preparation);
-  HeatDiffusionSolver          solver(volumeGradient, settings.method, settings.timeStepLength, settings.tolerance);
+  HeatDiffusionSolver          solver(volumeGradient, settings.solver, settings.timeStepLength, settings.tolerance);
   if (settings.untilSteady)
   {
     solver.StopWhenSteady({});

@@ -43,7 +43,7 @@ struct SeededHeatSolver::Batch
   LabelField                  potentials;
 };
 
-SeededHeatSolver::SeededHeatSolver(const VolumeGradientOperator & volumeGradient, const SeededHeatSettings & settings)
+SeededHeatSolver::SeededHeatSolver(const VolumeGradientOperator & volumeGradient, const SeededHeatOptions & settings)
   : m_VolumeGradient(volumeGradient), m_Settings(settings)
 {
   RequireParameter(settings.tolerance >= 1e-6 && settings.tolerance <= 0.1,

@@ -200,4 +200,15 @@ VolumeGradientOperator::GetEigenvalueBound() const
 {
   return 4.0 * (m_Factors[0] + m_Factors[1] + m_Factors[2]);
 }
+
+std::array<double, 2>
+WindowOf(const VolumeGradientOptions & options, const float * intensities, std::size_t number)
+{
+  if (options.intensityWindow || number == 0)
+  {
+    return options.intensityWindow.value_or(std::array<double, 2>{});
+  }
+  const auto ends = std::minmax_element(intensities, intensities + number);
+  return { { *ends.first, *ends.second } };
+}
 } // namespace shapeton

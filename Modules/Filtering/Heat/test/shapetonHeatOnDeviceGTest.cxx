@@ -65,8 +65,11 @@ ExpectTheSame(const Volume & volume, const Settings & settings)
 Settings
 MakeSettings(const Volume & volume, std::uint64_t steps, const std::array<double, 3> & spacing = { { 1.0, 1.0, 1.0 } })
 {
-  Settings settings;
-  settings.volumeGradient = volume.Parameters(7.0, spacing);
+  Settings   settings;
+  const auto parameters = volume.Parameters(7.0, spacing);
+  settings.p = parameters.p;
+  settings.intensityWindow = { { parameters.lower, parameters.upper } };
+  settings.spacing = spacing;
   settings.timeSteps = steps;
   settings.snapshotSteps = { 0, 5, steps / 2, steps };
   settings.histogramSteps = MakeSnapshotSteps(steps, 65, SnapshotSpacing::Logarithmic);
@@ -106,7 +109,7 @@ TEST(HeatOnDevice, ExplicitStepsAreTheSameBytes)
   SHAPETON_REQUIRE_DEVICE();
   const Volume volume = MakeScene({ 40, 31, 22 }, 0.05);
   Settings     settings = MakeSettings(volume, 333);
-  settings.method = HeatDiffusionSolver::Method::Explicit;
+  settings.solver = HeatDiffusionSolver::Method::Explicit;
   ExpectTheSame(volume, settings);
   settings.untilSteady = true;
   settings.timeSteps = 3000;
@@ -131,7 +134,7 @@ TEST(HeatOnDevice, VanishingHeatIsTheSameBytes)
   volume.Fill([](std::size_t x, std::size_t, std::size_t) { return x == 12 ? 1.0 : 0.97; });
   Settings settings = MakeSettings(volume, 30000);
   ExpectTheSame(volume, settings);
-  settings.method = HeatDiffusionSolver::Method::Explicit;
+  settings.solver = HeatDiffusionSolver::Method::Explicit;
   ExpectTheSame(volume, settings);
 }
 
@@ -143,7 +146,7 @@ TEST(HeatOnDevice, SlabsOfALargerVolumeAreTheSameBytes)
   for (const auto method : { HeatDiffusionSolver::Method::Chebyshev, HeatDiffusionSolver::Method::Explicit })
   {
     Settings settings = MakeSettings(volume, 900);
-    settings.method = method;
+    settings.solver = method;
     EXPECT_EQ(Diffuse(volume, settings, Device::Automatic).result.device.rfind("cpu (no GPU: this volume requires", 0),
               0U);
     ExpectTheSame(volume, settings);

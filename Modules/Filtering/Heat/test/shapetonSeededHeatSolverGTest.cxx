@@ -15,7 +15,7 @@
 
 namespace
 {
-using shapeton::SeededHeatSettings;
+using shapeton::SeededHeatOptions;
 using shapeton::SeededHeatSolver;
 using shapeton::VolumeGradientOperator;
 using Size = std::array<std::size_t, 3>;
@@ -406,11 +406,11 @@ TEST(SeededHeatSolver, AChangedSeedStartsFromTheLastSolution)
 
 TEST(SeededHeatSolver, WithoutKeptProbabilitiesLabelsAreTheSame)
 {
-  const Size         size{ { 30, 22, 18 } };
-  const auto         volume = MakeNoisyHalves(size);
-  const auto         op = MakeOperator(volume, size, 15.0, { { 1, 1, 1 } });
-  const auto         seeds = ScatterSeeds(size, 9, 4);
-  SeededHeatSettings settings;
+  const Size        size{ { 30, 22, 18 } };
+  const auto        volume = MakeNoisyHalves(size);
+  const auto        op = MakeOperator(volume, size, 15.0, { { 1, 1, 1 } });
+  const auto        seeds = ScatterSeeds(size, 9, 4);
+  SeededHeatOptions settings;
   settings.keepProbabilities = false;
   SeededHeatSolver keeps(op);
   SeededHeatSolver forgets(op, settings);
@@ -431,7 +431,7 @@ TEST(SeededHeatSolver, RefusesWhatItCannotSolve)
   EXPECT_THROW(solver.Solve(seeds.data()), shapeton::InputError);
   seeds[5] = 3;
   EXPECT_THROW(solver.Solve(seeds.data()), shapeton::InputError);
-  SeededHeatSettings settings;
+  SeededHeatOptions settings;
   settings.tolerance = 0.5;
   EXPECT_THROW(SeededHeatSolver(op, settings), shapeton::ParameterError);
   const VolumeGradientOperator insulating(volume.data(), size, {});

@@ -3,6 +3,7 @@
 
 #include "shapetonDevice.h"
 #include "shapetonParticleDirection.h"
+#include "shapetonParticleDiffusionOptions.h"
 #include "shapetonParticleState.h"
 #include "shapetonVolumeGradientOperator.h"
 
@@ -13,53 +14,11 @@
 
 namespace shapeton
 {
-/** Rule for steps across walls.
- * \ingroup ShapetonParticles */
-enum class PathRule
-{
-  /** As published (3.2.1): only the end point of the step is used, so a long step may skip walls. */
-  Endpoint,
-  /** The step is traced through the voxels: each face transmits the shapeton with a probability equal to its edge
-   * weight and reflects it otherwise. The position within the voxel is drawn anew before each step, so that the
-   * shapetons are a Markov chain on the voxels. With DirectionSampling::Uniform its transition matrix is symmetric, and
-   * for steps shorter than a voxel the expected density obeys the operator of cumulative heat diffusion: see
-   * EquivalentHeatTimeSteps(). */
-  Traversal
-};
-
-/** Initial placement of shapetons.
- * \ingroup ShapetonParticles */
-enum class ParticlePlacement
-{
-  /** Uniformly in the volume, or in the mask (3.2). */
-  Uniform,
-  /** In proportion to the initial heat (2.3), within the mask, if set; the density then samples the heat distribution.
-   */
-  InitialHeat
-};
-
-/** The names of the tool's options: "solidAngle", "endpoint", "initialHeat" and so on. \ingroup ShapetonParticles */
-///@{
-ShapetonParticles_EXPORT const char *
-NameOf(DirectionSampling sampling);
-ShapetonParticles_EXPORT const char *
-NameOf(PathRule rule);
-ShapetonParticles_EXPORT const char *
-NameOf(ParticlePlacement placement);
-///@}
-
-/** Settings of ParticleDiffusion; see ParticleDiffusionImageFilter for their meaning.
- * \ingroup ShapetonParticles */
-struct ParticleDiffusionSettings
+/** Settings of ParticleDiffusion. \ingroup ShapetonParticles */
+struct ParticleDiffusionSettings : ParticleOptions
 {
   /** Edge weights; their spacing, in mm, also scales the steps. The conductance is not used. */
   VolumeGradientOperator::Parameters volumeGradient;
-  std::uint32_t                      shapetons{ 65000 }; ///< at least 1
-  double                             distance{ 0.01 };   ///< in (0, 1]
-  DirectionSampling                  directionSampling{ DirectionSampling::SolidAngle };
-  PathRule                           pathRule{ PathRule::Endpoint };
-  ParticlePlacement                  placement{ ParticlePlacement::Uniform };
-  std::uint64_t                      seed{ 1 };
   /** Device that moves the shapetons; results are identical on all devices. */
   Device device{ Device::Automatic };
 };
@@ -69,7 +28,7 @@ struct ParticleDiffusionSettings
 struct SteadyRule
 {
   /** Largest change of a step; see ParticleMeasures::change. */
-  double epsilon{ 0.05 };
+  double epsilon{ *ParticleDiffusionOptions().epsilon };
   /** Use ParticleMeasures::automaticEpsilon instead. */
   bool automatic{ false };
 };

@@ -1,7 +1,8 @@
 #ifndef shapetonParticleDiffusionImageFilter_h
 #define shapetonParticleDiffusionImageFilter_h
 
-#include "shapetonFilterOptions.h"
+#include "shapetonParticleDiffusionOptionsMethods.h"
+#include "shapetonParticleOptionsMethods.h"
 #include "shapetonHeatHistogram.h"
 #include "shapetonITKCompatibility.h"
 #include "shapetonParticleDiffusion.h"
@@ -59,15 +60,14 @@ public:
  * \ingroup ShapetonParticles */
 template <typename TInputImage>
 class ITK_TEMPLATE_EXPORT ParticleDiffusionImageFilter
-  : public FilterWithOptions<ParticleDiffusionSettings,
-                             VolumeDiffusionImageFilter<TInputImage, itk::Image<std::uint32_t, 3>>>
+  : public ParticleDiffusionOptionsMethods<ParticleOptionsMethods<
+      VolumeDiffusionImageFilter<TInputImage, itk::Image<std::uint32_t, 3>, ParticleDiffusionOptions>>>
 {
 public:
   ITK_DISALLOW_COPY_AND_MOVE(ParticleDiffusionImageFilter);
 
   using Self = ParticleDiffusionImageFilter;
-  using Superclass = typename ParticleDiffusionImageFilter::FilterWithOptions;
-  using OptionsType = typename Superclass::OptionsType;
+  using Superclass = typename ParticleDiffusionImageFilter::ParticleDiffusionOptionsMethods;
   using Pointer = itk::SmartPointer<Self>;
   using ConstPointer = itk::SmartPointer<const Self>;
   using VisitsImageType = itk::Image<std::uint32_t, 3>;
@@ -89,18 +89,8 @@ public:
     return itkDynamicCastInDebugMode<const MaskImageType *>(this->ProcessObject::GetInput(1));
   }
 
-  /** Number of shapetons; at least 1. Default 65000. */
-  shapetonOptionMacro(NumberOfShapetons, shapetons);
-
-  /** Length of a step in (0, 1], in units of the longest side of the volume in mm; the same in mm in all directions.
-   * Default 0.01. */
-  shapetonOptionMacro(Distance, distance);
-
-  /** Size in mm of the features of interest. With AutomaticDistance and AutomaticNumberOfShapetons,
-   * ChooseShapetons() derives these parameters from it when the filter runs; Distance and NumberOfShapetons then
-   * hold the chosen values. Default 0, off, off. */
-  itkSetMacro(FeatureSize, double);
-  itkGetConstMacro(FeatureSize, double);
+  /** Whether ChooseShapetons() derives the parameter from FeatureSize when the filter runs; Distance and Shapetons then
+   * hold the chosen values. Default off. */
   itkSetMacro(AutomaticDistance, bool);
   itkGetConstMacro(AutomaticDistance, bool);
   itkBooleanMacro(AutomaticDistance);
@@ -115,35 +105,12 @@ public:
     return m_AutomaticShapetons;
   }
 
-  /** Default SolidAngle. */
-  shapetonOptionMacro(DirectionSampling, directionSampling);
-
-  /** Default Endpoint. */
-  shapetonOptionMacro(PathRule, pathRule);
-
-  /** Default Uniform. */
-  shapetonOptionMacro(Placement, placement);
-
-  /** Seed of the random numbers; any number. Default 1. */
-  shapetonOptionMacro(Seed, seed);
-
   /** The device used by the last Update(). */
   const DeviceUse &
   GetDeviceUse() const
   {
     return m_DeviceUse;
   }
-
-  /** Stop when the density is steady by (3.10) with Epsilon, or with an epsilon derived from the run
-   * (AutomaticEpsilon). Default off, 0.05, off. */
-  itkSetMacro(UntilSteady, bool);
-  itkGetConstMacro(UntilSteady, bool);
-  itkBooleanMacro(UntilSteady);
-  itkSetMacro(Epsilon, double);
-  itkGetConstMacro(Epsilon, double);
-  itkSetMacro(AutomaticEpsilon, bool);
-  itkGetConstMacro(AutomaticEpsilon, bool);
-  itkBooleanMacro(AutomaticEpsilon);
 
   /** Steps recorded as rows of the visit histogram; ascending, in [1, TimeSteps]. Default none. */
   void
@@ -202,14 +169,10 @@ private:
   void
   TakeSteps();
 
-  double                         m_FeatureSize{ 0.0 };
   bool                           m_AutomaticDistance{ false };
   bool                           m_AutomaticNumberOfShapetons{ false };
   AutomaticShapetons             m_AutomaticShapetons;
   DeviceUse                      m_DeviceUse;
-  bool                           m_UntilSteady{ false };
-  double                         m_Epsilon{ 0.05 };
-  bool                           m_AutomaticEpsilon{ false };
   StepsType                      m_HistogramSteps;
   bool                           m_WantState{ false };
   std::shared_ptr<ParticleState> m_InitialState; // null: place the shapetons

@@ -12,7 +12,7 @@
 namespace shapeton
 {
 template <typename TInputImage>
-ParticleDiffusionImageFilter<TInputImage>::ParticleDiffusionImageFilter() : Superclass(2500)
+ParticleDiffusionImageFilter<TInputImage>::ParticleDiffusionImageFilter()
 {
   this->SetNumberOfRequiredInputs(1);
 }
@@ -45,10 +45,6 @@ void
 ParticleDiffusionImageFilter<TInputImage>::VerifyPreconditions() const
 {
   Superclass::VerifyPreconditions();
-  if (!(m_Epsilon >= 0.0))
-  {
-    itkExceptionMacro("Epsilon must not be negative, got " << m_Epsilon);
-  }
   const bool ascend = std::adjacent_find(m_HistogramSteps.begin(), m_HistogramSteps.end(), std::greater_equal<>()) ==
                       m_HistogramSteps.end();
   if (!ascend ||
@@ -75,7 +71,8 @@ ParticleDiffusionImageFilter<TInputImage>::ChooseParameters()
   std::copy_n(this->GetInput()->GetSpacing().Begin(), 3, spacing.begin());
   try
   {
-    m_AutomaticShapetons = ChooseShapetons(this->GetVolumeSize(), spacing, m_FeatureSize, this->GetTimeSteps());
+    m_AutomaticShapetons =
+      ChooseShapetons(this->GetVolumeSize(), spacing, this->GetFeatureSize(), this->GetTimeSteps());
   }
   catch (const std::invalid_argument & error)
   {
@@ -95,7 +92,8 @@ template <typename TInputImage>
 ParticleDiffusionSettings
 ParticleDiffusionImageFilter<TInputImage>::MakeSettings(const float * intensities)
 {
-  ParticleDiffusionSettings settings = this->m_Options;
+  ParticleDiffusionSettings settings;
+  static_cast<ParticleOptions &>(settings) = this->m_Options;
   settings.volumeGradient = this->MakeOperatorParameters(intensities);
   settings.device = this->GetDevice();
   return settings;
@@ -138,7 +136,9 @@ void
 ParticleDiffusionImageFilter<TInputImage>::TakeSteps()
 {
   const std::optional<SteadyRule> rule =
-    m_UntilSteady ? std::optional<SteadyRule>({ m_Epsilon, m_AutomaticEpsilon }) : std::nullopt;
+    this->GetUntilSteady()
+      ? std::optional<SteadyRule>({ this->GetEpsilon().value_or(0.0), !this->GetEpsilon().has_value() })
+      : std::nullopt;
   const auto observer = [this](const ParticleMeasures & measures) {
     m_Measures = measures;
     this->InvokeEvent(itk::IterationEvent());
@@ -219,12 +219,8 @@ void
 ParticleDiffusionImageFilter<TInputImage>::PrintSelf(std::ostream & os, itk::Indent indent) const
 {
   Superclass::PrintSelf(os, indent);
-  os << indent << "FeatureSize: " << m_FeatureSize << std::endl;
   os << indent << "AutomaticDistance: " << m_AutomaticDistance << std::endl;
   os << indent << "AutomaticNumberOfShapetons: " << m_AutomaticNumberOfShapetons << std::endl;
-  os << indent << "UntilSteady: " << m_UntilSteady << std::endl;
-  os << indent << "Epsilon: " << m_Epsilon << std::endl;
-  os << indent << "AutomaticEpsilon: " << m_AutomaticEpsilon << std::endl;
   os << indent << "HistogramSteps: " << m_HistogramSteps.size() << std::endl;
   os << indent << "WantState: " << m_WantState << std::endl;
   os << indent << "HasInitialState: " << (m_InitialState != nullptr) << std::endl;

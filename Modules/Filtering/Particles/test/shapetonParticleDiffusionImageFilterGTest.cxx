@@ -43,7 +43,7 @@ MakeFilter(TImage * image, std::uint64_t timeSteps)
 {
   auto filter = ParticleDiffusionImageFilter<TImage>::New();
   filter->SetInput(image);
-  filter->SetNumberOfShapetons(3000);
+  filter->SetShapetons(3000);
   filter->SetDistance(0.1);
   filter->SetTimeSteps(timeSteps);
   return filter;
@@ -166,7 +166,7 @@ TEST(ParticleDiffusionImageFilter, TheVisitsGrowFromEventToEvent)
   for (const std::uint32_t shapetons : { 5000, 70000 })
   {
     const auto filter = MakeFilter(image.GetPointer(), 60);
-    filter->SetNumberOfShapetons(shapetons);
+    filter->SetShapetons(shapetons);
     filter->SetPathRule(PathRule::Traversal);
     std::vector<std::uint32_t> last(8000, 0);
     std::uint64_t              lastStep = 0;
@@ -212,7 +212,7 @@ TEST(ParticleDiffusionImageFilter, AnAbortedRunCanBeRunAgain)
 TEST(ParticleDiffusionImageFilter, AStepOfManyShapetonsCanBeAborted)
 {
   const auto filter = MakeFilter(MakeImage<float>(test::MakeScene({ 20, 20, 20 }, 0.1)).GetPointer(), 10);
-  filter->SetNumberOfShapetons(300000);
+  filter->SetShapetons(300000);
   filter->SetPathRule(PathRule::Traversal);
   bool stepped = false;
   filter->AddObserver(itk::IterationEvent(), [&](const itk::EventObject &) { stepped = true; });
@@ -232,7 +232,7 @@ TEST(ParticleDiffusionImageFilter, AStateSavedDuringAnEventGoesOn)
   for (const std::uint32_t shapetons : { 3000, 70000 })
   {
     const auto filter = MakeFilter(image.GetPointer(), 60);
-    filter->SetNumberOfShapetons(shapetons);
+    filter->SetShapetons(shapetons);
     filter->SetPathRule(PathRule::Traversal);
     std::vector<ParticleState> states;
     filter->AddObserver(itk::IterationEvent(), [&](const itk::EventObject &) {
@@ -244,7 +244,7 @@ TEST(ParticleDiffusionImageFilter, AStateSavedDuringAnEventGoesOn)
     filter->Update();
     ASSERT_EQ(states.size(), 2U);
     const auto resumed = MakeFilter(image.GetPointer(), 60);
-    resumed->SetNumberOfShapetons(shapetons);
+    resumed->SetShapetons(shapetons);
     resumed->SetPathRule(PathRule::Traversal);
     resumed->WantStateOn();
     for (const ParticleState & state : states)
@@ -332,7 +332,7 @@ TEST(ParticleDiffusionImageFilter, SettingsOutOfRangeAreNamed)
     EXPECT_NE(text.find(part), std::string::npos) << text;
   };
   expectRefused("TimeSteps", [](auto & filter) { filter->SetTimeSteps(0); });
-  expectRefused("shapeton", [](auto & filter) { filter->SetNumberOfShapetons(0); });
+  expectRefused("shapeton", [](auto & filter) { filter->SetShapetons(0); });
   expectRefused("distance", [](auto & filter) { filter->SetDistance(0.0); });
   expectRefused("distance", [](auto & filter) { filter->SetDistance(1.5); });
   expectRefused("P must not be negative", [](auto & filter) { filter->SetP(-1.0); });

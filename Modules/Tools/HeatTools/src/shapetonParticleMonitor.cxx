@@ -174,7 +174,7 @@ struct ParticleMonitor::Impl
   WritePreview(double stepsPerSecond, bool isFinished)
   {
     const ParticleMeasures & measures = filter->GetMeasures();
-    const double             epsilon = filter->GetAutomaticEpsilon() ? measures.automaticEpsilon : filter->GetEpsilon();
+    const double             epsilon = filter->GetEpsilon().value_or(measures.automaticEpsilon);
     const ParticleProgress   progress{ measures, filter->GetTimeSteps(), stepsPerSecond, epsilon };
     if (page)
     {

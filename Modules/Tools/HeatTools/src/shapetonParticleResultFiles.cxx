@@ -40,14 +40,14 @@ Percent(double share)
 double
 ShareTrapped(const FilterType * filter)
 {
-  return static_cast<double>(filter->GetMeasures().trappedShapetons) / filter->GetNumberOfShapetons();
+  return static_cast<double>(filter->GetMeasures().trappedShapetons) / filter->GetShapetons();
 }
 
 double
 MeanVisits(const FilterType * filter)
 {
   const ParticleMeasures & measures = filter->GetMeasures();
-  return static_cast<double>(measures.step) * filter->GetNumberOfShapetons() /
+  return static_cast<double>(measures.step) * filter->GetShapetons() /
          static_cast<double>(std::max<std::uint64_t>(1, measures.voxelsReached));
 }
 } // namespace
@@ -88,7 +88,7 @@ ParticleFacts(const FilterType * filter)
   Facts                    facts = { { "Intensity window",
                                        CsvTable::Number(filter->GetWindowLower()) + " to " + CsvTable::Number(filter->GetWindowUpper()) },
                                      { "p", CsvTable::Rounded(filter->GetP(), 6) },
-                                     { "Shapetons", GroupedDigits(filter->GetNumberOfShapetons()) },
+                                     { "Shapetons", GroupedDigits(filter->GetShapetons()) },
                                      { "Distance",
                                        CsvTable::Rounded(filter->GetDistance(), 6) + " of the longest side, " +
                                          CsvTable::Rounded(millimeters, 4) + " mm" },
@@ -97,15 +97,14 @@ ParticleFacts(const FilterType * filter)
                                      { "Path rule", NameOf(filter->GetPathRule()) },
                                      { "Placement", NameOf(filter->GetPlacement()) },
                                      { "Seed", std::to_string(filter->GetSeed()) },
-                                     { "Visits", GroupedDigits(measures.step * filter->GetNumberOfShapetons()) },
+                                     { "Visits", GroupedDigits(measures.step * filter->GetShapetons()) },
                                      { "Greatest number of visits", GroupedDigits(measures.maximumVisits) },
                                      { "Mean number of visits of the voxels reached", CsvTable::Rounded(MeanVisits(filter), 4) },
                                      { "Coverage: object voxels reached", Percent(measures.GetCoverage()) },
                                      { "Change in the last step (3.10)", CsvTable::Rounded(measures.change, 4) },
                                      { "Change of a steady state",
-                                       CsvTable::Rounded(filter->GetAutomaticEpsilon() ? measures.automaticEpsilon : filter->GetEpsilon(),
-                                                         4) +
-                                         (filter->GetAutomaticEpsilon() ? ": the voxels reached then have 100 visits on average" : "") },
+                                       CsvTable::Rounded(filter->GetEpsilon().value_or(measures.automaticEpsilon), 4) +
+                                         (!filter->GetEpsilon() ? ": the voxels reached then have 100 visits on average" : "") },
                                      { "Shapetons trapped", Percent(ShareTrapped(filter)) } };
   if (filter->GetAutomaticDistance())
   {

@@ -1,0 +1,79 @@
+#ifndef shapetonReadOptions_h
+#define shapetonReadOptions_h
+
+#include "shapetonCommandLine.h"
+#include "shapetonOptions.h"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+namespace shapeton
+{
+/** Reads one option; overloads for the types of members. Throws ParameterError. \ingroup ShapetonCommandLine */
+///@{
+template <typename TOption>
+void
+ReadOption(const CommandLine & commandLine, const OptionInfo & info, TOption & option)
+{
+  const std::string name = info.GetName();
+  if constexpr (std::is_enum_v<TOption>)
+  {
+    const auto & words = info.GetWords();
+    const auto   word = std::find(words.begin(), words.end(), commandLine.GetString(name));
+    option = static_cast<TOption>(word - words.begin()); // the tool's description has the same words
+  }
+  else if constexpr (std::is_same_v<TOption, bool>)
+  {
+    option = commandLine.GetFlag(name);
+  }
+  else if constexpr (std::is_integral_v<TOption>)
+  {
+    option = static_cast<TOption>(commandLine.GetInteger(name));
+  }
+  else if constexpr (std::is_same_v<TOption, double>)
+  {
+    option = commandLine.GetDouble(name);
+  }
+  else
+  {
+    static_assert(std::is_same_v<TOption, std::string>, "there is no overload for this type of option");
+    option = commandLine.GetString(name);
+  }
+}
+/** A number or "auto". */
+ShapetonCommandLine_EXPORT void
+ReadOption(const CommandLine & commandLine, const OptionInfo & info, std::optional<double> & option);
+/** Two numbers, the lower one first, or nothing. */
+ShapetonCommandLine_EXPORT void
+ReadOption(const CommandLine & commandLine, const OptionInfo & info, std::optional<std::array<double, 2>> & option);
+///@}
+
+/** Sets the options that the tool declares. Throws ParameterError. \ingroup ShapetonCommandLine */
+template <typename TOptions>
+void
+ReadOptions(const CommandLine & commandLine, TOptions & options)
+{
+  TOptions::VisitOptions(options, [&commandLine](const OptionInfo & info, auto & option) {
+    if (commandLine.Declares(info.GetName()))
+    {
+      ReadOption(commandLine, info, option);
+    }
+  });
+}
+
+/** Sets the options of a FilterWithOptions that the tool declares. \ingroup ShapetonCommandLine */
+template <typename TFilter>
+void
+ReadOptionsOf(const CommandLine & commandLine, TFilter * filter)
+{
+  auto options = filter->GetOptions();
+  ReadOptions(commandLine, options);
+  filter->SetOptions(options);
+}
+} // namespace shapeton
+
+#endif

@@ -1,0 +1,39 @@
+#include "shapetonReadOptions.h"
+
+#include "shapetonExceptions.h"
+
+#include <charconv>
+
+namespace shapeton
+{
+void
+ReadOption(const CommandLine & commandLine, const OptionInfo & info, std::optional<double> & option)
+{
+  option.reset();
+  const std::string text = commandLine.GetString(info.GetName());
+  if (text == "auto")
+  {
+    return;
+  }
+  double             number = 0.0;
+  const auto * const end = text.data() + text.size();
+  const auto         parsed = std::from_chars(text.data(), end, number);
+  RequireParameter(parsed.ec == std::errc() && parsed.ptr == end,
+                   "the parameter \"" + std::string(info.GetName()) + "\": \"" + text + "\" is not a number or auto");
+  option = number;
+}
+
+void
+ReadOption(const CommandLine & commandLine, const OptionInfo & info, std::optional<std::array<double, 2>> & option)
+{
+  const auto numbers = commandLine.GetDoubles(info.GetName());
+  RequireParameter(numbers.empty() || (numbers.size() == 2 && numbers[0] < numbers[1]),
+                   "the parameter \"" + std::string(info.GetName()) +
+                     "\" requires two numbers, the lower one first, for example -160,240");
+  option.reset();
+  if (!numbers.empty())
+  {
+    option = { { numbers[0], numbers[1] } };
+  }
+}
+} // namespace shapeton
