@@ -155,6 +155,17 @@ class Repository(RuleTest):
         call = "MultiThreaderBase::New()" "->Parallelize"
         self.check(repository.texts, {"a.cxx": f"itk::{call}Array(0, n, body, nullptr);\n"},
                    f"a.cxx:1: has a loop that does not use shapetonParallelFor.h: {call}")
+        thread = "std::thread other("
+        self.check(repository.texts, {"Modules/a.cxx": f"{thread}work);\n", "Modules/test/a.cxx": f"{thread}work);\n"},
+                   f"Modules/a.cxx:1: starts a thread without shapetonParallelFor.h: {thread}")
+
+    def test_option_tables(self):
+        marker = "<!-- options VolumeGradientOptions: p -->\n"
+        table = repository.options.expand_readme(marker)
+        self.assertIn("| `--p` | 7 |", table)
+        self.check(repository.option_tables, {"a.md": table})
+        self.check(repository.option_tables, {"a.md": table.replace("7", "8")},
+                   "a.md: has an old table of options: run CMake/options.py readme")
 
     def test_length_of_tools(self):
         self.check(repository.short_tools, {"Applications/Tool/Tool.cxx": "x\n" * 150})
