@@ -208,6 +208,14 @@ class Layers(RuleTest):
         for fault in expected:
             self.assertIn(fault, faults)
 
+    def test_system_headers_outside_of_their_folder(self):
+        text = '#include <vector>\n#  include <sys/wait.h>\n#include "unistd.h"\n'
+        self.check(layers.system_headers, {f"{layers.POSIX_FOLDER}/a.cxx": text, f"{self.LOW}/test/a.cxx": text})
+        for file in (f"{self.LOW}/src/a.cxx", "Applications/Cutter/Cutter.cxx", "Wrapping/Python/src/a.h"):
+            advice = f"only {layers.POSIX_FOLDER} may, see shapetonOperatingSystem.h"
+            self.check(layers.system_headers, {file: text}, f"{file}:2: includes sys/wait.h; {advice}",
+                       f"{file}:3: includes unistd.h; {advice}")
+
     def check_declaration(self, module, text, *expected):
         file = f"{module}/itk-module.cmake"
         self.check_layers({file: text if "itk_module(" in text else declaration(text)},

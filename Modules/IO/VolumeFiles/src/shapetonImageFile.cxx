@@ -1,6 +1,6 @@
 #include "shapetonImageFile.h"
 #include "shapetonFileErrors.h"
-#include "shapetonPhysicalMemory.h"
+#include "shapetonOperatingSystem.h"
 
 #include "shapetonByteStream.h"
 #include "itkMetaImageIO.h"

@@ -1,13 +1,11 @@
 #include "shapetonProgressDisplay.h"
+#include "shapetonOperatingSystem.h"
 #include "shapetonPrintable.h"
 
 #include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstdio>
-
-#include <sys/ioctl.h>
-#include <unistd.h>
 
 namespace shapeton
 {
@@ -54,13 +52,6 @@ Remaining(double elapsed, double fraction)
   return text;
 }
 
-std::size_t
-Columns()
-{
-  winsize size{};
-  return ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : 80;
-}
-
 double
 Forwards(double value, double previous)
 {
@@ -71,7 +62,7 @@ Forwards(double value, double previous)
 ProgressDisplay::Mode
 ProgressDisplay::ModeOfStdout()
 {
-  return isatty(STDOUT_FILENO) ? Mode::Bar : Mode::XML;
+  return IsTerminal() ? Mode::Bar : Mode::XML;
 }
 
 void
@@ -142,7 +133,8 @@ ProgressDisplay::DrawBar()
                      std::string(3 - percent.size(), ' ') + percent + " %  " + m_Stage;
   const std::string remaining = Remaining(elapsed, m_Fraction);
   line += remaining.empty() ? "" : "  " + remaining;
-  line.resize(std::min(line.size(), Columns() - 1)); // a wrapped line could not be cleared
+  const std::size_t columns = TerminalColumns() > 0 ? TerminalColumns() : 80;
+  line.resize(std::min(line.size(), columns - 1)); // a wrapped line could not be cleared
 
   this->ClearBar();
   m_BarWidth = line.size();
