@@ -120,6 +120,8 @@ protected:
   GenerateData() override;
 
 private:
+  static constexpr std::uint64_t DefaultTimeSteps = 100000;
+
   CumulativeHeatDiffusionSettings
   MakeSettings(const float * intensities);
   void

@@ -10,7 +10,7 @@
 namespace shapeton
 {
 template <typename TInputImage>
-CumulativeHeatDiffusionImageFilter<TInputImage>::CumulativeHeatDiffusionImageFilter() : Superclass(100000)
+CumulativeHeatDiffusionImageFilter<TInputImage>::CumulativeHeatDiffusionImageFilter() : Superclass(DefaultTimeSteps)
 {
   this->SetNumberOfRequiredOutputs(2);
   this->SetNthOutput(1, HeatImageType::New());

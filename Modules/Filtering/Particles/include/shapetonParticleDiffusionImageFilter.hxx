@@ -12,7 +12,7 @@
 namespace shapeton
 {
 template <typename TInputImage>
-ParticleDiffusionImageFilter<TInputImage>::ParticleDiffusionImageFilter() : Superclass(2500)
+ParticleDiffusionImageFilter<TInputImage>::ParticleDiffusionImageFilter() : Superclass(DefaultTimeSteps)
 {
   this->SetNumberOfRequiredInputs(1);
 }
