@@ -96,13 +96,14 @@ HeaderOf(const std::string & path)
 std::string
 ReadHeader(const std::string & path)
 {
-  ContainedProcess process(
+  constexpr ContainedProcess::Limits limits{ std::size_t{ 512 } << 20, 15, 600 };
+  ContainedProcess                   process(
     [](const std::string & request, char *) {
       PrepareDicomParsing();
       return HeaderOf(request);
     },
     0,
-    { std::size_t(512) << 20, 15, 600 });
+    limits);
   try
   {
     return process.Call(path);

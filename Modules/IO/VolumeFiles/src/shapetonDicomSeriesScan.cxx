@@ -74,8 +74,8 @@ ParseFiles(const std::vector<std::string> & paths, const Progress & progress)
   {
     throw std::runtime_error("DCMTK's data dictionary is missing; install dcmtk or set DCMDICTPATH");
   }
-  ContainedProcess process(
-    [](const std::string & path, char *) { return ParseInChild(path); }, 0, { std::size_t(512) << 20, 15, 600 });
+  constexpr ContainedProcess::Limits limits{ std::size_t{ 512 } << 20, 15, 600 };
+  ContainedProcess       process([](const std::string & path, char *) { return ParseInChild(path); }, 0, limits);
   std::vector<DicomFile> files;
   files.reserve(paths.size());
   for (const std::string & path : paths)
