@@ -237,7 +237,8 @@ struct ParticleMonitor::Impl
   void
   Look()
   {
-    if (!preview.empty() && SecondsSince(previewTime) >= std::max(previewEvery, 5.0 * secondsOfPreview))
+    constexpr double patience = 5.0; // previews take at most a sixth of the time
+    if (!preview.empty() && SecondsSince(previewTime) >= std::max(previewEvery, patience * secondsOfPreview))
     {
       const double rate = RateSinceLastPreview();
       WritePreview(rate, false);
