@@ -118,7 +118,7 @@ template <std::size_t Size>
 bool
 IsMonotonic(const std::array<double, Size> & values, bool ascending)
 {
-  constexpr double clearly = 1.0 - 1e-6; // values are rounded in the file
+  constexpr double clearly = 1.0 - 1e-6; // by more than rounding
   return std::is_sorted(values.begin(), values.end(), [ascending](double a, double b) {
     return ascending ? a < b * clearly : a * clearly > b;
   });

@@ -175,7 +175,7 @@ Contained(const std::function<std::string()> & work)
 ContainedProcess::Limits
 LimitsFor(double bytes)
 {
-  constexpr double waiting = 600; // s, beside other processes
+  constexpr double waiting = 600; // s; generous, for slow network drives
   const double     seconds = 10 + bytes / 1e6;
   return { static_cast<std::size_t>((256u << 20) + 3 * bytes),
            static_cast<unsigned int>(seconds),

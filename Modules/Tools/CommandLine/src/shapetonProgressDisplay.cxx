@@ -42,17 +42,18 @@ Decimal(double value)
 std::string
 Remaining(double elapsed, double fraction)
 {
-  constexpr double enough = 0.02; // for an estimate
-  constexpr long   secondsPerHour = 3600, sixty = 60;
+  constexpr double enough = 0.02;                   // for an estimate
+  constexpr long   minute = 60, hour = 60 * minute; // s
   if (fraction < enough || fraction >= 1.0)
   {
     return "";
   }
   const auto seconds = static_cast<long>(std::ceil(elapsed * (1.0 - fraction) / fraction));
-  const long hours = seconds / secondsPerHour;
+  const long hours = seconds / hour;
   char       text[64];
-  hours > 0 ? std::snprintf(text, sizeof(text), "%ld:%02ld:%02ld left", hours, seconds / sixty % sixty, seconds % sixty)
-                  : std::snprintf(text, sizeof(text), "%ld:%02ld left", seconds / sixty, seconds % sixty);
+  hours > 0
+          ? std::snprintf(text, sizeof(text), "%ld:%02ld:%02ld left", hours, seconds % hour / minute, seconds % minute)
+          : std::snprintf(text, sizeof(text), "%ld:%02ld left", seconds / minute, seconds % minute);
   return text;
 }
 

@@ -237,7 +237,7 @@ struct ParticleMonitor::Impl
   void
   Look()
   {
-    constexpr double patience = 5.0; // previews take at most a sixth of the time
+    constexpr double patience = 5.0; // times the duration of a preview
     if (!preview.empty() && SecondsSince(previewTime) >= std::max(previewEvery, patience * secondsOfPreview))
     {
       const double rate = RateSinceLastPreview();
