@@ -5,7 +5,7 @@ import tempfile
 import unittest
 from pathlib import Path
 
-from rules import advice, layers, page_scripts, references, repository, wording
+from rules import advice, layers, magic_numbers, page_scripts, references, repository, wording
 from rules.tree import Tree
 
 
@@ -36,6 +36,29 @@ class Wording(RuleTest):
                 ("// Failures are to" "ld.\n", "a.cxx:1: is not plain English: to" "ld"),
                 ("\nint nextCol" "our; // analyses of centers\n", "a.cxx:2: is not American spelling: col" "our")):
             self.check(wording.plain_english, {"a.cxx": text}, *expected)
+
+
+class MagicNumbers(unittest.TestCase):
+    """Reports of clang-tidy."""
+
+    def is_fault(self, line, number, message="is a magic number"):
+        return magic_numbers.is_fault(line, line.index(number) + 1, f"{number} {message}")
+
+    def test_numbers_without_a_name(self):
+        for line, number in (("if (share > 0.35)", "0.35"), ("cost = 40.0 + 7.0 * turns;", "40.0"),
+                             ("options.band = 75.0;", "75.0"), ("f(a, 12.0);", "12.0")):
+            self.assertTrue(self.is_fault(line, number), line)
+
+    def test_numbers_that_need_no_name(self):
+        for line, number in (("  double radius{ 2.5 };", "2.5"), ("Widened(const Box & box, double margin = 7.5);", "7.5"),
+                             ("int rows = 12;", "12"), ("RequireParameter(step >= 0.2, ...", "0.2"),
+                             ("options.progress(0.35);", "0.35"), ("progress.Part(text, 0.35, 1.0)", "0.35"),
+                             ("values[5] = a;", "5"), ("word >> 20 & 63;", "20"), ("word >> 20 & 63;", "63"),
+                             ("byte > 0xC2", "0xC2")):
+            self.assertFalse(self.is_fault(line, number), line)
+
+    def test_sources_that_do_not_compile(self):
+        self.assertTrue(self.is_fault("int rows = 12;", "12", "use of an undeclared identifier"))
 
 
 class Advice(RuleTest):

@@ -160,6 +160,8 @@ protected:
   GenerateData() override;
 
 private:
+  static constexpr std::uint64_t DefaultTimeSteps = 2500;
+
   void
   ChooseParameters();
   ParticleDiffusionSettings

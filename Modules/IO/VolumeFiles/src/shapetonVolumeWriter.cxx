@@ -237,8 +237,10 @@ ToShort(const itk::Image<float, 3> * image)
 {
   const float * const first = image->GetBufferPointer();
   const float * const last = first + image->GetLargestPossibleRegion().GetNumberOfPixels();
-  const bool          isShort = std::all_of(
-    first, last, [](float value) { return value >= -32768.0F && value <= 32767.0F && value == std::floor(value); });
+  const bool          isShort = std::all_of(first, last, [](float value) {
+    return value >= std::numeric_limits<short>::min() && value <= std::numeric_limits<short>::max() &&
+           value == std::floor(value);
+  });
   if (!isShort)
   {
     return nullptr;

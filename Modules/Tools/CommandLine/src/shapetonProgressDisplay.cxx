@@ -40,15 +40,18 @@ Decimal(double value)
 std::string
 Remaining(double elapsed, double fraction)
 {
-  if (fraction < 0.02 || fraction >= 1.0)
+  constexpr double enough = 0.02;                   // for an estimate
+  constexpr long   minute = 60, hour = 60 * minute; // s
+  if (fraction < enough || fraction >= 1.0)
   {
     return "";
   }
   const auto seconds = static_cast<long>(std::ceil(elapsed * (1.0 - fraction) / fraction));
-  const long hours = seconds / 3600;
+  const long hours = seconds / hour;
   char       text[64];
-  hours > 0 ? std::snprintf(text, sizeof(text), "%ld:%02ld:%02ld left", hours, seconds / 60 % 60, seconds % 60)
-                  : std::snprintf(text, sizeof(text), "%ld:%02ld left", seconds / 60, seconds % 60);
+  hours > 0
+          ? std::snprintf(text, sizeof(text), "%ld:%02ld:%02ld left", hours, seconds % hour / minute, seconds % minute)
+          : std::snprintf(text, sizeof(text), "%ld:%02ld left", seconds / minute, seconds % minute);
   return text;
 }
 
@@ -146,8 +149,9 @@ ProgressDisplay::DrawBar()
 bool
 ProgressDisplay::IsNews() const
 {
-  const bool isStageDone = m_StageFraction >= 1.0 && m_ShownStageFraction < 1.0;
-  return isStageDone || m_ShownFraction < 0.0 || m_Fraction - m_ShownFraction >= 0.01;
+  constexpr double percent = 0.01;
+  const bool       isStageDone = m_StageFraction >= 1.0 && m_ShownStageFraction < 1.0;
+  return isStageDone || m_ShownFraction < 0.0 || m_Fraction - m_ShownFraction >= percent;
 }
 
 void

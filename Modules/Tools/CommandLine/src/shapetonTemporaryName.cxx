@@ -19,11 +19,12 @@ const std::string mark = ".part";
 std::string
 ComputeMachineTag()
 {
-  std::error_code error;
-  std::uint32_t   hash = 2166136261u; // FNV-1a
+  std::error_code         error;
+  std::uint32_t           hash = 2166136261u; // FNV-1a
+  constexpr std::uint32_t prime = 16777619u;
   for (const char c : HostName() + fs::read_symlink("/proc/self/ns/pid", error).string())
   {
-    hash = (hash ^ static_cast<unsigned char>(c)) * 16777619u;
+    hash = (hash ^ static_cast<unsigned char>(c)) * prime;
   }
   std::string tag;
   for (int shift = 28; shift >= 0; shift -= 4)
