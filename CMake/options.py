@@ -109,6 +109,11 @@ class Option:
         other.__dict__ = {**self.__dict__, "default": default}
         return other
 
+    def with_minimum(self, minimum: Any) -> Option:
+        other = self.with_default(self.default)
+        other.bounds = {**self.bounds, "minimum": minimum}
+        return other
+
     def optional(self) -> Option:
         """The same option in a function that also accepts None."""
         other = self.with_default(self.default)
@@ -379,11 +384,13 @@ REFERENCE = r"(\w+): ?([\w* ]+)"
 def expand_xml(text: str) -> str:
     def element(match: re.Match[str]) -> str:
         attributes = dict(re.findall(r'(\w+)="([^"]*)"', match[1]))
-        if unknown := set(attributes) - {"of", "names", "default"}:
+        if unknown := set(attributes) - {"of", "names", "default", "minimum"}:
             fail(f"<option> has the unknown attribute {min(unknown)}")
         chosen = declaration(attributes["of"]).chosen(attributes["names"])
         if "default" in attributes:
             chosen = [option.with_default(json.loads(attributes["default"])) for option in chosen]
+        if "minimum" in attributes:
+            chosen = [option.with_minimum(json.loads(attributes["minimum"])) for option in chosen]
         return "\n    ".join(option.xml() for option in chosen)
 
     return re.sub(r"<option ([^>]*)/>", element, text)

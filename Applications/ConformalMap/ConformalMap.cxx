@@ -93,7 +93,7 @@ Flatten(CommandLine & commandLine)
   const std::string forms = commandLine.OutputOf("forms");
   commandLine.RecordRun(output + ".run.json");
   shapeton::SurfaceReadOptions options;
-  options.isAnyExtentPlausible = true; // angles have no unit
+  options.anyExtent = true; // angles have no unit
   options.takesOneComponent = true;
   const shapeton::Surface surface = shapeton::ReadRepairedSurface(commandLine, "inputSurface", options);
   commandLine.Progress("Mapping", 0.1);

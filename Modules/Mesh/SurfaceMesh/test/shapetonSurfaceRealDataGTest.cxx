@@ -72,7 +72,7 @@ TEST(SurfaceRealData, ColonOfTenParts)
   const shapeton::SurfaceFile file = shapeton::ReadSurfaceFile(MeshFolder() + "SBU_F_Intestine_Large.glb");
   ASSERT_EQ(file.parts.size(), 10u);
   EXPECT_EQ(file.parts[2].name, "VH_F_ascending_colon");
-  EXPECT_EQ(file.unit, "m");
+  EXPECT_EQ(file.unit, shapeton::SurfaceUnit::Meter);
   const Eigen::RowVector3d extent = file.mesh.V.colwise().maxCoeff() - file.mesh.V.colwise().minCoeff();
   EXPECT_GT(extent.maxCoeff(), 200.0); // a colon in mm
   EXPECT_LT(extent.maxCoeff(), 600.0);
