@@ -131,7 +131,7 @@ class Option:
 
     def description(self) -> str:
         """The sentence, the unit and the range, without the default."""
-        facts = ", ".join(filter(None, [self.unit, self.range()]))
+        facts = ", ".join(filter(None, [self.unit and f"in {self.unit}", self.range()]))
         return self.sentence + (f" {facts[:1].upper()}{facts[1:]}." if facts else "")
 
     def default_in_words(self) -> str:
@@ -180,16 +180,17 @@ class Option:
     # ---- XML ----
 
     def xml(self) -> str:
-        tag = TYPES[self.kind][1] + ("-vector" if self.suffix == "[]" and self.kind != "point" else "")
+        tag = TYPES["word" if self.words else self.kind][1]
+        tag += "-vector" if self.suffix == "[]" and self.kind != "point" else ""
         tag = "string" if self.suffix == "?" and self.is_number else tag  # a number or "auto"
         attributes = ' multiple="true" coordinateSystem="lps"' if self.kind == "point" else ""
         lines = [
             f"<name>{self.name}</name>",
             f"<longflag>{self.name}</longflag>",
             f"<label>{self.label}</label>",
-            f"<description><![CDATA[{self.sentence}]]></description>",
-            f"<default>{self.xml_default()}</default>",
+            f"<description><![CDATA[{self.sentence}{self.unit and f' In {self.unit}.'}]]></description>",
         ]
+        lines += [f"<default>{self.xml_default()}</default>"] if self.kind != "point" else []
         lines += [f"<element>{word}</element>" for word in self.words]
         if self.bounds and self.is_number and not self.suffix:
             lines.append(f"<constraints>{self.xml_constraints()}</constraints>")

@@ -21,7 +21,7 @@ main(int argc, char * argv[])
   phantom->CenterOutput();
   phantom->TruthOnlyOn(); // the lumen mask, without the CT
   phantom->Update();
-  shapeton::ColonModelOptions modelOptions;
+  shapeton::ColonModelSettings modelOptions;
   modelOptions.faces = 30000;
   const shapeton::ColonModel       colon = shapeton::BuildColonModelOfLumen(phantom->GetLumenOutput(), modelOptions);
   shapeton::ColonFlatteningOptions options;

@@ -31,7 +31,7 @@ MakePatient(const std::string & position)
 static shapeton::ColonPosition
 Examine(Phantom * phantom)
 {
-  shapeton::ColonModelOptions modelOptions;
+  shapeton::ColonModelSettings modelOptions;
   modelOptions.faces = 20000;
   const shapeton::ColonModel       colon = shapeton::BuildColonModelOfLumen(phantom->GetLumenOutput(), modelOptions);
   shapeton::ColonFlatteningOptions options;

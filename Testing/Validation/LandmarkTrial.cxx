@@ -46,13 +46,13 @@ MakePhantom(const LandmarkCase & one)
 ColonModel
 MakeModel(const LandmarkCase & one)
 {
-  const auto        source = MakePhantom(one);
-  ColonModelOptions options;
+  const auto         source = MakePhantom(one);
+  ColonModelSettings options;
   if (!one.isFromCt)
   {
     return BuildColonModelOfLumen(source->GetLumenOutput(), options);
   }
-  options.patientPosition = one.parameters.position;
+  options.position = one.parameters.position;
   const auto cast = itk::CastImageFilter<Source::ImageType, itk::Image<float, 3>>::New();
   cast->SetInput(source->GetOutput());
   cast->Update();

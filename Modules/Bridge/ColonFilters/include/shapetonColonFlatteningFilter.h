@@ -3,6 +3,7 @@
 
 #include "shapetonColonFlattening.h"
 #include "shapetonFlatColon.h"
+#include "shapetonFlatColonGridOptionsMethods.h"
 #include "shapetonStageFilter.h"
 
 #include "itkMeshToMeshFilter.h"
@@ -64,16 +65,14 @@ protected:
  *
  * \ingroup ShapetonColonFilters */
 template <typename TInputMesh = PipelineMesh>
-class FlatColonFilter : public StageFilter<itk::ProcessObject, FlatColonGridOptions, ResultObject<FlatColon>>
+class FlatColonFilter
+  : public FlatColonGridOptionsMethods<StageFilter<itk::ProcessObject, FlatColonGridOptions, ResultObject<FlatColon>>>
 {
 public:
   shapetonStageFilterMacro(FlatColonFilter);
 
   using Superclass::SetInput;
   shapetonRequiredInputMacro(Input, TInputMesh);
-
-  /** See FlatColonGridOptions. */
-  shapetonOptionMacro(PixelSize, pixelSize);
 
 protected:
   void

@@ -36,4 +36,14 @@ ReadOption(const CommandLine & commandLine, const OptionInfo & info, std::option
     option = { { numbers[0], numbers[1] } };
   }
 }
+
+void
+ReadOption(const CommandLine & commandLine, const OptionInfo & info, std::vector<itk::Point<double, 3>> & option)
+{
+  option.clear();
+  for (const auto & point : commandLine.GetPoints(info.GetName()))
+  {
+    option.emplace_back(point.data());
+  }
+}
 } // namespace shapeton
