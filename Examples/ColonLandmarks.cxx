@@ -23,8 +23,8 @@ main(int argc, char * argv[])
   phantom->Update();
   shapeton::ColonModelSettings modelOptions;
   modelOptions.faces = 30000;
-  const shapeton::ColonModel       colon = shapeton::BuildColonModelOfLumen(phantom->GetLumenOutput(), modelOptions);
-  shapeton::ColonFlatteningOptions options;
+  const shapeton::ColonModel        colon = shapeton::BuildColonModelOfLumen(phantom->GetLumenOutput(), modelOptions);
+  shapeton::ColonFlatteningSettings options;
   options.metric = shapeton::FlatMetric::Euclidean;
   const auto flattening = shapeton::FlattenColon(colon.wall.simplified, "the wall", options);
   const auto landmarks = shapeton::FindColonLandmarks(shapeton::FlatColon(flattening.map.flat), colon.centerline.curve);

@@ -33,8 +33,8 @@ Examine(Phantom * phantom)
 {
   shapeton::ColonModelSettings modelOptions;
   modelOptions.faces = 20000;
-  const shapeton::ColonModel       colon = shapeton::BuildColonModelOfLumen(phantom->GetLumenOutput(), modelOptions);
-  shapeton::ColonFlatteningOptions options;
+  const shapeton::ColonModel        colon = shapeton::BuildColonModelOfLumen(phantom->GetLumenOutput(), modelOptions);
+  shapeton::ColonFlatteningSettings options;
   options.metric = shapeton::FlatMetric::Euclidean;
   const auto flattening = shapeton::FlattenColon(colon.wall.simplified, "the wall", options);
   const auto flexures = shapeton::FindColonFlexures(colon.centerline.curve).flexures;

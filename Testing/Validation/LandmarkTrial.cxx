@@ -99,7 +99,7 @@ MakeFlat(const LandmarkCase & one, ColonExam & exam)
     exam.ct = model.cleansed ? AroundLumen(model.cleansed.GetPointer(), model.lumen.labels) : nullptr;
     exam.catheter =
       model.lumen.catheter && model.lumen.catheter->isSure ? CurveOfCatheter(*model.lumen.catheter) : CurveSet();
-    ColonFlatteningOptions options;
+    ColonFlatteningSettings options;
     options.centerline = exam.centerline;
     exam.wall = std::move(model.wall.repaired);
     exam.flat = FlattenColon(std::move(model.wall.simplified), NameOfCase(one), options).map.flat;

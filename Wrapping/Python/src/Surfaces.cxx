@@ -55,14 +55,14 @@ Repair(const SurfaceMesh & mesh, double mergeDistance, bool mergeVertices, bool 
 SurfaceMesh
 Simplify(const SurfaceMesh & mesh, int faces, double smallestAngle, double boundaryWeight, const Progress & progress)
 {
-  return SimplifySurface(mesh,
-                         { faces, smallestAngle, boundaryWeight, progress.Part("Simplifying the surface", 0.0, 1.0) });
+  return SimplifySurface(
+    mesh, { { faces, smallestAngle, boundaryWeight }, progress.Part("Simplifying the surface", 0.0, 1.0) });
 }
 
 SurfaceMesh
 Remesh(const SurfaceMesh & mesh, double edgeLength, int iterations, const Progress & progress)
 {
-  return RemeshSurface(mesh, { edgeLength, iterations, progress.Part("Remeshing the surface", 0.0, 1.0) });
+  return RemeshSurface(mesh, { { edgeLength, iterations }, progress.Part("Remeshing the surface", 0.0, 1.0) });
 }
 
 void

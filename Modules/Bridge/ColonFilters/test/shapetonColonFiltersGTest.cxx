@@ -219,7 +219,7 @@ TEST(ColonFilters, TheChainDoesWhatTheFunctionsDo)
   options.faces = 8000;
   const ColonModel model = BuildColonModel(FloatsFromIndexZero(Ct()), options);
   ExpectEqual(SurfaceOf(*pipeline.model->GetOutput()), model.wall.simplified);
-  ColonFlatteningOptions flatteningOptions;
+  ColonFlatteningSettings flatteningOptions;
   flatteningOptions.centerline = model.centerline.curve;
   const ColonFlattening flattening = FlattenColon(model.wall.simplified, "the wall", flatteningOptions);
   ExpectEqual(SurfaceOf(*pipeline.flattening->GetOutput()), flattening.map.flat);

@@ -242,8 +242,8 @@ private:
   void
   SimplifyTo(int faces, double begin, double end)
   {
-    SurfaceSimplificationOptions options;
-    options.targetFaces = faces;
+    SurfaceSimplificationSettings options;
+    options.faces = faces;
     options.progress = m_Options.progress.Part("", begin, end);
     m_Wall.simplified = SimplifySurface(m_Wall.repaired, options, &m_Simplification);
   }

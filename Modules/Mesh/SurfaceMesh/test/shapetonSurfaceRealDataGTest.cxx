@@ -39,10 +39,10 @@ TEST_P(SurfaceRealData, TopologyIsThatOfTheSourceAlsoWhenSimplified)
   EXPECT_EQ(quality.genus, GetParam().genus);
   EXPECT_EQ(static_cast<int>(quality.boundaryLoopLengths.size()), GetParam().loops);
 
-  shapeton::SurfaceSimplificationOptions options;
-  options.targetFaces = mesh.NumberOfFaces() / 4;
+  shapeton::SurfaceSimplificationSettings options;
+  options.faces = mesh.NumberOfFaces() / 4;
   const shapeton::SurfaceQuality simple = shapeton::InspectSurface(shapeton::SimplifySurface(mesh, options));
-  EXPECT_NEAR(simple.faces, options.targetFaces, 1);
+  EXPECT_NEAR(simple.faces, options.faces, 1);
   EXPECT_TRUE(simple.isManifold);
   EXPECT_EQ(simple.genus, quality.genus);
   EXPECT_EQ(simple.boundaryLoopLengths.size(), quality.boundaryLoopLengths.size());
