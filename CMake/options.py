@@ -198,7 +198,7 @@ class Option:
 
     def xml_default(self) -> str:
         if self.default is None or self.default == []:
-            return ""
+            return "auto" if self.suffix == "?" and self.is_number else ""
         if self.kind == "bool":
             return str(self.default).lower()
         return plain(number(self.default)) if self.is_number else str(self.default)

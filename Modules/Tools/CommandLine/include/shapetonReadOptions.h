@@ -48,6 +48,8 @@ ReadOption(const CommandLine & commandLine, const OptionInfo & info, TOption & o
 }
 /** A number or "auto". */
 ShapetonCommandLine_EXPORT void
+ReadOption(const CommandLine & commandLine, const OptionInfo & info, std::optional<int> & option);
+ShapetonCommandLine_EXPORT void
 ReadOption(const CommandLine & commandLine, const OptionInfo & info, std::optional<double> & option);
 /** Two numbers, the lower one first, or nothing. */
 ShapetonCommandLine_EXPORT void
@@ -55,6 +57,9 @@ ReadOption(const CommandLine & commandLine, const OptionInfo & info, std::option
 /** Any number of points. */
 ShapetonCommandLine_EXPORT void
 ReadOption(const CommandLine & commandLine, const OptionInfo & info, std::vector<itk::Point<double, 3>> & option);
+/** Any number of integers. */
+ShapetonCommandLine_EXPORT void
+ReadOption(const CommandLine & commandLine, const OptionInfo & info, std::vector<int> & option);
 ///@}
 
 /** Sets the options that the tool declares. Throws ParameterError. \ingroup ShapetonCommandLine */
