@@ -161,7 +161,7 @@ FindFolds(const FlatPointer &             flat,
           const std::optional<CurveSet> & taeniae,
           const Progress &                progress)
 {
-  HaustralFoldOptions options;
+  HaustralFoldSettings options;
   options.scheme = ValueOf(scheme, "scheme", schemeWords);
   options.minimumLength = minimumLength;
   options.minimumArea = minimumArea;
@@ -215,7 +215,7 @@ AddFolds(py::module_ & module)
     .def_property_readonly(
       "warnings", [](const FoundFolds & found) { return found.folds.warnings; }, "Warnings, one per line.");
 
-  const HaustralFoldOptions defaults;
+  const HaustralFoldSettings defaults;
   module.def("find_folds",
              Reporting(&FindFolds),
              "flat"_a,

@@ -28,7 +28,7 @@ MapOf(const SurfaceMesh &                    mesh,
       const std::optional<Eigen::VectorXd> & edgeLengths,
       const Progress &                       progress)
 {
-  ConformalMapOptions options;
+  ConformalMapSettings options;
   options.domain = ValueOf(domain, "domain", domainWords);
   options.outerBoundary = outerBoundary;
   options.innerBoundary = innerBoundary;
@@ -49,15 +49,15 @@ Flatten(SurfaceMesh                     mesh,
         const std::optional<CurveSet> & cut,
         const Progress &                progress)
 {
-  ColonFlatteningOptions options;
+  ColonFlatteningSettings options;
   options.metric = ValueOf(metric, "metric", metricWords);
   options.time = time;
   options.eigenpairs = eigenpairs;
   options.removeHandles = removeHandles;
-  options.tube.conjugate = ValueOf(method, "method", conjugateWords);
+  options.method = ValueOf(method, "method", conjugateWords);
   if (cut)
   {
-    options.tube.cutCurve = OnlyCurve(*cut, "the cut");
+    options.cut = OnlyCurve(*cut, "the cut");
   }
   options.centerline = centerline.value_or(CurveSet());
   options.progress = progress;
@@ -91,7 +91,7 @@ AddConformalMap(py::module_ & module)
                            Statistics<ConformalMap>(&ConformalMapToJson),
                            "A dictionary with the keys of the statistics of ConformalMap.");
 
-  const ConformalMapOptions defaults;
+  const ConformalMapSettings defaults;
   module.def("conformal_map",
              Reporting(&MapOf),
              "mesh"_a,
@@ -146,7 +146,7 @@ AddFlattening(py::module_ & module)
                            "A dictionary with the keys of the statistics of ColonFlattening: flips, dilatation, "
                            "moduli, ...");
 
-  const ColonFlatteningOptions defaults;
+  const ColonFlatteningSettings defaults;
   module.def("flatten_tube",
              Reporting(&Flatten),
              "mesh"_a,
@@ -156,7 +156,7 @@ AddFlattening(py::module_ & module)
              "time"_a = defaults.time,
              "eigenpairs"_a = defaults.eigenpairs,
              "remove_handles"_a = defaults.removeHandles,
-             "method"_a = WordOf(defaults.tube.conjugate, conjugateWords),
+             "method"_a = WordOf(defaults.method, conjugateWords),
              "cut"_a = py::none(),
              "progress"_a = py::none(),
              ReleaseGil(),

@@ -68,7 +68,7 @@ Embed(const Graph &                                        graph,
   RequireParameter(!rotation || !genus, "the parameter \"rotation\" determines the genus; omit \"genus\"");
   RequireParameter(!genus || *genus >= 0,
                    "the parameter \"genus\" = " + std::to_string(genus.value_or(0)) + " must not be negative");
-  GraphEmbeddingOptions options;
+  GraphEmbeddingSettings options;
   options.augmentation = ValueOf(augmentation, "augmentation", augmentationWords);
   options.infinity = ValueOf(infinity, "infinity", infinityWords);
   options.isRotationFree = !rotation;
@@ -77,8 +77,8 @@ Embed(const Graph &                                        graph,
     options.progress = progress.Part("Packing circles", 0.0, 1.0);
     return EmbedGraph(graph, CombinatorialMap(graph, *rotation), options);
   }
-  GenusOptions search;
-  search.genus = genus.value_or(-1);
+  GenusSettings search;
+  search.genus = genus;
   search.seed = seed;
   search.progress = progress.Part("Finding the genus", 0.0, 0.5);
   options.progress = progress.Part("Packing circles", 0.5, 1.0);
@@ -265,14 +265,14 @@ AddGraphs(py::module_ & module)
       [](const GraphComparison & c) { return c.correspondence.by; },
       "\"isomorphism\", \"names\", \"neighborhoods\" or \"none\".");
 
-  const GraphEmbeddingOptions defaults;
+  const GraphEmbeddingSettings defaults;
   module.def("embed_graph",
              Reporting(&Embed),
              "graph"_a,
              py::kw_only(),
              "genus"_a = py::none(),
              "rotation"_a = py::none(),
-             "seed"_a = GenusOptions().seed,
+             "seed"_a = GenusSettings().seed,
              "augmentation"_a = WordOf(defaults.augmentation, augmentationWords),
              "infinity"_a = WordOf(defaults.infinity, infinityWords),
              "progress"_a = py::none(),
@@ -291,13 +291,13 @@ progress: called with (share, stage), share from 0 to 1; returning False, an exc
              "Proves from the numbers of an embedding that no edges cross, or reports the failed condition.");
   module.def("compare_graphs",
              Reporting(+[](const Graph & a, const Graph & b, std::uint64_t seed, const Progress & progress) {
-               GenusOptions genus;
+               GenusSettings genus;
                genus.seed = seed;
                return CompareGraphs(a, b, genus, {}, progress);
              }),
              "a"_a,
              "b"_a,
-             "seed"_a = GenusOptions().seed,
+             "seed"_a = GenusSettings().seed,
              py::kw_only(),
              "progress"_a = py::none(),
              ReleaseGil(),

@@ -62,11 +62,11 @@ Register(const std::shared_ptr<Position> & supine,
          bool                              segmentWise,
          const Progress &                  progress)
 {
-  SupineProneOptions options;
+  SupineProneSettings options;
   options.map = ValueOf(map, "map", mapWords);
   options.matching = ValueOf(matching, "matching", matchingWords);
-  options.refines = refine;
-  options.isSegmentWise = segmentWise;
+  options.refine = refine;
+  options.segmentWise = segmentWise;
   options.progress = [&progress](const std::string & stage, double share) { progress(stage, 0.9 * share); };
   const auto result = std::make_shared<Registered>();
   result->supine = supine;
@@ -187,7 +187,7 @@ AddRegistration(py::module_ & module)
 
 Returns (points, k x 3, LPS mm; confidence, k, 0 to 1; excluded, k: wall not visible in one of the positions).)");
 
-  const SupineProneOptions defaults;
+  const SupineProneSettings defaults;
   module.def("register_positions",
              Reporting(&Register),
              "supine"_a,
@@ -195,8 +195,8 @@ Returns (points, k x 3, LPS mm; confidence, k, 0 to 1; excluded, k: wall not vis
              py::kw_only(),
              "map"_a = WordOf(defaults.map, mapWords),
              "matching"_a = WordOf(defaults.matching, matchingWords),
-             "refine"_a = defaults.refines,
-             "segment_wise"_a = defaults.isSegmentWise,
+             "refine"_a = defaults.refine,
+             "segment_wise"_a = defaults.segmentWise,
              "progress"_a = py::none(),
              ReleaseGil(),
              R"(A one-to-one map between the walls of a colon in two positions.

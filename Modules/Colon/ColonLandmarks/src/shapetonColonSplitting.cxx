@@ -171,8 +171,8 @@ MakePiece(const SurfaceMesh & tube, const ColonTaenia & taenia, int segment, con
   {
     throw InputError("no path along the taenia was found through " + name);
   }
-  const CutSurface    cut = CutAlongPaths(tube, connectivity, { path });
-  ConformalMapOptions options;
+  const CutSurface     cut = CutAlongPaths(tube, connectivity, { path });
+  ConformalMapSettings options;
   options.domain = ConformalDomain::Rectangle;
   options.progress = progress;
   options.corners = CornersOf(cut, path);

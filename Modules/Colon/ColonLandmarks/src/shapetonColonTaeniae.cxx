@@ -219,7 +219,7 @@ ColonTaeniae
 FindColonTaeniae(const FlatColon & flat, const ColonWallTube & tube, const ColonTaeniaOptions & options)
 {
   const FlatColonGrid & grid = flat.Grid();
-  HaustralFoldOptions   foldOptions;
+  HaustralFoldSettings  foldOptions;
   foldOptions.progress = options.progress.Part("", 0.0, 0.3);
   const HaustralFolds folds = FindHaustralFolds(flat, foldOptions);
   TaeniaEvidence      evidence = MakeTaeniaEvidence(flat, tube, folds, options.rule);

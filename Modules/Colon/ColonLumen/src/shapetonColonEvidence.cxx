@@ -344,9 +344,9 @@ WarnOfGravity(const std::string & patientPosition, const LevelsOfDirection * con
 } // namespace
 
 void
-FindGravity(const std::string & patientPosition, ColonEvidence & evidence, ColonLumen & lumen)
+FindGravity(const std::string & position, ColonEvidence & evidence, ColonLumen & lumen)
 {
-  const auto given = GravityOfPatientPosition(patientPosition);
+  const auto given = GivenGravity(position);
   const auto assumed = *GravityOfPatientPosition("supine");
   // For the given or assumed direction, and for the direction with the most levels.
   LevelsOfDirection usual;
@@ -367,12 +367,12 @@ FindGravity(const std::string & patientPosition, ColonEvidence & evidence, Colon
   const bool isClear = Outweigh(clearest, ClearLevels, ClearRatio, given ? usual.area : 0.0);
   const bool isContradiction = given && isClear && !(clearest.gravity == *given);
   // A name was given, not a DICOM code.
-  const bool isOfHeader = given && patientPosition != NameOfGravity(*given);
+  const bool isOfHeader = given && position != NameOfGravity(*given);
   const bool isOverruled = isContradiction && isOfHeader && Outweigh(clearest, CertainLevels, CertainRatio, usual.area);
   lumen.gravitySource = given && !isOverruled ? ColonGravitySource::PatientPosition
                         : isClear             ? ColonGravitySource::Levels
                                               : ColonGravitySource::Assumed;
-  WarnOfGravity(patientPosition, isContradiction ? &clearest : nullptr, lumen);
+  WarnOfGravity(position, isContradiction ? &clearest : nullptr, lumen);
   const LevelsOfDirection & taken = lumen.gravitySource == ColonGravitySource::Levels ? clearest : usual;
   lumen.gravity = taken.gravity;
   evidence.levels = taken.levels;

@@ -91,15 +91,14 @@ DescribePieces(const std::vector<PieceSums> & sums, double voxelMl, ColonLumen &
 
 /** Estimates gravity from gas to fluid in each piece. */
 void
-ChooseGravity(const std::vector<PieceSums> & sums, const std::string & patientPosition, ColonLumen & lumen)
+ChooseGravity(const std::vector<PieceSums> & sums, const std::string & position, ColonLumen & lumen)
 {
-  if (const auto given = GravityOfPatientPosition(patientPosition))
+  if (const auto given = GivenGravity(position))
   {
     lumen.gravity = *given;
     lumen.gravitySource = ColonGravitySource::PatientPosition;
     return;
   }
-  RequireParameter(patientPosition.empty(), "the patient position \"" + patientPosition + "\" is unknown");
   itk::Vector<double, 3> down(0.0);
   for (const PieceSums & sum : sums)
   {
@@ -195,7 +194,7 @@ ColonLumenOfMask(const itk::Image<float, 3> * ct, const LumenMask * mask, const 
   }
   const auto sums = SumPieces(ct, lumen.labels, distance);
   DescribePieces(sums, VoxelMl(mask), lumen);
-  ChooseGravity(sums, options.patientPosition, lumen);
+  ChooseGravity(sums, options.position, lumen);
   lumen.failure = FailureOfMask(ct, mask);
   return lumen;
 }

@@ -1,7 +1,6 @@
 #include "shapetonPolypCandidates.h"
 
 #include "shapetonCandidateList.h"
-#include "shapetonExceptions.h"
 #include "shapetonSurfaceQuality.h"
 
 #include <algorithm>
@@ -83,7 +82,7 @@ MatchedSmoothingTime(const SurfaceMesh & wall, double time)
 std::vector<PolypCandidate>
 FindPolypCandidates(const SurfaceMesh & wall, const PolypCandidateOptions & options)
 {
-  RequireParameter(options.sensitivity >= 0.0 && options.sensitivity <= 1.0, "the sensitivity must be between 0 and 1");
+  CheckOptions(options);
   const SurfaceConnectivity connectivity(wall);
   options.progress(0.2);
   const std::vector<char> isLeftOut = FindNoWall(wall, connectivity);

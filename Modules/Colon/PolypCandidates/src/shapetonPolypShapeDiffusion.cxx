@@ -7,7 +7,6 @@
 #include "shapetonOpenEndedProgress.h"
 #include "shapetonParticleDiffusion.h"
 #include "shapetonSurfaceDiffusion.h"
-#include "shapetonExceptions.h"
 
 #include <algorithm>
 #include <cmath>
@@ -137,7 +136,7 @@ FindPublishedPolypCandidates(const SurfaceMesh &           wall,
   constexpr double depth = 8.0;  // mm of tissue in which shapetons start
   constexpr double least = 0.96; // rank
   constexpr double narrowest = 3.0, widest = 40.0;
-  RequireParameter(options.sensitivity >= 0.0 && options.sensitivity <= 1.0, "the sensitivity must be between 0 and 1");
+  CheckOptions(options);
   const SurfaceConnectivity connectivity(wall);
   const SurfaceShape        shape =
     MeasureSurfaceShape(wall.V, connectivity, wall.F, 1.0, options.progress.Part("", 0.0, 0.3));

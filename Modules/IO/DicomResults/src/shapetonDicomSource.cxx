@@ -141,12 +141,11 @@ MakeDicomSourceService()
 DicomSource
 ReadDicomSource(const std::string & path, const DicomSourceOptions & sourceOptions)
 {
-  using Advice = VolumeReadOptions::Advice;
   VolumeReadOptions options;
   options.seriesUID = sourceOptions.seriesUID;
   options.deshear = sourceOptions.deshear || sourceOptions.forPoints;
   options.resampleGaps = options.dropDuplicates = options.allowSingleSlice = sourceOptions.forPoints;
-  options.advice = sourceOptions.offersDeshear ? Advice::deshear : Advice::none;
+  options.advice = sourceOptions.offersDeshear ? DicomRepairAdvice::Deshear : DicomRepairAdvice::None;
   const DicomScan scan = ScanDicom(path);
   DicomSource     source;
   source.series = SelectDicomSeries(scan, options);
