@@ -30,7 +30,10 @@ class BuildByCMake(build_ext):
         subprocess.run(["cmake", "-B", build, *options], check=True)
         subprocess.run(["cmake", "--build", build, "--parallel", jobs, "--target", "_shapeton"], check=True)
         (module,) = (build / "python/shapeton").glob("_shapeton*.so")
-        self.copy_file(str(module), self.get_ext_fullpath(extension.name))
+        target = Path(self.get_ext_fullpath(extension.name))
+        self.copy_file(str(module), str(target))
+        for parser in module.parent.glob("ShapetonFileParser"):  # with the libraries inside it
+            self.copy_file(str(parser), str(target.parent))
 
 
 setup(cmdclass={"build_ext": BuildByCMake}, ext_modules=[Extension("shapeton._shapeton", sources=[])])

@@ -131,8 +131,9 @@ MakeJoinEnd(const LumenGrid & grid, const PieceLine & line, bool isReversed, boo
     }
     end.position = end.tips.front();
   }
-  std::size_t i = core.size() - 1;
-  while (i > 0 && (core[i] - core.back()).norm() < 40.0)
+  constexpr double reach = 40.0; // mm over which the direction is measured
+  std::size_t      i = core.size() - 1;
+  while (i > 0 && (core[i] - core.back()).norm() < reach)
   {
     --i;
   }

@@ -239,8 +239,9 @@ SplitColon(const SurfaceMesh & flat, const ColonLandmarks & landmarks, const Pro
 Json
 ColonPiecesToJson(const ColonPieces & pieces)
 {
-  const auto rounded = [](double value) { return std::round(value * 1e5) / 1e5; };
-  Json       list = Json::array();
+  constexpr double perUnit = 1e5; // five decimal places
+  const auto       rounded = [](double value) { return std::round(value * perUnit) / perUnit; };
+  Json             list = Json::array();
   for (const ColonPiece & piece : pieces.pieces)
   {
     Json json;

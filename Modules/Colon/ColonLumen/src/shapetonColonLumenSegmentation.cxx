@@ -81,20 +81,22 @@ private:
     {
       this->Smooth();
     }
+    constexpr float leastOfBody = -400.0F; // HU, between lung and fat
     e.bodyMl =
-      e.grid.VoxelVolume() * 1e-3 * std::count_if(e.hu.begin(), e.hu.end(), [](float v) { return v > -400.0F; });
+      e.grid.VoxelVolume() * 1e-3 * std::count_if(e.hu.begin(), e.hu.end(), [](float v) { return v > leastOfBody; });
     this->SetGasThresholds(GasByDefinition);
     m_Options.progress(0.2);
   }
 
-  /** Increases smoothing in steps of 0.3 mm until the noise is tolerable. */
+  /** Increases smoothing until the noise is tolerable. */
   void
   Smooth()
   {
-    auto & e = m_Evidence;
-    while (e.remainingNoise > TolerableNoise && e.smoothing < 0.85)
+    constexpr double step = 0.3, most = 0.85; // mm, standard deviation
+    auto &           e = m_Evidence;
+    while (e.remainingNoise > TolerableNoise && e.smoothing < most)
     {
-      const double next = e.smoothing + 0.3;
+      const double next = e.smoothing + step;
       SmoothVoxels(e.grid, e.hu, std::sqrt(next * next - e.smoothing * e.smoothing));
       e.smoothing = next;
       e.thresholds.tissue = ModeOfTissue(e.hu);
@@ -102,8 +104,7 @@ private:
     }
     std::ostringstream text;
     text << "the image noise is high (standard deviation " << std::lround(e.noise)
-         << " HU); the volume was smoothed with sigma " << std::lround(10.0 * e.smoothing) / 10.0
-         << " mm before segmentation";
+         << " HU); the volume was smoothed with sigma " << InTenths(e.smoothing) << " mm before segmentation";
     m_Result.warnings.push_back(text.str());
   }
 

@@ -110,6 +110,7 @@ MeasureShapeDiffusion(const SurfaceMesh &           wall,
   constexpr double        margin = 12.0; // mm
   constexpr double        step = 1.8;    // mm
   constexpr std::uint64_t steps = 200;
+  constexpr int           shapetons = 4000;
   for (PolypCandidate & candidate : candidates)
   {
     progress((&candidate - candidates.data()) / static_cast<double>(candidates.size()));
@@ -119,7 +120,7 @@ MeasureShapeDiffusion(const SurfaceMesh &           wall,
     ParticleDiffusionSettings settings;
     settings.volumeGradient.p = publishedSteepness;
     settings.volumeGradient.spacing = box.Spacing();
-    settings.shapetons = 4000;
+    settings.shapetons = shapetons;
     settings.distance = std::min(1.0, step / box.LongestSide());
     const std::vector<float> visits = VisitsIn(box, settings, margin, steps, {});
     candidate.features.shapetonDensity = box.MeanAt(visits, points) / std::max(1e-12, MeanOfTissue(box, visits));

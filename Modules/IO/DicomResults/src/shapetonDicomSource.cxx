@@ -1,7 +1,7 @@
 #include "shapetonDicomSource.h"
 
-#include "shapetonContainedProcess.h"
 #include "shapetonDicomAttributes.h"
+#include "shapetonDicomReading.h"
 #include "shapetonExceptions.h"
 
 #include "dcmtk/config/osconfig.h"
@@ -96,13 +96,7 @@ HeaderOf(const std::string & path)
 std::string
 ReadHeader(const std::string & path)
 {
-  ContainedProcess process(
-    [](const std::string & request, char *) {
-      PrepareDicomParsing();
-      return HeaderOf(request);
-    },
-    0,
-    { std::size_t(512) << 20, 15, 600 });
+  ContainedProcess process(DicomSourceService, 0, { std::size_t(512) << 20, 15, 600 });
   try
   {
     return process.Call(path);
@@ -135,6 +129,13 @@ RequireReferable(const DicomSeries & series, bool forPoints)
   }
 }
 } // namespace
+
+ContainedService
+MakeDicomSourceService()
+{
+  PrepareDicomParsing();
+  return [](const std::string & path, char *) { return HeaderOf(path); };
+}
 
 DicomSource
 ReadDicomSource(const std::string & path, const DicomSourceOptions & sourceOptions)
