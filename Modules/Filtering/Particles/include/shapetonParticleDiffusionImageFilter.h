@@ -160,8 +160,6 @@ protected:
   GenerateData() override;
 
 private:
-  static constexpr std::uint64_t DefaultTimeSteps = 2500;
-
   void
   ChooseParameters();
   ParticleDiffusionSettings
