@@ -154,6 +154,8 @@ class Option:
         value = self.default if value is None else value
         if value is None or value == []:
             return ""
+        if isinstance(value, list):
+            return ", ".join(map(self.cpp_default, value))
         if self.kind == "word":
             return f"{self.enum}::{self.words[value]}"
         if self.kind == "bool":
@@ -199,6 +201,8 @@ class Option:
     def xml_default(self) -> str:
         if self.default is None or self.default == []:
             return "auto" if self.suffix == "?" and self.is_number else ""
+        if isinstance(self.default, list):
+            return ",".join(map(str, self.default))
         if self.kind == "bool":
             return str(self.default).lower()
         return plain(number(self.default)) if self.is_number else str(self.default)

@@ -146,7 +146,7 @@ ShapeRow::Name() const
 ShapeTable
 DescribeShapes(const itk::Image<float, 3> * intensities,
                const LabelMap *             labels,
-               bool                         components,
+               const ShapeTableOptions &    options,
                const Progress &             progress)
 {
   if (intensities->GetBufferedRegion() != labels->GetBufferedRegion())
@@ -161,7 +161,7 @@ DescribeShapes(const itk::Image<float, 3> * intensities,
     ShapeRow row;
     row.label = all[i];
     const VoxelRuns shape = VoxelsOfLabel(labels, row.label);
-    if (components)
+    if (options.components)
     {
       DescribeComponents(intensities, shape, row, table);
     }
