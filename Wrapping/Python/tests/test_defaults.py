@@ -32,7 +32,7 @@ TOOLS = {
     "GraphCompare": [graphs.compare_graphs],
     "GraphEmbedding": [graphs.embed_graph],
     "GraphEmbeddingVerifier": [graphs.verify_embedding],
-    "SeededHeatSegmentation": [shapes.SeededHeat, shapes.seeds_of_classes, shapeton.read_volume],
+    "SeededHeatSegmentation": [shapes.SeededHeat, shapeton.read_volume],
     "ShapeSearch": [shapes.find_shape],
     "ShapeSignature": [shapes.describe_shapes, shapeton.read_volume],
     "ShapetonDiffusion": [shapeton.diffuse_shapetons, shapeton.read_volume],
@@ -80,6 +80,8 @@ OPTIONS_ALONE = {
     ("CumulativeHeatDiffusion", "snapshots"): "the number of recorded_steps",
     ("GraphCompare", "labels"): "a picture",
     ("GraphEmbedding", "disk"): "a picture",
+    ("SeededHeatSegmentation", "automaticSeeds"): "seeds_of_classes",
+    ("SeededHeatSegmentation", "components"): "seeds_of_classes, which does not separate components by default",
     ("ShapetonDiffusion", "previewEvery"): "progress",
 }
 
@@ -100,9 +102,10 @@ def options_of(tool):
 
 
 def defaults_of(function):
-    """Returns the defaults of a function by parameter."""
+    """Returns the defaults of a function by parameter, tuples as lists."""
     parameters = inspect.signature(function).parameters.values()
-    return {p.name: p.default for p in parameters if p.default is not inspect.Parameter.empty}
+    defaults = {p.name: p.default for p in parameters if p.default is not inspect.Parameter.empty}
+    return {name: list(default) if isinstance(default, tuple) else default for name, default in defaults.items()}
 
 
 def small(name):
