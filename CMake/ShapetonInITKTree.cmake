@@ -9,6 +9,9 @@ include(${Shapeton_SOURCE_DIR}/CMake/ShapetonTests.cmake)
 set(SHAPETON_TEST_DATA_DIR "$ENV{SHAPETON_TEST_DATA_DIR}" CACHE PATH
   "Folder of real data; tests that need it are skipped if this is empty")
 file(MAKE_DIRECTORY ${Shapeton_BINARY_DIR}/Testing/Temporary)
+# The program of the libraries, in the folder of ITK's libraries.
+set(Shapeton_PROGRAM_FOLDER Shapeton-ITK-${ITK_VERSION_MAJOR}.${ITK_VERSION_MINOR})
+set(CMAKE_INSTALL_LIBDIR ${ITK_INSTALL_LIBRARY_DIR})
 # Precompiled headers, the GPU plug-in and its tests are part of the stand-alone build only.
 function(shapeton_precompile)
 endfunction()

@@ -109,6 +109,11 @@ class Option:
         other.__dict__ = {**self.__dict__, "default": default}
         return other
 
+    def with_minimum(self, minimum: Any) -> Option:
+        other = self.with_default(self.default)
+        other.bounds = {**self.bounds, "minimum": minimum}
+        return other
+
     def optional(self) -> Option:
         """The same option in a function that also accepts None."""
         other = self.with_default(self.default)
@@ -126,7 +131,7 @@ class Option:
 
     def description(self) -> str:
         """The sentence, the unit and the range, without the default."""
-        facts = ", ".join(filter(None, [self.unit, self.range()]))
+        facts = ", ".join(filter(None, [self.unit and f"in {self.unit}", self.range()]))
         return self.sentence + (f" {facts[:1].upper()}{facts[1:]}." if facts else "")
 
     def default_in_words(self) -> str:
@@ -175,16 +180,17 @@ class Option:
     # ---- XML ----
 
     def xml(self) -> str:
-        tag = TYPES[self.kind][1] + ("-vector" if self.suffix == "[]" and self.kind != "point" else "")
+        tag = TYPES["word" if self.words else self.kind][1]
+        tag += "-vector" if self.suffix == "[]" and self.kind != "point" else ""
         tag = "string" if self.suffix == "?" and self.is_number else tag  # a number or "auto"
         attributes = ' multiple="true" coordinateSystem="lps"' if self.kind == "point" else ""
         lines = [
             f"<name>{self.name}</name>",
             f"<longflag>{self.name}</longflag>",
             f"<label>{self.label}</label>",
-            f"<description><![CDATA[{self.sentence}]]></description>",
-            f"<default>{self.xml_default()}</default>",
+            f"<description><![CDATA[{self.sentence}{self.unit and f' In {self.unit}.'}]]></description>",
         ]
+        lines += [f"<default>{self.xml_default()}</default>"] if self.kind != "point" else []
         lines += [f"<element>{word}</element>" for word in self.words]
         if self.bounds and self.is_number and not self.suffix:
             lines.append(f"<constraints>{self.xml_constraints()}</constraints>")
@@ -192,7 +198,7 @@ class Option:
 
     def xml_default(self) -> str:
         if self.default is None or self.default == []:
-            return ""
+            return "auto" if self.suffix == "?" and self.is_number else ""
         if self.kind == "bool":
             return str(self.default).lower()
         return plain(number(self.default)) if self.is_number else str(self.default)
@@ -378,11 +384,13 @@ REFERENCE = r"(\w+): ?([\w* ]+)"
 def expand_xml(text: str) -> str:
     def element(match: re.Match[str]) -> str:
         attributes = dict(re.findall(r'(\w+)="([^"]*)"', match[1]))
-        if unknown := set(attributes) - {"of", "names", "default"}:
+        if unknown := set(attributes) - {"of", "names", "default", "minimum"}:
             fail(f"<option> has the unknown attribute {min(unknown)}")
         chosen = declaration(attributes["of"]).chosen(attributes["names"])
         if "default" in attributes:
             chosen = [option.with_default(json.loads(attributes["default"])) for option in chosen]
+        if "minimum" in attributes:
+            chosen = [option.with_minimum(json.loads(attributes["minimum"])) for option in chosen]
         return "\n    ".join(option.xml() for option in chosen)
 
     return re.sub(r"<option ([^>]*)/>", element, text)

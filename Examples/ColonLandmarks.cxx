@@ -21,10 +21,10 @@ main(int argc, char * argv[])
   phantom->CenterOutput();
   phantom->TruthOnlyOn(); // the lumen mask, without the CT
   phantom->Update();
-  shapeton::ColonModelOptions modelOptions;
+  shapeton::ColonModelSettings modelOptions;
   modelOptions.faces = 30000;
-  const shapeton::ColonModel       colon = shapeton::BuildColonModelOfLumen(phantom->GetLumenOutput(), modelOptions);
-  shapeton::ColonFlatteningOptions options;
+  const shapeton::ColonModel        colon = shapeton::BuildColonModelOfLumen(phantom->GetLumenOutput(), modelOptions);
+  shapeton::ColonFlatteningSettings options;
   options.metric = shapeton::FlatMetric::Euclidean;
   const auto flattening = shapeton::FlattenColon(colon.wall.simplified, "the wall", options);
   const auto landmarks = shapeton::FindColonLandmarks(shapeton::FlatColon(flattening.map.flat), colon.centerline.curve);

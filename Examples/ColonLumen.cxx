@@ -24,8 +24,8 @@ main()
   ct->Allocate();
   std::copy_n(phantom->GetOutput()->GetBufferPointer(), ct->GetPixelContainer()->Size(), ct->GetBufferPointer());
 
-  shapeton::ColonLumenOptions options;
-  options.patientPosition = "HFS"; // as in the DICOM header; supine, fluid at the back
+  shapeton::ColonLumenSettings options;
+  options.position = "HFS"; // as in the DICOM header; supine, fluid at the back
   const shapeton::ColonLumen    lumen = shapeton::SegmentColonLumen(ct, options);
   const shapeton::CleansedColon cleansed = shapeton::CleanseColon(ct, lumen);
 

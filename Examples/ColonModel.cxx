@@ -37,7 +37,7 @@ main(int argc, char * argv[])
     voxel.Set(anatomy.Evaluate({ point[0], point[1], point[2] }).distance > 0.0);
   }
 
-  shapeton::ColonModelOptions options;
+  shapeton::ColonModelSettings options;
   options.faces = 20000;
   const shapeton::ColonModel colon = shapeton::BuildColonModelOfLumen(lumen, options);
   shapeton::WriteSurface(colon.wall.simplified, argv[1]);

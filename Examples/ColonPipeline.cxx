@@ -21,8 +21,8 @@ main(int argc, char * argv[])
 
     const auto model = shapeton::ColonModelFilter<itk::Image<float, 3>>::New();
     model->SetInput(ct.image);
-    model->SetPatientPosition(ct.patientPosition);
-    model->SetNumberOfFaces(20000);
+    model->SetPosition(ct.patientPosition);
+    model->SetFaces(20000);
     const auto flattening = shapeton::ColonFlatteningFilter<>::New();
     flattening->SetInput(model->GetOutput());
     flattening->SetCenterline(model->GetCenterlineOutput());

@@ -24,7 +24,7 @@ main(int argc, char * argv[])
     commandLine.MakeFolder(folder);
     const shapeton::Surface tube = shapeton::ReadSurface(commandLine.GetString("tube"));
     commandLine.AddInput("tube", tube.identity);
-    shapeton::ColonFlatteningOptions options;
+    shapeton::ColonFlatteningSettings options;
     options.progress = commandLine.PartOfProgress(0.0, 0.8);
     const shapeton::ColonFlattening flattening = shapeton::FlattenColon(tube.mesh, "the tube", options);
 

@@ -15,8 +15,8 @@ main(int argc, char * argv[])
     std::cerr << "Usage: " << argv[0] << " TUBE FLAT.vtp\n";
     return 2;
   }
-  const shapeton::Surface          tube = shapeton::ReadSurface(argv[1]);
-  shapeton::ColonFlatteningOptions options; // automatic diffusion time
+  const shapeton::Surface           tube = shapeton::ReadSurface(argv[1]);
+  shapeton::ColonFlatteningSettings options; // automatic diffusion time
   options.removeHandles = true;
   const shapeton::ColonFlattening flattening = shapeton::FlattenColon(tube.mesh, argv[1], options);
   shapeton::WriteSurface(flattening.map.flat, argv[2]); // in space, with the point array uv (mm)

@@ -39,7 +39,7 @@ main(int argc, char * argv[])
     }
   }
 
-  shapeton::ColonFlatteningOptions options;
+  shapeton::ColonFlatteningSettings options;
   options.metric = shapeton::FlatMetric::Euclidean;
   const shapeton::ColonFlattening flattening = shapeton::FlattenColon(tube, "the tube", options);
   const shapeton::FlatColon       flat(flattening.map.flat); // pixels of 1 mm

@@ -9,7 +9,7 @@ int
 main()
 {
   shapeton::SensorNetworkOptions options;
-  options.devices = 150;
+  options.nodes = 150;
   options.range = 150.0; // m
   options.speed = 20.0;  // m in a step
   shapeton::SensorNetwork network(options);

@@ -31,10 +31,10 @@ MakePatient(const std::string & position)
 static shapeton::ColonPosition
 Examine(Phantom * phantom)
 {
-  shapeton::ColonModelOptions modelOptions;
+  shapeton::ColonModelSettings modelOptions;
   modelOptions.faces = 20000;
-  const shapeton::ColonModel       colon = shapeton::BuildColonModelOfLumen(phantom->GetLumenOutput(), modelOptions);
-  shapeton::ColonFlatteningOptions options;
+  const shapeton::ColonModel        colon = shapeton::BuildColonModelOfLumen(phantom->GetLumenOutput(), modelOptions);
+  shapeton::ColonFlatteningSettings options;
   options.metric = shapeton::FlatMetric::Euclidean;
   const auto flattening = shapeton::FlattenColon(colon.wall.simplified, "the wall", options);
   const auto flexures = shapeton::FindColonFlexures(colon.centerline.curve).flexures;

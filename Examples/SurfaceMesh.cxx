@@ -16,10 +16,10 @@ main(int argc, char * argv[])
     std::cerr << "Usage: " << argv[0] << " SURFACE OUTPUT.vtp\n";
     return 2;
   }
-  const shapeton::Surface                surface = shapeton::ReadSurface(argv[1]);
-  const shapeton::SurfaceMesh            repaired = shapeton::RepairSurface(surface.mesh);
-  shapeton::SurfaceSimplificationOptions options;
-  options.targetFaces = 600;
+  const shapeton::Surface                 surface = shapeton::ReadSurface(argv[1]);
+  const shapeton::SurfaceMesh             repaired = shapeton::RepairSurface(surface.mesh);
+  shapeton::SurfaceSimplificationSettings options;
+  options.faces = 600;
   const shapeton::SurfaceMesh    simple = shapeton::SimplifySurface(repaired, options);
   const shapeton::SurfaceQuality quality = shapeton::InspectSurface(simple);
   shapeton::WriteSurface(simple, argv[2]);

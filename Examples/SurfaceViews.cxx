@@ -13,8 +13,8 @@ main(int argc, char * argv[])
     std::cerr << "Usage: " << argv[0] << " TUBE PICTURE.png\n";
     return 2;
   }
-  const shapeton::Surface       tube = shapeton::ReadSurface(argv[1]);
-  shapeton::ConformalMapOptions options;
+  const shapeton::Surface        tube = shapeton::ReadSurface(argv[1]);
+  shapeton::ConformalMapSettings options;
   options.domain = shapeton::ConformalDomain::Annulus;
   const shapeton::ConformalMap map = shapeton::MapConformally(tube.mesh, options, argv[1]);
 

@@ -3,6 +3,7 @@
 #include "shapetonColonFlatteningReport.h"
 #include "shapetonCommandLine.h"
 #include "shapetonJson.h"
+#include "shapetonReadOptions.h"
 #include "shapetonToolSurfaces.h"
 #include "shapetonSurfaceWriter.h"
 #include "shapetonExceptions.h"
@@ -23,22 +24,14 @@ CheckUsage(const CommandLine & commandLine)
     "--eigenpairs requires --metric truncatedHeatDiffusion; heatDiffusion uses all eigenpairs");
 }
 
-shapeton::ColonFlatteningOptions
+shapeton::ColonFlatteningSettings
 OptionsOf(CommandLine & commandLine)
 {
-  shapeton::ColonFlatteningOptions options;
-  const std::string                metric = commandLine.GetString("metric");
-  options.metric = metric == "euclidean"       ? shapeton::FlatMetric::Euclidean
-                   : metric == "heatDiffusion" ? shapeton::FlatMetric::HeatDiffusion
-                                               : shapeton::FlatMetric::TruncatedHeatDiffusion;
-  options.time = commandLine.GetDouble("time");
-  options.eigenpairs = commandLine.GetInteger("eigenpairs");
-  options.removeHandles = commandLine.GetFlag("removeHandles");
-  options.tube.conjugate = commandLine.GetString("method") == "published" ? shapeton::TubeConjugate::Published
-                                                                          : shapeton::TubeConjugate::Laplacian;
+  shapeton::ColonFlatteningSettings options;
+  shapeton::ReadOptions(commandLine, options);
   if (commandLine.IsGiven("cut"))
   {
-    options.tube.cutCurve = shapeton::OnlyCurve(shapeton::ReadCurves(commandLine, "cut"), commandLine.GetString("cut"));
+    options.cut = shapeton::OnlyCurve(shapeton::ReadCurves(commandLine, "cut"), commandLine.GetString("cut"));
   }
   if (commandLine.IsGiven("centerline"))
   {
@@ -65,10 +58,10 @@ Flatten(CommandLine & commandLine)
   commandLine.RecordRun(commandLine.GetString("outputFlat") + ".run.json");
 
   commandLine.Progress("Reading", 0.0);
-  const itk::Image<float, 3>::Pointer    ct = ReadCt(commandLine);
-  const shapeton::ColonFlatteningOptions options = OptionsOf(commandLine);
-  shapeton::Surface                      surface = shapeton::ReadSurface(commandLine, "inputSurface");
-  shapeton::ColonFlattening              flattening =
+  const itk::Image<float, 3>::Pointer     ct = ReadCt(commandLine);
+  const shapeton::ColonFlatteningSettings options = OptionsOf(commandLine);
+  shapeton::Surface                       surface = shapeton::ReadSurface(commandLine, "inputSurface");
+  shapeton::ColonFlattening               flattening =
     shapeton::FlattenColon(std::move(surface.mesh), '"' + commandLine.GetString("inputSurface") + '"', options);
   commandLine.Warn(flattening.warnings);
 

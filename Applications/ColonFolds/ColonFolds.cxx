@@ -3,6 +3,7 @@
 #include "shapetonCommandLine.h"
 #include "shapetonHaustralFoldFiles.h"
 #include "shapetonHaustralFoldPicture.h"
+#include "shapetonReadOptions.h"
 #include "shapetonToolSurfaces.h"
 #include "shapetonExceptions.h"
 
@@ -20,23 +21,6 @@ CheckUsage(const CommandLine & commandLine)
   shapeton::RequireParameter(!isPublished || !commandLine.IsGiven("smoothness"),
                              "--smoothness requires --scheme graphCut");
   shapeton::RequireFoldLabelsName(commandLine.GetString("outputLabels"));
-}
-
-shapeton::HaustralFoldOptions
-OptionsOf(const CommandLine & commandLine)
-{
-  shapeton::HaustralFoldOptions options;
-  options.scheme = commandLine.GetString("scheme") == "published" ? shapeton::HaustralFoldScheme::Published
-                                                                  : shapeton::HaustralFoldScheme::GraphCut;
-  options.minimumLength = commandLine.GetDouble("minimumLength");
-  options.minimumArea = commandLine.GetDouble("minimumArea");
-  options.minimumElongation = commandLine.GetDouble("minimumElongation");
-  options.minimumAngle = commandLine.GetDouble("minimumAngle");
-  options.smoothingTime = commandLine.GetDouble("smoothingTime");
-  options.smoothness = commandLine.GetDouble("smoothness");
-  options.publishedLow = commandLine.GetDouble("publishedLow");
-  options.publishedHigh = commandLine.GetDouble("publishedHigh");
-  return options;
 }
 
 /** Optional output files; a name is empty if the file is not requested. */
@@ -102,27 +86,28 @@ FindFolds(CommandLine & commandLine)
   commandLine.RecordRun(commandLine.GetString("outputLabels") + ".run.json");
 
   commandLine.Progress("Reading", 0.0);
-  const std::string             what = '"' + commandLine.GetString("inputFlat") + '"';
-  const shapeton::Surface       surface = shapeton::ReadSurface(commandLine, "inputFlat");
-  shapeton::HaustralFoldOptions options = OptionsOf(commandLine);
-  shapeton::CurveSet            taeniae;
+  const std::string              what = '"' + commandLine.GetString("inputFlat") + '"';
+  const shapeton::Surface        surface = shapeton::ReadSurface(commandLine, "inputFlat");
+  shapeton::HaustralFoldSettings settings;
+  shapeton::ReadOptions(commandLine, settings);
+  shapeton::CurveSet taeniae;
   if (commandLine.IsGiven("taeniae"))
   {
     taeniae = shapeton::ReadCurves(commandLine, "taeniae");
-    options.taeniae = &taeniae;
+    settings.taeniae = &taeniae;
   }
   shapeton::FlatColonGridOptions gridOptions;
-  gridOptions.pixelSize = commandLine.GetDouble("pixelSize");
+  shapeton::ReadOptions(commandLine, gridOptions);
   const shapeton::FlatColon flat(surface.mesh, gridOptions, what);
 
   commandLine.Progress("Folds", 0.2);
-  const shapeton::HaustralFolds folds = shapeton::FindHaustralFolds(flat, options);
+  const shapeton::HaustralFolds folds = shapeton::FindHaustralFolds(flat, settings);
   commandLine.Warn(folds.warnings);
 
   commandLine.Progress("Writing", 0.7);
   files.Write(folds, flat.Grid());
   commandLine.Progress("Painting", 0.8);
-  files.WritePicture({ &flat, &folds, options.taeniae, {} }, flat.Grid().PixelSize());
+  files.WritePicture({ &flat, &folds, settings.taeniae, {} }, flat.Grid().PixelSize());
 }
 } // namespace
 

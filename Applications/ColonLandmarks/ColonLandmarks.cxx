@@ -3,6 +3,7 @@
 #include "shapetonColonLandmarkFiles.h"
 #include "shapetonColonLandmarkReport.h"
 #include "shapetonCommandLine.h"
+#include "shapetonReadOptions.h"
 #include "shapetonToolSurfaces.h"
 
 #include <optional>
@@ -11,31 +12,28 @@ namespace
 {
 using shapeton::CommandLine;
 
-shapeton::ColonLandmarkOptions
-OptionsOf(CommandLine & commandLine)
+shapeton::ColonLandmarkSettings
+SettingsOf(CommandLine & commandLine)
 {
-  shapeton::ColonLandmarkOptions options;
-  options.flexureRule = commandLine.GetString("flexureRule") == "published" ? shapeton::FlexureRule::Published
-                                                                            : shapeton::FlexureRule::Ordered;
-  options.taeniaRule =
-    commandLine.GetString("taeniaRule") == "published" ? shapeton::TaeniaRule::Published : shapeton::TaeniaRule::Joint;
+  shapeton::ColonLandmarkSettings settings;
+  shapeton::ReadOptions(commandLine, settings);
   if (commandLine.IsGiven("markers"))
   {
-    options.markers = shapeton::ReadTaeniaMarkers(commandLine, "markers");
+    settings.markers = shapeton::ReadTaeniaMarkers(commandLine, "markers");
   }
-  options.progress = commandLine.PartOfProgress(0.0, 0.7); // the rest: splitting the colon and writing the files
-  return options;
+  settings.progress = commandLine.PartOfProgress(0.0, 0.7); // the rest: splitting the colon and writing the files
+  return settings;
 }
 
 void
 Mark(CommandLine & commandLine)
 {
-  const shapeton::ColonLandmarkFiles   files(commandLine, commandLine.GetString("outputFolder"));
-  const shapeton::ColonLandmarkReport  report(commandLine, commandLine.GetString("report"));
-  const shapeton::ColonLandmarkOptions options = OptionsOf(commandLine);
-  const shapeton::CurveSet             centerline = shapeton::ReadCurves(commandLine, "inputCenterline");
-  const shapeton::FlatColon            flat(shapeton::ReadSurface(commandLine, "inputFlat").mesh);
-  const shapeton::ColonLandmarks       landmarks = shapeton::FindColonLandmarks(flat, centerline, options);
+  const shapeton::ColonLandmarkFiles    files(commandLine, commandLine.GetString("outputFolder"));
+  const shapeton::ColonLandmarkReport   report(commandLine, commandLine.GetString("report"));
+  const shapeton::ColonLandmarkSettings settings = SettingsOf(commandLine);
+  const shapeton::CurveSet              centerline = shapeton::ReadCurves(commandLine, "inputCenterline");
+  const shapeton::FlatColon             flat(shapeton::ReadSurface(commandLine, "inputFlat").mesh);
+  const shapeton::ColonLandmarks        landmarks = shapeton::FindColonLandmarks(flat, centerline, settings);
   commandLine.Warn(landmarks.warnings);
 
   std::optional<shapeton::ColonPieces> pieces;

@@ -3,6 +3,7 @@
 #include "shapetonCommandLine.h"
 #include "shapetonPolypCandidateReport.h"
 #include "shapetonPolypContent.h"
+#include "shapetonReadOptions.h"
 #include "shapetonRegistrationFiles.h"
 #include "shapetonSha256.h"
 #include "shapetonSlicerMarkups.h"
@@ -94,12 +95,10 @@ SearchForPolyps(CommandLine & commandLine)
   }
   commandLine.Warn(colon.warnings);
 
-  shapeton::PolypSearchOptions options;
-  options.preset =
-    commandLine.GetString("preset") == "published" ? shapeton::PolypPreset::Published : shapeton::PolypPreset::Default;
-  options.sensitivity = commandLine.GetDouble("sensitivity");
-  options.progress = commandLine.PartOfProgress(0.2, 0.7);
-  Candidates candidates = shapeton::SearchPolyps(colon, options);
+  shapeton::PolypSearchSettings settings;
+  shapeton::ReadOptions(commandLine, settings);
+  settings.progress = commandLine.PartOfProgress(0.2, 0.7);
+  Candidates candidates = shapeton::SearchPolyps(colon, settings);
   MapToOther(commandLine, candidates);
 
   commandLine.Progress("Writing", 0.7);

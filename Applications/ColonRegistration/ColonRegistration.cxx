@@ -1,6 +1,7 @@
 #include "ColonRegistrationXML.h"
 
 #include "shapetonCommandLine.h"
+#include "shapetonReadOptions.h"
 #include "shapetonRegistrationFiles.h"
 #include "shapetonRegistrationReport.h"
 #include "shapetonSha256.h"
@@ -30,20 +31,6 @@ ReadTruth(CommandLine & commandLine)
   return shapeton::ReadPointPairs(path);
 }
 
-shapeton::SupineProneOptions
-OptionsOf(const CommandLine & commandLine)
-{
-  shapeton::SupineProneOptions options;
-  options.map = commandLine.GetString("map") == "published" ? shapeton::SupineProneMap::Published
-                                                            : shapeton::SupineProneMap::Default;
-  options.matching = commandLine.GetString("matching") == "dualDecomposition"
-                       ? shapeton::FoldMatchingMethod::DualDecomposition
-                       : shapeton::FoldMatchingMethod::Hungarian;
-  options.refines = commandLine.GetFlag("refine");
-  options.isSegmentWise = commandLine.GetFlag("segmentWise");
-  return options;
-}
-
 void
 WarnOf(CommandLine & commandLine, const shapeton::SupineProneRegistration & registration)
 {
@@ -70,9 +57,11 @@ Register(CommandLine & commandLine)
   {
     commandLine.Warn("both folders contain the same examination, which is registered to itself");
   }
+  shapeton::SupineProneSettings settings;
+  shapeton::ReadOptions(commandLine, settings);
   commandLine.Progress("Registering", 0.2);
   const shapeton::SupineProneRegistration registration =
-    shapeton::RegisterColonPositions(supine.position, prone.position, OptionsOf(commandLine));
+    shapeton::RegisterColonPositions(supine.position, prone.position, settings);
   WarnOf(commandLine, registration);
   commandLine.Progress("Writing", 0.8);
   const shapeton::RegistrationResults results = shapeton::MakeRegistrationResults(supine, prone, registration, truth);

@@ -4,6 +4,7 @@
 #include "shapetonColonModelReport.h"
 #include "shapetonCommandLine.h"
 #include "shapetonExceptions.h"
+#include "shapetonReadOptions.h"
 #include "shapetonToolVolumes.h"
 
 namespace
@@ -23,38 +24,34 @@ CheckUsage(const CommandLine & commandLine)
   shapeton::RequireParameter(faces == 0 || faces >= 1000, "--faces must be 0 or at least 1000");
 }
 
-shapeton::ColonModelOptions
-OptionsOf(CommandLine & commandLine, const std::string & patientPosition)
+shapeton::ColonModelSettings
+SettingsOf(CommandLine & commandLine, const shapeton::Volume & volume)
 {
-  shapeton::ColonModelOptions options;
-  const std::string           position = commandLine.GetString("position");
-  options.patientPosition = position == "auto" ? patientPosition : position;
-  for (const auto & point : commandLine.GetPoints("seedPoint"))
+  shapeton::ColonModelSettings settings;
+  shapeton::ReadOptions(commandLine, settings);
+  if (settings.position == "auto")
   {
-    options.seedPoints.emplace_back(point.data());
+    settings.position = volume.patientPosition;
   }
-  options.faces = commandLine.GetInteger("faces");
-  options.keepPieces = commandLine.GetFlag("keepPieces");
-  options.keepPartial = commandLine.GetFlag("keepPartial");
-  options.progress = commandLine.PartOfProgress(0.0, 0.9); // the rest: writing the files
-  return options;
+  settings.progress = commandLine.PartOfProgress(0.0, 0.9); // the rest: writing the files
+  return settings;
 }
 
 shapeton::ColonModel
-ModelOf(CommandLine & commandLine, const shapeton::Volume & volume, const shapeton::ColonModelOptions & options)
+ModelOf(CommandLine & commandLine, const shapeton::Volume & volume, const shapeton::ColonModelSettings & settings)
 {
   if (commandLine.GetFlag("inputIsLumen"))
   {
     return shapeton::BuildColonModelOfLumen(shapeton::MaskOfVolume(volume, commandLine.GetString("inputVolume")),
-                                            options);
+                                            settings);
   }
   shapeton::WarnUnlessCT(commandLine, volume);
   if (commandLine.IsGiven("lumen"))
   {
     const auto mask = shapeton::ReadLabelMask(commandLine, "lumen", volume.image);
-    return shapeton::BuildColonModel(volume.image, mask.GetPointer(), options);
+    return shapeton::BuildColonModel(volume.image, mask.GetPointer(), settings);
   }
-  return shapeton::BuildColonModel(volume.image, options);
+  return shapeton::BuildColonModel(volume.image, settings);
 }
 
 void
@@ -64,9 +61,9 @@ Segment(CommandLine & commandLine)
   shapeton::ColonModelFiles        files(commandLine, commandLine.GetString("outputFolder"));
   const shapeton::ColonModelReport report(commandLine, commandLine.GetString("report"));
   const shapeton::Volume           volume = shapeton::ReadVolume(commandLine, "inputVolume");
-  shapeton::ColonModelOptions      options = OptionsOf(commandLine, volume.patientPosition);
-  files.WriteBeside(options);
-  shapeton::ColonModel model = ModelOf(commandLine, volume, options);
+  shapeton::ColonModelSettings     settings = SettingsOf(commandLine, volume);
+  files.WriteBeside(settings);
+  shapeton::ColonModel model = ModelOf(commandLine, volume, settings);
   commandLine.Warn(model.warnings);
   const bool isPartial = !model.failure.empty();
   if (!isPartial || commandLine.GetFlag("keepPartial"))

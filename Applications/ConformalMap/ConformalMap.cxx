@@ -5,6 +5,7 @@
 #include "shapetonCsvTable.h"
 #include "shapetonHeatDiffusionMetric.h"
 #include "shapetonJson.h"
+#include "shapetonReadOptions.h"
 #include "shapetonToolSurfaces.h"
 #include "shapetonSurfaceWriter.h"
 #include "shapetonExceptions.h"
@@ -33,14 +34,6 @@ CheckUsage(const CommandLine & commandLine)
                              "--forms requires --domain slit, the slit maps of all inner boundaries");
 }
 
-shapeton::ConformalDomain
-DomainOf(const std::string & name)
-{
-  return name == "rectangle" ? shapeton::ConformalDomain::Rectangle
-         : name == "annulus" ? shapeton::ConformalDomain::Annulus
-                             : shapeton::ConformalDomain::Slit;
-}
-
 /** Edge lengths in the heat diffusion metric. */
 Eigen::VectorXd
 DiffusionLengths(CommandLine & commandLine, const shapeton::SurfaceMesh & mesh)
@@ -60,11 +53,8 @@ DiffusionLengths(CommandLine & commandLine, const shapeton::SurfaceMesh & mesh)
 shapeton::ConformalMap
 MapOf(CommandLine & commandLine, const shapeton::SurfaceMesh & mesh)
 {
-  shapeton::ConformalMapOptions options;
-  options.domain = DomainOf(commandLine.GetString("domain"));
-  options.outerBoundary = commandLine.GetInteger("outerBoundary");
-  options.innerBoundary = commandLine.GetInteger("innerBoundary");
-  options.corners = commandLine.GetIntegers("corners");
+  shapeton::ConformalMapSettings options;
+  shapeton::ReadOptions(commandLine, options);
   if (commandLine.GetString("metric") == "heatDiffusion")
   {
     options.edgeLengths = DiffusionLengths(commandLine, mesh);
@@ -93,7 +83,7 @@ Flatten(CommandLine & commandLine)
   const std::string forms = commandLine.OutputOf("forms");
   commandLine.RecordRun(output + ".run.json");
   shapeton::SurfaceReadOptions options;
-  options.isAnyExtentPlausible = true; // angles have no unit
+  options.anyExtent = true; // angles have no unit
   options.takesOneComponent = true;
   const shapeton::Surface surface = shapeton::ReadRepairedSurface(commandLine, "inputSurface", options);
   commandLine.Progress("Mapping", 0.1);

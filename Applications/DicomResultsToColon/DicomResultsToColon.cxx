@@ -3,6 +3,7 @@
 #include "shapetonCommandLine.h"
 #include "shapetonDicomToColon.h"
 #include "shapetonExceptions.h"
+#include "shapetonReadOptions.h"
 #include "shapetonSha256.h"
 #include "shapetonVolumeWriter.h"
 
@@ -82,8 +83,7 @@ shapeton::DicomSource
 ReadSource(const CommandLine & commandLine)
 {
   shapeton::DicomSourceOptions options;
-  options.seriesUID = commandLine.GetString("seriesUID");
-  options.deshear = commandLine.GetFlag("deshear");
+  shapeton::ReadOptions(commandLine, options);
   options.offersDeshear = true;
   options.forPoints = commandLine.IsGiven("markers");
   return shapeton::ReadDicomSource(commandLine.GetString("source"), options);

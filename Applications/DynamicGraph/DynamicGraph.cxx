@@ -4,6 +4,7 @@
 #include "shapetonGraphComparisonPictures.h"
 #include "shapetonGraphReader.h"
 #include "shapetonJson.h"
+#include "shapetonReadOptions.h"
 #include "shapetonSha256.h"
 #include "shapetonExceptions.h"
 
@@ -17,8 +18,8 @@ using shapeton::CommandLine;
 shapeton::DynamicSequence
 EmbedAll(CommandLine & commandLine)
 {
-  shapeton::GenusOptions genus;
-  genus.seed = static_cast<std::uint64_t>(commandLine.GetInteger("seed"));
+  shapeton::GenusSettings genus;
+  shapeton::ReadOptions(commandLine, genus);
   shapeton::DynamicEmbedding dynamic(genus);
   shapeton::DynamicSequence  sequence;
   std::string                identities;

@@ -4,6 +4,7 @@
 #include "shapetonCsvTable.h"
 #include "shapetonGraphComparisonPictures.h"
 #include "shapetonJson.h"
+#include "shapetonReadOptions.h"
 #include "shapetonToolGraphs.h"
 
 namespace
@@ -58,10 +59,10 @@ Compare(CommandLine & commandLine)
   commandLine.RecordRun(folder + "/run.json");
   commandLine.LeaveOutOfProvenance("labels"); // affects pictures only
 
-  const shapeton::Graph  a = shapeton::ReadGraph(commandLine, "graphA");
-  const shapeton::Graph  b = shapeton::ReadGraph(commandLine, "graphB");
-  shapeton::GenusOptions genus;
-  genus.seed = static_cast<std::uint64_t>(commandLine.GetInteger("seed"));
+  const shapeton::Graph   a = shapeton::ReadGraph(commandLine, "graphA");
+  const shapeton::Graph   b = shapeton::ReadGraph(commandLine, "graphB");
+  shapeton::GenusSettings genus;
+  shapeton::ReadOptions(commandLine, genus);
   commandLine.Progress("Comparing", 0.1);
   shapeton::GraphComparison comparison = shapeton::CompareGraphs(a, b, genus);
   for (const auto * certificate : { &comparison.a, &comparison.b })

@@ -4,38 +4,23 @@
 #include "shapetonGraphEmbedding.h"
 #include "shapetonGraphGenus.h"
 #include "shapetonGraphInSpace.h"
+#include "shapetonReadOptions.h"
 #include "shapetonToolGraphs.h"
 #include "shapetonGraphReport.h"
 #include "shapetonExceptions.h"
 
 #include <algorithm>
-#include <charconv>
 #include <filesystem>
 
 namespace
 {
 using shapeton::CommandLine;
 
-/** The requested genus; -1 for the smallest. */
-int
-GenusOf(const std::string & text)
-{
-  int          genus = -1;
-  const char * end = text.data() + text.size();
-  const auto   result = std::from_chars(text.data(), end, genus);
-  shapeton::RequireParameter(text == "auto" || (result.ec == std::errc() && result.ptr == end && genus >= 0),
-                             "--genus must be auto or a non-negative integer, got \"" + text + '"');
-  return text == "auto" ? -1 : genus;
-}
-
-shapeton::GraphEmbeddingOptions
+shapeton::GraphEmbeddingSettings
 OptionsOf(const CommandLine & commandLine)
 {
-  shapeton::GraphEmbeddingOptions options;
-  options.augmentation =
-    commandLine.GetString("augmentation") == "ring" ? shapeton::Augmentation::Ring : shapeton::Augmentation::None;
-  options.infinity = commandLine.GetString("infinity") == "circle" ? shapeton::PointAtInfinity::Circle
-                                                                   : shapeton::PointAtInfinity::EdgeNode;
+  shapeton::GraphEmbeddingSettings options;
+  shapeton::ReadOptions(commandLine, options);
   options.isRotationFree = !commandLine.IsGiven("rotation");
   return options;
 }
@@ -48,9 +33,8 @@ SurfaceOf(CommandLine & commandLine, const shapeton::Graph & graph)
   {
     return { shapeton::ReadRotation(commandLine, "rotation", graph), 0, false };
   }
-  shapeton::GenusOptions options;
-  options.genus = GenusOf(commandLine.GetString("genus"));
-  options.seed = static_cast<std::uint64_t>(commandLine.GetInteger("seed"));
+  shapeton::GenusSettings options;
+  shapeton::ReadOptions(commandLine, options);
   return shapeton::FindEmbedding(graph, options);
 }
 
@@ -109,7 +93,6 @@ struct Pictures
 void
 Embed(CommandLine & commandLine)
 {
-  GenusOf(commandLine.GetString("genus"));
   shapeton::RequireParameter(!commandLine.IsGiven("rotation") || !commandLine.IsGiven("genus"),
                              "--rotation determines the genus; omit --genus");
   const Pictures    pictures(commandLine);

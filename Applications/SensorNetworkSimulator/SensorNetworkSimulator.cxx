@@ -3,6 +3,7 @@
 #include "shapetonCommandLine.h"
 #include "shapetonCsvTable.h"
 #include "shapetonGraphReader.h"
+#include "shapetonReadOptions.h"
 #include "shapetonSensorNetwork.h"
 #include "shapetonExceptions.h"
 
@@ -12,19 +13,6 @@
 namespace
 {
 using shapeton::CommandLine;
-
-shapeton::SensorNetworkOptions
-OptionsOf(const CommandLine & commandLine)
-{
-  shapeton::SensorNetworkOptions options;
-  options.devices = commandLine.GetInteger("nodes");
-  options.seed = static_cast<std::uint64_t>(commandLine.GetInteger("seed"));
-  options.range = commandLine.GetDouble("range");
-  options.speed = commandLine.GetDouble("speed");
-  options.planar =
-    commandLine.GetString("planar") == "gabriel" ? shapeton::PlanarSubgraph::Gabriel : shapeton::PlanarSubgraph::None;
-  return options;
-}
 
 /** Rejects a folder with files, which could mix with the steps of this run. */
 void
@@ -62,9 +50,11 @@ AddDevices(shapeton::CsvTable & table, const shapeton::SensorNetwork & network, 
 void
 Simulate(CommandLine & commandLine)
 {
-  const std::string       folder = commandLine.GetString("outputFolder");
-  const int               steps = commandLine.GetInteger("steps");
-  shapeton::SensorNetwork network(OptionsOf(commandLine));
+  const std::string              folder = commandLine.GetString("outputFolder");
+  const int                      steps = commandLine.GetInteger("steps");
+  shapeton::SensorNetworkOptions options;
+  shapeton::ReadOptions(commandLine, options);
+  shapeton::SensorNetwork network(options);
   RequireOwnFolder(folder, steps);
   commandLine.MakeFolder(folder);
   commandLine.MakeFolder(folder + "/devices");

@@ -44,8 +44,8 @@ MakeSurface()
 SurfaceMesh
 SimplifyByUs(const SurfaceMesh & mesh)
 {
-  shapeton::SurfaceSimplificationOptions options;
-  options.targetFaces = static_cast<int>(KeptShare * mesh.NumberOfFaces());
+  shapeton::SurfaceSimplificationSettings options;
+  options.faces = static_cast<int>(KeptShare * mesh.NumberOfFaces());
   return shapeton::SimplifySurface(mesh, options);
 }
 

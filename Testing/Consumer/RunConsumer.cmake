@@ -65,12 +65,27 @@ foreach(description IN LISTS descriptions)
   string(REGEX REPLACE "\\.xml$" "" tool "${description}")
   needs("${tool}")
 endforeach()
+get_filename_component(programs "${TOOLS_DIR}" DIRECTORY)
+needs("${PREFIX}/${programs}/ShapetonFileParser")
 
-# Runs a tool in the layout of a 3D Slicer extension: one folder below the libraries.
+# Runs tools in the layout of a 3D Slicer extension: one folder below the libraries.
 set(extension "${WORK_DIR}/extension/lib/Slicer")
 file(REMOVE_RECURSE "${WORK_DIR}/extension")
 file(GLOB runtime "${PREFIX}/lib/libShapeton*.so.*")
 file(COPY ${runtime} DESTINATION "${extension}")
-file(COPY "${PREFIX}/${TOOLS_DIR}/ShapePhantom" DESTINATION "${extension}/cli-modules")
+get_filename_component(program_folder "${programs}" NAME)
+file(COPY "${PREFIX}/${programs}/ShapetonFileParser" DESTINATION "${extension}/${program_folder}")
+file(COPY "${PREFIX}/${TOOLS_DIR}/ShapePhantom" "${PREFIX}/${TOOLS_DIR}/CumulativeHeatDiffusion"
+  DESTINATION "${extension}/cli-modules")
 run("${extension}/cli-modules/ShapePhantom" --version)
 expect("${VERSION}")
+run("${extension}/cli-modules/CumulativeHeatDiffusion" "${volume}" "${WORK_DIR}/extension.nrrd" --timeSteps 10)
+
+# Without the program that parses files, the message lists where it was searched.
+file(REMOVE "${extension}/${program_folder}/ShapetonFileParser")
+execute_process(COMMAND "${extension}/cli-modules/CumulativeHeatDiffusion" "${volume}" "${WORK_DIR}/missing.nrrd"
+  OUTPUT_QUIET ERROR_VARIABLE errors RESULT_VARIABLE status)
+string(FIND "${errors}" "${extension}/${program_folder}/ShapetonFileParser, " place)
+if(NOT status EQUAL 1 OR place EQUAL -1 OR NOT errors MATCHES "is missing.*SHAPETON_FILE_PARSER[^\n]*\n$")
+  message(FATAL_ERROR "status ${status} without ShapetonFileParser: ${errors}")
+endif()

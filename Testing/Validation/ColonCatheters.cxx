@@ -98,8 +98,8 @@ TryExam(const ColonPhantomParameters & parameters)
   const auto cast = itk::CastImageFilter<Source::ImageType, itk::Image<float, 3>>::New();
   cast->SetInput(source->GetOutput());
   cast->Update();
-  ColonLumenOptions options;
-  options.patientPosition = parameters.position;
+  ColonLumenSettings options;
+  options.position = parameters.position;
   const ColonLumen lumen = SegmentColonLumen(cast->GetOutput(), options);
 
   CatheterTrial               trial;

@@ -92,7 +92,7 @@ MakeColumn(const std::string & preset, bool isFromCt, double spacing, const std:
 FoldErrors
 TryFolds(const FlatColon & flat, const LandmarkExam & exam, HaustralFoldScheme scheme)
 {
-  HaustralFoldOptions options;
+  HaustralFoldSettings options;
   options.scheme = scheme;
   return MeasureFoldErrors(flat.Grid(), FindHaustralFolds(flat, options), exam.anatomy->Folds());
 }

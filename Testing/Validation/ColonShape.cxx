@@ -275,7 +275,7 @@ private:
   static HaustralFolds
   Find(const FlatColon & flat, const CurveSet & taeniae)
   {
-    HaustralFoldOptions options;
+    HaustralFoldSettings options;
     options.taeniae = taeniae.curves.empty() ? nullptr : &taeniae;
     return FindHaustralFolds(flat, options);
   }

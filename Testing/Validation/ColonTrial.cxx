@@ -367,10 +367,10 @@ MeasureMeshes(const ColonModel & model, ColonErrors & errors)
 ColonErrors
 TryColon(const ColonCase & one, int faces)
 {
-  const auto        truth = MakePhantom(one);
-  const auto        ct = ToFloat(truth->GetOutput());
-  ColonModelOptions options;
-  options.patientPosition = one.parameters.position;
+  const auto         truth = MakePhantom(one);
+  const auto         ct = ToFloat(truth->GetOutput());
+  ColonModelSettings options;
+  options.position = one.parameters.position;
   options.faces = faces;
   ColonErrors errors;
   const auto  start = std::chrono::steady_clock::now();

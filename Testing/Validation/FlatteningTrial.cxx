@@ -50,8 +50,8 @@ GenerateTube(int faces, int handles, int seed, int span, double length)
 testsurfaces::ColonTube
 GenerateDecimatedTube(int handles, int seed)
 {
-  SurfaceSimplificationOptions options;
-  options.targetFaces = 55000;
+  SurfaceSimplificationSettings options;
+  options.faces = 55000;
   testsurfaces::ColonTube tube = GenerateTube(1000000, handles, seed);
   tube.mesh = SimplifySurface(tube.mesh, options);
   return tube;

@@ -120,8 +120,8 @@ private:
 SurfaceMesh
 PartWhere(const SurfaceMesh & mesh, const std::function<double(const Vector3d &)> & inside, double edge)
 {
-  SurfaceRemeshingOptions options;
-  options.targetEdgeLength = edge;
+  SurfaceRemeshingSettings options;
+  options.edgeLength = edge;
   return RemeshSurface(LargestComponent(RepairSurface(Clipper(mesh, inside).Positive())), options);
 }
 } // namespace
@@ -183,8 +183,8 @@ SurfaceOfSolid(const SignedDistance & solid, const Vector3d & low, const Vector3
       }
     }
   }
-  SurfaceRemeshingOptions options;
-  options.targetEdgeLength = edge;
+  SurfaceRemeshingSettings options;
+  options.edgeLength = edge;
   return RemeshSurface(ExtractWall(occupancy), options);
 }
 

@@ -68,7 +68,7 @@ void
 GraphSet::Add(const Graph & graph)
 {
   const SurfaceEmbedding surface = FindEmbedding(graph);
-  GraphEmbeddingOptions  options;
+  GraphEmbeddingSettings options;
   options.isRotationFree = true;
   const EmbeddingCertificate certificate = EmbedGraph(graph, surface.map, options);
   const EmbeddingVerdict     verdict = VerifyEmbedding(certificate);
@@ -248,8 +248,8 @@ CompareWithSfdp(bool isQuick, ValidationReport & report)
 {
   const int            side = isQuick ? 20 : 55;
   SensorNetworkOptions options;
-  options.devices = isQuick ? 400 : 3000;
-  options.range = 2200.0 / std::sqrt(options.devices);
+  options.nodes = isQuick ? 400 : 3000;
+  options.range = 2200.0 / std::sqrt(options.nodes);
   const std::vector<std::pair<std::string, Graph>> graphs = {
     { "triangles on a sphere", peers::GridOnSphere(side).ToGraph() },
     { "sensor network, Gabriel graph", SensorNetwork(options).GetGraph() },
@@ -336,7 +336,7 @@ Graph
 GabrielGraph(int devices, std::uint64_t seed)
 {
   SensorNetworkOptions options;
-  options.devices = devices;
+  options.nodes = devices;
   options.range = 2200.0 / std::sqrt(devices);
   options.seed = seed;
   return SensorNetwork(options).GetGraph();

@@ -12,7 +12,7 @@ namespace
 {
 /** Also valid without any detections. */
 LandmarkErrors
-TryLandmarks(const LandmarkExam & exam, const ColonLandmarkOptions & options, std::string & failure)
+TryLandmarks(const LandmarkExam & exam, const ColonLandmarkSettings & options, std::string & failure)
 {
   try
   {
@@ -77,9 +77,9 @@ LandmarkScores::Rule::Add(const LandmarkErrors & errors)
 std::vector<std::string>
 LandmarkScores::Add(const LandmarkExam & exam)
 {
-  std::string          failure;
-  ColonLandmarkOptions options;
-  const LandmarkErrors ours = TryLandmarks(exam, options, failure);
+  std::string           failure;
+  ColonLandmarkSettings options;
+  const LandmarkErrors  ours = TryLandmarks(exam, options, failure);
   m_Ours.Add(ours);
   for (std::size_t k = 0; k < ours.flexures.size(); ++k)
   {

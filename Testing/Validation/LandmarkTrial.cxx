@@ -46,13 +46,13 @@ MakePhantom(const LandmarkCase & one)
 ColonModel
 MakeModel(const LandmarkCase & one)
 {
-  const auto        source = MakePhantom(one);
-  ColonModelOptions options;
+  const auto         source = MakePhantom(one);
+  ColonModelSettings options;
   if (!one.isFromCt)
   {
     return BuildColonModelOfLumen(source->GetLumenOutput(), options);
   }
-  options.patientPosition = one.parameters.position;
+  options.position = one.parameters.position;
   const auto cast = itk::CastImageFilter<Source::ImageType, itk::Image<float, 3>>::New();
   cast->SetInput(source->GetOutput());
   cast->Update();
@@ -99,7 +99,7 @@ MakeFlat(const LandmarkCase & one, ColonExam & exam)
     exam.ct = model.cleansed ? AroundLumen(model.cleansed.GetPointer(), model.lumen.labels) : nullptr;
     exam.catheter =
       model.lumen.catheter && model.lumen.catheter->isSure ? CurveOfCatheter(*model.lumen.catheter) : CurveSet();
-    ColonFlatteningOptions options;
+    ColonFlatteningSettings options;
     options.centerline = exam.centerline;
     exam.wall = std::move(model.wall.repaired);
     exam.flat = FlattenColon(std::move(model.wall.simplified), NameOfCase(one), options).map.flat;

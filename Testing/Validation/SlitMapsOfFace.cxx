@@ -118,7 +118,7 @@ ValidateSlitMapsOfFace(const ValidationSettings & settings, ValidationReport & r
   const SurfaceConnectivity connectivity(mesh);
   const Eigen::VectorXd     lengths = EdgeLengths(connectivity, mesh.V);
   const double              t = 8.0 * lengths.mean() * lengths.mean();
-  ConformalMapOptions       options;
+  ConformalMapSettings      options;
   const ConformalMap        euclidean = MapConformally(mesh, options, "the face");
   options.edgeLengths = ComputeHeatDiffusionMetric(mesh, t).edgeLengths;
   const ConformalMap diffusion = MapConformally(mesh, options, "the face");

@@ -1,11 +1,15 @@
 """Messages do not give advice that the tool rejects."""
 
 import re
+import sys
 from pathlib import Path
 
 from .modules import arguments, declared, folder_of
 from .tree import Fault
 from .xml_tree import parse, text_of
+
+sys.path.append(str(Path(__file__).resolve().parents[3] / "CMake"))
+from options import expand_xml  # noqa: E402
 
 BUILT_IN = {"help", "version", "xml", "quiet", "returnparameterfile"}
 # Values in messages that a tool rejects but never prints. `component` = -1 is omitted if
@@ -21,7 +25,7 @@ NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?", re.ASCII)
 
 def parameters_of(tree, xml):
     """Returns the parameters that a tool declares, by name."""
-    root, _ = parse(tree.text(xml))
+    root, _ = parse(expand_xml(tree.text(xml)))
     return {text_of(element, "name"): element for element in root.iter()
             if element.find("name") is not None and element.tag != "parameters"}
 

@@ -100,12 +100,12 @@ def _colon_position(
 
 @public
 def segment_lumen(
-    ct: Image, *, position: str = "", seed_point: Points = (), progress: Optional[Progress] = None
+    ct: Image, *, position: str = "auto", seed_point: Points = (), progress: Optional[Progress] = None
 ) -> ColonLumen:
     """Segments gas and tagged fluid of the colon in a CT colonography.
 
     ct: Hounsfield units; any axes, spacing about 0.5 to 3 mm.
-    position: "HFS", "HFP", ..., "supine", "prone", "leftDecubitus", "rightDecubitus"; "": gravity is inferred from fluid
+    position: "HFS", "HFP", ..., "supine", "prone", "leftDecubitus", "rightDecubitus"; "auto": gravity is inferred from fluid
         levels.
     seed_point: k x 3, LPS mm; the pieces of gas or fluid that contain them are colon.
     progress: called with (share, stage), share from 0 to 1; returning False, an exception or Ctrl-C aborts.
@@ -206,7 +206,7 @@ def build_colon(
     ct: Image,
     *,
     lumen: Optional[Image] = None,
-    position: str = "",
+    position: str = "auto",
     seed_point: Points = (),
     faces: int = 0,
     keep_pieces: bool = False,

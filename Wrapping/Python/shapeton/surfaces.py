@@ -37,13 +37,13 @@ __all__ = [
 
 @public
 def read_surface(
-    path: Path, *, part: str = "", component: int = 0, unit: str = "", any_extent: bool = False, repair: bool = False
+    path: Path, *, part: str = "", component: int = 0, unit: str = "file", any_extent: bool = False, repair: bool = False
 ) -> Mesh:
     """Reads VTP, STL, OBJ, PLY, OFF, glTF or GLB; LPS, mm.
 
     part: name of a part of the file; "" for all.
     component: from 1, by number of faces; 0: the only one; -1: all.
-    unit: "m", "mm" or "um", replaces the unit of the format; accepts any extent.
+    unit: "file", the unit of the format, or "m", "mm" or "um", which accept any extent.
     any_extent: accepts a surface that is not between 5 mm and 5 m wide, with a note.
     repair: repairs as `repair_surface` does.
 

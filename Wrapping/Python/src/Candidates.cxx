@@ -31,7 +31,7 @@ Search(const SurfaceMesh &                                  wall,
   colon.ct = ct ? *ct : nullptr;
   colon.flat = flat;
   colon.segments = segments.value_or(SurfaceMesh());
-  PolypSearchOptions options;
+  PolypSearchSettings options;
   options.preset = ValueOf(preset, "preset", presetWords);
   options.sensitivity = sensitivity;
   options.progress = progress;

@@ -26,7 +26,7 @@ PointsOf(const Places & places)
 ColonLumen
 Segment(const CtPointer & ct, const std::string & position, const Places & seedPoints, const Progress & progress)
 {
-  return SegmentColonLumen(ct, { position, PointsOf(seedPoints), progress.Part("Finding the lumen", 0.0, 1.0) });
+  return SegmentColonLumen(ct, { { position, PointsOf(seedPoints) }, progress.Part("Finding the lumen", 0.0, 1.0) });
 }
 
 ColonCenterline
@@ -39,10 +39,10 @@ Trace(const MaskPointer &                          lumen,
       double                                       smoothing,
       const Progress &                             progress)
 {
-  ColonCenterlineOptions options;
+  ColonCenterlineSettings options;
   options.exponent = exponent;
   options.start = start;
-  options.seedPoints = PointsOf(seedPoints);
+  options.seedPoint = PointsOf(seedPoints);
   options.minimumVolume = minimumVolume;
   options.step = step;
   options.smoothing = smoothing;
@@ -55,10 +55,10 @@ Trace(const MaskPointer &                          lumen,
   return centerline;
 }
 
-ColonWallOptions
+ColonWallSettings
 WallOptionsOf(int faces, double bridgeRadius, bool keepPieces, const Progress & progress)
 {
-  ColonWallOptions options;
+  ColonWallSettings options;
   options.faces = faces;
   options.bridgeRadius = bridgeRadius;
   options.keepPieces = keepPieces;
@@ -98,9 +98,9 @@ Model(const CtPointer &                  ct,
       bool                               keepPartial,
       const Progress &                   progress)
 {
-  ColonModelOptions options;
-  options.patientPosition = position;
-  options.seedPoints = PointsOf(seedPoints);
+  ColonModelSettings options;
+  options.position = position;
+  options.seedPoint = PointsOf(seedPoints);
   options.faces = faces;
   options.keepPieces = keepPieces;
   options.keepPartial = keepPartial;
@@ -116,8 +116,8 @@ ModelOfLumen(const MaskPointer & lumen,
              bool                keepPartial,
              const Progress &    progress)
 {
-  ColonModelOptions options;
-  options.seedPoints = PointsOf(seedPoints);
+  ColonModelSettings options;
+  options.seedPoint = PointsOf(seedPoints);
   options.faces = faces;
   options.keepPieces = keepPieces;
   options.keepPartial = keepPartial;

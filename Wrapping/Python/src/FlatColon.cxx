@@ -157,7 +157,7 @@ FindFolds(const FlatPointer &             flat,
           const std::optional<CurveSet> & taeniae,
           const Progress &                progress)
 {
-  HaustralFoldOptions options;
+  HaustralFoldSettings options;
   options.scheme = ValueOf(scheme, "scheme", schemeWords);
   options.minimumLength = minimumLength;
   options.minimumArea = minimumArea;

@@ -28,7 +28,7 @@ MapOf(const SurfaceMesh &                    mesh,
       const std::optional<Eigen::VectorXd> & edgeLengths,
       const Progress &                       progress)
 {
-  ConformalMapOptions options;
+  ConformalMapSettings options;
   options.domain = ValueOf(domain, "domain", domainWords);
   options.outerBoundary = outerBoundary;
   options.innerBoundary = innerBoundary;
@@ -49,15 +49,15 @@ Flatten(SurfaceMesh                     mesh,
         const std::optional<CurveSet> & cut,
         const Progress &                progress)
 {
-  ColonFlatteningOptions options;
+  ColonFlatteningSettings options;
   options.metric = ValueOf(metric, "metric", metricWords);
   options.time = time;
   options.eigenpairs = eigenpairs;
   options.removeHandles = removeHandles;
-  options.tube.conjugate = ValueOf(method, "method", conjugateWords);
+  options.method = ValueOf(method, "method", conjugateWords);
   if (cut)
   {
-    options.tube.cutCurve = OnlyCurve(*cut, "the cut");
+    options.cut = OnlyCurve(*cut, "the cut");
   }
   options.centerline = centerline.value_or(CurveSet());
   options.progress = progress;

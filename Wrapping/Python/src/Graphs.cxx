@@ -68,7 +68,7 @@ Embed(const Graph &                                        graph,
   RequireParameter(!rotation || !genus, "the parameter \"rotation\" determines the genus; omit \"genus\"");
   RequireParameter(!genus || *genus >= 0,
                    "the parameter \"genus\" = " + std::to_string(genus.value_or(0)) + " must not be negative");
-  GraphEmbeddingOptions options;
+  GraphEmbeddingSettings options;
   options.augmentation = ValueOf(augmentation, "augmentation", augmentationWords);
   options.infinity = ValueOf(infinity, "infinity", infinityWords);
   options.isRotationFree = !rotation;
@@ -77,8 +77,8 @@ Embed(const Graph &                                        graph,
     options.progress = progress.Part("Packing circles", 0.0, 1.0);
     return EmbedGraph(graph, CombinatorialMap(graph, *rotation), options);
   }
-  GenusOptions search;
-  search.genus = genus.value_or(-1);
+  GenusSettings search;
+  search.genus = genus;
   search.seed = seed;
   search.progress = progress.Part("Finding the genus", 0.0, 0.5);
   options.progress = progress.Part("Packing circles", 0.5, 1.0);
@@ -242,7 +242,7 @@ AddGraphs(py::module_ & module)
   module.def("verify_embedding", &VerifyEmbedding, ReleaseGil());
   module.def("compare_graphs",
              Reporting(+[](const Graph & a, const Graph & b, std::uint64_t seed, const Progress & progress) {
-               GenusOptions genus;
+               GenusSettings genus;
                genus.seed = seed;
                return CompareGraphs(a, b, genus, {}, progress);
              }),

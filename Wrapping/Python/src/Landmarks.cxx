@@ -19,7 +19,7 @@ Find(const std::shared_ptr<FlatColon> & flat,
      const Places &                     markers,
      const Progress &                   progress)
 {
-  ColonLandmarkOptions options;
+  ColonLandmarkSettings options;
   options.flexureRule = ValueOf(flexureRule, "flexure_rule", flexureWords);
   options.taeniaRule = ValueOf(taeniaRule, "taenia_rule", taeniaWords);
   options.markers = markers.points;

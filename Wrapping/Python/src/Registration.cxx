@@ -62,11 +62,11 @@ Register(const std::shared_ptr<Position> & supine,
          bool                              segmentWise,
          const Progress &                  progress)
 {
-  SupineProneOptions options;
+  SupineProneSettings options;
   options.map = ValueOf(map, "map", mapWords);
   options.matching = ValueOf(matching, "matching", matchingWords);
-  options.refines = refine;
-  options.isSegmentWise = segmentWise;
+  options.refine = refine;
+  options.segmentWise = segmentWise;
   options.progress = [&progress](const std::string & stage, double share) { progress(stage, 0.9 * share); };
   const auto result = std::make_shared<Registered>();
   result->supine = supine;

@@ -1,5 +1,6 @@
 #include "Bindings.h"
 #include "Conversions.h"
+#include "Options.h"
 
 #include "shapetonJson.h"
 #include "shapetonSurfaceQuality.h"
@@ -16,10 +17,14 @@ namespace
 py::object
 Read(const Path & path, const std::string & part, int component, const std::string & unit, bool anyExtent, bool repair)
 {
+  SurfaceReadOptions options;
+  options.part = part;
+  options.component = component;
+  options.unit = static_cast<SurfaceUnit>(PositionOf(unit, OptionInfo("unit").Words({ "file", "m", "mm", "um" })));
+  options.anyExtent = anyExtent;
   Surface surface;
   {
-    const WithoutGil         withoutGil;
-    const SurfaceReadOptions options{ part, component, unit, anyExtent };
+    const WithoutGil withoutGil;
     surface = repair ? ReadRepairedSurface(path.text, options) : ReadSurface(path.text, options);
   }
   py::object mesh = py::cast(std::move(surface.mesh));
@@ -50,14 +55,14 @@ Repair(const SurfaceMesh & mesh, double mergeDistance, bool mergeVertices, bool 
 SurfaceMesh
 Simplify(const SurfaceMesh & mesh, int faces, double smallestAngle, double boundaryWeight, const Progress & progress)
 {
-  return SimplifySurface(mesh,
-                         { faces, smallestAngle, boundaryWeight, progress.Part("Simplifying the surface", 0.0, 1.0) });
+  return SimplifySurface(
+    mesh, { { faces, smallestAngle, boundaryWeight }, progress.Part("Simplifying the surface", 0.0, 1.0) });
 }
 
 SurfaceMesh
 Remesh(const SurfaceMesh & mesh, double edgeLength, int iterations, const Progress & progress)
 {
-  return RemeshSurface(mesh, { edgeLength, iterations, progress.Part("Remeshing the surface", 0.0, 1.0) });
+  return RemeshSurface(mesh, { { edgeLength, iterations }, progress.Part("Remeshing the surface", 0.0, 1.0) });
 }
 
 void

@@ -38,15 +38,14 @@ ReadWithFacts(const Path &        path,
 {
   Volume volume;
   {
-    const WithoutGil withoutGil;
-    volume = ReadVolume(path.text,
-                        { seriesUID,
-                          resampleGaps,
-                          deshear,
-                          dropDuplicates,
-                          allowSingleSlice,
-                          VolumeReadOptions::Advice::allRepairs,
-                          progress });
+    const WithoutGil  withoutGil;
+    VolumeReadOptions options;
+    options.seriesUID = seriesUID;
+    options.resampleGaps = resampleGaps;
+    options.deshear = deshear;
+    options.dropDuplicates = dropDuplicates;
+    options.allowSingleSlice = allowSingleSlice;
+    volume = ReadVolume(path.text, options, progress);
   }
   return ImageWithFacts(volume);
 }

@@ -51,8 +51,6 @@ NAMES = {
 
 #: Keywords and special values of tools, and their equivalents in Python.
 MEANINGS = {
-    "unit": {"file": ""},
-    ("ColonSegmentation", "position"): {"auto": ""},
     ("ConformalMap", "metric"): {"euclidean": None},
     ("ConformalMap", "time"): {0: None},
     ("GraphEmbedding", "genus"): {"auto": None},

@@ -2,6 +2,7 @@
 #define shapetonColonCenterlineFilter_h
 
 #include "shapetonColonCenterline.h"
+#include "shapetonColonCenterlineOptionsMethods.h"
 #include "shapetonStageFilter.h"
 
 namespace shapeton
@@ -15,10 +16,8 @@ namespace shapeton
  *
  * \ingroup ShapetonColonFilters */
 class ColonCenterlineFilter
-  : public StageFilter<itk::ProcessObject,
-                       ColonCenterlineOptions,
-                       ResultObject<CurveSet>,
-                       ResultObject<ColonCenterline>>
+  : public ColonCenterlineOptionsMethods<
+      StageFilter<itk::ProcessObject, ColonCenterlineSettings, ResultObject<CurveSet>, ResultObject<ColonCenterline>>>
 {
 public:
   shapetonStageFilterMacro(ColonCenterlineFilter);
@@ -26,18 +25,6 @@ public:
   using Superclass::SetInput;
   shapetonRequiredInputMacro(Input, LumenMask);
   shapetonOutputMacro(Centerline, 1);
-
-  /** \name See ColonCenterlineOptions for units, ranges and defaults */
-  ///@{
-  shapetonOptionMacro(Exponent, exponent);
-  shapetonOptionMacro(Start, start);
-  shapetonOptionMacro(SeedPoints, seedPoints);
-  shapetonOptionMacro(MinimumVolume, minimumVolume);
-  shapetonOptionMacro(MinimumExtent, minimumExtent);
-  shapetonOptionMacro(Step, step);
-  shapetonOptionMacro(Smoothing, smoothing);
-  shapetonOptionMacro(GapRadius, gapRadius);
-  ///@}
 
 protected:
   void

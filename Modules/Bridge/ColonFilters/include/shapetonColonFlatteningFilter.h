@@ -2,7 +2,9 @@
 #define shapetonColonFlatteningFilter_h
 
 #include "shapetonColonFlattening.h"
+#include "shapetonColonFlatteningOptionsMethods.h"
 #include "shapetonFlatColon.h"
+#include "shapetonFlatColonGridOptionsMethods.h"
 #include "shapetonStageFilter.h"
 
 #include "itkMeshToMeshFilter.h"
@@ -21,11 +23,11 @@ namespace shapeton
  * \ingroup ShapetonColonFilters */
 template <typename TInputMesh = PipelineMesh, typename TOutputMesh = TInputMesh>
 class ColonFlatteningFilter
-  : public StageFilter<itk::MeshToMeshFilter<TInputMesh, TOutputMesh>,
-                       ColonFlatteningOptions,
-                       TOutputMesh,
-                       ResultObject<ColonFlattening>,
-                       ResultObject<FlatColon>>
+  : public ColonFlatteningOptionsMethods<StageFilter<itk::MeshToMeshFilter<TInputMesh, TOutputMesh>,
+                                                     ColonFlatteningSettings,
+                                                     TOutputMesh,
+                                                     ResultObject<ColonFlattening>,
+                                                     ResultObject<FlatColon>>>
 {
 public:
   shapetonStageFilterMacro(ColonFlatteningFilter);
@@ -34,20 +36,11 @@ public:
   shapetonOutputMacro(Flattening, 1);
   shapetonOutputMacro(FlatColon, 2);
 
-  /** \name See ColonFlatteningOptions for units, ranges and defaults */
-  ///@{
-  shapetonEnumOptionMacro(Metric, metric, "Euclidean", "HeatDiffusion", "TruncatedHeatDiffusion");
-  shapetonOptionMacro(Time, time);
-  shapetonOptionMacro(Eigenpairs, eigenpairs);
-  shapetonOptionMacro(RemoveHandles, removeHandles);
-  itkBooleanMacro(RemoveHandles);
-  ///@}
-
 protected:
   void
   Compute() override
   {
-    ColonFlatteningOptions options = this->ReportingOptions();
+    ColonFlatteningSettings options = this->ReportingOptions();
     if (this->GetCenterline())
     {
       options.centerline = this->GetCenterline()->Get();
@@ -64,16 +57,14 @@ protected:
  *
  * \ingroup ShapetonColonFilters */
 template <typename TInputMesh = PipelineMesh>
-class FlatColonFilter : public StageFilter<itk::ProcessObject, FlatColonGridOptions, ResultObject<FlatColon>>
+class FlatColonFilter
+  : public FlatColonGridOptionsMethods<StageFilter<itk::ProcessObject, FlatColonGridOptions, ResultObject<FlatColon>>>
 {
 public:
   shapetonStageFilterMacro(FlatColonFilter);
 
   using Superclass::SetInput;
   shapetonRequiredInputMacro(Input, TInputMesh);
-
-  /** See FlatColonGridOptions. */
-  shapetonOptionMacro(PixelSize, pixelSize);
 
 protected:
   void

@@ -1,6 +1,7 @@
 #ifndef shapetonColonLandmarksFilter_h
 #define shapetonColonLandmarksFilter_h
 
+#include "shapetonColonLandmarkOptionsMethods.h"
 #include "shapetonColonLandmarks.h"
 #include "shapetonStageFilter.h"
 
@@ -15,7 +16,8 @@ namespace shapeton
  *
  * \ingroup ShapetonColonFilters */
 class ColonLandmarksFilter
-  : public StageFilter<itk::ProcessObject, ColonLandmarkOptions, ResultObject<ColonLandmarks>, ResultObject<CurveSet>>
+  : public ColonLandmarkOptionsMethods<
+      StageFilter<itk::ProcessObject, ColonLandmarkSettings, ResultObject<ColonLandmarks>, ResultObject<CurveSet>>>
 {
 public:
   shapetonStageFilterMacro(ColonLandmarksFilter);
@@ -24,12 +26,17 @@ public:
   shapetonRequiredInputMacro(Centerline, ResultObject<CurveSet>);
   shapetonOutputMacro(Taeniae, 1);
 
-  /** \name See ColonLandmarkOptions */
-  ///@{
-  shapetonOptionMacro(FlexureRule, flexureRule);
-  shapetonOptionMacro(TaeniaRule, taeniaRule);
-  shapetonOptionMacro(Markers, markers);
-  ///@}
+  /** See ColonLandmarkSettings. */
+  void
+  SetMarkers(const std::vector<Eigen::Vector3d> & markers)
+  {
+    this->SetOption(this->m_Options.markers, markers);
+  }
+  const std::vector<Eigen::Vector3d> &
+  GetMarkers() const
+  {
+    return this->m_Options.markers;
+  }
 
 protected:
   void
@@ -39,6 +46,13 @@ protected:
       FindColonLandmarks(this->GetFlatColon()->Get(), this->GetCenterline()->Get(), this->ReportingOptions());
     CurveSet taeniae = landmarks.taeniae.taeniae.empty() ? CurveSet() : TaeniaCurves(landmarks.taeniae);
     this->SetOutputs(std::move(landmarks), std::move(taeniae));
+  }
+
+  void
+  PrintSelf(std::ostream & os, itk::Indent indent) const override
+  {
+    Superclass::PrintSelf(os, indent);
+    os << indent << "Markers: " << this->m_Options.markers.size() << std::endl;
   }
 };
 } // namespace shapeton

@@ -1,6 +1,7 @@
 #ifndef shapetonColonLumenImageFilter_h
 #define shapetonColonLumenImageFilter_h
 
+#include "shapetonColonLumenOptionsMethods.h"
 #include "shapetonColonLumenSegmentation.h"
 #include "shapetonStageFilter.h"
 
@@ -8,13 +9,6 @@
 
 namespace shapeton
 {
-/** Options of ColonLumenImageFilter. \ingroup ShapetonColonFilters */
-struct ColonLumenFilterOptions : ColonLumenOptions
-{
-  /** Return partial results, with ColonLumen::failure, if the colon is not sufficiently distended or tagged. */
-  bool keepPartial{ false };
-};
-
 /** \class ColonLumenImageFilter
  * \brief Pipeline filter of SegmentColonLumen(): gas and tagged fluid in the colon of a CT colonography.
  *
@@ -27,10 +21,10 @@ struct ColonLumenFilterOptions : ColonLumenOptions
  * \ingroup ShapetonColonFilters */
 template <typename TInputImage>
 class ColonLumenImageFilter
-  : public StageFilter<itk::ImageToImageFilter<TInputImage, itk::Image<unsigned char, 3>>,
-                       ColonLumenFilterOptions,
-                       itk::Image<unsigned char, 3>,
-                       ResultObject<ColonLumen>>
+  : public ColonLumenOptionsMethods<StageFilter<itk::ImageToImageFilter<TInputImage, itk::Image<unsigned char, 3>>,
+                                                ColonLumenSettings,
+                                                itk::Image<unsigned char, 3>,
+                                                ResultObject<ColonLumen>>>
 {
 public:
   shapetonStageFilterMacro(ColonLumenImageFilter);
@@ -39,25 +33,33 @@ public:
 
   shapetonOutputMacro(Lumen, 1);
 
-  /** \name See ColonLumenOptions and ColonLumenFilterOptions */
-  ///@{
-  shapetonOptionMacro(PatientPosition, patientPosition);
-  shapetonOptionMacro(SeedPoints, seedPoints);
-  shapetonOptionMacro(KeepPartial, keepPartial);
+  /** Whether to return partial results, with ColonLumen::failure, if the colon is not sufficiently distended or tagged.
+   * Default off. */
+  itkSetMacro(KeepPartial, bool);
+  itkGetConstMacro(KeepPartial, bool);
   itkBooleanMacro(KeepPartial);
-  ///@}
 
 protected:
   void
   Compute() override
   {
     ColonLumen lumen = SegmentColonLumen(FloatsFromIndexZero(this->GetInput()), this->ReportingOptions());
-    if (!this->GetKeepPartial())
+    if (!m_KeepPartial)
     {
       RequireSuccess(lumen);
     }
     this->SetOutputs(lumen.labels.GetPointer(), std::move(lumen));
   }
+
+  void
+  PrintSelf(std::ostream & os, itk::Indent indent) const override
+  {
+    Superclass::PrintSelf(os, indent);
+    os << indent << "KeepPartial: " << m_KeepPartial << std::endl;
+  }
+
+private:
+  bool m_KeepPartial{ false };
 };
 } // namespace shapeton
 

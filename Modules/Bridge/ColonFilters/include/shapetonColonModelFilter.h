@@ -1,7 +1,9 @@
 #ifndef shapetonColonModelFilter_h
 #define shapetonColonModelFilter_h
 
+#include "shapetonColonLumenOptionsMethods.h"
 #include "shapetonColonModel.h"
+#include "shapetonColonWallOptionsMethods.h"
 #include "shapetonStageFilter.h"
 #include "shapetonVolume.h"
 
@@ -27,13 +29,14 @@ namespace shapeton
  * \ingroup ShapetonColonFilters */
 template <typename TInputImage, typename TOutputMesh = PipelineMesh>
 class ColonModelFilter
-  : public StageFilter<itk::ImageToMeshFilter<TInputImage, TOutputMesh>,
-                       ColonModelOptions,
-                       TOutputMesh,
-                       TOutputMesh,
-                       TOutputMesh,
-                       ResultObject<CurveSet>,
-                       ResultObject<ColonModel>>
+  : public ColonWallOptionsMethods<
+      ColonLumenOptionsMethods<StageFilter<itk::ImageToMeshFilter<TInputImage, TOutputMesh>,
+                                           ColonModelSettings,
+                                           TOutputMesh,
+                                           TOutputMesh,
+                                           TOutputMesh,
+                                           ResultObject<CurveSet>,
+                                           ResultObject<ColonModel>>>>
 {
 public:
   shapetonStageFilterMacro(ColonModelFilter);
@@ -42,15 +45,6 @@ public:
   using itk::MeshSource<TOutputMesh>::GetOutput; // for any index
   shapetonOutputMacro(Centerline, 3);
   shapetonOutputMacro(Model, 4);
-
-  /** \name See ColonModelOptions */
-  ///@{
-  shapetonOptionMacro(PatientPosition, patientPosition);
-  shapetonOptionMacro(SeedPoints, seedPoints);
-  shapetonOptionMacro(NumberOfFaces, faces);
-  shapetonOptionMacro(KeepPieces, keepPieces);
-  itkBooleanMacro(KeepPieces);
-  ///@}
 
 protected:
   void

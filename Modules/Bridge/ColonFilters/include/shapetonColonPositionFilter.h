@@ -7,13 +7,6 @@
 
 namespace shapeton
 {
-/** Options of ColonPositionFilter. \ingroup ShapetonColonFilters */
-struct ColonPositionFilterOptions
-{
-  /** Name in messages. */
-  std::string positionName{ "the colon" };
-};
-
 /** \class ColonPositionFilter
  * \brief Pipeline filter of MakeColonPosition(): the colon in one position, prepared for registration.
  *
@@ -21,8 +14,7 @@ struct ColonPositionFilterOptions
  * Inputs FlatColon, Centerline, Landmarks, Folds. Output: ColonPosition, the input of SupineProneRegistrationFilter.
  *
  * \ingroup ShapetonColonFilters */
-class ColonPositionFilter
-  : public StageFilter<itk::ProcessObject, ColonPositionFilterOptions, ResultObject<ColonPosition>>
+class ColonPositionFilter : public StageFilter<itk::ProcessObject, NoOptions, ResultObject<ColonPosition>>
 {
 public:
   shapetonStageFilterMacro(ColonPositionFilter);
@@ -32,19 +24,30 @@ public:
   shapetonRequiredInputMacro(Landmarks, ResultObject<ColonLandmarks>);
   shapetonRequiredInputMacro(Folds, ResultObject<HaustralFolds>);
 
-  /** See ColonPositionFilterOptions. */
-  shapetonOptionMacro(PositionName, positionName);
+  /** Name in messages. Default "the colon". */
+  itkSetStringMacro(PositionName);
+  itkGetStringMacro(PositionName);
 
 protected:
   void
   Compute() override
   {
-    this->SetOutputs(MakeColonPosition(this->GetPositionName(),
+    this->SetOutputs(MakeColonPosition(m_PositionName,
                                        this->GetFlatColon()->Share(),
                                        this->GetCenterline()->Get(),
                                        this->GetLandmarks()->Get(),
                                        this->GetFolds()->Get().folds));
   }
+
+  void
+  PrintSelf(std::ostream & os, itk::Indent indent) const override
+  {
+    Superclass::PrintSelf(os, indent);
+    os << indent << "PositionName: " << m_PositionName << std::endl;
+  }
+
+private:
+  std::string m_PositionName{ "the colon" };
 };
 } // namespace shapeton
 

@@ -2,6 +2,7 @@
 #define shapetonColonWallFilter_h
 
 #include "shapetonColonWall.h"
+#include "shapetonColonWallOptionsMethods.h"
 #include "shapetonElectronicCleansing.h"
 #include "shapetonStageFilter.h"
 
@@ -20,12 +21,12 @@ namespace shapeton
  * \ingroup ShapetonColonFilters */
 template <typename TOutputMesh = PipelineMesh>
 class ColonWallFilter
-  : public StageFilter<itk::MeshSource<TOutputMesh>,
-                       ColonWallOptions,
-                       TOutputMesh,
-                       TOutputMesh,
-                       TOutputMesh,
-                       ResultObject<ColonWall>>
+  : public ColonWallOptionsMethods<StageFilter<itk::MeshSource<TOutputMesh>,
+                                               ColonWallSettings,
+                                               TOutputMesh,
+                                               TOutputMesh,
+                                               TOutputMesh,
+                                               ResultObject<ColonWall>>>
 {
 public:
   shapetonStageFilterMacro(ColonWallFilter);
@@ -34,17 +35,6 @@ public:
   shapetonInputMacro(Mask, LumenMaskImage);
   shapetonRequiredInputMacro(Centerline, ResultObject<CurveSet>);
   shapetonOutputMacro(Wall, 3);
-
-  /** \name See ColonWallOptions for units, ranges and defaults */
-  ///@{
-  shapetonOptionMacro(NumberOfFaces, faces);
-  shapetonOptionMacro(BridgeRadius, bridgeRadius);
-  shapetonOptionMacro(NormalLimit, normalLimit);
-  shapetonOptionMacro(TangentialLimit, tangentialLimit);
-  shapetonOptionMacro(KeepPieces, keepPieces);
-  itkBooleanMacro(KeepPieces);
-  shapetonOptionMacro(MaskSmoothing, maskSmoothing);
-  ///@}
 
 protected:
   void

@@ -2,6 +2,7 @@
 #define shapetonHaustralFoldsFilter_h
 
 #include "shapetonFlatCoordinateMap.h"
+#include "shapetonHaustralFoldOptionsMethods.h"
 #include "shapetonHaustralFolds.h"
 #include "shapetonStageFilter.h"
 
@@ -19,10 +20,10 @@ namespace shapeton
  *
  * \ingroup ShapetonColonFilters */
 class HaustralFoldsFilter
-  : public StageFilter<itk::ImageSource<itk::Image<unsigned short, 2>>,
-                       HaustralFoldOptions,
-                       itk::Image<unsigned short, 2>,
-                       ResultObject<HaustralFolds>>
+  : public HaustralFoldOptionsMethods<StageFilter<itk::ImageSource<itk::Image<unsigned short, 2>>,
+                                                  HaustralFoldSettings,
+                                                  itk::Image<unsigned short, 2>,
+                                                  ResultObject<HaustralFolds>>>
 {
 public:
   shapetonStageFilterMacro(HaustralFoldsFilter);
@@ -30,20 +31,6 @@ public:
   shapetonRequiredInputMacro(FlatColon, ResultObject<FlatColon>);
   shapetonInputMacro(Taeniae, ResultObject<CurveSet>);
   shapetonOutputMacro(Folds, 1);
-
-  /** \name See HaustralFoldOptions for units, ranges and defaults */
-  ///@{
-  shapetonEnumOptionMacro(Scheme, scheme, "GraphCut", "Published");
-  shapetonOptionMacro(MinimumLength, minimumLength);
-  shapetonOptionMacro(MinimumArea, minimumArea);
-  shapetonOptionMacro(MinimumElongation, minimumElongation);
-  shapetonOptionMacro(MinimumAngle, minimumAngle);
-  shapetonOptionMacro(SmoothingTime, smoothingTime);
-  shapetonOptionMacro(Smoothness, smoothness);
-  shapetonOptionMacro(Contrast, contrast);
-  shapetonOptionMacro(PublishedLow, publishedLow);
-  shapetonOptionMacro(PublishedHigh, publishedHigh);
-  ///@}
 
 protected:
   void
@@ -56,7 +43,7 @@ protected:
   void
   Compute() override
   {
-    HaustralFoldOptions options = this->ReportingOptions();
+    HaustralFoldSettings options = this->ReportingOptions();
     options.progress = options.progress.Part("Folds", 0.0, 1.0);
     options.taeniae = this->GetTaeniae() ? &this->GetTaeniae()->Get() : nullptr;
     HaustralFolds folds = FindHaustralFolds(this->GetFlatColon()->Get(), options);

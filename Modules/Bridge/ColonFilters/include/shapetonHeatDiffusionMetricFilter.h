@@ -6,13 +6,6 @@
 
 namespace shapeton
 {
-/** Options of HeatDiffusionMetricFilter. \ingroup ShapetonColonFilters */
-struct HeatDiffusionMetricFilterOptions
-{
-  /** Diffusion time (mm^2), positive; DefaultDiffusionTime() suits tubes. */
-  double time{ 1.0 };
-};
-
 /** \class HeatDiffusionMetricFilter
  * \brief Pipeline filter of ComputeHeatDiffusionMetric(): the heat diffusion distances of the edges of a mesh.
  *
@@ -22,8 +15,7 @@ struct HeatDiffusionMetricFilterOptions
  *
  * \ingroup ShapetonColonFilters */
 template <typename TInputMesh = PipelineMesh>
-class HeatDiffusionMetricFilter
-  : public StageFilter<itk::ProcessObject, HeatDiffusionMetricFilterOptions, ResultObject<HeatDiffusionMetric>>
+class HeatDiffusionMetricFilter : public StageFilter<itk::ProcessObject, NoOptions, ResultObject<HeatDiffusionMetric>>
 {
 public:
   shapetonStageFilterMacro(HeatDiffusionMetricFilter);
@@ -31,16 +23,27 @@ public:
   using Superclass::SetInput;
   shapetonRequiredInputMacro(Input, TInputMesh);
 
-  /** See HeatDiffusionMetricFilterOptions. */
-  shapetonOptionMacro(Time, time);
+  /** Diffusion time (mm^2), positive; DefaultDiffusionTime() suits tubes. Default 1. */
+  itkSetMacro(Time, double);
+  itkGetConstMacro(Time, double);
 
 protected:
   void
   Compute() override
   {
     const Progress progress = this->Reporter().Part("Metric", 0.0, 1.0);
-    this->SetOutputs(ComputeHeatDiffusionMetric(SurfaceOf(*this->GetInput()), this->GetTime(), progress));
+    this->SetOutputs(ComputeHeatDiffusionMetric(SurfaceOf(*this->GetInput()), m_Time, progress));
   }
+
+  void
+  PrintSelf(std::ostream & os, itk::Indent indent) const override
+  {
+    Superclass::PrintSelf(os, indent);
+    os << indent << "Time: " << m_Time << std::endl;
+  }
+
+private:
+  double m_Time{ 1.0 };
 };
 } // namespace shapeton
 

@@ -4,6 +4,8 @@
 #include "shapetonColonLandmarks.h"
 #include "shapetonColonModel.h"
 #include "shapetonPolypSearch.h"
+#include "shapetonPolypSearchOptionsMethods.h"
+#include "shapetonPolypSensitivityOptionsMethods.h"
 #include "shapetonStageFilter.h"
 
 namespace shapeton
@@ -22,7 +24,8 @@ namespace shapeton
  * \ingroup ShapetonColonFilters */
 template <typename TInputMesh = PipelineMesh>
 class PolypCandidatesFilter
-  : public StageFilter<itk::ProcessObject, PolypSearchOptions, ResultObject<std::vector<PolypCandidate>>>
+  : public PolypSearchOptionsMethods<PolypSensitivityOptionsMethods<
+      StageFilter<itk::ProcessObject, PolypSearchSettings, ResultObject<std::vector<PolypCandidate>>>>>
 {
 public:
   shapetonStageFilterMacro(PolypCandidatesFilter);
@@ -34,12 +37,6 @@ public:
   shapetonRequiredInputMacro(Model, ResultObject<ColonModel>);
   shapetonInputMacro(FlatColon, ResultObject<FlatColon>);
   shapetonInputMacro(Landmarks, ResultObject<ColonLandmarks>);
-
-  /** \name See PolypSearchOptions for ranges and defaults */
-  ///@{
-  shapetonOptionMacro(Preset, preset);
-  shapetonOptionMacro(Sensitivity, sensitivity);
-  ///@}
 
 protected:
   void

@@ -147,14 +147,19 @@ RequireSuccess(const TResult & result)
 
 /** Options of a stage that has none. \ingroup ShapetonColonFilters */
 struct NoOptions
-{};
+{
+  template <typename TOptions, typename TVisitor>
+  static void
+  VisitOptions(TOptions &, const TVisitor &)
+  {}
+};
 
 /** \class StageFilter
  * \brief Base class of the virtual colonoscopy filters: they process whole inputs, report progress, can be aborted, and
  * throw ITK exceptions.
  *
- * A derived class declares its inputs and further outputs with the macros of this header, its options with those of
- * FilterWithOptions, and calls the function of its stage in Compute().
+ * A derived class declares its inputs and further outputs with the macros of this header, inherits the methods of its
+ * options from the generated mixins, and calls the function of its stage in Compute().
  *
  * \tparam TSuperclass itk::ProcessObject or a class derived from it.
  * \tparam TOptions options of the stage.

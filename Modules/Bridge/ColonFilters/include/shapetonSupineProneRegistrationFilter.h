@@ -2,6 +2,7 @@
 #define shapetonSupineProneRegistrationFilter_h
 
 #include "shapetonStageFilter.h"
+#include "shapetonSupineProneOptionsMethods.h"
 #include "shapetonSupineProneRegistration.h"
 
 namespace shapeton
@@ -14,24 +15,14 @@ namespace shapeton
  *
  * \ingroup ShapetonColonFilters */
 class SupineProneRegistrationFilter
-  : public StageFilter<itk::ProcessObject, SupineProneOptions, ResultObject<SupineProneRegistration>>
+  : public SupineProneOptionsMethods<
+      StageFilter<itk::ProcessObject, SupineProneSettings, ResultObject<SupineProneRegistration>>>
 {
 public:
   shapetonStageFilterMacro(SupineProneRegistrationFilter);
 
   shapetonRequiredInputMacro(Source, ResultObject<ColonPosition>);
   shapetonRequiredInputMacro(Target, ResultObject<ColonPosition>);
-
-  /** \name See SupineProneOptions for ranges and defaults */
-  ///@{
-  shapetonEnumOptionMacro(Map, map, "Default", "Published");
-  shapetonEnumOptionMacro(Matching, matching, "Hungarian", "DualDecomposition");
-  shapetonOptionMacro(SegmentWise, isSegmentWise);
-  itkBooleanMacro(SegmentWise);
-  shapetonOptionMacro(Refine, refines);
-  itkBooleanMacro(Refine);
-  shapetonOptionMacro(GreatestDilatation, greatestDilatation);
-  ///@}
 
 protected:
   void

@@ -85,8 +85,8 @@ NewModelFilter()
 {
   auto filter = ModelFilter::New();
   filter->SetInput(Ct());
-  filter->SetPatientPosition("HFS");
-  filter->SetNumberOfFaces(8000);
+  filter->SetPosition("HFS");
+  filter->SetFaces(8000);
   return filter;
 }
 
@@ -174,7 +174,7 @@ TEST(ColonFilters, SingleStagesDoWhatTheFunctionsDo)
   const auto floats = FloatsFromIndexZero(Ct());
   const auto lumen = ColonLumenImageFilter<CtImage>::New();
   lumen->SetInput(Ct());
-  lumen->SetPatientPosition("HFS");
+  lumen->SetPosition("HFS");
   const auto cleansing = ElectronicCleansingImageFilter<CtImage>::New();
   cleansing->SetInput(Ct());
   cleansing->SetLumen(lumen->GetLumenOutput());
@@ -183,11 +183,11 @@ TEST(ColonFilters, SingleStagesDoWhatTheFunctionsDo)
   const auto wall = ColonWallFilter<>::New();
   wall->SetCleansed(cleansing->GetCleansedOutput());
   wall->SetCenterline(centerline->GetOutput());
-  wall->SetNumberOfFaces(8000);
+  wall->SetFaces(8000);
   wall->Update();
 
-  ColonLumenOptions options;
-  options.patientPosition = "HFS";
+  ColonLumenSettings options;
+  options.position = "HFS";
   const ColonLumen expectedLumen = SegmentColonLumen(floats, options);
   EXPECT_TRUE(HaveEqualVoxels(lumen->GetOutput(), expectedLumen.labels.GetPointer()));
   EXPECT_EQ(lumen->GetLumenOutput()->Get().levels.size(), expectedLumen.levels.size());
@@ -196,7 +196,7 @@ TEST(ColonFilters, SingleStagesDoWhatTheFunctionsDo)
   const ColonCenterline expectedLine = TraceColonCenterline(expectedLumen.labels);
   EXPECT_EQ(centerline->GetOutput()->Get().V, expectedLine.curve.V);
   EXPECT_EQ(centerline->GetCenterlineOutput()->Get().coverage, expectedLine.coverage);
-  ColonWallOptions wallOptions;
+  ColonWallSettings wallOptions;
   wallOptions.faces = 8000;
   const ColonWall expectedWall = BuildColonWall(expectedCleansed.occupancy, expectedLine.curve, wallOptions);
   ExpectEqual(SurfaceOf(*wall->GetOutput(0)), expectedWall.simplified);
@@ -213,13 +213,13 @@ TEST(ColonFilters, SingleStagesDoWhatTheFunctionsDo)
 
 TEST(ColonFilters, TheChainDoesWhatTheFunctionsDo)
 {
-  Pipeline &        pipeline = FinishedPipeline();
-  ColonModelOptions options;
-  options.patientPosition = "HFS";
+  Pipeline &         pipeline = FinishedPipeline();
+  ColonModelSettings options;
+  options.position = "HFS";
   options.faces = 8000;
   const ColonModel model = BuildColonModel(FloatsFromIndexZero(Ct()), options);
   ExpectEqual(SurfaceOf(*pipeline.model->GetOutput()), model.wall.simplified);
-  ColonFlatteningOptions flatteningOptions;
+  ColonFlatteningSettings flatteningOptions;
   flatteningOptions.centerline = model.centerline.curve;
   const ColonFlattening flattening = FlattenColon(model.wall.simplified, "the wall", flatteningOptions);
   ExpectEqual(SurfaceOf(*pipeline.flattening->GetOutput()), flattening.map.flat);
@@ -228,7 +228,7 @@ TEST(ColonFilters, TheChainDoesWhatTheFunctionsDo)
   const ColonLandmarks landmarks = FindColonLandmarks(flat, model.centerline.curve);
   const CurveSet       taeniae = TaeniaCurves(landmarks.taeniae);
   EXPECT_EQ(pipeline.landmarks->GetTaeniaeOutput()->Get().V, taeniae.V);
-  HaustralFoldOptions foldOptions;
+  HaustralFoldSettings foldOptions;
   foldOptions.taeniae = &taeniae;
   const HaustralFolds folds = FindHaustralFolds(flat, foldOptions);
   EXPECT_TRUE(HaveEqualVoxels(pipeline.folds->GetOutput(), folds.labels.GetPointer()));
@@ -372,11 +372,11 @@ TEST(ColonFilters, AnImageMayBeginAtAnyIndex)
   shift->ChangeOriginOn();
   const auto lumen = ColonLumenImageFilter<CtImage>::New();
   lumen->SetInput(shift->GetOutput());
-  lumen->SetPatientPosition("HFS");
+  lumen->SetPosition("HFS");
   lumen->Update();
   const auto reference = ColonLumenImageFilter<CtImage>::New();
   reference->SetInput(Ct());
-  reference->SetPatientPosition("HFS");
+  reference->SetPosition("HFS");
   reference->Update();
   EXPECT_TRUE(HaveEqualVoxels(lumen->GetOutput(), reference->GetOutput()));
   EXPECT_EQ(lumen->GetOutput()->GetLargestPossibleRegion().GetIndex(), (itk::Index<3>{ { 7, -3, 12 } }));
@@ -387,7 +387,7 @@ TEST(ColonFilters, WhatIsDoneToAnOutputChangesNoResultBesideIt)
 {
   const auto lumen = ColonLumenImageFilter<CtImage>::New();
   lumen->SetInput(Ct());
-  lumen->SetPatientPosition("HFS");
+  lumen->SetPosition("HFS");
   lumen->Update();
   const auto         result = lumen->GetLumenOutput()->Share();
   const auto * const begin = result->labels->GetBufferPointer();
@@ -406,7 +406,7 @@ TEST(ColonFilters, GridsThatDifferAreRefused)
   moved->SetOrigin(origin);
   const auto lumen = ColonLumenImageFilter<CtImage>::New();
   lumen->SetInput(Ct());
-  lumen->SetPatientPosition("HFS");
+  lumen->SetPosition("HFS");
   const auto cleansing = ElectronicCleansingImageFilter<CtImage>::New();
   cleansing->SetInput(moved);
   cleansing->SetLumen(lumen->GetLumenOutput());
@@ -445,7 +445,7 @@ TEST(ColonFilters, ErrorsAreExceptionsOfItk)
   EXPECT_THROW(unconnected->Update(), itk::ExceptionObject);
   const auto lumen = ColonLumenImageFilter<CtImage>::New();
   lumen->SetInput(Ct());
-  lumen->SetPatientPosition("sitting");
+  lumen->SetPosition("sitting");
   EXPECT_THROW(lumen->Update(), ParameterError);
   const auto wall = ColonWallFilter<>::New();
   wall->SetCenterline(FinishedPipeline().model->GetCenterlineOutput());
@@ -465,7 +465,7 @@ TEST(ColonFilters, ParametersArePrinted)
   filter->KeepPiecesOn();
   std::ostringstream text;
   filter->Print(text);
-  EXPECT_NE(text.str().find("PatientPosition: HFS"), std::string::npos);
-  EXPECT_NE(text.str().find("NumberOfFaces: 8000"), std::string::npos);
-  EXPECT_NE(text.str().find("KeepPieces: 1"), std::string::npos);
+  EXPECT_NE(text.str().find("position: HFS"), std::string::npos);
+  EXPECT_NE(text.str().find("faces: 8000"), std::string::npos);
+  EXPECT_NE(text.str().find("keepPieces: 1"), std::string::npos);
 }

@@ -1,6 +1,7 @@
 #ifndef shapetonColonCenterline_h
 #define shapetonColonCenterline_h
 
+#include "shapetonColonCenterlineOptions.h"
 #include "shapetonRemarks.h"
 #include "shapetonProgress.h"
 #include "shapetonCurveSet.h"
@@ -15,27 +16,9 @@
 
 namespace shapeton
 {
-/** Options of TraceColonCenterline(): path cost, starting point, and the choice of lumen pieces.
- * \ingroup ShapetonColonCenterline */
-struct ColonCenterlineOptions
+/** Settings of TraceColonCenterline(). \ingroup ShapetonColonCenterline */
+struct ColonCenterlineSettings : ColonCenterlineOptions
 {
-  /** Exponent of the path cost 1 / (d + 0.1 mm)^exponent per mm, where d is the distance to the wall; 1 to 8. */
-  int exponent{ 3 };
-  /** Start of the line in the rectum, LPS in mm; detected automatically if not given. */
-  std::optional<itk::Point<double, 3>> start;
-  /** Points in the colon, LPS in mm. The piece of lumen nearest to each is used, even if it is small. */
-  std::vector<itk::Point<double, 3>> seedPoints;
-  /** Smallest piece of lumen to use, ml. */
-  double minimumVolume{ 5.0 };
-  /** Minimum bounding box diagonal (mm) for a smaller piece to be used; its volume must be at least a fifth of
-   * minimumVolume. */
-  double minimumExtent{ 60.0 };
-  /** Distance between points of the line, mm, from 0.2 to 10. */
-  double step{ 1.0 };
-  /** Standard deviation of the smoothing along the line, mm, from 0 to 20. */
-  double smoothing{ 4.0 };
-  /** Radius assigned to bridges over gaps, mm. */
-  double gapRadius{ 2.0 };
   /** Called with the completed fraction, 0 to 1. */
   Progress progress;
 };
@@ -131,7 +114,7 @@ struct ColonCenterline
  * Throws InputError if no usable lumen is found, and ParameterError for options out of range.
  * \ingroup ShapetonColonCenterline */
 ShapetonColonCenterline_EXPORT ColonCenterline
-TraceColonCenterline(const LumenMask * lumen, const ColonCenterlineOptions & options = {});
+TraceColonCenterline(const LumenMask * lumen, const ColonCenterlineSettings & options = {});
 } // namespace shapeton
 
 #endif

@@ -9,7 +9,8 @@ namespace shapeton
 {
 namespace
 {
-/** Usual and absolute maximum radius (mm) of holes between two loops. */
+/** Usual and absolute maximum radius (mm) of holes between two loops. A single limit of 7 mm was rejected: in a
+ * validation exam (realistic 145 prone) 0.01 mm decided over 400 mm of line. */
 constexpr double usualHole = 7.0;
 constexpr double widestHole = 10.0;
 /** Minimum gain (mm) in path length for treating a passage as a hole, and additional gain per mm of width above the
@@ -30,6 +31,8 @@ constexpr double besideWay = 10.0;
 /** Maximum radius of a hole relative to the caliber within this distance (mm) on both sides. */
 constexpr double leastOpening = 0.4;
 constexpr double holeReach = 30.0;
+/** Bounds the time. */
+constexpr int mostExchanges = 30;
 } // namespace
 
 CellTree::CellTree(const LumenCells & cells, double coreRadius)
@@ -37,7 +40,7 @@ CellTree::CellTree(const LumenCells & cells, double coreRadius)
 {
   this->SpanWidest();
   // Each swap lengthens a path, so the loop terminates; the bound limits the time for degenerate input.
-  for (int exchanges = 0; exchanges < 30 && this->Exchange(); ++exchanges)
+  for (int exchanges = 0; exchanges < mostExchanges && this->Exchange(); ++exchanges)
   {}
 }
 

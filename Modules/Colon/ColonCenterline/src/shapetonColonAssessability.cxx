@@ -313,7 +313,9 @@ MarkHindrances(const std::vector<HinderedStretch> & stretches, CurveSet & curves
 std::string
 ColonAssessability::Verdict() const
 {
-  return share >= 0.9 ? "assessable" : share < 0.5 ? "notAssessable" : "partly";
+  constexpr double assessable = 0.9;
+  constexpr double notAssessable = 0.5;
+  return share >= assessable ? "assessable" : share < notAssessable ? "notAssessable" : "partly";
 }
 
 ColonAssessability

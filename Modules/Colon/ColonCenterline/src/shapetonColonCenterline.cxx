@@ -6,8 +6,6 @@
 #include "shapetonPieceOrder.h"
 #include "shapetonPlaceInWords.h"
 
-#include "shapetonExceptions.h"
-
 #include <algorithm>
 #include <map>
 #include <memory>
@@ -16,19 +14,6 @@ namespace shapeton
 {
 namespace
 {
-void
-RequireOptions(const ColonCenterlineOptions & options)
-{
-  RequireParameter(options.exponent >= 1 && options.exponent <= 8,
-                   "the exponent of the centerline must be between 1 and 8");
-  RequireParameter(options.step >= 0.2 && options.step <= 10.0,
-                   "the step of the centerline must be between 0.2 and 10 mm");
-  RequireParameter(options.smoothing >= 0.0 && options.smoothing <= 20.0,
-                   "the smoothing of the centerline must be between 0 and 20 mm");
-  RequireParameter(options.minimumVolume >= 0.0 && options.minimumExtent >= 0.0 && options.gapRadius >= 0.0,
-                   "volumes, extents and radii of the centerline must not be negative");
-}
-
 Eigen::Vector3d
 ToVector(const itk::Point<double, 3> & point)
 {
@@ -83,7 +68,7 @@ KeepPathsOfLargest(std::vector<PieceLine> & lines)
 
 /** The lines of all pieces; the line with the given start in the rectum is first. */
 std::vector<PieceLine>
-TracePieces(const LumenNetwork & network, const ColonCenterlineOptions & options)
+TracePieces(const LumenNetwork & network, const ColonCenterlineSettings & options)
 {
   const std::vector<int> groups = network.tree.Groups();
   std::vector<PieceLine> lines;
@@ -146,8 +131,9 @@ MakeJoinEnd(const LumenGrid & grid, const PieceLine & line, bool isReversed, boo
     }
     end.position = end.tips.front();
   }
-  std::size_t i = core.size() - 1;
-  while (i > 0 && (core[i] - core.back()).norm() < 40.0)
+  constexpr double reach = 40.0; // mm over which the direction is measured
+  std::size_t      i = core.size() - 1;
+  while (i > 0 && (core[i] - core.back()).norm() < reach)
   {
     --i;
   }
@@ -213,11 +199,11 @@ struct Traced
 };
 
 Traced
-TraceOn(const std::array<int, 3> &     blocks,
-        const LumenDistanceImage *     distance,
-        const LumenComponents &        components,
-        const LumenChoice &            choice,
-        const ColonCenterlineOptions & options)
+TraceOn(const std::array<int, 3> &      blocks,
+        const LumenDistanceImage *      distance,
+        const LumenComponents &         components,
+        const LumenChoice &             choice,
+        const ColonCenterlineSettings & options)
 {
   Traced traced;
   traced.grid = std::make_unique<LumenGrid>(distance, components.labels.GetPointer(), choice.isUsed, blocks);
@@ -254,10 +240,10 @@ IsTorn(const Traced & traced)
 }
 
 Traced
-Trace(const LumenDistanceImage *     distance,
-      const LumenComponents &        components,
-      const LumenChoice &            choice,
-      const ColonCenterlineOptions & options)
+Trace(const LumenDistanceImage *      distance,
+      const LumenComponents &         components,
+      const LumenChoice &             choice,
+      const ColonCenterlineSettings & options)
 {
   constexpr std::array<int, 3> single = { 1, 1, 1 };
   const auto                   blocks = LumenGrid::Blocks(distance->GetSpacing().GetDataPointer());
@@ -310,9 +296,9 @@ FailureOfLine(const ColonCenterline & line)
 } // namespace
 
 ColonCenterline
-TraceColonCenterline(const LumenMask * lumen, const ColonCenterlineOptions & options)
+TraceColonCenterline(const LumenMask * lumen, const ColonCenterlineSettings & options)
 {
-  RequireOptions(options);
+  CheckOptions(options);
   const itk::ImageRegion<3> region = LumenRegion(lumen);
   const LumenComponents     components = FindLumenComponents(lumen, region);
   const LumenChoice         choice = ChooseLumen(lumen, components, options);

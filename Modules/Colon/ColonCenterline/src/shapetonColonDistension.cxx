@@ -37,8 +37,10 @@ AddStep(double from, double to, double caliber, bool isGap, SegmentDistension & 
 std::vector<ColonSegmentBorder>
 CustomarySegments(double length)
 {
-  return { { "rectum", 0.10 * length },     { "sigmoid", 0.35 * length },   { "descending", 0.52 * length },
-           { "transverse", 0.83 * length }, { "ascending", 0.96 * length }, { "cecum", length } };
+  constexpr double rectum = 0.10, sigmoid = 0.35, descending = 0.52, transverse = 0.83, ascending = 0.96;
+  return { { "rectum", rectum * length },         { "sigmoid", sigmoid * length },
+           { "descending", descending * length }, { "transverse", transverse * length },
+           { "ascending", ascending * length },   { "cecum", length } };
 }
 
 std::vector<SegmentDistension>

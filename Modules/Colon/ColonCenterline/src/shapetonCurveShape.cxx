@@ -134,8 +134,9 @@ BridgeGap(const Eigen::Vector3d & a,
   const Eigen::Vector3d straight = distance > 0.0 ? Eigen::Vector3d((b - a) / distance) : out;
   // Prevents a badly oriented end from deflecting the bridge far to the side.
   const auto tangent = [&](const Eigen::Vector3d & direction) {
-    const double forward = std::max(0.0, direction.dot(straight));
-    return Eigen::Vector3d(distance * (0.25 + 0.75 * forward) * direction);
+    const double     forward = std::max(0.0, direction.dot(straight));
+    constexpr double least = 0.25; // of the distance
+    return Eigen::Vector3d(distance * (least + (1.0 - least) * forward) * direction);
   };
   const Eigen::Vector3d ta = tangent(out);
   const Eigen::Vector3d tb = tangent(in);

@@ -10,6 +10,7 @@ namespace shapeton
 {
 namespace
 {
+/** Bounds the time. */
 constexpr int mostCuts = 6;
 /** Penalty (mm) of a path through a hole in a septum; less than CellTree::LeastGain. */
 constexpr double holeCost = 35.0;
@@ -17,6 +18,8 @@ constexpr double holeCost = 35.0;
 constexpr std::size_t mostTrials = 100;
 /** Number of the best single cuts that are tried in pairs. */
 constexpr std::size_t pairedCuts = 10;
+/** Above the cost (mm) of every layout that can be ordered. */
+constexpr double costOfTooManyPieces = 1e9;
 /** Minimum volume (mm^3) of a piece that affects the layout. */
 constexpr double smallestPiece = 5e3;
 /** Minimum volume of a stretch of colon, mm^3. */
@@ -115,7 +118,7 @@ public:
     const Layout layout = LayOut(m_Grid, m_Cells, m_Tree, area);
     if (layout.pieces.size() > static_cast<std::size_t>(mostJoinPieces))
     {
-      return 1e9;
+      return costOfTooManyPieces;
     }
     if (layout.pieces.empty())
     {

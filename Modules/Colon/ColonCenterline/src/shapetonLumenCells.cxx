@@ -12,6 +12,9 @@ namespace
 {
 /** Maximum distance of a cell from its center, in radii of its inscribed ball. */
 constexpr double reach = 1.5;
+/** Minimum radius of a cell in voxels, slightly above zero: a cell at the narrowest voxel still includes its neighbors.
+ */
+constexpr double leastRadius = 0.7;
 
 std::vector<int>
 WidestFirst(const LumenGrid & grid)
@@ -104,8 +107,7 @@ LumenCells::Claim(const LumenGrid & grid, int center)
   const double radius = grid.Distance(center);
   centers.push_back(center);
   positions.push_back(grid.Position(center));
-  // Slightly above zero: a cell at the narrowest voxel still includes its neighbors.
-  radii.push_back(std::max(radius, 0.7 * grid.Spacing().maxCoeff()));
+  radii.push_back(std::max(radius, leastRadius * grid.Spacing().maxCoeff()));
   cellOf[center] = cell;
   // Distances are accurate to half a voxel, and the ball must not extend through a thin wall.
   const double       ball = radius - 0.5 * grid.Spacing().maxCoeff();

@@ -171,7 +171,7 @@ ChooseLumen(const LumenMask * lumen, const LumenComponents & components, const C
   {
     Want(components, *options.start, "start", choice);
   }
-  for (const auto & seed : options.seedPoints)
+  for (const auto & seed : options.seedPoint)
   {
     Want(components, seed, "seed point", choice);
   }

@@ -51,10 +51,11 @@ ReadBlock(const LumenDistanceImage * distance,
 std::array<int, 3>
 LumenGrid::Blocks(const itk::SpacePrecisionType * spacing)
 {
+  constexpr double   coarsest = 1.75; // mm
   std::array<int, 3> blocks;
   for (int a = 0; a < 3; ++a)
   {
-    blocks[a] = std::max(1, static_cast<int>(std::floor(1.75 / spacing[a])));
+    blocks[a] = std::max(1, static_cast<int>(std::floor(coarsest / spacing[a])));
   }
   return blocks;
 }

@@ -94,11 +94,12 @@ public:
   void
   ForEachNeighbor(int node, const TBody & body) const
   {
-    const Neighbors & around = m_Neighbors[node];
+    constexpr unsigned int rowMask = 0b111;
+    const Neighbors &      around = m_Neighbors[node];
     for (unsigned int row = 0; row < 9; ++row)
     {
       int          next = around.firstOfRow[row];
-      unsigned int present = around.present >> (3 * row) & 7U;
+      unsigned int present = around.present >> (3 * row) & rowMask;
       for (unsigned int step = 3 * row; present != 0; ++step, present >>= 1)
       {
         if (present & 1U)

@@ -19,6 +19,11 @@ constexpr double narrowestTaper = 1.0;
 /** Maximum wall distance (mm) and number of the candidate tips. */
 constexpr double      atWall = 3.5;
 constexpr std::size_t mostTips = 60;
+/** Candidate tips are at most this number of calibers nearer than the farthest one. The caliber is the largest wall
+ * distance (mm) on this number of nodes at the end of the core, but at least leastCaliber. */
+constexpr double      tipCalibers = 1.2;
+constexpr std::size_t endNodes = 30;
+constexpr double      leastCaliber = 10.0;
 
 /** The node with the longest path among those at least this far from the wall; the start if none exists. */
 int
@@ -77,8 +82,8 @@ NodesAtEnd(const LumenGrid &        grid,
            double                   earliest,
            int                      farthest)
 {
-  double caliber = 10.0;
-  for (std::size_t i = core.size() - std::min<std::size_t>(core.size(), 30); i < core.size(); ++i)
+  double caliber = leastCaliber;
+  for (std::size_t i = core.size() - std::min(core.size(), endNodes); i < core.size(); ++i)
   {
     caliber = std::max<double>(caliber, grid.Distance(core[i]));
   }
@@ -86,7 +91,8 @@ NodesAtEnd(const LumenGrid &        grid,
   for (const int node : paths.order)
   {
     if (branch[node] >= 0 && grid.Distance(node) >= narrowestTaper && grid.Distance(node) <= atWall &&
-        paths.lengths[node] >= paths.lengths[farthest] - 1.2 * caliber && paths.lengths[core[branch[node]]] >= earliest)
+        paths.lengths[node] >= paths.lengths[farthest] - tipCalibers * caliber &&
+        paths.lengths[core[branch[node]]] >= earliest)
     {
       nodes.push_back(node);
     }

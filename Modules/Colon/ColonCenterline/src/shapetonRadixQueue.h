@@ -55,10 +55,12 @@ public:
   }
 
 private:
+  static constexpr int KeyBits = 64;
+
   static int
   BucketOf(std::uint64_t difference)
   {
-    return difference == 0 ? 0 : 64 - __builtin_clzll(difference);
+    return difference == 0 ? 0 : KeyBits - __builtin_clzll(difference);
   }
 
   void
@@ -85,10 +87,10 @@ private:
     entries.swap(m_Buckets[full]);
   }
 
-  std::array<std::vector<Entry>, 65> m_Buckets;
-  std::uint64_t                      m_Last{ 0 };
-  std::size_t                        m_Size{ 0 };
-  RareInterruption                   m_Interruption;
+  std::array<std::vector<Entry>, KeyBits + 1> m_Buckets;
+  std::uint64_t                               m_Last{ 0 };
+  std::size_t                                 m_Size{ 0 };
+  RareInterruption                            m_Interruption;
 };
 } // namespace shapeton
 

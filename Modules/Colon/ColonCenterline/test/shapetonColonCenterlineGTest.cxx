@@ -512,7 +512,7 @@ TEST(ColonCenterline, BeginsAtTheStartThatIsGiven)
   const TubePoints truth = shapeton::ColonCurve();
   TubeMask         mask(truth, 30.0, { 2.0, 2.0, 2.0 });
   mask.Paint(truth, 16.0);
-  shapeton::ColonCenterlineOptions options;
+  shapeton::ColonCenterlineSettings options;
   options.start = itk::Point<double, 3>(truth.back().data());
   const TubePoints points = PointsOf(shapeton::TraceColonCenterline(mask.Get(), options));
   EXPECT_LT((points.front() - truth.back()).norm(), 4.0);
@@ -530,8 +530,8 @@ TEST(ColonCenterline, UsesSmallPiecesOnlyNextToASeed)
   ASSERT_EQ(without.pieces.size(), 2u);
   EXPECT_FALSE(without.pieces[1].isUsed);
   EXPECT_NE(without.pieces[1].reason.find("smaller than 5.0 ml"), std::string::npos);
-  shapeton::ColonCenterlineOptions options;
-  options.seedPoints = { itk::Point<double, 3>(shapeton::PartOf(truth, 0.87, 0.9).front().data()) };
+  shapeton::ColonCenterlineSettings options;
+  options.seedPoint = { itk::Point<double, 3>(shapeton::PartOf(truth, 0.87, 0.9).front().data()) };
   const ColonCenterline with = shapeton::TraceColonCenterline(mask.Get(), options);
   EXPECT_EQ(with.gaps.size(), 1u);
   EXPECT_TRUE(with.pieces[1].isUsed);
@@ -636,7 +636,7 @@ TEST(ColonCenterline, RefusesWhatHasNoColon)
   EXPECT_TRUE(basetest::Refuses([&] { shapeton::TraceColonCenterline(mask.Get()); },
                                 "no piece of lumen is at least 5.0 ml: the largest of 1 is 2."));
   mask.Paint(tube, 12.0);
-  shapeton::ColonCenterlineOptions options;
+  shapeton::ColonCenterlineSettings options;
   options.start = itk::Point<double, 3>(Eigen::Vector3d(0, 0, 500).data());
   EXPECT_THROW(shapeton::TraceColonCenterline(mask.Get(), options), shapeton::InputError);
   options = {};

@@ -4,6 +4,7 @@
 #include "shapetonRemarks.h"
 #include "shapetonProgress.h"
 #include "shapetonColonAssessability.h"
+#include "shapetonColonLandmarkOptions.h"
 #include "shapetonColonSegments.h"
 #include "shapetonColonTaeniae.h"
 #include "shapetonIleocecalValve.h"
@@ -16,11 +17,9 @@
 
 namespace shapeton
 {
-/** Options of FindColonLandmarks(). \ingroup ShapetonColonLandmarks */
-struct ColonLandmarkOptions
+/** Settings of FindColonLandmarks(). \ingroup ShapetonColonLandmarks */
+struct ColonLandmarkSettings : ColonLandmarkOptions
 {
-  FlexureRule flexureRule{ FlexureRule::Ordered };
-  TaeniaRule  taeniaRule{ TaeniaRule::Joint };
   /** Manually marked points on taeniae coli; LPS, mm. */
   std::vector<Eigen::Vector3d> markers;
   /** Called with the stage and the completed fraction, 0 to 1. */
@@ -51,7 +50,7 @@ struct ColonLandmarks
  * missing landmark causes a warning with the reason. Throws InputError if the surface is not a flat tube, or the
  * centerline does not match it. \ingroup ShapetonColonLandmarks */
 ShapetonColonLandmarks_EXPORT ColonLandmarks
-FindColonLandmarks(const FlatColon & flat, const CurveSet & centerline, const ColonLandmarkOptions & options = {});
+FindColonLandmarks(const FlatColon & flat, const CurveSet & centerline, const ColonLandmarkSettings & options = {});
 
 /** Assessability of segment 1 to 6; empty if a border or the hindrances are unknown.
  * \ingroup ShapetonColonLandmarks */

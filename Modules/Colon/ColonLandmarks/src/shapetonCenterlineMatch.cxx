@@ -110,8 +110,9 @@ ExplainMismatch(const FlatColonGrid & grid,
   {
     lengthOfAxis += (axis.centers.row(i) - axis.centers.row(i - 1)).norm();
   }
-  const double near = MedianDistanceOfLine(axis, match.points);
-  if (lengthOfLine > 0.6 * lengthOfAxis || near > leastRadius)
+  const double     near = MedianDistanceOfLine(axis, match.points);
+  constexpr double wholeLine = 0.6; // a shorter line may be a correct part
+  if (lengthOfLine > wholeLine * lengthOfAxis || near > leastRadius)
   {
     throw InputError("the centerline is outside the flat surface along " +
                      std::to_string(static_cast<int>(std::lround(100.0 * quality.shareOutside))) +

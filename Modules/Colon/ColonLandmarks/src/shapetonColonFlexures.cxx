@@ -173,7 +173,7 @@ FindColonFlexures(const CurveSet & centerline, FlexureRule rule)
   {
     for (ColonFlexure & flexure : result.flexures)
     {
-      flexure.reason = "the centerline is " + std::to_string(static_cast<int>(shape.Length() / 10.0)) +
+      flexure.reason = "the centerline is " + std::to_string(static_cast<int>(shape.Length() / 10)) +
                        " cm long, only a part of a colon (a whole colon is at least 80 cm long)";
     }
   }

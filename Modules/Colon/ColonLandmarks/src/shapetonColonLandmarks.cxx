@@ -66,7 +66,7 @@ AddHindrances(const CurveSet & centerline, ColonLandmarks & landmarks)
 } // namespace
 
 ColonLandmarks
-FindColonLandmarks(const FlatColon & flat, const CurveSet & centerline, const ColonLandmarkOptions & options)
+FindColonLandmarks(const FlatColon & flat, const CurveSet & centerline, const ColonLandmarkSettings & options)
 {
   ColonLandmarks result;
   options.progress("Matching the centerline", 0.0);

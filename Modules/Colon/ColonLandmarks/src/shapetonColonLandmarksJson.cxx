@@ -92,7 +92,7 @@ FlexuresToJson(const ColonLandmarks & landmarks)
 Json
 CecumToJson(const ColonLandmarks & landmarks)
 {
-  const SegmentBorder * border = FindBorder(landmarks.segments, 5);
+  const SegmentBorder * border = FindBorder(landmarks.segments, NumberOfColonSegments - 1);
   Json                  json;
   json["found"] = border != nullptr;
   if (border != nullptr)
@@ -157,7 +157,7 @@ SegmentsNotFound(const ColonLandmarks & landmarks)
 Json
 SegmentsToJson(const ColonLandmarks & landmarks)
 {
-  std::array<double, 7> area{};
+  std::array<double, NumberOfColonSegments + 1> area{};
   for (std::size_t face = 0; face < landmarks.segments.segmentOfFace.size(); ++face)
   {
     area[landmarks.segments.segmentOfFace[face]] += AreaOfFace(*landmarks.tube, static_cast<int>(face));

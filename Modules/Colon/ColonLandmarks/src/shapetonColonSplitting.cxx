@@ -171,8 +171,8 @@ MakePiece(const SurfaceMesh & tube, const ColonTaenia & taenia, int segment, con
   {
     throw InputError("no path along the taenia was found through " + name);
   }
-  const CutSurface    cut = CutAlongPaths(tube, connectivity, { path });
-  ConformalMapOptions options;
+  const CutSurface     cut = CutAlongPaths(tube, connectivity, { path });
+  ConformalMapSettings options;
   options.domain = ConformalDomain::Rectangle;
   options.progress = progress;
   options.corners = CornersOf(cut, path);
@@ -239,8 +239,9 @@ SplitColon(const SurfaceMesh & flat, const ColonLandmarks & landmarks, const Pro
 Json
 ColonPiecesToJson(const ColonPieces & pieces)
 {
-  const auto rounded = [](double value) { return std::round(value * 1e5) / 1e5; };
-  Json       list = Json::array();
+  constexpr double perUnit = 1e5; // five decimal places
+  const auto       rounded = [](double value) { return std::round(value * perUnit) / perUnit; };
+  Json             list = Json::array();
   for (const ColonPiece & piece : pieces.pieces)
   {
     Json json;

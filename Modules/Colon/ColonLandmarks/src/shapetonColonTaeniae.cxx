@@ -13,13 +13,14 @@ namespace shapeton
 {
 namespace
 {
-constexpr int    leastEnds = 24;           // of folds on the whole wall
-constexpr double disagreement = 10.0;      // mm
-constexpr double smoothing = 4.0;          // rows
-constexpr double evidenceReach = 60.0;     // mm along the colon
-constexpr double evidenceWidth = 10.0;     // mm around it
-constexpr double endsForCertainty = 4.0;   // within that reach
-constexpr double leastContradiction = 3.0; // mm
+constexpr int    leastEnds = 24;             // of folds on the whole wall
+constexpr double disagreement = 10.0;        // mm
+constexpr double greatestDisagreement = 0.1; // share of the colon
+constexpr double smoothing = 4.0;            // rows
+constexpr double evidenceReach = 60.0;       // mm along the colon
+constexpr double evidenceWidth = 10.0;       // mm around it
+constexpr double endsForCertainty = 4.0;     // within that reach
+constexpr double leastContradiction = 3.0;   // mm
 
 /** The second and third track follow the first in the row direction. */
 TaeniaTracks
@@ -108,7 +109,7 @@ ReportDisagreement(const std::vector<double> & distances, ColonTaeniae & result)
   const auto far = std::count_if(distances.begin(), distances.end(), [](double d) { return d > disagreement; });
   result.meanDisagreement = sum / static_cast<double>(distances.size());
   result.disagreeingShare = static_cast<double>(far) / static_cast<double>(distances.size());
-  if (result.disagreeingShare > 0.1 && result.markers.empty())
+  if (result.disagreeingShare > greatestDisagreement && result.markers.empty())
   {
     result.warnings.push_back("the two methods for taeniae disagree by more than 10 mm along " +
                               std::to_string(static_cast<int>(std::lround(100.0 * result.disagreeingShare))) +
@@ -218,7 +219,7 @@ ColonTaeniae
 FindColonTaeniae(const FlatColon & flat, const ColonWallTube & tube, const ColonTaeniaOptions & options)
 {
   const FlatColonGrid & grid = flat.Grid();
-  HaustralFoldOptions   foldOptions;
+  HaustralFoldSettings  foldOptions;
   foldOptions.progress = options.progress.Part("", 0.0, 0.3);
   const HaustralFolds folds = FindHaustralFolds(flat, foldOptions);
   TaeniaEvidence      evidence = MakeTaeniaEvidence(flat, tube, folds, options.rule);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <limits>
 #include <numeric>
 #include <optional>
 
@@ -13,6 +14,13 @@ namespace
 constexpr double windowLength = 150.0; // mm
 constexpr int    leastEndsOfWindow = 5;
 constexpr int    iterations = 40;
+/** Least squared distance of a point of the unit circle to a center, so that a fold end at a center does not outweigh
+ * all others. */
+constexpr double leastDistance = 1e-4;
+/** Starts of the clustering: angles of the previous window, turned by up to this share of a turn, or, in the first
+ * window, this number of angles over a third of a turn. */
+constexpr double stepOfStarts = 0.05;
+constexpr int    firstStarts = 8;
 
 using Complex = std::complex<double>;
 
@@ -47,7 +55,7 @@ ClusterFrom(const std::vector<Complex> & points, const TaeniaAngles & start)
       double                total = 0.0;
       for (int c = 0; c < 3; ++c)
       {
-        distance[c] = std::norm(point - centers[c]) + 1e-4;
+        distance[c] = std::norm(point - centers[c]) + leastDistance;
         total += 1.0 / distance[c];
       }
       for (int c = 0; c < 3; ++c)
@@ -76,7 +84,7 @@ Follow(const Clusters & clusters, const TaeniaAngles & before)
 {
   std::array<int, 3> order{ 0, 1, 2 };
   std::array<int, 3> best = order;
-  double             least = 1e30;
+  double             least = std::numeric_limits<double>::infinity();
   do
   {
     double sum = 0.0;
@@ -106,14 +114,14 @@ ClusterOf(const std::vector<Complex> & points, const std::optional<TaeniaAngles>
   const auto turned = [](const TaeniaAngles & a, double by) { return TaeniaAngles{ a[0] + by, a[1] + by, a[2] + by }; };
   for (int i = 0; before && i < 3; ++i)
   {
-    starts.push_back(turned(*before, 0.05 * (i - 1)));
+    starts.push_back(turned(*before, stepOfStarts * (i - 1)));
   }
-  for (int i = 0; !before && i < 8; ++i)
+  for (int i = 0; !before && i < firstStarts; ++i)
   {
-    starts.push_back(turned({ 0.0, 1.0 / 3.0, 2.0 / 3.0 }, i / 24.0));
+    starts.push_back(turned({ 0.0, 1.0 / 3.0, 2.0 / 3.0 }, i / (3.0 * firstStarts)));
   }
   Clusters best;
-  best.objective = 1e30;
+  best.objective = std::numeric_limits<double>::infinity();
   for (const TaeniaAngles & start : starts)
   {
     const Clusters clusters = ClusterFrom(points, start);

@@ -11,6 +11,7 @@ namespace
 constexpr double leastBend = 50.0; // degrees between chords of 40 mm
 constexpr double chord = 40.0;     // mm
 constexpr double spread = 25.0;    // mm; at most one bend within this distance
+constexpr double sameBend = 20.0;  // mm between its places in the two projections
 constexpr double comparable = 25.0;
 
 /** Angle (degrees) between the chords before and after a point in the projection to two axes. */
@@ -47,7 +48,7 @@ BendsInPlane(const VertexMatrix & points, int first, int second)
   return peaks;
 }
 
-/** Bends of both projections in order; of bends closer than 20 mm, only the first is kept. */
+/** Bends of both projections in order; of bends closer than sameBend, only the first is kept. */
 std::vector<int>
 MajorBends(const VertexMatrix & points)
 {
@@ -60,7 +61,7 @@ MajorBends(const VertexMatrix & points)
   std::vector<int> result;
   for (const int i : both)
   {
-    if (result.empty() || (i - result.back()) * CenterlineShape::Step >= 20.0)
+    if (result.empty() || (i - result.back()) * CenterlineShape::Step >= sameBend)
     {
       result.push_back(i);
     }

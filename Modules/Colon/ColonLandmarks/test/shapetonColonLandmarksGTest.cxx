@@ -160,7 +160,7 @@ TEST(ColonLandmarks, AreNotFoundAfterAnAbort)
   const SchematicColon      colon = MakeSchematicColon();
   const shapeton::FlatColon flat(landmarktubes::TubeAlong(colon.centerline, 12.0));
   const auto                work = [&](const shapeton::Progress & progress) {
-    shapeton::ColonLandmarkOptions options;
+    shapeton::ColonLandmarkSettings options;
     options.progress = progress;
     FindColonLandmarks(flat, colon.centerline, options);
   };

@@ -17,6 +17,11 @@ namespace shapeton
 ShapetonColonLumen_EXPORT std::optional<itk::Vector<double, 3>>
                           GravityOfPatientPosition(const std::string & code);
 
+/** GravityOfPatientPosition(), or nothing for "auto" and an empty text. Throws ParameterError for other unknown texts.
+ * \ingroup ShapetonColonLumen */
+ShapetonColonLumen_EXPORT std::optional<itk::Vector<double, 3>>
+                          GivenGravity(const std::string & position);
+
 /** "supine", "prone", "leftDecubitus" or "rightDecubitus", whichever is closest to a direction in LPS.
  * \ingroup ShapetonColonLumen */
 ShapetonColonLumen_EXPORT std::string

@@ -3,6 +3,7 @@
 
 #include "ShapetonColonLumenExport.h"
 
+#include "shapetonColonLumenOptions.h"
 #include "shapetonRectalCatheter.h"
 #include "shapetonRemarks.h"
 #include "shapetonProgress.h"
@@ -16,17 +17,12 @@
 
 namespace shapeton
 {
-/** Prior knowledge for SegmentColonLumen(): patient position and points in the colon.
- * \ingroup ShapetonColonLumen */
-struct ColonLumenOptions
+/** Settings of SegmentColonLumen(). Besides the words of the option, `position` may be a DICOM Patient Position, see
+ * GravityOfPatientPosition(); "auto" and an empty text infer gravity from the fluid levels. Names are always used. A
+ * DICOM code is overridden, with a warning, if the levels that are flat in another direction have an area of at least
+ * 50 cm^2 and of at least five times that of the levels that agree with the code. \ingroup ShapetonColonLumen */
+struct ColonLumenSettings : ColonLumenOptions
 {
-  /** DICOM Patient Position or a name, see GravityOfPatientPosition(). If empty, gravity is inferred from the fluid
-   * levels. Names are always used. A DICOM code is overridden, with a warning, if the levels that are flat in another
-   * direction have an area of at least 50 cm^2 and of at least five times that of the levels that agree with the
-   * code. */
-  std::string patientPosition;
-  /** Points in LPS, mm. Gas or bright fluid at these points is colon, overriding the automatic choice. */
-  std::vector<itk::Point<double, 3>> seedPoints;
   /** Called from the calling thread with the completed fraction, 0 to 1, ascending. May throw to abort. */
   Progress progress;
 };
@@ -121,7 +117,7 @@ struct ColonLumen
  * Throws ParameterError if a seed point is outside the image or in neither gas nor bright matter, or if the patient
  * position is unknown, and InputError if an image dimension is below 8 voxels. \ingroup ShapetonColonLumen */
 ShapetonColonLumen_EXPORT ColonLumen
-SegmentColonLumen(const itk::Image<float, 3> * ct, const ColonLumenOptions & options = {});
+SegmentColonLumen(const itk::Image<float, 3> * ct, const ColonLumenSettings & options = {});
 
 /** Reason why a mask on the grid of a CT (HU) is not a colon lumen: most of its gas is lung. Empty otherwise.
  * \ingroup ShapetonColonLumen */

@@ -47,7 +47,8 @@ LocalFluid::Accumulate(const ColonGrid & grid, const VoxelValues & hu, const std
   std::array<int, 3> deep;
   for (int a = 0; a < 3; ++a)
   {
-    deep[a] = static_cast<int>(std::ceil(2.0 / grid.spacing[a] - 1e-6));
+    constexpr double depth = 2.0, rounding = 1e-6; // mm, voxels
+    deep[a] = static_cast<int>(std::ceil(depth / grid.spacing[a] - rounding));
   }
   ParallelFor(m_Size[2], [&](std::size_t z) {
     for (int k = std::max<int>(z * m_Edge[2], deep[2]); k < std::min<int>((z + 1) * m_Edge[2], grid.size[2] - deep[2]);
@@ -80,7 +81,8 @@ LocalFluid::Spread()
 {
   for (auto * values : { &m_Sum, &m_Weight })
   {
-    for (int pass = 0; pass < 5; ++pass)
+    constexpr int passes = 5;
+    for (int pass = 0; pass < passes; ++pass)
     {
       ParallelFor(m_Size[2], [&](std::size_t slice) {
         const int z = static_cast<int>(slice);
@@ -139,6 +141,13 @@ namespace
 constexpr double Reach = 5.0;     // mm perpendicular to gravity
 constexpr double Thickness = 4.0; // mm along gravity
 constexpr double Sigma = 2.5;     // mm, of the weights perpendicular to gravity
+/** Search interval of the blur of levels (mm), and bounds of the result (mm); half a step is added to the upper bound.
+ * Real levels have 0.9 mm, phantoms 0.75 mm. */
+constexpr double LowestBlur = 0.2;
+constexpr double HighestBlur = 3.0;
+constexpr double LeastBlur = 0.4;
+constexpr double GreatestBlur = 1.5;
+constexpr int    BisectionsOfBlur = 40;
 } // namespace
 
 LevelSurface::LevelSurface(const ColonGrid &                  grid,
@@ -150,7 +159,7 @@ LevelSurface::LevelSurface(const ColonGrid &                  grid,
   : m_Grid(grid)
   , m_Fall(fall)
   , m_Cells({}, Reach)
-  , m_Blur(std::sqrt(UsualBlur * UsualBlur + fall.step * fall.step / 12.0))
+  , m_Blur(std::sqrt(UsualBlur * UsualBlur + UniformVariance(fall.step)))
 {
   this->Collect(hu, labels, fluid, gas);
   m_Cells = LateralCells(m_Places, Reach);
@@ -217,24 +226,25 @@ LevelSurface::Collect(const VoxelValues &                hu,
 void
 LevelSurface::MeasureBlur(std::vector<double> & shares)
 {
-  if (shares.size() < 50)
+  constexpr std::size_t leastRises = 50;
+  if (shares.size() < leastRises)
   {
     return;
   }
   std::nth_element(shares.begin(), shares.begin() + shares.size() / 2, shares.end());
   const double median = shares[shares.size() / 2];
-  double       low = 0.2;
-  double       high = 3.0;
+  double       low = LowestBlur;
+  double       high = HighestBlur;
   // Bisection for the sigma whose rise over the step that contains the crossing equals the median. The crossing is
   // assumed a quarter of the way along the step, between the extremes.
-  for (int i = 0; i < 40; ++i)
+  for (int i = 0; i < BisectionsOfBlur; ++i)
   {
     const double sigma = 0.5 * (low + high);
     const double rise =
       NormalDistribution(0.75 * m_Fall.step / sigma) - NormalDistribution(-0.25 * m_Fall.step / sigma);
     (rise > median ? low : high) = sigma;
   }
-  m_Blur = std::min(std::max(0.5 * (low + high), 0.4), 1.5 + 0.5 * m_Fall.step);
+  m_Blur = std::min(std::max(0.5 * (low + high), LeastBlur), GreatestBlur + 0.5 * m_Fall.step);
 }
 
 std::optional<double>

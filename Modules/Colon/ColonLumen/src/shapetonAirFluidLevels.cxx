@@ -126,6 +126,8 @@ namespace
 constexpr double EdgeInBlurs = 2.4;
 constexpr double EndInBlurs = 3.0;
 constexpr double ThinnestWall = 2.0; // mm
+/** Beyond every length in mm. */
+constexpr double Beyond = 1e9;
 
 double
 Median(std::vector<double> & values)
@@ -153,7 +155,7 @@ public:
     , m_Floors(floors)
     , m_Fall(fall)
     , m_Tissue(tissue)
-    , m_Blur(std::sqrt(UsualBlur * UsualBlur + fall.step * fall.step / 12.0))
+    , m_Blur(std::sqrt(UsualBlur * UsualBlur + UniformVariance(fall.step)))
   {}
 
   void
@@ -178,14 +180,15 @@ public:
   }
 
 private:
-  /** Intensity 3 to 6 mm below one floor; false if the grid ends. */
+  /** Intensity below the blurred part of the rise under one floor; false if the grid ends. */
   bool
   Below(std::size_t floor, double & mean) const
   {
-    const auto v = m_Grid.Voxel(m_Floors[floor].voxel);
-    double     sum = 0.0;
-    int        count = 0;
-    for (int t = static_cast<int>(std::ceil(3.0 / m_Fall.step)); t * m_Fall.step <= 6.5; ++t, ++count)
+    constexpr double begin = 3.0, end = 6.5; // mm
+    const auto       v = m_Grid.Voxel(m_Floors[floor].voxel);
+    double           sum = 0.0;
+    int              count = 0;
+    for (int t = static_cast<int>(std::ceil(begin / m_Fall.step)); t * m_Fall.step <= end; ++t, ++count)
     {
       const auto o = m_Fall.Offset(t);
       if (!m_Grid.Holds(v[0] + o[0], v[1] + o[1], v[2] + o[2]))
@@ -280,10 +283,10 @@ private:
       if (this->RiseBelow(f, rise))
       {
         ends.push_back(rise.end);
-        excesses.push_back(rise.isOver ? rise.excess : 1e9);
+        excesses.push_back(rise.isOver ? rise.excess : Beyond);
       }
     }
-    return 2 * ends.size() > level.floors.size() && Median(excesses) < 0.5 ? Median(ends) : -1e9;
+    return 2 * ends.size() > level.floors.size() && Median(excesses) < 0.5 ? Median(ends) : -Beyond;
   }
 
   const ColonGrid &          m_Grid;
@@ -297,6 +300,17 @@ constexpr double MaximumSlope = 0.1;  // tangent
 constexpr double MinimumArea = 30.0;  // mm^2
 constexpr double MinimumWidth = 1.5;  // mm; larger than a strip along the bottom of a straight tube
 constexpr double HighestStepIn = 0.8; // mm between neighbors of one level
+/** A floor is flat if the floors within this radius (mm; at least this number of voxels) lie in a plane: floors that
+ * are less deep or high than this share of the radius, their number, the share of the columns that have one, and the
+ * residual (mm, increased per mm of the step along gravity, which quantizes depths). The sensitivity was not measured;
+ * a real level is flat to 0.4 mm. */
+constexpr double PlaneRadius = 3.0;
+constexpr double PlaneRadiusInVoxels = 1.6;
+constexpr double PlaneSteepness = 0.7;
+constexpr int    LeastInPlane = 5;
+constexpr double PlaneShare = 0.7;
+constexpr double PlaneResidual = 0.2;
+constexpr double PlaneResidualPerStep = 0.1;
 
 struct Plane
 {
@@ -344,7 +358,7 @@ public:
     : m_Grid(grid)
     , m_Floors(floors)
     , m_Fall(fall)
-    , m_Radius(std::max(3.0, 1.6 * grid.spacing.maxCoeff()))
+    , m_Radius(std::max(PlaneRadius, PlaneRadiusInVoxels * grid.spacing.maxCoeff()))
     , m_Places(this->Places())
     , m_Cells(m_Places, m_Radius)
   {}
@@ -396,15 +410,15 @@ private:
       const double a = m_Places[g].a - m_Places[f].a;
       const double b = m_Places[g].b - m_Places[f].b;
       const double depth = m_Floors[g].depth - m_Floors[f].depth;
-      if (a * a + b * b <= m_Radius * m_Radius && std::abs(depth) < 0.7 * m_Radius)
+      if (a * a + b * b <= m_Radius * m_Radius && std::abs(depth) < PlaneSteepness * m_Radius)
       {
         fit.Add(a, b, depth);
       }
     });
     const Plane  plane = fit.Solve();
     const double expected = 3.14159 * m_Radius * m_Radius / m_Fall.ColumnArea(m_Grid);
-    return plane.count >= 5 && plane.count >= 0.7 * expected && plane.slope.norm() <= MaximumSlope &&
-           plane.residual <= 0.2 + 0.1 * m_Fall.step;
+    return plane.count >= LeastInPlane && plane.count >= PlaneShare * expected && plane.slope.norm() <= MaximumSlope &&
+           plane.residual <= PlaneResidual + PlaneResidualPerStep * m_Fall.step;
   }
 
   std::vector<char>
@@ -508,6 +522,7 @@ constexpr double FirstDepth = 1.2;   // mm below the half height; the rise above
 constexpr double GreatestDip = 0.3;  // relative to the lower contrast of level fluid and target
 constexpr double NoiseInDip = 2.0;   // standard deviations
 constexpr double LogisticRate = 1.7; // approximates the normal distribution within 1 %
+constexpr int    Bisections = 20;    // of an interval of two steps
 
 /** Approximate normal distribution with the value `half` at 0. */
 double
@@ -523,7 +538,7 @@ ErrorOfLine(double above, double step, double half, double blur)
 {
   double low = -step;
   double high = step;
-  for (int n = 0; n < 20; ++n)
+  for (int n = 0; n < Bisections; ++n)
   {
     const double error = 0.5 * (low + high);
     const double upper = ShareOfRise(above - error, half, blur);
@@ -545,7 +560,7 @@ LevelColumn::LevelColumn(const ColonGrid &       grid,
   , m_Fall(fall)
   , m_Thresholds(thresholds)
   , m_Noise(noise)
-  , m_Blur(std::sqrt(UsualBlur * UsualBlur + smoothing * smoothing + fall.step * fall.step / 12.0))
+  , m_Blur(std::sqrt(UsualBlur * UsualBlur + smoothing * smoothing + UniformVariance(fall.step)))
 {}
 
 bool

@@ -98,7 +98,6 @@ FloorsOfGas(const ColonGrid &         grid,
             const GravitySteps &      fall,
             const ColonThresholds &   thresholds);
 
-constexpr double UsualBlur = 0.8;      // mm, standard deviation of the scanner blur
 constexpr double LeastTagging = 100.0; // HU above tissue
 constexpr double LeastAtEdge = 0.7;    // relative to the fluid contrast; the rise of a level ends here
 constexpr double StepsToFluid = 3.0;   // from a gas voxel above a level; two may be in the rise

@@ -175,7 +175,8 @@ TubeOf(const std::vector<TubeSection> & sections)
   MeasureWall(enclosed, tube);
   CatheterEvidence & e = tube.evidence;
   e.length = static_cast<double>(even.Length());
-  e.boreSpread = Percentile(radii, 0.8) - Percentile(radii, 0.2);
+  constexpr double upper = 0.8, lower = 0.2; // quantiles
+  e.boreSpread = Percentile(radii, upper) - Percentile(radii, lower);
   e.ovality = MedianOf(MeasuredAlong(sections, even, [](const TubeSection & s) { return s.Ovality(); }));
   e.enclosedLength = static_cast<double>(enclosed.size());
   e.enclosedShare = enclosed[std::min<std::size_t>(EnclosedMargin.limit, enclosed.size()) - 1]->EnclosedShare();

@@ -19,7 +19,8 @@ namespace
 constexpr double SeedShare = 0.7;     // fraction of the range from tissue to fluid
 constexpr double BrighterBowel = 1.2; // contrast of another bowel relative to the fluid of the colon
 constexpr double FaintestPercentile = 0.1;
-constexpr double FaintestShare = 0.75; // relative to the contrast of typical fluid
+constexpr double FaintestShare = 0.75;  // relative to the contrast of typical fluid
+constexpr double ReachUnderLevel = 8.0; // mm
 
 /** Area-weighted percentile of the levels. */
 double
@@ -55,7 +56,7 @@ LargeTaggedLevels(const ColonEvidence & evidence)
   return tagged;
 }
 
-/** Bright pieces within 8 mm below a level, over at least 20 mm^2 and mostly without a wall in between. One level may
+/** Bright pieces near below a level, over at least PoolArea and mostly without a wall in between. One level may
  * cover several pools. */
 std::vector<int>
 BrightUnder(const ColonEvidence & evidence, const GravitySteps & fall, const Level & level)
@@ -66,7 +67,7 @@ BrightUnder(const ColonEvidence & evidence, const GravitySteps & fall, const Lev
   for (const auto floor : level.floors)
   {
     const auto v = evidence.grid.Voxel(floor);
-    for (int t = 1; t * fall.step <= std::max(8.0, StepsToFluid * fall.step); ++t)
+    for (int t = 1; t * fall.step <= std::max(ReachUnderLevel, StepsToFluid * fall.step); ++t)
     {
       const auto o = fall.Offset(t);
       if (!evidence.grid.Holds(v[0] + o[0], v[1] + o[1], v[2] + o[2]))
@@ -207,7 +208,8 @@ BoxOfColon(const ColonEvidence & evidence)
   {
     return box;
   }
-  box = evidence.grid.Widened(box, 12.0);
+  constexpr double margin = 12.0; // mm
+  box = evidence.grid.Widened(box, margin);
   // Extended to include the anal canal, which may contain a catheter.
   const int canal = static_cast<int>(50.0 / evidence.grid.spacing[2]);
   if (evidence.grid.axes(2, 2) > 0.0)
@@ -342,9 +344,9 @@ WarnOfGravity(const std::string & patientPosition, const LevelsOfDirection * con
 } // namespace
 
 void
-FindGravity(const std::string & patientPosition, ColonEvidence & evidence, ColonLumen & lumen)
+FindGravity(const std::string & position, ColonEvidence & evidence, ColonLumen & lumen)
 {
-  const auto given = GravityOfPatientPosition(patientPosition);
+  const auto given = GivenGravity(position);
   const auto assumed = *GravityOfPatientPosition("supine");
   // For the given or assumed direction, and for the direction with the most levels.
   LevelsOfDirection usual;
@@ -365,12 +367,12 @@ FindGravity(const std::string & patientPosition, ColonEvidence & evidence, Colon
   const bool isClear = Outweigh(clearest, ClearLevels, ClearRatio, given ? usual.area : 0.0);
   const bool isContradiction = given && isClear && !(clearest.gravity == *given);
   // A name was given, not a DICOM code.
-  const bool isOfHeader = given && patientPosition != NameOfGravity(*given);
+  const bool isOfHeader = given && position != NameOfGravity(*given);
   const bool isOverruled = isContradiction && isOfHeader && Outweigh(clearest, CertainLevels, CertainRatio, usual.area);
   lumen.gravitySource = given && !isOverruled ? ColonGravitySource::PatientPosition
                         : isClear             ? ColonGravitySource::Levels
                                               : ColonGravitySource::Assumed;
-  WarnOfGravity(patientPosition, isContradiction ? &clearest : nullptr, lumen);
+  WarnOfGravity(position, isContradiction ? &clearest : nullptr, lumen);
   const LevelsOfDirection & taken = lumen.gravitySource == ColonGravitySource::Levels ? clearest : usual;
   lumen.gravity = taken.gravity;
   evidence.levels = taken.levels;

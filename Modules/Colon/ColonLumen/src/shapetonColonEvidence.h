@@ -63,7 +63,7 @@ FindSeedVoxels(const ColonEvidence & evidence, const std::vector<itk::Point<doub
 /** Sets gravity and the levels under the candidates: from the patient position, otherwise the direction with by far the
  * most flat levels, otherwise supine. Warns if the position contradicts the levels or gravity is unknown. */
 void
-FindGravity(const std::string & patientPosition, ColonEvidence & evidence, ColonLumen & lumen);
+FindGravity(const std::string & position, ColonEvidence & evidence, ColonLumen & lumen);
 } // namespace shapeton
 
 #endif

@@ -1,5 +1,7 @@
 #include "shapetonColonGravity.h"
 
+#include "shapetonExceptions.h"
+
 #include <array>
 
 namespace shapeton
@@ -49,6 +51,16 @@ GravityOfPatientPosition(const std::string & code)
     }
   }
   return std::nullopt;
+}
+
+std::optional<itk::Vector<double, 3>>
+GivenGravity(const std::string & position)
+{
+  const auto gravity = GravityOfPatientPosition(position);
+  RequireParameter(gravity || position.empty() || position == "auto",
+                   "the patient position \"" + position +
+                     "\" is unknown; give supine, prone, leftDecubitus or rightDecubitus");
+  return gravity;
 }
 
 std::string

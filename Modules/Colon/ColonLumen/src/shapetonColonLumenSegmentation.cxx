@@ -30,7 +30,7 @@ constexpr double   TolerableNoise = 50.0; // a quarter of the range from gas to 
 class LumenSegmentation
 {
 public:
-  LumenSegmentation(const ColonImage * ct, const ColonLumenOptions & options) : m_Image(ct), m_Options(options) {}
+  LumenSegmentation(const ColonImage * ct, const ColonLumenSettings & options) : m_Image(ct), m_Options(options) {}
 
   ColonLumen
   Run()
@@ -38,7 +38,7 @@ public:
     this->CheckInput();
     this->Load();
     this->FindGasPieces();
-    FindGravity(m_Options.patientPosition, m_Evidence, m_Result);
+    FindGravity(m_Options.position, m_Evidence, m_Result);
     m_Options.progress(0.55);
     MeasureFluid(m_Evidence);
     this->ReviewGas();
@@ -64,9 +64,7 @@ private:
         throw InputError("the image has " + std::to_string(size[a]) + " voxels along an axis; at least 8 are required");
       }
     }
-    RequireParameter(m_Options.patientPosition.empty() || GravityOfPatientPosition(m_Options.patientPosition),
-                     "the patient position \"" + m_Options.patientPosition +
-                       "\" is unknown; give supine, prone, leftDecubitus or rightDecubitus");
+    GivenGravity(m_Options.position);
   }
 
   void
@@ -83,20 +81,22 @@ private:
     {
       this->Smooth();
     }
+    constexpr float leastOfBody = -400.0F; // HU, between lung and fat
     e.bodyMl =
-      e.grid.VoxelVolume() * 1e-3 * std::count_if(e.hu.begin(), e.hu.end(), [](float v) { return v > -400.0F; });
+      e.grid.VoxelVolume() * 1e-3 * std::count_if(e.hu.begin(), e.hu.end(), [](float v) { return v > leastOfBody; });
     this->SetGasThresholds(GasByDefinition);
     m_Options.progress(0.2);
   }
 
-  /** Increases smoothing in steps of 0.3 mm until the noise is tolerable. */
+  /** Increases smoothing until the noise is tolerable. */
   void
   Smooth()
   {
-    auto & e = m_Evidence;
-    while (e.remainingNoise > TolerableNoise && e.smoothing < 0.85)
+    constexpr double step = 0.3, most = 0.85; // mm, standard deviation
+    auto &           e = m_Evidence;
+    while (e.remainingNoise > TolerableNoise && e.smoothing < most)
     {
-      const double next = e.smoothing + 0.3;
+      const double next = e.smoothing + step;
       SmoothVoxels(e.grid, e.hu, std::sqrt(next * next - e.smoothing * e.smoothing));
       e.smoothing = next;
       e.thresholds.tissue = ModeOfTissue(e.hu);
@@ -104,8 +104,7 @@ private:
     }
     std::ostringstream text;
     text << "the image noise is high (standard deviation " << std::lround(e.noise)
-         << " HU); the volume was smoothed with sigma " << std::lround(10.0 * e.smoothing) / 10.0
-         << " mm before segmentation";
+         << " HU); the volume was smoothed with sigma " << InTenths(e.smoothing) << " mm before segmentation";
     m_Result.warnings.push_back(text.str());
   }
 
@@ -143,7 +142,7 @@ private:
   FindGasPieces()
   {
     auto &     e = m_Evidence;
-    LumenSeeds seeds = FindSeedVoxels(e, m_Options.seedPoints);
+    LumenSeeds seeds = FindSeedVoxels(e, m_Options.seedPoint);
     m_GasSeeds = std::move(seeds.gas);
     e.brightSeeds = std::move(seeds.bright);
     e.gas = FindGas(e.grid, e.hu, e.thresholds.gasSeed, m_GasSeeds);
@@ -225,7 +224,7 @@ private:
   }
 
   const ColonImage *              m_Image;
-  const ColonLumenOptions &       m_Options;
+  const ColonLumenSettings &      m_Options;
   ColonEvidence                   m_Evidence;
   ColonLumen                      m_Result;
   std::vector<std::array<int, 3>> m_GasSeeds;
@@ -233,7 +232,7 @@ private:
 } // namespace
 
 ColonLumen
-SegmentColonLumen(const itk::Image<float, 3> * ct, const ColonLumenOptions & options)
+SegmentColonLumen(const itk::Image<float, 3> * ct, const ColonLumenSettings & options)
 {
   return LumenSegmentation(ct, options).Run();
 }

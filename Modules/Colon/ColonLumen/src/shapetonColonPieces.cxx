@@ -156,7 +156,7 @@ StepsAround(const ColonGrid & grid, const GravitySteps & fall)
   return steps;
 }
 
-/** Adds voxels brighter than `least` in the column under a voxel; the first 3.5 mm may be a blurred layer. */
+/** Adds voxels brighter than `least` in the column under a voxel; its first part may be a blurred layer. */
 void
 AddColumn(const ColonEvidence &             evidence,
           const GravitySteps &              fall,
@@ -164,6 +164,7 @@ AddColumn(const ColonEvidence &             evidence,
           double                            least,
           std::vector<std::array<int, 3>> & voxels)
 {
+  constexpr double blurred = 3.5; // mm
   for (int n = 1; n * fall.step < LongestColumn; ++n)
   {
     const auto               o = fall.Offset(n);
@@ -172,7 +173,7 @@ AddColumn(const ColonEvidence &             evidence,
     {
       return;
     }
-    if (n * fall.step > 3.5 && evidence.hu[evidence.grid.Index(w[0], w[1], w[2])] < least)
+    if (n * fall.step > blurred && evidence.hu[evidence.grid.Index(w[0], w[1], w[2])] < least)
     {
       return;
     }

@@ -14,10 +14,11 @@ namespace
 std::array<int, 3>
 WorkingOrder(const itk::ImageBase<3> * image)
 {
-  int axial = 2;
+  constexpr double rounding = 1e-9; // of direction cosines; equal axes keep their order
+  int              axial = 2;
   for (int a = 0; a < 3; ++a)
   {
-    if (std::abs(image->GetDirection()(2, a)) > std::abs(image->GetDirection()(2, axial)) + 1e-9)
+    if (std::abs(image->GetDirection()(2, a)) > std::abs(image->GetDirection()(2, axial)) + rounding)
     {
       axial = a;
     }
@@ -76,6 +77,10 @@ GridOfImage(const itk::ImageBase<3> * image)
   return grid;
 }
 
+/** Range of voxel values, HU: from the value outside the reconstruction circle to the greatest value of 16 bits. */
+constexpr float LeastHU = -1100.0F;
+constexpr float GreatestHU = 32767.0F;
+
 VoxelValues
 LoadVoxels(const ColonImage * image, const ColonGrid & grid)
 {
@@ -83,7 +88,7 @@ LoadVoxels(const ColonImage * image, const ColonGrid & grid)
   const float * values = image->GetBufferPointer();
   ForEachVoxel(image, grid, [&](std::size_t from, std::size_t to) {
     const float v = values[from];
-    voxels[to] = v > -1100.0F ? std::min(v, 32767.0F) : -1100.0F;
+    voxels[to] = v > LeastHU ? std::min(v, GreatestHU) : LeastHU;
   });
   return voxels;
 }
@@ -180,8 +185,11 @@ HalfKernel(double sigmaInVoxels)
 double
 ModeOfTissue(const VoxelValues & hu)
 {
-  constexpr int       low = -60;
+  constexpr int       low = -60; // HU; one bin per HU
   constexpr int       bins = 220;
+  constexpr int       halfWidth = 20; // HU, of the triangular window that smooths the histogram
+  constexpr int       margin = 2 * halfWidth;
+  constexpr double    usual = 40.0; // HU, if there is no mode inside
   std::vector<double> count(bins, 0.0);
   for (std::size_t p = 0; p < hu.size(); p += 3)
   {
@@ -193,17 +201,17 @@ ModeOfTissue(const VoxelValues & hu)
   }
   int    best = -1;
   double most = 0.0;
-  for (int b = 40; b < bins - 40; ++b)
+  for (int b = margin; b < bins - margin; ++b)
   {
     double sum = 0.0;
-    for (int d = -20; d <= 20; ++d)
+    for (int d = -halfWidth; d <= halfWidth; ++d)
     {
-      sum += (21 - std::abs(d)) * count[b + d];
+      sum += (halfWidth + 1 - std::abs(d)) * count[b + d];
     }
     best = sum > most ? b : best;
     most = std::max(most, sum);
   }
-  return best > 40 && best < bins - 41 ? best + low + 0.5 : 40.0;
+  return best > margin && best < bins - margin - 1 ? best + low + 0.5 : usual;
 }
 
 VoxelBlocks
@@ -240,16 +248,18 @@ MeasureBlocks(const ColonGrid & grid, const VoxelValues & hu)
 double
 NoiseInTissue(const ColonGrid & grid, const VoxelValues & hu, double tissue)
 {
-  const VoxelBlocks   blocks = MeasureBlocks(grid, hu);
-  std::vector<double> deviations;
+  constexpr double      nearTissue = 60.0; // HU
+  constexpr std::size_t leastBlocks = 20;
+  const VoxelBlocks     blocks = MeasureBlocks(grid, hu);
+  std::vector<double>   deviations;
   for (std::size_t b = 0; b < blocks.mean.size(); ++b)
   {
-    if (std::abs(blocks.mean[b] - tissue) < 60.0)
+    if (std::abs(blocks.mean[b] - tissue) < nearTissue)
     {
       deviations.push_back(blocks.deviation[b]);
     }
   }
-  if (deviations.size() < 20)
+  if (deviations.size() < leastBlocks)
   {
     return 0.0;
   }
@@ -279,10 +289,8 @@ SmoothVoxels(const ColonGrid & grid, VoxelValues & hu, double sigma)
 double
 ShareInWall(const ColonGrid & grid, double smoothing)
 {
-  constexpr double halfWall = 1.0;  // mm
-  constexpr double usualBlur = 0.8; // mm, standard deviation of the scanner blur
-  const double     voxel = grid.spacing.maxCoeff();
-  const double     variance = usualBlur * usualBlur + voxel * voxel / 12.0 + smoothing * smoothing;
+  constexpr double halfWall = 1.0; // mm
+  const double     variance = UsualBlur * UsualBlur + UniformVariance(grid.spacing.maxCoeff()) + smoothing * smoothing;
   return std::erfc(halfWall / std::sqrt(2.0 * variance));
 }
 
@@ -432,13 +440,13 @@ FindDeepestVoxel(const ColonGrid & grid,
                  int               label,
                  const RunPiece &  piece)
 {
-  const VoxelBox  box = grid.Widened(piece.box, 1e-6);
+  const VoxelBox  box = grid.Widened(piece.box, OneVoxel);
   const ColonGrid part = grid.Part(box);
   const auto      distance = SquaredDistanceToBackground(part, MaskOfRuns(grid, set, labels, label, box));
   const auto      place = std::max_element(distance.begin(), distance.end());
   DeepestVoxel    deepest;
   // No background exists if a piece fills its bounding box.
-  deepest.radius = std::sqrt(std::min(*place, 1e6F));
+  deepest.radius = std::sqrt(std::min(*place, GreatestSquaredDistance));
   deepest.voxel = part.Voxel(static_cast<std::size_t>(place - distance.begin()));
   for (int a = 0; a < 3; ++a)
   {

@@ -12,12 +12,20 @@ namespace shapeton
 {
 namespace
 {
-constexpr double Margin = 6.0;        // mm around the lumen
-constexpr double Shell = 4.0;         // mm; the lumen has no influence beyond this distance
-constexpr double FullyInside = 10.0;  // in units of the blur; the error function is exactly 1 there
-constexpr double ScannerBlur = 0.75;  // mm, standard deviation
-constexpr double GreatestRate = 0.15; // of one inverse diffusion step; higher rates amplify noise
-constexpr double ContinuedOver = 1.2; // mm, scale of the weights along gravity
+constexpr double Margin = 6.0;          // mm around the lumen
+constexpr double Shell = 4.0;           // mm; the lumen has no influence beyond this distance
+constexpr double FullyInside = 10.0;    // in units of the blur; the error function is exactly 1 there
+constexpr double ScannerBlur = 0.75;    // mm, standard deviation
+constexpr double GreatestRate = 0.15;   // of one inverse diffusion step; higher rates amplify noise
+constexpr double ContinuedOver = 1.2;   // mm, scale of the weights along gravity
+constexpr double VarianceOfBlur = 0.64; // mm^2, the square of UsualBlur
+/** Fractions of fluid that contradict a nearer gas or fluid voxel. */
+constexpr double SurelyFluid = 0.95;
+constexpr double SurelyGas = 0.05;
+constexpr double Negligible = 0.005; // fraction of gas or fluid
+constexpr double Overshoot = 0.2;    // of the lumen fraction beyond 0 and 1
+constexpr double LeastSeen = 0.01;   // lumen fraction
+constexpr float  OnlyFluid = 0.99F;  // fraction of fluid in the lumen
 
 /** Lumen fraction of a voxel, and the fluid fraction of the lumen. */
 struct Share
@@ -38,7 +46,7 @@ public:
     , m_Labels(this->LoadLabels())
     , m_Fluid(this->MakeFluid())
     , m_Levels(m_Grid, m_Hu, m_Labels, m_Fall, m_Fluid, lumen.thresholds.gas)
-    , m_Blur(std::sqrt(0.64 + lumen.smoothing * lumen.smoothing + std::pow(grid.spacing.maxCoeff(), 2) / 12.0))
+    , m_Blur(std::sqrt(VarianceOfBlur + lumen.smoothing * lumen.smoothing + UniformVariance(grid.spacing.maxCoeff())))
   {}
 
   /** Releases each volume after use, since these dominate peak memory. */
@@ -170,7 +178,7 @@ private:
     const auto & t = m_Lumen.thresholds;
     const bool   isFluid = m_Labels[p] == 2 && m_Hu[p] > 0.5 * (t.tissue + this->FluidAt(p));
     const bool   isGas = m_Labels[p] == 1 && m_Hu[p] < 0.5 * (t.tissue + t.gas);
-    return (share > 0.95 && m_ToGas[p] < m_ToFluid[p]) || (share < 0.05 && m_ToFluid[p] < m_ToGas[p]) ||
+    return (share > SurelyFluid && m_ToGas[p] < m_ToFluid[p]) || (share < SurelyGas && m_ToFluid[p] < m_ToGas[p]) ||
            (share < 0.5 && isFluid) || (share > 0.5 && isGas);
   }
 
@@ -190,7 +198,7 @@ private:
       const double share = NormalDistribution(-*height / m_Levels.Blur());
       if (!this->IsRefuted(share, p))
       {
-        return share < 0.005 ? 0.0 : share > 0.995 ? 1.0 : share;
+        return share < Negligible ? 0.0 : share > 1.0 - Negligible ? 1.0 : share;
       }
     }
     return m_Hu[p] > m_Lumen.thresholds.tissue ? 1.0 : 0.0;
@@ -207,7 +215,8 @@ private:
     share.fluid = static_cast<float>(this->FluidShare(p));
     const double contrast = this->Contrast(share.fluid, p);
     const double safe = contrast < 0.0 ? std::min(contrast, -1.0) : std::max(contrast, 1.0);
-    share.lumen = static_cast<float>(std::clamp((m_Hu[p] - m_Lumen.thresholds.tissue) / safe, -0.2, 1.2));
+    share.lumen =
+      static_cast<float>(std::clamp((m_Hu[p] - m_Lumen.thresholds.tissue) / safe, -Overshoot, 1.0 + Overshoot));
     return share;
   }
 
@@ -275,7 +284,7 @@ private:
     }
     const double most = NormalDistribution(1.0 - (toLumen - half) / m_Blur);
     const double seen = std::clamp(share, 0.0, most);
-    return seen < 0.01 ? 0.0F : static_cast<float>(seen);
+    return seen < LeastSeen ? 0.0F : static_cast<float>(seen);
   }
 
   /** Restores curved walls in fluid by one step of inverse diffusion, limited by the voxel size. Blur shrinks the half
@@ -288,7 +297,7 @@ private:
     double       change = 0.0;
     for (int a = 0; a < 3; ++a)
     {
-      if (m_FluidParts[p] < 0.99F || v[a] == 0 || v[a] + 1 == m_Grid.size[a])
+      if (m_FluidParts[p] < OnlyFluid || v[a] == 0 || v[a] + 1 == m_Grid.size[a])
       {
         return m_Occupancy[p];
       }

@@ -466,7 +466,7 @@ MeasureTogether(const ColonGrid &                       grid,
       box.high[a] = std::max(box.high[a], v[a] + 1);
     }
   }
-  box = grid.Widened(box, 1e-6);
+  box = grid.Widened(box, OneVoxel);
   const ColonGrid part = grid.Part(box);
   auto            mask = MaskOfRuns(grid, gas.set, gas.labels, piece, box);
   for (const auto & v : voxels)
@@ -476,6 +476,6 @@ MeasureTogether(const ColonGrid &                       grid,
   FillGaps(part, mask);
   const auto d = SquaredDistanceToBackground(part, mask);
   return { std::count(mask.begin(), mask.end(), 1) * grid.VoxelVolume() * 1e-3,
-           std::sqrt(std::min(*std::max_element(d.begin(), d.end()), 1e6F)) };
+           std::sqrt(std::min(*std::max_element(d.begin(), d.end()), GreatestSquaredDistance)) };
 }
 } // namespace shapeton

@@ -121,7 +121,8 @@ LumenField::Below(const std::array<int, 3> & v, int t) const
 double
 LumenField::FluidReach() const
 {
-  return std::max(5.0, StepsToFluid * fall.step);
+  constexpr double least = 5.0; // mm
+  return std::max(least, StepsToFluid * fall.step);
 }
 
 bool

@@ -2,6 +2,7 @@
 
 #include "shapetonColonPieces.h"
 #include "shapetonColonVolume.h"
+#include "shapetonPi.h"
 
 #include <algorithm>
 #include <array>
@@ -103,7 +104,7 @@ DescribePieces(const LumenVoxels & voxels, ColonLumen & lumen)
     {
       lumen.pieces.push_back({ sum.gas * ml,
                                sum.fluid * ml,
-                               std::sqrt(std::min(sum.deepest, 1e6F)),
+                               std::sqrt(std::min(sum.deepest, GreatestSquaredDistance)),
                                sum.gas > 0.0 ? sum.gasHU / sum.gas : 0.0,
                                ToPoint(grid.Position(Eigen::Vector3d(sum.place / (sum.gas + sum.fluid)))) });
     }
@@ -123,7 +124,7 @@ DescribeLevels(const ColonEvidence & evidence, const LumenVoxels &, ColonLumen &
     found.center =
       ToPoint(fall.across[0] * level.center[0] + fall.across[1] * level.center[1] + fall.direction * level.depth);
     found.area = level.area;
-    found.tilt = std::atan(level.slope.norm()) * 57.29577951308232;
+    found.tilt = std::atan(level.slope.norm()) * DegreesPerRadian;
     found.fluidHU = level.Fluid();
     found.isTagged = level.IsTagged(evidence.thresholds.tissue);
     found.isColon = evidence.isColon[level.gas];

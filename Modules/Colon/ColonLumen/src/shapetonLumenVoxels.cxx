@@ -17,13 +17,15 @@ namespace
 {
 constexpr double LevelReach = 6.0;  // mm around the flat part of a level
 constexpr double LevelLeeway = 0.5; // mm
+constexpr double NearEdge = 0.4;    // relative to the contrast of the fluid at the edge of the level
 
 /** Width (mm) of the transition from gas to fluid, between 31 % and 81 % of a blurred step. */
 double
 LayerThickness(const LumenField & field)
 {
-  const double smoothing = field.evidence.smoothing;
-  return 1.38 * std::sqrt(UsualBlur * UsualBlur + smoothing * smoothing + field.fall.step * field.fall.step / 12.0);
+  constexpr double widthInBlurs = 1.38;
+  const double     smoothing = field.evidence.smoothing;
+  return widthInBlurs * std::sqrt(UsualBlur * UsualBlur + smoothing * smoothing + UniformVariance(field.fall.step));
 }
 
 /** Tests for proximity to the levels of the colon. */
@@ -268,7 +270,8 @@ FaintSeeds(const LumenField & field)
         continue;
       }
       const auto q = field.Below(v, steps);
-      if (q >= 0 && field.classes[q] == Nothing && std::abs(field.hu[q] - level.edge) < 0.4 * (level.edge - tissue))
+      if (q >= 0 && field.classes[q] == Nothing &&
+          std::abs(field.hu[q] - level.edge) < NearEdge * (level.edge - tissue))
       {
         seeds.push_back(q);
       }

@@ -143,13 +143,14 @@ RoomAir(const ColonGrid & grid, const VoxelValues & hu, const GasOfVolume & gas)
       }
     }
   });
+  constexpr double air = -1000.0, brightestAir = -950.0; // HU
   if (values.size() < least)
   {
-    return -1000.0;
+    return air;
   }
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::nth_element(values.begin(), middle, values.end());
-  return std::clamp<double>(*middle, -1000.0, -950.0);
+  return std::clamp<double>(*middle, air, brightestAir);
 }
 
 /** Block statistics of a piece. */
@@ -306,6 +307,7 @@ LungSearch::VesselsIn(int piece) const
     area += count.area;
     vessels += count.vessels;
   }
-  return area > 0.0 ? 1e4 * vessels / area : 0.0;
+  constexpr double unitArea = 1e4; // mm^2
+  return area > 0.0 ? unitArea * vessels / area : 0.0;
 }
 } // namespace shapeton

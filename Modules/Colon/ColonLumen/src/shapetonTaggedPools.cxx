@@ -20,6 +20,10 @@ constexpr double PassageRadius = 2.5;   // mm; narrower connections between part
 constexpr double PassageInVoxels = 1.4; // minimum radius of a passage, to exclude layers across a wall
 constexpr double ThinReach = 12.0;      // maximum length (mm) of a thin layer from wide fluid or a level
 constexpr double DeepestWide = 20.0;    // maximum depth (mm) of a wide part below a level
+constexpr double ReachOfDip = 3.0;      // voxels
+/** Tolerated rise of brightness along a path (HU), and its increase per HU of noise (standard deviation). */
+constexpr double LeastTolerance = 10.0;
+constexpr double ToleratedNoise = 0.5;
 
 /** Undecided matter at least as wide as a passage, with the parts in the colon marked. */
 class WideFluid
@@ -189,7 +193,7 @@ public:
     , m_Least(thresholds.tissue +
               std::max(LeastPoolContrast, ShareInWall(grid, smoothing) * (thresholds.fluid - thresholds.tissue)))
     , m_Tissue(thresholds.tissue)
-    , m_Tolerance(10.0 + 0.5 * noise)
+    , m_Tolerance(LeastTolerance + ToleratedNoise * noise)
     , m_Voxel(std::max(1.0, std::cbrt(grid.VoxelVolume())))
     , m_Classes(classes)
   {}
@@ -292,9 +296,9 @@ private:
   std::optional<double>
   DipTowardsFluid(std::size_t p) const
   {
-    double      nearest = 9.0 * m_Voxel * m_Voxel;
+    double      nearest = ReachOfDip * ReachOfDip * m_Voxel * m_Voxel;
     std::size_t fluid = p;
-    ForAllWithin(m_Grid, p, 3.0 * m_Voxel, [&](std::size_t q, double squaredDistance) {
+    ForAllWithin(m_Grid, p, ReachOfDip * m_Voxel, [&](std::size_t q, double squaredDistance) {
       if (m_Classes[q] == ColonFluid && squaredDistance < nearest)
       {
         nearest = squaredDistance;

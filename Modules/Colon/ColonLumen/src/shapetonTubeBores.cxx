@@ -18,6 +18,7 @@ namespace
 {
 constexpr double AxisStep = 1.0;   // mm
 constexpr double AxisSmooth = 3.0; // mm, standard deviation
+constexpr double StepInVoxels = 1.5;
 
 /** Residue of the morphological opening of a mask by a ball. */
 std::vector<unsigned char>
@@ -83,7 +84,8 @@ public:
     while (!queue.empty())
     {
       interruption.Check();
-      const auto [length, n] = queue.top();
+      const double      length = queue.top().first;
+      const std::size_t n = queue.top().second;
       queue.pop();
       if (length > way[n])
       {
@@ -204,7 +206,7 @@ public:
     : m_Grid(grid)
     , m_Voxels(voxels)
     , m_Search(grid, voxels)
-    , m_Step(std::max(AxisStep, 1.5 * grid.spacing.maxCoeff()))
+    , m_Step(std::max(AxisStep, StepInVoxels * grid.spacing.maxCoeff()))
     , m_IsTaken(voxels.size(), 0)
   {
     const Ways        ways = m_Search.From(m_Search.From(0).Farthest());

@@ -1,5 +1,7 @@
 #include "shapetonColonGravity.h"
 
+#include "shapetonExceptions.h"
+
 #include <gtest/gtest.h>
 
 namespace
@@ -31,5 +33,13 @@ TEST(ColonGravity, OtherTextsHaveNoDirection)
   {
     EXPECT_FALSE(shapeton::GravityOfPatientPosition(text)) << text;
   }
+}
+
+TEST(ColonGravity, OnlyAutoAndAnEmptyTextLeaveItOpen)
+{
+  EXPECT_FALSE(shapeton::GivenGravity("auto"));
+  EXPECT_FALSE(shapeton::GivenGravity(""));
+  EXPECT_EQ(shapeton::GivenGravity("HFP"), shapeton::GravityOfPatientPosition("prone"));
+  EXPECT_THROW(shapeton::GivenGravity("SITTING"), shapeton::ParameterError);
 }
 } // namespace

@@ -70,8 +70,8 @@ Compare(const ColonTestScene & scene, const shapeton::ColonLumen & lumen)
 shapeton::ColonLumen
 Segment(const ImageType * image, const std::string & position = "")
 {
-  shapeton::ColonLumenOptions options;
-  options.patientPosition = position;
+  shapeton::ColonLumenSettings options;
+  options.position = position;
   return shapeton::SegmentColonLumen(image, options);
 }
 
@@ -197,18 +197,18 @@ TEST(ColonLumenSegmentation, ASeedPointTakesAPieceThatIsTooThin)
   ColonTestScene scene;
   scene.lumens.push_back({ Tube(At(-25, 0, 0), 2, 30, 18), 1e9, 0.0 });
   scene.lumens.push_back({ Tube(At(25, 0, 0), 2, 20, 6), 1e9, 0.0 });
-  const auto                  image = shapeton::SampledImage(scene, { 72, 72, 50 }, { 2.0, 2.0, 2.0 });
-  shapeton::ColonLumenOptions options;
+  const auto                   image = shapeton::SampledImage(scene, { 72, 72, 50 }, { 2.0, 2.0, 2.0 });
+  shapeton::ColonLumenSettings options;
   EXPECT_EQ(shapeton::SegmentColonLumen(image, options).pieces.size(), 1U);
   itk::Point<double, 3> seed;
   seed[0] = 25.0;
   seed[1] = 1.0;
   seed[2] = -3.0;
-  options.seedPoints.push_back(seed);
+  options.seedPoint.push_back(seed);
   EXPECT_EQ(shapeton::SegmentColonLumen(image, options).pieces.size(), 2U);
-  options.seedPoints[0][1] = 30.0; // soft tissue
+  options.seedPoint[0][1] = 30.0; // soft tissue
   EXPECT_THROW(shapeton::SegmentColonLumen(image, options), shapeton::ParameterError);
-  options.seedPoints[0][1] = 3000.0;
+  options.seedPoint[0][1] = 3000.0;
   EXPECT_THROW(shapeton::SegmentColonLumen(image, options), shapeton::ParameterError);
 }
 
@@ -470,9 +470,9 @@ TEST(ColonLumenSegmentation, ColonBesideLungIsFound)
 
 TEST(ColonLumenSegmentation, NoSeedPointAndNoMaskMakeLungColon)
 {
-  const auto                  image = Chest(Lungs(-870.0, true));
-  shapeton::ColonLumenOptions options;
-  options.seedPoints.emplace_back(At(-40, 7, 0).GetDataPointer());
+  const auto                   image = Chest(Lungs(-870.0, true));
+  shapeton::ColonLumenSettings options;
+  options.seedPoint.emplace_back(At(-40, 7, 0).GetDataPointer());
   EXPECT_THROW(shapeton::SegmentColonLumen(image, options), shapeton::ParameterError);
   const auto mask = basetest::NewImageLike<itk::Image<unsigned char, 3>>(image);
   const auto paint = [&](double below) {

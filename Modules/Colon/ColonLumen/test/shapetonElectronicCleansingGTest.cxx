@@ -36,8 +36,8 @@ Cleanse(const ColonTestScene & scene, double voxel)
   const int n = static_cast<int>(90.0 / voxel);
   c.ct = shapeton::CenteredImage({ n, n, n }, { voxel, voxel, voxel }, shapeton::TurnedAxes(10.0 / 57.29578, 0.0));
   c.scene.Sample(c.ct);
-  shapeton::ColonLumenOptions options;
-  options.patientPosition = "HFS";
+  shapeton::ColonLumenSettings options;
+  options.position = "HFS";
   c.lumen = shapeton::SegmentColonLumen(c.ct, options);
   c.result = shapeton::CleanseColon(c.ct, c.lumen);
   return c;
@@ -199,8 +199,8 @@ TEST(ElectronicCleansing, WhatTheBlurTakesFromAPolypInFluidComesBack)
   blur->SetInput(c.ct);
   blur->SetVariance(0.4); // plus voxel blur: 0.56 = 0.75^2
   blur->Update();
-  shapeton::ColonLumenOptions options;
-  options.patientPosition = "HFS";
+  shapeton::ColonLumenSettings options;
+  options.position = "HFS";
   c.lumen = shapeton::SegmentColonLumen(blur->GetOutput(), options);
   const auto result = shapeton::CleanseColon(blur->GetOutput(), c.lumen);
   // The half height of a blurred ball is sigma^2 / radius = 0.16 mm inside, and voxels of 1.4 mm increase this: only 81

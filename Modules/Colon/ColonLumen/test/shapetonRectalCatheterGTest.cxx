@@ -57,8 +57,8 @@ Sampled(const ColonTestScene & scene, const std::array<double, 3> & spacing, con
 shapeton::ColonLumen
 Segment(const ImageType * image)
 {
-  shapeton::ColonLumenOptions options;
-  options.patientPosition = "HFS";
+  shapeton::ColonLumenSettings options;
+  options.position = "HFS";
   return shapeton::SegmentColonLumen(image, options);
 }
 

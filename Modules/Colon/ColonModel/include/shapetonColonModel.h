@@ -8,6 +8,7 @@
 #include "shapetonColonCenterline.h"
 #include "shapetonColonDistension.h"
 #include "shapetonColonLumenSegmentation.h"
+#include "shapetonColonModelOptions.h"
 #include "shapetonColonWall.h"
 #include "shapetonTerminalIleum.h"
 
@@ -19,18 +20,9 @@ namespace shapeton
 {
 struct ColonModel;
 
-/** Options of the pipeline from CT colonography to the wall. See BuildColonModel(). \ingroup ShapetonColonModel */
-struct ColonModelOptions
+/** Settings of BuildColonModel(). For a mask without a CT, `position` is not used. \ingroup ShapetonColonModel */
+struct ColonModelSettings : ColonModelOptions
 {
-  /** See ColonLumenOptions. For a mask without a CT only the seed points are used. */
-  std::string                        patientPosition;
-  std::vector<itk::Point<double, 3>> seedPoints;
-  /** Number of faces of the simplified wall; 0 for automatic choice, see ColonWallOptions. */
-  int faces{ 0 };
-  /** Keep the pieces of an interrupted lumen separate, without tubes through collapsed stretches. */
-  bool keepPieces{ false };
-  /** Continue as far as possible when the colon is not distended or tagged enough. */
-  bool keepPartial{ false };
   /** Called on the calling thread with the stage and the completed fraction, 0 to 1. */
   Progress progress;
   /** Called with the cleansed CT (HU) on another thread, in parallel with the remaining steps (after them if
@@ -41,9 +33,9 @@ struct ColonModelOptions
   /** Called on another thread with the model except the wall, while the wall is built (afterwards if single-threaded).
    * Intended for slow work that does not require the wall, such as writing the volumes. */
   std::function<void(const ColonModel &)> besideWall;
-  /** Metadata stored with the surfaces, see ColonWallOptions. */
+  /** Metadata stored with the surfaces, see ColonWallSettings. */
   std::vector<std::pair<std::string, std::string>> facts;
-  /** See ColonWallOptions. */
+  /** See ColonWallSettings. */
   std::function<void(const SurfaceMesh & raw, const SurfaceMesh & repaired)> besideSimplification;
 };
 
@@ -78,16 +70,16 @@ struct ColonModel
 /** Runs the pipeline on a CT colonography in HU: lumen, cleansing, centerline, distension, wall.
  * Throws the exceptions of the individual steps. \ingroup ShapetonColonModel */
 ShapetonColonModel_EXPORT ColonModel
-BuildColonModel(const itk::Image<float, 3> * ct, const ColonModelOptions & options);
+BuildColonModel(const itk::Image<float, 3> * ct, const ColonModelSettings & options);
 
 /** Runs the pipeline with a mask on the grid of the CT instead of the automatic lumen. \ingroup ShapetonColonModel */
 ShapetonColonModel_EXPORT ColonModel
-BuildColonModel(const itk::Image<float, 3> * ct, const LumenMask * lumen, const ColonModelOptions & options);
+BuildColonModel(const itk::Image<float, 3> * ct, const LumenMask * lumen, const ColonModelSettings & options);
 
 /** Runs the pipeline on a mask of the lumen, without cleansing. The raw wall is the 0.5 isosurface of the mask, with
  * stairs and handles; the repaired wall is extracted from the smoothed mask. \ingroup ShapetonColonModel */
 ShapetonColonModel_EXPORT ColonModel
-BuildColonModelOfLumen(const LumenMask * lumen, const ColonModelOptions & options);
+BuildColonModelOfLumen(const LumenMask * lumen, const ColonModelSettings & options);
 
 /** Stretches of at least 10 mm where the scan border cuts the colon; shorter ones are the anal canal.
  * \ingroup ShapetonColonModel */

@@ -1,6 +1,7 @@
 #ifndef shapetonColonWall_h
 #define shapetonColonWall_h
 
+#include "shapetonColonWallOptions.h"
 #include "shapetonRemarks.h"
 #include "shapetonProgress.h"
 #include "shapetonLumenTopology.h"
@@ -97,26 +98,11 @@ struct OpenWall
 ShapetonColonModel_EXPORT OpenWall
 OpenColonEnds(const SurfaceMesh & closed, const CurveSet & centerline, const OpenEndsOptions & options = {});
 
-/** Options of BuildColonWall(): size, bridges, ends and smoothing. \ingroup ShapetonColonModel */
-struct ColonWallOptions
+/** Settings of BuildColonWall(). 0 `faces` selects FacesForDiffusion() of the area and the narrowest radius of a
+ * surface simplified to 55,000 faces. \ingroup ShapetonColonModel */
+struct ColonWallSettings : ColonWallOptions
 {
-  /** Number of faces of the simplified surface; 0 for FacesForDiffusion() of the area and the narrowest radius of a
-   * surface simplified to 55,000 faces. */
-  int faces{ 0 };
-  /** Radius of the tubes through gaps, mm. */
-  double          bridgeRadius{ 2.0 };
   OpenEndsOptions ends;
-  /** Maximum displacement of vertices of the repaired surface along their normals, as a fraction of the smallest
-   * spacing. */
-  double normalLimit{ 0.2 };
-  /** Maximum displacement along the surface, to avoid needle triangles; vertices of the raw surface move only along the
-   * surface. */
-  double tangentialLimit{ 0.7 };
-  /** Keep the pieces of an interrupted lumen separate: the faces of the tubes are removed, so each piece is a component
-   * with open ends, and the surface has more than two boundary loops. */
-  bool keepPieces{ false };
-  /** Standard deviation of the smoothing of a mask, as a fraction of the mean spacing, from 0. */
-  double maskSmoothing{ 0.7 };
   /** Metadata stored with all three surfaces, see SurfaceMesh::facts. */
   std::vector<std::pair<std::string, std::string>> facts;
   /** Called with the completed fraction, 0 to 1. */
@@ -174,13 +160,15 @@ struct ColonWall
 ShapetonColonModel_EXPORT ColonWall
 BuildColonWall(OccupancyImage::ConstPointer occupancy,
                const CurveSet &             centerline,
-               const ColonWallOptions &     options = {},
+               const ColonWallSettings &    options = {},
                OccupancyImage::ConstPointer repairedOccupancy = nullptr);
 
 /** Builds the wall from a mask: the raw surface from the binary mask, the repaired one from the smoothed mask.
  * \ingroup ShapetonColonModel */
 ShapetonColonModel_EXPORT ColonWall
-BuildColonWallFromMask(const LumenMaskImage * mask, const CurveSet & centerline, const ColonWallOptions & options = {});
+BuildColonWallFromMask(const LumenMaskImage *    mask,
+                       const CurveSet &          centerline,
+                       const ColonWallSettings & options = {});
 } // namespace shapeton
 
 #endif

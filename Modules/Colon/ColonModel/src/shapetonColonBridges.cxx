@@ -60,8 +60,9 @@ FindAxes(const OccupancyImage * occupancy, const CurveSet & centerline, BridgedO
       }
       if (leftAt >= 0.0 && (!isOutside || i + 2 == curve.size()))
       {
+        constexpr int      digits = 5;
         std::ostringstream text;
-        text.precision(5);
+        text.precision(digits);
         text << "the centerline is outside the lumen from " << leftAt << " to " << backAt
              << " mm, where no gap is marked; it was bridged there";
         result.warnings.push_back(text.str());

@@ -21,14 +21,11 @@ namespace
 constexpr double SegmentationEnd = 0.35;
 constexpr double CenterlineEnd = 0.65;
 
-ColonLumenOptions
-LumenOptionsOf(const ColonModelOptions & options)
+ColonLumenSettings
+LumenSettingsOf(const ColonModelSettings & options)
 {
-  ColonLumenOptions lumen;
-  lumen.patientPosition = options.patientPosition;
-  lumen.seedPoints = options.seedPoints;
-  lumen.progress = options.progress.Part("Finding gas and fluid", 0.0, SegmentationEnd);
-  return lumen;
+  return { static_cast<const ColonLumenOptions &>(options),
+           options.progress.Part("Finding gas and fluid", 0.0, SegmentationEnd) };
 }
 
 /** Warns where the scan border cuts the colon. */
@@ -53,10 +50,10 @@ JudgeCuts(ColonCenterline & line)
 }
 
 void
-TraceLine(ColonModel & model, const ColonModelOptions & options)
+TraceLine(ColonModel & model, const ColonModelSettings & options)
 {
-  ColonCenterlineOptions line;
-  line.seedPoints = options.seedPoints;
+  ColonCenterlineSettings line;
+  line.seedPoint = options.seedPoint;
   line.progress = options.progress.Part("Tracing the centerline", SegmentationEnd, CenterlineEnd);
   model.centerline = TraceColonCenterline(model.lumen.labels, line);
   MarkHindrances(model.lumen, model.centerline.curve);
@@ -74,7 +71,7 @@ FindValve(ColonModel & model)
 
 /** Finds the valve; if ileum is attached, removes it and recomputes line and valve. */
 void
-AddValve(ColonModel & model, const ColonModelOptions & options)
+AddValve(ColonModel & model, const ColonModelSettings & options)
 {
   FindValve(model);
   if (model.valve.valve)
@@ -90,16 +87,14 @@ AddValve(ColonModel & model, const ColonModelOptions & options)
   AppendRemarks(model.warnings, model.centerline.warnings);
 }
 
-ColonWallOptions
-WallOptionsOf(const ColonModelOptions & options)
+ColonWallSettings
+WallSettingsOf(const ColonModelSettings & options)
 {
-  ColonWallOptions wall;
-  wall.faces = options.faces;
-  wall.keepPieces = options.keepPieces;
-  wall.facts = options.facts;
-  wall.besideSimplification = options.besideSimplification;
-  wall.progress = options.progress.Part("Making the wall", CenterlineEnd, 1.0);
-  return wall;
+  return { static_cast<const ColonWallOptions &>(options),
+           {},
+           options.facts,
+           options.progress.Part("Making the wall", CenterlineEnd, 1.0),
+           options.besideSimplification };
 }
 
 /** Runs a task and waits for the parallel one, even after an InputError, to report failures of both. */
@@ -121,7 +116,7 @@ DoAndWaitFor(WorkBeside & beside, const TWork & work)
 
 template <typename TMake>
 void
-AddWall(ColonModel & model, const ColonModelOptions & options, const TMake & make)
+AddWall(ColonModel & model, const ColonModelSettings & options, const TMake & make)
 {
   WorkBeside beside;
   if (options.besideWall)
@@ -129,7 +124,7 @@ AddWall(ColonModel & model, const ColonModelOptions & options, const TMake & mak
     beside = StartBeside([&] { options.besideWall(model); });
   }
   ColonWall wall;
-  DoAndWaitFor(beside, [&] { wall = make(WallOptionsOf(options)); });
+  DoAndWaitFor(beside, [&] { wall = make(WallSettingsOf(options)); });
   model.wall = std::move(wall);
   AppendRemarks(model.warnings, model.wall.report.warnings);
 }
@@ -141,7 +136,7 @@ struct CleansedWork
   WorkBeside    beside;
 
   void
-  Start(const ColonModelOptions & options)
+  Start(const ColonModelSettings & options)
   {
     if (options.onCleansed)
     {
@@ -154,7 +149,7 @@ void
 TraceAndCleanse(ColonModel &                 model,
                 CleansedWork &               cleansed,
                 const itk::Image<float, 3> * ct,
-                const ColonModelOptions &    options)
+                const ColonModelSettings &   options)
 {
   ParallelInvoke([&] { TraceLine(model, options); }, // does not require the CT
                  [&] {
@@ -177,24 +172,24 @@ InWords(const GasInGap & one)
 /** Adds gas that fills gaps of the line as seed points and recomputes the model. The result is used, and the seed
  * points are added to `options`, if the gaps are shortened by at least half of the filled length. */
 void
-FillGaps(ColonModel & model, CleansedWork & cleansed, const itk::Image<float, 3> * ct, ColonModelOptions & options)
+FillGaps(ColonModel & model, CleansedWork & cleansed, const itk::Image<float, 3> * ct, ColonModelSettings & options)
 {
   const std::vector<GasInGap> found = FindGasInGaps(model.lumen, model.centerline);
   if (found.empty())
   {
     return;
   }
-  ColonModelOptions with = options;
+  ColonModelSettings with = options;
   with.onCleansed = {}; // the result may be discarded
   with.progress = options.progress.Part("Filling gaps of the colon", CenterlineEnd, CenterlineEnd);
   double most = LengthOfGaps(model.centerline);
   for (const GasInGap & one : found)
   {
-    with.seedPoints.push_back(one.gas.places[one.gas.places.size() / 2]);
+    with.seedPoint.push_back(one.gas.places[one.gas.places.size() / 2]);
     most -= 0.5 * one.gap.distance;
   }
   ColonModel filled;
-  filled.lumen = SegmentColonLumen(ct, LumenOptionsOf(with));
+  filled.lumen = SegmentColonLumen(ct, LumenSettingsOf(with));
   if (!filled.lumen.failure.empty())
   {
     return;
@@ -207,7 +202,7 @@ FillGaps(ColonModel & model, CleansedWork & cleansed, const itk::Image<float, 3>
     model = std::move(filled);
     cleansed = std::move(again);
     cleansed.Start(options);
-    options.seedPoints = with.seedPoints;
+    options.seedPoint = with.seedPoint;
     model.warnings = model.lumen.warnings;
     for (const GasInGap & one : found)
     {
@@ -252,13 +247,13 @@ FailureOfShortLine(const ColonModel & model)
 
 /** Whether to continue: the line is a colon, or partial results are requested. */
 bool
-MayGoOn(ColonModel & model, const ColonModelOptions & options, LumenOrigin origin)
+MayGoOn(ColonModel & model, const ColonModelSettings & options, LumenOrigin origin)
 {
   if (model.failure.empty())
   {
     model.failure = model.centerline.failure;
   }
-  if (model.failure.empty() && origin == LumenOrigin::Data && options.seedPoints.empty())
+  if (model.failure.empty() && origin == LumenOrigin::Data && options.seedPoint.empty())
   {
     model.failure = FailureOfShortLine(model);
   }
@@ -267,7 +262,7 @@ MayGoOn(ColonModel & model, const ColonModelOptions & options, LumenOrigin origi
 
 /** Computes cleansed CT, centerline and wall of a lumen from the CT or a mask. */
 void
-Complete(ColonModel & model, const itk::Image<float, 3> * ct, ColonModelOptions options, LumenOrigin origin)
+Complete(ColonModel & model, const itk::Image<float, 3> * ct, ColonModelSettings options, LumenOrigin origin)
 {
   CleansedWork cleansed;
   DoAndWaitFor(cleansed.beside, [&] {
@@ -285,14 +280,14 @@ Complete(ColonModel & model, const itk::Image<float, 3> * ct, ColonModelOptions 
     {
       TakeOut(*model.terminalIleum, cleansed.colon.occupancy.GetPointer());
     }
-    AddWall(model, options, [&](const ColonWallOptions & wall) {
+    AddWall(model, options, [&](const ColonWallSettings & wall) {
       return BuildColonWall(std::move(cleansed.colon.occupancy), model.centerline.curve, wall);
     });
   });
 }
 
 ColonModel
-ModelOf(const itk::Image<float, 3> * ct, ColonLumen && lumen, const ColonModelOptions & options, LumenOrigin origin)
+ModelOf(const itk::Image<float, 3> * ct, ColonLumen && lumen, const ColonModelSettings & options, LumenOrigin origin)
 {
   ColonModel model;
   model.lumen = std::move(lumen);
@@ -337,19 +332,19 @@ RadiusOfSection(const itk::Point<double, 3> & center, double diameter, const itk
 } // namespace
 
 ColonModel
-BuildColonModel(const itk::Image<float, 3> * ct, const ColonModelOptions & options)
+BuildColonModel(const itk::Image<float, 3> * ct, const ColonModelSettings & options)
 {
-  return ModelOf(ct, SegmentColonLumen(ct, LumenOptionsOf(options)), options, LumenOrigin::Data);
+  return ModelOf(ct, SegmentColonLumen(ct, LumenSettingsOf(options)), options, LumenOrigin::Data);
 }
 
 ColonModel
-BuildColonModel(const itk::Image<float, 3> * ct, const LumenMask * lumen, const ColonModelOptions & options)
+BuildColonModel(const itk::Image<float, 3> * ct, const LumenMask * lumen, const ColonModelSettings & options)
 {
-  return ModelOf(ct, ColonLumenOfMask(ct, lumen, LumenOptionsOf(options)), options, LumenOrigin::Mask);
+  return ModelOf(ct, ColonLumenOfMask(ct, lumen, LumenSettingsOf(options)), options, LumenOrigin::Mask);
 }
 
 ColonModel
-BuildColonModelOfLumen(const LumenMask * lumen, const ColonModelOptions & options)
+BuildColonModelOfLumen(const LumenMask * lumen, const ColonModelSettings & options)
 {
   ColonModel model;
   model.hasIntensities = false;
@@ -360,7 +355,7 @@ BuildColonModelOfLumen(const LumenMask * lumen, const ColonModelOptions & option
     return model;
   }
   AddValve(model, options);
-  AddWall(model, options, [&](const ColonWallOptions & wall) {
+  AddWall(model, options, [&](const ColonWallSettings & wall) {
     return BuildColonWallFromMask(Cropped(model.lumen.labels), model.centerline.curve, wall);
   });
   return model;

@@ -47,7 +47,7 @@ class Builder
 public:
   Builder(OccupancyImage::ConstPointer && occupancy,
           const CurveSet &                centerline,
-          const ColonWallOptions &        options,
+          const ColonWallSettings &       options,
           OccupancyImage::ConstPointer && repairedOccupancy)
     : m_Occupancy(std::move(occupancy))
     , m_RepairedOccupancy(repairedOccupancy ? std::move(repairedOccupancy) : m_Occupancy)
@@ -242,8 +242,8 @@ private:
   void
   SimplifyTo(int faces, double begin, double end)
   {
-    SurfaceSimplificationOptions options;
-    options.targetFaces = faces;
+    SurfaceSimplificationSettings options;
+    options.faces = faces;
     options.progress = m_Options.progress.Part("", begin, end);
     m_Wall.simplified = SimplifySurface(m_Wall.repaired, options, &m_Simplification);
   }
@@ -321,7 +321,7 @@ private:
   OccupancyImage::ConstPointer m_Occupancy;
   OccupancyImage::ConstPointer m_RepairedOccupancy;
   const CurveSet &             m_Centerline;
-  const ColonWallOptions &     m_Options;
+  const ColonWallSettings &    m_Options;
   BridgedOccupancy             m_Bridges;
   OccupancyImage::ConstPointer m_RepairedField;
   LumenMaskImage::Pointer      m_Mask;
@@ -334,9 +334,10 @@ private:
 ColonWall
 BuildColonWall(OccupancyImage::ConstPointer occupancy,
                const CurveSet &             centerline,
-               const ColonWallOptions &     options,
+               const ColonWallSettings &    options,
                OccupancyImage::ConstPointer repairedOccupancy)
 {
+  CheckOptions(options);
   RequireParameter(options.faces == 0 || options.faces >= 100,
                    "the simplified wall requires at least 100 faces, or 0 for automatic choice");
   RequireSound(centerline, "the centerline");
@@ -349,9 +350,8 @@ BuildColonWall(OccupancyImage::ConstPointer occupancy,
 }
 
 ColonWall
-BuildColonWallFromMask(const LumenMaskImage * mask, const CurveSet & centerline, const ColonWallOptions & options)
+BuildColonWallFromMask(const LumenMaskImage * mask, const CurveSet & centerline, const ColonWallSettings & options)
 {
-  RequireParameter(options.maskSmoothing >= 0.0, "the smoothing of a lumen mask must not be negative");
   const auto   spacing = mask->GetSpacing();
   const double meanSpacing = std::cbrt(spacing[0] * spacing[1] * spacing[2]);
   auto         sharp = OccupancyFromMask(mask);

@@ -14,12 +14,13 @@ namespace
 int
 EightfoldEulerNumber(unsigned int cube)
 {
-  const auto has = [cube](unsigned int voxels) { return (cube & voxels) == voxels; };
-  int        eightfold = cube == 0xFFU ? -8 : 0;
+  constexpr unsigned int all = 0xFF;
+  const auto             has = [cube](unsigned int voxels) { return (cube & voxels) == voxels; };
+  int                    eightfold = cube == all ? -8 : 0;
   for (unsigned int i = 0; i < 8; ++i)
   {
     eightfold += has(1U << i) ? 1 : 0; // a voxel is in eight cubes
-    eightfold += i < 4 && cube == (0xFFU & ~(1U << i) & ~(0x80U >> i)) ? 8 : 0;
+    eightfold += i < 4 && cube == (all & ~(1U << i) & ~(0x80U >> i)) ? 8 : 0;
   }
   for (unsigned int a = 1; a < 8; a <<= 1)
   {

@@ -17,6 +17,15 @@ namespace
 constexpr unsigned char Gas = 1;
 constexpr unsigned char Fluid = 2;
 constexpr double        TypicalTissue = 40.0; // HU
+/** Bounds of the values (HU) and the number of voxels from which gas and tagged fluid are measured. */
+constexpr float       GreatestOfGas = -600.0F;
+constexpr float       LeastOfFluid = 150.0F;
+constexpr std::size_t LeastFluidVoxels = 20;
+/** Seeds of gas and fluid as in the segmentation of the CT: a fifth of the contrast from gas, 0.7 of the contrast of
+ * the fluid, which is relative because a fixed threshold of 200 HU includes bone and small bowel. */
+constexpr double GasSeedOfTissue = 0.2;
+constexpr double GasSeedOfGas = 0.8;
+constexpr double FluidSeedShare = 0.7;
 
 double
 VoxelMl(const itk::ImageBase<3> * image)
@@ -82,15 +91,14 @@ DescribePieces(const std::vector<PieceSums> & sums, double voxelMl, ColonLumen &
 
 /** Estimates gravity from gas to fluid in each piece. */
 void
-ChooseGravity(const std::vector<PieceSums> & sums, const std::string & patientPosition, ColonLumen & lumen)
+ChooseGravity(const std::vector<PieceSums> & sums, const std::string & position, ColonLumen & lumen)
 {
-  if (const auto given = GravityOfPatientPosition(patientPosition))
+  if (const auto given = GivenGravity(position))
   {
     lumen.gravity = *given;
     lumen.gravitySource = ColonGravitySource::PatientPosition;
     return;
   }
-  RequireParameter(patientPosition.empty(), "the patient position \"" + patientPosition + "\" is unknown");
   itk::Vector<double, 3> down(0.0);
   for (const PieceSums & sum : sums)
   {
@@ -133,7 +141,7 @@ MeasureThresholds(const itk::Image<float, 3> * ct, const LumenDistanceImage * di
   {
     if (depth.Get() >= deep)
     {
-      (value.Get() < -600.0F ? gas : fluid).push_back(value.Get());
+      (value.Get() < GreatestOfGas ? gas : fluid).push_back(value.Get());
     }
   }
   if (gas.empty())
@@ -146,14 +154,14 @@ MeasureThresholds(const itk::Image<float, 3> * ct, const LumenDistanceImage * di
   thresholds.tissue = TypicalTissue;
   thresholds.gas = MedianOf(gas);
   thresholds.gasBoundary = 0.5 * (thresholds.gas + thresholds.tissue);
-  thresholds.gasSeed = 0.2 * thresholds.tissue + 0.8 * thresholds.gas;
-  fluid.erase(std::remove_if(fluid.begin(), fluid.end(), [](float v) { return v < 150.0F; }), fluid.end());
-  lumen.isTagged = fluid.size() >= 20;
+  thresholds.gasSeed = GasSeedOfTissue * thresholds.tissue + GasSeedOfGas * thresholds.gas;
+  fluid.erase(std::remove_if(fluid.begin(), fluid.end(), [](float v) { return v < LeastOfFluid; }), fluid.end());
+  lumen.isTagged = fluid.size() >= LeastFluidVoxels;
   if (lumen.isTagged)
   {
     thresholds.fluid = MedianOf(fluid);
     thresholds.fluidBoundary = 0.5 * (thresholds.fluid + thresholds.tissue);
-    thresholds.fluidSeed = thresholds.tissue + 0.7 * (thresholds.fluid - thresholds.tissue);
+    thresholds.fluidSeed = thresholds.tissue + FluidSeedShare * (thresholds.fluid - thresholds.tissue);
   }
 }
 
@@ -186,7 +194,7 @@ ColonLumenOfMask(const itk::Image<float, 3> * ct, const LumenMask * mask, const 
   }
   const auto sums = SumPieces(ct, lumen.labels, distance);
   DescribePieces(sums, VoxelMl(mask), lumen);
-  ChooseGravity(sums, options.patientPosition, lumen);
+  ChooseGravity(sums, options.position, lumen);
   lumen.failure = FailureOfMask(ct, mask);
   return lumen;
 }

@@ -4,6 +4,7 @@
 #include "shapetonSurfaceRepair.h"
 
 #include <array>
+#include <cstdint>
 #include <map>
 
 namespace shapeton
@@ -44,12 +45,13 @@ RenumberLoops(const SurfaceMesh & before, SurfaceMesh & after)
 std::vector<int>
 FacesOfPieces(const SurfaceMesh & mesh)
 {
+  constexpr std::int64_t    leastShare = 1000; // a thousandth of the faces
   const SurfaceConnectivity connectivity(mesh);
   std::vector<int>          kept;
   for (int f = 0; f < mesh.NumberOfFaces(); ++f)
   {
     const auto & component = connectivity.Components()[connectivity.ComponentOfFaces()[f]];
-    if (component.faces * 1000LL >= mesh.NumberOfFaces())
+    if (component.faces * leastShare >= mesh.NumberOfFaces())
     {
       kept.push_back(f);
     }

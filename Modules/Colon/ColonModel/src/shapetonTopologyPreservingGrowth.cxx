@@ -4,6 +4,8 @@
 #include "shapetonPaddedVoxels.h"
 
 #include <array>
+#include <cstdint>
+#include <limits>
 #include <stdexcept>
 
 namespace shapeton
@@ -222,7 +224,7 @@ GrowByTopologyPreservingPoints(LumenMaskImage * grown, const LumenMaskImage * li
     throw std::invalid_argument("The seed, the limit and the ranks have different sizes");
   }
   PaddedVoxels voxels(grown->GetBufferedRegion());
-  if (voxels.flags.size() > 0xFFFFFFFFU)
+  if (voxels.flags.size() > std::numeric_limits<std::uint32_t>::max())
   {
     throw std::invalid_argument("More than 2^32 voxels; crop to the object");
   }

@@ -99,13 +99,14 @@ MeasureSurface(const CecalRegion & region, const FieldShape & shape, double valu
 std::vector<SurfaceVoxel>
 BulgingSurface(const CecalRegion & region)
 {
+  constexpr float           margin = 0.05F; // of the smoothed lumen fraction; voxels beyond are not near the surface
   const VoxelGrid &         grid = region.Grid();
   const std::vector<float>  field = SmoothedField(grid, region.Lumen(), smoothing / CecalRegion::Step);
   const FieldShape          shape(grid, field);
   std::vector<SurfaceVoxel> surface;
   for (std::size_t voxel = 0; voxel < field.size(); ++voxel)
   {
-    if (region.BeforeEnd(voxel) > CecalRegion::Reach || field[voxel] < 0.05F || field[voxel] > 0.95F)
+    if (region.BeforeEnd(voxel) > CecalRegion::Reach || field[voxel] < margin || field[voxel] > 1.0F - margin)
     {
       continue;
     }

@@ -55,11 +55,11 @@ CtOf(Source * source)
   return cast->GetOutput();
 }
 
-shapeton::ColonModelOptions
+shapeton::ColonModelSettings
 Options()
 {
-  shapeton::ColonModelOptions options;
-  options.patientPosition = "HFS";
+  shapeton::ColonModelSettings options;
+  options.position = "HFS";
   options.faces = 20000;
   return options;
 }
@@ -196,7 +196,7 @@ void
 ExpectGasAndFluidOfMask(Source * patient)
 {
   auto options = Options();
-  options.patientPosition.clear();
+  options.position.clear();
   const auto                 ct = CtOf(patient);
   const shapeton::ColonModel model = shapeton::BuildColonModel(ct.GetPointer(), patient->GetLumenOutput(), options);
   ASSERT_EQ(model.failure, "");
@@ -293,7 +293,7 @@ TEST(ColonModel, AShortBagOfGasWithinTheScanIsNotAColon)
   options.keepPartial = true;
   EXPECT_GT(shapeton::BuildColonModel(ct.GetPointer(), options).wall.raw.NumberOfFaces(), 0);
   options = Options();
-  options.seedPoints.emplace_back(std::array<double, 3>{ 60.0, 60.0, 80.0 }.data()); // as suggested by the message
+  options.seedPoint.emplace_back(std::array<double, 3>{ 60.0, 60.0, 80.0 }.data()); // as suggested by the message
   EXPECT_EQ(shapeton::BuildColonModel(ct.GetPointer(), options).failure, "");
   EXPECT_EQ(shapeton::BuildColonModel(ct.GetPointer(), mask.GetPointer(), Options()).failure, "");
 }

@@ -267,9 +267,9 @@ TEST(ColonWall, RefusesToOpenWhatIsNotClosed)
 
 TEST(ColonWall, PiecesCanStayApart)
 {
-  shapeton::SurfaceMesh      raw;
-  shapeton::SurfaceMesh      repaired;
-  shapeton::ColonWallOptions options;
+  shapeton::SurfaceMesh       raw;
+  shapeton::SurfaceMesh       repaired;
+  shapeton::ColonWallSettings options;
   options.faces = 3000;
   options.ends.radius = 8.0;
   options.keepPieces = true;
@@ -317,7 +317,7 @@ TEST(ColonWall, PiecesCanStayApart)
 
 TEST(ColonWall, SmallWallsKeepTheirFacesUnlessANumberIsGiven)
 {
-  shapeton::ColonWallOptions options;
+  shapeton::ColonWallSettings options;
   options.ends.radius = 8.0;
   const auto wall = shapeton::BuildColonWall(BrokenTube(), BrokenCenterline(), options);
   ASSERT_LT(wall.repaired.NumberOfFaces(), 55000);
@@ -328,7 +328,7 @@ TEST(ColonWall, SmallWallsKeepTheirFacesUnlessANumberIsGiven)
 
 TEST(ColonWall, TheChainOnABrokenTube)
 {
-  shapeton::ColonWallOptions options;
+  shapeton::ColonWallSettings options;
   options.faces = 3000;
   options.ends.radius = 8.0;
   double progress = 0.0;
@@ -376,7 +376,7 @@ TEST(ColonWall, TheChainCutsALeak)
   const Depth  tube = Tube(axis, 10);
   const auto   occupancy =
     Occupancy(Union(tube, Tube({ { 5, 0, 20 }, { 16, 0, 20 } }, 1.5)), BoxOf(axis, 10), ObliqueGrid(false), 2.0);
-  shapeton::ColonWallOptions options;
+  shapeton::ColonWallSettings options;
   options.faces = 4000;
   const auto wall = shapeton::BuildColonWall(occupancy, Centerline(axis), options);
   EXPECT_EQ(1, wall.report.rawGenus);
@@ -396,8 +396,8 @@ TEST(ColonWall, ArcLengthIsThatOfTheOwnLoop)
   {
     axis.insert(axis.end(), part.begin(), part.end());
   }
-  const Depth                lumen = Union(Tube({ { 0, 0, 0 }, { 0, 0, 50 } }, 14), Tube(axis, 4));
-  shapeton::ColonWallOptions options;
+  const Depth                 lumen = Union(Tube({ { 0, 0, 0 }, { 0, 0, 50 } }, 14), Tube(axis, 4));
+  shapeton::ColonWallSettings options;
   options.faces = 4000;
   options.ends.radius = 5.0;
   const auto wall =
@@ -453,7 +453,7 @@ TEST(ColonWall, TheChainOnAMask)
   {
     mask->GetBufferPointer()[i] = occupancy->GetBufferPointer()[i] >= 0.5F ? 2 : 0;
   }
-  shapeton::ColonWallOptions options;
+  shapeton::ColonWallSettings options;
   options.faces = 3000;
   const auto  wall = shapeton::BuildColonWallFromMask(mask, Centerline(TubeAxis), options);
   const Depth tube = Tube({ TubeAxis.front(), TubeAxis.back() }, TubeRadius);
@@ -472,7 +472,7 @@ TEST(ColonWall, TheChainOnAMask)
 
 TEST(ColonWall, SameBytesForAnyNumberOfThreads)
 {
-  shapeton::ColonWallOptions options;
+  shapeton::ColonWallSettings options;
   options.faces = 2000;
   std::vector<shapeton::ColonWall> walls;
   for (const unsigned int threads : { 1U, 2U, 3U })

@@ -3,6 +3,7 @@
 
 #include "ShapetonFlatColonExport.h"
 
+#include "shapetonFlatColonGridOptions.h"
 #include "shapetonSurfaceMesh.h"
 
 #include <array>
@@ -10,18 +11,6 @@
 
 namespace shapeton
 {
-/** Resolution and smoothing of a FlatColonGrid. \ingroup ShapetonFlatColon */
-struct FlatColonGridOptions
-{
-  /** Pixel size in mm at the mean circumference, greater than 0; adjusted to divide the circumference into whole
-   * pixels. */
-  double pixelSize{ 1.0 };
-  /** Standard deviation of the curvature smoothing, mm on the surface; 0 for none. */
-  double curvatureLength{ 0.0 };
-  /** Standard deviation of the normal smoothing, which removes voxel steps from relief. */
-  double normalLength{ 0.0 };
-};
-
 /** A pixel of the grid. Columns run along the tube, rows around it. \ingroup ShapetonFlatColon */
 struct FlatPixel
 {

@@ -7,6 +7,7 @@
 #include "shapetonColonAssessability.h"
 #include "shapetonCurveSet.h"
 #include "shapetonFlatColon.h"
+#include "shapetonHaustralFoldOptions.h"
 #include "shapetonProgress.h"
 
 #include "itkImage.h"
@@ -17,46 +18,9 @@
 
 namespace shapeton
 {
-/** Method that classifies pixels of the flat map as folds. \ingroup ShapetonFlatColon */
-enum class HaustralFoldScheme
+/** Settings of FindHaustralFolds(). \ingroup ShapetonFlatColon */
+struct HaustralFoldSettings : HaustralFoldOptions
 {
-  /** Minimum graph cut with weights estimated from the surface. */
-  GraphCut,
-  /** Fixed interval of a curvature that is not divided by area (dissertation 4.2.1 and 4.3.1), valid only for one mesh
-   * density. */
-  Published
-};
-
-/** Options of FindHaustralFolds(). \ingroup ShapetonFlatColon */
-struct HaustralFoldOptions
-{
-  HaustralFoldScheme scheme{ HaustralFoldScheme::GraphCut };
-  /** \name Minimum size and shape of a fold */
-  ///@{
-  /** Length along the crest, mm on the surface. */
-  double minimumLength{ 7.0 };
-  /** Area, mm^2 on the surface. */
-  double minimumArea{ 12.0 };
-  /** Ratio of long to short axis of the ellipse. */
-  double minimumElongation{ 1.5 };
-  /** Minimum angle between the long axis and the tube, degrees, 0 to 90. Folds are circumferential; taeniae and
-   * impressions of other bowel loops are longitudinal. */
-  double minimumAngle{ 30.0 };
-  ///@}
-  /** Time of the heat diffusion that smooths the curvature, mm^2; 0 for none. */
-  double smoothingTime{ 2.0 };
-  /** \name GraphCut */
-  ///@{
-  /** Cost of 1 mm of outline, relative to the cost of misclassifying 1 mm^2 at odds of e. */
-  double smoothness{ 1.0 };
-  /** Curvature difference (1/mm) above which the outline costs less. */
-  double contrast{ 0.02 };
-  ///@}
-  /** \name Published: interval of the curvature of folds, mm; negative where the wall bulges into the lumen */
-  ///@{
-  double publishedLow{ -4.5 };
-  double publishedHigh{ -0.5 };
-  ///@}
   /** Taeniae on the wall, which split merged folds; may be null. */
   const CurveSet * taeniae{ nullptr };
   /** May throw to abort. */
@@ -113,7 +77,7 @@ struct HaustralFolds
  * ParameterError for options out of range, and InputError if vertices of the surface coincide.
  * \ingroup ShapetonFlatColon */
 ShapetonFlatColon_EXPORT HaustralFolds
-FindHaustralFolds(const FlatColon & flat, const HaustralFoldOptions & options = {});
+FindHaustralFolds(const FlatColon & flat, const HaustralFoldSettings & options = {});
 } // namespace shapeton
 
 #endif

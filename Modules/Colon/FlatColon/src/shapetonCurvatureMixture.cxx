@@ -20,6 +20,17 @@ constexpr double leastFold = 0.05;
  * unrepresentative curvature. */
 constexpr double greatestArea = 20.0;
 
+/** Initial mean of a class, as a quantile of the curvature, and its initial share. The fit starts there; its
+ * sensitivity to the start was not measured. */
+struct Start
+{
+  double quantile;
+  double share;
+};
+constexpr Start startOfWall{ 0.40, 0.5 };
+constexpr Start startOfUneven{ 0.80, 0.4 };
+constexpr Start startOfFold{ 0.97, 0.1 };
+
 struct Samples
 {
   std::vector<double> values;
@@ -151,15 +162,17 @@ CurvatureMixture
 FitCurvatureMixture(const FoldPicture & picture)
 {
   const Samples    samples = TakeSamples(picture);
-  CurvatureMixture mixture{ { 0.0, 1.0, 0.5 }, { 0.0, 1.0, 0.4 }, { 0.0, 1.0, 0.1 }, false };
+  CurvatureMixture mixture{
+    { 0.0, 1.0, startOfWall.share }, { 0.0, 1.0, startOfUneven.share }, { 0.0, 1.0, startOfFold.share }, false
+  };
   if (samples.values.empty())
   {
     return mixture;
   }
   const double half = std::max(leastDeviation, 0.5 * Deviation(samples.values));
-  mixture.wall = { Percentile(samples.values, 0.40), half, 0.5 };
-  mixture.uneven = { Percentile(samples.values, 0.80), half, 0.4 };
-  mixture.fold = { Percentile(samples.values, 0.97), half, 0.1 };
+  mixture.wall = { Percentile(samples.values, startOfWall.quantile), half, startOfWall.share };
+  mixture.uneven = { Percentile(samples.values, startOfUneven.quantile), half, startOfUneven.share };
+  mixture.fold = { Percentile(samples.values, startOfFold.quantile), half, startOfFold.share };
   bool isAlive = true;
   for (int round = 0; round < rounds && isAlive; ++round)
   {

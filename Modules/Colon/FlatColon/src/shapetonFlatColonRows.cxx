@@ -44,9 +44,10 @@ MeasureScale(const FlatColonGrid & grid, FlatColonRow & row)
   }
   std::sort(scales.begin(), scales.end());
   const auto quantile = [&](double share) { return scales[static_cast<std::size_t>(share * (scales.size() - 1))]; };
+  constexpr double low = 0.1, high = 0.9;
   row.scale = quantile(0.5);
-  row.lowScale = quantile(0.1);
-  row.highScale = quantile(0.9);
+  row.lowScale = quantile(low);
+  row.highScale = quantile(high);
 }
 
 /** Whether at least 90 % of the pixels of a column are bridged; the others are the seam of collapsed lumen. */

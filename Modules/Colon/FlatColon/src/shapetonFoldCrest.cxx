@@ -266,7 +266,8 @@ FoldEllipse::FoldEllipse(const FoldPlaces & places) : center(Vector2d::Zero())
   {
     center += place / number;
   }
-  Eigen::Matrix2d covariance = Eigen::Matrix2d::Identity() / 12.0; // of a pixel
+  constexpr double pixelsPerVariance = 12.0; // of a pixel: a uniform distribution of width 1
+  Eigen::Matrix2d  covariance = Eigen::Matrix2d::Identity() / pixelsPerVariance;
   for (const Vector2d & place : places)
   {
     covariance += (place - center) * (place - center).transpose() / number;

@@ -5,7 +5,7 @@
 namespace shapeton
 {
 FoldPicture
-MakeFoldPicture(const FlatColon & flat, const HaustralFoldOptions & options)
+MakeFoldPicture(const FlatColon & flat, const HaustralFoldSettings & options)
 {
   const FlatColonGrid & grid = flat.Grid();
   options.progress(0.1);

@@ -42,7 +42,7 @@ struct FoldPicture
 };
 
 FoldPicture
-MakeFoldPicture(const FlatColon & flat, const HaustralFoldOptions & options);
+MakeFoldPicture(const FlatColon & flat, const HaustralFoldSettings & options);
 } // namespace shapeton
 
 #endif

@@ -16,7 +16,6 @@ using Eigen::Vector2d;
 
 /** Minimum curvature of folds, 1/mm. */
 constexpr double floorOfFolds = 0.03;
-constexpr double degrees = 180.0 / Pi;
 class FoldMeasurer
 {
 public:
@@ -67,7 +66,7 @@ private:
   Angle() const
   {
     const double up = m_Grid.IsMirrored() ? -m_Ellipse.axis.y() : m_Ellipse.axis.y();
-    const double angle = degrees * std::atan2(up, m_Ellipse.axis.x());
+    const double angle = DegreesPerRadian * std::atan2(up, m_Ellipse.axis.x());
     return angle > 90.0 ? angle - 180.0 : angle <= -90.0 ? angle + 180.0 : angle;
   }
 

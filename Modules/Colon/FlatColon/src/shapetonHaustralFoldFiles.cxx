@@ -10,6 +10,7 @@
 #include "itkNrrdImageIO.h"
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cmath>
 
@@ -20,6 +21,9 @@ namespace
 using LabelImage = itk::Image<unsigned short, 2>;
 
 constexpr int pointsOfFold = 3;
+
+constexpr std::array<double, 3> blue{ 0.2, 0.5, 1.0 };
+constexpr std::array<double, 3> green{ 0.2, 0.9, 0.3 };
 
 /** A feature point of a fold: center (0) or end (1, 2). */
 struct Feature
@@ -116,10 +120,10 @@ MarkupsOfFolds(const HaustralFolds & folds)
 {
   Markup centers;
   centers.name = "Fold centers";
-  centers.color = { 0.2, 0.5, 1.0 };
+  centers.color = blue;
   Markup ends;
   ends.name = "Fold ends";
-  ends.color = { 0.2, 0.9, 0.3 };
+  ends.color = green;
   for (const HaustralFold & fold : folds.folds)
   {
     for (int kind = 0; kind < pointsOfFold; ++kind)

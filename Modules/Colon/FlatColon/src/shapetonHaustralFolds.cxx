@@ -20,17 +20,9 @@ constexpr double widthOfTaenia = 4.0; ///< mm
 void
 RequireValid(const HaustralFoldOptions & options)
 {
-  for (const double value : { options.minimumLength, options.minimumArea, options.smoothness, options.smoothingTime })
-  {
-    RequireParameter(value >= 0.0 && std::isfinite(value),
-                     "minimum length, minimum area, smoothness and smoothing time of folds must not be negative");
-  }
-  RequireParameter(options.minimumElongation >= 1.0, "the minimum elongation of a fold must be at least 1");
-  RequireParameter(options.minimumAngle >= 0.0 && options.minimumAngle <= 90.0,
-                   "the minimum angle between a fold and the tube must be between 0 and 90 degrees");
-  RequireParameter(options.contrast > 0.0, "the contrast of the outline must be greater than 0");
-  RequireParameter(options.publishedLow < options.publishedHigh && options.publishedHigh <= 0.0,
-                   "the published interval must not be empty, and must be below 0");
+  CheckOptions(options);
+  RequireParameter(options.publishedLow < options.publishedHigh,
+                   "the parameter \"publishedLow\" must be less than the parameter \"publishedHigh\"");
 }
 
 bool
@@ -44,7 +36,7 @@ IsFold(const HaustralFold & fold, const HaustralFoldOptions & options)
 class FoldFinder
 {
 public:
-  FoldFinder(const FlatColon & flat, const HaustralFoldOptions & options)
+  FoldFinder(const FlatColon & flat, const HaustralFoldSettings & options)
     : m_Grid(flat.Grid()), m_Options(options), m_Picture(MakeFoldPicture(flat, options))
   {
     if (options.taeniae)
@@ -175,12 +167,12 @@ private:
     }
   }
 
-  const FlatColonGrid &       m_Grid;
-  const HaustralFoldOptions & m_Options;
-  FoldPicture                 m_Picture;
-  FoldSplittingRule           m_Rule;
-  CurvatureMixture            m_Mixture{};
-  std::vector<MeasuredFold>   m_Found;
+  const FlatColonGrid &        m_Grid;
+  const HaustralFoldSettings & m_Options;
+  FoldPicture                  m_Picture;
+  FoldSplittingRule            m_Rule;
+  CurvatureMixture             m_Mixture{};
+  std::vector<MeasuredFold>    m_Found;
 };
 
 /** Sets the hindrances of the folds from the array notAssessable, if present. */
@@ -201,7 +193,7 @@ NoteHindrances(const FlatColon & flat, std::vector<HaustralFold> & folds)
 } // namespace
 
 HaustralFolds
-FindHaustralFolds(const FlatColon & flat, const HaustralFoldOptions & options)
+FindHaustralFolds(const FlatColon & flat, const HaustralFoldSettings & options)
 {
   RequireValid(options);
   options.progress(0.0);

@@ -18,9 +18,9 @@ using shapeton::FindHaustralFolds;
 using shapeton::FlatColon;
 using shapeton::FlatColonGrid;
 using shapeton::HaustralFold;
-using shapeton::HaustralFoldOptions;
 using shapeton::HaustralFolds;
 using shapeton::HaustralFoldScheme;
+using shapeton::HaustralFoldSettings;
 
 constexpr double pi = flattubes::pi;
 
@@ -106,7 +106,7 @@ TEST(HaustralFolds, ASmoothTubeHasNoneAndSaysSo)
 {
   for (const HaustralFoldScheme scheme : { HaustralFoldScheme::GraphCut, HaustralFoldScheme::Published })
   {
-    HaustralFoldOptions options;
+    HaustralFoldSettings options;
     options.scheme = scheme;
     const HaustralFolds found = FindHaustralFolds(FlatColon(flattubes::MakeCylinder({})), options);
     EXPECT_TRUE(found.folds.empty());
@@ -143,16 +143,16 @@ TEST(HaustralFolds, RidgesAlongTheTubeAreNoFolds)
   folds.push_back({ 75.0, 2.0, 3.0, 5.0, 0.0, 0.0, 12.0 }); // narrow, longitudinal
   const FlatColon flat(MakeTube(folds));
   EXPECT_EQ(FindHaustralFolds(flat).folds.size(), 4u);
-  HaustralFoldOptions options;
+  HaustralFoldSettings options;
   options.minimumAngle = 0.0;
   EXPECT_EQ(FindHaustralFolds(flat, options).folds.size(), 5u);
 }
 
 TEST(HaustralFolds, LengthAndAreaAreOnTheSurface)
 {
-  HaustralFoldOptions options;
-  const FlatColon     flat(MakeTube(FourFolds()));
-  const HaustralFolds all = FindHaustralFolds(flat);
+  HaustralFoldSettings options;
+  const FlatColon      flat(MakeTube(FourFolds()));
+  const HaustralFolds  all = FindHaustralFolds(flat);
   options.minimumLength = 0.5 * (all.folds[3].length + all.folds[1].length);
   EXPECT_EQ(FindHaustralFolds(flat, options).folds.size(), 3u);
   options.minimumLength = 0.0;
@@ -187,7 +187,7 @@ TEST(HaustralFolds, TaeniaeSplitWhatHasGrownTogether)
     taenia.V.row(i) = flattubes::OnCylinder(foldtubes::radius, i, -4.0);
     taenia.curves[0].push_back(i);
   }
-  HaustralFoldOptions options;
+  HaustralFoldSettings options;
   options.taeniae = &taenia;
   EXPECT_EQ(FindHaustralFolds(flat, options).folds.size(), 5u);
 }
@@ -284,17 +284,17 @@ TEST(HaustralFolds, RefusesWrongOptions)
 {
   const FlatColon flat(flattubes::MakeCylinder({}));
   const auto      refuses = [&](const auto & change) {
-    HaustralFoldOptions options;
+    HaustralFoldSettings options;
     change(options);
     EXPECT_THROW(FindHaustralFolds(flat, options), shapeton::ParameterError);
   };
-  refuses([](HaustralFoldOptions & o) { o.minimumLength = -1.0; });
-  refuses([](HaustralFoldOptions & o) { o.minimumArea = std::nan(""); });
-  refuses([](HaustralFoldOptions & o) { o.minimumElongation = 0.5; });
-  refuses([](HaustralFoldOptions & o) { o.minimumAngle = 91.0; });
-  refuses([](HaustralFoldOptions & o) { o.smoothingTime = -2.0; });
-  refuses([](HaustralFoldOptions & o) { o.contrast = 0.0; });
-  refuses([](HaustralFoldOptions & o) { o.publishedLow = 1.0; });
+  refuses([](HaustralFoldSettings & o) { o.minimumLength = -1.0; });
+  refuses([](HaustralFoldSettings & o) { o.minimumArea = std::nan(""); });
+  refuses([](HaustralFoldSettings & o) { o.minimumElongation = 0.5; });
+  refuses([](HaustralFoldSettings & o) { o.minimumAngle = 91.0; });
+  refuses([](HaustralFoldSettings & o) { o.smoothingTime = -2.0; });
+  refuses([](HaustralFoldSettings & o) { o.contrast = 0.0; });
+  refuses([](HaustralFoldSettings & o) { o.publishedLow = 1.0; });
 }
 
 TEST(HaustralFolds, RefusesTaeniaeOfAnotherSurface)
@@ -303,7 +303,7 @@ TEST(HaustralFolds, RefusesTaeniaeOfAnotherSurface)
   taenia.V.resize(2, 3);
   taenia.V << 500.0, 0.0, 0.0, 500.0, 0.0, 100.0;
   taenia.curves = { { 0, 1 } };
-  HaustralFoldOptions options;
+  HaustralFoldSettings options;
   options.taeniae = &taenia;
   EXPECT_THROW(FindHaustralFolds(FlatColon(MakeTube(FourFolds())), options), shapeton::InputError);
 }
@@ -312,7 +312,7 @@ TEST(HaustralFolds, AreNotFoundAfterAnAbort)
 {
   const FlatColon flat(MakeTube(FourFolds()));
   const auto      work = [&](const shapeton::Progress & progress) {
-    HaustralFoldOptions options;
+    HaustralFoldSettings options;
     options.progress = progress;
     FindHaustralFolds(flat, options);
   };

@@ -4,6 +4,7 @@
 #include "shapetonCurveSet.h"
 #include "shapetonIleocecalValve.h"
 #include "shapetonPolypScore.h"
+#include "shapetonPolypSensitivityOptions.h"
 #include "shapetonProgress.h"
 #include "shapetonWallBulges.h"
 
@@ -14,8 +15,8 @@
 
 namespace shapeton
 {
-/** Default of PolypCandidateOptions::sensitivity. \ingroup ShapetonPolypCandidates */
-constexpr double defaultPolypSensitivity = 0.75;
+/** Default of the option sensitivity. \ingroup ShapetonPolypCandidates */
+constexpr double defaultPolypSensitivity = PolypSensitivityOptions().sensitivity;
 
 /** Method that finds candidates. \ingroup ShapetonPolypCandidates */
 enum class PolypPreset
@@ -146,10 +147,8 @@ struct PolypCandidate
 };
 
 /** Options of FindPolypCandidates(). \ingroup ShapetonPolypCandidates */
-struct PolypCandidateOptions
+struct PolypCandidateOptions : PolypSensitivityOptions
 {
-  /** Candidates with a shape score of at least 1 - sensitivity are listed; 0 to 1. */
-  double sensitivity{ defaultPolypSensitivity };
   /** Time (mm^2) for diffusing the normals of a wall from voxels of 0.8 mm. For other walls it is adapted so that the
    * total blur by voxels and diffusion is the same, see MatchedSmoothingTime(). */
   double smoothingTime{ 1.0 };

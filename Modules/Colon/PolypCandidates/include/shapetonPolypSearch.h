@@ -3,6 +3,7 @@
 
 #include "shapetonRemarks.h"
 #include "shapetonProgress.h"
+#include "shapetonPolypSearchOptions.h"
 #include "shapetonPolypShapeDiffusion.h"
 
 #include "shapetonCsvTable.h"
@@ -42,12 +43,9 @@ struct PolypColon
 ShapetonPolypCandidates_EXPORT PolypColon
 ReadPolypColon(const std::string & folder);
 
-/** Options of SearchPolyps(). \ingroup ShapetonPolypCandidates */
-struct PolypSearchOptions
+/** Settings of SearchPolyps(). \ingroup ShapetonPolypCandidates */
+struct PolypSearchSettings : PolypSearchOptions
 {
-  PolypPreset preset{ PolypPreset::Default };
-  /** Candidates with a shape score of at least 1 - sensitivity are listed; 0 to 1. */
-  double sensitivity{ defaultPolypSensitivity };
   /** Called with the stage and the completed fraction, 0 to 1. */
   Progress progress;
 };
@@ -55,7 +53,7 @@ struct PolypSearchOptions
 /** Finds candidates and adds all available data: attenuation, shape diffusion, position on the flat map, segment,
  * remark. Throws the exceptions of the individual steps. \ingroup ShapetonPolypCandidates */
 ShapetonPolypCandidates_EXPORT std::vector<PolypCandidate>
-                               SearchPolyps(const PolypColon & colon, const PolypSearchOptions & options = {});
+                               SearchPolyps(const PolypColon & colon, const PolypSearchSettings & options = {});
 
 /** Mean distance (mm) of the candidates to a wall; 0 without candidates. The walls of two positions may coincide
  * locally, so only the mean identifies the wall. \ingroup ShapetonPolypCandidates */

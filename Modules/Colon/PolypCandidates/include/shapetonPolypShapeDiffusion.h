@@ -22,14 +22,12 @@ MeasureShapeDiffusion(const SurfaceMesh &           wall,
                       const Progress &              progress = {});
 
 /** Settings of dissertation 3.5.2. \ingroup ShapetonPolypCandidates */
-struct PublishedPolypOptions
+struct PublishedPolypOptions : PolypSensitivityOptions
 {
   std::uint32_t shapetons{ 65000 };
   double        distance{ 0.005 };
   double        p{ 15.0 };
   std::uint64_t steps{ 4000 };
-  /** Candidates with a shape score of at least 1 - sensitivity are listed; 0 to 1. */
-  double sensitivity{ defaultPolypSensitivity };
   /** May throw to abort. */
   Progress progress;
 };

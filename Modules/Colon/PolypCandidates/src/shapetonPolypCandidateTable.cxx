@@ -2,6 +2,7 @@
 #include "shapetonCsvFile.h"
 #include "shapetonPolypSearch.h"
 
+#include <array>
 #include <cmath>
 
 namespace shapeton
@@ -202,9 +203,10 @@ MarkupsOfPolypCandidates(const std::vector<PolypCandidate> & candidates)
   {
     return {};
   }
-  Markup markup;
+  constexpr std::array<double, 3> yellow{ 1.0, 0.85, 0.2 };
+  Markup                          markup;
   markup.name = "Polyp candidates (research use)";
-  markup.color = { 1.0, 0.85, 0.2 };
+  markup.color = yellow;
   for (const PolypCandidate & one : candidates)
   {
     markup.points.push_back(one.position);

@@ -1,7 +1,6 @@
 #include "shapetonPolypCandidates.h"
 
 #include "shapetonCandidateList.h"
-#include "shapetonExceptions.h"
 #include "shapetonSurfaceQuality.h"
 
 #include <algorithm>
@@ -18,11 +17,12 @@ NameOf(PolypPreset preset)
 PolypSize
 SizeOf(double diameter)
 {
-  const double whole = std::round(diameter);
-  return whole <= 5.0   ? PolypSize::AtMost5
-         : whole < 10.0 ? PolypSize::From6To9
-         : whole < 30.0 ? PolypSize::From10
-                        : PolypSize::From30;
+  constexpr double atMost5 = 5.0, from10 = 10.0, from30 = 30.0; // mm
+  const double     whole = std::round(diameter);
+  return whole <= atMost5 ? PolypSize::AtMost5
+         : whole < from10 ? PolypSize::From6To9
+         : whole < from30 ? PolypSize::From10
+                          : PolypSize::From30;
 }
 
 std::string
@@ -44,11 +44,12 @@ NameOf(PolypSize size)
 PolypTissue
 TissueOf(double hounsfield)
 {
-  return !std::isfinite(hounsfield) ? PolypTissue::Unknown
-         : hounsfield < -150.0      ? PolypTissue::Gas
-         : hounsfield < -30.0       ? PolypTissue::Fat
-         : hounsfield <= 150.0      ? PolypTissue::Soft
-                                    : PolypTissue::Tagged;
+  constexpr double leastOfFat = -150.0, leastOfSoft = -30.0, greatestOfSoft = 150.0;
+  return !std::isfinite(hounsfield)     ? PolypTissue::Unknown
+         : hounsfield < leastOfFat      ? PolypTissue::Gas
+         : hounsfield < leastOfSoft     ? PolypTissue::Fat
+         : hounsfield <= greatestOfSoft ? PolypTissue::Soft
+                                        : PolypTissue::Tagged;
 }
 
 std::string
@@ -81,7 +82,7 @@ MatchedSmoothingTime(const SurfaceMesh & wall, double time)
 std::vector<PolypCandidate>
 FindPolypCandidates(const SurfaceMesh & wall, const PolypCandidateOptions & options)
 {
-  RequireParameter(options.sensitivity >= 0.0 && options.sensitivity <= 1.0, "the sensitivity must be between 0 and 1");
+  CheckOptions(options);
   const SurfaceConnectivity connectivity(wall);
   options.progress(0.2);
   const std::vector<char> isLeftOut = FindNoWall(wall, connectivity);

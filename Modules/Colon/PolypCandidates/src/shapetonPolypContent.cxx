@@ -69,7 +69,8 @@ struct InnerPoint
 double
 DepthOf(const PolypCandidate & candidate)
 {
-  return std::clamp(0.5 * candidate.leastDiameter, 1.5, 6.0);
+  constexpr double least = 1.5, greatest = 6.0;
+  return std::clamp(0.5 * candidate.leastDiameter, least, greatest);
 }
 
 Eigen::Vector3d
@@ -166,15 +167,21 @@ RemarkOn(const PolypCandidate & candidate)
 double
 TissueLikelihood(double hounsfield, double submergedShare)
 {
-  constexpr double besideGas = -300.0, underFluid = -130.0; // HU
-  constexpr double ofTagged = 0.25;
+  // HU: middles and widths of the steps from a bubble to a polyp, beside gas and under fluid, and from a polyp to
+  // tagged stool. On phantoms, bubbles under fluid have -307 to -124 HU, polyp heads at least -102 HU.
+  constexpr double besideGas = -300.0, widthBesideGas = 35.0;
+  constexpr double underFluid = -130.0, widthUnderFluid = 20.0;
+  constexpr double tagged = 225.0, widthOfTagged = 25.0;
+  constexpr double ofTagged = 0.25; // likelihood
   if (!std::isfinite(hounsfield))
   {
     return 1.0;
   }
   const double wet = std::isfinite(submergedShare) ? submergedShare : 0.0;
-  return Step(hounsfield, besideGas + wet * (underFluid - besideGas), 35.0 - 15.0 * wet) *
-         (1.0 - (1.0 - ofTagged) * Step(hounsfield, 225.0, 25.0));
+  return Step(hounsfield,
+              besideGas + wet * (underFluid - besideGas),
+              widthBesideGas - (widthBesideGas - widthUnderFluid) * wet) *
+         (1.0 - (1.0 - ofTagged) * Step(hounsfield, tagged, widthOfTagged));
 }
 
 void

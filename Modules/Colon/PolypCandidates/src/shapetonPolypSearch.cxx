@@ -108,7 +108,7 @@ NoteHindrances(const CurveSet & centerline, std::vector<PolypCandidate> & candid
 }
 
 std::vector<PolypCandidate>
-Find(const PolypColon & colon, const PolypSearchOptions & options)
+Find(const PolypColon & colon, const PolypSearchSettings & options)
 {
   if (options.preset == PolypPreset::Published)
   {
@@ -155,7 +155,7 @@ ReadPolypColon(const std::string & folder)
 }
 
 std::vector<PolypCandidate>
-SearchPolyps(const PolypColon & colon, const PolypSearchOptions & options)
+SearchPolyps(const PolypColon & colon, const PolypSearchSettings & options)
 {
   options.progress("Candidates", 0.0);
   std::vector<PolypCandidate> candidates = Find(colon, options);

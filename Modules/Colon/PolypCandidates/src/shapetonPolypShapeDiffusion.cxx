@@ -7,7 +7,6 @@
 #include "shapetonOpenEndedProgress.h"
 #include "shapetonParticleDiffusion.h"
 #include "shapetonSurfaceDiffusion.h"
-#include "shapetonExceptions.h"
 
 #include <algorithm>
 #include <cmath>
@@ -111,6 +110,7 @@ MeasureShapeDiffusion(const SurfaceMesh &           wall,
   constexpr double        margin = 12.0; // mm
   constexpr double        step = 1.8;    // mm
   constexpr std::uint64_t steps = 200;
+  constexpr int           shapetons = 4000;
   for (PolypCandidate & candidate : candidates)
   {
     progress((&candidate - candidates.data()) / static_cast<double>(candidates.size()));
@@ -120,7 +120,7 @@ MeasureShapeDiffusion(const SurfaceMesh &           wall,
     ParticleDiffusionSettings settings;
     settings.volumeGradient.p = publishedSteepness;
     settings.volumeGradient.spacing = box.Spacing();
-    settings.shapetons = 4000;
+    settings.shapetons = shapetons;
     settings.distance = std::min(1.0, step / box.LongestSide());
     const std::vector<float> visits = VisitsIn(box, settings, margin, steps, {});
     candidate.features.shapetonDensity = box.MeanAt(visits, points) / std::max(1e-12, MeanOfTissue(box, visits));
@@ -136,7 +136,7 @@ FindPublishedPolypCandidates(const SurfaceMesh &           wall,
   constexpr double depth = 8.0;  // mm of tissue in which shapetons start
   constexpr double least = 0.96; // rank
   constexpr double narrowest = 3.0, widest = 40.0;
-  RequireParameter(options.sensitivity >= 0.0 && options.sensitivity <= 1.0, "the sensitivity must be between 0 and 1");
+  CheckOptions(options);
   const SurfaceConnectivity connectivity(wall);
   const SurfaceShape        shape =
     MeasureSurfaceShape(wall.V, connectivity, wall.F, 1.0, options.progress.Part("", 0.0, 0.3));

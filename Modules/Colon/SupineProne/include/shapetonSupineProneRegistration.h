@@ -4,36 +4,16 @@
 #include "shapetonRemarks.h"
 #include "shapetonColonPosition.h"
 #include "shapetonCylinderMap.h"
-#include "shapetonFoldMatching.h"
 #include "shapetonJsonForward.h"
 #include "shapetonProgress.h"
+#include "shapetonSupineProneOptions.h"
 
 namespace shapeton
 {
-/** Method that computes the map from correspondences. \ingroup ShapetonSupineProne */
-enum class SupineProneMap
+/** Settings of RegisterColonPositions(). `refine` and `segmentWise` apply to the default map only.
+ * \ingroup ShapetonSupineProne */
+struct SupineProneSettings : SupineProneOptions
 {
-  /** Warping, correction by consistent folds and taeniae, projection to a bijection. */
-  Default,
-  /** As in the dissertation (4.3, 5.4.2; Zeng, Marino, Gurijala, Gu, Kaufman 2010): folds are matched once, per
-   * segment, after a conformal map constrained by flexures and the main taenia. The final map is quasi-conformal with
-   * hard constraints at flexures, this taenia and the ends of all matched folds, correct or not. Triangles may be
-   * flipped. See FindQuasiConformalMap(). */
-  Published
-};
-
-/** Options of RegisterColonPositions(). \ingroup ShapetonSupineProne */
-struct SupineProneOptions
-{
-  SupineProneMap     map{ SupineProneMap::Default };
-  FoldMatchingMethod matching{ FoldMatchingMethod::Hungarian };
-  /** Default map only: restrict folds and rows to their segment of the colon, between flexures found in both
-   * positions. */
-  bool isSegmentWise{ false };
-  /** Default map only: refine by the curvature of the wall. Useful if folds do not slide on the wall. */
-  bool refines{ false };
-  /** Maximum absolute Beltrami coefficient of the map. */
-  double greatestDilatation{ 0.8 };
   /** May throw to abort. */
   Progress progress;
 };
@@ -143,9 +123,9 @@ struct SupineProneRegistration
  * of threads. Throws InputError if a position has no folds, has neither flexures nor taeniae, or appears reversed or
  * mirrored. Source: dissertation 4.3; warping after Nain et al. 2002. \ingroup ShapetonSupineProne */
 ShapetonSupineProne_EXPORT SupineProneRegistration
-RegisterColonPositions(const ColonPosition &      source,
-                       const ColonPosition &      target,
-                       const SupineProneOptions & options = {});
+RegisterColonPositions(const ColonPosition &       source,
+                       const ColonPosition &       target,
+                       const SupineProneSettings & options = {});
 
 /** Maps a position on the flat map, mm. \ingroup ShapetonSupineProne */
 ShapetonSupineProne_EXPORT Eigen::Vector2d

@@ -151,7 +151,8 @@ ProjectToBijection(const CylinderNodes &             nodes,
     options.progress((projection.iterations + 1.0) / options.iterations);
     mu = equations.CoefficientsOf(values, projection.flips);
     ++projection.iterations;
-    bound *= projection.flips > 0 ? 0.9 : 1.0;
+    constexpr double tighter = 0.9;
+    bound *= projection.flips > 0 ? tighter : 1.0;
     if (projection.flips == 0 && GreatestOf(mu) < 0.5 * (1.0 + options.greatest))
     {
       break; // a bijection with coefficients slightly above the bound is accepted

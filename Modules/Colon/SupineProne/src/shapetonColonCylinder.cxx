@@ -50,9 +50,10 @@ ColonCylinder::ColonCylinder(const FlatColon & flat, const CurveSet & centerline
     throw InputError("the array arcLength is missing from the flat surface and its centerline; create them with "
                      "ColonSegmentation and ColonFlattening (the parameter \"centerline\")");
   }
-  constexpr double smoothing = 5.0; // mm
-  m_Arc =
-    StrictlyAscending(distance, static_cast<int>(std::ceil(smoothing / grid.PixelSize())), 0.01 * grid.PixelSize());
+  constexpr double smoothing = 5.0;  // mm
+  constexpr double leastStep = 0.01; // pixels
+  m_Arc = StrictlyAscending(
+    distance, static_cast<int>(std::ceil(smoothing / grid.PixelSize())), leastStep * grid.PixelSize());
   m_Radii = axis.radii;
   m_Around = 2.0 * Pi * m_Radii.mean();
 }

@@ -12,6 +12,7 @@ namespace shapeton
 namespace
 {
 constexpr double rowStep = 3.0; // mm
+constexpr double reach = 75.0;  // mm from the course proportional to the lengths
 
 /** Picture scaled to this number of rows from end to end. */
 CylinderPicture
@@ -56,8 +57,8 @@ RequireSameSense(const ColonWithFolds & source, const ColonWithFolds & target, c
   const CylinderPicture     fixed = PictureOf(source, rowStep, rows);
   const CylinderPicture     moving = PictureOf(target, 0.5 * rowStep, 2 * rows);
   CylindricalWarpingOptions options;
-  options.band = 75.0;
-  options.frameDeviation = 75.0;
+  options.band = reach;
+  options.frameDeviation = reach;
   const PiecewiseLine   frame{ { 0.0, 1.0 }, { 0.0, 1.0 } };
   std::array<double, 4> energies;
   for (int way = 0; way < 4; ++way)

@@ -136,9 +136,10 @@ CorrectChosenWarp(const ColonPair &       pair,
                   FoldMatchingMethod      method,
                   const Progress &        progress)
 {
-  CorrectedWarp corrected;
+  CorrectedWarp    corrected;
+  constexpr double deviation = 6.0; // mm
   corrected.warp = warp;
-  corrected.taeniaDeviation = 6.0;
+  corrected.taeniaDeviation = deviation;
   corrected.stiffness = 1.0;
   MatchAndFit(pair, method, 3, corrected, progress);
   return corrected;

@@ -45,7 +45,8 @@ RegistrationErrors::Median() const
 double
 RegistrationErrors::Percentile95() const
 {
-  return Quantile(inSpace, 0.95);
+  constexpr double share = 0.95;
+  return Quantile(inSpace, share);
 }
 
 double

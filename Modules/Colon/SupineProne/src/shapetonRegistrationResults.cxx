@@ -28,7 +28,8 @@ MappedSurface(const SurfaceMesh & flat, const TMap & map, const Progress & progr
   SurfaceMesh surface = flat;
   surface.facts.clear();
   const SurfaceArray::ValueMatrix uv = FindSurfaceArray(flat.pointArrays, "uv")->values;
-  surface.pointArrays.reserve(surface.pointArrays.size() + 5);
+  constexpr int                   newArrays = 5; // their addresses are kept
+  surface.pointArrays.reserve(surface.pointArrays.size() + newArrays);
   SurfaceArray & mapped = AddArray(surface, "mapped", 3);
   SurfaceArray & mappedUv = AddArray(surface, "mappedUv", 2);
   SurfaceArray & displacement = AddArray(surface, "displacement", 3);

@@ -50,15 +50,14 @@ NearestNode(const CylinderNodes & nodes, const CylinderPlace & place)
 } // namespace
 
 SupineProneRegistration
-RegisterColonPositions(const ColonPosition & source, const ColonPosition & target, const SupineProneOptions & options)
+RegisterColonPositions(const ColonPosition & source, const ColonPosition & target, const SupineProneSettings & options)
 {
   RequireUsable(source);
   RequireUsable(target);
-  RequireParameter(options.greatestDilatation > 0.0 && options.greatestDilatation < 1.0,
-                   "the greatest dilatation must be between 0 and 1");
+  CheckOptions(options);
   const bool isPublished = options.map == SupineProneMap::Published;
   RequireParameter(
-    !isPublished || !(options.refines || options.isSegmentWise),
+    !isPublished || !(options.refine || options.segmentWise),
     "the published map supports neither the parameter \"refine\" nor the parameter \"segmentWise\": it is always "
     "segment-wise and never refined");
   options.progress("Describing folds", 0.0);
@@ -71,14 +70,14 @@ RegisterColonPositions(const ColonPosition & source, const ColonPosition & targe
   result.confidence.senseMargin = RequireSameSense({ source, *pair.sourceCylinder, pair.sourceFolds },
                                                    { target, *pair.targetCylinder, pair.targetFolds },
                                                    options.progress.Part("Comparing the orientation", 0.02, 0.15));
-  FindFrame(pair, options.isSegmentWise, result.warnings);
+  FindFrame(pair, options.segmentWise, result.warnings);
   for (std::size_t i = 1; i + 1 < pair.frame.from.size(); ++i)
   {
     result.flexures.emplace_back(pair.frame.from[i], pair.frame.to[i]);
   }
   WarpingChoice choice = WarpByTrials(pair, options.matching, options.progress.Part("Warping", 0.15, 0.7));
   JudgeThirds(choice, result.confidence);
-  if (options.refines)
+  if (options.refine)
   {
     RefineByPictures(pair, choice.best, options.progress.Part("Refining", 0.7, 0.8));
   }

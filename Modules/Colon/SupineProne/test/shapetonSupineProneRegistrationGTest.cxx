@@ -152,7 +152,7 @@ TEST(SupineProneRegistration, ThePublishedMapGoesThroughItsLandmarks)
 {
   const shapeton::ColonPosition supine = MakePosition("supine", 1, {});
   const shapeton::ColonPosition prone = MakePosition("prone", 1, SomeMovement());
-  shapeton::SupineProneOptions  options;
+  shapeton::SupineProneSettings options;
   options.map = shapeton::SupineProneMap::Published;
   const auto registration = shapeton::RegisterColonPositions(supine, prone, options);
   EXPECT_LT(GreatestError(registration, SomeMovement()), 4.0);
@@ -185,9 +185,9 @@ TEST(SupineProneRegistration, ThePublishedMapGoesThroughItsLandmarks)
 
 TEST(SupineProneRegistration, OptionsOfTheDefaultMapAreRefusedForThePublishedOne)
 {
-  shapeton::SupineProneOptions options;
+  shapeton::SupineProneSettings options;
   options.map = shapeton::SupineProneMap::Published;
-  options.refines = true;
+  options.refine = true;
   EXPECT_THROW(shapeton::RegisterColonPositions(MakePosition("supine", 1, {}), MakePosition("prone", 1, {}), options),
                shapeton::ParameterError);
 }
@@ -256,9 +256,9 @@ TEST(SupineProneRegistration, IsAbortedByProgressWhateverTheMap)
   for (const bool isPublished : { false, true })
   {
     const auto work = [&](const shapeton::Progress & progress) {
-      shapeton::SupineProneOptions options;
+      shapeton::SupineProneSettings options;
       options.map = isPublished ? shapeton::SupineProneMap::Published : shapeton::SupineProneMap::Default;
-      options.refines = !isPublished;
+      options.refine = !isPublished;
       options.progress = progress;
       RegisterColonPositions(supine, prone, options);
     };

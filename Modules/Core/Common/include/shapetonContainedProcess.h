@@ -1,27 +1,27 @@
 #ifndef shapetonContainedProcess_h
 #define shapetonContainedProcess_h
 
-#include "ShapetonCommonExport.h"
+#include "shapetonOperatingSystem.h"
 
 #include <cstddef>
 #include <functional>
+#include <map>
 #include <stdexcept>
 #include <string>
-#include <sys/types.h>
 
 namespace shapeton
 {
 /** \class ContainedProcess
- * \brief A forked child process that parses untrusted bytes, with limits on memory and time.
+ * \brief A separate program that parses untrusted bytes, with limits on memory and time.
  *
  * A malformed file may crash the parsers of DCMTK, GDCM, NrrdIO and nifti, make them loop forever, or make them
- * allocate all memory. They therefore run in the child, whose crash becomes an ordinary error here.
+ * allocate all memory. They therefore run in the program ShapetonFileParser, whose crash becomes an ordinary error
+ * here. The program has the version of this library. The environment variable SHAPETON_FILE_PARSER may name it;
+ * otherwise it is searched relative to this library, then in the folder of the installation.
  *
  * A request and its response are byte strings over a socket; bulk data (pixels) are returned in a shared memory block.
- * The child has one thread, prints nothing, and is killed when its parent exits.
- *
- * Construct and call it only while no other thread uses ITK's thread pool: construction and calls may fork, ITK's
- * threader joins the pool's threads before a fork, and a child that inherits the locked pool hangs.
+ * The program prints nothing and ends with its parent. On Linux it also ends with the thread that started it, so use a
+ * ContainedProcess in the thread that constructed it. Other threads may run.
  *
  * \ingroup ShapetonCommon */
 class ShapetonCommon_EXPORT ContainedProcess
@@ -29,7 +29,7 @@ class ShapetonCommon_EXPORT ContainedProcess
 public:
   struct Limits
   {
-    /** Memory that the child may allocate in addition to the parent. */
+    /** Memory that the program may allocate. */
     std::size_t memoryBytes;
     /** CPU time limit of one request. */
     unsigned int cpuSeconds;
@@ -37,53 +37,68 @@ public:
     unsigned int wallSeconds;
   };
 
-  /** Handles one request in the child; may write `sharedBytes` bytes to `shared`. An exception is rethrown in the
-   * parent as a Failure with the same message, and the child keeps running. */
-  using Service = std::function<std::string(const std::string & request, char * shared)>;
-
-  /** The child crashed, exceeded its limits, or reported an error; the message completes "FILE: ...". */
+  /** The program crashed, exceeded its limits, or reported an error; the message completes "FILE: ...". */
   struct ShapetonCommon_EXPORT Failure : public std::runtime_error
   {
     using std::runtime_error::runtime_error;
   };
 
-  ContainedProcess(Service service, std::size_t sharedBytes, const Limits & limits);
-  ~ContainedProcess();
-  ContainedProcess(const ContainedProcess &) = delete;
-  ContainedProcess &
-  operator=(const ContainedProcess &) = delete;
+  /** Starts the program for one of its services. Throws std::runtime_error if it is missing or unsuitable. */
+  ContainedProcess(const std::string & service, std::size_t sharedBytes, const Limits & limits);
 
-  /** Sends a request and waits for the response; throws Failure. Restarts the child if it has died. */
+  /** Sends a request and waits for the response; throws Failure. Restarts the program if it has died. */
   std::string
   Call(const std::string & request);
+
+  /** Sets the size of empty shared memory and the limits of the next requests. */
+  void
+  Share(std::size_t sharedBytes, const Limits & limits);
 
   const char *
   GetShared() const
   {
-    return m_Shared;
+    return m_Shared.GetData();
   }
 
-  /** Kills the child and starts a new one, for example after the child became unreliable. */
+  /** Kills the program; the next request starts a new one. */
   void
   Stop();
 
 private:
   void
   Start();
-  std::string
-  Receive();
+  void
+  Greet(const std::string & program);
   [[noreturn]] void
-  ReportDeath(bool outOfTime);
-  [[noreturn]] void
-  Serve(int channel) const;
+  ReportDeath();
 
-  Service     m_Service;
-  std::size_t m_SharedBytes;
-  Limits      m_Limits;
-  char *      m_Shared{ nullptr };
-  int         m_Channel{ -1 };
-  pid_t       m_Child{ -1 };
+  std::string    m_Service;
+  Limits         m_Limits;
+  SharedMemory   m_Shared;
+  MessageChannel m_Channel;
+  ChildProcess   m_Child;
 };
+
+/** Handles one request; may write to the shared memory of the request. An exception is rethrown in the parent as a
+ * ContainedProcess::Failure with the same message, and the program continues. \ingroup ShapetonCommon */
+using ContainedService = std::function<std::string(const std::string & request, char * shared)>;
+
+/** Functions that create the services of a program, by name. An exception is an error of the constructor of
+ * ContainedProcess. \ingroup ShapetonCommon */
+using ContainedServices = std::map<std::string, std::function<ContainedService()>>;
+
+/** \class AddContainedServices
+ * \brief A static instance in a program adds services to those that ServeContained() offers.
+ * \ingroup ShapetonCommon */
+class ShapetonCommon_EXPORT AddContainedServices
+{
+public:
+  explicit AddContainedServices(ContainedServices services);
+};
+
+/** The main function of a program that is started by ContainedProcess. \ingroup ShapetonCommon */
+ShapetonCommon_EXPORT int
+ServeContained(int argc, char * argv[]);
 } // namespace shapeton
 
 #endif

@@ -69,17 +69,34 @@ private:
   std::vector<const char *> m_Words;
 };
 
+/** Throws ParameterError if an option is a number out of range. \ingroup ShapetonCommon */
+///@{
+template <typename TOption>
+void
+CheckOption(const OptionInfo & info, const TOption & option)
+{
+  if constexpr (std::is_arithmetic_v<TOption>)
+  {
+    info.Check(static_cast<double>(option));
+  }
+}
+template <typename TOption>
+void
+CheckOption(const OptionInfo & info, const std::optional<TOption> & option)
+{
+  if (option)
+  {
+    CheckOption(info, *option);
+  }
+}
+///@}
+
 /** Throws ParameterError if a number among the options is out of range. \ingroup ShapetonCommon */
 template <typename TOptions>
 void
 CheckOptions(const TOptions & options)
 {
-  TOptions::VisitOptions(options, [](const OptionInfo & info, const auto & option) {
-    if constexpr (std::is_arithmetic_v<std::decay_t<decltype(option)>>)
-    {
-      info.Check(static_cast<double>(option));
-    }
-  });
+  TOptions::VisitOptions(options, [](const OptionInfo & info, const auto & option) { CheckOption(info, option); });
 }
 
 /** Writes a value as in PrintSelf: a word of an enumeration, the number of elements of a list.

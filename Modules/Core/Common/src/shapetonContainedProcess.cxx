@@ -1,173 +1,20 @@
 #include "shapetonContainedProcess.h"
 
-#include <cerrno>
-#include <chrono>
-#include <csignal>
-#include <cstdint>
-#include <cstdlib>
-#include <cstring>
-#include <exception>
-#include <fcntl.h>
-#include <fstream>
-#include <mutex>
-#include <new>
-#include <poll.h>
-#include <sys/mman.h>
-#include <sys/resource.h>
-#include <sys/socket.h>
-#include <sys/wait.h>
-#include <unistd.h>
-#ifdef __linux__
-#  include <sys/prctl.h>
-#endif
-#if defined(__SANITIZE_ADDRESS__)
-#  include <sanitizer/common_interface_defs.h>
-#endif
+#include "shapetonByteStream.h"
+#include "shapetonContainedMessages.h"
+#include "shapetonFileParserPath.h"
 
 namespace shapeton
 {
 namespace
 {
-using Clock = std::chrono::steady_clock;
-
-constexpr char Done = 'D';
-constexpr char Failed = 'F';
-constexpr char OutOfMemory = 'M';
-
-/** Held during each fork: ITK's threader joins the threads of its pool before a fork and restarts them afterwards;
- * two concurrent forks crash or hang. Also held while a channel has open ends that other children must not inherit. */
-std::mutex forkMutex;
+using Transfer = MessageChannel::Transfer;
 
 // A response is a header or an error message; pixels are in shared memory.
 constexpr std::uint64_t MaximumMessageBytes = 256u << 20;
 
-#ifdef MSG_NOSIGNAL
-constexpr int SendFlags = MSG_NOSIGNAL;
-#else
-constexpr int SendFlags = 0;
-#endif
-
-bool
-SendAll(int channel, const char * data, std::size_t size)
-{
-  while (size > 0)
-  {
-    const ssize_t sent = send(channel, data, size, SendFlags);
-    if (sent < 0 && errno == EINTR)
-    {
-      continue;
-    }
-    if (sent <= 0)
-    {
-      return false;
-    }
-    data += sent;
-    size -= static_cast<std::size_t>(sent);
-  }
-  return true;
-}
-
-bool
-SendMessage(int channel, char kind, const std::string & text)
-{
-  const std::uint64_t size = text.size();
-  char                head[1 + sizeof(size)];
-  head[0] = kind;
-  std::memcpy(head + 1, &size, sizeof(size));
-  return SendAll(channel, head, sizeof(head)) && SendAll(channel, text.data(), text.size());
-}
-
-enum class Transfer
-{
-  complete,
-  ended,
-  outOfTime
-};
-
-Transfer
-ReceiveAll(int channel, char * data, std::size_t size, Clock::time_point deadline)
-{
-  while (size > 0)
-  {
-    const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(deadline - Clock::now()).count();
-    if (left <= 0)
-    {
-      return Transfer::outOfTime;
-    }
-    pollfd    wanted{ channel, POLLIN, 0 };
-    const int ready = poll(&wanted, 1, static_cast<int>(left < 1000 ? left : 1000));
-    if (ready == 0 || (ready < 0 && errno == EINTR))
-    {
-      continue;
-    }
-    const ssize_t got = recv(channel, data, size, 0);
-    if (got < 0 && errno == EINTR)
-    {
-      continue;
-    }
-    if (got <= 0)
-    {
-      return Transfer::ended;
-    }
-    data += got;
-    size -= static_cast<std::size_t>(got);
-  }
-  return Transfer::complete;
-}
-
-template <typename TResource> // an enumeration in glibc, a number elsewhere
-void
-SetLimit(TResource resource, rlim_t value)
-{
-  rlimit limit{};
-  getrlimit(resource, &limit);
-  limit.rlim_cur = limit.rlim_max == RLIM_INFINITY || value < limit.rlim_max ? value : limit.rlim_max;
-  setrlimit(resource, &limit);
-}
-
-/** Limits the memory that the process may allocate in addition to inherited memory. */
-void
-LimitMemory(std::size_t bytes)
-{
-  // Pages: total size, resident, shared, text, unused, data and stack. All remain 0 if the file does not exist.
-  unsigned long pages[6] = {};
-  std::ifstream status("/proc/self/statm");
-  for (unsigned long & number : pages)
-  {
-    status >> number;
-  }
-  const auto page = static_cast<rlim_t>(sysconf(_SC_PAGESIZE));
-  SetLimit(RLIMIT_DATA, pages[5] * page + bytes);
-#if !defined(__SANITIZE_ADDRESS__) // the sanitizer has reserved terabytes of address space
-  SetLimit(RLIMIT_AS, pages[0] * page + bytes);
-#endif
-}
-
-/** Sets the CPU time limit of the next request; the system's limit counts from the start of the process. */
-void
-LimitComputingTime(unsigned int seconds)
-{
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  SetLimit(RLIMIT_CPU, static_cast<rlim_t>(usage.ru_utime.tv_sec + usage.ru_stime.tv_sec) + 1 + seconds);
-}
-
-/** Discards output printed by the libraries. */
-void
-SilenceStandardStreams()
-{
-#if defined(__SANITIZE_ADDRESS__)
-  __sanitizer_set_report_fd(reinterpret_cast<void *>(static_cast<std::intptr_t>(dup(STDERR_FILENO))));
-#endif
-  const int nowhere = open("/dev/null", O_RDWR);
-  if (nowhere >= 0)
-  {
-    dup2(nowhere, STDIN_FILENO);
-    dup2(nowhere, STDOUT_FILENO);
-    dup2(nowhere, STDERR_FILENO);
-    close(nowhere);
-  }
-}
+// Generous, for a program on a slow network drive.
+constexpr std::chrono::seconds MaximumStartTime{ 120 };
 
 std::string
 InMegabytes(std::size_t bytes)
@@ -176,191 +23,95 @@ InMegabytes(std::size_t bytes)
 }
 } // namespace
 
-ContainedProcess::ContainedProcess(Service service, std::size_t sharedBytes, const Limits & limits)
-  : m_Service(std::move(service)), m_SharedBytes(sharedBytes), m_Limits(limits)
+ContainedProcess::ContainedProcess(const std::string & service, std::size_t sharedBytes, const Limits & limits)
+  : m_Service(service)
 {
-  if (m_SharedBytes > 0)
-  {
-    void * const memory = mmap(nullptr, m_SharedBytes, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
-    if (memory == MAP_FAILED)
-    {
-      throw std::bad_alloc();
-    }
-    m_Shared = static_cast<char *>(memory);
-  }
-  try
-  {
-    this->Start();
-  }
-  catch (...)
-  {
-    if (m_Shared)
-    {
-      munmap(m_Shared, m_SharedBytes);
-    }
-    throw;
-  }
+  this->Share(sharedBytes, limits);
+  this->Start();
 }
 
-ContainedProcess::~ContainedProcess()
+void
+ContainedProcess::Share(std::size_t sharedBytes, const Limits & limits)
 {
-  this->Stop();
-  if (m_Shared)
+  m_Limits = limits;
+  if (sharedBytes > 0)
   {
-    munmap(m_Shared, m_SharedBytes);
+    m_Shared.Grow(sharedBytes);
   }
 }
 
 void
 ContainedProcess::Start()
 {
-  std::unique_lock lock(forkMutex);
-  int              channels[2];
-  if (socketpair(AF_UNIX, SOCK_STREAM, 0, channels) != 0)
+  const std::string program = FileParserPath();
+  auto              ends = MessageChannel::MakePair();
+  m_Child = ChildProcess(
+    program, { m_Service, std::to_string(ProcessNumber()) }, { ends.second.GetDescriptor(), m_Shared.GetDescriptor() });
+  m_Channel = std::move(ends.first);
+  ends.second = MessageChannel(); // only the child keeps its end open
+  this->Greet(program);
+}
+
+/** Waits until the program is ready. */
+void
+ContainedProcess::Greet(const std::string & program)
+{
+  char        kind = 0;
+  std::string text;
+  const auto  deadline = MessageChannel::Clock::now() + MaximumStartTime;
+  if (m_Channel.Receive(kind, text, deadline, MaximumMessageBytes) == Transfer::complete && kind == Ready &&
+      text == SHAPETON_VERSION)
   {
-    throw std::runtime_error(std::string("cannot start the process that reads files: ") + std::strerror(errno));
+    return;
   }
-  const pid_t parent = getpid();
-  m_Child = fork();
-  if (m_Child < 0)
+  this->Stop();
+  if (kind == Failed)
   {
-    const int reason = errno;
-    close(channels[0]);
-    close(channels[1]);
-    throw std::runtime_error(std::string("cannot start the process that reads files: ") + std::strerror(reason));
+    throw std::runtime_error(text);
   }
-  if (m_Child == 0)
-  {
-    lock.unlock(); // the child's copy
-    close(channels[0]);
-#ifdef __linux__
-    prctl(PR_SET_PDEATHSIG, SIGKILL);
-#endif
-    if (getppid() != parent)
-    {
-      _exit(0); // the parent died before the line above
-    }
-    this->Serve(channels[1]);
-  }
-  close(channels[1]);
-  fcntl(channels[0], F_SETFD, FD_CLOEXEC);
-  m_Channel = channels[0];
+  throw std::runtime_error("the program \"" + program + "\" " +
+                           (kind == Ready ? "has version " + text : std::string("cannot be run")) +
+                           "; install that of " + SHAPETON_VERSION);
 }
 
 void
 ContainedProcess::Stop()
 {
-  if (m_Child < 0)
-  {
-    return;
-  }
-  kill(m_Child, SIGKILL);
-  while (waitpid(m_Child, nullptr, 0) < 0 && errno == EINTR)
-  {}
-  close(m_Channel);
-  m_Child = -1;
-  m_Channel = -1;
-}
-
-void
-ContainedProcess::Serve(int channel) const
-{
-  for (const int number : { SIGTERM, SIGHUP, SIGABRT, SIGSEGV, SIGXCPU, SIGPIPE, SIGALRM })
-  {
-#if defined(__SANITIZE_ADDRESS__)
-    if (number == SIGSEGV || number == SIGABRT)
-    {
-      continue; // reported by the sanitizer
-    }
-#endif
-    signal(number, SIG_DFL);
-  }
-  signal(SIGINT, SIG_IGN); // the parent handles it
-  SilenceStandardStreams();
-  SetLimit(RLIMIT_CORE, 0);
-  LimitMemory(m_Limits.memoryBytes);
-
-  const auto never = Clock::time_point::max() - std::chrono::hours(1);
-  for (;;)
-  {
-    char          head[1 + sizeof(std::uint64_t)];
-    std::uint64_t size = 0;
-    if (ReceiveAll(channel, head, sizeof(head), never) != Transfer::complete)
-    {
-      _exit(0);
-    }
-    std::memcpy(&size, head + 1, sizeof(size));
-    char        kind = Done;
-    std::string response;
-    try
-    {
-      std::string request(size, '\0');
-      if (ReceiveAll(channel, &request[0], request.size(), never) != Transfer::complete)
-      {
-        _exit(0);
-      }
-      LimitComputingTime(m_Limits.cpuSeconds);
-      response = m_Service(request, m_Shared);
-    }
-    catch (const std::bad_alloc &)
-    {
-      kind = OutOfMemory;
-    }
-    catch (const std::exception & error)
-    {
-      kind = Failed;
-      response = error.what();
-    }
-    catch (...)
-    {
-      kind = Failed;
-      response = "unknown error";
-    }
-    if (!SendMessage(channel, kind, response))
-    {
-      _exit(0);
-    }
-  }
+  m_Child.Kill();
+  m_Channel = MessageChannel();
 }
 
 std::string
 ContainedProcess::Call(const std::string & request)
 {
-  if (m_Child < 0)
+  if (!m_Child.IsRunning())
   {
     this->Start();
   }
-  if (!SendMessage(m_Channel, Done, request))
+  const ContainedRequest whole{ m_Shared.GetSize(), m_Limits.memoryBytes, m_Limits.cpuSeconds, request };
+  ByteWriter             writer;
+  Transmit(writer, whole);
+  if (!m_Channel.Send(Request, writer.GetBytes()))
   {
-    this->ReportDeath(false);
+    this->ReportDeath();
   }
-  return this->Receive();
-}
-
-std::string
-ContainedProcess::Receive()
-{
-  const auto    deadline = Clock::now() + std::chrono::seconds(m_Limits.wallSeconds);
-  char          head[1 + sizeof(std::uint64_t)];
-  std::uint64_t size = 0;
-  Transfer      transfer = ReceiveAll(m_Channel, head, sizeof(head), deadline);
-  std::string   text;
-  if (transfer == Transfer::complete)
+  const auto  deadline = MessageChannel::Clock::now() + std::chrono::seconds(m_Limits.wallSeconds);
+  char        kind = 0;
+  std::string text;
+  switch (m_Channel.Receive(kind, text, deadline, MaximumMessageBytes))
   {
-    std::memcpy(&size, head + 1, sizeof(size));
-    if (size > MaximumMessageBytes)
-    {
+    case Transfer::ended:
+      this->ReportDeath();
+    case Transfer::outOfTime:
+      this->Stop();
+      throw Failure("reading it took longer than " + std::to_string(m_Limits.wallSeconds) + " s");
+    case Transfer::tooLarge:
       this->Stop();
       throw Failure("the file's header is larger than " + InMegabytes(MaximumMessageBytes));
-    }
-    text.resize(size);
-    transfer = ReceiveAll(m_Channel, &text[0], text.size(), deadline);
+    case Transfer::complete:
+      break;
   }
-  if (transfer != Transfer::complete)
-  {
-    this->ReportDeath(transfer == Transfer::outOfTime);
-  }
-  switch (head[0])
+  switch (kind)
   {
     case Done:
       return text;
@@ -374,28 +125,18 @@ ContainedProcess::Receive()
 }
 
 void
-ContainedProcess::ReportDeath(bool outOfTime)
+ContainedProcess::ReportDeath()
 {
-  if (outOfTime)
+  const ChildProcess::End end = m_Child.Wait();
+  m_Channel = MessageChannel();
+  if (WasOutOfComputingTime(end))
   {
-    this->Stop();
-    throw Failure("reading it took longer than " + std::to_string(m_Limits.wallSeconds) + " s");
+    throw Failure("reading it took more than " + std::to_string(m_Limits.cpuSeconds) +
+                  " s of CPU time; the file is malformed");
   }
-  int   status = 0;
-  pid_t ended = -1;
-  while ((ended = waitpid(m_Child, &status, 0)) < 0 && errno == EINTR)
-  {}
-  close(m_Channel);
-  m_Child = -1;
-  m_Channel = -1;
-  if (ended > 0 && WIFSIGNALED(status))
+  if (end.isSignal)
   {
-    if (WTERMSIG(status) == SIGXCPU || WTERMSIG(status) == SIGKILL)
-    {
-      throw Failure("reading it took more than " + std::to_string(m_Limits.cpuSeconds) +
-                    " s of CPU time; the file is malformed");
-    }
-    throw Failure("the decoder crashed on it (signal " + std::to_string(WTERMSIG(status)) + "); the file is malformed");
+    throw Failure("the decoder crashed on it (signal " + std::to_string(end.number) + "); the file is malformed");
   }
   throw Failure("the decoder failed on it; the file is malformed");
 }

@@ -1,4 +1,5 @@
 #include "shapetonDevice.h"
+#include "shapetonOperatingSystem.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -16,20 +17,11 @@ struct Plugin
   std::string missing;
 };
 
-/** The folder of the library or program that contains this code. */
-std::filesystem::path
-FolderOfThisLibrary()
-{
-  Dl_info    info{};
-  const bool found = dladdr(reinterpret_cast<const void *>(&FolderOfThisLibrary), &info) != 0;
-  return found ? std::filesystem::absolute(info.dli_fname).parent_path() : std::filesystem::path();
-}
-
 std::string
 PathOfPlugin()
 {
   const char * const given = std::getenv("SHAPETON_DEVICE_PLUGIN");
-  return given ? given : (FolderOfThisLibrary() / SHAPETON_DEVICE_PLUGIN).string();
+  return given ? given : FolderOfThisLibrary() + '/' + SHAPETON_DEVICE_PLUGIN;
 }
 
 Plugin

@@ -55,15 +55,42 @@ public:
 
   /** Whether ChooseP() chooses p from noise and edges; P is then ignored. GetResult() returns the choice and its
    * reason. Default off. */
-  shapetonOptionMacro(AutomaticP, automaticP);
+  virtual void
+  SetAutomaticP(bool value)
+  {
+    this->SetOption(this->m_Options.automaticP, value);
+  }
+  virtual bool
+  GetAutomaticP() const
+  {
+    return this->m_Options.automaticP;
+  }
   itkBooleanMacro(AutomaticP);
 
   /** Whether to find the components and their exact converged heat; see FindShapeComponents. Default off. */
-  shapetonOptionMacro(WantComponents, wantComponents);
+  virtual void
+  SetWantComponents(bool value)
+  {
+    this->SetOption(this->m_Options.wantComponents, value);
+  }
+  virtual bool
+  GetWantComponents() const
+  {
+    return this->m_Options.wantComponents;
+  }
   itkBooleanMacro(WantComponents);
 
   /** Steps recorded as rows of the heat histogram; ascending, at most TimeSteps. Default none. */
-  shapetonOptionMacro(HistogramSteps, histogramSteps);
+  virtual void
+  SetHistogramSteps(const StepsType & steps)
+  {
+    this->SetOption(this->m_Options.histogramSteps, steps);
+  }
+  virtual const StepsType &
+  GetHistogramSteps() const
+  {
+    return this->m_Options.histogramSteps;
+  }
 
   /** Receives the heat after `step`, on the grid of the input; valid during the call. */
   using SnapshotConsumer = std::function<void(std::uint64_t step, const HeatImageType * heat)>;

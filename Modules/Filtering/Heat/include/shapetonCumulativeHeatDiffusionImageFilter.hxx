@@ -96,6 +96,9 @@ void
 CumulativeHeatDiffusionImageFilter<TInputImage>::PrintSelf(std::ostream & os, itk::Indent indent) const
 {
   Superclass::PrintSelf(os, indent);
+  os << indent << "AutomaticP: " << this->m_Options.automaticP << std::endl;
+  os << indent << "WantComponents: " << this->m_Options.wantComponents << std::endl;
+  os << indent << "HistogramSteps: " << this->m_Options.histogramSteps.size() << std::endl;
   os << indent << "WantInitialHeat: " << m_WantInitialHeat << std::endl;
   os << indent << "SnapshotSteps: " << this->m_Options.snapshotSteps.size() << std::endl;
 }

@@ -66,7 +66,7 @@ struct DynamicStep
 class ShapetonGraphComparison_EXPORT DynamicEmbedding
 {
 public:
-  explicit DynamicEmbedding(GenusOptions genus = {}, GraphEmbeddingOptions embedding = {});
+  explicit DynamicEmbedding(GenusSettings genus = {}, GraphEmbeddingSettings embedding = {});
 
   /** Embeds the next step. Throws InputError as FindEmbedding() and EmbedGraph() do. */
   DynamicStep
@@ -82,10 +82,10 @@ private:
   DynamicStep
   NextStep(const Graph & graph) const;
 
-  GenusOptions          m_Genus;
-  GraphEmbeddingOptions m_Embedding;
-  bool                  m_IsFirst{ true };
-  EmbeddingCertificate  m_Last;
+  GenusSettings          m_Genus;
+  GraphEmbeddingSettings m_Embedding;
+  bool                   m_IsFirst{ true };
+  EmbeddingCertificate   m_Last;
 };
 } // namespace shapeton
 

@@ -70,11 +70,11 @@ struct GraphComparison
  * \ingroup ShapetonGraphComparison
  */
 ShapetonGraphComparison_EXPORT GraphComparison
-CompareGraphs(const Graph &                 a,
-              const Graph &                 b,
-              const GenusOptions &          genus = {},
-              const GraphEmbeddingOptions & embedding = {},
-              const Progress &              progress = {});
+CompareGraphs(const Graph &                  a,
+              const Graph &                  b,
+              const GenusSettings &          genus = {},
+              const GraphEmbeddingSettings & embedding = {},
+              const Progress &               progress = {});
 
 /** "#rrggbb" for each node of both graphs. Corresponding nodes share a color; colors of neighbors in canonical order
  * differ strongly; unmatched nodes are gray. \ingroup ShapetonGraphComparison */

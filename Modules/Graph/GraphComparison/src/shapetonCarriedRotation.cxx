@@ -355,7 +355,7 @@ EdgeInsertion::NextAround() const
 } // namespace
 
 CarriedRotation
-CarryRotation(const Graph & before, const CombinatorialMap & map, const Graph & after, const GenusOptions & options)
+CarryRotation(const Graph & before, const CombinatorialMap & map, const Graph & after, const GenusSettings & options)
 {
   RequireSound(after, "changed graph");
   CarriedRotation  result{ EdgeInsertion(before, map, after).Run(), false };

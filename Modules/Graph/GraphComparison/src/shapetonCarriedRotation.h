@@ -37,7 +37,7 @@ ShapetonGraphComparison_EXPORT CarriedRotation
 CarryRotation(const Graph &            before,
               const CombinatorialMap & map,
               const Graph &            after,
-              const GenusOptions &     options = GenusOptions());
+              const GenusSettings &    options = GenusSettings());
 } // namespace shapeton
 
 #endif

@@ -153,14 +153,14 @@ ChangesBetween(const EmbeddingCertificate & a, const EmbeddingCertificate & b)
   return ChangesBetween(a, b, NodesOfSameName(a.graph, b.graph));
 }
 
-DynamicEmbedding::DynamicEmbedding(GenusOptions genus, GraphEmbeddingOptions embedding)
+DynamicEmbedding::DynamicEmbedding(GenusSettings genus, GraphEmbeddingSettings embedding)
   : m_Genus(genus), m_Embedding(embedding)
 {}
 
 EmbeddingCertificate
 DynamicEmbedding::EmbedAnew(const Graph & graph, const CombinatorialMap & map) const
 {
-  GraphEmbeddingOptions options = m_Embedding;
+  GraphEmbeddingSettings options = m_Embedding;
   options.isRotationFree = true;
   options.isSideFree = m_IsFirst;
   options.longestFace = FilledFaces().longestFace;

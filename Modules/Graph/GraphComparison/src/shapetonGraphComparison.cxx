@@ -217,19 +217,19 @@ CorrespondingNodes(const CanonicalForm & a, const CanonicalForm & b)
 }
 
 GraphComparison
-CompareGraphs(const Graph &                 a,
-              const Graph &                 b,
-              const GenusOptions &          genus,
-              const GraphEmbeddingOptions & embedding,
-              const Progress &              progress)
+CompareGraphs(const Graph &                  a,
+              const Graph &                  b,
+              const GenusSettings &          genus,
+              const GraphEmbeddingSettings & embedding,
+              const Progress &               progress)
 {
   const auto genusPart = [&](double begin, double end) {
-    GenusOptions part = genus;
+    GenusSettings part = genus;
     part.progress = progress.Part("Finding the genus", begin, end);
     return part;
   };
   const auto embeddingPart = [&](double begin, double end) {
-    GraphEmbeddingOptions part = embedding;
+    GraphEmbeddingSettings part = embedding;
     part.progress = progress.Part("Packing circles", begin, end);
     return part;
   };

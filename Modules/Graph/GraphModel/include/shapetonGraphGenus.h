@@ -4,24 +4,17 @@
 #include "ShapetonGraphModelExport.h"
 
 #include "shapetonCombinatorialMap.h"
+#include "shapetonGenusOptions.h"
 #include "shapetonProgress.h"
 
-#include <cstdint>
 #include <string>
 #include <vector>
 
 namespace shapeton
 {
-/** Search effort and target genus for FindEmbedding(). \ingroup ShapetonGraphModel */
-struct GenusOptions
+/** Options of FindEmbedding() and the receiver of its progress. \ingroup ShapetonGraphModel */
+struct GenusSettings : GenusOptions
 {
-  /** Genus of the surface, summed over the components; -1 requests the smallest genus found. */
-  int           genus{ -1 };
-  std::uint64_t seed{ 1 };
-  /** Number of independent searches per block, of which the best is used; at least 1. */
-  int restarts{ 12 };
-  /** Factor of the number of search steps; positive. There is no time limit, so results are reproducible. */
-  double effort{ 1.0 };
   /** May throw to abort. */
   Progress progress;
 };
@@ -43,7 +36,7 @@ struct SurfaceEmbedding
  * requested genus is found; the message states the smallest and largest genus found. Throws ParameterError for an
  * invalid option. Results are bitwise identical for any number of threads. \ingroup ShapetonGraphModel */
 ShapetonGraphModel_EXPORT SurfaceEmbedding
-FindEmbedding(const Graph & graph, const GenusOptions & options = GenusOptions());
+FindEmbedding(const Graph & graph, const GenusSettings & options = GenusSettings());
 
 /** Computes a planar embedding; returns false if the graph is not planar. Linear time and memory except for sorting the
  * edges: a million nodes take a few seconds. \ingroup ShapetonGraphModel */

@@ -3,6 +3,7 @@
 
 #include "ShapetonGraphModelExport.h"
 #include "shapetonGraph.h"
+#include "shapetonSensorNetworkOptions.h"
 
 #include <cstdint>
 #include <string>
@@ -10,27 +11,6 @@
 
 namespace shapeton
 {
-/** Selection of links that become edges. \ingroup ShapetonGraphModel */
-enum class PlanarSubgraph
-{
-  None,   ///< all links: a unit-disk graph, which is not planar
-  Gabriel ///< links with no other network device in their diametral disk; planar
-};
-
-/** Number, range and motion of the devices of a SensorNetwork. \ingroup ShapetonGraphModel */
-struct SensorNetworkOptions
-{
-  int           devices{ 200 };
-  std::uint64_t seed{ 1 };
-  /** Range of a device at full power (m); positive. */
-  double range{ 120.0 };
-  /** Side of the square area (m). */
-  double side{ 1000.0 };
-  /** Mean distance traveled by a device in a step (m). */
-  double         speed{ 4.0 };
-  PlanarSubgraph planar{ PlanarSubgraph::Gabriel };
-};
-
 /** State of a device at one step. \ingroup ShapetonGraphModel */
 struct SensorDevice
 {
@@ -53,6 +33,9 @@ struct SensorDevice
 class ShapetonGraphModel_EXPORT SensorNetwork
 {
 public:
+  /** Side of the square area (m). */
+  static constexpr double side = 1000.0;
+
   /** Starts at step 0. Throws ParameterError if an option is out of range. */
   explicit SensorNetwork(const SensorNetworkOptions & options);
 

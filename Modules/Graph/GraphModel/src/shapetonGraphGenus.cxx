@@ -158,7 +158,7 @@ AddOrders(const Graph &            graph,
 class AnnealedEmbedding
 {
 public:
-  AnnealedEmbedding(const Graph & graph, const GenusOptions & options)
+  AnnealedEmbedding(const Graph & graph, const GenusSettings & options)
     : m_Graph(graph), m_Options(options), m_Next(2 * graph.edges.size(), -1), m_Any(graph.nodes, -1)
   {}
 
@@ -226,16 +226,16 @@ private:
     }
   }
 
-  const Graph &        m_Graph;
-  const GenusOptions & m_Options;
-  std::vector<int>     m_Next;
-  std::vector<int>     m_Any; // a half-edge of each placed node
-  std::vector<Block>   m_Blocks;
-  int                  m_LowerBound{ 0 };
+  const Graph &         m_Graph;
+  const GenusSettings & m_Options;
+  std::vector<int>      m_Next;
+  std::vector<int>      m_Any; // a half-edge of each placed node
+  std::vector<Block>    m_Blocks;
+  int                   m_LowerBound{ 0 };
 };
 
 SurfaceEmbedding
-FindAnnealed(const Graph & graph, const GenusOptions & options)
+FindAnnealed(const Graph & graph, const GenusSettings & options)
 {
   SurfaceEmbedding result;
   if (FindPlanarEmbedding(graph, result.map))
@@ -314,18 +314,16 @@ RequireGenus(int genus, const SurfaceEmbedding & least, const CombinatorialMap &
 } // namespace
 
 SurfaceEmbedding
-FindEmbedding(const Graph & graph, const GenusOptions & options)
+FindEmbedding(const Graph & graph, const GenusSettings & options)
 {
-  RequireParameter(options.genus >= -1, "the genus must not be negative; use 0 or more");
-  RequireParameter(options.restarts >= 1, "the number of restarts must be at least 1");
-  RequireParameter(options.effort > 0.0, "the effort must be positive");
+  CheckOptions(options);
   RequireSound(graph, "embedding");
   options.progress(0.0);
   SurfaceEmbedding result = FindAnnealed(graph, options);
-  if (options.genus >= 0)
+  if (options.genus)
   {
-    const CombinatorialMap raised = RaiseGenus(graph, result.map, options.genus);
-    RequireGenus(options.genus, result, raised);
+    const CombinatorialMap raised = RaiseGenus(graph, result.map, *options.genus);
+    RequireGenus(*options.genus, result, raised);
     result.map = raised;
   }
   result.minimal = result.map.Genus() == result.lowerBound;

@@ -50,19 +50,15 @@ IsInside(const SensorDevice & device, double side)
 } // namespace
 
 SensorNetwork::SensorNetwork(const SensorNetworkOptions & options)
-  : m_Options(options), m_Devices(options.devices > 0 ? options.devices : 0), m_IsCharging(m_Devices.size(), false)
+  : m_Options(options), m_Devices(std::max(0, options.nodes)), m_IsCharging(m_Devices.size(), false)
 {
-  RequireParameter(options.devices >= 1, "the number of devices must be at least 1");
-  RequireParameter(options.range > 0.0, "the range must be positive (m)");
-  RequireParameter(options.side > 0.0, "the side of the area must be positive (m)");
-  RequireParameter(options.speed >= 0.0 && options.speed < 0.05 * options.side,
-                   "the speed is out of range; use 0 or more meters per step, less than a twentieth of the side");
+  CheckOptions(options);
   for (std::uint32_t i = 0; i < m_Devices.size(); ++i)
   {
     const auto words = Philox4x32(options.seed, { i, 0, 0, startPurpose });
     const auto more = Philox4x32(options.seed, { i, 1, 0, startPurpose });
-    m_Devices[i].x = options.side * Unit(words.a);
-    m_Devices[i].y = options.side * Unit(words.b);
+    m_Devices[i].x = side * Unit(words.a);
+    m_Devices[i].y = side * Unit(words.b);
     m_Devices[i].power = powerToReturn + (1.0 - powerToReturn) * Unit(words.c);
     m_Direction.push_back(TwoPi * Unit(words.d));
     m_Drain.push_back(2.0 * meanDrain * Unit(more.a));
@@ -81,17 +77,17 @@ SensorNetwork::Advance()
     const double way = 2.0 * m_Options.speed * Unit(words.b);
     device.x += way * std::cos(m_Direction[i]);
     device.y += way * std::sin(m_Direction[i]);
-    if (Reflect(device.x, m_Options.side))
+    if (Reflect(device.x, side))
     {
       m_Direction[i] = Pi - m_Direction[i];
     }
-    if (Reflect(device.y, m_Options.side))
+    if (Reflect(device.y, side))
     {
       m_Direction[i] = -m_Direction[i];
     }
     device.power += m_IsCharging[i] ? chargeOfStep : device.inNetwork ? -m_Drain[i] : 0.0;
     m_IsCharging[i] = device.power < (m_IsCharging[i] ? powerToReturn : leastPower);
-    device.inNetwork = IsInside(device, m_Options.side) && !m_IsCharging[i];
+    device.inNetwork = IsInside(device, side) && !m_IsCharging[i];
   }
 }
 

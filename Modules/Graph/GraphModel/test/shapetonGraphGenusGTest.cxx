@@ -20,7 +20,7 @@ GenusOf(const shapeton::Graph & graph, const shapeton::SurfaceEmbedding & embedd
 }
 
 int
-GenusOf(const shapeton::Graph & graph, const shapeton::GenusOptions & options = shapeton::GenusOptions())
+GenusOf(const shapeton::Graph & graph, const shapeton::GenusSettings & options = shapeton::GenusSettings())
 {
   return GenusOf(graph, shapeton::FindEmbedding(graph, options));
 }
@@ -136,11 +136,13 @@ TEST(GraphGenus, DecorationsChangeNoGenus)
 
 TEST(GraphGenus, GenusThatIsAskedForIsReachedOrRefused)
 {
-  shapeton::GenusOptions options;
-  for (options.genus = 1; options.genus <= 3; ++options.genus) // 3 is the maximum genus of K5
+  shapeton::GenusSettings options;
+  for (const int genus : { 1, 2, 3 }) // 3 is the maximum genus of K5
   {
-    EXPECT_EQ(GenusOf(shapeton::CompleteGraph(5), options), options.genus);
+    options.genus = genus;
+    EXPECT_EQ(GenusOf(shapeton::CompleteGraph(5), options), genus);
   }
+  options.genus = 4;
   EXPECT_THROW(shapeton::FindEmbedding(shapeton::CompleteGraph(5), options), shapeton::InputError);
   options.genus = 0;
   EXPECT_THROW(shapeton::FindEmbedding(shapeton::CompleteGraph(5), options), shapeton::InputError);
@@ -152,23 +154,23 @@ TEST(GraphGenus, GenusThatIsAskedForIsReachedOrRefused)
 
 TEST(GraphGenus, WrongOptionsAreRefused)
 {
-  shapeton::GenusOptions options;
+  shapeton::GenusSettings options;
   options.restarts = 0;
   EXPECT_THROW(shapeton::FindEmbedding(shapeton::PathGraph(2), options), shapeton::ParameterError);
-  options = shapeton::GenusOptions();
+  options = shapeton::GenusSettings();
   options.effort = 0.0;
   EXPECT_THROW(shapeton::FindEmbedding(shapeton::PathGraph(2), options), shapeton::ParameterError);
-  options = shapeton::GenusOptions();
+  options = shapeton::GenusSettings();
   options.genus = -2;
   EXPECT_THROW(shapeton::FindEmbedding(shapeton::PathGraph(2), options), shapeton::ParameterError);
-  EXPECT_THROW(shapeton::FindEmbedding({}, shapeton::GenusOptions()), shapeton::InputError);
+  EXPECT_THROW(shapeton::FindEmbedding({}, shapeton::GenusSettings()), shapeton::InputError);
 }
 
 TEST(GraphGenus, ThreadsAndRunsAgreeAndSeedsDiffer)
 {
   const auto nextAround = [](unsigned int threads, std::uint64_t seed) {
     itk::MultiThreaderBase::SetGlobalDefaultNumberOfThreads(threads);
-    shapeton::GenusOptions options;
+    shapeton::GenusSettings options;
     options.seed = seed;
     options.effort = 0.05;
     return shapeton::FindEmbedding(Together(shapeton::CompleteGraph(9), shapeton::CompleteGraph(8), 1), options)
@@ -218,7 +220,7 @@ TEST(GraphGenus, SearchesAreAbortedByProgress)
   {
     itk::MultiThreaderBase::SetGlobalDefaultNumberOfThreads(threads);
     const auto work = [](const shapeton::Progress & progress) {
-      shapeton::GenusOptions options;
+      shapeton::GenusSettings options;
       options.restarts = 3;
       options.effort = 0.2;
       options.progress = progress;

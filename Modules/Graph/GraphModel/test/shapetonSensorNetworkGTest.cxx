@@ -43,7 +43,7 @@ AllLinks(const std::vector<std::array<double, 2>> & points, const std::vector<do
 TEST(SensorNetwork, LinksAreThoseOfBruteForce)
 {
   shapeton::SensorNetworkOptions options;
-  options.devices = 150;
+  options.nodes = 150;
   const shapeton::SensorNetwork      network(options);
   std::vector<std::array<double, 2>> points;
   std::vector<double>                reach;
@@ -79,12 +79,12 @@ TEST(SensorNetwork, DevicesMoveLeaveAndComeBack)
   {
     const std::vector<shapeton::SensorDevice> before = network.GetDevices();
     network.Advance();
-    for (int i = 0; i < options.devices; ++i)
+    for (int i = 0; i < options.nodes; ++i)
     {
       const shapeton::SensorDevice & device = network.GetDevices()[i];
       EXPECT_LE(std::hypot(device.x - before[i].x, device.y - before[i].y), 2.0 * options.speed + 1e-9);
-      EXPECT_GE(device.x, -0.1 * options.side);
-      EXPECT_LE(device.y, 1.1 * options.side);
+      EXPECT_GE(device.x, -0.1 * shapeton::SensorNetwork::side);
+      EXPECT_LE(device.y, 1.1 * shapeton::SensorNetwork::side);
       EXPECT_GT(device.power, 0.0);
       EXPECT_LE(device.power, 1.0);
       anyReturned = anyReturned || (device.inNetwork && gone.count(i) > 0);

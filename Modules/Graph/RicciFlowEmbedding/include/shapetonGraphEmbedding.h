@@ -2,17 +2,17 @@
 #define shapetonGraphEmbedding_h
 
 #include "shapetonEmbeddingCertificate.h"
+#include "shapetonGraphEmbeddingOptions.h"
 #include "shapetonPackedMap.h"
 #include "shapetonProgress.h"
 #include "shapetonSphericalPacking.h"
 
 namespace shapeton
 {
-/** Options of a graph embedding. \ingroup ShapetonRicciFlowEmbedding */
-struct GraphEmbeddingOptions
+/** Options of EmbedGraph(), what it may change, and the receiver of its progress.
+ * \ingroup ShapetonRicciFlowEmbedding */
+struct GraphEmbeddingSettings : GraphEmbeddingOptions
 {
-  Augmentation    augmentation{ Augmentation::Ring };
-  PointAtInfinity infinity{ PointAtInfinity::Circle }; ///< genus 0 only
   /** True if the user did not choose the rotation system; blocks may then be rearranged (see ArrangeBlocks). */
   bool isRotationFree{ false };
   /** Whether a map of genus 0 may be mirrored to make the result independent of the numbering. */
@@ -37,7 +37,7 @@ constexpr double smallestLegibleRadius = 1e-9;
  * The certificate is complete except for the provenance. Throws InputError if no packing exists or none is found.
  * \pre `map` is one of `graph`. \ingroup ShapetonRicciFlowEmbedding */
 ShapetonRicciFlowEmbedding_EXPORT EmbeddingCertificate
-EmbedGraph(const Graph & graph, const CombinatorialMap & map, const GraphEmbeddingOptions & options = {});
+EmbedGraph(const Graph & graph, const CombinatorialMap & map, const GraphEmbeddingSettings & options = {});
 
 /** Embeds a graph with a given packed map. \pre `packed` is one of `map`, which is one of `graph`.
  * \ingroup ShapetonRicciFlowEmbedding

@@ -22,11 +22,11 @@ constexpr double smallCircle = 1e-4;
 constexpr int    mostEdgesForSplits = 10000;
 
 EmbeddingCertificate
-EmbedMap(const Graph &                 graph,
-         const CombinatorialMap &      map,
-         const AugmentationOptions &   augmentation,
-         const GraphEmbeddingOptions & options,
-         const Progress &              progress)
+EmbedMap(const Graph &                  graph,
+         const CombinatorialMap &       map,
+         const AugmentationOptions &    augmentation,
+         const GraphEmbeddingSettings & options,
+         const Progress &               progress)
 {
   progress(0.0);
   PackedMap packed = MakePackedMap(map, augmentation);
@@ -75,7 +75,7 @@ struct Candidate
 
 /** All candidates: the maps, in this order, with several ring widths if there are rings and the graph is small. */
 std::vector<Candidate>
-CandidatesOf(const std::vector<const CombinatorialMap *> & maps, const GraphEmbeddingOptions & options)
+CandidatesOf(const std::vector<const CombinatorialMap *> & maps, const GraphEmbeddingSettings & options)
 {
   const bool isChoice = maps.front()->Edges() <= mostEdgesForChoice && options.isRotationFree;
   const bool hasRings =
@@ -95,7 +95,7 @@ CandidatesOf(const std::vector<const CombinatorialMap *> & maps, const GraphEmbe
 class BestEmbedding
 {
 public:
-  BestEmbedding(const Graph & graph, const GraphEmbeddingOptions & options)
+  BestEmbedding(const Graph & graph, const GraphEmbeddingSettings & options)
     : m_Graph(graph), m_Options(options), m_Candidates(options.progress, 1.0)
   {}
 
@@ -145,17 +145,17 @@ public:
   }
 
 private:
-  const Graph &                 m_Graph;
-  const GraphEmbeddingOptions & m_Options;
-  OpenEndedProgress             m_Candidates;
-  EmbeddingCertificate          m_Best;
-  std::exception_ptr            m_Failure;
-  double                        m_Smallest{ 0.0 };
+  const Graph &                  m_Graph;
+  const GraphEmbeddingSettings & m_Options;
+  OpenEndedProgress              m_Candidates;
+  EmbeddingCertificate           m_Best;
+  std::exception_ptr             m_Failure;
+  double                         m_Smallest{ 0.0 };
 };
 
 /** Rearranges blocks and, if circles are small, also split components. */
 EmbeddingCertificate
-EmbedArranged(const Graph & graph, const CombinatorialMap & map, const GraphEmbeddingOptions & options)
+EmbedArranged(const Graph & graph, const CombinatorialMap & map, const GraphEmbeddingSettings & options)
 {
   BestEmbedding    best(graph, options);
   CombinatorialMap other = ArrangeBlocks(map);
@@ -207,7 +207,7 @@ PackedMapOf(const EmbeddingCertificate & certificate)
 }
 
 EmbeddingCertificate
-EmbedGraph(const Graph & graph, const CombinatorialMap & map, const GraphEmbeddingOptions & options)
+EmbedGraph(const Graph & graph, const CombinatorialMap & map, const GraphEmbeddingSettings & options)
 {
   if (graph.nodes == 0)
   {

@@ -124,7 +124,7 @@ TEST(GraphEmbedding, ThreeConnectedGraphsAgreeWhateverTheirNumbersAndSide)
   const shapeton::CombinatorialMap map = StackedTriangles(80);
   std::vector<int>                 image;
   const shapeton::CombinatorialMap other = Renumbered(map, image).Mirrored();
-  shapeton::GraphEmbeddingOptions  options;
+  shapeton::GraphEmbeddingSettings options;
   options.isRotationFree = true;
   const auto one = shapeton::EmbedGraph(map.ToGraph(), map, options);
   const auto two = shapeton::EmbedGraph(other.ToGraph(), other, options);
@@ -141,7 +141,7 @@ TEST(GraphEmbedding, ThreeConnectedGraphsAgreeWhateverTheirNumbersAndSide)
 TEST(GraphEmbedding, BothPointsAtInfinityGiveTheSamePlaces)
 {
   const shapeton::CombinatorialMap map = StackedTriangles(60);
-  shapeton::GraphEmbeddingOptions  options;
+  shapeton::GraphEmbeddingSettings options;
   const auto                       circle = shapeton::EmbedGraph(map.ToGraph(), map, options);
   options.infinity = shapeton::PointAtInfinity::EdgeNode;
   const auto edgeNode = shapeton::EmbedGraph(map.ToGraph(), map, options);
@@ -370,7 +370,7 @@ TEST(GraphEmbedding, NestedSplitComponentsComeSideBySide)
   const shapeton::CombinatorialMap map(nested.graph, nested.rotation);
   ASSERT_EQ(map.Genus(), 0);
   ASSERT_EQ(map.Nodes(), 123);
-  shapeton::GraphEmbeddingOptions options;
+  shapeton::GraphEmbeddingSettings options;
   const double given = Statistic(shapeton::EmbedGraph(map.ToGraph(), map, options), "smallestRadius");
   options.isRotationFree = true;
   const auto   certificate = shapeton::EmbedGraph(map.ToGraph(), map, options);
@@ -401,7 +401,7 @@ TEST(GraphEmbedding, IsAbortedByProgressOnEachSurface)
   for (const shapeton::CombinatorialMap & map : { sphere, torus })
   {
     const auto work = [&](const shapeton::Progress & progress) {
-      shapeton::GraphEmbeddingOptions options;
+      shapeton::GraphEmbeddingSettings options;
       options.progress = progress;
       EmbedGraph(map.ToGraph(), map, options);
     };

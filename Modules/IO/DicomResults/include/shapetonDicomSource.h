@@ -2,6 +2,7 @@
 #define shapetonDicomSource_h
 
 #include "ShapetonDicomResultsExport.h"
+#include "shapetonDicomSourceOptions.h"
 #include "shapetonVolumeReader.h"
 
 #include "itkImageBase.h"
@@ -22,22 +23,10 @@ struct DicomSource
   std::string header;
 };
 
-/** The source series of a result, and its requirements. \ingroup ShapetonDicomResults */
-struct DicomSourceOptions
-{
-  /** As in VolumeReadOptions. */
-  std::string seriesUID;
-  /** Accept a tilted series; the grid is then that of the repair `deshear`. For reading only. */
-  bool deshear{ false };
-  /** Whether messages on a tilted series may suggest `deshear`. */
-  bool offersDeshear{ false };
-  /** Accept an irregular series, a single slice, or a series without a frame of reference: pixel positions require only
-   * the position of their slice. For reading only. */
-  bool forPoints{ false };
-};
-
 /** Reads the headers of a series, which must be regular because results cannot reference the slices of a repaired
- * volume. Throws InputError as ReadVolume() does, and if slices have no SOP Instance UID. \ingroup ShapetonDicomResults
+ * volume. With DicomSourceOptions::deshear, a tilted series is accepted, for reading only; the grid is then that of the
+ * repair `deshear`. Throws InputError as ReadVolume() does, and if slices have no SOP Instance UID. \ingroup
+ * ShapetonDicomResults
  */
 ShapetonDicomResults_EXPORT DicomSource
 ReadDicomSource(const std::string & path, const DicomSourceOptions & options = {});

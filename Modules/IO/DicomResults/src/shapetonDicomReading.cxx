@@ -1,6 +1,6 @@
 #include "shapetonDicomReading.h"
 
-#include "shapetonContainedProcess.h"
+#include "shapetonByteStream.h"
 #include "shapetonDicomAttributes.h"
 #include "shapetonExceptions.h"
 
@@ -110,35 +110,38 @@ LoadDicomObject(DcmFileFormat & file, const std::string & path, const std::vecto
 
 void
 ReadContained(const std::string &                                                          path,
-              const std::string &                                                          request,
+              const char *                                                                 service,
               std::size_t                                                                  sharedBytes,
-              const std::function<std::string(const std::string &, char *)> &              service,
               const std::function<void(const std::string & response, const char * data)> & take)
 {
   if (!std::filesystem::is_regular_file(path))
   {
     throw InputError("\"" + path + "\" is not a file; use a DICOM file");
   }
-  if (!dcmDataDict.isDictionaryLoaded()) // loaded before the fork for the child
-  {
-    throw std::runtime_error("DCMTK's data dictionary is missing; install dcmtk or set DCMDICTPATH");
-  }
-  const ContainedProcess::Limits limits{ (std::size_t(1) << 30) + 2 * sharedBytes, 60, 600 };
-  ContainedProcess               process(
-    [&service](const std::string & bytes, char * shared) {
-      PrepareDicomParsing();
-      return service(bytes, shared);
-    },
-    sharedBytes,
-    limits);
+  ContainedProcess process(service, sharedBytes, { (std::size_t(1) << 30) + 2 * sharedBytes, 60, 600 });
+  ByteWriter       request;
+  request & path & static_cast<std::uint64_t>(sharedBytes);
   try
   {
-    const std::string response = process.Call(request);
+    const std::string response = process.Call(request.GetBytes());
     take(response, process.GetShared());
   }
   catch (const std::runtime_error & failure)
   {
     throw InputError("\"" + path + "\" " + failure.what() + "; use another file, or export it again");
   }
+}
+
+ContainedService
+MakeDicomService(std::string (*parse)(const std::string & path, std::size_t sharedBytes, char * shared))
+{
+  PrepareDicomParsing();
+  return [parse](const std::string & bytes, char * shared) {
+    std::string      path;
+    std::uint64_t    sharedBytes = 0;
+    ByteReader       request(bytes);
+    request & path & sharedBytes;
+    return parse(path, sharedBytes, shared);
+  };
 }
 } // namespace shapeton

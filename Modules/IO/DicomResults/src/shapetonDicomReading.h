@@ -1,6 +1,7 @@
 #ifndef shapetonDicomReading_h
 #define shapetonDicomReading_h
 
+#include "shapetonContainedProcess.h"
 #include "shapetonDicomCode.h"
 
 #include "dcmtk/config/osconfig.h"
@@ -10,7 +11,7 @@
 #include <string>
 #include <vector>
 
-// Attributes of untrusted files. Except for ReadContained(), these functions run in a contained process.
+// Attributes of untrusted files. Except for ReadContained(), the functions run in a contained process.
 
 namespace shapeton
 {
@@ -43,14 +44,33 @@ CodeOf(DcmItem & item, const DcmTagKey & sequence);
 void
 LoadDicomObject(DcmFileFormat & file, const std::string & path, const std::vector<std::string> & sopClassUIDs);
 
-/** Calls `service` on `request` in a contained process that may write `sharedBytes`; then calls `take` with these bytes
- * and the response. A failure becomes an InputError with the file name. */
+/** \name Services of this library in the contained process, and their names */
+///@{
+constexpr const char * DicomReportService = "DicomReport";
+constexpr const char * DicomSegmentationService = "DicomSegmentation";
+constexpr const char * DicomSegmentPixelService = "DicomSegmentPixels";
+constexpr const char * DicomSourceService = "DicomSource";
+ContainedService
+MakeDicomReportService();
+ContainedService
+MakeDicomSegmentationService();
+ContainedService
+MakeDicomSegmentPixelService();
+ContainedService
+MakeDicomSourceService();
+///@}
+
+/** Calls a service that may write `sharedBytes` on a file; then calls `take` with its response and these bytes. A
+ * failure becomes an InputError with the file name. */
 void
 ReadContained(const std::string &                                                          path,
-              const std::string &                                                          request,
+              const char *                                                                 service,
               std::size_t                                                                  sharedBytes,
-              const std::function<std::string(const std::string &, char *)> &              service,
               const std::function<void(const std::string & response, const char * data)> & take);
+
+/** The service that answers ReadContained() by `parse`. */
+ContainedService
+  MakeDicomService(std::string (*parse)(const std::string & path, std::size_t sharedBytes, char * shared));
 } // namespace shapeton
 
 #endif

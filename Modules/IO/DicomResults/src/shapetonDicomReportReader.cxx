@@ -156,7 +156,7 @@ private:
 };
 
 std::string
-ParseReport(const std::string & path)
+ParseReport(const std::string & path, std::size_t, char *)
 {
   DcmFileFormat format;
   LoadDicomObject(format,
@@ -182,21 +182,16 @@ std::vector<Graphic>
 ReadGraphics(const std::string & path)
 {
   std::vector<Graphic> graphics;
-  ReadContained(
-    path,
-    path,
-    0,
-    [](const std::string & request, char *) { return ParseReport(request); },
-    [&](const std::string & response, const char *) {
-      ByteReader    reader(response);
-      std::uint64_t count = 0;
-      reader &      count;
-      for (std::uint64_t i = 0; i < count; ++i)
-      {
-        graphics.emplace_back();
-        TransmitGraphic(reader, graphics.back());
-      }
-    });
+  ReadContained(path, DicomReportService, 0, [&](const std::string & response, const char *) {
+    ByteReader    reader(response);
+    std::uint64_t count = 0;
+    reader &      count;
+    for (std::uint64_t i = 0; i < count; ++i)
+    {
+      graphics.emplace_back();
+      TransmitGraphic(reader, graphics.back());
+    }
+  });
   return graphics;
 }
 
@@ -318,6 +313,12 @@ private:
   const DicomSource & m_Source;
 };
 } // namespace
+
+ContainedService
+MakeDicomReportService()
+{
+  return MakeDicomService(ParseReport);
+}
 
 std::vector<DicomReportPoints>
 ReadDicomReportPoints(const std::string & path, const DicomSource & source)

@@ -237,7 +237,7 @@ TransmitSegments(TStream & stream, TFile & file)
 }
 
 std::string
-ParseHeader(const std::string & path)
+ParseSegmentation(const std::string & path, std::size_t, char *)
 {
   DcmFileFormat format;
   LoadDicomObject(format, path, segmentationClasses);
@@ -264,7 +264,7 @@ ParseHeader(const std::string & path)
 }
 
 std::string
-CopyPixels(const std::string & path, std::size_t bytes, char * shared)
+CopySegmentPixels(const std::string & path, std::size_t bytes, char * shared)
 {
   DcmFileFormat format;
   LoadDicomObject(format, path, segmentationClasses);
@@ -479,6 +479,18 @@ SlicesOf(const DicomSegmentationFile & file, const DicomSeries & series)
 }
 } // namespace
 
+ContainedService
+MakeDicomSegmentationService()
+{
+  return MakeDicomService(ParseSegmentation);
+}
+
+ContainedService
+MakeDicomSegmentPixelService()
+{
+  return MakeDicomService(CopySegmentPixels);
+}
+
 void
 RequireMadeOn(const DicomSegmentationFile & file, const DicomSource & source)
 {
@@ -498,15 +510,10 @@ DicomSegmentationFile
 ReadDicomSegmentation(const std::string & path)
 {
   DicomSegmentationFile file;
-  ReadContained(
-    path,
-    path,
-    0,
-    [](const std::string & request, char *) { return ParseHeader(request); },
-    [&](const std::string & response, const char *) {
-      ByteReader reader(response);
-      TransmitSegments(reader, file);
-    });
+  ReadContained(path, DicomSegmentationService, 0, [&](const std::string & response, const char *) {
+    ByteReader reader(response);
+    TransmitSegments(reader, file);
+  });
   file.path = path;
   for (const DicomSegmentInFile & segment : file.segments)
   {
@@ -525,7 +532,6 @@ ReadDicomSegments(const DicomSegmentationFile & file, const std::vector<int> & n
   RequireSegments(file, numbers);
   const auto         slices = SlicesOf(file, source.series);
   DicomSegmentVoxels read{ EmptyLabels(source.grid), std::vector<std::size_t>(numbers.size(), 0) };
-  const std::size_t  bytes = BytesOfPixels(file);
   const auto         paint = [&](const std::string &, const char * data) {
     if (file.bytesPerLabel > 0)
     {
@@ -543,12 +549,7 @@ ReadDicomSegments(const DicomSegmentationFile & file, const std::vector<int> & n
       }
     }
   };
-  ReadContained(
-    file.path,
-    file.path,
-    bytes,
-    [bytes](const std::string & request, char * shared) { return CopyPixels(request, bytes, shared); },
-    paint);
+  ReadContained(file.path, DicomSegmentPixelService, BytesOfPixels(file), paint);
   return read;
 }
 } // namespace shapeton

@@ -1,7 +1,7 @@
 #include "shapetonDicomSource.h"
 
-#include "shapetonContainedProcess.h"
 #include "shapetonDicomAttributes.h"
+#include "shapetonDicomReading.h"
 #include "shapetonExceptions.h"
 
 #include "dcmtk/config/osconfig.h"
@@ -96,13 +96,7 @@ HeaderOf(const std::string & path)
 std::string
 ReadHeader(const std::string & path)
 {
-  ContainedProcess process(
-    [](const std::string & request, char *) {
-      PrepareDicomParsing();
-      return HeaderOf(request);
-    },
-    0,
-    { std::size_t(512) << 20, 15, 600 });
+  ContainedProcess process(DicomSourceService, 0, { std::size_t(512) << 20, 15, 600 });
   try
   {
     return process.Call(path);
@@ -136,15 +130,21 @@ RequireReferable(const DicomSeries & series, bool forPoints)
 }
 } // namespace
 
+ContainedService
+MakeDicomSourceService()
+{
+  PrepareDicomParsing();
+  return [](const std::string & path, char *) { return HeaderOf(path); };
+}
+
 DicomSource
 ReadDicomSource(const std::string & path, const DicomSourceOptions & sourceOptions)
 {
-  using Advice = VolumeReadOptions::Advice;
   VolumeReadOptions options;
   options.seriesUID = sourceOptions.seriesUID;
   options.deshear = sourceOptions.deshear || sourceOptions.forPoints;
   options.resampleGaps = options.dropDuplicates = options.allowSingleSlice = sourceOptions.forPoints;
-  options.advice = sourceOptions.offersDeshear ? Advice::deshear : Advice::none;
+  options.advice = sourceOptions.offersDeshear ? DicomRepairAdvice::Deshear : DicomRepairAdvice::None;
   const DicomScan scan = ScanDicom(path);
   DicomSource     source;
   source.series = SelectDicomSeries(scan, options);

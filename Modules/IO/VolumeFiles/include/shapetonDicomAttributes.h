@@ -21,7 +21,7 @@ namespace shapeton
 
 /** Configures DCMTK for a contained process: no log, and attributes of the data dictionary stored with VR UN are
  * decoded, in data sets and in sequences. Their values are implicit VR little endian in every transfer syntax
- * (PS3.5 6.2.2). */
+ * (PS3.5 6.2.2). Throws std::runtime_error if the data dictionary is missing. */
 ShapetonVolumeFiles_EXPORT void
 PrepareDicomParsing();
 

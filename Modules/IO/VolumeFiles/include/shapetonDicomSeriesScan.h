@@ -69,6 +69,14 @@ struct DicomDefect
   bool isRepairable{ true };
 };
 
+/** Repairs that messages on defects may suggest. \ingroup ShapetonVolumeFiles */
+enum class DicomRepairAdvice
+{
+  None,
+  Deshear,
+  AllRepairs
+};
+
 /** Advice on a defect, for example the option of the tools that repairs it.
  * \ingroup ShapetonVolumeFiles */
 ShapetonVolumeFiles_EXPORT const char *

@@ -5,6 +5,7 @@
 
 #include "shapetonDicomSeriesScan.h"
 #include "shapetonVolume.h"
+#include "shapetonVolumeReadOptions.h"
 
 #include "itkImageBase.h"
 
@@ -12,35 +13,6 @@
 
 namespace shapeton
 {
-/** Options of the reader, with the allowed repairs. By default, irregular series are rejected.
- * \ingroup ShapetonVolumeFiles */
-struct VolumeReadOptions
-{
-  /** Series Instance UID to read; required if a folder contains two or more usable volumes. "UID#2" selects the
-   * second part of a mixed series, as numbered by DicomSeriesInspector. */
-  std::string seriesUID;
-  /** Fill gaps and uneven spacing by linear interpolation along the slice axis. Slices on the new grid are kept
-   * unchanged. */
-  bool resampleGaps{ false };
-  /** Resample a sheared (tilted) volume onto a grid with perpendicular axes: each slice keeps its plane and is
-   * shifted within it by linear interpolation; voxels not covered by a slice get the lowest intensity. */
-  bool deshear{ false };
-  /** Keep the first of several slices at the same position. */
-  bool dropDuplicates{ false };
-  /** Read a single DICOM slice as a volume of one slice; the spacing is the Slice Thickness, or 1 mm if missing. */
-  bool allowSingleSlice{ false };
-  /** The repairs that messages may suggest; restricted if other objects reference the original slices. */
-  enum class Advice
-  {
-    none,
-    deshear,
-    allRepairs
-  };
-  Advice advice{ Advice::allRepairs };
-  /** Reports progress for each file and each slice of a DICOM series; may throw to abort. */
-  Progress progress;
-};
-
 /** The series of a folder that ReadVolume() would read with these options. Throws InputError like ReadVolume().
  * \ingroup ShapetonVolumeFiles */
 ShapetonVolumeFiles_EXPORT const DicomSeries &
@@ -66,10 +38,12 @@ RequireDicomImages(const DicomScan & scan, const std::string & wanted = "use the
  * finite spacing, perpendicular axes and finite voxels. A fourth dimension must have size 1. Left-handed axes, as in
  * most NIfTI files, are kept.
  *
+ * `progress` receives each file and each slice of a DICOM series; it may throw to abort.
+ *
  * Throws InputError with the file or series, the defect, the affected slices and the remedy, and ParameterError if a
  * series is selected but the file is not a DICOM series. \ingroup ShapetonVolumeFiles */
 ShapetonVolumeFiles_EXPORT Volume
-ReadVolume(const std::string & path, const VolumeReadOptions & options = {});
+ReadVolume(const std::string & path, const VolumeReadOptions & options = {}, const Progress & progress = {});
 } // namespace shapeton
 
 #endif

@@ -69,6 +69,10 @@ PrintableWords(const std::string & text)
 void
 PrepareDicomParsing()
 {
+  if (!dcmDataDict.isDictionaryLoaded())
+  {
+    throw std::runtime_error("DCMTK's data dictionary is missing; install dcmtk or set DCMDICTPATH");
+  }
   OFLog::configure(OFLogger::OFF_LOG_LEVEL);
   dcmEnableUnknownVRConversion.set(OFTrue);
 }

@@ -1,11 +1,11 @@
 #include "shapetonDicomPixels.h"
 
 #include "shapetonByteStream.h"
-#include "shapetonContainedProcess.h"
 #include "shapetonDicomAttributes.h"
 #include "shapetonDicomTransferSyntax.h"
 #include "shapetonExceptions.h"
 #include "shapetonParallelFor.h"
+#include "shapetonParsingServices.h"
 
 #include "dcmtk/config/osconfig.h"
 #include "dcmtk/dcmdata/dctk.h"
@@ -17,14 +17,11 @@
 #include "gdcmSequenceOfFragments.h"
 #include "gdcmTrace.h"
 
-#include "itkMultiThreaderBase.h"
-
 #include <algorithm>
 #include <atomic>
 #include <limits>
 #include <memory>
 #include <mutex>
-#include <thread>
 
 namespace shapeton
 {
@@ -274,22 +271,6 @@ DecodeFrame(OpenFile & file, const std::string & path, unsigned int frame, std::
   return syntax.getXfer() == EXS_JPEG2000 || syntax.getXfer() == EXS_JPEG2000LosslessOnly ? bits : std::uint16_t(0);
 }
 
-std::string
-Serve(OpenFile & file, const std::string & request, char * shared)
-{
-  gdcm::Trace::WarningOff();
-  gdcm::Trace::ErrorOff();
-  PrepareDicomParsing();
-  std::string             path;
-  unsigned int            frame = 0;
-  std::size_t             bytes = 0;
-  ByteReader              reader(request);
-  reader & path & frame & bytes;
-  ByteWriter              response;
-  response &              DecodeFrame(file, path, frame, bytes, shared);
-  return response.GetBytes();
-}
-
 // ---- in this process ----
 
 template <typename TWord>
@@ -384,6 +365,25 @@ ReadSlice(ContainedProcess & process, const DicomSlice & slice, std::size_t pixe
 }
 } // namespace
 
+ContainedService
+MakeDicomPixelService()
+{
+  gdcm::Trace::WarningOff();
+  gdcm::Trace::ErrorOff();
+  PrepareDicomParsing();
+  const auto file = std::make_shared<OpenFile>();
+  return [file](const std::string & request, char * shared) {
+    std::string             path;
+    unsigned int            frame = 0;
+    std::size_t             bytes = 0;
+    ByteReader              reader(request);
+    reader & path & frame & bytes;
+    ByteWriter              response;
+    response &              DecodeFrame(*file, path, frame, bytes, shared);
+    return response.GetBytes();
+  };
+}
+
 void
 ConvertDicomPixels(const char * stored, const DicomPixelFormat & format, std::size_t count, float * intensities)
 {
@@ -416,26 +416,22 @@ ReadDicomSlices(const std::vector<const DicomSlice *> & slices,
   // JPEG 2000 takes about a second for 10 MB.
   const auto                     seconds = static_cast<unsigned int>(20 + bytes / 1000000);
   const ContainedProcess::Limits limits{ (std::size_t(512) << 20) + 16 * bytes, seconds, 600 + seconds };
-  const std::size_t              threads = itk::MultiThreaderBase::GetGlobalDefaultNumberOfThreads();
-  const std::size_t count = std::min({ slices.size(), std::max<std::size_t>(threads, 1), MaximumProcesses });
-
-  // All children are forked before the first thread starts.
-  std::vector<std::unique_ptr<ContainedProcess>> processes;
-  for (std::size_t i = 0; i < count; ++i)
-  {
-    const auto file = std::make_shared<OpenFile>();
-    processes.push_back(std::make_unique<ContainedProcess>(
-      [file](const std::string & request, char * shared) { return Serve(*file, request, shared); }, bytes, limits));
-  }
+  const auto                     count =
+    static_cast<unsigned int>(std::min<std::size_t>({ slices.size(), NumberOfThreads(), MaximumProcesses }));
   std::atomic<std::size_t> next{ 0 };
   FirstFailure             failure;
   const ProgressOfWorkers  report(progress);
-  const auto               work = [&](ContainedProcess & process) {
+  ParallelWorkers(count, [&](unsigned int) {
+    std::unique_ptr<ContainedProcess> process;
     for (std::size_t i = next++; i < slices.size() && !failure.IsSet(); i = next++)
     {
       try
       {
-        ReadSlice(process, *slices[i], pixels, intensities + i * pixels);
+        if (!process)
+        {
+          process = std::make_unique<ContainedProcess>(DicomPixelService, bytes, limits);
+        }
+        ReadSlice(*process, *slices[i], pixels, intensities + i * pixels);
         report(static_cast<double>(i + 1) / static_cast<double>(slices.size()));
       }
       catch (...)
@@ -443,17 +439,7 @@ ReadDicomSlices(const std::vector<const DicomSlice *> & slices,
         failure.Record(i, std::current_exception());
       }
     }
-  };
-  std::vector<std::thread> helpers;
-  for (std::size_t i = 1; i < count; ++i)
-  {
-    helpers.emplace_back(work, std::ref(*processes[i]));
-  }
-  work(*processes[0]);
-  for (std::thread & helper : helpers)
-  {
-    helper.join();
-  }
+  });
   failure.Rethrow();
 }
 } // namespace shapeton

@@ -1,15 +1,12 @@
 #include "shapetonDicomSeriesScan.h"
 
-#include "shapetonContainedProcess.h"
 #include "shapetonDicomAttributes.h"
 #include "shapetonDicomFile.h"
 #include "shapetonDicomSeriesDefects.h"
 #include "shapetonDicomText.h"
-#include "shapetonFileWalk.h"
 #include "shapetonExceptions.h"
-
-#include "dcmtk/config/osconfig.h"
-#include "dcmtk/dcmdata/dcdict.h"
+#include "shapetonFileWalk.h"
+#include "shapetonParsingServices.h"
 
 #include <algorithm>
 #include <cmath>
@@ -37,16 +34,6 @@ using Items = std::vector<Item>;
 
 // ---- headers ----
 
-std::string
-ParseInChild(const std::string & path)
-{
-  PrepareDicomParsing();
-  ByteWriter      writer;
-  const DicomFile file = ParseDicomFile(path);
-  Transmit(writer, file);
-  return writer.GetBytes();
-}
-
 DicomFile
 ParseContained(ContainedProcess & process, const std::string & path)
 {
@@ -70,12 +57,7 @@ ParseContained(ContainedProcess & process, const std::string & path)
 std::vector<DicomFile>
 ParseFiles(const std::vector<std::string> & paths, const Progress & progress)
 {
-  if (!dcmDataDict.isDictionaryLoaded()) // loaded before the forks for all children
-  {
-    throw std::runtime_error("DCMTK's data dictionary is missing; install dcmtk or set DCMDICTPATH");
-  }
-  ContainedProcess process(
-    [](const std::string & path, char *) { return ParseInChild(path); }, 0, { std::size_t(512) << 20, 15, 600 });
+  ContainedProcess       process(DicomHeaderService, 0, { std::size_t(512) << 20, 15, 600 });
   std::vector<DicomFile> files;
   files.reserve(paths.size());
   for (const std::string & path : paths)
@@ -754,6 +736,18 @@ CollectSeries(const std::vector<DicomFile> & files, DicomScan & scan)
   });
 }
 } // namespace
+
+ContainedService
+MakeDicomHeaderService()
+{
+  PrepareDicomParsing();
+  return [](const std::string & path, char *) {
+    ByteWriter      writer;
+    const DicomFile file = ParseDicomFile(path);
+    Transmit(writer, file);
+    return writer.GetBytes();
+  };
+}
 
 std::string
 DicomSeries::GetSelector() const

@@ -384,7 +384,7 @@ GridOfDicomSeries(const DicomSeries & series, bool isDesheared)
 }
 
 Volume
-ReadDicomVolume(const DicomSeries & series, const VolumeReadOptions & options)
+ReadDicomVolume(const DicomSeries & series, const VolumeReadOptions & options, const Progress & progress)
 {
   Volume volume;
   volume.modality = series.modality;
@@ -392,18 +392,18 @@ ReadDicomVolume(const DicomSeries & series, const VolumeReadOptions & options)
   volume.seriesUID = series.uid;
   volume.identity = IdentityOf(series);
   const Slices slices = options.dropDuplicates ? DropDuplicates(series, volume) : series.slices;
-  volume.image = ReadStack(series, slices, options.progress.Part("Reading slices", 0.3, 0.8));
+  volume.image = ReadStack(series, slices, progress.Part("Reading slices", 0.3, 0.8));
   FillPadding(series, volume.image, volume);
   if (options.deshear && series.Has(DicomDefectKind::shear))
   {
-    volume.image = Deshear(series, slices, volume.image, options.progress.Part("Moving slices", 0.8, 0.9), volume);
+    volume.image = Deshear(series, slices, volume.image, progress.Part("Moving slices", 0.8, 0.9), volume);
   }
   if (options.resampleGaps && (series.Has(DicomDefectKind::gap) || series.Has(DicomDefectKind::variableSpacing)))
   {
-    volume.image = ResampleGaps(series, slices, volume.image, options.progress.Part("Resampling", 0.9, 1.0), volume);
+    volume.image = ResampleGaps(series, slices, volume.image, progress.Part("Resampling", 0.9, 1.0), volume);
   }
   AddNotes(series, volume);
-  options.progress("Reading slices", 1.0);
+  progress("Reading slices", 1.0);
   return volume;
 }
 } // namespace shapeton

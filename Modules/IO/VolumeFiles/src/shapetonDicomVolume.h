@@ -23,7 +23,7 @@ PlaneOfSlices(const DicomSeries & series, const std::vector<DicomSlice> & slices
 /** Reads the pixels of a series and applies the requested and necessary repairs. The series must not have other
  * defects. Throws InputError. */
 Volume
-ReadDicomVolume(const DicomSeries & series, const VolumeReadOptions & options);
+ReadDicomVolume(const DicomSeries & series, const VolumeReadOptions & options, const Progress & progress);
 } // namespace shapeton
 
 #endif

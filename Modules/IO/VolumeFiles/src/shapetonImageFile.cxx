@@ -3,12 +3,12 @@
 #include "shapetonPhysicalMemory.h"
 
 #include "shapetonByteStream.h"
-#include "shapetonContainedProcess.h"
 #include "itkMetaImageIO.h"
 #include "itkNrrdImageIO.h"
 #include "shapetonPrintable.h"
 #include "shapetonSha256.h"
 #include "shapetonParallelFor.h"
+#include "shapetonParsingServices.h"
 #include "shapetonStoredVoxels.h"
 #include "shapetonExceptions.h"
 #include "shapetonNiftiHeader.h"
@@ -16,9 +16,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <functional>
 #include <sstream>
-#include <unistd.h>
 
 namespace shapeton
 {
@@ -156,19 +154,6 @@ ReadVoxels(const std::string & path, ImageFormat format, char * voxels)
   io->Read(voxels);
 }
 
-std::string
-Contained(const std::function<std::string()> & work)
-{
-  try
-  {
-    return work();
-  }
-  catch (const itk::ExceptionObject & error)
-  {
-    throw std::runtime_error(Summary(error));
-  }
-}
-
 /** Time limit for work on `bytes` bytes of voxels; a slow machine processes one megabyte per second. */
 ContainedProcess::Limits
 LimitsFor(double bytes)
@@ -179,30 +164,69 @@ LimitsFor(double bytes)
            static_cast<unsigned int>(600 + seconds) };
 }
 
-ImageHeader
-ReadHeaderContained(const std::string & path, ImageFormat format)
+/** A request for the header, or for the voxels in shared memory. */
+struct ImageRequest
 {
-  ContainedProcess process(
-    [format](const std::string & request, char *) {
-      return Contained([&] {
-        ByteWriter        writer;
-        const ImageHeader header = ReadHeader(request, format);
-        TransmitHeader(writer, header);
-        return writer.GetBytes();
-      });
-    },
-    0,
-    LimitsFor(0));
+  std::string   path;
+  ImageFormat   format{ ImageFormat::none };
+  StoredVoxels  stored;
+  std::uint64_t voxelBytes{ 0 }; // 0: for the header
+};
+
+template <typename TStream, typename TRequest>
+void
+TransmitRequest(TStream & stream, TRequest & request)
+{
+  auto &   stored = request.stored;
+  stream & request.path & request.format & stored.file & stored.offset & stored.coding & stored.canBeTaken & stored
+    .inflatedOffset & request.voxelBytes;
+}
+
+std::string
+CallImageService(ContainedProcess & process, const ImageRequest & request)
+{
+  ByteWriter writer;
+  TransmitRequest(writer, request);
+  return process.Call(writer.GetBytes());
+}
+
+/** Runs in the contained process. */
+std::string
+AnswerImageRequest(const ImageRequest & request, char * shared)
+{
+  ByteWriter writer;
+  if (request.voxelBytes == 0)
+  {
+    const ImageHeader header = ReadHeader(request.path, request.format);
+    TransmitHeader(writer, header);
+  }
+  else if (request.stored.canBeTaken)
+  {
+    TakeVoxels(request.stored, request.voxelBytes, [shared](std::uint64_t place, const char * piece, std::size_t size) {
+      std::copy_n(piece, size, shared + place);
+    });
+  }
+  else
+  {
+    VerifyVoxels(request.stored, request.voxelBytes);
+    ReadVoxels(request.path, request.format, shared);
+  }
+  return writer.GetBytes();
+}
+
+ImageHeader
+ReadHeaderContained(ContainedProcess & process, const ImageRequest & request)
+{
   ImageHeader header;
   try
   {
-    const std::string response = process.Call(path);
+    const std::string response = CallImageService(process, request);
     ByteReader        reader(response);
     TransmitHeader(reader, header);
   }
   catch (const ContainedProcess::Failure & failure)
   {
-    ThrowUnsuitable(path, "the " + NameOf(format) + " header cannot be read: " + failure.what());
+    ThrowUnsuitable(request.path, "the " + NameOf(request.format) + " header cannot be read: " + failure.what());
   }
   return header;
 }
@@ -489,55 +513,48 @@ IdentityOf(const std::string & path, const StoredVoxels & stored)
 
 /** Sets image and identity. */
 void
-ReadImage(const std::string &  path,
-          ImageFormat          format,
-          const StoredVoxels & stored,
-          const ImageHeader &  header,
-          double               bytes,
-          Volume &             volume)
+ReadImage(ContainedProcess & process, const ImageRequest & request, const ImageHeader & header, Volume & volume)
 {
-  ContainedProcess process(
-    [&](const std::string & request, char * shared) {
-      return Contained([&] {
-        const auto size = static_cast<std::uint64_t>(bytes);
-        if (stored.canBeTaken)
-        {
-          TakeVoxels(stored, size, [shared](std::uint64_t place, const char * piece, std::size_t length) {
-            std::copy_n(piece, length, shared + place);
-          });
-        }
-        else
-        {
-          VerifyVoxels(stored, size);
-          ReadVoxels(request, format, shared);
-        }
-        return std::string();
-      });
-    },
-    static_cast<std::size_t>(bytes),
-    LimitsFor(bytes));
+  process.Share(request.voxelBytes, LimitsFor(static_cast<double>(request.voxelBytes)));
   WorkBeside beside = StartBeside([&] {
     volume.image = MakeImage(header); // after the memory check
-    volume.identity = IdentityOf(path, stored);
+    volume.identity = IdentityOf(request.path, request.stored);
   });
   try
   {
-    process.Call(path);
+    CallImageService(process, request);
   }
   catch (const ContainedProcess::Failure & failure)
   {
-    ThrowUnsuitable(path, failure.what());
+    ThrowUnsuitable(request.path, failure.what());
   }
   process.Stop();
   beside.Get();
-  ConvertVoxels(path,
+  ConvertVoxels(request.path,
                 header,
                 process.GetShared(),
                 volume.image->GetLargestPossibleRegion().GetNumberOfPixels(),
                 volume.image->GetBufferPointer());
 }
-
 } // namespace
+
+ContainedService
+MakeImageFileService()
+{
+  return [](const std::string & bytes, char * shared) {
+    ImageRequest request;
+    ByteReader   reader(bytes);
+    TransmitRequest(reader, request);
+    try
+    {
+      return AnswerImageRequest(request, shared);
+    }
+    catch (const itk::ExceptionObject & error)
+    {
+      throw std::runtime_error(Summary(error));
+    }
+  };
+}
 
 bool
 IsImageFile(const std::string & path)
@@ -548,16 +565,18 @@ IsImageFile(const std::string & path)
 Volume
 ReadImageFile(const std::string & path)
 {
-  const ImageFormat  format = ImageFormatOf(path);
-  const bool         isNifti = format == ImageFormat::nifti;
-  const std::string  file = isNifti ? NiftiHeaderFile(path) : path; // the file that contains the header
-  const StoredVoxels stored = LocateVoxels(file, format);
-  const ImageHeader  header = isNifti ? HeaderOfNifti(file) : ReadHeaderContained(file, format);
+  ImageRequest request;
+  request.format = ImageFormatOf(path);
+  const bool isNifti = request.format == ImageFormat::nifti;
+  request.path = isNifti ? NiftiHeaderFile(path) : path; // the file that contains the header
+  request.stored = LocateVoxels(request.path, request.format);
+  ContainedProcess  process(ImageFileService, 0, LimitsFor(0));
+  const ImageHeader header = isNifti ? HeaderOfNifti(request.path) : ReadHeaderContained(process, request);
   CheckKind(path, header);
   CheckGeometry(path, header);
-  const double bytes = CheckSize(path, header, stored);
-  Volume       volume;
-  ReadImage(file, format, stored, header, bytes, volume);
+  request.voxelBytes = static_cast<std::uint64_t>(CheckSize(path, header, request.stored));
+  Volume volume;
+  ReadImage(process, request, header, volume);
   CheckFinite(path, header, volume.image);
   AppendRemarks(volume.notes, header.notes);
   NoteMissingSpacing(header, volume);

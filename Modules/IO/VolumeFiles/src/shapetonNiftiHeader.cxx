@@ -1,6 +1,7 @@
 #include "shapetonNiftiHeader.h"
 
 #include "shapetonFileErrors.h"
+#include "shapetonPi.h"
 #include "shapetonPrintable.h"
 
 #include "itk_zlib.h"
@@ -28,8 +29,6 @@ constexpr int Nifti2Bytes = 540;
 
 // Tolerance of half a voxel in 500; smaller deviations are rounding errors.
 constexpr double RelativeSpacingTolerance = 1e-3;
-
-constexpr double DegreesPerRadian = 57.295779513082320877;
 
 /** Offsets of the fields that are read. */
 struct Layout

@@ -46,8 +46,8 @@ bool
 MayAdvise(const DicomDefect & defect, const VolumeReadOptions & options)
 {
   VolumeReadOptions repairs;
-  repairs.dropDuplicates = repairs.resampleGaps = options.advice != VolumeReadOptions::Advice::allRepairs;
-  repairs.deshear = options.advice == VolumeReadOptions::Advice::none;
+  repairs.dropDuplicates = repairs.resampleGaps = options.advice != DicomRepairAdvice::AllRepairs;
+  repairs.deshear = options.advice == DicomRepairAdvice::None;
   return !IsRepaired(defect, repairs, false);
 }
 
@@ -297,14 +297,14 @@ NoteOthers(const DicomScan & scan, const DicomSeries & taken, bool isChosen, Vol
 }
 
 Volume
-ReadDicom(const std::string & path, const VolumeReadOptions & options)
+ReadDicom(const std::string & path, const VolumeReadOptions & options, const Progress & progress)
 {
-  const DicomScan     scan = ScanDicom(path, options.progress.Part("Reading headers", 0.0, 0.3));
+  const DicomScan     scan = ScanDicom(path, progress.Part("Reading headers", 0.0, 0.3));
   const DicomSeries & series = SelectDicomSeries(scan, options);
   Volume              volume;
   try
   {
-    volume = ReadDicomVolume(series, options);
+    volume = ReadDicomVolume(series, options, progress);
   }
   catch (const InputError & error)
   {
@@ -364,7 +364,7 @@ SelectDicomSeries(const DicomScan & scan, const VolumeReadOptions & options)
 }
 
 Volume
-ReadVolume(const std::string & path, const VolumeReadOptions & options)
+ReadVolume(const std::string & path, const VolumeReadOptions & options, const Progress & progress)
 {
   std::error_code error;
   if (!fs::exists(path, error))
@@ -380,7 +380,7 @@ ReadVolume(const std::string & path, const VolumeReadOptions & options)
   {
     throw ParameterError(path + ": the parameter \"seriesUID\" selects a DICOM series, but this file is not one");
   }
-  Volume volume = isImageFile ? ReadImageFile(path) : ReadDicom(path, options);
+  Volume volume = isImageFile ? ReadImageFile(path) : ReadDicom(path, options, progress);
   CheckExtent(path, volume, options);
   return volume;
 }

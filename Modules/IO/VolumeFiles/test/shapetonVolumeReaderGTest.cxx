@@ -723,10 +723,6 @@ TEST(VolumeReader, IsAbortedByProgressOfEachFileAndSlice)
   const std::string folder = TestFolder();
   const auto        files = DicomFixture().MakeSeries();
   SaveDicom(files, folder);
-  const auto work = [&](const shapeton::Progress & progress) {
-    VolumeReadOptions options;
-    options.progress = progress;
-    ReadVolume(folder, options);
-  };
+  const auto work = [&](const shapeton::Progress & progress) { ReadVolume(folder, {}, progress); };
   shapeton::test::ExpectProgress(work, files.size() + 2); // only one thread reports its slices
 }

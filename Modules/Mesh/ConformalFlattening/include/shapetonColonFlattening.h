@@ -1,6 +1,7 @@
 #ifndef shapetonColonFlattening_h
 #define shapetonColonFlattening_h
 
+#include "shapetonColonFlatteningOptions.h"
 #include "shapetonRemarks.h"
 #include "shapetonProgress.h"
 #include "shapetonConformalTube.h"
@@ -11,28 +12,11 @@
 
 namespace shapeton
 {
-/** Edge lengths that the flat map preserves conformally. \ingroup ShapetonConformalFlattening */
-enum class FlatMetric
+/** Options of FlattenColon(), its other inputs and the receiver of progress. \ingroup ShapetonConformalFlattening */
+struct ColonFlatteningSettings : ColonFlatteningOptions
 {
-  /** Straight edge lengths. */
-  Euclidean,
-  /** Heat diffusion distances from all eigenpairs. */
-  HeatDiffusion,
-  /** Heat diffusion distances from the first eigenpairs, as published. */
-  TruncatedHeatDiffusion
-};
-
-/** Metric, handles and cut for FlattenColon(). \ingroup ShapetonConformalFlattening */
-struct ColonFlatteningOptions
-{
-  FlatMetric metric{ FlatMetric::HeatDiffusion };
-  /** Diffusion time (mm^2). 0 selects DefaultDiffusionTime(), or the Euclidean metric if IsTooCoarseForDiffusion(). */
-  double time{ 0.0 };
-  /** Number of eigenpairs of TruncatedHeatDiffusion. */
-  int eigenpairs{ 50 };
-  /** Detects handles on the Euclidean map and removes them before the final map, repeatedly if necessary. */
-  bool        removeHandles{ false };
-  TubeOptions tube;
+  /** Curve near which to cut the tube, as in TubeOptions. */
+  std::vector<Eigen::Vector3d> cut;
   /** Centerline from the rectum to the cecum; identifies the rectum if the surface does not name it. May be empty. */
   CurveSet centerline;
   /** Receives the stage name and the completed fraction of the whole run, from 0 to 1. */
@@ -78,10 +62,10 @@ struct ColonFlattening
 };
 
 /** Flattens a tube: preparation, metric, map, handle removal. Throws InputError with the prefix `what` if the surface
- * is not a tube or the time is unsuitable for the metric, and ParameterError if the time is negative or not finite.
+ * is not a tube or the time is unsuitable for the metric, and ParameterError for options out of range.
  * \ingroup ShapetonConformalFlattening */
 ShapetonConformalFlattening_EXPORT ColonFlattening
-FlattenColon(SurfaceMesh mesh, const std::string & what, const ColonFlatteningOptions & options = {});
+FlattenColon(SurfaceMesh mesh, const std::string & what, const ColonFlatteningSettings & options = {});
 
 /** Statistics as JSON. Keys: faces, genusBefore, genusAfter, metric, time (mm^2), eigenpairs (null: all), drownedEdges,
  * modulusU, modulusV, modulusGap (relative), circumference, length (mm), flips, flipsAwayFromHandles, solves, ears

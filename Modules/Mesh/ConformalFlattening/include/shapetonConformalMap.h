@@ -1,6 +1,7 @@
 #ifndef shapetonConformalMap_h
 #define shapetonConformalMap_h
 
+#include "shapetonConformalMapOptions.h"
 #include "shapetonRemarks.h"
 #include "shapetonFlatDistortion.h"
 #include "shapetonJsonForward.h"
@@ -10,29 +11,9 @@
 
 namespace shapeton
 {
-/** Target domain of a conformal map. \ingroup ShapetonConformalFlattening */
-enum class ConformalDomain
+/** Options of MapConformally(), the metric and the receiver of progress. \ingroup ShapetonConformalFlattening */
+struct ConformalMapSettings : ConformalMapOptions
 {
-  /** For one boundary, a rectangle with four corners. For several, the logarithm of the slit map: a strip, cut open
-   * from the outer to the inner boundary, with slits as segments of constant u. */
-  Rectangle,
-  /** One outer and one inner boundary: concentric circles. */
-  Annulus,
-  /** One outer and any number of inner boundaries: an annulus with concentric circular slits, one map for each choice
-   * of the boundary that becomes the inner circle. */
-  Slit
-};
-
-/** Domain, boundaries and metric for MapConformally(). \ingroup ShapetonConformalFlattening */
-struct ConformalMapOptions
-{
-  ConformalDomain domain{ ConformalDomain::Slit };
-  /** Boundary numbers, from 1, in the order of BoundaryLoopsByLength(). 0 selects the longest one as outer, and the
-   * longest remaining one as inner. */
-  int outerBoundary{ 0 };
-  int innerBoundary{ 0 };
-  /** Four boundary vertices, as for MapQuadrilateral(); if empty, SpreadCorners() is used. */
-  std::vector<int> corners;
   /** Edge lengths in another metric; empty for straight lengths. */
   Eigen::VectorXd edgeLengths;
   /** May throw to abort. */
@@ -93,7 +74,7 @@ struct ConformalMap
  * domain does not allow its number of boundaries, or a boundary or corner does not exist; also throws as
  * MakeSurfaceLaplacian() does. \ingroup ShapetonConformalFlattening */
 ShapetonConformalFlattening_EXPORT ConformalMap
-MapConformally(const SurfaceMesh & mesh, const ConformalMapOptions & options, const std::string & what);
+MapConformally(const SurfaceMesh & mesh, const ConformalMapSettings & options, const std::string & what);
 
 /** Statistics as JSON. The keys are stable: faces, genus, domain, boundaries (a list of number, vertices, length in mm,
  * role), outerBoundary, innerBoundary, corners, modulusU, modulusV, modulusGap, flips, flipsAtSlits, solves, ears,

@@ -25,7 +25,8 @@ constexpr double       foldedShare = 0.01; // fraction of the faces
 class ColonFlattener
 {
 public:
-  ColonFlattener(const std::string & what, const ColonFlatteningOptions & options) : m_What(what), m_Options(options) {}
+  ColonFlattener(const std::string & what, const ColonFlatteningSettings & options) : m_What(what), m_Options(options)
+  {}
 
   ColonFlattening
   Run(SurfaceMesh mesh)
@@ -202,7 +203,9 @@ private:
       [this](const SurfaceMesh & surface, const SurfaceConnectivity & connectivity, const Progress & progress) {
         return this->MetricLengths(surface, connectivity, progress);
       };
-    TubeOptions options = m_Options.tube;
+    TubeOptions options;
+    options.conjugate = m_Options.method;
+    options.cutCurve = m_Options.cut;
     options.progress = [this](const std::string & stage, double share) {
       m_Options.progress(stage, 0.2 + 0.7 * share);
     };
@@ -297,7 +300,7 @@ private:
     {
       m_Result.warnings.push_back(std::string(surfaceName) + " has " + std::to_string(m_Result.genusBefore) +
                                   " handles, but " + std::to_string(m_Result.handles.genus) + " were located: " +
-                                  (m_Options.tube.conjugate == TubeConjugate::Published
+                                  (m_Options.method == TubeConjugate::Published
                                      ? "the published method also folds the map elsewhere"
                                      : "the others are at a boundary, or the map is folded in many places"));
     }
@@ -328,7 +331,7 @@ private:
   }
 
   const std::string &                  m_What;
-  const ColonFlatteningOptions &       m_Options;
+  const ColonFlatteningSettings &      m_Options;
   std::unique_ptr<SurfaceConnectivity> m_Connectivity;
   TubeEnds                             m_Ends;
   Eigen::VectorXd                      m_Lengths; ///< in space
@@ -340,10 +343,9 @@ private:
 } // namespace
 
 ColonFlattening
-FlattenColon(SurfaceMesh mesh, const std::string & what, const ColonFlatteningOptions & options)
+FlattenColon(SurfaceMesh mesh, const std::string & what, const ColonFlatteningSettings & options)
 {
-  RequireParameter(options.time >= 0.0 && std::isfinite(options.time),
-                   "the diffusion time must be a number in mm^2, or 0 for automatic choice");
+  CheckOptions(options);
   return ColonFlattener(what, options).Run(std::move(mesh));
 }
 } // namespace shapeton

@@ -38,7 +38,7 @@ ElementOfBoundary(int number, std::size_t count, const char * role)
 }
 
 void
-RequireBoundaries(const ConformalMapOptions & options, std::size_t count)
+RequireBoundaries(const ConformalMapSettings & options, std::size_t count)
 {
   if (count == 0)
   {
@@ -68,7 +68,7 @@ RequireBoundaries(const ConformalMapOptions & options, std::size_t count)
 
 /** The outer and inner boundary. */
 void
-ChooseBoundaries(const ConformalMapOptions & options, ConformalMap & map)
+ChooseBoundaries(const ConformalMapSettings & options, ConformalMap & map)
 {
   const std::size_t count = map.loops.size();
   map.outer = options.outerBoundary == 0 ? 0 : ElementOfBoundary(options.outerBoundary, count, "outer");
@@ -84,7 +84,7 @@ ChooseBoundaries(const ConformalMapOptions & options, ConformalMap & map)
 }
 
 std::array<int, 4>
-CornersOf(const ConformalMapOptions & options, const BoundaryLoop & boundary, const VertexMatrix & V)
+CornersOf(const ConformalMapSettings & options, const BoundaryLoop & boundary, const VertexMatrix & V)
 {
   if (options.corners.empty())
   {
@@ -98,13 +98,13 @@ CornersOf(const ConformalMapOptions & options, const BoundaryLoop & boundary, co
 }
 
 void
-MapToRectangle(const SurfaceMesh &         mesh,
-               const SurfaceConnectivity & connectivity,
-               const Eigen::VectorXd &     lengths,
-               const ConformalMapOptions & options,
-               const std::vector<int> &    weightLevels,
-               const Progress &            progress,
-               ConformalMap &              map)
+MapToRectangle(const SurfaceMesh &          mesh,
+               const SurfaceConnectivity &  connectivity,
+               const Eigen::VectorXd &      lengths,
+               const ConformalMapSettings & options,
+               const std::vector<int> &     weightLevels,
+               const Progress &             progress,
+               ConformalMap &               map)
 {
   const auto             corners = CornersOf(options, map.loops[0], mesh.V);
   const QuadrilateralMap quadrilateral =
@@ -117,13 +117,13 @@ MapToRectangle(const SurfaceMesh &         mesh,
 }
 
 void
-MapToAnnulus(const SurfaceMesh &         mesh,
-             const SurfaceConnectivity & connectivity,
-             const Eigen::VectorXd &     lengths,
-             const ConformalMapOptions & options,
-             const std::vector<int> &    weightLevels,
-             const Progress &            progress,
-             ConformalMap &              map)
+MapToAnnulus(const SurfaceMesh &          mesh,
+             const SurfaceConnectivity &  connectivity,
+             const Eigen::VectorXd &      lengths,
+             const ConformalMapSettings & options,
+             const std::vector<int> &     weightLevels,
+             const Progress &             progress,
+             ConformalMap &               map)
 {
   const SlitMapSolver solver(
     mesh, connectivity, lengths, map.loops, map.outer, weightLevels, progress.Part("", 0.0, 0.4));
@@ -230,7 +230,7 @@ Warn(ConformalMap & map)
 
 /** Assigns the boundaries to the circles. */
 ConformalMap
-ChosenDomain(const SurfaceMesh & mesh, const SurfaceConnectivity & connectivity, const ConformalMapOptions & options)
+ChosenDomain(const SurfaceMesh & mesh, const SurfaceConnectivity & connectivity, const ConformalMapSettings & options)
 {
   ConformalMap map;
   map.domain = options.domain;
@@ -243,13 +243,13 @@ ChosenDomain(const SurfaceMesh & mesh, const SurfaceConnectivity & connectivity,
 
 /** Maps to the chosen domain and computes the distortion. */
 ConformalMap
-MapOnce(const SurfaceMesh &         mesh,
-        const SurfaceConnectivity & connectivity,
-        const Eigen::VectorXd &     lengths,
-        const ConformalMapOptions & options,
-        const std::vector<int> &    weightLevels,
-        const Progress &            progress,
-        ConformalMap                map)
+MapOnce(const SurfaceMesh &          mesh,
+        const SurfaceConnectivity &  connectivity,
+        const Eigen::VectorXd &      lengths,
+        const ConformalMapSettings & options,
+        const std::vector<int> &     weightLevels,
+        const Progress &             progress,
+        ConformalMap                 map)
 {
   if (map.loops.size() == 1)
   {
@@ -267,7 +267,9 @@ MapOnce(const SurfaceMesh &         mesh,
 
 /** Recomputes a map with avoidable flips, with weights clamped at flipped faces and finally everywhere. */
 ConformalMap
-MapSoundSurface(const SurfaceMesh & mesh, const SurfaceConnectivity & connectivity, const ConformalMapOptions & options)
+MapSoundSurface(const SurfaceMesh &          mesh,
+                const SurfaceConnectivity &  connectivity,
+                const ConformalMapSettings & options)
 {
   const Eigen::VectorXd lengths =
     options.edgeLengths.size() == 0 ? EdgeLengths(connectivity, mesh.V) : options.edgeLengths;
@@ -298,8 +300,9 @@ ConformalMap::ModulusGap() const
 }
 
 ConformalMap
-MapConformally(const SurfaceMesh & mesh, const ConformalMapOptions & options, const std::string & what)
+MapConformally(const SurfaceMesh & mesh, const ConformalMapSettings & options, const std::string & what)
 {
+  CheckOptions(options);
   RequireSound(mesh, what);
   const SurfaceConnectivity connectivity(mesh);
   RequireOneManifold(connectivity, what);

@@ -44,7 +44,7 @@ Line(int points, bool isDownwards = false)
 
 TEST(ColonFlattening, ASeamChangesNothing)
 {
-  shapeton::ColonFlatteningOptions options;
+  shapeton::ColonFlatteningSettings options;
   options.metric = shapeton::FlatMetric::Euclidean;
   const shapeton::SurfaceMesh     tube = Tube();
   const shapeton::ColonFlattening whole = shapeton::FlattenColon(tube, "it", options);
@@ -57,8 +57,8 @@ TEST(ColonFlattening, ASeamChangesNothing)
 
 TEST(ColonFlattening, StatesItsMetricAndTime)
 {
-  shapeton::ColonFlatteningOptions options;
-  const shapeton::ColonFlattening  automatic = shapeton::FlattenColon(Tube(), "it", options);
+  shapeton::ColonFlatteningSettings options;
+  const shapeton::ColonFlattening   automatic = shapeton::FlattenColon(Tube(), "it", options);
   EXPECT_GT(automatic.time, 0.0);
   EXPECT_GT(automatic.narrowestRadius, 10.0);
   options.time = 33.0;
@@ -75,7 +75,7 @@ TEST(ColonFlattening, StatesItsMetricAndTime)
 
 TEST(ColonFlattening, RemovesHandlesOnRequest)
 {
-  shapeton::ColonFlatteningOptions options;
+  shapeton::ColonFlatteningSettings options;
   options.time = 40.0;
   const shapeton::ColonFlattening with = shapeton::FlattenColon(Tube(5), "it", options);
   EXPECT_EQ(5, with.genusBefore);
@@ -105,9 +105,9 @@ TEST(ColonFlattening, RemovesHandlesOnRequest)
 
 TEST(ColonFlattening, PublishedRouteIsWarnedOf)
 {
-  shapeton::ColonFlatteningOptions options;
+  shapeton::ColonFlatteningSettings options;
   options.metric = shapeton::FlatMetric::Euclidean;
-  options.tube.conjugate = shapeton::TubeConjugate::Published;
+  options.method = shapeton::TubeConjugate::Published;
   const shapeton::ColonFlattening result = shapeton::FlattenColon(Tube(5), "it", options);
   EXPECT_GT(result.distortion.flips, 50);
   const shapeton::ColonFlattening good = shapeton::FlattenColon(Tube(5), "it", {});
@@ -116,7 +116,7 @@ TEST(ColonFlattening, PublishedRouteIsWarnedOf)
 
 TEST(ColonFlattening, CenterlineTellsTheRectum)
 {
-  shapeton::ColonFlatteningOptions options;
+  shapeton::ColonFlatteningSettings options;
   options.centerline = Line(9, true);
   const shapeton::SurfaceMesh     cylinder = Cylinder(30, 30, 20.0, 80.0);
   const shapeton::ColonFlattening result = shapeton::FlattenColon(cylinder, "it", options);
@@ -159,7 +159,7 @@ TEST(ColonFlattening, FacesWithoutAreaAreTakenForThinOnes)
 
 TEST(ColonFlattening, RefusesTimesThatAreNone)
 {
-  shapeton::ColonFlatteningOptions options;
+  shapeton::ColonFlatteningSettings options;
   for (const double time : { -1.0, std::numeric_limits<double>::infinity(), std::nan("") })
   {
     options.time = time;
@@ -185,7 +185,7 @@ TEST(ColonFlattening, IsAbortedByProgressWhateverTheMetric)
                              shapeton::FlatMetric::Euclidean })
   {
     const auto work = [&](const shapeton::Progress & progress) {
-      shapeton::ColonFlatteningOptions options;
+      shapeton::ColonFlatteningSettings options;
       options.metric = metric;
       options.removeHandles = true;
       options.progress = progress;

@@ -17,7 +17,7 @@ using namespace testsurfaces;
 ConformalMap
 MapTo(ConformalDomain domain, const SurfaceMesh & mesh, int outer = 0, int inner = 0)
 {
-  ConformalMapOptions options;
+  ConformalMapSettings options;
   options.domain = domain;
   options.outerBoundary = outer;
   options.innerBoundary = inner;
@@ -26,7 +26,7 @@ MapTo(ConformalDomain domain, const SurfaceMesh & mesh, int outer = 0, int inner
 
 /** Returns the error message of MapConformally() for a rejected surface. */
 std::string
-Refusal(const SurfaceMesh & mesh, const ConformalMapOptions & options)
+Refusal(const SurfaceMesh & mesh, const ConformalMapSettings & options)
 {
   return basetest::ErrorOf([&] { MapConformally(mesh, options, "the test"); });
 }
@@ -126,12 +126,12 @@ TEST(ConformalMap, TheInnerAndTheOuterBoundaryMayBeSwapped)
 TEST(ConformalMap, OfASphericalPatchToARectangle)
 {
   // Longitude and Mercator's latitude are conformal: a patch between meridians and parallels is a rectangle.
-  const double        lambda = 1.0, phi = 0.7;
-  const SurfaceMesh   mesh = Grid(60, 60, Wrap::None, [&](double s, double t) {
+  const double         lambda = 1.0, phi = 0.7;
+  const SurfaceMesh    mesh = Grid(60, 60, Wrap::None, [&](double s, double t) {
     const double l = lambda * s, p = phi * t;
     return Eigen::Vector3d(30 * std::cos(p) * std::cos(l), 30 * std::cos(p) * std::sin(l), 30 * std::sin(p));
   });
-  ConformalMapOptions options;
+  ConformalMapSettings options;
   options.domain = ConformalDomain::Rectangle;
   options.corners = { 0, 60, 61 * 61 - 1, 60 * 61 };
   const ConformalMap map = MapConformally(mesh, options, "");
@@ -160,14 +160,14 @@ TEST(ConformalMap, OfASurfaceWithAHandleSaysSo)
 
 TEST(ConformalMap, RefusesWithTheReason)
 {
-  ConformalMapOptions slit;
-  ConformalMapOptions rectangle;
+  ConformalMapSettings slit;
+  ConformalMapSettings rectangle;
   rectangle.domain = ConformalDomain::Rectangle;
   EXPECT_NE(Refusal(Icosphere(2, 50.0), rectangle).find("no boundary"), std::string::npos);
   EXPECT_NE(Refusal(Square(4, 50.0), slit).find("1 boundary"), std::string::npos);
   EXPECT_NE(Refusal(Together({ Square(4, 50.0), Square(3, 20.0) }), rectangle).find("component"), std::string::npos);
-  const SurfaceMesh   face = Face();
-  ConformalMapOptions annulus;
+  const SurfaceMesh    face = Face();
+  ConformalMapSettings annulus;
   annulus.domain = ConformalDomain::Annulus;
   EXPECT_NE(Refusal(face, annulus).find("slits"), std::string::npos);
   slit.innerBoundary = 1;
@@ -217,8 +217,8 @@ TEST(ConformalMap, NoiseDoesNotFoldMaps)
         faces.push_back(face);
       }
     }
-    const shapeton::SurfaceMesh   sheet = shapeton::FacesOfSurface(tube, faces);
-    shapeton::ConformalMapOptions options;
+    const shapeton::SurfaceMesh    sheet = shapeton::FacesOfSurface(tube, faces);
+    shapeton::ConformalMapSettings options;
     for (const auto domain :
          { shapeton::ConformalDomain::Rectangle, shapeton::ConformalDomain::Annulus, shapeton::ConformalDomain::Slit })
     {
@@ -242,7 +242,7 @@ TEST(ConformalMap, IsAbortedByProgress)
   for (const ConformalDomain domain : { ConformalDomain::Slit, ConformalDomain::Rectangle })
   {
     const auto work = [&](const shapeton::Progress & progress) {
-      shapeton::ConformalMapOptions options;
+      shapeton::ConformalMapSettings options;
       options.domain = domain;
       options.progress = progress;
       MapConformally(mesh, options, "it");

@@ -91,7 +91,7 @@ TEST(HolomorphicForm, IsOneOnItsBoundaryZeroOnOthersAndHolomorphic)
 
 TEST(HolomorphicForm, NeedsTheSlitMaps)
 {
-  ConformalMapOptions options;
+  ConformalMapSettings options;
   options.domain = ConformalDomain::Annulus;
   EXPECT_THROW(HolomorphicFormsOf(MapConformally(PolarGrid().Mesh(), options, "the annulus")), ParameterError);
 }

@@ -172,9 +172,9 @@ TEST(SurfaceHandles, MapWithoutHandlesIsAsThatOfTheTube)
 
 TEST(SurfaceHandles, DecimatedSurfacesToo)
 {
-  const ColonTube                        tube = TubeWithHandles(40000, 10, 4);
-  shapeton::SurfaceSimplificationOptions options;
-  options.targetFaces = 10000;
+  const ColonTube                         tube = TubeWithHandles(40000, 10, 4);
+  shapeton::SurfaceSimplificationSettings options;
+  options.faces = 10000;
   const Detected found(shapeton::SimplifySurface(tube.mesh, options));
   EXPECT_EQ(10, found.detection.genus);
   const shapeton::HandleRemoval removal =

@@ -95,7 +95,7 @@ ExpectWallWithCaps(const shapeton::SurfaceMesh & before, const shapeton::Unfolde
 
 /** Checks that the map is still flat after writing and reading. */
 void
-ExpectNoFolds(const RoughTubeOptions & rough, const shapeton::ColonFlatteningOptions & options)
+ExpectNoFolds(const RoughTubeOptions & rough, const shapeton::ColonFlatteningSettings & options)
 {
   const shapeton::SurfaceMesh     mesh = MakeRoughTube(rough);
   const shapeton::ColonFlattening flat = shapeton::FlattenColon(mesh, "the tube", options);
@@ -126,7 +126,7 @@ ExpectNoFoldsOfTube(int n)
   rough.pouchRings = 2 + n % 23;
   rough.needles = 3 * (n % 4);
   rough.ears = n % 3;
-  shapeton::ColonFlatteningOptions options;
+  shapeton::ColonFlatteningSettings options;
   options.metric = n % 2 == 0 ? shapeton::FlatMetric::Euclidean : shapeton::FlatMetric::HeatDiffusion;
   options.time = n % 2 == 0 ? 0.0 : 20.0;
   ExpectNoFolds(rough, options);
@@ -143,7 +143,7 @@ ExpectNoFoldsWithoutHandles(int faces, int handles, const std::vector<std::uint6
     tube.seed = seed;
     for (const auto metric : { shapeton::FlatMetric::Euclidean, shapeton::FlatMetric::HeatDiffusion })
     {
-      shapeton::ColonFlatteningOptions options;
+      shapeton::ColonFlatteningSettings options;
       options.metric = metric;
       options.removeHandles = true;
       const shapeton::ColonFlattening flat = shapeton::FlattenColon(MakeColonTube(tube).mesh, "the tube", options);
@@ -254,7 +254,7 @@ TEST(TubeUnfolding, DeepPouchesAreMeasuredByMorePoles)
   const double                              t = 30.0 * h * h;
   const shapeton::HeatDiffusionMetricSolver solver(shapeton::MakeSurfaceLaplacian(connectivity, mesh.V));
   EXPECT_FALSE(shapeton::AreTriangles(connectivity, solver.Compute(t).edgeLengths));
-  shapeton::ColonFlatteningOptions options;
+  shapeton::ColonFlatteningSettings options;
   options.metric = shapeton::FlatMetric::HeatDiffusion;
   options.time = t;
   ExpectNoFolds(rough, options);
@@ -328,7 +328,7 @@ TEST(TubeUnfolding, MeshesOfOthers)
   {
     for (const auto metric : { shapeton::FlatMetric::Euclidean, shapeton::FlatMetric::HeatDiffusion })
     {
-      shapeton::ColonFlatteningOptions options;
+      shapeton::ColonFlatteningSettings options;
       options.metric = metric;
       options.removeHandles = true;
       const shapeton::ColonFlattening flat = shapeton::FlattenColon(surface.mesh, "the tube", options);

@@ -141,8 +141,8 @@ TEST(HeatDiffusionMetric, KeepsItsDigitsOnASimplifiedSurface)
 {
   ColonTubeOptions options;
   options.faces = 30000;
-  SurfaceSimplificationOptions simplification;
-  simplification.targetFaces = 6000;
+  SurfaceSimplificationSettings simplification;
+  simplification.faces = 6000;
   const SurfaceMesh               mesh = SimplifySurface(MakeColonTube(options).mesh, simplification);
   const HeatDiffusionMetricSolver solver(LaplacianOf(mesh));
   for (const double factor : { 0.5, 2.0, 4.0 })

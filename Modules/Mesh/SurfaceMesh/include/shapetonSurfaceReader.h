@@ -3,6 +3,7 @@
 
 #include "shapetonRemarks.h"
 #include "shapetonSurfaceMesh.h"
+#include "shapetonSurfaceReadOptions.h"
 
 namespace shapeton
 {
@@ -24,8 +25,8 @@ struct SurfaceFile
   std::vector<SurfacePart> parts;
   /** Conversions that were applied, for example "12 polygons were cut into 30 triangles". */
   Remarks notes;
-  /** "m" for glTF, "mm" for the other formats. */
-  std::string unit{ "mm" };
+  /** Meter for glTF, millimeter for the other formats. */
+  SurfaceUnit unit{ SurfaceUnit::Millimeter };
 };
 
 /** Reads VTP, STL (text and binary), OBJ, PLY (text and binary), OFF, glTF 2.0 and GLB. The format is chosen by the
@@ -49,25 +50,6 @@ struct SurfaceFile
 ShapetonSurfaceMesh_EXPORT SurfaceFile
 ReadSurfaceFile(const std::string & path);
 
-/** Selection from a file. \ingroup ShapetonSurfaceMesh */
-struct SurfaceReadOptions
-{
-  /** Name of a part; empty for all parts. */
-  std::string part;
-  /** Component rank by number of faces, from 1 (ties: the earlier face first). 0: the surface must have one component.
-   * -1: all components. Components are counted as after RepairSurface(): pieces joined along a seam (two boundaries of
-   * coincident vertices) are one; surfaces are cut at edges with more than two faces. */
-  int component{ 0 };
-  /** "m", "mm" or "um", overriding the unit of the format. If empty, the unit of the format is used, and a surface
-   * whose largest extent is not between 5 mm and 5 m is rejected. */
-  std::string unit;
-  /** Accepts a surface of any extent and adds a note, for results that do not depend on size. */
-  bool isAnyExtentPlausible{ false };
-  /** Requires a single component after repair; messages then do not suggest selecting all. Otherwise ReadSurface()
-   * accepts a surface with edge-connected faces and notes where it will be cut. */
-  bool takesOneComponent{ false };
-};
-
 /** A selected surface with its remarks. \ingroup ShapetonSurfaceMesh */
 struct Surface
 {
@@ -80,9 +62,11 @@ struct Surface
   Remarks repairs;
 };
 
-/** Reads a file and selects one part and component. Throws InputError as ReadSurfaceFile() does. Also throws
+/** Reads a file and selects one part and component. Components of equal size are numbered in the order of their first
+ * faces, and counted as after RepairSurface(): pieces joined along a seam (two boundaries of coincident vertices) are
+ * one, and surfaces are cut at edges with more than two faces. Throws InputError as ReadSurfaceFile() does. Also throws
  * InputError, listing the choices, if the part or component is unknown, or if several exist and none was chosen. Throws
- * ParameterError for an invalid unit or a component below -1. \ingroup ShapetonSurfaceMesh */
+ * ParameterError for a component below -1. \ingroup ShapetonSurfaceMesh */
 ShapetonSurfaceMesh_EXPORT Surface
 ReadSurface(const std::string & path, const SurfaceReadOptions & options = {});
 

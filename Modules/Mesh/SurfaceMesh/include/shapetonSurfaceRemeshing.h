@@ -3,16 +3,13 @@
 
 #include "shapetonProgress.h"
 #include "shapetonSurfaceMesh.h"
+#include "shapetonSurfaceRemeshingOptions.h"
 
 namespace shapeton
 {
-/** Edge length and iterations for RemeshSurface(). \ingroup ShapetonSurfaceMesh */
-struct SurfaceRemeshingOptions
+/** Options of RemeshSurface() and the receiver of its progress. \ingroup ShapetonSurfaceMesh */
+struct SurfaceRemeshingSettings : SurfaceRemeshingOptions
 {
-  /** Target edge length (mm), positive. */
-  double targetEdgeLength{ 1.0 };
-  /** Number of iterations of splitting, collapsing, flipping and smoothing, from 1 to 100. */
-  int iterations{ 8 };
   /** Receives the completed fraction, from 0 to 1. */
   Progress progress;
 };
@@ -32,7 +29,7 @@ struct SurfaceRemeshingOptions
  * Throws InputError as RequireManifold() does, and if the surface would exceed 100 million faces. Throws ParameterError
  * for options out of range. \ingroup ShapetonSurfaceMesh */
 ShapetonSurfaceMesh_EXPORT SurfaceMesh
-RemeshSurface(const SurfaceMesh & mesh, const SurfaceRemeshingOptions & options);
+RemeshSurface(const SurfaceMesh & mesh, const SurfaceRemeshingSettings & options);
 } // namespace shapeton
 
 #endif

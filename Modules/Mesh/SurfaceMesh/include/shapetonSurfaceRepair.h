@@ -2,23 +2,10 @@
 #define shapetonSurfaceRepair_h
 
 #include "shapetonSurfaceConnectivity.h"
+#include "shapetonSurfaceRepairOptions.h"
 
 namespace shapeton
 {
-/** Options of RepairSurface(). \ingroup ShapetonSurfaceMesh */
-struct SurfaceRepairOptions
-{
-  /** Merges vertices at equal positions. */
-  bool mergeVertices{ true };
-  /** Merges vertices closer than this distance (mm), from 0; the default 0 merges equal positions only. Merging is
-   * transitive along chains of close vertices. */
-  double mergeDistance{ 0.0 };
-  /** Orients faces consistently: outward for a closed component; with the fewest flips for an open one. */
-  bool orient{ true };
-  /** Cuts the surface where it is not manifold. */
-  bool split{ true };
-};
-
 /** Report of RepairSurface(). \ingroup ShapetonSurfaceMesh */
 struct SurfaceRepairReport
 {

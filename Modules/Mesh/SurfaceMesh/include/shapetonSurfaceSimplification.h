@@ -3,19 +3,13 @@
 
 #include "shapetonProgress.h"
 #include "shapetonSurfaceMesh.h"
+#include "shapetonSurfaceSimplificationOptions.h"
 
 namespace shapeton
 {
-/** Target size and triangle shape for SimplifySurface(). \ingroup ShapetonSurfaceMesh */
-struct SurfaceSimplificationOptions
+/** Options of SimplifySurface() and the receiver of its progress. \ingroup ShapetonSurfaceMesh */
+struct SurfaceSimplificationSettings : SurfaceSimplificationOptions
 {
-  /** Target number of faces, at least 1. If topology allows, the result has this number of faces or one fewer. */
-  int targetFaces{ 50000 };
-  /** Collapses do not create angles below this limit (degrees, 0 to 30), except where such an angle already existed.
-   * Lowered in steps of 5 degrees to 0 while the target cannot be reached. */
-  double smallestAngle{ 20.0 };
-  /** Weight of boundary edges relative to faces, at least 0. Large values preserve the boundary shape. */
-  double boundaryWeight{ 10.0 };
   /** Receives the completed fraction, from 0 to 1. */
   Progress progress;
 };
@@ -26,7 +20,7 @@ struct SurfaceSimplificationReport
   int facesBefore{ 0 };
   int faces{ 0 };
   int collapses{ 0 };
-  /** Whether at most targetFaces faces remain. */
+  /** Whether at most the target number of faces remains. */
   bool reachedTarget{ false };
   /** Final angle limit (degrees). */
   double smallestAngle{ 0.0 };
@@ -52,9 +46,9 @@ struct SurfaceSimplificationReport
  * Throws InputError as RequireManifold() does, and ParameterError for options out of range.
  * \ingroup ShapetonSurfaceMesh */
 ShapetonSurfaceMesh_EXPORT SurfaceMesh
-SimplifySurface(const SurfaceMesh &                  mesh,
-                const SurfaceSimplificationOptions & options,
-                SurfaceSimplificationReport *        report = nullptr);
+SimplifySurface(const SurfaceMesh &                   mesh,
+                const SurfaceSimplificationSettings & options,
+                SurfaceSimplificationReport *         report = nullptr);
 } // namespace shapeton
 
 #endif

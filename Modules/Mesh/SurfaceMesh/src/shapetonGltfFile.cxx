@@ -50,7 +50,7 @@ class GltfReader
 public:
   GltfReader(const std::string & bytes, const std::string & path) : m_Path(path), m_Scene(bytes, path)
   {
-    m_Surface.unit = "m";
+    m_Surface.unit = SurfaceUnit::Meter;
     m_Surface.repeatsVertices = true;
   }
 

@@ -156,7 +156,7 @@ SurfaceOfPolygons(PolygonSurface && polygons, const std::string & path)
   {
     file.mesh.V.leftCols<2>() *= -1.0;
   }
-  if (polygons.unit == "m")
+  if (polygons.unit == SurfaceUnit::Meter)
   {
     file.mesh.V *= 1000.0;
   }

@@ -29,7 +29,7 @@ struct PolygonSurface
   std::vector<SurfacePart>                         parts;
   std::vector<std::pair<std::string, std::string>> facts;
   Remarks                                          notes;
-  std::string                                      unit{ "mm" };
+  SurfaceUnit                                      unit{ SurfaceUnit::Millimeter };
   /** Whether the axes are RAS instead of LPS. */
   bool isRas{ false };
   /** Whether to merge vertices at equal positions, because the format repeats them. */

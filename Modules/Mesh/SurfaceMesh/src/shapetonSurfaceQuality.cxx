@@ -1,5 +1,6 @@
 #include "shapetonSurfaceQuality.h"
 #include "shapetonParallelFor.h"
+#include "shapetonPi.h"
 #include "shapetonSurfaceFormats.h"
 #include "shapetonTriangleShape.h"
 
@@ -11,7 +12,6 @@ namespace shapeton
 {
 namespace
 {
-constexpr double DegreesPerRadian = 57.295779513082320877;
 constexpr double LeastHeight = 1e-12; // relative to the longest side
 
 struct Triangle

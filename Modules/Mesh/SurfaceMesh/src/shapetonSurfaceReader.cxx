@@ -22,12 +22,9 @@ constexpr double      GreatestExtent = 5000.0;
 constexpr std::size_t LongestList = 12;
 
 double
-MillimetersOf(const std::string & unit)
+MillimetersOf(SurfaceUnit unit)
 {
-  static const std::map<std::string, double> millimeters{ { "m", 1000.0 }, { "mm", 1.0 }, { "um", 0.001 } };
-  const auto                                 found = millimeters.find(unit);
-  RequireParameter(found != millimeters.end(), "the unit \"" + unit + "\" must be m, mm or um");
-  return found->second;
+  return unit == SurfaceUnit::Meter ? 1000.0 : unit == SurfaceUnit::Micrometer ? 0.001 : 1.0;
 }
 
 std::string
@@ -70,7 +67,7 @@ ListOfParts(const SurfaceFile & file)
 void
 ScaleToUnit(SurfaceFile & file, const SurfaceReadOptions & options, const std::string & path)
 {
-  if (!options.unit.empty())
+  if (options.unit != SurfaceUnit::File)
   {
     file.mesh.V *= MillimetersOf(options.unit) / MillimetersOf(file.unit);
     return;
@@ -80,10 +77,11 @@ ScaleToUnit(SurfaceFile & file, const SurfaceReadOptions & options, const std::s
   {
     return;
   }
-  const std::string measures = "read in " + file.unit + " it measures " + TextOfExtent(extent) +
+  const std::string measures = "read in " + std::string(file.unit == SurfaceUnit::Meter ? "m" : "mm") +
+                               " it measures " + TextOfExtent(extent) +
                                ", which is implausible (5 mm to 5 m are plausible)";
   const std::string advice = "state its unit: the parameter \"unit\" = m, mm or um";
-  if (!options.isAnyExtentPlausible)
+  if (!options.anyExtent)
   {
     RefuseSurface(path, measures, advice);
   }
@@ -297,11 +295,7 @@ TakeComponent(SurfaceFile & file, const SurfaceReadOptions & options, bool isCut
 Surface
 ReadChosen(const std::string & path, const SurfaceReadOptions & options, bool isCut)
 {
-  RequireParameter(options.component >= -1, "the component must be -1, 0 or a component number");
-  if (!options.unit.empty())
-  {
-    MillimetersOf(options.unit);
-  }
+  CheckOptions(options);
   SurfaceFile file = ReadSurfaceFile(path);
   ScaleToUnit(file, options, path);
   if (!options.part.empty())

@@ -276,18 +276,16 @@ private:
 } // namespace
 
 SurfaceMesh
-RemeshSurface(const SurfaceMesh & mesh, const SurfaceRemeshingOptions & options)
+RemeshSurface(const SurfaceMesh & mesh, const SurfaceRemeshingSettings & options)
 {
-  RequireParameter(options.targetEdgeLength > 0.0 && std::isfinite(options.targetEdgeLength),
-                   "targetEdgeLength must be finite and positive (mm)");
-  RequireParameter(options.iterations >= 1 && options.iterations <= 100, "iterations must be from 1 to 100");
+  CheckOptions(options);
   const SurfaceConnectivity connectivity = RequireManifold(mesh, "the surface");
-  const double faces = SurfaceArea(mesh.V, mesh.F) / (0.433 * options.targetEdgeLength * options.targetEdgeLength);
+  const double              faces = SurfaceArea(mesh.V, mesh.F) / (0.433 * options.edgeLength * options.edgeLength);
   if (!(faces <= MostFaces))
   {
     throw InputError("the surface would have more than 100 million faces; use a longer target edge length");
   }
-  Remesher remesher(mesh, connectivity, options.targetEdgeLength);
+  Remesher remesher(mesh, connectivity, options.edgeLength);
   for (int i = 0; i < options.iterations; ++i)
   {
     remesher.Iterate();

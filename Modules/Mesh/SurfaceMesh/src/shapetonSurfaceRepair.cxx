@@ -179,8 +179,7 @@ SurfaceMesh
 RepairSurface(const SurfaceMesh & mesh, const SurfaceRepairOptions & options, SurfaceRepairReport * report)
 {
   RequireSound(mesh, "the surface");
-  RequireParameter(options.mergeDistance >= 0.0 && std::isfinite(options.mergeDistance),
-                   "mergeDistance must be finite and nonnegative (mm)");
+  CheckOptions(options);
   SurfaceRepairReport done;
   SurfaceMesh         repaired = mesh;
   if (options.mergeVertices)

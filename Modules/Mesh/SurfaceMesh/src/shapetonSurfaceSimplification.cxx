@@ -111,9 +111,9 @@ private:
 class Simplifier
 {
 public:
-  Simplifier(const SurfaceMesh &                  mesh,
-             const SurfaceConnectivity &          connectivity,
-             const SurfaceSimplificationOptions & options);
+  Simplifier(const SurfaceMesh &                   mesh,
+             const SurfaceConnectivity &           connectivity,
+             const SurfaceSimplificationSettings & options);
   SurfaceMesh
   Run(SurfaceSimplificationReport & report);
 
@@ -147,19 +147,19 @@ private:
   void
   TellProgress(const SurfaceSimplificationReport & report) const;
 
-  SurfaceSimplificationOptions m_Options;
-  CornerTable                  m_Table;
-  Eigen::Vector3d              m_Origin;
-  std::vector<Eigen::Vector3d> m_Positions;
-  std::vector<Quadric>         m_Quadrics;
-  std::vector<unsigned>        m_Version;
-  CandidateQueue               m_Queue;
-  double                       m_CosineLimit{ 1.0 };
+  SurfaceSimplificationSettings m_Options;
+  CornerTable                   m_Table;
+  Eigen::Vector3d               m_Origin;
+  std::vector<Eigen::Vector3d>  m_Positions;
+  std::vector<Quadric>          m_Quadrics;
+  std::vector<unsigned>         m_Version;
+  CandidateQueue                m_Queue;
+  double                        m_CosineLimit{ 1.0 };
 };
 
-Simplifier::Simplifier(const SurfaceMesh &                  mesh,
-                       const SurfaceConnectivity &          connectivity,
-                       const SurfaceSimplificationOptions & options)
+Simplifier::Simplifier(const SurfaceMesh &                   mesh,
+                       const SurfaceConnectivity &           connectivity,
+                       const SurfaceSimplificationSettings & options)
   : m_Options(options), m_Table(mesh.F, connectivity), m_Version(mesh.V.rows(), 0)
 {
   const auto corners = CornersOfFaces(mesh);
@@ -188,7 +188,7 @@ Simplifier::Run(SurfaceSimplificationReport & report)
     const int before = report.collapses;
     this->FillQueue();
     this->CollapseQueue(report);
-    if (m_Table.NumberOfLiveFaces() <= m_Options.targetFaces)
+    if (m_Table.NumberOfLiveFaces() <= m_Options.faces)
     {
       report.reachedTarget = true;
       break;
@@ -308,7 +308,7 @@ Simplifier::FillQueue()
 void
 Simplifier::CollapseQueue(SurfaceSimplificationReport & report)
 {
-  while (!m_Queue.IsEmpty() && m_Table.NumberOfLiveFaces() > m_Options.targetFaces)
+  while (!m_Queue.IsEmpty() && m_Table.NumberOfLiveFaces() > m_Options.faces)
   {
     const Candidate candidate = m_Queue.Pop();
     if (!m_Table.IsLiveVertex(candidate.u) || !m_Table.IsLiveVertex(candidate.v) ||
@@ -392,23 +392,20 @@ Simplifier::TellProgress(const SurfaceSimplificationReport & report) const
   if (report.collapses % 8192 == 0)
   {
     m_Options.progress(static_cast<double>(report.facesBefore - m_Table.NumberOfLiveFaces()) /
-                       (report.facesBefore - m_Options.targetFaces));
+                       (report.facesBefore - m_Options.faces));
   }
 }
 } // namespace
 
 SurfaceMesh
-SimplifySurface(const SurfaceMesh &                  mesh,
-                const SurfaceSimplificationOptions & options,
-                SurfaceSimplificationReport *        report)
+SimplifySurface(const SurfaceMesh &                   mesh,
+                const SurfaceSimplificationSettings & options,
+                SurfaceSimplificationReport *         report)
 {
-  RequireParameter(options.targetFaces >= 1, "targetFaces must be 1 or more");
-  RequireParameter(options.smallestAngle >= 0.0 && options.smallestAngle <= 30.0, "smallestAngle must be from 0 to 30");
-  RequireParameter(options.boundaryWeight >= 0.0 && std::isfinite(options.boundaryWeight),
-                   "boundaryWeight must be finite and nonnegative");
+  CheckOptions(options);
   SurfaceSimplificationReport done;
   SurfaceMesh                 simplified;
-  if (mesh.NumberOfFaces() <= options.targetFaces)
+  if (mesh.NumberOfFaces() <= options.faces)
   {
     RequireManifold(mesh, "the surface");
     simplified = mesh;

@@ -320,7 +320,7 @@ ExpectTwoTetrahedra(const shapeton::SurfaceFile & file)
   ASSERT_EQ(file.parts.size(), 2u);
   EXPECT_EQ(file.parts[0].name, "plain");
   EXPECT_EQ(file.parts[1].name, "tetra");
-  EXPECT_EQ(file.unit, "m");
+  EXPECT_EQ(file.unit, shapeton::SurfaceUnit::Meter);
   EXPECT_EQ(file.mesh.NumberOfFaces(), 8);
   EXPECT_EQ(file.mesh.V.colwise().maxCoeff(), Eigen::RowVector3d(5000, 2000, 1000));
   EXPECT_EQ(file.mesh.V.colwise().minCoeff(), Eigen::RowVector3d(0, 0, -2000));

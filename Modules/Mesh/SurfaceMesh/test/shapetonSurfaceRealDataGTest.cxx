@@ -39,10 +39,10 @@ TEST_P(SurfaceRealData, TopologyIsThatOfTheSourceAlsoWhenSimplified)
   EXPECT_EQ(quality.genus, GetParam().genus);
   EXPECT_EQ(static_cast<int>(quality.boundaryLoopLengths.size()), GetParam().loops);
 
-  shapeton::SurfaceSimplificationOptions options;
-  options.targetFaces = mesh.NumberOfFaces() / 4;
+  shapeton::SurfaceSimplificationSettings options;
+  options.faces = mesh.NumberOfFaces() / 4;
   const shapeton::SurfaceQuality simple = shapeton::InspectSurface(shapeton::SimplifySurface(mesh, options));
-  EXPECT_NEAR(simple.faces, options.targetFaces, 1);
+  EXPECT_NEAR(simple.faces, options.faces, 1);
   EXPECT_TRUE(simple.isManifold);
   EXPECT_EQ(simple.genus, quality.genus);
   EXPECT_EQ(simple.boundaryLoopLengths.size(), quality.boundaryLoopLengths.size());
@@ -72,7 +72,7 @@ TEST(SurfaceRealData, ColonOfTenParts)
   const shapeton::SurfaceFile file = shapeton::ReadSurfaceFile(MeshFolder() + "SBU_F_Intestine_Large.glb");
   ASSERT_EQ(file.parts.size(), 10u);
   EXPECT_EQ(file.parts[2].name, "VH_F_ascending_colon");
-  EXPECT_EQ(file.unit, "m");
+  EXPECT_EQ(file.unit, shapeton::SurfaceUnit::Meter);
   const Eigen::RowVector3d extent = file.mesh.V.colwise().maxCoeff() - file.mesh.V.colwise().minCoeff();
   EXPECT_GT(extent.maxCoeff(), 200.0); // a colon in mm
   EXPECT_LT(extent.maxCoeff(), 600.0);

@@ -13,8 +13,8 @@ using namespace testsurfaces;
 shapeton::SurfaceMesh
 Remeshed(const shapeton::SurfaceMesh & mesh, double length)
 {
-  shapeton::SurfaceRemeshingOptions options;
-  options.targetEdgeLength = length;
+  shapeton::SurfaceRemeshingSettings options;
+  options.edgeLength = length;
   return shapeton::RemeshSurface(mesh, options);
 }
 

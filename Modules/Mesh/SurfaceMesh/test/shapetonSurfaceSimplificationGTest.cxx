@@ -13,8 +13,8 @@ using namespace testsurfaces;
 shapeton::SurfaceMesh
 Simplified(const shapeton::SurfaceMesh & mesh, int faces, shapeton::SurfaceSimplificationReport * report = nullptr)
 {
-  shapeton::SurfaceSimplificationOptions options;
-  options.targetFaces = faces;
+  shapeton::SurfaceSimplificationSettings options;
+  options.faces = faces;
   return shapeton::SimplifySurface(mesh, options, report);
 }
 
@@ -182,7 +182,7 @@ TEST(SurfaceSimplification, WrongInputIsRefused)
   EXPECT_THROW(Simplified(MoebiusStrip(9, 3), 10), shapeton::InputError);
   EXPECT_THROW(Simplified(Together({ Octahedron(), FromLists({ { 0, 0, 0 } }, { { 0, 0, 0 } }) }), 4),
                shapeton::InputError);
-  shapeton::SurfaceSimplificationOptions options;
+  shapeton::SurfaceSimplificationSettings options;
   options.smallestAngle = 31.0;
   EXPECT_THROW(shapeton::SimplifySurface(Octahedron(), options), shapeton::ParameterError);
 }

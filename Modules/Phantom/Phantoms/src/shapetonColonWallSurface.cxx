@@ -82,7 +82,7 @@ private:
   {
     const int depth = c_SlabBlocks * c_Block + 1;
     m_Values.resize(std::size_t(m_SizeX) * m_SizeY * depth);
-    ParallelFor(m_Blocks[1] + 1, [this, slab, depth](itk::SizeValueType rowOfBlocks) {
+    ParallelFor(m_Blocks[1] + 1, [this, slab, depth](std::size_t rowOfBlocks) {
       const int begin = static_cast<int>(rowOfBlocks) * c_Block;
       const int end = std::min(begin + c_Block, m_SizeY);
       for (int z = 0; z < depth; z += c_Block)

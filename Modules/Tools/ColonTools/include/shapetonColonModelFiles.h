@@ -32,7 +32,7 @@ public:
   /** Adds the provenance to the surfaces, and writes each part of the model in parallel as soon as it is available.
    * Call it before the model is computed; do not register other outputs until the model is complete. */
   void
-  WriteBeside(ColonModelOptions & options);
+  WriteBeside(ColonModelSettings & options);
 
   /** Writes the parts of the model that are not written yet. With `atOnce` the files get their final names immediately,
    * even if the run fails later. */

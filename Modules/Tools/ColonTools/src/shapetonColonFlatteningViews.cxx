@@ -10,7 +10,6 @@ namespace shapeton
 ColonFlatteningViews::ColonFlatteningViews(CommandLine & commandLine) : m_CommandLine(commandLine)
 {
   const std::string coloring = commandLine.GetString("coloring");
-  RequireParameter(commandLine.GetDouble("pixelSize") > 0.0, "--pixelSize must be greater than 0");
   RequireParameter(coloring != "volume" || commandLine.IsGiven("volume"), "--coloring volume requires --volume CT");
   RequireCoordinateMapName(commandLine.GetString("coordinateMap"));
   RequireDeviceForCt(commandLine, commandLine.IsGiven("volume"));

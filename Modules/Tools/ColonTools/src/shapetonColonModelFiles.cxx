@@ -159,7 +159,7 @@ ColonModelFiles::WriteFiles(const std::vector<File> & files)
 }
 
 void
-ColonModelFiles::WriteBeside(ColonModelOptions & options)
+ColonModelFiles::WriteBeside(ColonModelSettings & options)
 {
   options.facts = ProvenanceMetadata(m_CommandLine.GetProvenance()); // adding it later would copy the surface
   options.onCleansed = [this](const auto * cleansed) { this->WriteFiles({ this->CleansedFile(cleansed) }); };

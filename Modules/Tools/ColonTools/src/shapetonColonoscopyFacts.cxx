@@ -2,6 +2,7 @@
 
 #include "shapetonColonFlexures.h"
 #include "shapetonColonoscopyPictures.h"
+#include "shapetonCsvTable.h"
 #include "shapetonJson.h"
 
 #include <algorithm>
@@ -15,13 +16,13 @@ namespace
 std::string
 Centimeters(double mm)
 {
-  return Rounded(std::round(mm) / 10.0, 5) + " cm";
+  return CsvTable::Rounded(std::round(mm) / 10.0, 5) + " cm";
 }
 
 std::string
 WholePercent(double share)
 {
-  return share < 0.0 ? "" : Rounded(std::round(100.0 * share), 3) + " %";
+  return share < 0.0 ? "" : CsvTable::Rounded(std::round(100.0 * share), 3) + " %";
 }
 
 /** A number of a document, or NaN. */
@@ -230,7 +231,7 @@ SegmentTable(const ColonoscopyResults & results)
                    Centimeters(segment.begin),
                    Centimeters(segment.end),
                    Centimeters(segment.end - segment.begin),
-                   Rounded(std::round(segment.area / 100.0), 5),
+                   CsvTable::Rounded(std::round(segment.area / 100.0), 5),
                    WholePercent(shares[i].distendedShare),
                    results.IsDone(colonoscopystage::folds)
                      ? std::to_string(FoldsBetween(results, segment.begin, segment.end))

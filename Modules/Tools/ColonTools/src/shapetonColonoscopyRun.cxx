@@ -78,7 +78,7 @@ public:
   {
     for (const ColonoscopyStage & stage : stages)
     {
-      this->Record(this->Compute(stage, begin, share));
+      this->Record(this->Compute(stage, begin, share, NumberOfThreads()));
       if (this->Status() != 0)
       {
         return false;
@@ -88,23 +88,24 @@ public:
     return true;
   }
 
-  /** Runs two independent stages, in parallel if there are enough threads; both run even if one fails. Reports the
-   * progress of the second one, which takes longer. */
+  /** Runs two independent stages, in parallel if there are enough threads, which they share; both run even if one
+   * fails. Reports the progress of the second one, which takes longer. */
   bool
   RunBoth(const ColonoscopyStage & shorter, const ColonoscopyStage & longer, double begin, double share)
   {
-    StageResult first;
-    WorkBeside  beside;
-    if (NumberOfThreads() > 1)
+    const unsigned int threads = NumberOfThreads();
+    StageResult        first;
+    WorkBeside         beside;
+    if (threads > 1)
     {
-      beside = StartBeside([&] { first = m_Run.Run(shorter.make(m_Run)); });
+      beside = StartBeside([&] { first = m_Run.Run(StageWithThreads(shorter, threads / 2)); });
       m_CommandLine.Progress(this->Prefix() + shorter.name, begin);
     }
     else
     {
-      first = this->Compute(shorter, begin, share);
+      first = this->Compute(shorter, begin, share, threads);
     }
-    StageResult second = this->Compute(longer, begin + shorter.share * share, share);
+    StageResult second = this->Compute(longer, begin + shorter.share * share, share, threads - threads / 2);
     beside.Get();
     this->Record(std::move(first));
     this->Record(std::move(second));
@@ -164,12 +165,18 @@ private:
     return folder;
   }
 
+  Stage
+  StageWithThreads(const ColonoscopyStage & stage, unsigned int threads)
+  {
+    return stage.make(m_Run).Idle("threads", std::to_string(threads));
+  }
+
   StageResult
-  Compute(const ColonoscopyStage & stage, double begin, double share)
+  Compute(const ColonoscopyStage & stage, double begin, double share, unsigned int threads)
   {
     const std::string name = this->Prefix() + stage.name;
     m_CommandLine.Progress(name, begin);
-    return m_Run.Run(stage.make(m_Run), [&](const std::string & step, double done) {
+    return m_Run.Run(this->StageWithThreads(stage, threads), [&](const std::string & step, double done) {
       m_CommandLine.Progress(name + ": " + step, begin + done * stage.share * share);
     });
   }

@@ -80,12 +80,6 @@ public:
   }
 
   void
-  PassThreads(Stage & stage) const
-  {
-    stage.Idle("threads", m_CommandLine.GetString("threads"));
-  }
-
-  void
   PassDevice(Stage & stage) const
   {
     stage.Idle("device", m_CommandLine.GetString("device"));
@@ -115,7 +109,6 @@ Inspection(const OptionPasser & passer)
 {
   Stage stage = NewStage(names::inspection);
   stage.Input("", passer.Volume()).Output("json", "series.json");
-  passer.PassThreads(stage);
   return stage;
 }
 
@@ -133,7 +126,6 @@ Segmentation(const OptionPasser & passer)
   passer.PassOwn(stage, "seriesUID");
   passer.PassOwnInput(stage, "lumen");
   passer.PassSeedPoints(stage);
-  passer.PassThreads(stage);
   return stage;
 }
 
@@ -155,7 +147,6 @@ Flattening(const OptionPasser & passer, const StagedRun & run)
     passer.PassDevice(stage);
   }
   passer.Pass(stage, { "metric", "time", "removeHandles", "pixelSize" });
-  passer.PassThreads(stage);
   return stage;
 }
 
@@ -170,7 +161,6 @@ Landmarks(const OptionPasser & passer, const StagedRun & run)
     .Expect({ "landmarks.json", "segments.vtp" });
   passer.PassOwnInput(stage, "markers");
   passer.Pass(stage, { "flexureRule", "taeniaRule", "split" });
-  passer.PassThreads(stage);
   return stage;
 }
 
@@ -221,7 +211,6 @@ Folds(const OptionPasser & passer, const StagedRun & run)
     stage.Input("taeniae", run.PathOf(names::landmarks, "taeniae.vtp"), IdentityOfCurves);
   }
   passer.Pass(stage, { "pixelSize", "minimumLength", "minimumArea" });
-  passer.PassThreads(stage);
   return stage;
 }
 
@@ -242,7 +231,6 @@ SearchForCandidates(const char * name, const OptionPasser & passer, const std::s
                    "landmarks/segments.vtp" })
     .Output("", "candidates.csv");
   passer.Pass(stage, { "sensitivity" });
-  passer.PassThreads(stage);
   return stage;
 }
 } // namespace
@@ -311,7 +299,6 @@ StageOfRegistration(const CommandLine & commandLine)
     stage.Output("", "").Output("report", "report").Expect({ "registration.json", "matches.csv" });
     passer.Pass(stage, { "matching", "refine", "segmentWise" });
     passer.PassOwnInput(stage, "evaluate");
-    passer.PassThreads(stage);
     return stage;
   };
   return { names::registration, 1.0, make };
@@ -375,7 +362,6 @@ StageOfViewer(const CommandLine & commandLine)
     }
     Stage stage = NewStage(names::viewer);
     stage.InputFolder("", folder, read).Output("", "").Expect({ "viewer.html" });
-    passer.PassThreads(stage);
     return stage;
   };
   return { names::viewer, 1.0, make };
@@ -416,7 +402,6 @@ StageOfDicomResults(const CommandLine & commandLine, ColonoscopySeries series)
       .Output("", "")
       .Input("source", passer.Volume())
       .Expect({ "seg.dcm", "sr.dcm", "cad.dcm", "sc.dcm", "stl.dcm" });
-    passer.PassThreads(stage);
     return stage;
   };
   return { names::dicom, 1.0, make };

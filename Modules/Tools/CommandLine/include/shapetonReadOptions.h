@@ -4,6 +4,8 @@
 #include "shapetonCommandLine.h"
 #include "shapetonOptions.h"
 
+#include "itkPoint.h"
+
 #include <algorithm>
 #include <array>
 #include <optional>
@@ -46,10 +48,18 @@ ReadOption(const CommandLine & commandLine, const OptionInfo & info, TOption & o
 }
 /** A number or "auto". */
 ShapetonCommandLine_EXPORT void
+ReadOption(const CommandLine & commandLine, const OptionInfo & info, std::optional<int> & option);
+ShapetonCommandLine_EXPORT void
 ReadOption(const CommandLine & commandLine, const OptionInfo & info, std::optional<double> & option);
 /** Two numbers, the lower one first, or nothing. */
 ShapetonCommandLine_EXPORT void
 ReadOption(const CommandLine & commandLine, const OptionInfo & info, std::optional<std::array<double, 2>> & option);
+/** Any number of points. */
+ShapetonCommandLine_EXPORT void
+ReadOption(const CommandLine & commandLine, const OptionInfo & info, std::vector<itk::Point<double, 3>> & option);
+/** Any number of integers. */
+ShapetonCommandLine_EXPORT void
+ReadOption(const CommandLine & commandLine, const OptionInfo & info, std::vector<int> & option);
 ///@}
 
 /** Sets the options that the tool declares. Throws ParameterError. \ingroup ShapetonCommandLine */

@@ -8,6 +8,8 @@
 #include "shapetonParameterValue.h"
 #include "shapetonPrintable.h"
 #include "shapetonProgressDisplay.h"
+#include "shapetonReadOptions.h"
+#include "shapetonThreadOptions.h"
 #include "shapetonExceptions.h"
 
 #include "itkCommand.h"
@@ -303,10 +305,11 @@ CommandLine::State::Prepare(const CommandLine & commandLine)
   {
     returnFile = outputs.Add(parsed.returnFile);
   }
-  const int threads = commandLine.Declares("threads") ? commandLine.GetInteger("threads") : 0;
-  if (threads > 0)
+  ThreadOptions options;
+  ReadOptions(commandLine, options);
+  if (options.threads > 0)
   {
-    SetNumberOfThreads(static_cast<unsigned int>(threads));
+    SetNumberOfThreads(static_cast<unsigned int>(options.threads));
   }
 }
 

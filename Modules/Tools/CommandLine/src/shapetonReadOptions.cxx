@@ -6,8 +6,11 @@
 
 namespace shapeton
 {
+namespace
+{
+template <typename TNumber>
 void
-ReadOption(const CommandLine & commandLine, const OptionInfo & info, std::optional<double> & option)
+ReadNumberOrAuto(const CommandLine & commandLine, const OptionInfo & info, std::optional<TNumber> & option)
 {
   option.reset();
   const std::string text = commandLine.GetString(info.GetName());
@@ -15,12 +18,26 @@ ReadOption(const CommandLine & commandLine, const OptionInfo & info, std::option
   {
     return;
   }
-  double             number = 0.0;
+  TNumber            number{};
   const auto * const end = text.data() + text.size();
   const auto         parsed = std::from_chars(text.data(), end, number);
   RequireParameter(parsed.ec == std::errc() && parsed.ptr == end,
-                   "the parameter \"" + std::string(info.GetName()) + "\": \"" + text + "\" is not a number or auto");
+                   "the parameter \"" + std::string(info.GetName()) + "\": \"" + text + "\" is not " +
+                     (std::is_integral_v<TNumber> ? "an integer" : "a number") + " or auto");
   option = number;
+}
+} // namespace
+
+void
+ReadOption(const CommandLine & commandLine, const OptionInfo & info, std::optional<int> & option)
+{
+  ReadNumberOrAuto(commandLine, info, option);
+}
+
+void
+ReadOption(const CommandLine & commandLine, const OptionInfo & info, std::optional<double> & option)
+{
+  ReadNumberOrAuto(commandLine, info, option);
 }
 
 void
@@ -35,5 +52,21 @@ ReadOption(const CommandLine & commandLine, const OptionInfo & info, std::option
   {
     option = { { numbers[0], numbers[1] } };
   }
+}
+
+void
+ReadOption(const CommandLine & commandLine, const OptionInfo & info, std::vector<itk::Point<double, 3>> & option)
+{
+  option.clear();
+  for (const auto & point : commandLine.GetPoints(info.GetName()))
+  {
+    option.emplace_back(point.data());
+  }
+}
+
+void
+ReadOption(const CommandLine & commandLine, const OptionInfo & info, std::vector<int> & option)
+{
+  option = commandLine.GetIntegers(info.GetName());
 }
 } // namespace shapeton

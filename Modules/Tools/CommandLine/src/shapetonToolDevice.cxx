@@ -1,14 +1,16 @@
 #include "shapetonToolDevice.h"
-#include "shapetonCommandLine.h"
+#include "shapetonDeviceOptions.h"
 #include "shapetonExceptions.h"
+#include "shapetonReadOptions.h"
 
 namespace shapeton
 {
 Device
 ReadDevice(const CommandLine & commandLine)
 {
-  const std::string name = commandLine.GetString("device");
-  return name == NameOf(Device::Cpu) ? Device::Cpu : name == NameOf(Device::Cuda) ? Device::Cuda : Device::Automatic;
+  DeviceOptions options;
+  ReadOptions(commandLine, options);
+  return options.device;
 }
 
 void

@@ -1,6 +1,6 @@
 #include "shapetonToolSurfaces.h"
 
-#include "shapetonCommandLine.h"
+#include "shapetonReadOptions.h"
 #include "shapetonSha256.h"
 
 namespace shapeton
@@ -10,13 +10,7 @@ namespace
 SurfaceReadOptions
 OptionsOf(const CommandLine & commandLine, SurfaceReadOptions options)
 {
-  options.part = commandLine.GetString("part");
-  options.component = commandLine.GetInteger("component");
-  options.unit = commandLine.GetString("unit");
-  if (options.unit == "file")
-  {
-    options.unit.clear();
-  }
+  ReadOptions(commandLine, options);
   return options;
 }
 

@@ -1,7 +1,7 @@
 #include "shapetonToolVolumes.h"
 
-#include "shapetonCommandLine.h"
 #include "shapetonExceptions.h"
+#include "shapetonReadOptions.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,10 +13,7 @@ Volume
 ReadVolume(CommandLine & commandLine, const std::string & parameter, bool allowSingleSlice)
 {
   VolumeReadOptions options;
-  options.seriesUID = commandLine.GetString("seriesUID");
-  options.resampleGaps = commandLine.GetFlag("resampleGaps");
-  options.deshear = commandLine.GetFlag("deshear");
-  options.dropDuplicates = commandLine.GetFlag("dropDuplicates");
+  ReadOptions(commandLine, options);
   options.allowSingleSlice = allowSingleSlice;
   Volume volume = ReadVolume(commandLine.GetString(parameter), options);
   commandLine.AddInput(parameter, volume.identity);

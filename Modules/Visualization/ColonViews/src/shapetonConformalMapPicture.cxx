@@ -1,6 +1,7 @@
 #include "shapetonConformalMapPicture.h"
 
 #include "shapetonHolomorphicForm.h"
+#include "shapetonPi.h"
 #include "shapetonRefinedPattern.h"
 
 #include <Eigen/Geometry>
@@ -12,8 +13,6 @@ namespace shapeton
 {
 namespace
 {
-constexpr double degrees = 57.2957795130823208768;
-
 RGBColor
 ColorOfBoundary(std::size_t boundary)
 {
@@ -122,8 +121,8 @@ LookAtSurface(const SurfaceMesh & mesh, PatientViewOptions & options)
   if (normal.norm() > least * area)
   {
     normal.normalize();
-    options.azimuth = degrees * std::atan2(normal.x(), -normal.y());
-    options.elevation = degrees * std::asin(std::clamp(normal.z(), -1.0, 1.0));
+    options.azimuth = DegreesPerRadian * std::atan2(normal.x(), -normal.y());
+    options.elevation = DegreesPerRadian * std::asin(std::clamp(normal.z(), -1.0, 1.0));
   }
 }
 
