@@ -150,11 +150,8 @@ WithoutGil::WithoutGil() : m_Interruption(StopCheck()) {}
 void
 AddThreads(py::module_ & module)
 {
-  module.def("set_threads",
-             &SetNumberOfThreads,
-             "number"_a,
-             "Sets the number of threads of all functions of this process; results do not depend on it.");
-  module.def("threads", &NumberOfThreads, "The number of threads of all functions of this process.");
+  module.def("set_threads", &SetNumberOfThreads);
+  module.def("threads", &NumberOfThreads);
   py::class_<StopFlag, std::shared_ptr<StopFlag>>(module, "_StopFlag", "Stops the functions called by a thread.")
     .def(py::init<>())
     .def("set", [](StopFlag & flag) { flag.isSet = true; })
