@@ -70,7 +70,7 @@ AddTables(py::module_ & module)
                  throw InputError(
                    "the grids of the image and of the labels differ; use labels on the grid of the image");
                }
-               return DescribeShapes(image, labels, components, progress.Part("Describing shapes", 0.0, 1.0));
+               return DescribeShapes(image, labels, { components }, progress.Part("Describing shapes", 0.0, 1.0));
              }),
              "image"_a,
              "labels"_a,
@@ -131,10 +131,9 @@ AddSearch(py::module_ & module)
              "Distance of two signatures, at least 0; copies of one shape are about 1 apart. The volume is ignored.");
   module.def(
     "find_shape",
-    [](const ShapeSignature & signature, const std::vector<NamedShape> & entries, std::size_t nearest) {
+    [](const ShapeSignature & signature, const std::vector<NamedShape> & entries, int nearest) {
       RequireParameter(!entries.empty(), "the parameter \"entries\" is empty; at least one shape is required");
-      RequireParameter(nearest > 0, "the parameter \"nearest\" is 0; it must be at least 1");
-      return FindShape(signature, entries, nearest);
+      return FindShape(signature, entries, { nearest });
     },
     "signature"_a,
     "entries"_a,
