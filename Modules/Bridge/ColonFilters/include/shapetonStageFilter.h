@@ -147,7 +147,12 @@ RequireSuccess(const TResult & result)
 
 /** Options of a stage that has none. \ingroup ShapetonColonFilters */
 struct NoOptions
-{};
+{
+  template <typename TOptions, typename TVisitor>
+  static void
+  VisitOptions(TOptions &, const TVisitor &)
+  {}
+};
 
 /** \class StageFilter
  * \brief Base class of the virtual colonoscopy filters: they process whole inputs, report progress, can be aborted, and
