@@ -33,7 +33,7 @@ else:
 print(ct)
 
 # %% Lumen, centerline and wall
-model = colon.build_colon(ct, patient_position=position, progress=tell)
+model = colon.build_colon(ct, position=position, progress=tell)
 if model.failure:
     sys.exit(model.failure)
 wall = model.wall.simplified

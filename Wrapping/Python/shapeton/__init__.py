@@ -12,15 +12,13 @@ points are LPS in mm. This module contains volumes, heat and shapetons; the othe
 Long functions accept ``progress``, a function of the completed share (0 to 1) and the stage name. It is called at
 most ten times a second; if it returns False, `Aborted` is raised. Ctrl-C works as usual in Python. The GIL is
 released. Errors are `ParameterError` and `InputError`, which are ValueErrors, and `OutputError`, an OSError; the
-message contains a remedy.
+message contains a remedy. A missing file is `MissingFileError`, an InputError and a FileNotFoundError.
 """
 
 from . import _shapeton
-from ._calls import make_interruptible
-
-make_interruptible(_shapeton)
-
-from ._shapeton import (  # noqa: E402  (re-exported)
+from ._arguments import MissingFileError
+from ._repr import describe_results
+from ._shapeton import (
     Aborted,
     DicomDefect,
     DicomSeries,
@@ -33,21 +31,20 @@ from ._shapeton import (  # noqa: E402  (re-exported)
     ParameterError,
     ShapeComponent,
     ShapetonResult,
+)
+from ._threads import set_threads, threads
+from .heat import (
     classify_heat,
     classify_visits,
+    diffuse_heat,
+    diffuse_shapetons,
     heat_histogram,
-    list_series,
-    read_volume,
     recorded_steps,
-    set_threads,
-    threads,
     visit_density,
-    write_volume,
 )
-from ._repr import describe_results
-from .heat import diffuse_heat, diffuse_shapetons
 from .image import Image
 from .mesh import Curves, Mesh
+from .volumes import list_series, read_volume, write_volume
 
 __version__ = "0.2.0"
 
@@ -65,6 +62,7 @@ __all__ = [
     "Image",
     "InputError",
     "Mesh",
+    "MissingFileError",
     "OutputError",
     "ParameterError",
     "ShapeComponent",

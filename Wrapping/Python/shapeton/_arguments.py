@@ -8,32 +8,79 @@ import inspect
 import numbers
 import os
 import typing
-from typing import Any, Callable, Dict, Union
+from typing import Any, Callable, Dict, Sequence, Tuple, Union
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ._shapeton import InputError
+from .mesh import Curves
 
-_Function = Callable[..., Any]
-
-#: What to do with an array where an object with a position in space is required.
-_WRAPPING = {
-    "Image": "wrap it in shapeton.Image(array, spacing)",
-    "Mesh": "wrap it in shapeton.Mesh(points, triangles)",
-}
+Path = Union[str, os.PathLike[str]]
+Progress = Callable[[float, str], object]
+Values = Union[Sequence[float], Sequence[Sequence[float]], NDArray[Any]]
+Point = Union[Tuple[float, float, float], Sequence[float], NDArray[Any]]
+Points = Union[Sequence[Point], NDArray[Any]]
+Lines = Union[Curves, NDArray[Any]]
+Pairs = Union[Sequence[Tuple[int, int]], Sequence[Sequence[int]], NDArray[Any]]
 
 
 class MissingFileError(InputError, FileNotFoundError):
     """A file or folder to be read does not exist; also a FileNotFoundError."""
 
 
-def bound(function: _Function, signature: inspect.Signature, arguments: Any, options: Any) -> inspect.BoundArguments:
+def _shape(value: Any) -> Tuple[int, ...]:
+    """The shape of an array of numbers; (-1,) for anything else."""
+    try:
+        array = np.asarray(value)
+    except ValueError:  # rows of different lengths
+        return (-1,)
+    return array.shape if array.dtype.kind in "iuf" else (-1,)
+
+
+def _are_points(value: Any) -> bool:
+    shape = _shape(value)
+    return shape == (0,) or (len(shape) == 2 and shape[1] == 3)
+
+
+def _are_rows(value: Any) -> bool:
+    return isinstance(value, np.ndarray) and _are_points(value)
+
+
+def _is_number(value: Any, kind: type) -> bool:
+    return isinstance(value, kind) and not isinstance(value, (bool, np.bool_))
+
+
+#: Annotations in words, and their tests.
+_KINDS: Dict[Any, Tuple[str, Callable[[Any], bool]]] = {
+    Any: ("anything", lambda value: True),
+    int: ("a whole number", lambda value: _is_number(value, numbers.Integral)),
+    float: ("a number", lambda value: _is_number(value, numbers.Real)),
+    bool: ("True or False", lambda value: isinstance(value, (bool, np.bool_))),
+    str: ("a str", lambda value: isinstance(value, str)),
+    type(None): ("None", lambda value: value is None),
+    Path: ("a path", lambda value: isinstance(value, (str, os.PathLike))),
+    Values: ("numbers", lambda value: _shape(value) != (-1,)),
+    Point: ("three numbers", lambda value: _shape(value) == (3,)),
+    Points: ("k x 3 numbers", _are_points),
+    Lines: ("a shapeton.Curves or an array of n x 3 numbers", lambda value: isinstance(value, Curves) or _are_rows(value)),
+    Pairs: ("m x 2 whole numbers", lambda value: _shape(value) != (-1,)),
+}
+
+#: What to do with an array where an object with a position in space is required.
+_ADVICE = {
+    "a shapeton.Image": "; wrap it in shapeton.Image(array, spacing)",
+    "a shapeton.Mesh": "; wrap it in shapeton.Mesh(vertices, faces)",
+}
+
+
+def bound(name: str, signature: inspect.Signature, arguments: Any, options: Any) -> inspect.BoundArguments:
     """The arguments of a call by name; a TypeError suggests the nearest name of an unknown one."""
-    name = function.__qualname__.replace(".__init__", "")
+    known = [parameter for parameter in signature.parameters if parameter != "self"]
     for option in options:
-        if option not in signature.parameters:
-            near = difflib.get_close_matches(option, signature.parameters, 1, 0.6)
-            advice = f"; did you mean \"{near[0]}\"?" if near else f"; it has {', '.join(signature.parameters)}"
+        if option not in known:
+            near = difflib.get_close_matches(option, known, 1)
+            advice = f"; did you mean \"{near[0]}\"?" if near else f"; it has {', '.join(known) or 'none'}"
             raise TypeError(f"{name}() has no argument \"{option}\"{advice}")
     try:
         return signature.bind(*arguments, **options)
@@ -41,41 +88,41 @@ def bound(function: _Function, signature: inspect.Signature, arguments: Any, opt
         raise TypeError(f"{name}(): {error}") from None
 
 
-def check(function: _Function, hints: Dict[str, Any], values: Dict[str, Any]) -> None:
-    """Raises TypeError for a value that is not of the annotated type, MissingFileError for a path of nothing."""
-    for name, value in values.items():
-        hint = hints.get(name, Any)
+def check(name: str, hints: Dict[str, Any], values: Dict[str, Any]) -> None:
+    """Raises TypeError for a value that is not of the annotated type."""
+    for argument, value in values.items():
+        hint = hints.get(argument, Any)
         if not _is(value, hint):
-            place = f"{function.__qualname__.replace('.__init__', '')}(): the argument \"{name}\""
-            raise TypeError(f"{place} must be {_words(hint)}, not {_kind(value)}{_advice(value, hint)}")
-        if hint == PATH and function.__name__.startswith(("read_", "list_")) and not os.path.exists(value):
-            raise MissingFileError(f"{os.fspath(value)}: does not exist")
+            words = _words(hint)
+            advice = next((text for kind, text in _ADVICE.items() if kind in words and isinstance(value, np.ndarray)), "")
+            raise TypeError(f"{name}(): the argument \"{argument}\" must be {words}, not {_kind(value)}{advice}")
 
 
-#: The annotation of names of files and folders.
-PATH = Union[str, "os.PathLike[str]"]
+def lacks_file(hints: Dict[str, Any], values: Dict[str, Any]) -> bool:
+    """Whether an argument is the path of nothing."""
+    return any(hints.get(name) == Path and not os.path.exists(value) for name, value in values.items())
+
+
+def _without_none(hint: Any) -> Any:
+    """The type T of Optional[T]; None for any other type."""
+    inner = typing.get_args(hint)
+    if typing.get_origin(hint) is not Union or type(None) not in inner:
+        return None
+    return Union[tuple(one for one in inner if one is not type(None))]
 
 
 def _is(value: Any, hint: Any) -> bool:
+    if hint in _KINDS:
+        return _KINDS[hint][1](value)
+    optional = _without_none(hint)
+    if optional is not None:
+        return value is None or _is(value, optional)
     origin, inner = typing.get_origin(hint), typing.get_args(hint)
-    if hint is Any:
-        return True
-    if hint == PATH:
-        return isinstance(value, (str, os.PathLike))
-    if origin is Union:
-        return any(_is(value, one) for one in inner)
-    if origin is tuple and Ellipsis not in inner:
+    if origin is tuple:
         return _is_sequence(value) and len(value) == len(inner) and all(map(_is, value, inner))
-    if origin in (tuple, list, collections.abc.Sequence):
+    if origin is collections.abc.Sequence:
         return _is_sequence(value) and all(_is(one, inner[0]) for one in value)
-    if origin is collections.abc.Callable:
-        return callable(value)
-    if hint in (int, float):
-        kind = numbers.Integral if hint is int else numbers.Real
-        return isinstance(value, kind) and not isinstance(value, (bool, np.bool_))
-    if hint is bool:
-        return isinstance(value, (bool, np.bool_))
-    return isinstance(value, origin or hint)
+    return callable(value) if origin is collections.abc.Callable else isinstance(value, hint)
 
 
 def _is_sequence(value: Any) -> bool:
@@ -84,26 +131,21 @@ def _is_sequence(value: Any) -> bool:
 
 def _words(hint: Any) -> str:
     """A type in words."""
+    if hint in _KINDS:
+        return _KINDS[hint][0]
+    optional = _without_none(hint)
+    if optional is not None:
+        return f"{_words(optional)} or None"
     origin, inner = typing.get_origin(hint), typing.get_args(hint)
-    if hint == PATH:
-        return "a path"
-    if origin is Union:
-        return " or ".join(_words(one) for one in inner)
-    if origin is tuple and Ellipsis not in inner:
-        return f"a sequence of {len(inner)} numbers"
-    if origin in (tuple, list, collections.abc.Sequence):
-        return "a sequence" + {int: " of whole numbers", float: " of numbers"}.get(inner[0], "")
-    if origin is collections.abc.Callable:
-        return "a function"
-    words = {int: "a whole number", float: "a number", bool: "True or False", str: "a str", type(None): "None"}
-    return words.get(hint, f"a shapeton.{getattr(hint, '__name__', hint)}")
+    if origin is tuple:
+        return f"({', '.join(map(_words, inner))})"
+    if origin is collections.abc.Sequence:
+        return f"a sequence of ({_words(inner[0])})" if typing.get_args(inner[0]) else f"a sequence, each {_words(inner[0])}"
+    return "a function" if origin is collections.abc.Callable else f"a shapeton.{hint.__name__}"
 
 
 def _kind(value: Any) -> str:
-    return "an array" if isinstance(value, np.ndarray) else "None" if value is None else f"{type(value).__name__} {value!r:.40}"
-
-
-def _advice(value: Any, hint: Any) -> str:
-    names = [getattr(one, "__name__", "") for one in (hint, *typing.get_args(hint))]
-    found = [_WRAPPING[name] for name in names if name in _WRAPPING and isinstance(value, np.ndarray)]
-    return f"; {found[0]}" if found else ""
+    """A value in words."""
+    if isinstance(value, np.ndarray):
+        return f"an array of shape {value.shape}"
+    return "None" if value is None else f"{type(value).__name__} {value!r:.40}"

@@ -10,13 +10,13 @@ import functools
 import inspect
 import threading
 from queue import Empty, SimpleQueue
-from types import ModuleType
-from typing import Any, Callable, Dict, Tuple, get_type_hints
+from typing import Any, Callable, Dict, Tuple, TypeVar, cast, get_type_hints
 
-from . import _shapeton
-from ._arguments import bound, check
+from ._arguments import MissingFileError, bound, check, lacks_file
+from ._shapeton import InputError, _StopFlag
 
 _Function = Callable[..., Any]
+_AnyFunction = TypeVar("_AnyFunction", bound=_Function)
 _CALLBACKS = ("progress", "snapshot")
 
 
@@ -75,13 +75,12 @@ class _Call(threading.Thread):
         return outcome
 
 
-def _interruptible(function: _Function, new_stop_flag: _Function) -> _Function:
-    @functools.wraps(function)
+def _interruptible(function: _Function) -> _Function:
     def call(*arguments: Any, **options: Any) -> Any:
         main = threading.main_thread()
         if threading.current_thread() is not main or not main.is_alive():  # false at interpreter shutdown
             return function(*arguments, **options)
-        result, error = _Call(function, arguments, options, new_stop_flag()).outcome()
+        result, error = _Call(function, arguments, options, _StopFlag()).outcome()
         try:
             if error is not None:
                 raise error
@@ -89,31 +88,50 @@ def _interruptible(function: _Function, new_stop_flag: _Function) -> _Function:
         finally:
             del error  # refers to this frame
 
-    call.__qualname__ = function.__name__  # the name of the compiled function cannot be pickled
     return call
 
 
-def public(function: _Function) -> _Function:
-    """A function of the package: its arguments are checked, and Ctrl-C ends it if it takes long."""
+def public(function: _AnyFunction) -> _AnyFunction:
+    """A function of the package: its arguments are checked, and Ctrl-C ends it if it reports progress or reads files.
+
+    A method runs in the calling thread, because a callback must not wait for another call of the same object.
+    """
+    name = function.__qualname__.replace(".__init__", "")
     signature = inspect.signature(function)
-    is_long = "progress" in signature.parameters or function.__name__.startswith("read_")
-    work = _interruptible(function, _shapeton._StopFlag) if is_long else function
+    is_reader = function.__name__.startswith(("list_", "read_"))
+    is_long = (is_reader or "progress" in signature.parameters) and function.__name__ == function.__qualname__
+    work = _interruptible(function) if is_long else function
     hints: Dict[str, Any] = {}  # evaluated at the first call, because modules import each other
 
     @functools.wraps(function)
     def call(*arguments: Any, **options: Any) -> Any:
-        given = bound(function, signature, arguments, options)
+        given = bound(name, signature, arguments, options)
         hints.update({} if hints else get_type_hints(function))
-        check(function, hints, given.arguments)
-        return work(*given.args, **given.kwargs)
+        check(name, hints, given.arguments)
+        try:
+            return work(*given.args, **given.kwargs)
+        except InputError as error:
+            if is_reader and lacks_file(hints, given.arguments):
+                raise MissingFileError(str(error)) from None
+            raise
 
-    return call
+    return cast(_AnyFunction, call)
 
 
-def make_interruptible(compiled: ModuleType) -> None:
-    """The functions of the compiled module that report progress or read files."""
-    for name, function in list(vars(compiled).items()):
-        if inspect.isbuiltin(function):
-            signature = (function.__doc__ or "").partition("\n")[0]
-            if name.startswith("read_") or "progress: " in signature:
-                setattr(compiled, name, _interruptible(function, compiled._StopFlag))
+def constructor(kind: type) -> Callable[[_Function], _Function]:
+    """Decorates the signature of the constructor of a compiled class: its arguments are checked."""
+
+    def replace(function: _Function) -> _Function:
+        compiled, signature = kind.__init__, inspect.signature(function)  # type: ignore[misc]
+
+        @functools.wraps(function)
+        def initialize(*arguments: Any, **options: Any) -> None:
+            given = signature.bind(*arguments, **options)
+            given.apply_defaults()
+            compiled(*given.args)
+
+        initialize.__name__, initialize.__qualname__ = "__init__", f"{kind.__name__}.__init__"
+        kind.__init__ = public(initialize)  # type: ignore[misc]
+        return function
+
+    return replace

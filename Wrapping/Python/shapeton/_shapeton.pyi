@@ -1,12 +1,14 @@
-"""Written by make_stub.py from the docstrings of the module; do not edit."""
+"""Written by make_stub.py from the docstrings of the classes; do not edit."""
 
-import os
-from typing import Any, Callable, Dict, List, Optional, Sequence, Tuple, Union
+from typing import Any, Dict, List, Optional, Sequence, Tuple
 
 from numpy.typing import ArrayLike, NDArray
 
+from ._arguments import Lines, Pairs
 from .image import Image
 from .mesh import Curves, Mesh
+
+def __getattr__(name: str) -> Any: ...  # the functions, which only the package calls
 
 class Error(Exception):
     """Base class of all exceptions of Shapeton."""
@@ -369,12 +371,14 @@ class ColonPiece:
 
 
 class ColonPosition:
-    """The colon in one position, for registration.
-
-    name: "supine" or "prone", for messages. landmarks: from `find_landmarks`. centerline: Curves.
-    folds: from `find_folds`.
-    """
-    def __init__(self, name: str, landmarks: ColonLandmarks, centerline: Union[Curves, NDArray[Any]], folds: HaustralFolds) -> None: ...
+    """The colon in one position, for registration."""
+    def __init__(self: ColonPosition, name: str, landmarks: ColonLandmarks, centerline: Lines, folds: HaustralFolds) -> None:
+        """name: "supine" or "prone", for messages.
+            landmarks: from `find_landmarks`.
+            centerline: from `trace_centerline`.
+            folds: from `find_folds`.
+        """
+        ...
 
     @property
     def name(self) -> str:
@@ -678,11 +682,12 @@ class EmbeddingVerdict:
 
 
 class FlatColon:
-    """The flat wall of a colon with a grid of square pixels.
-
-    surface: from `flatten_tube`. pixel_size: mm on the map, used for folds and landmarks.
-    """
-    def __init__(self, surface: Mesh, pixel_size: float=...) -> None: ...
+    """The flat wall of a colon with a grid of square pixels."""
+    def __init__(self: FlatColon, surface: Mesh, pixel_size: float = 1.0) -> None:
+        """surface: from `flattening.flatten_tube`.
+            pixel_size: mm on the map, used for folds and landmarks.
+        """
+        ...
 
     @property
     def circumference(self) -> float:
@@ -731,11 +736,13 @@ class FlatColon:
 
 
 class Graph:
-    """An undirected graph; loops and multiple edges are allowed.
-
-    nodes: their number. edges: m x 2, indices of nodes. names: none, or one per node.
-    """
-    def __init__(self, nodes: int, edges: ArrayLike, names: Sequence[str]=...) -> None: ...
+    """An undirected graph; loops and multiple edges are allowed."""
+    def __init__(self: Graph, nodes: int, edges: Pairs, names: Sequence[str] = ()) -> None:
+        """nodes: their number.
+            edges: m x 2, indices of nodes.
+            names: none, or one per node.
+        """
+        ...
 
     @property
     def edges(self) -> NDArray[Any]:
@@ -1096,7 +1103,9 @@ class MatchedFolds:
 
 class NamedShape:
     """A signature with a name, not necessarily unique."""
-    def __init__(self, name: str, signature: ShapeSignature) -> None: ...
+    def __init__(self: NamedShape, name: str, signature: ShapeSignature) -> None:
+        """name: any text, not necessarily unique."""
+        ...
 
     @property
     def name(self) -> str:
@@ -1267,7 +1276,7 @@ class Registration:
         """Number of flipped triangles."""
         ...
 
-    def map_points(self, points: ArrayLike, inverse: bool=...) -> Tuple[NDArray[Any], NDArray[Any], NDArray[Any]]:
+    def map_points(self, points: ArrayLike, inverse: bool=False) -> Tuple[NDArray[Any], NDArray[Any], NDArray[Any]]:
         """Maps the wall points nearest to k x 3 points (LPS, mm) from supine to prone, or back with `inverse`.
 
         Returns (points, k x 3, LPS mm; confidence, k, 0 to 1; excluded, k: wall not visible in one of the positions).
@@ -1297,30 +1306,6 @@ class Registration:
     @property
     def warnings(self) -> List[str]:
         """Warnings, one per line."""
-        ...
-
-
-class SeededHeat:
-    """Labels from a few seeds: the steady state of heat that leaves the seeds of each label.
-
-    image: intensities; not copied if float32 and C-contiguous.
-    p: steepness, from 0; an edge insulates if the half gradient reaches 1 / p. None: chosen from noise and edges.
-    window: (lower, upper) intensities mapped to 0 and 1; None: minimum and maximum.
-    least_weight: positive; the weight of an edge that just insulates.
-    tolerance: maximum error of a probability, 1e-6 to 0.1.
-
-    Draw strokes through each part and through the background: points are not enough (`SeededLabels.warnings`).
-    The last solution is kept as the start of the next one: 4 bytes per voxel and label.
-    """
-    def __init__(self, image: Image, *, p: Optional[float]=..., window: Optional[Tuple[float, float]]=..., least_weight: float=..., tolerance: float=...) -> None: ...
-
-    def segment(self, seeds: Image, *, probabilities: bool=..., progress: Optional[Callable[[float, str], object]]=...) -> SeededLabels:
-        """The label of each voxel.
-
-        seeds: an image on the same grid, integers from 0 to 65535; 0: no seed; at least two labels.
-        probabilities: also returns the probability of each label.
-        progress: called with (share, stage), share from 0 to 1; returning False, an exception or Ctrl-C aborts.
-        """
         ...
 
 
@@ -1671,460 +1656,7 @@ class SurfaceSpectrum:
         """The heat kernel signature, n values: the remaining heat of a unit source at each vertex; 1/mm^2."""
         ...
 
-    def signature_times(self, number: int=...) -> List[float]:
+    def signature_times(self, number: int=4) -> List[float]:
         """Suggested times (mm^2) for the signature, logarithmically spaced."""
         ...
 
-
-def build_colon(ct: Image, *, lumen: Optional[Image]=..., patient_position: str=..., seed_points: ArrayLike=..., faces: int=..., keep_pieces: bool=..., keep_partial: bool=..., progress: Optional[Callable[[float, str], object]]=...) -> ColonModel:
-    """Computes lumen, cleansed CT, centerline, valve, distension and wall from a CT colonography in HU.
-
-    lumen: a mask (uint8, nonzero) on the grid of the CT that replaces the automatic one. patient_position, seed_points:
-    see `segment_lumen`. faces, keep_pieces: see `build_wall`. keep_partial: if the colon is not distended or tagged enough,
-    continues as far as possible.
-
-    An unusable colon does not raise an exception: see `failure`.
-    """
-    ...
-
-def build_colon_of_lumen(lumen: Image, *, seed_points: ArrayLike=..., faces: int=..., keep_pieces: bool=..., keep_partial: bool=..., progress: Optional[Callable[[float, str], object]]=...) -> ColonModel:
-    """Computes the model from a mask of the lumen only (uint8, nonzero); parameters as in `build_colon`."""
-    ...
-
-def build_wall(occupancy: Image, centerline: Union[Curves, NDArray[Any]], *, faces: int=..., bridge_radius: float=..., keep_pieces: bool=..., progress: Optional[Callable[[float, str], object]]=...) -> ColonWall:
-    """The wall as surfaces, from the occupancy computed by `cleanse`.
-
-    centerline: from `trace_centerline`. faces: of the simplified wall; 0: chosen automatically.
-    bridge_radius: radius of the tubes through gaps, mm. keep_pieces: keeps the pieces of a broken lumen separate.
-    """
-    ...
-
-def build_wall_of_mask(mask: Image, centerline: Union[Curves, NDArray[Any]], *, faces: int=..., bridge_radius: float=..., keep_pieces: bool=..., progress: Optional[Callable[[float, str], object]]=...) -> ColonWall:
-    """The wall from a mask of the lumen (uint8, nonzero); parameters as in `build_wall`."""
-    ...
-
-def classify_heat(heat: Image, components: Sequence[ShapeComponent]=..., *, maximum_classes: int=..., background_heat: float=..., minimum_share: float=..., minimum_peak_to_valley: float=...) -> Tuple[Image, List[HeatClass]]:
-    """The classes of a heat image: the lines of its histogram, separated at the valleys.
-
-    heat: in [0, 1]. components: from `HeatResult`, to count them per class. maximum_classes: without the background.
-    background_heat: lines with a peak below this heat are background. minimum_share: minimum fraction of the voxels above
-    the background in a class. minimum_peak_to_valley: minimum ratio of the lower peak to the valley between neighbors.
-
-    Returns (labels, classes): an image of uint8 and a list of HeatClass.
-    """
-    ...
-
-def classify_visits(visits: Image) -> Tuple[Image, List[HeatClass]]:
-    """The classes of a uint32 image of visits, analogous to `classify_heat`: (labels, classes)."""
-    ...
-
-def cleanse(ct: Image, lumen: ColonLumen, *, progress: Optional[Callable[[float, str], object]]=...) -> CleansedColon:
-    """Removes the tagged fluid of a colon from the CT from which `lumen` was segmented."""
-    ...
-
-def colon_phantom(*, seed: int=..., position: str=..., preset: str=..., size: Sequence[int]=..., spacing: Sequence[float]=..., truth_only: bool=..., progress: Optional[Callable[[float, str], object]]=...) -> ColonPhantom:
-    """A synthetic patient for CT colonography.
-
-    seed: fixes the patient. position: "supine", "prone", "leftDecubitus" or "rightDecubitus". preset: "standard", "hard" or
-    "realistic". size: voxels along x, y, z. spacing: along x, y, z, mm; the patient needs about 358 x 358 x 336 mm.
-    truth_only: omits the CT, which takes most of the time.
-    """
-    ...
-
-def compare_graphs(a: Graph, b: Graph, seed: int=..., *, progress: Optional[Callable[[float, str], object]]=...) -> GraphComparison:
-    """Determines whether two graphs are isomorphic, embeds both and reports the differences.
-
-    progress: called with (share, stage), share from 0 to 1; returning False, an exception or Ctrl-C aborts.
-    """
-    ...
-
-def complete_bipartite_graph(left: int, right: int) -> Graph:
-    """The complete bipartite graph."""
-    ...
-
-def complete_graph(nodes: int) -> Graph:
-    """The complete graph."""
-    ...
-
-def conformal_map(mesh: Mesh, *, domain: str=..., outer_boundary: int=..., inner_boundary: int=..., corners: Sequence[int]=..., edge_lengths: Optional[ArrayLike]=..., progress: Optional[Callable[[float, str], object]]=...) -> ConformalMap:
-    """Maps an open surface conformally to the plane.
-
-    mesh: one manifold, oriented component with a boundary. domain: "rectangle", "annulus" or "slit".
-    outer_boundary, inner_boundary: numbers from 1 by length; 0: the longest, and the longest of the others.
-    corners: four vertices of the only boundary of a rectangle. edge_lengths: another metric, in the order of
-    `surface_edges`.
-    progress: called with (share, stage), share from 0 to 1; returning False, an exception or Ctrl-C aborts.
-    """
-    ...
-
-def describe_shapes(image: Image, labels: Image, *, components: bool=..., progress: Optional[Callable[[float, str], object]]=...) -> ShapeTable:
-    """The signature of each label, or of each connected component of each label.
-
-    image: intensities, used for mean_intensity only. labels: integers from 0 (background) to 65535, on the same grid.
-    progress: called with (share, stage), share from 0 to 1; returning False, an exception or Ctrl-C aborts.
-
-    A shape takes half a second. Shapes of fewer than 64 voxels, or too thin, are skipped with a warning.
-    """
-    ...
-
-def diffuse_heat(image: Image, *, p: Optional[float]=..., window: Optional[Tuple[float, float]]=..., time_steps: int=..., time_step_length: float=..., tolerance: float=..., method: str=..., conductance: str=..., ignore_spacing: bool=..., until_steady: bool=..., histogram_steps: Sequence[int]=..., snapshot_steps: Sequence[int]=..., snapshot: Optional[Callable[[int, Image], object]]=..., components: bool=..., initial_heat: bool=..., progress: Optional[Callable[[float, str], object]]=...) -> HeatResult:
-    """Cumulative heat diffusion: a shape descriptor of each voxel, its heat after diffusion from all voxels at once.
-
-    image: intensities; not copied if float32 and C-contiguous. Any spacing.
-    p: steepness, from 0; an edge insulates if the half gradient reaches 1 / p. None: chosen from noise and edges.
-    window: (lower, upper) intensities mapped to 0 and 1; None: minimum and maximum.
-    time_steps: at least 1. Few steps show local shape, many show whole objects.
-    time_step_length: in (0, 1/12].
-    tolerance: bound of the error of the heat, 1e-6 to 1.
-    method: "chebyshev" or "explicit". conductance: "physical" or "published".
-    ignore_spacing: treats voxels as cubes.
-    until_steady: stops when the heat is steady.
-    histogram_steps: ascending steps that become rows of the histogram, see `recorded_steps`.
-    snapshot_steps, snapshot: snapshot(step, image) is called with the heat after each of these ascending steps.
-    components: finds components and their converged heat. initial_heat: also returns the heat at step 0.
-    progress: called with (share, stage) ten times a second; returning False, an exception or Ctrl-C aborts.
-
-    The heat is byte-identical for any number of threads. Memory: about 8 float32 fields, 13 with a histogram.
-    """
-    ...
-
-def diffuse_over_surface(mesh: Mesh, values: ArrayLike, time: float, *, progress: Optional[Callable[[float, str], object]]=...) -> NDArray[Any]:
-    """Smooths values over a surface by heat flow for `time` mm^2, from 0; a new array of the shape of `values`.
-
-    values: n, or n x k in columns. Two implicit time steps: the component of eigenvalue x is multiplied by
-    (1 + x time / 2)^-2, where the exact factor is exp(-x time). For the exact one use `spectrum`.
-
-    progress: called with (share, stage), share from 0 to 1; returning False, an exception or Ctrl-C aborts.
-    """
-    ...
-
-def diffuse_shapetons(image: Image, *, mask: Optional[Image]=..., p: float=..., window: Optional[Tuple[float, float]]=..., shapetons: Optional[int]=..., distance: float=..., feature_size: Optional[float]=..., time_steps: int=..., direction_sampling: str=..., path_rule: str=..., placement: str=..., seed: int=..., until_steady: bool=..., epsilon: Optional[float]=..., histogram_steps: Sequence[int]=..., progress: Optional[Callable[[float, str], object]]=...) -> ShapetonResult:
-    """Shapeton diffusion: counts the visits of particles that perform a random walk through a volume.
-
-    image: intensities; not copied if float32 and C-contiguous. mask: shapetons start where it is nonzero.
-    p: steepness, from 0. window: (lower, upper) intensities mapped to 0 and 1; None: minimum and maximum.
-    shapetons: their number; None: 65000, or chosen from feature_size.
-    distance: step length in (0, 1], in units of the longest side of the volume.
-    feature_size: mm; sets distance, and shapetons, if these are None.
-    time_steps: at least 1.
-    direction_sampling: "solidAngle", "sectorArea" or "uniform". path_rule: "endpoint" or "traversal".
-    placement: "uniform" or "initialHeat". seed: the same seed gives the same visits.
-    until_steady: stops when the density changes by less than epsilon (3.10); None: chosen from the run.
-    histogram_steps: ascending steps, from 1, that become rows of the histogram.
-    progress: called with (share, stage) ten times a second; returning False, an exception or Ctrl-C aborts.
-
-    The visits are byte-identical for any number of threads.
-    """
-    ...
-
-def edge_lengths(mesh: Mesh) -> NDArray[Any]:
-    """Euclidean edge lengths in the order of `surface_edges`, e values; mm."""
-    ...
-
-def embed_graph(graph: Graph, *, genus: Optional[int]=..., rotation: Optional[Sequence[Sequence[int]]]=..., seed: int=..., augmentation: str=..., infinity: str=..., progress: Optional[Callable[[float, str], object]]=...) -> EmbeddingCertificate:
-    """Embeds a graph without crossings by a circle packing computed with discrete Ricci flow.
-
-    genus: of the surface: 0 sphere, 1 flat torus, from 2 hyperbolic; None: the smallest found.
-    rotation: for each node the half-edges that leave it, counterclockwise; replaces the search.
-    seed: of the search. augmentation: "ring" adds dummy nodes if no packing exists, "none" does not.
-    infinity: "circle" or "edgeNode", on the sphere.
-    progress: called with (share, stage), share from 0 to 1; returning False, an exception or Ctrl-C aborts.
-    """
-    ...
-
-def enclosed_volume(mesh: Mesh) -> float:
-    """mm^3, of a closed oriented surface; negative if its faces are oriented inwards."""
-    ...
-
-def find_candidates(wall: Mesh, lumen: Image, *, centerline: Optional[Union[Curves, NDArray[Any]]]=..., ct: Optional[Image]=..., flat: FlatColon=..., segments: Optional[Mesh]=..., catheter: Optional[Union[Curves, NDArray[Any]]]=..., preset: str=..., sensitivity: float=..., progress: Optional[Callable[[float, str], object]]=...) -> List[PolypCandidate]:
-    """Polyp candidates on the wall of a colon, by descending score. For research use; not clinical findings.
-
-    wall: full resolution, without handles (`ColonWall.repaired`). lumen: uint8, nonzero, on the grid of the CT.
-    Optional inputs add information to a candidate: centerline (with the valve), ct (HU, cleansed), flat (FlatColon),
-    segments (`ColonLandmarks.segments`), catheter (`ColonLumen.catheter`).
-    preset: "default" or "published". sensitivity: 0 to 1.
-    progress: called with (share, stage), share from 0 to 1; returning False, an exception or Ctrl-C aborts.
-    """
-    ...
-
-def find_folds(flat: FlatColon, *, scheme: str=..., minimum_length: float=..., minimum_area: float=..., minimum_elongation: float=..., minimum_angle: float=..., smoothing_time: float=..., smoothness: float=..., taeniae: Optional[Union[Curves, NDArray[Any]]]=..., progress: Optional[Callable[[float, str], object]]=...) -> HaustralFolds:
-    """Haustral folds on the flat wall of a colon.
-
-    scheme: "graphCut" or "published". minimum_length: mm; minimum_area: mm^2; minimum_elongation: long over short axis;
-    minimum_angle: against the tube, degrees. smoothing_time: of the curvature, mm^2. smoothness: cost of the outline.
-    taeniae: Curves on the wall along which merged folds are split.
-    progress: called with (share, stage), share from 0 to 1; returning False, an exception or Ctrl-C aborts.
-    """
-    ...
-
-def find_in_other_position(map: Mesh, candidates: Sequence[PolypCandidate], others: Sequence[PolypCandidate], *, confidence: Optional[float]=...) -> List[PolypCandidate]:
-    """The candidates with `other` set, from a map of `Registration`.
-
-    map: `Registration.supine_to_prone` if the candidates are supine. others: the candidates of the other position.
-    confidence: of the registration, 0 to 1. If given, scores are weighted by the other position: polyps stay in
-    place, most stool moves.
-    """
-    ...
-
-def find_landmarks(flat: FlatColon, centerline: Union[Curves, NDArray[Any]], *, flexure_rule: str=..., taenia_rule: str=..., markers: ArrayLike=..., progress: Optional[Callable[[float, str], object]]=...) -> ColonLandmarks:
-    """Flexures, segments, folds on the surface and taeniae of a flat colon.
-
-    flat: FlatColon. centerline: from `trace_centerline`. flexure_rule: "ordered" or "published". taenia_rule: "joint" or
-    "published". markers: k x 3, LPS mm: points on taeniae placed by a person.
-    progress: called with (share, stage), share from 0 to 1; returning False, an exception or Ctrl-C aborts.
-
-    A landmark that is not found does not raise an exception: it is absent, and `warnings` give the reason.
-    """
-    ...
-
-def find_shape(signature: ShapeSignature, entries: Sequence[NamedShape], nearest: int=...) -> ShapeSearchResult:
-    """Searches a signature in a list of NamedShape; returns at most `nearest` neighbors."""
-    ...
-
-def find_valve(labels: Image, centerline: Union[Curves, NDArray[Any]], ct: Optional[Image]=...) -> Tuple[Optional[IleocecalValve], str]:
-    """The ileocecal valve: (IleocecalValve or None, reason why it was not found).
-
-    labels: nonzero in the lumen. centerline: from `trace_centerline`. ct: HU on the same grid; None: shape only.
-    """
-    ...
-
-def flatten_tube(mesh: Mesh, centerline: Optional[Union[Curves, NDArray[Any]]]=..., *, metric: str=..., time: float=..., eigenpairs: int=..., remove_handles: bool=..., method: str=..., cut: Optional[Union[Curves, NDArray[Any]]]=..., progress: Optional[Callable[[float, str], object]]=...) -> ColonFlattening:
-    """Maps a tube, such as the wall of a colon, conformally to a rectangle.
-
-    mesh: one manifold, oriented component with two boundary loops. centerline: from the rectum to the cecum; locates the
-    rectum if the surface does not name it.
-    metric: "heatDiffusion", "euclidean" or "truncatedHeatDiffusion". time: diffusion time, mm^2; 0: chosen for the mesh.
-    eigenpairs: for truncatedHeatDiffusion. remove_handles: finds and cuts handles.
-    method: "conjugate" or "published". cut: a curve near which the tube is cut, Curves or k x 3; None: computed.
-    progress: called with (share, stage), share from 0 to 1; returning False, an exception or Ctrl-C aborts.
-    """
-    ...
-
-def grid_graph(columns: int, rows: int) -> Graph:
-    """Node (c, r) is r * columns + c."""
-    ...
-
-def heat_diffusion_metric(mesh: Mesh, time: Optional[float]=..., *, pairs: Optional[int]=..., progress: Optional[Callable[[float, str], object]]=...) -> HeatDiffusionMetric:
-    """The heat diffusion distances along all edges, as new edge lengths.
-
-    mesh: one manifold component. time: diffusion time, mm^2; None: 8 times the squared mean edge length at 55,000 faces.
-    pairs: uses only this number of eigenpairs, as published; None: exact distances, without eigenpairs.
-    progress: called with (share, stage), share from 0 to 1; returning False, an exception or Ctrl-C aborts.
-    """
-    ...
-
-def heat_histogram(heats: Sequence[Image], time_steps: Sequence[int]) -> HeatHistogram:
-    """The histogram of given heat images, one row each; time_steps must be ascending."""
-    ...
-
-def hypercube_graph(dimension: int) -> Graph:
-    """The hypercube graph with 2^dimension nodes; nodes that differ in one bit are adjacent."""
-    ...
-
-def implied_category(candidates: Sequence[PolypCandidate]) -> str:
-    """C-RADS category implied by the candidate sizes only, as text."""
-    ...
-
-def inspect_surface(mesh: Mesh) -> Dict[str, Any]:
-    """Topology, measures and defects of a surface, as a dictionary with the keys of SurfaceInspector.
-
-    vertices, edges, faces, eulerCharacteristic, genus (None: not defined), manifold, closed, oriented, area (mm^2), volume
-    (mm^3; None if open), extent, components, boundaryLoops, edgeLength, smallestAngle (degrees), defects, ...
-    """
-    ...
-
-def list_series(path: Union[str, os.PathLike[str]], *, progress: Optional[Callable[[float, str], object]]=...) -> List[DicomSeries]:
-    """The DICOM series in a folder, searched recursively, or in a file. Reads headers.
-
-    progress: called with (share, stage), share from 0 to 1; returning False, an exception or Ctrl-C aborts.
-    """
-    ...
-
-def measure_distension(centerline: Union[Curves, NDArray[Any]]) -> List[SegmentDistension]:
-    """Distension of each segment, with segments delimited by standard fractions of the length."""
-    ...
-
-def read_certificate(path: Union[str, os.PathLike[str]]) -> EmbeddingCertificate:
-    """Reads a certificate (JSON)."""
-    ...
-
-def read_curves(path: Union[str, os.PathLike[str]]) -> Curves:
-    """Reads the lines and points of a VTP file, such as a centerline."""
-    ...
-
-def read_graph(path: Union[str, os.PathLike[str]]) -> Graph:
-    """Reads GraphML, GML, DOT, edge lists, METIS, MATPOWER, PACE, graph6 or sparse6."""
-    ...
-
-def read_position(folder: Union[str, os.PathLike[str]], name: str) -> ColonPosition:
-    """Reads a ColonPosition from a folder written by VirtualColonoscopy."""
-    ...
-
-def read_shape_database(path: Union[str, os.PathLike[str]]) -> List[NamedShape]:
-    """All shapes of an SQLite file of the tool ShapeSearch, in insertion order."""
-    ...
-
-def read_shape_table(path: Union[str, os.PathLike[str]]) -> ShapeTable:
-    """Reads a table written by `write_shape_table`."""
-    ...
-
-def read_surface(path: Union[str, os.PathLike[str]], *, part: str=..., component: int=..., unit: str=..., any_extent: bool=..., repair: bool=...) -> Mesh:
-    """Reads VTP, STL, OBJ, PLY, OFF, glTF or GLB; LPS, mm.
-
-    part: name of a part of the file; "" for all. component: from 1, by number of faces; 0: the only one; -1: all.
-    unit: "m", "mm" or "um", replaces the unit of the format; accepts any extent. any_extent: accepts a surface that is not
-    between 5 mm and 5 m wide, with a note. repair: repairs as `repair_surface` does.
-
-    Repairs and doubts are in the `notes` of the mesh.
-    """
-    ...
-
-def read_volume(path: Union[str, os.PathLike[str]], *, series_uid: str=..., resample_gaps: bool=..., deshear: bool=..., drop_duplicates: bool=..., allow_single_slice: bool=..., progress: Optional[Callable[[float, str], object]]=...) -> Image:
-    """Reads a folder of DICOM slices, a DICOM file, or a NRRD, NIfTI or MetaImage file.
-
-    An irregular series raises InputError with the name of the defect, unless its repair is allowed:
-
-    series_uid: selects a series if the folder contains several (`DicomSeries.selector`).
-    resample_gaps: fills gaps and uneven spacing by interpolation between slices.
-    deshear: resamples a tilted volume onto perpendicular axes.
-    drop_duplicates: keeps the first of several slices at one position.
-    allow_single_slice: accepts a single slice as a volume.
-    progress: for DICOM slices, called with (share, stage); returning False, an exception or Ctrl-C aborts.
-
-    The image holds float32, rescaled: Hounsfield units for CT. Its `facts` hold modality, patient_position, series_uid,
-    identity, repairs, notes. Files of other formats are read in one piece, for which Ctrl-C waits.
-    """
-    ...
-
-def recorded_steps(last: int, number: int, spacing: str=...) -> List[int]:
-    """At most `number` distinct time steps from 0 to `last`, for histogram_steps; spacing: "linear", as the tool records them, or "logarithmic"."""
-    ...
-
-def register_positions(supine: ColonPosition, prone: ColonPosition, *, map: str=..., matching: str=..., refine: bool=..., segment_wise: bool=..., progress: Optional[Callable[[float, str], object]]=...) -> Registration:
-    """A one-to-one map between the walls of a colon in two positions.
-
-    map: "default" or "published". matching: of folds, "hungarian" or "dualDecomposition". refine: by the wall curvature.
-    segment_wise: folds stay within their segment.
-    progress: called with (share, stage), share from 0 to 1; returning False, an exception or Ctrl-C aborts.
-    """
-    ...
-
-def remesh_surface(mesh: Mesh, edge_length: float, *, iterations: int=..., progress: Optional[Callable[[float, str], object]]=...) -> Mesh:
-    """A surface of nearly equilateral triangles with this edge length (mm). Its arrays are dropped."""
-    ...
-
-def repair_surface(mesh: Mesh, *, merge_distance: float=..., merge_vertices: bool=..., orient: bool=..., split: bool=...) -> Tuple[Mesh, List[str]]:
-    """A manifold, consistently oriented surface of the same faces: (mesh, repairs in words).
-
-    merge_vertices: merges vertices closer than merge_distance (mm; 0: coincident). orient: flips faces so that neighbors
-    agree. split: cuts the surface where it is not manifold.
-    """
-    ...
-
-def seeds_of_classes(classes: Image, *, chosen: Sequence[int]=..., components: int=...) -> Image:
-    """Seeds from classes, such as those of `classify_heat`, eroded by one voxel.
-
-    classes: integers. chosen: the classes to use; none: all but 0. components: 0: one label per class; otherwise one label
-    for each of this number of largest components per class. Labels count from 1 in the order of the classes.
-    """
-    ...
-
-def segment_lumen(ct: Image, *, patient_position: str=..., seed_points: ArrayLike=..., progress: Optional[Callable[[float, str], object]]=...) -> ColonLumen:
-    """Segments gas and tagged fluid of the colon in a CT colonography, without seeds.
-
-    ct: Hounsfield units; any axes, spacing about 0.5 to 3 mm. patient_position: "HFS", "HFP", ..., "supine", "prone",
-    "leftDecubitus", "rightDecubitus"; "": gravity is inferred from fluid levels.
-    seed_points: k x 3, LPS mm; the pieces of gas or fluid that contain them are colon.
-    """
-    ...
-
-def set_threads(number: int) -> None:
-    """Sets the number of threads of all functions of this process; results do not depend on it."""
-    ...
-
-def signature_distance(a: ShapeSignature, b: ShapeSignature) -> float:
-    """Distance of two signatures, at least 0; copies of one shape are about 1 apart. The volume is ignored."""
-    ...
-
-def simplify_surface(mesh: Mesh, faces: int, *, smallest_angle: float=..., boundary_weight: float=..., progress: Optional[Callable[[float, str], object]]=...) -> Mesh:
-    """A surface with at most this number of faces and the same topology, by edge collapses. Arrays are dropped.
-
-    smallest_angle: degrees, 0 to 30; no angle becomes smaller. boundary_weight: of boundary edges against faces.
-    """
-    ...
-
-def spectrum(mesh: Mesh, pairs: int=..., *, progress: Optional[Callable[[float, str], object]]=...) -> SurfaceSpectrum:
-    """The `pairs` smallest eigenpairs of the Laplacian of a surface with one manifold component.
-
-    progress: called with (share, stage), share from 0 to 1; returning False, an exception or Ctrl-C aborts.
-    """
-    ...
-
-def split_colon(landmarks: ColonLandmarks, *, progress: Optional[Callable[[float, str], object]]=...) -> Tuple[List[ColonPiece], List[str]]:
-    """Cuts the wall into its segments and maps each to a rectangle: (list of ColonPiece, warnings).
-
-    progress: called with (share, stage), share from 0 to 1; returning False, an exception or Ctrl-C aborts.
-    """
-    ...
-
-def surface_area(mesh: Mesh) -> float:
-    """mm^2."""
-    ...
-
-def surface_edges(mesh: Mesh) -> NDArray[Any]:
-    """The edges of a surface, e x 2, int32: the smaller vertex first, sorted."""
-    ...
-
-def threads() -> int:
-    """The number of threads of all functions of this process."""
-    ...
-
-def torus_grid(columns: int, rows: int, diagonals: bool=...) -> Tuple[Graph, List[List[int]]]:
-    """The grid with periodic boundaries, embedded on the torus: (Graph, rotation), see `embed_graph`."""
-    ...
-
-def trace_centerline(lumen: Image, *, start: Optional[ArrayLike]=..., seed_points: ArrayLike=..., exponent: int=..., minimum_volume: float=..., step: float=..., smoothing: float=..., progress: Optional[Callable[[float, str], object]]=...) -> ColonCenterline:
-    """The centerline of the colon from a mask of its lumen (uint8, nonzero).
-
-    start: start point in the rectum, LPS mm; None: detected. seed_points: k x 3, LPS mm; pieces next to them are used.
-    exponent: one mm of path costs 1 / (distance to the wall)^exponent. minimum_volume: of a piece of lumen, ml.
-    step: spacing of the points, mm. smoothing: standard deviation along the line, mm.
-    """
-    ...
-
-def verify_embedding(certificate: EmbeddingCertificate) -> EmbeddingVerdict:
-    """Proves from the numbers of an embedding that no edges cross, or reports the failed condition."""
-    ...
-
-def visit_density(visits: Image) -> Image:
-    """Visits divided by their maximum: float32 in [0, 1]."""
-    ...
-
-def write_certificate(certificate: EmbeddingCertificate, path: Union[str, os.PathLike[str]]) -> None:
-    """Writes a certificate as JSON without loss of precision."""
-    ...
-
-def write_curves(curves: Union[Curves, NDArray[Any]], path: Union[str, os.PathLike[str]]) -> None:
-    """Writes curves as VTP with their arrays and facts; equal curves give byte-identical files."""
-    ...
-
-def write_graph(graph: Graph, path: Union[str, os.PathLike[str]]) -> None:
-    """Writes GraphML."""
-    ...
-
-def write_shape_table(table: ShapeTable, path: Union[str, os.PathLike[str]]) -> None:
-    """Writes a CSV file as the tool ShapeSignature does."""
-    ...
-
-def write_surface(mesh: Mesh, path: Union[str, os.PathLike[str]]) -> None:
-    """Writes VTP (all arrays and facts), STL, PLY or OBJ by extension; equal surfaces give byte-identical files."""
-    ...
-
-def write_volume(image: Image, path: Union[str, os.PathLike[str]], metadata: Sequence[Tuple[str, str]]=...) -> None:
-    """Writes NRRD (.nrrd), NIfTI (.nii, .nii.gz) or MetaImage (.mha), as the tools do.
-
-    float32, int16, uint8, uint16 and uint32 are written unchanged, bool as uint8, float64 as float32 if that rounds no
-    voxel; otherwise, and for other types, ParameterError is raised, so that a file always holds the values of the image.
-    metadata: pairs of texts for the header of NRRD and MetaImage.
-    """
-    ...

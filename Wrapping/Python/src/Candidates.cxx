@@ -97,43 +97,8 @@ void
 AddCandidates(py::module_ & module)
 {
   AddCandidate(module);
-  module.def("find_candidates",
-             Reporting(&Search),
-             "wall"_a,
-             "lumen"_a,
-             py::kw_only(),
-             "centerline"_a = py::none(),
-             "ct"_a = py::none(),
-             "flat"_a = py::none(),
-             "segments"_a = py::none(),
-             "catheter"_a = py::none(),
-             "preset"_a = WordOf(PolypSearchOptions().preset, presetWords),
-             "sensitivity"_a = PolypSearchOptions().sensitivity,
-             "progress"_a = py::none(),
-             ReleaseGil(),
-             R"(Polyp candidates on the wall of a colon, by descending score. For research use; not clinical findings.
-
-wall: full resolution, without handles (`ColonWall.repaired`). lumen: uint8, nonzero, on the grid of the CT.
-Optional inputs add information to a candidate: centerline (with the valve), ct (HU, cleansed), flat (FlatColon),
-segments (`ColonLandmarks.segments`), catheter (`ColonLumen.catheter`).
-preset: "default" or "published". sensitivity: 0 to 1.
-progress: called with (share, stage), share from 0 to 1; returning False, an exception or Ctrl-C aborts.)");
-  module.def("find_in_other_position",
-             &InOtherPosition,
-             "map"_a,
-             "candidates"_a,
-             "others"_a,
-             py::kw_only(),
-             "confidence"_a = py::none(),
-             ReleaseGil(),
-             R"(The candidates with `other` set, from a map of `Registration`.
-
-map: `Registration.supine_to_prone` if the candidates are supine. others: the candidates of the other position.
-confidence: of the registration, 0 to 1. If given, scores are weighted by the other position: polyps stay in
-place, most stool moves.)");
-  module.def("implied_category",
-             &CategoryImplied,
-             "candidates"_a,
-             "C-RADS category implied by the candidate sizes only, as text.");
+  module.def("find_candidates", Reporting(&Search), ReleaseGil());
+  module.def("find_in_other_position", &InOtherPosition, ReleaseGil());
+  module.def("implied_category", &CategoryImplied);
 }
 } // namespace shapeton::python

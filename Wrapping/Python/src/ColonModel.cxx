@@ -161,29 +161,12 @@ AddLumen(py::module_ & module)
                   &CleansedColon::occupancy,
                   "float32, 0 to 1, cropped: lumen fraction of each voxel; the wall is the 0.5 isosurface.");
 
-  module.def("segment_lumen",
-             Reporting(&Segment),
-             "ct"_a,
-             py::kw_only(),
-             "patient_position"_a = ColonLumenOptions().position,
-             "seed_points"_a = Places(),
-             "progress"_a = py::none(),
-             ReleaseGil(),
-             R"(Segments gas and tagged fluid of the colon in a CT colonography, without seeds.
-
-ct: Hounsfield units; any axes, spacing about 0.5 to 3 mm. patient_position: "HFS", "HFP", ..., "supine", "prone",
-"leftDecubitus", "rightDecubitus"; "": gravity is inferred from fluid levels.
-seed_points: k x 3, LPS mm; the pieces of gas or fluid that contain them are colon.)");
+  module.def("segment_lumen", Reporting(&Segment), ReleaseGil());
   module.def("cleanse",
              Reporting(+[](const CtPointer & ct, const ColonLumen & lumen, const Progress & progress) {
                return CleanseColon(ct, lumen, progress.Part("Cleansing the CT", 0.0, 1.0));
              }),
-             "ct"_a,
-             "lumen"_a,
-             py::kw_only(),
-             "progress"_a = py::none(),
-             ReleaseGil(),
-             "Removes the tagged fluid of a colon from the CT from which `lumen` was segmented.");
+             ReleaseGil());
 }
 
 void
@@ -212,28 +195,8 @@ AddCenterline(py::module_ & module)
     .def_readonly("coverage", &ColonCenterline::coverage, "Fraction of the lumen along the line, 0 to 1.")
     .def_readonly("warnings", &ColonCenterline::warnings, "Doubtful results, one per line.");
 
-  module.def("trace_centerline",
-             Reporting(&Trace),
-             "lumen"_a,
-             py::kw_only(),
-             "start"_a = py::none(),
-             "seed_points"_a = Places(),
-             "exponent"_a = ColonCenterlineOptions().exponent,
-             "minimum_volume"_a = ColonCenterlineOptions().minimumVolume,
-             "step"_a = ColonCenterlineOptions().step,
-             "smoothing"_a = ColonCenterlineOptions().smoothing,
-             "progress"_a = py::none(),
-             ReleaseGil(),
-             R"(The centerline of the colon from a mask of its lumen (uint8, nonzero).
-
-start: start point in the rectum, LPS mm; None: detected. seed_points: k x 3, LPS mm; pieces next to them are used.
-exponent: one mm of path costs 1 / (distance to the wall)^exponent. minimum_volume: of a piece of lumen, ml.
-step: spacing of the points, mm. smoothing: standard deviation along the line, mm.)");
-  module.def(
-    "measure_distension",
-    [](const CurveSet & centerline) { return MeasureDistension(centerline); },
-    "centerline"_a,
-    "Distension of each segment, with segments delimited by standard fractions of the length.");
+  module.def("trace_centerline", Reporting(&Trace), ReleaseGil());
+  module.def("measure_distension", [](const CurveSet & centerline) { return MeasureDistension(centerline); });
 }
 
 void
@@ -253,13 +216,7 @@ AddValve(py::module_ & module)
       ValveSearch search = FindIleocecalValve(labels, ct ? ct->GetPointer() : nullptr, centerline);
       return std::make_pair(search.valve, search.reason);
     },
-    "labels"_a,
-    "centerline"_a,
-    "ct"_a = py::none(),
-    ReleaseGil(),
-    R"(The ileocecal valve: (IleocecalValve or None, reason why it was not found).
-
-labels: nonzero in the lumen. centerline: from `trace_centerline`. ct: HU on the same grid; None: shape only.)");
+    ReleaseGil());
 }
 
 void
@@ -278,32 +235,8 @@ AddWall(py::module_ & module)
     .def_property_readonly(
       "warnings", [](const ColonWall & wall) { return wall.report.warnings; }, "Doubtful results, one per line.");
 
-  const ColonWallSettings defaults;
-  module.def("build_wall",
-             Reporting(&Wall),
-             "occupancy"_a,
-             "centerline"_a,
-             py::kw_only(),
-             "faces"_a = defaults.faces,
-             "bridge_radius"_a = defaults.bridgeRadius,
-             "keep_pieces"_a = defaults.keepPieces,
-             "progress"_a = py::none(),
-             ReleaseGil(),
-             R"(The wall as surfaces, from the occupancy computed by `cleanse`.
-
-centerline: from `trace_centerline`. faces: of the simplified wall; 0: chosen automatically.
-bridge_radius: radius of the tubes through gaps, mm. keep_pieces: keeps the pieces of a broken lumen separate.)");
-  module.def("build_wall_of_mask",
-             Reporting(&WallOfMask),
-             "mask"_a,
-             "centerline"_a,
-             py::kw_only(),
-             "faces"_a = defaults.faces,
-             "bridge_radius"_a = defaults.bridgeRadius,
-             "keep_pieces"_a = defaults.keepPieces,
-             "progress"_a = py::none(),
-             ReleaseGil(),
-             "The wall from a mask of the lumen (uint8, nonzero); parameters as in `build_wall`.");
+  module.def("build_wall", Reporting(&Wall), ReleaseGil());
+  module.def("build_wall_of_mask", Reporting(&WallOfMask), ReleaseGil());
 }
 
 void
@@ -324,37 +257,8 @@ AddModel(py::module_ & module)
       [](const ColonModel & model) { return FromJson(ColonQualityToJson(model)); },
       "A dictionary with the keys of quality.json of ColonSegmentation.");
 
-  const ColonModelSettings defaults;
-  module.def("build_colon",
-             Reporting(&Model),
-             "ct"_a,
-             py::kw_only(),
-             "lumen"_a = py::none(),
-             "patient_position"_a = defaults.position,
-             "seed_points"_a = Places(),
-             "faces"_a = defaults.faces,
-             "keep_pieces"_a = defaults.keepPieces,
-             "keep_partial"_a = defaults.keepPartial,
-             "progress"_a = py::none(),
-             ReleaseGil(),
-             R"(Computes lumen, cleansed CT, centerline, valve, distension and wall from a CT colonography in HU.
-
-lumen: a mask (uint8, nonzero) on the grid of the CT that replaces the automatic one. patient_position, seed_points:
-see `segment_lumen`. faces, keep_pieces: see `build_wall`. keep_partial: if the colon is not distended or tagged enough,
-continues as far as possible.
-
-An unusable colon does not raise an exception: see `failure`.)");
-  module.def("build_colon_of_lumen",
-             Reporting(&ModelOfLumen),
-             "lumen"_a,
-             py::kw_only(),
-             "seed_points"_a = Places(),
-             "faces"_a = defaults.faces,
-             "keep_pieces"_a = defaults.keepPieces,
-             "keep_partial"_a = defaults.keepPartial,
-             "progress"_a = py::none(),
-             ReleaseGil(),
-             "Computes the model from a mask of the lumen only (uint8, nonzero); parameters as in `build_colon`.");
+  module.def("build_colon", Reporting(&Model), ReleaseGil());
+  module.def("build_colon_of_lumen", Reporting(&ModelOfLumen), ReleaseGil());
 }
 } // namespace
 

@@ -41,11 +41,6 @@ template <typename TValue>
 TValue
 ValueOf(const std::string & word, const std::string & parameter, const Words<TValue> & words);
 
-/** The keyword of a value, used for the defaults in Python. */
-template <typename TValue>
-std::string
-WordOf(TValue value, const Words<TValue> & words);
-
 /** A class of the package, such as "Image" of the module "shapeton.image". Its module is imported once. */
 py::object
 ClassOf(const char * module, const char * name);
@@ -165,18 +160,6 @@ ValueOf(const std::string & word, const std::string & parameter, const Words<TVa
     list += (list.empty() ? "" : ", ") + std::string(choice);
   }
   throw ParameterError("the parameter \"" + parameter + "\" = \"" + word + "\" is not one of: " + list);
-}
-
-template <typename TValue>
-std::string
-WordOf(TValue value, const Words<TValue> & words)
-{
-  const auto found = std::find_if(words.begin(), words.end(), [&](const auto & word) { return word.second == value; });
-  if (found == words.end())
-  {
-    throw std::logic_error("a value has no keyword");
-  }
-  return found->first;
 }
 } // namespace shapeton::python
 

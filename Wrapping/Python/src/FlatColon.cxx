@@ -105,9 +105,7 @@ PixelsOf(const FlatColon & flat, const Eigen::MatrixX2d & uv)
 void
 AddFlat(py::module_ & module)
 {
-  py::class_<FlatColon, FlatPointer>(module, "FlatColon", R"(The flat wall of a colon with a grid of square pixels.
-
-surface: from `flatten_tube`. pixel_size: mm on the map, used for folds and landmarks.)")
+  py::class_<FlatColon, FlatPointer>(module, "FlatColon", "The flat wall of a colon with a grid of square pixels.")
     .def(py::init([](SurfaceMesh surface, double pixelSize) {
            FlatColonGridOptions options;
            options.pixelSize = pixelSize;
@@ -115,8 +113,6 @@ surface: from `flatten_tube`. pixel_size: mm on the map, used for folds and land
            flat->Grid(); // rejects surfaces that are not flat
            return flat;
          }),
-         "surface"_a,
-         "pixel_size"_a = FlatColonGridOptions().pixelSize,
          ReleaseGil())
     .def_property_readonly(
       "surface",
@@ -215,27 +211,7 @@ AddFolds(py::module_ & module)
     .def_property_readonly(
       "warnings", [](const FoundFolds & found) { return found.folds.warnings; }, "Warnings, one per line.");
 
-  const HaustralFoldSettings defaults;
-  module.def("find_folds",
-             Reporting(&FindFolds),
-             "flat"_a,
-             py::kw_only(),
-             "scheme"_a = WordOf(defaults.scheme, schemeWords),
-             "minimum_length"_a = defaults.minimumLength,
-             "minimum_area"_a = defaults.minimumArea,
-             "minimum_elongation"_a = defaults.minimumElongation,
-             "minimum_angle"_a = defaults.minimumAngle,
-             "smoothing_time"_a = defaults.smoothingTime,
-             "smoothness"_a = defaults.smoothness,
-             "taeniae"_a = py::none(),
-             "progress"_a = py::none(),
-             ReleaseGil(),
-             R"(Haustral folds on the flat wall of a colon.
-
-scheme: "graphCut" or "published". minimum_length: mm; minimum_area: mm^2; minimum_elongation: long over short axis;
-minimum_angle: against the tube, degrees. smoothing_time: of the curvature, mm^2. smoothness: cost of the outline.
-taeniae: Curves on the wall along which merged folds are split.
-progress: called with (share, stage), share from 0 to 1; returning False, an exception or Ctrl-C aborts.)");
+  module.def("find_folds", Reporting(&FindFolds), ReleaseGil());
 }
 } // namespace
 

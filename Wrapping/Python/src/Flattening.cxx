@@ -91,25 +91,7 @@ AddConformalMap(py::module_ & module)
                            Statistics<ConformalMap>(&ConformalMapToJson),
                            "A dictionary with the keys of the statistics of ConformalMap.");
 
-  const ConformalMapSettings defaults;
-  module.def("conformal_map",
-             Reporting(&MapOf),
-             "mesh"_a,
-             py::kw_only(),
-             "domain"_a = WordOf(defaults.domain, domainWords),
-             "outer_boundary"_a = defaults.outerBoundary,
-             "inner_boundary"_a = defaults.innerBoundary,
-             "corners"_a = std::vector<int>(),
-             "edge_lengths"_a = py::none(),
-             "progress"_a = py::none(),
-             ReleaseGil(),
-             R"(Maps an open surface conformally to the plane.
-
-mesh: one manifold, oriented component with a boundary. domain: "rectangle", "annulus" or "slit".
-outer_boundary, inner_boundary: numbers from 1 by length; 0: the longest, and the longest of the others.
-corners: four vertices of the only boundary of a rectangle. edge_lengths: another metric, in the order of
-`surface_edges`.
-progress: called with (share, stage), share from 0 to 1; returning False, an exception or Ctrl-C aborts.)");
+  module.def("conformal_map", Reporting(&MapOf), ReleaseGil());
 }
 } // namespace
 
@@ -146,27 +128,6 @@ AddFlattening(py::module_ & module)
                            "A dictionary with the keys of the statistics of ColonFlattening: flips, dilatation, "
                            "moduli, ...");
 
-  const ColonFlatteningSettings defaults;
-  module.def("flatten_tube",
-             Reporting(&Flatten),
-             "mesh"_a,
-             "centerline"_a = py::none(),
-             py::kw_only(),
-             "metric"_a = WordOf(defaults.metric, metricWords),
-             "time"_a = defaults.time,
-             "eigenpairs"_a = defaults.eigenpairs,
-             "remove_handles"_a = defaults.removeHandles,
-             "method"_a = WordOf(defaults.method, conjugateWords),
-             "cut"_a = py::none(),
-             "progress"_a = py::none(),
-             ReleaseGil(),
-             R"(Maps a tube, such as the wall of a colon, conformally to a rectangle.
-
-mesh: one manifold, oriented component with two boundary loops. centerline: from the rectum to the cecum; locates the
-rectum if the surface does not name it.
-metric: "heatDiffusion", "euclidean" or "truncatedHeatDiffusion". time: diffusion time, mm^2; 0: chosen for the mesh.
-eigenpairs: for truncatedHeatDiffusion. remove_handles: finds and cuts handles.
-method: "conjugate" or "published". cut: a curve near which the tube is cut, Curves or k x 3; None: computed.
-progress: called with (share, stage), share from 0 to 1; returning False, an exception or Ctrl-C aborts.)");
+  module.def("flatten_tube", Reporting(&Flatten), ReleaseGil());
 }
 } // namespace shapeton::python

@@ -124,10 +124,8 @@ View(const TView & view)
 void
 AddGraph(py::module_ & module)
 {
-  py::class_<Graph>(module, "Graph", R"(An undirected graph; loops and multiple edges are allowed.
-
-nodes: their number. edges: m x 2, indices of nodes. names: none, or one per node.)")
-    .def(py::init(&MakeGraph), "nodes"_a, "edges"_a, "names"_a = std::vector<std::string>())
+  py::class_<Graph>(module, "Graph", "An undirected graph; loops and multiple edges are allowed.")
+    .def(py::init(&MakeGraph))
     .def_readonly("nodes", &Graph::nodes, "Number of nodes.")
     .def_property_readonly(
       "edges",
@@ -145,35 +143,17 @@ nodes: their number. edges: m x 2, indices of nodes. names: none, or one per nod
     });
 
   module.def(
-    "read_graph",
-    [](const Path & path) { return ReadGraph(path.text).graph; },
-    "path"_a,
-    ReleaseGil(),
-    "Reads GraphML, GML, DOT, edge lists, METIS, MATPOWER, PACE, graph6 or sparse6.");
+    "read_graph", [](const Path & path) { return ReadGraph(path.text).graph; }, ReleaseGil());
   module.def(
-    "write_graph",
-    [](const Graph & graph, const Path & path) { WriteGraphML(graph, path.text); },
-    "graph"_a,
-    "path"_a,
-    ReleaseGil(),
-    "Writes GraphML.");
-  module.def("complete_graph", &CompleteGraph, "nodes"_a, "The complete graph.");
-  module.def("complete_bipartite_graph", &CompleteBipartiteGraph, "left"_a, "right"_a, "The complete bipartite graph.");
-  module.def("grid_graph", &GridGraph, "columns"_a, "rows"_a, "Node (c, r) is r * columns + c.");
-  module.def("hypercube_graph",
-             &HypercubeGraph,
-             "dimension"_a,
-             "The hypercube graph with 2^dimension nodes; nodes that differ in one bit are adjacent.");
-  module.def(
-    "torus_grid",
-    [](int columns, int rows, bool diagonals) {
-      const CombinatorialMap map = TorusGridMap(columns, rows, diagonals);
-      return std::make_pair(map.ToGraph(), map.GetRotation());
-    },
-    "columns"_a,
-    "rows"_a,
-    "diagonals"_a = false,
-    "The grid with periodic boundaries, embedded on the torus: (Graph, rotation), see `embed_graph`.");
+    "write_graph", [](const Graph & graph, const Path & path) { WriteGraphML(graph, path.text); }, ReleaseGil());
+  module.def("complete_graph", &CompleteGraph);
+  module.def("complete_bipartite_graph", &CompleteBipartiteGraph);
+  module.def("grid_graph", &GridGraph);
+  module.def("hypercube_graph", &HypercubeGraph);
+  module.def("torus_grid", [](int columns, int rows, bool diagonals) {
+    const CombinatorialMap map = TorusGridMap(columns, rows, diagonals);
+    return std::make_pair(map.ToGraph(), map.GetRotation());
+  });
 }
 
 void
@@ -222,18 +202,11 @@ disk (radius: a length; in the disk, hyperbolic). Half-edge 2e leaves the first 
     });
 
   module.def(
-    "read_certificate",
-    [](const Path & path) { return ReadEmbeddingCertificate(path.text); },
-    "path"_a,
-    ReleaseGil(),
-    "Reads a certificate (JSON).");
+    "read_certificate", [](const Path & path) { return ReadEmbeddingCertificate(path.text); }, ReleaseGil());
   module.def(
     "write_certificate",
     [](const Certificate & certificate, const Path & path) { WriteEmbeddingCertificate(certificate, path.text); },
-    "certificate"_a,
-    "path"_a,
-    ReleaseGil(),
-    "Writes a certificate as JSON without loss of precision.");
+    ReleaseGil());
 }
 } // namespace
 
@@ -265,44 +238,14 @@ AddGraphs(py::module_ & module)
       [](const GraphComparison & c) { return c.correspondence.by; },
       "\"isomorphism\", \"names\", \"neighborhoods\" or \"none\".");
 
-  const GraphEmbeddingSettings defaults;
-  module.def("embed_graph",
-             Reporting(&Embed),
-             "graph"_a,
-             py::kw_only(),
-             "genus"_a = py::none(),
-             "rotation"_a = py::none(),
-             "seed"_a = GenusSettings().seed,
-             "augmentation"_a = WordOf(defaults.augmentation, augmentationWords),
-             "infinity"_a = WordOf(defaults.infinity, infinityWords),
-             "progress"_a = py::none(),
-             ReleaseGil(),
-             R"(Embeds a graph without crossings by a circle packing computed with discrete Ricci flow.
-
-genus: of the surface: 0 sphere, 1 flat torus, from 2 hyperbolic; None: the smallest found.
-rotation: for each node the half-edges that leave it, counterclockwise; replaces the search.
-seed: of the search. augmentation: "ring" adds dummy nodes if no packing exists, "none" does not.
-infinity: "circle" or "edgeNode", on the sphere.
-progress: called with (share, stage), share from 0 to 1; returning False, an exception or Ctrl-C aborts.)");
-  module.def("verify_embedding",
-             &VerifyEmbedding,
-             "certificate"_a,
-             ReleaseGil(),
-             "Proves from the numbers of an embedding that no edges cross, or reports the failed condition.");
+  module.def("embed_graph", Reporting(&Embed), ReleaseGil());
+  module.def("verify_embedding", &VerifyEmbedding, ReleaseGil());
   module.def("compare_graphs",
              Reporting(+[](const Graph & a, const Graph & b, std::uint64_t seed, const Progress & progress) {
                GenusSettings genus;
                genus.seed = seed;
                return CompareGraphs(a, b, genus, {}, progress);
              }),
-             "a"_a,
-             "b"_a,
-             "seed"_a = GenusSettings().seed,
-             py::kw_only(),
-             "progress"_a = py::none(),
-             ReleaseGil(),
-             R"(Determines whether two graphs are isomorphic, embeds both and reports the differences.
-
-progress: called with (share, stage), share from 0 to 1; returning False, an exception or Ctrl-C aborts.)");
+             ReleaseGil());
 }
 } // namespace shapeton::python

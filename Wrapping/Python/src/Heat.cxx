@@ -7,6 +7,8 @@
 #include "shapetonExceptions.h"
 #include "shapetonHeatClassification.h"
 
+#include <algorithm>
+#include <functional>
 #include <limits>
 
 namespace shapeton::python
@@ -92,6 +94,8 @@ HeatHistogram
 HistogramOf(const std::vector<ImageType::Pointer> & heats, const std::vector<std::uint64_t> & timeSteps)
 {
   RequireParameter(heats.size() == timeSteps.size(), "the parameter \"time_steps\" must have one step per heat image");
+  RequireParameter(std::adjacent_find(timeSteps.begin(), timeSteps.end(), std::greater_equal<>()) == timeSteps.end(),
+                   "the parameter \"time_steps\" must be ascending");
   HeatHistogram histogram(timeSteps);
   for (std::size_t row = 0; row < heats.size(); ++row)
   {
@@ -122,23 +126,11 @@ AddHistogram(py::module_ & module)
       return "<shapeton.HeatHistogram of " + std::to_string(histogram.GetNumberOfRows()) + " time steps>";
     });
 
-  module.def("heat_histogram",
-             &HistogramOf,
-             "heats"_a,
-             "time_steps"_a,
-             ReleaseGil(),
-             "The histogram of given heat images, one row each; time_steps must be ascending.");
+  module.def("heat_histogram", &HistogramOf, ReleaseGil());
 
-  module.def(
-    "recorded_steps",
-    [](std::uint64_t last, std::size_t number, const std::string & spacing) {
-      return MakeSnapshotSteps(last, number, ValueOf(spacing, "spacing", spacingWords));
-    },
-    "last"_a,
-    "number"_a,
-    "spacing"_a = WordOf(SnapshotSpacing::Linear, spacingWords),
-    "At most `number` distinct time steps from 0 to `last`, for histogram_steps; spacing: \"linear\", as the tool "
-    "records them, or \"logarithmic\".");
+  module.def("recorded_steps", [](std::uint64_t timeSteps, std::size_t snapshots, const std::string & spacing) {
+    return MakeSnapshotSteps(timeSteps, snapshots, ValueOf(spacing, "snapshot_spacing", spacingWords));
+  });
 }
 
 void
@@ -182,27 +174,15 @@ AddClasses(py::module_ & module)
                          std::string("the parameter \"") + name + "\" is out of range: 0 to " +
                            (greatest > 1.0 ? "any finite number" : "1"));
       };
+      RequireParameter(maximum >= 1 && maximum <= 254,
+                       "the parameter \"maximum_classes\" = " + std::to_string(maximum) + " must be 1 to 254");
       require("background_heat", backgroundHeat, 1.0);
       require("minimum_share", minimumShare, 1.0);
       require("minimum_peak_to_valley", minimumPeakToValley, std::numeric_limits<double>::max());
       const auto found = ClassifyHeat(heat, components, { maximum, backgroundHeat, minimumShare, minimumPeakToValley });
       return std::make_pair(found.labels, found.classes);
     },
-    "heat"_a,
-    "components"_a = std::vector<ShapeComponent>(),
-    py::kw_only(),
-    "maximum_classes"_a = HeatClassificationRule().maximumNumberOfClasses,
-    "background_heat"_a = HeatClassificationRule().backgroundHeat,
-    "minimum_share"_a = HeatClassificationRule().minimumShare,
-    "minimum_peak_to_valley"_a = HeatClassificationRule().minimumPeakToValley,
-    ReleaseGil(),
-    R"(The classes of a heat image: the lines of its histogram, separated at the valleys.
-
-heat: in [0, 1]. components: from `HeatResult`, to count them per class. maximum_classes: without the background.
-background_heat: lines with a peak below this heat are background. minimum_share: minimum fraction of the voxels above
-the background in a class. minimum_peak_to_valley: minimum ratio of the lower peak to the valley between neighbors.
-
-Returns (labels, classes): an image of uint8 and a list of HeatClass.)");
+    ReleaseGil());
 }
 } // namespace
 

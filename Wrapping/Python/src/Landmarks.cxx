@@ -70,13 +70,7 @@ AddPieces(py::module_ & module)
                ColonPieces pieces = SplitColon(found.flat->Surface(), found.landmarks, progress);
                return std::make_pair(std::move(pieces.pieces), std::move(pieces.warnings));
              }),
-             "landmarks"_a,
-             py::kw_only(),
-             "progress"_a = py::none(),
-             ReleaseGil(),
-             R"(Cuts the wall into its segments and maps each to a rectangle: (list of ColonPiece, warnings).
-
-progress: called with (share, stage), share from 0 to 1; returning False, an exception or Ctrl-C aborts.)");
+             ReleaseGil());
 }
 } // namespace
 
@@ -120,23 +114,7 @@ AddLandmarks(py::module_ & module)
       [](const FoundLandmarks & f) { return FromJson(ColonLandmarksToJson(f.landmarks)); },
       "A dictionary with the keys of landmarks.json of ColonLandmarks.");
 
-  module.def("find_landmarks",
-             Reporting(&Find),
-             "flat"_a,
-             "centerline"_a,
-             py::kw_only(),
-             "flexure_rule"_a = WordOf(ColonLandmarkOptions().flexureRule, flexureWords),
-             "taenia_rule"_a = WordOf(ColonLandmarkOptions().taeniaRule, taeniaWords),
-             "markers"_a = Places(),
-             "progress"_a = py::none(),
-             ReleaseGil(),
-             R"(Flexures, segments, folds on the surface and taeniae of a flat colon.
-
-flat: FlatColon. centerline: from `trace_centerline`. flexure_rule: "ordered" or "published". taenia_rule: "joint" or
-"published". markers: k x 3, LPS mm: points on taeniae placed by a person.
-progress: called with (share, stage), share from 0 to 1; returning False, an exception or Ctrl-C aborts.
-
-A landmark that is not found does not raise an exception: it is absent, and `warnings` give the reason.)");
+  module.def("find_landmarks", Reporting(&Find), ReleaseGil());
   AddPieces(module);
 }
 } // namespace shapeton::python

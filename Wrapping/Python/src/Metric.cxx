@@ -128,14 +128,7 @@ AddSpectrum(py::module_ & module)
                progress("Preparing", 0.0);
                return Spectrum(Manifold(mesh), pairs, progress);
              }),
-             "mesh"_a,
-             "pairs"_a = 50,
-             py::kw_only(),
-             "progress"_a = py::none(),
-             ReleaseGil(),
-             R"(The `pairs` smallest eigenpairs of the Laplacian of a surface with one manifold component.
-
-progress: called with (share, stage), share from 0 to 1; returning False, an exception or Ctrl-C aborts.)");
+             ReleaseGil());
 }
 } // namespace
 
@@ -154,43 +147,12 @@ AddMetric(py::module_ & module)
       "Edges with a length below rounding error, for example at the tip of a needle; set to the shortest possible "
       "length.");
 
-  module.def("surface_edges",
-             &EdgesOf,
-             "mesh"_a,
-             ReleaseGil(),
-             "The edges of a surface, e x 2, int32: the smaller vertex first, sorted.");
+  module.def("surface_edges", &EdgesOf, ReleaseGil());
   module.def(
     "edge_lengths",
     [](const SurfaceMesh & mesh) { return EdgeLengths(SurfaceConnectivity(mesh), mesh.V); },
-    "mesh"_a,
-    ReleaseGil(),
-    "Euclidean edge lengths in the order of `surface_edges`, e values; mm.");
-  module.def("heat_diffusion_metric",
-             Reporting(&Metric),
-             "mesh"_a,
-             "time"_a = py::none(),
-             py::kw_only(),
-             "pairs"_a = py::none(),
-             "progress"_a = py::none(),
-             ReleaseGil(),
-             R"(The heat diffusion distances along all edges, as new edge lengths.
-
-mesh: one manifold component. time: diffusion time, mm^2; None: 8 times the squared mean edge length at 55,000 faces.
-pairs: uses only this number of eigenpairs, as published; None: exact distances, without eigenpairs.
-progress: called with (share, stage), share from 0 to 1; returning False, an exception or Ctrl-C aborts.)");
-  module.def(
-    "diffuse_over_surface",
-    Reporting(&DiffuseOver),
-    "mesh"_a,
-    "values"_a,
-    "time"_a,
-    py::kw_only(),
-    "progress"_a = py::none(),
-    R"(Smooths values over a surface by heat flow for `time` mm^2, from 0; a new array of the shape of `values`.
-
-values: n, or n x k in columns. Two implicit time steps: the component of eigenvalue x is multiplied by
-(1 + x time / 2)^-2, where the exact factor is exp(-x time). For the exact one use `spectrum`.
-
-progress: called with (share, stage), share from 0 to 1; returning False, an exception or Ctrl-C aborts.)");
+    ReleaseGil());
+  module.def("heat_diffusion_metric", Reporting(&Metric), ReleaseGil());
+  module.def("diffuse_over_surface", Reporting(&DiffuseOver));
 }
 } // namespace shapeton::python

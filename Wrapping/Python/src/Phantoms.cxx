@@ -54,25 +54,6 @@ AddPhantoms(py::module_ & module)
     .def_readonly("segments", &ColonPhantom::segments, "uint8: 1 rectum to 6 cecum.")
     .def_readonly("centerline", &ColonPhantom::centerline, "The true centerline, from the anal verge to the cecum.");
 
-  const auto                   source = Source::New();
-  const ColonPhantomParameters defaults;
-  const auto                   size = source->GetSize();
-  const auto                   spacing = source->GetSpacing();
-  module.def("colon_phantom",
-             Reporting(&MakePhantom),
-             py::kw_only(),
-             "seed"_a = defaults.seed,
-             "position"_a = defaults.position,
-             "preset"_a = defaults.preset,
-             "size"_a = std::vector<itk::SizeValueType>(size.begin(), size.end()),
-             "spacing"_a = std::vector<double>(spacing.Begin(), spacing.End()),
-             "truth_only"_a = source->GetTruthOnly(),
-             "progress"_a = py::none(),
-             ReleaseGil(),
-             R"(A synthetic patient for CT colonography.
-
-seed: fixes the patient. position: "supine", "prone", "leftDecubitus" or "rightDecubitus". preset: "standard", "hard" or
-"realistic". size: voxels along x, y, z. spacing: along x, y, z, mm; the patient needs about 358 x 358 x 336 mm.
-truth_only: omits the CT, which takes most of the time.)");
+  module.def("colon_phantom", Reporting(&MakePhantom), ReleaseGil());
 }
 } // namespace shapeton::python

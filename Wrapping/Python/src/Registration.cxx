@@ -122,11 +122,8 @@ void
 AddPosition(py::module_ & module)
 {
   py::class_<Position, std::shared_ptr<Position>>(
-    module, "ColonPosition", R"(The colon in one position, for registration.
-
-name: "supine" or "prone", for messages. landmarks: from `find_landmarks`. centerline: Curves.
-folds: from `find_folds`.)")
-    .def(py::init(&PositionOf), "name"_a, "landmarks"_a, "centerline"_a, "folds"_a, ReleaseGil())
+    module, "ColonPosition", "The colon in one position, for registration.")
+    .def(py::init(&PositionOf), ReleaseGil())
     .def_property_readonly(
       "name", [](const Position & p) { return p.position.name; }, "Name used in messages.")
     .def_readonly("warnings", &Position::warnings, "Missing inputs that the registration does not require.");
@@ -136,10 +133,7 @@ folds: from `find_folds`.)")
     [](const Path & folder, const std::string & name) {
       return std::make_shared<Position>(ReadColonPosition(folder.text, name));
     },
-    "folder"_a,
-    "name"_a,
-    ReleaseGil(),
-    "Reads a ColonPosition from a folder written by VirtualColonoscopy.");
+    ReleaseGil());
 }
 } // namespace
 
@@ -187,22 +181,6 @@ AddRegistration(py::module_ & module)
 
 Returns (points, k x 3, LPS mm; confidence, k, 0 to 1; excluded, k: wall not visible in one of the positions).)");
 
-  const SupineProneSettings defaults;
-  module.def("register_positions",
-             Reporting(&Register),
-             "supine"_a,
-             "prone"_a,
-             py::kw_only(),
-             "map"_a = WordOf(defaults.map, mapWords),
-             "matching"_a = WordOf(defaults.matching, matchingWords),
-             "refine"_a = defaults.refine,
-             "segment_wise"_a = defaults.segmentWise,
-             "progress"_a = py::none(),
-             ReleaseGil(),
-             R"(A one-to-one map between the walls of a colon in two positions.
-
-map: "default" or "published". matching: of folds, "hungarian" or "dualDecomposition". refine: by the wall curvature.
-segment_wise: folds stay within their segment.
-progress: called with (share, stage), share from 0 to 1; returning False, an exception or Ctrl-C aborts.)");
+  module.def("register_positions", Reporting(&Register), ReleaseGil());
 }
 } // namespace shapeton::python

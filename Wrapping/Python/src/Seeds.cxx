@@ -111,7 +111,7 @@ AddSeeds(py::module_ & module)
       "iterations", &SeededLabels::iterations, "Number of solver iterations; few after a small change of the seeds.")
     .def_readonly("warnings", &SeededLabels::warnings, "Labels that hardly extend beyond their seeds, one per line.");
 
-  py::class_<SeededHeat>(module, "SeededHeat")
+  py::class_<SeededHeat>(module, "_SeededHeat")
     .def(py::init<const ImageType::Pointer &, const Given<SeededHeatSegmentationOptions> &, bool>())
     .def("segment",
          Reporting(
@@ -120,16 +120,6 @@ AddSeeds(py::module_ & module)
            }),
          ReleaseGil());
 
-  module.def("seeds_of_classes",
-             &SeedsOf,
-             "classes"_a,
-             py::kw_only(),
-             "chosen"_a = std::vector<int>(),
-             "components"_a = ClassSeeds().components,
-             ReleaseGil(),
-             R"(Seeds from classes, such as those of `classify_heat`, eroded by one voxel.
-
-classes: integers. chosen: the classes to use; none: all but 0. components: 0: one label per class; otherwise one label
-for each of this number of largest components per class. Labels count from 1 in the order of the classes.)");
+  module.def("seeds_of_classes", &SeedsOf, ReleaseGil());
 }
 } // namespace shapeton::python

@@ -72,31 +72,13 @@ AddTables(py::module_ & module)
                }
                return DescribeShapes(image, labels, { components }, progress.Part("Describing shapes", 0.0, 1.0));
              }),
-             "image"_a,
-             "labels"_a,
-             py::kw_only(),
-             "components"_a = false,
-             "progress"_a = py::none(),
-             ReleaseGil(),
-             R"(The signature of each label, or of each connected component of each label.
-
-image: intensities, used for mean_intensity only. labels: integers from 0 (background) to 65535, on the same grid.
-progress: called with (share, stage), share from 0 to 1; returning False, an exception or Ctrl-C aborts.
-
-A shape takes half a second. Shapes of fewer than 64 voxels, or too thin, are skipped with a warning.)");
+             ReleaseGil());
   module.def(
     "write_shape_table",
     [](const ShapeTable & table, const Path & path) { WriteShapeTable(table, path.text); },
-    "table"_a,
-    "path"_a,
-    ReleaseGil(),
-    "Writes a CSV file as the tool ShapeSignature does.");
+    ReleaseGil());
   module.def(
-    "read_shape_table",
-    [](const Path & path) { return ReadShapeTable(path.text); },
-    "path"_a,
-    ReleaseGil(),
-    "Reads a table written by `write_shape_table`.");
+    "read_shape_table", [](const Path & path) { return ReadShapeTable(path.text); }, ReleaseGil());
 }
 
 void
@@ -104,10 +86,8 @@ AddSearch(py::module_ & module)
 {
   py::class_<NamedShape>(module, "NamedShape", "A signature with a name, not necessarily unique.")
     .def(py::init([](const std::string & name, const ShapeSignature & signature) {
-           return NamedShape{ name, signature };
-         }),
-         "name"_a,
-         "signature"_a)
+      return NamedShape{ name, signature };
+    }))
     .def_readonly("name", &NamedShape::name, "Any text.")
     .def_readonly("signature", &NamedShape::signature, "A ShapeSignature.");
 
@@ -123,29 +103,16 @@ AddSearch(py::module_ & module)
     .def_property_readonly(
       "unknown", &ShapeSearchResult::IsUnknown, "Whether the shape is probably none of the entries.");
 
-  module.def("signature_distance",
-             &SignatureDistance,
-             "a"_a,
-             "b"_a,
-             ReleaseGil(),
-             "Distance of two signatures, at least 0; copies of one shape are about 1 apart. The volume is ignored.");
+  module.def("signature_distance", &SignatureDistance, ReleaseGil());
   module.def(
     "find_shape",
     [](const ShapeSignature & signature, const std::vector<NamedShape> & entries, int nearest) {
       RequireParameter(!entries.empty(), "the parameter \"entries\" is empty; at least one shape is required");
       return FindShape(signature, entries, { nearest });
     },
-    "signature"_a,
-    "entries"_a,
-    "nearest"_a = 5,
-    ReleaseGil(),
-    "Searches a signature in a list of NamedShape; returns at most `nearest` neighbors.");
+    ReleaseGil());
   module.def(
-    "read_shape_database",
-    [](const Path & path) { return ReadShapeDatabase(path.text); },
-    "path"_a,
-    ReleaseGil(),
-    "All shapes of an SQLite file of the tool ShapeSearch, in insertion order.");
+    "read_shape_database", [](const Path & path) { return ReadShapeDatabase(path.text); }, ReleaseGil());
 }
 } // namespace
 

@@ -94,19 +94,13 @@ AddShapetons(py::module_ & module)
   AddResult(module);
   module.def("diffuse_shapetons", Reporting(&Diffuse), ReleaseGil());
   module.def(
-    "visit_density",
-    [](const Visits::Pointer & visits) { return NormalizeVisits(visits); },
-    "visits"_a,
-    ReleaseGil(),
-    "Visits divided by their maximum: float32 in [0, 1].");
+    "visit_density", [](const Visits::Pointer & visits) { return NormalizeVisits(visits); }, ReleaseGil());
   module.def(
     "classify_visits",
     [](const Visits::Pointer & visits) {
       const auto found = ClassifyVisits(visits, NormalizeVisits(visits));
       return std::make_pair(found.labels, found.classes);
     },
-    "visits"_a,
-    ReleaseGil(),
-    "The classes of a uint32 image of visits, analogous to `classify_heat`: (labels, classes).");
+    ReleaseGil());
 }
 } // namespace shapeton::python

@@ -151,48 +151,10 @@ AddVolumes(py::module_ & module)
              Reporting(+[](const Path & path, const Progress & progress) {
                return ScanDicom(path.text, progress.Part("Reading headers", 0.0, 1.0)).series;
              }),
-             "path"_a,
-             py::kw_only(),
-             "progress"_a = py::none(),
-             ReleaseGil(),
-             R"(The DICOM series in a folder, searched recursively, or in a file. Reads headers.
+             ReleaseGil());
 
-progress: called with (share, stage), share from 0 to 1; returning False, an exception or Ctrl-C aborts.)");
+  module.def("read_volume", Reporting(&ReadWithFacts));
 
-  const VolumeReadOptions defaults;
-  module.def("read_volume",
-             Reporting(&ReadWithFacts),
-             "path"_a,
-             py::kw_only(),
-             "series_uid"_a = defaults.seriesUID,
-             "resample_gaps"_a = defaults.resampleGaps,
-             "deshear"_a = defaults.deshear,
-             "drop_duplicates"_a = defaults.dropDuplicates,
-             "allow_single_slice"_a = defaults.allowSingleSlice,
-             "progress"_a = py::none(),
-             R"(Reads a folder of DICOM slices, a DICOM file, or a NRRD, NIfTI or MetaImage file.
-
-An irregular series raises InputError with the name of the defect, unless its repair is allowed:
-
-series_uid: selects a series if the folder contains several (`DicomSeries.selector`).
-resample_gaps: fills gaps and uneven spacing by interpolation between slices.
-deshear: resamples a tilted volume onto perpendicular axes.
-drop_duplicates: keeps the first of several slices at one position.
-allow_single_slice: accepts a single slice as a volume.
-progress: for DICOM slices, called with (share, stage); returning False, an exception or Ctrl-C aborts.
-
-The image holds float32, rescaled: Hounsfield units for CT. Its `facts` hold modality, patient_position, series_uid,
-identity, repairs, notes. Files of other formats are read in one piece, for which Ctrl-C waits.)");
-
-  module.def("write_volume",
-             &Write,
-             "image"_a,
-             "path"_a,
-             "metadata"_a = VolumeMetadata(),
-             R"(Writes NRRD (.nrrd), NIfTI (.nii, .nii.gz) or MetaImage (.mha), as the tools do.
-
-float32, int16, uint8, uint16 and uint32 are written unchanged, bool as uint8, float64 as float32 if that rounds no
-voxel; otherwise, and for other types, ParameterError is raised, so that a file always holds the values of the image.
-metadata: pairs of texts for the header of NRRD and MetaImage.)");
+  module.def("write_volume", &Write);
 }
 } // namespace shapeton::python

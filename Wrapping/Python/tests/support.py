@@ -1,6 +1,7 @@
-"""Common test code: volumes, tools of the build, skipping."""
+"""Common test code: the functions of the package, volumes, tools of the build, skipping."""
 
 import gzip
+import inspect
 import os
 import re
 import subprocess
@@ -13,11 +14,24 @@ from pathlib import Path
 import numpy as np
 
 import shapeton
+from shapeton import colon, flattening, graphs, shapes, surfaces
 
+MODULES = (shapeton, colon, flattening, graphs, shapes, surfaces)
 DATA = Path(os.environ.get("SHAPETON_DATA", "."))
 TOOLS = os.environ.get("SHAPETON_TOOLS", "")
 
 needs_tools = unittest.skipUnless(TOOLS, "SHAPETON_TOOLS, the folder of the tools, is not set")
+
+
+def public_functions():
+    """Returns by name the functions, constructors and methods of the package that are written in Python."""
+    functions = {}
+    for name, thing in ((name, getattr(module, name)) for module in MODULES for name in module.__all__):
+        members = vars(thing).items() if inspect.isclass(thing) else [("", thing)]
+        for member, function in members:
+            if inspect.isfunction(function) and (member == "__init__" or not member.startswith("_")):
+                functions[f"{name}.{member}".rstrip(".")] = function
+    return functions
 
 
 def run_tool(name, *arguments):

@@ -93,7 +93,7 @@ class AbortTest(TestCase):
         with self.subTest("metric"):
             self.check(lambda **options: surfaces.heat_diffusion_metric(wall, **options))
         with self.subTest("truncated metric"):
-            self.check(lambda **options: surfaces.heat_diffusion_metric(wall, pairs=50, **options))
+            self.check(lambda **options: surfaces.heat_diffusion_metric(wall, eigenpairs=50, **options))
 
     def test_heat_over_a_surface(self):
         heat = np.random.default_rng(1).random((len(self.supine.wall.vertices), 40))

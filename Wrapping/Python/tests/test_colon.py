@@ -135,7 +135,7 @@ class ColonTest(TestCase):
         with self.assertRaises(shapeton.InputError):
             colon.trace_centerline(lumen.like(np.zeros_like(lumen.array)))
         with self.assertRaisesRegex(shapeton.ParameterError, "sideways"):
-            colon.segment_lumen(lumen, patient_position="sideways")
+            colon.segment_lumen(lumen, position="sideways")
         with self.assertRaisesRegex(shapeton.InputError, "uv"):
             colon.FlatColon(self.supine.model.wall.simplified)
         with self.assertRaisesRegex(shapeton.ParameterError, "cut"):

@@ -41,12 +41,13 @@ def error_of(call, *arguments, **options):
         return error
 image = shapeton.Image(numpy.ones((3, 3, 3), dtype=numpy.float32))
 parameter_error = error_of(shapeton.diffuse_heat, image, p=-1.0)
-input_error = error_of(shapeton.read_volume, "there is none")
+input_error = error_of(shapeton.read_volume, numpy.__file__)
+missing_file_error = error_of(shapeton.read_volume, "there is none")
 output_error = error_of(shapeton.write_volume, image, "/there/is/none.nrrd")
 aborted = error_of(shapeton.diffuse_heat, image, time_steps=1000, progress=lambda *_: False)
 error = shapeton.Error("mine")
 """,
-        "Error ParameterError InputError OutputError Aborted",
+        "Error ParameterError InputError MissingFileError OutputError Aborted",
     ),
     "shapes": (
         """

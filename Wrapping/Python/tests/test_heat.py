@@ -33,6 +33,8 @@ class HeatTest(TestCase):
         last, _ = np.histogram(result.heat.array, np.append(result.histogram.edges[:-1], 2.0))
         np.testing.assert_array_equal(result.histogram.counts[-1], last)
         self.assertSame(shapeton.heat_histogram([result.heat], [500]).counts[0], result.histogram.counts[-1])
+        with self.assertRaisesRegex(shapeton.ParameterError, '"time_steps" must be ascending'):
+            shapeton.heat_histogram([result.heat, result.heat], [500, 12])
 
     def test_classes_divide_the_heat_at_their_bounds(self):
         heat = shapeton.diffuse_heat(balls(), time_steps=2000).heat
@@ -51,6 +53,8 @@ class HeatTest(TestCase):
             ("minimum_share", 2.0),
             ("minimum_share", -1.0),
             ("minimum_peak_to_valley", float("nan")),
+            ("maximum_classes", 0),
+            ("maximum_classes", 255),
         ):
             with self.assertRaisesRegex(shapeton.ParameterError, name):
                 shapeton.classify_heat(heat, **{name: wrong})
@@ -58,23 +62,23 @@ class HeatTest(TestCase):
     def test_snapshots_are_the_heat_of_shorter_runs(self):
         image, seen = balls((12, 14, 16)), {}
         shapeton.diffuse_heat(
-            image, time_steps=80, method="explicit", snapshot_steps=[0, 40], snapshot=lambda n, h: seen.update({n: h})
+            image, time_steps=80, solver="explicit", snapshot_steps=[0, 40], snapshot=lambda n, h: seen.update({n: h})
         )
         self.assertEqual(sorted(seen), [0, 40])
-        self.assertSame(seen[40].array, shapeton.diffuse_heat(image, time_steps=40, method="explicit").heat.array)
+        self.assertSame(seen[40].array, shapeton.diffuse_heat(image, time_steps=40, solver="explicit").heat.array)
         initial = shapeton.diffuse_heat(image, time_steps=1, initial_heat=True).initial_heat
         self.assertSame(seen[0].array, initial.array)
 
     def test_wrong_parameters_are_value_errors_that_name_them(self):
         image = balls((8, 8, 8))
         for words, wrong in (
-            ("P must not be negative", {"p": -1.0}),
-            ("TimeSteps must be at least 1", {"time_steps": 0}),
-            (r"window \[3, 1\] is empty or reversed", {"window": (3.0, 1.0)}),
-            ("tolerance must be between", {"tolerance": 2.0}),
-            ("time step must be positive and at most 1/12", {"time_step_length": 0.2}),
-            ("steps to record must be ascending", {"histogram_steps": [5, 3]}),
-            ('"method" = "fast" is not one of: chebyshev, explicit', {"method": "fast"}),
+            ('"p": -1 is less than the minimum 0', {"p": -1.0}),
+            ('"time_steps": 0 is less than the minimum 1', {"time_steps": 0}),
+            ('"intensity_window" requires two numbers, the lower one first', {"intensity_window": (3.0, 1.0)}),
+            ('"tolerance": 2 is more than the maximum 1', {"tolerance": 2.0}),
+            ('"time_step_length": 0.2 is more than the maximum 1/12', {"time_step_length": 0.2}),
+            ('"histogram_steps" must be ascending', {"histogram_steps": [5, 3]}),
+            ('"solver" = "fast" is not one of: chebyshev, explicit', {"solver": "fast"}),
             ('"conductance" = "" is not one of: physical, published', {"conductance": ""}),
         ):
             with self.assertRaisesRegex(ValueError, words) as caught:
@@ -153,7 +157,7 @@ class AbortTest(TestCase):
         self.image = balls((48, 48, 48))
 
     def run_for_hours(self, progress=None):
-        shapeton.diffuse_heat(self.image, time_steps=10**9, method="explicit", progress=progress)
+        shapeton.diffuse_heat(self.image, time_steps=10**9, solver="explicit", progress=progress)
 
     def tearDown(self):
         result = shapeton.diffuse_heat(self.image, time_steps=10)
@@ -283,7 +287,7 @@ class SameAsToolsTest(TestCase):
         options = ["--timeSteps", 700, "--p", 5, "--intensityWindow=-50,600", "--timeStepLength", 0.08]
         run_tool("CumulativeHeatDiffusion", self.volume, heat, *options, "--labels", labels)
         result = shapeton.diffuse_heat(
-            self.image, time_steps=700, p=5.0, window=(-50.0, 600.0), time_step_length=0.08, components=True
+            self.image, time_steps=700, p=5.0, intensity_window=(-50.0, 600.0), time_step_length=0.08, components=True
         )
         self.assertSame(result.heat.array, self.read("heat.nrrd"))
         found, _ = shapeton.classify_heat(result.heat, result.components)

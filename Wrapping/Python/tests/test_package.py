@@ -7,25 +7,23 @@ from pathlib import Path
 import numpy as np
 
 import shapeton
-from shapeton import _shapeton, colon, flattening, graphs, shapes, surfaces
+from shapeton import _shapeton, colon
 
-from support import TestCase, run_python
-
-PUBLIC = (shapeton, colon, flattening, graphs, shapes, surfaces)
+from support import MODULES, TestCase, run_python
 
 
 class PackageTest(TestCase):
     def test_each_name_of_the_compiled_module_is_in_one_module_of_the_package(self):
         compiled = {name for name in vars(_shapeton) if not name.startswith("_")}
-        offered = [name for module in PUBLIC for name in module.__all__ if hasattr(_shapeton, name)]
+        offered = [name for module in MODULES for name in module.__all__ if hasattr(_shapeton, name)]
         self.assertEqual(sorted(offered), sorted(compiled))
-        for module in PUBLIC:
+        for module in MODULES:
             self.assertEqual(module.__all__, sorted(module.__all__))
             for name in module.__all__:
                 self.assertTrue(hasattr(module, name), name)
 
     def test_everything_has_a_docstring(self):
-        for module in PUBLIC:
+        for module in MODULES:
             self.assertTrue(module.__doc__)
             for name in module.__all__:
                 thing = getattr(module, name)
@@ -120,6 +118,7 @@ print(os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]))
         for error, kinds in (
             (shapeton.ParameterError, (shapeton.Error, ValueError)),
             (shapeton.InputError, (shapeton.Error, ValueError)),
+            (shapeton.MissingFileError, (shapeton.InputError, FileNotFoundError)),
             (shapeton.OutputError, (shapeton.Error, OSError)),
             (shapeton.Aborted, (shapeton.Error, RuntimeError)),
         ):

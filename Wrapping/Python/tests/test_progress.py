@@ -8,7 +8,7 @@ import numpy as np
 import shapeton
 from shapeton import _shapeton, colon, flattening, graphs, shapes, surfaces
 
-from support import DATA, TestCase, balls, cylinder
+from support import DATA, TestCase, balls, cylinder, public_functions
 
 SERIES = DATA / "PhantomSeries"
 
@@ -58,8 +58,8 @@ class ProgressTest(TestCase):
         self.check(shapeton.read_volume, SERIES)
         self.check(shapeton.read_volume, path)
         self.check(shapeton.list_series, SERIES)
-        for method in ("chebyshev", "explicit"):
-            self.check(shapeton.diffuse_heat, image, time_steps=100, method=method)
+        for solver in ("chebyshev", "explicit"):
+            self.check(shapeton.diffuse_heat, image, time_steps=100, solver=solver)
         self.check(shapeton.diffuse_heat, image, time_steps=10**6, until_steady=True)
         self.check(shapeton.diffuse_heat, image, time_steps=100, histogram_steps=[0, 50], components=True, initial_heat=True)
         self.check(shapeton.diffuse_heat, image.like(np.zeros_like(image.array)), time_steps=100)
@@ -91,7 +91,7 @@ class ProgressTest(TestCase):
         tube = cylinder(15.0, 80.0)
         self.check(surfaces.spectrum, tube)
         self.check(surfaces.heat_diffusion_metric, tube)
-        self.check(surfaces.heat_diffusion_metric, tube, pairs=20)
+        self.check(surfaces.heat_diffusion_metric, tube, eigenpairs=20)
         self.check(surfaces.diffuse_over_surface, tube, np.ones((len(tube.vertices), 3)), 5.0)
         self.check(surfaces.simplify_surface, tube, 500)
         self.check(surfaces.simplify_surface, tube, 10**6)
@@ -136,12 +136,8 @@ class ProgressTest(TestCase):
 
     def test_z_each_function_with_progress_was_checked(self):
         """Runs last by name."""
-        functions = list(vars(_shapeton).items())
-        for _, kind in functions.copy():
-            if inspect.isclass(kind):
-                functions += vars(kind).items()
-        reporting = {name for name, function in functions
-                     if inspect.isroutine(function) and "progress: " in (function.__doc__ or "").partition("\n")[0]}
+        reporting = {function.__name__ for function in public_functions().values()
+                     if "progress" in inspect.signature(function).parameters}
         self.assertEqual(reporting - self.reporting, set(), "add them to the tests above")
 
 

@@ -68,12 +68,12 @@ class SeedsTest(TestCase):
         shapeton.write_volume(image, files[0])
         shapeton.write_volume(seeds, files[1])
         run_tool("SeededHeatSegmentation", *files, "--p", 12, "--intensityWindow", "0,300")
-        found = shapes.SeededHeat(image, p=12.0, window=(0.0, 300.0)).segment(seeds)
+        found = shapes.SeededHeat(image, p=12.0, intensity_window=(0.0, 300.0)).segment(seeds)
         np.testing.assert_array_equal(shapeton.read_volume(files[2]).array, found.labels.array)
 
     def test_seeds_of_classes_keep_off_the_borders(self):
         labels, _ = shapeton.classify_heat(shapeton.diffuse_heat(balls(), time_steps=2000).heat)
-        seeds = shapes.seeds_of_classes(labels, chosen=[1])
+        seeds = shapes.seeds_of_classes(labels, classes=[1])
         self.assertTrue(np.all(labels.array[seeds.array > 0] == 1))
         self.assertLess(np.count_nonzero(seeds.array), np.count_nonzero(labels.array == 1))
 

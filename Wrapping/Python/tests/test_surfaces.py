@@ -160,7 +160,7 @@ class MetricTest(TestCase):
         spectrum = surfaces.spectrum(mesh, 40)
         expected = [spectrum.diffusion_distance(a, b, time) for a, b in edges]
         np.testing.assert_allclose(metric.edge_lengths, expected, rtol=1e-4)
-        truncated = surfaces.heat_diffusion_metric(mesh, time, pairs=40)
+        truncated = surfaces.heat_diffusion_metric(mesh, time, eigenpairs=40)
         np.testing.assert_allclose(truncated.edge_lengths, expected, rtol=1e-6)
 
     def test_heat_over_a_surface_keeps_its_sum(self):

@@ -1,4 +1,4 @@
-"""Writes type stubs of the compiled module from its docstrings, for type checkers and editors.
+"""Writes type stubs of the compiled classes from their docstrings, for type checkers and editors.
 
 usage: make_stub.py [--check] shapeton/_shapeton.pyi
 
@@ -10,32 +10,29 @@ import inspect
 import sys
 from pathlib import Path
 
-from shapeton import _shapeton
+from shapeton import _shapeton, colon, graphs, shapes  # noqa: F401  (the latter define constructors)
 
-HEAD = '''"""Written by make_stub.py from the docstrings of the module; do not edit."""
+HEAD = '''"""Written by make_stub.py from the docstrings of the classes; do not edit."""
 
-import os
-from typing import Any, Callable, Dict, List, Optional, Sequence, Tuple, Union
+from typing import Any, Dict, List, Optional, Sequence, Tuple
 
 from numpy.typing import ArrayLike, NDArray
 
+from ._arguments import Lines, Pairs
 from .image import Image
 from .mesh import Curves, Mesh
+
+def __getattr__(name: str) -> Any: ...  # the functions, which only the package calls
 '''
 
 #: Python names of C++ types, for parameters and results.
-PARAMETERS = {"List": "Sequence", "ndarray": "ArrayLike", "Curves": "Union[Curves, NDArray[Any]]", "PathLike": "Union[str, os.PathLike[str]]"}
+PARAMETERS = {"List": "Sequence", "ndarray": "ArrayLike"}
 RESULTS = {"ndarray": "NDArray[Any]", "dict": "Dict[str, Any]", "tuple": "Tuple[Any, ...]"}
 
-#: Types missing in the docstrings: (function, parameter or "return").
+#: Result types missing in the docstrings, by method.
 HINTS = {
-    ("__init__", "edges"): "ArrayLike",
-    ("diffuse_heat", "snapshot"): "Optional[Callable[[int, Image], object]]",
-    ("read_surface", "return"): "Mesh",
-    ("read_volume", "return"): "Image",
-    ("write_volume", "image"): "Image",
-    ("find", "return"): "Tuple[NDArray[Any], NDArray[Any]]",
-    ("map_points", "return"): "Tuple[NDArray[Any], NDArray[Any], NDArray[Any]]",
+    "find": "Tuple[NDArray[Any], NDArray[Any]]",
+    "map_points": "Tuple[NDArray[Any], NDArray[Any], NDArray[Any]]",
 }
 
 
@@ -74,7 +71,7 @@ def docstring(text, indent):
     return f'{indent}"""{quoted}"""'
 
 
-def function(name, doc, indent=""):
+def method(name, doc):
     line, _, words = doc.partition("\n")
     (signature,) = ast.parse(f"def {line.strip()}: ...").body
     arguments = signature.args
@@ -82,14 +79,20 @@ def function(name, doc, indent=""):
         if argument.arg == "self":
             argument.annotation = None
             continue
-        hint = HINTS.get((name, argument.arg)) or annotation(ast.unparse(argument.annotation), PARAMETERS)
-        argument.annotation = ast.parse(hint, mode="eval").body
-    ellipsis = ast.Constant(value=...)
-    arguments.defaults = [ellipsis for _ in arguments.defaults]
-    arguments.kw_defaults = [default and ellipsis for default in arguments.kw_defaults]
-    result = HINTS.get((name, "return")) or annotation(ast.unparse(signature.returns), RESULTS)
-    head = f"{indent}def {name}({ast.unparse(arguments)}) -> {result}:"
-    return f"{head}\n{docstring(words, indent + '    ')}\n{indent}    ...\n" if words.strip() else f"{head} ...\n"
+        argument.annotation = Types(PARAMETERS).visit(argument.annotation)
+    result = HINTS.get(name) or annotation(ast.unparse(signature.returns), RESULTS)
+    return definition(f"{name}({ast.unparse(arguments)}) -> {result}", words)
+
+
+def constructor(function):
+    """The Python function that checks the arguments of a compiled constructor."""
+    return definition(f"__init__{inspect.signature(function)}".replace("'", ""), function.__doc__)
+
+
+def definition(head, words):
+    if not words.strip():
+        return f"    def {head}: ...\n"
+    return f"    def {head}:\n{docstring(words, ' ' * 8)}\n        ...\n"
 
 
 def property_of(name, member):
@@ -103,21 +106,18 @@ def class_of(name, kind):
     for member_name, member in sorted(vars(kind).items()):
         if isinstance(member, property):
             parts.append(property_of(member_name, member))
-        elif member_name == "__init__" and member.__doc__.startswith("__init__(self: "):
-            parts.append(function(member_name, member.__doc__, "    "))
+        elif member_name == "__init__" and inspect.isfunction(member):
+            parts.append(constructor(member))
         elif inspect.isroutine(member) and not member_name.startswith("_"):
-            parts.append(function(member_name, member.__doc__, "    "))
+            parts.append(method(member_name, member.__doc__))
     return "\n".join(parts) + "\n"
 
 
 def stub():
-    members = sorted((n, m) for n, m in vars(_shapeton).items() if not n.startswith("_"))
+    classes = {n: m for n, m in sorted(vars(_shapeton).items()) if inspect.isclass(m) and not n.startswith("_")}
     errors = ["Error", "ParameterError", "InputError", "OutputError", "Aborted"]
-    classes = [(n, m) for n, m in members if inspect.isclass(m) and n not in errors]
-    ordered = [(n, getattr(_shapeton, n)) for n in errors] + classes
-    parts = [HEAD] + [class_of(n, m) for n, m in ordered]
-    parts += [function(n, m.__doc__) for n, m in members if not inspect.isclass(m)]
-    return "\n".join(parts)
+    ordered = errors + [name for name in classes if name not in errors]
+    return "\n".join([HEAD] + [class_of(name, classes[name]) for name in ordered])
 
 
 def main(arguments):

@@ -11,6 +11,7 @@
 #include <memory>
 #include <mutex>
 #include <stdexcept>
+#include <string>
 
 namespace shapeton
 {
@@ -31,12 +32,13 @@ Unpad(const PaddedGrid & grid, const PaddedField & field, float * values)
 }
 
 void
-CheckSteps(const std::vector<std::uint64_t> & steps, std::uint64_t last)
+CheckSteps(const std::string & name, const std::vector<std::uint64_t> & steps, std::uint64_t last)
 {
   const bool ascend = std::adjacent_find(steps.begin(), steps.end(), std::greater_equal<>()) == steps.end();
   if (!ascend || (!steps.empty() && steps.back() > last))
   {
-    throw std::invalid_argument("the steps to record must be ascending and must not exceed the last step");
+    throw std::invalid_argument("the parameter \"" + name +
+                                "\" must be ascending and at most the parameter \"timeSteps\"");
   }
 }
 
@@ -45,8 +47,8 @@ CheckSettings(const std::array<std::size_t, 3> &      size,
               const CumulativeHeatDiffusionSettings & settings,
               const HeatSnapshotConsumer &            consumer)
 {
-  CheckSteps(settings.histogramSteps, settings.timeSteps);
-  CheckSteps(settings.snapshotSteps, settings.timeSteps);
+  CheckSteps("histogramSteps", settings.histogramSteps, settings.timeSteps);
+  CheckSteps("snapshotSteps", settings.snapshotSteps, settings.timeSteps);
   if (!settings.snapshotSteps.empty() && !consumer)
   {
     throw std::invalid_argument("snapshots are requested without a consumer");

@@ -50,12 +50,13 @@ ParticleDiffusionImageFilter<TInputImage>::VerifyPreconditions() const
   if (!ascend ||
       (!m_HistogramSteps.empty() && (m_HistogramSteps.front() < 1 || m_HistogramSteps.back() > this->GetTimeSteps())))
   {
-    itkExceptionMacro("HistogramSteps must be ascending and between 1 and TimeSteps");
+    itkExceptionMacro(
+      "the parameter \"histogramSteps\" must be ascending and between 1 and the parameter \"timeSteps\"");
   }
   if (m_InitialState && m_InitialState->step > this->GetTimeSteps())
   {
-    itkExceptionMacro("the initial state is of step " << m_InitialState->step << ", beyond TimeSteps, "
-                                                      << this->GetTimeSteps());
+    itkExceptionMacro("the initial state is of step "
+                      << m_InitialState->step << ", beyond the parameter \"timeSteps\" = " << this->GetTimeSteps());
   }
 }
 
