@@ -114,6 +114,18 @@ class Option:
         other.bounds = {**self.bounds, "minimum": minimum}
         return other
 
+    def with_unset(self, text: str) -> Option:
+        """The same option with another value as its default, for example "-1: from the preset"."""
+        value = text.split(":")[0]
+        other = self.with_default(value if self.words else json.loads(value))
+        if self.words:
+            other.words = {value: "", **self.words}
+        else:
+            other.bounds = {"minimum": min(self.bounds["minimum"], other.default),
+                            "maximum": max(self.bounds["maximum"], other.default)}  # fmt: skip
+        other.sentence, other.unit = f"{self.description()[:-1]}; {text}.", ""
+        return other
+
     def optional(self) -> Option:
         """The same option in a function that also accepts None."""
         other = self.with_default(self.default)
@@ -154,6 +166,8 @@ class Option:
         value = self.default if value is None else value
         if value is None or value == []:
             return ""
+        if isinstance(value, list):
+            return ", ".join(map(self.cpp_default, value))
         if self.kind == "word":
             return f"{self.enum}::{self.words[value]}"
         if self.kind == "bool":
@@ -199,6 +213,8 @@ class Option:
     def xml_default(self) -> str:
         if self.default is None or self.default == []:
             return "auto" if self.suffix == "?" and self.is_number else ""
+        if isinstance(self.default, list):
+            return ",".join(map(str, self.default))
         if self.kind == "bool":
             return str(self.default).lower()
         return plain(number(self.default)) if self.is_number else str(self.default)
@@ -385,13 +401,15 @@ REFERENCE = r"(\w+): ?([\w* ]+)"
 def expand_xml(text: str) -> str:
     def element(match: re.Match[str]) -> str:
         attributes = dict(re.findall(r'(\w+)="([^"]*)"', match[1]))
-        if unknown := set(attributes) - {"of", "names", "default", "minimum"}:
+        if unknown := set(attributes) - {"of", "names", "default", "minimum", "unset"}:
             fail(f"<option> has the unknown attribute {min(unknown)}")
         chosen = declaration(attributes["of"]).chosen(attributes["names"])
         if "default" in attributes:
             chosen = [option.with_default(json.loads(attributes["default"])) for option in chosen]
         if "minimum" in attributes:
             chosen = [option.with_minimum(json.loads(attributes["minimum"])) for option in chosen]
+        if "unset" in attributes:
+            chosen = [option.with_unset(attributes["unset"]) for option in chosen]
         return "\n    ".join(option.xml() for option in chosen)
 
     return re.sub(r"<option ([^>]*)/>", element, text)

@@ -16,7 +16,7 @@ main(int argc, char * argv[])
   }
   const shapeton::Volume volume = shapeton::ReadVolume(argv[1]);
   const shapeton::Volume labels = shapeton::ReadVolume(argv[2]);
-  const auto             table = shapeton::DescribeShapes(volume.image, labels.image, false);
+  const auto             table = shapeton::DescribeShapes(volume.image, labels.image);
   std::filesystem::remove(argv[3]); // a second run could not add the same table again
   shapeton::AddToShapeDatabase(argv[3], table, labels.identity, "example");
   for (const shapeton::NamedShape & shape : shapeton::ReadShapeDatabase(argv[3]))

@@ -17,7 +17,7 @@ main(int argc, char * argv[])
   phantom->SetScene(shapeton::ShapeScene::Load(argv[1]));
   phantom->CenterOutput();
   phantom->SetBlur(0.5);
-  phantom->SetNoiseStandardDeviation(20.0);
+  phantom->SetNoise(20.0);
   phantom->Update(); // phantom->GetOutput() is the CT
 
   const auto * const                   labels = phantom->GetLabelOutput();

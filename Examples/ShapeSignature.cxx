@@ -40,6 +40,6 @@ main()
   const auto other = SignatureOf(Ellipsoid(18.0, 18.0, 18.0));
   std::cout << "a copy is " << shapeton::SignatureDistance(large, small) << " away, another shape "
             << shapeton::SignatureDistance(large, other) << '\n';
-  const auto found = shapeton::FindShape(small, { { "ball", other }, { "ellipsoid", large } }, 1);
+  const auto found = shapeton::FindShape(small, { { "ball", other }, { "ellipsoid", large } }, { 1 });
   std::cout << "found as entry " << found.neighbors[0].entry << (found.IsUnknown() ? ", but uncertain" : "") << '\n';
 }

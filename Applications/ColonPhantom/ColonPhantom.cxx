@@ -9,6 +9,7 @@
 #include "shapetonOrthonormalDirection.h"
 #include "shapetonPhantomGrid.h"
 #include "shapetonPrintable.h"
+#include "shapetonReadOptions.h"
 #include "shapetonExceptions.h"
 
 #include <map>
@@ -20,12 +21,11 @@ using Source = shapeton::ColonPhantomImageSource;
 Source::Pointer
 MakeSource(shapeton::CommandLine & commandLine)
 {
-  const double extent[3] = { 358.4, 358.4, 336.0 }; // mm
-  const auto   grid = shapeton::MakePhantomGrid(commandLine.GetIntegers("size"),
-                                              commandLine.GetDoubles("spacing"),
-                                              commandLine.GetDoubles("direction"),
-                                              sizeof(short) + 3 * sizeof(unsigned char),
-                                              itk::Vector<double, 3>(extent));
+  const double                 extent[3] = { 358.4, 358.4, 336.0 }; // mm
+  shapeton::PhantomGridOptions gridOptions;
+  shapeton::ReadOptions(commandLine, gridOptions);
+  const auto grid =
+    shapeton::MakePhantomGrid(gridOptions, sizeof(short) + 3 * sizeof(unsigned char), itk::Vector<double, 3>(extent));
   shapeton::RequireParameter(!shapeton::IsLeftHanded(grid.direction),
                              "--direction: a CT series cannot have left-handed axes; change the sign of one column");
   const auto source = Source::New();

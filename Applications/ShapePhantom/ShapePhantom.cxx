@@ -5,6 +5,7 @@
 #include "shapetonOrthonormalDirection.h"
 #include "shapetonPhantomGrid.h"
 #include "shapetonPrintable.h"
+#include "shapetonReadOptions.h"
 #include "shapetonSha256.h"
 #include "shapetonShapePhantomImageSource.h"
 #include "shapetonExceptions.h"
@@ -30,10 +31,9 @@ ReadScene(shapeton::CommandLine & commandLine)
 Source::Pointer
 MakeSource(shapeton::CommandLine & commandLine)
 {
-  const auto grid = shapeton::MakePhantomGrid(commandLine.GetIntegers("size"),
-                                              commandLine.GetDoubles("spacing"),
-                                              commandLine.GetDoubles("direction"),
-                                              sizeof(short) + sizeof(unsigned char));
+  shapeton::PhantomGridOptions gridOptions;
+  shapeton::ReadOptions(commandLine, gridOptions);
+  const auto grid = shapeton::MakePhantomGrid(gridOptions, sizeof(short) + sizeof(unsigned char));
   if (commandLine.GetFlag("dicom") && shapeton::IsLeftHanded(grid.direction))
   {
     throw shapeton::ParameterError(
@@ -45,9 +45,7 @@ MakeSource(shapeton::CommandLine & commandLine)
   source->SetDirection(grid.direction);
   source->CenterOutput();
   source->SetScene(ReadScene(commandLine));
-  source->SetBlur(commandLine.GetDouble("blur"));
-  source->SetNoiseStandardDeviation(commandLine.GetDouble("noise"));
-  source->SetSeed(commandLine.GetInteger("seed"));
+  shapeton::ReadOptionsOf(commandLine, source.GetPointer());
   return source;
 }
 

@@ -3,6 +3,7 @@
 #include "shapetonCommandLine.h"
 #include "shapetonCsvTable.h"
 #include "shapetonExceptions.h"
+#include "shapetonReadOptions.h"
 #include "shapetonSha256.h"
 #include "shapetonShapeDatabase.h"
 
@@ -30,12 +31,16 @@ Add(CommandLine & commandLine, const shapeton::ShapeTable & table, const std::st
 }
 
 std::vector<Answer>
-Search(const shapeton::ShapeTable & table, const std::vector<shapeton::NamedShape> & entries, int nearest)
+Search(const CommandLine &                       commandLine,
+       const shapeton::ShapeTable &              table,
+       const std::vector<shapeton::NamedShape> & entries)
 {
+  shapeton::ShapeSearchOptions options;
+  shapeton::ReadOptions(commandLine, options);
   std::vector<Answer> answers;
   for (const shapeton::ShapeRow & row : table.rows)
   {
-    answers.push_back({ row.Name(), shapeton::FindShape(row.signature, entries, nearest) });
+    answers.push_back({ row.Name(), shapeton::FindShape(row.signature, entries, options) });
   }
   return answers;
 }
@@ -91,7 +96,7 @@ AddOrSearch(CommandLine & commandLine)
   const std::string output = commandLine.GetString("neighbors");
   const std::string file = commandLine.OutputOf("neighbors");
   const auto        entries = shapeton::ReadShapeDatabase(commandLine.GetString("database"));
-  const auto        answers = Search(table, entries, commandLine.GetInteger("nearest"));
+  const auto        answers = Search(commandLine, table, entries);
   if (!file.empty())
   {
     Write(answers, entries, file);

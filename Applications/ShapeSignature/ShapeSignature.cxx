@@ -2,6 +2,7 @@
 
 #include "shapetonCommandLine.h"
 #include "shapetonExceptions.h"
+#include "shapetonReadOptions.h"
 #include "shapetonShapeTable.h"
 #include "shapetonToolVolumes.h"
 
@@ -27,12 +28,12 @@ ReadLabels(CommandLine & commandLine, const shapeton::Volume & volume)
 shapeton::ShapeTable
 Describe(CommandLine & commandLine, const shapeton::Volume & volume, const shapeton::LabelMap * labels)
 {
+  shapeton::ShapeTableOptions options;
+  shapeton::ReadOptions(commandLine, options);
   try
   {
-    return shapeton::DescribeShapes(volume.image,
-                                    labels,
-                                    commandLine.GetFlag("components"),
-                                    commandLine.PartOfProgress(0.1, 0.95).Part("Describing shapes", 0.0, 1.0));
+    return shapeton::DescribeShapes(
+      volume.image, labels, options, commandLine.PartOfProgress(0.1, 0.95).Part("Describing shapes", 0.0, 1.0));
   }
   catch (const shapeton::InputError & error)
   {

@@ -57,7 +57,7 @@ RunPhantom(const std::string & preset, unsigned int side, double noise, double b
   auto source = ShapePhantomImageSource::New();
   source->SetScene(ShapeScene::Load(preset));
   source->SetSize(itk::Image<short, 3>::SizeType::Filled(side));
-  source->SetNoiseStandardDeviation(noise);
+  source->SetNoise(noise);
   source->SetBlur(blur);
   source->SetSeed(seed);
   source->CenterOutput();

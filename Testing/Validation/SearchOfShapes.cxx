@@ -249,7 +249,7 @@ AskWithoutAFifth(const std::vector<MeasuredShape> & shapes)
       std::vector<double> unknown;
       for (const ShapeCopy & copy : shapes[i].copies)
       {
-        const auto result = FindShape(copy.signature, entries, 1);
+        const auto result = FindShape(copy.signature, entries, { 1 });
         const bool isRight = entries[result.neighbors.front().entry].name == shapes[i].name;
         answers.probabilities.emplace_back(result.probability, isRight);
         unknown.push_back(result.IsUnknown() ? 1.0 : 0.0);

@@ -78,7 +78,7 @@ Phantom(const std::string & preset, unsigned int side, double noise, double blur
   const auto source = ShapePhantomImageSource::New();
   source->SetScene(ShapeScene::Load(preset));
   source->SetSize(itk::Size<3>::Filled(side));
-  source->SetNoiseStandardDeviation(noise);
+  source->SetNoise(noise);
   source->SetBlur(blur);
   source->CenterOutput();
   source->Update();

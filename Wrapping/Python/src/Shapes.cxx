@@ -70,7 +70,7 @@ AddTables(py::module_ & module)
                  throw InputError(
                    "the grids of the image and of the labels differ; use labels on the grid of the image");
                }
-               return DescribeShapes(image, labels, components, progress.Part("Describing shapes", 0.0, 1.0));
+               return DescribeShapes(image, labels, { components }, progress.Part("Describing shapes", 0.0, 1.0));
              }),
              ReleaseGil());
   module.def(
@@ -106,10 +106,9 @@ AddSearch(py::module_ & module)
   module.def("signature_distance", &SignatureDistance, ReleaseGil());
   module.def(
     "find_shape",
-    [](const ShapeSignature & signature, const std::vector<NamedShape> & entries, std::size_t nearest) {
+    [](const ShapeSignature & signature, const std::vector<NamedShape> & entries, int nearest) {
       RequireParameter(!entries.empty(), "the parameter \"entries\" is empty; at least one shape is required");
-      RequireParameter(nearest > 0, "the parameter \"nearest\" is 0; it must be at least 1");
-      return FindShape(signature, entries, nearest);
+      return FindShape(signature, entries, { nearest });
     },
     ReleaseGil());
   module.def(

@@ -54,6 +54,9 @@ public:
   /** Throws ParameterError if the number is out of range or not finite. */
   void
   Check(double value) const;
+  /** Throws ParameterError if there are words and this is not one of them. */
+  void
+  Check(const std::string & word) const;
 
 private:
   struct Limit
@@ -69,7 +72,7 @@ private:
   std::vector<const char *> m_Words;
 };
 
-/** Throws ParameterError if an option is a number out of range. \ingroup ShapetonCommon */
+/** Throws ParameterError if an option is a number out of range or an unknown word. \ingroup ShapetonCommon */
 ///@{
 template <typename TOption>
 void
@@ -78,6 +81,10 @@ CheckOption(const OptionInfo & info, const TOption & option)
   if constexpr (std::is_arithmetic_v<TOption>)
   {
     info.Check(static_cast<double>(option));
+  }
+  else if constexpr (std::is_same_v<TOption, std::string>)
+  {
+    info.Check(option);
   }
 }
 template <typename TOption>
@@ -91,7 +98,7 @@ CheckOption(const OptionInfo & info, const std::optional<TOption> & option)
 }
 ///@}
 
-/** Throws ParameterError if a number among the options is out of range. \ingroup ShapetonCommon */
+/** Throws ParameterError if a number among the options is out of range, or a word unknown. \ingroup ShapetonCommon */
 template <typename TOptions>
 void
 CheckOptions(const TOptions & options)

@@ -2,6 +2,7 @@
 
 #include "shapetonExceptions.h"
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 #include <utility>
@@ -56,5 +57,17 @@ OptionInfo::Check(double value) const
   require(value <= m_Most.value, std::string("more than the maximum ") + m_Most.text);
   require(!m_Least.isExcluded || value != m_Least.value, std::string("not more than ") + m_Least.text);
   require(!m_Most.isExcluded || value != m_Most.value, std::string("not less than ") + m_Most.text);
+}
+
+void
+OptionInfo::Check(const std::string & word) const
+{
+  std::string list;
+  for (const char * one : m_Words)
+  {
+    list += (list.empty() ? "" : ", ") + std::string(one);
+  }
+  RequireParameter(m_Words.empty() || std::find(m_Words.begin(), m_Words.end(), word) != m_Words.end(),
+                   "the parameter \"" + std::string(m_Name) + "\": \"" + word + "\" is not one of " + list);
 }
 } // namespace shapeton

@@ -1,6 +1,7 @@
 #ifndef shapetonShapeSearch_h
 #define shapetonShapeSearch_h
 
+#include "shapetonShapeSearchOptions.h"
 #include "shapetonShapeSignature.h"
 
 #include <string>
@@ -68,10 +69,12 @@ struct ShapeSearchResult
   }
 };
 
-/** Finds the `nearest` entries that are closest to a shape. \pre There is at least one entry.
- * \ingroup ShapetonShapeSignature */
+/** Finds the entries that are closest to a shape. Throws ParameterError for an option out of range. \pre There is at
+ * least one entry. \ingroup ShapetonShapeSignature */
 ShapetonShapeSignature_EXPORT ShapeSearchResult
-FindShape(const ShapeSignature & shape, const std::vector<NamedShape> & entries, std::size_t nearest);
+FindShape(const ShapeSignature &          shape,
+          const std::vector<NamedShape> & entries,
+          const ShapeSearchOptions &      options = {});
 } // namespace shapeton
 
 #endif

@@ -5,6 +5,7 @@
 #include "shapetonProgress.h"
 #include "shapetonRemarks.h"
 #include "shapetonShapeSignature.h"
+#include "shapetonShapeTableOptions.h"
 
 #include <string>
 
@@ -41,7 +42,7 @@ struct ShapeTable
 ShapetonShapeSignature_EXPORT ShapeTable
 DescribeShapes(const itk::Image<float, 3> * intensities,
                const LabelMap *             labels,
-               bool                         components,
+               const ShapeTableOptions &    options = {},
                const Progress &             progress = {});
 
 /** Writes a CSV file with one line per shape; numbers read back unchanged. Throws OutputError.

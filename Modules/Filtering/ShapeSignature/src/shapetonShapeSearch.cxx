@@ -95,8 +95,9 @@ ProbabilityOfSameShape(double distance, double margin)
 }
 
 ShapeSearchResult
-FindShape(const ShapeSignature & shape, const std::vector<NamedShape> & entries, std::size_t nearest)
+FindShape(const ShapeSignature & shape, const std::vector<NamedShape> & entries, const ShapeSearchOptions & options)
 {
+  CheckOptions(options);
   if (entries.empty())
   {
     throw std::invalid_argument("The list of entries is empty");
@@ -111,7 +112,7 @@ FindShape(const ShapeSignature & shape, const std::vector<NamedShape> & entries,
   });
   const double first = std::max(result.neighbors.front().distance, LeastDifference);
   result.probability = ProbabilityOfSameShape(first, SecondDistance(result.neighbors, entries) / first);
-  result.neighbors.resize(std::min(nearest, result.neighbors.size()));
+  result.neighbors.resize(std::min<std::size_t>(options.nearest, result.neighbors.size()));
   return result;
 }
 } // namespace shapeton

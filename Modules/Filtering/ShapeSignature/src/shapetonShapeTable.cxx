@@ -144,7 +144,7 @@ ShapeRow::Name() const
 ShapeTable
 DescribeShapes(const itk::Image<float, 3> * intensities,
                const LabelMap *             labels,
-               bool                         components,
+               const ShapeTableOptions &    options,
                const Progress &             progress)
 {
   if (intensities->GetBufferedRegion() != labels->GetBufferedRegion())
@@ -159,7 +159,7 @@ DescribeShapes(const itk::Image<float, 3> * intensities,
     ShapeRow row;
     row.label = all[i];
     const VoxelRuns shape = VoxelsOfLabel(labels, row.label);
-    if (components)
+    if (options.components)
     {
       DescribeComponents(intensities, shape, row, table);
     }

@@ -28,7 +28,7 @@ Entries()
 
 TEST(ShapeSearch, FindsCopiesAndIsSureOfThem)
 {
-  const auto found = FindShape(SignatureOf(Turned(Scaled(Hammer(), 0.8), 30.0, { 1.0, 1.0, 0.0 })), Entries(), 2);
+  const auto found = FindShape(SignatureOf(Turned(Scaled(Hammer(), 0.8), 30.0, { 1.0, 1.0, 0.0 })), Entries(), { 2 });
   ASSERT_EQ(found.neighbors.size(), 2U);
   EXPECT_EQ(Entries()[found.neighbors[0].entry].name, "hammer");
   EXPECT_LT(found.neighbors[0].distance, found.neighbors[1].distance);
@@ -39,7 +39,7 @@ TEST(ShapeSearch, FindsCopiesAndIsSureOfThem)
 TEST(ShapeSearch, SaysUnknownForAShapeThatIsNotThere)
 {
   const auto ring = [](const Eigen::Vector3d & p) { return std::hypot(std::hypot(p[0], p[1]) - 18.0, p[2]) <= 5.0; };
-  EXPECT_TRUE(FindShape(SignatureOf(ring), Entries(), 1).IsUnknown());
+  EXPECT_TRUE(FindShape(SignatureOf(ring), Entries(), { 1 }).IsUnknown());
 }
 
 TEST(ShapeSearch, DistanceIsAMetricOfSignaturesUpToVolume)
@@ -72,7 +72,9 @@ TEST(ShapeSearch, EntriesOfOneNameGiveNoMarginToEachOther)
                                        Entries()[0] };
   const std::vector<NamedShape> once{ twice[0], twice[2] };
   const ShapeSignature          copy = SignatureOf(Scaled(Hammer(), 0.9));
-  const auto nearest = [&](const std::vector<NamedShape> & entries) { return FindShape(copy, entries, 9).probability; };
+  const auto                    nearest = [&](const std::vector<NamedShape> & entries) {
+    return FindShape(copy, entries, { 9 }).probability;
+  };
   EXPECT_GE(nearest(twice), nearest(once)); // entries with the same name do not reduce the margin
-  EXPECT_THROW(FindShape(copy, {}, 1), std::invalid_argument);
+  EXPECT_THROW(FindShape(copy, {}, { 1 }), std::invalid_argument);
 }

@@ -52,7 +52,7 @@ Refusal(const std::string & text)
 TEST(ShapeTable, DescribesLabels)
 {
   const auto       labels = Labels();
-  const ShapeTable table = DescribeShapes(labels, labels, false);
+  const ShapeTable table = DescribeShapes(labels, labels);
   ASSERT_EQ(table.rows.size(), 2U);
   EXPECT_EQ(table.rows[0].Name(), "3");
   EXPECT_EQ(table.rows[1].Name(), "5");
@@ -66,7 +66,7 @@ TEST(ShapeTable, DescribesLabels)
 TEST(ShapeTable, DescribesComponentsLargestFirst)
 {
   const auto       labels = Labels();
-  const ShapeTable table = DescribeShapes(labels, labels, true);
+  const ShapeTable table = DescribeShapes(labels, labels, { true });
   ASSERT_EQ(table.rows.size(), 3U);
   EXPECT_EQ(table.rows[0].Name(), "3.1");
   EXPECT_EQ(table.rows[1].Name(), "3.2");
@@ -80,7 +80,7 @@ TEST(ShapeTable, ReadsBackWhatItWrote)
 {
   const basetest::Folder folder;
   const auto             labels = Labels();
-  const ShapeTable       table = DescribeShapes(labels, labels, true);
+  const ShapeTable       table = DescribeShapes(labels, labels, { true });
   WriteShapeTable(table, folder / "a.csv");
   const ShapeTable again = ReadShapeTable(folder / "a.csv");
   ASSERT_EQ(again.rows.size(), table.rows.size());
@@ -99,7 +99,7 @@ TEST(ShapeTable, ReadsBackWhatItWrote)
 TEST(ShapeTable, RefusesLabelsThatAreNone)
 {
   const auto image = MakeImage({ 8, 8, 8 });
-  const auto describe = [&] { DescribeShapes(image, image, false); };
+  const auto describe = [&] { DescribeShapes(image, image); };
   EXPECT_EQ(basetest::MessageOf(describe), "InputError: all voxels are 0: the label map has no label");
   image->GetBufferPointer()[7] = 1.0F;
   EXPECT_NE(basetest::MessageOf(describe).find("no shape has a signature: label 1 is skipped"), std::string::npos);
@@ -113,7 +113,7 @@ TEST(ShapeTable, RefusesTablesThatAreNone)
 {
   const basetest::Folder folder;
   const auto             labels = Labels();
-  WriteShapeTable(DescribeShapes(labels, labels, false), folder / "good.csv");
+  WriteShapeTable(DescribeShapes(labels, labels), folder / "good.csv");
   const std::string text = ReadText(folder / "good.csv");
   const std::string header = text.substr(0, text.find('\n') + 1);
   std::string       line = text.substr(header.size(), text.find('\n', header.size()) + 1 - header.size());

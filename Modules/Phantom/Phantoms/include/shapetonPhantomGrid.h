@@ -2,11 +2,11 @@
 #define shapetonPhantomGrid_h
 
 #include "ShapetonPhantomsExport.h"
+#include "shapetonPhantomGridOptions.h"
 
 #include "itkImageBase.h"
 
 #include <optional>
-#include <vector>
 
 namespace shapeton
 {
@@ -19,15 +19,11 @@ struct PhantomGrid
   itk::ImageBase<3>::DirectionType direction;
 };
 
-/** Creates a grid from user input: size (three integers from 2), spacing (three numbers from 0.001 to 1000 mm) and
- * direction (nine numbers, row by row; orthonormal to 0.001, then orthonormalized). `bytesPerVoxel` is the memory per
- * voxel. `extent` is the total extent of the voxels in mm if no spacing is given. Throws ParameterError for invalid
- * input, or if the volume does not fit in memory.
- * \ingroup ShapetonPhantoms */
+/** Creates a grid from user input; the direction is orthonormalized. `bytesPerVoxel` is the memory per voxel. `extent`
+ * is the total extent of the voxels in mm if no spacing is given. Throws ParameterError for invalid input, or if the
+ * volume does not fit in memory. \ingroup ShapetonPhantoms */
 ShapetonPhantoms_EXPORT PhantomGrid
-MakePhantomGrid(const std::vector<int> &                      size,
-                const std::vector<double> &                   spacing,
-                const std::vector<double> &                   direction,
+MakePhantomGrid(const PhantomGridOptions &                    options,
                 double                                        bytesPerVoxel,
                 const std::optional<itk::Vector<double, 3>> & extent = {});
 } // namespace shapeton

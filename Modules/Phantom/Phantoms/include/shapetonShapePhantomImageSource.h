@@ -1,10 +1,11 @@
 #ifndef shapetonShapePhantomImageSource_h
 #define shapetonShapePhantomImageSource_h
 
+#include "shapetonFilterOptions.h"
 #include "shapetonPhantomImageSource.h"
+#include "shapetonShapePhantomOptionsMethods.h"
 #include "shapetonShapeScene.h"
 
-#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -33,16 +34,17 @@ namespace shapeton
  *
  * \par Parameters
  * Size (default 64 each), Spacing, Origin and Direction are inherited from GenerateImageSource; CenterOutput() centers
- * the volume at (0, 0, 0), the center of the scene.
+ * the volume at (0, 0, 0), the center of the scene. ShapePhantomOptions declares the others.
  *
  * \ingroup ShapetonPhantoms */
-class ShapetonPhantoms_EXPORT ShapePhantomImageSource : public PhantomImageSource
+class ShapetonPhantoms_EXPORT ShapePhantomImageSource
+  : public ShapePhantomOptionsMethods<FilterWithOptions<ShapePhantomOptions, PhantomImageSource>>
 {
 public:
   ITK_DISALLOW_COPY_AND_MOVE(ShapePhantomImageSource);
 
   using Self = ShapePhantomImageSource;
-  using Superclass = PhantomImageSource;
+  using Superclass = ShapePhantomOptionsMethods<FilterWithOptions<ShapePhantomOptions, PhantomImageSource>>;
   using Pointer = itk::SmartPointer<Self>;
   using ConstPointer = itk::SmartPointer<const Self>;
 
@@ -57,18 +59,6 @@ public:
   {
     return m_Scene;
   }
-
-  /** Standard deviation of the Gaussian edge profile in mm, >= 0; default 0, a binary edge. */
-  itkSetClampMacro(Blur, double, 0.0, 1e6);
-  itkGetConstMacro(Blur, double);
-
-  /** Standard deviation of the additive Gaussian noise in HU, >= 0; default 0. */
-  itkSetClampMacro(NoiseStandardDeviation, double, 0.0, 1e6);
-  itkGetConstMacro(NoiseStandardDeviation, double);
-
-  /** Seed of the noise; default 0. */
-  itkSetMacro(Seed, std::uint64_t);
-  itkGetConstMacro(Seed, std::uint64_t);
 
   LabelImageType *
   GetLabelOutput()
@@ -113,10 +103,7 @@ private:
   double
   SampleBodies(const std::vector<Body> & bodies, const PointType & point, unsigned char & label) const;
 
-  ShapeScene    m_Scene;
-  double        m_Blur{ 0.0 };
-  double        m_NoiseStandardDeviation{ 0.0 };
-  std::uint64_t m_Seed{ 0 };
+  ShapeScene m_Scene;
 
   // The scene scaled to the current output.
   ShapeScene                      m_ScaledScene;

@@ -6,58 +6,30 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <sstream>
+#include <type_traits>
 #include <vector>
 
 namespace shapeton
 {
 namespace
 {
-void
-RequireRange(const char * name, double value, double low, double high)
+template <typename TOption>
+bool
+IsDrawnBySeed(const TOption & option)
 {
-  if (!(value >= low && value <= high))
+  if constexpr (std::is_arithmetic_v<TOption>)
   {
-    std::ostringstream message;
-    message << "the parameter \"" << name << "\" is " << value << "; give a number from " << low << " to " << high;
-    throw ParameterError(message.str());
+    return option == drawnBySeed;
   }
-}
-
-void
-RequireRangeOrDrawn(const char * name, double value, double low, double high)
-{
-  if (value != drawnBySeed)
+  else
   {
-    RequireRange(name, value, low, high);
+    return false; // a word
   }
-}
-
-void
-RequireOneOf(const char * name, const std::string & value, const std::vector<std::string> & words)
-{
-  if (std::find(words.begin(), words.end(), value) != words.end())
-  {
-    return;
-  }
-  std::string list;
-  for (std::size_t i = 0; i < words.size(); ++i)
-  {
-    list += (i == 0 ? "" : (i + 1 == words.size() ? " or " : ", ")) + words[i];
-  }
-  throw ParameterError("the parameter \"" + std::string(name) + "\" is '" + value + "'; give " + list);
 }
 
 void
 RequireValidValve(const ColonPhantomParameters & p)
 {
-  RequireOneOf("valve", p.valve, { "bump", "lips" });
-  RequireRangeOrDrawn("valveLength", p.valveLength, 12, 40);
-  RequireRangeOrDrawn("valveHeight", p.valveHeight, 5, 18);
-  RequireRangeOrDrawn("valveFat", p.valveFat, 0, 1);
-  RequireRangeOrDrawn("ileumBore", p.ileumBore, 5, 16);
-  RequireRangeOrDrawn("ileumLength", p.ileumLength, 40, 150);
-  RequireOneOf("ileumContent", p.ileumContent, { "collapsed", "gas", "fluid", "drawn" });
   const ColonPhantomParameters none;
   const bool                   isPlain = p.valveLength == none.valveLength && p.valveHeight == none.valveHeight &&
                        p.valveFat == none.valveFat && p.ileumBore == none.ileumBore &&
@@ -69,28 +41,15 @@ RequireValidValve(const ColonPhantomParameters & p)
 
 // 0 to use the template.
 void
-RequireSegmentValues(const char * name, const SegmentValues & values, double low, double high)
+RequireSegmentValues(const OptionInfo & info, const SegmentValues & values)
 {
   for (const double value : values)
   {
-    if (value != 0.0)
+    if (value != 0.0 && !IsDrawnBySeed(value))
     {
-      RequireRangeOrDrawn(name, value, low, high);
+      info.Check(value);
     }
   }
-}
-
-void
-RequireValidCatheter(const ColonPhantomParameters & p)
-{
-  RequireOneOf("catheter", p.catheter, { "none", "central", "rigid", "soft", "drawn" });
-  RequireRangeOrDrawn("catheterBore", p.catheterBore, 2, 8);
-  RequireRangeOrDrawn("catheterWall", p.catheterWall, 0.8, 3);
-  RequireRangeOrDrawn("catheterIntensity", p.catheterIntensity, 50, 1000);
-  RequireRangeOrDrawn("catheterDepth", p.catheterDepth, 45, 150);
-  RequireRangeOrDrawn("catheterHoles", p.catheterHoles, 0, 4);
-  RequireOneOf("balloon", p.balloon, { "none", "gas", "fluid", "deflated", "drawn" });
-  RequireRangeOrDrawn("balloonDiameter", p.balloonDiameter, 12, 45);
 }
 
 /** Independent random streams, so that changes to one do not affect the others. */
@@ -243,14 +202,9 @@ DrawScanner(ColonPhantomParameters & p)
 void
 RequireValidChest(const ColonPhantomParameters & p)
 {
-  RequireOneOf("lungs", p.lungs, { "plain", "inspiration", "quietBreathing", "emphysema" });
-  if (p.lungDensity != lungDensityOfState)
-  {
-    RequireRange("lungDensity", p.lungDensity, -980, -500);
-    RequireParameter(HasWholeChest(p),
-                     "the parameter \"lungDensity\" requires a whole chest; set the parameter \"lungs\" to inspiration,"
-                     " quietBreathing or emphysema");
-  }
+  RequireParameter(p.lungDensity == lungDensityOfState || HasWholeChest(p),
+                   "the parameter \"lungDensity\" requires a whole chest; set the parameter \"lungs\" to inspiration,"
+                   " quietBreathing or emphysema");
 }
 } // namespace
 
@@ -293,8 +247,8 @@ ColonPhantomPreset(const std::string & name)
   {
     return parameters;
   }
-  RequireOneOf("preset", name, { "standard", "hard", "realistic" });
   parameters.preset = name;
+  CheckOptions<ColonPatientOptions>(parameters);
   if (name == "realistic")
   {
     parameters.polyps = 10;
@@ -339,36 +293,22 @@ ColonPhantomPreset(const std::string & name)
 void
 RequireValid(const ColonPhantomParameters & p)
 {
-  RequireOneOf("position", p.position, { "supine", "prone", "leftDecubitus", "rightDecubitus" });
-  RequireOneOf("preset", p.preset, { "standard", "hard", "realistic" });
-  RequireRange("polyps", p.polyps, 0, 50);
-  RequireRange("fluid", p.fluid, 0, 1);
-  RequireRange("collapsed", p.collapsed, 0, 5);
-  RequireRange("fakeHandles", p.fakeHandles, 0, 8);
-  RequireRange("roughness", p.roughness, 0, 1);
-  RequireRange("flattenedFolds", p.flattenedFolds, 0, 1);
-  RequireRange("foldSlide", p.foldSlide, 0, 10);
-  RequireRange("distension", p.distension, 0.6, 1.3);
-  RequireRange("torsion", p.torsion, 0, 90);
-  RequireRangeOrDrawn("noise", p.noise, 0, 300);
-  RequireOneOf("kernel", p.kernel, { "standard", "soft", "sharp", "drawn" });
-  RequireRangeOrDrawn("sliceThickness", p.sliceThickness, 0, 5);
-  RequireSegmentValues("lengths", p.lengths, 40, 1200);
-  RequireSegmentValues("caliber", p.caliber, 15, 90);
-  RequireRangeOrDrawn("cecumMobility", p.cecumMobility, 0, 100);
-  RequireRangeOrDrawn("smallBowelTagged", p.smallBowelTagged, 0, 1);
-  RequireRangeOrDrawn("stomachIntensity", p.stomachIntensity, 0, 900);
-  RequireRangeOrDrawn("stool", p.stool, 0, 60);
-  RequireRangeOrDrawn("stoolTagged", p.stoolTagged, 0, 1);
-  RequireRangeOrDrawn("bubbles", p.bubbles, 0, 100);
-  RequireRangeOrDrawn("foam", p.foam, 0, 20);
-  RequireRangeOrDrawn("diverticula", p.diverticula, 0, 60);
-  RequireValidCatheter(p);
+  CheckOptions<ColonPatientOptions>(p);
+  ColonStructureOptions::VisitOptions(p, [](const OptionInfo & info, const auto & option) {
+    if (!IsDrawnBySeed(option))
+    {
+      CheckOption(info, option);
+    }
+  });
+  RequireSegmentValues(OptionInfo("lengths").AtLeast(40.0, "40").AtMost(1200.0, "1200"), p.lengths);
+  RequireSegmentValues(OptionInfo("caliber").AtLeast(15.0, "15").AtMost(90.0, "90"), p.caliber);
   RequireValidValve(p);
   RequireValidChest(p);
+  const auto & organs = PhantomOrgans();
   for (const std::string & organ : p.contents)
   {
-    RequireOneOf("contents", organ, PhantomOrgans());
+    RequireParameter(std::find(organs.begin(), organs.end(), organ) != organs.end(),
+                     "the parameter \"contents\": \"" + organ + "\" is not an organ of the phantom");
   }
 }
 } // namespace shapeton

@@ -80,15 +80,13 @@ DirectionOf(const std::vector<double> & numbers)
 } // namespace
 
 PhantomGrid
-MakePhantomGrid(const std::vector<int> &                      size,
-                const std::vector<double> &                   spacing,
-                const std::vector<double> &                   direction,
+MakePhantomGrid(const PhantomGridOptions &                    options,
                 double                                        bytesPerVoxel,
                 const std::optional<itk::Vector<double, 3>> & extent)
 {
   PhantomGrid grid;
-  grid.size = SizeOf(size, bytesPerVoxel);
-  if (extent && spacing.empty())
+  grid.size = SizeOf(options.size, bytesPerVoxel);
+  if (extent && options.spacing.empty())
   {
     for (unsigned int i = 0; i < 3; ++i)
     {
@@ -97,9 +95,9 @@ MakePhantomGrid(const std::vector<int> &                      size,
   }
   else
   {
-    grid.spacing = SpacingOf(spacing);
+    grid.spacing = SpacingOf(options.spacing);
   }
-  grid.direction = DirectionOf(direction);
+  grid.direction = DirectionOf(options.direction);
   return grid;
 }
 } // namespace shapeton

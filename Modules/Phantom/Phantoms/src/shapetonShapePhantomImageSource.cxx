@@ -48,7 +48,7 @@ VisitBorder(const itk::ImageBase<3> * image, const TVisitor & visit)
 }
 } // namespace
 
-ShapePhantomImageSource::ShapePhantomImageSource() : PhantomImageSource(2)
+ShapePhantomImageSource::ShapePhantomImageSource() : Superclass(2)
 {
   SizeType size;
   size.Fill(64);
@@ -100,7 +100,7 @@ ShapePhantomImageSource::FindBodiesNear(const PointType & lineStart, const Point
   {
     const auto & object = m_Objects[i];
     sameBody = sameBody && i > 0 && object.intensity == m_Objects[i - 1].intensity;
-    const double reach = object.boundingRadius + reachOfBlur * m_Blur;
+    const double reach = object.boundingRadius + reachOfBlur * m_Options.blur;
     // The margin accounts for rounding relative to the per-voxel test.
     if (Square(DistanceToSegment(object.boundingCenter, lineStart, lineEnd)) > 1.001 * Square(reach))
     {
@@ -144,9 +144,9 @@ ShapePhantomImageSource::DynamicThreadedGenerateData(const RegionType & region)
       image->TransformIndexToPhysicalPoint(index, point);
       unsigned char label = 0;
       double        value = this->SampleBodies(bodies, point, label);
-      if (m_NoiseStandardDeviation > 0.0)
+      if (m_Options.noise > 0.0)
       {
-        value += m_NoiseStandardDeviation * NormalNoise(m_Seed, counter);
+        value += m_Options.noise * NormalNoise(m_Options.seed, counter);
       }
       imageIt.Set(ToHounsfieldUnits(value));
       labelIt.Set(label);
@@ -167,7 +167,7 @@ ShapePhantomImageSource::SampleBodies(const std::vector<Body> & bodies,
     {
       const auto & object = m_Objects[i];
       if ((point - object.boundingCenter).GetSquaredNorm() >
-          Square(object.boundingRadius * 1.000001 + reachOfBlur * m_Blur))
+          Square(object.boundingRadius * 1.000001 + reachOfBlur * m_Options.blur))
       {
         continue;
       }
@@ -175,7 +175,8 @@ ShapePhantomImageSource::SampleBodies(const std::vector<Body> & bodies,
       least = std::min(least, distance);
       label = distance <= 0.0 ? object.label : label;
     }
-    const double covered = m_Blur > 0.0 ? NormalDistribution(-least / m_Blur) : (least <= 0.0 ? 1.0 : 0.0);
+    const double covered =
+      m_Options.blur > 0.0 ? NormalDistribution(-least / m_Options.blur) : (least <= 0.0 ? 1.0 : 0.0);
     value += covered * (body.intensity - value);
   }
   return value;
@@ -219,8 +220,5 @@ ShapePhantomImageSource::PrintSelf(std::ostream & os, itk::Indent indent) const
 {
   Superclass::PrintSelf(os, indent);
   os << indent << "Objects: " << m_Scene.GetNumberOfObjects() << '\n';
-  os << indent << "Blur: " << m_Blur << '\n';
-  os << indent << "NoiseStandardDeviation: " << m_NoiseStandardDeviation << '\n';
-  os << indent << "Seed: " << m_Seed << '\n';
 }
 } // namespace shapeton

@@ -460,14 +460,14 @@ TEST(ColonChest, RefusesWhatDoesNotFit)
     EXPECT_TRUE(basetest::Refuses<shapeton::ParameterError>([&] { shapeton::RequireValid(parameters); }, text));
   };
   auto parameters = ChestParameters("deepBreath");
-  refuses(parameters, "\"lungs\" is 'deepBreath'");
+  refuses(parameters, "\"lungs\": \"deepBreath\" is not one of plain");
   parameters = ChestParameters("plain");
   parameters.lungDensity = -800.0;
   refuses(parameters, "requires a whole chest");
   parameters.lungs = "inspiration";
   parameters.lungDensity = -1000.0;
-  refuses(parameters, "\"lungDensity\" is -1000");
+  refuses(parameters, "\"lungDensity\": -1000 is less than");
   parameters = ChestParameters("plain");
   parameters.contents = { "colon", "brain" };
-  refuses(parameters, "\"contents\" is 'brain'");
+  refuses(parameters, "\"contents\": \"brain\" is not");
 }

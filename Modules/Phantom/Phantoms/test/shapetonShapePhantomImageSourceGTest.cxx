@@ -239,7 +239,7 @@ TEST(ShapePhantomImageSource, LabelsAreTheSignOfTheDistanceInAnObliqueImage)
   {
     const auto source = MakeObliqueSource(shapeton::ShapeScene::Load(preset));
     source->SetBlur(0.8);
-    source->SetNoiseStandardDeviation(30.0);
+    source->SetNoise(30.0);
     source->Update();
     auto scene = source->GetScene();
     scene.SetUnitLength(50 * 0.9); // the shortest extent
@@ -387,7 +387,7 @@ TEST(ShapePhantomImageSource, EqualIntensitiesAreAUnionAndOthersPaintOver)
 TEST(ShapePhantomImageSource, NoiseIsNormal)
 {
   const auto source = MakeSource(SceneOf("", 100.0), 64);
-  source->SetNoiseStandardDeviation(50.0);
+  source->SetNoise(50.0);
   source->SetSeed(5);
   source->Update();
   const short * const values = source->GetOutput()->GetBufferPointer();
@@ -423,7 +423,7 @@ TEST(ShapePhantomImageSource, NoiseIsNormal)
 TEST(ShapePhantomImageSource, NoiseFollowsPhilox)
 {
   const auto source = MakeSource(SceneOf(""), 2);
-  source->SetNoiseStandardDeviation(10000.0);
+  source->SetNoise(10000.0);
   source->SetScene(SceneOf("", 10000.0));
   source->Update();
   const double uniform = 0x6627e8d5 / 4294967296.0;
@@ -434,7 +434,7 @@ TEST(ShapePhantomImageSource, NoiseFollowsPhilox)
 TEST(ShapePhantomImageSource, SeedsGiveIndependentNoise)
 {
   const auto source = MakeSource(SceneOf(""), 32);
-  source->SetNoiseStandardDeviation(100.0);
+  source->SetNoise(100.0);
   source->Update();
   const std::string first = basetest::BytesOf(source->GetOutput());
   source->SetSeed(1);
@@ -455,7 +455,7 @@ TEST(ShapePhantomImageSource, SameBytesForAnyNumberOfThreads)
 {
   const auto source = MakeObliqueSource(shapeton::ShapeScene::Load("figure3.5"));
   source->SetBlur(0.7);
-  source->SetNoiseStandardDeviation(20.0);
+  source->SetNoise(20.0);
   std::set<std::string> images;
   std::set<std::string> labels;
   for (const unsigned int threads : { 1U, 2U, 3U, 8U })
@@ -477,7 +477,7 @@ TEST(ShapePhantomImageSource, APieceEqualsTheSamePartOfTheWhole)
   for (const auto & source : { whole, piece })
   {
     source->SetBlur(1.5);
-    source->SetNoiseStandardDeviation(5.0);
+    source->SetNoise(5.0);
   }
   whole->Update();
   const Source::RegionType region({ { 13, 11, 30 } }, { { 20, 9, 25 } });
@@ -575,7 +575,7 @@ TEST(ShapePhantomImageSource, TakesTheGridOfAReferenceImage)
 TEST(ShapePhantomImageSource, ValuesStayInTheRangeOfACTSeries)
 {
   const auto source = MakeSource(SceneOf(R"({ "kind": "sphere", "radius": 5, "intensity": 31743 })", -1024.0), 16);
-  source->SetNoiseStandardDeviation(3000.0);
+  source->SetNoise(3000.0);
   source->Update();
   short lowest = 0;
   short highest = 0;

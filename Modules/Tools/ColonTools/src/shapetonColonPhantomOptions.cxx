@@ -3,6 +3,7 @@
 #include "shapetonColonPhantomParameters.h"
 #include "shapetonCommandLine.h"
 #include "shapetonExceptions.h"
+#include "shapetonReadOptions.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,26 +14,6 @@ namespace shapeton
 {
 namespace
 {
-// A value equal to the default of the module description is treated as not given.
-template <typename TNumber>
-void
-Override(const CommandLine & commandLine, const char * name, TNumber & value)
-{
-  if (commandLine.IsGiven(name))
-  {
-    value = static_cast<TNumber>(commandLine.GetDouble(name));
-  }
-}
-
-void
-Override(const CommandLine & commandLine, const char * name, std::string & value)
-{
-  if (commandLine.IsGiven(name))
-  {
-    value = commandLine.GetString(name);
-  }
-}
-
 void
 Override(const CommandLine & commandLine, const char * name, SegmentValues & values)
 {
@@ -55,7 +36,7 @@ Override(const CommandLine & commandLine, const char * name, std::vector<std::st
   }
 }
 
-// Overrides an option of a structure that does not exist in `standard` and `hard`.
+// Overrides an option that does not exist in `standard` and `hard`.
 template <typename TValue>
 void
 OverridePart(CommandLine & commandLine, const char * name, TValue & value)
@@ -67,39 +48,15 @@ OverridePart(CommandLine & commandLine, const char * name, TValue & value)
   }
 }
 
+/** Overrides the option if it is given; a value equal to the default of the module description is not given. */
+template <typename TOption>
 void
-ReadParts(CommandLine & commandLine, ColonPhantomParameters & parameters)
+OverrideOption(const CommandLine & commandLine, const OptionInfo & info, TOption & option)
 {
-  OverridePart(commandLine, "lengths", parameters.lengths);
-  OverridePart(commandLine, "caliber", parameters.caliber);
-  OverridePart(commandLine, "cecumMobility", parameters.cecumMobility);
-  OverridePart(commandLine, "smallBowelTagged", parameters.smallBowelTagged);
-  OverridePart(commandLine, "stomachIntensity", parameters.stomachIntensity);
-  OverridePart(commandLine, "stool", parameters.stool);
-  OverridePart(commandLine, "stoolTagged", parameters.stoolTagged);
-  OverridePart(commandLine, "bubbles", parameters.bubbles);
-  OverridePart(commandLine, "foam", parameters.foam);
-  OverridePart(commandLine, "diverticula", parameters.diverticula);
-  OverridePart(commandLine, "kernel", parameters.kernel);
-  OverridePart(commandLine, "sliceThickness", parameters.sliceThickness);
-  OverridePart(commandLine, "catheter", parameters.catheter);
-  OverridePart(commandLine, "catheterBore", parameters.catheterBore);
-  OverridePart(commandLine, "catheterWall", parameters.catheterWall);
-  OverridePart(commandLine, "catheterIntensity", parameters.catheterIntensity);
-  OverridePart(commandLine, "catheterDepth", parameters.catheterDepth);
-  OverridePart(commandLine, "catheterHoles", parameters.catheterHoles);
-  OverridePart(commandLine, "balloon", parameters.balloon);
-  OverridePart(commandLine, "balloonDiameter", parameters.balloonDiameter);
-  OverridePart(commandLine, "valve", parameters.valve);
-  OverridePart(commandLine, "valveLength", parameters.valveLength);
-  OverridePart(commandLine, "valveHeight", parameters.valveHeight);
-  OverridePart(commandLine, "valveFat", parameters.valveFat);
-  OverridePart(commandLine, "ileumBore", parameters.ileumBore);
-  OverridePart(commandLine, "ileumLength", parameters.ileumLength);
-  OverridePart(commandLine, "ileumContent", parameters.ileumContent);
-  OverridePart(commandLine, "lungs", parameters.lungs);
-  OverridePart(commandLine, "lungDensity", parameters.lungDensity);
-  OverridePart(commandLine, "contents", parameters.contents);
+  if (commandLine.IsGiven(info.GetName()))
+  {
+    ReadOption(commandLine, info, option);
+  }
 }
 } // namespace
 
@@ -107,19 +64,19 @@ ColonPhantomParameters
 ReadColonPhantomParameters(CommandLine & commandLine)
 {
   auto parameters = ColonPhantomPreset(commandLine.GetString("preset"));
-  parameters.position = commandLine.GetString("position");
-  parameters.seed = static_cast<unsigned>(commandLine.GetInteger("seed"));
-  Override(commandLine, "polyps", parameters.polyps);
-  Override(commandLine, "collapsed", parameters.collapsed);
-  Override(commandLine, "fakeHandles", parameters.fakeHandles);
-  Override(commandLine, "fluid", parameters.fluid);
-  Override(commandLine, "roughness", parameters.roughness);
-  Override(commandLine, "flattenedFolds", parameters.flattenedFolds);
-  Override(commandLine, "foldSlide", parameters.foldSlide);
-  Override(commandLine, "distension", parameters.distension);
-  Override(commandLine, "torsion", parameters.torsion);
-  Override(commandLine, "noise", parameters.noise);
-  ReadParts(commandLine, parameters);
+  ColonPatientOptions::VisitOptions(
+    parameters, [&](const OptionInfo & info, auto & option) { OverrideOption(commandLine, info, option); });
+  ColonStructureOptions::VisitOptions(parameters, [&](const OptionInfo & info, auto & option) {
+    OverrideOption(commandLine, info, option);
+    const std::string name = info.GetName();
+    if (name != "noise" && !commandLine.IsGiven(name)) // `standard` and `hard` have noise
+    {
+      commandLine.LeaveOutOfProvenance(name);
+    }
+  });
+  OverridePart(commandLine, "lengths", parameters.lengths);
+  OverridePart(commandLine, "caliber", parameters.caliber);
+  OverridePart(commandLine, "contents", parameters.contents);
   RequireValid(parameters);
   return parameters;
 }

@@ -57,9 +57,11 @@ ReadOption(const CommandLine & commandLine, const OptionInfo & info, std::option
 /** Any number of points. */
 ShapetonCommandLine_EXPORT void
 ReadOption(const CommandLine & commandLine, const OptionInfo & info, std::vector<itk::Point<double, 3>> & option);
-/** Any number of integers. */
+/** Any number of numbers. */
 ShapetonCommandLine_EXPORT void
 ReadOption(const CommandLine & commandLine, const OptionInfo & info, std::vector<int> & option);
+ShapetonCommandLine_EXPORT void
+ReadOption(const CommandLine & commandLine, const OptionInfo & info, std::vector<double> & option);
 ///@}
 
 /** Sets the options that the tool declares. Throws ParameterError. \ingroup ShapetonCommandLine */

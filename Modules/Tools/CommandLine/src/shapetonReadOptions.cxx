@@ -69,4 +69,10 @@ ReadOption(const CommandLine & commandLine, const OptionInfo & info, std::vector
 {
   option = commandLine.GetIntegers(info.GetName());
 }
+
+void
+ReadOption(const CommandLine & commandLine, const OptionInfo & info, std::vector<double> & option)
+{
+  option = commandLine.GetDoubles(info.GetName());
+}
 } // namespace shapeton
