@@ -199,7 +199,7 @@ class ArgumentTest(TestCase):
             shapeton.diffuse_shapetons(self.image, histogram_steps=[0])
         with self.assertRaisesRegex(shapeton.ParameterError, 'the parameter "least_weight"'):
             shapes.SeededHeat(self.image, least_weight=2.0).segment(self.image.like(np.arange(512).reshape(8, 8, 8) % 3))
-        with self.assertRaisesRegex(shapeton.ParameterError, '"metric" = "x" is not one of: heatDiffusion, euclidean'):
+        with self.assertRaisesRegex(shapeton.ParameterError, '"metric" = "x" is not one of: euclidean, heatDiffusion'):
             flattening.flatten_tube(self.tube, metric="x")
         with self.assertRaisesRegex(shapeton.ParameterError, '"snapshot_spacing" = "x" is not one of: linear, logarithmic'):
             shapeton.recorded_steps(10, 5, "x")
