@@ -37,7 +37,7 @@ TYPES = {
     "string": ("std::string", "string", "str"),
     "word": ("", "string-enumeration", "str"),
     "pair": ("std::array<double, 2>", "double-vector", "Tuple[float, float]"),
-    "point": ("itk::Point<double, 3>", "point", "Sequence[float]"),
+    "point": ("itk::Point<double, 3>", "point", "Point"),
 }
 
 
@@ -232,14 +232,15 @@ class Option:
 
     def python_parameter(self) -> str:
         single = TYPES[self.kind][2]
-        kinds = {None: single, "[]": f"Sequence[{single}]", "?": f"Optional[{single}]"}
+        several = "Points" if self.kind == "point" else f"Sequence[{single}]"
+        kinds = {None: single, "[]": several, "?": f"Optional[{single}]"}
         return f"{snake(self.name)}: {kinds[self.suffix]} = {self.python_default()}"
 
     def python_default(self) -> str:
         if self.suffix == "[]":
             return repr(tuple(self.default or ()))
         if self.default is None:
-            return "None"
+            return '""' if self.kind == "string" and not self.suffix else "None"
         if self.is_number:
             return repr(number(self.default)) if self.kind != "double" else repr(float(number(self.default)))
         return json.dumps(self.default) if isinstance(self.default, str) else repr(self.default)

@@ -1,5 +1,6 @@
 #include "Bindings.h"
 #include "Conversions.h"
+#include "Options.h"
 
 #include "shapetonPolypSearch.h"
 
@@ -9,8 +10,6 @@ namespace
 {
 using Candidates = std::vector<PolypCandidate>;
 
-const Words<PolypPreset> presetWords{ { "default", PolypPreset::Default }, { "published", PolypPreset::Published } };
-
 Candidates
 Search(const SurfaceMesh &                                  wall,
        const PolypLumenImage::Pointer &                     lumen,
@@ -19,8 +18,7 @@ Search(const SurfaceMesh &                                  wall,
        const std::shared_ptr<FlatColon> &                   flat,
        const std::optional<SurfaceMesh> &                   segments,
        const std::optional<CurveSet> &                      catheter,
-       const std::string &                                  preset,
-       double                                               sensitivity,
+       const Given<PolypSearchOptions> &                    given,
        const Progress &                                     progress)
 {
   PolypColon colon;
@@ -31,11 +29,7 @@ Search(const SurfaceMesh &                                  wall,
   colon.ct = ct ? *ct : nullptr;
   colon.flat = flat;
   colon.segments = segments.value_or(SurfaceMesh());
-  PolypSearchSettings options;
-  options.preset = ValueOf(preset, "preset", presetWords);
-  options.sensitivity = sensitivity;
-  options.progress = progress;
-  return SearchPolyps(colon, options);
+  return SearchPolyps(colon, { given.options, progress });
 }
 
 Candidates

@@ -1,5 +1,6 @@
 #include "Bindings.h"
 #include "Conversions.h"
+#include "Options.h"
 
 #include "shapetonColonModel.h"
 #include "shapetonColonQuality.h"
@@ -12,42 +13,17 @@ namespace
 using CtPointer = itk::Image<float, 3>::Pointer;
 using MaskPointer = LumenMask::Pointer;
 
-std::vector<itk::Point<double, 3>>
-PointsOf(const Places & places)
-{
-  std::vector<itk::Point<double, 3>> points;
-  for (const Eigen::Vector3d & place : places.points)
-  {
-    points.emplace_back(place.data());
-  }
-  return points;
-}
-
 ColonLumen
-Segment(const CtPointer & ct, const std::string & position, const Places & seedPoints, const Progress & progress)
+Segment(const CtPointer & ct, const Given<ColonLumenOptions> & given, const Progress & progress)
 {
-  return SegmentColonLumen(ct, { { position, PointsOf(seedPoints) }, progress.Part("Finding the lumen", 0.0, 1.0) });
+  return SegmentColonLumen(ct, { given.options, progress.Part("Finding the lumen", 0.0, 1.0) });
 }
 
 ColonCenterline
-Trace(const MaskPointer &                          lumen,
-      const std::optional<itk::Point<double, 3>> & start,
-      const Places &                               seedPoints,
-      int                                          exponent,
-      double                                       minimumVolume,
-      double                                       step,
-      double                                       smoothing,
-      const Progress &                             progress)
+Trace(const MaskPointer & lumen, const Given<ColonCenterlineOptions> & given, const Progress & progress)
 {
-  ColonCenterlineSettings options;
-  options.exponent = exponent;
-  options.start = start;
-  options.seedPoint = PointsOf(seedPoints);
-  options.minimumVolume = minimumVolume;
-  options.step = step;
-  options.smoothing = smoothing;
-  options.progress = progress.Part("Tracing the centerline", 0.0, 1.0);
-  ColonCenterline centerline = TraceColonCenterline(lumen, options);
+  ColonCenterline centerline =
+    TraceColonCenterline(lumen, { given.options, progress.Part("Tracing the centerline", 0.0, 1.0) });
   if (!centerline.failure.empty())
   {
     throw InputError(centerline.failure);
@@ -56,73 +32,52 @@ Trace(const MaskPointer &                          lumen,
 }
 
 ColonWallSettings
-WallOptionsOf(int faces, double bridgeRadius, bool keepPieces, const Progress & progress)
+WallSettings(const Given<ColonWallOptions> & given, const Progress & progress)
 {
-  ColonWallSettings options;
-  options.faces = faces;
-  options.bridgeRadius = bridgeRadius;
-  options.keepPieces = keepPieces;
-  options.progress = progress.Part("Making the wall", 0.0, 1.0);
-  return options;
+  return { given.options, {}, {}, progress.Part("Making the wall", 0.0, 1.0), {} };
 }
 
 ColonWall
-Wall(const CtPointer & occupancy,
-     const CurveSet &  centerline,
-     int               faces,
-     double            bridgeRadius,
-     bool              keepPieces,
-     const Progress &  progress)
+Wall(const CtPointer &               occupancy,
+     const CurveSet &                centerline,
+     const Given<ColonWallOptions> & given,
+     const Progress &                progress)
 {
-  return BuildColonWall(occupancy, centerline, WallOptionsOf(faces, bridgeRadius, keepPieces, progress));
+  return BuildColonWall(occupancy, centerline, WallSettings(given, progress));
 }
 
 ColonWall
-WallOfMask(const MaskPointer & mask,
-           const CurveSet &    centerline,
-           int                 faces,
-           double              bridgeRadius,
-           bool                keepPieces,
-           const Progress &    progress)
+WallOfMask(const MaskPointer &             mask,
+           const CurveSet &                centerline,
+           const Given<ColonWallOptions> & given,
+           const Progress &                progress)
 {
-  return BuildColonWallFromMask(mask, centerline, WallOptionsOf(faces, bridgeRadius, keepPieces, progress));
+  return BuildColonWallFromMask(mask, centerline, WallSettings(given, progress));
+}
+
+ColonModelSettings
+ModelSettings(const Given<ColonModelOptions> & given, const Progress & progress)
+{
+  ColonModelSettings settings;
+  static_cast<ColonModelOptions &>(settings) = given.options;
+  settings.progress = progress;
+  return settings;
 }
 
 ColonModel
 Model(const CtPointer &                  ct,
       const std::optional<MaskPointer> & lumen,
-      const std::string &                position,
-      const Places &                     seedPoints,
-      int                                faces,
-      bool                               keepPieces,
-      bool                               keepPartial,
+      const Given<ColonModelOptions> &   given,
       const Progress &                   progress)
 {
-  ColonModelSettings options;
-  options.position = position;
-  options.seedPoint = PointsOf(seedPoints);
-  options.faces = faces;
-  options.keepPieces = keepPieces;
-  options.keepPartial = keepPartial;
-  options.progress = progress;
-  return lumen ? BuildColonModel(ct, lumen->GetPointer(), options) : BuildColonModel(ct, options);
+  const ColonModelSettings settings = ModelSettings(given, progress);
+  return lumen ? BuildColonModel(ct, lumen->GetPointer(), settings) : BuildColonModel(ct, settings);
 }
 
 ColonModel
-ModelOfLumen(const MaskPointer & lumen,
-             const Places &      seedPoints,
-             int                 faces,
-             bool                keepPieces,
-             bool                keepPartial,
-             const Progress &    progress)
+ModelOfLumen(const MaskPointer & lumen, const Given<ColonModelOptions> & given, const Progress & progress)
 {
-  ColonModelSettings options;
-  options.seedPoint = PointsOf(seedPoints);
-  options.faces = faces;
-  options.keepPieces = keepPieces;
-  options.keepPartial = keepPartial;
-  options.progress = progress;
-  return BuildColonModelOfLumen(lumen, options);
+  return BuildColonModelOfLumen(lumen, ModelSettings(given, progress));
 }
 
 /** The catheter as in catheter.vtp; None unless one was found with certainty. */

@@ -32,15 +32,6 @@ namespace shapeton::python
 namespace py = pybind11;
 using namespace pybind11::literals;
 
-/** The keywords of a parameter and their values. */
-template <typename TValue>
-using Words = std::vector<std::pair<const char *, TValue>>;
-
-/** The value of a keyword. Throws ParameterError, which lists all keywords. */
-template <typename TValue>
-TValue
-ValueOf(const std::string & word, const std::string & parameter, const Words<TValue> & words);
-
 /** A class of the package, such as "Image" of the module "shapeton.image". Its module is imported once. */
 py::object
 ClassOf(const char * module, const char * name);
@@ -145,22 +136,6 @@ RowsOf(const std::vector<Eigen::Vector3d> & places);
 /** A JSON object as a dictionary. */
 py::dict
 FromJson(const Json & document);
-
-template <typename TValue>
-TValue
-ValueOf(const std::string & word, const std::string & parameter, const Words<TValue> & words)
-{
-  std::string list;
-  for (const auto & [choice, value] : words)
-  {
-    if (word == choice)
-    {
-      return value;
-    }
-    list += (list.empty() ? "" : ", ") + std::string(choice);
-  }
-  throw ParameterError("the parameter \"" + parameter + "\" = \"" + word + "\" is not one of: " + list);
-}
 } // namespace shapeton::python
 
 namespace pybind11::detail

@@ -1,6 +1,7 @@
 #include "Bindings.h"
 #include "Conversions.h"
 #include "Landmarks.h"
+#include "Options.h"
 
 #include "shapetonFlatColonLocator.h"
 #include "shapetonHaustralFolds.h"
@@ -11,9 +12,6 @@ namespace shapeton::python
 namespace
 {
 using FlatPointer = std::shared_ptr<FlatColon>;
-
-const Words<HaustralFoldScheme> schemeWords{ { "graphCut", HaustralFoldScheme::GraphCut },
-                                             { "published", HaustralFoldScheme::Published } };
 
 /** A picture of the grid: `values` numbers per pixel, written by `paint`. */
 template <typename TValue, typename TPaint>
@@ -146,28 +144,13 @@ AddFlat(py::module_ & module)
 }
 
 FoundFolds
-FindFolds(const FlatPointer &             flat,
-          const std::string &             scheme,
-          double                          minimumLength,
-          double                          minimumArea,
-          double                          minimumElongation,
-          double                          minimumAngle,
-          double                          smoothingTime,
-          double                          smoothness,
-          const std::optional<CurveSet> & taeniae,
-          const Progress &                progress)
+FindFolds(const FlatPointer &                flat,
+          const Given<HaustralFoldOptions> & given,
+          const std::optional<CurveSet> &    taeniae,
+          const Progress &                   progress)
 {
-  HaustralFoldSettings options;
-  options.scheme = ValueOf(scheme, "scheme", schemeWords);
-  options.minimumLength = minimumLength;
-  options.minimumArea = minimumArea;
-  options.minimumElongation = minimumElongation;
-  options.minimumAngle = minimumAngle;
-  options.smoothingTime = smoothingTime;
-  options.smoothness = smoothness;
-  options.taeniae = taeniae ? &*taeniae : nullptr;
-  options.progress = progress.Part("Finding folds", 0.0, 1.0);
-  return { FindHaustralFolds(*flat, options) };
+  return { FindHaustralFolds(
+    *flat, { given.options, taeniae ? &*taeniae : nullptr, progress.Part("Finding folds", 0.0, 1.0) }) };
 }
 
 py::array

@@ -1,5 +1,6 @@
 #include "Bindings.h"
 #include "Conversions.h"
+#include "Options.h"
 
 #include "shapetonColonFlattening.h"
 #include "shapetonConformalMap.h"
@@ -10,58 +11,29 @@ namespace shapeton::python
 {
 namespace
 {
-const Words<ConformalDomain> domainWords{ { "rectangle", ConformalDomain::Rectangle },
-                                          { "annulus", ConformalDomain::Annulus },
-                                          { "slit", ConformalDomain::Slit } };
-const Words<FlatMetric>      metricWords{ { "heatDiffusion", FlatMetric::HeatDiffusion },
-                                     { "euclidean", FlatMetric::Euclidean },
-                                     { "truncatedHeatDiffusion", FlatMetric::TruncatedHeatDiffusion } };
-const Words<TubeConjugate>   conjugateWords{ { "conjugate", TubeConjugate::Laplacian },
-                                           { "published", TubeConjugate::Published } };
-
 ConformalMap
 MapOf(const SurfaceMesh &                    mesh,
-      const std::string &                    domain,
-      int                                    outerBoundary,
-      int                                    innerBoundary,
-      const std::vector<int> &               corners,
+      const Given<ConformalMapOptions> &     given,
       const std::optional<Eigen::VectorXd> & edgeLengths,
       const Progress &                       progress)
 {
-  ConformalMapSettings options;
-  options.domain = ValueOf(domain, "domain", domainWords);
-  options.outerBoundary = outerBoundary;
-  options.innerBoundary = innerBoundary;
-  options.corners = corners;
-  options.edgeLengths = edgeLengths.value_or(Eigen::VectorXd());
-  options.progress = progress.Part("Mapping", 0.0, 1.0);
-  return MapConformally(mesh, options, "the mesh");
+  return MapConformally(
+    mesh, { given.options, edgeLengths.value_or(Eigen::VectorXd()), progress.Part("Mapping", 0.0, 1.0) }, "the mesh");
 }
 
 ColonFlattening
-Flatten(SurfaceMesh                     mesh,
-        const std::optional<CurveSet> & centerline,
-        const std::string &             metric,
-        double                          time,
-        int                             eigenpairs,
-        bool                            removeHandles,
-        const std::string &             method,
-        const std::optional<CurveSet> & cut,
-        const Progress &                progress)
+Flatten(SurfaceMesh                           mesh,
+        const std::optional<CurveSet> &       centerline,
+        const Given<ColonFlatteningOptions> & given,
+        const std::optional<CurveSet> &       cut,
+        const Progress &                      progress)
 {
-  ColonFlatteningSettings options;
-  options.metric = ValueOf(metric, "metric", metricWords);
-  options.time = time;
-  options.eigenpairs = eigenpairs;
-  options.removeHandles = removeHandles;
-  options.method = ValueOf(method, "method", conjugateWords);
+  ColonFlatteningSettings settings{ given.options, {}, centerline.value_or(CurveSet()), progress };
   if (cut)
   {
-    options.cut = OnlyCurve(*cut, "the cut");
+    settings.cut = OnlyCurve(*cut, "the cut");
   }
-  options.centerline = centerline.value_or(CurveSet());
-  options.progress = progress;
-  return FlattenColon(std::move(mesh), "the mesh", options);
+  return FlattenColon(std::move(mesh), "the mesh", settings);
 }
 
 /** The JSON of a result as a dictionary. */

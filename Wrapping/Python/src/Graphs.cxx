@@ -1,5 +1,6 @@
 #include "Bindings.h"
 #include "Conversions.h"
+#include "Options.h"
 
 #include "shapetonEmbeddingVerification.h"
 #include "shapetonExceptions.h"
@@ -14,10 +15,6 @@ namespace shapeton::python
 namespace
 {
 using Certificate = EmbeddingCertificate;
-
-const Words<Augmentation>    augmentationWords{ { "ring", Augmentation::Ring }, { "none", Augmentation::None } };
-const Words<PointAtInfinity> infinityWords{ { "circle", PointAtInfinity::Circle },
-                                            { "edgeNode", PointAtInfinity::EdgeNode } };
 
 Graph
 MakeGraph(int nodes, const py::object & rows, const std::vector<std::string> & names)
@@ -58,29 +55,22 @@ EdgesOf(const Graph & graph, const py::handle & owner)
 
 Certificate
 Embed(const Graph &                                        graph,
-      std::optional<int>                                   genus,
+      const Given<GenusOptions> &                          givenGenus,
       const std::optional<std::vector<std::vector<int>>> & rotation,
-      std::uint64_t                                        seed,
-      const std::string &                                  augmentation,
-      const std::string &                                  infinity,
+      const Given<GraphEmbeddingOptions> &                 given,
       const Progress &                                     progress)
 {
-  RequireParameter(!rotation || !genus, "the parameter \"rotation\" determines the genus; omit \"genus\"");
-  RequireParameter(!genus || *genus >= 0,
-                   "the parameter \"genus\" = " + std::to_string(genus.value_or(0)) + " must not be negative");
+  RequireParameter(!rotation || !givenGenus.options.genus,
+                   "the parameter \"rotation\" determines the genus; omit \"genus\"");
   GraphEmbeddingSettings options;
-  options.augmentation = ValueOf(augmentation, "augmentation", augmentationWords);
-  options.infinity = ValueOf(infinity, "infinity", infinityWords);
+  static_cast<GraphEmbeddingOptions &>(options) = given.options;
   options.isRotationFree = !rotation;
   if (rotation)
   {
     options.progress = progress.Part("Packing circles", 0.0, 1.0);
     return EmbedGraph(graph, CombinatorialMap(graph, *rotation), options);
   }
-  GenusSettings search;
-  search.genus = genus;
-  search.seed = seed;
-  search.progress = progress.Part("Finding the genus", 0.0, 0.5);
+  const GenusSettings search{ givenGenus.options, progress.Part("Finding the genus", 0.0, 0.5) };
   options.progress = progress.Part("Packing circles", 0.5, 1.0);
   const SurfaceEmbedding surface = FindEmbedding(graph, search);
   Certificate            certificate = EmbedGraph(graph, surface.map, options);
@@ -240,12 +230,11 @@ AddGraphs(py::module_ & module)
 
   module.def("embed_graph", Reporting(&Embed), ReleaseGil());
   module.def("verify_embedding", &VerifyEmbedding, ReleaseGil());
-  module.def("compare_graphs",
-             Reporting(+[](const Graph & a, const Graph & b, std::uint64_t seed, const Progress & progress) {
-               GenusSettings genus;
-               genus.seed = seed;
-               return CompareGraphs(a, b, genus, {}, progress);
-             }),
-             ReleaseGil());
+  module.def(
+    "compare_graphs",
+    Reporting(+[](const Graph & a, const Graph & b, const Given<GenusOptions> & given, const Progress & progress) {
+      return CompareGraphs(a, b, { given.options, {} }, {}, progress);
+    }),
+    ReleaseGil());
 }
 } // namespace shapeton::python

@@ -18,9 +18,6 @@ namespace
 using ImageType = itk::Image<float, 3>;
 using FilterType = CumulativeHeatDiffusionImageFilter<ImageType>;
 
-const Words<SnapshotSpacing> spacingWords{ { "linear", SnapshotSpacing::Linear },
-                                           { "logarithmic", SnapshotSpacing::Logarithmic } };
-
 /** Result of diffuse_heat(). */
 struct Heat
 {
@@ -129,7 +126,8 @@ AddHistogram(py::module_ & module)
   module.def("heat_histogram", &HistogramOf, ReleaseGil());
 
   module.def("recorded_steps", [](std::uint64_t timeSteps, std::size_t snapshots, const std::string & spacing) {
-    return MakeSnapshotSteps(timeSteps, snapshots, ValueOf(spacing, "snapshot_spacing", spacingWords));
+    const auto words = OptionInfo("snapshotSpacing").Words({ "linear", "logarithmic" });
+    return MakeSnapshotSteps(timeSteps, snapshots, static_cast<SnapshotSpacing>(PositionOf(spacing, words)));
   });
 }
 

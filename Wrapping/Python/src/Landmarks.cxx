@@ -1,6 +1,7 @@
 #include "Landmarks.h"
 
 #include "Conversions.h"
+#include "Options.h"
 
 #include "shapetonColonSplitting.h"
 
@@ -8,23 +9,14 @@ namespace shapeton::python
 {
 namespace
 {
-const Words<FlexureRule> flexureWords{ { "ordered", FlexureRule::Ordered }, { "published", FlexureRule::Published } };
-const Words<TaeniaRule>  taeniaWords{ { "joint", TaeniaRule::Joint }, { "published", TaeniaRule::Published } };
-
 FoundLandmarks
-Find(const std::shared_ptr<FlatColon> & flat,
-     const CurveSet &                   centerline,
-     const std::string &                flexureRule,
-     const std::string &                taeniaRule,
-     const Places &                     markers,
-     const Progress &                   progress)
+Find(const std::shared_ptr<FlatColon> &  flat,
+     const CurveSet &                    centerline,
+     const Given<ColonLandmarkOptions> & given,
+     const Places &                      markers,
+     const Progress &                    progress)
 {
-  ColonLandmarkSettings options;
-  options.flexureRule = ValueOf(flexureRule, "flexure_rule", flexureWords);
-  options.taeniaRule = ValueOf(taeniaRule, "taenia_rule", taeniaWords);
-  options.markers = markers.points;
-  options.progress = progress;
-  return { flat, FindColonLandmarks(*flat, centerline, options) };
+  return { flat, FindColonLandmarks(*flat, centerline, { given.options, markers.points, progress }) };
 }
 
 /** The taeniae as in taeniae.vtp. */

@@ -1,6 +1,7 @@
 #include "Bindings.h"
 #include "Conversions.h"
 #include "Landmarks.h"
+#include "Options.h"
 
 #include "shapetonColonPointMapper.h"
 #include "shapetonRegistrationErrors.h"
@@ -11,11 +12,6 @@ namespace shapeton::python
 namespace
 {
 using Position = ColonPositionFiles;
-
-const Words<SupineProneMap>     mapWords{ { "default", SupineProneMap::Default },
-                                      { "published", SupineProneMap::Published } };
-const Words<FoldMatchingMethod> matchingWords{ { "hungarian", FoldMatchingMethod::Hungarian },
-                                               { "dualDecomposition", FoldMatchingMethod::DualDecomposition } };
 
 /** Two positions and the map between them. */
 struct Registered
@@ -56,22 +52,16 @@ PositionOf(const std::string &    name,
 std::shared_ptr<Registered>
 Register(const std::shared_ptr<Position> & supine,
          const std::shared_ptr<Position> & prone,
-         const std::string &               map,
-         const std::string &               matching,
-         bool                              refine,
-         bool                              segmentWise,
+         const Given<SupineProneOptions> & given,
          const Progress &                  progress)
 {
-  SupineProneSettings options;
-  options.map = ValueOf(map, "map", mapWords);
-  options.matching = ValueOf(matching, "matching", matchingWords);
-  options.refine = refine;
-  options.segmentWise = segmentWise;
-  options.progress = [&progress](const std::string & stage, double share) { progress(stage, 0.9 * share); };
+  const SupineProneSettings settings{ given.options, [&progress](const std::string & stage, double share) {
+                                       progress(stage, 0.9 * share);
+                                     } };
   const auto result = std::make_shared<Registered>();
   result->supine = supine;
   result->prone = prone;
-  result->registration = RegisterColonPositions(supine->position, prone->position, options);
+  result->registration = RegisterColonPositions(supine->position, prone->position, settings);
   result->results =
     MakeRegistrationResults(*supine, *prone, result->registration, {}, progress.Part("Mapping the walls", 0.9, 1.0));
   return result;

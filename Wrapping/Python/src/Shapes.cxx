@@ -1,5 +1,6 @@
 #include "Bindings.h"
 #include "Conversions.h"
+#include "Options.h"
 
 #include "shapetonExceptions.h"
 #include "shapetonShapeDatabase.h"
@@ -61,16 +62,16 @@ void
 AddTables(py::module_ & module)
 {
   module.def("describe_shapes",
-             Reporting(+[](const LabelMap::Pointer & image,
-                           const LabelMap::Pointer & labels,
-                           bool                      components,
-                           const Progress &          progress) {
+             Reporting(+[](const LabelMap::Pointer &        image,
+                           const LabelMap::Pointer &        labels,
+                           const Given<ShapeTableOptions> & given,
+                           const Progress &                 progress) {
                if (!HaveSameGrid(image, labels))
                {
                  throw InputError(
                    "the grids of the image and of the labels differ; use labels on the grid of the image");
                }
-               return DescribeShapes(image, labels, { components }, progress.Part("Describing shapes", 0.0, 1.0));
+               return DescribeShapes(image, labels, given.options, progress.Part("Describing shapes", 0.0, 1.0));
              }),
              ReleaseGil());
   module.def(
@@ -106,9 +107,11 @@ AddSearch(py::module_ & module)
   module.def("signature_distance", &SignatureDistance, ReleaseGil());
   module.def(
     "find_shape",
-    [](const ShapeSignature & signature, const std::vector<NamedShape> & entries, int nearest) {
+    [](const ShapeSignature &            signature,
+       const std::vector<NamedShape> &   entries,
+       const Given<ShapeSearchOptions> & given) {
       RequireParameter(!entries.empty(), "the parameter \"entries\" is empty; at least one shape is required");
-      return FindShape(signature, entries, { nearest });
+      return FindShape(signature, entries, given.options);
     },
     ReleaseGil());
   module.def(

@@ -15,17 +15,12 @@ namespace shapeton::python
 namespace
 {
 py::object
-Read(const Path & path, const std::string & part, int component, const std::string & unit, bool anyExtent, bool repair)
+Read(const Path & path, const Given<SurfaceReadOptions> & given, bool repair)
 {
-  SurfaceReadOptions options;
-  options.part = part;
-  options.component = component;
-  options.unit = static_cast<SurfaceUnit>(PositionOf(unit, OptionInfo("unit").Words({ "file", "m", "mm", "um" })));
-  options.anyExtent = anyExtent;
   Surface surface;
   {
     const WithoutGil withoutGil;
-    surface = repair ? ReadRepairedSurface(path.text, options) : ReadSurface(path.text, options);
+    surface = repair ? ReadRepairedSurface(path.text, given.options) : ReadSurface(path.text, given.options);
   }
   py::object mesh = py::cast(std::move(surface.mesh));
   AppendRemarks(surface.notes, surface.repairs);
@@ -45,24 +40,23 @@ Inspect(const SurfaceMesh & mesh)
 }
 
 std::pair<SurfaceMesh, std::vector<std::string>>
-Repair(const SurfaceMesh & mesh, double mergeDistance, bool mergeVertices, bool orient, bool split)
+Repair(const SurfaceMesh & mesh, const Given<SurfaceRepairOptions> & given)
 {
   SurfaceRepairReport report;
-  SurfaceMesh         repaired = RepairSurface(mesh, { mergeVertices, mergeDistance, orient, split }, &report);
+  SurfaceMesh         repaired = RepairSurface(mesh, given.options, &report);
   return { std::move(repaired), report.Words() };
 }
 
 SurfaceMesh
-Simplify(const SurfaceMesh & mesh, int faces, double smallestAngle, double boundaryWeight, const Progress & progress)
+Simplify(const SurfaceMesh & mesh, const Given<SurfaceSimplificationOptions> & given, const Progress & progress)
 {
-  return SimplifySurface(
-    mesh, { { faces, smallestAngle, boundaryWeight }, progress.Part("Simplifying the surface", 0.0, 1.0) });
+  return SimplifySurface(mesh, { given.options, progress.Part("Simplifying the surface", 0.0, 1.0) });
 }
 
 SurfaceMesh
-Remesh(const SurfaceMesh & mesh, double edgeLength, int iterations, const Progress & progress)
+Remesh(const SurfaceMesh & mesh, const Given<SurfaceRemeshingOptions> & given, const Progress & progress)
 {
-  return RemeshSurface(mesh, { { edgeLength, iterations }, progress.Part("Remeshing the surface", 0.0, 1.0) });
+  return RemeshSurface(mesh, { given.options, progress.Part("Remeshing the surface", 0.0, 1.0) });
 }
 
 void

@@ -1,6 +1,7 @@
 #include "Bindings.h"
 #include "Conversions.h"
 #include "Errors.h"
+#include "Options.h"
 
 #include "shapetonDicomSeriesScan.h"
 #include "shapetonExceptions.h"
@@ -28,24 +29,12 @@ ImageWithFacts(const Volume & volume)
 }
 
 py::object
-ReadWithFacts(const Path &        path,
-              const std::string & seriesUID,
-              bool                resampleGaps,
-              bool                deshear,
-              bool                dropDuplicates,
-              bool                allowSingleSlice,
-              const Progress &    progress)
+ReadWithFacts(const Path & path, const Given<VolumeReadOptions> & given, const Progress & progress)
 {
   Volume volume;
   {
-    const WithoutGil  withoutGil;
-    VolumeReadOptions options;
-    options.seriesUID = seriesUID;
-    options.resampleGaps = resampleGaps;
-    options.deshear = deshear;
-    options.dropDuplicates = dropDuplicates;
-    options.allowSingleSlice = allowSingleSlice;
-    volume = ReadVolume(path.text, options, progress);
+    const WithoutGil withoutGil;
+    volume = ReadVolume(path.text, given.options, progress);
   }
   return ImageWithFacts(volume);
 }

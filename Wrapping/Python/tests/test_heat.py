@@ -77,7 +77,7 @@ class HeatTest(TestCase):
             ('"intensity_window" requires two numbers, the lower one first', {"intensity_window": (3.0, 1.0)}),
             ('"tolerance": 2 is more than the maximum 1', {"tolerance": 2.0}),
             ('"time_step_length": 0.2 is more than the maximum 1/12', {"time_step_length": 0.2}),
-            ('"histogram_steps" must be ascending', {"histogram_steps": [5, 3]}),
+            ("histogram steps must be ascending", {"histogram_steps": [5, 3]}),
             ('"solver" = "fast" is not one of: chebyshev, explicit', {"solver": "fast"}),
             ('"conductance" = "" is not one of: physical, published', {"conductance": ""}),
         ):

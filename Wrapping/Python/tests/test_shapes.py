@@ -147,7 +147,7 @@ class SignaturesTest(TestCase):
             shapes.describe_shapes(shapeton.Image(labels.array, (2.0, 1.0, 1.0)), labels)
         with self.assertRaisesRegex(shapeton.ParameterError, '"entries" is empty'):
             shapes.find_shape(signature, [])
-        with self.assertRaisesRegex(shapeton.ParameterError, '"nearest" is 0'):
+        with self.assertRaisesRegex(shapeton.ParameterError, '"nearest": 0 is less than the minimum 1'):
             shapes.find_shape(signature, [shapes.NamedShape("ball", signature)], 0)
         with self.assertRaises(shapeton.Aborted):
             shapes.describe_shapes(labels, labels, progress=lambda share, stage: False)

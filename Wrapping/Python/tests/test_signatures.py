@@ -184,7 +184,7 @@ class ArgumentTest(TestCase):
     def test_messages_name_parameters_as_python_does(self):
         for words, wrong in (
             ('the parameter "time_step_length"', {"time_step_length": 0.2}),
-            ('the parameter "histogram_steps" must be ascending and at most the parameter "time_steps"', {"histogram_steps": [5, 3]}),
+            ('the histogram steps must be ascending and at most the parameter "time_steps"', {"histogram_steps": [5, 3]}),
             ('the parameter "snapshot_steps"', {"snapshot_steps": [5, 3], "snapshot": print}),
             ('the parameter "time_steps"', {"time_steps": 0}),
             ('the parameter "time_steps".*is out of range', {"time_steps": -1}),
@@ -195,11 +195,11 @@ class ArgumentTest(TestCase):
                 shapeton.diffuse_heat(self.image, **wrong)
         with self.assertRaisesRegex(shapeton.ParameterError, 'the parameter "direction_sampling"'):
             shapeton.diffuse_shapetons(self.image, direction_sampling="any")
-        with self.assertRaisesRegex(shapeton.ParameterError, 'the parameter "histogram_steps".*"time_steps"'):
+        with self.assertRaisesRegex(shapeton.ParameterError, 'the histogram steps .* the parameter "time_steps"'):
             shapeton.diffuse_shapetons(self.image, histogram_steps=[0])
         with self.assertRaisesRegex(shapeton.ParameterError, 'the parameter "least_weight"'):
             shapes.SeededHeat(self.image, least_weight=2.0).segment(self.image.like(np.arange(512).reshape(8, 8, 8) % 3))
-        with self.assertRaisesRegex(shapeton.ParameterError, '"metric" = "x" is not one of: heatDiffusion, euclidean'):
+        with self.assertRaisesRegex(shapeton.ParameterError, '"metric" = "x" is not one of: euclidean, heatDiffusion'):
             flattening.flatten_tube(self.tube, metric="x")
         with self.assertRaisesRegex(shapeton.ParameterError, '"snapshot_spacing" = "x" is not one of: linear, logarithmic'):
             shapeton.recorded_steps(10, 5, "x")

@@ -37,8 +37,7 @@ CheckSteps(const std::string & name, const std::vector<std::uint64_t> & steps, s
   const bool ascend = std::adjacent_find(steps.begin(), steps.end(), std::greater_equal<>()) == steps.end();
   if (!ascend || (!steps.empty() && steps.back() > last))
   {
-    throw std::invalid_argument("the parameter \"" + name +
-                                "\" must be ascending and at most the parameter \"timeSteps\"");
+    throw std::invalid_argument(name + " must be ascending and at most the parameter \"timeSteps\"");
   }
 }
 
@@ -47,8 +46,8 @@ CheckSettings(const std::array<std::size_t, 3> &      size,
               const CumulativeHeatDiffusionSettings & settings,
               const HeatSnapshotConsumer &            consumer)
 {
-  CheckSteps("histogramSteps", settings.histogramSteps, settings.timeSteps);
-  CheckSteps("snapshotSteps", settings.snapshotSteps, settings.timeSteps);
+  CheckSteps("the histogram steps", settings.histogramSteps, settings.timeSteps);
+  CheckSteps("the parameter \"snapshotSteps\"", settings.snapshotSteps, settings.timeSteps);
   if (!settings.snapshotSteps.empty() && !consumer)
   {
     throw std::invalid_argument("snapshots are requested without a consumer");

@@ -50,8 +50,7 @@ ParticleDiffusionImageFilter<TInputImage>::VerifyPreconditions() const
   if (!ascend ||
       (!m_HistogramSteps.empty() && (m_HistogramSteps.front() < 1 || m_HistogramSteps.back() > this->GetTimeSteps())))
   {
-    itkExceptionMacro(
-      "the parameter \"histogramSteps\" must be ascending and between 1 and the parameter \"timeSteps\"");
+    itkExceptionMacro("the histogram steps must be ascending and between 1 and the parameter \"timeSteps\"");
   }
   if (m_InitialState && m_InitialState->step > this->GetTimeSteps())
   {
