@@ -124,12 +124,13 @@ ReadAllOfSurface(const std::string & path)
     catch (const shapeton::InputError &)
     {}
   };
+  constexpr auto millimeter = shapeton::SurfaceUnit::Millimeter;
   attempt([&] {
-    const shapeton::SurfaceMesh mesh = shapeton::ReadSurface(path, { {}, -1, "mm" }).mesh;
+    const shapeton::SurfaceMesh mesh = shapeton::ReadSurface(path, { {}, -1, millimeter }).mesh;
     shapeton::InspectSurface(mesh);
     shapeton::InspectSurface(shapeton::RepairSurface(mesh));
   });
-  attempt([&] { shapeton::ReadRepairedSurface(path, { {}, 0, "mm" }); });
+  attempt([&] { shapeton::ReadRepairedSurface(path, { {}, 0, millimeter }); });
   if (fs::path(path).extension() == ".vtp")
   {
     attempt([&] { shapeton::ReadCurves(path); });

@@ -5,7 +5,7 @@ import tempfile
 import unittest
 from pathlib import Path
 
-from rules import advice, layers, page_scripts, references, repository, wording
+from rules import advice, layers, magic_numbers, page_scripts, references, repository, wording
 from rules.tree import Tree
 
 
@@ -36,6 +36,29 @@ class Wording(RuleTest):
                 ("// Failures are to" "ld.\n", "a.cxx:1: is not plain English: to" "ld"),
                 ("\nint nextCol" "our; // analyses of centers\n", "a.cxx:2: is not American spelling: col" "our")):
             self.check(wording.plain_english, {"a.cxx": text}, *expected)
+
+
+class MagicNumbers(unittest.TestCase):
+    """Reports of clang-tidy."""
+
+    def is_fault(self, line, number, message="is a magic number"):
+        return magic_numbers.is_fault(line, line.index(number) + 1, f"{number} {message}")
+
+    def test_numbers_without_a_name(self):
+        for line, number in (("if (share > 0.35)", "0.35"), ("cost = 40.0 + 7.0 * turns;", "40.0"),
+                             ("options.band = 75.0;", "75.0"), ("f(a, 12.0);", "12.0")):
+            self.assertTrue(self.is_fault(line, number), line)
+
+    def test_numbers_that_need_no_name(self):
+        for line, number in (("  double radius{ 2.5 };", "2.5"), ("Widened(const Box & box, double margin = 7.5);", "7.5"),
+                             ("int rows = 12;", "12"), ("RequireParameter(step >= 0.2, ...", "0.2"),
+                             ("options.progress(0.35);", "0.35"), ("progress.Part(text, 0.35, 1.0)", "0.35"),
+                             ("values[5] = a;", "5"), ("word >> 20 & 63;", "20"), ("word >> 20 & 63;", "63"),
+                             ("byte > 0xC2", "0xC2")):
+            self.assertFalse(self.is_fault(line, number), line)
+
+    def test_sources_that_do_not_compile(self):
+        self.assertTrue(self.is_fault("int rows = 12;", "12", "use of an undeclared identifier"))
 
 
 class Advice(RuleTest):
@@ -155,6 +178,17 @@ class Repository(RuleTest):
         call = "MultiThreaderBase::New()" "->Parallelize"
         self.check(repository.texts, {"a.cxx": f"itk::{call}Array(0, n, body, nullptr);\n"},
                    f"a.cxx:1: has a loop that does not use shapetonParallelFor.h: {call}")
+        thread = "std::thread other("
+        self.check(repository.texts, {"Modules/a.cxx": f"{thread}work);\n", "Modules/test/a.cxx": f"{thread}work);\n"},
+                   f"Modules/a.cxx:1: starts a thread without shapetonParallelFor.h: {thread}")
+
+    def test_option_tables(self):
+        marker = "<!-- options VolumeGradientOptions: p -->\n"
+        table = repository.options.expand_readme(marker)
+        self.assertIn("| `--p` | 7 |", table)
+        self.check(repository.option_tables, {"a.md": table})
+        self.check(repository.option_tables, {"a.md": table.replace("7", "8")},
+                   "a.md: has an old table of options: run CMake/options.py readme")
 
     def test_length_of_tools(self):
         self.check(repository.short_tools, {"Applications/Tool/Tool.cxx": "x\n" * 150})
@@ -196,6 +230,14 @@ class Layers(RuleTest):
             self.assertEqual(faults, [])
         for fault in expected:
             self.assertIn(fault, faults)
+
+    def test_system_headers_outside_of_their_folder(self):
+        text = '#include <vector>\n#  include <sys/wait.h>\n#include "unistd.h"\n'
+        self.check(layers.system_headers, {f"{layers.POSIX_FOLDER}/a.cxx": text, f"{self.LOW}/test/a.cxx": text})
+        for file in (f"{self.LOW}/src/a.cxx", "Applications/Cutter/Cutter.cxx", "Wrapping/Python/src/a.h"):
+            advice = f"only {layers.POSIX_FOLDER} may, see shapetonOperatingSystem.h"
+            self.check(layers.system_headers, {file: text}, f"{file}:2: includes sys/wait.h; {advice}",
+                       f"{file}:3: includes unistd.h; {advice}")
 
     def check_declaration(self, module, text, *expected):
         file = f"{module}/itk-module.cmake"

@@ -33,6 +33,9 @@ ITK_HEADERS = {
     "ITKSmoothing": r"itk\w+GaussianImageFilter\.h",
     "ITKZLIB": r"(itk_)?zlib\.h",
 }
+# Code for POSIX systems, and headers that only it includes.
+POSIX_FOLDER = Path("Modules/Core/Common/src/posix")
+SYSTEM_HEADER = re.compile(r"sys/.*|(fcntl|poll|pthread|sched|signal|spawn|termios|unistd)\.h")
 ITK_NAMESPACE = re.compile(r"^\s*namespace itk\b", re.MULTILINE)
 OPTION = re.compile(r"--[a-zA-Z]")
 
@@ -89,6 +92,17 @@ class Layers:
                 reached.add(name)
                 names += self.modules[name].names(*VISIBLE["include"])
         return reached
+
+
+def system_headers(tree):
+    """Only one folder includes headers of POSIX and of the system; other code uses shapetonOperatingSystem.h."""
+    for file in tree.sources("Modules", "Applications", "Wrapping"):
+        is_test = {"test", "Testing", "tests"} & set(file.parts)
+        if is_test or POSIX_FOLDER in file.parents:
+            continue
+        for line, header in tree.includes(file):
+            if SYSTEM_HEADER.fullmatch(header):
+                yield Fault(str(file), line, f"includes {header}; only {POSIX_FOLDER} may, see shapetonOperatingSystem.h")
 
 
 def layers_kept(tree):

@@ -6,6 +6,7 @@ from pathlib import Path
 
 from .modules import DECLARATION
 from .tree import Fault, find, is_source
+from .xml_tree import options
 
 LARGEST_FILE = 1_000_000
 LONGEST_TOOL = 150
@@ -17,6 +18,7 @@ MACHINE = re.compile(r"/(?:home|root|work|Users)/|:\\Users")
 LICENSE = re.compile(r"General[ ]Public License|All rights[ ]reserved|Copyright[ ]\(")
 # ITK's loops: nested calls may deadlock, and if progress throws, a call returns while its threads are still running.
 LOOP = re.compile(r"(?:MultiThreaderBase::New|GetMultiThreader)\(\)->Parallelize")
+THREAD = re.compile(r"std::async\(|std::thread(?:>| \w+[({])")
 
 
 def links(markdown):
@@ -94,6 +96,15 @@ def texts(tree):
         if is_source(file):
             yield from find(tree, file, LICENSE, "contains a foreign license: ")
             yield from find(tree, file, LOOP, "has a loop that does not use shapetonParallelFor.h: ")
+            if file.parts[0] == "Modules" and "test" not in file.parts:
+                yield from find(tree, file, THREAD, "starts a thread without shapetonParallelFor.h: ")
+
+
+def option_tables(tree):
+    """Tables of options are those that their declarations generate."""
+    for page in tree.files:
+        if page.suffix == ".md" and options.expand_readme(tree.text(page)) != tree.text(page):
+            yield Fault(str(page), 0, "has an old table of options: run CMake/options.py readme")
 
 
 def short_tools(tree):

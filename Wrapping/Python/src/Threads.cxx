@@ -1,6 +1,7 @@
 #include "Threads.h"
 #include "Timer.h"
 
+#include "shapetonOperatingSystem.h"
 #include "shapetonParallelFor.h"
 
 #include <atomic>
@@ -9,8 +10,6 @@
 #include <thread>
 
 #include <cxxabi.h>
-#include <pthread.h>
-#include <unistd.h>
 
 namespace shapeton::python
 {
@@ -91,7 +90,7 @@ WaitForEver()
 {
   for (;;)
   {
-    pause();
+    std::this_thread::sleep_for(std::chrono::hours(1));
   }
 }
 
@@ -163,6 +162,6 @@ AddThreads(py::module_ & module)
       "Functions called by this thread from now on end with SystemExit soon after the flag is set.");
   endingThread = std::thread::id(); // a new interpreter may be initialized after shutdown
   py::module_::import("atexit").attr("register")(py::cpp_function(&StopCalls));
-  pthread_atfork(nullptr, nullptr, [] { runningCalls = 0; }); // a child process has no other threads
+  CallAfterFork([] { runningCalls = 0; }); // a child process has no other threads
 }
 } // namespace shapeton::python

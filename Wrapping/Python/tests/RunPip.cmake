@@ -28,5 +28,14 @@ endif()
 run(${CMAKE_COMMAND} -E env ${environment} ${PYTHON} -m pip install --no-index --no-build-isolation
   --target "${WORK_DIR}/a target" ${WORK_DIR}/source)
 file(REMOVE_RECURSE ${WORK_DIR}/source)
-run(${CMAKE_COMMAND} -E env "PYTHONPATH=${WORK_DIR}/a target" ${PYTHON} -c
-  "import shapeton; assert 'a target' in shapeton.__file__; assert shapeton.recorded_steps(8, 3, 'linear') == [0, 4, 8]")
+# A script, because the semicolons of a command would separate arguments. Reading starts the program ShapetonFileParser of the
+# package or of the installation.
+file(WRITE ${WORK_DIR}/use.py "import numpy
+import shapeton
+
+assert 'a target' in shapeton.__file__
+assert list(shapeton.recorded_steps(8, 3, 'linear')) == [0, 4, 8]
+shapeton.write_volume(shapeton.Image(numpy.ones((3, 4, 5), numpy.float32)), 'volume.nrrd')
+assert (shapeton.read_volume('volume.nrrd').array == 1).all()
+")
+run(${CMAKE_COMMAND} -E env "PYTHONPATH=${WORK_DIR}/a target" ${PYTHON} ${WORK_DIR}/use.py)

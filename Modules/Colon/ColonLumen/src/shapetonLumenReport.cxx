@@ -18,7 +18,8 @@ constexpr double LeastPieceMl = 0.05;
 constexpr double LeastLeftOutMl = 1.0;
 constexpr double LeastBrightMl = 10.0;
 constexpr double LeastBrightRadius = 7.0; // mm
-constexpr double UsableMl = 400.0;        // or UsableShare of the body if that is less
+/** Chosen on few data: an unprepared abdomen contains 298 ml of such lumen. */
+constexpr double UsableMl = 400.0; // or UsableShare of the body if that is less
 constexpr double UsableShare = 0.02;
 constexpr double UsableRadius = 10.0; // mm
 

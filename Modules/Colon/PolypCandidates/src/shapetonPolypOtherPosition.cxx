@@ -29,6 +29,8 @@ ArrayOf(const SurfaceMesh & map, const char * name, int components, const std::s
 double
 Likeness(const PolypCandidate & candidate, const OtherPolypCandidate & other, double distance)
 {
+  // The mean registration error of phantoms is 4.8 mm. The likeness is below 0.01 for 68 of 91 candidates that are not
+  // at a polyp, and for 3 at polyps of at least 5.5 mm.
   constexpr double deviation = 8.0, deviationOfLogWidth = 0.5; // mm
   const double     away = distance / deviation;
   const double     wider =
@@ -72,8 +74,9 @@ Flatness(const PolypCandidate & candidate)
   return 1.0 / (1.0 + std::exp((candidate.height / candidate.diameter - prominence) / width));
 }
 
-/** Probability of a polyp, given the shape score and the evidence of the other position. Fitted, see
- * Documentation/validation/colon-polyps.md. */
+/** Probability of a polyp, given the shape score and the evidence of the other position. Logistic regression on the CT
+ * of realistic phantoms (seeds 2 to 7: 89 polyps, 91 other candidates); see Documentation/validation/colon-polyps.md.
+ */
 double
 ProbabilityInPair(const PolypCandidate & candidate)
 {

@@ -5,6 +5,8 @@
 
 #include <chrono>
 #include <cstddef>
+#include <cstdint>
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -139,8 +141,49 @@ private:
   std::size_t    m_Size{ 0 };
 };
 
+/** \class Pipe
+ * \brief A pipe from a child process to this one. \ingroup ShapetonCommon */
+class ShapetonCommon_EXPORT Pipe
+{
+public:
+  /** Throws std::system_error. */
+  Pipe();
+
+  int
+  GetInput() const
+  {
+    return m_Input.Get();
+  }
+  int
+  GetOutput() const
+  {
+    return m_Output.Get();
+  }
+  void
+  CloseInput()
+  {
+    m_Input = FileDescriptor();
+  }
+
+private:
+  FileDescriptor m_Output;
+  FileDescriptor m_Input;
+};
+
+/** Receives bytes from a pipe. */
+using TakePipeBytes = std::function<void(const char * bytes, std::size_t size)>;
+
+/** Reads two pipes until their inputs are closed. */
+ShapetonCommon_EXPORT void
+ReadPipes(const Pipe & first, const TakePipeBytes & takeFirst, const Pipe & second, const TakePipeBytes & takeSecond);
+
 /** \class ChildProcess
- * \brief A program started by this process; killed on destruction. \ingroup ShapetonCommon */
+ * \brief A program started by this process; ended by a signal on destruction.
+ *
+ * On Linux, the program also gets the signal when the thread that started it ends. Other threads may run: the start
+ * uses vfork(), because ITK's threader joins the threads of its pool before each fork(), so no other thread could use
+ * the pool, and the child could inherit its locks. Therefore Boost.Process, which forks, is not used; posix_spawn()
+ * cannot request the signal. \ingroup ShapetonCommon */
 class ShapetonCommon_EXPORT ChildProcess
 {
 public:
@@ -153,19 +196,31 @@ public:
   };
 
   ChildProcess() = default;
-  /** Starts a program, which inherits the standard streams, and the given descriptors as 3, 4, and so on. Interrupts
-   * from the keyboard (SIGINT) do not reach it. Threads of this process may run. Throws std::runtime_error. */
-  ChildProcess(const std::string &              program,
-               const std::vector<std::string> & arguments,
-               const std::vector<int> &         descriptors);
-  ChildProcess(ChildProcess && other) noexcept : m_Number(std::exchange(other.m_Number, -1)) {}
+  ChildProcess(ChildProcess && other) noexcept : m_Number(std::exchange(other.m_Number, -1)), m_Signal(other.m_Signal)
+  {}
   ChildProcess &
   operator=(ChildProcess && other) noexcept
   {
     std::swap(m_Number, other.m_Number);
+    std::swap(m_Signal, other.m_Signal);
     return *this;
   }
   ~ChildProcess();
+
+  /** Starts a program with an empty standard input and these outputs. The signal is SIGTERM. Throws std::system_error.
+   */
+  static ChildProcess
+  StartTool(const std::string &              program,
+            const std::vector<std::string> & arguments,
+            const Pipe &                     out,
+            const Pipe &                     err);
+
+  /** Starts a program that inherits the standard streams, and the given descriptors as 3, 4, and so on, and no others.
+   * The signal is SIGKILL; interrupts from the keyboard (SIGINT) do not reach it. Throws std::system_error. */
+  static ChildProcess
+  StartIsolated(const std::string &              program,
+                const std::vector<std::string> & arguments,
+                const std::vector<int> &         descriptors);
 
   bool
   IsRunning() const
@@ -177,25 +232,27 @@ public:
   End
   Wait();
 
-  /** Kills it and waits. */
+  /** Sends the signal and waits. */
   void
-  Kill();
+  Stop();
 
 private:
+  ChildProcess(int number, int signal) : m_Number(number), m_Signal(signal) {}
+
   int m_Number{ -1 };
+  int m_Signal{ 0 };
 };
 
-/** The first descriptor that ChildProcess passes to a program. */
+/** The first descriptor that ChildProcess::StartIsolated() passes to a program. */
 constexpr int FirstInheritedDescriptor = 3;
 
 /** The number of this process. */
 ShapetonCommon_EXPORT int
 ProcessNumber();
 
-/** Kills this process when the thread that started it ends (on Linux). Returns false if its parent is not the given
- * process, which has then ended. */
+/** Whether a process exists on this machine. */
 ShapetonCommon_EXPORT bool
-EndWithParent(int parent);
+IsProcessAlive(long number);
 
 /** Discards output printed by libraries and disables core dumps; the address sanitizer still reports. */
 ShapetonCommon_EXPORT void
@@ -221,13 +278,169 @@ private:
 ShapetonCommon_EXPORT void
 LimitComputingTime(unsigned int seconds);
 
-/** Whether a process that ended in this way exceeded its CPU time, or was killed. */
+/** Whether a process that ended in this way was killed, as when it exceeds its CPU time. */
 ShapetonCommon_EXPORT bool
-WasOutOfComputingTime(const ChildProcess::End & end);
+WasKilled(const ChildProcess::End & end);
+
+/** Calls a function in each process that is forked from this one. */
+ShapetonCommon_EXPORT void
+CallAfterFork(void (*function)());
 
 /** The folder of the shared library or program that contains this function, without symbolic links. */
 ShapetonCommon_EXPORT std::string
                       FolderOfThisLibrary();
+
+/** \name Files; errors are values of errno, 0 for none */
+///@{
+enum class FileAccess
+{
+  read,
+  /** Write as the effective user of this process. */
+  overwrite,
+  /** Create files in a folder. */
+  create,
+  execute
+};
+
+ShapetonCommon_EXPORT int
+ErrorOfAccess(const std::string & path, FileAccess access);
+
+/** Creates a new file and removes it; removes an existing file before. */
+ShapetonCommon_EXPORT int
+ErrorOfCreation(const std::string & path);
+
+/** Writes a file or folder to the disk. */
+ShapetonCommon_EXPORT int
+ErrorOfSync(const std::string & path);
+
+/** Writes all files of the file system of a folder to the disk. */
+ShapetonCommon_EXPORT int
+ErrorOfFileSystemSync(const std::string & folder);
+
+/** Exchanges two names at once; false if the file system cannot. */
+ShapetonCommon_EXPORT bool
+ExchangeNames(const std::string & first, const std::string & second);
+
+/** What a name, or the target of a link, refers to. */
+struct FileStatus
+{
+  int  error{ 0 };
+  bool isFolder{ false };
+  bool isFile{ false };
+  /** Equal for all names of a file. */
+  std::pair<std::uint64_t, std::uint64_t> identity;
+};
+
+ShapetonCommon_EXPORT FileStatus
+StatusOf(const std::string & path);
+
+/** Opens a file for TryLock() and creates it if necessary; invalid in case of an error, which errno tells. Programs
+ * started by this process inherit the descriptor and the lock. */
+ShapetonCommon_EXPORT FileDescriptor
+OpenLockFile(const std::string & path);
+
+/** Locks a file for this descriptor; EWOULDBLOCK if it is locked by another one, also of this process. */
+ShapetonCommon_EXPORT int
+TryLock(const FileDescriptor & file);
+///@}
+
+/** \name The machine and the terminal */
+///@{
+/** Physical memory in bytes. */
+ShapetonCommon_EXPORT double
+PhysicalMemory();
+
+/** Requests huge pages for a block of memory, if the system has them. */
+ShapetonCommon_EXPORT void
+RequestHugePages(void * memory, std::size_t bytes);
+
+ShapetonCommon_EXPORT std::string
+                      HostName();
+
+/** Whether standard output is a terminal. */
+ShapetonCommon_EXPORT bool
+IsTerminal();
+
+/** Width of the terminal at standard output; 0 if unknown. */
+ShapetonCommon_EXPORT std::size_t
+                      TerminalColumns();
+
+/** Reopens standard streams that were closed at start; otherwise an output file could be opened as stdout and receive
+ * the progress. */
+ShapetonCommon_EXPORT void
+OpenMissingStandardStreams();
+
+/** \class QuietStandardError
+ * \brief Discards standard error during its lifetime. Instances in several threads may overlap.
+ * \ingroup ShapetonCommon */
+class ShapetonCommon_EXPORT QuietStandardError
+{
+public:
+  QuietStandardError();
+  ~QuietStandardError();
+  QuietStandardError(const QuietStandardError &) = delete;
+  QuietStandardError &
+  operator=(const QuietStandardError &) = delete;
+};
+///@}
+
+/** \name Signals that terminate this process */
+///@{
+/** \class RemovalAtDeath
+ * \brief While it exists, the handlers of termination signals remove the named file or empty folder. The latest
+ * instance is processed first. \ingroup ShapetonCommon */
+class ShapetonCommon_EXPORT RemovalAtDeath
+{
+public:
+  struct Node;
+
+  /** Installs the handlers. Signals that are already handled or ignored are not changed: SIGHUP under nohup, SIGSEGV
+   * under a sanitizer. */
+  static void
+  InstallHandlers();
+
+  explicit RemovalAtDeath(const std::string & path);
+  RemovalAtDeath(RemovalAtDeath && other) noexcept;
+  RemovalAtDeath &
+  operator=(RemovalAtDeath &&) = delete;
+  ~RemovalAtDeath();
+
+private:
+  Node * m_Node;
+};
+
+/** \class DeathDelay
+ * \brief Lets the handlers of RemovalAtDeath defer SIGINT, SIGTERM and similar signals, to avoid termination between
+ * two renames. \ingroup ShapetonCommon */
+class ShapetonCommon_EXPORT DeathDelay
+{
+public:
+  DeathDelay();
+  DeathDelay(const DeathDelay &) = delete;
+  DeathDelay &
+  operator=(const DeathDelay &) = delete;
+  ~DeathDelay();
+};
+
+/** \class DeferredSignals
+ * \brief Defers SIGINT, SIGTERM and SIGHUP during its lifetime. \ingroup ShapetonCommon */
+class ShapetonCommon_EXPORT DeferredSignals
+{
+public:
+  DeferredSignals();
+  DeferredSignals(const DeferredSignals &) = delete;
+  DeferredSignals &
+  operator=(const DeferredSignals &) = delete;
+  ~DeferredSignals();
+
+  /** Whether a signal was deferred. */
+  static bool
+  IsPending();
+
+private:
+  void (*m_Previous[3])(int);
+};
+///@}
 ///@}
 } // namespace shapeton
 

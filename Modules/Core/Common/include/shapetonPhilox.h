@@ -40,16 +40,18 @@ template <typename TWord, typename TMultiply = PhiloxMultiply>
 SHAPETON_HOST_DEVICE PhiloxWords<TWord>
                      Philox4x32(std::uint64_t key, PhiloxWords<TWord> x, const TMultiply & multiply = TMultiply())
 {
-  auto key0 = static_cast<std::uint32_t>(key);
-  auto key1 = static_cast<std::uint32_t>(key >> 32);
+  constexpr std::uint32_t factor0 = 0xD2511F53U, factor1 = 0xCD9E8D57U; // as published
+  constexpr std::uint32_t weyl0 = 0x9E3779B9U, weyl1 = 0xBB67AE85U;
+  auto                    key0 = static_cast<std::uint32_t>(key);
+  auto                    key1 = static_cast<std::uint32_t>(key >> 32);
   for (int round = 0; round < 10; ++round)
   {
     TWord high0, low0, high1, low1;
-    multiply(x.a, 0xD2511F53U, high0, low0);
-    multiply(x.c, 0xCD9E8D57U, high1, low1);
+    multiply(x.a, factor0, high0, low0);
+    multiply(x.c, factor1, high1, low1);
     x = { high1 ^ x.b ^ key0, low1, high0 ^ x.d ^ key1, low0 };
-    key0 += 0x9E3779B9U;
-    key1 += 0xBB67AE85U;
+    key0 += weyl0;
+    key1 += weyl1;
   }
   return x;
 }
@@ -65,7 +67,8 @@ SHAPETON_HOST_DEVICE PhiloxWords<std::uint32_t>
 SHAPETON_HOST_DEVICE float
 UnitFloat(std::uint32_t word)
 {
-  return static_cast<float>(word >> 8) * (1.0F / 16777216.0F);
+  constexpr float values = 16777216.0F; // 2^24
+  return static_cast<float>(word >> 8) * (1.0F / values);
 }
 } // namespace shapeton
 

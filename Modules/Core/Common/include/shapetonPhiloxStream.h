@@ -47,7 +47,8 @@ public:
   double
   Unit()
   {
-    return Word() * (1.0 / 4294967296.0);
+    constexpr double values = 4294967296.0; // 2^32
+    return Word() * (1.0 / values);
   }
 
 private:

@@ -3,6 +3,7 @@
 
 #include "ShapetonCommonExport.h"
 
+#include <cstddef>
 #include <string>
 
 namespace shapeton
@@ -12,6 +13,9 @@ namespace shapeton
  * \ingroup ShapetonCommon */
 ShapetonCommon_EXPORT std::string
                       Printable(const std::string & text);
+
+/** Number of bytes of a faulty input that an error message repeats. \ingroup ShapetonCommon */
+constexpr std::size_t LongestExcerpt = 40;
 
 /** `text` in double quotes, shortened if it is too long for a message. \ingroup ShapetonCommon */
 ShapetonCommon_EXPORT std::string

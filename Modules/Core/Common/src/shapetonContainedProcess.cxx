@@ -4,6 +4,8 @@
 #include "shapetonContainedMessages.h"
 #include "shapetonFileParserPath.h"
 
+#include <system_error>
+
 namespace shapeton
 {
 namespace
@@ -45,8 +47,15 @@ ContainedProcess::Start()
 {
   const std::string program = FileParserPath();
   auto              ends = MessageChannel::MakePair();
-  m_Child = ChildProcess(
-    program, { m_Service, std::to_string(ProcessNumber()) }, { ends.second.GetDescriptor(), m_Shared.GetDescriptor() });
+  try
+  {
+    m_Child =
+      ChildProcess::StartIsolated(program, { m_Service }, { ends.second.GetDescriptor(), m_Shared.GetDescriptor() });
+  }
+  catch (const std::system_error & error)
+  {
+    throw std::runtime_error("cannot start the program \"" + program + "\": " + error.code().message());
+  }
   m_Channel = std::move(ends.first);
   ends.second = MessageChannel(); // only the child keeps its end open
   this->Greet(program);
@@ -77,7 +86,7 @@ ContainedProcess::Greet(const std::string & program)
 void
 ContainedProcess::Stop()
 {
-  m_Child.Kill();
+  m_Child.Stop();
   m_Channel = MessageChannel();
 }
 
@@ -129,7 +138,7 @@ ContainedProcess::ReportDeath()
 {
   const ChildProcess::End end = m_Child.Wait();
   m_Channel = MessageChannel();
-  if (WasOutOfComputingTime(end))
+  if (WasKilled(end))
   {
     throw Failure("reading it took more than " + std::to_string(m_Limits.cpuSeconds) +
                   " s of CPU time; the file is malformed");

@@ -99,15 +99,11 @@ int
 ServeContained(int argc, char * argv[])
 {
   const MessageChannel channel{ FileDescriptor(FirstInheritedDescriptor) };
-  if (argc != 3 || !channel.IsConnected())
+  if (argc != 2 || !channel.IsConnected())
   {
     std::cerr << "This program parses untrusted files for the tools and libraries of Shapeton " << SHAPETON_VERSION
               << ", which start it.\n";
     return 2;
-  }
-  if (!EndWithParent(std::atoi(argv[2])))
-  {
-    return 1;
   }
   SilenceThisProcess();
   ContainedService        service;

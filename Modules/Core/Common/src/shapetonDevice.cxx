@@ -55,7 +55,8 @@ ThePlugin()
 std::string
 Megabytes(std::size_t bytes)
 {
-  return std::to_string((bytes + 999999) / 1000000) + " MB";
+  constexpr std::size_t megabyte = 1000000;
+  return std::to_string((bytes + megabyte - 1) / megabyte) + " MB";
 }
 
 /** The usable GPU memory: the free memory, limited by the environment variable SHAPETON_DEVICE_MEMORY for shared GPUs.

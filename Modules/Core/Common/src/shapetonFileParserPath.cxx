@@ -42,7 +42,7 @@ FileParserPath()
     {
       return path;
     }
-    missing += path + ", ";
+    missing += missing.find(path + ", ") == std::string::npos ? path + ", " : "";
   }
   const std::string installed = std::string(SHAPETON_PROGRAM_INSTALL_FOLDER) + '/' + name;
   if (!std::filesystem::is_regular_file(installed))

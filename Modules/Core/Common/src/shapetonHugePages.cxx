@@ -1,11 +1,9 @@
 #include "shapetonHugePages.h"
 
+#include "shapetonOperatingSystem.h"
+
 #include <cstdlib>
 #include <new>
-
-#ifdef __linux__
-#  include <sys/mman.h>
-#endif
 
 namespace shapeton
 {
@@ -20,12 +18,10 @@ AllocateHuge(std::size_t bytes)
   {
     throw std::bad_alloc();
   }
-#ifdef __linux__
   if (alignment == page)
   {
-    madvise(memory, whole, MADV_HUGEPAGE);
+    RequestHugePages(memory, whole);
   }
-#endif
   return memory;
 }
 } // namespace shapeton

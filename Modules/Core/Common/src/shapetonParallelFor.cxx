@@ -1,6 +1,7 @@
 #include "shapetonParallelFor.h"
 
 #include "shapetonHelperThreads.h"
+#include "shapetonOperatingSystem.h"
 
 #include "itkMultiThreaderBase.h"
 
@@ -12,8 +13,6 @@
 #include <list>
 #include <mutex>
 #include <string>
-
-#include <pthread.h>
 
 // Loops are compiled once here instead of for each body, because thread code dominates the build time.
 namespace shapeton
@@ -64,8 +63,8 @@ public:
 
   Scheduler()
   {
-    static const int isRegistered = pthread_atfork(nullptr, nullptr, StartAgainInChild);
-    static_cast<void>(isRegistered);
+    static std::once_flag isRegistered;
+    std::call_once(isRegistered, CallAfterFork, StartAgainInChild);
     // The first ITK object sets up factories without locking; helpers must find them complete.
     itk::MultiThreaderBase::New();
     const char * const wanted = std::getenv("SHAPETON_THREADS_FROM");

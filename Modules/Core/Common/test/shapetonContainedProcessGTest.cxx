@@ -187,14 +187,15 @@ TEST(ContainedProcess, NeitherProcessKeepsDescriptorsOrSharedMemory)
 
 TEST(ContainedProcess, EndsWithItsParentEvenWhileItComputes)
 {
-  auto                   ends = shapeton::MessageChannel::MakePair();
-  shapeton::ChildProcess parent(SHAPETON_TEST_PROGRAM, { "Parent" }, { ends.second.GetDescriptor() });
-  char                   kind = 0;
-  std::string            number;
-  const auto             soon = shapeton::MessageChannel::Clock::now() + std::chrono::seconds(60);
+  auto ends = shapeton::MessageChannel::MakePair();
+  auto parent =
+    shapeton::ChildProcess::StartIsolated(SHAPETON_TEST_PROGRAM, { "Parent" }, { ends.second.GetDescriptor() });
+  char        kind = 0;
+  std::string number;
+  const auto  soon = shapeton::MessageChannel::Clock::now() + std::chrono::seconds(60);
   ASSERT_EQ(ends.first.Receive(kind, number, soon, 100), shapeton::MessageChannel::Transfer::complete);
   ASSERT_TRUE(IsAlive(number));
-  parent.Kill();
+  parent.Stop();
   while (IsAlive(number) && shapeton::MessageChannel::Clock::now() < soon)
   {
     std::this_thread::sleep_for(std::chrono::milliseconds(1));

@@ -50,7 +50,8 @@ Element(const std::string & tag, const std::string & text)
 bool
 IsColor(const std::string & text)
 {
-  return text.size() == 7 && text[0] == '#' && text.find_first_not_of("0123456789abcdef", 1) == std::string::npos;
+  constexpr std::size_t length = 7; // #rrggbb
+  return text.size() == length && text[0] == '#' && text.find_first_not_of("0123456789abcdef", 1) == std::string::npos;
 }
 
 /** Whether all nonempty cells of a column are numbers with one unit. */

@@ -12,9 +12,12 @@ namespace shapeton
 class AlignedBuffer
 {
 public:
+  static constexpr std::size_t Alignment = 64; ///< bytes; a cache line
+
   AlignedBuffer() = default;
   explicit AlignedBuffer(std::size_t size)
-    : m_Data(static_cast<double *>(std::aligned_alloc(64, (size * sizeof(double) + 63) / 64 * 64)))
+    : m_Data(static_cast<double *>(
+        std::aligned_alloc(Alignment, (size * sizeof(double) + Alignment - 1) / Alignment * Alignment)))
   {
     if (size > 0 && !m_Data)
     {

@@ -26,10 +26,11 @@ struct Node
 double
 CostOf(int width, int rows)
 {
-  const double w = FrontKernels::PaddedRows(width);
-  const double r = FrontKernels::PaddedRows(rows);
-  const double front = w + r;
-  return 250.0 + 0.9 * front * front + width * (0.2 * w * w + 0.75 * r * w + 0.4 * r * r);
+  const double     w = FrontKernels::PaddedRows(width);
+  const double     r = FrontKernels::PaddedRows(rows);
+  const double     front = w + r;
+  constexpr double ofNode = 250.0, ofFront = 0.9, ofPivots = 0.2, ofRows = 0.75, ofUpdate = 0.4;
+  return ofNode + ofFront * front * front + width * (ofPivots * w * w + ofRows * r * w + ofUpdate * r * r);
 }
 
 class Merging

@@ -156,7 +156,8 @@ InversionSchedule::Step(std::unique_lock<std::mutex> & lock, FrontWorkspace & wo
   if (!flight)
   {
     // Another worker is running a task and will notify on completion.
-    m_Changed.wait_for(lock, std::chrono::milliseconds(20));
+    constexpr std::chrono::milliseconds untilReport(20);
+    m_Changed.wait_for(lock, untilReport);
     lock.unlock();
     this->Report();
     lock.lock();

@@ -51,9 +51,10 @@ Supernodes::Supernodes(std::vector<int> itsOrder, const std::vector<std::array<i
 double
 Supernodes::Products(int s) const
 {
-  const double width = this->Width(s);
-  const double below = this->NumberOfRows(s);
-  return width * (width * width + 2.0 * width * below + 1.5 * below * below);
+  const double     width = this->Width(s);
+  const double     below = this->NumberOfRows(s);
+  constexpr double ofUpdate = 1.5;
+  return width * (width * width + 2.0 * width * below + ofUpdate * below * below);
 }
 
 std::vector<int>

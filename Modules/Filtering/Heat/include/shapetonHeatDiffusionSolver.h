@@ -128,9 +128,10 @@ private:
 
   static std::vector<Interval>
   PlanIntervals(std::uint64_t start, std::uint64_t last, const std::vector<std::uint64_t> & steps, bool checkSteady);
+  static constexpr std::size_t NodesOfInterval = 7;
   /** Weights of the start and the nodes for the field after `step`: barycentric interpolation in log(step).
    */
-  static std::array<float, 7>
+  static std::array<float, NodesOfInterval>
   InterpolationWeights(const Interval & interval, std::uint64_t step);
   std::vector<Expansions>
   PlanExpansions(std::uint64_t explicitSteps, const std::vector<Interval> & plan);

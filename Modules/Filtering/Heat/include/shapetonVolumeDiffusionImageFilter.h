@@ -1,6 +1,7 @@
 #ifndef shapetonVolumeDiffusionImageFilter_h
 #define shapetonVolumeDiffusionImageFilter_h
 
+#include "shapetonDeviceOptionsMethods.h"
 #include "shapetonVolumeDiffusionOptionsMethods.h"
 #include "shapetonVolumeGradientImageFilter.h"
 
@@ -12,7 +13,8 @@ namespace shapeton
  * \ingroup ShapetonHeat */
 template <typename TInputImage, typename TOutputImage, typename TOptions>
 class ITK_TEMPLATE_EXPORT VolumeDiffusionImageFilter
-  : public VolumeDiffusionOptionsMethods<VolumeGradientImageFilter<TInputImage, TOutputImage, TOptions>>
+  : public VolumeDiffusionOptionsMethods<
+      DeviceOptionsMethods<VolumeGradientImageFilter<TInputImage, TOutputImage, TOptions>>>
 {
 public:
   ITK_DISALLOW_COPY_AND_MOVE(VolumeDiffusionImageFilter);

@@ -105,9 +105,10 @@ ChooseP(const float *                      intensities,
   const double          smallest = std::min({ spacing[0], spacing[1], spacing[2] });
   std::array<double, 3> resolution{};
   std::transform(spacing.begin(), spacing.end(), resolution.begin(), [smallest](double h) { return h / smallest; });
-  const Histogram all = CountHalfGradients(intensities, size, resolution, lower, upper, false);
-  const bool      noisy = 10 * Sum(all, 1) > Sum(all);
-  choice.noise = noisy ? 3.138 * Quantile(all, 0.25, 1) : 0.0; // the lower quartile of |normal| is sd / 3.138
+  const Histogram  all = CountHalfGradients(intensities, size, resolution, lower, upper, false);
+  const bool       noisy = 10 * Sum(all, 1) > Sum(all);
+  constexpr double perQuartile = 3.138; // the lower quartile of |normal| is sd / 3.138
+  choice.noise = noisy ? perQuartile * Quantile(all, 0.25, 1) : 0.0;
 
   const Histogram peaks = CountHalfGradients(intensities, size, resolution, lower, upper, true);
   const auto      firstEdge = std::max<std::size_t>(1, static_cast<std::size_t>(std::ceil(4.0 * choice.noise * bins)));
@@ -118,9 +119,10 @@ ChooseP(const float *                      intensities,
   }
   choice.edgeContrast = Quantile(peaks, 0.25, firstEdge);
   // Between the noise bound and the edge contrast, with a margin on both sides.
-  const double reach = std::max(4.0 * choice.noise, 0.25 * choice.edgeContrast);
-  const double cut = std::sqrt(reach * std::max(choice.edgeContrast, reach));
-  choice.p = std::clamp(1.0 / cut, 1.0, 50.0);
+  const double     reach = std::max(4.0 * choice.noise, 0.25 * choice.edgeContrast);
+  const double     cut = std::sqrt(reach * std::max(choice.edgeContrast, reach));
+  constexpr double greatestP = 50.0;
+  choice.p = std::clamp(1.0 / cut, 1.0, greatestP);
   char text[240];
   std::snprintf(
     text,

@@ -117,7 +117,8 @@ ClampedToZero(float heat)
 SHAPETON_HOST_DEVICE float
 Combined(const float * const * nodes, std::size_t i, const float * weights)
 {
-  static_assert(NumberOfNodes == 7, "the sum below is written out");
+  constexpr std::size_t written = 7;
+  static_assert(NumberOfNodes == written, "the sum below is written out");
   return ClampedToZero(
     ((weights[0] * nodes[0][i] + weights[1] * nodes[1][i]) + (weights[2] * nodes[2][i] + weights[3] * nodes[3][i])) +
     ((weights[4] * nodes[4][i] + weights[5] * nodes[5][i]) + weights[6] * nodes[6][i]));

@@ -188,7 +188,8 @@ MeasureBorder(const itk::Image<unsigned char, 3> * labels, std::vector<HeatClass
 std::vector<HeatClass>
 FindHeatClasses(const HeatHistogram & histogram, std::size_t row, const HeatClassificationRule & rule)
 {
-  if (rule.maximumNumberOfClasses < 1 || rule.maximumNumberOfClasses > 254)
+  constexpr unsigned int mostClasses = 254;
+  if (rule.maximumNumberOfClasses < 1 || rule.maximumNumberOfClasses > mostClasses)
   {
     throw std::invalid_argument("the maximum number of classes must be between 1 and 254");
   }
@@ -267,8 +268,9 @@ AssignComponents(const std::vector<ShapeComponent> & components,
     {
       index[axis] += static_cast<itk::IndexValueType>(component.index[axis]);
     }
-    const float now = heat->GetPixel(index);
-    if (!component.closed || std::abs(now - component.convergedHeat) > 0.05 * component.convergedHeat)
+    const float      now = heat->GetPixel(index);
+    constexpr double converged = 0.05; // relative deviation
+    if (!component.closed || std::abs(now - component.convergedHeat) > converged * component.convergedHeat)
     {
       continue;
     }

@@ -127,7 +127,7 @@ HeatDiffusionSolver::PlanIntervals(std::uint64_t                      start,
   return plan;
 }
 
-std::array<float, 7>
+std::array<float, NumberOfNodes>
 HeatDiffusionSolver::InterpolationWeights(const Interval & interval, std::uint64_t step)
 {
   std::array<double, NumberOfNodes> node{};
@@ -167,11 +167,13 @@ HeatDiffusionSolver::HeatDiffusionSolver(const VolumeGradientOperator & volumeGr
                                          double                         tolerance)
   : m_VolumeGradient(volumeGradient), m_Method(method), m_TimeStepLength(timeStepLength), m_Tolerance(tolerance)
 {
-  if (!(timeStepLength > 0.0) || timeStepLength > MaximumTimeStepLength * (1.0 + 1e-6)) // accepts 0.08333333 as 1/12
+  constexpr double rounding = 1e-6; // accepts 0.08333333 as 1/12
+  constexpr double leastTolerance = 1e-6;
+  if (!(timeStepLength > 0.0) || timeStepLength > MaximumTimeStepLength * (1.0 + rounding))
   {
     throw std::invalid_argument("the time step must be positive and at most 1/12");
   }
-  if (!(tolerance >= 1e-6) || tolerance > 1.0)
+  if (!(tolerance >= leastTolerance) || tolerance > 1.0)
   {
     throw std::invalid_argument("the tolerance must be between 1e-6 and 1");
   }

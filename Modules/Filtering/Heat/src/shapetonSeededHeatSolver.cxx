@@ -220,8 +220,11 @@ SeededHeatSolver::Solve(const unsigned short * seeds, const Progress & progress)
           static_cast<int>(width),
           LabelField(grid.GetLength() * width) });
     }
-    Batch &        batch = batches[index];
-    const auto     share = [&](std::size_t label) { return 0.1 + 0.9 * static_cast<double>(label) / solved; };
+    Batch &          batch = batches[index];
+    constexpr double prepared = 0.1;
+    const auto       share = [&](std::size_t label) {
+      return prepared + (1.0 - prepared) * static_cast<double>(label) / solved;
+    };
     const Progress part = progress.Part("", share(first), share(end));
     width == 4   ? this->SolveBatch<4>(batch, seeds, hierarchy, part)
     : width == 2 ? this->SolveBatch<2>(batch, seeds, hierarchy, part)

@@ -40,7 +40,8 @@ private:
   void
   Mix(std::uint64_t word)
   {
-    m_Sum = (m_Sum ^ word) * 0x9E3779B97F4A7C15U;
+    constexpr std::uint64_t goldenRatio = 0x9E3779B97F4A7C15U; // times 2^64
+    m_Sum = (m_Sum ^ word) * goldenRatio;
     m_Sum ^= m_Sum >> 32;
   }
 

@@ -22,6 +22,11 @@ struct ParticleArithmetic
   using Words = typename TLanes::Words;
   using Truth = typename TLanes::Truth;
 
+  /** Guard of a division by zero. */
+  static constexpr float LeastDivisor = 1e-20F;
+  /** The largest number below 1. */
+  static constexpr float BelowOne = 1.0F - 6e-8F;
+
   SHAPETON_HOST_DEVICE static Floats
   Broadcast(float value)
   {
@@ -56,31 +61,35 @@ struct ParticleArithmetic
   SHAPETON_HOST_DEVICE static Floats
   CubeRoot(Floats a)
   {
-    const Integers third = TLanes::Truncate(TLanes::ToFloats(TLanes::BitsOf(a)) * (1.0F / 3.0F));
-    Floats         root = TLanes::FromBits(third + 709921077);
+    const Integers         third = TLanes::Truncate(TLanes::ToFloats(TLanes::BitsOf(a)) * (1.0F / 3.0F));
+    constexpr std::int32_t twoThirdsOfOne = 709921077; // about, of the bits of 1.0F
+    Floats                 root = TLanes::FromBits(third + twoThirdsOfOne);
     for (int iteration = 0; iteration < 2; ++iteration)
     {
       const Floats cube = root * root * root;
       root = root * (cube + 2.0F * a) / (2.0F * cube + a);
     }
-    return a > 1e-30F ? root : Broadcast(0.0F);
+    constexpr float least = 1e-30F;
+    return a > least ? root : Broadcast(0.0F);
   }
 
   /** sin(pi/2 u) for u in [0, 1]. */
   SHAPETON_HOST_DEVICE static Floats
   SineOfQuarter(Floats u)
   {
-    const Floats t = u * u;
-    return u *
-           (1.5707963F +
-            t * (-0.64596409F + t * (0.079692626F + t * (-0.0046817541F + t * (0.00016044118F + t * -3.5988432e-6F)))));
+    // Coefficients of the odd powers, close to those of Taylor's series.
+    constexpr float a1 = 1.5707963F, a3 = -0.64596409F, a5 = 0.079692626F;
+    constexpr float a7 = -0.0046817541F, a9 = 0.00016044118F, a11 = -3.5988432e-6F;
+    const Floats    t = u * u;
+    return u * (a1 + t * (a3 + t * (a5 + t * (a7 + t * (a9 + t * a11)))));
   }
 
   /** Numbers in (0, 1]. */
   SHAPETON_HOST_DEVICE static Floats
   ToUnit(Words words)
   {
-    return (TLanes::ToFloats(TLanes::Signed(words >> 8)) + 1.0F) * (1.0F / 16777216.0F);
+    constexpr float values = 16777216.0F; // 2^24
+    return (TLanes::ToFloats(TLanes::Signed(words >> 8)) + 1.0F) * (1.0F / values);
   }
 
   /** The value if bit 0 of `bit` is set, else its negative. */
@@ -168,7 +177,7 @@ struct ParticleArithmetic
     const Floats e12 = e1 * e1;
     const Floats e04 = e02 * e02;
     const Floats root = SquareRoot(SquareRoot(Maximum(Floats{}, e04 + random * (e12 * e12 - e04))));
-    Floats       s = random * ((e1 + e0) * (e12 + e02)) / Maximum((root + e0) * (root * root + e02), Broadcast(1e-20F));
+    Floats s = random * ((e1 + e0) * (e12 + e02)) / Maximum((root + e0) * (root * root + e02), Broadcast(LeastDivisor));
 
     const Floats b = w3 - w2;
     const Floats w11 = w1 * w1;
@@ -183,7 +192,7 @@ struct ParticleArithmetic
       s = Minimum(s, Broadcast(1.0F));
       const Floats below = s * (g0 + s * (g1 * 0.5F + s * (g2 * (1.0F / 3.0F) + s * g3 * 0.25F)));
       const Floats slope = g0 + s * (g1 + s * (g2 + s * g3));
-      s = Minimum(Broadcast(1.0F), Maximum(Floats{}, s - (below - wanted) / Maximum(slope, Broadcast(1e-20F))));
+      s = Minimum(Broadcast(1.0F), Maximum(Floats{}, s - (below - wanted) / Maximum(slope, Broadcast(LeastDivisor))));
     }
     return s;
   }
@@ -229,13 +238,14 @@ struct ParticleArithmetic
   DrawThetaBySectorArea(Floats w1, Floats across, Floats random)
   {
     // Scaled by the larger weight, so that cubes neither overflow nor underflow.
-    const Floats scale = 1.0F / Maximum(Maximum(w1, across), Broadcast(1e-20F));
+    const Floats scale = 1.0F / Maximum(Maximum(w1, across), Broadcast(LeastDivisor));
     const Floats a = w1 * scale;
     const Floats b = across * scale;
     const Floats aaa = a * a * a;
     const Floats root = CubeRoot(Maximum(Floats{}, aaa + random * (b * b * b - aaa)));
-    const Floats u = Minimum(
-      Broadcast(1.0F), random * (b * b + b * a + a * a) / Maximum(root * root + root * a + a * a, Broadcast(1e-20F)));
+    const Floats u =
+      Minimum(Broadcast(1.0F),
+              random * (b * b + b * a + a * a) / Maximum(root * root + root * a + a * a, Broadcast(LeastDivisor)));
     return { SineOfQuarter(1.0F - u), SineOfQuarter(u) };
   }
 
@@ -299,7 +309,7 @@ struct ParticleArithmetic
     const Floats distance = Magnitude(place);
     const Floats turns = TLanes::ToFloats(TLanes::Truncate(distance * (1.0F / period)));
     const Floats rest = Magnitude(distance - turns * period);
-    return Minimum(Minimum(rest, Magnitude(period - rest)), Broadcast(size * (1.0F - 6e-8F)));
+    return Minimum(Minimum(rest, Magnitude(period - rest)), Broadcast(size * BelowOne));
   }
 
   /** Moves a shapeton by one step, reflected at the border of the volume; returns its voxel. */

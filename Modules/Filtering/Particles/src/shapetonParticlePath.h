@@ -63,9 +63,10 @@ NextFace(const Path & path, float & share)
   share = path.rest;
   for (unsigned int axis = 0; axis < 3; ++axis)
   {
-    const float way = path.way[axis];
-    const float distance = way > 0.0F ? 1.0F - path.place[axis] : path.place[axis];
-    const float need = way == 0.0F ? 3.402823466e38F /* largest float */ : distance / (way < 0.0F ? -way : way);
+    const float     way = path.way[axis];
+    const float     distance = way > 0.0F ? 1.0F - path.place[axis] : path.place[axis];
+    constexpr float never = 3.402823466e38F; // largest float
+    const float     need = way == 0.0F ? never : distance / (way < 0.0F ? -way : way);
     face = need < share ? axis : face;
     share = need < share ? need : share;
   }
@@ -98,7 +99,8 @@ GoOn(const Surroundings & surroundings, Path & path)
   const std::uint16_t weight = RecordOf(surroundings, path)[2 * face + (forwards ? 1 : 0)];
   const std::int32_t  next = path.index[face] + (forwards ? 1 : -1);
   const bool          inside = next >= 0 && next < surroundings.size[face];
-  if (inside && path.numbers.Next() * 65535.0F < static_cast<float>(weight))
+  constexpr float     greatestWeight = 65535.0F;
+  if (inside && path.numbers.Next() * greatestWeight < static_cast<float>(weight))
   {
     const std::int32_t strides[3] = { 1, surroundings.size[0], surroundings.size[0] * surroundings.size[1] };
     path.index[face] = next;

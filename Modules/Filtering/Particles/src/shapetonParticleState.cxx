@@ -1,4 +1,5 @@
 #include "shapetonParticleState.h"
+#include "shapetonPrintable.h"
 #include "shapetonChecksum.h"
 
 #include <algorithm>
@@ -141,7 +142,7 @@ ReadParticleState(std::istream & stream)
     }
     else
     {
-      throw std::runtime_error("its header contains the unknown entry \"" + name.substr(0, 40) + "\"");
+      throw std::runtime_error("its header contains the unknown entry \"" + name.substr(0, LongestExcerpt) + "\"");
     }
   }
   header += '\n';

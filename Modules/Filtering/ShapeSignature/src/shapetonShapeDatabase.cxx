@@ -129,9 +129,10 @@ ShapeOf(const SqliteStatement & row, const std::string & path)
   signature.surface = row.Number(2);
   signature.elongation = row.Number(3);
   signature.flatness = row.Number(4);
-  ReadList(row.Text(5), signature.remainingHeat, place);
-  ReadList(row.Text(6), signature.displacement, place);
-  ReadList(row.Text(7), signature.spectrum, place);
+  constexpr int remainingHeat = 5, displacement = 6, spectrum = 7; // columns
+  ReadList(row.Text(remainingHeat), signature.remainingHeat, place);
+  ReadList(row.Text(displacement), signature.displacement, place);
+  ReadList(row.Text(spectrum), signature.spectrum, place);
   RequireSound(signature, place);
   return shape;
 }

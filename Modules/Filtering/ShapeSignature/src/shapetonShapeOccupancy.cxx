@@ -53,8 +53,9 @@ ForEachVoxel(const VoxelRuns & shape, const TBody & body)
 double
 QuadraticSpline(double x)
 {
-  const double distance = std::abs(x);
-  return distance < 0.5 ? 0.75 - distance * distance : 0.5 * (1.5 - distance) * (1.5 - distance);
+  const double     distance = std::abs(x);
+  constexpr double peak = 0.75, reach = 1.5;
+  return distance < 0.5 ? peak - distance * distance : 0.5 * (reach - distance) * (reach - distance);
 }
 
 /** A point mass in the neighborhood of a voxel, in units of its grid. */
@@ -152,7 +153,8 @@ MomentsOf(const VoxelRuns & shape, const itk::ImageBase<3> * image)
   Eigen::Matrix3d       covariance = Eigen::Matrix3d::Zero();
   ForEachVoxel(shape,
                [&](const Eigen::Vector3d & index) { covariance += (index - mean) * (index - mean).transpose(); });
-  covariance = covariance / voxels + Eigen::Matrix3d::Identity() / 12.0; // a voxel is a box
+  constexpr double perVariance = 12.0; // a voxel is a box, a uniform distribution of width 1
+  covariance = covariance / voxels + Eigen::Matrix3d::Identity() / perVariance;
 
   const IndexToPoint toPoint(image);
   ShapeMoments       moments;

@@ -118,16 +118,18 @@ template <std::size_t Size>
 bool
 IsMonotonic(const std::array<double, Size> & values, bool ascending)
 {
+  constexpr double clearly = 1.0 - 1e-6; // by more than rounding
   return std::is_sorted(values.begin(), values.end(), [ascending](double a, double b) {
-    return ascending ? a < b * (1.0 - 1e-6) : a * (1.0 - 1e-6) > b;
+    return ascending ? a < b * clearly : a * clearly > b;
   });
 }
 
 int
 WholeNumber(const CsvFile & file, std::size_t row, const char * column, const std::string & place)
 {
-  const double value = file.Number(row, column);
-  if (!(value >= 0.0 && value <= 2e9 && value == std::floor(value)))
+  const double     value = file.Number(row, column);
+  constexpr double greatest = 2e9; // fits into 32 bits
+  if (!(value >= 0.0 && value <= greatest && value == std::floor(value)))
   {
     throw InputError(place + ": the " + column + " " + file.Text(row, column) + " is not a non-negative integer");
   }

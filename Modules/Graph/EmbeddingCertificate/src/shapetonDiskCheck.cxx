@@ -48,13 +48,13 @@ struct Isometry
 Isometry
 Turn(double angle)
 {
-  return { std::polar<Real>(1.0L, 0.5L * angle), 0.0L };
+  return { std::polar<Real>(1.0, Real{ 0.5 } * angle), 0.0L };
 }
 
 Isometry
 Walk(double length)
 {
-  return { std::cosh(0.5L * length), std::sinh(0.5L * length) };
+  return { std::cosh(Real{ 0.5 } * length), std::sinh(Real{ 0.5 } * length) };
 }
 
 class DiskCheck
@@ -115,7 +115,8 @@ private:
   static double
   Tolerance(LongComplex z)
   {
-    return MostPlaceError + static_cast<double>(1e-14L / ((1.0L - std::abs(z)) * (1.0L + std::abs(z))));
+    constexpr long double rounding = 1e-14L; // of a place
+    return MostPlaceError + static_cast<double>(rounding / ((1.0 - std::abs(z)) * (1.0 + std::abs(z))));
   }
 
   double
@@ -286,7 +287,7 @@ DiskCheck::CheckGenerators(Measures & measures) const
     if (!(drift <= MostPlaceError + DriftOfFactor(measured)))
     {
       throw Refusal("the generator of half-edge " + std::to_string(generator.halfEdge) + " has |a|^2 - |b|^2 = 1 + " +
-                    Figure(static_cast<double>(2.0L * drift)));
+                    Figure(static_cast<double>(2.0 * drift)));
     }
     if (!(error <= this->GeneratorTolerance(generator.halfEdge, measured)))
     {

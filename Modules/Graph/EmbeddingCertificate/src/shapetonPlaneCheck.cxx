@@ -164,8 +164,9 @@ private:
         throw Refusal("the generator of half-edge " + std::to_string(generator.halfEdge) + " is not its translation");
       }
     }
-    const double area = std::abs((std::conj(m_Certificate.generators[0].b) * m_Certificate.generators[1].b).imag());
-    if (!(std::abs(area / m_Area - 1.0) <= 1e-6))
+    const double     area = std::abs((std::conj(m_Certificate.generators[0].b) * m_Certificate.generators[1].b).imag());
+    constexpr double sameArea = 1e-6;
+    if (!(std::abs(area / m_Area - 1.0) <= sameArea))
     {
       throw Refusal("the generators do not span the lattice of the periods");
     }

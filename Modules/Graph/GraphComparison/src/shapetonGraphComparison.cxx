@@ -268,14 +268,15 @@ namespace
 std::string
 ColorOf(int index)
 {
-  const double hue = std::fmod(index * 0.6180339887498949, 1.0) * 6.0;
-  const double value = 0.95 - 0.15 * (index % 3);
-  const auto   channel = [&](double shift) {
+  const double     hue = std::fmod(index * 0.6180339887498949, 1.0) * 6.0;
+  const double     value = 0.95 - 0.15 * (index % 3);
+  constexpr double saturation = 0.7, red = 5.0, green = 3.0, blue = 1.0; // conversion of HSV
+  const auto       channel = [&](double shift) {
     const double k = std::fmod(shift + hue, 6.0);
-    return static_cast<int>(255.0 * (value - 0.7 * value * std::max(0.0, std::min({ k, 4.0 - k, 1.0 }))));
+    return static_cast<int>(255.0 * (value - saturation * value * std::max(0.0, std::min({ k, 4.0 - k, 1.0 }))));
   };
   char text[8];
-  std::snprintf(text, sizeof(text), "#%02x%02x%02x", channel(5.0), channel(3.0), channel(1.0));
+  std::snprintf(text, sizeof(text), "#%02x%02x%02x", channel(red), channel(green), channel(blue));
   return text;
 }
 

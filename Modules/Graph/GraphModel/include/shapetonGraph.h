@@ -4,6 +4,7 @@
 #include "ShapetonGraphModelExport.h"
 
 #include <array>
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,9 @@ struct Graph
  * numbers of names and nodes differ, or there are more half-edges than int can count. \ingroup ShapetonGraphModel */
 ShapetonGraphModel_EXPORT void
 RequireSound(const Graph & graph, const std::string & what);
+
+/** Number of bytes of a node name that a message repeats. \ingroup ShapetonGraphModel */
+constexpr std::size_t LongestName = 60;
 
 /** Name of a node, or its index as text if the graph has no names. \ingroup ShapetonGraphModel */
 ShapetonGraphModel_EXPORT std::string

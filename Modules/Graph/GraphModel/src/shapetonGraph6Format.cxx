@@ -7,6 +7,11 @@ namespace shapeton
 {
 namespace
 {
+/** Each byte from 63 to 126 holds six bits. */
+constexpr char        FirstByte = 63;
+constexpr char        LastByte = 126;
+constexpr std::size_t BitsOfByte = 6;
+
 /** The six bits of a printable byte. */
 class SixBits
 {
@@ -15,7 +20,7 @@ public:
   {
     for (const char c : line)
     {
-      if (!(c >= 63 && c <= 126))
+      if (!(c >= FirstByte && c <= LastByte))
       {
         text.Refuse(number, "the byte " + Quoted({ &c, 1 }) + " is invalid in this format");
       }
@@ -36,7 +41,7 @@ public:
     std::int64_t size = 0;
     for (std::size_t i = skip; i < skip + digits; ++i)
     {
-      size = size * 64 + (m_Line[i] - 63);
+      size = size * 64 + (m_Line[i] - FirstByte);
     }
     m_Line.remove_prefix(skip + digits);
     if (size > most)
@@ -49,13 +54,13 @@ public:
   std::size_t
   Bits() const
   {
-    return 6 * m_Line.size();
+    return BitsOfByte * m_Line.size();
   }
 
   bool
   Bit(std::size_t index) const
   {
-    return ((m_Line[index / 6] - 63) >> (5 - index % 6) & 1) != 0;
+    return ((m_Line[index / BitsOfByte] - FirstByte) >> (BitsOfByte - 1 - index % BitsOfByte) & 1) != 0;
   }
 
 private:
@@ -107,11 +112,12 @@ ReadGraph6(const GraphText & text, std::vector<std::string> & notes)
   SixBits              bits(text, line.text, line.number);
   NumberedGraphBuilder builder(text, bits.TakeSize(), line.number, 0);
   const std::size_t    pairs = static_cast<std::size_t>(builder.Nodes()) * (builder.Nodes() - 1) / 2;
-  if (bits.Bits() / 6 != (pairs + 5) / 6)
+  const std::size_t    bytes = (pairs + BitsOfByte - 1) / BitsOfByte;
+  if (bits.Bits() / BitsOfByte != bytes)
   {
     text.Refuse(line.number,
-                "a graph of " + std::to_string(builder.Nodes()) + " nodes needs " + std::to_string((pairs + 5) / 6) +
-                  " bytes of edges, but " + std::to_string(bits.Bits() / 6) + " follow",
+                "a graph of " + std::to_string(builder.Nodes()) + " nodes needs " + std::to_string(bytes) +
+                  " bytes of edges, but " + std::to_string(bits.Bits() / BitsOfByte) + " follow",
                 "use a complete copy of the file");
   }
   std::size_t index = 0;

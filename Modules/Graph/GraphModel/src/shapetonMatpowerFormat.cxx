@@ -102,8 +102,9 @@ CellOf(const GraphText & text, const MatrixRow & row, std::size_t column)
 std::string
 BusOf(const GraphText & text, const MatrixRow & row, std::size_t column)
 {
-  const double number = CellOf(text, row, column);
-  if (!(number >= 0.0 && number <= 1e9 && number == static_cast<int>(number)))
+  const double     number = CellOf(text, row, column);
+  constexpr double greatest = 1e9; // fits into an int
+  if (!(number >= 0.0 && number <= greatest && number == static_cast<int>(number)))
   {
     text.Refuse(row.line, Quoted(row.cells[column]) + " is not a bus number");
   }

@@ -25,7 +25,8 @@ constexpr double greatestTurn = 0.3; // radians per step, in both directions
 double
 Unit(std::uint32_t word)
 {
-  return word * (1.0 / 4294967296.0);
+  constexpr double values = 4294967296.0; // 2^32
+  return word * (1.0 / values);
 }
 
 /** Reflects a coordinate beyond the margin. Returns whether it was reflected. */

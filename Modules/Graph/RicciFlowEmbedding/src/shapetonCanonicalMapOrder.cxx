@@ -48,9 +48,10 @@ public:
   {
     std::vector<std::uint64_t> next(m_Hash.size());
     ParallelForBlocks(m_Hash.size(), [&](std::size_t i) {
-      const int h = static_cast<int>(i);
-      const int turned = m_IsMirrored ? m_Map.PreviousAround(h) : m_Map.NextAround(h);
-      next[i] = Mix(m_Hash[i] + 3 * Mix(m_Hash[turned] + 1) + 7 * Mix(m_Hash[CombinatorialMap::Twin(h)] + 2));
+      constexpr std::uint64_t ofTwin = 7;
+      const int               h = static_cast<int>(i);
+      const int               turned = m_IsMirrored ? m_Map.PreviousAround(h) : m_Map.NextAround(h);
+      next[i] = Mix(m_Hash[i] + 3 * Mix(m_Hash[turned] + 1) + ofTwin * Mix(m_Hash[CombinatorialMap::Twin(h)] + 2));
     });
     m_Hash.swap(next);
   }

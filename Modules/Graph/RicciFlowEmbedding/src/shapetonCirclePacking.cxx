@@ -36,6 +36,11 @@ constexpr double mostUncertainty = 1e-13;
 constexpr int    mostRefinements = 6;
 /** Largest change of log r in one step. */
 constexpr double longestStep = 8.0;
+/** A step covers at most this share of the way to the border of the domain. */
+constexpr double insideDomain = 0.95;
+/** Ratio of residuals of a step that is not in vain, and the residual at the rounding limit. */
+constexpr double clearlyBetter = 0.9;
+constexpr double nearSolution = 1e-8;
 
 double
 Dot(const std::vector<double> & a, const std::vector<double> & b)
@@ -145,7 +150,7 @@ NewtonFlow::LongestStep() const
     largest = std::max(largest, std::abs(m_Direction[i]));
     if (m_IsHyperbolic && m_Direction[i] > 0.0)
     {
-      length = std::min(length, -0.95 * m_Point[i] / m_Direction[i]);
+      length = std::min(length, -insideDomain * m_Point[i] / m_Direction[i]);
     }
   }
   return largest * length > longestStep ? longestStep / largest : length;
@@ -183,9 +188,10 @@ bool
 NewtonFlow::IsDone()
 {
   const double residual = m_Energy.Residual();
-  m_StepsInVain = residual < 0.9 * m_Best ? 0 : m_StepsInVain + 1;
+  m_StepsInVain = residual < clearlyBetter * m_Best ? 0 : m_StepsInVain + 1;
   m_Best = std::min(m_Best, residual);
-  return residual <= wantedResidual || m_StepsInVain >= (residual < 1e-8 ? mostStepsAtTheLimit : mostStepsInVain);
+  return residual <= wantedResidual ||
+         m_StepsInVain >= (residual < nearSolution ? mostStepsAtTheLimit : mostStepsInVain);
 }
 
 /** Performs one more step with the last factor, which is accurate to about the square of the residual and needs no

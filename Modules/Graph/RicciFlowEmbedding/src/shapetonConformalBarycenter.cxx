@@ -272,9 +272,12 @@ Eigen::Matrix3d
 CanonicalAxes(const SphericalPacking & packing, const std::vector<int> & rank)
 {
   constexpr double shortest = 0.1;
+  constexpr double frequencyStep = 0.37; // of the weights, which differ for each sum
+  constexpr double notAlong = 0.7;       // cosine
+  constexpr int    trials = 20;
   Eigen::Vector3d  north = Eigen::Vector3d::UnitZ();
   double           frequency = 1.0;
-  for (int i = 0; i < 20; ++i, frequency += 0.37)
+  for (int i = 0; i < trials; ++i, frequency += frequencyStep)
   {
     const Eigen::Vector3d sum = WeightedSum(packing.nodes, rank, frequency);
     if (sum.norm() > shortest)
@@ -284,10 +287,10 @@ CanonicalAxes(const SphericalPacking & packing, const std::vector<int> & rank)
     }
   }
   Eigen::Vector3d meridian =
-    Rejected(std::abs(north[0]) < 0.7 ? Eigen::Vector3d::UnitX() : Eigen::Vector3d::UnitY(), north);
-  for (int i = 0; i < 20; ++i)
+    Rejected(std::abs(north[0]) < notAlong ? Eigen::Vector3d::UnitX() : Eigen::Vector3d::UnitY(), north);
+  for (int i = 0; i < trials; ++i)
   {
-    frequency += 0.37;
+    frequency += frequencyStep;
     const Eigen::Vector3d sum = Rejected(WeightedSum(packing.nodes, rank, frequency), north);
     if (sum.norm() > shortest)
     {

@@ -9,8 +9,9 @@ namespace shapeton
 {
 namespace
 {
-/** 320 digits, because canonical words move the origin far out and back. */
-using Real = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<320>, boost::multiprecision::et_off>;
+/** So many digits, because canonical words move the origin far out and back. */
+constexpr unsigned int digits = 320;
+using Real = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<digits>, boost::multiprecision::et_off>;
 /** A relation with a larger residual is meaningless and is not refined. */
 constexpr double worstRelation = 0.1;
 constexpr int    mostNewtonSteps = 12;

@@ -52,7 +52,7 @@ struct RadialGraph
 std::string
 NameOf(const std::vector<std::string> & names, int node)
 {
-  return names.empty() ? std::to_string(node) : names[node].substr(0, 60);
+  return names.empty() ? std::to_string(node) : names[node].substr(0, LongestName);
 }
 
 /** Whether the two nodes are the ends of an edge between the two faces. */

@@ -250,7 +250,7 @@ AddSmallestCircle(EmbeddingCertificate & certificate)
                   static_cast<long>(illegible),
                   certificate.graph.nodes,
                   smallestLegibleRadius,
-                  NameOfNode(certificate.graph, static_cast<int>(smallest - first)).substr(0, 60).c_str(),
+                  NameOfNode(certificate.graph, static_cast<int>(smallest - first)).substr(0, LongestName).c_str(),
                   *smallest / unit);
     certificate.warnings.emplace_back(text);
   }

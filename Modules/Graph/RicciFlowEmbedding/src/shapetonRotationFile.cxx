@@ -61,7 +61,7 @@ private:
     const auto found = m_NodeOfName.find(name);
     if (found == m_NodeOfName.end())
     {
-      this->Fail("the graph has no node \"" + name.substr(0, 60) + '"');
+      this->Fail("the graph has no node \"" + name.substr(0, LongestName) + '"');
     }
     return found->second;
   }
@@ -90,7 +90,7 @@ private:
       const auto found = m_HalfEdge.find(std::pair(node, this->Node(word)));
       if (found == m_HalfEdge.end())
       {
-        this->Fail("the graph has no edge from this node to \"" + word.substr(0, 60) + '"');
+        this->Fail("the graph has no edge from this node to \"" + word.substr(0, LongestName) + '"');
       }
       around.push_back(found->second);
     }

@@ -6,6 +6,7 @@
 #include "shapetonSurfaceWriter.h"
 
 #include <filesystem>
+#include <limits>
 
 namespace shapeton
 {
@@ -39,13 +40,15 @@ WriteDicomPicture(const DicomSource &                                 source,
                   const DicomResultHeader &                           header,
                   const std::string &                                 path)
 {
-  const auto size = picture->GetBufferedRegion().GetSize();
-  if (size[0] > 65535 || size[1] > 65535)
+  const auto            size = picture->GetBufferedRegion().GetSize();
+  constexpr std::size_t greatest = std::numeric_limits<Uint16>::max();
+  if (size[0] > greatest || size[1] > greatest)
   {
     throw InputError("the picture for \"" + path +
                      "\" has more than 65535 rows or columns, the most that DICOM allows");
   }
   const auto * const first = reinterpret_cast<const Uint8 *>(picture->GetBufferPointer());
+  constexpr Uint32   bits = 8;
   DicomResultObject  object(source, UID_SecondaryCaptureImageStorage, "OT", header);
   object.PutReferencedSeries();
   object.PutContentQualification();
@@ -62,9 +65,9 @@ WriteDicomPicture(const DicomSource &                                 source,
     .Integers(DCM_PlanarConfiguration, { 0 })
     .Integers(DCM_Rows, { static_cast<Uint32>(size[1]) })
     .Integers(DCM_Columns, { static_cast<Uint32>(size[0]) })
-    .Integers(DCM_BitsAllocated, { 8 })
-    .Integers(DCM_BitsStored, { 8 })
-    .Integers(DCM_HighBit, { 7 })
+    .Integers(DCM_BitsAllocated, { bits })
+    .Integers(DCM_BitsStored, { bits })
+    .Integers(DCM_HighBit, { bits - 1 })
     .Integers(DCM_PixelRepresentation, { 0 })
     .Bytes(DCM_PixelData, { first, first + 3 * size[0] * size[1] });
   PutSlices(object, DCM_SourceImageSequence, source);

@@ -45,8 +45,9 @@ NumbersOf(DcmItem & item, const DcmTagKey & tag, std::size_t count)
 int
 WordOf(DcmItem & item, const DcmTagKey & tag)
 {
-  const double number = NumbersOf(item, tag, 1).front();
-  if (!(number >= 0 && number <= 65535 && number == std::floor(number)))
+  const double     number = NumbersOf(item, tag, 1).front();
+  constexpr double greatest = 65535.0;
+  if (!(number >= 0 && number <= greatest && number == std::floor(number)))
   {
     throw std::runtime_error(std::string("cannot be read: its ") + DcmTag(tag).getTagName() +
                              " is not a whole number from 0 to 65535");

@@ -21,7 +21,8 @@ public:
   void
   Write(const unsigned short * labels, std::size_t count, unsigned short label)
   {
-    m_Bytes.resize((m_Bits + count + 7) / 8);
+    constexpr std::size_t bits = 8; // of a byte
+    m_Bytes.resize((m_Bits + count + bits - 1) / bits);
     for (std::size_t i = 0; i < count; ++i, ++m_Bits)
     {
       m_Bytes[m_Bits / 8] |= static_cast<Uint8>(labels[i] == label) << (m_Bits % 8);
@@ -92,23 +93,30 @@ private:
 std::vector<Uint32>
 LabOf(const std::array<unsigned char, 3> & color)
 {
+  // Transfer function of sRGB (IEC 61966-2-1).
+  constexpr double      linearEnd = 0.04045, linearSlope = 12.92, offset = 0.055, gamma = 2.4;
   std::array<double, 3> linear{};
   for (int i = 0; i < 3; ++i)
   {
     const double value = color[i] / 255.0;
-    linear[i] = value > 0.04045 ? std::pow((value + 0.055) / 1.055, 2.4) : value / 12.92;
+    linear[i] = value > linearEnd ? std::pow((value + offset) / (1.0 + offset), gamma) : value / linearSlope;
   }
-  const auto weigh = [&](double r, double g, double b) {
+  // Lightness of CIE 15.
+  constexpr double epsilon = 216.0 / 24389.0, kappa = 24389.0 / 27.0, shift = 16.0, scale = 116.0;
+  const auto       weigh = [&](double r, double g, double b) {
     const double share = r * linear[0] + g * linear[1] + b * linear[2];
-    return share > 216.0 / 24389.0 ? std::cbrt(share) : (24389.0 / 27.0 * share + 16.0) / 116.0;
+    return share > epsilon ? std::cbrt(share) : (kappa * share + shift) / scale;
   };
-  const double x = weigh(0.4361 / 0.9642, 0.3851 / 0.9642, 0.1431 / 0.9642);
-  const double y = weigh(0.2225, 0.7169, 0.0606);
-  const double z = weigh(0.0139 / 0.8249, 0.0971 / 0.8249, 0.7141 / 0.8249);
-  const auto   word = [](double value) { return static_cast<Uint32>(std::lround(std::clamp(value, 0.0, 65535.0))); };
-  return { word((116.0 * y - 16.0) * 655.35),
-           word((500.0 * (x - y) + 128.0) * 257.0),
-           word((200.0 * (y - z) + 128.0) * 257.0) };
+  const double     x = weigh(0.4361 / 0.9642, 0.3851 / 0.9642, 0.1431 / 0.9642);
+  const double     y = weigh(0.2225, 0.7169, 0.0606);
+  const double     z = weigh(0.0139 / 0.8249, 0.0971 / 0.8249, 0.7141 / 0.8249);
+  constexpr double ofA = 500.0, ofB = 200.0;
+  // 16 bits for L* from 0 to 100, a* and b* from -128 to 127.
+  constexpr double greatest = 65535.0, perLightness = 655.35, perColor = 257.0, zero = 128.0;
+  const auto word = [=](double value) { return static_cast<Uint32>(std::lround(std::clamp(value, 0.0, greatest))); };
+  return { word((scale * y - shift) * perLightness),
+           word((ofA * (x - y) + zero) * perColor),
+           word((ofB * (y - z) + zero) * perColor) };
 }
 
 void

@@ -107,7 +107,8 @@ TakePlane(DcmItem & orientation, DcmItem & measures, bool isFirst, DicomSegmenta
     file.spacing[0] = spacing[1]; // row spacing first in DICOM
     file.spacing[1] = spacing[0];
   }
-  const auto isClose = [](double a, double b) { return std::abs(a - b) <= 1e-4; };
+  constexpr double rounding = 1e-4; // of decimal strings
+  const auto       isClose = [](double a, double b) { return std::abs(a - b) <= rounding; };
   if (!std::equal(cosines.begin(), cosines.end(), file.orientation, isClose) || !isClose(spacing[1], file.spacing[0]) ||
       !isClose(spacing[0], file.spacing[1]))
   {
@@ -151,9 +152,10 @@ ReadFrames(DcmItem & dataset, DicomSegmentationFile & file)
 std::uint64_t
 BytesOfPixels(const DicomSegmentationFile & file)
 {
-  const std::uint64_t pixels = std::uint64_t(file.columns) * file.rows * file.frames.size();
-  const std::uint64_t bytes = file.wholeValue > 0 ? 1 : file.bytesPerLabel;
-  return bytes > 0 ? bytes * pixels : (pixels + 7) / 8;
+  const std::uint64_t     pixels = std::uint64_t(file.columns) * file.rows * file.frames.size();
+  const std::uint64_t     bytes = file.wholeValue > 0 ? 1 : file.bytesPerLabel;
+  constexpr std::uint64_t bits = 8; // of a byte
+  return bytes > 0 ? bytes * pixels : (pixels + bits - 1) / bits;
 }
 
 /** Checks the length of the pixel data against frames and format before any allocation. */

@@ -96,7 +96,8 @@ HeaderOf(const std::string & path)
 std::string
 ReadHeader(const std::string & path)
 {
-  ContainedProcess process(DicomSourceService, 0, { std::size_t(512) << 20, 15, 600 });
+  constexpr ContainedProcess::Limits limits{ std::size_t{ 512 } << 20, 15, 600 };
+  ContainedProcess                   process(DicomSourceService, 0, limits);
   try
   {
     return process.Call(path);

@@ -12,8 +12,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 
 namespace shapeton
 {
@@ -44,7 +46,9 @@ GetInteger(DcmItem & item, const DcmTagKey & tag, int missing)
   try
   {
     const auto numbers = DicomNumbersOf(item, tag, 1);
-    return !numbers.empty() && std::abs(numbers[0]) <= 2147483647.0 ? static_cast<int>(numbers[0]) : missing;
+    return !numbers.empty() && std::abs(numbers[0]) <= std::numeric_limits<std::int32_t>::max()
+             ? static_cast<int>(numbers[0])
+             : missing;
   }
   catch (const MalformedDicomValue &)
   {
@@ -258,9 +262,10 @@ SignExtended(std::int64_t value, unsigned int bits)
 void
 ReadPadding(DcmItem & dataset, DicomPixelFormat & pixels)
 {
-  const int value = GetInteger(dataset, DCM_PixelPaddingValue, 65536);
-  const int limit = GetInteger(dataset, DCM_PixelPaddingRangeLimit, value);
-  if (std::abs(value) > 65535 || std::abs(limit) > 65535)
+  const int     value = GetInteger(dataset, DCM_PixelPaddingValue, 65536);
+  const int     limit = GetInteger(dataset, DCM_PixelPaddingRangeLimit, value);
+  constexpr int greatest = 65535;
+  if (std::abs(value) > greatest || std::abs(limit) > greatest)
   {
     return;
   }

@@ -1,23 +1,17 @@
 #include "shapetonDicomSeriesFolder.h"
 
 #include "shapetonExceptions.h"
+#include "shapetonOperatingSystem.h"
 
 #include "dcmtk/config/osconfig.h"
 #include "dcmtk/dcmdata/dctk.h"
 
 #include <algorithm>
-#include <array>
 #include <cctype>
-#include <cerrno>
-#include <csignal>
 #include <cstring>
 #include <filesystem>
 #include <system_error>
 #include <vector>
-
-#include <fcntl.h>
-#include <stdio.h> // renameat2
-#include <unistd.h>
 
 namespace fs = std::filesystem;
 
@@ -117,9 +111,9 @@ CheckTarget(const fs::path & target)
   {
     ThrowCannotWriteSeries(target, failure.code().message(), "use a readable and writable folder");
   }
-  if (access(target.parent_path().c_str(), W_OK | X_OK) != 0)
+  if (const int error = ErrorOfAccess(target.parent_path().string(), FileAccess::create))
   {
-    ThrowCannotWriteSeries(target, std::strerror(errno), "use an existing, writable folder");
+    ThrowCannotWriteSeries(target, std::strerror(error), "use an existing, writable folder");
   }
 }
 
@@ -165,7 +159,7 @@ FindLeftovers(const fs::path & target, const std::string & kind)
       continue;
     }
     const std::string process = name.substr(start.size(), name.size() - start.size() - kind.size());
-    if (IsNumber(process) && process.size() < 10 && kill(std::stoi(process), 0) != 0 && errno == ESRCH)
+    if (IsNumber(process) && process.size() < 10 && !IsProcessAlive(std::stoi(process)))
     {
       leftovers.push_back(entry.path());
     }
@@ -195,57 +189,21 @@ Recover(const fs::path & target)
   }
 }
 
-// Defers the signals that terminate a program until the unfinished folder has been removed or renamed.
-class DeferredSignals
+void
+ThrowWhenInterrupted()
 {
-public:
-  DeferredSignals()
+  if (DeferredSignals::IsPending())
   {
-    pending = 0;
-    for (std::size_t i = 0; i < signals.size(); ++i)
-    {
-      m_Previous[i] = std::signal(signals[i], [](int signal) { pending = signal; });
-    }
+    throw OutputError("interrupted by a signal while a series was written; nothing was changed");
   }
-  DeferredSignals(const DeferredSignals &) = delete;
-  DeferredSignals &
-  operator=(const DeferredSignals &) = delete;
-  ~DeferredSignals()
-  {
-    for (std::size_t i = 0; i < signals.size(); ++i)
-    {
-      std::signal(signals[i], m_Previous[i]);
-    }
-    if (pending != 0)
-    {
-      std::raise(pending);
-    }
-  }
-
-  static void
-  ThrowWhenPending()
-  {
-    if (pending != 0)
-    {
-      throw OutputError("interrupted by a signal while a series was written; nothing was changed");
-    }
-  }
-
-private:
-  using Handler = void (*)(int);
-  static constexpr std::array<int, 3> signals{ SIGINT, SIGTERM, SIGHUP };
-  static volatile std::sig_atomic_t   pending;
-  std::array<Handler, signals.size()> m_Previous{};
-};
-
-volatile std::sig_atomic_t DeferredSignals::pending = 0;
+}
 
 // A temporary folder that replaces the target or is removed.
 class TemporaryFolder
 {
 public:
   explicit TemporaryFolder(const fs::path & target)
-    : m_Target(target), m_Path(HiddenName(target, std::to_string(getpid()), ".part"))
+    : m_Target(target), m_Path(HiddenName(target, std::to_string(ProcessNumber()), ".part"))
   {
     std::error_code error;
     if (!fs::create_directory(m_Path, error))
@@ -272,7 +230,7 @@ public:
     {
       this->Rename(m_Path, m_Target);
     }
-    else if (renameat2(AT_FDCWD, m_Path.c_str(), AT_FDCWD, m_Target.c_str(), RENAME_EXCHANGE) != 0)
+    else if (!ExchangeNames(m_Path.string(), m_Target.string()))
     {
       this->ReplaceInTwoSteps(); // not every file system supports the exchange
     }
@@ -282,14 +240,7 @@ private:
   void
   Sync() const
   {
-    const int  folder = open(m_Path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    const bool durable = folder >= 0 && syncfs(folder) == 0;
-    const int  reason = errno;
-    if (folder >= 0)
-    {
-      close(folder);
-    }
-    if (!durable)
+    if (const int reason = ErrorOfFileSystemSync(m_Path.string()))
     {
       ThrowCannotWriteSeries(m_Target, std::strerror(reason), "free some space or use another folder");
     }
@@ -310,7 +261,7 @@ private:
   void
   ReplaceInTwoSteps()
   {
-    const fs::path old = HiddenName(m_Target, std::to_string(getpid()), ".old");
+    const fs::path old = HiddenName(m_Target, std::to_string(ProcessNumber()), ".old");
     this->Rename(m_Target, old);
     std::error_code error;
     fs::rename(m_Path, m_Target, error);
@@ -341,9 +292,9 @@ WriteDicomSeriesFolder(const itk::Image<short, 3> *   image,
   const fs::path target = TargetOf(folder);
   Recover(target);
   CheckTarget(target);
-  const DeferredSignals signals;
+  const DeferredSignals signals; // until the unfinished folder has been removed or renamed
   TemporaryFolder       temporary(target);
-  WriteDicomSlices(image, temporary.GetPath(), description, DeferredSignals::ThrowWhenPending);
+  WriteDicomSlices(image, temporary.GetPath(), description, ThrowWhenInterrupted);
   temporary.Commit();
 }
 } // namespace shapeton

@@ -53,8 +53,9 @@ SpacingOf(const DicomSeries & series)
   {
     return "-";
   }
-  const std::string plane = NumberText(series.spacing[0], 5) + " x " + NumberText(series.spacing[1], 5);
-  return series.spacing[2] > 0 ? plane + " x " + NumberText(series.spacing[2], 5) : plane;
+  constexpr int     digits = 5;
+  const std::string plane = NumberText(series.spacing[0], digits) + " x " + NumberText(series.spacing[1], digits);
+  return series.spacing[2] > 0 ? plane + " x " + NumberText(series.spacing[2], digits) : plane;
 }
 
 /** "yes", or brief reasons. */

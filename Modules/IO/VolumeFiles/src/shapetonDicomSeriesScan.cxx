@@ -57,8 +57,9 @@ ParseContained(ContainedProcess & process, const std::string & path)
 std::vector<DicomFile>
 ParseFiles(const std::vector<std::string> & paths, const Progress & progress)
 {
-  ContainedProcess       process(DicomHeaderService, 0, { std::size_t(512) << 20, 15, 600 });
-  std::vector<DicomFile> files;
+  constexpr ContainedProcess::Limits limits{ std::size_t{ 512 } << 20, 15, 600 };
+  ContainedProcess                   process(DicomHeaderService, 0, limits);
+  std::vector<DicomFile>             files;
   files.reserve(paths.size());
   for (const std::string & path : paths)
   {

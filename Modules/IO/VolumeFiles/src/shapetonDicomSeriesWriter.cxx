@@ -43,7 +43,7 @@ CheckText(const char * name, const std::string & text, std::size_t limit)
     throw InputError(std::string("the ") + name + " has more than " + std::to_string(limit) +
                      " characters, the most that DICOM allows; shorten it");
   }
-  if (std::any_of(text.begin(), text.end(), [](unsigned char c) { return c < 32 || c == 127 || c == '\\'; }))
+  if (std::any_of(text.begin(), text.end(), [](unsigned char c) { return c < ' ' || c == '\x7F' || c == '\\'; }))
   {
     throw InputError(std::string("the ") + name +
                      " contains a backslash or a control character, which DICOM does not allow; remove it");
@@ -53,11 +53,12 @@ CheckText(const char * name, const std::string & text, std::size_t limit)
 void
 CheckDescription(const DicomSeriesDescription & description)
 {
+  constexpr std::size_t longText = 10240; // value representation LT
   CheckText("patient's name", description.patientName, 64);
   CheckText("patient ID", description.patientID, 64);
   CheckText("study description", description.studyDescription, 64);
   CheckText("series description", description.seriesDescription, 64);
-  CheckText("comment", description.comments, 10240);
+  CheckText("comment", description.comments, longText);
   const std::array<const char *, 8> positions{ "HFS", "HFP", "HFDR", "HFDL", "FFS", "FFP", "FFDR", "FFDL" };
   if (std::find(positions.begin(), positions.end(), description.patientPosition) == positions.end())
   {
@@ -124,7 +125,8 @@ CheckImage(const ShortImage * image)
   {
     throw InputError("the image is not completely in memory; update its largest possible region");
   }
-  if (region.GetSize(0) < 1 || region.GetSize(1) < 1 || region.GetSize(0) > 65535 || region.GetSize(1) > 65535)
+  constexpr itk::SizeValueType greatest = 65535;
+  if (region.GetSize(0) < 1 || region.GetSize(1) < 1 || region.GetSize(0) > greatest || region.GetSize(1) > greatest)
   {
     throw InputError("the slices have " + std::to_string(region.GetSize(0)) + " x " +
                      std::to_string(region.GetSize(1)) + " pixels; a CT series allows 1 to 65535 in each direction");
@@ -211,7 +213,8 @@ MakeSeriesHeader(const ShortImage * image, const DicomSeriesDescription & descri
   const int           highest = *range.second;
   header.windowCenter = DicomDecimal(0.5 * (lowest + highest + 1));
   header.windowWidth = std::to_string(highest - lowest + 1);
-  header.bitsStored = highest - rescaleIntercept < 4096 ? 12 : 16;
+  constexpr int usualBits = 12;
+  header.bitsStored = highest - rescaleIntercept < 1 << usualBits ? usualBits : 16;
   return header;
 }
 

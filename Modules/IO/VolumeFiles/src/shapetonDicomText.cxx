@@ -22,8 +22,9 @@ DicomDecimal(double value)
   value = value == 0.0 ? 0.0 : value; // avoids "-0"
   for (int digits = 16; digits > 0; --digits)
   {
-    std::array<char, 40> text{};
-    const auto           end =
+    constexpr std::size_t    enough = 40; // for 16 digits, sign, point and exponent
+    std::array<char, enough> text{};
+    const auto               end =
       std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, digits).ptr;
     if (end - text.data() <= 16)
     {

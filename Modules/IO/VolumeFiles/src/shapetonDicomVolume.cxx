@@ -3,7 +3,7 @@
 #include "shapetonDicomPixels.h"
 #include "shapetonDicomSeriesDefects.h"
 #include "shapetonDicomSeriesGeometry.h"
-#include "shapetonPhysicalMemory.h"
+#include "shapetonOperatingSystem.h"
 #include "shapetonNumberText.h"
 #include "shapetonSha256.h"
 #include "shapetonExceptions.h"

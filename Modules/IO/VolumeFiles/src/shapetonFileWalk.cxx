@@ -2,14 +2,13 @@
 
 #include "shapetonExceptions.h"
 #include "shapetonFileErrors.h"
+#include "shapetonOperatingSystem.h"
 
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
 #include <set>
-#include <sys/stat.h>
-#include <unistd.h>
 #include <utility>
 
 namespace shapeton
@@ -17,7 +16,6 @@ namespace shapeton
 namespace
 {
 namespace fs = std::filesystem;
-using FileIdentity = std::pair<dev_t, ino_t>;
 
 /** The entries of a folder, sorted by name for deterministic results. */
 std::vector<std::string>
@@ -42,9 +40,9 @@ ListFolder(const std::string & folder)
 void
 CheckReadable(const std::string & path)
 {
-  if (access(path.c_str(), R_OK) != 0)
+  if (const int error = ErrorOfAccess(path, FileAccess::read))
   {
-    ThrowUnsuitable(path, std::string("cannot be read: ") + std::strerror(errno));
+    ThrowUnsuitable(path, std::string("cannot be read: ") + std::strerror(error));
   }
 }
 } // namespace
@@ -52,33 +50,34 @@ CheckReadable(const std::string & path)
 std::vector<std::string>
 ListFiles(const std::string & path)
 {
-  struct stat status;
-  if (stat(path.c_str(), &status) != 0)
+  const FileStatus root = StatusOf(path);
+  if (root.error != 0)
   {
-    ThrowUnsuitable(path, errno == ENOENT ? "does not exist" : std::string("cannot be read: ") + std::strerror(errno));
+    ThrowUnsuitable(
+      path, root.error == ENOENT ? "does not exist" : std::string("cannot be read: ") + std::strerror(root.error));
   }
-  if (!S_ISDIR(status.st_mode) && !S_ISREG(status.st_mode))
+  if (!root.isFolder && !root.isFile)
   {
     ThrowUnsuitable(path, "neither a file nor a folder");
   }
-  std::vector<std::string> files;
-  std::vector<std::string> waiting{ path };
-  std::set<FileIdentity>   seen;
+  std::vector<std::string>                          files;
+  std::vector<std::string>                          waiting{ path };
+  std::set<std::pair<std::uint64_t, std::uint64_t>> seen;
   while (!waiting.empty())
   {
     const std::string next = waiting.back();
     waiting.pop_back();
-    const bool isFound = stat(next.c_str(), &status) == 0; // a dangling link is skipped
-    if (!isFound || !seen.emplace(status.st_dev, status.st_ino).second)
+    const FileStatus status = StatusOf(next);
+    if (status.error != 0 || !seen.insert(status.identity).second) // a dangling link is skipped
     {
       continue;
     }
-    if (S_ISDIR(status.st_mode))
+    if (status.isFolder)
     {
       const auto names = ListFolder(next);
       waiting.insert(waiting.end(), names.rbegin(), names.rend());
     }
-    else if (S_ISREG(status.st_mode))
+    else if (status.isFile)
     {
       CheckReadable(next);
       files.push_back(next);

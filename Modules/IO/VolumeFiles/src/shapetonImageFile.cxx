@@ -1,6 +1,6 @@
 #include "shapetonImageFile.h"
 #include "shapetonFileErrors.h"
-#include "shapetonPhysicalMemory.h"
+#include "shapetonOperatingSystem.h"
 
 #include "shapetonByteStream.h"
 #include "itkMetaImageIO.h"
@@ -101,7 +101,8 @@ Summary(const itk::ExceptionObject & error)
   }
   std::replace_if(
     text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < ' '; }, ' ');
-  return text.substr(0, 200);
+  constexpr std::size_t longest = 200;
+  return text.substr(0, longest);
 }
 
 ImageHeader
@@ -158,10 +159,11 @@ ReadVoxels(const std::string & path, ImageFormat format, char * voxels)
 ContainedProcess::Limits
 LimitsFor(double bytes)
 {
-  const double seconds = 10 + bytes / 1e6;
+  constexpr double waiting = 600; // s; generous, for slow network drives
+  const double     seconds = 10 + bytes / 1e6;
   return { static_cast<std::size_t>((256u << 20) + 3 * bytes),
            static_cast<unsigned int>(seconds),
-           static_cast<unsigned int>(600 + seconds) };
+           static_cast<unsigned int>(waiting + seconds) };
 }
 
 /** A request for the header, or for the voxels in shared memory. */
@@ -459,7 +461,8 @@ NoteRounding(const ImageHeader & header, Volume & volume)
                       type == ComponentEnum::ULONGLONG;
   const float * const voxels = volume.image->GetBufferPointer();
   const std::size_t   count = volume.image->GetLargestPossibleRegion().GetNumberOfPixels();
-  if (isWide && std::any_of(voxels, voxels + count, [](float value) { return std::abs(value) >= 16777216.0F; }))
+  constexpr float     firstRounded = 16777216.0F; // 2^24
+  if (isWide && std::any_of(voxels, voxels + count, [](float value) { return std::abs(value) >= firstRounded; }))
   {
     volume.notes.push_back("intensities of 2^24 and more are rounded to single precision: small differences are lost");
   }

@@ -269,8 +269,9 @@ constexpr DataType DataTypes[] = { { 2, ComponentEnum::UCHAR, 1, 1 },       { 4,
 void
 SetVoxels(const Fields & fields, NiftiHeader & header)
 {
-  const std::int64_t dimensions = fields.Dimension(0);
-  fields.Require(dimensions >= 1 && dimensions <= 7,
+  const std::int64_t     dimensions = fields.Dimension(0);
+  constexpr std::int64_t most = 7;
+  fields.Require(dimensions >= 1 && dimensions <= most,
                  "dim[0], the number of dimensions, is " + std::to_string(dimensions) + "; it must be 1 to 7");
   for (int i = 1; i <= dimensions; ++i)
   {
@@ -328,9 +329,10 @@ SetPlace(const std::string & path, const Fields & fields, NiftiHeader & header)
   fields.Require(!header.voxelFile.empty(), "the .img file with its voxels is missing (magic \"ni1\" or \"ni2\")");
   const double       offset = fields.VoxelOffset();
   const int          least = isSingle ? fields.Size() : 0;
+  constexpr double   farthest = 1e15; // exact in double precision
   std::ostringstream text;
   text << "vox_offset, the start of the voxels, is " << offset << "; it must be an integer of at least " << least;
-  fields.Require(offset >= least && offset == std::floor(offset) && offset < 1e15, text.str());
+  fields.Require(offset >= least && offset == std::floor(offset) && offset < farthest, text.str());
   header.voxelOffset = static_cast<std::uint64_t>(offset);
 }
 

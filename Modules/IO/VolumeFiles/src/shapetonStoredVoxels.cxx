@@ -13,6 +13,7 @@
 #include <functional>
 #include <sstream>
 #include <stdexcept>
+#include <string_view>
 #include <vector>
 
 namespace shapeton
@@ -101,7 +102,8 @@ ReadNrrdHeader(const std::string & path)
 TextHeader
 ReadMetaHeader(const std::string & path)
 {
-  return ReadTextHeader(path, [](const std::string & line) { return line.compare(0, 15, "ElementDataFile") == 0; });
+  constexpr std::string_view last = "ElementDataFile";
+  return ReadTextHeader(path, [=](const std::string & line) { return line.compare(0, last.size(), last) == 0; });
 }
 
 /** "nan" means that an axis has no spacing in NRRD. */

@@ -3,6 +3,7 @@
 #include "shapetonStoredVoxels.h"
 #include "shapetonExceptions.h"
 #include "shapetonFileErrors.h"
+#include "shapetonOperatingSystem.h"
 
 #include "itkImageFileReader.h"
 #include "itkImageFileWriter.h"
@@ -16,12 +17,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstring>
-#include <fcntl.h>
-#include <iostream>
-#include <mutex>
-#include <sys/stat.h>
 #include <type_traits>
-#include <unistd.h>
 
 namespace shapeton
 {
@@ -96,67 +92,13 @@ MakeDictionary(const VolumeMetadata & metadata)
 void
 Flush(const std::string & path)
 {
-  struct stat status = {};
-  const int   file = open(path.c_str(), O_RDONLY | O_NONBLOCK);
-  int         reason = file < 0 || fstat(file, &status) != 0 ? errno : 0;
-  if (reason == 0 && !S_ISREG(status.st_mode))
-  {
-    reason = EINVAL;
-  }
-  if (reason == 0 && fsync(file) != 0 && errno != EINVAL && errno != EROFS)
-  {
-    reason = errno;
-  }
-  if (file >= 0)
-  {
-    close(file);
-  }
-  if (reason != 0)
+  const FileStatus status = StatusOf(path);
+  const int        reason = status.error != 0 ? status.error : status.isFile ? ErrorOfSync(path) : EINVAL;
+  if (reason != 0 && !(status.isFile && (reason == EINVAL || reason == EROFS)))
   {
     ThrowCannotWrite(path, reason);
   }
 }
-
-/** Suppresses the messages that ITK's writers of MetaImage and NIfTI print to standard error in addition to exceptions.
- */
-class QuietStandardError
-{
-public:
-  QuietStandardError()
-  {
-    const std::lock_guard<std::mutex> lock(s_Mutex);
-    if (s_Users++ == 0)
-    {
-      s_Saved = dup(STDERR_FILENO);
-      const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC);
-      if (s_Saved >= 0 && nowhere >= 0)
-      {
-        dup2(nowhere, STDERR_FILENO);
-      }
-      close(nowhere);
-    }
-  }
-  ~QuietStandardError()
-  {
-    const std::lock_guard<std::mutex> lock(s_Mutex);
-    std::cerr.flush();
-    std::fflush(stderr);
-    if (--s_Users == 0 && s_Saved >= 0)
-    {
-      dup2(s_Saved, STDERR_FILENO);
-      close(s_Saved);
-    }
-  }
-  QuietStandardError(const QuietStandardError &) = delete;
-  QuietStandardError &
-  operator=(const QuietStandardError &) = delete;
-
-private:
-  // Volumes may be written from several threads; the first one redirects, the last one restores.
-  static inline std::mutex s_Mutex;
-  static inline int        s_Users{ 0 };
-  static inline int        s_Saved{ -1 };
-};
 
 template <typename TVector>
 bool
@@ -295,8 +237,10 @@ ToShort(const itk::Image<float, 3> * image)
 {
   const float * const first = image->GetBufferPointer();
   const float * const last = first + image->GetLargestPossibleRegion().GetNumberOfPixels();
-  const bool          isShort = std::all_of(
-    first, last, [](float value) { return value >= -32768.0F && value <= 32767.0F && value == std::floor(value); });
+  const bool          isShort = std::all_of(first, last, [](float value) {
+    return value >= std::numeric_limits<short>::min() && value <= std::numeric_limits<short>::max() &&
+           value == std::floor(value);
+  });
   if (!isShort)
   {
     return nullptr;

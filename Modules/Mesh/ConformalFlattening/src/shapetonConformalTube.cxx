@@ -150,12 +150,13 @@ private:
     if (!m_Options.cutCurve.empty())
     {
       const Eigen::VectorXd distances = DistancesFromCurve(m_Mesh, m_Graph, m_Lengths, m_Options.cutCurve);
+      constexpr double      costOfAway = 10.0; // at a distance of one mean edge from the curve
       const double          scale = 0.5 / m_Lengths.mean();
       for (Eigen::Index edge = 0; edge < costs.size(); ++edge)
       {
         const auto & ends = m_Connectivity.VerticesOfEdge(static_cast<int>(edge));
         const double away = scale * (distances[ends[0]] + distances[ends[1]]);
-        costs[edge] *= 1.0 + 10.0 * away * away;
+        costs[edge] *= 1.0 + costOfAway * away * away;
       }
     }
     if (m_Map.saddles > 0)

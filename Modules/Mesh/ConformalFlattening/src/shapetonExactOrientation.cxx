@@ -49,8 +49,10 @@ public:
   }
 
 private:
-  std::array<double, 12> m_Terms{};
-  int                    m_Number{ 0 };
+  /** Six products of two terms each. */
+  static constexpr int          MostTerms = 12;
+  std::array<double, MostTerms> m_Terms{};
+  int                           m_Number{ 0 };
 };
 } // namespace
 

@@ -201,7 +201,8 @@ QuantilesOfDilatation(const FlatDistortion & distortion, const std::vector<char>
     }
   }
   std::sort(values.begin(), values.end());
-  return { Quantile(values, 0.5), Quantile(values, 0.95), Quantile(values, 0.99), static_cast<int>(values.size()) };
+  constexpr double high = 0.95, highest = 0.99;
+  return { Quantile(values, 0.5), Quantile(values, high), Quantile(values, highest), static_cast<int>(values.size()) };
 }
 
 Eigen::VectorXd

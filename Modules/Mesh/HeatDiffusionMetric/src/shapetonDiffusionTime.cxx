@@ -11,6 +11,16 @@ namespace
 {
 /** Cap of the mean edge in the default time (mm). */
 constexpr double greatestEdge = 3.0;
+/** Bounds of the number of faces of a colon. */
+constexpr double usualFaces = 55000.0;
+constexpr double mostFaces = 500000.0;
+/** Diffusion time in squared mean edges: loops of about eight edges vanish. */
+constexpr double timeOfHandles = 8.0;
+/** Diffusion time in squared narrowest radii: the default, and the longest one. Beyond it the angular shape of a tube
+ * of this radius vanishes. On a real colon, noise of the mesh needs at least one squared mean edge, and the shape at
+ * most 1.3. */
+constexpr double timeOfTube = 0.6;
+constexpr double longestTimeOfTube = 1.3;
 
 void
 RequireRadius(double radius)
@@ -25,22 +35,22 @@ RequireRadius(double radius)
 double
 MeanEdgeAt55000Faces(const SurfaceConnectivity & connectivity, const Eigen::VectorXd & edgeLengths)
 {
-  return edgeLengths.mean() * std::sqrt(connectivity.NumberOfFaces() / 55000.0);
+  return edgeLengths.mean() * std::sqrt(connectivity.NumberOfFaces() / usualFaces);
 }
 
 double
 DefaultDiffusionTime(double meanEdge, double narrowestRadius)
 {
   RequireRadius(narrowestRadius);
-  const double ofHandles = 8.0 * std::pow(std::min(meanEdge, greatestEdge), 2);
-  return std::min(ofHandles, std::max(0.6 * narrowestRadius * narrowestRadius, meanEdge * meanEdge));
+  const double ofHandles = timeOfHandles * std::pow(std::min(meanEdge, greatestEdge), 2);
+  return std::min(ofHandles, std::max(timeOfTube * narrowestRadius * narrowestRadius, meanEdge * meanEdge));
 }
 
 bool
 IsTooCoarseForDiffusion(double meanEdge, double narrowestRadius)
 {
   RequireRadius(narrowestRadius);
-  return meanEdge * meanEdge > 1.3 * narrowestRadius * narrowestRadius;
+  return meanEdge * meanEdge > longestTimeOfTube * narrowestRadius * narrowestRadius;
 }
 
 int
@@ -50,7 +60,7 @@ FacesForDiffusion(double area, double narrowestRadius)
   RequireRadius(narrowestRadius);
   constexpr double mappedWell = 2.0; // mm: at 2.5 mm the dilatation of 1 % of the faces of a patient's wall exceeds 1.9
   const double     edge = std::min(mappedWell, narrowestRadius);
-  return static_cast<int>(std::clamp(area / (areaOfFace * edge * edge), 55000.0, 500000.0));
+  return static_cast<int>(std::clamp(area / (areaOfFace * edge * edge), usualFaces, mostFaces));
 }
 
 void

@@ -70,7 +70,8 @@ ColorOfLabel(int label)
 {
   constexpr double goldenAngle = 0.3819660112501051; // turns
   const double     turns = label * goldenAngle;
-  return FromHsv(turns - std::floor(turns), label % 2 == 0 ? 0.85 : 0.55, label % 3 == 0 ? 0.75 : 0.95);
+  constexpr double full = 0.85, pale = 0.55, dark = 0.75, bright = 0.95; // saturations and values
+  return FromHsv(turns - std::floor(turns), label % 2 == 0 ? full : pale, label % 3 == 0 ? dark : bright);
 }
 
 void

@@ -1,4 +1,5 @@
 #include "shapetonGltfScene.h"
+#include "shapetonPrintable.h"
 #include "shapetonFileBytes.h"
 #include "shapetonJson.h"
 #include "shapetonSurfaceFormats.h"
@@ -82,7 +83,7 @@ GltfIndex(const Json & json)
 {
   if (!json.is_number_unsigned())
   {
-    throw std::out_of_range(json.dump().substr(0, 40) + " is not a nonnegative integer");
+    throw std::out_of_range(json.dump().substr(0, LongestExcerpt) + " is not a nonnegative integer");
   }
   return json.get<std::size_t>();
 }
@@ -123,7 +124,8 @@ GltfScene::ReadChunks(const std::string & bytes)
   bool        hasBinary = false;
   if (bytes.size() >= 4 && ValueAt<std::uint32_t>(bytes, 0) == Magic)
   {
-    if (bytes.size() < 20 || ValueAt<std::uint32_t>(bytes, 8) > bytes.size())
+    constexpr std::size_t headers = 20; // bytes of the file header and the first chunk header
+    if (bytes.size() < headers || ValueAt<std::uint32_t>(bytes, 8) > bytes.size())
     {
       RefuseSurface(m_Path, Truncated, Again);
     }
@@ -181,7 +183,8 @@ GltfScene::ReadBuffers(const std::string & binary, bool hasBinary)
 std::string
 GltfScene::BufferOfUri(const std::string & uri) const
 {
-  if (uri.compare(0, 5, "data:") == 0)
+  constexpr std::string_view scheme = "data:";
+  if (uri.compare(0, scheme.size(), scheme) == 0)
   {
     const std::size_t mark = uri.find(";base64,");
     if (mark == std::string::npos)
@@ -284,18 +287,19 @@ GltfScene::ViewOf(std::size_t index, const std::string & type) const
   {
     RefuseSurface(m_Path, "accessor " + std::to_string(index) + " is sparse", "write it without sparse accessors");
   }
-  const Json &        view = m_Document.at("bufferViews").at(SizeOr(accessor, "bufferView", 0));
-  const std::string & buffer = m_Buffers.at(SizeOr(view, "buffer", 0));
-  const auto          componentType = types.find(SizeOr(accessor, "componentType", 0));
-  const std::size_t   components = type == "VEC3" ? 3 : 1;
-  const std::size_t   size = componentType == types.end() ? 0 : componentType->second.size;
-  const std::size_t   count = SizeOr(accessor, "count", 0);
-  const std::size_t   stride = SizeOr(view, "byteStride", size * components);
-  const std::size_t   begin = SizeOr(view, "byteOffset", 0);
-  const std::size_t   length = SizeOr(view, "byteLength", 0);
-  const std::size_t   offset = SizeOr(accessor, "byteOffset", 0);
-  const std::size_t   row = size * components;
-  if (accessor.at("type").get<std::string>() != type || size == 0 || stride < row || stride > 252)
+  const Json &          view = m_Document.at("bufferViews").at(SizeOr(accessor, "bufferView", 0));
+  const std::string &   buffer = m_Buffers.at(SizeOr(view, "buffer", 0));
+  const auto            componentType = types.find(SizeOr(accessor, "componentType", 0));
+  const std::size_t     components = type == "VEC3" ? 3 : 1;
+  const std::size_t     size = componentType == types.end() ? 0 : componentType->second.size;
+  const std::size_t     count = SizeOr(accessor, "count", 0);
+  const std::size_t     stride = SizeOr(view, "byteStride", size * components);
+  const std::size_t     begin = SizeOr(view, "byteOffset", 0);
+  const std::size_t     length = SizeOr(view, "byteLength", 0);
+  const std::size_t     offset = SizeOr(accessor, "byteOffset", 0);
+  const std::size_t     row = size * components;
+  constexpr std::size_t longestStride = 252; // of glTF 2.0
+  if (accessor.at("type").get<std::string>() != type || size == 0 || stride < row || stride > longestStride)
   {
     RefuseSurface(m_Path, "accessor " + std::to_string(index) + " has a wrong type or stride");
   }

@@ -1,4 +1,5 @@
 #include "shapetonCsvTable.h"
+#include "shapetonPrintable.h"
 #include "shapetonFileBytes.h"
 #include "shapetonSurfaceFormats.h"
 #include "shapetonTextScanner.h"
@@ -67,7 +68,7 @@ private:
       const bool   isWhole = result.ptr == word.data() + word.size() || *result.ptr == '/';
       if (result.ec != std::errc() || !isWhole || index == 0)
       {
-        m_Scanner.Refuse("\"" + std::string(word.substr(0, 40)) + "\" is not a vertex index (from 1)");
+        m_Scanner.Refuse("\"" + std::string(word.substr(0, LongestExcerpt)) + "\" is not a vertex index (from 1)");
       }
       m_Surface.corners.push_back(index > 0 ? index - 1 : vertices + index);
       if (m_Surface.corners.back() < 0)

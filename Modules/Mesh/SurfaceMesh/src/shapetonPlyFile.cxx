@@ -1,4 +1,5 @@
 #include "shapetonBinaryValues.h"
+#include "shapetonPrintable.h"
 #include "shapetonFileBytes.h"
 #include "shapetonSurfaceFormats.h"
 #include "shapetonTextScanner.h"
@@ -42,7 +43,7 @@ TypeOf(const std::string & name, const TextScanner & scanner)
   const auto found = types.find(name);
   if (found == types.end())
   {
-    scanner.Refuse("\"" + name.substr(0, 40) + "\" is not a property type");
+    scanner.Refuse("\"" + name.substr(0, LongestExcerpt) + "\" is not a property type");
   }
   return found->second;
 }
@@ -83,8 +84,9 @@ public:
   std::int64_t
   NextWhole(const BinaryType & type)
   {
-    const double value = this->Next(type);
-    if (!(std::abs(value) <= 4294967295.0) || value != std::floor(value))
+    const double     value = this->Next(type);
+    constexpr double greatest = 4294967295.0; // of 32 bits
+    if (!(std::abs(value) <= greatest) || value != std::floor(value))
     {
       RefuseSurface(m_Path, "a count or index is not an integer", "correct the file");
     }
@@ -136,7 +138,7 @@ private:
     }
     if (m_Format != "ascii" && m_Format != "binary_little_endian" && m_Format != "binary_big_endian")
     {
-      RefuseSurface(m_Path, "the format \"" + m_Format.substr(0, 40) + "\" is unknown");
+      RefuseSurface(m_Path, "the format \"" + m_Format.substr(0, LongestExcerpt) + "\" is unknown");
     }
   }
 
@@ -173,7 +175,7 @@ private:
     }
     else
     {
-      scanner.Refuse("\"" + keyword.substr(0, 40) + "\" is not a PLY header keyword");
+      scanner.Refuse("\"" + keyword.substr(0, LongestExcerpt) + "\" is not a PLY header keyword");
     }
   }
 

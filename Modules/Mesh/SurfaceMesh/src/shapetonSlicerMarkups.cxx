@@ -82,7 +82,8 @@ DisplayOf(const Markup & markup)
   display["selectedColor"] = markup.color;
   display["propertiesLabelVisibility"] = isCurve;
   display["pointLabelsVisibility"] = !isCurve;
-  display["textScale"] = 2.5;
+  constexpr double textScale = 2.5; // percent of the view
+  display["textScale"] = textScale;
   display["glyphType"] = "Sphere3D";
   display["glyphSize"] = isCurve ? 1.0 : 4.0; // mm
   display["useGlyphScale"] = false;

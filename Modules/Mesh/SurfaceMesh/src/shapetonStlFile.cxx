@@ -67,7 +67,7 @@ Expect(TextScanner & scanner, const std::string & word)
   if (LowerCase(found) != word) // some programs write keywords in capitals
   {
     scanner.Refuse(found.empty() ? "truncated: the file ends where \"" + word + "\" should be"
-                                 : "\"" + found.substr(0, 40) + "\" found instead of \"" + word + "\"");
+                                 : "\"" + found.substr(0, LongestExcerpt) + "\" found instead of \"" + word + "\"");
   }
 }
 
@@ -115,7 +115,8 @@ ReadText(const std::string & bytes, const std::string & path)
     }
     else
     {
-      scanner.Refuse("\"" + word.substr(0, 40) + "\" found instead of \"" + (isInside ? "facet" : "solid") + "\"");
+      scanner.Refuse("\"" + word.substr(0, LongestExcerpt) + "\" found instead of \"" + (isInside ? "facet" : "solid") +
+                     "\"");
     }
   }
   if (isInside)

@@ -52,9 +52,10 @@ struct Side
 std::vector<Side>
 SidesOfBlock(const SurfaceConnectivity & connectivity, const FaceMatrix & F, int block)
 {
-  const int         last = std::min(connectivity.NumberOfVertices(), (block + 1) * VerticesOfBlock);
-  std::vector<Side> sides;
-  sides.reserve(std::size_t{ 7 } * VerticesOfBlock); // at most six per vertex on average
+  const int             last = std::min(connectivity.NumberOfVertices(), (block + 1) * VerticesOfBlock);
+  std::vector<Side>     sides;
+  constexpr std::size_t sidesOfVertex = 7; // at most six on average
+  sides.reserve(sidesOfVertex * VerticesOfBlock);
   for (int v = block * VerticesOfBlock; v < last; ++v)
   {
     const auto first = static_cast<std::ptrdiff_t>(sides.size());

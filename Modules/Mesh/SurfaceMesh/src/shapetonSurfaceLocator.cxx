@@ -63,7 +63,8 @@ ClosestPointOfTriangle(const Eigen::Vector3d & p,
   const double          vb = d5 * d2 - d1 * d6;
   const double          vc = d1 * d4 - d3 * d2;
   const double          sum = va + vb + vc; // squared double area
-  if (va > 0.0 && vb > 0.0 && vc > 0.0 && sum > 1e-24 * ab.squaredNorm() * ac.squaredNorm())
+  constexpr double      degenerate = 1e-24; // squared sine of the angle
+  if (va > 0.0 && vb > 0.0 && vc > 0.0 && sum > degenerate * ab.squaredNorm() * ac.squaredNorm())
   {
     return a + (vb / sum) * ab + (vc / sum) * ac;
   }

@@ -266,9 +266,10 @@ StatisticsOf(std::vector<double> values)
     return low + (place - std::floor(place)) * (high - low);
   };
   statistics.minimum = *std::min_element(values.begin(), values.end());
-  statistics.percentile1 = at(0.01);
+  constexpr double percent = 0.01;
+  statistics.percentile1 = at(percent);
   statistics.median = at(0.5);
-  statistics.percentile99 = at(0.99);
+  statistics.percentile99 = at(1.0 - percent);
   statistics.maximum = *std::max_element(values.begin(), values.end());
   return statistics;
 }

@@ -20,6 +20,7 @@ constexpr double LongestOfTarget = 4.0 / 3.0;
 constexpr double ShortestOfTarget = 4.0 / 5.0;
 constexpr double BoundaryDeviationOfTarget = 0.05;
 constexpr double LeastNormalProduct = 0.5;
+constexpr double MostCosine = 0.99; // of the smallest angle after a flip
 constexpr double MostFaces = 1e8;
 
 class Remesher
@@ -218,7 +219,7 @@ private:
       return normal.dot(other) > LeastNormalProduct * normal.norm() * other.norm();
     };
     return looksAlong(DoubleAreaNormal(a, d, c)) && looksAlong(DoubleAreaNormal(b, c, d)) &&
-           std::max(CosineOfSmallestAngle(a, d, c), CosineOfSmallestAngle(b, c, d)) < 0.99;
+           std::max(CosineOfSmallestAngle(a, d, c), CosineOfSmallestAngle(b, c, d)) < MostCosine;
   }
 
   void

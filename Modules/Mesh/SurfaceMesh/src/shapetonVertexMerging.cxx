@@ -72,11 +72,12 @@ JoinNear(const VertexMatrix & V, double distance, DisjointSets<> & groups)
     {
       continue;
     }
-    Cell own;
+    constexpr double farthest = 1e15;
+    Cell             own;
     for (int axis = 0; axis < 3; ++axis)
     {
       // Far cells are clamped: they only become larger, and all their vertices are compared.
-      own[axis] = static_cast<std::int64_t>(std::min((V(v, axis) - corner[axis]) / distance, 1e15));
+      own[axis] = static_cast<std::int64_t>(std::min((V(v, axis) - corner[axis]) / distance, farthest));
     }
     for (int i = 0; i < 27; ++i)
     {

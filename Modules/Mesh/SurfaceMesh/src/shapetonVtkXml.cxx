@@ -1,4 +1,5 @@
 #include "shapetonVtkXml.h"
+#include "shapetonPrintable.h"
 #include "shapetonBinaryValues.h"
 #include "shapetonSurfaceFormats.h"
 
@@ -97,7 +98,7 @@ VtkXml::VtkXml(const std::string & bytes, const std::string & path) : m_Bytes(by
   m_Compressor = m_Root.Get("compressor");
   if (!m_Compressor.empty() && !CompressorOf(m_Compressor))
   {
-    this->Refuse("its compression " + m_Compressor.substr(0, 40) + " is unknown");
+    this->Refuse("its compression " + m_Compressor.substr(0, LongestExcerpt) + " is unknown");
   }
 }
 
@@ -149,7 +150,7 @@ VtkXml::ParseAttributes(VtkXmlElement & element, std::size_t & place) const
     const std::size_t close = isQuoted ? m_Bytes.find(m_Bytes[open], open + 1) : std::string::npos;
     if (close == std::string::npos)
     {
-      this->Refuse("invalid XML in a tag of <" + element.name.substr(0, 40) + ">");
+      this->Refuse("invalid XML in a tag of <" + element.name.substr(0, LongestExcerpt) + ">");
     }
     const std::size_t nameEnd = std::min(m_Bytes.find_first_of(Blanks, place), equals);
     element.attributes[m_Bytes.substr(place, nameEnd - place)] = Unescaped(m_Bytes.substr(open + 1, close - open - 1));
@@ -188,7 +189,7 @@ VtkXml::ParseElement(std::size_t & place, int depth)
     {
       if (m_Bytes.compare(place + 2, element.name.size(), element.name) != 0)
       {
-        this->Refuse("invalid XML: <" + element.name.substr(0, 40) + "> is not closed");
+        this->Refuse("invalid XML: <" + element.name.substr(0, LongestExcerpt) + "> is not closed");
       }
       ++place;
       return element;
@@ -199,7 +200,7 @@ VtkXml::ParseElement(std::size_t & place, int depth)
       return element;
     }
   }
-  this->Refuse("truncated: <" + element.name.substr(0, 40) + "> is not closed");
+  this->Refuse("truncated: <" + element.name.substr(0, LongestExcerpt) + "> is not closed");
 }
 
 std::size_t
@@ -210,7 +211,7 @@ VtkXml::Number(const VtkXmlElement & element, const std::string & attribute) con
   const auto        result = std::from_chars(text.data(), text.data() + text.size(), number);
   if (result.ec != std::errc() || result.ptr != text.data() + text.size() || number > BestCompression * m_Bytes.size())
   {
-    this->Refuse(attribute + "=\"" + text.substr(0, 40) + "\" of <" + element.name +
+    this->Refuse(attribute + "=\"" + text.substr(0, LongestExcerpt) + "\" of <" + element.name +
                  "> is not a valid number for this file");
   }
   return number;
@@ -219,7 +220,8 @@ VtkXml::Number(const VtkXmlElement & element, const std::string & attribute) con
 bool
 VtkXml::AreIntegers(const VtkXmlElement & array)
 {
-  return array.Get("type").compare(0, 5, "Float") != 0;
+  constexpr std::string_view real = "Float";
+  return array.Get("type").compare(0, real.size(), real) != 0;
 }
 
 std::uint64_t
@@ -342,7 +344,7 @@ ValuesOfText(const std::string & text, std::size_t begin, const VtkXml & xml)
     const auto result = std::from_chars(text.data() + i, text.data() + end, value);
     if (result.ec == std::errc::invalid_argument)
     {
-      xml.Refuse("\"" + text.substr(i, std::min<std::size_t>(text.find_first_of(" \t\r\n<", i) - i, 40)) +
+      xml.Refuse("\"" + text.substr(i, std::min<std::size_t>(text.find_first_of(" \t\r\n<", i) - i, LongestExcerpt)) +
                  "\" is not a number");
     }
     values.push_back(value);
@@ -368,7 +370,7 @@ VtkXml::Values(const VtkXmlElement & array) const
   const auto type = types.find(array.Get("type"));
   if (type == types.end())
   {
-    this->Refuse("an array has the unknown type \"" + array.Get("type").substr(0, 40) + "\"");
+    this->Refuse("an array has the unknown type \"" + array.Get("type").substr(0, LongestExcerpt) + "\"");
   }
   const std::string   bytes = this->BytesOf(array);
   std::vector<double> values(bytes.size() / type->second.size);
@@ -385,9 +387,10 @@ VtkXml::Strings(const VtkXmlElement & array) const
   std::string bytes;
   if (array.Get("format") == "ascii")
   {
+    constexpr double values = 256.0; // of a byte
     for (const double value : ValuesOfText(m_Bytes, array.text, *this))
     {
-      bytes += value >= 0.0 && value < 256.0 ? static_cast<char>(static_cast<unsigned char>(value)) : '?';
+      bytes += value >= 0.0 && value < values ? static_cast<char>(static_cast<unsigned char>(value)) : '?';
     }
   }
   else

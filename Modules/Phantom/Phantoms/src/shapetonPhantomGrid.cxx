@@ -1,7 +1,7 @@
 #include "shapetonPhantomGrid.h"
 
 #include "shapetonOrthonormalDirection.h"
-#include "shapetonPhysicalMemory.h"
+#include "shapetonOperatingSystem.h"
 #include "shapetonExceptions.h"
 
 #include <algorithm>

@@ -1,55 +1,17 @@
 #include "shapetonChildTool.h"
 
 #include "shapetonExceptions.h"
+#include "shapetonOperatingSystem.h"
 
-#include <cerrno>
 #include <charconv>
 #include <csignal>
 #include <cstring>
-
-#include <fcntl.h>
-#include <poll.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
-#ifdef __linux__
-#  include <sys/prctl.h>
-#endif
+#include <system_error>
 
 namespace shapeton
 {
 namespace
 {
-/** A pipe whose child end is inherited only by the child. */
-struct Pipe
-{
-  Pipe()
-  {
-    if (pipe2(ends, O_CLOEXEC) != 0) // atomically: another thread may start a tool concurrently
-    {
-      throw OutputError(std::string("cannot open a pipe (") + std::strerror(errno) + "); close other programs");
-    }
-  }
-  Pipe(const Pipe &) = delete;
-  Pipe &
-  operator=(const Pipe &) = delete;
-  ~Pipe()
-  {
-    this->Close(0);
-    this->Close(1);
-  }
-  void
-  Close(int end)
-  {
-    if (ends[end] >= 0)
-    {
-      close(ends[end]);
-      ends[end] = -1;
-    }
-  }
-  int ends[2];
-};
-
 std::string
 Unescaped(std::string text)
 {
@@ -139,80 +101,33 @@ private:
   bool             m_IsInBlock{ false };
 };
 
-/** Runs in the child, which shares the memory of the parent until exec(): system calls only. */
-[[noreturn]] void
-BecomeTool(char * const * arguments, int out, int err, pid_t parent)
+ChildProcess
+StartTool(const std::string & program, const std::vector<std::string> & arguments, const Pipe & out, const Pipe & err)
 {
-#ifdef __linux__
-  prctl(PR_SET_PDEATHSIG, SIGTERM);
-  if (getppid() != parent) // the parent died before that call
-  {
-    _exit(1);
-  }
-#endif
-  const int none = open("/dev/null", O_RDONLY);
-  dup2(none, STDIN_FILENO);
-  dup2(out, STDOUT_FILENO);
-  dup2(err, STDERR_FILENO);
-  execv(arguments[0], arguments);
-  _exit(127);
-}
-
-pid_t
-Start(const std::string & program, const std::vector<std::string> & arguments, const Pipe & out, const Pipe & err)
-{
-  if (access(program.c_str(), X_OK) != 0)
+  if (ErrorOfAccess(program, FileAccess::execute) != 0)
   {
     throw OutputError("the program \"" + program + "\" is missing or cannot be run; install all tools in one folder");
   }
-  std::vector<char *> words{ const_cast<char *>(program.c_str()) };
-  for (const std::string & argument : arguments)
+  try
   {
-    words.push_back(const_cast<char *>(argument.c_str()));
+    return ChildProcess::StartTool(program, arguments, out, err);
   }
-  words.push_back(nullptr);
-  const pid_t parent = getpid();
-  // fork() would join the threads of ITK's pool, which another thread may be using.
-  const pid_t child = vfork();
-  if (child < 0)
+  catch (const std::system_error & error)
   {
-    throw OutputError(std::string("cannot start another process (") + std::strerror(errno) + "); close other programs");
+    throw OutputError("cannot start another process (" + error.code().message() + "); close other programs");
   }
-  if (child == 0)
-  {
-    BecomeTool(words.data(), out.ends[1], err.ends[1], parent); // NOLINT(clang-analyzer-unix.Vfork): see there
-  }
-  return child;
 }
 
-/** Reads both pipes until the child closes them. */
-void
-ReadPipes(const Pipe & out, const Pipe & err, ProgressReader & reader, std::string & errors)
+Pipe
+OpenPipe()
 {
-  pollfd polled[2] = { { out.ends[0], POLLIN, 0 }, { err.ends[0], POLLIN, 0 } };
-  char   buffer[65536];
-  while (polled[0].fd >= 0 || polled[1].fd >= 0)
+  try
   {
-    if (poll(polled, 2, -1) < 0)
-    {
-      continue; // interrupted by a signal
-    }
-    for (pollfd & pipe : polled)
-    {
-      const ssize_t number = pipe.fd >= 0 && pipe.revents != 0 ? read(pipe.fd, buffer, sizeof(buffer)) : -2;
-      if (number > 0 && &pipe == &polled[0])
-      {
-        reader.Add(buffer, static_cast<std::size_t>(number));
-      }
-      else if (number > 0)
-      {
-        errors.append(buffer, static_cast<std::size_t>(number));
-      }
-      else if (number == 0 || (number == -1 && errno != EINTR))
-      {
-        pipe.fd = -1;
-      }
-    }
+    return Pipe();
+  }
+  catch (const std::system_error & error)
+  {
+    throw OutputError("cannot open a pipe (" + error.code().message() + "); close other programs");
   }
 }
 
@@ -233,24 +148,26 @@ MessageIn(std::string errors, const std::string & program)
 ChildOutcome
 RunChildTool(const std::string & program, const std::vector<std::string> & arguments, const Progress & progress)
 {
-  Pipe           out;
-  Pipe           err;
+  Pipe           out = OpenPipe();
+  Pipe           err = OpenPipe();
   ChildOutcome   outcome;
   ProgressReader reader(outcome, progress);
   std::string    errors;
-  const pid_t    child = Start(program, arguments, out, err);
-  out.Close(1);
-  err.Close(1);
-  ReadPipes(out, err, reader, errors);
-  int status = 0;
-  while (waitpid(child, &status, 0) < 0 && errno == EINTR)
-  {}
+  ChildProcess   child = StartTool(program, arguments, out, err);
+  out.CloseInput();
+  err.CloseInput();
+  ReadPipes(
+    out,
+    [&](const char * bytes, std::size_t size) { reader.Add(bytes, size); },
+    err,
+    [&](const char * bytes, std::size_t size) { errors.append(bytes, size); });
+  const ChildProcess::End end = child.Wait();
   outcome.message = MessageIn(errors, program);
-  outcome.status = WIFEXITED(status) ? WEXITSTATUS(status) : 1;
-  if (WIFSIGNALED(status))
+  outcome.status = end.isSignal ? 1 : end.number;
+  if (end.isSignal)
   {
-    outcome.message = "ended by signal " + std::to_string(WTERMSIG(status)) +
-                      (WTERMSIG(status) == SIGKILL ? "; perhaps memory ran out" : "");
+    outcome.message =
+      "ended by signal " + std::to_string(end.number) + (end.number == SIGKILL ? "; perhaps memory ran out" : "");
   }
   return outcome;
 }

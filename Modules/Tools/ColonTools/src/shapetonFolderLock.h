@@ -1,6 +1,7 @@
 #ifndef shapetonFolderLock_h
 #define shapetonFolderLock_h
 
+#include "shapetonOperatingSystem.h"
 #include "shapetonStagedRun.h"
 
 namespace shapeton
@@ -11,13 +12,9 @@ class StagedRun::Lock
 public:
   /** Waits a few seconds for a child of a killed run. Throws OutputError. */
   explicit Lock(const std::string & folder);
-  Lock(const Lock &) = delete;
-  Lock &
-  operator=(const Lock &) = delete;
-  ~Lock();
 
 private:
-  int m_Descriptor;
+  FileDescriptor m_File; // children inherit it, so the lock is held while any child runs
 };
 } // namespace shapeton
 

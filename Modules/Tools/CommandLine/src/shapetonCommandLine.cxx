@@ -11,6 +11,7 @@
 #include "shapetonReadOptions.h"
 #include "shapetonThreadOptions.h"
 #include "shapetonExceptions.h"
+#include "shapetonOperatingSystem.h"
 
 #include "itkCommand.h"
 #include "itkProcessObject.h"
@@ -30,28 +31,11 @@
 #include <regex>
 #include <set>
 
-#include <fcntl.h>
-#include <unistd.h>
-
 namespace shapeton
 {
 namespace
 {
 using Parameter = ModuleDescription::Parameter;
-
-// Reopens stdout if it was closed at start; otherwise an output file could be opened as stdout and receive the
-// progress.
-void
-OpenMissingStandardStreams()
-{
-  for (const int descriptor : { STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO })
-  {
-    if (fcntl(descriptor, F_GETFD) < 0 && errno == EBADF)
-    {
-      open("/dev/null", O_RDWR); // open() returns the lowest free descriptor, which is this one
-    }
-  }
-}
 
 void
 FlushStdout()
@@ -154,14 +138,6 @@ TimeText(std::chrono::system_clock::time_point point)
   char text[32];
   std::strftime(text, sizeof(text), "%Y-%m-%dT%H:%M:%SZ", &parts);
   return text;
-}
-
-std::string
-HostName()
-{
-  char host[256] = {};
-  gethostname(host, sizeof(host) - 1);
-  return host;
 }
 
 } // namespace

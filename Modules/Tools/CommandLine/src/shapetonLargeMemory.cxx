@@ -1,9 +1,10 @@
+#include "shapetonOperatingSystem.h"
+
 #include <cstdlib>
 #include <new>
 
 #ifdef __linux__
 #  include <malloc.h>
-#  include <sys/mman.h>
 #endif
 
 // The address sanitizer replaces new and delete itself.
@@ -27,7 +28,7 @@ operator new(std::size_t size)
   }
   if (isLarge)
   {
-    madvise(memory, size, MADV_HUGEPAGE);
+    shapeton::RequestHugePages(memory, size);
   }
   return memory;
 }

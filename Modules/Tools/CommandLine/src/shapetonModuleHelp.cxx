@@ -12,7 +12,8 @@ using Parameter = ModuleDescription::Parameter;
 std::string
 Line(std::string left, const std::string & text)
 {
-  left.resize(std::max<std::size_t>(left.size() + 2, 40), ' ');
+  constexpr std::size_t column = 40;
+  left.resize(std::max(left.size() + 2, column), ' ');
   return "  " + left + text + '\n';
 }
 

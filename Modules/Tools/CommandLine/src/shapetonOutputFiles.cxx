@@ -9,10 +9,6 @@
 #include <stdexcept>
 #include <system_error>
 
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
 namespace fs = std::filesystem;
 
 namespace shapeton
@@ -72,9 +68,9 @@ CheckTarget(const std::string & path, const fs::path & target)
   {
     ThrowCannotWrite(path, "it is not a regular file", "use the name of a regular file");
   }
-  if (faccessat(AT_FDCWD, target.c_str(), W_OK, AT_EACCESS) != 0)
+  if (const int denied = ErrorOfAccess(target.string(), FileAccess::overwrite))
   {
-    ThrowCannotWrite(path, std::generic_category().message(errno), "use another name or allow writing to the file");
+    ThrowCannotWrite(path, std::generic_category().message(denied), "use another name or allow writing to the file");
   }
 }
 
@@ -82,44 +78,29 @@ CheckTarget(const std::string & path, const fs::path & target)
 void
 CheckCreation(const std::string & path, const std::string & temporary)
 {
-  unlink(temporary.c_str());
-  const int file = open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
-  if (file < 0)
+  if (const int error = ErrorOfCreation(temporary))
   {
-    ThrowCannotWrite(path, errno);
+    ThrowCannotWrite(path, error);
   }
-  close(file);
-  unlink(temporary.c_str());
-}
-
-// Some file systems (FUSE, network) have no fsync.
-bool
-IsSyncMissing(int error)
-{
-  return error == EINVAL || error == ENOSYS || error == EOPNOTSUPP;
 }
 
 int
 Sync(const fs::path & path)
 {
-  const int file = open(path.c_str(), O_RDONLY | O_CLOEXEC);
-  if (file < 0)
-  {
-    return errno;
-  }
-  const int error = fsync(file) == 0 || IsSyncMissing(errno) ? 0 : errno;
-  close(file);
-  return error;
+  const int  error = ErrorOfSync(path.string());
+  const bool isMissing = error == EINVAL || error == ENOSYS || error == EOPNOTSUPP; // on FUSE, network
+  return isMissing ? 0 : error;
 }
 
 // Keeps the permissions of the old file, so a private result does not become world-readable.
 void
 KeepPermissions(const fs::path & target, const std::string & temporary)
 {
-  struct stat status = {};
-  if (stat(target.c_str(), &status) == 0)
+  std::error_code error;
+  const auto      status = fs::status(target, error);
+  if (fs::exists(status))
   {
-    chmod(temporary.c_str(), status.st_mode & 0777);
+    fs::permissions(temporary, status.permissions() & fs::perms::all, error);
   }
 }
 

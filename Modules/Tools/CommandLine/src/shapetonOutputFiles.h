@@ -1,7 +1,7 @@
 #ifndef shapetonOutputFiles_h
 #define shapetonOutputFiles_h
 
-#include "shapetonRemovalAtDeath.h"
+#include "shapetonOperatingSystem.h"
 
 #include <filesystem>
 #include <list>

@@ -1,13 +1,11 @@
 #include "shapetonProgressDisplay.h"
+#include "shapetonOperatingSystem.h"
 #include "shapetonPrintable.h"
 
 #include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstdio>
-
-#include <sys/ioctl.h>
-#include <unistd.h>
 
 namespace shapeton
 {
@@ -42,23 +40,19 @@ Decimal(double value)
 std::string
 Remaining(double elapsed, double fraction)
 {
-  if (fraction < 0.02 || fraction >= 1.0)
+  constexpr double enough = 0.02;                   // for an estimate
+  constexpr long   minute = 60, hour = 60 * minute; // s
+  if (fraction < enough || fraction >= 1.0)
   {
     return "";
   }
   const auto seconds = static_cast<long>(std::ceil(elapsed * (1.0 - fraction) / fraction));
-  const long hours = seconds / 3600;
+  const long hours = seconds / hour;
   char       text[64];
-  hours > 0 ? std::snprintf(text, sizeof(text), "%ld:%02ld:%02ld left", hours, seconds / 60 % 60, seconds % 60)
-                  : std::snprintf(text, sizeof(text), "%ld:%02ld left", seconds / 60, seconds % 60);
+  hours > 0
+          ? std::snprintf(text, sizeof(text), "%ld:%02ld:%02ld left", hours, seconds % hour / minute, seconds % minute)
+          : std::snprintf(text, sizeof(text), "%ld:%02ld left", seconds / minute, seconds % minute);
   return text;
-}
-
-std::size_t
-Columns()
-{
-  winsize size{};
-  return ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : 80;
 }
 
 double
@@ -71,7 +65,7 @@ Forwards(double value, double previous)
 ProgressDisplay::Mode
 ProgressDisplay::ModeOfStdout()
 {
-  return isatty(STDOUT_FILENO) ? Mode::Bar : Mode::XML;
+  return IsTerminal() ? Mode::Bar : Mode::XML;
 }
 
 void
@@ -142,7 +136,8 @@ ProgressDisplay::DrawBar()
                      std::string(3 - percent.size(), ' ') + percent + " %  " + m_Stage;
   const std::string remaining = Remaining(elapsed, m_Fraction);
   line += remaining.empty() ? "" : "  " + remaining;
-  line.resize(std::min(line.size(), Columns() - 1)); // a wrapped line could not be cleared
+  const std::size_t columns = TerminalColumns() > 0 ? TerminalColumns() : 80;
+  line.resize(std::min(line.size(), columns - 1)); // a wrapped line could not be cleared
 
   this->ClearBar();
   m_BarWidth = line.size();
@@ -154,8 +149,9 @@ ProgressDisplay::DrawBar()
 bool
 ProgressDisplay::IsNews() const
 {
-  const bool isStageDone = m_StageFraction >= 1.0 && m_ShownStageFraction < 1.0;
-  return isStageDone || m_ShownFraction < 0.0 || m_Fraction - m_ShownFraction >= 0.01;
+  constexpr double percent = 0.01;
+  const bool       isStageDone = m_StageFraction >= 1.0 && m_ShownStageFraction < 1.0;
+  return isStageDone || m_ShownFraction < 0.0 || m_Fraction - m_ShownFraction >= percent;
 }
 
 void

@@ -1,13 +1,10 @@
 #include "shapetonTemporaryName.h"
 
+#include "shapetonOperatingSystem.h"
 #include "shapetonPrintable.h"
 
-#include <cerrno>
 #include <charconv>
-#include <csignal>
 #include <cstdint>
-
-#include <unistd.h>
 
 namespace fs = std::filesystem;
 
@@ -22,13 +19,12 @@ const std::string mark = ".part";
 std::string
 ComputeMachineTag()
 {
-  char host[256] = {};
-  gethostname(host, sizeof(host) - 1);
-  std::error_code error;
-  std::uint32_t   hash = 2166136261u; // FNV-1a
-  for (const char c : host + fs::read_symlink("/proc/self/ns/pid", error).string())
+  std::error_code         error;
+  std::uint32_t           hash = 2166136261u; // FNV-1a
+  constexpr std::uint32_t prime = 16777619u;
+  for (const char c : HostName() + fs::read_symlink("/proc/self/ns/pid", error).string())
   {
-    hash = (hash ^ static_cast<unsigned char>(c)) * 16777619u;
+    hash = (hash ^ static_cast<unsigned char>(c)) * prime;
   }
   std::string tag;
   for (int shift = 28; shift >= 0; shift -= 4)
@@ -92,8 +88,8 @@ TemporaryNameFor(const fs::path & target, std::size_t number)
   constexpr std::size_t longest = 255; // maximum name length in Linux file systems
   const std::string     name = target.filename().string();
   const std::size_t     extension = ExtensionStart(name);
-  const std::string     end =
-    '.' + MachineTag() + '-' + std::to_string(getpid()) + '-' + std::to_string(number) + mark + name.substr(extension);
+  const std::string end = '.' + MachineTag() + '-' + std::to_string(ProcessNumber()) + '-' + std::to_string(number) +
+                          mark + name.substr(extension);
   const std::size_t room = end.size() + 1 < longest ? longest - end.size() - 1 : 0;
   return target.parent_path() / ('.' + Shortened(name.substr(0, extension), room) + end);
 }
@@ -116,6 +112,6 @@ IsLeftover(const std::string & name)
     return false;
   }
   // An earlier process with the same number as this one has also ended.
-  return process == getpid() || (kill(static_cast<pid_t>(process), 0) != 0 && errno == ESRCH);
+  return process == ProcessNumber() || !IsProcessAlive(process);
 }
 } // namespace shapeton

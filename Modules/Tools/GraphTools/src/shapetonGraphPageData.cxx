@@ -206,7 +206,8 @@ private:
       double extent = 0.0;
       for (const Place & place : boundary)
       {
-        extent = std::max(extent, 1.2 * std::hypot(place.x - middle.x, place.y - middle.y));
+        constexpr double withMargin = 1.2;
+        extent = std::max(extent, withMargin * std::hypot(place.x - middle.x, place.y - middle.y));
       }
       m_Data["middle"] = this->PlacesOf({ middle });
       m_Data["extent"] = Rounded(extent);

@@ -127,7 +127,8 @@ WriteSequencePictures(const DynamicSequence &          sequence,
     correspondence.push_back({ title, &shown.certificate, names.Of(graph), sheet.hasLabels });
   }
   GraphPictureOptions options;
-  options.panelSize = 400;
+  constexpr int       panelSize = 400; // pixels
+  options.panelSize = panelSize;
   options.columns = 4;
   WriteGraphSheetSvg(changes, options, output(sheet.folder + "/steps.svg"));
   WriteGraphSheetSvg(correspondence, options, output(sheet.folder + "/correspondence.svg"));

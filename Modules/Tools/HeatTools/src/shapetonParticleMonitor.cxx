@@ -237,7 +237,8 @@ struct ParticleMonitor::Impl
   void
   Look()
   {
-    if (!preview.empty() && SecondsSince(previewTime) >= std::max(previewEvery, 5.0 * secondsOfPreview))
+    constexpr double patience = 5.0; // times the duration of a preview
+    if (!preview.empty() && SecondsSince(previewTime) >= std::max(previewEvery, patience * secondsOfPreview))
     {
       const double rate = RateSinceLastPreview();
       WritePreview(rate, false);

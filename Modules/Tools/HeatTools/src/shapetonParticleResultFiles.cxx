@@ -65,7 +65,8 @@ ParticleRemarks(const FilterType * filter)
   {
     remarks.push_back("the density is not yet steady after " + std::to_string(measures.step) + " steps");
   }
-  if (ShareTrapped(filter) >= 0.05)
+  constexpr double manyTrapped = 0.05;
+  if (ShareTrapped(filter) >= manyTrapped)
   {
     remarks.push_back(
       Percent(ShareTrapped(filter)) +

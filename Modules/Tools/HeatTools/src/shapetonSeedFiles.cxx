@@ -115,8 +115,9 @@ SeedsOfVolume(const Volume & volume, const std::string & path, const itk::ImageB
   const std::size_t number = image->GetLargestPossibleRegion().GetNumberOfPixels();
   for (std::size_t i = 0; i < number; ++i)
   {
-    const float value = volume.image->GetBufferPointer()[i];
-    if (!(value >= 0.0F && value <= 65535.0F) || value != std::floor(value))
+    const float     value = volume.image->GetBufferPointer()[i];
+    constexpr float greatest = 65535.0F; // of 16 bits
+    if (!(value >= 0.0F && value <= greatest) || value != std::floor(value))
     {
       throw InputError(path + ": labels must be whole numbers from 0 to 65535, found " + std::to_string(value));
     }

@@ -3,6 +3,7 @@
 
 #include "shapetonColonViewer.h"
 #include "shapetonPageBlocks.h"
+#include "shapetonSurfaceMesh.h"
 
 #include "itkImage.h"
 

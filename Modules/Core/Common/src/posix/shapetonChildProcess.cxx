@@ -3,115 +3,78 @@
 #include <algorithm>
 #include <cerrno>
 #include <csignal>
-#include <cstdint>
-#include <cstring>
-#include <dlfcn.h>
 #include <fcntl.h>
-#include <filesystem>
-#include <fstream>
-#include <spawn.h>
-#include <sstream>
-#include <stdexcept>
-#include <sys/resource.h>
+#include <poll.h>
+#include <pthread.h>
 #include <sys/wait.h>
+#include <system_error>
 #include <unistd.h>
 #ifdef __linux__
 #  include <sys/prctl.h>
 #endif
-#if defined(__SANITIZE_ADDRESS__)
-#  include <sanitizer/common_interface_defs.h>
-#endif
-
-extern char ** environ;
 
 namespace shapeton
 {
 namespace
 {
-/** File actions of posix_spawn. */
-class SpawnActions
+/** What the child does before it becomes the program. */
+struct StartPlan
 {
-public:
-  /** Passes descriptors as 3, 4, and so on, and no others. */
-  explicit SpawnActions(const std::vector<int> & descriptors)
-  {
-    posix_spawn_file_actions_init(&m_Actions);
-    const auto end = FirstInheritedDescriptor + static_cast<int>(descriptors.size());
-    for (const int descriptor : descriptors)
-    {
-      m_Copies.emplace_back(fcntl(descriptor, F_DUPFD_CLOEXEC, end)); // so that no target is also a source
-      const auto target = FirstInheritedDescriptor + static_cast<int>(m_Copies.size()) - 1;
-      posix_spawn_file_actions_adddup2(&m_Actions, m_Copies.back().Get(), target);
-    }
-#if defined(__GLIBC__) && __GLIBC_PREREQ(2, 34)
-    posix_spawn_file_actions_addclosefrom_np(&m_Actions, end);
-#endif
-  }
-  ~SpawnActions() { posix_spawn_file_actions_destroy(&m_Actions); }
-  SpawnActions(const SpawnActions &) = delete;
-  SpawnActions &
-  operator=(const SpawnActions &) = delete;
-
-  const posix_spawn_file_actions_t *
-  Get() const
-  {
-    return &m_Actions;
-  }
-
-private:
-  posix_spawn_file_actions_t  m_Actions;
-  std::vector<FileDescriptor> m_Copies;
+  char * const *                   words;
+  std::vector<std::pair<int, int>> descriptors; // from, to
+  int                              firstClosed{ -1 };
+  int                              signalWithParent{ SIGTERM };
+  bool                             hasDefaultSignals{ false };
+  sigset_t                         blocked{};
 };
 
-/** Signals of a started program: SIGINT is blocked, and all others have their default action. */
-class SpawnSignals
-{
-public:
-  SpawnSignals()
-  {
-    posix_spawnattr_init(&m_Attributes);
-    sigset_t signals;
-    sigemptyset(&signals);
-    sigaddset(&signals, SIGINT);
-    posix_spawnattr_setsigmask(&m_Attributes, &signals);
-    sigfillset(&signals);
-    posix_spawnattr_setsigdefault(&m_Attributes, &signals);
-    posix_spawnattr_setflags(&m_Attributes, POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF);
-  }
-  ~SpawnSignals() { posix_spawnattr_destroy(&m_Attributes); }
-  SpawnSignals(const SpawnSignals &) = delete;
-  SpawnSignals &
-  operator=(const SpawnSignals &) = delete;
-
-  const posix_spawnattr_t *
-  Get() const
-  {
-    return &m_Attributes;
-  }
-
-private:
-  posix_spawnattr_t m_Attributes;
-};
-
-/** A part of this library. */
-const char anchor = 0;
-
-template <typename TResource> // an enumeration in glibc, a number elsewhere
+/** Handlers of the parent must not run in the child; other settings remain, such as those of nohup. */
 void
-SetLimit(TResource resource, rlim_t value)
+ResetHandlers(bool all)
 {
-  rlimit limit{};
-  getrlimit(resource, &limit);
-  limit.rlim_cur = limit.rlim_max == RLIM_INFINITY || value < limit.rlim_max ? value : limit.rlim_max;
-  setrlimit(resource, &limit);
+  for (int number = 1; number < NSIG; ++number)
+  {
+    struct sigaction action = {};
+    if (sigaction(number, nullptr, &action) == 0 && action.sa_handler != SIG_DFL &&
+        (all || action.sa_handler != SIG_IGN))
+    {
+      action.sa_handler = SIG_DFL;
+      action.sa_flags = 0;
+      sigaction(number, &action, nullptr);
+    }
+  }
 }
-} // namespace
 
-// posix_spawn instead of Boost.Process, which forks: ITK's threader joins the threads of its pool before each fork, so
-// no other thread could use the pool, and the child could inherit its locks.
-ChildProcess::ChildProcess(const std::string &              program,
-                           const std::vector<std::string> & arguments,
-                           const std::vector<int> &         descriptors)
+/** Runs in the child, which shares the memory of the parent until exec(): system calls only. Returns errno in case of
+ * an error. */
+int
+BecomeProgram(const StartPlan & plan, pid_t parent)
+{
+#ifdef __linux__
+  prctl(PR_SET_PDEATHSIG, plan.signalWithParent);
+  if (getppid() != parent) // the parent died before that call
+  {
+    _exit(1);
+  }
+#endif
+  for (const auto & [from, to] : plan.descriptors)
+  {
+    dup2(from, to);
+  }
+#if defined(__GLIBC__) && __GLIBC_PREREQ(2, 34)
+  if (plan.firstClosed >= 0)
+  {
+    closefrom(plan.firstClosed);
+  }
+#endif
+  ResetHandlers(plan.hasDefaultSignals);
+  pthread_sigmask(SIG_SETMASK, &plan.blocked, nullptr);
+  execv(plan.words[0], plan.words);
+  return errno;
+}
+
+pid_t
+StartProgram(const std::string & program, const std::vector<std::string> & arguments, StartPlan & plan)
 {
   std::vector<char *> words{ const_cast<char *>(program.c_str()) };
   for (const std::string & argument : arguments)
@@ -119,18 +82,115 @@ ChildProcess::ChildProcess(const std::string &              program,
     words.push_back(const_cast<char *>(argument.c_str()));
   }
   words.push_back(nullptr);
-  const SpawnActions actions(descriptors);
-  const SpawnSignals signals;
-  pid_t              child = -1;
-  const int          reason = posix_spawn(&child, program.c_str(), actions.Get(), signals.Get(), words.data(), environ);
-  if (reason != 0)
+  plan.words = words.data();
+  // No target of a copy may be a source.
+  std::vector<FileDescriptor> sources;
+  for (auto & copy : plan.descriptors)
   {
-    throw std::runtime_error("cannot start the program \"" + program + "\": " + std::strerror(reason));
+    constexpr int unusedTarget = 16;
+    sources.emplace_back(fcntl(copy.first, F_DUPFD_CLOEXEC, unusedTarget));
+    copy.first = sources.back().Get();
   }
-  m_Number = child;
+  sigset_t all;
+  sigset_t before;
+  sigfillset(&all);
+  pthread_sigmask(SIG_SETMASK, &all, &before);
+  if (!plan.hasDefaultSignals)
+  {
+    plan.blocked = before;
+  }
+  const pid_t  parent = getpid();
+  volatile int error = 0; // written by the child
+  const pid_t  child = vfork();
+  if (child == 0)
+  {
+    error = BecomeProgram(plan, parent); // NOLINT(clang-analyzer-unix.Vfork): see there
+    _exit(127);
+  }
+  if (child < 0)
+  {
+    error = errno;
+  }
+  pthread_sigmask(SIG_SETMASK, &before, nullptr);
+  if (error != 0)
+  {
+    while (child > 0 && waitpid(child, nullptr, 0) < 0 && errno == EINTR)
+    {}
+    throw std::system_error(error, std::generic_category());
+  }
+  return child;
+}
+} // namespace
+
+Pipe::Pipe()
+{
+  int ends[2];
+  if (pipe2(ends, O_CLOEXEC) != 0) // atomically: another thread may start a program concurrently
+  {
+    throw std::system_error(errno, std::generic_category());
+  }
+  m_Output = FileDescriptor(ends[0]);
+  m_Input = FileDescriptor(ends[1]);
 }
 
-ChildProcess::~ChildProcess() { this->Kill(); }
+void
+ReadPipes(const Pipe & first, const TakePipeBytes & takeFirst, const Pipe & second, const TakePipeBytes & takeSecond)
+{
+  pollfd polled[2] = { { first.GetOutput(), POLLIN, 0 }, { second.GetOutput(), POLLIN, 0 } };
+  char   buffer[65536];
+  while (polled[0].fd >= 0 || polled[1].fd >= 0)
+  {
+    if (poll(polled, 2, -1) < 0)
+    {
+      continue; // interrupted by a signal
+    }
+    for (pollfd & pipe : polled)
+    {
+      const ssize_t number = pipe.fd >= 0 && pipe.revents != 0 ? read(pipe.fd, buffer, sizeof(buffer)) : -2;
+      if (number > 0)
+      {
+        (&pipe == &polled[0] ? takeFirst : takeSecond)(buffer, static_cast<std::size_t>(number));
+      }
+      else if (number == 0 || (number == -1 && errno != EINTR))
+      {
+        pipe.fd = -1;
+      }
+    }
+  }
+}
+
+ChildProcess
+ChildProcess::StartTool(const std::string &              program,
+                        const std::vector<std::string> & arguments,
+                        const Pipe &                     out,
+                        const Pipe &                     err)
+{
+  const FileDescriptor none(open("/dev/null", O_RDONLY | O_CLOEXEC));
+  StartPlan            plan;
+  plan.descriptors = { { none.Get(), STDIN_FILENO },
+                       { out.GetInput(), STDOUT_FILENO },
+                       { err.GetInput(), STDERR_FILENO } };
+  return { StartProgram(program, arguments, plan), plan.signalWithParent };
+}
+
+ChildProcess
+ChildProcess::StartIsolated(const std::string &              program,
+                            const std::vector<std::string> & arguments,
+                            const std::vector<int> &         descriptors)
+{
+  StartPlan plan;
+  plan.signalWithParent = SIGKILL;
+  plan.hasDefaultSignals = true;
+  sigaddset(&plan.blocked, SIGINT);
+  plan.firstClosed = FirstInheritedDescriptor;
+  for (const int descriptor : descriptors)
+  {
+    plan.descriptors.emplace_back(descriptor, plan.firstClosed++);
+  }
+  return { StartProgram(program, arguments, plan), plan.signalWithParent };
+}
+
+ChildProcess::~ChildProcess() { this->Stop(); }
 
 ChildProcess::End
 ChildProcess::Wait()
@@ -148,11 +208,11 @@ ChildProcess::Wait()
 }
 
 void
-ChildProcess::Kill()
+ChildProcess::Stop()
 {
   if (this->IsRunning())
   {
-    kill(m_Number, SIGKILL);
+    kill(m_Number, m_Signal);
     this->Wait();
   }
 }
@@ -164,95 +224,20 @@ ProcessNumber()
 }
 
 bool
-EndWithParent(int parent)
+IsProcessAlive(long number)
 {
-#ifdef __linux__
-  prctl(PR_SET_PDEATHSIG, SIGKILL);
-#endif
-  return getppid() == parent;
-}
-
-void
-SilenceThisProcess()
-{
-  SetLimit(RLIMIT_CORE, 0);
-#if defined(__SANITIZE_ADDRESS__)
-  __sanitizer_set_report_fd(reinterpret_cast<void *>(static_cast<std::intptr_t>(dup(STDERR_FILENO))));
-#endif
-  const int nowhere = open("/dev/null", O_RDWR);
-  if (nowhere >= 0)
-  {
-    dup2(nowhere, STDIN_FILENO);
-    dup2(nowhere, STDOUT_FILENO);
-    dup2(nowhere, STDERR_FILENO);
-  }
-  if (nowhere > STDERR_FILENO)
-  {
-    close(nowhere);
-  }
-}
-
-MemoryLimit::MemoryLimit()
-{
-  // Pages: total size, resident, shared, text, unused, data and stack. All remain 0 if the file does not exist.
-  unsigned long pages[6] = {};
-  std::ifstream status("/proc/self/statm");
-  for (unsigned long & number : pages)
-  {
-    status >> number;
-  }
-  const auto page = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
-  m_TotalBytes = pages[0] * page;
-  m_DataBytes = pages[5] * page;
-}
-
-void
-MemoryLimit::Set(std::size_t privateBytes, std::size_t sharedBytes) const
-{
-  SetLimit(RLIMIT_DATA, m_DataBytes + privateBytes);
-#if defined(__SANITIZE_ADDRESS__) // the sanitizer has reserved terabytes of address space
-  (void)sharedBytes;
-#else
-  SetLimit(RLIMIT_AS, m_TotalBytes + privateBytes + sharedBytes);
-#endif
-}
-
-void
-LimitComputingTime(unsigned int seconds)
-{
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  // The system's limit counts from the start of the process.
-  SetLimit(RLIMIT_CPU, static_cast<rlim_t>(usage.ru_utime.tv_sec + usage.ru_stime.tv_sec) + 1 + seconds);
+  return kill(static_cast<pid_t>(number), 0) == 0 || errno != ESRCH;
 }
 
 bool
-WasOutOfComputingTime(const ChildProcess::End & end)
+WasKilled(const ChildProcess::End & end)
 {
   return end.isSignal && (end.number == SIGXCPU || end.number == SIGKILL);
 }
 
-std::string
-FolderOfThisLibrary()
+void
+CallAfterFork(void (*function)())
 {
-  const auto address = reinterpret_cast<std::uintptr_t>(&anchor);
-#ifdef __linux__
-  // dladdr() returns the name of a program as typed, which may be relative to the folder where it was started.
-  std::ifstream maps("/proc/self/maps");
-  for (std::string line; std::getline(maps, line);)
-  {
-    std::uintptr_t begin = 0;
-    std::uintptr_t end = 0;
-    char           dash = 0;
-    std::istringstream(line) >> std::hex >> begin >> dash >> end;
-    const std::size_t path = line.find('/');
-    if (begin <= address && address < end && path != std::string::npos)
-    {
-      return std::filesystem::path(line.substr(path)).parent_path().string();
-    }
-  }
-#endif
-  Dl_info info{};
-  return dladdr(&anchor, &info) != 0 ? std::filesystem::absolute(info.dli_fname).parent_path().string() : std::string();
+  pthread_atfork(nullptr, nullptr, function);
 }
 } // namespace shapeton

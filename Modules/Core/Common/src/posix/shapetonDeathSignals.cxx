@@ -1,7 +1,8 @@
-#include "shapetonRemovalAtDeath.h"
+#include "shapetonOperatingSystem.h"
 
 #include <atomic>
 #include <csignal>
+#include <iterator>
 
 #include <unistd.h>
 
@@ -23,6 +24,9 @@ std::atomic<bool>                   isDelayed{ false };
 std::atomic<int>                    delayedSignal{ 0 };
 std::atomic<pid_t>                  owner{ 0 }; // a forked child inherits the list, but the files belong to the parent
 
+volatile std::sig_atomic_t pendingSignal = 0;
+
+constexpr int deferred[] = { SIGINT, SIGTERM, SIGHUP };
 constexpr int requests[] = { SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE, SIGALRM, SIGXCPU };
 constexpr int crashes[] = { SIGABRT, SIGSEGV, SIGBUS, SIGFPE, SIGILL };
 
@@ -116,5 +120,32 @@ DeathDelay::~DeathDelay()
   {
     raise(signal);
   }
+}
+
+DeferredSignals::DeferredSignals()
+{
+  pendingSignal = 0;
+  for (std::size_t i = 0; i < std::size(deferred); ++i)
+  {
+    m_Previous[i] = std::signal(deferred[i], [](int signal) { pendingSignal = signal; });
+  }
+}
+
+DeferredSignals::~DeferredSignals()
+{
+  for (std::size_t i = 0; i < std::size(deferred); ++i)
+  {
+    std::signal(deferred[i], m_Previous[i]);
+  }
+  if (pendingSignal != 0)
+  {
+    std::raise(pendingSignal);
+  }
+}
+
+bool
+DeferredSignals::IsPending()
+{
+  return pendingSignal != 0;
 }
 } // namespace shapeton
