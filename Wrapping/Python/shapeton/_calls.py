@@ -100,7 +100,7 @@ def public(function: _AnyFunction) -> _AnyFunction:
     signature = inspect.signature(function)
     is_reader = function.__name__.startswith(("list_", "read_"))
     is_long = (is_reader or "progress" in signature.parameters) and function.__name__ == function.__qualname__
-    work = _interruptible(function) if is_long else function
+    work: _Function = _interruptible(function) if is_long else function
     hints: Dict[str, Any] = {}  # evaluated at the first call, because modules import each other
 
     @functools.wraps(function)

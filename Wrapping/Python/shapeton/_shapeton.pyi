@@ -685,7 +685,8 @@ class FlatColon:
     """The flat wall of a colon with a grid of square pixels."""
     def __init__(self: FlatColon, surface: Mesh, pixel_size: float = 1.0) -> None:
         """surface: from `flattening.flatten_tube`.
-            pixel_size: mm on the map, used for folds and landmarks.
+            pixel_size: Pixel size of the flat colon at the mean circumference, rounded so that it divides the
+                circumference. In mm, 0.05 to 20.
         """
         ...
 
