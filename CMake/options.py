@@ -24,7 +24,7 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 OWN_KEYS = {"sentence", "bases", "include", "defaults", "options"}
 OPTION_KEYS = {
     "name", "type", "enum", "words", "unit", "default", "minimum", "maximum", "above", "below", "step", "label",
-    "sentence",
+    "sentence", "open",
 }  # fmt: skip
 
 # type: (C++ type, element of a tool's XML, Python annotation)
@@ -92,6 +92,7 @@ class Option:
             fail(f"{where}: the option {self.name} has the unknown type {self.kind}")
         self.enum: str = data.get("enum", "")
         words = data.get("words", [])
+        self.is_open = data.get("open", False)  # the library accepts further words
         self.words: dict[str, str] = words if isinstance(words, dict) else {word: camel(word) for word in words}
         self.default: Any = data.get("default")
         self.bounds = {key: data[key] for key in ("minimum", "maximum", "above", "below") if key in data}
@@ -187,7 +188,7 @@ class Option:
         """The expression of its OptionInfo."""
         setters = {"minimum": "AtLeast", "above": "Above", "maximum": "AtMost", "below": "Below"}
         calls = [f'.{setters[key]}({float(number(value))!r}, "{text_of(value)}")' for key, value in self.bounds.items()]
-        if self.words:
+        if self.words and not self.is_open:
             calls.append(".Words({ " + ", ".join(map(json.dumps, self.words)) + " })")
         return f'OptionInfo("{self.name}")' + "".join(calls)
 

@@ -465,7 +465,7 @@ TEST(ColonFilters, ParametersArePrinted)
   filter->KeepPiecesOn();
   std::ostringstream text;
   filter->Print(text);
-  EXPECT_NE(text.str().find("position: HFS"), std::string::npos);
-  EXPECT_NE(text.str().find("faces: 8000"), std::string::npos);
-  EXPECT_NE(text.str().find("keepPieces: 1"), std::string::npos);
+  EXPECT_NE(text.str().find("Position: HFS"), std::string::npos);
+  EXPECT_NE(text.str().find("Faces: 8000"), std::string::npos);
+  EXPECT_NE(text.str().find("KeepPieces: 1"), std::string::npos);
 }

@@ -5,13 +5,15 @@
 
 #include "itkProcessObject.h"
 
+#include <cctype>
 #include <ostream>
+#include <string>
 
 namespace shapeton
 {
 /** \class FilterWithOptions
- * \brief Mixin for filters whose parameters are the members of a struct. The generated mixins <Struct>Methods add the
- * Set and Get methods of declared options.
+ * \brief Mixin for filters whose parameters are the members of a struct. The generated mixins, such as
+ * VolumeGradientOptionsMethods, add the Set and Get methods of declared options.
  *
  * \tparam TOptions the struct, generated or derived from generated ones: it has VisitOptions().
  * \tparam TSuperclass itk::ProcessObject or a class derived from it.
@@ -63,7 +65,9 @@ protected:
   {
     TSuperclass::PrintSelf(os, indent);
     TOptions::VisitOptions(m_Options, [&](const OptionInfo & info, const auto & option) {
-      PrintOption(os << indent << info.GetName() << ": ", info, option);
+      std::string name = info.GetName();
+      name.front() = static_cast<char>(std::toupper(name.front())); // as in the Set method
+      PrintOption(os << indent << name << ": ", info, option);
       os << std::endl;
     });
   }

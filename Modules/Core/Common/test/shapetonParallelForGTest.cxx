@@ -289,6 +289,7 @@ TEST_P(WithThreads, WorkBesideThatNobodyWaitsForLeavesNoTrace)
 
 TEST_P(WithThreads, AForkedProcessLoopsToo)
 {
+  shapeton::SourceOfThreads(); // prepares the threads of this process
   shapeton::ParallelFor(100, [](std::size_t) {});
   const pid_t child = fork();
   if (child == 0)

@@ -331,16 +331,16 @@ TEST(ParticleDiffusionImageFilter, SettingsOutOfRangeAreNamed)
     const std::string text = Refusal(filter.GetPointer());
     EXPECT_NE(text.find(part), std::string::npos) << text;
   };
-  expectRefused("TimeSteps", [](auto & filter) { filter->SetTimeSteps(0); });
+  expectRefused("\"timeSteps\": 0 is less than the minimum 1", [](auto & filter) { filter->SetTimeSteps(0); });
   expectRefused("shapeton", [](auto & filter) { filter->SetShapetons(0); });
   expectRefused("distance", [](auto & filter) { filter->SetDistance(0.0); });
   expectRefused("distance", [](auto & filter) { filter->SetDistance(1.5); });
-  expectRefused("P must not be negative", [](auto & filter) { filter->SetP(-1.0); });
-  expectRefused("window", [](auto & filter) { filter->SetIntensityWindow(1.0, 1.0); });
-  expectRefused("Epsilon", [](auto & filter) { filter->SetEpsilon(-0.1); });
-  expectRefused("HistogramSteps", [](auto & filter) { filter->SetHistogramSteps({ 11 }); });
-  expectRefused("HistogramSteps", [](auto & filter) { filter->SetHistogramSteps({ 0 }); });
-  expectRefused("HistogramSteps", [](auto & filter) { filter->SetHistogramSteps({ 3, 3 }); });
+  expectRefused("\"p\": -1 is less than the minimum 0", [](auto & filter) { filter->SetP(-1.0); });
+  expectRefused("intensityWindow", [](auto & filter) { filter->SetIntensityWindow(1.0, 1.0); });
+  expectRefused("\"epsilon\": -0.1 is less than the minimum 0", [](auto & filter) { filter->SetEpsilon(-0.1); });
+  expectRefused("histogram steps", [](auto & filter) { filter->SetHistogramSteps({ 11 }); });
+  expectRefused("histogram steps", [](auto & filter) { filter->SetHistogramSteps({ 0 }); });
+  expectRefused("histogram steps", [](auto & filter) { filter->SetHistogramSteps({ 3, 3 }); });
   expectRefused("initial state", [](auto & filter) {
     ParticleState state;
     state.step = 11;
@@ -360,7 +360,7 @@ TEST(ParticleDiffusionImageFilter, PrintsItsSettings)
   filter->SetSeed(4711);
   std::ostringstream text;
   filter->Print(text);
-  for (const char * const line : { "NumberOfShapetons: 3000", "PathRule: traversal", "Seed: 4711", "TimeSteps: 10" })
+  for (const char * const line : { "Shapetons: 3000", "PathRule: traversal", "Seed: 4711", "TimeSteps: 10" })
   {
     EXPECT_NE(text.str().find(line), std::string::npos) << line;
   }

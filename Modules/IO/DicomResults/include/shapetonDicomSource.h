@@ -25,9 +25,8 @@ struct DicomSource
 
 /** Reads the headers of a series, which must be regular because results cannot reference the slices of a repaired
  * volume. With DicomSourceOptions::deshear, a tilted series is accepted, for reading only; the grid is then that of the
- * repair `deshear`. Throws InputError as ReadVolume() does, and if slices have no SOP Instance UID. \ingroup
- * ShapetonDicomResults
- */
+ * repair `deshear`. Throws InputError as ReadVolume() does, and if slices have no SOP Instance UID.
+ * \ingroup ShapetonDicomResults */
 ShapetonDicomResults_EXPORT DicomSource
 ReadDicomSource(const std::string & path, const DicomSourceOptions & options = {});
 
