@@ -291,7 +291,8 @@ def declaration(struct: str) -> Declaration:
 
 
 def comment(text: str, indent: str = "") -> str:
-    lines = textwrap.wrap(text, 120 - len(indent) - 7)
+    text = text.replace("ingroup ", "ingroup\xa0")  # on one line with its group
+    lines = [line.replace("\xa0", " ") for line in textwrap.wrap(text, 120 - len(indent) - 7)]
     return "\n".join([f"{indent}/** {lines[0]}"] + [f"{indent} * {line}" for line in lines[1:]]) + " */"
 
 
