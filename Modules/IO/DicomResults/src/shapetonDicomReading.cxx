@@ -119,8 +119,11 @@ ReadContained(const std::string &                                               
   {
     throw InputError("\"" + path + "\" is not a file; use a DICOM file");
   }
-  ContainedProcess process(service, sharedBytes, { (std::size_t(1) << 30) + 2 * sharedBytes, 60, 600 });
-  ByteWriter       request;
+  constexpr unsigned int         cpuSeconds = 60;
+  constexpr unsigned int         wallSeconds = 600; // generous, for slow network drives
+  const ContainedProcess::Limits limits{ (std::size_t(1) << 30) + 2 * sharedBytes, cpuSeconds, wallSeconds };
+  ContainedProcess               process(service, sharedBytes, limits);
+  ByteWriter                     request;
   request & path & static_cast<std::uint64_t>(sharedBytes);
   try
   {
