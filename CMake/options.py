@@ -11,6 +11,7 @@ The guide describes the declarations: Documentation/developer-guide.md, section 
 
 from __future__ import annotations
 
+import copy
 import fractions
 import functools
 import json
@@ -105,15 +106,17 @@ class Option:
     def is_number(self) -> bool:
         return self.kind in ("int", "uint", "uint64", "double")
 
-    def with_default(self, default: Any) -> Option:
-        other = Option.__new__(Option)
-        other.__dict__ = {**self.__dict__, "default": default}
+    def having(self, **members: Any) -> Option:
+        """A copy with other members."""
+        other = copy.copy(self)
+        other.__dict__.update(members)
         return other
 
+    def with_default(self, default: Any) -> Option:
+        return self.having(default=default)
+
     def with_minimum(self, minimum: Any) -> Option:
-        other = self.with_default(self.default)
-        other.bounds = {**self.bounds, "minimum": minimum}
-        return other
+        return self.having(bounds={**self.bounds, "minimum": minimum})
 
     def with_unset(self, text: str) -> Option:
         """The same option with another value as its default, for example "-1: from the preset"."""
@@ -129,9 +132,7 @@ class Option:
 
     def optional(self) -> Option:
         """The same option in a function that also accepts None."""
-        other = self.with_default(self.default)
-        other.suffix = "?"
-        return other
+        return self.having(suffix="?")
 
     # ---- in words ----
 

@@ -33,7 +33,7 @@ def results(tools, command, out, threads, source):
 
 
 def faults_of(tools, work, command):
-    out = work / "out"  # the same folder for all runs, because pages contain relative names only
+    out = work / "out"  # the same for all runs, because files may contain its name
     reference, faults = None, []
     for threads, source in RUNS:
         files, fault = results(tools, command, out, threads, source)

@@ -189,7 +189,7 @@ ModeOfTissue(const VoxelValues & hu)
   constexpr int       bins = 220;
   constexpr int       halfWidth = 20; // HU, of the triangular window that smooths the histogram
   constexpr int       margin = 2 * halfWidth;
-  constexpr double    usual = 40.0; // HU, if there is no mode inside
+  constexpr double    usual = 40.0; // HU, for a window without a mode
   std::vector<double> count(bins, 0.0);
   for (std::size_t p = 0; p < hu.size(); p += 3)
   {

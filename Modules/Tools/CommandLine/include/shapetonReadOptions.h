@@ -42,7 +42,7 @@ ReadOption(const CommandLine & commandLine, const OptionInfo & info, TOption & o
   }
   else
   {
-    static_assert(std::is_same_v<TOption, std::string>, "there is no overload for this type of option");
+    static_assert(std::is_same_v<TOption, std::string>, "an option of this type needs an overload");
     option = commandLine.GetString(name);
   }
 }

@@ -83,8 +83,7 @@ ReadLabelMask(CommandLine & commandLine, const std::string & parameter, const it
 void
 RequireIntensityWindow(const CommandLine & commandLine)
 {
-  const auto window = commandLine.GetDoubles("intensityWindow");
-  RequireParameter(window.empty() || (window.size() == 2 && window[0] < window[1]),
-                   "--intensityWindow requires two numbers, the lower one first, for example -160,240");
+  std::optional<std::array<double, 2>> window;
+  ReadOption(commandLine, OptionInfo("intensityWindow"), window);
 }
 } // namespace shapeton
