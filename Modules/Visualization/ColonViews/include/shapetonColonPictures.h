@@ -45,15 +45,18 @@ struct ColonSegment
 ShapetonColonViews_EXPORT std::vector<itk::IndexValueType>
                           ChooseSlices(const itk::Image<unsigned char, 3> * lumen, SlicePlane plane, int number);
 
+/** The usual intensity window for CT colonography, HU. \ingroup ShapetonColonViews */
+constexpr IntensityWindow ColonographyWindow{ -1100.0, 500.0 };
+
 /** Draws slices side by side, with the outlines of gas and fluid and the section of the wall; without a CT the lumen is
- * filled. The default window is the usual one for CT colonography, -1100 to 500 HU.
+ * filled.
  *
  * Throws std::invalid_argument without a lumen, or if the CT has another grid. \ingroup ShapetonColonViews */
 ShapetonColonViews_EXPORT Picture::Pointer
                           DrawColonSlices(const ColonParts &      colon,
                                           SlicePlane              plane,
                                           int                     number = 3,
-                                          const IntensityWindow & window = { -1100.0, 500.0 });
+                                          const IntensityWindow & window = ColonographyWindow);
 
 /** Projects the colon along the volume axis perpendicular to a coronal or sagittal plane: the lumen thickness (mm) in
  * gray, and the centerline colored by the distance from the anal verge. Throws the same exceptions.

@@ -144,7 +144,8 @@ AlignedColons::PaintProne(const StripPainter & paint) const
 void
 AlignedColons::Hatch(Picture * strip) const
 {
-  constexpr int      period = 9;
+  constexpr int      period = 9; // pixels
+  constexpr double   opacity = 0.75;
   const MapOfSurface map(m_Parts.results->supineToProne, m_Grid, m_Prone.Circumference());
   for (int row = 0; row < m_Grid.Rows(); ++row)
   {
@@ -153,7 +154,7 @@ AlignedColons::Hatch(Picture * strip) const
       if ((column + row) % period < 2 && map.AtPixel(column, row).isExcluded)
       {
         const Picture::IndexType pixel{ { column, row } };
-        strip->SetPixel(pixel, MixColors(strip->GetPixel(pixel), stripe, 0.75));
+        strip->SetPixel(pixel, MixColors(strip->GetPixel(pixel), stripe, opacity));
       }
     }
   }

@@ -16,13 +16,24 @@ namespace
 const RGBColor colorOfLoops = MakeColor(20, 20, 20);
 const RGBColor colorOfValve = MakeColor(60, 200, 90);
 const RGBColor colorOfMarkers = MakeColor(255, 255, 255);
+const RGBColor colorOfSurfaceFolds = MakeColor(52, 96, 196);
+
+/** Radii of tubes and balls in a scene, mm. */
+constexpr double radiusOfTaeniae = 1.6;
+constexpr double radiusOfLoops = 2.2;
+constexpr double radiusOfMarkers = 4.0;
+constexpr double radiusOfValve = 5.0;
+
+/** Segments have the numbers 1 to 6; 0 is an unknown segment. */
+constexpr int lastSegment = 6;
 
 SurfaceRenderingOptions
 OptionsFor(PatientSide side, const std::string & title)
 {
+  constexpr unsigned int  pixels = 900;
   SurfaceRenderingOptions options;
-  options.width = 900;
-  options.height = 900;
+  options.width = pixels;
+  options.height = pixels;
   options.title = title + ", " + NameOf(side);
   LookFrom(side, options);
   return options;
@@ -31,12 +42,12 @@ OptionsFor(PatientSide side, const std::string & title)
 void
 AddSegmentLegend(const ColonSegments & segments, SurfaceRenderingOptions & options)
 {
-  std::array<bool, 7> isThere{};
+  std::array<bool, lastSegment + 1> isThere{};
   for (const int segment : segments.segmentOfFace)
   {
     isThere[segment] = true;
   }
-  for (int segment = 0; segment <= 6; ++segment)
+  for (int segment = 0; segment <= lastSegment; ++segment)
   {
     if (isThere[segment])
     {
@@ -78,7 +89,7 @@ AddTaeniae(const ColonTaeniae & taeniae, std::vector<CurveSet> & sets, SurfaceSc
   {
     CurveActor actor;
     actor.curves = &sets[t];
-    actor.radius = 1.6;
+    actor.radius = radiusOfTaeniae;
     actor.color = ColorOfTaenia(static_cast<int>(t) + 1);
     scene.curves.push_back(actor);
   }
@@ -155,16 +166,20 @@ SegmentNames(const ColonSegments & segments)
 RGBColor
 ColorOfSegment(int segment)
 {
-  static const RGBColor colors[] = { MakeColor(170, 170, 170), MakeColor(214, 120, 108), MakeColor(232, 182, 92),
-                                     MakeColor(150, 186, 96),  MakeColor(96, 178, 176),  MakeColor(110, 140, 208),
-                                     MakeColor(176, 120, 190) };
-  return colors[segment >= 1 && segment <= 6 ? segment : 0];
+  static const RGBColor colors[lastSegment + 1] = { MakeColor(170, 170, 170), MakeColor(214, 120, 108),
+                                                    MakeColor(232, 182, 92),  MakeColor(150, 186, 96),
+                                                    MakeColor(96, 178, 176),  MakeColor(110, 140, 208),
+                                                    MakeColor(176, 120, 190) };
+  return colors[segment >= 1 && segment <= lastSegment ? segment : 0];
 }
 
 RGBColor
 ColorOfTaenia(int taenia)
 {
-  return taenia == 1 ? MakeColor(255, 214, 10) : taenia == 2 ? MakeColor(30, 144, 255) : MakeColor(255, 60, 160);
+  static const RGBColor yellow = MakeColor(255, 214, 10);
+  static const RGBColor blue = MakeColor(30, 144, 255);
+  static const RGBColor pink = MakeColor(255, 60, 160);
+  return taenia == 1 ? yellow : taenia == 2 ? blue : pink;
 }
 
 std::vector<FlatAnnotation>
@@ -199,7 +214,7 @@ DrawColonLandmarks(const ColonLandmarkParts & parts, PatientSide side)
   {
     CurveActor actor;
     actor.curves = &loops;
-    actor.radius = 2.2;
+    actor.radius = radiusOfLoops;
     actor.color = colorOfLoops;
     scene.curves.push_back(actor);
   }
@@ -209,16 +224,16 @@ DrawColonLandmarks(const ColonLandmarkParts & parts, PatientSide side)
     if (border.number <= 4)
     {
       scene.markers.push_back(
-        { FrontOfLoop(landmarks, border, view), 4.0, colorOfLoops, NameOfFlexure(border.number) });
+        { FrontOfLoop(landmarks, border, view), radiusOfMarkers, colorOfLoops, NameOfFlexure(border.number) });
     }
   }
   if (landmarks.valve)
   {
-    scene.markers.push_back({ landmarks.valve->position, 5.0, colorOfValve, "ileocecal valve" });
+    scene.markers.push_back({ landmarks.valve->position, radiusOfValve, colorOfValve, "ileocecal valve" });
   }
   for (const UsedMarker & marker : landmarks.taeniae.markers)
   {
-    scene.markers.push_back({ marker.point, 4.0, colorOfMarkers, "marker" });
+    scene.markers.push_back({ marker.point, radiusOfMarkers, colorOfMarkers, "marker" });
   }
   return RenderSurfaces(scene, options);
 }
@@ -231,7 +246,7 @@ DrawSurfaceFolds(const ColonLandmarkParts & parts, PatientSide side)
   wall.surface = &parts.flat->Surface();
   for (const int fold : parts.landmarks->folds.foldOfFace)
   {
-    wall.faceColors.push_back(fold > 0 ? MakeColor(52, 96, 196) : MakeColor(226, 178, 164));
+    wall.faceColors.push_back(fold > 0 ? colorOfSurfaceFolds : TissueColor);
   }
   scene.surfaces.push_back(wall);
   return RenderSurfaces(
@@ -241,9 +256,10 @@ DrawSurfaceFolds(const ColonLandmarkParts & parts, PatientSide side)
 Picture::Pointer
 DrawFlatLandmarks(const ColonLandmarkParts & parts, int greatestColumns)
 {
+  constexpr double     pixelSize = 0.7; // mm of the map
   FlatColonGridOptions gridOptions;
   gridOptions.normalLength = 1.0;
-  gridOptions.pixelSize = 0.7;
+  gridOptions.pixelSize = pixelSize;
   const FlatColonGrid &  grid = parts.flat->Grid(gridOptions);
   const Picture::Pointer strip = PaintFlatRelief(grid, parts.flat->Axis(gridOptions));
   std::vector<double>    distances;

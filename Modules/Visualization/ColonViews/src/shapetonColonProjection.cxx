@@ -20,8 +20,10 @@ constexpr int greatestWidth = 900;
 RGBColor
 ThicknessColor(double share)
 {
+  static const RGBColor bright = MakeColor(236, 238, 240);
+  constexpr double      mostBright = 0.85; // share of `bright` in the thickest part
   // The square root keeps thin parts visible.
-  return MixColors(background, MakeColor(236, 238, 240), 0.85 * std::sqrt(share));
+  return MixColors(background, bright, mostBright * std::sqrt(share));
 }
 
 /** Lumen thickness (mm) behind each voxel of a plane. */
@@ -110,6 +112,8 @@ DrawCenterline(Picture *                              picture,
                const std::vector<CenterlineStation> & stations,
                const ColorScale &                     scale)
 {
+  constexpr double thickness = 3.0;
+  constexpr double thicknessWithRim = 5.0;
   for (const bool isRim : { true, false })
   {
     for (std::size_t i = 1; i < stations.size(); ++i)
@@ -119,7 +123,7 @@ DrawCenterline(Picture *                              picture,
         isGap ? GapColor() : scale.ColorOf(0.5 * (stations[i - 1].distance + stations[i].distance));
       const auto a = PixelOf(view, stations[i - 1].point);
       const auto b = PixelOf(view, stations[i].point);
-      DrawLine(picture, a[0], a[1], b[0], b[1], isRim ? background : color, isRim ? 5.0 : 3.0);
+      DrawLine(picture, a[0], a[1], b[0], b[1], isRim ? background : color, isRim ? thicknessWithRim : thickness);
     }
   }
 }
@@ -143,8 +147,10 @@ bool
 IsFree(const Box & text, int width, int height)
 {
   constexpr int letter = 17; // half its size, with margin
-  bool          isFree =
-    text.x - text.halfWidth >= 4 && text.x + text.halfWidth <= width - 4 && text.y >= 12 && text.y <= height - 12;
+  constexpr int marginX = 4;
+  constexpr int marginY = 12; // half the height of a label, with margin
+  bool isFree = text.x - text.halfWidth >= marginX && text.x + text.halfWidth <= width - marginX && text.y >= marginY &&
+                text.y <= height - marginY;
   for (const auto & [x, y] : { std::make_pair(width / 2, letter),
                                std::make_pair(width / 2, height - letter),
                                std::make_pair(letter, height / 2),
@@ -159,15 +165,18 @@ IsFree(const Box & text, int width, int height)
 Box
 BoxBeside(int x, int y, int textWidth, int width, int height)
 {
-  const int half = textWidth / 2;
-  const Box right{ x + 14 + half, y, half, 10 };
+  constexpr int distance = 14;
+  constexpr int lineHeight = 22;
+  constexpr int halfHeight = 10;
+  const int     half = textWidth / 2;
+  const Box     right{ x + distance + half, y, half, halfHeight };
   for (int off = 0; off < 3; ++off)
   {
-    const int away = 22 * (off + 1);
-    for (const Box & box : { Box{ x + 14 + half, y - 22 * off, half, 10 },
-                             Box{ x - 14 - half, y - 22 * off, half, 10 },
-                             Box{ x, y - away, half, 10 },
-                             Box{ x, y + away, half, 10 } })
+    const int away = lineHeight * (off + 1);
+    for (const Box & box : { Box{ x + distance + half, y - lineHeight * off, half, halfHeight },
+                             Box{ x - distance - half, y - lineHeight * off, half, halfHeight },
+                             Box{ x, y - away, half, halfHeight },
+                             Box{ x, y + away, half, halfHeight } })
     {
       if (IsFree(box, width, height))
       {
@@ -185,13 +194,16 @@ DrawEnd(Picture *                 picture,
         const ColorScale &        scale,
         const std::string &       name)
 {
-  const auto place = PixelOf(view, station.point);
-  DrawLine(picture, place[0], place[1], place[0], place[1], background, 15.0);
-  DrawLine(picture, place[0], place[1], place[0], place[1], scale.ColorOf(station.distance), 11.0);
+  constexpr double diameter = 11.0;
+  constexpr double diameterWithRim = 15.0;
+  constexpr double shareOfWhite = 0.6; // in the color of the name
+  const auto       place = PixelOf(view, station.point);
+  DrawLine(picture, place[0], place[1], place[0], place[1], background, diameterWithRim);
+  DrawLine(picture, place[0], place[1], place[0], place[1], scale.ColorOf(station.distance), diameter);
   TextStyle style;
   style.size = 16;
   style.bold = true;
-  style.color = MixColors(scale.ColorOf(station.distance), MakeColor(255, 255, 255), 0.6);
+  style.color = MixColors(scale.ColorOf(station.distance), MakeColor(255, 255, 255), shareOfWhite);
   style.vertical = VerticalAnchor::Center;
   style.horizontal = HorizontalAnchor::Center;
   const Box box = BoxBeside(static_cast<int>(std::lround(place[0])),
@@ -242,26 +254,33 @@ Picture::Pointer
 MakePage(const Picture * panel, const std::string & title, const std::vector<ColorScale> & scales, bool hasGaps)
 {
   constexpr int edge = 12;
+  constexpr int footHeight = 46;
+  constexpr int titleSize = 20;
+  constexpr int legendTop = 14;
+  constexpr int legendBottom = 40;
+  constexpr int distanceOfBars = 14;
   const int     width = static_cast<int>(panel->GetBufferedRegion().GetSize(0));
   const int     height = static_cast<int>(panel->GetBufferedRegion().GetSize(1));
   const int     barStep = colorBarWidth + 10;
   const int     bars = static_cast<int>(scales.size()) * barStep + 34;
-  auto          page = NewPicture(static_cast<unsigned int>(width + bars), height + titleHeight + 46, background);
-  TextStyle     style;
-  style.size = 20;
+  auto      page = NewPicture(static_cast<unsigned int>(width + bars), height + titleHeight + footHeight, background);
+  TextStyle style;
+  style.size = titleSize;
   style.bold = true;
   style.color = annotation;
   DrawText(page, title, edge, 10, style);
   if (hasGaps)
   {
     const int left = edge + 30 + MeasureText(title, style).width;
-    DrawLegend(page, { { GapColor(), "gap in the lumen" } }, left, 14, 40, annotation);
+    DrawLegend(page, { { GapColor(), "gap in the lumen" } }, left, legendTop, legendBottom, annotation);
   }
   PastePicture(page, panel, edge, titleHeight);
-  int left = edge + width + 14;
+  const int barTop = titleHeight + height / 10;
+  const int barHeight = height - height / 5;
+  int       left = edge + width + distanceOfBars;
   for (const ColorScale & scale : scales)
   {
-    DrawColorBar(page, left, titleHeight + height / 10, height - height / 5, scale, annotation);
+    DrawColorBar(page, left, barTop, barHeight, scale, annotation);
     left += barStep;
   }
   return page;
@@ -288,9 +307,11 @@ DrawColonProjection(const ColonParts & colon, SlicePlane plane)
     DrawEnd(panel, view, stations.back(), scales[1], "cecum");
     hasGaps = std::any_of(stations.begin(), stations.end(), [](const CenterlineStation & s) { return s.isGap; });
   }
-  auto      page = MakePage(panel, "Projection, " + NameOf(plane), scales, hasGaps);
-  const int below = titleHeight + static_cast<int>(view.GetHeight()) + 34;
-  DrawScaleBar(page, 12, below, 180, view.GetMillimetersPerPixel(), annotation);
+  auto          page = MakePage(panel, "Projection, " + NameOf(plane), scales, hasGaps);
+  const int     below = titleHeight + static_cast<int>(view.GetHeight()) + 34;
+  constexpr int barLeft = 12;
+  constexpr int barLength = 180;
+  DrawScaleBar(page, barLeft, below, barLength, view.GetMillimetersPerPixel(), annotation);
   return page;
 }
 } // namespace shapeton

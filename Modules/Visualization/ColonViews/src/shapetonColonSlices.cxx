@@ -25,6 +25,8 @@ constexpr int headingHeight = 40;
 constexpr int captionHeight = 24;
 constexpr int pageWidth = 1400;
 constexpr int greatestPanelHeight = 560;
+constexpr int titleSize = 22;
+constexpr int textSize = 15;
 
 using LumenType = itk::Image<unsigned char, 3>;
 
@@ -99,23 +101,28 @@ SlicesOf(const LumenType * lumen, const LumenAreas & areas, unsigned int axis, i
 void
 DrawHead(Picture * picture, const ColonParts & colon, const std::string & title)
 {
-  TextStyle style;
-  style.size = 22;
+  constexpr int titleTop = 12;
+  constexpr int legendTop = 17;
+  constexpr int legendBottom = 40;
+  constexpr int distanceOfLegend = 160; // from the title
+  constexpr int distanceOfEntries = 46; // from text to text
+  TextStyle     style;
+  style.size = titleSize;
   style.bold = true;
   style.color = InkColor;
-  DrawText(picture, title, margin, 12, style);
+  DrawText(picture, title, margin, titleTop, style);
   std::vector<LegendEntry> legend{ { gasColor, "gas" }, { fluidColor, "fluid" } };
   if (colon.wall)
   {
     legend.push_back({ wallColor, "wall, where it departs from these" });
   }
-  style.size = 15;
+  style.size = textSize;
   style.bold = false;
-  int left = margin + MeasureText(title, style).width + 160;
+  int left = margin + MeasureText(title, style).width + distanceOfLegend;
   for (const LegendEntry & entry : legend)
   {
-    DrawLegend(picture, { entry }, left, 17, 40);
-    left += MeasureText(entry.text, style).width + 46;
+    DrawLegend(picture, { entry }, left, legendTop, legendBottom);
+    left += MeasureText(entry.text, style).width + distanceOfEntries;
   }
 }
 } // namespace
@@ -130,7 +137,11 @@ Picture::Pointer
 DrawColonSlices(const ColonParts & colon, SlicePlane plane, int number, const IntensityWindow & window)
 {
   CheckParts(colon);
-  constexpr double                       surroundings = 25.0;
+  constexpr double                       surroundings = 25.0; // mm
+  constexpr int                          smallestWidth = 640;
+  constexpr int                          footHeight = 44;
+  constexpr int                          barBottom = 32; // below the slices
+  constexpr int                          barLength = 160;
   const LumenAreas                       areas = AreasOf(colon.lumen);
   const itk::ImageRegion<3>              focus = LumenBox(colon.lumen, areas, surroundings);
   const SliceAxes                        axes = AxesOf(colon.lumen, plane);
@@ -141,12 +152,12 @@ DrawColonSlices(const ColonParts & colon, SlicePlane plane, int number, const In
   const int                              bottom = panelTop + static_cast<int>(first.GetHeight());
   const int                              step = static_cast<int>(first.GetWidth()) + gap;
   const int                              used = 2 * margin + static_cast<int>(slices.size()) * step - gap;
-  auto        picture = NewPicture(static_cast<unsigned int>(std::max(used, 640)), bottom + 44, PaperColor);
+  auto picture = NewPicture(static_cast<unsigned int>(std::max(used, smallestWidth)), bottom + footHeight, PaperColor);
   std::string title = NameOf(plane) + " slices";
   title[0] = static_cast<char>(title[0] - 'a' + 'A');
   DrawHead(picture, colon, title);
   TextStyle style;
-  style.size = 15;
+  style.size = textSize;
   style.color = InkColor;
   int left = margin;
   for (const itk::IndexValueType slice : slices)
@@ -159,7 +170,7 @@ DrawColonSlices(const ColonParts & colon, SlicePlane plane, int number, const In
     PastePicture(picture, PaintPanel(colon, view, window), left, panelTop);
     left += step;
   }
-  DrawScaleBar(picture, margin, bottom + 32, 160, scale, InkColor);
+  DrawScaleBar(picture, margin, bottom + barBottom, barLength, scale, InkColor);
   return picture;
 }
 } // namespace shapeton

@@ -9,9 +9,12 @@ namespace shapeton
 {
 namespace
 {
-const RGBColor tissue = MakeColor(226, 178, 164);
 const RGBColor glass = MakeColor(168, 186, 212);
 const RGBColor bridge = MakeColor(250, 214, 60);
+
+constexpr double opacityOfGlass = 0.3;
+constexpr double radiusOfLine = 1.8; ///< mm
+constexpr double radiusOfEnds = 4.5; ///< mm
 
 bool
 IsBridged(const SurfaceArray * bridged, Eigen::Index face)
@@ -24,8 +27,8 @@ AddWall(SurfaceScene & scene, SurfaceRenderingOptions & options, const SurfaceMe
 {
   SurfaceActor actor;
   actor.surface = &wall;
-  actor.color = isSolid ? tissue : glass;
-  actor.opacity = isSolid ? 1.0 : 0.3;
+  actor.color = isSolid ? TissueColor : glass;
+  actor.opacity = isSolid ? 1.0 : opacityOfGlass;
   const SurfaceArray * bridged = FindSurfaceArray(wall.cellArrays, "bridged");
   bool                 any = false;
   for (Eigen::Index face = 0; bridged && face < wall.F.rows(); ++face)
@@ -51,7 +54,7 @@ AddCenterline(SurfaceScene & scene, SurfaceRenderingOptions & options, const Cur
   options.colorBar = DistanceScale(stations);
   CurveActor actor;
   actor.curves = &centerline;
-  actor.radius = 1.8;
+  actor.radius = radiusOfLine;
   actor.vertexColors.resize(centerline.V.rows());
   bool hasGaps = false;
   for (const CenterlineStation & station : stations)
@@ -71,8 +74,9 @@ AddEnds(SurfaceScene & scene, const CurveSet & centerline)
 {
   const std::vector<CenterlineStation> stations = StationsOf(centerline);
   const ColorScale                     scale = DistanceScale(stations);
-  scene.markers.push_back({ stations.front().point, 4.5, scale.ColorOf(stations.front().distance), "anal verge" });
-  scene.markers.push_back({ stations.back().point, 4.5, scale.ColorOf(stations.back().distance), "cecum" });
+  scene.markers.push_back(
+    { stations.front().point, radiusOfEnds, scale.ColorOf(stations.front().distance), "anal verge" });
+  scene.markers.push_back({ stations.back().point, radiusOfEnds, scale.ColorOf(stations.back().distance), "cecum" });
 }
 } // namespace
 
@@ -83,11 +87,13 @@ DrawColonWall(const ColonParts & colon, PatientSide side, bool isSolid)
   {
     throw std::invalid_argument("a picture of the colon requires a wall, and a centerline for the transparent view");
   }
+  constexpr unsigned int  pictureWidth = 1000;
+  constexpr unsigned int  pictureHeight = 860;
   SurfaceScene            scene;
   SurfaceRenderingOptions options;
   LookFrom(side, options);
-  options.width = 1000;
-  options.height = 860;
+  options.width = pictureWidth;
+  options.height = pictureHeight;
   options.title = (isSolid ? "Wall, from the " : "Centerline, from the ") +
                   std::string(side == PatientSide::Anterior    ? "front"
                               : side == PatientSide::Posterior ? "back"

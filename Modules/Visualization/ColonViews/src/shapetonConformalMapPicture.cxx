@@ -84,6 +84,7 @@ DrawPattern(const SurfaceMesh &               shape,
             const std::vector<BoundaryLoop> & boundaries,
             const SurfaceRenderingOptions &   options)
 {
+  constexpr double            radiusOfCurves = 0.003; // fraction of the extent
   const ColoredSurface        refined = RefineForPattern(shape, uv, pattern);
   const std::vector<CurveSet> curves = CurvesOf(boundaries, shape.V);
   const double                extent = (shape.V.colwise().maxCoeff() - shape.V.colwise().minCoeff()).norm();
@@ -96,7 +97,7 @@ DrawPattern(const SurfaceMesh &               shape,
   {
     CurveActor curve;
     curve.curves = &curves[i];
-    curve.radius = 0.003 * extent;
+    curve.radius = radiusOfCurves * extent;
     curve.color = ColorOfBoundary(i);
     scene.curves.push_back(curve);
   }

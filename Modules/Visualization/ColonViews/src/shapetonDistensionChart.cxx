@@ -19,6 +19,8 @@ const RGBColor narrow = MakeColor(240, 150, 100);
 const RGBColor curveColor = MakeColor(22, 74, 116);
 const RGBColor limitColor = MakeColor(196, 44, 44);
 
+constexpr int labelSize = 14;
+
 using Stations = std::vector<CenterlineStation>;
 
 /** Interpolated values at a distance from the anal verge. */
@@ -52,7 +54,8 @@ PlaceAt(const Stations & stations, double distance)
 void
 DrawAreas(Picture * picture, const PlotFrame & frame, const Stations & stations)
 {
-  const int bottom = frame.top + frame.height;
+  constexpr double opacity = 0.75;
+  const int        bottom = frame.top + frame.height;
   for (int column = 0; column < frame.width; ++column)
   {
     const double distance = frame.x.lower + (frame.x.upper - frame.x.lower) * column / (frame.width - 1.0);
@@ -65,7 +68,7 @@ DrawAreas(Picture * picture, const PlotFrame & frame, const Stations & stations)
     else if (place.isKnown)
     {
       const int y = static_cast<int>(std::lround(frame.PixelOfY(place.caliber)));
-      FillRectangle(picture, x, y, 1, bottom - y, place.caliber < distendedCaliber ? narrow : wide, 0.75);
+      FillRectangle(picture, x, y, 1, bottom - y, place.caliber < distendedCaliber ? narrow : wide, opacity);
     }
   }
 }
@@ -73,6 +76,7 @@ DrawAreas(Picture * picture, const PlotFrame & frame, const Stations & stations)
 void
 DrawCurve(Picture * picture, const PlotFrame & frame, const Stations & stations)
 {
+  constexpr double thickness = 1.6;
   for (std::size_t i = 1; i < stations.size(); ++i)
   {
     const CenterlineStation & a = stations[i - 1];
@@ -85,7 +89,7 @@ DrawCurve(Picture * picture, const PlotFrame & frame, const Stations & stations)
                frame.PixelOfX(b.distance),
                frame.PixelOfY(b.caliber),
                curveColor,
-               1.6);
+               thickness);
     }
   }
 }
@@ -100,7 +104,7 @@ DrawLimit(Picture * picture, const PlotFrame & frame)
     FillRectangle(picture, frame.left + x, y - 1, std::min(dash, frame.width - x), 2, limitColor);
   }
   TextStyle style;
-  style.size = 14;
+  style.size = labelSize;
   style.color = limitColor;
   style.vertical = VerticalAnchor::Center;
   DrawText(picture, CsvTable::Rounded(distendedCaliber, 3) + " mm", frame.left + frame.width + 6, y, style);
@@ -126,7 +130,7 @@ DrawSegments(Picture * picture, const PlotFrame & frame, const std::vector<Colon
       name += " " + CsvTable::Rounded(std::round(100.0 * segment.distendedShare), 3) + " %";
     }
     TextStyle style;
-    style.size = 14;
+    style.size = labelSize;
     style.color = InkColor;
     const int textWidth = MeasureText(name, style).width;
     const int start = std::clamp(
@@ -145,19 +149,26 @@ DrawKey(Picture *                         picture,
         const DistensionChartOptions &    options,
         bool                              hasGaps)
 {
-  TextStyle style;
-  style.size = 22;
+  constexpr int titleSize = 22;
+  constexpr int titleTop = 12;
+  constexpr int noteTop = 18;
+  constexpr int legendSize = 15;
+  constexpr int legendTop = 16;
+  constexpr int legendBottom = 40;
+  constexpr int distanceOfEntries = 40; // from text to text
+  TextStyle     style;
+  style.size = titleSize;
   style.bold = true;
   style.color = InkColor;
   const TextStyle title = FitText(options.title, style, frame.width / 3);
-  DrawText(picture, options.title, frame.left, 12, title);
+  DrawText(picture, options.title, frame.left, titleTop, title);
   std::vector<LegendEntry> legend{ { wide, "at least 10 mm" }, { narrow, "narrower" } };
   if (hasGaps)
   {
     legend.push_back({ gapShade, "no lumen found" });
   }
   int right = frame.left + frame.width;
-  style.size = 14;
+  style.size = labelSize;
   style.bold = false;
   const bool hasShares = std::any_of(
     segments.begin(), segments.end(), [](const ColonSegment & segment) { return segment.distendedShare >= 0.0; });
@@ -166,14 +177,14 @@ DrawKey(Picture *                         picture,
     const std::string note = ", share of each segment that is at least 10 mm wide in %";
     const int         titleEnd = frame.left + MeasureText(options.title, title).width;
     style.color = labelInk;
-    DrawText(picture, note, titleEnd, 18, style);
+    DrawText(picture, note, titleEnd, noteTop, style);
     style.color = InkColor;
   }
-  style.size = 15;
+  style.size = legendSize;
   for (auto entry = legend.rbegin(); entry != legend.rend(); ++entry)
   {
-    right -= MeasureText(entry->text, style).width + 40;
-    DrawLegend(picture, { *entry }, right, 16, 40, InkColor);
+    right -= MeasureText(entry->text, style).width + distanceOfEntries;
+    DrawLegend(picture, { *entry }, right, legendTop, legendBottom, InkColor);
   }
 }
 } // namespace
@@ -181,21 +192,25 @@ DrawKey(Picture *                         picture,
 PlotFrame
 DistensionFrame(const CurveSet & centerline, const DistensionChartOptions & options)
 {
-  if (options.width < 500 || options.height < 300)
+  constexpr unsigned int smallestWidth = 500;
+  constexpr unsigned int smallestHeight = 300;
+  if (options.width < smallestWidth || options.height < smallestHeight)
   {
     throw std::invalid_argument("the picture of a distension chart must have at least 500 x 300 pixels");
   }
-  PlotFrame frame;
-  frame.left = 90;
-  frame.top = 96;
-  frame.width = static_cast<int>(options.width) - frame.left - 66;
-  frame.height = static_cast<int>(options.height) - frame.top - 62;
+  constexpr int    left = 90, top = 96, right = 66, bottom = 62; // pixels around the plot
+  constexpr double roomAbove = 1.08;                             // relative to the greatest caliber
+  PlotFrame        frame;
+  frame.left = left;
+  frame.top = top;
+  frame.width = static_cast<int>(options.width) - frame.left - right;
+  frame.height = static_cast<int>(options.height) - frame.top - bottom;
   frame.x = { "distance from the anal verge (mm)", 0.0, 1.0 };
   frame.y = { "caliber (mm)", 0.0, 2.0 * distendedCaliber };
   for (const CenterlineStation & station : StationsOf(centerline))
   {
     frame.x.upper = std::max(frame.x.upper, station.distance);
-    frame.y.upper = std::max(frame.y.upper, 1.08 * station.caliber);
+    frame.y.upper = std::max(frame.y.upper, roomAbove * station.caliber);
   }
   return frame;
 }

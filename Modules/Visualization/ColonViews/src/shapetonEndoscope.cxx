@@ -43,15 +43,18 @@ IsFree(const SurfaceLocator & wall, const Vector3d & from, const Vector3d & to)
 double
 CostOf(const Vector3d & eye, const PolypCandidate & candidate)
 {
-  const Vector3d way = eye - candidate.apex;
-  const double   facing = way.normalized().dot(candidate.axis);
-  return std::abs(std::log(way.norm() / bestDistance)) + 1.5 * (1.0 - facing);
+  constexpr double costOfSlant = 1.5; // relative to that of a distance that is wrong by a factor of e
+  const Vector3d   way = eye - candidate.apex;
+  const double     facing = way.normalized().dot(candidate.axis);
+  return std::abs(std::log(way.norm() / bestDistance)) + costOfSlant * (1.0 - facing);
 }
 
 Vector3d
 EyeAbove(const SurfaceLocator & wall, const PolypCandidate & candidate)
 {
-  for (const double distance : { 25.0, 20.0, 15.0, 10.0 })
+  constexpr double distances[] = { 25.0, 20.0, 15.0, 10.0 }; // mm
+  constexpr double shortest = 6.0;                           // mm, even if obstructed
+  for (const double distance : distances)
   {
     const Vector3d eye = candidate.apex + distance * candidate.axis;
     if (IsFree(wall, eye, candidate.apex))
@@ -59,7 +62,7 @@ EyeAbove(const SurfaceLocator & wall, const PolypCandidate & candidate)
       return eye;
     }
   }
-  return candidate.apex + 6.0 * candidate.axis;
+  return candidate.apex + shortest * candidate.axis;
 }
 } // namespace
 
@@ -77,15 +80,18 @@ ChooseEye(const SurfaceLocator & wall, const CurveSet & centerline, const PolypC
     }
   }
   std::sort(places.begin(), places.end());
+  constexpr double  fieldOfView = 70.0;   // degrees
+  constexpr double  nearlyVertical = 0.9; // cosine of the view and the direction to the head
   PerspectiveCamera camera;
   camera.focus = candidate.apex;
-  camera.fieldOfView = 70.0;
+  camera.fieldOfView = fieldOfView;
   const auto best = std::find_if(places.begin(), places.end(), [&](const std::pair<double, Eigen::Index> & place) {
     return IsFree(wall, centerline.V.row(place.second).transpose(), candidate.apex);
   });
   camera.eye = best == places.end() ? EyeAbove(wall, candidate) : Vector3d(centerline.V.row(best->second).transpose());
   const Vector3d look = (camera.focus - camera.eye).normalized();
-  camera.up = std::abs(look.z()) < 0.9 ? Vector3d::UnitZ() : Vector3d(-Vector3d::UnitY()); // head up, or anterior up
+  camera.up =
+    std::abs(look.z()) < nearlyVertical ? Vector3d::UnitZ() : Vector3d(-Vector3d::UnitY()); // head up, or anterior up
   return camera;
 }
 

@@ -90,11 +90,12 @@ void
 DrawFlatDot(Picture * strip, const FlatColonGrid & grid, const FlatDot & dot)
 {
   RequireSize(strip, grid);
+  static const RGBColor rim = MakeColor(20, 20, 24);
   const Eigen::Vector2d place = PictureOfUv(grid, dot.uv);
   for (const double shift : { -1.0 * grid.Rows(), 0.0, 1.0 * grid.Rows() })
   {
     const double y = place.y() + shift;
-    DrawLine(strip, place.x(), y, place.x(), y, MakeColor(20, 20, 24), 2.0 * dot.radius + 2.0);
+    DrawLine(strip, place.x(), y, place.x(), y, rim, 2.0 * dot.radius + 2.0);
     DrawLine(strip, place.x(), y, place.x(), y, dot.color, 2.0 * dot.radius);
   }
 }

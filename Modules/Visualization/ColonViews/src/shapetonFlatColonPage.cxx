@@ -14,11 +14,12 @@ namespace shapeton
 {
 namespace
 {
-
 constexpr int leftMargin = 52;
 constexpr int rightMargin = 20;
 constexpr int gapBetweenRows = 10;
 constexpr int leastWidth = 480;
+constexpr int headMargin = 12;
+constexpr int titleLineHeight = 30;
 constexpr int noteLineHeight = 20;
 constexpr int gapOfLinks = 26; ///< between two strips of a row
 
@@ -119,23 +120,26 @@ LinesOf(const std::string & text)
 int
 HeadHeight(const FlatColonPageOptions & options)
 {
-  return 12 + (options.title.empty() ? 0 : 30) + noteLineHeight * static_cast<int>(LinesOf(options.note).size());
+  return headMargin + (options.title.empty() ? 0 : titleLineHeight) +
+         noteLineHeight * static_cast<int>(LinesOf(options.note).size());
 }
 
 void
 DrawHead(Picture * picture, const FlatColonPageOptions & options, int width)
 {
-  TextStyle style;
-  style.size = 21;
+  constexpr int titleSize = 21;
+  constexpr int noteSize = 14;
+  TextStyle     style;
+  style.size = titleSize;
   style.bold = true;
   style.color = InkColor;
   int y = 10;
   if (!options.title.empty())
   {
     DrawText(picture, options.title, leftMargin, y, FitText(options.title, style, width));
-    y += 30;
+    y += titleLineHeight;
   }
-  style.size = 14;
+  style.size = noteSize;
   style.bold = false;
   style.color = FaintInkColor;
   for (const std::string & line : LinesOf(options.note))

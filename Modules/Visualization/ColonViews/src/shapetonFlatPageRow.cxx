@@ -16,6 +16,8 @@ const RGBColor hatchDark = MakeColor(130, 134, 146);
 const RGBColor ringColor = MakeColor(255, 222, 40);
 const RGBColor markColor = MakeColor(60, 220, 255);
 
+constexpr int nameSize = 15; ///< font height of names of segments, polyps and marks
+
 TextStyle
 StyleOf(int size, const RGBColor & color, HorizontalAnchor horizontal, VerticalAnchor vertical)
 {
@@ -74,7 +76,7 @@ DrawSpot(Picture * picture, const FlatPageRow & place, const PlacedAnnotation & 
   {
     DrawCross(picture, x, y, radius, color);
   }
-  TextStyle    style = StyleOf(15, color, HorizontalAnchor::Left, VerticalAnchor::Center);
+  TextStyle    style = StyleOf(nameSize, color, HorizontalAnchor::Left, VerticalAnchor::Center);
   const double offset = radius + 4.0;
   const int    width = MeasureText(placed.annotation.text, style).width;
   const bool   hasRoom = x + offset + width < place.left + place.Width();
@@ -104,10 +106,11 @@ DrawBreak(Picture * picture, const FlatPageRow & place, int x)
 double
 LabelStep(double pixelsPerCm, double least)
 {
-  double step = 1.0;
+  constexpr double fromTwoToFive = 2.5;
+  double           step = 1.0;
   for (int i = 0; step * pixelsPerCm < least && i < 12; ++i)
   {
-    step *= i % 3 == 1 ? 2.5 : 2.0; // 1, 2, 5, 10, ...
+    step *= i % 3 == 1 ? fromTwoToFive : 2.0; // 1, 2, 5, 10, ...
   }
   return step;
 }
@@ -152,7 +155,8 @@ DrawStripOfRow(Picture * picture, const FlatPageRow & place, const Picture * str
 {
   constexpr int    hatchPeriod = 8;
   constexpr double pale = 0.5;
-  constexpr double madeUp = 0.85; // not part of the wall
+  constexpr double madeUp = 0.85;         // not part of the wall
+  constexpr double opacityOfBorder = 0.6; // of the overlap
   const int        stripWidth = grid.Columns();
   const RGBColor * source = strip->GetBufferPointer();
   for (int x = 0; x < place.Width(); ++x)
@@ -175,7 +179,7 @@ DrawStripOfRow(Picture * picture, const FlatPageRow & place, const Picture * str
   {
     if (place.overlap > 0)
     {
-      FillRectangle(picture, place.left, place.StripTop() + y, place.Width(), 1, InkColor, 0.6);
+      FillRectangle(picture, place.left, place.StripTop() + y, place.Width(), 1, InkColor, opacityOfBorder);
     }
   }
   DrawRectangle(
@@ -192,6 +196,10 @@ DrawRulerOfRow(Picture * picture, const FlatPageRow & place, const std::vector<d
   constexpr double millimetersPerCm = 10.0;
   constexpr int    roomAtTheRight = 18;
   constexpr int    leastDistance = 3; // between ticks
+  constexpr int    longTick = 11;
+  constexpr int    shortTick = 6;
+  constexpr int    distanceOfUnit = 5; // from the first label
+  constexpr int    topOfSecondLine = 12;
   const int        top = place.StripTop() + place.StripHeight() + 3;
   const double     length = LengthShown(place.row, distanceOfColumns);
   const double     pixelsPerCm = length > 0.0 ? place.Width() / length * millimetersPerCm : place.Width();
@@ -200,7 +208,7 @@ DrawRulerOfRow(Picture * picture, const FlatPageRow & place, const std::vector<d
   FillRectangle(picture, place.left, top, place.Width(), 1, InkColor);
   const TextStyle style = StyleOf(14, InkColor, HorizontalAnchor::Center, VerticalAnchor::Top);
   int             lastTick = place.left - leastDistance;
-  int             labelEnd = place.left - 5; // to the right of the unit
+  int             labelEnd = place.left - distanceOfUnit;
   for (const FlatColonTick & tick : RulerTicks(distanceOfColumns, millimetersPerCm * tickStep))
   {
     if (!place.row.Shows(tick.column))
@@ -213,7 +221,7 @@ DrawRulerOfRow(Picture * picture, const FlatPageRow & place, const std::vector<d
     const bool   isLabel = std::abs(labels - std::round(labels)) < 1e-6 && x >= labelEnd;
     if (x - lastTick >= leastDistance || isLabel)
     {
-      FillRectangle(picture, x, top, 1, isLabel ? 11 : 6, InkColor);
+      FillRectangle(picture, x, top, 1, isLabel ? longTick : shortTick, InkColor);
       lastTick = x;
     }
     const std::string text = CsvTable::Rounded(cm, 6) + " cm";
@@ -226,7 +234,7 @@ DrawRulerOfRow(Picture * picture, const FlatPageRow & place, const std::vector<d
   }
   const TextStyle unit = StyleOf(12, FaintInkColor, HorizontalAnchor::Right, VerticalAnchor::Top);
   DrawText(picture, isArc ? "from" : "along", place.left - 8, top - 2, unit);
-  DrawText(picture, isArc ? "anus" : "map", place.left - 8, top + 12, unit);
+  DrawText(picture, isArc ? "anus" : "map", place.left - 8, top + topOfSecondLine, unit);
 }
 
 void
@@ -252,7 +260,9 @@ DrawScaleOfRow(Picture * picture, const FlatPageRow & place, double pixelSize)
 void
 DrawAnnotationsOfRow(Picture * picture, const FlatPageRow & place, const std::vector<PlacedAnnotation> & annotations)
 {
-  const TextStyle          nameStyle = StyleOf(15, InkColor, HorizontalAnchor::Left, VerticalAnchor::Bottom);
+  constexpr int            heightOfName = 20;
+  constexpr double         thickness = 1.5, opacity = 0.8; // of borders of segments
+  const TextStyle          nameStyle = StyleOf(nameSize, InkColor, HorizontalAnchor::Left, VerticalAnchor::Bottom);
   const PlacedAnnotation * goingOn = SegmentGoingOn(place, annotations, nameStyle);
   int                      textEnd = place.left - 1;
   const int                pageEnd = static_cast<int>(picture->GetLargestPossibleRegion().GetSize()[0]) - 3;
@@ -279,7 +289,8 @@ DrawAnnotationsOfRow(Picture * picture, const FlatPageRow & place, const std::ve
     const double x = place.XOf(placed.column);
     if (isSegment)
     {
-      DrawLine(picture, x, place.StripTop() - 20, x, place.StripTop() + place.StripHeight(), InkColor, 1.5, 0.8);
+      const int top = place.StripTop() - heightOfName;
+      DrawLine(picture, x, top, x, place.StripTop() + place.StripHeight(), InkColor, thickness, opacity);
       drawName(placed.annotation.text, static_cast<int>(x) + 6);
       continue;
     }

@@ -99,10 +99,13 @@ class WallRays
 public:
   WallRays(const itk::Image<float, 3> * ct, const FlatVolumeOptions & options) : m_Volume(VolumeOf(ct))
   {
-    constexpr double stepInVoxels = 0.4;
+    static const RGBColor nothing = MakeColor(64, 64, 70);
+    constexpr double      stepInVoxels = 0.4;
     // On the boundary, the partial volume of gas and contrast medium looks like tissue; 1.5 voxels farther out it does
     // not.
     constexpr double voxelsBehind = 1.5;
+    constexpr float  darkest = -900.0F; // HU
+    constexpr float  colorStep = 4.0F;  // HU
     m_Look.gas = options.gas;
     m_Look.tissue = options.tissue;
     m_Look.step = stepInVoxels * m_Volume.smallestSpacing;
@@ -112,11 +115,11 @@ public:
     m_Look.stepsBehind = voxelsBehind / stepInVoxels;
     m_Opacities = OpacitiesOf(options.extinction, m_Look.step);
     m_Look.opacities = m_Opacities.data();
-    m_Look.darkest = -900.0F;
-    m_Look.colorStep = 4.0F;
+    m_Look.darkest = darkest;
+    m_Look.colorStep = colorStep;
     m_Colors = ColorsOfTissue(m_Look.darkest, m_Look.colorStep);
     m_Look.colors = m_Colors.data();
-    Eigen::Map<LinearColor>(m_Look.nothing) = ToLinear(MakeColor(64, 64, 70));
+    Eigen::Map<LinearColor>(m_Look.nothing) = ToLinear(nothing);
   }
 
   Picture::Pointer

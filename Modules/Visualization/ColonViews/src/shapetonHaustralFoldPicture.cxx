@@ -36,8 +36,10 @@ ColorOf(int label)
 void
 DrawFolds(Picture * strip, const FlatColonGrid & grid, const HaustralFolds & folds)
 {
-  const auto   size = folds.labels->GetLargestPossibleRegion().GetSize();
-  FlatOutlines outlines;
+  constexpr double leastRadius = 1.5;         // pixels, of an end with reliability 0
+  constexpr double radiusOfReliability = 1.5; // pixels
+  const auto       size = folds.labels->GetLargestPossibleRegion().GetSize();
+  FlatOutlines     outlines;
   outlines.labels = folds.labels->GetBufferPointer();
   outlines.columns = static_cast<int>(size[0]);
   outlines.rows = static_cast<int>(size[1]);
@@ -47,7 +49,8 @@ DrawFolds(Picture * strip, const FlatColonGrid & grid, const HaustralFolds & fol
   {
     for (int end = 0; end < 2; ++end)
     {
-      DrawFlatDot(strip, grid, { fold.endUv[end], colorOfEnds, 1.5 + 1.5 * fold.endReliability[end] });
+      DrawFlatDot(
+        strip, grid, { fold.endUv[end], colorOfEnds, leastRadius + radiusOfReliability * fold.endReliability[end] });
     }
   }
 }

@@ -21,8 +21,10 @@ Require(bool condition, const char * message)
 RGBColor
 CheckColor(double column, double row)
 {
-  const bool isOdd = std::fmod(std::abs(std::floor(column) + std::floor(row)), 2.0) == 1.0;
-  return isOdd ? MakeColor(58, 86, 138) : MakeColor(244, 236, 220);
+  static const RGBColor odd = MakeColor(58, 86, 138);
+  static const RGBColor even = MakeColor(244, 236, 220);
+  const bool            isOdd = std::fmod(std::abs(std::floor(column) + std::floor(row)), 2.0) == 1.0;
+  return isOdd ? odd : even;
 }
 } // namespace
 
@@ -48,11 +50,13 @@ LevelSets(double lower, double upper, double width)
 {
   Require(lower < upper && width > 0.0, "level sets require an ascending range and a positive width");
   return [=](double u, double) {
-    const double     band = std::floor((u - lower) / width);
-    const double     within = (u - lower) / width - band;
-    const RGBColor   color = HeatColor((band + 0.5) * width / (upper - lower));
-    constexpr double line = 0.06; // fraction of the band width, on each side of a level
-    return std::min(within, 1.0 - within) < line ? MixColors(color, MakeColor(20, 22, 28), 0.8) : color;
+    static const RGBColor colorOfLine = MakeColor(20, 22, 28);
+    const double          band = std::floor((u - lower) / width);
+    const double          within = (u - lower) / width - band;
+    const RGBColor        color = HeatColor((band + 0.5) * width / (upper - lower));
+    constexpr double      line = 0.06; // fraction of the band width, on each side of a level
+    constexpr double      opacity = 0.8;
+    return std::min(within, 1.0 - within) < line ? MixColors(color, colorOfLine, opacity) : color;
   };
 }
 } // namespace shapeton

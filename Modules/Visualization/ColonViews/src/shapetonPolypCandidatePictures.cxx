@@ -4,6 +4,7 @@
 
 #include "shapetonFacePlace.h"
 #include "shapetonFlatColonPictures.h"
+#include "shapetonPageColors.h"
 #include "shapetonParallelFor.h"
 #include "shapetonPictureAnnotation.h"
 #include "shapetonSurfaceLocator.h"
@@ -28,6 +29,10 @@ constexpr int          heightOfTitle = 34;
 constexpr double magnification = 4.0;
 /** Maximum width of wall in a close-up, mm. */
 constexpr double widestCloseUp = 60.0;
+/** Pixels around the flat colon. */
+constexpr double pixelsAroundFlat = 200.0;
+/** Share of the color `head` on the head of a polyp; the mucosa shines through. */
+constexpr double shareOfHead = 0.7;
 const RGBColor   mucosa = MakeColor(232, 164, 144);
 const RGBColor   head = MakeColor(92, 138, 236);
 const RGBColor   ground = MakeColor(18, 19, 25);
@@ -89,6 +94,8 @@ PointBetweenPixels(const FlatColonGrid & grid, double column, double row)
 std::vector<FlatAnnotation>
 AnnotationsOf(const std::vector<PolypCandidate> & candidates)
 {
+  constexpr double            ringOfDiameter = 1.5;
+  constexpr double            smallestRing = 10.0; // mm
   std::vector<FlatAnnotation> annotations;
   for (const PolypCandidate & candidate : candidates)
   {
@@ -96,7 +103,7 @@ AnnotationsOf(const std::vector<PolypCandidate> & candidates)
     one.kind = FlatAnnotation::Kind::Polyp;
     one.text = std::to_string(candidate.number);
     one.point = candidate.position;
-    one.diameter = std::max(10.0, 1.5 * candidate.diameter);
+    one.diameter = std::max(smallestRing, ringOfDiameter * candidate.diameter);
     annotations.push_back(one);
   }
   return annotations;
@@ -108,7 +115,7 @@ struct PolypCandidatePictures::Data
   Data(const PolypColon & theColon, const std::vector<PolypCandidate> & candidates)
     : colon(theColon)
     , flatParts{ colon.flat.get(), &colon.centerline, nullptr, AnnotationsOf(candidates), {}, {} }
-    , pixelSize(colon.flat->Grid().Circumference() / 200.0)
+    , pixelSize(colon.flat->Grid().Circumference() / pixelsAroundFlat)
     , fine(colon.flat->Grid({ pixelSize / magnification, 0.0, 0.0 }))
     , axis(colon.flat->Axis({ pixelSize / magnification, 0.0, 0.0 }))
     , wall(colon.wall.V, colon.wall.F)
@@ -141,7 +148,7 @@ struct PolypCandidatePictures::Data
       normal += weights[k] * inwardNormals.row(vertex).transpose();
       share += weights[k] * wallWithHeads.pointArrays.front().values(vertex, 0);
     }
-    return Lit(MixColors(mucosa, head, 0.7 * std::clamp(share, 0.0, 1.0)), frame, normal.normalized());
+    return Lit(MixColors(mucosa, head, shareOfHead * std::clamp(share, 0.0, 1.0)), frame, normal.normalized());
   }
 
   const PolypColon &    colon;
@@ -193,8 +200,7 @@ PolypCandidatePictures::DrawCloseUp(const PolypCandidate & candidate) const
       }
     }
   });
-  DrawScaleBar(
-    picture, 10, viewHeight - 10, viewWidth / 4, scale * grid.PixelSize() / enlargement, MakeColor(30, 32, 38));
+  DrawScaleBar(picture, 10, viewHeight - 10, viewWidth / 4, scale * grid.PixelSize() / enlargement, InkColor);
   return picture;
 }
 
@@ -208,7 +214,7 @@ PolypCandidatePictures::DrawFromWithin(const PolypCandidate & candidate) const
   std::vector<RGBColor> colors;
   for (int vertex = 0; vertex < part.NumberOfVertices(); ++vertex)
   {
-    colors.push_back(MixColors(mucosa, head, 0.7 * part.pointArrays.front().values(vertex, 0)));
+    colors.push_back(MixColors(mucosa, head, shareOfHead * part.pointArrays.front().values(vertex, 0)));
   }
   return RenderPerspective(part, colors, camera);
 }
@@ -217,15 +223,18 @@ Picture::Pointer
 PolypCandidatePictures::DrawCandidate(const PolypCandidate & candidate) const
 {
   constexpr int gap = 8;
+  constexpr int titleSize = 18;
+  constexpr int titleLeft = 10;
+  constexpr int titleTop = 7;
   const auto    page = NewPicture(2 * viewWidth + gap, viewHeight + heightOfTitle, ground);
   TextStyle     style;
-  style.size = 18;
+  style.size = titleSize;
   style.bold = true;
   style.color = lightInk;
   const std::string title = "Candidate " + std::to_string(candidate.number) + ": " +
                             CsvTable::Rounded(candidate.diameter, 3) + " mm, score " +
                             CsvTable::Rounded(candidate.score, 2) + " (research use)";
-  DrawText(page, title, 10, 7, FitText(title, style, 2 * viewWidth - 20));
+  DrawText(page, title, titleLeft, titleTop, FitText(title, style, 2 * viewWidth - 2 * titleLeft));
   PastePicture(page, this->DrawCloseUp(candidate), 0, heightOfTitle);
   PastePicture(page, this->DrawFromWithin(candidate), viewWidth + gap, heightOfTitle);
   return page;

@@ -26,10 +26,11 @@ struct Chart
   Chart(const RegistrationParts & parts, const std::vector<double> & distances, const PlotAxis & y, double limit)
     : picture(NewPicture(width, height, PaperColor))
   {
-    frame.left = 84;
-    frame.top = 60;
-    frame.width = width - frame.left - 30;
-    frame.height = height - frame.top - 62;
+    constexpr int left = 84, top = 60, right = 30, bottom = 62; // pixels around the plot
+    frame.left = left;
+    frame.top = top;
+    frame.width = width - frame.left - right;
+    frame.height = height - frame.top - bottom;
     frame.x = { "distance along the supine centerline from the anal verge (mm)",
                 distances.front(),
                 std::max(distances.back(), distances.front() + 1.0) };
@@ -46,8 +47,10 @@ struct Chart
   void
   NameSegments(const std::vector<ColonSegmentExtent> & segments)
   {
-    TextStyle style;
-    style.size = 14;
+    constexpr int nameSize = 14;
+    constexpr int lineHeight = 18;
+    TextStyle     style;
+    style.size = nameSize;
     style.color = InkColor;
     style.vertical = VerticalAnchor::Bottom;
     int ends[2] = { frame.left - 8, frame.left - 8 };
@@ -59,7 +62,7 @@ struct Chart
       const int start = std::min(x + 4, width - 4 - textWidth);
       const int line = start > ends[0] + 8 ? 0 : 1;
       ends[line] = start + textWidth;
-      DrawText(picture, segment.name, start, frame.top - 8 - 18 * line, style);
+      DrawText(picture, segment.name, start, frame.top - 8 - lineHeight * line, style);
     }
   }
 
@@ -118,9 +121,10 @@ DrawConfidenceChart(const RegistrationParts & parts)
     }
     else if (column > 0 && !before.isExcluded)
     {
-      const auto y = [&](double value) { return chart.frame.PixelOfY(value); };
-      DrawLine(chart.picture, left, y(before.least), x, y(at.least), paleBlue, 1.2);
-      DrawLine(chart.picture, left, y(before.mean), x, y(at.mean), blue, 2.0);
+      const auto       y = [&](double value) { return chart.frame.PixelOfY(value); };
+      constexpr double thicknessOfLeast = 1.2, thicknessOfMean = 2.0;
+      DrawLine(chart.picture, left, y(before.least), x, y(at.least), paleBlue, thicknessOfLeast);
+      DrawLine(chart.picture, left, y(before.mean), x, y(at.mean), blue, thicknessOfMean);
     }
     before = at;
   }
@@ -137,12 +141,14 @@ DrawErrorChart(const RegistrationParts & parts)
   }
   const AlignedColons    colons(parts, 60);
   const FlatColonLocator locator(colons.Grid());
-  double                 greatest = 20.0; // mm
+  constexpr double       limit = 10.0;     // mm, drawn as a line
+  constexpr double       roomAbove = 1.05; // relative to the greatest error
+  double                 greatest = 20.0;  // mm
   for (const PointError & error : results.errors)
   {
-    greatest = error.kind == PointError::Kind::Counted ? std::max(greatest, 1.05 * error.inSpace) : greatest;
+    greatest = error.kind == PointError::Kind::Counted ? std::max(greatest, roomAbove * error.inSpace) : greatest;
   }
-  Chart chart(parts, colons.Distances(), { "error in space (mm)", 0.0, greatest }, 10.0);
+  Chart chart(parts, colons.Distances(), { "error in space (mm)", 0.0, greatest }, limit);
   for (std::size_t i = 0; i < results.points.size(); ++i)
   {
     if (results.errors[i].kind == PointError::Kind::Counted)

@@ -151,6 +151,8 @@ DrawAlignedColons(const RegistrationParts & parts, const AlignedColonsOptions & 
 Picture::Pointer
 DrawCurvatureCheckerboard(const RegistrationParts & parts, const AlignedColonsOptions & options)
 {
+  static const RGBColor  green = MakeColor(90, 190, 90);
+  constexpr double       shareOfGreen = 0.12; // in the squares of the prone wall
   const AlignedColons    colons(parts, options.pixelsAround);
   const Picture::Pointer board = colons.PaintSupine(PaintCurvature);
   const Picture::Pointer prone = colons.PaintProne(PaintCurvature);
@@ -163,7 +165,7 @@ DrawCurvatureCheckerboard(const RegistrationParts & parts, const AlignedColonsOp
       if ((squaresAround * row / rows + squaresAround * column / rows) % 2 != 0)
       {
         const Picture::IndexType pixel{ { column, row } };
-        board->SetPixel(pixel, MixColors(prone->GetPixel(pixel), MakeColor(90, 190, 90), 0.12));
+        board->SetPixel(pixel, MixColors(prone->GetPixel(pixel), green, shareOfGreen));
       }
     }
   }

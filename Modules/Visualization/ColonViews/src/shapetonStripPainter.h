@@ -17,7 +17,17 @@ using LinearColor = Eigen::Vector3f;
 /** Gray level of pixels without a face. */
 constexpr unsigned char uncoveredGray = 96;
 
-/** sRGB, by IEC 61966-2-1. */
+/** The curve of sRGB, by IEC 61966-2-1: a line up to `endOfLine` (coded) or `endOfLinearLine`, then a power. */
+struct SrgbCurve
+{
+  static constexpr float endOfLine = 0.04045F;
+  static constexpr float endOfLinearLine = 0.0031308F;
+  static constexpr float slope = 12.92F;
+  static constexpr float offset = 0.055F;
+  static constexpr float scale = 1.055F;
+  static constexpr float exponent = 2.4F;
+};
+
 inline LinearColor
 ToLinear(const RGBColor & color)
 {
@@ -25,7 +35,9 @@ ToLinear(const RGBColor & color)
   for (int k = 0; k < 3; ++k)
   {
     const float value = color[k] / 255.0F;
-    linear[k] = value <= 0.04045F ? value / 12.92F : std::pow((value + 0.055F) / 1.055F, 2.4F);
+    linear[k] = value <= SrgbCurve::endOfLine
+                  ? value / SrgbCurve::slope
+                  : std::pow((value + SrgbCurve::offset) / SrgbCurve::scale, SrgbCurve::exponent);
   }
   return linear;
 }
@@ -37,7 +49,9 @@ FromLinear(const LinearColor & linear)
   for (int k = 0; k < 3; ++k)
   {
     const float value = std::clamp(linear[k], 0.0F, 1.0F);
-    const float coded = value <= 0.0031308F ? 12.92F * value : 1.055F * std::pow(value, 1.0F / 2.4F) - 0.055F;
+    const float coded = value <= SrgbCurve::endOfLinearLine
+                          ? SrgbCurve::slope * value
+                          : SrgbCurve::scale * std::pow(value, 1.0F / SrgbCurve::exponent) - SrgbCurve::offset;
     color[k] = static_cast<unsigned char>(std::lround(255.0F * coded));
   }
   return color;

@@ -151,12 +151,14 @@ Candidates(const std::string & path)
 void
 PutCenterline(PageBlocks & blocks, const std::string & prefix, const std::string & path)
 {
+  constexpr const char *    arrays[] = { "arcLength", "radius", "notAssessable" };
   const CurveSet            line = ReadCurves(path);
   SurfaceArray::ValueMatrix rows(line.V.rows(), 6);
   rows.leftCols(3) = line.V;
-  rows.col(3) = PointValues(line, "arcLength", path);
-  rows.col(4) = PointValues(line, "radius", path);
-  rows.col(5) = PointValues(line, "notAssessable", path);
+  for (int i = 0; i < 3; ++i)
+  {
+    rows.col(3 + i) = PointValues(line, arrays[i], path);
+  }
   blocks.PutReals(prefix + "centerline", rows);
 }
 
@@ -376,11 +378,12 @@ PutViewerMap(PageBlocks & blocks, const std::string & prefix, const std::string 
   RequireSameFaces(mesh, ReadSurfaceFile(exam + "/flattening/flat.vtp").mesh, path);
   const SurfaceArray::ValueMatrix confidence = ValuesOf(mesh.pointArrays, "confidence", path);
   const SurfaceArray::ValueMatrix excluded = ValuesOf(mesh.pointArrays, "excluded", path);
+  constexpr double                fullTrust = 200.0; // code of confidence 1; 255 is an excluded vertex
   std::vector<std::uint8_t>       trust;
   for (int vertex = 0; vertex < mesh.NumberOfVertices(); ++vertex)
   {
     const double share = std::isfinite(confidence(vertex, 0)) ? std::clamp(confidence(vertex, 0), 0.0, 1.0) : 0.0;
-    trust.push_back(static_cast<std::uint8_t>(excluded(vertex, 0) != 0 ? 255 : std::lround(200.0 * share)));
+    trust.push_back(static_cast<std::uint8_t>(excluded(vertex, 0) != 0 ? 255 : std::lround(fullTrust * share)));
   }
   blocks.PutReals<std::uint32_t>(prefix + "mapped", ValuesOf(mesh.pointArrays, "mappedUv", path));
   blocks.Put(prefix + "trust", trust);

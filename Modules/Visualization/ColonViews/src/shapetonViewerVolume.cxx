@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 
 namespace shapeton
 {
@@ -16,11 +18,14 @@ using MaskType = itk::Image<unsigned char, 3>;
 constexpr double marginOfVolume = 15.0;
 constexpr int    side = 4; // of the blocks that are averaged
 
+/** HU from the lowest to the highest code of 8 bits. */
+constexpr double rangeOfByte = 1536.0;
+
 /** Encoding of a value. 8 bits: steps of 6 HU, below the noise of CT colonography. */
 struct Quantization
 {
   double lowest{ -1024.0 };
-  double step{ 1536.0 / 255.0 };
+  double step{ rangeOfByte / 255.0 };
   double greatest{ 255.0 };
 
   double
@@ -37,7 +42,10 @@ QuantizationOf(bool isCt, int bits)
   {
     return { 0.0, 1.0, 255.0 };
   }
-  return bits == 8 ? Quantization{} : Quantization{ -32768.0, 1.0, 65535.0 };
+  return bits == 8 ? Quantization{}
+                   : Quantization{ std::numeric_limits<std::int16_t>::lowest(),
+                                   1.0,
+                                   std::numeric_limits<std::uint16_t>::max() };
 }
 
 VolumeType::RegionType

@@ -218,13 +218,14 @@ template <bool VIsInside>
 SHAPETON_HOST_DEVICE void
 Cast(const WallVolume & volume, const WallLook & look, const WallRay & ray, const Place & surface, float color[3])
 {
-  constexpr float faint = 0.12F; // small contribution: reuses the lighting of the previous sample
+  constexpr float faint = 0.12F;  // small contribution: reuses the lighting of the previous sample
+  constexpr float hidden = 0.01F; // transmittance at which a ray ends
   const double    wayOut[] = { -look.step * ray.normal[0], -look.step * ray.normal[1], -look.step * ray.normal[2] };
   const Place     outwards = IndexOfVector(volume, wayOut);
   FlatLight       light = FlatLight::On(ray.normal, ray.axes);
   float           visible = 1.0F;
   color[0] = color[1] = color[2] = 0.0F;
-  for (int step = FirstStep<VIsInside>(volume, look, surface, outwards); step <= look.outside && visible > 0.01F;
+  for (int step = FirstStep<VIsInside>(volume, look, surface, outwards); step <= look.outside && visible > hidden;
        ++step)
   {
     const Place place = Moved(surface, step, outwards);

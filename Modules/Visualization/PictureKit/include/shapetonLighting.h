@@ -26,7 +26,8 @@ struct Lighting
   SHAPETON_HOST_DEVICE static Lighting
   Even()
   {
-    return { 0.9F, 0.0F };
+    constexpr float ambientAndDiffuse = 0.9F;
+    return { ambientAndDiffuse, 0.0F };
   }
 
   /** `TVector`: itk::Vector<double, 3>. */
@@ -34,7 +35,8 @@ struct Lighting
   static TVector
   DirectionToLight(const TVector & right, const TVector & up, const TVector & forward)
   {
-    TVector toLight = up * 0.5 - right * 0.4 - forward;
+    constexpr double above = 0.5, atTheLeft = 0.4; // relative to the distance in front
+    TVector          toLight = up * above - right * atTheLeft - forward;
     toLight.Normalize();
     return toLight;
   }

@@ -2,6 +2,7 @@
 #define shapetonPictureAnnotation_h
 
 #include "shapetonColorMap.h"
+#include "shapetonPageColors.h"
 #include "shapetonPicture.h"
 
 #include "itkVector.h"
@@ -90,7 +91,7 @@ DrawLegend(Picture *                        picture,
            int                              left,
            int                              top,
            int                              bottom,
-           const RGBColor &                 color = MakeColor(30, 32, 38));
+           const RGBColor &                 color = InkColor);
 } // namespace shapeton
 
 #endif

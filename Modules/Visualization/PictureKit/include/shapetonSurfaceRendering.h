@@ -15,13 +15,16 @@
 
 namespace shapeton
 {
+/** Color of tissue. \ingroup ShapetonPictureKit */
+inline const RGBColor TissueColor = MakeColor(226, 178, 164);
+
 /** A surface in a scene. The mesh is not owned.
  * \ingroup ShapetonPictureKit */
 struct SurfaceActor
 {
   const SurfaceMesh * surface{ nullptr };
   /** Used if neither vertices nor faces have colors. */
-  RGBColor color{ MakeColor(226, 178, 164) };
+  RGBColor color{ TissueColor };
   /** Empty, or one color per vertex, interpolated over the faces. */
   std::vector<RGBColor> vertexColors;
   /** Empty, or one color per face; these override vertex colors. */

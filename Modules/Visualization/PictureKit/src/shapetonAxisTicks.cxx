@@ -54,7 +54,7 @@ PowerOfTen(int exponent)
   double power = 1.0;
   for (int i = 0; i < std::abs(exponent); ++i)
   {
-    power *= 10.0;
+    power *= 10;
   }
   return exponent < 0 ? 1.0 / power : power;
 }
@@ -89,7 +89,8 @@ HeatTicks(double lower, double upper, double leastDistance, const PixelOf & pixe
       }
     }
   }
-  for (const int step : { 5, 1 })
+  constexpr int steps[] = { 5, 1 }; // of two digits
+  for (const int step : steps)
   {
     for (int exponent = -1; exponent >= -6; --exponent)
     {
@@ -127,11 +128,13 @@ TimeTicks(const std::vector<std::uint64_t> & timeSteps, double leastDistance, co
   if (isLinear)
   {
     // Five to ten steps across the whole axis.
-    const std::uint64_t whole = last - first;
-    std::uint64_t       step = leading;
-    for (const std::uint64_t divisor : { 2, 5, 10, 20 })
+    constexpr std::uint64_t divisors[] = { 2, 5, 10, 20 };
+    constexpr std::uint64_t fewestSteps = 5;
+    const std::uint64_t     whole = last - first;
+    std::uint64_t           step = leading;
+    for (const std::uint64_t divisor : divisors)
     {
-      step = whole / step < 5 ? std::max<std::uint64_t>(leading / divisor, 1) : step;
+      step = whole / step < fewestSteps ? std::max<std::uint64_t>(leading / divisor, 1) : step;
     }
     for (std::uint64_t value = (first / step + 1) * step; value < last; value += step)
     {
@@ -139,7 +142,8 @@ TimeTicks(const std::vector<std::uint64_t> & timeSteps, double leastDistance, co
     }
     return ticks.Sorted();
   }
-  for (const std::uint64_t multiplier : { 1, 5, 2 })
+  constexpr std::uint64_t multipliers[] = { 1, 5, 2 }; // by roundness
+  for (const std::uint64_t multiplier : multipliers)
   {
     for (std::uint64_t decade = leading; decade >= 1; decade /= 10)
     {
@@ -160,13 +164,15 @@ RoundTicks(double lower, double upper, int greatestNumber)
   {
     return ticks;
   }
-  const double least = (upper - lower) / greatestNumber;
-  int          exponent = static_cast<int>(std::floor(std::log10(least))) - 1;
-  int          digit = 1;
-  while (digit * std::pow(10.0, exponent) < least * (1.0 - 1e-9))
+  constexpr double ten = 10.0;
+  constexpr int    five = 5;
+  const double     least = (upper - lower) / greatestNumber;
+  int              exponent = static_cast<int>(std::floor(std::log10(least))) - 1;
+  int              digit = 1;
+  while (digit * std::pow(ten, exponent) < least * (1.0 - 1e-9))
   {
-    exponent += digit == 5 ? 1 : 0;
-    digit = digit == 1 ? 2 : digit == 2 ? 5 : 1;
+    exponent += digit == five ? 1 : 0;
+    digit = digit == 1 ? 2 : digit == 2 ? five : 1;
   }
   const double step = digit * PowerOfTen(exponent);
   const double tolerance = 1e-9 * greatestNumber;

@@ -90,8 +90,9 @@ private:
 Vector3
 AcrossLike(const Vector3 & last, const Vector3 & tangent)
 {
-  const Vector3 across = last - last.dot(tangent) * tangent;
-  return across.norm() > 1e-6 ? Vector3(across.normalized()) : tangent.unitOrthogonal();
+  constexpr double parallel = 1e-6; // sine of the angle below which `last` does not give a direction
+  const Vector3    across = last - last.dot(tangent) * tangent;
+  return across.norm() > parallel ? Vector3(across.normalized()) : tangent.unitOrthogonal();
 }
 
 void

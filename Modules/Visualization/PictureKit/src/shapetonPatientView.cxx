@@ -17,12 +17,13 @@ constexpr double filled = 0.88;
 double
 SineOfDegrees(double degrees)
 {
-  const double turned = degrees - 360.0 * std::floor(degrees / 360.0);
+  constexpr double threeQuarters = 270.0;
+  const double     turned = degrees - 360.0 * std::floor(degrees / 360.0);
   if (turned == 0.0 || turned == 180.0)
   {
     return 0.0;
   }
-  return turned == 90.0 ? 1.0 : turned == 270.0 ? -1.0 : std::sin(turned * itk::Math::pi_over_180);
+  return turned == 90.0 ? 1.0 : turned == threeQuarters ? -1.0 : std::sin(turned * itk::Math::pi_over_180);
 }
 
 double

@@ -19,10 +19,11 @@ class Projection
 public:
   explicit Projection(const PerspectiveCamera & camera) : m_Camera(camera)
   {
-    const Vector3d look = camera.focus - camera.eye;
-    const Vector3d across = look.cross(camera.up);
+    constexpr double widestField = 170.0; // degrees; at 180 the picture is infinitely large
+    const Vector3d   look = camera.focus - camera.eye;
+    const Vector3d   across = look.cross(camera.up);
     if (!(across.norm() > 1e-9 * camera.up.norm() * look.norm()) || !(camera.fieldOfView > 0.0) ||
-        !(camera.fieldOfView < 170.0) || !(camera.nearest > 0.0) || !(camera.lightReach > 0.0))
+        !(camera.fieldOfView < widestField) || !(camera.nearest > 0.0) || !(camera.lightReach > 0.0))
     {
       throw std::invalid_argument(
         "a perspective camera has a zero view direction, one parallel to up, or a number out of range");

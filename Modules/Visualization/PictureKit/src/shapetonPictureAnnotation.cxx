@@ -15,16 +15,17 @@ namespace
 double
 RoundLengthUpTo(double value)
 {
-  double length = 1.0;
+  constexpr double factors[] = { 5.0, 2.0 };
+  double           length = 1.0;
   while (length > value)
   {
-    length /= 10.0;
+    length /= 10;
   }
-  while (length * 10.0 <= value)
+  while (length * 10 <= value)
   {
-    length *= 10.0;
+    length *= 10;
   }
-  for (const double factor : { 5.0, 2.0 })
+  for (const double factor : factors)
   {
     if (factor * length <= value)
     {
@@ -44,10 +45,11 @@ DrawScaleBar(Picture *        picture,
              const RGBColor & color)
 {
   constexpr int thickness = 3;
+  constexpr int textSize = 15;
   const double  length = RoundLengthUpTo(greatestLength * millimetersPerPixel);
   const int     pixels = static_cast<int>(std::lround(length / millimetersPerPixel));
   TextStyle     style;
-  style.size = 15;
+  style.size = textSize;
   style.color = color;
   style.vertical = VerticalAnchor::Bottom;
   FillRectangle(picture, left, bottom - thickness, pixels, thickness, color);
@@ -86,9 +88,10 @@ DrawOrientationLetters(Picture *                       picture,
 RGBColor
 ColorScale::ColorOf(double value) const
 {
+  static const RGBColor gray = MakeColor(150, 150, 150);
   if (!std::isfinite(value))
   {
-    return MakeColor(150, 150, 150);
+    return gray;
   }
   return map(upper > lower ? std::clamp((value - lower) / (upper - lower), 0.0, 1.0) : 0.0);
 }
@@ -106,6 +109,8 @@ DrawColorBar(Picture * picture, int left, int top, int height, const ColorScale 
 {
   constexpr int barWidth = 16;
   constexpr int leastDistance = 46;
+  constexpr int textSize = 14;
+  constexpr int lengthOfTick = 5;
   const double  range = std::max(scale.upper - scale.lower, 1e-300);
   for (int y = 0; y < height; ++y)
   {
@@ -113,13 +118,13 @@ DrawColorBar(Picture * picture, int left, int top, int height, const ColorScale 
   }
   DrawRectangle(picture, left - 1, top - 1, barWidth + 2, height + 2, color);
   TextStyle style;
-  style.size = 14;
+  style.size = textSize;
   style.color = color;
   style.vertical = VerticalAnchor::Center;
   for (const double value : RoundTicks(scale.lower, scale.upper, height / leastDistance))
   {
     const int y = top + static_cast<int>(std::lround((scale.upper - value) / range * (height - 1.0)));
-    FillRectangle(picture, left + barWidth, y, 5, 1, color);
+    FillRectangle(picture, left + barWidth, y, lengthOfTick, 1, color);
     DrawText(picture, CsvTable::Rounded(value, 6), left + barWidth + 9, y, style);
   }
   style = FitText(scale.title, style, height);
@@ -138,11 +143,12 @@ DrawLegend(Picture *                        picture,
 {
   constexpr int lineHeight = 22;
   constexpr int swatch = 15;
+  constexpr int textSize = 15;
   const int     room = std::max((bottom - top) / lineHeight, 1);
   const int     number = static_cast<int>(legend.size());
   const int     shown = number > room ? room - 1 : number;
   TextStyle     style;
-  style.size = 15;
+  style.size = textSize;
   style.color = color;
   style.vertical = VerticalAnchor::Center;
   for (int i = 0; i < shown; ++i)

@@ -13,6 +13,10 @@ const RGBColor ink = MakeColor(30, 32, 38);
 const RGBColor grid = MakeColor(226, 228, 232);
 
 constexpr int tickLength = 5;
+constexpr int numberSize = 15;
+constexpr int titleSize = 16;
+constexpr int topOfTitleX = 29;  ///< below the area
+constexpr int leftOfTitleY = 74; ///< to the left of the area
 } // namespace
 
 void
@@ -23,7 +27,7 @@ DrawPlotFrame(Picture * picture, const PlotFrame & frame)
   const int     right = frame.left + frame.width;
   const int     bottom = frame.top + frame.height;
   TextStyle     style;
-  style.size = 15;
+  style.size = numberSize;
   style.color = ink;
   style.horizontal = HorizontalAnchor::Center;
   for (const double value : RoundTicks(frame.x.lower, frame.x.upper, frame.width / leastDistanceX))
@@ -43,14 +47,15 @@ DrawPlotFrame(Picture * picture, const PlotFrame & frame)
     DrawText(picture, CsvTable::Rounded(value, 6), frame.left - tickLength - 4, y, style);
   }
   DrawRectangle(picture, frame.left - 1, frame.top - 1, frame.width + 2, frame.height + 2, ink);
-  style.size = 16;
+  style.size = titleSize;
   style.horizontal = HorizontalAnchor::Center;
   style.vertical = VerticalAnchor::Top;
-  DrawText(picture, frame.x.title, (frame.left + right) / 2, bottom + 29, FitText(frame.x.title, style, frame.width));
+  DrawText(
+    picture, frame.x.title, (frame.left + right) / 2, bottom + topOfTitleX, FitText(frame.x.title, style, frame.width));
   style = FitText(frame.y.title, style, frame.height);
   style.upwards = true;
   style.horizontal = HorizontalAnchor::Left;
   style.vertical = VerticalAnchor::Center;
-  DrawText(picture, frame.y.title, frame.left - 74, (frame.top + bottom) / 2, style);
+  DrawText(picture, frame.y.title, frame.left - leftOfTitleY, (frame.top + bottom) / 2, style);
 }
 } // namespace shapeton

@@ -369,9 +369,11 @@ DrawSurfaceCut(Picture *           picture,
 void
 DrawSliceLetters(Picture * picture, const SliceView & view)
 {
+  static const RGBColor   paleYellow = MakeColor(255, 236, 140);
+  constexpr int           size = 17;
   OrientationLettersStyle style;
-  style.size = 17;
-  style.color = MakeColor(255, 236, 140);
+  style.size = size;
+  style.color = paleYellow;
   style.margin = 4;
   style.hasShadow = true;
   DrawOrientationLetters(picture, view.GetRight(), view.GetUp(), style);

@@ -16,6 +16,8 @@ namespace
 const RGBColor background = MakeColor(18, 19, 25);
 const RGBColor annotation = MakeColor(214, 218, 226);
 
+constexpr int marginOfScene = 12;
+
 void
 Require(bool condition, const char * what)
 {
@@ -219,25 +221,29 @@ DrawLabels(Picture * picture, const std::vector<MarkerActor> & markers, const Pa
 void
 Annotate(Picture * picture, const PatientView & view, const SurfaceRenderingOptions & options, int width)
 {
-  const int height = static_cast<int>(picture->GetBufferedRegion().GetSize(1));
-  int       top = 10;
+  constexpr int sceneTitleSize = 20;
+  constexpr int sceneTitleHeight = 34;
+  constexpr int besideTitle = 40; // free pixels between the title and the middle
+  constexpr int belowLegend = 20;
+  const int     height = static_cast<int>(picture->GetBufferedRegion().GetSize(1));
+  int           top = 10;
   if (!options.title.empty())
   {
     TextStyle style;
-    style.size = 20;
+    style.size = sceneTitleSize;
     style.bold = true;
     style.color = annotation;
-    DrawText(picture, options.title, 12, top, FitText(options.title, style, width / 2 - 40));
-    top += 34;
+    DrawText(picture, options.title, marginOfScene, top, FitText(options.title, style, width / 2 - besideTitle));
+    top += sceneTitleHeight;
   }
-  DrawLegend(picture, options.legend, 12, top, height / 2 - 20, annotation);
+  DrawLegend(picture, options.legend, marginOfScene, top, height / 2 - belowLegend, annotation);
   if (options.colorBar)
   {
     DrawColorBar(picture, width + 4, height / 8, height - height / 4, *options.colorBar, annotation);
   }
   if (options.annotations)
   {
-    DrawScaleBar(picture, 12, height - 12, width / 4, view.GetMillimetersPerPixel(), annotation);
+    DrawScaleBar(picture, marginOfScene, height - marginOfScene, width / 4, view.GetMillimetersPerPixel(), annotation);
   }
 }
 } // namespace
