@@ -194,7 +194,8 @@ EmbeddedGraph::FindPole(const std::vector<int> & owner)
 void
 EmbeddedGraph::FindFront()
 {
-  constexpr double uneven = 0.05;
+  constexpr double uneven = 0.05;               // least length of the mean position of nodes
+  constexpr Place  oblique{ 0.48, -0.6, 0.64 }; // a unit vector off the axes, for evenly distributed nodes
   double           total = 0.0;
   Place            sum;
   for (int node = 0; node < certificate.graph.nodes; ++node)
@@ -204,7 +205,7 @@ EmbeddedGraph::FindFront()
     sum = { sum.x + radius * nodes[node].x, sum.y + radius * nodes[node].y, sum.z + radius * nodes[node].z };
   }
   const double length = std::sqrt(sum.x * sum.x + sum.y * sum.y + sum.z * sum.z);
-  front = length > uneven * total ? Place{ sum.x / length, sum.y / length, sum.z / length } : Place{ 0.48, -0.6, 0.64 };
+  front = length > uneven * total ? Place{ sum.x / length, sum.y / length, sum.z / length } : oblique;
 }
 
 /** The dual crosses each edge once, at the tangency point in the middle of its path, and then follows the

@@ -16,6 +16,14 @@ const char * const                 EdgeColor = "#212121";
 const char * const                 EdgeNodeColor = "#1565c0";
 const std::array<const char *, 12> TileColors{ "#fff3c4", "#cfe8ff", "#ffd9d4", "#d6f5d6", "#eadcff", "#ffe3c2",
                                                "#d2f4f0", "#ffd6ec", "#e8f0c8", "#dfe3ee", "#f5e0d3", "#d9ecd9" };
+
+/** Widths of lines, pixels. */
+constexpr double TileWidth = 0.6;
+constexpr double DomainWidth = 1.6;
+constexpr double PolygonWidth = 1.8;
+/** Widths relative to edges. */
+constexpr double DualWidth = 0.7;
+constexpr double CircleWidth = 0.8;
 } // namespace
 
 std::string
@@ -38,11 +46,11 @@ GraphPainter::Paint(const PanelPlan & plan) const
   panel.AddSegments(this->Edges(), plan.tiles, { EdgeColor, "", width, 1.0, false });
   if (plan.hasDual)
   {
-    panel.AddSegments(m_Graph.dual, plan.tiles, { FaceColor, "", 0.7 * width, 1.0, false });
+    panel.AddSegments(m_Graph.dual, plan.tiles, { FaceColor, "", DualWidth * width, 1.0, false });
   }
   if (plan.hasTiles)
   {
-    panel.AddPolygon(PolygonCorners(m_Graph), {}, { "#8e24aa", "", 1.8, 1.0, true });
+    panel.AddPolygon(PolygonCorners(m_Graph), {}, { "#8e24aa", "", PolygonWidth, 1.0, true });
   }
   this->PaintDots(plan, panel);
   int namesLeftOut = 0;
@@ -89,14 +97,17 @@ GraphPainter::Edges() const
 double
 GraphPainter::LeastPixels() const
 {
-  return std::clamp(0.1 * std::sqrt(static_cast<double>(m_Graph.halfEdges.size()) / 4000.0), 0.1, 1.0);
+  constexpr double least = 0.1;
+  constexpr double small = 4000.0; // half edges
+  return std::clamp(least * std::sqrt(static_cast<double>(m_Graph.halfEdges.size()) / small), least, 1.0);
 }
 
 double
 GraphPainter::LineWidth() const
 {
-  const double edges = static_cast<double>(std::max<std::size_t>(m_Graph.halfEdges.size(), 1));
-  return std::clamp(30.0 / std::sqrt(edges), 0.15, 1.4);
+  constexpr double ofOneEdge = 30.0, narrowest = 0.15, widest = 1.4; // pixels
+  const double     edges = static_cast<double>(std::max<std::size_t>(m_Graph.halfEdges.size(), 1));
+  return std::clamp(ofOneEdge / std::sqrt(edges), narrowest, widest);
 }
 
 void
@@ -109,15 +120,15 @@ GraphPainter::PaintTiles(const PanelPlan & plan, SvgPanel & panel) const
   }
   for (std::size_t i = plan.tiles.size(); i-- > 0;)
   {
-    panel.AddPolygon(boundary, plan.tiles[i], { "#b0a890", TileColors[i % TileColors.size()], 0.6, 1.0, false });
+    panel.AddPolygon(boundary, plan.tiles[i], { "#b0a890", TileColors[i % TileColors.size()], TileWidth, 1.0, false });
   }
-  panel.AddPolygon(boundary, {}, { "#8d6e00", "", 1.6, 1.0, false });
+  panel.AddPolygon(boundary, {}, { "#8d6e00", "", DomainWidth, 1.0, false });
 }
 
 void
 GraphPainter::PaintCircles(const PanelPlan & plan, SvgPanel & panel) const
 {
-  const double width = 0.8 * LineWidth();
+  const double width = CircleWidth * LineWidth();
   for (const Motion & tile : plan.tiles)
   {
     for (int node = 0; node < m_Graph.certificate.graph.nodes; ++node)
@@ -140,24 +151,25 @@ GraphPainter::PaintCircles(const PanelPlan & plan, SvgPanel & panel) const
 void
 GraphPainter::PaintDots(const PanelPlan & plan, SvgPanel & panel) const
 {
-  constexpr double largest = 5.0;
+  constexpr double largest = 5.0, largestOfFace = 4.0, largestOfLine = 1.6; // pixels; the last relative to edges
+  constexpr double ofNode = 0.3, ofFace = 0.25, ofEdgeNode = 0.12;          // of the radius of the circle
   for (const Motion & tile : plan.tiles)
   {
     for (int node = 0; node < m_Graph.certificate.graph.nodes && !m_View.hasLabels; ++node)
     {
       const double pixels = panel.PixelsOf(m_Graph.nodes[node], m_Graph.certificate.nodeRadii[node], tile);
-      panel.AddDot(m_Graph.nodes[node], tile, std::min(largest, 0.3 * pixels), NodeColor);
+      panel.AddDot(m_Graph.nodes[node], tile, std::min(largest, ofNode * pixels), NodeColor);
     }
     for (const int face : plan.hasDual ? m_Graph.representatives : std::vector<int>())
     {
       const double pixels = panel.PixelsOf(m_Graph.faces[face], m_Graph.certificate.faceRadii[face], tile);
-      panel.AddDot(m_Graph.faces[face], tile, std::min(0.8 * largest, 0.25 * pixels), FaceColor);
+      panel.AddDot(m_Graph.faces[face], tile, std::min(largestOfFace, ofFace * pixels), FaceColor);
     }
     for (const int h : plan.hasDual && !plan.hasCircles ? m_Graph.crossings : std::vector<int>())
     {
       const int    node = m_Graph.map.Node(h);
       const double pixels = panel.PixelsOf(m_Graph.nodes[node], m_Graph.certificate.nodeRadii[node], tile);
-      panel.AddDot(m_Graph.touch[h], tile, std::min(1.6 * LineWidth(), 0.12 * pixels), EdgeNodeColor);
+      panel.AddDot(m_Graph.touch[h], tile, std::min(largestOfLine * LineWidth(), ofEdgeNode * pixels), EdgeNodeColor);
     }
   }
 }

@@ -75,12 +75,13 @@ std::vector<std::string>
 DistinctColors(int count)
 {
   constexpr double         golden = 0.61803398874989485; // golden ratio: consecutive hues differ strongly
+  constexpr double         shifts[] = { 5.0, 3.0, 1.0 }; // of red, green and blue; a turn is 6
   std::vector<std::string> colors;
   for (int i = 0; i < count; ++i)
   {
     const double hue = 6.0 * std::fmod(i * golden, 1.0);
     std::string  color = "#";
-    for (const double shift : { 5.0, 3.0, 1.0 })
+    for (const double shift : shifts)
     {
       const double      k = std::fmod(shift + hue, 6.0);
       const double      value = 0.95 - 0.55 * std::clamp(std::min(k, 4.0 - k), 0.0, 1.0);

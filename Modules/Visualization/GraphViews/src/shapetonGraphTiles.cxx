@@ -55,9 +55,11 @@ CandidateOf(const EmbeddedGraph & graph, const Motion & motion, const Place & ro
 bool
 Contains(const std::vector<Candidate> & list, const Candidate & candidate)
 {
+  constexpr double sameDistance = 1e-5; // relative
+  constexpr double samePlace = 1e-6;    // in the plane of the picture
   return std::any_of(list.begin(), list.end(), [&](const Candidate & other) {
-    return std::abs(other.distance - candidate.distance) < 1e-5 * (1.0 + candidate.distance) &&
-           Gap(other.image, candidate.image) < 1e-6;
+    return std::abs(other.distance - candidate.distance) < sameDistance * (1.0 + candidate.distance) &&
+           Gap(other.image, candidate.image) < samePlace;
   });
 }
 } // namespace

@@ -35,7 +35,8 @@ CornersOfCircle(double radius)
 int
 PiecesOfGeodesic(double length)
 {
-  return static_cast<int>(std::clamp(std::ceil(length / std::sqrt(8.0 * flatness)), 1.0, mostPieces));
+  constexpr double ofSagitta = 8.0; // the sagitta of a short arc of radius 1 is length^2 / 8
+  return static_cast<int>(std::clamp(std::ceil(length / std::sqrt(ofSagitta * flatness)), 1.0, mostPieces));
 }
 
 /** Collects points and cells of a VTP file. */

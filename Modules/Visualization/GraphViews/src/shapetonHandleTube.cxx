@@ -12,8 +12,12 @@ namespace shapeton
 {
 namespace
 {
+/** Radius of a tube: the greatest one, and the one relative to the angle between its ends. */
 constexpr double thickest = 0.06;
+constexpr double thickestOfAngle = 0.15;
+/** Number of heights that are tried for a tube, and their distance relative to the lowest one. */
 constexpr int    levels = 12;
+constexpr double distanceOfLevels = 0.3;
 constexpr int    mostHalvings = 12;
 constexpr int    chimneySections = 5;
 constexpr int    bendSections = 40;
@@ -37,9 +41,11 @@ NormalOf(const Eigen::Vector3d & p, const Eigen::Vector3d & q)
 double
 HeightOfChimney(const SphereHole & hole, double radius)
 {
-  const double rim = std::sin(hole.angle);
-  const double low = std::cos(hole.angle);
-  return std::max(1.0 + 1.5 * radius, low + 2.5 * std::max(0.0, rim - radius) * rim / low);
+  constexpr double aboveSphere = 1.5; // tube radii
+  constexpr double steepness = 2.5;   // relative to the tangent; the parabola requires 2
+  const double     rim = std::sin(hole.angle);
+  const double     low = std::cos(hole.angle);
+  return std::max(1.0 + aboveSphere * radius, low + steepness * std::max(0.0, rim - radius) * rim / low);
 }
 
 /** Sections in upward order, without the lowest one; `along` is the tube direction. */
@@ -84,7 +90,7 @@ PlaceTube(HandleTube & tube, std::vector<std::vector<TubeSection>> & placed)
   const double least = std::min(0.5 * angle, 0.6);
   for (int level = 0; level < levels; ++level)
   {
-    tube.lift = least * (1.0 + 0.3 * level);
+    tube.lift = least * (1.0 + distanceOfLevels * level);
     const std::vector<TubeSection> sections = tube.Sections();
     if (std::all_of(
           placed.begin(), placed.end(), [&](const auto & other) { return Clearance(sections, other) > tube.radius; }))
@@ -132,7 +138,7 @@ PlaceTubes(const std::vector<std::array<SphereHole, 2>> & pairs)
   std::vector<HandleTube> tubes;
   for (const auto & [start, end] : pairs)
   {
-    tubes.push_back({ start, end, std::min(thickest, 0.15 * AngleBetween(start.center, end.center)), 0.0 });
+    tubes.push_back({ start, end, std::min(thickest, thickestOfAngle * AngleBetween(start.center, end.center)), 0.0 });
   }
   // Short tubes pass below long ones.
   std::vector<int> order(tubes.size());

@@ -39,6 +39,7 @@ WindowOfSphere(const EmbeddedGraph & graph, const PictureMap & picture)
     pixels.push_back(picture.map(half[0]));
     pixels.push_back(picture.map(half[1]));
   }
+  constexpr double    muchLarger = 2.5;
   const PictureWindow near = WindowAround(pixels, 1.15);
   for (int node = 0; node < graph.certificate.graph.nodes; ++node)
   {
@@ -49,12 +50,13 @@ WindowOfSphere(const EmbeddedGraph & graph, const PictureMap & picture)
   }
   const PictureWindow whole = WindowAround(pixels, 1.05);
   const bool          isSingle = graph.certificate.graph.nodes == 1;
-  return isSingle || whole.halfWidth < 2.5 * near.halfWidth ? whole : near;
+  return isSingle || whole.halfWidth < muchLarger * near.halfWidth ? whole : near;
 }
 
 std::vector<PanelPlan>
 PlansOfTorus(const EmbeddedGraph & graph)
 {
+  constexpr double   enlargement = 1.4;
   std::vector<Pixel> pixels;
   const auto         flat = Flat(true);
   for (const Place & place : graph.nodes)
@@ -65,11 +67,13 @@ PlansOfTorus(const EmbeddedGraph & graph)
   {
     pixels.push_back(flat.map(place));
   }
-  PanelPlan overlap{ "Universal cover: overlap graph and fundamental domain", flat, WindowAround(pixels, 1.4) };
+  PanelPlan overlap{ "Universal cover: overlap graph and fundamental domain", flat, WindowAround(pixels, enlargement) };
   overlap.hasTiles = true;
   // Copies of a large graph are only gray, because each takes as long to paint as the original.
-  const std::size_t segments = graph.halfEdges.size() + graph.dual.size();
-  overlap.tiles = TilesAround(graph, segments > 1000000 ? 1 : segments > 100000 ? 9 : 25);
+  constexpr std::size_t large = 100000, huge = 1000000; // segments
+  constexpr int         tilesOfHuge = 1, tilesOfLarge = 9, tiles = 25;
+  const std::size_t     segments = graph.halfEdges.size() + graph.dual.size();
+  overlap.tiles = TilesAround(graph, segments > huge ? tilesOfHuge : segments > large ? tilesOfLarge : tiles);
   PanelPlan circles = overlap;
   circles.title = "Circles of nodes and faces";
   circles.hasCircles = true;
@@ -81,9 +85,10 @@ int
 NumberOfTiles(const EmbeddedGraph & graph)
 {
   constexpr double mostSegments = 150000.0;
+  constexpr double mostTiles = 240.0;
   const double     segments = static_cast<double>(graph.halfEdges.size() + graph.dual.size() + 1);
   const int        least = 4 * graph.certificate.genus + 1;
-  return static_cast<int>(std::clamp(mostSegments / segments, static_cast<double>(least), 240.0));
+  return static_cast<int>(std::clamp(mostSegments / segments, static_cast<double>(least), mostTiles));
 }
 
 /** Tiles that are large enough to be visible in a picture of the disk. */
@@ -113,11 +118,12 @@ VisibleTiles(const EmbeddedGraph & graph, const PictureMap & picture)
 std::vector<PanelPlan>
 PlansOfDisk(const EmbeddedGraph & graph, DiskModel model)
 {
+  constexpr double  halfWidth = 1.02; // the disk with its rim
   const bool        isKlein = model == DiskModel::Klein;
   const std::string name = isKlein ? "Klein disk" : "Poincare disk";
   PanelPlan         overlap{ name + ": overlap graph, tiles of the universal cover",
                      isKlein ? Klein() : Flat(false),
-                     { { 0.0, 0.0 }, 1.02 } };
+                     { { 0.0, 0.0 }, halfWidth } };
   overlap.hasTiles = overlap.hasRim = true;
   overlap.tiles = VisibleTiles(graph, overlap.picture);
   PanelPlan circles = overlap;

@@ -49,11 +49,12 @@ Orthographic(const Frame & frame)
 PictureMap
 Stereographic(const Frame & frame)
 {
+  constexpr double lowest = -0.9999; // the pole is outside any picture
   return { [frame](const Place & p) {
             const double share = 1.0 / std::max(1e-12, 1.0 + ScalarProduct(p, frame.z));
             return Pixel{ share * ScalarProduct(p, frame.x), -share * ScalarProduct(p, frame.y) };
           },
-           [frame](const Place & p) { return ScalarProduct(p, frame.z) > -0.9999; }, // the pole is outside any picture
+           [frame](const Place & p) { return ScalarProduct(p, frame.z) > lowest; },
            true,
            false,
            {} };

@@ -371,9 +371,10 @@ SvgPanel::AddLabel(const Place & center, const Place & rim, const std::string & 
 void
 SvgPanel::AddTitle(const std::vector<std::string> & lines)
 {
+  constexpr std::size_t lineHeight = 18;
   for (std::size_t i = 0; i < lines.size(); ++i)
   {
-    m_Content += "<text x=\"6\" y=\"" + std::to_string(18 * (i + 1)) +
+    m_Content += "<text x=\"6\" y=\"" + std::to_string(lineHeight * (i + 1)) +
                  "\" font-size=\"14\" font-family=\"sans-serif\" paint-order=\"stroke\" stroke=\"#ffffff\""
                  " stroke-width=\"4\">" +
                  SvgText(lines[i]) + "</text>\n";

@@ -185,6 +185,8 @@ JsonOf(const ShapeTransferFunction & transferFunction)
 Json
 InfoOf(const HeatExplorerContent & content)
 {
+  constexpr int         heatColors = 33;
+  constexpr int         lineColors = 12; // ClassColor() repeats after these
   const IntensityWindow window = WindowOf(content.gray, content.window);
   Json                  planes = Json::array();
   for (const SlicePlane plane : { SlicePlane::Axial, SlicePlane::Coronal, SlicePlane::Sagittal })
@@ -193,8 +195,8 @@ InfoOf(const HeatExplorerContent & content)
   }
   return { { "title", content.title },
            { "isEqualized", content.scale == HeatScale::Equalized },
-           { "heatColors", Colors(33, [](int i) { return HeatColor(i / 32.0); }) },
-           { "lineColors", Colors(12, [](int i) { return ClassColor(i + 1); }) },
+           { "heatColors", Colors(heatColors, [](int i) { return HeatColor(i / (heatColors - 1.0)); }) },
+           { "lineColors", Colors(lineColors, [](int i) { return ClassColor(i + 1); }) },
            { "volume", VoxelGrid(content.gray).Geometry() },
            { "ranges", JsonOf(content.ranges) },
            { "window", { window.lower, window.upper } },

@@ -19,6 +19,11 @@ constexpr int classStripHeight = 44;
 constexpr int tickLength = 6;
 constexpr int openingStripHeight = 8;
 constexpr int openingHeight = 30; // a strip and the lines to the next one
+constexpr int mainTitleSize = 24;
+constexpr int axisTitleSize = 17;
+constexpr int numberSize = 15; // font height on the axes and of the key
+constexpr int labelSize = 14;  // of classes and marked time steps
+constexpr int openingSize = 12;
 // Maximum number of drawn zoom levels; only the last ones are drawn.
 constexpr std::size_t mostOpenings = 6;
 // Maximum width of a drawn bin. On the equalized axis, a converged line has a large fraction of the counts and thus of
@@ -132,6 +137,8 @@ Sharpen(std::vector<double> & brightness)
 {
   constexpr int       reach = 16;
   constexpr double    strength = 2.5;
+  constexpr double    kept = 0.8;
+  constexpr double    darkest = 0.1;
   const int           size = static_cast<int>(brightness.size());
   std::vector<double> sumBefore(size + 1, 0.0);
   for (int x = 0; x < size; ++x)
@@ -145,7 +152,7 @@ Sharpen(std::vector<double> & brightness)
     const double mean = (sumBefore[last] - sumBefore[first]) / (last - first);
     if (brightness[x] > 0.0)
     {
-      brightness[x] = std::clamp(0.8 * brightness[x] + strength * (brightness[x] - mean), 0.1, 1.0);
+      brightness[x] = std::clamp(kept * brightness[x] + strength * (brightness[x] - mean), darkest, 1.0);
     }
   }
 }
@@ -276,9 +283,9 @@ DrawTimeAxis(Picture *                          picture,
              GroupedDigits(step),
              right - tickLength - 4,
              y,
-             Style(15, HorizontalAnchor::Right, VerticalAnchor::Center));
+             Style(numberSize, HorizontalAnchor::Right, VerticalAnchor::Center));
   }
-  TextStyle style = Style(17, HorizontalAnchor::Left, VerticalAnchor::Center);
+  TextStyle style = Style(axisTitleSize, HorizontalAnchor::Left, VerticalAnchor::Center);
   style.upwards = true;
   DrawText(picture, "time step", 10, area.top + area.height / 2, style);
 }
@@ -287,6 +294,8 @@ void
 DrawHeatTicks(Picture * picture, const HeatAxis & axis, const PlotArea & area, int top)
 {
   constexpr int       leastDistance = 62;
+  constexpr int       digits = 3;
+  constexpr int       digitsOfNarrow = 5;
   const auto          pixelOf = [&](double heat) { return area.left + axis.PositionOf(heat) * (area.width - 1); };
   const HeatRange &   range = axis.GetRange();
   std::vector<double> heats = HeatTicks(range.lower, range.upper, leastDistance, pixelOf);
@@ -300,10 +309,10 @@ DrawHeatTicks(Picture * picture, const HeatAxis & axis, const PlotArea & area, i
     const int x = static_cast<int>(std::lround(pixelOf(heat)));
     FillRectangle(picture, x, top, 1, tickLength, InkColor);
     DrawText(picture,
-             HeatLabel(heat, isNarrow ? 5 : 3),
+             HeatLabel(heat, isNarrow ? digitsOfNarrow : digits),
              x,
              top + tickLength + 2,
-             Style(15, HorizontalAnchor::Center, VerticalAnchor::Top));
+             Style(numberSize, HorizontalAnchor::Center, VerticalAnchor::Top));
   }
 }
 
@@ -333,7 +342,7 @@ DrawClasses(Picture *                      picture,
     FillRectangle(picture, left, top, 1, barHeight + 3, InkColor);
     FillRectangle(picture, left + width - 1, top, 1, barHeight + 3, InkColor);
     const std::string number = std::to_string(heatClass.label);
-    const TextStyle   style = Style(14, HorizontalAnchor::Center, VerticalAnchor::Top);
+    const TextStyle   style = Style(labelSize, HorizontalAnchor::Center, VerticalAnchor::Top);
     const int         middle = left + width / 2;
     const int         textWidth = MeasureText(number, style).width;
     const auto        line = std::find_if(
@@ -368,6 +377,9 @@ SpreadLabels(const std::vector<double> & wanted, int distance, int bottom)
 void
 DrawMarkedTimeSteps(Picture * picture, std::vector<std::uint64_t> steps, const TimeAxis & time, const PlotArea & area)
 {
+  constexpr int lineHeight = 18;
+  constexpr int endOfLine = 14; // to the right of the plot
+  constexpr int leftOfLabel = 18;
   std::sort(steps.begin(), steps.end());
   steps.erase(std::remove_if(steps.begin(), steps.end(), [&](std::uint64_t step) { return !time.Contains(step); }),
               steps.end());
@@ -376,19 +388,19 @@ DrawMarkedTimeSteps(Picture * picture, std::vector<std::uint64_t> steps, const T
   {
     lines.push_back(time.PixelOf(static_cast<double>(step)));
   }
-  const std::vector<int> labels = SpreadLabels(lines, 18, area.top + area.height - 8);
+  const std::vector<int> labels = SpreadLabels(lines, lineHeight, area.top + area.height - 8);
   const int              left = area.left - backgroundLineWidth - backgroundLineGap;
   const int              right = area.left + area.width;
   for (std::size_t i = 0; i < steps.size(); ++i)
   {
     const int y = static_cast<int>(lines[i]);
     FillRectangle(picture, left, y, right - left, 1, pink);
-    DrawLine(picture, right, y, right + 14, labels[i], pink, 1.0);
+    DrawLine(picture, right, y, right + endOfLine, labels[i], pink, 1.0);
     DrawText(picture,
              "t = " + GroupedDigits(steps[i]),
-             right + 18,
+             right + leftOfLabel,
              labels[i],
-             Style(14, HorizontalAnchor::Left, VerticalAnchor::Center, darkPink));
+             Style(labelSize, HorizontalAnchor::Left, VerticalAnchor::Center, darkPink));
   }
 }
 
@@ -435,7 +447,7 @@ DrawOpening(Picture *           picture,
            name,
            area.left - 4,
            top + openingStripHeight / 2,
-           Style(12, HorizontalAnchor::Right, VerticalAnchor::Center, faintInk));
+           Style(openingSize, HorizontalAnchor::Right, VerticalAnchor::Center, faintInk));
 }
 
 void
@@ -457,15 +469,17 @@ DrawOpenings(Picture *                           picture,
 void
 DrawTitles(Picture * picture, const HeatHistogramPictureOptions & options, const HeatAxis & axis, const PlotArea & area)
 {
+  constexpr int     topOfTitle = 14;
+  constexpr int     topOfKey = 48;
   const int         left = area.left - backgroundLineWidth - backgroundLineGap;
   const int         width = static_cast<int>(options.width) - left - 8;
   const std::string key = "color: " + options.quantity.name +
                           "; brightness: number of voxels, logarithmic; white line at the left: background";
-  TextStyle title = Style(24, HorizontalAnchor::Left, VerticalAnchor::Top);
+  TextStyle title = Style(mainTitleSize, HorizontalAnchor::Left, VerticalAnchor::Top);
   title.bold = true;
-  DrawText(picture, options.title, left, 14, FitText(options.title, title, width));
-  const TextStyle style = Style(15, HorizontalAnchor::Left, VerticalAnchor::Top, faintInk);
-  DrawText(picture, key, left, 48, FitText(key, style, width));
+  DrawText(picture, options.title, left, topOfTitle, FitText(options.title, title, width));
+  const TextStyle style = Style(numberSize, HorizontalAnchor::Left, VerticalAnchor::Top, faintInk);
+  DrawText(picture, key, left, topOfKey, FitText(key, style, width));
   std::string name = options.quantity.name;
   if (options.quantity.greatestVisits > 0)
   {
@@ -480,18 +494,19 @@ DrawTitles(Picture * picture, const HeatHistogramPictureOptions & options, const
            name,
            area.left + area.width / 2,
            static_cast<int>(options.height) - 8,
-           Style(17, HorizontalAnchor::Center, VerticalAnchor::Bottom));
+           Style(axisTitleSize, HorizontalAnchor::Center, VerticalAnchor::Bottom));
 }
 } // namespace
 
 PlotArea
 PlotAreaOf(const HeatHistogramPictureOptions & options)
 {
-  const int right = options.markedTimeSteps.empty() ? 40 : 130;
-  const int bottom = 66 + colorStripHeight + (options.classes.empty() ? 0 : classStripHeight);
-  PlotArea  area;
-  area.left = 126;
-  area.top = 78 + openingHeight * static_cast<int>(NumberOfOpenings(options));
+  constexpr int left = 126, top = 78; // pixels beside the plot
+  const int     right = options.markedTimeSteps.empty() ? 40 : 130;
+  const int     bottom = 66 + colorStripHeight + (options.classes.empty() ? 0 : classStripHeight);
+  PlotArea      area;
+  area.left = left;
+  area.top = top + openingHeight * static_cast<int>(NumberOfOpenings(options));
   area.width = static_cast<int>(options.width) - area.left - right;
   area.height = static_cast<int>(options.height) - area.top - bottom;
   return area;
@@ -504,7 +519,9 @@ DrawHeatHistogram(const HeatHistogram & histogram, const HeatHistogramPictureOpt
   {
     throw std::invalid_argument("a heat histogram without rows cannot be drawn");
   }
-  if (options.width < 600 || options.height < 400)
+  constexpr unsigned int smallestWidth = 600;
+  constexpr unsigned int smallestHeight = 400;
+  if (options.width < smallestWidth || options.height < smallestHeight)
   {
     throw std::invalid_argument("the picture of a heat histogram must have at least 600 x 400 pixels");
   }

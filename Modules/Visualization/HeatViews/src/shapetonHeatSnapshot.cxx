@@ -170,11 +170,13 @@ RequireHeat(const itk::Image<float, 3> * heat, const std::string & path)
 itk::Image<std::uint32_t, 3>::Pointer
 VisitsOf(const itk::Image<float, 3> * values, const HeatSnapshot & file)
 {
+  constexpr float     mostVisits = 4e9F; // below 2^32
   const float * const begin = values->GetBufferPointer();
   const float * const end = begin + values->GetBufferedRegion().GetNumberOfPixels();
-  const bool          areVisits =
-    file.timeStep && std::any_of(begin, end, [](float value) { return value > 1.0F; }) &&
-    std::all_of(begin, end, [](float value) { return value >= 0.0F && value < 4e9F && value == std::floor(value); });
+  const bool          areVisits = file.timeStep && std::any_of(begin, end, [](float value) { return value > 1.0F; }) &&
+                         std::all_of(begin, end, [](float value) {
+                           return value >= 0.0F && value < mostVisits && value == std::floor(value);
+                         });
   if (!areVisits)
   {
     return nullptr;

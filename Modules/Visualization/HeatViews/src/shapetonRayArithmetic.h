@@ -270,8 +270,9 @@ LightAt(const RayView & view, const Gradient & perVoxel)
     gradient[axis] = view.inverse[0][axis] * perMillimeter[0] + view.inverse[1][axis] * perMillimeter[1] +
                      view.inverse[2][axis] * perMillimeter[2];
   }
-  const double length = sqrt(Product(gradient, gradient));
-  if (length < 1e-4)
+  constexpr double flat = 1e-4; // per mm; a smaller gradient does not give a direction
+  const double     length = sqrt(Product(gradient, gradient));
+  if (length < flat)
   {
     return Lighting::Even();
   }
@@ -315,16 +316,17 @@ Accumulate(const RayVolume & volume,
 SHAPETON_HOST_DEVICE void
 ColorOfPixel(const RayVolume & volume, const RayView & view, double x, double y, unsigned char seen[3])
 {
-  double start[3];
-  double first = 0.0;
-  double last = 0.0;
+  constexpr float hidden = 0.004F; // transmittance at which a ray ends: about one of 255 gray levels
+  double          start[3];
+  double          first = 0.0;
+  double          last = 0.0;
   StartOfRay(view, x, y, start);
   float color[3] = { 0.0F, 0.0F, 0.0F };
   float visible = 1.0F;
   if (Clip(volume, view, start, first, last))
   {
     // Integer sample numbers, counted from the picture plane, so adjacent rays sample the same planes.
-    for (double t = ceil(first); t <= last && visible > 0.004F; t += 1.0)
+    for (double t = ceil(first); t <= last && visible > hidden; t += 1.0)
     {
       const double position[3] = { start[0] + t * view.step[0],
                                    start[1] + t * view.step[1],

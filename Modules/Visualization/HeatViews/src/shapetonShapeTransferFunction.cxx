@@ -169,9 +169,11 @@ JoinClosest(std::vector<HeatClass> & classes, const HeatAxis & axis)
 double
 OpacityFor(std::uint64_t voxels, std::uint64_t middleVoxels)
 {
-  const double root = std::cbrt(static_cast<double>(std::max<std::uint64_t>(middleVoxels, 1)) /
+  constexpr double most = 0.9;
+  constexpr double least = 0.03;
+  const double     root = std::cbrt(static_cast<double>(std::max<std::uint64_t>(middleVoxels, 1)) /
                                 static_cast<double>(std::max<std::uint64_t>(voxels, 1)));
-  return std::round(100.0 * std::clamp(0.9 * root * root, 0.03, 0.9)) / 100.0;
+  return std::round(100.0 * std::clamp(most * root * root, least, most)) / 100.0;
 }
 
 std::uint64_t
@@ -195,7 +197,8 @@ using Points = std::vector<std::array<double, Size + 1>>;
 double
 RampOf(const TransferFunctionLine & line)
 {
-  return std::min(1e-6, 0.125 * (line.upperHeat - line.lowerHeat));
+  constexpr double widest = 1e-6;
+  return std::min(widest, 0.125 * (line.upperHeat - line.lowerHeat));
 }
 
 Points<1>

@@ -26,6 +26,7 @@ constexpr int titleHeight = 40;
 constexpr int captionHeight = 26;
 constexpr int legendWidth = 190;
 constexpr int greatestPanelHeight = 460;
+constexpr int footHeight = 24;
 
 /** Number of (coarsely quantized) colors and of colored voxels of a slice. */
 struct SliceScore
@@ -134,7 +135,8 @@ Check(const ImageType * gray, const ImageType * heat, const SliceMontageOptions 
   {
     throw std::invalid_argument("the cut of a montage is outside the volume");
   }
-  if (options.width < 600)
+  constexpr unsigned int smallestWidth = 600;
+  if (options.width < smallestWidth)
   {
     throw std::invalid_argument("a montage must be at least 600 pixels wide");
   }
@@ -185,10 +187,12 @@ DrawSliceMontage(const itk::Image<float, 3> * gray,
     panelHeight = std::max(panelHeight, static_cast<int>(views.back().GetHeight()));
   }
   const int top = options.title.empty() ? margin : margin + titleHeight;
-  auto      picture =
-    NewPicture(options.width, static_cast<unsigned int>(top + captionHeight + panelHeight + margin + 24), PaperColor);
-  TextStyle style;
-  style.size = 22;
+  auto      picture = NewPicture(
+    options.width, static_cast<unsigned int>(top + captionHeight + panelHeight + margin + footHeight), PaperColor);
+  constexpr int titleSize = 22;
+  constexpr int captionSize = 15;
+  TextStyle     style;
+  style.size = titleSize;
   style.bold = true;
   style.color = InkColor;
   DrawText(picture,
@@ -196,7 +200,7 @@ DrawSliceMontage(const itk::Image<float, 3> * gray,
            margin,
            margin,
            FitText(options.title, style, static_cast<int>(options.width) - 2 * margin));
-  style.size = 15;
+  style.size = captionSize;
   style.bold = false;
   int left = margin;
   for (std::size_t i = 0; i < views.size(); ++i)
@@ -211,8 +215,10 @@ DrawSliceMontage(const itk::Image<float, 3> * gray,
       picture, PaintColoredSlice(views[i], gray, heat, coloring, window, options.opacity), left, top + captionHeight);
     left += panelWidth + gap;
   }
-  const int bottom = top + captionHeight + panelHeight;
-  DrawScaleBar(picture, margin, bottom + 28, 160, scale, InkColor);
+  const int     bottom = top + captionHeight + panelHeight;
+  constexpr int barBottom = 28; // below the slices
+  constexpr int barLength = 160;
+  DrawScaleBar(picture, margin, bottom + barBottom, barLength, scale, InkColor);
   DrawLegend(
     picture, options.legend, static_cast<int>(options.width) - margin - legendWidth + gap, top + captionHeight, bottom);
   return picture;

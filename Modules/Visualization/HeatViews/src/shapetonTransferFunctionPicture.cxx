@@ -1,6 +1,7 @@
 #include "shapetonTransferFunctionPicture.h"
 
 #include "shapetonAxisTicks.h"
+#include "shapetonPageColors.h"
 
 #include <algorithm>
 
@@ -58,24 +59,27 @@ DrawTransferFunction(const itk::Image<float, 3> *  gray,
   slices.window = window;
   const auto montage = DrawSliceMontage(gray, heat, ColorByLine(transferFunction), slices);
 
+  constexpr double       azimuth = 25.0, elevation = 15.0; // degrees
   VolumeRenderingOptions view;
-  view.azimuth = 25.0;
-  view.elevation = 15.0;
+  view.azimuth = azimuth;
+  view.elevation = elevation;
   view.width = renderingWidth;
   view.height = renderingHeight;
   view.focus = VisibleRegion(heat, transferFunction);
   const auto rendering = renderer ? renderer->Render(view) : RenderVolume(heat, transferFunction, view);
 
-  const int top = pageMargin + headHeight;
-  const int montageTop = top + renderingHeight + 8;
-  auto page = NewPicture(pageWidth, montageTop + montage->GetBufferedRegion().GetSize(1), MakeColor(255, 255, 255));
-  TextStyle style;
-  style.size = 24;
+  const int     top = pageMargin + headHeight;
+  const int     montageTop = top + renderingHeight + 8;
+  auto          page = NewPicture(pageWidth, montageTop + montage->GetBufferedRegion().GetSize(1), PaperColor);
+  constexpr int titleSize = 24;
+  constexpr int headingSize = 17;
+  TextStyle     style;
+  style.size = titleSize;
   style.bold = true;
-  style.color = MakeColor(30, 32, 38);
+  style.color = InkColor;
   DrawText(page, title, pageMargin, pageMargin, style);
   PastePicture(page, rendering, pageMargin, top);
-  style.size = 17;
+  style.size = headingSize;
   const int legendLeft = pageMargin + renderingWidth + 16;
   DrawText(page, "Lines: range of " + quantity.plural, legendLeft, top, style);
   DrawLegend(page, LegendWithVoxels(heat, transferFunction), legendLeft, top + 32, top + renderingHeight);

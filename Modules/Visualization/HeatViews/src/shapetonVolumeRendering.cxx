@@ -62,12 +62,13 @@ MakeRayView(const itk::ImageBase<3> * volume, const PatientView & view)
 void
 Annotate(Picture * picture, const PatientView & view)
 {
+  constexpr int           edge = 12;
   const int               width = static_cast<int>(picture->GetBufferedRegion().GetSize(0));
   const int               height = static_cast<int>(picture->GetBufferedRegion().GetSize(1));
   OrientationLettersStyle style;
   style.color = annotation;
   DrawOrientationLetters(picture, view.GetRight(), view.GetUp(), style);
-  DrawScaleBar(picture, 12, height - 12, width / 4, view.GetMillimetersPerPixel(), annotation);
+  DrawScaleBar(picture, edge, height - edge, width / 4, view.GetMillimetersPerPixel(), annotation);
 }
 } // namespace
 
