@@ -37,8 +37,9 @@ ReadSourceOf(const ColonExamination & exam, const std::string & path)
 DicomResultHeader
 HeaderOf(const ColonExamination & exam, int number, const std::string & what)
 {
+  constexpr int     seriesNumber = 9000;
   const std::string version = exam.quality.value("/provenance/version"_json_pointer, std::string("unknown"));
-  return { "VirtualColonoscopy", version, 9000 + number, "Research: " + what };
+  return { "VirtualColonoscopy", version, seriesNumber + number, "Research: " + what };
 }
 
 /** Writes the wall, and the flat colon if it exists. */

@@ -121,7 +121,9 @@ AddScales(HtmlReport & html, const FlatColonPictures & pictures)
     const auto centimeters = [&](int column) {
       const std::vector<double> & distances = pictures.Distances();
       const double                mm = distances.empty() ? column * pictures.Grid().PixelSize() : distances[column];
-      return Rounded(std::round(mm) / 10.0, 5);
+      constexpr double            millimetersPerCm = 10.0;
+      constexpr int               digits = 5;
+      return Rounded(std::round(mm) / millimetersPerCm, digits);
     };
     table.AddRow({ std::to_string(++number),
                    centimeters(row.firstColumn),

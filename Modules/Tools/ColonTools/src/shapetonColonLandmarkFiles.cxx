@@ -8,12 +8,21 @@
 #include "shapetonSurfaceWriter.h"
 #include "shapetonExceptions.h"
 
+#include <array>
 #include <filesystem>
 
 namespace shapeton
 {
 namespace
 {
+constexpr std::array<double, 3> yellow{ 1.0, 0.85, 0.2 };
+constexpr std::array<double, 3> red{ 0.9, 0.2, 0.2 };
+constexpr std::array<double, 3> green{ 0.25, 0.8, 0.35 };
+
+/** Distances of the control points of markups, mm. */
+constexpr double spacingOfTaeniae = 10.0;
+constexpr double spacingOfFlexures = 5.0;
+
 bool
 EndsWith(const std::string & text, const std::string & end)
 {
@@ -60,9 +69,9 @@ ColonLandmarkFiles::WriteTaeniaMarkups(const CurveSet & taeniae) const
   std::vector<Markup> markups;
   for (std::size_t t = 0; t < taeniae.curves.size(); ++t)
   {
-    markups.push_back(MarkupOfCurve(taeniae, t, Markup::Kind::Curve, 10.0));
+    markups.push_back(MarkupOfCurve(taeniae, t, Markup::Kind::Curve, spacingOfTaeniae));
     markups.back().name = "taenia-" + std::to_string(t + 1);
-    markups.back().color = { 1.0, 0.85, 0.2 };
+    markups.back().color = yellow;
   }
   if (markups.empty())
   {
@@ -77,7 +86,7 @@ ColonLandmarkFiles::WriteFlexureMarkups(const ColonLandmarks & landmarks, const 
 {
   Markup points;
   points.name = "flexures";
-  points.color = { 0.9, 0.2, 0.2 };
+  points.color = red;
   std::vector<Markup> markups;
   for (const SegmentBorder & border : landmarks.segments.borders)
   {
@@ -88,7 +97,7 @@ ColonLandmarkFiles::WriteFlexureMarkups(const ColonLandmarks & landmarks, const 
     points.points.push_back(border.point);
     points.labels.push_back(NameOfFlexure(border.number));
     points.descriptions.push_back("confidence " + std::to_string(static_cast<int>(100.0 * border.confidence)) + " %");
-    markups.push_back(MarkupOfCurve(loops, markups.size(), Markup::Kind::ClosedCurve, 5.0));
+    markups.push_back(MarkupOfCurve(loops, markups.size(), Markup::Kind::ClosedCurve, spacingOfFlexures));
     markups.back().name = NameOfFlexure(border.number) + "-loop";
     markups.back().color = points.color;
   }
@@ -112,7 +121,7 @@ ColonLandmarkFiles::WriteValveMarkup(const std::optional<IleocecalValve> & valve
   }
   Markup markup;
   markup.name = "ileocecal-valve";
-  markup.color = { 0.25, 0.8, 0.35 };
+  markup.color = green;
   markup.points = { valve->position };
   markup.labels = { "ileocecal valve" };
   markup.descriptions = { "confidence " + std::to_string(static_cast<int>(100.0 * valve->confidence)) + " %" };

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <mutex>
 
 namespace shapeton
@@ -26,7 +27,9 @@ RoundedToHU(const itk::Image<float, 3> * image)
   const float * const from = image->GetBufferPointer();
   const float * const end = from + image->GetLargestPossibleRegion().GetNumberOfPixels();
   std::transform(from, end, rounded->GetBufferPointer(), [](float value) {
-    return static_cast<short>(std::lround(std::clamp(value, -32768.0F, 32767.0F)));
+    constexpr float least = std::numeric_limits<short>::min();
+    constexpr float greatest = std::numeric_limits<short>::max();
+    return static_cast<short>(std::lround(std::clamp(value, least, greatest)));
   });
   return rounded;
 }

@@ -9,6 +9,7 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace shapeton
@@ -17,6 +18,12 @@ namespace
 {
 constexpr unsigned short ileumLabel = 3;
 constexpr unsigned short foldLabel = 4;
+
+constexpr std::array<unsigned char, 3> colorOfGas{ 89, 153, 230 };
+constexpr std::array<unsigned char, 3> colorOfFluid{ 242, 217, 77 };
+constexpr std::array<unsigned char, 3> colorOfIleum{ 150, 110, 90 };
+constexpr std::array<unsigned char, 3> colorOfHeads{ 200, 60, 60 };
+constexpr std::array<unsigned char, 3> colorOfFolds{ 190, 140, 200 };
 
 /** Tissue within this distance of a face belongs to its fold. */
 constexpr double foldDepth = 2.0; // mm
@@ -96,9 +103,9 @@ void
 ColonSegmentsAsDicom::AddLumen()
 {
   using namespace colonterms;
-  this->Add("gas", substance, gas, "gas", m_Parts, 1, { { 89, 153, 230 } });
-  this->Add("fluid", substance, fluid, "fluid", m_Parts, 2, { { 242, 217, 77 } });
-  this->Add("terminal ileum", anatomy, ileum, "ileum", m_Parts, ileumLabel, { { 150, 110, 90 } });
+  this->Add("gas", substance, gas, "gas", m_Parts, 1, colorOfGas);
+  this->Add("fluid", substance, fluid, "fluid", m_Parts, 2, colorOfFluid);
+  this->Add("terminal ileum", anatomy, ileum, "ileum", m_Parts, ileumLabel, colorOfIleum);
 }
 
 void
@@ -126,7 +133,7 @@ ColonSegmentsAsDicom::AddHeads()
               {},
               m_Parts,
               foldLabel + candidate.number,
-              { { 200, 60, 60 } });
+              colorOfHeads);
     m_Segments.back().region = colonterms::CodeOfSegment(candidate.segment);
     m_Segments.back().trackingUID = this->TrackingUIDOfCandidate(candidate);
   }
@@ -154,8 +161,7 @@ ColonSegmentsAsDicom::AddFolds()
       PaintNear(corners, step, painter);
     }
   }
-  this->Add(
-    "haustral folds", colonterms::anatomy, colonterms::fold, "folds", m_Parts, foldLabel, { { 190, 140, 200 } });
+  this->Add("haustral folds", colonterms::anatomy, colonterms::fold, "folds", m_Parts, foldLabel, colorOfFolds);
 }
 
 void

@@ -8,17 +8,21 @@
 #include "shapetonSurfaceWriter.h"
 #include "shapetonVolumeWriter.h"
 
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace shapeton
 {
 namespace
 {
-// Maximum edge length: 0.7 of the thinnest septum of the preset, mm.
+/** Maximum edge length: 0.7 of the thinnest septum of the preset, mm. */
 double
 WallEdge(const ColonPhantomParameters & parameters)
 {
-  return parameters.preset == "hard" ? 0.55 : 0.7;
+  constexpr double ofHard = 0.55;
+  constexpr double ofOthers = 0.7;
+  return parameters.preset == "hard" ? ofHard : ofOthers;
 }
 
 CsvTable
@@ -165,18 +169,43 @@ DiverticulaToJson(const std::vector<ColonDiverticulum> & diverticula)
 }
 
 void
+AddLabels(Json & labels, const std::vector<std::pair<std::string, ColonStructure>> & structures)
+{
+  for (const auto & [name, structure] : structures)
+  {
+    labels[name] = static_cast<int>(structure);
+  }
+}
+
+void
+AddColonLabels(Json & labels)
+{
+  AddLabels(labels,
+            { { "valve", ColonStructure::Valve },
+              { "ileum", ColonStructure::Ileum },
+              { "ileumWall", ColonStructure::IleumWall },
+              { "catheter", ColonStructure::Catheter },
+              { "balloon", ColonStructure::Balloon },
+              { "stool", ColonStructure::Stool },
+              { "bubble", ColonStructure::Bubble },
+              { "foam", ColonStructure::Foam },
+              { "smallBowel", ColonStructure::SmallBowel },
+              { "stomach", ColonStructure::Stomach } });
+}
+
+void
 AddChestLabels(Json & labels)
 {
-  const auto add = [&](const char * name, ColonStructure structure) { labels[name] = static_cast<int>(structure); };
-  add("rightUpperLobe", ColonStructure::RightUpperLobe);
-  add("rightMiddleLobe", ColonStructure::RightMiddleLobe);
-  add("rightLowerLobe", ColonStructure::RightLowerLobe);
-  add("leftUpperLobe", ColonStructure::LeftUpperLobe);
-  add("leftLowerLobe", ColonStructure::LeftLowerLobe);
-  add("airway", ColonStructure::Airway);
-  add("airwayWall", ColonStructure::AirwayWall);
-  add("lungVessel", ColonStructure::LungVessel);
-  add("heart", ColonStructure::Heart);
+  AddLabels(labels,
+            { { "rightUpperLobe", ColonStructure::RightUpperLobe },
+              { "rightMiddleLobe", ColonStructure::RightMiddleLobe },
+              { "rightLowerLobe", ColonStructure::RightLowerLobe },
+              { "leftUpperLobe", ColonStructure::LeftUpperLobe },
+              { "leftLowerLobe", ColonStructure::LeftLowerLobe },
+              { "airway", ColonStructure::Airway },
+              { "airwayWall", ColonStructure::AirwayWall },
+              { "lungVessel", ColonStructure::LungVessel },
+              { "heart", ColonStructure::Heart } });
 }
 
 Json
@@ -184,8 +213,7 @@ StructuresToJson(const Provenance & provenance, const ColonAnatomy & anatomy, co
 {
   Json json;
   json["provenance"] = ProvenanceToJson(provenance);
-  json["labels"] = { { "valve", 1 }, { "ileum", 2 },  { "ileumWall", 3 }, { "catheter", 4 },   { "balloon", 5 },
-                     { "stool", 6 }, { "bubble", 7 }, { "foam", 8 },      { "smallBowel", 9 }, { "stomach", 10 } };
+  AddColonLabels(json["labels"]);
   // Files of patients without diverticula remain unchanged.
   if (anatomy.GetParameters().diverticula > 0)
   {

@@ -13,10 +13,14 @@ namespace shapeton
 {
 namespace
 {
+/** Significant digits of lengths and areas, which are rounded to mm and cm^2. */
+constexpr int digitsOfSize = 5;
+
 std::string
 Centimeters(double mm)
 {
-  return CsvTable::Rounded(std::round(mm) / 10.0, 5) + " cm";
+  constexpr double millimetersPerCm = 10.0;
+  return CsvTable::Rounded(std::round(mm) / millimetersPerCm, digitsOfSize) + " cm";
 }
 
 std::string
@@ -231,7 +235,7 @@ SegmentTable(const ColonoscopyResults & results)
                    Centimeters(segment.begin),
                    Centimeters(segment.end),
                    Centimeters(segment.end - segment.begin),
-                   CsvTable::Rounded(std::round(segment.area / 100.0), 5),
+                   CsvTable::Rounded(std::round(segment.area / 100.0), digitsOfSize),
                    WholePercent(shares[i].distendedShare),
                    results.IsDone(colonoscopystage::folds)
                      ? std::to_string(FoldsBetween(results, segment.begin, segment.end))

@@ -15,6 +15,16 @@ namespace
 {
 const RGBColor glass = MakeColor(206, 190, 184);
 const RGBColor loopColor = MakeColor(24, 26, 32);
+const RGBColor flexureColor = MakeColor(250, 214, 80);
+const RGBColor endColor = MakeColor(240, 240, 240);
+const RGBColor foldColor = MakeColor(20, 130, 60);
+
+constexpr double opacityOfGlass = 0.3;
+/** Radii of tubes and balls, mm. */
+constexpr double radiusOfTaeniae = 1.6;
+constexpr double radiusOfLoops = 1.6;
+constexpr double radiusOfLine = 1.8;
+constexpr double radiusOfBalls = 5.0;
 
 std::string
 SideInWords(PatientSide side)
@@ -33,16 +43,18 @@ LabelOf(const CurveSet & curves, const char * array, std::size_t curve)
 SurfaceRenderingOptions
 OptionsFor(PatientSide side, const std::string & title)
 {
+  constexpr unsigned int  width = 1000;
+  constexpr unsigned int  height = 820;
   SurfaceRenderingOptions options;
   LookFrom(side, options);
-  options.width = 1000;
-  options.height = 820;
+  options.width = width;
+  options.height = height;
   options.title = title + ", from the " + SideInWords(side);
   return options;
 }
 
 void
-AddTaeniae(SurfaceScene & scene, const CurveSet & taeniae, double radius)
+AddTaeniae(SurfaceScene & scene, const CurveSet & taeniae)
 {
   if (taeniae.curves.empty())
   {
@@ -50,7 +62,7 @@ AddTaeniae(SurfaceScene & scene, const CurveSet & taeniae, double radius)
   }
   CurveActor actor;
   actor.curves = &taeniae;
-  actor.radius = radius;
+  actor.radius = radiusOfTaeniae;
   actor.vertexColors.resize(taeniae.V.rows());
   for (std::size_t curve = 0; curve < taeniae.curves.size(); ++curve)
   {
@@ -69,7 +81,7 @@ AddFlexureLoops(SurfaceScene & scene, const CurveSet & flexures)
   {
     CurveActor actor;
     actor.curves = &flexures;
-    actor.radius = 1.6;
+    actor.radius = radiusOfLoops;
     actor.color = loopColor;
     scene.curves.push_back(actor);
   }
@@ -92,7 +104,7 @@ AddFlexureNames(SurfaceScene & scene, const CurveSet & flexures)
   for (std::size_t curve = 0; curve < flexures.curves.size(); ++curve)
   {
     scene.markers.push_back(
-      { MiddleOf(flexures, curve), 5.0, MakeColor(250, 214, 80), NameOfFlexure(LabelOf(flexures, "flexure", curve)) });
+      { MiddleOf(flexures, curve), radiusOfBalls, flexureColor, NameOfFlexure(LabelOf(flexures, "flexure", curve)) });
   }
 }
 
@@ -100,8 +112,8 @@ void
 AddEnds(SurfaceScene & scene, const CurveSet & centerline)
 {
   const std::vector<int> & line = centerline.curves.front();
-  scene.markers.push_back({ centerline.V.row(line.front()), 5.0, MakeColor(240, 240, 240), "anal verge" });
-  scene.markers.push_back({ centerline.V.row(line.back()), 5.0, MakeColor(240, 240, 240), "cecum" });
+  scene.markers.push_back({ centerline.V.row(line.front()), radiusOfBalls, endColor, "anal verge" });
+  scene.markers.push_back({ centerline.V.row(line.back()), radiusOfBalls, endColor, "cecum" });
 }
 
 void
@@ -110,7 +122,7 @@ AddCenterline(SurfaceScene & scene, SurfaceRenderingOptions & options, const Cur
   const SurfaceArray * const distance = FindSurfaceArray(centerline.pointArrays, "arcLength");
   CurveActor                 actor;
   actor.curves = &centerline;
-  actor.radius = 1.8;
+  actor.radius = radiusOfLine;
   if (distance && distance->values.size() > 0)
   {
     options.colorBar = ColorScale{ "distance from the anal verge (mm)", 0.0, distance->values.maxCoeff() };
@@ -168,7 +180,7 @@ FoldOutlines(const itk::Image<unsigned short, 2> * labels)
   outlines.labels = labels->GetBufferPointer();
   outlines.columns = static_cast<int>(labels->GetBufferedRegion().GetSize(0));
   outlines.rows = static_cast<int>(labels->GetBufferedRegion().GetSize(1));
-  outlines.colorOf = [](int) { return MakeColor(20, 130, 60); };
+  outlines.colorOf = [](int) { return foldColor; };
   outlines.thickness = 1;
   return outlines;
 }
@@ -217,7 +229,7 @@ DrawSegments(const ColonoscopyResults & results, PatientSide side)
     options.title = "Wall, from the " + SideInWords(side);
   }
   scene.surfaces.push_back(wall);
-  AddTaeniae(scene, results.taeniae, 1.6);
+  AddTaeniae(scene, results.taeniae);
   AddFlexureLoops(scene, results.flexures);
   return RenderSurfaces(scene, options);
 }
@@ -230,7 +242,7 @@ DrawInside(const ColonoscopyResults & results, PatientSide side)
   SurfaceActor            wall;
   wall.surface = &results.wall;
   wall.color = glass;
-  wall.opacity = 0.3;
+  wall.opacity = opacityOfGlass;
   scene.surfaces.push_back(wall);
   AddCenterline(scene, options, results.centerline);
   AddFlexureLoops(scene, results.flexures);

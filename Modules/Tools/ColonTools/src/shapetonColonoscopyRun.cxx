@@ -48,6 +48,13 @@ LastStages(const CommandLine & commandLine, ColonoscopySeries series)
   return stages;
 }
 
+/** Where stages begin in the progress of the whole run, and their share of it. */
+struct PartOfProgress
+{
+  double begin;
+  double share;
+};
+
 /** Runs the stages of one series in its folder. */
 class SeriesRun
 {
@@ -72,18 +79,19 @@ public:
     }
   }
 
-  /** Runs all stages until one fails; they account for `share` of the progress of the whole run. */
+  /** Runs all stages until one fails. */
   bool
-  Run(const std::vector<ColonoscopyStage> & stages, double begin, double share)
+  Run(const std::vector<ColonoscopyStage> & stages, const PartOfProgress & part)
   {
+    double begin = part.begin;
     for (const ColonoscopyStage & stage : stages)
     {
-      this->Record(this->Compute(stage, begin, share, NumberOfThreads()));
+      this->Record(this->Compute(stage, { begin, part.share }, NumberOfThreads()));
       if (this->Status() != 0)
       {
         return false;
       }
-      begin += stage.share * share;
+      begin += stage.share * part.share;
     }
     return true;
   }
@@ -91,7 +99,7 @@ public:
   /** Runs two independent stages, in parallel if there are enough threads, which they share; both run even if one
    * fails. Reports the progress of the second one, which takes longer. */
   bool
-  RunBoth(const ColonoscopyStage & shorter, const ColonoscopyStage & longer, double begin, double share)
+  RunBoth(const ColonoscopyStage & shorter, const ColonoscopyStage & longer, const PartOfProgress & part)
   {
     const unsigned int threads = NumberOfThreads();
     StageResult        first;
@@ -99,13 +107,14 @@ public:
     if (threads > 1)
     {
       beside = StartBeside([&] { first = m_Run.Run(StageWithThreads(shorter, threads / 2)); });
-      m_CommandLine.Progress(this->Prefix() + shorter.name, begin);
+      m_CommandLine.Progress(this->Prefix() + shorter.name, part.begin);
     }
     else
     {
-      first = this->Compute(shorter, begin, share, threads);
+      first = this->Compute(shorter, part, threads);
     }
-    StageResult second = this->Compute(longer, begin + shorter.share * share, share, threads - threads / 2);
+    StageResult second =
+      this->Compute(longer, { part.begin + shorter.share * part.share, part.share }, threads - threads / 2);
     beside.Get();
     this->Record(std::move(first));
     this->Record(std::move(second));
@@ -172,12 +181,12 @@ private:
   }
 
   StageResult
-  Compute(const ColonoscopyStage & stage, double begin, double share, unsigned int threads)
+  Compute(const ColonoscopyStage & stage, const PartOfProgress & part, unsigned int threads)
   {
     const std::string name = this->Prefix() + stage.name;
-    m_CommandLine.Progress(name, begin);
+    m_CommandLine.Progress(name, part.begin);
     return m_Run.Run(this->StageWithThreads(stage, threads), [&](const std::string & step, double done) {
-      m_CommandLine.Progress(name + ": " + step, begin + done * stage.share * share);
+      m_CommandLine.Progress(name + ": " + step, part.begin + done * stage.share * part.share);
     });
   }
 
@@ -251,10 +260,11 @@ void
 RunOne(CommandLine & commandLine, SeriesRun & only)
 {
   constexpr ColonoscopySeries first = ColonoscopySeries::First;
-  if (only.Run(StagesOfSeries(commandLine, first), 0.0, 0.9) &&
-      only.RunBoth(StageOfFolds(commandLine, first), StageOfPolyps(commandLine, first), 0.79, 0.13))
+  constexpr PartOfProgress    series{ 0.0, 0.9 }, foldsAndPolyps{ 0.79, 0.13 }, last{ 0.93, 0.01 };
+  if (only.Run(StagesOfSeries(commandLine, first), series) &&
+      only.RunBoth(StageOfFolds(commandLine, first), StageOfPolyps(commandLine, first), foldsAndPolyps))
   {
-    only.Run(LastStages(commandLine, ColonoscopySeries::First), 0.93, 0.01);
+    only.Run(LastStages(commandLine, ColonoscopySeries::First), last);
   }
   Present(commandLine, only.Presentation());
   if (only.Status() != 0)
@@ -267,20 +277,22 @@ RunOne(CommandLine & commandLine, SeriesRun & only)
 void
 RunTwo(CommandLine & commandLine, SeriesRun & first, SeriesRun & second)
 {
-  constexpr double share = 0.4; // fraction of the progress, for each series
-  const auto       withFolds = [&](ColonoscopySeries series) {
+  constexpr PartOfProgress ofFirst{ 0.0, 0.4 }, ofSecond{ 0.4, 0.4 }, ofPair{ 0.8, 0.035 };
+  constexpr PartOfProgress polypsOfSecond{ 0.87, 0.02 }, polypsOfFirst{ 0.89, 0.02 };
+  constexpr PartOfProgress lastOfSecond{ 0.91, 0.01 }, lastOfFirst{ 0.92, 0.01 };
+  const auto               withFolds = [&](ColonoscopySeries series) {
     std::vector<ColonoscopyStage> stages = StagesOfSeries(commandLine, series);
     stages.push_back(StageOfFolds(commandLine, series));
     return stages;
   };
-  const bool hasFirst = first.Run(withFolds(ColonoscopySeries::First), 0.0, share);
-  if (hasFirst && second.Run(withFolds(ColonoscopySeries::Second), share, share) &&
-      first.RunBoth(StageOfSearch(commandLine), StageOfRegistration(commandLine), 2.0 * share, 0.035) &&
-      second.Run({ StageOfPolyps(commandLine, ColonoscopySeries::Second) }, 0.87, 0.02) &&
-      first.Run({ StageOfPolyps(commandLine, ColonoscopySeries::First) }, 0.89, 0.02) &&
-      second.Run(LastStages(commandLine, ColonoscopySeries::Second), 0.91, 0.01))
+  const bool hasFirst = first.Run(withFolds(ColonoscopySeries::First), ofFirst);
+  if (hasFirst && second.Run(withFolds(ColonoscopySeries::Second), ofSecond) &&
+      first.RunBoth(StageOfSearch(commandLine), StageOfRegistration(commandLine), ofPair) &&
+      second.Run({ StageOfPolyps(commandLine, ColonoscopySeries::Second) }, polypsOfSecond) &&
+      first.Run({ StageOfPolyps(commandLine, ColonoscopySeries::First) }, polypsOfFirst) &&
+      second.Run(LastStages(commandLine, ColonoscopySeries::Second), lastOfSecond))
   {
-    first.Run(LastStages(commandLine, ColonoscopySeries::First), 0.92, 0.01);
+    first.Run(LastStages(commandLine, ColonoscopySeries::First), lastOfFirst);
   }
   if (hasFirst)
   {

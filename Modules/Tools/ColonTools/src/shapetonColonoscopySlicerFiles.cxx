@@ -5,11 +5,17 @@
 #include "shapetonSlicerMarkups.h"
 
 #include <algorithm>
+#include <array>
 
 namespace shapeton
 {
 namespace
 {
+constexpr std::array<double, 3> gasInSlicer{ 0.35, 0.6, 0.9 };
+constexpr std::array<double, 3> fluidInSlicer{ 0.95, 0.85, 0.3 };
+constexpr std::array<double, 3> ileumInSlicer{ 0.4, 0.8, 0.4 };
+constexpr std::array<double, 3> colorOfCenterline{ 1.0, 0.85, 0.2 };
+
 std::array<double, 3>
 Shares(const RGBColor & color)
 {
@@ -19,9 +25,10 @@ Shares(const RGBColor & color)
 Markup
 CenterlineMarkup(const CurveSet & centerline)
 {
-  Markup markup = MarkupOfCurve(centerline, 0, Markup::Kind::Curve, 10.0);
+  constexpr double spacing = 10.0; // mm, of the control points
+  Markup           markup = MarkupOfCurve(centerline, 0, Markup::Kind::Curve, spacing);
   markup.name = "centerline";
-  markup.color = { 1.0, 0.85, 0.2 };
+  markup.color = colorOfCenterline;
   return markup;
 }
 
@@ -49,9 +56,7 @@ WriteColonoscopySlicerFiles(const ColonoscopyResults & results,
   };
   if (results.Find(colonoscopystage::segmentation) && results.Find(colonoscopystage::segmentation)->Has("lumen.nrrd"))
   {
-    WriteColorTable({ { 1, "gas", { 0.35, 0.6, 0.9 } },
-                      { 2, "fluid", { 0.95, 0.85, 0.3 } },
-                      { 3, "terminalIleum", { 0.4, 0.8, 0.4 } } },
+    WriteColorTable({ { 1, "gas", gasInSlicer }, { 2, "fluid", fluidInSlicer }, { 3, "terminalIleum", ileumInSlicer } },
                     pathOf("lumen.ctbl"));
   }
   if (!results.centerline.curves.empty())

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <sstream>
+#include <string_view>
 
 namespace fs = std::filesystem;
 
@@ -18,6 +19,13 @@ namespace shapeton
 namespace
 {
 namespace names = colonoscopystage;
+
+/** Shares of the run time of a series, for the progress. */
+constexpr double shareOfInspection = 0.02;
+constexpr double shareOfSegmentation = 0.5;
+constexpr double shareOfFlattening = 0.25;
+constexpr double shareOfLandmarks = 0.1;
+constexpr double shareOfFolds = 0.06;
 
 /** Passes options to the tools, spelled as in the provenance. */
 class OptionPasser
@@ -31,11 +39,12 @@ public:
   void
   Pass(Stage & stage, const std::vector<std::string> & options) const
   {
+    constexpr std::string_view prefix = "option.";
     for (const auto & [key, value] : m_Provenance)
     {
-      if (key.rfind("option.", 0) == 0 && std::count(options.begin(), options.end(), key.substr(7)) > 0)
+      if (key.rfind(prefix, 0) == 0 && std::count(options.begin(), options.end(), key.substr(prefix.size())) > 0)
       {
-        stage.Option(key.substr(7), value);
+        stage.Option(key.substr(prefix.size()), value);
       }
     }
   }
@@ -263,11 +272,14 @@ StagesOfSeries(const CommandLine & commandLine, ColonoscopySeries series)
   std::vector<ColonoscopyStage> stages;
   if (IsDicom(passer.Volume()))
   {
-    stages.push_back({ names::inspection, 0.02, [=](const StagedRun &) { return Inspection(passer); } });
+    stages.push_back({ names::inspection, shareOfInspection, [=](const StagedRun &) { return Inspection(passer); } });
   }
-  stages.push_back({ names::segmentation, 0.5, [=](const StagedRun &) { return Segmentation(passer); } });
-  stages.push_back({ names::flattening, 0.25, [=](const StagedRun & run) { return Flattening(passer, run); } });
-  stages.push_back({ names::landmarks, 0.1, [=](const StagedRun & run) { return Landmarks(passer, run); } });
+  stages.push_back(
+    { names::segmentation, shareOfSegmentation, [=](const StagedRun &) { return Segmentation(passer); } });
+  stages.push_back(
+    { names::flattening, shareOfFlattening, [=](const StagedRun & run) { return Flattening(passer, run); } });
+  stages.push_back(
+    { names::landmarks, shareOfLandmarks, [=](const StagedRun & run) { return Landmarks(passer, run); } });
   return stages;
 }
 
@@ -275,7 +287,7 @@ ColonoscopyStage
 StageOfFolds(const CommandLine & commandLine, ColonoscopySeries series)
 {
   const OptionPasser passer(commandLine, series);
-  return { names::folds, 0.06, [=](const StagedRun & run) { return Folds(passer, run); } };
+  return { names::folds, shareOfFolds, [=](const StagedRun & run) { return Folds(passer, run); } };
 }
 
 ColonoscopyStage

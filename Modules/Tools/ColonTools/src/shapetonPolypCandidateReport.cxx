@@ -32,23 +32,24 @@ OtherPosition(const PolypCandidate & candidate)
 CsvTable
 TableForReaders(const std::vector<PolypCandidate> & candidates)
 {
-  CsvTable table({ "Candidate",
-                   "Score",
-                   "Segment",
-                   "From the anal verge (cm)",
-                   "Largest diameter (mm)",
-                   "Size",
-                   "Height (mm)",
-                   "HU inside",
-                   "Inside",
-                   "Other position",
-                   "Remark" });
+  CsvTable         table({ "Candidate",
+                           "Score",
+                           "Segment",
+                           "From the anal verge (cm)",
+                           "Largest diameter (mm)",
+                           "Size",
+                           "Height (mm)",
+                           "HU inside",
+                           "Inside",
+                           "Other position",
+                           "Remark" });
+  constexpr double millimetersPerCm = 10.0;
   for (const PolypCandidate & one : candidates)
   {
     table.AddRow({ std::to_string(one.number),
                    CsvTable::Rounded(one.score, 2),
                    NameOfSegment(one.segment),
-                   Cell(one.arcLength / 10.0, 4),
+                   Cell(one.arcLength / millimetersPerCm, 4),
                    Cell(one.diameter, 3),
                    NameOf(SizeOf(one.diameter)),
                    Cell(one.height, 2),

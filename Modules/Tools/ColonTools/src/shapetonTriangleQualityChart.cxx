@@ -54,28 +54,33 @@ DrawTriangleQualities(const ColonFlattening & flattening)
   constexpr int             width = 900;
   constexpr int             height = 340;
   constexpr double          threshold = 0.6;
+  constexpr int             left = 90, top = 54, right = 24, bottom = 62; // pixels around the plot
+  constexpr double          roomAbove = 1.05;                             // relative to the highest bar
+  constexpr double          beginOfFirst = 0.05, beginOfSecond = 0.5;     // of the bars in a bin
+  constexpr int             legendTop = 18, legendBottom = 40;
+  constexpr int             leftOfMetric = 180, leftOfThreshold = 390; // of the entries of the legend
   const std::vector<double> space = Percentages(flattening.qualityInSpace.histogram);
   const std::vector<double> metric = Percentages(flattening.quality.histogram);
   PlotFrame                 frame;
-  frame.left = 90;
-  frame.top = 54;
-  frame.width = width - frame.left - 24;
-  frame.height = height - frame.top - 62;
+  frame.left = left;
+  frame.top = top;
+  frame.width = width - frame.left - right;
+  frame.height = height - frame.top - bottom;
   frame.x = { "2r/R of a triangle: 1 is equilateral", 0.0, 1.0 };
   frame.y = { "faces (%)", 0.0, 1.0 };
   for (const auto * percentages : { &space, &metric })
   {
-    frame.y.upper = std::max(frame.y.upper, 1.05 * *std::max_element(percentages->begin(), percentages->end()));
+    frame.y.upper = std::max(frame.y.upper, roomAbove * *std::max_element(percentages->begin(), percentages->end()));
   }
   auto picture = NewPicture(width, height, paper);
   DrawPlotFrame(picture, frame);
-  DrawBars(picture, frame, space, 0.05, inSpace);
-  DrawBars(picture, frame, metric, 0.5, inMetric);
+  DrawBars(picture, frame, space, beginOfFirst, inSpace);
+  DrawBars(picture, frame, metric, beginOfSecond, inMetric);
   FillRectangle(
     picture, static_cast<int>(std::lround(frame.PixelOfX(threshold))), frame.top, 2, frame.height, limitColor);
-  DrawLegend(picture, { { inSpace, "straight edges" } }, frame.left, 18, 40, ink);
-  DrawLegend(picture, { { inMetric, "metric of the map" } }, frame.left + 180, 18, 40, ink);
-  DrawLegend(picture, { { limitColor, "0.6" } }, frame.left + 390, 18, 40, ink);
+  DrawLegend(picture, { { inSpace, "straight edges" } }, frame.left, legendTop, legendBottom, ink);
+  DrawLegend(picture, { { inMetric, "metric of the map" } }, frame.left + leftOfMetric, legendTop, legendBottom, ink);
+  DrawLegend(picture, { { limitColor, "0.6" } }, frame.left + leftOfThreshold, legendTop, legendBottom, ink);
   return picture;
 }
 } // namespace shapeton
