@@ -155,7 +155,8 @@ Facts
 ParameterFacts(const ColonLumen & lumen)
 {
   const ColonThresholds & thresholds = lumen.thresholds;
-  const auto              hu = [](double value) { return CsvTable::Rounded(std::round(value), 5) + " HU"; };
+  constexpr int           digits = 5;
+  const auto              hu = [](double value) { return CsvTable::Rounded(std::round(value), digits) + " HU"; };
   Facts                   facts = { { "Position of the patient",
                                       NameOfGravity(lumen.gravity) +
                                         (lumen.gravitySource == ColonGravitySource::PatientPosition ? ", as given"

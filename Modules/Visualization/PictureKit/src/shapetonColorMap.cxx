@@ -76,9 +76,10 @@ ClassColor(unsigned int label)
 std::optional<RGBColor>
 ColorOf(const std::string & text)
 {
-  std::string name(text);
+  constexpr std::size_t length = 7; // #rrggbb
+  std::string           name(text);
   std::transform(name.begin(), name.end(), name.begin(), LowerCase);
-  if (name.size() == 7 && name[0] == '#' && name.find_first_not_of("0123456789abcdef", 1) == std::string::npos)
+  if (name.size() == length && name[0] == '#' && name.find_first_not_of("0123456789abcdef", 1) == std::string::npos)
   {
     return FromBits(static_cast<unsigned int>(std::stoul(name.substr(1), nullptr, 16)));
   }
