@@ -151,6 +151,8 @@ class Option:
     def default_in_words(self) -> str:
         if self.default is None or self.default == []:
             return "none" if self.suffix else ""
+        if isinstance(self.default, list):
+            return ",".join(map(text_of, self.default))
         return {True: "on", False: "off"}.get(self.default, "") if self.kind == "bool" else text_of(self.default)
 
     # ---- C++ ----
@@ -436,10 +438,15 @@ def expand_python(text: str) -> str:
     return re.sub(rf"{{default {REFERENCE}}}", lambda m: declaration(m[1]).chosen(m[2])[0].default_in_words(), text)
 
 
+def readme_row(option: Option) -> str:
+    has_unnamed_words = any(word not in option.sentence for word in option.words)
+    words = f" Values: {', '.join(option.words)}." if has_unnamed_words else ""
+    default = option.xml_default() if option.default is None else option.default_in_words()
+    return f"| `--{option.name}` | {default or 'none'} | {option.description()}{words} |\n"
+
+
 def readme_table(options: list[Option]) -> str:
-    rows = ["| Option | Default | Meaning |", "|---|---|---|"]
-    rows += [f"| `--{o.name}` | {o.default_in_words() or 'none'} | {o.description()} |" for o in options]
-    return "\n".join(rows) + "\n"
+    return "| Option | Default | Meaning |\n|---|---|---|\n" + "".join(map(readme_row, options))
 
 
 def expand_readme(text: str) -> str:

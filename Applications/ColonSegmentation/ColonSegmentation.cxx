@@ -2,6 +2,7 @@
 
 #include "shapetonColonModelFiles.h"
 #include "shapetonColonModelReport.h"
+#include "shapetonColonWall.h"
 #include "shapetonCommandLine.h"
 #include "shapetonExceptions.h"
 #include "shapetonReadOptions.h"
@@ -20,8 +21,7 @@ CheckUsage(const CommandLine & commandLine)
                              "--position has no effect with --inputIsLumen: it determines where fluid pools");
   shapeton::RequireParameter(!commandLine.GetFlag("inputIsLumen") || !commandLine.IsGiven("cleansedVolume"),
                              "--cleansedVolume requires a CT; with --inputIsLumen nothing is cleansed");
-  const int faces = commandLine.GetInteger("faces");
-  shapeton::RequireParameter(faces == 0 || faces >= 1000, "--faces must be 0 or at least 1000");
+  shapeton::RequireFacesOfWall(commandLine.GetInteger("faces"));
 }
 
 shapeton::ColonModelSettings

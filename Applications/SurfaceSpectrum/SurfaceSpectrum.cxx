@@ -3,6 +3,8 @@
 #include "shapetonCommandLine.h"
 #include "shapetonCsvTable.h"
 #include "shapetonHeatKernel.h"
+#include "shapetonHeatKernelSignatureOptions.h"
+#include "shapetonReadOptions.h"
 #include "shapetonToolSurfaces.h"
 #include "shapetonSurfaceWriter.h"
 #include "shapetonExceptions.h"
@@ -11,9 +13,10 @@ namespace
 {
 using shapeton::CommandLine;
 using shapeton::CsvTable;
+using shapeton::HeatKernelSignatureOptions;
 
 void
-CheckUsage(const CommandLine & commandLine)
+CheckUsage(const CommandLine & commandLine, const HeatKernelSignatureOptions & options)
 {
   const std::string signature = commandLine.GetString("heatKernelSignature");
   shapeton::RequireParameter(signature.empty() ||
@@ -21,20 +24,19 @@ CheckUsage(const CommandLine & commandLine)
                              "--heatKernelSignature writes VTP; the file name must end in .vtp");
   shapeton::RequireParameter(!commandLine.IsGiven("times") || commandLine.IsGiven("heatKernelSignature"),
                              "--times requires --heatKernelSignature");
-  for (const double time : commandLine.GetDoubles("times"))
+  for (const double time : options.times)
   {
     shapeton::RequireParameter(time > 0.0, "--times must be greater than 0 mm^2");
   }
 }
 
 shapeton::SurfaceSpectrum
-SpectrumOf(const CommandLine & commandLine, const shapeton::SurfaceMesh & mesh)
+SpectrumOf(const CommandLine & commandLine, const shapeton::SurfaceMesh & mesh, int eigenpairs)
 {
   const shapeton::SurfaceConnectivity connectivity(mesh);
   try
   {
-    return shapeton::ComputeSurfaceSpectrum(shapeton::MakeSurfaceLaplacian(connectivity, mesh.V),
-                                            commandLine.GetInteger("eigenpairs"));
+    return shapeton::ComputeSurfaceSpectrum(shapeton::MakeSurfaceLaplacian(connectivity, mesh.V), eigenpairs);
   }
   catch (const shapeton::InputError & error)
   {
@@ -56,11 +58,10 @@ WriteEigenvalues(const shapeton::SurfaceSpectrum & spectrum, const std::string &
 }
 
 std::vector<double>
-TimesOf(CommandLine & commandLine, const shapeton::SurfaceSpectrum & spectrum)
+TimesOf(CommandLine & commandLine, const std::vector<double> & given, const shapeton::SurfaceSpectrum & spectrum)
 {
   constexpr int    numberOfTimes = 4;
   constexpr double noticeable = 0.01;
-  const auto       given = commandLine.GetDoubles("times");
   if (given.empty())
   {
     return shapeton::HeatKernelSignatureTimes(spectrum, numberOfTimes);
@@ -80,11 +81,12 @@ TimesOf(CommandLine & commandLine, const shapeton::SurfaceSpectrum & spectrum)
 
 void
 WriteSignature(CommandLine &                     commandLine,
+               const std::vector<double> &       given,
                const shapeton::SurfaceSpectrum & spectrum,
                shapeton::SurfaceMesh             mesh,
                const std::string &               path)
 {
-  const std::vector<double> times = TimesOf(commandLine, spectrum);
+  const std::vector<double> times = TimesOf(commandLine, given, spectrum);
   for (const double time : times)
   {
     mesh.pointArrays.push_back(
@@ -98,19 +100,21 @@ WriteSignature(CommandLine &                     commandLine,
 void
 Analyze(CommandLine & commandLine)
 {
-  CheckUsage(commandLine);
+  HeatKernelSignatureOptions options;
+  shapeton::ReadOptions(commandLine, options);
+  CheckUsage(commandLine, options);
   const std::string output = commandLine.GetString("eigenvalues");
   const std::string eigenvalues = commandLine.Output(output);
   const std::string signature = commandLine.OutputOf("heatKernelSignature");
   commandLine.RecordRun(output + ".run.json");
   const shapeton::Surface surface = shapeton::ReadRepairedSurface(commandLine, "inputSurface");
   commandLine.Progress("Computing eigenpairs", 0.1);
-  const shapeton::SurfaceSpectrum spectrum = SpectrumOf(commandLine, surface.mesh);
+  const shapeton::SurfaceSpectrum spectrum = SpectrumOf(commandLine, surface.mesh, options.eigenpairs);
   commandLine.Progress("Writing", 0.9);
   WriteEigenvalues(spectrum, eigenvalues);
   if (!signature.empty())
   {
-    WriteSignature(commandLine, spectrum, surface.mesh, signature);
+    WriteSignature(commandLine, options.times, spectrum, surface.mesh, signature);
   }
 }
 } // namespace

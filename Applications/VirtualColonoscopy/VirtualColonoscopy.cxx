@@ -1,5 +1,6 @@
 #include "VirtualColonoscopyXML.h"
 
+#include "shapetonColonWall.h"
 #include "shapetonColonoscopyRun.h"
 #include "shapetonCommandLine.h"
 #include "shapetonStagedRun.h"
@@ -48,8 +49,7 @@ CheckUsage(const CommandLine & commandLine)
   }
   shapeton::RequireParameter(commandLine.GetString("metric") != "euclidean" || !commandLine.IsGiven("time"),
                              "--time applies to the heat diffusion metric only, not to --metric euclidean");
-  const int faces = commandLine.GetInteger("faces");
-  shapeton::RequireParameter(faces == 0 || faces >= 1000, "--faces must be 0 or at least 1000");
+  shapeton::RequireFacesOfWall(commandLine.GetInteger("faces"));
   CheckSecond(commandLine);
 }
 } // namespace

@@ -13,7 +13,7 @@ from typing import Any, Callable, Dict, Sequence, Tuple, Union
 import numpy as np
 from numpy.typing import NDArray
 
-from ._shapeton import InputError
+from ._shapeton import InputError, ParameterError
 from .mesh import Curves
 
 Path = Union[str, os.PathLike[str]]
@@ -96,6 +96,14 @@ def check(name: str, hints: Dict[str, Any], values: Dict[str, Any]) -> None:
             words = _words(hint)
             advice = next((text for kind, text in _ADVICE.items() if kind in words and isinstance(value, np.ndarray)), "")
             raise TypeError(f"{name}(): the argument \"{argument}\" must be {words}, not {_kind(value)}{advice}")
+
+
+def check_steps(**lists: Sequence[int]) -> None:
+    """Raises ParameterError for a negative time step; the names are those of the arguments."""
+    for name, steps in lists.items():
+        for step in steps:
+            if step < 0:
+                raise ParameterError(f"the parameter \"{name}\": {step} is out of range")
 
 
 def lacks_file(hints: Dict[str, Any], values: Dict[str, Any]) -> bool:

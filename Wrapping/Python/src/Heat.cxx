@@ -127,7 +127,7 @@ AddHistogram(py::module_ & module)
 
   module.def("recorded_steps", [](std::uint64_t timeSteps, std::size_t snapshots, const std::string & spacing) {
     const auto words = OptionInfo("snapshotSpacing").Words({ "linear", "logarithmic" });
-    return MakeSnapshotSteps(timeSteps, snapshots, static_cast<SnapshotSpacing>(PositionOf(spacing, words)));
+    return MakeSnapshotSteps(timeSteps, snapshots, static_cast<SnapshotSpacing>(words.PositionOf(spacing)));
   });
 }
 

@@ -5,7 +5,6 @@
 
 #include "shapetonOptions.h"
 
-#include <algorithm>
 #include <array>
 #include <optional>
 
@@ -18,17 +17,13 @@ struct Given
   TOptions options;
 };
 
-/** The position of a word, the number of its enumerator. Throws ParameterError, which lists the words. */
-std::size_t
-PositionOf(const std::string & word, const OptionInfo & info);
-
 template <typename TOption>
 void
 SetOption(const OptionInfo & info, TOption & option, const py::handle & value)
 {
   if constexpr (std::is_enum_v<TOption>)
   {
-    option = static_cast<TOption>(PositionOf(value.cast<std::string>(), info));
+    option = static_cast<TOption>(info.PositionOf(value.cast<std::string>()));
   }
   else
   {

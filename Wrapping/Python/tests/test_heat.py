@@ -33,6 +33,15 @@ class HeatTest(TestCase):
         last, _ = np.histogram(result.heat.array, np.append(result.histogram.edges[:-1], 2.0))
         np.testing.assert_array_equal(result.histogram.counts[-1], last)
         self.assertSame(shapeton.heat_histogram([result.heat], [500]).counts[0], result.histogram.counts[-1])
+        for call, name in (
+            (lambda: shapeton.heat_histogram([result.heat], [-1]), "time_steps"),
+            (lambda: shapeton.diffuse_heat(balls(), histogram_steps=[-1]), "histogram_steps"),
+            (lambda: shapeton.diffuse_heat(balls(), snapshot_steps=[-1]), "snapshot_steps"),
+            (lambda: shapeton.diffuse_shapetons(balls(), histogram_steps=[-1]), "histogram_steps"),
+            (lambda: shapeton.recorded_steps(-1, 12), "time_steps"),
+        ):
+            with self.assertRaisesRegex(shapeton.ParameterError, f'"{name}": -1 is out of range'):
+                call()
         with self.assertRaisesRegex(shapeton.ParameterError, '"time_steps" must be ascending'):
             shapeton.heat_histogram([result.heat, result.heat], [500, 12])
 
@@ -78,8 +87,8 @@ class HeatTest(TestCase):
             ('"tolerance": 2 is more than the maximum 1', {"tolerance": 2.0}),
             ('"time_step_length": 0.2 is more than the maximum 1/12', {"time_step_length": 0.2}),
             ("histogram steps must be ascending", {"histogram_steps": [5, 3]}),
-            ('"solver" = "fast" is not one of: chebyshev, explicit', {"solver": "fast"}),
-            ('"conductance" = "" is not one of: physical, published', {"conductance": ""}),
+            ('"solver": "fast" is not one of chebyshev, explicit', {"solver": "fast"}),
+            ('"conductance": "" is not one of physical, published', {"conductance": ""}),
         ):
             with self.assertRaisesRegex(ValueError, words) as caught:
                 shapeton.diffuse_heat(image, **wrong)

@@ -149,6 +149,10 @@ struct ColonWall
   ColonWallReport report;
 };
 
+/** Throws ParameterError unless `faces` of ColonWallOptions is 0 or at least 1000. \ingroup ShapetonColonModel */
+ShapetonColonModel_EXPORT void
+RequireFacesOfWall(int faces);
+
 /** Bridges, repairs, extracts, opens and simplifies the wall.
  *
  * \param occupancy the lumen is where values are at least 0.5; the grid is cropped to it. Released after surface

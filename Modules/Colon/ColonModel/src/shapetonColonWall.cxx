@@ -331,6 +331,12 @@ private:
 };
 } // namespace
 
+void
+RequireFacesOfWall(int faces)
+{
+  RequireParameter(faces == 0 || faces >= 1000, "the parameter \"faces\" must be 0 or at least 1000");
+}
+
 ColonWall
 BuildColonWall(OccupancyImage::ConstPointer occupancy,
                const CurveSet &             centerline,
@@ -338,8 +344,7 @@ BuildColonWall(OccupancyImage::ConstPointer occupancy,
                OccupancyImage::ConstPointer repairedOccupancy)
 {
   CheckOptions(options);
-  RequireParameter(options.faces == 0 || options.faces >= 100,
-                   "the simplified wall requires at least 100 faces, or 0 for automatic choice");
+  RequireFacesOfWall(options.faces);
   RequireSound(centerline, "the centerline");
   if (centerline.curves.size() != 1 || centerline.curves.front().size() < 2)
   {

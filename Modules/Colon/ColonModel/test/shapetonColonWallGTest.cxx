@@ -322,7 +322,7 @@ TEST(ColonWall, SmallWallsKeepTheirFacesUnlessANumberIsGiven)
   const auto wall = shapeton::BuildColonWall(BrokenTube(), BrokenCenterline(), options);
   ASSERT_LT(wall.repaired.NumberOfFaces(), 55000);
   EXPECT_EQ(wall.repaired.F, wall.simplified.F);
-  options.faces = 99;
+  options.faces = 999;
   EXPECT_THROW(shapeton::BuildColonWall(BrokenTube(), BrokenCenterline(), options), shapeton::ParameterError);
 }
 

@@ -18,11 +18,6 @@ enum class Device
   Cuda
 };
 
-/** "auto", "cpu" or "cuda".
- * \ingroup ShapetonCommon */
-ShapetonCommon_EXPORT const char *
-NameOf(Device device);
-
 /** \class DeviceError
  * \brief A requested GPU is not available or failed.
  * \ingroup ShapetonCommon */

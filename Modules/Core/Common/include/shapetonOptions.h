@@ -4,6 +4,7 @@
 #include "ShapetonCommonExport.h"
 
 #include <array>
+#include <cstddef>
 #include <limits>
 #include <optional>
 #include <ostream>
@@ -57,6 +58,9 @@ public:
   /** Throws ParameterError if there are words and this is not one of them. */
   void
   Check(const std::string & word) const;
+  /** The position of a word, which is the number of its enumerator. Throws ParameterError, which lists the words. */
+  std::size_t
+  PositionOf(const std::string & word) const;
 
 private:
   struct Limit
@@ -104,6 +108,22 @@ void
 CheckOptions(const TOptions & options)
 {
   TOptions::VisitOptions(options, [](const OptionInfo & info, const auto & option) { CheckOption(info, option); });
+}
+
+/** The declared word of a value: WordOf(&DeviceOptions::device, Device::Cpu) is "cpu". \ingroup ShapetonCommon */
+template <typename TOptions, typename TEnum>
+const char *
+WordOf(TEnum TOptions::*member, TEnum value)
+{
+  const TOptions options;
+  const char *   word = nullptr;
+  TOptions::VisitOptions(options, [&](const OptionInfo & info, const auto & option) {
+    if (static_cast<const void *>(&option) == &(options.*member))
+    {
+      word = info.GetWords().at(static_cast<std::size_t>(value));
+    }
+  });
+  return word;
 }
 
 /** Writes a value as in PrintSelf: a word of an enumeration, the number of elements of a list.

@@ -88,12 +88,6 @@ FindGpu(DeviceUse & use)
 }
 } // namespace
 
-const char *
-NameOf(Device device)
-{
-  return device == Device::Automatic ? "auto" : device == Device::Cpu ? "cpu" : "cuda";
-}
-
 DeviceUse
 ChooseDevice(Device wanted, std::size_t bytes, std::size_t leastBytes)
 {

@@ -62,12 +62,23 @@ OptionInfo::Check(double value) const
 void
 OptionInfo::Check(const std::string & word) const
 {
+  if (!m_Words.empty())
+  {
+    this->PositionOf(word);
+  }
+}
+
+std::size_t
+OptionInfo::PositionOf(const std::string & word) const
+{
+  const auto  found = std::find(m_Words.begin(), m_Words.end(), word);
   std::string list;
   for (const char * one : m_Words)
   {
     list += (list.empty() ? "" : ", ") + std::string(one);
   }
-  RequireParameter(m_Words.empty() || std::find(m_Words.begin(), m_Words.end(), word) != m_Words.end(),
+  RequireParameter(found != m_Words.end(),
                    "the parameter \"" + std::string(m_Name) + "\": \"" + word + "\" is not one of " + list);
+  return static_cast<std::size_t>(found - m_Words.begin());
 }
 } // namespace shapeton

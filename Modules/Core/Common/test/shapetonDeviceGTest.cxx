@@ -1,4 +1,5 @@
 #include "shapetonDevice.h"
+#include "shapetonDeviceOptions.h"
 #include "shapetonTestErrors.h"
 
 #include <gtest/gtest.h>
@@ -32,10 +33,10 @@ TEST(Device, AskedForAndMissingIsAnErrorOfOneLine)
   EXPECT_EQ(text.find('\n'), std::string::npos);
 }
 
-TEST(Device, NamesAreThoseOfTheOption)
+TEST(Device, HasTheWordsOfItsOption)
 {
-  EXPECT_STREQ(NameOf(Device::Automatic), "auto");
-  EXPECT_STREQ(NameOf(Device::Cpu), "cpu");
-  EXPECT_STREQ(NameOf(Device::Cuda), "cuda");
+  EXPECT_STREQ(shapeton::WordOf(&shapeton::DeviceOptions::device, Device::Automatic), "auto");
+  EXPECT_STREQ(shapeton::WordOf(&shapeton::DeviceOptions::device, Device::Cpu), "cpu");
+  EXPECT_STREQ(shapeton::WordOf(&shapeton::DeviceOptions::device, Device::Cuda), "cuda");
 }
 } // namespace

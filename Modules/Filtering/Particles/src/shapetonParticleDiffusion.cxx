@@ -62,21 +62,19 @@ Text(double value)
 const char *
 NameOf(DirectionSampling sampling)
 {
-  return sampling == DirectionSampling::SolidAngle   ? "solidAngle"
-         : sampling == DirectionSampling::SectorArea ? "sectorArea"
-                                                     : "uniform";
+  return WordOf(&ParticleOptions::directionSampling, sampling);
 }
 
 const char *
 NameOf(PathRule rule)
 {
-  return rule == PathRule::Endpoint ? "endpoint" : "traversal";
+  return WordOf(&ParticleOptions::pathRule, rule);
 }
 
 const char *
 NameOf(ParticlePlacement placement)
 {
-  return placement == ParticlePlacement::Uniform ? "uniform" : "initialHeat";
+  return WordOf(&ParticleOptions::placement, placement);
 }
 
 /** The walk and its measures. */

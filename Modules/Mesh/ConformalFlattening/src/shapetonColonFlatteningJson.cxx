@@ -10,20 +10,6 @@ namespace shapeton
 {
 namespace
 {
-const char *
-NameOf(FlatMetric metric)
-{
-  switch (metric)
-  {
-    case FlatMetric::Euclidean:
-      return "euclidean";
-    case FlatMetric::TruncatedHeatDiffusion:
-      return "truncatedHeatDiffusion";
-    default:
-      return "heatDiffusion";
-  }
-}
-
 /** Rounds to 9 significant digits. */
 Json
 Number(double value)
@@ -105,7 +91,7 @@ ColonFlatteningToJson(const ColonFlattening & flattening)
   json["faces"] = flattening.surface.NumberOfFaces();
   json["genusBefore"] = flattening.genusBefore;
   json["genusAfter"] = flattening.genusAfter;
-  json["metric"] = NameOf(flattening.metric);
+  json["metric"] = WordOf(&ColonFlatteningOptions::metric, flattening.metric);
   json["time"] = Number(flattening.time);
   json["eigenpairs"] = flattening.eigenpairs > 0 ? Json(flattening.eigenpairs) : Json(nullptr);
   json["drownedEdges"] = flattening.drownedEdges;

@@ -8,12 +8,6 @@ namespace shapeton
 namespace
 {
 const char *
-NameOf(ConformalDomain domain)
-{
-  return domain == ConformalDomain::Rectangle ? "rectangle" : domain == ConformalDomain::Annulus ? "annulus" : "slit";
-}
-
-const char *
 RoleOf(const ConformalMap & map, int loop)
 {
   return loop == map.outer ? "outer" : loop == map.inner ? "inner" : "slit";
@@ -74,7 +68,7 @@ ConformalMapToJson(const ConformalMap & map)
   Json document;
   document["faces"] = map.flat.NumberOfFaces();
   document["genus"] = map.genus;
-  document["domain"] = NameOf(map.domain);
+  document["domain"] = WordOf(&ConformalMapOptions::domain, map.domain);
   document["boundaries"] = BoundariesToJson(map);
   document["outerBoundary"] = map.outer + 1;
   document["innerBoundary"] = map.inner == -1 ? Json() : Json(map.inner + 1);

@@ -6,7 +6,6 @@
 
 #include "itkPoint.h"
 
-#include <algorithm>
 #include <array>
 #include <optional>
 #include <string>
@@ -24,9 +23,7 @@ ReadOption(const CommandLine & commandLine, const OptionInfo & info, TOption & o
   const std::string name = info.GetName();
   if constexpr (std::is_enum_v<TOption>)
   {
-    const auto & words = info.GetWords();
-    const auto   word = std::find(words.begin(), words.end(), commandLine.GetString(name));
-    option = static_cast<TOption>(word - words.begin()); // the tool's description has the same words
+    option = static_cast<TOption>(info.PositionOf(commandLine.GetString(name)));
   }
   else if constexpr (std::is_same_v<TOption, bool>)
   {
