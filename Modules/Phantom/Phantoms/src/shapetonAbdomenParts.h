@@ -6,6 +6,10 @@
 
 namespace shapeton
 {
+/** Intensity of organs, HU. */
+constexpr double liverIntensity = 62.0;
+constexpr double spleenIntensity = 56.0;
+
 /** Adds a solid of uniform intensity, HU. */
 void
 AddPart(PhantomBodies & bodies, const PhantomSolid & solid, double intensity);

@@ -15,12 +15,14 @@ namespace shapeton
 {
 namespace
 {
-constexpr double latticeStep = 2.0;   // mm
-constexpr double sliceLength = 3.0;   // mm
-constexpr double smallestBasin = 2.0; // ml
-constexpr double ridgeMargin = 1.2;   // mm; the lattice overestimates passage heights by about half a step
-constexpr double textureDeviation = 43.0;
-constexpr int    blockSide = 6; // lattice steps; half the diagonal is below ColonAnatomy::Reach
+constexpr double latticeStep = 2.0;       // mm
+constexpr double sliceLength = 3.0;       // mm
+constexpr double smallestBasin = 2.0;     // ml
+constexpr double ridgeMargin = 1.2;       // mm; the lattice overestimates passage heights by about half a step
+constexpr double textureDeviation = 43.0; // HU; as on CT colonographies
+constexpr double latticeTurn = 0.61;      // radians
+constexpr double wedgeShare = 0.4;        // of the pools
+constexpr int    blockSide = 6;           // lattice steps; half the diagonal is below ColonAnatomy::Reach
 constexpr double pointVolume = latticeStep * latticeStep * latticeStep / 1000.0; // ml
 
 int
@@ -36,7 +38,8 @@ class LumenLattice
 public:
   LumenLattice(const ColonAnatomy & anatomy, const Eigen::Vector3d & down)
     : m_Anatomy(anatomy)
-    , m_Axes(Eigen::AngleAxisd(0.61, Eigen::Vector3d(1.0, 2.0, 3.0).normalized()).toRotationMatrix() * latticeStep)
+    , m_Axes(Eigen::AngleAxisd(latticeTurn, Eigen::Vector3d(1.0, 2.0, 3.0).normalized()).toRotationMatrix() *
+             latticeStep)
     , m_Up(-down)
   {
     this->PlaceOverLumen();
@@ -252,7 +255,7 @@ ColonFluid::ColonFluid(const ColonAnatomy & anatomy) : m_Anatomy(anatomy), m_Dow
       m_PoolOfBin[slice] = static_cast<int>(m_Pools.size());
     }
     const double intensity = random.Uniform(600.0, 830.0);
-    const double wedge = random.Uniform(0.0, 1.0) < 0.4 ? random.Uniform(250.0, 450.0) : 0.0;
+    const double wedge = random.Uniform(0.0, 1.0) < wedgeShare ? random.Uniform(250.0, 450.0) : 0.0;
     m_Pools.push_back({ pool.level, pool.bottom, static_cast<double>(pool.points) * pointVolume, intensity, wedge });
   }
 }
@@ -264,8 +267,10 @@ ColonFluid::MakeTexture()
   for (auto & wave : m_Waves)
   {
     const Eigen::Vector3d direction(random.Uniform(-1, 1), random.Uniform(-1, 1), random.Uniform(-1, 1));
-    wave.number = direction.normalized() * (2.0 * 3.14159265358979 / random.Uniform(15.0, 40.0));
-    wave.phase = random.Uniform(0.0, 2.0 * 3.14159265358979);
+    constexpr double      pi = 3.14159265358979;               // not M_PI: its digits enter the voxels
+    const double          length = random.Uniform(15.0, 40.0); // mm
+    wave.number = direction.normalized() * (2.0 * pi / length);
+    wave.phase = random.Uniform(0.0, 2.0 * pi);
   }
 }
 

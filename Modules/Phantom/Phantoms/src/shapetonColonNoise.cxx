@@ -9,6 +9,13 @@
 
 namespace shapeton
 {
+namespace
+{
+constexpr double c_Words = 4294967296.0; // 2^32, the number of values of a word
+constexpr double c_LargestCoefficient =
+  1.5; // bound of the random coefficients of splines, so that the noise is in about [-1, 1]
+} // namespace
+
 ColonRandom::ColonRandom(unsigned seed, ColonStream stream, unsigned position)
   : m_Key((std::uint64_t{ seed } << 32) | static_cast<std::uint32_t>(stream)), m_Position(position)
 {}
@@ -17,7 +24,7 @@ double
 ColonRandom::Uniform()
 {
   const auto words = Philox4x32(m_Key, { m_Index, m_Draw++, m_Position, 0xC0104U });
-  return (words.a + words.b * (1.0 / 4294967296.0)) * (1.0 / 4294967296.0);
+  return (words.a + words.b * (1.0 / c_Words)) * (1.0 / c_Words);
 }
 
 double
@@ -45,7 +52,7 @@ SmoothNoise::SmoothNoise(ColonRandom & random, double length, double knotDistanc
 {
   for (double & c : m_Coefficients)
   {
-    c = random.Uniform(-1.5, 1.5);
+    c = random.Uniform(-c_LargestCoefficient, c_LargestCoefficient);
   }
 }
 

@@ -31,14 +31,23 @@ struct Kernel
 };
 
 // Measured on CT colonographies for the standard and the sharp kernel; extrapolated for the soft one.
+constexpr Kernel sharpKernel{ 0.75, { { 0.39, 0.32, 0.33 } } };
+constexpr Kernel softKernel{ 1.2, { { 0.66, 0.5, 0.5 } } };
+constexpr Kernel standardKernel{ 1.0, { { 0.63, 0.14, 0.42 } } };
+
+/** Default voxels of a CT that covers the abdomen. */
+constexpr itk::SizeValueType defaultColumns = 256;
+constexpr itk::SizeValueType defaultSlices = 240;
+constexpr double             defaultSpacing = 1.4; // mm
+
 Kernel
 KernelOf(const std::string & name)
 {
   if (name == "sharp")
   {
-    return { 0.75, { { 0.39, 0.32, 0.33 } } };
+    return sharpKernel;
   }
-  return name == "soft" ? Kernel{ 1.2, { { 0.66, 0.5, 0.5 } } } : Kernel{ 1.0, { { 0.63, 0.14, 0.42 } } };
+  return name == "soft" ? softKernel : standardKernel;
 }
 
 // The tiles do not depend on the number of threads.
@@ -76,11 +85,11 @@ NoiseSeed(const ColonPhantomParameters & parameters)
 ColonPhantomImageSource::ColonPhantomImageSource() : PhantomImageSource(4)
 {
   SizeType size;
-  size.Fill(256);
-  size[2] = 240;
+  size.Fill(defaultColumns);
+  size[2] = defaultSlices;
   this->SetSize(size);
   SpacingType spacing;
-  spacing.Fill(1.4);
+  spacing.Fill(defaultSpacing);
   this->SetSpacing(spacing);
   this->CenterOutput();
 }

@@ -68,6 +68,13 @@ enum class Group
   Diverticula
 };
 
+/** Values between which a parameter is drawn uniformly; listed for users at Drawn(). */
+struct DrawnRange
+{
+  double low;
+  double high;
+};
+
 /** Draws parameters in a fixed order, so that given values do not affect drawn ones. */
 class Draw
 {
@@ -79,15 +86,17 @@ public:
   }
 
   void
-  operator()(double & value, double low, double high)
+  operator()(double & value, const DrawnRange & range)
   {
-    const double drawn = m_Random.Uniform(low, high);
+    const double drawn = m_Random.Uniform(range.low, range.high);
     value = value == drawnBySeed ? drawn : value;
   }
 
   void
-  operator()(int & value, int low, int high)
+  operator()(int & value, const DrawnRange & range)
   {
+    const int low = static_cast<int>(range.low);
+    const int high = static_cast<int>(range.high);
     const int drawn = low + static_cast<int>(m_Random.Uniform() * (high - low + 1));
     value = value == drawnBySeed ? drawn : value;
   }
@@ -111,15 +120,24 @@ private:
 void
 DrawValve(ColonPhantomParameters & p)
 {
-  Draw draw(p, Group::Valve);
-  draw(p.valveLength, 15, 30);
-  draw(p.valveHeight, 8, 15);
-  const bool isFatty = draw.Chance() < 0.7;
-  draw(p.valveFat, isFatty ? 0.7 : 0.0, isFatty ? 0.95 : 0.2);
-  draw(p.ileumBore, 8, 12);
-  draw(p.ileumLength, 60, 120);
+  constexpr DrawnRange length{ 15, 30 };
+  constexpr DrawnRange height{ 8, 15 };
+  constexpr DrawnRange fat{ 0.7, 0.95 };
+  constexpr DrawnRange littleFat{ 0.0, 0.2 };
+  constexpr DrawnRange bore{ 8, 12 };
+  constexpr DrawnRange ileum{ 60, 120 };
+  constexpr double     fattyShare = 0.7; // of the patients
+  constexpr double     collapsedShare = 0.3;
+  constexpr double     gasShare = 0.65; // with the collapsed ones
+  Draw                 draw(p, Group::Valve);
+  draw(p.valveLength, length);
+  draw(p.valveHeight, height);
+  const bool isFatty = draw.Chance() < fattyShare;
+  draw(p.valveFat, isFatty ? fat : littleFat);
+  draw(p.ileumBore, bore);
+  draw(p.ileumLength, ileum);
   const double content = Draw(p, Group::Content, true).Chance();
-  draw(p.ileumContent, content < 0.3 ? "collapsed" : (content < 0.65 ? "gas" : "fluid"));
+  draw(p.ileumContent, content < collapsedShare ? "collapsed" : (content < gasShare ? "gas" : "fluid"));
 }
 
 void
@@ -135,68 +153,120 @@ DrawShape(ColonPhantomParameters & p)
   const double build = caliber.Chance();
   for (std::size_t i = 0; i < p.lengths.size(); ++i)
   {
-    length(p.lengths[i], shortest[i], longest[i]);
+    length(p.lengths[i], { shortest[i], longest[i] });
     const double middle = narrowest[i] + 0.5 * build * (widest[i] - narrowest[i]);
-    caliber(p.caliber[i], middle, middle + 0.5 * (widest[i] - narrowest[i]));
+    caliber(p.caliber[i], { middle, middle + 0.5 * (widest[i] - narrowest[i]) });
   }
-  Draw       cecum(p, Group::Cecum);
-  const bool isMobile = cecum.Chance() < 0.3;
-  cecum(p.cecumMobility, isMobile ? 30 : 0, isMobile ? 80 : 10);
+  constexpr DrawnRange mobile{ 30, 80 };
+  constexpr DrawnRange fixed{ 0, 10 };
+  constexpr double     mobileShare = 0.3; // of the patients
+  Draw                 cecum(p, Group::Cecum);
+  const bool           isMobile = cecum.Chance() < mobileShare;
+  cecum(p.cecumMobility, isMobile ? mobile : fixed);
 }
 
 void
 DrawBowel(ColonPhantomParameters & p)
 {
-  Draw draw(p, Group::Bowel);
-  draw(p.smallBowelTagged, 0.5, 1.0);
-  draw(p.stomachIntensity, 100, 650);
+  constexpr DrawnRange tagged{ 0.5, 1.0 };
+  constexpr DrawnRange stomach{ 100, 650 };
+  Draw                 draw(p, Group::Bowel);
+  draw(p.smallBowelTagged, tagged);
+  draw(p.stomachIntensity, stomach);
 }
 
 void
 DrawResidue(ColonPhantomParameters & p)
 {
-  Draw draw(p, Group::Residue);
-  draw(p.stool, 0, 14);
-  draw(p.stoolTagged, 0.3, 0.9);
-  draw(p.bubbles, 0, 20);
-  const bool hasFoam = draw.Chance() < 0.3;
-  draw(p.foam, hasFoam ? 1 : 0, hasFoam ? 4 : 0);
+  constexpr DrawnRange stool{ 0, 14 };
+  constexpr DrawnRange tagged{ 0.3, 0.9 };
+  constexpr DrawnRange bubbles{ 0, 20 };
+  constexpr DrawnRange foam{ 1, 4 };
+  constexpr double     foamShare = 0.3; // of the patients
+  Draw                 draw(p, Group::Residue);
+  draw(p.stool, stool);
+  draw(p.stoolTagged, tagged);
+  draw(p.bubbles, bubbles);
+  const bool hasFoam = draw.Chance() < foamShare;
+  draw(p.foam, hasFoam ? foam : DrawnRange{});
 }
 
 void
 DrawDiverticula(ColonPhantomParameters & p)
 {
-  Draw       draw(p, Group::Diverticula);
-  const bool hasDiverticula = draw.Chance() < 0.4;
-  draw(p.diverticula, hasDiverticula ? 3 : 0, hasDiverticula ? 25 : 0);
+  constexpr DrawnRange diverticula{ 3, 25 };
+  constexpr double     share = 0.4; // of the patients
+  Draw                 draw(p, Group::Diverticula);
+  const bool           hasDiverticula = draw.Chance() < share;
+  draw(p.diverticula, hasDiverticula ? diverticula : DrawnRange{});
 }
 
 void
 DrawCatheter(ColonPhantomParameters & p)
 {
-  Draw         draw(p, Group::Catheter);
-  const double kind = draw.Chance();
-  draw(p.catheter, kind < 0.4 ? "none" : (kind < 0.7 ? "rigid" : "soft"));
-  draw(p.catheterBore, 4, 6);
-  draw(p.catheterWall, 2, 2.6);
-  draw(p.catheterIntensity, 120, 280);
-  const bool isSoft = p.catheter == "soft";
-  draw(p.catheterDepth, isSoft ? 75 : 55, isSoft ? 125 : 80);
-  const bool isOpenAtItsEnd = draw.Chance() < 0.4;
-  draw(p.catheterHoles, isOpenAtItsEnd ? 0 : 2, isOpenAtItsEnd ? 0 : 4);
+  constexpr DrawnRange bore{ 4, 6 };
+  constexpr DrawnRange wall{ 2, 2.6 };
+  constexpr DrawnRange intensity{ 120, 280 };
+  constexpr DrawnRange softDepth{ 75, 125 };
+  constexpr DrawnRange rigidDepth{ 55, 80 };
+  constexpr DrawnRange holes{ 2, 4 };
+  constexpr DrawnRange balloonDiameter{ 22, 38 };
+  // Upper limits of the drawn number of each kind.
+  constexpr double noCatheter = 0.4;
+  constexpr double rigid = 0.7;
+  constexpr double openAtItsEnd = 0.4;
+  constexpr double noBalloon = 0.35;
+  constexpr double gasBalloon = 0.65;
+  constexpr double fluidBalloon = 0.8;
+  Draw             draw(p, Group::Catheter);
+  const double     kind = draw.Chance();
+  draw(p.catheter, kind < noCatheter ? "none" : (kind < rigid ? "rigid" : "soft"));
+  draw(p.catheterBore, bore);
+  draw(p.catheterWall, wall);
+  draw(p.catheterIntensity, intensity);
+  draw(p.catheterDepth, p.catheter == "soft" ? softDepth : rigidDepth);
+  const bool isOpenAtItsEnd = draw.Chance() < openAtItsEnd;
+  draw(p.catheterHoles, isOpenAtItsEnd ? DrawnRange{} : holes);
   const double balloon = Draw(p, Group::Balloon).Chance();
-  draw(p.balloon, balloon < 0.35 ? "none" : (balloon < 0.65 ? "gas" : (balloon < 0.8 ? "fluid" : "deflated")));
-  draw(p.balloonDiameter, 22, 38);
+  draw(p.balloon,
+       balloon < noBalloon ? "none" : (balloon < gasBalloon ? "gas" : (balloon < fluidBalloon ? "fluid" : "deflated")));
+  draw(p.balloonDiameter, balloonDiameter);
 }
 
 void
 DrawScanner(ColonPhantomParameters & p)
 {
-  Draw         draw(p, Group::Scanner);
-  const double kernel = draw.Chance();
+  constexpr DrawnRange noise{ 15, 60 };
+  constexpr DrawnRange thickness{ 0.6, 2.5 };
+  Draw                 draw(p, Group::Scanner);
+  const double         kernel = draw.Chance();
   draw(p.kernel, kernel < 1.0 / 3.0 ? "standard" : (kernel < 2.0 / 3.0 ? "soft" : "sharp"));
-  draw(p.noise, 15, 60);
-  draw(p.sliceThickness, 0.6, 2.5);
+  draw(p.noise, noise);
+  draw(p.sliceThickness, thickness);
+}
+
+/** Values of a preset other than standard; units as in the options. */
+struct PresetValues
+{
+  int    polyps;
+  double fluid;
+  double roughness;
+  double flattenedFolds;
+  double foldSlide;
+  double torsion;
+};
+constexpr PresetValues realisticValues{ 10, 0.25, 0.3, 0.2, 4.0, 25.0 };
+constexpr PresetValues hardValues{ 12, 0.4, 0.4, 0.3, 6.0, 40.0 };
+
+void
+SetPreset(const PresetValues & values, ColonPhantomParameters & parameters)
+{
+  parameters.polyps = values.polyps;
+  parameters.fluid = values.fluid;
+  parameters.roughness = values.roughness;
+  parameters.flattenedFolds = values.flattenedFolds;
+  parameters.foldSlide = values.foldSlide;
+  parameters.torsion = values.torsion;
 }
 
 void
@@ -251,12 +321,7 @@ ColonPhantomPreset(const std::string & name)
   CheckOptions<ColonPatientOptions>(parameters);
   if (name == "realistic")
   {
-    parameters.polyps = 10;
-    parameters.fluid = 0.25;
-    parameters.roughness = 0.3;
-    parameters.flattenedFolds = 0.2;
-    parameters.foldSlide = 4.0;
-    parameters.torsion = 25.0;
+    SetPreset(realisticValues, parameters);
     parameters.noise = drawnBySeed;
     parameters.kernel = "drawn";
     parameters.sliceThickness = drawnBySeed;
@@ -277,16 +342,13 @@ ColonPhantomPreset(const std::string & name)
     parameters.balloon = "drawn";
     return parameters;
   }
-  parameters.polyps = 12;
-  parameters.fluid = 0.4;
+  constexpr double distensionOfHard = 0.95;
+  constexpr double noiseOfHard = 50.0; // HU
+  SetPreset(hardValues, parameters);
   parameters.collapsed = 1;
   parameters.fakeHandles = 4;
-  parameters.roughness = 0.4;
-  parameters.flattenedFolds = 0.3;
-  parameters.foldSlide = 6.0;
-  parameters.distension = 0.95;
-  parameters.torsion = 40.0;
-  parameters.noise = 50.0;
+  parameters.distension = distensionOfHard;
+  parameters.noise = noiseOfHard;
   return parameters;
 }
 

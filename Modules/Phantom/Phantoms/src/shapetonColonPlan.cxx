@@ -13,7 +13,14 @@ namespace shapeton
 {
 namespace
 {
-constexpr double c_TableStep = 2.0;
+constexpr double c_TableStep = 2.0;      // mm
+constexpr double c_AngleStep = 0.1;      // radians, of the search for a direction
+constexpr double c_BumpBeyond = 4.0;     // mm of a valve without lips beyond the start of the cecum
+constexpr double c_FoldFromValve = 8.0;  // mm; folds closer to lips are removed
+constexpr double c_PolypFromValve = 6.0; // mm
+constexpr double c_BetweenPolyps = 8.0;  // mm
+constexpr double c_FreeOfPolyps = 60.0;  // mm from the anal verge, occupied by the catheter
+constexpr int    c_PolypAttempts = 400;  // places tried for a polyp
 
 double
 Lookup(const std::vector<double> & table, double x)
@@ -34,8 +41,8 @@ double
 AngleTowards(const ColonCurve & curve, double t, const Eigen::Vector3d & direction)
 {
   double best = 0.0;
-  double most = -1e9;
-  for (double angle = -3.1; angle < M_PI; angle += 0.1)
+  double most = -2.0; // below every cosine
+  for (double angle = -3.1; angle < M_PI; angle += c_AngleStep)
   {
     const double share = curve.Direction(t, angle).dot(direction);
     best = share > most ? angle : best;
@@ -77,7 +84,7 @@ ColonPlan::PlanValve(const ColonPath & rest, const ColonPhantomParameters & para
   const ColonCurve curve(rest, std::vector<double>(ColonCurve::NumberOfSteps(m_Length) + 1, 0.0));
   ColonRandom      random(parameters.seed, ColonStream::Valve);
   valve.hasLips = parameters.valve == "lips";
-  valve.material = m_SegmentBegin[5] + (valve.hasLips ? 0.0 : 4.0);
+  valve.material = m_SegmentBegin[5] + (valve.hasLips ? 0.0 : c_BumpBeyond);
   if (!valve.hasLips)
   {
     valve.angle = AngleTowards(curve, valve.material / curve.GetStep(), Eigen::Vector3d::UnitX());
@@ -91,7 +98,7 @@ ColonPlan::PlanValve(const ColonPath & rest, const ColonPhantomParameters & para
   folds.erase(std::remove_if(folds.begin(),
                              folds.end(),
                              [this](const FoldPlan & fold) {
-                               return this->IsNearValve(fold.material, fold.angle, fold.halfAngle, 8.0);
+                               return this->IsNearValve(fold.material, fold.angle, fold.halfAngle, c_FoldFromValve);
                              }),
               folds.end());
 }
@@ -262,14 +269,14 @@ ColonPlan::PlacePolyp(ColonRandom & random, PolypPlan & polyp) const
   else
   {
     polyp.fold = -1;
-    polyp.material = random.Uniform(60.0, m_Length - 10.0);
+    polyp.material = random.Uniform(c_FreeOfPolyps, m_Length - 10.0);
     polyp.angle = random.Uniform(-M_PI, M_PI);
   }
   if ((!onFold || polyp.kind == "pedunculated") && !this->IsClearOfFolds(polyp))
   {
     return false;
   }
-  if (this->IsNearValve(polyp.material, polyp.angle, 0.0, 0.5 * polyp.diameter + 6.0))
+  if (this->IsNearValve(polyp.material, polyp.angle, 0.0, 0.5 * polyp.diameter + c_PolypFromValve))
   {
     return false;
   }
@@ -277,7 +284,7 @@ ColonPlan::PlacePolyp(ColonRandom & random, PolypPlan & polyp) const
   const double onTop = onFold ? std::min(folds[polyp.fold].height, 0.6 * radius) : 0.0;
   const bool   leavesRoom = polyp.diameter < 1.2 * radius && onTop + polyp.height + polyp.stalk < 1.1 * radius;
   return leavesRoom && std::none_of(polyps.begin(), polyps.end(), [&polyp](const PolypPlan & other) {
-           return std::abs(other.material - polyp.material) < 0.5 * (other.diameter + polyp.diameter) + 8.0;
+           return std::abs(other.material - polyp.material) < 0.5 * (other.diameter + polyp.diameter) + c_BetweenPolyps;
          });
 }
 
@@ -290,7 +297,7 @@ ColonPlan::PlanPolyps(unsigned seed, int count)
     PolypPlan polyp{};
     // Redraws unsuitable positions, finally with a smaller polyp.
     bool isPlaced = false;
-    for (int attempt = 0; attempt < 400 && !isPlaced; ++attempt)
+    for (int attempt = 0; attempt < c_PolypAttempts && !isPlaced; ++attempt)
     {
       random.Seek(1000 * i + attempt);
       const double kind = random.Uniform();

@@ -24,9 +24,10 @@ RandomBits(std::uint64_t seed, std::uint64_t counter)
 double
 Log(double x)
 {
-  int    exponent = 0;
-  double mantissa = std::frexp(x, &exponent);
-  if (mantissa < 0.70710678118654752)
+  int              exponent = 0;
+  double           mantissa = std::frexp(x, &exponent);
+  constexpr double sqrtOfHalf = 0.70710678118654752;
+  if (mantissa < sqrtOfHalf)
   {
     mantissa *= 2.0;
     --exponent;

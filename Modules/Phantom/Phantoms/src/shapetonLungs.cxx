@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <map>
 
 namespace shapeton
@@ -18,10 +19,11 @@ namespace
 using PointType = PhantomBody::PointType;
 using VectorType = itk::Vector<double, 3>;
 
-constexpr double tissue = 42.0;     // HU of vessels, walls of airways and fissures
-constexpr double pleura = 3.0;      // mm between ribs and lung, and of the diaphragm
-constexpr double fissure = 0.4;     // thickness, mm; appears as a thin, faint line after scanner blur
-constexpr double forestReach = 6.0; // mm
+constexpr double tissue = 42.0;       // HU of vessels, walls of airways and fissures
+constexpr double pleura = 3.0;        // mm between ribs and lung, and of the diaphragm
+constexpr double fissure = 0.4;       // thickness, mm; appears as a thin, faint line after scanner blur
+constexpr double forestReach = 6.0;   // mm; distances to airways and vessels are exact up to this value
+constexpr double lungFromColon = 8.0; // mm between colon and lungs
 
 const PointType lowCorner = MakePoint(-150.0, -102.0, 60.0);
 const PointType highCorner = MakePoint(150.0, 120.0, 352.0);
@@ -62,11 +64,11 @@ AwayFromColonsBox(const PhantomSolid & solid, const ColonAnatomy & anatomy, doub
 PhantomSolid
 LungSpace(const ColonAnatomy & anatomy, double lift)
 {
-  const auto cage = Both(Grown(ThoracicCage(), -pleura), HalfSpaceSolid(MakeVector(0, 0, -1), -60.0));
+  const auto cage = Both(Grown(ThoracicCage(), -pleura), HalfSpaceSolid(MakeVector(0, 0, -1), -lowCorner[2]));
   const auto above = Without(cage, Grown(DiaphragmDome(), pleura + 1.0));
   const auto right = Without(above, RightHemidiaphragm(lift));
   const auto left = Without(right, LeftHemidiaphragm(lift));
-  return AwayFromColonsBox(Without(left, Mediastinum()), anatomy, 8.0);
+  return AwayFromColonsBox(Without(left, Mediastinum()), anatomy, lungFromColon);
 }
 
 /** The fissures, which divide the lungs into lobes. */
@@ -82,7 +84,9 @@ public:
   AboveOblique(const PointType & p)
   {
     const double wave = 3.0 * std::sin(p[0] / 28.0 + 0.7) * std::cos(p[2] / 40.0);
-    return p[0] < 0.0 ? -0.676 * p[1] + 0.737 * p[2] - 146.1 + wave : -0.707 * p[1] + 0.707 * p[2] - 143.0 - wave;
+    const double right = -0.676 * p[1] + 0.737 * p[2] - 146.1 + wave;
+    const double left = -0.707 * p[1] + 0.707 * p[2] - 143.0 - wave;
+    return p[0] < 0.0 ? right : left;
   }
 
   // Distance (mm) above the horizontal fissure of the right lung.
@@ -90,7 +94,8 @@ public:
   AboveHorizontal(const PointType & p)
   {
     const double wave = 2.5 * std::sin(p[0] / 24.0) * std::cos(p[1] / 30.0);
-    return 0.05 * p[0] - 0.05 * p[1] + 0.9975 * p[2] - 219.4 + wave;
+    const double plane = 0.05 * p[0] - 0.05 * p[1] + 0.9975 * p[2] - 219.4;
+    return plane + wave;
   }
 
   // Unsigned distance (mm) to the nearest fissure.
@@ -152,7 +157,10 @@ public:
   double
   operator()(const PointType & p) const
   {
-    return this->Octave(p, 4.5) + 0.8 * this->Octave(p, 17.0);
+    constexpr double lobules = 4.5;      // mm between knots
+    constexpr double regions = 17.0;     // mm between knots
+    constexpr double regionsShare = 0.8; // amplitude relative to the lobules
+    return this->Octave(p, lobules) + regionsShare * this->Octave(p, regions);
   }
 
 private:
@@ -239,8 +247,9 @@ private:
   double
   Relative(const PointType & p) const
   {
-    const double depth = m_Down * (p - m_Middle);
-    return std::max(0.1, 1.0 + m_State.gravityGradient * depth + m_State.texture * m_Texture(p));
+    constexpr double least = 0.1; // of the mean, so that values stay above air
+    const double     depth = m_Down * (p - m_Middle);
+    return std::max(least, 1.0 + m_State.gravityGradient * depth + m_State.texture * m_Texture(p));
   }
 
   // Calibrates on a lattice: the mean over the lungs, including holes but not other structures, matches the state.
@@ -301,74 +310,94 @@ struct TreePlan
   double                              tipRadius; ///< mm
 };
 
-TaperedTube
-Trunk(const PointType & from, const PointType & to, double fromRadius, double toRadius)
+struct Position
 {
-  return { from, to, fromRadius, toRadius };
+  double x;
+  double y;
+  double z;
+};
+
+/** Ends (mm) of a trunk, with the radii (mm) there. */
+struct Trunk
+{
+  Position from;
+  Position to;
+  double   fromRadius;
+  double   toRadius;
+};
+
+template <std::size_t VTrunks>
+TreePlan
+PlanOf(const Trunk (&trunks)[VTrunks], const Position (&roots)[Lobes::count], double spacing, double tipRadius)
+{
+  const auto pointOf = [](const Position & p) { return MakePoint(p.x, p.y, p.z); };
+  TreePlan   plan;
+  for (const Trunk & trunk : trunks)
+  {
+    plan.trunks.push_back({ pointOf(trunk.from), pointOf(trunk.to), trunk.fromRadius, trunk.toRadius });
+  }
+  std::transform(std::begin(roots), std::end(roots), plan.roots.begin(), pointOf);
+  plan.spacing = spacing;
+  plan.tipRadius = tipRadius;
+  return plan;
 }
 
 TreePlan
 Arteries()
 {
-  const PointType fork = MakePoint(16, -8, 250);
-  const PointType right = MakePoint(-38, 8, 242);
-  const PointType left = MakePoint(40, 16, 257);
-  return { { Trunk(MakePoint(22, -42, 222), fork, 13.5, 12.5),
-             Trunk(fork, right, 11.0, 9.5),
-             Trunk(fork, left, 11.0, 9.5),
-             Trunk(right, MakePoint(-44, 12, 252), 7.0, 6.0),
-             Trunk(right, MakePoint(-48, 4, 230), 7.5, 5.0),
-             Trunk(right, MakePoint(-50, 20, 226), 8.5, 7.0),
-             Trunk(left, MakePoint(46, 8, 258), 8.0, 6.5),
-             Trunk(left, MakePoint(52, 32, 240), 9.0, 7.5) },
-           { { MakePoint(-44, 12, 252),
-               MakePoint(-48, 4, 230),
-               MakePoint(-50, 20, 226),
-               MakePoint(46, 8, 258),
-               MakePoint(52, 32, 240) } },
-           14.0,
-           0.8 };
+  constexpr double   spacing = 14.0;  // mm
+  constexpr double   tipRadius = 0.8; // mm
+  constexpr Position fork{ 16, -8, 250 };
+  constexpr Position right{ -38, 8, 242 };
+  constexpr Position left{ 40, 16, 257 };
+  constexpr Trunk    trunks[] = {
+       { { 22, -42, 222 }, fork, 13.5, 12.5 }, { fork, right, 11.0, 9.5 },           { fork, left, 11.0, 9.5 },
+       { right, { -44, 12, 252 }, 7.0, 6.0 },  { right, { -48, 4, 230 }, 7.5, 5.0 }, { right, { -50, 20, 226 }, 8.5, 7.0 },
+       { left, { 46, 8, 258 }, 8.0, 6.5 },     { left, { 52, 32, 240 }, 9.0, 7.5 },
+  };
+  constexpr Position roots[] = { { -44, 12, 252 }, { -48, 4, 230 }, { -50, 20, 226 }, { 46, 8, 258 }, { 52, 32, 240 } };
+  return PlanOf(trunks, roots, spacing, tipRadius);
 }
 
 TreePlan
 Veins()
 {
-  return { { Trunk(MakePoint(-20, 12, 226), MakePoint(-46, -2, 238), 8.0, 6.0),
-             Trunk(MakePoint(-20, 12, 222), MakePoint(-46, -6, 216), 7.0, 5.0),
-             Trunk(MakePoint(-20, 22, 216), MakePoint(-46, 30, 204), 8.0, 6.5),
-             Trunk(MakePoint(28, 14, 228), MakePoint(50, -4, 240), 8.0, 6.0),
-             Trunk(MakePoint(28, 24, 218), MakePoint(50, 36, 206), 8.0, 6.5) },
-           { { MakePoint(-46, -2, 238),
-               MakePoint(-46, -6, 216),
-               MakePoint(-46, 30, 204),
-               MakePoint(50, -4, 240),
-               MakePoint(50, 36, 206) } },
-           15.0,
-           0.8 };
+  constexpr double spacing = 15.0;  // mm
+  constexpr double tipRadius = 0.8; // mm
+  constexpr Trunk  trunks[] = {
+     { { -20, 12, 226 }, { -46, -2, 238 }, 8.0, 6.0 }, { { -20, 12, 222 }, { -46, -6, 216 }, 7.0, 5.0 },
+     { { -20, 22, 216 }, { -46, 30, 204 }, 8.0, 6.5 }, { { 28, 14, 228 }, { 50, -4, 240 }, 8.0, 6.0 },
+     { { 28, 24, 218 }, { 50, 36, 206 }, 8.0, 6.5 },
+  };
+  constexpr Position roots[] = {
+    { -46, -2, 238 }, { -46, -6, 216 }, { -46, 30, 204 }, { 50, -4, 240 }, { 50, 36, 206 }
+  };
+  return PlanOf(trunks, roots, spacing, tipRadius);
 }
 
 TreePlan
 Airways()
 {
-  const PointType carina = MakePoint(0, 24, 262);
-  const PointType right = MakePoint(-34, 30, 240);
-  const PointType left = MakePoint(44, 34, 232);
-  return { { Trunk(MakePoint(0, 22, 420), carina, 8.5, 8.5),
-             Trunk(carina, right, 7.0, 6.5),
-             Trunk(carina, left, 6.5, 6.0),
-             Trunk(right, MakePoint(-48, 28, 248), 5.0, 4.0),
-             Trunk(right, MakePoint(-44, 26, 224), 5.5, 5.0),
-             Trunk(MakePoint(-44, 26, 224), MakePoint(-52, 14, 212), 4.0, 3.2),
-             Trunk(MakePoint(-44, 26, 224), MakePoint(-50, 38, 212), 4.5, 4.0),
-             Trunk(left, MakePoint(52, 24, 238), 5.0, 4.0),
-             Trunk(left, MakePoint(50, 46, 220), 5.0, 4.0) },
-           { { MakePoint(-48, 28, 248),
-               MakePoint(-52, 14, 212),
-               MakePoint(-50, 38, 212),
-               MakePoint(52, 24, 238),
-               MakePoint(50, 46, 220) } },
-           30.0,
-           0.9 };
+  constexpr double   spacing = 30.0;  // mm
+  constexpr double   tipRadius = 0.9; // mm
+  constexpr Position carina{ 0, 24, 262 };
+  constexpr Position right{ -34, 30, 240 };
+  constexpr Position left{ 44, 34, 232 };
+  constexpr Trunk    trunks[] = {
+       { { 0, 22, 420 }, carina, 8.5, 8.5 },
+       { carina, right, 7.0, 6.5 },
+       { carina, left, 6.5, 6.0 },
+       { right, { -48, 28, 248 }, 5.0, 4.0 },
+       { right, { -44, 26, 224 }, 5.5, 5.0 },
+       { { -44, 26, 224 }, { -52, 14, 212 }, 4.0, 3.2 },
+       { { -44, 26, 224 }, { -50, 38, 212 }, 4.5, 4.0 },
+       { left, { 52, 24, 238 }, 5.0, 4.0 },
+       { left, { 50, 46, 220 }, 5.0, 4.0 },
+  };
+  constexpr Position roots[] = {
+    { -48, 28, 248 }, { -52, 14, 212 }, { -50, 38, 212 }, { 52, 24, 238 }, { 50, 46, 220 }
+  };
+  return PlanOf(trunks, roots, spacing, tipRadius);
 }
 
 std::vector<TaperedTube>
@@ -389,10 +418,12 @@ GrowTrees(const PhantomSolid & lungs, const TreePlan & plan, unsigned seed, unsi
 std::vector<TaperedTube>
 WithWalls(std::vector<TaperedTube> tubes)
 {
+  constexpr double thinnestWall = 0.4; // mm
+  constexpr double wallOfRadius = 0.13;
   for (auto & tube : tubes)
   {
-    tube.fromRadius += 0.4 + 0.13 * tube.fromRadius;
-    tube.toRadius += 0.4 + 0.13 * tube.toRadius;
+    tube.fromRadius += thinnestWall + wallOfRadius * tube.fromRadius;
+    tube.toRadius += thinnestWall + wallOfRadius * tube.toRadius;
   }
   return tubes;
 }
@@ -401,25 +432,33 @@ WithWalls(std::vector<TaperedTube> tubes)
 PhantomSolid
 Holes(const PhantomSolid & lungs, unsigned seed)
 {
+  constexpr double         holeSpacing = 9.0;     // mm
+  constexpr double         holeDepth = 1.0;       // mm; minimum distance of the centers from the pleura
+  constexpr double         smallestHole = 0.8;    // mm, radius
+  constexpr double         mostGrowth = 5.2;      // mm; added to the radius of the largest holes
+  constexpr double         bullaSpacing = 42.0;   // mm
+  constexpr double         lowestBulla = 240.0;   // z, mm
+  constexpr double         holesReach = 3.0;      // mm; distances are exact up to this value
+  constexpr double         pleuraThickness = 0.8; // mm, intact over the holes
   std::vector<TaperedTube> balls;
   const auto               add = [&](const PointType & p, double radius) { balls.push_back({ p, p, radius, radius }); };
   PhantomRandom            random = RandomOf(seed, Stream::Holes);
-  for (const PointType & p : ScatteredPoints(lungs, lowCorner, highCorner, 9.0, 1.0, random))
+  for (const PointType & p : ScatteredPoints(lungs, lowCorner, highCorner, holeSpacing, holeDepth, random))
   {
     const double size = random.Uniform(0.0, 1.0);
     const double height = std::clamp((p[2] - 120.0) / 160.0, 0.25, 1.0);
-    add(p, 0.8 + 5.2 * height * size * size);
+    add(p, smallestHole + mostGrowth * height * size * size);
   }
   PhantomRandom bullae = RandomOf(seed, Stream::Bullae);
-  for (const PointType & p : ScatteredPoints(lungs, lowCorner, highCorner, 42.0, 0.0, bullae))
+  for (const PointType & p : ScatteredPoints(lungs, lowCorner, highCorner, bullaSpacing, 0.0, bullae))
   {
     const double radius = bullae.Uniform(7.0, 16.0);
-    if (p[2] > 240.0 && lungs.distance(p) > -radius)
+    if (p[2] > lowestBulla && lungs.distance(p) > -radius)
     {
       add(p, radius);
     }
   }
-  return Both(ForestSolid(balls, 3.0), Grown(lungs, -0.8));
+  return Both(ForestSolid(balls, holesReach), Grown(lungs, -pleuraThickness));
 }
 } // namespace
 

@@ -40,17 +40,17 @@ private:
   double       m_Intensity;
 };
 
-// The exponents in use are 2 and 2.5.
+// The exponents in use are 2 and bodyExponent.
 double
 Power(double x, double exponent)
 {
-  return exponent == 2.0 ? x * x : (exponent == 2.5 ? x * x * std::sqrt(x) : std::pow(x, exponent));
+  return exponent == 2.0 ? x * x : (exponent == bodyExponent ? x * x * std::sqrt(x) : std::pow(x, exponent));
 }
 
 double
 PowerLessOne(double x, double exponent)
 {
-  return exponent == 2.0 ? x : (exponent == 2.5 ? x * std::sqrt(x) : std::pow(x, exponent - 1.0));
+  return exponent == 2.0 ? x : (exponent == bodyExponent ? x * std::sqrt(x) : std::pow(x, exponent - 1.0));
 }
 } // namespace
 
@@ -71,8 +71,9 @@ EllipsoidSolid(const PointType & center, const itk::Vector<double, 3> & radii, d
       scaled[i] = std::abs(p[i] - center[i]) / radii[i];
       sum += Power(scaled[i], exponent);
     }
-    const double k = exponent == 2.0 ? std::sqrt(sum) : std::pow(sum, 1.0 / exponent);
-    if (k < 1e-6)
+    const double     k = exponent == 2.0 ? std::sqrt(sum) : std::pow(sum, 1.0 / exponent);
+    constexpr double atCenter = 1e-6; // the gradient vanishes
+    if (k < atCenter)
     {
       return -shortest;
     }

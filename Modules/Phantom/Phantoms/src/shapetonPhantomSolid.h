@@ -33,6 +33,10 @@ MakeVector(double x, double y, double z)
   return itk::Vector<double, 3>(values);
 }
 
+/** Exponent of cross-sections of the body: between an ellipse (2) and a rectangle. EllipsoidSolid() is fast for both.
+ */
+constexpr double bodyExponent = 2.5;
+
 /** |x / a|^n + |y / b|^n + |z / c|^n = 1, n >= 2. */
 PhantomSolid
 EllipsoidSolid(const itk::Point<double, 3> & center, const itk::Vector<double, 3> & radii, double exponent = 2.0);

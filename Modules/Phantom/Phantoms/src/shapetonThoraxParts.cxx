@@ -16,10 +16,16 @@ using PointType = PhantomBody::PointType;
 constexpr double fat = -105.0; // HU
 constexpr double muscle = 55.0;
 constexpr double blood = 42.0;
-constexpr double diaphragm = 3.0; // thickness of the diaphragm, mm
-constexpr double vesselFat = 3.5; // thickness of the fat around the great vessels, mm
-constexpr double heartFat = 5.0;  // thickness of the fat around the heart, mm
-constexpr double capBase = 170.0; // z (mm) above which the rib cage narrows; above the default field of view
+constexpr double esophagusIntensity = 35.0;
+constexpr double diaphragm = 3.0;       // thickness of the diaphragm, mm
+constexpr double vesselFat = 3.5;       // thickness of the fat around the great vessels, mm
+constexpr double heartFat = 5.0;        // thickness of the fat around the heart, mm
+constexpr double skinOfShoulders = 2.0; // thickness, mm
+constexpr double shoulderFat = 12.0;    // depth of the muscles of shoulders and neck below the skin, mm
+constexpr double trunkFat = 14.0;       // depth of the muscles of the trunk below the skin, mm
+constexpr double shoulderBase = 215.0;  // z (mm) above which shoulders replace the wall of the abdomen
+constexpr double chestBase = 60.0;      // z (mm) of the lower end of the chest
+constexpr double capBase = 170.0;       // z (mm) above which the rib cage narrows; above the default field of view
 
 PhantomSolid
 Union(const std::vector<PhantomSolid> & solids)
@@ -44,7 +50,9 @@ Union(const std::vector<PhantomSolid> & solids)
 PhantomSolid
 ShouldersAndNeck()
 {
-  return Either(EllipsoidSolid(MakePoint(0, 12, 225), MakeVector(192, 146, 168), 2.5), ColumnSolid(0, 56, 62, 74));
+  const auto shoulders = EllipsoidSolid(MakePoint(0, 12, 225), MakeVector(192, 146, 168), bodyExponent);
+  const auto neck = ColumnSolid(0, 56, 62, 74);
+  return Either(shoulders, neck);
 }
 
 void
@@ -52,19 +60,23 @@ AddShoulders(PhantomBodies & bodies)
 {
   const auto trunk = ShouldersAndNeck();
   const auto upper = Both(BodyOutline(), Above(230.0));
-  const auto chest = Both(Both(Grown(BodyOutline(), -14.0), Grown(trunk, -12.0)), Above(215.0));
+  const auto chest = Both(Both(Grown(BodyOutline(), -trunkFat), Grown(trunk, -shoulderFat)), Above(shoulderBase));
   AddPart(bodies, chest, muscle);
   // Fat between the muscles, in the armpits and under the pectoral muscles.
   for (const double side : { -1.0, 1.0 })
   {
     const auto armpit = EllipsoidSolid(MakePoint(side * 136, 0, 290), MakeVector(22, 46, 62));
+    const auto aboveClavicle = EllipsoidSolid(MakePoint(side * 66, 10, 362), MakeVector(34, 40, 14));
     AddPart(bodies, Both(armpit, chest), fat);
-    AddPart(bodies, Both(EllipsoidSolid(MakePoint(side * 66, 10, 362), MakeVector(34, 40, 14)), chest), fat);
+    AddPart(bodies, Both(aboveClavicle, chest), fat);
   }
-  const auto front = Both(HalfSpaceSolid(MakeVector(0, 1, 0), 0.0), Above(215.0));
-  AddPart(bodies, Both(Both(ShellOf(Grown(ThoracicCage(), 12.0), 2.5), front), chest), fat);
-  AddPart(bodies, Both(Without(upper, Grown(trunk, -12.0)), Above(300.0)), fat);
-  AddPart(bodies, Without(upper, Grown(trunk, -2.0)), 10.0);
+  constexpr double skin = 10.0; // HU
+  const auto       front = Both(HalfSpaceSolid(MakeVector(0, 1, 0), 0.0), Above(shoulderBase));
+  const auto       underPectorals = ShellOf(Grown(ThoracicCage(), 12.0), 2.5);
+  const auto       underSkin = Both(Without(upper, Grown(trunk, -shoulderFat)), Above(300.0));
+  AddPart(bodies, Both(Both(underPectorals, front), chest), fat);
+  AddPart(bodies, underSkin, fat);
+  AddPart(bodies, Without(upper, Grown(trunk, -skinOfShoulders)), skin);
   AddPart(bodies, Without(upper, trunk), airIntensity);
 }
 
@@ -95,7 +107,7 @@ GreatVessels()
 PhantomSolid
 ThoracicCage()
 {
-  const auto cap = EllipsoidSolid(MakePoint(0, 9, capBase), MakeVector(149, 106, 180), 2.5);
+  const auto cap = EllipsoidSolid(MakePoint(0, 9, capBase), MakeVector(149, 106, 180), bodyExponent);
   return { [cap](const PointType & p) { return cap.distance(MakePoint(p[0], p[1], std::max(p[2], capBase))); },
            cap.slope };
 }
@@ -103,10 +115,11 @@ ThoracicCage()
 PhantomSolid
 Heart()
 {
-  return Union({ CapsuleSolid(MakePoint(8, -14, 206), MakePoint(52, -36, 186), 38.0),
-                 CapsuleSolid(MakePoint(-4, -40, 206), MakePoint(40, -58, 182), 30.0),
-                 EllipsoidSolid(MakePoint(-28, -14, 204), MakeVector(27, 34, 40)),
-                 EllipsoidSolid(MakePoint(4, 20, 222), MakeVector(38, 22, 24)) });
+  const auto leftVentricle = CapsuleSolid(MakePoint(8, -14, 206), MakePoint(52, -36, 186), 38.0);
+  const auto rightVentricle = CapsuleSolid(MakePoint(-4, -40, 206), MakePoint(40, -58, 182), 30.0);
+  const auto rightAtrium = EllipsoidSolid(MakePoint(-28, -14, 204), MakeVector(27, 34, 40));
+  const auto leftAtrium = EllipsoidSolid(MakePoint(4, 20, 222), MakeVector(38, 22, 24));
+  return Union({ leftVentricle, rightVentricle, rightAtrium, leftAtrium });
 }
 
 PhantomSolid
@@ -126,35 +139,43 @@ Mediastinum()
 PhantomSolid
 RightHemidiaphragm(double lift)
 {
-  return EllipsoidSolid(MakePoint(-72, 8, 112 + lift), MakeVector(68, 84, 70));
+  const auto center = MakePoint(-72, 8, 112 + lift);
+  const auto radii = MakeVector(68, 84, 70);
+  return EllipsoidSolid(center, radii);
 }
 
 PhantomSolid
 LeftHemidiaphragm(double lift)
 {
-  return EllipsoidSolid(MakePoint(80, 10, 108 + lift), MakeVector(60, 78, 62));
+  const auto center = MakePoint(80, 10, 108 + lift);
+  const auto radii = MakeVector(60, 78, 62);
+  return EllipsoidSolid(center, radii);
 }
 
 void
 AddThorax(PhantomBodies & bodies, const ColonAnatomy & anatomy, double lift)
 {
-  const auto & p = anatomy.GetParameters();
+  constexpr double wallMuscle = 8.0;    // thickness of the muscles on the ribs, mm
+  constexpr double wallThickness = 3.0; // mm
+  constexpr double colonGap = 5.0;      // mm between colon and the organs below the diaphragm
+  const auto &     p = anatomy.GetParameters();
   AddShoulders(bodies);
-  AddPart(bodies, Both(Grown(ThoracicCage(), 8.0), Above(215.0)), muscle);
-  const auto chest = Without(Both(ThoracicCage(), Above(60.0)), DiaphragmDome());
+  AddPart(bodies, Both(Grown(ThoracicCage(), wallMuscle), Above(shoulderBase)), muscle);
+  const auto chest = Without(Both(ThoracicCage(), Above(chestBase)), DiaphragmDome());
   AddPart(bodies, chest, softTissueIntensity);
-  const auto inside = Both(Grown(chest, -3.0), Above(60.0));
+  const auto inside = Both(Grown(chest, -wallThickness), Above(chestBase));
   AddPart(bodies, Both(Without(inside, Grown(DiaphragmDome(), diaphragm)), Mediastinum()), fat);
   const auto dome = [&](const PhantomSolid & solid, const char * organ, double intensity) {
     const auto part = Both(Grown(solid, -diaphragm), inside);
     AddPart(bodies, Both(solid, inside), softTissueIntensity);
-    AddPart(bodies, AwayFromColon(part, anatomy, 5.0), Contains(p, organ) ? intensity : fat);
+    AddPart(bodies, AwayFromColon(part, anatomy, colonGap), Contains(p, organ) ? intensity : fat);
   };
-  dome(RightHemidiaphragm(lift), "liver", 62.0);
-  dome(LeftHemidiaphragm(lift), "spleen", 56.0);
+  dome(RightHemidiaphragm(lift), "liver", liverIntensity);
+  dome(LeftHemidiaphragm(lift), "spleen", spleenIntensity);
+  const auto aboveAbdomen = Without(Above(150.0), DiaphragmDome());
   if (Contains(p, "vessels"))
   {
-    AddPart(bodies, Both(GreatVessels(), Without(Above(150.0), DiaphragmDome())), blood);
+    AddPart(bodies, Both(GreatVessels(), aboveAbdomen), blood);
   }
   if (Contains(p, "heart"))
   {
@@ -162,6 +183,6 @@ AddThorax(PhantomBodies & bodies, const ColonAnatomy & anatomy, double lift)
   }
   const auto esophagus =
     TubeSolid({ MakePoint(6, 36, 150), MakePoint(-3, 43, 200), MakePoint(0, 44, 290), MakePoint(2, 44, 420) }, 6.5);
-  AddPart(bodies, Both(esophagus, Without(Above(150.0), DiaphragmDome())), 35.0);
+  AddPart(bodies, Both(esophagus, aboveAbdomen), esophagusIntensity);
 }
 } // namespace shapeton
