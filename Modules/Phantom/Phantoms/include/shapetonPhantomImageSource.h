@@ -57,7 +57,9 @@ protected:
   static short
   ToHounsfieldUnits(TValue value)
   {
-    return static_cast<short>(std::floor(std::clamp(value, TValue(-1024), TValue(31743)) + TValue(0.5)));
+    constexpr short lowest = -1024;
+    constexpr short highest = 31743;
+    return static_cast<short>(std::floor(std::clamp(value, TValue(lowest), TValue(highest)) + TValue(0.5)));
   }
 };
 } // namespace shapeton

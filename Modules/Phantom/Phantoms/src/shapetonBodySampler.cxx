@@ -10,6 +10,8 @@ namespace
 using CellIndex = std::array<int, 3>;
 
 constexpr double widestCell = 0.82; // mm
+constexpr double leastBlur = 0.05;  // cells; standard deviations up to this are not blurred
+constexpr double blurReach = 3.5;   // standard deviations at which the weights of the blur end
 
 std::size_t
 NumberOf(const CellIndex & size)
@@ -95,7 +97,8 @@ private:
       const double half = 0.5 * size[i] * m_Sampler.m_Axes[i].width;
       squared += half * half;
     }
-    return 1.001 * std::sqrt(squared) + 0.5 * m_CellWidth;
+    constexpr double forRounding = 1.001;
+    return forRounding * std::sqrt(squared) + 0.5 * m_CellWidth;
   }
 
   template <typename TValue>
@@ -247,7 +250,7 @@ BodySampler::MakeAxis(double spacing, double blur)
   axis.width = spacing / axis.cells;
   const double variance = blur * blur - spacing * spacing / 12.0;
   const double sigma = variance > 0.0 ? std::sqrt(variance) / axis.width : 0.0;
-  axis.margin = sigma > 0.05 ? static_cast<int>(std::ceil(3.5 * sigma)) : 0;
+  axis.margin = sigma > leastBlur ? static_cast<int>(std::ceil(blurReach * sigma)) : 0;
   std::vector<double> weights(axis.cells + 2 * axis.margin, 0.0);
   double              sum = 0.0;
   for (int cell = 0; cell < axis.cells; ++cell)

@@ -122,8 +122,9 @@ private:
   double
   RoomAlong(const Vector3d & from, const Vector3d & direction) const
   {
-    double room = 0.0;
-    while (room < 40.0 && m_Anatomy.Evaluate(from + room * direction).distance > m_Radius + clearance)
+    constexpr double enough = 40.0; // mm; more room is not measured
+    double           room = 0.0;
+    while (room < enough && m_Anatomy.Evaluate(from + room * direction).distance > m_Radius + clearance)
     {
       room += 0.5;
     }

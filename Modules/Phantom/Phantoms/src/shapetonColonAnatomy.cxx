@@ -1,5 +1,6 @@
 #include "shapetonColonAnatomy.h"
 
+#include "shapetonColonDistance.h"
 #include "shapetonColonField.h"
 #include "shapetonColonTruth.h"
 #include "shapetonColonWallSurface.h"
@@ -171,8 +172,8 @@ void
 ColonAnatomy::BoundingBox(double margin, Vector3d & low, Vector3d & high) const
 {
   const ColonField & field = m_Data->field;
-  low.setConstant(1e9);
-  high.setConstant(-1e9);
+  low.setConstant(beyondAll);
+  high.setConstant(-beyondAll);
   for (int k = 0; k <= field.GetCurve().GetNumberOfSteps(); ++k)
   {
     const Vector3d spread = Vector3d::Constant(field.GetRelief().LargestRadiusNear(k) + margin);

@@ -1,5 +1,6 @@
 #include "shapetonColonCurve.h"
 
+#include "shapetonColonDistance.h"
 #include "shapetonCubicBSpline.h"
 
 #include <Eigen/Geometry>
@@ -14,7 +15,8 @@ using Eigen::Vector3d;
 namespace
 {
 constexpr double c_CellSize = 8.0;
-constexpr double c_Apart = 40.0; // mm along the curve between two stretches
+constexpr double c_Apart = 40.0;   // mm along the curve between two stretches
+constexpr double c_NoTurn = 1e-24; // squared difference of unit tangents that is a rounding error
 
 // A point of the smooth curve whose control points are the nodes of the path.
 Vector3d
@@ -87,7 +89,7 @@ ColonCurve::FillFrames(const std::vector<double> & twist)
       tangent = this->At(k).first.normalized();
       const Vector3d turn = tangent - middle;
       const double   size = turn.squaredNorm();
-      normal = size > 1e-24 ? Vector3d(reflected - (2 * turn.dot(reflected) / size) * turn) : reflected;
+      normal = size > c_NoTurn ? Vector3d(reflected - (2 * turn.dot(reflected) / size) * turn) : reflected;
       normal = (normal - normal.dot(tangent) * tangent).normalized();
     }
     m_Normal.push_back(std::cos(twist[k]) * normal + std::sin(twist[k]) * tangent.cross(normal));
@@ -145,7 +147,7 @@ void
 ColonCurve::BuildGrid(const std::vector<double> & reach)
 {
   m_Reach = reach;
-  Vector3d low = Vector3d::Constant(1e9);
+  Vector3d low = Vector3d::Constant(beyondAll);
   Vector3d high = -low;
   for (int k = 0; k <= m_Steps; ++k)
   {

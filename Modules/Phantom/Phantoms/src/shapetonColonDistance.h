@@ -5,6 +5,9 @@
 
 namespace shapeton
 {
+/** A distance (mm) beyond all distances in a phantom. */
+constexpr double beyondAll = 1e9;
+
 /** A distance with its gradient direction. */
 struct ColonDistance
 {

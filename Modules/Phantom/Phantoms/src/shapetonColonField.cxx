@@ -20,12 +20,19 @@ constexpr double c_PolypFillet = 0.8;  // mm
 constexpr double c_LipsFillet = 1.5;   // mm
 constexpr double c_MouthFillet = 0.6;  // mm
 constexpr double c_LipsReach = 60.0;   // mm along the colon within which the lips are evaluated
+constexpr double c_TwistReach =
+  250.0; // mm along the colon before the valve over which the limit of its rotation takes effect
+constexpr double c_PolypMargin = 12.0; // mm added to the distance within which a polyp is evaluated
+constexpr double c_PolypReach = 30.0;  // mm along the colon beyond the head within which a polyp is evaluated
+constexpr double c_BumpRadius = 11.0;  // mm, of a valve without lips
+constexpr double c_BumpHeight = 8.0;   // mm
+constexpr double c_LeastSlope = 0.3;   // of a distance; smaller slopes are not normalized
 
 void
 Normalize(ColonDistance & distance)
 {
   const double length = distance.gradient.norm();
-  if (length > 0.3)
+  if (length > c_LeastSlope)
   {
     distance.value /= length;
     distance.gradient /= length;
@@ -60,7 +67,7 @@ HeldTwist(const ColonPath & path, const ColonPlan & plan, std::vector<double> tw
   const double     back = off - std::clamp(off, -free, free);
   for (std::size_t k = 0; k < twist.size(); ++k)
   {
-    twist[k] += back * SmoothStep(plan.valve.material - 250.0, plan.valve.material, k * curve.GetStep());
+    twist[k] += back * SmoothStep(plan.valve.material - c_TwistReach, plan.valve.material, k * curve.GetStep());
   }
   return twist;
 }
@@ -156,7 +163,7 @@ void
 ColonField::AddFolds(const Local & local, ColonDistance & distance) const
 {
   // Merges nearly touching folds, to avoid slits.
-  ColonDistance folds{ 1e9, local.outwards };
+  ColonDistance folds{ beyondAll, local.outwards };
   for (int i : m_Relief.FoldsNear(local.t))
   {
     const FoldCourse & fold = m_Relief.GetFolds()[i];
@@ -207,7 +214,7 @@ ColonField::AddPolyps(const Vector3d & point, double t, ColonDistance & distance
   for (int i : m_PolypsNear[static_cast<std::size_t>(t + 0.5)])
   {
     const PolypBody & polyp = m_Polyps[i];
-    if ((point - polyp.head).norm() > std::max(polyp.radius, polyp.height) + polyp.height + m_Reach + 12.0)
+    if ((point - polyp.head).norm() > std::max(polyp.radius, polyp.height) + polyp.height + m_Reach + c_PolypMargin)
     {
       continue;
     }
@@ -266,7 +273,7 @@ ColonField::AddDiverticula(const Vector3d & point, bool isNearTube, Place & plac
   bool isNear = isNearTube;
   for (const DiverticulumBody & body : m_Diverticula)
   {
-    const double tube = isNear ? -place.distance.value : 1e9;
+    const double tube = isNear ? -place.distance.value : beyondAll;
     const double most = body.Extent() + std::max(tube, c_MouthFillet);
     if ((point - body.sac).squaredNorm() > most * most)
     {
@@ -306,7 +313,7 @@ ColonField::EvaluateTube(const Vector3d & point, Place & place) const
     this->Locate(point, near.t[i], locals[i]);
     walls[i] = this->WallDistance(locals[i]);
   }
-  place.distance.value = -1e9;
+  place.distance.value = -beyondAll;
   for (int i = 0; i < near.count; ++i)
   {
     ColonDistance distance = walls[i];
@@ -346,12 +353,14 @@ ColonField::WallAlong(const Vector3d & from, const Vector3d & direction, double 
     return this->Evaluate(from + r * direction, place) ? place.distance.value : -m_Reach;
   };
   // Marches with steps shorter than any fold thickness, then bisects.
-  double low = 0.0;
-  double high = 0.0;
+  constexpr double leastStep = 0.4; // mm
+  constexpr double stepShare = 0.7; // of the distance, which is accurate only near the wall
+  double           low = 0.0;
+  double           high = 0.0;
   while (distanceAt(high) > 0)
   {
     low = high;
-    high += std::max(0.4, 0.7 * distanceAt(high));
+    high += std::max(leastStep, stepShare * distanceAt(high));
   }
   for (int round = 0; round < 40 && high > low; ++round)
   {
@@ -372,8 +381,8 @@ ColonField::MakeValve(const ColonPlan & plan) const
   valve.base = this->WallPoint(valve.t, valve.angle, radius);
   valve.axis = -m_Curve.Direction(valve.t, valve.angle);
   valve.isPedunculated = false;
-  valve.radius = 11.0;
-  valve.height = 8.0;
+  valve.radius = c_BumpRadius;
+  valve.height = c_BumpHeight;
   valve.stalkRadius = 0.0;
   valve.head = valve.base;
   return valve;
@@ -437,7 +446,7 @@ ColonField::PlacePolyps(const ColonPlan & plan)
   {
     for (std::size_t k = 0; k < m_PolypsNear.size(); ++k)
     {
-      if (std::abs(k - m_Polyps[i].t) * m_Curve.GetStep() < m_Polyps[i].radius + 30.0)
+      if (std::abs(k - m_Polyps[i].t) * m_Curve.GetStep() < m_Polyps[i].radius + c_PolypReach)
       {
         m_PolypsNear[k].push_back(static_cast<int>(i));
       }

@@ -1,6 +1,8 @@
 #ifndef shapetonColonNoise_h
 #define shapetonColonNoise_h
 
+#include "shapetonPhantomRandom.h"
+
 #include <cstdint>
 #include <vector>
 
@@ -44,6 +46,11 @@ public:
   Uniform();
   double
   Uniform(double low, double high);
+  double
+  Uniform(const DrawnRange & range)
+  {
+    return this->Uniform(range.low, range.high);
+  }
   /** Normal number with mean 0 and standard deviation 1. */
   double
   Normal();

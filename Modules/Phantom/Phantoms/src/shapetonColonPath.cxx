@@ -13,7 +13,28 @@ using Eigen::Vector3d;
 
 namespace
 {
-constexpr double c_RoomAroundIleum = 8.0; // mm
+constexpr int    c_Segments = 6;
+constexpr int    c_AscendingColon = 5;      // number of the segment
+constexpr double c_RoomAroundIleum = 8.0;   // mm
+constexpr double c_ShortestCurve = 15.0;    // mm, of a segment
+constexpr double c_SpineBehind = 80.0;      // mm behind the middle of the abdomen
+constexpr double c_SacralCurve = 40.0;      // mm, depth of the backward curve
+constexpr int    c_RestRounds = 700;        // of relaxation, from the template to the patient
+constexpr int    c_PositionRounds = 250;    // of relaxation, from rest to a position
+constexpr double c_CecumByGravity = 0.4;    // relative to the move of the cecum to the side and along the body
+constexpr double c_CaliberVariation = 0.11; // of the radius
+constexpr double c_Contraction = 0.42;      // of the radius, in contracted stretches of the sigmoid
+constexpr double c_LooseContraction = 0.35; // value of the noise at which a contraction starts
+constexpr double c_FullContraction = 0.9;
+constexpr double c_CanalEnd = 22.0;     // mm from the anal verge
+constexpr double c_AmpullaBegin = 55.0; // mm from the anal verge
+constexpr double c_Sag = 20.0;          // mm of mobile stretches along gravity
+constexpr double c_MobileShift = 13.0;  // mm of mobile stretches in random directions
+constexpr double c_FixedShift = 3.0;    // mm of all stretches, from the end of the ampulla
+
+// Thickness (mm) of the septa at contacts.
+constexpr DrawnRange c_Septa{ 1.0, 2.5 };
+constexpr DrawnRange c_HardSepta{ 0.8, 1.8 };
 
 // Template points of a colon, from drawings and CT of the abdomen; each segment starts at the end of the previous one.
 struct TemplateSegment
@@ -76,7 +97,8 @@ CatmullRom(const std::vector<Vector3d> & points, double t)
   };
   const double   x = t - i;
   const Vector3d a = at(i - 1), b = at(i), c = at(i + 1), d = at(i + 2);
-  return 0.5 * (2 * b + x * (c - a) + x * x * (2 * a - 5 * b + 4 * c - d) + x * x * x * (3 * b - a - 3 * c + d));
+  const Vector3d quadratic = 2 * a - 5 * b + 4 * c - d;
+  return 0.5 * (2 * b + x * (c - a) + x * x * quadratic + x * x * x * (3 * b - a - 3 * c + d));
 }
 
 // Smooth lateral changes of the template, small where the colon is fixed.
@@ -99,18 +121,19 @@ CurveLength(const ColonPhantomParameters & parameters, std::size_t segment, doub
     return ofTemplate;
   }
   const double cap = segment == 5 ? 0.5 * parameters.caliber[segment] : 0.0;
-  return std::max(length - cap, 15.0);
+  return std::max(length - cap, c_ShortestCurve);
 }
 
-// Radii at the start, the middle and the end of each segment.
-using RadiusTable = std::array<std::array<double, 3>, 6>;
+// Radii (mm) at the start, the middle and the end of each segment, from the rectum to the cecum.
+using RadiusTable = std::array<std::array<double, 3>, c_Segments>;
+constexpr RadiusTable c_Radii{
+  { { 22, 24, 15 }, { 14, 12, 14 }, { 15, 17, 19 }, { 20, 21, 22 }, { 22, 23.5, 25 }, { 25, 27, 27 } }
+};
 
 RadiusTable
 RadiiOf(const SegmentValues & caliber)
 {
-  RadiusTable table{
-    { { 22, 24, 15 }, { 14, 12, 14 }, { 15, 17, 19 }, { 20, 21, 22 }, { 22, 23.5, 25 }, { 25, 27, 27 } }
-  };
+  RadiusTable table = c_Radii;
   for (std::size_t k = 0; k < table.size(); ++k)
   {
     if (caliber[k] != 0.0)
@@ -143,7 +166,7 @@ CecumMove(const ColonPhantomParameters & parameters)
   ColonRandom    random(parameters.seed, ColonStream::CecumMove, PositionNumber(parameters.position));
   const double   share = random.Uniform();
   const Vector3d aside(random.Uniform(0.2, 1.0), 0.0, random.Uniform(-0.4, 1.0));
-  return parameters.cecumMobility * share * (aside + 0.4 * GravityOf(parameters.position)).normalized();
+  return parameters.cecumMobility * share * (aside + c_CecumByGravity * GravityOf(parameters.position)).normalized();
 }
 
 double
@@ -177,7 +200,7 @@ MoveHepaticFlexureToHighest(ColonPath & path)
 {
   constexpr long reach = 6; // nodes
   const auto     first = path.segment.begin();
-  const long     border = std::lower_bound(first, path.segment.end(), 5) - first;
+  const long     border = std::lower_bound(first, path.segment.end(), c_AscendingColon) - first;
   const auto     heightAt = [&](long node) { return path.nodes[node].z(); };
   const long     step = heightAt(border + 1) > heightAt(border - 1) ? 1 : -1;
   long           highest = border;
@@ -185,7 +208,9 @@ MoveHepaticFlexureToHighest(ColonPath & path)
   {
     highest += step;
   }
-  std::fill(first + std::min(border, highest), first + std::max(border, highest), step > 0 ? 4 : 5);
+  std::fill(first + std::min(border, highest),
+            first + std::max(border, highest),
+            step > 0 ? c_AscendingColon - 1 : c_AscendingColon);
 }
 } // namespace
 
@@ -200,7 +225,7 @@ SpineAxisAt(double z)
 {
   // The sacrum curves backward behind the rectum and forward again at its tip.
   const double below = std::clamp((-50.0 - z) / 90.0, 0.0, 1.0);
-  return { 0.0, 80.0 + 40.0 * std::sin(3.0 * below), z };
+  return { 0.0, c_SpineBehind + c_SacralCurve * std::sin(3.0 * below), z };
 }
 
 ColonPath
@@ -232,7 +257,7 @@ RestPath(const ColonPhantomParameters & parameters)
   const std::vector<double> radius = RestRadius(path, parameters, static_cast<int>(path.nodes.size()));
   ColonRelaxation           relaxation(path, radius);
   relaxation.SetMobility(Mobilities(path));
-  relaxation.Run(700);
+  relaxation.Run(c_RestRounds);
   path.nodes = relaxation.GetNodes();
   if (parameters.lengths != SegmentValues())
   {
@@ -254,8 +279,8 @@ RestRadius(const ColonPath & path, const ColonPhantomParameters & parameters, in
   ColonRandom         random(parameters.seed, ColonStream::Radius);
   const SmoothNoise   slow(random, path.Length(), 70.0);
   const SmoothNoise   narrow(random, path.Length(), 30.0);
-  std::vector<double> begin(7, 0.0);
-  for (int segment = 1; segment <= 6; ++segment)
+  std::vector<double> begin(c_Segments + 1, 0.0);
+  for (int segment = 1; segment <= c_Segments; ++segment)
   {
     const auto next = std::upper_bound(path.segment.begin(), path.segment.end(), segment) - path.segment.begin();
     begin[segment] = next < static_cast<long>(path.material.size()) ? path.material[next] : path.Length();
@@ -267,18 +292,18 @@ RestRadius(const ColonPath & path, const ColonPhantomParameters & parameters, in
   {
     const double m = path.Length() * i / (count - 1);
     int          segment = 1;
-    while (segment < 6 && m >= begin[segment])
+    while (segment < c_Segments && m >= begin[segment])
     {
       ++segment;
     }
     const auto & r = table[segment - 1];
     const double x = 2.0 * (m - begin[segment - 1]) / (begin[segment] - begin[segment - 1]);
     double       value = x < 1 ? r[0] + x * (r[1] - r[0]) : r[1] + (x - 1) * (r[2] - r[1]);
-    value *= 1.0 + 0.11 * slow(m);
+    value *= 1.0 + c_CaliberVariation * slow(m);
     // Contracted stretches of the sigmoid.
-    value *= 1.0 - (segment == 2 ? 0.42 : 0.0) * SmoothStep(0.35, 0.9, narrow(m));
+    value *= 1.0 - (segment == 2 ? c_Contraction : 0.0) * SmoothStep(c_LooseContraction, c_FullContraction, narrow(m));
     // From the anal canal, as wide as the catheter, to the ampulla.
-    radius[i] = canal + (std::min(value, widest) - canal) * SmoothStep(22.0, 55.0, m);
+    radius[i] = canal + (std::min(value, widest) - canal) * SmoothStep(c_CanalEnd, c_AmpullaBegin, m);
   }
   return radius;
 }
@@ -293,13 +318,14 @@ PositionedPath(const ColonPath & rest, const std::vector<double> & radius, const
   const auto        mobility = Mobilities(rest);
   const Vector3d    gravity = GravityOf(parameters.position);
   const Vector3d    move = CecumMove(parameters);
-  const auto        right = std::lower_bound(path.segment.begin(), path.segment.end(), 5) - path.segment.begin();
+  const auto        right =
+    std::lower_bound(path.segment.begin(), path.segment.end(), c_AscendingColon) - path.segment.begin();
   for (std::size_t i = 0; i < path.nodes.size(); ++i)
   {
     const double   m = rest.material[i];
     const Vector3d random3(x(m), y(m), z(m));
     const double   free = SmoothStep(60.0, 140.0, m);
-    path.nodes[i] += mobility[i] * (20.0 * gravity + 13.0 * random3) + 3.0 * free * random3;
+    path.nodes[i] += mobility[i] * (c_Sag * gravity + c_MobileShift * random3) + c_FixedShift * free * random3;
     path.nodes[i] += SmoothStep(rest.material[right], rest.Length(), m) * move;
   }
   ColonRelaxation     relaxation(path, radius);
@@ -307,19 +333,19 @@ PositionedPath(const ColonPath & rest, const std::vector<double> & radius, const
   relaxation.SetMobility(held);
   if (parameters.valve == "lips")
   {
-    const auto cecum = std::lower_bound(path.segment.begin(), path.segment.end(), 6) - path.segment.begin();
+    const auto cecum = std::lower_bound(path.segment.begin(), path.segment.end(), c_Segments) - path.segment.begin();
     relaxation.LeaveRoomAt(static_cast<int>(cecum), parameters.ileumBore + c_RoomAroundIleum);
   }
-  relaxation.Run(250);
+  relaxation.Run(c_PositionRounds);
   const bool  isHard = parameters.preset == "hard";
   ColonRandom septa(parameters.seed, ColonStream::Septa, position);
   path.contacts = relaxation.FindContacts(parameters.fakeHandles);
   for (ColonPath::Contact & contact : path.contacts)
   {
-    contact.septum = isHard ? septa.Uniform(0.8, 1.8) : septa.Uniform(1.0, 2.5);
+    contact.septum = septa.Uniform(isHard ? c_HardSepta : c_Septa);
   }
   relaxation.DrawTogether(path.contacts);
-  relaxation.Run(250);
+  relaxation.Run(c_PositionRounds);
   path.nodes = relaxation.GetNodes();
   return path;
 }

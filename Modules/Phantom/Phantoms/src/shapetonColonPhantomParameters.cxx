@@ -68,13 +68,6 @@ enum class Group
   Diverticula
 };
 
-/** Values between which a parameter is drawn uniformly; listed for users at Drawn(). */
-struct DrawnRange
-{
-  double low;
-  double high;
-};
-
 /** Draws parameters in a fixed order, so that given values do not affect drawn ones. */
 class Draw
 {
@@ -88,7 +81,7 @@ public:
   void
   operator()(double & value, const DrawnRange & range)
   {
-    const double drawn = m_Random.Uniform(range.low, range.high);
+    const double drawn = m_Random.Uniform(range);
     value = value == drawnBySeed ? drawn : value;
   }
 
@@ -362,8 +355,10 @@ RequireValid(const ColonPhantomParameters & p)
       CheckOption(info, option);
     }
   });
-  RequireSegmentValues(OptionInfo("lengths").AtLeast(40.0, "40").AtMost(1200.0, "1200"), p.lengths);
-  RequireSegmentValues(OptionInfo("caliber").AtLeast(15.0, "15").AtMost(90.0, "90"), p.caliber);
+  const OptionInfo lengths = OptionInfo("lengths").AtLeast(40.0, "40").AtMost(1200.0, "1200");
+  const OptionInfo caliber = OptionInfo("caliber").AtLeast(15.0, "15").AtMost(90.0, "90");
+  RequireSegmentValues(lengths, p.lengths);
+  RequireSegmentValues(caliber, p.caliber);
   RequireValidValve(p);
   RequireValidChest(p);
   const auto & organs = PhantomOrgans();

@@ -20,7 +20,63 @@ constexpr double c_FoldFromValve = 8.0;  // mm; folds closer to lips are removed
 constexpr double c_PolypFromValve = 6.0; // mm
 constexpr double c_BetweenPolyps = 8.0;  // mm
 constexpr double c_FreeOfPolyps = 60.0;  // mm from the anal verge, occupied by the catheter
+constexpr double c_CecumOfPolyps = 10.0; // mm from the end of the cecum without centers of polyps
 constexpr int    c_PolypAttempts = 400;  // places tried for a polyp
+
+// Haustra fade out over these lengths (mm) before and behind the end of the rectum, and toward the end of the cecum.
+constexpr double c_RectumWithHaustra = 20.0;
+constexpr double c_SigmoidWithoutHaustra = 40.0;
+constexpr double c_CecumWithoutHaustra = 25.0;
+
+// Angles (radians) by which the taeniae turn along the colon, together and each by itself.
+constexpr double c_CommonDrift = 0.6;
+constexpr double c_OwnDrift = 0.1;
+
+// Folds: lengths in mm, half angles in radians. The logarithm of the height varies by c_HeightDeviation.
+constexpr double     c_MiddleHeight = 8.3;
+constexpr double     c_HeightDeviation = 0.95;
+constexpr double     c_OwnHeight = 0.85; // weight of the random part of the height
+constexpr double     c_LowestFold = 1.8;
+constexpr double     c_HighestFoldAtRest = 16.0;
+constexpr DrawnRange c_FoldThickness{ 1.5, 3.0 };
+constexpr DrawnRange c_FoldSlant{ -3.0, 3.0 };
+constexpr DrawnRange c_FoldBow{ -2.5, 4.0 };
+constexpr DrawnRange c_FoldWave{ 0.0, 1.2 };
+constexpr DrawnRange c_RectalHalfAngle{ 1.2, 1.5 };
+constexpr DrawnRange c_RectalHeight{ 8.0, 12.0 };
+constexpr DrawnRange c_RingHalfAngle{ 2.3, 2.7 };
+constexpr DrawnRange c_TwoRowsHalfAngle{ 1.7, 2.0 };
+constexpr DrawnRange c_OneRowHalfAngle{ 0.85, 1.1 };
+constexpr DrawnRange c_BetweenLevels{ 20.0, 30.0 };
+constexpr double     c_FirstFold = 12.0; // behind the rectum
+constexpr double     c_LastFold = 18.0;  // before the end of the cecum
+
+/** Upper limits of the drawn number of a level of folds; above, there is one fold in each row. */
+struct LevelKinds
+{
+  double ring;    ///< a fold nearly around the colon
+  double twoRows; ///< a fold over two rows and one in the third
+};
+constexpr LevelKinds c_RightLevels{ 0.4, 0.7 };
+constexpr LevelKinds c_LeftLevels{ 0.12, 0.4 };
+
+// The valve.
+constexpr DrawnRange c_IleumBehind{ -0.4, 0.9 };   // radians
+constexpr DrawnRange c_LipThickness{ 10.0, 15.0 }; // mm
+
+// Polyps: lengths in mm. Diameters are drawn uniformly on a logarithmic scale, from the smallest to `ratio` times as
+// much.
+constexpr double     c_SessileShare = 0.5;
+constexpr double     c_StalkedShare = 0.75; // with the sessile ones
+constexpr double     c_SmallestPolyp = 3.0;
+constexpr double     c_SessileRatio = 10.0;
+constexpr double     c_SmallestOther = 7.0; // with a stalk, or flat
+constexpr double     c_OtherRatio = 3.0;
+constexpr DrawnRange c_SessileHeight{ 0.45, 0.6 }; // of the diameter
+constexpr DrawnRange c_Stalk{ 4.0, 9.0 };
+constexpr DrawnRange c_StalkRadius{ 1.5, 2.5 };
+constexpr DrawnRange c_FlatHeight{ 2.0, 3.0 };
+constexpr double     c_HighestFlat = 0.4; // of the diameter
 
 double
 Lookup(const std::vector<double> & table, double x)
@@ -90,11 +146,11 @@ ColonPlan::PlanValve(const ColonPath & rest, const ColonPhantomParameters & para
     valve.angle = AngleTowards(curve, valve.material / curve.GetStep(), Eigen::Vector3d::UnitX());
     return;
   }
-  valve.behind = random.Uniform(-0.4, 0.9);
+  valve.behind = random.Uniform(c_IleumBehind);
   valve.angle = AngleOfIleum(curve, valve);
   valve.length = parameters.valveLength;
   valve.height = parameters.valveHeight;
-  valve.thickness = random.Uniform(10.0, 15.0);
+  valve.thickness = random.Uniform(c_LipThickness);
   folds.erase(std::remove_if(folds.begin(),
                              folds.end(),
                              [this](const FoldPlan & fold) {
@@ -140,7 +196,8 @@ ColonPlan::HaustraStrength(double material) const
 {
   // The taeniae coli form one layer in the rectum and meet at the end of the cecum.
   const double rectumEnd = m_SegmentBegin[1];
-  return SmoothStep(rectumEnd - 20, rectumEnd + 40, material) * SmoothStep(0, 25, m_Length - material);
+  return SmoothStep(rectumEnd - c_RectumWithHaustra, rectumEnd + c_SigmoidWithoutHaustra, material) *
+         SmoothStep(0, c_CecumWithoutHaustra, m_Length - material);
 }
 
 void
@@ -154,7 +211,7 @@ ColonPlan::PlanTaeniae(unsigned seed)
     const SmoothNoise own(random, m_Length, 80.0);
     for (double m = 0; m < m_Length + 2 * c_TableStep; m += c_TableStep)
     {
-      m_Taenia[taenia].push_back(start + taenia * 2 * M_PI / 3 + 0.6 * drift(m) + 0.1 * own(m));
+      m_Taenia[taenia].push_back(start + taenia * 2 * M_PI / 3 + c_CommonDrift * drift(m) + c_OwnDrift * own(m));
     }
   }
 }
@@ -169,11 +226,13 @@ ColonPlan::MakeFold(double material, double angle, double halfAngle, ColonRandom
   fold.angle = angle;
   fold.halfAngle = halfAngle;
   // Folds are higher in wide stretches; quartiles 3.5, 6.6 and 11.4 mm.
-  fold.height = std::clamp(8.3 * std::exp(0.95 * (0.5 * wide + 0.85 * random.Normal())), 1.8, 16.0);
-  fold.thickness = random.Uniform(1.5, 3.0);
-  fold.slant = random.Uniform(-3.0, 3.0);
-  fold.bow = random.Uniform(-2.5, 4.0);
-  fold.wave = random.Uniform(0.0, 1.2);
+  fold.height = std::clamp(c_MiddleHeight * std::exp(c_HeightDeviation * (0.5 * wide + c_OwnHeight * random.Normal())),
+                           c_LowestFold,
+                           c_HighestFoldAtRest);
+  fold.thickness = random.Uniform(c_FoldThickness);
+  fold.slant = random.Uniform(c_FoldSlant);
+  fold.bow = random.Uniform(c_FoldBow);
+  fold.wave = random.Uniform(c_FoldWave);
   fold.wavePhase = random.Uniform(-M_PI, M_PI);
   return fold;
 }
@@ -185,9 +244,9 @@ ColonPlan::PlanValves(ColonRandom & random)
   const double places[] = { 0.5, 0.68, 0.86 };
   for (int i = 0; i < 3; ++i)
   {
-    FoldPlan fold =
-      this->MakeFold(places[i] * m_SegmentBegin[1], (i % 2 == 0 ? -0.5 : 0.5) * M_PI, random.Uniform(1.2, 1.5), random);
-    fold.height = random.Uniform(8.0, 12.0);
+    FoldPlan fold = this->MakeFold(
+      places[i] * m_SegmentBegin[1], (i % 2 == 0 ? -0.5 : 0.5) * M_PI, random.Uniform(c_RectalHalfAngle), random);
+    fold.height = random.Uniform(c_RectalHeight);
     folds.push_back(fold);
   }
 }
@@ -196,23 +255,23 @@ void
 ColonPlan::PlanLevel(double material, int level, ColonRandom & random)
 {
   const int    segment = this->SegmentAt(material);
-  const bool   isRight = segment >= 4;
+  const auto & kinds = segment >= 4 ? c_RightLevels : c_LeftLevels;
   const double kind = random.Uniform();
   const int    first = std::min(2, static_cast<int>(3 * random.Uniform()));
   const auto   middleOf = [&](int row, double m) {
     const double a = this->TaeniaAngle(row, m);
     return a + 0.5 * WrapAngle(this->TaeniaAngle((row + 1) % 3, m) - a);
   };
-  if (kind < (isRight ? 0.4 : 0.12))
+  if (kind < kinds.ring)
   {
-    folds.push_back(this->MakeFold(material, middleOf(first, material), random.Uniform(2.3, 2.7), random));
+    folds.push_back(this->MakeFold(material, middleOf(first, material), random.Uniform(c_RingHalfAngle), random));
     return;
   }
-  const bool spansTwo = kind < (isRight ? 0.7 : 0.4);
+  const bool spansTwo = kind < kinds.twoRows;
   if (spansTwo)
   {
     const double angle = this->TaeniaAngle((first + 1) % 3, material);
-    folds.push_back(this->MakeFold(material, angle, random.Uniform(1.7, 2.0), random));
+    folds.push_back(this->MakeFold(material, angle, random.Uniform(c_TwoRowsHalfAngle), random));
   }
   for (int row = 0; row < 3; ++row)
   {
@@ -222,7 +281,7 @@ ColonPlan::PlanLevel(double material, int level, ColonRandom & random)
     }
     // Neighboring rows alternate.
     const double m = material + (((row + level) % 3) - 1) * 7.0 + random.Uniform(-2.0, 2.0);
-    folds.push_back(this->MakeFold(m, middleOf(row, m), random.Uniform(0.85, 1.1), random));
+    folds.push_back(this->MakeFold(m, middleOf(row, m), random.Uniform(c_OneRowHalfAngle), random));
   }
 }
 
@@ -231,12 +290,12 @@ ColonPlan::PlanFolds(unsigned seed)
 {
   ColonRandom random(seed, ColonStream::Folds);
   this->PlanValves(random);
-  double material = m_SegmentBegin[1] + 12.0;
-  for (int level = 0; material < m_Length - 18.0; ++level)
+  double material = m_SegmentBegin[1] + c_FirstFold;
+  for (int level = 0; material < m_Length - c_LastFold; ++level)
   {
     random.Seek(level + 1);
     this->PlanLevel(material, level, random);
-    material += random.Uniform(20.0, 30.0);
+    material += random.Uniform(c_BetweenLevels);
   }
 }
 
@@ -269,7 +328,7 @@ ColonPlan::PlacePolyp(ColonRandom & random, PolypPlan & polyp) const
   else
   {
     polyp.fold = -1;
-    polyp.material = random.Uniform(c_FreeOfPolyps, m_Length - 10.0);
+    polyp.material = random.Uniform(c_FreeOfPolyps, m_Length - c_CecumOfPolyps);
     polyp.angle = random.Uniform(-M_PI, M_PI);
   }
   if ((!onFold || polyp.kind == "pedunculated") && !this->IsClearOfFolds(polyp))
@@ -303,20 +362,22 @@ ColonPlan::PlanPolyps(unsigned seed, int count)
       const double kind = random.Uniform();
       const double size = random.Uniform();
       const double shrink = std::pow(0.995, attempt);
-      polyp.kind = kind < 0.5 ? "sessile" : (kind < 0.75 ? "pedunculated" : "flat");
-      polyp.diameter = (polyp.kind == "sessile" ? 3.0 * std::pow(10.0, size) : 7.0 * std::pow(3.0, size)) * shrink;
-      polyp.diameter = std::max(3.0, polyp.diameter);
+      polyp.kind = kind < c_SessileShare ? "sessile" : (kind < c_StalkedShare ? "pedunculated" : "flat");
+      polyp.diameter = (polyp.kind == "sessile" ? c_SmallestPolyp * std::pow(c_SessileRatio, size)
+                                                : c_SmallestOther * std::pow(c_OtherRatio, size)) *
+                       shrink;
+      polyp.diameter = std::max(c_SmallestPolyp, polyp.diameter);
       polyp.stalk = 0.0;
-      polyp.height = polyp.diameter * random.Uniform(0.45, 0.6);
+      polyp.height = polyp.diameter * random.Uniform(c_SessileHeight);
       if (polyp.kind == "pedunculated")
       {
         polyp.height = polyp.diameter;
-        polyp.stalk = random.Uniform(4.0, 9.0);
-        polyp.stalkRadius = random.Uniform(1.5, 2.5);
+        polyp.stalk = random.Uniform(c_Stalk);
+        polyp.stalkRadius = random.Uniform(c_StalkRadius);
       }
       if (polyp.kind == "flat")
       {
-        polyp.height = std::min(random.Uniform(2.0, 3.0), 0.4 * polyp.diameter);
+        polyp.height = std::min(random.Uniform(c_FlatHeight), c_HighestFlat * polyp.diameter);
       }
       isPlaced = this->PlacePolyp(random, polyp);
     }

@@ -16,6 +16,15 @@ constexpr double c_Septum = 6.0;
 constexpr double c_FarApart = 120.0;
 // The canal and the start of the ampulla are fixed.
 constexpr int c_Held = 5;
+// mm; closer points have no direction from one to the other.
+constexpr double c_SamePoint = 1e-6;
+// Lower and upper end (mm) of the space for the colon.
+constexpr double c_LowestWall = -132.0;
+constexpr double c_HighestWall = 158.0;
+// Numbers of nodes, about 10 mm apart: neighbors of the ileum, and the shortest way along the colon between two
+// stretches that touch.
+constexpr int c_IleumNeighbors = 12;
+constexpr int c_BetweenContacts = 15;
 } // namespace
 
 ColonRelaxation::ColonRelaxation(const ColonPath & path, const std::vector<double> & radius)
@@ -30,10 +39,11 @@ ColonRelaxation::ColonRelaxation(const ColonPath & path, const std::vector<doubl
 void
 ColonRelaxation::Run(int rounds)
 {
+  // Finally, only hard constraints are active.
+  const int pulled = 4 * rounds / 5;
   for (int round = 0; round < rounds; ++round)
   {
-    // Finally, only hard constraints are active.
-    if (round < 4 * rounds / 5)
+    if (round < pulled)
     {
       this->PullToAnchors();
     }
@@ -115,7 +125,7 @@ ColonRelaxation::PushApart()
     {
       const Vector3d between = m_Nodes[j] - m_Nodes[i];
       const double   distance = between.norm();
-      if (distance > c_FarApart || distance < 1e-6)
+      if (distance > c_FarApart || distance < c_SamePoint)
       {
         continue;
       }
@@ -153,7 +163,7 @@ ColonRelaxation::Confine()
   {
     Vector3d &   p = m_Nodes[i];
     const double r = c_Bulge * m_Radius[i] + 4.0;
-    p.z() = std::clamp(p.z(), -132.0 + r, 158.0 - r);
+    p.z() = std::clamp(p.z(), c_LowestWall + r, c_HighestWall - r);
     // The pelvis becomes narrower downward.
     const double across = 152.0 - 80.0 * std::clamp((-75.0 - p.z()) / 50.0, 0.0, 1.0);
     const double x = std::abs(p.x()) / (across - r);
@@ -168,7 +178,7 @@ ColonRelaxation::Confine()
     const Vector3d off = p - spine;
     const double   distance = off.norm();
     const double   least = (p.z() > -50.0 ? 31.0 : 18.0) + r;
-    if (distance < least && distance > 1e-6)
+    if (distance < least && distance > c_SamePoint)
     {
       p += 0.5 * (least / distance - 1.0) * off;
     }
@@ -186,7 +196,7 @@ ColonRelaxation::KeepLengths()
       const std::size_t i = pass % 2 == 0 ? k : m_Nodes.size() - k;
       const Vector3d    edge = m_Nodes[i] - m_Nodes[i - 1];
       const double      length = edge.norm();
-      const double      over = (length - (m_Material[i] - m_Material[i - 1])) / std::max(length, 1e-6);
+      const double      over = (length - (m_Material[i] - m_Material[i - 1])) / std::max(length, c_SamePoint);
       const double      first = i - 1 < c_Held ? 0.0 : 0.4;
       const double      second = i < c_Held ? 0.0 : 0.8 - first;
       m_Nodes[i - 1] += first * over * edge;
@@ -204,7 +214,7 @@ ColonRelaxation::LeaveRoomAt(int node, double room)
     for (int j = 0; j < count; ++j)
     {
       // Neighbors along the colon are separated by the bend constraint.
-      if (std::abs(j - node) > 12)
+      if (std::abs(j - node) > c_IleumNeighbors)
       {
         m_Slack(i, j) = m_Slack(j, i) = -room;
       }
@@ -225,7 +235,7 @@ ColonRelaxation::FindContacts(int number) const
   const int              count = static_cast<int>(m_Nodes.size());
   for (int i = 12; i < count - 6; ++i)
   {
-    for (int j = i + 15; j < count - 6; ++j)
+    for (int j = i + c_BetweenContacts; j < count - 6; ++j)
     {
       if (m_Slack(i, j) >= 0.0)
       {

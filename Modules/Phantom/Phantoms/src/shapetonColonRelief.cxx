@@ -11,12 +11,23 @@ namespace shapeton
 namespace
 {
 constexpr int    c_RowsPerStep = 2;
-constexpr double c_CollapseEnd = 15.0;    // mm
-constexpr double c_ClosedCanal = 20.0;    // mm of the anal canal without a catheter
-constexpr double c_HighestFold = 0.6;     // of the radius, so that no fold blocks the lumen
-constexpr double c_FoldNeighborhood = 16; // mm along the colon
-constexpr double c_LongestChord = 44.0;   // mm along the colon; more distant stretches are separated by a septum
-constexpr double c_ChordStep = 4.0;       // mm
+constexpr double c_CollapseEnd = 15.0;       // mm
+constexpr double c_ClosedCanal = 20.0;       // mm of the anal canal without a catheter
+constexpr double c_HighestFold = 0.6;        // of the radius, so that no fold blocks the lumen
+constexpr double c_FoldNeighborhood = 16;    // mm along the colon
+constexpr double c_LongestChord = 44.0;      // mm along the colon; more distant stretches are separated by a septum
+constexpr double c_ChordStep = 4.0;          // mm
+constexpr double c_RoughnessLimit = 2.2;     // bound of the random coefficients of the roughness
+constexpr double c_BetweenCollapses = 120.0; // mm along the colon
+constexpr double c_FixedFolds = 120.0;       // mm from the anal verge; folds up to here do not slide
+constexpr double c_FreeFolds = 200.0;        // mm from the anal verge; folds from here slide by the full amount
+constexpr double c_WaistEnd = 1.3;           // half angles of a fold from its middle
+constexpr double c_PlanStep = 10.0;          // mm, of the list of folds near a place
+
+// Changes of the radius between the folds and the taeniae: shares of the radius, where the haustra are fully formed.
+constexpr double c_HaustraBulge = 0.2;
+constexpr double c_HaustraInset = 0.06; // everywhere
+constexpr double c_TaeniaInset = 0.05;
 
 // Roughness of the wall: knots 4 mm apart, so wavelengths of at least 8 mm.
 class Roughness
@@ -28,7 +39,7 @@ public:
     ColonRandom random(seed, ColonStream::Roughness);
     for (float & value : m_Values)
     {
-      value = static_cast<float>(random.Uniform(-2.2, 2.2));
+      value = static_cast<float>(random.Uniform(-c_RoughnessLimit, c_RoughnessLimit));
     }
   }
 
@@ -176,7 +187,7 @@ ColonRelief::FillCollapse(const ColonPlan & plan, const ColonPhantomParameters &
     const int     first = plan.SegmentAt(s.begin - 30.0);
     const int     last = plan.SegmentAt(s.end + 30.0);
     const bool    isApart = std::all_of(stretches.begin(), stretches.end(), [&s](const Stretch & other) {
-      return s.begin > other.end + 120.0 || s.end < other.begin - 120.0;
+      return s.begin > other.end + c_BetweenCollapses || s.end < other.begin - c_BetweenCollapses;
     });
     if (first >= 2 && last <= 4 && isApart)
     {
@@ -227,7 +238,7 @@ ColonRelief::FoldPlaces(const ColonPlan & plan, const ColonPhantomParameters & p
     const double m = plan.folds[i].material;
     const double slide = 0.75 * std::clamp(together(m), -1.0, 1.0) + random.Uniform(-0.25, 0.25);
     // The rectal valves are fixed.
-    places.push_back(m + SmoothStep(120.0, 200.0, m) * parameters.foldSlide * slide);
+    places.push_back(m + SmoothStep(c_FixedFolds, c_FreeFolds, m) * parameters.foldSlide * slide);
   }
   return places;
 }
@@ -237,14 +248,14 @@ double
 ColonRelief::Waist(const ColonPlan & plan, const std::vector<double> & places, double material, double angle) const
 {
   double waist = 0.0;
-  for (int i : m_PlansNear[static_cast<std::size_t>(material / 10.0)])
+  for (int i : m_PlansNear[static_cast<std::size_t>(material / c_PlanStep)])
   {
     const FoldPlan & fold = plan.folds[i];
     const double     u = WrapAngle(angle - fold.angle) / fold.halfAngle;
-    if (std::abs(u) < 1.3)
+    if (std::abs(u) < c_WaistEnd)
     {
       const double x = (material - places[i] - 0.5 * fold.slant * u - fold.bow * u * u) / 8.0;
-      const double strength = std::min(1.0, 0.3 + fold.height / 7.0) * SmoothStep(-1.3, -0.8, -std::abs(u));
+      const double strength = std::min(1.0, 0.3 + fold.height / 7.0) * SmoothStep(-c_WaistEnd, -0.8, -std::abs(u));
       waist = std::max(waist, strength * std::exp(-x * x));
     }
   }
@@ -256,10 +267,10 @@ ColonRelief::FillTable(const ColonPlan &              plan,
                        const std::vector<double> &    places,
                        const ColonPhantomParameters & parameters)
 {
-  m_PlansNear.resize(static_cast<std::size_t>(plan.Length() / 10.0) + 1);
+  m_PlansNear.resize(static_cast<std::size_t>(plan.Length() / c_PlanStep) + 1);
   for (std::size_t i = 0; i < places.size(); ++i)
   {
-    const int middle = static_cast<int>(places[i] / 10.0);
+    const int middle = static_cast<int>(places[i] / c_PlanStep);
     for (int k = std::max(0, middle - 3); k <= std::min(middle + 3, static_cast<int>(m_PlansNear.size()) - 1); ++k)
     {
       m_PlansNear[k].push_back(static_cast<int>(i));
@@ -286,7 +297,8 @@ ColonRelief::FillTable(const ColonPlan &              plan,
       }
       const double bulge = (1.0 - band) * (1.0 - this->Waist(plan, places, m, angle));
       m_Table[std::size_t(row + 1) * Angles + k] =
-        static_cast<float>(base + haustra * (0.2 * bulge - 0.06 - 0.05 * band) + rough * roughness.At(m, angle));
+        static_cast<float>(base + haustra * (c_HaustraBulge * bulge - c_HaustraInset - c_TaeniaInset * band) +
+                           rough * roughness.At(m, angle));
     }
   }
 }
@@ -368,11 +380,12 @@ ColonRelief::LayFolds(const ColonPlan &              plan,
       const double highest = std::max(0.0, c_HighestFold * this->MeanRadiusAt(m / m_Step));
       const double height = std::min(fold.height, highest) * (course.isFlattened ? 0.3 : 1.0);
       // Long folds are slightly lower where they cross a taenia.
-      double dip = 0.0;
+      constexpr double deepestDip = 0.3; // of the height
+      double           dip = 0.0;
       for (int taenia = 0; taenia < 3; ++taenia)
       {
         const double off = radius * WrapAngle(angle - plan.TaeniaAngle(taenia, m)) / 6.0;
-        dip = std::max(dip, 0.3 * std::exp(-off * off));
+        dip = std::max(dip, deepestDip * std::exp(-off * off));
       }
       const double along = height * (1.0 - u * u * std::abs(u)) - (std::abs(u) > 1 ? 14 * (std::abs(u) - 1) : 0.0);
       course.t[k] = static_cast<float>(m / m_Step);

@@ -291,9 +291,10 @@ ColonStructures::FillBlock(LabelImageType *                  image,
   }
   PointType center;
   image->TransformContinuousIndexToPhysicalPoint(middle, center);
+  constexpr double          forRounding = 1.001;
   std::vector<const Part *> near;
   std::copy_if(above.begin(), above.end(), std::back_inserter(near), [&](const Part * part) {
-    return part->solid.distance(center) <= 1.001 * part->solid.slope * std::sqrt(squared);
+    return part->solid.distance(center) <= forRounding * part->solid.slope * std::sqrt(squared);
   });
   if (near.empty())
   {

@@ -13,7 +13,9 @@ using Eigen::Vector3d;
 
 namespace
 {
-constexpr double c_GridStep = 5.0; // mm between wall points
+constexpr double c_GridStep = 5.0;      // mm between wall points
+constexpr int    c_InscribedReach = 15; // steps of the curve on each side that may limit an inscribed ball
+constexpr double c_CapCenter = 0.375;   // height of the center of volume of half an ellipsoid
 
 /** Builds a CurveSet point by point. */
 class CurveWriter
@@ -164,7 +166,9 @@ double
 InscribedRadius(const std::vector<std::vector<Vector3d>> & points, const Vector3d & center, int step)
 {
   double least = 1e9;
-  for (int k = std::max(0, step - 15); k <= std::min(static_cast<int>(points.size()) - 1, step + 15); ++k)
+  for (int k = std::max(0, step - c_InscribedReach);
+       k <= std::min(static_cast<int>(points.size()) - 1, step + c_InscribedReach);
+       ++k)
   {
     for (const Vector3d & point : points[k])
     {
@@ -236,7 +240,7 @@ ColonFoldTruth(const ColonPlan & plan, const ColonField & field)
     writer.BeginCurve({ i + 1.0,
                         fold.height,
                         2 * fold.halfThickness,
-                        2 * fold.halfAngle * 180 / M_PI,
+                        2 * fold.halfAngle * 180.0 / M_PI,
                         curve.ArcLengthAt(t.value),
                         1.0 * plan.SegmentAt(t.value * curve.GetStep()),
                         fold.isFlattened ? 1.0 : 0.0 });
@@ -270,7 +274,7 @@ ColonPolypTruth(const ColonPlan & plan, const ColonField & field)
     polyp.diameter = from.diameter;
     polyp.height = from.height + from.stalk;
     // The center of the protruding part of a cap.
-    polyp.position = body.isPedunculated ? body.head : Vector3d(body.head + 0.375 * body.height * body.axis);
+    polyp.position = body.isPedunculated ? body.head : Vector3d(body.head + c_CapCenter * body.height * body.axis);
     polyp.base = body.base;
     polyp.arcLength = curve.ArcLengthAt(body.t);
     polyp.segment = plan.SegmentAt(body.t * curve.GetStep());

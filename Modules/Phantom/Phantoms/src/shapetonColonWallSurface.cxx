@@ -170,10 +170,11 @@ private:
   OntoWall(Vector3d point) const
   {
     // Newton steps; half steps if they oscillate at a crease of the field.
+    constexpr double onWall = 1e-4; // mm
     for (int round = 0; round < 40; ++round)
     {
       ColonField::Place place;
-      if (!m_Field.Evaluate(point, place) || std::abs(place.distance.value) < 1e-4)
+      if (!m_Field.Evaluate(point, place) || std::abs(place.distance.value) < onWall)
       {
         break;
       }

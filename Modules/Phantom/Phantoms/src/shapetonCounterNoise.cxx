@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace shapeton
 {
@@ -120,8 +121,9 @@ InverseNormalDistribution(double p)
                               1.36929880922735805310e-1,
                               5.99832206555887937690e-1,
                               1.0 } };
+  constexpr double       central = 0.425; // half width of the region around the median
   const double           q = p - 0.5;
-  if (std::abs(q) <= 0.425)
+  if (std::abs(q) <= central)
   {
     const double r = 0.180625 - q * q;
     return q * Polynomial(a, r) / Polynomial(b, r);
@@ -138,14 +140,15 @@ NormalNoise(std::uint64_t seed, std::uint64_t counter)
 {
   // Midpoint of one of 2^52 equal parts of (0, 1): p and 1 - p are exact and nonzero.
   const std::uint64_t part = RandomBits(seed, counter) >> 12;
-  return InverseNormalDistribution(std::ldexp(static_cast<double>(2 * part + 1), -53));
+  return InverseNormalDistribution(std::ldexp(static_cast<double>(2 * part + 1), -std::numeric_limits<double>::digits));
 }
 
 // 1/2 + density(x) * (x + x^3/3 + x^5/(3*5) + ...), Marsaglia 2004.
 double
 NormalDistribution(double x)
 {
-  if (std::abs(x) >= 8.0)
+  constexpr double certain = 8.0; // beyond, the distribution is 0 or 1 to within 1e-15
+  if (std::abs(x) >= certain)
   {
     return x < 0.0 ? 0.0 : 1.0;
   }

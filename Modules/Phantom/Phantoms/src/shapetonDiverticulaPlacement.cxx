@@ -20,6 +20,11 @@ constexpr double c_Stretch = 40.0;    // mm, half the length of a stretch along 
 constexpr double c_SmallestSac = 3.0; // mm
 constexpr double c_Plain = 0.7;       // mm; maximum distance between wall and relief without folds
 constexpr int    c_Around = 8;
+constexpr double c_Upright = 0.7; // least cosine between the normal of the wall and the direction from the centerline
+constexpr double c_BeforeMouth = 1.5; // mm into the lumen, where the lumen around the mouth must be open
+constexpr double c_HalfSpace = 150.0; // mm; sacs are closer to the middle of the abdomen along the body
+constexpr double c_AroundNeck = 0.3;  // mm beside the neck, where tissue is required
+constexpr double c_NeckTissue = 0.2;  // mm, least distance of that place from a lumen
 
 // Uniform directions on the sphere.
 std::vector<Vector3d>
@@ -86,7 +91,7 @@ private:
       return false;
     }
     outwards = -place.distance.gradient.normalized();
-    return outwards.dot(curve.Direction(body.t, body.angle)) > 0.7 && this->IsOpenBefore(body, outwards);
+    return outwards.dot(curve.Direction(body.t, body.angle)) > c_Upright && this->IsOpenBefore(body, outwards);
   }
 
   bool
@@ -96,7 +101,7 @@ private:
     for (int i = 0; i < c_Around; ++i)
     {
       const Vector3d off = Eigen::AngleAxisd(2.0 * M_PI * i / c_Around, outwards) * side;
-      if (this->DistanceAt(body.mouth + (body.neckRadius + 1.0) * off - 1.5 * outwards) < 0.5 ||
+      if (this->DistanceAt(body.mouth + (body.neckRadius + 1.0) * off - c_BeforeMouth * outwards) < 0.5 ||
           this->DistanceAt(body.mouth - 3.0 * outwards + off) < 1.0)
       {
         return false;
@@ -144,7 +149,7 @@ private:
     const double     spine = at.z() > -50.0 ? 30.0 : 17.0;
     return (at - SpineAxisAt(at.z())).norm() > spine + body.radius + c_OtherSeptum &&
            m_Cavity.distance(MakePoint(at[0], at[1], at[2])) < -(body.radius + c_OtherSeptum) &&
-           std::abs(at.z()) < 150.0;
+           std::abs(at.z()) < c_HalfSpace;
   }
 
   bool
@@ -181,7 +186,8 @@ private:
       for (int i = 0; i < c_Around; ++i)
       {
         const Vector3d side = Eigen::AngleAxisd(2.0 * M_PI * i / c_Around, axis) * axis.unitOrthogonal();
-        if (this->DistanceAt(body.mouth + share * length * axis + (body.neckRadius + 0.3) * side) > -0.2)
+        if (this->DistanceAt(body.mouth + share * length * axis + (body.neckRadius + c_AroundNeck) * side) >
+            -c_NeckTissue)
         {
           return false;
         }

@@ -19,6 +19,14 @@ constexpr double c_BetweenSacs = 3.0;   // mm
 constexpr double c_FromValve = 50.0;    // mm along the colon
 constexpr double c_StoolShare = 0.25;
 constexpr int    c_Attempts = 400;
+constexpr double c_SmallestDiameter = 3.0; // mm
+constexpr double c_DiameterRange = 7.0;    // mm
+constexpr double c_FavorSmall = 1.5;       // exponent of the drawn number; above 1 favors small sacs
+constexpr double c_FoldEnd = 1.3;          // half angles of a fold from its middle
+
+constexpr DrawnRange c_Neck{ 1.5, 4.0 };       // mm, inner diameter
+constexpr DrawnRange c_NeckLength{ 2.0, 3.0 }; // mm
+constexpr DrawnRange c_AlongRow{ 8.0, 30.0 };  // mm from one diverticulum of a row to the next
 
 /** A row of diverticula. */
 struct Row
@@ -63,9 +71,9 @@ private:
     one.material = row.material;
     one.angle =
       WrapAngle(m_Plan.TaeniaAngle(row.taenia, row.material) + row.side * beside / m_Plan.RadiusAt(row.material));
-    one.diameter = 3.0 + 7.0 * std::pow(m_Random.Uniform(), 1.5); // favors small ones
-    one.neck = std::min(m_Random.Uniform(1.5, 4.0), 0.5 * one.diameter);
-    one.neckLength = m_Random.Uniform(2.0, 3.0);
+    one.diameter = c_SmallestDiameter + c_DiameterRange * std::pow(m_Random.Uniform(), c_FavorSmall);
+    one.neck = std::min(m_Random.Uniform(c_Neck), 0.5 * one.diameter);
+    one.neckLength = m_Random.Uniform(c_NeckLength);
     const bool   holdsStool = m_Random.Uniform() < c_StoolShare;
     const double intensity = m_Random.Uniform(200.0, 650.0);
     one.stool = holdsStool ? intensity : 0.0;
@@ -82,7 +90,7 @@ private:
   NextInRow()
   {
     Row row = m_Row;
-    row.material += (m_Random.Uniform() < 0.5 ? -1.0 : 1.0) * m_Random.Uniform(8.0, 30.0);
+    row.material += (m_Random.Uniform() < 0.5 ? -1.0 : 1.0) * m_Random.Uniform(c_AlongRow);
     return row;
   }
 
@@ -111,7 +119,7 @@ private:
       const double u = WrapAngle(one.angle - fold.angle) / fold.halfAngle;
       const double at = fold.material + 0.5 * fold.slant * u + fold.bow * u * u;
       const double room = 0.5 * (fold.thickness + one.neck) + fold.wave + c_FoldSlide + c_Rim;
-      return std::abs(u) < 1.3 && std::abs(one.material - at) < room;
+      return std::abs(u) < c_FoldEnd && std::abs(one.material - at) < room;
     });
   }
 

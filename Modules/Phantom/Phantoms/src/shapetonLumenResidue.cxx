@@ -1,6 +1,7 @@
 #include "shapetonLumenResidue.h"
 
 #include "shapetonColonBody.h"
+#include "shapetonColonDistance.h"
 #include "shapetonColonNoise.h"
 #include "shapetonColonPath.h"
 
@@ -20,6 +21,14 @@ constexpr double leastRadius = 8.0;   // mm, minimum radius of a lumen with resi
 constexpr double intoWall = 0.35;     // mm; half a cell, so that no gas appears between stool and wall
 constexpr double adherentShare = 0.3; // fraction of the stool that adheres to the wall in all positions
 constexpr double clearOfRectum = 0.1; // fraction of the length occupied by the catheter
+constexpr double offMiddle = 0.3; // sizes of the stool; gas in stool is up to this far from its middle along each axis
+constexpr double deepestBubble = 30.0; // mm below the level
+constexpr double mostUpward = 0.2;     // cosine; walls with bubbles face up by at most this
+constexpr double foamDepth = 0.7;      // radii of the lumen between a level with foam and the centerline
+constexpr double roomForFoam = 5.0;    // mm from the wall
+
+constexpr DrawnRange lumpRadius{ 0.22, 0.34 }; // relative to the size of the stool
+constexpr DrawnRange gasRadius{ 0.5, 1.1 };    // mm, of gas in stool
 
 struct Ball
 {
@@ -48,7 +57,7 @@ LumpSolid(const std::vector<Ball> & balls)
     {
       return least;
     }
-    least = 1e9;
+    least = beyondAll;
     for (const Ball & ball : balls)
     {
       least = std::min(least, (p - ball.center).norm() - ball.radius);
@@ -141,7 +150,7 @@ private:
     for (int i = 0; i < 5; ++i)
     {
       const Vector3d off(patient.Uniform(-1, 1), patient.Uniform(-1, 1), patient.Uniform(-1, 1));
-      balls.push_back({ middle + 0.25 * size * off, size * patient.Uniform(0.22, 0.34) });
+      balls.push_back({ middle + 0.25 * size * off, size * patient.Uniform(lumpRadius) });
     }
     const double intensity = isTagged ? tagged : untagged;
     this->Paint(ColonStructure::Stool, LumpSolid(balls), intensity);
@@ -149,8 +158,9 @@ private:
     for (int i = 0; isMottled && i < static_cast<int>(size); ++i)
     {
       const Vector3d off(patient.Uniform(-1, 1), patient.Uniform(-1, 1), patient.Uniform(-1, 1));
-      this->Paint(
-        ColonStructure::None, LumpSolid({ { middle + 0.3 * size * off, patient.Uniform(0.5, 1.1) } }), gasIntensity);
+      this->Paint(ColonStructure::None,
+                  LumpSolid({ { middle + offMiddle * size * off, patient.Uniform(gasRadius) } }),
+                  gasIntensity);
     }
     const std::string name = isMottled ? "mottled" : "plain";
     m_Residue.truth.push_back({ ColonStructure::Stool, middle, size, intensity, name });
@@ -166,8 +176,8 @@ private:
       const ColonPlace place = m_Anatomy.PlaceAt(random.Uniform(clearOfRectum, 0.99), random.Uniform(-M_PI, M_PI));
       const Vector3d   middle = place.point + 0.8 * radius * place.inwards;
       const double     depth = m_Fluid.DepthBelowLevel(middle, place.arcLength);
-      if (place.radius > leastRadius && depth > radius + 0.5 && depth < 30.0 &&
-          m_Fluid.Down().dot(place.inwards) > -0.2)
+      if (place.radius > leastRadius && depth > radius + 0.5 && depth < deepestBubble &&
+          m_Fluid.Down().dot(place.inwards) > -mostUpward)
       {
         this->Paint(ColonStructure::Bubble, LumpSolid({ { middle, radius } }), gasIntensity);
         m_Residue.truth.push_back({ ColonStructure::Bubble, middle, 2.0 * radius, gasIntensity, "bubble" });
@@ -186,8 +196,8 @@ private:
       const Vector3d   center = place.point + place.radius * place.inwards;
       const double     depth = m_Fluid.DepthBelowLevel(center, place.arcLength);
       const Vector3d   level = center - depth * m_Fluid.Down();
-      if (place.radius > leastRadius && std::abs(depth) < 0.7 * place.radius &&
-          m_Anatomy.Evaluate(level).distance > 5.0)
+      if (place.radius > leastRadius && std::abs(depth) < foamDepth * place.radius &&
+          m_Anatomy.Evaluate(level).distance > roomForFoam)
       {
         this->PaintFoam(random, level, m_Fluid.Intensity(level + m_Fluid.Down(), place.arcLength));
         return;

@@ -27,8 +27,9 @@ CenterOf(Iterator first, Iterator last)
 VectorType
 LongestExtent(Iterator first, Iterator last, const PointType & center)
 {
-  constexpr int steps = 6;
-  VectorType    axis = MakeVector(0.5, 0.6, 0.62);
+  constexpr int    steps = 6;
+  const VectorType start = MakeVector(0.5, 0.6, 0.62); // of the iteration
+  VectorType       axis = start;
   for (int i = 0; i < steps; ++i)
   {
     VectorType next(0.0);

@@ -12,6 +12,9 @@ namespace shapeton
 {
 namespace
 {
+constexpr double memoryShare = 0.9; // of the memory of the machine, available for voxels
+constexpr double bytesOfGB = 1e9;
+
 std::string
 Named(const char * parameter)
 {
@@ -38,9 +41,9 @@ SizeOf(const std::vector<int> & numbers, double bytesPerVoxel)
     throw ParameterError(Named("size") + ": a volume requires at least 2 voxels along each axis");
   }
   const double bytes = bytesPerVoxel * numbers[0] * numbers[1] * numbers[2];
-  if (bytes > 0.9 * PhysicalMemory())
+  if (bytes > memoryShare * PhysicalMemory())
   {
-    throw ParameterError(Named("size") + ": " + std::to_string(static_cast<long long>(std::ceil(bytes / 1e9))) +
+    throw ParameterError(Named("size") + ": " + std::to_string(static_cast<long long>(std::ceil(bytes / bytesOfGB))) +
                          " GB of voxels do not fit into the memory of this machine; reduce the size");
   }
   itk::ImageBase<3>::SizeType size;

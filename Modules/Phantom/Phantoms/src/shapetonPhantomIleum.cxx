@@ -24,6 +24,14 @@ constexpr double widening = 10.0;     // mm, length of the widening
 constexpr double tightestBend = 11.0; // mm, radius
 constexpr double closed = -0.3;       // mm, half width of a slit without a lumen
 constexpr int    mostWays = 60;
+constexpr double spineRadius = 30.0; // mm
+constexpr double halfSpace = 150.0;  // mm from the middle of the abdomen along the body
+constexpr double noTurn = 1e-6;      // sine of an angle too small to turn
+constexpr double turnShare = 0.3;    // of the angle to the desired direction, in a step
+constexpr double openShare = 0.8;    // of the valves between equal contents
+
+constexpr DrawnRange fluidOfIleum{ 250.0, 750.0 }; // HU
+constexpr DrawnRange slitOfIleum{ 1.0, 3.0 };      // mm
 
 // A tube with a slot-shaped cross-section: all points within `radius` of a line segment of length 2 * `half` mm along
 // `wide`.
@@ -127,8 +135,8 @@ private:
     const double margin = m_Radius + thinWall;
     return std::max({ m_Anatomy.Evaluate(at).distance + m_Radius + 1.0,
                       m_Cavity.distance(MakePoint(at[0], at[1], at[2])) + margin,
-                      30.0 + margin - (at - ColonAnatomy::SpineAxis(at[2])).norm(),
-                      std::abs(at[2]) - 150.0 });
+                      spineRadius + margin - (at - ColonAnatomy::SpineAxis(at[2])).norm(),
+                      std::abs(at[2]) - halfSpace });
   }
 
   Vector3d
@@ -144,11 +152,11 @@ private:
     const Vector3d wish = (towards + 1.5 * near * away).normalized();
     const double   angle = std::acos(std::clamp(wish.dot(heading), -1.0, 1.0));
     const Vector3d turn = heading.cross(wish);
-    if (turn.norm() < 1e-6)
+    if (turn.norm() < noTurn)
     {
       return heading;
     }
-    return Eigen::AngleAxisd(std::min(0.3 * angle, ileumStep / tightestBend), turn.normalized()) * heading;
+    return Eigen::AngleAxisd(std::min(turnShare * angle, ileumStep / tightestBend), turn.normalized()) * heading;
   }
 
   const ColonAnatomy & m_Anatomy;
@@ -223,12 +231,12 @@ MakePhantomIleum(const ColonAnatomy & anatomy, const ColonFluid & fluid)
   PhantomIleum      ileum;
   ileum.content = parameters.ileumContent;
   ileum.bore = parameters.ileumBore;
-  ileum.intensity = ileum.content == "gas" ? gasIntensity : patient.Uniform(250.0, 750.0);
+  ileum.intensity = ileum.content == "gas" ? gasIntensity : patient.Uniform(fluidOfIleum);
   // Closes the mouth if contents differ, since they would mix.
   const bool   isWet = fluid.DepthBelowLevel(valve.mouth, valve.arcLength) > 0.0;
   const bool   isSame = ileum.content == (isWet ? "fluid" : "gas");
-  const double width = random.Uniform(1.0, 3.0);
-  ileum.isOpen = random.Uniform() < 0.8 && isSame;
+  const double width = random.Uniform(slitOfIleum);
+  ileum.isOpen = random.Uniform() < openShare && isSame;
   ileum.slitWidth = ileum.isOpen ? width : 0.0;
   ileum.axis = MakeAxis(anatomy, valve, random);
   ileum.length = ileumStep * static_cast<double>(ileum.axis.size() - 1) - intoColon;

@@ -5,6 +5,13 @@
 
 namespace shapeton
 {
+/** Values between which a number is drawn uniformly. */
+struct DrawnRange
+{
+  double low;
+  double high;
+};
+
 /** Random numbers that depend only on the seed, the stream and the number of previous draws. */
 class PhantomRandom
 {
@@ -17,6 +24,11 @@ public:
   {
     const auto words = Philox4x32(m_Seed, PhiloxWords<std::uint32_t>{ m_Next++, m_Stream, 0x5ca17eU, 0 });
     return low + (high - low) * UnitFloat(words.a);
+  }
+  double
+  Uniform(const DrawnRange & range)
+  {
+    return this->Uniform(range.low, range.high);
   }
 
 private:

@@ -102,7 +102,8 @@ ShapePhantomImageSource::FindBodiesNear(const PointType & lineStart, const Point
     sameBody = sameBody && i > 0 && object.intensity == m_Objects[i - 1].intensity;
     const double reach = object.boundingRadius + reachOfBlur * m_Options.blur;
     // The margin accounts for rounding relative to the per-voxel test.
-    if (Square(DistanceToSegment(object.boundingCenter, lineStart, lineEnd)) > 1.001 * Square(reach))
+    constexpr double forRounding = 1.001;
+    if (Square(DistanceToSegment(object.boundingCenter, lineStart, lineEnd)) > forRounding * Square(reach))
     {
       continue;
     }
@@ -165,9 +166,10 @@ ShapePhantomImageSource::SampleBodies(const std::vector<Body> & bodies,
     double least = std::numeric_limits<double>::max();
     for (const std::size_t i : body.objects)
     {
-      const auto & object = m_Objects[i];
+      const auto &     object = m_Objects[i];
+      constexpr double forRounding = 1.000001;
       if ((point - object.boundingCenter).GetSquaredNorm() >
-          Square(object.boundingRadius * 1.000001 + reachOfBlur * m_Options.blur))
+          Square(object.boundingRadius * forRounding + reachOfBlur * m_Options.blur))
       {
         continue;
       }

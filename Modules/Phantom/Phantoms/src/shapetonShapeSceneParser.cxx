@@ -164,8 +164,9 @@ private:
   std::string
   NotThis() const
   {
-    std::string text = m_Json.dump(-1, ' ', true, Json::error_handler_t::replace);
-    return ", not " + (text.size() > 40 ? text.substr(0, 37) + "..." : text);
+    constexpr std::size_t longest = 40;
+    const std::string     text = m_Json.dump(-1, ' ', true, Json::error_handler_t::replace);
+    return ", not " + (text.size() > longest ? text.substr(0, longest - 3) + "..." : text);
   }
 
   const Json &        m_Json;

@@ -19,6 +19,15 @@ constexpr double stepLength = 11.0; // mm
 constexpr double cellSide = 4.0;    // mm
 constexpr int    cellsOfBlock = 4;  // cells
 constexpr double reach = 6.0;       // mm around the loops; maximum distance
+constexpr double cellMargin = 26.0; // mm around the region of the axes; more than the widest loop and `reach`
+constexpr double flatness = 0.7;    // loops run less toward front and back
+constexpr double noGas = 1e9;       // mm, a level above all loops
+
+constexpr DrawnRange loopRadius{ 10.0, 14.0 }; // mm
+// HU of the content of a loop.
+constexpr DrawnRange thinTagged{ 260.0, 460.0 };
+constexpr DrawnRange fullTagged{ 560.0, 800.0 };
+constexpr DrawnRange untaggedContent{ 20.0, 60.0 };
 
 struct Loop
 {
@@ -47,7 +56,7 @@ IsInRegion(const PointType & p)
 VectorType
 RandomDirection(PhantomRandom & random)
 {
-  VectorType direction = MakeVector(random.Uniform(-1, 1), random.Uniform(-0.7, 0.7), random.Uniform(-1, 1));
+  VectorType direction = MakeVector(random.Uniform(-1, 1), random.Uniform(-flatness, flatness), random.Uniform(-1, 1));
   direction.Normalize();
   return direction;
 }
@@ -88,9 +97,9 @@ RandomIntensity(PhantomRandom & random, double tagged)
   const double     kind = random.Uniform(0.0, 1.0);
   if (kind < thinShare * tagged)
   {
-    return random.Uniform(260.0, 460.0);
+    return random.Uniform(thinTagged);
   }
-  return kind < tagged ? random.Uniform(560.0, 800.0) : random.Uniform(20.0, 60.0);
+  return random.Uniform(kind < tagged ? fullTagged : untaggedContent);
 }
 
 Loop
@@ -98,7 +107,7 @@ RandomLoop(PhantomRandom & random, const VectorType & down, double tagged)
 {
   Loop loop;
   loop.axis = RandomAxis(random);
-  loop.radius = random.Uniform(10.0, 14.0);
+  loop.radius = random.Uniform(loopRadius);
   loop.intensity = RandomIntensity(random, tagged);
   double highest = -1e9;
   for (const auto & p : loop.axis)
@@ -107,7 +116,7 @@ RandomLoop(PhantomRandom & random, const VectorType & down, double tagged)
   }
   const bool   holdsGas = random.Uniform(0.0, 1.0) < 0.3;
   const double bubble = random.Uniform(5.0, 11.0);
-  loop.gasHeight = holdsGas ? highest + loop.radius - bowelWall - bubble : 1e9;
+  loop.gasHeight = holdsGas ? highest + loop.radius - bowelWall - bubble : noGas;
   return loop;
 }
 
@@ -199,8 +208,9 @@ private:
   {
     for (unsigned int i = 0; i < 3; ++i)
     {
-      m_Corner[i] = regionCenter[i] - regionRadii[i] - 26.0;
-      m_Size[i] = cellsOfBlock * static_cast<int>(std::ceil(2.0 * (regionRadii[i] + 26.0) / (cellsOfBlock * cellSide)));
+      m_Corner[i] = regionCenter[i] - regionRadii[i] - cellMargin;
+      m_Size[i] =
+        cellsOfBlock * static_cast<int>(std::ceil(2.0 * (regionRadii[i] + cellMargin) / (cellsOfBlock * cellSide)));
     }
     m_Cells.resize(static_cast<std::size_t>(m_Size[0]) * m_Size[1] * m_Size[2]);
     const Segments all = this->AllSegments();

@@ -45,8 +45,9 @@ ValveLips::Distance(const Vector3d & point) const
 double
 ValveLips::MouthHeight() const
 {
-  double inside = 0.0;
-  double outside = 1.5 * height;
+  constexpr double above = 1.5; // lip heights, in the lumen
+  double           inside = 0.0;
+  double           outside = above * height;
   for (int round = 0; round < 50; ++round)
   {
     const double middle = 0.5 * (inside + outside);
