@@ -10,7 +10,7 @@
 import re
 
 NAMED = re.compile(r"\w[>\]]* +[*&]?\w+(\[\w+\])? *(= |\{ ?)-?[\d.][\w.+-]* ?\}?[;,)]"
-                   r"|RequireParameter\(|[pP]rogress\w*(\.Part|\.)?\(|\wPart\(")
+                   r"|RequireParameter\(|[pP]rogress\w*(\.Part|\.)?\(")
 BITS = re.compile(r"(\[|<<|>>|&|\||\^)=? ?$")
 
 

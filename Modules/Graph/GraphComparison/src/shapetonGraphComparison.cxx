@@ -223,12 +223,12 @@ CompareGraphs(const Graph &                  a,
               const GraphEmbeddingSettings & embedding,
               const Progress &               progress)
 {
-  const auto genusPart = [&](double begin, double end) {
+  const auto genusWithProgress = [&](double begin, double end) {
     GenusSettings part = genus;
     part.progress = progress.Part("Finding the genus", begin, end);
     return part;
   };
-  const auto embeddingPart = [&](double begin, double end) {
+  const auto embeddingWithProgress = [&](double begin, double end) {
     GraphEmbeddingSettings part = embedding;
     part.progress = progress.Part("Packing circles", begin, end);
     return part;
@@ -239,12 +239,12 @@ CompareGraphs(const Graph &                  a,
   GraphComparison     result;
   result.correspondence = CorrespondingNodes(formA, formB);
   result.isomorphic = result.correspondence.by == "isomorphism";
-  const CombinatorialMap mapA = FindEmbedding(formA.graph, genusPart(0.1, 0.3)).map;
-  result.a = EmbedGraph(formA.graph, mapA, embeddingPart(0.3, 0.5));
+  const CombinatorialMap mapA = FindEmbedding(formA.graph, genusWithProgress(0.1, 0.3)).map;
+  result.a = EmbedGraph(formA.graph, mapA, embeddingWithProgress(0.3, 0.5));
   const bool             carries = result.correspondence.by == "names";
-  const CombinatorialMap mapB = carries ? CarryRotation(formA.graph, mapA, formB.graph, genusPart(0.5, 0.7)).map
-                                        : FindEmbedding(formB.graph, genusPart(0.5, 0.7)).map;
-  result.b = EmbedGraph(formB.graph, mapB, embeddingPart(0.7, 0.9));
+  const CombinatorialMap mapB = carries ? CarryRotation(formA.graph, mapA, formB.graph, genusWithProgress(0.5, 0.7)).map
+                                        : FindEmbedding(formB.graph, genusWithProgress(0.5, 0.7)).map;
+  result.b = EmbedGraph(formB.graph, mapB, embeddingWithProgress(0.7, 0.9));
   if (!result.isomorphic)
   {
     result.differences = DifferencesBetween(FiguresOf(a), FiguresOf(b));
