@@ -40,7 +40,8 @@ private:
   double       m_Intensity;
 };
 
-// The exponents in use are 2 and bodyExponent.
+// The exponents in use are 2 and bodyExponent; x * x * sqrt(x) is the power of the latter.
+static_assert(bodyExponent == 2.0 + 1.0 / 2.0);
 double
 Power(double x, double exponent)
 {
