@@ -125,7 +125,6 @@ namespace
 {
 constexpr double EdgeInBlurs = 2.4;
 constexpr double EndInBlurs = 3.0;
-constexpr double ThinnestWall = 2.0; // mm
 /** Beyond every length in mm. */
 constexpr double Beyond = 1e9;
 
@@ -296,8 +295,6 @@ private:
   double                     m_Tissue;
   double                     m_Blur; ///< mm, including voxel size
 };
-constexpr double MaximumSlope = 0.1;  // tangent
-constexpr double MinimumArea = 30.0;  // mm^2
 constexpr double MinimumWidth = 1.5;  // mm; larger than a strip along the bottom of a straight tube
 constexpr double HighestStepIn = 0.8; // mm between neighbors of one level
 /** A floor is flat if the floors within this radius (mm; at least this number of voxels) lie in a plane: floors that
@@ -354,10 +351,14 @@ private:
 class LevelFinder
 {
 public:
-  LevelFinder(const ColonGrid & grid, const std::vector<Floor> & floors, const GravitySteps & fall)
+  LevelFinder(const ColonGrid &          grid,
+              const std::vector<Floor> & floors,
+              const GravitySteps &       fall,
+              const LevelLimits &        limits)
     : m_Grid(grid)
     , m_Floors(floors)
     , m_Fall(fall)
+    , m_Limits(limits)
     , m_Radius(std::max(PlaneRadius, PlaneRadiusInVoxels * grid.spacing.maxCoeff()))
     , m_Places(this->Places())
     , m_Cells(m_Places, m_Radius)
@@ -380,7 +381,7 @@ public:
     std::vector<Level> found;
     for (auto & entry : levels)
     {
-      if (entry.second.floors.size() * m_Fall.ColumnArea(m_Grid) >= MinimumArea && this->Measure(entry.second))
+      if (entry.second.floors.size() * m_Fall.ColumnArea(m_Grid) >= m_Limits.area && this->Measure(entry.second))
       {
         found.push_back(entry.second);
       }
@@ -417,8 +418,8 @@ private:
     });
     const Plane  plane = fit.Solve();
     const double expected = 3.14159 * m_Radius * m_Radius / m_Fall.ColumnArea(m_Grid);
-    return plane.count >= LeastInPlane && plane.count >= PlaneShare * expected && plane.slope.norm() <= MaximumSlope &&
-           plane.residual <= PlaneResidual + PlaneResidualPerStep * m_Fall.step;
+    return plane.count >= LeastInPlane && plane.count >= PlaneShare * expected &&
+           plane.slope.norm() <= m_Limits.slope && plane.residual <= PlaneResidual + PlaneResidualPerStep * m_Fall.step;
   }
 
   std::vector<char>
@@ -489,6 +490,7 @@ private:
   const ColonGrid &                m_Grid;
   const std::vector<Floor> &       m_Floors;
   const GravitySteps &             m_Fall;
+  const LevelLimits &              m_Limits;
   double                           m_Radius;
   std::vector<LateralCells::Place> m_Places;
   LateralCells                     m_Cells;
@@ -501,9 +503,10 @@ FindLevels(const ColonGrid &          grid,
            const VoxelValues &        hu,
            const std::vector<Floor> & floors,
            const GravitySteps &       fall,
-           double                     tissue)
+           double                     tissue,
+           const LevelLimits &        limits)
 {
-  std::vector<Level> levels = LevelFinder(grid, floors, fall).Find();
+  std::vector<Level> levels = LevelFinder(grid, floors, fall, limits).Find();
   const BelowFloors  below(grid, hu, floors, fall, tissue);
   for (Level & level : levels)
   {

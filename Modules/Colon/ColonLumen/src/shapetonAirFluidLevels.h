@@ -129,14 +129,31 @@ struct Level
   }
 };
 
-/** Finds flat parts of floors of at least 30 mm^2, perpendicular to gravity within 6 degrees, largest first. Walls are
- * curved; the bottom of a haustrum is flat over only a few mm^2. */
+/** Which flat parts of floors are levels. */
+struct LevelLimits
+{
+  double slope; ///< maximum tangent of the angle to the plane perpendicular to gravity
+  double area;  ///< minimum, mm^2
+};
+
+/** Perpendicular to gravity within 6 degrees. Walls are curved; the bottom of a haustrum is flat over a few mm^2. */
+constexpr LevelLimits FlatLevels{ 0.1, 30.0 };
+
+/** Levels that only bright fluid directly below may prove. Breath and flow during the scan tilt the level of a narrow
+ * stretch; one in the sigmoid of a real patient has a slope of 0.2 along 50 mm. */
+constexpr LevelLimits TiltedLevels{ 0.35, 20.0 };
+
+/** Wall (mm) between gas and the fluid of another bowel. Larger voxels hide it. */
+constexpr double ThinnestWall = 2.0;
+
+/** Finds flat parts of floors within the limits, largest first. */
 std::vector<Level>
 FindLevels(const ColonGrid &          grid,
            const VoxelValues &        hu,
            const std::vector<Floor> & floors,
            const GravitySteps &       fall,
-           double                     tissue);
+           double                     tissue,
+           const LevelLimits &        limits = FlatLevels);
 
 /** Tests columns along gravity from a level down to bright matter for walls.
  *

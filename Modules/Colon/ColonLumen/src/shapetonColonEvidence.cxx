@@ -11,6 +11,7 @@
 #include <numeric>
 #include <optional>
 #include <sstream>
+#include <unordered_set>
 
 namespace shapeton
 {
@@ -148,6 +149,34 @@ MeasureFluid(ColonEvidence & evidence)
     t.fluid = evidence.hu[evidence.grid.Index(v[0], v[1], v[2])];
     t.fluidSeed = t.tissue + SeedShare * (t.fluid - t.tissue);
     t.fluidBoundary = 0.5 * (t.tissue + t.fluid);
+  }
+}
+
+void
+AddTiltedLevels(ColonEvidence & evidence)
+{
+  const GravitySteps fall(evidence.grid, evidence.gravity);
+  if (!evidence.isTagged || fall.step > ThinnestWall)
+  {
+    return;
+  }
+  const auto &                    t = evidence.thresholds;
+  std::unordered_set<std::size_t> known;
+  for (const auto & level : evidence.levels)
+  {
+    known.insert(level.floors.begin(), level.floors.end());
+  }
+  auto floors =
+    FloorsOfGas(evidence.grid, evidence.hu, evidence.gas.set, evidence.gas.labels, evidence.isColon, fall, t);
+  floors.erase(
+    std::remove_if(floors.begin(), floors.end(), [&](const Floor & floor) { return known.count(floor.voxel) > 0; }),
+    floors.end());
+  for (const auto & level : FindLevels(evidence.grid, evidence.hu, floors, fall, t.tissue, TiltedLevels))
+  {
+    if (level.IsTagged(t.tissue) && level.edge - t.tissue > FaintestShare * (t.fluid - t.tissue))
+    {
+      evidence.levels.push_back(level);
+    }
   }
 }
 

@@ -40,6 +40,11 @@ struct ColonEvidence
 void
 MeasureFluid(ColonEvidence & evidence);
 
+/** Adds tilted and small levels of the colon to the levels, where the matter directly below is as bright as its fluid,
+ * and voxels are small enough to show a wall in between. */
+void
+AddTiltedLevels(ColonEvidence & evidence);
+
 /** Finds bright matter, and the pieces connected to the gas of the colon. */
 void
 FindBright(ColonEvidence & evidence);

@@ -44,6 +44,7 @@ public:
     this->ReviewGas();
     this->KeepSeeds();
     MeasureFluid(m_Evidence);
+    AddTiltedLevels(m_Evidence);
     FindBright(m_Evidence);
     this->AddFluidWithoutGas();
     m_Options.progress(0.6);

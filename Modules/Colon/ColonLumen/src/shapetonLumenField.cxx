@@ -4,6 +4,7 @@
 #include "shapetonParallelFor.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace shapeton
 {
@@ -123,6 +124,12 @@ LumenField::FluidReach() const
 {
   constexpr double least = 5.0; // mm
   return std::max(least, StepsToFluid * fall.step);
+}
+
+double
+LumenField::Blur() const
+{
+  return std::sqrt(UsualBlur * UsualBlur + evidence.smoothing * evidence.smoothing + UniformVariance(fall.step));
 }
 
 bool

@@ -59,6 +59,10 @@ struct LumenField
   double
   FluidReach() const;
 
+  /** Standard deviation (mm) of the blur of a step along gravity, voxels included. */
+  double
+  Blur() const;
+
   /** Whether a level is the surface of tagged fluid. */
   bool
   IsTagged(const Level & level) const

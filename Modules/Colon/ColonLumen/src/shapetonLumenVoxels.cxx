@@ -2,9 +2,11 @@
 
 #include "shapetonAirFluidInterface.h"
 #include "shapetonCatheterFilling.h"
+#include "shapetonConnectingFluid.h"
 #include "shapetonHollowIslands.h"
 #include "shapetonInterruption.h"
 #include "shapetonParallelFor.h"
+#include "shapetonSquaredDistances.h"
 #include "shapetonTaggedPools.h"
 
 #include <algorithm>
@@ -24,8 +26,7 @@ double
 LayerThickness(const LumenField & field)
 {
   constexpr double widthInBlurs = 1.38;
-  const double     smoothing = field.evidence.smoothing;
-  return widthInBlurs * std::sqrt(UsualBlur * UsualBlur + smoothing * smoothing + UniformVariance(field.fall.step));
+  return widthInBlurs * field.Blur();
 }
 
 /** Tests for proximity to the levels of the colon. */
@@ -233,23 +234,49 @@ TakeBrightUnderGas(LumenField & field)
   return found;
 }
 
-/** Grows certain gas and fluid into adjacent voxels. */
+/** Mask of the voxels near connecting fluid, or empty if there is none. */
+std::vector<char>
+NearConnectingFluid(const LumenField & field, const VoxelSet & connecting)
+{
+  std::vector<char> near;
+  if (!connecting.empty())
+  {
+    std::vector<unsigned char> others(field.grid.NumberOfVoxels(), 1);
+    for (const auto p : connecting)
+    {
+      others[p] = 0;
+    }
+    const auto &      spacing = field.grid.spacing;
+    const VoxelValues squares =
+      SquaredDistances(field.grid, { spacing[0], spacing[1], spacing[2] }, others, GrowthReach);
+    near.resize(squares.size());
+    std::transform(
+      squares.begin(), squares.end(), near.begin(), [](float d) { return d <= GrowthReach * GrowthReach; });
+  }
+  return near;
+}
+
+/** Grows certain gas and fluid into adjacent voxels. Connecting fluid is uneven: next to dense contrast medium, the
+ * half height of the usual fluid counts. */
 void
-Grow(LumenField & field)
+Grow(LumenField & field, const VoxelSet & connecting)
 {
   const ColonThresholds &    t = field.evidence.thresholds;
   const ClassVolume &        classes = field.classes;
   std::vector<unsigned char> mask(classes.size());
   std::transform(classes.begin(), classes.end(), mask.begin(), [](unsigned char c) { return c == ColonFluid; });
-  const LocalFluid fluid(field.grid, field.hu, mask, t.fluid);
+  const LocalFluid        fluid(field.grid, field.hu, mask, t.fluid);
+  const std::vector<char> near = NearConnectingFluid(field, connecting);
   const int layers = std::max(2, static_cast<int>(std::lround(GrowthReach / std::cbrt(field.grid.VoxelVolume()))));
   GrowClasses(field.grid, field.classes, layers, [&](std::size_t p, unsigned char c) {
     if (c == ColonGas || c == OtherGas)
     {
       return field.hu[p] < t.gasBoundary;
     }
-    const auto v = field.grid.Voxel(p);
-    return t.fluid > 0.0 && field.hu[p] > 0.5 * (t.tissue + fluid.At(v[0], v[1], v[2]));
+    const auto   v = field.grid.Voxel(p);
+    const double local = fluid.At(v[0], v[1], v[2]);
+    const double usual = !near.empty() && near[p] ? std::min(local, t.fluid) : local;
+    return t.fluid > 0.0 && field.hu[p] > 0.5 * (t.tissue + usual);
   });
 }
 
@@ -338,7 +365,12 @@ DecideVoxels(const ColonImage * image, ColonEvidence & evidence)
   {
     SplitAtNecks(field);
   }
-  Grow(field);
+  const VoxelSet connecting = TakeConnectingFluid(field);
+  if (!connecting.empty())
+  {
+    TakeGasOverFluid(field);
+  }
+  Grow(field, connecting);
   AddUnmixed(image, field);
   FillLevelLayers(field);
   FillCavities(field);

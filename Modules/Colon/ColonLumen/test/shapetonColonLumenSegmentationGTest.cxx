@@ -232,6 +232,55 @@ TEST(ColonLumenSegmentation, FluidWithoutGasIsColonWhereItIsWiderThanSmallBowel)
   EXPECT_TRUE(narrow.warnings.empty());
 }
 
+unsigned char
+LabelAt(const shapeton::ColonLumen & lumen, const Vec & place)
+{
+  const itk::Point<double, 3> point(place.GetDataPointer());
+  return lumen.labels->GetPixel(lumen.labels->TransformPhysicalPointToIndex(point));
+}
+
+/** Two half-filled loops of colon, and a narrow bowel filled with fluid between them; one opening connects it to the
+ * loop on the left, and `isOpenRight` another one to the loop on the right. */
+TEST(ColonLumenSegmentation, FluidBetweenTwoPiecesOfColonIsColonIfItIsOpenToBoth)
+{
+  for (const bool isOpenRight : { true, false })
+  {
+    ColonTestScene scene;
+    scene.bodyRadius = 75.0;
+    scene.lumens.push_back({ Tube(At(-40, 0, 0), 2, 30, 18), 4.0, 700.0 });
+    scene.lumens.push_back({ Tube(At(40, 0, 0), 2, 30, 18), 4.0, 700.0 });
+    const auto   bowel = Tube(At(0, 12, 0), 0, 12, 7);
+    const double right = isOpenRight ? 28.0 : 0.0;
+    const auto   slit = [=](const Vec & x) {
+      return std::min({ 1.7 - std::abs(x[1] - 12.0), 5.0 - std::abs(x[2]), right - x[0], 28.0 + x[0] });
+    };
+    scene.lumens.push_back({ [=](const Vec & x) { return std::max(bowel(x), slit(x)); }, -1e9, 700.0 });
+    const auto lumen = Segment(shapeton::SampledImage(scene, { 108, 108, 76 }, { 1.5, 1.5, 1.5 }), "HFS");
+    EXPECT_EQ(LabelAt(lumen, At(0, 12, 0)), isOpenRight ? 2 : 0);
+    EXPECT_EQ(LabelAt(lumen, At(12, 12, 4)), isOpenRight ? 2 : 0);
+    EXPECT_EQ(lumen.pieces.size(), isOpenRight ? 1U : 2U);
+  }
+}
+
+/** A loop of colon whose gas and fluid meet in a plane of slope 0.25, or are separated by a wall of `wall` mm. */
+TEST(ColonLumenSegmentation, ATiltedLevelIsALevelUnlessAWallIsInBetween)
+{
+  for (const double wall : { 0.0, 3.0 })
+  {
+    ColonTestScene scene;
+    scene.bodyRadius = 75.0;
+    scene.lumens.push_back({ Tube(At(-36, 0, 0), 2, 30, 18), 4.0, 700.0 });
+    const auto tube = Tube(At(36, 0, 0), 2, 30, 16);
+    const auto below = [](const Vec & x) { return x[1] - 2.0 - 0.25 * x[2]; };
+    scene.lumens.push_back({ [=](const Vec & x) { return std::min(tube(x), -below(x)); } });
+    scene.lumens.push_back({ [=](const Vec & x) { return std::min(tube(x), below(x) - wall); }, -1e9, 700.0 });
+    const auto lumen = Segment(shapeton::SampledImage(scene, { 108, 108, 76 }, { 1.5, 1.5, 1.5 }), "HFS");
+    EXPECT_EQ(LabelAt(lumen, At(36, -6, 0)), 1);
+    EXPECT_EQ(LabelAt(lumen, At(36, 10, 0)), wall > 0.0 ? 0 : 2);
+    EXPECT_EQ(LabelAt(lumen, At(36, 12, 18)), wall > 0.0 ? 0 : 2);
+  }
+}
+
 /** Half-filled ascending and descending colon, and another bowel: a longitudinal tube filled with fluid below
  * `level`. */
 shapeton::ColonLumen
