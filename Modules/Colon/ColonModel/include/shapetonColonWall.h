@@ -23,8 +23,8 @@ struct BridgedOccupancy
   Remarks warnings;
 };
 
-/** Joins the pieces of a lumen by tubes around the centerline where the point array `gap` is 1 or the line is outside
- * the lumen.
+/** Joins the pieces of a lumen by tubes around the centerline where the point array `gap` is 1, the line is outside the
+ * lumen, or it passes from one piece to another one that touches it at edges of voxels.
  *
  * \param centerline LPS mm, with point arrays `gap` and `arcLength`.
  * \param radius of the tubes, mm, greater than 0; at least one voxel, or the tube may be disconnected.

@@ -1,6 +1,7 @@
 #include "shapetonColonBridges.h"
 
 #include "shapetonOccupancySampling.h"
+#include "shapetonPaddedVoxels.h"
 #include "shapetonParallelFor.h"
 #include "shapetonExceptions.h"
 
@@ -70,6 +71,68 @@ FindAxes(const OccupancyImage * occupancy, const CurveSet & centerline, BridgedO
       }
     }
   }
+}
+
+/** Pieces of the lumen that share no voxel faces, as in the repair of its topology. */
+class PiecesOfLumen
+{
+public:
+  explicit PiecesOfLumen(const OccupancyImage * occupancy)
+    : m_Geometry(occupancy), m_Voxels(occupancy->GetBufferedRegion())
+  {
+    const float * values = occupancy->GetBufferPointer();
+    m_Voxels.ForEachVoxel(
+      [&](std::int64_t padded, std::int64_t inner) { m_Voxels.flags[padded] = values[inner] >= 0.5F ? 1 : 0; });
+    m_Pieces = FindComponents(m_Voxels, 1, true, VoxelContact::Face);
+  }
+
+  /** Piece at the voxel that contains a point; 0 outside the lumen. */
+  int
+  At(const Eigen::Vector3d & point) const
+  {
+    const Eigen::Vector3d index = m_Geometry.IndexOf(point);
+    std::array<int, 3>    padded;
+    for (int i = 0; i < 3; ++i)
+    {
+      padded[i] = static_cast<int>(std::lround(index[i])) + 1;
+      if (padded[i] < 0 || padded[i] >= m_Voxels.grid.size[i])
+      {
+        return 0;
+      }
+    }
+    const auto run = m_Pieces.runs.Find(padded[0], padded[1], padded[2]);
+    return run < 0 ? 0 : m_Pieces.labels.ofRun[run];
+  }
+
+private:
+  GridGeometry    m_Geometry;
+  PaddedVoxels    m_Voxels;
+  VoxelComponents m_Pieces;
+};
+
+/** Adds axes where the curve passes from one piece of the bridged lumen to another one. Interpolated occupancy is at
+ * least 0.5 there, but voxels touch only at edges or corners. Returns whether any was found. */
+bool
+AddAxesBetweenPieces(const CurveSet & centerline, BridgedOccupancy & result)
+{
+  const PiecesOfLumen pieces(result.occupancy);
+  const std::size_t   before = result.axes.size();
+  for (const auto & curve : centerline.curves)
+  {
+    int         last = 0;
+    std::size_t lastAt = 0;
+    for (std::size_t i = 0; i < curve.size(); ++i)
+    {
+      const int piece = pieces.At(centerline.V.row(curve[i]));
+      for (std::size_t k = lastAt; last > 0 && piece > 0 && piece != last && k < i; ++k)
+      {
+        result.axes.emplace_back(centerline.V.row(curve[k]), centerline.V.row(curve[k + 1]));
+      }
+      last = piece > 0 ? piece : last;
+      lastAt = piece > 0 ? i : lastAt;
+    }
+  }
+  return result.axes.size() > before;
 }
 
 /** Copies a field to a grid that contains all tubes with a margin. */
@@ -156,6 +219,10 @@ AddBridges(const OccupancyImage * occupancy, const CurveSet & centerline, double
   result.radius = radius;
   FindAxes(occupancy, centerline, result);
   result.occupancy = DrawBridges(occupancy, result);
+  if (AddAxesBetweenPieces(centerline, result))
+  {
+    result.occupancy = DrawBridges(occupancy, result);
+  }
   return result;
 }
 

@@ -7,6 +7,8 @@
 #include "shapetonExceptions.h"
 #include "shapetonTestImages.h"
 
+#include "itkImageRegionIteratorWithIndex.h"
+
 #include <gtest/gtest.h>
 
 #include <cstring>
@@ -203,6 +205,24 @@ TEST(ColonWall, BridgesJoinThePieces)
     const double tube = Pi * 4 * 20;
     EXPECT_NEAR(2 * piece + tube, shapeton::EnclosedVolume(mesh.V, mesh.F), 0.01 * piece);
   }
+}
+
+/** Two cubes share an edge. The interpolated occupancy along the diagonal is at least 0.5. */
+TEST(ColonWall, BridgesJoinPiecesThatTouchAtAnEdge)
+{
+  const auto cubes = basetest::NewImage<shapeton::OccupancyImage>({ { 12, 12, 7 } });
+  for (itk::ImageRegionIteratorWithIndex<shapeton::OccupancyImage> one(cubes, cubes->GetBufferedRegion());
+       !one.IsAtEnd();
+       ++one)
+  {
+    const auto index = one.GetIndex();
+    const auto isIn = [&](int axis, int low) { return index[axis] > low && index[axis] <= low + 5; };
+    one.Set(isIn(2, 0) && ((isIn(0, 0) && isIn(1, 0)) || (isIn(0, 5) && isIn(1, 5))) ? 1.0F : 0.0F);
+  }
+  const auto line = Centerline(Line({ 3, 3, 3 }, { 8, 8, 3 }));
+  EXPECT_EQ(1, shapeton::RepairLumenTopology(cubes, line).report.droppedPieces);
+  const auto bridged = shapeton::AddBridges(cubes, line);
+  EXPECT_EQ(0, shapeton::RepairLumenTopology(bridged.occupancy, line).report.droppedPieces);
 }
 
 TEST(ColonWall, BridgesEnlargeTheGridAndReportWhatNoGapExplains)
