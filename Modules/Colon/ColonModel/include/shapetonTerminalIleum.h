@@ -14,7 +14,8 @@ struct TerminalIleum
   LumenMask::Pointer mask;
   /** Center of the opening into the colon, LPS, mm. */
   Eigen::Vector3d mouth{ Eigen::Vector3d::Zero() };
-  /** Straight distance from the mouth to the farthest point, mm. */
+  /** Length, mm: along the line through it, or the straight distance from the mouth to the farthest point if it is a
+   * side branch of the colon. */
   double length{ 0.0 };
   /** Volume, ml. */
   double volume{ 0.0 };
@@ -30,6 +31,18 @@ struct TerminalIleum
  * \ingroup ShapetonColonModel */
 ShapetonColonModel_EXPORT std::optional<TerminalIleum>
 FindTerminalIleum(const LumenMask * labels, const CurveSet & centerline, const IleocecalValve & valve);
+
+/** Finds an ileum filled by reflux through the valve, through which the line runs on to its end: behind a pouch of
+ * lumen beside the line (the cecum, at least 25 mm deep and 3 ml), the rest of the line, at least 40 mm, has a median
+ * inscribed radius of at most 12.5 mm and of 3/4 of that of the 150 mm before. The ileum is the lumen around the line
+ * behind its narrowest place next to the pouch, and the result is empty if there is none. A line without a narrow end
+ * takes no time.
+ *
+ * \param labels nonzero voxels are lumen.
+ * \param centerline LPS, mm, one curve with point arrays `arcLength`, `radius` and `gap`, from the rectum.
+ * \ingroup ShapetonColonModel */
+ShapetonColonModel_EXPORT std::optional<TerminalIleum>
+                          FindRefluxedIleum(const LumenMask * labels, const CurveSet & centerline);
 
 /** Sets the voxels of an image inside the ileum to 0; the grids may differ. \ingroup ShapetonColonModel */
 template <typename TImage>

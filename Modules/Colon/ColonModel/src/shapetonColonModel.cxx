@@ -69,20 +69,35 @@ FindValve(ColonModel & model)
   SetIleocecalValve(model.valve.valve, model.centerline.curve);
 }
 
+/** Removes the ileum from the lumen and traces the line again. */
+void
+RemoveIleum(ColonModel & model, const ColonModelSettings & options)
+{
+  TakeOut(*model.terminalIleum, model.lumen.labels.GetPointer());
+  TraceLine(model, options);
+  FindValve(model);
+}
+
 /** Finds the valve; if ileum is attached, removes it and recomputes line and valve. */
 void
 AddValve(ColonModel & model, const ColonModelSettings & options)
 {
-  FindValve(model);
-  if (model.valve.valve)
-  {
-    model.terminalIleum = FindTerminalIleum(model.lumen.labels, model.centerline.curve, *model.valve.valve);
-  }
+  model.terminalIleum = FindRefluxedIleum(model.lumen.labels, model.centerline.curve);
   if (model.terminalIleum)
   {
-    TakeOut(*model.terminalIleum, model.lumen.labels.GetPointer());
-    TraceLine(model, options);
+    RemoveIleum(model, options);
+  }
+  else
+  {
     FindValve(model);
+    if (model.valve.valve)
+    {
+      model.terminalIleum = FindTerminalIleum(model.lumen.labels, model.centerline.curve, *model.valve.valve);
+    }
+    if (model.terminalIleum)
+    {
+      RemoveIleum(model, options);
+    }
   }
   AppendRemarks(model.warnings, model.centerline.warnings);
 }

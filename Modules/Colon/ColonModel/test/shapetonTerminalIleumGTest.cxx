@@ -50,6 +50,87 @@ TEST(TerminalIleum, IsNoHaustrumAndNoColon)
   EXPECT_FALSE(Find(scene, cecalscene::Draw(scene)));
 }
 
+/** A line through the colon to the height of the ileum, and through the ileum to its end, or to the pole if there is no
+ * ileum; radii as of inscribed balls. */
+shapeton::CurveSet
+LineThroughIleum(const cecalscene::Scene & scene)
+{
+  std::vector<Eigen::Vector3d> points;
+  std::vector<double>          radii;
+  const double                 turn = scene.ileumLength > 0.0 ? 145.0 : cecalscene::end - 5.0;
+  for (double z = 5.0; z < turn; z += 1.0)
+  {
+    points.emplace_back(0.0, 0.0, z);
+    radii.push_back(std::min(cecalscene::radius, cecalscene::end - z));
+  }
+  for (double x = 0.0; x < cecalscene::radius + scene.ileumLength - 2.0; x += 1.0)
+  {
+    points.emplace_back(x, 0.0, turn);
+    radii.push_back(std::min(cecalscene::radius, std::hypot(std::max(0.0, cecalscene::radius - x), scene.ileumRadius)));
+  }
+  shapeton::CurveSet line;
+  const auto         number = static_cast<Eigen::Index>(points.size());
+  line.V.resize(number, 3);
+  line.curves.emplace_back();
+  for (Eigen::Index i = 0; i < number; ++i)
+  {
+    line.V.row(i) = (scene.turn * points[i]).transpose();
+    line.curves.back().push_back(static_cast<int>(i));
+  }
+  line.pointArrays = { { "arcLength", Eigen::VectorXd::LinSpaced(number, 0.0, static_cast<double>(number - 1)) },
+                       { "radius", Eigen::Map<Eigen::VectorXd>(radii.data(), number) },
+                       { "gap", Eigen::VectorXd::Zero(number) } };
+  return line;
+}
+
+TEST(RefluxedIleum, IsCutOffTheEndOfTheLine)
+{
+  cecalscene::Scene scene;
+  scene.hasValve = false;
+  scene.ileumRadius = 7.0;
+  scene.turn = Eigen::AngleAxisd(0.4, Eigen::Vector3d(1, 2, 3).normalized()).toRotationMatrix();
+  for (const double length : { 60.0, 90.0 })
+  {
+    scene.ileumLength = length;
+    const auto images = cecalscene::Draw(scene, Eigen::Vector3d(1.2, 1.0, 1.6));
+    const auto ileum = shapeton::FindRefluxedIleum(images.lumen, LineThroughIleum(scene));
+    ASSERT_TRUE(ileum);
+    EXPECT_NEAR(length, ileum->length, 3.0);
+    EXPECT_NEAR(1e-3 * 3.14159 * 49.0 * length, ileum->volume, 0.1 * ileum->volume);
+    const Eigen::Vector3d mouth = scene.turn.transpose() * ileum->mouth;
+    EXPECT_NEAR(cecalscene::radius, mouth.x(), 3.0);
+    EXPECT_NEAR(145.0, mouth.z(), 1.0);
+    std::size_t removed = 0;
+    basetest::ForVoxels(ileum->mask, [&](const auto & index, const auto & point) {
+      const Eigen::Vector3d p = scene.turn.transpose() * basetest::ToEigen(point);
+      removed += ileum->mask->GetPixel(index) != 0 && p.x() < cecalscene::radius - 3.0;
+    });
+    EXPECT_EQ(0U, removed) << "voxels of the colon";
+  }
+}
+
+TEST(RefluxedIleum, IsNoColon)
+{
+  cecalscene::Scene scene;
+  scene.hasValve = false;
+  const auto cecum = cecalscene::Draw(scene);
+  EXPECT_FALSE(shapeton::FindRefluxedIleum(cecum.lumen, LineThroughIleum(scene))) << "the line ends in the cecum";
+  scene.ileumLength = 80.0;
+  scene.ileumRadius = 17.0;
+  const auto wide = cecalscene::Draw(scene);
+  EXPECT_FALSE(shapeton::FindRefluxedIleum(wide.lumen, LineThroughIleum(scene))) << "as wide as colon";
+  scene.ileumRadius = 7.0;
+  const auto narrow = cecalscene::Draw(scene);
+  basetest::ForVoxels(narrow.lumen, [&](const auto & index, const auto & point) {
+    if (point[2] > 152.0)
+    {
+      narrow.lumen->SetPixel(index, 0);
+    }
+  });
+  EXPECT_FALSE(shapeton::FindRefluxedIleum(narrow.lumen, LineThroughIleum(scene)))
+    << "a spastic colon, no cecum beside it";
+}
+
 TEST(TerminalIleum, LeavesAtTheValve)
 {
   Scene scene;

@@ -1,0 +1,282 @@
+#include "shapetonArcLengthField.h"
+#include "shapetonPaddedVoxels.h"
+#include "shapetonTerminalIleum.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace shapeton
+{
+namespace
+{
+/** Largest median radius (mm) of an ileum; it is 10 to 25 mm wide. */
+constexpr double WidestIleum = 12.5;
+/** Largest ratio of the median radii of ileum and colon. One real patient: 0.53; colons narrow at a spastic sigmoid,
+ * but the cecum is their widest part. */
+constexpr double NarrowerThanColon = 0.75;
+/** Colon (mm) before the valve whose caliber is compared. */
+constexpr double ComparedColon = 150.0;
+/** Shortest ileum (mm) that is worth a search; the pole of a cecum is within one radius of the end. */
+constexpr double LeastIleum = 40.0;
+/** Beyond (mm) the inscribed ball of the line: voxels of a pouch, and its least depth. Haustra are 10 to 15 mm deep. */
+constexpr double PouchBegin = 10.0;
+constexpr double LeastPouchDepth = 25.0;
+/** Beyond (mm) the inscribed ball: voxels of a cecum that touches the ileum. Folds of the ileum are shallower. */
+constexpr double CecumBegin = 3.0;
+/** Least volume (ml) of the part of a cecum beyond the line. */
+constexpr double LeastPouchMl = 3.0;
+/** Length (mm) of the line from the pouch to the valve, through the cecum, and through the valve. */
+constexpr double ValveReach = 60.0;
+constexpr double ValveLength = 30.0;
+constexpr double WiderThanIleum = 1.3; // radius of the cecum relative to the median of the ileum
+constexpr double PlaceStep = 5.0;      // mm between tried places
+
+double
+MedianRadius(std::vector<double> radii)
+{
+  const auto middle = radii.begin() + radii.size() / 2;
+  std::nth_element(radii.begin(), middle, radii.end());
+  return *middle;
+}
+
+/** Inscribed radii along a line. */
+class Caliber
+{
+public:
+  explicit Caliber(const CurveSet & centerline)
+    : m_ArcLengths(PointValues(centerline, "arcLength", "the centerline"))
+    , m_Radii(PointValues(centerline, "radius", "the centerline"))
+    , m_Gap(PointValues(centerline, "gap", "the centerline"))
+    , m_Points(centerline.V)
+  {}
+
+  double
+  End() const
+  {
+    return m_ArcLengths[m_ArcLengths.size() - 1];
+  }
+
+  Eigen::Index
+  PointAt(double arcLength) const
+  {
+    const auto * const at = std::lower_bound(m_ArcLengths.data(), m_ArcLengths.data() + m_ArcLengths.size(), arcLength);
+    return std::min<Eigen::Index>(at - m_ArcLengths.data(), m_ArcLengths.size() - 1);
+  }
+
+  /** Whether the rest of the line is as narrow as ileum, and the colon before is wider. */
+  bool
+  IsNarrowFrom(double arcLength) const
+  {
+    const auto after = this->Radii(arcLength, this->End());
+    const auto before = this->Radii(arcLength - ComparedColon, arcLength);
+    if (after.empty() || before.empty() || arcLength > this->End() - LeastIleum)
+    {
+      return false;
+    }
+    const double ileum = MedianRadius(after);
+    return ileum <= WidestIleum && ileum <= NarrowerThanColon * MedianRadius(before);
+  }
+
+  bool
+  HasNarrowEnd() const
+  {
+    bool isNarrow = false;
+    for (double s = this->End() - LeastIleum; s > 0.0 && !isNarrow; s -= PlaceStep)
+    {
+      isNarrow = this->IsNarrowFrom(s);
+    }
+    return isNarrow;
+  }
+
+  /** The narrowest place behind the last place next to a pouch that is wider than ileum; a gap is a closed valve. */
+  double
+  ValveAfter(double arcLength) const
+  {
+    const double last = std::min(arcLength + ValveReach, this->End() - LeastIleum);
+    const double wide = WiderThanIleum * MedianRadius(this->Radii(last, this->End()));
+    Eigen::Index cecum = this->PointAt(arcLength);
+    for (Eigen::Index i = cecum; m_ArcLengths[i] < last; ++i)
+    {
+      cecum = m_Radii[i] >= wide ? i : cecum;
+    }
+    Eigen::Index narrowest = cecum;
+    for (Eigen::Index i = cecum; i < m_Radii.size() && m_ArcLengths[i] < m_ArcLengths[cecum] + ValveLength; ++i)
+    {
+      narrowest = m_Radii[i] < m_Radii[narrowest] ? i : narrowest;
+    }
+    return m_ArcLengths[narrowest];
+  }
+
+  /** Distance (mm) of a point beyond the inscribed ball at a place of the line. */
+  double
+  Beyond(double arcLength, const Eigen::Vector3d & point) const
+  {
+    const Eigen::Index i = this->PointAt(arcLength);
+    return (point - m_Points.row(i).transpose()).norm() - m_Radii[i];
+  }
+
+private:
+  std::vector<double>
+  Radii(double begin, double end) const
+  {
+    std::vector<double> radii;
+    for (Eigen::Index i = this->PointAt(begin); i < m_Radii.size() && m_ArcLengths[i] <= end; ++i)
+    {
+      if (m_Gap[i] == 0.0)
+      {
+        radii.push_back(m_Radii[i]);
+      }
+    }
+    return radii;
+  }
+
+  Eigen::VectorXd m_ArcLengths;
+  Eigen::VectorXd m_Radii;
+  Eigen::VectorXd m_Gap;
+  VertexMatrix    m_Points;
+};
+
+/** The part of a cecum that the line passes by. */
+struct CecalPouch
+{
+  std::size_t         voxel{ 0 };   ///< one of its voxels, in the padded grid
+  double              depth{ 0.0 }; ///< mm beyond the inscribed ball
+  std::vector<double> arcLengths;   ///< of its voxels
+};
+
+/** Searches for the pouch of lumen beside the line where the caliber drops. */
+class PouchSearch
+{
+public:
+  PouchSearch(const LumenMask * labels, const CurveSet & centerline, const Caliber & caliber)
+    : m_Labels(labels)
+    , m_Geometry(labels)
+    , m_Field(labels, centerline)
+    , m_Caliber(caliber)
+    , m_Voxels(labels->GetBufferedRegion())
+  {
+    m_Voxels.ForEachVoxel([&](std::int64_t padded, std::int64_t inner) {
+      m_Voxels.flags[padded] = m_Labels->GetBufferPointer()[inner] != 0 && this->Beyond(inner) > PouchBegin ? 1 : 0;
+    });
+    m_Pieces = FindComponents(m_Voxels, 1, true, VoxelContact::Face);
+  }
+
+  /** The largest pouch that is deep, and behind which the line is as narrow as ileum. */
+  std::optional<CecalPouch>
+  Find() const
+  {
+    std::vector<CecalPouch> pouches(m_Pieces.sizes.size());
+    this->ForEachVoxelOf(m_Pieces, [&](int label, std::size_t voxel) {
+      const std::int64_t inner = this->Inner(voxel);
+      pouches[label].voxel = voxel;
+      pouches[label].depth = std::max(pouches[label].depth, this->Beyond(inner));
+      pouches[label].arcLengths.push_back(m_Field.ArcLengthOfVoxel(inner));
+    });
+    const auto                spacing = m_Labels->GetSpacing();
+    const double              voxelMl = 1e-3 * spacing[0] * spacing[1] * spacing[2];
+    std::optional<CecalPouch> largest;
+    for (CecalPouch & pouch : pouches)
+    {
+      if (pouch.depth >= LeastPouchDepth && voxelMl * static_cast<double>(pouch.arcLengths.size()) >= LeastPouchMl &&
+          m_Caliber.IsNarrowFrom(m_Caliber.ValveAfter(MedianRadius(pouch.arcLengths))) &&
+          (!largest || pouch.arcLengths.size() > largest->arcLengths.size()))
+      {
+        largest = std::move(pouch);
+      }
+    }
+    return largest;
+  }
+
+  /** The lumen around the line behind the valve, without the cecum, which may touch the ileum. */
+  TerminalIleum
+  IleumBehind(double valve, const CecalPouch & pouch) const
+  {
+    TerminalIleum ileum;
+    ileum.mask = LumenMask::New();
+    ileum.mask->CopyInformation(m_Labels);
+    ileum.mask->SetRegions(m_Labels->GetBufferedRegion());
+    ileum.mask->Allocate(true);
+    unsigned char * const isIleum = ileum.mask->GetBufferPointer();
+    PaddedVoxels          cecum(m_Labels->GetBufferedRegion());
+    m_Voxels.ForEachVoxel([&](std::int64_t padded, std::int64_t inner) {
+      isIleum[inner] = m_Labels->GetBufferPointer()[inner] != 0 && m_Field.ArcLengthOfVoxel(inner) > valve ? 1 : 0;
+      cecum.flags[padded] = m_Voxels.flags[padded] != 0 || (isIleum[inner] != 0 && this->Beyond(inner) > CecumBegin);
+    });
+    const VoxelComponents pieces = FindComponents(cecum, 1, true, VoxelContact::Face);
+    const auto            at = cecum.grid.Voxel(pouch.voxel);
+    const int             label = pieces.labels.ofRun[pieces.runs.Find(at[0], at[1], at[2])];
+    ForEachVoxelOf(pieces, [&](int piece, std::size_t voxel) {
+      isIleum[this->Inner(voxel)] = piece == label ? 0 : isIleum[this->Inner(voxel)];
+    });
+    const auto spacing = m_Labels->GetSpacing();
+    const auto size = static_cast<std::ptrdiff_t>(m_Labels->GetBufferedRegion().GetNumberOfPixels());
+    ileum.volume = 1e-3 * spacing[0] * spacing[1] * spacing[2] *
+                   static_cast<double>(std::count(isIleum, isIleum + size, static_cast<unsigned char>(1)));
+    return ileum;
+  }
+
+private:
+  double
+  Beyond(std::int64_t inner) const
+  {
+    const auto size = m_Labels->GetBufferedRegion().GetSize();
+    const auto nx = static_cast<std::int64_t>(size[0]);
+    const auto ny = static_cast<std::int64_t>(size[1]);
+    return m_Caliber.Beyond(m_Field.ArcLengthOfVoxel(inner),
+                            m_Geometry.PointOf(Eigen::Vector3d(static_cast<double>(inner % nx),
+                                                               static_cast<double>(inner / nx % ny),
+                                                               static_cast<double>(inner / nx / ny))));
+  }
+
+  /** Buffer index of a voxel of the padded grid. */
+  std::int64_t
+  Inner(std::size_t padded) const
+  {
+    const auto & size = m_Voxels.grid.size;
+    const auto   v = m_Voxels.grid.Voxel(padded);
+    return (static_cast<std::int64_t>(v[2] - 1) * (size[1] - 2) + v[1] - 1) * (size[0] - 2) + v[0] - 1;
+  }
+
+  /** Calls `body(label, index in the padded grid)` in order. */
+  template <typename TBody>
+  void
+  ForEachVoxelOf(const VoxelComponents & pieces, const TBody & body) const
+  {
+    ForEachRun(pieces.runs, [&](std::size_t r, int j, int k) {
+      for (int i = pieces.runs.runs[r].begin; i < pieces.runs.runs[r].end; ++i)
+      {
+        body(pieces.labels.ofRun[r], m_Voxels.grid.Index(i, j, k));
+      }
+    });
+  }
+
+  const LumenMask * m_Labels;
+  GridGeometry      m_Geometry;
+  ArcLengthField    m_Field;
+  const Caliber &   m_Caliber;
+  PaddedVoxels      m_Voxels; ///< of all pouches
+  VoxelComponents   m_Pieces;
+};
+} // namespace
+
+std::optional<TerminalIleum>
+FindRefluxedIleum(const LumenMask * labels, const CurveSet & centerline)
+{
+  const Caliber caliber(centerline);
+  if (!caliber.HasNarrowEnd())
+  {
+    return std::nullopt;
+  }
+  const PouchSearch search(labels, centerline, caliber);
+  const auto        pouch = search.Find();
+  if (!pouch)
+  {
+    return std::nullopt;
+  }
+  const double  valve = caliber.ValveAfter(MedianRadius(pouch->arcLengths));
+  TerminalIleum ileum = search.IleumBehind(valve, *pouch);
+  ileum.mouth = centerline.V.row(caliber.PointAt(valve));
+  ileum.length = caliber.End() - valve;
+  return ileum;
+}
+} // namespace shapeton
