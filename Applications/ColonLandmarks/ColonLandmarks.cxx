@@ -5,6 +5,7 @@
 #include "shapetonCommandLine.h"
 #include "shapetonReadOptions.h"
 #include "shapetonToolSurfaces.h"
+#include "shapetonToolVolumes.h"
 
 #include <optional>
 
@@ -20,6 +21,13 @@ SettingsOf(CommandLine & commandLine)
   if (commandLine.IsGiven("markers"))
   {
     settings.markers = shapeton::ReadTaeniaMarkers(commandLine, "markers");
+  }
+  if (commandLine.IsGiven("volume"))
+  {
+    commandLine.Progress("Finding the pelvis", 0.0);
+    const shapeton::Volume volume = shapeton::ReadVolume(commandLine, "volume");
+    shapeton::WarnUnlessCT(commandLine, volume);
+    settings.pelvis = shapeton::FindPelvis(volume.image);
   }
   settings.progress = commandLine.PartOfProgress(0.0, 0.7); // the rest: splitting the colon and writing the files
   return settings;

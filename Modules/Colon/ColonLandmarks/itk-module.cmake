@@ -11,6 +11,7 @@ itk_module(ShapetonColonLandmarks
     ShapetonColonCenterline
     ShapetonFlatColon
     ShapetonColonModel
+    ITKCommon
   PRIVATE_DEPENDS
     ShapetonConformalFlattening
   TEST_DEPENDS

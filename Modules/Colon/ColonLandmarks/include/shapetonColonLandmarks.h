@@ -22,6 +22,8 @@ struct ColonLandmarkSettings : ColonLandmarkOptions
 {
   /** Manually marked points on taeniae coli; LPS, mm. */
   std::vector<Eigen::Vector3d> markers;
+  /** From FindPelvis(); improves the descending-sigmoid flexure. */
+  std::optional<Pelvis> pelvis;
   /** Called with the stage and the completed fraction, 0 to 1. */
   Progress progress;
 };
@@ -33,6 +35,8 @@ struct ColonLandmarks
   std::shared_ptr<const ColonWallTube> tube;
   ColonFlexures                        flexures;
   ColonSegments                        segments;
+  /** The pelvis in the settings. */
+  std::optional<Pelvis> pelvis;
   /** The ileocecal valve stored with the centerline. */
   std::optional<IleocecalValve> valve;
   /** Position of the valve on the map, mm. */
@@ -71,10 +75,11 @@ SegmentSurface(const SurfaceMesh & flat, const ColonLandmarks & landmarks);
 ShapetonColonLandmarks_EXPORT SurfaceMesh
 FoldSurface(const SurfaceMesh & flat, const ColonLandmarks & landmarks);
 /** Stable keys: flexureRule, mirrored, backwards, flexures (a list of number, name, found, reason, position, arcLength,
- * uv, confidence, and notAssessable where the wall is not visible: HindranceToJson()), cecum (the same, with source:
- * ileocecalValve or estimated), ileocecalValve (found, position, arcLength, uv, length, width, confidence), segments (a
- * list of number, name, begin, end, length, area, and, with the array notAssessable, the keys of
- * AssessabilityToJson()), segmentsNotFound (names), notAssessable (StretchesToJson()), surfaceFolds (number,
+ * uv, confidence, for the descending-sigmoid flexure decidedBy: bone or course, and notAssessable where the wall is not
+ * visible: HindranceToJson()), pelvis (found, leftCrest, rightCrest, promontory, reason), cecum (the same as a flexure,
+ * with source: ileocecalValve or estimated), ileocecalValve (found, position, arcLength, uv, length, width,
+ * confidence), segments (a list of number, name, begin, end, length, area, and, with the array notAssessable, the keys
+ * of AssessabilityToJson()), segmentsNotFound (names), notAssessable (StretchesToJson()), surfaceFolds (number,
  * leastCurvature in 1/mm, area), taeniae. \ingroup ShapetonColonLandmarks */
 ShapetonColonLandmarks_EXPORT Json
 ColonLandmarksToJson(const ColonLandmarks & landmarks);

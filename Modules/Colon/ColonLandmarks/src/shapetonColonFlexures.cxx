@@ -51,11 +51,12 @@ PlaceFlexure(const CenterlineShape & shape, const VertexMatrix & tangents, int i
 }
 
 void
-FindOrdered(const CenterlineShape & shape, ColonFlexures & result)
+FindOrdered(const CenterlineShape & shape, const std::optional<Pelvis> & pelvis, ColonFlexures & result)
 {
-  const FlexurePlaces places = FindFlexurePlaces(shape);
+  const FlexurePlaces places = FindFlexurePlaces(shape, pelvis);
   result.isMirrored = places.isMirrored;
   result.isBackwards = places.isBackwards;
+  result.isJunctionFromBones = places.isAtBrim;
   const Eigen::VectorXd turning = 0.5 * (shape.Turning(35.0, 8.0) + shape.Turning(70.0, 8.0));
   const VertexMatrix    tangents = shape.Tangents(10.0);
   for (int k = 0; k < 4; ++k)
@@ -160,7 +161,7 @@ NameOf(FlexureRule rule)
 }
 
 ColonFlexures
-FindColonFlexures(const CurveSet & centerline, FlexureRule rule)
+FindColonFlexures(const CurveSet & centerline, FlexureRule rule, const std::optional<Pelvis> & pelvis)
 {
   const CenterlineShape shape(centerline);
   ColonFlexures         result;
@@ -179,7 +180,7 @@ FindColonFlexures(const CurveSet & centerline, FlexureRule rule)
   }
   else
   {
-    rule == FlexureRule::Ordered ? FindOrdered(shape, result) : FindPublished(shape, result);
+    rule == FlexureRule::Ordered ? FindOrdered(shape, pelvis, result) : FindPublished(shape, result);
   }
   WarnOfFlexures(result);
   return result;

@@ -75,7 +75,8 @@ FindColonLandmarks(const FlatColon & flat, const CurveSet & centerline, const Co
   AppendRemarks(result.warnings, tube->Warnings());
 
   options.progress("Finding flexures", 0.1);
-  result.flexures = FindColonFlexures(centerline, options.flexureRule);
+  result.flexures = FindColonFlexures(centerline, options.flexureRule, options.pelvis);
+  result.pelvis = options.pelvis;
   AppendRemarks(result.warnings, result.flexures.warnings);
   result.segments =
     FindColonSegments(*tube, centerline, result.flexures, options.progress.Part("Finding segments", 0.1, 0.2));

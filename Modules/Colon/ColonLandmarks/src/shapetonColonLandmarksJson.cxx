@@ -65,6 +65,17 @@ AddPlace(const ColonLandmarks & landmarks, const SegmentBorder & border, Json & 
   }
 }
 
+/** Evidence for the descending-sigmoid flexure; the published rule has none. */
+void
+AddEvidence(const ColonFlexures & flexures, int number, Json & json)
+{
+  constexpr int junction = 2;
+  if (number == junction && flexures.rule == FlexureRule::Ordered)
+  {
+    json["decidedBy"] = flexures.isJunctionFromBones ? "bone" : "course";
+  }
+}
+
 Json
 FlexuresToJson(const ColonLandmarks & landmarks)
 {
@@ -79,6 +90,7 @@ FlexuresToJson(const ColonLandmarks & landmarks)
     if (border != nullptr)
     {
       AddPlace(landmarks, *border, json);
+      AddEvidence(landmarks.flexures, flexure.number, json);
     }
     else
     {
@@ -87,6 +99,24 @@ FlexuresToJson(const ColonLandmarks & landmarks)
     list.push_back(json);
   }
   return list;
+}
+
+Json
+PelvisToJson(const std::optional<Pelvis> & pelvis)
+{
+  Json json;
+  json["found"] = pelvis.has_value();
+  if (pelvis)
+  {
+    json["leftCrest"] = Numbers(pelvis->leftCrest);
+    json["rightCrest"] = Numbers(pelvis->rightCrest);
+    json["promontory"] = Numbers(pelvis->promontory);
+  }
+  else
+  {
+    json["reason"] = "no CT was given, or the pelvis is not in view";
+  }
+  return json;
 }
 
 Json
@@ -237,6 +267,7 @@ ColonLandmarksToJson(const ColonLandmarks & landmarks)
   json["mirrored"] = landmarks.flexures.isMirrored;
   json["backwards"] = landmarks.flexures.isBackwards;
   json["flexures"] = FlexuresToJson(landmarks);
+  json["pelvis"] = PelvisToJson(landmarks.pelvis);
   json["cecum"] = CecumToJson(landmarks);
   json["ileocecalValve"] = ValveToJson(landmarks);
   json["segments"] = SegmentsToJson(landmarks);

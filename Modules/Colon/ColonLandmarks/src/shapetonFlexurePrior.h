@@ -54,22 +54,23 @@ constexpr std::array<FlexurePrior, 4> TheFlexurePriors{
           { -0.40, 0.50 },
           { 0.10, 0.55 } } },
       { 0.105, 0.03 } },
-    // end of the descending colon: pelvic brim, left iliac fossa; upward from there
-    { { { { 0.37, 0.07 },
+    // end of the descending colon: pelvic brim, left iliac fossa, 11 to 17 cm above the verge; upward from there. The
+    // sigmoid is 20 to 45 % of the length, so that the fraction is 0.22 to 0.55.
+    { { { { 0.39, 0.10 },
           { 0.85, 0.12 },
           { 0.65, 0.20 },
-          { 0.42, 0.12 },
+          { 0.36, 0.10 },
           { 0.50, 0.30 },
           { 0.55, 0.35 },
           { 0.40, 0.45 },
           { 0.20, 0.50 },
-          { 0.30, 0.50 },
-          { 0.10, 0.30 },
+          { 0.20, 0.50 },
+          { 0.10, 0.35 },
           { 0.20, 0.35 },
           { 0.85, 0.25 } } },
-      { 0.26, 0.07 } },
+      { 0.28, 0.10 } },
     // splenic: the highest point, left and back; the transverse colon turns right, forward and down
-    { { { { 0.515, 0.06 },
+    { { { { 0.54, 0.09 },
           { 0.90, 0.10 },
           { 0.75, 0.18 },
           { 0.98, 0.06 },
@@ -95,7 +96,7 @@ constexpr std::array<FlexurePrior, 4> TheFlexurePriors{
           { -0.10, 0.35 },
           { 0.15, 0.40 },
           { -0.80, 0.30 } } },
-      { 0.325, 0.06 } } }
+      { 0.31, 0.07 } } }
 };
 
 /** Fraction of the length from the hepatic flexure to the end: ascending colon and cecum. */
@@ -110,11 +111,37 @@ struct SectionPrior
 {
   std::array<PriorValue, 3> place;
   std::array<PriorValue, 3> direction;
+
+  /** Log-likelihood ratio to the whole colon, whose positions and directions are uniform. */
+  template <typename TPlace, typename TDirection>
+  double
+  LogRatio(const TPlace & at, const TDirection & tangent) const
+  {
+    constexpr double widthOfDirections = 2.0;
+    double           sum = 0.0;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      sum += place[axis].LogDensity(at[axis]) + direction[axis].LogDensity(tangent[axis]) + std::log(widthOfDirections);
+    }
+    return sum;
+  }
 };
 
 /** Descending colon: straight up along the left and posterior wall, from the iliac crest. */
-constexpr SectionPrior TheDescendingColon{ { { { 0.90, 0.08 }, { 0.75, 0.20 }, { 0.68, 0.22 } } },
+constexpr SectionPrior TheDescendingColon{ { { { 0.88, 0.10 }, { 0.70, 0.22 }, { 0.64, 0.24 } } },
                                            { { { 0.00, 0.30 }, { 0.00, 0.35 }, { 0.90, 0.20 } } } };
+
+/** Its lower end, the iliac colon: from the pelvic brim obliquely up to the left, in front of the iliac bone. */
+constexpr SectionPrior TheIliacColon{ { { { 0.72, 0.08 }, { 0.30, 0.12 }, { 0.36, 0.08 } } },
+                                      { { { 0.40, 0.25 }, { -0.05, 0.40 }, { 0.75, 0.15 } } } };
+
+/** Share of the iliac colon in the descending colon: 12 to 15 of 37 to 40 cm. */
+constexpr double TheShareOfIliacColon = 0.4;
+
+/** The end of the descending colon relative to the bones, mm: height above the promontory, distance to the left of it.
+ * The end is 33 mm above the promontory in one patient and 30 mm below in another, 80 to 120 mm to the left. */
+constexpr PriorValue TheHeightAbovePromontory{ 0.0, 25.0 };
+constexpr PriorValue TheDistanceLeftOfPromontory{ 85.0, 30.0 };
 } // namespace shapeton
 
 #endif

@@ -2,8 +2,10 @@
 #define shapetonFlexureProgram_h
 
 #include "shapetonCenterlineShape.h"
+#include "shapetonPelvis.h"
 
 #include <array>
+#include <optional>
 
 namespace shapeton
 {
@@ -16,6 +18,8 @@ struct FlexurePlaces
   std::array<double, 4> confidence{};
   /** Mean squared deviation of the features of the flexure from the prior. */
   std::array<double, 4> meanDeviation{};
+  /** Whether the bones support the position of the descending-sigmoid flexure. */
+  bool isAtBrim{ false };
   /** Whether the descending colon is on the right. */
   bool isMirrored{ false };
   /** Whether the line is probably directed from the cecum to the rectum. */
@@ -24,9 +28,9 @@ struct FlexurePlaces
 
 /** Finds the optimal ordered points from the likelihoods of flexures, sections and lengths described in
  * shapetonColonFlexures.h. The line or its mirror image is used, whichever is more likely; confidences account for both
- * and for the reversed line. */
+ * and for the reversed line. The pelvis, if known, contributes to the descending-sigmoid flexure. */
 FlexurePlaces
-FindFlexurePlaces(const CenterlineShape & shape);
+FindFlexurePlaces(const CenterlineShape & shape, const std::optional<Pelvis> & pelvis);
 } // namespace shapeton
 
 #endif

@@ -36,6 +36,79 @@ TEST(ColonFlexures, OfARedundantDescendingColonAreWhereItBeginsAndEnds)
   }
 }
 
+namespace
+{
+/** A colon whose sigmoid has extra loops; the descending colon is vertical and turns medially at its lower end. */
+SchematicColon
+ColonWithLongSigmoid(int loops)
+{
+  std::vector<Eigen::Vector3d> places{ { 0, 40, 0 }, { 0, 62, 60 }, { 0, 45, 120 } };
+  for (int i = 0; i < loops; ++i)
+  {
+    const double z = 130.0 + 25.0 * i;
+    places.insert(places.end(), { { -50.0, -10.0, z }, { -20.0, -45.0, z + 20.0 }, { 40.0, -45.0, z + 10.0 } });
+  }
+  const std::size_t junction = places.size() + 1;
+  places.insert(places.end(),
+                { { 40, 0, 120 },
+                  { 110, 40, 130 },
+                  { 125, 45, 240 },
+                  { 130, 50, 350 },
+                  { 80, -20, 320 },
+                  { 0, -55, 215 },
+                  { -90, -15, 290 },
+                  { -115, 40, 320 },
+                  { -125, 45, 240 },
+                  { -118, 40, 150 } });
+  SchematicColon colon;
+  colon.centerline = RoundedCurve(places);
+  colon.flexures[1] = ArcLengthNear(colon.centerline, places[junction]);
+  return colon;
+}
+
+double
+FractionOf(const SchematicColon & colon)
+{
+  return colon.flexures[1] / colon.centerline.pointArrays[0].values.maxCoeff();
+}
+} // namespace
+
+TEST(ColonFlexures, EndTheDescendingColonWhereItsVerticalCourseTurnsMedially)
+{
+  EXPECT_LT(FractionOf(ColonWithLongSigmoid(0)), 0.25);
+  EXPECT_GT(FractionOf(ColonWithLongSigmoid(3)), 0.5);
+  for (int loops = 0; loops <= 3; ++loops)
+  {
+    const SchematicColon colon = ColonWithLongSigmoid(loops);
+    const ColonFlexures  found = FindColonFlexures(colon.centerline);
+    ASSERT_TRUE(found.flexures[1].isFound);
+    EXPECT_NEAR(found.flexures[1].arcLength, colon.flexures[1], 30.0) << loops << " loops";
+    EXPECT_FALSE(found.isJunctionFromBones);
+  }
+}
+
+TEST(ColonFlexures, EndTheDescendingColonAtThePelvicBrim)
+{
+  const SchematicColon         colon = ColonWithLongSigmoid(1);
+  const shapeton::Pelvis       pelvis{ { 100, 40, 190 }, { -100, 40, 190 }, { 0, 50, 130 } };
+  const shapeton::ColonFlexure byCourse = FindColonFlexures(colon.centerline).flexures[1];
+  const ColonFlexures          byBones = FindColonFlexures(colon.centerline, FlexureRule::Ordered, pelvis);
+  EXPECT_TRUE(byBones.isJunctionFromBones);
+  EXPECT_NEAR(byBones.flexures[1].arcLength, colon.flexures[1], 25.0);
+  EXPECT_GE(byBones.flexures[1].confidence, byCourse.confidence);
+
+  shapeton::Pelvis far = pelvis;
+  far.promontory.z() -= 300.0;
+  const ColonFlexures without = FindColonFlexures(colon.centerline, FlexureRule::Ordered, far);
+  EXPECT_FALSE(without.isJunctionFromBones);
+  EXPECT_NEAR(without.flexures[1].arcLength, byCourse.arcLength, 4.0);
+
+  SchematicColon mirrored = colon;
+  mirrored.centerline.V.col(0) *= -1.0;
+  EXPECT_TRUE(
+    FindColonFlexures(mirrored.centerline, FlexureRule::Ordered, shapeton::Mirrored(pelvis)).isJunctionFromBones);
+}
+
 TEST(ColonFlexures, DoNotDependOnWhereThePatientLies)
 {
   SchematicColon      colon = MakeSchematicColon();

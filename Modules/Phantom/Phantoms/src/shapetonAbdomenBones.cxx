@@ -26,6 +26,7 @@ constexpr BoneTissue sacrumBone{ 1.8, 200.0 };
 constexpr BoneTissue iliumBone{ 2.0, 260.0 };
 constexpr BoneTissue socketBone{ 2.5, 300.0 };
 constexpr BoneTissue femurBone{ 2.0, 320.0 };
+constexpr BoneTissue pubicBone{ 2.0, 260.0 };
 constexpr BoneTissue ribBone{ 1.4, 250.0 };
 constexpr BoneTissue sternumBone{ 1.5, 220.0 };
 constexpr BoneTissue clavicleBone{ 1.8, 250.0 };
@@ -128,6 +129,29 @@ AddPelvis(PhantomBodies & bodies)
   }
 }
 
+// The bodies and upper branches of the pubic bones, and the symphysis in between, below the space of the colon. The
+// pelvic brim is the plane through the promontory of the sacrum and the top of the symphysis.
+void
+AddPubis(PhantomBodies & bodies)
+{
+  constexpr double branch = 7.5;      // mm, radius
+  constexpr double disc = 2.5;        // mm, half width of the symphysis
+  constexpr double cartilage = 100.0; // HU
+  const auto       symphysis = EllipsoidSolid(MakePoint(0, -66, -153), MakeVector(14, 10, 19), bodyExponent);
+  const auto       pubis = [&](double side) {
+    const std::vector<PointType> axis{ MakePoint(side * 9, -66, -146),
+                                       MakePoint(side * 38, -58, -142),
+                                       MakePoint(side * 72, -22, -146) };
+    const auto                   lateral = HalfSpaceSolid(MakeVector(-side, 0, 0), -disc);
+    return Both(Either(symphysis, TubeSolid(axis, branch)), lateral);
+  };
+  bodies.push_back(MakeSolidBody(symphysis, cartilage));
+  for (const double side : { -1.0, 1.0 })
+  {
+    AddBone(bodies, pubis(side), pubicBone);
+  }
+}
+
 constexpr double ribDescent = 105.0; // mm from spine to sternum, for a complete rib
 constexpr double ribRadius = 4.5;    // mm, across the chest wall
 constexpr double ribHeight = 1.5;    // height of the cross-section of a rib relative to its width
@@ -220,10 +244,14 @@ AddThoraxBones(PhantomBodies & bodies)
 }
 
 void
-AddBones(PhantomBodies & bodies)
+AddBones(PhantomBodies & bodies, bool hasPubis)
 {
   AddSpine(bodies);
   AddPelvis(bodies);
+  if (hasPubis)
+  {
+    AddPubis(bodies);
+  }
   AddRibs(bodies);
 }
 } // namespace shapeton

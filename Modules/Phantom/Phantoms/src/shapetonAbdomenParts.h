@@ -32,9 +32,9 @@ DiaphragmDome();
 void
 AddBodyWall(PhantomBodies & bodies);
 
-/** Adds spine, sacrum, pelvis, hips and ribs. */
+/** Adds spine, sacrum, wings of the ilium, hips and ribs; `hasPubis` adds the pubic bones and the symphysis. */
 void
-AddBones(PhantomBodies & bodies);
+AddBones(PhantomBodies & bodies, bool hasPubis);
 
 /** Adds the upper ribs, sternum, clavicles and scapulae above the bones of AddBones(). */
 void

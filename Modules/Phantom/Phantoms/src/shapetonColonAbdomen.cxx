@@ -66,7 +66,7 @@ MakeColonAbdomen(const ColonAnatomy & anatomy, const ColonFluid & fluid, const C
   {
     bodies.push_back(MakeSmallBowel(parameters.seed, down, parameters.smallBowelTagged).body);
   }
-  AddBones(bodies);
+  AddBones(bodies, !KeepsPublishedVoxels(parameters));
   if (HasWholeChest(parameters))
   {
     AddThoraxBones(bodies);

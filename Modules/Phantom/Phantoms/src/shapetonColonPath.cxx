@@ -86,6 +86,34 @@ Template()
   return segments;
 }
 
+constexpr int c_Sigmoid = 2; // number of the segment
+
+// A sigmoid without a loop, along the pelvic floor; one point for each point of the template.
+const std::vector<Vector3d> &
+StraightSigmoid()
+{
+  static const std::vector<Vector3d> points{ { 0, 36, -48 },   { -4, 18, -58 },  { -2, 0, -70 },   { 6, -16, -80 },
+                                             { 20, -26, -86 }, { 36, -28, -90 }, { 54, -20, -90 }, { 72, -6, -86 },
+                                             { 88, 10, -76 },  { 100, 28, -62 }, { 108, 44, -45 } };
+  return points;
+}
+
+// Points of a segment; those of the sigmoid include the shape of its loop.
+std::vector<Vector3d>
+PointsOf(const TemplateSegment & segment, int number, const ColonPhantomParameters & parameters)
+{
+  std::vector<Vector3d> points = segment.points;
+  const double          last = static_cast<double>(points.size() - 1);
+  for (std::size_t i = 0; number == c_Sigmoid && i < points.size(); ++i)
+  {
+    // Highest in the middle of the loop, with fixed ends.
+    const double risen = std::sin(M_PI * static_cast<double>(i) / last);
+    points[i].z() += parameters.sigmoidRise * risen * risen;
+    points[i] += parameters.sigmoidStraightness * (StraightSigmoid()[i] - points[i]);
+  }
+  return points;
+}
+
 Vector3d
 CatmullRom(const std::vector<Vector3d> & points, double t)
 {
@@ -244,10 +272,11 @@ RestPath(const ColonPhantomParameters & parameters)
     const int               edges = static_cast<int>(std::lround(length / 10.0));
     const bool              isLast = k + 1 == Template().size();
     const double            knots = static_cast<double>(segment.points.size() - 1);
+    const auto              points = PointsOf(segment, static_cast<int>(k) + 1, parameters);
     for (int i = 0; i < edges + (isLast ? 1 : 0); ++i)
     {
       const double t = knots * i / edges;
-      path.nodes.push_back(CatmullRom(segment.points, t) + PatientOffset(seed, place + t, static_cast<int>(k) + 1));
+      path.nodes.push_back(CatmullRom(points, t) + PatientOffset(seed, place + t, static_cast<int>(k) + 1));
       path.material.push_back(material + length * i / edges);
       path.segment.push_back(static_cast<int>(k) + 1);
     }

@@ -65,7 +65,8 @@ enum class Group
   Residue,
   Scanner,
   Bowel,
-  Diverticula
+  Diverticula,
+  Sigmoid
 };
 
 /** Draws parameters in a fixed order, so that given values do not affect drawn ones. */
@@ -156,6 +157,22 @@ DrawShape(ColonPhantomParameters & p)
   Draw                 cecum(p, Group::Cecum);
   const bool           isMobile = cecum.Chance() < mobileShare;
   cecum(p.cecumMobility, isMobile ? mobile : fixed);
+}
+
+// Loops of long sigmoids often rise to the mid abdomen; short sigmoids often lack a loop.
+void
+DrawSigmoid(ColonPhantomParameters & p)
+{
+  constexpr DrawnRange rise{ 30, 90 };
+  constexpr DrawnRange straightness{ 0.7, 1.0 };
+  constexpr double     redundantLength = 650.0; // mm, of sigmoids that may rise
+  constexpr double     shortLength = 550.0;     // mm, of sigmoids that may be straight
+  constexpr double     share = 0.6;             // of the long sigmoids, and of the short ones
+  Draw                 draw(p, Group::Sigmoid);
+  const double         length = p.lengths[1];
+  const bool           isUnusual = draw.Chance() < share;
+  draw(p.sigmoidRise, isUnusual && length >= redundantLength ? rise : DrawnRange{});
+  draw(p.sigmoidStraightness, isUnusual && length <= shortLength ? straightness : DrawnRange{});
 }
 
 void
@@ -290,6 +307,7 @@ Drawn(const ColonPhantomParameters & parameters)
 {
   ColonPhantomParameters drawn = parameters;
   DrawShape(drawn);
+  DrawSigmoid(drawn);
   DrawBowel(drawn);
   DrawResidue(drawn);
   DrawDiverticula(drawn);
@@ -322,6 +340,8 @@ ColonPhantomPreset(const std::string & name)
     parameters.lengths.fill(drawnBySeed);
     parameters.caliber.fill(drawnBySeed);
     parameters.cecumMobility = drawnBySeed;
+    parameters.sigmoidRise = drawnBySeed;
+    parameters.sigmoidStraightness = drawnBySeed;
     parameters.smallBowelTagged = drawnBySeed;
     parameters.stomachIntensity = drawnBySeed;
     parameters.stool = parameters.bubbles = parameters.foam = static_cast<int>(drawnBySeed);

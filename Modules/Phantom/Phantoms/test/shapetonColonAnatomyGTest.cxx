@@ -449,6 +449,59 @@ TEST(ColonAnatomy, SegmentsHaveTheShapeAskedFor)
   EXPECT_NEAR(RadiusWithin(after, 3), 22.0, 3.5);
 }
 
+// Points of the centerline in a segment.
+std::vector<Vector3d>
+LineWithin(const shapeton::ColonAnatomy & anatomy, int segment)
+{
+  const shapeton::CurveSet line = anatomy.Centerline();
+  const auto               segments = Column(line.pointArrays, "segment");
+  std::vector<Vector3d>    points;
+  for (Eigen::Index i = 0; i < line.V.rows(); ++i)
+  {
+    if (segments[i] == segment)
+    {
+      points.push_back(line.V.row(i));
+    }
+  }
+  return points;
+}
+
+double
+HighestOf(const std::vector<Vector3d> & points)
+{
+  double highest = points[0].z();
+  for (const Vector3d & point : points)
+  {
+    highest = std::max(highest, point.z());
+  }
+  return highest;
+}
+
+// Real patients: 0.32 to 0.55. The fixed descending colon ends at the pelvic brim, medial to the left iliac crest at
+// (136, 34, -34) mm.
+TEST(ColonAnatomy, SigmoidsSpanThoseOfPatients)
+{
+  std::vector<double> shares;
+  int                 risen = 0;
+  for (unsigned seed = 1; seed <= 20; ++seed)
+  {
+    auto parameters = shapeton::ColonPhantomPreset("realistic");
+    parameters.seed = seed;
+    const shapeton::ColonAnatomy anatomy(parameters);
+    shares.push_back((LengthOf(anatomy, 1) + LengthOf(anatomy, 2)) / anatomy.Length());
+    EXPECT_TRUE(shares.back() > 0.2 && shares.back() < 0.55) << seed;
+    const Vector3d junction = LineWithin(anatomy, 3)[0];
+    EXPECT_LT((junction - Vector3d(118, 40, -52)).norm(), 45.0) << seed;
+    const double highest = HighestOf(LineWithin(anatomy, 2));
+    risen += highest > 40.0 ? 1 : 0;
+    EXPECT_TRUE(anatomy.GetParameters().sigmoidRise < 60.0 || highest > 40.0) << seed;
+    EXPECT_TRUE(anatomy.GetParameters().sigmoidStraightness == 0.0 || highest < -30.0) << seed;
+  }
+  EXPECT_LT(Quantile(shares, 0.0), 0.24);
+  EXPECT_GT(Quantile(shares, 0.99), 0.48);
+  EXPECT_GE(risen, 4);
+}
+
 TEST(ColonAnatomy, AMobileCecumMoves)
 {
   shapeton::ColonPhantomParameters still = Patient(4), mobile = Patient(4);

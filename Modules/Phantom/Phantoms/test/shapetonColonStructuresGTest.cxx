@@ -186,6 +186,26 @@ TEST(ColonStructures, WhatTheScannerSees)
   EXPECT_NEAR(values[2], exam.structures.GetIleum()->intensity, 2.0);
 }
 
+// Promontory, crest and pubis define the pelvic brim.
+TEST(ColonStructures, BonesOfThePelvisAreInPlace)
+{
+  const std::vector<Vector3d> bones{ { 0, 72, -35 },    { 0, 80, -60 },   { 136, 34, -40 },
+                                     { -136, 34, -40 }, { 8, -66, -150 }, { -8, -66, -150 } };
+  const std::vector<double>   intensities = IntensitiesAt(Realistic(11), bones);
+  for (std::size_t i = 0; i < bones.size(); ++i)
+  {
+    EXPECT_GT(intensities[i], 150.0) << bones[i].transpose();
+  }
+  EXPECT_NEAR(IntensitiesAt(Realistic(11), { { 0, -66, -150 } })[0], 100.0, 1.0); // the disc of the symphysis
+  for (unsigned seed = 1; seed <= 10; ++seed)
+  {
+    const shapeton::ColonAnatomy anatomy(Realistic(seed));
+    EXPECT_LT(anatomy.Evaluate({ 8, -66, -140 }).distance, -3.0) << seed;
+    EXPECT_LT(anatomy.Evaluate({ 38, -58, -138 }).distance, -3.0) << seed;
+    EXPECT_LT(anatomy.Evaluate({ -38, -58, -138 }).distance, -3.0) << seed;
+  }
+}
+
 TEST(ColonStructures, CatheterIsARingOfItsSize)
 {
   for (const char * kind : { "central", "rigid", "soft" })
@@ -389,6 +409,8 @@ TEST(ColonPhantomParameters, SharesOfPatientsAreAsDocumented)
 {
   std::map<std::string, int> catheters, contents, kernels;
   int                        fatty = 0;
+  int                        risen = 0;
+  int                        straight = 0;
   constexpr int              patients = 2000;
   for (unsigned seed = 0; seed < patients; ++seed)
   {
@@ -399,6 +421,10 @@ TEST(ColonPhantomParameters, SharesOfPatientsAreAsDocumented)
     ++contents[drawn.ileumContent];
     fatty += drawn.valveFat > 0.5 ? 1 : 0;
     ++kernels[drawn.kernel];
+    risen += drawn.sigmoidRise >= 30.0 ? 1 : 0;
+    straight += drawn.sigmoidStraightness >= 0.7 ? 1 : 0;
+    EXPECT_TRUE(drawn.sigmoidRise == 0.0 || drawn.lengths[1] >= 650.0);
+    EXPECT_TRUE(drawn.sigmoidStraightness == 0.0 || drawn.lengths[1] <= 550.0);
     EXPECT_TRUE(drawn.noise >= 15.0 && drawn.noise <= 60.0);
   }
   EXPECT_NEAR(catheters["none"], 0.4 * patients, 80);
@@ -406,6 +432,9 @@ TEST(ColonPhantomParameters, SharesOfPatientsAreAsDocumented)
   EXPECT_NEAR(contents["collapsed"], 0.3 * patients, 80);
   EXPECT_NEAR(kernels["sharp"], patients / 3, 80);
   EXPECT_NEAR(fatty, 0.7 * patients, 80);
+  // Sigmoids of 650 to 1200 and 350 to 550 of 350 to 1200 mm.
+  EXPECT_NEAR(risen, 0.6 * 550.0 / 850.0 * patients, 80);
+  EXPECT_NEAR(straight, 0.6 * 200.0 / 850.0 * patients, 80);
 }
 
 TEST(ColonPhantomParameters, WhatIsGivenMovesNothingThatIsDrawn)

@@ -138,6 +138,19 @@ Segmentation(const OptionPasser & passer)
   return stage;
 }
 
+/** Passes the cleansed CT; returns false if there is none, as for a lumen mask. */
+bool
+PassCleansed(Stage & stage, const StagedRun & run)
+{
+  const std::string path = run.PathOf(names::segmentation, "cleansed.nrrd");
+  const bool        exists = fs::exists(path);
+  if (exists)
+  {
+    stage.Input("volume", path);
+  }
+  return exists;
+}
+
 Stage
 Flattening(const OptionPasser & passer, const StagedRun & run)
 {
@@ -150,9 +163,8 @@ Flattening(const OptionPasser & passer, const StagedRun & run)
     .Output("picture", "flat.png")
     .Output("coordinateMap", "coordinates.nrrd")
     .Output("report", "report");
-  if (fs::exists(run.PathOf(names::segmentation, "cleansed.nrrd")))
+  if (PassCleansed(stage, run))
   {
-    stage.Input("volume", run.PathOf(names::segmentation, "cleansed.nrrd"));
     passer.PassDevice(stage);
   }
   passer.Pass(stage, { "metric", "time", "removeHandles", "pixelSize" });
@@ -168,6 +180,7 @@ Landmarks(const OptionPasser & passer, const StagedRun & run)
     .Output("", "")
     .Output("report", "report")
     .Expect({ "landmarks.json", "segments.vtp" });
+  PassCleansed(stage, run);
   passer.PassOwnInput(stage, "markers");
   passer.Pass(stage, { "flexureRule", "taeniaRule", "split" });
   return stage;
