@@ -3,10 +3,12 @@
 #include "shapetonProgressTests.h"
 #include "shapetonTestColons.h"
 #include "shapetonTestErrors.h"
+#include "shapetonTestThreads.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <numeric>
 
 namespace
 {
@@ -21,11 +23,11 @@ SomeMovement()
   return { 0.37, 8.0 };
 }
 
-/** The position with an invisible collapsed stretch in the middle of the tube. */
+/** The position with an invisible collapsed stretch, in the middle of the tube by default. */
 shapeton::ColonPosition
-WithCollapse(shapeton::ColonPosition position)
+WithCollapse(shapeton::ColonPosition position, double middle = 0.5 * length)
 {
-  const auto isInside = [](double u) { return std::abs(u - 0.5 * length) < halfCollapse; };
+  const auto isInside = [middle](double u) { return std::abs(u - middle) < halfCollapse; };
   position.isExcluded.assign(position.flat->Grid().Columns(), 0);
   for (int column = 0; column < position.flat->Grid().Columns(); ++column)
   {
@@ -71,6 +73,53 @@ GreatestError(const shapeton::SupineProneRegistration & registration, const Move
 {
   return GreatestError(registration, registration.map, movement);
 }
+
+constexpr double period = 24.0; // mm
+
+/** A colon whose folds are rings at equal distances between two collapsed stretches, and uneven outside of them. */
+shapeton::ColonPosition
+MakePeriodicPosition(const std::string & name)
+{
+  const double      begin = 0.25 * length;
+  const double      end = 0.75 * length;
+  std::vector<Fold> folds;
+  for (const Fold & fold : FoldsOfPatient(1))
+  {
+    if (fold.s < begin || fold.s > end)
+    {
+      folds.push_back(fold);
+    }
+  }
+  for (double s = begin + halfCollapse; s < end - halfCollapse; s += period)
+  {
+    for (const double turn : { 1.0 / 6.0, 0.5, 5.0 / 6.0 })
+    {
+      folds.push_back({ s, turn });
+    }
+  }
+  return WithCollapse(WithCollapse(MakeExamination(name, folds, {}).position, begin), end);
+}
+
+/** Local confidences from `begin` to `end` (mm). */
+std::vector<double>
+ConfidencesBetween(const shapeton::SupineProneRegistration & registration, double begin, double end)
+{
+  std::vector<double> confidences;
+  for (double s = begin; s < end; s += 5.0)
+  {
+    for (double turn = 0.0; turn < 1.0; turn += 0.1)
+    {
+      confidences.push_back(ConfidenceAt(registration, { firstArc + s, turn }));
+    }
+  }
+  return confidences;
+}
+
+double
+Mean(const std::vector<double> & values)
+{
+  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
 } // namespace
 
 TEST(SupineProneRegistration, FindsAKnownMovement)
@@ -108,6 +157,48 @@ TEST(SupineProneRegistration, TheMarginTellsTheRightThird)
   ASSERT_EQ(energies.size(), 3U);
   EXPECT_LT(energies[0], std::min(energies[1], energies[2]));
   EXPECT_DOUBLE_EQ(registration.confidence.margin, std::min(energies[1], energies[2]) - energies[0]);
+}
+
+TEST(SupineProneRegistration, TheLocalConfidenceOfUnevenFoldsIsHigh)
+{
+  const auto registration =
+    shapeton::RegisterColonPositions(MakePosition("supine", 1, {}), MakePosition("prone", 1, SomeMovement()));
+  const std::vector<double> confidences = ConfidencesBetween(registration, 50.0, length - 50.0);
+  EXPECT_GT(*std::min_element(confidences.begin(), confidences.end()), 0.8);
+}
+
+/** Periodic folds fit equally well if the middle of the colon moved by a period to either side, so that the map is
+ * right for one of three movements. */
+TEST(SupineProneRegistration, TheLocalConfidenceOfPeriodicFoldsIsTheShareOfRightChoices)
+{
+  const auto registration =
+    shapeton::RegisterColonPositions(MakePeriodicPosition("supine"), MakePeriodicPosition("prone"));
+  int right = 0;
+  int choices = 0;
+  for (const double moved : { -period, 0.0, period })
+  {
+    for (double s = 0.4 * length; s < 0.6 * length; s += 5.0)
+    {
+      right += std::abs(registration.map.Forward({ firstArc + s, 0.5 }).s - firstArc - s - moved) <=
+               shapeton::ConfidentDistance;
+      ++choices;
+    }
+  }
+  const double share = static_cast<double>(right) / choices;
+  EXPECT_NEAR(share, 1.0 / 3.0, 0.01);
+  EXPECT_LE(Mean(ConfidencesBetween(registration, 0.4 * length, 0.6 * length)), share);
+  EXPECT_GT(Mean(ConfidencesBetween(registration, 50.0, 0.25 * length - 2.0 * halfCollapse)), 0.7);
+  EXPECT_GT(Mean(ConfidencesBetween(registration, 0.75 * length + 2.0 * halfCollapse, length - 50.0)), 0.7);
+}
+
+TEST(SupineProneRegistration, TheLocalConfidenceDoesNotDependOnThreads)
+{
+  basetest::ExpectSameWithAnyThreads(
+    [] {
+      return shapeton::RegisterColonPositions(MakePosition("supine", 1, {}), MakePosition("prone", 1, SomeMovement()))
+        .confidence.ofNodes;
+    },
+    { 3 });
 }
 
 TEST(SupineProneRegistration, ForwardAndInverseAgree)
