@@ -76,28 +76,29 @@ GreatestError(const shapeton::SupineProneRegistration & registration, const Move
 
 constexpr double period = 24.0; // mm
 
-/** A colon whose folds are rings at equal distances between two collapsed stretches, and uneven outside of them. */
+constexpr double periodicBegin = 0.25 * length - halfCollapse;
+constexpr double periodicEnd = 0.75 * length + halfCollapse;
+
+/** A colon whose folds are rings at equal distances in the middle, and uneven outside. */
 shapeton::ColonPosition
 MakePeriodicPosition(const std::string & name)
 {
-  const double      begin = 0.25 * length;
-  const double      end = 0.75 * length;
   std::vector<Fold> folds;
   for (const Fold & fold : FoldsOfPatient(1))
   {
-    if (fold.s < begin || fold.s > end)
+    if (fold.s < periodicBegin || fold.s > periodicEnd)
     {
       folds.push_back(fold);
     }
   }
-  for (double s = begin + halfCollapse; s < end - halfCollapse; s += period)
+  for (double s = periodicBegin; s < periodicEnd; s += period)
   {
     for (const double turn : { 1.0 / 6.0, 0.5, 5.0 / 6.0 })
     {
       folds.push_back({ s, turn });
     }
   }
-  return WithCollapse(WithCollapse(MakeExamination(name, folds, {}).position, begin), end);
+  return MakeExamination(name, folds, {}).position;
 }
 
 /** Local confidences from `begin` to `end` (mm). */
@@ -167,14 +168,15 @@ TEST(SupineProneRegistration, TheLocalConfidenceOfUnevenFoldsIsHigh)
   EXPECT_GT(*std::min_element(confidences.begin(), confidences.end()), 0.8);
 }
 
-/** Periodic folds fit equally well if the middle of the colon moved by a period to either side, so that the map is
- * right for one of three movements. */
+/** Periodic folds between two collapsed stretches of the source fit equally well if they moved by a period to either
+ * side, so that the map is right for one of three movements. */
 TEST(SupineProneRegistration, TheLocalConfidenceOfPeriodicFoldsIsTheShareOfRightChoices)
 {
-  const auto registration =
-    shapeton::RegisterColonPositions(MakePeriodicPosition("supine"), MakePeriodicPosition("prone"));
-  int right = 0;
-  int choices = 0;
+  const shapeton::ColonPosition supine =
+    WithCollapse(WithCollapse(MakePeriodicPosition("supine"), 0.25 * length), 0.75 * length);
+  const auto registration = shapeton::RegisterColonPositions(supine, MakePeriodicPosition("prone"));
+  int        right = 0;
+  int        choices = 0;
   for (const double moved : { -period, 0.0, period })
   {
     for (double s = 0.4 * length; s < 0.6 * length; s += 5.0)
@@ -187,8 +189,8 @@ TEST(SupineProneRegistration, TheLocalConfidenceOfPeriodicFoldsIsTheShareOfRight
   const double share = static_cast<double>(right) / choices;
   EXPECT_NEAR(share, 1.0 / 3.0, 0.01);
   EXPECT_LE(Mean(ConfidencesBetween(registration, 0.4 * length, 0.6 * length)), share);
-  EXPECT_GT(Mean(ConfidencesBetween(registration, 50.0, 0.25 * length - 2.0 * halfCollapse)), 0.7);
-  EXPECT_GT(Mean(ConfidencesBetween(registration, 0.75 * length + 2.0 * halfCollapse, length - 50.0)), 0.7);
+  EXPECT_GT(Mean(ConfidencesBetween(registration, 40.0, periodicBegin - 20.0)), 0.7);
+  EXPECT_GT(Mean(ConfidencesBetween(registration, periodicEnd + 20.0, length - 40.0)), 0.7);
 }
 
 TEST(SupineProneRegistration, TheLocalConfidenceDoesNotDependOnThreads)
