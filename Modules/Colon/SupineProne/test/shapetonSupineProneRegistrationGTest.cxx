@@ -79,9 +79,10 @@ constexpr double period = 24.0; // mm
 constexpr double periodicBegin = 0.25 * length - halfCollapse;
 constexpr double periodicEnd = 0.75 * length + halfCollapse;
 
-/** A colon whose folds are rings at equal distances in the middle, and uneven outside. */
+/** A colon whose folds are rings at equal distances in the middle, the first `phase` mm after its begin, and uneven
+ * outside. */
 shapeton::ColonPosition
-MakePeriodicPosition(const std::string & name)
+MakePeriodicPosition(const std::string & name, double phase)
 {
   std::vector<Fold> folds;
   for (const Fold & fold : FoldsOfPatient(1))
@@ -91,7 +92,7 @@ MakePeriodicPosition(const std::string & name)
       folds.push_back(fold);
     }
   }
-  for (double s = periodicBegin; s < periodicEnd; s += period)
+  for (double s = periodicBegin + phase; s < periodicEnd; s += period)
   {
     for (const double turn : { 1.0 / 6.0, 0.5, 5.0 / 6.0 })
     {
@@ -168,16 +169,16 @@ TEST(SupineProneRegistration, TheLocalConfidenceOfUnevenFoldsIsHigh)
   EXPECT_GT(*std::min_element(confidences.begin(), confidences.end()), 0.8);
 }
 
-/** Periodic folds between two collapsed stretches of the source fit equally well if they moved by a period to either
- * side, so that the map is right for one of three movements. */
+/** Periodic folds between two collapsed stretches of the source fit equally well if they moved by half a period to
+ * either side, so that the map is right for one of two movements. */
 TEST(SupineProneRegistration, TheLocalConfidenceOfPeriodicFoldsIsTheShareOfRightChoices)
 {
   const shapeton::ColonPosition supine =
-    WithCollapse(WithCollapse(MakePeriodicPosition("supine"), 0.25 * length), 0.75 * length);
-  const auto registration = shapeton::RegisterColonPositions(supine, MakePeriodicPosition("prone"));
+    WithCollapse(WithCollapse(MakePeriodicPosition("supine", 0.0), 0.25 * length), 0.75 * length);
+  const auto registration = shapeton::RegisterColonPositions(supine, MakePeriodicPosition("prone", 0.5 * period));
   int        right = 0;
   int        choices = 0;
-  for (const double moved : { -period, 0.0, period })
+  for (const double moved : { -0.5 * period, 0.5 * period })
   {
     for (double s = 0.4 * length; s < 0.6 * length; s += 5.0)
     {
@@ -187,7 +188,7 @@ TEST(SupineProneRegistration, TheLocalConfidenceOfPeriodicFoldsIsTheShareOfRight
     }
   }
   const double share = static_cast<double>(right) / choices;
-  EXPECT_NEAR(share, 1.0 / 3.0, 0.01);
+  EXPECT_EQ(share, 0.5);
   EXPECT_LE(Mean(ConfidencesBetween(registration, 0.4 * length, 0.6 * length)), share);
   EXPECT_GT(Mean(ConfidencesBetween(registration, 40.0, periodicBegin - 20.0)), 0.7);
   EXPECT_GT(Mean(ConfidencesBetween(registration, periodicEnd + 20.0, length - 40.0)), 0.7);
