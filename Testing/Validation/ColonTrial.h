@@ -20,7 +20,7 @@ struct ColonCase
 struct ColonErrors
 {
   double dice{ 0.0 };
-  /** Of the lumen from the true one. */
+  /** Distances between the found lumen and the true one. */
   SurfaceDistances lumen;
   /** Labeled voxels more than 2 mm outside of the true lumen, beyond its wall. */
   double leakMl{ 0.0 };
