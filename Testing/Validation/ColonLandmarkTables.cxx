@@ -39,6 +39,7 @@ struct FoldScores
   std::vector<double> recalls;
   std::vector<double> precisions;
   std::vector<double> ends;
+  std::vector<double> areas;
 };
 
 /** Relaxes the bounds for models from CT instead of the true lumen. */
@@ -94,7 +95,8 @@ TryFolds(const FlatColon & flat, const LandmarkExam & exam, HaustralFoldScheme s
 {
   HaustralFoldSettings options;
   options.scheme = scheme;
-  return MeasureFoldErrors(flat.Grid(), FindHaustralFolds(flat, options), exam.anatomy->Folds());
+  return MeasureFoldErrors(
+    flat.Grid(), FindHaustralFolds(flat, options), exam.anatomy->Folds(), exam.anatomy->Correspondence());
 }
 
 void
@@ -104,6 +106,7 @@ AddExam(const FoldErrors & errors, FoldScores & scores)
   scores.recalls.push_back(ShareOf(errors.found, errors.present));
   scores.precisions.push_back(ShareOf(errors.right, errors.labels));
   scores.ends.push_back(MeanOf(errors.ends));
+  scores.areas.push_back(ShareOf(errors.areaOfBoth, errors.areaOfEither));
 }
 
 void
@@ -134,6 +137,7 @@ AddReported(const FoldScores & ours, const FoldScores & published, BoundTable & 
   const FoldErrors & all = ours.all;
   table.AddFact("folds found if labels may be shared", RatioOf(all.covered, all.present));
   table.AddFact("folds 2 to 3.5 mm high found", RatioOf(all.lowFound, all.lowPresent));
+  table.AddFact("area ratio of folds", RatioOf(all.areaOfBoth, all.areaOfEither), ours.areas);
   table.AddFact("hidden folds", std::to_string(all.hidden));
   table.AddFact("labels that cover several folds", std::to_string(all.merged));
   table.AddFact("fold length over true length, mean", Rounded(MeanOf(all.lengthRatios)));
@@ -213,12 +217,17 @@ Explain(const ValidationSettings & settings, ValidationReport & report)
     "is within 3 mm and not a bridge. Folds with less than half of their samples visible are hidden and excluded. A "
     "fold is found if at least half of its visible samples are within 2 mm of one label. Each label is assigned to the "
     "fold >= 2 mm high whose samples it covers most. It is correct if at least half of its pixels are within 4 mm of "
-    "the crest of a fold >= 1.5 mm high. End points are compared with the ends of the true crest.");
+    "the crest of a fold >= 1.5 mm high. End points are compared with the ends of the true crest. The area ratio of "
+    "folds is the area on true folds and labels over the area on true folds or labels, at points every 5 mm of the "
+    "wall; "
+    "a point is on a fold that rises by more than 1 mm there.");
   report.AddText(
     "Taenia errors are distances from true points to the found taeniae, outside collapsed sections; taeniae are "
     "assigned separately in each open section. With three markers, one point per true taenia is given; the bound of 1 "
     "fails for any point beyond 10 mm. Flexure errors are measured along the centerline from the border between true "
-    "segments. The cecal pole is the point of the cecal wall farthest from the mouth of the cecum. The reliability "
+    "segments. As share of the circumference, the error is the root mean square over the points of an exam, each "
+    "distance over the circumference of the wall without folds. The cecal pole is the point of the cecal wall farthest "
+    "from the mouth of the cecum. The reliability "
     "files compare confidence with the share of flexures within 30 mm and of valves within 15 mm.");
 }
 

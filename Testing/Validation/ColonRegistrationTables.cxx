@@ -106,6 +106,18 @@ struct PatientScores
   }
 };
 
+/** Local confidence at the points of all patients. */
+Reliability
+ReliabilityOf(const PatientScores & patients)
+{
+  Reliability reliability(LocalClasses);
+  for (const RegistrationScore & score : patients.scores)
+  {
+    reliability.Add(score.local);
+  }
+  return reliability;
+}
+
 double
 WorstUnflagged(const PatientScores & patients)
 {
@@ -213,7 +225,12 @@ WriteSummary(const Column & column, const PatientScores & patients, bool hasBoun
   AddMatches(column.bounds, patients, isWhole, table);
   const std::vector<std::string> reasons = AddErrors(column.bounds, patients, isWhole, table);
   AddTrust(column.bounds, patients, isWhole, table);
-  const auto seconds = patients.Of([](const RegistrationScore & s) { return s.seconds; });
+  const auto        seconds = patients.Of([](const RegistrationScore & s) { return s.seconds; });
+  const Reliability local = ReliabilityOf(patients);
+  table.AddFact("local confidence, Brier score", Rounded(local.BrierScore()));
+  table.AddFact("local confidence, expected calibration error", Rounded(local.CalibrationError()));
+  const auto median = patients.Of([](const RegistrationScore & s) { return s.errors.Median(); });
+  table.AddFact("error in space, median, mm", Rounded(MeanOf(median)), median);
   table.AddFact("patients without a map",
                 std::to_string(patients.Sum([](const RegistrationScore & s) { return s.failure.empty() ? 0 : 1; })));
   table.AddFact("longest run, s", seconds.empty() ? "" : Rounded(*std::max_element(seconds.begin(), seconds.end())));
@@ -381,6 +398,7 @@ TryColumn(const Column & column, ValidationReport & report)
   }
   WriteSummary(column, found, true, report);
   WritePatients("patients", found, report);
+  ReliabilityOf(found).Write("points", report);
   WritePoints(found, report);
   WriteSchemes(found, report);
   WriteSummary(column, known, false, report);
@@ -409,7 +427,9 @@ Explain(const ValidationSettings & settings, ValidationReport & report)
   report.AddText(
     "In `patients`, +- is half the 95 % interval of the mean over 20 blocks along the colon. `points` counts the end "
     "points of supine folds (Table 4.1 of the dissertation, which counts unmatched points as incorrect); border points "
-    "are within 15 mm of the cut of the flat map. `schemes` compares simpler registrations. Files named "
+    "are within 15 mm of the cut of the flat map. `schemes` compares simpler registrations. "
+    "`reliability-points` compares the local confidence with the share of points whose error is at most 10 mm. Files "
+    "named "
     "`true-landmarks` contain the results with the true flexures and taeniae.");
 }
 

@@ -73,6 +73,7 @@ MeasureLumen(const ColonModel & model, Source * truth, ColonErrors & errors)
     }
   }
   errors.dice = 2.0 * static_cast<double>(both) / static_cast<double>(found + real);
+  errors.lumen = MeasureSurfaceDistances(labels, lumen);
 }
 
 /** Every n-th vertex; about `count` vertices in total. */

@@ -1,6 +1,8 @@
 #ifndef ColonTrial_h
 #define ColonTrial_h
 
+#include "SurfaceDistances.h"
+
 #include "shapetonColonModel.h"
 #include "shapetonColonPhantomImageSource.h"
 
@@ -18,6 +20,8 @@ struct ColonCase
 struct ColonErrors
 {
   double dice{ 0.0 };
+  /** Distances between the found lumen and the true one. */
+  SurfaceDistances lumen;
   /** Labeled voxels more than 2 mm outside of the true lumen, beyond its wall. */
   double leakMl{ 0.0 };
   /** Distance from vertices of the raw wall, without bridges, to the true wall (mm). */

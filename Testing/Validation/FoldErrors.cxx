@@ -82,11 +82,12 @@ public:
   }
 
   FoldErrors
-  Measure() const
+  Measure(const CurveSet & wall) const
   {
     FoldErrors errors;
     this->CountFolds(errors);
     this->CountLabels(errors);
+    this->CountArea(wall, errors);
     return errors;
   }
 
@@ -291,6 +292,22 @@ private:
     }
   }
 
+  void
+  CountArea(const CurveSet & wall, FoldErrors & errors) const
+  {
+    const Eigen::VectorXd onFold = PointValues(wall, "onFold", "the truth");
+    for (Eigen::Index i = 0; i < wall.V.rows(); ++i)
+    {
+      const FlatPlace place = m_Locator.Find(wall.V.row(i));
+      if (place.distance <= seenWithin && !m_Grid.IsBridged(place.pixel.column, place.pixel.row))
+      {
+        const bool isLabeled = this->LabelAt(place.pixel.column, place.pixel.row) > 0;
+        errors.areaOfBoth += onFold[i] != 0.0 && isLabeled;
+        errors.areaOfEither += onFold[i] != 0.0 || isLabeled;
+      }
+    }
+  }
+
   const FlatColonGrid & m_Grid;
   const HaustralFolds & m_Found;
   FlatColonLocator      m_Locator;
@@ -313,11 +330,16 @@ FoldErrors::Add(const FoldErrors & other)
   ends.insert(ends.end(), other.ends.begin(), other.ends.end());
   lengthRatios.insert(lengthRatios.end(), other.lengthRatios.begin(), other.lengthRatios.end());
   heightErrors.insert(heightErrors.end(), other.heightErrors.begin(), other.heightErrors.end());
+  areaOfBoth += other.areaOfBoth;
+  areaOfEither += other.areaOfEither;
   faults.insert(faults.end(), other.faults.begin(), other.faults.end());
 }
 
 FoldErrors
-MeasureFoldErrors(const FlatColonGrid & grid, const HaustralFolds & found, const CurveSet & truth)
+MeasureFoldErrors(const FlatColonGrid & grid,
+                  const HaustralFolds & found,
+                  const CurveSet &      truth,
+                  const CurveSet &      wall)
 {
-  return Comparison(grid, found, truth).Measure();
+  return Comparison(grid, found, truth).Measure(wall);
 }

@@ -34,6 +34,11 @@ struct FoldErrors
   /** Found length / true crest length, and found height - true height (mm), of the folds found. */
   std::vector<double> lengthRatios;
   std::vector<double> heightErrors;
+  /** Visible wall points of the phantom's grid, one per 25 mm^2 of wall without folds, that are on a true fold and
+   * labeled, and that are on a true fold or labeled. Their ratio estimates the segmented-area ratio of Zhu et al., IEEE
+   * TBME 60 (2013) 321-331: the area of the intersection over the area of the union. */
+  int areaOfBoth{ 0 };
+  int areaOfEither{ 0 };
   /** Readable descriptions of missed folds and wrong labels. */
   std::vector<std::string> faults;
 
@@ -42,10 +47,12 @@ struct FoldErrors
   Add(const FoldErrors & other);
 };
 
-/** `truth` is the result of ColonAnatomy::Folds() in the coordinates of the surface. */
+/** `truth` is the result of ColonAnatomy::Folds(), and `wall` of ColonAnatomy::Correspondence(), in the coordinates of
+ * the surface. */
 FoldErrors
 MeasureFoldErrors(const shapeton::FlatColonGrid & grid,
                   const shapeton::HaustralFolds & found,
-                  const shapeton::CurveSet &      truth);
+                  const shapeton::CurveSet &      truth,
+                  const shapeton::CurveSet &      wall);
 
 #endif

@@ -76,8 +76,13 @@ ShareWithTrueSegment(const shapeton::ColonLandmarks & landmarks, const shapeton:
   return all > 0.0 ? right / all : 0.0;
 }
 
-/** Points of the three true taeniae along one section of the colon. */
-using Stretch = std::array<Points, 3>;
+/** Points of the three true taeniae along one section of the colon, and the circumference (mm) of the wall without
+ * folds at each. */
+struct Stretch
+{
+  std::array<Points, 3>              taeniae;
+  std::array<std::vector<double>, 3> circumferences;
+};
 
 /** Sorted distances between the k-th points of the three taeniae (mm). Where a fold covers the phantom's
  * centerline, the taeniae meet in the fold. */
@@ -104,6 +109,7 @@ OpenStretches(const shapeton::ColonAnatomy & anatomy, const shapeton::ColonWallT
   const shapeton::CurveSet       line = anatomy.Centerline();
   const Eigen::VectorXd          lineArc = PointValues(line, "arcLength", "the truth");
   const Eigen::VectorXd          collapsed = PointValues(line, "collapsed", "the truth");
+  const Eigen::VectorXd          radius = PointValues(line, "radius", "the truth");
   std::vector<int>               stretchOf(lineArc.size(), -1);
   int                            stretches = 0;
   for (Eigen::Index i = 0; i < lineArc.size(); ++i)
@@ -124,23 +130,24 @@ OpenStretches(const shapeton::ColonAnatomy & anatomy, const shapeton::ColonWallT
       const auto     i = std::lower_bound(begin, begin + lineArc.size() - 1, arc[vertex]) - begin;
       if (stretchOf[i] >= 0 && !AreOnePoint(taeniae, k) && locator.FindClosest(taeniae.V.row(vertex)).distance < close)
       {
-        result[stretchOf[i]][t].push_back(taeniae.V.row(vertex).transpose());
+        result[stretchOf[i]].taeniae[t].push_back(taeniae.V.row(vertex).transpose());
+        result[stretchOf[i]].circumferences[t].push_back(2.0 * M_PI * radius[i]);
       }
     }
   }
   return result;
 }
 
-/** Joins all sections. */
-Stretch
+/** The taeniae of all sections. */
+std::array<Points, 3>
 Joined(const std::vector<Stretch> & stretches)
 {
-  Stretch all;
+  std::array<Points, 3> all;
   for (const Stretch & stretch : stretches)
   {
     for (int t = 0; t < 3; ++t)
     {
-      all[t].insert(all[t].end(), stretch[t].begin(), stretch[t].end());
+      all[t].insert(all[t].end(), stretch.taeniae[t].begin(), stretch.taeniae[t].end());
     }
   }
   return all;
@@ -149,7 +156,7 @@ Joined(const std::vector<Stretch> & stretches)
 /** Distances of the points of each true taenia from its found taenia, for the assignment that has the smallest mean
  * distance. */
 std::array<std::vector<double>, 3>
-DistancesOfTaeniae(const shapeton::ColonTaeniae & found, const Stretch & truth)
+DistancesOfTaeniae(const shapeton::ColonTaeniae & found, const std::array<Points, 3> & truth)
 {
   std::array<std::array<std::vector<double>, 3>, 3> distances;
   for (int t = 0; t < 3; ++t)
@@ -205,6 +212,7 @@ MeasureTaeniae(const shapeton::ColonLandmarks & landmarks,
                LandmarkErrors &                 errors)
 {
   errors.taeniaMean = errors.taenia95 = errors.taeniaGreatest = errors.taeniaWorstMean = infinite;
+  errors.taeniaOfTurn = infinite;
   const shapeton::ColonTaeniae & found = landmarks.taeniae;
   const std::vector<Stretch>     stretches = OpenStretches(anatomy, *landmarks.tube);
   if (found.taeniae.size() != 3 || Joined(stretches)[0].empty())
@@ -212,14 +220,21 @@ MeasureTaeniae(const shapeton::ColonLandmarks & landmarks,
     return;
   }
   std::array<std::vector<double>, 3> ofTaeniae;
+  std::vector<double>                squaresOfTurns;
   for (const Stretch & stretch : stretches)
   {
-    const std::array<std::vector<double>, 3> own = DistancesOfTaeniae(found, stretch);
+    const std::array<std::vector<double>, 3> own = DistancesOfTaeniae(found, stretch.taeniae);
     for (int t = 0; t < 3; ++t)
     {
       ofTaeniae[t].insert(ofTaeniae[t].end(), own[t].begin(), own[t].end());
+      for (std::size_t k = 0; k < own[t].size(); ++k)
+      {
+        const double turns = own[t][k] / stretch.circumferences[t][k];
+        squaresOfTurns.push_back(turns * turns);
+      }
     }
   }
+  errors.taeniaOfTurn = std::sqrt(MeanOf(squaresOfTurns));
   std::vector<double> distances = AsOne(ofTaeniae);
   std::sort(distances.begin(), distances.end());
   errors.taeniaMean = MeanOf(distances);

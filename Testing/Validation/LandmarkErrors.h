@@ -28,6 +28,9 @@ struct LandmarkErrors
   double taeniaWorstMean{ 0.0 };
   /** Share of those points within 10 mm. */
   double taeniaWithin10{ 0.0 };
+  /** Root mean square of those distances, each relative to the circumference of the wall without folds, as in Wei et
+   * al., Medical Physics 39 (2012): normalized RMSE. */
+  double taeniaOfTurn{ 0.0 };
   /** Share within 10 mm with a single assignment for the whole colon. */
   double taeniaIdentified10{ 0.0 };
 };

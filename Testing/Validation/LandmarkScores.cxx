@@ -26,7 +26,7 @@ TryLandmarks(const LandmarkExam & exam, const ColonLandmarkSettings & options, s
   constexpr double infinite = std::numeric_limits<double>::infinity();
   LandmarkErrors   errors;
   errors.flexures.fill(infinite);
-  errors.taeniaMean = infinite;
+  errors.taeniaMean = errors.taeniaOfTurn = infinite;
   return errors;
 }
 
@@ -69,6 +69,7 @@ LandmarkScores::Rule::Add(const LandmarkErrors & errors)
   ++exams;
   taeniaMeans.push_back(errors.taeniaMean);
   taeniaWithin10.push_back(errors.taeniaWithin10);
+  taeniaOfTurn.push_back(errors.taeniaOfTurn);
   taeniaIdentified10.push_back(errors.taeniaIdentified10);
   labeled.push_back(errors.labeledShare);
   flexuresRight += errors.areFlexuresWithin30;
@@ -167,6 +168,9 @@ LandmarkScores::AddReported(BoundTable & table) const
   table.AddFact("taeniae, share within 10 mm, one assignment for the whole colon",
                 Rounded(MeanOf(m_Ours.taeniaIdentified10)),
                 m_Ours.taeniaIdentified10);
+  table.AddFact("taeniae, root mean square error, share of the circumference",
+                Rounded(MeanOf(m_Ours.taeniaOfTurn)),
+                m_Ours.taeniaOfTurn);
   table.AddFact("published rule: taeniae, mean error, mm", Rounded(MeanOf(m_Published.taeniaMeans)));
   table.AddFact("published rule: taeniae, share within 10 mm",
                 Rounded(MeanOf(m_Published.taeniaWithin10)),

@@ -50,6 +50,7 @@ private:
     std::vector<double> taeniaMeans;
     std::vector<double> taeniaWithin10;
     std::vector<double> taeniaIdentified10;
+    std::vector<double> taeniaOfTurn;
     std::vector<double> labeled;
     int                 flexuresRight{ 0 };
     int                 exams{ 0 };

@@ -144,6 +144,20 @@ MeasureMatches(const ColonPosition &           source,
   CountPoints(source, sourceTruth, ofSource, outcome, score);
 }
 
+Reliability
+ReliabilityOf(const std::vector<PointError> & errors)
+{
+  Reliability reliability(LocalClasses);
+  for (const PointError & error : errors)
+  {
+    if (error.kind == PointError::Kind::Counted)
+    {
+      reliability.Add(error.confidence, error.inSpace <= ConfidentDistance);
+    }
+  }
+  return reliability;
+}
+
 void
 CompareSchemes(const ColonPosition &           source,
                const ColonPosition &           target,
@@ -234,8 +248,10 @@ TryRegistration(const LandmarkExam & first, const LandmarkExam & second, bool ha
     const auto                    start = std::chrono::steady_clock::now();
     const SupineProneRegistration registration = RegisterColonPositions(source, target);
     score.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    const std::vector<PointPair> pairs = TruePairs(*first.anatomy, *second.anatomy);
-    score.errors = MeasureRegistrationErrors(registration, pairs);
+    const std::vector<PointPair>  pairs = TruePairs(*first.anatomy, *second.anatomy);
+    const std::vector<PointError> errors = ErrorsOfPoints(registration, registration.map, pairs);
+    score.errors = SummaryOf(errors);
+    score.local = ReliabilityOf(errors);
     score.frame = MeasureRegistrationErrors(registration, pairs, true);
     score.flips = registration.figures.flips;
     score.isFlagged = registration.confidence.isFlagged;

@@ -2,6 +2,7 @@
 #define RegistrationTrial_h
 
 #include "LandmarkTrial.h"
+#include "Reliability.h"
 
 #include "shapetonRegistrationErrors.h"
 #include "shapetonRegistrationSchemes.h"
@@ -24,6 +25,9 @@ struct FeaturePointCounts
 /** Counts by segment, 1 to 6; index 0 is the whole colon. */
 using FeaturePointTable = std::array<FeaturePointCounts, 7>;
 
+/** Classes of the local confidence, which is mostly high. */
+inline const std::vector<double> LocalClasses{ 0.0, 0.2, 0.4, 0.6, 0.8, 0.9, 0.95, 1.0 };
+
 /** Result of one registration scheme. */
 struct SchemeScore
 {
@@ -35,8 +39,10 @@ struct SchemeScore
 struct RegistrationScore
 {
   /** Errors of the map, of the frame, and of simpler schemes; the keys are table labels. */
-  shapeton::RegistrationErrors       errors;
-  shapeton::RegistrationErrors       frame;
+  shapeton::RegistrationErrors errors;
+  shapeton::RegistrationErrors frame;
+  /** Local confidence at the measured points, and whether their error is within ConfidentDistance. */
+  Reliability                        local{ LocalClasses };
   std::map<std::string, SchemeScore> schemes;
   int                                flips{ 0 };
   bool                               isFlagged{ false };

@@ -15,6 +15,20 @@ Reliability::Add(double confidence, bool isRight)
   Class &    own = m_Classes[upper - m_Borders.begin() - 1];
   own.confidences.push_back(confidence);
   own.right += isRight;
+  const double away = confidence - (isRight ? 1.0 : 0.0);
+  own.squares += away * away;
+}
+
+void
+Reliability::Add(const Reliability & other)
+{
+  for (std::size_t k = 0; k < m_Classes.size(); ++k)
+  {
+    const Class & one = other.m_Classes[k];
+    m_Classes[k].confidences.insert(m_Classes[k].confidences.end(), one.confidences.begin(), one.confidences.end());
+    m_Classes[k].right += one.right;
+    m_Classes[k].squares += one.squares;
+  }
 }
 
 double
@@ -28,6 +42,19 @@ Reliability::CalibrationError() const
     all += one.Number();
   }
   return all > 0 ? away / all : 0.0;
+}
+
+double
+Reliability::BrierScore() const
+{
+  double squares = 0.0;
+  int    all = 0;
+  for (const Class & one : m_Classes)
+  {
+    squares += one.squares;
+    all += one.Number();
+  }
+  return all > 0 ? squares / all : 0.0;
 }
 
 void

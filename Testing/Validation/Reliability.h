@@ -21,6 +21,14 @@ public:
   double
   CalibrationError() const;
 
+  /** Mean squared difference between confidence and outcome, 1 or 0 (Brier 1950); 0 without statements. */
+  double
+  BrierScore() const;
+
+  /** Adds the statements of another one with the same classes. */
+  void
+  Add(const Reliability & other);
+
   /** Writes one row per class: number, mean confidence, share of correct statements. */
   void
   Write(const std::string & what, ValidationReport & report) const;
@@ -30,6 +38,7 @@ private:
   {
     std::vector<double> confidences;
     int                 right{ 0 };
+    double              squares{ 0.0 }; ///< of confidence minus outcome
 
     int
     Number() const

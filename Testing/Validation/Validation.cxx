@@ -30,6 +30,7 @@ const std::vector<Area> areas = {
   { "colon-landmarks", "Validation of colon landmarks", true },
   { "colon-registration", "Validation of supine and prone registration", true },
   { "colon-polyps", "Validation of polyp candidates", true },
+  { "published-results", "Beside published results" },
   { "graph-embedding", "Validation of graph embeddings" },
 };
 
@@ -117,6 +118,7 @@ const std::vector<Part> parts = {
   { "colon-registration", "colon-pairs", "Confidence of pairs of positions", ValidateReliabilityOfPairs, false, false },
   { "colon-polyps", "colon-polyps", "Polyp candidates of synthetic colons", ValidateColonPolyps, false },
   { "colon-polyps", "colon-polyps-ct", "Polyp candidates from CT", ValidateColonPolypsFromCt, false, false },
+  { "published-results", "published-results", "Colon tools beside published results", ValidatePublishedResults, false },
   { "graph-embedding", "graph-embedding", "Embeddings of graphs", ValidateGraphEmbedding, false },
 };
 
@@ -246,7 +248,7 @@ RunPart(const Part & part, const Request & request)
   section.page = request.output + '/' + area.name + ".md";
   section.pageTitle = area.title;
   section.name = part.name + (seed.empty() ? "" : " --firstSeed " + seed);
-  section.rowsFolder = request.rows.empty() ? request.output : request.rows;
+  section.rowsFolder = request.settings.rowsFolder;
   section.rowsPrefix = (seed.empty() ? "" : "seeds-" + seed + '-') + part.name;
 
   ValidationReport report(part.title + (seed.empty() ? "" : ", seeds from " + seed));
@@ -303,6 +305,7 @@ main(int argc, char * argv[])
     request.settings.dataFolder = folder;
   }
   request.settings.outputFolder = request.output;
+  request.settings.rowsFolder = request.rows.empty() ? request.output : request.rows;
   request.settings.pictureFolder = request.settings.quick ? request.output : request.output + "/../pictures";
   try
   {

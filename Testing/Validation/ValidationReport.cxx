@@ -283,14 +283,14 @@ ValidationSettings::Seeds(int asked, const std::string & preset) const
 {
   const bool                isRealistic = preset == "realistic";
   std::vector<unsigned int> seeds(patients > 0 ? patients : isRealistic ? 20 : asked);
-  std::iota(seeds.begin(), seeds.end(), firstSeed > 0 ? firstSeed : isRealistic ? 140 : 100);
+  std::iota(seeds.begin(), seeds.end(), firstSeed > 0 ? firstSeed : isRealistic ? 300 : 100);
   return seeds;
 }
 
 std::string
 ValidationSettings::SeedsInWords() const
 {
-  return "`ColonPhantom`, seeds from " + (firstSeed > 0 ? std::to_string(firstSeed) : "100, realistic from 140") +
+  return "`ColonPhantom`, seeds from " + (firstSeed > 0 ? std::to_string(firstSeed) : "100, realistic from 300") +
          "; parameters fitted on seeds 1 to 99, a few rules chosen with knowledge of some of seeds 100 to 119";
 }
 

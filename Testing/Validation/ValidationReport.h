@@ -96,7 +96,7 @@ MeanWithInterval(const std::vector<double> & values);
 struct ValidationSettings
 {
   /** Seeds of the synthetic patients of a preset. Their number is `asked` (20 for realistic) unless one is set; the
-   * first seed is 100 (140 for realistic) unless one is set. */
+   * first seed is 100 (300 for realistic) unless one is set. */
   std::vector<unsigned int>
   Seeds(int asked, const std::string & preset = "standard") const;
 
@@ -116,6 +116,7 @@ struct ValidationSettings
   int                      draws{ 0 };          ///< seed draws in seeded-heat and seeded-heat-organs; 0: 3
   int                      seedsOfLabel{ 0 };   ///< seeds per label in these parts; 0: 5, 20 and 100
   std::string              dataFolder;          ///< empty without real data
+  std::string              rowsFolder{ "." };   ///< folder of the CSV files
   std::string              outputFolder{ "." }; ///< folder of the pages and their pictures
   std::string              pictureFolder;       ///< folder of pictures in Documentation/pictures
 };
@@ -175,6 +176,8 @@ void
 ValidateColonNoise(const ValidationSettings & settings, ValidationReport & report);
 void
 ValidateColonSurfacesFine(const ValidationSettings & settings, ValidationReport & report);
+void
+ValidatePublishedResults(const ValidationSettings & settings, ValidationReport & report);
 void
 ValidateGraphEmbedding(const ValidationSettings & settings, ValidationReport & report);
 

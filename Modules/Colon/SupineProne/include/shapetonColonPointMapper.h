@@ -13,7 +13,7 @@ struct MappedPoint
   Eigen::Vector2d uv{ Eigen::Vector2d::Zero() };
   /** Point on the wall of the other position, LPS, mm. */
   Eigen::Vector3d point{ Eigen::Vector3d::Zero() };
-  /** Local confidence of the registration, 0 to 1. */
+  /** Local confidence: the probability that the point is within ConfidentDistance of the true one. */
   double confidence{ 0.0 };
   /** Whether the wall is not visible in one of the positions, so the map is interpolated from both sides. */
   bool isExcluded{ true };

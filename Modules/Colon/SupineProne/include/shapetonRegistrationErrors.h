@@ -29,6 +29,8 @@ struct PointError
   /** Distance in space (mm), and distance on the flat map of the target relative to its circumference. */
   double inSpace{ std::numeric_limits<double>::quiet_NaN() };
   double onMap{ std::numeric_limits<double>::quiet_NaN() };
+  /** ConfidenceAt() the point. */
+  double confidence{ std::numeric_limits<double>::quiet_NaN() };
 };
 
 /** Distances between mapped points and their true correspondences. See MeasureRegistrationErrors().

@@ -33,6 +33,10 @@ struct FoldMatch
   int segment{ 0 };
 };
 
+/** Distance (mm) of the local confidence: the probability that a mapped point is no farther from the true one; less
+ * than half of the distance between folds. \ingroup ShapetonSupineProne */
+constexpr double ConfidentDistance = 10.0;
+
 /** Confidence of the registration. \ingroup ShapetonSupineProne */
 struct RegistrationConfidence
 {
@@ -57,7 +61,11 @@ struct RegistrationConfidence
   double senseMargin{ 0.0 };
   /** Root mean square residual of the consistent pairs, mm. */
   double residual{ 0.0 };
-  /** Confidence of each node of the map, 0 to 1. */
+  /** Local confidence of each node of the map: the probability that its image is within ConfidentDistance of the true
+   * one if both positions are of one patient; 0 where the wall is not visible. It is the product of two probabilities:
+   * that the row is not mapped onto a neighboring fold, along the colon or around it, from a hidden Markov model of the
+   * displacement along the colon; and that the error is small otherwise, from the residuals of nearby folds and the
+   * radius. */
   Eigen::MatrixXd ofNodes;
 
   /** Probability that both positions are of the same patient. The log-odds are the sum of terms of matchedShare,

@@ -1,13 +1,14 @@
 #ifndef shapetonRegistrationConfidence_h
 #define shapetonRegistrationConfidence_h
 
+#include "shapetonColonPair.h"
 #include "shapetonSupineProneRegistration.h"
 
 namespace shapeton
 {
-/** Sets the confidence from its energies and margin. */
+/** Sets the confidence from its energies and margin, and the local confidence. */
 void
-JudgeRegistration(const ColonPosition & source, const ColonPosition & target, SupineProneRegistration & registration);
+JudgeRegistration(const ColonPair & pair, SupineProneRegistration & registration);
 } // namespace shapeton
 
 #endif

@@ -114,6 +114,7 @@ ErrorsOfPoints(const SupineProneRegistration & registration,
     const double          dv = TurnDifference(uv.y() / around, to.uv.y() / around);
     errors[i].kind = IsExcludedAt(registration, place) ? PointError::Kind::Excluded : PointError::Kind::Counted;
     errors[i].onMap = std::hypot(du, dv);
+    errors[i].confidence = ConfidenceAt(registration, place);
     errors[i].inSpace = (registration.target->PointOfPlace(mapped) - to.surfacePoint).norm();
   }
   return errors;

@@ -94,7 +94,7 @@ RegisterColonPositions(const ColonPosition & source, const ColonPosition & targe
   {
     ProjectMap(pair, choice.best, options.greatestDilatation, result, progress);
   }
-  JudgeRegistration(source, target, result);
+  JudgeRegistration(pair, result);
   progress(1.0);
   return result;
 }

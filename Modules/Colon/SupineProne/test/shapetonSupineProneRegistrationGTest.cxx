@@ -3,10 +3,12 @@
 #include "shapetonProgressTests.h"
 #include "shapetonTestColons.h"
 #include "shapetonTestErrors.h"
+#include "shapetonTestThreads.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <numeric>
 
 namespace
 {
@@ -21,11 +23,11 @@ SomeMovement()
   return { 0.37, 8.0 };
 }
 
-/** The position with an invisible collapsed stretch in the middle of the tube. */
+/** The position with an invisible collapsed stretch, in the middle of the tube by default. */
 shapeton::ColonPosition
-WithCollapse(shapeton::ColonPosition position)
+WithCollapse(shapeton::ColonPosition position, double middle = 0.5 * length)
 {
-  const auto isInside = [](double u) { return std::abs(u - 0.5 * length) < halfCollapse; };
+  const auto isInside = [middle](double u) { return std::abs(u - middle) < halfCollapse; };
   position.isExcluded.assign(position.flat->Grid().Columns(), 0);
   for (int column = 0; column < position.flat->Grid().Columns(); ++column)
   {
@@ -71,6 +73,55 @@ GreatestError(const shapeton::SupineProneRegistration & registration, const Move
 {
   return GreatestError(registration, registration.map, movement);
 }
+
+constexpr double period = 24.0; // mm
+
+constexpr double periodicBegin = 0.25 * length - halfCollapse;
+constexpr double periodicEnd = 0.75 * length + halfCollapse;
+
+/** A colon whose folds are rings at equal distances in the middle, the first `phase` mm after its begin, and uneven
+ * outside. */
+shapeton::ColonPosition
+MakePeriodicPosition(const std::string & name, double phase)
+{
+  std::vector<Fold> folds;
+  for (const Fold & fold : FoldsOfPatient(1))
+  {
+    if (fold.s < periodicBegin || fold.s > periodicEnd)
+    {
+      folds.push_back(fold);
+    }
+  }
+  for (double s = periodicBegin + phase; s < periodicEnd; s += period)
+  {
+    for (const double turn : { 1.0 / 6.0, 0.5, 5.0 / 6.0 })
+    {
+      folds.push_back({ s, turn });
+    }
+  }
+  return MakeExamination(name, folds, {}).position;
+}
+
+/** Local confidences from `begin` to `end` (mm). */
+std::vector<double>
+ConfidencesBetween(const shapeton::SupineProneRegistration & registration, double begin, double end)
+{
+  std::vector<double> confidences;
+  for (double s = begin; s < end; s += 5.0)
+  {
+    for (double turn = 0.0; turn < 1.0; turn += 0.1)
+    {
+      confidences.push_back(ConfidenceAt(registration, { firstArc + s, turn }));
+    }
+  }
+  return confidences;
+}
+
+double
+Mean(const std::vector<double> & values)
+{
+  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
 } // namespace
 
 TEST(SupineProneRegistration, FindsAKnownMovement)
@@ -108,6 +159,51 @@ TEST(SupineProneRegistration, TheMarginTellsTheRightThird)
   ASSERT_EQ(energies.size(), 3U);
   EXPECT_LT(energies[0], std::min(energies[1], energies[2]));
   EXPECT_DOUBLE_EQ(registration.confidence.margin, std::min(energies[1], energies[2]) - energies[0]);
+}
+
+TEST(SupineProneRegistration, TheLocalConfidenceOfUnevenFoldsIsHigh)
+{
+  const auto registration =
+    shapeton::RegisterColonPositions(MakePosition("supine", 1, {}), MakePosition("prone", 1, SomeMovement()));
+  const std::vector<double> confidences = ConfidencesBetween(registration, 50.0, length - 50.0);
+  EXPECT_GT(*std::min_element(confidences.begin(), confidences.end()), 0.8);
+}
+
+/** Periodic folds between two collapsed stretches of the source fit equally well if they moved by half a period to
+ * either side, so that the map is right for one of two movements. */
+TEST(SupineProneRegistration, TheLocalConfidenceOfPeriodicFoldsIsAboutTheShareOfRightChoices)
+{
+  const shapeton::ColonPosition supine =
+    WithCollapse(WithCollapse(MakePeriodicPosition("supine", 0.0), 0.25 * length), 0.75 * length);
+  const auto registration = shapeton::RegisterColonPositions(supine, MakePeriodicPosition("prone", 0.5 * period));
+  int        right = 0;
+  int        choices = 0;
+  for (const double moved : { -0.5 * period, 0.5 * period })
+  {
+    for (double s = 0.4 * length; s < 0.6 * length; s += 5.0)
+    {
+      right += std::abs(registration.map.Forward({ firstArc + s, 0.5 }).s - firstArc - s - moved) <=
+               shapeton::ConfidentDistance;
+      ++choices;
+    }
+  }
+  const double share = static_cast<double>(right) / choices;
+  EXPECT_EQ(share, 0.5);
+  // The model holds the movement of the map for slightly more likely than the other one.
+  constexpr double tolerance = 0.1;
+  EXPECT_LE(Mean(ConfidencesBetween(registration, 0.4 * length, 0.6 * length)), share + tolerance);
+  EXPECT_GT(Mean(ConfidencesBetween(registration, 40.0, periodicBegin - 20.0)), 0.7);
+  EXPECT_GT(Mean(ConfidencesBetween(registration, periodicEnd + 20.0, length - 40.0)), 0.7);
+}
+
+TEST(SupineProneRegistration, TheLocalConfidenceDoesNotDependOnThreads)
+{
+  basetest::ExpectSameWithAnyThreads(
+    [] {
+      return shapeton::RegisterColonPositions(MakePosition("supine", 1, {}), MakePosition("prone", 1, SomeMovement()))
+        .confidence.ofNodes;
+    },
+    { 3 });
 }
 
 TEST(SupineProneRegistration, ForwardAndInverseAgree)

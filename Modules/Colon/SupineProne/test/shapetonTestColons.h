@@ -154,12 +154,16 @@ MakeCenterline()
   return centerline;
 }
 
-/** The colon of a patient, starting at the cecum if `isReversed`. Uses the curvature of the grid. */
+/** A colon with these folds before the movement, starting at the cecum if `isReversed`. Uses the curvature of the
+ * grid. */
 inline shapeton::ColonPositionFiles
-MakeExamination(const std::string & name, int patient, const Movement & movement, bool isReversed = false)
+MakeExamination(const std::string &       name,
+                const std::vector<Fold> & folds,
+                const Movement &          movement,
+                bool                      isReversed = false)
 {
   std::vector<shapeton::CylinderPlace> places;
-  for (const Fold & fold : FoldsOfPatient(patient))
+  for (const Fold & fold : folds)
   {
     const shapeton::CylinderPlace moved = movement({ fold.s, fold.turn });
     places.push_back(isReversed ? shapeton::CylinderPlace{ length - moved.s, -moved.turn } : moved);
@@ -188,6 +192,13 @@ MakeExamination(const std::string & name, int patient, const Movement & movement
                                1.0 });
   }
   return files;
+}
+
+/** The colon of a patient. */
+inline shapeton::ColonPositionFiles
+MakeExamination(const std::string & name, int patient, const Movement & movement, bool isReversed = false)
+{
+  return MakeExamination(name, FoldsOfPatient(patient), movement, isReversed);
 }
 
 inline shapeton::ColonPosition
