@@ -89,7 +89,9 @@ ColonPhantomPreset(const std::string & name);
  * 55 to 80, soft 75 to 125 mm; catheterIntensity: 120 to 280 HU; catheterHoles: 2 to 4, in four of ten patients 0, with
  * an open end; balloonDiameter: 22 to 38 mm;
  * - valveLength: 15 to 30, valveHeight: 8 to 15, ileumBore: 8 to 12, ileumLength: 60 to 120 mm; valveFat: 0 to 0.2 in
- * three of ten patients, otherwise 0.7 to 0.95. \ingroup ShapetonPhantoms */
+ * three of ten patients, otherwise 0.7 to 0.95;
+ * - ileumReflux: gas in three of ten patients, with ileumBore 10 to 25 and ileumLength 50 to 1500 mm, uniform on a
+ * logarithmic scale. \ingroup ShapetonPhantoms */
 ShapetonPhantoms_EXPORT ColonPhantomParameters
 Drawn(const ColonPhantomParameters & parameters);
 

@@ -5,6 +5,7 @@
 #include "shapetonExceptions.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <type_traits>
 #include <vector>
@@ -33,10 +34,15 @@ RequireValidValve(const ColonPhantomParameters & p)
   const ColonPhantomParameters none;
   const bool                   isPlain = p.valveLength == none.valveLength && p.valveHeight == none.valveHeight &&
                        p.valveFat == none.valveFat && p.ileumBore == none.ileumBore &&
-                       p.ileumLength == none.ileumLength && p.ileumContent == none.ileumContent;
-  RequireParameter(p.valve == "lips" || isPlain,
-                   "the parameters \"valveLength\", \"valveHeight\", \"valveFat\", \"ileumBore\", \"ileumLength\" and "
-                   "\"ileumContent\" require a valve with lips; set the parameter \"valve\" to lips");
+                       p.ileumLength == none.ileumLength && p.ileumContent == none.ileumContent &&
+                       p.ileumReflux == none.ileumReflux;
+  RequireParameter(
+    p.valve == "lips" || isPlain,
+    "the parameters \"valveLength\", \"valveHeight\", \"valveFat\", \"ileumBore\", \"ileumLength\", "
+    "\"ileumContent\" and \"ileumReflux\" require a valve with lips; set the parameter \"valve\" to lips");
+  RequireParameter(
+    p.ileumReflux != "gas" || p.ileumContent == "gas" || p.ileumContent == "drawn",
+    "the parameter \"ileumReflux\" requires gas in the ileum; set the parameter \"ileumContent\" to gas");
 }
 
 // 0 to use the template.
@@ -66,7 +72,8 @@ enum class Group
   Scanner,
   Bowel,
   Diverticula,
-  Sigmoid
+  Sigmoid,
+  Reflux
 };
 
 /** Draws parameters in a fixed order, so that given values do not affect drawn ones. */
@@ -110,6 +117,26 @@ public:
 private:
   ColonRandom m_Random;
 };
+
+// Before DrawValve(), which draws the remaining values of the ileum.
+void
+DrawReflux(ColonPhantomParameters & p)
+{
+  constexpr double     share = 0.3; // of the patients
+  constexpr DrawnRange bore{ 10, 25 };
+  constexpr double     shortest = 50.0;  // mm
+  constexpr double     longest = 1500.0; // mm; lengths are uniform on a logarithmic scale
+  Draw                 draw(p, Group::Reflux);
+  draw(p.ileumReflux, draw.Chance() < share ? "gas" : "none");
+  if (p.ileumReflux != "gas")
+  {
+    return;
+  }
+  draw(p.ileumBore, bore);
+  const double length = shortest * std::pow(longest / shortest, draw.Chance());
+  draw(p.ileumLength, { length, length });
+  draw(p.ileumContent, "gas");
+}
 
 void
 DrawValve(ColonPhantomParameters & p)
@@ -315,6 +342,7 @@ Drawn(const ColonPhantomParameters & parameters)
   DrawCatheter(drawn);
   if (drawn.valve == "lips")
   {
+    DrawReflux(drawn);
     DrawValve(drawn);
   }
   return drawn;
@@ -337,6 +365,7 @@ ColonPhantomPreset(const std::string & name)
     parameters.kernel = "drawn";
     parameters.sliceThickness = drawnBySeed;
     parameters.valve = "lips";
+    parameters.ileumReflux = "drawn";
     parameters.lengths.fill(drawnBySeed);
     parameters.caliber.fill(drawnBySeed);
     parameters.cecumMobility = drawnBySeed;

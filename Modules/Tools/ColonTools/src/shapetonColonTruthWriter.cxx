@@ -107,6 +107,8 @@ IleumToJson(const ColonIleum & ileum)
   json["slitWidth"] = RoundedJson(ileum.slitWidth);
   json["bore"] = RoundedJson(ileum.bore);
   json["length"] = RoundedJson(ileum.length);
+  json["volume"] = RoundedJson(ileum.volume); // ml
+  json["refluxed"] = ileum.isRefluxed;
   json["intensity"] = RoundedJson(ileum.intensity);
   return json;
 }
