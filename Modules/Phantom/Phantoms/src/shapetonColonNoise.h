@@ -33,7 +33,8 @@ enum class ColonStream : std::uint32_t
   Foam,
   Drawn,
   Diverticula,
-  Reflux
+  Reflux,
+  Spasm
 };
 
 /** Uniform and normal numbers from Philox, keyed by seed, purpose and, if relevant, the position (from 1). */

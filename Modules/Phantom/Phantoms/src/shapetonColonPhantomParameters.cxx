@@ -73,7 +73,9 @@ enum class Group
   Bowel,
   Diverticula,
   Sigmoid,
-  Reflux
+  Reflux,
+  Spasm,
+  FilledStretch
 };
 
 /** Draws parameters in a fixed order, so that given values do not affect drawn ones. */
@@ -200,6 +202,21 @@ DrawSigmoid(ColonPhantomParameters & p)
   const bool           isUnusual = draw.Chance() < share;
   draw(p.sigmoidRise, isUnusual && length >= redundantLength ? rise : DrawnRange{});
   draw(p.sigmoidStraightness, isUnusual && length <= shortLength ? straightness : DrawnRange{});
+}
+
+void
+DrawSpasm(ColonPhantomParameters & p)
+{
+  constexpr DrawnRange length{ 50, 150 };
+  constexpr DrawnRange filled{ 30, 120 };
+  constexpr double     spasmShare = 0.25; // of the patients
+  constexpr double     filledShare = 0.4; // of the patients
+  Draw                 draw(p, Group::Spasm);
+  const bool           hasSpasm = draw.Chance() < spasmShare;
+  draw(p.spasm, hasSpasm ? length : DrawnRange{});
+  Draw       fill(p, Group::FilledStretch);
+  const bool isFilled = fill.Chance() < filledShare;
+  fill(p.filledStretch, isFilled ? filled : DrawnRange{});
 }
 
 void
@@ -335,6 +352,7 @@ Drawn(const ColonPhantomParameters & parameters)
   ColonPhantomParameters drawn = parameters;
   DrawShape(drawn);
   DrawSigmoid(drawn);
+  DrawSpasm(drawn);
   DrawBowel(drawn);
   DrawResidue(drawn);
   DrawDiverticula(drawn);
@@ -370,6 +388,7 @@ ColonPhantomPreset(const std::string & name)
     parameters.caliber.fill(drawnBySeed);
     parameters.cecumMobility = drawnBySeed;
     parameters.sigmoidRise = drawnBySeed;
+    parameters.spasm = parameters.filledStretch = drawnBySeed;
     parameters.sigmoidStraightness = drawnBySeed;
     parameters.smallBowelTagged = drawnBySeed;
     parameters.stomachIntensity = drawnBySeed;

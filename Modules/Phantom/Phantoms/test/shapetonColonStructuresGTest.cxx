@@ -277,6 +277,69 @@ TEST(ColonStructures, BonesOfThePelvisAreInPlace)
   }
 }
 
+// Fluid fills the open lumen of a stretch between gas.
+TEST(ColonFluid, AFilledStretchSeparatesGas)
+{
+  int found = 0;
+  for (unsigned seed = 1; seed <= 10; ++seed)
+  {
+    const shapeton::ColonAnatomy anatomy(Realistic(seed));
+    const shapeton::ColonFluid   fluid(anatomy);
+    const double                 wanted = anatomy.GetParameters().filledStretch;
+    const auto &                 stretch = fluid.FilledStretch();
+    if (stretch[1] == stretch[0])
+    {
+      continue;
+    }
+    ++found;
+    EXPECT_TRUE(wanted >= 30.0 && wanted <= 120.0) << seed;
+    EXPECT_NEAR(stretch[1] - stretch[0], wanted, 1.6) << seed;
+    const shapeton::CurveSet line = anatomy.Centerline();
+    const auto &             arcs = shapeton::FindSurfaceArray(line.pointArrays, "arcLength")->values;
+    for (Eigen::Index i = 0; i < line.V.rows(); ++i)
+    {
+      const double   s = arcs(i, 0);
+      const Vector3d point = line.V.row(i);
+      if (s > stretch[0] - 10.0 && s < stretch[1] + 10.0)
+      {
+        const bool isInside = s >= stretch[0] && s < stretch[1];
+        EXPECT_GT(anatomy.Evaluate(point).distance, 0.0) << seed << ' ' << s;
+        EXPECT_EQ(fluid.DepthBelowLevel(point, s) > 0.0, isInside) << seed << ' ' << s;
+        EXPECT_TRUE(anatomy.SegmentAt(s) == 2 || anatomy.SegmentAt(s) == 3) << seed;
+      }
+    }
+  }
+  EXPECT_GE(found, 2);
+}
+
+TEST(ColonStructures, SpasmsAreNarrow)
+{
+  int found = 0;
+  for (unsigned seed = 1; seed <= 16; ++seed)
+  {
+    const auto   drawn = shapeton::Drawn(Realistic(seed));
+    const double length = drawn.spasm;
+    EXPECT_TRUE(length == 0.0 || (length >= 50.0 && length <= 150.0)) << seed;
+    if (length == 0.0)
+    {
+      continue;
+    }
+    const shapeton::ColonAnatomy anatomy(Realistic(seed));
+    const shapeton::CurveSet     line = anatomy.Centerline();
+    const auto &                 arcs = shapeton::FindSurfaceArray(line.pointArrays, "arcLength")->values;
+    const auto &                 radii = shapeton::FindSurfaceArray(line.pointArrays, "radius")->values;
+    double                       narrow = 0.0;
+    for (Eigen::Index i = 1; i < line.V.rows(); ++i)
+    {
+      const bool isNarrow = 2.0 * radii(i, 0) >= 7.5 && 2.0 * radii(i, 0) <= 14.5;
+      narrow += isNarrow && anatomy.SegmentAt(arcs(i, 0)) == 2 ? arcs(i, 0) - arcs(i - 1, 0) : 0.0;
+    }
+    EXPECT_GT(narrow, 0.8 * length) << seed;
+    ++found;
+  }
+  EXPECT_GE(found, 2);
+}
+
 TEST(ColonStructures, CatheterIsARingOfItsSize)
 {
   for (const char * kind : { "central", "rigid", "soft" })
