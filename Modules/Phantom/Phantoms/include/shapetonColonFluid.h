@@ -63,6 +63,13 @@ public:
     return m_Pools;
   }
 
+  /** Arc lengths (mm) of the ends of the stretch that fluid fills completely, between gas; equal if absent. */
+  const std::array<double, 2> &
+  FilledStretch() const
+  {
+    return m_FilledStretch;
+  }
+
   /** Volume of the lumen, ml. */
   double
   LumenVolume() const
@@ -81,12 +88,15 @@ private:
   BinOf(double arcLength) const;
   void
   MakeTexture();
+  void
+  FillStretch(const std::vector<std::vector<float>> & heights);
 
   const ColonAnatomy &   m_Anatomy;
   Eigen::Vector3d        m_Down;
   double                 m_LumenVolume{ 0.0 };
   std::vector<int>       m_PoolOfBin; // -1 without fluid
   std::vector<ColonPool> m_Pools;
+  std::array<double, 2>  m_FilledStretch{ { 0.0, 0.0 } };
   std::array<Wave, 8>    m_Waves;
 };
 

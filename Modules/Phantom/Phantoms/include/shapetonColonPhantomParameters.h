@@ -79,6 +79,7 @@ ColonPhantomPreset(const std::string & name);
  * - cecumMobility: 30 to 80 mm in three of ten patients, otherwise 0 to 10;
  * - sigmoidRise: 30 to 90 mm in six of ten sigmoids of at least 650 mm, otherwise 0; sigmoidStraightness: 0.7 to 1 in
  * six of ten sigmoids of at most 550 mm, otherwise 0;
+ * - spasm: 50 to 150 mm in one of four patients; filledStretch: 30 to 120 mm in four of ten patients; otherwise 0;
  * - smallBowelTagged: 0.5 to 1; stomachIntensity: 100 to 650 HU;
  * - stool: 0 to 14, three of ten pieces adhere to the wall, the others are at the lowest point in each position, and
  * large ones may contain gas; stoolTagged: 0.3 to 0.9 (200 to 650 HU, otherwise 20 to 70); bubbles: 0 to 20; foam: 1 to
@@ -89,7 +90,9 @@ ColonPhantomPreset(const std::string & name);
  * 55 to 80, soft 75 to 125 mm; catheterIntensity: 120 to 280 HU; catheterHoles: 2 to 4, in four of ten patients 0, with
  * an open end; balloonDiameter: 22 to 38 mm;
  * - valveLength: 15 to 30, valveHeight: 8 to 15, ileumBore: 8 to 12, ileumLength: 60 to 120 mm; valveFat: 0 to 0.2 in
- * three of ten patients, otherwise 0.7 to 0.95. \ingroup ShapetonPhantoms */
+ * three of ten patients, otherwise 0.7 to 0.95;
+ * - ileumReflux: gas in three of ten patients, with ileumBore 10 to 25 and ileumLength 50 to 1500 mm, uniform on a
+ * logarithmic scale. \ingroup ShapetonPhantoms */
 ShapetonPhantoms_EXPORT ColonPhantomParameters
 Drawn(const ColonPhantomParameters & parameters);
 

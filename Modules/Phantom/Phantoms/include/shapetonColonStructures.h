@@ -52,11 +52,13 @@ struct ColonResidue
 /** The terminal ileum of a valve with lips. LPS, mm. \ingroup ShapetonPhantoms */
 struct ColonIleum
 {
-  std::string content; ///< collapsed, gas or fluid
-  bool        isOpen;  ///< whether the lumen is connected to the colon
+  std::string content;    ///< collapsed, gas or fluid
+  bool        isOpen;     ///< whether the lumen is connected to the colon
+  bool        isRefluxed; ///< filled by reflux, with some fluid at the lowest places
   double      slitWidth;
   double      bore;
-  double      length;
+  double      length;    ///< along the axis
+  double      volume;    ///< ml, of the lumen; 0 if collapsed
   double      intensity; ///< HU of the content; 0 if collapsed
 };
 

@@ -25,6 +25,9 @@ constexpr double wedgeShare = 0.4;        // of the pools
 constexpr int    blockSide = 6;           // lattice steps; half the diagonal is below ColonAnatomy::Reach
 constexpr double pointVolume = latticeStep * latticeStep * latticeStep / 1000.0; // ml
 
+constexpr std::uint32_t filledStream = 0xf111;
+constexpr DrawnRange    filledIntensity{ 600.0, 830.0 }; // HU, as in other pools
+
 int
 SliceAt(double arcLength)
 {
@@ -258,6 +261,54 @@ ColonFluid::ColonFluid(const ColonAnatomy & anatomy) : m_Anatomy(anatomy), m_Dow
     const double wedge = random.Uniform(0.0, 1.0) < wedgeShare ? random.Uniform(250.0, 450.0) : 0.0;
     m_Pools.push_back({ pool.level, pool.bottom, static_cast<double>(pool.points) * pointVolume, intensity, wedge });
   }
+  this->FillStretch(heights);
+}
+
+// The lowest stretch without other fluid.
+void
+ColonFluid::FillStretch(const std::vector<std::vector<float>> & heights)
+{
+  constexpr int    gasSlices = 5;     // between the stretch and other fluid
+  constexpr double aboveAll = 1000.0; // mm, a level
+  const auto &     parameters = m_Anatomy.GetParameters();
+  const int        slices = static_cast<int>(std::lround(parameters.filledStretch / sliceLength));
+  const auto       isFree = [&](int slice) {
+    const int segment = m_Anatomy.SegmentAt((slice + 0.5) * sliceLength);
+    return (segment == 2 || segment == 3) && m_PoolOfBin[slice] < 0 && !heights[slice].empty();
+  };
+  int    best = -1;
+  int    free = 0;
+  double lowest = aboveAll;
+  for (int end = 0; slices > 0 && end < static_cast<int>(heights.size()); ++end)
+  {
+    free = isFree(end) ? free + 1 : 0;
+    const int first = end + 1 - gasSlices - slices;
+    if (free < slices + 2 * gasSlices)
+    {
+      continue;
+    }
+    double bottom = aboveAll;
+    for (int slice = first; slice < first + slices; ++slice)
+    {
+      bottom = std::min(bottom, static_cast<double>(heights[slice].front()));
+    }
+    best = bottom < lowest ? first : best;
+    lowest = std::min(lowest, bottom);
+  }
+  if (best < 0)
+  {
+    return;
+  }
+  std::size_t points = 0;
+  for (int slice = best; slice < best + slices; ++slice)
+  {
+    m_PoolOfBin[slice] = static_cast<int>(m_Pools.size());
+    points += heights[slice].size();
+  }
+  PhantomRandom random(parameters.seed, filledStream + static_cast<std::uint32_t>(parameters.position[0]));
+  const double  volume = static_cast<double>(points) * pointVolume;
+  m_Pools.push_back({ lowest + aboveAll, lowest, volume, random.Uniform(filledIntensity), 0.0 });
+  m_FilledStretch = { { best * sliceLength, (best + slices) * sliceLength } };
 }
 
 void

@@ -32,7 +32,9 @@ enum class ColonStream : std::uint32_t
   Bubbles,
   Foam,
   Drawn,
-  Diverticula
+  Diverticula,
+  Reflux,
+  Spasm
 };
 
 /** Uniform and normal numbers from Philox, keyed by seed, purpose and, if relevant, the position (from 1). */

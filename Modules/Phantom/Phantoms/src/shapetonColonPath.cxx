@@ -300,6 +300,40 @@ RestPath(const ColonPhantomParameters & parameters)
   return path;
 }
 
+namespace
+{
+/** A contracted stretch of the sigmoid; empty if begin == end. */
+struct Spasm
+{
+  double begin; ///< mm of material length
+  double end;
+  double radius; ///< mm
+
+  double
+  ShareAt(double material) const
+  {
+    constexpr double transition = 20.0; // mm at each end
+    return end <= begin
+             ? 0.0
+             : SmoothStep(begin - transition, begin, material) * SmoothStep(-end - transition, -end, -material);
+  }
+};
+
+// `ends` are the ends of the segments, from 1.
+Spasm
+SpasmOf(const ColonPhantomParameters & parameters, const std::vector<double> & ends)
+{
+  constexpr DrawnRange radius{ 4.75, 6.05 }; // mm; distension varies the caliber to 8 to 14 mm
+  constexpr double     margin = 20.0;        // mm to other segments
+  ColonRandom          random(parameters.seed, ColonStream::Spasm);
+  const double         first = ends[c_Sigmoid - 1] + margin;
+  const double         room = ends[c_Sigmoid] - margin - first;
+  const double         length = std::min(parameters.spasm, room);
+  const double         start = first + random.Uniform() * (room - length);
+  return { start, start + length, random.Uniform(radius) };
+}
+} // namespace
+
 std::vector<double>
 RestRadius(const ColonPath & path, const ColonPhantomParameters & parameters, int count)
 {
@@ -314,6 +348,7 @@ RestRadius(const ColonPath & path, const ColonPhantomParameters & parameters, in
     const auto next = std::upper_bound(path.segment.begin(), path.segment.end(), segment) - path.segment.begin();
     begin[segment] = next < static_cast<long>(path.material.size()) ? path.material[next] : path.Length();
   }
+  const Spasm         spasm = SpasmOf(parameters, begin);
   const double        widest = std::max(28.0, 0.55 * *std::max_element(caliber.begin(), caliber.end()));
   const double        canal = 0.5 * parameters.catheterBore + parameters.catheterWall;
   std::vector<double> radius(count);
@@ -331,6 +366,7 @@ RestRadius(const ColonPath & path, const ColonPhantomParameters & parameters, in
     value *= 1.0 + c_CaliberVariation * slow(m);
     // Contracted stretches of the sigmoid.
     value *= 1.0 - (segment == 2 ? c_Contraction : 0.0) * SmoothStep(c_LooseContraction, c_FullContraction, narrow(m));
+    value += spasm.ShareAt(m) * (spasm.radius - value);
     // From the anal canal, as wide as the catheter, to the ampulla.
     radius[i] = canal + (std::min(value, widest) - canal) * SmoothStep(c_CanalEnd, c_AmpullaBegin, m);
   }

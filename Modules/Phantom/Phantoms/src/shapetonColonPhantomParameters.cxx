@@ -5,6 +5,7 @@
 #include "shapetonExceptions.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <type_traits>
 #include <vector>
@@ -33,10 +34,15 @@ RequireValidValve(const ColonPhantomParameters & p)
   const ColonPhantomParameters none;
   const bool                   isPlain = p.valveLength == none.valveLength && p.valveHeight == none.valveHeight &&
                        p.valveFat == none.valveFat && p.ileumBore == none.ileumBore &&
-                       p.ileumLength == none.ileumLength && p.ileumContent == none.ileumContent;
-  RequireParameter(p.valve == "lips" || isPlain,
-                   "the parameters \"valveLength\", \"valveHeight\", \"valveFat\", \"ileumBore\", \"ileumLength\" and "
-                   "\"ileumContent\" require a valve with lips; set the parameter \"valve\" to lips");
+                       p.ileumLength == none.ileumLength && p.ileumContent == none.ileumContent &&
+                       p.ileumReflux == none.ileumReflux;
+  RequireParameter(
+    p.valve == "lips" || isPlain,
+    "the parameters \"valveLength\", \"valveHeight\", \"valveFat\", \"ileumBore\", \"ileumLength\", "
+    "\"ileumContent\" and \"ileumReflux\" require a valve with lips; set the parameter \"valve\" to lips");
+  RequireParameter(
+    p.ileumReflux != "gas" || p.ileumContent == "gas" || p.ileumContent == "drawn",
+    "the parameter \"ileumReflux\" requires gas in the ileum; set the parameter \"ileumContent\" to gas");
 }
 
 // 0 to use the template.
@@ -66,7 +72,10 @@ enum class Group
   Scanner,
   Bowel,
   Diverticula,
-  Sigmoid
+  Sigmoid,
+  Reflux,
+  Spasm,
+  FilledStretch
 };
 
 /** Draws parameters in a fixed order, so that given values do not affect drawn ones. */
@@ -110,6 +119,26 @@ public:
 private:
   ColonRandom m_Random;
 };
+
+// Before DrawValve(), which draws the remaining values of the ileum.
+void
+DrawReflux(ColonPhantomParameters & p)
+{
+  constexpr double     share = 0.3; // of the patients
+  constexpr DrawnRange bore{ 10, 25 };
+  constexpr double     shortest = 50.0;  // mm
+  constexpr double     longest = 1500.0; // mm; lengths are uniform on a logarithmic scale
+  Draw                 draw(p, Group::Reflux);
+  draw(p.ileumReflux, draw.Chance() < share ? "gas" : "none");
+  if (p.ileumReflux != "gas")
+  {
+    return;
+  }
+  draw(p.ileumBore, bore);
+  const double length = shortest * std::pow(longest / shortest, draw.Chance());
+  draw(p.ileumLength, { length, length });
+  draw(p.ileumContent, "gas");
+}
 
 void
 DrawValve(ColonPhantomParameters & p)
@@ -173,6 +202,21 @@ DrawSigmoid(ColonPhantomParameters & p)
   const bool           isUnusual = draw.Chance() < share;
   draw(p.sigmoidRise, isUnusual && length >= redundantLength ? rise : DrawnRange{});
   draw(p.sigmoidStraightness, isUnusual && length <= shortLength ? straightness : DrawnRange{});
+}
+
+void
+DrawSpasm(ColonPhantomParameters & p)
+{
+  constexpr DrawnRange length{ 50, 150 };
+  constexpr DrawnRange filled{ 30, 120 };
+  constexpr double     spasmShare = 0.25; // of the patients
+  constexpr double     filledShare = 0.4; // of the patients
+  Draw                 draw(p, Group::Spasm);
+  const bool           hasSpasm = draw.Chance() < spasmShare;
+  draw(p.spasm, hasSpasm ? length : DrawnRange{});
+  Draw       fill(p, Group::FilledStretch);
+  const bool isFilled = fill.Chance() < filledShare;
+  fill(p.filledStretch, isFilled ? filled : DrawnRange{});
 }
 
 void
@@ -308,6 +352,7 @@ Drawn(const ColonPhantomParameters & parameters)
   ColonPhantomParameters drawn = parameters;
   DrawShape(drawn);
   DrawSigmoid(drawn);
+  DrawSpasm(drawn);
   DrawBowel(drawn);
   DrawResidue(drawn);
   DrawDiverticula(drawn);
@@ -315,6 +360,7 @@ Drawn(const ColonPhantomParameters & parameters)
   DrawCatheter(drawn);
   if (drawn.valve == "lips")
   {
+    DrawReflux(drawn);
     DrawValve(drawn);
   }
   return drawn;
@@ -337,10 +383,12 @@ ColonPhantomPreset(const std::string & name)
     parameters.kernel = "drawn";
     parameters.sliceThickness = drawnBySeed;
     parameters.valve = "lips";
+    parameters.ileumReflux = "drawn";
     parameters.lengths.fill(drawnBySeed);
     parameters.caliber.fill(drawnBySeed);
     parameters.cecumMobility = drawnBySeed;
     parameters.sigmoidRise = drawnBySeed;
+    parameters.spasm = parameters.filledStretch = drawnBySeed;
     parameters.sigmoidStraightness = drawnBySeed;
     parameters.smallBowelTagged = drawnBySeed;
     parameters.stomachIntensity = drawnBySeed;

@@ -15,7 +15,7 @@ constexpr double c_Septum = 6.0;
 // Maximum required distance between the centerlines of two stretches.
 constexpr double c_FarApart = 120.0;
 // The canal and the start of the ampulla are fixed.
-constexpr int c_Held = 5;
+constexpr std::size_t c_Held = 5;
 // mm; closer points have no direction from one to the other.
 constexpr double c_SamePoint = 1e-6;
 // Lower and upper end (mm) of the space for the colon.
@@ -33,6 +33,7 @@ ColonRelaxation::ColonRelaxation(const ColonPath & path, const std::vector<doubl
   , m_Material(path.material)
   , m_Radius(radius)
   , m_Mobility(path.nodes.size(), 0.5)
+  , m_Held(c_Held)
   , m_Slack(Eigen::MatrixXd::Zero(path.nodes.size(), path.nodes.size()))
 {}
 
@@ -50,6 +51,7 @@ ColonRelaxation::Run(int rounds)
     this->Unbend();
     this->PullContacts();
     this->PushApart();
+    this->AvoidObstacles();
     this->Confine();
     this->KeepLengths();
     for (int pass = 0; pass < 4; ++pass)
@@ -64,7 +66,7 @@ ColonRelaxation::PullToAnchors()
 {
   for (std::size_t i = 0; i < m_Nodes.size(); ++i)
   {
-    const double strength = i < c_Held ? 1.0 : 0.03 * (1.0 - 0.95 * m_Mobility[i]);
+    const double strength = i < m_Held ? 1.0 : 0.03 * (1.0 - 0.95 * m_Mobility[i]);
     m_Nodes[i] += strength * (m_Anchors[i] - m_Nodes[i]);
   }
 }
@@ -78,7 +80,7 @@ ColonRelaxation::Unbend()
     const std::vector<Vector3d> old = m_Nodes;
     for (std::size_t i = span; i + span < old.size(); ++i)
     {
-      if (i >= c_Held)
+      if (i >= m_Held)
       {
         const double strength = span == 4 ? 0.03 : (span == 2 ? 0.1 : 0.4);
         m_Nodes[i] += strength * (0.5 * (old[i - span] + old[i + span]) - old[i]);
@@ -91,7 +93,7 @@ ColonRelaxation::Unbend()
 void
 ColonRelaxation::OpenBends()
 {
-  for (std::size_t i = c_Held; i + 1 < m_Nodes.size(); ++i)
+  for (std::size_t i = m_Held; i + 1 < m_Nodes.size(); ++i)
   {
     const Vector3d off = 0.5 * (m_Nodes[i - 1] + m_Nodes[i + 1]) - m_Nodes[i];
     const double   step = 0.5 * (m_Nodes[i + 1] - m_Nodes[i - 1]).norm();
@@ -101,7 +103,7 @@ ColonRelaxation::OpenBends()
     {
       const Vector3d move = 0.5 * (1.0 - allowed / size) * off;
       m_Nodes[i] += move;
-      m_Nodes[i - 1] -= (i - 1 < c_Held ? 0.0 : 0.5) * move;
+      m_Nodes[i - 1] -= (i - 1 < m_Held ? 0.0 : 0.5) * move;
       m_Nodes[i + 1] -= 0.5 * move;
     }
   }
@@ -119,6 +121,7 @@ void
 ColonRelaxation::PushApart()
 {
   const int count = static_cast<int>(m_Nodes.size());
+  const int held = static_cast<int>(m_Held);
   for (int i = 0; i < count; ++i)
   {
     for (int j = i + 3; j < count; ++j)
@@ -133,11 +136,38 @@ ColonRelaxation::PushApart()
       if (lacking > 0)
       {
         const Vector3d push = (0.25 * lacking / distance) * between;
-        m_Nodes[i] -= (i < c_Held ? 0.0 : 1.0) * push;
-        m_Nodes[j] += (j < c_Held ? 0.0 : 1.0) * push;
+        m_Nodes[i] -= (i < held ? 0.0 : 1.0) * push;
+        m_Nodes[j] += (j < held ? 0.0 : 1.0) * push;
       }
     }
   }
+}
+
+void
+ColonRelaxation::AvoidObstacles()
+{
+  constexpr double share = 0.5; // of the missing distance, in a round
+  for (std::size_t i = m_Held; i < m_Nodes.size(); ++i)
+  {
+    for (const Obstacle & obstacle : m_Obstacles)
+    {
+      const Vector3d off = m_Nodes[i] - obstacle.center;
+      const double   distance = off.norm();
+      const double   lacking = obstacle.radius + c_Bulge * m_Radius[i] - distance;
+      if (lacking > 0.0 && distance > c_SamePoint)
+      {
+        m_Nodes[i] += (share * lacking / distance) * off;
+      }
+    }
+  }
+}
+
+void
+ColonRelaxation::Hold(const std::vector<Vector3d> & points)
+{
+  m_Held = points.size();
+  std::copy(points.begin(), points.end(), m_Nodes.begin());
+  std::copy(points.begin(), points.end(), m_Anchors.begin());
 }
 
 void
@@ -159,7 +189,7 @@ ColonRelaxation::PullContacts()
 void
 ColonRelaxation::Confine()
 {
-  for (std::size_t i = c_Held; i < m_Nodes.size(); ++i)
+  for (std::size_t i = m_Held; i < m_Nodes.size(); ++i)
   {
     Vector3d &   p = m_Nodes[i];
     const double r = c_Bulge * m_Radius[i] + 4.0;
@@ -197,8 +227,8 @@ ColonRelaxation::KeepLengths()
       const Vector3d    edge = m_Nodes[i] - m_Nodes[i - 1];
       const double      length = edge.norm();
       const double      over = (length - (m_Material[i] - m_Material[i - 1])) / std::max(length, c_SamePoint);
-      const double      first = i - 1 < c_Held ? 0.0 : 0.4;
-      const double      second = i < c_Held ? 0.0 : 0.8 - first;
+      const double      first = i - 1 < m_Held ? 0.0 : 0.4;
+      const double      second = i < m_Held ? 0.0 : 0.8 - first;
       m_Nodes[i - 1] += first * over * edge;
       m_Nodes[i] -= second * over * edge;
     }

@@ -31,6 +31,23 @@ public:
   void
   Run(int rounds);
 
+  /** A ball that nodes avoid with the bulging tube around them. */
+  struct Obstacle
+  {
+    Eigen::Vector3d center;
+    double          radius; ///< mm, including walls
+  };
+
+  void
+  SetObstacles(const std::vector<Obstacle> & obstacles)
+  {
+    m_Obstacles = obstacles;
+  }
+
+  /** Moves the first nodes to these points and fixes them; by default, the first five nodes are fixed. */
+  void
+  Hold(const std::vector<Eigen::Vector3d> & points);
+
   /** Reserves `room` mm around this node and two neighbors on each side for attached structures. Call before searching
    * for contacts; the search excludes these nodes. */
   void
@@ -62,6 +79,8 @@ private:
   void
   PullContacts();
   void
+  AvoidObstacles();
+  void
   Confine();
   void
   KeepLengths();
@@ -73,6 +92,8 @@ private:
   std::vector<double>             m_Material;
   std::vector<double>             m_Radius;
   std::vector<double>             m_Mobility;
+  std::size_t                     m_Held; ///< number of fixed nodes
+  std::vector<Obstacle>           m_Obstacles;
   std::vector<ColonPath::Contact> m_Contacts;
   Eigen::MatrixXd                 m_Slack;
 };

@@ -62,6 +62,32 @@ FlaskSolid(const ColonDiverticulum & diverticulum, double margin)
   return Both(Grown({ distance, flaskSlope }, margin), above);
 }
 
+// Volume (ml) of a solid within `reach` mm of an axis.
+double
+VolumeOf(const PhantomSolid & solid, const std::vector<Vector3d> & axis, double reach)
+{
+  constexpr double step = 1.5; // mm
+  Vector3d         low = axis[0];
+  Vector3d         high = axis[0];
+  for (const Vector3d & point : axis)
+  {
+    low = low.cwiseMin(point);
+    high = high.cwiseMax(point);
+  }
+  std::size_t count = 0;
+  for (double z = low[2] - reach; z < high[2] + reach; z += step)
+  {
+    for (double y = low[1] - reach; y < high[1] + reach; y += step)
+    {
+      for (double x = low[0] - reach; x < high[0] + reach; x += step)
+      {
+        count += solid.distance(MakePoint(x, y, z)) < 0.0 ? 1 : 0;
+      }
+    }
+  }
+  return static_cast<double>(count) * step * step * step / 1000.0;
+}
+
 CurveSet
 CurvesOf(const std::vector<std::vector<Vector3d>> & lines, const std::vector<ColonStructure> & structures)
 {
@@ -177,8 +203,20 @@ ColonStructures::AddIleum(const ColonAnatomy & anatomy, const ColonFluid & fluid
                         MakeSolidBody(ileum.lumen, ileum.intensity),
                         false });
   }
-  m_Ileum = std::make_unique<ColonIleum>(
-    ColonIleum{ ileum.content, ileum.isOpen, ileum.slitWidth, ileum.bore, ileum.length, ileum.intensity });
+  if (ileum.fluid.distance)
+  {
+    m_Parts.push_back({ ColonStructure::None, ileum.fluid, MakeSolidBody(ileum.fluid, ileum.fluidIntensity), false });
+  }
+  const bool   isEmpty = ileum.content == "collapsed";
+  const double volume = isEmpty ? 0.0 : VolumeOf(AwayFromColon(ileum.lumen, anatomy, 0.0), ileum.axis, ileum.bore);
+  m_Ileum = std::make_unique<ColonIleum>(ColonIleum{ ileum.content,
+                                                     ileum.isOpen,
+                                                     ileum.fluid.distance != nullptr,
+                                                     ileum.slitWidth,
+                                                     ileum.bore,
+                                                     ileum.length,
+                                                     volume,
+                                                     ileum.intensity });
   m_Axes.push_back(ileum.axis);
   m_AxisOf.push_back(ColonStructure::Ileum);
 }

@@ -4,6 +4,8 @@
 #include "shapetonColonBody.h"
 #include "shapetonColonNoise.h"
 #include "shapetonColonPath.h"
+#include "shapetonRefluxedIleum.h"
+#include "shapetonTubeForest.h"
 
 #include <Eigen/Geometry>
 
@@ -16,8 +18,6 @@ namespace
 {
 using Eigen::Vector3d;
 
-constexpr double ileumStep = 2.0;
-constexpr double intoColon = 1.5;     // mm of the tube above the mouth, to connect an open ileum to the colon
 constexpr double thinWall = 1.5;      // mm
 constexpr double behindWall = 3.0;    // mm, start of the widening of the slit
 constexpr double widening = 10.0;     // mm, length of the widening
@@ -32,6 +32,11 @@ constexpr double openShare = 0.8;    // of the valves between equal contents
 
 constexpr DrawnRange fluidOfIleum{ 250.0, 750.0 }; // HU
 constexpr DrawnRange slitOfIleum{ 1.0, 3.0 };      // mm
+constexpr DrawnRange slitOfReflux{ 2.0, 4.0 };     // mm
+
+// Fluid in an ileum filled with gas.
+constexpr double wetShare = 0.15;     // of the axis
+constexpr double dryBelowMouth = 8.0; // mm
 
 // A tube with a slot-shaped cross-section: all points within `radius` of a line segment of length 2 * `half` mm along
 // `wide`.
@@ -101,17 +106,17 @@ public:
   std::vector<Vector3d>
   Grow(const Vector3d & towards) const
   {
-    Vector3d              at = m_Valve.mouth + intoColon * m_Valve.direction;
+    Vector3d              at = m_Valve.mouth + ileumIntoColon * m_Valve.direction;
     Vector3d              heading = -m_Valve.direction;
     std::vector<Vector3d> axis{ at };
     while (!this->IsLongEnough(axis))
     {
-      const double from = ileumStep * static_cast<double>(axis.size()) - intoColon;
+      const double from = ileumAxisStep * static_cast<double>(axis.size()) - ileumIntoColon;
       if (from > m_Straight)
       {
         heading = this->Turn(at, heading, towards);
       }
-      at += ileumStep * heading;
+      at += ileumAxisStep * heading;
       if (from > m_Straight + widening && this->Lacking(at) > 0.0)
       {
         break;
@@ -124,7 +129,7 @@ public:
   bool
   IsLongEnough(const std::vector<Vector3d> & axis) const
   {
-    return ileumStep * static_cast<double>(axis.size() - 1) >= m_Length + intoColon;
+    return ileumAxisStep * static_cast<double>(axis.size() - 1) >= m_Length + ileumIntoColon;
   }
 
 private:
@@ -156,7 +161,7 @@ private:
     {
       return heading;
     }
-    return Eigen::AngleAxisd(std::min(turnShare * angle, ileumStep / tightestBend), turn.normalized()) * heading;
+    return Eigen::AngleAxisd(std::min(turnShare * angle, ileumAxisStep / tightestBend), turn.normalized()) * heading;
   }
 
   const ColonAnatomy & m_Anatomy;
@@ -208,15 +213,80 @@ MakeSections(const PhantomIleum & ileum, const ColonValve & valve, const SmoothN
     const std::size_t last = std::min(i + 1, ileum.axis.size() - 1);
     const Vector3d    along = (ileum.axis[last] - ileum.axis[last - 1]).normalized();
     wide = (wide - wide.dot(along) * along).normalized();
-    const double s = ileumStep * static_cast<double>(i) - intoColon;
+    const double s = ileumAxisStep * static_cast<double>(i) - ileumIntoColon;
     const double share = SmoothStep(through, through + widening, s);
-    const double bore = 0.5 * ileum.bore * (1.0 + 0.12 * noise(s + intoColon));
+    const double bore = 0.5 * ileum.bore * (1.0 + 0.12 * noise(s + ileumIntoColon));
     const double half = slit + share * ((isCollapsed ? 0.5 * bore : 0.0) - slit);
     const double narrow = ileum.isOpen ? 0.5 * ileum.slitWidth : closed;
     const double radius = isCollapsed ? (outer ? mucosa + share : closed) : narrow + share * (bore - narrow) + mucosa;
     sections.push_back({ ileum.axis[i], wide, half, radius });
   }
   return sections;
+}
+
+PhantomSolid
+FirstSections(const std::vector<SlotSection> & sections, double length)
+{
+  const auto count = static_cast<std::ptrdiff_t>(std::ceil((length + ileumIntoColon) / ileumAxisStep)) + 1;
+  return SlotTubeSolid({ sections.begin(), sections.begin() + count });
+}
+
+// Slots over the first `slots` mm, then a round tube.
+PhantomSolid
+LongTubeSolid(const std::vector<SlotSection> & sections, double slots)
+{
+  std::vector<TaperedTube> tubes;
+  for (auto i = static_cast<std::size_t>((slots + ileumIntoColon) / ileumAxisStep); i + 1 < sections.size(); ++i)
+  {
+    const Vector3d & a = sections[i].middle;
+    const Vector3d & b = sections[i + 1].middle;
+    tubes.push_back(
+      { MakePoint(a[0], a[1], a[2]), MakePoint(b[0], b[1], b[2]), sections[i].radius, sections[i + 1].radius });
+  }
+  return Either(FirstSections(sections, slots), ForestSolid(tubes, ColonAnatomy::Reach + 1.0));
+}
+
+// The height above which the ileum contains gas: that of the colon at a submerged mouth, otherwise a low one.
+double
+FluidLevel(const std::vector<Vector3d> & axis, const ColonFluid & fluid, double depthOfMouth)
+{
+  std::vector<double> heights;
+  for (const Vector3d & point : axis)
+  {
+    heights.push_back(-fluid.Down().dot(point));
+  }
+  const double mouth = heights[0];
+  const auto   low = heights.begin() + static_cast<std::ptrdiff_t>(wetShare * static_cast<double>(heights.size()));
+  std::nth_element(heights.begin(), low, heights.end());
+  return depthOfMouth > 0.0 ? mouth + depthOfMouth : std::min(*low, mouth - dryBelowMouth);
+}
+
+// Gas of the colon fills the ileum through the open valve.
+void
+FillByReflux(PhantomIleum & ileum, const ColonAnatomy & anatomy, const ColonFluid & fluid, const SmoothNoise & noise)
+{
+  const ColonValve valve = anatomy.Valve();
+  ileum.axis = RefluxedIleumAxis(anatomy);
+  const double through = valve.direction.dot(valve.mouth - valve.base) + behindWall;
+  const auto   sections = MakeSections(ileum, valve, noise, false);
+  ileum.lumen = Either(FirstSections(sections, through),
+                       AwayFromColon(LongTubeSolid(sections, through + widening), anatomy, bowelWall));
+  const PhantomSolid outer = LongTubeSolid(MakeSections(ileum, valve, noise, true), through + widening);
+  ileum.wall = AwayFromColon(outer, anatomy, 0.0);
+  const double depth = fluid.DepthBelowLevel(valve.mouth, valve.arcLength);
+  const auto   down = MakeVector(fluid.Down()[0], fluid.Down()[1], fluid.Down()[2]);
+  ileum.fluid = Both(ileum.lumen, HalfSpaceSolid(-down, FluidLevel(ileum.axis, fluid, depth)));
+}
+
+double
+LengthOfIleum(const std::vector<Vector3d> & axis)
+{
+  double length = -ileumIntoColon;
+  for (std::size_t i = 1; i < axis.size(); ++i)
+  {
+    length += (axis[i] - axis[i - 1]).norm();
+  }
+  return length;
 }
 } // namespace
 
@@ -232,6 +302,15 @@ MakePhantomIleum(const ColonAnatomy & anatomy, const ColonFluid & fluid)
   ileum.content = parameters.ileumContent;
   ileum.bore = parameters.ileumBore;
   ileum.intensity = ileum.content == "gas" ? gasIntensity : patient.Uniform(fluidOfIleum);
+  if (parameters.ileumReflux == "gas")
+  {
+    ileum.isOpen = true;
+    ileum.slitWidth = random.Uniform(slitOfReflux);
+    ileum.fluidIntensity = patient.Uniform(fluidOfIleum);
+    FillByReflux(ileum, anatomy, fluid, noise);
+    ileum.length = LengthOfIleum(ileum.axis);
+    return ileum;
+  }
   // Closes the mouth if contents differ, since they would mix.
   const bool   isWet = fluid.DepthBelowLevel(valve.mouth, valve.arcLength) > 0.0;
   const bool   isSame = ileum.content == (isWet ? "fluid" : "gas");
@@ -239,7 +318,7 @@ MakePhantomIleum(const ColonAnatomy & anatomy, const ColonFluid & fluid)
   ileum.isOpen = random.Uniform() < openShare && isSame;
   ileum.slitWidth = ileum.isOpen ? width : 0.0;
   ileum.axis = MakeAxis(anatomy, valve, random);
-  ileum.length = ileumStep * static_cast<double>(ileum.axis.size() - 1) - intoColon;
+  ileum.length = ileumAxisStep * static_cast<double>(ileum.axis.size() - 1) - ileumIntoColon;
   ileum.lumen = SlotTubeSolid(MakeSections(ileum, valve, noise, false));
   const PhantomSolid outer = SlotTubeSolid(MakeSections(ileum, valve, noise, true));
   ileum.wall = AwayFromColon(outer, anatomy, 0.0);

@@ -12,15 +12,17 @@ namespace shapeton
 /** The terminal ileum, from the mouth between the lips of the valve into the abdomen. */
 struct PhantomIleum
 {
-  std::string                  content;   ///< collapsed, gas or fluid
-  bool                         isOpen;    ///< whether the lumen is connected to the colon
-  double                       slitWidth; ///< mm, 0 if closed
-  double                       bore;      ///< mm
-  double                       length;    ///< mm, from the mouth to the end
-  double                       intensity; ///< HU of the content
-  std::vector<Eigen::Vector3d> axis;      ///< from just inside the colon, 2 mm apart
-  PhantomSolid                 lumen;     ///< empty if collapsed
-  PhantomSolid                 wall;      ///< including the content
+  std::string                  content;               ///< collapsed, gas or fluid
+  bool                         isOpen;                ///< whether the lumen is connected to the colon
+  double                       slitWidth;             ///< mm, 0 if closed
+  double                       bore;                  ///< mm
+  double                       length;                ///< mm, from the mouth to the end
+  double                       intensity;             ///< HU of the content
+  std::vector<Eigen::Vector3d> axis;                  ///< from just inside the colon, 2 mm apart
+  PhantomSolid                 lumen;                 ///< empty if collapsed
+  PhantomSolid                 wall;                  ///< including the content
+  PhantomSolid                 fluid;                 ///< fluid below the gas of a refluxed ileum; otherwise empty
+  double                       fluidIntensity{ 0.0 }; ///< HU
 };
 
 /** Requires a valve with lips. The anatomy must outlive the solids. */

@@ -2,6 +2,8 @@
 #include "shapetonExceptions.h"
 
 #include <Eigen/Geometry>
+#include "itkImageRegionConstIteratorWithIndex.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -168,6 +170,75 @@ TEST(ColonStructures, IleumLeavesTheMouthAndTheColon)
   EXPECT_GT(open, 0);
 }
 
+// Through the open valve, one tube outside the colon, with the same length in both positions.
+TEST(ColonStructures, RefluxFillsTheSameIleumInBothPositions)
+{
+  for (const unsigned seed : { 14U, 20U, 45U })
+  {
+    std::map<std::string, double> lengths;
+    for (const char * position : { "supine", "prone" })
+    {
+      const Exam         exam(Realistic(seed, position));
+      const auto * const ileum = exam.structures.GetIleum();
+      const auto         axis = AxisOf(exam.structures, ColonStructure::Ileum);
+      ASSERT_TRUE(ileum->isRefluxed && ileum->isOpen) << seed;
+      EXPECT_EQ(ileum->content, "gas");
+      EXPECT_TRUE(ileum->bore >= 10.0 && ileum->bore <= 25.0) << seed;
+      EXPECT_TRUE(ileum->length >= 50.0 && ileum->length <= 1500.0) << seed;
+      // Loops that touch the colon are flattened; the slit is narrower.
+      EXPECT_NEAR(1000.0 * ileum->volume / (0.25 * M_PI * ileum->bore * ileum->bore * ileum->length), 0.9, 0.2) << seed;
+      lengths[position] = ileum->length;
+      EXPECT_GT(exam.anatomy.Evaluate(axis[0]).distance, 0.0);
+      for (std::size_t i = 1; i < axis.size(); ++i)
+      {
+        EXPECT_EQ(exam.structures.At(axis[i]), ColonStructure::Ileum) << seed << ' ' << position << ' ' << i;
+        EXPECT_TRUE(i < 15 || exam.anatomy.Evaluate(axis[i]).distance < -2.0) << seed << ' ' << position << ' ' << i;
+      }
+    }
+    EXPECT_NEAR(lengths["supine"] / lengths["prone"], 1.0, 0.1) << seed;
+  }
+}
+
+TEST(ColonStructures, RefluxedIleumTouchesTheLumenAtTheValveOnly)
+{
+  const auto source = shapeton::ColonPhantomImageSource::New();
+  source->SetParameters(Realistic(45));
+  source->TruthOnlyOn();
+  source->SetSize({ { 180, 180, 170 } });
+  source->SetSpacing(shapeton::ColonPhantomImageSource::SpacingType(2.0));
+  source->CenterOutput();
+  source->Update();
+  const auto * const  lumen = source->GetLumenOutput();
+  const auto * const  structures = source->GetStructureOutput();
+  const unsigned char ileum = static_cast<unsigned char>(ColonStructure::Ileum);
+  const Vector3d      mouth = source->GetAnatomy().Valve().mouth;
+  const auto          region = lumen->GetLargestPossibleRegion();
+  std::size_t         voxels = 0;
+  for (itk::ImageRegionConstIteratorWithIndex<shapeton::ColonPhantomImageSource::LabelImageType> it(structures, region);
+       !it.IsAtEnd();
+       ++it)
+  {
+    if (it.Get() != ileum)
+    {
+      continue;
+    }
+    ++voxels;
+    EXPECT_EQ(lumen->GetPixel(it.GetIndex()), 0);
+    for (unsigned int axis = 0; axis < 3; ++axis)
+    {
+      for (const int step : { -1, 1 })
+      {
+        auto next = it.GetIndex();
+        next[axis] += step;
+        itk::Point<double, 3> p;
+        lumen->TransformIndexToPhysicalPoint(next, p);
+        EXPECT_TRUE(lumen->GetPixel(next) == 0 || (Vector3d(p[0], p[1], p[2]) - mouth).norm() < 15.0) << p;
+      }
+    }
+  }
+  EXPECT_NEAR(8.0 * static_cast<double>(voxels) / 1000.0, source->GetStructures().GetIleum()->volume, 2.0);
+}
+
 TEST(ColonStructures, WhatTheScannerSees)
 {
   auto parameters = Realistic(4);
@@ -204,6 +275,69 @@ TEST(ColonStructures, BonesOfThePelvisAreInPlace)
     EXPECT_LT(anatomy.Evaluate({ 38, -58, -138 }).distance, -3.0) << seed;
     EXPECT_LT(anatomy.Evaluate({ -38, -58, -138 }).distance, -3.0) << seed;
   }
+}
+
+// Fluid fills the open lumen of a stretch between gas.
+TEST(ColonFluid, AFilledStretchSeparatesGas)
+{
+  int found = 0;
+  for (unsigned seed = 1; seed <= 10; ++seed)
+  {
+    const shapeton::ColonAnatomy anatomy(Realistic(seed));
+    const shapeton::ColonFluid   fluid(anatomy);
+    const double                 wanted = anatomy.GetParameters().filledStretch;
+    const auto &                 stretch = fluid.FilledStretch();
+    if (stretch[1] == stretch[0])
+    {
+      continue;
+    }
+    ++found;
+    EXPECT_TRUE(wanted >= 30.0 && wanted <= 120.0) << seed;
+    EXPECT_NEAR(stretch[1] - stretch[0], wanted, 1.6) << seed;
+    const shapeton::CurveSet line = anatomy.Centerline();
+    const auto &             arcs = shapeton::FindSurfaceArray(line.pointArrays, "arcLength")->values;
+    for (Eigen::Index i = 0; i < line.V.rows(); ++i)
+    {
+      const double   s = arcs(i, 0);
+      const Vector3d point = line.V.row(i);
+      if (s > stretch[0] - 10.0 && s < stretch[1] + 10.0)
+      {
+        const bool isInside = s >= stretch[0] && s < stretch[1];
+        EXPECT_GT(anatomy.Evaluate(point).distance, 0.0) << seed << ' ' << s;
+        EXPECT_EQ(fluid.DepthBelowLevel(point, s) > 0.0, isInside) << seed << ' ' << s;
+        EXPECT_TRUE(anatomy.SegmentAt(s) == 2 || anatomy.SegmentAt(s) == 3) << seed;
+      }
+    }
+  }
+  EXPECT_GE(found, 2);
+}
+
+TEST(ColonStructures, SpasmsAreNarrow)
+{
+  int found = 0;
+  for (unsigned seed = 1; seed <= 16; ++seed)
+  {
+    const auto   drawn = shapeton::Drawn(Realistic(seed));
+    const double length = drawn.spasm;
+    EXPECT_TRUE(length == 0.0 || (length >= 50.0 && length <= 150.0)) << seed;
+    if (length == 0.0)
+    {
+      continue;
+    }
+    const shapeton::ColonAnatomy anatomy(Realistic(seed));
+    const shapeton::CurveSet     line = anatomy.Centerline();
+    const auto &                 arcs = shapeton::FindSurfaceArray(line.pointArrays, "arcLength")->values;
+    const auto &                 radii = shapeton::FindSurfaceArray(line.pointArrays, "radius")->values;
+    double                       narrow = 0.0;
+    for (Eigen::Index i = 1; i < line.V.rows(); ++i)
+    {
+      const bool isNarrow = 2.0 * radii(i, 0) >= 7.5 && 2.0 * radii(i, 0) <= 14.5;
+      narrow += isNarrow && anatomy.SegmentAt(arcs(i, 0)) == 2 ? arcs(i, 0) - arcs(i - 1, 0) : 0.0;
+    }
+    EXPECT_GT(narrow, 0.8 * length) << seed;
+    ++found;
+  }
+  EXPECT_GE(found, 2);
 }
 
 TEST(ColonStructures, CatheterIsARingOfItsSize)
@@ -409,6 +543,7 @@ TEST(ColonPhantomParameters, SharesOfPatientsAreAsDocumented)
 {
   std::map<std::string, int> catheters, contents, kernels;
   int                        fatty = 0;
+  int                        refluxed = 0;
   int                        risen = 0;
   int                        straight = 0;
   constexpr int              patients = 2000;
@@ -421,6 +556,7 @@ TEST(ColonPhantomParameters, SharesOfPatientsAreAsDocumented)
     ++contents[drawn.ileumContent];
     fatty += drawn.valveFat > 0.5 ? 1 : 0;
     ++kernels[drawn.kernel];
+    refluxed += drawn.ileumReflux == "gas" ? 1 : 0;
     risen += drawn.sigmoidRise >= 30.0 ? 1 : 0;
     straight += drawn.sigmoidStraightness >= 0.7 ? 1 : 0;
     EXPECT_TRUE(drawn.sigmoidRise == 0.0 || drawn.lengths[1] >= 650.0);
@@ -429,7 +565,8 @@ TEST(ColonPhantomParameters, SharesOfPatientsAreAsDocumented)
   }
   EXPECT_NEAR(catheters["none"], 0.4 * patients, 80);
   EXPECT_NEAR(catheters["rigid"], 0.3 * patients, 80);
-  EXPECT_NEAR(contents["collapsed"], 0.3 * patients, 80);
+  EXPECT_NEAR(refluxed, 0.3 * patients, 80);
+  EXPECT_NEAR(contents["collapsed"], 0.7 * 0.3 * patients, 80); // never with reflux
   EXPECT_NEAR(kernels["sharp"], patients / 3, 80);
   EXPECT_NEAR(fatty, 0.7 * patients, 80);
   // Sigmoids of 650 to 1200 and 350 to 550 of 350 to 1200 mm.
@@ -459,6 +596,10 @@ TEST(ColonPhantomParameters, RefusesPartsThatDoNotFit)
   EXPECT_THROW(shapeton::RequireValid(parameters), shapeton::ParameterError);
   parameters.valve = "lips";
   EXPECT_NO_THROW(shapeton::RequireValid(parameters));
+  parameters.ileumReflux = "gas";
+  parameters.ileumContent = "fluid";
+  EXPECT_THROW(shapeton::RequireValid(parameters), shapeton::ParameterError);
+  parameters.ileumReflux = "none";
   parameters.ileumContent = "soup";
   EXPECT_THROW(shapeton::RequireValid(parameters), shapeton::ParameterError);
   parameters = Realistic(1);

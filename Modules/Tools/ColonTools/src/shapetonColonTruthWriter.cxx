@@ -107,6 +107,8 @@ IleumToJson(const ColonIleum & ileum)
   json["slitWidth"] = RoundedJson(ileum.slitWidth);
   json["bore"] = RoundedJson(ileum.bore);
   json["length"] = RoundedJson(ileum.length);
+  json["volume"] = RoundedJson(ileum.volume); // ml
+  json["refluxed"] = ileum.isRefluxed;
   json["intensity"] = RoundedJson(ileum.intensity);
   return json;
 }
@@ -209,7 +211,10 @@ AddChestLabels(Json & labels)
 }
 
 Json
-StructuresToJson(const Provenance & provenance, const ColonAnatomy & anatomy, const ColonStructures & structures)
+StructuresToJson(const Provenance &      provenance,
+                 const ColonAnatomy &    anatomy,
+                 const ColonFluid &      fluid,
+                 const ColonStructures & structures)
 {
   Json json;
   json["provenance"] = ProvenanceToJson(provenance);
@@ -232,6 +237,11 @@ StructuresToJson(const Provenance & provenance, const ColonAnatomy & anatomy, co
   json["cecum"] = { { "pole", ToJson(anatomy.CecalPole()) } };
   json["ileum"] = structures.GetIleum() ? IleumToJson(*structures.GetIleum()) : Json();
   json["catheter"] = structures.GetCatheter() ? CatheterToJson(*structures.GetCatheter()) : Json();
+  const auto & filled = fluid.FilledStretch();
+  if (filled[1] > filled[0])
+  {
+    json["filledStretch"] = { RoundedJson(filled[0]), RoundedJson(filled[1]) };
+  }
   json["residue"] = ResidueToJson(structures.GetResidue());
   return json;
 }
@@ -278,8 +288,9 @@ WriteColonTruth(CommandLine &             commandLine,
   WriteVolume(source.GetLumenOutput(), file("lumen.nrrd"), facts);
   WriteVolume(source.GetSegmentOutput(), file("segments.nrrd"), facts);
   WriteVolume(source.GetStructureOutput(), file("structures.nrrd"), facts);
-  WriteJson(StructuresToJson(commandLine.GetProvenance(), source.GetAnatomy(), source.GetStructures()),
-            file("structures.json"));
+  WriteJson(
+    StructuresToJson(commandLine.GetProvenance(), source.GetAnatomy(), source.GetFluid(), source.GetStructures()),
+    file("structures.json"));
   if (Contains(source.GetParameters(), "colon"))
   {
     WriteTruthOfColon(commandLine, source, folder, other);
