@@ -10,13 +10,15 @@ namespace shapeton::python
 namespace
 {
 FoundLandmarks
-Find(const std::shared_ptr<FlatColon> &  flat,
-     const CurveSet &                    centerline,
-     const Given<ColonLandmarkOptions> & given,
-     const Places &                      markers,
-     const Progress &                    progress)
+Find(const std::shared_ptr<FlatColon> &                   flat,
+     const CurveSet &                                     centerline,
+     const std::optional<itk::Image<float, 3>::Pointer> & ct,
+     const Given<ColonLandmarkOptions> &                  given,
+     const Places &                                       markers,
+     const Progress &                                     progress)
 {
-  return { flat, FindColonLandmarks(*flat, centerline, { given.options, markers.points, progress }) };
+  const auto pelvis = ct ? FindPelvis(*ct) : std::nullopt;
+  return { flat, FindColonLandmarks(*flat, centerline, { given.options, markers.points, pelvis, progress }) };
 }
 
 /** The taeniae as in taeniae.vtp. */

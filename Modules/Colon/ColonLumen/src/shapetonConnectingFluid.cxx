@@ -15,11 +15,13 @@ namespace shapeton
 namespace
 {
 /** Bounds chosen on the sigmoid of one real patient (40 ml along 150 mm, open over 80 mm^2 at its narrower end). */
-constexpr double LeastJoinedMl = 2.0; // volume of each of the pieces
-constexpr double LeastOpening = 10.0; // mm^2; leaks through a wall are smaller
-constexpr double LongestPath = 400.0; // mm; a sigmoid of usual length
-constexpr double Detour = 50.0;       // mm through voxel faces; twice the depth of a haustrum beside the path
-constexpr double SimilarFluid = 0.25; // maximum deviation of the median, relative to the contrast of the fluid
+constexpr double LeastJoinedMl = 2.0;  // volume of each of the pieces
+constexpr double LeastStretchMl = 0.5; // volume of a stretch that is worth finding
+constexpr double LeastRestMl = 0.05;   // volume of fluid that a neck cuts off
+constexpr double LeastOpening = 10.0;  // mm^2; leaks through a wall are smaller
+constexpr double LongestPath = 400.0;  // mm; a sigmoid of usual length
+constexpr double Detour = 50.0;        // mm through voxel faces; twice the depth of a haustrum beside the path
+constexpr double SimilarFluid = 0.25;  // maximum deviation of the median, relative to the contrast of the fluid
 /** Distance from certain gas to certain fluid across a blurred step, in standard deviations of the blur, and half a
  * voxel for the sampling. A wall of 2 mm in between adds 1 mm. */
 constexpr double ReachInBlurs = 2.25;
@@ -240,11 +242,10 @@ private:
   std::unordered_map<std::size_t, std::size_t> m_Index; ///< of a voxel in m_Voxels
 };
 
-/** Other bright matter in connected pieces of at least `leastMl`. */
+/** Other bright matter in connected pieces. */
 std::vector<VoxelSet>
-PiecesOfOtherBright(const LumenField & field)
+PiecesOfOtherBright(const LumenField & field, double leastMl, double mostMl = NowhereNear)
 {
-  constexpr double      leastMl = 0.5; // volume of a stretch that is worth finding
   const VoxelRuns       set = CollectRuns(field.grid, [&](std::size_t p) { return field.classes[p] == OtherBright; });
   const RunLabels       labels = LabelRuns(set);
   std::vector<VoxelSet> pieces(labels.number + 1);
@@ -255,11 +256,13 @@ PiecesOfOtherBright(const LumenField & field)
     }
   });
   const double voxelMl = 1e-3 * field.grid.VoxelVolume();
-  pieces.erase(
-    std::remove_if(pieces.begin(),
-                   pieces.end(),
-                   [&](const VoxelSet & piece) { return voxelMl * static_cast<double>(piece.size()) < leastMl; }),
-    pieces.end());
+  pieces.erase(std::remove_if(pieces.begin(),
+                              pieces.end(),
+                              [&](const VoxelSet & piece) {
+                                const double ml = voxelMl * static_cast<double>(piece.size());
+                                return ml < leastMl || ml > mostMl;
+                              }),
+               pieces.end());
   return pieces;
 }
 /** Turns other gas whose surface is largely open to the fluid into gas of the colon. */
@@ -345,6 +348,54 @@ FillOpenings(LumenField & field, const VoxelSet & fluid)
     });
   }
 }
+void
+Take(LumenField & field, const VoxelSet & voxels)
+{
+  for (const auto p : voxels)
+  {
+    field.classes[p] = ColonFluid;
+  }
+}
+
+/** Whether a voxel adjoins fluid of the colon. */
+bool
+AdjoinsFluid(const LumenField & field, std::size_t voxel)
+{
+  bool adjoins = false;
+  ForEachNeighbor(field.grid, voxel, [&](std::size_t q) { adjoins = adjoins || field.classes[q] == ColonFluid; });
+  return adjoins;
+}
+
+/** Whether gas of the colon is within the layer around a voxel. */
+bool
+IsOpenToGas(const LumenField & field, std::size_t voxel, double reach)
+{
+  return !ForAllWithin(field.grid, voxel, reach, [&](std::size_t q, double squaredDistance) {
+    return field.classes[q] != ColonGas || squaredDistance > reach * reach;
+  });
+}
+
+/** Whether a piece that a neck cuts off the fluid of the colon belongs to it: much of its surface is open to the lumen.
+ */
+bool
+IsRestOfFluid(const LumenField & field, const VoxelSet & piece)
+{
+  const double reach = ReachOfOpening(field);
+  std::size_t  surface = 0;
+  std::size_t  fluid = 0;
+  std::size_t  open = 0;
+  for (const auto p : piece)
+  {
+    bool isSurface = false;
+    ForEachNeighbor(field.grid, p, [&](std::size_t q) { isSurface = isSurface || field.classes[q] != OtherBright; });
+    const bool isAtFluid = isSurface && AdjoinsFluid(field, p);
+    surface += isSurface;
+    fluid += isAtFluid;
+    open += isAtFluid || (isSurface && IsOpenToGas(field, p, reach));
+  }
+  return std::pow(field.grid.VoxelVolume(), 2.0 / 3.0) * static_cast<double>(fluid) >= LeastOpening &&
+         static_cast<double>(open) >= LeastEnclosed * static_cast<double>(surface);
+}
 } // namespace
 
 VoxelSet
@@ -352,7 +403,7 @@ TakeConnectingFluid(LumenField & field)
 {
   PiecesOfLumen lumen(field);
   VoxelSet      taken;
-  for (VoxelSet & voxels : PiecesOfOtherBright(field))
+  for (VoxelSet & voxels : PiecesOfOtherBright(field, LeastStretchMl))
   {
     Interruption::Check();
     const BrightPiece piece(field, std::move(voxels));
@@ -366,9 +417,14 @@ TakeConnectingFluid(LumenField & field)
       }
     }
   }
-  for (const auto p : taken)
+  Take(field, taken);
+  for (const VoxelSet & voxels : PiecesOfOtherBright(field, LeastRestMl, LeastJoinedMl))
   {
-    field.classes[p] = ColonFluid;
+    if (IsRestOfFluid(field, voxels))
+    {
+      Take(field, voxels);
+      taken.insert(taken.end(), voxels.begin(), voxels.end());
+    }
   }
   if (!taken.empty())
   {
