@@ -20,7 +20,7 @@ REPOSITORY = Path(__file__).parents[3]
 TOOLS = {
     "ColonFlattening": [flattening.flatten_tube, colon.FlatColon, surfaces.read_surface, shapeton.read_volume],
     "ColonFolds": [colon.find_folds, colon.FlatColon, surfaces.read_surface],
-    "ColonLandmarks": [colon.find_landmarks, surfaces.read_surface],
+    "ColonLandmarks": [colon.find_landmarks, surfaces.read_surface, shapeton.read_volume],
     "ColonPhantom": [colon.colon_phantom],
     "ColonPolyps": [colon.find_candidates],
     "ColonRegistration": [colon.register_positions],

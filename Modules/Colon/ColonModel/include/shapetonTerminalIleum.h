@@ -32,11 +32,11 @@ struct TerminalIleum
 ShapetonColonModel_EXPORT std::optional<TerminalIleum>
 FindTerminalIleum(const LumenMask * labels, const CurveSet & centerline, const IleocecalValve & valve);
 
-/** Finds an ileum filled by reflux through the valve, through which the line runs on to its end: behind a pouch of
- * lumen beside the line (the cecum, at least 25 mm deep and 3 ml), the rest of the line, at least 40 mm, has a median
- * inscribed radius of at most 12.5 mm and of 3/4 of that of the 150 mm before. The ileum is the lumen around the line
- * behind its narrowest place next to the pouch, and the result is empty if there is none. A line without a narrow end
- * takes no time.
+/** Finds an ileum filled by reflux through the valve, through which the line runs on to its end. Beside the line is a
+ * pouch of lumen, the cecum: at least 21 mm deep beyond the inscribed ball, and 1 ml. Behind it, three quarters of the
+ * rest of the line (at least 40 mm) have an inscribed radius of at most 12.5 mm, and the medians of the rest and of its
+ * first 100 mm are at most 3/4 of the median of the 150 mm before. The ileum is the lumen around the line behind its
+ * narrowest place next to the pouch. Empty if not found; a line without a narrow end takes no time.
  *
  * \param labels nonzero voxels are lumen.
  * \param centerline LPS, mm, one curve with point arrays `arcLength`, `radius` and `gap`, from the rectum.

@@ -9,8 +9,11 @@ namespace shapeton
 {
 namespace
 {
-/** Largest median radius (mm) of an ileum; it is 10 to 25 mm wide. */
+/** Largest radius (mm) of three quarters of an ileum, which is 10 to 25 mm wide, and of half of its first stretch (mm).
+ */
 constexpr double WidestIleum = 12.5;
+constexpr double MostOfIleum = 0.75;
+constexpr double FirstStretch = 100.0;
 /** Largest ratio of the median radii of ileum and colon. One real patient: 0.53; colons narrow at a spastic sigmoid,
  * but the cecum is their widest part. */
 constexpr double NarrowerThanColon = 0.75;
@@ -18,25 +21,27 @@ constexpr double NarrowerThanColon = 0.75;
 constexpr double ComparedColon = 150.0;
 /** Shortest ileum (mm) that is worth a search; the pole of a cecum is within one radius of the end. */
 constexpr double LeastIleum = 40.0;
-/** Beyond (mm) the inscribed ball of the line: voxels of a pouch, and its least depth. Haustra are 10 to 15 mm deep. */
+/** Beyond (mm) the inscribed ball of the line: voxels of a pouch, and its least depth. Haustra of a phantom are up to
+ * 20 mm deep; cecal poles were 22 mm (phantom) and 40 mm (patient). */
 constexpr double PouchBegin = 10.0;
-constexpr double LeastPouchDepth = 25.0;
+constexpr double LeastPouchDepth = 21.0;
 /** Beyond (mm) the inscribed ball: voxels of a cecum that touches the ileum. Folds of the ileum are shallower. */
 constexpr double CecumBegin = 3.0;
-/** Least volume (ml) of the part of a cecum beyond the line. */
-constexpr double LeastPouchMl = 3.0;
+/** Least volume (ml) of the part of a cecum beyond the line: a short cecum of a phantom has 1.4 ml. */
+constexpr double LeastPouchMl = 1.0;
 /** Length (mm) of the line from the pouch to the valve, through the cecum, and through the valve. */
 constexpr double ValveReach = 60.0;
 constexpr double ValveLength = 30.0;
 constexpr double WiderThanIleum = 1.3; // radius of the cecum relative to the median of the ileum
 constexpr double PlaceStep = 5.0;      // mm between tried places
 
+/** The value that this share of the values does not exceed. */
 double
-MedianRadius(std::vector<double> radii)
+Quantile(std::vector<double> values, double share)
 {
-  const auto middle = radii.begin() + radii.size() / 2;
-  std::nth_element(radii.begin(), middle, radii.end());
-  return *middle;
+  const auto at = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+  std::nth_element(values.begin(), at, values.end());
+  return *at;
 }
 
 /** Inscribed radii along a line. */
@@ -67,14 +72,16 @@ public:
   bool
   IsNarrowFrom(double arcLength) const
   {
-    const auto after = this->Radii(arcLength, this->End());
     const auto before = this->Radii(arcLength - ComparedColon, arcLength);
-    if (after.empty() || before.empty() || arcLength > this->End() - LeastIleum)
+    const auto first = this->Radii(arcLength, arcLength + FirstStretch);
+    const auto after = this->Radii(arcLength, this->End());
+    if (first.empty() || before.empty() || arcLength > this->End() - LeastIleum)
     {
       return false;
     }
-    const double ileum = MedianRadius(after);
-    return ileum <= WidestIleum && ileum <= NarrowerThanColon * MedianRadius(before);
+    const double ileum = std::max(Quantile(first, 0.5), Quantile(after, 0.5));
+    return Quantile(after, MostOfIleum) <= WidestIleum && ileum <= WidestIleum &&
+           ileum <= NarrowerThanColon * Quantile(before, 0.5);
   }
 
   bool
@@ -93,7 +100,7 @@ public:
   ValveAfter(double arcLength) const
   {
     const double last = std::min(arcLength + ValveReach, this->End() - LeastIleum);
-    const double wide = WiderThanIleum * MedianRadius(this->Radii(last, this->End()));
+    const double wide = WiderThanIleum * Quantile(this->Radii(last, this->End()), 0.5);
     Eigen::Index cecum = this->PointAt(arcLength);
     for (Eigen::Index i = cecum; m_ArcLengths[i] < last; ++i)
     {
@@ -178,7 +185,7 @@ public:
     for (CecalPouch & pouch : pouches)
     {
       if (pouch.depth >= LeastPouchDepth && voxelMl * static_cast<double>(pouch.arcLengths.size()) >= LeastPouchMl &&
-          m_Caliber.IsNarrowFrom(m_Caliber.ValveAfter(MedianRadius(pouch.arcLengths))) &&
+          m_Caliber.IsNarrowFrom(m_Caliber.ValveAfter(Quantile(pouch.arcLengths, 0.5))) &&
           (!largest || pouch.arcLengths.size() > largest->arcLengths.size()))
       {
         largest = std::move(pouch);
@@ -273,7 +280,7 @@ FindRefluxedIleum(const LumenMask * labels, const CurveSet & centerline)
   {
     return std::nullopt;
   }
-  const double  valve = caliber.ValveAfter(MedianRadius(pouch->arcLengths));
+  const double  valve = caliber.ValveAfter(Quantile(pouch->arcLengths, 0.5));
   TerminalIleum ileum = search.IleumBehind(valve, *pouch);
   ileum.mouth = centerline.V.row(caliber.PointAt(valve));
   ileum.length = caliber.End() - valve;
