@@ -34,7 +34,9 @@ enum class ColonStream : std::uint32_t
   Drawn,
   Diverticula,
   Reflux,
-  Spasm
+  Spasm,
+  TiltedLevel,
+  Contact
 };
 
 /** Uniform and normal numbers from Philox, keyed by seed, purpose and, if relevant, the position (from 1). */
