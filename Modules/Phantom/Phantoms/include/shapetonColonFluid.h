@@ -37,6 +37,15 @@ struct ShapetonPhantoms_EXPORT TiltedLevel
   FallTo(double arcLength) const;
 };
 
+/** A small air-fluid level of a puddle. \ingroup ShapetonPhantoms */
+struct SmallLevel
+{
+  Eigen::Vector3d position;  ///< center of the level, LPS mm
+  double          area;      ///< mm^2, to about 10 %
+  double          depth;     ///< mm, of the puddle
+  double          arcLength; ///< mm
+};
+
 /** \class ColonFluid
  * \brief The tagged fluid in the lumen of a colon: pools with levels perpendicular to gravity.
  *
@@ -86,6 +95,12 @@ public:
     return m_FilledStretch;
   }
 
+  const std::vector<SmallLevel> &
+  SmallLevels() const
+  {
+    return m_SmallLevels;
+  }
+
   const TiltedLevel &
   GetTiltedLevel() const
   {
@@ -116,18 +131,25 @@ private:
               std::vector<FluidPool> &                pools);
   void
   TiltLevel(const std::vector<std::vector<float>> & heights);
+  void
+  AddSmallLevels(const std::vector<std::vector<float>> & heights);
+  bool
+  MayHoldPuddle(const std::vector<std::vector<float>> & heights, int slice) const;
+  SmallLevel
+  PuddleIn(int slice, const Eigen::Vector3d & center, double level) const;
   std::vector<bool>
   PlacesForTilt(const std::vector<std::vector<float>> & heights, int slices) const;
 
-  const ColonAnatomy &   m_Anatomy;
-  Eigen::Vector3d        m_Down;
-  double                 m_LumenVolume{ 0.0 };
-  std::vector<int>       m_PoolOfBin; // -1 without fluid
-  std::vector<ColonPool> m_Pools;
-  std::array<double, 2>  m_FilledStretch{ { 0.0, 0.0 } };
-  TiltedLevel            m_TiltedLevel;
-  int                    m_TiltedPool{ -1 };
-  std::array<Wave, 8>    m_Waves;
+  const ColonAnatomy &    m_Anatomy;
+  Eigen::Vector3d         m_Down;
+  double                  m_LumenVolume{ 0.0 };
+  std::vector<int>        m_PoolOfBin; // -1 without fluid
+  std::vector<ColonPool>  m_Pools;
+  std::array<double, 2>   m_FilledStretch{ { 0.0, 0.0 } };
+  TiltedLevel             m_TiltedLevel;
+  int                     m_TiltedPool{ -1 };
+  std::vector<SmallLevel> m_SmallLevels;
+  std::array<Wave, 8>     m_Waves;
 };
 
 /** Direction of gravity in a position, tilted by at most 1 degree depending on the seed. Throws ParameterError for

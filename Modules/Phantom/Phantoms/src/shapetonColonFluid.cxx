@@ -23,6 +23,7 @@ constexpr double sliceLength = 3.0;       // mm
 constexpr double smallestBasin = 2.0;     // ml
 constexpr double ridgeMargin = 1.2;       // mm; the lattice overestimates passage heights by about half a step
 constexpr double textureDeviation = 43.0; // HU; as on CT colonographies
+constexpr int    puddleReach = 2;         // slices on each side of the lowest one
 constexpr double latticeTurn = 0.61;      // radians
 constexpr double wedgeShare = 0.4;        // of the pools
 constexpr int    blockSide = 6;           // lattice steps; half the diagonal is below ColonAnatomy::Reach
@@ -290,6 +291,7 @@ ColonFluid::ColonFluid(const ColonAnatomy & anatomy) : m_Anatomy(anatomy), m_Dow
     m_Pools.push_back({ pool.level, pool.bottom, static_cast<double>(pool.points) * pointVolume, intensity, wedge });
   }
   this->TiltLevel(heights);
+  this->AddSmallLevels(heights);
 }
 
 void
@@ -391,6 +393,122 @@ ColonFluid::PlacesForTilt(const std::vector<std::vector<float>> & heights, int s
     }
   }
   return may;
+}
+
+// In random order of the dips without other fluid.
+void
+ColonFluid::AddSmallLevels(const std::vector<std::vector<float>> & heights)
+{
+  constexpr DrawnRange area{ 20.0, 60.0 };      // mm^2
+  constexpr DrawnRange content{ 600.0, 830.0 }; // HU
+  constexpr double     shallowest = 0.75;       // mm
+  constexpr double     deepest = 3.0;           // mm above the lowest point of the lattice
+  constexpr double     step = 0.25;             // mm
+  const auto &         parameters = m_Anatomy.GetParameters();
+  if (parameters.smallLevels == 0)
+  {
+    return;
+  }
+  ColonRandom random(parameters.seed, ColonStream::SmallLevels, PositionNumber(parameters.position));
+  const auto  centers = CentersOfSlices(m_Anatomy, heights.size());
+  const int   count = static_cast<int>(heights.size());
+  const int   start = static_cast<int>(random.Uniform() * count);
+  const auto  wanted = static_cast<std::size_t>(parameters.smallLevels);
+  for (int i = 0; i < count && m_SmallLevels.size() < wanted; ++i)
+  {
+    const int  slice = (start + i) % count;
+    SmallLevel puddle{};
+    double     level = 0.0;
+    for (double height = deepest; puddle.area == 0.0 && height > 0.0 && this->MayHoldPuddle(heights, slice);
+         height -= step)
+    {
+      level = heights[slice].front() + height;
+      puddle = this->PuddleIn(slice, centers[slice], level);
+      puddle.area =
+        puddle.depth >= shallowest && puddle.area >= area.low && puddle.area <= area.high ? puddle.area : 0.0;
+    }
+    if (puddle.area == 0.0)
+    {
+      continue;
+    }
+    std::fill_n(m_PoolOfBin.begin() + slice - puddleReach, 2 * puddleReach + 1, static_cast<int>(m_Pools.size()));
+    const double volume = 0.5 * puddle.area * puddle.depth / 1000.0;
+    m_Pools.push_back({ level, level - puddle.depth, volume, random.Uniform(content), 0.0 });
+    m_SmallLevels.push_back(puddle);
+  }
+}
+
+// Whether the slice is the lowest one around, beyond the anal canal, with gas only.
+bool
+ColonFluid::MayHoldPuddle(const std::vector<std::vector<float>> & heights, int slice) const
+{
+  constexpr int canal = 20; // slices
+  constexpr int around = 3; // slices
+  if (slice < canal || slice + around >= static_cast<int>(heights.size()))
+  {
+    return false;
+  }
+  for (int other = slice - around; other <= slice + around; ++other)
+  {
+    if (m_PoolOfBin[other] >= 0 || heights[other].empty() || heights[other].front() < heights[slice].front())
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+// The puddle around a slice below a level; its area is 0 if it is not compact or leaves these slices.
+SmallLevel
+ColonFluid::PuddleIn(int slice, const Eigen::Vector3d & center, double level) const
+{
+  constexpr double             step = 1.0;      // mm
+  constexpr double             reach = 25.0;    // mm from the center
+  constexpr double             compact = 10.0;  // mm, radius
+  constexpr double             downStep = 0.25; // mm
+  const Eigen::Vector3d        up = -m_Down;
+  const Eigen::Vector3d        across = up.unitOrthogonal();
+  const Eigen::Vector3d        along = up.cross(across);
+  const Eigen::Vector3d        middle = center + (level - up.dot(center)) * up;
+  std::vector<Eigen::Vector3d> points;
+  for (double u = -reach; u <= reach; u += step)
+  {
+    for (double v = -reach; v <= reach; v += step)
+    {
+      const Eigen::Vector3d point = middle + u * across + v * along;
+      const auto            sample = m_Anatomy.Evaluate(point);
+      const int             off = std::abs(SliceAt(sample.arcLength) - slice);
+      if (sample.distance <= 0.0 || off > puddleReach + 1)
+      {
+        continue;
+      }
+      if (off > puddleReach)
+      {
+        return {};
+      }
+      points.push_back(point);
+    }
+  }
+  SmallLevel puddle{ Eigen::Vector3d::Zero(), step * step * static_cast<double>(points.size()), 0.0, 0.0 };
+  for (const Eigen::Vector3d & point : points)
+  {
+    puddle.position += point / static_cast<double>(points.size());
+  }
+  for (const Eigen::Vector3d & point : points)
+  {
+    if ((point - puddle.position).norm() > compact)
+    {
+      return {};
+    }
+    double depth = 0.0;
+    while (m_Anatomy.Evaluate(point + (depth + downStep) * m_Down).distance > 0.0)
+    {
+      depth += downStep;
+    }
+    puddle.depth = std::max(puddle.depth, depth);
+  }
+  puddle.arcLength = (slice + 0.5) * sliceLength;
+  return puddle;
 }
 
 void

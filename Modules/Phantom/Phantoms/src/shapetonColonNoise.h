@@ -36,7 +36,8 @@ enum class ColonStream : std::uint32_t
   Reflux,
   Spasm,
   TiltedLevel,
-  Contact
+  Contact,
+  SmallLevels
 };
 
 /** Uniform and normal numbers from Philox, keyed by seed, purpose and, if relevant, the position (from 1). */

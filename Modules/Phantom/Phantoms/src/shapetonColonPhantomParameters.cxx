@@ -77,7 +77,8 @@ enum class Group
   Spasm,
   FilledStretch,
   TiltedLevel,
-  Contact
+  Contact,
+  SmallLevels
 };
 
 /** Draws parameters in a fixed order, so that given values do not affect drawn ones. */
@@ -232,6 +233,16 @@ DrawTiltedLevel(ColonPhantomParameters & p)
 }
 
 void
+DrawSmallLevels(ColonPhantomParameters & p)
+{
+  constexpr DrawnRange count{ 1, 3 };
+  constexpr double     share = 0.4; // of the patients
+  Draw                 draw(p, Group::SmallLevels);
+  const bool           hasSmall = draw.Chance() < share;
+  draw(p.smallLevels, hasSmall ? count : DrawnRange{});
+}
+
+void
 DrawContact(ColonPhantomParameters & p)
 {
   constexpr DrawnRange length{ 40, 80 };
@@ -376,6 +387,7 @@ Drawn(const ColonPhantomParameters & parameters)
   DrawSigmoid(drawn);
   DrawSpasm(drawn);
   DrawTiltedLevel(drawn);
+  DrawSmallLevels(drawn);
   DrawContact(drawn);
   DrawBowel(drawn);
   DrawResidue(drawn);
@@ -418,6 +430,7 @@ ColonPhantomPreset(const std::string & name)
     parameters.smallBowelTagged = drawnBySeed;
     parameters.stomachIntensity = drawnBySeed;
     parameters.stool = parameters.bubbles = parameters.foam = static_cast<int>(drawnBySeed);
+    parameters.smallLevels = static_cast<int>(drawnBySeed);
     parameters.diverticula = static_cast<int>(drawnBySeed);
     parameters.catheter = "drawn";
     parameters.catheterBore = drawnBySeed;

@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iostream>
 #include <map>
 #include <set>
 #include <vector>
@@ -463,20 +462,28 @@ AreasOfLevels(const shapeton::ColonAnatomy & anatomy, const shapeton::ColonFluid
   return areas;
 }
 
+// The measured levels contain those of the truth.
 TEST(ColonFluid, SomeLevelsAreSmall)
 {
-  int patients = 0;
-  for (unsigned seed = 1; seed <= 4; ++seed)
+  int found = 0;
+  for (const unsigned seed : { 6U, 11U, 17U })
   {
     const shapeton::ColonAnatomy anatomy(Realistic(seed));
     const shapeton::ColonFluid   fluid(anatomy);
     const auto                   areas = AreasOfLevels(anatomy, fluid);
-    const auto                   small =
-      std::count_if(areas.begin(), areas.end(), [](double area) { return area >= 20.0 && area <= 60.0; });
-    patients += small > 0 ? 1 : 0;
-    std::cout << seed << ": " << small << " of " << areas.size() << '\n';
+    EXPECT_LE(fluid.SmallLevels().size(), static_cast<std::size_t>(anatomy.GetParameters().smallLevels)) << seed;
+    for (const shapeton::SmallLevel & level : fluid.SmallLevels())
+    {
+      ++found;
+      EXPECT_TRUE(level.area >= 20.0 && level.area <= 60.0) << seed;
+      EXPECT_GE(level.depth, 0.75) << seed;
+      EXPECT_NEAR(fluid.DepthBelowLevel(level.position, level.arcLength), 0.0, 1e-6) << seed;
+      EXPECT_TRUE(std::any_of(
+        areas.begin(), areas.end(), [&level](double area) { return std::abs(area - level.area) < 0.2 * level.area; }))
+        << seed << ' ' << level.area;
+    }
   }
-  EXPECT_GE(patients, 2);
+  EXPECT_GE(found, 2);
 }
 
 // Walls touch, lumens do not.
@@ -773,6 +780,7 @@ TEST(ColonPhantomParameters, SharesOfPatientsAreAsDocumented)
   int                        filled = 0;
   int                        tilted = 0;
   int                        touched = 0;
+  int                        small = 0;
   constexpr int              patients = 2000;
   for (unsigned seed = 0; seed < patients; ++seed)
   {
@@ -789,6 +797,7 @@ TEST(ColonPhantomParameters, SharesOfPatientsAreAsDocumented)
     spastic += drawn.spasm >= 50.0 ? 1 : 0;
     filled += drawn.filledStretch >= 30.0 ? 1 : 0;
     tilted += drawn.levelSlope >= 0.15 ? 1 : 0;
+    small += drawn.smallLevels > 0 ? 1 : 0;
     touched += drawn.sigmoidContact >= 40.0 ? 1 : 0;
     EXPECT_TRUE(drawn.sigmoidRise == 0.0 || drawn.lengths[1] >= 650.0);
     EXPECT_TRUE(drawn.sigmoidStraightness == 0.0 || drawn.lengths[1] <= 550.0);
@@ -803,6 +812,7 @@ TEST(ColonPhantomParameters, SharesOfPatientsAreAsDocumented)
   EXPECT_NEAR(spastic, 0.25 * patients, 80);
   EXPECT_NEAR(filled, 0.4 * patients, 80);
   EXPECT_NEAR(tilted, 0.3 * patients, 80);
+  EXPECT_NEAR(small, 0.4 * patients, 80);
   EXPECT_NEAR(touched, 0.4 * patients, 80);
   // Sigmoids of 650 to 1200 and 350 to 550 of 350 to 1200 mm.
   EXPECT_NEAR(risen, 0.6 * 550.0 / 850.0 * patients, 80);

@@ -144,6 +144,22 @@ CatheterToJson(const ColonCatheter & catheter)
 }
 
 Json
+SmallLevelsToJson(const std::vector<SmallLevel> & levels)
+{
+  Json list = Json::array();
+  for (const SmallLevel & level : levels)
+  {
+    Json json;
+    json["position"] = ToJson(level.position);
+    json["area"] = RoundedJson(level.area);
+    json["depth"] = RoundedJson(level.depth);
+    json["arcLength"] = RoundedJson(level.arcLength);
+    list.push_back(json);
+  }
+  return list;
+}
+
+Json
 ResidueToJson(const std::vector<ColonResidue> & residue)
 {
   Json list = Json::array();
@@ -262,6 +278,10 @@ StructuresToJson(const Provenance &      provenance,
   {
     json["tiltedLevel"] = { { "arcLength", { RoundedJson(tilted.begin), RoundedJson(tilted.end) } },
                             { "slope", RoundedJson(tilted.slope) } };
+  }
+  if (!fluid.SmallLevels().empty())
+  {
+    json["smallLevels"] = SmallLevelsToJson(fluid.SmallLevels());
   }
   json["residue"] = ResidueToJson(structures.GetResidue());
   return json;
