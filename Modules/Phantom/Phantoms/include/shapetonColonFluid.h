@@ -11,6 +11,9 @@
 
 namespace shapeton
 {
+struct FluidPassage;
+struct FluidPool;
+
 /** A connected pool of tagged fluid with a common level. \ingroup ShapetonPhantoms */
 struct ColonPool
 {
@@ -20,6 +23,27 @@ struct ColonPool
   double intensity; ///< mean, HU
   /** HU of the unmixed wedge at the bottom; 0 if absent. */
   double wedge;
+};
+
+/** A fluid level that falls along the colon, as during slow flow through a narrow stretch. \ingroup ShapetonPhantoms */
+struct ShapetonPhantoms_EXPORT TiltedLevel
+{
+  double begin{ 0.0 }; ///< arc length (mm) from which the level of the pool falls
+  double end{ 0.0 };   ///< arc length (mm) from which it is horizontal again; may be less than `begin`
+  double slope{ 0.0 }; ///< mm per mm of arc length; 0 if absent
+
+  /** Height (mm) of the level of the pool above that at an arc length. */
+  double
+  FallTo(double arcLength) const;
+};
+
+/** A small air-fluid level of a puddle. \ingroup ShapetonPhantoms */
+struct SmallLevel
+{
+  Eigen::Vector3d position;  ///< center of the level, LPS mm
+  double          area;      ///< mm^2, to about 10 %
+  double          depth;     ///< mm, of the puddle
+  double          arcLength; ///< mm
 };
 
 /** \class ColonFluid
@@ -32,7 +56,7 @@ struct ColonPool
  *
  * The fluid fraction of the lumen volume matches the parameters (error below 0.002 on the lattice). Basins below 2 ml
  * contain fluid only together with their neighbors. Fluid may fill a stretch completely; the levels on both sides of
- * such a stretch are equal.
+ * such a stretch are equal. The level of one pool may fall by some millimeters along a narrow stretch.
  *
  * \ingroup ShapetonPhantoms */
 class ShapetonPhantoms_EXPORT ColonFluid
@@ -63,11 +87,24 @@ public:
     return m_Pools;
   }
 
-  /** Arc lengths (mm) of the ends of the stretch that fluid fills completely, between gas; equal if absent. */
+  /** Arc lengths (mm) of the ends of the stretch that fluid fills completely, below its level on both sides; equal if
+   * absent. */
   const std::array<double, 2> &
   FilledStretch() const
   {
     return m_FilledStretch;
+  }
+
+  const std::vector<SmallLevel> &
+  SmallLevels() const
+  {
+    return m_SmallLevels;
+  }
+
+  const TiltedLevel &
+  GetTiltedLevel() const
+  {
+    return m_TiltedLevel;
   }
 
   /** Volume of the lumen, ml. */
@@ -89,15 +126,30 @@ private:
   void
   MakeTexture();
   void
-  FillStretch(const std::vector<std::vector<float>> & heights);
+  FillStretch(const std::vector<std::vector<float>> & heights,
+              const std::vector<FluidPassage> &       passages,
+              std::vector<FluidPool> &                pools);
+  void
+  TiltLevel(const std::vector<std::vector<float>> & heights);
+  void
+  AddSmallLevels(const std::vector<std::vector<float>> & heights);
+  bool
+  MayHoldPuddle(const std::vector<std::vector<float>> & heights, int slice) const;
+  SmallLevel
+  PuddleIn(int slice, const Eigen::Vector3d & center, double level) const;
+  std::vector<bool>
+  PlacesForTilt(const std::vector<std::vector<float>> & heights, int slices) const;
 
-  const ColonAnatomy &   m_Anatomy;
-  Eigen::Vector3d        m_Down;
-  double                 m_LumenVolume{ 0.0 };
-  std::vector<int>       m_PoolOfBin; // -1 without fluid
-  std::vector<ColonPool> m_Pools;
-  std::array<double, 2>  m_FilledStretch{ { 0.0, 0.0 } };
-  std::array<Wave, 8>    m_Waves;
+  const ColonAnatomy &    m_Anatomy;
+  Eigen::Vector3d         m_Down;
+  double                  m_LumenVolume{ 0.0 };
+  std::vector<int>        m_PoolOfBin; // -1 without fluid
+  std::vector<ColonPool>  m_Pools;
+  std::array<double, 2>   m_FilledStretch{ { 0.0, 0.0 } };
+  TiltedLevel             m_TiltedLevel;
+  int                     m_TiltedPool{ -1 };
+  std::vector<SmallLevel> m_SmallLevels;
+  std::array<Wave, 8>     m_Waves;
 };
 
 /** Direction of gravity in a position, tilted by at most 1 degree depending on the seed. Throws ParameterError for

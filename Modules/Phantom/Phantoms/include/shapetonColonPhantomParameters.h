@@ -79,7 +79,8 @@ ColonPhantomPreset(const std::string & name);
  * - cecumMobility: 30 to 80 mm in three of ten patients, otherwise 0 to 10;
  * - sigmoidRise: 30 to 90 mm in six of ten sigmoids of at least 650 mm, otherwise 0; sigmoidStraightness: 0.7 to 1 in
  * six of ten sigmoids of at most 550 mm, otherwise 0;
- * - spasm: 50 to 150 mm in one of four patients; filledStretch: 30 to 120 mm in four of ten patients; otherwise 0;
+ * - spasm: 50 to 150 mm in one of four patients, filledStretch: 30 to 120 mm in four of ten, levelSlope: 0.15 to 0.35
+ * in three of ten, smallLevels: 1 to 3 in four of ten, sigmoidContact: 40 to 80 mm in four of ten; otherwise 0;
  * - smallBowelTagged: 0.5 to 1; stomachIntensity: 100 to 650 HU;
  * - stool: 0 to 14, three of ten pieces adhere to the wall, the others are at the lowest point in each position, and
  * large ones may contain gas; stoolTagged: 0.3 to 0.9 (200 to 650 HU, otherwise 20 to 70); bubbles: 0 to 20; foam: 1 to

@@ -7,12 +7,16 @@
 
 #include "itkImage.h"
 
+#include <array>
 #include <memory>
 #include <string>
 #include <vector>
 
 namespace shapeton
 {
+struct PhantomIleum;
+struct SigmoidContactLoop;
+
 /** Ground-truth structure of a voxel, other than the lumen of the colon. \ingroup ShapetonPhantoms */
 enum class ColonStructure : unsigned char
 {
@@ -62,6 +66,15 @@ struct ColonIleum
   double      intensity; ///< HU of the content; 0 if collapsed
 };
 
+/** Contact of a loop of tagged ileum with the sigmoid from outside. \ingroup ShapetonPhantoms */
+struct ColonContact
+{
+  std::array<double, 2> arcLength; ///< mm, ends of the stretch of the sigmoid beside the loop
+  double                bore;      ///< mm, inner diameter of the loop
+  double                length;    ///< mm of contact along the sigmoid
+  double                intensity; ///< HU of the content
+};
+
 /** The rectal catheter. LPS, mm. \ingroup ShapetonPhantoms */
 struct ColonCatheter
 {
@@ -103,6 +116,10 @@ public:
   const ColonCatheter *
   GetCatheter() const;
 
+  /** Null if absent. */
+  const ColonContact *
+  GetSigmoidContact() const;
+
   const std::vector<ColonResidue> &
   GetResidue() const;
 
@@ -111,7 +128,7 @@ public:
   GetDiverticula() const;
 
   /** Axes of tubular structures, with the cell array structure (a ColonStructure). The ileum starts at the colon; the
-   * catheter ends at its tip. */
+   * catheter ends at its tip; the small bowel is the loop that touches the sigmoid. */
   CurveSet
   Axes() const;
 
@@ -132,13 +149,13 @@ private:
   void
   AddChest(const ColonAnatomy & anatomy, const ColonFluid & fluid);
   void
-  AddColon(const ColonAnatomy & anatomy, const ColonFluid & fluid);
+  AddColon(const ColonAnatomy & anatomy, const ColonFluid & fluid, const PhantomIleum & ileum);
   void
-  AddBowel(const ColonAnatomy & anatomy, const ColonFluid & fluid);
+  AddBowel(const ColonAnatomy & anatomy, const ColonFluid & fluid, const SigmoidContactLoop & contact);
   void
   AddValve(const ColonAnatomy & anatomy);
   void
-  AddIleum(const ColonAnatomy & anatomy, const ColonFluid & fluid);
+  AddIleum(const ColonAnatomy & anatomy, const PhantomIleum & ileum);
   void
   AddDiverticula(const ColonAnatomy & anatomy, const ColonFluid & fluid);
   void
@@ -148,6 +165,7 @@ private:
 
   std::vector<Part>                         m_Parts;
   std::unique_ptr<ColonIleum>               m_Ileum;
+  std::unique_ptr<ColonContact>             m_SigmoidContact;
   std::unique_ptr<ColonCatheter>            m_Catheter;
   std::vector<ColonResidue>                 m_Residue;
   std::vector<ColonDiverticulum>            m_Diverticula;

@@ -216,6 +216,17 @@ AbdominalVessels()
 } // namespace
 
 PhantomSolid
+PelvicOrgans()
+{
+  PhantomSolid organs = OrganSolid(pelvicOrgans[0]);
+  for (const OrganPart & part : pelvicOrgans)
+  {
+    organs = Either(organs, OrganSolid(part));
+  }
+  return organs;
+}
+
+PhantomSolid
 StomachLumen(const ColonAnatomy & anatomy)
 {
   return Grown(Stomach(anatomy), -stomachWall);

@@ -44,6 +44,10 @@ AddThoraxBones(PhantomBodies & bodies);
 void
 AddOrgans(PhantomBodies & bodies, const ColonAnatomy & anatomy, const itk::Vector<double, 3> & down);
 
+/** The bladder and the organ behind it, without the space of the colon. */
+PhantomSolid
+PelvicOrgans();
+
 /** The lumen of the stomach: gas and fluid. */
 PhantomSolid
 StomachLumen(const ColonAnatomy & anatomy);

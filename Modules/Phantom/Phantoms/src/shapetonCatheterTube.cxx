@@ -26,17 +26,6 @@ constexpr double clearance = 0.5;    // mm between tube or balloon and wall of t
 constexpr double pastBalloon = 4.0;  // mm, minimum length of the tube beyond the balloon
 constexpr double holeRadius = 1.6;   // mm
 
-std::vector<itk::Point<double, 3>>
-ToPoints(const std::vector<Vector3d> & axis)
-{
-  std::vector<itk::Point<double, 3>> points;
-  for (const Vector3d & p : axis)
-  {
-    points.push_back(MakePoint(p[0], p[1], p[2]));
-  }
-  return points;
-}
-
 /** Computes the axis of a tube through the rectum. */
 class TubeCourse
 {

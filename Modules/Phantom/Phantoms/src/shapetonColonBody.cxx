@@ -9,6 +9,8 @@ namespace
 {
 // Distances to the colon are first-order accurate; away from the wall they may be too large by this factor.
 constexpr double colonSlope = 3.0;
+// The depth below a tilted level changes by up to this factor more than the distance to the level, in bends.
+constexpr double tiltedSlope = 1.5;
 // Maximum size (mm) of blocks in the lumen, since the levels of adjacent pools differ.
 constexpr double largestBlock = 4.0;
 
@@ -34,7 +36,8 @@ public:
     if (sample.distance > 0.0)
     {
       const double depth = m_Fluid.DepthBelowLevel(point, sample.arcLength);
-      clearance = std::min({ clearance, std::abs(depth), largestBlock });
+      const double slope = m_Fluid.GetTiltedLevel().slope > 0.0 ? tiltedSlope : 1.0;
+      clearance = std::min({ clearance, std::abs(depth) / slope, largestBlock });
       textured = depth > 0.0;
     }
     return { outer, clearance, textured };
@@ -84,6 +87,17 @@ std::shared_ptr<const PhantomBody>
 MakeColonBody(const ColonAnatomy & anatomy, const ColonFluid & fluid)
 {
   return std::make_shared<ColonBody>(anatomy, fluid);
+}
+
+std::vector<itk::Point<double, 3>>
+ToPoints(const std::vector<Eigen::Vector3d> & axis)
+{
+  std::vector<itk::Point<double, 3>> points;
+  for (const Eigen::Vector3d & p : axis)
+  {
+    points.push_back(MakePoint(p[0], p[1], p[2]));
+  }
+  return points;
 }
 
 PhantomSolid

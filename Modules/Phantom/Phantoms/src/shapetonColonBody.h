@@ -18,6 +18,9 @@ constexpr double bowelWall = 2.0;
 constexpr double gasIntensity = -994.0;
 constexpr double softTissueIntensity = 50.0;
 
+std::vector<itk::Point<double, 3>>
+ToPoints(const std::vector<Eigen::Vector3d> & axis);
+
 /** Depth of polyp tissue, including the wall behind it. Larger than the wall of MakeColonBody(), whose thickness is the
  * same on polyps as elsewhere. */
 PhantomSolid

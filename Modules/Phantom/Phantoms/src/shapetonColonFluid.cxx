@@ -1,7 +1,9 @@
 #include "shapetonColonFluid.h"
 
+#include "shapetonFilledStretch.h"
 #include "shapetonFluidBasins.h"
-#include "shapetonPhantomRandom.h"
+#include "shapetonColonNoise.h"
+#include "shapetonColonPath.h"
 #include "shapetonExceptions.h"
 
 #include <Eigen/Geometry>
@@ -9,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <map>
 
 namespace shapeton
@@ -20,18 +23,30 @@ constexpr double sliceLength = 3.0;       // mm
 constexpr double smallestBasin = 2.0;     // ml
 constexpr double ridgeMargin = 1.2;       // mm; the lattice overestimates passage heights by about half a step
 constexpr double textureDeviation = 43.0; // HU; as on CT colonographies
+constexpr int    puddleReach = 2;         // slices on each side of the lowest one
 constexpr double latticeTurn = 0.61;      // radians
 constexpr double wedgeShare = 0.4;        // of the pools
 constexpr int    blockSide = 6;           // lattice steps; half the diagonal is below ColonAnatomy::Reach
 constexpr double pointVolume = latticeStep * latticeStep * latticeStep / 1000.0; // ml
 
-constexpr std::uint32_t filledStream = 0xf111;
-constexpr DrawnRange    filledIntensity{ 600.0, 830.0 }; // HU, as in other pools
-
 int
 SliceAt(double arcLength)
 {
   return std::max(0, static_cast<int>(std::floor(arcLength / sliceLength)));
+}
+
+// Position of the centerline in each slice.
+std::vector<Eigen::Vector3d>
+CentersOfSlices(const ColonAnatomy & anatomy, std::size_t count)
+{
+  const CurveSet               line = anatomy.Centerline();
+  const Eigen::VectorXd        arcLength = PointValues(line, "arcLength", "centerline");
+  std::vector<Eigen::Vector3d> centers(count, line.V.row(line.V.rows() - 1));
+  for (Eigen::Index i = line.V.rows() - 1; i >= 0; --i)
+  {
+    centers[std::min<std::size_t>(SliceAt(arcLength[i]), count - 1)] = line.V.row(i);
+  }
+  return centers;
 }
 
 // The points of a lattice in the lumen, with their slices. The lattice is oblique to distribute the heights of its
@@ -234,6 +249,13 @@ GravityOf(const ColonPhantomParameters & parameters)
   return (down + across * Eigen::Vector3d(down[1], down[0], 0.0) + along * Eigen::Vector3d(0.0, 0.0, 1.0)).normalized();
 }
 
+double
+TiltedLevel::FallTo(double arcLength) const
+{
+  const double along = end < begin ? begin - arcLength : arcLength - begin;
+  return slope * std::clamp(along, 0.0, std::abs(end - begin));
+}
+
 ColonFluid::ColonFluid(const ColonAnatomy & anatomy) : m_Anatomy(anatomy), m_Down(GravityOf(anatomy.GetParameters()))
 {
   const auto &       parameters = anatomy.GetParameters();
@@ -251,64 +273,242 @@ ColonFluid::ColonFluid(const ColonAnatomy & anatomy) : m_Anatomy(anatomy), m_Dow
   PhantomRandom random(parameters.seed, 0xf1d0 + static_cast<std::uint32_t>(parameters.position[0]));
   const auto    share = static_cast<std::size_t>(std::lround(parameters.fluid * static_cast<double>(points)));
   const auto    smallest = static_cast<std::size_t>(smallestBasin / pointVolume);
-  for (const auto & pool : FillBasins(heights, lattice.Passages(), share, smallest, random))
+  const auto    passages = lattice.Passages();
+  auto          pools = FillBasins(heights, passages, share, smallest, random);
+  this->FillStretch(heights, passages, pools);
+  for (const auto & pool : pools)
   {
+    const double intensity = random.Uniform(600.0, 830.0);
+    const double wedge = random.Uniform(0.0, 1.0) < wedgeShare ? random.Uniform(250.0, 450.0) : 0.0;
+    if (pool.slices.empty())
+    {
+      continue; // joined another pool
+    }
     for (const int slice : pool.slices)
     {
       m_PoolOfBin[slice] = static_cast<int>(m_Pools.size());
     }
-    const double intensity = random.Uniform(600.0, 830.0);
-    const double wedge = random.Uniform(0.0, 1.0) < wedgeShare ? random.Uniform(250.0, 450.0) : 0.0;
     m_Pools.push_back({ pool.level, pool.bottom, static_cast<double>(pool.points) * pointVolume, intensity, wedge });
   }
-  this->FillStretch(heights);
+  this->TiltLevel(heights);
+  this->AddSmallLevels(heights);
 }
 
-// The lowest stretch without other fluid.
 void
-ColonFluid::FillStretch(const std::vector<std::vector<float>> & heights)
+ColonFluid::FillStretch(const std::vector<std::vector<float>> & heights,
+                        const std::vector<FluidPassage> &       passages,
+                        std::vector<FluidPool> &                pools)
 {
-  constexpr int    gasSlices = 5;     // between the stretch and other fluid
-  constexpr double aboveAll = 1000.0; // mm, a level
-  const auto &     parameters = m_Anatomy.GetParameters();
-  const int        slices = static_cast<int>(std::lround(parameters.filledStretch / sliceLength));
-  const auto       isFree = [&](int slice) {
-    const int segment = m_Anatomy.SegmentAt((slice + 0.5) * sliceLength);
-    return (segment == 2 || segment == 3) && m_PoolOfBin[slice] < 0 && !heights[slice].empty();
-  };
-  int    best = -1;
-  int    free = 0;
-  double lowest = aboveAll;
-  for (int end = 0; slices > 0 && end < static_cast<int>(heights.size()); ++end)
+  constexpr int shortest = 10; // slices
+  const int     slices = static_cast<int>(std::lround(m_Anatomy.GetParameters().filledStretch / sliceLength));
+  if (slices == 0)
   {
-    free = isFree(end) ? free + 1 : 0;
-    const int first = end + 1 - gasSlices - slices;
-    if (free < slices + 2 * gasSlices)
-    {
-      continue;
-    }
-    double bottom = aboveAll;
+    return;
+  }
+  std::vector<bool> isNarrow(heights.size()); // sigmoid and descending colon
+  for (std::size_t slice = 0; slice < heights.size(); ++slice)
+  {
+    const int segment = m_Anatomy.SegmentAt((static_cast<double>(slice) + 0.5) * sliceLength);
+    isNarrow[slice] = segment == 2 || segment == 3;
+  }
+  const auto filled =
+    shapeton::FillStretch(heights, passages, isNarrow, { { std::min(shortest, slices), slices } }, pools);
+  m_FilledStretch = { { filled[0] * sliceLength, filled[1] * sliceLength } };
+}
+
+// At the narrowest place that allows it, so that the smaller part of the pool is the lower one.
+void
+ColonFluid::TiltLevel(const std::vector<std::vector<float>> & heights)
+{
+  constexpr DrawnRange length{ 20.0, 35.0 }; // mm
+  const auto &         parameters = m_Anatomy.GetParameters();
+  if (parameters.levelSlope == 0.0)
+  {
+    return;
+  }
+  ColonRandom random(parameters.seed, ColonStream::TiltedLevel, PositionNumber(parameters.position));
+  const int   slices = static_cast<int>(std::lround(random.Uniform(length) / sliceLength));
+  const auto  mayTilt = this->PlacesForTilt(heights, slices);
+  int         best = -1;
+  std::size_t narrowest = std::numeric_limits<std::size_t>::max();
+  for (int first = 0; first + slices <= static_cast<int>(heights.size()); ++first)
+  {
+    std::size_t points = 0;
     for (int slice = first; slice < first + slices; ++slice)
     {
-      bottom = std::min(bottom, static_cast<double>(heights[slice].front()));
+      points += heights[slice].size();
     }
-    best = bottom < lowest ? first : best;
-    lowest = std::min(lowest, bottom);
+    if (mayTilt[first] && points < narrowest)
+    {
+      best = first;
+      narrowest = points;
+    }
   }
   if (best < 0)
   {
     return;
   }
+  m_TiltedPool = m_PoolOfBin[best];
+  const auto   begin = m_PoolOfBin.begin();
+  const auto   before = std::count(begin, begin + best, m_TiltedPool);
+  const auto   beyond = std::count(begin + best + slices, m_PoolOfBin.end(), m_TiltedPool);
+  const double first = best * sliceLength;
+  const double last = (best + slices) * sliceLength;
+  m_TiltedLevel = { before < beyond ? last : first, before < beyond ? first : last, parameters.levelSlope };
   std::size_t points = 0;
-  for (int slice = best; slice < best + slices; ++slice)
+  for (std::size_t slice = 0; slice < heights.size(); ++slice)
   {
-    m_PoolOfBin[slice] = static_cast<int>(m_Pools.size());
-    points += heights[slice].size();
+    const double level =
+      m_Pools[m_TiltedPool].level - m_TiltedLevel.FallTo((static_cast<double>(slice) + 0.5) * sliceLength);
+    points += m_PoolOfBin[slice] == m_TiltedPool ? PointsBelow(heights, { static_cast<int>(slice) }, level) : 0;
   }
-  PhantomRandom random(parameters.seed, filledStream + static_cast<std::uint32_t>(parameters.position[0]));
-  const double  volume = static_cast<double>(points) * pointVolume;
-  m_Pools.push_back({ lowest + aboveAll, lowest, volume, random.Uniform(filledIntensity), 0.0 });
-  m_FilledStretch = { { best * sliceLength, (best + slices) * sliceLength } };
+  m_Pools[m_TiltedPool].volume = static_cast<double>(points) * pointVolume;
+}
+
+// For each slice, whether a straight and horizontal stretch of one pool begins there, with gas above fluid that is
+// deeper than the fall.
+std::vector<bool>
+ColonFluid::PlacesForTilt(const std::vector<std::vector<float>> & heights, int slices) const
+{
+  constexpr double margin = 2.0;            // mm of fluid and of gas
+  constexpr double mostlyHorizontal = 0.85; // of the length
+  const double     length = slices * sliceLength;
+  const double     fall = m_Anatomy.GetParameters().levelSlope * length;
+  const int  filledPool = m_FilledStretch[1] > m_FilledStretch[0] ? m_PoolOfBin[this->BinOf(m_FilledStretch[0])] : -1;
+  const auto centers = CentersOfSlices(m_Anatomy, heights.size());
+  std::vector<bool> may(heights.size(), false);
+  int               run = 0;
+  for (int slice = 0; slice < static_cast<int>(heights.size()); ++slice)
+  {
+    const int  pool = m_PoolOfBin[slice];
+    const bool isDeep = pool >= 0 && pool != filledPool && !heights[slice].empty() &&
+                        heights[slice].front() < m_Pools[pool].level - fall - margin &&
+                        heights[slice].back() > m_Pools[pool].level + margin;
+    const bool isSame = slice > 0 && m_PoolOfBin[slice - 1] == pool;
+    run = isDeep ? (isSame ? run + 1 : 1) : 0;
+    if (run > slices)
+    {
+      const Eigen::Vector3d chord = centers[slice] - centers[slice - slices];
+      may[slice - slices] = (chord - chord.dot(m_Down) * m_Down).norm() > mostlyHorizontal * length;
+    }
+  }
+  return may;
+}
+
+// In random order of the dips without other fluid.
+void
+ColonFluid::AddSmallLevels(const std::vector<std::vector<float>> & heights)
+{
+  constexpr DrawnRange area{ 20.0, 60.0 };      // mm^2
+  constexpr DrawnRange content{ 600.0, 830.0 }; // HU
+  constexpr double     shallowest = 0.75;       // mm
+  constexpr double     deepest = 3.0;           // mm above the lowest point of the lattice
+  constexpr double     step = 0.25;             // mm
+  const auto &         parameters = m_Anatomy.GetParameters();
+  if (parameters.smallLevels == 0)
+  {
+    return;
+  }
+  ColonRandom random(parameters.seed, ColonStream::SmallLevels, PositionNumber(parameters.position));
+  const auto  centers = CentersOfSlices(m_Anatomy, heights.size());
+  const int   count = static_cast<int>(heights.size());
+  const int   start = static_cast<int>(random.Uniform() * count);
+  const auto  wanted = static_cast<std::size_t>(parameters.smallLevels);
+  for (int i = 0; i < count && m_SmallLevels.size() < wanted; ++i)
+  {
+    const int  slice = (start + i) % count;
+    SmallLevel puddle{};
+    double     level = 0.0;
+    for (double height = deepest; puddle.area == 0.0 && height > 0.0 && this->MayHoldPuddle(heights, slice);
+         height -= step)
+    {
+      level = heights[slice].front() + height;
+      puddle = this->PuddleIn(slice, centers[slice], level);
+      puddle.area =
+        puddle.depth >= shallowest && puddle.area >= area.low && puddle.area <= area.high ? puddle.area : 0.0;
+    }
+    if (puddle.area == 0.0)
+    {
+      continue;
+    }
+    std::fill_n(m_PoolOfBin.begin() + slice - puddleReach, 2 * puddleReach + 1, static_cast<int>(m_Pools.size()));
+    const double volume = 0.5 * puddle.area * puddle.depth / 1000.0;
+    m_Pools.push_back({ level, level - puddle.depth, volume, random.Uniform(content), 0.0 });
+    m_SmallLevels.push_back(puddle);
+  }
+}
+
+// Whether the slice is the lowest one around, beyond the anal canal, with gas only.
+bool
+ColonFluid::MayHoldPuddle(const std::vector<std::vector<float>> & heights, int slice) const
+{
+  constexpr int canal = 20; // slices
+  constexpr int around = 3; // slices
+  if (slice < canal || slice + around >= static_cast<int>(heights.size()))
+  {
+    return false;
+  }
+  for (int other = slice - around; other <= slice + around; ++other)
+  {
+    if (m_PoolOfBin[other] >= 0 || heights[other].empty() || heights[other].front() < heights[slice].front())
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+// The puddle around a slice below a level; its area is 0 if it is not compact or leaves these slices.
+SmallLevel
+ColonFluid::PuddleIn(int slice, const Eigen::Vector3d & center, double level) const
+{
+  constexpr double             step = 1.0;      // mm
+  constexpr double             reach = 25.0;    // mm from the center
+  constexpr double             compact = 10.0;  // mm, radius
+  constexpr double             downStep = 0.25; // mm
+  const Eigen::Vector3d        up = -m_Down;
+  const Eigen::Vector3d        across = up.unitOrthogonal();
+  const Eigen::Vector3d        along = up.cross(across);
+  const Eigen::Vector3d        middle = center + (level - up.dot(center)) * up;
+  std::vector<Eigen::Vector3d> points;
+  for (double u = -reach; u <= reach; u += step)
+  {
+    for (double v = -reach; v <= reach; v += step)
+    {
+      const Eigen::Vector3d point = middle + u * across + v * along;
+      const auto            sample = m_Anatomy.Evaluate(point);
+      const int             off = std::abs(SliceAt(sample.arcLength) - slice);
+      if (sample.distance <= 0.0 || off > puddleReach + 1)
+      {
+        continue;
+      }
+      if (off > puddleReach)
+      {
+        return {};
+      }
+      points.push_back(point);
+    }
+  }
+  SmallLevel puddle{ Eigen::Vector3d::Zero(), step * step * static_cast<double>(points.size()), 0.0, 0.0 };
+  for (const Eigen::Vector3d & point : points)
+  {
+    puddle.position += point / static_cast<double>(points.size());
+  }
+  for (const Eigen::Vector3d & point : points)
+  {
+    if ((point - puddle.position).norm() > compact)
+    {
+      return {};
+    }
+    double depth = 0.0;
+    while (m_Anatomy.Evaluate(point + (depth + downStep) * m_Down).distance > 0.0)
+    {
+      depth += downStep;
+    }
+    puddle.depth = std::max(puddle.depth, depth);
+  }
+  puddle.arcLength = (slice + 0.5) * sliceLength;
+  return puddle;
 }
 
 void
@@ -336,7 +536,12 @@ ColonFluid::DepthBelowLevel(const Eigen::Vector3d & point, double arcLength) con
 {
   const int bin = this->BinOf(arcLength);
   const int pool = bin < 0 ? -1 : m_PoolOfBin[bin];
-  return pool < 0 ? -1000.0 : m_Pools[pool].level + m_Down.dot(point);
+  if (pool < 0)
+  {
+    return -1000.0;
+  }
+  const double fall = pool == m_TiltedPool ? m_TiltedLevel.FallTo(arcLength) : 0.0;
+  return m_Pools[pool].level - fall + m_Down.dot(point);
 }
 
 // The wedge fills the lower half of the pool, with a slope of about 10 degrees.

@@ -34,7 +34,10 @@ enum class ColonStream : std::uint32_t
   Drawn,
   Diverticula,
   Reflux,
-  Spasm
+  Spasm,
+  TiltedLevel,
+  Contact,
+  SmallLevels
 };
 
 /** Uniform and normal numbers from Philox, keyed by seed, purpose and, if relevant, the position (from 1). */

@@ -75,7 +75,10 @@ enum class Group
   Sigmoid,
   Reflux,
   Spasm,
-  FilledStretch
+  FilledStretch,
+  TiltedLevel,
+  Contact,
+  SmallLevels
 };
 
 /** Draws parameters in a fixed order, so that given values do not affect drawn ones. */
@@ -220,6 +223,36 @@ DrawSpasm(ColonPhantomParameters & p)
 }
 
 void
+DrawTiltedLevel(ColonPhantomParameters & p)
+{
+  constexpr DrawnRange slope{ 0.15, 0.35 };
+  constexpr double     share = 0.3; // of the patients
+  Draw                 draw(p, Group::TiltedLevel);
+  const bool           isTilted = draw.Chance() < share;
+  draw(p.levelSlope, isTilted ? slope : DrawnRange{});
+}
+
+void
+DrawSmallLevels(ColonPhantomParameters & p)
+{
+  constexpr DrawnRange count{ 1, 3 };
+  constexpr double     share = 0.4; // of the patients
+  Draw                 draw(p, Group::SmallLevels);
+  const bool           hasSmall = draw.Chance() < share;
+  draw(p.smallLevels, hasSmall ? count : DrawnRange{});
+}
+
+void
+DrawContact(ColonPhantomParameters & p)
+{
+  constexpr DrawnRange length{ 40, 80 };
+  constexpr double     share = 0.4; // of the patients
+  Draw                 draw(p, Group::Contact);
+  const bool           hasContact = draw.Chance() < share;
+  draw(p.sigmoidContact, hasContact ? length : DrawnRange{});
+}
+
+void
 DrawBowel(ColonPhantomParameters & p)
 {
   constexpr DrawnRange tagged{ 0.5, 1.0 };
@@ -353,6 +386,9 @@ Drawn(const ColonPhantomParameters & parameters)
   DrawShape(drawn);
   DrawSigmoid(drawn);
   DrawSpasm(drawn);
+  DrawTiltedLevel(drawn);
+  DrawSmallLevels(drawn);
+  DrawContact(drawn);
   DrawBowel(drawn);
   DrawResidue(drawn);
   DrawDiverticula(drawn);
@@ -389,10 +425,12 @@ ColonPhantomPreset(const std::string & name)
     parameters.cecumMobility = drawnBySeed;
     parameters.sigmoidRise = drawnBySeed;
     parameters.spasm = parameters.filledStretch = drawnBySeed;
+    parameters.levelSlope = parameters.sigmoidContact = drawnBySeed;
     parameters.sigmoidStraightness = drawnBySeed;
     parameters.smallBowelTagged = drawnBySeed;
     parameters.stomachIntensity = drawnBySeed;
     parameters.stool = parameters.bubbles = parameters.foam = static_cast<int>(drawnBySeed);
+    parameters.smallLevels = static_cast<int>(drawnBySeed);
     parameters.diverticula = static_cast<int>(drawnBySeed);
     parameters.catheter = "drawn";
     parameters.catheterBore = drawnBySeed;

@@ -7,6 +7,7 @@
 #include "shapetonCatheterTube.h"
 #include "shapetonLumenResidue.h"
 #include "shapetonLungs.h"
+#include "shapetonSigmoidContact.h"
 #include "shapetonSmallBowel.h"
 #include "shapetonPhantomIleum.h"
 #include "shapetonThoraxParts.h"
@@ -122,22 +123,27 @@ ColonStructures::ColonStructures(const ColonAnatomy & anatomy, const ColonFluid 
   {
     this->AddChest(anatomy, fluid);
   }
-  this->AddBowel(anatomy, fluid);
-  if (Contains(anatomy.GetParameters(), "colon"))
+  const auto & parameters = anatomy.GetParameters();
+  const bool   hasColon = Contains(parameters, "colon");
+  const bool   hasIleum = hasColon && parameters.valve == "lips";
+  const bool   hasContact = hasColon && Contains(parameters, "smallBowel") && parameters.sigmoidContact > 0.0;
+  const auto   ileum = hasIleum ? MakePhantomIleum(anatomy, fluid) : PhantomIleum{};
+  this->AddBowel(anatomy, fluid, hasContact ? MakeSigmoidContact(anatomy, ileum.axis) : SigmoidContactLoop{});
+  if (hasColon)
   {
-    this->AddColon(anatomy, fluid);
+    this->AddColon(anatomy, fluid, ileum);
   }
 }
 
 ColonStructures::~ColonStructures() = default;
 
 void
-ColonStructures::AddColon(const ColonAnatomy & anatomy, const ColonFluid & fluid)
+ColonStructures::AddColon(const ColonAnatomy & anatomy, const ColonFluid & fluid, const PhantomIleum & ileum)
 {
   if (anatomy.GetParameters().valve == "lips")
   {
     this->AddValve(anatomy);
-    this->AddIleum(anatomy, fluid);
+    this->AddIleum(anatomy, ileum);
   }
   this->AddDiverticula(anatomy, fluid);
   const LumenResidue residue = MakeLumenResidue(anatomy, fluid);
@@ -164,9 +170,9 @@ ColonStructures::AddChest(const ColonAnatomy & anatomy, const ColonFluid & fluid
   }
 }
 
-// Painted with the abdomen.
+// Painted with the abdomen, except for the loop that touches the sigmoid.
 void
-ColonStructures::AddBowel(const ColonAnatomy & anatomy, const ColonFluid & fluid)
+ColonStructures::AddBowel(const ColonAnatomy & anatomy, const ColonFluid & fluid, const SigmoidContactLoop & contact)
 {
   const auto & p = anatomy.GetParameters();
   const auto   down = MakeVector(fluid.Down()[0], fluid.Down()[1], fluid.Down()[2]);
@@ -176,9 +182,21 @@ ColonStructures::AddBowel(const ColonAnatomy & anatomy, const ColonFluid & fluid
   }
   if (Contains(p, "smallBowel"))
   {
-    const auto lumen = MakeSmallBowel(p.seed, down, p.smallBowelTagged).lumen;
+    const bool hasContact = !contact.axis.empty();
+    const auto loops = MakeSmallBowel(p.seed, down, p.smallBowelTagged).lumen;
+    const auto lumen = hasContact ? Without(loops, contact.outer) : loops;
     m_Parts.push_back({ ColonStructure::SmallBowel, AwayFromColon(lumen, anatomy, bowelWall), nullptr, false });
   }
+  if (contact.axis.empty())
+  {
+    return;
+  }
+  m_Parts.push_back({ ColonStructure::None, contact.outer, MakeSolidBody(contact.outer, softTissueIntensity), true });
+  m_Parts.push_back(
+    { ColonStructure::SmallBowel, contact.lumen, MakeSolidBody(contact.lumen, contact.truth.intensity), true });
+  m_SigmoidContact = std::make_unique<ColonContact>(contact.truth);
+  m_Axes.push_back(contact.axis);
+  m_AxisOf.push_back(ColonStructure::SmallBowel);
 }
 
 // Fat is below the mucosa, the 2 mm wall of the colon.
@@ -192,9 +210,8 @@ ColonStructures::AddValve(const ColonAnatomy & anatomy)
 }
 
 void
-ColonStructures::AddIleum(const ColonAnatomy & anatomy, const ColonFluid & fluid)
+ColonStructures::AddIleum(const ColonAnatomy & anatomy, const PhantomIleum & ileum)
 {
-  const PhantomIleum ileum = MakePhantomIleum(anatomy, fluid);
   m_Parts.push_back({ ColonStructure::IleumWall, ileum.wall, MakeSolidBody(ileum.wall, softTissueIntensity), false });
   if (ileum.content != "collapsed")
   {
@@ -253,6 +270,12 @@ const ColonCatheter *
 ColonStructures::GetCatheter() const
 {
   return m_Catheter.get();
+}
+
+const ColonContact *
+ColonStructures::GetSigmoidContact() const
+{
+  return m_SigmoidContact.get();
 }
 
 const std::vector<ColonResidue> &

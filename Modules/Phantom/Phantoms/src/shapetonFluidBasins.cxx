@@ -20,18 +20,6 @@ struct Basin
   double           ridge{ 0.0 };
 };
 
-std::size_t
-PointsBelow(const Heights & heights, const std::vector<int> & slices, double level)
-{
-  std::size_t points = 0;
-  for (const int slice : slices)
-  {
-    const auto & sorted = heights[slice];
-    points += std::lower_bound(sorted.begin(), sorted.end(), static_cast<float>(level)) - sorted.begin();
-  }
-  return points;
-}
-
 class BasinTree
 {
 public:
@@ -185,6 +173,18 @@ Fill(const BasinTree &        tree,
   Fill(tree, heights, basin.parts[1], points - pointsA, random, pools);
 }
 } // namespace
+
+std::size_t
+PointsBelow(const Heights & heights, const std::vector<int> & slices, double level)
+{
+  std::size_t points = 0;
+  for (const int slice : slices)
+  {
+    const auto & sorted = heights[slice];
+    points += std::lower_bound(sorted.begin(), sorted.end(), static_cast<float>(level)) - sorted.begin();
+  }
+  return points;
+}
 
 std::vector<FluidPool>
 FillBasins(const Heights &           heights,

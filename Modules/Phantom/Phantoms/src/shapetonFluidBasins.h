@@ -24,6 +24,10 @@ struct FluidPool
   std::size_t      points;
 };
 
+/** Number of lattice points of slices below a level; `heights` are sorted in each slice. */
+std::size_t
+PointsBelow(const std::vector<std::vector<float>> & heights, const std::vector<int> & slices, double level);
+
 /** Distributes fluid, measured in lattice points, over the slices of a lumen; `heights` are the sorted heights of the
  * points of each slice. See ColonFluid. */
 std::vector<FluidPool>

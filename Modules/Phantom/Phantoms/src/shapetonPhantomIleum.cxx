@@ -138,10 +138,7 @@ private:
   Lacking(const Vector3d & at) const
   {
     const double margin = m_Radius + thinWall;
-    return std::max({ m_Anatomy.Evaluate(at).distance + m_Radius + 1.0,
-                      m_Cavity.distance(MakePoint(at[0], at[1], at[2])) + margin,
-                      spineRadius + margin - (at - ColonAnatomy::SpineAxis(at[2])).norm(),
-                      std::abs(at[2]) - halfSpace });
+    return std::max(m_Anatomy.Evaluate(at).distance + m_Radius + 1.0, LackingBetweenWallAndSpine(m_Cavity, at, margin));
   }
 
   Vector3d
@@ -289,6 +286,14 @@ LengthOfIleum(const std::vector<Vector3d> & axis)
   return length;
 }
 } // namespace
+
+double
+LackingBetweenWallAndSpine(const PhantomSolid & cavity, const Vector3d & at, double margin)
+{
+  return std::max({ cavity.distance(MakePoint(at[0], at[1], at[2])) + margin,
+                    spineRadius + margin - (at - ColonAnatomy::SpineAxis(at[2])).norm(),
+                    std::abs(at[2]) - halfSpace });
+}
 
 PhantomIleum
 MakePhantomIleum(const ColonAnatomy & anatomy, const ColonFluid & fluid)

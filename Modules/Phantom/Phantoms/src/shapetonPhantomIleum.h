@@ -25,6 +25,11 @@ struct PhantomIleum
   double                       fluidIntensity{ 0.0 }; ///< HU
 };
 
+/** Space (mm) that a tube of radius `margin` at a point lacks between the wall of the abdominal cavity and the spine;
+ * negative if there is enough. */
+double
+LackingBetweenWallAndSpine(const PhantomSolid & cavity, const Eigen::Vector3d & at, double margin);
+
 /** Requires a valve with lips. The anatomy must outlive the solids. */
 PhantomIleum
 MakePhantomIleum(const ColonAnatomy & anatomy, const ColonFluid & fluid);

@@ -407,9 +407,15 @@ TEST(ColonPhantomImageSource, GasAndFluidHaveTheirIntensities)
   EXPECT_LT(fluid.mean, 880.0);
 }
 
-TEST(ColonPhantomImageSource, SameBytesForAnyNumberOfThreads)
+class EachPresetImage : public testing::TestWithParam<const char *>
+{};
+
+TEST_P(EachPresetImage, SameBytesForAnyNumberOfThreads)
 {
-  const auto            source = MakeSource(Standard("prone", 0.2), 36);
+  auto parameters = shapeton::ColonPhantomPreset(GetParam());
+  parameters.seed = 3;
+  parameters.position = "prone";
+  const auto            source = MakeSource(parameters, 36);
   std::set<std::string> images;
   for (const unsigned int threads : { 1U, 2U, 3U })
   {
@@ -417,10 +423,11 @@ TEST(ColonPhantomImageSource, SameBytesForAnyNumberOfThreads)
     source->Modified();
     source->UpdateLargestPossibleRegion();
     images.insert(basetest::BytesOf(source->GetOutput()) + basetest::BytesOf(source->GetLumenOutput()) +
-                  basetest::BytesOf(source->GetSegmentOutput()));
+                  basetest::BytesOf(source->GetSegmentOutput()) + basetest::BytesOf(source->GetStructureOutput()));
   }
   EXPECT_EQ(images.size(), 1U);
 }
+INSTANTIATE_TEST_SUITE_P(ColonPhantomImageSource, EachPresetImage, testing::Values("standard", "hard", "realistic"));
 
 // Axes z, -x, -y of the first grid, with the same voxels in space.
 TEST(ColonPhantomImageSource, TheTruthAloneIsThatOfTheImage)

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 #include <vector>
 
 using Eigen::Vector3d;
@@ -277,37 +278,266 @@ TEST(ColonStructures, BonesOfThePelvisAreInPlace)
   }
 }
 
-// Fluid fills the open lumen of a stretch between gas.
+// Visits points of the lumen that are less than `reach` mm from the centerline between two arc lengths.
+template <typename TVisitor>
+void
+VisitStretch(const shapeton::ColonAnatomy & anatomy, double begin, double end, double reach, const TVisitor & visit)
+{
+  constexpr double         step = 3.0; // mm
+  const shapeton::CurveSet line = anatomy.Centerline();
+  const Eigen::VectorXd    arcs = shapeton::PointValues(line, "arcLength", "centerline");
+  for (Eigen::Index i = 0; i < line.V.rows(); ++i)
+  {
+    for (int n = 0; n < 1000 && arcs[i] >= begin && arcs[i] < end; ++n)
+    {
+      const Vector3d offset = step * Vector3d(n % 10 - 4.5, n / 10 % 10 - 4.5, n / 100 - 4.5);
+      const Vector3d point = line.V.row(i).transpose() + offset;
+      const auto     sample = anatomy.Evaluate(point);
+      if (offset.norm() < reach && sample.distance > 0.0 && sample.arcLength >= begin && sample.arcLength < end)
+      {
+        visit(point, sample.arcLength);
+      }
+    }
+  }
+}
+
+// Fluid fills the lumen up to a level above the stretch, with gas beyond both ends.
 TEST(ColonFluid, AFilledStretchSeparatesGas)
 {
+  int wanted = 0;
   int found = 0;
-  for (unsigned seed = 1; seed <= 10; ++seed)
+  for (unsigned seed = 1; seed <= 13; ++seed)
   {
-    const shapeton::ColonAnatomy anatomy(Realistic(seed));
-    const shapeton::ColonFluid   fluid(anatomy);
-    const double                 wanted = anatomy.GetParameters().filledStretch;
-    const auto &                 stretch = fluid.FilledStretch();
-    if (stretch[1] == stretch[0])
+    const shapeton::ColonAnatomy anatomy(Realistic(seed, seed % 2 == 0 ? "supine" : "prone"));
+    const double                 length = anatomy.GetParameters().filledStretch;
+    if (length == 0.0)
+    {
+      continue;
+    }
+    ++wanted;
+    const shapeton::ColonFluid fluid(anatomy);
+    const auto [begin, end] = fluid.FilledStretch();
+    if (end == begin)
     {
       continue;
     }
     ++found;
-    EXPECT_TRUE(wanted >= 30.0 && wanted <= 120.0) << seed;
-    EXPECT_NEAR(stretch[1] - stretch[0], wanted, 1.6) << seed;
+    EXPECT_GT(end - begin, 29.0) << seed;
+    EXPECT_LT(end - begin, length + 50.0) << seed;
+    EXPECT_TRUE(anatomy.SegmentAt(begin + 1.0) >= 2 && anatomy.SegmentAt(end - 1.0) <= 3) << seed;
+    const auto isDry = [&fluid](const Vector3d & point, double s) { return fluid.DepthBelowLevel(point, s) < 0.0; };
+    int        dryInside = 0;
+    int        dryBefore = 0;
+    int        dryBeyond = 0;
+    VisitStretch(anatomy, begin, end, 20.0, [&](const Vector3d & p, double s) { dryInside += isDry(p, s); });
+    VisitStretch(anatomy, begin - 20.0, begin, 20.0, [&](const Vector3d & p, double s) { dryBefore += isDry(p, s); });
+    VisitStretch(anatomy, end, end + 20.0, 20.0, [&](const Vector3d & p, double s) { dryBeyond += isDry(p, s); });
+    EXPECT_EQ(dryInside, 0) << seed;
+    EXPECT_GT(dryBefore, 0) << seed;
+    EXPECT_GT(dryBeyond, 0) << seed;
+    // One level on both sides.
     const shapeton::CurveSet line = anatomy.Centerline();
-    const auto &             arcs = shapeton::FindSurfaceArray(line.pointArrays, "arcLength")->values;
+    const Eigen::VectorXd    arcs = shapeton::PointValues(line, "arcLength", "centerline");
+    std::vector<double>      levels;
     for (Eigen::Index i = 0; i < line.V.rows(); ++i)
     {
-      const double   s = arcs(i, 0);
-      const Vector3d point = line.V.row(i);
-      if (s > stretch[0] - 10.0 && s < stretch[1] + 10.0)
+      if (arcs[i] > begin - 2.0 && arcs[i] < end + 2.0)
       {
-        const bool isInside = s >= stretch[0] && s < stretch[1];
-        EXPECT_GT(anatomy.Evaluate(point).distance, 0.0) << seed << ' ' << s;
-        EXPECT_EQ(fluid.DepthBelowLevel(point, s) > 0.0, isInside) << seed << ' ' << s;
-        EXPECT_TRUE(anatomy.SegmentAt(s) == 2 || anatomy.SegmentAt(s) == 3) << seed;
+        const Vector3d point = line.V.row(i);
+        levels.push_back(fluid.DepthBelowLevel(point, arcs[i]) - fluid.Down().dot(point));
       }
     }
+    EXPECT_NEAR(*std::min_element(levels.begin(), levels.end()), *std::max_element(levels.begin(), levels.end()), 1e-6);
+  }
+  EXPECT_GE(wanted, 4);
+  EXPECT_GE(found, wanted - 1);
+}
+
+// The surface of fluid in the stretch falls by the slope along the colon; elsewhere it is horizontal.
+TEST(ColonFluid, ATiltedLevelFallsAlongTheColon)
+{
+  int found = 0;
+  for (unsigned seed = 10; seed <= 24; ++seed)
+  {
+    const double wanted = shapeton::Drawn(Realistic(seed)).levelSlope;
+    EXPECT_TRUE(wanted == 0.0 || (wanted >= 0.15 && wanted <= 0.35)) << seed;
+    const shapeton::ColonAnatomy anatomy(Realistic(seed));
+    const shapeton::ColonFluid   fluid(anatomy);
+    const auto &                 tilted = fluid.GetTiltedLevel();
+    if (wanted == 0.0 || tilted.slope == 0.0)
+    {
+      EXPECT_EQ(tilted.slope, 0.0) << seed;
+      continue;
+    }
+    ++found;
+    EXPECT_EQ(tilted.slope, wanted) << seed;
+    const auto [low, high] = std::minmax(tilted.begin, tilted.end);
+    EXPECT_TRUE(high - low > 19.0 && high - low < 37.0) << seed;
+    const Vector3d down = fluid.Down();
+    const auto depthAt = [&](const Vector3d & p) { return fluid.DepthBelowLevel(p, anatomy.Evaluate(p).arcLength); };
+    std::vector<double> slopes;
+    int                 gas = 0;
+    int                 liquid = 0;
+    VisitStretch(anatomy, low + 2.0, high - 2.0, 20.0, [&](const Vector3d & p, double s) {
+      const double depth = fluid.DepthBelowLevel(p, s);
+      ++(depth > 0.0 ? liquid : gas);
+      if (std::abs(depth) < 2.0)
+      {
+        Vector3d gradient;
+        for (int axis = 0; axis < 3; ++axis)
+        {
+          const Vector3d step = 0.2 * Vector3d::Unit(axis);
+          gradient[axis] = (depthAt(p + step) - depthAt(p - step)) / 0.4;
+        }
+        slopes.push_back((gradient - gradient.dot(down) * down).norm() / gradient.dot(down));
+      }
+    });
+    ASSERT_GT(slopes.size(), 20U) << seed;
+    EXPECT_GT(gas, 20) << seed;
+    EXPECT_GT(liquid, 20) << seed;
+    std::nth_element(slopes.begin(), slopes.begin() + slopes.size() / 2, slopes.end());
+    EXPECT_NEAR(slopes[slopes.size() / 2], wanted, 0.25 * wanted) << seed;
+  }
+  EXPECT_GE(found, 3);
+}
+
+// Areas (mm^2) of the connected levels of the fluid of a patient.
+std::vector<double>
+AreasOfLevels(const shapeton::ColonAnatomy & anatomy, const shapeton::ColonFluid & fluid)
+{
+  constexpr double step = 1.0;  // mm
+  constexpr int    block = 12;  // steps; half the diagonal is below ColonAnatomy::Reach
+  constexpr double above = 0.1; // mm; half of the thickness of a level
+  const Vector3d   up = -fluid.Down();
+  const Vector3d   across = up.unitOrthogonal();
+  const Vector3d   along = up.cross(across);
+  Vector3d         low;
+  Vector3d         high;
+  anatomy.BoundingBox(0.0, low, high);
+  const Vector3d      center = 0.5 * (low + high);
+  const int           half = block * static_cast<int>(std::ceil(0.5 * (high - low).norm() / (block * step)));
+  std::vector<double> areas;
+  for (const shapeton::ColonPool & pool : fluid.Pools())
+  {
+    const auto pointAt = [&](double u, double v) {
+      const Vector3d point = center + step * (u * across + v * along);
+      return Vector3d(point + (pool.level - up.dot(point)) * up);
+    };
+    std::set<std::pair<int, int>> level;
+    for (int u = -half; u < half; ++u)
+    {
+      for (int v = -half; v < half; ++v)
+      {
+        if (v % block == 0 && anatomy.Evaluate(pointAt(u, v + 0.5 * block)).distance <= -shapeton::ColonAnatomy::Reach)
+        {
+          v += block - 1; // no lumen in this row of points
+          continue;
+        }
+        const Vector3d point = pointAt(u, v);
+        const auto     sample = anatomy.Evaluate(point);
+        if (sample.distance > 0.0 && std::abs(fluid.DepthBelowLevel(point, sample.arcLength)) < above)
+        {
+          level.insert({ u, v });
+        }
+      }
+    }
+    while (!level.empty())
+    {
+      std::vector<std::pair<int, int>> piece{ *level.begin() };
+      level.erase(level.begin());
+      for (std::size_t i = 0; i < piece.size(); ++i)
+      {
+        const auto [u, v] = piece[i];
+        for (const auto & next : { std::make_pair(u - 1, v), { u + 1, v }, { u, v - 1 }, { u, v + 1 } })
+        {
+          if (level.erase(next) > 0)
+          {
+            piece.push_back(next);
+          }
+        }
+      }
+      areas.push_back(step * step * static_cast<double>(piece.size()));
+    }
+  }
+  return areas;
+}
+
+// The measured levels contain those of the truth.
+TEST(ColonFluid, SomeLevelsAreSmall)
+{
+  int found = 0;
+  for (const unsigned seed : { 6U, 11U, 17U })
+  {
+    const shapeton::ColonAnatomy anatomy(Realistic(seed));
+    const shapeton::ColonFluid   fluid(anatomy);
+    const auto                   areas = AreasOfLevels(anatomy, fluid);
+    EXPECT_LE(fluid.SmallLevels().size(), static_cast<std::size_t>(anatomy.GetParameters().smallLevels)) << seed;
+    for (const shapeton::SmallLevel & level : fluid.SmallLevels())
+    {
+      ++found;
+      EXPECT_TRUE(level.area >= 20.0 && level.area <= 60.0) << seed;
+      EXPECT_GE(level.depth, 0.75) << seed;
+      EXPECT_NEAR(fluid.DepthBelowLevel(level.position, level.arcLength), 0.0, 1e-6) << seed;
+      EXPECT_TRUE(std::any_of(
+        areas.begin(), areas.end(), [&level](double area) { return std::abs(area - level.area) < 0.2 * level.area; }))
+        << seed << ' ' << level.area;
+    }
+  }
+  EXPECT_GE(found, 2);
+}
+
+// Walls touch, lumens do not.
+TEST(ColonStructures, ALoopOfIleumTouchesTheSigmoid)
+{
+  int found = 0;
+  for (unsigned seed = 2; seed <= 8; ++seed)
+  {
+    auto parameters = Realistic(seed);
+    parameters.ileumReflux = "none";
+    const Exam         exam(parameters);
+    const auto * const contact = exam.structures.GetSigmoidContact();
+    const double       wanted = exam.anatomy.GetParameters().sigmoidContact;
+    const auto         axis = AxisOf(exam.structures, ColonStructure::SmallBowel);
+    EXPECT_EQ(contact == nullptr, axis.empty()) << seed;
+    if (!contact)
+    {
+      continue;
+    }
+    ++found;
+    EXPECT_TRUE(wanted >= 40.0 && wanted <= 80.0) << seed;
+    EXPECT_GT(contact->length, 18.0) << seed;
+    EXPECT_LT(contact->length, 90.0) << seed;
+    EXPECT_EQ(exam.anatomy.SegmentAt(contact->arcLength[0]), 2) << seed;
+    EXPECT_EQ(exam.anatomy.SegmentAt(contact->arcLength[1]), 2) << seed;
+    int                   touching = 0;
+    std::vector<Vector3d> between;
+    for (std::size_t i = 1; i + 1 < axis.size(); ++i)
+    {
+      const Vector3d along = (axis[i + 1] - axis[i - 1]).normalized();
+      bool           touches = false;
+      for (int n = 0; n < 24; ++n)
+      {
+        const Vector3d side = Eigen::AngleAxisd(M_PI / 12.0 * n, along) * along.unitOrthogonal();
+        // The last point of the loop in this direction.
+        double r = 0.5 * contact->bore;
+        while (r > 0.0 && exam.structures.At(axis[i] + r * side) != ColonStructure::SmallBowel)
+        {
+          r -= 0.25;
+        }
+        const double gap = -exam.anatomy.Evaluate(axis[i] + r * side).distance;
+        EXPECT_GT(gap, 3.4) << seed;
+        if (gap < 3.6)
+        {
+          touches = true;
+          between.push_back(axis[i] + (r + 1.75) * side);
+        }
+      }
+      touching += touches ? 1 : 0;
+    }
+    EXPECT_GT(touching, static_cast<int>(axis.size() / 2)) << seed;
+    const auto values = IntensitiesAt(parameters, { axis[axis.size() / 2], between[between.size() / 2] });
+    EXPECT_NEAR(values[0], contact->intensity, 2.0) << seed;
+    EXPECT_NEAR(values[1], 50.0, 30.0) << seed; // neither fat nor fluid
   }
   EXPECT_GE(found, 2);
 }
@@ -546,6 +776,11 @@ TEST(ColonPhantomParameters, SharesOfPatientsAreAsDocumented)
   int                        refluxed = 0;
   int                        risen = 0;
   int                        straight = 0;
+  int                        spastic = 0;
+  int                        filled = 0;
+  int                        tilted = 0;
+  int                        touched = 0;
+  int                        small = 0;
   constexpr int              patients = 2000;
   for (unsigned seed = 0; seed < patients; ++seed)
   {
@@ -559,6 +794,11 @@ TEST(ColonPhantomParameters, SharesOfPatientsAreAsDocumented)
     refluxed += drawn.ileumReflux == "gas" ? 1 : 0;
     risen += drawn.sigmoidRise >= 30.0 ? 1 : 0;
     straight += drawn.sigmoidStraightness >= 0.7 ? 1 : 0;
+    spastic += drawn.spasm >= 50.0 ? 1 : 0;
+    filled += drawn.filledStretch >= 30.0 ? 1 : 0;
+    tilted += drawn.levelSlope >= 0.15 ? 1 : 0;
+    small += drawn.smallLevels > 0 ? 1 : 0;
+    touched += drawn.sigmoidContact >= 40.0 ? 1 : 0;
     EXPECT_TRUE(drawn.sigmoidRise == 0.0 || drawn.lengths[1] >= 650.0);
     EXPECT_TRUE(drawn.sigmoidStraightness == 0.0 || drawn.lengths[1] <= 550.0);
     EXPECT_TRUE(drawn.noise >= 15.0 && drawn.noise <= 60.0);
@@ -569,6 +809,11 @@ TEST(ColonPhantomParameters, SharesOfPatientsAreAsDocumented)
   EXPECT_NEAR(contents["collapsed"], 0.7 * 0.3 * patients, 80); // never with reflux
   EXPECT_NEAR(kernels["sharp"], patients / 3, 80);
   EXPECT_NEAR(fatty, 0.7 * patients, 80);
+  EXPECT_NEAR(spastic, 0.25 * patients, 80);
+  EXPECT_NEAR(filled, 0.4 * patients, 80);
+  EXPECT_NEAR(tilted, 0.3 * patients, 80);
+  EXPECT_NEAR(small, 0.4 * patients, 80);
+  EXPECT_NEAR(touched, 0.4 * patients, 80);
   // Sigmoids of 650 to 1200 and 350 to 550 of 350 to 1200 mm.
   EXPECT_NEAR(risen, 0.6 * 550.0 / 850.0 * patients, 80);
   EXPECT_NEAR(straight, 0.6 * 200.0 / 850.0 * patients, 80);

@@ -114,6 +114,17 @@ IleumToJson(const ColonIleum & ileum)
 }
 
 Json
+ContactToJson(const ColonContact & contact)
+{
+  Json json;
+  json["arcLength"] = { RoundedJson(contact.arcLength[0]), RoundedJson(contact.arcLength[1]) };
+  json["bore"] = RoundedJson(contact.bore);
+  json["length"] = RoundedJson(contact.length);
+  json["intensity"] = RoundedJson(contact.intensity);
+  return json;
+}
+
+Json
 CatheterToJson(const ColonCatheter & catheter)
 {
   Json json;
@@ -130,6 +141,22 @@ CatheterToJson(const ColonCatheter & catheter)
     json["balloonDiameter"] = RoundedJson(catheter.balloonDiameter);
   }
   return json;
+}
+
+Json
+SmallLevelsToJson(const std::vector<SmallLevel> & levels)
+{
+  Json list = Json::array();
+  for (const SmallLevel & level : levels)
+  {
+    Json json;
+    json["position"] = ToJson(level.position);
+    json["area"] = RoundedJson(level.area);
+    json["depth"] = RoundedJson(level.depth);
+    json["arcLength"] = RoundedJson(level.arcLength);
+    list.push_back(json);
+  }
+  return list;
 }
 
 Json
@@ -237,10 +264,24 @@ StructuresToJson(const Provenance &      provenance,
   json["cecum"] = { { "pole", ToJson(anatomy.CecalPole()) } };
   json["ileum"] = structures.GetIleum() ? IleumToJson(*structures.GetIleum()) : Json();
   json["catheter"] = structures.GetCatheter() ? CatheterToJson(*structures.GetCatheter()) : Json();
+  if (structures.GetSigmoidContact())
+  {
+    json["sigmoidContact"] = ContactToJson(*structures.GetSigmoidContact());
+  }
   const auto & filled = fluid.FilledStretch();
   if (filled[1] > filled[0])
   {
     json["filledStretch"] = { RoundedJson(filled[0]), RoundedJson(filled[1]) };
+  }
+  const TiltedLevel & tilted = fluid.GetTiltedLevel();
+  if (tilted.slope > 0.0)
+  {
+    json["tiltedLevel"] = { { "arcLength", { RoundedJson(tilted.begin), RoundedJson(tilted.end) } },
+                            { "slope", RoundedJson(tilted.slope) } };
+  }
+  if (!fluid.SmallLevels().empty())
+  {
+    json["smallLevels"] = SmallLevelsToJson(fluid.SmallLevels());
   }
   json["residue"] = ResidueToJson(structures.GetResidue());
   return json;
