@@ -170,7 +170,7 @@ MatchedSmoothingTime(const SurfaceMesh & wall, double time);
  *
  * 1. Principal curvatures from diffused normals (SurfaceShape).
  * 2. Bulges: connected parts where both are positive. The crest of a fold is curved in one direction only, so a polyp
- *    on a fold is a separate part.
+ *    on a fold is a separate part. Plaques (FindWallPlaques()) of at least 8 mm add flat polyps.
  * 3. PolypScore() from shape index, roundness, hollowness of the foot and curvedness.
  * 4. Non-maximum suppression of overlapping bulges.
  *

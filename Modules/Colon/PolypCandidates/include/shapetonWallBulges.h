@@ -3,6 +3,7 @@
 
 #include "shapetonSurfaceShape.h"
 
+#include <limits>
 #include <vector>
 
 namespace shapeton
@@ -39,13 +40,18 @@ struct WallBulge
   double footCurvature{ 0.0 };
 };
 
-/** Minimum size of bulges. \ingroup ShapetonPolypCandidates */
+/** Solid angle (sr) that separates bulges from plaques. \ingroup ShapetonPolypCandidates */
+constexpr double LeastSolidAngleOfBulge = 0.08;
+
+/** Size of parts of a wall. \ingroup ShapetonPolypCandidates */
 struct WallPartLimits
 {
   /** Minimum solid angle, sr. */
-  double leastSolidAngle{ 0.08 };
+  double leastSolidAngle{ LeastSolidAngleOfBulge };
   /** Minimum width, mm. */
   double leastWidth{ 2.0 };
+  /** Solid angle below which parts are kept, sr. */
+  double solidAngleEnd{ std::numeric_limits<double>::infinity() };
 };
 
 /** Measures the connected parts of a wall where the vertex function `level`, linear within faces, is positive, in the
@@ -66,6 +72,16 @@ ShapetonPolypCandidates_EXPORT std::vector<WallBulge>
                                               const SurfaceShape &        shape,
                                               const std::vector<char> &   isLeftOut,
                                               double                      leastCurvature);
+
+/** Finds plaques: broad convex parts of the wall (both principal curvatures positive, at least 4 mm wide) whose solid
+ * angle is too small for a bulge, such as flat polyps. A half ellipsoid 16 mm wide and 2.3 mm high, fused with a
+ * concave wall, has 0.05 sr. A bulge is never a part of a plaque, because its solid angle is greater. \ingroup
+ * ShapetonPolypCandidates */
+ShapetonPolypCandidates_EXPORT std::vector<WallBulge>
+                               FindWallPlaques(const SurfaceMesh &         wall,
+                                               const SurfaceConnectivity & connectivity,
+                                               const SurfaceShape &        shape,
+                                               const std::vector<char> &   isLeftOut);
 } // namespace shapeton
 
 #endif

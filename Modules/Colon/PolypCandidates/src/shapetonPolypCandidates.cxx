@@ -87,27 +87,33 @@ FindPolypCandidates(const SurfaceMesh & wall, const PolypCandidateOptions & opti
   options.progress(0.2);
   const std::vector<char> isLeftOut = FindNoWall(wall, connectivity);
   options.progress(0.3);
-  const double leastScore = 1.0 - options.sensitivity;
 
-  std::vector<PolypCandidate> candidates;
-  const double                time = MatchedSmoothingTime(wall, options.smoothingTime);
-  const SurfaceShape          shape =
+  const double       time = MatchedSmoothingTime(wall, options.smoothingTime);
+  const SurfaceShape shape =
     MeasureSurfaceShape(wall.V, connectivity, wall.F, time, options.progress.Part("", 0.3, 0.8));
-  for (WallBulge & bulge : FindWallBulges(wall, connectivity, shape, isLeftOut, options.leastCurvature))
-  {
-    options.progress(0.9);
-    const PolypFeatures features = FeaturesOf(bulge);
-    const double        score = PolypScore(features);
-    if (score < leastScore)
+  std::vector<PolypCandidate> candidates;
+  const auto                  addParts = [&](std::vector<WallBulge> parts, double leastDiameter) {
+    for (WallBulge & part : parts)
     {
-      continue;
+      options.progress(0.9);
+      const PolypFeatures features = FeaturesOf(part);
+      const double        score = PolypScore(features);
+      if (score < 1.0 - options.sensitivity)
+      {
+        continue;
+      }
+      PolypCandidate candidate = CandidateOf(std::move(part), features, score, wall);
+      if (candidate.diameter >= leastDiameter)
+      {
+        candidates.push_back(std::move(candidate));
+      }
     }
-    PolypCandidate candidate = CandidateOf(std::move(bulge), features, score, wall);
-    if (candidate.diameter >= options.leastDiameter)
-    {
-      candidates.push_back(std::move(candidate));
-    }
-  }
+  };
+  // Smaller plaques on phantoms are ripples of the wall.
+  constexpr double leastDiameterOfPlaque = 8.0; // mm
+  addParts(FindWallBulges(wall, connectivity, shape, isLeftOut, options.leastCurvature), options.leastDiameter);
+  addParts(FindWallPlaques(wall, connectivity, shape, isLeftOut),
+           std::max(options.leastDiameter, leastDiameterOfPlaque));
   SortAndNumber(candidates);
   return candidates;
 }

@@ -315,6 +315,19 @@ private:
   const SurfaceShape &        m_Shape;
   const Eigen::VectorXd &     m_Level;
 };
+
+/** The smaller principal curvature above a minimum (1/mm), negative where the wall is left out. */
+Eigen::VectorXd
+LevelAbove(double leastCurvature, const SurfaceShape & shape, const std::vector<char> & isLeftOut)
+{
+  constexpr double outside = -1.0; // 1/mm, so that parts end at excluded wall
+  Eigen::VectorXd  level = shape.lesser.array() - leastCurvature;
+  for (Eigen::Index i = 0; i < level.size(); ++i)
+  {
+    level[i] = isLeftOut[i] ? outside : level[i];
+  }
+  return level;
+}
 } // namespace
 
 std::vector<WallBulge>
@@ -339,7 +352,8 @@ MeasureWallParts(const SurfaceMesh &         wall,
     }
     BulgeFinder::Rimmed part = finder.Measure(finder.Grow(seed, isFree));
     const WallBulge &   bulge = part.bulge;
-    if (bulge.area > 0.0 && bulge.solidAngle >= limits.leastSolidAngle && bulge.leastWidth >= limits.leastWidth)
+    if (bulge.area > 0.0 && bulge.solidAngle >= limits.leastSolidAngle && bulge.solidAngle < limits.solidAngleEnd &&
+        bulge.leastWidth >= limits.leastWidth)
     {
       finder.MeasureFoot(part);
       parts.push_back(std::move(part.bulge));
@@ -355,12 +369,19 @@ FindWallBulges(const SurfaceMesh &         wall,
                const std::vector<char> &   isLeftOut,
                double                      leastCurvature)
 {
-  constexpr double outside = -1.0; // 1/mm, so that bulges end at excluded parts
-  Eigen::VectorXd  level = shape.lesser.array() - leastCurvature;
-  for (Eigen::Index i = 0; i < level.size(); ++i)
-  {
-    level[i] = isLeftOut[i] ? outside : level[i];
-  }
-  return MeasureWallParts(wall, connectivity, shape, level);
+  return MeasureWallParts(wall, connectivity, shape, LevelAbove(leastCurvature, shape, isLeftOut));
+}
+
+std::vector<WallBulge>
+FindWallPlaques(const SurfaceMesh &         wall,
+                const SurfaceConnectivity & connectivity,
+                const SurfaceShape &        shape,
+                const std::vector<char> &   isLeftOut)
+{
+  // The wall around a plaque is concave or straight, so any convexity counts. Narrower parts are ripples.
+  constexpr double     leastCurvature = 0.0; // 1/mm
+  constexpr double     leastWidth = 4.0;     // mm
+  const WallPartLimits limits{ 0.0, leastWidth, LeastSolidAngleOfBulge };
+  return MeasureWallParts(wall, connectivity, shape, LevelAbove(leastCurvature, shape, isLeftOut), limits);
 }
 } // namespace shapeton

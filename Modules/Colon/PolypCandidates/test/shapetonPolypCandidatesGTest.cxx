@@ -82,6 +82,30 @@ TEST(PolypCandidates, FoldIsNoneAndPolypOnItIs)
   EXPECT_NEAR(candidates.front().diameter, 8.0, 1.0);
 }
 
+TEST(PolypCandidates, FlatPolypIsFound)
+{
+  const auto candidates = Find(MakeWall({ Ellipsoid(Base(0.0), 6.0, 2.0) }));
+  ASSERT_EQ(candidates.size(), 1u);
+  EXPECT_NEAR(candidates.front().diameter, 12.0, 1.5);
+  EXPECT_LT(candidates.front().height, 2.0);
+}
+
+// So broad and low that its solid angle is below that of any bulge.
+TEST(PolypCandidates, PlaqueIsFoundAndFoldAndBareTubeHaveNone)
+{
+  const auto candidates = Find(MakeWall({ Ellipsoid(Base(0.0), 11.0, 1.9) }));
+  ASSERT_EQ(candidates.size(), 1u);
+  EXPECT_LT(candidates.front().features.solidAngle, shapeton::LeastSolidAngleOfBulge);
+  EXPECT_NEAR(candidates.front().diameter, 22.0, 1.5);
+  EXPECT_LT((candidates.front().position - Base(0.0)).norm(), 2.5);
+  EXPECT_GT(candidates.front().score, 0.4);
+  for (const double height : { 4.0, 7.0 })
+  {
+    EXPECT_TRUE(Find(MakeWall({ Plate(0.0, height) })).empty()) << height;
+  }
+  EXPECT_TRUE(Find(MakeWall({}), 1.0).empty());
+}
+
 // Caps of a ball that protrude from the wall by different amounts; the foot of a lower cap is less concave.
 TEST(PolypCandidates, FootOfALowHeadIsLessHollow)
 {
