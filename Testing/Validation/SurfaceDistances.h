@@ -6,9 +6,9 @@
 /** Distances between the surfaces of two masks, in both directions.
  *
  * The surface of a mask consists of the centers of its voxels with a face neighbor outside of it (voxel resolution);
- * the border of the image is no surface. The distance of such a point is to the nearest surface point of the other
- * mask, in mm, exact for anisotropic and oblique grids. Sources: Heimann et al., IEEE TMI 28 (2009) 1251-1265;
- * Maier-Hein et al., Metrics reloaded, Nature Methods 21 (2024) 195-212. */
+ * voxels at the border of the image do not count for that reason alone. The distance of a point is measured to the
+ * nearest surface point of the other mask, in mm, exact for anisotropic and oblique grids. Sources: Heimann et al.,
+ * IEEE TMI 28 (2009) 1251-1265; Maier-Hein et al., Metrics reloaded, Nature Methods 21 (2024) 195-212. */
 struct SurfaceDistances
 {
   /** Mean of the distances of the points of both surfaces: average symmetric surface distance (ASSD). */

@@ -265,6 +265,16 @@ PiecesOfOtherBright(const LumenField & field, double leastMl, double mostMl = No
                pieces.end());
   return pieces;
 }
+
+/** Whether a voxel of a class is within the layer around a voxel. */
+bool
+IsOpenTo(const LumenField & field, unsigned char wanted, std::size_t voxel, double reach)
+{
+  return !ForAllWithin(field.grid, voxel, reach, [&](std::size_t q, double squaredDistance) {
+    return field.classes[q] != wanted || squaredDistance > reach * reach;
+  });
+}
+
 /** Turns other gas whose surface is largely open to the fluid into gas of the colon. */
 void
 TakeEnclosedGas(LumenField & field)
@@ -290,9 +300,7 @@ TakeEnclosedGas(LumenField & field)
     bool isSurface = false;
     ForEachNeighbor(field.grid, p, [&](std::size_t q) { isSurface = isSurface || field.classes[q] != OtherGas; });
     surface[piece] += isSurface;
-    open[piece] += isSurface && !ForAllWithin(field.grid, p, reach, [&](std::size_t q, double squaredDistance) {
-                     return field.classes[q] != ColonFluid || squaredDistance > reach * reach;
-                   });
+    open[piece] += isSurface && IsOpenTo(field, ColonFluid, p, reach);
   });
   std::vector<char> isEnclosed(surface.size());
   for (std::size_t piece = 0; piece < surface.size(); ++piece)
@@ -366,15 +374,6 @@ AdjoinsFluid(const LumenField & field, std::size_t voxel)
   return adjoins;
 }
 
-/** Whether gas of the colon is within the layer around a voxel. */
-bool
-IsOpenToGas(const LumenField & field, std::size_t voxel, double reach)
-{
-  return !ForAllWithin(field.grid, voxel, reach, [&](std::size_t q, double squaredDistance) {
-    return field.classes[q] != ColonGas || squaredDistance > reach * reach;
-  });
-}
-
 /** Whether a piece that a neck cuts off the fluid of the colon belongs to it: much of its surface is open to the lumen.
  */
 bool
@@ -391,7 +390,7 @@ IsRestOfFluid(const LumenField & field, const VoxelSet & piece)
     const bool isAtFluid = isSurface && AdjoinsFluid(field, p);
     surface += isSurface;
     fluid += isAtFluid;
-    open += isAtFluid || (isSurface && IsOpenToGas(field, p, reach));
+    open += isAtFluid || (isSurface && IsOpenTo(field, ColonGas, p, reach));
   }
   return std::pow(field.grid.VoxelVolume(), 2.0 / 3.0) * static_cast<double>(fluid) >= LeastOpening &&
          static_cast<double>(open) >= LeastEnclosed * static_cast<double>(surface);

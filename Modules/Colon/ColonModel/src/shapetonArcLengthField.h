@@ -22,13 +22,15 @@ public:
   double
   ArcLengthOfVoxel(std::int64_t voxel) const;
 
+  /** Center of a voxel, given by its buffer index. */
+  Eigen::Vector3d
+  PointOfVoxel(std::int64_t voxel) const;
+
 private:
   static constexpr std::int32_t Nowhere = -1;
 
   void
   Spread(const LumenMaskImage * lumen);
-  Eigen::Vector3d
-  PointOfVoxel(std::int64_t voxel) const;
   std::int32_t
   SiteNear(const Eigen::Vector3d & point) const;
   std::int32_t

@@ -156,11 +156,7 @@ class PouchSearch
 {
 public:
   PouchSearch(const LumenMask * labels, const CurveSet & centerline, const Caliber & caliber)
-    : m_Labels(labels)
-    , m_Geometry(labels)
-    , m_Field(labels, centerline)
-    , m_Caliber(caliber)
-    , m_Voxels(labels->GetBufferedRegion())
+    : m_Labels(labels), m_Field(labels, centerline), m_Caliber(caliber), m_Voxels(labels->GetBufferedRegion())
   {
     m_Voxels.ForEachVoxel([&](std::int64_t padded, std::int64_t inner) {
       m_Voxels.flags[padded] = m_Labels->GetBufferPointer()[inner] != 0 && this->Beyond(inner) > PouchBegin ? 1 : 0;
@@ -226,13 +222,7 @@ private:
   double
   Beyond(std::int64_t inner) const
   {
-    const auto size = m_Labels->GetBufferedRegion().GetSize();
-    const auto nx = static_cast<std::int64_t>(size[0]);
-    const auto ny = static_cast<std::int64_t>(size[1]);
-    return m_Caliber.Beyond(m_Field.ArcLengthOfVoxel(inner),
-                            m_Geometry.PointOf(Eigen::Vector3d(static_cast<double>(inner % nx),
-                                                               static_cast<double>(inner / nx % ny),
-                                                               static_cast<double>(inner / nx / ny))));
+    return m_Caliber.Beyond(m_Field.ArcLengthOfVoxel(inner), m_Field.PointOfVoxel(inner));
   }
 
   /** Buffer index of a voxel of the padded grid. */
@@ -258,7 +248,6 @@ private:
   }
 
   const LumenMask * m_Labels;
-  GridGeometry      m_Geometry;
   ArcLengthField    m_Field;
   const Caliber &   m_Caliber;
   PaddedVoxels      m_Voxels; ///< of all pouches

@@ -33,8 +33,8 @@ struct FoldMatch
   int segment{ 0 };
 };
 
-/** Distance (mm) of the local confidence: the probability that a mapped point is no farther from the true one; less
- * than half of the distance between folds. \ingroup ShapetonSupineProne */
+/** The local confidence is the probability that a mapped point is within this distance (mm) of the true one. It is less
+ * than half the distance between folds. \ingroup ShapetonSupineProne */
 constexpr double ConfidentDistance = 10.0;
 
 /** Confidence of the registration. \ingroup ShapetonSupineProne */

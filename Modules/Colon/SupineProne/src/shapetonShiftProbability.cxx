@@ -12,7 +12,7 @@ namespace
 /** Displacements along the target: 42 mm to both sides, farther than the next fold. */
 constexpr double shiftStep = 3.0; // mm, as the warping
 constexpr int    shifts = 14;     // on each side
-/** Greatest displacement (mm) that is no shift by a fold: about half of the distance between folds. */
+/** Largest displacement (mm) on the same fold: about half the distance between folds. */
 constexpr double greatestNoShift = 15.0;
 
 /** Log-likelihood per row and mean squared difference of the pictures, and costs per step of the displacement and of
@@ -127,7 +127,7 @@ LikelihoodOfRow(const CylinderPicture & source, const CylinderPicture & target, 
   return (-0.5 * evidence / WarpAngles * (squares - squares.minCoeff())).exp();
 }
 
-/** 1 for the states of a row that are no shift by a fold, else 0. */
+/** 1 for the states of a row on the same fold, 0 for the others. */
 ShiftStates
 NoShift(const CylinderNodes & nodes, int row, double around)
 {

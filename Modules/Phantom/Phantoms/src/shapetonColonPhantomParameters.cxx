@@ -207,49 +207,34 @@ DrawSigmoid(ColonPhantomParameters & p)
   draw(p.sigmoidStraightness, isUnusual && length <= shortLength ? straightness : DrawnRange{});
 }
 
+/** Draws a value from the range for a share of the patients, and 0 for the others. */
+template <typename TValue>
 void
-DrawSpasm(ColonPhantomParameters & p)
+DrawForShare(ColonPhantomParameters & p, Group group, double share, TValue & value, const DrawnRange & range)
 {
-  constexpr DrawnRange length{ 50, 150 };
+  Draw       draw(p, group);
+  const bool hasIt = draw.Chance() < share;
+  draw(value, hasIt ? range : DrawnRange{});
+}
+
+void
+DrawSigmoidContents(ColonPhantomParameters & p)
+{
+  constexpr DrawnRange spasm{ 50, 150 };
   constexpr DrawnRange filled{ 30, 120 };
-  constexpr double     spasmShare = 0.25; // of the patients
-  constexpr double     filledShare = 0.4; // of the patients
-  Draw                 draw(p, Group::Spasm);
-  const bool           hasSpasm = draw.Chance() < spasmShare;
-  draw(p.spasm, hasSpasm ? length : DrawnRange{});
-  Draw       fill(p, Group::FilledStretch);
-  const bool isFilled = fill.Chance() < filledShare;
-  fill(p.filledStretch, isFilled ? filled : DrawnRange{});
-}
-
-void
-DrawTiltedLevel(ColonPhantomParameters & p)
-{
   constexpr DrawnRange slope{ 0.15, 0.35 };
-  constexpr double     share = 0.3; // of the patients
-  Draw                 draw(p, Group::TiltedLevel);
-  const bool           isTilted = draw.Chance() < share;
-  draw(p.levelSlope, isTilted ? slope : DrawnRange{});
-}
-
-void
-DrawSmallLevels(ColonPhantomParameters & p)
-{
-  constexpr DrawnRange count{ 1, 3 };
-  constexpr double     share = 0.4; // of the patients
-  Draw                 draw(p, Group::SmallLevels);
-  const bool           hasSmall = draw.Chance() < share;
-  draw(p.smallLevels, hasSmall ? count : DrawnRange{});
-}
-
-void
-DrawContact(ColonPhantomParameters & p)
-{
-  constexpr DrawnRange length{ 40, 80 };
-  constexpr double     share = 0.4; // of the patients
-  Draw                 draw(p, Group::Contact);
-  const bool           hasContact = draw.Chance() < share;
-  draw(p.sigmoidContact, hasContact ? length : DrawnRange{});
+  constexpr DrawnRange smallLevels{ 1, 3 };
+  constexpr DrawnRange contact{ 40, 80 };
+  constexpr double     spasmShare = 0.25; // of the patients
+  constexpr double     filledShare = 0.4;
+  constexpr double     tiltedShare = 0.3;
+  constexpr double     smallShare = 0.4;
+  constexpr double     contactShare = 0.4;
+  DrawForShare(p, Group::Spasm, spasmShare, p.spasm, spasm);
+  DrawForShare(p, Group::FilledStretch, filledShare, p.filledStretch, filled);
+  DrawForShare(p, Group::TiltedLevel, tiltedShare, p.levelSlope, slope);
+  DrawForShare(p, Group::SmallLevels, smallShare, p.smallLevels, smallLevels);
+  DrawForShare(p, Group::Contact, contactShare, p.sigmoidContact, contact);
 }
 
 void
@@ -385,10 +370,7 @@ Drawn(const ColonPhantomParameters & parameters)
   ColonPhantomParameters drawn = parameters;
   DrawShape(drawn);
   DrawSigmoid(drawn);
-  DrawSpasm(drawn);
-  DrawTiltedLevel(drawn);
-  DrawSmallLevels(drawn);
-  DrawContact(drawn);
+  DrawSigmoidContents(drawn);
   DrawBowel(drawn);
   DrawResidue(drawn);
   DrawDiverticula(drawn);
