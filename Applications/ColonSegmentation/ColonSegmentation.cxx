@@ -33,6 +33,7 @@ SettingsOf(CommandLine & commandLine, const shapeton::Volume & volume)
   {
     settings.position = volume.patientPosition;
   }
+  settings.sliceThickness = volume.sliceThickness;
   settings.progress = commandLine.PartOfProgress(0.0, 0.9); // the rest: writing the files
   return settings;
 }

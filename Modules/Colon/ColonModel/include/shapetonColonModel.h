@@ -10,6 +10,7 @@
 #include "shapetonColonLumenSegmentation.h"
 #include "shapetonColonModelOptions.h"
 #include "shapetonColonWall.h"
+#include "shapetonScanResolution.h"
 #include "shapetonTerminalIleum.h"
 
 #include <functional>
@@ -23,6 +24,8 @@ struct ColonModel;
 /** Settings of BuildColonModel(). For a mask without a CT, `position` is not used. \ingroup ShapetonColonModel */
 struct ColonModelSettings : ColonModelOptions
 {
+  /** Thickness of the slices of the CT, mm; 0 if unknown. */
+  double sliceThickness{ 0.0 };
   /** Called on the calling thread with the stage and the completed fraction, 0 to 1. */
   Progress progress;
   /** Called with the cleansed CT (HU) on another thread, in parallel with the remaining steps (after them if
@@ -48,10 +51,12 @@ struct ColonModel
   /** Labels on the grid of the input. For a mask without a CT only the labels and pieces are set. */
   ColonLumen lumen;
   /** Whether a CT was given, not only a mask. */
-  bool hasIntensities{ true };
+  bool           hasIntensities{ true };
+  ScanResolution resolution;
   /** Cleansed CT (HU); null without intensities. */
   itk::Image<float, 3>::Pointer cleansed;
-  /** Centerline with the valve, see SetIleocecalValve(). */
+  /** Centerline with the valve, see SetIleocecalValve(), and the limit of the resolution, see SetNotAssessableBelow().
+   */
   ColonCenterline centerline;
   ValveSearch     valve;
   /** Terminal ileum, which was removed from labels, line and wall. */

@@ -338,28 +338,8 @@ Cropped(const LumenMask * lumen)
   return filter->GetOutput();
 }
 
-/** Radius (mm) of the cross-section of a ball through a point; 0 outside the ball. */
-double
-RadiusOfSection(const itk::Point<double, 3> & center, double diameter, const itk::Point<double, 3> & point)
-{
-  return std::sqrt(std::max(0.0, 0.25 * diameter * diameter - center.SquaredEuclideanDistanceTo(point)));
-}
-} // namespace
-
 ColonModel
-BuildColonModel(const itk::Image<float, 3> * ct, const ColonModelSettings & options)
-{
-  return ModelOf(ct, SegmentColonLumen(ct, LumenSettingsOf(options)), options, LumenOrigin::Data);
-}
-
-ColonModel
-BuildColonModel(const itk::Image<float, 3> * ct, const LumenMask * lumen, const ColonModelSettings & options)
-{
-  return ModelOf(ct, ColonLumenOfMask(ct, lumen, LumenSettingsOf(options)), options, LumenOrigin::Mask);
-}
-
-ColonModel
-BuildColonModelOfLumen(const LumenMask * lumen, const ColonModelSettings & options)
+ModelOfMask(const LumenMask * lumen, const ColonModelSettings & options)
 {
   ColonModel model;
   model.hasIntensities = false;
@@ -374,6 +354,46 @@ BuildColonModelOfLumen(const LumenMask * lumen, const ColonModelSettings & optio
     return BuildColonWallFromMask(Cropped(model.lumen.labels), model.centerline.curve, wall);
   });
   return model;
+}
+
+/** Adds the resolution with its warnings. */
+ColonModel
+WithResolution(ColonModel && model, const itk::ImageBase<3> * grid, double sliceThickness)
+{
+  model.resolution = MeasureScanResolution(grid, sliceThickness, model.lumen.smoothing);
+  SetNotAssessableBelow(model.resolution, model.centerline.curve);
+  AppendRemarks(model.warnings, WarningsOf(model.resolution));
+  return std::move(model);
+}
+
+/** Radius (mm) of the cross-section of a ball through a point; 0 outside the ball. */
+double
+RadiusOfSection(const itk::Point<double, 3> & center, double diameter, const itk::Point<double, 3> & point)
+{
+  return std::sqrt(std::max(0.0, 0.25 * diameter * diameter - center.SquaredEuclideanDistanceTo(point)));
+}
+} // namespace
+
+ColonModel
+BuildColonModel(const itk::Image<float, 3> * ct, const ColonModelSettings & options)
+{
+  return WithResolution(ModelOf(ct, SegmentColonLumen(ct, LumenSettingsOf(options)), options, LumenOrigin::Data),
+                        ct,
+                        options.sliceThickness);
+}
+
+ColonModel
+BuildColonModel(const itk::Image<float, 3> * ct, const LumenMask * lumen, const ColonModelSettings & options)
+{
+  return WithResolution(ModelOf(ct, ColonLumenOfMask(ct, lumen, LumenSettingsOf(options)), options, LumenOrigin::Mask),
+                        ct,
+                        options.sliceThickness);
+}
+
+ColonModel
+BuildColonModelOfLumen(const LumenMask * lumen, const ColonModelSettings & options)
+{
+  return WithResolution(ModelOfMask(lumen, options), lumen, options.sliceThickness);
 }
 
 std::vector<HinderedStretch>

@@ -296,6 +296,23 @@ MissingParts(const ColonModel & model)
 }
 
 Json
+ResolutionToJson(const ColonModel & model)
+{
+  const ScanResolution & resolution = model.resolution;
+  Json                   json;
+  json["text"] = InWords(resolution);
+  json["spacing"] = { resolution.spacing[0], resolution.spacing[1], resolution.spacing[2] };
+  json["sliceThickness"] = resolution.sliceThickness > 0.0 ? Json(resolution.sliceThickness) : Json(nullptr);
+  json["blur"] = resolution.blur;
+  json["smallestPolyp"] = resolution.smallestPolyp;
+  if (model.wall.raw.NumberOfFaces() > 0)
+  {
+    json["handlesBeforeRepair"] = model.wall.report.rawGenus;
+  }
+  return json;
+}
+
+Json
 SurfacesToJson(const ColonWallReport & report)
 {
   Json json;
@@ -328,6 +345,7 @@ ColonQualityToJson(const ColonModel & model)
     json["failure"] = model.failure;
   }
   json["warnings"] = model.warnings;
+  json["resolution"] = ResolutionToJson(model);
   json["lumen"] = LumenToJson(model);
   if (!model.centerline.curve.curves.empty())
   {

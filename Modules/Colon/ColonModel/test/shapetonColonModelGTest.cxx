@@ -106,6 +106,9 @@ ExpectQuality(const shapeton::ColonModel & model)
 {
   const shapeton::Json quality = shapeton::ColonQualityToJson(model);
   EXPECT_TRUE(quality.at("isComplete").get<bool>());
+  EXPECT_DOUBLE_EQ(quality.at("resolution").at("smallestPolyp").get<double>(), 12.0);
+  EXPECT_EQ(quality.at("resolution").at("handlesBeforeRepair").get<int>(), model.wall.report.rawGenus);
+  EXPECT_DOUBLE_EQ(shapeton::NotAssessableBelow(model.centerline.curve), 12.0);
   EXPECT_EQ(quality.at("lumen").at("position").get<std::string>(), "supine");
   EXPECT_EQ(quality.at("distension").at("segments").size(), 6U);
   EXPECT_DOUBLE_EQ(quality.at("centerline").at("length").get<double>(), model.centerline.length);
@@ -134,6 +137,7 @@ TEST(ColonModel, OfACtIsATubeAroundTheTrueLine)
   const auto patient = MakePatient();
   auto       options = Options();
   double     progress = 0.0;
+  options.sliceThickness = 4.0;
   options.progress = [&progress](const std::string & stage, double share) {
     EXPECT_FALSE(stage.empty());
     EXPECT_GE(share, progress);

@@ -200,6 +200,11 @@ RankValveLast(const IleocecalValve & valve, std::vector<PolypCandidate> & candid
 ShapetonPolypCandidates_EXPORT void
 NoteRectalCatheter(std::vector<PolypCandidate> & candidates);
 
+/** Adds a remark to candidates with a smaller diameter than the resolution supports, see NotAssessableBelow().
+ * \ingroup ShapetonPolypCandidates */
+ShapetonPolypCandidates_EXPORT void
+NoteSmallerThan(double notAssessableBelow, std::vector<PolypCandidate> & candidates);
+
 /** Ranks candidates centered inside or within 3 mm of a rectal catheter last, with a score of 0 and the remark "the
  * rectal catheter" or "the balloon of the rectal catheter". \param catheter its axis, one point per mm, with the point
  * array radius (mm) and optionally balloonRadius (mm, 0 outside the balloon). Throws InputError if radius is missing.

@@ -1,6 +1,7 @@
 #include "shapetonPolypCandidates.h"
 
 #include "shapetonCandidateList.h"
+#include "shapetonScanResolution.h"
 #include "shapetonSurfaceQuality.h"
 
 #include <algorithm>
@@ -173,6 +174,18 @@ NoteRectalCatheter(std::vector<PolypCandidate> & candidates)
     if (candidate.arcLength <= reach)
     {
       AddRemark("may be a rectal catheter, its balloon or hemorrhoids", candidate);
+    }
+  }
+}
+
+void
+NoteSmallerThan(double notAssessableBelow, std::vector<PolypCandidate> & candidates)
+{
+  for (PolypCandidate & candidate : candidates)
+  {
+    if (candidate.diameter < notAssessableBelow)
+    {
+      AddRemark(NotAssessableInWords(notAssessableBelow), candidate);
     }
   }
 }

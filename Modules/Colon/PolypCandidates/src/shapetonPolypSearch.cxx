@@ -6,6 +6,7 @@
 #include "shapetonFlatColonLocator.h"
 #include "shapetonPolypContent.h"
 #include "shapetonReadImage.h"
+#include "shapetonScanResolution.h"
 #include "shapetonSurfaceReader.h"
 #include "shapetonExceptions.h"
 #include "shapetonFileErrors.h"
@@ -186,6 +187,7 @@ SearchPolyps(const PolypColon & colon, const PolypSearchSettings & options)
   {
     NoteHindrances(colon.centerline, candidates);
   }
+  NoteSmallerThan(NotAssessableBelow(colon.centerline), candidates);
   if (!colon.catheter.curves.empty())
   {
     RankCatheterLast(colon.catheter, candidates);

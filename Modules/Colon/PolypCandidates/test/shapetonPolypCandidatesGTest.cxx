@@ -616,6 +616,18 @@ TEST(PolypCandidates, CatheterIsNotedByItsPlace)
   EXPECT_EQ(candidates[2].remark, "");
 }
 
+TEST(PolypCandidates, TooSmallForTheResolutionIsNoted)
+{
+  PolypCandidate small, large;
+  small.diameter = 8.9;
+  small.remark = "tagged";
+  large.diameter = 9.0;
+  std::vector<PolypCandidate> candidates{ small, large };
+  shapeton::NoteSmallerThan(9.0, candidates);
+  EXPECT_EQ(candidates[0].remark, "tagged; not assessable for polyps below 9 mm");
+  EXPECT_EQ(candidates[1].remark, "");
+}
+
 TEST(PolypCandidates, TheOtherPositionWeighsWhatItShows)
 {
   const auto weighed = [](double confidence, double score, double likeness, bool isExcluded = false) {

@@ -119,7 +119,7 @@ struct DicomSlice
   double position{ 0.0 };
   /** Displacement relative to the first slice along rows and columns, mm; 0 unless the series is sheared. */
   double offset[2]{ 0.0, 0.0 };
-  /** Slice Thickness, mm; 0 if missing. Used only for the spacing of a single slice. */
+  /** Slice Thickness, mm; 0 if missing. */
   double           thickness{ 0.0 };
   DicomPixelFormat pixels;
 };

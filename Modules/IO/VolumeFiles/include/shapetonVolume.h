@@ -22,6 +22,8 @@ struct Volume
   std::string modality;
   /** DICOM Patient Position, for example "HFS"; empty if unknown. */
   std::string patientPosition;
+  /** DICOM Slice Thickness, mm; 0 if unknown. It may differ from the spacing of the slices. */
+  double      sliceThickness{ 0.0 };
   std::string seriesUID;
   /** "seriesInstanceUID:..." or "sha256:..." of the file. */
   std::string identity;

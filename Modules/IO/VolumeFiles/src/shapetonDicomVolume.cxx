@@ -389,6 +389,7 @@ ReadDicomVolume(const DicomSeries & series, const VolumeReadOptions & options, c
   Volume volume;
   volume.modality = series.modality;
   volume.patientPosition = series.patientPosition;
+  volume.sliceThickness = series.slices.front().thickness;
   volume.seriesUID = series.uid;
   volume.identity = IdentityOf(series);
   const Slices slices = options.dropDuplicates ? DropDuplicates(series, volume) : series.slices;

@@ -72,6 +72,7 @@ TEST(VolumeReader, GeometryIntensitiesAndIdentity)
   EXPECT_DOUBLE_EQ(volume.image->GetSpacing()[2], 2.0);
   EXPECT_EQ(volume.modality, "CT");
   EXPECT_EQ(volume.patientPosition, "HFS");
+  EXPECT_DOUBLE_EQ(volume.sliceThickness, 6.0);
   EXPECT_EQ(volume.seriesUID, fixture.seriesUID);
   EXPECT_EQ(volume.identity, "seriesInstanceUID:" + fixture.seriesUID);
   EXPECT_TRUE(volume.repairs.empty());

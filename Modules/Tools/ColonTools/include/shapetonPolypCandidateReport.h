@@ -10,10 +10,12 @@ namespace shapeton
 {
 class CommandLine;
 
-/** Begins a section on candidates: a note on how to read them, a table, and the category implied by their sizes.
- * \ingroup ShapetonColonTools */
+/** Begins a section on candidates: a note on how to read them, the limit of the resolution stored with the centerline,
+ * a table, and the category implied by their sizes. \ingroup ShapetonColonTools */
 ShapetonColonTools_EXPORT void
-AddPolypCandidateTable(HtmlReport & report, const std::vector<PolypCandidate> & candidates);
+AddPolypCandidateTable(HtmlReport &                        report,
+                       const CurveSet &                    centerline,
+                       const std::vector<PolypCandidate> & candidates);
 
 /** Caption of a picture in the section. Number 0 is the picture of all candidates, any other number that candidate.
  * \ingroup ShapetonColonTools */

@@ -45,6 +45,10 @@ InputFacts(const Volume & volume)
   {
     facts.insert(facts.begin(), { "Modality", volume.modality });
   }
+  if (volume.sliceThickness > 0.0)
+  {
+    facts.emplace_back("Slice thickness", CsvTable::Rounded(volume.sliceThickness, 4) + " mm");
+  }
   if (!volume.patientPosition.empty())
   {
     facts.emplace_back("Patient position in the header", volume.patientPosition);
@@ -135,6 +139,7 @@ SummaryFacts(const ColonModel & model)
   {
     facts.emplace_back("Result", "partial: " + model.failure);
   }
+  facts.emplace_back("Resolution", InWords(model.resolution));
   facts.emplace_back(model.hasIntensities ? "Gas" : "Lumen", Milliliters(gas));
   if (model.hasIntensities)
   {

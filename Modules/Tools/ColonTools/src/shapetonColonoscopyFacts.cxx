@@ -48,6 +48,17 @@ ValveInWords(const Json & valve)
            : "not found: " + valve.at("reason").get<std::string>();
 }
 
+/** With the handles that it causes. */
+std::string
+ResolutionInWords(const Json & resolution)
+{
+  const std::string text = resolution.at("text").get<std::string>();
+  return resolution.contains("handlesBeforeRepair")
+           ? text + "; " + std::to_string(resolution["handlesBeforeRepair"].get<int>()) +
+               " handles of the wall before the repair"
+           : text;
+}
+
 void
 AddModelFacts(const Json & quality, ColonoscopyFacts & facts)
 {
@@ -59,6 +70,10 @@ AddModelFacts(const Json & quality, ColonoscopyFacts & facts)
       missing += (missing.empty() ? "incomplete: " : "; ") + part.get<std::string>();
     }
     facts.emplace_back("Colon", missing.empty() ? "complete" : missing);
+  }
+  if (quality.contains("resolution"))
+  {
+    facts.emplace_back("Resolution", ResolutionInWords(quality["resolution"]));
   }
   const double gas = NumberOrNaN(quality, "/lumen/gasVolume");
   const double fluid = NumberOrNaN(quality, "/lumen/fluidVolume");
@@ -184,6 +199,19 @@ AssessableInWords(const Json & landmarks, int number)
   return "";
 }
 
+/** Number of folds, and their density: thick slices add false folds. */
+std::string
+FoldsInWords(const ColonoscopyResults & results)
+{
+  constexpr double  stretch = 100.0; // mm
+  const double      length = NumberOrNaN(results.quality, "/centerline/length");
+  const std::string number = std::to_string(results.folds.size());
+  return length > 0.0
+           ? number + ", " + CsvTable::Rounded(stretch * static_cast<double>(results.folds.size()) / length, 2) +
+               " per " + Centimeters(stretch)
+           : number;
+}
+
 long
 NumberOfFlexures(const Json & landmarks)
 {
@@ -214,7 +242,7 @@ SummaryOf(const ColonoscopyReportContent & content)
   }
   if (results.IsDone(colonoscopystage::folds))
   {
-    facts.emplace_back("Haustral folds", std::to_string(results.folds.size()));
+    facts.emplace_back("Haustral folds", FoldsInWords(results));
   }
   if (results.IsDone(colonoscopystage::polyps))
   {

@@ -122,7 +122,7 @@ AddFlat(HtmlReport & html, PagePictures & pictures, const ColonoscopyResults & r
 void
 AddPolyps(HtmlReport & html, const ColonoscopyResults & results)
 {
-  AddPolypCandidateTable(html, results.polyps);
+  AddPolypCandidateTable(html, results.centerline, results.polyps);
   for (std::size_t i = 0; i < results.polypPictures.size(); ++i)
   {
     html.AddPicture(results.polypPictures[i], CaptionOfPolypPicture(static_cast<int>(i)));

@@ -3,6 +3,7 @@
 #include "shapetonColonSegments.h"
 #include "shapetonCommandLine.h"
 #include "shapetonPolypCandidatePictures.h"
+#include "shapetonScanResolution.h"
 
 #include <cmath>
 
@@ -64,11 +65,16 @@ TableForReaders(const std::vector<PolypCandidate> & candidates)
 } // namespace
 
 void
-AddPolypCandidateTable(HtmlReport & report, const std::vector<PolypCandidate> & candidates)
+AddPolypCandidateTable(HtmlReport & report, const CurveSet & centerline, const std::vector<PolypCandidate> & candidates)
 {
   report.AddHeading("Polyp candidates");
   report.AddNote("For research use; not a diagnosis. A candidate is a location shaped like a polyp. It may be "
                  "stool, the ileocecal valve or the end of a fold, and the list may miss polyps.");
+  if (const double below = NotAssessableBelow(centerline); below > 0.0)
+  {
+    report.AddParagraph("At the resolution of this scan, the colon is " + NotAssessableInWords(below) +
+                        ": such polyps are often missing.");
+  }
   if (candidates.empty())
   {
     report.AddParagraph("No candidates at this sensitivity.");
@@ -93,7 +99,7 @@ AddPolypCandidateSection(HtmlReport &                        report,
                          const std::string &                 folder,
                          const OutputPath &                  outputPath)
 {
-  AddPolypCandidateTable(report, candidates);
+  AddPolypCandidateTable(report, colon.centerline, candidates);
   if (candidates.empty() || !colon.flat)
   {
     return;

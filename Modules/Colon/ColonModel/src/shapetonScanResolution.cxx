@@ -1,0 +1,104 @@
+#include "shapetonScanResolution.h"
+
+#include "shapetonNumberText.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace shapeton
+{
+namespace
+{
+constexpr double     SamplesAcrossPolyp = 3.0;
+constexpr double     SmallestReported = 6.0; // mm
+constexpr double     ThickestSlice = 3.0;    // mm
+constexpr const char BelowArray[] = "notAssessableBelow";
+
+/** In tenths of mm, so that rounding errors of headers do not exceed a limit. */
+double
+ToTenths(double mm)
+{
+  return std::round(10.0 * mm) / 10.0;
+}
+
+std::string
+InMm(double mm)
+{
+  return NumberText(mm, 4);
+}
+
+/** Width of the voxel or slice, whichever is wider. */
+double
+CoarsestSample(const ScanResolution & resolution)
+{
+  return std::max({ resolution.spacing[0], resolution.spacing[1], resolution.spacing[2], resolution.sliceThickness });
+}
+} // namespace
+
+ScanResolution
+MeasureScanResolution(const itk::ImageBase<3> * grid, double sliceThickness, double smoothing)
+{
+  const double   widthPerSigma = 2.0 * std::sqrt(2.0 * std::log(2.0)); // of a Gaussian, at half maximum
+  ScanResolution resolution;
+  resolution.spacing = grid->GetSpacing();
+  resolution.sliceThickness = sliceThickness;
+  resolution.blur = std::hypot(CoarsestSample(resolution), widthPerSigma * smoothing);
+  resolution.smallestPolyp = ToTenths(SamplesAcrossPolyp * resolution.blur);
+  return resolution;
+}
+
+std::string
+InWords(const ScanResolution & resolution)
+{
+  std::string text =
+    InMm(resolution.spacing[0]) + " x " + InMm(resolution.spacing[1]) + " x " + InMm(resolution.spacing[2]) + " mm";
+  if (resolution.sliceThickness > 0.0)
+  {
+    text += ", slices " + InMm(resolution.sliceThickness) + " mm thick";
+  }
+  return text + (resolution.smallestPolyp > SmallestReported
+                   ? ": " + NotAssessableInWords(resolution.smallestPolyp)
+                   : ": polyps of " + InMm(SmallestReported) + " mm and more are assessable");
+}
+
+Remarks
+WarningsOf(const ScanResolution & resolution)
+{
+  Remarks      warnings;
+  const double coarsest = ToTenths(CoarsestSample(resolution));
+  if (resolution.smallestPolyp > SmallestReported)
+  {
+    warnings.push_back("the colon is " + NotAssessableInWords(resolution.smallestPolyp) +
+                       ": in the coarsest direction, the scan resolves " + InMm(resolution.blur) + " mm");
+  }
+  if (coarsest > ThickestSlice)
+  {
+    warnings.push_back("slices of " + InMm(coarsest) + " mm; CT colonography requires at most " + InMm(ThickestSlice) +
+                       " mm");
+  }
+  return warnings;
+}
+
+void
+SetNotAssessableBelow(const ScanResolution & resolution, CurveSet & centerline)
+{
+  if (resolution.smallestPolyp > SmallestReported)
+  {
+    centerline.fieldArrays.push_back(
+      { BelowArray, SurfaceArray::ValueMatrix::Constant(1, 1, resolution.smallestPolyp), false });
+  }
+}
+
+double
+NotAssessableBelow(const CurveSet & centerline)
+{
+  const SurfaceArray * const array = FindSurfaceArray(centerline.fieldArrays, BelowArray);
+  return array != nullptr && array->values.size() == 1 ? array->values(0, 0) : 0.0;
+}
+
+std::string
+NotAssessableInWords(double below)
+{
+  return below > 0.0 ? "not assessable for polyps below " + InMm(below) + " mm" : "";
+}
+} // namespace shapeton
