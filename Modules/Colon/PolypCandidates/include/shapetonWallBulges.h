@@ -75,8 +75,8 @@ ShapetonPolypCandidates_EXPORT std::vector<WallBulge>
 
 /** Finds plaques: broad convex parts of the wall (both principal curvatures positive, at least 4 mm wide) whose solid
  * angle is too small for a bulge, such as flat polyps. A half ellipsoid 16 mm wide and 2.3 mm high, fused with a
- * concave wall, has 0.05 sr. A bulge is never a part of a plaque, because its solid angle is greater. \ingroup
- * ShapetonPolypCandidates */
+ * concave wall, has 0.05 sr. A bulge is never a part of a plaque, because its solid angle is greater.
+ * \ingroup ShapetonPolypCandidates */
 ShapetonPolypCandidates_EXPORT std::vector<WallBulge>
                                FindWallPlaques(const SurfaceMesh &         wall,
                                                const SurfaceConnectivity & connectivity,
