@@ -82,6 +82,7 @@ AddCandidate(py::module_ & module)
     .def_property_readonly(
       "size", [](const PolypCandidate & c) { return NameOf(SizeOf(c.diameter)); }, "For example \"6-9 mm\".")
     .def_readonly("submerged_share", &PolypCandidate::submergedShare, "Fraction covered by tagged fluid, 0 to 1.")
+    .def_readonly("film_share", &PolypCandidate::filmShare, "Fraction of the surface coated with contrast, 0 to 1.")
     .def_readonly("remark", &PolypCandidate::remark, "For example \"the ileocecal valve\"; otherwise empty.")
     .def_readonly("other", &PolypCandidate::other, "Result in the other position; None if it was not searched.");
 }

@@ -139,6 +139,9 @@ struct PolypCandidate
   PolypTissue tissue{ PolypTissue::Unknown };
   /** Fraction of the head covered by tagged fluid, 0 to 1; NaN without a CT. */
   double submergedShare{ std::numeric_limits<double>::quiet_NaN() };
+  /** Fraction of the surface of the head with contrast on it (at least 250 HU up to 1 mm above or 1.5 mm below),
+   * without what is within 3 mm of fluid, 0 to 1; NaN without a CT. */
+  double filmShare{ std::numeric_limits<double>::quiet_NaN() };
   /** See RankValveLast(). */
   bool isAtValve{ false };
   /** Remark for the reader, for example "may be the ileocecal valve", or empty. */

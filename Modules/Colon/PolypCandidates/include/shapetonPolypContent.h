@@ -16,11 +16,14 @@ namespace shapeton
 ShapetonPolypCandidates_EXPORT double
 TissueLikelihood(double hounsfield, double submergedShare = 0.0);
 
-/** Sets attenuation, tissue and submergedShare of the candidates, with a remark for gas, tagged matter or fluid.
- * Multiplies the scores by TissueLikelihood(), then sorts and renumbers the candidates.
+/** Sets attenuation, tissue, submergedShare and filmShare of the candidates, with a remark for gas, tagged matter,
+ * fluid or a film of contrast. Multiplies the scores by TissueLikelihood(), then sorts and renumbers the candidates.
  *
  * The attenuation is the median HU of points on the lines from the surface of the head to its center that are more than
- * 1.2 mm from the lumen, to exclude partial volume. Small heads without such points use the deepest quarter.
+ * 1.2 mm from the lumen, to exclude partial volume. Small heads without such points use the deepest quarter. If these
+ * points are tagged, but those at least 1.8 mm from the lumen are soft tissue, their median is used: contrast often
+ * coats polyps (Kim et al., Eur Radiol 2014) and pervades tagged stool. Films thicker than a third of the radius are
+ * taken for stool; stool with an untagged core is taken for a coated polyp.
  *
  * \param ct HU, cleansed or not.
  * \param lumen 0 outside, 2 tagged fluid, other values gas; on any grid.

@@ -96,6 +96,7 @@ TableOfPolypCandidates(const std::vector<PolypCandidate> & candidates)
                    "attenuation",
                    "tissue",
                    "submergedShare",
+                   "filmShare",
                    "u",
                    "v",
                    "shapeIndex",
@@ -121,25 +122,16 @@ TableOfPolypCandidates(const std::vector<PolypCandidate> & candidates)
     std::vector<std::string> cells{ std::to_string(one.number), Cell(one.score, 4), Cell(one.shapeScore, 4) };
     AddPoint(one.position, cells);
     const PolypFeatures & features = one.features;
-    for (const std::string & cell : { NameOfSegment(one.segment),
-                                      Cell(one.arcLength),
-                                      Cell(one.diameter, 4),
-                                      NameOf(SizeOf(one.diameter)),
-                                      Cell(one.leastDiameter, 4),
-                                      Cell(one.height, 4),
-                                      Cell(one.attenuation, 4),
-                                      NameOf(one.tissue),
-                                      Cell(one.submergedShare, 3),
-                                      Cell(one.uv.x(), 6),
-                                      Cell(one.uv.y(), 6),
-                                      Cell(features.shapeIndex, 4),
-                                      Cell(features.roundness, 4),
-                                      Cell(features.hollowness, 4),
-                                      Cell(features.curvedness, 4),
-                                      Cell(features.solidAngle, 4),
-                                      Cell(features.prominence, 4),
-                                      Cell(features.heat, 4),
-                                      Cell(features.shapetonDensity, 4) })
+    for (const std::string & cell : { NameOfSegment(one.segment),   Cell(one.arcLength),
+                                      Cell(one.diameter, 4),        NameOf(SizeOf(one.diameter)),
+                                      Cell(one.leastDiameter, 4),   Cell(one.height, 4),
+                                      Cell(one.attenuation, 4),     NameOf(one.tissue),
+                                      Cell(one.submergedShare, 3),  Cell(one.filmShare, 3),
+                                      Cell(one.uv.x(), 6),          Cell(one.uv.y(), 6),
+                                      Cell(features.shapeIndex, 4), Cell(features.roundness, 4),
+                                      Cell(features.hollowness, 4), Cell(features.curvedness, 4),
+                                      Cell(features.solidAngle, 4), Cell(features.prominence, 4),
+                                      Cell(features.heat, 4),       Cell(features.shapetonDensity, 4) })
     {
       cells.push_back(cell);
     }
@@ -170,6 +162,7 @@ ReadPolypCandidates(const std::string & path)
     one.attenuation = table.NumberOrNothing(row, "attenuation");
     one.tissue = TissueOf(one.attenuation);
     one.submergedShare = table.NumberOrNothing(row, "submergedShare");
+    one.filmShare = table.NumberOrNothing(row, "filmShare");
     one.uv = { table.NumberOrNothing(row, "u"), table.NumberOrNothing(row, "v") };
     one.other = ReadOther(table, row);
     one.remark = table.Text(row, "remark");

@@ -38,23 +38,39 @@ public:
   double
   Clearance(const Eigen::Vector3d & point) const
   {
-    constexpr double step = 0.6;
-    constexpr int    steps = 5;
+    return std::max(0, this->StepsTo(point, [](unsigned char label) { return label != 0; }) - 1) * step;
+  }
+
+  /** Whether fluid is within 3 mm. */
+  bool
+  IsNearFluid(const Eigen::Vector3d & point) const
+  {
+    return this->StepsTo(point, [](unsigned char label) { return label == fluidLabel; }) <= steps;
+  }
+
+private:
+  static constexpr double step = 0.6; // mm
+  static constexpr int    steps = 5;
+
+  /** Number of steps to the nearest such label in 26 directions; steps + 1 for none. */
+  template <typename TIsIt>
+  int
+  StepsTo(const Eigen::Vector3d & point, const TIsIt & isIt) const
+  {
     for (int i = 0; i <= steps; ++i)
     {
       for (int direction = 0; direction < 27; ++direction)
       {
         const Eigen::Vector3d way(direction % 3 - 1, direction / 3 % 3 - 1, direction / 9 - 1);
-        if ((*this)(point + i * step * way.stableNormalized()) != 0)
+        if (isIt((*this)(point + i * step * way.stableNormalized())))
         {
-          return std::max(0, i - 1) * step;
+          return i;
         }
       }
     }
-    return steps * step;
+    return steps + 1;
   }
 
-private:
   const PolypLumenImage * m_Lumen;
 };
 
@@ -111,20 +127,20 @@ InnerPointsOf(const SurfaceMesh &                                               
   return points;
 }
 
-/** Median HU of the samples away from the lumen, or of the deepest quarter if too few; NaN without samples. */
+/** Median HU of the samples at this distance from the lumen, or of the deepest quarter if too few; NaN without
+ * samples. */
 double
-MedianInside(std::vector<InnerPoint> points)
+MedianAwayFromLumen(std::vector<InnerPoint> points, double distance)
 {
-  constexpr double awayFromLumen = 1.2;
-  constexpr int    few = 5;
+  constexpr int few = 5;
   if (points.empty())
   {
     return std::numeric_limits<double>::quiet_NaN();
   }
   std::stable_sort(
     points.begin(), points.end(), [](const InnerPoint & a, const InnerPoint & b) { return a.clearance > b.clearance; });
-  const auto away = std::count_if(
-    points.begin(), points.end(), [](const InnerPoint & point) { return point.clearance >= awayFromLumen; });
+  const auto away =
+    std::count_if(points.begin(), points.end(), [=](const InnerPoint & point) { return point.clearance >= distance; });
   const auto number = away >= few ? static_cast<std::size_t>(away) : (points.size() + 3) / 4;
   const auto middle = points.begin() + static_cast<std::ptrdiff_t>(number / 2);
   std::nth_element(points.begin(),
@@ -132,6 +148,21 @@ MedianInside(std::vector<InnerPoint> points)
                    points.begin() + static_cast<std::ptrdiff_t>(number),
                    [](const InnerPoint & a, const InnerPoint & b) { return a.hounsfield < b.hounsfield; });
   return middle->hounsfield;
+}
+
+/** Median HU inside a head: where the lumen does not affect it or, if a film of contrast does, below such a film. */
+double
+AttenuationOf(const std::vector<InnerPoint> & points)
+{
+  constexpr double blur = 1.2;      // mm: half a voxel and the blur of a scan
+  constexpr double filmDepth = 1.8; // mm: 1 mm of contrast and its blur
+  const double     inside = MedianAwayFromLumen(points, blur);
+  if (TissueOf(inside) != PolypTissue::Tagged)
+  {
+    return inside;
+  }
+  const double core = MedianAwayFromLumen(points, filmDepth);
+  return TissueOf(core) == PolypTissue::Soft ? core : inside;
 }
 
 /** Fraction of the vertices of a head covered by fluid. */
@@ -149,9 +180,38 @@ SubmergedShare(const SurfaceMesh & wall, const PolypCandidate & candidate, const
   return static_cast<double>(wet) / static_cast<double>(candidate.vertices.size());
 }
 
+/** Fraction of the vertices of a head with contrast on or directly below the surface, not near fluid. */
+double
+FilmShare(const SurfaceMesh &                                                       wall,
+          const PolypCandidate &                                                    candidate,
+          const itk::LinearInterpolateImageFunction<itk::Image<float, 3>, double> & ct,
+          const LumenAt &                                                           lumen)
+{
+  constexpr double      above = 1.0, below = 1.5, step = 0.5; // mm
+  constexpr double      leastOfFilm = 250.0;                  // HU: soft tissue of 50 HU and 4 times a noise of 50 HU
+  const Eigen::Vector3d middle = MiddleOf(wall, candidate);
+  int                   coated = 0;
+  for (const int vertex : candidate.vertices)
+  {
+    const Eigen::Vector3d surface = wall.V.row(vertex).transpose();
+    const Eigen::Vector3d outwards = (surface - middle).stableNormalized();
+    double                greatest = -std::numeric_limits<double>::infinity();
+    for (double height = -below; height <= above; height += step)
+    {
+      const Eigen::Vector3d       point = surface + height * outwards;
+      const itk::Point<double, 3> place(point.data());
+      greatest = ct.IsInsideBuffer(place) ? std::max(greatest, ct.Evaluate(place)) : greatest;
+    }
+    coated += greatest >= leastOfFilm && !lumen.IsNearFluid(surface) ? 1 : 0;
+  }
+  return static_cast<double>(coated) / static_cast<double>(candidate.vertices.size());
+}
+
 std::string
 RemarkOn(const PolypCandidate & candidate)
 {
+  constexpr double leastCoated = 0.01; // fraction of the surface; a drop at a tip in a real scan has 0.016
+
   if (candidate.tissue == PolypTissue::Gas)
   {
     return "gas: a bubble or a film";
@@ -160,7 +220,11 @@ RemarkOn(const PolypCandidate & candidate)
   {
     return "tagged: stool or residue";
   }
-  return candidate.submergedShare > 0.5 ? "under tagged fluid" : "";
+  if (candidate.submergedShare > 0.5)
+  {
+    return "under tagged fluid";
+  }
+  return candidate.filmShare >= leastCoated ? "contrast on its surface" : "";
 }
 } // namespace
 
@@ -195,9 +259,10 @@ MeasureContent(const SurfaceMesh &           wall,
   const LumenAt lumenAt(lumen);
   for (PolypCandidate & candidate : candidates)
   {
-    candidate.attenuation = MedianInside(InnerPointsOf(wall, candidate, *interpolator, lumenAt));
+    candidate.attenuation = AttenuationOf(InnerPointsOf(wall, candidate, *interpolator, lumenAt));
     candidate.tissue = TissueOf(candidate.attenuation);
     candidate.submergedShare = SubmergedShare(wall, candidate, lumenAt);
+    candidate.filmShare = FilmShare(wall, candidate, *interpolator, lumenAt);
     candidate.remark = RemarkOn(candidate);
     candidate.score = candidate.shapeScore * TissueLikelihood(candidate.attenuation, candidate.submergedShare);
   }

@@ -408,6 +408,37 @@ TEST(PolypCandidates, ContentIsMeasuredInsideAndRanks)
   EXPECT_EQ(shapeton::TissueOf(std::nan("")), shapeton::PolypTissue::Unknown);
 }
 
+TEST(PolypCandidates, AFilmOfContrastIsNoStool)
+{
+  constexpr double gasIntensity = -900.0, contrast = 600.0, tissue = 45.0, wholeHead = 20.0;
+  for (const double radius : { 3.0, 5.0 })
+  {
+    const std::vector<Body>     bodies{ Ball(Base(0.0) + 0.8 * radius * Vector3d::UnitZ(), radius) };
+    const shapeton::SurfaceMesh wall = MakeWall(bodies);
+    const auto                  found = Find(wall);
+    ASSERT_EQ(found.size(), 1u);
+    const auto lumen = MakeImage<shapeton::PolypLumenImage>(
+      0.8, [](double d) { return static_cast<unsigned char>(d > 0.0); }, bodies);
+    for (const double film : { 0.0, 1.0, 0.3 * radius, wholeHead })
+    {
+      // Partial volume over 1.2 mm at both surfaces of the film.
+      const auto hounsfield = [=](double d) {
+        const auto outside = [d](double border) { return std::clamp((d - border) / 1.2 + 0.5, 0.0, 1.0); };
+        return tissue + (contrast - tissue) * outside(-film) + (gasIntensity - contrast) * outside(0.0);
+      };
+      auto candidates = found;
+      shapeton::MeasureContent(wall, MakeImage<itk::Image<float, 3>>(0.8, hounsfield, bodies), lumen, candidates);
+      const PolypCandidate & one = candidates.front();
+      const bool             isStool = film == wholeHead;
+      EXPECT_EQ(one.tissue, isStool ? shapeton::PolypTissue::Tagged : shapeton::PolypTissue::Soft) << radius << film;
+      EXPECT_NEAR(one.attenuation, isStool ? contrast : tissue, 75.0) << radius << film;
+      EXPECT_EQ(one.remark, isStool ? "tagged: stool or residue" : film > 0.0 ? "contrast on its surface" : "");
+      EXPECT_TRUE(film > 0.0 ? one.filmShare > 0.95 : one.filmShare == 0.0) << one.filmShare;
+      EXPECT_NEAR(one.score, one.shapeScore * (isStool ? 0.25 : 1.0), 0.01);
+    }
+  }
+}
+
 TEST(PolypCandidates, HeadsAreVoxelsOfTheirTissue)
 {
   const Vector3d          middle = Base(0.0) + 4.0 * Vector3d::UnitZ();

@@ -4,6 +4,7 @@
 #include <metis.h>
 
 #include <algorithm>
+#include <csignal>
 #include <mutex>
 #include <new>
 #include <numeric>
@@ -53,9 +54,13 @@ RunMetis(Graph & graph, std::vector<idx_t> & order, std::vector<idx_t> & place)
   {
     throw std::bad_alloc();
   }
+  if (status == METIS_ERROR)
+  {
+    std::raise(SIGTERM); // METIS catches the signal and returns instead
+  }
   if (status != METIS_OK)
   {
-    throw std::logic_error("METIS rejects a graph of " + std::to_string(vertices) + " vertices");
+    throw std::runtime_error("METIS gave up on a graph of " + std::to_string(vertices) + " vertices");
   }
 }
 

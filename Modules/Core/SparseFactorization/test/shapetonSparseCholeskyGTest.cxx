@@ -8,7 +8,10 @@
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
 
+#include <unistd.h>
+
 #include <cmath>
+#include <csignal>
 #include <limits>
 
 namespace
@@ -235,4 +238,16 @@ TEST(SparseCholesky, IsAbortedByProgressAndWorksAfterwards)
   Eigen::MatrixXd       x = system.Matrix() * expected;
   solver.SolveInPlace(x);
   EXPECT_LT((x - expected).cwiseAbs().maxCoeff(), 1e-9);
+}
+
+TEST(SparseCholesky, ATerminationSignalEndsTheOrdering)
+{
+  // METIS would catch the signal and report an error of the graph.
+  const auto orderUntilTerminated = [] {
+    const Edges edges = GridEdges(1000); // takes seconds
+    std::signal(SIGALRM, [](int) { std::raise(SIGTERM); });
+    ualarm(200'000, 0); // microseconds
+    SymbolicFactorization(1'000'000, edges, EliminationOrder::NestedDissection);
+  };
+  EXPECT_EXIT(orderUntilTerminated(), testing::KilledBySignal(SIGTERM), "");
 }
