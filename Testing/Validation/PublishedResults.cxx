@@ -25,9 +25,9 @@ struct PublishedFigure
 constexpr const char * ofLumen = "No: true lumen of synthetic patients, fluid tagged; theirs are labels of experts on "
                                  "435 scans, which share errors with the method that proposed them.";
 
-constexpr const char * lumens = "colon-surfaces-fine-measures";
-constexpr const char * landmarks = "colon-landmarks-ct-measures";
-constexpr const char * registrations = "colon-registration-ct-measures";
+constexpr const char * lumens = "seeds-300-colon-surfaces-fine-measures";
+constexpr const char * landmarks = "seeds-300-colon-landmarks-ct-measures";
+constexpr const char * registrations = "seeds-300-colon-registration-ct-measures";
 constexpr const char * lumenSection = "Preset realistic, 0.7 mm voxels";
 constexpr const char * ctSection = "Preset realistic, from CT of 0.8 mm";
 constexpr const char * mean = "mean [95 % interval]";

@@ -1,7 +1,6 @@
 #include "shapetonPelvis.h"
 
-#include "shapetonDisjointSets.h"
-#include "shapetonVoxelGrid.h"
+#include "shapetonVoxelRuns.h"
 
 #include <algorithm>
 #include <array>
@@ -173,30 +172,17 @@ LargestBone(const PelvicCells & cells, double midline, const std::function<bool(
   const auto        isBone = [&](std::size_t cell) {
     return cells.Value(cell) >= leastBone && isSelected(cells.Center(cell).x() - midline);
   };
-  DisjointSets<std::size_t> sets(grid.NumberOfVoxels());
-  CellSet                   bones;
-  for (std::size_t cell = 0; cell < grid.NumberOfVoxels(); ++cell)
-  {
-    if (isBone(cell))
+  const VoxelRuns      runs = CollectRuns(grid, isBone);
+  const RunLabels      labels = LabelRuns(runs);
+  std::vector<CellSet> bones(labels.number + 1);
+  ForEachRun(runs, [&](std::size_t r, int j, int k) {
+    for (int i = runs.runs[r].begin; i < runs.runs[r].end; ++i)
     {
-      bones.push_back(cell);
-      ForEachNeighbor(grid, cell, [&](std::size_t other) {
-        if (other < cell && isBone(other))
-        {
-          sets.Join(cell, other);
-        }
-      });
+      bones[labels.ofRun[r]].push_back(grid.Index(i, j, k));
     }
-  }
-  std::vector<int> sizes(grid.NumberOfVoxels(), 0);
-  for (const std::size_t cell : bones)
-  {
-    ++sizes[sets.Find(cell)];
-  }
-  const auto largest = static_cast<std::size_t>(std::max_element(sizes.begin(), sizes.end()) - sizes.begin());
-  const auto isOther = [&](std::size_t cell) { return sets.Find(cell) != largest; };
-  bones.erase(std::remove_if(bones.begin(), bones.end(), isOther), bones.end());
-  return bones;
+  });
+  return *std::max_element(
+    bones.begin(), bones.end(), [](const CellSet & one, const CellSet & other) { return one.size() < other.size(); });
 }
 
 /** Fraction of the neighbors of a set that are gas. */
