@@ -18,7 +18,8 @@ constexpr const char BelowArray[] = "notAssessableBelow";
 double
 ToTenths(double mm)
 {
-  return std::round(10.0 * mm) / 10.0;
+  constexpr double tenths = 10.0;
+  return std::round(tenths * mm) / tenths;
 }
 
 std::string
