@@ -63,7 +63,7 @@ Segment(CommandLine & commandLine)
   const shapeton::ColonModelReport report(commandLine, commandLine.GetString("report"));
   const shapeton::Volume           volume = shapeton::ReadVolume(commandLine, "inputVolume");
   shapeton::ColonModelSettings     settings = SettingsOf(commandLine, volume);
-  files.WriteBeside(settings);
+  files.WriteBeside(settings, volume.image);
   shapeton::ColonModel model = ModelOf(commandLine, volume, settings);
   commandLine.Warn(model.warnings);
   const bool isPartial = !model.failure.empty();

@@ -66,6 +66,36 @@ TissueOf(double hounsfield);
 ShapetonPolypCandidates_EXPORT std::string
                                NameOf(PolypTissue tissue);
 
+/** Form of a polyp. \ingroup ShapetonPolypCandidates */
+enum class PolypMorphology
+{
+  Unknown,
+  Sessile,
+  Pedunculated,
+  Flat
+};
+
+/** "sessile", "pedunculated", "flat"; empty if unknown. \ingroup ShapetonPolypCandidates */
+ShapetonPolypCandidates_EXPORT std::string
+                               NameOf(PolypMorphology morphology);
+
+/** What a candidate is recognized as if not a polyp; reports list such candidates separately.
+ * \ingroup ShapetonPolypCandidates */
+enum class PolypLookalike
+{
+  None,
+  Valve,
+  Catheter,
+  Balloon,
+  Gas,
+  Tagged
+};
+
+/** "ileocecal valve", "rectal catheter", "balloon of the rectal catheter", "gas", "tagged stool or residue"; empty for
+ * none. \ingroup ShapetonPolypCandidates */
+ShapetonPolypCandidates_EXPORT std::string
+                               NameOf(PolypLookalike lookalike);
+
 /** Evidence for a candidate from the other patient position. \ingroup ShapetonPolypCandidates */
 struct PolypInOtherPosition
 {
@@ -137,13 +167,26 @@ struct PolypCandidate
   /** Median HU inside; NaN without a CT. */
   double      attenuation{ std::numeric_limits<double>::quiet_NaN() };
   PolypTissue tissue{ PolypTissue::Unknown };
+  /** Mean, 5 % and 95 % quantile of the HU that `attenuation` is the median of; NaN without a CT. */
+  double meanAttenuation{ std::numeric_limits<double>::quiet_NaN() };
+  double lowAttenuation{ std::numeric_limits<double>::quiet_NaN() };
+  double highAttenuation{ std::numeric_limits<double>::quiet_NaN() };
   /** Fraction of the head covered by tagged fluid, 0 to 1; NaN without a CT. */
   double submergedShare{ std::numeric_limits<double>::quiet_NaN() };
   /** Fraction of the surface of the head with contrast on it (at least 250 HU up to 1 mm above or 1.5 mm below),
    * without what is within 3 mm of fluid, 0 to 1; NaN without a CT. */
   double filmShare{ std::numeric_limits<double>::quiet_NaN() };
-  /** See RankValveLast(). */
-  bool isAtValve{ false };
+  /** See MeasureMorphology(). */
+  PolypMorphology morphology{ PolypMorphology::Unknown };
+  bool            isOnFold{ false };
+  /** Largest diameter (mm) of the cuts through the center of the head in the planes of the patient, and that plane:
+   * "axial", "coronal" or "sagittal"; NaN and empty if not measured. */
+  double      planeDiameter{ std::numeric_limits<double>::quiet_NaN() };
+  std::string plane;
+  /** Number of the candidate of which this is a fragment, see JoinFragments(); its own number otherwise, 0 if unknown.
+   */
+  int            mainCandidate{ 0 };
+  PolypLookalike lookalike{ PolypLookalike::None };
   /** Remark for the reader, for example "may be the ileocecal valve", or empty. */
   std::string                         remark;
   std::optional<PolypInOtherPosition> other;

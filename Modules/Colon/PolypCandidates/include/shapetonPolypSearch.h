@@ -27,8 +27,12 @@ struct PolypColon
   PolypLumenImage::Pointer lumen;
   /** Cleansed CT, HU; null for a mask. */
   itk::Image<float, 3>::Pointer ct;
+  /** The CT itself, HU, on the same grid; null if not available. */
+  itk::Image<float, 3>::Pointer original;
   /** Null if not available. */
   std::shared_ptr<const FlatColon> flat;
+  /** Haustral folds on the flat map; null if not available. */
+  itk::Image<unsigned short, 2>::Pointer folds;
   /** Surface with the cell array segment; may be empty. */
   SurfaceMesh segments;
   /** Warnings about missing data and the consequences. */
@@ -38,7 +42,8 @@ struct PolypColon
 };
 
 /** Reads a folder written by VirtualColonoscopy: segmentation/wall-repaired.vtp and lumen.nrrd, and, if present,
- * centerline.vtp, catheter.vtp, cleansed.nrrd, ../flattening/flat.vtp, ../landmarks/segments.vtp. Throws InputError
+ * centerline.vtp, catheter.vtp, cleansed.nrrd, cleansing.nrrd, ../flattening/flat.vtp, ../landmarks/segments.vtp,
+ * ../folds/labels.nrrd. Throws InputError
  * with the file name. \ingroup ShapetonPolypCandidates */
 ShapetonPolypCandidates_EXPORT PolypColon
 ReadPolypColon(const std::string & folder);

@@ -41,6 +41,19 @@ AddOther(const std::optional<PolypInOtherPosition> & other, std::vector<std::str
   cells.push_back(Cell(other->ownScore, 4));
 }
 
+/** The value of an enumeration, from 0 to `last`, with this name; the first one otherwise. */
+template <typename TEnum>
+TEnum
+Named(const std::string & name, TEnum last)
+{
+  int value = static_cast<int>(last);
+  while (value > 0 && NameOf(static_cast<TEnum>(value)) != name)
+  {
+    --value;
+  }
+  return static_cast<TEnum>(value);
+}
+
 int
 SegmentNamed(const std::string & name)
 {
@@ -93,7 +106,14 @@ TableOfPolypCandidates(const std::vector<PolypCandidate> & candidates)
                    "size",
                    "leastDiameter",
                    "height",
+                   "planeDiameter",
+                   "plane",
+                   "morphology",
+                   "onFold",
                    "attenuation",
+                   "meanAttenuation",
+                   "lowAttenuation",
+                   "highAttenuation",
                    "tissue",
                    "submergedShare",
                    "filmShare",
@@ -116,26 +136,47 @@ TableOfPolypCandidates(const std::vector<PolypCandidate> & candidates)
                    "otherConfidence",
                    "otherLikeness",
                    "ownScore",
+                   "mainCandidate",
+                   "lookalike",
                    "remark" });
   for (const PolypCandidate & one : candidates)
   {
     std::vector<std::string> cells{ std::to_string(one.number), Cell(one.score, 4), Cell(one.shapeScore, 4) };
     AddPoint(one.position, cells);
     const PolypFeatures & features = one.features;
-    for (const std::string & cell : { NameOfSegment(one.segment),   Cell(one.arcLength),
-                                      Cell(one.diameter, 4),        NameOf(SizeOf(one.diameter)),
-                                      Cell(one.leastDiameter, 4),   Cell(one.height, 4),
-                                      Cell(one.attenuation, 4),     NameOf(one.tissue),
-                                      Cell(one.submergedShare, 3),  Cell(one.filmShare, 3),
-                                      Cell(one.uv.x(), 6),          Cell(one.uv.y(), 6),
-                                      Cell(features.shapeIndex, 4), Cell(features.roundness, 4),
-                                      Cell(features.hollowness, 4), Cell(features.curvedness, 4),
-                                      Cell(features.solidAngle, 4), Cell(features.prominence, 4),
-                                      Cell(features.heat, 4),       Cell(features.shapetonDensity, 4) })
+    for (const std::string & cell : { NameOfSegment(one.segment),
+                                      Cell(one.arcLength),
+                                      Cell(one.diameter, 4),
+                                      NameOf(SizeOf(one.diameter)),
+                                      Cell(one.leastDiameter, 4),
+                                      Cell(one.height, 4),
+                                      Cell(one.planeDiameter, 4),
+                                      one.plane,
+                                      NameOf(one.morphology),
+                                      one.isOnFold ? std::string("1") : std::string("0"),
+                                      Cell(one.attenuation, 4),
+                                      Cell(one.meanAttenuation, 4),
+                                      Cell(one.lowAttenuation, 4),
+                                      Cell(one.highAttenuation, 4),
+                                      NameOf(one.tissue),
+                                      Cell(one.submergedShare, 3),
+                                      Cell(one.filmShare, 3),
+                                      Cell(one.uv.x(), 6),
+                                      Cell(one.uv.y(), 6),
+                                      Cell(features.shapeIndex, 4),
+                                      Cell(features.roundness, 4),
+                                      Cell(features.hollowness, 4),
+                                      Cell(features.curvedness, 4),
+                                      Cell(features.solidAngle, 4),
+                                      Cell(features.prominence, 4),
+                                      Cell(features.heat, 4),
+                                      Cell(features.shapetonDensity, 4) })
     {
       cells.push_back(cell);
     }
     AddOther(one.other, cells);
+    cells.push_back(one.mainCandidate > 0 ? std::to_string(one.mainCandidate) : "");
+    cells.push_back(NameOf(one.lookalike));
     cells.push_back(one.remark);
     table.AddRow(std::move(cells));
   }
@@ -159,12 +200,22 @@ ReadPolypCandidates(const std::string & path)
     one.diameter = table.Number(row, "diameter");
     one.leastDiameter = table.Number(row, "leastDiameter");
     one.height = table.Number(row, "height");
+    one.planeDiameter = table.NumberOrNothing(row, "planeDiameter");
+    one.plane = table.Text(row, "plane");
+    one.morphology = Named(table.Text(row, "morphology"), PolypMorphology::Flat);
+    one.isOnFold = table.Text(row, "onFold") == "1";
     one.attenuation = table.NumberOrNothing(row, "attenuation");
+    one.meanAttenuation = table.NumberOrNothing(row, "meanAttenuation");
+    one.lowAttenuation = table.NumberOrNothing(row, "lowAttenuation");
+    one.highAttenuation = table.NumberOrNothing(row, "highAttenuation");
     one.tissue = TissueOf(one.attenuation);
     one.submergedShare = table.NumberOrNothing(row, "submergedShare");
     one.filmShare = table.NumberOrNothing(row, "filmShare");
     one.uv = { table.NumberOrNothing(row, "u"), table.NumberOrNothing(row, "v") };
     one.other = ReadOther(table, row);
+    one.mainCandidate =
+      table.Text(row, "mainCandidate").empty() ? 0 : static_cast<int>(table.Number(row, "mainCandidate"));
+    one.lookalike = Named(table.Text(row, "lookalike"), PolypLookalike::Tagged);
     one.remark = table.Text(row, "remark");
   }
   return candidates;

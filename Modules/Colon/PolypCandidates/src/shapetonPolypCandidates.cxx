@@ -71,6 +71,42 @@ NameOf(PolypTissue tissue)
   }
 }
 
+std::string
+NameOf(PolypMorphology morphology)
+{
+  switch (morphology)
+  {
+    case PolypMorphology::Sessile:
+      return "sessile";
+    case PolypMorphology::Pedunculated:
+      return "pedunculated";
+    case PolypMorphology::Flat:
+      return "flat";
+    default:
+      return "";
+  }
+}
+
+std::string
+NameOf(PolypLookalike lookalike)
+{
+  switch (lookalike)
+  {
+    case PolypLookalike::Valve:
+      return "ileocecal valve";
+    case PolypLookalike::Catheter:
+      return "rectal catheter";
+    case PolypLookalike::Balloon:
+      return "balloon of the rectal catheter";
+    case PolypLookalike::Gas:
+      return "gas";
+    case PolypLookalike::Tagged:
+      return "tagged stool or residue";
+    default:
+      return "";
+  }
+}
+
 double
 MatchedSmoothingTime(const SurfaceMesh & wall, double time)
 {
@@ -148,9 +184,9 @@ RankValveLast(const IleocecalValve & valve, std::vector<PolypCandidate> & candid
   const double     reach = std::max(12.0, 0.5 * valve.length + 3.0); // mm
   for (PolypCandidate & one : candidates)
   {
-    one.isAtValve = (one.position - valve.position).norm() <= reach;
-    if (one.isAtValve)
+    if ((one.position - valve.position).norm() <= reach)
     {
+      one.lookalike = PolypLookalike::Valve;
       one.score = std::min(one.score, 1.0 - defaultPolypSensitivity);
       if (one.features.shapeIndex <= leastShapeIndexOfDomes)
       {
@@ -160,8 +196,9 @@ RankValveLast(const IleocecalValve & valve, std::vector<PolypCandidate> & candid
     }
   }
   // Last among equal scores, since Rank() is stable.
-  std::stable_partition(
-    candidates.begin(), candidates.end(), [](const PolypCandidate & one) { return !one.isAtValve; });
+  std::stable_partition(candidates.begin(), candidates.end(), [](const PolypCandidate & one) {
+    return one.lookalike != PolypLookalike::Valve;
+  });
   Rank(candidates);
 }
 
@@ -207,6 +244,7 @@ RankCatheterLast(const CurveSet & catheter, std::vector<PolypCandidate> & candid
     if (isOnTube || isOnBalloon)
     {
       candidate.score = 0.0;
+      candidate.lookalike = isOnTube ? PolypLookalike::Catheter : PolypLookalike::Balloon;
       candidate.remark = isOnTube ? what : std::string("the balloon of ") + what;
     }
   }

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace shapeton
 {
@@ -127,42 +128,62 @@ InnerPointsOf(const SurfaceMesh &                                               
   return points;
 }
 
-/** Median HU of the samples at this distance from the lumen, or of the deepest quarter if too few; NaN without
- * samples. */
-double
-MedianAwayFromLumen(std::vector<InnerPoint> points, double distance)
+/** HU of the samples at this distance from the lumen, or of the deepest quarter if too few, sorted. */
+std::vector<double>
+ValuesAwayFromLumen(std::vector<InnerPoint> points, double distance)
 {
   constexpr int few = 5;
-  if (points.empty())
-  {
-    return std::numeric_limits<double>::quiet_NaN();
-  }
   std::stable_sort(
     points.begin(), points.end(), [](const InnerPoint & a, const InnerPoint & b) { return a.clearance > b.clearance; });
   const auto away =
     std::count_if(points.begin(), points.end(), [=](const InnerPoint & point) { return point.clearance >= distance; });
-  const auto number = away >= few ? static_cast<std::size_t>(away) : (points.size() + 3) / 4;
-  const auto middle = points.begin() + static_cast<std::ptrdiff_t>(number / 2);
-  std::nth_element(points.begin(),
-                   middle,
-                   points.begin() + static_cast<std::ptrdiff_t>(number),
-                   [](const InnerPoint & a, const InnerPoint & b) { return a.hounsfield < b.hounsfield; });
-  return middle->hounsfield;
+  points.resize(away >= few ? static_cast<std::size_t>(away) : (points.size() + 3) / 4);
+  std::vector<double> values;
+  for (const InnerPoint & point : points)
+  {
+    values.push_back(point.hounsfield);
+  }
+  std::sort(values.begin(), values.end());
+  return values;
 }
 
-/** Median HU inside a head: where the lumen does not affect it or, if a film of contrast does, below such a film. */
 double
-AttenuationOf(const std::vector<InnerPoint> & points)
+Quantile(const std::vector<double> & sorted, double share)
 {
-  constexpr double blur = 1.2;      // mm: half a voxel and the blur of a scan
-  constexpr double filmDepth = 1.8; // mm: 1 mm of contrast and its blur
-  const double     inside = MedianAwayFromLumen(points, blur);
-  if (TissueOf(inside) != PolypTissue::Tagged)
+  return sorted.empty()
+           ? std::numeric_limits<double>::quiet_NaN()
+           : sorted[std::min(sorted.size() - 1, static_cast<std::size_t>(share * static_cast<double>(sorted.size())))];
+}
+
+/** HU inside a head: where the lumen does not affect it or, if a film of contrast does, below such a film; sorted. */
+std::vector<double>
+ValuesInside(const std::vector<InnerPoint> & points)
+{
+  constexpr double          blur = 1.2;      // mm: half a voxel and the blur of a scan
+  constexpr double          filmDepth = 1.8; // mm: 1 mm of contrast and its blur
+  const std::vector<double> inside = ValuesAwayFromLumen(points, blur);
+  if (TissueOf(Quantile(inside, 0.5)) != PolypTissue::Tagged)
   {
     return inside;
   }
-  const double core = MedianAwayFromLumen(points, filmDepth);
-  return TissueOf(core) == PolypTissue::Soft ? core : inside;
+  const std::vector<double> core = ValuesAwayFromLumen(points, filmDepth);
+  return TissueOf(Quantile(core, 0.5)) == PolypTissue::Soft ? core : inside;
+}
+
+void
+MeasureAttenuation(const std::vector<double> & values, PolypCandidate & candidate)
+{
+  constexpr double low = 0.05, high = 0.95;
+  candidate.attenuation = Quantile(values, 0.5);
+  candidate.lowAttenuation = Quantile(values, low);
+  candidate.highAttenuation = Quantile(values, high);
+  candidate.meanAttenuation =
+    values.empty() ? std::numeric_limits<double>::quiet_NaN()
+                   : std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+  candidate.tissue = TissueOf(candidate.attenuation);
+  candidate.lookalike = candidate.tissue == PolypTissue::Gas      ? PolypLookalike::Gas
+                        : candidate.tissue == PolypTissue::Tagged ? PolypLookalike::Tagged
+                                                                  : PolypLookalike::None;
 }
 
 /** Fraction of the vertices of a head covered by fluid. */
@@ -259,8 +280,7 @@ MeasureContent(const SurfaceMesh &           wall,
   const LumenAt lumenAt(lumen);
   for (PolypCandidate & candidate : candidates)
   {
-    candidate.attenuation = AttenuationOf(InnerPointsOf(wall, candidate, *interpolator, lumenAt));
-    candidate.tissue = TissueOf(candidate.attenuation);
+    MeasureAttenuation(ValuesInside(InnerPointsOf(wall, candidate, *interpolator, lumenAt)), candidate);
     candidate.submergedShare = SubmergedShare(wall, candidate, lumenAt);
     candidate.filmShare = FilmShare(wall, candidate, *interpolator, lumenAt);
     candidate.remark = RemarkOn(candidate);

@@ -156,7 +156,8 @@ WeighByOtherPosition(double confidence, std::vector<PolypCandidate> & candidates
   RequireParameter(confidence >= 0.0 && confidence <= 1.0, "the confidence of a registration must be between 0 and 1");
   for (PolypCandidate & candidate : candidates)
   {
-    if (!candidate.other || candidate.other->isExcluded || candidate.isAtValve || candidate.shapeScore <= 0.0)
+    if (!candidate.other || candidate.other->isExcluded || candidate.lookalike == PolypLookalike::Valve ||
+        candidate.shapeScore <= 0.0)
     {
       continue;
     }

@@ -4,7 +4,9 @@
 #include "shapetonColonAssessability.h"
 #include "shapetonColonSegments.h"
 #include "shapetonFlatColonLocator.h"
+#include "shapetonHaustralFoldFiles.h"
 #include "shapetonPolypContent.h"
+#include "shapetonPolypMorphology.h"
 #include "shapetonReadImage.h"
 #include "shapetonScanResolution.h"
 #include "shapetonSurfaceReader.h"
@@ -52,6 +54,22 @@ ReadPart(const std::string & path, const std::string & name, const std::string &
   return std::move(surface.mesh);
 }
 
+/** The CT: the sum of the cleansed CT and of what cleansing removed. */
+itk::Image<float, 3>::Pointer
+Uncleansed(const itk::Image<float, 3> * cleansed, const std::string & path)
+{
+  const auto image = ReadImageFile(path).image;
+  if (!HaveSameGrid(image, cleansed))
+  {
+    throw InputError("\"" + path + "\" does not belong to the cleansed CT beside it; run ColonSegmentation again");
+  }
+  const std::size_t   voxels = image->GetLargestPossibleRegion().GetNumberOfPixels();
+  float * const       values = image->GetBufferPointer();
+  const float * const rest = cleansed->GetBufferPointer();
+  ParallelForBlocks(voxels, [=](std::size_t i) { values[i] += rest[i]; });
+  return image;
+}
+
 void
 ReadVolumes(const std::string & segmentation, PolypColon & colon)
 {
@@ -60,6 +78,10 @@ ReadVolumes(const std::string & segmentation, PolypColon & colon)
   if (IsThere(segmentation + "cleansed.nrrd"))
   {
     colon.ct = ReadImageFile(segmentation + "cleansed.nrrd").image;
+  }
+  if (colon.ct && IsThere(segmentation + "cleansing.nrrd"))
+  {
+    colon.original = Uncleansed(colon.ct, segmentation + "cleansing.nrrd");
   }
 }
 
@@ -79,6 +101,20 @@ PlaceOnFlatMap(const FlatColon & flat, std::vector<PolypCandidate> & candidates)
   {
     candidate.uv = locator.Find(candidate.position).uv;
   }
+}
+
+/** Whether a point of the wall belongs to a fold; empty if folds are unknown. */
+std::function<bool(const Eigen::Vector3d &)>
+FoldTest(const PolypColon & colon)
+{
+  if (!colon.flat || !colon.folds)
+  {
+    return {};
+  }
+  const SurfaceMesh & flat = colon.flat->Surface();
+  const auto          folds = std::make_shared<const std::vector<unsigned short>>(FoldsOfFaces(flat, *colon.folds));
+  const auto          locator = std::make_shared<const SurfaceLocator>(flat.V, flat.F);
+  return [=](const Eigen::Vector3d & point) { return (*folds)[locator->FindClosest(point).face] != 0; };
 }
 
 void
@@ -151,6 +187,10 @@ ReadPolypColon(const std::string & folder)
   {
     colon.flat = std::make_shared<FlatColon>(std::move(flat));
   }
+  if (IsThere(folder + "/folds/labels.nrrd"))
+  {
+    colon.folds = ReadFoldLabels(folder + "/folds/labels.nrrd");
+  }
   colon.segments = ReadPart(folder + "/landmarks/segments.vtp", "segments", "segments are not named", colon);
   return colon;
 }
@@ -192,6 +232,8 @@ SearchPolyps(const PolypColon & colon, const PolypSearchSettings & options)
   {
     RankCatheterLast(colon.catheter, candidates);
   }
+  MeasureMorphology(colon.wall, FoldTest(colon), candidates);
+  JoinFragments(colon.wall, candidates);
   options.progress("Candidates", 1.0);
   return candidates;
 }

@@ -18,7 +18,8 @@ class CommandLine;
 /** \class ColonModelFiles
  * \brief Files of a colon model in a folder, as the tools write and read them.
  *
- * lumen.nrrd (1 gas, 2 fluid, 3 terminalIleum), cleansed.nrrd (HU; not for a mask), centerline.vtp, catheter.vtp
+ * lumen.nrrd (1 gas, 2 fluid, 3 terminalIleum), cleansed.nrrd and cleansing.nrrd (HU, their sum is the CT; not for a
+ * mask), centerline.vtp, catheter.vtp
  * (if one is found), wall.vtp, wall-repaired.vtp, wall-simplified.vtp, quality.json. All files state their provenance.
  *
  * \ingroup ShapetonColonTools
@@ -30,9 +31,10 @@ public:
   ColonModelFiles(CommandLine & commandLine, const std::string & folder);
 
   /** Adds the provenance to the surfaces, and writes each part of the model in parallel as soon as it is available.
-   * Call it before the model is computed; do not register other outputs until the model is complete. */
+   * Call it before the model is computed; do not register other outputs until the model is complete. \param ct HU, not
+   * used for a mask; it must outlive the files. */
   void
-  WriteBeside(ColonModelSettings & options);
+  WriteBeside(ColonModelSettings & options, const itk::Image<float, 3> * ct);
 
   /** Writes the parts of the model that are not written yet. With `atOnce` the files get their final names immediately,
    * even if the run fails later. */
@@ -47,6 +49,9 @@ private:
   };
   File
   CleansedFile(const itk::Image<float, 3> * cleansed) const;
+  /** What cleansing removed. */
+  File
+  CleansingFile(const itk::Image<float, 3> * cleansed) const;
   File
   LumenFile(const ColonModel & model) const;
   static std::vector<File>
@@ -63,6 +68,7 @@ private:
   CommandLine &                      m_CommandLine;
   std::string                        m_Folder;
   SceneFiles                         m_Scene;
+  const itk::Image<float, 3> *       m_Ct{ nullptr };
   std::mutex                         m_Mutex;   ///< guards the next member and the command line's outputs
   std::map<std::string, std::string> m_Outputs; ///< by name
 };

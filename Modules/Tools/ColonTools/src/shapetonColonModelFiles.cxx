@@ -88,6 +88,20 @@ ColonModelFiles::CleansedFile(const itk::Image<float, 3> * cleansed) const
 }
 
 ColonModelFiles::File
+ColonModelFiles::CleansingFile(const itk::Image<float, 3> * cleansed) const
+{
+  return { "cleansing.nrrd", [this, cleansed](const std::string & path) {
+            const auto          removed = RoundedToHU(m_Ct);
+            const auto          rest = RoundedToHU(cleansed);
+            const std::size_t   voxels = removed->GetLargestPossibleRegion().GetNumberOfPixels();
+            short * const       values = removed->GetBufferPointer();
+            const short * const kept = rest->GetBufferPointer();
+            ParallelForBlocks(voxels, [=](std::size_t i) { values[i] = static_cast<short>(values[i] - kept[i]); });
+            WriteVolume(removed.GetPointer(), path, ProvenanceMetadata(m_CommandLine.GetProvenance()));
+          } };
+}
+
+ColonModelFiles::File
 ColonModelFiles::LumenFile(const ColonModel & model) const
 {
   return { "lumen.nrrd", [this, &model](const std::string & path) {
@@ -114,6 +128,7 @@ ColonModelFiles::FilesOf(const ColonModel & model) const
   if (model.cleansed)
   {
     files.push_back(this->CleansedFile(model.cleansed));
+    files.push_back(this->CleansingFile(model.cleansed));
   }
   if (model.wall.raw.NumberOfFaces() > 0)
   {
@@ -162,10 +177,13 @@ ColonModelFiles::WriteFiles(const std::vector<File> & files)
 }
 
 void
-ColonModelFiles::WriteBeside(ColonModelSettings & options)
+ColonModelFiles::WriteBeside(ColonModelSettings & options, const itk::Image<float, 3> * ct)
 {
+  m_Ct = ct;
   options.facts = ProvenanceMetadata(m_CommandLine.GetProvenance()); // adding it later would copy the surface
-  options.onCleansed = [this](const auto * cleansed) { this->WriteFiles({ this->CleansedFile(cleansed) }); };
+  options.onCleansed = [this](const auto * cleansed) {
+    this->WriteFiles({ this->CleansedFile(cleansed), this->CleansingFile(cleansed) });
+  };
   options.besideWall = [this](const ColonModel & model) { this->WriteFiles({ this->LumenFile(model) }); };
   options.besideSimplification = [this](const SurfaceMesh & raw, const SurfaceMesh & repaired) {
     for (const File & file : WallsOf(raw, repaired)) // sequentially, to halve the memory

@@ -248,9 +248,11 @@ SearchForCandidates(const char * name, const OptionPasser & passer, const std::s
                    "segmentation/lumen.nrrd",
                    "segmentation/centerline.vtp",
                    "segmentation/cleansed.nrrd",
+                   "segmentation/cleansing.nrrd",
                    "segmentation/catheter.vtp",
                    "flattening/flat.vtp",
-                   "landmarks/segments.vtp" })
+                   "landmarks/segments.vtp",
+                   "folds/labels.nrrd" })
     .Output("", "candidates.csv");
   passer.Pass(stage, { "sensitivity" });
   return stage;
